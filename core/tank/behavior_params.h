@@ -3,11 +3,12 @@
  *
  * Each tank preset has one set of parameters. The code reads the parameters and never tests which
  * preset is in use. Lengths and speeds are in body lengths, so that one set is valid for fish of
- * every size. Stamina is in [0, 1]; the 2013 thesis uses 0 to 100. A parameter of 0 disables its
- * feature, unless the comment on the parameter gives another meaning. */
+ * every size. Stamina is in [0, 1]; the 2013 thesis on goldfish behavior uses 0 to 100. A parameter
+ * of 0 disables its feature, unless the comment on the parameter gives another meaning. */
 #ifndef KINGYO_CORE_TANK_BEHAVIOR_PARAMS_H
 #define KINGYO_CORE_TANK_BEHAVIOR_PARAMS_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "core/base/rng.h"
@@ -18,7 +19,8 @@ struct behavior_params {
      * 5 cm long, 2 cm high and 1 cm wide. */
     float height_per_length, width_per_length;
 
-    /* Personal space beyond the body on every side, in body lengths (2013 thesis, section 3.4). */
+    /* Width of the personal space around the body of a fish, on every side, in body lengths. Fish
+     * whose personal spaces overlap may avoid each other (2013 thesis, section 3.4). */
     float space_per_length;
     float space_fill_max; /* Largest fraction of the water volume that the personal spaces of all
                              fish may fill together. If the spaces would fill more, every space
@@ -38,39 +40,42 @@ struct behavior_params {
     /* The next four parameters control how a fish avoids other fish (2013 thesis, section 3.4). */
     float meet_within_s; /* Time to contact below which a fish begins to avoid another fish. 0 means
                             no limit. */
-    float meet_miss;     /* Largest distance at which the courses of two fish may pass each other
-                            and still cause avoidance, as a fraction of the sum of the fish's
-                            lengths. 0 means any distance. */
+    float meet_miss;     /* Distance within which the courses of two fish must pass each other, so
+                            that the fish avoid each other. The unit is the sum of the two lengths.
+                            0 means any distance. */
     float brake_s;       /* Time to contact with another fish below which a fish slows down. */
-    float swerve_haste;  /* Value >= 1 of `haste` (fish.h) during an avoiding turn. A larger value
-                            makes the turn begin faster. */
+    float swerve_haste;  /* Value >= 1 of `haste` (fish.h) while a fish turns to avoid another fish.
+                            A larger value makes the turn begin faster. */
 
     /* A fish turns away from a wall when the distance from its nose to the wall is below a limit
-     * (2013 thesis, section 3.1). The limit is the sum of `wall_per_length` and `wall_within_s`. */
-    float wall_per_length; /* First part of the distance limit to a wall, in body lengths. */
-    float wall_within_s;   /* Second part of the distance limit to a wall: the distance that the
-                              fish swims in this time. */
+     * (2013 thesis, section 3.1). The limit is `wall_per_length` body lengths plus the distance
+     * that the fish swims in the time `wall_within_s`. */
+    float wall_per_length; /* Constant part, in body lengths, of the distance to a wall below which
+                              a fish turns away. */
+    float wall_within_s;   /* Time that determines the second part of the distance to a wall below
+                              which a fish turns away. The second part is the distance that the fish
+                              swims in this time. */
 
     /* The next parameters add the behavior of living fish to the rules of the 2013 thesis. */
-    float kick_rad;      /* Standard deviation of the random turn at each kick of the tail
+    float kick_rad;          /* Standard deviation of the random turn at each kick of the tail
                             (gait.h). 0 means that a fish keeps its course until its gait
                             changes. */
-    uint8_t glides;      /* 1 if a swimming fish alternates between tail beats and glides,
-                            otherwise 0. */
-    uint8_t banks;       /* 1 if the fish rolls into its turns, otherwise 0. */
-    float flow_share;    /* Fraction [0, 1] of the flow velocity around a poi (water.h) at which
-                            fish drift along. */
-    float wall_follow;   /* Strength [0, 1] of the attraction of walls (fish_behavior.h). */
-    float shade_dwell_s; /* Time that a shade must be still before it attracts fish. */
-    uint8_t shade_draws_bursts; /* 1 if a shade also attracts fish in a burst, otherwise 0. In
-                                   section 3.5 of the 2013 thesis a shade attracts every fish. */
-    uint8_t shade_frights;      /* 1 if a new or moving shade startles fish, otherwise 0. */
-    uint8_t escapes;            /* 1 if fish escape from a poi and from other stimuli by a C-start
-                                   (startle.h), otherwise 0. */
+    bool glides;             /* True if a swimming fish alternates between tail beats and glides. */
+    bool banks;              /* True if the fish rolls into its turns. */
+    float flow_share;        /* Velocity with which fish drift in the flow around a moving poi
+                                (paper scoop), as a fraction [0, 1] of the flow velocity
+                                (water.h). */
+    float wall_follow;       /* Strength [0, 1] with which walls attract fish (fish_behavior.h). */
+    float shade_dwell_s;     /* Time that a shade must be still before it attracts fish. */
+    bool shade_draws_bursts; /* True if a shade also attracts fish in a burst. In section 3.5 of the
+                                2013 thesis a shade attracts every fish. */
+    bool shade_frights;      /* True if a new or moving shade startles fish. */
+    bool escapes;            /* True if startled fish escape by a C-start, a fast turn and thrust
+                                (startle.h), for example from a poi (paper scoop). */
 
     /* The next parameters control surface breathing (2013 thesis, section 3.6). */
-    uint8_t air_by_oxygen;        /* Cause of surface breathing: 1 means low oxygen in the water, 0
-                                     means low stamina. */
+    bool air_by_oxygen;           /* Cause of surface breathing: true means low oxygen in the water,
+                                     false means low stamina. */
     float gulp_min_s, gulp_max_s; /* Shortest and longest duration of a bout, which is a series of
                                      gulps. The random duration has a uniform distribution. */
     float gulp_gain_per_s;        /* Stamina that a fish gains per second while its mouth is in the
@@ -79,18 +84,31 @@ struct behavior_params {
                            zero at 4 mg/L or more and grows linearly as the concentration falls. */
 };
 
+/* Temper of the fish of a tank: how much calmer they are than living fish. All fields are 0 for
+ * living fish. Calmer fish escape in the same way as living fish, but later or only from a stronger
+ * stimulus. */
+struct temper {
+    float threshold_gain; /* The alarm that starts an escape is higher by this fraction. */
+    float latency_gain;   /* The latency between alarm and escape is longer by this fraction. */
+    float reach_loss;     /* Fraction [0, 1] by which the distance is smaller at which a moving poi
+                             (paper scoop) startles fish. */
+    float calm_share;     /* Fraction [0, 1] of the small fish that stay near the surface and have a
+                             higher threshold (fish_is_calm()). */
+};
+
 struct obstacle;
 struct shade;
 
-/* Ticks between two decisions of an undisturbed fish: 33 ms, its reaction time. */
+/* Ticks between two decisions of an undisturbed fish: 33 ms, the reaction time of a fish. */
 #define FISH_BEHAVIOR_TICKS 4u
 
 /* Input of a fish's decision. The caller owns the arrays, which stay valid during the decision. */
 struct perception {
     const struct behavior_params *params;
-    vec3 size_m;         /* Inner width, water depth and length of the tank. */
-    float wall_follow;   /* Strength [0, 1] of the attraction of walls. */
-    uint8_t ball_spaces; /* 1 if personal spaces are balls instead of boxes, otherwise 0; see struct
+    struct temper temper;
+    vec3 size_m;       /* Inner width, water depth and length of the tank. */
+    float wall_follow; /* Strength [0, 1] with which walls attract fish. */
+    bool ball_spaces;  /* True if personal spaces are balls instead of boxes; see struct
                             tank_config. */
     uint32_t seed, tick;
     float dt_s;        /* Time since the last decision of the deciding fish. */

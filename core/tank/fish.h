@@ -1,8 +1,9 @@
 /* fish.h -- the state of one goldfish: size, pose, stamina and current goals. A poi is the paper
- * scoop of a player; a tick is 1/120 s. */
+ * scoop with which a player catches fish. A tick is one step of the simulation, 1/120 s. */
 #ifndef KINGYO_CORE_TANK_FISH_H
 #define KINGYO_CORE_TANK_FISH_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "core/tank/behavior_params.h"
@@ -11,8 +12,8 @@
 /* Largest number of fish in a tank of the kiosk program. A tank preset can have a lower limit
  * (tank_preset_fish_max()). */
 #define TANK_FISH_KIOSK 2048u
-/* Capacity of struct tank. `kingyoctl tank` and the benchmark are compiled with a larger capacity
- * (platform/ctl/tank/tank.mk). */
+/* Number of fish for which struct tank has memory. The program `kingyoctl tank` and the benchmark
+ * are compiled with a larger number (platform/ctl/tank/tank.mk). */
 #ifndef TANK_FISH_MAX
 #define TANK_FISH_MAX TANK_FISH_KIOSK
 #endif
@@ -23,16 +24,17 @@ typedef uint16_t fish_index; /* Index of a fish or number of fish, 0 .. TANK_FIS
 typedef uint32_t fish_index;
 #endif
 
-/* Returns the fish capacity from which a tank with `fish_count` fish derives its limits, for
- * example the length of its contact list. Every build returns TANK_FISH_KIOSK for up to
- * TANK_FISH_KIOSK fish, so that all builds compute equal state hashes. */
+/* Returns the number of fish for which a tank with `fish_count` fish sizes its lists, for example
+ * its contact list. Up to TANK_FISH_KIOSK fish, the result does not depend on TANK_FISH_MAX.
+ * Therefore programs with different values of TANK_FISH_MAX compute equal state hashes. */
 static inline uint32_t fish_capacity(uint32_t fish_count)
 {
     return fish_count <= TANK_FISH_KIOSK ? TANK_FISH_KIOSK : TANK_FISH_MAX;
 }
 
-/* Height above the still water surface. A fish is in the air if the top of its body is higher.
- * Ripples of the surface are lower than this height. */
+/* Height above the still water surface from which a fish counts as in the air. The top of the
+ * fish's body must be higher than this height. Ripples of the surface are lower than this
+ * height. */
 #define FISH_AIRBORNE_M 0.003f
 
 enum fish_gait {
@@ -41,9 +43,10 @@ enum fish_gait {
     GAIT_BURST = 2,
     GAIT_ESCAPE = 3,  /* The fish escapes from a poi or another stimulus. */
     GAIT_SURFACE = 4, /* The fish gulps at the surface. */
-    GAIT_HELD = 5,    /* The fish lies on the paper of a poi, which moves the fish, or the fish is
-                         in reentry; see `holder`. */
-    GAIT_BOWL = 6,    /* The fish was caught and its bowl moves it. */
+    GAIT_HELD = 5,    /* The fish lies on the paper of a poi (paper scoop), which moves the fish. A
+                         fish in reentry also has this gait: it is back in the water but still
+                         overlaps other fish. `holder` distinguishes the two cases. */
+    GAIT_BOWL = 6,    /* The fish was caught and is in a bowl, which moves the fish. */
     GAIT_COUNT,
 };
 
@@ -57,14 +60,15 @@ enum fish_avoiding {
     AVOID_PITCH = 2,
 };
 
-/* Stage of the surface breathing of a fish; see surface_breathing.h. */
+/* Stages of surface breathing, in which a fish short of oxygen swims up and gulps at the water
+ * surface (surface_breathing.h). */
 enum fish_air {
     AIR_ENOUGH = 0,
     AIR_RISES = 1, /* The fish is on its way up, in GAIT_SWIM. */
     AIR_GULPS = 2, /* The fish is at the surface, in GAIT_SURFACE. A fish in AIR_DIVES or AIR_DUCKS
                       also stays in GAIT_SURFACE until its body is under water. */
     AIR_DIVES = 3,
-    AIR_DUCKS = 4, /* The fish was startled at the surface and goes under water. */
+    AIR_DUCKS = 4, /* The fish was startled at the surface and dives to get under water. */
 };
 
 /* State of a fish. The members that every tick uses stand first, in groups of four floats (quads).
@@ -76,28 +80,33 @@ struct fish {
                         produce. */
     struct angles angles;
     float yaw_rate_rad_s;
-    vec3 push_m_s;     /* Velocity that is added to the fish's own motion: repulsion by near fish
-                          (as in the 2013 thesis), the flow around a poi, and sidesteps. */
+    vec3 push_m_s;     /* Velocity that is added to the velocity of the fish's own swimming. Causes
+                          are repulsion by nearby fish, the flow around a moving poi (paper scoop),
+                          and sidesteps beside a poi. */
     float climb_m_s;   /* Vertical speed caused by swim bladder, fins and pitch; > 0 is upward. */
-    float heading_rad; /* Goal of the yaw, without the attraction of shades. The yaw approaches its
-                          goal at a bounded rate. */
-    float drawn_rad;   /* Angle by which the attraction of shades turns the goal of the yaw away
-                          from `heading_rad`. A value > 0 means to the left. */
-    float brake;       /* Factor [0, 1] on the goal of the speed. The factor is below 1 if another
-                          fish is close ahead. */
-    float room;        /* Factor [0, 1] on the largest turning rate. The factor is below 1 if other
-                          fish are close beside the fish. */
+    float heading_rad; /* Yaw to which the fish turns, without the attraction of shades on the
+                          water. The fish turns at a bounded rate. */
+    float drawn_rad;   /* Angle that is added to `heading_rad` because a shade on the water attracts
+                          the fish. A value > 0 turns the fish to the left. */
+    float brake;       /* Factor [0, 1] by which the speed goal of the fish is multiplied. The
+                          factor is below 1 if another fish is close ahead. */
+    float room;        /* Factor [0, 1] by which the largest turning rate of the fish is multiplied.
+                          The factor is below 1 if other fish are close beside the fish. */
 
-    /* The next members and `heading_rad` are goals. Each decision of the fish sets the goals, and
-     * the fish approaches the goals in every tick. */
-    float speed_goal_m_s; /* Goal of `speed_m_s`, before the multiplication by `brake`. */
-    float speed_up_keep;  /* Fraction [0, 1) of the difference to a higher speed goal that remains
-                             after one tick. 0 means that the fraction is not yet computed. */
-    float slow_keep;      /* Fraction [0, 1) of the difference to a lower speed goal that remains
-                             after one tick if the fish does not brake. */
+    /* Goals of the fish: `heading_rad` and the members from here to `beats`. Each decision of the
+     * fish sets the goals. In every tick the present values, for example `speed_m_s`, approach the
+     * goals. */
+    float speed_goal_m_s; /* Speed that the fish approaches. `brake` multiplies this speed while
+                             another fish is close ahead. */
+    float speed_up_keep;  /* Slowness of acceleration: fraction [0, 1) of the difference between the
+                             speed and a higher speed goal that remains after one tick. 0 means that
+                             the fraction is not yet computed. */
+    float slow_keep;      /* Slowness of deceleration without braking: fraction [0, 1) of the
+                             difference between the speed and a lower speed goal that remains after
+                             one tick. */
     float turn_rate_max_rad_s;
-    float haste; /* Factor >= 1 on the rates at which the fish turns, pitches, bends and changes its
-                    tail beat. */
+    float haste; /* Factor >= 1 by which the fish turns, pitches, bends and changes its tail beat
+                    faster than normal. */
     float climb_goal_m_s, pitch_goal_rad;
     float beats; /* 1 while the tail drives the fish, 0 while the fish glides. */
 
@@ -108,8 +117,8 @@ struct fish {
                                 last tick including pushes. */
     float bend_rad;
     float tail_phase_rad, tail_beat_hz, tail_amplitude;
-    float bend_goal_rad; /* Goal of `bend_rad`. swim_settle() adds the bend along the arc of a
-                            turn. */
+    float bend_goal_rad; /* Intended bend of the body, not counting the bend that follows from a
+                            turn. swim_settle() moves `bend_rad` toward the sum of both bends. */
     float age_days;
 
     uint32_t look;        /* Random bits that select the fish's appearance and individual traits. */
@@ -120,47 +129,54 @@ struct fish {
     uint8_t thought_tick; /* Low 8 bits of the tick in which the fish last decided. */
     float gait_left_s;    /* Time until the fish chooses its next gait. For a fish in reentry: time
                              since the fish came back into the water. */
-    float avoid_left_s;   /* Time left of the current avoidance. If `avoiding` is AVOID_NONE: time
-                             left in which the fish keeps its depth. */
+    float avoid_left_s;   /* Time left in which the fish avoids another fish. If `avoiding` is
+                             AVOID_NONE, time left in which the fish keeps its depth. */
     float avoid_turn;     /* Direction of the avoidance. In AVOID_YAW the value is -1 (sharp
                              right) to +1 (sharp left). In AVOID_PITCH the value is -1 (down) or
                              +1 (up). */
     uint32_t avoid_since; /* First tick of the current encounter with the fish of index
                              `avoid_with`. */
     fish_index avoid_with;
-    uint8_t avoid_kind; /* Role of the fish at the beginning of the encounter (enum
-                           meeting_kind). */
-    uint8_t falls;      /* 1 while the fish falls through the air and only gravity and water
-                           resistance move it, otherwise 0. */
-    uint8_t air;        /* Stage of surface breathing (enum fish_air). */
-    uint8_t startle;    /* Cause of a startle whose latency has not yet ended (enum startle_cause);
-                           0 means none. */
-    float depth_goal_m; /* Preferred depth as a y coordinate, < 0. */
-    float depth_stray;  /* Random offset that is added to the preferred depth for the fish's
-                           stamina, as a fraction of the water depth. A value > 0 means upward. */
+    uint8_t avoid_kind; /* Role of the fish at the beginning of the encounter with another fish
+                           (enum meeting_kind). */
+    bool falls;         /* True while the fish falls through the air and only gravity and water
+                           resistance move the fish. */
+    uint8_t air;        /* Present stage of the fish's surface breathing (enum fish_air). */
+    uint8_t startle;    /* Cause of a startle to which the fish has not yet reacted (enum
+                           startle_cause). 0 means that the fish is not startled. */
+    float depth_goal_m; /* Depth that the fish prefers, as a y coordinate < 0. */
+    float depth_stray;  /* Random offset of the depth that the fish prefers, as a fraction of the
+                           water depth. A value > 0 means upward. The preferred depth without the
+                           offset follows from the stamina. */
 
-    /* The next members are the state of the startle response; see startle.h. */
-    float alarm;     /* Alarm [0, 1], which decays over time. */
+    /* State of the startle response: the members from here to the end of the struct. A startled
+     * fish escapes by a C-start, a fast turn and thrust (startle.h). */
+    float alarm;     /* Alarm [0, 1] of the fish. Startling stimuli raise the alarm, and the alarm
+                        decays over time. */
     float habit;     /* Habituation [0, 1] to startling stimuli, which decays over time. */
-    float startle_s; /* Time left of the startle latency. */
+    float startle_s; /* Time until the startled fish begins its escape. */
     vec3 startle_from_m;
-    float refractory_s;      /* Time until the fish can begin another C-start. */
-    float escape_s;          /* Time from the beginning of the last C-start to the current tick. */
-    float escape_from_rad;   /* Yaw at the beginning of the C-start. */
-    float escape_turn_rad;   /* Turn of the head in stage 1 of the C-start; > 0 is to the left. */
-    float escape_course_rad; /* Turn of the body in the whole C-start; > 0 is to the left. */
+    float refractory_s;      /* Time until the fish can begin another C-start (escape). */
+    float escape_s;          /* Time from the beginning of the last C-start (escape) to the current
+                                tick. */
+    float escape_from_rad;   /* Yaw of the fish at the beginning of its last C-start (escape). */
+    float escape_turn_rad;   /* Angle by which the head turns in the first stage of the C-start
+                                (escape). A value > 0 means to the left. */
+    float escape_course_rad; /* Angle by which the body turns in the whole C-start (escape). A value
+                                > 0 means to the left. */
 };
 
-/* Returns the largest height above the still surface, m, at which the top of the fish's box still
- * counts as in the water. A gulping fish may rise by its own height. */
+/* Returns the height above the still water surface, m, up to which the top of the fish's box may
+ * rise before the fish counts as in the air. A gulping fish may rise by its own height. */
 static inline float fish_emerges_m(const struct fish *fish)
 {
     return (fish->gait == GAIT_SURFACE ? fish->height_m : 0.0f) + FISH_AIRBORNE_M;
 }
 
-/* Returns 1 if the fish swims or falls freely. Returns 0 if a poi or bowl carries the fish or if
- * the fish is in reentry. */
-static inline int fish_swims(const struct fish *fish)
+/* Returns true if the fish swims or falls freely. Returns false while a poi (paper scoop) or a bowl
+ * carries the fish. Also returns false in reentry, while a fish that came back into the water still
+ * overlaps other fish. */
+static inline bool fish_swims(const struct fish *fish)
 {
     return fish->gait != GAIT_HELD && fish->gait != GAIT_BOWL;
 }
@@ -171,14 +187,15 @@ void fish_grow(struct fish *fish, float length_m, const struct behavior_params *
 
 struct box fish_box(const struct fish *fish);
 
-/* Returns the wet mass of a goldfish (Carassius auratus, Lake Egirdir): W = 0.0210 * L^3.0598 with
- * the mass W in g and the length L in cm. */
+/* Returns the wet mass of a goldfish from its length. The formula was measured on Carassius auratus
+ * in Lake Egirdir: W = 0.0210 * L^3.0598 with the mass W in g and the length L in cm. */
 float fish_mass_kg(float length_m);
 
 /* Returns the unit vector along the fish's forward axis in world coordinates. */
 vec3 fish_forward(const struct fish *fish);
 
-uint64_t fish_hash(uint64_t hash, const struct fish *fish);       /* Hashes every field. */
-uint64_t fish_hash_quick(uint64_t hash, const struct fish *fish); /* Hashes pose and gait only. */
+/* Returns true if the fish is one of the calm fish of `temper`: a small fish that stays near the
+ * surface. */
+bool fish_is_calm(const struct fish *fish, const struct temper *temper);
 
 #endif

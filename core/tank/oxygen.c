@@ -2,7 +2,6 @@
  * exchange. */
 #include "core/tank/oxygen.h"
 
-#include "core/base/hash.h"
 #include "core/base/panic.h"
 #include "core/input.h"
 #include "core/tank/behavior/surface_breathing.h"
@@ -10,12 +9,14 @@
 #define REFERENCE_C 25.0f
 #define KELVIN 273.15f
 #define HPA_PER_ATM 1013.25f
-/* Exchange coefficient k_L of a still surface. Published values are 2 to 5 cm/h. */
+/* Gas exchange coefficient k_L of a still water surface, m/h. Published values are 2 to 5 cm/h. */
 #define STILL_M_H 0.03f
-/* Exchange rate kLa of an air stone. Published values are 2 to 10 per hour. */
+/* Gas exchange rate kLa that a bubbling air stone adds, 1/h. Published values are 2 to 10 per
+ * hour. */
 #define PUMP_PER_H 5.0f
-/* Oxygen that a fish consumes for swimming, in mg per kg of fish and per metre of path (goldfish of
- * 5 cm; Li). */
+/* Oxygen that a fish consumes for swimming, in mg per kg of fish and per metre of path. The value
+ * is from a measurement by Li of the cost of transport of goldfish 5 cm long. The exact publication
+ * is not recorded. */
 #define COST_MG_KG_M 0.6f
 /* Longest step of the oxygen balance. All rates are constant within a step. */
 #define STEP_H 0.005f
@@ -37,17 +38,17 @@ float oxygen_saturation_mg_l(float temperature_c, float pressure_hpa)
      * 216961 / T^2). */
     const float u = f_exp(-3.46535769f - z * (5.29608152f + z * 0.216961f));
     const float theta = 0.000975f - temperature_c * (1.426e-5f - temperature_c * 6.436e-8f);
-    /* The first factor is the saturation concentration at one atmosphere, mg/L (Benson & Krause
-     * 1984). */
+    /* The first factor, f_exp(...), is the saturation concentration at one atmosphere, mg/L (Benson
+     * & Krause 1984). */
     return f_exp(2.11184299f +
                  z * (1.63790983f + z * (0.53350163f + z * (0.870736542f - z * 0.8621949f)))) *
            ((p - u) * (1.0f - theta * p)) / ((1.0f - u) * (1.0f - theta));
 }
 
-/* Adds the routine respiration and the respiration for swimming. Young Carassius auratus
- * grandoculis have a routine respiration of 0.0674 * W^-0.193 * exp(0.0562 * T) mg per g and hour
- * from 15 to 30 C (Yamanaka). W is the mass in g and T the temperature in C. The routine
- * respiration grows by a factor of 1.75 per 10 K (Q10). */
+/* Adds two parts: the routine respiration and the additional respiration for swimming. Young
+ * Carassius auratus grandoculis have a routine respiration of 0.0674 * W^-0.193 * exp(0.0562 * T)
+ * mg per g and hour from 15 to 30 C (Yamanaka). W is the mass in g and T the temperature in C. The
+ * routine respiration grows by a factor of 1.75 per 10 K (Q10). */
 float oxygen_breath_mg_h(float mass_kg, float temperature_c, float speed_m_s)
 {
     CORE_ASSERT(mass_kg > 0.0f);
@@ -57,36 +58,18 @@ float oxygen_breath_mg_h(float mass_kg, float temperature_c, float speed_m_s)
     return routine + COST_MG_KG_M * mass_kg * 3600.0f * speed_m_s;
 }
 
-/* Uses the formula of Yamanaka, 1.35 * W^-0.107 mg/L at any temperature, where W is the mass in
- * g. */
+/* Computes the critical concentration by the formula of Yamanaka: 1.35 * W^-0.107 mg/L at any
+ * temperature, where W is the mass of the fish in g. */
 float oxygen_critical_mg_l(float mass_kg)
 {
     CORE_ASSERT(mass_kg > 0.0f);
     return 1.35f * f_exp(-0.107f * f_log(1000.0f * mass_kg));
 }
 
-float oxygen_exchange_per_h(float water_depth_m, int pump)
+float oxygen_exchange_per_h(float water_depth_m, bool pump)
 {
     CORE_ASSERT(water_depth_m > 0.0f);
     return STILL_M_H / water_depth_m + (pump ? PUMP_PER_H : 0.0f);
-}
-
-/* Advances the oxygen balance by one step. During the step, the fish remove a constant fraction of
- * the dissolved oxygen per hour, so the balance is a linear differential equation. The solution of
- * the equation is stable for a step of any length. The approximation of 1 - exp(-x) avoids
- * cancellation and has an error of 1e-6 for x below 0.2. */
-static float relax_oxygen(float dissolved_mg_l, const struct oxygen_balance *balance, float hours)
-{
-    const float share_per_h =
-        balance->breath_mg_l_h / f_max(dissolved_mg_l, balance->critical_mg_l);
-    const float rate_per_h = balance->exchange_per_h + share_per_h;
-    const float x = rate_per_h * hours;
-    const float approached = x / (1.0f + x * (0.5f + x * (1.0f / 12.0f)));
-    if (approached <= 0.0f) {
-        return dissolved_mg_l;
-    }
-    const float end_mg_l = balance->exchange_per_h * balance->saturation_mg_l / rate_per_h;
-    return dissolved_mg_l + (end_mg_l - dissolved_mg_l) * f_min(approached, 1.0f);
 }
 
 float oxygen_after(float dissolved_mg_l, const struct oxygen_balance *balance, float hours)
@@ -95,7 +78,19 @@ float oxygen_after(float dissolved_mg_l, const struct oxygen_balance *balance, f
     CORE_ASSERT(balance->critical_mg_l > 0.0f);
     const uint32_t steps = (uint32_t)(hours / STEP_H) + 1u;
     for (uint32_t i = 0; i < steps; i++) {
-        dissolved_mg_l = relax_oxygen(dissolved_mg_l, balance, hours / (float)steps);
+        /* During a step of the oxygen balance, the fish remove a constant fraction of the dissolved
+         * oxygen per hour, so the balance is a linear differential equation. The exact solution of
+         * the equation is stable for a step of any length. The code approximates 1 - exp(-x) by a
+         * quotient, which avoids cancellation and has an error of 1e-6 for x below 0.2. */
+        const float share_per_h =
+            balance->breath_mg_l_h / f_max(dissolved_mg_l, balance->critical_mg_l);
+        const float rate_per_h = balance->exchange_per_h + share_per_h;
+        const float x = rate_per_h * (hours / (float)steps);
+        const float approached = x / (1.0f + x * (0.5f + x * (1.0f / 12.0f)));
+        if (approached > 0.0f) {
+            const float end_mg_l = balance->exchange_per_h * balance->saturation_mg_l / rate_per_h;
+            dissolved_mg_l += (end_mg_l - dissolved_mg_l) * f_min(approached, 1.0f);
+        }
     }
     return dissolved_mg_l;
 }
@@ -131,14 +126,4 @@ void oxygen_tick(struct oxygen *oxygen, const struct fish *fish, uint32_t fish_c
         oxygen->breath_mg_h = 0.0f;
         oxygen->critical_mg = 0.0f;
     }
-}
-
-uint64_t oxygen_hash(uint64_t hash, const struct oxygen *oxygen)
-{
-    const float values[] = {
-        oxygen->dissolved_mg_l,   oxygen->temperature_c, oxygen->pressure_hpa,
-        oxygen->time_compression, oxygen->breath_mg_h,   oxygen->critical_mg,
-    };
-    hash = hash_floats(hash, values, sizeof values / sizeof values[0]);
-    return hash_u32(hash, oxygen->pump);
 }

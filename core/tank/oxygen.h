@@ -11,6 +11,7 @@
 #ifndef KINGYO_CORE_TANK_OXYGEN_H
 #define KINGYO_CORE_TANK_OXYGEN_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "core/tank/fish.h"
@@ -33,9 +34,11 @@ struct oxygen {
                                OXYGEN_TIME_COMPRESSION_MAX. 0 keeps the oxygen constant. */
     float breath_mg_h;      /* Sum of the respiration of the fish that were sampled in the current
                                second. Every fish is sampled once per second. */
-    float critical_mg;      /* Sum of the critical concentrations of the sampled fish, each
-                               multiplied by the respiration of the fish. */
-    uint8_t pump;           /* 1 while the air stone bubbles, otherwise 0. */
+    float critical_mg;      /* Sum, over the sampled fish, of the critical oxygen concentration
+                               times the respiration of the fish. At the end of each second, this
+                               sum divided by `breath_mg_h` is the mean critical concentration. */
+    bool pump;              /* True while the air pump runs, so that the air stone in the tank
+                               bubbles. */
 };
 
 /* Returns the oxygen concentration of fresh water in equilibrium with air, mg/L (Benson & Krause
@@ -53,8 +56,8 @@ float oxygen_breath_mg_h(float mass_kg, float temperature_c, float speed_m_s);
 float oxygen_critical_mg_l(float mass_kg);
 
 /* Returns the rate of gas exchange kLa, 1/h. The surface contributes 0.03 m/h divided by the water
- * depth. A running pump (`pump` = 1) adds 5 per hour. */
-float oxygen_exchange_per_h(float water_depth_m, int pump);
+ * depth. A running pump (`pump` is true) adds 5 per hour. */
+float oxygen_exchange_per_h(float water_depth_m, bool pump);
 
 /* Input of one step of the oxygen balance. Oxygen enters the water at the rate `exchange_per_h`
  * times the difference between `saturation_mg_l` and the concentration. The fish consume
@@ -75,7 +78,5 @@ float oxygen_after(float dissolved_mg_l, const struct oxygen_balance *balance, f
  * near saturation. */
 void oxygen_tick(struct oxygen *oxygen, const struct fish *fish, uint32_t fish_count, vec3 size_m,
                  uint32_t tick);
-
-uint64_t oxygen_hash(uint64_t hash, const struct oxygen *oxygen);
 
 #endif

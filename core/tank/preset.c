@@ -5,20 +5,21 @@
 #include "core/morph/morph.h"
 #include "core/tank/fish.h"
 
-/* Largest fraction of the water that fish bodies may fill; 600 fish in the festival tank fill 0.11.
- * The simulation of a fuller tank would take too much computing time, although the contact solver
- * (contact_solver.h) would still keep the bodies apart. */
+/* Largest fraction of the water that the bodies of the fish may fill. 600 fish in the festival tank
+ * fill a fraction of 0.11. The simulation of a fuller tank would take too much computing time. */
 #define BODY_FILL_MAX 0.12f
 #define AGE_SAMPLES 32
 
 #define UNBOUND 1e9f
 
 /* Behavior parameters that all presets have in common. Lengths are in body lengths of the fish in
- * the 2013 thesis, which are 5 cm long. Section numbers are those of the 2013 thesis.
+ * the 2013 thesis on goldfish behavior, which are 5 cm long. Section numbers are those of the 2013
+ * thesis.
  *
- * Section 3.3 gives speeds of 15, 5.25 and 7.5 cm/s, half of the speeds that section 2.1 measures
- * on a single fish. In section 3.2 a resting fish "stands still". Real fish never stand completely
- * still, so a resting fish drifts at 0 to 0.5 cm/s. Section 3.4 gives 1 cm of personal space.
+ * Section 3.3 gives a burst speed of 15 cm/s, a swimming speed of 5.25 cm/s and a top swimming
+ * speed of 7.5 cm/s. These speeds are half of the speeds that section 2.1 measures on a single
+ * fish. In section 3.2 a resting fish "stands still". Real fish never stand completely still, so a
+ * resting fish drifts at 0 to 0.5 cm/s. Section 3.4 gives 1 cm of personal space.
  *
  * Section 3.3 changes the heading with the gait but gives no angle. A uniform random angle within
  * 360 degrees would make the fish spin at every change of gait. Therefore the angle for a swimming
@@ -28,7 +29,8 @@
     .burst_speed = 3.0f, .swim_speed = 1.05f, .swim_speed_max = 1.5f, .drift_speed = 0.10f,        \
     .space_per_length = 0.2f, .turn_swim_rad = 45.0f * F_DEG
 
-/* The rules of the 2013 thesis without changes. Section numbers are those of the 2013 thesis.
+/* Behavior parameters of a fish that follows the rules of the 2013 thesis. One rule differs: the
+ * stamina grows steadily while a fish gulps. Section numbers are those of the 2013 thesis.
  *
  * Section 3.1 gives a body of 5 x 2 x 1 cm. In section 3.4 a fish immediately avoids every object
  * in its personal space, including walls, and turns as fast as its gait allows. The fish predicts
@@ -37,18 +39,19 @@
  *
  * In section 3.5 a shade attracts all fish at their present speed, including fish in a burst. In
  * section 3.6 each of four ranges of stamina has one depth, which is equal for all fish. A fish
- * gulps for 3 s when its stamina is below 25 of 100, and then has full stamina. In the code,
- * stamina grows steadily while the mouth is in the surface film, because otherwise all fish would
- * dive at the same time. */
+ * gulps for 3 s when its stamina is below 25 of 100, and then has full stamina. In the thesis the
+ * stamina jumps to its full value at the end of the 3 s. In this code the stamina grows steadily
+ * during the 3 s, because otherwise all fish would dive at the same time. */
 #define THESIS_LAW                                                                                 \
     {                                                                                              \
         THESIS_CORE, .height_per_length = 0.40f, .width_per_length = 0.20f,                        \
         .space_fill_max = UNBOUND, .turn_rest_rad = 45.0f * F_DEG, .swerve_haste = 2.0f,           \
         .wall_per_length = 0.2f, .gulp_min_s = 3.0f, .gulp_max_s = 3.0f,                           \
-        .gulp_gain_per_s = 1.0f / 3.0f, .shade_draws_bursts = 1,                                   \
+        .gulp_gain_per_s = 1.0f / 3.0f, .shade_draws_bursts = true,                                \
     }
 
-/* A living wakin (a goldfish variety): the speeds and choices of the 2013 thesis with additions.
+/* Behavior parameters of a living wakin (a goldfish variety). The speeds are those of the 2013
+ * thesis, and the behavior of living fish is added.
  *
  * A box of 5 x 2 x 1 cm, as in the 2013 thesis, holds 10 g of water, but a fish of 5 cm weighs 2.3
  * to 2.9 g. Therefore the body of the wakin is slimmer.
@@ -65,9 +68,9 @@
         .space_fill_max = 0.35f, .turn_rest_rad = 12.0f * F_DEG, .depth_stray = 0.13f,             \
         .meet_within_s = 0.8f, .meet_miss = 0.3f, .brake_s = 0.15f,                                \
         .swerve_haste = 1.5f, .wall_per_length = 0.27f, .wall_within_s = 0.65f,                    \
-        .kick_rad = 25.0f * F_DEG, .glides = 1, .banks = 1, .flow_share = 1.0f,                \
-        .shade_dwell_s = 2.5f,                                                                 \
-        .shade_frights = 1, .escapes = 1, .air_by_oxygen = 1, .gulp_min_s = 2.0f,                  \
+        .kick_rad = 25.0f * F_DEG, .glides = true, .banks = true, .flow_share = 1.0f,              \
+        .shade_dwell_s = 2.5f,                                                                     \
+        .shade_frights = true, .escapes = true, .air_by_oxygen = true, .gulp_min_s = 2.0f,         \
         .gulp_max_s = 5.0f, .gulp_gain_per_s = 0.02f, .stifle_per_s = 0.002f,                      \
     }
 /* clang-format on */
@@ -93,7 +96,7 @@ static const struct tank_preset presets[TANK_PRESET_COUNT] = {
                                     of at most 160 mm. */
         .temperature_c = 24.0f,
         .time_compression = 60.0f, /* One minute of play is one hour of the oxygen balance. */
-        .pump = 1,
+        .pump = true,
         .params = LIVING_WAKIN,
         .view = {
             .eye_m = { 0.0f, 1.00f, 0.70f },
@@ -109,7 +112,7 @@ static const struct tank_preset presets[TANK_PRESET_COUNT] = {
                                               gives the water depth. */
         .wall_height_m = 0.23f,
         .fish_count = 600, /* Number of fish in section 4.1 of the 2013 thesis. */
-        .age_days_min = 120.0f, /* At an age of 120 days the fish is red all over. */
+        .age_days_min = 120.0f, /* All fish are 120 days old. At this age a fish is red all over. */
         .age_days_max = 120.0f,
         .length_m = 0.05f,
         .stamina_min = 0.30f, /* Section 3.2 of the 2013 thesis gives this range of the stamina. */
@@ -148,8 +151,8 @@ static const struct tank_preset presets[TANK_PRESET_COUNT] = {
                     { 0.53f, 0.012f, -0.02f },
                     { -0.53f, 0.012f, -0.02f } },
         .bowl_radius_m = 0.080f,
-        .temperature_c = 25.0f, /* The rules of the goldfish-scooping federation allow 20 to 30 C.
-                                   The pump is off. */
+        .temperature_c = 25.0f, /* The rules of the goldfish-scooping federation allow water of 20
+                                   to 30 C. */
         .time_compression = 1.0f,
         .params = LIVING_WAKIN,
         .view = {

@@ -4,6 +4,7 @@
 #ifndef KINGYO_CORE_TANK_PRESET_H
 #define KINGYO_CORE_TANK_PRESET_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "core/base/vec.h"
@@ -14,8 +15,8 @@
 enum tank_preset_id {
     TANK_PRESET_FESTIVAL = 0, /* A festival stall: fish of different ages in a tank that fills a
                                  screen. */
-    TANK_PRESET_THESIS = 1,   /* The tank of the 2013 thesis: fish of 5 cm that follow the thesis'
-                                 rules without changes. */
+    TANK_PRESET_THESIS = 1,   /* The tank of the 2013 thesis on goldfish behavior, with fish of 5 cm
+                                 that follow the rules of the thesis. */
     TANK_PRESET_OFFICIAL = 2, /* The tank of the championship: 1,000 fish of 4 cm in 10 cm of
                                  water. */
     TANK_PRESET_COUNT,
@@ -44,7 +45,8 @@ struct tank_preset {
     float temperature_c;              /* Initial temperature of the water. */
     float time_compression;           /* Speed of the oxygen balance relative to real time
                                          (oxygen.h). */
-    uint8_t pump;                     /* 1 if the air stone bubbles, otherwise 0. */
+    bool pump;                        /* True if the air pump runs, so that the air stone in the
+                                         tank bubbles. */
     struct behavior_params params;
     struct view view;
 };
@@ -56,8 +58,8 @@ const struct tank_preset *tank_preset(uint8_t id);
 float tank_preset_age_days(const struct tank_preset *preset, float draw);
 
 /* Returns the largest number of fish, 1 .. TANK_FISH_MAX, in a tank whose floor area is
- * `area_scale` times the floor area of the preset. With this number, fish boxes of the mean volume
- * fill 12 % of the water. More fish would take too much computing time. */
+ * `area_scale` times the floor area of the preset. This number of fish of mean size fills 12 % of
+ * the water with their body boxes. More fish would take too much computing time. */
 uint32_t tank_preset_fish_max(const struct tank_preset *preset, float area_scale);
 
 #endif

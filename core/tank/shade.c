@@ -2,21 +2,20 @@
  * fish. */
 #include "core/tank/shade.h"
 
-#include "core/base/hash.h"
 #include "core/base/panic.h"
 #include "core/tank/behavior/gait.h"
 
 #define EDGE_TAU_S 0.10f
-/* Factor S in eq. 3.5 of the 2013 thesis, converted to 1/s: 0.01 per frame at 60 frames per
- * second. */
+/* Strength with which a still shade attracts fish. The value is the factor S in eq. 3.5 of the 2013
+ * thesis on goldfish behavior, converted to 1/s: 0.01 per frame at 60 frames per second. */
 #define PULL_PER_S 0.60f
-/* Smallest speed at which the sum of course velocity and attraction has a usable direction. Below
- * that speed the fish keeps its yaw. */
+/* Speed below which a fish that a shade attracts hardly moves and keeps its yaw. The speed is the
+ * length of the sum of two velocities: the fish's own velocity and the attraction of shades. */
 #define HARDLY_M_S 0.005f
-/* Speed of an opposing push by near fish that cancels the attraction completely, in body lengths
- * per second. */
+/* Speed, in body lengths per second, at which nearby fish must push a fish out of a shade to cancel
+ * the attraction of the shade completely. */
 #define FULL_LENGTHS_PER_S 0.1f
-/* Distance outside a shade's edge within which a fish already sees the shade. */
+/* Width of the rim around a shade in which the shade already startles fish (design value). */
 #define FRIGHT_RIM_M 0.02f
 /* Time in which the shade of a hand-held fan raises the alarm of a fish from 0 to 1. The nerve
  * latency (startle.h) begins afterwards. */
@@ -39,8 +38,8 @@ void shade_tick(struct shade *shade, const struct shade_cast *cast, float dt_s)
         *shade = (struct shade){ .cast = *cast, .age_s = dt_s };
         return;
     }
-    /* The speed of the fastest point of the edge is the speed of the centre plus the change of the
-     * radius per second. */
+    /* The speed of the fastest point of the shade's edge is the speed of the centre plus the change
+     * of the radius per second. */
     const float x_m = cast->x_m - shade->cast.x_m, z_m = cast->z_m - shade->cast.z_m;
     const float edge_m_s =
         (f_sqrt(x_m * x_m + z_m * z_m) + f_abs(cast->radius_m - shade->cast.radius_m)) / dt_s;
@@ -60,12 +59,12 @@ float shade_distance_m(const struct shade_cast *cast, vec3 position_m)
     return f_sqrt(x_m * x_m + z_m * z_m);
 }
 
-int shade_covers(const struct shade_cast *cast, vec3 position_m)
+bool shade_covers(const struct shade_cast *cast, vec3 position_m)
 {
     return cast->present && shade_distance_m(cast, position_m) < cast->radius_m;
 }
 
-static int gathers(const struct shade *shade, const struct behavior_params *params)
+static bool gathers(const struct shade *shade, const struct behavior_params *params)
 {
     return shade->cast.present && shade->still_s >= params->shade_dwell_s;
 }
@@ -84,42 +83,32 @@ float shade_pull_m_s(const struct shade *shade, const struct behavior_params *pa
     return PULL_PER_S * reach_m * f_clamp(fade, 0.0f, 1.0f);
 }
 
-/* Returns the sum of the attractions of all shades as a horizontal velocity. Returns zero if no
- * shade attracts. */
-static vec3 pull_of_all(const struct shade *shades, uint32_t count,
-                        const struct behavior_params *params, vec3 position_m)
+bool shade_draw(const struct shade *shades, uint32_t count, const struct behavior_params *params,
+                const struct fish *fish, struct shade_course *course)
 {
-    vec3 sum = { 0.0f, 0.0f, 0.0f };
+    /* Sum of the attractions of all shades as a horizontal velocity. */
+    vec3 pull_m_s = { 0.0f, 0.0f, 0.0f };
     for (uint32_t i = 0; i < count; i++) {
         const struct shade_cast *cast = &shades[i].cast;
         if (!gathers(&shades[i], params)) {
             continue;
         }
-        const float distance_m = shade_distance_m(cast, position_m);
-        const float pull_m_s = shade_pull_m_s(&shades[i], params, distance_m);
-        if (pull_m_s > 0.0f) { /* shade_pull_m_s() returns 0 at the centre. Therefore `distance_m`
-                                  is positive and the direction is defined. */
-            const vec3 to_m = v3(cast->x_m - position_m.x, 0.0f, cast->z_m - position_m.z);
-            sum = v3_muladd(sum, to_m, pull_m_s / distance_m);
+        const float distance_m = shade_distance_m(cast, fish->position_m);
+        const float toward_m_s = shade_pull_m_s(&shades[i], params, distance_m);
+        if (toward_m_s > 0.0f) { /* shade_pull_m_s() returns 0 at the centre. Therefore `distance_m`
+                                    is positive and the direction is defined. */
+            const vec3 centre_m = v3(cast->x_m, 0.0f, cast->z_m);
+            const vec3 to_m = v3_flat(v3_sub(centre_m, fish->position_m));
+            pull_m_s = v3_muladd(pull_m_s, to_m, toward_m_s / distance_m);
         }
     }
-    return sum;
-}
-
-int shade_draw(const struct shade *shades, uint32_t count, const struct behavior_params *params,
-               const struct fish *fish, struct shade_course *course)
-{
-    if (count == 0) {
-        return 0;
-    }
-    const vec3 pull_m_s = pull_of_all(shades, count, params, fish->position_m);
     if (pull_m_s.x == 0.0f && pull_m_s.z == 0.0f) {
-        return 0;
+        return false;
     }
     const float yaw_rad = fish->angles.yaw_rad;
-    const vec3 own = v3(-f_sin(course->heading_rad), 0.0f, -f_cos(course->heading_rad));
-    /* The attraction decreases if the fish in the shade push the fish outward. Therefore no fish
-     * presses into a full shade. */
+    const vec3 own = v3_heading(course->heading_rad);
+    /* The attraction of a shade decreases if the fish in the shade push this fish outward.
+     * Therefore no fish presses into a shade that is full of fish. */
     CORE_ASSERT(fish->length_m > 0.0f);
     const vec3 toward = v3_normalize_or(pull_m_s, pull_m_s);
     const float against_m_s = -v3_dot(toward, fish->push_m_s);
@@ -131,7 +120,7 @@ int shade_draw(const struct shade *shades, uint32_t count, const struct behavior
     const float along_m_s = -f_sin(yaw_rad) * wanted.x - f_cos(yaw_rad) * wanted.z;
     course->heading_rad = v3_length(wanted) > HARDLY_M_S ? f_atan2(-wanted.x, -wanted.z) : yaw_rad;
     course->speed_m_s = f_max(0.0f, along_m_s);
-    return 1;
+    return true;
 }
 
 float shade_alarm(const struct shade *shade, const struct behavior_params *params, vec3 position_m,
@@ -139,29 +128,15 @@ float shade_alarm(const struct shade *shade, const struct behavior_params *param
 {
     CORE_ASSERT(dt_s >= 0.0f);
     const struct shade_cast *cast = &shade->cast;
-    const int is_sudden = shade->age_s <= SHADE_NEW_S || shade->edge_m_s > SHADE_MOVES_M_S;
+    const bool is_sudden = shade->age_s <= SHADE_NEW_S || shade->edge_m_s > SHADE_MOVES_M_S;
     if (!params->shade_frights || !cast->present || !is_sudden ||
         shade_distance_m(cast, position_m) > cast->radius_m + FRIGHT_RIM_M) {
         return 0.0f;
     }
-    /* Limits the time since the fish's last decision to the age of the shade, because the fish
-     * cannot have seen the shade earlier. */
-    /* A weak shade causes little alarm, however fast it moves. The paper of a poi takes a third of
-     * the light, and a hand-held fan takes two thirds. The paper causes a twentieth of the alarm
-     * that the fan causes. */
+    /* The alarm grows with the time since the fish's last decision, but not for the time before the
+     * shade appeared. A weak shade causes little alarm: the shade of a poi's thin paper (paper
+     * scoop) causes a twentieth of the alarm that the shade of a hand-held fan causes. */
     const float share = f_clamp(
         (cast->dark - SHADE_SUDDEN_DARK) / (FRIGHT_PLAIN_DARK - SHADE_SUDDEN_DARK), 0.0f, 1.0f);
     return (share * f_sqrt(share)) * f_min(dt_s, shade->age_s) / FRIGHT_TIME_S;
-}
-
-uint64_t shade_hash(uint64_t hash, const struct shade *shade)
-{
-    hash = hash_u32(hash, shade->cast.present);
-    hash = hash_float(hash, shade->cast.x_m);
-    hash = hash_float(hash, shade->cast.z_m);
-    hash = hash_float(hash, shade->cast.radius_m);
-    hash = hash_float(hash, shade->cast.dark);
-    hash = hash_float(hash, shade->edge_m_s);
-    hash = hash_float(hash, shade->age_s);
-    return hash_float(hash, shade->still_s);
 }

@@ -2,15 +2,14 @@
  * velocities. */
 #include "core/tank/tank.h"
 
-#include "core/base/hash.h"
 #include "core/base/panic.h"
 #include "core/base/rng.h"
 #include "core/tank/behavior/fish_behavior.h"
 #include "core/tank/behavior/surface_breathing.h"
 #include "core/tank/behavior/swim.h"
 
-/* Motion per tick above which an obstacle counts as a poi (paper scoop) in use. The limit equals 12
- * mm/s. */
+/* Motion per tick above which an obstacle stirs the water and counts as a poi (paper scoop) in use.
+ * The limit equals 12 mm/s, because a tick lasts 1/120 s. */
 #define STIRS_M 0.0001f
 #define BUBBLE_TICKS 6u /* Ticks between two bubbles of the pump: 20 bubbles per second. */
 /* Radius of the circle above the air stone within which bubbles reach the surface. */
@@ -20,8 +19,9 @@
 #define BUBBLE_M 0.0011f /* Height by which a bubble lifts the surface. */
 #define GULP_RADIUS_M 0.010f
 #define GULP_DEPTH_M 0.0004f
-/* Factor with which each query moves the push of a fish toward the new push: the fraction of their
- * difference. Pushes therefore rise and decay with a time constant of a twelfth of a second. */
+/* Smoothing of the push that nearby fish give to a fish. Each broad-phase query changes the present
+ * push by this fraction of its difference to the new push. A query runs every 33 ms, and 1 -
+ * exp(-33 / 79) is 0.344, so pushes rise and decay with a time constant of 79 ms. */
 #define PUSH_SHARE 0.344f
 #define BORNE_M_S 0.05f
 /* Increase per second of a fish's `room`, the factor on its turning rate. A fish that turned slowly
@@ -40,24 +40,20 @@ const struct behavior_params *tank_behavior_params(const struct tank *tank)
     return &tank_preset(tank->preset)->params;
 }
 
-/* Returns one more than the index of the last shade that is present. Returns 0 if no shade is
- * present, which is the usual case; the fish then test no shades. */
-static uint32_t shade_end_index(const struct tank *tank)
-{
-    uint32_t count = TANK_SHADE_MAX;
-    while (count > 0 && !tank->shade[count - 1u].cast.present) {
-        count--;
-    }
-    return count;
-}
-
 struct perception tank_perception(const struct tank *tank, uint32_t tick,
                                   const struct obstacle *obstacles, uint32_t obstacle_count)
 {
     CORE_ASSERT(obstacle_count <= TANK_OBSTACLE_MAX);
     CORE_ASSERT(obstacles || obstacle_count == 0);
+    uint32_t shade_count = TANK_SHADE_MAX; /* Number of entries of `shade` that the fish test. The
+                                              loop below removes absent shades from the end, so the
+                                              number is 0 if no shade is present. */
+    while (shade_count > 0 && !tank->shade[shade_count - 1u].cast.present) {
+        shade_count--;
+    }
     return (struct perception){
         .params = tank_behavior_params(tank),
+        .temper = tank->temper,
         .size_m = tank->size_m,
         .wall_follow = tank->wall_follow,
         .ball_spaces = tank->ball_spaces,
@@ -68,7 +64,7 @@ struct perception tank_perception(const struct tank *tank, uint32_t tick,
         .obstacles = obstacles,
         .obstacle_count = obstacle_count,
         .shades = tank->shade,
-        .shade_count = shade_end_index(tank),
+        .shade_count = shade_count,
     };
 }
 
@@ -83,9 +79,10 @@ static void think_in_turn(struct tank *tank, struct perception around)
     for (uint32_t i = 0; i < tank->fish_count; i++) {
         struct fish *fish = &tank->fish[i];
         if (fish_swims(fish) && fish_behavior_is_due(fish, i, &around)) {
-            /* 1 if the fish fell onto other fish, which carry it. A fish that nothing carries sinks
-             * at 12 cm/s or faster. */
-            const int fell =
+            /* True if the fish fell onto other fish, which carry it. A falling fish in the water
+             * counts as carried if it sinks more slowly than BORNE_M_S. Without support, a fish
+             * sinks at 12 cm/s or faster. */
+            const bool fell =
                 fish->falls && (fish->position_m.y < 0.0f && fish->velocity_m_s.y > -BORNE_M_S);
             around.dt_s = fish_behavior_dt_s(fish, around.tick);
             fish_behavior_tick(fish, i, &around);
@@ -104,33 +101,14 @@ static void think_in_turn(struct tank *tank, struct perception around)
     }
 }
 
-/* Applies the results of a full broad-phase query to the fish: avoidance advice, brakes, pushes and
- * room to turn. */
-static void heed(struct tank *tank, const struct perception *around)
-{
-    CORE_ASSERT(tank->broad_phase.count <= tank->fish_count);
-    for (uint32_t i = 0; i < tank->broad_phase.count; i++) {
-        if (!(tank->broad_phase.flags[i] & BODY_SWIMMING)) {
-            continue;
-        }
-        const struct neighbours *neighbours = &tank->broad_phase.neighbours[i];
-        struct fish *fish = &tank->fish[i];
-        fish->push_m_s = v3_lerp(
-            fish->push_m_s, v3_limit(neighbours->push_m_s, 0.45f * fish->length_m), PUSH_SHARE);
-        fish->room = f_min(neighbours->room, fish->room + ROOM_PER_S * around->dt_s);
-        if (fish->gait != GAIT_ESCAPE) {
-            avoid_tick(fish, &neighbours->advice, neighbours->brake, around);
-        }
-    }
-}
-
 /* Runs a full broad-phase query every BROAD_PHASE_UPDATE_TICKS ticks. In other ticks, runs a query
- * for contacts only if the last query is stale. */
+ * only if the results of the last query are stale. Such a query finds only contacts, which are
+ * pairs of fish that could touch. */
 static void update_broad_phase(struct tank *tank, uint32_t station, const struct perception *around)
 {
     CORE_ASSERT(station < tank->solver.substep_count);
     struct broad_phase *broad_phase = &tank->broad_phase;
-    const int is_time = station == 0 && around->tick % BROAD_PHASE_UPDATE_TICKS == 0;
+    const bool is_time = station == 0 && around->tick % BROAD_PHASE_UPDATE_TICKS == 0;
     broad_phase_sync(broad_phase, tank->fish);
     if (!is_time && !broad_phase_is_stale(broad_phase)) {
         broad_phase_select_contacts(broad_phase);
@@ -143,25 +121,27 @@ static void update_broad_phase(struct tank *tank, uint32_t station, const struct
     how.contacts_only = !is_time; /* A query between two scheduled queries finds only contacts
                                      and gives no avoidance advice. */
     broad_phase_update(broad_phase, tank->fish, how, around);
-    if (is_time) {
-        struct perception then = *around;
-        then.dt_s = (float)BROAD_PHASE_UPDATE_TICKS * CORE_TICK_S;
-        heed(tank, &then);
-    }
-}
-
-/* Makes a small random wave every 24 ticks, because a real surface is never completely still. */
-static void drip(struct tank *tank, uint32_t tick)
-{
-    if (tick % 24u != 0) {
+    if (!is_time) {
         return;
     }
-    const struct rng_key key = { tank->seed, tick, 0, RNG_WATER_DROP };
-    const struct rng_key other = { tank->seed, tick, 1, RNG_WATER_DROP };
-    const struct rng_key size = { tank->seed, tick, 2, RNG_WATER_DROP };
-    const vec3 point = v3(rng_range(key, -0.5f, 0.5f) * tank->size_m.x, 0.0f,
-                          rng_range(other, -0.5f, 0.5f) * tank->size_m.z);
-    water_press(&tank->water, tank->size_m, point, 0.025f, rng_range(size, 0.0001f, 0.0006f));
+    /* Applies the results of the full query to the fish: avoidance advice, brakes, pushes and
+     * room to turn. */
+    struct perception then = *around;
+    then.dt_s = (float)BROAD_PHASE_UPDATE_TICKS * CORE_TICK_S;
+    CORE_ASSERT(broad_phase->count <= tank->fish_count);
+    for (uint32_t i = 0; i < broad_phase->count; i++) {
+        if (!(broad_phase->flags[i] & BODY_SWIMMING)) {
+            continue;
+        }
+        const struct neighbours *neighbours = &broad_phase->neighbours[i];
+        struct fish *fish = &tank->fish[i];
+        fish->push_m_s = v3_lerp(
+            fish->push_m_s, v3_limit(neighbours->push_m_s, 0.45f * fish->length_m), PUSH_SHARE);
+        fish->room = f_min(neighbours->room, fish->room + ROOM_PER_S * then.dt_s);
+        if (fish->gait != GAIT_ESCAPE) {
+            avoid_tick(fish, &neighbours->advice, neighbours->brake, &then);
+        }
+    }
 }
 
 vec3 tank_stone_m(vec3 size_m)
@@ -169,18 +149,26 @@ vec3 tank_stone_m(vec3 size_m)
     return v3(STONE_INSET_M - 0.5f * size_m.x, -size_m.y, STONE_INSET_M - 0.5f * size_m.z);
 }
 
-/* Makes a wave above the air stone, where a bubble bursts. */
-static void bubble(struct tank *tank, uint32_t tick)
+/* Makes a small random wave every 24 ticks, because a real surface is never completely still. If
+ * the pump runs, also makes waves above the air stone, where bubbles burst. */
+static void make_waves(struct tank *tank, uint32_t tick)
 {
-    if (!tank->oxygen.pump || tick % BUBBLE_TICKS != 0) {
-        return;
+    if (tick % 24u == 0) {
+        const struct rng_key key = { tank->seed, tick, 0, RNG_WATER_DROP };
+        const struct rng_key other = { tank->seed, tick, 1, RNG_WATER_DROP };
+        const struct rng_key size = { tank->seed, tick, 2, RNG_WATER_DROP };
+        const vec3 point = v3(rng_range(key, -0.5f, 0.5f) * tank->size_m.x, 0.0f,
+                              rng_range(other, -0.5f, 0.5f) * tank->size_m.z);
+        water_press(&tank->water, tank->size_m, point, 0.025f, rng_range(size, 0.0001f, 0.0006f));
     }
-    const struct rng_key key = { tank->seed, tick, 0, RNG_WATER_BUBBLE };
-    const struct rng_key other = { tank->seed, tick, 1, RNG_WATER_BUBBLE };
-    const vec3 stone = tank_stone_m(tank->size_m);
-    const vec3 off =
-        v3(rng_range(key, -BUBBLES_M, BUBBLES_M), 0.0f, rng_range(other, -BUBBLES_M, BUBBLES_M));
-    water_press(&tank->water, tank->size_m, v3_add(stone, off), BUBBLE_RADIUS_M, -BUBBLE_M);
+    if (tank->oxygen.pump && tick % BUBBLE_TICKS == 0) {
+        const struct rng_key key = { tank->seed, tick, 0, RNG_WATER_BUBBLE };
+        const struct rng_key other = { tank->seed, tick, 1, RNG_WATER_BUBBLE };
+        const vec3 off = v3(rng_range(key, -BUBBLES_M, BUBBLES_M), 0.0f,
+                            rng_range(other, -BUBBLES_M, BUBBLES_M));
+        water_press(&tank->water, tank->size_m, v3_add(tank_stone_m(tank->size_m), off),
+                    BUBBLE_RADIUS_M, -BUBBLE_M);
+    }
 }
 
 void tank_tick(struct tank *tank, uint32_t tick, struct obstacle *obstacles,
@@ -190,10 +178,10 @@ void tank_tick(struct tank *tank, uint32_t tick, struct obstacle *obstacles,
     CORE_ASSERT(obstacles || obstacle_count == 0);
     CORE_ASSERT(obstacle_count <= TANK_OBSTACLE_MAX);
     const struct perception around = tank_perception(tank, tick, obstacles, obstacle_count);
-    /* Near a moving poi, other bodies may push a fish farther in one tick, so that fish make way
-     * for the poi. */
-    int stirs = 0; /* 1 if an obstacle moves faster than STIRS_M per tick. A bowl that rocks on
-                      ripples is slower. */
+    /* While a poi (paper scoop) moves in the water, the contact solver may push fish farther per
+     * tick, so that the fish make way for the poi. */
+    bool stirs = false; /* True if an obstacle moves faster than STIRS_M per tick. A bowl that rocks
+                           on ripples is slower. */
     for (uint32_t o = 0; o < obstacle_count; o++) {
         const vec3 step_m = obstacles[o].step_m;
         stirs |= obstacles[o].centre_m.y < obstacles[o].radius_m &&
@@ -205,11 +193,10 @@ void tank_tick(struct tank *tank, uint32_t tick, struct obstacle *obstacles,
                                           obstacle_count,
                                           stirs ? SOLVER_PUSH_M : SOLVER_CALM_PUSH_M,
                                           tank->lanes };
-    drip(tank, tick);
-    bubble(tank, tick);
+    make_waves(tank, tick);
     contact_solver_begin(&tank->solver, tank->fish, tank->fish_count);
     think_in_turn(tank, around);
-    const struct shoal shoal = (struct shoal){
+    const struct shoal shoal = {
         .fish = tank->fish,
         .body = tank->broad_phase.body,
         .way_m = tank->broad_phase.way_m,
@@ -251,47 +238,4 @@ uint32_t tank_shade_count(const struct tank *tank, const struct shade_cast *cast
         count += fish_swims(fish) && shade_covers(cast, fish->position_m);
     }
     return count;
-}
-
-uint32_t tank_surfacing_count(const struct tank *tank)
-{
-    CORE_ASSERT(tank->fish_count <= TANK_FISH_MAX);
-    uint32_t count = 0;
-    for (uint32_t i = 0; i < tank->fish_count; i++) {
-        count += tank->fish[i].gait == GAIT_SURFACE;
-    }
-    return count;
-}
-
-uint64_t tank_hash_quick(uint64_t hash, const struct tank *tank)
-{
-    CORE_ASSERT(tank->fish_count <= TANK_FISH_MAX);
-    for (uint32_t i = 0; i < tank->fish_count; i++) {
-        hash = fish_hash_quick(hash, &tank->fish[i]);
-    }
-    return hash;
-}
-
-uint64_t tank_hash(uint64_t hash, const struct tank *tank)
-{
-    CORE_ASSERT(tank->fish_count <= TANK_FISH_MAX);
-    CORE_ASSERT(tank->preset < TANK_PRESET_COUNT);
-    hash = hash_u32(hash, tank->seed);
-    hash = hash_u32(hash, tank->preset);
-    hash = hash_vec3(hash, tank->size_m);
-    hash = hash_float(hash, tank->wall_height_m);
-    hash = hash_float(hash, tank->wall_follow);
-    hash = hash_u32(hash, tank->ball_spaces);
-    hash = hash_float(hash, tank->space);
-    hash = hash_u32(hash, tank->fish_count);
-    for (uint32_t i = 0; i < tank->fish_count; i++) {
-        hash = fish_hash(hash, &tank->fish[i]);
-    }
-    for (uint32_t i = 0; i < TANK_SHADE_MAX; i++) {
-        hash = shade_hash(hash, &tank->shade[i]);
-    }
-    hash = oxygen_hash(hash, &tank->oxygen);
-    hash = hash_u32(hash, tank->reentry_count);
-    hash = broad_phase_hash(hash, &tank->broad_phase);
-    return water_hash(hash, &tank->water);
 }

@@ -5,6 +5,7 @@
 #ifndef KINGYO_CORE_TANK_TANK_H
 #define KINGYO_CORE_TANK_TANK_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "core/scene.h"
@@ -19,34 +20,37 @@
 #include "core/tank/water.h"
 
 _Static_assert(TANK_OBSTACLE_MAX == 2u * POI_MAX, "a poi and a bowl of each player");
-/* Number of shades: SHADE_MAX fans and human hands, followed by POI_MAX dry pois. */
+/* Largest number of shades on the water: SHADE_MAX shades of fans and human hands, followed by
+ * POI_MAX shades of dry pois (paper scoops). */
 #define TANK_SHADE_MAX (SHADE_MAX + POI_MAX)
 
 struct tank {
     uint32_t seed;
     uint8_t preset;        /* Preset of the tank (enum tank_preset_id). */
-    uint8_t lanes, search; /* Number of SIMD lanes (`lanes`) and pair search (`search`), copied
-                              from struct tank_config. The state hashes do not include these two
-                              members. */
+    uint8_t lanes, search; /* Number of SIMD lanes (`lanes`) and algorithm of the pair search
+                              (`search`), copied from struct tank_config. Both members affect only
+                              speed, so no state hash includes them. */
     vec3 size_m;
     float wall_height_m;
-    float wall_follow;   /* Strength [0, 1] of the attraction of walls. */
-    uint8_t ball_spaces; /* 1 if personal spaces are balls instead of boxes, otherwise 0. */
+    float wall_follow;    /* Strength [0, 1] with which walls attract fish. */
+    bool ball_spaces;     /* True if personal spaces are balls instead of boxes. */
+    struct temper temper; /* How much calmer the fish are in this round than living fish. */
     uint32_t fish_count;
     struct fish fish[TANK_FISH_MAX];
-    float space; /* Size of the personal space of a fish beyond its body, in body lengths. The value
-                    is computed when the tank is opened. */
+    float space; /* Width of the personal space around the body of each fish, in body lengths. The
+                    value is computed when the tank is opened. */
     struct water water;
     struct shade shade[TANK_SHADE_MAX];
     struct oxygen oxygen;
-    uint32_t reentry_count; /* Upper bound of the number of fish in reentry. reentry_tick() sets
-                               `reentry_count` to the exact number. */
-    /* Results of the last broad-phase query. Later ticks use the results, so tank_hash() includes
-     * them. */
+    uint32_t reentry_count; /* Upper bound of the number of fish in reentry: fish that came back
+                               into the water and still overlap other fish. reentry_tick() sets the
+                               exact number. */
+    /* Results of the last search for pairs of nearby fish (broad-phase query). Later ticks use the
+     * results, so the state hash includes them. */
     struct broad_phase broad_phase;
-    struct contact_solver solver; /* Scratch memory of one tick, which no state hash includes. The
-                                     solver is a member of struct tank because the stack of an
-                                     embedded board is too small for it. */
+    struct contact_solver solver; /* Scratch memory of the contact solver for one tick, which no
+                                     state hash includes. The solver is a member of struct tank
+                                     because the stack of an embedded board is too small for it. */
 };
 
 /* Parameters of a tank to be opened. */
@@ -58,12 +62,12 @@ struct tank_config {
                                        TANK_AREA_SCALE_MAX. */
     vec3 size_m;                    /* Inner size within TANK_SIDE_*_M and TANK_DEPTH_*_M. A
                                        component of 0 selects the preset's value. */
-    float wall_follow;              /* Strength [0, 1] of the attraction of walls; 0 in every
+    float wall_follow;              /* Strength [0, 1] with which walls attract fish; 0 in every
                                        preset. */
-    uint8_t ball_spaces;            /* 1 if personal spaces are balls around the bodies, otherwise 0
-                                       (boxes). Balls serve only for comparison with section 3.4 of
-                                       the 2013 thesis, and with balls each fish is tested against
-                                       each other fish. */
+    bool ball_spaces;               /* True if personal spaces are balls around the bodies instead
+                                       of boxes. Balls serve only for comparison with section 3.4 of
+                                       the 2013 thesis on goldfish behavior, and with balls each
+                                       fish is tested against each other fish. */
     float stamina_min, stamina_max; /* Range of the stamina at the start, within [0, 1]. The random
                                        stamina has a uniform distribution. */
     float temperature_c;            /* Temperature of the water, OXYGEN_TEMPERATURE_MIN_C ..
@@ -74,7 +78,7 @@ struct tank_config {
                                        TANK_OXYGEN_SATURATED. */
     float time_compression;         /* Speed of the oxygen balance, 0 .. OXYGEN_TIME_COMPRESSION_MAX
                                        (oxygen.h). */
-    uint8_t pump;                   /* 1 if the air stone bubbles, otherwise 0. */
+    bool pump;                      /* True if the air pump runs, so that the air stone bubbles. */
     uint8_t bowls;                  /* Number of bowls, 0 .. POI_MAX. No fish starts under a
                                        bowl. */
     uint8_t lanes;                  /* Number of SIMD lanes: 0, 4 or 8 (core/base/simd.h). The
@@ -96,24 +100,18 @@ struct tank_config {
 /* Returns the configuration with the values of a preset, seed 1 and one bowl. */
 struct tank_config tank_config_of(uint8_t preset);
 
-/* Returns the largest number of fish, at most TANK_FISH_MAX, in a tank whose floor area is
- * `area_scale` times the floor area of the preset. */
-uint32_t tank_fish_max(uint8_t preset, float area_scale);
-
 /* Returns the largest number of fish in a tank with this configuration. The function ignores
  * config->fish_count. Returns 0 if the size or the area scale is out of range. */
 uint32_t tank_config_fish_max(const struct tank_config *config);
 
-/* Opens a tank: fills `tank` with still water and with fish that do not overlap. Returns 1 on
- * success. Returns 0 and leaves `tank` unchanged if a value of `config` is out of range. Also
- * returns 0 if the function finds no places at which the fish do not overlap, which happens only in
- * tanks shorter than a fish. In that case `tank` must not be used. */
-int tank_open(struct tank *tank, const struct tank_config *config);
+/* Opens a tank: fills `tank` with still water and with fish that do not overlap. Returns true on
+ * success. Returns false and leaves `tank` unchanged if a value of `config` is out of range.
+ * Also returns false if the function finds no places at which the fish do not overlap, which
+ * happens only in tanks shorter than a fish. In that case `tank` must not be used. */
+bool tank_open(struct tank *tank, const struct tank_config *config);
 
-/* Opens a preset with `fish_count` fish. Asserts that tank_open() returns 1. */
-void tank_init(struct tank *tank, uint8_t preset, uint32_t fish_count, uint32_t seed);
-
-/* Pose and state of a fish that is placed to set up an encounter. */
+/* Pose and state that tank_stage_all() gives to a fish, for example to set up an encounter of two
+ * fish. */
 struct tank_stage {
     vec3 position_m;
     struct angles angles;
@@ -124,8 +122,9 @@ struct tank_stage {
                         lasts for its longest duration. */
 };
 
-/* Places the first `count` fish of a tank that was just opened. `count` must not exceed the number
- * of fish. The caller guarantees that the bodies are in the water and do not overlap. */
+/* Gives the first `count` fish of a tank that was just opened the poses and states in `stages`.
+ * `count` must not exceed the number of fish. The caller guarantees that the bodies are in the
+ * water and do not overlap. */
 void tank_stage_all(struct tank *tank, const struct tank_stage *stages, uint32_t count);
 
 /* Returns the behavior parameters of the tank's fish. */
@@ -148,34 +147,29 @@ void tank_tick(struct tank *tank, uint32_t tick, struct obstacle *obstacles,
  * corner. */
 vec3 tank_stone_m(vec3 size_m);
 
-/* Returns the number of fish that gulp at the surface. */
-uint32_t tank_surfacing_count(const struct tank *tank);
-
 /* Returns the inner faces of the tank, within which the contact solver keeps the fish. */
 struct tank_bounds tank_bounds(const struct tank *tank);
 
 /* Returns the options of a broad-phase query in this tank. */
 struct broad_phase_search tank_search(const struct tank *tank);
 
-/* Returns the data on which a fish bases its decision in tick `tick`. The result points into the
- * tank and at `obstacles`, which may be null if `obstacle_count` is 0. */
+/* Returns the surroundings on which a fish bases its decision in tick `tick`. The result points
+ * into the tank and at `obstacles`, which may be null if `obstacle_count` is 0. */
 struct perception tank_perception(const struct tank *tank, uint32_t tick,
                                   const struct obstacle *obstacles, uint32_t obstacle_count);
 
-uint64_t tank_hash(uint64_t hash, const struct tank *tank);       /* Hashes the fish and the
-                                                                     water. */
-uint64_t tank_hash_quick(uint64_t hash, const struct tank *tank); /* Hashes only the poses and gaits
-                                                                     of the fish. */
-
-/* ---- Reentry --------------------------------------------------------------------------------- */
+/* ---- Reentry of fish into the water ---------------------------------------------------------- */
 
 /* Begins the reentry of a fish at its present place. Reentry is the state of a fish that came back
  * into the water, until the fish overlaps no other fish. A fish that dropped or floated off a poi,
- * or was poured from a bowl, may overlap other fish. During reentry the gait of the fish is
- * GAIT_HELD and its holder FISH_HOLDER_WATER. The fish drifts, is pushed out of other fish and
- * pushes them aside. The fish swims as soon as it overlaps no other fish. After 0.13 s of overlap
- * the fish moves toward the nearest gap, and after 0.4 s it is placed into the gap. Therefore
- * reentry ends within half a second unless no place within 5 cm is free.
+ * or was poured from a bowl, may overlap other fish.
+ *
+ * During reentry the gait of the fish is GAIT_HELD and its holder FISH_HOLDER_WATER. The fish
+ * drifts, is pushed out of other fish and pushes the other fish aside. The fish swims as soon as it
+ * overlaps no other fish.
+ *
+ * After 0.13 s of overlap the fish moves toward the nearest gap, and after 0.4 s the fish is placed
+ * into the gap. Therefore reentry ends within half a second unless no place within 5 cm is free.
  *
  * The function sets the fish's pitch and roll to 0, keeps the fish within the walls, and sets its
  * velocity to `velocity_m_s`, limited to 0.5 m/s. At the end of reentry the fish bursts away if its

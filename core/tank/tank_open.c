@@ -1,4 +1,4 @@
-/* tank_open.c -- opening a tank: validates its configuration, creates the fish and places them
+/* tank_open.c -- opening a tank: validates its configuration, creates the fish and places the fish
  * without overlap. */
 #include "core/tank/tank.h"
 
@@ -14,12 +14,13 @@
 /* Number of random places that are tried for a fish until a place is not under a bowl. If all
  * places are under bowls, the last place is used. */
 #define PLACE_TRIES 12u
-/* Largest number of rounds that separate the fish at the start. Full tanks take 3 to 48 rounds. */
+/* Largest number of rounds of pushes that separate overlapping fish when a tank is opened. Full
+ * tanks take 3 to 48 rounds. */
 #define START_ROUNDS_MAX 100u
-/* Largest number of random placements of all fish. In 1 % of the smallest tanks, the fish of the
- * first placement cannot be separated. */
+/* Largest number of attempts to place all fish at random when a tank is opened. In 1 % of the
+ * smallest tanks, the fish of the first attempt cannot be separated. */
 #define START_DRAWS_MAX 8u
-/* Largest push of a fish in one round of the separation at the start. */
+/* Largest distance by which a round pushes a fish when the fish are separated at the start. */
 #define START_SHOVE_M 0.004f
 
 /* ---- Validation of the configuration --------------------------------------------------------- */
@@ -44,17 +45,13 @@ struct tank_config tank_config_of(uint8_t preset_id)
     };
 }
 
-uint32_t tank_fish_max(uint8_t preset, float area_scale)
+static bool is_within_range(float value, float low, float high)
 {
-    return tank_preset_fish_max(tank_preset(preset), area_scale);
+    return value >= low && value <= high; /* This form of the comparison rejects NaN, because every
+                                             comparison with NaN is false. */
 }
 
-static int is_within_range(float value, float low, float high)
-{
-    return value >= low && value <= high; /* This form of the comparison rejects NaN. */
-}
-
-static int side_fits(float side_m, float low_m, float high_m)
+static bool side_fits(float side_m, float low_m, float high_m)
 {
     return side_m == 0.0f || is_within_range(side_m, low_m, high_m);
 }
@@ -79,15 +76,14 @@ uint32_t tank_config_fish_max(const struct tank_config *config)
     }
     const vec3 own_m = tank_preset(config->preset)->size_m, size_m = tank_size_of(config);
     const float own_m3 = own_m.x * own_m.y * own_m.z;
-    return tank_fish_max(config->preset, size_m.x * size_m.y * size_m.z / own_m3);
+    return tank_preset_fish_max(tank_preset(config->preset),
+                                size_m.x * size_m.y * size_m.z / own_m3);
 }
 
-static int config_fits(const struct tank_config *config)
+static bool config_fits(const struct tank_config *config)
 {
-    if (config->preset >= TANK_PRESET_COUNT) {
-        return 0;
-    }
-    return config->fish_count >= 1u && config->fish_count <= tank_config_fish_max(config) &&
+    return config->preset < TANK_PRESET_COUNT && config->fish_count >= 1u &&
+           config->fish_count <= tank_config_fish_max(config) &&
            is_within_range(config->wall_follow, 0.0f, 1.0f) && config->stamina_min >= 0.0f &&
            config->stamina_max <= 1.0f && config->stamina_min <= config->stamina_max &&
            (is_within_range(config->temperature_c, OXYGEN_TEMPERATURE_MIN_C,
@@ -103,19 +99,6 @@ static int config_fits(const struct tank_config *config)
 
 /* ---- Creation and placement of the fish ------------------------------------------------------ */
 
-static int under_bowl(vec3 point_m, const vec3 *bowls_m, uint32_t bowl_count, float clear_m)
-{
-    CORE_ASSERT(bowl_count <= POI_MAX);
-    CORE_ASSERT(clear_m > 0.0f);
-    for (uint32_t i = 0; i < bowl_count; i++) {
-        const float dx = point_m.x - bowls_m[i].x, dz = point_m.z - bowls_m[i].z;
-        if (dx * dx + dz * dz < clear_m * clear_m) {
-            return 1;
-        }
-    }
-    return 0;
-}
-
 /* Rectangle of the tank floor in which one fish is placed, in fractions of the floor. `x` and `z`
  * are the corner of the rectangle, `width` and `breadth` its size. */
 struct plot {
@@ -124,8 +107,8 @@ struct plot {
 
 /* Returns the rectangle of the floor in which fish `index` is placed. The rectangles are nearly
  * square, do not overlap and are numbered row by row. Therefore fish that are near each other at
- * the start are also near each other in memory. A tank of 100,000 fish runs a third faster as long
- * as this order remains, which is about ten minutes. */
+ * the start are also near each other in memory, so that a large tank uses the caches of the
+ * processor well. */
 static struct plot plot_of(const struct tank *tank, uint32_t index)
 {
     CORE_ASSERT(index < tank->fish_count);
@@ -138,8 +121,9 @@ static struct plot plot_of(const struct tank *tank, uint32_t index)
                           breadth };
 }
 
-/* Returns a random place in the plot of the fish. If a bowl covers the place, tries random places
- * in the whole tank. `draw` is the number of earlier placements, less than START_DRAWS_MAX. */
+/* Returns a random start position of a fish in its own rectangle of the floor (plot_of()). If a
+ * bowl covers the position, tries random positions in the whole tank. `draw` is the number of
+ * earlier placements, less than START_DRAWS_MAX. */
 static vec3 start_place(const struct tank *tank, const struct fish *fish, uint32_t index,
                         const struct tank_config *config, uint32_t draw)
 {
@@ -155,21 +139,27 @@ static vec3 start_place(const struct tank *tank, const struct fish *fish, uint32
     for (uint32_t attempt = first; attempt < first + PLACE_TRIES; attempt++) {
         const struct plot plot =
             attempt == first ? plot_of(tank, index) : (struct plot){ 0.0f, 0.0f, 1.0f, 1.0f };
-        const float share_x = rng_unit((struct rng_key){ seed, attempt, index, RNG_FISH_PLACE_X }),
-                    share_z = rng_unit((struct rng_key){ seed, attempt, index, RNG_FISH_PLACE_Z });
+        const float share_x = rng_unit((struct rng_key){ seed, attempt, index, RNG_FISH_PLACE_X });
+        const float share_z = rng_unit((struct rng_key){ seed, attempt, index, RNG_FISH_PLACE_Z });
         point.x = x * (plot.x + plot.width * share_x - 0.5f);
         point.y = rng_range((struct rng_key){ seed, attempt, index, RNG_FISH_PLACE_Y },
                             half_m - tank->size_m.y, -half_m);
         point.z = z * (plot.z + plot.breadth * share_z - 0.5f);
         const float clear_m = preset->bowl_radius_m + inset_m;
-        if (!under_bowl(point, preset->bowl_m, config->bowls, clear_m)) {
+        bool is_free = true;
+        for (uint32_t i = 0; i < config->bowls; i++) {
+            const vec3 d = v3_flat(v3_sub(point, preset->bowl_m[i]));
+            is_free = is_free && d.x * d.x + d.z * d.z >= clear_m * clear_m;
+        }
+        if (is_free) {
             break;
         }
     }
     return point;
 }
 
-static struct fish hatch(const struct tank *tank, const struct tank_config *config, uint32_t index)
+static struct fish fish_create(const struct tank *tank, const struct tank_config *config,
+                               uint32_t index)
 {
     CORE_ASSERT(index < tank->fish_count);
     const struct tank_preset *preset = tank_preset(config->preset);
@@ -193,8 +183,8 @@ static struct fish hatch(const struct tank *tank, const struct tank_config *conf
     fish.tail_beat_hz = 0.5f;
     fish.tail_amplitude = 0.15f;
     fish.tail_phase_rad = (float)(fish.look & 1023u) * (F_TAU / 1024.0f);
-    /* The initial gait is random. The probability of a gait is its fraction of time, as if the fish
-     * had been in the water for a long time. */
+    /* The initial gait is random. The probability of a gait is the fraction of time that a fish
+     * spends in that gait, as if the fish had been in the water for a long time. */
     const struct gait_chance share = gait_shares(fish.stamina);
     const float draw = rng_unit((struct rng_key){ tank->seed, 0, index, RNG_FISH_START_GAIT });
     gait_enter(&fish,
@@ -202,8 +192,8 @@ static struct fish hatch(const struct tank *tank, const struct tank_config *conf
                : draw < share.swim + share.burst ? GAIT_BURST
                                                  : GAIT_REST,
                index, &around);
-    fish.heading_rad = fish.angles.yaw_rad; /* Restores the heading, which gait_enter() turned,
-                                               because the fish has not yet changed its gait. */
+    fish.heading_rad = fish.angles.yaw_rad; /* Undoes the random change of heading by gait_enter(),
+                                               because the fish did not really change its gait. */
     swim_resolve(&fish, &around);
     /* Shortens the first gait by a random fraction, as if the gait had begun before the start. */
     fish.gait_left_s *= rng_unit((struct rng_key){ tank->seed, 0, index, RNG_FISH_START_LEFT });
@@ -211,8 +201,8 @@ static struct fish hatch(const struct tank *tank, const struct tank_config *conf
 }
 
 /* Pushes the fish apart until no two fish overlap. Pushing takes less time than choosing new random
- * places. Returns 1 on success, otherwise 0. */
-static int spread_out(struct tank *tank)
+ * places. Returns true on success. */
+static bool spread_out(struct tank *tank)
 {
     CORE_ASSERT(tank->fish_count > 0);
     const struct solver_context place = { tank->fish, tank_bounds(tank), NULL,
@@ -225,20 +215,20 @@ static int spread_out(struct tank *tank)
         contact_solver_project(&tank->solver, &tank->broad_phase, &place);
         broad_phase_update(&tank->broad_phase, tank->fish, tank_search(tank), &around);
         if (round > 0 && tank->broad_phase.overlap_count == 0) {
-            return 1;
+            return true;
         }
         contact_solver_relax(&tank->solver, &tank->broad_phase, &place);
         contact_solver_write_back(&tank->broad_phase, tank->fish);
     }
-    return 0;
+    return false;
 }
 
-/* ---- Opening and staging of a tank ----------------------------------------------------------- */
+/* ---- Functions that open a tank and place its fish ------------------------------------------- */
 
-int tank_open(struct tank *tank, const struct tank_config *config)
+bool tank_open(struct tank *tank, const struct tank_config *config)
 {
     if (!config_fits(config)) {
-        return 0;
+        return false;
     }
     const struct tank_preset *preset = tank_preset(config->preset);
     memset(tank, 0, sizeof *tank);
@@ -249,75 +239,64 @@ int tank_open(struct tank *tank, const struct tank_config *config)
     tank->size_m = tank_size_of(config);
     tank->wall_height_m = f_max(preset->wall_height_m, tank->size_m.y);
     tank->wall_follow = config->wall_follow;
-    tank->ball_spaces = config->ball_spaces != 0;
+    tank->ball_spaces = config->ball_spaces;
     tank->fish_count = config->fish_count;
-    water_init(&tank->water);
-    const int full = config->oxygen_mg_l == TANK_OXYGEN_SATURATED;
+    const bool full = config->oxygen_mg_l == TANK_OXYGEN_SATURATED;
     tank->oxygen = (struct oxygen){
         .dissolved_mg_l = full ? oxygen_saturation_mg_l(config->temperature_c, config->pressure_hpa)
                                : config->oxygen_mg_l,
         .temperature_c = config->temperature_c,
         .pressure_hpa = config->pressure_hpa,
         .time_compression = config->time_compression,
-        .pump = config->pump != 0,
+        .pump = config->pump,
     };
     for (uint32_t i = 0; i < tank->fish_count; i++) {
-        tank->fish[i] = hatch(tank, config, i);
+        tank->fish[i] = fish_create(tank, config, i);
     }
     tank->space = broad_phase_space(tank->fish, tank->fish_count, tank->size_m, &preset->params);
     /* Separates the fish. If the separation fails, chooses new random places for all fish and tries
      * again, at most START_DRAWS_MAX times in total. */
     for (uint32_t draw = 1; !spread_out(tank); draw++) {
         if (draw == START_DRAWS_MAX) {
-            return 0;
+            return false;
         }
         for (uint32_t i = 0; i < tank->fish_count; i++) {
             tank->fish[i].position_m = start_place(tank, &tank->fish[i], i, config, draw);
         }
     }
-    return 1;
-}
-
-static void place_staged_fish(struct fish *fish, const struct tank_stage *wanted,
-                              const struct perception *around)
-{
-    CORE_ASSERT(wanted->gait <= GAIT_BURST || wanted->gait == GAIT_SURFACE);
-    if (wanted->length_m > 0.0f) {
-        fish_grow(fish, wanted->length_m, around->params);
-    }
-    fish->position_m = wanted->position_m;
-    fish->angles = wanted->angles;
-    fish->heading_rad = wanted->angles.yaw_rad;
-    fish->depth_goal_m = wanted->position_m.y;
-    fish->stamina = wanted->stamina;
-    fish->gait = wanted->gait;
-    fish->gait_left_s = wanted->gait == GAIT_BURST ? 3.0f : 20.0f; /* Longest durations in section
-                                                                      3.2 of the 2013 thesis. */
-    fish->speed_m_s = wanted->speed_m_s;
-    fish->velocity_m_s = v3_scale(fish_forward(fish), wanted->speed_m_s);
-    fish->air = AIR_ENOUGH;
-    if (wanted->gait == GAIT_SURFACE) {
-        surface_stage(fish, around->params);
-    }
-    swim_resolve(fish, around); /* Sets the goals, which the fish keeps until its first decision. */
+    return true;
 }
 
 void tank_stage_all(struct tank *tank, const struct tank_stage *stages, uint32_t count)
 {
     CORE_ASSERT(stages || count == 0);
-    const struct perception around = tank_perception(tank, 0, NULL, 0);
     CORE_ASSERT(count <= tank->fish_count);
+    const struct perception around = tank_perception(tank, 0, NULL, 0);
     for (uint32_t i = 0; i < count; i++) {
-        place_staged_fish(&tank->fish[i], &stages[i], &around);
+        const struct tank_stage *wanted = &stages[i];
+        struct fish *fish = &tank->fish[i];
+        CORE_ASSERT(wanted->gait <= GAIT_BURST || wanted->gait == GAIT_SURFACE);
+        if (wanted->length_m > 0.0f) {
+            fish_grow(fish, wanted->length_m, around.params);
+        }
+        fish->position_m = wanted->position_m;
+        fish->angles = wanted->angles;
+        fish->heading_rad = wanted->angles.yaw_rad;
+        fish->depth_goal_m = wanted->position_m.y;
+        fish->stamina = wanted->stamina;
+        fish->gait = wanted->gait;
+        fish->gait_left_s = wanted->gait == GAIT_BURST ? 3.0f : 20.0f; /* Longest duration of a
+                                                                          burst (3 s) and of other
+                                                                          gaits (20 s), as in
+                                                                          gait.c. */
+        fish->speed_m_s = wanted->speed_m_s;
+        fish->velocity_m_s = v3_scale(fish_forward(fish), wanted->speed_m_s);
+        fish->air = AIR_ENOUGH;
+        if (wanted->gait == GAIT_SURFACE) {
+            surface_stage(fish, around.params);
+        }
+        swim_resolve(fish, &around); /* Sets the goals, which the fish keeps until its first
+                                        decision. */
     }
     tank->space = broad_phase_space(tank->fish, tank->fish_count, tank->size_m, around.params);
-}
-
-void tank_init(struct tank *tank, uint8_t preset, uint32_t fish_count, uint32_t seed)
-{
-    struct tank_config config = tank_config_of(preset);
-    config.fish_count = fish_count;
-    config.seed = seed;
-    const int opened = tank_open(tank, &config);
-    CORE_ASSERT(opened);
 }

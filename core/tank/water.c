@@ -1,5 +1,5 @@
 /* water.c -- the water surface as a damped wave equation on a grid of cells, and the flow around a
- * moving disc. Walls reflect waves.
+ * moving disc (a poi, the paper scoop). Walls reflect waves.
  *
  * A step is 1/60 s and a cell is about 7 mm wide. Waves travel at 0.23 m/s, the lowest speed of
  * ripples on real water (the capillary-gravity minimum). The low speed also keeps the explicit
@@ -9,30 +9,25 @@
  * The flow around a disc that moves along its plane is an estimate. */
 #include "core/tank/water.h"
 
-#include "core/base/hash.h"
-#include "core/base/mem.h"
 #include "core/base/panic.h"
 
 #define WAVE_SPEED_M_S 0.23f
 #define STEP_S (1.0f / 60.0f)
-/* Fraction of the vertical velocity that remains after a step; waves decay in about a second. */
+/* Fraction of the vertical velocity of the surface that remains after one step of STEP_S. With this
+ * value (design value) waves decay in about a second. */
 #define WAVE_KEEP 0.986f
-/* Fraction of the height that remains after a step; the surface returns to height 0. */
+/* Fraction of the surface's height that remains after one step of STEP_S. The value is less than 1,
+ * so that the surface returns to height 0. */
 #define LEVEL_KEEP 0.9985f
-/* Limit of (c * dt / dx)^2 along each axis, where c is the wave speed, dt the step and dx the cell
- * size. The explicit scheme diverges if the sum over both axes reaches 1. */
+/* Limit of (c * dt / dx)^2 along each axis, where c is the wave speed, dt is STEP_S and dx is the
+ * cell size. The explicit scheme diverges if the sum over both axes reaches 1. */
 #define COURANT_MAX 0.45f
-/* Largest height of a wave. Higher waves would leave a tank whose walls stand 6 cm above the
- * water. */
+/* Largest height of a wave above the still water surface. The limit keeps waves below the rim of
+ * the tank, which is at least 3 cm above the surface in every preset. */
 #define HEIGHT_MAX_M 0.02f
 /* Factor that converts a slope to the 8-bit integer of struct scene (scene.h), in which +-127 means
- * a slope of +-0.25. */
+ * a slope of +-0.25: 127 / 0.25 is 508. */
 #define SLOPE_SCALE 508.0f
-
-void water_init(struct water *water)
-{
-    memset(water, 0, sizeof *water);
-}
 
 /* First and last cell, along one axis, whose centre can lie within `radius` cells of the position
  * `at`. If `first` is greater than `last`, no cell lies within the radius. */
@@ -51,8 +46,9 @@ static struct span span_of(float at, float radius, int32_t count)
                           span.last >= count ? count - 1 : span.last };
 }
 
-/* Changes the heights of the current step and of the previous step equally. Therefore the push adds
- * no velocity, and waves start from rest. */
+/* Presses the surface down around a point. Changes the heights of the current step of the wave
+ * equation and of the previous step equally. Therefore the push adds no velocity, and the waves
+ * start from rest. */
 void water_press(struct water *water, vec3 size_m, vec3 point_m, float radius_m, float depth_m)
 {
     CORE_ASSERT(size_m.x > 0.0f && size_m.z > 0.0f);
@@ -61,7 +57,8 @@ void water_press(struct water *water, vec3 size_m, vec3 point_m, float radius_m,
         return;
     }
     const float dx = size_m.x / (float)RIPPLE_X, dz = size_m.z / (float)RIPPLE_Z;
-    /* Enlarges a radius that is too small for the cells of the grid. */
+    /* The radius of the push is at least 1.5 cells, because the grid cannot represent a smaller
+     * hollow. */
     const float reach_m = f_max(radius_m, 1.5f * f_max(dx, dz));
     const float at_x = (point_m.x + 0.5f * size_m.x) / dx - 0.5f;
     const float at_z = (point_m.z + 0.5f * size_m.z) / dz - 0.5f;
@@ -70,9 +67,10 @@ void water_press(struct water *water, vec3 size_m, vec3 point_m, float radius_m,
     for (int32_t row = rows.first; row <= rows.last; row++) {
         for (int32_t column = columns.first; column <= columns.last; column++) {
             const float x = ((float)column - at_x) * dx, z = ((float)row - at_z) * dz;
-            /* `push` is the depth of the push at a cell: a fraction of `depth_m` that is < 0 in the
-             * raised rim of the push and 0 from the radius outward. The volume of the push is zero,
-             * because water is incompressible. */
+            /* `push` is the depth in metres by which the cell is pressed down. The depth is
+             * `depth_m` in the middle, negative in a raised rim, and 0 at the distance `reach_m`
+             * and beyond. The rim has the same volume as the hollow, because water is
+             * incompressible. */
             const float s = (x * x + z * z) / (reach_m * reach_m);
             const float push =
                 depth_m * (s < 1.0f ? (1.0f - s) * (1.0f - s) * (1.0f - 4.0f * s) : 0.0f);
@@ -114,8 +112,8 @@ static void step_row(float *restrict next, const float *restrict now, const floa
                             kz * (above[i] - 2.0f * now[i] + below[i]);
         next[i] = next_height(now[i], next[i], curve);
     }
-    /* At a wall, the missing neighbour cell has the height of the cell at the wall, which reflects
-     * waves. */
+    /* A cell at a wall has no neighbour cell beyond the wall. The formula uses the height of the
+     * cell itself instead, so that the wall reflects waves. */
     next[0] = next_height(now[0], next[0],
                           kx * (now[1] - now[0]) + kz * (above[0] - 2.0f * now[0] + below[0]));
     next[end] = next_height(now[end], next[end],
@@ -137,9 +135,9 @@ void water_step(struct water *water, vec3 size_m)
     const float kx = courant(size_m.x / (float)RIPPLE_X), kz = courant(size_m.z / (float)RIPPLE_Z);
     const uint32_t last = RIPPLE_Z - 1u;
     float(*now)[RIPPLE_X] = water->height_m[water->newest];
-    float(*next)[RIPPLE_X] = water->height_m[1u - water->newest]; /* Older layer of heights,
-                                                                     whose values the new heights
-                                                                     replace. */
+    float(*next)[RIPPLE_X] = water->height_m[1u - water->newest]; /* Layer with the heights of the
+                                                                     previous step. The new heights
+                                                                     replace these heights. */
     for (uint32_t row = 0; row <= last; row++) {
         const float *above = now[row == 0 ? 0 : row - 1u];
         const float *below = now[row == last ? last : row + 1u];
@@ -148,17 +146,12 @@ void water_step(struct water *water, vec3 size_m)
     water->newest = (uint8_t)(1u - water->newest);
 }
 
-static int8_t slope_byte(float slope)
-{
-    return (int8_t)f_clamp(slope * SLOPE_SCALE, -127.0f, 127.0f);
-}
-
 void water_slopes(const struct water *water, vec3 size_m, int8_t slope[RIPPLE_Z][RIPPLE_X][2])
 {
     CORE_ASSERT(size_m.x > 0.0f && size_m.z > 0.0f);
     CORE_ASSERT(water->newest < 2u);
-    const float per_x = 0.5f * (float)RIPPLE_X / size_m.x,
-                per_z = 0.5f * (float)RIPPLE_Z / size_m.z;
+    const float per_x = 0.5f * (float)RIPPLE_X / size_m.x;
+    const float per_z = 0.5f * (float)RIPPLE_Z / size_m.z;
     const float(*height)[RIPPLE_X] = water->height_m[water->newest];
     for (uint32_t row = 0; row < RIPPLE_Z; row++) {
         const float *above = height[row == 0 ? 0 : row - 1u];
@@ -166,109 +159,94 @@ void water_slopes(const struct water *water, vec3 size_m, int8_t slope[RIPPLE_Z]
         for (uint32_t column = 0; column < RIPPLE_X; column++) {
             const uint32_t left = column == 0 ? 0 : column - 1u;
             const uint32_t right = column == RIPPLE_X - 1u ? column : column + 1u;
-            slope[row][column][0] = slope_byte((height[row][right] - height[row][left]) * per_x);
-            slope[row][column][1] = slope_byte((below[column] - above[column]) * per_z);
+            const float slope_x = (height[row][right] - height[row][left]) * per_x;
+            const float slope_z = (below[column] - above[column]) * per_z;
+            slope[row][column][0] = (int8_t)f_clamp(slope_x * SLOPE_SCALE, -127.0f, 127.0f);
+            slope[row][column][1] = (int8_t)f_clamp(slope_z * SLOPE_SCALE, -127.0f, 127.0f);
         }
     }
 }
 
-uint64_t water_hash(uint64_t hash, const struct water *water)
-{
-    CORE_ASSERT(water->newest < 2u);
-    hash = hash_u32(hash, water->newest);
-    return hash_floats(hash, &water->height_m[0][0][0], 2u * RIPPLE_Z * RIPPLE_X);
-}
-
 /* ---- Flow around a moving disc --------------------------------------------------------------- */
 
-/* Speed of the water at the disc's ring as a fraction of the disc's speed along its plane. */
+/* Speed of the water at the edge of a disc (a poi, the paper scoop) that moves along its own plane,
+ * as a fraction of the disc's speed. */
 #define EDGE_SHARE 0.16f
-/* Smallest distance from the disc's sharp edge, in disc radii, that the formulas of the flow use.
- * At the edge the computed speed would be infinite. */
+/* Smallest distance from the edge of a moving disc (a poi, the paper scoop), in disc radii, that
+ * the formulas of the flow use. At the edge of an infinitely thin disc the formulas would give an
+ * infinite speed. */
 #define BODY_SHARE 0.3f
-/* Half the range of heights over which a level disc submerges. The disc counts as dry at this
- * height above the surface and as submerged at this depth below the surface. */
+/* Half of the height range in which a horizontal disc (a poi, the paper scoop) enters the water. At
+ * this height above the surface the disc counts as dry, and at this depth as completely
+ * submerged. */
 #define ENTRY_HALF_M 0.005f
 #define STILL_M_S 1e-4f
-/* Distance from the disc's centre, in disc radii, beyond which the flow counts as zero. At this
- * distance the water has a five-hundredth of the disc's speed. */
+/* Distance from the centre of a moving disc (a poi, the paper scoop), in disc radii, from which the
+ * flow counts as zero. On the disc's axis at this distance, the water has a five-hundredth of the
+ * disc's speed. */
 #define FAR 6.0f
 
-/* Position or velocity relative to a disc of radius 1. `along` is the component along the disc's
- * normal, and `off` is the component perpendicular to the normal. */
+/* Position or velocity in the flow around a poi (paper scoop), which is modelled as a disc of
+ * radius 1. `along` is the component along the disc's normal, and `off` is the component
+ * perpendicular to the normal. */
 struct place {
     float along, off;
 };
 
-/* Oblate spheroidal coordinates zeta and mu of a point in struct place. The point has along = zeta
- * * mu and off = sqrt((1 + zeta^2) * (1 - mu^2)). */
-struct spheroidal {
-    float zeta, mu;
-};
-
-static struct spheroidal spheroidal(struct place at)
+/* Returns the velocity of the water around a disc of radius 1 that moves with speed 1 along its
+ * normal. zeta and mu are the oblate spheroidal coordinates of the point: along = zeta * mu, and
+ * off = sqrt((1 + zeta^2) * (1 - mu^2)). The member `along` of the result is (2 / pi) *
+ * (acot(zeta) - zeta / (zeta^2 + mu^2)). The member `off` is (2 / pi) * mu * sqrt(1 - mu^2) /
+ * ((zeta^2 + mu^2) * sqrt(1 + zeta^2)). A lower limit for zeta^2 + mu^2 keeps the velocity at
+ * the disc's sharp edge finite. */
+static struct place broadside(struct place at)
 {
     const float square = at.along * at.along + at.off * at.off - 1.0f;
     const float root = f_sqrt(square * square + 4.0f * at.along * at.along);
     const float zeta = f_sqrt(f_max(0.0f, 0.5f * (square + root)));
-    const float mu = f_sqrt(f_clamp(0.5f * (root - square), 0.0f, 1.0f));
-    return (struct spheroidal){ zeta, at.along < 0.0f ? -mu : mu };
-}
-
-/* Returns the velocity of the water around a disc of radius 1 that moves with speed 1 along its
- * normal. zeta and mu are the spheroidal coordinates of the point. The member `along` of the result
- * is (2 / pi) * (acot(zeta) - zeta / (zeta^2 + mu^2)). The member `off` is (2 / pi) * mu * sqrt(1 -
- * mu^2) / ((zeta^2 + mu^2) * sqrt(1 + zeta^2)). A lower limit for zeta^2 + mu^2 keeps the velocity
- * at the disc's sharp edge finite. */
-static struct place broadside(struct place at)
-{
-    const struct spheroidal s = spheroidal(at);
-    const float zeta2 = s.zeta * s.zeta, mu2 = s.mu * s.mu;
+    const float size = f_sqrt(f_clamp(0.5f * (root - square), 0.0f, 1.0f));
+    const float mu = at.along < 0.0f ? -size : size;
+    const float zeta2 = zeta * zeta, mu2 = mu * mu;
     const float near = f_max(zeta2 + mu2, BODY_SHARE * BODY_SHARE);
     const float share = 2.0f / F_PI;
     return (struct place){
-        .along = share * (0.5f * F_PI - f_atan2(s.zeta, 1.0f) - s.zeta / near),
-        .off = share * s.mu * f_sqrt(f_max(0.0f, 1.0f - mu2)) / (near * f_sqrt(1.0f + zeta2)),
+        .along = share * (0.5f * F_PI - f_atan2(zeta, 1.0f) - zeta / near),
+        .off = share * mu * f_sqrt(f_max(0.0f, 1.0f - mu2)) / (near * f_sqrt(1.0f + zeta2)),
     };
-}
-
-/* Cheap test whether the disc can move the water at a point. Returns 0 only if the flow there is
- * zero. */
-static int stirs(const struct obstacle *disc, vec3 point_m)
-{
-    const vec3 off_m = v3_sub(point_m, disc->centre_m), goes_m_s = obstacle_goes_m_s(disc);
-    const float reach_m = FAR * disc->radius_m;
-    return disc->kind == OBSTACLE_DISC && point_m.y <= 0.0f &&
-           v3_dot(off_m, off_m) < reach_m * reach_m &&
-           v3_dot(goes_m_s, goes_m_s) > STILL_M_S * STILL_M_S;
 }
 
 vec3 water_flow_m_s(const struct obstacle *disc, vec3 point_m)
 {
     CORE_ASSERT(disc->radius_m > 0.0f);
-    if (!stirs(disc, point_m)) {
+    /* Returns early for most points: points in the air or far from the disc, and any point if the
+     * disc hardly moves. */
+    const vec3 off_m = v3_sub(point_m, disc->centre_m), goes_m_s = obstacle_goes_m_s(disc);
+    const float reach_m = FAR * disc->radius_m;
+    if (disc->kind != OBSTACLE_DISC || point_m.y > 0.0f ||
+        v3_dot(off_m, off_m) >= reach_m * reach_m ||
+        v3_dot(goes_m_s, goes_m_s) <= STILL_M_S * STILL_M_S) {
         return v3(0.0f, 0.0f, 0.0f);
     }
-    const vec3 to = v3_scale(v3_sub(point_m, disc->centre_m), 1.0f / disc->radius_m);
+    const vec3 to = v3_scale(off_m, 1.0f / disc->radius_m);
     const float along = v3_dot(to, disc->normal);
     const vec3 flat = v3_muladd(to, disc->normal, -along);
     const struct place at = { along, v3_length(flat) };
     const vec3 out = v3_normalize_or(flat, v3(0.0f, 0.0f, 0.0f));
-    const vec3 goes_m_s = obstacle_goes_m_s(disc);
     const float normal_m_s = v3_dot(goes_m_s, disc->normal);
     const vec3 plane_m_s = v3_muladd(goes_m_s, disc->normal, -normal_m_s);
     const float pushing_m_s = (1.0f - disc->open) * normal_m_s;
     const struct place push = broadside(at);
     const vec3 pushed = v3_add(v3_scale(disc->normal, push.along), v3_scale(out, push.off));
-    /* Around a disc that moves along its plane, the water moves in the direction of the disc. The
-     * speed of the water decays with the cube of the distance from the disc. */
+    /* Around a disc (a poi, the paper scoop) that moves along its plane, the water moves in the
+     * direction of the disc. The speed of the water decays with the cube of the distance from the
+     * disc. */
     const float beyond = f_max(0.0f, at.off - 1.0f);
     const float gap = f_sqrt(at.along * at.along + beyond * beyond);
     const float near = 1.0f / (1.0f + f_max(BODY_SHARE, gap));
     const vec3 flow =
         v3_muladd(v3_scale(pushed, pushing_m_s), plane_m_s, EDGE_SHARE * near * near * near);
-    /* The fraction [0, 1] of the disc that is under water follows from the heights of the lowest
-     * and highest points of the disc. */
+    /* The flow is multiplied by the fraction [0, 1] of the disc that is under water. The fraction
+     * follows from the heights of the lowest and highest points of the disc. */
     const float slope = f_sqrt(f_max(0.0f, 1.0f - disc->normal.y * disc->normal.y));
     const float half_m = f_max(disc->radius_m * slope, ENTRY_HALF_M);
     return v3_limit(v3_scale(flow, f_clamp(0.5f - 0.5f * disc->centre_m.y / half_m, 0.0f, 1.0f)),

@@ -4,13 +4,16 @@
  * Pois and fish make waves, and the renderer uses the slopes for refraction. The flow carries fish
  * along and stimulates their lateral line.
  *
- * The flow is that of a disc. For motion along the normal of the disc, the flow is the potential
- * flow of a thin disc, which is known exactly in oblate spheroidal coordinates. On the axis of the
- * disc, the water has the speed of the disc at the disc and 0.18 of that speed at a distance of one
- * radius. Far from the disc, the flow is the flow of a dipole and decays with the cube of the
- * distance. The strength of the dipole follows from the added mass of the disc, (8 / 3) * rho *
- * a^3, where rho is the density of water and a is the radius of the disc. For motion along the
- * plane of the disc, only the water near the ring of the disc moves. */
+ * The flow is that of a disc, because a poi is a thin round sheet. For motion along the normal of
+ * the disc, the flow is the potential flow of a thin disc, which is known exactly in oblate
+ * spheroidal coordinates.
+ *
+ * On the axis of the disc, the water has the speed of the disc at the disc and 0.18 of that speed
+ * at a distance of one radius. Far from the disc, the flow is the flow of a dipole and decays with
+ * the cube of the distance. The strength of the dipole follows from the added mass of the disc.
+ * With the water density rho and the disc radius a, the added mass is (8/3) rho a^3.
+ *
+ * For motion along the plane of the disc, only the water near the ring of the disc moves. */
 #ifndef KINGYO_CORE_TANK_WATER_H
 #define KINGYO_CORE_TANK_WATER_H
 
@@ -21,12 +24,11 @@
 #include "core/tank/collision/obstacle.h"
 
 struct water {
-    uint8_t newest; /* Index of the current layer of `height_m`. The other layer holds the heights
-                       of the previous step. */
+    uint8_t newest; /* Index of the layer of `height_m` that holds the current heights of the
+                       surface. The other layer holds the heights of the previous step of the wave
+                       equation. */
     float height_m[2][RIPPLE_Z][RIPPLE_X];
 };
-
-void water_init(struct water *water);
 
 /* Pushes the surface smoothly down by `depth_m` within `radius_m` of a point. A negative `depth_m`
  * lifts the surface. Points outside the tank are ignored. */
@@ -39,17 +41,16 @@ float water_height_m(const struct water *water, vec3 size_m, float x_m, float z_
 /* Advances the wave equation by one step of 1/60 s; called every second tick. */
 void water_step(struct water *water, vec3 size_m);
 
-/* Writes the slopes of the surface along x to slope[..][..][0] and along z to slope[..][..][1]. The
- * values +127 and -127 mean slopes of +0.25 and -0.25, as in scene.h. */
+/* Writes the slopes of the surface along x to slope[..][..][0] and along z to slope[..][..][1]. A
+ * value of +127 means a slope of +0.25, and -127 means -0.25, as in scene.h. */
 void water_slopes(const struct water *water, vec3 size_m, int8_t slope[RIPPLE_Z][RIPPLE_X][2]);
 
-uint64_t water_hash(uint64_t hash, const struct water *water);
-
-/* Returns the velocity of the water at a point in world coordinates, m/s. The water is never faster
- * than the disc. Returns zero if `disc` is a bowl, if the point is above the surface, or if the
- * point is farther than six disc radii from the disc's centre. The velocity is proportional to the
- * submerged fraction of the disc. Torn paper moves less water: the flow that motion along the
- * normal causes is proportional to the fraction of the paper that remains. */
+/* Returns the velocity, m/s, that a moving disc (a poi) gives to the water at a point in world
+ * coordinates. The water is never faster than the disc. Returns zero if `disc` is a bowl, if the
+ * point is above the surface, or if the point is farther than six disc radii from the disc's
+ * centre. The velocity is proportional to the submerged fraction of the disc. Torn paper moves less
+ * water: the flow that motion along the normal causes is proportional to the fraction of the paper
+ * that remains. */
 vec3 water_flow_m_s(const struct obstacle *disc, vec3 point_m);
 
 /* Returns the pressure of the flow at a point divided by the water density, m^2/s^2. The result is

@@ -8,32 +8,38 @@
 
 #define COS_20_DEG 0.93969262f
 #define COS_45_DEG 0.70710678f
-/* Probability that the hitting fish passes behind the struck fish (section 3.4 of the 2013
- * thesis). */
+/* Probability that a fish that would swim into the side of another fish passes behind the other
+ * fish, which is the straight (normal) rule. Otherwise the fish passes in front of the other fish
+ * (2013 thesis on goldfish behavior, section 3.4). */
 #define STRAIGHT_CHANCE 0.9f
-/* Longest duration of avoidance by yaw. Afterwards the fish avoids by pitch (2013 thesis, section
- * 3.4). */
+/* Longest time for which a fish avoids another fish by yaw, a turn to the left or right. Afterwards
+ * the fish avoids by pitch, up or down (2013 thesis, section 3.4). */
 #define YAW_TIME_S 0.5f
 #define PITCH_TIME_S 0.5f
 /* Time for which a fish keeps its depth after it avoided another fish by pitch. Without this time,
  * the fish would return to its preferred depth and meet the other fish again. */
 #define HOLD_DEPTH_S 0.5f
-/* Closing speed below which fish do not avoid each other. Two resting fish can drift toward each
- * other at this speed, and repulsion then separates them. */
+/* Closing speed below which two fish do not avoid each other. The closing speed is the speed at
+ * which the gap between the fish shrinks. Two resting fish of 5 cm drift at up to 0.5 cm/s each, so
+ * that only repulsion separates them. */
 #define CLOSING_MIN_M_S 0.010f
-/* Smallest factor on the speed of a braking fish. With a smaller factor, a burst in a dense tank
- * would lose more than half its speed. */
+/* Smallest factor by which a braking fish multiplies its speed goal. With a smaller factor, a fish
+ * in a burst (the fastest gait) would lose more than half of its speed in a dense tank, where fish
+ * brake often. */
 #define BRAKE_MIN 0.4f
-/* Angle from the fish's yaw to its new heading while the fish avoids by yaw. */
+/* Angle by which the intended heading of a fish leads its present yaw while the fish avoids another
+ * fish by yaw, a turn to the left or right. */
 #define LEAD_RAD (75.0f * F_DEG)
-/* Fraction of LEAD_RAD for the struck fish, which then turns at 67 deg/s and hardly swings its
- * tail. */
+/* Factor on LEAD_RAD for a struck fish, into whose side another fish swims. A struck fish turns
+ * slowly, because a fast turn would swing its tail into the other fish. */
 #define STRUCK_SHARE 0.15f
 #define TURN_LAG_S 0.12f /* Time constant with which the yaw rate decays after a turn. */
-/* Repulsion speed at contact in body lengths per second: (7.5 - 5.25) cm/s for a fish of 5 cm (2013
- * thesis, section 3.3). */
+/* Speed at which repulsion separates two fish that touch each other, in body lengths per second.
+ * The value equals (7.5 - 5.25) cm/s for a fish of 5 cm (2013 thesis, section 3.3). */
 #define REPULSION_LENGTHS_PER_S 0.45f
-#define REPULSION_RANGE 0.2f /* Range of the repulsion in body lengths: 1 cm for a fish of 5 cm. */
+/* Largest gap at which two fish repel each other, in body lengths. For a fish of 5 cm the gap is 1
+ * cm. */
+#define REPULSION_RANGE 0.2f
 
 static float flat_cos(vec3 a, vec3 b)
 {
@@ -41,80 +47,68 @@ static float flat_cos(vec3 a, vec3 b)
     return (a.x * b.x + a.z * b.z) / f_sqrt(f_max(aa * bb, 1e-12f));
 }
 
-/* Returns a value > 0 if `to` points to the left of `forward`, seen from above. */
-static float leftness(vec3 forward, vec3 to)
-{
-    return to.x * forward.z - to.z * forward.x;
-}
-
-static int gives_way_to(const struct avoid_party *a, const struct avoid_party *b)
-{
-    return a->avoiding != AVOID_NONE && a->avoid_with == b->index;
-}
-
-/* An encounter of two fish a and b. The fish that runs into the other fish is active. If each runs
- * into the other, the fish that faces the other fish more is active; in a tie, the fish with the
- * lower index. */
+/* Class and roles of an encounter between two fish a and b. The fish that runs into the other fish
+ * is active. If both fish run into each other, the fish that faces the other fish more is active.
+ * In a tie, the fish with the lower index is active. */
 struct encounter {
     uint8_t kind; /* Kind of the encounter for the active fish (enum meeting_kind). */
-    uint8_t a_is_active;
+    bool a_is_active;
     uint32_t since;
 };
 
-/* Returns the encounter that the fish `first` recorded when it began to avoid. A turn during the
- * avoidance changes the angle between the fish, but not the class of the encounter. */
-static struct encounter encounter_of(const struct avoid_party *first, int first_is_a)
-{
-    CORE_ASSERT(first->avoiding != AVOID_NONE);
-    const int is_active = first->avoid_kind != MEET_STRUCK;
-    return (struct encounter){
-        .kind = is_active ? first->avoid_kind : MEET_SIDE,
-        .a_is_active = is_active == first_is_a,
-        .since = first->avoid_since,
-    };
-}
-
-static struct encounter new_encounter(const struct avoid_party *a, const struct avoid_party *b,
-                                      float a_faces, float b_faces, uint32_t tick)
-{
-    const float along = flat_cos(a->forward, b->forward);
-    const uint8_t kind = along > COS_20_DEG    ? MEET_REAR_END
-                         : along < -COS_20_DEG ? MEET_HEAD_ON
-                                               : MEET_SIDE;
-    const int a_is_active = a_faces > b_faces || (a_faces == b_faces && a->index < b->index);
-    return (struct encounter){ kind, a_is_active != 0, tick };
-}
-
+/* Returns the encounter of two fish. If one of the fish already avoids the other fish, returns the
+ * encounter that the avoiding fish recorded when it began to avoid. A turn during the avoidance
+ * changes the angle between the fish, but not the class of the encounter (head-on, rear-end or
+ * side). */
 static struct encounter encounter(const struct avoid_party *a, const struct avoid_party *b,
                                   float a_faces, float b_faces, uint32_t tick)
 {
-    return gives_way_to(a, b)   ? encounter_of(a, 1)
-           : gives_way_to(b, a) ? encounter_of(b, 0)
-                                : new_encounter(a, b, a_faces, b_faces, tick);
+    const bool a_avoids = a->avoiding != AVOID_NONE && a->avoid_with == b->index;
+    if (a_avoids || (b->avoiding != AVOID_NONE && b->avoid_with == a->index)) {
+        const struct avoid_party *first = a_avoids ? a : b;
+        const bool is_active = first->avoid_kind != MEET_STRUCK;
+        return (struct encounter){
+            .kind = is_active ? first->avoid_kind : MEET_SIDE,
+            .a_is_active = is_active == a_avoids,
+            .since = first->avoid_since,
+        };
+    }
+    const float along = flat_cos(a->forward, b->forward);
+    return (struct encounter){
+        .kind = along > COS_20_DEG    ? MEET_REAR_END
+                : along < -COS_20_DEG ? MEET_HEAD_ON
+                                      : MEET_SIDE,
+        .a_is_active = a_faces > b_faces || (a_faces == b_faces && a->index < b->index),
+        .since = tick,
+    };
 }
 
-/* Sets the advice for an encounter from the side. The fish `hitter` passes behind the struck fish,
- * which turns away a little. In one of ten encounters the hitter passes in front of the struck
- * fish. */
-static void meet_side(struct avoid_advice *hitter, vec3 hitter_forward, struct avoid_advice *struck,
-                      vec3 struck_forward, vec3 to_struck, uint32_t draw)
+/* Sets the advice for two fish of which the fish `hitter` would swim into the side of the fish
+ * `struck`. The hitter turns to pass behind the struck fish, which turns away a little. In one of
+ * ten encounters the hitter turns to pass in front instead. */
+static void advise_side_encounter(struct avoid_advice *hitter, vec3 hitter_forward,
+                                  struct avoid_advice *struck, vec3 struck_forward, vec3 to_struck,
+                                  uint32_t draw)
 {
     const float sense = (float)(draw >> 8) * (1.0f / 16777216.0f) < STRAIGHT_CHANCE ? 1.0f : -1.0f;
-    const float runs_left = leftness(hitter_forward, struck_forward);
-    const float hit_on_left = leftness(struck_forward, v3_scale(to_struck, -1.0f));
+    /* `runs_left` is > 0 if the struck fish swims to the left, seen from the hitter. `hit_on_left`
+     * is > 0 if the hitter comes from the left side of the struck fish. */
+    const float runs_left =
+        struck_forward.x * hitter_forward.z - struck_forward.z * hitter_forward.x;
+    const float hit_on_left = -to_struck.x * struck_forward.z - -to_struck.z * struck_forward.x;
     struck->kind = MEET_STRUCK;
     hitter->turn = runs_left > 0.0f ? -sense : sense;
     struck->turn = STRUCK_SHARE * (hit_on_left > 0.0f ? -sense : sense);
 }
 
-/* Returns 1 if the courses of the fish cross, so that the fish must avoid each other. Only
- * living fish use the test; the 2013 thesis has no such test. Always returns 1 if
- * params->meet_miss is 0. */
-static int courses_cross(const struct avoid_party *a, const struct avoid_party *b, vec3 apart,
-                         const struct behavior_params *params)
+/* Returns true if two fish that keep their present courses would come so near to each other that
+ * they must avoid each other. The limit is params->meet_miss. Always returns true if
+ * params->meet_miss is 0, as in the 2013 thesis, which has no such test. */
+static bool courses_cross(const struct avoid_party *a, const struct avoid_party *b, vec3 apart,
+                          const struct behavior_params *params)
 {
     if (params->meet_miss == 0.0f) {
-        return 1;
+        return true;
     }
     const vec3 v = v3_sub(v3_scale(b->forward, b->speed_m_s), v3_scale(a->forward, a->speed_m_s));
     const float when_s = -v3_dot(apart, v) / f_max(v3_dot(v, v), 1e-6f);
@@ -125,8 +119,9 @@ static int courses_cross(const struct avoid_party *a, const struct avoid_party *
            miss.x * miss.x + miss.z * miss.z < wide_m * wide_m;
 }
 
-/* Returns the factor on the speed of a fish. The factor is below 1 if the fish swims toward the gap
- * and the gap would close within `brake_s`. */
+/* Returns the factor by which a fish multiplies its speed goal. The factor is below 1, so that the
+ * fish brakes, if the fish swims toward the other fish and would touch it within `brake_s`
+ * seconds. */
 static float brake_for(float faces, float gap_m, float closing_m_s, float brake_s)
 {
     const float stop_m = brake_s * closing_m_s;
@@ -153,18 +148,20 @@ static void advise(struct avoid_pair *pair, const struct avoid_party *a,
     struct avoid_advice *active = now->a_is_active ? &pair->a : &pair->b;
     struct avoid_advice *other = now->a_is_active ? &pair->b : &pair->a;
     if (now->kind == MEET_REAR_END) {
-        /* Only the follower, which is the active fish, avoids. */
+        /* If a fish follows the other fish, only the following fish (the active fish) turns aside,
+         * to a random side. */
         active->turn = draw & 1u ? 1.0f : -1.0f;
         other->kind = MEET_NONE;
     } else if (now->kind == MEET_HEAD_ON) {
-        /* Both fish turn to their own left, or both turn to their own right. */
+        /* Two fish that meet head-on both turn to their own left, or both turn to their own right,
+         * and so pass each other. */
         const float side = draw & 1u ? 1.0f : -1.0f;
         pair->a.turn = side;
         pair->b.turn = side;
     } else if (now->a_is_active) {
-        meet_side(active, a->forward, other, b->forward, apart, draw);
+        advise_side_encounter(active, a->forward, other, b->forward, apart, draw);
     } else {
-        meet_side(active, b->forward, other, a->forward, v3_scale(apart, -1.0f), draw);
+        advise_side_encounter(active, b->forward, other, a->forward, v3_scale(apart, -1.0f), draw);
     }
 }
 
@@ -191,32 +188,24 @@ struct avoid_pair avoid_meet(const struct avoid_party *a, const struct avoid_par
     return pair;
 }
 
-/* Returns `rise` or its opposite: -1 means down, +1 means up. The result is the opposite if the
- * surface or the floor is too near in the direction `rise`. */
-static float possible_rise(const struct fish *fish, float rise, float water_depth_m)
-{
-    CORE_ASSERT(water_depth_m > 0.0f);
-    const float room_m = 1.0f * fish->height_m;
-    const float above_floor_m = fish->position_m.y + water_depth_m;
-    if (rise > 0.0f) {
-        return -fish->position_m.y < room_m ? -1.0f : 1.0f;
-    }
-    return above_floor_m < room_m ? 1.0f : -1.0f;
-}
-
-static void go_on_or_end(struct fish *fish, const struct avoid_advice *advice, float water_depth_m)
+static void avoid_continue_or_end(struct fish *fish, const struct avoid_advice *advice,
+                                  float water_depth_m)
 {
     CORE_ASSERT(fish->avoid_left_s <= 0.0f);
     CORE_ASSERT(fish->avoiding != AVOID_NONE);
     if (fish->avoiding == AVOID_YAW && advice->kind != MEET_NONE) {
         fish->avoiding = AVOID_PITCH;
         fish->avoid_left_s = PITCH_TIME_S;
-        fish->avoid_turn = possible_rise(fish, advice->rise, water_depth_m);
+        /* Follows the advice to swim up or down, or swims in the opposite direction if the surface
+         * or the floor is too near. */
+        const float room_m =
+            advice->rise > 0 ? -fish->position_m.y : fish->position_m.y + water_depth_m;
+        fish->avoid_turn = room_m < fish->height_m ? -(float)advice->rise : (float)advice->rise;
     } else {
         fish->avoid_left_s = fish->avoiding == AVOID_PITCH ? HOLD_DEPTH_S : 0.0f;
         fish->avoiding = AVOID_NONE;
-        /* The fish ends its avoiding turn. Its new heading includes the angle by which the fish
-         * continues to turn because its yaw rate decays slowly. */
+        /* The fish ends its avoiding turn. The new heading includes the angle by which the fish
+         * continues to turn while its yaw rate decays. */
         const float carries_rad = TURN_LAG_S * fish->yaw_rate_rad_s;
         const float ahead_rad = f_wrap_angle(fish->heading_rad - fish->angles.yaw_rad);
         if (f_abs(ahead_rad) > f_abs(carries_rad)) {
@@ -225,7 +214,7 @@ static void go_on_or_end(struct fish *fish, const struct avoid_advice *advice, f
     }
 }
 
-int avoid_holds_depth(const struct fish *fish)
+bool avoid_holds_depth(const struct fish *fish)
 {
     return fish->avoiding == AVOID_NONE && fish->avoid_left_s > 0.0f;
 }
@@ -235,11 +224,12 @@ void avoid_tick(struct fish *fish, const struct avoid_advice *advice, float brak
 {
     CORE_ASSERT(brake >= 0.0f && brake <= 1.0f);
     CORE_ASSERT(around->dt_s > 0.0f);
-    const int meets = advice->kind != MEET_NONE;
-    /* The factor `brake` rises from 0 to 1 in a third of a second at the earliest. */
+    const bool meets = advice->kind != MEET_NONE;
+    /* `brake`, the factor on the speed goal, falls immediately but rises slowly: at least a third
+     * of a second from 0 to 1. */
     fish->brake = f_min(brake, fish->brake + 3.0f * around->dt_s);
-    /* The remaining avoidance time runs three times as fast if the fish meets no other fish any
-     * more. */
+    /* The remaining avoidance time decreases three times as fast if the fish meets no other fish
+     * any more. */
     const float pace = fish->avoiding != AVOID_NONE && !meets ? 3.0f : 1.0f;
     fish->avoid_left_s = f_max(0.0f, fish->avoid_left_s - pace * around->dt_s);
     if (fish->avoiding == AVOID_NONE) {
@@ -252,10 +242,11 @@ void avoid_tick(struct fish *fish, const struct avoid_advice *advice, float brak
             fish->avoid_kind = advice->kind;
         }
     } else if (fish->avoid_left_s <= 0.0f) {
-        go_on_or_end(fish, advice, around->size_m.y);
+        avoid_continue_or_end(fish, advice, around->size_m.y);
     }
     if (fish->avoiding == AVOID_YAW && meets) {
-        /* The fish turns as fast as its gait allows (180 deg/s in GAIT_SWIM). */
+        /* The intended heading stays ahead of the present yaw by a fixed angle, so that the fish
+         * keeps its turning rate until the turn ends. */
         fish->heading_rad = f_wrap_angle(fish->angles.yaw_rad + fish->avoid_turn * LEAD_RAD);
     }
 }

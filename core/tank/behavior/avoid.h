@@ -1,49 +1,49 @@
 /* avoid.h -- avoidance between two fish that approach each other head-on, from the side or from
  * behind.
  *
- * The functions implement section 3.4 of the 2013 thesis. All section, figure and equation numbers
- * are those of the 2013 thesis. The rules below were chosen for cases in which the thesis gives no
- * rule or contradicts itself.
+ * The functions implement section 3.4 of the 2013 thesis on goldfish behavior. All section, figure
+ * and equation numbers are those of the 2013 thesis. The rules below were chosen for cases in which
+ * the thesis gives no rule or contradicts itself.
  *
  * - In section 3.4 a fish reacts to "something within the space". In section 3.7 a fish reacts if
- * its personal space overlaps the personal space of another fish. The code follows section 3.7.
+ *   its personal space overlaps the personal space of another fish. The code follows section 3.7.
  *
  * - By headings alone, two harmless cases would count as encounters: fish that have passed each
- * other head-on, and fish that swim side by side. Therefore the code requires that a fish
- * approaches. In a rear-end encounter, the fish ahead must lie within 45 degrees of the follower's
- * course.
+ *   other head-on, and fish that swim side by side. In both cases the gap between the fish does not
+ *   shrink, so the code requires a shrinking gap. In a rear-end encounter, the fish ahead must lie
+ *   within 45 degrees of the follower's course.
  *
  * - Eq. 3.4 uses the angle between the headings in three dimensions, so a head-on encounter with a
- * pitched fish would count as an encounter from the side. The code uses the angle between the
- * headings seen from above. The code compares cosines, so that it needs no arc cosine.
+ *   pitched fish would count as an encounter from the side. The code uses the angle between the
+ *   headings seen from above. The code compares cosines, so that it needs no arc cosine.
  *
- * - "The one that hits" is the fish that faces the other fish more. In a tie, the fish with the
- * lower index hits.
+ * - The thesis does not define "the one that hits". In the code, the fish that faces the other fish
+ *   more is the fish that hits. In a tie, the fish with the lower index hits.
  *
  * - In the thesis, the fish that is hit "turns left", whichever side is hit. Half of these turns
- * would lead into the fish that hits. In the code the struck fish turns away from the side that is
- * hit.
+ *   would lead into the fish that hits. In the code the struck fish turns away from the side that
+ *   is hit.
  *
  * - The thesis gives no turning rate. Fish turn as fast as the gait allows (180 deg/s while
- * swimming). The struck fish turns at a third of that rate, because otherwise its tail would sweep
- * into the fish that hits.
+ *   swimming). The struck fish turns at a third of that rate, because otherwise its tail would
+ *   sweep into the fish that hits.
  *
  * - A fish with several encounters follows the advice for the soonest contact. A fish that has
- * begun to turn keeps its direction. If the path is still blocked after 0.5 s, even by a different
- * fish, avoidance by yaw has failed and the fish avoids by pitch.
+ *   begun to turn keeps its direction. If the path is still blocked after 0.5 s, even by a
+ *   different fish, avoidance by yaw has failed and the fish avoids by pitch.
  *
  * - The class of an encounter (enum meeting_kind) is determined when two fish meet. While a fish of
- * the pair avoids, the class and the roles stay unchanged, even after the fish have turned.
+ *   the pair avoids, the class and the roles stay unchanged, even after the fish have turned.
  *
  * - Fig. 3.6 sends both fish of a pair up, or both down. In the code the upper fish goes up and the
- * lower fish goes down, unless the surface or the floor is within one body height.
+ *   lower fish goes down, unless the surface or the floor is within one body height.
  *
  * - The preferred depths of section 3.6 would undo a climb or a dive. A fish ignores its preferred
- * depth while it avoids by pitch and for 0.5 s afterwards. If a fish also ignored its preferred
- * depth during avoidance by yaw, 600 fish would drift away from their depths by 3 to 6 cm.
+ *   depth while it avoids by pitch and for 0.5 s afterwards. If a fish also ignored its preferred
+ *   depth during avoidance by yaw, 600 fish would drift away from their depths by 3 to 6 cm.
  *
- * - Sections 1.1 and 4.5 name a repulsion but never define it. The comment on avoid_repulsion_m_s()
- * describes the repulsion in this code. */
+ * - Sections 1.1 and 4.5 name a repulsion but never define the repulsion. The comment on
+ *   avoid_repulsion_m_s() describes the repulsion in this code. */
 #ifndef KINGYO_CORE_TANK_BEHAVIOR_AVOID_H
 #define KINGYO_CORE_TANK_BEHAVIOR_AVOID_H
 
@@ -51,15 +51,15 @@
 #include "core/tank/fish.h"
 
 enum meeting_kind {
-    MEET_NONE = 0, /* No encounter. The fish move apart, or approach each other no faster than two
-                      resting fish drift. */
+    MEET_NONE = 0, /* No encounter. The fish move apart, or approach each other more slowly than 1
+                      cm/s (CLOSING_MIN_M_S in avoid.c). */
     MEET_HEAD_ON,  /* The headings differ by more than 160 degrees. */
     MEET_REAR_END, /* The headings differ by less than 20 degrees, and the other fish is ahead. */
     MEET_SIDE,     /* The fish runs into the side of the other fish. */
     MEET_STRUCK,   /* The other fish runs into the side of the fish. */
 };
 
-/* Data of one fish of a pair. */
+/* Input of avoid_meet() about one fish of a pair. */
 struct avoid_party {
     vec3 position_m;
     vec3 forward; /* Unit vector along the fish's forward axis. */
@@ -73,34 +73,40 @@ struct avoid_party {
     uint32_t avoid_since;
 };
 
-/* Advice for one fish of a pair. All zeros mean that there is no advice. */
+/* Advice for one fish of a pair on how to avoid the other fish. All zeros mean that the fish need
+ * not avoid the other fish. */
 struct avoid_advice {
     uint8_t kind;    /* Role of the fish in the encounter (enum meeting_kind). */
-    int8_t rise;     /* Direction of the pitch if avoidance by yaw fails within 0.5 s: -1 means
-                        down, +1 means up. */
+    int8_t rise;     /* Direction in which the fish pitches if a turn to the left or right (yaw)
+                        does not clear its path within 0.5 s: -1 means down, +1 means up. */
     fish_index with; /* Index of the other fish. */
-    uint32_t since;  /* Tick in which the first fish of the pair began to avoid. */
-    float contact_s; /* Time to contact at the present speeds. */
-    float turn;      /* Turn from -1 (hard right) to +1 (hard left); 0 means straight on. */
+    uint32_t since;  /* Tick in which the encounter began: the first tick in which a fish of the
+                        pair avoided the other fish. */
+    float contact_s; /* Time until the two bodies touch if both fish keep their present speeds. */
+    float turn;      /* Turn that avoids the other fish, from -1 (hard right) to +1 (hard left). 0
+                        means straight on. */
 };
 
 struct avoid_pair {
     struct avoid_advice a, b;
-    float brake_a, brake_b; /* Factor [0, 1] on the speed of fish a and of fish b. */
+    float brake_a, brake_b; /* Factor [0, 1] by which fish a or fish b multiplies its speed goal, so
+                               that the fish slows down before a contact. */
 };
 
-/* Returns the advice for both fish of a pair. `gap_m` is the gap between their bodies. All random
- * choices of an encounter depend on one random number, so that both fish choose consistently. The
- * key of the random number contains the tick in which the first fish began to avoid. */
+/* Returns the advice for both fish of a pair on how to avoid each other. `gap_m` is the gap between
+ * their bodies. All random choices of an encounter depend on one random number, so that both fish
+ * choose consistently. The key of the random number contains the tick in which the encounter began,
+ * so the number stays the same during the encounter. */
 struct avoid_pair avoid_meet(const struct avoid_party *a, const struct avoid_party *b, float gap_m,
                              const struct behavior_params *params, uint32_t seed, uint32_t tick);
 
-/* Returns 1 if the fish keeps its present depth instead of its preferred depth, otherwise 0. The
- * result is 1 for 0.5 s after the fish avoided by pitch. */
-int avoid_holds_depth(const struct fish *fish);
+/* Returns true if the fish keeps its present depth instead of swimming to its preferred depth. A
+ * fish keeps its depth for 0.5 s after it avoided another fish by pitch. */
+bool avoid_holds_depth(const struct fish *fish);
 
-/* Advances the avoidance of a fish by `around->dt_s`. `advice` is the advice for the soonest
- * contact. `brake` is the smallest factor on the fish's speed that any near fish requires. */
+/* Advances the avoidance of a fish by `around->dt_s`. `advice` is about the nearby fish with the
+ * soonest contact. `brake` is the smallest factor on the fish's speed that any nearby fish
+ * requires. */
 void avoid_tick(struct fish *fish, const struct avoid_advice *advice, float brake,
                 const struct perception *around);
 

@@ -1,69 +1,69 @@
-/* escape.c -- computes the C-start: the turn, the bend and the thrust of a startled fish as
- * functions of time. */
+/* escape.c -- computes the C-start, the fast escape response of a startled fish: the turn, the bend
+ * and the thrust as functions of time. */
 #include "core/tank/behavior/startle.h"
 
 #include "core/base/panic.h"
 #include "core/base/rng.h"
 #include "core/input.h"
 
-/* Duration of stage 1 and of stage 2 for a fish of STAGE_LENGTH_M. The duration is proportional to
- * the square root of the length. Stages last whole ticks, so that the renderer shows every C-bend
- * at its deepest. */
+/* Duration of each of the two stages of a C-start, for a fish of the length STAGE_LENGTH_M. In
+ * stage 1 the fish bends into a C, and in stage 2 its tail flips back. The duration is proportional
+ * to the square root of the fish's length. escape_stage_s() rounds the duration to whole ticks, so
+ * that the deepest bend of the body falls on a tick. */
 #define STAGE_S 0.020f
 #define STAGE_LENGTH_M 0.05f
 
 #define TURN_MIN_RAD (60.0f * F_DEG)
 #define TURN_MAX_RAD (120.0f * F_DEG)
 #define STRAY_RAD (45.0f * F_DEG)
-/* Angle between the direction away from the danger and the final course of a fish that first turned
- * toward the danger. Because of this angle the fish swims past the danger, not into it. */
+/* Angle between the direction away from a danger and the final course of a fish that first turned
+ * toward the danger. With this angle the fish swims past the danger. */
 #define PAST_RAD (100.0f * F_DEG)
-/* Largest angle by which the flip of stage 2 reduces the turn of stage 1. */
+/* Largest angle by which stage 2 of a C-start (the flip) turns the fish back from the turn of stage
+ * 1. */
 #define FLIP_BACK_RAD (45.0f * F_DEG)
-/* Largest angle by which the flip of stage 2 reduces the turn of stage 1 if a wall blocks the way
- * ahead. */
+/* Largest angle by which stage 2 of a C-start (the flip) turns the fish back from the turn of stage
+ * 1 if a wall blocks the course ahead of the fish. */
 #define FLIP_BARRED_RAD (110.0f * F_DEG)
-/* Largest angle by which the flip of stage 2 increases the turn of stage 1. */
+/* Largest angle by which the flip of the tail in a C-start (stage 2) continues the first turn of
+ * the fish (stage 1). */
 #define FLIP_ON_RAD (90.0f * F_DEG)
 
-/* Probability of a C-start away from the danger in open water (Mirjany et al. 2011). */
+/* Probability that a fish in a C-start (escape response) first turns away from the danger in open
+ * water (Mirjany et al. 2011). Otherwise the fish first turns toward the danger. */
 #define AWAY_CHANCE 0.77f
-/* Probability of a C-start away from the danger if a wall blocks the way away from the danger
- * (design value). */
+/* Probability that a fish in a C-start first turns away from the danger if a wall blocks this
+ * escape route. The value is a design value. */
 #define AWAY_CHANCE_WALL 0.45f
-#define WALL_FELT_LENGTHS 2.0f /* Distance in body lengths within which a wall blocks the way. */
+/* Distance to a wall, in body lengths, within which the wall blocks the escape route. */
+#define WALL_FELT_LENGTHS 2.0f
 
-/* BEND_PER_TURN is the curvature of the C-bend divided by the angle of the head's turn. HEAD_SHARE
- * is the fraction of the body's curve that lies in front of the pivot of the bend
+/* BEND_PER_TURN is the bend of the body into a C divided by the angle by which the head turns.
+ * HEAD_SHARE is the fraction of the body's curve that lies in front of the pivot of the bend
  * (assets/shaders/fish.vert.glsl). */
 #define BEND_PER_TURN 1.3f
 #define HEAD_SHARE 0.38f
-/* Bend in the opposite direction after the flip of stage 2, as a fraction of the C-bend. */
+/* Recoil of the body after the flip of the tail: the fish bends to the other side by this fraction
+ * of the C-bend. */
 #define RECOIL 0.4f
 /* Duration of the recoil (the bend after the flip of stage 2), as a multiple of the duration of a
  * stage. */
 #define RECOIL_STAGES 2.0f
 
-/* Lowest and highest peak speed of individual fish, in body lengths per second. */
+/* Lowest and highest peak speed of individual fish during a C-start (escape), in body lengths per
+ * second. */
 #define PEAK_LENGTHS_MIN 8.0f
 #define PEAK_LENGTHS_MAX 10.0f
-#define PEAK_TIME_S 0.12f /* Time from the beginning of the C-start to the end of the thrust. */
-#define DASH_LENGTHS 2.0f /* Speed goal after the thrust, in body lengths per second. */
+/* Time from the beginning of a C-start (escape) to the end of its thrust. */
+#define PEAK_TIME_S 0.12f
+/* Speed goal of an escaping fish after the thrust of its C-start, in body lengths per second. */
+#define DASH_LENGTHS 2.0f
 #define DASH_BEAT_MIN_S 0.70f
 #define DASH_SPREAD_S 0.08f
-/* Stamina cost of the C-start, equal to the cost of one second of burst. */
+/* Stamina that a C-start (escape) costs a fish. The cost equals that of one second of GAIT_BURST
+ * (BURST_COST_PER_S in gait.c). */
 #define COST 0.010f
-#define REFRACTORY_S 0.5f /* Time after a dash in which the fish cannot begin another C-start. */
-
-static vec3 escape_direction(float yaw_rad)
-{
-    return v3(-f_sin(yaw_rad), 0.0f, -f_cos(yaw_rad));
-}
-
-static float yaw_of(vec3 flat)
-{
-    return f_atan2(-flat.x, -flat.z);
-}
+#define REFRACTORY_S 0.5f /* Time after an escape in which the fish cannot begin another C-start. */
 
 float escape_stage_s(float length_m)
 {
@@ -71,9 +71,9 @@ float escape_stage_s(float length_m)
     return CORE_TICK_S * f_max(1.0f, f_floor(stage_s * (float)CORE_TICK_HZ + 0.5f));
 }
 
-/* Returns 1 if the time since the beginning of the C-start is below `end_s`, otherwise 0. The
- * comparison has a tolerance of half a tick, because times are rounded sums of ticks. */
-static int is_escape_before(const struct fish *fish, float end_s)
+/* Returns true if the time since the beginning of the C-start is below `end_s`. The comparison
+ * has a tolerance of half a tick, because times are rounded sums of ticks. */
+static bool is_escape_before(const struct fish *fish, float end_s)
 {
     return fish->escape_s < end_s - 0.5f * CORE_TICK_S;
 }
@@ -87,7 +87,7 @@ enum escape_stage escape_stage(const struct fish *fish)
                                                     : ESCAPE_DASH;
 }
 
-int escape_on_path(const struct fish *fish)
+bool escape_on_path(const struct fish *fish)
 {
     const float end_s = (2.0f + RECOIL_STAGES) * escape_stage_s(fish->length_m);
     return fish->gait == GAIT_ESCAPE && is_escape_before(fish, end_s);
@@ -100,27 +100,6 @@ static float room_m(float at_m, float course, float half_m)
     CORE_ASSERT(half_m > 0.0f);
     const float gap_m = course > 0.0f ? half_m - at_m : half_m + at_m;
     return f_abs(course) > 1e-3f ? f_max(gap_m, 0.0f) / f_abs(course) : 1e3f;
-}
-
-/* Returns `yaw_rad`. If a wall blocks the course `yaw_rad`, returns a yaw along the wall and
- * slightly away from the wall. */
-static float unbarred_rad(const struct fish *fish, float yaw_rad, vec3 size_m)
-{
-    const float felt_m = WALL_FELT_LENGTHS * fish->length_m;
-    vec3 course = escape_direction(yaw_rad);
-    if (room_m(fish->position_m.x, course.x, 0.5f * size_m.x) < felt_m) {
-        course.x *= -0.3f;
-    }
-    if (room_m(fish->position_m.z, course.z, 0.5f * size_m.z) < felt_m) {
-        course.z *= -0.3f;
-    }
-    return yaw_of(course);
-}
-
-static float nearer(float to_rad, float a_rad, float b_rad)
-{
-    return f_abs(f_wrap_angle(a_rad - to_rad)) < f_abs(f_wrap_angle(b_rad - to_rad)) ? a_rad
-                                                                                     : b_rad;
 }
 
 static void enter_escape_gait(struct fish *fish, uint32_t index, const struct perception *around)
@@ -147,21 +126,38 @@ void escape_start(struct fish *fish, vec3 from_m, uint32_t index, const struct p
     /* The side and the angle of the first turn, and the final course of the C-start, are random. */
     const float yaw_rad = fish->angles.yaw_rad;
     const vec3 off = v3_sub(fish->position_m, from_m);
-    const float away_rad = f_wrap_angle(yaw_of(v3(off.x, 0.0f, off.z)) - yaw_rad);
-    const vec3 course = escape_direction(yaw_rad + away_rad);
+    const float away_rad = f_wrap_angle(f_atan2(-off.x, -off.z) - yaw_rad);
+    const vec3 course = v3_heading(yaw_rad + away_rad);
     const float open = f_min(room_m(fish->position_m.x, course.x, 0.5f * around->size_m.x),
                              room_m(fish->position_m.z, course.z, 0.5f * around->size_m.z)) /
                        (WALL_FELT_LENGTHS * fish->length_m);
     const float chance = f_lerp(AWAY_CHANCE_WALL, AWAY_CHANCE, f_clamp(open, 0.0f, 1.0f));
-    const int toward = rng_unit(perception_key(around, index, RNG_FISH_ESCAPE)) >= chance;
+    const bool toward = rng_unit(perception_key(around, index, RNG_FISH_ESCAPE)) >= chance;
     const float side = (away_rad < 0.0f ? -1.0f : 1.0f) * (toward ? -1.0f : 1.0f);
     const float turn_rad = side * rng_range(perception_key(around, index, RNG_ESCAPE_TURN),
                                             TURN_MIN_RAD, TURN_MAX_RAD);
     const float stray_rad =
         rng_range(perception_key(around, index, RNG_ESCAPE_STRAY), -STRAY_RAD, STRAY_RAD);
-    const float goal_rad =
-        toward ? nearer(turn_rad, away_rad + PAST_RAD, away_rad - PAST_RAD) : away_rad + stray_rad;
-    const float course_rad = unbarred_rad(fish, yaw_rad + goal_rad, around->size_m) - yaw_rad;
+    float goal_rad = away_rad + stray_rad;
+    if (toward) { /* Selects one of the two courses past the danger: the course nearer to the first
+                     turn. */
+        const float left_rad = away_rad + PAST_RAD, right_rad = away_rad - PAST_RAD;
+        goal_rad =
+            f_abs(f_wrap_angle(left_rad - turn_rad)) < f_abs(f_wrap_angle(right_rad - turn_rad))
+                ? left_rad
+                : right_rad;
+    }
+    /* If a wall blocks the final course, the fish swims along the wall and slightly away from the
+     * wall. */
+    const float felt_m = WALL_FELT_LENGTHS * fish->length_m;
+    vec3 last = v3_heading(yaw_rad + goal_rad);
+    if (room_m(fish->position_m.x, last.x, 0.5f * around->size_m.x) < felt_m) {
+        last.x *= -0.3f;
+    }
+    if (room_m(fish->position_m.z, last.z, 0.5f * around->size_m.z) < felt_m) {
+        last.z *= -0.3f;
+    }
+    const float course_rad = f_atan2(-last.x, -last.z) - yaw_rad;
     const float rest_rad = side * f_wrap_angle(course_rad - turn_rad);
     fish->escape_from_rad = yaw_rad;
     fish->escape_turn_rad = turn_rad;
@@ -198,8 +194,8 @@ void escape_tick(struct fish *fish, const struct perception *around)
     const float bent = f_clamp(stages, 0.0f, 1.0f);
     const float flipped = f_clamp(stages - 1.0f, 0.0f, 1.0f);
     const float recoiled = f_clamp((stages - 2.0f) / RECOIL_STAGES, 0.0f, 1.0f);
-    if (!escape_on_path(fish)) { /* The path of the C-start has ended. From now on walls may change
-                                    the course again. */
+    if (!escape_on_path(fish)) { /* The prescribed turn of the C-start has ended. From now on walls
+                                    may change the course of the fish again. */
         fish->bend_goal_rad = 0.0f;
         return;
     }
@@ -218,7 +214,7 @@ float escape_speed_m_s(const struct fish *fish)
                                                  : DASH_LENGTHS * fish->length_m;
 }
 
-int escape_beats(const struct fish *fish)
+bool escape_beats(const struct fish *fish)
 {
     return !is_escape_before(fish, escape_stage_s(fish->length_m)) &&
            is_escape_before(fish, PEAK_TIME_S);

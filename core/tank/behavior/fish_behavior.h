@@ -5,29 +5,28 @@
  * struct fish, which swim_move() follows in every tick. struct perception holds all input of a
  * decision.
  *
- * The attraction of walls (thigmotaxis) implements section 2.2 and figure 2.3 of the 2013 thesis,
- * after Sato. In a tank of 60 x 30 cm a single goldfish stays near the walls. The density of the
- * goldfish decreases exponentially with the distance from the walls, and the attraction reaches 20
- * cm. A large school hides the attraction, so every preset disables the attraction (`wall_follow`
- * is 0). */
+ * Walls can attract fish (thigmotaxis), as section 2.2 and figure 2.3 of the 2013 thesis on
+ * goldfish behavior describe for a single goldfish. The strength of the attraction is
+ * `wall_follow`. Its value is 0 in every preset, because the attraction is not visible in a tank
+ * with many fish. */
 #ifndef KINGYO_CORE_TANK_BEHAVIOR_FISH_BEHAVIOR_H
 #define KINGYO_CORE_TANK_BEHAVIOR_FISH_BEHAVIOR_H
 
 #include "core/tank/behavior_params.h"
 #include "core/tank/fish.h"
 
-/* Returns 1 if the fish decides in this tick, otherwise 0. A fish decides in every
- * FISH_BEHAVIOR_TICKS-th tick. A fish decides in every tick at the surface, while it escapes or
- * falls, and near an object that can startle it. A C-start follows its cause after 8 to 15 ms, so a
- * startled fish cannot wait up to 33 ms for its next decision. */
-int fish_behavior_is_due(const struct fish *fish, uint32_t index, const struct perception *around);
+/* Returns true if the fish decides in this tick. A fish decides in every FISH_BEHAVIOR_TICKS-th
+ * tick. A fish decides in every tick at the surface, while it escapes or falls, and near an object
+ * that can startle it. A C-start (escape) must begin 8 to 15 ms after its cause, so a startled fish
+ * cannot wait up to 33 ms for its next decision. */
+bool fish_behavior_is_due(const struct fish *fish, uint32_t index, const struct perception *around);
 
 /* Returns the time since the fish's last decision, 1 to FISH_BEHAVIOR_TICKS ticks, in seconds. The
  * caller stores the result in `around->dt_s`. */
 float fish_behavior_dt_s(const struct fish *fish, uint32_t tick);
 
 /* Makes one decision of the fish and sets its goals. A fish in the air only falls: `falls` is set
- * and swim_move() is not called for it. */
+ * and swim_move() is not called for the fish. */
 void fish_behavior_tick(struct fish *fish, uint32_t index, const struct perception *around);
 
 #define WALL_RANGE_M 0.20f

@@ -9,14 +9,16 @@
 #include "core/tank/behavior/startle.h"
 #include "core/tank/behavior/surface_breathing.h"
 
-/* Stamina that a burst costs per second. Section 3.2 of the 2013 thesis gives changes per second of
- * -1 (burst), -0.2 (swim) and +0.1 (rest) for stamina from 0 to 100. */
+/* Stamina that a burst costs per second. Section 3.2 of the 2013 thesis on goldfish behavior gives
+ * changes per second of -1 (burst), -0.2 (swim) and +0.1 (rest) for stamina from 0 to 100. In this
+ * code the stamina is in [0, 1]. */
 #define BURST_COST_PER_S 0.010f
 #define SWIM_COST_PER_S 0.002f
 #define REST_GAIN_PER_S 0.001f
 #define BURST_MIN_S 1.0f
 #define BURST_MAX_S 3.0f
-#define STEADY_MIN_S 5.0f /* Shortest and longest duration of a swim and of a rest. */
+/* Shortest and longest duration of the two steady gaits, swimming and resting. */
+#define STEADY_MIN_S 5.0f
 #define STEADY_MAX_S 20.0f
 /* Stamina that an escape costs per second: twice the cost of a burst (design value). */
 #define ESCAPE_COST_PER_S 0.020f
@@ -34,12 +36,12 @@ struct gait_chance gait_chance(float stamina)
     }
     const float tired = 1.0f - stamina;
     return (struct gait_chance){
-        .burst = 0.1f - tired / 10.0f,                      /* Probability of a burst (2013 thesis,
-                                                               eq. 3.1). */
-        .swim = 0.5f - 2.0f * tired / 5.0f,                 /* Probability of swimming (2013 thesis,
-                                                               eq. 3.2). */
-        .rest = 0.4f + tired / 10.0f + 2.0f * tired / 5.0f, /* Probability of resting (2013 thesis,
-                                                               eq. 3.3). */
+        .burst = 0.1f - tired / 10.0f,                      /* Probability that the next gait is a
+                                                               burst (2013 thesis, eq. 3.1). */
+        .swim = 0.5f - 2.0f * tired / 5.0f,                 /* Probability that the next gait is
+                                                               swimming (2013 thesis, eq. 3.2). */
+        .rest = 0.4f + tired / 10.0f + 2.0f * tired / 5.0f, /* Probability that the next gait is
+                                                               resting (2013 thesis, eq. 3.3). */
     };
 }
 
@@ -57,7 +59,8 @@ struct gait_chance gait_shares(float stamina)
 float gait_depth_m(float stamina, float water_depth_m)
 {
     CORE_ASSERT(water_depth_m > 0.0f);
-    /* The 2013 thesis gives depths of 18, 13, 8 and 3 cm in 20 cm of water. */
+    /* The 2013 thesis gives depths of 18, 13, 8 and 3 cm in 20 cm of water for four ranges of the
+     * stamina. `share` is the depth as a fraction of the water depth. */
     const float share = stamina >= 0.75f   ? 0.90f
                         : stamina >= 0.50f ? 0.65f
                         : stamina >= 0.25f ? 0.40f
@@ -65,25 +68,17 @@ float gait_depth_m(float stamina, float water_depth_m)
     return -share * water_depth_m;
 }
 
-/* Returns the random change of heading at a change of gait. The 2013 thesis gives no angle. Real
- * fish rarely turn far, so the angle has a normal distribution, with a standard deviation of 45
- * degrees for a swim. A burst begins with a sharp turn of 60 to 120 degrees. */
-static float random_turn_rad(enum fish_gait gait, uint32_t index, const struct perception *around)
-{
-    const struct behavior_params *params = around->params;
-    const float bell = rng_normal(perception_key(around, index, RNG_FISH_TURN));
-    if (gait == GAIT_BURST) {
-        const float sharp =
-            rng_range(perception_key(around, index, RNG_FISH_SHARP_TURN), 60.0f, 120.0f) * F_DEG;
-        return bell < 0.0f ? -sharp : sharp;
-    }
-    return bell * (gait == GAIT_SWIM ? params->turn_swim_rad : params->turn_rest_rad);
-}
+/* Depth of the back of a calm fish (fish_is_calm()) below the surface. */
+#define CALM_DEPTH_M 0.006f
 
 /* Returns the preferred depth of the fish for its present stamina (2013 thesis, section 3.6). */
-static float preferred_depth_m(const struct fish *fish, float water_depth_m)
+static float preferred_depth_m(const struct fish *fish, const struct temper *temper,
+                               float water_depth_m)
 {
     const float margin_m = 0.6f * fish->height_m;
+    if (fish_is_calm(fish, temper)) {
+        return -margin_m - CALM_DEPTH_M;
+    }
     return f_clamp(gait_depth_m(fish->stamina, water_depth_m) + fish->depth_stray * water_depth_m,
                    margin_m - water_depth_m, -margin_m);
 }
@@ -92,29 +87,25 @@ void gait_enter(struct fish *fish, enum fish_gait gait, uint32_t index,
                 const struct perception *around)
 {
     CORE_ASSERT(gait <= GAIT_BURST);
+    const struct behavior_params *params = around->params;
     const struct rng_key time = perception_key(around, index, RNG_FISH_DURATION);
     fish->gait = (uint8_t)gait;
+    /* Changes the heading by a random angle, for which the 2013 thesis gives no value. The angle of
+     * a fish that begins to swim or to rest has a normal distribution, because real fish rarely
+     * turn far. A burst begins with a sharp turn of 60 to 120 degrees. */
+    const float bell = rng_normal(perception_key(around, index, RNG_FISH_TURN));
+    float turn_rad = bell * (gait == GAIT_SWIM ? params->turn_swim_rad : params->turn_rest_rad);
+    if (gait == GAIT_BURST) {
+        const float sharp =
+            rng_range(perception_key(around, index, RNG_FISH_SHARP_TURN), 60.0f, 120.0f) * F_DEG;
+        turn_rad = bell < 0.0f ? -sharp : sharp;
+    }
     fish->gait_left_s = gait == GAIT_BURST ? rng_range(time, BURST_MIN_S, BURST_MAX_S)
                                            : rng_range(time, STEADY_MIN_S, STEADY_MAX_S);
-    fish->heading_rad = f_wrap_angle(fish->heading_rad + random_turn_rad(gait, index, around));
+    fish->heading_rad = f_wrap_angle(fish->heading_rad + turn_rad);
     fish->depth_stray =
-        around->params->depth_stray * rng_normal(perception_key(around, index, RNG_FISH_DEPTH));
-    fish->depth_goal_m = preferred_depth_m(fish, around->size_m.y);
-}
-
-static void choose_gait(struct fish *fish, uint32_t index, const struct perception *around)
-{
-    CORE_ASSERT(fish->gait_left_s <= 0.0f);
-    if (surface_calls(fish, index, around)) {
-        surface_rise(fish, index, around);
-        return;
-    }
-    const struct gait_chance chance = gait_chance(fish->stamina);
-    const float draw = rng_unit(perception_key(around, index, RNG_FISH_GAIT));
-    const enum fish_gait gait = draw < chance.burst                 ? GAIT_BURST
-                                : draw < chance.burst + chance.swim ? GAIT_SWIM
-                                                                    : GAIT_REST;
-    gait_enter(fish, gait, index, around);
+        params->depth_stray * rng_normal(perception_key(around, index, RNG_FISH_DEPTH));
+    fish->depth_goal_m = preferred_depth_m(fish, &around->temper, around->size_m.y);
 }
 
 void gait_tick(struct fish *fish, uint32_t index, const struct perception *around)
@@ -131,16 +122,24 @@ void gait_tick(struct fish *fish, uint32_t index, const struct perception *aroun
             gait_enter(fish, GAIT_SWIM, index, around);
             fish->gait_left_s =
                 rng_range(perception_key(around, index, RNG_ESCAPE_CALM), 1.0f, 3.0f);
+        } else if (surface_calls(fish, index, around)) {
+            surface_rise(fish, index, around);
         } else {
-            choose_gait(fish, index, around);
+            const struct gait_chance chance = gait_chance(fish->stamina);
+            const float draw = rng_unit(perception_key(around, index, RNG_FISH_GAIT));
+            gait_enter(fish,
+                       draw < chance.burst                 ? GAIT_BURST
+                       : draw < chance.burst + chance.swim ? GAIT_SWIM
+                                                           : GAIT_REST,
+                       index, around);
         }
     }
     if (fish->gait == GAIT_REST || fish->gait == GAIT_SWIM || fish->gait == GAIT_BURST) {
-        fish->depth_goal_m = preferred_depth_m(fish, around->size_m.y);
+        fish->depth_goal_m = preferred_depth_m(fish, &around->temper, around->size_m.y);
     }
 }
 
-int gait_beats(const struct fish *fish, const struct perception *around)
+bool gait_beats(const struct fish *fish, const struct perception *around)
 {
     if (fish->gait == GAIT_SWIM) {
         return !around->params->glides || gait_cycle_beats(fish, around->tick);
@@ -148,25 +147,14 @@ int gait_beats(const struct fish *fish, const struct perception *around)
     return fish->gait == GAIT_BURST || (fish->gait == GAIT_ESCAPE && escape_beats(fish));
 }
 
-/* Returns the speed that is multiplied by a factor of the gait. Section 3.3 of the 2013 thesis
- * gives s = d * (0.8 + H / 5) for a stamina H from 0 to 100, where d is one body length per second.
- * The code uses H / 100 instead of H, because otherwise a rested fish would swim at 20.8 * d. The
- * result is one body length per second at full stamina. */
+/* Returns the basic speed of a fish, m/s, which follows from its length and stamina. Each gait
+ * multiplies the basic speed by its own factor. Section 3.3 of the 2013 thesis gives s = d * (0.8 +
+ * H / 5) for a stamina H from 0 to 100, where d is one body length per second. The code uses H /
+ * 100 instead of H, because otherwise a rested fish would swim at 20.8 * d. The result is one body
+ * length per second at full stamina. */
 static float able_m_s(const struct fish *fish)
 {
     return fish->length_m * (0.8f + 0.2f * fish->stamina);
-}
-
-/* Returns the speed goal of a fish in GAIT_SWIM. If the fish alternates between beats and glides,
- * the goal during a beat is above the mean speed, and the goal during a glide is 0. */
-static float cruise_m_s(const struct fish *fish, const struct perception *around)
-{
-    const float mean_m_s = able_m_s(fish) * around->params->swim_speed;
-    if (!around->params->glides) {
-        return mean_m_s;
-    }
-    return gait_cycle_beats(fish, around->tick) ? mean_m_s * gait_cycle_share(fish, mean_m_s)
-                                                : 0.0f;
 }
 
 float gait_speed_m_s(const struct fish *fish, const struct perception *around)
@@ -176,8 +164,14 @@ float gait_speed_m_s(const struct fish *fish, const struct perception *around)
     switch (fish->gait) {
     case GAIT_BURST:
         return able_m_s(fish) * params->burst_speed;
-    case GAIT_SWIM:
-        return cruise_m_s(fish, around);
+    case GAIT_SWIM: {
+        /* A fish that alternates between tail beats and glides has two speed goals. The speed goal
+         * is above the mean speed during a beat, and 0 during a glide. */
+        const float mean_m_s = able_m_s(fish) * params->swim_speed;
+        return !params->glides                        ? mean_m_s
+               : gait_cycle_beats(fish, around->tick) ? mean_m_s * gait_cycle_share(fish, mean_m_s)
+                                                      : 0.0f;
+    }
     case GAIT_ESCAPE:
         return escape_speed_m_s(fish);
     default:
@@ -194,28 +188,32 @@ float gait_run_up_s(float length_m)
 {
     CORE_ASSERT(length_m > 0.0f);
     const float log10_length_cm = f_log(100.0f * length_m) * 0.434294482f;
-    /* Dividing by 3 converts the time to 95 % of the speed into a time constant, because 1 -
-     * exp(-3) is 0.95. The lower limit is for fry below 1 cm, for which the logarithm is
-     * negative. */
+    /* The formula of the 2013 thesis gives the time to reach 95 % of the speed. Dividing this time
+     * by 3 gives the time constant, because 1 - exp(-3) is 0.95. The lower limit of 0.02 s is for
+     * fry below 1 cm, for which the logarithm is negative. */
     return f_max(0.02f, (0.1772f * log10_length_cm + 0.040f) / 3.0f);
 }
 
-/* ---- Burst and coast ------------------------------------------------------------------------- */
+/* ---- Burst and coast: alternating tail beats and glides -------------------------------------- */
 
-/* Beat and glide last a whole number of decision periods (FISH_BEHAVIOR_TICKS). A fish that checks
- * its rhythm once per decision therefore keeps the rhythm exactly. */
+/* The tail beats and the glide after them each last a whole number of decision periods
+ * (FISH_BEHAVIOR_TICKS). Therefore a fish that computes its rhythm only once per decision still
+ * changes between beat and glide at the exact tick. */
 
-/* Shortest cycle of beat and glide, 0.7 s. The cycle of an individual fish is up to 0.5 s
- * longer. */
+/* Shortest duration of a cycle, which consists of tail beats and the glide after them: 84 ticks of
+ * 1/120 s, or 0.7 s. The cycle of an individual fish is up to 0.5 s longer. */
 #define CYCLE_TICKS_MIN 84u
 #define BEAT_SHARE 0.45f
-#define KICK_TICKS (5u * FISH_BEHAVIOR_TICKS) /* Duration of a kick, 0.17 s. */
+/* Duration of a kick, the turn at the beginning of a tail beat: 5 decisions of 4 ticks each, or
+ * 0.17 s. */
+#define KICK_TICKS (5u * FISH_BEHAVIOR_TICKS)
 #define KICK_MAX_RAD (80.0f * F_DEG)
 
 /* Drag coefficient of a gliding koi, relative to its wetted surface. The coefficient is 0.242 while
  * the tail beats. */
 #define COAST_DRAG 0.060f
-/* Mass of a fish divided by the cube of its length: 2.9 g at 5 cm, as in fish_mass_kg(). */
+/* Mass of a fish divided by the cube of its length. fish_mass_kg() gives 2.9 g for a fish of 5 cm,
+ * and 0.0029 kg / (0.05 m)^3 is 23.1 kg/m^3. */
 #define MASS_KG_PER_M3 23.1f
 /* Mass of the water that moves along with a slender body, as a fraction of the fish's mass. */
 #define ADDED_MASS 0.10f
@@ -224,7 +222,8 @@ float gait_run_up_s(float length_m)
 #define GLIDE_LENGTHS                                                                              \
     (2.0f * (1.0f + ADDED_MASS) * MASS_KG_PER_M3 / (WATER_KG_M3 * SURFACE_PER_LENGTH2 * COAST_DRAG))
 
-/* Returns the duration of the fish's cycle of beat and glide. Each fish has its own duration. */
+/* Returns the duration of the fish's cycle of tail beats and glide, in ticks. Each fish has its own
+ * duration. */
 static uint32_t cycle_ticks(const struct fish *fish)
 {
     return CYCLE_TICKS_MIN + FISH_BEHAVIOR_TICKS * (fish->look >> 10 & 15u);
@@ -241,18 +240,18 @@ static uint32_t ticks_into(const struct fish *fish, uint32_t tick)
     return (tick + (fish->look >> 14 & 255u)) % cycle_ticks(fish);
 }
 
-int gait_cycle_beats(const struct fish *fish, uint32_t tick)
+bool gait_cycle_beats(const struct fish *fish, uint32_t tick)
 {
     return ticks_into(fish, tick) < beat_ticks(cycle_ticks(fish));
 }
 
-int gait_cycle_kicks(const struct fish *fish, uint32_t tick)
+bool gait_cycle_kicks(const struct fish *fish, uint32_t tick)
 {
     return ticks_into(fish, tick) < KICK_TICKS;
 }
 
-/* Turns the fish at its first decision during a beat. The random key contains the first tick of the
- * beat, so the turn does not depend on the tick of the decision. */
+/* Turns the fish once per kick, at its first decision during a tail beat. The random key contains
+ * the first tick of the beat, so the turn does not depend on the tick of the decision. */
 void gait_cycle_turn(struct fish *fish, uint32_t index, const struct perception *around)
 {
     const uint32_t into = ticks_into(fish, around->tick);
@@ -281,10 +280,10 @@ float gait_cycle_share(const struct fish *fish, float mean_m_s)
     const float beat_s = (float)beat * CORE_TICK_S;
     const float glide_s = (float)(cycle - beat) * CORE_TICK_S;
     float share = 1.25f;
-    for (int round = 0; round < 3; round++) { /* Each iteration computes `share` from the previous
-                                                 estimate of `share`. Three iterations suffice,
-                                                 because the result depends only weakly on the
-                                                 estimate. */
+    /* `share` is the speed goal during a beat divided by the mean speed. Each iteration computes
+     * `share` from its previous estimate. Three iterations suffice, because the result depends only
+     * weakly on the estimate. */
+    for (int round = 0; round < 3; round++) {
         const float x = share * mean_m_s * glide_s / glide_m;
         const float lost = x / (1.0f + x); /* Fraction of its initial speed that the fish loses in
                                               the glide. */

@@ -4,36 +4,38 @@
  * Burst and coast: a cruising fish kicks with its tail, turns during the kick, and glides. Koi and
  * goldfish beat their tail for about one beat and then coast. The drag coefficient of a straight
  * body is a quarter of that of a waving body: 0.060 against 0.242 (Wu et al. 2007, koi). Coasting
- * saves nearly half of the energy. The fish turn during the kick, not during the glide. The first
- * stage of a kick lasts about equally long for every angle, so the turning rate determines the
- * angle (Wu et al. 2007, turns of koi).
+ * saves nearly half of the energy.
  *
- * The functions implement sections 2.1, 3.2, 3.3 and 3.6 of the 2013 thesis, in which stamina H is
- * 0 to 100. All section and equation numbers are those of the 2013 thesis. The rules below were
- * chosen where the thesis contradicts itself or gives no value.
+ * The fish turn during the kick, not during the glide. The first stage of a kick lasts about
+ * equally long for every angle, so the turning rate determines the angle (Wu et al. 2007, turns of
+ * koi).
+ *
+ * The functions implement sections 2.1, 3.2, 3.3 and 3.6 of the 2013 thesis on goldfish behavior,
+ * in which stamina H is 0 to 100. All section and equation numbers are those of the 2013 thesis.
+ * The rules below were chosen where the thesis contradicts itself or gives no value.
  *
  * - Eqs. 3.1 to 3.3 and the speed s = d * (0.8 + H / 5), where d is one body length per second, are
- * correct only with H / 100 instead of H. With H, eq. 3.2 gives -3.5 at H = 90, and a rested fish
- * would swim at 20.8 * d. The printed costs and ranges of stamina refer to 0 to 100. In this code,
- * stamina h = H / 100 is always in [0, 1].
+ *   correct only with H / 100 instead of H. With H, eq. 3.2 gives -3.5 at H = 90, and a rested fish
+ *   would swim at 20.8 * d. The printed costs and ranges of stamina refer to 0 to 100. In this
+ *   code, stamina h = H / 100 is always in [0, 1].
  *
  * - Eq. 3.2 leaves a probability of 0.1 for swimming at H = 0, but the text excludes swimming at H
- * = 0. The code follows the text.
+ *   = 0. The code follows the text.
  *
  * - Eq. 2.3 gives no base of the logarithm and no unit. log10 of the length in centimetres gives
- * the printed 0.163 s (0.1639, truncated).
+ *   the printed 0.163 s (0.1639, truncated).
  *
  * - In section 2.1 a fish reaches 95 % of the final speed v_t at the end of the run-up
- * (acceleration), after the time T_d. The section does not give the speed v during the run-up. The
- * code uses v = v_t * (1 - exp(-3 * t / T_d)) at time t, because exp(-3) is 0.05. Section 3.3 uses
- * the same time T_d for swimming.
+ *   (acceleration), after the time T_d. The section does not give the speed v during the run-up.
+ *   The code uses v = v_t * (1 - exp(-3 * t / T_d)) at time t, because exp(-3) is 0.05. Section 3.3
+ *   uses the same time T_d for swimming.
  *
  * - Section 3.3 changes the heading with the gait but gives no angle. struct behavior_params holds
- * the standard deviation of the angle.
+ *   the standard deviation of the angle.
  *
  * - Section 3.6 gives depths in 20 cm of water. In the code the depths are fractions of the water
- * depth. In section 3.6 a fish reaches its depth by pitching, but a tired fish rests nine tenths of
- * its time. In the code a fish therefore climbs and dives in every gait (swim.h). */
+ *   depth. In section 3.6 a fish reaches its depth by pitching, but a tired fish rests nine tenths
+ *   of its time. In the code a fish therefore climbs and dives in every gait (swim.h). */
 #ifndef KINGYO_CORE_TANK_BEHAVIOR_GAIT_H
 #define KINGYO_CORE_TANK_BEHAVIOR_GAIT_H
 
@@ -73,31 +75,33 @@ float gait_run_up_s(float length_m);
  * speed in section 3.3 of the 2013 thesis, 7.5 cm/s for a rested fish of 5 cm. */
 float gait_speed_max_m_s(const struct fish *fish, const struct behavior_params *params);
 
-/* Returns 1 if the tail drives the fish, 0 if the fish glides or rests. */
-int gait_beats(const struct fish *fish, const struct perception *around);
+/* Returns true if the tail drives the fish, false if the fish glides or rests. */
+bool gait_beats(const struct fish *fish, const struct perception *around);
 
-/* Returns the preferred y coordinate for a stamina, < 0. Fish with much stamina stay near the floor
- * (2013 thesis, section 3.6). The depth is a fraction of `water_depth_m`. */
+/* Returns the depth that a fish with this stamina prefers, as a y coordinate < 0, m. Fish with much
+ * stamina stay near the floor (2013 thesis, section 3.6). The depth is a fraction of
+ * `water_depth_m`. */
 float gait_depth_m(float stamina, float water_depth_m);
 
-/* Value of `haste` in struct fish during a kick. With this value, a turn by any angle is 90 %
- * complete after 0.16 s. */
+/* Value of `haste` (fish.h) during a kick, the turn at the beginning of a tail beat. With this
+ * value, a turn by any angle is 90 % complete after 0.16 s. */
 #define GAIT_KICK_HASTE 6.0f
 
-/* Returns 1 if the tail drives the fish in this tick, 0 if the fish glides. The cycle of beat and
- * glide lasts 0.7 to 1.2 s, depending on the fish. */
-int gait_cycle_beats(const struct fish *fish, uint32_t tick);
+/* Returns true if the tail drives the fish in this tick, false if the fish glides. The cycle of
+ * beat and glide lasts 0.7 to 1.2 s, depending on the fish. */
+bool gait_cycle_beats(const struct fish *fish, uint32_t tick);
 
-/* Returns 1 during the kick at the beginning of a beat, otherwise 0. The fish turns during the
- * kick. */
-int gait_cycle_kicks(const struct fish *fish, uint32_t tick);
+/* Returns true while the fish kicks. A kick is the first part of a tail beat, in which the fish
+ * turns. */
+bool gait_cycle_kicks(const struct fish *fish, uint32_t tick);
 
 /* Turns the heading of a swimming fish once per kick by a random angle. The standard deviation of
  * the angle is `kick_rad` of the behavior parameters. */
 void gait_cycle_turn(struct fish *fish, uint32_t index, const struct perception *around);
 
-/* Returns the speed goal during a beat divided by `mean_m_s`, the mean speed over beat and glide.
- * `mean_m_s` must be > 0. */
+/* Returns by how much faster than its mean speed a fish must swim during its tail beats, because it
+ * slows down in the glides between them. The result is the speed goal during a beat divided by the
+ * mean speed `mean_m_s`. `mean_m_s` must be > 0. */
 float gait_cycle_share(const struct fish *fish, float mean_m_s);
 
 /* Returns the distance of a glide during which the speed falls to 1 / e, m. The distance is 2 *

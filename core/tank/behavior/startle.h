@@ -1,13 +1,17 @@
 /* startle.h -- the startle response (stimuli, alarm, threshold and latency), and the C-start that
  * follows.
  *
- * The eyes detect an approaching disc if its visual angle is large enough and grows fast enough.
- * The ear and the lateral line detect the pressure of the water that a disc pushes (water.h), which
- * grows with the square of the disc's speed. Shadows add the alarm of shade.h. All stimuli add to
- * one alarm. If the alarm exceeds the threshold of the fish, a C-start (below) begins after a
- * latency. The latency is 8 to 15 ms after a blow to the water (Eaton et al. 1977) and 60 to 150 ms
- * after a visual stimulus. The constants of the stimuli are design values from play tests, except
- * the visual angle.
+ * A poi (paper scoop) is a disc for the fish. The eyes detect an approaching disc if its visual
+ * angle is large enough and grows fast enough. The ear and the lateral line detect the pressure of
+ * the water that a moving disc pushes (water.h). A shadow on the fish also causes alarm
+ * (shade_alarm()).
+ *
+ * All stimuli add to one number, the alarm of the fish. If the alarm exceeds the threshold of the
+ * fish, the fish escapes by a C-start after a latency. The latency is 8 to 15 ms after a blow to
+ * the water (Eaton et al. 1977) and 60 to 150 ms after a visual stimulus.
+ *
+ * The limits and strengths of the stimuli are design values from play tests, except the visual
+ * angle.
  *
  * In the C-start a startled fish bends into a C, flips back with a thrust, and dashes away. In
  * stage 1, about 20 ms, the head turns by 60 to 120 degrees, mostly away from the stimulus, while
@@ -22,24 +26,27 @@
 
 enum startle_cause {
     STARTLE_NONE = 0,
-    STARTLE_LOOM,     /* Vision: the image of an object grows. */
-    STARTLE_PRESSURE, /* Lateral line and ear: the pressure of moving water. */
-    STARTLE_SHADOW,   /* Vision: the light fades. */
+    STARTLE_LOOM,     /* Startled by vision: the image of an approaching object grows. */
+    STARTLE_PRESSURE, /* Startled by the lateral line and the ear: the fish feels the pressure of
+                         moving water. */
+    STARTLE_SHADOW,   /* Startled by vision: a shadow falls on the fish. */
 };
 
-/* The image of a disc in the eye of a fish. */
+/* The image of a disc-shaped obstacle, a poi (paper scoop), in the eye of a fish. */
 struct startle_view {
-    float size_rad;     /* Mean visual angle of the image. The image of a disc that is seen edge-on
-                           is nearly a line. */
-    float growth_rad_s; /* Growth of `size_rad` per second; < 0 while the disc recedes. */
+    float size_rad;     /* Visual angle of the image of a poi, averaged over height and width,
+                           because a poi that is seen edge-on looks like a line. */
+    float growth_rad_s; /* Growth of `size_rad` per second; < 0 while the poi (paper scoop) moves
+                           away. */
 };
 
 struct startle_view startle_view(const struct obstacle *disc, vec3 eye_m);
 
-/* Alarm per second that a disc causes in a fish, and the sense (vision or pressure) that receives
- * the stronger stimulus. */
+/* Stimulus by which a moving poi (paper scoop) startles a fish: the alarm per second that the poi
+ * causes, and the sense (vision or pressure) that receives the stronger stimulus. */
 struct startle_stimulus {
-    uint8_t cause; /* Sense that receives the stronger stimulus (enum startle_cause). */
+    uint8_t cause; /* Sense (vision or pressure) that receives the stronger stimulus (enum
+                      startle_cause). */
     float alarm_per_s;
 };
 
@@ -50,20 +57,20 @@ struct startle_stimulus startle_of_disc(const struct obstacle *disc, const struc
  * 0.95. */
 float startle_threshold(const struct fish *fish);
 
-/* Adds `alarm` >= 0 from a stimulus at `from_m` to the alarm of the fish. If the sum exceeds the
- * fish's threshold, the latency of `cause` begins. No latency begins while the fish escapes, or
- * until `refractory_s` of the fish is 0. */
+/* Adds `alarm` >= 0 from a stimulus at `from_m` to the alarm of the fish. If the fish's alarm then
+ * exceeds its threshold, the fish is startled, and will escape after the latency of `cause`. A fish
+ * is not startled while it escapes, or until its `refractory_s` is 0. */
 void startle_alarm(struct fish *fish, enum startle_cause cause, vec3 from_m, float alarm,
                    uint32_t index, const struct perception *around);
 
-/* Advances the startle response by `around->dt_s`: alarm and habituation decay, the fish senses
- * shades and discs, and a C-start begins if its latency has ended. Does nothing if
- * around->params->escapes is 0. */
+/* Advances the startle response by `around->dt_s`: alarm and habituation decay, shades and moving
+ * pois (paper scoops) raise the alarm, and a C-start (escape) begins if its latency has ended. Does
+ * nothing if around->params->escapes is false. */
 void startle_tick(struct fish *fish, uint32_t index, const struct perception *around);
 
-/* Returns 1 if the fish must decide in every tick, because it is alarmed or escapes, or because a
- * disc moves near the fish. Otherwise returns 0. */
-int startle_alert(const struct fish *fish, const struct perception *around);
+/* Returns true if the fish must decide in every tick, because it is alarmed or escapes, or because
+ * a poi (paper scoop) moves near the fish. */
+bool startle_alert(const struct fish *fish, const struct perception *around);
 
 enum escape_stage {
     ESCAPE_NONE = 0, /* The gait is not GAIT_ESCAPE. */
@@ -74,18 +81,19 @@ enum escape_stage {
 
 enum escape_stage escape_stage(const struct fish *fish);
 
-/* Returns 1 while the C-start determines the turn and the bend of the fish (stage 1, stage 2 and
- * the recoil), otherwise 0. */
-int escape_on_path(const struct fish *fish);
+/* Returns true while a C-start (escape) determines the turn and the bend of the fish. This time
+ * consists of stage 1 (bend into a C), stage 2 (flip of the tail) and the recoil. */
+bool escape_on_path(const struct fish *fish);
 
-/* Returns the duration of stage 1 for a fish of this length, s; stage 2 lasts equally long. The
- * duration is 20 ms at 5 cm and proportional to the square root of the length. The result is
- * rounded to whole ticks: 16.7 ms for a fish of 5 cm, and 25 ms for a fish of 5.5 cm. */
+/* Returns the duration, s, of the first stage of a C-start, in which a fish of this length bends
+ * into a C. The second stage, the flip of the tail, lasts equally long. The duration is 20 ms for a
+ * fish of 5 cm and grows with the square root of the length. The result is rounded to whole ticks:
+ * 2 ticks (16.7 ms) for a fish of 5 cm, and 3 ticks (25 ms) for a fish of 5.5 cm. */
 float escape_stage_s(float length_m);
 
-/* Begins a C-start away from a stimulus at `from_m`. The side, the angle of the turn and the final
- * course are random. Near a wall more fish turn toward the stimulus, because the wall blocks the
- * way out. */
+/* Begins a C-start (escape) of the fish away from a stimulus at `from_m`. The side, the angle of
+ * the turn and the final course are random. Near a wall more fish turn toward the stimulus, because
+ * the wall blocks the way out. */
 void escape_start(struct fish *fish, vec3 from_m, uint32_t index, const struct perception *around);
 
 /* Begins a dash along the fish's forward axis without a C-bend, for a fish that was thrown or fell
@@ -99,7 +107,7 @@ void escape_tick(struct fish *fish, const struct perception *around);
 /* Returns the speed goal of an escape along the fish's forward axis, m/s. */
 float escape_speed_m_s(const struct fish *fish);
 
-/* Returns 1 while the tail drives an escaping fish, otherwise 0. */
-int escape_beats(const struct fish *fish);
+/* Returns true while the tail of an escaping fish beats and drives the fish. */
+bool escape_beats(const struct fish *fish);
 
 #endif

@@ -3,47 +3,54 @@
  *
  * The fish swims up and puts its mouth through the surface at an angle of 35 to 50 degrees. The
  * fish then drifts, and opens and closes its mouth about 80 times per minute. One opening and
- * closing is a gulp, and a series of gulps is a bout. The surface film is nearly saturated with
- * oxygen, even if the water below contains little. The behavior parameters select the cause of a
- * rise to the surface. Living fish rise because of low oxygen. The fish of the 2013 thesis (section
- * 3.6) rise because of low stamina. */
+ * closing is a gulp, and a series of gulps is a bout.
+ *
+ * The surface film is nearly saturated with oxygen, even if the water below contains little.
+ *
+ * The behavior parameters select the cause of a rise to the surface. Living fish rise because of
+ * low oxygen. The fish of the 2013 thesis on goldfish behavior (section 3.6) rise because of low
+ * stamina. */
 #ifndef KINGYO_CORE_TANK_BEHAVIOR_SURFACE_BREATHING_H
 #define KINGYO_CORE_TANK_BEHAVIOR_SURFACE_BREATHING_H
 
 #include "core/tank/behavior_params.h"
 #include "core/tank/fish.h"
 
-/* Returns the probability that a fish rises, or stays at the surface, when it chooses its gait. The
- * probability is 1 / (1 + exp((C - M) / 0.25)) for an oxygen concentration of C mg/L. M is 2.0 at
+/* Returns the probability that a fish rises to the surface, or stays there, when it chooses its
+ * next gait. The probability is 1 / (1 + exp((C - M) / 0.25)) for an oxygen concentration of C
+ * mg/L. At the concentration M the probability is one half. M depends on the stamina: 2.0 mg/L at
  * stamina 0, 1.8 at stamina 0.5 and 1.6 at stamina 1. */
 float surface_chance(float oxygen_mg_l, float stamina);
 
-/* Returns 1 if the fish chooses to rise, otherwise 0; called when the fish chooses its gait. The
- * random number depends on the seed, the tick and the index of the fish. Always returns 0 in a tank
- * in which low stamina causes a rise. */
-int surface_calls(const struct fish *fish, uint32_t index, const struct perception *around);
+/* Returns true if the fish rises to the surface instead of entering another gait. The caller calls
+ * the function when the fish chooses its gait. The decision is random with the probability
+ * surface_chance(). The random number depends on the seed, the tick and the index of the fish.
+ * Always returns false if params->air_by_oxygen is false, because low stamina then causes the
+ * rise. */
+bool surface_calls(const struct fish *fish, uint32_t index, const struct perception *around);
 
 /* Begins the rise to the surface in GAIT_SWIM. In the 2013 thesis a tired fish rests, but a resting
  * fish would never reach the surface. */
 void surface_rise(struct fish *fish, uint32_t index, const struct perception *around);
 
 /* Sets the state of a fish that tank_stage_all() places as a gulping fish. If the top of the body
- * is at the surface, the fish immediately begins a bout of the longest duration. Otherwise the fish
- * rises first. */
+ * is at the surface, the fish immediately begins a series of gulps (a bout) of the longest
+ * duration. Otherwise the fish rises first. */
 void surface_stage(struct fish *fish, const struct behavior_params *params);
 
 /* Advances surface breathing by `around->dt_s`: the loss of stamina in water with little oxygen,
- * the rise, the gulps and the dive. Returns 1 while the fish rises, gulps or dives, because the
- * fish then chooses no other gait. Otherwise returns 0. */
-int surface_tick(struct fish *fish, uint32_t index, const struct perception *around);
+ * the rise, the gulps and the dive. Returns true while the fish rises, gulps or dives, because the
+ * fish then chooses no other gait. */
+bool surface_tick(struct fish *fish, uint32_t index, const struct perception *around);
 
 /* Sets the goals of a fish that breathes at the surface; called at the end of swim_resolve(). The
  * goal of the snout is 2 mm above the surface, with a small bobbing. The fish climbs and sinks at 3
  * cm/s at most, unless it is startled. */
 void surface_resolve(struct fish *fish, const struct perception *around);
 
-/* Returns 1 while the mouth is in the surface film, otherwise 0. */
-int surface_breathes(const struct fish *fish);
+/* Returns true while the mouth of a gulping fish is in the surface film, which is rich in
+ * oxygen. */
+bool surface_breathes(const struct fish *fish);
 
 /* Returns the phase (0, 1] of the current gulp, which lasts from one opening of the mouth to the
  * next. Returns 0 while the mouth is not in the surface film. */
@@ -52,16 +59,16 @@ float surface_gulp(const struct fish *fish, uint32_t tick);
 /* Returns the opening of the mouth: 0 is closed, 1 is fully open. */
 float surface_gape(const struct fish *fish, uint32_t tick);
 
-/* Returns 1 if a gulp began in the last `dt_s` seconds before `tick`, otherwise 0. A new gulp makes
- * a ring-shaped wave. */
-int surface_gulps(const struct fish *fish, uint32_t tick, float dt_s);
+/* Returns true if a gulp began in the last `dt_s` seconds before `tick`. A new gulp makes a
+ * ring-shaped wave. */
+bool surface_gulps(const struct fish *fish, uint32_t tick, float dt_s);
 
-/* Starts the dive of a startled fish whose body stands out of the water. Returns 1 if the C-start
- * must wait until the fish is under water, otherwise 0. */
-int surface_ducks(struct fish *fish);
+/* Starts the dive of a startled fish whose body stands out of the water. Returns true if the fish
+ * must be under water before it can escape by a C-start. */
+bool surface_ducks(struct fish *fish);
 
-/* Returns the factor on the startle threshold. The factor is above 1 for a gulping fish, which
- * notices a stimulus late, and 1 for any other fish. */
+/* Returns the factor by which the startle threshold of the fish is multiplied. The factor is above
+ * 1 for a gulping fish, which notices a stimulus late, and 1 for any other fish. */
 float surface_nerve(const struct fish *fish);
 
 #endif

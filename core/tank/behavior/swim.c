@@ -9,13 +9,14 @@
 #include "core/tank/behavior/surface_breathing.h"
 #include "core/tank/behavior/swim_simd.h"
 
-/* Largest yaw rate in each gait (design values; the 2013 thesis gives none). */
+/* Largest yaw rate in each gait (design values; the 2013 thesis on goldfish behavior gives
+ * none). */
 #define TURN_RATE_REST (45.0f * F_DEG)
 #define TURN_RATE_SWIM (180.0f * F_DEG)
 #define TURN_RATE_KICK (500.0f * F_DEG)
 #define TURN_RATE_BURST (720.0f * F_DEG)
 #define TURN_RATE_ESCAPE (1500.0f * F_DEG)
-/* Yaw rate of a C-start: the head turns by 60 to 120 degrees in 20 ms. */
+/* Largest yaw rate in a C-start (escape), in which the head turns by 60 to 120 degrees in 20 ms. */
 #define TURN_RATE_START (4500.0f * F_DEG)
 
 #define NOTHING_M_S 1e-9f
@@ -24,7 +25,8 @@
 #define CLIMB_MAX_M_S 0.03f
 #define CLIMB_GAIN_PER_S 0.6f
 #define PITCH_MAX (24.0f * F_DEG)
-/* Value of `haste` in a dash, which reaches its full turning rate after 15 ms. */
+/* Value of `haste` (fish.h) in a dash, the fast swimming after a C-start. With this value a fish
+ * reaches its full turning rate after 15 ms. */
 #define DASH_HASTE 8.0f
 /* Time constant of the acceleration in an escape. The fish reaches full speed much earlier than a
  * swimming fish. */
@@ -65,8 +67,8 @@ void swim_avoid_walls(struct swim_avoidance *avoidance, const struct fish *fish,
     swim_avoid_add(avoidance, fish, params, v3(0.0f, 0.0f, p.z < 0.0f ? -1.0f : 1.0f), near_z);
 }
 
-/* Turns the heading away from near walls and bowls. The heading's component into the surface
- * decreases until the heading points slightly away from the surface. */
+/* Turns the heading away from near walls and bowls. The component of the heading that points into
+ * the wall or bowl decreases until the heading points slightly away from the wall or bowl. */
 void swim_avoid_turn(struct fish *fish, const struct swim_avoidance *avoidance, float dt_s)
 {
     CORE_ASSERT(dt_s > 0.0f);
@@ -93,16 +95,17 @@ void swim_avoid_turn(struct fish *fish, const struct swim_avoidance *avoidance, 
         f_wrap_angle(fish->heading_rad + (1.0f - decay_fraction(dt_s, SHUN_TAU_S)) * off_rad);
 }
 
-/* Returns 1 if the fish turns at the full rate of a C-start, otherwise 0. A fish with other fish
+/* Returns true if the fish turns at the full rate of a C-start (escape). A fish with other fish
  * close beside it turns more slowly. */
-static int starts_freely(const struct fish *fish)
+static bool starts_freely(const struct fish *fish)
 {
     return fish->room >= 1.0f && escape_on_path(fish);
 }
 
-/* Returns 1 if the fish turns at the rate of a kick, otherwise 0. A fish with other fish close
- * beside it turns more slowly, so that the other fish can move away. */
-static int kicks(const struct fish *fish, const struct perception *around)
+/* Returns true if the fish turns at the rate of a kick, the fast turn at the beginning of a tail
+ * beat. A fish with other fish close beside it turns more slowly, so that the other fish can move
+ * away. */
+static bool kicks(const struct fish *fish, const struct perception *around)
 {
     return around->params->kick_rad > 0.0f && fish->gait == GAIT_SWIM &&
            fish->avoiding == AVOID_NONE && fish->room >= 1.0f &&
@@ -123,37 +126,27 @@ static float turn_rate_limit_rad_s(const struct fish *fish, const struct percept
     }
 }
 
-static float climb_speed_goal_m_s(const struct fish *fish)
-{
-    const float off_m = fish->depth_goal_m - fish->position_m.y;
-    const float able_m_s = fish->gait == GAIT_REST ? 0.4f * CLIMB_MAX_M_S : CLIMB_MAX_M_S;
-    if (fish->avoiding == AVOID_PITCH) {
-        return fish->avoid_turn * CLIMB_MAX_M_S;
-    }
-    return avoid_holds_depth(fish) ? 0.0f : f_clamp(CLIMB_GAIN_PER_S * off_m, -able_m_s, able_m_s);
-}
-
-/* Returns the factor by which one tick multiplies the difference between the speed and a higher
- * speed goal. Except in an escape, the factor depends only on the length, so the fish stores the
- * factor. */
+/* Returns how slowly the fish accelerates: the factor by which one tick multiplies the difference
+ * between the speed and a higher speed goal. Except in an escape, the factor depends only on the
+ * length of the fish, so it is computed once and stored in struct fish. */
 static float speed_up_factor(const struct fish *fish)
 {
     const float start_keep = decay_fraction(DT, START_TAU_S);
     if (fish->gait == GAIT_ESCAPE) {
         return start_keep;
     }
-    const int known = fish->speed_up_keep > 0.0f && fish->speed_up_keep != start_keep;
+    const bool known = fish->speed_up_keep > 0.0f && fish->speed_up_keep != start_keep;
     return known ? fish->speed_up_keep : decay_fraction(DT, gait_run_up_s(fish->length_m));
 }
 
-/* Returns the factor by which one tick multiplies the difference between the speed and a lower
- * speed goal. */
+/* Returns how slowly the fish loses speed: the factor by which one tick multiplies the difference
+ * between the speed and a lower speed goal. */
 static float slow_down_factor(const struct fish *fish, const struct behavior_params *params)
 {
     if (fish->gait == GAIT_ESCAPE) {
         return decay_fraction(DT, DASH_OUT_TAU_S);
     }
-    const int runs_out =
+    const bool runs_out =
         fish->gait == GAIT_SWIM && fish->speed_m_s > gait_speed_max_m_s(fish, params);
     /* In a glide, drag changes the speed v by dv/dt = -v^2 / D, where D is
      * gait_glide_m(). */
@@ -166,7 +159,7 @@ static float slow_down_factor(const struct fish *fish, const struct behavior_par
 void swim_resolve(struct fish *fish, const struct perception *around)
 {
     CORE_ASSERT(fish->gait < GAIT_COUNT);
-    /* Tiny speeds and pushes become zero. A value that decays forever becomes a denormal number.
+    /* Sets tiny speeds and pushes to zero. A value that decays forever becomes a denormal number.
      * Processors take ten times as long for denormal numbers, and some processors flush them to
      * zero. With the limit of one nanometre per second all platforms compute zero. */
     if (v3_dot(fish->push_m_s, fish->push_m_s) < NOTHING_M_S * NOTHING_M_S) {
@@ -178,7 +171,7 @@ void swim_resolve(struct fish *fish, const struct perception *around)
     if (f_abs(fish->climb_m_s) < NOTHING_M_S) {
         fish->climb_m_s = 0.0f;
     }
-    const int starts = fish->gait == GAIT_ESCAPE;
+    const bool starts = fish->gait == GAIT_ESCAPE;
     fish->beats = gait_beats(fish, around) ? 1.0f : 0.0f;
     fish->speed_goal_m_s = gait_speed_m_s(fish, around);
     fish->speed_up_keep = speed_up_factor(fish);
@@ -189,15 +182,20 @@ void swim_resolve(struct fish *fish, const struct perception *around)
                   : fish->avoiding == AVOID_YAW ? around->params->swerve_haste
                   : kicks(fish, around)         ? GAIT_KICK_HASTE
                                                 : 1.0f;
-    fish->climb_goal_m_s = climb_speed_goal_m_s(fish);
+    const float off_m = fish->depth_goal_m - fish->position_m.y;
+    const float able_m_s = fish->gait == GAIT_REST ? 0.4f * CLIMB_MAX_M_S : CLIMB_MAX_M_S;
+    fish->climb_goal_m_s = fish->avoiding == AVOID_PITCH ? fish->avoid_turn * CLIMB_MAX_M_S
+                           : avoid_holds_depth(fish)
+                               ? 0.0f
+                               : f_clamp(CLIMB_GAIN_PER_S * off_m, -able_m_s, able_m_s);
     /* The pitch follows the direction of the path. The constant that is added to the speed keeps a
      * slow fish nearly level. */
     const float pitch_rad = f_atan2(fish->climb_m_s, fish->speed_m_s + 0.035f);
     fish->pitch_goal_rad = f_clamp(pitch_rad, -PITCH_MAX, PITCH_MAX);
-    if (starts) { /* A C-start ignores the brake. */
+    if (starts) { /* A fish in an escape does not brake. */
         fish->brake = 1.0f;
-    } else { /* Removes the bend of a C-start. The reset is also needed after a poi scooped the fish
-                during its C-start. */
+    } else { /* Removes the bend of a C-start (escape). The bend also remains if a poi (paper scoop)
+                lifts the fish during its C-start. */
         fish->bend_goal_rad = 0.0f;
     }
     surface_resolve(fish, around);

@@ -1,25 +1,31 @@
-/* swim_simd.c -- motion of a block of fish; the SIMD form of swim_move.c, line by line.
+/* swim_simd.c -- moves several fish at a time by SIMD instructions. The file is the SIMD form of
+ * swim_move.c, line by line.
  *
- * Both files compute the same bits, which test_swim_simd.c checks with random fish. */
+ * swim_move.c and this file compute bit-identical results, which test_swim_simd.c checks with
+ * random fish. */
 #include "core/tank/behavior/swim_simd.h"
 
 #include "core/base/panic.h"
 #include "core/base/simd_vec.h"
 
-/* Index of a quad at the start of struct fish. A quad is a group of four consecutive float members,
- * which SIMD code loads together. QUAD_HOLDS() verifies which members each quad holds. */
+/* Indices of the quads at the start of struct fish. A quad is a group of four consecutive floats,
+ * which SIMD code loads together. A member such as position_m or angles fills three of the four
+ * floats. QUAD_HOLDS() verifies the first and the last member of each quad. */
 enum quad {
-    QUAD_PLACE,  /* Quad of four floats: position_m and speed_m_s. */
-    QUAD_ANGLES, /* Quad of four floats: angles and yaw_rate_rad_s. */
-    QUAD_PUSH,   /* Quad of four floats: push_m_s and climb_m_s. */
-    QUAD_COURSE, /* Quad of four floats: heading_rad, drawn_rad, brake and room. */
-    QUAD_PACE,   /* Quad of four floats: speed_goal_m_s, speed_up_keep, slow_keep and
-                    turn_rate_max_rad_s. */
-    QUAD_ORDERS, /* Quad of four floats: haste, climb_goal_m_s, pitch_goal_rad and beats. */
-    QUAD_SIZE,   /* Quad of four floats: length_m, height_m, width_m and stamina. */
-    QUAD_TRUE,   /* Quad of four floats: velocity_m_s and bend_rad. */
-    QUAD_TAIL,   /* Quad of four floats: tail_phase_rad, tail_beat_hz, tail_amplitude and
-                    bend_goal_rad. */
+    QUAD_PLACE,  /* Index of the quad (four floats) with position_m (three floats) and speed_m_s. */
+    QUAD_ANGLES, /* Index of the quad (four floats) with angles (three floats) and
+                    yaw_rate_rad_s. */
+    QUAD_PUSH,   /* Index of the quad (four floats) with push_m_s (three floats) and climb_m_s. */
+    QUAD_COURSE, /* Index of the quad (four floats) with heading_rad, drawn_rad, brake and room. */
+    QUAD_PACE,   /* Index of the quad (four floats) with speed_goal_m_s, speed_up_keep, slow_keep
+                    and turn_rate_max_rad_s. */
+    QUAD_ORDERS, /* Index of the quad (four floats) with haste, climb_goal_m_s, pitch_goal_rad and
+                    beats. */
+    QUAD_SIZE,   /* Index of the quad (four floats) with length_m, height_m, width_m and stamina. */
+    QUAD_TRUE,   /* Index of the quad (four floats) with velocity_m_s (three floats) and
+                    bend_rad. */
+    QUAD_TAIL,   /* Index of the quad (four floats) with tail_phase_rad, tail_beat_hz,
+                    tail_amplitude and bend_goal_rad. */
 };
 
 #define QUAD_HOLDS(quad, first, last)                                                              \
@@ -67,39 +73,6 @@ static inline flanes clamp_magnitude(flanes x, float most)
     return simd_clamp(x, simd_splat(-most), simd_splat(most));
 }
 
-struct turned {
-    flanes yaw_rad, pitch_rad, roll_rad, yaw_rate_rad_s;
-};
-
-static inline struct turned turn_quad(const flanes angles[4], const flanes course[4],
-                                      flanes rate_max, const flanes commands[4], int banks)
-{
-    const flanes haste = commands[0];
-    const flanes error_rad = simd_wrap_angle(course[0] + course[1] - angles[0]);
-    const flanes wanted = simd_clamp(TURN_GAIN_PER_S * haste * error_rad, -rate_max, rate_max);
-    const flanes rate = simd_lerp(angles[3], wanted, hasten(haste, TURN_TAU_S));
-    const flanes bank_rad =
-        banks ? clamp_magnitude(BANK_PER_RAD_S * rate, BANK_MAX_RAD) : simd_splat(0.0f);
-    return (struct turned){
-        .yaw_rad = simd_wrap_angle(angles[0] + rate * DT),
-        .pitch_rad = simd_lerp(angles[1], commands[2], hasten(haste, PITCH_TAU_S)),
-        .roll_rad = ease(angles[2], bank_rad, BANK_TAU_S),
-        .yaw_rate_rad_s = rate,
-    };
-}
-
-/* Returns the largest distance that a corner of the box moved: the motion of the centre plus the
- * motion by rotation. */
-static inline flanes corner_way_max_m(struct simd_v3 velocity, const struct turned *t,
-                                      const flanes angles[4], const flanes size[4])
-{
-    const flanes turned_rad = simd_abs(t->yaw_rate_rad_s * DT) +
-                              simd_abs(t->pitch_rad - angles[1]) +
-                              simd_abs(t->roll_rad - angles[2]);
-    const struct simd_v3 whole = { size[2], size[1], size[0] };
-    return simd_v3_length(velocity) * DT + 0.5f * simd_v3_length(whole) * turned_rad;
-}
-
 void SIMD_NAME(swim_move_block)(const struct shoal *shoal, uint32_t first)
 {
     CORE_ASSERT(first + SIMD_LANES <= shoal->count);
@@ -113,14 +86,21 @@ void SIMD_NAME(swim_move_block)(const struct shoal *shoal, uint32_t first)
     load_fish_quad(pace, fish, QUAD_PACE);
     load_fish_quad(commands, fish, QUAD_ORDERS);
     load_fish_quad(size, fish, QUAD_SIZE);
-
-    const struct turned t = turn_quad(angles, course, pace[3] * course[3], commands, params->banks);
+    const flanes haste = commands[0], rate_max = pace[3] * course[3];
+    const flanes error_rad = simd_wrap_angle(course[0] + course[1] - angles[0]);
+    const flanes wanted = simd_clamp(TURN_GAIN_PER_S * haste * error_rad, -rate_max, rate_max);
+    const flanes rate = simd_lerp(angles[3], wanted, hasten(haste, TURN_TAU_S));
+    const flanes bank_rad =
+        params->banks ? clamp_magnitude(BANK_PER_RAD_S * rate, BANK_MAX_RAD) : simd_splat(0.0f);
+    const flanes yaw_rad = simd_wrap_angle(angles[0] + rate * DT);
+    const flanes pitch_rad = simd_lerp(angles[1], commands[2], hasten(haste, PITCH_TAU_S));
+    const flanes roll_rad = ease(angles[2], bank_rad, BANK_TAU_S);
     const flanes climb_m_s = ease(push[3], commands[1], CLIMB_TAU_S);
     const flanes goal_m_s = pace[0] * course[2];
     const flanes slow_keep = simd_lerp(simd_splat(BRAKE_KEEP), pace[2], course[2]);
     const flanes keep = simd_select(goal_m_s > place[3], pace[1], slow_keep);
     const flanes speed_m_s = simd_lerp(goal_m_s, place[3], keep);
-    const struct simd_sin_cos yaw = simd_sin_cos(t.yaw_rad);
+    const struct simd_sin_cos yaw = simd_sin_cos(yaw_rad);
     const flanes able_m_s = size[0] * (0.8f + 0.2f * size[3]);
     const flanes most_m_s =
         simd_max(able_m_s * params->swim_speed_max, simd_max(speed_m_s, simd_abs(climb_m_s)));
@@ -129,23 +109,27 @@ void SIMD_NAME(swim_move_block)(const struct shoal *shoal, uint32_t first)
     const struct simd_v3 velocity = simd_v3_limit(all, most_m_s);
     const struct simd_v3 centre =
         simd_v3_muladd(simd_v3(place[0], place[1], place[2]), velocity, simd_splat(DT));
-
     store_fish_quads(fish, QUAD_PLACE, (flanes[4]){ centre.x, centre.y, centre.z, speed_m_s });
-    store_fish_quads(fish, QUAD_ANGLES,
-                     (flanes[4]){ t.yaw_rad, t.pitch_rad, t.roll_rad, t.yaw_rate_rad_s });
+    store_fish_quads(fish, QUAD_ANGLES, (flanes[4]){ yaw_rad, pitch_rad, roll_rad, rate });
     store_fish_quads(fish, QUAD_PUSH, (flanes[4]){ push[0], push[1], push[2], climb_m_s });
-    const struct simd_basis axes =
-        simd_basis(yaw, simd_sin_cos(t.pitch_rad), simd_sin_cos(t.roll_rad));
+    const struct simd_basis axes = simd_basis(yaw, simd_sin_cos(pitch_rad), simd_sin_cos(roll_rad));
     store_body(&shoal->body[first], 0, centre, 0.5f * size[2]);
     store_body(&shoal->body[first], 1, axes.right, 0.5f * size[1]);
     store_body(&shoal->body[first], 2, axes.up, 0.5f * size[0]);
     store_body(&shoal->body[first], 3, axes.back, shoal->space * size[0]);
+    /* Upper bound of the distance that a corner of the body box moved: the motion of the centre
+     * plus the motion by rotation. */
+    const flanes turned_rad =
+        simd_abs(rate * DT) + simd_abs(pitch_rad - angles[1]) + simd_abs(roll_rad - angles[2]);
+    const struct simd_v3 whole = { size[2], size[1], size[0] };
+    const flanes corner_m =
+        simd_v3_length(velocity) * DT + 0.5f * simd_v3_length(whole) * turned_rad;
     float *way = &shoal->way_m[first];
-    simd_store(way, simd_load(way) + corner_way_max_m(velocity, &t, angles, size));
+    simd_store(way, simd_load(way) + corner_m);
 }
 
-/* Returns the amplitude that a tail beat of `hz` hertz aims at. `beats` is -1 in the lanes whose
- * fish beats its tail, and 0 in the lanes whose fish glides. */
+/* Returns the amplitude that the tail approaches when it beats with `hz` hertz. `beats` is -1 in
+ * the lanes whose fish beats its tail, and 0 in the lanes whose fish glides. */
 static flanes stroke_goal(flanes hz, ilanes beats)
 {
     const float per_hz = (1.0f - STROKE_SLOW) / (STROKE_FULL_HZ - BEAT_MIN_HZ);
@@ -176,7 +160,8 @@ void SIMD_NAME(swim_settle_block)(const struct shoal *shoal, uint32_t first)
     const struct simd_v3 moved_m = { centre[0] - before[0], centre[1] - before[1],
                                      centre[2] - before[2] };
     const struct simd_v3 v = simd_v3_scale(moved_m, simd_splat(1.0f / DT));
-    /* `flat`, scaled to length 1, is the horizontal unit vector in the fish's forward direction. */
+    /* Horizontal component of the fish's forward direction. The code below scales the vector to
+     * length 1. */
     const struct simd_v3 flat = { -back[0], simd_splat(0.0f), -back[2] };
     const flanes true_m_s =
         simd_max(simd_splat(0.0f), simd_v3_dot(simd_v3_sub(v, push),
@@ -194,8 +179,8 @@ void SIMD_NAME(swim_settle_block)(const struct shoal *shoal, uint32_t first)
     const flanes amplitude =
         simd_lerp(tail[2], stroke_goal(hz, commands[3] > 0.0f), hasten(commands[0], STROKE_TAU_S));
     const flanes phase = tail[0] + F_TAU * hz * DT;
-    /* The goal of the bend is `bend_goal_rad` plus a bend along the arc of the turn. In a C-start
-     * no bend along the arc is added. */
+    /* The body bends toward `wanted_rad`: the intended bend (`bend_goal_rad`) plus a bend along the
+     * arc of the turn. In a C-start (escape) no bend along the arc is added. */
     const flanes arc_rad = clamp_magnitude(BEND_PER_RAD_S * angles[3], 1.0f);
     const flanes wanted_rad =
         tail[3] + simd_select(commands[0] < HASTE_START, arc_rad, simd_splat(0.0f));

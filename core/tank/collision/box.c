@@ -1,5 +1,5 @@
-/* box.c -- computes the gap of two boxes by the separating-axis test. The cosines between the axes
- * of the boxes are computed once per test. */
+/* box.c -- computes the gap of two boxes by the separating-axis test. The test needs the cosines
+ * between the axes of the boxes, and computes these cosines only once. */
 #include "core/tank/collision/box.h"
 
 #include "core/base/mem.h"
@@ -8,13 +8,9 @@
 /* Squared length of a cross product of unit vectors below which two edges count as parallel. */
 #define PARALLEL 1e-6f
 
-struct frame {
-    vec3 axis[3];
-    float half[3];
-};
-
-/* Largest gap of the boxes over the axes tried so far: `gap_m` for the boxes themselves, `space_m`
- * for the boxes enlarged by their margins. */
+/* Result of the separating-axis test after some of its axes. `gap_m` is the largest gap between the
+ * projections of the two boxes on one axis. `space_m` is the same for the boxes enlarged by their
+ * margins. */
 struct verdict {
     float gap_m, space_m;
     int axis; /* Index of the axis with the largest `gap_m`, as in box_axis(). */
@@ -29,8 +25,8 @@ static inline void try_axis(struct verdict *verdict, float gap_m, float margins_
     }
 }
 
-/* Box b relative to box a. Row i of `cosine` and `size` is computed when axis i of box a is
- * tried. */
+/* Box b in the coordinates of box a. Testing axis i of box a fills row i of `cosine` and of
+ * `size`. */
 struct view_of_b {
     const struct box *a, *b;
     vec3 way; /* Vector from the centre of box a to the centre of box b. */
@@ -46,7 +42,7 @@ static inline vec3 axis_of(const struct basis *axes, int index)
     return index == 0 ? axes->right : index == 1 ? axes->up : axes->back;
 }
 
-static inline int try_face_of_a(struct verdict *verdict, struct view_of_b *view, int i)
+static inline bool try_face_of_a(struct verdict *verdict, struct view_of_b *view, int i)
 {
     const vec3 axis = axis_of(&view->a->axes, i);
     float *c = view->cosine[i], *m = view->size[i];
@@ -64,7 +60,7 @@ static inline int try_face_of_a(struct verdict *verdict, struct view_of_b *view,
     return verdict->space_m > 0.0f;
 }
 
-static inline int try_face_of_b(struct verdict *verdict, const struct view_of_b *view, int j)
+static inline bool try_face_of_b(struct verdict *verdict, const struct view_of_b *view, int j)
 {
     const float m[3] = { view->size[0][j], view->size[1][j], view->size[2][j] };
     const float *ha = view->half_a, *d = view->d;
@@ -76,10 +72,10 @@ static inline int try_face_of_b(struct verdict *verdict, const struct view_of_b 
     return verdict->space_m > 0.0f;
 }
 
-/* Tries the cross product of edge i of box a and edge j of box b. Dividing by the length of the
- * cross product gives true distances. Nearly parallel edges are skipped, because their cross
- * product is too short, and the face normals already cover parallel edges. */
-static inline int try_edges(struct verdict *verdict, const struct view_of_b *view, int i, int j)
+/* Tests the cross product of edge i of box a and edge j of box b as a separating axis. Dividing by
+ * the length of the cross product gives true distances. Nearly parallel edges are skipped, because
+ * their cross product is too short, and the face normals already cover parallel edges. */
+static inline bool try_edges(struct verdict *verdict, const struct view_of_b *view, int i, int j)
 {
     static const int after[3] = { 1, 2, 0 }, before[3] = { 2, 0, 1 };
     const int p = after[i], q = before[i], r = after[j], s = before[j];
@@ -87,7 +83,7 @@ static inline int try_edges(struct verdict *verdict, const struct view_of_b *vie
     const float *ha = view->half_a, *hb = view->half_b;
     const float square = c[p][j] * c[p][j] + c[q][j] * c[q][j];
     if (square <= PARALLEL) {
-        return 0;
+        return false;
     }
     const float offset_m = f_abs(view->d[q] * c[p][j] - view->d[p] * c[q][j]);
     const float halves_m = ha[p] * m[q][j] + ha[q] * m[p][j] + hb[r] * m[i][s] + hb[s] * m[i][r];
@@ -121,10 +117,10 @@ struct box_gap box_gap(const struct box *a, float margin_a_m, const struct box *
     view.margin_b_m = margin_b_m;
     MEM_COPY(view.half_a, &a->half_m, sizeof view.half_a);
     MEM_COPY(view.half_b, &b->half_m, sizeof view.half_b);
-    /* Order of the face axes (right, back, up) that finds a separating axis soonest for most pairs
-     * of near fish. */
+    /* Tests the face axes in the order right, back, up, which finds a separating axis soonest for
+     * most pairs of nearby fish. */
     static const int order[3] = { 0, 2, 1 };
-    int apart = 0;
+    bool apart = false;
     for (int k = 0; k < 3 && !apart; k++) {
         apart = try_face_of_a(&verdict, &view, order[k]);
     }
@@ -154,32 +150,31 @@ vec3 box_extent_m(const struct box *box)
     return box_upright_m(box->axes.right, box->axes.up, box->axes.back, box->half_m);
 }
 
-/* Seen along the rod, the box is a hexagon and the rod is a disc. The normals of the hexagon's
- * sides are the cross products of the box axes and the rod. */
+/* Tests the directions, perpendicular to the rod, in which the box can leave the rod. Seen along
+ * the rod, the box is a hexagon and the rod is a disc. The normals of the hexagon's sides are the
+ * cross products of the box axes and the rod. */
 vec3 box_clear_rod(const struct box *box, vec3 point_m, vec3 along, float radius_m)
 {
     CORE_ASSERT(radius_m > 0.0f);
-    const struct frame frame = (struct frame){
-        .axis = { box->axes.right, box->axes.up, box->axes.back },
-        .half = { box->half_m.x, box->half_m.y, box->half_m.z },
-    };
+    const vec3 axis[3] = { box->axes.right, box->axes.up, box->axes.back };
+    const float half[3] = { box->half_m.x, box->half_m.y, box->half_m.z };
     const vec3 none = { 0.0f, 0.0f, 0.0f };
     const vec3 d = v3_sub(box->centre_m, point_m);
     float least_m = 1e9f;
     vec3 move = none;
     for (int i = 0; i < 3; i++) {
-        const vec3 side = v3_cross(frame.axis[i], along);
+        const vec3 side = v3_cross(axis[i], along);
         const float length = v3_length(side);
-        if (length < 1e-3f) { /* The rod is parallel to axis i of the box. The other two axes
-                                 suffice. */
+        if (length < 1e-3f) { /* Axis i is parallel to the rod, so that no direction follows from
+                                 this axis. The other two axes give the directions to test. */
             continue;
         }
         const vec3 normal = v3_scale(side, 1.0f / length);
         const float offset = v3_dot(d, normal);
-        const float depth_m = (f_abs(v3_dot(frame.axis[0], normal)) * frame.half[0] +
-                               f_abs(v3_dot(frame.axis[1], normal)) * frame.half[1] +
-                               f_abs(v3_dot(frame.axis[2], normal)) * frame.half[2]) +
-                              radius_m - f_abs(offset);
+        const float depth_m =
+            (f_abs(v3_dot(axis[0], normal)) * half[0] + f_abs(v3_dot(axis[1], normal)) * half[1] +
+             f_abs(v3_dot(axis[2], normal)) * half[2]) +
+            radius_m - f_abs(offset);
         if (depth_m <= 0.0f) {
             return none;
         }

@@ -12,6 +12,7 @@
 #ifndef KINGYO_CORE_TANK_COLLISION_BOX_H
 #define KINGYO_CORE_TANK_COLLISION_BOX_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "core/base/vec.h"
@@ -19,16 +20,17 @@
 struct box {
     vec3 centre_m;
     struct basis axes;
-    vec3 half_m; /* Half of the size along right, up and back. */
+    vec3 half_m; /* Half of the size of the box along its axes right, up and back. */
 };
 
 struct box_gap {
-    float body_m;  /* A value > 0 is the gap between the boxes. A value < 0 is the penetration
-                      depth, negated. */
-    float space_m; /* Gap or negated penetration depth of the boxes after each is enlarged by its
-                      margin. */
+    float body_m;  /* Gap between the boxes if the value is > 0. A value < 0 is the negated
+                      penetration depth. */
+    float space_m; /* Gap or negated penetration depth of the two boxes after each box is enlarged
+                      by its margin (a parameter of box_gap()). */
     vec3 axis;     /* Unit vector from box a toward box b in the direction of least penetration. */
-    uint8_t which; /* Index of `axis` among the fifteen axes; see box_axis(). */
+    uint8_t which; /* Index of `axis` among the fifteen axes of the separating-axis test, as in
+                      box_axis(). */
 };
 
 /* Returns the gap of two boxes by all fifteen axes (Gottschalk 1996; Ericson 2005, section 4.4.1).
@@ -41,10 +43,10 @@ struct box_gap box_gap(const struct box *a, float margin_a_m, const struct box *
  * overlap. */
 float box_depth_m(const struct box *a, const struct box *b);
 
-/* Returns one of the fifteen axes of boxes a and b as a unit vector. The sign is chosen so that the
- * vector points along `way`, from a to b. A `which` of 0 to 2 selects an axis of a, 3 to 5 an axis
- * of b. 6 + 3 i + j selects the cross product of edge i of a and edge j of b. Asserts that `which`
- * is below 15. */
+/* Returns one of the fifteen axes of the separating-axis test of boxes a and b as a unit vector.
+ * The sign is chosen so that the vector points along `way`, from a to b. A `which` of 0 to 2
+ * selects an axis of a, 3 to 5 an axis of b. 6 + 3 i + j selects the cross product of edge i of a
+ * and edge j of b. Asserts that `which` is below 15. */
 vec3 box_axis(const struct basis *a, const struct basis *b, vec3 way, uint8_t which);
 
 /* Returns half the size of the smallest axis-aligned box that contains an oriented box. The
@@ -73,19 +75,21 @@ struct touch {
                     undefined if the shape is far away. */
 };
 
-#define SHAPE_TOUCH_FAR_M 1.0f /* Value of `gap_m` if the shape is far away. */
+/* Value of `gap_m` in struct touch if the ring or hull is far away from the box. */
+#define SHAPE_TOUCH_FAR_M 1.0f
 
-/* A torus: a tube of radius `tube_m` along the circle of radius `middle_m` around `centre_m`, in
- * the plane of the unit vector `normal`. shape_touch_ring() is exact to 0.05 mm for tubes and boxes
- * of the size of a poi and a fish. */
+/* The ring of a poi (paper scoop) as a torus: a tube of radius `tube_m` along the circle of radius
+ * `middle_m` around `centre_m`, in the plane of the unit vector `normal`. shape_touch_ring() is
+ * exact to 0.05 mm for tubes and boxes of the size of a poi and a fish. */
 struct ring {
     vec3 centre_m, normal;
     float middle_m, tube_m;
 };
 struct touch shape_touch_ring(const struct ring *ring, const struct box *box);
 
-/* The lower half of an ellipsoid that hangs from its mouth. shape_touch_hull() is exact at the skin
- * and has an error of a few percent farther outside or deeper inside. */
+/* Hull of a floating bowl: the lower half of an ellipsoid, with a round mouth at the top.
+ * shape_touch_hull() is exact at the skin and has an error of a few percent farther outside or
+ * deeper inside. */
 struct hull {
     vec3 mouth_m;
     float radius_m, depth_m;
@@ -105,7 +109,7 @@ struct body {
     vec3 up;
     float half_z_m; /* Half of the length, along `back`. */
     vec3 back;
-    float margin_m; /* Size of the personal space beyond the body on every side. */
+    float margin_m; /* Width of the personal space around the body, on every side. */
 };
 _Static_assert(sizeof(struct body) == 64u, "a body is a cache line, four quads of floats");
 
@@ -124,7 +128,8 @@ static inline struct box body_box(const struct body *body)
     };
 }
 
-/* Returns box_gap() of two bodies whose boxes are enlarged by the margins. */
+/* Returns the gap between the boxes of two bodies, as box_gap() does. Each box is enlarged by its
+ * margin. */
 static inline struct box_gap body_gap(const struct body *a, float margin_a_m, const struct body *b,
                                       float margin_b_m)
 {

@@ -2,20 +2,24 @@
  * query stay valid. */
 #include "core/tank/collision/broad_phase.h"
 
-#include "core/base/hash.h"
 #include "core/base/mem.h"
 #include "core/base/panic.h"
 #include "core/input.h"
 #include "core/tank/behavior/swim.h"
 
-/* Constant part of the predicted motion of a fish until the next query. The whole prediction is
- * REACH_SPARE times the present motion plus REACH_SPARE_M, which covers most starts and turns. */
+/* Constant part of the reach of a fish. The reach is the largest distance that the fish may move
+ * before a new broad-phase query is due. The reach is REACH_SPARE times the distance that the
+ * present motion predicts, plus REACH_SPARE_M. The spare distance covers most sudden starts and
+ * turns. */
 #define REACH_SPARE_M 0.0035f
 #define REACH_SPARE 1.2f
-/* Largest number of fish that are queried one by one. For more fish, a query of all fish is as
- * fast. */
+/* Largest number of fish for which broad_phase_update_moved() searches again. The function counts
+ * the fish that moved farther than the last query allows, and compares each counted fish with all
+ * other fish. For more counted fish, a new query of all fish is as fast. */
 #define AGAIN_MAX 8u
-#define RADIUS_PER_LENGTH 0.55f /* Half of the diagonal of a body of 5 x 2 x 1 cm, per length. */
+/* Radius of the sphere around a fish's box, divided by the length of the fish. The radius is half
+ * the diagonal of the box, which is 5.5 cm for a fish of 5 x 2 x 1 cm. */
+#define RADIUS_PER_LENGTH 0.55f
 
 float broad_phase_space(const struct fish *fish, uint32_t fish_count, vec3 tank_size_m,
                         const struct behavior_params *params)
@@ -36,15 +40,6 @@ float broad_phase_space(const struct fish *fish, uint32_t fish_count, vec3 tank_
     return share * params->space_per_length;
 }
 
-/* Returns 1 if the body stands out of the water, otherwise 0. The cheap sphere test rejects most
- * bodies first. */
-static int is_airborne(const struct body *body, float emerges_m)
-{
-    const float y = body->centre_m.y;
-    return y + body->half_x_m + body->half_y_m + body->half_z_m > emerges_m &&
-           y + body_extent_m(body).y > emerges_m;
-}
-
 void broad_phase_mark(struct broad_phase *broad_phase, const struct fish *fish, uint32_t fish_count)
 {
     CORE_ASSERT(fish_count <= TANK_FISH_MAX);
@@ -53,15 +48,19 @@ void broad_phase_mark(struct broad_phase *broad_phase, const struct fish *fish, 
         broad_phase->flags[i] = 0;
         broad_phase->play_m[i] = 0.5f * BROAD_PHASE_CONTACT_M;
         if (!fish_swims(&fish[i])) {
-            broad_phase->way_m[i] = SWIM_FAR_M; /* SWIM_FAR_M forces a new query as soon as the fish
-                                                   swims again. */
+            broad_phase->way_m[i] = SWIM_FAR_M; /* The large distance SWIM_FAR_M forces a new query
+                                                   as soon as the fish swims again. */
         } else {
-            broad_phase->flags[i] = BODY_SWIMMING;
-            broad_phase->flags[i] |=
-                fish[i].falls || is_airborne(&broad_phase->body[i], fish_emerges_m(&fish[i]))
-                    ? BODY_AIRBORNE
-                    : 0u;
-            broad_phase->flags[i] |= fish[i].gait == GAIT_SURFACE ? BODY_GULPING : 0u;
+            /* A fish is in the air if its body stands out of the water. The cheap sphere test
+             * rejects most bodies first. */
+            const struct body *body = &broad_phase->body[i];
+            const float y = body->centre_m.y, emerges_m = fish_emerges_m(&fish[i]);
+            const bool is_airborne =
+                fish[i].falls ||
+                (y + body->half_x_m + body->half_y_m + body->half_z_m > emerges_m &&
+                 y + body_extent_m(body).y > emerges_m);
+            broad_phase->flags[i] = (uint8_t)(BODY_SWIMMING | (is_airborne ? BODY_AIRBORNE : 0) |
+                                              (fish[i].gait == GAIT_SURFACE ? BODY_GULPING : 0));
         }
     }
 }
@@ -98,26 +97,26 @@ void broad_phase_sync(struct broad_phase *broad_phase, struct fish *fish)
     }
 }
 
-static int is_beyond(const struct broad_phase *broad_phase, uint32_t i)
+static bool is_beyond(const struct broad_phase *broad_phase, uint32_t i)
 {
-    const int swims = broad_phase->flags[i] & BODY_SWIMMING;
+    const bool swims = broad_phase->flags[i] & BODY_SWIMMING;
     return swims && broad_phase->way_m[i] > broad_phase->reach_m[i] - broad_phase->play_m[i];
 }
 
-int broad_phase_is_stale(const struct broad_phase *broad_phase)
+bool broad_phase_is_stale(const struct broad_phase *broad_phase)
 {
     CORE_ASSERT(broad_phase->count <= TANK_FISH_MAX);
-    int farther = broad_phase->touch_count > broad_phase_contact_max(broad_phase);
+    bool farther = broad_phase->touch_count > broad_phase_contact_max(broad_phase);
     for (uint32_t i = 0; i < broad_phase->count; i++) {
         farther |= is_beyond(broad_phase, i);
     }
     return farther;
 }
 
-/* Adds the pair to the contact list if its two fish could touch before the next query. The stored
- * gap is the present gap plus the motion of `other` since its last query, because
+/* Adds a pair of fish to the contact list if the two fish could touch before the next query. The
+ * stored gap is the present gap plus the motion of `other` since its last query, because
  * contact_is_apart() subtracts that motion. */
-static void meet_again(struct broad_phase *broad_phase, uint32_t fish, uint32_t other)
+static void contacts_add_pair(struct broad_phase *broad_phase, uint32_t fish, uint32_t other)
 {
     CORE_ASSERT(fish != other);
     const struct body *a = &broad_phase->body[fish], *b = &broad_phase->body[other];
@@ -138,7 +137,7 @@ static void meet_again(struct broad_phase *broad_phase, uint32_t fish, uint32_t 
     }
 }
 
-int broad_phase_update_moved(struct broad_phase *broad_phase, const struct fish *fish)
+bool broad_phase_update_moved(struct broad_phase *broad_phase, const struct fish *fish)
 {
     CORE_ASSERT(broad_phase->count <= TANK_FISH_MAX);
     fish_index beyond[AGAIN_MAX];
@@ -146,14 +145,14 @@ int broad_phase_update_moved(struct broad_phase *broad_phase, const struct fish 
     for (uint32_t i = 0; i < broad_phase->count; i++) {
         if (is_beyond(broad_phase, i)) {
             if (count == AGAIN_MAX) {
-                return 0;
+                return false;
             }
             beyond[count++] = (fish_index)i;
         }
     }
     if (broad_phase->touch_count + count * broad_phase->count >
         broad_phase_contact_max(broad_phase)) {
-        return 0;
+        return false;
     }
     for (uint32_t k = 0; k < count; k++) {
         uint32_t kept = 0;
@@ -169,12 +168,12 @@ int broad_phase_update_moved(struct broad_phase *broad_phase, const struct fish 
             broad_phase->play_m[beyond[k]] + broad_phase_reach_m(&fish[beyond[k]]);
         for (uint32_t other = 0; other < broad_phase->count; other++) {
             if (other != beyond[k] && (broad_phase->flags[other] & BODY_SWIMMING)) {
-                meet_again(broad_phase, beyond[k], other);
+                contacts_add_pair(broad_phase, beyond[k], other);
             }
         }
     }
     broad_phase_select_contacts(broad_phase);
-    return 1;
+    return true;
 }
 
 void broad_phase_select_contacts(struct broad_phase *broad_phase)
@@ -185,7 +184,7 @@ void broad_phase_select_contacts(struct broad_phase *broad_phase)
         const struct contact contact = broad_phase->contact[c];
         const float ways_m = broad_phase->way_m[contact.a] + broad_phase->way_m[contact.b];
         const float plays_m = broad_phase->play_m[contact.a] + broad_phase->play_m[contact.b];
-        const int swim =
+        const bool swim =
             broad_phase->flags[contact.a] & broad_phase->flags[contact.b] & BODY_SWIMMING;
         if (swim && contact.gap_m - ways_m < plays_m) {
             broad_phase->contact[c] = broad_phase->contact[count];
@@ -193,18 +192,4 @@ void broad_phase_select_contacts(struct broad_phase *broad_phase)
         }
     }
     broad_phase->contact_count = count;
-}
-
-uint64_t broad_phase_hash(uint64_t hash, const struct broad_phase *broad_phase)
-{
-    CORE_ASSERT(broad_phase->near_count <= broad_phase_contact_max(broad_phase));
-    hash = hash_u32(hash, broad_phase->near_count);
-    hash = hash_u32(hash, broad_phase->touch_count);
-    for (uint32_t c = 0; c < broad_phase->near_count; c++) {
-        hash = hash_u32(hash, broad_phase->contact[c].a);
-        hash = hash_u32(hash, broad_phase->contact[c].b);
-        hash = hash_float(hash, broad_phase->contact[c].gap_m);
-    }
-    hash = hash_floats(hash, broad_phase->way_m, broad_phase->count);
-    return hash_floats(hash, broad_phase->reach_m, broad_phase->count);
 }

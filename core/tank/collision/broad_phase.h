@@ -1,7 +1,7 @@
-/* broad_phase.h -- the broad phase: finds near fish, advises fish that meet, and lists the fish
+/* broad_phase.h -- the broad phase: finds nearby fish, advises fish that meet, and lists the fish
  * that could touch.
  *
- * A query is one search for near pairs among all swimming fish. Every array is indexed by fish. A
+ * A query is one search for nearby pairs among all swimming fish. Every array is indexed by fish. A
  * fish that does not swim has an element in each array but takes no part in a query. Such a fish is
  * on a poi (the paper scoop), in a bowl or in reentry (reentry.c). */
 #ifndef KINGYO_CORE_TANK_COLLISION_BROAD_PHASE_H
@@ -12,12 +12,14 @@
 #include "core/tank/collision/narrow_phase.h"
 #include "core/tank/fish.h"
 
-/* Capacity of the contact list. At the density of the 2013 thesis, each fish has 1.4 overlaps on
- * average. A full list holds a random selection of the contacts in each tick. */
+/* Capacity of the contact list, which holds the pairs of fish that could touch. The list has room
+ * for four pairs per fish. At the fish density of the 2013 thesis on goldfish behavior, each fish
+ * overlaps the personal spaces of 1.4 other fish on average. A full list holds a random selection
+ * of the pairs in each tick. */
 #define BROAD_PHASE_CONTACT_MAX (4u * TANK_FISH_MAX)
 
 enum body_flag {
-    BODY_SWIMMING = 1,      /* The fish takes part in queries. */
+    BODY_SWIMMING = 1,      /* The fish takes part in broad-phase queries. */
     BODY_AIRBORNE = 2,      /* The fish is in the air, so the surface does not limit its
                                position. */
     BODY_NEAR_OBSTACLE = 4, /* The fish could touch an obstacle in this substep. */
@@ -27,19 +29,20 @@ enum body_flag {
                                list. */
 };
 
-/* Results of a query about the neighbours of one fish. The results are valid until the next
- * query. */
+/* Results of a broad-phase query for one fish: the influence of its nearby fish. The results are
+ * valid until the next query. */
 struct neighbours {
-    struct avoid_advice advice; /* Advice for the encounter with the soonest contact. */
-    vec3 push_m_s;              /* Sum of the velocities by which near fish repel the fish. */
+    struct avoid_advice advice; /* Advice on how to avoid the nearby fish with the soonest
+                                   contact. */
+    vec3 push_m_s;              /* Sum of the velocities by which nearby fish repel the fish. */
     float brake, room;          /* New values for the members `brake` and `room` of struct fish. */
 };
 
-/* Ticks between full queries, 33 ms, which is also the time between two decisions of a fish. A fish
- * that moves farther than expected causes an earlier query. */
+/* Ticks between full broad-phase queries: 33 ms, which is also the time between two decisions of a
+ * fish. A fish that moves farther than expected causes an earlier query. */
 #define BROAD_PHASE_UPDATE_TICKS 4u
-/* Gap below which two fish could touch in one tick because the contact solver moves their bodies.
- * By default the solver may move each body by half of this gap. */
+/* Gap between two fish that the contact solver could close in one tick by moving their bodies. By
+ * default the solver may move each body by half of this gap. */
 #define BROAD_PHASE_CONTACT_M 0.002f
 
 /* Two fish whose bodies could touch before the next query. */
@@ -54,21 +57,21 @@ struct broad_phase {
     struct body body[TANK_FISH_MAX];
     uint8_t flags[TANK_FISH_MAX]; /* State of each fish: bits of enum body_flag. */
     struct neighbours neighbours[TANK_FISH_MAX];
-    /* The next members are results of a query and stay valid until the next query. They are state,
-     * so broad_phase_hash() covers them. */
-    uint32_t near_count;    /* Number of contacts in the list. */
+    /* Results of a broad-phase query: the members from here to `touch_count`. The results stay
+     * valid until the next query, so the state hash includes the results that later ticks use. */
+    uint32_t near_count;    /* Number of contacts in the list `contact`. */
     uint32_t contact_count; /* Number of contacts that could touch in this tick. These contacts are
                                at the front of the list. */
     struct contact contact[BROAD_PHASE_CONTACT_MAX];
     float way_m[TANK_FISH_MAX];   /* Distance that a body may have moved since the query: the sum,
                                      over the ticks, of the largest distance that any point of the
                                      body moved. */
-    float reach_m[TANK_FISH_MAX]; /* Distance that a body may move before the next query is due. */
+    float reach_m[TANK_FISH_MAX]; /* Distance that a body may move before a new query is due. */
     uint32_t overlap_count;       /* Number of pairs whose bodies overlapped at the query. */
-    uint32_t touch_count;         /* Number of pairs that could touch, including pairs without a
-                                     place in the list. */
-    float play_m[TANK_FISH_MAX];  /* Distance by which the contact solver may move any point of a
-                                     body in this tick. */
+    uint32_t touch_count;         /* Number of pairs of fish that could touch before the next query,
+                                     including pairs that are missing in a full contact list. */
+    float play_m[TANK_FISH_MAX];  /* Largest distance by which the contact solver may move any point
+                                     of a body in this tick. */
     struct narrow_phase narrow_phase;
     struct narrow_phase_pair found[NARROW_PHASE_BATCH + SIMD_LANES_MAX];
 };
@@ -80,7 +83,8 @@ static inline uint32_t broad_phase_contact_max(const struct broad_phase *broad_p
     return BROAD_PHASE_CONTACT_MAX / TANK_FISH_MAX * fish_capacity(broad_phase->count);
 }
 
-/* Sets `count`, `flags` and `play_m` from the fish. The caller has already set the bodies. */
+/* Sets the members `count`, `flags` and `play_m` of struct broad_phase from the state of the fish.
+ * The caller has already set the bodies. */
 void broad_phase_mark(struct broad_phase *broad_phase, const struct fish *fish,
                       uint32_t fish_count);
 
@@ -89,24 +93,25 @@ void broad_phase_mark(struct broad_phase *broad_phase, const struct fish *fish,
 void broad_phase_gather(struct broad_phase *broad_phase, const struct fish *fish,
                         uint32_t fish_count, float space);
 
-/* Options of a query. `search` and `lanes` affect only speed, not results. */
+/* Options of a broad-phase query. `search` and `lanes` affect only speed, not results. */
 struct broad_phase_search {
-    uint8_t search;        /* Algorithm of the pair search (enum pair_search). */
-    uint8_t lanes;         /* Number of SIMD lanes: 0, 4 or 8, as in simd_is_built(). */
-    uint8_t contacts_only; /* 1 if the query finds only contacts and leaves `neighbours` unchanged,
-                              otherwise 0. */
+    uint8_t search;     /* Algorithm of the pair search (enum pair_search). */
+    uint8_t lanes;      /* Number of SIMD lanes: 0, 4 or 8, as in simd_is_built(). */
+    bool contacts_only; /* True if the query finds only contacts and leaves `neighbours`
+                              unchanged. */
 };
 
-/* Moves each fish to the position of its body and adds the distance to `way_m`. */
+/* Moves each fish to the position of its body, which the contact solver moved. Adds the distance to
+ * `way_m`. */
 void broad_phase_sync(struct broad_phase *broad_phase, struct fish *fish);
 
 /* Returns the distance that the fish is expected to move before the next query, computed from its
  * present motion, m. */
 float broad_phase_reach_m(const struct fish *fish);
 
-/* Returns 1 if the last query may no longer cover all pairs that could touch, otherwise 0. Causes
- * are a fish that moved beyond its reach, a fish that began to swim, and a full contact list. */
-int broad_phase_is_stale(const struct broad_phase *broad_phase);
+/* Returns true if the last query may no longer cover all pairs that could touch. Causes are a
+ * fish that moved beyond its reach, a fish that began to swim, and a full contact list. */
+bool broad_phase_is_stale(const struct broad_phase *broad_phase);
 
 /* Moves the contacts that could touch in this tick to the front of the list. The gap of a contact
  * shrinks at most by the distances that its two fish moved. The front of the list contains every
@@ -114,23 +119,22 @@ int broad_phase_is_stale(const struct broad_phase *broad_phase);
  * excluded. */
 void broad_phase_select_contacts(struct broad_phase *broad_phase);
 
-/* Queries only the fish that moved beyond their reach, at a tenth of the cost of
- * broad_phase_update(). Calls broad_phase_select_contacts() at the end and returns 1. Returns 0 and
- * changes nothing if too many fish moved beyond their reach or if the list could overflow. */
-int broad_phase_update_moved(struct broad_phase *broad_phase, const struct fish *fish);
-
-uint64_t broad_phase_hash(uint64_t hash, const struct broad_phase *broad_phase);
+/* Searches the neighbours of only those fish that moved farther than the last query covers, at a
+ * tenth of the cost of broad_phase_update(). Calls broad_phase_select_contacts() at the end and
+ * returns true. Returns false and changes nothing if too many fish moved that far or if the contact
+ * list could overflow. */
+bool broad_phase_update_moved(struct broad_phase *broad_phase, const struct fish *fish);
 
 /* Finds every pair whose personal spaces overlap. Sets the avoidance advice and the repulsion of
- * near fish, lists the pairs that could touch before the next query, and calls
- * broad_phase_select_contacts(). If `how.contacts_only` is 1, the function sets neither advice nor
- * repulsion, at half the cost. `fish` holds the fish to which the bodies belong. */
+ * nearby fish, lists the pairs that could touch before the next query, and calls
+ * broad_phase_select_contacts(). If `how.contacts_only` is true, the function sets neither advice
+ * nor repulsion, at half the cost. `fish` holds the fish to which the bodies belong. */
 void broad_phase_update(struct broad_phase *broad_phase, const struct fish *fish,
                         struct broad_phase_search how, const struct perception *around);
 
-/* Returns the personal space beyond the body, in body lengths. In a sparse tank the value is
- * params->space_per_length. In a dense tank the value is smaller, but at least a fifth of
- * params->space_per_length. */
+/* Returns the width of the personal space around the body of a fish, in body lengths. In a sparse
+ * tank the value is params->space_per_length. In a dense tank the value is smaller, but at least a
+ * fifth of params->space_per_length. */
 float broad_phase_space(const struct fish *fish, uint32_t fish_count, vec3 tank_size_m,
                         const struct behavior_params *params);
 

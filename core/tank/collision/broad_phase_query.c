@@ -6,12 +6,12 @@
 #include "core/base/rng.h"
 #include "core/tank/behavior/swim.h"
 
-/* Gap to a near fish below which a fish turns more slowly. The fish's tail sweeps this distance in
- * a few ticks of a fast turn. */
+/* Gap to another fish below which a fish has too little room to turn fast and turns more slowly. In
+ * a fast turn, the fish's tail would sweep this distance in a few ticks. */
 #define ROOM_GAP_M 0.005f
 #define ROOM_MIN 0.2f
-/* Number of pairs between a prefetch and the use of the prefetched data. The test of this number of
- * pairs takes as long as one memory access. */
+/* Number of pairs by which a prefetch precedes the use of the prefetched data. Testing this number
+ * of pairs takes as long as one memory access. */
 #define FETCH_AHEAD 8u
 
 static void take_advice(struct avoid_advice *kept, const struct avoid_advice *advice)
@@ -38,9 +38,8 @@ static struct avoid_party party_of(const struct body *body, const struct fish *f
     };
 }
 
-/* Adds the push by a neighbour to the pushes of a fish. The component across the fish's body has
- * its full size. The component along the body has half its size, so that a fish pushed from behind
- * is not too fast. */
+/* Adds the push by a nearby fish to the sum of the pushes on a fish. The component of the push
+ * along the fish's body is halved, so that a push from behind does not make the fish too fast. */
 static void push_apart(struct neighbours *neighbours, vec3 forward, vec3 axis, float speed_m_s)
 {
     const float along = v3_dot(axis, forward);
@@ -68,12 +67,12 @@ static void list_contact(struct broad_phase *broad_phase, struct contact contact
     }
 }
 
-/* Context of one query. */
+/* Data that the functions of one broad-phase query share. */
 struct snapshot {
     struct broad_phase *broad_phase;
     const struct fish *fish;
     const struct perception *around;
-    int contacts_only;
+    bool contacts_only;
 };
 
 static void meet_pair(const struct snapshot *look, const struct narrow_phase_pair *found)
@@ -81,10 +80,10 @@ static void meet_pair(const struct snapshot *look, const struct narrow_phase_pai
     struct broad_phase *broad_phase = look->broad_phase;
     const struct perception *around = look->around;
     const struct body *a = &broad_phase->body[found->a], *b = &broad_phase->body[found->b];
-    struct neighbours *ca = &broad_phase->neighbours[found->a],
-                      *cb = &broad_phase->neighbours[found->b];
-    const struct avoid_party pa = party_of(a, &look->fish[found->a], found->a),
-                             pb = party_of(b, &look->fish[found->b], found->b);
+    struct neighbours *ca = &broad_phase->neighbours[found->a];
+    struct neighbours *cb = &broad_phase->neighbours[found->b];
+    const struct avoid_party pa = party_of(a, &look->fish[found->a], found->a);
+    const struct avoid_party pb = party_of(b, &look->fish[found->b], found->b);
     const struct avoid_pair advice =
         avoid_meet(&pa, &pb, found->gap_m, around->params, around->seed, around->tick);
     take_advice(&ca->advice, &advice.a);
@@ -126,7 +125,7 @@ static void fetch_fish(const struct snapshot *look, uint32_t index)
     __builtin_prefetch(&look->broad_phase->neighbours[index], 1);
 }
 
-static void seek(const struct snapshot *look, const struct narrow_phase_query *of, int ahead)
+static void seek(const struct snapshot *look, const struct narrow_phase_query *of, bool ahead)
 {
     CORE_ASSERT(look->broad_phase->count <= TANK_FISH_MAX);
     struct broad_phase *broad_phase = look->broad_phase;
@@ -162,8 +161,8 @@ static float bounding_radius_m(const struct body *body)
 }
 
 /* Finds the pairs whose personal spaces overlap if each space is a ball. Section 3.4 of the 2013
- * thesis rejected such balls, so the function serves only for comparison and is not used in a
- * kiosk. The function tests each fish against each other fish. */
+ * thesis on goldfish behavior rejected such balls, so the function serves only for comparison and
+ * is not used in a kiosk. The function tests each fish against each other fish. */
 static void meet_balls(const struct snapshot *look)
 {
     const struct broad_phase *broad_phase = look->broad_phase;
@@ -205,11 +204,11 @@ void broad_phase_update(struct broad_phase *broad_phase, const struct fish *fish
         .width_m = around->size_m.x,
         .breadth_m = around->size_m.z,
     };
-    seek(&look, &of, 1);
-    /* The contact list overflowed. The second search lists only the pairs that could touch in this
-     * tick, and a new query is due soon. */
+    seek(&look, &of, true);
+    /* If the contact list overflowed, a second search lists only the pairs that could touch in this
+     * tick. A new query is then due soon. */
     if (broad_phase->touch_count > broad_phase_contact_max(broad_phase)) {
-        seek(&look, &of, 0);
+        seek(&look, &of, false);
     }
     if (around->ball_spaces && !how.contacts_only) {
         meet_balls(&look);

@@ -7,17 +7,20 @@
 #include "core/input.h"
 #include "core/tank/collision/contact_solver_internal.h"
 
-/* Gap that the contact solver leaves between two bodies that it separates. */
+/* Thickness of the skin around a body: the gap that the contact solver leaves between two bodies
+ * that it separates. */
 #define SKIN_M 0.0001f
 /* Largest number of rounds in a substep; each round pushes every overlapping pair apart. Most ticks
  * need two rounds. A dense group of fish that a poi pushes needs all rounds. */
 #define PART_ROUNDS_MAX 12
-/* First round of the solver in which vertical pushes are tilted. Pairs that earlier rounds could
- * not separate are jammed. */
+/* First round of the contact solver in which nearly vertical pushes are tilted sideways. A pair
+ * that still overlaps in this round can be part of a stack of fish between floor and surface.
+ * Vertical pushes cannot separate such a stack, but tilted pushes topple the stack. */
 #define TOPPLE_ROUND 5
 #define PART_STEP_MAX_M 0.002f /* Largest push of a body in one round of the contact solver. */
 #define CLEAR_ROUNDS 4u
-#define CLOSE_MAX 64u /* Number of contacts whose gaps are measured together by SIMD code. */
+/* Capacity of struct close: contacts whose gaps SIMD code measures together. */
+#define CLOSE_MAX 64u
 
 vec3 contact_kept_inside_m(const struct solver_step *all, uint32_t index, const struct body *body)
 {
@@ -52,8 +55,8 @@ static void keep_inside(const struct solver_step *all, uint32_t index)
     body->centre_m = contact_kept_inside_m(all, index, body);
 }
 
-/* Moves a fish to the position of its body and adds the distance to `way_m`, as broad_phase_sync()
- * does. Therefore contact_is_apart() includes the push. */
+/* Moves a fish to the position of its body after a push of that body. Adds the distance to `way_m`,
+ * so that contact_is_apart() takes the push into account. */
 static void note_moved_body(const struct solver_step *all, uint32_t index)
 {
     CORE_ASSERT(all->broad_phase->flags[index] & BODY_SWIMMING);
@@ -63,9 +66,10 @@ static void note_moved_body(const struct solver_step *all, uint32_t index)
     fish->position_m = centre_m;
 }
 
-/* Moves a body as far as its limit for the substep allows, and returns the rest of the move. A body
- * may always move back toward its previous position. */
-static vec3 shove(const struct solver_step *all, uint32_t index, vec3 move)
+/* Moves a body by `move`, but at most so far that its distance from its previous position stays
+ * within the limit of the substep. Returns the part of `move` that was not possible. A body may
+ * always move back toward its previous position. */
+static vec3 move_body_limited(const struct solver_step *all, uint32_t index, vec3 move)
 {
     struct body *body = &all->broad_phase->body[index];
     const vec3 wanted = v3_add(body->centre_m, move);
@@ -78,16 +82,6 @@ static vec3 shove(const struct solver_step *all, uint32_t index, vec3 move)
     return left;
 }
 
-/* Returns a tilted separation axis for a pair that lies on top of each other. A stack of fish from
- * floor to surface cannot be separated vertically, so the stack must topple. */
-static vec3 topple(const struct body *a, const struct body *b, vec3 axis)
-{
-    vec3 aside = v3_sub(b->centre_m, a->centre_m);
-    aside.y = 0.0f;
-    return v3_normalize_or(v3_muladd(v3_scale(axis, 0.5f), v3_normalize_or(aside, a->right), 1.0f),
-                           axis);
-}
-
 static float mass_of(const struct body *body)
 {
     return body->half_z_m * body->half_z_m * body->half_z_m;
@@ -95,41 +89,50 @@ static float mass_of(const struct body *body)
 
 /* Stores the measured gap of a contact, so that the gap is not measured again until the bodies come
  * nearer. */
-static void know_apart(const struct solver_step *all, struct contact *contact, float apart_m)
+static void contact_store_gap(const struct solver_step *all, struct contact *contact, float apart_m)
 {
     const float *way_m = all->broad_phase->way_m;
     const float gap_m = apart_m - SOLVER_ROUNDING_M + (way_m[contact->a] + way_m[contact->b]);
     contact->gap_m = f_max(contact->gap_m, gap_m);
 }
 
-/* Separates the two bodies of a contact. Returns 1 if the bodies had to be moved, otherwise 0. */
-static int part_pair(const struct solver_step *all, struct contact *contact, int round)
+/* Moves the two bodies of a contact apart if the bodies overlap. Returns true if the bodies
+ * overlapped. */
+static bool part_pair(const struct solver_step *all, struct contact *contact, int round)
 {
     CORE_ASSERT(contact->a != contact->b);
     const struct body *a = &all->broad_phase->body[contact->a],
                       *b = &all->broad_phase->body[contact->b];
     struct box_gap gap = body_gap(a, 0.0f, b, 0.0f);
     if (gap.body_m >= 0.0f) {
-        know_apart(all, contact, gap.body_m);
-        return 0;
+        contact_store_gap(all, contact, gap.body_m);
+        return false;
     }
     if (round >= TOPPLE_ROUND && f_abs(gap.axis.y) > 0.7f) {
-        gap.axis = topple(a, b, gap.axis);
+        /* One body of the pair lies on top of the other body. A stack of fish from floor to surface
+         * cannot be separated vertically, so the separation axis is tilted and the stack
+         * topples. */
+        const vec3 aside = v3_flat(v3_sub(b->centre_m, a->centre_m));
+        const vec3 tilted =
+            v3_muladd(v3_scale(gap.axis, 0.5f), v3_normalize_or(aside, a->right), 1.0f);
+        gap.axis = v3_normalize_or(tilted, gap.axis);
     }
     const float depth_m = f_min(SKIN_M - gap.body_m, PART_STEP_MAX_M);
     const float share_a = mass_of(b) / (mass_of(a) + mass_of(b));
     const vec3 solver = v3_scale(gap.axis, depth_m);
-    const vec3 left_a = shove(all, contact->a, v3_scale(solver, -share_a));
-    const vec3 left_b = shove(all, contact->b, v3_sub(v3_scale(solver, 1.0f - share_a), left_a));
-    /* If a fish cannot move by its full part of the separation, the other fish moves by the
-     * remaining part. */
-    shove(all, contact->a, v3_scale(left_b, -1.0f));
-    return 1;
+    const vec3 left_a = move_body_limited(all, contact->a, v3_scale(solver, -share_a));
+    const vec3 left_b =
+        move_body_limited(all, contact->b, v3_sub(v3_scale(solver, 1.0f - share_a), left_a));
+    /* If the second fish could not move by its full part of the separation, the first fish moves by
+     * the remaining part. */
+    move_body_limited(all, contact->a, v3_scale(left_b, -1.0f));
+    return true;
 }
 
-/* Moves a body off an obstacle. Pushes nearly always suffice. In the corner between paper and ring,
- * the push by the ring undoes the push by the paper. A fish in that corner moves along with the
- * poi. */
+/* Moves a fish that touches an obstacle off the obstacle by at most CLEAR_ROUNDS pushes. In the
+ * corner between the paper and the ring of a poi (paper scoop), a push off one of them can move the
+ * fish into the other. If the fish still touches the obstacle after the pushes, moves the fish
+ * along with the obstacle. */
 static void clear_obstacle(const struct solver_step *all, uint32_t index, uint32_t o)
 {
     CORE_ASSERT(o < all->place->obstacle_count);
@@ -144,7 +147,7 @@ static void clear_obstacle(const struct solver_step *all, uint32_t index, uint32
             return;
         }
         all->solver->result[index] = (uint8_t)(SOLVER_PRESSED + o);
-        shove(all, index, move);
+        move_body_limited(all, index, move);
         if (contact_is_clear(obstacle, body, &before)) {
             return;
         }
@@ -168,39 +171,8 @@ static void clear_if_beside(const struct solver_step *all, uint32_t index)
     }
 }
 
-/* Sets BODY_NEAR_OBSTACLE of a fish that could touch an obstacle in this substep. Returns the
- * largest distance by which an obstacle near the fish may carry the fish in this substep, m. */
-static float look_beside(const struct solver_step *all, uint32_t index)
-{
-    CORE_ASSERT(all->solver->beside_count < TANK_FISH_MAX);
-    const struct box box = body_box(&all->broad_phase->body[index]);
-    float excess_m = 0.0f;
-    int beside = 0;
-    for (uint32_t o = 0; o < all->place->obstacle_count; o++) {
-        const struct obstacle *obstacle = &all->place->obstacles[o];
-        if (obstacle_in_reach(obstacle, &box)) {
-            const vec3 from_m = contact_before_m(all, index);
-            beside = 1;
-            excess_m =
-                f_max(excess_m, v3_length(v3_sub(obstacle_carry_m(obstacle, from_m), from_m)));
-        }
-    }
-    if (beside) {
-        all->broad_phase->flags[index] |= BODY_NEAR_OBSTACLE;
-        all->solver->beside[all->solver->beside_count++] = (fish_index)index;
-    }
-    return excess_m;
-}
-
-/* Moves a fish that other fish pushed into an obstacle out of the obstacle. */
-static void clear_shoved(const struct solver_step *all, uint32_t index)
-{
-    clear_if_beside(all, index);
-    note_moved_body(all, index);
-}
-
-/* Contacts whose stored gap no longer proves that the bodies are apart. The contacts are collected
- * so that SIMD code measures several gaps at a time. */
+/* List of contacts whose gaps must be measured, because the two bodies may have moved together
+ * since the gap was stored. SIMD code measures several gaps of the list at a time. */
 struct close {
     uint32_t count;
     uint32_t contact[CLOSE_MAX];
@@ -208,7 +180,7 @@ struct close {
     float gap_m[CLOSE_MAX + SIMD_LANES_MAX];
 };
 
-/* Measures the gaps of the collected contacts and empties the collection. */
+/* Measures the gaps of all contacts in the list `close` and empties the list. */
 static void measure_close_pairs(const struct solver_step *all, struct close *close)
 {
     CORE_ASSERT(close->count <= CLOSE_MAX);
@@ -220,19 +192,19 @@ static void measure_close_pairs(const struct solver_step *all, struct close *clo
     narrow_phase_gaps(all->broad_phase->body, close->a, close->b, count, all->place->lanes,
                       close->gap_m);
     for (uint32_t k = 0; k < count; k++) {
-        know_apart(all, &all->broad_phase->contact[close->contact[k]], close->gap_m[k]);
+        contact_store_gap(all, &all->broad_phase->contact[close->contact[k]], close->gap_m[k]);
     }
     close->count = 0;
 }
 
-/* Runs the rounds of pushes. Returns 1 if the last round separated no pair, otherwise 0. The result
- * 1 means that no two fish overlap. */
-static int relax(const struct solver_step *all)
+/* Pushes overlapping fish apart in several rounds. Returns true if the last round found no
+ * overlapping pair. */
+static bool relax(const struct solver_step *all)
 {
     CORE_ASSERT(all->broad_phase->contact_count <= all->broad_phase->near_count);
     uint32_t parted = 1;
-    /* Measures all contacts whose stored gap no longer proves that the bodies are apart. Most of
-     * these contacts were only predicted to come near. */
+    /* Measures the gap of each contact whose bodies may have moved together since the gap was
+     * stored. Most of these bodies prove to be apart. */
     struct broad_phase *broad_phase = all->broad_phase;
     struct close close;
     close.count = 0;
@@ -254,8 +226,12 @@ static int relax(const struct solver_step *all)
         for (uint32_t c = 0; c < broad_phase->contact_count; c++) {
             struct contact *contact = &broad_phase->contact[c];
             if (!contact_is_apart(all, contact, 0.0f) && part_pair(all, contact, round)) {
-                clear_shoved(all, contact->a);
-                clear_shoved(all, contact->b);
+                /* The push may have moved a fish into an obstacle. Moves such a fish out of the
+                 * obstacle. */
+                clear_if_beside(all, contact->a);
+                note_moved_body(all, contact->a);
+                clear_if_beside(all, contact->b);
+                note_moved_body(all, contact->b);
                 parted++;
             }
         }
@@ -263,37 +239,41 @@ static int relax(const struct solver_step *all)
     return parted == 0;
 }
 
-/* ---- Walls and obstacles --------------------------------------------------------------------- */
+/* ---- Moving a fish out of walls and obstacles ------------------------------------------------ */
 
 static void clear_one(const struct solver_step *all, uint32_t index)
 {
     struct broad_phase *broad_phase = all->broad_phase;
     struct contact_solver *solver = all->solver;
     broad_phase->flags[index] &= (uint8_t)~BODY_NEAR_OBSTACLE;
-    const vec3 moved_m = v3_sub(broad_phase->body[index].centre_m, contact_before_m(all, index));
-    const float excess_m = look_beside(all, index);
+    const vec3 from_m = contact_before_m(all, index);
+    const vec3 moved_m = v3_sub(broad_phase->body[index].centre_m, from_m);
+    /* Sets BODY_NEAR_OBSTACLE if the fish could touch an obstacle in this substep. `excess_m` is
+     * the largest distance by which an obstacle near the fish may carry the fish in this
+     * substep. */
+    const struct box box = body_box(&broad_phase->body[index]);
+    float excess_m = 0.0f;
+    for (uint32_t o = 0; o < all->place->obstacle_count; o++) {
+        const struct obstacle *obstacle = &all->place->obstacles[o];
+        if (obstacle_in_reach(obstacle, &box)) {
+            broad_phase->flags[index] |= BODY_NEAR_OBSTACLE;
+            excess_m =
+                f_max(excess_m, v3_length(v3_sub(obstacle_carry_m(obstacle, from_m), from_m)));
+        }
+    }
+    if (broad_phase->flags[index] & BODY_NEAR_OBSTACLE) {
+        CORE_ASSERT(solver->beside_count < TANK_FISH_MAX);
+        solver->beside[solver->beside_count++] = (fish_index)index;
+    }
     solver->step_max_m[index] = v3_length(moved_m) + all->place->push_max_m + excess_m;
     clear_if_beside(all, index);
     keep_inside(all, index);
-    const vec3 led_m = v3_sub(broad_phase->body[index].centre_m, contact_before_m(all, index));
+    const vec3 led_m = v3_sub(broad_phase->body[index].centre_m, from_m);
     broad_phase->play_m[index] =
         solver->step_max_m[index] + v3_length(led_m) + contact_sweep_m(all, index);
 }
 
-/* Returns 1 if contact_solver_project_block() may process `width` fish from `first` on, otherwise
- * 0. The result is 1 if `width` fish exist, and each of them swims, does not gulp and is not in the
- * air. */
-static int can_project_block(const struct broad_phase *broad_phase, uint32_t first, uint32_t width)
-{
-    CORE_ASSERT(width <= SIMD_LANES_MAX);
-    uint32_t all_same = broad_phase->count - first >= width;
-    for (uint32_t i = first; i < first + width && all_same; i++) {
-        all_same = broad_phase->flags[i] == BODY_SWIMMING;
-    }
-    return (int)all_same;
-}
-
-/* ---- Public functions ------------------------------------------------------------------------ */
+/* ---- Steps of the contact solver (contact_solver.h) ------------------------------------------ */
 
 void contact_solver_project(struct contact_solver *solver, struct broad_phase *broad_phase,
                             const struct solver_context *place)
@@ -311,7 +291,13 @@ void contact_solver_project(struct contact_solver *solver, struct broad_phase *b
         const uint32_t count = broad_phase->count - i < width ? broad_phase->count - i : width;
         uint32_t left = (1u << count) - 1u; /* One bit for each fish of the block that is not yet
                                                processed. */
-        if (solver->station == 0 && can_project_block(broad_phase, i, width)) {
+        /* SIMD code processes a block of fish if all of them swim, none gulps and none is in the
+         * air. */
+        bool is_block = solver->station == 0 && count == width;
+        for (uint32_t k = i; k < i + width && is_block; k++) {
+            is_block = broad_phase->flags[k] == BODY_SWIMMING;
+        }
+        if (is_block) {
             left = SIMD_PICK(place->lanes, contact_solver_project_block)(solver, broad_phase, place,
                                                                          i);
         }
@@ -337,6 +323,5 @@ void contact_solver_finish(struct contact_solver *solver, struct broad_phase *br
 {
     CORE_ASSERT(place->obstacle_count <= TANK_OBSTACLE_MAX);
     const struct solver_step all = { solver, broad_phase, place };
-    const int is_parted = relax(&all);
-    penetration_check(&all, is_parted);
+    penetration_check(&all, relax(&all));
 }

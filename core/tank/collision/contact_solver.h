@@ -1,14 +1,18 @@
 /* contact_solver.h -- the contact solver: separates the bodies of fish, and reverts bodies that
  * cannot be separated.
  *
- * Every tick has two steps. First, rounds of small pushes separate the bodies that the motion of
- * the fish brought together. Pushes resolve nearly all contacts and look natural. Second, the
- * penetration check tests every pair that could touch. A fish that is still deeper than
+ * Every tick has two steps.
+ *
+ * First, rounds of small pushes separate the bodies that the motion of the fish brought together.
+ * Pushes resolve nearly all contacts and look natural.
+ *
+ * Second, the penetration check tests every pair that could touch. A fish that is still deeper than
  * SOLVER_FREE_M in another fish, a wall, a ring or a hull reverts: it returns to its pose of the
- * previous tick. If a fish cannot move out of the way of a poi (the paper scoop), the poi reacts
- * and gives up a part of its motion. The check repeats until no penetration is too deep. The check
- * ends, because the poses of the previous tick did not overlap: in the worst case all bodies
- * revert.
+ * previous tick. If a fish cannot move out of the way of a poi (the paper scoop), the check undoes
+ * a part of the poi's motion.
+ *
+ * The check repeats until no penetration is too deep. The check ends, because the poses of the
+ * previous tick did not overlap: in the worst case all bodies revert.
  *
  * If more pairs could touch than the contact list holds, the fish with unlisted contacts keep their
  * pose for the tick.
@@ -25,10 +29,11 @@
 #define TANK_OBSTACLE_MAX 8u
 
 #define SOLVER_FREE_M 0.0003f /* Largest penetration of two bodies that counts as no penetration. */
-/* Usual value of `push_max_m` in struct solver_context. A larger push would appear as a jump. */
+/* Usual value of `push_max_m`, the largest push of a body in a tick. A larger push would look like
+ * a jump of the fish. */
 #define SOLVER_PUSH_M 0.002f
-/* Value of `push_max_m` in struct solver_context while no poi moves the water. The value equals 6
- * cm/s. */
+/* Value of `push_max_m`, the largest push of a body in a tick, while no poi (paper scoop) moves in
+ * the water. The value equals 6 cm/s, because a tick lasts 1/120 s. */
 #define SOLVER_CALM_PUSH_M 0.0005f
 
 /* Inner faces of the tank, within which the solver keeps the bodies. */
@@ -40,8 +45,8 @@ struct tank_bounds {
 struct solver_context {
     struct fish *fish;
     struct tank_bounds bounds;
-    struct obstacle *obstacles; /* Obstacles, whose motion the solver may reduce; see
-                                   obstacle.h. */
+    struct obstacle *obstacles; /* Pois and bowls (obstacle.h). The solver may undo a part of their
+                                   motion. */
     uint32_t obstacle_count;
     float push_max_m; /* Largest distance in a tick by which other bodies push a body, in addition
                          to its own motion. */
@@ -49,7 +54,7 @@ struct solver_context {
                          only speed. */
 };
 
-/* Result of the penetration check for a fish in this substep. */
+/* Result of the contact solver for a fish in this substep. */
 enum solver_result {
     SOLVER_MOVED = 0,
     /* The fish is back at its pose at the start of the substep. */
@@ -61,35 +66,39 @@ enum solver_result {
     SOLVER_CARRIED = SOLVER_PRESSED + TANK_OBSTACLE_MAX,
 };
 
-/* Scratch memory of one tick; the arrays are indexed by fish or by obstacle. */
+/* Scratch memory of the contact solver for one tick. The arrays are indexed by fish or by
+ * obstacle. */
 struct contact_solver {
-    vec3 began_m[TANK_FISH_MAX + 1u]; /* Positions at the start of the tick. SIMD code reads one
-                                         float beyond the last element. */
-    vec3 step_began_m[TANK_FISH_MAX]; /* Positions at the start of the second or a later substep. */
+    vec3 began_m[TANK_FISH_MAX + 1u]; /* Positions of the fish at the start of the tick. SIMD code
+                                         reads one float beyond the last element. */
+    vec3 step_began_m[TANK_FISH_MAX]; /* Positions of the fish at the start of the present substep,
+                                         from the second substep on. */
     struct angles began_angles[TANK_FISH_MAX + 1u];
     float step_max_m[TANK_FISH_MAX];     /* Largest distance between a body's positions at the start
                                             and at the end of the substep. */
     uint8_t result[TANK_FISH_MAX];       /* Result of the penetration check for each fish (enum
                                             solver_result). */
-    uint16_t fresh_round[TANK_FISH_MAX]; /* One more than the last round of the penetration check
-                                            that moved the fish. 0 means that no round moved the
+    uint16_t fresh_round[TANK_FISH_MAX]; /* Number of the last round of the penetration check that
+                                            moved the fish, plus 1. 0 means that no round moved the
                                             fish. */
-    uint16_t reaction_round[TANK_OBSTACLE_MAX]; /* One more than the last round of the penetration
-                                                   check in which the obstacle gave up motion. 0
-                                                   means that the obstacle gave up no motion. */
+    uint16_t reaction_round[TANK_OBSTACLE_MAX]; /* Number of the last round of the penetration check
+                                                   that undid motion of the obstacle, plus 1. 0
+                                                   means that no round undid motion. */
     uint32_t beside_count;
     fish_index beside[TANK_FISH_MAX]; /* Fish that could touch an obstacle in this substep. */
     struct course {                   /* Intended motion of an obstacle in the whole tick. */
         vec3 from_m, step_m;
-        uint8_t turned;
+        bool turned;
     } course[TANK_OBSTACLE_MAX];
     uint32_t station, substep_count;
-    uint8_t reverts_angles;  /* 1 if a fish must return to its previous angles at the end of the
-                                tick, otherwise 0. */
-    uint32_t reverted_count; /* Number of reverts in this tick, in all its substeps. */
+    bool reverts_angles;     /* True if a fish must return to its previous angles at the end of the
+                                tick. */
+    uint32_t reverted_count; /* Number of times that a fish reverted to its previous pose in this
+                                tick, in all substeps. */
 };
 
-/* Begins a tick before any fish moves: stores the poses to which fish may revert. */
+/* Begins a tick before any fish moves. Stores the poses of all fish, because the solver may return
+ * a fish to its stored pose. */
 void contact_solver_begin(struct contact_solver *solver, const struct fish *fish,
                           uint32_t fish_count);
 
@@ -104,22 +113,24 @@ uint32_t contact_solver_substep_count(struct contact_solver *solver,
 void contact_solver_substep(struct contact_solver *solver, struct broad_phase *broad_phase,
                             const struct solver_context *place, uint32_t station);
 
-/* Moves bodies out of obstacles and into the tank, so that the broad-phase query uses their real
- * positions. */
+/* Moves bodies out of obstacles and into the tank before the broad-phase query, so that the query
+ * uses the corrected positions. */
 void contact_solver_project(struct contact_solver *solver, struct broad_phase *broad_phase,
                             const struct solver_context *place);
 
-/* Runs the rounds of pushes between bodies. Walls, floor and surface always limit the bodies. */
+/* Pushes overlapping bodies apart in several rounds. Walls, floor and surface always limit the
+ * bodies. */
 void contact_solver_relax(struct contact_solver *solver, struct broad_phase *broad_phase,
                           const struct solver_context *place);
 
-/* Ends a substep: separates bodies as contact_solver_relax() does, then reverts the bodies that
- * cannot be separated. */
+/* Ends a substep. Pushes overlapping bodies apart as contact_solver_relax() does. Then reverts the
+ * bodies that could not be separated to their previous poses. */
 void contact_solver_finish(struct contact_solver *solver, struct broad_phase *broad_phase,
                            const struct solver_context *place);
 
-/* Ends a tick. Reverted fish get their previous angles and stop turning. An obstacle that gave up
- * motion loses that part of its velocity. */
+/* Ends a tick. Fish that the penetration check reverted get their previous angles and stop turning.
+ * If the solver undid a part of an obstacle's motion, the obstacle loses the corresponding part of
+ * its velocity. */
 void contact_solver_end(struct contact_solver *solver, const struct broad_phase *broad_phase,
                         const struct solver_context *place);
 

@@ -7,25 +7,26 @@
 #include "core/tank/collision/contact_solver.h"
 #include "core/tank/collision/obstacle.h"
 
-/* Rounding error by which a penetration may appear deeper although no body moved. */
+/* Tolerance for rounding errors, by which a penetration may appear to be deeper although no body
+ * moved. */
 #define SOLVER_ROUNDING_M 1e-6f
 
-/* Context of one substep of a tick. */
+/* Data that the functions of the contact solver share in one substep of a tick. */
 struct solver_step {
     struct contact_solver *solver;
     struct broad_phase *broad_phase;
     const struct solver_context *place;
 };
 
-/* Returns the position to which a fish reverts: its position at the start of the substep. */
+/* Returns the position of a fish at the start of the substep, to which the fish may revert. */
 static inline vec3 contact_before_m(const struct solver_step *all, uint32_t index)
 {
     const struct contact_solver *solver = all->solver;
     return solver->station == 0 ? solver->began_m[index] : solver->step_began_m[index];
 }
 
-/* Returns the body in the pose to which it reverts. Bodies rotate only in the first substep
- * (station 0). */
+/* Returns the body of a fish in its pose at the start of the substep, to which the fish may revert.
+ * Bodies rotate only in the first substep (station 0). */
 static inline struct body contact_body_before(const struct solver_step *all, uint32_t index)
 {
     const struct contact_solver *solver = all->solver;
@@ -40,18 +41,17 @@ static inline struct body contact_body_before(const struct solver_step *all, uin
     return body;
 }
 
-/* Returns 1 if the gap of a contact is certainly larger than `apart_m`, otherwise 0. The stored
- * gap minus the motion of the two bodies since the query is a lower bound, so the gap is not
- * measured. */
-static inline int contact_is_apart(const struct solver_step *all, const struct contact *contact,
-                                   float apart_m)
+/* Returns true if the gap of a contact is certainly larger than `apart_m`. The stored gap minus
+ * the motion of the two bodies since the query is a lower bound, so the gap is not measured. */
+static inline bool contact_is_apart(const struct solver_step *all, const struct contact *contact,
+                                    float apart_m)
 {
     const float *way_m = all->broad_phase->way_m;
     return contact->gap_m - (way_m[contact->a] + way_m[contact->b]) > apart_m;
 }
 
-static inline int contact_is_clear(const struct obstacle *obstacle, const struct body *body,
-                                   const struct body *before)
+static inline bool contact_is_clear(const struct obstacle *obstacle, const struct body *body,
+                                    const struct body *before)
 {
     vec3 unused;
     return obstacle_excess_m(obstacle, body, before, SOLVER_FREE_M, &unused) <= SOLVER_ROUNDING_M;
@@ -61,8 +61,8 @@ static inline int contact_is_clear(const struct obstacle *obstacle, const struct
  * m. */
 static inline float contact_sweep_m(const struct solver_step *all, uint32_t index)
 {
-    const struct angles now = all->place->fish[index].angles,
-                        was = all->solver->began_angles[index];
+    const struct angles now = all->place->fish[index].angles;
+    const struct angles was = all->solver->began_angles[index];
     const float yaw_rad = f_abs(now.yaw_rad - was.yaw_rad);
     const float turn_rad = f_min(yaw_rad, F_TAU - yaw_rad) + f_abs(now.pitch_rad - was.pitch_rad) +
                            f_abs(now.roll_rad - was.roll_rad);
@@ -75,10 +75,10 @@ static inline float contact_sweep_m(const struct solver_step *all, uint32_t inde
 vec3 contact_kept_inside_m(const struct solver_step *all, uint32_t index, const struct body *body);
 
 /* Runs the penetration check after the pushes, until no fish is too deep in another fish or in an
- * obstacle. A fish that is too deep reverts or moves along with the obstacle, or the obstacle gives
- * up motion. `is_parted` is 1 if no two fish overlap after the pushes, otherwise 0. Defined in
- * penetration_check.c. */
-void penetration_check(const struct solver_step *all, int is_parted);
+ * obstacle. If a fish is too deep, the fish reverts or moves along with the obstacle, or the check
+ * undoes a part of the obstacle's motion. `is_parted` is true if no two fish overlap after the
+ * pushes. Defined in penetration_check.c. */
+void penetration_check(const struct solver_step *all, bool is_parted);
 
 /* Keeps the bodies of the block that begins at fish `first` within the tank, and sets their
  * `step_max_m` and `play_m`. The caller guarantees that all fish of the block swim and that none

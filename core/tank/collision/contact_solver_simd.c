@@ -1,5 +1,5 @@
-/* contact_solver_simd.c -- walls, floor and surface for a block of fish; the SIMD form of a part of
- * contact_solver.c. */
+/* contact_solver_simd.c -- keeps a block of fish within walls, floor and surface. The file is the
+ * SIMD form of a part of contact_solver.c. */
 #include "core/tank/collision/contact_solver_internal.h"
 
 #include "core/base/panic.h"
@@ -18,7 +18,8 @@ static inline flanes keep_between(const struct body_simd *all, int axis, float l
     return simd_clamp(all->centre[axis], low_m + extent, high_m - extent);
 }
 
-/* Returns the largest distance that any point of a body moved by rotation alone, m. */
+/* Returns, for each lane, the largest distance that any point of a body moved by rotation alone,
+ * m. */
 static inline flanes sweep_m(const struct body_simd *all, const struct fish *fish,
                              const struct angles *began)
 {
@@ -42,7 +43,8 @@ CONTACT_SOLVER_PROJECT(SIMD_NAME(contact_solver_project_block))
     simd_load_quads(began, &solver->began_m[first], sizeof solver->began_m[0]);
     ilanes beside = { 0 };
     for (uint32_t o = 0; o < place->obstacle_count; o++) {
-        /* Computes the result of obstacle_in_reach() for each lane as a mask. */
+        /* Does the test of obstacle_in_reach() for all lanes at once. `beside` is a mask of the
+         * lanes that pass the test. */
         const struct simd_v3 half = { all.centre[3], all.right[3], all.up[3] };
         const struct simd_v3 d = { all.centre[0] - place->obstacles[o].centre_m.x,
                                    all.centre[1] - place->obstacles[o].centre_m.y,

@@ -4,11 +4,13 @@
 #include "core/input.h"
 #include "core/tank/collision/contact_solver.h"
 
-/* Largest motion of an obstacle in a substep. The ring of a poi (the paper scoop) and a fish are
- * together four times as thick, so the ring cannot pass the fish within one substep. */
+/* Largest motion of an obstacle in a substep (the code numbers the substeps as stations). The ring
+ * of a poi (the paper scoop) and a fish are together four times as thick, so the ring cannot pass
+ * the fish within one substep. */
 #define STATION_M 0.003f
-/* Largest number of substeps, which a poi at 2.1 m/s needs. The substeps of a faster poi are
- * longer. */
+/* Largest number of substeps (stations) in a tick of 1/120 s. A poi (paper scoop) at 2.1 m/s moves
+ * by 6 * STATION_M in a tick. If a poi is faster, its motion in each substep is longer than
+ * STATION_M. */
 #define STATIONS_MAX 6u
 
 void contact_solver_begin(struct contact_solver *solver, const struct fish *fish,
@@ -34,12 +36,13 @@ uint32_t contact_solver_substep_count(struct contact_solver *solver,
         longest_m = f_max(longest_m, v3_length(obstacle->step_m));
     }
     solver->reverted_count = 0;
-    solver->reverts_angles = 0;
+    solver->reverts_angles = false;
     solver->substep_count = 1u + (uint32_t)f_min(longest_m / STATION_M, (float)(STATIONS_MAX - 1u));
     return solver->substep_count;
 }
 
-/* Obstacles rotate only in the first substep (station 0). */
+/* Begins a substep: each obstacle moves by its part of the tick's motion. Obstacles rotate only in
+ * the first substep (station 0). */
 void contact_solver_substep(struct contact_solver *solver, struct broad_phase *broad_phase,
                             const struct solver_context *place, uint32_t station)
 {
@@ -50,7 +53,7 @@ void contact_solver_substep(struct contact_solver *solver, struct broad_phase *b
         if (station == 0) {
             obstacle->centre_m = solver->course[o].from_m;
         } else {
-            obstacle->turned = 0;
+            obstacle->turned = false;
         }
         obstacle->step_m = v3_scale(solver->course[o].step_m, 1.0f / (float)solver->substep_count);
         obstacle->centre_m = v3_add(obstacle->centre_m, obstacle->step_m);
@@ -88,8 +91,9 @@ void contact_solver_end(struct contact_solver *solver, const struct broad_phase 
     for (uint32_t o = 0; o < place->obstacle_count; o++) {
         struct obstacle *obstacle = &place->obstacles[o];
         const struct course *course = &solver->course[o];
-        /* Reentry computes the previous position of the obstacle from its step, so the step becomes
-         * the motion of the whole tick. An obstacle that gave up motion loses velocity. */
+        /* Reentry computes the previous position of the obstacle from `step_m`. Therefore `step_m`
+         * becomes the motion of the whole tick. An obstacle whose motion the solver undid loses
+         * velocity. */
         obstacle->step_m = v3_sub(obstacle->centre_m, course->from_m);
         obstacle->turned = course->turned && !(obstacle->reaction & REACTION_ROTATION);
         if (obstacle->reaction & REACTION_POSITION) {

@@ -6,22 +6,6 @@
 #include "core/base/panic.h"
 #include "core/tank/collision/narrow_phase_simd.h"
 
-/* Writes the indices of the fish that the search includes to `member`, and returns the number of
- * these fish. Fills the rest of the last SIMD block with the last index. */
-static uint32_t gather_members(fish_index member[TANK_FISH_MAX + SIMD_LANES_MAX],
-                               const struct narrow_phase_query *of)
-{
-    uint32_t count = 0;
-    for (uint32_t i = 0; i < of->count; i++) {
-        member[count] = (fish_index)i;
-        count += (of->flags[i] & of->which) != 0;
-    }
-    for (uint32_t lane = 0; lane < SIMD_LANES_MAX; lane++) {
-        member[count + lane] = count > 0 ? member[count - 1u] : 0;
-    }
-    return count;
-}
-
 void narrow_phase_begin(struct narrow_phase *narrow_phase, const struct narrow_phase_query *of)
 {
     CORE_ASSERT(of->count <= TANK_FISH_MAX);
@@ -31,24 +15,34 @@ void narrow_phase_begin(struct narrow_phase *narrow_phase, const struct narrow_p
     narrow_phase->item = 0;
     narrow_phase->other = 0;
     narrow_phase->search = of->search;
-    const uint32_t count = gather_members(narrow_phase->member, of);
+    /* Collects the fish that the search includes, and fills the rest of the last SIMD block with
+     * the last index. */
+    fish_index *member = narrow_phase->member;
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < of->count; i++) {
+        member[count] = (fish_index)i;
+        count += (of->flags[i] & of->which) != 0;
+    }
+    for (uint32_t lane = 0; lane < SIMD_LANES_MAX; lane++) {
+        member[count + lane] = count > 0 ? member[count - 1u] : 0;
+    }
     if (count == 0) {
         grid->count = 0;
         return;
     }
     const float ball_m =
-        SIMD_PICK(of->lanes, narrow_phase_measure)(narrow_phase, of, narrow_phase->member, count);
+        SIMD_PICK(of->lanes, narrow_phase_measure)(narrow_phase, of, member, count);
     narrow_grid_layout(grid, of->width_m, of->breadth_m, 2.0f * ball_m, of->count);
     SIMD_PICK(of->lanes, narrow_phase_cells)(narrow_phase, count);
-    narrow_grid_sort(grid, narrow_phase->member, count);
+    narrow_grid_sort(grid, member, count);
     for (uint32_t lane = 0; lane < SIMD_LANES_MAX; lane++) {
         grid->item[count + lane] = grid->item[count - 1u];
     }
     SIMD_PICK(of->lanes, narrow_phase_columns)(narrow_phase, of);
 }
 
-int narrow_phase_next(struct narrow_phase *narrow_phase, const struct narrow_phase_query *of,
-                      struct narrow_phase_pair *found, uint32_t *count)
+bool narrow_phase_next(struct narrow_phase *narrow_phase, const struct narrow_phase_query *of,
+                       struct narrow_phase_pair *found, uint32_t *count)
 {
     SIMD_PICK(of->lanes, narrow_phase_near)(narrow_phase, of);
     for (uint32_t lane = 0; lane < SIMD_LANES_MAX; lane++) {
@@ -88,34 +82,20 @@ void narrow_grid_layout(struct spatial_grid *grid, float width_m, float breadth_
     CORE_ASSERT(width_m > 0.0f && breadth_m > 0.0f);
     CORE_ASSERT(reach_m > 0.0f);
     /* A cell is so large that the floor of the tank has at most `cell_max` cells along a side. A
-     * cell is also slightly larger than `reach_m`, so that rounding never puts two near fish two
+     * cell is also slightly larger than `reach_m`, so that rounding never puts two nearby fish two
      * cells apart. */
     grid->cell_m = f_max(1.0001f * reach_m, f_max(width_m, breadth_m) / (float)cell_max);
-    grid->columns = cells_along(width_m, grid->cell_m);
-    grid->rows = cells_along(breadth_m, grid->cell_m);
-    while (grid->columns * grid->rows > cell_max) {
-        grid->cell_m *= 1.1f;
+    for (;;) {
         grid->columns = cells_along(width_m, grid->cell_m);
         grid->rows = cells_along(breadth_m, grid->cell_m);
+        if (grid->columns * grid->rows <= cell_max) {
+            break;
+        }
+        grid->cell_m *= 1.1f;
     }
     grid->cells_per_m = 1.0f / grid->cell_m;
     grid->origin_x_m = -0.5f * width_m;
     grid->origin_z_m = -0.5f * breadth_m;
-}
-
-/* Clamps before the conversion, so that the float never exceeds the range of the integer. */
-static uint32_t cell_along(float offset_m, float cells_per_m, uint32_t count)
-{
-    CORE_ASSERT(count > 0);
-    return (uint32_t)f_clamp(offset_m * cells_per_m, 0.0f, (float)(count - 1u));
-}
-
-uint32_t narrow_grid_cell(const struct spatial_grid *grid, vec3 point_m)
-{
-    CORE_ASSERT(grid->columns > 0 && grid->rows > 0);
-    const float x_m = point_m.x - grid->origin_x_m, z_m = point_m.z - grid->origin_z_m;
-    return cell_along(z_m, grid->cells_per_m, grid->rows) * grid->columns +
-           cell_along(x_m, grid->cells_per_m, grid->columns);
 }
 
 void narrow_grid_sort(struct spatial_grid *grid, const fish_index *member, uint32_t count)
@@ -131,8 +111,8 @@ void narrow_grid_sort(struct spatial_grid *grid, const fish_index *member, uint3
     for (uint32_t c = 1; c <= cell_count; c++) {
         grid->start[c] = (fish_index)(grid->start[c] + grid->start[c - 1u]);
     }
-    /* Each element of `start` is now the end of its cell. Filling each cell from the back moves the
-     * element to the beginning of the cell and keeps the order of the members. */
+    /* start[c] is now the index after the last item of cell c. The loop fills each cell from the
+     * back, which moves start[c] to the first item of the cell and keeps the order of the fish. */
     for (uint32_t m = count; m-- > 0;) {
         grid->item[--grid->start[grid->cell_of[m]]] = member[m];
     }

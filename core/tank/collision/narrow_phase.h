@@ -1,13 +1,16 @@
-/* narrow_phase.h -- the search for pairs of near bodies: exact, in a time proportional to their
- * number.
+/* narrow_phase.h -- the search for pairs of nearby bodies. The search is exact and takes a time
+ * proportional to the number of bodies.
  *
  * Bodies are sorted into square cells of the floor plan. The reach of a body is the distance beyond
  * its skin at which the search still finds the body. The side of a cell is twice the radius of the
  * largest ball that contains a body with its reach and its personal space. Therefore a near body
- * lies in the same cell or in one of the eight cells around it. The side is 8.602 cm for pitching
- * fish of 5 cm with personal spaces of 7 x 4 x 3 cm. The cells of 3.5 cm in the 2013 thesis lose a
- * quarter of the pairs. Half of the nine cells suffices, because each pair needs to be found from
- * only one of its fish.
+ * lies in the same cell or in one of the eight cells around it.
+ *
+ * The side is 8.602 cm for pitching fish of 5 cm with personal spaces of 7 x 4 x 3 cm. The cells of
+ * 3.5 cm in the 2013 thesis on goldfish behavior lose a quarter of the pairs.
+ *
+ * Searching half of these nine cells finds every pair, because each pair needs to be found from
+ * only one of its two fish.
  *
  * The search has two steps, both with SIMD. At the density of the 2013 thesis, a fish has 22
  * candidates in the cells. The first step tests balls, heights and sides and leaves 2.9 pairs per
@@ -31,40 +34,40 @@ _Static_assert((fish_index)TANK_FISH_MAX == TANK_FISH_MAX, "all may be before a 
 #define SPATIAL_GRID_CELL_MAX (TANK_FISH_MAX / 2u)
 
 struct spatial_grid {
-    float cell_m;      /* Side of a cell. */
+    float cell_m;      /* Length of the sides of the square cells. */
     float cells_per_m; /* Inverse of `cell_m`. */
     float origin_x_m, origin_z_m;
     uint32_t columns, rows; /* Number of cells along x and z. columns * rows is at most
                                SPATIAL_GRID_CELL_MAX. */
     uint32_t count;         /* Number of fish in the cells; a fish in a cell is an item. */
-    /* First item of each cell. The items of cell c are item[start[c]] to item[start[c + 1] - 1]. */
+    /* Index of the first item (fish) of each cell. The items of cell c are item[start[c]] to
+     * item[start[c + 1] - 1]. */
     fish_index start[SPATIAL_GRID_CELL_MAX + 1u];
     fish_index item[TANK_FISH_MAX + SIMD_LANES_MAX];
-    fish_index cell_of[TANK_FISH_MAX + SIMD_LANES_MAX]; /* Cell of each member. The caller sets the
-                                                           cells before narrow_grid_sort(). */
+    fish_index cell_of[TANK_FISH_MAX + SIMD_LANES_MAX]; /* Grid cell of each fish in the array
+                                                           `member`. The caller sets the cells
+                                                           before narrow_grid_sort(). */
 };
 
 /* Divides a floor plan for `fish_count` fish into cells whose side is at least `reach_m`. The cells
- * are larger if the plan would need more than half of fish_capacity() cells. */
+ * are larger if the plan would otherwise need more than one cell for every two fish of
+ * fish_capacity(). */
 void narrow_grid_layout(struct spatial_grid *grid, float width_m, float breadth_m, float reach_m,
                         uint32_t fish_count);
 
-/* Returns the cell of a point. A point outside the plan belongs to the nearest cell at the
- * border. */
-uint32_t narrow_grid_cell(const struct spatial_grid *grid, vec3 point_m);
-
-/* Sorts `count` members into their cells; cell_of[m] is the cell of member m. Members of a cell
- * keep their order. Asserts that `count` is at most TANK_FISH_MAX. */
+/* Sorts the `count` fish of the array `member` into their grid cells. cell_of[m] is the cell of the
+ * fish member[m]. Fish of the same cell keep their order. Asserts that `count` is at most
+ * TANK_FISH_MAX. */
 void narrow_grid_sort(struct spatial_grid *grid, const fish_index *member, uint32_t count);
 
-/* A range of items, from item `from` to item `to` - 1. The cells of a row are consecutive, so the
- * items of these cells form one range. */
+/* A range of items (fish in the order of the cells), from item `from` to item `to` - 1. The cells
+ * of a row are consecutive, so the items of these cells form one range. */
 struct grid_range {
     uint32_t from, to;
 };
 
-/* Returns the cell of `item`. The search begins at `cell`, which must not be greater than the cell
- * of `item`. */
+/* Returns the index of the cell that contains `item` (a fish). Searches upward from `cell`, which
+ * must not be greater than the result. */
 static inline uint32_t narrow_grid_cell_of_item(const struct spatial_grid *grid, uint32_t item,
                                                 uint32_t cell)
 {
@@ -74,9 +77,9 @@ static inline uint32_t narrow_grid_cell_of_item(const struct spatial_grid *grid,
     return cell;
 }
 
-/* Returns the items of `cell` and of the next cell to the right. For an item of
- * `cell`, only the later items of this range and the items of narrow_grid_below() are tested. The
- * search finds all other near pairs from earlier items. */
+/* Returns the items (fish) in `cell` and in the next cell to the right. For an item of `cell`, only
+ * the later items of this range and the items of narrow_grid_below() are tested. The search finds
+ * all other nearby pairs from earlier items. */
 static inline struct grid_range narrow_grid_beside(const struct spatial_grid *grid, uint32_t cell)
 {
     const uint32_t last = (cell + 1u) % grid->columns > 0 ? cell + 1u : cell;
@@ -94,7 +97,8 @@ static inline struct grid_range narrow_grid_below(const struct spatial_grid *gri
     return (struct grid_range){ grid->start[first], grid->start[last + 1u] };
 }
 
-/* Largest number of near pairs in a batch. A batch fits into the first-level cache. */
+/* Largest number of nearby pairs that the search processes together, as one batch. A batch fits
+ * into the first-level cache. */
 #define NARROW_PHASE_BATCH 256u
 
 enum pair_search {
@@ -104,7 +108,7 @@ enum pair_search {
                             pairs as PAIR_SEARCH_GRID in the same order. */
 };
 
-/* Input of a search. Arrays are indexed by fish. */
+/* Input of a search for pairs of nearby bodies. Arrays are indexed by fish. */
 struct narrow_phase_query {
     const struct body *body;
     const uint8_t *flags; /* Flags of each fish. The search includes a fish if its flags contain at
@@ -115,49 +119,51 @@ struct narrow_phase_query {
     uint8_t which;
     uint8_t search;           /* Algorithm of the pair search (enum pair_search). */
     uint8_t lanes;            /* Number of SIMD lanes: 0, 4 or 8, as in simd_is_built(). */
-    uint8_t bodies_only;      /* 1 if the search may omit pairs whose personal spaces overlap but
-                                 whose bodies are not near, otherwise 0. */
-    float width_m, breadth_m; /* Size of the floor plan. Bodies outside the plan are also
-                                 searched. */
+    bool bodies_only;         /* True if the search may omit pairs whose personal spaces overlap but
+                                 whose bodies are not near. */
+    float width_m, breadth_m; /* Width (x) and breadth (z) of the floor plan that the grid divides
+                                 into cells. A body outside the plan is sorted into the nearest cell
+                                 at the border. */
 };
 
 /* A pair whose bodies are nearer than the sum of their reaches, or whose personal spaces
  * overlap. */
 struct narrow_phase_pair {
     uint32_t a, b;  /* Indices of the two fish. */
-    float gap_m;    /* Gap between the bodies: the largest separation over all axes. A value < 0
-                       means an overlap. */
+    float gap_m;    /* Gap between the two bodies, m: the largest gap between their projections on
+                       one of fifteen axes. A value < 0 means that the bodies overlap. */
     uint8_t axis;   /* Index of the axis of `gap_m`; narrow_phase_axis() returns its vector. */
     uint8_t spaces; /* 1 if the personal spaces overlap, otherwise 0. */
 };
 
-/* Scratch memory of a search. No content is kept for the next search. */
+/* Scratch memory of a pair search. No content is kept for the next search. */
 struct narrow_phase {
     struct spatial_grid grid;
     fish_index member[TANK_FISH_MAX + SIMD_LANES_MAX]; /* Indices of the fish that the search
                                                           includes. */
-    uint32_t cell, item, other; /* Cell and pair of items at which narrow_phase_next() continues. */
+    uint32_t cell, item, other; /* Cell and pair of items (fish) at which the next call of
+                                   narrow_phase_next() continues. */
     uint8_t search;
-    /* Search volumes in the order of the cells. A body is found within the ball of radius `ball_m`
-     * around its centre, and within the height `slab_m` above and below the centre. SIMD code reads
-     * SIMD_LANES_MAX elements beyond the last item. */
+    /* Search volumes of the bodies, sorted by cell. A body is found within the ball of radius
+     * `ball_m` around its centre, and within the height `slab_m` above and below the centre. SIMD
+     * code reads SIMD_LANES_MAX elements beyond the last item. */
     float x_m[TANK_FISH_MAX + SIMD_LANES_MAX], y_m[TANK_FISH_MAX + SIMD_LANES_MAX],
         z_m[TANK_FISH_MAX + SIMD_LANES_MAX], ball_m[TANK_FISH_MAX + SIMD_LANES_MAX],
         slab_m[TANK_FISH_MAX + SIMD_LANES_MAX];
     uint32_t near_count;
     uint32_t near_a[NARROW_PHASE_BATCH + SIMD_LANES_MAX],
-        near_b[NARROW_PHASE_BATCH + SIMD_LANES_MAX]; /* Items of the near pairs. An item is a
-                                                        position in the order of the cells. */
+        near_b[NARROW_PHASE_BATCH + SIMD_LANES_MAX]; /* Near pairs. Each pair is two items: indices
+                                                        of fish in the order of the cells. */
 };
 
 /* Sorts the bodies into cells and prepares the first call of narrow_phase_next(). */
 void narrow_phase_begin(struct narrow_phase *narrow_phase, const struct narrow_phase_query *of);
 
 /* Writes the next pairs in a fixed order and their number to `*count`, 0 .. NARROW_PHASE_BATCH.
- * Returns 0 after the last pair, otherwise 1. `found` must have room for NARROW_PHASE_BATCH +
- * SIMD_LANES_MAX pairs. */
-int narrow_phase_next(struct narrow_phase *narrow_phase, const struct narrow_phase_query *of,
-                      struct narrow_phase_pair *found, uint32_t *count);
+ * Returns false after the last pair, otherwise true. `found` must have room for
+ * NARROW_PHASE_BATCH + SIMD_LANES_MAX pairs. */
+bool narrow_phase_next(struct narrow_phase *narrow_phase, const struct narrow_phase_query *of,
+                       struct narrow_phase_pair *found, uint32_t *count);
 
 /* Writes the gaps between the bodies of `count` pairs of fish to `gap_m`, as in struct
  * narrow_phase_pair. The error is below 1 um for gaps below half a metre. `lanes` is 0, 4 or 8, as

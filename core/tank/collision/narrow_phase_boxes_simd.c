@@ -5,16 +5,19 @@
 #include "core/base/panic.h"
 
 #define APART_M 1e9f
-#define PARALLEL simd_splat(1e-6f) /* Value of PARALLEL in box.c. */
+/* Squared length of a cross product below which two edges count as parallel, as in box.c. */
+#define PARALLEL simd_splat(1e-6f)
 
-/* Largest gaps of SIMD_LANES pairs over the axes tried so far. Each gap is stored as its square
- * with the sign of the gap, so that a cross product of any length costs a division but no square
- * root. The last four bits of a square hold the index of its axis. Therefore the maximum of the
- * squares also selects the axis. */
+/* Results of the separating-axis test for SIMD_LANES pairs of boxes after some of its axes. Each
+ * result is the largest gap between the projections of the two boxes on one axis. Each gap is
+ * stored as its square with the sign of the gap, which saves a square root per axis. The last four
+ * bits of a square hold the index of its axis. Therefore the maximum of the squares also selects
+ * the axis. */
 struct verdict {
-    flanes square; /* Square of the largest gap between the bodies, with the sign of the gap. */
-    flanes space;  /* Largest gap between the personal spaces. A value > 0 means that the spaces are
-                      apart. */
+    flanes square; /* Square of the largest gap between the bodies over the axes tested so far, with
+                      the sign of the gap. */
+    flanes space;  /* Largest gap between the personal spaces over the axes tested so far. If the
+                      value is positive, the spaces are apart. */
 };
 
 static inline flanes mark_axis(flanes square, int32_t axis)
@@ -22,8 +25,8 @@ static inline flanes mark_axis(flanes square, int32_t axis)
     return (flanes)(((ilanes)square & ~15) | axis);
 }
 
-/* Tries one face axis. `offset` is the distance of the centres along the axis, `halves` the sum of
- * the projected half sizes and `margins` the sum of the projected margins. */
+/* Tests one face axis as a separating axis. `offset` is the distance of the centres along the axis,
+ * `halves` the sum of the projected half sizes and `margins` the sum of the projected margins. */
 static inline void try_face(struct verdict *verdict, flanes offset, flanes halves, flanes margins,
                             int32_t axis)
 {
@@ -32,8 +35,9 @@ static inline void try_face(struct verdict *verdict, flanes offset, flanes halve
     verdict->square = simd_max(verdict->square, mark_axis(gap * simd_abs(gap), axis));
 }
 
-/* Tries one cross product of edges, whose squared length is `length2`. Nearly parallel edges have
- * no usable cross product and are skipped, because the face axes already cover that case. */
+/* Tests one cross product of edges as a separating axis. The squared length of the cross product is
+ * `length2`. Nearly parallel edges are skipped, because their cross product is nearly zero. The
+ * face axes already cover that case. */
 static inline void try_edges(struct verdict *verdict, flanes offset, flanes halves, flanes margins,
                              flanes length2, int32_t axis)
 {
@@ -75,19 +79,20 @@ static inline void view_row(struct view *view, int i, const flanes axis[3], cons
     try_face(&verdict,                                                                             \
              view.d[0] * view.c[0][j] + view.d[1] * view.c[1][j] + view.d[2] * view.c[2][j],       \
              hb[j] + (view.m[0][j] * ha[0] + view.m[1][j] * ha[1] + view.m[2][j] * ha[2]),         \
-             mb + ma * (view.m[0][j] + view.m[1][j] + view.m[2][j]), 3 + j)
+             mb + ma * (view.m[0][j] + view.m[1][j] + view.m[2][j]), 3 + (j))
 
-/* Tries the cross product of edge i of box a and edge j of box b. In cyclic order, p and q are the
- * axes after i, and r and s are the axes after j. */
+/* Tests the cross product of edge i of box a and edge j of box b as a separating axis. p and q are
+ * the two axes that follow axis i in the cyclic order 0, 1, 2, 0, and r and s are the two axes that
+ * follow axis j. */
 #define EDGES(i, p, q, j, r, s)                                                                    \
     try_edges(&verdict, view.d[q] * view.c[p][j] - view.d[p] * view.c[q][j],                       \
               ha[p] * view.m[q][j] + ha[q] * view.m[p][j] + hb[r] * view.m[i][s] +                 \
                   hb[s] * view.m[i][r],                                                            \
               ma * (view.m[q][j] + view.m[p][j]) + mb * (view.m[i][s] + view.m[i][r]),             \
-              view.c[p][j] * view.c[p][j] + view.c[q][j] * view.c[q][j], 6 + 3 * i + j)
+              view.c[p][j] * view.c[p][j] + view.c[q][j] * view.c[q][j], 6 + 3 * (i) + (j))
 
-/* Tries all fifteen axes in the order of narrow_phase_axis(). The function is always inlined,
- * because a call would pass a kilobyte through memory. */
+/* Tests all fifteen axes of the separating-axis test, in the order of the indices of box_axis().
+ * The function is always inlined, because a call would pass a kilobyte through memory. */
 __attribute__((always_inline)) static inline struct verdict
 find_separating_axis(const struct body_simd *a, const struct body_simd *b)
 {

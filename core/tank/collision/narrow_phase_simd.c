@@ -1,17 +1,13 @@
-/* narrow_phase_simd.c -- the tests of balls, heights and sides for several pairs at a time. */
+/* narrow_phase_simd.c -- the first step of the pair search: tests whether the search volumes of
+ * bodies overlap, for several pairs at a time. */
 #include "core/tank/collision/narrow_phase_simd.h"
 
 #include "core/base/mem.h"
 #include "core/base/panic.h"
 
-#define ROUNDING 1.00001f /* Tolerance for rounding errors, so that no ball is too small. */
-
-/* Returns the factor on the margins of the personal spaces: 0 if `bodies_only` is 1, otherwise
- * 1. */
-static inline float spaces_of(const struct narrow_phase_query *of)
-{
-    return of->bodies_only ? 0.0f : 1.0f;
-}
+/* Factor on the size of a search volume. With this factor, rounding errors never make the volume
+ * too small. */
+#define ROUNDING 1.00001f
 
 /* Loads the bodies of SIMD_LANES fish, whose indices are in `member`, and returns their reaches. */
 static inline flanes load_members(struct body_simd *all, const struct narrow_phase_query *of,
@@ -24,7 +20,7 @@ static inline flanes load_members(struct body_simd *all, const struct narrow_pha
         reach_m[lane] = of->reach_m[member[lane]];
     }
     body_simd_load(all, of->body, fish);
-    all->back[3] *= spaces_of(of);
+    all->back[3] *= of->bodies_only ? 0.0f : 1.0f;
     return simd_load(reach_m);
 }
 
@@ -60,7 +56,9 @@ NARROW_PHASE_MEASURE(SIMD_NAME(narrow_phase_measure))
     return farthest_m;
 }
 
-/* Computes the cell of each fish to be searched, as narrow_grid_cell() does. */
+/* Computes the grid cell of each fish in the search. A fish outside the floor plan belongs to the
+ * nearest cell at the border. The position is clamped before the conversion, so that the float
+ * never exceeds the range of the integer. */
 NARROW_PHASE_CELLS(SIMD_NAME(narrow_phase_cells))
 {
     CORE_ASSERT(narrow_phase->grid.columns > 0 && narrow_phase->grid.rows > 0);
@@ -86,8 +84,8 @@ NARROW_PHASE_COLUMNS(SIMD_NAME(narrow_phase_columns))
     CORE_ASSERT(narrow_phase->grid.count <= TANK_FISH_MAX);
     const struct spatial_grid *grid = &narrow_phase->grid;
     for (uint32_t k = 0; k < grid->count; k += SIMD_LANES) {
-        /* In a large tank the bodies are scattered in memory, so a later body is prefetched
-         * here. */
+        /* In a large tank the bodies are scattered in memory, so the loop prefetches the bodies of
+         * a later iteration. */
         const uint32_t then = k + NARROW_PHASE_PREFETCH;
         for (uint32_t lane = 0; lane < SIMD_LANES && then + lane < grid->count; lane++) {
             __builtin_prefetch(&of->body[grid->item[then + lane]]);
@@ -98,8 +96,8 @@ NARROW_PHASE_COLUMNS(SIMD_NAME(narrow_phase_columns))
         simd_store(&narrow_phase->y_m[k], all.centre[1]);
         simd_store(&narrow_phase->z_m[k], all.centre[2]);
         simd_store(&narrow_phase->ball_m[k], ball_of(&all, reach));
-        /* Half the height of the search volume of each body. The search volume contains both the
-         * personal space and the body enlarged by its reach. */
+        /* Stores half the height of each body's search volume, which contains both the personal
+         * space and the body enlarged by its reach. */
         const flanes x = simd_abs(all.right[1]), y = simd_abs(all.up[1]), z = simd_abs(all.back[1]);
         const flanes height = x * all.centre[3] + y * all.right[3] + z * all.up[3];
         simd_store(&narrow_phase->slab_m[k],
@@ -123,8 +121,9 @@ static inline uint32_t keep_four(uint32_t *to, uint32_t from, uint32_t bits)
     return count[bits];
 }
 
-/* The item (fish) whose near items are searched. `ball_m` and `slab_m` are the radius and half the
- * height of its search volume. `side_m` is its reach along `right`, where the body is thinnest. */
+/* The fish for which the search seeks nearby fish. `ball_m` and `slab_m` are the radius and half
+ * the height of the fish's search volume. `side_m` is the half width of this volume along `right`,
+ * the direction in which the body is thinnest. */
 struct seeker {
     float x_m, y_m, z_m, ball_m, slab_m;
     vec3 right;
@@ -136,7 +135,7 @@ static inline struct seeker seeker_of(const struct narrow_phase *narrow_phase,
 {
     const uint32_t fish = narrow_phase->grid.item[item];
     const struct body *body = &of->body[fish];
-    const float space_m = spaces_of(of) * body->margin_m;
+    const float space_m = (of->bodies_only ? 0.0f : 1.0f) * body->margin_m;
     const float side_m = body->half_x_m + f_max(space_m, of->reach_m[fish]);
     return (struct seeker){
         narrow_phase->x_m[item],    narrow_phase->y_m[item],    narrow_phase->z_m[item],
@@ -145,10 +144,11 @@ static inline struct seeker seeker_of(const struct narrow_phase *narrow_phase,
     };
 }
 
-/* Returns a mask with one bit for each item from `from` on, at most SIMD_LANES items and only items
- * below `to`. The bit is 1 if the item is near `me`. */
-static inline uint32_t sieve(const struct narrow_phase *narrow_phase, const struct seeker *me,
-                             uint32_t from, uint32_t to)
+/* Tests which fish are near the fish `me`. Returns a mask whose bit n stands for the item `from` +
+ * n, for at most SIMD_LANES items below `to`. A bit is 1 if the search volumes of the two fish
+ * could overlap. */
+static inline uint32_t near_mask(const struct narrow_phase *narrow_phase, const struct seeker *me,
+                                 uint32_t from, uint32_t to)
 {
 #ifdef SIMD_WIDE
     const ilanes lane = { 0, 1, 2, 3, 4, 5, 6, 7 };
@@ -165,8 +165,9 @@ static inline uint32_t sieve(const struct narrow_phase *narrow_phase, const stru
                      (simd_abs(beside) < ball + me->side_m) & (lane < (int32_t)(to - from)));
 }
 
-/* Appends a pair of `item` and each item whose bit is set in `bits`. Bit 0 stands for the item
- * `from`. `noted` is the old number of pairs. Returns the new number of pairs. */
+/* Appends pairs of fish to the list of nearby pairs: `item` with each item whose bit is set in
+ * `bits`. Bit 0 stands for the item `from`. `noted` is the old length of the list. Returns the new
+ * length. */
 static inline uint32_t note_near_pairs(struct narrow_phase *narrow_phase, uint32_t noted,
                                        uint32_t item, uint32_t from, uint32_t bits)
 {
@@ -181,16 +182,17 @@ static inline uint32_t note_near_pairs(struct narrow_phase *narrow_phase, uint32
     return noted;
 }
 
-/* Appends the pairs of `item` and the near items of `range`; skips the items before *other. Returns
- * 1 at the end of the range. Returns 0 if the list of pairs is full; *other is then the item at
- * which to continue. */
+/* Appends pairs of `item` and each nearby item of `range` to the list of nearby pairs. Begins at
+ * item *other if that item is in the range. Returns 1 at the end of the range. Returns 0 if the
+ * list is full, and sets *other to the item at which the next call continues. */
 static inline int note_range(struct narrow_phase *narrow_phase, const struct seeker *me,
                              uint32_t item, struct grid_range range, uint32_t *noted,
                              uint32_t *other)
 {
     uint32_t from = range.from > *other ? range.from : *other, n = *noted;
     for (; from < range.to && n <= NARROW_PHASE_BATCH - SIMD_LANES; from += SIMD_LANES) {
-        n = note_near_pairs(narrow_phase, n, item, from, sieve(narrow_phase, me, from, range.to));
+        n = note_near_pairs(narrow_phase, n, item, from,
+                            near_mask(narrow_phase, me, from, range.to));
     }
     *noted = n;
     *other = from < range.to ? from : *other;
@@ -201,9 +203,9 @@ NARROW_PHASE_NEAR(SIMD_NAME(narrow_phase_near))
 {
     CORE_ASSERT(narrow_phase->item <= narrow_phase->grid.count);
     const struct spatial_grid *grid = &narrow_phase->grid;
-    const int by_cells = narrow_phase->search == PAIR_SEARCH_GRID;
+    const bool by_cells = narrow_phase->search == PAIR_SEARCH_GRID;
     uint32_t item = narrow_phase->item, other = narrow_phase->other, noted = 0;
-    uint32_t end = by_cells ? item : grid->count; /* Index after the last item of the current
+    uint32_t end = by_cells ? item : grid->count; /* Index after the last item (fish) of the current
                                                      cell. */
     struct grid_range range[2] = { { 0, grid->count }, { 0, 0 } };
     for (; item < grid->count; item++, other = 0) {
@@ -215,7 +217,8 @@ NARROW_PHASE_NEAR(SIMD_NAME(narrow_phase_near))
         }
         const struct seeker me = seeker_of(narrow_phase, of, item);
         range[0].from = item + 1u;
-        int room = 1;
+        int room = 1; /* The variable is an int, because a bool costs more instructions in this
+                         loop. */
         for (uint32_t r = 0; r < 2u && room; r++) {
             room = note_range(narrow_phase, &me, item, range[r], &noted, &other);
         }

@@ -8,12 +8,12 @@
 
 #include "core/tank/collision/narrow_phase.h"
 
-/* Columns of SIMD_LANES bodies. The members have the names of the members of struct body. */
+/* SIMD_LANES bodies in SIMD vectors (columns). A column holds the same number of each body, for
+ * example its x coordinate. The fields have the names of the fields of struct body. */
 struct body_simd {
-    flanes centre[4], right[4], up[4], back[4]; /* Columns 0 to 2 are x, y and z of the vector.
-                                                   Column 3 is the float that follows the vector in
-                                                   struct body: half_x_m, half_y_m, half_z_m or
-                                                   margin_m. */
+    /* Columns 0 to 2 are x, y and z of the vector. Column 3 is the float that follows the vector in
+     * struct body: half_x_m, half_y_m, half_z_m or margin_m. */
+    flanes centre[4], right[4], up[4], back[4];
 };
 
 /* Loads SIMD_LANES bodies that are consecutive in memory. */
@@ -26,8 +26,8 @@ static inline void body_simd_load_block(struct body_simd *all, const struct body
     simd_load_quads(all->back, from + 48u, sizeof *first);
 }
 
-/* Loads quad number `quad` of body fish[0]. With eight lanes, the upper four lanes are loaded from
- * body fish[4]. */
+/* Loads quad number `quad` of body fish[0]. A quad is a group of four consecutive floats in struct
+ * body. With eight lanes, the upper four lanes are loaded from body fish[4]. */
 static inline flanes body_simd_row(const struct body *body, const uint32_t *fish, uint32_t quad)
 {
     const size_t at = quad * sizeof(fquad);
@@ -53,36 +53,39 @@ static inline void body_simd_load(struct body_simd *all, const struct body *body
     body_simd_quads(all->back, body, fish, 3);
 }
 
-/* Number of items or pairs by which prefetching precedes the computation. The number covers the
- * latency of memory. */
+/* Number of items or pairs by which a prefetch precedes the computation that uses the data. The
+ * number covers the latency of the memory. */
 #define NARROW_PHASE_PREFETCH (2u * SIMD_LANES)
 
-/* Writes the horizontal positions of `count` > 0 members to narrow_phase->x_m and z_m. Returns the
- * largest value of `ball_m` (struct narrow_phase) among the members. */
+/* Writes the horizontal positions of the `count` > 0 fish whose indices are in `member` to
+ * narrow_phase->x_m and z_m. Returns the largest value of `ball_m` (struct narrow_phase) of these
+ * fish. */
 #define NARROW_PHASE_MEASURE(name)                                                                 \
     float name(struct narrow_phase *narrow_phase, const struct narrow_phase_query *of,             \
                const fish_index *member, uint32_t count)
 
-/* Computes the cell of each of the `count` members from the positions in narrow_phase->x_m and
- * z_m. */
+/* Computes the grid cell of each of the `count` fish of the search (narrow_phase->member) from the
+ * positions in narrow_phase->x_m and z_m. */
 #define NARROW_PHASE_CELLS(name) void name(struct narrow_phase *narrow_phase, uint32_t count)
 
-/* Fills the arrays of search volumes in `narrow_phase` in the order of the cells. */
+/* Computes the search volume of each fish and stores the search volumes in `narrow_phase`, sorted
+ * by cell. */
 #define NARROW_PHASE_COLUMNS(name)                                                                 \
     void name(struct narrow_phase *narrow_phase, const struct narrow_phase_query *of)
 
-/* Writes the next near pairs to narrow_phase->near_a and near_b, and their number to
+/* Writes the next nearby pairs to narrow_phase->near_a and near_b, and their number to
  * narrow_phase->near_count. The number is 0 after the last pair. */
 #define NARROW_PHASE_NEAR(name)                                                                    \
     void name(struct narrow_phase *narrow_phase, const struct narrow_phase_query *of)
 
-/* Tests the near pairs by all fifteen axes and writes the pairs that remain to `found`. Returns the
- * number of written pairs. */
+/* Tests the nearby pairs by all fifteen axes of the separating-axis test, and writes the pairs that
+ * are really near to `found`. Returns the number of written pairs. */
 #define NARROW_PHASE_BOXES(name)                                                                   \
     uint32_t name(struct narrow_phase *narrow_phase, const struct narrow_phase_query *of,          \
                   struct narrow_phase_pair *found)
 
-/* Computes the gaps for narrow_phase_gaps(). */
+/* SIMD form of narrow_phase_gaps(): computes the gaps between the bodies of `count` pairs of
+ * fish. */
 #define NARROW_PHASE_GAPS(name)                                                                    \
     void name(const struct body *body, const fish_index *a, const fish_index *b, uint32_t count,   \
               float *gap_m)

@@ -1,5 +1,6 @@
-/* obstacle.c -- contact of fish with the ring and paper of a poi and with the hull of a bowl, the
- * reaction of an obstacle, and the sidestep of fish beside a poi. */
+/* obstacle.c -- contact of fish with the ring and paper of a poi (paper scoop) and with the hull of
+ * a bowl. The file also computes how a blocked obstacle moves back, and how fish beside a poi step
+ * aside. */
 #include "core/tank/collision/obstacle.h"
 
 #include "core/base/panic.h"
@@ -7,7 +8,8 @@
 
 #define SIDESTEP_RANGE_M 0.05f
 #define SIDESTEP_M_S 0.012f
-#define STILL_M_S 0.01f /* Speed of a disc below which fish beside the disc do not step aside. */
+/* Speed of a poi below which the poi counts as still, so that fish beside it do not step aside. */
+#define STILL_M_S 0.01f
 
 struct touch obstacle_touch(const struct obstacle *obstacle, const struct box *box)
 {
@@ -29,7 +31,7 @@ vec3 obstacle_clear(const struct obstacle *obstacle, const struct box *box)
     return v3_scale(touch.out, f_max(0.0f, -touch.gap_m));
 }
 
-int obstacle_in_reach(const struct obstacle *obstacle, const struct box *box)
+bool obstacle_in_reach(const struct obstacle *obstacle, const struct box *box)
 {
     CORE_ASSERT(obstacle->radius_m > 0.0f);
     const vec3 d = v3_sub(box->centre_m, obstacle->centre_m);
@@ -37,19 +39,10 @@ int obstacle_in_reach(const struct obstacle *obstacle, const struct box *box)
     return v3_dot(d, d) < reach_m * reach_m;
 }
 
-float obstacle_disc_distance_m(const struct obstacle *disc, vec3 point_m)
-{
-    CORE_ASSERT(disc->radius_m > 0.0f);
-    const vec3 d = v3_sub(point_m, disc->centre_m);
-    const float above_m = v3_dot(d, disc->normal);
-    const float out_m = v3_length(v3_muladd(d, disc->normal, -above_m)) - disc->radius_m;
-    return out_m <= 0.0f ? f_abs(above_m) : f_sqrt(above_m * above_m + out_m * out_m);
-}
-
 vec3 obstacle_sidestep_m_s(const struct obstacle *disc, vec3 position_m)
 {
     const vec3 none = { 0.0f, 0.0f, 0.0f };
-    const vec3 d = v3(position_m.x - disc->centre_m.x, 0.0f, position_m.z - disc->centre_m.z);
+    const vec3 d = v3_flat(v3_sub(position_m, disc->centre_m));
     const float out_m = v3_length(d) - disc->radius_m;
     const float below_m = f_abs(position_m.y - disc->centre_m.y);
     if (disc->kind != OBSTACLE_DISC || out_m < 0.0f || out_m > SIDESTEP_RANGE_M ||
@@ -60,24 +53,30 @@ vec3 obstacle_sidestep_m_s(const struct obstacle *disc, vec3 position_m)
     return v3_scale(v3_normalize_or(d, none), SIDESTEP_M_S * near);
 }
 
-/* ---- Contact with ring, paper and hull ------------------------------------------------------- */
+/* ---- Constants of the contact with ring, paper and hull -------------------------------------- */
 
-/* Largest number of times that a poi gives up a part of its motion in one tick; afterwards the poi
- * stops. */
+/* Largest number of times in one substep that an obstacle gives way: the contact solver undoes a
+ * part of the obstacle's motion, because a fish blocks it. The next time, the solver undoes the
+ * whole motion. */
 #define GIVE_MAX 8u
-/* Extra distance by which a poi moves back, so that rounding does not leave a penetration. */
+/* Extra distance by which an obstacle that gives way moves back from a fish, so that rounding does
+ * not leave a penetration. */
 #define GIVE_MIN_M 0.00002f
-/* Smallest distance between a fish's centre and the paper that the contact solver allows. */
+/* Smallest distance that the contact solver allows between the centre of a fish and the paper of a
+ * poi. */
 #define SIDE_GAP_M 0.0005f
-/* Distance per tick by which the paper pushes out a body that entered the paper from the side, over
- * the ring. */
+/* Distance per tick by which the paper of a poi pushes out a fish that got into the paper from the
+ * side, over the ring. */
 #define PAPER_PUSH_M 0.0025f
-/* Speed of the paper at which the paper carries a fish on it along at half of the paper's speed. */
+/* Speed at which a moving paper pins a fish in front of it by half: friction gives the fish half of
+ * the paper's sideways speed. At higher speeds the fraction is larger, because the flow presses the
+ * fish onto the paper. */
 #define PIN_M_S 0.12f
-/* Largest distance by which a body is moved along the ring's normal, as a multiple of the body's
- * penetration into the ring. The move makes the body slide over the ring. */
+/* Strength of the push that makes a fish glide over the ring of a poi. The value is the largest
+ * move along the ring's normal, as a multiple of the fish's penetration into the ring. */
 #define GLIDE 1.5f
-/* Largest distance from the plane of the paper at which a fish can touch the paper in one tick. */
+/* Largest distance from the plane of a poi's paper at which a fish can touch the paper in one
+ * tick. */
 #define NEAR_PLANE_M 0.06f
 
 struct obstacle obstacle_before(const struct obstacle *obstacle)
@@ -91,15 +90,15 @@ struct obstacle obstacle_before(const struct obstacle *obstacle)
     return before;
 }
 
-/* ---- Paper ----------------------------------------------------------------------------------- */
+/* ---- Contact with the paper ------------------------------------------------------------------ */
 
-static int paper_holds(const struct obstacle *disc, float x_m, float z_m)
+static bool paper_holds(const struct obstacle *disc, float x_m, float z_m)
 {
     CORE_ASSERT(disc->paper);
     CORE_ASSERT(disc->paper_radius_m > 0.0f);
     const float radius_m = disc->paper_radius_m;
     if (x_m * x_m + z_m * z_m >= radius_m * radius_m) {
-        return 0;
+        return false;
     }
     const float cells_per_m = 0.5f * (float)OBSTACLE_PAPER_SIDE / radius_m;
     const float last = (float)(OBSTACLE_PAPER_SIDE - 1u);
@@ -126,7 +125,8 @@ struct side {
                        0 if the fish passed through. */
     float clear_m;  /* Distance of the fish's centre from the paper at which its body would not
                        touch the paper. */
-    float was_m;    /* Value of `height_m` at the start of the substep. */
+    float was_m;    /* Distance of the fish's centre from the paper at the start of the substep, as
+                       in `height_m`. */
 };
 
 static struct side disc_side_of(const struct obstacle *disc, const struct body *now, vec3 before_m)
@@ -141,8 +141,9 @@ static struct side disc_side_of(const struct obstacle *disc, const struct body *
     const vec3 q1 = vec_basis_to_body(&disc->axes, away);
     const vec3 q0 = vec_basis_to_body(&old.axes, v3_sub(before_m, old.centre_m));
     const float side = q0.y < 0.0f ? -1.0f : 1.0f;
-    /* Fraction of the fish's path in this substep after which the fish crossed the plane of the
-     * paper. 1 means that the fish did not cross the plane, so its present place is tested. */
+    /* The place where the fish crossed the plane of the paper decides whether paper is there. `t`
+     * is the fraction of the fish's path in this substep up to that place. 1 means that the fish
+     * did not cross the plane, so the code tests its present place. */
     const float t = side * q1.y < 0.0f ? q0.y / (q0.y - q1.y) : 1.0f;
     if (!paper_holds(disc, f_lerp(q0.x, q1.x, t), f_lerp(q0.z, q1.z, t)) ||
         f_abs(q1.y) > NEAR_PLANE_M) {
@@ -160,18 +161,17 @@ vec3 obstacle_paper_push(const struct obstacle *disc, const struct body *now, ve
     const float freed_m = f_max(at.height_m, SIDE_GAP_M) + PAPER_PUSH_M;
     const float goal_m = f_min(at.clear_m, f_max(freed_m, at.clear_m - 0.8f * RING_SAG_M));
     const vec3 off = v3_scale(disc->axes.up, at.side * (goal_m - at.height_m));
-    const float paper_m_s = v3_dot(disc->velocity_m_s, disc->axes.up);
-    /* The flow through the moving paper presses the fish flat onto the paper. At 0.3 m/s the force
-     * is 0.04 N, which is more than the fish's weight in air. Friction then moves the fish along
-     * with the paper, also sideways. */
-    const float closing_m_s = at.side * paper_m_s;
+    /* The flow around the moving paper presses the fish flat onto the paper. Friction then moves
+     * the fish along with the paper, also sideways. */
     const vec3 v = disc->velocity_m_s, up = disc->axes.up;
+    const float closing_m_s = at.side * v3_dot(v, up);
+    if (closing_m_s <= 0.0f) {
+        return off;
+    }
     const vec3 along = v3_muladd(v, up, -v3_dot(v, up));
     const float square = closing_m_s * closing_m_s;
-    return v3_muladd(off,
-                     closing_m_s > 0.0f ? v3_scale(along, square / (square + PIN_M_S * PIN_M_S))
-                                        : v3(0.0f, 0.0f, 0.0f),
-                     CORE_TICK_S);
+    const vec3 carry_m_s = v3_scale(along, square / (square + PIN_M_S * PIN_M_S));
+    return v3_muladd(off, carry_m_s, CORE_TICK_S);
 }
 
 vec3 obstacle_paper_hold(const struct obstacle *disc, const struct body *now, vec3 before_m)
@@ -183,7 +183,7 @@ vec3 obstacle_paper_hold(const struct obstacle *disc, const struct body *now, ve
     return v3_scale(disc->axes.up, at.side * (SIDE_GAP_M - at.height_m));
 }
 
-/* ---- Ring and hull --------------------------------------------------------------------------- */
+/* ---- Contact with the ring or hull ----------------------------------------------------------- */
 
 vec3 obstacle_hard_push(const struct obstacle *obstacle, const struct body *now)
 {
@@ -199,7 +199,7 @@ vec3 obstacle_hard_push(const struct obstacle *obstacle, const struct body *now)
     return v3_muladd(off, normal, GLIDE * depth_m * round);
 }
 
-/* ---- Penetration and reaction of an obstacle ------------------------------------------------- */
+/* ---- Penetration of a fish, and undoing the motion of an obstacle ---------------------------- */
 
 static float hard_excess_m(const struct obstacle *obstacle, const struct body *now,
                            const struct body *before, float free_m, vec3 *out)
@@ -248,17 +248,17 @@ static void turn_back(struct obstacle *obstacle)
 {
     obstacle->normal = obstacle->axes_before.up;
     obstacle->axes = obstacle->axes_before;
-    obstacle->turned = 0;
+    obstacle->turned = false;
     obstacle->reaction |= REACTION_ROTATION;
 }
 
-int obstacle_apply_reaction(struct obstacle *obstacle, vec3 out, float excess_m)
+bool obstacle_apply_reaction(struct obstacle *obstacle, vec3 out, float excess_m)
 {
     CORE_ASSERT(excess_m > 0.0f);
     const float closing_m = v3_dot(obstacle->step_m, out);
-    const int moved = v3_dot(obstacle->step_m, obstacle->step_m) > 0.0f;
+    const bool moved = v3_dot(obstacle->step_m, obstacle->step_m) > 0.0f;
     if (!moved && !obstacle->turned) {
-        return 0;
+        return false;
     }
     if (obstacle->reaction_count++ < GIVE_MAX && closing_m > GIVE_MIN_M) {
         const float back_m = f_min(closing_m, excess_m + GIVE_MIN_M);
@@ -275,5 +275,5 @@ int obstacle_apply_reaction(struct obstacle *obstacle, vec3 out, float excess_m)
             turn_back(obstacle);
         }
     }
-    return 1;
+    return true;
 }

@@ -3,31 +3,28 @@
 #include "core/base/panic.h"
 #include "core/tank/collision/contact_solver_internal.h"
 
-/* Largest number of overlaps per fish with which a full contact list still reverts fish. More
- * overlaps occur only if tank_stage_all() placed fish that overlap. */
+/* Mean number of overlaps per fish above which the fish count as a pile. In a pile, a fish whose
+ * contact is missing in a full contact list does not revert, and the solver only separates the
+ * fish. A pile occurs only if tank_stage_all() placed fish that overlap. */
 #define PILE 2u
-/* Limit of rounds in which only obstacles give up motion. Eight obstacles with eight reactions each
- * and one last check need 65 rounds; the rest is a reserve. */
+/* Upper limit of the rounds in which the check only undoes motion of obstacles. The check changes
+ * each of eight obstacles at most nine times: eight times a part of the motion, then the rest.
+ * These 72 rounds and a last round without changes are below the limit, which includes a
+ * reserve. */
 #define ROUNDS_SPARE 256u
-
-static int is_inside(const struct solver_step *all, uint32_t index, const struct body *body)
-{
-    const vec3 a = contact_kept_inside_m(all, index, body);
-    return a.x == body->centre_m.x && a.y == body->centre_m.y && a.z == body->centre_m.z;
-}
 
 static float pair_depth_m(const struct body *a, const struct body *b)
 {
     return f_max(0.0f, -body_gap(a, 0.0f, b, 0.0f).body_m);
 }
 
-/* Records that a fish returns to its previous angles. Only the first substep rotates fish; in a
- * later substep a revert undoes only a push. */
+/* Records that a fish returns (reverts) to its previous angles. Only the first substep rotates
+ * fish; in a later substep a revert undoes only a push. */
 static void note_turned_back(const struct solver_step *all, uint32_t index)
 {
     if (all->solver->station == 0) {
         all->broad_phase->flags[index] |= BODY_REVERTED;
-        all->solver->reverts_angles = 1;
+        all->solver->reverts_angles = true;
         all->broad_phase->way_m[index] += contact_sweep_m(all, index);
     }
 }
@@ -42,18 +39,20 @@ static void put_back(const struct solver_step *all, uint32_t index, uint32_t rou
     note_turned_back(all, index);
 }
 
-/* Returns 1 if the fish moved in this round or in the previous round, so that its pairs must be
- * checked again. Otherwise returns 0. */
-static int has_moved_recently(const struct contact_solver *solver, uint32_t index, uint32_t round)
+/* Returns true if the fish moved in this round or in the previous round, so that its pairs must be
+ * checked again. */
+static bool has_moved_recently(const struct contact_solver *solver, uint32_t index, uint32_t round)
 {
     return round == 0 || solver->fresh_round[index] >= round;
 }
 
 /* Moves a fish along with an obstacle from its pose at the start of the substep. Fish that move
- * along with an obstacle cannot come nearer to that obstacle. Returns 1 if the fish moved. Returns
- * 0 and leaves the fish unchanged if the fish already moved along or reverted, or if a wall leaves
- * no room. Also returns 0 if the motion exceeds the limit that the broad-phase query covers. */
-static int carry(const struct solver_step *all, uint32_t index, uint32_t o, uint32_t round)
+ * along with an obstacle cannot come nearer to that obstacle. Returns true if the fish moved.
+ * Returns false and leaves the fish unchanged if the fish already moved along or reverted, or if a
+ * wall leaves no room. Also returns false if the fish would move farther than the last broad-phase
+ * query allows. */
+static bool move_with_obstacle(const struct solver_step *all, uint32_t index, uint32_t o,
+                               uint32_t round)
 {
     CORE_ASSERT(o < all->place->obstacle_count);
     struct contact_solver *solver = all->solver;
@@ -63,51 +62,63 @@ static int carry(const struct solver_step *all, uint32_t index, uint32_t o, uint
     const float way_m = v3_length(v3_sub(body.centre_m, from_m));
     const uint8_t result = solver->result[index];
     if (result == SOLVER_REVERTED || result >= SOLVER_CARRIED ||
-        way_m > solver->step_max_m[index] || !is_inside(all, index, &body)) {
-        return 0;
+        way_m > solver->step_max_m[index]) {
+        return false;
+    }
+    const vec3 inside_m = contact_kept_inside_m(all, index, &body);
+    if (inside_m.x != body.centre_m.x || inside_m.y != body.centre_m.y ||
+        inside_m.z != body.centre_m.z) {
+        return false;
     }
     all->broad_phase->body[index] = body;
     solver->result[index] = (uint8_t)(SOLVER_CARRIED + o);
     solver->fresh_round[index] = (uint16_t)(round + 1u);
     note_turned_back(all, index);
-    return 1;
+    return true;
 }
 
-/* Moves a fish along with the obstacle that presses it into another fish. A revert would not help,
- * because the obstacle would press the fish again. Returns 1 if the fish moved, otherwise 0. */
-static int carry_pressed(const struct solver_step *all, uint32_t index, uint32_t round)
+/* If an obstacle presses the fish into another fish, moves the fish along with the obstacle.
+ * Returning the fish to its previous pose would not help, because the obstacle would press the fish
+ * again. Returns true if the fish moved. */
+static bool move_with_pressing_obstacle(const struct solver_step *all, uint32_t index,
+                                        uint32_t round)
 {
     const uint8_t result = all->solver->result[index];
     return result >= SOLVER_PRESSED && result < SOLVER_CARRIED &&
-           carry(all, index, (uint32_t)result - SOLVER_PRESSED, round);
+           move_with_obstacle(all, index, (uint32_t)result - SOLVER_PRESSED, round);
 }
 
-/* Moves fish `other` along with the obstacle that carries fish `carried`. Returns 1 if `other`
- * moved. Returns 0 if no obstacle carries `carried`, or if `other` cannot move along. */
-static int carry_too(const struct solver_step *all, uint32_t carried, uint32_t other,
-                     uint32_t round)
+/* Moves fish `other` along with the obstacle that carries fish `carried`. Returns true if
+ * `other` moved. Returns false if no obstacle carries `carried`, or if `other` cannot move
+ * along. */
+static bool move_with_same_obstacle(const struct solver_step *all, uint32_t carried, uint32_t other,
+                                    uint32_t round)
 {
     const uint8_t result = all->solver->result[carried];
-    return result >= SOLVER_CARRIED && carry(all, other, (uint32_t)result - SOLVER_CARRIED, round);
+    return result >= SOLVER_CARRIED &&
+           move_with_obstacle(all, other, (uint32_t)result - SOLVER_CARRIED, round);
 }
 
-/* Resolves the penetration of two fish. Reverts a fish whose revert removes the penetration. If a
- * revert of each fish alone would remove the penetration, reverts the fish that moved farther. */
+/* Resolves the penetration of two fish. If an obstacle presses or carries one of the fish, moves
+ * the fish along with the obstacle. Otherwise returns (reverts) a fish to its previous pose. If
+ * reverting either fish would suffice, reverts the fish that moved farther. */
 static void choose_reverted(const struct solver_step *all, uint32_t a, uint32_t b, float allowed_m,
                             uint32_t round)
 {
     CORE_ASSERT(a != b);
     const struct contact_solver *solver = all->solver;
     const struct body *now = all->broad_phase->body;
-    const int pressed = carry_pressed(all, a, round) + carry_pressed(all, b, round);
-    if (pressed > 0 || carry_too(all, a, b, round) || carry_too(all, b, a, round)) {
+    const bool is_a_pressed = move_with_pressing_obstacle(all, a, round);
+    const bool is_b_pressed = move_with_pressing_obstacle(all, b, round);
+    if (is_a_pressed || is_b_pressed || move_with_same_obstacle(all, a, b, round) ||
+        move_with_same_obstacle(all, b, a, round)) {
         return;
     }
     const struct body was_a = contact_body_before(all, a), was_b = contact_body_before(all, b);
-    const int can_a = solver->result[a] != SOLVER_REVERTED,
-              can_b = solver->result[b] != SOLVER_REVERTED;
-    const int frees_a = can_a && pair_depth_m(&was_a, &now[b]) <= allowed_m;
-    const int frees_b = can_b && pair_depth_m(&now[a], &was_b) <= allowed_m;
+    const bool can_a = solver->result[a] != SOLVER_REVERTED;
+    const bool can_b = solver->result[b] != SOLVER_REVERTED;
+    const bool frees_a = can_a && pair_depth_m(&was_a, &now[b]) <= allowed_m;
+    const bool frees_b = can_b && pair_depth_m(&now[a], &was_b) <= allowed_m;
     if (frees_a && frees_b) {
         const float way_a_m = v3_length(v3_sub(now[a].centre_m, was_a.centre_m));
         const float way_b_m = v3_length(v3_sub(now[b].centre_m, was_b.centre_m));
@@ -122,7 +133,7 @@ static void choose_reverted(const struct solver_step *all, uint32_t a, uint32_t 
     }
 }
 
-static uint32_t judge_pairs(const struct solver_step *all, uint32_t round)
+static uint32_t check_contact_pairs(const struct solver_step *all, uint32_t round)
 {
     CORE_ASSERT(all->broad_phase->contact_count <= all->broad_phase->near_count);
     const struct broad_phase *broad_phase = all->broad_phase;
@@ -130,7 +141,7 @@ static uint32_t judge_pairs(const struct solver_step *all, uint32_t round)
     uint32_t guilty = 0;
     for (uint32_t c = 0; c < broad_phase->contact_count; c++) {
         const uint32_t a = broad_phase->contact[c].a, b = broad_phase->contact[c].b;
-        const int as_parted = solver->fresh_round[a] == 0 && solver->fresh_round[b] == 0;
+        const bool as_parted = solver->fresh_round[a] == 0 && solver->fresh_round[b] == 0;
         if ((!has_moved_recently(solver, a, round) && !has_moved_recently(solver, b, round)) ||
             (as_parted && contact_is_apart(all, &broad_phase->contact[c], 0.0f))) {
             continue;
@@ -138,8 +149,8 @@ static uint32_t judge_pairs(const struct solver_step *all, uint32_t round)
         const float depth_m = pair_depth_m(&broad_phase->body[a], &broad_phase->body[b]);
         if (depth_m > SOLVER_FREE_M &&
             (solver->result[a] != SOLVER_REVERTED || solver->result[b] != SOLVER_REVERTED)) {
-            const struct body was_a = contact_body_before(all, a),
-                              was_b = contact_body_before(all, b);
+            const struct body was_a = contact_body_before(all, a);
+            const struct body was_b = contact_body_before(all, b);
             const float allowed_m = f_max(SOLVER_FREE_M, pair_depth_m(&was_a, &was_b));
             if (depth_m > allowed_m) {
                 choose_reverted(all, a, b, allowed_m, round);
@@ -152,27 +163,27 @@ static uint32_t judge_pairs(const struct solver_step *all, uint32_t round)
 
 /* Resolves the penetration of a fish and an obstacle. A fish that ran into the obstacle reverts. If
  * the obstacle ran into the fish, a revert would not help, so the fish moves along with the
- * obstacle. If the fish has no room, the obstacle gives up motion, or the fish reverts if the
- * obstacle has no motion left. Returns 1 if a position changed, otherwise 0. */
-static int settle_with(const struct solver_step *all, uint32_t index, uint32_t o, vec3 out,
-                       float excess_m, uint32_t round)
+ * obstacle. If the fish has no room, the function undoes a part of the obstacle's motion. If the
+ * obstacle has no motion left, the fish reverts. Returns true if a position changed. */
+static bool resolve_obstacle_penetration(const struct solver_step *all, uint32_t index, uint32_t o,
+                                         vec3 out, float excess_m, uint32_t round)
 {
     CORE_ASSERT(o < all->place->obstacle_count);
     CORE_ASSERT(excess_m > 0.0f);
     struct contact_solver *solver = all->solver;
     struct obstacle *obstacle = &all->place->obstacles[o];
     const struct body before = contact_body_before(all, index);
-    const int can = solver->result[index] != SOLVER_REVERTED;
+    const bool can = solver->result[index] != SOLVER_REVERTED;
     if (can && contact_is_clear(obstacle, &before, &before)) {
         put_back(all, index, round);
-        return 1;
+        return true;
     }
-    if (carry(all, index, o, round)) {
-        return 1;
+    if (move_with_obstacle(all, index, o, round)) {
+        return true;
     }
     if (obstacle_apply_reaction(obstacle, out, excess_m)) {
         solver->reaction_round[o] = (uint16_t)(round + 1u);
-        return 1;
+        return true;
     }
     if (can) {
         put_back(all, index, round);
@@ -180,7 +191,7 @@ static int settle_with(const struct solver_step *all, uint32_t index, uint32_t o
     return can;
 }
 
-static uint32_t judge_obstacles(const struct solver_step *all, uint32_t round)
+static uint32_t check_obstacles(const struct solver_step *all, uint32_t round)
 {
     CORE_ASSERT(all->solver->beside_count <= all->broad_phase->count);
     const struct contact_solver *solver = all->solver;
@@ -197,18 +208,18 @@ static uint32_t judge_obstacles(const struct solver_step *all, uint32_t round)
                 obstacle_excess_m(&all->place->obstacles[o], &all->broad_phase->body[i], &before,
                                   SOLVER_FREE_M, &out);
             if (excess_m > SOLVER_ROUNDING_M) {
-                changes += (uint32_t)settle_with(all, i, o, out, excess_m, round);
+                changes += resolve_obstacle_penetration(all, i, o, out, excess_m, round);
             }
         }
     }
     return changes;
 }
 
-/* Repeats rounds until no fish and no obstacle changes. In each round, a fish moves along with an
- * obstacle, a fish reverts, or a poi gives up motion. Each fish moves along at most once and
- * reverts at most once, even after it moved along. Each poi gives up motion a limited number of
- * times. Therefore the loop ends. */
-void penetration_check(const struct solver_step *all, int is_parted)
+/* Repeats rounds until no fish and no obstacle changes. Each round moves a fish along with an
+ * obstacle, reverts a fish, or undoes a part of an obstacle's motion. Each fish moves along at most
+ * once and reverts at most once, even after it moved along. The motion of each obstacle is undone a
+ * limited number of times. Therefore the loop ends. */
+void penetration_check(const struct solver_step *all, bool is_parted)
 {
     /* Reverts fish whose contacts are unknown because the contact list was full. Each fish with an
      * unlisted contact keeps its pose from the start of the substep. These poses do not overlap,
@@ -216,7 +227,7 @@ void penetration_check(const struct solver_step *all, int is_parted)
      * every fish moves in some ticks. Staged fish with many overlaps are not reverted, only
      * separated. */
     const struct broad_phase *broad_phase = all->broad_phase;
-    const int is_full = broad_phase->touch_count > broad_phase_contact_max(broad_phase);
+    const bool is_full = broad_phase->touch_count > broad_phase_contact_max(broad_phase);
     uint32_t held = 0;
     for (uint32_t i = 0; i < broad_phase->count && is_full; i++) {
         if (broad_phase->flags[i] & BODY_UNLISTED &&
@@ -225,11 +236,11 @@ void penetration_check(const struct solver_step *all, int is_parted)
             held++;
         }
     }
-    const int is_known = held == 0 && is_parted;
+    const bool is_known = held == 0 && is_parted;
     uint32_t guilty = 1;
     for (uint32_t round = 0; guilty > 0; round++) {
         CORE_ASSERT(round <= 2u * all->broad_phase->count + ROUNDS_SPARE);
-        guilty = round == 0 && is_known ? 0 : judge_pairs(all, round);
-        guilty += judge_obstacles(all, round);
+        guilty = round == 0 && is_known ? 0 : check_contact_pairs(all, round);
+        guilty += check_obstacles(all, round);
     }
 }

@@ -4,29 +4,21 @@
 
 #include "core/base/panic.h"
 
-/* Number of coarse points on a ring. The points are 4 mm apart on the ring of a poi, so that no
- * corner of a fish fits between two points. */
+/* Number of coarse points on a ring: equally spaced points at which the search for the nearest
+ * point of the ring begins. The points are 4 mm apart on the ring of a poi, so that no corner of a
+ * fish fits between two points. */
 #define RING_POINTS 64
-/* Number of times that the step along the ring is halved. The last step is a thirtieth of a
+/* Number of times that the search for the nearest point of the ring halves its step along the ring.
+ * The search begins with a step of 4 mm, so the last step is 4 mm / 2^7, a thirtieth of a
  * millimetre. */
 #define RING_HALVINGS 7
-/* Number of sweeps of the coordinate descent over three coordinates. The box of a fish needs five
- * sweeps. */
+/* Number of sweeps in the search for the point of a box that lies deepest in a hull. Each sweep
+ * optimises three coordinates in turn. The box of a fish needs five sweeps. */
 #define HULL_SWEEPS 8
 
 static float sign_of(float value)
 {
     return value < 0.0f ? -1.0f : 1.0f;
-}
-
-/* Returns the normal of the box face nearest to a point inside the box. `p` is the point in the
- * coordinates of the box. `q` is the signed distance of the point to the faces, <= 0. */
-static vec3 nearest_face(vec3 p, vec3 q)
-{
-    if (q.x >= q.y && q.x >= q.z) {
-        return v3(sign_of(p.x), 0.0f, 0.0f);
-    }
-    return q.y >= q.z ? v3(0.0f, sign_of(p.y), 0.0f) : v3(0.0f, 0.0f, sign_of(p.z));
 }
 
 float shape_touch_point_m(const struct box *box, vec3 point_m, vec3 *out)
@@ -38,12 +30,17 @@ float shape_touch_point_m(const struct box *box, vec3 point_m, vec3 *out)
                            sign_of(p.z) * f_max(q.z, 0.0f));
     const float outside_m = v3_length(beyond);
     const float inside_m = f_min(f_max(q.x, f_max(q.y, q.z)), 0.0f);
-    const vec3 way = outside_m > 0.0f ? v3_scale(beyond, 1.0f / outside_m) : nearest_face(p, q);
+    /* `way` is the direction from the skin of the box to the point. Inside the box, `way` is the
+     * normal of the nearest face. */
+    const vec3 way = outside_m > 0.0f           ? v3_scale(beyond, 1.0f / outside_m)
+                     : q.x >= q.y && q.x >= q.z ? v3(sign_of(p.x), 0.0f, 0.0f)
+                     : q.y >= q.z               ? v3(0.0f, sign_of(p.y), 0.0f)
+                                                : v3(0.0f, 0.0f, sign_of(p.z));
     *out = vec_basis_to_world(&box->axes, way);
     return outside_m + inside_m;
 }
 
-/* ---- Ring ------------------------------------------------------------------------------------ */
+/* ---- Contact of a box with a ring ------------------------------------------------------------ */
 
 /* A direction in the plane of a ring, as cosine and sine of the angle from the vector `east` of
  * struct circle. The angle itself is never computed. */
@@ -51,8 +48,9 @@ struct turn {
     float cos, sin;
 };
 
-/* Cosines of k / RING_POINTS of a full turn, for k up to half a turn. The sine of an angle is the
- * cosine of that angle minus a quarter turn. */
+/* Cosines of the angles from 0 to half a turn. Entry k is the cosine of k / RING_POINTS of a full
+ * turn. To find the sine of an angle, turn_of() looks up the cosine of a quarter turn minus that
+ * angle. */
 static const float ring_cos[RING_POINTS / 2 + 1] = {
     1.0f,          0.995184727f,  0.98078528f,   0.956940336f,  0.923879533f,  0.881921264f,
     0.831469612f,  0.773010453f,  0.707106781f,  0.634393284f,  0.555570233f,  0.471396737f,
@@ -62,8 +60,9 @@ static const float ring_cos[RING_POINTS / 2 + 1] = {
     -0.98078528f,  -0.995184727f, -1.0f,
 };
 
-/* Entry k holds the cosine and the sine of an angle: the angle between two coarse points, divided
- * by 2^(k + 1). */
+/* Cosines and sines of the angles by which the search refines a point of the ring. Two neighbouring
+ * coarse points are 1 / RING_POINTS of a full turn apart. The angle of entry k is this distance
+ * divided by 2^(k + 1). */
 static const struct turn ring_halving[RING_HALVINGS] = {
     { 0.998795456f, 0.0490676743f },   { 0.999698819f, 0.0245412285f },
     { 0.999924702f, 0.0122715383f },   { 0.999981175f, 0.00613588465f },
@@ -71,19 +70,13 @@ static const struct turn ring_halving[RING_HALVINGS] = {
     { 0.999999706f, 0.000766990319f },
 };
 
-static struct turn turn_by(struct turn turn, struct turn more, float side)
-{
-    return (struct turn){ turn.cos * more.cos - side * turn.sin * more.sin,
-                          turn.sin * more.cos + side * turn.cos * more.sin };
-}
-
 /* The centre line of a ring in the coordinates of the box. */
 struct circle {
     vec3 centre_m;    /* Centre of the circle relative to the centre of the box, along the axes of
                          the box. */
     vec3 east, north; /* Vectors as long as the circle's radius: `east` points toward the box, and
                          `north` is perpendicular to `east`. */
-    vec3 half_m;      /* Half sizes of the box. */
+    vec3 half_m;      /* Half of the size of the box along each of its axes. */
 };
 
 static vec3 circle_point(const struct circle *circle, struct turn turn)
@@ -102,28 +95,34 @@ static float circle_distance_m(const struct circle *circle, struct turn turn)
     return square > 0.0f ? f_sqrt(square) : f_max(q.x, f_max(q.y, q.z));
 }
 
-/* Point of the ring that is nearest to the box, or deepest in the box. */
+/* Point of the ring that is nearest to the box, or deepest in the box if the ring penetrates the
+ * box. */
 struct nearest {
     struct turn turn;
     float distance_m;
 };
 
-static void try_turn(struct nearest *best, const struct circle *circle, struct turn turn)
+/* Tests the point of the circle at the angle `about` + `more` if `side` is 1, or `about` - `more`
+ * if `side` is -1. Stores the point in `best` if the point is nearer to the box than `best`. */
+static void try_turn(struct nearest *best, const struct circle *circle, struct turn about,
+                     struct turn more, float side)
 {
+    const struct turn turn = { about.cos * more.cos - side * about.sin * more.sin,
+                               about.sin * more.cos + side * about.cos * more.sin };
     const float distance_m = circle_distance_m(circle, turn);
     if (distance_m < best->distance_m) {
         *best = (struct nearest){ turn, distance_m };
     }
 }
 
-/* Returns the number of coarse points on each side of `east` that cover all points of the circle
- * within `reach_m` of the box's centre. `away_m` is the length of the vector from the ring's centre
- * to the box's centre, and `in_plane_m` is the component of that vector along `east`. `middle_m` is
- * the radius of the circle. */
+/* Returns how many of the RING_POINTS points of a circle must be tested on each side of the
+ * direction `east`. These points cover the part of the circle within `reach_m` of the box's centre.
+ * `away_m` is the length of the vector from the ring's centre to the box's centre, and `in_plane_m`
+ * is the component of that vector along `east`. `middle_m` is the radius of the circle. */
 static int window_of(float in_plane_m, float away_m, float middle_m, float reach_m)
 {
-    /* A point of the circle is within `reach_m` if 2 * middle_m * in_plane_m * cos(angle) > least
-     * (law of cosines). */
+    /* By the law of cosines, the point of the circle at `angle` from `east` is within `reach_m` of
+     * the box's centre if 2 * middle_m * in_plane_m * cos(angle) > least. */
     const float least = away_m * away_m + middle_m * middle_m - reach_m * reach_m;
     int steps = 1;
     while (steps < RING_POINTS / 2 && 2.0f * middle_m * in_plane_m * ring_cos[steps] > least) {
@@ -141,9 +140,9 @@ static struct turn turn_of(int step)
     return (struct turn){ ring_cos[size], step < 0 ? -sine : sine };
 }
 
-/* Finds the point of the ring nearest to the box. The box can be near two parts of the ring, and
- * the coarse minimum that is slightly worse can be better after refinement. Therefore every coarse
- * minimum is refined. */
+/* Finds the point of the ring nearest to the box. Tests equally spaced points, and refines each
+ * point that is nearer to the box than its two neighbours. The box can be near two parts of the
+ * ring, so the function refines all such points and compares the results. */
 static struct nearest nearest_on(const struct circle *circle, int window, float maybe_m)
 {
     struct nearest best = { { 1.0f, 0.0f }, SHAPE_TOUCH_FAR_M };
@@ -154,14 +153,14 @@ static struct nearest nearest_on(const struct circle *circle, int window, float 
         const float after_m =
             step < last ? circle_distance_m(circle, turn_of(step + 1)) : SHAPE_TOUCH_FAR_M;
         if (here_m < maybe_m && here_m <= before_m && here_m <= after_m) {
-            /* Refines the nearest point by halving the step. A short arc of the ring deviates from
-             * a straight line by at most 0.05 mm, and the distance from a convex box has only one
-             * minimum along a straight line. */
+            /* Refines the nearest point by a search that halves its step. The search finds the
+             * minimum, because a short arc of the ring is straight to within 0.05 mm. Along a
+             * straight line, the distance from a convex box has only one minimum. */
             struct nearest fine = { turn_of(step), here_m };
             for (int k = 0; k < RING_HALVINGS; k++) {
                 const struct turn about = fine.turn;
-                try_turn(&fine, circle, turn_by(about, ring_halving[k], -1.0f));
-                try_turn(&fine, circle, turn_by(about, ring_halving[k], 1.0f));
+                try_turn(&fine, circle, about, ring_halving[k], -1.0f);
+                try_turn(&fine, circle, about, ring_halving[k], 1.0f);
             }
             best = fine.distance_m < best.distance_m ? fine : best;
         }
@@ -169,27 +168,6 @@ static struct nearest nearest_on(const struct circle *circle, int window, float 
         here_m = after_m;
     }
     return best;
-}
-
-/* Handles a ring whose centre line passes through the box. Only a move perpendicular to the ring
- * separates ring and box. Near the box, a straight rod approximates the ring. */
-static struct touch pierced(const struct ring *ring, const struct box *box, vec3 point_m, vec3 out)
-{
-    const vec3 along =
-        v3_cross(ring->normal, v3_scale(v3_sub(point_m, ring->centre_m), 1.0f / ring->middle_m));
-    const vec3 move = box_clear_rod(box, point_m, along, ring->tube_m);
-    return (struct touch){ -v3_length(move), v3_normalize_or(move, out) };
-}
-
-static struct touch touch_near(const struct ring *ring, const struct box *box,
-                               const struct circle *circle, const struct nearest *at)
-{
-    const vec3 point_m =
-        v3_add(box->centre_m, vec_basis_to_world(&box->axes, circle_point(circle, at->turn)));
-    vec3 toward;
-    const float gap_m = shape_touch_point_m(box, point_m, &toward) - ring->tube_m;
-    const vec3 out = v3_scale(toward, -1.0f);
-    return at->distance_m < 0.0f ? pierced(ring, box, point_m, out) : (struct touch){ gap_m, out };
 }
 
 struct touch shape_touch_ring(const struct ring *ring, const struct box *box)
@@ -218,10 +196,25 @@ struct touch shape_touch_ring(const struct ring *ring, const struct box *box)
     const int window = window_of(in_plane_m, v3_length(d), middle_m, reach_m);
     const float maybe_m = ring->tube_m + middle_m * F_TAU / (float)RING_POINTS;
     const struct nearest at = nearest_on(&circle, window, maybe_m);
-    return at.distance_m < SHAPE_TOUCH_FAR_M ? touch_near(ring, box, &circle, &at) : far;
+    if (at.distance_m >= SHAPE_TOUCH_FAR_M) {
+        return far;
+    }
+    const vec3 point_m =
+        v3_add(box->centre_m, vec_basis_to_world(&box->axes, circle_point(&circle, at.turn)));
+    vec3 toward;
+    const float gap_m = shape_touch_point_m(box, point_m, &toward) - ring->tube_m;
+    const vec3 out = v3_scale(toward, -1.0f);
+    if (at.distance_m >= 0.0f) {
+        return (struct touch){ gap_m, out };
+    }
+    /* The centre line of the ring passes through the box. Only a move perpendicular to the ring
+     * separates ring and box. Near the box, a straight rod approximates the ring. */
+    const vec3 along = v3_cross(n, v3_scale(v3_sub(point_m, ring->centre_m), 1.0f / middle_m));
+    const vec3 move = box_clear_rod(box, point_m, along, ring->tube_m);
+    return (struct touch){ -v3_length(move), v3_normalize_or(move, out) };
 }
 
-/* ---- Hull ------------------------------------------------------------------------------------ */
+/* ---- Contact of a box with a hull ------------------------------------------------------------ */
 
 /* Returns the point of the box that lies deepest in an ellipsoid. At that point |S * (c + R * u)|
  * is least. S is the diagonal matrix of the ellipsoid's inverse half axes, c is the centre of the
@@ -247,8 +240,9 @@ static vec3 deepest_point(const struct box *box, vec3 centre, vec3 inverse)
     return v3_muladd(v3_muladd(v3_muladd(centre, axis[0], u[0]), axis[1], u[1]), axis[2], u[2]);
 }
 
-/* Uses the first-order distance to an ellipsoid, (k - 1) * k / |gradient|, where k is 1 on the skin
- * of the ellipsoid. The distance is accurate near the skin. */
+/* Computes the distance of the box from the hull by the first-order formula for an ellipsoid, (k -
+ * 1) * k / |gradient|, where k is 1 on the skin of the ellipsoid. The result is accurate near the
+ * skin. */
 struct touch shape_touch_hull(const struct hull *hull, const struct box *box)
 {
     CORE_ASSERT(hull->radius_m > 0.0f && hull->depth_m > 0.0f);
@@ -264,7 +258,7 @@ struct touch shape_touch_hull(const struct hull *hull, const struct box *box)
     const vec3 gradient = v3(s.x * inverse.x, s.y * inverse.y, s.z * inverse.z);
     const float k = v3_length(s), steep = v3_length(gradient);
     const vec3 out = v3_normalize_or(gradient, far.out);
-    /* The direction points down and to the side, never up into the bowl. */
+    /* The box leaves the hull downward or to the side, never upward into the bowl. */
     const vec3 away = v3_normalize_or(v3(out.x, f_min(out.y, 0.0f), out.z), far.out);
     return (struct touch){ steep > 0.0f ? (k - 1.0f) * k / steep : -hull->depth_m, away };
 }
