@@ -6,8 +6,9 @@
 #include "core/base/mem.h"
 #include "core/base/panic.h"
 #include "core/base/simd.h"
-#include "core/game/accounting/ledger_writer.h"
+#include "core/game/accounting/accounts.h"
 #include "core/game/control/controller.h"
+#include "core/game/game_fields.h"
 #include "core/game/lab/lab.h"
 #include "core/game/menu/menu.h"
 #include "core/game/phases.h"
@@ -15,12 +16,16 @@
 #include "core/poi/bowl/bowl.h"
 #include "core/poi/catch/catch.h"
 #include "core/poi/poi.h"
+#include "core/poi/poi_fields.h"
+#include "core/tank/tank_fields.h"
 
 /* Memory budgets of the kiosk. The tank uses at most 1 MiB. Game, pois and bowls use a sixteenth of
  * a MiB, and the growth lab uses half of that. The lab holds eight custom species with all their
  * curves (19 KiB). The lab also holds the saved graphs and the edited graphs of 15 species, 8 KiB
  * for each set of 15. The smallest board reserves the budgets below for the state and for the
- * scene. `kingyoctl tank` allocates a larger tank of its own (platform/ctl/tank/tank.mk). */
+ * scene.
+ *
+ * `kingyoctl tank` allocates a larger tank of its own (platform/ctl/tank/tank.mk). */
 _Static_assert(sizeof(struct tank) <= 1024u * 1024u, "the tank outgrew its budget");
 _Static_assert(sizeof(struct core) <= 1120u * 1024u, "the core's state outgrew its budget");
 _Static_assert(TANK_FISH_MAX == SCENE_FISH_MAX, "every fish can be shown");
@@ -53,6 +58,7 @@ enum core_error core_init(struct core *core, const struct core_config *config)
         !simd_is_built(config->lanes) ||
         (config->round_s != 0 && (config->round_s < 10 || config->round_s > 600)) ||
         config->modes >= 1u << CHOICE_COUNT || config->players > POI_MAX ||
+        config->level >= LEVEL_COUNT ||
         (config->grade != 0 &&
          (config->grade < SHEET_GRADE_MIN || config->grade > SHEET_GRADE_MAX)) ||
         config->credit_coins > CREDIT_COINS_MAX || config->ticket_fish > CREDIT_TICKET_FISH_MAX ||
@@ -70,8 +76,8 @@ enum core_error core_init(struct core *core, const struct core_config *config)
     return CORE_OK;
 }
 
-/* Returns 1 if fish and other rings collide with poi `index`, otherwise 0. */
-static int is_met(const struct core *core, uint32_t index)
+/* Returns true if fish and other rings collide with poi `index`. */
+static bool is_met(const struct core *core, uint32_t index)
 {
     CORE_ASSERT(index < POI_MAX);
     return controller_is_active(&core->world, index) &&
@@ -102,8 +108,8 @@ static void part_rings(struct core *core, const uint8_t live[POI_MAX])
         CORE_ASSERT(live[a] <= 1 && live[b] <= 1);
         if (a < b && live[a] && live[b] && is_met(core, a) && is_met(core, b) &&
             ring_pairs_separate(&core->world.poi[a], &core->world.poi[b])) {
-            poi_constrain_again(&core->world.poi[a], &core->world.tank, &core->world.bowl[a]);
-            poi_constrain_again(&core->world.poi[b], &core->world.tank, &core->world.bowl[b]);
+            poi_constrain(&core->world.poi[a], &core->world.tank, &core->world.bowl[a]);
+            poi_constrain(&core->world.poi[b], &core->world.tank, &core->world.bowl[b]);
         }
     }
 }
@@ -190,7 +196,8 @@ static void gather_shades(struct core *core, const struct input *input)
 
 /* Applies the fish's reactions to the pois and bowls, in the order of gather_obstacles(), which
  * returned `count`. */
-static void give_way(struct core *core, const struct obstacle *obstacles, uint32_t count)
+static void apply_obstacle_reactions(struct core *core, const struct obstacle *obstacles,
+                                     uint32_t count)
 {
     uint32_t at = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -214,7 +221,7 @@ static void tick_fish(struct core *core, const struct input *input)
     const uint32_t count = gather_obstacles(core, obstacles);
     gather_shades(core, input);
     tank_tick(&core->world.tank, core->game.tick, obstacles, count);
-    give_way(core, obstacles, count);
+    apply_obstacle_reactions(core, obstacles, count);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         bowl_fish_tick(&core->world.bowl[i], i, &core->world.tank);
     }
@@ -228,7 +235,7 @@ static void tick_catch(struct core *core, const uint8_t live[POI_MAX],
         if (live[i] && !parking_is_parked(&core->game, i)) {
             catch_tick(&core->world.poi[i], i, &stall, core->game.tick, output, caught);
         } else {
-            failsafe_release_tick(&core->world.poi[i], i, &stall, caught);
+            parking_release_tick(&core->world.poi[i], i, &stall, caught);
         }
     }
 }
@@ -236,7 +243,8 @@ static void tick_catch(struct core *core, const uint8_t live[POI_MAX],
 /* Writes the force feedback after the wall and fish contacts of this tick. catch_tick() runs later
  * and may add impacts. Those impacts take effect in the next tick, as force and as load on the
  * paper. */
-static void feel_pois(const struct core *core, const uint8_t live[POI_MAX], struct output *output)
+static void write_poi_forces(const struct core *core, const uint8_t live[POI_MAX],
+                             struct output *output)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
         output->poi[i] = (struct poi_force){ 0 };
@@ -261,7 +269,7 @@ enum core_error core_tick(struct core *core, const struct input *input, struct o
     tick_pois(core, input, targets, live);
     tick_water(core, live);
     tick_fish(core, input);
-    feel_pois(core, live, output);
+    write_poi_forces(core, live, output);
     tick_catch(core, live, caught, output);
     game_score(&core->game, &core->world, caught, output);
     core->game.tick++;
@@ -285,14 +293,14 @@ const struct ranking *core_ranking(const struct core *core)
     return &core->game.accounts.ranking;
 }
 
-int core_final_entry(const struct core *core, const struct input *input, struct ledger_entry *out)
+bool core_final_entry(const struct core *core, const struct input *input, struct ledger_entry *out)
 {
     CORE_ASSERT(core && input && out);
     return health_log_final(&core->game.accounts, &core->game.health_log, core->game.tick, input,
                             out);
 }
 
-int core_is_fresh(const struct core *core)
+bool core_is_fresh(const struct core *core)
 {
     return core->game.tick == core->config.session.tick;
 }
@@ -300,45 +308,43 @@ int core_is_fresh(const struct core *core)
 uint64_t core_hash_quick(const struct core *core)
 {
     uint64_t hash = hash_u32(HASH_START, core->game.tick);
-    hash = game_hash(hash, &core->game);
+    hash = field_hash(hash, &game_fields, &core->game);
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        hash = poi_hash_quick(hash, &core->world.poi[i]);
+        hash = field_hash(hash, &poi_quick_fields, &core->world.poi[i]);
         hash = hash_u32(hash, core->world.bowl[i].fish_count);
     }
-    return tank_hash_quick(hash, &core->world.tank);
+    return field_hash(hash, &tank_quick_fields, &core->world.tank);
 }
 
-/* Returns `hash` continued over the configuration, without `rules_7` and `lanes`. */
-static uint64_t config_hash(uint64_t hash, const struct core_config *config)
+static uint64_t settings_edit_hash(uint64_t hash, const struct settings_edit *edit, bool rules_7)
 {
-    hash = hash_u32(hash, config->seed);
-    hash = hash_u32(hash, config->preset);
-    hash = hash_u32(hash, config->fish_count);
-    hash = hash_u32(hash, config->language);
-    hash = hash_u32(hash, config->round_s);
-    hash = hash_u32(hash, config->modes);
-    hash = hash_u32(hash, config->grade);
-    hash = hash_u32(hash, config->players);
-    hash = hash_u32(hash, config->credit_coins);
-    hash = hash_u32(hash, config->ticket_fish);
-    hash = ledger_start_hash(hash, &config->persistent.ledger);
-    hash = audits_hash(hash, &config->persistent.audits);
-    hash = ranking_hash(hash, &config->persistent.ranking);
-    hash = settings_hash(hash, &config->persistent.settings, config->rules_7);
-    hash = session_hash(hash, &config->session, config->rules_7);
-    return lab_book_hash(hash, &config->book);
+    return field_hash(settings_hash(hash, &edit->told, rules_7), &settings_edit_fields, edit);
 }
 
 uint64_t core_hash(const struct core *core)
 {
-    uint64_t hash = config_hash(core_hash_quick(core), &core->config);
-    hash = audits_hash(hash, &core->game.accounts.audits);
-    hash = ranking_hash(hash, &core->game.accounts.ranking);
-    hash = settings_edit_hash(hash, &core->game.settings_edit, core->config.rules_7);
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        hash = poi_hash(hash, &core->world.poi[i]);
-        hash = bowl_hash(hash, &core->world.bowl[i]);
+    const struct core_config *config = &core->config;
+    const struct persistent_state *persistent = &config->persistent;
+    const struct game_session *session = &config->session;
+    const struct language_choice *language = &session->language;
+    uint64_t hash = field_hash(core_hash_quick(core), &core_config_fields, config);
+    hash = field_hash(hash, &ledger_start_fields, &persistent->ledger);
+    hash = field_hash(hash, &audits_fields, &persistent->audits);
+    hash = field_hash(hash, &ranking_fields, &persistent->ranking);
+    hash = settings_hash(hash, &persistent->settings, config->rules_7);
+    hash = field_hash(hash, &game_session_fields, session);
+    hash = settings_edit_hash(hash, &session->settings_edit, config->rules_7);
+    if (language->chosen != 0 || language->until_tick != 0) {
+        hash = hash_u32(hash_u32(hash, language->chosen), language->until_tick);
     }
-    hash = lab_hash(hash, &core->game.lab);
-    return tank_hash(hash, &core->world.tank);
+    hash = field_hash(hash, &lab_book_fields, &config->book);
+    hash = field_hash(hash, &audits_fields, &core->game.accounts.audits);
+    hash = field_hash(hash, &ranking_fields, &core->game.accounts.ranking);
+    hash = settings_edit_hash(hash, &core->game.settings_edit, config->rules_7);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        hash = field_hash(hash, &poi_fields, &core->world.poi[i]);
+        hash = field_hash(hash, &bowl_fields, &core->world.bowl[i]);
+    }
+    hash = field_hash(hash, &lab_saved_fields, &core->game.lab);
+    return field_hash(hash, &tank_fields, &core->world.tank);
 }

@@ -7,6 +7,7 @@
 #ifndef KINGYO_CORE_CORE_H
 #define KINGYO_CORE_CORE_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "core/config.h"
@@ -43,16 +44,16 @@ enum core_error core_init(struct core *core, const struct core_config *config);
  * before (platform/cpu.h). */
 enum core_error core_tick(struct core *core, const struct input *input, struct output *output);
 
-/* Returns 1 if a session starts at the current tick, otherwise 0. At the start of a session
- * core_init() with `core->config` produces exactly the state in `core`. */
-int core_is_fresh(const struct core *core);
+/* Returns true if a session starts at the current tick. At the start of a session core_init() with
+ * `core->config` produces exactly the state in `core`. */
+bool core_is_fresh(const struct core *core);
 
 /* Returns the ranking of all modes and periods. The ranking changes with each tick. */
 const struct ranking *core_ranking(const struct core *core);
 
 /* Writes the health entry for a regular end of the program to `out`. The entry contains the uptime
- * and the counts of `input`. Returns 1, or 0 if the kiosk has no store. */
-int core_final_entry(const struct core *core, const struct input *input, struct ledger_entry *out);
+ * and the counts of `input`. Returns true, or false if the kiosk has no store. */
+bool core_final_entry(const struct core *core, const struct input *input, struct ledger_entry *out);
 
 /* Fills every field of `scene` from `core`. The state in `core` is not changed. */
 void core_scene(const struct core *core, struct scene *scene);

@@ -2,7 +2,7 @@
 #include "core/base/mem.h"
 #include "core/base/panic.h"
 #include "core/core.h"
-#include "core/game/accounting/credit.h"
+#include "core/game/accounting/accounts.h"
 #include "core/game/control/controller.h"
 #include "core/game/lab/lab.h"
 #include "core/game/menu/menu.h"
@@ -78,7 +78,7 @@ static void show_poi(const struct core *core, uint32_t index, struct scene_poi *
     }
     out->position_m = poi->position_m;
     out->angles = poi->angles;
-    out->ring_radius_m = POI_RADIUS_M;
+    out->ring_radius_m = poi_radius_m(poi);
     out->sag_m = poi->sheet.sag_m;
     out->paper_left = sheet_left(&poi->sheet);
     const struct shade_cast *cast = &core->world.tank.shade[SHADE_MAX + index].cast;
@@ -122,7 +122,7 @@ static void show_players(const struct core *core, struct scene *scene)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const struct player *player = &core->game.player[i];
-        const int in_round = core->game.phase == PHASE_ROUND;
+        const bool in_round = core->game.phase == PHASE_ROUND;
         const struct leaderboard_place place = leaderboard_best_place(
             &core->game.accounts.ranking, core->game.mode, core->game.name.round_id, (uint8_t)i);
         scene->caught[i] = player->caught;
@@ -160,9 +160,9 @@ static void show_game(const struct core *core, struct scene *scene)
     scene->call = game->call;
     scene->call_s = (float)(core->game.tick - game->call_tick) * CORE_TICK_S;
     show_players(core, scene);
-    for (uint8_t mode = 0; mode < MODE_COUNT; mode++) {
-        scene->offer[mode].round_s = (uint16_t)table_setup_round_s(&core->config, mode);
-        scene->offer[mode].grade = table_setup_grade(&core->config, mode);
+    for (uint32_t mode = 0; mode < MODE_COUNT; mode++) {
+        scene->offer[mode].round_s = (uint16_t)table_setup_round_s(&core->config, (uint8_t)mode);
+        scene->offer[mode].grade = table_setup_grade(&core->config, (uint8_t)mode);
     }
     credit_show(&core->game.accounts, &core->config, core->game.tick, &scene->credit);
     scene->asks_menu = (uint8_t)menu_is_asking(&core->game);

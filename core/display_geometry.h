@@ -38,18 +38,6 @@ struct display_transform {
     float light;                       /* Brightness, as in struct display_settings. */
 };
 
-/* Returns the transform of a picture that fills the screen at full brightness. */
-static inline struct display_transform display_transform_identity(float width, float height)
-{
-    return (struct display_transform){ .screen_width = width,
-                                       .screen_height = height,
-                                       .width = width,
-                                       .height = height,
-                                       .xx = 1.0f,
-                                       .yy = 1.0f,
-                                       .light = 1.0f };
-}
-
 static inline float display_round_pixels(float pixels)
 {
     return f_floor(pixels + 0.5f);

@@ -112,12 +112,14 @@ struct poi_input {
                                  cannot tilt the poi, so the core tilts the poi at the bowl. */
     uint8_t trembles;         /* 1 if the sensor is noisy. For a noisy sensor, bit-identical values
                                  in a row mean that the sensor is frozen. */
+    uint8_t has_gap;          /* 1 if the controller's motion since the last tick was not observed,
+                                 because the kiosk was delayed. 0 in older recordings. */
     uint16_t age_ticks;       /* Age of the newest report in ticks. A pointer that does not move
                                  keeps age 0. */
     struct poi_target target; /* Target pose, ignored unless `link` is POI_SOURCE_LIVE. Any bits are
                                  accepted. A NaN, an absurd value or a jump faster than an arm stops
                                  only the input of this player
-                                 (core/game/control/input_validation.h), not the game. */
+                                 (core/game/control/input_pose.h), not the game. */
 };
 
 /* Fan (uchiwa) or hand held over the water. Light falls vertically, so the shaded volume is the

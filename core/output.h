@@ -9,8 +9,8 @@
 #include <stdint.h>
 
 #include "core/input.h"
-#include "core/lab_edit_record.h"
 #include "core/ledger.h"
+#include "core/morph/species.h"
 
 /* Largest number of sounds per frame. A listener could not distinguish more sounds. */
 #define OUTPUT_SOUND_MAX 16u
@@ -87,6 +87,34 @@ struct controller_command {
  * (FRAME_PACER_TICKS_MAX), so the shell reads each command before it is overwritten. */
 #define CONTROLLER_COMMAND_MAX 8u
 
+/* ---- Edited growth curves ----------------------------------------------------------------------
+ *
+ * The growth lab outputs a record of the edited growth curves of one species as plain data. The
+ * store saves the record, and the next start loads it. */
+
+/* Edited curves of one species. 540 bytes; the core keeps one per species. */
+struct lab_edit {
+    uint8_t template_id;      /* Template from which the graph was started (enum graph_template).
+                                 Under TEMPLATE_OWN each body part keeps its own curve. Under any
+                                 other template every body part follows `graph`. */
+    uint8_t scale_knot_count; /* Number of entries in `scale_knots`, as in struct species_card. 0
+                                 means that the growth curve determines the scale. */
+    struct graph graph;       /* Deformation graph of the whole fish. */
+    struct scale_knot scale_knots[GRAPH_KNOT_MAX];
+};
+
+struct graph_edit_record {
+    uint32_t id;       /* Id of the record. Each record has an id one higher than the previous
+                          record. 0 means that no record needs to be saved. */
+    uint8_t is_own;    /* 1 if the species returns to its original curves and the store must delete
+                          the saved edit; otherwise 0. */
+    uint8_t key_count; /* Number of key shapes of the species. */
+    char species[SPECIES_NAME_SIZE];
+    struct lab_edit edit;
+};
+
+/* ---- Complete output ------------------------------------------------------------------------- */
+
 struct output {
     uint32_t sound_count; /* Number of sounds, <= OUTPUT_SOUND_MAX; further sounds of the frame are
                              dropped. */
@@ -110,8 +138,6 @@ struct output {
     struct controller_command commands[CONTROLLER_COMMAND_MAX];
     uint32_t entry_id; /* Id of the newest ledger entry. Entry n is in entries[n % LEDGER_RING]. */
     struct ledger_entry entries[LEDGER_RING];
-    struct round_record record;    /* Record of the newest finished round, for readers that do not
-                                      need the ledger. */
     struct graph_edit_record edit; /* Newest graph edit of a species. If the store does not read the
                                       edit before the next edit, the edit is not saved and is lost
                                       at the next start. */

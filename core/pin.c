@@ -32,16 +32,16 @@ int32_t pin_hide(uint32_t pin, uint32_t salt)
     return (int32_t)(HIDDEN | own << DIGEST_BITS | digest[0] >> (32u - DIGEST_BITS));
 }
 
-int pin_is_plain(int32_t kept)
+bool pin_is_plain(int32_t kept)
 {
     return kept > 0 && kept <= PIN_MAX;
 }
 
-int pin_matches(int32_t kept, uint32_t pin)
+bool pin_matches(int32_t kept, uint32_t pin)
 {
     CORE_ASSERT(pin <= PIN_MAX);
     if (kept == PIN_WITHHELD) {
-        return 0;
+        return false;
     }
     return kept == (kept >= 0 ? (int32_t)pin : pin_hide(pin, (uint32_t)kept >> DIGEST_BITS));
 }

@@ -13,6 +13,7 @@
 #ifndef KINGYO_CORE_PIN_H
 #define KINGYO_CORE_PIN_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #define PIN_MAX 9999
@@ -25,10 +26,10 @@
  * lowest 11 bits of `salt` are used. */
 int32_t pin_hide(uint32_t pin, uint32_t salt);
 
-/* Returns 1 if the stored value `kept` is a PIN in plain digits, otherwise 0. */
-int pin_is_plain(int32_t kept);
+/* Returns true if the stored value `kept` is a PIN in plain digits. */
+bool pin_is_plain(int32_t kept);
 
-/* Returns 1 if `pin` matches the stored value `kept`, otherwise 0. */
-int pin_matches(int32_t kept, uint32_t pin);
+/* Returns true if `pin` matches the stored value `kept`. */
+bool pin_matches(int32_t kept, uint32_t pin);
 
 #endif

@@ -2,8 +2,7 @@
  *
  * The scene is plain data without pointers, so it can be stored, compared or drawn on another
  * thread. The parts of a scene, in drawing order:
- * - scene_tank.h: objects and fish in the water,
- * - scene_game.h: phases, announcements, hints and credits,
+ * - scene.h: objects and fish in the water, phases, announcements, hints and credits,
  * - scene_pages.h: lab, album, name entry and leaderboard,
  * - scene_menu.h: the operator's menu. */
 #ifndef KINGYO_CORE_SCENE_H
@@ -13,11 +12,213 @@
 
 #include "core/base/vec.h"
 #include "core/input.h"
-#include "core/scene_game.h"
 #include "core/scene_menu.h"
 #include "core/scene_pages.h"
-#include "core/scene_tank.h"
 #include "core/view.h"
+
+/* ---- Tank ------------------------------------------------------------------------------------ */
+
+#define SCENE_FISH_MAX 2048u /* Equal to TANK_FISH_MAX. */
+/* Number of cells along each side of the square around the paper; a cell measures 2.5 mm at a poi
+ * diameter of 80 mm. */
+#define SHEET_SIDE 32u
+#define SHEET_GRADE_MIN 4u /* Strongest paper grade. */
+#define SHEET_GRADE_MAX 7u /* Weakest paper grade. */
+#define RIPPLE_X 128u      /* Number of cells of the water surface from left to right. */
+/* Number of cells of the water surface from back to front. A cell measures about 7 mm in the
+ * festival tank. */
+#define RIPPLE_Z 80u
+
+enum scene_place {
+    SCENE_IN_TANK = 0,
+    SCENE_ON_POI = 1,
+    SCENE_IN_BOWL = 2,
+};
+
+struct scene_fish {
+    vec3 position_m; /* Centre of the fish's body box. */
+    struct angles angles;
+    float length_m;       /* Total length, snout to tail tip. */
+    float age_days;       /* Days since hatching. Shape and colour are those of this age. */
+    float tail_phase_rad; /* Phase of the body wave that travels along a swimming fish, [0, 2
+                             pi). */
+    float tail_amplitude; /* Tail-beat amplitude. 1 means a fifth of the fish's length, peak to
+                             peak; 0 means that the tail is still. */
+    float bend_rad;       /* Bend of the whole body during a turn; a positive angle bends the tail
+                             to its right. */
+    float gape;           /* Opening of the mouth, [0, 1]. The fish gulps air at the surface. */
+    float gulp;           /* Progress of one gulp, from one opening of the mouth to the next, (0,
+                             1]; 0 means that the fish does not gulp. */
+    float progress;       /* Position in the fish's life, [0, 1], from the species' first key shape
+                             to its last. */
+    float maturity;       /* Colour maturity, [0, 1], from the species' first colour key to its
+                             last. */
+    uint32_t look;        /* Random bits that choose the individual's pattern and colours. */
+    uint8_t place;        /* Place of the fish (enum scene_place). */
+};
+
+struct scene_poi {
+    uint8_t present;
+    uint8_t owner;   /* Player index; selects the ring's colour. */
+    vec3 position_m; /* Position of the ring's centre. */
+    struct angles angles;
+    float ring_radius_m;  /* Inner radius of the ring, at the paper's edge. */
+    float sag_m;          /* Depth of the sagging paper below the ring's plane; a negative value
+                             means that the paper bulges upward. */
+    float paper_left;     /* Share of the paper area that is left, [0, 1]. */
+    float shade_dark;     /* Share of the light that the poi blocks from the water below, [0, 1]; 0
+                             while the poi is in the water. */
+    float water_m;        /* Mean depth of the water on the paper. */
+    uint8_t shows_stress; /* 1 in practice mode, where the paper is coloured by `stress`; otherwise
+                             0. */
+    uint8_t wetness[SHEET_SIDE * SHEET_SIDE];   /* Wetness of each paper cell, from 0 (dry) to 255
+                                                   (wet). Row 0 is at the far edge (-z). */
+    uint8_t integrity[SHEET_SIDE * SHEET_SIDE]; /* Integrity of each paper cell, from 255 (whole) to
+                                                   1 (nearly torn); 0 means a hole. */
+    uint8_t stress[SHEET_SIDE * SHEET_SIDE];    /* Load of each paper cell divided by its
+                                                   strength, including stress concentration. 255
+                                                   means that the cell tears immediately; 0 means
+                                                   no paper. */
+};
+
+struct scene_bowl {
+    uint8_t present;
+    uint8_t owner;
+    vec3 position_m;      /* Centre of the bowl's mouth. The bowl floats, and a poi can push it. */
+    struct angles angles; /* Orientation of the bowl, which tilts when it floats unevenly. */
+    float radius_m;       /* Radius of the mouth. */
+    float depth_m;
+    float water_below_m; /* Distance from the bowl's mouth down to the water inside the bowl. */
+    uint32_t fish_count;
+};
+
+/* Air stone of a tank that has a pump. */
+struct scene_pump {
+    uint8_t present;
+    uint8_t runs;
+    vec3 stone_m; /* Position of the air stone on the tank's floor. */
+};
+
+/* A fan held over the water, with its shadow. */
+struct scene_fan {
+    uint8_t present;
+    uint8_t owner;  /* Player index; selects the fan's picture. */
+    uint8_t unseen; /* 1 if only the shadow is shown, so that the water below the fan stays visible;
+                       otherwise 0. */
+    float x_m, z_m; /* Centre of the shadow on the water, vertically below the light. */
+    float radius_m;
+    float dark;    /* Share of the light that the fan blocks, [0, 1]. */
+    float still_s; /* Seconds for which the fan has been held still. */
+};
+
+/* ---- Game ------------------------------------------------------------------------------------ */
+
+enum scene_phase {
+    PHASE_ATTRACT = 0,
+    PHASE_READY = 1, /* A few seconds in which the player takes the poi. */
+    PHASE_ROUND = 2,
+    PHASE_RESULT = 3,
+    PHASE_WORDLESS = 4,     /* The tank alone is shown, without text. The phase is not part of a
+                               game. */
+    PHASE_MODE_SELECT = 5,  /* Selection of the mode. */
+    PHASE_LAB = 6,          /* The growth lab. */
+    PHASE_ALBUM = 7,        /* Album: the caught fish grow up. */
+    PHASE_MENU = 8,         /* The operator's menu. */
+    PHASE_NAME = 9,         /* A ranked player enters a name. */
+    PHASE_LEADERBOARD = 10, /* The leaderboard with the new name. */
+};
+
+enum game_mode {
+    MODE_FESTIVAL = 0,     /* The round lasts until the paper cannot hold a fish or the time is
+                              over. */
+    MODE_CHAMPIONSHIP = 1, /* Rules of the federation: three minutes, one No. 5 poi, fouls. */
+    MODE_PRACTICE = 2,     /* The paper shows its stress, torn paper is replaced, and no score is
+                              kept. */
+    MODE_COUNT = 3,
+};
+
+/* Levels of difficulty. A mode with levels (core/game/rules.h) lets each player choose one. The
+ * values are stored in recordings and in the ledger. */
+enum level {
+    LEVEL_MASTER = 0, /* Full physics, as in the championship. */
+    LEVEL_NORMAL = 1,
+    LEVEL_EASY = 2,
+    LEVEL_COUNT = 3,
+};
+
+/* The growth lab as an item of the mode selection. The lab is not scored. Used as a bit index in
+ * `modes`. */
+#define CHOICE_LAB ((uint8_t)MODE_COUNT)
+#define CHOICE_COUNT (MODE_COUNT + 1u)
+
+/* Fouls, which the umpire (core/game/phases.h) detects from the simulation. The third foul ends a
+ * player's round. */
+enum foul {
+    FOUL_NONE = 0,
+    FOUL_POURED = 1, /* The player poured fish into the bowl while part of the ring was still in the
+                        water. */
+    FOUL_WALL = 2,   /* The player pressed fish against the tank's wall and scooped them there. */
+    FOUL_SHADE = 3,  /* The player held a shadow over the water before the start. */
+    FOUL_COUNT = 4,
+};
+#define FOUL_MAX 3u
+
+/* Time announcements. Each announcement is shown and played once. */
+enum time_call {
+    CALL_NONE = 0,
+    CALL_ONE_MINUTE = 1,  /* The first minute has passed. */
+    CALL_TWO_MINUTES = 2, /* Two minutes have passed. */
+    CALL_TEN_SECONDS = 3, /* Ten seconds are left. */
+    CALL_COUNTDOWN = 4,   /* One of the last five seconds begins; see seconds_left. */
+    CALL_TIME = 5,        /* Time is up. */
+};
+
+/* Hints for the player. The renderer supplies the text in the scene's language. */
+enum scene_hint {
+    HINT_NONE = 0,
+    HINT_START,     /* Press START to play. */
+    HINT_MOVE,      /* Move the poi over a fish. */
+    HINT_DIP,       /* Hold the button to dip. */
+    HINT_LIFT,      /* Release the button to lift. */
+    HINT_BOWL,      /* Carry the fish to the bowl. */
+    HINT_TILT,      /* The wheel tilts the poi. */
+    HINT_SLOWLY,    /* Fast movement tears paper. */
+    HINT_GLIDE,     /* Dip beside a fish, slide under it, lift softly. */
+    HINT_TORN,      /* The paper is useless. */
+    HINT_LOST_POI,  /* The controller is disconnected, and the round is paused. */
+    HINT_WET_ALL,   /* Wet the whole paper, because paper tears between wet and dry areas. */
+    HINT_NO_SHADE,  /* Keep the shadow off the water before the start. */
+    HINT_CLEAR_RIM, /* Lift the whole ring out of the water before the bowl. */
+    HINT_CHOOSE,    /* LEFT and RIGHT select a mode, START begins the round. */
+    HINT_COIN,      /* Insert a coin to play. */
+    HINT_PAID_BACK, /* The round ended because no poi was left; the credit was refunded. */
+    HINT_COUNT,
+};
+
+enum language {
+    LANGUAGE_JA = 0,
+    LANGUAGE_EN = 1,
+    LANGUAGE_COUNT,
+};
+
+/* State of the credits. */
+struct scene_credit {
+    uint8_t price;         /* Units per credit; 0 means free play. */
+    uint8_t is_event;      /* 1 if play is free because of an event, otherwise 0. */
+    uint8_t unpaid;        /* 1 if no credit is available, so no round can start; otherwise 0. */
+    uint8_t warnings;      /* Bit mask of enum credit_warning. */
+    uint8_t came_back;     /* 1 if the last round was refunded and none of its results were counted,
+                              otherwise 0. */
+    uint8_t coin_units;    /* Units per pulse of the first coin line. */
+    uint32_t units;        /* Units inserted towards the next credit. */
+    uint32_t credits;      /* Credits that can be played. */
+    uint32_t coming;       /* Credits that are not on disk yet. */
+    float coin_s, asked_s; /* Seconds since the last coin (`coin_s`), and since the last start
+                              attempt without a credit (`asked_s`). A value of one day or more means
+                              never. */
+};
+
+/* ---- Whole scene ----------------------------------------------------------------------------- */
 
 /* State of the score playback, which is drawn over every page
  * (platform/kiosk/recorder/score_playback.h). */

@@ -1,17 +1,16 @@
 /* settings.c -- the table of settings and its functions. */
 #include "core/settings.h"
 
-#include "core/base/hash.h"
+#include "core/base/field.h"
 #include "core/base/panic.h"
 #include "core/pin.h"
-#include "core/poi/paper/sheet.h"
-#include "core/scene_game.h"
+#include "core/scene.h"
 
 #define MICRO 10000000 /* Range of a calibration value, in millionths: 10 m, or a factor of 10. */
 
 #define CALIBRATION(seat, name)                                                                    \
     { "seat" #seat "-" name, GROUP_CALIBRATION, KIND_NUMBER, -MICRO, MICRO, 1, 0 }
-/* The nine calibration values of one slot (core/game/control/calibration.h). If all nine are 0, the
+/* The nine calibration values of one slot (core/game/control/input_pose.h). If all nine are 0, the
  * controller's pose is used unchanged. */
 #define SEAT(seat)                                                                                 \
     CALIBRATION(seat, "xx"), CALIBRATION(seat, "xz"), CALIBRATION(seat, "x0"),                     \
@@ -62,22 +61,17 @@ const struct setting *settings_entry(uint32_t id)
     return &table[id];
 }
 
-/* Returns 1 if `value` is a paper grade or 0 (the mode's default). No grades exist between 0 and
- * SHEET_GRADE_MIN. */
-static int is_grade(int32_t value)
-{
-    return value == 0 || (value >= (int32_t)SHEET_GRADE_MIN && value <= (int32_t)SHEET_GRADE_MAX);
-}
-
-int settings_allows(uint32_t id, int32_t value)
+bool settings_allows(uint32_t id, int32_t value)
 {
     const struct setting *setting = settings_entry(id);
     CORE_ASSERT(setting->step > 0 && setting->min <= setting->max);
     if (id == SET_PIN && value < 0) {
-        return 1;
+        return true;
     }
+    /* No paper grades exist between 0 (the mode's default) and SHEET_GRADE_MIN. */
+    const bool is_grade = value == 0 || value >= (int32_t)SHEET_GRADE_MIN;
     return value >= setting->min && value <= setting->max &&
-           (value - setting->min) % setting->step == 0 && (id != SET_GRADE || is_grade(value));
+           (value - setting->min) % setting->step == 0 && (id != SET_GRADE || is_grade);
 }
 
 void settings_reset(struct settings *settings)
@@ -105,13 +99,17 @@ void settings_sanitize(struct settings *settings)
     }
 }
 
-uint64_t settings_hash(uint64_t hash, const struct settings *settings, int rules_7)
+#define STRUCT settings
+const struct field_table settings_fields = FIELD_TABLE(settings, FIELD(value));
+#undef STRUCT
+
+uint64_t settings_hash(uint64_t hash, const struct settings *settings, bool rules_7)
 {
-    for (uint32_t id = 0; id < SETTING_COUNT; id++) {
-        const int counts = id != SET_PIN || rules_7;
-        hash = hash_u32(hash, counts ? (uint32_t)settings->value[id] : 0u);
+    struct settings hashed = *settings;
+    if (!rules_7) {
+        hashed.value[SET_PIN] = 0;
     }
-    return hash;
+    return field_hash(hash, &settings_fields, &hashed);
 }
 
 void settings_hide_pin(struct settings *settings, uint32_t salt)

@@ -7,6 +7,7 @@
 #ifndef KINGYO_CORE_SETTINGS_H
 #define KINGYO_CORE_SETTINGS_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "core/input.h"
@@ -52,7 +53,7 @@ enum setting_id {
     /* Operator settings. */
     SET_PIN, /* Stored form of the operator's PIN (core/pin.h); 0 means that no PIN is required. */
     /* First of the calibration values: nine values for each slot's controller
-     * (core/game/control/calibration.h). The menu does not show the values as numbers. */
+     * (core/game/control/input_pose.h). The menu does not show the values as numbers. */
     SET_CALIBRATION,
     SET_CALIBRATION_END = SET_CALIBRATION + 9 * (int)POI_MAX,
     /* First of the check values, one for each slot, written after the slot's nine calibration
@@ -94,6 +95,8 @@ struct setting {
     int32_t min, max, step, standard;
 };
 
+struct field_table;
+
 struct settings {
     int32_t value[SETTING_COUNT];
 };
@@ -101,10 +104,10 @@ struct settings {
 /* Returns the table row of setting `id`. Asserts that `id` < SETTING_COUNT. */
 const struct setting *settings_entry(uint32_t id);
 
-/* Returns 1 if setting `id` may have `value`: in range, on a step, and with at least one bit set
- * for KIND_BITS. Also returns 1 for a hashed PIN (core/pin.h), although the range of SET_PIN covers
- * only plain digits. */
-int settings_allows(uint32_t id, int32_t value);
+/* Returns true if setting `id` may have `value`: in range, on a step, and with at least one bit set
+ * for KIND_BITS. Also returns true for a hashed PIN (core/pin.h), although the range of SET_PIN
+ * covers only plain digits. */
+bool settings_allows(uint32_t id, int32_t value);
 
 /* Sets every setting to its default. */
 void settings_reset(struct settings *settings);
@@ -113,9 +116,12 @@ void settings_reset(struct settings *settings);
  * filled, because a price of 0 is invalid. All settings are then reset. */
 void settings_sanitize(struct settings *settings);
 
+/* Table of the members of struct settings (core/base/field.h). */
+extern const struct field_table settings_fields;
+
 /* Returns `hash` continued over the settings. The PIN counts as 0 unless `rules_7` (core/config.h)
  * is 1. The replay of a score can therefore be verified without the PIN. */
-uint64_t settings_hash(uint64_t hash, const struct settings *settings, int rules_7);
+uint64_t settings_hash(uint64_t hash, const struct settings *settings, bool rules_7);
 
 /* Replaces a PIN in plain digits by its hashed form (core/pin.h). */
 void settings_hide_pin(struct settings *settings, uint32_t salt);

@@ -14,7 +14,7 @@ struct view {
                               ratio is at least `aspect_min`. */
     float aspect_min;      /* Smallest aspect ratio, width over height, with the field of view of
                               `half_height_tan`. Narrower screens use a larger vertical field of
-                              view, so that the tank still fits. */
+                              view, so that the whole width of the tank is still visible. */
 };
 
 /* Returns the axes of the camera. The axis `back` points from the target to the eye. */

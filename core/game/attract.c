@@ -9,15 +9,14 @@
 
 #include "core/base/panic.h"
 #include "core/config.h"
-#include "core/game/accounting/credit.h"
+#include "core/game/accounting/accounts.h"
 #include "core/game/bot/paper_patch.h"
 #include "core/game/control/controller.h"
-#include "core/game/game.h"
 #include "core/game/lab/lab.h"
 #include "core/game/table_setup.h"
 #include "core/poi/world.h"
 
-/* Time for which the bot keeps a torn poi before its paper is replaced. */
+/* Time in attract mode for which the bot keeps a torn poi before its paper is replaced. */
 #define SWAP_TICKS (2u * CORE_TICK_HZ)
 /* Number of fish in the bot's bowl at which the bowl is emptied into the tank. Without this limit
  * the bot would catch all fish of the tank during a night. */
@@ -27,6 +26,10 @@ void attract_begin(struct game *game, struct world *world, const struct core_con
 {
     game->mode = table_setup_first_mode(config);
     game->gone_tick = 0;
+    world->tank.temper = rules_of_level(LEVEL_MASTER)->temper;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        game->player[i].level = LEVEL_MASTER;
+    }
     session_language_reset(game, config);
     game_enter_phase(game, PHASE_ATTRACT);
     table_setup_empty_bowls(world);
@@ -35,24 +38,24 @@ void attract_begin(struct game *game, struct world *world, const struct core_con
     session_request(game);
 }
 
-void attract_tick(struct game *game, struct world *world, const struct core_config *config,
+void attract_tick(struct game *game, struct world *world, struct core_config *config,
                   const struct input *input, struct output *output)
 {
     CORE_ASSERT(game->phase == PHASE_ATTRACT);
-    const int dipped = controller_dipped_player(game, world, input) < POI_MAX;
+    const bool dipped = controller_dipped_player(game, world, input) < POI_MAX;
     if ((input->pressed & INPUT_START) || dipped ||
         credit_is_awaited(&game->accounts, config, game->tick)) {
         game_mode_select_begin(game, world, config, output);
     }
     if (game->phase != PHASE_ATTRACT) {
-        game->hints = (struct hints){ 0 }; /* Reset the hints for a new player. */
+        game->hints = (struct hints){ 0 }; /* A new player starts a game, so reset the hints. */
         return;
     }
     if (game->tick - game->phase_tick >= SESSION_TICKS_MAX) {
         session_request(game);
     }
-    const int is_full = world->bowl[0].fish_count >= BOWL_MAX;
-    const int is_free = world->poi[0].immersed <= 0.0f && world->poi[0].carried_count == 0;
+    const bool is_full = world->bowl[0].fish_count >= BOWL_MAX;
+    const bool is_free = world->poi[0].immersed <= 0.0f && world->poi[0].carried_count == 0;
     if (game->gone_tick == 0 && (is_full || !paper_can_hold(&world->poi[0].sheet))) {
         game->gone_tick = game->tick;
     }
@@ -78,7 +81,7 @@ static uint8_t pointed_at(const struct game *game)
     return game->lab_chosen ? CHOICE_LAB : game->mode;
 }
 
-/* Selects item `nth` of the modes that players can choose, counted from 0. */
+/* Selects mode `nth` of the modes that players can choose, counted from 0. */
 static void point_at_mode(struct game *game, const struct core_config *config, uint32_t nth,
                           struct output *output)
 {
@@ -125,16 +128,16 @@ static void point_by_pois(struct game *game, const struct world *world,
     }
 }
 
-/* Confirms the selected item. The store may have stopped after the screen opened, so that no credit
- * can be used. The selection then stays, and the player may try again. */
+/* Starts the selected mode. If no credit can be used, because the store stopped after the screen
+ * opened, the selection stays and the player may try again. */
 static void activate_mode(struct game *game, struct world *world, const struct core_config *config,
                           struct output *output)
 {
     if (!credit_can_play(&game->accounts.ledger, config)) {
-        credit_ask(&game->accounts, game->tick, output);
+        credit_request(&game->accounts, game->tick, output);
         return;
     }
-    const int is_lab = game->lab_chosen || table_setup_modes(config) == 1u << CHOICE_LAB;
+    const bool is_lab = game->lab_chosen || table_setup_modes(config) == 1u << CHOICE_LAB;
     game->lab_chosen = 0;
     credit_take(game, config, is_lab ? CHOICE_LAB : game->mode, output);
     if (is_lab) {
@@ -152,7 +155,7 @@ void game_mode_select_begin(struct game *game, struct world *world,
         return;
     }
     if (!credit_can_play(&game->accounts.ledger, config)) {
-        credit_ask(&game->accounts, game->tick, output);
+        credit_request(&game->accounts, game->tick, output);
         return;
     }
     game_enter_phase(game, PHASE_MODE_SELECT);
@@ -165,7 +168,7 @@ void game_mode_select_begin(struct game *game, struct world *world,
     output_sound(output, SOUND_CHOOSE, 1.0f, 0.0f);
 }
 
-void game_mode_select_tick(struct game *game, struct world *world, const struct core_config *config,
+void game_mode_select_tick(struct game *game, struct world *world, struct core_config *config,
                            const struct input *input, struct output *output)
 {
     const uint8_t modes = table_setup_modes(config);
@@ -182,7 +185,7 @@ void game_mode_select_tick(struct game *game, struct world *world, const struct 
     } else if (input->pressed & INPUT_RIGHT) {
         point_at_mode(game, config, (here + 1u) % count, output);
     }
-    const int is_fresh = game->tick - game->phase_tick < GAME_MODE_SELECT_TICKS_MIN;
+    const bool is_fresh = game->tick - game->phase_tick < GAME_MODE_SELECT_TICKS_MIN;
     if (!is_fresh && (dipped < POI_MAX || (input->pressed & (INPUT_START | INPUT_OK)))) {
         activate_mode(game, world, config, output);
     } else if (game_seconds_left(game, game->tick) <= 0.0f) {

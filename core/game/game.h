@@ -12,7 +12,7 @@
 
 #include "core/game/accounting/accounts.h"
 #include "core/game/bot/bot_state.h"
-#include "core/game/control/input_validation.h"
+#include "core/game/control/input_pose.h"
 #include "core/game/lab/lab_state.h"
 #include "core/game/menu/menu_state.h"
 #include "core/game/ranking/name_keyboard.h"
@@ -22,61 +22,75 @@
 #include "core/output.h"
 #include "core/scene.h"
 
+struct game;
 struct world;
 struct core_config;
 
-/* Length of READY in the festival mode and in the practice mode. */
+/* Length of READY, the phase before a round, in the festival mode and in the practice mode. */
 #define GAME_READY_TICKS (RULES_READY_S * CORE_TICK_HZ)
 /* Duration of the result screen, long enough to read the result and to call a friend. */
 #define GAME_RESULT_TICKS (12u * CORE_TICK_HZ)
-/* Time between the moment when the last player is out and the result screen, so that the player
- * sees the hole in the paper. */
+/* Delay between the moment when the last player is out of the round and the result screen. In this
+ * time the player sees the hole in the paper. */
 #define GAME_GONE_TICKS (3u * CORE_TICK_HZ)
 /* Time after the end of the round in which the last fish can be carried to the bowl. */
 #define GAME_CARRY_TICKS (3u * CORE_TICK_HZ)
-/* Time in the result screen before a START press starts the next game, so that an earlier press is
- * ignored. */
+/* Time after the result screen appears in which START presses are ignored. Afterwards a START press
+ * starts the next game. */
 #define GAME_AGAIN_TICKS (3u * CORE_TICK_HZ / 2u)
-/* Time in the result screen before a dip starts the next game. The time is longer than for START,
- * because a dip happens more easily by accident. */
+/* Time after the result screen appears in which dips of the poi are ignored. Afterwards a dip
+ * starts the next game. The time for dips is longer than the time for START, because a dip happens
+ * more easily by accident. */
 #define GAME_AGAIN_DIP_TICKS (5u * CORE_TICK_HZ / 2u)
 /* Time without input after which the mode selection ends and attract mode begins. */
 #define GAME_MODE_SELECT_TICKS (15u * CORE_TICK_HZ)
-/* Longest duration of the mode selection. Motion that lasts longer comes from a poi that swings on
- * its cord. */
+/* Longest duration of the mode selection, even if a poi moves all the time. Such long motion comes
+ * from a poi that swings on its cord. */
 #define GAME_MODE_SELECT_TICKS_MAX (120u * CORE_TICK_HZ)
-/* Time in the mode selection before a press counts, so that the player sees the items first. */
+/* Time after the mode selection appears in which presses are ignored, so that the player sees the
+ * items first. */
 #define GAME_MODE_SELECT_TICKS_MIN (CORE_TICK_HZ / 2u)
-#define GAME_STALE_TICKS (115u * CORE_TICK_HZ) /* Time in attract mode for which the pump is off. */
-/* Time in attract mode for which the pump bubbles, alternating with GAME_STALE_TICKS. */
+/* Time in attract mode for which the air pump is off. */
+#define GAME_STALE_TICKS (115u * CORE_TICK_HZ)
+/* Time in attract mode for which the air pump runs. The pump is off for GAME_STALE_TICKS and then
+ * on for GAME_AIR_TICKS, again and again. */
 #define GAME_AIR_TICKS (45u * CORE_TICK_HZ)
-#define GAME_POI_GRADE 6u      /* Default paper grade, which real stalls use most. */
+/* Default grade (strength) of the paper, which real stalls use most. */
+#define GAME_POI_GRADE 6u
 #define GAME_DIP_Y_M (-0.010f) /* Height that a pose must cross downward to count as a dip. */
 
 /* Distance from the rest position within which a controller counts as resting. */
 #define PLAYER_STIR_M 0.03f
+
+/* Type of the functions that run one tick of a phase of the game. */
+typedef void game_phase_tick(struct game *game, struct world *world, struct core_config *config,
+                             const struct input *input, struct output *output);
 
 /* Motion of a controller since READY (the phase before a round) began. */
 enum player_stance { STANCE_UNSEEN = 0, STANCE_RESTS, STANCE_MOVED };
 
 struct player {
     uint8_t plays;      /* 1 if the player has had a poi in use in this round, otherwise 0. */
-    uint8_t out;        /* 1 if the player's round ended before the end of the time, otherwise 0. */
+    uint8_t out;        /* 1 if the player is out, which means that the player's round ended
+                           before the time was up. Otherwise 0. */
     uint8_t handed;     /* 1 if the player has received fresh paper for this round, otherwise 0. */
-    uint8_t points;     /* Section of the tank under the poi in the mode selection, counted from 1.
-                           0 means no section. */
-    uint8_t fouls;      /* Number of counted fouls, 0 .. FOUL_MAX. */
-    uint8_t foul;       /* Kind of the latest foul (enum foul). */
-    uint32_t foul_tick; /* Tick of the latest counted foul. */
+    uint8_t points;     /* Section of the tank under the player's poi in the mode selection,
+                           counted from 1. Each section selects one mode. 0 means no section. */
+    uint8_t level;      /* Level of the player in this round (enum level). */
+    uint8_t fouls;      /* Number of the player's counted fouls, 0 .. FOUL_MAX. */
+    uint8_t foul;       /* Kind of the player's latest foul (enum foul). */
+    uint32_t foul_tick; /* Tick of the player's latest counted foul. */
     uint32_t offence_tick[FOUL_COUNT]; /* Tick at which the player last committed each kind of foul,
                                           counted or not. */
     uint32_t caught;
-    uint32_t scoops;          /* Number of dips that the player made with the earlier sheets of this
-                                 round. */
-    uint32_t torn_tick;       /* Tick at which the current sheet became useless; 0 means that the
-                                 sheet is usable. */
-    uint32_t first_torn_tick; /* Tick at which the first sheet became useless, reduced by the
-                                 earlier pauses of the round; 0 means that the sheet is usable. */
+    uint32_t scoops;          /* Number of dips that the player made in this round with earlier
+                                 sheets of paper. The dips with the current sheet are not
+                                 included. */
+    uint32_t torn_tick;       /* Tick at which the player's current sheet of paper became
+                                 useless; 0 means that the sheet is usable. */
+    uint32_t first_torn_tick; /* Tick at which the player's first sheet of paper became useless,
+                                 minus the ticks for which the round had been paused until then.
+                                 0 means that the first sheet is usable. */
     uint32_t sheets_before;   /* Number of sheets that the player used up before the current
                                  sheet. */
     uint32_t lost_ticks;      /* Duration in ticks of the current pause in which other players wait
@@ -89,14 +103,17 @@ struct player {
                                  controller's last motion. */
 };
 
-/* Longest pause without any active player. The round ends after the pause. */
+/* Longest single pause of a round while no player has a working controller. After this time the
+ * round ends. */
 #define GAME_LOST_TICKS_MAX (60u * CORE_TICK_HZ)
-/* Longest single pause for one lost controller while other players could play. */
+/* Longest single pause in which other players wait for one lost controller. After this time the
+ * player of that controller is out. */
 #define GAME_LOST_TICKS_OTHERS (10u * CORE_TICK_HZ)
-/* Longest total pause per round for one lost controller while other players could play. */
+/* Longest total time per round for which other players wait for one lost controller. After this
+ * time the player of that controller is out. */
 #define GAME_WAIT_TICKS_OTHERS (30u * CORE_TICK_HZ)
-/* Longest total pause per round without any active player. The limit also ends a round if a loose
- * plug causes many short pauses. */
+/* Longest total time per round for which the round pauses because no player has a working
+ * controller. After this time the round ends, even if a loose plug causes many short pauses. */
 #define GAME_WAIT_TICKS_MAX POI_WAIT_TICKS_MAX
 _Static_assert(GAME_LOST_TICKS_MAX <= GAME_WAIT_TICKS_MAX &&
                    GAME_WAIT_TICKS_OTHERS <= GAME_WAIT_TICKS_MAX,
@@ -115,8 +132,8 @@ struct hints {
     uint32_t haste_cells; /* Number of paper cells torn by fast motion since the hint rules were
                              last evaluated. */
     uint32_t paper_cells; /* Number of paper cells that the player's poi had in the last tick. */
-    uint32_t dips_before; /* Number of dips of the player's poi at the last catch, or 0 for a new
-                             poi. */
+    uint32_t dips_before; /* Number of dips that the player's poi had made when the player last
+                             caught a fish; 0 for a new poi. */
     uint32_t caught;      /* Number of fish that the player had caught when the hint rules were last
                              evaluated. */
     float moved_m;        /* Distance that the poi has moved in this round, up to 1 m. */
@@ -124,15 +141,17 @@ struct hints {
 
 /* Time without pointing or pressing after which the name entry ends. */
 #define NAME_IDLE_TICKS (20u * CORE_TICK_HZ)
-/* Longest time of one player's name entry, including help from friends. */
+/* Longest time in which one player may enter a name, even with help from friends. */
 #define NAME_TICKS_MAX (60u * CORE_TICK_HZ)
-/* Delay before a press counts, because an earlier press was meant for the result screen. */
+/* Time after the start of a player's name entry in which presses are ignored, because such a press
+ * was meant for the previous screen. */
 #define NAME_SEEN_TICKS (CORE_TICK_HZ / 2u)
 /* Time after which a held LEFT or RIGHT button starts to repeat. */
 #define NAME_RUN_TICKS (CORE_TICK_HZ / 2u)
-/* Ticks between two steps while LEFT or RIGHT repeats. */
+/* Ticks from one key to the next while a held LEFT or RIGHT button repeats. */
 #define NAME_STEP_TICKS (CORE_TICK_HZ / 10u)
-/* Number of rejected names after which the player may still try again. */
+/* Number of rejected names after which a player may enter another name. If that name is rejected
+ * too, the score has no name. */
 #define NAME_REFUSALS_MAX 1u
 
 struct name {
@@ -144,14 +163,15 @@ struct name {
     uint8_t key;       /* Highlighted key: the index of a letter's cell, or an enum name_key. */
     uint8_t points;    /* Key under the pointer, counted from 1. 0 means no key. */
     uint8_t upright, has_hand, presses;
-    uint8_t refusals; /* Number of names of the current player that were rejected. */
+    uint8_t refusals; /* Number of names that the current player entered and the name filter
+                         rejected. */
     uint8_t letter_count;
     uint16_t letter[NAME_LETTERS_MAX];
     uint32_t seat_tick;   /* Tick at which the current player's name entry began. */
-    uint32_t act_tick;    /* Tick of the current player's last activity. */
+    uint32_t act_tick;    /* Tick of the current player's last press or pointer motion. */
     uint32_t held_ticks;  /* Ticks for which LEFT or RIGHT has been held. */
     float x, y;           /* Pointer position on the canvas. */
-    float rest_x, rest_y; /* Pointer position at its last motion. */
+    float rest_x, rest_y; /* Position of the pointer when it last moved. */
 };
 
 struct game {
@@ -168,16 +188,20 @@ struct game {
     uint8_t call;        /* Latest time announcement in this round (enum time_call). */
     uint32_t call_tick;  /* Tick of the latest time announcement. */
     uint32_t phase_tick; /* Tick at which the phase began. While the round's clock is paused,
-                            `phase_tick` rises by one per tick. */
+                            `phase_tick` rises by one per tick, so that the time since the start
+                            of the phase stays the same. */
     uint32_t round_tick; /* Tick at which the round began; not changed by pauses. */
     uint32_t paused_ticks;   /* Ticks for which the round's clock was paused, for any reason. */
-    uint32_t point_tick;     /* Tick of the last selection in the mode selection. */
-    uint32_t lost_ticks;     /* Duration in ticks of the current pause without any active player. */
-    uint32_t waited_ticks;   /* Total duration in ticks of all pauses without any active player in
-                                this round. */
-    uint32_t gone_tick;      /* Tick at which the last player was out, or 0 while players are
-                                active; rises by one per tick during pauses. In attract mode: tick
-                                at which the bot's paper was torn or its bowl was full. */
+    uint32_t point_tick;     /* Tick at which a player last selected an item in the mode
+                                selection. */
+    uint32_t lost_ticks;     /* Duration in ticks of the current pause in which no player has a
+                                working controller. */
+    uint32_t waited_ticks;   /* Total duration in ticks of all pauses of this round in which no
+                                player had a working controller. */
+    uint32_t gone_tick;      /* Tick at which the last player was out, or 0 while a player is
+                                still in the round. During pauses the value rises by one per
+                                tick. In attract mode: tick at which the bot's paper was torn or
+                                its bowl was full. */
     uint32_t language_until; /* Tick at which a visitor's choice of language in attract mode ends; 0
                                 means no choice. */
     uint32_t turn_tick;      /* Tick at which a new session starts (session.c); 0 means that no
@@ -225,7 +249,5 @@ void game_init(struct game *game, const struct core_config *config);
 void game_tick(struct game *game, struct world *world, struct core_config *config,
                const struct input *input, struct output *output, struct poi_target targets[POI_MAX],
                uint8_t live[POI_MAX]);
-
-uint64_t game_hash(uint64_t hash, const struct game *game);
 
 #endif

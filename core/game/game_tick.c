@@ -1,13 +1,11 @@
-/* game_tick.c -- runs the steps of a game tick in order. No other file of the game includes the
- * phases and the steps of a tick all together. */
+/* game_tick.c -- runs the steps of a game tick in order and changes the phase. Computes the time
+ * left in a phase and whether a phase permits dips. No other file of the game includes all phases
+ * and all steps of a tick. */
 #include "core/game/game.h"
 
-#include "core/base/hash.h"
 #include "core/base/mem.h"
 #include "core/base/panic.h"
 #include "core/config.h"
-#include "core/game/accounting/credit.h"
-#include "core/game/accounting/ledger_writer.h"
 #include "core/game/bot/bot.h"
 #include "core/game/control/controller.h"
 #include "core/game/lab/lab.h"
@@ -18,6 +16,62 @@
 #include "core/poi/world.h"
 
 #define START_LAMP_TICKS (CORE_TICK_HZ / 2u)
+
+/* ---- Current phase and permitted actions ----------------------------------------------------- */
+
+void game_enter_phase(struct game *game, uint8_t phase)
+{
+    CORE_ASSERT(phase <= PHASE_LEADERBOARD);
+    game->phase = phase;
+    game->phase_tick = game->tick;
+}
+
+bool game_may_scoop(const struct game *game, uint32_t index)
+{
+    CORE_ASSERT(index < POI_MAX);
+    const bool in_time = game->phase == PHASE_ROUND && game_seconds_left(game, game->tick) > 0.0f;
+    return game->phase == PHASE_ATTRACT || (in_time && !game->paused && !game->player[index].out);
+}
+
+bool game_pumps(const struct game *game, uint32_t tick)
+{
+    const uint32_t elapsed = (tick - game->phase_tick) % (GAME_STALE_TICKS + GAME_AIR_TICKS);
+    return game->phase == PHASE_ATTRACT ? elapsed >= GAME_STALE_TICKS : game->phase != PHASE_ROUND;
+}
+
+static uint32_t min_ticks(uint32_t a, uint32_t b)
+{
+    return a < b ? a : b;
+}
+
+float game_seconds_left(const struct game *game, uint32_t tick)
+{
+    CORE_ASSERT(game->mode < MODE_COUNT);
+    const struct name *name = &game->name;
+    uint32_t start = game->phase_tick, total = 0;
+    switch (game->phase) {
+    case PHASE_MODE_SELECT:
+        total = min_ticks(game->point_tick - start + GAME_MODE_SELECT_TICKS,
+                          GAME_MODE_SELECT_TICKS_MAX);
+        break;
+    case PHASE_READY:
+        total = rules_of(game->mode)->ready_s * CORE_TICK_HZ;
+        break;
+    case PHASE_ROUND:
+        total = game->round_s * CORE_TICK_HZ;
+        break;
+    case PHASE_NAME:
+        start = name->seat_tick;
+        total = min_ticks(name->act_tick - start + NAME_IDLE_TICKS, NAME_TICKS_MAX);
+        break;
+    default:
+        break;
+    }
+    const uint32_t elapsed = tick - start;
+    return elapsed < total ? (float)(total - elapsed) * CORE_TICK_S : 0.0f;
+}
+
+/* ---- Start and tick of the game -------------------------------------------------------------- */
 
 void game_init(struct game *game, const struct core_config *config)
 {
@@ -32,8 +86,8 @@ void game_init(struct game *game, const struct core_config *config)
     game->accounts.audits = config->persistent.audits;
     game->accounts.ranking = config->persistent.ranking;
     settings_edit_init(&game->settings_edit, config);
-    game->hints = (struct hints){ 0 };
-    lab_init(&game->lab, config);
+    memcpy(game->lab.has_edit, config->book.has_edit, sizeof game->lab.has_edit);
+    memcpy(game->lab.edits, config->book.edits, sizeof game->lab.edits);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         game->live_y_m[i] = -1.0f;
         bot_init(&game->bot[i], &technique_expert, config->seed + i);
@@ -45,54 +99,30 @@ static void tick_phase(struct game *game, struct world *world, struct core_confi
                        const struct input *input, struct output *output)
 {
     CORE_ASSERT(game->phase <= PHASE_LEADERBOARD && game->phase != PHASE_WORDLESS);
-    switch (game->phase) {
-    case PHASE_ATTRACT:
-        attract_tick(game, world, config, input, output);
-        break;
-    case PHASE_MODE_SELECT:
-        game_mode_select_tick(game, world, config, input, output);
-        break;
-    case PHASE_READY:
-        round_ready_tick(game, world, config, output);
-        break;
-    case PHASE_ROUND:
-        round_tick(game, world, config, output);
-        break;
-    case PHASE_LAB:
-        lab_tick(game, world, config, input, output);
-        break;
-    case PHASE_MENU:
-        menu_tick(game, world, config, input, output);
-        break;
-    case PHASE_ALBUM:
-        album_tick(game, world, config, input, output);
-        break;
-    case PHASE_NAME:
-        name_tick(game, world, input, output);
-        break;
-    case PHASE_LEADERBOARD:
-        leaderboard_tick(game, world, config, input, output);
-        break;
-    default:
-        round_result_tick(game, world, config, input, output);
-        break;
-    }
+    static game_phase_tick *const ticks[] = {
+        [PHASE_ATTRACT] = attract_tick,     [PHASE_MODE_SELECT] = game_mode_select_tick,
+        [PHASE_READY] = round_ready_tick,   [PHASE_ROUND] = round_tick,
+        [PHASE_RESULT] = round_result_tick, [PHASE_LAB] = lab_tick,
+        [PHASE_MENU] = menu_tick,           [PHASE_ALBUM] = album_tick,
+        [PHASE_NAME] = name_tick,           [PHASE_LEADERBOARD] = leaderboard_tick,
+    };
+    ticks[game->phase](game, world, config, input, output);
 }
 
-/* Writes the START lamp, the coin lockout, and the counts for the coin meter and the ticket
- * dispenser to `output`. START is lit if START would begin a game. In the menu the lamp is lit
- * while self_test_shows() returns 1, and while START is held during the test of the input lines.
- * The coin slot is open in the menu only on the page that tests the input lines, because a visitor
- * cannot see that no game can be bought. */
+/* Sets the cabinet's outputs: the START lamp, the coin lockout, and the counts for the coin meter
+ * and the ticket dispenser. The lamp is lit if START would begin a game. In the menu the lamp is
+ * lit while self_test_shows() returns true, and while START is held during the test of the input
+ * lines. In the menu the coin slot is closed, except on the page that tests the input lines.
+ * Otherwise a visitor might pay although no game can be bought. */
 static void show_outputs(const struct game *game, const struct core_config *config,
                          struct output *output)
 {
     const struct ledger *ledger = &game->accounts.ledger;
     const struct credit *credit = &game->accounts.credit;
     const uint32_t credits_max = (uint32_t)config->persistent.settings.value[SET_CREDIT_MAX];
-    int lamp = 0, lockout = 0;
+    bool lamp = false, lockout = false;
     if (game->phase == PHASE_MENU) {
-        const int tests_lines = menu_tries_lines(game), shows = self_test_shows(game);
+        const bool tests_lines = menu_tries_lines(game), shows = self_test_shows(game);
         lamp = shows || (tests_lines && (game->menu.held & INPUT_START) != 0);
         lockout = !tests_lines || shows;
     } else {
@@ -113,15 +143,18 @@ void game_tick(struct game *game, struct world *world, struct core_config *confi
 {
     CORE_ASSERT(game->mode < MODE_COUNT && game->language < LANGUAGE_COUNT);
     CORE_ASSERT(game->phase <= PHASE_LEADERBOARD);
-    const struct input own = controller_calibrate(&config->persistent.settings, said),
-                       *input = &own;
+    struct input own = *said;
+    const struct input *input = &own;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        input_calibration_apply(&config->persistent.settings, i, &own.poi[i]);
+        input_validation_tick(&game->validation[i], &own.poi[i]);
+    }
     menu_calibrate_tick(game, world, config, said, output);
     session_language_tick(game, config, input);
-    ledger_tick(&game->accounts.ledger, input);
+    ledger_tick(&game->accounts.ledger, config, input);
     health_log_tick(game, config, input, output);
-    controller_validate(game, input);
     controller_assign(game, world, input);
-    credit_tick(game, world, config, input, output);
+    coins_tick(game, world, config, input, output);
     const uint8_t phase = game->phase;
     if (!menu_opens(game, world, config, input, output)) {
         tick_phase(game, world, config, input, output);
@@ -131,47 +164,9 @@ void game_tick(struct game *game, struct world *world, struct core_config *confi
     self_test_tick(game, said, output);
     settings_edit_tick(game, &config->persistent.settings, output);
     controller_assign(game, world,
-                      input); /* The source of a poi may change when a new phase begins, so the pois
-                                 are assigned after the phase. */
+                      input); /* Assign the source of each poi again, because a new phase may use
+                                 a different source. */
     controller_tick_all(game, world, config, input, targets, live);
     hints_tick(&game->hints, game, world, config);
     show_outputs(game, config, output);
-}
-
-uint64_t game_hash(uint64_t hash, const struct game *game)
-{
-    const uint32_t words[] = { game->phase,       game->language,     game->mode,
-                               game->lab_chosen,  game->bot_played,   game->played,
-                               game->paused,      game->call,         game->call_tick,
-                               game->phase_tick,  game->round_tick,   game->point_tick,
-                               game->lost_ticks,  game->gone_tick,    game->round_s,
-                               game->round_count, game->waited_ticks, game->turn_tick,
-                               game->paused_ticks };
-    for (uint32_t i = 0; i < sizeof words / sizeof words[0]; i++) {
-        hash = hash_u32(hash, words[i]);
-    }
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        hash = player_hash(hash, &game->player[i]);
-        hash = hash_u32(hash, game->holder[i]);
-        hash = hash_u32(hash, game->grip_tick[i]);
-        hash = input_pose_hash(hash, &game->hand_pose[i]);
-        hash = hash_float(hash, game->live_y_m[i]);
-        hash = input_validation_hash(hash, &game->validation[i]);
-        hash = hash_u32(hash, game->return_ticks[i]);
-        hash = hash_u32(hash, game->was_lost[i]);
-        hash = hash_u32(hash, game->immunity_ticks[i]);
-        hash = hash_u32(hash, game->outlier_ticks[i]);
-        hash = hash_u32(hash, game->rest_ticks[i]);
-        hash = bot_hash(hash, &game->bot[i]);
-    }
-    hash = ledger_hash(hash, &game->accounts.ledger);
-    hash = credit_hash(hash, &game->accounts.credit);
-    hash = name_hash(hash, &game->name);
-    hash = health_log_hash(hash, &game->health_log);
-    hash = menu_hash(hash, &game->menu);
-    hash = album_hash(hash, &game->album);
-    hash = lab_hash_quick(hash, &game->lab);
-    hash = session_language_hash(hash,
-                                 &(struct language_choice){ .until_tick = game->language_until });
-    return hints_hash(hash, &game->hints);
 }

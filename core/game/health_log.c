@@ -1,12 +1,9 @@
 /* health_log.c -- writes the ledger entries for starts, crashes and uptime. */
 #include "core/game/phases.h"
 
-#include "core/base/hash.h"
 #include "core/base/panic.h"
 #include "core/config.h"
-#include "core/game/accounting/credit.h"
-#include "core/game/accounting/ledger_writer.h"
-#include "core/game/game.h"
+#include "core/game/accounting/accounts.h"
 #include "core/poi/world.h"
 
 static struct ledger_entry health_of(const struct credit *credit,
@@ -38,8 +35,8 @@ void health_log_write(struct accounts *accounts, struct health_log *health_log, 
     }
 }
 
-int health_log_final(const struct accounts *accounts, const struct health_log *health_log,
-                     uint32_t tick, const struct input *input, struct ledger_entry *out)
+bool health_log_final(const struct accounts *accounts, const struct health_log *health_log,
+                      uint32_t tick, const struct input *input, struct ledger_entry *out)
 {
     const struct ledger *ledger = &accounts->ledger;
     *out = health_of(&accounts->credit, health_log, tick, input);
@@ -52,35 +49,38 @@ int health_log_final(const struct accounts *accounts, const struct health_log *h
     return ledger->boot > 0;
 }
 
-/* If the ledger has no room for an entry, the entry is logged as soon as the ledger has room. */
+/* Logs the entry about the kiosk's start and each due entry about uptime and faults. If the ledger
+ * has no room, the function logs a due entry in the first tick in which the ledger has room. */
 void health_log_tick(struct game *game, const struct core_config *config, const struct input *input,
                      struct output *output)
 {
     struct health_log *health_log = &game->health_log;
     struct ledger *ledger = &game->accounts.ledger;
-    const int is_first = !health_log->is_told;
+    const bool is_first = !health_log->is_told;
     health_log->is_told = 1;
-    if (is_first && ledger->boot > 0) { /* Without a store, kiosk starts are not counted. */
+    if (is_first && ledger->boot > 0) { /* Log the kiosk's start. Without a store (`boot` 0)
+                                           starts are not counted and not logged. */
         const struct ledger_entry entry = { .kind = LEDGER_BOOT,
                                             .count = ledger->boot,
                                             .value = (int32_t)ledger->balance.unlogged };
         coins_convert_pending(ledger, config);
         ledger_write(&game->accounts, game->tick, &entry, output);
-        const int counts = (ledger->balance.open & PAYMENT_SPENT) &&
-                           round_standing_finish(&game->accounts, config, game->tick, output);
+        const bool counts = (ledger->balance.open & PAYMENT_SPENT) &&
+                            round_standing_finish(&game->accounts, config, game->tick, output);
         if (!counts && ledger->balance.open != PAYMENT_NONE) {
             credit_refund(game, config, REFUND_RESTART, output);
-            game->accounts.credit.came_back = 0; /* The refunded round is from an earlier run of the
-                                                    kiosk, so no message is shown. */
+            game->accounts.credit.came_back = 0; /* Show no message about the refund, because the
+                                                    refunded round is from an earlier run of the
+                                                    kiosk. */
         }
     }
-    const int is_due = game->tick - health_log->told_tick >= HEALTH_LOG_TICKS;
+    const bool is_due = game->tick - health_log->told_tick >= HEALTH_LOG_TICKS;
     if ((is_due || ledger_needs_sync(ledger)) && ledger_may_write(ledger, LEDGER_HEALTH)) {
         health_log_write(&game->accounts, health_log, game->tick, input, output);
     }
 }
 
-/* ---- Controllers ---------------------------------------------------------------------------- */
+/* ---- Repeated losses of controllers --------------------------------------------------------- */
 
 void health_log_note_losses(struct game *game, const struct world *world,
                             const struct core_config *config, struct output *output)
@@ -90,7 +90,7 @@ void health_log_note_losses(struct game *game, const struct world *world,
     for (uint32_t i = 0; i < POI_MAX && !config->rules_7; i++) {
         const struct player *player = &game->player[i];
         const uint32_t last_tick = health_log->loss_tick[i];
-        const int is_away = player->plays && !player->out && !player_has_poi(world, i);
+        const bool is_away = player->plays && !player->out && !player_has_poi(world, i);
         health_log->away_ticks[i] = is_away ? health_log->away_ticks[i] + 1u : 0u;
         if (health_log->away_ticks[i] != HEALTH_LOG_LOSS_TICKS) {
             continue;
@@ -103,19 +103,4 @@ void health_log_note_losses(struct game *game, const struct world *world,
             ledger_write(&game->accounts, game->tick, &entry, output);
         }
     }
-}
-
-uint64_t health_log_hash(uint64_t hash, const struct health_log *health_log)
-{
-    const uint32_t words[] = { health_log->is_told, health_log->told_tick,
-                               health_log->dropped_ticks, health_log->device_faults,
-                               health_log->told_shakes };
-    for (uint32_t i = 0; i < sizeof words / sizeof words[0]; i++) {
-        hash = hash_u32(hash, words[i]);
-    }
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        hash = hash_later(hash, 2u * i + 1u, health_log->away_ticks[i]);
-        hash = hash_later(hash, 2u * i + 2u, health_log->loss_tick[i]);
-    }
-    return hash;
 }

@@ -1,43 +1,45 @@
 /* hints.c -- the rules that select a hint from the player's actions. */
 #include "core/game/phases.h"
 
-#include "core/base/hash.h"
 #include "core/base/panic.h"
 #include "core/config.h"
-#include "core/game/accounting/credit.h"
-#include "core/game/game.h"
+#include "core/game/accounting/accounts.h"
 #include "core/poi/world.h"
 
 /* Ticks between two evaluations of the hint rules: ten evaluations per second. */
 #define LOOK_TICKS 12u
-/* Distance that a player's poi must move so that the motion counts as deliberate. */
+/* Distance that a player's poi must move so that its motion counts as deliberate. */
 #define MOVED_M 0.15f
-/* Speed of the ring through water above which its motion counts as too fast. */
+/* Speed of the ring through the water above which the motion of the poi counts as too fast. */
 #define HASTE_M_S 0.35f
-/* Number of cells torn between two evaluations that triggers the hint about fast motion. */
+/* Number of paper cells torn between two evaluations of the hint rules that triggers the hint about
+ * fast motion. */
 #define HASTE_CELLS 3u
 #define HASTE_TICKS (3u * CORE_TICK_HZ)
-#define TILT_RAD 0.15f /* Pitch that counts as a deliberate tilt. */
+#define TILT_RAD 0.15f /* Pitch of the poi from which its tilt counts as deliberate. */
 /* Number of dips without a catch after which a hint explains the technique. */
 #define FRUITLESS_DIPS 2u
 /* Horizontal distance from the ring within which a fish counts as above the ring. */
 #define ABOVE_M 0.045f
-#define WET_CELL 0.2f /* Wetness that a cell reaches after a quarter of a second under water. */
+/* Wetness from which a paper cell counts as wet. A cell reaches this wetness after a quarter of a
+ * second under water. */
+#define WET_CELL 0.2f
 /* Shares of wet paper between which the paper counts as partly wet. */
 #define WET_PART_MIN 0.15f
 #define WET_PART_MAX 0.85f
-#define POURED_TICKS (4u * CORE_TICK_HZ) /* Time for which the hint about pouring is shown. */
+/* Time for which the hint about fish poured into the bowl (FOUL_POURED) is shown. */
+#define POURED_TICKS (4u * CORE_TICK_HZ)
 
 #define BIT(hint) (1u << (hint))
 
 struct view_of_fish {
-    int held;  /* 1 if a fish lies on the poi, otherwise 0. */
-    int above; /* 1 if a fish swims above the poi, otherwise 0. */
+    bool held;  /* True if a fish lies on the poi. */
+    bool above; /* True if a fish swims above the poi. */
 };
 
-/* Selects the first player who has a poi in use, and counts cells torn while the ring moves too
- * fast. Runs in every tick, because the speed may change between two evaluations. If the player
- * changes, the learned actions are reset. */
+/* Selects the first player who has a poi in use as the player who receives hints. Counts paper
+ * cells torn while the ring moves too fast. Runs in every tick, because the speed may change
+ * between two evaluations. If the player changes, the learned actions are reset. */
 static void watch_pupil(struct hints *hints, const struct world *world)
 {
     uint8_t first = 0;
@@ -59,8 +61,8 @@ static void watch_pupil(struct hints *hints, const struct world *world)
     hints->paper_cells = now;
 }
 
-/* Updates the learned actions and the fast-motion flag, and counts the poi's dips since the last
- * catch, or since the poi was new. */
+/* Updates which actions the player has learned and whether the player moves the poi too fast.
+ * Counts the poi's dips since the last catch, or since the poi was new. */
 static void observe(struct hints *hints, const struct game *game, const struct world *world,
                     struct view_of_fish fish)
 {
@@ -122,21 +124,22 @@ static uint8_t lesson(const struct hints *hints, const struct game *game, const 
     if (missing & BIT(HINT_DIP)) {
         return HINT_DIP;
     }
-    const int may_tilt = game->player[hints->pupil].caught > 0 && (missing & BIT(HINT_TILT));
+    const bool may_tilt = game->player[hints->pupil].caught > 0 && (missing & BIT(HINT_TILT));
     return may_tilt ? HINT_TILT : HINT_NONE;
 }
 
-/* Returns the hint for READY or the round. In READY with an umpire the hint explains the rule about
- * shadows, otherwise how to move the poi. */
+/* Returns the hint to show in READY (the phase before a round) or in the round. In READY the hint
+ * explains the rule about shadows in modes with an umpire, otherwise how to move the poi. */
 static uint8_t wanted_in_game(const struct hints *hints, const struct game *game,
                               const struct world *world, struct view_of_fish fish)
 {
     CORE_ASSERT(game->phase == PHASE_READY || game->phase == PHASE_ROUND);
     const struct player *player = &game->player[hints->pupil];
     const struct rules *rules = rules_of(game->mode);
-    const int is_bot = world->poi[hints->pupil].link == POI_SOURCE_BOT;
+    const bool is_bot = world->poi[hints->pupil].link == POI_SOURCE_BOT;
     const uint32_t poured_tick = player->offence_tick[FOUL_POURED];
-    /* The player of the hints has no poi in use only if no player has one. */
+    /* Report a lost poi if the game is paused, or if the player who receives the hints has no poi
+     * in use. In the second case no other player has a poi in use either. */
     if (game->paused || (!player_has_poi(world, hints->pupil) && !player->out)) {
         return HINT_LOST_POI;
     }
@@ -173,7 +176,8 @@ static uint8_t choose_hint(const struct hints *hints, const struct game *game,
     case PHASE_ALBUM:
     case PHASE_NAME:
     case PHASE_MENU:
-        return HINT_NONE; /* These pages contain their own instructions. */
+        return HINT_NONE; /* Show no hint, because the screens of these phases contain their own
+                             instructions. */
     case PHASE_RESULT:
         return game->accounts.credit.came_back                         ? HINT_PAID_BACK
                : game->tick - game->phase_tick >= GAME_AGAIN_DIP_TICKS ? to_play
@@ -186,8 +190,9 @@ static uint8_t choose_hint(const struct hints *hints, const struct game *game,
 void hints_tick(struct hints *hints, const struct game *game, const struct world *world,
                 const struct core_config *config)
 {
-    const int edge = game->tick == game->phase_tick; /* 1 in the first tick of a new phase, in which
-                                                        the hint is always evaluated. */
+    const bool edge =
+        game->tick == game->phase_tick; /* True in the first tick of a new phase. The hint rules
+                                           are always evaluated in this tick. */
     watch_pupil(hints, world);
     if (!edge && game->tick % LOOK_TICKS != 0) {
         return;
@@ -198,30 +203,19 @@ void hints_tick(struct hints *hints, const struct game *game, const struct world
         const struct fish *fish = &world->tank.fish[i];
         const vec3 d = v3_sub(fish->position_m, poi->position_m);
         view.held |= fish->gait == GAIT_HELD && fish->holder == hints->pupil;
-        const int near = d.x * d.x + d.z * d.z < ABOVE_M * ABOVE_M;
+        const bool near = d.x * d.x + d.z * d.z < ABOVE_M * ABOVE_M;
         view.above |= near && d.y > 0.0f && fish->gait < GAIT_HELD;
     }
     observe(hints, game, world, view);
     const uint8_t next = choose_hint(hints, game, world, config, view);
-    /* An urgent hint replaces the current hint immediately, and so does any hint after the player
-     * has done the action of the current hint. */
-    const int is_urgent = next == HINT_TORN || next == HINT_LOST_POI;
-    const int is_followed = (hints->shown == HINT_LIFT && poi->immersed < 0.5f) ||
-                            (hints->shown == HINT_DIP && poi->immersed > 0.5f);
+    /* An urgent hint replaces the current hint immediately. Any other hint replaces it in a new
+     * phase, after the player has done the action of the current hint, or after HINT_TICKS_MIN. */
+    const bool is_urgent = next == HINT_TORN || next == HINT_LOST_POI;
+    const bool is_followed = (hints->shown == HINT_LIFT && poi->immersed < 0.5f) ||
+                             (hints->shown == HINT_DIP && poi->immersed > 0.5f);
     if (next != hints->shown &&
         (edge || is_urgent || is_followed || game->tick - hints->shown_tick >= HINT_TICKS_MIN)) {
         hints->shown = next;
         hints->shown_tick = game->tick;
     }
-}
-
-uint64_t hints_hash(uint64_t hash, const struct hints *hints)
-{
-    const uint32_t words[] = { hints->pupil,       hints->shown,       hints->shown_tick,
-                               hints->learned,     hints->haste_tick,  hints->haste_cells,
-                               hints->paper_cells, hints->dips_before, hints->caught };
-    for (uint32_t i = 0; i < sizeof words / sizeof words[0]; i++) {
-        hash = hash_u32(hash, words[i]);
-    }
-    return hash_float(hash, hints->moved_m);
 }

@@ -1,35 +1,36 @@
-/* pointer_mapping.c -- the two canvases, and the mapping of poses to pointers on them. */
+/* pointer_mapping.c -- the two canvases, and the mapping of poses to pointers on a canvas. */
 #include "core/game/pointer_mapping.h"
 
 #include "core/base/fmath.h"
 #include "core/base/panic.h"
 #include "core/poi/world.h"
-#include "core/game/control/input_validation.h"
+#include "core/game/control/input_pose.h"
 
 #define WIDE_WIDTH 1280.0f
 #define WIDE_HEIGHT 720.0f
 #define UPRIGHT_WIDTH 854.0f
 #define UPRIGHT_HEIGHT 1400.0f
-/* Smallest distance in front of the camera. Nearer points are not visible. */
+/* Smallest distance in front of the camera that is projected. Nearer points are not visible. */
 #define DEPTH_MIN_M 0.05f
 
-struct layout_point pointer_layout_size(int upright)
+struct layout_point pointer_layout_size(bool upright)
 {
     return upright ? (struct layout_point){ UPRIGHT_WIDTH, UPRIGHT_HEIGHT }
                    : (struct layout_point){ WIDE_WIDTH, WIDE_HEIGHT };
 }
 
-int pointer_is_inside(struct layout_box box, float room, struct layout_point at)
+bool pointer_is_inside(struct layout_box box, float room, struct layout_point at)
 {
     CORE_ASSERT(room >= 0.0f);
     return box.width > 0.0f && at.x >= box.x - room && at.x <= box.x + box.width + room &&
            at.y >= box.y - room && at.y <= box.y + box.height + room;
 }
 
-/* On a screen of aspect ratio `aspect_min` or more, the tangent of the visible angle above and
- * below the middle is `half_height_tan`. On a narrower screen the tangent to each side is
- * aspect_min * half_height_tan. */
-struct layout_point pointer_project(const struct view *view, int upright, vec3 point_m)
+/* Returns the canvas point at which the camera shows `point_m`. On a screen of aspect ratio
+ * `aspect_min` or more, `half_height_tan` is the tangent of half the vertical angle of view. On a
+ * narrower screen, aspect_min * half_height_tan is the tangent of half the horizontal angle of
+ * view. */
+struct layout_point pointer_project(const struct view *view, bool upright, vec3 point_m)
 {
     CORE_ASSERT(view->half_height_tan > 0.0f && view->aspect_min > 0.0f);
     const struct basis axes = view_basis(view);
@@ -42,11 +43,12 @@ struct layout_point pointer_project(const struct view *view, int upright, vec3 p
     return (struct layout_point){ 0.5f * canvas.x + unit * right, 0.5f * canvas.y - unit * up };
 }
 
-/* A pose of a controller with rotation is mapped by the tank's floor plan, because the player aims
- * at a place in the tank and not along a camera ray. The player therefore need not reach behind the
- * tank for items at the top of the screen. */
+/* Returns the pointer of a player. The floor plan of the tank is mapped to the canvas if the
+ * controller measures rotation, because the player then aims at a place in the tank and not along a
+ * camera ray. The player therefore need not reach behind the tank for items at the top of the
+ * screen. The pose of a mouse is mapped by the camera. */
 struct pointer_state pointer_of_player(const struct world *world, const struct input *input,
-                                       int upright, uint32_t player)
+                                       bool upright, uint32_t player)
 {
     CORE_ASSERT(player < POI_MAX);
     const struct poi_input *says = &input->poi[player];

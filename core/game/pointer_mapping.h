@@ -4,10 +4,11 @@
  * Wide screens use a canvas of 1280 x 720, portrait screens a canvas of 854 x 1400. The origin is
  * the top left corner, with x to the right and y down. Each canvas is centred and as large as the
  * screen permits. The mapping uses the tank's camera. A point on the water surface maps to the
- * canvas point drawn over it, independent of the screen's size. */
+ * canvas point that is drawn over the point, independent of the screen's size. */
 #ifndef KINGYO_CORE_GAME_POINTER_MAPPING_H
 #define KINGYO_CORE_GAME_POINTER_MAPPING_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "core/base/vec.h"
@@ -17,10 +18,12 @@
 /* Screens with a smaller aspect ratio (width over height) use the portrait canvas. */
 #define POINTER_UPRIGHT_ASPECT 0.61f
 
-#define POINTER_PRESS_Y_M 0.010f /* Height of a pose below which the pointer presses. */
-/* Height of a pose above which a press ends. The pose of a mouse hovers at 0.035 m. */
+/* Height of a controller's pose below which its pointer presses. */
+#define POINTER_PRESS_Y_M 0.010f
+/* Height of a controller's pose above which a press of its pointer ends. The pose of a mouse hovers
+ * at 0.035 m. */
 #define POINTER_RELEASE_Y_M 0.018f
-/* Distance on the canvas within which a pointer counts as resting. */
+/* Distance on the canvas. A pointer that moves less than this distance counts as resting. */
 #define POINTER_MOVE_MIN 14.0f
 
 struct layout_box {
@@ -31,19 +34,20 @@ struct layout_point {
     float x, y;
 };
 
-struct layout_point pointer_layout_size(int upright); /* Returns the width and the height of the
-                                                         canvas. */
+struct layout_point pointer_layout_size(bool upright); /* Returns the width and height of the
+                                                          portrait canvas (`upright`) or of the
+                                                          wide canvas. */
 
-/* Returns 1 if the point `at` is in the box or less than `room` outside its edges, otherwise 0.
- * Always returns 0 for an empty box. */
-int pointer_is_inside(struct layout_box box, float room, struct layout_point at);
+/* Returns true if the point `at` is in the box or less than `room` outside its edges. Always
+ * returns false for an empty box. */
+bool pointer_is_inside(struct layout_box box, float room, struct layout_point at);
 
 /* Returns the canvas point at which the world point `point_m` is drawn. */
-struct layout_point pointer_project(const struct view *view, int upright, vec3 point_m);
+struct layout_point pointer_project(const struct view *view, bool upright, vec3 point_m);
 
 /* State of a player's pointer: its position, clamped to the canvas, and the height of its pose.
- * `present` is 0 if no controller is connected or its pose is invalid. A jump of a pointer is
- * harmless, so jumps are not filtered. */
+ * `present` is 0 if no controller is connected or its pose is invalid. Jumps of the pointer are not
+ * filtered, because a jump of a pointer does no damage. */
 struct pointer_state {
     uint8_t present;
     uint8_t player;
@@ -53,9 +57,10 @@ struct pointer_state {
 
 struct world;
 
-/* Returns the pointer of `player`. The pose of a controller with rotation is mapped by the tank's
- * floor plan. The poses of other controllers are mapped by the camera. */
+/* Returns the pointer of `player`, computed from the pose of the player's controller. If the
+ * controller measures rotation, the floor plan of the tank is mapped to the canvas. Otherwise the
+ * pointer is at the canvas point at which the camera shows the pose. */
 struct pointer_state pointer_of_player(const struct world *world, const struct input *input,
-                                       int upright, uint32_t player);
+                                       bool upright, uint32_t player);
 
 #endif

@@ -8,10 +8,9 @@
 
 #include "core/base/panic.h"
 #include "core/config.h"
-#include "core/game/accounting/credit.h"
+#include "core/game/accounting/accounts.h"
 #include "core/game/bot/paper_patch.h"
 #include "core/game/control/controller.h"
-#include "core/game/game.h"
 #include "core/game/lab/lab.h"
 #include "core/game/ranking/name.h"
 #include "core/game/rules.h"
@@ -31,26 +30,31 @@ void round_ready_begin(struct game *game, struct world *world, const struct core
     game->gone_tick = 0;
     game->lost_ticks = game->waited_ticks = 0;
     game->call = CALL_NONE;
+    uint8_t easiest = LEVEL_MASTER;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         game->player[i] = (struct player){ 0 };
+        game->player[i].level = rules_of(game->mode)->has_levels ? config->level : LEVEL_MASTER;
+        easiest = game->player[i].level > easiest ? game->player[i].level : easiest;
     }
     game->album = (struct album){ 0 };
     table_setup_empty_bowls(world);
     table_setup_prepare(game, world, config, table_setup_preset(config, game->mode));
+    world->tank.temper = rules_of_level(easiest)->temper;
     game_enter_phase(game, PHASE_READY);
     output_sound(output, SOUND_START, 1.0f, 0.0f);
 }
 
-void round_ready_tick(struct game *game, struct world *world, const struct core_config *config,
-                      struct output *output)
+void round_ready_tick(struct game *game, struct world *world, struct core_config *config,
+                      const struct input *input, struct output *output)
 {
+    (void)input;
     const uint32_t elapsed = game->tick - game->phase_tick;
     const uint32_t total = rules_of(game->mode)->ready_s * CORE_TICK_HZ;
     CORE_ASSERT(game->phase == PHASE_READY);
-    /* Each poi's paper is replaced as soon as the poi is out of the water, because a replacement
+    /* Replace the paper of each poi as soon as the poi is out of the water, because a replacement
      * under water would make the poi jump. */
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        const int clear = world->poi[i].immersed <= 0.0f || elapsed >= total / 2u;
+        const bool clear = world->poi[i].immersed <= 0.0f || elapsed >= total / 2u;
         if (!game->player[i].handed && clear) {
             table_setup_replace_poi(game, world, config, i, game->round_count, GAME_SERIES_ROUND);
             game->player[i].handed = 1;
@@ -88,21 +92,21 @@ enum time_call round_call_at(uint32_t elapsed_ticks, uint32_t total_ticks)
     }
 }
 
-/* Time for which the player sees the hole before the paper is replaced. */
+/* Time for which the player sees the hole in the paper before the paper is replaced. */
 #define RENEW_TICKS CORE_TICK_HZ
 
 void round_begin(struct game *game, struct world *world, struct output *output)
 {
     CORE_ASSERT(game->phase == PHASE_READY);
-    table_setup_empty_bowls(world); /* Fish that fell off a replaced poi during READY would lie in
-                                       the bowls without being counted. */
+    table_setup_empty_bowls(world); /* Empty the bowls, because fish that fell off a replaced poi
+                                       during READY may lie in the bowls without being counted. */
     game_enter_phase(game, PHASE_ROUND);
     game->round_tick = game->tick;
     game->paused_ticks = 0;
     output_sound(output, SOUND_START, 0.8f, 0.0f);
 }
 
-/* ---- Paper ---------------------------------------------------------------------------------- */
+/* ---- Replacement of torn paper -------------------------------------------------------------- */
 
 /* Handles paper that cannot hold a fish any more. The paper is replaced when the poi is out of the
  * water, because a replacement under water would make the poi jump. */
@@ -110,7 +114,7 @@ static void watch_paper(struct game *game, struct world *world, const struct cor
                         struct output *output)
 {
     CORE_ASSERT(game->mode < MODE_COUNT);
-    const int renews = rules_of(game->mode)->renews_paper;
+    const bool renews = rules_of(game->mode)->renews_paper;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         struct player *player = &game->player[i];
         const struct poi *poi = &world->poi[i];
@@ -134,9 +138,7 @@ static void watch_paper(struct game *game, struct world *world, const struct cor
     }
 }
 
-/* ---- End of the round ------------------------------------------------------------------------ */
-
-/* ---- Time ----------------------------------------------------------------------------------- */
+/* ---- Time announcements --------------------------------------------------------------------- */
 
 static void call_time(struct game *game, uint32_t elapsed, uint32_t total, struct output *output)
 {
@@ -155,17 +157,18 @@ static void call_time(struct game *game, uint32_t elapsed, uint32_t total, struc
     }
 }
 
-/* ---- The tick ------------------------------------------------------------------------------- */
+/* ---- Tick of the round, and its result ------------------------------------------------------ */
 
-void round_tick(struct game *game, struct world *world, const struct core_config *config,
-                struct output *output)
+void round_tick(struct game *game, struct world *world, struct core_config *config,
+                const struct input *input, struct output *output)
 {
+    (void)input;
     CORE_ASSERT(game->phase == PHASE_ROUND);
     player_tick_pause(game, world);
     uint32_t carried_fish = 0, in_round = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const struct player *player = &game->player[i];
-        const int is_active = controller_is_active(world, i);
+        const bool is_active = controller_is_active(world, i);
         game->played |= player->plays;
         game->bot_played |= (uint8_t)(is_active && world->poi[i].link == POI_SOURCE_BOT);
         carried_fish += is_active ? world->poi[i].carried_count : 0;
@@ -190,10 +193,10 @@ void round_tick(struct game *game, struct world *world, const struct core_config
         game->gone_tick = game->tick;
     }
     call_time(game, elapsed, total, output);
-    /* After time is up no fish can be scooped, but fish on the paper may still be carried to the
-     * bowl. */
-    const int is_gone = game->gone_tick != 0 && game->tick - game->gone_tick >= GAME_GONE_TICKS;
-    const int is_late =
+    /* After the time of the round is up, no fish can be scooped, but fish on the paper may still be
+     * carried to the bowl for a few seconds. */
+    const bool is_gone = game->gone_tick != 0 && game->tick - game->gone_tick >= GAME_GONE_TICKS;
+    const bool is_late =
         elapsed >= total && (carried_fish == 0 || elapsed >= total + GAME_CARRY_TICKS);
     if (is_gone || is_late) {
         round_result_begin(game, world, config, output);
@@ -225,18 +228,19 @@ void round_result_skip(struct game *game, const struct world *world,
     name_note_round(game, &config->persistent.settings, 0);
 }
 
-/* Starts the next phase after the result. Hints that the players have learned are kept for the next
- * round. */
-void round_result_tick(struct game *game, struct world *world, const struct core_config *config,
+/* Runs one tick of the result screen. If a player starts another game or the result has been shown
+ * long enough, starts the next phase: name entry, mode selection, album or attract mode.
+ * Hints that the players have learned are kept for the next round. */
+void round_result_tick(struct game *game, struct world *world, struct core_config *config,
                        const struct input *input, struct output *output)
 {
     CORE_ASSERT(game->phase == PHASE_RESULT);
     const uint32_t elapsed = game->tick - game->phase_tick;
-    const int dipped = controller_dipped_player(game, world, input) < POI_MAX;
-    const int goes_on = ((input->pressed & INPUT_START) && elapsed >= GAME_AGAIN_TICKS) ||
-                        (dipped && elapsed >= GAME_AGAIN_DIP_TICKS) ||
-                        credit_is_awaited(&game->accounts, config, game->tick);
-    const int is_read = elapsed >= GAME_RESULT_TICKS;
+    const bool dipped = controller_dipped_player(game, world, input) < POI_MAX;
+    const bool goes_on = ((input->pressed & INPUT_START) && elapsed >= GAME_AGAIN_TICKS) ||
+                         (dipped && elapsed >= GAME_AGAIN_DIP_TICKS) ||
+                         credit_is_awaited(&game->accounts, config, game->tick);
+    const bool is_read = elapsed >= GAME_RESULT_TICKS;
     if ((goes_on || is_read) && name_begin(game, output)) {
         return;
     }

@@ -2,6 +2,7 @@
 #include "core/game/rules.h"
 
 #include "core/base/panic.h"
+#include "core/poi/poi.h"
 #include "core/tank/preset.h"
 
 static const struct rules table[MODE_COUNT] = {
@@ -11,6 +12,7 @@ static const struct rules table[MODE_COUNT] = {
         .round_s = 60,
         .ready_s = RULES_READY_S,
         .coaches = 1,
+        .has_levels = 1,
         .keeps_score = 1,
     },
     [MODE_CHAMPIONSHIP] = {
@@ -31,8 +33,44 @@ static const struct rules table[MODE_COUNT] = {
         .renews_paper = 1,
         .coaches = 1,
         .shows_stress = 1,
+        .has_levels = 1,
     },
 };
+
+/* The values of the easier levels come from `make bench-players`. At these values, simulated
+ * visitors who do not know the technique catch fish, and skill still pays at every level. */
+static const struct level_rules levels[LEVEL_COUNT] = {
+    [LEVEL_MASTER] = { .name = "master", .ring_radius_m = POI_RADIUS_M },
+    [LEVEL_NORMAL] = {
+        .name = "normal",
+        .ring_radius_m = 0.041f,
+        .temper = {
+            .threshold_gain = 0.3f,
+            .latency_gain = 0.3f,
+            .reach_loss = 0.15f,
+            .calm_share = 0.1f,
+        },
+    },
+    [LEVEL_EASY] = {
+        .name = "easy",
+        .ring_radius_m = 0.046f,
+        .grade_step = 2,
+        .stroke_s = 0.01f,
+        .stroke_m_s = 0.8f,
+        .temper = {
+            .threshold_gain = 1.0f,
+            .latency_gain = 1.0f,
+            .reach_loss = 0.4f,
+            .calm_share = 0.7f,
+        },
+    },
+};
+
+const struct level_rules *rules_of_level(uint8_t level)
+{
+    CORE_ASSERT(level < LEVEL_COUNT);
+    return &levels[level];
+}
 
 const struct rules *rules_of(uint8_t mode)
 {

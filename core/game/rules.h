@@ -12,15 +12,19 @@
 #include <stdint.h>
 
 #include "core/scene.h"
+#include "core/tank/behavior_params.h"
 
-#define RULES_STALLS_TANK 0xffu /* Value of `tank` that means the configured tank of the kiosk. */
-/* Time to take the poi and find the bowl, in modes without an umpire. */
+/* Value of the member `tank` that stands for the configured tank of the kiosk. */
+#define RULES_STALLS_TANK 0xffu
+/* Length of READY in seconds in modes without an umpire. In READY the player takes the poi and
+ * finds the bowl. */
 #define RULES_READY_S 3u
 
 struct rules {
     const char *name; /* Name of the mode on the command line. */
-    uint8_t tank;     /* Preset of the tank (enum tank_preset_id), or RULES_STALLS_TANK. */
-    uint8_t grade;    /* Grade of the paper; 0 means the configured grade. */
+    uint8_t tank;     /* Preset of the tank in this mode (enum tank_preset_id), or
+                         RULES_STALLS_TANK. */
+    uint8_t grade;    /* Grade of the paper in this mode; 0 means the configured grade. */
     uint32_t round_s;
     uint32_t ready_s;     /* Length of READY in seconds, in which the player takes the poi before
                              the start. */
@@ -29,11 +33,29 @@ struct rules {
                              the paper is useless. */
     uint8_t judges;       /* 1 if fouls are counted and fish caught by a foul do not count. 0 if
                              every fish in the bowl counts, as at a real stall. */
-    uint8_t calls;        /* 1 if the time is announced, otherwise 0. */
-    uint8_t coaches;      /* 1 if hints explain the next step, 0 if hints only report fouls. */
+    uint8_t calls;        /* 1 if the remaining time of the round is announced, otherwise 0. */
+    uint8_t coaches;      /* 1 if hints explain the player's next step, 0 if hints only report
+                             fouls. */
     uint8_t shows_stress;
+    uint8_t has_levels;  /* 1 if each player may choose a level, 0 if every player plays at
+                            LEVEL_MASTER. */
     uint8_t keeps_score; /* 1 if the round produces a record and can be ranked, otherwise 0. */
 };
+
+/* What a level (enum level) changes, as data. All fields of LEVEL_MASTER are neutral. */
+struct level_rules {
+    const char *name;     /* Name of the level in kingyo.conf and on the command line. */
+    float ring_radius_m;  /* Inner radius of the player's ring. */
+    uint8_t grade_step;   /* Number of grades by which the player's paper is stronger than the
+                             paper of the mode. */
+    float stroke_s;       /* Time constant that smooths the motion of the player's poi in water; 0
+                             means no smoothing. */
+    float stroke_m_s;     /* Highest speed of the player's poi in water; 0 means no limit. */
+    struct temper temper; /* Temper of all fish, if this is the easiest level in the round. */
+};
+
+/* Returns what `level` changes. Asserts that `level` < LEVEL_COUNT. */
+const struct level_rules *rules_of_level(uint8_t level);
 
 /* Returns the rules of `mode`. Asserts that `mode` < MODE_COUNT. */
 const struct rules *rules_of(uint8_t mode);

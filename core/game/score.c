@@ -4,8 +4,7 @@
 
 #include "core/base/panic.h"
 #include "core/config.h"
-#include "core/game/accounting/ledger_writer.h"
-#include "core/game/game.h"
+#include "core/game/accounting/accounts.h"
 #include "core/game/lab/lab.h"
 #include "core/game/ranking/name.h"
 #include "core/game/rules.h"
@@ -31,20 +30,21 @@ static void commit_foul(struct game *game, uint32_t index, enum foul kind, struc
     output_sound(output, SOUND_FOUL, 1.0f, 0.0f);
 }
 
-/* ---- Before the start ----------------------------------------------------------------------- */
+/* ---- Fouls before the start of the round ---------------------------------------------------- */
 
-/* Tracks whether the player moved the controller. The function uses the controller's pose and not
- * the poi's pose, because a new tank or a new source moves the poi without the player. After the
- * view changes, a pointer refers to a different point of the water, and its pose jumps in the next
- * frames. The rest position is therefore updated until FOUL_SETTLE_TICKS. */
+/* Updates `stance`: whether the player has moved the controller since READY began. The function
+ * uses the controller's pose and not the poi's pose, because a new tank or a new source moves the
+ * poi without the player. After the view changes, a pointer refers to a different point of the
+ * water, and its pose jumps in the next frames. The rest position is therefore updated until
+ * FOUL_SETTLE_TICKS. */
 static void watch_stance(struct game *game, const struct world *world, uint32_t index)
 {
     CORE_ASSERT(index < POI_MAX);
     struct player *player = &game->player[index];
     const uint8_t link = world->poi[index].link;
     if (!player_has_poi(world, index)) {
-        player->stance = STANCE_UNSEEN; /* A controller that was disconnected by a broken cable is
-                                           no foul. */
+        player->stance = STANCE_UNSEEN; /* Forget the motion of a player without a controller,
+                                           because a broken cable is no foul. */
     } else if (link == POI_SOURCE_LIVE || link == POI_SOURCE_BOT) {
         const vec3 hand_m = link == POI_SOURCE_LIVE ? game->validation[index].newest.position_m
                                                     : game->hand_pose[index].position_m;
@@ -57,8 +57,8 @@ static void watch_stance(struct game *game, const struct world *world, uint32_t 
     }
 }
 
-/* The time of a shadow counts only from the start of READY, even if the shadow was already present
- * before. */
+/* Records a foul by each player whose shadow has rested over fish for FOUL_SHADE_S. The time of a
+ * shadow counts only from the start of READY, even if the shadow was already present before. */
 void score_fouls_before_start(struct game *game, const struct world *world, struct output *output)
 {
     const float ready_s = (float)(game->tick - game->phase_tick) * CORE_TICK_S;
@@ -66,7 +66,7 @@ void score_fouls_before_start(struct game *game, const struct world *world, stru
     CORE_ASSERT(game->phase == PHASE_READY);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const struct shade *const shades[] = { &tank->shade[i], &tank->shade[SHADE_MAX + i] };
-        int is_foul = 0;
+        bool is_foul = false;
         watch_stance(game, world, i);
         /* A shadow of a fan is always a foul. A shadow of a poi is a foul only if the player moved
          * the controller. */
@@ -81,7 +81,7 @@ void score_fouls_before_start(struct game *game, const struct world *world, stru
     }
 }
 
-/* ---- In the round --------------------------------------------------------------------------- */
+/* ---- Score and record of the round ----------------------------------------------------------- */
 
 void game_score(struct game *game, const struct world *world,
                 const struct catch_result caught[POI_MAX], struct output *output)
@@ -89,8 +89,9 @@ void game_score(struct game *game, const struct world *world,
     if (game->phase != PHASE_ROUND) {
         return;
     }
-    /* Fish caught by a foul lie in the bowl too, but do not count in modes with an umpire. */
-    const int judges = rules_of(game->mode)->judges;
+    /* In modes with an umpire, fish caught by a foul do not count, although these fish lie in the
+     * bowl too. */
+    const bool judges = rules_of(game->mode)->judges;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const uint32_t valid = judges ? caught[i].landed : caught[i].bowled;
         if (game->player[i].fouls < FOUL_MAX) {
@@ -149,7 +150,7 @@ void score_keep(struct game *game, const struct world *world, const struct core_
                 uint32_t tickets, struct output *output)
 {
     CORE_ASSERT(game->mode < MODE_COUNT);
-    const int is_scored = rules_of(game->mode)->keeps_score;
+    const bool is_scored = rules_of(game->mode)->keeps_score;
     if (!game->played) {
         return;
     }
@@ -160,8 +161,5 @@ void score_keep(struct game *game, const struct world *world, const struct core_
     entry.round.unscored = (uint8_t)!is_scored;
     game->accounts.ledger.balance.open = PAYMENT_NONE;
     const uint32_t id = ledger_write(&game->accounts, game->tick, &entry, output);
-    if (id != 0 && is_scored) {
-        output->record = entry.round;
-    }
     name_note_round(game, &config->persistent.settings, is_scored ? id : 0u);
 }

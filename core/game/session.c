@@ -2,15 +2,11 @@
  * display language. */
 #include "core/game/phases.h"
 
-#include "core/base/hash.h"
 #include "core/base/mem.h"
 #include "core/base/panic.h"
 #include "core/base/rng.h"
 #include "core/config.h"
-#include "core/game/accounting/credit.h"
-#include "core/game/accounting/ledger_writer.h"
-#include "core/game/game.h"
-#include "core/game/menu/menu.h"
+#include "core/game/accounting/accounts.h"
 
 void session_request(struct game *game)
 {
@@ -20,8 +16,9 @@ void session_request(struct game *game)
     }
 }
 
-/* The caller has already incremented `game->tick`. */
-int session_is_over(const struct game *game)
+/* Returns true if the session ends in this tick. The caller has already incremented
+ * `game->tick`. */
+bool session_is_over(const struct game *game)
 {
     return game->phase == PHASE_ATTRACT && game->turn_tick != 0 && game->tick >= game->turn_tick;
 }
@@ -45,8 +42,8 @@ void session_restart(const struct game *game, struct core_config *config)
     };
     config->persistent.ledger.last_id = game->accounts.ledger.last_id;
     config->persistent.ledger.balance = game->accounts.ledger.balance;
-    config->persistent.ledger.stand = (struct ledger_stand){ 0 }; /* No round is open in attract
-                                                                     mode. */
+    /* Clear the state of the open round, because no round is open in attract mode. */
+    config->persistent.ledger.stand = (struct ledger_stand){ 0 };
     config->persistent.audits = game->accounts.audits;
     config->persistent.ranking = game->accounts.ranking;
     memcpy(config->book.has_edit, game->lab.has_edit, sizeof config->book.has_edit);
@@ -82,19 +79,6 @@ float session_fade(const struct game *game, const struct core_config *config)
     return game->phase == PHASE_ATTRACT ? (float)dark / (float)SESSION_FADE_TICKS : 0.0f;
 }
 
-uint64_t session_hash(uint64_t hash, const struct game_session *session, int rules_7)
-{
-    hash = hash_u32(hash, session->tick);
-    hash = hash_u32(hash, session->command_count);
-    hash = hash_u32(hash, session->edit_save_id);
-    hash = hash_u32(hash, session->edit_saved_id);
-    hash = ledger_hash(hash, &session->ledger);
-    hash = credit_hash(hash, &session->credit);
-    hash = health_log_hash(hash, &session->health_log);
-    return session_language_hash(settings_edit_hash(hash, &session->settings_edit, rules_7),
-                                 &session->language);
-}
-
 void session_language_reset(struct game *game, const struct core_config *config)
 {
     CORE_ASSERT(config->language < LANGUAGE_COUNT);
@@ -116,11 +100,4 @@ void session_language_tick(struct game *game, const struct core_config *config,
         game->language = (uint8_t)((game->language + 1u) % LANGUAGE_COUNT);
         game->language_until = config->rules_7 ? 0u : game->tick + LANGUAGE_TICKS;
     }
-}
-
-uint64_t session_language_hash(uint64_t hash, const struct language_choice *choice)
-{
-    return choice->chosen | choice->until_tick
-               ? hash_u32(hash_u32(hash, choice->chosen), choice->until_tick)
-               : hash;
 }

@@ -9,17 +9,17 @@
 #include "core/input.h"
 #include "core/settings.h"
 
-/* Interval of the LEDGER_HEALTH entries. A power cut removes at most one interval from the
- * statistics. */
+/* Interval between two LEDGER_HEALTH entries, which log uptime and faults. A power cut loses at
+ * most the data of one interval. */
 #define HEALTH_LOG_TICKS (120u * CORE_TICK_HZ)
 
 struct health_log {
-    uint8_t is_told;                       /* 1 if the LEDGER_BOOT of this start is written,
-                                              otherwise 0. */
-    uint32_t told_tick;                    /* Tick of the last LEDGER_HEALTH. */
-    uint32_t dropped_ticks, device_faults; /* Values of `input->dropped_ticks` and
-                                              `input->device_faults` when the last LEDGER_HEALTH was
-                                              written. */
+    uint8_t is_told;                       /* 1 if the entry LEDGER_BOOT, which logs this start
+                                              of the kiosk, is written; otherwise 0. */
+    uint32_t told_tick;                    /* Tick at which the last LEDGER_HEALTH was written. */
+    uint32_t dropped_ticks, device_faults; /* Values of the counters `dropped_ticks` and
+                                              `device_faults` in the input when the last
+                                              LEDGER_HEALTH was written. */
     uint32_t told_shakes;
     uint32_t away_ticks[POI_MAX]; /* Number of ticks for which each slot in play has been without
                                      its controller. */
@@ -27,35 +27,37 @@ struct health_log {
                                      means never. */
 };
 
-/* Time without a controller that counts as a loss. A shorter interruption is treated as a
- * glitch. */
+/* Time for which a slot must be without its controller to count as a loss. A shorter interruption
+ * is treated as a glitch. */
 #define HEALTH_LOG_LOSS_TICKS CORE_TICK_HZ
 /* Time after a loss of a slot's controller within which another loss counts as a repeated loss and
  * is logged (LEDGER_LOSS). */
 #define HEALTH_LOG_LOSS_AGAIN_TICKS (600u * CORE_TICK_HZ)
 
-/* Ticks without a change after which a setting is logged. */
+/* Number of ticks without a further change after which a changed setting is logged. */
 #define SETTINGS_EDIT_REST_TICKS (CORE_TICK_HZ / 2u)
 
 struct settings_edit {
-    struct settings told; /* Settings as last logged in the ledger. */
-    uint32_t turn_tick;   /* Tick of the last change of a setting. */
-    uint32_t entry_id;    /* Id of the newest entry that logged a setting; 0 means none since the
-                             kiosk started. */
+    struct settings told; /* Values of all settings as they were last logged in the ledger. */
+    uint32_t turn_tick;   /* Tick at which a setting last changed. */
+    uint32_t entry_id;    /* Id of the newest entry that logged a setting; 0 means that no setting
+                             was logged since the kiosk started. */
     uint32_t pin_wrong;   /* Number of wrong PINs since the last correct PIN, 0 .. 255. */
     uint32_t pin_tick;    /* Tick of the last wrong PIN. If the database contained wrong PINs at
                              startup, the value is the tick of the kiosk's start. The field is not
                              in struct menu, because struct menu is reset when the menu opens. */
 };
 
-/* Length of one loop of attract mode, equal to AUDIO_OUTPUT_SHOW_S. */
+/* Time after which a language that a visitor chose in attract mode expires. The time is the length
+ * of one loop of attract mode and equals AUDIO_OUTPUT_SHOW_S. */
 #define LANGUAGE_TICKS (60u * CORE_TICK_HZ)
 
 /* Language chosen by a visitor, carried over to the next session. All fields are 0 if no visitor
  * chose a language. */
 struct language_choice {
     uint32_t chosen;     /* Chosen language (enum language); 0 unless `until_tick` is set. */
-    uint32_t until_tick; /* Tick in attract mode at which the choice ends; 0 means no choice. */
+    uint32_t until_tick; /* Tick in attract mode at which the visitor's choice expires; 0 means that
+                            no visitor chose a language. */
 };
 
 /* Longest time in attract mode before a new session starts. A running game is never interrupted. */
@@ -66,9 +68,9 @@ struct language_choice {
 /* State carried over from the previous session. All fields are 0 if the kiosk has just started. */
 struct game_session {
     uint32_t tick; /* First tick of this session; 0 at the kiosk's start. */
-    uint32_t command_count, edit_save_id, edit_saved_id; /* Number of commands and ids of graph
-                                                            edits, as in struct menu and struct
-                                                            lab. */
+    /* `command_count` is the member of struct menu. `edit_save_id` and `edit_saved_id` are the
+     * members `save_id` and `saved_id` of struct lab. */
+    uint32_t command_count, edit_save_id, edit_saved_id;
     struct ledger ledger;
     struct credit credit;
     struct health_log health_log;

@@ -1,4 +1,5 @@
-/* table_setup.c -- table setup: opens the tank, places the bowls and supplies paper. */
+/* table_setup.c -- functions that prepare the table for a game: open the tank, place the bowls and
+ * supply paper. */
 #include "core/game/table_setup.h"
 
 #include "core/base/mem.h"
@@ -7,8 +8,6 @@
 #include "core/game/game.h"
 #include "core/poi/world.h"
 #include "core/config.h"
-#include "core/game/control/controller.h"
-#include "core/game/control/controller.h"
 #include "core/game/control/controller.h"
 #include "core/game/rules.h"
 
@@ -48,8 +47,20 @@ uint8_t table_setup_grade(const struct core_config *config, uint8_t mode)
 {
     const uint8_t grade = rules_of(mode)->grade;
     const uint8_t own = config->grade ? config->grade : GAME_POI_GRADE;
-    const int is_only_mode = table_setup_modes(config) == 1u << mode;
+    const bool is_only_mode = table_setup_modes(config) == 1u << mode;
     return grade && !(config->grade && is_only_mode) ? grade : own;
+}
+
+/* Initializes `poi` with dry paper and with the ring and the paper grade of the player's level. */
+static void init_poi(const struct game *game, const struct core_config *config, uint32_t index,
+                     struct poi *poi, vec3 position_m, uint32_t seed)
+{
+    const struct level_rules *level = rules_of_level(game->player[index].level);
+    const uint8_t mode_grade = table_setup_grade(config, game->mode);
+    const uint8_t strongest = SHEET_GRADE_MIN + level->grade_step;
+    const uint8_t grade =
+        mode_grade > strongest ? (uint8_t)(mode_grade - level->grade_step) : SHEET_GRADE_MIN;
+    poi_init_sized(poi, grade, level->ring_radius_m, position_m, seed);
 }
 
 uint32_t table_setup_round_s(const struct core_config *config, uint8_t mode)
@@ -57,7 +68,7 @@ uint32_t table_setup_round_s(const struct core_config *config, uint8_t mode)
     return config->round_s ? config->round_s : rules_of(mode)->round_s;
 }
 
-/* ---- Tank and bowls ------------------------------------------------------------------------- */
+/* ---- Opening of the tank, with bowls and pois ------------------------------------------------ */
 
 static uint32_t player_count(const struct core_config *config)
 {
@@ -68,7 +79,7 @@ static uint32_t player_count(const struct core_config *config)
 static uint32_t preset_fish_count(const struct core_config *config, uint8_t preset)
 {
     CORE_ASSERT(preset < TANK_PRESET_COUNT);
-    const int is_own = preset == config->preset && config->fish_count != 0;
+    const bool is_own = preset == config->preset && config->fish_count != 0;
     return is_own ? config->fish_count : tank_preset(preset)->fish_count;
 }
 
@@ -79,12 +90,11 @@ static void place_all(struct game *game, struct world *world, const struct core_
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const uint32_t seed = game_poi_seed(config->seed, i, game->round_count, GAME_SERIES_ROUND);
         const uint8_t link = world->poi[i].link;
-        poi_init(&world->poi[i], table_setup_grade(config, game->mode),
-                 parking_place(world, i).position_m, seed);
+        init_poi(game, config, i, &world->poi[i], parking_place(world, i).position_m, seed);
         world->poi[i].link = link;
         game->hand_pose[i] = parking_place(world, i);
-        game->holder[i] = POI_SOURCE_ABSENT; /* The next controller takes control of the poi at its
-                                                rest position. */
+        game->holder[i] = POI_SOURCE_ABSENT; /* The next controller of the poi takes control at
+                                                the poi's rest position. */
         controller_forget_path(game, i);
         world->bowl[i] = (struct bowl){ 0 };
         if (i < player_count(config)) {
@@ -101,12 +111,11 @@ static void open_tank(struct world *world, const struct core_config *config, uin
     opening.seed = seed;
     opening.bowls = (uint8_t)player_count(config);
     opening.lanes = config->lanes;
-    const int opened = tank_open(&world->tank, &opening);
+    const bool opened = tank_open(&world->tank, &opening);
     CORE_ASSERT(opened);
     for (uint32_t i = 0; i < world->tank.fish_count; i++) {
-        world->tank.fish[i].thought_tick = (uint8_t)tick; /* The fish decides as if its last
-                                                             decision had been made in the current
-                                                             tick. */
+        world->tank.fish[i].thought_tick = (uint8_t)tick; /* Treat the fish as if it had made its
+                                                             last decision in the current tick. */
     }
 }
 
@@ -117,12 +126,13 @@ void table_setup_open(struct game *game, struct world *world, const struct core_
     place_all(game, world, config, tank_preset(config->preset));
 }
 
-/* The operator may have changed the number of fish or players in the menu. */
+/* Prepares the tank for a game. A new tank is opened only if the present tank does not match, for
+ * example because the operator changed the number of fish or players in the menu. */
 void table_setup_prepare(struct game *game, struct world *world, const struct core_config *config,
                          uint8_t preset)
 {
     CORE_ASSERT(preset < TANK_PRESET_COUNT);
-    int is_set_up =
+    bool is_set_up =
         preset == world->tank.preset && world->tank.fish_count == preset_fish_count(config, preset);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         is_set_up = is_set_up && world->bowl[i].present == (i < player_count(config));
@@ -134,7 +144,7 @@ void table_setup_prepare(struct game *game, struct world *world, const struct co
     }
 }
 
-/* ---- Paper and fish ------------------------------------------------------------------------- */
+/* ---- Replacement of paper, and emptying of bowls --------------------------------------------- */
 
 void table_setup_replace_poi(const struct game *game, struct world *world,
                              const struct core_config *config, uint32_t index, uint32_t number,
@@ -146,9 +156,9 @@ void table_setup_replace_poi(const struct game *game, struct world *world,
     const struct angles angles = poi->angles;
     const uint32_t carried_count = poi->carried_count;
     struct carried_fish carried_fish[POI_CARRIED_MAX];
-    failsafe_release_all(poi, &world->tank);
+    parking_release_all(poi, &world->tank);
     memcpy(carried_fish, poi->carried_fish, sizeof carried_fish);
-    poi_init(poi, table_setup_grade(config, game->mode), poi->position_m,
+    init_poi(game, config, index, poi, poi->position_m,
              game_poi_seed(config->seed, index, number, series));
     poi->link = link;
     poi->angles = angles;

@@ -1,5 +1,5 @@
-/* table_setup.h -- table setup: opens the tank, places a bowl for each player, and supplies fresh
- * paper. */
+/* table_setup.h -- functions that prepare the table for a game: open the tank, place a bowl for
+ * each player, and supply fresh paper. */
 #ifndef KINGYO_CORE_GAME_TABLE_SETUP_H
 #define KINGYO_CORE_GAME_TABLE_SETUP_H
 
@@ -8,14 +8,13 @@
 struct game;
 struct world;
 struct core_config;
-struct input;
-struct poi_target;
 
 /* Series of paper seeds, one for each use of paper: rounds, the bot in attract mode, and
  * replacements of torn paper. */
 enum game_series { GAME_SERIES_ROUND = 0, GAME_SERIES_ATTRACT = 1, GAME_SERIES_SPARE = 2 };
 
-/* Returns the paper seed of the poi that player `index` receives as number `number` of `series`. */
+/* Returns the random seed for the paper of a new poi. The poi is number `number` of the series
+ * `series` that player `index` receives. `seed` is the seed of the configuration. */
 uint32_t game_poi_seed(uint32_t seed, uint32_t index, uint32_t number, enum game_series series);
 
 /* table_setup_modes() returns a bit mask of the modes that players can choose (1 << enum game_mode
@@ -35,8 +34,9 @@ uint32_t table_setup_round_s(const struct core_config *config, uint8_t mode);
 void table_setup_open(struct game *game, struct world *world, const struct core_config *config);
 
 /* Ensures that the tank of `preset` is open with the configured number of fish and players. If a
- * different tank is open, it is replaced, the bowls are empty, and each poi starts from its rest
- * position. The seed of the new fish depends on the configuration and on the number of rounds. */
+ * different tank is open, the new tank replaces the open tank, the bowls are empty, and each poi
+ * starts from its rest position. The seed of the new fish depends on the configuration and on the
+ * number of rounds. */
 void table_setup_prepare(struct game *game, struct world *world, const struct core_config *config,
                          uint8_t preset);
 
@@ -46,7 +46,7 @@ void table_setup_replace_poi(const struct game *game, struct world *world,
                              const struct core_config *config, uint32_t index, uint32_t number,
                              enum game_series series);
 
-/* Empties every bowl into the tank. */
+/* Moves the fish of every bowl back into the tank. */
 void table_setup_empty_bowls(struct world *world);
 
 #endif

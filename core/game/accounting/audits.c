@@ -1,11 +1,12 @@
 /* audits.c -- adds each kind of ledger entry to its counters. */
 #include "core/game/accounting/audits.h"
 
-#include "core/base/hash.h"
 #include "core/base/panic.h"
 #include "core/game/rules.h"
 
-static const char *const names[AUDIT_PLAYS] = {
+/* Names of the counters that have a fixed name. audits_name() computes the other names, from
+ * AUDIT_PLAYS to AUDIT_BOOTS - 1. */
+static const char *const names[AUDIT_COUNT] = {
     [AUDIT_COINS_1] = "coins-1",
     [AUDIT_COINS_2] = "coins-2",
     [AUDIT_COINS_3] = "coins-3",
@@ -30,22 +31,19 @@ static const char *const names[AUDIT_PLAYS] = {
     [AUDIT_PAPERS_TORN] = "papers-torn",
     [AUDIT_PAPER_LIFE_S] = "paper-life-seconds",
     [AUDIT_FOULS] = "fouls",
-};
-
-static const char *const machine_names[AUDIT_COUNT - AUDIT_BOOTS] = {
-    "boots",
-    "crashed-rounds",
-    "dropped-ticks",
-    "device-faults",
-    "up-seconds",
-    "up-seconds-longest",
-    "resets",
-    "wrong-pins",
-    "lost-again-1",
-    "lost-again-2",
-    "lost-again-3",
-    "lost-again-4",
-    "tickets-dispensed",
+    [AUDIT_BOOTS] = "boots",
+    [AUDIT_CRASHED_ROUNDS] = "crashed-rounds",
+    [AUDIT_DROPPED_TICKS] = "dropped-ticks",
+    [AUDIT_DEVICE_FAULTS] = "device-faults",
+    [AUDIT_UP_S] = "up-seconds",
+    [AUDIT_UP_S_MAX] = "up-seconds-longest",
+    [AUDIT_RESETS] = "resets",
+    [AUDIT_WRONG_PINS] = "wrong-pins",
+    [AUDIT_LOST_AGAIN] = "lost-again-1",
+    [AUDIT_LOST_AGAIN + 1] = "lost-again-2",
+    [AUDIT_LOST_AGAIN + 2] = "lost-again-3",
+    [AUDIT_LOST_AGAIN + 3] = "lost-again-4",
+    [AUDIT_TICKETS_OUT] = "tickets-dispensed",
 };
 _Static_assert(POI_MAX == 4u, "each seat has its counter of losses");
 
@@ -72,7 +70,7 @@ void audits_name(uint32_t id, char out[AUDIT_NAME_SIZE])
 {
     CORE_ASSERT(id < AUDIT_COUNT);
     out[0] = '\0';
-    if (id < AUDIT_PLAYS) {
+    if (names[id]) {
         append_audit_text(out, names[id]);
     } else if (id < AUDIT_HOUR) {
         append_audit_text(out, "plays-");
@@ -82,11 +80,9 @@ void audits_name(uint32_t id, char out[AUDIT_NAME_SIZE])
     } else if (id < AUDIT_WEEKDAY) {
         append_audit_text(out, "hour-");
         append_number(out, id - AUDIT_HOUR);
-    } else if (id < AUDIT_BOOTS) {
+    } else {
         append_audit_text(out, "weekday-");
         append_number(out, id - AUDIT_WEEKDAY + 1u);
-    } else {
-        append_audit_text(out, machine_names[id - AUDIT_BOOTS]);
     }
 }
 
@@ -105,7 +101,7 @@ static void add_to_audit(struct audits *audits, uint32_t id, uint32_t count)
     *sum = UINT32_MAX - *sum < count ? UINT32_MAX : *sum + count;
 }
 
-/* ---- Games ----------------------------------------------------------------------------------- */
+/* ---- Counters of games and rounds ------------------------------------------------------------ */
 
 static void note_begin(struct audits *audits, const struct ledger_entry *entry)
 {
@@ -123,7 +119,7 @@ static void note_begin(struct audits *audits, const struct ledger_entry *entry)
         add_to_audit(audits, AUDIT_PLAYS_LAB, 1);
     }
     if (entry->day != 0 && entry->minute < 24u * 60u) {
-        /* Day 0, 2000-01-01, is a Saturday. */
+        /* Weekday 0 is Monday. Day 0 of the calendar (2000-01-01) is a Saturday, so 5 is added. */
         add_to_audit(audits, AUDIT_HOUR + entry->minute / 60u, 1);
         add_to_audit(audits, AUDIT_WEEKDAY + (entry->day + 5u) % 7u, 1);
     }
@@ -134,13 +130,12 @@ static uint32_t rounded_seconds(uint32_t ticks)
     return (ticks + CORE_TICK_HZ / 2u) / CORE_TICK_HZ;
 }
 
-/* Adds a round to the counters. The lifetime of paper counts only for the first sheet, because in
- * scored modes a player receives only one sheet. */
+/* Adds a finished round to the counters. The lifetime of paper counts only for the first sheet,
+ * because in scored modes a player receives only one sheet. */
 static void note_round(struct audits *audits, const struct ledger_entry *entry)
 {
     CORE_ASSERT(entry->kind == LEDGER_ROUND);
     const struct round_record *round = &entry->round;
-    add_to_audit(audits, AUDIT_TICKETS, (uint32_t)entry->value);
     add_to_audit(audits, AUDIT_CRASHED_ROUNDS, entry->detail == ROUND_CUT_OFF);
     if (round->by_bot || round->unscored) {
         return;
@@ -164,106 +159,81 @@ static void note_round(struct audits *audits, const struct ledger_entry *entry)
     }
 }
 
-/* Resets a group of counters to 0. AUDIT_RESETS is not reset, but incremented. */
-static void note_reset(struct audits *audits, const struct ledger_entry *entry)
+/* ---- Counters for each kind of ledger entry -------------------------------------------------- */
+
+/* Amount that an entry adds to a counter: 1, the entry's `count`, or the entry's `value`. */
+enum amount { AMOUNT_ONE = 0, AMOUNT_COUNT, AMOUNT_VALUE };
+
+/* Table of the counters that every entry of a given kind changes. */
+static const struct {
+    uint8_t kind, audit, amount;
+} sums[] = {
+    { LEDGER_BOOT, AUDIT_BOOTS, AMOUNT_ONE },
+    { LEDGER_BOOT, AUDIT_UNITS, AMOUNT_VALUE },
+    { LEDGER_COINS, AUDIT_UNITS, AMOUNT_VALUE },
+    { LEDGER_TEST_COIN, AUDIT_TEST_COINS, AMOUNT_COUNT },
+    { LEDGER_CREDITS, AUDIT_CREDITS_PAID, AMOUNT_COUNT },
+    { LEDGER_CREDITS, AUDIT_CREDITS_BONUS, AMOUNT_VALUE },
+    { LEDGER_SERVICE, AUDIT_CREDITS_SERVICE, AMOUNT_ONE },
+    { LEDGER_REFUND, AUDIT_REFUNDS, AMOUNT_COUNT },
+    { LEDGER_EXPIRED, AUDIT_EXPIRED, AMOUNT_COUNT },
+    { LEDGER_FACTORY, AUDIT_EXPIRED, AMOUNT_COUNT },
+    { LEDGER_ROUND, AUDIT_TICKETS, AMOUNT_VALUE },
+    { LEDGER_TICKET, AUDIT_TICKETS_OUT, AMOUNT_COUNT },
+    { LEDGER_HEALTH, AUDIT_TILTS, AMOUNT_COUNT },
+    { LEDGER_HEALTH, AUDIT_UP_S, AMOUNT_VALUE },
+    { LEDGER_RESET, AUDIT_RESETS, AMOUNT_ONE },
+};
+
+void audits_note(struct audits *audits, const struct ledger_entry *entry)
 {
-    CORE_ASSERT(entry->kind == LEDGER_RESET);
-    for (uint32_t id = 0; id < AUDIT_COUNT; id++) {
-        if (id != AUDIT_RESETS && audits_group_of(id) == entry->detail) {
-            audits->count[id] = 0;
+    const uint32_t amounts[] = { 1u, entry->count, (uint32_t)entry->value };
+    uint32_t *wrong_pins = &audits->count[AUDIT_WRONG_PINS];
+    uint32_t *longest = &audits->count[AUDIT_UP_S_MAX];
+    for (uint32_t i = 0; i < sizeof sums / sizeof sums[0]; i++) {
+        if (sums[i].kind == entry->kind) {
+            add_to_audit(audits, sums[i].audit, amounts[sums[i].amount]);
         }
     }
-    add_to_audit(audits, AUDIT_RESETS, 1);
-}
-
-/* ---- Each kind of entry ---------------------------------------------------------------------- */
-
-/* Adds the entry kinds that change one or two counters. */
-static void note_counts(struct audits *audits, const struct ledger_entry *entry)
-{
-    const uint32_t value = (uint32_t)entry->value;
     switch (entry->kind) {
-    case LEDGER_BOOT:
-        add_to_audit(audits, AUDIT_BOOTS, 1);
-        add_to_audit(audits, AUDIT_UNITS, value);
-        break;
     case LEDGER_COINS:
         if (entry->detail < COIN_LINE_COUNT) {
             add_to_audit(audits, AUDIT_COINS_1 + entry->detail, entry->count);
         }
-        add_to_audit(audits, AUDIT_UNITS, value);
         break;
-    case LEDGER_TEST_COIN:
-        add_to_audit(audits, AUDIT_TEST_COINS, entry->count);
-        break;
-    case LEDGER_CREDITS:
-        add_to_audit(audits, AUDIT_CREDITS_PAID, entry->count);
-        add_to_audit(audits, AUDIT_CREDITS_BONUS, value);
-        break;
-    case LEDGER_SERVICE:
-        add_to_audit(audits, AUDIT_CREDITS_SERVICE, 1);
-        break;
-    case LEDGER_REFUND:
-        add_to_audit(audits, AUDIT_REFUNDS, entry->count);
-        add_to_audit(audits, AUDIT_CRASHED_ROUNDS, entry->detail == REFUND_RESTART);
-        break;
-    case LEDGER_EXPIRED:
-    case LEDGER_FACTORY:
-        add_to_audit(audits, AUDIT_EXPIRED, entry->count);
-        break;
-    case LEDGER_TICKET:
-        add_to_audit(audits, AUDIT_TICKETS_OUT, entry->count);
-        break;
-    case LEDGER_LOSS:
-        if (entry->detail < POI_MAX) {
-            add_to_audit(audits, AUDIT_LOST_AGAIN + entry->detail, entry->count);
-        }
-        break;
-    default:
-        break; /* LEDGER_NAME, LEDGER_SETTING and LEDGER_LEFT change no counter. */
-    }
-}
-
-/* Adds `entry` to the counters. Entries without a row in the table, such as LEDGER_NAME,
- * LEDGER_SETTING and LEDGER_LEFT, change no counter. */
-void audits_note(struct audits *audits, const struct ledger_entry *entry)
-{
-    uint32_t *wrong_pins = &audits->count[AUDIT_WRONG_PINS];
-    uint32_t *longest = &audits->count[AUDIT_UP_S_MAX];
-    switch (entry->kind) {
     case LEDGER_BEGIN:
         note_begin(audits, entry);
         break;
     case LEDGER_ROUND:
         note_round(audits, entry);
         break;
-    case LEDGER_RESET:
-        note_reset(audits, entry);
+    case LEDGER_REFUND:
+        add_to_audit(audits, AUDIT_CRASHED_ROUNDS, entry->detail == REFUND_RESTART);
+        break;
+    case LEDGER_RESET: /* Reset every counter of the group except AUDIT_RESETS, which counts the
+                          resets. */
+        for (uint32_t id = 0; id < AUDIT_COUNT; id++) {
+            if (id != AUDIT_RESETS && audits_group_of(id) == entry->detail) {
+                audits->count[id] = 0;
+            }
+        }
         break;
     case LEDGER_PIN:
         *wrong_pins = entry->detail ? 0u : *wrong_pins;
         add_to_audit(audits, AUDIT_WRONG_PINS, !entry->detail);
         break;
+    case LEDGER_LOSS:
+        if (entry->detail < POI_MAX) {
+            add_to_audit(audits, AUDIT_LOST_AGAIN + entry->detail, entry->count);
+        }
+        break;
     case LEDGER_HEALTH:
-        add_to_audit(audits, AUDIT_TILTS, entry->count);
-        add_to_audit(audits, AUDIT_UP_S, (uint32_t)entry->value);
         add_to_audit(audits, AUDIT_DROPPED_TICKS, entry->health.dropped_ticks);
         add_to_audit(audits, AUDIT_DEVICE_FAULTS, entry->health.device_faults);
         *longest = *longest < entry->health.up_s ? entry->health.up_s : *longest;
         break;
     default:
-        note_counts(audits, entry);
-        break;
+        break; /* The table `sums` contains all counters that the other kinds of entries change.
+                  LEDGER_NAME, LEDGER_SETTING, LEDGER_STAND and LEDGER_LEFT change no counter. */
     }
-}
-
-uint64_t audits_hash(uint64_t hash, const struct audits *audits)
-{
-    for (uint32_t i = 0; i < AUDIT_FORMAT_7_COUNT; i++) {
-        hash = hash_u32(hash, audits->count[i]);
-    }
-    for (uint32_t i = AUDIT_FORMAT_7_COUNT; i < AUDIT_COUNT; i++) {
-        hash = hash_later(hash, i, audits->count[i]);
-    }
-    return hash;
 }

@@ -15,11 +15,11 @@
 #define AUDIT_GRADES (SHEET_GRADE_MAX - SHEET_GRADE_MIN + 1u)
 
 enum audit_id {
-    /* Group 0: money. */
-    AUDIT_COINS_1 = 0, /* Pulses of the first coin line. */
+    /* Group 0: counters of coins, credits and tickets. */
+    AUDIT_COINS_1 = 0, /* Number of pulses of the first coin line. */
     AUDIT_COINS_2,
     AUDIT_COINS_3,
-    AUDIT_UNITS, /* Value of all coin pulses in units. */
+    AUDIT_UNITS, /* Total value of all coin pulses, in coin units. */
     AUDIT_TEST_COINS,
     AUDIT_CREDITS_PAID,
     AUDIT_CREDITS_BONUS, /* Bonus credits, included in AUDIT_CREDITS_PAID. */
@@ -28,20 +28,20 @@ enum audit_id {
     AUDIT_EXPIRED,
     AUDIT_TICKETS,
     AUDIT_TILTS,
-    /* Group 1: games. */
+    /* Group 1: counters of games, players, catches and paper. */
     AUDIT_PLAYS_PAID,
     AUDIT_PLAYS_SERVICE,
     AUDIT_PLAYS_FREE,
-    AUDIT_PLAYS_LAB, /* Visits to the growth lab. The counters of started games include the
-                        visits. */
+    AUDIT_PLAYS_LAB, /* Visits to the growth lab. These visits are also included in the counters
+                        of started games. */
     AUDIT_ROUNDS,    /* Scored rounds that people played to the end. The counters from AUDIT_PLAYERS
                         to AUDIT_FOULS cover only these rounds. */
     AUDIT_PLAYERS,
     AUDIT_CAUGHT,
-    AUDIT_PLAY_S,       /* Seconds played. */
+    AUDIT_PLAY_S,       /* Total time of the rounds in seconds. */
     AUDIT_PAPERS,       /* Sheets of paper that players received. */
-    AUDIT_PAPERS_TORN,  /* Sheets that tore through. */
-    AUDIT_PAPER_LIFE_S, /* Total lifetime of the torn sheets in seconds. */
+    AUDIT_PAPERS_TORN,  /* Sheets of paper that tore through. */
+    AUDIT_PAPER_LIFE_S, /* Total lifetime in seconds of the sheets of paper that tore. */
     AUDIT_FOULS,
     AUDIT_PLAYS, /* First of the counters of started rounds, one for each mode and grade. The index
                     is AUDIT_PLAYS + mode * AUDIT_GRADES + grade - SHEET_GRADE_MIN. */
@@ -50,23 +50,24 @@ enum audit_id {
     AUDIT_WEEKDAY = AUDIT_HOUR + 24,                      /* First of 7 counters of started games,
                                                              one for each weekday, beginning with
                                                              Monday. */
-    /* Group 2: the machine. */
+    /* Group 2: counters of starts, faults and uptime of the machine. */
     AUDIT_BOOTS = AUDIT_WEEKDAY + 7,
-    AUDIT_CRASHED_ROUNDS, /* Rounds that were still open at startup. */
+    AUDIT_CRASHED_ROUNDS, /* Rounds that were still open at startup, because a crash or a power
+                             cut interrupted them. */
     AUDIT_DROPPED_TICKS,
     AUDIT_DEVICE_FAULTS,
     AUDIT_UP_S,           /* Total uptime in seconds. */
     AUDIT_UP_S_MAX,       /* Longest uptime between two starts, in seconds. */
     AUDIT_RESETS,         /* Number of resets of counter groups. This counter is never reset. */
-    AUDIT_WRONG_PINS,     /* Number of wrong PINs since the last correct PIN. Because a correct PIN
-                             sets the counter to 0, no page shows it. */
-    AUDIT_FORMAT_7_COUNT, /* Number of counters in recordings of format 7. */
+    AUDIT_WRONG_PINS,     /* Number of wrong PINs since the last correct PIN. No page shows the
+                             counter, because a page opens only after a correct PIN, which sets the
+                             counter to 0. */
+    AUDIT_FORMAT_7_COUNT, /* Number of counters in recordings of the older format 7. */
     AUDIT_LOST_AGAIN = AUDIT_FORMAT_7_COUNT, /* First of the counters of repeated controller losses,
                                                 one for each slot. */
-    AUDIT_TICKETS_OUT = AUDIT_LOST_AGAIN + (int)POI_MAX, /* Number of tickets sent to the ticket
-                                                            dispenser. AUDIT_TICKETS includes
-                                                            these tickets. The counter belongs to
-                                                            group 0. */
+    /* Number of tickets sent to the ticket dispenser. AUDIT_TICKETS includes these tickets. The
+     * counter belongs to group 0. */
+    AUDIT_TICKETS_OUT = AUDIT_LOST_AGAIN + (int)POI_MAX,
     AUDIT_COUNT,
 };
 
@@ -90,9 +91,7 @@ void audits_name(uint32_t id, char out[AUDIT_NAME_SIZE]);
 /* Returns the group of counter `id`. Asserts that `id` < AUDIT_COUNT. */
 enum audit_group audits_group_of(uint32_t id);
 
-/* Adds one ledger entry to the counters. */
+/* Increases the counters to which the ledger entry `entry` belongs. */
 void audits_note(struct audits *audits, const struct ledger_entry *entry);
-
-uint64_t audits_hash(uint64_t hash, const struct audits *audits);
 
 #endif

@@ -1,17 +1,18 @@
-/* round_standing.c -- packs the state of an open round into one ledger entry, and unpacks it. */
-#include "core/game/accounting/credit.h"
-
-#include "core/base/hash.h"
+/* round_standing.c -- logs the state of an open round. Packs the state into one ledger entry, and
+ * unpacks it. */
 #include "core/base/panic.h"
 #include "core/config.h"
-#include "core/game/accounting/ledger_writer.h"
+#include "core/game/accounting/accounts.h"
 #include "core/game/game.h"
 #include "core/game/rules.h"
 #include "core/game/table_setup.h"
 
-#define SEAT_BITS 8u /* Number of bits of the member `count` that hold the catch of each slot. */
+/* Number of bits of the member `count` for each player slot. The bits hold the slot's number of
+ * caught fish. */
+#define SEAT_BITS 8u
 #define SEAT_MAX 255u
-/* Mask of the tickets in the member `value`. The higher bits hold the players and the bot. */
+/* Mask of the bits of the member `value` that hold the number of tickets. The higher bits hold the
+ * players and the bot. */
 #define TICKETS_MASK 0xffffu
 #define PLAYERS_SHIFT 16u
 #define PLAYERS_MASK 15u
@@ -23,10 +24,10 @@
 _Static_assert(POI_MAX *SEAT_BITS <= 32u && POI_MAX <= 4u, "every seat has its byte and its bit");
 _Static_assert(CHOICE_COUNT <= MODE_MASK + 1u && SHEET_GRADE_MAX <= 15u, "mode and grade fit");
 
-int round_standing_is_spent(const struct game *game, const struct core_config *config)
+bool round_standing_is_spent(const struct game *game, const struct core_config *config)
 {
     const uint32_t total = game->round_s * CORE_TICK_HZ;
-    const int is_mostly_played =
+    const bool is_mostly_played =
         game->phase == PHASE_ROUND &&
         STAND_SHARE_DENOMINATOR * (game->tick - game->phase_tick) >= STAND_SHARE_NUMERATOR * total;
     return !config->rules_7 &&
@@ -54,17 +55,19 @@ static struct ledger_stand stand_of(const struct game *game, const struct core_c
     };
 }
 
-/* A free round without tickets has no value that a power cut could remove, and is not logged. */
+/* Logs the state of the open round whenever the state changes, after the credit is no longer
+ * refundable. A free round without tickets is not logged, because a power cut could not remove
+ * anything of value. */
 void round_standing_tick(struct game *game, const struct core_config *config, struct output *output)
 {
     struct ledger *ledger = &game->accounts.ledger;
     struct credit *credit = &game->accounts.credit;
     const struct ledger_stand now = stand_of(game, config), *last = &credit->stand;
     const uint8_t kind = ledger->balance.open & PAYMENT_KIND_MASK;
-    const int has_value = kind == PAYMENT_PAID || kind == PAYMENT_SERVICE ||
-                          (kind == PAYMENT_FREE && config->ticket_fish > 0);
-    const int is_logged = (ledger->balance.open & PAYMENT_SPENT) && now.count == last->count &&
-                          now.value == last->value && now.detail == last->detail;
+    const bool has_value = kind == PAYMENT_PAID || kind == PAYMENT_SERVICE ||
+                           (kind == PAYMENT_FREE && config->ticket_fish > 0);
+    const bool is_logged = (ledger->balance.open & PAYMENT_SPENT) && now.count == last->count &&
+                           now.value == last->value && now.detail == last->detail;
     CORE_ASSERT(round_standing_is_good(&now));
     if (!round_standing_is_spent(game, config) || !has_value || is_logged ||
         !ledger_is_saved(ledger, credit->stand_id) || !ledger_may_write(ledger, LEDGER_STAND)) {
@@ -78,17 +81,17 @@ void round_standing_tick(struct game *game, const struct core_config *config, st
     credit->stand_id = ledger_write(&game->accounts, game->tick, &entry, output);
 }
 
-/* ---- Finishing the round at the next start --------------------------------------------------- */
+/* ---- Finishing an interrupted round at the next start ---------------------------------------- */
 
-/* Returns the record of the round. Times, paper and fish count are unknown and therefore 0, as in
- * records of an earlier Kingyo. */
+/* Returns the record of the round whose last logged state is `stand`. Times, paper and fish count
+ * are unknown and therefore 0, as in records of an earlier Kingyo. */
 static struct round_record record_of(const struct ledger_stand *stand)
 {
     CORE_ASSERT(round_standing_is_good(stand));
     const uint32_t value = (uint32_t)stand->value;
     struct round_record record = {
-        .mode = stand->detail & MODE_MASK, /* The mode is in range, because the caller has checked
-                                              round_standing_is_good(). */
+        .mode = stand->detail & MODE_MASK, /* The unpacked mode is in range, because the caller
+                                              has checked round_standing_is_good(). */
         .grade = stand->detail >> GRADE_SHIFT,
         .players = (uint8_t)(value >> PLAYERS_SHIFT & PLAYERS_MASK),
         .by_bot = (uint8_t)(value >> BOT_SHIFT & 1u),
@@ -104,8 +107,8 @@ static struct round_record record_of(const struct ledger_stand *stand)
     return record;
 }
 
-int round_standing_finish(struct accounts *accounts, const struct core_config *config,
-                          uint32_t tick, struct output *output)
+bool round_standing_finish(struct accounts *accounts, const struct core_config *config,
+                           uint32_t tick, struct output *output)
 {
     struct ledger *ledger = &accounts->ledger;
     const struct ledger_stand *stand = &config->persistent.ledger.stand;
@@ -114,13 +117,13 @@ int round_standing_finish(struct accounts *accounts, const struct core_config *c
                                   .value = (int32_t)((uint32_t)stand->value & TICKETS_MASK),
                                   .round = record_of(stand) };
     if (entry.round.players == 0) {
-        return 0;
+        return false;
     }
     entry.round.id = ledger->last_id + 1u;
     ledger->balance.open = PAYMENT_NONE;
     credit_owe_tickets(accounts, config, (uint32_t)entry.value);
     ledger_write(accounts, tick, &entry, output);
-    return 1;
+    return true;
 }
 
 struct ledger_stand round_standing_after(struct ledger_stand before,
@@ -134,17 +137,10 @@ struct ledger_stand round_standing_after(struct ledger_stand before,
                : (struct ledger_stand){ 0 };
 }
 
-int round_standing_is_good(const struct ledger_stand *stand)
+bool round_standing_is_good(const struct ledger_stand *stand)
 {
     const uint32_t value = (uint32_t)stand->value;
     return (stand->detail & MODE_MASK) < MODE_COUNT &&
            stand->detail >> GRADE_SHIFT <= SHEET_GRADE_MAX && value >> (BOT_SHIFT + 1u) == 0 &&
            (value & TICKETS_MASK) <= BALANCE_TICKETS_MAX;
-}
-
-uint64_t round_standing_hash(uint64_t hash, const struct ledger_stand *stand)
-{
-    hash = hash_later(hash, 0x51, stand->count);
-    hash = hash_later(hash, 0x52, (uint32_t)stand->value);
-    return hash_later(hash, 0x53, stand->detail);
 }

@@ -3,20 +3,18 @@
  * and with tremor. */
 #include "core/game/bot/bot.h"
 
-#include "core/base/hash.h"
 #include "core/base/panic.h"
 #include "core/base/rng.h"
-#include "core/game/bot/vision.h"
 
-/* Ratio of the arm's speed to its remaining distance near the goal. Far from the goal the arm moves
- * at full speed, and it brakes at half of its acceleration, as people do. Near the goal the arm
- * moves slowly. */
+/* Ratio of the arm's speed (m/s) to the remaining distance to its goal (m) on the last part of the
+ * way. Before that part the arm moves at full speed and then brakes at half of its acceleration, as
+ * people do. */
 #define CREEP_PER_S 11.0f
 #define WRIST_PULL_PER_S 12.0f
 #define WRIST_EASE_S 0.06f
 
-/* Period of the tremor. All frequencies are multiples of 0.1 Hz, so the sum of the sine waves
- * repeats every ten seconds. */
+/* Period after which the arm's tremor repeats. The tremor is a sum of sine waves whose frequencies
+ * are multiples of 0.1 Hz, so the sum repeats every ten seconds. */
 #define TREMOR_TICKS (10u * CORE_TICK_HZ)
 #define SWAY_HZ 1.3f
 #define DRIFT_HZ 3.7f
@@ -33,7 +31,7 @@ static float turn_wrist(float now_rad, float goal_rad, float *rate_rad_s)
 }
 
 /* Advances the arm by one tick toward `goal` with a bell-shaped speed profile. `speed_m_s` is the
- * maximum speed, and `ease_s` is the time to reach it. The arm comes to rest at `goal`. */
+ * maximum speed, and `ease_s` is the time to reach that speed. The arm comes to rest at `goal`. */
 static void bot_hand_move(struct bot_hand *hand, const struct poi_target *goal, float speed_m_s,
                           float ease_s)
 {
@@ -53,9 +51,9 @@ static void bot_hand_move(struct bot_hand *hand, const struct poi_target *goal, 
     now->roll_rad = turn_wrist(now->roll_rad, goal->angles.roll_rad, &hand->turning.roll_rad);
 }
 
-/* Returns the tremor of one axis, [-1, 1]: three sine waves for slow sway, drift and the 9 Hz
- * muscle tremor, and piecewise linear noise with a new random value every NOISE_TICKS. `seed`
- * determines the phases. */
+/* Returns the tremor of the arm along one axis, [-1, 1]. The tremor is the sum of three sine waves
+ * (slow sway, drift and the 9 Hz muscle tremor) and of noise. The noise is piecewise linear with a
+ * new random value every NOISE_TICKS. `seed` determines the phases of the waves. */
 static float axis_tremor(uint32_t seed, uint32_t tick, uint32_t axis)
 {
     CORE_ASSERT(axis < 3u);
@@ -82,16 +80,17 @@ struct poi_target bot_tick(struct bot *bot, const struct vision *vision)
     CORE_ASSERT(vision->player < POI_MAX);
     const struct technique *technique = &bot->technique;
     const uint32_t tick = vision_game(vision).tick;
-    if (tick >= bot->act_tick) { /* The newest snapshot becomes usable, and the next is taken. */
+    if (tick >= bot->act_tick) { /* The reaction time is over: the newest snapshot becomes
+                                    usable, and the bot takes the next snapshot. */
         const struct rng_key key = { bot->seed, tick, 0, RNG_BOT_REACTION };
         const float wait_s =
             f_lerp(technique->reaction_min_s, technique->reaction_max_s, rng_unit(key));
         const struct snapshot_fish followed = bot->known.prey;
         bot->known = bot->seen;
         if (bot->known.prey.fish != bot->prey) {
-            bot->known.prey = followed; /* The snapshot was taken before the present target fish was
-                                           selected, so the earlier data of the target fish is
-                                           copied. */
+            bot->known.prey = followed; /* If the snapshot was taken before the present target
+                                           fish was selected, the snapshot lacks this fish. The
+                                           earlier data of the target fish is then copied. */
         }
         snapshot_take(&bot->seen, &bot->known, vision, bot->prey, bot_attention_m(bot));
         bot->act_tick = tick + (uint32_t)(int32_t)(wait_s * (float)CORE_TICK_HZ + 0.5f);
@@ -103,30 +102,4 @@ struct poi_target bot_tick(struct bot *bot, const struct vision *vision)
                            axis_tremor(bot->seed, tick, 2));
     out.position_m = v3_add(out.position_m, v3_scale(tremor, technique->tremor_m));
     return out;
-}
-
-static uint64_t hash_angles(uint64_t hash, const struct angles *angles)
-{
-    return hash_vec3(hash, v3(angles->yaw_rad, angles->pitch_rad, angles->roll_rad));
-}
-
-static uint64_t hash_pose(uint64_t hash, const struct poi_target *pose)
-{
-    return hash_angles(hash_vec3(hash, pose->position_m), &pose->angles);
-}
-
-uint64_t bot_hash(uint64_t hash, const struct bot *bot)
-{
-    const uint32_t words[] = { bot->seed,       bot->stage,    bot->prey,
-                               bot->stage_tick, bot->act_tick, bot->tries };
-    const float speeds[] = { bot->speed_m_s, bot->ease_s };
-    hash = technique_hash(hash, &bot->technique);
-    for (uint32_t i = 0; i < sizeof words / sizeof words[0]; i++) {
-        hash = hash_u32(hash, words[i]);
-    }
-    hash = hash_vec3(hash_float(hash, bot->yaw_rad), bot->miss_m);
-    hash = hash_pose(hash, &bot->goal);
-    hash = hash_pose(hash_floats(hash, speeds, 2), &bot->hand.pose);
-    hash = hash_angles(hash_vec3(hash, bot->hand.velocity_m_s), &bot->hand.turning);
-    return snapshot_hash(snapshot_hash(hash, &bot->known), &bot->seen);
 }

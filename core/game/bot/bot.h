@@ -6,6 +6,7 @@
 #ifndef KINGYO_CORE_GAME_BOT_BOT_H
 #define KINGYO_CORE_GAME_BOT_BOT_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "core/game/bot/vision.h"
@@ -17,9 +18,7 @@ void bot_init(struct bot *bot, const struct technique *technique, uint32_t seed)
  * controls. Returns the pose of the arm, including the wrist angles. */
 struct poi_target bot_tick(struct bot *bot, const struct vision *vision);
 
-uint64_t bot_hash(uint64_t hash, const struct bot *bot);
-
-/* ---- Stages ---------------------------------------------------------------------------------- */
+/* ---- Stages of an attempt to catch a fish ---------------------------------------------------- */
 
 #define BOT_HOVER_Y_M 0.062f /* Hover height above the water while a fish is selected. */
 
@@ -27,13 +26,14 @@ uint64_t bot_hash(uint64_t hash, const struct bot *bot);
  * change the stage. */
 void bot_decide(struct bot *bot, uint32_t tick);
 
-/* Returns the point around which the bot's next snapshot contains the nearby fish. */
+/* Returns the bot's point of attention. The next snapshot contains the fish near this point. */
 vec3 bot_attention_m(const struct bot *bot);
 
-/* ---- Snapshots ------------------------------------------------------------------------------- */
+/* ---- Snapshots of the visible game ----------------------------------------------------------- */
 
-/* Takes a snapshot with the fish `prey` (or SNAPSHOT_NO_FISH) and the shallow fish around
- * `attention_m`. `before` is the previous snapshot; all its fields are 0 if none was taken. */
+/* Takes a snapshot of the game. The snapshot contains the target fish `prey`, unless `prey` is
+ * SNAPSHOT_NO_FISH, and the fish that are near `attention_m` and near the water surface. `before`
+ * is the previous snapshot; all its fields are 0 if the bot has not taken a snapshot before. */
 void snapshot_take(struct snapshot *snapshot, const struct snapshot *before,
                    const struct vision *vision, uint16_t prey, vec3 attention_m);
 
@@ -42,22 +42,22 @@ void snapshot_take(struct snapshot *snapshot, const struct snapshot *before,
 #define SNAPSHOT_PREDICT_S 0.6f
 vec3 snapshot_predict(const struct snapshot_fish *seen, float age_s);
 
-uint64_t snapshot_hash(uint64_t hash, const struct snapshot *snapshot);
+/* ---- Selection of the target fish and of the path to the fish -------------------------------- */
 
-/* ---- Targeting ------------------------------------------------------------------------------- */
-
-/* Selects the bot's target fish and the path of the poi, from a visual snapshot.
+/* Functions that select the bot's target fish and the path of the poi to this fish, from a
+ * snapshot.
  *
- * A path goes from a point above the water down to a stop point beside and below the fish. From
- * the stop point the path is level until the fish is over its intended place on the paper. */
+ * A path goes from a point above the water down to a stop point beside and below the fish. From the
+ * stop point the path is level until the fish is over its intended place on the paper. */
 
 #define TARGETING_RING_M 0.0465f /* Outer radius of the poi, which every player can see. */
-#define TARGETING_UNDER_M 0.020f /* Depth of the ring below the fish's centre. */
+/* Vertical distance from the fish's centre down to the ring while the poi moves under the fish. */
+#define TARGETING_UNDER_M 0.020f
 
 struct approach_path {
     float yaw_rad;
-    vec3 entry_m; /* Point above the water where the path starts. */
-    vec3 stop_m;  /* Stop point under water, beside the fish. */
+    vec3 entry_m; /* Point above the water at which the path starts. */
+    vec3 stop_m;  /* Stop point of the path: a point under water, beside the fish. */
     vec3 under_m; /* Position of the ring's centre at which the fish is over its intended place on
                      the paper. */
 };
@@ -65,14 +65,15 @@ struct approach_path {
 /* Returns the horizontal unit vector toward the far edge of a poi with handle yaw `yaw_rad`. */
 vec3 targeting_forward(float yaw_rad);
 
-/* Computes the path to a fish at `fish_m` for handle yaw `yaw_rad`. Returns 1 if the walls, the
- * floor and the bot's own bowl leave room for the path, otherwise 0. */
-int targeting_approach(const struct technique *technique, const struct snapshot *snapshot,
-                       vec3 fish_m, float length_m, float yaw_rad, struct approach_path *way);
+/* Computes the path to a fish of length `length_m` at `fish_m` for handle yaw `yaw_rad`, and writes
+ * the path to `way`. Returns true if the walls, the floor and the bot's own bowl leave room for the
+ * path. */
+bool targeting_approach(const struct technique *technique, const struct snapshot *snapshot,
+                        vec3 fish_m, float length_m, float yaw_rad, struct approach_path *way);
 
-/* Returns the nearby fish of the snapshot with the lowest cost for a poi at `hand_m`, or NULL if no
- * fish can be reached. A cost is a time in seconds. Writes the best handle yaw to `*yaw_rad`.
- * `age_s` is the age of the snapshot. */
+/* Selects the target fish: returns the nearby fish of the snapshot with the lowest cost for a poi
+ * at `hand_m`, or NULL if no fish can be reached. A cost is a time in seconds. Writes the best
+ * handle yaw to `*yaw_rad`. `age_s` is the age of the snapshot. */
 const struct snapshot_fish *targeting_choose(const struct technique *technique,
                                              const struct snapshot *snapshot, vec3 hand_m,
                                              float age_s, float *yaw_rad);

@@ -1,9 +1,9 @@
-/* bot_stages.c -- the bot's stages: rest, wet the paper, select a fish, approach it, scoop it, and
- * carry it to the bowl.
+/* bot_stages.c -- the bot's stages: rest, wet the paper, select a fish, approach the fish, scoop
+ * the fish, and carry the fish to the bowl.
  *
- * The bot has immediate access to its own arm position and to the time since an event. All other
- * data comes from the last usable snapshot. The current stage's function is called once per tick,
- * sets the arm's goal and decides when to change the stage. */
+ * The bot has immediate access to its own arm position and to the time since an event, such as the
+ * start of its stage. All other data comes from the last usable snapshot. The current stage's
+ * function is called once per tick, sets the arm's goal and decides when to change the stage. */
 #include "core/game/bot/bot.h"
 
 #include "core/base/panic.h"
@@ -11,7 +11,8 @@
 #include "core/poi/pose.h"
 
 #define WRIST_THERE_RAD (3.0f * F_DEG)
-#define EASE_S 0.15f /* Time in which the arm accelerates to its maximum speed. */
+/* Default time in seconds in which the arm accelerates to its maximum speed. */
+#define EASE_S 0.15f
 #define BESIDE_BOWL_M 0.14f
 #define BOT_THERE_M 0.012f /* Distance from the goal within which the arm counts as arrived. */
 
@@ -27,17 +28,18 @@ static float bot_age_s(const struct bot *bot, uint32_t tick)
     return (float)(tick - bot->known.tick) * CORE_TICK_S;
 }
 
-/* Returns 1 if the snapshot `known` was taken at least `after_s` seconds after the start of the
- * stage, otherwise 0. With a negative `after_s`, a snapshot from shortly before the start also
- * counts. */
-static int bot_saw_since(const struct bot *bot, float after_s)
+/* Returns true if the bot has seen the game since the stage began: the snapshot `known` was taken
+ * at least `after_s` seconds after the start of the stage. With a negative `after_s`, a snapshot
+ * from shortly before the start also counts. */
+static bool bot_saw_since(const struct bot *bot, float after_s)
 {
     const float seen_s = ((float)bot->known.tick - (float)bot->stage_tick) * CORE_TICK_S;
     return seen_s >= after_s;
 }
 
-/* Starts a stage. Stages outside BOT_APPROACH .. BOT_GLIDE have no target fish. */
-static void bot_go(struct bot *bot, uint8_t stage, uint32_t tick)
+/* Starts the stage `stage`. The stages before BOT_APPROACH and after BOT_GLIDE have no target fish,
+ * so these stages clear it. */
+static void bot_set_stage(struct bot *bot, uint8_t stage, uint32_t tick)
 {
     CORE_ASSERT(stage < BOT_STAGE_COUNT);
     if (stage < BOT_APPROACH || stage > BOT_GLIDE) {
@@ -64,9 +66,9 @@ static float bot_way_left_m(const struct bot *bot)
 }
 
 /* Computes the path to the position that the target fish is predicted to have in `ahead_s` seconds.
- * Returns 1 if the path has enough room, otherwise 0, as targeting_approach() does. */
-static int bot_way_to_prey(const struct bot *bot, uint32_t tick, float ahead_s,
-                           struct approach_path *way)
+ * Returns true if the path has enough room, as targeting_approach() does. */
+static bool bot_way_to_prey(const struct bot *bot, uint32_t tick, float ahead_s,
+                            struct approach_path *way)
 {
     CORE_ASSERT(bot->known.prey.fish == bot->prey);
     const struct snapshot_fish *prey = &bot->known.prey;
@@ -75,14 +77,14 @@ static int bot_way_to_prey(const struct bot *bot, uint32_t tick, float ahead_s,
                               way);
 }
 
-/* Returns 1 if the target fish still swims in the tank, otherwise 0. */
-static int bot_prey_swims(const struct bot *bot)
+/* Returns true if the target fish still swims in the tank. */
+static bool bot_prey_swims(const struct bot *bot)
 {
     return bot->prey != SNAPSHOT_NO_FISH && bot->known.prey.place == SCENE_IN_TANK;
 }
 
-/* Returns the place for wetting the paper and for searching for fish, a point beside the bowl,
- * toward the middle of the tank. */
+/* Returns the place where the bot wets the paper and from which it searches for fish: a point
+ * beside the bowl, toward the middle of the tank. */
 static vec3 bot_ground_m(const struct bot *bot)
 {
     CORE_ASSERT(f_is_finite(bot->known.bowl.position_m.x));
@@ -91,22 +93,25 @@ static vec3 bot_ground_m(const struct bot *bot)
     return v3_muladd(v3(bowl_m.x, 0.0f, bowl_m.z), inward, BESIDE_BOWL_M);
 }
 
-/* Returns 1 if a game runs and the bot has a poi, otherwise 0. */
-static int bot_plays(const struct bot *bot)
+/* Returns true if a game runs and the bot has a poi. */
+static bool bot_plays(const struct bot *bot)
 {
     return (bot->known.phase == PHASE_ROUND || bot->known.phase == PHASE_ATTRACT) &&
            bot->known.poi.present;
 }
 
-/* Distance beyond the tank's wall at which the poi's shadow falls beside the tank. */
+/* Distance beyond the tank's wall at which the resting bot holds its poi. The poi's shadow then
+ * falls beside the tank and not on the fish. */
 #define REST_BEYOND_M 0.12f
 #define REST_Y_M 0.14f
 #define SOAK_PITCH_RAD (-40.0f * F_DEG)
 #define SOAK_MARGIN_M 0.006f
-#define SOAKED 0.85f /* Share of the technique's wet area at which wetting the paper ends. */
+/* The bot stops wetting the paper when the wet share of the paper reaches this fraction of the
+ * share that the technique requires. */
+#define SOAKED 0.85f
 #define SOAK_S_MAX 2.6f
 
-static int paper_is_fresh(const struct bot *bot)
+static bool paper_is_fresh(const struct bot *bot)
 {
     return bot->known.paper.wet < 0.3f * bot->technique.wet;
 }
@@ -118,7 +123,7 @@ static void bot_rest(struct bot *bot, uint32_t tick)
     const float front_m = 0.5f * bot->known.tank_m.z + REST_BEYOND_M;
     bot_want(bot, v3(ground_m.x, REST_Y_M, front_m), 0.0f, bot->technique.arm_m_s);
     if (bot_plays(bot)) {
-        bot_go(bot, paper_is_fresh(bot) ? BOT_SOAK : BOT_CHOOSE, tick);
+        bot_set_stage(bot, paper_is_fresh(bot) ? BOT_SOAK : BOT_CHOOSE, tick);
     }
 }
 
@@ -128,21 +133,21 @@ static void bot_soak(struct bot *bot, uint32_t tick)
     const float done_s = bot_stage_s(bot, tick), share = bot->technique.wet;
     const float low_m = TARGETING_RING_M * f_sin(-SOAK_PITCH_RAD);
     vec3 place_m = bot_ground_m(bot);
-    /* At this height the share `share` of the tilted ring's area is under water. */
+    /* Choose the height at which the share `share` of the tilted ring's area is under water. */
     place_m.y = share >= 0.99f ? -low_m - SOAK_MARGIN_M : -(2.0f * share - 1.0f) * low_m;
     const vec3 over_m = v3(place_m.x, BOT_HOVER_Y_M, place_m.z);
     const vec3 aside = v3_sub(bot->hand.pose.position_m, over_m);
-    const int is_over = aside.x * aside.x + aside.z * aside.z < BOT_THERE_M * BOT_THERE_M;
+    const bool is_over = aside.x * aside.x + aside.z * aside.z < BOT_THERE_M * BOT_THERE_M;
     bot->yaw_rad = 0.3f;
     bot_want(bot, is_over ? place_m : over_m, SOAK_PITCH_RAD,
              is_over ? bot->technique.dip_m_s : bot->technique.arm_m_s);
-    const int wet = bot->known.paper.wet >= SOAKED * share;
+    const bool wet = bot->known.paper.wet >= SOAKED * share;
     if (wet || done_s > SOAK_S_MAX + 1.0f) {
-        bot_go(bot, BOT_CHOOSE, tick);
+        bot_set_stage(bot, BOT_CHOOSE, tick);
     }
 }
 
-static float luck(const struct bot *bot, uint32_t which)
+static float random_choice(const struct bot *bot, uint32_t which)
 {
     CORE_ASSERT(bot->tries > 0);
     return rng_unit((struct rng_key){ bot->seed, bot->tries, which, RNG_BOT_CHOICE });
@@ -153,7 +158,7 @@ static void bot_choose(struct bot *bot, uint32_t tick)
     const vec3 hand_m = bot->hand.pose.position_m;
     bot_want(bot, v3(hand_m.x, BOT_HOVER_Y_M, hand_m.z), 0.0f, bot->technique.arm_m_s);
     if (paper_is_fresh(bot) && bot->known.paper.holds && bot_saw_since(bot, 0.0f)) {
-        bot_go(bot, BOT_SOAK, tick);
+        bot_set_stage(bot, BOT_SOAK, tick);
         return;
     }
     if (!bot->known.paper.holds) {
@@ -167,36 +172,36 @@ static void bot_choose(struct bot *bot, uint32_t tick)
     bot->prey = fish->fish;
     bot->known.prey = *fish;
     bot->tries++;
-    const float angle = F_TAU * luck(bot, 0);
-    const float far_m = bot->technique.aim_m * f_sqrt(luck(bot, 1));
+    const float angle = F_TAU * random_choice(bot, 0);
+    const float far_m = bot->technique.aim_m * f_sqrt(random_choice(bot, 1));
     bot->miss_m = v3(far_m * f_cos(angle), 0.0f, far_m * f_sin(angle));
-    bot_go(bot, BOT_APPROACH, tick);
+    bot_set_stage(bot, BOT_APPROACH, tick);
 }
 
 #define CALM_M_S 0.05f
 #define CHASE_LOST_M 0.25f
-/* Horizontal distance from the ring to the target fish beyond which the bot stops following the
+/* Horizontal distance between the ring and the target fish beyond which the bot gives up this
  * fish. */
 #define LOST_M 0.075f
 #define GLIDE_S_MAX 0.9f
 #define DIP_S_MAX 1.2f
 #define APPROACH_S_MAX 1.5f
 
-/* Keeps the poi over the start of the path while the fish moves. Returns 1 when the poi has
- * arrived, otherwise 0. */
-static int keep_over_entry(struct bot *bot, uint32_t tick)
+/* Keeps the poi over the start of the path, which moves with the fish. Returns true when the poi
+ * has arrived there. */
+static bool keep_over_entry(struct bot *bot, uint32_t tick)
 {
     const struct technique *technique = &bot->technique;
     struct approach_path way;
     const float reach_s = bot_way_left_m(bot) / technique->arm_m_s;
-    /* Time from the water surface until the fish is over the paper. */
+    /* Time that the poi needs to move from the water surface until the fish is over the paper. */
     const float stroke_s = 0.06f / technique->dip_m_s + 0.03f / technique->glide_m_s;
     bot->yaw_rad = targeting_yaw(technique, &bot->known.prey, bot->yaw_rad);
     const float longest_s = APPROACH_S_MAX + technique->patience_s;
     if (!bot_prey_swims(bot) || bot_stage_s(bot, tick) > longest_s ||
         !bot_way_to_prey(bot, tick, f_min(reach_s, 0.3f) + stroke_s, &way)) {
-        bot_go(bot, BOT_CHOOSE, tick);
-        return 0;
+        bot_set_stage(bot, BOT_CHOOSE, tick);
+        return false;
     }
     bot_want(bot, way.entry_m, -bot->technique.entry_deg * F_DEG, technique->arm_m_s);
     const struct angles *now = &bot->hand.pose.angles, *goal = &bot->goal.angles;
@@ -208,18 +213,19 @@ static int keep_over_entry(struct bot *bot, uint32_t tick)
 static void bot_approach(struct bot *bot, uint32_t tick)
 {
     if (bot->known.carried_count > 0 && bot_saw_since(bot, 0.0f)) {
-        bot_go(bot, BOT_CARRY, tick); /* A fish already lies on the paper. */
+        bot_set_stage(bot, BOT_CARRY, tick); /* A fish already lies on the paper, so the bot carries
+                                         this fish to the bowl. */
     } else if (keep_over_entry(bot, tick)) {
-        bot_go(bot, bot->technique.hunt == HUNT_SHADE ? BOT_WATCH : BOT_DIP, tick);
+        bot_set_stage(bot, bot->technique.hunt == HUNT_SHADE ? BOT_WATCH : BOT_DIP, tick);
     }
 }
 
 static void bot_watch(struct bot *bot, uint32_t tick)
 {
     if (bot_stage_s(bot, tick) > bot->technique.patience_s) {
-        bot_go(bot, BOT_CHOOSE, tick);
+        bot_set_stage(bot, BOT_CHOOSE, tick);
     } else if (keep_over_entry(bot, tick) && v3_length(bot->known.prey.velocity_m_s) < CALM_M_S) {
-        bot_go(bot, BOT_DIP, tick);
+        bot_set_stage(bot, BOT_DIP, tick);
     }
 }
 
@@ -229,92 +235,96 @@ static void bot_dip(struct bot *bot, uint32_t tick)
     (void)bot_way_to_prey(bot, tick, 0.03f / bot->technique.glide_m_s, &way);
     bot_want(bot, way.stop_m, -bot->technique.entry_deg * F_DEG, bot->technique.dip_m_s);
     if (bot_way_left_m(bot) < BOT_THERE_M || bot_stage_s(bot, tick) > DIP_S_MAX) {
-        bot_go(bot, BOT_GLIDE, tick);
+        bot_set_stage(bot, BOT_GLIDE, tick);
     }
 }
 
-/* Keeps the target fish, or selects a nearby fish if the target escaped. Returns 1 if a fish is in
- * reach, otherwise 0. */
-static int keep_prey(struct bot *bot, uint32_t tick)
+/* Keeps the target fish, or selects a nearby fish if the target escaped. Returns true if a fish is
+ * in reach. */
+static bool keep_prey(struct bot *bot, uint32_t tick)
 {
     CORE_ASSERT(bot->known.near_count <= SNAPSHOT_NEAR_MAX);
     const float reach_m = bot->technique.hunt == HUNT_CHASE ? CHASE_LOST_M : LOST_M;
     const vec3 fish_m = snapshot_predict(&bot->known.prey, bot_age_s(bot, tick));
     const vec3 d = v3_sub(fish_m, bot->hand.pose.position_m);
     if (bot_prey_swims(bot) && d.x * d.x + d.z * d.z < reach_m * reach_m) {
-        return 1;
+        return true;
     }
     const struct snapshot_fish *other =
         targeting_nearest(&bot->known, bot->hand.pose.position_m, reach_m);
     if (!other) {
-        return 0;
+        return false;
     }
     bot->prey = other->fish;
     bot->known.prey = *other;
-    return 1;
+    return true;
 }
 
 static void bot_glide(struct bot *bot, uint32_t tick)
 {
-    const int chases = bot->technique.hunt == HUNT_CHASE;
+    const bool chases = bot->technique.hunt == HUNT_CHASE;
     const float longest_s = chases ? bot->technique.patience_s : GLIDE_S_MAX;
     struct approach_path way;
     if (!keep_prey(bot, tick) || bot_stage_s(bot, tick) > longest_s) {
-        bot_go(bot, BOT_LIFT, tick);
+        bot_set_stage(bot, BOT_LIFT, tick);
         return;
     }
     (void)bot_way_to_prey(bot, tick, 0.1f, &way);
     const float speed_m_s = chases ? bot->technique.arm_m_s : bot->technique.glide_m_s;
     bot_want(bot, way.under_m, -bot->technique.glide_deg * F_DEG, speed_m_s);
     if (bot_way_left_m(bot) < BOT_THERE_M) {
-        bot_go(bot, BOT_LIFT, tick);
+        bot_set_stage(bot, BOT_LIFT, tick);
     }
 }
 
-#define LIFTED_Y_M 0.058f /* Height at which a ring with a fish is out of the water. */
+/* Height to which the bot lifts the poi. At this height a ring with a fish is out of the water. */
+#define LIFTED_Y_M 0.058f
 #define HASTY_EASE_S 0.06f
 #define HASTY_SHARE 2.5f /* Ratio of the speed of a fast lift to the speed of a draining lift. */
-/* Pitch of the poi during the lift; 0 is level. With a negative pitch, the far edge is lower, so
- * that water runs off and the fish moves to the rim. */
+/* Pitch of the poi during a lift that drains the paper; 0 is level. At a negative pitch the far
+ * edge of the ring would be lower, so that water runs off and the fish moves to the rim. */
 #define CRADLE_RAD (0.0f * F_DEG)
-/* Largest distance of the ring below the arm's position. If fish push the ring further down, the
- * arm waits. */
+/* Largest height of the arm's goal above the ring during a lift that drains the paper. If fish push
+ * the ring down, the arm therefore waits for the ring. */
 #define JAM_M 0.050f
 
-#define STUCK_S 1.4f        /* Time after which a lift counts as stuck. */
-#define STUCK_Y_M (-0.005f) /* Height below which the ring counts as still under water. */
+/* Time in seconds after which a lift counts as stuck if the ring is still under water. */
+#define STUCK_S 1.4f
+/* Height of the ring below which a lift that takes longer than STUCK_S (1.4 s) counts as stuck. */
+#define STUCK_Y_M (-0.005f)
 #define STUCK_BACK_M 0.035f
 #define STUCK_BACK_S 0.35f
 #define STUCK_TURN_S 1.2f
 
-/* Pitch at which a fish slides over the ring. */
+/* Pitch of the poi over the bowl. At this pitch a fish slides off the ring into the bowl. */
 #define TIP_RAD (58.0f * F_DEG)
-/* Distance from the ring's centre to the point where a fish leaves the tipped ring. */
+/* Horizontal distance from the ring's centre to the point at which a fish slides off the tipped
+ * ring. */
 #define TIP_FALL_M 0.046f
 #define TIP_EDGE_M 0.010f /* Height of the tipped ring's lower edge above the bowl's mouth. */
 #define TIP_HOLD_S 0.42f
 #define TIP_LAST_S 1.5f
 
-/* Frees a ring that fish above it keep under water. The ring moves down and back, and then the bot
- * lifts the poi again. Returns 1 while the ring moves back, otherwise 0. */
-static int frees_ring(struct bot *bot, uint32_t tick)
+/* Frees the ring if fish above the ring keep it under water. The ring moves down and back, and then
+ * the bot lifts the poi again. Returns true while the ring moves back. */
+static bool frees_ring(struct bot *bot, uint32_t tick)
 {
     const float turn_s = bot_stage_s(bot, tick) - STUCK_S;
     const float rounds = f_floor(turn_s / STUCK_TURN_S);
-    const int stuck = turn_s > 0.0f && bot->known.poi.position_m.y < STUCK_Y_M;
+    const bool stuck = turn_s > 0.0f && bot->known.poi.position_m.y < STUCK_Y_M;
     if (!stuck || turn_s - rounds * STUCK_TURN_S > STUCK_BACK_S) {
-        return 0;
+        return false;
     }
     const vec3 ring_m = bot->known.poi.position_m;
     vec3 back_m = v3_muladd(ring_m, targeting_forward(bot->yaw_rad), -STUCK_BACK_M);
     back_m.y = f_max(ring_m.y - STUCK_BACK_M, 0.02f - bot->known.tank_m.y);
     bot_want(bot, back_m, 0.0f, bot->technique.lift_m_s);
-    return 1;
+    return true;
 }
 
 static void bot_lift(struct bot *bot, uint32_t tick)
 {
-    const int drains = bot->technique.lift == LIFT_DRAINED;
+    const bool drains = bot->technique.lift == LIFT_DRAINED;
     vec3 up_m = bot->hand.pose.position_m;
     if (frees_ring(bot, tick)) {
         return;
@@ -328,7 +338,7 @@ static void bot_lift(struct bot *bot, uint32_t tick)
     }
     const float drain_s = drains ? bot->technique.drain_s : 0.0f;
     if (bot_stage_s(bot, tick) > drain_s) {
-        bot_go(bot, BOT_CARRY, tick);
+        bot_set_stage(bot, BOT_CARRY, tick);
     }
 }
 
@@ -348,14 +358,14 @@ static void bot_carry(struct bot *bot, uint32_t tick)
     const vec3 way_m = v3_sub(bot->known.bowl.position_m, bot->hand.pose.position_m);
     const vec3 toward = v3_normalize_or(v3(way_m.x, 0.0f, way_m.z), v3(1.0f, 0.0f, 0.0f));
     if (bot->known.carried_count + bot->known.over == 0 && bot_saw_since(bot, -0.15f)) {
-        bot_go(bot, BOT_CHOOSE, tick);
+        bot_set_stage(bot, BOT_CHOOSE, tick);
         return;
     }
     bot_want(bot, over_bowl_m(bot, toward), CRADLE_RAD, bot->technique.carry_m_s);
     if (bot_way_left_m(bot) < 2.0f * BOT_THERE_M) {
-        bot->miss_m = toward; /* During this stage `miss_m` holds no aiming error, so it stores the
-                                 direction for tipping the poi. */
-        bot_go(bot, BOT_TIP, tick);
+        bot->miss_m = toward; /* The stage BOT_TIP needs no aiming error, so `miss_m` stores the
+                                 direction in which the poi is tipped. */
+        bot_set_stage(bot, BOT_TIP, tick);
     }
 }
 
@@ -368,13 +378,13 @@ static void bot_tip(struct bot *bot, uint32_t tick)
     const struct basis turned = pose_turn(&axes, axis, TIP_RAD);
     bot_want(bot, over_bowl_m(bot, toward), 0.0f, bot->technique.carry_m_s);
     bot->goal.angles = pose_angles(&turned);
-    const int empty = bot->known.carried_count == 0 && bot_saw_since(bot, 0.0f);
+    const bool empty = bot->known.carried_count == 0 && bot_saw_since(bot, 0.0f);
     if (bot_stage_s(bot, tick) > (empty ? TIP_HOLD_S : TIP_LAST_S)) {
-        bot_go(bot, BOT_CHOOSE, tick);
+        bot_set_stage(bot, BOT_CHOOSE, tick);
     }
 }
 
-/* ---- Interface to the main loop ------------------------------------------------------------- */
+/* ---- Choice of the current stage's function -------------------------------------------------- */
 
 void bot_decide(struct bot *bot, uint32_t tick)
 {
@@ -386,14 +396,14 @@ void bot_decide(struct bot *bot, uint32_t tick)
     };
     CORE_ASSERT(bot->stage < BOT_STAGE_COUNT);
     if (!bot_plays(bot) && bot->stage != BOT_REST) {
-        bot_go(bot, BOT_REST, tick);
+        bot_set_stage(bot, BOT_REST, tick);
     }
     stages[bot->stage](bot, tick);
 }
 
 vec3 bot_attention_m(const struct bot *bot)
 {
-    const int hunts = bot->stage >= BOT_APPROACH && bot->stage <= BOT_LIFT;
+    const bool hunts = bot->stage >= BOT_APPROACH && bot->stage <= BOT_LIFT;
     return hunts || bot->technique.hunt == HUNT_CHASE ? bot->hand.pose.position_m
                                                       : bot_ground_m(bot);
 }

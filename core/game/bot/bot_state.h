@@ -30,12 +30,12 @@ struct vision_bowl {
 };
 
 #define SNAPSHOT_NO_FISH 0xffffu
-/* Largest number of nearby fish, more than a person can watch. If more fish are visible, the
- * snapshot keeps the fish nearest to the point of attention. */
+/* Largest number of nearby fish in a snapshot, which is more than a person can watch. If more fish
+ * are visible, the snapshot keeps the fish nearest to the point of attention. */
 #define SNAPSHOT_NEAR_MAX 24u
 
 struct snapshot_fish {
-    uint16_t fish; /* Index of the fish; SNAPSHOT_NO_FISH means no fish. */
+    uint16_t fish; /* Index of the fish in the tank; SNAPSHOT_NO_FISH means no fish. */
     uint8_t place; /* Place of the fish (enum scene_place). */
     uint8_t gulps;
     vec3 position_m, velocity_m_s;
@@ -43,16 +43,16 @@ struct snapshot_fish {
     float length_m;
 };
 
-/* State of the bot's own paper, from its picture. */
+/* State of the bot's own paper, computed from the visible picture of the paper. */
 struct snapshot_paper {
     float wet;      /* Mean wetness of the remaining paper, [0, 1]. */
     float left;     /* Remaining share of the paper, [0, 1]. */
     uint8_t holds;  /* 1 if an undamaged patch of the paper is large enough for a fish, otherwise
                        0. */
-    uint8_t middle; /* 1 if this undamaged patch is at or near the middle of the ring, otherwise
-                       0. */
-    float x_m, z_m; /* Centre of the patch for a fish in the poi's plane; (0, 0) while the paper is
-                       undamaged. */
+    uint8_t middle; /* 1 if the undamaged patch for a fish is at or near the middle of the ring,
+                       otherwise 0. */
+    float x_m, z_m; /* Centre, in the poi's plane, of an undamaged patch on which a fish can lie;
+                       (0, 0) while the paper is undamaged. */
 };
 
 struct snapshot {
@@ -68,29 +68,28 @@ struct snapshot {
     uint32_t carried_count;    /* Number of fish on the bot's paper. */
     uint32_t over;             /* Number of fish in the water above the bot's paper. */
     struct snapshot_fish prey; /* Target fish of the bot. */
-    uint32_t near_count;       /* Number of nearby fish, <= SNAPSHOT_NEAR_MAX. */
+    uint32_t near_count;       /* Number of nearby fish in `near`, <= SNAPSHOT_NEAR_MAX. */
     struct snapshot_fish near[SNAPSHOT_NEAR_MAX];
 };
 
-#define BOT_HAND_M_S_MAX 2.0f   /* Highest arm speed over a water tank, in m/s. */
-#define BOT_HAND_M_S2_MAX 14.0f /* Highest arm acceleration, in m/s2. */
+#define BOT_HAND_M_S2_MAX 14.0f /* Highest acceleration of the bot's arm, in m/s2. */
 #define BOT_WRIST_RAD_S_MAX 7.0f
 
 struct bot_hand {
-    struct poi_target pose; /* Current pose without tremor. */
+    struct poi_target pose; /* Current pose of the bot's arm, without tremor. */
     vec3 velocity_m_s;
-    struct angles turning; /* Angular velocity of each angle in rad/s. */
+    struct angles turning; /* Angular velocity of the wrist for each angle of the pose, in rad/s. */
 };
 
 enum bot_stage {
     BOT_REST = 0, /* Keeps the poi and its shadow away from the water while no game is played. */
-    BOT_SOAK,     /* Wets the new paper. */
-    BOT_CHOOSE,   /* Hovers and selects a fish. */
-    BOT_APPROACH, /* Moves above the water to the start of the path. */
-    BOT_WATCH,    /* Waits above the start of the path until the fish is calm, because a still
+    BOT_SOAK,     /* Wets the new paper in the tank. */
+    BOT_CHOOSE,   /* Holds the poi above the water and selects a fish. */
+    BOT_APPROACH, /* Moves the poi above the water to the start of the path to the fish. */
+    BOT_WATCH,    /* Holds the poi above the start of the path until the fish is calm. A still
                      shadow does not startle fish. */
-    BOT_DIP,      /* Moves down into the water. */
-    BOT_GLIDE,    /* Levels the poi and moves under the fish. */
+    BOT_DIP,      /* Moves the poi down into the water. */
+    BOT_GLIDE,    /* Levels the poi and moves it under the fish. */
     BOT_LIFT,
     BOT_CARRY,
     BOT_TIP,
@@ -103,15 +102,16 @@ struct bot {
     uint8_t stage;          /* Current stage (enum bot_stage). */
     uint16_t prey;          /* Index of the target fish, or SNAPSHOT_NO_FISH. */
     uint32_t stage_tick;    /* Tick at which the stage began. */
-    uint32_t act_tick;      /* Tick at which `seen` becomes usable. */
+    uint32_t act_tick;      /* Tick at which the bot may act on the snapshot `seen`, which is
+                               then copied to `known`. */
     uint32_t tries;         /* Number of attempts to catch a fish so far. */
-    float yaw_rad;          /* Handle yaw for the target fish. */
+    float yaw_rad;          /* Yaw of the poi's handle with which the bot scoops the target fish. */
     vec3 miss_m;            /* Random aiming error of the present attempt to catch a fish. */
-    struct poi_target goal; /* Pose toward which the arm moves. */
-    float speed_m_s;        /* Maximum speed of the motion to `goal`. */
-    float ease_s;           /* Time to reach `speed_m_s`, in seconds. */
+    struct poi_target goal; /* Pose toward which the bot's arm moves. */
+    float speed_m_s;        /* Maximum speed of the arm on its way to the pose `goal`. */
+    float ease_s;           /* Time in seconds in which the arm accelerates to `speed_m_s`. */
     struct bot_hand hand;
-    struct snapshot known; /* Snapshot on which the bot acts. */
+    struct snapshot known; /* Snapshot on which the bot acts at present. */
     struct snapshot seen;  /* Newest snapshot; becomes `known` at `act_tick`. */
 };
 

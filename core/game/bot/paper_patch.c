@@ -1,19 +1,20 @@
-/* paper_patch.c -- tests nine points in each patch, and up to seventeen patches in each sheet. */
+/* paper_patch.c -- searches a sheet of paper for an undamaged patch. Up to seventeen patches are
+ * tested, each at nine points. */
 #include "core/game/bot/paper_patch.h"
 
 #include "core/base/panic.h"
 #define WINDS 8u
 
-/* Eight directions, beginning at the far edge, as constants, so that no sine needs to be
- * computed. */
+/* Eight directions in the plane of the poi, beginning toward the far edge. The table replaces the
+ * computation of sines. */
 #define DIAGONAL 0.7071f
 static const float wind_x[WINDS] = { 0.0f,  DIAGONAL, -DIAGONAL, 1.0f,
                                      -1.0f, DIAGONAL, -DIAGONAL, 0.0f };
 static const float wind_z[WINDS] = { -1.0f, -DIAGONAL, -DIAGONAL, 0.0f,
                                      0.0f,  DIAGONAL,  DIAGONAL,  1.0f };
 
-int paper_patch_find(paper_patch_holds *holds, const void *paper, float radius_m,
-                     struct patch *patch)
+bool paper_patch_find(paper_patch_holds *holds, const void *paper, float radius_m,
+                      struct patch *patch)
 {
     static const float circles[] = { 0.0f, 0.35f, 0.65f };
     CORE_ASSERT(holds && radius_m > 0.0f);
@@ -21,26 +22,26 @@ int paper_patch_find(paper_patch_holds *holds, const void *paper, float radius_m
         const float r = circles[c] * radius_m;
         for (uint32_t i = 0; i < (c == 0 ? 1u : WINDS); i++) {
             const float x_m = r * wind_x[i], z_m = r * wind_z[i];
-            int whole = holds(paper, x_m, z_m);
+            bool whole = holds(paper, x_m, z_m);
             for (uint32_t k = 0; k < WINDS && whole; k++) {
                 whole = holds(paper, x_m + PAPER_PATCH_RADIUS_M * wind_x[k],
                               z_m + PAPER_PATCH_RADIUS_M * wind_z[k]);
             }
             if (whole) {
                 *patch = (struct patch){ c == 0, x_m, z_m };
-                return 1;
+                return true;
             }
         }
     }
-    return 0;
+    return false;
 }
 
-static int paper_holds_point(const void *paper, float x_m, float z_m)
+static bool paper_holds_point(const void *paper, float x_m, float z_m)
 {
     return sheet_holds(paper, x_m, z_m);
 }
 
-int paper_can_hold(const struct sheet *sheet)
+bool paper_can_hold(const struct sheet *sheet)
 {
     CORE_ASSERT(sheet->radius_m > 0.0f);
     struct patch patch;

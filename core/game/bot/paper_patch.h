@@ -4,6 +4,7 @@
 #ifndef KINGYO_CORE_GAME_BOT_PAPER_PATCH_H
 #define KINGYO_CORE_GAME_BOT_PAPER_PATCH_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "core/poi/paper/sheet.h"
@@ -16,22 +17,23 @@ struct patch {
     float x_m, z_m; /* Centre of the patch in the poi's plane. */
 };
 
-/* Callback that returns 1 if paper exists at a point of the poi's plane, as far as the caller can
- * detect; otherwise 0. */
-typedef int paper_patch_holds(const void *paper, float x_m, float z_m);
+/* Callback that returns true if paper exists at a point of the poi's plane, as far as the caller
+ * can detect. */
+typedef bool paper_patch_holds(const void *paper, float x_m, float z_m);
 
-/* Finds the first undamaged patch in a ring of `radius_m`. The middle is tested before the circles,
- * and the far side before the near side. `paper` is passed to `holds`. Returns 1, or 0 with `patch`
- * unchanged if no patch is undamaged. */
-int paper_patch_find(paper_patch_holds *holds, const void *paper, float radius_m,
-                     struct patch *patch);
+/* Finds the first undamaged patch in a ring of `radius_m`. The patch in the middle of the ring is
+ * tested first, then the patches on the inner circle and on the outer circle. On each circle the
+ * far side is tested before the near side. `paper` is passed to `holds`. Returns true, or false
+ * with `patch` unchanged if no patch is undamaged. */
+bool paper_patch_find(paper_patch_holds *holds, const void *paper, float radius_m,
+                      struct patch *patch);
 
 /* Smallest usable share of the paper area. A smaller remainder is only a fringe along the ring. */
 #define PAPER_LEFT_MIN 0.35f
 
-/* Returns 1 if a fish could lie on the paper: enough area is left, and an undamaged patch exists
+/* Returns true if a fish could lie on the paper: enough area is left, and an undamaged patch exists
  * (paper_patch.h). A hole alone, even in the middle, does not end a round, because a partly torn
  * poi may be used. */
-int paper_can_hold(const struct sheet *sheet);
+bool paper_can_hold(const struct sheet *sheet);
 
 #endif

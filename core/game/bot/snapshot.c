@@ -2,21 +2,21 @@
  * paper. */
 #include "core/game/bot/bot.h"
 
-#include "core/base/hash.h"
 #include "core/base/mem.h"
 #include "core/base/panic.h"
 #include "core/game/bot/paper_patch.h"
-#include "core/game/bot/vision.h"
 
-/* Weight of the depth in the ranking of nearby fish. A fish that is 1 cm deeper has the same rank
- * as a fish that is 4 cm farther away. */
+/* Weight of the depth when the nearby fish are ranked by distance. A fish that is 1 cm deeper has
+ * the same rank as a fish that is 4 cm farther away. */
 #define DEPTH_WEIGHT 4.0f
-/* Distance that the ranking subtracts for a gulping fish, because gulping attracts the bot's
+/* Distance by which a gulping fish ranks nearer than it is, because gulping attracts the bot's
  * attention. */
 #define GULP_M 0.04f
-/* Height of the water layer above the paper in which fish are counted as above the paper. */
+/* Largest distance above the paper at which a fish in the water counts as above the paper. */
 #define OVER_M 0.045f
-#define RIDE_M 0.025f /* Greatest height above the paper of a fish that lies on the paper. */
+/* Largest distance above the paper at which a fish out of the water counts as lying on the
+ * paper. */
+#define RIDE_M 0.025f
 
 static struct snapshot_fish see_fish(const struct vision *vision, uint32_t index)
 {
@@ -47,7 +47,7 @@ static void judge_speed(struct snapshot_fish *now, const struct snapshot *before
     }
 }
 
-/* ---- Nearby fish ---------------------------------------------------------------------------- */
+/* ---- List of the nearby fish ----------------------------------------------------------------- */
 
 /* Counts the fish on and above the bot's own paper. */
 static void count_upon(struct snapshot *snapshot, const struct basis *axes,
@@ -70,8 +70,9 @@ static void count_upon(struct snapshot *snapshot, const struct basis *axes,
 static void see_all(struct snapshot *snapshot, const struct vision *vision, vec3 attention_m)
 {
     const struct basis axes = vec_basis_from_angles(snapshot->poi.angles);
-    const uint32_t count = vision_fish_count(vision);
-    float rank_m[SNAPSHOT_NEAR_MAX]; /* Ranks of the nearby fish. */
+    const uint32_t count = vision_game(vision).fish_count;
+    float rank_m[SNAPSHOT_NEAR_MAX]; /* Rank of each fish in the list: its distance, corrected
+                                        for depth and gulping. A lower rank is better. */
     for (uint32_t i = 0; i < SNAPSHOT_NEAR_MAX; i++) {
         rank_m[i] = 1e9f;
     }
@@ -101,14 +102,14 @@ static void see_all(struct snapshot *snapshot, const struct vision *vision, vec3
     }
 }
 
-/* ---- Paper ---------------------------------------------------------------------------------- */
+/* ---- Search for an undamaged patch of the paper ---------------------------------------------- */
 
 struct picture {
     const struct vision *vision;
     float radius_m;
 };
 
-static int snapshot_patch_is_whole(const void *paper, float x_m, float z_m)
+static bool snapshot_patch_is_whole(const void *paper, float x_m, float z_m)
 {
     CORE_ASSERT(((const struct picture *)paper)->radius_m > 0.0f);
     const struct picture *picture = paper;
@@ -145,7 +146,7 @@ static void see_paper(struct snapshot *snapshot, const struct vision *vision)
     snapshot->paper.z_m = patch.z_m;
 }
 
-/* ---- Public functions ------------------------------------------------------------------------ */
+/* ---- Taking a snapshot and predicting the position of a fish --------------------------------- */
 
 void snapshot_take(struct snapshot *snapshot, const struct snapshot *before,
                    const struct vision *vision, uint16_t prey, vec3 attention_m)
@@ -157,7 +158,7 @@ void snapshot_take(struct snapshot *snapshot, const struct snapshot *before,
     snapshot->phase = game.phase;
     snapshot->mode = game.mode;
     snapshot->seconds_left = game.seconds_left;
-    snapshot->tank_m = vision_tank_m(vision);
+    snapshot->tank_m = game.tank_m;
     snapshot->poi = vision_poi(vision, vision->player);
     snapshot->bowl = vision_bowl(vision, vision->player);
     snapshot->prey.fish = SNAPSHOT_NO_FISH;
@@ -182,56 +183,4 @@ vec3 snapshot_predict(const struct snapshot_fish *seen, float age_s)
 {
     CORE_ASSERT(age_s >= 0.0f);
     return v3_muladd(seen->position_m, seen->velocity_m_s, f_min(age_s, SNAPSHOT_PREDICT_S));
-}
-
-static uint64_t hash_fish(uint64_t hash, const struct snapshot_fish *fish)
-{
-    hash = hash_u32(hash, fish->fish);
-    hash = hash_u32(hash, fish->place);
-    hash = hash_u32(hash, fish->gulps);
-    hash = hash_vec3(hash, fish->position_m);
-    hash = hash_vec3(hash, fish->velocity_m_s);
-    hash = hash_float(hash, fish->heading_rad);
-    return hash_float(hash, fish->length_m);
-}
-
-uint64_t snapshot_hash(uint64_t hash, const struct snapshot *snapshot)
-{
-    const struct vision_poi *poi = &snapshot->poi;
-    const struct snapshot_paper *paper = &snapshot->paper;
-    const float values[] = { poi->angles.yaw_rad,
-                             poi->angles.pitch_rad,
-                             poi->angles.roll_rad,
-                             poi->radius_m,
-                             poi->paper_left,
-                             poi->water_m,
-                             paper->wet,
-                             paper->left,
-                             paper->x_m,
-                             paper->z_m,
-                             snapshot->bowl.radius_m };
-    hash = hash_u32(hash, snapshot->tick);
-    hash = hash_u32(hash, snapshot->phase);
-    hash = hash_u32(hash, snapshot->mode);
-    hash = hash_float(hash, snapshot->seconds_left);
-    hash = hash_vec3(hash, snapshot->tank_m);
-    hash = hash_u32(hash, poi->present);
-    hash = hash_u32(hash, snapshot->bowl.present);
-    hash = hash_u32(hash, paper->holds);
-    hash = hash_u32(hash, paper->middle);
-    hash = hash_vec3(hash, poi->position_m);
-    hash = hash_vec3(hash, snapshot->bowl.position_m);
-    hash = hash_floats(hash, values, sizeof values / sizeof values[0]);
-    hash = hash_u32(hash, snapshot->rival_count);
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        hash = hash_vec3(hash, snapshot->rival_m[i]);
-    }
-    hash = hash_u32(hash, snapshot->carried_count);
-    hash = hash_u32(hash, snapshot->over);
-    hash = hash_fish(hash, &snapshot->prey);
-    hash = hash_u32(hash, snapshot->near_count);
-    for (uint32_t i = 0; i < SNAPSHOT_NEAR_MAX; i++) {
-        hash = hash_fish(hash, &snapshot->near[i]);
-    }
-    return hash;
 }

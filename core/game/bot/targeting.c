@@ -5,74 +5,86 @@
 #include "core/base/mem.h"
 #include "core/base/panic.h"
 
-#define WALL_ROOM_M 0.052f  /* Smallest distance from a tank wall to the ring's centre. */
-#define FLOOR_ROOM_M 0.012f /* Smallest distance from the tank floor to the ring. */
+#define WALL_ROOM_M 0.052f  /* Smallest distance from a tank wall to the ring's centre on a path. */
+#define FLOOR_ROOM_M 0.012f /* Smallest distance from the tank floor to the ring on a path. */
 #define BOWL_ROOM_M 0.050f
-/* Height of the ring's lowest edge above the water before the dip. */
+/* Height of the ring's lowest edge above the water at the start of a path, before the dip. */
 #define CLEAR_M 0.010f
-/* Distance of the stop point from the fish's centre beyond the ring's radius, as a share of the
- * fish's length. */
+/* Additional distance between the ring and the fish at the stop point of the path, as a share of
+ * the fish's length. At the stop point the ring waits beside the fish. */
 #define BESIDE_SHARE 0.30f
-/* Distance from the fish's centre to the part of the tail that hits the paper, as a share of the
- * fish's length. */
+/* Distance from the fish's centre to the part of the tail that would hit the paper, as a share of
+ * the fish's length. */
 #define TAIL_SHARE 0.42f
-#define TAIL_OFF_M 0.003f /* Distance of the tail outside the paper's edge. */
-/* Smallest and largest distance of the fish's centre from the paper's centre, in ring radii. */
+/* Distance outside the paper's edge at which the fish's tail should be, so that the tail does not
+ * hit the paper. */
+#define TAIL_OFF_M 0.003f
+/* Smallest and largest distance of the fish's centre from the paper's centre, in ring radii, if the
+ * fish is scooped near the rim. */
 #define RIM_MIN 0.20f
 #define RIM_MAX 0.45f
-/* Entry angle from which the ring enters the water along the paper's plane. */
+/* Tilt of the paper from which the ring enters the water exactly along the paper's plane. At a
+ * smaller tilt the path is steeper than the paper's plane. */
 #define STEEP_RAD (35.0f * F_DEG)
 
-/* Range of handle yaws for a right hand. At 0 the handle points toward the player. */
+/* Smallest and largest yaw of the poi's handle that a right hand can reach. At yaw 0 the handle
+ * points toward the player. */
 #define YAW_MIN_RAD (-1.2f)
 #define YAW_MAX_RAD 1.6f
 #define YAW_EASY_RAD 0.35f
 static const float yaws_rad[] = { YAW_EASY_RAD, -0.30f, 0.90f, 1.45f, -0.80f };
 #define YAW_COUNT (sizeof yaws_rad / sizeof yaws_rad[0])
 
-#define START_S 0.60f /* Time that is added to the path time until the ring is under the fish. */
+/* Estimated time in seconds from the selection of a fish until the ring is under this fish. The bot
+ * plans the path to the place that the fish will have reached after this time. */
+#define START_S 0.60f
 #define DEPTH_S_M 8.0f
 #define SPEED_S_PER_M_S 4.0f
-/* Cost in seconds per metre of difference from the preferred fish length. */
+/* Cost in seconds for each metre by which a fish's length differs from the technique's preferred
+ * length. */
 #define LENGTH_S_M 10.0f
-/* Cost of passing first under the end of the fish that the technique does not prefer. */
+/* Cost in seconds if the ring first passes under the end of the fish (head or tail) that the
+ * technique does not prefer. */
 #define SIDE_S 2.50f
 #define YAW_S_RAD 0.10f
-/* Cost reduction for a gulping fish, because the fish notices the poi late and dives late. */
+/* Cost reduction in seconds for a fish that gulps air, because such a fish notices the poi late and
+ * dives late. */
 #define GULP_S 0.30f
 #define COMPANY_M 0.030f
-/* Cost reduction for each further fish near the target fish, because the bot can scoop such a fish
- * on the same path. */
+/* Cost reduction in seconds for each further fish near the target fish, because the bot can scoop
+ * that fish on the same path. */
 #define COMPANY_S 0.25f
-/* Distance from a fish to another player's poi below which the poi interferes. */
+/* Distance from a fish to another player's poi below which the fish costs RIVAL_S more, because the
+ * other player probably catches the fish first. */
 #define RIVAL_M 0.10f
-#define RIVAL_S 0.60f /* Cost of a nearby poi of another player. */
+#define RIVAL_S 0.60f /* Cost in seconds of another player's poi near the fish. */
 
 vec3 targeting_forward(float yaw_rad)
 {
     return v3(-f_sin(yaw_rad), 0.0f, -f_cos(yaw_rad));
 }
 
-/* ---- Paths ---------------------------------------------------------------------------------- */
+/* ---- Paths of the poi to a fish -------------------------------------------------------------- */
 
-static int inside_walls(vec3 tank_m, vec3 point_m)
+static bool inside_walls(vec3 tank_m, vec3 point_m)
 {
     return f_abs(point_m.x) < 0.5f * tank_m.x - WALL_ROOM_M &&
            f_abs(point_m.z) < 0.5f * tank_m.z - WALL_ROOM_M;
 }
 
-int targeting_approach(const struct technique *technique, const struct snapshot *snapshot,
-                       vec3 fish_m, float length_m, float yaw_rad, struct approach_path *way)
+bool targeting_approach(const struct technique *technique, const struct snapshot *snapshot,
+                        vec3 fish_m, float length_m, float yaw_rad, struct approach_path *way)
 {
     const vec3 ahead = targeting_forward(yaw_rad), right = v3(-ahead.z, 0.0f, ahead.x);
     const struct snapshot_paper *paper = &snapshot->paper;
     const struct vision_bowl *bowl = &snapshot->bowl;
-    /* With level paper, the path below the water surface leads straight down. With a larger tilt,
-     * the path follows the plane of the paper more closely. */
+    /* Slope of the path below the water surface. With level paper the path leads straight down.
+     * With a larger tilt, the path follows the plane of the paper more closely. */
     const float entry_rad = technique->entry_deg * F_DEG;
     const float slope =
         f_lerp(0.5f * F_PI, f_max(entry_rad, STEEP_RAD), f_min(entry_rad / STEEP_RAD, 1.0f));
-    /* Place of the fish on the paper, in the poi's plane: x to the right, z toward the handle. */
+    /* Intended place of the fish on the paper, in the poi's plane: x to the right, z toward the
+     * handle. */
     const float radius_m = snapshot->poi.radius_m;
     const float rim_m = f_clamp(radius_m + TAIL_OFF_M - TAIL_SHARE * length_m, RIM_MIN * radius_m,
                                 RIM_MAX * radius_m);
@@ -95,20 +107,21 @@ int targeting_approach(const struct technique *technique, const struct snapshot 
     const float t = f_clamp((bx * dx + bz * dz) / f_max(dx * dx + dz * dz, 1e-9f), 0.0f, 1.0f);
     const float ex = bx - t * dx, ez = bz - t * dz;
     const float clear_m = bowl->radius_m + BOWL_ROOM_M;
-    const int clears_bowl = !bowl->present || ex * ex + ez * ez > clear_m * clear_m;
+    const bool clears_bowl = !bowl->present || ex * ex + ez * ez > clear_m * clear_m;
     return inside_walls(snapshot->tank_m, from_m) && inside_walls(snapshot->tank_m, to_m) &&
            clears_bowl && fish_m.y > to_m.y + 0.5f * TARGETING_UNDER_M;
 }
 
-/* ---- Costs ---------------------------------------------------------------------------------- */
+/* ---- Costs of a fish and of a path ----------------------------------------------------------- */
 
 static float flat_m(vec3 a, vec3 b)
 {
     return v3_length(v3(a.x - b.x, 0.0f, a.z - b.z));
 }
 
-/* Returns the cost of a fish: its depth and speed, reduced if the fish gulps; its size; other pois
- * nearby; and the fish around it. HUNT_CHASE ignores depth and speed. */
+/* Returns the cost in seconds of a fish as the target. A deep or fast fish costs more, and a
+ * gulping fish costs less; HUNT_CHASE ignores all three. An unwanted length and other players' pois
+ * nearby increase the cost. Further fish around the fish reduce the cost. */
 static float cost_of_fish(const struct technique *technique, const struct snapshot *snapshot,
                           const struct snapshot_fish *fish)
 {
@@ -132,8 +145,8 @@ static float cost_of_fish(const struct technique *technique, const struct snapsh
            -COMPANY_S * (float)(company < wanted ? company : wanted);
 }
 
-/* Returns the cost of a path with handle yaw `yaw_rad`. The yaw determines under which end of the
- * fish the ring passes first. */
+/* Returns the cost in seconds of the path `way`: the time of the arm's motion and a penalty for its
+ * handle yaw. The yaw determines under which end of the fish the ring passes first. */
 static float cost_of_way(const struct technique *technique, const struct snapshot *snapshot,
                          const struct snapshot_fish *fish, const struct approach_path *way,
                          vec3 hand_m)
@@ -156,7 +169,7 @@ float targeting_yaw(const struct technique *technique, const struct snapshot_fis
     CORE_ASSERT(technique->side < SIDE_COUNT);
     const float back_rad = technique->side == SIDE_HEAD ? F_PI : 0.0f;
     const float wanted_rad = f_wrap_angle(fish->heading_rad + back_rad);
-    const int fits =
+    const bool fits =
         technique->side != SIDE_ANY && wanted_rad >= YAW_MIN_RAD && wanted_rad <= YAW_MAX_RAD;
     return fits ? wanted_rad : yaw_rad;
 }
@@ -171,8 +184,9 @@ const struct snapshot_fish *targeting_choose(const struct technique *technique,
     for (uint32_t i = 0; i < snapshot->near_count; i++) {
         const struct snapshot_fish *fish = &snapshot->near[i];
         const vec3 then_m = snapshot_predict(fish, age_s + START_S);
-        float way_yaw_rad = 0.0f, way_s = 1e9f; /* Handle yaw with the lowest cost for this fish. */
-        int found = 0;
+        float way_yaw_rad = 0.0f, way_s = 1e9f; /* Handle yaw with the lowest cost for this fish
+                                                   (`way_yaw_rad`), and the cost (`way_s`). */
+        bool found = false;
         for (uint32_t k = 0; k <= YAW_COUNT; k++) {
             const float yaw =
                 k < YAW_COUNT ? yaws_rad[k] : targeting_yaw(technique, fish, YAW_EASY_RAD);
@@ -182,7 +196,7 @@ const struct snapshot_fish *targeting_choose(const struct technique *technique,
             }
             const float cost_s = cost_of_way(technique, snapshot, fish, &way, hand_m);
             if (!found || cost_s < way_s) {
-                found = 1;
+                found = true;
                 way_s = cost_s;
                 way_yaw_rad = yaw;
             }

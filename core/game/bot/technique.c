@@ -1,8 +1,5 @@
-/* technique.c -- the two built-in techniques. */
+/* technique.c -- the numbers of the bot's two built-in playing techniques, novice and expert. */
 #include "core/game/bot/technique.h"
-
-#include "core/base/hash.h"
-#include "core/base/panic.h"
 
 const struct technique technique_novice = {
     .wet = 0.3f,
@@ -49,21 +46,3 @@ const struct technique technique_expert = {
     .reaction_min_s = 0.15f,
     .reaction_max_s = 0.25f,
 };
-
-uint64_t technique_hash(uint64_t hash, const struct technique *technique)
-{
-    CORE_ASSERT(technique->side < SIDE_COUNT && technique->hunt < HUNT_COUNT);
-    const float figures[] = {
-        technique->wet,       technique->entry_deg,      technique->glide_deg,
-        technique->fish_m,    technique->arm_m_s,        technique->dip_m_s,
-        technique->glide_m_s, technique->lift_m_s,       technique->carry_m_s,
-        technique->drain_s,   technique->patience_s,     technique->aim_m,
-        technique->tremor_m,  technique->reaction_min_s, technique->reaction_max_s,
-    };
-    hash = hash_u32(hash, technique->side);
-    hash = hash_u32(hash, technique->place);
-    hash = hash_u32(hash, technique->lift);
-    hash = hash_u32(hash, technique->hunt);
-    hash = hash_u32(hash, technique->fish_max);
-    return hash_floats(hash, figures, sizeof figures / sizeof figures[0]);
-}

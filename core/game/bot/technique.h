@@ -19,7 +19,7 @@ enum technique_place {
     PLACE_CENTRE = 0,
     PLACE_RIM,
     PLACE_COUNT
-}; /* Part of the paper under the fish. */
+}; /* Part of the paper on which the bot tries to place the fish. */
 /* Style of the lift. LIFT_FAST lifts at 2.5 times `lift_m_s` and reaches that speed in less than
  * half the time, even if the ring lags behind the arm. LIFT_FAST ignores `drain_s` and does not
  * wait for the water to drain. */
@@ -38,31 +38,30 @@ struct technique {
                          is broadside. */
     uint8_t side;     /* End of the fish (head or tail) under which the ring passes first (enum
                          technique_side). */
-    uint8_t place;    /* Part of the paper under the fish (enum technique_place). */
+    uint8_t place;    /* Part of the paper on which the bot tries to place the fish (enum
+                         technique_place). */
     uint8_t lift;     /* Style of the lift (enum technique_lift). */
     uint8_t hunt;     /* Style of the hunt (enum technique_hunt). */
-    uint8_t fish_max; /* Number of fish that the bot wants on the paper before it lifts the poi, 1
-                         .. 8. */
-    float fish_m;     /* Preferred length of a fish, [0.02, 0.1]. */
-    float arm_m_s, dip_m_s, glide_m_s, lift_m_s, carry_m_s; /* Maximum speed of each motion, (0, 2]
-                                                               m/s. */
-    float drain_s;                                          /* Time for which the bot lets water
-                                                               drain from the paper during a lift,
-                                                               [0, 3]. */
-    float patience_s;                     /* Longest wait for a fish to come to rest, [0, 20]. */
-    float aim_m;                          /* Largest aiming error, [0, 0.05]. */
-    float tremor_m;                       /* Amplitude of the tremor, [0, 0.01]. */
-    float reaction_min_s, reaction_max_s; /* Shortest and longest reaction time between a snapshot
-                                             and the action, [0.15, 1]. */
+    uint8_t fish_max; /* Number of fish that the bot tries to have on the paper before it lifts
+                         the poi, 1 .. 8. */
+    float fish_m;     /* Preferred length of a fish in metres, [0.02, 0.1]. */
+    float arm_m_s, dip_m_s, glide_m_s, lift_m_s, carry_m_s; /* Maximum speed of each motion of
+                                                               the arm, (0, 2] m/s. */
+    /* Time in seconds for which the bot lets water drain from the paper during a lift, [0, 3]. */
+    float drain_s;
+    float patience_s;                     /* Longest time in seconds for which the bot waits for
+                                             a fish to come to rest, [0, 20]. */
+    float aim_m;                          /* Largest aiming error in metres, [0, 0.05]. */
+    float tremor_m;                       /* Amplitude of the arm's tremor in metres, [0, 0.01]. */
+    float reaction_min_s, reaction_max_s; /* Shortest and longest reaction time in seconds
+                                             between a snapshot and the action, [0.15, 1]. */
 };
 
 /* Technique that chases fish, with level paper and a fast lift. 30 % of the paper is wet. */
 extern const struct technique technique_novice;
 
-/* Technique that wets the whole paper, tilts it on entry, and moves it edge first under water. The
- * poi waits as a still shadow and scoops the fish head first, near the rim. */
+/* Technique that wets the whole paper, tilts the paper on entry, and moves the paper edge first
+ * under water. The poi waits as a still shadow and scoops the fish head first, near the rim. */
 extern const struct technique technique_expert;
-
-uint64_t technique_hash(uint64_t hash, const struct technique *technique);
 
 #endif

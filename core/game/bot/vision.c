@@ -20,17 +20,9 @@ struct vision_game vision_game(const struct vision *vision)
         .mode = game->mode,
         .fouls = game->player[vision->player].fouls,
         .seconds_left = game_seconds_left(game, game->tick),
+        .tank_m = vision->world->tank.size_m,
+        .fish_count = vision->world->tank.fish_count,
     };
-}
-
-vec3 vision_tank_m(const struct vision *vision)
-{
-    return vision->world->tank.size_m;
-}
-
-uint32_t vision_fish_count(const struct vision *vision)
-{
-    return vision->world->tank.fish_count;
 }
 
 struct vision_fish vision_fish(const struct vision *vision, uint32_t fish)
@@ -59,7 +51,7 @@ struct vision_poi vision_poi(const struct vision *vision, uint32_t index)
         .present = 1,
         .position_m = poi->position_m,
         .angles = poi->angles,
-        .radius_m = POI_RADIUS_M,
+        .radius_m = poi_radius_m(poi),
         .paper_left = sheet_left(&poi->sheet),
         .water_m = carried_water_m(poi),
     };
@@ -75,22 +67,6 @@ struct vision_bowl vision_bowl(const struct vision *vision, uint32_t index)
     return (struct vision_bowl){ .present = 1,
                                  .position_m = bowl->position_m,
                                  .radius_m = BOWL_RADIUS_M };
-}
-
-struct vision_fan vision_fan(const struct vision *vision, uint32_t index)
-{
-    CORE_ASSERT(index < SHADE_MAX);
-    const struct shade *shade = &vision->world->tank.shade[index];
-    if (!shade->cast.present) {
-        return (struct vision_fan){ 0 };
-    }
-    return (struct vision_fan){
-        .present = 1,
-        .x_m = shade->cast.x_m,
-        .z_m = shade->cast.z_m,
-        .radius_m = shade->cast.radius_m,
-        .still_s = shade->still_s,
-    };
 }
 
 uint8_t vision_integrity(const struct vision *vision, uint32_t cell)

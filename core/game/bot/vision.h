@@ -25,6 +25,8 @@ struct vision_game {
     uint8_t phase, mode; /* Current phase (enum scene_phase) and mode (enum game_mode). */
     uint8_t fouls;       /* Number of fouls of `vision->player`. */
     float seconds_left;
+    vec3 tank_m; /* Width, water depth and breadth of the tank. */
+    uint32_t fish_count;
 };
 
 struct vision_fish {
@@ -32,31 +34,22 @@ struct vision_fish {
     struct angles angles;
     float length_m;
     float bend_rad;
-    float gape, gulp; /* Opening of the mouth and progress of a gulp, as in struct scene_fish. */
+    float gape, gulp; /* `gape` is the opening of the mouth, and `gulp` is the progress of a gulp
+                         of air, both as in struct scene_fish. */
     uint8_t place;    /* Place of the fish (enum scene_place). */
-};
-
-struct vision_fan {
-    uint8_t present;
-    float x_m, z_m, radius_m, still_s;
 };
 
 /* Returns the visible state of the game for `vision->player`. Asserts that the player is <
  * POI_MAX. */
 struct vision_game vision_game(const struct vision *vision);
-vec3 vision_tank_m(const struct vision *vision); /* Returns width, water depth and breadth of the
-                                                    tank. */
 
-/* vision_fish_count() returns the number of fish. vision_fish() returns the visible state of fish
- * `fish`, and asserts that `fish` < vision_fish_count(). */
-uint32_t vision_fish_count(const struct vision *vision);
+/* Returns the visible state of fish `fish`. Asserts that `fish` is less than the number of fish. */
 struct vision_fish vision_fish(const struct vision *vision, uint32_t fish);
 
-/* Return the visible state of one object. Assert that `index` < POI_MAX, or < SHADE_MAX for a fan.
- * If the object is not present, all fields are 0. */
+/* Return the visible state of one object. Assert that `index` < POI_MAX. If the object
+ * is not present, all fields are 0. */
 struct vision_poi vision_poi(const struct vision *vision, uint32_t index);
 struct vision_bowl vision_bowl(const struct vision *vision, uint32_t index);
-struct vision_fan vision_fan(const struct vision *vision, uint32_t index);
 
 /* vision_integrity() and vision_wetness() return the integrity and the wetness of cell `cell` of
  * the player's own paper. `cell` is < SHEET_SIDE * SHEET_SIDE, row by row from the far edge.

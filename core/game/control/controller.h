@@ -3,32 +3,25 @@
 #ifndef KINGYO_CORE_GAME_CONTROL_CONTROLLER_H
 #define KINGYO_CORE_GAME_CONTROL_CONTROLLER_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "core/game/game.h"
 #include "core/poi/catch/catch.h"
 #include "core/poi/poi.h"
 
-struct settings;
+/* Returns true if the poi is in use. A poi is in use if it has a bowl and a source; a lost
+ * controller counts as a source. */
+bool controller_is_active(const struct world *world, uint32_t index);
 
-/* Returns 1 if the poi is in use, otherwise 0. A poi is in use if it has a bowl and a source; a
- * lost controller counts as a source. */
-int controller_is_active(const struct world *world, uint32_t index);
-
-/* Returns a copy of the input `said` with each slot's calibration applied to its pose. */
-struct input controller_calibrate(const struct settings *settings, const struct input *said);
-
-/* Validates the pose of each controller (input_validation.h). Call once per tick before all other
- * steps of the game. */
-void controller_validate(struct game *game, const struct input *input);
-
-/* Returns 1 if a poi in use has lost its controller, otherwise 0. A controller is lost while it is
+/* Returns true if a poi in use has lost its controller. A controller is lost while it is
  * disconnected or its input is invalid. The poi then moves out of the water, takes no damage, and
  * waits. */
-int controller_is_lost(const struct world *world, uint32_t index);
+bool controller_is_lost(const struct world *world, uint32_t index);
 
 /* Returns the player whose poi moves down through GAME_DIP_Y_M in this tick, or POI_MAX if no poi
- * does. Only a live poi with a bowl counts. A downward crossing is a request to play. */
+ * does. Such a dip is a request to play. Only a poi with a bowl and a connected controller
+ * counts. */
 uint32_t controller_dipped_player(const struct game *game, const struct world *world,
                                   const struct input *input);
 
@@ -45,11 +38,11 @@ void controller_tick_all(struct game *game, struct world *world, const struct co
                          const struct input *input, struct poi_target targets[POI_MAX],
                          uint8_t live[POI_MAX]);
 
-/* Cancels the return of a poi to its controller, because the poi has a new source or a new
- * position. */
+/* Cancels the slow motion of a poi back to the pose of its controller after an input loss. Call
+ * when the poi has a new source or a new position. */
 void controller_forget_path(struct game *game, uint32_t index);
 
-/* ---- Failsafe -------------------------------------------------------------------------------- */
+/* ---- Failsafe motion after an input loss ----------------------------------------------------- */
 
 /* Failsafe motion: moves a poi without valid input out of the water, and later back to the
  * controller's pose.
@@ -58,32 +51,36 @@ void controller_forget_path(struct game *game, uint32_t index);
  * both motions `damage_immune` of the poi is 1, so that a broken cable never damages a player's
  * paper. */
 
-/* Height at which the poi waits. At this height the poi's lowest edge is above the water. */
+/* Height at which a poi waits for valid input. At this height the poi's lowest edge is above the
+ * water. */
 #define FAILSAFE_HOVER_M 0.060f
-/* Shortest duration of the return to the controller's pose, 0.4 s. */
+/* Shortest duration of a poi's return to the controller's pose, 0.4 s. */
 #define FAILSAFE_RETURN_TICKS_MIN 48u
-/* Longest damage immunity of one return, 3 s. After that time the poi moves faster, because the
- * controller may keep moving away. */
+/* Longest time for which the paper cannot be damaged during one return to the controller's pose, 3
+ * s. After that time the poi moves faster, because the controller may keep moving away. */
 #define FAILSAFE_IMMUNITY_TICKS_MAX 360u
 
 /* Returns the target pose for the first tick after an input loss. The target is the ring's actual
  * position, independent of the last input. */
-struct poi_target failsafe_begin(const struct poi *poi, struct poi_target hand);
+struct poi_target controller_failsafe_begin(const struct poi *poi, struct poi_target hand);
 
-/* Returns the next target pose of a poi without input; `hand` is its current target pose. A moving
- * poi first decelerates to rest. A poi with fish turns level and rises straight up. A poi without
- * fish tilts and leaves the water along its own plane, toward the middle of the tank. */
-struct poi_target failsafe_withdraw(const struct poi *poi, struct poi_target hand);
+/* Failsafe motion of a poi without input: returns the next target pose. `hand` is the current
+ * target pose. A moving poi first decelerates to rest. A poi with fish turns level and rises
+ * straight up. A poi without fish tilts and leaves the water along its own plane, toward the middle
+ * of the tank. */
+struct poi_target controller_failsafe_withdraw(const struct poi *poi, struct poi_target hand);
 
 /* Returns the next target pose of a poi that returns to the controller's pose `wanted`. `hand` is
  * the poi's current target pose, and `ticks` is the time since the start of the return. */
-struct poi_target failsafe_return(struct poi_target hand, struct poi_target wanted, uint32_t ticks);
+struct poi_target controller_failsafe_return(struct poi_target hand, struct poi_target wanted,
+                                             uint32_t ticks);
 
-/* Returns 1 if the return is complete, so the controller's pose becomes the target pose; otherwise
- * 0. */
-int failsafe_is_returned(struct poi_target hand, struct poi_target wanted, uint32_t ticks);
+/* Returns true if the poi has returned to the controller's pose `wanted`, which then becomes the
+ * target pose. */
+bool controller_failsafe_is_returned(struct poi_target hand, struct poi_target wanted,
+                                     uint32_t ticks);
 
-/* ---- Parking --------------------------------------------------------------------------------- */
+/* ---- Parking of unused pois ------------------------------------------------------------------ */
 
 /* Parking: moves an unused poi to a rest position on the tank's rim, beside its own bowl.
  *
@@ -100,24 +97,24 @@ int failsafe_is_returned(struct poi_target hand, struct poi_target wanted, uint3
  * player has a different rest position. */
 struct poi_target parking_place(const struct world *world, uint32_t index);
 
-/* Counts the ticks for which player `index` has not used the poi. Returns 1 if the poi is now
- * parked, otherwise 0. */
-int parking_tick(struct game *game, const struct world *world, uint32_t index);
+/* Counts the ticks for which player `index` has not used the poi. Returns true if the poi is now
+ * parked. */
+bool parking_tick(struct game *game, const struct world *world, uint32_t index);
 
-/* Returns 1 if the poi is parked, so no controller moves it; otherwise 0. */
-int parking_is_parked(const struct game *game, uint32_t index);
+/* Returns true if the poi is parked. No controller moves a parked poi. */
+bool parking_is_parked(const struct game *game, uint32_t index);
 
 /* Returns the next target pose of a parked poi; `hand` is its current target pose. The path leads
  * up out of the water, over all rims, and down to the rest position. */
 struct poi_target parking_path(const struct game *game, const struct world *world, uint32_t index,
                                struct poi_target hand);
 
-/* parking_collides() returns 1 while fish and other pois collide with poi `index`, otherwise 0.
+/* parking_collides() returns true while fish and other pois collide with poi `index`.
  * parking_shade() returns the remaining share of the poi's shadow, [0, 1]. */
-int parking_collides(const struct game *game, const struct world *world, uint32_t index);
+bool parking_collides(const struct game *game, const struct world *world, uint32_t index);
 float parking_shade(const struct game *game, uint32_t index);
 
-/* ---- Release of fish ------------------------------------------------------------------------- */
+/* ---- Release of fish from pois that disappear ------------------------------------------------ */
 
 /* Releases fish: fish on a poi that disappears fall into the water or a bowl.
  *
@@ -125,11 +122,11 @@ float parking_shade(const struct game *game, uint32_t index);
 
 /* Releases every fish on the poi. Each fish falls with its current velocity, limited to the
  * velocity of a calm arm. */
-void failsafe_release_all(struct poi *poi, const struct tank *tank);
+void parking_release_all(struct poi *poi, const struct tank *tank);
 
 /* Advances the released fish of an unused poi by one tick. Call instead of catch_tick(). Every fish
  * soon reaches the water or a bowl. Fish that land in a bowl are added to `results`. */
-void failsafe_release_tick(struct poi *poi, uint32_t poi_index, const struct stall *stall,
-                           struct catch_result results[POI_MAX]);
+void parking_release_tick(struct poi *poi, uint32_t poi_index, const struct stall *stall,
+                          struct catch_result results[POI_MAX]);
 
 #endif

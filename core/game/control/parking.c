@@ -1,32 +1,34 @@
-/* parking.c -- decides which pois are parked, and computes their motion and their remaining effect
- * on fish and other pois. */
+/* parking.c -- decides which pois are parked, computes their motion and their remaining effect on
+ * fish and other pois, and releases the fish of a poi that disappears. */
 #include "core/game/control/controller.h"
 
 #include "core/base/panic.h"
-#include "core/game/game.h"
+#include "core/poi/catch/capture.h"
 #include "core/poi/world.h"
 #include "core/tank/preset.h"
 
-/* Distance from the bowl's centre to the parked poi along the rim, so that the handle lies beside
- * the bowl. */
+/* Distance along the side wall of the tank between the bowl's centre and the parked ring, which
+ * lies farther from the player. The handle points toward the player and therefore lies beside the
+ * bowl. */
 #define ALONG_M 0.105f
 /* Distance from the tank wall to the parked ring. The ring lies inside the wall, so that it stays
  * visible. */
 #define INSIDE_M 0.005f
 #define ON_RIM_M 0.004f
-#define OVER_RIM_M 0.020f /* Height of the poi above the rim while it moves. */
-#define LIFT_M_S 0.30f    /* Speed at which the poi rises; the paper takes no damage. */
+/* Height of the poi above the tank's rim on its way to the rest position. */
+#define OVER_RIM_M 0.020f
+#define LIFT_M_S 0.30f /* Upward speed of a poi that is parked. The paper takes no damage. */
 #define AWAY_M_S 0.80f
-/* Fraction of the remaining distance that the poi moves per tick. The poi therefore slows down near
- * its goal. */
+/* Fraction of the remaining distance to the rest position that the poi moves per tick. The poi
+ * therefore slows down near the rest position. */
 #define AWAY_SHARE 0.06f
-/* Ticks in which the poi accelerates, so that the motion starts gently. */
+/* Number of ticks in which a poi that is parked accelerates, so that its motion starts gently. */
 #define START_TICKS 36.0f
 #define TURN_RAD_S 3.0f
-/* Horizontal distance to the rest position within which the poi is lowered. */
+/* Horizontal distance to the rest position within which the poi is lowered to the rim. */
 #define NEAR_M 0.03f
-#define DOWN_M_S 0.08f /* Speed at which the poi is lowered. */
-#define CLEAR_M 0.010f /* Smallest distance between the poi and a bowl. */
+#define DOWN_M_S 0.08f /* Speed at which the poi is lowered to its rest position. */
+#define CLEAR_M 0.010f /* Smallest distance between a poi that is parked and a bowl. */
 #define FADE_TICKS 60.0f
 
 struct poi_target parking_place(const struct world *world, uint32_t index)
@@ -41,7 +43,7 @@ struct poi_target parking_place(const struct world *world, uint32_t index)
     };
 }
 
-/* Returns the ticks since the poi was parked. */
+/* Returns the number of ticks since the poi of player `index` was parked; 0 if it is not parked. */
 static uint32_t held_ticks(const struct game *game, uint32_t index)
 {
     CORE_ASSERT(index < POI_MAX);
@@ -50,21 +52,22 @@ static uint32_t held_ticks(const struct game *game, uint32_t index)
     return ticks > linger ? ticks - linger : 0u;
 }
 
-int parking_is_parked(const struct game *game, uint32_t index)
+bool parking_is_parked(const struct game *game, uint32_t index)
 {
     return held_ticks(game, index) > 0;
 }
 
-/* A bot uses its poi only during a game. A person uses the poi, also as a pointer, until the person
- * is out. */
-int parking_tick(struct game *game, const struct world *world, uint32_t index)
+/* Counts the ticks for which the poi of player `index` has not been used. Returns true if the poi
+ * is parked. A bot uses its poi only during a game. A person uses the poi, also as a pointer, until
+ * the person is out. */
+bool parking_tick(struct game *game, const struct world *world, uint32_t index)
 {
     CORE_ASSERT(index < POI_MAX);
     uint32_t *ticks = &game->rest_ticks[index];
-    const int in_play = game->phase == PHASE_ATTRACT || game->phase == PHASE_ROUND;
-    const int is_out =
+    const bool in_play = game->phase == PHASE_ATTRACT || game->phase == PHASE_ROUND;
+    const bool is_out =
         game->player[index].out && game->phase >= PHASE_READY && game->phase <= PHASE_RESULT;
-    const int is_idle = is_out || (!in_play && world->poi[index].link == POI_SOURCE_BOT);
+    const bool is_idle = is_out || (!in_play && world->poi[index].link == POI_SOURCE_BOT);
     *ticks = is_idle ? *ticks + 1u : 0u;
     return parking_is_parked(game, index);
 }
@@ -83,9 +86,10 @@ static float step_of(float way_m, float pace_m_s)
     return f_clamp(way_m, -pace_m_s * CORE_TICK_S, pace_m_s * CORE_TICK_S);
 }
 
-/* The motion has four steps: toward the middle of the tank, up, over the rims, and down. The ring's
- * actual position selects the step. The first step is taken while the ring is below a bowl or
- * between two bowls, where the ring cannot move up. */
+/* Returns the next target pose of a poi that is parked. The path has four steps: toward the middle
+ * of the tank, up, over the rims, and down. The ring's actual position selects the step. The first
+ * step is taken while the ring is below a bowl or between two bowls, where the ring cannot move
+ * up. */
 struct poi_target parking_path(const struct game *game, const struct world *world, uint32_t index,
                                struct poi_target hand)
 {
@@ -95,7 +99,7 @@ struct poi_target parking_path(const struct game *game, const struct world *worl
     const vec3 ring_m = world->poi[index].position_m;
     const vec3 way_m = v3_sub(place_m, hand.position_m);
     vec3 at_m = hand.position_m;
-    int is_under = 0;
+    bool is_under = false;
     CORE_ASSERT(begun > 0.0f);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const struct bowl *bowl = &world->bowl[i];
@@ -109,7 +113,7 @@ struct poi_target parking_path(const struct game *game, const struct world *worl
         at_m.y += step_of(place_m.y + OVER_RIM_M - at_m.y, LIFT_M_S) * begun;
     } else {
         const vec3 aside_m = v3_scale(v3(way_m.x, 0.0f, way_m.z), AWAY_SHARE);
-        const int is_over = way_m.x * way_m.x + way_m.z * way_m.z < NEAR_M * NEAR_M;
+        const bool is_over = way_m.x * way_m.x + way_m.z * way_m.z < NEAR_M * NEAR_M;
         const float high_m = f_max(at_m.y, place_m.y + OVER_RIM_M);
         at_m.y += is_over ? step_of(way_m.y, DOWN_M_S) : step_of(high_m - at_m.y, LIFT_M_S);
         at_m = v3_muladd(at_m, v3_limit(aside_m, AWAY_M_S * CORE_TICK_S), begun);
@@ -121,9 +125,9 @@ struct poi_target parking_path(const struct game *game, const struct world *worl
     };
 }
 
-/* ---- Effect on fish, pois and light ---------------------------------------------------------- */
+/* ---- Effect of a parked poi on fish, pois and light ------------------------------------------ */
 
-int parking_collides(const struct game *game, const struct world *world, uint32_t index)
+bool parking_collides(const struct game *game, const struct world *world, uint32_t index)
 {
     return !parking_is_parked(game, index) || world->poi[index].immersed > 0.0f;
 }
@@ -131,4 +135,60 @@ int parking_collides(const struct game *game, const struct world *world, uint32_
 float parking_shade(const struct game *game, uint32_t index)
 {
     return f_max(1.0f - (float)held_ticks(game, index) / FADE_TICKS, 0.0f);
+}
+
+/* ---- Release of fish from pois that disappear ------------------------------------------------ */
+
+#define THROW_M_S_MAX 0.3f /* Highest speed of a released fish, so that the fish is not thrown. */
+
+void parking_release_all(struct poi *poi, const struct tank *tank)
+{
+    CORE_ASSERT(poi->carried_count <= POI_CARRIED_MAX);
+    for (uint32_t i = 0; i < poi->carried_count; i++) {
+        struct carried_fish *carried = &poi->carried_fish[i];
+        if (carried->state == CARRIED_LYING) {
+            const vec3 velocity_m_s = tank->fish[carried->fish].velocity_m_s;
+            catch_fall_begin(carried, v3_limit(velocity_m_s, THROW_M_S_MAX));
+        }
+        carried->state = CARRIED_RELEASED;
+    }
+    poi->carried_kg = 0.0f;
+    poi->load_count = 0;
+}
+
+static bool is_fish_held_by(const struct fish *fish, uint32_t poi_index)
+{
+    return fish->gait == GAIT_HELD && fish->holder == poi_index;
+}
+
+void parking_release_tick(struct poi *poi, uint32_t poi_index, const struct stall *stall,
+                          struct catch_result results[POI_MAX])
+{
+    CORE_ASSERT(poi_index < POI_MAX);
+    struct tank *tank = stall->tank;
+    uint32_t i = 0;
+    parking_release_all(poi, tank);
+    while (i < poi->carried_count) {
+        struct carried_fish *carried = &poi->carried_fish[i];
+        const bool is_ours = is_fish_held_by(&tank->fish[carried->fish], poi_index);
+        uint32_t bowl = 0;
+        const enum fall_end end =
+            is_ours ? catch_fall_tick(carried, stall, &bowl) : FALL_INTO_WATER;
+        if (end == FALL_INTO_BOWL) {
+            catch_count(carried, poi_index, bowl, results);
+        }
+        if (end == FALL_GOES_ON) {
+            i++;
+        } else {
+            poi->carried_count--;
+            *carried = poi->carried_fish[poi->carried_count];
+        }
+    }
+    /* Fish that are marked as held by this poi but are missing in the poi's list are set free,
+     * because no other code would let these fish fall. */
+    for (uint32_t fish = 0; fish < tank->fish_count; fish++) {
+        if (is_fish_held_by(&tank->fish[fish], poi_index) && !catch_has_carried(poi, fish)) {
+            catch_set_free(tank, &tank->fish[fish], v3(0.0f, 0.0f, 0.0f));
+        }
+    }
 }

@@ -2,7 +2,6 @@
  * growth curve. */
 #include "core/game/lab/lab.h"
 
-#include "core/base/hash.h"
 #include "core/base/panic.h"
 #include "core/config.h"
 #include "core/game/control/controller.h"
@@ -18,7 +17,7 @@ void album_note(struct album *album, const struct world *world, uint32_t index, 
     album->caught += count;
     for (uint32_t i = 0; i < world->tank.fish_count && count > 0; i++) {
         const struct fish *fish = &world->tank.fish[i];
-        int is_noted = 0;
+        bool is_noted = false;
         if (album->fish_count == ALBUM_FISH_MAX) {
             return;
         }
@@ -46,21 +45,21 @@ uint32_t album_ticks(uint32_t fish_count)
                : ALBUM_LIFE_TICKS + (fish_count - 1u) * ALBUM_STAGGER_TICKS + ALBUM_REST_TICKS;
 }
 
-int album_begin(struct game *game)
+bool album_begin(struct game *game)
 {
     if (game->album.fish_count == 0) {
-        return 0;
+        return false;
     }
     game_enter_phase(game, PHASE_ALBUM);
-    return 1;
+    return true;
 }
 
-void album_tick(struct game *game, struct world *world, const struct core_config *config,
+void album_tick(struct game *game, struct world *world, struct core_config *config,
                 const struct input *input, struct output *output)
 {
     CORE_ASSERT(game->phase == PHASE_ALBUM && game->album.fish_count > 0);
     const uint32_t elapsed = game->tick - game->phase_tick;
-    const int dipped = controller_dipped_player(game, world, input) < POI_MAX;
+    const bool dipped = controller_dipped_player(game, world, input) < POI_MAX;
     if (dipped || (input->pressed & INPUT_START)) {
         game_mode_select_begin(game, world, config, output);
     } else if ((input->pressed & INPUT_OK) || elapsed >= album_ticks(game->album.fish_count)) {
@@ -84,13 +83,14 @@ void album_show(const struct game *game, struct scene_album *out)
         const uint32_t begin = i * ALBUM_STAGGER_TICKS;
         const float share =
             (float)(elapsed > begin ? elapsed - begin : 0u) / (float)ALBUM_LIFE_TICKS;
-        /* The progress changes slowly at the beginning and at the end of the life, where the fish
-         * changes most. */
+        /* The displayed life runs slowly at its beginning and at its end, where the fish changes
+         * most. */
         const float progress = f_smoothstep(0.0f, 1.0f, f_min(share, 1.0f));
         const float age_days = life_age_days(card, progress);
-        /* The length starts at the usual length of the species. Until the age of the catch, the
-         * ratio of the fish's length to the usual length changes gradually to the ratio of this
-         * fish. After that age the ratio stays constant. */
+        /* At the start of the life, the displayed length is the usual length of the species. Until
+         * the age at which the fish was caught, the ratio of the displayed length to the usual
+         * length changes gradually to the ratio of this fish. After that age the ratio stays
+         * constant. */
         const float usual_m = life_length_m(card, life_progress(card, fish->age_days));
         const float part = f_min(age_days / f_max(fish->age_days, 1.0f), 1.0f);
         out->fish[i] = (struct scene_grown){
@@ -106,19 +106,4 @@ void album_show(const struct game *game, struct scene_album *out)
             .maturity = scene_maturity(age_days),
         };
     }
-}
-
-uint64_t album_hash(uint64_t hash, const struct album *album)
-{
-    hash = hash_u32(hash, album->caught);
-    hash = hash_u32(hash, album->fish_count);
-    for (uint32_t i = 0; i < ALBUM_FISH_MAX; i++) {
-        const struct album_fish *fish = &album->fish[i];
-        hash = hash_u32(hash, fish->fish);
-        hash = hash_u32(hash, fish->look);
-        hash = hash_u32(hash, fish->owner);
-        hash = hash_float(hash, fish->age_days);
-        hash = hash_float(hash, fish->length_m);
-    }
-    return hash;
 }

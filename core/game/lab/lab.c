@@ -1,8 +1,6 @@
 /* lab.c -- runs one tick of the growth lab: pointer, buttons and playback. */
 #include "core/game/lab/lab.h"
 
-#include "core/base/hash.h"
-#include "core/base/mem.h"
 #include "core/base/panic.h"
 #include "core/config.h"
 #include "core/game/game.h"
@@ -10,16 +8,8 @@
 #include "core/game/table_setup.h"
 #include "core/poi/world.h"
 
-/* Seconds in which LEFT or RIGHT moves through a whole life while held. */
+/* Time in seconds in which a held LEFT or RIGHT button moves through a whole life. */
 #define BUTTON_LIFE_S 9.0f
-
-void lab_init(struct lab *lab, const struct core_config *config)
-{
-    const struct lab_book *book = &config->book;
-    *lab = (struct lab){ .layer = 0 };
-    memcpy(lab->has_edit, book->has_edit, sizeof lab->has_edit);
-    memcpy(lab->edits, book->edits, sizeof lab->edits);
-}
 
 void lab_begin(struct game *game, struct world *world, const struct core_config *config,
                struct output *output)
@@ -31,18 +21,19 @@ void lab_begin(struct game *game, struct world *world, const struct core_config 
     game_enter_phase(game, PHASE_LAB);
     lab->stir_tick = lab->act_tick = game->tick;
     lab->start_ticks = 0;
-    lab->presses = 1; /* The player opened the lab by a dip. The same dip must not press a part of
+    lab->presses = 1; /* The player opened the lab by a dip of the poi. The pointer counts as
+                         pressed until it is released, so that this dip does not press a part of
                          the page. */
     lab_take(&game->lab, &config->book, lab->species);
     output_sound(output, SOUND_START, 0.7f, 0.0f);
 }
 
-/* ---- The pointer ---------------------------------------------------------------------------- */
+/* ---- Pointer of the growth lab --------------------------------------------------------------- */
 
-/* Updates the pointer's position and its press state. The pointer belongs to the first player who
- * has a bowl at the tank and a valid pose. After a switch to a different player's pointer, nothing
- * is pressed until the new pointer has been above the water. A drag by the previous player
- * therefore does not continue. */
+/* Updates the position of the lab's pointer and whether it is pressed. The pointer belongs to the
+ * first player who has a bowl at the tank and a valid pose. After a switch to a different player's
+ * pointer, nothing is pressed until the new pointer has been above the water. A drag by the
+ * previous player therefore does not continue. */
 static void track_lab_hand(struct game *game, struct world *world, const struct core_config *config,
                            const struct input *input, struct output *output)
 {
@@ -73,7 +64,7 @@ static void track_lab_hand(struct game *game, struct world *world, const struct 
         lab->stir_y = lab->y;
         lab->stir_tick = game->tick;
     }
-    const int was_down = lab->presses;
+    const bool was_down = lab->presses;
     lab->presses = hand.height_m < (was_down ? POINTER_RELEASE_Y_M : POINTER_PRESS_Y_M);
     if (lab->presses && !was_down) {
         lab_press(lab, &config->book, game->tick, output);
@@ -84,7 +75,7 @@ static void track_lab_hand(struct game *game, struct world *world, const struct 
     }
 }
 
-/* ---- Buttons -------------------------------------------------------------------------------- */
+/* ---- Motion through the life by buttons ------------------------------------------------------ */
 
 static void step_life(struct lab *lab, float way)
 {
@@ -94,7 +85,7 @@ static void step_life(struct lab *lab, float way)
     lab->progress = f_clamp(lab->progress + way, 0.0f, 1.0f);
 }
 
-/* ---- The tick ------------------------------------------------------------------------------- */
+/* ---- Tick of the lab ------------------------------------------------------------------------ */
 
 static void take_lab_buttons(struct lab *lab, const struct lab_book *book, uint32_t tick,
                              const struct input *input, struct output *output)
@@ -107,7 +98,8 @@ static void take_lab_buttons(struct lab *lab, const struct lab_book *book, uint3
     if (down & INPUT_RIGHT) {
         step_life(lab, step);
     }
-    if (input->pressed & INPUT_START) { /* A short press starts or stops the playback. */
+    if (input->pressed & INPUT_START) { /* A short press of START starts or stops the playback of
+                                           the life. */
         lab_use(lab, book, LAB_PLAY, output);
     }
     if (input->pressed & INPUT_OK) {
@@ -115,11 +107,12 @@ static void take_lab_buttons(struct lab *lab, const struct lab_book *book, uint3
     }
     const uint32_t guests = ~(uint32_t)INPUT_TEST;
     lab->stir_tick = down & guests ? tick : lab->stir_tick;
-    /* Only new presses count as activity, because a button that is held for minutes is stuck. */
+    /* Only new presses of a button count as activity, because a button that is held for minutes is
+     * stuck. */
     lab->act_tick = input->pressed & guests ? tick : lab->act_tick;
 }
 
-void lab_tick(struct game *game, struct world *world, const struct core_config *config,
+void lab_tick(struct game *game, struct world *world, struct core_config *config,
               const struct input *input, struct output *output)
 {
     struct lab *lab = &game->lab;
@@ -139,8 +132,8 @@ void lab_tick(struct game *game, struct world *world, const struct core_config *
         }
     }
     if (game->phase == PHASE_LAB) {
-        const int is_deserted = game->tick - lab->stir_tick >= LAB_IDLE_TICKS ||
-                                game->tick - lab->act_tick >= LAB_SWING_TICKS;
+        const bool is_deserted = game->tick - lab->stir_tick >= LAB_IDLE_TICKS ||
+                                 game->tick - lab->act_tick >= LAB_SWING_TICKS;
         lab->start_ticks = input->held & INPUT_START ? lab->start_ticks + 1u : 0u;
         if (lab->start_ticks >= LAB_END_TICKS || is_deserted) {
             attract_begin(game, world, config);
@@ -148,7 +141,7 @@ void lab_tick(struct game *game, struct world *world, const struct core_config *
     }
 }
 
-/* ---- Display -------------------------------------------------------------------------------- */
+/* ---- Displayed state of the lab ------------------------------------------------------------- */
 
 void lab_show(const struct lab *lab, const struct lab_book *book, struct scene_lab *out)
 {
@@ -174,7 +167,9 @@ void lab_show(const struct lab *lab, const struct lab_book *book, struct scene_l
                    : lab->edit_refused              ? LAB_UNSAVED
                                                     : LAB_SAVING;
     out->is_own = (uint8_t)lab_is_own(lab, book);
-    out->is_kept = (uint8_t)lab_is_kept(lab, book);
+    out->is_kept = lab->has_edit[lab->species]
+                       ? lab_edit_same(&lab->edit, &lab->edits[lab->species])
+                       : out->is_own;
     out->x = lab->x;
     out->y = lab->y;
     out->progress = lab->progress;
@@ -182,31 +177,4 @@ void lab_show(const struct lab *lab, const struct lab_book *book, struct scene_l
     out->length_m = life_length_m(shown, lab->progress);
     out->scale_knot_count = (uint8_t)lab_edit_scale_knots(&lab->edit, card, out->scale_knots);
     graph_weights(&lab->edit.graph, card->key_count, lab->progress, out->weight);
-}
-
-/* ---- Hash ----------------------------------------------------------------------------------- */
-
-uint64_t lab_hash_quick(uint64_t hash, const struct lab *lab)
-{
-    const uint32_t words[] = {
-        lab->species,  lab->layer,     lab->playing,  lab->compare,    lab->path,
-        lab->has_hand, lab->presses,   lab->points,   lab->holds,      lab->held_knot,
-        lab->upright,  lab->stir_tick, lab->act_tick, lab->rest_ticks, lab->start_ticks,
-        lab->save_id,  lab->saved_id,  lab->asked_id, lab->hand,       lab->edit_refused
-    };
-    const float floats[] = { lab->x, lab->y, lab->stir_x, lab->stir_y, lab->progress };
-    for (uint32_t i = 0; i < sizeof words / sizeof words[0]; i++) {
-        hash = hash_u32(hash, words[i]);
-    }
-    hash = hash_floats(hash, floats, sizeof floats / sizeof floats[0]);
-    return lab_edit_hash(hash, &lab->edit);
-}
-
-uint64_t lab_hash(uint64_t hash, const struct lab *lab)
-{
-    hash = hash_bytes(hash, lab->has_edit, sizeof lab->has_edit);
-    for (uint32_t i = 0; i < SPECIES_MAX; i++) {
-        hash = lab_edit_hash(hash, &lab->edits[i]);
-    }
-    return hash;
 }

@@ -1,4 +1,4 @@
-/* lab_edit.c -- functions that drag, add and remove knots. */
+/* lab_edit.c -- functions that drag, add and remove knots of a species' curves. */
 #include "core/game/lab/lab_edit.h"
 
 #include "core/base/mem.h"
@@ -6,7 +6,7 @@
 
 #define ROUND_GAP (5.0f * LAB_KNOT_GAP)
 
-/* ---- Complete edits -------------------------------------------------------------------------- */
+/* ---- Creation, validation and comparison of edited graphs ------------------------------------ */
 
 void lab_edit_own(struct lab_edit *edit, const struct species_card *card)
 {
@@ -73,7 +73,7 @@ bool lab_edit_same(const struct lab_edit *a, const struct lab_edit *b)
                0;
 }
 
-/* ---- Weights -------------------------------------------------------------------------------- */
+/* ---- Weights of the key shapes --------------------------------------------------------------- */
 
 void lab_edit_weigh(struct lab_edit *edit, uint32_t key_count, uint32_t knot, uint32_t key,
                     float weight)
@@ -92,7 +92,8 @@ void lab_edit_weigh(struct lab_edit *edit, uint32_t key_count, uint32_t knot, ui
             at->weight[i] = others > 1e-4f ? at->weight[i] * (rest / others) : 0.0f;
         }
     }
-    if (!(others > 1e-4f)) { /* All other keys had weight 0, so the neighbours receive the rest. */
+    if (!(others > 1e-4f)) { /* If all other keys had weight 0, the neighbouring keys receive the
+                                remaining weight. */
         at->weight[key > 0 ? key - 1u : key + 1u] += 0.5f * rest;
         at->weight[key + 1u < key_count ? key + 1u : key - 1u] += 0.5f * rest;
     }
@@ -159,15 +160,15 @@ bool lab_edit_remove(struct lab_edit *edit, float progress)
     return true;
 }
 
-/* ---- Scale curve ----------------------------------------------------------------------------- */
+/* ---- Scale curve, which gives the fish's length ---------------------------------------------- */
 
 struct scale_line {
     struct scale_knot *knots;
     uint32_t count;
 };
 
-/* Inserts a knot in order of progress. The knot is omitted if the table is full or if a knot with
- * the same progress exists. */
+/* Inserts `knot` into `line`, which is sorted by progress. The knot is omitted if the table is full
+ * or if a knot with the same progress exists. */
 static void draw_knot(struct scale_line *line, struct scale_knot knot)
 {
     CORE_ASSERT(line->count <= GRAPH_KNOT_MAX);
@@ -185,8 +186,8 @@ static void draw_knot(struct scale_line *line, struct scale_knot knot)
     line->count++;
 }
 
-/* Returns true if the length reverses between the two keys before and after `age_days`. The length
- * of a conger reverses before its eel shape. */
+/* Returns true if the fish both grows and shrinks between the two keys before and after `age_days`.
+ * A conger, for example, does so before its eel shape. */
 static bool is_in_a_turn(const struct species_card *card, float age_days)
 {
     CORE_ASSERT(card->key_count <= MORPH_KEY_MAX);
@@ -199,8 +200,11 @@ static bool is_in_a_turn(const struct species_card *card, float age_days)
     return false;
 }
 
-/* The points at which the length reverses are added before all other points, because not all points
- * may fit. A knot is added in the middle between two distant knots, because a straight line between
+/* Writes the displayed knots of the scale curve: the edited knots, or knots computed from the
+ * growth curve. The computed knots are written in the order of their importance, because `out` may
+ * be too small for all of them. First come the keys, then the points of the growth curve at which
+ * growing changes to shrinking or back, then the other points between the same keys. Last, the
+ * function adds a knot in the middle between two distant knots, because a straight line between
  * them would differ from the curve. */
 uint32_t lab_edit_scale_knots(const struct lab_edit *edit, const struct species_card *card,
                               struct scale_knot out[GRAPH_KNOT_MAX])
@@ -219,8 +223,9 @@ uint32_t lab_edit_scale_knots(const struct lab_edit *edit, const struct species_
     for (uint32_t turning = 2; turning-- > 0;) {
         for (uint32_t i = 0; i < growth->point_count; i++) {
             const struct growth_point *at = &growth->points[i];
-            const int is_turn = i > 0 && i + 1u < growth->point_count &&
-                                (at->length_m > at[-1].length_m) == (at->length_m > at[1].length_m);
+            const bool is_turn =
+                i > 0 && i + 1u < growth->point_count &&
+                (at->length_m > at[-1].length_m) == (at->length_m > at[1].length_m);
             if (is_in_a_turn(card, at->age_days) && is_turn == (turning == 1u)) {
                 draw_knot(&line,
                           (struct scale_knot){ life_progress(card, at->age_days), at->length_m });

@@ -7,23 +7,25 @@
 #ifndef KINGYO_CORE_GAME_LAB_LAB_EDIT_H
 #define KINGYO_CORE_GAME_LAB_LAB_EDIT_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
-#include "core/lab_edit_record.h"
+#include "core/output.h"
 #include "core/morph/morph.h"
 
-#define LAB_KNOT_GAP 0.02f /* Minimum distance of knots in progress, a fiftieth of a life. */
+/* Smallest difference in progress between two neighbouring knots: a fiftieth of a life. */
+#define LAB_KNOT_GAP 0.02f
 #define LAB_NO_KNOT 255u
 
-/* Fills `edit` with the species' original curves. */
+/* Resets `edit` to the original, unedited curves of the species `card`. */
 void lab_edit_own(struct lab_edit *edit, const struct species_card *card);
 
 /* Replaces the graph of `edit` with the graph of a template. The scale curve stays unchanged. */
 void lab_edit_template(struct lab_edit *edit, const struct species_card *card,
                        enum graph_template template_id);
 
-/* Writes the species with the edited curves to `out`, for blending and measuring. `out` must not be
- * `card`. */
+/* Writes a copy of `card` with the edited curves to `out`. The copy gives the edited shape and
+ * length of the fish at each age. `out` must not be `card`. */
 void lab_edit_apply(const struct lab_edit *edit, const struct species_card *card,
                     struct species_card *out);
 
@@ -35,35 +37,38 @@ bool lab_edit_is_valid(const struct lab_edit *edit, const struct species_card *c
 /* Returns true if both edits give the same shapes and lengths. */
 bool lab_edit_same(const struct lab_edit *a, const struct lab_edit *b);
 
-#define LAB_LENGTH_MIN_M 0.0002f /* Shortest allowed length, shorter than any fish at hatching. */
-/* Longest allowed length, longer than the longest fish (a whale shark). */
+/* Shortest allowed length of a fish, shorter than any fish at hatching. */
+#define LAB_LENGTH_MIN_M 0.0002f
+/* Longest allowed length of a fish, longer than the longest fish (a whale shark). */
 #define LAB_LENGTH_MAX_M 20.0f
 
-/* ---- Weights ---- */
+/* ---- Weights of the key shapes ---- */
 
-/* Sets the weight of `key` at `knot`, clamped to [0, 1]. The other keys receive the remaining
- * weight in proportion to their present weights. If their present weights are all 0, each neighbour
- * of `key` receives half of the remaining weight. */
+/* Sets the weight of the key shape `key` at the knot `knot`, clamped to [0, 1]. The other keys
+ * receive the remaining weight in proportion to their present weights. If their present weights are
+ * all 0, each neighbour of `key` receives half of the remaining weight. */
 void lab_edit_weigh(struct lab_edit *edit, uint32_t key_count, uint32_t knot, uint32_t key,
                     float weight);
 
-/* Moves an inner knot in progress, at most to its neighbours. The first and the last knot do not
- * move. */
+/* Moves an inner knot to `progress`, but not past its neighbouring knots. The first and the last
+ * knot do not move. */
 void lab_edit_move(struct lab_edit *edit, uint32_t knot, float progress);
 
-/* Adds a knot on the curve at `progress`. A straight curve keeps its shape. Returns the index of
- * the knot, or LAB_NO_KNOT if the table is full or a neighbouring knot is too close. */
+/* Adds a knot on the curve at `progress`. The new knot does not change the shape of a straight
+ * curve. Returns the index of the knot, or LAB_NO_KNOT if the table is full or a neighbouring knot
+ * is too close. */
 uint32_t lab_edit_add(struct lab_edit *edit, uint32_t key_count, float progress);
 
 /* Removes the inner knot nearest to `progress`. Returns false if no inner knot exists. */
 bool lab_edit_remove(struct lab_edit *edit, float progress);
 
-/* ---- Scale ---- */
+/* ---- Scale curve, which gives the fish's length ---- */
 
-/* Writes the displayed scale knots to `out` and returns their number. If the scale was edited, the
- * knots are those in `edit`. Otherwise the growth curve has one knot for each key. Extra knots are
- * added where the length reverses between two keys, as for a conger, which shrinks first. Extra
- * knots are also added between distant knots. */
+/* Writes the displayed knots of the scale curve to `out` and returns their number. If the scale
+ * curve was edited, the displayed knots are the knots in `edit`. Otherwise the function computes
+ * the knots from the growth curve, with one knot for each key. More knots are added between two
+ * keys if the fish both grows and shrinks there, as a conger does. More knots are also added
+ * between distant knots. */
 uint32_t lab_edit_scale_knots(const struct lab_edit *edit, const struct species_card *card,
                               struct scale_knot out[GRAPH_KNOT_MAX]);
 
@@ -84,7 +89,7 @@ bool lab_edit_size_remove(struct lab_edit *edit, const struct species_card *card
 float lab_length_share(const struct species_card *card, float length_m);
 float lab_length_of_share(const struct species_card *card, float share);
 
-/* ---- Lab book -------------------------------------------------------------------------------- */
+/* ---- Lab book: species and saved edits ------------------------------------------------------- */
 
 /* The lab book: the species data of a kiosk, consisting of custom species and of the graphs saved
  * in the growth lab. The lab book is plain data, loaded from the data folder at startup. */
@@ -92,10 +97,11 @@ float lab_length_of_share(const struct species_card *card, float share);
 struct lab_book {
     uint8_t card_count;            /* Number of custom species. The custom species have the indices
                                       after the built-in species. */
-    uint8_t refused;               /* Number of rejected species files, displayed to the
-                                      operator. */
-    uint8_t has_edit[SPECIES_MAX]; /* 1 for each species with a saved edit, otherwise 0. The
-                                      built-in species come first, then the custom species. */
+    uint8_t refused;               /* Number of species files that were rejected, displayed to
+                                      the operator. */
+    uint8_t has_edit[SPECIES_MAX]; /* 1 for each species for which an edited graph was saved,
+                                      otherwise 0. The built-in species come first, then the
+                                      custom species. */
     struct species_card cards[SPECIES_EXTRA_MAX];
     struct lab_edit edits[SPECIES_MAX];
 };
@@ -108,8 +114,5 @@ const struct species_card *lab_book_card(const struct lab_book *book, uint32_t s
 /* Returns true if all data is valid (lab_book.c). Each number of a custom card must be in the
  * range that packed species files permit. Each saved graph must match its species. */
 bool lab_book_is_valid(const struct lab_book *book);
-
-uint64_t lab_edit_hash(uint64_t hash, const struct lab_edit *edit);
-uint64_t lab_book_hash(uint64_t hash, const struct lab_book *book);
 
 #endif

@@ -6,7 +6,9 @@
 
 #define KEY_GAP 8.0f
 #define KEY_WIDTH_MAX 262.0f
-#define PRESS_ROOM 12.0f /* Margin around a field within which a press still selects the field. */
+/* Margin around a field (the plot, the chart or the age axis) within which a press still selects
+ * the field. */
+#define PRESS_ROOM 12.0f
 
 static const struct layout_box wide[LAB_PART_COUNT] = {
     [LAB_BACK] = { 24.0f, 14.0f, 56.0f, 52.0f },
@@ -62,9 +64,9 @@ static const struct layout_box upright_boxes[LAB_PART_COUNT] = {
     [LAB_RESET] = { 433.0f, 1328.0f, 397.0f, 60.0f },
 };
 
-/* All pictures of keys lie in one row and are as wide as the row permits, but not wider than a
- * picture of a fish needs. */
-struct layout_box lab_box(int upright, uint32_t key_count, enum lab_part part)
+/* Returns the box of a part. The pictures of the key shapes lie in one row. Each picture is as wide
+ * as the row permits, but not wider than a fish needs. */
+struct layout_box lab_box(bool upright, uint32_t key_count, enum lab_part part)
 {
     const struct layout_box *boxes = upright ? upright_boxes : wide, row = boxes[LAB_KEY];
     CORE_ASSERT(part < LAB_PART_COUNT);
@@ -83,10 +85,10 @@ struct layout_box lab_box(int upright, uint32_t key_count, enum lab_part part)
     return (struct layout_box){ x, row.y, width, row.height };
 }
 
-enum lab_part lab_part_at(int upright, uint32_t key_count, struct layout_point at)
+enum lab_part lab_part_at(bool upright, uint32_t key_count, struct layout_point at)
 {
     for (uint32_t part = LAB_NOTHING + 1u; part < LAB_PRESSED_COUNT; part++) {
-        const int is_field = part == LAB_PLOT || part == LAB_CHART;
+        const bool is_field = part == LAB_PLOT || part == LAB_CHART;
         const struct layout_box box = lab_box(upright, key_count, (enum lab_part)part);
         if (pointer_is_inside(box, is_field ? PRESS_ROOM : 0.0f, at)) {
             return (enum lab_part)part;
@@ -99,7 +101,7 @@ struct span {
     float from, to;
 };
 
-static struct span age_span(int upright, uint32_t key_count)
+static struct span age_span(bool upright, uint32_t key_count)
 {
     const struct layout_box first = lab_box(upright, key_count, LAB_KEY);
     const struct layout_box last =
@@ -107,13 +109,13 @@ static struct span age_span(int upright, uint32_t key_count)
     return (struct span){ first.x + 0.5f * first.width, last.x + 0.5f * last.width };
 }
 
-float lab_age_x(int upright, uint32_t key_count, float progress)
+float lab_age_x(bool upright, uint32_t key_count, float progress)
 {
     const struct span span = age_span(upright, key_count);
     return f_lerp(span.from, span.to, progress);
 }
 
-float lab_age_progress(int upright, uint32_t key_count, float x)
+float lab_age_progress(bool upright, uint32_t key_count, float x)
 {
     const struct span span = age_span(upright, key_count);
     return f_clamp((x - span.from) / (span.to - span.from), 0.0f, 1.0f);

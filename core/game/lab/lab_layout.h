@@ -3,6 +3,7 @@
 #ifndef KINGYO_CORE_GAME_LAB_LAB_LAYOUT_H
 #define KINGYO_CORE_GAME_LAB_LAB_LAYOUT_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "core/game/pointer_mapping.h"
@@ -31,30 +32,31 @@ enum lab_part {
     LAB_RESET,
     LAB_KEY, /* Picture of the first key shape; the pictures of the other key shapes follow. */
     LAB_KEY_LAST = LAB_KEY + (int)MORPH_KEY_MAX - 1,
-    LAB_AGE,   /* Age axis below the pictures of the key shapes. */
+    LAB_AGE,   /* Age axis of the page, below the pictures of the key shapes. */
     LAB_PLOT,  /* Field in which the graph is drawn. */
     LAB_CHART, /* Field in which the growth curve is drawn. */
     LAB_PRESSED_COUNT,
 
     LAB_STAGE = LAB_PRESSED_COUNT, /* Area in which the displayed fish swims. */
     LAB_NAME,
-    LAB_CARD, /* Background of the field below the graph. LAB_CHART_CARD is the background below the
-                 growth curve. */
+    LAB_CARD, /* Background drawn behind the graph. LAB_CHART_CARD is the background drawn behind
+                 the growth curve. */
     LAB_CHART_CARD,
     LAB_PART_COUNT,
 };
 
 /* Returns the box of `part` for a species with `key_count` keys. The box of a missing key is
  * empty. */
-struct layout_box lab_box(int upright, uint32_t key_count, enum lab_part part);
+struct layout_box lab_box(bool upright, uint32_t key_count, enum lab_part part);
 
 /* Returns the part that a press at `at` selects, or LAB_NOTHING. */
-enum lab_part lab_part_at(int upright, uint32_t key_count, struct layout_point at);
+enum lab_part lab_part_at(bool upright, uint32_t key_count, struct layout_point at);
 
 /* lab_age_x() returns the x coordinate of `progress` on the age axis, and lab_age_progress()
  * returns the progress at `x`. The axis runs from below the first key's picture to below the last
  * key's picture. */
-float lab_age_x(int upright, uint32_t key_count, float progress);
-float lab_age_progress(int upright, uint32_t key_count, float x); /* Progress, clamped to [0, 1]. */
+float lab_age_x(bool upright, uint32_t key_count, float progress);
+float lab_age_progress(bool upright, uint32_t key_count,
+                       float x); /* The returned progress is clamped to [0, 1]. */
 
 #endif

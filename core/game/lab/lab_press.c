@@ -14,7 +14,7 @@ static const struct species_card *edited_card(const struct lab *lab, const struc
     return lab_book_card(book, lab->species);
 }
 
-/* ---- Species and their edits ---------------------------------------------------------------- */
+/* ---- Display of a species and of its edits --------------------------------------------------- */
 
 void lab_take(struct lab *lab, const struct lab_book *book, uint32_t species)
 {
@@ -31,28 +31,22 @@ void lab_take(struct lab *lab, const struct lab_book *book, uint32_t species)
     lab->rest_ticks = 0;
     lab->playing = 1;
     lab->asked_id = 0;
-    lab->holds = HOLD_BUTTON; /* While the pointer stays pressed, it must not drag a knot of the
-                                 previous graph. */
+    lab->holds = HOLD_BUTTON; /* Treat the press as a press on a button, so that the pointer does
+                                 not drag a knot of the previous graph. */
     lab->held_knot = LAB_NO_KNOT;
 }
 
-int lab_is_own(const struct lab *lab, const struct lab_book *book)
+bool lab_is_own(const struct lab *lab, const struct lab_book *book)
 {
     struct lab_edit own;
     lab_edit_own(&own, edited_card(lab, book));
     return lab_edit_same(&lab->edit, &own);
 }
 
-int lab_is_kept(const struct lab *lab, const struct lab_book *book)
-{
-    return lab->has_edit[lab->species] ? lab_edit_same(&lab->edit, &lab->edits[lab->species])
-                                       : lab_is_own(lab, book);
-}
+/* ---- Buttons on the page -------------------------------------------------------------------- */
 
-/* ---- Buttons -------------------------------------------------------------------------------- */
-
-/* Requests saving of the current edit. If the edit equals the species' original curves, the saved
- * edit is deleted, and the next start loads no edit. */
+/* Asks the store to save the displayed edit. If the edit equals the species' original curves, the
+ * saved edit is deleted, and the next start loads no edit. */
 static void save(struct lab *lab, const struct lab_book *book, struct output *output)
 {
     CORE_ASSERT(lab->species < SPECIES_MAX);
@@ -67,9 +61,9 @@ static void save(struct lab *lab, const struct lab_book *book, struct output *ou
     memcpy(output->edit.species, card->id, sizeof output->edit.species);
 }
 
-/* Adds a knot at the displayed progress if `adds` is 1, otherwise removes the nearest knot. A
- * change that would make the graph invalid is discarded. */
-static void change_knots(struct lab *lab, const struct lab_book *book, int adds)
+/* Adds a knot to the edited curve at the displayed progress if `adds` is true, otherwise removes
+ * the nearest knot. A change that would make the graph invalid is discarded. */
+static void change_knots(struct lab *lab, const struct lab_book *book, bool adds)
 {
     CORE_ASSERT(lab->layer <= LAB_LAYER_SIZE);
     const struct species_card *card = edited_card(lab, book);
@@ -139,7 +133,8 @@ void lab_use(struct lab *lab, const struct lab_book *book, enum lab_part part,
         lab_edit_template(&lab->edit, edited_card(lab, book),
                           (enum graph_template)((int)part - LAB_OWN + TEMPLATE_OWN));
     } else if (part >= LAB_KEY && part <= LAB_KEY_LAST) {
-        /* Move to the key's age and select its curve for editing. */
+        /* A press on the picture of a key shape moves to the key's age and selects its curve for
+         * editing. */
         const uint32_t key = (uint32_t)part - LAB_KEY;
         lab->layer = (uint8_t)key;
         lab->playing = 0;
@@ -150,7 +145,7 @@ void lab_use(struct lab *lab, const struct lab_book *book, enum lab_part part,
     }
 }
 
-/* ---- Knots ---------------------------------------------------------------------------------- */
+/* ---- Grabbing of knots by the pointer -------------------------------------------------------- */
 
 /* Returns the squared distance on the canvas from the pointer to a knot in the plot. */
 static float away2(const struct lab *lab, struct layout_box plot, float progress, float share)
@@ -200,7 +195,7 @@ static void grab_in_plot(struct lab *lab, const struct species_card *card)
     }
 }
 
-/* ---- The pointer ---------------------------------------------------------------------------- */
+/* ---- Drags, presses and releases of the pointer --------------------------------------------- */
 
 static void scrub_to(struct lab *lab, float progress)
 {
@@ -218,8 +213,8 @@ static struct layout_point pointer_share_of(const struct lab *lab, struct layout
                                   1.0f - (lab->y - field.y) / field.height };
 }
 
-/* Drags a knot to the pointer's place `at` in the plot. If the new place would make the graph of
- * the weights invalid, the knot keeps its last valid place. */
+/* Moves the grabbed knot to the pointer's place `at` in the plot. If the new place would make the
+ * graph of the weights invalid, the knot keeps its last valid place. */
 static void drag_knot(struct lab *lab, const struct species_card *card, struct layout_point at)
 {
     const uint32_t knot = lab->held_knot;
@@ -250,7 +245,8 @@ void lab_drag(struct lab *lab, const struct lab_book *book)
     case HOLD_AGE:
         scrub_to(lab, lab_age_progress(lab->upright, key_count, lab->x));
         break;
-    case HOLD_CHART: { /* The chart's axis is the age, from hatching to the age of the last key. */
+    case HOLD_CHART: { /* The horizontal axis of the growth chart is the age, from hatching to
+                          the age of the last key. */
         const struct layout_box chart = lab_box(lab->upright, key_count, LAB_CHART);
         const float share = f_clamp(pointer_share_of(lab, chart).x, 0.0f, 1.0f);
         scrub_to(lab, life_progress(card, share * card->key_age_days[key_count - 1u]));
@@ -308,7 +304,7 @@ void lab_release(struct game *game, struct world *world, const struct core_confi
 {
     CORE_ASSERT(game->phase == PHASE_LAB);
     struct lab *lab = &game->lab;
-    const int leaves = lab->holds == HOLD_LEAVE && lab->has_hand;
+    const bool leaves = lab->holds == HOLD_LEAVE && lab->has_hand;
     lab->holds = HOLD_NOTHING;
     lab->held_knot = LAB_NO_KNOT;
     if (lab->has_hand) {

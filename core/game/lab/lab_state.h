@@ -9,10 +9,11 @@
 #include "core/input.h"
 #include "core/scene.h"
 
-#define ALBUM_LIFE_TICKS (7u * CORE_TICK_HZ) /* Duration of the display of one fish's life. */
-/* Delay between the starts of two successive fish. */
+/* Duration of the display of one fish's life in the album. */
+#define ALBUM_LIFE_TICKS (7u * CORE_TICK_HZ)
+/* Delay between the starts of the displayed lives of two successive fish. */
 #define ALBUM_STAGGER_TICKS (CORE_TICK_HZ * 4u / 5u)
-/* Time for which the grown fish remain on the page after the last fish has grown. */
+/* Time for which the grown fish remain on the album's page after the last fish has grown. */
 #define ALBUM_REST_TICKS (4u * CORE_TICK_HZ)
 
 struct album {
@@ -27,38 +28,46 @@ struct album {
     } fish[ALBUM_FISH_MAX];
 };
 
-/* Time without motion after which the kiosk leaves the lab for attract mode. */
+/* Time without pointer motion after which the kiosk leaves the growth lab for attract mode. */
 #define LAB_IDLE_TICKS (60u * CORE_TICK_HZ)
-/* Time without a press after which the kiosk also leaves the lab. A poi that swings on its cord
- * moves but never presses. */
+/* Time without a press after which the kiosk leaves the growth lab even if a poi moves. A poi that
+ * swings on its cord moves but never presses. */
 #define LAB_SWING_TICKS (180u * CORE_TICK_HZ)
-#define LAB_LIFE_TICKS (14u * CORE_TICK_HZ) /* Duration of the playback of a life. */
+/* Duration of the playback of a life in the growth lab. */
+#define LAB_LIFE_TICKS (14u * CORE_TICK_HZ)
 /* Pause after the playback of a life, before the playback starts again. */
 #define LAB_REST_TICKS (5u * CORE_TICK_HZ / 2u)
-#define LAB_END_TICKS (3u * CORE_TICK_HZ / 2u) /* Time for which START must be held to leave. */
-#define LAB_GRAB 24.0f /* Distance on the canvas within which a press grabs a knot of the graph. */
+/* Time for which START must be held to leave the growth lab. */
+#define LAB_END_TICKS (3u * CORE_TICK_HZ / 2u)
+/* Distance on the canvas between a press and a knot of the graph within which the press grabs the
+ * knot. */
+#define LAB_GRAB 24.0f
 
 /* Element that the pointer drags, from the press to the release. */
 enum lab_hold {
     HOLD_NOTHING = 0,
-    HOLD_AGE,    /* The pointer drags the position on the age axis. */
-    HOLD_CHART,  /* The pointer drags the position on the growth curve, which selects an age. */
-    HOLD_PLOT,   /* The pointer drags the position on the graph, which selects a progress. */
-    HOLD_WEIGHT, /* The pointer drags a knot of the weight curve of the key in `layer`. */
+    HOLD_AGE,    /* The pointer drags the displayed age along the age axis. */
+    HOLD_CHART,  /* The pointer drags along the growth curve, which selects the displayed age. */
+    HOLD_PLOT,   /* The pointer drags along the graph, which selects the displayed progress of
+                    the life. */
+    HOLD_WEIGHT, /* The pointer drags a knot of the weight curve of the key shape that `layer`
+                    selects. */
     HOLD_SIZE,   /* The pointer drags a knot of the scale curve. */
     HOLD_BUTTON,
     HOLD_LEAVE, /* The pointer presses the leave button, which acts when it is released. */
 };
 
-/* Value of `layer` for the scale curve. A smaller value is the index of a key. */
+/* Value of the field `layer` of struct lab that selects the scale curve. A smaller value is the
+ * index of a key shape and selects the weight curve of this key shape. */
 #define LAB_LAYER_SIZE MORPH_KEY_MAX
 
 struct lab {
     uint8_t species; /* Index of the displayed species in the lab book. */
-    uint8_t layer;   /* Curve that is edited: the index of a key, or LAB_LAYER_SIZE. */
+    uint8_t layer;   /* Curve that the player edits: the weight curve of the key with this index, or
+                        the scale curve if the value is LAB_LAYER_SIZE. */
     uint8_t playing, compare, path;
     uint8_t has_hand, presses;
-    uint8_t hand;   /* Player whose pose points, or pointed last. */
+    uint8_t hand;   /* Player whose pose moves the pointer, or moved it last. */
     uint8_t points; /* Part of the page under the pointer (enum lab_part). */
     uint8_t holds;  /* Element that is dragged (enum lab_hold). */
     uint8_t held_knot;
@@ -68,16 +77,16 @@ struct lab {
                                       otherwise 0. */
     uint8_t has_edit[SPECIES_MAX]; /* 1 for each species of which the kiosk has a saved edit,
                                       otherwise 0. */
-    uint32_t stir_tick, act_tick;  /* Tick of the last pointer motion (`stir_tick`), and tick of the
-                                      last press (`act_tick`). */
+    uint32_t stir_tick, act_tick;  /* `stir_tick` is the tick of the last pointer motion.
+                                      `act_tick` is the tick of the last press. */
     uint32_t rest_ticks;           /* Ticks since the playback of the life ended. */
     uint32_t start_ticks;          /* Ticks for which START has been held. */
-    uint32_t save_id, saved_id;    /* Id of the newest edit sent to the store (`save_id`), and id of
-                                      the newest edit confirmed on disk (`saved_id`). */
+    uint32_t save_id, saved_id;    /* `save_id` is the id of the newest edit sent to the store.
+                                      `saved_id` is the id of the newest edit confirmed on disk. */
     uint32_t asked_id;             /* Id of the save request for the current edit; 0 means that
                                       saving was not requested. */
     float x, y;                    /* Pointer position on the canvas. */
-    float stir_x, stir_y;          /* Pointer position at the last motion. */
+    float stir_x, stir_y;          /* Position of the pointer when it last moved. */
     float progress;
     struct lab_edit edit; /* Edit that is displayed and changed. The edit is saved only on
                              request. */

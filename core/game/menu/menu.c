@@ -4,14 +4,15 @@
 #include "core/base/mem.h"
 #include "core/base/panic.h"
 #include "core/config.h"
-#include "core/game/accounting/credit.h"
+#include "core/game/accounting/accounts.h"
 #include "core/game/game.h"
 #include "core/game/menu/menu.h"
 #include "core/game/phases.h"
 #include "core/game/table_setup.h"
 #include "core/poi/world.h"
 
-/* Asserts that the controller state from the shell is in range. */
+/* Asserts that every value of the controller state is in range. The state comes from the shell, the
+ * program around the core. */
 static void check_controllers(const struct controller_status *desk)
 {
     CORE_ASSERT(desk->learn_step < LEARN_STEP_COUNT);
@@ -21,14 +22,14 @@ static void check_controllers(const struct controller_status *desk)
     }
 }
 
-/* ---- Opening -------------------------------------------------------------------------------- */
+/* ---- Opening of the menu -------------------------------------------------------------------- */
 
-static int is_played(const struct game *game)
+static bool is_played(const struct game *game)
 {
     return game->phase == PHASE_READY || game->phase == PHASE_ROUND;
 }
 
-int menu_is_asking(const struct game *game)
+bool menu_is_asking(const struct game *game)
 {
     const uint32_t ask_tick = game->menu.ask_tick;
     return is_played(game) && ask_tick != 0 && game->tick - ask_tick < MENU_ASK_TICKS;
@@ -60,10 +61,11 @@ static void open_menu(struct game *game, struct world *world, const struct core_
         credit_refund(game, config, REFUND_OPERATOR, output);
     }
     health_log_write(&game->accounts, &game->health_log, game->tick, input,
-                     output); /* Updates the statistics that the menu will show. */
+                     output); /* Log uptime and faults, so that the statistics in the menu are up
+                                 to date. */
     game->paused = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        world->poi[i].carried_count = 0; /* Fish on the paper return to the water. */
+        world->poi[i].carried_count = 0; /* Return the fish on the paper to the water. */
     }
     table_setup_empty_bowls(world);
     game_enter_phase(game, PHASE_MENU);
@@ -71,22 +73,22 @@ static void open_menu(struct game *game, struct world *world, const struct core_
               config->persistent.settings.value[SET_PIN] != 0 ? MENU_PIN : MENU_TOP);
 }
 
-int menu_opens(struct game *game, struct world *world, const struct core_config *config,
-               const struct input *input, struct output *output)
+bool menu_opens(struct game *game, struct world *world, const struct core_config *config,
+                const struct input *input, struct output *output)
 {
     if (!(input->pressed & INPUT_TEST) || game->phase == PHASE_MENU) {
-        return 0;
+        return false;
     }
     output_sound(output, SOUND_CALL, 0.8f, 0.0f);
     if (is_played(game) && !menu_is_asking(game)) {
         game->menu.ask_tick = game->tick;
-        return 0;
+        return false;
     }
     open_menu(game, world, config, input, output);
-    return 1;
+    return true;
 }
 
-/* ---- Pointing ------------------------------------------------------------------------------- */
+/* ---- Selection of items by buttons ---------------------------------------------------------- */
 
 /* Highlights an available item. The previously highlighted item may have become unavailable, for
  * example after a controller was unplugged. */
@@ -109,7 +111,8 @@ void menu_turn(struct game *game, const struct settings *settings, enum menu_pag
     CORE_ASSERT(page < MENU_PAGE_COUNT);
     struct menu *menu = &game->menu;
     menu->page = (uint8_t)page;
-    menu->points = 0; /* An item is not selected by a pointer that does not move. */
+    menu->points = 0; /* Treat the pointer as if no item were under it, so that a pointer at rest
+                         highlights no item of the new page. */
     if (menu_page_desc_of(menu->page)->enter) {
         menu_page_desc_of(menu->page)->enter(game, settings);
     }
@@ -126,7 +129,7 @@ static void point_at_tag(struct menu *menu, uint32_t tag, struct output *output)
 }
 
 /* Moves the highlight to the next available item, forward or backward, and wraps around. */
-static void point_on(struct menu *menu, int forward, struct output *output)
+static void point_on(struct menu *menu, bool forward, struct output *output)
 {
     CORE_ASSERT(menu->page < MENU_PAGE_COUNT);
     const uint32_t count = menu_tag_count(menu->page);
@@ -151,7 +154,7 @@ static void activate_pointed_tag(struct game *game, struct world *world, struct 
     menu_activate(game, world, config, output);
 }
 
-static int is_way_back(const struct input *input)
+static bool is_way_back(const struct input *input)
 {
     return (input->pressed & MENU_WAY_BACK) == MENU_WAY_BACK;
 }
@@ -180,35 +183,35 @@ static void take_menu_buttons(struct game *game, struct world *world, struct cor
     }
 }
 
-/* ---- The pointer ---------------------------------------------------------------------------- */
+/* ---- Selection of items by a pointer -------------------------------------------------------- */
 
-/* Returns 1 if the page uses the motion of the controllers for a purpose other than pointing,
- * otherwise 0. The pages of the learn wizard, the calibration and the self-test do so. */
-static int uses_motion(const struct menu *menu)
+/* Returns true if the page uses the motion of the controllers for a purpose other than pointing.
+ * The pages of the learn wizard, the calibration and the self-test do so. */
+static bool uses_motion(const struct menu *menu)
 {
     const uint8_t step = menu->controllers.learn_step;
     switch (menu->page) {
     case MENU_CALIBRATION:
         return menu_calibrate_is_running(&menu->calibrate);
     case MENU_SELF_TEST:
-        return 1;
+        return true;
     case MENU_LEARN:
         return step != LEARN_TRY && step != LEARN_FAILED && step != LEARN_NOT_SAVED;
     default:
-        return 0;
+        return false;
     }
 }
 
-/* Moves the highlight when the pointer enters an item. While the pointer is at rest, even after a
- * page change, the buttons move the highlight. The pointer of the controller that moved last
- * counts. Its slot need not have a bowl, because the operator may test a controller that was never
- * used in a game. */
+/* Moves the highlight when a pointer enters an item. While the pointer is at rest, even after a
+ * page change, the buttons move the highlight. If several controllers are connected, the pointer of
+ * the controller that moved last counts. Its slot need not have a bowl, because the operator may
+ * test a controller that was never used in a game. */
 static void point_at_tag_by_hand(struct game *game, struct world *world, struct core_config *config,
                                  const struct input *input, struct output *output)
 {
     struct menu *menu = &game->menu;
     struct pointer_state hand = pointer_of_player(world, input, menu->upright, menu->hand);
-    int stirs = 0;
+    bool stirs = false;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const struct pointer_state other = pointer_of_player(world, input, menu->upright, i);
         const float x = other.at.x - menu->rest[i].x, y = other.at.y - menu->rest[i].y;
@@ -216,16 +219,16 @@ static void point_at_tag_by_hand(struct game *game, struct world *world, struct 
             menu->rest[i] = other.at;
             menu->act_tick = game->tick;
             hand = other;
-            stirs = 1;
+            stirs = true;
         }
     }
     if (!hand.present || uses_motion(menu)) {
         menu->has_hand = menu->points = 0;
-        menu->presses = 1; /* After a pointer was absent, it selects nothing until it has been above
-                              the water. */
+        menu->presses = 1; /* No pointer is present. A pointer that appears later selects nothing
+                              until its pose has been above the water. */
         return;
     }
-    const int was_down = menu->presses || hand.player != menu->hand;
+    const bool was_down = menu->presses || hand.player != menu->hand;
     menu->has_hand = 1;
     menu->hand = hand.player;
     menu->x = hand.at.x;
@@ -243,13 +246,14 @@ static void point_at_tag_by_hand(struct game *game, struct world *world, struct 
     menu->presses = hand.height_m < (was_down ? POINTER_RELEASE_Y_M : POINTER_PRESS_Y_M);
     if (menu->presses && !was_down && points > 0) {
         menu->points = points;
-        point_at_tag(menu, points - 1u, output); /* A dip selects the item under the pointer, even
-                                                    if a button has moved the highlight. */
+        point_at_tag(menu, points - 1u, output); /* A dip of the poi selects the item under the
+                                                    pointer, even if a button has moved the
+                                                    highlight. */
         activate_pointed_tag(game, world, config, output);
     }
 }
 
-/* ---- The tick ------------------------------------------------------------------------------- */
+/* ---- Tick of the operator's menu ------------------------------------------------------------- */
 
 /* Counts the presses of each button and the test coins, on every page. */
 static void count_inputs(struct menu *menu, uint32_t tick, const struct input *input,
@@ -259,7 +263,7 @@ static void count_inputs(struct menu *menu, uint32_t tick, const struct input *i
     const uint32_t coins = input_coin_pulses(input);
     CORE_ASSERT(menu->test_coins <= MENU_COUNT_MAX);
     for (uint32_t i = 0; i < INPUT_BUTTON_COUNT; i++) {
-        const int counts = (pressed >> i & 1u) && menu->pressed_count[i] < MENU_COUNT_MAX;
+        const bool counts = (pressed >> i & 1u) && menu->pressed_count[i] < MENU_COUNT_MAX;
         menu->pressed_count[i] = (uint16_t)(menu->pressed_count[i] + counts);
     }
     if (coins > 0) {
@@ -270,25 +274,27 @@ static void count_inputs(struct menu *menu, uint32_t tick, const struct input *i
     }
 }
 
-/* Copies the state of the controllers and the buttons from `input`. */
+/* Copies the state of the controllers and of the buttons from `input` to the menu, which displays
+ * this state. */
 static void watch_input_test(struct game *game, const struct settings *settings,
                              const struct input *input, struct output *output)
 {
     struct menu *menu = &game->menu;
     check_controllers(&input->controllers);
-    const int is_unkept = input->controllers.learn_step == LEARN_NOT_SAVED &&
-                          menu->controllers.learn_step != LEARN_NOT_SAVED;
-    const int has_changed =
+    const bool is_unkept = input->controllers.learn_step == LEARN_NOT_SAVED &&
+                           menu->controllers.learn_step != LEARN_NOT_SAVED;
+    const bool has_changed =
         memcmp(&menu->controllers, &input->controllers, sizeof menu->controllers) != 0;
     menu->controllers = input->controllers;
     menu->upright = input->upright != 0;
     menu->held = input->held;
     count_inputs(menu, game->tick, input, output);
-    const int is_used = input->pressed != 0 || input_coin_pulses(input) > 0;
+    const bool is_used = input->pressed != 0 || input_coin_pulses(input) > 0;
     menu->use_tick = is_used ? game->tick : menu->use_tick;
     menu->act_tick = is_used || has_changed ? game->tick : menu->act_tick;
-    if (is_unkept && menu->page != MENU_PIN) { /* The mapping could not be saved, so the menu shows
-                                                  the learn wizard's page to the operator. */
+    if (is_unkept && menu->page != MENU_PIN) { /* The store could not save the learned mapping of
+                                                  a controller, so the menu opens the page of the
+                                                  learn wizard. */
         menu->row = input->controllers.learn_row;
         menu_turn(game, settings, MENU_LEARN);
     }
@@ -309,7 +315,7 @@ void menu_tick(struct game *game, struct world *world, struct core_config *confi
         point_at_tag_by_hand(game, world, config, input, output);
     }
     if (game->phase == PHASE_MENU) {
-        const int is_taking =
+        const bool is_taking =
             (menu->held & (INPUT_TEST | INPUT_START | INPUT_OK)) != 0 ||
             (menu->has_hand && menu->presses && menu->points == menu->tag[menu->page] + 1u);
         menu_settings_tick(game, config, is_taking, output);
@@ -321,7 +327,7 @@ void menu_tick(struct game *game, struct world *world, struct core_config *confi
     }
 }
 
-int menu_tries_lines(const struct game *game)
+bool menu_tries_lines(const struct game *game)
 {
     const uint8_t page = game->menu.page;
     return game->phase == PHASE_MENU && (page == MENU_LINES || page == MENU_SELF_TEST);

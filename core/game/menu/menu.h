@@ -2,9 +2,12 @@
  *
  * TEST opens the menu. In the menu, SERVICE, LEFT and RIGHT move the highlight. TEST, START and OK
  * select the highlighted item. The two buttons inside the cabinet (TEST and SERVICE) are therefore
- * sufficient. A poi over the water also moves the highlight, and a dip selects. The poi of any slot
- * can be used; the poi that moved last controls the highlight. The last item of each page leads
- * back.
+ * sufficient.
+ *
+ * A poi over the water also moves the highlight, and a dip selects. The poi of any slot can be
+ * used; the poi that moved last controls the highlight.
+ *
+ * The last item of each page leads back.
  *
  * While the menu is open no game is played and coins are returned, except on the page that tests
  * the input lines. On that page the meter counts a coin as a test, without a credit. TEST during a
@@ -18,6 +21,7 @@
 #ifndef KINGYO_CORE_GAME_MENU_MENU_H
 #define KINGYO_CORE_GAME_MENU_MENU_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "core/game/menu/menu_state.h"
@@ -30,48 +34,48 @@ struct settings_edit;
 struct world;
 struct core_config;
 
-/* Returns 1 if TEST opens the menu in this tick, otherwise 0. During a round the first press only
- * requests confirmation. */
-int menu_opens(struct game *game, struct world *world, const struct core_config *config,
-               const struct input *input, struct output *output);
+/* Returns true if TEST opens the menu in this tick. During a round the first press only requests
+ * confirmation. */
+bool menu_opens(struct game *game, struct world *world, const struct core_config *config,
+                const struct input *input, struct output *output);
 void menu_tick(struct game *game, struct world *world, struct core_config *config,
                const struct input *input, struct output *output);
 
-/* Returns 1 if a second TEST press would end the round in this tick, otherwise 0. */
-int menu_is_asking(const struct game *game);
+/* Returns true while the menu asks for confirmation to end the round. A second TEST press in this
+ * tick would then end the round. */
+bool menu_is_asking(const struct game *game);
 
-/* Returns 1 while the input lines are tested, otherwise 0. During the test the coin slot is open,
- * and a coin counts as a test. */
-int menu_tries_lines(const struct game *game);
+/* Returns true while the operator tests the input lines in the menu. During the test the coin slot
+ * is open, and a coin counts as a test. */
+bool menu_tries_lines(const struct game *game);
 
 /* Returns the ticks until a PIN can be typed; 0 means immediately. A wrong PIN locks the entry for
  * 5 s. Each further wrong PIN doubles the time, up to 160 s. */
 uint32_t menu_pin_wait_ticks(const struct settings_edit *settings_edit, uint32_t tick);
 
-/* Returns the number of rows that the file page shows with their full text. `upright` is 1 on a
- * portrait screen. */
-uint32_t menu_files_shown(int upright);
+/* Returns the number of files that the menu's file page shows at once, each with its full text.
+ * `upright` is 1 on a portrait screen. */
+uint32_t menu_files_shown(bool upright);
 
 /* Fills `out` with the visible state of the menu. */
 void menu_show(const struct game *game, const struct core_config *config, struct scene_menu *out);
 
-uint64_t menu_hash(uint64_t hash, const struct menu *menu);
-
-/* ---- Calibration ----------------------------------------------------------------------------- */
+/* ---- Calibration page ------------------------------------------------------------------------ */
 
 /* The menu page on which the operator calibrates a slot's poi, one mark after the other, without
  * buttons.
  *
- * The operator needs both hands for the poi, so a pose is accepted when it is held still for 1.5
- * s. The poi must then move away before the next pose can be accepted. The result takes effect
+ * The operator needs both hands for the poi, so a pose is accepted when the poi is held still for
+ * 1.5 s. The poi must then move away before the next pose can be accepted. The result takes effect
  * immediately, and the page shows the corrected position. While the menu is open, the operator can
  * restore the previous calibration, and can also undo the restoration. */
 
-/* Returns 1 while the operator moves the poi from mark to mark, otherwise 0. During that time the
- * poi does not point at items. */
-int menu_calibrate_is_running(const struct calibrate *calibrate);
+/* Returns true while the operator moves the poi from mark to mark. During that time the poi does
+ * not point at items. */
+bool menu_calibrate_is_running(const struct calibrate *calibrate);
 
-/* Returns the progress of holding the poi still, [0, 1]. */
+/* Returns for how long the operator has held the poi still, as a share of the required time, [0,
+ * 1]. */
 float menu_calibrate_progress(const struct calibrate *calibrate);
 
 /* Evaluates the uncorrected poses of the controllers. Call once per tick. The function has an
@@ -79,21 +83,21 @@ float menu_calibrate_progress(const struct calibrate *calibrate);
 void menu_calibrate_tick(struct game *game, const struct world *world, struct core_config *config,
                          const struct input *said, struct output *output);
 
-uint64_t menu_calibrate_hash(uint64_t hash, const struct calibrate *calibrate);
+/* ---- Self-test page -------------------------------------------------------------------------- */
 
-/* ---- Self-test ------------------------------------------------------------------------------- */
-
-/* The self-test before the kiosk opens: one page that tests everything a player uses, and shows
- * the state of the machine.
+/* The self-test before the kiosk opens: one page that tests everything a player uses, and shows the
+ * state of the machine.
  *
  * Automatic checks finish within twenty seconds. The checks cover a ledger entry that the store
  * confirms, the clock, the frame rate, and files rejected at startup. A check without a result
  * after twenty seconds is bad. The shell adds the state of the machine (struct scene_machine),
- * which never becomes part of the core's state. The operator confirms what only a person can
- * notice: the sound, the lamp and the coin slot. The operator also presses each button, inserts a
- * coin, and moves each poi in all three directions. An untested part is not ready, unless the
- * kiosk does not use the part. A kiosk without input lines does not use the lamp and the coin
- * slot. A kiosk in free play does not use coins. */
+ * which never becomes part of the core's state.
+ *
+ * The operator confirms what only a person can notice: the sound, the lamp and the coin slot. The
+ * operator also presses each button, inserts a coin, and moves each poi in all three directions.
+ *
+ * An untested part is not ready, unless the kiosk does not use the part. A kiosk without input
+ * lines does not use the lamp and the coin slot. A kiosk in free play does not use coins. */
 
 /* Runs the checks while the self-test page of the menu is open. Call once per tick. */
 void self_test_tick(struct game *game, const struct input *input, struct output *output);
@@ -102,9 +106,9 @@ void self_test_tick(struct game *game, const struct input *input, struct output 
 void self_test_show(const struct game *game, const struct core_config *config,
                     struct scene_self_test *out);
 
-/* Returns 1 in the first half of each second while the question about the lamp and the coin slot is
- * open, otherwise 0. While the function returns 1, the lamp is lit and the coin slot is closed. */
-int self_test_shows(const struct game *game);
+/* Returns true in the first half of each second while the question about the lamp and the coin slot
+ * is open. While the function returns true, the lamp is lit and the coin slot is closed. */
+bool self_test_shows(const struct game *game);
 
 /* Evaluates the data of the core and of the devices in `scene`. Writes the state of each check
  * (enum self_check) to `state`. Returns the check to display next, or SELF_CHECKS if the kiosk is
@@ -115,12 +119,10 @@ uint32_t self_test_judge(const struct scene *scene, uint8_t state[SELF_CHECKS]);
 /* Returns the number of checks whose state is not SELF_GOOD. */
 uint32_t self_test_left(const uint8_t state[SELF_CHECKS]);
 
-uint64_t self_test_hash(uint64_t hash, const struct self_test *self);
+/* ---- Changes of settings --------------------------------------------------------------------- */
 
-/* ---- Settings -------------------------------------------------------------------------------- */
-
-/* Changes settings while the kiosk runs. A change takes effect immediately. The ledger entry is
- * written when the value has not changed for SETTINGS_EDIT_REST_TICKS.
+/* Functions that change settings while the kiosk runs. A change takes effect immediately. The
+ * ledger entry is written when the value has not changed for SETTINGS_EDIT_REST_TICKS.
  *
  * A caller, such as a page of the operator's menu, only calls settings_edit_set(). A later
  * settings_edit_tick() logs each changed value. A setting is therefore not lost if the ledger's
@@ -141,26 +143,21 @@ int32_t settings_edit_max(const struct core_config *config, uint32_t id);
 void settings_edit_set(struct game *game, struct core_config *config, uint32_t id, int32_t value);
 
 /* Moves setting `id` up or down by `step_count` steps, at most to the end of its range. A step
- * beyond the end continues at the opposite end. Returns 1 if the new value is at the end, otherwise
- * 0. */
-int settings_edit_step(struct game *game, struct core_config *config, uint32_t id, int is_down,
-                       uint32_t step_count);
+ * beyond the end continues at the opposite end. Returns true if the new value is at the end. */
+bool settings_edit_step(struct game *game, struct core_config *config, uint32_t id, bool is_down,
+                        uint32_t step_count);
 
 /* Resets every setting to its default, empties the balance, and logs both changes in one entry.
- * Returns 1. If the ledger's ring buffer has no room, changes nothing and returns 0. */
-int settings_edit_factory_reset(struct game *game, struct core_config *config,
-                                struct output *output);
+ * Returns true, or changes nothing and returns false if the ledger's ring buffer has no room. */
+bool settings_edit_factory_reset(struct game *game, struct core_config *config,
+                                 struct output *output);
 
 /* Logs changed settings after SETTINGS_EDIT_REST_TICKS without a further change. Call once per tick
  * in every phase. */
 void settings_edit_tick(struct game *game, struct settings *settings, struct output *output);
 
-/* Returns 1 if every change of a setting is on disk, otherwise 0. */
-int settings_edit_is_saved(const struct ledger *ledger, const struct settings_edit *settings_edit,
-                           const struct settings *settings);
-
-/* Returns `hash` continued over `settings_edit`. The PIN is included only if `rules_7` (struct
- * core_config) is 1, as in recordings of format 7. */
-uint64_t settings_edit_hash(uint64_t hash, const struct settings_edit *settings_edit, int rules_7);
+/* Returns true if every change of a setting is on disk. */
+bool settings_edit_is_saved(const struct ledger *ledger, const struct settings_edit *settings_edit,
+                            const struct settings *settings);
 
 #endif

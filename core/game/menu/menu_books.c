@@ -4,7 +4,7 @@
 
 #include "core/base/panic.h"
 #include "core/config.h"
-#include "core/game/accounting/ledger_writer.h"
+#include "core/game/accounting/accounts.h"
 #include "core/game/game.h"
 
 void menu_book_activate(struct game *game, struct core_config *config, uint32_t tag,
@@ -17,9 +17,9 @@ void menu_book_activate(struct game *game, struct core_config *config, uint32_t 
     menu_turn(game, &config->persistent.settings, MENU_RESET);
 }
 
-/* Resets the group of counters. If the ledger has no room, the page that requests confirmation
- * stays open. The ledger entry stores the sum of the group's counters, so that later reports can
- * show the amount that was removed. */
+/* Resets the group of counters that the operator selected. If the ledger has no room, the page that
+ * requests confirmation stays open. The ledger entry stores the sum of the group's counters, so
+ * that later reports can show the amount that was removed. */
 void menu_reset_activate(struct game *game, struct core_config *config, uint32_t tag,
                          struct output *output)
 {
@@ -56,7 +56,7 @@ static struct rank_row *selected_score_row(struct ranking *ranking, const struct
     return &rows_of(ranking, menu)[menu->score];
 }
 
-/* ---- Leaderboards --------------------------------------------------------------------------- */
+/* ---- Page of a leaderboard ------------------------------------------------------------------ */
 
 static void note_rows(struct ranking *ranking, struct menu *menu)
 {
@@ -78,8 +78,9 @@ void menu_ranking_open(struct game *game, const struct settings *settings)
     note_rows(&game->accounts.ranking, &game->menu);
 }
 
-/* Selects the next leaderboard, or opens the page of the selected score. Modes without a score,
- * such as practice, are skipped. Nothing happens if a new day has removed the selected score. */
+/* Runs the action of an item on the leaderboard page: shows the next leaderboard, or opens the page
+ * of the selected score. Modes without a score, such as practice, are skipped. Nothing happens if a
+ * new day has removed the selected score. */
 void menu_ranking_activate(struct game *game, struct core_config *config, uint32_t tag,
                            struct output *output)
 {
@@ -101,7 +102,7 @@ void menu_ranking_activate(struct game *game, struct core_config *config, uint32
     }
 }
 
-/* ---- One score ------------------------------------------------------------------------------ */
+/* ---- Page of one score ---------------------------------------------------------------------- */
 
 uint16_t menu_score_enabled(const struct menu *menu)
 {

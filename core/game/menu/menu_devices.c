@@ -2,15 +2,13 @@
  * unknown controller, and calibrates a slot's poi. */
 #include "core/game/menu/menu_pages.h"
 
-#include "core/base/hash.h"
 #include "core/base/mem.h"
 #include "core/base/panic.h"
 #include "core/config.h"
 #include "core/game/game.h"
-#include "core/game/menu/menu.h"
 #include "core/poi/world.h"
 
-/* ---- All controllers ------------------------------------------------------------------------ */
+/* ---- Page of all controllers ---------------------------------------------------------------- */
 
 uint16_t menu_rows_enabled(const struct menu *menu)
 {
@@ -30,9 +28,9 @@ void menu_rows_activate(struct game *game, struct core_config *config, uint32_t 
     menu_turn(game, &config->persistent.settings, MENU_CONTROLLER);
 }
 
-/* ---- One controller ------------------------------------------------------------------------- */
+/* ---- Page of one controller ----------------------------------------------------------------- */
 
-/* Highlights the first item of the open page, because the page now shows a different controller. */
+/* Highlights the first item of the open page. Called when the page shows a different controller. */
 void menu_reopen(struct game *game, const struct settings *settings)
 {
     (void)settings;
@@ -45,11 +43,11 @@ uint16_t menu_row_enabled(const struct menu *menu)
     static const uint16_t by_state[CONTROLLER_STATE_COUNT] = {
         [CONTROLLER_FREE] = MENU_TAG(ROW_CHOOSE) | MENU_TAG(ROW_LEARN),
         [CONTROLLER_ACTIVE] = MENU_TAG(ROW_RELEASE) | MENU_TAG(ROW_LEARN),
-        [CONTROLLER_LOST] = MENU_TAG(ROW_RELEASE), /* The item for the learn wizard is missing,
-                                                      because the wizard needs a connected
-                                                      controller. */
-        /* The controller can be chosen again, because the operating system's permission may have
-         * been granted after the first attempt. */
+        [CONTROLLER_LOST] = MENU_TAG(ROW_RELEASE), /* A lost controller has no item for the learn
+                                                      wizard, because the wizard needs a
+                                                      connected controller. */
+        /* A controller that could not be opened can be chosen again, because the operating system's
+         * permission may have been granted after the first attempt. */
         [CONTROLLER_DENIED] = MENU_TAG(ROW_CHOOSE) | MENU_TAG(ROW_RELEASE),
     };
     return by_state[menu->controllers.state[menu->row]] | MENU_TAG(ROW_BACK);
@@ -67,7 +65,7 @@ void menu_row_activate(struct game *game, struct core_config *config, uint32_t t
     menu_command(&game->menu, output, tag == ROW_CHOOSE ? COMMAND_CHOOSE : COMMAND_RELEASE);
 }
 
-/* ---- Learn wizard --------------------------------------------------------------------------- */
+/* ---- Page of the learn wizard --------------------------------------------------------------- */
 
 uint16_t menu_learn_enabled(const struct menu *menu)
 {
@@ -75,10 +73,10 @@ uint16_t menu_learn_enabled(const struct menu *menu)
     switch (menu->controllers.learn_step) {
     case LEARN_NONE:
         return MENU_TAG(LEARNS_END); /* The wizard has not started, or the controller is
-                                        disconnected. */
+                                        disconnected, so the wizard can only be ended. */
     case LEARN_TRY:
-    case LEARN_NOT_SAVED: /* The operator may try to save again, for example after an SD card was
-                             inserted. */
+    case LEARN_NOT_SAVED: /* The mapping could not be saved. The operator may try again, for
+                             example after an SD card was inserted. */
         return MENU_TAG(LEARNS_KEEP) | MENU_TAG(LEARNS_AGAIN) | MENU_TAG(LEARNS_END);
     case LEARN_FAILED:
         return MENU_TAG(LEARNS_AGAIN) | MENU_TAG(LEARNS_END);
@@ -110,7 +108,7 @@ void menu_learn_close(struct menu *menu, struct output *output)
     menu_command(menu, output, COMMAND_LEARN_END);
 }
 
-/* ---- Items ---------------------------------------------------------------------------------- */
+/* ---- Calibration: items of the page --------------------------------------------------------- */
 
 uint16_t menu_calibrate_enabled(const struct menu *menu)
 {
@@ -157,17 +155,17 @@ static void swap_with(struct game *game, struct core_config *config,
 {
     CORE_ASSERT(game->menu.calibrate.seat < POI_MAX);
     struct calibrate *calibrate = &game->menu.calibrate;
-    const uint32_t first = calibration_setting(calibrate->seat);
+    const uint32_t first = input_calibration_setting(calibrate->seat);
     const struct settings *settings = &config->persistent.settings;
     int32_t before[CALIBRATION_VALUES] = { 0 };
-    if (calibration_is_set(settings, calibrate->seat)) {
+    if (input_calibration_is_set(settings, calibrate->seat)) {
         memcpy(before, &settings->value[first], sizeof before);
     }
     for (uint32_t i = 0; i < CALIBRATION_VALUES; i++) {
         settings_edit_set(game, config, first + i, value[i]);
     }
-    settings_edit_set(game, config, calibration_check_setting(calibrate->seat),
-                      calibration_check(value));
+    settings_edit_set(game, config, input_calibration_check_setting(calibrate->seat),
+                      input_calibration_check(value));
     memcpy(calibrate->before[calibrate->seat], before, sizeof before);
     calibrate->has_before |= (uint8_t)(1u << calibrate->seat);
 }
@@ -194,9 +192,9 @@ void menu_calibrate_activate(struct game *game, struct core_config *config, uint
     }
 }
 
-/* ---- Stillness ------------------------------------------------------------------------------ */
+/* ---- Calibration: detection of a poi that is held still ------------------------------------- */
 
-int menu_calibrate_is_running(const struct calibrate *calibrate)
+bool menu_calibrate_is_running(const struct calibrate *calibrate)
 {
     return calibrate->step >= CALIBRATE_CORNER && calibrate->step <= CALIBRATE_WATER;
 }
@@ -214,26 +212,26 @@ static void rest_at(struct calibrate *calibrate, const struct poi_target *at)
     calibrate->still_ticks = 0;
 }
 
-/* While the poi is held still, adds the deviation of its pose from `anchor` to `sum`. A sum of
- * positions would lose precision far from the origin. Returns 1 if the poi has been still for
- * CALIBRATE_STILL_TICKS, otherwise 0. */
-static int watch_still(struct calibrate *calibrate, const struct poi_input *poi)
+/* Adds the deviation of the poi's pose from `anchor` to `sum` while the poi is held still. A sum of
+ * positions would lose precision far from the origin. Returns true if the poi has been still for
+ * CALIBRATE_STILL_TICKS. */
+static bool watch_still(struct calibrate *calibrate, const struct poi_input *poi)
 {
     const struct poi_target *at = &poi->target, *anchor = &calibrate->anchor;
     struct poi_target *sum = &calibrate->sum;
     if (!calibrate->has_anchor) {
         rest_at(calibrate, at);
-        return 0;
+        return false;
     }
     const float way_m = v3_length(v3_sub(at->position_m, anchor->position_m));
     if (calibrate->must_move && way_m <= CALIBRATE_MOVE_M) {
-        return 0;
+        return false;
     }
     const float turn = poi->has_wrist ? input_turn(anchor->angles, at->angles) : 0.0f;
     if (calibrate->must_move || way_m > CALIBRATE_STILL_M || turn > CALIBRATE_STILL_TURN) {
         calibrate->must_move = 0;
         rest_at(calibrate, at);
-        return 0;
+        return false;
     }
     sum->position_m = v3_add(sum->position_m, v3_sub(at->position_m, anchor->position_m));
     sum->angles.pitch_rad += f_wrap_angle(at->angles.pitch_rad - anchor->angles.pitch_rad);
@@ -243,10 +241,10 @@ static int watch_still(struct calibrate *calibrate, const struct poi_input *poi)
     return calibrate->still_ticks == CALIBRATE_STILL_TICKS;
 }
 
-/* ---- The steps ------------------------------------------------------------------------------ */
+/* ---- Calibration: steps --------------------------------------------------------------------- */
 
-/* Stores the mean of the still poses for the current step. The last step computes the
- * calibration. */
+/* Stores the mean of the still poses for the current calibration step. After the last calibration
+ * step, computes the calibration. */
 static void take_pose(struct game *game, const struct world *world, struct core_config *config,
                       const struct poi_input *poi, struct output *output)
 {
@@ -269,8 +267,9 @@ static void take_pose(struct game *game, const struct world *world, struct core_
     }
     calibrate->said.water = at;
     calibrate->said.has_wrist = poi->has_wrist != 0;
-    calibrate->fault = (uint8_t)calibration_solve(&calibrate->said, world->tank.size_m, value);
-    const int is_good = calibrate->fault == CALIBRATION_GOOD;
+    calibrate->fault =
+        (uint8_t)input_calibration_solve(&calibrate->said, world->tank.size_m, value);
+    const bool is_good = calibrate->fault == CALIBRATION_GOOD;
     if (is_good) {
         swap_with(game, config, value);
     }
@@ -288,8 +287,9 @@ void menu_calibrate_tick(struct game *game, const struct world *world, struct co
     }
     calibrate->present = calibrate->is_set = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        const int is_there = said->poi[i].link == POI_SOURCE_LIVE;
-        const int is_set = calibration_is_set(settings, i) || calibration_is_torn(settings, i);
+        const bool is_there = said->poi[i].link == POI_SOURCE_LIVE;
+        const bool is_set =
+            input_calibration_is_set(settings, i) || input_calibration_is_torn(settings, i);
         calibrate->present |= (uint8_t)((uint32_t)is_there << i);
         calibrate->is_set |= (uint8_t)((uint32_t)is_set << i);
     }
@@ -304,25 +304,4 @@ void menu_calibrate_tick(struct game *game, const struct world *world, struct co
     } else if (watch_still(calibrate, poi)) {
         take_pose(game, world, config, poi, output);
     }
-}
-
-uint64_t menu_calibrate_hash(uint64_t hash, const struct calibrate *calibrate)
-{
-    const uint32_t words[] = { calibrate->seat,        calibrate->step,
-                               calibrate->fault,       calibrate->present,
-                               calibrate->is_set,      calibrate->has_before,
-                               calibrate->has_anchor,  calibrate->must_move,
-                               calibrate->still_ticks, calibrate->said.has_wrist };
-    for (uint32_t i = 0; i < sizeof words / sizeof words[0]; i++) {
-        hash = hash_u32(hash, words[i]);
-    }
-    for (uint32_t i = 0; i < POI_MAX * CALIBRATION_VALUES; i++) {
-        const int32_t value = calibrate->before[i / CALIBRATION_VALUES][i % CALIBRATION_VALUES];
-        hash = hash_u32(hash, (uint32_t)value);
-    }
-    for (uint32_t i = 0; i < CALIBRATE_CORNERS; i++) {
-        hash = hash_vec3(hash, calibrate->said.corner_m[i]);
-    }
-    hash = input_pose_hash(input_pose_hash(hash, &calibrate->anchor), &calibrate->sum);
-    return input_pose_hash(hash, &calibrate->said.water);
 }

@@ -1,4 +1,5 @@
-/* menu_pages.c -- the table of pages, with the parent and the actions of each page. */
+/* menu_pages.c -- the table of the operator's menu pages, with the parent and the actions of each
+ * page. */
 #include "core/game/menu/menu_pages.h"
 
 #include "core/base/panic.h"
@@ -102,25 +103,25 @@ const struct menu_page_desc *menu_page_desc_of(uint8_t page)
     return &sheets[page];
 }
 
-/* ---- Content of a body ---------------------------------------------------------------------- */
+/* ---- Numbers and contents of a page's items -------------------------------------------------- */
 
-/* Returns child page `nth` of `parent`, or MENU_PAGE_COUNT if the parent has fewer children. Writes
- * the number of children counted until then to `*count`. A page that is opened by a row of data,
- * such as a controller, is not counted. */
+/* Returns child page `nth` of the page `parent`, or MENU_PAGE_COUNT if the parent has fewer
+ * children. Writes the number of children counted until then to `*count`. A page that is opened by
+ * a row of data, such as a controller, is not counted. */
 static uint8_t nth_child(uint8_t parent, uint32_t nth, uint32_t *count)
 {
     CORE_ASSERT(parent <= MENU_PAGE_COUNT);
     *count = 0;
-    for (uint8_t page = 0; page < MENU_PAGE_COUNT; page++) {
+    for (uint32_t page = 0; page < MENU_PAGE_COUNT; page++) {
         if (sheets[page].parent == parent && (*count)++ == nth) {
-            return page;
+            return (uint8_t)page;
         }
     }
     return MENU_PAGE_COUNT;
 }
 
-/* Returns setting `nth` of a group. Settings of kind KIND_BITS are not counted, because each has a
- * page of its own. */
+/* Returns setting `nth` of the group `group`. Settings of kind KIND_BITS are not counted, because
+ * each has a page of its own. */
 static uint32_t nth_setting(uint8_t group, uint32_t nth, uint32_t *count)
 {
     *count = 0;
@@ -173,17 +174,6 @@ uint8_t menu_page_at(uint8_t page, uint32_t tag)
     return tag < first ? (uint8_t)MENU_PAGE_COUNT : nth_child(page, tag - first, &count);
 }
 
-uint32_t menu_tag_of(uint8_t page)
-{
-    CORE_ASSERT(page < MENU_PAGE_COUNT);
-    const uint8_t parent = menu_page_desc_of(page)->parent;
-    uint32_t tag = 0;
-    while (parent < MENU_PAGE_COUNT && tag < MENU_TAG_MAX && menu_page_at(parent, tag) != page) {
-        tag++;
-    }
-    return parent < MENU_PAGE_COUNT ? tag : MENU_TAG_MAX;
-}
-
 uint32_t menu_setting_at(uint8_t page, uint32_t tag)
 {
     const struct menu_page_desc *sheet = menu_page_desc_of(page);
@@ -203,7 +193,7 @@ uint16_t menu_enabled(const struct menu *menu)
                          : (uint16_t)((1u << menu_tag_count(menu->page)) - 1u);
 }
 
-/* ---- Actions -------------------------------------------------------------------------------- */
+/* ---- Actions of the selected item ----------------------------------------------------------- */
 
 void menu_command(struct menu *menu, struct output *output, enum controller_command_kind kind)
 {

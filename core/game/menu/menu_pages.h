@@ -6,6 +6,7 @@
 #ifndef KINGYO_CORE_GAME_MENU_MENU_PAGES_H
 #define KINGYO_CORE_GAME_MENU_MENU_PAGES_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "core/game/menu/menu.h"
@@ -13,7 +14,8 @@
 #define MENU_FOOT_MAX 5u
 
 enum menu_body {
-    MENU_BODY_FREE = 0, /* The body has no items; the page shows other content in its place. */
+    MENU_BODY_FREE = 0, /* The body has no items. The page shows other content in the place of the
+                           items. */
     MENU_BODY_TILES,    /* Large items side by side, at most eight. */
     MENU_BODY_ROWS,     /* One row for each item. The place of an unavailable item stays empty. */
     MENU_BODY_PAGES,    /* One large item for each page whose parent is this page. */
@@ -22,28 +24,34 @@ enum menu_body {
     MENU_BODY_KEYS,     /* Small items with one digit each. */
 };
 
+/* Returns a bit mask of the items of the open page that can be selected. */
+typedef uint16_t menu_offers(const struct menu *menu);
+/* Action of a page when it opens, such as selecting its first item. */
+typedef void menu_enter(struct game *game, const struct settings *settings);
+/* Runs the action of the selected item `tag`, which is not the last item of the page. An action may
+ * change settings, which are part of `config`. */
+typedef void menu_take(struct game *game, struct core_config *config, uint32_t tag,
+                       struct output *output);
+
 struct menu_page_desc {
-    uint8_t parent;     /* Parent page (enum menu_page). MENU_PAGE_COUNT means that the last item
-                           closes the menu. */
-    uint8_t body;       /* Kind of body (enum menu_body). */
-    uint8_t body_count; /* Number of items in the body, <= 12; ignored if the kind of body
-                           determines the number. */
-    uint8_t foot_count; /* Number of items at the foot, 1 .. MENU_FOOT_MAX. */
-    uint8_t watches;    /* 1 if the page displays START, OK, LEFT and RIGHT, which then have no
-                           other effect; otherwise 0. */
-    uint8_t about;      /* Topic of the page: an enum setting_group for MENU_BODY_SETTINGS, an enum
-                           setting_id for MENU_BODY_BITS, or an enum audit_group for a page of
-                           statistics. */
-    uint8_t returns;    /* 1 if the last item leads back to the page from which this page was
-                           opened. 0 if the last item leads to the parent page. */
-    uint16_t (*offers)(const struct menu *menu); /* Returns a bit mask of the available items. NULL
-                                                    means that all items are available. */
-    /* Called when the page opens; NULL means that nothing needs to be done. */
-    void (*enter)(struct game *game, const struct settings *settings);
-    /* Called when any item except the last item is selected. A page may change settings, which are
-     * part of `config`. */
-    void (*take)(struct game *game, struct core_config *config, uint32_t tag,
-                 struct output *output);
+    uint8_t parent;      /* Parent page (enum menu_page). MENU_PAGE_COUNT means that the last item
+                            closes the menu. */
+    uint8_t body;        /* Kind of the page's body (enum menu_body). */
+    uint8_t body_count;  /* Number of items in the body, <= 12; ignored if the kind of body
+                            determines the number. */
+    uint8_t foot_count;  /* Number of items at the foot of the page, 1 .. MENU_FOOT_MAX. */
+    uint8_t watches;     /* 1 if the page displays presses of START, OK, LEFT and RIGHT, which
+                            then have no other effect; otherwise 0. */
+    uint8_t about;       /* Topic of the page: an enum setting_group for MENU_BODY_SETTINGS, an enum
+                            setting_id for MENU_BODY_BITS, or an enum audit_group for a page of
+                            statistics. */
+    uint8_t returns;     /* 1 if the last item leads back to the page from which this page was
+                            opened. 0 if the last item leads to the parent page. */
+    menu_offers *offers; /* Returns the items that can be selected. NULL means that all items are
+                            available. */
+    menu_enter *enter;   /* Called when the page opens. NULL means that nothing needs to be done. */
+    menu_take *take;     /* Called when an item of the page is selected. NULL for a page on which
+                            only the last item and other pages can be selected. */
     /* Called when the last item is selected, and when the menu closes; NULL means that nothing
      * needs to be done. */
     void (*leave)(struct menu *menu, struct output *output);
@@ -57,13 +65,11 @@ const struct menu_page_desc *menu_page_desc_of(uint8_t page);
 uint32_t menu_body_count(uint8_t page);
 uint32_t menu_tag_count(uint8_t page);
 
-/* menu_page_at() returns the page that item `tag` in the body opens; MENU_PAGE_COUNT means none.
- * menu_tag_of() returns the item of the parent that opens `page`; MENU_TAG_MAX means none. */
+/* Returns the page that item `tag` in the body opens; MENU_PAGE_COUNT means none. */
 uint8_t menu_page_at(uint8_t page, uint32_t tag);
-uint32_t menu_tag_of(uint8_t page);
 
-/* Returns the setting in row `tag` of `page`, or the setting of the bit page that the row opens.
- * SETTING_COUNT means none. */
+/* Returns the setting that row `tag` of `page` changes, or whose bits the page that the row opens
+ * changes. SETTING_COUNT means none. */
 uint32_t menu_setting_at(uint8_t page, uint32_t tag);
 
 /* Returns a bit mask of the items of the open page that can be selected. */
@@ -73,7 +79,8 @@ uint16_t menu_enabled(const struct menu *menu);
  * item. */
 void menu_turn(struct game *game, const struct settings *settings, enum menu_page page);
 
-/* Activates the highlighted item. The last item opens the parent page or closes the menu. */
+/* Runs the action of the highlighted item. The last item opens the parent page or closes the
+ * menu. */
 void menu_activate(struct game *game, struct world *world, struct core_config *config,
                    struct output *output);
 
@@ -83,10 +90,10 @@ void menu_close(struct game *game, struct world *world, const struct core_config
 
 /* Returns the box of item `tag` on the canvas. The box is empty if the item is not in the bit mask
  * `offered`. */
-struct layout_box menu_box(int upright, uint8_t page, uint16_t offered, uint32_t tag);
+struct layout_box menu_box(bool upright, uint8_t page, uint16_t offered, uint32_t tag);
 
-/* Combination of buttons that stands for "back". A person never presses all of these buttons in the
- * same tick; the quit key of a desktop produces the combination. The page's last item is activated,
+/* Combination of buttons that means "back". A person never presses all of these buttons in the same
+ * tick; the quit key of a desktop produces the combination. The page's last item is activated,
  * whichever item is highlighted, and no press is counted. TEST is included because no other button
  * leaves the page that tests the buttons. */
 #define MENU_WAY_BACK ((uint32_t)(INPUT_LEFT | INPUT_RIGHT | INPUT_OK | INPUT_TEST))
@@ -95,75 +102,41 @@ struct layout_box menu_box(int upright, uint8_t page, uint16_t offered, uint32_t
 
 #define MENU_TAG(tag) ((uint16_t)(1u << (tag)))
 
-/* Sends a command about the selected controller to the shell. */
+/* Sends the command `kind` about the selected controller to the shell (the program around the
+ * core). */
 void menu_command(struct menu *menu, struct output *output, enum controller_command_kind kind);
 
-/* The following functions are in menu_devices.c. */
-uint16_t menu_rows_enabled(const struct menu *menu);
-void menu_rows_activate(struct game *game, struct core_config *config, uint32_t tag,
-                        struct output *output);
-uint16_t menu_row_enabled(const struct menu *menu);
-void menu_row_activate(struct game *game, struct core_config *config, uint32_t tag,
-                       struct output *output);
-uint16_t menu_learn_enabled(const struct menu *menu);
-void menu_learn_activate(struct game *game, struct core_config *config, uint32_t tag,
-                         struct output *output);
+/* Actions of the pages in menu_devices.c. menu_reopen() highlights the first item of the open
+ * page. */
+menu_offers menu_rows_enabled, menu_row_enabled, menu_learn_enabled, menu_calibrate_enabled;
+menu_enter menu_reopen, menu_calibrate_open;
+menu_take menu_rows_activate, menu_row_activate, menu_learn_activate, menu_calibrate_activate;
 void menu_learn_close(struct menu *menu, struct output *output);
-/* Highlights the first item of the open page. */
-void menu_reopen(struct game *game, const struct settings *settings);
-uint16_t menu_calibrate_enabled(const struct menu *menu);
-void menu_calibrate_open(struct game *game, const struct settings *settings);
-void menu_calibrate_activate(struct game *game, struct core_config *config, uint32_t tag,
-                             struct output *output);
 
-/* The following functions are in self_test.c. */
-uint16_t menu_self_enabled(const struct menu *menu);
-void menu_self_open(struct game *game, const struct settings *settings);
-void menu_self_activate(struct game *game, struct core_config *config, uint32_t tag,
-                        struct output *output);
+/* self_test.c. */
+menu_offers menu_self_enabled;
+menu_enter menu_self_open;
+menu_take menu_self_activate;
 
-/* The following functions are in menu_books.c. */
-void menu_book_activate(struct game *game, struct core_config *config, uint32_t tag,
-                        struct output *output);
-void menu_reset_activate(struct game *game, struct core_config *config, uint32_t tag,
-                         struct output *output);
-uint16_t menu_ranking_enabled(const struct menu *menu);
-void menu_ranking_open(struct game *game, const struct settings *settings);
-void menu_ranking_activate(struct game *game, struct core_config *config, uint32_t tag,
-                           struct output *output);
-uint16_t menu_score_enabled(const struct menu *menu);
-void menu_score_open(struct game *game, const struct settings *settings);
-void menu_score_activate(struct game *game, struct core_config *config, uint32_t tag,
-                         struct output *output);
+/* menu_books.c. */
+menu_offers menu_ranking_enabled, menu_score_enabled;
+menu_enter menu_ranking_open, menu_score_open;
+menu_take menu_book_activate, menu_reset_activate, menu_ranking_activate, menu_score_activate;
 
-/* The following functions are in menu_upkeep.c. */
-uint16_t menu_files_enabled(const struct menu *menu);
-void menu_files_open(struct game *game, const struct settings *settings);
-void menu_files_activate(struct game *game, struct core_config *config, uint32_t tag,
-                         struct output *output);
-/* Highlights the item "Back" of a page that requests confirmation, so that an accidental press does
- * nothing. */
-void menu_confirm_open(struct game *game, const struct settings *settings);
-void menu_restart_activate(struct game *game, struct core_config *config, uint32_t tag,
-                           struct output *output);
-void menu_factory_activate(struct game *game, struct core_config *config, uint32_t tag,
-                           struct output *output);
-void menu_pin_open(struct game *game, const struct settings *settings);
-void menu_pin_activate(struct game *game, struct core_config *config, uint32_t tag,
-                       struct output *output);
-void menu_new_pin_activate(struct game *game, struct core_config *config, uint32_t tag,
-                           struct output *output);
+/* Actions of the pages in menu_upkeep.c. menu_confirm_open() highlights the item "Back" of a page
+ * that requests confirmation, so that an accidental press does nothing. */
+menu_offers menu_files_enabled;
+menu_enter menu_files_open, menu_confirm_open, menu_pin_open;
+menu_take menu_files_activate, menu_restart_activate, menu_factory_activate;
+menu_take menu_pin_activate, menu_new_pin_activate;
 
-/* The following functions are in settings_edit.c. */
-uint16_t menu_settings_enabled(const struct menu *menu);
-void menu_settings_open(struct game *game, const struct settings *settings);
-void menu_settings_activate(struct game *game, struct core_config *config, uint32_t tag,
-                            struct output *output);
-void menu_bits_activate(struct game *game, struct core_config *config, uint32_t tag,
-                        struct output *output);
+/* settings_edit.c. */
+menu_offers menu_settings_enabled;
+menu_enter menu_settings_open;
+menu_take menu_settings_activate, menu_bits_activate;
 
 /* Continues to change a value while the button or poi that selected the value is still pressed. */
-void menu_settings_tick(struct game *game, struct core_config *config, int is_pressed,
+void menu_settings_tick(struct game *game, struct core_config *config, bool is_pressed,
                         struct output *output);
 
 #endif

@@ -5,22 +5,24 @@
 
 #include <stdint.h>
 
-#include "core/game/control/calibration.h"
+#include "core/game/control/input_pose.h"
 #include "core/game/pointer_mapping.h"
 #include "core/input.h"
 #include "core/scene.h"
 
 #define CALIBRATE_STILL_TICKS (CORE_TICK_HZ + CORE_TICK_HZ / 2u)
-/* Tolerance for the position of a poi that is held still, for an arm that rests on the tank's
- * rim. */
+/* Largest motion at which a poi counts as held still. An arm that rests on the tank's rim moves
+ * less. */
 #define CALIBRATE_STILL_M 0.008f
 #define CALIBRATE_STILL_TURN 0.15f
-/* Distance from the last accepted pose that the poi must move before the next pose. */
+/* Distance that the poi must move away from the last accepted pose before the next pose can be
+ * accepted. */
 #define CALIBRATE_MOVE_M 0.03f
 
 enum calibrate_step {
     CALIBRATE_IDLE = 0,
-    CALIBRATE_CORNER, /* First of four steps, one for each corner. */
+    CALIBRATE_CORNER, /* First of four calibration steps, one for each corner of the tank. The
+                         next step is CALIBRATE_WATER. */
     CALIBRATE_WATER = CALIBRATE_CORNER + (int)CALIBRATE_CORNERS,
     CALIBRATE_DONE,
     CALIBRATE_REFUSED, /* The calibration was rejected and is unchanged. `fault` is the reason. */
@@ -29,7 +31,7 @@ enum calibrate_step {
 
 struct calibrate {
     uint8_t seat;
-    uint8_t step;       /* Current step (enum calibrate_step). */
+    uint8_t step;       /* Current calibration step (enum calibrate_step). */
     uint8_t fault;      /* Reason for the rejection (enum calibration_fault). */
     uint8_t present;    /* Bit mask of the slots with a controller. */
     uint8_t is_set;     /* Bit mask of the slots with a stored calibration, including incomplete
@@ -45,27 +47,32 @@ struct calibrate {
     struct calibration_said said;
 };
 
-#define SELF_TEST_TICKS (20u * CORE_TICK_HZ) /* Time after which a check without a result is bad. */
-/* Longest time for a write to disk. A store on a slower SD card fails the check. */
+/* Time after which a check of the self-test that still has no result counts as bad. */
+#define SELF_TEST_TICKS (20u * CORE_TICK_HZ)
+/* Longest time in which the self-test's ledger entry must reach the disk. If the SD card is slower,
+ * the check SELF_STORE fails. */
 #define SELF_TEST_STORE_TICKS (10u * CORE_TICK_HZ)
-/* Distance by which a poi must move along an axis to pass the check of that direction. */
+/* Distance by which a poi must move along an axis, so that the check SELF_POIS accepts the
+ * axis. */
 #define SELF_TEST_WAY_M 0.03f
-/* Report age in ticks that counts as late, which means fewer than 30 reports per second. */
+/* Age in ticks from which a controller's report counts as late, which means fewer than 30 reports
+ * per second. */
 #define SELF_TEST_LATE_TICKS 4u
-/* Lowest frame rate, in frames per second, at which the display passes the check. */
+/* Lowest frame rate, in frames per second, at which the check SELF_DISPLAY passes. */
 #define SELF_TEST_FRAMES_MIN 25u
 
 /* Age of a backup, in minutes, from which the backup is too old. A backup is made at startup and
  * every hour. */
 #define SELF_BACKUP_OLD_MIN 180u
-/* Free space in MiB below which the check needs attention: twice the size of the database, plus
- * a replay of each ranked round. */
+/* Free disk space in MiB below which the check SELF_ROOM needs attention. The value is twice the
+ * size of the database, plus the size of a replay of each ranked round. */
 #define SELF_ROOM_LOW_MIB 64u
-/* Free space in MiB below which the check is bad. Less space is too little for the entries of
- * one evening and their backup. */
+/* Free disk space in MiB below which the check SELF_ROOM is bad. Less space is too little for the
+ * entries of one evening and their backup. */
 #define SELF_ROOM_BAD_MIB 8u
-/* Margin to the throttling temperature, in degrees Celsius, below which the check needs attention.
- * A hot afternoon can raise the temperature by the same amount. */
+/* Difference in degrees Celsius from the throttling temperature of the processor. If the processor
+ * is hotter than that, the check SELF_HEAT needs attention. A hot afternoon can raise the
+ * temperature by this difference. */
 #define SELF_HEAT_NEAR_C 10
 
 /* Checks of the self-test: first the checks of the machine, then the checks of the parts that a
@@ -76,7 +83,7 @@ enum self_check {
     SELF_BACKUP,
     SELF_DATA, /* Data written to the data folder survives a power cut. */
     SELF_ROOM,
-    SELF_FILES, /* No file was rejected at startup. */
+    SELF_FILES, /* No file in the data folder was rejected at startup. */
     SELF_CLOCK,
     SELF_HEAT,
     SELF_WATCHDOG,
@@ -101,9 +108,9 @@ enum self_state {
 enum { SELF_UNSAID = 0, SELF_SAYS_YES, SELF_SAYS_NO };
 
 struct self_test {
-    uint8_t heard, moved;       /* The operator's answers to the question about the sound
-                                   (`heard`) and to the question about the lamp and the coin slot
-                                   (`moved`). */
+    uint8_t heard, moved;       /* `heard` is the operator's answer to the question about the
+                                   sound. `moved` is the answer to the question about the lamp
+                                   and the coin slot. */
     uint8_t present;            /* Bit mask of the slots with a controller. */
     uint8_t ways[POI_MAX];      /* Directions in which each poi moved, as a bit mask: one bit each
                                    for x, y and z. */
@@ -117,26 +124,28 @@ struct self_test {
 
 /* Largest number of items on a page: twelve in its body and four at its foot. */
 #define MENU_TAG_MAX 16u
-#define MENU_ASK_TICKS (5u * CORE_TICK_HZ) /* Time in which a second TEST press ends the round. */
+/* Time after a TEST press during a round in which a second TEST press ends the round. */
+#define MENU_ASK_TICKS (5u * CORE_TICK_HZ)
 /* Time after a selection in which a second selection is ignored. */
 #define MENU_TAKE_TICKS (CORE_TICK_HZ / 10u)
 /* Time without activity after which an open menu closes. */
 #define MENU_IDLE_TICKS (300u * CORE_TICK_HZ)
-/* Time without activity after which the menu closes on the PIN page. */
+/* Time without activity after which the menu closes if the PIN page is open. */
 #define MENU_PIN_IDLE_TICKS (20u * CORE_TICK_HZ)
-/* Number of timeouts without a press, a selection or a coin after which the menu also closes.
- * Motion that lasts longer without any press comes from a poi that swings on its cord. */
+/* Number of idle timeouts after which the menu closes although a poi moves, if no press, selection
+ * or coin occurred. Such long motion comes from a poi that swings on its cord. */
 #define MENU_SWING_SPANS 3u
 #define MENU_PIN_DIGITS 4u
-/* Upper limit of each counter on the page of the input lines. */
+/* Largest value that each counter on the page of the input lines can show. */
 #define MENU_COUNT_MAX 9999u
 
-/* Pages of the menu. Pages with the same parent are listed in the order of the enum. */
+/* Pages of the menu. The menu lists pages with the same parent in the order of this enum. */
 enum menu_page {
     MENU_TOP = 0,
     MENU_DEVICES,     /* Page that lists the pages about devices and wiring. */
-    MENU_CONTROLLERS, /* Page of all plugged-in controllers. */
-    MENU_CONTROLLER,  /* Page of one controller. */
+    MENU_CONTROLLERS, /* Page that lists all plugged-in controllers. */
+    MENU_CONTROLLER,  /* Page of one controller, on which the operator selects or releases the
+                         controller. */
     MENU_LEARN,       /* Page of the learn wizard of a controller. */
     MENU_LINES,       /* Page that tests the buttons and the coin lines. */
     MENU_AXES,        /* Page that shows the reported pose and the report rate of each poi. */
@@ -159,7 +168,8 @@ enum menu_page {
                        time. */
     MENU_SCORE,     /* Page of one score, which plays its replay or removes its name. */
     MENU_SELF_TEST, /* Page of the self-test before the kiosk opens. */
-    MENU_UPKEEP,    /* Page that lists rarely needed pages. */
+    MENU_UPKEEP,    /* Page that lists the pages for files, versions, a new PIN, a restart and the
+                       factory reset. */
     MENU_FILES,     /* Page that lists the files found in the data folder, and the rejected
                        files. */
     MENU_ABOUT,     /* Page with the versions of the software and the names of the devices. */
@@ -171,8 +181,11 @@ enum menu_page {
     MENU_PAGE_COUNT,
 };
 
-/* Items of the pages that have code of their own. This enum belongs to the page of all controllers,
- * where these items follow one item for each controller. */
+/* Items of the menu pages. Each of the following enums lists the items of one page, or of several
+ * pages of the same kind. The last constant of an enum is the number of its last item plus 1.
+ *
+ * The enum ROWS_* belongs to the page of all controllers, where these items follow one item for
+ * each controller. */
 enum { ROWS_BACK = CONTROLLER_MAX, ROWS_TAGS };
 enum { ROW_CHOOSE = 0, ROW_RELEASE, ROW_LEARN, ROW_BACK, ROW_TAGS };
 enum { LEARNS_NEXT = 0, LEARNS_KEEP, LEARNS_AGAIN, LEARNS_END, LEARNS_TAGS };
@@ -186,24 +199,16 @@ enum {
     CALIBRATE_TAGS
 };
 enum { SELF_YES = 0, SELF_NO, SELF_AGAIN, SELF_BACK, SELF_TAGS };
-enum {
-    RANKING_NEXT = SCENE_LEADERBOARD_ROWS,
-    RANKING_BACK,
-    RANKING_TAGS
-}; /* On the leaderboard page, these items follow one item for each row of the leaderboard. */
+/* The enum RANKING_* belongs to the leaderboard page, where these items follow one item for each
+ * row of the leaderboard. */
+enum { RANKING_NEXT = SCENE_LEADERBOARD_ROWS, RANKING_BACK, RANKING_TAGS };
 enum { SCORE_REPLAY = 0, SCORE_UNNAME, SCORE_CONFIRM, SCORE_BACK, SCORE_TAGS };
 enum { FILES_MORE = 0, FILES_SEEN, FILES_BACK, FILES_TAGS };
 enum { BOOK_RESET = 0, BOOK_BACK, BOOK_TAGS };
-enum {
-    CONFIRM_YES = 0,
-    CONFIRM_BACK,
-    CONFIRM_TAGS
-}; /* Items of a page that requests confirmation. The second item is highlighted first. */
-enum {
-    PIN_ERASE = 10,
-    PIN_BACK,
-    PIN_TAGS
-}; /* On the PIN page, these items follow the digit keys 1, 2 .. 9, 0. */
+/* Items of a page that requests confirmation. The second item is highlighted first. */
+enum { CONFIRM_YES = 0, CONFIRM_BACK, CONFIRM_TAGS };
+/* The enum PIN_* belongs to the PIN page, where these items follow the digit keys 1, 2 .. 9, 0. */
+enum { PIN_ERASE = 10, PIN_BACK, PIN_TAGS };
 
 /* Items at the foot of a settings page. The items follow one item for each setting and each
  * subpage. */
@@ -217,41 +222,44 @@ struct menu {
                            selecting raises the value. */
     uint8_t turning;    /* 1 while the button or poi that selected a setting is still pressed, so
                            the value keeps changing; otherwise 0. */
-    uint8_t from;       /* Page that requested confirmation of a reset. */
+    uint8_t from;       /* Page of statistics from which the operator opened the page that
+                           confirms a reset. */
     uint8_t pin_count;  /* Number of PIN digits typed so far. */
     uint16_t pin;       /* PIN digits typed so far, as a number. */
-    uint8_t turn_count; /* Number of automatic repeats of the current change, up to 255. */
-    uint32_t turn_tick; /* Tick of the last change of a value. */
+    uint8_t turn_count; /* Number of automatic repetitions of the current change of a value
+                           while a button or a dipped poi is held, up to 255. */
+    uint32_t turn_tick; /* Tick at which a value on a settings page last changed. */
     uint8_t row;        /* Row of the selected controller in the list of controllers. */
     uint8_t upright;    /* 1 if the last input reported a portrait screen, otherwise 0. */
     uint8_t file_first; /* First row that the file page shows. */
     uint8_t board;      /* Selected leaderboard: the mode's number * RANK_PERIOD_COUNT + the
                            period's number. */
     uint8_t score;      /* Selected row of the leaderboard. */
-    uint8_t score_is_named, score_asks; /* score_is_named is 1 if the selected row has a name.
-                                           score_asks is 1 while the removal of the name waits for
-                                           confirmation. */
+    uint8_t score_is_named, score_asks; /* `score_is_named` is 1 if the selected row has a name.
+                                           `score_asks` is 1 while the removal of the name waits
+                                           for confirmation. */
     uint16_t scores;                    /* Bit mask of the leaderboard rows that have a score. */
     uint8_t has_hand, hand, presses;
     uint8_t points;                             /* Item under the pointer, counted from 1. 0 means
                                                    no item. */
-    uint8_t tag[MENU_PAGE_COUNT];               /* Highlighted item of each page. */
+    uint8_t tag[MENU_PAGE_COUNT];               /* Number of the highlighted item of each page. */
     struct controller_status controllers;       /* State of the controllers, from the last input. */
     uint16_t pressed_count[INPUT_BUTTON_COUNT]; /* Presses of each button since the menu was
                                                    opened. */
     uint32_t held;
-    uint32_t test_coins, coin_tick; /* Number of test coins (`test_coins`), and tick of the last
-                                       test coin (`coin_tick`). */
+    uint32_t test_coins, coin_tick; /* `test_coins` is the number of test coins. `coin_tick` is
+                                       the tick of the last test coin. */
     uint32_t command_count;
     uint32_t ask_tick;  /* Tick of a TEST press during a round; 0 means that no press waits for
                            confirmation. */
-    uint32_t take_tick; /* Tick of the last selection. */
-    uint32_t act_tick;  /* Tick of the last activity. */
-    uint32_t use_tick;  /* Tick of the last activity other than pointer motion. */
+    uint32_t take_tick; /* Tick at which a menu item was last selected. */
+    uint32_t act_tick;  /* Tick of the last activity in the menu, including pointer motion. */
+    uint32_t use_tick;  /* Tick of the last activity in the menu other than pointer motion. */
     float x, y;         /* Pointer position on the canvas. */
     struct calibrate calibrate;
     struct self_test self;
-    struct layout_point rest[POI_MAX]; /* Pointer position of each slot at its last motion. */
+    struct layout_point rest[POI_MAX]; /* Position of each slot's pointer when the pointer last
+                                          moved. */
 };
 
 #endif

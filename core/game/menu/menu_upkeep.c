@@ -1,11 +1,11 @@
-/* menu_upkeep.c -- rarely needed pages: the list of files, restart, factory reset, and the entry of
- * the PIN. */
+/* menu_upkeep.c -- the menu pages that are rarely needed: the list of files, restart, factory
+ * reset, and the entry of the PIN. */
 #include "core/game/menu/menu_pages.h"
 
 #include "core/base/panic.h"
 #include "core/base/rng.h"
 #include "core/config.h"
-#include "core/game/accounting/ledger_writer.h"
+#include "core/game/accounting/accounts.h"
 #include "core/game/game.h"
 #include "core/pin.h"
 
@@ -17,8 +17,8 @@ void menu_confirm_open(struct game *game, const struct settings *settings)
     game->menu.tag[game->menu.page] = CONFIRM_BACK;
 }
 
-/* Requests a restart. When the store has saved everything, the shell ends the frame loop and starts
- * the kiosk again. */
+/* Requests a restart of the kiosk. When the store has saved everything, the shell ends the frame
+ * loop and starts the kiosk again. */
 void menu_restart_activate(struct game *game, struct core_config *config, uint32_t tag,
                            struct output *output)
 {
@@ -33,7 +33,8 @@ void menu_factory_activate(struct game *game, struct core_config *config, uint32
     CORE_ASSERT(tag == CONFIRM_YES);
     (void)tag;
     if (settings_edit_factory_reset(game, config, output)) {
-        /* The restart applies the machine's configuration and the configuration files again. */
+        /* Request a restart, which applies the machine's configuration and the configuration files
+         * again. */
         menu_command(&game->menu, output, COMMAND_RESTART);
         menu_turn(game, &config->persistent.settings, MENU_UPKEEP);
     }
@@ -41,19 +42,20 @@ void menu_factory_activate(struct game *game, struct core_config *config, uint32
 
 #define FILES_SHOWN 5u
 
-uint32_t menu_files_shown(int upright)
+uint32_t menu_files_shown(bool upright)
 {
     return upright ? SCENE_FILE_MAX : FILES_SHOWN;
 }
 
 uint16_t menu_files_enabled(const struct menu *menu)
 {
-    const int is_long = menu->controllers.file_count > menu_files_shown(menu->upright);
+    const bool is_long = menu->controllers.file_count > menu_files_shown(menu->upright);
     return (uint16_t)((is_long ? MENU_TAG(FILES_MORE) : 0u) | MENU_TAG(FILES_SEEN) |
                       MENU_TAG(FILES_BACK));
 }
 
-/* Highlights an item that is harmless if it is selected by accident. */
+/* Opens the page of files. The highlighted item is harmless if the operator selects it by
+ * accident. */
 void menu_files_open(struct game *game, const struct settings *settings)
 {
     (void)settings;
@@ -63,8 +65,8 @@ void menu_files_open(struct game *game, const struct settings *settings)
         menu_files_enabled(menu) & MENU_TAG(FILES_MORE) ? FILES_MORE : FILES_BACK;
 }
 
-/* Shows the next rows of the list; after the last rows, the first rows follow. The item FILES_SEEN
- * sends a command to the shell, which acknowledges the quarantined databases. */
+/* Shows the next rows of the list of files; after the last rows, the first rows follow. The item
+ * FILES_SEEN sends a command to the shell, which acknowledges the quarantined databases. */
 void menu_files_activate(struct game *game, struct core_config *config, uint32_t tag,
                          struct output *output)
 {
@@ -102,22 +104,23 @@ void menu_pin_open(struct game *game, const struct settings *settings)
     menu->tag[menu->page] = 0;
 }
 
-/* Adds a digit to menu->pin, or erases all digits. Returns 1 if the last digit was typed, otherwise
- * 0. After the last digit menu->pin has all digits. */
-static int type_pin_key(struct menu *menu, uint32_t tag)
+/* Adds a digit to the end of menu->pin, or erases all digits. Returns true if menu->pin now has all
+ * of its digits. */
+static bool type_pin_key(struct menu *menu, uint32_t tag)
 {
     if (tag == PIN_ERASE) {
         menu->pin = 0;
         menu->pin_count = 0;
-        return 0;
+        return false;
     }
     CORE_ASSERT(tag < PIN_ERASE && menu->pin_count < MENU_PIN_DIGITS);
     menu->pin = (uint16_t)(menu->pin * 10u + (tag + 1u) % 10u);
     return ++menu->pin_count == MENU_PIN_DIGITS;
 }
 
-/* Logs each PIN entry in the ledger, so that the lockout time continues after a power cut. If the
- * ledger has no room, the lockout ends when the kiosk is switched off. */
+/* Checks the PIN after its last digit, and opens the menu or starts the lockout time. The ledger
+ * contains each wrong PIN, so that the lockout time continues after a power cut. If the ledger has
+ * no room, the lockout ends when the kiosk is switched off. */
 void menu_pin_activate(struct game *game, struct core_config *config, uint32_t tag,
                        struct output *output)
 {
@@ -125,7 +128,7 @@ void menu_pin_activate(struct game *game, struct core_config *config, uint32_t t
     if (menu_pin_wait_ticks(edit, game->tick) > 0 || !type_pin_key(&game->menu, tag)) {
         return;
     }
-    const int is_right = pin_matches(config->persistent.settings.value[SET_PIN], game->menu.pin);
+    const bool is_right = pin_matches(config->persistent.settings.value[SET_PIN], game->menu.pin);
     if (!is_right || edit->pin_wrong > 0) {
         const struct ledger_entry entry = { .kind = LEDGER_PIN, .detail = (uint8_t)is_right };
         ledger_write(&game->accounts, game->tick, &entry, output);
@@ -140,8 +143,8 @@ void menu_pin_activate(struct game *game, struct core_config *config, uint32_t t
     menu_pin_open(game, &config->persistent.settings);
 }
 
-/* Sets a new PIN. The PIN 0000 means that no PIN is required. Recordings of format 7 stored plain
- * digits. */
+/* Sets a new PIN when its last digit has been typed. The PIN 0000 means that no PIN is required.
+ * Recordings of the older format 7 stored plain digits. */
 void menu_new_pin_activate(struct game *game, struct core_config *config, uint32_t tag,
                            struct output *output)
 {

@@ -1,19 +1,17 @@
 /* self_test.c -- runs the checks of the self-test page, and evaluates their results. */
 #include "core/game/menu/menu_pages.h"
 
-#include "core/base/hash.h"
 #include "core/base/panic.h"
 #include "core/config.h"
-#include "core/game/accounting/ledger_writer.h"
+#include "core/game/accounting/accounts.h"
 #include "core/game/game.h"
-#include "core/game/menu/menu.h"
 
-/* ---- Items ---------------------------------------------------------------------------------- */
+/* ---- Items of the self-test page ------------------------------------------------------------ */
 
 uint16_t menu_self_enabled(const struct menu *menu)
 {
     const struct self_test *self = &menu->self;
-    const int asks = self->heard == SELF_UNSAID || self->moved == SELF_UNSAID;
+    const bool asks = self->heard == SELF_UNSAID || self->moved == SELF_UNSAID;
     return (uint16_t)((asks ? MENU_TAG(SELF_YES) | MENU_TAG(SELF_NO) : 0) | MENU_TAG(SELF_AGAIN) |
                       MENU_TAG(SELF_BACK));
 }
@@ -29,8 +27,8 @@ void menu_self_open(struct game *game, const struct settings *settings)
     }
 }
 
-/* YES and NO answer the first open question. The question about the sound comes before the question
- * about the lamp and the coin slot. */
+/* Restarts the self-test, or stores YES or NO as the answer to the first open question. The
+ * question about the sound comes before the question about the lamp and the coin slot. */
 void menu_self_activate(struct game *game, struct core_config *config, uint32_t tag,
                         struct output *output)
 {
@@ -47,15 +45,15 @@ void menu_self_activate(struct game *game, struct core_config *config, uint32_t 
     }
 }
 
-/* ---- Tests ---------------------------------------------------------------------------------- */
+/* ---- Checks of the self-test in each tick ---------------------------------------------------- */
 
-static int self_test_is_open(const struct game *game)
+static bool self_test_is_open(const struct game *game)
 {
     return game->phase == PHASE_MENU && game->menu.page == MENU_SELF_TEST;
 }
 
-/* In its second tick, the self-test logs the present volume setting as a test entry. A program that
- * reads the ledger sees no changed setting. */
+/* Runs the checks of the self-test. In its second tick, the self-test logs the present volume
+ * setting as a test entry. A program that reads the ledger sees no changed setting. */
 void self_test_tick(struct game *game, const struct input *input, struct output *output)
 {
     struct self_test *self = &game->menu.self;
@@ -95,14 +93,14 @@ void self_test_tick(struct game *game, const struct input *input, struct output 
     }
 }
 
-int self_test_shows(const struct game *game)
+bool self_test_shows(const struct game *game)
 {
     const struct self_test *self = &game->menu.self;
     return self_test_is_open(game) && self->heard != SELF_UNSAID && self->moved == SELF_UNSAID &&
            game->tick % CORE_TICK_HZ < CORE_TICK_HZ / 2u;
 }
 
-/* ---- Evaluation ----------------------------------------------------------------------------- */
+/* ---- Results of the self-test ---------------------------------------------------------------- */
 
 void self_test_show(const struct game *game, const struct core_config *config,
                     struct scene_self_test *out)
@@ -110,9 +108,9 @@ void self_test_show(const struct game *game, const struct core_config *config,
     const struct self_test *self = &game->menu.self;
     const struct ledger *ledger = &game->accounts.ledger;
     const uint32_t age = game->tick - self->begin_tick;
-    const int is_late = age > SELF_TEST_STORE_TICKS;
+    const bool is_late = age > SELF_TEST_STORE_TICKS;
     const uint32_t left = age < SELF_TEST_TICKS ? SELF_TEST_TICKS - age : 0u;
-    const int is_saved = self->entry_id != 0 && ledger_is_saved(ledger, self->entry_id);
+    const bool is_saved = self->entry_id != 0 && ledger_is_saved(ledger, self->entry_id);
     *out = (struct scene_self_test){
         .heard = self->heard,
         .moved = self->moved,
@@ -142,12 +140,12 @@ static uint8_t state_from_answer(uint8_t answer)
 #define TRIED_BUTTONS                                                                              \
     ((uint32_t)(INPUT_START | INPUT_LEFT | INPUT_RIGHT | INPUT_OK | INPUT_TEST | INPUT_SERVICE))
 
-/* Evaluates the checks of the machine. A check without data waits for its data, and is bad after
- * the timeout. */
+/* Evaluates the self-test's checks of the machine. A check without data waits for its data, and is
+ * bad after the timeout. */
 static void judge_machine(const struct scene_machine *machine, uint8_t state[SELF_CHECKS])
 {
-    const int is_fresh = machine->has_backup && machine->backup_min < SELF_BACKUP_OLD_MIN;
-    const int is_kept = machine->keeps == KEEPS_PROVEN || machine->keeps == KEEPS_FOLDER;
+    const bool is_fresh = machine->has_backup && machine->backup_min < SELF_BACKUP_OLD_MIN;
+    const bool is_kept = machine->keeps == KEEPS_PROVEN || machine->keeps == KEEPS_FOLDER;
     state[SELF_WATCHDOG] = machine->watch == WATCH_FED    ? SELF_GOOD
                            : machine->watch == WATCH_DEAF ? SELF_BAD
                                                           : SELF_LOOK;
@@ -167,16 +165,16 @@ static void judge_machine(const struct scene_machine *machine, uint8_t state[SEL
     }
 }
 
-/* Evaluates the checks of the parts that a player uses. The check of the pois is bad if a slot in
- * play has no controller or has late reports. A kiosk without input lines has neither a lamp nor a
- * coin slot, so the check of the lamp is then good unless the operator reports a fault. In free
- * play coins are returned, so the check of the coins requires no coin. */
+/* Evaluates the self-test's checks of the parts that a player uses. The check of the pois is bad if
+ * a slot in play has no controller or has late reports. A kiosk without input lines has neither a
+ * lamp nor a coin slot, so the check of the lamp is then good unless the operator reports a fault.
+ * In free play coins are returned, so the check of the coins requires no coin. */
 static void judge_parts(const struct scene *scene, uint8_t state[SELF_CHECKS])
 {
     const struct scene_self_test *self = &scene->menu.self;
     const uint32_t frames = scene->devices.frames_a_second;
-    const int is_wired = scene->devices.lines[0] != '\0';
-    const int is_sold = scene->menu.settings.value[SET_PLAY] == PLAY_PAID;
+    const bool is_wired = scene->devices.lines[0] != '\0';
+    const bool is_sold = scene->menu.settings.value[SET_PLAY] == PLAY_PAID;
     state[SELF_DISPLAY] = frames == 0                      ? SELF_WAITS
                           : frames >= SELF_TEST_FRAMES_MIN ? SELF_GOOD
                                                            : SELF_BAD;
@@ -186,7 +184,7 @@ static void judge_parts(const struct scene *scene, uint8_t state[SELF_CHECKS])
     state[SELF_COINS] = scene->menu.test_coins > 0 || !is_sold ? SELF_GOOD : SELF_ASKS;
     state[SELF_BUTTONS] = state[SELF_POIS] = SELF_GOOD;
     for (uint32_t i = 0; i < INPUT_BUTTON_COUNT; i++) {
-        const int counts = (TRIED_BUTTONS & ~scene->devices.buttons_missing) >> i & 1u;
+        const bool counts = (TRIED_BUTTONS & ~scene->devices.buttons_missing) >> i & 1u;
         if (counts && scene->menu.pressed_count[i] == 0) {
             state[SELF_BUTTONS] = SELF_ASKS;
         }
@@ -229,18 +227,4 @@ uint32_t self_test_left(const uint8_t state[SELF_CHECKS])
         left += state[i] != SELF_GOOD;
     }
     return left;
-}
-
-uint64_t self_test_hash(uint64_t hash, const struct self_test *self)
-{
-    const uint32_t words[] = { self->heard,       self->moved,      self->present,
-                               self->knows_first, self->begin_tick, self->entry_id };
-    for (uint32_t i = 0; i < sizeof words / sizeof words[0]; i++) {
-        hash = hash_u32(hash, words[i]);
-    }
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        hash = hash_u32(hash_u32(hash, self->ways[i]), self->worst_age[i]);
-        hash = hash_vec3(hash, self->first_m[i]);
-    }
-    return hash;
 }

@@ -3,13 +3,11 @@
  * held. */
 #include "core/game/menu/menu_pages.h"
 
-#include "core/base/hash.h"
 #include "core/base/mem.h"
 #include "core/base/panic.h"
 #include "core/config.h"
-#include "core/game/accounting/ledger_writer.h"
+#include "core/game/accounting/accounts.h"
 #include "core/game/game.h"
-#include "core/game/menu/menu.h"
 #include "core/tank/preset.h"
 
 void settings_edit_init(struct settings_edit *settings_edit, const struct core_config *config)
@@ -17,9 +15,9 @@ void settings_edit_init(struct settings_edit *settings_edit, const struct core_c
     const uint32_t wrong = config->persistent.audits.count[AUDIT_WRONG_PINS];
     *settings_edit = (struct settings_edit){
         .told = config->persistent.settings,
-        .pin_wrong = wrong < UINT8_MAX ? wrong : UINT8_MAX, /* The ticks of stored wrong PINs are
-                                                               unknown, so the lockout time starts
-                                                               at the kiosk's start. */
+        /* The database does not contain when wrong PINs were entered, so the lockout time starts at
+         * the kiosk's start. */
+        .pin_wrong = wrong < UINT8_MAX ? wrong : UINT8_MAX,
     };
     settings_sanitize(&settings_edit->told);
 }
@@ -54,7 +52,7 @@ void settings_edit_set(struct game *game, struct core_config *config, uint32_t i
 
 /* Returns the next allowed value of setting `id`. Paper grades 1 to 3 do not exist and are
  * skipped. */
-static int32_t step_from(const struct core_config *config, uint32_t id, int32_t value, int is_down)
+static int32_t step_from(const struct core_config *config, uint32_t id, int32_t value, bool is_down)
 {
     CORE_ASSERT(id < SETTING_COUNT);
     const struct setting *setting = settings_entry(id);
@@ -66,15 +64,15 @@ static int32_t step_from(const struct core_config *config, uint32_t id, int32_t 
     return value;
 }
 
-static int is_setting_at_limit(const struct core_config *config, uint32_t id, int32_t value,
-                               int is_down)
+static bool is_setting_at_limit(const struct core_config *config, uint32_t id, int32_t value,
+                                bool is_down)
 {
     const int32_t next = step_from(config, id, value, is_down);
     return is_down ? next > value : next < value;
 }
 
-int settings_edit_step(struct game *game, struct core_config *config, uint32_t id, int is_down,
-                       uint32_t step_count)
+bool settings_edit_step(struct game *game, struct core_config *config, uint32_t id, bool is_down,
+                        uint32_t step_count)
 {
     CORE_ASSERT(id < SETTING_COUNT && step_count > 0);
     int32_t value = step_from(config, id, config->persistent.settings.value[id], is_down);
@@ -85,8 +83,8 @@ int settings_edit_step(struct game *game, struct core_config *config, uint32_t i
     return is_setting_at_limit(config, id, value, is_down);
 }
 
-int settings_edit_factory_reset(struct game *game, struct core_config *config,
-                                struct output *output)
+bool settings_edit_factory_reset(struct game *game, struct core_config *config,
+                                 struct output *output)
 {
     struct ledger *ledger = &game->accounts.ledger;
     struct settings *settings = &config->persistent.settings;
@@ -97,14 +95,14 @@ int settings_edit_factory_reset(struct game *game, struct core_config *config,
     ledger->balance = (struct balance){ 0 };
     if (!ledger_write(&game->accounts, game->tick, &entry, output)) {
         ledger->balance = balance;
-        return 0;
+        return false;
     }
     settings_reset(settings);
     game->settings_edit.told = *settings;
     game->settings_edit.entry_id = ledger->last_id;
     game->language = (uint8_t)settings->value[SET_LANGUAGE];
     apply(&game->settings_edit, config, game->tick);
-    return 1;
+    return true;
 }
 
 void settings_edit_tick(struct game *game, struct settings *settings, struct output *output)
@@ -119,8 +117,8 @@ void settings_edit_tick(struct game *game, struct settings *settings, struct out
             continue;
         }
         if (!ledger_may_write(&game->accounts.ledger, LEDGER_SETTING)) {
-            return; /* The next tick tries to log again, because every change of a setting must be
-                       logged. */
+            return; /* The ledger has no room. The next tick tries again, because every change of
+                       a setting must be logged. */
         }
         const struct ledger_entry entry = { .kind = LEDGER_SETTING,
                                             .detail = (uint8_t)(id & 0xffu),
@@ -131,18 +129,11 @@ void settings_edit_tick(struct game *game, struct settings *settings, struct out
     }
 }
 
-int settings_edit_is_saved(const struct ledger *ledger, const struct settings_edit *settings_edit,
-                           const struct settings *settings)
+bool settings_edit_is_saved(const struct ledger *ledger, const struct settings_edit *settings_edit,
+                            const struct settings *settings)
 {
     return memcmp(settings, &settings_edit->told, sizeof *settings) == 0 &&
            ledger_is_saved(ledger, settings_edit->entry_id);
-}
-
-uint64_t settings_edit_hash(uint64_t hash, const struct settings_edit *settings_edit, int rules_7)
-{
-    hash = settings_hash(hash, &settings_edit->told, rules_7);
-    hash = hash_u32(hash_u32(hash, settings_edit->turn_tick), settings_edit->entry_id);
-    return hash_u32(hash_u32(hash, settings_edit->pin_wrong), settings_edit->pin_tick);
 }
 
 /* HOLD_TICKS is the time before a held button first repeats. AGAIN_TICKS is the time between two
@@ -158,13 +149,13 @@ uint64_t settings_edit_hash(uint64_t hash, const struct settings_edit *settings_
 #define HURRY_STEPS_MIN 40
 #define RUSH_STEPS_MIN 400
 
-static int is_settings(const struct menu *menu)
+static bool is_settings(const struct menu *menu)
 {
     return menu_page_desc_of(menu->page)->body == MENU_BODY_SETTINGS;
 }
 
-/* Before the first change on a page, the item "restore the default" applies to the first row whose
- * value differs from its default. */
+/* Opens a settings page. Until the operator changes a value, the item "restore the default" applies
+ * to the first row whose value differs from its default. */
 void menu_settings_open(struct game *game, const struct settings *settings)
 {
     struct menu *menu = &game->menu;
@@ -182,8 +173,8 @@ void menu_settings_open(struct game *game, const struct settings *settings)
     }
 }
 
-/* Changes a value by one or more steps. While a button is held, the value stops at the end of its
- * range. A new press continues at the opposite end. */
+/* Changes the value of setting `id` by one or more steps. While a button is held, the value stops
+ * at the end of its range. A new press continues at the opposite end. */
 static void step_setting(struct game *game, struct core_config *config, uint32_t id)
 {
     struct menu *menu = &game->menu;
@@ -197,9 +188,10 @@ static void step_setting(struct game *game, struct core_config *config, uint32_t
     menu->turn_tick = game->tick;
 }
 
-/* Returns the items that can be selected. The item that restores the default applies to the row
- * that was changed last, because SERVICE has passed other rows to reach that item. Before any
- * change, the item applies to the first row that differs from its default. */
+/* Returns the items of a settings page that can be selected. The item "restore the default" applies
+ * to the row that was changed last. The highlighted row cannot be meant, because the item itself is
+ * highlighted when it is selected. Before any change, the item applies to the first row that
+ * differs from its default. */
 uint16_t menu_settings_enabled(const struct menu *menu)
 {
     CORE_ASSERT(menu->page < MENU_PAGE_COUNT);
@@ -228,7 +220,7 @@ void menu_settings_activate(struct game *game, struct core_config *config, uint3
     }
 }
 
-/* Toggles one bit of a setting. The only bit that is set cannot be cleared. */
+/* Toggles one bit of the page's setting. A bit that is the only set bit cannot be cleared. */
 void menu_bits_activate(struct game *game, struct core_config *config, uint32_t tag,
                         struct output *output)
 {
@@ -242,7 +234,7 @@ void menu_bits_activate(struct game *game, struct core_config *config, uint32_t 
     }
 }
 
-void menu_settings_tick(struct game *game, struct core_config *config, int is_pressed,
+void menu_settings_tick(struct game *game, struct core_config *config, bool is_pressed,
                         struct output *output)
 {
     CORE_ASSERT(game->phase == PHASE_MENU && game->menu.page < MENU_PAGE_COUNT);

@@ -5,7 +5,6 @@
 #include "core/base/panic.h"
 #include "core/config.h"
 #include "core/game/control/controller.h"
-#include "core/game/game.h"
 #include "core/game/lab/lab.h"
 #include "core/game/phases.h"
 #include "core/game/rules.h"
@@ -29,11 +28,11 @@ struct leaderboard_place leaderboard_best_place(const struct ranking *ranking, u
     return best;
 }
 
-/* ---- Selection ------------------------------------------------------------------------------ */
+/* ---- Selection of the displayed leaderboard ------------------------------------------------- */
 
 struct pick {
     uint8_t shown, mode, period;
-    uint32_t ticks; /* Ticks since the leaderboard appeared. */
+    uint32_t ticks; /* Number of ticks since the leaderboard appeared on the screen. */
 };
 
 /* Returns the leaderboard to show in attract mode. Each interval of LEADERBOARD_EVERY_TICKS begins
@@ -48,11 +47,12 @@ static struct pick in_attract(const struct game *game, const struct core_config 
     const uint8_t modes = table_setup_modes(config);
     uint8_t filled[MODE_COUNT * RANK_PERIOD_COUNT];
     uint32_t count = 0;
-    for (uint8_t i = 0; i < MODE_COUNT * RANK_PERIOD_COUNT; i++) {
-        const uint8_t mode = i / RANK_PERIOD_COUNT, period = i % RANK_PERIOD_COUNT;
+    for (uint32_t i = 0; i < MODE_COUNT * RANK_PERIOD_COUNT; i++) {
+        const uint8_t mode = (uint8_t)(i / RANK_PERIOD_COUNT);
+        const uint32_t period = i % RANK_PERIOD_COUNT;
         if ((modes >> mode & 1u) && rules_of(mode)->keeps_score &&
             game->accounts.ranking.row[mode][period][0].caught != 0) {
-            filled[count++] = i;
+            filled[count++] = (uint8_t)i;
         }
     }
     if (count == 0 || within < LEADERBOARD_EVERY_TICKS - LEADERBOARD_TICKS) {
@@ -63,9 +63,9 @@ static struct pick in_attract(const struct game *game, const struct core_config 
                           within + LEADERBOARD_TICKS - LEADERBOARD_EVERY_TICKS };
 }
 
-/* Returns the leaderboard to show. In the operator's menu, the result is the selected
- * leaderboard. After a round, the result is the leaderboard on which a player of the round has
- * the best place. */
+/* Returns the leaderboard to show in the operator's menu or after a round. In the menu, the result
+ * is the selected leaderboard. After a round, the result is the leaderboard on which a player of
+ * the round has the best place. */
 static struct pick shown_ranking(const struct game *game, const struct core_config *config)
 {
     const struct menu *menu = &game->menu;
@@ -91,14 +91,14 @@ static struct pick shown_ranking(const struct game *game, const struct core_conf
     }
 }
 
-/* ---- The phase ------------------------------------------------------------------------------ */
+/* ---- Tick of the leaderboard phase ---------------------------------------------------------- */
 
-void leaderboard_tick(struct game *game, struct world *world, const struct core_config *config,
+void leaderboard_tick(struct game *game, struct world *world, struct core_config *config,
                       const struct input *input, struct output *output)
 {
     CORE_ASSERT(game->phase == PHASE_LEADERBOARD);
-    const int dipped = controller_dipped_player(game, world, input) < POI_MAX;
-    const int is_read = game->tick - game->phase_tick >= LEADERBOARD_TICKS;
+    const bool dipped = controller_dipped_player(game, world, input) < POI_MAX;
+    const bool is_read = game->tick - game->phase_tick >= LEADERBOARD_TICKS;
     if (dipped || (input->pressed & INPUT_START)) {
         game_mode_select_begin(game, world, config, output);
     } else if (((input->pressed & INPUT_OK) || is_read) && !album_begin(game)) {
@@ -106,7 +106,7 @@ void leaderboard_tick(struct game *game, struct world *world, const struct core_
     }
 }
 
-/* ---- Content of the screen ------------------------------------------------------------------- */
+/* ---- Content of the leaderboard screen ------------------------------------------------------- */
 
 void leaderboard_show(const struct game *game, const struct core_config *config,
                       struct scene_leaderboard *out)

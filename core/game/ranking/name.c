@@ -2,23 +2,21 @@
  * entry. */
 #include "core/game/ranking/name.h"
 
-#include "core/base/hash.h"
 #include "core/base/mem.h"
 #include "core/base/panic.h"
-#include "core/game/accounting/ledger_writer.h"
-#include "core/game/game.h"
+#include "core/game/accounting/accounts.h"
 #include "core/game/phases.h"
 #include "core/game/ranking/name_filter.h"
 #include "core/poi/world.h"
 
-/* ---- Players -------------------------------------------------------------------------------- */
+/* ---- Players who enter a name --------------------------------------------------------------- */
 
 void name_note_round(struct game *game, const struct settings *settings, uint32_t round_id)
 {
     CORE_ASSERT(game->mode < MODE_COUNT);
     struct name *name = &game->name;
-    const int is_kept = game->accounts.ledger.boot != 0;
-    const int is_wanted = settings->value[SET_NAMES] != 0;
+    const bool is_kept = game->accounts.ledger.boot != 0;
+    const bool is_wanted = settings->value[SET_NAMES] != 0;
     *name = (struct name){ .round_id = round_id };
     for (uint8_t seat = 0; seat < POI_MAX && round_id != 0; seat++) {
         for (uint32_t period = 0; period < RANK_PERIOD_COUNT; period++) {
@@ -30,7 +28,7 @@ void name_note_round(struct game *game, const struct settings *settings, uint32_
     name->waits = is_kept && is_wanted ? name->ranked : 0u;
 }
 
-/* Clears the letters and restarts the timeout for the current player. */
+/* Prepares the name entry of the current player: clears the letters and restarts the timeout. */
 static void ask_for_name(struct name *name, uint32_t tick)
 {
     CORE_ASSERT(name->seat < POI_MAX);
@@ -44,19 +42,19 @@ static void ask_for_name(struct name *name, uint32_t tick)
 }
 
 /* Starts the name entry of the next player, who has the best score of the players who still need a
- * name. Returns 1, or 0 if no player still needs a name. */
-static int begin_next_turn(struct game *game)
+ * name. Returns true, or false if no player still needs a name. */
+static bool begin_next_turn(struct game *game)
 {
     struct name *name = &game->name;
     uint8_t best = POI_MAX;
     for (uint8_t seat = 0; seat < POI_MAX; seat++) {
-        const int waits = name->waits >> seat & 1;
+        const bool waits = name->waits >> seat & 1;
         if (waits && (best == POI_MAX || game->player[seat].caught > game->player[best].caught)) {
             best = seat;
         }
     }
     if (best == POI_MAX) {
-        return 0;
+        return false;
     }
     name->seat = best;
     name->waits &= (uint8_t)~(1u << best);
@@ -64,23 +62,23 @@ static int begin_next_turn(struct game *game)
     name->refusals = 0;
     name->has_hand = 0;
     ask_for_name(name, game->tick);
-    return 1;
+    return true;
 }
 
-int name_begin(struct game *game, struct output *output)
+bool name_begin(struct game *game, struct output *output)
 {
     CORE_ASSERT(game->name.letter_count <= NAME_LETTERS_MAX);
     if (!begin_next_turn(game)) {
-        return 0;
+        return false;
     }
     game_enter_phase(game, PHASE_NAME);
     output_sound(output, SOUND_CHOOSE, 1.0f, 0.0f);
-    return 1;
+    return true;
 }
 
-/* ---- Letters -------------------------------------------------------------------------------- */
+/* ---- Pressed keys of the keyboard ------------------------------------------------------------ */
 
-static int stands_refused(const struct name *name)
+static bool stands_refused(const struct name *name)
 {
     CORE_ASSERT(name->letter_count <= NAME_LETTERS_MAX);
     char words[LEDGER_NAME_SIZE];
@@ -139,7 +137,8 @@ static void activate_key(struct game *game, struct output *output)
             finish(game, output);
         }
         break;
-    default: /* A letter. When the name is full, the Done key is highlighted. */
+    default: /* The key is a letter, which is added to the name. When the name is full, the Done
+                key is highlighted. */
         if (name->letter_count < NAME_LETTERS_MAX) {
             name->letter[name->letter_count++] = name_letter(name->alphabet, name->key);
         }
@@ -148,7 +147,7 @@ static void activate_key(struct game *game, struct output *output)
     }
 }
 
-/* ---- Pointing ------------------------------------------------------------------------------- */
+/* ---- Highlight of a key by buttons or pointer ------------------------------------------------ */
 
 static void point_at_key(struct name *name, uint32_t tick, uint32_t key, struct output *output)
 {
@@ -160,14 +159,14 @@ static void point_at_key(struct name *name, uint32_t tick, uint32_t key, struct 
     }
 }
 
-static int is_key_present(const struct name *name, uint32_t key)
+static bool is_key_present(const struct name *name, uint32_t key)
 {
     return key >= NAME_CELLS || name_letter(name->alphabet, key) != 0;
 }
 
 /* Moves the highlight to the next key, forward or backward. The highlight wraps around and skips
  * empty cells. */
-static void point_on(struct name *name, uint32_t tick, int forward, struct output *output)
+static void point_on(struct name *name, uint32_t tick, bool forward, struct output *output)
 {
     CORE_ASSERT(name->key < NAME_KEY_COUNT);
     uint32_t key = name->key;
@@ -177,13 +176,13 @@ static void point_on(struct name *name, uint32_t tick, int forward, struct outpu
     point_at_key(name, tick, key, output);
 }
 
-/* Moves the highlight when the pointer enters a key. While the pointer is at rest, the buttons move
- * the highlight. */
+/* Handles the buttons during the name entry. LEFT and RIGHT move the highlight from key to key, and
+ * repeat while they are held. OK and START press the highlighted key. */
 static void take_name_buttons(struct game *game, const struct input *input, struct output *output)
 {
     struct name *name = &game->name;
     name->held_ticks = input->held & (INPUT_LEFT | INPUT_RIGHT) ? name->held_ticks + 1u : 0u;
-    const int repeats =
+    const bool repeats =
         name->held_ticks >= NAME_RUN_TICKS && name->held_ticks % NAME_STEP_TICKS == 0;
     const uint32_t pressed = input->pressed | (repeats ? input->held : 0u);
     if (pressed & INPUT_RIGHT) {
@@ -196,14 +195,15 @@ static void take_name_buttons(struct game *game, const struct input *input, stru
     }
 }
 
-/* Moves the highlight when the pointer enters a key. While the pointer is at rest, the buttons move
- * the highlight. Motion restarts the timeout, because the player is searching for a letter. */
+/* Moves the highlight when the player's pointer enters a key. Motion of the pointer restarts the
+ * timeout, because the player is searching for a letter. While the pointer is at rest, the buttons
+ * move the highlight. */
 static void point_at_key_by_hand(struct game *game, const struct world *world,
                                  const struct input *input, struct output *output)
 {
     struct name *name = &game->name;
     const struct pointer_state hand = pointer_of_player(world, input, name->upright, name->seat);
-    const int was_down = name->presses || !name->has_hand;
+    const bool was_down = name->presses || !name->has_hand;
     uint8_t points = 0; /* Key under the pointer, counted from 1. 0 means no key. */
     name->has_hand = hand.present;
     if (!hand.present) {
@@ -228,17 +228,19 @@ static void point_at_key_by_hand(struct game *game, const struct world *world,
     name->points = points;
     name->presses = hand.height_m < (was_down ? POINTER_RELEASE_Y_M : POINTER_PRESS_Y_M);
     if (name->presses && !was_down && points > 0) {
-        /* A dip presses the key under the pointer, even if a button has moved the highlight. */
+        /* A dip of the poi presses the key under the pointer, even if a button has moved the
+         * highlight. */
         point_at_key(name, game->tick, points - 1u, output);
         activate_key(game, output);
     }
 }
 
-/* ---- The tick ------------------------------------------------------------------------------- */
+/* ---- Tick of the name entry ----------------------------------------------------------------- */
 
-void name_tick(struct game *game, const struct world *world, const struct input *input,
-               struct output *output)
+void name_tick(struct game *game, struct world *world, struct core_config *config,
+               const struct input *input, struct output *output)
 {
+    (void)config;
     struct name *name = &game->name;
     const uint8_t seat = name->seat;
     CORE_ASSERT(game->phase == PHASE_NAME && seat < POI_MAX);
@@ -251,7 +253,8 @@ void name_tick(struct game *game, const struct world *world, const struct input 
             point_at_key_by_hand(game, world, input, output);
         }
     }
-    /* The cell of the highlighted letter may be empty in a new alphabet. */
+    /* If the cell of the highlighted letter is empty in a new alphabet, highlight the key
+     * NAME_ALPHABET instead. */
     name->key = is_key_present(name, name->key) ? name->key : (uint8_t)NAME_ALPHABET;
 }
 
@@ -273,20 +276,4 @@ void name_show(const struct game *game, struct scene_name *out)
     memcpy(out->letter, name->letter, sizeof out->letter);
     out->x = name->x;
     out->y = name->y;
-}
-
-uint64_t name_hash(uint64_t hash, const struct name *name)
-{
-    const uint32_t words[] = { name->round_id,  name->ranked,   name->waits,     name->seat,
-                               name->alphabet,  name->key,      name->points,    name->upright,
-                               name->has_hand,  name->presses,  name->refusals,  name->letter_count,
-                               name->seat_tick, name->act_tick, name->held_ticks };
-    for (uint32_t i = 0; i < sizeof words / sizeof words[0]; i++) {
-        hash = hash_u32(hash, words[i]);
-    }
-    for (uint32_t i = 0; i < NAME_LETTERS_MAX; i++) {
-        hash = hash_u32(hash, name->letter[i]);
-    }
-    hash = hash_float(hash_float(hash, name->x), name->y);
-    return hash_float(hash_float(hash, name->rest_x), name->rest_y);
 }

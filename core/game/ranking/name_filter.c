@@ -9,24 +9,24 @@ struct spelling {
     uint16_t letters[NAME_NORMALIZE_MAX];
 };
 
-static int begins(const struct spelling *name, uint32_t at, const struct refused_word *word)
+static bool begins(const struct spelling *name, uint32_t at, const struct refused_word *word)
 {
     CORE_ASSERT(at <= name->count && name->count <= NAME_NORMALIZE_MAX);
     return name->count - at >= word->count &&
            memcmp(name->letters + at, word->letters, word->count * sizeof word->letters[0]) == 0;
 }
 
-static int is_inside(const struct spelling *name, const struct refused_word *word)
+static bool is_inside(const struct spelling *name, const struct refused_word *word)
 {
     for (uint32_t at = 0; at + word->count <= name->count; at++) {
         if (begins(name, at, word)) {
-            return 1;
+            return true;
         }
     }
-    return 0;
+    return false;
 }
 
-int name_is_refused(const char *utf8)
+bool name_is_refused(const char *utf8)
 {
     struct spelling whole, bare, squeezed;
     whole.count = name_normalize(utf8, NAME_ENDS_KEPT, whole.letters);
@@ -38,14 +38,14 @@ int name_is_refused(const char *utf8)
         struct refused_word thin = *word;
         CORE_ASSERT(word->count > 0 && word->count <= REFUSED_LETTERS_MAX);
         thin.count = (uint8_t)name_normalize_spaces(thin.letters, thin.count);
-        const int is_found =
+        const bool is_found =
             word->is_whole
                 ? (whole.count == word->count && begins(&whole, 0, word)) ||
                       (bare.count == word->count && begins(&bare, 0, word))
                 : is_inside(&whole, word) || (thin.count >= 3u && is_inside(&squeezed, &thin));
         if (is_found) {
-            return 1;
+            return true;
         }
     }
-    return 0;
+    return false;
 }

@@ -6,6 +6,7 @@
 #ifndef KINGYO_CORE_GAME_RANKING_NAME_FILTER_H
 #define KINGYO_CORE_GAME_RANKING_NAME_FILTER_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #define REFUSED_LETTERS_MAX 16u /* Length of the longest normalized word of the list. */
@@ -20,11 +21,11 @@ struct refused_word {
 extern const struct refused_word refused_words[];
 extern const uint32_t refused_word_count;
 
-/* Returns 1 if the UTF-8 name must be rejected, otherwise 0. A name is rejected if it contains a
- * word of the list, or equals a word with `is_whole` 1. */
-int name_is_refused(const char *utf8);
+/* Returns true if the UTF-8 name must be rejected. A name is rejected if it contains a word of the
+ * list, or equals a word with `is_whole` 1. */
+bool name_is_refused(const char *utf8);
 
-/* ---- Normalization --------------------------------------------------------------------------- */
+/* ---- Normalization of names ------------------------------------------------------------------ */
 
 /* Name normalization: maps spellings with similar appearance or sound to one form.
  *
@@ -38,14 +39,16 @@ int name_is_refused(const char *utf8);
 
 enum name_ends {
     NAME_ENDS_KEPT = 0,
-    NAME_ENDS_TRIMMED, /* Digits and signs at both ends are removed as decoration. */
+    NAME_ENDS_TRIMMED, /* Digits and signs at both ends of the name are removed, because they are
+                          decoration. */
 };
 
 /* Writes the normalized letters of `utf8` to `out` and returns their number. Malformed bytes are
  * skipped. */
 uint32_t name_normalize(const char *utf8, enum name_ends ends, uint16_t out[NAME_NORMALIZE_MAX]);
 
-/* Replaces successive equal letters by one letter, in place. Returns the number of letters left. */
+/* Shortens each series of equal letters to one letter, in place. Returns the number of letters
+ * left. */
 uint32_t name_normalize_spaces(uint16_t *letters, uint32_t count);
 
 #endif

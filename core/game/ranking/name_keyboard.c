@@ -29,7 +29,8 @@ static const uint16_t letters[ALPHABET_COUNT][NAME_CELLS + 1u] = {
                        u"　　　　　　　　　　",
 };
 
-/* Forms of each letter. The forms of one letter are a group, and spaces separate the groups. */
+/* Different forms of the same letter, such as voiced and small kana. The forms of one letter are a
+ * group, and spaces separate the groups. */
 static const uint16_t forms[] = u"あぁ いぃ うぅ えぇ おぉ やゃ ゆゅ よょ わゎ "
                                 u"かが きぎ くぐ けげ こご さざ しじ すず せぜ そぞ "
                                 u"ただ ちぢ つっづ てで とど はばぱ ひびぴ ふぶぷ へべぺ ほぼぽ";
@@ -44,7 +45,7 @@ uint16_t name_letter(uint8_t alphabet, uint32_t cell)
 
 static uint16_t changed_kana(uint16_t letter)
 {
-    uint32_t first = 0; /* Index of the first form in the letter's group. */
+    uint32_t first = 0; /* Index in `forms` of the first form in the letter's group. */
     for (uint32_t i = 0; forms[i] != 0; i++) {
         if (forms[i] == ' ') {
             first = i + 1u;
@@ -67,54 +68,45 @@ uint16_t name_changed(uint16_t letter)
     return changed_kana(letter);
 }
 
-/* Sizes and distances that differ between the wide and the portrait canvas. */
+/* Boxes and distances of the keyboard's keys that differ between the wide and the portrait
+ * canvas. */
 struct measures {
-    float x, y, width, height, pitch_x, pitch_y; /* Position of the first cell, size of a cell, and
-                                                    distance between cells. */
-    float keys_x, keys_y, key_width, key_height, key_pitch;
+    struct layout_box cell;    /* Box of the first letter. */
+    struct layout_point pitch; /* Distance between two neighbouring letters in a row (x) and in a
+                                  column (y). */
+    struct layout_box key;     /* Box of the first function key. */
+    float key_pitch;           /* Distance between two neighbouring function keys. */
 };
 
 static const struct measures wide = {
-    .x = 163.0f,
-    .y = 200.0f,
-    .width = 90.0f,
-    .height = 70.0f,
-    .pitch_x = 96.0f,
-    .pitch_y = 76.0f,
-    .keys_x = 162.0f,
-    .keys_y = 598.0f,
-    .key_width = 224.0f,
-    .key_height = 70.0f,
+    .cell = { 163.0f, 200.0f, 90.0f, 70.0f },
+    .pitch = { 96.0f, 76.0f },
+    .key = { 162.0f, 598.0f, 224.0f, 70.0f },
     .key_pitch = 244.0f,
 };
 static const struct measures upright_measures = {
-    .x = 30.0f,
-    .y = 470.0f,
-    .width = 74.0f,
-    .height = 96.0f,
-    .pitch_x = 80.0f,
-    .pitch_y = 104.0f,
-    .keys_x = 31.0f,
-    .keys_y = 1030.0f,
-    .key_width = 186.0f,
-    .key_height = 110.0f,
+    .cell = { 30.0f, 470.0f, 74.0f, 96.0f },
+    .pitch = { 80.0f, 104.0f },
+    .key = { 31.0f, 1030.0f, 186.0f, 110.0f },
     .key_pitch = 202.0f,
 };
 
-struct layout_box name_box(int upright, uint8_t alphabet, uint32_t key)
+struct layout_box name_box(bool upright, uint8_t alphabet, uint32_t key)
 {
     const struct measures *m = upright ? &upright_measures : &wide;
     CORE_ASSERT(key < NAME_KEY_COUNT);
     if (key >= NAME_CELLS) {
-        return (struct layout_box){ m->keys_x + (float)(key - NAME_CELLS) * m->key_pitch, m->keys_y,
-                                    m->key_width, m->key_height };
+        struct layout_box box = m->key;
+        box.x += (float)(key - NAME_CELLS) * m->key_pitch;
+        return box;
     }
     if (name_letter(alphabet, key) == 0) {
         return (struct layout_box){ 0.0f, 0.0f, 0.0f, 0.0f };
     }
-    return (struct layout_box){ m->x + (float)(key % NAME_COLUMNS) * m->pitch_x,
-                                m->y + (float)(key / NAME_COLUMNS) * m->pitch_y, m->width,
-                                m->height };
+    struct layout_box box = m->cell;
+    box.x += (float)(key % NAME_COLUMNS) * m->pitch.x;
+    box.y += (float)(key / NAME_COLUMNS) * m->pitch.y;
+    return box;
 }
 
 void name_spell(const uint16_t *spelt, uint32_t count, char out[LEDGER_NAME_SIZE])

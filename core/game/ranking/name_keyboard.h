@@ -5,6 +5,7 @@
 #ifndef KINGYO_CORE_GAME_RANKING_NAME_KEYBOARD_H
 #define KINGYO_CORE_GAME_RANKING_NAME_KEYBOARD_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "core/game/pointer_mapping.h"
@@ -47,7 +48,7 @@ uint16_t name_changed(uint16_t letter);
 
 /* Returns the box of key `key` (the index of a cell, or an enum name_key) on the canvas
  * (pointer_mapping.h). The box of an empty cell is empty. */
-struct layout_box name_box(int upright, uint8_t alphabet, uint32_t key);
+struct layout_box name_box(bool upright, uint8_t alphabet, uint32_t key);
 
 /* Writes the letters as UTF-8, padded with zeros. Asserts that `count` <= NAME_LETTERS_MAX. */
 void name_spell(const uint16_t *letters, uint32_t count, char out[LEDGER_NAME_SIZE]);

@@ -8,8 +8,8 @@
 
 static uint16_t narrowed(uint16_t letter)
 {
-    static const uint16_t kana[] = /* Hiragana for U+FF66 .. U+FF9D. Small kana are replaced by
-                                      normal kana. */
+    static const uint16_t kana[] = /* Hiragana for the half-width katakana U+FF66 .. U+FF9D.
+                                      Small kana are replaced by normal kana. */
         u"をあいうえおやゆよつーあいうえおかきくけこさしすせそ"
         u"たちつてとなにぬねのはひふへほまみむめもやゆよらりるれろわん";
     if (letter >= 0xff01u && letter <= 0xff5eu) {
@@ -26,19 +26,19 @@ static uint16_t hiragana(uint16_t letter)
     }
     for (uint32_t i = 0; small[i] != 0; i++) {
         if (small[i] == letter) {
-            return (uint16_t)(letter + 1u); /* The normal kana has the code point after the small
-                                               kana. */
+            return (uint16_t)(letter + 1u); /* Replace a small kana by the normal kana, which has
+                                               the next code point. */
         }
     }
     return letter;
 }
 
-static int is_latin(uint16_t letter)
+static bool is_latin(uint16_t letter)
 {
     return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z');
 }
 
-static int is_kana(uint16_t letter)
+static bool is_kana(uint16_t letter)
 {
     return letter >= 0x3041u && letter <= 0x3094u;
 }
@@ -48,19 +48,20 @@ uint32_t name_normalize(const char *utf8, enum name_ends ends, uint16_t out[NAME
     /* Pairs of a digit, a sign or `l`, and the letter that it resembles. `l` is mapped to `i`
      * because `l` resembles `I`. */
     static const char signs[] = "0o1i2z3e4a5s6b7t8b9g@a$s!i|i+tli";
-    uint32_t count = 0, end = 0; /* Number of letters up to the last letter that is not
-                                    decoration. */
+    uint32_t count = 0, end = 0; /* `count` is the number of letters so far. `end` is the number
+                                    of letters up to the last letter that is not decoration. */
     while (*utf8 != 0 && count < NAME_NORMALIZE_MAX) {
         const uint32_t point = printable_next(&utf8);
-        /* Letters above U+FFFF are not distinguished, because none of them has another form. */
+        /* Letters above U+FFFF are not distinguished, because no such letter has another form. */
         const uint16_t raw = (uint16_t)(point <= 0xffffu ? point : PRINTABLE_MALFORMED);
-        const int is_voicing = raw == 0xff9eu || raw == 0xff9fu; /* Half-width voicing mark. */
+        const bool is_voicing = raw == 0xff9eu || raw == 0xff9fu; /* True for a half-width
+                                                                     voicing mark. */
         if (is_voicing && count > 0 && is_kana(out[count - 1u])) {
             out[count - 1u] = (uint16_t)(out[count - 1u] + raw - 0xff9du);
             continue;
         }
         const uint16_t letter = hiragana(narrowed(raw));
-        const int is_plain = is_latin(letter) || is_kana(letter);
+        const bool is_plain = is_latin(letter) || is_kana(letter);
         uint16_t folded = letter >= 'A' && letter <= 'Z' ? (uint16_t)(letter | 0x20u) : letter;
         for (uint32_t i = 0; signs[i] != 0; i += 2u) {
             if ((uint16_t)signs[i] == folded) {

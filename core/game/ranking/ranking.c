@@ -1,7 +1,6 @@
 /* ranking.c -- computes the leaderboards from ledger entries. */
 #include "core/game/ranking/ranking.h"
 
-#include "core/base/hash.h"
 #include "core/base/mem.h"
 #include "core/base/panic.h"
 
@@ -23,18 +22,17 @@ static void begin_week(struct ranking *ranking, const struct ledger_entry *entry
     ranking->week_boot = entry->boot;
 }
 
-/* Starts new days and weeks, by the kiosk starts for entries without a date, otherwise by date.
- *
- * Without a date only a round starts a new day. The clock of a board without a battery may be set a
- * minute after the start, before any round.
- *
- * A date one day back means that the clock was set around midnight, and starts no new day. Any
- * other date starts a new day. Otherwise one wrong date would block the leaderboard for years.
- * Rounds that were played before the clock was set belong to the day that the clock then shows. */
+/* Starts a new day or week of the leaderboards if `entry` belongs to a new day. Entries with a date
+ * are compared by date, and entries without a date by the number of the kiosk's start. Without a
+ * date only a round starts a new day. The clock of a board without a battery may be set a minute
+ * after the start, before any round. A date one day back means that the clock was set around
+ * midnight, and starts no new day. Any other date starts a new day. Otherwise one wrong date would
+ * block the leaderboard for years. Rounds that were played before the clock was set belong to the
+ * day that the clock then shows. */
 static void turn_days(struct ranking *ranking, const struct ledger_entry *entry)
 {
-    const int is_first = ranking->day == 0 && entry->boot == ranking->boot;
-    const int is_same = entry->day == ranking->day || entry->day + 1u == ranking->day;
+    const bool is_first = ranking->day == 0 && entry->boot == ranking->boot;
+    const bool is_same = entry->day == ranking->day || entry->day + 1u == ranking->day;
     const uint32_t week_boots = entry->boot - ranking->week_boot;
     if (entry->day == 0) {
         if (entry->kind == LEDGER_ROUND && entry->boot != ranking->boot) {
@@ -53,7 +51,8 @@ static void turn_days(struct ranking *ranking, const struct ledger_entry *entry)
     /* Weeks begin on Monday; day 0, 2000-01-01, was a Saturday. */
     const uint16_t week = (uint16_t)(((is_same ? ranking->day : entry->day) + 5u) / WEEK_DAYS);
     if (ranking->week == 0 && week_boots < WEEK_DAYS) {
-        ranking->week = week; /* The current week began without a clock. */
+        ranking->week = week; /* The current week began without a clock, so its number was
+                                 unknown until now. */
     } else if (week != ranking->week) {
         begin_week(ranking, entry, week);
     }
@@ -109,23 +108,4 @@ uint32_t ranking_place(const struct ranking *ranking, uint8_t mode, enum rank_pe
         place++;
     }
     return place;
-}
-
-uint64_t ranking_hash(uint64_t hash, const struct ranking *ranking)
-{
-    const uint32_t words[] = { ranking->boot, ranking->day, ranking->week, ranking->week_boot };
-    for (uint32_t i = 0; i < sizeof words / sizeof words[0]; i++) {
-        hash = hash_u32(hash, words[i]);
-    }
-    for (uint32_t mode = 0; mode < MODE_COUNT; mode++) {
-        for (uint32_t i = 0; i < RANK_PERIOD_COUNT * RANK_ROWS; i++) {
-            const struct rank_row *row = &ranking->row[mode][i / RANK_ROWS][i % RANK_ROWS];
-            hash = hash_u32(hash_u32(hash, row->caught), row->round_id);
-            hash = hash_u32(hash, (uint32_t)row->day << 8 | row->seat);
-            for (uint32_t k = 0; k < LEDGER_NAME_SIZE; k++) {
-                hash = hash_u32(hash, (uint8_t)row->name[k]);
-            }
-        }
-    }
-    return hash;
 }

@@ -24,7 +24,7 @@ struct rank_row {
                           equal, the earlier score ranks higher. */
     uint32_t round_id; /* Id of the round's ledger entry. The store keeps the round's replay under
                           this id. */
-    uint16_t day;      /* Day of the round; 0 means unknown. */
+    uint16_t day;      /* Date of the round as a day number; 0 means unknown. */
     uint8_t seat;
     char name[LEDGER_NAME_SIZE]; /* Name of the player; "" until a name is entered. */
 };
@@ -46,7 +46,5 @@ void ranking_note(struct ranking *ranking, const struct ledger_entry *entry);
 /* Returns the place of slot `seat` of round `round_id`, from 0; RANK_ROWS means not ranked. */
 uint32_t ranking_place(const struct ranking *ranking, uint8_t mode, enum rank_period period,
                        uint32_t round_id, uint8_t seat);
-
-uint64_t ranking_hash(uint64_t hash, const struct ranking *ranking);
 
 #endif
