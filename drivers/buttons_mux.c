@@ -16,24 +16,6 @@ int buttons_mux_add(struct buttons_mux *join, struct hal_buttons part)
     return 0;
 }
 
-static void buttons_mux_merge(struct button_sample *sum, const struct button_sample *part)
-{
-    sum->held |= part->held;
-    sum->pressed |= part->pressed;
-    for (uint32_t line = 0; line < COIN_LINE_COUNT; line++) {
-        sum->coin_count[line] += part->coin_count[line];
-    }
-    sum->raw |= part->raw;
-    for (uint32_t line = 0; line < HAL_LINE_COUNT; line++) {
-        sum->line[line].edges += part->line[line].edges;
-        sum->line[line].faults += part->line[line].faults;
-    }
-    sum->faults += part->faults;
-    sum->missing |= part->missing;
-    sum->quit |= part->quit;
-    sum->full_screen |= part->full_screen;
-}
-
 /* Polls all parts. Returns HAL_OK if at least one part is present, otherwise HAL_ERR_ABSENT. The
  * sample of a part whose poll fails is merged too. */
 static int join_poll(void *self, struct button_sample *out)
@@ -47,7 +29,20 @@ static int join_poll(void *self, struct button_sample *out)
         if (join->part[i].ops->poll(join->part[i].self, &part) != HAL_ERR_ABSENT) {
             result = HAL_OK;
         }
-        buttons_mux_merge(out, &part);
+        out->held |= part.held;
+        out->pressed |= part.pressed;
+        out->raw |= part.raw;
+        out->missing |= part.missing;
+        out->quit |= part.quit;
+        out->full_screen |= part.full_screen;
+        out->faults += part.faults;
+        for (uint32_t line = 0; line < COIN_LINE_COUNT; line++) {
+            out->coin_count[line] += part.coin_count[line];
+        }
+        for (uint32_t line = 0; line < HAL_LINE_COUNT; line++) {
+            out->line[line].edges += part.line[line].edges;
+            out->line[line].faults += part.line[line].faults;
+        }
     }
     return result;
 }

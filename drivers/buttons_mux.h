@@ -19,7 +19,7 @@ struct buttons_mux {
 };
 
 /* Adds a part. Parts are polled in the order in which they were added. Returns 0, or -1 if there
- * are BUTTONS_MUX_MAX parts already; the new part is then ignored. */
+ * are BUTTONS_MUX_MAX parts already. After -1 the new part is ignored. */
 int buttons_mux_add(struct buttons_mux *join, struct hal_buttons part);
 
 /* Returns the merged button device. */

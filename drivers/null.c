@@ -14,11 +14,6 @@ static const char *null_describe(void *self)
     return self;
 }
 
-static void *line_self(const char *line)
-{
-    return (void *)(uintptr_t)(line ? line : "");
-}
-
 static int null_open(void *self)
 {
     return HAL_ERR_ABSENT;
@@ -49,28 +44,13 @@ static void null_set_transform(void *self, const struct display_settings *displa
 {
 }
 
-struct hal_display null_display(const char *line)
-{
-    static const struct hal_display_ops ops = {
-        .open = null_open,
-        .poll = null_display_poll,
-        .present = null_present,
-        .set_transform = null_set_transform,
-        .toggle_full_screen = null_open,
-        .capture = null_capture,
-        .close = null_close,
-        .describe = null_describe,
-    };
-    return (struct hal_display){ .ops = &ops, .self = line_self(line) };
-}
-
 static int null_poi_poll(void *self, struct poi_sample *out, uint32_t max)
 {
     return HAL_ERR_ABSENT;
 }
 
 static void null_set_view(void *self, const struct view *view,
-                          const struct display_settings *display_settings)
+                          const struct display_settings *display_settings, bool scoops)
 {
 }
 
@@ -79,31 +59,9 @@ static int null_set_force(void *self, const struct poi_force *force)
     return HAL_ERR_ABSENT;
 }
 
-struct hal_poi null_poi(const char *line)
-{
-    static const struct hal_poi_ops ops = {
-        .open = null_open,
-        .poll = null_poi_poll,
-        .set_force = null_set_force,
-        .set_view = null_set_view,
-        .describe = null_describe,
-    };
-    return (struct hal_poi){ .ops = &ops, .self = line_self(line) };
-}
-
 static int null_shade_poll(void *self, struct shade_input *out)
 {
     return HAL_ERR_ABSENT;
-}
-
-struct hal_fan null_fan(const char *line)
-{
-    static const struct hal_fan_ops ops = {
-        .open = null_open,
-        .poll = null_shade_poll,
-        .describe = null_describe,
-    };
-    return (struct hal_fan){ .ops = &ops, .self = line_self(line) };
 }
 
 static uint32_t null_arrange(void *self, int may_move)
@@ -111,26 +69,11 @@ static uint32_t null_arrange(void *self, int may_move)
     return 0;
 }
 
-struct hal_seats null_seats(void)
-{
-    static const struct hal_seats_ops ops = { .arrange = null_arrange };
-    return (struct hal_seats){ .ops = &ops, .self = NULL };
-}
-
 static int null_buttons_poll(void *self, struct button_sample *out)
 {
     CORE_ASSERT(out);
     *out = (struct button_sample){ 0 };
     return HAL_ERR_ABSENT;
-}
-
-struct hal_buttons null_buttons(const char *line)
-{
-    static const struct hal_buttons_ops ops = {
-        .poll = null_buttons_poll,
-        .describe = null_describe,
-    };
-    return (struct hal_buttons){ .ops = &ops, .self = line_self(line) };
 }
 
 static int null_set(void *self, enum hal_switch which, int active)
@@ -148,18 +91,7 @@ static uint32_t null_pending(void *self, enum hal_switch which)
     return 0;
 }
 
-struct hal_switches null_switches(const char *line)
-{
-    static const struct hal_switches_ops ops = {
-        .set = null_set,
-        .pulse = null_pulse,
-        .pending = null_pending,
-        .describe = null_describe,
-    };
-    return (struct hal_switches){ .ops = &ops, .self = line_self(line) };
-}
-
-static int null_desk(void *self, struct controller_status *out)
+static int null_controllers_poll(void *self, struct controller_status *out)
 {
     CORE_ASSERT(out);
     *out = (struct controller_status){ 0 };
@@ -176,31 +108,9 @@ static int null_command(void *self, const struct controller_command *order)
     return HAL_ERR_ABSENT;
 }
 
-struct hal_controllers null_controllers(const char *line)
-{
-    static const struct hal_controllers_ops ops = {
-        .poll = null_desk,
-        .name = null_name,
-        .command = null_command,
-        .describe = null_describe,
-    };
-    return (struct hal_controllers){ .ops = &ops, .self = line_self(line) };
-}
-
 static int null_play(void *self, const struct sound_event *event)
 {
     return HAL_ERR_ABSENT;
-}
-
-struct hal_audio null_audio(const char *line)
-{
-    static const struct hal_audio_ops ops = {
-        .open = null_open,
-        .play = null_play,
-        .describe = null_describe,
-        .close = null_close,
-    };
-    return (struct hal_audio){ .ops = &ops, .self = line_self(line) };
 }
 
 static int null_load(void *self, struct persistent_state *out)
@@ -256,54 +166,9 @@ static int null_merge_offline(void *self, const struct balance_change *step,
     return HAL_ERR_ABSENT;
 }
 
-struct hal_storage null_storage(const char *line)
-{
-    static const struct hal_ledger_ops ledger = {
-        .open = null_open,
-        .load = null_load,
-        .append = null_append,
-        .committed_id = null_none,
-        .failed_count = null_none,
-        .is_healthy = null_is_healthy,
-        .needs_restart = null_is_healthy,
-        .merge_offline = null_merge_offline,
-        .offline_merged = null_open,
-        .describe = null_describe,
-        .close = null_none,
-    };
-    static const struct hal_replay_store_ops replays = {
-        .store = null_store_replay,
-        .stored_id = null_none,
-        .fetch = null_fetch_replay,
-        .fetched = null_open,
-        .has = null_has_replay,
-    };
-    static const struct hal_edit_store_ops edits = {
-        .store = null_store_edit,
-        .stored_id = null_none,
-        .has_failed = null_edits_failed,
-    };
-    void *self = line_self(line);
-    return (struct hal_storage){
-        .ledger = { &ledger, self },
-        .replays = { &replays, self },
-        .edits = { &edits, self },
-    };
-}
-
 static uint8_t null_watches(void *self)
 {
     return WATCH_NONE;
-}
-
-struct hal_watchdog null_watchdog(const char *line)
-{
-    static const struct hal_watchdog_ops ops = {
-        .kick = null_close,
-        .watches = null_watches,
-        .describe = null_describe,
-    };
-    return (struct hal_watchdog){ .ops = &ops, .self = line_self(line) };
 }
 
 static uint64_t null_now_ns(void *self)
@@ -311,25 +176,116 @@ static uint64_t null_now_ns(void *self)
     return 0;
 }
 
-struct hal null_hal(void)
+static const struct hal_display_ops display_ops = {
+    .open = null_open,
+    .poll = null_display_poll,
+    .present = null_present,
+    .set_transform = null_set_transform,
+    .toggle_full_screen = null_open,
+    .capture = null_capture,
+    .close = null_close,
+    .describe = null_describe,
+};
+
+static const struct hal_poi_ops poi_ops = {
+    .open = null_open,
+    .poll = null_poi_poll,
+    .set_force = null_set_force,
+    .set_view = null_set_view,
+    .describe = null_describe,
+};
+
+static const struct hal_fan_ops fan_ops = {
+    .open = null_open,
+    .poll = null_shade_poll,
+    .describe = null_describe,
+};
+
+static const struct hal_seats_ops seats_ops = { .arrange = null_arrange };
+
+static const struct hal_buttons_ops buttons_ops = {
+    .poll = null_buttons_poll,
+    .describe = null_describe,
+};
+
+static const struct hal_switches_ops switches_ops = {
+    .set = null_set,
+    .pulse = null_pulse,
+    .pending = null_pending,
+    .describe = null_describe,
+};
+
+static const struct hal_controllers_ops controllers_ops = {
+    .poll = null_controllers_poll,
+    .name = null_name,
+    .command = null_command,
+    .describe = null_describe,
+};
+
+static const struct hal_audio_ops audio_ops = {
+    .open = null_open,
+    .play = null_play,
+    .describe = null_describe,
+    .close = null_close,
+};
+
+static const struct hal_ledger_ops ledger_ops = {
+    .open = null_open,
+    .load = null_load,
+    .append = null_append,
+    .committed_id = null_none,
+    .failed_count = null_none,
+    .is_healthy = null_is_healthy,
+    .needs_restart = null_is_healthy,
+    .merge_offline = null_merge_offline,
+    .offline_merged = null_open,
+    .describe = null_describe,
+    .close = null_none,
+};
+
+static const struct hal_replay_store_ops replay_store_ops = {
+    .store = null_store_replay,
+    .stored_id = null_none,
+    .fetch = null_fetch_replay,
+    .fetched = null_open,
+    .has = null_has_replay,
+};
+
+static const struct hal_edit_store_ops edit_store_ops = {
+    .store = null_store_edit,
+    .stored_id = null_none,
+    .has_failed = null_edits_failed,
+};
+
+static const struct hal_watchdog_ops watchdog_ops = {
+    .kick = null_close,
+    .watches = null_watches,
+    .describe = null_describe,
+};
+
+static const struct hal_clock_ops clock_ops = { .now_ns = null_now_ns };
+
+struct hal null_hal(const char *line)
 {
-    static const struct hal_clock_ops clock_ops = { .now_ns = null_now_ns };
+    void *self = (void *)(uintptr_t)(line ? line : "");
     struct hal hal = {
-        .clock = { .ops = &clock_ops, .self = NULL },
-        .display = null_display(NULL),
-        .seats = null_seats(),
-        .buttons = null_buttons(NULL),
-        .switches = null_switches(NULL),
-        .controllers = null_controllers(NULL),
-        .audio = null_audio(NULL),
-        .storage = null_storage(NULL),
-        .watchdog = null_watchdog(NULL),
+        .clock = { .ops = &clock_ops },
+        .display = { &display_ops, self },
+        .seats = { .ops = &seats_ops },
+        .buttons = { &buttons_ops, self },
+        .switches = { &switches_ops, self },
+        .controllers = { &controllers_ops, self },
+        .audio = { &audio_ops, self },
+        .storage = { .ledger = { &ledger_ops, self },
+                     .replays = { &replay_store_ops, self },
+                     .edits = { &edit_store_ops, self } },
+        .watchdog = { &watchdog_ops, self },
     };
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        hal.poi[i] = null_poi(NULL);
+        hal.poi[i] = (struct hal_poi){ &poi_ops, self };
     }
     for (uint32_t i = 0; i < SHADE_MAX; i++) {
-        hal.fan[i] = null_fan(NULL);
+        hal.fan[i] = (struct hal_fan){ &fan_ops, self };
     }
     return hal;
 }

@@ -13,12 +13,14 @@
  * ten times the period of a shaking hand, and much shorter than the minutes in which a gyroscope
  * drifts. */
 #define DOWN_TAU_S 0.5f
-/* Time constant of the rest attitude, longer than the time for which a player aims at a fish. */
+/* Time constant with which the rest attitude (the pad's attitude for which the ring is level)
+ * follows the pad's current attitude. The time constant is longer than the time for which a player
+ * aims at a fish. */
 #define REST_TAU_S 4.0f
-/* Angle around the rest attitude within which the tilt of the ring is 0, because a human hand
- * trembles. */
+/* Maximum difference between the pad's attitude and its rest attitude for which the ring stays
+ * level. The difference is not 0, because a human hand trembles. */
 #define REST_BAND_RAD (2.0f * F_DEG)
-/* Limit of the rotation rate. Game pads measure at most 2,000 degrees/s (35 rad/s); larger values
+/* Limit of the rotation rate. Game pads measure at most 2,000 degrees/s (35 rad/s). Larger values
  * are noise. */
 #define RATE_MAX_RAD_S 40.0f
 #define STEP_MAX_S 0.25f /* Longest time over which a measured rotation rate is extrapolated. */
@@ -29,7 +31,7 @@ static void turn_to(struct gamepad_imu_filter *tilt, uint64_t time_ns)
 {
     CORE_ASSERT(v3_is_finite(tilt->rate_rad_s));
     const float dt_s = f_min(pointer_seconds_between(tilt->turn_ns, time_ns), STEP_MAX_S);
-    if (tilt->turn_ns > 0 && tilt->knows_down) {
+    if (tilt->turn_ns > 0 && tilt->has_up) {
         const vec3 turned = v3_muladd(tilt->up, v3_cross(tilt->up, tilt->rate_rad_s), dt_s);
         tilt->up = v3_normalize_or(turned, tilt->up);
     }
@@ -62,28 +64,26 @@ int gamepad_imu_filter_add_gravity(struct gamepad_imu_filter *tilt, uint64_t tim
         return 0;
     }
     const vec3 up = v3_scale(up_m_s2, 1.0f / weight);
-    const float share = tilt->knows_down ? dt_s / (dt_s + DOWN_TAU_S) : 1.0f;
+    const float share = tilt->has_up ? dt_s / (dt_s + DOWN_TAU_S) : 1.0f;
     tilt->up = v3_normalize_or(v3_lerp(tilt->up, up, share), up);
-    tilt->knows_down = 1;
+    tilt->has_up = true;
     return 0;
 }
 
-static float pitch_of(vec3 up)
+/* Returns pitch and roll of a pad whose upward direction is `up`. */
+static struct angles attitude_of(vec3 up)
 {
-    return f_atan2(-up.z, f_sqrt(up.x * up.x + up.y * up.y));
-}
-
-static float roll_of(vec3 up)
-{
-    return f_atan2(-up.x, f_sqrt(up.y * up.y + up.z * up.z));
+    return (struct angles){
+        .pitch_rad = f_atan2(-up.z, f_sqrt(up.x * up.x + up.y * up.y)),
+        .roll_rad = f_atan2(-up.x, f_sqrt(up.y * up.y + up.z * up.z)),
+    };
 }
 
 void gamepad_imu_filter_level(struct gamepad_imu_filter *tilt)
 {
     CORE_ASSERT(v3_is_finite(tilt->up));
-    tilt->knows_rest = tilt->knows_down;
-    tilt->rest_pitch_rad = pitch_of(tilt->up);
-    tilt->rest_roll_rad = roll_of(tilt->up);
+    tilt->has_rest = tilt->has_up;
+    tilt->rest = attitude_of(tilt->up);
 }
 
 static float beyond_band(float angle_rad)
@@ -94,27 +94,26 @@ static float beyond_band(float angle_rad)
                    GAMEPAD_IMU_FILTER_MAX_RAD);
 }
 
-struct angles gamepad_imu_filter_at(struct gamepad_imu_filter *tilt, uint64_t time_ns, int hovers)
+struct angles gamepad_imu_filter_at(struct gamepad_imu_filter *tilt, uint64_t time_ns, bool hovers)
 {
     CORE_ASSERT(v3_is_finite(tilt->up));
     turn_to(tilt, time_ns);
-    if (!tilt->knows_down) {
+    if (!tilt->has_up) {
         return (struct angles){ 0 };
     }
-    if (!tilt->knows_rest) {
+    if (!tilt->has_rest) {
         gamepad_imu_filter_level(tilt);
         tilt->rest_ns = time_ns;
     }
-    const float pitch_rad = pitch_of(tilt->up);
-    const float roll_rad = roll_of(tilt->up);
+    const struct angles now = attitude_of(tilt->up);
     const float dt_s = f_min(pointer_seconds_between(tilt->rest_ns, time_ns), STEP_MAX_S);
     const float share = hovers ? dt_s / (dt_s + REST_TAU_S) : 0.0f;
-    tilt->rest_pitch_rad = f_lerp(tilt->rest_pitch_rad, pitch_rad, share);
-    tilt->rest_roll_rad = f_lerp(tilt->rest_roll_rad, roll_rad, share);
+    tilt->rest.pitch_rad = f_lerp(tilt->rest.pitch_rad, now.pitch_rad, share);
+    tilt->rest.roll_rad = f_lerp(tilt->rest.roll_rad, now.roll_rad, share);
     tilt->rest_ns = time_ns > tilt->rest_ns ? time_ns : tilt->rest_ns;
     return (struct angles){
-        .pitch_rad = beyond_band(pitch_rad - tilt->rest_pitch_rad),
-        .roll_rad = beyond_band(roll_rad - tilt->rest_roll_rad),
+        .pitch_rad = beyond_band(now.pitch_rad - tilt->rest.pitch_rad),
+        .roll_rad = beyond_band(now.roll_rad - tilt->rest.roll_rad),
     };
 }
 
@@ -123,16 +122,11 @@ struct angles gamepad_imu_filter_at(struct gamepad_imu_filter *tilt, uint64_t ti
 #define AXIS_FULL 32767.0f
 #define STICK_TWIST (GAMEPAD_TILT_RAD / STICK_MOTION_TILT_MAX_RAD)
 
-void gamepad_decoder_init(struct gamepad_decoder *hand, const struct view *view)
+void gamepad_decoder_init(struct gamepad_decoder *decoder, const struct view *view)
 {
     CORE_ASSERT(view);
-    *hand = (struct gamepad_decoder){ 0 };
-    stick_motion_init(&hand->fly, view);
-}
-
-void gamepad_decoder_set_view(struct gamepad_decoder *hand, const struct view *view)
-{
-    stick_motion_set_view(&hand->fly, view);
+    *decoder = (struct gamepad_decoder){ 0 };
+    stick_motion_init(&decoder->fly, view);
 }
 
 /* ---- Sticks and motion sensors --------------------------------------------------------------- */
@@ -152,89 +146,83 @@ static vec3 read_stick(int16_t x_raw, int16_t y_raw)
 
 /* Passes the deflection, the buttons, and the sum of the two tilts (from the right stick and from
  * the motion sensors) to stick_motion. */
-static void tell_fly(struct gamepad_decoder *hand)
+static void move_sticks(struct gamepad_decoder *decoder)
 {
-    CORE_ASSERT(v3_is_finite(hand->stick_twist));
-    const uint32_t pad = hand->now.buttons;
+    CORE_ASSERT(v3_is_finite(decoder->stick_twist));
+    const uint32_t pad = decoder->now.buttons;
     const uint32_t buttons =
-        (pad & GAMEPAD_SOUTH || hand->trigger_down ? (uint32_t)POINTER_DIP : 0u) |
+        (pad & GAMEPAD_SOUTH || decoder->trigger_down ? (uint32_t)POINTER_DIP : 0u) |
         (pad & (GAMEPAD_WEST | GAMEPAD_STICK_RIGHT) ? (uint32_t)POINTER_LEVEL : 0u) |
         (pad & GAMEPAD_SHOULDER_LEFT ? (uint32_t)POINTER_FAN : 0u);
     const struct angles wrist =
-        gamepad_imu_filter_at(&hand->tilt, hand->time_ns, !(buttons & POINTER_DIP));
+        gamepad_imu_filter_at(&decoder->tilt, decoder->time_ns, !(buttons & POINTER_DIP));
     const vec3 turned = v3(wrist.pitch_rad, 0.0f, wrist.roll_rad);
-    const vec3 push = read_stick(hand->now.axis[GAMEPAD_LEAD_X], hand->now.axis[GAMEPAD_LEAD_Y]);
+    const vec3 push =
+        read_stick(decoder->now.axis[GAMEPAD_LEAD_X], decoder->now.axis[GAMEPAD_LEAD_Y]);
     const struct stick_report report = {
-        .time_ns = hand->time_ns,
+        .time_ns = decoder->time_ns,
         .push = v3(push.x, 0.0f, push.y),
-        .twist = v3_muladd(hand->stick_twist, turned, 1.0f / STICK_MOTION_TILT_MAX_RAD),
+        .twist = v3_muladd(decoder->stick_twist, turned, 1.0f / STICK_MOTION_TILT_MAX_RAD),
         .buttons = buttons,
     };
-    stick_motion_report(&hand->fly, &report);
+    stick_motion_report(&decoder->fly, &report);
 }
 
-static void come_to(struct gamepad_decoder *hand, uint64_t time_ns)
+void gamepad_decoder_report(struct gamepad_decoder *decoder, const struct gamepad_report *report)
 {
-    hand->time_ns = time_ns > hand->time_ns ? time_ns : hand->time_ns;
-}
-
-void gamepad_decoder_report(struct gamepad_decoder *hand, const struct gamepad_report *report)
-{
-    const uint32_t before = hand->now.buttons;
     /* Most buttons of a game pad act as OK in the menus. */
-    const uint32_t buttons = report->buttons;
-    const uint32_t held = (buttons & GAMEPAD_START ? (uint32_t)INPUT_START : 0u) |
-                          (buttons & GAMEPAD_LEFT ? (uint32_t)INPUT_LEFT : 0u) |
-                          (buttons & GAMEPAD_RIGHT ? (uint32_t)INPUT_RIGHT : 0u) |
-                          (buttons & GAMEPAD_BACK ? (uint32_t)INPUT_LANGUAGE : 0u) |
-                          (buttons & (GAMEPAD_UP | GAMEPAD_DOWN | GAMEPAD_EAST | GAMEPAD_NORTH |
-                                      GAMEPAD_SHOULDER_RIGHT)
-                               ? (uint32_t)INPUT_OK
-                               : 0u);
-    come_to(hand, report->time_ns);
-    hand->now = *report;
-    const int16_t *axis = hand->now.axis;
+    static const uint32_t cabinet[][2] = {
+        { GAMEPAD_START, INPUT_START },
+        { GAMEPAD_LEFT, INPUT_LEFT },
+        { GAMEPAD_RIGHT, INPUT_RIGHT },
+        { GAMEPAD_BACK, INPUT_LANGUAGE },
+        { GAMEPAD_UP | GAMEPAD_DOWN | GAMEPAD_EAST | GAMEPAD_NORTH | GAMEPAD_SHOULDER_RIGHT,
+          INPUT_OK },
+    };
+    const uint32_t before = decoder->now.buttons;
+    uint32_t held = 0;
+    for (uint32_t i = 0; i < sizeof cabinet / sizeof cabinet[0]; i++) {
+        held |= report->buttons & cabinet[i][0] ? cabinet[i][1] : 0u;
+    }
+    decoder->time_ns = report->time_ns > decoder->time_ns ? report->time_ns : decoder->time_ns;
+    decoder->now = *report;
+    const int16_t *axis = decoder->now.axis;
     const int16_t left = axis[GAMEPAD_TRIGGER_LEFT], right = axis[GAMEPAD_TRIGGER_RIGHT];
     const int16_t most = left > right ? left : right;
-    hand->trigger_down =
-        most >= GAMEPAD_TRIGGER_ON || (hand->trigger_down && most > GAMEPAD_TRIGGER_OFF);
-    if (hand->now.has_turn) {
-        gamepad_imu_filter_add_rotation(&hand->tilt, hand->time_ns, hand->now.turn_rad_s);
+    decoder->trigger_down =
+        most >= GAMEPAD_TRIGGER_ON || (decoder->trigger_down && most > GAMEPAD_TRIGGER_OFF);
+    if (decoder->now.has_turn) {
+        gamepad_imu_filter_add_rotation(&decoder->tilt, decoder->time_ns, decoder->now.turn_rad_s);
     }
-    if (hand->now.has_weight) {
-        gamepad_imu_filter_add_gravity(&hand->tilt, hand->time_ns, hand->now.weight_m_s2);
+    if (decoder->now.has_weight) {
+        gamepad_imu_filter_add_gravity(&decoder->tilt, decoder->time_ns, decoder->now.weight_m_s2);
     }
     /* Pushing the right stick away from the player lifts the far edge of the ring, as the mouse
      * wheel does. Pushing the stick to the right lowers the right edge of the ring. */
     const vec3 twist = read_stick(axis[GAMEPAD_TILT_X], axis[GAMEPAD_TILT_Y]);
-    hand->stick_twist = v3(-twist.y * STICK_TWIST, 0.0f, twist.x * STICK_TWIST);
+    decoder->stick_twist = v3(-twist.y * STICK_TWIST, 0.0f, twist.x * STICK_TWIST);
     if (report->buttons & ~before & (GAMEPAD_WEST | GAMEPAD_STICK_RIGHT)) {
-        gamepad_imu_filter_level(&hand->tilt);
+        gamepad_imu_filter_level(&decoder->tilt);
     }
-    hand->pressed |= held & ~hand->held;
-    hand->held = held;
-    tell_fly(hand);
+    decoder->pressed |= held & ~decoder->held;
+    decoder->held = held;
+    move_sticks(decoder);
 }
 
-struct poi_sample gamepad_decoder_sample(struct gamepad_decoder *hand, uint64_t time_ns)
+struct poi_sample gamepad_decoder_sample(struct gamepad_decoder *decoder, uint64_t time_ns)
 {
-    come_to(hand, time_ns);
-    tell_fly(hand);
+    decoder->time_ns = time_ns > decoder->time_ns ? time_ns : decoder->time_ns;
+    move_sticks(decoder);
     return (struct poi_sample){
-        .time_ns = hand->time_ns,
-        .target = stick_motion_target(&hand->fly, hand->time_ns),
+        .time_ns = decoder->time_ns,
+        .target = stick_motion_target(&decoder->fly, decoder->time_ns),
     };
 }
 
-void gamepad_decoder_buttons(struct gamepad_decoder *hand, struct button_sample *out)
+void gamepad_decoder_buttons(struct gamepad_decoder *decoder, struct button_sample *out)
 {
-    *out = (struct button_sample){ .held = hand->held, .pressed = hand->pressed };
-    hand->pressed = 0;
-}
-
-struct shade_input gamepad_decoder_fan(struct gamepad_decoder *hand, uint64_t time_ns)
-{
-    return stick_motion_fan(&hand->fly, time_ns);
+    *out = (struct button_sample){ .held = decoder->held, .pressed = decoder->pressed };
+    decoder->pressed = 0;
 }
 
 /* ---- Force feedback -------------------------------------------------------------------------- */
@@ -246,7 +234,7 @@ static uint16_t motor_magnitude(float level)
 
 /* Returns the levels of the two motors for the forces on the poi (the paper scoop). The slow motor
  * gets the square of the drag. Squaring weakens a small drag most, so that the player barely feels
- * the poi when it glides edge-on through the water. */
+ * the poi while the poi moves edge-on through the water. */
 struct gamepad_rumble gamepad_decoder_rumble(const struct poi_force *force)
 {
     return (struct gamepad_rumble){
@@ -262,14 +250,14 @@ struct gamepad_rumble gamepad_decoder_rumble(const struct poi_force *force)
 void gamepad_queue_init(struct gamepad_queue *track, const struct view *view, uint64_t time_ns)
 {
     *track = (struct gamepad_queue){ .sampled_ns = time_ns };
-    gamepad_decoder_init(&track->hand, view);
+    gamepad_decoder_init(&track->decoder, view);
 }
 
 void gamepad_queue_push(struct gamepad_queue *track, const struct gamepad_report *report)
 {
     CORE_ASSERT(track->report_count <= GAMEPAD_REPORTS_MAX);
     if (track->report_count == GAMEPAD_REPORTS_MAX) {
-        gamepad_decoder_report(&track->hand, &track->report[0]);
+        gamepad_decoder_report(&track->decoder, &track->report[0]);
         memmove(&track->report[0], &track->report[1],
                 sizeof track->report - sizeof track->report[0]);
         track->report_count--;
@@ -277,8 +265,8 @@ void gamepad_queue_push(struct gamepad_queue *track, const struct gamepad_report
     track->report[track->report_count++] = *report;
 }
 
-/* Writes a sample every `step_ns` as long as its time is before `until_ns`. Returns the number of
- * samples. */
+/* Writes at most `max` samples at intervals of `step_ns`, all before the time `until_ns`. Returns
+ * the number of samples. */
 static uint32_t sample_until(struct gamepad_queue *track, uint64_t until_ns, uint64_t step_ns,
                              struct poi_sample *out, uint32_t max)
 {
@@ -286,7 +274,7 @@ static uint32_t sample_until(struct gamepad_queue *track, uint64_t until_ns, uin
     uint32_t count = 0;
     while (count < max && track->sampled_ns + step_ns < until_ns) {
         track->sampled_ns += step_ns;
-        out[count++] = gamepad_decoder_sample(&track->hand, track->sampled_ns);
+        out[count++] = gamepad_decoder_sample(&track->decoder, track->sampled_ns);
     }
     return count;
 }
@@ -308,12 +296,12 @@ uint32_t gamepad_queue_pop(struct gamepad_queue *track, uint64_t now_ns, struct 
     for (uint32_t i = 0; i < track->report_count; i++) {
         const struct gamepad_report *report = &track->report[i];
         count += sample_until(track, report->time_ns, step_ns, out + count, max - 1u - count);
-        gamepad_decoder_report(&track->hand, report);
+        gamepad_decoder_report(&track->decoder, report);
     }
     track->report_count = 0;
     count += sample_until(track, now_ns, step_ns, out + count, max - 1u - count);
     track->sampled_ns = now_ns;
-    out[count++] = gamepad_decoder_sample(&track->hand, now_ns);
+    out[count++] = gamepad_decoder_sample(&track->decoder, now_ns);
     return count;
 }
 
@@ -321,8 +309,8 @@ void gamepad_queue_buttons(struct gamepad_queue *track, struct button_sample *ou
 {
     CORE_ASSERT(track->report_count <= GAMEPAD_REPORTS_MAX);
     for (uint32_t i = 0; i < track->report_count; i++) {
-        gamepad_decoder_report(&track->hand, &track->report[i]);
+        gamepad_decoder_report(&track->decoder, &track->report[i]);
     }
     track->report_count = 0;
-    gamepad_decoder_buttons(&track->hand, out);
+    gamepad_decoder_buttons(&track->decoder, out);
 }

@@ -1,24 +1,25 @@
 /* gamepad_decoder.h -- the game pad decoder: turns sticks, triggers, buttons and motion sensors
  * into a pose of the poi.
  *
- * Pure: uses no device, clock or library. SDL's game pads (gamepads.h) and the simulated game
- * pad (gamepad_sim.h) share this decoder. The poi is the paper scoop, a ring with paper.
+ * Pure: uses no device, clock or library. SDL's game pads (gamepads.h) and the simulated game pad
+ * (gamepad_sim.h) share this decoder. The poi is the paper scoop, a ring with paper.
  *
  * The left stick moves the ring over the water by the rules of stick_motion.h. Button A or a
- * trigger dips the ring, the right stick tilts it, and button X levels it. The left shoulder button
- * holds the fan over the water. A game pad with motion sensors also tilts the ring by its own
- * attitude. The filter of the motion sensors estimates the tilt from the gyroscope and the
- * accelerometer. The gyroscope measures rotation without delay but drifts. The accelerometer
- * measures the direction of gravity without drift, but slowly, and shaking disturbs it. The two
- * sensors together determine pitch and roll. Players do not hold a game pad level, so the result is
- * the tilt relative to a rest attitude. gamepad_imu_filter_level() sets the rest attitude, which
- * also follows slowly while the poi hovers.
+ * trigger dips the ring, the right stick tilts it, and button X levels it. While the left shoulder
+ * button is pressed, the left stick moves the fan (stick_motion_fan()). A game pad with motion
+ * sensors also tilts the ring by its own attitude. The filter of the motion sensors estimates the
+ * tilt from the gyroscope and the accelerometer. The gyroscope measures rotation without delay but
+ * drifts. The accelerometer measures the direction of gravity without drift, but slowly, and
+ * shaking disturbs it. The two sensors together determine pitch and roll. Players do not hold a
+ * game pad level, so the result is the tilt relative to a rest attitude. gamepad_imu_filter_level()
+ * sets the rest attitude, which also follows slowly while the poi hovers.
  *
  * A stick sets a velocity, so the poi moves between reports too. The queue of reports samples the
  * motion once for each tick (1/120 s), however rarely the kiosk polls. */
 #ifndef KINGYO_DRIVERS_GAMEPAD_GAMEPAD_DECODER_H
 #define KINGYO_DRIVERS_GAMEPAD_GAMEPAD_DECODER_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "core/base/vec.h"
@@ -34,38 +35,42 @@
  * with the buttons, and +z toward the player. */
 struct gamepad_imu_filter {
     vec3 up;            /* Upward direction in the axes of the pad, a unit vector. */
-    uint8_t knows_down; /* 1 after the first valid acceleration was processed, otherwise 0. */
-    uint8_t knows_rest; /* 1 after the rest attitude was set, otherwise 0. */
-    float rest_pitch_rad, rest_roll_rad; /* Pitch and roll of the rest attitude. */
-    uint64_t turn_ns;                    /* Time of the attitude in `up`: all rotations of the pad
-                                            before this time are included. */
-    uint64_t weigh_ns;                   /* Time of the newest acceleration. */
-    uint64_t rest_ns;                    /* Time of the last update of the rest attitude. */
-    vec3 rate_rad_s;                     /* Rotation rate from the newest measurement. */
+    bool has_up;        /* True after the first valid acceleration was processed. */
+    bool has_rest;      /* True after the rest attitude `rest` was set. */
+    struct angles rest; /* Rest attitude: the attitude of the pad for which the ring is level. The
+                           yaw is 0. */
+    uint64_t turn_ns;   /* Time of the attitude in `up`: all rotations of the pad before this
+                           time are included. */
+    uint64_t weigh_ns;  /* Time of the newest acceleration. */
+    uint64_t rest_ns;   /* Time of the last update of the rest attitude. */
+    vec3 rate_rad_s;    /* Rotation rate from the newest measurement. */
 };
 
 /* Sets the rotation rate of the pad for all times after `time_ns`. Returns 0, or -1 if a component
- * is not finite; the state is then unchanged. */
+ * is not finite. After a failure the state is unchanged. */
 int gamepad_imu_filter_add_rotation(struct gamepad_imu_filter *tilt, uint64_t time_ns,
                                     vec3 rate_rad_s);
 
 /* Processes an acceleration that includes gravity: a pad at rest measures 9.8 m/s2 upward. Returns
- * 0, or -1 if a component is not finite; the state is then unchanged. */
+ * 0, or -1 if a component is not finite. After a failure the state is unchanged. */
 int gamepad_imu_filter_add_gravity(struct gamepad_imu_filter *tilt, uint64_t time_ns, vec3 up_m_s2);
 
-/* Makes the current attitude the rest attitude. */
+/* Makes the pad's current attitude the rest attitude (the attitude for which the ring is level). */
 void gamepad_imu_filter_level(struct gamepad_imu_filter *tilt);
 
-/* Returns pitch and roll of the poi at `time_ns`, each within +-GAMEPAD_IMU_FILTER_MAX_RAD. Both
- * angles are 0 before the first acceleration. While `hovers` is 1 the rest attitude follows the
- * current attitude. */
-struct angles gamepad_imu_filter_at(struct gamepad_imu_filter *tilt, uint64_t time_ns, int hovers);
+/* Returns the poi's pitch and roll at `time_ns`, each within +-GAMEPAD_IMU_FILTER_MAX_RAD. The
+ * angles are the pad's tilt relative to its rest attitude (the attitude for which the ring is
+ * level). Both angles are 0 before the first acceleration. While `hovers` is true, the rest
+ * attitude slowly follows the pad's current attitude. */
+struct angles gamepad_imu_filter_at(struct gamepad_imu_filter *tilt, uint64_t time_ns, bool hovers);
 
 /* ---- Decoder --------------------------------------------------------------------------------- */
 
 enum gamepad_axis {
-    GAMEPAD_LEAD_X = 0, /* Left stick, horizontal; positive to the right. */
-    GAMEPAD_LEAD_Y,     /* Left stick, vertical; positive toward the player. */
+    GAMEPAD_LEAD_X = 0, /* Horizontal deflection of the left stick. Positive values point to the
+                           right. */
+    GAMEPAD_LEAD_Y,     /* Vertical deflection of the left stick. Positive values point toward the
+                           player. */
     GAMEPAD_TILT_X,
     GAMEPAD_TILT_Y,
     GAMEPAD_TRIGGER_LEFT, /* Travel of the left trigger, 0 to 32,767. */
@@ -107,9 +112,9 @@ struct gamepad_report {
     uint64_t time_ns;
     int16_t axis[GAMEPAD_AXIS_COUNT];
     uint32_t buttons; /* Pressed buttons, as bits of enum gamepad_button. Other bits are ignored. */
-    uint8_t has_turn, has_weight; /* `has_turn` is 1 if `turn_rad_s` is new in this report,
-                                     otherwise 0. `has_weight` is 1 if `weight_m_s2` is new,
-                                     otherwise 0. Both vectors are in the axes of SDL's sensors. */
+    bool has_turn;    /* True if `turn_rad_s` is new in this report. */
+    bool has_weight;  /* True if `weight_m_s2` is new in this report. */
+    /* Rotation rate and acceleration in the axes of SDL's sensors. */
     vec3 turn_rad_s, weight_m_s2;
 };
 
@@ -122,7 +127,7 @@ struct gamepad_decoder {
     vec3 stick_twist;               /* Pitch, yaw and roll from the right stick, as fractions of
                                        STICK_MOTION_TILT_MAX_RAD. */
     uint64_t time_ns;               /* Time of the newest report or sample. */
-    uint8_t trigger_down;           /* 1 while a trigger of the game pad is pressed, otherwise 0. */
+    bool trigger_down;              /* True while a trigger of the game pad is pressed. */
     uint32_t held, pressed;         /* `held` contains the buttons that are pressed now. `pressed`
                                        contains the buttons that were pressed after the last call of
                                        gamepad_decoder_buttons(). Both are bits of enum
@@ -130,26 +135,19 @@ struct gamepad_decoder {
 };
 
 /* Initializes the decoder with the poi over the middle of the water. `view` is copied. */
-void gamepad_decoder_init(struct gamepad_decoder *hand, const struct view *view);
+void gamepad_decoder_init(struct gamepad_decoder *decoder, const struct view *view);
 
 /* Processes one report. Any content is accepted. If the time of a report is before that of the
  * previous report, the time of the previous report is used. */
-void gamepad_decoder_report(struct gamepad_decoder *hand, const struct gamepad_report *report);
+void gamepad_decoder_report(struct gamepad_decoder *decoder, const struct gamepad_report *report);
 
 /* Returns the pose at `time_ns`, which must not decrease from call to call. All values of the pose
  * are finite. */
-struct poi_sample gamepad_decoder_sample(struct gamepad_decoder *hand, uint64_t time_ns);
+struct poi_sample gamepad_decoder_sample(struct gamepad_decoder *decoder, uint64_t time_ns);
 
 /* Writes to `out` the buttons that are pressed now, and the buttons that were pressed since the
  * last call. */
-void gamepad_decoder_buttons(struct gamepad_decoder *hand, struct button_sample *out);
-
-/* Returns the fan at `time_ns`. The left stick moves the fan while GAMEPAD_SHOULDER_LEFT is
- * pressed. */
-struct shade_input gamepad_decoder_fan(struct gamepad_decoder *hand, uint64_t time_ns);
-
-/* Sets the camera view. The poi stays within the part of the water that the camera shows. */
-void gamepad_decoder_set_view(struct gamepad_decoder *hand, const struct view *view);
+void gamepad_decoder_buttons(struct gamepad_decoder *decoder, struct button_sample *out);
 
 /* Motor levels of a game pad, 0 to 65,535. The level of the slow motor follows the drag of the
  * water. The level of the fast motor follows slaps of a fish's tail and the tearing of the
@@ -165,7 +163,7 @@ struct gamepad_rumble gamepad_decoder_rumble(const struct poi_force *force);
 #define GAMEPAD_REPORTS_MAX 64u /* Capacity of the queue, equal to HAL_POI_SAMPLES_MAX. */
 
 struct gamepad_queue {
-    struct gamepad_decoder hand;                       /* Decoder that has already processed all
+    struct gamepad_decoder decoder;                    /* Decoder that has already processed all
                                                           reports before the first report in
                                                           `report`. */
     struct gamepad_report report[GAMEPAD_REPORTS_MAX]; /* Reports that are not decoded yet, oldest

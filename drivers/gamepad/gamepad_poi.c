@@ -12,7 +12,7 @@
 /* Smallest change of a motor level that a thumb can feel. The full motor level is 65,535. */
 #define RUMBLE_STEP 2048
 
-int gamepad_poi_is_present(void *self)
+bool gamepad_poi_is_present(void *self)
 {
     struct gamepad *pad = self;
     gamepads_poll(pad->gamepads);
@@ -38,7 +38,8 @@ static int pad_poll(void *self, struct poi_sample *out, uint32_t max)
     return (int)gamepad_queue_pop(&pad->track, hal_now_ns(pad->gamepads->clock), out, max);
 }
 
-/* Sends the motor levels when they change, and repeats them before SDL would stop the motors. */
+/* Sends the motor levels when the levels change, and sends the levels again before SDL would stop
+ * the motors. */
 static int pad_set_force(void *self, const struct poi_force *force)
 {
     CORE_ASSERT(force);
@@ -63,14 +64,15 @@ static int pad_set_force(void *self, const struct poi_force *force)
 }
 
 static void pad_set_view(void *self, const struct view *view,
-                         const struct display_settings *display_settings)
+                         const struct display_settings *display_settings, bool scoops)
 {
     CORE_ASSERT(view);
     struct gamepad *pad = self;
     (void)display_settings; /* Unused, because a stick moves relative to the water and not to the
                                screen. */
     pad->gamepads->view = *view;
-    gamepad_decoder_set_view(&pad->track.hand, view);
+    stick_motion_set_view(&pad->track.decoder.fly, view);
+    pad->track.decoder.fly.dip.scoops = scoops;
 }
 
 static const char *pad_describe(void *self)
@@ -92,7 +94,7 @@ static int gamepad_poi_fan_poll(void *self, struct shade_input *out)
     if (!pad->controller) {
         return HAL_ERR_GONE;
     }
-    *out = gamepad_decoder_fan(&pad->track.hand, hal_now_ns(pad->gamepads->clock));
+    *out = stick_motion_fan(&pad->track.decoder.fly, hal_now_ns(pad->gamepads->clock));
     return HAL_OK;
 }
 
@@ -100,30 +102,6 @@ static const char *gamepad_poi_fan_describe(void *self)
 {
     (void)self;
     return "a pad's left stick while its left shoulder button is held";
-}
-
-struct hal_poi gamepad_poi_device(struct gamepads *gamepads, uint32_t index)
-{
-    static const struct hal_poi_ops ops = {
-        .open = pad_open,
-        .poll = pad_poll,
-        .set_force = pad_set_force,
-        .set_view = pad_set_view,
-        .describe = pad_describe,
-    };
-    CORE_ASSERT(index < GAMEPADS_MAX);
-    return (struct hal_poi){ .ops = &ops, .self = &gamepads->pad[index] };
-}
-
-struct hal_fan gamepad_poi_fan(struct gamepads *gamepads, uint32_t index)
-{
-    static const struct hal_fan_ops ops = {
-        .open = gamepad_poi_fan_open,
-        .poll = gamepad_poi_fan_poll,
-        .describe = gamepad_poi_fan_describe,
-    };
-    CORE_ASSERT(index < GAMEPADS_MAX);
-    return (struct hal_fan){ .ops = &ops, .self = &gamepads->pad[index] };
 }
 
 /* Merges the buttons of all plugged-in game pads. A game pad without a slot can also press
@@ -155,11 +133,28 @@ static const char *buttons_describe(void *self)
     return gamepads->text;
 }
 
-struct hal_buttons gamepad_poi_buttons(struct gamepads *gamepads)
+struct hal_controller_devices gamepad_poi_devices(struct gamepads *gamepads, uint32_t index)
 {
-    static const struct hal_buttons_ops ops = {
+    static const struct hal_poi_ops poi = {
+        .open = pad_open,
+        .poll = pad_poll,
+        .set_force = pad_set_force,
+        .set_view = pad_set_view,
+        .describe = pad_describe,
+    };
+    static const struct hal_fan_ops fan = {
+        .open = gamepad_poi_fan_open,
+        .poll = gamepad_poi_fan_poll,
+        .describe = gamepad_poi_fan_describe,
+    };
+    static const struct hal_buttons_ops buttons = {
         .poll = gamepad_poi_buttons_poll,
         .describe = buttons_describe,
     };
-    return (struct hal_buttons){ .ops = &ops, .self = gamepads };
+    CORE_ASSERT(index < GAMEPADS_MAX);
+    return (struct hal_controller_devices){
+        .poi = { &poi, &gamepads->pad[index] },
+        .fan = { &fan, &gamepads->pad[index] },
+        .buttons = { &buttons, gamepads },
+    };
 }

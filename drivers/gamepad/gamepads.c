@@ -16,25 +16,27 @@ _Static_assert(
         offsetof(SDL_ControllerButtonEvent, which) == offsetof(SDL_ControllerDeviceEvent, which) &&
         offsetof(SDL_ControllerSensorEvent, which) == offsetof(SDL_ControllerDeviceEvent, which),
     "the instance id of all controller events is at the same place");
-_Static_assert(GAMEPAD_SOUTH == 1u << SDL_CONTROLLER_BUTTON_A, "");
-_Static_assert(GAMEPAD_EAST == 1u << SDL_CONTROLLER_BUTTON_B, "");
-_Static_assert(GAMEPAD_WEST == 1u << SDL_CONTROLLER_BUTTON_X, "");
-_Static_assert(GAMEPAD_NORTH == 1u << SDL_CONTROLLER_BUTTON_Y, "");
-_Static_assert(GAMEPAD_BACK == 1u << SDL_CONTROLLER_BUTTON_BACK, "");
-_Static_assert(GAMEPAD_START == 1u << SDL_CONTROLLER_BUTTON_START, "");
-_Static_assert(GAMEPAD_STICK_RIGHT == 1u << SDL_CONTROLLER_BUTTON_RIGHTSTICK, "");
-_Static_assert(GAMEPAD_SHOULDER_LEFT == 1u << SDL_CONTROLLER_BUTTON_LEFTSHOULDER, "");
-_Static_assert(GAMEPAD_SHOULDER_RIGHT == 1u << SDL_CONTROLLER_BUTTON_RIGHTSHOULDER, "");
-_Static_assert(GAMEPAD_UP == 1u << SDL_CONTROLLER_BUTTON_DPAD_UP, "");
-_Static_assert(GAMEPAD_DOWN == 1u << SDL_CONTROLLER_BUTTON_DPAD_DOWN, "");
-_Static_assert(GAMEPAD_LEFT == 1u << SDL_CONTROLLER_BUTTON_DPAD_LEFT, "");
-_Static_assert(GAMEPAD_RIGHT == 1u << SDL_CONTROLLER_BUTTON_DPAD_RIGHT, "");
-_Static_assert(GAMEPAD_LEAD_X == (int)SDL_CONTROLLER_AXIS_LEFTX, "");
-_Static_assert(GAMEPAD_LEAD_Y == (int)SDL_CONTROLLER_AXIS_LEFTY, "");
-_Static_assert(GAMEPAD_TILT_X == (int)SDL_CONTROLLER_AXIS_RIGHTX, "");
-_Static_assert(GAMEPAD_TILT_Y == (int)SDL_CONTROLLER_AXIS_RIGHTY, "");
-_Static_assert(GAMEPAD_TRIGGER_LEFT == (int)SDL_CONTROLLER_AXIS_TRIGGERLEFT, "");
-_Static_assert(GAMEPAD_TRIGGER_RIGHT == (int)SDL_CONTROLLER_AXIS_TRIGGERRIGHT, "");
+_Static_assert(GAMEPAD_SOUTH == 1u << SDL_CONTROLLER_BUTTON_A &&
+                   GAMEPAD_EAST == 1u << SDL_CONTROLLER_BUTTON_B &&
+                   GAMEPAD_WEST == 1u << SDL_CONTROLLER_BUTTON_X &&
+                   GAMEPAD_NORTH == 1u << SDL_CONTROLLER_BUTTON_Y &&
+                   GAMEPAD_BACK == 1u << SDL_CONTROLLER_BUTTON_BACK &&
+                   GAMEPAD_START == 1u << SDL_CONTROLLER_BUTTON_START &&
+                   GAMEPAD_STICK_RIGHT == 1u << SDL_CONTROLLER_BUTTON_RIGHTSTICK &&
+                   GAMEPAD_SHOULDER_LEFT == 1u << SDL_CONTROLLER_BUTTON_LEFTSHOULDER &&
+                   GAMEPAD_SHOULDER_RIGHT == 1u << SDL_CONTROLLER_BUTTON_RIGHTSHOULDER &&
+                   GAMEPAD_UP == 1u << SDL_CONTROLLER_BUTTON_DPAD_UP &&
+                   GAMEPAD_DOWN == 1u << SDL_CONTROLLER_BUTTON_DPAD_DOWN &&
+                   GAMEPAD_LEFT == 1u << SDL_CONTROLLER_BUTTON_DPAD_LEFT &&
+                   GAMEPAD_RIGHT == 1u << SDL_CONTROLLER_BUTTON_DPAD_RIGHT,
+               "the buttons are those of SDL");
+_Static_assert(GAMEPAD_LEAD_X == (int)SDL_CONTROLLER_AXIS_LEFTX &&
+                   GAMEPAD_LEAD_Y == (int)SDL_CONTROLLER_AXIS_LEFTY &&
+                   GAMEPAD_TILT_X == (int)SDL_CONTROLLER_AXIS_RIGHTX &&
+                   GAMEPAD_TILT_Y == (int)SDL_CONTROLLER_AXIS_RIGHTY &&
+                   GAMEPAD_TRIGGER_LEFT == (int)SDL_CONTROLLER_AXIS_TRIGGERLEFT &&
+                   GAMEPAD_TRIGGER_RIGHT == (int)SDL_CONTROLLER_AXIS_TRIGGERRIGHT,
+               "the axes are those of SDL");
 
 /* ---- Hot-plug -------------------------------------------------------------------------------- */
 
@@ -50,7 +52,7 @@ static struct gamepad *pad_of(struct gamepads *gamepads, int32_t instance)
 
 /* Returns a free element of `pad`. The element that the pad used last is preferred, then an element
  * that was never used. Returns null if all elements are in use. */
-static struct gamepad *place_for(struct gamepads *gamepads, const char *guid, const char *serial)
+static struct gamepad *free_pad(struct gamepads *gamepads, const char *guid, const char *serial)
 {
     struct gamepad *unused = NULL;
     struct gamepad *any = NULL;
@@ -73,13 +75,13 @@ static void begin_pad(struct gamepad *pad)
     CORE_ASSERT(pad->controller && pad->gamepads);
     const char *name = SDL_GameControllerName(pad->controller);
     pad->now = (struct gamepad_report){ 0 };
-    pad->was_here = 1;
+    pad->was_here = true;
     pad->rumble = (struct gamepad_rumble){ 0 };
     pad->cannot_rumble = SDL_GameControllerHasRumble(pad->controller) == SDL_FALSE;
     gamepad_queue_init(&pad->track, &pad->gamepads->view, hal_now_ns(pad->gamepads->clock));
     snprintf(pad->text, sizeof pad->text, "pad: %.80s%s (left stick leads, A dips)",
              name ? name : "of no name", pad->cannot_rumble ? "" : ", rumbles");
-    /* The gyroscope and the accelerometer are enabled if the pad has them. */
+    /* The gyroscope and the accelerometer are enabled if the pad has these sensors. */
     static const SDL_SensorType types[] = { SDL_SENSOR_GYRO, SDL_SENSOR_ACCEL };
     for (size_t i = 0; i < sizeof types / sizeof types[0]; i++) {
         if (SDL_GameControllerHasSensor(pad->controller, types[i])) {
@@ -88,19 +90,19 @@ static void begin_pad(struct gamepad *pad)
     }
 }
 
-int gamepads_is_excluded(const struct gamepads *gamepads, uint16_t vendor, uint16_t product,
-                         const char *serial)
+bool gamepads_is_excluded(const struct gamepads *gamepads, uint16_t vendor, uint16_t product,
+                          const char *serial)
 {
     CORE_ASSERT(gamepads->bar_count <= GAMEPADS_EXCLUSION_MAX);
     CORE_ASSERT(serial);
     for (uint32_t i = 0; i < gamepads->bar_count; i++) {
-        const struct gamepad_exclusion *bar = &gamepads->bar[i];
+        const struct usb_key *bar = &gamepads->bar[i];
         if (bar->vendor == vendor && bar->product == product &&
             (!bar->serial[0] || !serial[0] || !strcmp(bar->serial, serial))) {
-            return 1;
+            return true;
         }
     }
-    return 0;
+    return false;
 }
 
 /* Opens a new game pad. If all GAMEPADS_MAX elements are in use, the pad is ignored until it is
@@ -130,7 +132,7 @@ static void plug_in(struct gamepads *gamepads, int32_t device_index)
     SDL_Joystick *joystick = SDL_GameControllerGetJoystick(controller);
     SDL_JoystickGetGUIDString(SDL_JoystickGetGUID(joystick), guid, (int)sizeof guid);
     snprintf(serial, sizeof serial, "%.31s", said ? said : "");
-    struct gamepad *pad = place_for(gamepads, guid, serial);
+    struct gamepad *pad = free_pad(gamepads, guid, serial);
     if (!pad) {
         SDL_GameControllerClose(controller);
         return;
@@ -145,10 +147,10 @@ static void plug_in(struct gamepads *gamepads, int32_t device_index)
     begin_pad(pad);
 }
 
-static void pull_out(struct gamepads *gamepads, int32_t instance)
+/* Closes a pad. Does nothing if `pad` is null or is not open. */
+static void pull_out(struct gamepad *pad)
 {
-    struct gamepad *pad = pad_of(gamepads, instance);
-    if (pad) {
+    if (pad && pad->controller) {
         SDL_GameControllerClose(pad->controller);
         pad->controller = NULL;
     }
@@ -166,12 +168,12 @@ static void gamepads_take_event(struct gamepads *gamepads, const SDL_Event *even
         return;
     }
     if (event->type == SDL_CONTROLLERDEVICEREMOVED) {
-        pull_out(gamepads, event->cdevice.which);
+        pull_out(pad_of(gamepads, event->cdevice.which));
         return;
     }
-    /* All controller events have the instance id of the pad at the same place. */
+    /* The instance id of the pad is at the same offset in every controller event of SDL. */
     struct gamepad *pad = pad_of(gamepads, event->cdevice.which);
-    int is_new = 0;
+    bool is_new = false;
     if (!pad) {
         return;
     }
@@ -187,7 +189,7 @@ static void gamepads_take_event(struct gamepads *gamepads, const SDL_Event *even
             event->cbutton.state == SDL_PRESSED ? pad->now.buttons | bit : pad->now.buttons & ~bit;
     } else if (event->type == SDL_CONTROLLERSENSORUPDATE) {
         const float *data = event->csensor.data;
-        const int is_turn = event->csensor.sensor == SDL_SENSOR_GYRO;
+        const bool is_turn = event->csensor.sensor == SDL_SENSOR_GYRO;
         is_new = is_turn || event->csensor.sensor == SDL_SENSOR_ACCEL;
         pad->now.has_turn |= is_new && is_turn;
         pad->now.has_weight |= is_new && !is_turn;
@@ -199,7 +201,7 @@ static void gamepads_take_event(struct gamepads *gamepads, const SDL_Event *even
     if (is_new) {
         pad->now.time_ns = time_ns;
         gamepad_queue_push(&pad->track, &pad->now);
-        pad->now.has_turn = pad->now.has_weight = 0;
+        pad->now.has_turn = pad->now.has_weight = false;
     }
 }
 
@@ -255,8 +257,7 @@ static void hint_at_bars(const struct gamepads *gamepads)
     SDL_SetHint(SDL_HINT_GAMECONTROLLER_IGNORE_DEVICES, list);
 }
 
-void gamepads_exclude(struct gamepads *gamepads, const struct gamepad_exclusion *bar,
-                      uint32_t count)
+void gamepads_exclude(struct gamepads *gamepads, const struct usb_key *bar, uint32_t count)
 {
     CORE_ASSERT(bar || count == 0);
     const uint32_t kept = count < GAMEPADS_EXCLUSION_MAX ? count : GAMEPADS_EXCLUSION_MAX;
@@ -267,10 +268,9 @@ void gamepads_exclude(struct gamepads *gamepads, const struct gamepad_exclusion 
     gamepads->bar_count = kept;
     hint_at_bars(gamepads);
     for (uint32_t i = 0; i < GAMEPADS_MAX; i++) {
-        const struct gamepad *pad = &gamepads->pad[i];
-        if (pad->controller &&
-            gamepads_is_excluded(gamepads, pad->vendor, pad->product, pad->usb_serial)) {
-            pull_out(gamepads, pad->instance);
+        struct gamepad *pad = &gamepads->pad[i];
+        if (gamepads_is_excluded(gamepads, pad->vendor, pad->product, pad->usb_serial)) {
+            pull_out(pad);
         }
     }
 }
@@ -288,7 +288,7 @@ int gamepads_open(struct gamepads *gamepads, const char *database)
         SDL_GameControllerAddMappingsFromFile(database); /* The result is ignored, because the
                                                             mapping file may be missing. */
     }
-    gamepads->is_open = 1;
+    gamepads->is_open = true;
     gamepads->pumped_ns = hal_now_ns(gamepads->clock);
     for (int i = 0; i < SDL_NumJoysticks(); i++) {
         plug_in(gamepads, i);
@@ -299,13 +299,10 @@ int gamepads_open(struct gamepads *gamepads, const char *database)
 void gamepads_close(struct gamepads *gamepads)
 {
     for (uint32_t i = 0; i < GAMEPADS_MAX; i++) {
-        if (gamepads->pad[i].controller) {
-            SDL_GameControllerClose(gamepads->pad[i].controller);
-            gamepads->pad[i].controller = NULL;
-        }
+        pull_out(&gamepads->pad[i]);
     }
     if (gamepads->is_open) {
         SDL_QuitSubSystem(SDL_INIT_GAMECONTROLLER);
-        gamepads->is_open = 0;
+        gamepads->is_open = false;
     }
 }

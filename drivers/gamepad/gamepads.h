@@ -1,7 +1,7 @@
 /* gamepads.h -- game pads with hot-plug, through SDL's game controller API and its mapping
  * database.
  *
- * Needs SDL's video subsystem for the event queue; the owner of the window pumps the queue.
+ * Needs SDL's video subsystem for the event queue. The owner of the window pumps the queue.
  * gamepads_poll() removes joystick and controller events from the queue and leaves all other
  * events.
  *
@@ -15,8 +15,11 @@
 #ifndef KINGYO_DRIVERS_GAMEPAD_GAMEPADS_H
 #define KINGYO_DRIVERS_GAMEPAD_GAMEPADS_H
 
+#include <SDL_gamecontroller.h>
+#include <stdbool.h>
+
 #include "drivers/gamepad/gamepad_decoder.h"
-#include "drivers/hid/hid_port.h"
+#include "drivers/usb/usb_choice.h"
 #include "platform/hal.h"
 
 #define GAMEPADS_MAX POI_MAX
@@ -25,45 +28,31 @@
 #define GAMEPADS_EXCLUSION_MAX 40u
 #define GAMEPAD_GUID_SIZE 33u
 
-struct _SDL_GameController;
-
 struct gamepad {
     struct gamepads *gamepads;
-    struct _SDL_GameController *controller; /* SDL's handle, or null while no game pad is plugged
-                                               in. */
-    int32_t instance;                       /* SDL's instance id, which is new at each
-                                               connection. */
-    char guid[GAMEPAD_GUID_SIZE];           /* SDL's GUID of the game pad that used this element
-                                               last. */
-    char serial[32];                        /* Serial number from SDL, or "" if unknown. */
-    uint16_t vendor, product;               /* USB vendor id and product id. */
-    char usb_serial[HID_TEXT_SIZE];         /* Serial number from /sys, or "" if unknown. */
-    uint8_t was_here;                       /* 1 if a game pad used this element before, otherwise
-                                               0. */
-    struct gamepad_report now;              /* State of the pad after the newest event. */
-    struct gamepad_queue track;             /* Reports that are not decoded yet. */
-    struct gamepad_rumble rumble;           /* Motor levels that were sent last. */
-    uint64_t rumble_ns;                     /* Time at which `rumble` was sent. */
-    uint8_t cannot_rumble;                  /* 1 if the pad has no motors, otherwise 0. */
+    SDL_GameController *controller; /* SDL's handle, or null while no game pad is plugged in. */
+    int32_t instance;               /* SDL's instance id, which is new at each connection. */
+    char guid[GAMEPAD_GUID_SIZE];   /* SDL's GUID of the game pad that used this element last. */
+    char serial[32];                /* Serial number from SDL, or "" if unknown. */
+    uint16_t vendor, product;       /* USB vendor id and product id. */
+    char usb_serial[HID_TEXT_SIZE]; /* Serial number from /sys, or "" if unknown. */
+    bool was_here;                  /* True if a game pad used this element before. */
+    struct gamepad_report now;      /* State of the pad after the newest event. */
+    struct gamepad_queue track;     /* Reports that are not decoded yet. */
+    struct gamepad_rumble rumble;   /* Motor levels that were sent last. */
+    uint64_t rumble_ns;             /* Time at which `rumble` was sent. */
+    bool cannot_rumble;             /* True if the pad has no motors. */
     char text[HAL_TEXT_SIZE];
-};
-
-/* A USB device that another driver uses. */
-struct gamepad_exclusion {
-    uint16_t vendor, product;
-    char serial[HID_TEXT_SIZE]; /* Serial number of the excluded device. "" excludes all devices of
-                                   the product. */
 };
 
 struct gamepads {
     struct hal_clock clock;
     struct view view;
     struct gamepad pad[GAMEPADS_MAX];
-    struct gamepad_exclusion bar[GAMEPADS_EXCLUSION_MAX]; /* List of devices that must not be opened
-                                                             as game pads, because other drivers use
-                                                             them. */
+    struct usb_key bar[GAMEPADS_EXCLUSION_MAX]; /* List of devices that must not be opened as game
+                                                   pads, because other drivers use them. */
     uint32_t bar_count;
-    uint8_t is_open;
+    bool is_open;       /* True while SDL's game controllers are started. */
     uint64_t pumped_ns; /* Time at which SDL's events were processed last. */
     char text[HAL_TEXT_SIZE];
 };
@@ -79,17 +68,16 @@ void gamepads_init(struct gamepads *gamepads, struct hal_clock clock, const stru
  * For devices that are already plugged in, this function must be called before gamepads_open(). At
  * most GAMEPADS_EXCLUSION_MAX entries are used. All bytes after the end of a serial number must be
  * 0. A call with an unchanged list has no effect. */
-void gamepads_exclude(struct gamepads *gamepads, const struct gamepad_exclusion *bar,
-                      uint32_t count);
+void gamepads_exclude(struct gamepads *gamepads, const struct usb_key *bar, uint32_t count);
 
-/* Returns 1 if the game pad is excluded, otherwise 0. An unknown serial number ("") matches every
- * serial number of the product. */
-int gamepads_is_excluded(const struct gamepads *gamepads, uint16_t vendor, uint16_t product,
-                         const char *serial);
+/* Returns true if the game pad is excluded. An unknown serial number ("") matches every serial
+ * number of the product. */
+bool gamepads_is_excluded(const struct gamepads *gamepads, uint16_t vendor, uint16_t product,
+                          const char *serial);
 
-/* Starts SDL's game controllers. `database` is the path of a file with further mappings; it may be
- * null, and the file may be missing. Returns HAL_OK. Returns HAL_ERR_ABSENT with the reason in
- * gamepads->text if SDL fails; no game pad can then be used. */
+/* Starts SDL's game controllers. `database` is the path of a file with further mappings. `database`
+ * may be null, and the file may be missing. Returns HAL_OK. Returns HAL_ERR_ABSENT with the reason
+ * in gamepads->text if SDL fails. After a failure no game pad can be used. */
 int gamepads_open(struct gamepads *gamepads, const char *database);
 
 /* Closes all game pads and stops SDL's game controllers. */
@@ -100,16 +88,13 @@ void gamepads_poll(struct gamepads *gamepads);
 
 /* ---- Devices of struct hal (gamepad_poi.c) --------------------------------------------------- */
 
-/* Returns the poi device of game pad `index` (0 to GAMEPADS_MAX - 1). */
-struct hal_poi gamepad_poi_device(struct gamepads *gamepads, uint32_t index);
-/* Returns the fan device of game pad `index` (0 to GAMEPADS_MAX - 1). */
-struct hal_fan gamepad_poi_fan(struct gamepads *gamepads, uint32_t index);
-/* Returns 1 if the game pad `pad` (a struct gamepad) is plugged in, otherwise 0. Processes pending
- * events first. */
-int gamepad_poi_is_present(void *pad);
+/* Returns the poi and the fan of game pad `index` (0 to GAMEPADS_MAX - 1), and the button device of
+ * all game pads. The buttons are START, LEFT, RIGHT, OK and LANGUAGE. The pois must be polled
+ * before the buttons. */
+struct hal_controller_devices gamepad_poi_devices(struct gamepads *gamepads, uint32_t index);
 
-/* Returns the device that reports START, LEFT, RIGHT, OK and LANGUAGE of all game pads. The poi
- * devices must be polled before this device. */
-struct hal_buttons gamepad_poi_buttons(struct gamepads *gamepads);
+/* Returns true if the game pad `pad` (a struct gamepad) is plugged in. Processes pending events
+ * first. */
+bool gamepad_poi_is_present(void *pad);
 
 #endif

@@ -1,11 +1,12 @@
-/* stick_motion.c -- implements the motion by sticks: integrates the velocity that a stick sets. */
+/* stick_motion.c -- integrates the velocity that a stick or a 3D mouse sets, so that the poi
+ * moves. */
 #include "drivers/gamepad/stick_motion.h"
 
 #include "core/base/panic.h"
 #include "drivers/pointer/pointer_poi.h"
 
-/* Time constant that smooths the velocity. The ring then moves as if an arm held it, even if the
- * thumb flicks the stick. */
+/* Time constant that smooths the velocity. The ring then moves as smoothly as an arm would move the
+ * ring, even if the thumb flicks the stick. */
 #define PUSH_TAU_S 0.07f
 /* Time constant that smooths the tilt. The value equals the time constant of the mouse wheel in
  * pointer_poi.c. */
@@ -16,20 +17,16 @@
  * does not move. */
 #define GAP_MAX_S 1.0f
 
-/* Largest distance of the poi from the middle of the image, as a fraction of half the width and
- * half the height of the image. */
+/* Largest distance of the poi from the middle of the image. The unit is half of the image's width
+ * horizontally, and half of the image's height vertically. */
 #define SEEN 0.94f
 #define VIEW_ASPECT (16.0f / 9.0f)
-
-/* Angle in radians by which the ring leans for each m/s of its speed, as in pointer_poi.c. */
-#define LEAN_RAD_PER_M_S (28.0f * F_DEG)
-#define LEAN_MAX_RAD (20.0f * F_DEG)
 
 /* Distance from the hover height at which the ring slows down while the LEVEL button returns the
  * ring to this height. */
 #define LEVEL_FROM_M 0.03f
 
-#define LAP_M 0.35f /* Distance beyond the tank's near edge at which the idle fan rests. */
+#define FAN_REST_M 0.35f /* Distance beyond the tank's near edge at which the idle fan rests. */
 
 static float stick_motion_share_of(float value)
 {
@@ -111,13 +108,13 @@ static void fly_step(struct stick_motion *fly, uint64_t time_ns, float dt_s)
     fly->place_m = seen_m(fly, next);
     const vec3 twist = v3_scale(fly->report.twist, STICK_MOTION_TILT_MAX_RAD);
     fly->twist_rad = v3_lerp(fly->twist_rad, twist, 1.0f - f_exp(-dt_s / TWIST_TAU_S));
-    const int fans = (fly->report.buttons & POINTER_FAN) != 0;
+    const bool is_fan_held = (fly->report.buttons & POINTER_FAN) != 0;
     const float swing = dt_s / POINTER_FAN_SWING_S;
-    if (fans) {
+    if (is_fan_held) {
         const vec3 way = v3(eased(fly->report.push.x), 0.0f, eased(fly->report.push.z));
         fly->shade_m = seen_m(fly, v3_muladd(fly->shade_m, way, STICK_MOTION_AIR_M_S * dt_s));
     }
-    fly->swing = f_clamp(fly->swing + (fans ? swing : -swing), 0.0f, 1.0f);
+    fly->swing = f_clamp(fly->swing + (is_fan_held ? swing : -swing), 0.0f, 1.0f);
 }
 
 static void fly_to_time(struct stick_motion *fly, uint64_t time_ns)
@@ -159,15 +156,15 @@ struct poi_target stick_motion_target(struct stick_motion *fly, uint64_t time_ns
     fly_to_time(fly, time_ns);
     const struct dip_state stroke = pointer_dip_at(&fly->dip, fly->time_ns);
     const vec3 along = v3(fly->speed_m_s.x, 0.0f, fly->speed_m_s.z);
-    const vec3 lean = v3_limit(v3_scale(along, LEAN_RAD_PER_M_S), LEAN_MAX_RAD);
+    const vec3 lean = v3_limit(v3_scale(along, POINTER_LEAN_RAD_PER_M_S), POINTER_LEAN_MAX_RAD);
     const float slant = pointer_dip_slant_rad(stroke.speed_m_s);
-    /* The ring moves away from the player along the line of sight as it sinks by `down_m`. The
-     * slanted ring then moves more edge-on through the water. */
+    /* The ring moves away from the player along the line of sight as it sinks by `down_m`, as it
+     * does below a pointer. The slanted ring then moves more edge-on through the water. */
     const vec3 sight = v3_sub(fly->view.target_m, fly->view.eye_m);
     const float slope = sight.y < -0.1f ? f_clamp(sight.z / sight.y, 0.0f, 1.5f) : 0.0f;
     const float down_m = DIP_HOVER_M - stroke.height_m;
     return (struct poi_target){
-        .position_m = v3_add(fly->place_m, v3(0.0f, -down_m, -slope * down_m)),
+        .position_m = v3_add(fly->place_m, v3(0.0f, -down_m, stroke.near_m - slope * down_m)),
         .angles = { .yaw_rad = fly->twist_rad.y,
                     .pitch_rad = fly->twist_rad.x - slant - lean.z,
                     .roll_rad = fly->twist_rad.z - lean.x },
@@ -177,11 +174,6 @@ struct poi_target stick_motion_target(struct stick_motion *fly, uint64_t time_ns
 struct shade_input stick_motion_fan(struct stick_motion *fly, uint64_t time_ns)
 {
     fly_to_time(fly, time_ns);
-    const float share = f_smoothstep(0.0f, 1.0f, fly->swing);
-    return (struct shade_input){
-        .present = fly->swing > 0.0f,
-        .x_m = fly->shade_m.x,
-        .z_m = f_lerp(fly->high_m[0].z + LAP_M, fly->shade_m.z, share),
-        .radius_m = POINTER_FAN_RADIUS_M,
-    };
+    const vec3 rest_m = v3(fly->shade_m.x, 0.0f, fly->high_m[0].z + FAN_REST_M);
+    return pointer_fan_between(fly->swing, rest_m, fly->shade_m);
 }

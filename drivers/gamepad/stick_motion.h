@@ -3,7 +3,7 @@
  *
  * Pure: uses no device, clock or library. A stick sets a velocity: pushing the stick moves the
  * ring, and releasing the stick stops the ring. A puck also moves the ring up and down. A game pad
- * lowers the ring with a button, as a mouse does (pointer_poi.h).
+ * lowers the ring with a button, with the strokes of a mouse (pointer_poi.h).
  *
  * The tilt of the ring follows the angle of the stick or puck and returns to level on release.
  * Holding LEVEL returns a puck's ring to the hover height. The ring is slower under water, so that
@@ -18,11 +18,11 @@
 /* Speed of the ring above the water at full deflection. At this speed the ring crosses the kiosk's
  * tank in 1.5 s. */
 #define STICK_MOTION_AIR_M_S 0.55f
-/* Speed of the ring under water at full deflection. Wet paper withstands 0.4 m/s even if it moves
- * broadside. */
+/* Speed of the ring under water at full deflection. At 0.4 m/s, wet paper does not tear even if the
+ * ring moves broadside. */
 #define STICK_MOTION_WATER_M_S 0.26f
-/* Vertical speed of the ring at full deflection. The value equals the speed of the fastest part of
- * a dip. */
+/* Vertical speed of the ring at full deflection. The value is a little below the highest speed of a
+ * dip (0.35 m/s). */
 #define STICK_MOTION_HEIGHT_M_S 0.30f
 /* Upper limit of the ring's height, above the rim of the tank. */
 #define STICK_MOTION_HIGH_M 0.12f
@@ -33,7 +33,7 @@
 /* The complete state of the controls at one moment. */
 struct stick_report {
     uint64_t time_ns;
-    vec3 push;  /* Deflection of the stick or puck; each component is -1 to 1. Non-finite components
+    vec3 push;  /* Deflection of the stick or puck. Each component is -1 to 1. Non-finite components
                    count as 0. */
     vec3 twist; /* Pitch, yaw and roll as fractions (-1 to 1) of STICK_MOTION_TILT_MAX_RAD.
                    Non-finite components count as 0. */
@@ -50,10 +50,10 @@ struct stick_motion {
     vec3 place_m;     /* Position of the ring, not including the vertical motion of a dip. */
     vec3 speed_m_s;   /* Smoothed velocity of the ring. */
     vec3 twist_rad;   /* Smoothed pitch, yaw and roll of the ring. */
-    vec3 shade_m;     /* Position over the water to which the player has moved the fan; only x and z
+    vec3 shade_m;     /* Position over the water to which the player has moved the fan. Only x and z
                          are used. */
-    float swing;      /* Progress of the fan's entry: 0 means that the fan is beyond the tank's near
-                         edge, 1 means that it is at `shade_m`. */
+    float swing;      /* Progress of the fan's entry: 0 means that the fan is beyond the tank's
+                         near edge, 1 means that the fan is at `shade_m`. */
     uint64_t time_ns; /* Time of the newest report or sample. */
 };
 

@@ -4,11 +4,12 @@
 #include <ctype.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "core/base/panic.h"
 
-/* Default debounce time of a coin line; coin switches bounce for 1 to 3 ms. */
+/* Default debounce time of a coin line. Coin switches bounce for 1 to 3 ms. */
 #define COIN_DEBOUNCE_US 3000u
 /* Default shortest coin pulse: the shortest common pulse of 25 ms, minus 20 %, minus 5 ms of
  * bounce. */
@@ -78,124 +79,83 @@ enum gpio_role gpio_role_find(const char *name, size_t length)
     return role;
 }
 
-/* ---- Tokens of a wiring text ---------------------------------------------------------------- */
+/* ---- Words of a wiring text ------------------------------------------------------------------ */
 
-/* A part of the wiring text. The caller owns the bytes, which are not terminated by 0. */
-struct token {
-    const char *at;
-    size_t length;
-};
+/* Size of the buffer for a copy of a wiring text. All options of a role together are shorter. */
+#define TEXT_SIZE 256u
 
-/* Returns true if `word` equals `text`. */
-static bool token_is(struct token word, const char *text)
-{
-    CORE_ASSERT(text);
-    return word.length == strlen(text) && memcmp(word.at, text, word.length) == 0;
-}
-
-/* Returns true and removes `prefix` from `word` if `word` starts with `prefix`, otherwise returns
+/* Returns true and moves `*word` behind `prefix` if `*word` starts with `prefix`, otherwise returns
  * false. */
-static bool token_strip(struct token *word, const char *prefix)
+static bool strip(const char **word, const char *prefix)
 {
     const size_t length = strlen(prefix);
-    if (word->length < length || memcmp(word->at, prefix, length) != 0) {
+    if (strncmp(*word, prefix, length) != 0) {
         return false;
     }
-    *word = (struct token){ word->at + length, word->length - length };
+    *word += length;
     return true;
 }
 
-/* Splits `rest` at the first `mark`. Returns the part before the mark and keeps the part after the
- * mark in `rest`. If there is no mark, returns all of `rest`. */
-static struct token token_split(struct token *rest, char mark)
+/* Parses the digits at the start of `word` into `out`. Returns the text after the digits, or null
+ * if there are no digits or if the value exceeds `max`. */
+static const char *parse_number(const char *word, uint32_t max, uint32_t *out)
 {
-    const char *at = rest->length ? memchr(rest->at, mark, rest->length) : NULL;
-    const size_t length = at ? (size_t)(at - rest->at) : rest->length;
-    const size_t taken = at ? length + 1u : length;
-    const struct token first = { rest->at, length };
-    CORE_ASSERT(taken <= rest->length);
-    *rest = (struct token){ rest->at + taken, rest->length - taken };
-    return first;
-}
-
-/* Parses leading digits into `out` and removes them from `word`. Returns false if there are no
- * digits or if the value exceeds `max`. */
-static bool parse_number(struct token *word, uint32_t max, uint32_t *out)
-{
-    uint64_t value = 0;
-    size_t i = 0;
-    while (i < word->length && isdigit((unsigned char)word->at[i])) {
-        value = value * 10u + (uint64_t)(word->at[i] - '0');
-        if (value > max) {
-            return false;
-        }
-        i++;
+    char *end = NULL;
+    const unsigned long long value = strtoull(word, &end, 10);
+    CORE_ASSERT(max < UINT32_MAX);
+    if (!isdigit((unsigned char)word[0]) || value > max) {
+        return NULL;
     }
-    CORE_ASSERT(i <= word->length && value <= max);
-    *word = (struct token){ word->at + i, word->length - i };
     *out = (uint32_t)value;
-    return i > 0;
+    return end;
 }
 
-/* Parses a single time. Returns false unless the time is 1 us to GPIO_TIME_US_MAX. */
-static bool parse_time(struct token word, uint32_t *out_us)
+/* Parses a time that ends at the character `end`. Returns the text after `end`, or a pointer to the
+ * terminating zero if `end` is 0. Returns null unless the time is 1 us to GPIO_TIME_US_MAX. */
+static const char *parse_time(const char *word, char end, uint32_t *out_us)
 {
     static const struct {
         const char *unit;
         uint32_t us;
     } units[] = { { "us", 1 }, { "ms", 1000 }, { "s", 1000000 } };
-    uint32_t number;
-    if (!parse_number(&word, GPIO_TIME_US_MAX, &number)) {
-        return false;
-    }
-    for (size_t i = 0; i < sizeof units / sizeof units[0]; i++) {
-        if (token_is(word, units[i].unit)) {
+    uint32_t number = 0;
+    const char *unit = word ? parse_number(word, GPIO_TIME_US_MAX, &number) : NULL;
+    for (size_t i = 0; unit && i < sizeof units / sizeof units[0]; i++) {
+        const size_t length = strlen(units[i].unit);
+        if (strncmp(unit, units[i].unit, length) == 0 && unit[length] == end) {
             *out_us = number * units[i].us;
-            return number >= 1 && number <= GPIO_TIME_US_MAX / units[i].us;
+            return number >= 1 && number <= GPIO_TIME_US_MAX / units[i].us
+                       ? unit + length + (end != '\0')
+                       : NULL;
         }
     }
-    return false;
-}
-
-/* Parses two times that are separated by `mark`. Returns false unless each time is 1 us to
- * GPIO_TIME_US_MAX. */
-static bool parse_times(struct token word, char mark, uint32_t *first_us, uint32_t *second_us)
-{
-    CORE_ASSERT(first_us && second_us);
-    const struct token first = token_split(&word, mark);
-    return parse_time(first, first_us) && parse_time(word, second_us);
+    return NULL;
 }
 
 /* ---- Parsing of one wire -------------------------------------------------------------------- */
 
-static bool copies_name(struct token word, char out[GPIO_TEXT_SIZE])
+/* Parses LINE: CHIP:OFFSET if only digits follow the last colon, otherwise a line name. Returns
+ * false if the text is empty or too long. */
+static bool reads_line(char *word, struct gpio_wire *wire)
 {
-    if (word.length == 0 || word.length >= GPIO_TEXT_SIZE) {
+    CORE_ASSERT(wire->offset == 0);
+    char *colon = strrchr(word, ':'), *name = wire->name;
+    const char *end = colon ? parse_number(colon + 1, UINT16_MAX, &wire->offset) : NULL;
+    if (end && !*end) {
+        *colon = '\0';
+        name = wire->chip;
+    } else {
+        wire->offset = 0;
+    }
+    const size_t length = strlen(word);
+    if (length == 0 || length >= GPIO_TEXT_SIZE) {
         return false;
     }
-    memcpy(out, word.at, word.length);
-    out[word.length] = '\0';
+    memcpy(name, word, length + 1u);
     return true;
 }
 
-/* Parses LINE: CHIP:OFFSET if only digits follow the last colon, otherwise a line name. Returns
- * false if the text is empty or too long. */
-static bool reads_line(struct token word, struct gpio_wire *wire)
-{
-    CORE_ASSERT(wire->offset == 0);
-    const char *colon = word.length ? memrchr(word.at, ':', word.length) : NULL;
-    if (colon) {
-        const size_t length = (size_t)(colon - word.at);
-        struct token digits = { colon + 1, word.length - length - 1u };
-        if (parse_number(&digits, UINT16_MAX, &wire->offset) && digits.length == 0) {
-            return copies_name((struct token){ word.at, length }, wire->chip);
-        }
-        wire->offset = 0;
-    }
-    return copies_name(word, wire->name);
-}
-
-static bool reads_level_or_bias(struct token word, struct gpio_wire *wire, bool *has_bias)
+static bool reads_level_or_bias(const char *word, struct gpio_wire *wire, bool *has_bias)
 {
     static const char *const biases[] = {
         [GPIO_BIAS_AS_IS] = "as-is",
@@ -203,13 +163,13 @@ static bool reads_level_or_bias(struct token word, struct gpio_wire *wire, bool 
         [GPIO_BIAS_DOWN] = "down",
         [GPIO_BIAS_OFF] = "float",
     };
-    if (token_is(word, "low") || token_is(word, "high")) {
-        wire->active_low = token_is(word, "low");
+    if (strcmp(word, "low") == 0 || strcmp(word, "high") == 0) {
+        wire->active_low = strcmp(word, "low") == 0;
         return true;
     }
-    for (uint8_t i = 0; i < sizeof biases / sizeof biases[0]; i++) {
-        if (token_is(word, biases[i])) {
-            wire->bias = i;
+    for (uint32_t i = 0; i < sizeof biases / sizeof biases[0]; i++) {
+        if (strcmp(word, biases[i]) == 0) {
+            wire->bias = (uint8_t)i;
             *has_bias = true;
             return true;
         }
@@ -219,39 +179,40 @@ static bool reads_level_or_bias(struct token word, struct gpio_wire *wire, bool 
 
 /* Parses debounce=, window= or pulse=. Returns false if the time is invalid or the word does not
  * suit the role. */
-static bool reads_timing(struct token word, enum gpio_role role, struct gpio_wire *wire)
+static bool reads_timing(const char *word, enum gpio_role role, struct gpio_wire *wire)
 {
     CORE_ASSERT(role < GPIO_ROLE_COUNT);
-    if (token_strip(&word, "debounce=")) {
-        return gpio_role_is_input(role) && parse_time(word, &wire->debounce_us);
+    if (strip(&word, "debounce=")) {
+        return gpio_role_is_input(role) && parse_time(word, '\0', &wire->debounce_us);
     }
-    if (token_strip(&word, "window=")) {
-        return gpio_role_is_coin(role) &&
-               parse_times(word, '-', &wire->pulse_min_us, &wire->pulse_max_us) &&
+    if (strip(&word, "window=")) {
+        word = parse_time(word, '-', &wire->pulse_min_us);
+        return gpio_role_is_coin(role) && parse_time(word, '\0', &wire->pulse_max_us) &&
                wire->pulse_min_us < wire->pulse_max_us;
     }
-    return token_strip(&word, "pulse=") && !gpio_role_is_input(role) &&
-           parse_times(word, '/', &wire->pulse_on_us, &wire->pulse_off_us);
+    if (!strip(&word, "pulse=") || gpio_role_is_input(role)) {
+        return false;
+    }
+    word = parse_time(word, '/', &wire->pulse_on_us);
+    return parse_time(word, '\0', &wire->pulse_off_us) != NULL;
 }
 
 /* Writes the reason why the word is invalid to `why`. Returns false. */
-static bool refuse_word(struct token word, enum gpio_role role, char why[HAL_TEXT_SIZE])
+static bool refuse_word(const char *word, enum gpio_role role, char why[HAL_TEXT_SIZE])
 {
     CORE_ASSERT(role < GPIO_ROLE_COUNT);
-    const char *name = roles[role].name, *at = word.at;
-    const int length = (int)(word.length < 30 ? word.length : 30);
-    if (gpio_role_is_coin(role) && token_strip(&word, "window=")) {
+    const char *name = roles[role].name, *at = word;
+    if (gpio_role_is_coin(role) && strip(&word, "window=")) {
         return gpio_config_error(why,
-                                 "%s: '%.*s': a window is a shortest pulse and a longer one, "
+                                 "%s: '%.30s': a window is a shortest pulse and a longer one, "
                                  "of 1us to 10s: window=15ms-250ms",
-                                 name, length, at);
+                                 name, at);
     }
-    if (gpio_role_is_input(role) && token_strip(&word, "debounce=")) {
-        return gpio_config_error(why, "%s: '%.*s': a time of 1us to 10s is wanted: debounce=5ms",
-                                 name, length, at);
+    if (gpio_role_is_input(role) && strip(&word, "debounce=")) {
+        return gpio_config_error(why, "%s: '%.30s': a time of 1us to 10s is wanted: debounce=5ms",
+                                 name, at);
     }
-    return gpio_config_error(why, "%s: '%.*s' is none of low high up down float as-is%s", name,
-                             length, at,
+    return gpio_config_error(why, "%s: '%.30s' is none of low high up down float as-is%s", name, at,
                              gpio_role_is_coin(role)    ? " debounce=3ms window=15ms-250ms"
                              : gpio_role_is_input(role) ? " debounce=5ms"
                                                         : " pulse=100ms/100ms");
@@ -260,31 +221,34 @@ static bool refuse_word(struct token word, enum gpio_role role, char why[HAL_TEX
 bool gpio_wire_read(const char *text, struct gpio_wire wires[GPIO_ROLE_COUNT],
                     char why[HAL_TEXT_SIZE])
 {
+    char buffer[TEXT_SIZE], *rest = buffer;
     CORE_ASSERT(text && why);
-    struct token rest = { text, strlen(text) };
-    if (!memchr(text, '=', rest.length)) {
+    if (!strchr(text, '=')) {
         return gpio_config_error(why, "ROLE=LINE is wanted, as in start=BTN_START");
     }
-    const struct token name = token_split(&rest, '=');
-    const enum gpio_role role = gpio_role_find(name.at, name.length);
+    if (strlen(text) >= sizeof buffer) {
+        return gpio_config_error(why, "the text is longer than %u characters", TEXT_SIZE - 1u);
+    }
+    memcpy(buffer, text, strlen(text) + 1u);
+    const char *name = strsep(&rest, "=");
+    const enum gpio_role role = gpio_role_find(name, strlen(name));
     if (role == GPIO_ROLE_COUNT) {
         return gpio_config_error(
             why,
-            "'%.*s' is no role: start left right ok test service tilt coin coin2 "
+            "'%.20s' is not a role; expected start left right ok test service tilt coin coin2 "
             "coin3 door start-lamp coin-lockout ticket coin-counter",
-            (int)(name.length < 20 ? name.length : 20), name.at);
+            name);
     }
     const bool rests = gpio_role_is_input(role) || gpio_role_begins_active(role);
     struct gpio_wire wire = { .wired = 1, .active_low = rests };
     bool has_bias = !rests;
-    const struct token line = token_split(&rest, ',');
-    if (!reads_line(line, &wire)) {
+    if (!reads_line(strsep(&rest, ","), &wire)) {
         return gpio_config_error(why,
                                  "%s: a line's name or CHIP:OFFSET is wanted, of 1 to %u letters",
                                  roles[role].name, GPIO_TEXT_SIZE - 1u);
     }
-    while (rest.length > 0) {
-        const struct token word = token_split(&rest, ',');
+    while (rest && *rest) {
+        const char *word = strsep(&rest, ",");
         if (!reads_level_or_bias(word, &wire, &has_bias) && !reads_timing(word, role, &wire)) {
             return refuse_word(word, role, why);
         }

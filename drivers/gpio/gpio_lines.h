@@ -43,6 +43,12 @@ static inline bool gpio_role_is_input(enum gpio_role role)
     return role < GPIO_INPUT_COUNT;
 }
 
+/* Returns the bit of a role in a bit mask of roles. */
+static inline uint32_t gpio_role_bit(enum gpio_role role)
+{
+    return 1u << role;
+}
+
 /* Returns true if `role` is a coin line. */
 static inline bool gpio_role_is_coin(enum gpio_role role)
 {
@@ -78,12 +84,12 @@ struct gpio_wire {
     uint32_t offset;
     uint8_t active_low;
     uint8_t bias;          /* Pull resistor of the line (enum gpio_bias). */
-    uint32_t debounce_us;  /* Debounce time of an input; unused for outputs. */
-    uint32_t pulse_min_us; /* Shortest valid pulse of a coin line; `pulse_max_us` is the longest
-                              valid pulse. */
+    uint32_t debounce_us;  /* Debounce time of an input. Outputs do not use this field. */
+    uint32_t pulse_min_us; /* Shortest (`pulse_min_us`) and longest (`pulse_max_us`) valid pulse of
+                              a coin line. */
     uint32_t pulse_max_us;
-    uint32_t pulse_on_us; /* Pulse length of an output; `pulse_off_us` is the pause after each
-                             pulse. */
+    uint32_t pulse_on_us; /* Length of an output pulse (`pulse_on_us`), and pause after each pulse
+                             (`pulse_off_us`). */
     uint32_t pulse_off_us;
 };
 
@@ -91,13 +97,13 @@ struct gpio_wire {
 struct gpio_edge {
     uint64_t time_ns; /* Time of the interrupt on CLOCK_MONOTONIC. */
     uint8_t role;     /* Role of the line (enum gpio_role). */
-    /* Level after the edge; 1 means active (see active_low). The kernel reads the level some time
-     * after the interrupt, so it can be wrong. */
+    /* Level after the edge. 1 means active (see active_low). The kernel reads the level some time
+     * after the interrupt, so the level can be wrong. */
     uint8_t active;
     uint32_t lost_before; /* Number of edges of the line that the kernel dropped directly before
                              this edge, because its queue was full. */
-    /* Time at which the GPIO thread received the edge. The GPIO thread sets this field; the backend
-     * leaves it 0. */
+    /* Time at which the GPIO thread received the edge. The GPIO thread sets this field. The backend
+     * leaves this field 0. */
     uint64_t taken_ns;
 };
 
@@ -117,9 +123,9 @@ struct gpio_line_info {
 
 struct gpio_lines_ops {
     /* Requests every wired line that is not held yet. Each output is immediately driven to the
-     * level that gpio_role_begins_active() returns. `why[role]` receives one line with the fault
-     * and its remedy ("BTN_START is held by 'gpio-keys': remove its overlay"), or "". Returns the
-     * held lines, one bit for each role, or HAL_ERR_ABSENT if there is no GPIO chip. */
+     * level that gpio_role_begins_active() returns. `why[role]` receives one line that names the
+     * fault and the remedy ("BTN_START is in use by 'gpio-keys': remove its overlay"), or "".
+     * Returns the held lines, one bit for each role, or HAL_ERR_ABSENT if there is no GPIO chip. */
     int (*open)(void *self, const struct gpio_wire wires[GPIO_ROLE_COUNT],
                 char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZE]);
     /* Waits at most `timeout_ms` for edges, even if no line is held. Returns the number of edges,

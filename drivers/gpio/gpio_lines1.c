@@ -5,6 +5,7 @@
  * kernel drops further edges without a report, and edges have no sequence numbers. A loss is
  * therefore inferred if the queue was full and the next edge has the same direction as the edge
  * before it. */
+#include <errno.h>
 #include <gpiod.h>
 #include <string.h>
 
@@ -12,7 +13,6 @@
 #include "drivers/gpio/gpio_backend.h"
 
 #define QUEUE_SIZE 16u /* Size of the LINEEVENT queue in the kernel's gpiolib-cdev.c. */
-#define NS_PER_S 1000000000ull
 
 static struct held {
     /* Handle of the chip, or null if the line is not held. Each line opens its chip separately. */
@@ -24,36 +24,37 @@ static struct held {
 
 /* ---- Requesting lines ----------------------------------------------------------------------- */
 
-static bool open_chip_v1(enum gpio_role role, const char *path)
-{
-    CORE_ASSERT(role < GPIO_ROLE_COUNT && !lines[role].chip);
-    lines[role].chip = gpiod_chip_open(path);
-    return lines[role].chip != NULL;
-}
-
-static bool find_line_v1(enum gpio_role role, const struct gpio_wire *wire)
-{
-    struct held *held = &lines[role];
-    CORE_ASSERT(held->chip);
-    if (wire->chip[0] && strcmp(gpiod_chip_label(held->chip), wire->chip) != 0) {
-        return false;
-    }
-    if (wire->name[0]) {
-        held->line = gpiod_chip_find_line(held->chip, wire->name);
-    } else if (wire->offset < gpiod_chip_num_lines(held->chip)) {
-        held->line = gpiod_chip_get_line(held->chip, wire->offset);
-    }
-    return held->line != NULL;
-}
-
-static void gpio_lines1_release(enum gpio_role role)
+static void release_v1(enum gpio_role role)
 {
     CORE_ASSERT(lines[role].chip);
     gpiod_chip_close(lines[role].chip); /* Closing the chip releases the line. */
     lines[role] = (struct held){ 0 };
 }
 
-static int request_line_v1(enum gpio_role role, const struct gpio_wire *wire, bool has_edges)
+static int find_v1(enum gpio_role role, const char *path, const struct gpio_wire *wire)
+{
+    struct held *held = &lines[role];
+    CORE_ASSERT(role < GPIO_ROLE_COUNT && !held->chip);
+    held->chip = gpiod_chip_open(path);
+    if (!held->chip) {
+        return -1;
+    }
+    if (!wire->chip[0] || strcmp(gpiod_chip_label(held->chip), wire->chip) == 0) {
+        if (wire->name[0]) {
+            held->line = gpiod_chip_find_line(held->chip, wire->name);
+        } else if (wire->offset < gpiod_chip_num_lines(held->chip)) {
+            held->line = gpiod_chip_get_line(held->chip, wire->offset);
+        }
+    }
+    if (!held->line) {
+        release_v1(role);
+        return 0;
+    }
+    return 1;
+}
+
+static int request_v1(enum gpio_role role, const struct gpio_wire *wire, bool has_edges,
+                      char consumer[GPIO_TEXT_SIZE])
 {
     static const int bias_flags[] = {
         [GPIO_BIAS_AS_IS] = 0,
@@ -71,22 +72,17 @@ static int request_line_v1(enum gpio_role role, const struct gpio_wire *wire, bo
     };
     struct held *held = &lines[role];
     CORE_ASSERT(held->line && wire->bias <= GPIO_BIAS_OFF);
-    const int failed = gpiod_line_request(held->line, &config, gpio_role_begins_active(role));
-    held->active = !failed && has_edges && gpiod_line_get_value(held->line) == 1;
-    return failed;
-}
-
-static void consumer_text_v1(enum gpio_role role, char out[GPIO_TEXT_SIZE])
-{
-    gpio_dev_text(out, gpiod_line_consumer(lines[role].line));
+    if (gpiod_line_request(held->line, &config, gpio_role_begins_active(role)) != 0) {
+        const int error = errno;
+        gpio_dev_text(consumer, gpiod_line_consumer(held->line));
+        errno = error;
+        return -1;
+    }
+    held->active = has_edges && gpiod_line_get_value(held->line) == 1;
+    return has_edges ? gpiod_line_event_get_fd(held->line) : 0;
 }
 
 /* ---- Edges ---------------------------------------------------------------------------------- */
-
-static int edges_fd_v1(enum gpio_role role)
-{
-    return gpiod_line_event_get_fd(lines[role].line);
-}
 
 static int read_edges_v1(enum gpio_role role, struct gpio_edge *out, uint32_t max)
 {
@@ -94,7 +90,8 @@ static int read_edges_v1(enum gpio_role role, struct gpio_edge *out, uint32_t ma
     struct held *held = &lines[role];
     CORE_ASSERT(role < GPIO_INPUT_COUNT && held->line && max > 0);
     const uint32_t wanted = max < QUEUE_SIZE ? max : QUEUE_SIZE;
-    const int count = gpiod_line_event_read_fd_multiple(edges_fd_v1(role), events, wanted);
+    const int count =
+        gpiod_line_event_read_fd_multiple(gpiod_line_event_get_fd(held->line), events, wanted);
     for (int i = 0; i < count; i++) {
         const uint8_t active = events[i].event_type == GPIOD_LINE_EVENT_RISING_EDGE;
         out[i] = (struct gpio_edge){
@@ -112,7 +109,7 @@ static int read_edges_v1(enum gpio_role role, struct gpio_edge *out, uint32_t ma
 
 /* ---- Lines of a chip ------------------------------------------------------------------------ */
 
-static uint32_t tell_chip_lines_v1(const char *path,
+static uint32_t list_chip_lines_v1(const char *path,
                                    void (*tell)(void *context, const struct gpio_line_info *line),
                                    void *context)
 {
@@ -145,39 +142,29 @@ static uint32_t tell_chip_lines_v1(const char *path,
 
 /* ---- Levels and the backend ----------------------------------------------------------------- */
 
-static int read_value_v1(enum gpio_role role)
+static int get_v1(enum gpio_role role)
 {
     return gpiod_line_get_value(lines[role].line);
 }
 
-static int gpio_lines1_set(enum gpio_role role, int active)
+static int set_v1(enum gpio_role role, int active)
 {
     CORE_ASSERT(!gpio_role_is_input(role));
     return gpiod_line_set_value(lines[role].line, active != 0);
 }
 
-/* Returns 0, because the first version of the kernel's GPIO interface cannot debounce a line. */
-static int has_debounce_v1(enum gpio_role role)
-{
-    (void)role;
-    return 0;
-}
-
 struct gpio_lines gpio_lines_device(void)
 {
     static const struct gpio_backend_ops ops = {
-        .open_chip = open_chip_v1,
-        .find_line = find_line_v1,
-        .request = request_line_v1,
-        .consumer = consumer_text_v1,
-        .edges_fd = edges_fd_v1,
+        .find = find_v1,
+        .request = request_v1,
         .read_edges = read_edges_v1,
-        .get = read_value_v1,
-        .set = gpio_lines1_set,
-        .debounces = has_debounce_v1,
-        .release = gpio_lines1_release,
-        .tell_chip = tell_chip_lines_v1,
+        .get = get_v1,
+        .set = set_v1,
+        .release = release_v1,
+        .list_chip_lines = list_chip_lines_v1,
         .version = gpiod_version_string,
+        .debounces = false, /* The first version of the kernel's GPIO interface cannot debounce. */
     };
     static struct gpio_backend backend;
     return gpio_backend_device(&backend, &ops);

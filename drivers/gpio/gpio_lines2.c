@@ -11,7 +11,7 @@
 #include "core/base/panic.h"
 #include "drivers/gpio/gpio_backend.h"
 
-/* Requested queue size; the kernel's default is 16 edges for each line. */
+/* Requested queue size. The kernel's default is 16 edges for each line. */
 #define QUEUE_SIZE GPIO_EDGES_MAX
 
 static struct held {
@@ -21,42 +21,13 @@ static struct held {
                                                requested yet. */
     struct gpiod_edge_event_buffer *buffer; /* Buffer for the edges of an input with edge detection,
                                                otherwise null. */
-    uint32_t seen;                          /* Sequence number of the last edge; 0 means no edge
+    uint32_t seen;                          /* Sequence number of the last edge. 0 means no edge
                                                yet. */
-    uint8_t debounces;                      /* 1 if the kernel debounces the line, otherwise 0. */
 } lines[GPIO_ROLE_COUNT];
 
 /* ---- Finding lines -------------------------------------------------------------------------- */
 
-static bool open_chip_v2(enum gpio_role role, const char *path)
-{
-    CORE_ASSERT(role < GPIO_ROLE_COUNT && !lines[role].chip);
-    lines[role].chip = gpiod_chip_open(path);
-    return lines[role].chip != NULL;
-}
-
-static bool find_line_v2(enum gpio_role role, const struct gpio_wire *wire)
-{
-    struct gpiod_chip *chip = lines[role].chip;
-    struct gpiod_chip_info *info = gpiod_chip_get_info(chip);
-    int offset = -1;
-    CORE_ASSERT(chip);
-    if (!info) {
-        return false;
-    }
-    if (!wire->chip[0] || strcmp(gpiod_chip_info_get_label(info), wire->chip) == 0) {
-        offset = wire->name[0] ? gpiod_chip_get_line_offset_from_name(chip, wire->name)
-                 : wire->offset < gpiod_chip_info_get_num_lines(info) ? (int)wire->offset
-                                                                      : -1;
-    }
-    gpiod_chip_info_free(info);
-    lines[role].offset = (unsigned int)offset;
-    return offset >= 0;
-}
-
-/* ---- Requesting lines ----------------------------------------------------------------------- */
-
-static void gpio_lines2_release(enum gpio_role role)
+static void release_v2(enum gpio_role role)
 {
     struct held *held = &lines[role];
     CORE_ASSERT(held->chip);
@@ -70,16 +41,29 @@ static void gpio_lines2_release(enum gpio_role role)
     *held = (struct held){ 0 };
 }
 
-/* Returns true if the kernel may debounce the line of `role`. Coin and tilt lines are excluded,
- * because the times of their transitions matter.
- *
- * The kernel stamps a debounced edge when its work queue runs, in steps of 4 ms and late on a busy
- * machine. In a virtual machine, coin pulses of 40 ms were measured as 15 to 75 ms. Edges without
- * kernel debouncing have exact time stamps. */
-static bool kernel_may_debounce(enum gpio_role role)
+static int find_v2(enum gpio_role role, const char *path, const struct gpio_wire *wire)
 {
-    return !gpio_role_is_coin(role) && role != GPIO_TILT;
+    CORE_ASSERT(role < GPIO_ROLE_COUNT && !lines[role].chip);
+    struct gpiod_chip *chip = lines[role].chip = gpiod_chip_open(path);
+    struct gpiod_chip_info *info = chip ? gpiod_chip_get_info(chip) : NULL;
+    int offset = -1;
+    if (!chip) {
+        return -1;
+    }
+    if (info && (!wire->chip[0] || strcmp(gpiod_chip_info_get_label(info), wire->chip) == 0)) {
+        offset = wire->name[0] ? gpiod_chip_get_line_offset_from_name(chip, wire->name)
+                 : wire->offset < gpiod_chip_info_get_num_lines(info) ? (int)wire->offset
+                                                                      : -1;
+    }
+    gpiod_chip_info_free(info);
+    lines[role].offset = (unsigned int)offset;
+    if (offset < 0) {
+        release_v2(role);
+    }
+    return offset >= 0;
 }
+
+/* ---- Requesting lines ----------------------------------------------------------------------- */
 
 static int set_up(struct gpiod_line_settings *settings, const struct gpio_wire *wire,
                   enum gpio_role role, bool has_edges)
@@ -100,7 +84,7 @@ static int set_up(struct gpiod_line_settings *settings, const struct gpio_wire *
         failed |= gpiod_line_settings_set_edge_detection(settings, GPIOD_LINE_EDGE_BOTH);
         failed |= gpiod_line_settings_set_event_clock(settings, GPIOD_LINE_CLOCK_MONOTONIC);
         gpiod_line_settings_set_debounce_period_us(
-            settings, kernel_may_debounce(role) ? wire->debounce_us : 0);
+            settings, gpio_backend_may_debounce(role) ? wire->debounce_us : 0);
     } else if (!is_input) {
         failed |= gpiod_line_settings_set_output_value(settings, gpio_role_begins_active(role)
                                                                      ? GPIOD_LINE_VALUE_ACTIVE
@@ -109,30 +93,8 @@ static int set_up(struct gpiod_line_settings *settings, const struct gpio_wire *
     return failed;
 }
 
-/* Requests a line. Returns the request, or null with errno set on an error. */
-static struct gpiod_line_request *request_line(const struct held *held,
-                                               const struct gpio_wire *wire, enum gpio_role role,
-                                               bool has_edges)
-{
-    struct gpiod_line_settings *settings = gpiod_line_settings_new();
-    struct gpiod_line_config *config = gpiod_line_config_new();
-    struct gpiod_request_config *words = gpiod_request_config_new();
-    struct gpiod_line_request *got = NULL;
-    if (settings && config && words && set_up(settings, wire, role, has_edges) == 0 &&
-        gpiod_line_config_add_line_settings(config, &held->offset, 1, settings) == 0) {
-        gpiod_request_config_set_consumer(words, "kingyo");
-        gpiod_request_config_set_event_buffer_size(words, QUEUE_SIZE);
-        got = gpiod_chip_request_lines(held->chip, words, config);
-    }
-    const int error = errno;
-    gpiod_request_config_free(words);
-    gpiod_line_config_free(config);
-    gpiod_line_settings_free(settings);
-    errno = error;
-    return got;
-}
-
-static int request_line_v2(enum gpio_role role, const struct gpio_wire *wire, bool has_edges)
+static int request_v2(enum gpio_role role, const struct gpio_wire *wire, bool has_edges,
+                      char consumer[GPIO_TEXT_SIZE])
 {
     struct held *held = &lines[role];
     CORE_ASSERT(held->chip && !held->request);
@@ -142,24 +104,30 @@ static int request_line_v2(enum gpio_role role, const struct gpio_wire *wire, bo
             return -1;
         }
     }
-    held->request = request_line(held, wire, role, has_edges);
-    held->debounces = has_edges && kernel_may_debounce(role) && wire->debounce_us > 0;
-    return held->request ? 0 : -1;
-}
-
-static void consumer_text_v2(enum gpio_role role, char out[GPIO_TEXT_SIZE])
-{
-    struct gpiod_line_info *info = gpiod_chip_get_line_info(lines[role].chip, lines[role].offset);
-    gpio_dev_text(out, info ? gpiod_line_info_get_consumer(info) : NULL);
-    gpiod_line_info_free(info);
+    struct gpiod_line_settings *settings = gpiod_line_settings_new();
+    struct gpiod_line_config *config = gpiod_line_config_new();
+    struct gpiod_request_config *words = gpiod_request_config_new();
+    if (settings && config && words && set_up(settings, wire, role, has_edges) == 0 &&
+        gpiod_line_config_add_line_settings(config, &held->offset, 1, settings) == 0) {
+        gpiod_request_config_set_consumer(words, "kingyo");
+        gpiod_request_config_set_event_buffer_size(words, QUEUE_SIZE);
+        held->request = gpiod_chip_request_lines(held->chip, words, config);
+    }
+    const int error = errno;
+    gpiod_request_config_free(words);
+    gpiod_line_config_free(config);
+    gpiod_line_settings_free(settings);
+    if (!held->request) {
+        struct gpiod_line_info *info = gpiod_chip_get_line_info(held->chip, held->offset);
+        gpio_dev_text(consumer, info ? gpiod_line_info_get_consumer(info) : NULL);
+        gpiod_line_info_free(info);
+        errno = error;
+        return -1;
+    }
+    return has_edges ? gpiod_line_request_get_fd(held->request) : 0;
 }
 
 /* ---- Edges ---------------------------------------------------------------------------------- */
-
-static int edges_fd_v2(enum gpio_role role)
-{
-    return gpiod_line_request_get_fd(lines[role].request);
-}
 
 static int read_edges_v2(enum gpio_role role, struct gpio_edge *out, uint32_t max)
 {
@@ -183,7 +151,7 @@ static int read_edges_v2(enum gpio_role role, struct gpio_edge *out, uint32_t ma
 
 /* ---- Lines of a chip ------------------------------------------------------------------------ */
 
-static uint32_t tell_chip_lines_v2(const char *path,
+static uint32_t list_chip_lines_v2(const char *path,
                                    void (*tell)(void *context, const struct gpio_line_info *line),
                                    void *context)
 {
@@ -221,14 +189,14 @@ static uint32_t tell_chip_lines_v2(const char *path,
 
 /* ---- Levels and the backend ----------------------------------------------------------------- */
 
-static int read_value_v2(enum gpio_role role)
+static int get_v2(enum gpio_role role)
 {
     const enum gpiod_line_value value =
         gpiod_line_request_get_value(lines[role].request, lines[role].offset);
     return value == GPIOD_LINE_VALUE_ERROR ? -1 : value == GPIOD_LINE_VALUE_ACTIVE;
 }
 
-static int gpio_lines2_set(enum gpio_role role, int active)
+static int set_v2(enum gpio_role role, int active)
 {
     CORE_ASSERT(!gpio_role_is_input(role) && lines[role].request);
     return gpiod_line_request_set_value(lines[role].request, lines[role].offset,
@@ -236,26 +204,18 @@ static int gpio_lines2_set(enum gpio_role role, int active)
                                                : GPIOD_LINE_VALUE_INACTIVE);
 }
 
-static int has_debounce_v2(enum gpio_role role)
-{
-    return lines[role].debounces;
-}
-
 struct gpio_lines gpio_lines_device(void)
 {
     static const struct gpio_backend_ops ops = {
-        .open_chip = open_chip_v2,
-        .find_line = find_line_v2,
-        .request = request_line_v2,
-        .consumer = consumer_text_v2,
-        .edges_fd = edges_fd_v2,
+        .find = find_v2,
+        .request = request_v2,
         .read_edges = read_edges_v2,
-        .get = read_value_v2,
-        .set = gpio_lines2_set,
-        .debounces = has_debounce_v2,
-        .release = gpio_lines2_release,
-        .tell_chip = tell_chip_lines_v2,
+        .get = get_v2,
+        .set = set_v2,
+        .release = release_v2,
+        .list_chip_lines = list_chip_lines_v2,
         .version = gpiod_api_version,
+        .debounces = true,
     };
     static struct gpio_backend backend;
     return gpio_backend_device(&backend, &ops);

@@ -1,5 +1,6 @@
-/* gpio_signal.c -- implements the processing of the signals of single GPIO lines. */
-#include "drivers/gpio/gpio_signal.h"
+/* gpio_signal.c -- processes the signals of single GPIO lines: debouncing, edge filter, coins and
+ * output pulses. */
+#include "drivers/gpio/gpio_thread.h"
 
 #include "core/base/panic.h"
 
@@ -61,24 +62,25 @@ struct gpio_edge_filter gpio_edge_filter_begin(uint64_t debounce_ns, bool active
     };
 }
 
-/* Returns true while the last polled level differs from the level after the last edge. */
+/* Returns true while the level that was polled last differs from the level after the last edge. */
 static bool is_doubted(const struct gpio_poll_edges *other)
 {
-    /* A recorded poll has a first time and a last time. */
+    /* The recorded polls have either both a first and a last time, or neither. */
     CORE_ASSERT((other->since_ns == NEVER) == (other->last_ns == NEVER));
     CORE_ASSERT(other->back_ns == NEVER || other->since_ns != NEVER);
     return other->since_ns != NEVER && other->back_ns == NEVER;
 }
 
-/* Returns true if polls over GPIO_PROOF_NS saw the different level. The kernel's edge event is then
- * late by more than the length of a glitch. */
+/* Returns true if polls over at least GPIO_PROOF_NS read a level that differs from the level after
+ * the last edge. The edge event of the kernel is then late by more than the length of a glitch. */
 static bool is_proof(const struct gpio_poll_edges *other)
 {
     return other->since_ns != NEVER && other->last_ns - other->since_ns >= GPIO_PROOF_NS;
 }
 
-/* Discards the recorded polls. Counts one lost edge if the polls proved a level that has ended,
- * unless `is_explained` is true. */
+/* Discards the recorded polls. Counts one lost edge if the polls proved a level that has already
+ * ended and `is_explained` is false. `is_explained` is true if a late edge event explains this
+ * level. */
 static void end_looks(struct gpio_edge_filter *input, bool is_explained)
 {
     const struct gpio_poll_edges *other = &input->other;
@@ -88,8 +90,8 @@ static void end_looks(struct gpio_edge_filter *input, bool is_explained)
 
 /* ---- Edge filter: edges ---------------------------------------------------------------------- */
 
-/* Applies an edge event that arrived late: its direction is replaced by the level that was polled
- * after the edge. */
+/* Applies an edge event that arrived late. The event's direction is replaced by the level that was
+ * polled after the edge. */
 static bool take_late(struct gpio_edge_filter *input, uint64_t time_ns,
                       struct debounce_edge_time *out)
 {
@@ -99,7 +101,8 @@ static bool take_late(struct gpio_edge_filter *input, uint64_t time_ns,
     CORE_ASSERT(is_proof(&input->other));
     input->late++;
     input->blinked_ns = NEVER;
-    /* Later edge events of the same pulse, with time stamps up to `believed_ns`, are ignored. */
+    /* Later edge events with time stamps up to `believed_ns` belong to the same pulse and are
+     * ignored. */
     input->believed_ns = back_ns == NEVER ? input->other.last_ns : back_ns;
     end_looks(input, true);
     const bool turned = gpio_debounce_edge(debounce, time_ns, !before, out);
@@ -113,7 +116,9 @@ static bool take_blink(struct gpio_edge_filter *input, const struct gpio_edge *e
 {
     struct debounce *debounce = &input->debounce;
     if (debounce->period_ns == 0) {
-        return false; /* The kernel debounces this line, so null edges have no meaning. */
+        /* The kernel debounces this line. A null edge (an event without a change of the level) is
+         * then not a sign of a pulse and is ignored. */
+        return false;
     }
     CORE_ASSERT((edge->active != 0) == debounce->raw);
     input->blinks++;
@@ -128,7 +133,8 @@ static bool take_blink(struct gpio_edge_filter *input, const struct gpio_edge *e
     input->told_ns = edge->taken_ns;
     struct debounce_edge_time none;
     const bool turned = gpio_debounce_edge(debounce, edge->time_ns, !active, out);
-    /* The line changes back at the same time, so no transition can complete. */
+    /* The second edge has the time of the first edge, so no transition can complete between the
+     * two. */
     gpio_debounce_edge(debounce, edge->time_ns, active, &none);
     return turned;
 }
@@ -142,7 +148,9 @@ bool gpio_edge_filter_edge(struct gpio_edge_filter *input, const struct gpio_edg
     const bool changes = active != input->debounce.raw;
     input->lost += edge->lost_before;
     if (edge->time_ns <= input->believed_ns) {
-        return false; /* The edge is older than an accepted polled level. */
+        /* An accepted polled level already includes every edge up to `believed_ns`. Therefore the
+         * edge is ignored. */
+        return false;
     }
     if (edge->lost_before == 0 && is_proof(other) && edge->time_ns <= other->since_ns &&
         (!changes || !is_doubted(other))) {

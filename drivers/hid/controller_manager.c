@@ -8,62 +8,51 @@
 #include "core/base/panic.h"
 #include "core/base/printable.h"
 
-void controller_manager_init(struct controller_manager *manager, struct hid_device_list device_list,
-                             struct hid_mapping_store *book, struct poi_hid *const seats[POI_MAX])
-{
-    CORE_ASSERT(device_list.ops);
-    memset(manager, 0, sizeof *manager);
-    manager->device_list = device_list;
-    manager->book = book;
-    manager->learn_seat = POI_MAX;
-    memcpy(manager->seat, seats, sizeof manager->seat);
-}
-
 /* ---- Learning of a mapping ------------------------------------------------------------------ */
 
-static struct poi_hid *learning_seat(const struct controller_manager *manager)
+static struct poi_hid *learning_poi(const struct controller_manager *manager)
 {
-    CORE_ASSERT(manager->learn_seat <= POI_MAX);
-    return manager->learn_seat < POI_MAX ? manager->seat[manager->learn_seat] : NULL;
+    CORE_ASSERT(manager->learn_slot <= POI_MAX);
+    return manager->learn_slot < POI_MAX ? manager->poi[manager->learn_slot] : NULL;
 }
 
-static void show_report(void *self, const struct hid_raw *raw)
+static void record_report(void *self, const struct hid_raw *raw)
 {
     struct controller_manager *manager = self;
     hid_learn_report(&manager->learn, raw);
 }
 
-static void leave_seat(struct controller_manager *manager)
+static void reset_learning_slot(struct controller_manager *manager)
 {
-    CORE_ASSERT(manager->learn_seat <= POI_MAX);
-    struct poi_hid *seat = learning_seat(manager);
-    if (seat) {
-        poi_hid_set_observer(seat, (struct hid_watch){ 0 });
+    CORE_ASSERT(manager->learn_slot <= POI_MAX);
+    struct poi_hid *poi = learning_poi(manager);
+    if (poi) {
+        poi->watch.report = NULL;
     }
-    manager->learn_seat = POI_MAX;
-    manager->learn_waits = manager->keeps = manager->writes = 0;
+    manager->learn_slot = POI_MAX;
+    manager->learn_waits = manager->keeps = manager->writes = false;
 }
 
 static void fail_learning(struct controller_manager *manager)
 {
-    leave_seat(manager);
+    reset_learning_slot(manager);
     manager->learn.step = LEARN_FAILED;
 }
 
-static int is_kind(const struct hid_identity *one, const struct hid_identity *other)
+static bool is_same_device(const struct hid_identity *one, const struct hid_identity *other)
 {
     return one->vendor == other->vendor && one->product == other->product &&
            strcmp(one->serial, other->serial) == 0;
 }
 
-/* Releases a controller that was selected only for learning and whose mapping was not kept. While
- * the device list is busy, `gives_back` stays 1 and the next poll retries. */
-static void give_back(struct controller_manager *manager)
+/* Releases a controller that was selected only for learning and whose mapping was not kept. If the
+ * device list is busy, `gives_back` stays true and the next poll retries. */
+static void release_learned_controller(struct controller_manager *manager)
 {
     const struct hid_row *row = &manager->row[manager->learn_row];
     CORE_ASSERT(manager->learn_row < CONTROLLER_MAX);
     manager->gives_back =
-        manager->gives_back && is_kind(&row->identity, &manager->learn_identity) &&
+        manager->gives_back && is_same_device(&row->identity, &manager->learn_identity) &&
         manager->device_list.ops->release(manager->device_list.self, manager->learn_row) ==
             HAL_ERR_BUSY;
 }
@@ -72,26 +61,26 @@ static void give_back(struct controller_manager *manager)
  * plays with the mapping that it has without learning. */
 static void stop_learning(struct controller_manager *manager, const struct hid_mapping *map)
 {
-    struct poi_hid *seat = learning_seat(manager);
-    if (seat) {
-        poi_hid_remap(seat, map);
+    struct poi_hid *poi = learning_poi(manager);
+    if (poi) {
+        poi_hid_remap(poi, map);
     }
-    leave_seat(manager);
+    reset_learning_slot(manager);
     manager->learn.step = LEARN_NONE;
 }
 
 static void end_learning(struct controller_manager *manager)
 {
-    const int plays_on = manager->learn.step == LEARN_NOT_SAVED || manager->writes;
+    const bool plays_on = manager->learn.step == LEARN_NOT_SAVED || manager->writes;
     stop_learning(manager, plays_on ? &manager->learn.map : NULL);
-    give_back(manager);
+    release_learned_controller(manager);
 }
 
 static int begin_learning(struct controller_manager *manager, uint32_t row)
 {
-    /* The current learning procedure ends. If learning restarts with the same row, `gives_back`
-     * keeps its value. */
-    const int again = manager->learn.step != LEARN_NONE && manager->learn_row == row;
+    /* A learning procedure that is in progress ends. If learning restarts with the same row,
+     * `gives_back` keeps its value. */
+    const bool again = manager->learn.step != LEARN_NONE && manager->learn_row == row;
     if (again) {
         stop_learning(manager, NULL);
     } else if (manager->learn.step != LEARN_NONE) {
@@ -106,63 +95,63 @@ static int begin_learning(struct controller_manager *manager, uint32_t row)
                            ? HAL_OK
                            : manager->device_list.ops->choose(manager->device_list.self, row);
     if (result != HAL_OK) {
-        manager->gives_back = 0;
+        manager->gives_back = false;
         fail_learning(manager);
         return result;
     }
     /* The menu shows "keep still" until the controller is attached. */
     manager->learn.step = LEARN_REST;
     manager->learn.report_count = 0;
-    manager->learn_waits = 1;
+    manager->learn_waits = true;
     return HAL_OK;
 }
 
-/* Starts recording when the frame loop has opened the controller's slot. Opening takes up to one
+/* Starts recording when the frame loop has opened the controller's port. Opening takes up to one
  * second. */
-static void sit_down(struct controller_manager *manager)
+static void begin_recording(struct controller_manager *manager)
 {
     const struct hid_row *row = &manager->row[manager->learn_row];
     CORE_ASSERT(manager->learn_waits);
-    CORE_ASSERT(manager->learn_seat == POI_MAX);
-    struct poi_hid *seat = row->seat < POI_MAX ? manager->seat[row->seat] : NULL;
+    CORE_ASSERT(manager->learn_slot == POI_MAX);
+    struct poi_hid *poi = row->slot < POI_MAX ? manager->poi[row->slot] : NULL;
     if (row->state == CONTROLLER_DENIED || row->state == CONTROLLER_UNSUPPORTED ||
         row->state == CONTROLLER_NONE) {
         fail_learning(manager);
         return;
     }
-    if (!seat || !seat->is_open || !is_kind(&seat->face.identity, &row->identity) ||
-        strcmp(seat->face.identity.port, row->identity.port) != 0) {
+    if (!poi || !poi->is_open || !is_same_device(&poi->face.identity, &row->identity) ||
+        strcmp(poi->face.identity.port, row->identity.port) != 0) {
         return;
     }
-    manager->learn_waits = 0;
-    manager->learn_seat = row->seat;
+    manager->learn_waits = false;
+    manager->learn_slot = row->slot;
     /* The identity is copied again, because some devices report their serial number only after they
      * are opened. */
     manager->learn_identity = row->identity;
-    hid_learn_begin(&manager->learn, &seat->face);
+    hid_learn_begin(&manager->learn, &poi->face);
     if (manager->learn.step == LEARN_FAILED) {
-        leave_seat(manager);
+        reset_learning_slot(manager);
         return;
     }
-    poi_hid_set_observer(seat, (struct hid_watch){ .report = show_report, .self = manager });
+    poi->watch = (struct hid_watch){ .report = record_report, .self = manager };
 }
 
-static void go_on(struct controller_manager *manager)
+static void next_step(struct controller_manager *manager)
 {
-    struct poi_hid *seat = learning_seat(manager);
-    if (!seat) {
+    struct poi_hid *poi = learning_poi(manager);
+    if (!poi) {
         return; /* The controller is not attached to a slot yet. Therefore there is no learning step
                    to finish. */
     }
     hid_learn_next(&manager->learn);
     if (manager->learn.step == LEARN_TRY) {
-        poi_hid_set_observer(seat, (struct hid_watch){ 0 });
-        if (!poi_hid_remap(seat, &manager->learn.map)) {
-            poi_hid_remap(seat, NULL);
+        poi->watch.report = NULL;
+        if (!poi_hid_remap(poi, &manager->learn.map)) {
+            poi_hid_remap(poi, NULL);
             fail_learning(manager);
         }
     } else if (manager->learn.step == LEARN_FAILED) {
-        leave_seat(manager);
+        reset_learning_slot(manager);
     }
 }
 
@@ -171,26 +160,26 @@ static void go_on(struct controller_manager *manager)
 static void watch_writing(struct controller_manager *manager)
 {
     CORE_ASSERT(manager->writes);
-    const int result = hid_mapping_store_result(manager->book);
+    const int result = hid_mapping_store_result(manager->store);
     if (result == HAL_OK) {
         stop_learning(manager, &manager->learn.map);
     } else if (result != HAL_ERR_BUSY) {
-        manager->writes = 0;
+        manager->writes = false;
         manager->learn.step = LEARN_NOT_SAVED;
     }
 }
 
 static int controller_manager_save_mapping(struct controller_manager *manager)
 {
-    CORE_ASSERT(manager->book);
-    const struct poi_hid *seat = learning_seat(manager);
-    if (!seat || (manager->learn.step != LEARN_TRY && manager->learn.step != LEARN_NOT_SAVED)) {
+    CORE_ASSERT(manager->store);
+    const struct poi_hid *poi = learning_poi(manager);
+    if (!poi || (manager->learn.step != LEARN_TRY && manager->learn.step != LEARN_NOT_SAVED)) {
         return HAL_ERR_IO;
     }
     const int result =
-        hid_mapping_store_put(manager->book, &seat->face.identity, &manager->learn.map);
+        hid_mapping_store_put(manager->store, &poi->face.identity, &manager->learn.map);
     manager->learn.step = result == HAL_OK || result == HAL_ERR_BUSY ? LEARN_TRY : LEARN_NOT_SAVED;
-    manager->gives_back = 0;
+    manager->gives_back = false;
     manager->keeps = result == HAL_ERR_BUSY;
     manager->writes = result == HAL_OK;
     if (manager->writes) {
@@ -206,18 +195,19 @@ static int controller_manager_release(struct controller_manager *manager, uint32
     CORE_ASSERT(row < CONTROLLER_MAX);
     if (manager->learn.step != LEARN_NONE && manager->learn_row == row) {
         stop_learning(manager, NULL);
-        manager->gives_back = 0; /* A release of the previously learned controller is not needed,
-                                    because this function releases the row below. */
+        manager->gives_back =
+            false; /* A release of the previously learned controller is not needed, because this
+                      function releases the row below. */
     }
     if (manager->row[row].state != CONTROLLER_NONE) {
         manager->forget_identity = manager->row[row].identity;
         manager->forgets =
-            hid_mapping_store_forget(manager->book, &manager->forget_identity) == HAL_ERR_BUSY;
+            hid_mapping_store_forget(manager->store, &manager->forget_identity) == HAL_ERR_BUSY;
     }
     return manager->device_list.ops->release(manager->device_list.self, row);
 }
 
-static int hid_desk_command(void *self, const struct controller_command *order)
+static int execute_command(void *self, const struct controller_command *order)
 {
     struct controller_manager *manager = self;
     if (order->row >= CONTROLLER_MAX) {
@@ -232,7 +222,7 @@ static int hid_desk_command(void *self, const struct controller_command *order)
     case COMMAND_LEARN:
         return begin_learning(manager, order->row);
     case COMMAND_LEARN_NEXT:
-        go_on(manager);
+        next_step(manager);
         return HAL_OK;
     case COMMAND_LEARN_KEEP:
         return controller_manager_save_mapping(manager);
@@ -246,15 +236,15 @@ static int hid_desk_command(void *self, const struct controller_command *order)
 
 /* ---- Polling of the device list ------------------------------------------------------------- */
 
-/* Advances learning; called once in each poll. Learning fails if the controller is unplugged,
+/* Advances the learning of a mapping by one poll. Learning fails if the controller is unplugged,
  * because an incomplete recording cannot be used. */
 static void watch_learning(struct controller_manager *manager)
 {
-    const struct poi_hid *seat = learning_seat(manager);
+    const struct poi_hid *poi = learning_poi(manager);
     CORE_ASSERT(!(manager->keeps && manager->writes));
     if (manager->learn_waits) {
-        sit_down(manager);
-    } else if (seat && !seat->is_open && !manager->writes) {
+        begin_recording(manager);
+    } else if (poi && !poi->is_open && !manager->writes) {
         fail_learning(manager);
     }
     if (manager->keeps) {
@@ -263,18 +253,18 @@ static void watch_learning(struct controller_manager *manager)
         watch_writing(manager);
     }
     if (manager->gives_back && manager->learn.step == LEARN_NONE) {
-        give_back(manager);
+        release_learned_controller(manager);
     }
 }
 
-static int hid_desk_poll(void *self, struct controller_status *out)
+static int poll_controllers(void *self, struct controller_status *out)
 {
     struct controller_manager *manager = self;
     manager->device_list.ops->rows(manager->device_list.self, manager->row);
     watch_learning(manager);
     if (manager->forgets) {
         manager->forgets =
-            hid_mapping_store_forget(manager->book, &manager->forget_identity) == HAL_ERR_BUSY;
+            hid_mapping_store_forget(manager->store, &manager->forget_identity) == HAL_ERR_BUSY;
     }
     memset(out, 0, sizeof *out);
     for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
@@ -286,7 +276,7 @@ static int hid_desk_poll(void *self, struct controller_status *out)
     return HAL_OK;
 }
 
-static const char *hid_desk_name(void *self, uint32_t row)
+static const char *name_controller(void *self, uint32_t row)
 {
     struct controller_manager *manager = self;
     if (row >= CONTROLLER_MAX || manager->row[row].state == CONTROLLER_NONE) {
@@ -298,20 +288,28 @@ static const char *hid_desk_name(void *self, uint32_t row)
     return manager->name;
 }
 
-static const char *hid_desk_describe(void *self)
+static const char *describe_controllers(void *self)
 {
     const struct controller_manager *manager = self;
     return manager->device_list.ops->describe(manager->device_list.self);
 }
 
-struct hal_controllers controller_manager_device(struct controller_manager *manager)
+struct hal_controllers controller_manager_init(struct controller_manager *manager,
+                                               struct hid_device_list device_list,
+                                               struct hid_mapping_store *store,
+                                               struct poi_hid *const pois[POI_MAX])
 {
-    CORE_ASSERT(manager->device_list.ops);
     static const struct hal_controllers_ops ops = {
-        .poll = hid_desk_poll,
-        .name = hid_desk_name,
-        .command = hid_desk_command,
-        .describe = hid_desk_describe,
+        .poll = poll_controllers,
+        .name = name_controller,
+        .command = execute_command,
+        .describe = describe_controllers,
     };
+    CORE_ASSERT(device_list.ops);
+    memset(manager, 0, sizeof *manager);
+    manager->device_list = device_list;
+    manager->store = store;
+    manager->learn_slot = POI_MAX;
+    memcpy(manager->poi, pois, sizeof manager->poi);
     return (struct hal_controllers){ .ops = &ops, .self = manager };
 }

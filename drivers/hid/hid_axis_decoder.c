@@ -1,10 +1,10 @@
 /* hid_axis_decoder.c -- converts the bits of a report to the values of bindings. */
-#include "drivers/hid/hid_pose_decoder.h"
+#include "drivers/hid/poi_hid.h"
 
 #include "core/base/panic.h"
 
-#define PRESS_AT 0.5f /* Fraction of a key's or trigger's travel at which it counts as pressed. */
-/* Fraction of the travel at which a pressed key or trigger counts as released; the difference from
+#define PRESS_AT 0.5f /* Fraction of the travel at which a key or trigger counts as pressed. */
+/* Fraction of the travel at which a pressed key or trigger counts as released. The difference from
  * PRESS_AT is hysteresis. */
 #define RELEASE_AT 0.4f
 #define AWAKE_WITHIN 0.3f /* Deflection below which a stick counts as released. */
@@ -15,7 +15,7 @@
  * the dead zone. */
 static float stick_of(const struct hid_binding *binding, float way)
 {
-    const int is_rate = binding->manner == HID_BINDING_RATE;
+    const bool is_rate = binding->manner == HID_BINDING_RATE;
     const float span = (float)(binding->full - binding->rest);
     CORE_ASSERT(span != 0.0f);
     const float dead =
@@ -26,62 +26,64 @@ static float stick_of(const struct hid_binding *binding, float way)
     return share < 0.0f ? -past : past;
 }
 
-/* Marks every key as released that the arrays of report `report_id` can report. Then reads each
- * bound array once, however many bindings refer to it, and marks the keys that it selects. */
-static void read_arrays(struct hid_pose_decoder *hand, uint8_t report_id, struct hid_report report)
+/* Marks as released all keys that the arrays of report `report_id` can report. Then reads each
+ * bound array once, however many bindings refer to it, and marks the keys that the array selects as
+ * pressed. */
+static void read_arrays(struct hid_pose_decoder *decoder, uint8_t report_id,
+                        struct hid_report report)
 {
-    const struct hid_descriptor *descriptor = &hand->descriptor;
-    CORE_ASSERT(hand->array_count <= HID_BINDING_MAX);
-    for (uint32_t i = 0; i < hand->map.count; i++) {
-        if (hand->map.binding[i].usage && hand->map.binding[i].report_id == report_id) {
-            hand->value[i] = 0.0f;
+    const struct hid_descriptor *descriptor = &decoder->descriptor;
+    CORE_ASSERT(decoder->array_count <= HID_BINDING_MAX);
+    for (uint32_t i = 0; i < decoder->map.count; i++) {
+        if (decoder->map.binding[i].usage && decoder->map.binding[i].report_id == report_id) {
+            decoder->value[i] = 0.0f;
         }
     }
-    for (uint32_t i = 0; i < hand->array_count; i++) {
-        const struct hid_group *array = &descriptor->group[hand->array[i]];
+    for (uint32_t i = 0; i < decoder->array_count; i++) {
+        const struct hid_group *array = &descriptor->group[decoder->array[i]];
         for (uint32_t j = 0; array->report_id == report_id && j < array->count; j++) {
             const hid_usage usage =
                 hid_selected(descriptor, array, hid_field_value(descriptor, array, j, report));
-            for (uint32_t k = 0; usage && k < hand->map.count; k++) {
-                const struct hid_binding *binding = &hand->map.binding[k];
+            for (uint32_t k = 0; usage && k < decoder->map.count; k++) {
+                const struct hid_binding *binding = &decoder->map.binding[k];
                 if (binding->usage == usage && binding->report_id == report_id &&
                     binding->bit_offset == array->bit_offset) {
-                    hand->value[k] = 1.0f;
+                    decoder->value[k] = 1.0f;
                 }
             }
         }
     }
 }
 
-void hid_axis_decoder_find_arrays(struct hid_pose_decoder *hand)
+void hid_axis_decoder_find_arrays(struct hid_pose_decoder *decoder)
 {
-    const struct hid_mapping *map = &hand->map;
+    const struct hid_mapping *map = &decoder->map;
     CORE_ASSERT(map->count <= HID_BINDING_MAX);
-    hand->array_count = 0;
-    for (uint32_t i = 0; i < hand->descriptor.group_count; i++) {
-        const struct hid_group *group = &hand->descriptor.group[i];
+    decoder->array_count = 0;
+    for (uint32_t i = 0; i < decoder->descriptor.group_count; i++) {
+        const struct hid_group *group = &decoder->descriptor.group[i];
         uint32_t k = 0;
         while (k < map->count &&
                !(map->binding[k].usage && hid_mapping_is_array_of(group, &map->binding[k]))) {
             k++;
         }
-        if (k < map->count && hand->array_count < HID_BINDING_MAX) {
-            hand->array[hand->array_count++] = (uint16_t)i;
+        if (k < map->count && decoder->array_count < HID_BINDING_MAX) {
+            decoder->array[decoder->array_count++] = (uint16_t)i;
         }
     }
 }
 
-static void read_binding(struct hid_pose_decoder *hand, uint32_t index, struct hid_report report)
+static void read_binding(struct hid_pose_decoder *decoder, uint32_t index, struct hid_report report)
 {
-    const struct hid_binding *binding = &hand->map.binding[index];
-    const uint8_t *payload = report.bytes + hand->descriptor.has_report_ids;
+    const struct hid_binding *binding = &decoder->map.binding[index];
+    const uint8_t *payload = report.bytes + decoder->descriptor.has_report_ids;
     const uint32_t bits = hid_bits_at(payload, binding->bit_offset, binding->bit_size);
     const int64_t raw =
         binding->is_signed ? hid_signed_bits(bits, binding->bit_size) : (int64_t)bits;
     const int64_t from_rest = raw - binding->rest;
     /* `way` is 0 at `rest` and 1 at `full`. Values beyond these ends are not clamped. */
     const float way = (float)from_rest / (float)(binding->full - binding->rest);
-    float *value = &hand->value[index];
+    float *value = &decoder->value[index];
     CORE_ASSERT(index < HID_BINDING_MAX);
     CORE_ASSERT(binding->bit_size >= 1 && binding->bit_size <= 32);
     switch (binding->manner) {
@@ -96,30 +98,32 @@ static void read_binding(struct hid_pose_decoder *hand, uint32_t index, struct h
         break;
     default:
         *value = stick_of(binding, way);
-        /* A stick that rests at the center is used only after it was at its center once. */
+        /* Ignores a stick with a center position until the stick has been at its center once. */
         if (binding->manner == HID_BINDING_RATE || binding->dead > 0) {
-            hand->awake |= f_abs(*value) < AWAKE_WITHIN ? 1u << index : 0u;
-            *value = hand->awake & 1u << index ? *value : 0.0f;
+            decoder->awake |= f_abs(*value) < AWAKE_WITHIN ? 1u << index : 0u;
+            *value = decoder->awake & 1u << index ? *value : 0.0f;
         }
         break;
     }
 }
 
-int hid_axis_decoder_read(struct hid_pose_decoder *hand, uint8_t report_id,
-                          struct hid_report report)
+bool hid_axis_decoder_read(struct hid_pose_decoder *decoder, struct hid_report report)
 {
-    int knows = 0;
-    CORE_ASSERT(hand->map.count <= HID_BINDING_MAX);
-    read_arrays(hand, report_id, report);
-    for (uint32_t i = 0; i < hand->map.count; i++) {
-        if (hand->map.binding[i].report_id == report_id) {
-            if (!hand->map.binding[i].usage) {
-                read_binding(hand, i, report);
+    const int report_id = hid_report_id(&decoder->descriptor, report);
+    bool is_bound = false;
+    CORE_ASSERT(decoder->map.count <= HID_BINDING_MAX);
+    CORE_ASSERT(report_id >= 0);
+    read_arrays(decoder, (uint8_t)report_id, report);
+    for (uint32_t i = 0; i < decoder->map.count; i++) {
+        const struct hid_binding *binding = &decoder->map.binding[i];
+        if (binding->report_id == report_id) {
+            is_bound = true;
+            if (!binding->usage) {
+                read_binding(decoder, i, report);
             }
-            knows = 1;
-        } else if (hand->map.binding[i].manner == HID_BINDING_STEP) {
-            hand->value[i] = 0.0f;
+        } else if (binding->manner == HID_BINDING_STEP) {
+            decoder->value[i] = 0.0f;
         }
     }
-    return knows;
+    return is_bound;
 }

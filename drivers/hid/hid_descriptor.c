@@ -25,10 +25,10 @@ struct reader {
     uint32_t range_first; /* Index in out->range at which the usages of the current main item
                              start. */
     hid_usage usage_min;
-    uint8_t has_usage_min;
-    /* `in_delimiter` is 1 between the Delimiter items of a set, otherwise 0. `alternatives` is the
-     * number of usages in the set. Only the first usage of the set is used. */
-    uint8_t in_delimiter, alternatives;
+    bool has_usage_min;
+    bool in_delimiter; /* True between the Delimiter items of a set. */
+    uint8_t
+        alternatives; /* Number of usages in the set. Only the first usage of the set is used. */
 };
 
 /* ---- Usages (Local items) ------------------------------------------------------------------- */
@@ -59,14 +59,14 @@ static enum hid_error read_local(struct reader *reader, const struct hid_item *i
 {
     CORE_ASSERT(item->type == HID_ITEM_LOCAL);
     if (item->tag == LOCAL_DELIMITER) {
-        if ((item->data != 0) == (reader->in_delimiter != 0)) {
+        if ((item->data != 0) == reader->in_delimiter) {
             return HID_ERR_DELIMITER;
         }
         reader->in_delimiter = item->data != 0;
         reader->alternatives = 0;
         return HID_OK;
     }
-    const int names_usage = item->tag == LOCAL_USAGE || item->tag == LOCAL_USAGE_MAX;
+    const bool names_usage = item->tag == LOCAL_USAGE || item->tag == LOCAL_USAGE_MAX;
     if (reader->in_delimiter && names_usage && reader->alternatives++ > 0) {
         return HID_OK;
     }
@@ -78,13 +78,13 @@ static enum hid_error read_local(struct reader *reader, const struct hid_item *i
         return add_range(reader, usage, usage);
     case LOCAL_USAGE_MIN:
         reader->usage_min = usage;
-        reader->has_usage_min = 1;
+        reader->has_usage_min = true;
         return HID_OK;
     case LOCAL_USAGE_MAX: {
         /* A Usage Maximum of four bytes contains the usage page for both the minimum and the
          * maximum. A Usage Maximum without a Usage Minimum means a range from usage id 0. */
         const hid_usage first = reader->has_usage_min ? reader->usage_min : usage & 0xffff0000u;
-        reader->has_usage_min = 0;
+        reader->has_usage_min = false;
         return add_range(reader, first, usage);
     }
     default: /* Designator and String items do not affect the layout of reports. */
@@ -106,15 +106,15 @@ static struct hid_group group_of(const struct reader *reader, uint32_t flags)
         .bit_size = now->report_size,
         .count = now->report_count,
         .flags = flags,
-        .logical_min = hid_limit_min(now->logical_min),
-        .physical_min = hid_limit_min(now->physical_min),
+        .logical_min = hid_limit_value(now->logical_min, true),
+        .physical_min = hid_limit_value(now->physical_min, true),
         .unit_exponent = now->unit_exponent,
         .unit = now->unit,
         .range_first = (uint16_t)reader->range_first,
         .range_count = (uint16_t)(reader->out->range_count - reader->range_first),
     };
-    group.logical_max = hid_limit_max(now->logical_max, group.logical_min);
-    group.physical_max = hid_limit_max(now->physical_max, group.physical_min);
+    group.logical_max = hid_limit_value(now->logical_max, group.logical_min < 0);
+    group.physical_max = hid_limit_value(now->physical_max, group.physical_min < 0);
     return group;
 }
 
@@ -197,7 +197,7 @@ static enum hid_error read_item(struct reader *reader, const struct hid_item *it
                 out->group_count ? &out->group[out->group_count - 1u] : NULL;
             out->range_count = last ? (uint32_t)last->range_first + last->range_count : 0;
             reader->range_first = out->range_count;
-            reader->has_usage_min = 0;
+            reader->has_usage_min = false;
         }
         return error;
     case HID_ITEM_GLOBAL:
@@ -215,8 +215,8 @@ enum hid_error hid_descriptor_read(struct hid_descriptor *out, const uint8_t *by
 {
     CORE_ASSERT(bytes || size == 0);
     struct reader reader = { .out = out };
-    /* The arrays after the member `group`, including `group`, occupy 61 KB. They need no clearing,
-     * because entries beyond the counts are not read. */
+    /* The arrays after the member `group`, including `group`, occupy 61 KB. These arrays need no
+     * clearing, because entries beyond the counts are not read. */
     memset(out, 0, offsetof(struct hid_descriptor, group));
     if (size > HID_DESCRIPTOR_SIZE_MAX) {
         out->error = HID_ERR_TOO_LONG;
@@ -245,26 +245,8 @@ enum hid_error hid_descriptor_read(struct hid_descriptor *out, const uint8_t *by
 
 const char *hid_error_text(enum hid_error error)
 {
-    static const char *const texts[HID_ERR_COUNT] = {
-        [HID_OK] = "fine",
-        [HID_ERR_TOO_LONG] = "longer than 65535 bytes",
-        [HID_ERR_CUT_OFF] = "ends within an item",
-        [HID_ERR_OPEN_COLLECTION] = "ends within a collection",
-        [HID_ERR_NO_COLLECTION] = "End Collection without a collection",
-        [HID_ERR_DEPTH] = "more than 32 collections within each other",
-        [HID_ERR_PUSH] = "more than 8 pushes without a pop",
-        [HID_ERR_POP] = "a pop without a push",
-        [HID_ERR_REPORT_ID] = "a report id that is not 1 .. 255",
-        [HID_ERR_FIELD_SIZE] = "a field of more than 256 bits",
-        [HID_ERR_REPORT_SIZE] = "a report of more than 65536 bits",
-        [HID_ERR_GROUPS] = "more than 512 Input items",
-        [HID_ERR_RANGES] = "more than 2048 usages",
-        [HID_ERR_FIELDS] = "more than 65536 fields",
-        [HID_ERR_USAGE_RANGE] = "a usage range that ends before it begins",
-        [HID_ERR_USAGE_PAGES] = "a usage range from one page to another",
-        [HID_ERR_USAGE_ALONE] = "a usage range that begins and never ends",
-        [HID_ERR_DELIMITER] = "delimiters that are nested, or not in pairs",
-    };
+#define HID_ERROR_TEXT(name, text) text,
+    static const char *const texts[] = { HID_ERRORS(HID_ERROR_TEXT) };
     return (unsigned)error < HID_ERR_COUNT ? texts[error] : "unknown error";
 }
 
@@ -311,12 +293,12 @@ int hid_report_id(const struct hid_descriptor *descriptor, struct hid_report rep
     return report.size > 0 ? report.bytes[0] : -1;
 }
 
-int hid_report_is_whole(const struct hid_descriptor *descriptor, struct hid_report report)
+bool hid_report_is_whole(const struct hid_descriptor *descriptor, struct hid_report report)
 {
     const int id = hid_report_id(descriptor, report);
     CORE_ASSERT(id <= 255);
     if (id < 0 || descriptor->report_bits[id] == 0) {
-        return 0;
+        return false;
     }
     const size_t payload = (descriptor->report_bits[id] + 7u) / 8u;
     return report.size >= payload + descriptor->has_report_ids;
@@ -326,11 +308,10 @@ int64_t hid_field_value(const struct hid_descriptor *descriptor, const struct hi
                         uint32_t index, struct hid_report report)
 {
     CORE_ASSERT(index < group->count);
-    CORE_ASSERT(descriptor->has_report_ids <= 1);
     const uint8_t *payload = report.bytes + descriptor->has_report_ids;
     const uint32_t size = group->bit_size < 32u ? group->bit_size : 32u;
     const uint32_t raw = hid_bits_at(payload, group->bit_offset + index * group->bit_size, size);
-    const int is_signed = group->logical_min < 0 && (group->flags & HID_VARIABLE);
+    const bool is_signed = group->logical_min < 0 && (group->flags & HID_VARIABLE);
     return is_signed ? hid_signed_bits(raw, size) : (int64_t)raw;
 }
 
@@ -339,7 +320,7 @@ hid_usage hid_selected(const struct hid_descriptor *descriptor, const struct hid
 {
     CORE_ASSERT(group->range_first <= descriptor->range_count);
     const int64_t index = value - group->logical_min;
-    const int in_range = value >= group->logical_min && value <= group->logical_max;
+    const bool in_range = value >= group->logical_min && value <= group->logical_max;
     if (!in_range || index >= (int64_t)hid_usage_count(descriptor, group)) {
         return 0;
     }

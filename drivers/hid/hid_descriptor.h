@@ -7,23 +7,25 @@
 #ifndef KINGYO_DRIVERS_HID_HID_DESCRIPTOR_H
 #define KINGYO_DRIVERS_HID_HID_DESCRIPTOR_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
 #include "core/base/panic.h"
 
-/* Largest descriptor in bytes; wDescriptorLength has 16 bits. */
+/* Maximum size of a report descriptor in bytes. The field wDescriptorLength of the HID descriptor
+ * has 16 bits. */
 #define HID_DESCRIPTOR_SIZE_MAX 65535u
-/* Largest number of Input items; the largest of 72 examined devices has 209. */
+/* Largest number of Input items. The largest of 72 examined devices has 209. */
 #define HID_GROUP_MAX 512u
 #define HID_RANGE_MAX 2048u /* Largest number of usages and usage ranges of all groups together. */
-#define HID_DEPTH_MAX 32u   /* Deepest nesting of collections; real devices nest 4 collections. */
-#define HID_PUSH_MAX 8u     /* Largest number of nested Push items; real devices use 1. */
+#define HID_DEPTH_MAX 32u   /* Deepest nesting of collections. Real devices nest 4 collections. */
+#define HID_PUSH_MAX 8u     /* Largest number of nested Push items. Real devices use 1. */
 #define HID_FIELD_BITS_MAX 256u /* Largest Report Size of one field, in bits. */
 /* Largest size of one report: 8 KiB. The largest report of a real device has 7,487 bytes. */
 #define HID_REPORT_BITS_MAX 65536u
-/* Largest number of fields of all groups together. A report of one-bit fields can have this many
- * fields. */
+/* Largest number of fields of all groups together, which a report of 65,536 one-bit fields
+ * needs. */
 #define HID_FIELD_MAX 65536u
 
 enum hid_flag { /* Bits of an Input item (HID 1.11, section 6.2.2.5). */
@@ -38,7 +40,7 @@ enum hid_flag { /* Bits of an Input item (HID 1.11, section 6.2.2.5). */
 typedef uint32_t hid_usage;
 
 struct hid_range {
-    hid_usage first, last; /* First and last usage of the range; both usages belong to the range. */
+    hid_usage first, last; /* First and last usage of the range. Both usages belong to the range. */
     /* Number of usages in the earlier ranges of the group, at most 2,047 times 65,536. */
     uint32_t place;
 };
@@ -47,8 +49,8 @@ struct hid_range {
 struct hid_group {
     hid_usage application; /* Usage of the nearest enclosing Application collection, or 0 if there
                               is none. */
-    uint8_t report_id;     /* Id of the report with the fields; 0 if the device uses no report
-                              ids. */
+    uint8_t report_id;     /* Id of the report that contains the fields. 0 means that the device
+                              uses no report ids. */
     uint32_t bit_offset;   /* Bit offset of the first field, counted from the end of the report
                               id. */
     uint32_t bit_size, count;
@@ -64,36 +66,38 @@ struct hid_group {
                                           hid_descriptor.range. */
 };
 
-enum hid_error {
-    HID_OK = 0,
-    HID_ERR_TOO_LONG,        /* More than HID_DESCRIPTOR_SIZE_MAX bytes. */
-    HID_ERR_CUT_OFF,         /* The bytes end within an item. */
-    HID_ERR_OPEN_COLLECTION, /* The bytes end within a collection. */
-    HID_ERR_NO_COLLECTION,   /* An End Collection item without a collection. */
-    HID_ERR_DEPTH,           /* Collections nested deeper than HID_DEPTH_MAX. */
-    HID_ERR_PUSH,            /* More than HID_PUSH_MAX Push items without a Pop item. */
-    HID_ERR_POP,             /* A Pop item without a Push item. */
-    HID_ERR_REPORT_ID,       /* A Report ID outside 1 to 255. */
-    HID_ERR_FIELD_SIZE,      /* A field of more than HID_FIELD_BITS_MAX bits. */
-    HID_ERR_REPORT_SIZE,     /* A report of more than HID_REPORT_BITS_MAX bits. */
-    HID_ERR_GROUPS,          /* More than HID_GROUP_MAX Input items. */
-    HID_ERR_RANGES,          /* More than HID_RANGE_MAX usages and usage ranges. */
-    HID_ERR_FIELDS,          /* More than HID_FIELD_MAX fields. */
-    HID_ERR_USAGE_RANGE,     /* A Usage Minimum above its Usage Maximum. */
-    HID_ERR_USAGE_PAGES,     /* A Usage Minimum and a Usage Maximum on different pages. */
-    HID_ERR_USAGE_ALONE,     /* A Usage Minimum without a Usage Maximum. */
-    HID_ERR_DELIMITER,       /* Delimiters that are nested, or not closed before the main item. */
-    HID_ERR_COUNT,
-};
+/* Errors of hid_descriptor_read(), with their descriptions. */
+#define HID_ERRORS(X)                                                                              \
+    X(HID_OK, "fine")                                                                              \
+    X(HID_ERR_TOO_LONG, "longer than 65535 bytes")                                                 \
+    X(HID_ERR_CUT_OFF, "ends within an item")                                                      \
+    X(HID_ERR_OPEN_COLLECTION, "ends within a collection")                                         \
+    X(HID_ERR_NO_COLLECTION, "End Collection without a collection")                                \
+    X(HID_ERR_DEPTH, "more than 32 collections within each other")                                 \
+    X(HID_ERR_PUSH, "more than 8 pushes without a pop")                                            \
+    X(HID_ERR_POP, "a pop without a push")                                                         \
+    X(HID_ERR_REPORT_ID, "a report id that is not 1 .. 255")                                       \
+    X(HID_ERR_FIELD_SIZE, "a field of more than 256 bits")                                         \
+    X(HID_ERR_REPORT_SIZE, "a report of more than 65536 bits")                                     \
+    X(HID_ERR_GROUPS, "more than 512 Input items")                                                 \
+    X(HID_ERR_RANGES, "more than 2048 usages")                                                     \
+    X(HID_ERR_FIELDS, "more than 65536 fields")                                                    \
+    X(HID_ERR_USAGE_RANGE, "a usage range that ends before it begins")                             \
+    X(HID_ERR_USAGE_PAGES, "a usage range from one page to another")                               \
+    X(HID_ERR_USAGE_ALONE, "a usage range that begins and never ends")                             \
+    X(HID_ERR_DELIMITER, "delimiters that are nested, or not in pairs")
+
+#define HID_ERROR_NAME(name, text) name,
+enum hid_error { HID_ERRORS(HID_ERROR_NAME) HID_ERR_COUNT };
 
 struct hid_descriptor {
     enum hid_error error;
     size_t error_offset; /* Offset of the first byte of the item that caused `error`. */
-    uint8_t has_report_ids;
+    bool has_report_ids;
     uint32_t group_count, range_count, field_count;
-    uint32_t report_bits[256]; /* Number of payload bits of each input report; 0 means that the
+    uint32_t report_bits[256]; /* Number of payload bits of each input report. 0 means that the
                                   report is not declared. */
-    struct hid_group group[HID_GROUP_MAX]; /* Groups in the order of the descriptor; entries from
+    struct hid_group group[HID_GROUP_MAX]; /* Groups in the order of the descriptor. Entries from
                                               `group_count` on are undefined. */
     struct hid_range range[HID_RANGE_MAX];
 };
@@ -105,7 +109,7 @@ enum hid_error hid_descriptor_read(struct hid_descriptor *out, const uint8_t *by
 /* Returns a description of the error as a phrase without a full stop, in static memory. */
 const char *hid_error_text(enum hid_error error);
 
-/* Returns the number of usages of a group; 0 means that the group is padding. */
+/* Returns the number of usages of a group. 0 means that the group is padding. */
 uint32_t hid_usage_count(const struct hid_descriptor *descriptor, const struct hid_group *group);
 
 /* Returns usage number `index` of a group, found by a binary search of the group's ranges. If the
@@ -124,9 +128,9 @@ struct hid_report {
 /* Returns the id of a report, 0 if the device uses no report ids, or -1 if the report is empty. */
 int hid_report_id(const struct hid_descriptor *descriptor, struct hid_report report);
 
-/* Returns 1 if the id of the report is declared and the report is at least as long as declared,
- * otherwise 0. */
-int hid_report_is_whole(const struct hid_descriptor *descriptor, struct hid_report report);
+/* Returns true if the id of the report is declared and the report is at least as long as
+ * declared. */
+bool hid_report_is_whole(const struct hid_descriptor *descriptor, struct hid_report report);
 
 /* Returns the value of field `index` (0 to group->count - 1) of a complete report with the group's
  * report id. The value is signed if the logical minimum of a variable field is negative. A field
@@ -134,8 +138,8 @@ int hid_report_is_whole(const struct hid_descriptor *descriptor, struct hid_repo
 int64_t hid_field_value(const struct hid_descriptor *descriptor, const struct hid_group *group,
                         uint32_t index, struct hid_report report);
 
-/* Returns the usage that an array element with the value `value` selects, or 0 if it selects
- * none. */
+/* Returns the usage that an array element with the value `value` selects, or 0 if the value selects
+ * no usage. */
 hid_usage hid_selected(const struct hid_descriptor *descriptor, const struct hid_group *group,
                        int64_t value);
 

@@ -1,9 +1,9 @@
 /* hid_device_list.h -- the device list: the interface between a transport and the controller
  * manager.
  *
- * The list contains all connected controllers, and lost controllers that were selected to play. The
- * controller manager (controller_manager.h) calls the functions from one thread, and no call
- * blocks. */
+ * The list contains all connected controllers, and lost controllers that were selected to play. A
+ * controller plays while it has a slot and moves a poi. The controller manager
+ * (controller_manager.h) calls the functions from one thread, and no call blocks. */
 #ifndef KINGYO_DRIVERS_HID_HID_DEVICE_LIST_H
 #define KINGYO_DRIVERS_HID_HID_DEVICE_LIST_H
 
@@ -13,7 +13,7 @@
 struct hid_row {
     struct hid_identity identity;
     uint8_t state; /* State of the controller (enum controller_state). */
-    uint8_t seat;  /* Slot of the controller, or POI_MAX if the controller has no slot. */
+    uint8_t slot;  /* Slot of the controller, or POI_MAX if the controller has no slot. */
 };
 
 struct hid_device_list_ops {
@@ -21,12 +21,13 @@ struct hid_device_list_ops {
      * state is CONTROLLER_LOST after it was unplugged. */
     void (*rows)(void *self, struct hid_row out[CONTROLLER_MAX]);
     /* Selects the controller of `row` to play. The controller also plays after each reconnection.
-     * Returns HAL_OK if the command was accepted; the result appears later in the row. Returns
+     * Returns HAL_OK if the command was accepted. The result appears later in the row. Returns
      * HAL_ERR_BUSY if POI_MAX controllers play already. Returns HAL_ERR_ABSENT if the row is empty
      * or the controller may not be used. */
     int (*choose)(void *self, uint32_t row);
     int (*release)(void *self, uint32_t row);
-    /* Returns one line with the number of controllers, or with a problem and its remedy. */
+    /* Returns one line with the number of controllers, or with a problem and the remedy for the
+     * problem. */
     const char *(*describe)(void *self);
 };
 

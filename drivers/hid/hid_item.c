@@ -52,14 +52,9 @@ static int32_t hid_item_signed(uint32_t data, uint8_t size)
     return size == 1 ? (int8_t)data : size == 2 ? (int16_t)data : (int32_t)data;
 }
 
-int64_t hid_limit_min(struct hid_limit limit)
+int64_t hid_limit_value(struct hid_limit limit, bool is_signed)
 {
-    return hid_item_signed(limit.data, limit.size);
-}
-
-int64_t hid_limit_max(struct hid_limit limit, int64_t min)
-{
-    return min < 0 ? hid_limit_min(limit) : (int64_t)limit.data;
+    return is_signed ? hid_item_signed(limit.data, limit.size) : (int64_t)limit.data;
 }
 
 enum hid_error hid_globals_take(struct hid_global_stack *stack, const struct hid_item *item)

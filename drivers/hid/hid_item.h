@@ -5,6 +5,7 @@
 #ifndef KINGYO_DRIVERS_HID_HID_ITEM_H
 #define KINGYO_DRIVERS_HID_HID_ITEM_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -42,7 +43,7 @@ struct hid_globals {
     struct hid_limit logical_min, logical_max, physical_min, physical_max;
     int32_t unit_exponent;
     uint32_t unit, report_size, report_count;
-    uint8_t report_id; /* Id of the current report; 0 means that no report id is declared yet. */
+    uint8_t report_id; /* Id of the current report. 0 means that no report id is declared yet. */
 };
 
 struct hid_global_stack {
@@ -54,10 +55,8 @@ struct hid_global_stack {
  * invalid. */
 enum hid_error hid_globals_take(struct hid_global_stack *stack, const struct hid_item *item);
 
-/* Returns a minimum, which is always signed. */
-int64_t hid_limit_min(struct hid_limit limit);
-
-/* Returns a maximum, which is signed only if its minimum `min` is negative. */
-int64_t hid_limit_max(struct hid_limit limit, int64_t min);
+/* Returns the value of a limit. A minimum is always signed, and a maximum is signed only if its
+ * minimum is negative. */
+int64_t hid_limit_value(struct hid_limit limit, bool is_signed);
 
 #endif

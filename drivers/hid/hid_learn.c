@@ -5,11 +5,12 @@
 
 #include "core/base/fmath.h"
 #include "core/base/panic.h"
+#include "drivers/hid/hid_mapping_auto.h"
 
-/* Time from the first report after which the progress of LEARN_REST is complete. */
+/* Minimum duration of the learning step LEARN_REST, measured from the first report. The progress of
+ * the step reaches its maximum when REST_NS have passed and REST_REPORTS reports have arrived. */
 #define REST_NS 1000000000ull
-/* Number of reports after which the progress of LEARN_REST is complete; REST_NS must have passed
- * too. */
+/* Minimum number of reports in the learning step LEARN_REST. */
 #define REST_REPORTS 8u
 
 /* ---- Fields of the controller --------------------------------------------------------------- */
@@ -31,20 +32,20 @@ static void begin_step(struct hid_learn *learn, enum learn_step step)
 
 void hid_learn_begin(struct hid_learn *learn, const struct hid_device_info *face)
 {
-    const uint32_t size =
-        face->descriptor_size < HID_DESCRIPTOR_MAX ? face->descriptor_size : HID_DESCRIPTOR_MAX;
+    CORE_ASSERT(face->descriptor_size <= HID_DESCRIPTOR_MAX);
     memset(learn, 0, sizeof *learn);
     learn->step = LEARN_FAILED;
-    if (hid_descriptor_read(&learn->descriptor, face->descriptor, size) != HID_OK ||
+    if (hid_descriptor_read(&learn->descriptor, face->descriptor, face->descriptor_size) !=
+            HID_OK ||
         hid_mapping_has_keyboard(&learn->descriptor)) {
         return;
     }
     hid_mapping_choose(&learn->offered, &face->identity, &learn->descriptor);
     for (uint32_t i = 0; i < learn->descriptor.group_count; i++) {
         const struct hid_group *group = &learn->descriptor.group[i];
-        const int is_usable = !(group->flags & HID_CONSTANT) && (group->flags & HID_VARIABLE) &&
-                              group->bit_size <= 32u &&
-                              hid_mapping_infer_high(group) > group->logical_min;
+        const bool is_usable = !(group->flags & HID_CONSTANT) && (group->flags & HID_VARIABLE) &&
+                               group->bit_size <= 32u &&
+                               hid_mapping_auto_high(group) > group->logical_min;
         for (uint32_t j = 0; is_usable && j < group->count && learn->field_count < LEARN_FIELD_MAX;
              j++) {
             learn->field[learn->field_count++] =
@@ -58,25 +59,26 @@ void hid_learn_begin(struct hid_learn *learn, const struct hid_device_info *face
 
 /* ---- Recording ------------------------------------------------------------------------------ */
 
-static void hear_field(struct hid_learn *learn, struct learn_field *field, struct hid_report report)
+static void record_field(struct hid_learn *learn, struct learn_field *field,
+                         struct hid_report report)
 {
     CORE_ASSERT(learn->step >= LEARN_REST);
     CORE_ASSERT(learn->step <= LEARN_DIP);
     const struct hid_group *group = hid_mapping_infer_group(learn, field);
     const int64_t value = hid_field_value(&learn->descriptor, group, field->index, report);
-    const int relative = hid_mapping_infer_is_relative(group);
+    const bool relative = hid_mapping_infer_is_relative(group);
     field->now = relative ? field->now + value : value;
     /* If a field was not reported before, its first value is taken as its rest value, because some
      * controllers report a field only when it changes. */
-    if (!field->heard) {
-        field->heard = 1;
+    if (!field->reported) {
+        field->reported = true;
         field->rest_low = field->rest_high = relative ? 0 : value;
         field->low[learn->step] = field->high[learn->step] = field->rest_low;
     }
     if (learn->step == LEARN_REST && !relative) {
         field->rest_low = !field->rested || value < field->rest_low ? value : field->rest_low;
         field->rest_high = !field->rested || value > field->rest_high ? value : field->rest_high;
-        field->rested = 1;
+        field->rested = true;
     }
     int64_t *low = &field->low[learn->step], *high = &field->high[learn->step];
     *low = field->now < *low ? field->now : *low;
@@ -84,10 +86,10 @@ static void hear_field(struct hid_learn *learn, struct learn_field *field, struc
     CORE_ASSERT(*low <= *high);
 }
 
-static void hear_key(struct hid_learn *learn, uint32_t group_index, hid_usage usage)
+static void record_key(struct hid_learn *learn, uint32_t group_index, hid_usage usage)
 {
     CORE_ASSERT(group_index < learn->descriptor.group_count);
-    const uint8_t rested = learn->step != LEARN_DIP;
+    const bool rested = learn->step != LEARN_DIP;
     CORE_ASSERT(learn->key_count <= LEARN_KEY_MAX);
     for (uint32_t i = 0; i < learn->key_count; i++) {
         if (learn->key[i].group == group_index && learn->key[i].usage == usage) {
@@ -101,7 +103,7 @@ static void hear_key(struct hid_learn *learn, uint32_t group_index, hid_usage us
     }
 }
 
-static void hear_arrays(struct hid_learn *learn, int report_id, struct hid_report report)
+static void record_arrays(struct hid_learn *learn, int report_id, struct hid_report report)
 {
     CORE_ASSERT(report_id >= 0 && report_id <= 255);
     const struct hid_descriptor *descriptor = &learn->descriptor;
@@ -115,7 +117,7 @@ static void hear_arrays(struct hid_learn *learn, int report_id, struct hid_repor
             const hid_usage usage =
                 hid_selected(descriptor, group, hid_field_value(descriptor, group, j, report));
             if (usage & 0xffffu) { /* Usage id 0 on any usage page means that no key is pressed. */
-                hear_key(learn, i, usage);
+                record_key(learn, i, usage);
             }
         }
     }
@@ -134,10 +136,10 @@ void hid_learn_report(struct hid_learn *learn, const struct hid_raw *raw)
     learn->report_count++;
     for (uint32_t i = 0; i < learn->field_count; i++) {
         if (hid_mapping_infer_group(learn, &learn->field[i])->report_id == id) {
-            hear_field(learn, &learn->field[i], report);
+            record_field(learn, &learn->field[i], report);
         }
     }
-    hear_arrays(learn, id, report);
+    record_arrays(learn, id, report);
 }
 
 /* ---- Steps of learning ---------------------------------------------------------------------- */

@@ -9,24 +9,25 @@
 #ifndef KINGYO_DRIVERS_HID_HID_LEARN_H
 #define KINGYO_DRIVERS_HID_HID_LEARN_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "drivers/hid/hid_mapping.h"
 
-/* Largest number of recorded fields; a game pad has 90. Further fields are ignored. */
+/* Largest number of recorded fields. A game pad has 90 fields. Further fields are ignored. */
 #define LEARN_FIELD_MAX 256u
 #define LEARN_KEY_MAX 16u /* Largest number of recorded keys of array fields. */
 
 /* Recording of one field. For a relative field the values are added, so that all recorded values
  * are positions. */
 struct learn_field {
-    uint16_t group, index;       /* Group in the descriptor, and index of the field in the group. */
-    uint8_t heard, rested;       /* `heard` is 1 if the field was reported in any step, otherwise 0.
-                                    `rested` is 1 if the field was reported in LEARN_REST, otherwise
-                                    0. */
-    int64_t rest_low, rest_high; /* Lowest and highest value of the field in LEARN_REST. */
-    int64_t now;                 /* Newest value, or newest sum of a relative field. */
-    int64_t low[LEARN_STEP_COUNT]; /* Lowest value of the field in each step; `high` has the highest
+    uint16_t group, index;         /* Index of the field's group in the HID descriptor, and index
+                                      of the field in this group. */
+    bool reported;                 /* True if the field was reported in any step. */
+    bool rested;                   /* True if the field was reported in LEARN_REST. */
+    int64_t rest_low, rest_high;   /* Lowest and highest value of the field in LEARN_REST. */
+    int64_t now;                   /* Newest value, or newest sum of a relative field. */
+    int64_t low[LEARN_STEP_COUNT]; /* Lowest value of the field in each step. `high` has the highest
                                       value in each step. */
     int64_t high[LEARN_STEP_COUNT];
     int64_t end[LEARN_STEP_COUNT]; /* Value of the field at the end of each step. */
@@ -35,15 +36,15 @@ struct learn_field {
 /* Recording of one key of an array field. */
 struct learn_key {
     uint16_t group; /* Index of the key's group, which has at most HID_ARRAY_MAX elements. */
-    uint8_t rested; /* 1 if the key was pressed before the step LEARN_DIP, otherwise 0. A key with
-                       the value 1 is excluded from the mapping. */
+    bool rested;    /* True if the key was pressed before the step LEARN_DIP. The key is then
+                       excluded from the mapping. */
     hid_usage usage;
 };
 
 struct hid_learn {
     struct hid_descriptor descriptor;
-    struct hid_mapping offered; /* Mapping that the controller has without learning. Its buttons are
-                                   kept in the learned mapping. */
+    struct hid_mapping offered; /* Mapping that the controller has without learning. The learned
+                                   mapping keeps the buttons of this mapping. */
     struct hid_mapping map;     /* The learned mapping, valid in the step LEARN_TRY. */
     uint8_t step;               /* Current step (enum learn_step). */
     uint32_t report_count;      /* Number of reports in the current step. */
@@ -74,20 +75,16 @@ uint8_t hid_learn_progress(const struct hid_learn *learn);
 const struct hid_group *hid_mapping_infer_group(const struct hid_learn *learn,
                                                 const struct learn_field *field);
 
-/* Returns 1 if the fields of `group` report relative motion, otherwise 0. The axes of a multi-axis
+/* Returns true if the fields of `group` report relative motion. The axes of a multi-axis
  * controller (a 3D mouse or puck) count as absolute even if its descriptor declares them as
  * relative. */
-int hid_mapping_infer_is_relative(const struct hid_group *group);
-
-/* Returns the highest possible value of the fields of `group`. Some descriptors declare a maximum
- * that does not fit into the field, and some declare no maximum for buttons. */
-int64_t hid_mapping_infer_high(const struct hid_group *group);
+bool hid_mapping_infer_is_relative(const struct hid_group *group);
 
 /* Returns how clearly the current step was demonstrated: 0 means not at all, 1 means fully. */
 float hid_mapping_infer_clarity(const struct hid_learn *learn);
 
-/* Fills learn->map from the recording of all steps. Returns 1, or 0 if no usable mapping
- * results. */
-int hid_mapping_infer_map(struct hid_learn *learn);
+/* Fills learn->map from the recording of all steps. Returns true, or false if no usable
+ * mapping results. */
+bool hid_mapping_infer_map(struct hid_learn *learn);
 
 #endif

@@ -14,176 +14,136 @@
 
 /* ---- Kingyo's poi controller ---------------------------------------------------------------- */
 
-struct place {
-    hid_usage usage;
-    uint32_t bit_offset, bit_size;
-};
-
 /* Axes of Kingyo's poi controller in the order of its report. The sequence number before the axes
  * has no HID usage and is not checked. */
-static const struct place own_places[] = {
-    { USAGE_X, 8, 16 },   { USAGE_Y, 24, 16 },  { USAGE_Z, 40, 16 },
-    { USAGE_RX, 56, 16 }, { USAGE_RY, 72, 16 }, { USAGE_RZ, 88, 16 },
-};
+static const hid_usage own_axes[] = { USAGE_X, USAGE_Y, USAGE_Z, USAGE_RX, USAGE_RY, USAGE_RZ };
 
-int hid_mapping_is_own(const struct hid_descriptor *descriptor)
+/* Position of the first axis in the report, and size of each axis, in bits. */
+#define OWN_AXES_BIT 8u
+#define OWN_AXIS_BITS 16u
+
+/* Returns true if the reports have the layout of Kingyo's poi controller. In this layout every axis
+ * of poi_report.h is at its position. Unlike poi_descriptor_is(), this function also accepts a
+ * device with additional reports. Such a device can play after the operator selected it. */
+static bool is_own(const struct hid_descriptor *descriptor)
 {
     CORE_ASSERT(descriptor->group_count <= HID_GROUP_MAX);
     if (!descriptor->has_report_ids ||
         descriptor->report_bits[POI_REPORT_ID] != 8u * (POI_REPORT_SIZE - 1u)) {
-        return 0;
+        return false;
     }
-    for (uint32_t i = 0; i < sizeof own_places / sizeof own_places[0]; i++) {
-        const struct place *place = &own_places[i];
+    for (uint32_t i = 0; i < sizeof own_axes / sizeof own_axes[0]; i++) {
         const struct hid_field_location spot =
-            hid_mapping_auto_find(descriptor, 0, POI_REPORT_ID, 1, place->usage);
+            hid_mapping_auto_find(descriptor, 0, POI_REPORT_ID, 1, own_axes[i]);
         const struct hid_group *group = spot.group;
-        if (!group || group->bit_size != place->bit_size || group->logical_min != -32767 ||
+        if (!group || group->bit_size != OWN_AXIS_BITS || group->logical_min != -32767 ||
             group->logical_max != 32767 || (group->flags & HID_RELATIVE) ||
-            group->bit_offset + spot.index * group->bit_size != place->bit_offset) {
-            return 0;
+            group->bit_offset + spot.index * group->bit_size != OWN_AXES_BIT + i * OWN_AXIS_BITS) {
+            return false;
         }
     }
-    return 1;
+    return true;
 }
 
-static void map_own(struct hid_mapping *map)
-{
-    static const uint8_t axes[] = { HID_ROLE_X,     HID_ROLE_Y,   HID_ROLE_Z,
-                                    HID_ROLE_PITCH, HID_ROLE_YAW, HID_ROLE_ROLL };
-    /* The buttons in the order of enum poi_button. */
-    static const uint8_t buttons[] = { HID_ROLE_OK, HID_ROLE_START, HID_ROLE_LEFT, HID_ROLE_RIGHT };
-    _Static_assert(sizeof axes == sizeof own_places / sizeof own_places[0],
-                   "an axis at each place");
-    *map = (struct hid_mapping){ .source = HID_MAPPING_OWN, .style = HID_STYLE_POSE, .feels = 1 };
-    for (uint32_t i = 0; i < sizeof axes + sizeof buttons; i++) {
-        struct hid_binding binding = { .report_id = POI_REPORT_ID };
-        if (i < sizeof axes) {
-            binding.role = axes[i];
-            binding.manner = HID_BINDING_POSITION;
-            binding.bit_offset = own_places[i].bit_offset;
-            binding.bit_size = (uint8_t)own_places[i].bit_size;
-            binding.is_signed = 1;
-            binding.rest = -32767;
-            binding.full = 32767;
-        } else {
-            binding.role = buttons[i - sizeof axes];
-            binding.manner = HID_BINDING_PRESS;
-            binding.bit_offset = 8u * 13u + i - (uint32_t)sizeof axes;
-            binding.bit_size = 1;
-            binding.full = 1;
-        }
-        hid_mapping_auto_bits(map, binding);
-    }
-}
-
-/* ---- Known controllers ----------------------------------------------------------------------- */
-
-/* Mappings of known controllers whose descriptors are incomplete or unusual. The layouts of the
- * reports are those of drivers/hid/hid-playstation.c in the Linux kernel: struct
- * dualshock4_input_report_common and struct dualsense_input_report. */
-#define SONY 0x054cu
-/* Dead zone of a stick in counts; full deflection is 127 counts. A worn stick stops within the dead
- * zone when it is released. */
-#define STICK_DEAD 12
-
-struct known {
-    uint16_t vendor, product;
-    const struct hid_binding *bindings;
-    uint32_t count;
-};
-
+/* Bindings of reports with the report id 1, which all of these controllers have. Offsets and sizes
+ * are in bits. */
+_Static_assert(POI_REPORT_ID == 1u, "the poi has the report id of the other controllers");
 /* clang-format off */
-#define STICK(role_, bit)                                                                        \
+#define BIND(role_, manner_, bit, size, rest_, full_, dead_)                                       \
     {                                                                                             \
-        .role = role_, .manner = HID_BINDING_RATE, .report_id = 1, .bit_offset = bit,              \
-        .bit_size = 8, .rest = 128, .full = 255, .dead = STICK_DEAD                               \
+        .role = role_, .manner = manner_, .report_id = 1, .bit_offset = bit, .bit_size = size,     \
+        .rest = rest_, .full = full_, .dead = dead_, .is_signed = rest_ < 0                       \
     }
-#define TURN(role_, bit)                                                                         \
-    {                                                                                             \
-        .role = role_, .manner = HID_BINDING_POSITION, .report_id = 1,                             \
-            .bit_offset = bit, \
-        .bit_size = 8, .rest = 0, .full = 255, .dead = STICK_DEAD                                 \
-    }
-#define BUTTON(role_, bit)                                                                       \
-    {                                                                                             \
-        .role = role_, .manner = HID_BINDING_PRESS, .report_id = 1, .bit_offset = bit,             \
-        .bit_size = 1, .rest = 0, .full = 1                                                       \
-    }
-#define TRIGGER(role_, bit)                                                                      \
-    {                                                                                             \
-        .role = role_, .manner = HID_BINDING_PRESS, .report_id = 1, .bit_offset = bit,             \
-        .bit_size = 8, .rest = 0, .full = 255                                                     \
-    }
-#define HAT(bit)                                                                                 \
-    {                                                                                             \
-        .role = HID_ROLE_HAT, .manner = HID_BINDING_HAT, .report_id = 1, .bit_offset = bit,        \
-        .bit_size = 4, .rest = 0, .full = 7                                                       \
-    }
+#define STICK(role, bit) BIND(role, HID_BINDING_RATE, bit, 8, 128, 255, STICK_DEAD)
+#define TURN(role, bit) BIND(role, HID_BINDING_POSITION, bit, 8, 0, 255, STICK_DEAD)
+#define BUTTON(role, bit) BIND(role, HID_BINDING_PRESS, bit, 1, 0, 1, 0)
+#define TRIGGER(role, bit) BIND(role, HID_BINDING_PRESS, bit, 8, 0, 255, 0)
+#define HAT(bit) BIND(HID_ROLE_HAT, HID_BINDING_HAT, bit, 4, 0, 7, 0)
+#define OWN_AXIS(role, index)                                                                      \
+    BIND(role, HID_BINDING_POSITION, OWN_AXES_BIT + (index) * OWN_AXIS_BITS, OWN_AXIS_BITS,        \
+         -32767, 32767, 0)
 
-/* Bindings of a DualShock 4. The button bits start at 36: square, cross, circle, triangle, L1, R1,
- * L2, R2, share, options. */
-static const struct hid_binding dualshock4[] = {
-    STICK(HID_ROLE_X, 0),         STICK(HID_ROLE_Z, 8),       TURN(HID_ROLE_ROLL, 16),
-    TURN(HID_ROLE_PITCH, 24),     HAT(32),                    BUTTON(HID_ROLE_DIP, 37),
-    BUTTON(HID_ROLE_OK, 37),      BUTTON(HID_ROLE_LEVEL, 38), BUTTON(HID_ROLE_FAN, 39),
-    BUTTON(HID_ROLE_DIP, 41),     TRIGGER(HID_ROLE_DIP, 64),  BUTTON(HID_ROLE_START, 45),
-};
-
-/* Bindings of a DualSense. The triggers come before the buttons, whose bits start at 60. */
-static const struct hid_binding dualsense[] = {
-    STICK(HID_ROLE_X, 0),         STICK(HID_ROLE_Z, 8),       TURN(HID_ROLE_ROLL, 16),
-    TURN(HID_ROLE_PITCH, 24),     HAT(56),                    BUTTON(HID_ROLE_DIP, 61),
-    BUTTON(HID_ROLE_OK, 61),      BUTTON(HID_ROLE_LEVEL, 62), BUTTON(HID_ROLE_FAN, 63),
-    BUTTON(HID_ROLE_DIP, 65),     TRIGGER(HID_ROLE_DIP, 40),  BUTTON(HID_ROLE_START, 69),
+static const struct hid_mapping own_mapping = {
+    .source = HID_MAPPING_OWN, .style = HID_STYLE_POSE, .feels = 1, .count = 10, .binding = {
+        OWN_AXIS(HID_ROLE_X, 0),     OWN_AXIS(HID_ROLE_Y, 1),   OWN_AXIS(HID_ROLE_Z, 2),
+        OWN_AXIS(HID_ROLE_PITCH, 3), OWN_AXIS(HID_ROLE_YAW, 4), OWN_AXIS(HID_ROLE_ROLL, 5),
+        /* The buttons have the order of enum poi_button. */
+        BUTTON(HID_ROLE_OK, 104),    BUTTON(HID_ROLE_START, 105),
+        BUTTON(HID_ROLE_LEFT, 106),  BUTTON(HID_ROLE_RIGHT, 107),
+    },
 };
 /* clang-format on */
 
-#define ROW(product, table) { SONY, product, table, sizeof table / sizeof table[0] }
+/* ---- Known controllers ----------------------------------------------------------------------- */
 
-static const struct known knowns[] = {
-    ROW(0x05c4, dualshock4), /* DualShock 4 */
-    ROW(0x09cc, dualshock4), /* DualShock 4, second edition */
-    ROW(0x0ba0, dualshock4), /* DualShock 4 wireless adapter */
-    ROW(0x0ce6, dualsense),  /* DualSense */
-    ROW(0x0df2, dualsense),  /* DualSense Edge */
+/* Known controllers whose descriptors are incomplete or unusual. The layouts of the reports are
+ * those of drivers/hid/hid-playstation.c in the Linux kernel: struct dualshock4_input_report_common
+ * and struct dualsense_input_report. In both, the sticks come first, and the hat is followed by the
+ * buttons: square, cross, circle, triangle, L1, R1, L2, R2, share, options. */
+#define SONY 0x054cu
+/* Dead zone of a stick in counts. Full deflection is 127 counts. A worn stick stops within the dead
+ * zone when it is released. */
+#define STICK_DEAD 12
+
+static const struct known {
+    uint16_t vendor, product;
+    uint32_t hat_bit, trigger_bit; /* Positions of the hat and of the right trigger. */
+} knowns[] = {
+    { SONY, 0x05c4, 32, 64 }, /* DualShock 4 */
+    { SONY, 0x09cc, 32, 64 }, /* DualShock 4, second edition */
+    { SONY, 0x0ba0, 32, 64 }, /* DualShock 4 wireless adapter */
+    { SONY, 0x0ce6, 56, 40 }, /* DualSense */
+    { SONY, 0x0df2, 56, 40 }, /* DualSense Edge */
 };
 
-/* Fills `out` from the table of known controllers. Returns 1, or 0 if the controller is not known;
- * `out` is then unchanged. */
-static int hid_mapping_known(struct hid_mapping *out, const struct hid_identity *identity,
-                             const struct hid_descriptor *descriptor)
+static struct hid_mapping mapping_of(const struct known *known)
+{
+    const uint32_t hat = known->hat_bit;
+    /* clang-format off */
+    return (struct hid_mapping){
+        .source = HID_MAPPING_KNOWN, .style = HID_STYLE_FLY, .count = 12, .binding = {
+            STICK(HID_ROLE_X, 0),           STICK(HID_ROLE_Z, 8),
+            TURN(HID_ROLE_ROLL, 16),        TURN(HID_ROLE_PITCH, 24),
+            HAT(hat),                       BUTTON(HID_ROLE_DIP, hat + 5),
+            BUTTON(HID_ROLE_OK, hat + 5),   BUTTON(HID_ROLE_LEVEL, hat + 6),
+            BUTTON(HID_ROLE_FAN, hat + 7),  BUTTON(HID_ROLE_DIP, hat + 9),
+            TRIGGER(HID_ROLE_DIP, known->trigger_bit), BUTTON(HID_ROLE_START, hat + 13),
+        },
+    };
+    /* clang-format on */
+}
+
+/* Fills `out` from the table of known controllers. Returns true. Returns false if the controller is
+ * not known. After a failure `out` is unchanged. */
+static bool set_known(struct hid_mapping *out, const struct hid_identity *identity,
+                      const struct hid_descriptor *descriptor)
 {
     for (uint32_t i = 0; i < sizeof knowns / sizeof knowns[0]; i++) {
-        const struct known *known = &knowns[i];
-        CORE_ASSERT(known->count <= HID_BINDING_MAX);
-        if (known->vendor == identity->vendor && known->product == identity->product) {
-            struct hid_mapping map = { .source = HID_MAPPING_KNOWN, .style = HID_STYLE_FLY };
-            for (uint32_t j = 0; j < known->count; j++) {
-                hid_mapping_auto_bits(&map, known->bindings[j]);
-            }
+        if (knowns[i].vendor == identity->vendor && knowns[i].product == identity->product) {
+            const struct hid_mapping map = mapping_of(&knowns[i]);
+            CORE_ASSERT(map.count <= HID_BINDING_MAX);
             if (hid_mapping_is_sound(&map, descriptor)) {
                 *out = map;
-                return 1;
+                return true;
             }
         }
     }
-    return 0;
+    return false;
 }
 
 /* ---- Selection of a mapping ----------------------------------------------------------------- */
 
-int hid_mapping_has_keyboard(const struct hid_descriptor *descriptor)
+bool hid_mapping_has_keyboard(const struct hid_descriptor *descriptor)
 {
     CORE_ASSERT(descriptor->group_count <= HID_GROUP_MAX);
     for (uint32_t i = 0; i < descriptor->group_count; i++) {
         const struct hid_group *group = &descriptor->group[i];
         if (group->application == USAGE_KEYBOARD && !(group->flags & HID_CONSTANT) &&
             descriptor->range[group->range_first].first >> 16 == KEYBOARD_PAGE) {
-            return 1;
+            return true;
         }
     }
-    return 0;
+    return false;
 }
 
 void hid_mapping_choose(struct hid_mapping *out, const struct hid_identity *identity,
@@ -193,9 +153,9 @@ void hid_mapping_choose(struct hid_mapping *out, const struct hid_identity *iden
     if (descriptor->error != HID_OK || hid_mapping_has_keyboard(descriptor)) {
         return;
     }
-    if (hid_mapping_is_own(descriptor)) {
-        map_own(out);
-    } else if (!hid_mapping_known(out, identity, descriptor)) {
+    if (is_own(descriptor)) {
+        *out = own_mapping;
+    } else if (!set_known(out, identity, descriptor)) {
         hid_mapping_auto_build(out, descriptor);
     }
     if (!hid_mapping_is_sound(out, descriptor)) {
@@ -210,43 +170,37 @@ uint32_t hid_mapping_score(const struct hid_identity *identity,
 {
     struct hid_mapping map;
     hid_mapping_choose(&map, identity, descriptor);
-    switch (map.source) {
-    case HID_MAPPING_NONE:
-        return 0;
-    case HID_MAPPING_AUTO:
-        return hid_mapping_auto_score(descriptor);
-    default:
-        return WORTH_KNOWN;
-    }
+    return map.source == HID_MAPPING_NONE   ? 0
+           : map.source == HID_MAPPING_AUTO ? hid_mapping_auto_score(descriptor)
+                                            : WORTH_KNOWN;
 }
 
 const char *hid_mapping_absence_reason(const struct hid_descriptor *of)
 {
-    const int has_x = hid_mapping_auto_find(of, 0, -1, 0, USAGE_X).group != NULL;
-    const int has_y = hid_mapping_auto_find(of, 0, -1, 0, USAGE_Y).group != NULL;
+    const bool has_x = hid_mapping_auto_find(of, 0, -1, 0, USAGE_X).group != NULL;
+    const bool has_y = hid_mapping_auto_find(of, 0, -1, 0, USAGE_Y).group != NULL;
     if (hid_mapping_has_keyboard(of)) {
-        return "it has the keys of a keyboard, which is left alone";
+        return "it has the keys of a keyboard, and the kiosk never uses a keyboard";
     }
-    return !has_x && !has_y ? "no axis of it is called X or Y; it may be learned in the menu"
+    return !has_x && !has_y ? "it declares no X axis and no Y axis; learn it in the operator's menu"
            : !has_x || !has_y
-               ? "it has an X or an Y, and not both"
-               : "its X and Y are no pair of axes with a button beside them; it may be learned";
+               ? "it declares only one of the axes X and Y"
+               : "its X and Y are no pair of axes with a button; learn it in the menu";
 }
 
 /* ---- Validation ----------------------------------------------------------------------------- */
 
-static int is_axis_role(uint8_t role)
+static bool is_axis_role(uint8_t role)
 {
     return role >= HID_ROLE_X && role <= HID_ROLE_TILT;
 }
 
-static int manner_fits(const struct hid_binding *binding)
+static bool manner_fits(const struct hid_binding *binding)
 {
     switch (binding->manner) {
     case HID_BINDING_POSITION:
+        return is_axis_role(binding->role) || binding->role == HID_ROLE_SEQUENCE;
     case HID_BINDING_RATE:
-        return is_axis_role(binding->role) ||
-               (binding->role == HID_ROLE_SEQUENCE && binding->manner == HID_BINDING_POSITION);
     case HID_BINDING_STEP:
         return is_axis_role(binding->role);
     case HID_BINDING_PRESS:
@@ -256,24 +210,24 @@ static int manner_fits(const struct hid_binding *binding)
         return binding->role == HID_ROLE_HAT || binding->role == HID_ROLE_X ||
                binding->role == HID_ROLE_Z;
     default:
-        return 0;
+        return false;
     }
 }
 
-int hid_mapping_is_array_of(const struct hid_group *group, const struct hid_binding *binding)
+bool hid_mapping_is_array_of(const struct hid_group *group, const struct hid_binding *binding)
 {
     return !(group->flags & HID_VARIABLE) && group->count <= HID_ARRAY_MAX &&
            group->report_id == binding->report_id && group->bit_offset == binding->bit_offset &&
            group->bit_size == binding->bit_size;
 }
 
-static int binding_is_sound(const struct hid_binding *binding,
-                            const struct hid_descriptor *descriptor)
+static bool binding_is_sound(const struct hid_binding *binding,
+                             const struct hid_descriptor *descriptor)
 {
     CORE_ASSERT(descriptor->error == HID_OK);
     if (binding->rest < -HID_VALUE_MAX || binding->rest > HID_VALUE_MAX ||
         binding->full < -HID_VALUE_MAX || binding->full > HID_VALUE_MAX) {
-        return 0;
+        return false;
     }
     const uint64_t end = (uint64_t)binding->bit_offset + binding->bit_size;
     const int64_t span = binding->full - binding->rest;
@@ -291,49 +245,50 @@ static int binding_is_sound(const struct hid_binding *binding,
             (binding->manner == HID_BINDING_PRESS && array < descriptor->group_count));
 }
 
-static int has_role_binding(const struct hid_mapping *map, enum hid_role role,
-                            enum hid_binding_kind manner)
+bool hid_mapping_has_role(const struct hid_mapping *map, enum hid_role role,
+                          enum hid_binding_kind manner)
 {
     CORE_ASSERT(map->count <= HID_BINDING_MAX);
     for (uint32_t i = 0; i < map->count; i++) {
         if (map->binding[i].role == role && map->binding[i].manner == manner) {
-            return 1;
+            return true;
         }
     }
-    return 0;
+    return false;
 }
 
-static int has_plane(const struct hid_mapping *map, enum hid_binding_kind manner)
+static bool has_plane(const struct hid_mapping *map, enum hid_binding_kind manner)
 {
-    return has_role_binding(map, HID_ROLE_X, manner) && has_role_binding(map, HID_ROLE_Z, manner);
+    return hid_mapping_has_role(map, HID_ROLE_X, manner) &&
+           hid_mapping_has_role(map, HID_ROLE_Z, manner);
 }
 
-static int style_is_sound(const struct hid_mapping *map, const struct hid_descriptor *descriptor)
+static bool style_is_sound(const struct hid_mapping *map, const struct hid_descriptor *descriptor)
 {
-    const int dips = has_role_binding(map, HID_ROLE_DIP, HID_BINDING_PRESS);
+    const bool dips = hid_mapping_has_role(map, HID_ROLE_DIP, HID_BINDING_PRESS);
     switch (map->style) {
     case HID_STYLE_POSE:
-        return hid_mapping_is_own(descriptor);
+        return is_own(descriptor);
     case HID_STYLE_POINTER:
         return dips && (has_plane(map, HID_BINDING_POSITION) || has_plane(map, HID_BINDING_STEP));
     case HID_STYLE_FLY:
         return (has_plane(map, HID_BINDING_RATE) || has_plane(map, HID_BINDING_HAT)) &&
-               (dips || has_role_binding(map, HID_ROLE_Y, HID_BINDING_RATE));
+               (dips || hid_mapping_has_role(map, HID_ROLE_Y, HID_BINDING_RATE));
     default:
-        return 0;
+        return false;
     }
 }
 
-int hid_mapping_is_sound(const struct hid_mapping *map, const struct hid_descriptor *descriptor)
+bool hid_mapping_is_sound(const struct hid_mapping *map, const struct hid_descriptor *descriptor)
 {
     if (descriptor->error != HID_OK || map->source == HID_MAPPING_NONE ||
         map->source > HID_MAPPING_LEARNED || map->count > HID_BINDING_MAX || map->trembles > 1 ||
         map->feels > 1) {
-        return 0;
+        return false;
     }
     for (uint32_t i = 0; i < map->count; i++) {
         if (!binding_is_sound(&map->binding[i], descriptor)) {
-            return 0;
+            return false;
         }
     }
     return style_is_sound(map, descriptor);

@@ -1,7 +1,7 @@
 /* hid_mapping.h -- a mapping: which field of a controller's reports has which role in the game.
  *
  * A mapping comes from a table of known controllers (hid_mapping.c), from the HID descriptor
- * (hid_mapping_auto.c) or from learning (hid_learn.h). hid_pose_decoder.h decodes reports with a
+ * (hid_mapping_auto.c) or from learning (hid_learn.h). poi_hid.h decodes reports with a
  * mapping. A mapping is stored as one line of text for each vendor:product:serial
  * (hid_mapping_text.c). A poi is a paper scoop, and also the controller that moves it. This project
  * defines its own poi controller (poi_report.h), which the comments name Kingyo's poi controller.
@@ -9,6 +9,7 @@
 #ifndef KINGYO_DRIVERS_HID_HID_MAPPING_H
 #define KINGYO_DRIVERS_HID_HID_MAPPING_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "drivers/hid/hid_descriptor.h"
@@ -37,8 +38,8 @@ enum hid_role {
     HID_ROLE_YAW,
     HID_ROLE_ROLL,
     HID_ROLE_TILT,     /* Tilt of the ring by a wheel, for controllers without rotation axes. */
-    HID_ROLE_DIP,      /* Button, trigger, pen tip or pressure that lowers the poi while it is
-                          pressed. */
+    HID_ROLE_DIP,      /* Button, trigger, pen tip or pressure that lowers the poi while the
+                          player presses. */
     HID_ROLE_LEVEL,    /* Button that levels the poi. */
     HID_ROLE_FAN,      /* Button that holds the fan over the water while it is pressed. The
                           controller then moves the fan, and the poi stands still. */
@@ -79,7 +80,7 @@ struct hid_binding {
     uint8_t bit_size;    /* Number of bits, 1 to 32. */
     uint8_t is_signed;   /* 1 if the value is two's complement, otherwise 0. Stored here because
                             vendor-defined fields may not declare the sign. */
-    hid_usage usage;     /* Usage of a key in an array; the key is pressed while an element selects
+    hid_usage usage;     /* Usage of a key in an array. The key is pressed while an element selects
                             this usage. 0 means that the field is no array. */
     int64_t rest;        /* Value of a released stick or key. For HID_BINDING_POSITION, the value at
                             the low end of the axis. */
@@ -119,15 +120,9 @@ struct hid_mapping {
     struct hid_binding binding[HID_BINDING_MAX];
 };
 
-/* Returns 1 if the reports have the layout of Kingyo's poi controller, otherwise 0. In this
- * layout every axis of poi_report.h is at its position. Unlike poi_descriptor_is(), this
- * function also accepts a device with additional reports. Such a device can play after the
- * operator selected it. */
-int hid_mapping_is_own(const struct hid_descriptor *descriptor);
-
-/* Returns 1 if the descriptor declares keyboard keys, otherwise 0. A keyboard is never used as a
+/* Returns true if the descriptor declares keyboard keys. A keyboard is never used as a
  * controller. */
-int hid_mapping_has_keyboard(const struct hid_descriptor *descriptor);
+bool hid_mapping_has_keyboard(const struct hid_descriptor *descriptor);
 
 /* Finds the best mapping for a controller. Kingyo's poi controller is preferred, then a known
  * controller, then a mapping from the descriptor. `out->source` is the origin of the mapping.
@@ -140,8 +135,8 @@ void hid_mapping_choose(struct hid_mapping *out, const struct hid_identity *iden
  * memory. */
 const char *hid_mapping_absence_reason(const struct hid_descriptor *descriptor);
 
-/* Selects the mapping of a controller; learned mappings take precedence. Writes the mapping to
- * `out` as hid_mapping_choose() does. */
+/* Function that selects the mapping of a controller and writes the mapping to `out` as
+ * hid_mapping_choose() does. A learned mapping is preferred to all others. */
 struct hid_mapper {
     void (*choose)(void *self, const struct hid_device_info *face,
                    const struct hid_descriptor *descriptor, struct hid_mapping *out);
@@ -153,13 +148,17 @@ struct hid_mapper {
 uint32_t hid_mapping_score(const struct hid_identity *identity,
                            const struct hid_descriptor *descriptor);
 
-/* Returns 1 if `group` is the array that the binding's usage belongs to, otherwise 0. Always
- * returns 0 for an array of more than HID_ARRAY_MAX elements. */
-int hid_mapping_is_array_of(const struct hid_group *group, const struct hid_binding *binding);
+/* Returns true if `group` is the array that the binding's usage belongs to. Always returns false
+ * for an array of more than HID_ARRAY_MAX elements. */
+bool hid_mapping_is_array_of(const struct hid_group *group, const struct hid_binding *binding);
 
-/* Validates a mapping, which can come from a file. Returns 1 if the style has its axes, every
- * binding lies inside its declared report, and every number is in range. Otherwise returns 0. */
-int hid_mapping_is_sound(const struct hid_mapping *map, const struct hid_descriptor *descriptor);
+/* Returns true if at least one binding has the role `role` and the manner `manner`. */
+bool hid_mapping_has_role(const struct hid_mapping *map, enum hid_role role,
+                          enum hid_binding_kind manner);
+
+/* Validates a mapping, which can come from a file. Returns true if the style has its axes, every
+ * binding lies inside its declared report, and every number is in range. */
+bool hid_mapping_is_sound(const struct hid_mapping *map, const struct hid_descriptor *descriptor);
 
 /* Size of the buffer for hid_mapping_write(), enough for HID_BINDING_MAX bindings of the longest
  * text. */

@@ -45,33 +45,23 @@ struct hid_field_location {
     hid_usage usage;
 };
 
-/* Returns 1 if the fields of `group` can be an axis, otherwise 0. A field of an axis has more
- * possible values than a hat. For example, an "X" field of one bit is a button and not an axis. */
-int hid_mapping_auto_is_axis(const struct hid_group *group);
-
-/* Returns the index of the field with the usage `usage` in `group`, or -1 if the group does not
- * have the usage. For an array, 0 is returned and stands for all elements. */
-int32_t hid_mapping_auto_place(const struct hid_descriptor *descriptor,
-                               const struct hid_group *group, hid_usage usage);
+/* Returns the highest possible value of the fields of `group`, which have at most 32 bits. Some
+ * descriptors declare a maximum that does not fit into the field, and some declare no maximum for
+ * buttons. */
+int64_t hid_mapping_auto_high(const struct hid_group *group);
 
 /* Returns the first field with the usage `usage`. Only reports of the application collection
- * `application` are searched; 0 means any application. The report `report_id` is searched first; -1
- * means any report. All other reports follow unless `report_only` is 1. Constant fields are
- * skipped. The first element of an array stands for the whole array. */
+ * `application` are searched. An `application` of 0 means any application. The report `report_id`
+ * is searched first. A `report_id` of -1 means any report. All other reports follow unless
+ * `report_only` is true. Constant fields are skipped. The first element of an array stands for the
+ * whole array. */
 struct hid_field_location hid_mapping_auto_find(const struct hid_descriptor *descriptor,
                                                 hid_usage application, int report_id,
-                                                int report_only, hid_usage usage);
+                                                bool report_only, hid_usage usage);
 
-/* Adds a binding of the field `spot` to `map`. Returns 1, or 0 if `spot` is empty or unsuitable or
- * if the mapping is full. The binding ranges from the logical minimum of the field to its maximum.
- * A HID_BINDING_RATE binding ranges from the middle of the field to its maximum. If `turned` is 1
- * the direction is reversed. */
-int hid_mapping_auto_bind(struct hid_mapping *map, struct hid_field_location spot,
-                          enum hid_role role, enum hid_binding_kind manner, int turned);
-
-/* Adds a binding that is given by its bits instead of a usage. Returns 1, or 0 if the mapping is
- * full. */
-int hid_mapping_auto_bits(struct hid_mapping *map, struct hid_binding binding);
+/* Adds a binding that is given by its bits instead of a usage. Returns true, or false if the
+ * mapping is full. */
+bool hid_mapping_auto_bits(struct hid_mapping *map, struct hid_binding binding);
 
 /* Fills `out` with the best mapping that the descriptor allows. The source is HID_MAPPING_NONE if
  * there is no such mapping. */

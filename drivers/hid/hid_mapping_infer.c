@@ -14,8 +14,8 @@
 /* Travel of a field at which a learning step counts as clearly demonstrated, as a fraction of the
  * field's range. */
 #define CLEAR_WAY 0.4f
-/* Weight of a vendor-defined field. With this weight the field must move twice as far as a standard
- * field. */
+/* Weight of the motion of a vendor-defined field. With this weight, a vendor-defined field must
+ * move twice as far as a standard field to be selected. */
 #define VENDOR_WORTH 0.5f
 #define STEP_WAY 100.0f /* Range that is assumed for a relative field, in counts. */
 /* Largest distance from the rest value at which a stick counts as returned, as a fraction of the
@@ -32,24 +32,16 @@ const struct hid_group *hid_mapping_infer_group(const struct hid_learn *learn,
     return &learn->descriptor.group[field->group];
 }
 
-int hid_mapping_infer_is_relative(const struct hid_group *group)
+bool hid_mapping_infer_is_relative(const struct hid_group *group)
 {
     return (group->flags & HID_RELATIVE) && group->application != USAGE_MULTI_AXIS;
-}
-
-int64_t hid_mapping_infer_high(const struct hid_group *group)
-{
-    CORE_ASSERT(group->bit_size >= 1 && group->bit_size <= 32);
-    const uint32_t bits = group->bit_size - (group->logical_min < 0);
-    const int64_t most = ((int64_t)1 << bits) - 1;
-    return group->logical_max < most && group->bit_size > 1 ? group->logical_max : most;
 }
 
 static float span_of(const struct hid_group *group)
 {
     return hid_mapping_infer_is_relative(group)
                ? STEP_WAY
-               : (float)(hid_mapping_infer_high(group) - group->logical_min);
+               : (float)(hid_mapping_auto_high(group) - group->logical_min);
 }
 
 /* ---- Evaluation of the recording ------------------------------------------------------------ */
@@ -76,7 +68,7 @@ static float hid_mapping_infer_share_of(const struct hid_learn *learn,
     const struct hid_group *group = hid_mapping_infer_group(learn, field);
     const float noise = (float)(field->rest_high - field->rest_low) / span_of(group);
     const hid_usage usage = hid_usage_at(&learn->descriptor, group, field->index);
-    if (!field->heard || noise > NOISE_MAX) {
+    if (!field->reported || noise > NOISE_MAX) {
         return 0.0f;
     }
     const float share = f_min(f_abs((float)way) / span_of(group), 1.0f);
@@ -84,9 +76,9 @@ static float hid_mapping_infer_share_of(const struct hid_learn *learn,
 }
 
 /* `there` is the deflection of a field in one step, and `back` is its deflection in the opposite
- * direction in a second step. Both are 0 if the field did not move in opposite directions. The
- * deflections are measured from the rest value, because the controller can start a step where the
- * previous step ended. */
+ * direction in a second step. Both deflections are 0 if the field did not move in opposite
+ * directions. The deflections are measured from the rest value, because the controller can start a
+ * step where the previous step ended. */
 struct ways {
     int64_t there, back;
 };
@@ -115,7 +107,7 @@ static const struct learn_field *best_axis(const struct hid_learn *learn, enum l
     for (uint32_t i = 0; i < learn->field_count; i++) {
         const struct learn_field *field = &learn->field[i];
         const struct ways ways = ways_of(field, one, other);
-        const int is_wide = hid_mapping_infer_group(learn, field)->bit_size >= 4;
+        const bool is_wide = hid_mapping_infer_group(learn, field)->bit_size >= 4;
         const float share = is_wide ? f_min(hid_mapping_infer_share_of(learn, field, ways.there),
                                             hid_mapping_infer_share_of(learn, field, ways.back))
                                     : 0.0f;
@@ -134,7 +126,7 @@ best_press(const struct hid_learn *learn, const struct learn_field *x, const str
     float best_share = PRESS_MIN;
     for (uint32_t i = 0; i < learn->field_count; i++) {
         const struct learn_field *field = &learn->field[i];
-        const int is_relative =
+        const bool is_relative =
             hid_mapping_infer_is_relative(hid_mapping_infer_group(learn, field));
         const float share = hid_mapping_infer_share_of(learn, field, way_in(field, LEARN_DIP));
         if (field != x && field != z && !is_relative && share > best_share) {
@@ -163,7 +155,7 @@ float hid_mapping_infer_clarity(const struct hid_learn *learn)
     for (uint32_t i = 0; i < learn->field_count; i++) {
         const struct learn_field *field = &learn->field[i];
         const enum learn_step step = (enum learn_step)learn->step;
-        const int counts =
+        const bool counts =
             step == LEARN_DIP || hid_mapping_infer_group(learn, field)->bit_size >= 4;
         best = counts ? f_max(best, hid_mapping_infer_share_of(learn, field, way_in(field, step)))
                       : best;
@@ -188,11 +180,10 @@ static struct hid_binding binding_of(const struct hid_learn *learn, const struct
     };
 }
 
-/* Returns 1 if the field belongs to a stick, otherwise 0. A stick returns to its center when it
- * is released, and a pen does not. The declared application takes precedence over the recorded
- * motion. */
-static int is_stick(const struct hid_learn *learn, const struct learn_field *field,
-                    enum learn_step one, enum learn_step other)
+/* Returns true if the field belongs to a stick. A stick returns to its center when it is released,
+ * and a pen does not. The declared application takes precedence over the recorded motion. */
+static bool is_stick(const struct hid_learn *learn, const struct learn_field *field,
+                     enum learn_step one, enum learn_step other)
 {
     const struct hid_group *group = hid_mapping_infer_group(learn, field);
     const float near = MIDDLE_SHARE * span_of(group);
@@ -200,13 +191,13 @@ static int is_stick(const struct hid_learn *learn, const struct learn_field *fie
     case USAGE_JOYSTICK:
     case USAGE_GAMEPAD:
     case USAGE_MULTI_AXIS:
-        return 1;
+        return true;
     case USAGE_MOUSE:
     case USAGE_DIGITIZER:
     case USAGE_PEN:
     case USAGE_TOUCH_SCREEN:
     case USAGE_TOUCH_PAD:
-        return 0;
+        return false;
     default:
         return f_abs((float)(field->end[one] - rest_of(field))) < near &&
                f_abs((float)(field->end[other] - rest_of(field))) < near;
@@ -236,10 +227,9 @@ static void bind_axis(struct hid_learn *learn, const struct learn_field *field, 
     hid_mapping_auto_bits(&learn->map, binding);
 }
 
-/* Returns 1 if the in-range bit of a pen was not set while the pen moved an axis, otherwise 0. Some
- * pens never report their range or report it inverted. The in-range bit of these pens must not be
- * used. */
-static int never_said(const struct hid_learn *learn, const struct hid_binding *binding)
+/* Returns true if the in-range bit of a pen was not set while the pen moved an axis. Some pens
+ * never set this bit or set it inverted. The in-range bit of such a pen must not be used. */
+static bool is_range_unreported(const struct hid_learn *learn, const struct hid_binding *binding)
 {
     CORE_ASSERT(binding->role == HID_ROLE_IN_RANGE);
     for (uint32_t i = 0; i < learn->field_count; i++) {
@@ -250,7 +240,7 @@ static int never_said(const struct hid_learn *learn, const struct hid_binding *b
                    field->end[LEARN_NEAR] != binding->full;
         }
     }
-    return 1;
+    return true;
 }
 
 /* Adds bindings of controls that were not demonstrated, such as menu buttons and the rotations of a
@@ -260,9 +250,10 @@ static void keep_offered(struct hid_learn *learn)
     CORE_ASSERT(learn->offered.count <= HID_BINDING_MAX);
     for (uint32_t i = 0; i < learn->offered.count; i++) {
         const struct hid_binding *binding = &learn->offered.binding[i];
-        const int was_shown = binding->role == HID_ROLE_X || binding->role == HID_ROLE_Y ||
-                              binding->role == HID_ROLE_Z || binding->role == HID_ROLE_DIP;
-        const int is_false = binding->role == HID_ROLE_IN_RANGE && never_said(learn, binding);
+        const bool was_shown = binding->role == HID_ROLE_X || binding->role == HID_ROLE_Y ||
+                               binding->role == HID_ROLE_Z || binding->role == HID_ROLE_DIP;
+        const bool is_false =
+            binding->role == HID_ROLE_IN_RANGE && is_range_unreported(learn, binding);
         uint32_t k = 0;
         while (k < learn->map.count && !(learn->map.binding[k].report_id == binding->report_id &&
                                          learn->map.binding[k].bit_offset == binding->bit_offset &&
@@ -275,7 +266,7 @@ static void keep_offered(struct hid_learn *learn)
     }
 }
 
-int hid_mapping_infer_map(struct hid_learn *learn)
+bool hid_mapping_infer_map(struct hid_learn *learn)
 {
     CORE_ASSERT(learn->step == LEARN_DIP);
     const struct learn_field *x = best_axis(learn, LEARN_LEFT, LEARN_RIGHT, NULL);
@@ -283,7 +274,7 @@ int hid_mapping_infer_map(struct hid_learn *learn)
     const struct learn_field *press = best_press(learn, x, z);
     const struct learn_key *key = press ? NULL : best_key(learn);
     if (!x || !z || (!press && !key)) {
-        return 0;
+        return false;
     }
     CORE_ASSERT(x != z);
     CORE_ASSERT(press != x && press != z);

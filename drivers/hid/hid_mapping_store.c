@@ -19,25 +19,19 @@
 int hid_mapping_store_file_read(const char *path, char text[HID_MAPPING_STORE_TEXT_SIZE])
 {
     const int fd = file_handle(path, O_RDONLY, 0);
-    size_t used = 0;
-    ssize_t got = 0;
-    if (fd < 0) {
-        return errno == EISDIR ? ENOTSUP : errno;
+    FILE *file = fd < 0 ? NULL : fdopen(fd, "r");
+    if (!file) {
+        const int error = errno;
+        if (fd >= 0) {
+            close(fd);
+        }
+        return error == EISDIR ? ENOTSUP : error;
     }
-    while (used < HID_MAPPING_STORE_TEXT_SIZE &&
-           ((got = read(fd, text + used, HID_MAPPING_STORE_TEXT_SIZE - used)) > 0 ||
-            (got < 0 && errno == EINTR))) {
-        used += got > 0 ? (size_t)got : 0u;
-    }
-    const int error = got < 0 ? errno : used == HID_MAPPING_STORE_TEXT_SIZE ? EFBIG : 0;
-    close(fd);
+    const size_t used = fread(text, 1, HID_MAPPING_STORE_TEXT_SIZE, file);
+    const int error = ferror(file) ? errno : used == HID_MAPPING_STORE_TEXT_SIZE ? EFBIG : 0;
+    fclose(file);
     text[used < HID_MAPPING_STORE_TEXT_SIZE ? used : 0u] = '\0';
     return error;
-}
-
-int hid_mapping_store_file_replace(const char *path, const char *text)
-{
-    return -file_replace(path, text, strlen(text), FILE_REPLACE_DURABLE);
 }
 
 #define FOLDER "pois"
@@ -92,7 +86,8 @@ static void read_entry(struct hid_mapping_store *store, const char *path, struct
     }
     const uint32_t index = find_entry(store, entry.vendor, entry.product, entry.serial);
     if (index == HID_MAPPING_STORE_MAX) {
-        report_complaint(to, path, 0, "more learned controllers than the book holds");
+        report_complaint(to, path, 0,
+                         "the mapping store is full: delete files of unused controllers");
         return;
     }
     store->entry[index] = entry;
@@ -125,21 +120,16 @@ static void read_folder(struct hid_mapping_store *store, struct complaints *to)
 static int do_job(const char *folder, const struct hid_mapping_store_job *job)
 {
     CORE_ASSERT(memchr(job->path, 0, sizeof job->path));
-    int error = 0;
     if (mkdir(folder, 0755) != 0 && errno != EEXIST) {
         return errno;
     }
     if (job->text[0]) {
-        error = hid_mapping_store_file_replace(job->path, job->text);
-    } else if (unlink(job->path) != 0 && errno != ENOENT) {
-        error = errno;
-    } else {
-        error = -file_sync_parent(job->path);
+        return -file_replace(job->path, job->text, strlen(job->text), FILE_REPLACE_DURABLE);
     }
-    return error;
+    return unlink(job->path) != 0 && errno != ENOENT ? errno : -file_sync_parent(job->path);
 }
 
-static void *write_down(void *self)
+static void *write_jobs(void *self)
 {
     struct hid_mapping_store *store = self;
     pthread_mutex_lock(&store->lock);
@@ -148,7 +138,7 @@ static void *write_down(void *self)
             pthread_cond_wait(&store->changed, &store->lock);
             continue;
         }
-        /* Until the writer thread sets has_job to 0, no other thread changes `job`. */
+        /* No other thread changes `job` until the writer thread sets has_job to false. */
         const struct hid_mapping_store_job job = store->job;
         void (*const tell)(void *self, const char *line) = store->tell;
         void *const tell_self = store->tell_self;
@@ -156,14 +146,15 @@ static void *write_down(void *self)
         const int error = do_job(store->folder, &job);
         if (error) {
             char text[HID_MAPPING_STORE_PATH_SIZE + HAL_TEXT_SIZE];
-            snprintf(text, sizeof text, "%s: %s; what was %s holds until the kiosk ends", job.path,
-                     strerror(error), job.text[0] ? "learned" : "forgotten");
+            snprintf(text, sizeof text, "%s: %s; the change (%s) is lost when the kiosk ends",
+                     job.path, strerror(error),
+                     job.text[0] ? "learned mapping" : "deleted mapping");
             if (tell) {
                 tell(tell_self, text);
             }
         }
         pthread_mutex_lock(&store->lock);
-        store->has_job = 0;
+        store->has_job = false;
         store->written_count += !error;
         store->failed_count += error != 0;
         store->last_failed = error != 0;
@@ -189,11 +180,11 @@ void hid_mapping_store_set_error_sink(struct hid_mapping_store *store,
     pthread_mutex_unlock(&store->lock);
 }
 
-/* Passes a job to the writer thread: deletes the file if `forget` is 1, otherwise writes it.
+/* Passes a job to the writer thread: deletes the file if `forget` is true, otherwise writes it.
  * Must only be called while no job is pending. Returns HAL_OK, or HAL_ERR_IO if the job is
  * impossible. */
 static int give_job(struct hid_mapping_store *store, const struct hid_mapping_store_entry *entry,
-                    int forget)
+                    bool forget)
 {
     char name[HID_MAPPING_STORE_NAME_SIZE];
     CORE_ASSERT(!store->has_job);
@@ -205,8 +196,8 @@ static int give_job(struct hid_mapping_store *store, const struct hid_mapping_st
     const int length =
         snprintf(store->job.path, sizeof store->job.path, "%s/%s", store->folder, name);
     store->job.text[0] = '\0';
-    const int error = (size_t)length >= sizeof store->job.path ||
-                      (!forget && hid_mapping_store_write(entry, store->job.text) != 0);
+    const bool error = (size_t)length >= sizeof store->job.path ||
+                       (!forget && hid_mapping_store_write(entry, store->job.text) != 0);
     store->has_job = !error;
     pthread_cond_signal(&store->changed);
     pthread_mutex_unlock(&store->lock);
@@ -227,14 +218,14 @@ uint32_t hid_mapping_store_open(struct hid_mapping_store *store, const char *dat
     }
     const int length = snprintf(store->folder, sizeof store->folder, "%s/" FOLDER, data);
     if ((size_t)length >= sizeof store->folder) {
-        report_complaint(&to, data, 0, "a path too long to keep learned controllers in");
+        report_complaint(&to, data, 0, "the path is too long for storing learned controllers");
         return to.count;
     }
     read_folder(store, &to);
-    store->has_thread = pthread_create(&store->thread, NULL, write_down, store) == 0;
+    store->has_thread = pthread_create(&store->thread, NULL, write_jobs, store) == 0;
     if (!store->has_thread) {
         report_complaint(&to, store->folder, 0,
-                         "no thread to write with: what is learned is not kept");
+                         "the writer thread cannot start: learned controllers are not stored");
     }
     return to.count;
 }
@@ -266,7 +257,7 @@ int hid_mapping_store_put(struct hid_mapping_store *store, const struct hid_iden
         memcpy(entry->serial, identity->serial, sizeof entry->serial);
     }
     entry->map = *map;
-    return give_job(store, entry, 0);
+    return give_job(store, entry, false);
 }
 
 int hid_mapping_store_forget(struct hid_mapping_store *store, const struct hid_identity *identity)
@@ -279,7 +270,7 @@ int hid_mapping_store_forget(struct hid_mapping_store *store, const struct hid_i
         return HAL_OK;
     }
     struct hid_mapping_store_entry *entry = &store->entry[index];
-    const int result = give_job(store, entry, 1);
+    const int result = give_job(store, entry, true);
     *entry = store->entry[--store->count];
     return result;
 }
@@ -306,11 +297,11 @@ void hid_mapping_store_close(struct hid_mapping_store *store)
 {
     if (store->has_thread) {
         pthread_mutex_lock(&store->lock);
-        store->stops = 1;
+        store->stops = true;
         pthread_cond_signal(&store->changed);
         pthread_mutex_unlock(&store->lock);
         pthread_join(store->thread, NULL);
-        store->has_thread = 0;
+        store->has_thread = false;
     }
     pthread_cond_destroy(&store->changed);
     pthread_mutex_destroy(&store->lock);

@@ -10,9 +10,9 @@
 #define KINGYO_DRIVERS_HID_HID_MAPPING_STORE_H
 
 #include <pthread.h>
+#include <stdbool.h>
 #include <stdint.h>
 
-#include "drivers/hid/hid_mapping.h"
 #include "drivers/hid/hid_mapping.h"
 
 /* Largest number of controllers with a stored mapping. At most four controllers play at a time. A
@@ -37,14 +37,15 @@ struct hid_mapping_store {
     pthread_mutex_t lock;
     pthread_cond_t changed; /* Signals a change of has_job or stops. */
     /* `lock` protects has_job, stops and all following fields. */
-    uint8_t has_thread, has_job, stops;
+    bool has_thread; /* True while the writer thread exists. */
+    bool has_job;    /* True while `job` is pending. */
+    bool stops;      /* True if the writer thread must end. */
     struct hid_mapping_store_job job;
-    uint8_t last_failed;                  /* 1 if the last finished file operation failed, otherwise
-                                             0. */
-    uint32_t written_count, failed_count; /* `written_count` is the number of file operations that
-                                             succeeded, and `failed_count` the number that failed.
-                                             Both are counted from the call of
-                                             hid_mapping_store_open(). */
+    bool last_failed;       /* True if the last finished file operation failed. */
+    uint32_t written_count; /* Number of file operations that succeeded since
+                               hid_mapping_store_open(). */
+    uint32_t failed_count;  /* Number of file operations that failed since
+                               hid_mapping_store_open(). */
     void (*tell)(void *self, const char *line);
     void *tell_self;
 };
@@ -61,8 +62,9 @@ const struct hid_mapping *hid_mapping_store_find(const struct hid_mapping_store 
                                                  const struct hid_identity *identity);
 
 /* Stores the mapping of a controller. Returns HAL_OK, or HAL_ERR_BUSY while the previous job is
- * being written; the caller then retries in a later frame. Returns HAL_ERR_IO if the store is full,
- * if the mapping cannot be written as text, or if the writer thread did not start. */
+ * being written. After HAL_ERR_BUSY the caller retries in a later frame. Returns HAL_ERR_IO if
+ * the store is full, if the mapping cannot be written as text, or if the writer thread did not
+ * start. */
 int hid_mapping_store_put(struct hid_mapping_store *store, const struct hid_identity *identity,
                           const struct hid_mapping *map);
 /* Deletes the mapping of a controller. Returns HAL_OK, also if there is no such mapping. Returns
@@ -87,17 +89,10 @@ int hid_mapping_store_result(struct hid_mapping_store *store);
 /* Waits until the pending job is finished, and ends the writer thread. */
 void hid_mapping_store_close(struct hid_mapping_store *store);
 
-/* ---- Files ----------------------------------------------------------------------------------- */
-
-/* Both functions below may block on the memory card, so only the program start and the writer
- * thread call them. They return 0, or an errno value on an error. */
-
-/* Reads a whole file into `text` and appends a terminating 0. Returns EFBIG if the file has
- * HID_MAPPING_STORE_TEXT_SIZE bytes or more. Does not block if `path` is a pipe. */
+/* Reads a whole file into `text` and appends a terminating 0. Returns 0, or an errno value on an
+ * error. Returns EFBIG if the file has HID_MAPPING_STORE_TEXT_SIZE bytes or more. Does not block if
+ * `path` is a pipe, but may block on the memory card. Therefore only the program start calls this
+ * function. */
 int hid_mapping_store_file_read(const char *path, char text[HID_MAPPING_STORE_TEXT_SIZE]);
-
-/* Replaces the file `path` by writing PATH.part, flushing it and renaming it. A reader finds either
- * the old or the new content. */
-int hid_mapping_store_file_replace(const char *path, const char *text);
 
 #endif

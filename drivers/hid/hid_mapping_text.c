@@ -68,7 +68,8 @@ int hid_mapping_write(const struct hid_mapping *map, char text[HID_MAPPING_TEXT_
 
 /* ---- Parsing of a mapping ------------------------------------------------------------------- */
 
-static int hid_mapping_text_fail(char error[HAL_TEXT_SIZE], const char *what, const char *word)
+/* Writes an error message. Returns -1. */
+static int fail(char error[HAL_TEXT_SIZE], const char *what, const char *word)
 {
     snprintf(error, HAL_TEXT_SIZE, "%s: '%.60s'", what, word);
     return -1;
@@ -100,70 +101,52 @@ static int next_word(const char **text, char word[WORD_SIZE])
     return length > 0;
 }
 
-/* Parses a number from `low` to `high` that is followed by the text `end`, and advances `*at` past
- * `end`. Returns 1, or 0 on a syntax or range error. */
-static int read_number(const char **at, int base, int64_t low, int64_t high, const char *end,
-                       int64_t *out)
+/* Parses report:bits@offset:rest..full with the optional suffixes ~dead and /usage. Returns true,
+ * or false on a syntax or range error. */
+static bool read_field(const char *at, struct hid_binding *out)
 {
-    char *stop = NULL;
-    CORE_ASSERT(base == 10 || base == 16);
-    CORE_ASSERT(low <= high);
-    const char first = **at;
-    if (first != '-' && !(first >= '0' && first <= '9') &&
-        !(base == 16 && first >= 'a' && first <= 'f')) {
-        return 0;
+    long long report, bits, offset, rest, full, dead = 0, usage = 0;
+    char sign;
+    int end = 0;
+    /* Only these characters are allowed, because sscanf() also accepts blanks and plus signs. The
+     * widths prevent an overflow. */
+    if (strspn(at, "0123456789abcdefsu-:@.~/") != strlen(at) ||
+        sscanf(at, "%18lld:%c%18lld@%18lld:%18lld..%18lld%n", &report, &sign, &bits, &offset, &rest,
+               &full, &end) != 6) {
+        return false;
     }
-    const long long value = strtoll(*at, &stop, base);
-    const size_t length = strlen(end);
-    if (strncmp(stop, end, length) != 0 || value < low || value > high) {
-        return 0;
+    at += end;
+    if (*at == '~' && sscanf(at, "~%18lld%n", &dead, &end) == 1 && dead > 0) {
+        at += end;
     }
-    *at = stop + length;
-    *out = value;
-    return 1;
-}
-
-static int read_field(const char *at, struct hid_binding *out)
-{
-    int64_t report, bits, offset;
-    if (!read_number(&at, 10, 0, 255, ":", &report) || (*at != 's' && *at != 'u')) {
-        return 0;
+    if (*at == '/' && sscanf(at, "/%15llx%n", (unsigned long long *)&usage, &end) == 1 &&
+        usage > 0) {
+        at += end;
     }
-    out->is_signed = *at++ == 's';
-    if (!read_number(&at, 10, 1, 32, "@", &bits) ||
-        !read_number(&at, 10, 0, HID_REPORT_BITS_MAX, ":", &offset) ||
-        !read_number(&at, 10, -HID_VALUE_MAX, HID_VALUE_MAX, "..", &out->rest) ||
-        !read_number(&at, 10, -HID_VALUE_MAX, HID_VALUE_MAX, "", &out->full)) {
-        return 0;
+    if (*at || (sign != 's' && sign != 'u') || report < 0 || report > 255 || bits < 1 ||
+        bits > 32 || offset < 0 || offset > HID_REPORT_BITS_MAX || rest < -HID_VALUE_MAX ||
+        rest > HID_VALUE_MAX || full < -HID_VALUE_MAX || full > HID_VALUE_MAX ||
+        dead > HID_VALUE_MAX || usage > UINT32_MAX) {
+        return false;
     }
+    out->is_signed = sign == 's';
     out->report_id = (uint8_t)report;
     out->bit_size = (uint8_t)bits;
     out->bit_offset = (uint32_t)offset;
-    /* The suffixes "~dead" and "/usage" at the end of a word are optional. */
-    if (*at == '~') {
-        at++;
-        if (!read_number(&at, 10, 1, HID_VALUE_MAX, "", &out->dead)) {
-            return 0;
-        }
-    }
-    if (*at == '/') {
-        int64_t usage;
-        at++;
-        if (!read_number(&at, 16, 1, UINT32_MAX, "", &usage)) {
-            return 0;
-        }
-        out->usage = (hid_usage)usage;
-    }
-    return *at == '\0';
+    out->rest = rest;
+    out->full = full;
+    out->dead = dead;
+    out->usage = (hid_usage)usage;
+    return true;
 }
 
-static int read_binding(char *word, struct hid_binding *out)
+static bool read_binding(char *word, struct hid_binding *out)
 {
     CORE_ASSERT(strlen(word) < WORD_SIZE);
     char *manner = strchr(word, '=');
     char *field = manner ? strchr(manner, ':') : NULL;
     if (!field) {
-        return 0;
+        return false;
     }
     *manner++ = '\0';
     *field++ = '\0';
@@ -180,12 +163,12 @@ int hid_mapping_read(struct hid_mapping *out, const char *text, char error[HAL_T
     const int source =
         next_word(&text, word) > 0 ? index_of(source_words, COUNT(source_words), word) : -1;
     if (source <= 0) {
-        return hid_mapping_text_fail(error, "begins with no word for where a map is from", word);
+        return fail(error, "the first word is no source of a mapping", word);
     }
     const int style =
         next_word(&text, word) > 0 ? index_of(style_words, COUNT(style_words), word) : -1;
     if (style <= 0) {
-        return hid_mapping_text_fail(error, "no style of play behind its source", word);
+        return fail(error, "the second word is no style of a mapping", word);
     }
     out->source = (uint8_t)source;
     out->style = (uint8_t)style;
@@ -197,22 +180,22 @@ int hid_mapping_read(struct hid_mapping *out, const char *text, char error[HAL_T
         } else if (strcmp(word, "feels") == 0) {
             out->feels = 1;
         } else if (out->count == HID_BINDING_MAX) {
-            return hid_mapping_text_fail(error, "more bindings than a map holds", kept);
+            return fail(error, "a mapping has too many bindings", kept);
         } else if (!read_binding(word, &out->binding[out->count])) {
-            return hid_mapping_text_fail(error, "not role=manner:report:bits@offset:rest..full",
-                                         kept);
+            return fail(error, "a binding must be role=manner:report:bits@offset:rest..full", kept);
         } else {
             out->count++;
         }
     }
-    return more < 0 ? hid_mapping_text_fail(error, "a word too long", text) : 0;
+    return more < 0 ? fail(error, "a word too long", text) : 0;
 }
 
 /* ---- Files of mappings ----------------------------------------------------------------------- */
 
 #define FIRST_LINE "kingyo poi 1"
+#define HEX_DIGITS "0123456789abcdef"
 
-static int is_word_character(char c)
+static bool is_word_character(char c)
 {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
@@ -234,35 +217,26 @@ static void escape(const char *text, char *out, size_t size)
     out[used] = '\0';
 }
 
-static int hex_value(char c)
-{
-    return c >= '0' && c <= '9' ? c - '0' : c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
-}
-
-/* Reverses escape(). Returns 1, or 0 if the result is too long for `size` or if `text` is not a
- * valid output of escape(). */
-static int unescape(const char *text, char *out, size_t size)
+/* Reverses escape(). Returns true, or false if the result is too long for `size` or if `text` is
+ * not a valid output of escape(). */
+static bool unescape(const char *text, char *out, size_t size)
 {
     CORE_ASSERT(size > 0);
     size_t used = 0;
-    while (*text) {
-        if (used + 1u >= size) {
-            return 0;
-        }
+    while (*text && used + 1u < size) {
+        unsigned byte = (uint8_t)*text;
         if (is_word_character(*text)) {
-            out[used++] = *text++;
-            continue;
+            text++;
+        } else if (*text == '%' && strspn(text + 1, "0123456789ABCDEF") >= 2u &&
+                   sscanf(text, "%%%2X", &byte) == 1 && byte > 0) {
+            text += 3;
+        } else {
+            return false;
         }
-        const int high = *text == '%' ? hex_value(text[1]) : -1;
-        const int low = high >= 0 ? hex_value(text[2]) : -1;
-        if (low < 0 || high * 16 + low == 0) {
-            return 0;
-        }
-        out[used++] = (char)(high * 16 + low);
-        text += 3;
+        out[used++] = (char)byte;
     }
     out[used] = '\0';
-    return 1;
+    return !*text;
 }
 
 void hid_mapping_store_name(const struct hid_mapping_store_entry *entry,
@@ -289,49 +263,40 @@ int hid_mapping_store_write(const struct hid_mapping_store_entry *entry,
     return (size_t)length < HID_MAPPING_STORE_TEXT_SIZE ? 0 : -1;
 }
 
-/* Copies the next line into `line` and advances `*text`. Returns 1, or 0 if no complete line is
- * left or if the line does not fit into `size` bytes. */
-static int hid_mapping_store_text_next_line(const char **text, char *line, size_t size)
+/* Copies the next line into `line` and advances `*text`. Returns true, or false if no complete line
+ * is left or if the line does not fit into `size` bytes. */
+static bool next_line(const char **text, char *line, size_t size)
 {
     CORE_ASSERT(size > 0);
     const size_t length = strcspn(*text, "\n");
     if ((*text)[length] != '\n' || length >= size) {
-        return 0;
+        return false;
     }
     memcpy(line, *text, length);
     line[length] = '\0';
     *text += length + 1u;
-    return 1;
-}
-
-static int read_hex4(const char *text, uint16_t *out)
-{
-    if (strspn(text, "0123456789abcdef") != 4) {
-        return 0;
-    }
-    *out = (uint16_t)strtoul(text, NULL, 16);
-    return 1;
+    return true;
 }
 
 int hid_mapping_store_read(struct hid_mapping_store_entry *out, const char *text,
                            char error[HAL_TEXT_SIZE])
 {
     char line[HID_MAPPING_STORE_TEXT_SIZE];
+    int end = 0;
     memset(out, 0, sizeof *out);
-    if (!hid_mapping_store_text_next_line(&text, line, sizeof line) ||
-        strcmp(line, FIRST_LINE) != 0) {
+    if (!next_line(&text, line, sizeof line) || strcmp(line, FIRST_LINE) != 0) {
         snprintf(error, HAL_TEXT_SIZE, "not \"" FIRST_LINE "\"");
         return 1;
     }
-    if (!hid_mapping_store_text_next_line(&text, line, sizeof line) || strlen(line) < 10 ||
-        line[4] != ':' || line[9] != ':' || !read_hex4(line, &out->vendor) ||
-        !read_hex4(line + 5, &out->product) ||
-        !unescape(line + 10, out->serial, sizeof out->serial)) {
-        snprintf(error, HAL_TEXT_SIZE, "not vendor:product:serial");
+    if (!next_line(&text, line, sizeof line) || strspn(line, HEX_DIGITS) != 4u ||
+        strspn(line + 5, HEX_DIGITS) != 4u ||
+        sscanf(line, "%hx:%hx:%n", &out->vendor, &out->product, &end) != 2 || end != 10 ||
+        !unescape(line + end, out->serial, sizeof out->serial)) {
+        snprintf(error, HAL_TEXT_SIZE, "must be vendor:product:serial");
         return 2;
     }
-    if (!hid_mapping_store_text_next_line(&text, line, sizeof line) || *text) {
-        snprintf(error, HAL_TEXT_SIZE, "not one line of a map");
+    if (!next_line(&text, line, sizeof line) || *text) {
+        snprintf(error, HAL_TEXT_SIZE, "must be one line with a mapping");
         return 3;
     }
     return hid_mapping_read(&out->map, line, error) == 0 ? 0 : 3;

@@ -1,66 +1,24 @@
-/* poi_report.c -- encodes and decodes the reports of Kingyo's poi controller, and contains the
- * bytes of its HID report descriptor. */
+/* poi_report.c -- encodes the pose reports of Kingyo's poi controller, encodes and decodes its
+ * force feedback reports, and contains the bytes of its HID report descriptor. */
 #include "drivers/hid/poi_report.h"
 
 #include <string.h>
 
-#include "core/base/fmath.h"
-
-#define FULL 32767.0f
-#define NONE (-32768)
-
-/* Returns `value` as a 16-bit field with the range +-`most`, or `otherwise` if it is not finite.
- * Halves are rounded away from 0, so that opposite forces have opposite encodings. */
-static int32_t steps_of(float value, float most, int32_t otherwise)
-{
-    if (!f_is_finite(value)) {
-        return otherwise;
-    }
-    const float steps = f_clamp(value / most, -1.0f, 1.0f) * FULL;
-    return (int32_t)(steps < 0.0f ? steps - 0.5f : steps + 0.5f);
-}
-
-static void put_three(uint8_t *bytes, vec3 v, float most, int32_t otherwise)
+/* Writes `v` as three 16-bit fields with the range +-`most`. A component that is not finite is
+ * written as `otherwise`. Halves are rounded away from 0, so that opposite forces have opposite
+ * encodings. */
+static void put_vec3(uint8_t *bytes, vec3 v, float most, int32_t otherwise)
 {
     const float components[3] = { v.x, v.y, v.z };
     for (uint32_t i = 0; i < 3; i++) {
-        const uint32_t bits = (uint32_t)steps_of(components[i], most, otherwise);
+        const bool is_finite = f_is_finite(components[i]);
+        const float steps =
+            is_finite ? f_clamp(components[i] / most, -1.0f, 1.0f) * POI_REPORT_FULL : 0.0f;
+        const int32_t rounded = (int32_t)(steps < 0.0f ? steps - 0.5f : steps + 0.5f);
+        const uint32_t bits = (uint32_t)(is_finite ? rounded : otherwise);
         bytes[2u * i] = (uint8_t)(bits & 255u);
         bytes[2u * i + 1u] = (uint8_t)(bits >> 8 & 255u);
     }
-}
-
-/* Decodes three 16-bit fields with the range +-`most`. Returns 0 if a field has the code for "no
- * value", otherwise 1. */
-static int get_three(const uint8_t *bytes, float most, vec3 *out)
-{
-    int32_t n[3];
-    for (uint32_t i = 0; i < 3; i++) {
-        const int32_t bits = bytes[2u * i] | bytes[2u * i + 1u] << 8;
-        n[i] = bits < 32768 ? bits : bits - 65536;
-    }
-    const float step = most / FULL;
-    *out = v3((float)n[0] * step, (float)n[1] * step, (float)n[2] * step);
-    return n[0] != NONE && n[1] != NONE && n[2] != NONE;
-}
-
-int poi_report_decode(const uint8_t *bytes, uint32_t size, struct poi_report *out)
-{
-    vec3 place_m, turn_rad;
-    if (size != POI_REPORT_SIZE || bytes[0] != POI_REPORT_ID ||
-        !get_three(bytes + 2, POI_REPORT_REACH_M, &place_m) ||
-        !get_three(bytes + 8, F_PI, &turn_rad)) {
-        return 0;
-    }
-    *out = (struct poi_report){
-        .target = { .position_m = place_m,
-                    .angles = { .yaw_rad = turn_rad.y,
-                                .pitch_rad = turn_rad.x,
-                                .roll_rad = turn_rad.z } },
-        .buttons = bytes[14],
-        .sequence = bytes[1],
-    };
-    return 1;
 }
 
 void poi_report_encode(const struct poi_report *report, uint8_t bytes[POI_REPORT_SIZE])
@@ -68,34 +26,36 @@ void poi_report_encode(const struct poi_report *report, uint8_t bytes[POI_REPORT
     const struct angles angles = report->target.angles;
     bytes[0] = POI_REPORT_ID;
     bytes[1] = report->sequence;
-    put_three(bytes + 2, report->target.position_m, POI_REPORT_REACH_M, NONE);
-    put_three(bytes + 8, v3(angles.pitch_rad, angles.yaw_rad, angles.roll_rad), F_PI, NONE);
+    put_vec3(bytes + 2, report->target.position_m, POI_REPORT_REACH_M, POI_REPORT_NONE);
+    put_vec3(bytes + 8, v3(angles.pitch_rad, angles.yaw_rad, angles.roll_rad), F_PI,
+             POI_REPORT_NONE);
     bytes[14] = report->buttons;
 }
 
 static uint8_t level_of(float share)
 {
+    /* NOLINTNEXTLINE(bugprone-incorrect-roundings): the value is not negative. */
     return f_is_finite(share) ? (uint8_t)(int32_t)(f_clamp(share, 0.0f, 1.0f) * 255.0f + 0.5f) : 0;
 }
 
-void poi_feel_encode(const struct poi_force *force, uint8_t sequence, uint8_t bytes[POI_FEEL_SIZE])
+void poi_force_encode(const struct poi_force *force, uint8_t sequence, uint8_t bytes[POI_FEEL_SIZE])
 {
     bytes[0] = POI_FEEL_ID;
     bytes[1] = sequence;
-    put_three(bytes + 2, force->force_n, POI_FORCE_N_MAX, 0);
-    put_three(bytes + 8, force->torque_n_m, POI_TORQUE_N_M_MAX, 0);
+    put_vec3(bytes + 2, force->force_n, POI_FORCE_N_MAX, 0);
+    put_vec3(bytes + 8, force->torque_n_m, POI_TORQUE_N_M_MAX, 0);
     bytes[14] = level_of(force->drag);
     bytes[15] = level_of(force->slap);
     bytes[16] = level_of(force->tear);
 }
 
-int poi_feel_decode(const uint8_t *bytes, uint32_t size, struct poi_force *out, uint8_t *sequence)
+bool poi_feel_decode(const uint8_t *bytes, uint32_t size, struct poi_force *out, uint8_t *sequence)
 {
     vec3 force_n, torque_n_m;
     if (size != POI_FEEL_SIZE || bytes[0] != POI_FEEL_ID ||
-        !get_three(bytes + 2, POI_FORCE_N_MAX, &force_n) ||
-        !get_three(bytes + 8, POI_TORQUE_N_M_MAX, &torque_n_m)) {
-        return 0;
+        !poi_report_get_vec3(bytes + 2, POI_FORCE_N_MAX, &force_n) ||
+        !poi_report_get_vec3(bytes + 8, POI_TORQUE_N_M_MAX, &torque_n_m)) {
+        return false;
     }
     *out = (struct poi_force){
         .force_n = force_n,
@@ -107,7 +67,7 @@ int poi_feel_decode(const uint8_t *bytes, uint32_t size, struct poi_force *out, 
     if (sequence) {
         *sequence = bytes[1];
     }
-    return 1;
+    return true;
 }
 
 /* ---- Report descriptor ----------------------------------------------------------------------- */
@@ -210,7 +170,7 @@ const uint8_t poi_descriptor[POI_DESCRIPTOR_SIZE] = {
     0xc0,             /* End Collection */
 };
 
-int poi_descriptor_is(const uint8_t *bytes, uint32_t size)
+bool poi_descriptor_is(const uint8_t *bytes, uint32_t size)
 {
     return size == POI_DESCRIPTOR_SIZE && memcmp(bytes, poi_descriptor, size) == 0;
 }

@@ -22,8 +22,10 @@
 #ifndef KINGYO_DRIVERS_HID_POI_REPORT_H
 #define KINGYO_DRIVERS_HID_POI_REPORT_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
+#include "core/base/fmath.h"
 #include "core/output.h"
 
 #define POI_REPORT_ID 1u
@@ -51,9 +53,46 @@ struct poi_report {
                          gap means that reports were lost. */
 };
 
-/* Parses an input report of `size` bytes. Returns 1. Returns 0 if the id or the length is wrong, or
- * if a coordinate has no value because the sensor lost its marker; `out` is then unchanged. */
-int poi_report_decode(const uint8_t *bytes, uint32_t size, struct poi_report *out);
+/* Value of a full 16-bit field. */
+#define POI_REPORT_FULL 32767.0f
+/* Number in a 16-bit field that has no value. */
+#define POI_REPORT_NONE (-32768)
+
+/* Decodes three 16-bit fields with the range +-`most`. Returns false if a field has no value. */
+static inline bool poi_report_get_vec3(const uint8_t bytes[6], float most, vec3 *out)
+{
+    float value[3];
+    bool has_values = true;
+    for (uint32_t i = 0; i < 3; i++) {
+        const int32_t number = (int16_t)(bytes[2u * i] | bytes[2u * i + 1u] << 8);
+        has_values = has_values && number != POI_REPORT_NONE;
+        value[i] = (float)number * (most / POI_REPORT_FULL);
+    }
+    *out = v3(value[0], value[1], value[2]);
+    return has_values;
+}
+
+/* Parses an input report of `size` bytes. Returns true. Returns false if the id or the length is
+ * wrong, or if a coordinate has no value because the sensor lost its marker. After a failure `out`
+ * is unchanged. */
+static inline bool poi_report_decode(const uint8_t *bytes, uint32_t size, struct poi_report *out)
+{
+    vec3 position_m, angles_rad;
+    if (size != POI_REPORT_SIZE || bytes[0] != POI_REPORT_ID ||
+        !poi_report_get_vec3(bytes + 2, POI_REPORT_REACH_M, &position_m) ||
+        !poi_report_get_vec3(bytes + 8, F_PI, &angles_rad)) {
+        return false;
+    }
+    *out = (struct poi_report){
+        .target = { .position_m = position_m,
+                    .angles = { .yaw_rad = angles_rad.y,
+                                .pitch_rad = angles_rad.x,
+                                .roll_rad = angles_rad.z } },
+        .buttons = bytes[14],
+        .sequence = bytes[1],
+    };
+    return true;
+}
 
 /* Writes an input report. Values out of range are clamped. A value that is not finite is encoded as
  * "no value". */
@@ -61,12 +100,13 @@ void poi_report_encode(const struct poi_report *report, uint8_t bytes[POI_REPORT
 
 /* Writes a force feedback report. Values out of range are clamped. A value that is not finite is
  * encoded as 0, so that it drives no motor. Halves are rounded away from 0. */
-void poi_feel_encode(const struct poi_force *force, uint8_t sequence, uint8_t bytes[POI_FEEL_SIZE]);
+void poi_force_encode(const struct poi_force *force, uint8_t sequence,
+                      uint8_t bytes[POI_FEEL_SIZE]);
 
-/* Parses a force feedback report; used by the device and its simulation. Returns 1. Returns 0 if
- * the id or the length is wrong or if a component has no value; `out` is then unchanged. `sequence`
- * may be null. */
-int poi_feel_decode(const uint8_t *bytes, uint32_t size, struct poi_force *out, uint8_t *sequence);
+/* Parses a force feedback report. The device and its simulation call this function. Returns true.
+ * Returns false if the id or the length is wrong or if a component has no value. After a failure
+ * `out` is unchanged. `sequence` may be null. */
+bool poi_feel_decode(const uint8_t *bytes, uint32_t size, struct poi_force *out, uint8_t *sequence);
 
 /* ---- Report descriptor ----------------------------------------------------------------------- */
 
@@ -91,7 +131,7 @@ enum poi_usage { /* Usages of POI_PAGE. */
 
 extern const uint8_t poi_descriptor[POI_DESCRIPTOR_SIZE];
 
-/* Returns 1 if the bytes are exactly `poi_descriptor`, otherwise 0. */
-int poi_descriptor_is(const uint8_t *bytes, uint32_t size);
+/* Returns true if the bytes are exactly `poi_descriptor`. */
+bool poi_descriptor_is(const uint8_t *bytes, uint32_t size);
 
 #endif

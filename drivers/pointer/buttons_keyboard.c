@@ -9,9 +9,9 @@
 
 struct key {
     SDL_Keycode code;
-    uint32_t button; /* Cabinet button of the key (enum input_button); 0 means that the key is no
+    uint32_t button; /* Cabinet button of the key (enum input_button). 0 means that the key is no
                         cabinet button. */
-    uint8_t coin;    /* Coin line of the key plus 1; 0 means that the key inserts no coin. */
+    uint8_t coin;    /* Coin line of the key plus 1. 0 means that the key inserts no coin. */
     uint8_t quit, full_screen;
 };
 

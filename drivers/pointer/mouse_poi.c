@@ -45,12 +45,11 @@ static int watch_key(void *self, SDL_Event *event)
     return 0;
 }
 
-static int poi_mouse_open(void *self)
+static int mouse_poi_open(void *self)
 {
     struct mouse_poi *mouse = self;
     if (!SDL_WasInit(SDL_INIT_VIDEO)) {
-        snprintf(mouse->text, sizeof mouse->text,
-                 "no mouse: there is no window for it to move over");
+        snprintf(mouse->text, sizeof mouse->text, "no mouse: there is no window");
         return HAL_ERR_ABSENT;
     }
     SDL_ShowCursor(SDL_DISABLE); /* SDL's cursor is hidden because the drawn poi serves as the
@@ -68,7 +67,7 @@ static int poi_mouse_open(void *self)
     return HAL_OK;
 }
 
-/* Reads the size of the window. Without a window system a touch event has no window; the current GL
+/* Reads the size of the window. Without a window system a touch event has no window. The current GL
  * window is then used. */
 static void learn_window(struct pointer_report *report, uint32_t window_id)
 {
@@ -117,7 +116,7 @@ static void take_mouse(struct mouse_poi *mouse, const SDL_Event *event)
     }
 }
 
-int mouse_poi_is_used(void *self)
+bool mouse_poi_is_used(void *self)
 {
     const struct mouse_poi *mouse = self;
     return mouse->used_ns > 0 && hal_now_ns(mouse->clock) - mouse->used_ns < POINTER_USED_NS;
@@ -126,12 +125,12 @@ int mouse_poi_is_used(void *self)
 static void mouse_poi_take_event(struct mouse_poi *mouse, const SDL_Event *event)
 {
     CORE_ASSERT(event);
-    const int is_finger = event->type >= SDL_FINGERDOWN;
+    const bool is_finger = event->type >= SDL_FINGERDOWN;
     const uint32_t heed = is_finger ? POINTER_FILTER_TOUCH : POINTER_FILTER_MOUSE;
     if (mouse->heeds & heed) {
         /* A window that opens under a resting pointer causes a motion event, which must not count
          * as use by a person. Use is recorded after CREEP_PX of motion. */
-        const int is_motion = event->type == SDL_MOUSEMOTION;
+        const bool is_motion = event->type == SDL_MOUSEMOTION;
         mouse->crept_px += is_motion
                                ? f_abs((float)event->motion.xrel) + f_abs((float)event->motion.yrel)
                                : CREEP_PX;
@@ -163,9 +162,9 @@ static void mouse_poi_take_event(struct mouse_poi *mouse, const SDL_Event *event
                             (mouse->fingers.dips ? (uint32_t)POINTER_DIP : 0u);
 }
 
-/* Passes the pointer report to the fan and to the poi. Returns 1 if the poi accepted the report,
- * otherwise 0. */
-static int tell_hands(struct mouse_poi *mouse)
+/* Passes the pointer report to the fan and to the poi. Returns true if the poi accepted the
+ * report. */
+static bool report_pointer(struct mouse_poi *mouse)
 {
     const struct pointer_report seen = pointer_report_on(&mouse->report, &mouse->display_settings);
     pointer_fan_report(&mouse->fan, &seen);
@@ -180,9 +179,9 @@ static struct poi_sample sample_at(struct mouse_poi *mouse, uint64_t time_ns)
     };
 }
 
-/* Processes events and writes a sample for each event. SDL sets the time stamp of an event when the
- * queue is pumped. Therefore the reports are spread evenly over the time from the previous poll to
- * the current poll. The last element of `out` stays free for the caller. */
+/* Processes events and writes a sample for each event. SDL sets the time stamp of an event when SDL
+ * moves the event into its queue. Therefore the reports are spread evenly over the time from the
+ * previous poll to the current poll. The last element of `out` stays free for the caller. */
 static uint32_t take_events(struct mouse_poi *mouse, uint32_t first, uint32_t last, uint64_t now_ns,
                             struct poi_sample *out, uint32_t max)
 {
@@ -198,7 +197,7 @@ static uint32_t take_events(struct mouse_poi *mouse, uint32_t first, uint32_t la
             mouse_poi_take_event(mouse, &events[i]);
             mouse->report.time_ns =
                 mouse->last_poll_ns + span_ns * (uint64_t)(i + 1) / (uint64_t)taken;
-            if (tell_hands(mouse) && count + 1 < max) {
+            if (report_pointer(mouse) && count + 1 < max) {
                 out[count++] = sample_at(mouse, mouse->report.time_ns);
             }
         }
@@ -209,7 +208,7 @@ static uint32_t take_events(struct mouse_poi *mouse, uint32_t first, uint32_t la
 
 /* Processes all events. The last sample is at the current time, because a dip continues between
  * events and a resting pointer is still valid. */
-static int poi_mouse_poll(void *self, struct poi_sample *out, uint32_t max)
+static int mouse_poi_poll(void *self, struct poi_sample *out, uint32_t max)
 {
     CORE_ASSERT(out || max == 0);
     struct mouse_poi *mouse = self;
@@ -224,7 +223,7 @@ static int poi_mouse_poll(void *self, struct poi_sample *out, uint32_t max)
         mouse->report.buttons = (mouse->report.buttons & ~(uint32_t)POINTER_FAN) | fan;
         mouse->report.wheel_notches = 0.0f;
         mouse->report.time_ns = now_ns;
-        tell_hands(mouse);
+        report_pointer(mouse);
     }
     if (count < max) {
         out[count++] = sample_at(mouse, now_ns);
@@ -232,38 +231,27 @@ static int poi_mouse_poll(void *self, struct poi_sample *out, uint32_t max)
     return (int)count;
 }
 
-static void poi_mouse_set_view(void *self, const struct view *view,
-                               const struct display_settings *display_settings)
+static void mouse_poi_set_view(void *self, const struct view *view,
+                               const struct display_settings *display_settings, bool scoops)
 {
     CORE_ASSERT(view && display_settings);
     struct mouse_poi *mouse = self;
     mouse->pointer.view = mouse->fan.view = *view;
+    mouse->pointer.dip.scoops = scoops;
     mouse->display_settings = *display_settings;
 }
 
-static int poi_mouse_set_force(void *self, const struct poi_force *force)
+static int mouse_poi_set_force(void *self, const struct poi_force *force)
 {
     (void)self;
     (void)force;
     return HAL_ERR_ABSENT; /* A mouse has no force feedback. */
 }
 
-static const char *poi_mouse_describe(void *self)
+static const char *mouse_poi_describe(void *self)
 {
     const struct mouse_poi *mouse = self;
     return mouse->text;
-}
-
-struct hal_poi mouse_poi_device(struct mouse_poi *mouse)
-{
-    static const struct hal_poi_ops ops = {
-        .open = poi_mouse_open,
-        .poll = poi_mouse_poll,
-        .set_force = poi_mouse_set_force,
-        .set_view = poi_mouse_set_view,
-        .describe = poi_mouse_describe,
-    };
-    return (struct hal_poi){ .ops = &ops, .self = mouse };
 }
 
 /* ---- Fan and START button -------------------------------------------------------------------- */
@@ -289,16 +277,6 @@ static const char *mouse_poi_fan_describe(void *self)
     return "the mouse while F is held";
 }
 
-struct hal_fan mouse_poi_fan(struct mouse_poi *mouse)
-{
-    static const struct hal_fan_ops ops = {
-        .open = mouse_poi_fan_open,
-        .poll = mouse_poi_fan_poll,
-        .describe = mouse_poi_fan_describe,
-    };
-    return (struct hal_fan){ .ops = &ops, .self = mouse };
-}
-
 static int mouse_poi_buttons_poll(void *self, struct button_sample *out)
 {
     struct mouse_poi *mouse = self;
@@ -316,11 +294,27 @@ static const char *buttons_describe(void *self)
     return mouse->heeds & POINTER_FILTER_TOUCH ? "three fingers start" : "";
 }
 
-struct hal_buttons mouse_poi_buttons(struct mouse_poi *mouse)
+struct hal_controller_devices mouse_poi_devices(struct mouse_poi *mouse)
 {
-    static const struct hal_buttons_ops ops = {
+    static const struct hal_poi_ops poi = {
+        .open = mouse_poi_open,
+        .poll = mouse_poi_poll,
+        .set_force = mouse_poi_set_force,
+        .set_view = mouse_poi_set_view,
+        .describe = mouse_poi_describe,
+    };
+    static const struct hal_fan_ops fan = {
+        .open = mouse_poi_fan_open,
+        .poll = mouse_poi_fan_poll,
+        .describe = mouse_poi_fan_describe,
+    };
+    static const struct hal_buttons_ops buttons = {
         .poll = mouse_poi_buttons_poll,
         .describe = buttons_describe,
     };
-    return (struct hal_buttons){ .ops = &ops, .self = mouse };
+    return (struct hal_controller_devices){
+        .poi = { &poi, mouse },
+        .fan = { &fan, mouse },
+        .buttons = { &buttons, mouse },
+    };
 }

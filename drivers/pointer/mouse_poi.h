@@ -24,11 +24,11 @@ struct mouse_poi {
     struct hal_clock clock;
     struct pointer_poi pointer;
     struct pointer_fan fan;
-    uint8_t fan_key;        /* 1 while the F key is pressed, otherwise 0. */
+    bool fan_key;           /* True while the F key is pressed. */
     uint8_t heeds;          /* Enabled devices, as bits of enum pointer_filter. */
     uint32_t mouse_buttons; /* Pressed mouse buttons, as bits of enum pointer_button. */
     struct touch_fingers fingers;
-    uint64_t used_ns; /* Time of the last use by a person; 0 means never. */
+    uint64_t used_ns; /* Time of the last use by a person. 0 means never. */
     float crept_px;   /* Distance that the mouse has moved after `used_ns`, in pixels. */
     /* Image geometry from set_view(). If all fields are 0, the image fills the window. */
     struct display_settings display_settings;
@@ -43,20 +43,14 @@ struct mouse_poi {
 void mouse_poi_init(struct mouse_poi *mouse, struct hal_clock clock, const struct view *view,
                     uint32_t width, uint32_t height, uint32_t heeds);
 
-/* Returns the poi device of the mouse or touch screen. */
-struct hal_poi mouse_poi_device(struct mouse_poi *mouse);
+/* Returns the devices of the mouse or touch screen. The mouse controls the fan while key F is
+ * pressed. The button device reports START while three fingers touch the screen. */
+struct hal_controller_devices mouse_poi_devices(struct mouse_poi *mouse);
 
-/* Returns the fan that the same mouse controls while key F is pressed. */
-struct hal_fan mouse_poi_fan(struct mouse_poi *mouse);
-
-/* Time without use after which mouse_poi_is_used() returns 0. */
+/* Time after the last use of the mouse at which mouse_poi_is_used() starts to return 0. */
 #define POINTER_USED_NS 120000000000ull
-/* Returns 1 if a person moved, pressed or touched the device within POINTER_USED_NS, otherwise 0.
- * The motion event of a window that opens under the pointer does not count. `mouse` is a struct
- * mouse_poi. */
-int mouse_poi_is_used(void *mouse);
-
-/* Returns a button device that reports START while three fingers touch the screen. */
-struct hal_buttons mouse_poi_buttons(struct mouse_poi *mouse);
+/* Returns true if a person moved, pressed or touched the device within POINTER_USED_NS. The motion
+ * event of a window that opens under the pointer does not count. `mouse` is a struct mouse_poi. */
+bool mouse_poi_is_used(void *mouse);
 
 #endif

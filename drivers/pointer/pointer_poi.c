@@ -1,62 +1,119 @@
 /* pointer_poi.c -- turns the two axes and the buttons of a pointer into a pose of the poi, and
- * moves the fan over the water and back. A dip is a quintic polynomial between two heights. */
+ * moves the fan over the water and back. Each stroke of a dip is a quintic polynomial between two
+ * heights. */
 #include "drivers/pointer/pointer_poi.h"
 
 #include "core/base/panic.h"
 
 /* ---- Dips ------------------------------------------------------------------------------------ */
 
-/* Initial acceleration of a downward stroke, so that the first frames after the click show motion.
- * The value is twice that of the smoothest stroke. The ring is still above the water during this
- * acceleration. An upward stroke starts under water and has no added acceleration. */
-#define START_M_S2 (-16.0f)
+/* Initial acceleration of a downward stroke from the hover height, so that the first frames after
+ * the click show motion. The value is about twice that of the stroke with the least jerk (2.8
+ * m/s^2). A stroke that starts lower has a smaller added acceleration, and a stroke that starts
+ * under water has none, because the acceleration would press on the paper. */
+#define START_M_S2 (-6.0f)
 
 void pointer_dip_init(struct dip *dip)
 {
-    *dip = (struct dip){ .from_m = DIP_HOVER_M, .to_m = DIP_HOVER_M };
+    *dip = (struct dip){ .from_m = DIP_HOVER_M, .to_m = DIP_HOVER_M, .scoops = true };
+}
+
+/* Returns a height as a fraction of the hover height, [0, 1]. The value is 0 under water. */
+static float hover_share(float height_m)
+{
+    CORE_ASSERT(f_is_finite(height_m));
+    return f_clamp(height_m / DIP_HOVER_M, 0.0f, 1.0f);
+}
+
+static bool goes_down(const struct dip *dip)
+{
+    return dip->to_m < DIP_HOVER_M;
+}
+
+static uint64_t stroke_end_ns(const struct dip *dip)
+{
+    return dip->start_ns + (uint64_t)(dip->duration_s * 1e9f);
+}
+
+/* Returns the stroke at `time_ns`: the current stroke, or the upward stroke that follows the
+ * current stroke because the button was released. */
+static struct dip stroke_at(const struct dip *dip, uint64_t time_ns)
+{
+    if (!dip->lifts || time_ns < stroke_end_ns(dip)) {
+        return *dip;
+    }
+    return (struct dip){
+        .start_ns = stroke_end_ns(dip),
+        .duration_s = DIP_UP_S,
+        .from_m = dip->to_m,
+        .to_m = DIP_HOVER_M,
+        .scoops = dip->scoops,
+    };
+}
+
+/* Returns the distance by which the ring is nearer to the player than the pointer, at the fraction
+ * `s` of the stroke. The distance and its rate of change are 0 at both ends of the stroke. */
+static float near_m(const struct dip *dip, float s)
+{
+    CORE_ASSERT(s >= 0.0f && s <= 1.0f);
+    return dip->near_max_m * (s < DIP_NEAR_AT ? f_smoothstep(0.0f, DIP_NEAR_AT, s)
+                                              : 1.0f - f_smoothstep(DIP_NEAR_AT, 1.0f, s));
 }
 
 /* Evaluates the quintic polynomial. The polynomial starts with the height, velocity and
- * acceleration in `dip`, and ends at rest at dip->to_m. */
+ * acceleration in the stroke, and ends at rest at `to_m`. */
 struct dip_state pointer_dip_at(const struct dip *dip, uint64_t time_ns)
 {
-    CORE_ASSERT(dip->duration_s >= 0.0f);
-    const float total = dip->duration_s;
-    const float t = pointer_seconds_between(dip->start_ns, time_ns);
+    const struct dip stroke = stroke_at(dip, time_ns);
+    CORE_ASSERT(stroke.duration_s >= 0.0f);
+    const float total = stroke.duration_s;
+    const float t = pointer_seconds_between(stroke.start_ns, time_ns);
     if (t >= total) {
-        return (struct dip_state){ .height_m = dip->to_m };
+        return (struct dip_state){ .height_m = stroke.to_m };
     }
-    const float distance = dip->to_m - dip->from_m;
-    const float v = dip->from_m_s * total;
-    const float a = 0.5f * dip->from_m_s2 * total * total;
+    const float distance = stroke.to_m - stroke.from_m;
+    const float v = stroke.from_m_s * total;
+    const float a = 0.5f * stroke.from_m_s2 * total * total;
     const float c3 = 10.0f * distance - 6.0f * v - 3.0f * a;
     const float c4 = -15.0f * distance + 8.0f * v + 3.0f * a;
     const float c5 = 6.0f * distance - 3.0f * v - a;
     const float s = t / total;
     return (struct dip_state){
-        .height_m = dip->from_m + s * (v + s * (a + s * (c3 + s * (c4 + s * c5)))),
+        .height_m = stroke.from_m + s * (v + s * (a + s * (c3 + s * (c4 + s * c5)))),
         .speed_m_s =
             (v + s * (2.0f * a + s * (3.0f * c3 + s * (4.0f * c4 + s * 5.0f * c5)))) / total,
         .acceleration_m_s2 =
             (2.0f * a + s * (6.0f * c3 + s * (12.0f * c4 + s * 20.0f * c5))) / (total * total),
+        .near_m = near_m(&stroke, s),
     };
 }
 
-void pointer_dip_begin(struct dip *dip, uint64_t time_ns, int down)
+void pointer_dip_begin(struct dip *dip, uint64_t time_ns, bool down)
 {
+    *dip = stroke_at(dip, time_ns);
+    if (goes_down(dip) && (down || time_ns < stroke_end_ns(dip))) {
+        dip->lifts = !down;
+        return;
+    }
     const struct dip_state now = pointer_dip_at(dip, time_ns);
-    dip->from_m = now.height_m;
-    dip->from_m_s = now.speed_m_s;
-    dip->from_m_s2 = down ? f_min(now.acceleration_m_s2, START_M_S2) : now.acceleration_m_s2;
-    dip->to_m = down ? DIP_DEPTH_M : DIP_HOVER_M;
-    dip->duration_s = down ? DIP_DOWN_S : DIP_UP_S;
-    dip->start_ns = time_ns;
+    const float start_m_s2 = START_M_S2 * hover_share(now.height_m);
+    *dip = (struct dip){
+        .start_ns = time_ns,
+        .duration_s = down ? DIP_DOWN_S : DIP_UP_S,
+        .from_m = now.height_m,
+        .from_m_s = now.speed_m_s,
+        .from_m_s2 = down ? f_min(now.acceleration_m_s2, start_m_s2) : now.acceleration_m_s2,
+        .to_m = down ? DIP_DEPTH_M : DIP_HOVER_M,
+        .scoops = dip->scoops,
+        .near_max_m = down && dip->scoops ? DIP_NEAR_M * hover_share(now.height_m) : 0.0f,
+    };
 }
 
 float pointer_dip_slant_rad(float speed_m_s)
 {
     CORE_ASSERT(f_is_finite(speed_m_s));
-    return DIP_SLANT_MAX_RAD * f_min(1.0f, f_abs(speed_m_s) / DIP_SLANT_AT_M_S);
+    return speed_m_s < 0.0f ? DIP_SLANT_DOWN_RAD * f_min(1.0f, -speed_m_s / DIP_SLANT_DOWN_M_S)
+                            : DIP_SLANT_UP_RAD * f_min(1.0f, speed_m_s / DIP_SLANT_UP_M_S);
 }
 
 /* ---- Poi ------------------------------------------------------------------------------------- */
@@ -65,11 +122,6 @@ float pointer_dip_slant_rad(float speed_m_s)
  * about three time constants. */
 #define TILT_TAU_S 0.06f
 
-/* Lean of the ring for each m/s of its speed, because an arm that moves fast cannot hold the ring
- * in its plane. The lean is below 3 degrees at 0.1 m/s. At 1 m/s the lean is LEAN_MAX_RAD, and the
- * water presses strongly against the leaning paper. */
-#define LEAN_RAD_PER_M_S (28.0f * F_DEG)
-#define LEAN_MAX_RAD (20.0f * F_DEG)
 /* Time constant that smooths the velocity. Without smoothing, whole pixels at 60 Hz cause steps of
  * 0.04 m/s. */
 #define LEAN_TAU_S 0.06f
@@ -80,7 +132,7 @@ float pointer_dip_slant_rad(float speed_m_s)
 #define BACK_S_PER_WIDTH 0.9f
 /* Height of the ring above which the poi's return to the pointer has its full speed. */
 #define BACK_FREE_M 0.025f
-/* Speed of the poi's return under water as a fraction of the full speed; faster motion would tear
+/* Speed of the poi's return under water as a fraction of the full speed. Faster motion would tear
  * the paper. */
 #define BACK_UNDER_WATER 0.12f
 
@@ -98,23 +150,23 @@ static void move_to_time(struct pointer_poi *pointer, uint64_t time_ns)
     }
 }
 
-/* Estimates the velocity of the pointer's position on the still water. A dip does not change this
- * velocity. After more than one second without a call the velocity is 0. */
-static void pointer_poi_update_speed(struct pointer_poi *pointer, vec3 hand_m)
+/* Estimates the velocity of the pointer's position `water_m` on the still water. A dip does not
+ * change this velocity. After more than one second without a call the velocity is 0. */
+static void update_speed(struct pointer_poi *pointer, vec3 water_m)
 {
-    const float dt = pointer_seconds_between(pointer->hand_ns, pointer->time_ns);
-    if (pointer->hand_ns == 0 || dt > 1.0f) {
-        pointer->hand_m_s = v3(0.0f, 0.0f, 0.0f);
+    const float dt = pointer_seconds_between(pointer->water_ns, pointer->time_ns);
+    if (pointer->water_ns == 0 || dt > 1.0f) {
+        pointer->water_m_s = v3(0.0f, 0.0f, 0.0f);
     } else if (dt > 0.0f) {
-        const vec3 speed = v3_scale(v3_sub(hand_m, pointer->hand_m), 1.0f / dt);
+        const vec3 speed = v3_scale(v3_sub(water_m, pointer->water_m), 1.0f / dt);
         const vec3 along = v3(speed.x, 0.0f, speed.z);
-        pointer->hand_m_s = v3_lerp(pointer->hand_m_s, along, dt / (dt + LEAN_TAU_S));
+        pointer->water_m_s = v3_lerp(pointer->water_m_s, along, dt / (dt + LEAN_TAU_S));
     } else {
         return; /* No time has passed after the previous call. Therefore no velocity can be
                    computed. */
     }
-    pointer->hand_m = hand_m;
-    pointer->hand_ns = pointer->time_ns;
+    pointer->water_m = water_m;
+    pointer->water_ns = pointer->time_ns;
 }
 
 void pointer_poi_init(struct pointer_poi *pointer, const struct view *view)
@@ -127,7 +179,8 @@ void pointer_poi_init(struct pointer_poi *pointer, const struct view *view)
     pointer_dip_init(&pointer->dip);
 }
 
-int pointer_report_is_usable(const struct pointer_report *report)
+/* Returns true if all numbers of the report are finite and the window has a size. */
+static bool is_usable(const struct pointer_report *report)
 {
     return f_is_finite(report->x_px) && f_is_finite(report->y_px) &&
            f_is_finite(report->wheel_notches) && report->width_px > 0 && report->height_px > 0;
@@ -137,7 +190,7 @@ struct pointer_report pointer_report_on(const struct pointer_report *report,
                                         const struct display_settings *display_settings)
 {
     struct pointer_report on = *report;
-    if (pointer_report_is_usable(report)) {
+    if (is_usable(report)) {
         const struct display_transform transform = display_transform_of(
             display_settings, (float)report->width_px, (float)report->height_px);
         display_to_picture(&transform, &on.x_px, &on.y_px);
@@ -145,6 +198,15 @@ struct pointer_report pointer_report_on(const struct pointer_report *report,
         on.height_px = (uint32_t)transform.height;
     }
     return on;
+}
+
+/* Writes the position of the pointer in the window to `x` and `y`. The range is -1 to 1, to the
+ * right and upward. */
+static void window_position(const struct pointer_report *report, float *x, float *y)
+{
+    CORE_ASSERT(report->width_px > 0 && report->height_px > 0);
+    *x = f_clamp(2.0f * report->x_px / (float)report->width_px - 1.0f, -1.0f, 1.0f);
+    *y = f_clamp(1.0f - 2.0f * report->y_px / (float)report->height_px, -1.0f, 1.0f);
 }
 
 /* Returns the fraction of the poi's return to the pointer that is not completed yet: 1 at the start
@@ -157,27 +219,27 @@ static float lag_left(const struct pointer_poi *pointer)
                                   : 0.0f;
 }
 
-int pointer_poi_report(struct pointer_poi *pointer, const struct pointer_report *report)
+bool pointer_poi_report(struct pointer_poi *pointer, const struct pointer_report *report)
 {
-    if (!pointer_report_is_usable(report)) {
-        return 0;
+    if (!is_usable(report)) {
+        return false;
     }
     move_to_time(pointer, report->time_ns);
-    const float width = (float)report->width_px;
-    const float height = (float)report->height_px;
-    pointer->aspect = width / height;
-    const float x = f_clamp(2.0f * report->x_px / width - 1.0f, -1.0f, 1.0f);
-    const float y = f_clamp(1.0f - 2.0f * report->y_px / height, -1.0f, 1.0f);
+    pointer->aspect = (float)report->width_px / (float)report->height_px;
+    float x, y;
+    window_position(report, &x, &y);
     const uint32_t changed = pointer->buttons ^ report->buttons;
     const float left = lag_left(pointer);
     const float at_x = pointer->ndc_x + left * pointer->lag_x;
     const float at_y = pointer->ndc_y + left * pointer->lag_y;
     if (changed & report->buttons & POINTER_FAN) {
-        pointer->ndc_x = at_x; /* The poi stops at its current position. */
+        /* The fan was taken. The poi stops at its current position. */
+        pointer->ndc_x = at_x;
         pointer->ndc_y = at_y;
         pointer->back_s = 0.0f;
     } else if (changed & POINTER_FAN) {
-        pointer->lag_x = at_x - x; /* The poi starts its return to the pointer at (x, y). */
+        /* The fan was released. The poi starts to return from its position to the pointer. */
+        pointer->lag_x = at_x - x;
         pointer->lag_y = at_y - y;
         pointer->back_done_s = 0.0f;
         const float lag = f_sqrt(pointer->lag_x * pointer->lag_x + pointer->lag_y * pointer->lag_y);
@@ -197,7 +259,7 @@ int pointer_poi_report(struct pointer_poi *pointer, const struct pointer_report 
     if (changed & report->buttons & POINTER_LEVEL) {
         pointer->tilt_goal_rad = 0.0f;
     }
-    return 1;
+    return true;
 }
 
 struct poi_target pointer_poi_target(struct pointer_poi *pointer, uint64_t time_ns)
@@ -209,13 +271,14 @@ struct poi_target pointer_poi_target(struct pointer_poi *pointer, uint64_t time_
     const float left = lag_left(pointer);
     const float x = pointer->ndc_x + left * pointer->lag_x;
     const float y = pointer->ndc_y + left * pointer->lag_y;
-    const vec3 hand_m = view_point_on_plane(&pointer->view, pointer->aspect, x, y, stroke.height_m);
-    pointer_poi_update_speed(pointer,
-                             view_point_on_plane(&pointer->view, pointer->aspect, x, y, 0.0f));
-    const vec3 lean = v3_limit(v3_scale(pointer->hand_m_s, LEAN_RAD_PER_M_S), LEAN_MAX_RAD);
-    const float pitch_max_rad = POINTER_TILT_MAX_RAD + DIP_SLANT_MAX_RAD;
+    update_speed(pointer, view_point_on_plane(&pointer->view, pointer->aspect, x, y, 0.0f));
+    vec3 position_m = view_point_on_plane(&pointer->view, pointer->aspect, x, y, stroke.height_m);
+    position_m.z += stroke.near_m;
+    const vec3 lean =
+        v3_limit(v3_scale(pointer->water_m_s, POINTER_LEAN_RAD_PER_M_S), POINTER_LEAN_MAX_RAD);
+    const float pitch_max_rad = POINTER_TILT_MAX_RAD + DIP_SLANT_DOWN_RAD;
     return (struct poi_target){
-        .position_m = hand_m,
+        .position_m = position_m,
         .angles.pitch_rad =
             f_clamp(pointer->tilt_rad - slant - lean.z, -pitch_max_rad, pitch_max_rad),
         .angles.roll_rad = -lean.x,
@@ -233,49 +296,48 @@ void pointer_fan_init(struct pointer_fan *fan, const struct view *view)
     *fan = (struct pointer_fan){ .view = *view, .aspect = 16.0f / 9.0f };
 }
 
-static void swing_to_time(struct pointer_fan *fan, uint64_t time_ns)
+float pointer_fan_swing(struct fan_swing *swing, uint64_t time_ns)
 {
-    CORE_ASSERT(fan->swing >= 0.0f && fan->swing <= 1.0f);
-    if (time_ns <= fan->time_ns) {
-        return;
-    }
-    const float dt_s = fan->time_ns > 0 ? (float)(time_ns - fan->time_ns) * 1e-9f : 0.0f;
+    CORE_ASSERT(swing->share >= 0.0f && swing->share <= 1.0f);
+    const float dt_s = swing->time_ns > 0 ? pointer_seconds_between(swing->time_ns, time_ns) : 0.0f;
     const float step = dt_s / POINTER_FAN_SWING_S;
-    fan->swing = f_clamp(fan->swing + (fan->held ? step : -step), 0.0f, 1.0f);
-    fan->time_ns = time_ns;
+    swing->share = f_clamp(swing->share + (swing->held ? step : -step), 0.0f, 1.0f);
+    swing->time_ns = time_ns > swing->time_ns ? time_ns : swing->time_ns;
+    return dt_s;
 }
 
-int pointer_fan_report(struct pointer_fan *fan, const struct pointer_report *report)
+struct shade_input pointer_fan_between(float share, vec3 rest_m, vec3 there_m)
 {
-    CORE_ASSERT(fan->swing >= 0.0f && fan->swing <= 1.0f);
-    if (!pointer_report_is_usable(report)) {
-        return 0;
+    CORE_ASSERT(share >= 0.0f && share <= 1.0f);
+    const vec3 at_m = v3_lerp(rest_m, there_m, f_smoothstep(0.0f, 1.0f, share));
+    return (struct shade_input){
+        .present = share > 0.0f,
+        .x_m = at_m.x,
+        .z_m = at_m.z,
+        .radius_m = POINTER_FAN_RADIUS_M,
+    };
+}
+
+bool pointer_fan_report(struct pointer_fan *fan, const struct pointer_report *report)
+{
+    if (!is_usable(report)) {
+        return false;
     }
-    swing_to_time(fan, report->time_ns);
-    fan->held = (report->buttons & POINTER_FAN) != 0;
-    if (fan->held) {
-        const float width = (float)report->width_px;
-        const float height = (float)report->height_px;
-        fan->aspect = width / height;
-        fan->ndc_x = f_clamp(2.0f * report->x_px / width - 1.0f, -1.0f, 1.0f);
-        fan->ndc_y = f_clamp(1.0f - 2.0f * report->y_px / height, -1.0f, 1.0f);
+    pointer_fan_swing(&fan->swing, report->time_ns);
+    fan->swing.held = (report->buttons & POINTER_FAN) != 0;
+    if (fan->swing.held) {
+        fan->aspect = (float)report->width_px / (float)report->height_px;
+        window_position(report, &fan->ndc_x, &fan->ndc_y);
     }
-    return 1;
+    return true;
 }
 
 struct shade_input pointer_fan_shade(struct pointer_fan *fan, uint64_t time_ns)
 {
     CORE_ASSERT(fan->aspect > 0.0f);
-    swing_to_time(fan, time_ns);
-    const float share = f_smoothstep(0.0f, 1.0f, fan->swing);
-    const vec3 there_m = view_point_on_plane(&fan->view, fan->aspect, fan->ndc_x, fan->ndc_y, 0.0f);
-    const vec3 rest_m =
-        view_point_on_plane(&fan->view, fan->aspect, 0.6f * fan->ndc_x, REST_NDC_Y, 0.0f);
-    const vec3 at_m = v3_lerp(rest_m, there_m, share);
-    return (struct shade_input){
-        .present = fan->swing > 0.0f,
-        .x_m = at_m.x,
-        .z_m = at_m.z,
-        .radius_m = POINTER_FAN_RADIUS_M,
-    };
+    pointer_fan_swing(&fan->swing, time_ns);
+    return pointer_fan_between(
+        fan->swing.share,
+        view_point_on_plane(&fan->view, fan->aspect, 0.6f * fan->ndc_x, REST_NDC_Y, 0.0f),
+        view_point_on_plane(&fan->view, fan->aspect, fan->ndc_x, fan->ndc_y, 0.0f));
 }

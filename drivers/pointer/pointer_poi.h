@@ -1,25 +1,23 @@
 /* pointer_poi.h -- turns pointer reports (pixels, buttons, wheel) into a pose of the poi, the paper
  * scoop, and into the position of a fan (uchiwa).
  *
- * Pure: uses no device, clock or library. The mouse, the simulated mouse and the fuzzers share this
- * decoder.
+ * Pure: uses no device, clock or library. The mouse, the simulated mouse and the fuzzers share
+ * this decoder.
  *
- * A pointer has two axes and a pose has six. Pressing the left button lowers the ring along a
- * smooth stroke, and releasing lifts it. The wheel tilts the ring, and the right button levels it.
- * Fast motion leans the ring into its direction. The center of the ring stays under the pointer at
- * every height. For this purpose the line of sight through the pointer is intersected with the
- * plane at the ring's height.
+ * A pointer has two axes and a pose has six. A press of the left button lowers the ring, and a
+ * release lifts the ring (see Dips below). The wheel tilts the ring, and the right button levels
+ * it. Fast motion leans the ring into its direction. The center of the ring is under the pointer
+ * at every height, except during a downward stroke. For this purpose the line of sight through
+ * the pointer is intersected with the plane at the ring's height.
  *
- * While the pointer moves the fan the poi stands still, and afterwards glides back under the
+ * While the pointer moves the fan, the poi stands still. Afterwards the poi returns to the
  * pointer. The buttons and the wheel still control the poi, so one player can fan and scoop. The
  * fan enters from the player's side and leaves in the same direction along a smooth path, so that
- * it never appears or jumps suddenly.
- *
- * A dip is a stroke between the hover height and the depth under water. The stroke starts from the
- * ring's current height, velocity and acceleration, so that the motion is smooth. */
+ * the fan never appears suddenly and never jumps. */
 #ifndef KINGYO_DRIVERS_POINTER_POINTER_POI_H
 #define KINGYO_DRIVERS_POINTER_POINTER_POI_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "core/base/fmath.h"
@@ -33,46 +31,83 @@ static inline float pointer_seconds_between(uint64_t from_ns, uint64_t to_ns)
 
 /* ---- Dips ------------------------------------------------------------------------------------ */
 
+/* A dip consists of a downward stroke and an upward stroke between the hover height and the depth
+ * under water. Each stroke starts from the ring's current height, velocity and acceleration, so
+ * that the motion is smooth. Mice, touch screens and sticks use the same strokes.
+ *
+ * - Downward: the ring sinks steeply into the water nearer to the player than the pointer, with its
+ *   far edge first. Under water the ring glides away from the player until its center is below the
+ *   pointer, and becomes level. A fish below the pointer is then above the paper.
+ * - A downward stroke is always completed. If the button is released earlier, the upward stroke
+ *   starts when the downward stroke ends. A short press therefore scoops as well as a long one.
+ * - Upward: the ring rises below the pointer. The far edge leaves the water first, so that the
+ *   water runs off the paper.
+ *
+ * drivers/README.md compares this mapping with two others. */
+
 /* Height of a hovering ring above the still water. The ring is above the ripples and low enough for
  * aiming. */
 #define DIP_HOVER_M 0.035f
-/* Height of a dipped ring; negative means under water. At this depth the fish swim in a tank that
- * is 10 to 20 cm deep. */
+/* Height of a dipped ring. A negative height is under water. At this depth the fish swim in a tank
+ * that is 10 to 20 cm deep. */
 #define DIP_DEPTH_M (-0.050f)
-#define DIP_DOWN_S 0.30f
-/* Duration of the upward stroke; longer than the downward stroke, because wet paper carries
- * water. */
+/* Duration of the downward stroke. A faster stroke presses harder on the paper, and a slower stroke
+ * gives the fish more time to flee. */
+#define DIP_DOWN_S 0.45f
+/* Duration of the upward stroke. Wet paper carries water, so a faster stroke would tear the
+ * paper. */
 #define DIP_UP_S 0.46f
 
-#define DIP_SLANT_MAX_RAD (28.0f * F_DEG)
-#define DIP_SLANT_AT_M_S 0.40f
+/* Largest slant of the ring during a downward stroke, and the vertical speed at which the slant is
+ * largest. The ring reaches this speed in the first two frames and is faster until it is near the
+ * end of the stroke. With this slant the paper meets the water at 0.23 m/s along its normal. A
+ * level ring would meet the water at 0.35 m/s. */
+#define DIP_SLANT_DOWN_RAD (57.0f * F_DEG)
+#define DIP_SLANT_DOWN_M_S 0.10f
+/* The same for an upward stroke. The slant is smaller, because a fish slides off steep paper. */
+#define DIP_SLANT_UP_RAD (28.0f * F_DEG)
+#define DIP_SLANT_UP_M_S 0.40f
+
+/* Largest distance by which the ring is nearer to the player than the pointer during a downward
+ * stroke from the hover height: about one radius of the ring. A stroke that starts lower has a
+ * proportionally smaller distance, and a stroke that starts under water has none. */
+#define DIP_NEAR_M 0.045f
+/* Fraction of the downward stroke after which the distance is largest. The center of the ring is
+ * then half way between the surface and the final depth. */
+#define DIP_NEAR_AT 0.50f
 
 /* The current stroke: a quintic polynomial that starts from the ring's state at `start_ns`. */
 struct dip {
     uint64_t start_ns;
-    float duration_s; /* Duration of the stroke; 0 means that no stroke was started yet. */
+    float duration_s; /* Duration of the stroke. 0 means that no stroke was started yet. */
     float from_m, from_m_s, from_m_s2, to_m;
+    bool lifts;       /* True if the button was released during the current downward stroke. */
+    bool scoops;      /* True if a downward stroke scoops fish, false if it presses on a page. */
+    float near_max_m; /* Largest distance by which the ring is nearer to the player than the pointer
+                      during the current stroke. */
 };
 
 struct dip_state {
     float height_m, speed_m_s, acceleration_m_s2;
+    float near_m; /* Distance by which the ring is nearer to the player than the pointer, [0,
+                     DIP_NEAR_M]. */
 };
 
-/* Initializes a hovering ring. */
+/* Initializes a hovering ring. The strokes scoop fish. */
 void pointer_dip_init(struct dip *dip);
 
-/* Starts a stroke at `time_ns`: downward if `down` is 1, upward if it is 0. */
-void pointer_dip_begin(struct dip *dip, uint64_t time_ns, int down);
+/* Processes a press (`down` is true) or a release of the button at `time_ns`. A release during a
+ * downward stroke takes effect at the end of this stroke, unless the button is pressed again
+ * before. */
+void pointer_dip_begin(struct dip *dip, uint64_t time_ns, bool down);
 
 /* Returns the state of the ring at `time_ns`. If `time_ns` is before the start of the stroke,
  * returns the state at the start. */
 struct dip_state pointer_dip_at(const struct dip *dip, uint64_t time_ns);
 
-/* Returns the slant of the ring in radians (0 or more). The slant is proportional to the vertical
- * speed of the ring, up to a limit. The far edge of the ring enters and leaves the water first. The
- * ring also moves away from the player on its way down, so that the slanted paper moves more
- * edge-on and displaces less water. The paper lasts four dips with a flat ring and eight dips with
- * a slanted ring. */
+/* Returns the slant of the ring in radians (0 or more) at a vertical speed, which is negative in a
+ * downward stroke. The slant is proportional to the speed up to the limit of the direction. The far
+ * edge of a slanted ring is lower while the ring sinks and also while the ring rises. */
 float pointer_dip_slant_rad(float speed_m_s);
 
 /* ---- Poi ------------------------------------------------------------------------------------- */
@@ -86,21 +121,22 @@ enum pointer_button {
 /* The complete state of a pointer at one moment, and the motion of its wheel. */
 struct pointer_report {
     uint64_t time_ns;
-    float x_px, y_px;             /* Position in pixels from the top left corner of the window; any
+    float x_px, y_px;             /* Position in pixels from the top left corner of the window. Any
                                      finite values are accepted. */
-    uint32_t width_px, height_px; /* Size of the window in pixels; 0 means unknown. */
+    uint32_t width_px, height_px; /* Size of the window in pixels. 0 means unknown. */
     uint32_t buttons;             /* Pressed buttons, as bits of enum pointer_button. */
-    float wheel_notches; /* Wheel motion since the previous report, in notches; positive is away
+    float wheel_notches; /* Wheel motion since the previous report, in notches. Positive is away
                             from the user. */
 };
 
-#define POINTER_HOVER_M DIP_HOVER_M
-#define POINTER_DIP_M DIP_DEPTH_M
-#define POINTER_DOWN_S DIP_DOWN_S
-#define POINTER_UP_S DIP_UP_S
 #define POINTER_TILT_STEP_RAD (7.5f * F_DEG) /* Change of the tilt by one notch of the wheel. */
 /* Limit of the tilt: eight notches in each direction. */
 #define POINTER_TILT_MAX_RAD (60.0f * F_DEG)
+/* Lean of the ring for each m/s of its speed, because an arm that moves fast cannot hold the ring
+ * in its plane. The lean is below 3 degrees at 0.1 m/s. At 1 m/s the lean has its maximum, and the
+ * water presses strongly against the leaning paper. */
+#define POINTER_LEAN_RAD_PER_M_S (28.0f * F_DEG)
+#define POINTER_LEAN_MAX_RAD (20.0f * F_DEG)
 
 struct pointer_poi {
     struct view view;
@@ -120,18 +156,15 @@ struct pointer_poi {
     struct dip dip; /* The current stroke of the ring. */
     float tilt_rad, tilt_goal_rad;
 
-    /* `hand_m` is the position of the pointer on the still water at the last sample. `hand_m_s` is
-     * the velocity of this position. */
-    vec3 hand_m, hand_m_s;
-    uint64_t hand_ns; /* Time of `hand_m`; 0 means that there was no sample yet. */
+    /* `water_m` is the position of the pointer on the still water at the last sample. `water_m_s`
+     * is the velocity of this position. */
+    vec3 water_m, water_m_s;
+    uint64_t water_ns; /* Time of `water_m`. 0 means that there was no sample yet. */
 };
 
 /* Initializes the pointer in the middle of the window. The ring is level and hovers. `view` is
  * copied. */
 void pointer_poi_init(struct pointer_poi *pointer, const struct view *view);
-
-/* Returns 1 if all numbers of the report are finite and the window has a size, otherwise 0. */
-int pointer_report_is_usable(const struct pointer_report *report);
 
 /* Returns the report converted from window coordinates to image coordinates. The image may be
  * rotated or smaller than the window. An unusable report is returned unchanged. */
@@ -139,9 +172,9 @@ struct pointer_report pointer_report_on(const struct pointer_report *report,
                                         const struct display_settings *display_settings);
 
 /* Processes one report. If the time of a report is before that of the previous report, the time of
- * the previous report is used. Returns 1, or 0 if the report is not usable; the state is then
- * unchanged. */
-int pointer_poi_report(struct pointer_poi *pointer, const struct pointer_report *report);
+ * the previous report is used. Returns true, or false if the report is not usable. After a failure
+ * the state is unchanged. */
+bool pointer_poi_report(struct pointer_poi *pointer, const struct pointer_report *report);
 
 /* Returns the pose at `time_ns`, which must not decrease from call to call. All values of the pose
  * are finite. */
@@ -155,22 +188,36 @@ struct poi_target pointer_poi_target(struct pointer_poi *pointer, uint64_t time_
 /* Time in which the fan moves from beyond the tank's near edge to the pointer, or back. */
 #define POINTER_FAN_SWING_S 0.40f
 
+/* Progress of a fan's entry. The fan enters while the player holds the fan, and otherwise
+ * leaves. */
+struct fan_swing {
+    bool held;   /* True while the player holds the fan over the water. */
+    float share; /* Progress of the entry: 0 means that the fan is out of sight, 1 means that the
+                    fan has reached its position over the water. */
+    uint64_t time_ns; /* Time for which `share` was computed last. */
+};
+
+/* Advances `swing` to `time_ns`. Returns the time that has passed in seconds, or 0 if `time_ns` is
+ * not later than the previous time. */
+float pointer_fan_swing(struct fan_swing *swing, uint64_t time_ns);
+
+/* Returns the shadow of a fan on its way from `rest_m` to `there_m`. `share` is the progress, 0 to
+ * 1. The height of the two positions is not used. */
+struct shade_input pointer_fan_between(float share, vec3 rest_m, vec3 there_m);
+
 struct pointer_fan {
     struct view view;
     float ndc_x, ndc_y, aspect; /* Pointer position (-1 to 1 across the window) and aspect ratio of
                                    the window at the last report that had POINTER_FAN pressed. */
-    uint8_t held;
-    float swing;      /* Progress of the fan's entry: 0 means that the fan is out of sight, 1 means
-                         that it is under the pointer. */
-    uint64_t time_ns; /* Time for which `swing` was computed last. */
+    struct fan_swing swing;     /* Movement of the fan to the pointer. */
 };
 
 /* Initializes a fan that is out of sight. `view` is copied. */
 void pointer_fan_init(struct pointer_fan *fan, const struct view *view);
 
-/* Processes one report. Returns 1, or 0 if pointer_report_is_usable() rejects the report; the state
- * is then unchanged. */
-int pointer_fan_report(struct pointer_fan *fan, const struct pointer_report *report);
+/* Processes one report. Returns true, or false if a number of the report is not finite or if the
+ * window has no size. After a failure the state is unchanged. */
+bool pointer_fan_report(struct pointer_fan *fan, const struct pointer_report *report);
 
 /* Returns the fan's shadow on the water at `time_ns`, which must not decrease from call to call.
  * The position is finite. */

@@ -7,11 +7,12 @@
 #ifndef KINGYO_DRIVERS_POINTER_TOUCH_FINGERS_H
 #define KINGYO_DRIVERS_POINTER_TOUCH_FINGERS_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "drivers/pointer/pointer_poi.h"
 
-#define TOUCH_FINGER_MAX 10u /* Largest number of tracked fingers; further fingers are ignored. */
+#define TOUCH_FINGER_MAX 10u /* Largest number of tracked fingers. Further fingers are ignored. */
 #define TOUCH_DIP_FINGERS 2u
 #define TOUCH_START_FINGERS 3u
 
@@ -33,26 +34,24 @@ struct touch_fingers {
     int64_t id[TOUCH_FINGER_MAX]; /* Ids of the fingers that touch the screen. */
     uint32_t count;
     int64_t leader;
-    uint8_t has_leader;    /* 1 while the leader (the first finger) touches the screen, otherwise
-                              0. */
-    float x, y;            /* Last position of the leader in the window, 0 to 1 from the top left
-                              corner. */
-    uint8_t has_place;     /* 1 if `x` and `y` are valid, which they are after the first touch of
-                              the screen, otherwise 0. */
-    uint8_t dips;          /* 1 while two or more fingers touch the screen, otherwise 0. */
-    uint8_t start_pressed; /* 1 from the touch of a third finger until touch_fingers_start() is
-                              called, otherwise 0. */
+    bool has_leader;    /* True while the leader (the first finger) touches the screen. */
+    float x, y;         /* Last position of the leader (the first finger) in the window, 0 to 1
+                           from the top left corner. */
+    bool has_place;     /* True after the first touch of the screen. `x` and `y` are then valid. */
+    bool dips;          /* True while two or more fingers touch the screen. */
+    bool start_pressed; /* True from the touch of a third finger until touch_fingers_start() is
+                           called. */
 };
 
-/* Processes one event. Returns 1 if the state changed. Returns 0 if nothing changed, if the
+/* Processes one event. Returns true if the state changed. Returns false if nothing changed, if the
  * position is not finite, if the finger is unknown, or if too many fingers touch the screen. */
-int touch_fingers_take(struct touch_fingers *fingers, const struct touch_event *event);
+bool touch_fingers_take(struct touch_fingers *fingers, const struct touch_event *event);
 
 /* Writes the position and the POINTER_DIP bit to `report`, and leaves all other fields
  * unchanged. */
 void touch_fingers_point(const struct touch_fingers *fingers, struct pointer_report *report);
 
-/* Returns 1 if a third finger touched the screen since the last call, otherwise 0. */
-int touch_fingers_start(struct touch_fingers *fingers);
+/* Returns true if a third finger touched the screen since the last call. */
+bool touch_fingers_start(struct touch_fingers *fingers);
 
 #endif

@@ -10,7 +10,7 @@ void gamepad_sim_init(struct gamepad_sim *sim, struct hal_clock clock, const str
 {
     CORE_ASSERT(view);
     *sim = (struct gamepad_sim){ .feed = report_feed_begin(clock) };
-    gamepad_queue_init(&sim->track, view, report_feed_now_ns(&sim->feed));
+    gamepad_queue_init(&sim->track, view, hal_now_ns(sim->feed.clock));
 }
 
 static int gamepad_sim_open(void *self)
@@ -18,18 +18,11 @@ static int gamepad_sim_open(void *self)
     struct gamepad_sim *sim = self;
     const int result = report_feed_open(&sim->feed);
     if (result > 0) {
-        const struct view view = sim->track.hand.fly.view;
+        const struct view view = sim->track.decoder.fly.view;
         /* A game pad that is plugged in again starts with a new state, as with SDL. */
-        gamepad_queue_init(&sim->track, &view, report_feed_now_ns(&sim->feed));
+        gamepad_queue_init(&sim->track, &view, hal_now_ns(sim->feed.clock));
     }
     return result < 0 ? HAL_ERR_GONE : HAL_OK;
-}
-
-static vec3 random_vec3(uint32_t index, uint32_t what)
-{
-    return v3(report_feed_random_float(GAMEPAD_STREAM, index, what),
-              report_feed_random_float(GAMEPAD_STREAM, index, what + 1),
-              report_feed_random_float(GAMEPAD_STREAM, index, what + 2));
 }
 
 /* Returns a report with its faults. A report with random bits is possible, because SDL does not
@@ -48,44 +41,41 @@ static struct gamepad_report faulty_pad_report(const struct gamepad_sim *sim,
             report.axis[i] = (int16_t)report_feed_random(GAMEPAD_STREAM, fault->index, i);
         }
         report.buttons = report_feed_random(GAMEPAD_STREAM, fault->index, 7);
-        report.has_turn = report.has_weight = 1;
-        report.turn_rad_s = random_vec3(fault->index, 10);
-        report.weight_m_s2 = random_vec3(fault->index, 20);
+        report.has_turn = report.has_weight = true;
+        vec3 *const vectors[] = { &report.turn_rad_s, &report.weight_m_s2 };
+        for (uint32_t i = 0; i < 2; i++) {
+            const uint32_t what = 10u * (i + 1u);
+            *vectors[i] = v3(report_feed_random_float(GAMEPAD_STREAM, fault->index, what),
+                             report_feed_random_float(GAMEPAD_STREAM, fault->index, what + 1u),
+                             report_feed_random_float(GAMEPAD_STREAM, fault->index, what + 2u));
+        }
     }
     return report;
 }
 
-/* Queues the reports that are due at the current time. Returns HAL_OK, or HAL_ERR_GONE after the
- * game pad was unplugged. */
-static int queue_reports(struct gamepad_sim *sim)
+/* Queues the reports that are due at the current time. Returns true, or false after the game pad
+ * was unplugged. */
+static bool queue_reports(struct gamepad_sim *sim)
 {
-    CORE_ASSERT(sim->feed.next <= sim->feed.count && (sim->reports || sim->feed.count == 0));
-    struct report_feed *feed = &sim->feed;
-    const uint64_t now_ns = report_feed_now_ns(feed);
-    if (feed->gone || report_feed_is_silent(feed, now_ns)) {
-        return feed->gone ? (int)HAL_ERR_GONE : (int)HAL_OK;
-    }
-    while (feed->next < feed->count && sim->reports[feed->next].time_ns <= now_ns) {
-        struct report_fault fault;
-        if (!report_feed_take(feed, &fault)) {
-            return HAL_ERR_GONE;
-        }
+    struct report_fault fault;
+    int result;
+    while ((result = report_feed_take(&sim->feed, sim->reports, sizeof *sim->reports, &fault)) >
+           0) {
         const struct gamepad_report report = faulty_pad_report(sim, &fault);
         for (uint32_t i = 0; i < fault.copies; i++) {
             gamepad_queue_push(&sim->track, &report);
         }
     }
-    return HAL_OK;
+    return result != HAL_ERR_GONE;
 }
 
 static int gamepad_sim_poll(void *self, struct poi_sample *out, uint32_t max)
 {
     struct gamepad_sim *sim = self;
     CORE_ASSERT(out || max == 0);
-    const int result = queue_reports(sim);
-    return result == HAL_OK
-               ? (int)gamepad_queue_pop(&sim->track, report_feed_now_ns(&sim->feed), out, max)
-               : result;
+    return queue_reports(sim)
+               ? (int)gamepad_queue_pop(&sim->track, hal_now_ns(sim->feed.clock), out, max)
+               : (int)HAL_ERR_GONE;
 }
 
 static int gamepad_sim_set_force(void *self, const struct poi_force *force)
@@ -97,13 +87,14 @@ static int gamepad_sim_set_force(void *self, const struct poi_force *force)
 }
 
 static void gamepad_sim_set_view(void *self, const struct view *view,
-                                 const struct display_settings *display_settings)
+                                 const struct display_settings *display_settings, bool scoops)
 {
     struct gamepad_sim *sim = self;
     CORE_ASSERT(view);
     (void)display_settings; /* Unused, because a stick moves relative to the water and not to the
                                screen. */
-    gamepad_decoder_set_view(&sim->track.hand, view);
+    stick_motion_set_view(&sim->track.decoder.fly, view);
+    sim->track.decoder.fly.dip.scoops = scoops;
 }
 
 static const char *gamepad_sim_describe(void *self)
@@ -118,7 +109,7 @@ static int gamepad_fan_sim_poll(void *self, struct shade_input *out)
     if (sim->feed.gone) {
         return HAL_ERR_GONE;
     }
-    *out = gamepad_decoder_fan(&sim->track.hand, report_feed_now_ns(&sim->feed));
+    *out = stick_motion_fan(&sim->track.decoder.fly, hal_now_ns(sim->feed.clock));
     return HAL_OK;
 }
 
@@ -126,43 +117,34 @@ static int gamepad_buttons_sim_poll(void *self, struct button_sample *out)
 {
     struct gamepad_sim *sim = self;
     *out = (struct button_sample){ 0 };
-    if (queue_reports(sim) != HAL_OK) {
+    if (!queue_reports(sim)) {
         return HAL_ERR_GONE;
     }
     gamepad_queue_buttons(&sim->track, out);
     return HAL_OK;
 }
 
-struct hal_poi gamepad_sim_device(struct gamepad_sim *sim)
+struct hal_controller_devices gamepad_sim_devices(struct gamepad_sim *sim)
 {
-    CORE_ASSERT(sim);
-    static const struct hal_poi_ops ops = {
+    static const struct hal_poi_ops poi = {
         .open = gamepad_sim_open,
         .poll = gamepad_sim_poll,
         .set_force = gamepad_sim_set_force,
         .set_view = gamepad_sim_set_view,
         .describe = gamepad_sim_describe,
     };
-    return (struct hal_poi){ .ops = &ops, .self = sim };
-}
-
-struct hal_fan gamepad_sim_fan(struct gamepad_sim *sim)
-{
-    CORE_ASSERT(sim);
-    static const struct hal_fan_ops ops = {
+    static const struct hal_fan_ops fan = {
         .open = report_feed_fan_open,
         .poll = gamepad_fan_sim_poll,
         .describe = gamepad_sim_describe,
     };
-    return (struct hal_fan){ .ops = &ops, .self = sim };
-}
-
-struct hal_buttons gamepad_sim_buttons(struct gamepad_sim *sim)
-{
-    CORE_ASSERT(sim);
-    static const struct hal_buttons_ops ops = {
+    static const struct hal_buttons_ops buttons = {
         .poll = gamepad_buttons_sim_poll,
         .describe = gamepad_sim_describe,
     };
-    return (struct hal_buttons){ .ops = &ops, .self = sim };
+    return (struct hal_controller_devices){
+        .poi = { &poi, sim },
+        .fan = { &fan, sim },
+        .buttons = { &buttons, sim },
+    };
 }

@@ -18,11 +18,7 @@ struct gamepad_sim {
 /* Initializes a game pad without reports and faults. */
 void gamepad_sim_init(struct gamepad_sim *sim, struct hal_clock clock, const struct view *view);
 
-/* Returns the poi device of the simulated game pad. */
-struct hal_poi gamepad_sim_device(struct gamepad_sim *sim);
-/* Returns the fan device of the simulated game pad. */
-struct hal_fan gamepad_sim_fan(struct gamepad_sim *sim);
-/* Returns the button device of the simulated game pad. */
-struct hal_buttons gamepad_sim_buttons(struct gamepad_sim *sim);
+/* Returns the devices of the simulated game pad. */
+struct hal_controller_devices gamepad_sim_devices(struct gamepad_sim *sim);
 
 #endif

@@ -7,7 +7,6 @@
 
 #include "core/base/panic.h"
 
-#define NS_PER_MS 1000000u
 #define NEVER UINT64_MAX
 
 /* ---- Model of the kernel --------------------------------------------------------------------- */
@@ -52,7 +51,7 @@ static void serve(struct gpio_lines_sim *sim, struct gpio_sim_line *line)
     line->busy_until_ns = 0;
     if (line->pending) { /* An edge that arrived while the kernel served the current edge is served
                             next. The time stamp of the next edge is the current time. */
-        line->pending = 0;
+        line->pending = false;
         line->stamp_ns = time_ns;
         line->busy_until_ns = time_ns + lateness_ns(sim);
     }
@@ -69,7 +68,7 @@ static void move_wire(struct gpio_lines_sim *sim, const struct gpio_sim_event *e
         return;
     }
     if (line->busy_until_ns) {
-        line->pending = 1;
+        line->pending = true;
         return;
     }
     line->stamp_ns = event->time_ns;
@@ -115,6 +114,7 @@ static bool advance(struct gpio_lines_sim *sim, uint64_t until_ns)
     }
     sim->now_ns = time_ns > sim->now_ns ? time_ns : sim->now_ns;
     if (served_ns <= event_ns) {
+        CORE_ASSERT(line);
         serve(sim, line);
     } else {
         const struct gpio_sim_event event = sim->next_event;
@@ -162,7 +162,7 @@ static void open_line(struct gpio_lines_sim *sim, const struct gpio_wire *wire, 
     if (sim->chip_is_away) {
         snprintf(why, HAL_TEXT_SIZE, "%u: the chip is away", role);
     } else if (sim->held_by_others & 1u << role) {
-        snprintf(why, HAL_TEXT_SIZE, "%u is held by 'another'", role);
+        snprintf(why, HAL_TEXT_SIZE, "%u is in use by 'another'", role);
     } else {
         sim->held |= 1u << role;
         sim->outputs[role] = gpio_role_begins_active(role);
@@ -263,6 +263,9 @@ static int sim_set(void *self, enum gpio_role role, int active)
     CORE_ASSERT(!gpio_role_is_input(role));
     if (!(sim->held & 1u << role)) {
         return HAL_ERR_GONE;
+    }
+    if (sim->failing_outputs & 1u << role) {
+        return HAL_ERR_IO;
     }
     sim->outputs[role] = active != 0;
     sim->sets[sim->set_count++ % GPIO_SIM_SETS_MAX] = (struct gpio_sim_set){
@@ -369,7 +372,7 @@ void gpio_lines_sim_init(struct gpio_lines_sim *sim, struct gpio_sim_script scri
     CORE_ASSERT(sim);
     memset(sim, 0, sizeof *sim);
     sim->queue_size = GPIO_SIM_QUEUE_MAX;
-    sim->is_numbered = 1;
+    sim->is_numbered = true;
     sim->seed = seed ? seed : 1u; /* An xorshift generator with the state 0 would always return
                                      0. */
     sim->script = script;

@@ -47,19 +47,21 @@ struct gpio_sim_set {
 };
 
 struct gpio_lines_sim {
-    /* The caller may change the members from `queue_size` to `held_by_others` after
+    /* The caller may change the members from `queue_size` to `failing_outputs` after
      * gpio_lines_sim_init(). */
     /* Capacity of each queue, at most GPIO_SIM_QUEUE_MAX. 16 simulates libgpiod 1.6. */
     uint32_t queue_size;
-    /* 1 if edges are numbered and a full queue drops its oldest edge, as with libgpiod 2.x. 0 if
-     * edges are not numbered and a full queue drops the newest edge. */
-    uint8_t is_numbered;
-    uint8_t kernel_debounces;          /* Result of debounces(). If the result is 1, the script must
-                                          contain no bounce, because the simulation does not
+    /* True if edges are numbered and a full queue drops its oldest edge, as with libgpiod 2.x.
+     * False if edges are not numbered and a full queue drops the newest edge. */
+    bool is_numbered;
+    bool kernel_debounces;             /* Result of debounces(). If the result is true, the script
+                                          must contain no bounce, because the simulation does not
                                           debounce. */
     uint64_t late_min_ns, late_max_ns; /* Shortest and longest delay after which the kernel reads
                                           the level of a line. */
     uint32_t held_by_others;           /* Lines that other programs hold, one bit for each role. */
+    uint32_t failing_outputs;          /* Outputs that set() does not switch, one bit for each role.
+                                          set() returns HAL_ERR_IO for these outputs. */
 
     uint64_t now_ns;
     struct gpio_sim_script script;
@@ -70,20 +72,20 @@ struct gpio_lines_sim {
     uint32_t open_count;
     bool chip_is_away, went;
     struct gpio_sim_line {
-        uint8_t level;          /* Level of the wire; 1 means active. */
-        uint8_t pending;        /* 1 if another edge arrived while the simulated kernel processed an
-                                   edge, otherwise 0. */
-        uint64_t busy_until_ns; /* Time at which the kernel reads the level; 0 means that the kernel
+        uint8_t level;          /* Level of the wire. 1 means active. */
+        bool pending;           /* True if another edge arrived while the simulated kernel processed
+                                   an edge. */
+        uint64_t busy_until_ns; /* Time at which the kernel reads the level. 0 means that the kernel
                                    is idle. */
         uint64_t stamp_ns;      /* Time stamp of the edge that the simulated kernel processes. */
         uint32_t number;        /* Number of edges so far, including dropped edges. */
         uint32_t seen;          /* Number of the last edge that was read. */
-        /* `was_full` is 1 if the last read found a full queue, otherwise 0. `last` is the level
-         * after the last edge that was read. Losses are inferred from these fields as in
-         * gpio_lines1.c. */
-        uint8_t was_full, last;
-        uint32_t first, count; /* Position of the oldest edge in `queue`, and number of edges in
-                                  `queue`. */
+        bool was_full;          /* True if the last read found a full queue. */
+        uint8_t last;           /* Level after the last edge that was read. If edges are not
+                                   numbered, `was_full` is true and the next edge has this same
+                                   level, at least one edge was lost. */
+        uint32_t first, count;  /* Position of the oldest edge in `queue`, and number of edges in
+                                   `queue`. */
         struct {
             uint64_t time_ns;
             uint32_t number;
@@ -91,9 +93,9 @@ struct gpio_lines_sim {
         } queue[GPIO_SIM_QUEUE_MAX];
     } lines[GPIO_INPUT_COUNT];
     uint32_t dropped;                 /* Number of dropped edges of all lines. */
-    uint8_t outputs[GPIO_ROLE_COUNT]; /* Level of each output; 1 means active. */
+    uint8_t outputs[GPIO_ROLE_COUNT]; /* Level of each output. 1 means active. */
     uint8_t rests[GPIO_ROLE_COUNT];   /* Level of each output while no driver drives it. The bias
-                                         sets this level; without a bias the level is low. */
+                                         sets this level. Without a bias the level is low. */
     struct gpio_sim_set sets[GPIO_SIM_SETS_MAX]; /* Ring buffer of the newest output changes. */
     uint32_t set_count;                          /* Number of output changes so far. */
 };

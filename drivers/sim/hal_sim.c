@@ -25,7 +25,7 @@ struct hal_clock sim_clock_device(struct clock_sim *sim)
 static int buttons_sim_poll(void *self, struct button_sample *out)
 {
     struct buttons_sim *sim = self;
-    const uint64_t now_ns = sim->clock.ops->now_ns(sim->clock.self);
+    const uint64_t now_ns = hal_now_ns(sim->clock);
     CORE_ASSERT(sim->next <= sim->event_count);
     *out = (struct button_sample){ 0 };
     while (sim->next < sim->event_count && sim->events[sim->next].time_ns <= now_ns) {
@@ -69,7 +69,7 @@ static int display_sim_open(void *self)
     return sim->away ? HAL_ERR_GONE : HAL_OK;
 }
 
-static int display_sim_is_gone(const struct display_sim *sim)
+static bool display_sim_is_gone(const struct display_sim *sim)
 {
     return sim->gone_at != 0 && sim->present_count >= sim->gone_at;
 }
@@ -80,9 +80,9 @@ static int display_sim_poll(void *self, struct display_events *out)
     CORE_ASSERT(out);
     *out = (struct display_events){
         .quit = sim->quit,
-        .lost = display_sim_is_gone(sim) ? 1 : 0,
+        .lost = display_sim_is_gone(sim),
     };
-    sim->quit = 0;
+    sim->quit = false;
     sim->needs_open |= sim->away;
     return sim->needs_open ? HAL_ERR_GONE : HAL_OK;
 }
@@ -133,7 +133,7 @@ static int display_sim_capture(void *self, struct hal_image *image)
 static void display_sim_close(void *self)
 {
     struct display_sim *sim = self;
-    sim->opened = 0;
+    sim->opened = false;
 }
 
 static const char *display_sim_describe(void *self)

@@ -6,6 +6,8 @@
 #ifndef KINGYO_DRIVERS_SIM_HAL_SIM_H
 #define KINGYO_DRIVERS_SIM_HAL_SIM_H
 
+#include <stdbool.h>
+
 #include "platform/hal.h"
 
 /* ---- Clock: a test or the demonstration advances the time ------------------------------------ */
@@ -48,16 +50,14 @@ struct display_sim {
     uint32_t present_count;
     uint32_t full_screen_count; /* Number of full-screen toggles. */
     uint32_t gone_at;           /* Number of present() calls after which the display is permanently
-                                   lost; 0 means never. */
-    uint8_t away;               /* 1 while the display is unplugged and open() fails, otherwise
-                                   0. */
-    uint8_t needs_open;         /* 1 from the unplugging of the display until open() succeeds,
-                                   otherwise 0. */
+                                   lost. 0 means never. */
+    bool away;                  /* True while the display is unplugged and open() fails. */
+    bool needs_open;            /* True from the unplugging of the display until open() succeeds. */
     uint32_t open_count;
-    uint32_t fail_at; /* Number (from 1) of the present() call that fails with HAL_ERR_IO; 0 means
+    uint32_t fail_at; /* Number (from 1) of the present() call that fails with HAL_ERR_IO. 0 means
                          that no call fails. */
-    uint8_t quit;     /* 1 if the next poll() reports that the window was closed, otherwise 0. */
-    uint8_t opened;
+    bool quit;        /* True if the next poll() reports that the window was closed. */
+    bool opened;      /* True between a successful open() and close(). */
 };
 
 /* Returns the simulated display. */
@@ -67,10 +67,10 @@ struct hal_display sim_display_device(struct display_sim *sim);
 
 struct audio_sim {
     uint32_t played[SOUND_COUNT];
-    float gain;    /* Gain of the last played sound. */
-    uint8_t fails; /* 1 if every play() returns HAL_ERR_IO, otherwise 0. */
-    uint8_t gone;  /* 1 if every play() returns HAL_ERR_GONE and every open() returns
-                      HAL_ERR_ABSENT, otherwise 0. */
+    float gain; /* Gain of the last played sound. */
+    bool fails; /* True if every play() returns HAL_ERR_IO. */
+    bool gone;  /* True if every play() returns HAL_ERR_GONE and every open() returns
+                   HAL_ERR_ABSENT. */
     uint32_t open_count;
 };
 

@@ -1,8 +1,9 @@
-/* pointer_sim.h -- a simulated mouse and a simulated touch screen that pass raw reports through the
- * real decoders.
+/* pointer_sim.h -- a simulated mouse or touch screen that passes raw reports through the real
+ * decoders.
  *
  * report_feed.h defines the faults: unplugging, doubled reports, jumps, random numbers, and silence
- * followed by a burst. The caller owns the states and the reports. */
+ * followed by a burst. The caller owns the state and the reports, and sets the reports after the
+ * initialization. */
 #ifndef KINGYO_DRIVERS_SIM_POINTER_SIM_H
 #define KINGYO_DRIVERS_SIM_POINTER_SIM_H
 
@@ -10,13 +11,18 @@
 #include "drivers/pointer/touch_fingers.h"
 #include "drivers/sim/report_feed.h"
 
-/* ---- Mouse ----------------------------------------------------------------------------------- */
-
 struct pointer_sim {
     struct report_feed feed;
-    const struct pointer_report *reports;
-    uint32_t spoil_count;  /* Number of reports with random numbers so far. */
-    struct poi_force felt; /* Force feedback that was set last. */
+    const struct pointer_report *reports; /* Reports of a mouse. */
+    const struct touch_event *events;     /* Events of a touch screen. */
+    bool is_touch;       /* True for a touch screen, which plays `events`. False for a mouse,
+                            which plays `reports`. */
+    uint32_t mute_every; /* Interval n of lost events: every n-th event is lost if it lifts a
+                            finger. 0 means that no event is lost. */
+    struct touch_fingers fingers;
+    struct pointer_report report; /* Last report of the touch screen. */
+    uint32_t spoil_count;         /* Number of mouse reports with random numbers so far. */
+    struct poi_force felt;        /* Force feedback that was set last. */
     struct pointer_poi pointer;
     struct pointer_fan fan;
 };
@@ -24,31 +30,13 @@ struct pointer_sim {
 /* Initializes a mouse without reports and faults. */
 void pointer_sim_init(struct pointer_sim *sim, struct hal_clock clock, const struct view *view);
 
-/* Returns the poi device of the simulated mouse. */
-struct hal_poi pointer_sim_device(struct pointer_sim *sim);
-
-/* Returns the fan that the simulated mouse controls. The fan is unplugged together with the
- * mouse. */
-struct hal_fan pointer_sim_fan(struct pointer_sim *sim);
-
-/* ---- Touch screen ---------------------------------------------------------------------------- */
-
-struct touch_sim {
-    struct report_feed feed;
-    const struct touch_event *events;
-    uint32_t mute_every; /* Interval n of lost events: every n-th event is lost if it lifts a
-                            finger. 0 means that no event is lost. */
-    struct touch_fingers fingers;
-    struct pointer_report report;
-    struct pointer_poi pointer;
-};
-
 /* Initializes a touch screen for a window of `width` x `height` pixels, without events and
  * faults. */
-void sim_touch_init(struct touch_sim *sim, struct hal_clock clock, const struct view *view,
-                    uint32_t width, uint32_t height);
+void pointer_sim_init_touch(struct pointer_sim *sim, struct hal_clock clock,
+                            const struct view *view, uint32_t width, uint32_t height);
 
-/* Returns the poi device of the simulated touch screen. */
-struct hal_poi sim_touch_device(struct touch_sim *sim);
+/* Returns the poi of the simulated mouse or touch screen, and the fan that the simulated mouse
+ * controls. The fan is unplugged together with the mouse. There is no button device. */
+struct hal_controller_devices pointer_sim_devices(struct pointer_sim *sim);
 
 #endif

@@ -16,39 +16,40 @@ struct report_feed report_feed_begin(struct hal_clock clock)
     };
 }
 
-uint64_t report_feed_now_ns(const struct report_feed *feed)
-{
-    CORE_ASSERT(feed->clock.ops);
-    return feed->clock.ops->now_ns(feed->clock.self);
-}
-
 int report_feed_open(struct report_feed *feed)
 {
     feed->open_count++;
     if (!feed->gone) {
         return 0;
     }
-    if (report_feed_now_ns(feed) < feed->replug_ns) {
+    if (hal_now_ns(feed->clock) < feed->replug_ns) {
         return HAL_ERR_GONE;
     }
-    feed->gone = 0;
+    feed->gone = false;
     feed->unplug_at = REPORT_FEED_NEVER;
     return 1;
 }
 
-bool report_feed_is_silent(const struct report_feed *feed, uint64_t now_ns)
-{
-    CORE_ASSERT(feed->silent_from_ns <= feed->silent_to_ns);
-    return now_ns >= feed->silent_from_ns && now_ns < feed->silent_to_ns;
-}
-
-bool report_feed_take(struct report_feed *feed, struct report_fault *out)
+int report_feed_take(struct report_feed *feed, const void *reports, size_t size,
+                     struct report_fault *out)
 {
     const uint32_t index = feed->next;
-    CORE_ASSERT(index < feed->count && !feed->gone);
+    const uint64_t now_ns = hal_now_ns(feed->clock);
+    uint64_t time_ns;
+    CORE_ASSERT(index <= feed->count && (reports || feed->count == 0));
+    if (!feed->gone && now_ns >= feed->silent_from_ns && now_ns < feed->silent_to_ns) {
+        return HAL_ERR_BUSY;
+    }
+    if (feed->gone || index == feed->count) {
+        return feed->gone ? HAL_ERR_GONE : 0;
+    }
+    memcpy(&time_ns, (const uint8_t *)reports + index * size, sizeof time_ns);
+    if (time_ns > now_ns) {
+        return 0;
+    }
     if (index >= feed->unplug_at) {
-        feed->gone = 1;
-        return false;
+        feed->gone = true;
+        return HAL_ERR_GONE;
     }
     *out = (struct report_fault){
         .index = index,
@@ -57,7 +58,7 @@ bool report_feed_take(struct report_feed *feed, struct report_fault *out)
         .spoils = index >= feed->spoil_from && index < feed->spoil_to,
     };
     feed->next++;
-    return true;
+    return 1;
 }
 
 uint32_t report_feed_random(uint32_t stream, uint32_t index, uint32_t what)

@@ -7,6 +7,7 @@
 #define KINGYO_DRIVERS_SIM_REPORT_FEED_H
 
 #include <stdbool.h>
+#include <stddef.h>
 
 #include "platform/hal.h"
 
@@ -19,20 +20,20 @@ struct report_feed {
     struct hal_clock clock;
     uint32_t count;        /* Number of reports. */
     uint32_t next;         /* Index of the next report to play. */
-    uint32_t unplug_at;    /* Index of the report before which the device is unplugged;
+    uint32_t unplug_at;    /* Index of the report before which the device is unplugged.
                               REPORT_FEED_NEVER means never. */
     uint64_t replug_ns;    /* Time from which open() finds the device again. */
     uint32_t double_every; /* Interval n of doubled reports: every n-th report arrives twice. 0
                               means that no report is doubled. */
     uint32_t jump_at;      /* Index of the report that jumps to the top right corner (mouse, touch
-                              screen), or in which the sticks jump to a corner (game pad);
+                              screen), or in which the sticks jump to a corner (game pad).
                               REPORT_FEED_NEVER means that there is no such report. */
     uint32_t spoil_from, spoil_to;         /* Index of the first report with random bits (including
                                               NaN), and index after the last report with random
                                               bits. */
     uint64_t silent_from_ns, silent_to_ns; /* Start and end of the time without reports. The reports
                                               of this time arrive together at its end. */
-    uint8_t gone;                          /* 1 while the device is unplugged, otherwise 0. */
+    bool gone;                             /* True while the device is unplugged. */
     uint32_t open_count;                   /* Number of open() calls. */
 };
 
@@ -46,20 +47,16 @@ struct report_fault {
 /* Returns a feed without reports and faults. */
 struct report_feed report_feed_begin(struct hal_clock clock);
 
-/* Returns the current time of the feed's clock. */
-uint64_t report_feed_now_ns(const struct report_feed *feed);
-
 /* Opens the device. Returns 1 if the device was plugged in again, 0 if it was present already, or
  * HAL_ERR_GONE while it is unplugged. */
 int report_feed_open(struct report_feed *feed);
 
-/* Returns true if no reports arrive at `now_ns`. */
-bool report_feed_is_silent(const struct report_feed *feed, uint64_t now_ns);
-
-/* Takes the next report and fills `out`. Returns true. Returns false if the device is unplugged
- * instead of the report. The caller guarantees that there is a next report and that the device is
- * present. */
-bool report_feed_take(struct report_feed *feed, struct report_fault *out);
+/* Takes the next report that is due. `reports` is the array of reports, which are `size` bytes each
+ * and start with their time in nanoseconds (uint64_t). Returns 1 and fills `out`, or returns 0 if
+ * no report is due. Returns HAL_ERR_BUSY during the time without reports, or HAL_ERR_GONE if the
+ * device is unplugged. */
+int report_feed_take(struct report_feed *feed, const void *reports, size_t size,
+                     struct report_fault *out);
 
 /* Returns 32 random bits that depend only on the arguments. `stream` identifies the kind of
  * device. */

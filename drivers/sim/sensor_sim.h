@@ -1,6 +1,6 @@
 /* sensor_sim.h -- a simulated six-axis sensor with realistic noise and selectable faults.
  *
- * Reports have a fixed rate, and each report contains the pose `hand` plus noise. At most one fault
+ * Reports have a fixed rate, and each report contains the pose `pose` plus noise. At most one fault
  * is active at a time, in an interval that the caller sets. The faults are those of cables, radio
  * links and sensors, and not those of the player. The caller owns the state and moves the pose. */
 #ifndef KINGYO_DRIVERS_SIM_SENSOR_SIM_H
@@ -14,12 +14,12 @@ enum sensor_fault {
     SENSOR_FINE = 0,
     SENSOR_GONE,         /* The sensor is unplugged: poll() and open() fail. */
     SENSOR_SILENT,       /* The sensor is connected, but no reports arrive. */
-    SENSOR_HELD_BACK,    /* No reports arrive until the end of the fault; all delayed reports then
+    SENSOR_HELD_BACK,    /* No reports arrive until the end of the fault. All delayed reports then
                             arrive together. */
     SENSOR_STUCK,        /* Every report has identical bits. */
     SENSOR_JUMPED,       /* The position is displaced by one meter. */
     SENSOR_FLIPPED,      /* The pose is rotated by 180 degrees. */
-    SENSOR_NOT_A_NUMBER, /* One field is NaN or infinite; the field changes from report to
+    SENSOR_NOT_A_NUMBER, /* One field is NaN or infinite. The field changes from report to
                             report. */
     SENSOR_GARBAGE,      /* All fields have random bits. */
     SENSOR_TWICE,        /* Each report arrives twice. */
@@ -28,7 +28,7 @@ enum sensor_fault {
 
 struct sensor_sim {
     struct hal_clock clock;
-    struct poi_target hand;  /* True pose, which the caller moves. */
+    struct poi_target pose;  /* True pose, which the caller moves. */
     uint64_t period_ns;      /* Time between two reports. */
     uint8_t fault;           /* The selected fault (enum sensor_fault). */
     uint64_t from_ns, to_ns; /* Start and end of the fault. The fault is active if the time is at

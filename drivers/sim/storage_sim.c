@@ -36,7 +36,7 @@ static int storage_sim_store_replay(void *self, uint32_t round_id, const uint8_t
     return HAL_OK;
 }
 
-static int is_replay_done(struct storage_sim *sim)
+static bool is_replay_done(struct storage_sim *sim)
 {
     sim->replay_polls_left -= sim->replay_polls_left > 0;
     return sim->replay_polls_left == 0;
@@ -68,23 +68,29 @@ static int storage_sim_replay_fetched(void *self)
 {
     struct storage_sim *sim = self;
     CORE_ASSERT(sim->replay_size <= sim->replay_room || !sim->replay);
-    const int is_there = sim->replay_id != 0 && sim->replay_asked_id == sim->replay_id;
+    const bool is_there = sim->replay_id != 0 && sim->replay_asked_id == sim->replay_id;
     return !is_replay_done(sim) ? HAL_ERR_BUSY : is_there ? (int)sim->replay_size : HAL_ERR_ABSENT;
+}
+
+/* Counts one write against the selected faults. Returns HAL_OK, or the error of the write. */
+static int take_fault(struct storage_sim *sim)
+{
+    uint32_t *left = sim->busy_left > 0 ? &sim->busy_left : &sim->fail_left;
+    if (*left == 0) {
+        return HAL_OK;
+    }
+    (*left)--;
+    return left == &sim->busy_left ? HAL_ERR_BUSY : HAL_ERR_IO;
 }
 
 static int storage_sim_append(void *self, const struct ledger_entry *entry)
 {
     struct storage_sim *sim = self;
     CORE_ASSERT(entry);
-    if (sim->busy_left > 0) {
-        sim->busy_left--;
+    const int result = take_fault(sim);
+    if (result != HAL_OK) {
         sim->refused_count++;
-        return HAL_ERR_BUSY;
-    }
-    if (sim->fail_left > 0) {
-        sim->fail_left--;
-        sim->refused_count++;
-        return HAL_ERR_IO;
+        return result;
     }
     sim->entry = *entry;
     if (entry->kind == LEDGER_ROUND) {
@@ -108,17 +114,10 @@ static int storage_sim_store_edit(void *self, const struct graph_edit_record *ed
 {
     struct storage_sim *sim = self;
     CORE_ASSERT(edit);
-    if (sim->busy_left > 0) {
-        sim->busy_left--;
-        return HAL_ERR_BUSY;
-    }
-    sim->edit_failed = sim->fail_left > 0;
-    if (sim->edit_failed) {
-        sim->fail_left--;
-        return HAL_ERR_IO;
-    }
-    sim->edit = *edit;
-    return HAL_OK;
+    const int result = take_fault(sim);
+    sim->edit_failed = result == HAL_ERR_BUSY ? sim->edit_failed : result == HAL_ERR_IO;
+    sim->edit = result == HAL_OK ? *edit : sim->edit;
+    return result;
 }
 
 static uint32_t storage_sim_stored_edit_id(void *self)

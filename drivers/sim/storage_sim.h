@@ -18,16 +18,16 @@ struct storage_sim {
     /* Result of failed_count(): the number of entries that could not be written to disk. */
     uint32_t write_refused_count;
     uint32_t busy_left;   /* Number of further writes that return HAL_ERR_BUSY. */
-    int edit_failed;      /* 1 if the last edit could not be stored, otherwise 0. */
+    bool edit_failed;     /* True if the last edit could not be stored. */
     uint32_t fail_left;   /* Number of further writes that return HAL_ERR_IO, after the writes that
                              return HAL_ERR_BUSY. */
     uint32_t delay_polls; /* Number of committed_id() calls before an accepted entry counts as on
                              disk. */
     uint32_t polls_since; /* Number of committed_id() calls after the last accepted entry. */
-    uint8_t *replay;      /* Buffer for one replay, owned by the caller; null means that replays are
+    uint8_t *replay;      /* Buffer for one replay, owned by the caller. Null means that replays are
                              not stored. */
     size_t replay_room;
-    uint32_t replay_id; /* Id of the round whose replay is stored; 0 means none. */
+    uint32_t replay_id; /* Id of the round whose replay is stored. 0 means none. */
     size_t replay_size;
     /* Number of further calls of stored_id() or fetched() until the replay is stored
      * or fetched. */

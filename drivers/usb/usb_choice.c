@@ -1,8 +1,8 @@
-/* usb_choice.c -- implements the rules for USB controllers, the decisions about claiming, and the
- * choice of slots. Reads and writes the file of rules, which has one line for each rule. */
+/* usb_choice.c -- implements the rules that allow or forbid USB controllers to play, the decisions
+ * about claiming, and the choice of slots. Reads and writes the file of rules, which has one line
+ * for each rule. */
 #include "drivers/usb/usb_choice.h"
 
-#include <ctype.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
@@ -13,38 +13,27 @@
 #include "drivers/hid/poi_report.h"
 #include "platform/os/file.h"
 
-/* ---- Keys (names of controllers) ------------------------------------------------------------ */
+#define HEX_DIGITS "0123456789abcdefABCDEF"
 
-static int read_id(const char *text, uint16_t *out)
-{
-    unsigned value = 0;
-    for (int i = 0; i < 4; i++) {
-        if (!isxdigit((unsigned char)text[i])) {
-            return -1;
-        }
-        const int c = tolower((unsigned char)text[i]);
-        value = value * 16u + (unsigned)(c <= '9' ? c - '0' : c - 'a' + 10);
-    }
-    *out = (uint16_t)value;
-    return 0;
-}
+/* ---- Keys (names of controllers) ------------------------------------------------------------ */
 
 int usb_key_read(struct usb_key *out, const char *text)
 {
-    struct usb_key key = { 0 };
-    const size_t length = strlen(text);
-    if (length < 9u || read_id(text, &key.vendor) || text[4] != ':' ||
-        read_id(text + 5, &key.product)) {
+    unsigned vendor, product;
+    int end = 0;
+    /* The four hexadecimal digits of each id are counted, because sscanf() also accepts signs,
+     * blanks and shorter numbers. */
+    if (strspn(text, HEX_DIGITS) != 4u || text[4] != ':' || strspn(text + 5, HEX_DIGITS) != 4u ||
+        sscanf(text, "%4x:%4x%n", &vendor, &product, &end) != 2) {
         return -1;
     }
-    if (length > 9u) {
-        const size_t serial = length - 10u;
-        if (text[9] != ':' || serial == 0u || serial >= sizeof key.serial) {
-            return -1;
-        }
-        memcpy(key.serial, text + 10, serial);
+    const char *serial = text + end + 1;
+    const bool has_serial = text[end] == ':' && serial[0] && strlen(serial) < HID_TEXT_SIZE;
+    if (text[end] && !has_serial) {
+        return -1;
     }
-    *out = key;
+    *out = (struct usb_key){ .vendor = (uint16_t)vendor, .product = (uint16_t)product };
+    snprintf(out->serial, sizeof out->serial, "%s", has_serial ? serial : "");
     return 0;
 }
 
@@ -64,7 +53,7 @@ struct usb_key usb_key_of(const struct hid_identity *identity)
 
 /* ---- Rules of the operator ------------------------------------------------------------------ */
 
-static void forget_wish(struct usb_choice *choice, uint32_t index)
+static void rule_remove(struct usb_choice *choice, uint32_t index)
 {
     CORE_ASSERT(choice->wish_count > 0);
     CORE_ASSERT(index < choice->wish_count);
@@ -73,23 +62,23 @@ static void forget_wish(struct usb_choice *choice, uint32_t index)
             (choice->wish_count - index) * sizeof choice->wish[0]);
 }
 
-void usb_choice_request(struct usb_choice *choice, const struct usb_key *key, int plays, int kept)
+void usb_choice_request(struct usb_choice *choice, const struct usb_key *key, bool plays, bool kept)
 {
     CORE_ASSERT(choice->wish_count <= USB_REQUEST_MAX);
     for (uint32_t i = 0; i < choice->wish_count; i++) {
         const struct usb_request *old = &choice->wish[i];
         if (old->key.vendor == key->vendor && old->key.product == key->product &&
             !strcmp(old->key.serial, key->serial)) {
-            kept |= old->kept && !old->plays == !plays;
-            forget_wish(choice, i);
+            kept |= old->kept && old->plays == plays;
+            rule_remove(choice, i);
             break;
         }
     }
     if (choice->wish_count == USB_REQUEST_MAX) {
-        forget_wish(choice, 0u);
+        rule_remove(choice, 0u);
     }
     choice->wish[choice->wish_count++] =
-        (struct usb_request){ .key = *key, .plays = plays != 0, .kept = kept != 0 };
+        (struct usb_request){ .key = *key, .plays = plays, .kept = kept };
 }
 
 int usb_choice_read_line(struct usb_choice *choice, const char *line, char error[USB_ERROR_SIZE])
@@ -106,21 +95,21 @@ int usb_choice_read_line(struct usb_choice *choice, const char *line, char error
         return -1;
     }
     snprintf(text, sizeof text, "%.*s", (int)length, line);
-    const int plays = strncmp(text, "plays ", 6u) == 0;
+    const bool plays = strncmp(text, "plays ", 6u) == 0;
     if (!plays && strncmp(text, "rests ", 6u) != 0) {
-        snprintf(error, USB_ERROR_SIZE, "a line begins with neither 'plays' nor 'rests'");
+        snprintf(error, USB_ERROR_SIZE, "a line must begin with 'plays' or 'rests'");
         return -1;
     }
     if (usb_key_read(&key, text + 6)) {
-        snprintf(error, USB_ERROR_SIZE, "'%.40s' is no VVVV:PPPP or VVVV:PPPP:SERIAL", text + 6);
+        snprintf(error, USB_ERROR_SIZE, "'%.40s' is not VVVV:PPPP or VVVV:PPPP:SERIAL", text + 6);
         return -1;
     }
-    usb_choice_request(choice, &key, plays, 1);
+    usb_choice_request(choice, &key, plays, true);
     return 0;
 }
 
-int usb_choice_line(const struct usb_choice *choice, uint32_t index,
-                    char line[USB_CHOICE_LINE_SIZE])
+bool usb_choice_line(const struct usb_choice *choice, uint32_t index,
+                     char line[USB_CHOICE_LINE_SIZE])
 {
     CORE_ASSERT(choice->wish_count <= USB_REQUEST_MAX);
     char text[USB_KEY_TEXT_SIZE];
@@ -129,10 +118,10 @@ int usb_choice_line(const struct usb_choice *choice, uint32_t index,
         if (wish->kept && index-- == 0u) {
             usb_key_write(&wish->key, text);
             snprintf(line, USB_CHOICE_LINE_SIZE, "%s %s", wish->plays ? "plays" : "rests", text);
-            return 1;
+            return true;
         }
     }
-    return 0;
+    return false;
 }
 
 uint32_t usb_choice_wanted(const struct usb_choice *choice, struct usb_key out[USB_REQUEST_MAX])
@@ -148,7 +137,7 @@ uint32_t usb_choice_wanted(const struct usb_choice *choice, struct usb_key out[U
 }
 
 /* Returns the most specific rule for a controller, or null if there is no rule. */
-static const struct usb_request *find_wish(const struct usb_choice *choice,
+static const struct usb_request *rule_find(const struct usb_choice *choice,
                                            const struct hid_identity *identity)
 {
     CORE_ASSERT(choice->wish_count <= USB_REQUEST_MAX);
@@ -169,10 +158,10 @@ static const struct usb_request *find_wish(const struct usb_choice *choice,
 
 /* ---- Decisions about claiming --------------------------------------------------------------- */
 
-/* Returns 1 for application usages that cannot control a poi, otherwise 0. By the HID Usage Tables
- * these are keyboards, keypads, system controls, media keys, telephones, monitors, power supplies,
- * bar code scanners, scales, card readers, and FIDO security keys. */
-static int is_keys(hid_usage application)
+/* Returns true for application usages that cannot control a poi. By the HID Usage Tables these are
+ * keyboards, keypads, system controls, media keys, telephones, monitors, power supplies, bar code
+ * scanners, scales, card readers, and FIDO security keys. */
+static bool is_keys(hid_usage application)
 {
     const uint32_t page = application >> 16, id = application & 0xffffu;
     return (page == 0x01u && (id == 0x06u || id == 0x07u || id == 0x80u)) || page == 0x0bu ||
@@ -203,7 +192,7 @@ void usb_choice_read(struct usb_candidate *subject, const uint8_t *bytes, uint32
     subject->worth = (uint8_t)hid_mapping_score(subject->identity, scratch);
     subject->kind = (uint8_t)(poi_descriptor_is(bytes, size)      ? USB_KIND_OWN
                               : hid_mapping_has_keyboard(scratch) ? USB_KIND_KEYS
-                              : subject->worth > 0                ? USB_KIND_HAND
+                              : subject->worth > 0                ? USB_KIND_MAPPED
                               : others > 0                        ? USB_KIND_LEARNABLE
                               : keys > 0                          ? USB_KIND_KEYS
                                                                   : USB_KIND_NOTHING);
@@ -217,13 +206,13 @@ enum usb_verdict usb_choice_evaluate(const struct usb_choice *choice,
         subject->kind == USB_KIND_KEYS) {
         return USB_BARRED;
     }
-    const struct usb_request *wish = find_wish(choice, subject->identity);
+    const struct usb_request *wish = rule_find(choice, subject->identity);
     if (wish && !wish->plays) {
         return USB_FREE;
     }
     if (subject->kind == USB_KIND_UNKNOWN) {
-        const int is_bench = subject->identity->vendor == USB_BENCH_VENDOR &&
-                             subject->identity->product == USB_BENCH_PRODUCT;
+        const bool is_bench = subject->identity->vendor == USB_BENCH_VENDOR &&
+                              subject->identity->product == USB_BENCH_PRODUCT;
         return wish || is_bench ? USB_ASK : USB_FREE;
     }
     return wish || subject->kind == USB_KIND_OWN ? USB_PLAYS : USB_FREE;
@@ -231,20 +220,15 @@ enum usb_verdict usb_choice_evaluate(const struct usb_choice *choice,
 
 static uint32_t rank_of(const struct usb_choice *choice, const struct usb_candidate *subject)
 {
-    switch (usb_choice_evaluate(choice, subject)) {
-    case USB_PLAYS:
-        return subject->kind == USB_KIND_LEARNABLE ? 2u : 4u;
-    case USB_ASK:
-        return 3u;
-    case USB_FREE:
-        return 1u;
-    default:
-        return 0u;
-    }
+    static const uint8_t ranks[] = {
+        [USB_BARRED] = 0, [USB_FREE] = 1, [USB_ASK] = 3, [USB_PLAYS] = 4
+    };
+    const enum usb_verdict verdict = usb_choice_evaluate(choice, subject);
+    return verdict == USB_PLAYS && subject->kind == USB_KIND_LEARNABLE ? 2u : ranks[verdict];
 }
 
-int usb_choice_is_better(const struct usb_choice *choice, const struct usb_candidate *a,
-                         const struct usb_candidate *b)
+bool usb_choice_is_better(const struct usb_choice *choice, const struct usb_candidate *a,
+                          const struct usb_candidate *b)
 {
     CORE_ASSERT(a->identity && b->identity);
     const uint32_t rank = rank_of(choice, a), other = rank_of(choice, b);
@@ -263,10 +247,12 @@ uint32_t usb_choice_similarity(const struct hid_identity *a, const struct hid_id
     if (a->vendor != b->vendor || a->product != b->product) {
         return 0u;
     }
-    const int same_port = !strcmp(a->port, b->port);
-    const int same_serial = !strcmp(a->serial, b->serial);
+    const bool same_port = !strcmp(a->port, b->port);
+    const bool same_serial = !strcmp(a->serial, b->serial);
     if (a->serial[0] && same_serial) {
-        return same_port ? 4u : 3u; /* Several cheap devices can have the same serial number. */
+        /* The port is compared too, because several cheap devices can have the same serial
+         * number. */
+        return same_port ? 4u : 3u;
     }
     if (same_port) {
         return 2u; /* A different device of the same product was plugged into the same port. */
@@ -276,8 +262,8 @@ uint32_t usb_choice_similarity(const struct hid_identity *a, const struct hid_id
 }
 
 /* Returns the vacant slot whose last controller is most similar to `identity`, or POI_MAX if there
- * is none. Also returns POI_MAX if several slots match equally and only by product. */
-static uint32_t own_seat(const struct usb_place place[POI_MAX], const struct hid_identity *identity)
+ * is none. If only the product matches and several slots match equally, also returns POI_MAX. */
+static uint32_t own_slot(const struct usb_place place[POI_MAX], const struct hid_identity *identity)
 {
     uint32_t best = POI_MAX, most = 0u, equals = 0u;
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -297,7 +283,7 @@ static uint32_t own_seat(const struct usb_place place[POI_MAX], const struct hid
 
 uint32_t usb_choice_slot(const struct usb_place place[POI_MAX], const struct hid_identity *identity)
 {
-    const uint32_t own = own_seat(place, identity);
+    const uint32_t own = own_slot(place, identity);
     if (own < POI_MAX) {
         return own;
     }

@@ -1,9 +1,10 @@
 /* usb_choice.h -- rules for which USB controllers the kiosk claims and which slot they get.
  *
- * A slot is the place of one of up to POI_MAX controllers. A controller is claimed if the operator
- * selected it in the menu (stored in a file) or if the option --usb names it. Kingyo's poi
- * controller (poi_report.h) is always claimed unless a rule forbids it. Kingyo's poi controller
- * has no fixed vendor id and is recognized by its report descriptor.
+ * A slot is the place of one of up to POI_MAX controllers. A controller plays while it has a slot
+ * and moves a poi. A controller is claimed if the operator selected it in the menu (stored in a
+ * file) or if the option --usb names it. Kingyo's poi controller (poi_report.h) is always claimed
+ * unless a rule forbids it. Kingyo's poi controller has no fixed vendor id and is recognized by its
+ * report descriptor.
  *
  * Some report descriptors can only be read after claiming. A device is claimed for this purpose
  * only if its id is selected or is the test id of pid.codes. An interface with the keys of a
@@ -13,6 +14,7 @@
 #ifndef KINGYO_DRIVERS_USB_USB_CHOICE_H
 #define KINGYO_DRIVERS_USB_USB_CHOICE_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -26,14 +28,15 @@
 #define USB_BENCH_PRODUCT 0x0001u
 /* Size of the text "057e:2009:" with a serial number. */
 #define USB_KEY_TEXT_SIZE (10u + HID_TEXT_SIZE)
-/* Largest number of rules: enough for four pois, each replaced seven times. */
+/* Maximum number of rules in struct usb_choice. A rule (struct usb_request) allows or forbids a
+ * controller to play. 32 rules are enough for four pois, each replaced seven times. */
 #define USB_REQUEST_MAX 32u
 #define USB_ERROR_SIZE 96u
 
 /* Key that names one controller, or all controllers of a product. */
 struct usb_key {
     uint16_t vendor, product;
-    char serial[HID_TEXT_SIZE]; /* Serial number of the controller; "" means any serial number. */
+    char serial[HID_TEXT_SIZE]; /* Serial number of the controller. "" means any serial number. */
 };
 
 /* Parses "VVVV:PPPP" or "VVVV:PPPP:SERIAL". VVVV and PPPP are four hexadecimal digits each. Returns
@@ -46,14 +49,16 @@ void usb_key_write(const struct usb_key *key, char text[USB_KEY_TEXT_SIZE]);
 /* Returns the key of a controller, with its serial number if it has one. */
 struct usb_key usb_key_of(const struct hid_identity *identity);
 
+/* A rule that allows or forbids one controller, or all controllers of a product, to play. */
 struct usb_request {
     struct usb_key key;
-    uint8_t plays; /* 1 if the controller may play. 0 if the controller must not play, even if it
-                      would play without the rule. */
-    uint8_t kept;  /* 1 if the rule is stored in the file, otherwise 0. */
+    bool plays; /* True if the controller may play. False if the controller must not play, even
+                   if it would play without the rule. */
+    bool kept;  /* True if the rule is stored in the file. */
 };
 
-/* List of rules. The all-zero list accepts only Kingyo's poi controller. */
+/* List of rules (struct usb_request), which allow or forbid controllers to play. The all-zero list
+ * accepts only Kingyo's poi controller. */
 struct usb_choice {
     uint32_t wish_count;
     struct usb_request wish[USB_REQUEST_MAX];
@@ -61,22 +66,23 @@ struct usb_choice {
 
 /* Adds a rule and removes an older rule for the same key. If the list is full, the oldest rule is
  * dropped. */
-void usb_choice_request(struct usb_choice *choice, const struct usb_key *key, int plays, int kept);
+void usb_choice_request(struct usb_choice *choice, const struct usb_key *key, bool plays,
+                        bool kept);
 
 /* Copies the keys of all rules that allow playing. Returns the number of keys. */
 uint32_t usb_choice_wanted(const struct usb_choice *choice, struct usb_key out[USB_REQUEST_MAX]);
 
-/* Parses one line of the file of rules. "plays KEY" allows a controller to play, "rests KEY"
- * forbids it, and a line that starts with '#' is a comment. Returns 0, or -1 with one sentence in
- * `error`. */
+/* Parses one line of the file of rules. "plays KEY" allows the controller with this key to play.
+ * "rests KEY" forbids this controller to play. A line that starts with '#' is a comment. Returns 0,
+ * or -1 with one sentence in `error`. */
 int usb_choice_read_line(struct usb_choice *choice, const char *line, char error[USB_ERROR_SIZE]);
 
 /* Size of the buffer for usb_choice_line(). */
 #define USB_CHOICE_LINE_SIZE (USB_KEY_TEXT_SIZE + 8u)
-/* Writes line `index` (from 0) of the file of rules without a newline. Returns 1, or 0 if there is
- * no such line. */
-int usb_choice_line(const struct usb_choice *choice, uint32_t index,
-                    char line[USB_CHOICE_LINE_SIZE]);
+/* Writes line `index` (from 0) of the file of rules without a newline. Returns true, or false if
+ * there is no such line. */
+bool usb_choice_line(const struct usb_choice *choice, uint32_t index,
+                     char line[USB_CHOICE_LINE_SIZE]);
 
 /* Kind of an interface by its input report descriptor, ordered from unsuitable to best. */
 enum usb_kind {
@@ -87,17 +93,17 @@ enum usb_kind {
     USB_KIND_KEYS,
     USB_KIND_LEARNABLE, /* The descriptor has usable fields but no mapping, so the operator must let
                            the kiosk learn the controller. */
-    USB_KIND_HAND,      /* hid_mapping_choose() finds a mapping for the descriptor. */
+    USB_KIND_MAPPED,    /* hid_mapping_choose() finds a mapping for the descriptor. */
     USB_KIND_OWN,       /* The descriptor is exactly that of Kingyo's poi controller. */
 };
 
 /* Candidate for claiming: a HID interface of a device. */
 struct usb_candidate {
     const struct hid_identity *identity;
-    uint8_t is_boot_keyboard; /* 1 if the interface descriptor declares a boot keyboard (HID 1.11,
-                                 section 4.2), otherwise 0. */
-    uint8_t kind;             /* Kind of the interface (enum usb_kind). */
-    uint8_t worth;            /* Score of the mapping, from hid_mapping_score(). */
+    bool is_boot_keyboard; /* True if the interface descriptor declares a boot keyboard (HID
+                              1.11, section 4.2). */
+    uint8_t kind;          /* Kind of the interface (enum usb_kind). */
+    uint8_t worth;         /* Score of the mapping, from hid_mapping_score(). */
 };
 
 /* Sets the kind and the score of `subject` from the `size` bytes of its report descriptor. A size
@@ -107,7 +113,8 @@ void usb_choice_read(struct usb_candidate *subject, const uint8_t *bytes, uint32
 
 enum usb_verdict {
     USB_BARRED = 0, /* The interface must never be claimed. */
-    USB_FREE,       /* The interface may be claimed only after the operator selects it. */
+    USB_FREE,       /* The interface may be claimed only after the operator selects the
+                       controller. */
     USB_ASK,        /* The interface may be claimed to read its report descriptor. The interface is
                        then evaluated again. */
     USB_PLAYS,
@@ -118,20 +125,19 @@ enum usb_verdict {
 enum usb_verdict usb_choice_evaluate(const struct usb_choice *choice,
                                      const struct usb_candidate *subject);
 
-/* Returns 1 if interface `a` of a device should be claimed rather than interface `b`, otherwise 0.
- * An interface that can play is preferred, then an interface whose descriptor must be read, then an
+/* Returns true if interface `a` of a device should be claimed rather than interface `b`. An
+ * interface that can play is preferred, then an interface whose descriptor must be read, then an
  * interface that must be learned. Ties are resolved by the kind, by hid_mapping_score(), and then
  * by the lower interface number. */
-int usb_choice_is_better(const struct usb_choice *choice, const struct usb_candidate *a,
-                         const struct usb_candidate *b);
+bool usb_choice_is_better(const struct usb_choice *choice, const struct usb_candidate *a,
+                          const struct usb_candidate *b);
 
 /* State of a slot, with the controller that has the slot now or had it last. */
 struct usb_place {
-    uint8_t was_taken; /* 1 if `identity` is valid, otherwise 0. */
-    uint8_t is_taken;  /* 1 if the controller is attached now, otherwise 0. */
-    /* 1 for a limited time after the controller was unplugged, otherwise 0. A different controller
-     * must not get the slot during that time. */
-    uint8_t is_held;
+    bool was_taken; /* True if `identity` is valid. */
+    bool is_taken;  /* True if the controller is attached now. */
+    bool is_held;   /* True for a limited time after the controller was unplugged. A different
+                       controller must not get the slot during that time. */
     struct hid_identity identity;
 };
 
@@ -147,10 +153,10 @@ uint32_t usb_choice_similarity(const struct hid_identity *a, const struct hid_id
 
 /* ---- File of rules --------------------------------------------------------------------------- */
 
-/* Adds the rules of the file to `choice`; a missing file adds none. Returns the number of invalid
- * lines, or a negative errno value if the file cannot be read completely. If the result is not 0,
- * `why` has one sentence; for an invalid line it starts with FILE:LINE of the last invalid line.
- * After a negative result the file must not be overwritten. */
+/* Adds the rules of the file to `choice`. A missing file adds no rules. Returns the number of
+ * invalid lines, or a negative errno value if the file cannot be read completely. If the result is
+ * not 0, `why` has one sentence. For an invalid line, the sentence starts with FILE:LINE of the
+ * last invalid line. After a negative result the file must not be overwritten. */
 int usb_choice_load(struct usb_choice *choice, const char *path, char why[HAL_TEXT_SIZE]);
 
 /* Writes the rules that are marked as kept, and waits for the disk. Returns 0 or a negative errno

@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "core/base/panic.h"
-#include "drivers/usb/usb_sysfs.h"
 
 /* Value of bInterfaceSubClass for interfaces with a boot protocol (HID 1.11, section 4.2). */
 #define HID_BOOT 1u
@@ -69,47 +68,49 @@ static struct usb_candidate subject_of(const struct usb_device *device)
     };
 }
 
-void usb_device_evaluate(struct usb_device *device, const struct usb_evaluation *judge)
+/* Sets the kind, the score and the verdict of the device from its current descriptor and the
+ * rules. */
+static void evaluate(struct usb_device *device, struct usb_evaluation *evaluation)
 {
     CORE_ASSERT(device->face.descriptor_size <= HID_DESCRIPTOR_MAX);
     struct usb_candidate subject = subject_of(device);
     usb_choice_read(&subject, device->face.descriptor, device->face.descriptor_size,
-                    judge->scratch);
+                    &evaluation->scratch);
     device->kind = subject.kind;
     device->worth = subject.worth;
-    device->verdict = (uint8_t)usb_choice_evaluate(judge->choice, &subject);
+    device->verdict = (uint8_t)usb_choice_evaluate(&evaluation->choice, &subject);
 }
 
 /* Classifies `device` by one of its interfaces. A report descriptor that was read from the device
  * itself is kept, because /sys has no descriptor while the interface is claimed. In addition, a
  * kernel driver may put a corrected descriptor into /sys. */
-static void look_at(struct usb_device *device, const struct usb_evaluation *judge,
-                    const struct libusb_interface_descriptor *interface)
+static void classify(struct usb_device *device, struct usb_evaluation *evaluation,
+                     const struct libusb_interface_descriptor *interface)
 {
     CORE_ASSERT(interface->bInterfaceClass == LIBUSB_CLASS_HID);
     struct hid_device_info *face = &device->face;
     uint8_t bytes[HID_DESCRIPTOR_MAX];
     const uint32_t size =
-        usb_sysfs_descriptor(judge->sysfs, face->identity.port, device->configuration,
+        usb_sysfs_descriptor(evaluation->sysfs, face->identity.port, device->configuration,
                              interface->bInterfaceNumber, bytes);
-    const int is_same = face->identity.interface_number == interface->bInterfaceNumber;
+    const bool is_same = face->identity.interface_number == interface->bInterfaceNumber;
     if (!is_same || (size > 0u && !device->is_read)) {
         memcpy(face->descriptor, bytes, size);
         face->descriptor_size = size;
-        device->is_read = 0;
+        device->is_read = false;
     }
     face->identity.interface_number = interface->bInterfaceNumber;
     device->is_boot = interface->bInterfaceSubClass == HID_BOOT;
     device->is_boot_keyboard =
         device->is_boot && interface->bInterfaceProtocol == HID_BOOT_KEYBOARD;
     device->declared_size = declared_size(interface);
-    usb_device_evaluate(device, judge);
+    evaluate(device, evaluation);
 }
 
 /* Selects the best HID interface of a device. Only the first alternate setting of each interface is
  * examined, because this setting is active and HID devices have no further settings. Returns 0, or
  * -1 if there is no usable HID interface. */
-static int pick_interface(struct usb_device *device, const struct usb_evaluation *judge,
+static int pick_interface(struct usb_device *device, struct usb_evaluation *evaluation,
                           const struct libusb_config_descriptor *config)
 {
     struct usb_device best = { .device = NULL };
@@ -121,9 +122,9 @@ static int pick_interface(struct usb_device *device, const struct usb_evaluation
             read_pipe(&interface->altsetting[0], &found.pipe)) {
             continue;
         }
-        look_at(&found, judge, &interface->altsetting[0]);
+        classify(&found, evaluation, &interface->altsetting[0]);
         const struct usb_candidate one = subject_of(&found), other = subject_of(&best);
-        if (!best.device || usb_choice_is_better(judge->choice, &one, &other)) {
+        if (!best.device || usb_choice_is_better(&evaluation->choice, &one, &other)) {
             best = found;
         }
     }
@@ -134,34 +135,33 @@ static int pick_interface(struct usb_device *device, const struct usb_evaluation
     return 0;
 }
 
-static int usb_device_read_descriptors(struct usb_device *device,
-                                       const struct usb_evaluation *judge)
+static int read_descriptors(struct usb_device *device, struct usb_evaluation *evaluation)
 {
     struct libusb_config_descriptor *config;
     if (libusb_get_active_config_descriptor(device->device, &config) != LIBUSB_SUCCESS) {
         return -1;
     }
     device->configuration = config->bConfigurationValue;
-    const int result = pick_interface(device, judge, config);
+    const int result = pick_interface(device, evaluation, config);
     libusb_free_config_descriptor(config);
     return result;
 }
 
-void usb_device_refresh(struct usb_device *device, const struct usb_evaluation *judge)
+void usb_device_refresh(struct usb_device *device, struct usb_evaluation *evaluation)
 {
     CORE_ASSERT(device->device);
-    if (usb_device_read_descriptors(device, judge)) {
-        /* The device's configuration has changed, or the device is being unplugged. A device that
-         * cannot be read must not be claimed. */
+    if (read_descriptors(device, evaluation)) {
+        /* The device's configuration has changed, or the device is being unplugged. The
+         * configuration of such a device cannot be read, and a device without a readable
+         * configuration must not be claimed. */
         device->verdict = USB_BARRED;
     }
 }
 
-int usb_device_add(struct usb_device *out, libusb_device *device,
-                   const struct usb_evaluation *judge)
+int usb_device_add(struct usb_device *out, libusb_device *device, struct usb_evaluation *evaluation)
 {
     CORE_ASSERT(device);
-    CORE_ASSERT(judge->choice && judge->scratch);
+    CORE_ASSERT(evaluation->sysfs[0]);
     struct libusb_device_descriptor descriptor;
     if (libusb_get_device_descriptor(device, &descriptor) != LIBUSB_SUCCESS ||
         descriptor.bDeviceClass == LIBUSB_CLASS_HUB) {
@@ -186,9 +186,9 @@ int usb_device_add(struct usb_device *out, libusb_device *device,
         length += snprintf(identity->port + length, sizeof identity->port - (size_t)length, "%c%u",
                            i == 0 ? '-' : '.', ports[i]);
     }
-    usb_sysfs_text(judge->sysfs, identity->port, "serial", identity->serial);
-    usb_sysfs_text(judge->sysfs, identity->port, "product", identity->name);
-    if (usb_device_read_descriptors(out, judge)) {
+    usb_sysfs_text(evaluation->sysfs, identity->port, "serial", identity->serial);
+    usb_sysfs_text(evaluation->sysfs, identity->port, "product", identity->name);
+    if (read_descriptors(out, evaluation)) {
         out->device = NULL;
         return -1;
     }
@@ -212,19 +212,12 @@ void usb_device_remove(struct usb_device *device)
 
 static enum usb_device_fault trouble_of(int error)
 {
-    switch (error) {
-    case LIBUSB_SUCCESS:
-        return USB_FINE;
-    case LIBUSB_ERROR_ACCESS:
-        return USB_DENIED;
-    case LIBUSB_ERROR_BUSY:
-        return USB_HELD;
-    case LIBUSB_ERROR_NO_DEVICE:
-    case LIBUSB_ERROR_NOT_FOUND:
-        return USB_AWAY;
-    default:
-        return USB_BROKEN;
-    }
+    const bool is_away = error == LIBUSB_ERROR_NO_DEVICE || error == LIBUSB_ERROR_NOT_FOUND;
+    return error == LIBUSB_SUCCESS        ? USB_FINE
+           : error == LIBUSB_ERROR_ACCESS ? USB_DENIED
+           : error == LIBUSB_ERROR_BUSY   ? USB_HELD
+           : is_away                      ? USB_AWAY
+                                          : USB_BROKEN;
 }
 
 static void read_text(libusb_device_handle *handle, uint8_t index, char out[HID_TEXT_SIZE])
@@ -264,18 +257,17 @@ static enum usb_device_fault read_descriptor(libusb_device_handle *handle,
     if (size > 0) {
         memcpy(device->face.descriptor, bytes, (size_t)size);
         device->face.descriptor_size = (uint32_t)size;
-        device->is_read = 1;
+        device->is_read = true;
         return USB_FINE;
     }
-    if (size != LIBUSB_ERROR_NO_DEVICE && device->face.descriptor_size > 0u) {
-        return USB_FINE;
-    }
-    return size == LIBUSB_ERROR_NO_DEVICE ? USB_AWAY : USB_BROKEN;
+    return size == LIBUSB_ERROR_NO_DEVICE      ? USB_AWAY
+           : device->face.descriptor_size > 0u ? USB_FINE
+                                               : USB_BROKEN;
 }
 
 static enum usb_device_fault inspect_usb_device(libusb_device_handle *handle,
                                                 struct usb_device *device,
-                                                const struct usb_evaluation *judge)
+                                                struct usb_evaluation *evaluation)
 {
     CORE_ASSERT(device->declared_size <= HID_DESCRIPTOR_MAX);
     read_text(handle, device->serial_index, device->face.identity.serial);
@@ -284,12 +276,12 @@ static enum usb_device_fault inspect_usb_device(libusb_device_handle *handle,
     if (trouble != USB_FINE) {
         return trouble;
     }
-    usb_device_evaluate(device, judge);
+    evaluate(device, evaluation);
     if (device->verdict != USB_PLAYS) {
         return USB_FINE;
     }
     /* The transfers need the size of the largest input report. */
-    struct hid_descriptor *scratch = judge->scratch;
+    struct hid_descriptor *scratch = &evaluation->scratch;
     uint32_t most = 0;
     hid_descriptor_read(scratch, device->face.descriptor, device->face.descriptor_size);
     for (uint32_t id = 0; id < 256u; id++) {
@@ -300,15 +292,14 @@ static enum usb_device_fault inspect_usb_device(libusb_device_handle *handle,
     device->pipe.report_size_max = most + scratch->has_report_ids;
     /* A device may reject requests of HID 1.11 section 7.2 that it does not support, so only a
      * disconnected device is an error. */
-    if (device->is_boot &&
-        interface_request(handle, device, HID_SET_PROTOCOL, 1u) == LIBUSB_ERROR_NO_DEVICE) {
-        return USB_AWAY;
-    }
-    return interface_request(handle, device, HID_SET_IDLE, 0u) == LIBUSB_ERROR_NO_DEVICE ? USB_AWAY
-                                                                                         : USB_FINE;
+    const bool is_gone =
+        (device->is_boot &&
+         interface_request(handle, device, HID_SET_PROTOCOL, 1u) == LIBUSB_ERROR_NO_DEVICE) ||
+        interface_request(handle, device, HID_SET_IDLE, 0u) == LIBUSB_ERROR_NO_DEVICE;
+    return is_gone ? USB_AWAY : USB_FINE;
 }
 
-enum usb_device_fault usb_device_open(struct usb_device *device, const struct usb_evaluation *judge,
+enum usb_device_fault usb_device_open(struct usb_device *device, struct usb_evaluation *evaluation,
                                       libusb_device_handle **out)
 {
     CORE_ASSERT(device->device);
@@ -322,7 +313,7 @@ enum usb_device_fault usb_device_open(struct usb_device *device, const struct us
     libusb_set_auto_detach_kernel_driver(handle, 1);
     trouble = trouble_of(libusb_claim_interface(handle, device->pipe.interface_number));
     if (trouble == USB_FINE) {
-        trouble = inspect_usb_device(handle, device, judge);
+        trouble = inspect_usb_device(handle, device, evaluation);
         if (trouble == USB_FINE && device->verdict == USB_PLAYS) {
             *out = handle;
             return USB_FINE;

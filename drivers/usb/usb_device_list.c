@@ -9,7 +9,7 @@
 void usb_device_table_clear(struct usb_device_table *rows, uint32_t index)
 {
     CORE_ASSERT(index < CONTROLLER_MAX);
-    rows->row[index] = (struct hid_row){ .state = CONTROLLER_NONE, .seat = POI_MAX };
+    rows->row[index] = (struct hid_row){ .state = CONTROLLER_NONE, .slot = POI_MAX };
 }
 
 void usb_device_table_init(struct usb_device_table *rows)
@@ -21,8 +21,8 @@ void usb_device_table_init(struct usb_device_table *rows)
 }
 
 /* Returns the row for a new controller, or CONTROLLER_MAX if there is none. */
-static uint32_t place_for(const struct usb_device_table *rows, const struct hid_identity *identity,
-                          int is_barred)
+static uint32_t row_for(const struct usb_device_table *rows, const struct hid_identity *identity,
+                        bool is_barred)
 {
     static const uint8_t yields[] = { CONTROLLER_NONE, CONTROLLER_UNSUPPORTED, CONTROLLER_LOST };
     uint32_t lost = CONTROLLER_MAX, most = 0, empty_count = 0;
@@ -48,14 +48,14 @@ static uint32_t place_for(const struct usb_device_table *rows, const struct hid_
 }
 
 uint32_t usb_device_table_enter(struct usb_device_table *rows, const struct hid_identity *identity,
-                                int is_barred)
+                                bool is_barred)
 {
-    const uint32_t index = place_for(rows, identity, is_barred);
+    const uint32_t index = row_for(rows, identity, is_barred);
     if (index < CONTROLLER_MAX) {
         rows->row[index] = (struct hid_row){
             .identity = *identity,
             .state = (uint8_t)(is_barred ? CONTROLLER_UNSUPPORTED : CONTROLLER_FREE),
-            .seat = POI_MAX,
+            .slot = POI_MAX,
         };
     }
     return index;
@@ -83,9 +83,9 @@ void usb_device_list_init(struct usb_device_list *device_list, void (*wake)(void
 {
     CORE_ASSERT(wake);
     memset(device_list, 0, sizeof *device_list);
-    triple_buffer_init(&device_list->mail);
+    triple_buffer_init(&device_list->newest);
     for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
-        device_list->rows[device_list->mail.reading].row[i].seat = POI_MAX;
+        device_list->rows[device_list->newest.reading].row[i].slot = POI_MAX;
     }
     device_list->wake = wake;
     device_list->wake_self = wake_self;
@@ -95,28 +95,28 @@ void usb_device_list_publish(struct usb_device_list *device_list,
                              const struct usb_device_table *rows)
 {
     CORE_ASSERT(rows->wanted_count <= USB_REQUEST_MAX);
-    device_list->rows[device_list->mail.writing] = *rows;
-    triple_buffer_post(&device_list->mail);
+    device_list->rows[device_list->newest.writing] = *rows;
+    triple_buffer_post(&device_list->newest);
 }
 
-int usb_device_list_take_command(struct usb_device_list *device_list, struct usb_command *out)
+bool usb_device_list_take_command(struct usb_device_list *device_list, struct usb_command *out)
 {
     const uint32_t taken = atomic_load_explicit(&device_list->taken, memory_order_relaxed);
     const uint32_t pushed = atomic_load_explicit(&device_list->pushed, memory_order_acquire);
     CORE_ASSERT(pushed - taken <= USB_COMMAND_MAX);
     if (pushed == taken) {
-        return 0;
+        return false;
     }
     *out = device_list->order[taken % USB_COMMAND_MAX];
     atomic_store_explicit(&device_list->taken, taken + 1u, memory_order_release);
-    return 1;
+    return true;
 }
 
 static const struct usb_device_table *newest_device_table(struct usb_device_list *device_list)
 {
-    CORE_ASSERT(device_list->mail.reading < TRIPLE_BUFFER_SLOTS);
-    triple_buffer_fetch(&device_list->mail);
-    return &device_list->rows[device_list->mail.reading];
+    CORE_ASSERT(device_list->newest.reading < TRIPLE_BUFFER_SLOTS);
+    triple_buffer_fetch(&device_list->newest);
+    return &device_list->rows[device_list->newest.reading];
 }
 
 uint32_t usb_device_list_wanted(struct usb_device_list *device_list,
@@ -127,57 +127,50 @@ uint32_t usb_device_list_wanted(struct usb_device_list *device_list,
     return rows->wanted_count;
 }
 
-static void roster_rows(void *self, struct hid_row out[CONTROLLER_MAX])
+static void copy_rows(void *self, struct hid_row out[CONTROLLER_MAX])
 {
-    memcpy(out, newest_device_table(self)->row, sizeof newest_device_table(self)->row);
+    const struct usb_device_table *rows = newest_device_table(self);
+    memcpy(out, rows->row, sizeof rows->row);
 }
 
-static int send_order(struct usb_device_list *device_list, const struct hid_row *row, int plays)
+/* Queues the command to select (`plays` is true) or to release the controller of row `index`.
+ * Returns HAL_OK, HAL_ERR_ABSENT if the operator cannot give a command for the row, or HAL_ERR_BUSY
+ * if the queue is full. Also returns HAL_ERR_BUSY if a controller is selected and POI_MAX other
+ * controllers play. */
+static int send_command(struct usb_device_list *device_list, uint32_t index, bool plays)
 {
-    CORE_ASSERT(row->state != CONTROLLER_NONE);
+    const struct hid_row *rows = newest_device_table(device_list)->row;
+    if (index >= CONTROLLER_MAX || rows[index].state == CONTROLLER_NONE ||
+        rows[index].state == CONTROLLER_UNSUPPORTED) {
+        return HAL_ERR_ABSENT;
+    }
+    uint32_t playing = 0;
+    for (uint32_t i = 0; plays && i < CONTROLLER_MAX; i++) {
+        playing += i != index && rows[i].state == CONTROLLER_ACTIVE;
+    }
     const uint32_t pushed = atomic_load_explicit(&device_list->pushed, memory_order_relaxed);
-    if (pushed - atomic_load_explicit(&device_list->taken, memory_order_acquire) ==
-        USB_COMMAND_MAX) {
+    const uint32_t taken = atomic_load_explicit(&device_list->taken, memory_order_acquire);
+    if (playing >= POI_MAX || pushed - taken == USB_COMMAND_MAX) {
         return HAL_ERR_BUSY;
     }
     device_list->order[pushed % USB_COMMAND_MAX] =
-        (struct usb_command){ .plays = plays != 0, .identity = row->identity };
+        (struct usb_command){ .plays = plays, .identity = rows[index].identity };
     atomic_store_explicit(&device_list->pushed, pushed + 1u, memory_order_release);
     device_list->wake(device_list->wake_self);
     return HAL_OK;
 }
 
-/* Returns the row `index` if the operator can give a command for it, otherwise null. */
-static const struct hid_row *usable_row(const struct usb_device_table *rows, uint32_t index)
+static int choose(void *self, uint32_t index)
 {
-    return index < CONTROLLER_MAX && rows->row[index].state != CONTROLLER_NONE &&
-                   rows->row[index].state != CONTROLLER_UNSUPPORTED
-               ? &rows->row[index]
-               : NULL;
+    return send_command(self, index, true);
 }
 
-static int roster_choose(void *self, uint32_t index)
+static int release(void *self, uint32_t index)
 {
-    struct usb_device_list *device_list = self;
-    const struct usb_device_table *rows = newest_device_table(device_list);
-    const struct hid_row *row = usable_row(rows, index);
-    uint32_t playing = 0;
-    for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
-        playing += i != index && rows->row[i].state == CONTROLLER_ACTIVE;
-    }
-    return !row                 ? (int)HAL_ERR_ABSENT
-           : playing >= POI_MAX ? (int)HAL_ERR_BUSY
-                                : send_order(device_list, row, 1);
+    return send_command(self, index, false);
 }
 
-static int roster_release(void *self, uint32_t index)
-{
-    struct usb_device_list *device_list = self;
-    const struct hid_row *row = usable_row(newest_device_table(device_list), index);
-    return row ? send_order(device_list, row, 0) : (int)HAL_ERR_ABSENT;
-}
-
-static const char *roster_describe(void *self)
+static const char *describe(void *self)
 {
     return newest_device_table(self)->text;
 }
@@ -185,10 +178,10 @@ static const char *roster_describe(void *self)
 struct hid_device_list usb_device_list_device(struct usb_device_list *device_list)
 {
     static const struct hid_device_list_ops ops = {
-        .rows = roster_rows,
-        .choose = roster_choose,
-        .release = roster_release,
-        .describe = roster_describe,
+        .rows = copy_rows,
+        .choose = choose,
+        .release = release,
+        .describe = describe,
     };
     return (struct hid_device_list){ .ops = &ops, .self = device_list };
 }

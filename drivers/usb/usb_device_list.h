@@ -8,10 +8,11 @@
 #define KINGYO_DRIVERS_USB_USB_DEVICE_LIST_H
 
 #include <stdatomic.h>
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "drivers/hid/hid_device_list.h"
-#include "drivers/usb/triple_buffer.h"
+#include "drivers/hid/hid_port.h"
 #include "drivers/usb/usb_choice.h"
 
 struct usb_device_table {
@@ -27,15 +28,15 @@ struct usb_device_table {
 void usb_device_table_init(struct usb_device_table *rows);
 
 /* Assigns a row to a new controller, with the state CONTROLLER_FREE, or CONTROLLER_UNSUPPORTED if
- * `is_barred` is 1. `is_barred` means that the kiosk must not use the controller, for example a
+ * `is_barred` is true. `is_barred` means that the kiosk must not use the controller, for example a
  * keyboard. Returns the row, or CONTROLLER_MAX if there is none.
  *
  * The first choice is the row of the same controller if the controller was lost. The next choices
  * are an empty row, a row with CONTROLLER_UNSUPPORTED, and the row of a different lost controller.
- * If `is_barred` is 1, the controller gets an empty row only while more than POI_MAX rows are
+ * If `is_barred` is true, the controller gets an empty row only while more than POI_MAX rows are
  * empty. */
 uint32_t usb_device_table_enter(struct usb_device_table *rows, const struct hid_identity *identity,
-                                int is_barred);
+                                bool is_barred);
 
 /* Returns the row of the controller with exactly this identity, whether present or lost, or
  * CONTROLLER_MAX if there is none. */
@@ -53,12 +54,12 @@ void usb_device_table_clear(struct usb_device_table *rows, uint32_t index);
 /* Command of the operator. The identity is copied, because the rows can change before the command
  * is executed. */
 struct usb_command {
-    uint8_t plays; /* 1 if the controller is selected to play, 0 if it is released. */
+    bool plays; /* True if the controller is selected to play, false if it is released. */
     struct hid_identity identity;
 };
 
 struct usb_device_list {
-    struct triple_buffer mail;
+    struct triple_buffer newest; /* Triple buffer for `rows`. */
     struct usb_device_table rows[TRIPLE_BUFFER_SLOTS];
     atomic_uint pushed, taken; /* Number of queued commands and number of executed commands, each
                                   since usb_device_list_init(). */
@@ -74,9 +75,9 @@ void usb_device_list_init(struct usb_device_list *device_list, void (*wake)(void
 /* Copies and publishes `rows`. Called only by the event thread. */
 void usb_device_list_publish(struct usb_device_list *device_list,
                              const struct usb_device_table *rows);
-/* Takes the next command. Called only by the event thread. Returns 1 and fills `out`, or returns 0
- * if there is no command. */
-int usb_device_list_take_command(struct usb_device_list *device_list, struct usb_command *out);
+/* Takes the next command. Called only by the event thread. Returns true and fills `out`, or returns
+ * false if there is no command. */
+bool usb_device_list_take_command(struct usb_device_list *device_list, struct usb_command *out);
 
 /* Copies the keys of the selected controllers and returns their number. Called only by the frame
  * loop. */

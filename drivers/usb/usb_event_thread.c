@@ -1,17 +1,18 @@
-/* usb_event_thread.c -- the main loop of the USB event thread, and its start and stop. */
+/* usb_event_thread.c -- the main loop of the USB event thread, and the start and stop of the
+ * transport. */
 #include "drivers/usb/usb_event_thread.h"
 
 #include <errno.h>
 #include <sched.h>
-#include <signal.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/eventfd.h>
 #include <unistd.h>
 
 #include "core/base/panic.h"
+#include "drivers/usb/usb_transport.h"
+#include "platform/os/thread.h"
 
-#define NS_PER_MS 1000000ull
 /* Longest wait of the event thread in ms while no output report is being sent. */
 #define IDLE_MS 1000
 /* Longest wait of the event thread in ms while an output report is being sent. */
@@ -19,7 +20,8 @@
 /* Longest time in ns to wait for cancelled transfers when the event thread ends. */
 #define LAST_WAIT_NS 2000000000ull
 
-void usb_event_thread_wake(void *self)
+/* Wakes the event thread. May be called from any thread and does not block. */
+static void wake(void *self)
 {
     const struct usb_event_thread *usb_thread = self;
     const uint64_t one = 1;
@@ -35,13 +37,13 @@ static void LIBUSB_CALL on_fd_added(int fd, short events, void *self)
 {
     (void)fd;
     (void)events;
-    ((struct usb_event_thread *)self)->fds_changed = 1;
+    ((struct usb_event_thread *)self)->fds_changed = true;
 }
 
 static void LIBUSB_CALL on_fd_removed(int fd, void *self)
 {
     (void)fd;
-    ((struct usb_event_thread *)self)->fds_changed = 1;
+    ((struct usb_event_thread *)self)->fds_changed = true;
 }
 
 /* Waits for events and lets libusb handle them. libusb calls the callbacks here, and also inside
@@ -54,7 +56,7 @@ static void wait_and_handle(struct usb_event_thread *usb_thread)
     uint64_t count;
     if (usb_thread->fds_changed) {
         const struct libusb_pollfd **list = libusb_get_pollfds(usb_thread->context);
-        usb_thread->fds_changed = 0;
+        usb_thread->fds_changed = false;
         usb_thread->fd[0] = (struct pollfd){ .fd = usb_thread->wake_fd, .events = POLLIN };
         usb_thread->fd_count = 1;
         for (uint32_t i = 0; list && list[i] && usb_thread->fd_count < USB_FD_MAX; i++) {
@@ -63,14 +65,14 @@ static void wait_and_handle(struct usb_event_thread *usb_thread)
         }
         libusb_free_pollfds(list);
     }
-    int sending = 0;
+    bool is_sending = false;
     for (uint32_t i = 0; i < USB_LINK_MAX; i++) {
-        sending |= usb_thread->link[i].out.is_submitted;
+        is_sending |= usb_thread->link[i].transfer[USB_OUT_TRANSFER].is_submitted;
     }
     const uint64_t due_ns = usb_event_thread_due_ns(usb_thread),
                    now_ns = hal_now_ns(usb_thread->clock);
     const uint64_t left_ms = due_ns <= now_ns ? 0 : (due_ns - now_ns) / NS_PER_MS + 1u;
-    const uint64_t most_ms = sending ? BUSY_MS : IDLE_MS;
+    const uint64_t most_ms = is_sending ? BUSY_MS : IDLE_MS;
     if (poll(usb_thread->fd, usb_thread->fd_count, (int)(left_ms < most_ms ? left_ms : most_ms)) >
             0 &&
         (usb_thread->fd[0].revents & POLLIN)) {
@@ -90,26 +92,27 @@ static int LIBUSB_CALL on_hotplug(libusb_context *context, libusb_device *device
     (void)context;
     (void)device;
     (void)event;
-    ((struct usb_event_thread *)self)->bus_changed = 1;
+    ((struct usb_event_thread *)self)->bus_changed = true;
     return 0;
 }
 
-static int has_open_link(const struct usb_event_thread *usb_thread)
+static bool has_open_link(const struct usb_event_thread *usb_thread)
 {
-    int open = 0;
     for (uint32_t i = 0; i < USB_LINK_MAX; i++) {
-        open |= usb_thread->link[i].state != USB_TRANSFERS_NONE;
+        if (usb_thread->link[i].state != USB_TRANSFERS_NONE) {
+            return true;
+        }
     }
-    return open;
+    return false;
 }
 
-/* Cancels all transfers, waits until they return, and closes all devices. */
+/* Cancels all transfers, waits until all transfers have returned, and closes all devices. */
 static void close_all(struct usb_event_thread *usb_thread)
 {
     usb_thread->compare_ns = UINT64_MAX;
     for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
         if (usb_thread->entry[i].device.device) {
-            usb_event_thread_detach(usb_thread, &usb_thread->entry[i], 0);
+            usb_event_thread_detach(usb_thread, &usb_thread->entry[i], false);
             usb_device_remove(&usb_thread->entry[i].device);
         }
     }
@@ -135,8 +138,8 @@ static void *usb_event_thread_main(void *self)
     const struct sched_param first = { .sched_priority = 1 };
     pthread_setschedparam(pthread_self(), SCHED_RR, &first);
     libusb_set_pollfd_notifiers(usb_thread->context, on_fd_added, on_fd_removed, usb_thread);
-    /* The hot-plug callback is registered before the first comparison, so that no device is missed
-     * between them. */
+    /* The hot-plug callback is registered before the first comparison, so that no device that
+     * arrives in between is missed. */
     const int events = LIBUSB_HOTPLUG_EVENT_DEVICE_ARRIVED | LIBUSB_HOTPLUG_EVENT_DEVICE_LEFT;
     usb_thread->has_hotplug =
         libusb_has_capability(LIBUSB_CAP_HAS_HOTPLUG) &&
@@ -144,7 +147,7 @@ static void *usb_event_thread_main(void *self)
                                          LIBUSB_HOTPLUG_MATCH_ANY, LIBUSB_HOTPLUG_MATCH_ANY,
                                          LIBUSB_HOTPLUG_MATCH_ANY, on_hotplug, usb_thread,
                                          &usb_thread->hotplug) == LIBUSB_SUCCESS;
-    usb_thread->bus_changed = 1;
+    usb_thread->bus_changed = true;
     while (!atomic_load(&usb_thread->stop)) {
         usb_event_thread_handle_commands(usb_thread);
         usb_event_thread_compare(usb_thread);
@@ -162,6 +165,8 @@ static void *usb_event_thread_main(void *self)
 
 /* ---- Start and stop ------------------------------------------------------------------------- */
 
+static struct usb_event_thread one;
+
 static void free_links(struct usb_event_thread *usb_thread)
 {
     for (uint32_t i = 0; i < USB_LINK_MAX; i++) {
@@ -169,82 +174,111 @@ static void free_links(struct usb_event_thread *usb_thread)
     }
 }
 
-/* Signals that the kernel sends to a thread because of an error in this thread, such as an invalid
- * memory access. */
-static const int panics[] = { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT };
-
-/* Starts the event thread. The signals in `panics` are not blocked in the thread. All other signals
- * are blocked, because the main thread handles them. */
-static int start_thread(struct usb_event_thread *usb_thread)
+/* Opens libusb and starts the thread. Returns true, or false with one line in `why`. */
+static bool begin(struct usb_event_thread *usb_thread, char why[HAL_TEXT_SIZE])
 {
-    sigset_t all, before;
-    sigfillset(&all);
-    for (size_t i = 0; i < sizeof panics / sizeof panics[0]; i++) {
-        /* A blocked fault signal would end the process without a stack trace. */
-        sigdelset(&all, panics[i]);
-    }
-    pthread_sigmask(SIG_SETMASK, &all, &before);
-    const int error = pthread_create(&usb_thread->thread, NULL, usb_event_thread_main, usb_thread);
-    pthread_sigmask(SIG_SETMASK, &before, NULL);
-    return error;
-}
-
-int usb_event_thread_begin(struct usb_event_thread *usb_thread, char why[HAL_TEXT_SIZE])
-{
-    CORE_ASSERT(usb_thread->clock.ops);
-    CORE_ASSERT(usb_thread->sysfs && usb_thread->choices_path);
-    usb_device_table_init(&usb_thread->rows);
-    usb_device_list_init(&usb_thread->device_list, usb_event_thread_wake, usb_thread);
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        usb_slot_init(&usb_thread->seat[i], usb_event_thread_wake, usb_thread);
-    }
-    for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
-        usb_thread->entry[i].device.device = NULL;
-    }
-    usb_thread->fds_changed = usb_thread->rows_changed = 1;
-    atomic_store(&usb_thread->stop, 0);
-    /* The rows and keys are published before the thread starts, because other drivers already read
-     * the selected controllers. */
-    usb_event_thread_publish(usb_thread);
-    usb_thread->rows_changed = 1;
+    CORE_ASSERT(!usb_thread->is_running);
     usb_thread->wake_fd = eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC);
     if (usb_thread->wake_fd < 0) {
         snprintf(why, HAL_TEXT_SIZE, "no USB: %s", strerror(errno));
-        return -1;
+        return false;
     }
     const int error = libusb_init(&usb_thread->context);
     if (error) {
-        snprintf(why, HAL_TEXT_SIZE, "no USB: libusb says %s; is /dev/bus/usb there?",
+        snprintf(why, HAL_TEXT_SIZE, "no USB: libusb reports %s; check that /dev/bus/usb exists",
                  libusb_error_name(error));
         close(usb_thread->wake_fd);
-        return -1;
+        return false;
     }
     int no_memory = 0;
     for (uint32_t i = 0; i < USB_LINK_MAX; i++) {
         no_memory |= usb_transfers_init(&usb_thread->link[i], usb_thread->clock);
     }
-    if (no_memory || start_thread(usb_thread)) {
-        snprintf(why, HAL_TEXT_SIZE, "no USB: no memory for it");
+    if (no_memory || thread_start(&usb_thread->thread, usb_event_thread_main, usb_thread)) {
+        snprintf(why, HAL_TEXT_SIZE, "no USB: not enough memory");
         free_links(usb_thread);
         libusb_exit(usb_thread->context);
         close(usb_thread->wake_fd);
-        return -1;
+        return false;
     }
-    return 0;
+    return true;
+}
+
+struct usb_event_thread *usb_transport_start(const struct usb_transport_config *config,
+                                             char why[HAL_TEXT_SIZE])
+{
+    CORE_ASSERT(config->clock.ops);
+    struct usb_evaluation *evaluation = &one.evaluation;
+    memset(&one, 0, sizeof one);
+    why[0] = '\0';
+    one.clock = config->clock;
+    one.tell = config->tell;
+    one.tell_self = config->tell_self;
+    snprintf(one.choices_path, sizeof one.choices_path, "%s",
+             config->choices ? config->choices : "");
+    snprintf(evaluation->sysfs, sizeof evaluation->sysfs, "%s",
+             config->sysfs ? config->sysfs : "/sys");
+    one.is_unread = usb_choice_load(&evaluation->choice, one.choices_path, why) < 0;
+    for (uint32_t i = 0; i < config->listed_count; i++) {
+        usb_choice_request(&evaluation->choice, &config->listed[i], true, false);
+    }
+    usb_device_table_init(&one.rows);
+    usb_device_list_init(&one.device_list, wake, &one);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        hid_port_init(&one.port[i], wake, &one);
+    }
+    one.fds_changed = one.rows_changed = true;
+    /* The rows and keys are published before the thread starts, because other drivers already read
+     * the selected controllers. */
+    usb_event_thread_publish(&one);
+    one.rows_changed = true;
+    one.is_running = begin(&one, why);
+    if (!one.is_running) {
+        /* An empty device list is published with the reason why USB is not available. */
+        for (uint32_t i = 0; i < POI_MAX; i++) {
+            one.port[i].is_unusable = true;
+        }
+        snprintf(one.rows.text, sizeof one.rows.text, "%s", why);
+        one.rows.wanted_count = 0; /* No keys are published, so that other drivers may use the
+                                      selected controllers. */
+        usb_device_list_publish(&one.device_list, &one.rows);
+    }
+    return &one;
+}
+
+struct hid_port *usb_transport_port(struct usb_event_thread *usb_thread, uint32_t index)
+{
+    CORE_ASSERT(index < POI_MAX);
+    return &usb_thread->port[index];
+}
+
+struct hid_device_list usb_transport_list(struct usb_event_thread *usb_thread)
+{
+    return usb_device_list_device(&usb_thread->device_list);
+}
+
+uint32_t usb_transport_wanted(struct usb_event_thread *usb_thread,
+                              struct usb_key out[USB_REQUEST_MAX])
+{
+    return usb_device_list_wanted(&usb_thread->device_list, out);
 }
 
 /* Stops the event thread. If a transfer never returned from the kernel, the memory of libusb and of
  * the transfers is not freed, because freeing memory that the kernel still uses would be worse than
  * a leak. */
-void usb_event_thread_end(struct usb_event_thread *usb_thread)
+void usb_transport_stop(struct usb_event_thread *usb_thread)
 {
+    if (!usb_thread->is_running) {
+        return;
+    }
     CORE_ASSERT(usb_thread->context);
     atomic_store(&usb_thread->stop, 1);
-    usb_event_thread_wake(usb_thread);
+    wake(usb_thread);
     pthread_join(usb_thread->thread, NULL);
     if (!has_open_link(usb_thread)) {
         free_links(usb_thread);
         libusb_exit(usb_thread->context);
     }
     close(usb_thread->wake_fd);
+    usb_thread->is_running = false;
 }

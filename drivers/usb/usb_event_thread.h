@@ -1,23 +1,25 @@
-/* usb_event_thread.h -- the USB event thread, which waits for transfers and hot-plug events.
+/* usb_event_thread.h -- the state of the USB event thread, which waits for transfers and hot-plug
+ * events.
  *
  * A hot-plug callback only records that the bus changed. The thread then compares libusb's device
  * list with its own table (usb_event_thread_bus.c). The thread opens controllers that may play and
  * closes those that are missing (usb_event_thread_slots.c). A link is the set of transfers of one
- * open controller (usb_transfers.h). */
+ * open controller (usb_transfers.h). Only the usb_event_thread*.c files use this header. All other
+ * code uses usb_transport.h. */
 #ifndef KINGYO_DRIVERS_USB_USB_EVENT_THREAD_H
 #define KINGYO_DRIVERS_USB_USB_EVENT_THREAD_H
 
 #include <poll.h>
 #include <pthread.h>
 #include <stdatomic.h>
+#include <stdbool.h>
 #include <stdint.h>
 
 #include <libusb.h>
 
-#include "drivers/usb/usb_device_list.h"
 #include "drivers/usb/usb_choice.h"
 #include "drivers/usb/usb_device.h"
-#include "drivers/usb/usb_slot.h"
+#include "drivers/usb/usb_device_list.h"
 #include "drivers/usb/usb_transfers.h"
 
 /* Largest number of HID devices in the table. If the table is full, a device that may not be
@@ -28,20 +30,21 @@
 /* Largest number of file descriptors: two of libusb, one for each link, and `wake_fd`. */
 #define USB_FD_MAX 16u
 #define USB_INDEX_NONE UINT32_MAX
+/* Size of a path buffer, which is large enough for a data folder and a file name. */
+#define USB_PATH_SIZE 1100u
 
 /* Entry of the device table: a device on the bus and its state. */
 struct usb_device_entry {
     struct usb_device device; /* The USB device of the entry. A null `device.device` means that the
                                  entry is empty. */
-    uint8_t trouble; /* `trouble` is the current fault of the device (enum usb_device_fault).
-                        `told_trouble` is the fault that was reported last. */
-    uint8_t told_trouble;
-    uint8_t failures; /* Number of consecutive attempts to open the device without a response. Each
-                         of these attempts blocked the event thread. */
-    uint8_t is_seen;  /* 1 if the current comparison with the bus found the device, otherwise 0. */
+    uint8_t trouble;          /* Current fault of the device (enum usb_device_fault). */
+    uint8_t told_trouble; /* Fault of the device that was reported last (enum usb_device_fault). */
+    uint8_t failures;     /* Number of consecutive attempts to open the device to which the
+                             device did not respond. Each such attempt blocked the event thread. */
+    bool is_seen;         /* True if the current comparison with the bus found the device. */
     /* Indexes of the device's row, link and slot. USB_INDEX_NONE means none. For `row`,
      * CONTROLLER_MAX means none too. */
-    uint32_t row, link, seat;
+    uint32_t row, link, slot;
     uint32_t drains; /* Index of the device's previous link, which may still be closing, or
                         USB_INDEX_NONE. */
     uint64_t met_ns; /* Time at which the device was added to the table. */
@@ -50,28 +53,27 @@ struct usb_device_entry {
 
 struct usb_event_thread {
     struct hal_clock clock;
-    const char *sysfs;
-    const char *choices_path; /* Path of the file of rules; "" means that the rules are not
-                                 stored. */
-    uint8_t is_unread;        /* 1 if the file of rules exists but could not be read, otherwise
-                                 0. */
-    /* Callback for error messages, which receives one line for each error; may be null. */
+    char choices_path[USB_PATH_SIZE]; /* Path of the file of rules. "" means that the rules are not
+                                         stored. */
+    bool is_unread;                   /* True if the file of rules exists but could not be read. */
+    /* Callback for error messages, which receives one line for each error. The callback may be
+     * null. */
     void (*tell)(void *self, const char *line);
     void *tell_self;
-    struct usb_choice choice;
 
-    /* The event thread and the frame loop share the fields from `seat` to `wake_fd`. */
-    struct usb_slot seat[POI_MAX];
+    /* The event thread and the frame loop share the fields from `port` to `wake_fd`. */
+    struct hid_port port[POI_MAX]; /* Port of each slot. */
     struct usb_device_list device_list;
     atomic_int stop;
     int wake_fd;
 
+    bool is_running; /* True while the thread exists. Only the frame loop uses this field. */
     /* Only the event thread uses the fields from `thread` on. */
     pthread_t thread;
     libusb_context *context;
     libusb_hotplug_callback_handle hotplug;
-    uint8_t has_hotplug;
-    uint8_t bus_changed, fds_changed, rows_changed;
+    bool has_hotplug;
+    bool bus_changed, fds_changed, rows_changed;
     uint64_t compare_ns; /* Time of the next comparison of the bus with the device table. A hot-plug
                             event causes an earlier comparison. */
     uint64_t settled_ns; /* Time until which the comparisons with the bus are repeated at short
@@ -83,20 +85,9 @@ struct usb_event_thread {
     struct usb_place place[POI_MAX];
     uint64_t lost_ns[POI_MAX]; /* Time at which each slot became vacant. */
     struct usb_device_table rows;
-    struct hid_descriptor scratch;
+    struct usb_evaluation evaluation; /* Rules of the operator, and the data for evaluating a
+                                         device. */
 };
-
-/* Starts the thread. Returns 0, or -1 with one line in `why`. The caller must have set the fields
- * from `clock` to `choice`. `usb_thread` must stay valid until usb_event_thread_end() returns. */
-int usb_event_thread_begin(struct usb_event_thread *usb_thread, char why[HAL_TEXT_SIZE]);
-
-/* Stops the thread and closes all devices. Waits at most two seconds for transfers. */
-void usb_event_thread_end(struct usb_event_thread *usb_thread);
-
-/* Wakes the event thread. May be called from any thread and does not block. */
-void usb_event_thread_wake(void *self);
-
-/* ---- Functions for the usb_event_thread*.c files only ---- */
 
 /* Compares the bus with the device table if a comparison is due. Adds new devices to the table and
  * removes missing devices. */
@@ -114,20 +105,20 @@ void usb_event_thread_handle_commands(struct usb_event_thread *usb_thread);
 void usb_event_thread_update_row(struct usb_event_thread *usb_thread,
                                  struct usb_device_entry *entry, uint8_t state);
 
-/* Detaches a device from its slot. `is_gone` is 1 if the device was unplugged, otherwise 0. */
+/* Detaches a device from its slot. `is_gone` is true if the device was unplugged. */
 void usb_event_thread_detach(struct usb_event_thread *usb_thread, struct usb_device_entry *entry,
-                             int is_gone);
+                             bool is_gone);
 
 /* Returns the time at which usb_event_thread_compare() or usb_event_thread_service() must be called
  * next. */
 uint64_t usb_event_thread_due_ns(const struct usb_event_thread *usb_thread);
 
-/* Passes the fault of a table entry to the callback `tell`. Each new fault is passed once. */
+/* Calls the callback `tell` with the fault of a table entry. Each new fault is reported once. */
 void usb_event_thread_report_fault(struct usb_event_thread *usb_thread,
                                    struct usb_device_entry *entry);
 
-/* Publishes the rows of the device list and the keys of the selected controllers, if they
- * changed. */
+/* If the rows of the device list or the keys of the selected controllers changed, publishes these
+ * rows and keys. */
 void usb_event_thread_publish(struct usb_event_thread *usb_thread);
 
 #endif

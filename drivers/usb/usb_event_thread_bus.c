@@ -1,15 +1,13 @@
 /* usb_event_thread_bus.c -- compares the bus with the device table, executes commands, and
  * publishes the rows. */
+#include "drivers/usb/usb_event_thread.h"
+
 #include <stdio.h>
 #include <string.h>
 
 #include "core/base/panic.h"
-#include "drivers/usb/usb_choice.h"
-#include "drivers/usb/usb_event_thread.h"
 
-#define NS_PER_MS 1000000ull
-/* Time in ns after the last bus change. After this time even devices on slow hubs are
- * configured. */
+/* Time in ns after the last bus change at which even devices on slow hubs are configured. */
 #define SETTLE_NS (2000u * NS_PER_MS)
 #define AGAIN_NS (100u * NS_PER_MS)
 /* Interval of the comparisons with the bus if libusb does not support hot-plug events. */
@@ -33,16 +31,17 @@ static void remove_table_entry(struct usb_event_thread *usb_thread, struct usb_d
 {
     CORE_ASSERT(entry->device.device);
     CORE_ASSERT(entry->link == USB_INDEX_NONE || entry->link < USB_LINK_MAX);
-    usb_event_thread_detach(usb_thread, entry, 1);
+    usb_event_thread_detach(usb_thread, entry, true);
     if (entry->row < CONTROLLER_MAX && usb_thread->rows.row[entry->row].state != CONTROLLER_LOST) {
         usb_device_table_clear(&usb_thread->rows, entry->row);
     }
-    usb_thread->rows_changed = 1;
+    usb_thread->rows_changed = true;
     usb_device_remove(&entry->device);
 }
 
-/* Returns an empty entry. If the table is full, a device that may be claimed replaces a device with
- * the verdict USB_BARRED. Returns null if there is no room. */
+/* Returns an empty entry of the device table. If the table is full and `verdict` is not USB_BARRED,
+ * removes a device with the verdict USB_BARRED to get an empty entry. Returns null if there is no
+ * room. */
 static struct usb_device_entry *find_room(struct usb_event_thread *usb_thread,
                                           enum usb_verdict verdict)
 {
@@ -58,14 +57,11 @@ static struct usb_device_entry *find_room(struct usb_event_thread *usb_thread,
     return room;
 }
 
-static void meet(struct usb_event_thread *usb_thread, libusb_device *device)
+static void add_device(struct usb_event_thread *usb_thread, libusb_device *device)
 {
     CORE_ASSERT(device);
-    const struct usb_evaluation judge = { .sysfs = usb_thread->sysfs,
-                                          .choice = &usb_thread->choice,
-                                          .scratch = &usb_thread->scratch };
     struct usb_device met;
-    if (usb_device_add(&met, device, &judge)) {
+    if (usb_device_add(&met, device, &usb_thread->evaluation)) {
         return;
     }
     struct usb_device_entry *entry = find_room(usb_thread, met.verdict);
@@ -75,14 +71,14 @@ static void meet(struct usb_event_thread *usb_thread, libusb_device *device)
     }
     const uint64_t now_ns = hal_now_ns(usb_thread->clock);
     *entry = (struct usb_device_entry){ .device = met,
-                                        .is_seen = 1,
+                                        .is_seen = true,
                                         .link = USB_INDEX_NONE,
-                                        .seat = USB_INDEX_NONE,
+                                        .slot = USB_INDEX_NONE,
                                         .drains = USB_INDEX_NONE,
                                         .met_ns = now_ns,
                                         .due_ns = now_ns };
-    /* The row may have belonged to the lost controller of another entry. The other entry then gets
-     * a new row later. */
+    /* The row may have belonged to the lost controller of another table entry. The other entry then
+     * loses the row and gets a new row later. */
     entry->row = usb_device_table_enter(&usb_thread->rows, &entry->device.face.identity,
                                         entry->device.verdict == USB_BARRED);
     for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
@@ -90,7 +86,7 @@ static void meet(struct usb_event_thread *usb_thread, libusb_device *device)
             usb_thread->entry[i].row = USB_INDEX_NONE;
         }
     }
-    usb_thread->rows_changed = 1;
+    usb_thread->rows_changed = true;
 }
 
 /* Compares the bus with the table. Missing devices are removed before new devices are added, so
@@ -104,12 +100,12 @@ static void compare_bus_and_table(struct usb_event_thread *usb_thread)
                    again. */
     }
     for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
-        usb_thread->entry[i].is_seen = 0;
+        usb_thread->entry[i].is_seen = false;
     }
     for (ssize_t i = 0; i < count; i++) {
         struct usb_device_entry *entry = find_entry(usb_thread, list[i]);
         if (entry) {
-            entry->is_seen = 1;
+            entry->is_seen = true;
         }
     }
     for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
@@ -119,7 +115,7 @@ static void compare_bus_and_table(struct usb_event_thread *usb_thread)
     }
     for (ssize_t i = 0; i < count; i++) {
         if (!find_entry(usb_thread, list[i])) {
-            meet(usb_thread, list[i]);
+            add_device(usb_thread, list[i]);
         }
     }
     libusb_free_device_list(list, 1);
@@ -133,7 +129,7 @@ void usb_event_thread_compare(struct usb_event_thread *usb_thread)
 {
     const uint64_t now_ns = hal_now_ns(usb_thread->clock);
     if (usb_thread->bus_changed) {
-        usb_thread->bus_changed = 0;
+        usb_thread->bus_changed = false;
         usb_thread->settled_ns = now_ns + SETTLE_NS;
     } else if (now_ns < usb_thread->compare_ns) {
         return;
@@ -146,17 +142,19 @@ void usb_event_thread_compare(struct usb_event_thread *usb_thread)
 
 /* ---- Commands of the operator --------------------------------------------------------------- */
 
-/* Stores the rules. A file that could not be read is not overwritten, because it contains other
- * rules. */
-static void keep_choices(struct usb_event_thread *usb_thread)
+/* Stores the rules. A file that could not be read is not overwritten, because the file contains
+ * other rules. */
+static void save_choices(struct usb_event_thread *usb_thread)
 {
     char text[HAL_TEXT_SIZE];
-    const int error =
-        usb_thread->is_unread ? 0 : usb_choice_save(&usb_thread->choice, usb_thread->choices_path);
+    const int error = usb_thread->is_unread ? 0
+                                            : usb_choice_save(&usb_thread->evaluation.choice,
+                                                              usb_thread->choices_path);
     if ((usb_thread->is_unread || error) && usb_thread->tell) {
-        snprintf(text, sizeof text, "%.60s: %s%.30s; the choice holds for today",
+        snprintf(text, sizeof text, "%.60s: %s%.30s; the choice is lost when the kiosk ends",
                  usb_thread->choices_path,
-                 usb_thread->is_unread ? "is not written over" : "cannot write: ",
+                 usb_thread->is_unread ? "cannot be read, so it is not overwritten"
+                                       : "cannot write: ",
                  error ? strerror(-error) : "");
         usb_thread->tell(usb_thread->tell_self, text);
     }
@@ -164,21 +162,20 @@ static void keep_choices(struct usb_event_thread *usb_thread)
 
 /* Executes a command. If the product has no serial numbers, the rule applies to all devices of the
  * product, but devices that already play continue to play. */
-static void obey(struct usb_event_thread *usb_thread, const struct usb_command *order)
+static void execute(struct usb_event_thread *usb_thread, const struct usb_command *order)
 {
-    CORE_ASSERT(order->plays <= 1);
     const struct usb_key key = usb_key_of(&order->identity);
-    usb_choice_request(&usb_thread->choice, &key, order->plays, 1);
-    keep_choices(usb_thread);
+    usb_choice_request(&usb_thread->evaluation.choice, &key, order->plays, true);
+    save_choices(usb_thread);
     for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
         struct usb_device_entry *entry = &usb_thread->entry[i];
         if (!entry->device.device) {
             continue;
         }
-        const int is_meant =
+        const bool is_meant =
             usb_choice_similarity(&entry->device.face.identity, &order->identity) >= 2u;
         if (is_meant && !order->plays) {
-            usb_event_thread_detach(usb_thread, entry, 0);
+            usb_event_thread_detach(usb_thread, entry, false);
             usb_event_thread_update_row(usb_thread, entry, CONTROLLER_FREE);
         }
         entry->due_ns =
@@ -192,42 +189,41 @@ static void obey(struct usb_event_thread *usb_thread, const struct usb_command *
             struct usb_place *place = &usb_thread->place[i];
             if (place->was_taken && !place->is_taken &&
                 usb_choice_similarity(&place->identity, &order->identity) >= 2u) {
-                place->was_taken = 0;
+                place->was_taken = false;
             }
         }
         if (row < CONTROLLER_MAX && usb_thread->rows.row[row].state == CONTROLLER_LOST) {
             usb_device_table_clear(&usb_thread->rows, row);
         }
     }
-    usb_thread->rows_changed = 1;
+    usb_thread->rows_changed = true;
 }
 
 void usb_event_thread_handle_commands(struct usb_event_thread *usb_thread)
 {
     struct usb_command order;
     while (usb_device_list_take_command(&usb_thread->device_list, &order)) {
-        obey(usb_thread, &order);
+        execute(usb_thread, &order);
     }
 }
 
 /* ---- Messages for the operator -------------------------------------------------------------- */
 
-/* Returns 1 if the operator must correct the fault, otherwise 0. An unplugged device needs no
- * correction. */
-static int is_in_the_way(const struct usb_device_entry *entry)
+/* Returns true if the operator must correct the fault. An unplugged device needs no correction. */
+static bool needs_operator(const struct usb_device_entry *entry)
 {
     return entry->trouble != USB_FINE && entry->trouble != USB_AWAY;
 }
 
 static void write_trouble(const struct usb_device_entry *entry, char text[HAL_TEXT_SIZE])
 {
-    CORE_ASSERT(is_in_the_way(entry));
+    CORE_ASSERT(needs_operator(entry));
     const struct hid_identity *who = &entry->device.face.identity;
     static const char *const remedies[] = {
-        [USB_DENIED] = "may not be opened: install board/udev/70-kingyo.rules "
-                       "(kingyoctl doctor writes its line)",
-        [USB_HELD] = "is held by another program: end that",
-        [USB_BROKEN] = "does not answer: replug it",
+        [USB_DENIED] = "access denied: install board/udev/70-kingyo.rules "
+                       "(kingyoctl doctor prints its line)",
+        [USB_HELD] = "is in use by another program: stop that program",
+        [USB_BROKEN] = "does not respond: plug it in again",
     };
     snprintf(text, HAL_TEXT_SIZE, "%04x:%04x at USB port %s %s", who->vendor, who->product,
              who->port, remedies[entry->trouble]);
@@ -238,7 +234,7 @@ void usb_event_thread_report_fault(struct usb_event_thread *usb_thread,
 {
     CORE_ASSERT(entry->trouble <= USB_AWAY);
     char text[HAL_TEXT_SIZE];
-    if (usb_thread->tell && is_in_the_way(entry) && entry->trouble != entry->told_trouble) {
+    if (usb_thread->tell && needs_operator(entry) && entry->trouble != entry->told_trouble) {
         write_trouble(entry, text);
         usb_thread->tell(usb_thread->tell_self, text);
     }
@@ -250,7 +246,7 @@ void usb_event_thread_publish(struct usb_event_thread *usb_thread)
     if (!usb_thread->rows_changed) {
         return;
     }
-    usb_thread->rows_changed = 0;
+    usb_thread->rows_changed = false;
     uint32_t here = 0, playing = 0;
     for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
         const struct usb_device_entry *entry = &usb_thread->entry[i];
@@ -260,12 +256,13 @@ void usb_event_thread_publish(struct usb_event_thread *usb_thread)
     CORE_ASSERT(playing <= POI_MAX);
     snprintf(usb_thread->rows.text, sizeof usb_thread->rows.text,
              "libusb: %u controller%s, %u of them play%s", here, here == 1 ? "" : "s", playing,
-             usb_thread->has_hotplug ? "" : "; no hot-plug, looked for once a second");
+             usb_thread->has_hotplug ? "" : "; no hot-plug, searched once per second");
     for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
-        if (usb_thread->entry[i].device.device && is_in_the_way(&usb_thread->entry[i])) {
+        if (usb_thread->entry[i].device.device && needs_operator(&usb_thread->entry[i])) {
             write_trouble(&usb_thread->entry[i], usb_thread->rows.text);
         }
     }
-    usb_thread->rows.wanted_count = usb_choice_wanted(&usb_thread->choice, usb_thread->rows.wanted);
+    usb_thread->rows.wanted_count =
+        usb_choice_wanted(&usb_thread->evaluation.choice, usb_thread->rows.wanted);
     usb_device_list_publish(&usb_thread->device_list, &usb_thread->rows);
 }

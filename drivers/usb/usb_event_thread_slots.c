@@ -1,11 +1,8 @@
 /* usb_event_thread_slots.c -- opens controllers, attaches them to slots, and closes them. */
-#include <stdio.h>
-#include <string.h>
-
-#include "core/base/panic.h"
 #include "drivers/usb/usb_event_thread.h"
 
-#define NS_PER_S 1000000000ull
+#include "core/base/panic.h"
+
 #define SOON_NS (NS_PER_S / 10u)
 /* Interval between two attempts to open a device. In the meantime the operator may change
  * permissions or end another program. */
@@ -16,20 +13,12 @@
 /* Limit of the count of failed attempts to open a device. The interval before the next attempt is
  * 2, 4, 8, 16 and 32 s after the first five failures, then RETRY_NS_MAX after each failure. */
 #define FAILURES_MAX 6u
-/* Time after which a kernel driver has bound a new device and the udev rules have run. */
+/* Longest expected time from the detection of a new device until the kernel has bound a driver to
+ * the device and the udev rules have run. */
 #define SETTLE_NS (2u * NS_PER_S)
-/* Time for which the slot of an unplugged controller is kept for that controller. A game round
- * waits for its controller for the same time. */
+/* Time for which the slot of an unplugged controller is kept for that controller. A game round is
+ * paused for at most the same time while its controller is missing. */
 #define HOLD_NS (POI_WAIT_TICKS_MAX * NS_PER_S / CORE_TICK_HZ)
-
-static struct usb_evaluation judge_of(struct usb_event_thread *usb_thread)
-{
-    return (struct usb_evaluation){
-        .sysfs = usb_thread->sysfs,
-        .choice = &usb_thread->choice,
-        .scratch = &usb_thread->scratch,
-    };
-}
 
 void usb_event_thread_update_row(struct usb_event_thread *usb_thread,
                                  struct usb_device_entry *entry, uint8_t state)
@@ -44,38 +33,38 @@ void usb_event_thread_update_row(struct usb_event_thread *usb_thread,
         struct hid_row *row = &usb_thread->rows.row[entry->row];
         row->identity = entry->device.face.identity;
         row->state = state;
-        row->seat = (uint8_t)(entry->seat < POI_MAX ? entry->seat : POI_MAX);
-        usb_thread->rows_changed = 1;
+        row->slot = (uint8_t)(entry->slot < POI_MAX ? entry->slot : POI_MAX);
+        usb_thread->rows_changed = true;
     }
 }
 
 /* ---- Attaching to slots --------------------------------------------------------------------- */
 
 void usb_event_thread_detach(struct usb_event_thread *usb_thread, struct usb_device_entry *entry,
-                             int is_gone)
+                             bool is_gone)
 {
     if (entry->link == USB_INDEX_NONE) {
         return;
     }
     CORE_ASSERT(entry->link < USB_LINK_MAX);
-    CORE_ASSERT(entry->seat < POI_MAX);
+    CORE_ASSERT(entry->slot < POI_MAX);
     usb_transfers_drain(&usb_thread->link[entry->link], is_gone);
-    usb_thread->place[entry->seat].is_taken = 0;
-    usb_thread->lost_ns[entry->seat] = hal_now_ns(usb_thread->clock);
+    usb_thread->place[entry->slot].is_taken = false;
+    usb_thread->lost_ns[entry->slot] = hal_now_ns(usb_thread->clock);
     usb_event_thread_update_row(usb_thread, entry, CONTROLLER_LOST);
     entry->drains = entry->link;
-    entry->link = entry->seat = USB_INDEX_NONE;
+    entry->link = entry->slot = USB_INDEX_NONE;
     entry->due_ns = hal_now_ns(usb_thread->clock) + SOON_NS;
 }
 
-static void seat_it(struct usb_event_thread *usb_thread, struct usb_device_entry *entry,
-                    libusb_device_handle *handle, uint32_t seat, uint32_t link)
+static void attach_to_slot(struct usb_event_thread *usb_thread, struct usb_device_entry *entry,
+                           libusb_device_handle *handle, uint32_t slot, uint32_t link)
 {
-    CORE_ASSERT(seat < POI_MAX);
+    CORE_ASSERT(slot < POI_MAX);
     CORE_ASSERT(link < USB_LINK_MAX);
     CORE_ASSERT(entry->link == USB_INDEX_NONE);
     CORE_ASSERT(usb_thread->link[link].state == USB_TRANSFERS_NONE);
-    const struct usb_place *place = &usb_thread->place[seat];
+    const struct usb_place *place = &usb_thread->place[slot];
     const uint32_t row = place->was_taken
                              ? usb_device_table_find(&usb_thread->rows, &place->identity)
                              : CONTROLLER_MAX;
@@ -85,55 +74,54 @@ static void seat_it(struct usb_event_thread *usb_thread, struct usb_device_entry
         usb_device_table_clear(&usb_thread->rows, row);
     }
     for (uint32_t i = 0; i < USB_LINK_MAX; i++) {
-        if (usb_thread->link[i].seat == &usb_thread->seat[seat]) {
+        if (usb_thread->link[i].port == &usb_thread->port[slot]) {
             usb_transfers_detach(&usb_thread->link[i]); /* The previous link of the slot is still
                                                            closing and must be detached first. */
         }
     }
-    usb_thread->place[seat] = (struct usb_place){ .was_taken = 1,
-                                                  .is_taken = 1,
+    usb_thread->place[slot] = (struct usb_place){ .was_taken = true,
+                                                  .is_taken = true,
                                                   .identity = entry->device.face.identity };
-    entry->seat = seat;
+    entry->slot = slot;
     entry->link = link;
-    usb_slot_attach(&usb_thread->seat[seat], &entry->device.face);
+    hid_port_attach(&usb_thread->port[slot], &entry->device.face);
     usb_transfers_begin(&usb_thread->link[link], handle, &entry->device.pipe,
-                        &usb_thread->seat[seat]);
+                        &usb_thread->port[slot]);
     usb_event_thread_update_row(usb_thread, entry, CONTROLLER_ACTIVE);
 }
 
 /* ---- Examining and opening of devices ------------------------------------------------------- */
 
-static void open_it(struct usb_event_thread *usb_thread, struct usb_device_entry *entry)
+static void open_device(struct usb_event_thread *usb_thread, struct usb_device_entry *entry)
 {
     CORE_ASSERT(entry->link == USB_INDEX_NONE);
     CORE_ASSERT(entry->failures <= FAILURES_MAX);
-    const struct usb_evaluation judge = judge_of(usb_thread);
     const uint64_t now_ns = hal_now_ns(usb_thread->clock);
     libusb_device_handle *handle;
     uint32_t link = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         usb_thread->place[i].is_held = now_ns - usb_thread->lost_ns[i] < HOLD_NS;
     }
-    const uint32_t seat = usb_choice_slot(usb_thread->place, &entry->device.face.identity);
+    const uint32_t slot = usb_choice_slot(usb_thread->place, &entry->device.face.identity);
     while (link < USB_LINK_MAX && usb_thread->link[link].state != USB_TRANSFERS_NONE) {
         link++;
     }
-    if (seat >= POI_MAX || link == USB_LINK_MAX) {
+    if (slot >= POI_MAX || link == USB_LINK_MAX) {
         usb_event_thread_update_row(usb_thread, entry, CONTROLLER_FREE);
         entry->due_ns = hal_now_ns(usb_thread->clock) + RETRY_NS;
         return;
     }
-    entry->trouble = (uint8_t)usb_device_open(&entry->device, &judge, &handle);
+    entry->trouble = (uint8_t)usb_device_open(&entry->device, &usb_thread->evaluation, &handle);
     entry->failures = (uint8_t)(entry->trouble != USB_BROKEN     ? 0u
                                 : entry->failures < FAILURES_MAX ? entry->failures + 1u
                                                                  : FAILURES_MAX);
     if (handle) {
         entry->told_trouble = USB_FINE;
-        seat_it(usb_thread, entry, handle, seat, link);
+        attach_to_slot(usb_thread, entry, handle, slot, link);
     } else if (entry->trouble != USB_FINE) {
-        const int is_denied = entry->trouble == USB_DENIED || entry->trouble == USB_HELD;
-        const int was_lost = entry->row < CONTROLLER_MAX &&
-                             usb_thread->rows.row[entry->row].state == CONTROLLER_LOST;
+        const bool is_denied = entry->trouble == USB_DENIED || entry->trouble == USB_HELD;
+        const bool was_lost = entry->row < CONTROLLER_MAX &&
+                              usb_thread->rows.row[entry->row].state == CONTROLLER_LOST;
         const uint64_t wait_ns = RETRY_NS << (entry->failures > 0u ? entry->failures - 1u : 0u);
         usb_event_thread_report_fault(usb_thread, entry);
         usb_event_thread_update_row(usb_thread, entry,
@@ -149,15 +137,14 @@ static void open_it(struct usb_event_thread *usb_thread, struct usb_device_entry
     }
 }
 
-static void look_at(struct usb_event_thread *usb_thread, struct usb_device_entry *entry)
+static void examine(struct usb_event_thread *usb_thread, struct usb_device_entry *entry)
 {
     CORE_ASSERT(entry->device.device);
-    const struct usb_evaluation judge = judge_of(usb_thread);
-    usb_device_refresh(&entry->device, &judge);
+    usb_device_refresh(&entry->device, &usb_thread->evaluation);
     /* /sys has no report descriptor until a kernel driver binds the device. After SETTLE_NS no
      * driver is expected to bind the device. */
     const uint64_t now_ns = hal_now_ns(usb_thread->clock);
-    const int is_unknown = entry->device.kind == USB_KIND_UNKNOWN;
+    const bool is_unknown = entry->device.kind == USB_KIND_UNKNOWN;
     entry->due_ns =
         is_unknown && now_ns - entry->met_ns < SETTLE_NS ? now_ns + SOON_NS : UINT64_MAX;
     if (entry->device.verdict <= USB_FREE) {
@@ -171,14 +158,14 @@ static void look_at(struct usb_event_thread *usb_thread, struct usb_device_entry
         usb_event_thread_update_row(usb_thread, entry, CONTROLLER_FREE);
         break;
     default:
-        open_it(usb_thread, entry);
+        open_device(usb_thread, entry);
     }
 }
 
-/* Returns 1 while the previous handle of the device is open, otherwise 0. The interface cannot be
- * claimed again until the handle is closed. */
-static int is_draining(const struct usb_event_thread *usb_thread,
-                       const struct usb_device_entry *entry)
+/* Returns true while the previous handle of the device is open. The interface cannot be claimed
+ * again until the handle is closed. */
+static bool is_draining(const struct usb_event_thread *usb_thread,
+                        const struct usb_device_entry *entry)
 {
     CORE_ASSERT(entry->drains == USB_INDEX_NONE || entry->drains < USB_LINK_MAX);
     return entry->drains != USB_INDEX_NONE &&
@@ -196,7 +183,7 @@ void usb_event_thread_service(struct usb_event_thread *usb_thread)
             usb_transfers_send(&usb_thread->link[entry->link]);
         } else if (!is_draining(usb_thread, entry) &&
                    hal_now_ns(usb_thread->clock) >= entry->due_ns) {
-            look_at(usb_thread, entry);
+            examine(usb_thread, entry);
         }
     }
     for (uint32_t i = 0; i < USB_LINK_MAX; i++) {

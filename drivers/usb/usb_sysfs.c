@@ -80,7 +80,8 @@ void usb_sysfs_node_serial(const char *root, const char *node, char out[HID_TEXT
     }
     char *last;
     while ((last = strrchr(folder, '/')) != NULL && last != folder) {
-        *last = '\0'; /* The folder above is examined next. */
+        /* Continue with the parent folder. */
+        *last = '\0';
         snprintf(path, sizeof path, "%s/idVendor", folder);
         if (access(path, F_OK) == 0) {
             snprintf(path, sizeof path, "%s/serial", folder);

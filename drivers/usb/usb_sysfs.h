@@ -11,6 +11,9 @@
 
 #include "drivers/hid/hid_port.h"
 
+/* Size of the buffer for the path of the root of sysfs. */
+#define USB_SYSFS_PATH_SIZE 1100u
+
 /* Reads the text `name` ("serial", "product" or "manufacturer") of the device at `port`, such as
  * "3-1.4". The result is "" if there is no such text. Bytes that are not printable UTF-8 become
  * '?'. A long text is truncated between two characters. */
