@@ -13,6 +13,9 @@
 #define CLOCK_FIRST_YEAR 2026
 #define CLOCK_LAST_YEAR 2178
 
+/* Returns the time of `clock` in nanoseconds. Async-signal-safe. */
+uint64_t clock_ns(clockid_t clock);
+
 /* Returns the HAL device of the machine's clocks. */
 struct hal_clock clock_device(void);
 

@@ -2,8 +2,10 @@
 #include "platform/os/file.h"
 
 #include <assert.h>
+#include <ctype.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <libgen.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/file.h>
@@ -12,15 +14,14 @@
 
 /* ---- Regular files --------------------------------------------------------------------------- */
 
-/* Flags that are added to every open() of a regular file. */
-#define ADDED_FLAGS (O_NONBLOCK | O_CLOEXEC | O_NOCTTY)
-
-/* Checks the result `handle` of an open with the requested `flags`, and truncates the file for
- * O_TRUNC. Reads the file type from the open descriptor, so that no other file can take its place
- * between the check and the use. Returns `handle`, or closes it and returns -1 with errno set. */
-static int accept_regular(int handle, int flags)
+/* Opens a file and accepts only a regular file. Truncates the file for O_TRUNC after the check.
+ * Reads the file type from the open descriptor, so that no other file can take its place between
+ * the check and the use. Returns a descriptor, or -1 with errno set. */
+static int open_regular(int folder, const char *path, int flags, mode_t mode)
 {
     struct stat about = { 0 };
+    const int added = O_NONBLOCK | O_CLOEXEC | O_NOCTTY;
+    const int handle = openat(folder, path, (flags & ~O_TRUNC) | added, mode);
     if (handle < 0) {
         errno = errno == ENXIO ? ENOTSUP : errno; /* ENXIO means that the path is a FIFO without a
                                                      reader, a socket, or a device without its
@@ -43,19 +44,38 @@ static int accept_regular(int handle, int flags)
 
 int file_handle_at(int folder, const char *path, int flags, mode_t mode)
 {
-    const int own = (flags & ~O_TRUNC) | O_NOFOLLOW | ADDED_FLAGS;
-    return accept_regular(openat(folder, path, own, mode), flags);
+    return open_regular(folder, path, flags | O_NOFOLLOW, mode);
 }
 
 int file_handle(const char *path, int flags, mode_t mode)
 {
-    const int own = (flags & ~O_TRUNC) | O_NOFOLLOW | ADDED_FLAGS;
-    return accept_regular(open(path, own, mode), flags);
+    return open_regular(AT_FDCWD, path, flags | O_NOFOLLOW, mode);
 }
 
 int file_user_handle(const char *path, int flags, mode_t mode)
 {
-    return accept_regular(open(path, (flags & ~O_TRUNC) | ADDED_FLAGS, mode), flags);
+    return open_regular(AT_FDCWD, path, flags, mode);
+}
+
+int file_give(const char *path, uid_t owner, gid_t group, mode_t mode)
+{
+    struct stat about;
+    const int handle = file_handle(path, O_RDONLY, 0);
+    if (handle < 0) {
+        return -1;
+    }
+    int result = fstat(handle, &about);
+    if (result == 0 && (about.st_uid != geteuid() || about.st_nlink != 1)) {
+        errno = EPERM;
+        result = -1;
+    }
+    if (result == 0) {
+        result = fchown(handle, owner, group) == 0 ? fchmod(handle, mode) : -1;
+    }
+    const int error = errno;
+    close(handle);
+    errno = error;
+    return result;
 }
 
 /* Open file with a read limit. `left` is the number of bytes that may still be read. */
@@ -110,7 +130,7 @@ FILE *file_open(const char *path, uint32_t size_max)
     return file;
 }
 
-int file_is_other(const char *path)
+bool file_is_other(const char *path)
 {
     struct stat about;
     return lstat(path, &about) == 0 && !S_ISREG(about.st_mode);
@@ -126,8 +146,8 @@ const char *file_error(int error)
 
 /* ---- Lines ----------------------------------------------------------------------------------- */
 
-/* Number of bytes of a bad line that are skipped at most, so that a file of the kernel without an
- * end stops after one bad line. The rest of a longer line is read as the next line. */
+/* Maximum number of bytes that are skipped after the start of a bad line, because a file of the
+ * kernel may have no end. The rest of a longer line is read as the next line. */
 #define SKIP_MAX (1u << 20)
 
 enum file_line file_read_line(FILE *file, char *line, size_t size)
@@ -151,6 +171,40 @@ enum file_line file_read_line(FILE *file, char *line, size_t size)
     }
     line[length] = '\0';
     return ferror(file) ? FILE_LINE_END : result;
+}
+
+char *file_trim(char *text)
+{
+    while (isspace((unsigned char)*text)) {
+        text++;
+    }
+    size_t length = strlen(text);
+    while (length > 0 && isspace((unsigned char)text[length - 1])) {
+        text[--length] = '\0';
+    }
+    return text;
+}
+
+char *file_trim_comment(char *line)
+{
+    for (char *hash = strchr(line, '#'); hash; hash = strchr(hash + 1, '#')) {
+        if (hash == line || isspace((unsigned char)hash[-1])) {
+            *hash = '\0';
+            break;
+        }
+    }
+    return file_trim(line);
+}
+
+char *file_cut_value(char *key)
+{
+    char *equals = strchr(key, '=');
+    if (!equals) {
+        return NULL;
+    }
+    *equals = '\0';
+    file_trim(key);
+    return file_trim(equals + 1);
 }
 
 void file_first_line(const char *path, char *line, size_t size)
@@ -187,14 +241,12 @@ int file_sync_parent(const char *path)
 {
     assert(path);
     char folder[PATH_MAX];
-    const char *slash = strrchr(path, '/');
-    const size_t length = slash ? (size_t)(slash - path) : 0;
-    if (length >= sizeof folder) {
+    const size_t size = strlen(path) + 1u;
+    if (size > sizeof folder) {
         return -ENAMETOOLONG;
     }
-    memcpy(folder, path, length);
-    folder[length] = '\0';
-    const int fd = open(length ? folder : slash ? "/" : ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    memcpy(folder, path, size);
+    const int fd = open(dirname(folder), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (fd < 0) {
         return -errno;
     }
@@ -276,18 +328,6 @@ static int find_place(const char *path, char place[PATH_MAX], mode_t *mode)
     return snprintf(place, PATH_MAX, "%s", path) < PATH_MAX ? 0 : -ENAMETOOLONG;
 }
 
-/* Opens a character device or a pipe. If the pipe has no reader, the open fails with ENXIO instead
- * of blocking. Returns a descriptor or a negative errno. */
-static int open_stream(const char *place)
-{
-    const int fd = open(place, O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
-    if (fd < 0) {
-        return -errno;
-    }
-    fcntl(fd, F_SETFL, fcntl(fd, F_GETFL) & ~O_NONBLOCK);
-    return fd;
-}
-
 static int open_any(struct atomic_file *out, const char *path, bool lasts)
 {
     mode_t mode;
@@ -297,28 +337,34 @@ static int open_any(struct atomic_file *out, const char *path, bool lasts)
     if (error != 0) {
         return error;
     }
-    if (mode == 0) {
-        fd = open_part(out->place, out->part, 0666);
-    } else if (S_ISREG(mode)) {
+    if (mode == 0 || S_ISREG(mode)) {
         /* A file without write permission must not be replaced. */
-        fd = access(out->place, W_OK) != 0 ? -errno : open_part(out->place, out->part, 0666);
-        if (fd >= 0) {
+        if (mode != 0 && access(out->place, W_OK) != 0) {
+            return -errno;
+        }
+        fd = open_part(out->place, out->part, 0666);
+        if (fd < 0) {
+            return fd;
+        }
+        if (mode != 0) {
             fchmod(fd, mode & 0777);
         }
     } else if (lasts || !(S_ISCHR(mode) || S_ISFIFO(mode))) {
-        fd = S_ISDIR(mode) ? -EISDIR : -ENOTSUP;
+        return S_ISDIR(mode) ? -EISDIR : -ENOTSUP;
     } else {
+        /* The path is a character device or a pipe. If the pipe has no reader, the open fails with
+         * ENXIO instead of blocking. */
         out->is_stream = true;
-        fd = open_stream(out->place);
-    }
-    if (fd < 0) {
-        return fd;
+        fd = open(out->place, O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+        if (fd < 0) {
+            return -errno;
+        }
+        fcntl(fd, F_SETFL, fcntl(fd, F_GETFL) & ~O_NONBLOCK);
     }
     out->file = fdopen(fd, "wb");
     if (!out->file) {
-        const int reason = -errno;
         close(fd);
-        return reason;
+        return -ENOMEM;
     }
     return 0;
 }
@@ -364,20 +410,17 @@ int file_make_folder(const char *path)
         return length == 0 ? -ENOENT : -ENAMETOOLONG;
     }
     memcpy(copy, path, length + 1);
-    char *slash = copy;
-    do { /* Creates the folder for each prefix of the path that ends before a slash or at the end of
-            the path. */
-        slash = strchr(slash + 1, '/');
-        if (slash) {
-            *slash = '\0';
+    /* Creates the folder for each prefix of the path that ends before a slash or at the end of the
+     * path. */
+    for (size_t i = 1; i <= length; i++) {
+        if (copy[i] == '/' || copy[i] == '\0') {
+            copy[i] = '\0';
+            if (mkdir(copy, 0755) != 0 && errno != EEXIST) {
+                return -errno;
+            }
+            copy[i] = path[i];
         }
-        if (mkdir(copy, 0755) != 0 && errno != EEXIST) {
-            return -errno;
-        }
-        if (slash) {
-            *slash = '/';
-        }
-    } while (slash);
+    }
     if (stat(path, &status) == 0 && !S_ISDIR(status.st_mode)) {
         return -ENOTDIR;
     }
@@ -387,12 +430,15 @@ int file_make_folder(const char *path)
 int file_lock_folder(const char *path)
 {
     const int handle = open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (handle >= 0 && flock(handle, LOCK_EX | LOCK_NB) != 0) {
+    if (handle < 0) {
+        return -errno;
+    }
+    if (flock(handle, LOCK_EX | LOCK_NB) != 0) {
         const int error = errno;
         close(handle);
         return -error;
     }
-    return handle >= 0 ? handle : -errno;
+    return handle;
 }
 
 void file_default_data(char out[FILE_FOLDER_MAX])

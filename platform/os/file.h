@@ -39,9 +39,16 @@ int file_handle_at(int folder, const char *path, int flags, mode_t mode);
  * user. */
 int file_user_handle(const char *path, int flags, mode_t mode);
 
-/* Returns 1 if `path` is not a regular file, so that file_handle() rejects it. Returns 0 for a
- * regular file, and for a path that does not exist or cannot be examined. */
-int file_is_other(const char *path);
+/* Gives the regular file `path` to the user `owner` and the group `group`, and sets its mode. The
+ * folder of the file may belong to another user, who can replace the file at any time. Therefore
+ * only a file that belongs to the calling user and has no other name is changed, and symbolic links
+ * are not followed. Returns 0. On an error returns -1 and sets errno: EPERM for a file of another
+ * user or with several names, otherwise as file_handle() does. */
+int file_give(const char *path, uid_t owner, gid_t group, mode_t mode);
+
+/* Returns true if `path` is not a regular file, so that file_handle() rejects it. Returns false for
+ * a regular file, and for a path that does not exist or cannot be examined. */
+bool file_is_other(const char *path);
 
 /* Returns strerror(`error`), or a more specific text for ELOOP, ENOTSUP and EFBIG. */
 const char *file_error(int error);
@@ -61,6 +68,18 @@ enum file_line {
  * at least 2. `line` is unchanged if the result is FILE_LINE_END. */
 enum file_line file_read_line(FILE *file, char *line, size_t size);
 
+/* Removes white space at both ends of `text`, in place. Returns the first remaining character. */
+char *file_trim(char *text);
+
+/* Removes the comment and the white space around a line of a configuration file, in place. A '#'
+ * starts a comment only at the start of the line or after white space, because a path may contain
+ * '#'. Returns the first remaining character. */
+char *file_trim_comment(char *line);
+
+/* Splits "KEY = VALUE" at the first '=', in place. Removes the white space behind the key. Returns
+ * the value without the white space around it, or null if the text has no '='. */
+char *file_cut_value(char *key);
+
 /* Reads the first line of the file `path`, which is usually a file of the kernel. Writes "" if the
  * file cannot be opened or is empty. A longer line is cut to `size` - 1 bytes. */
 void file_first_line(const char *path, char *line, size_t size);
@@ -76,9 +95,9 @@ void file_first_line(const char *path, char *line, size_t size);
  * /dev/null or a pipe with a reader is written directly. */
 struct atomic_file {
     FILE *file;
-    bool is_stream; /* True for a terminal, a pipe or /dev/null, which are written without a
-                       temporary file. */
-    bool lasts;
+    bool is_stream;       /* True for a terminal, a pipe or /dev/null, which are written without
+                             a temporary file. */
+    bool lasts;           /* True if file_atomic_close() blocks until the content is on disk. */
     char place[PATH_MAX]; /* Resolved path of the target. */
     char part[PATH_MAX];
 };

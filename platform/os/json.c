@@ -12,8 +12,9 @@
 /* Size of one escaped character: at most six bytes and a terminating zero. */
 #define CHAR_SIZE 7u
 
-/* Writes the first character of `words` in escaped form to `out`. The character must not be a quote
- * or a backslash. Returns the size of the unescaped character in bytes. */
+/* Writes the first character of `words` in escaped form to `out`. A quote or a backslash is copied,
+ * and the caller writes the backslash before it. Returns the size of the unescaped character in
+ * bytes. */
 static uint32_t escape(const char *words, char out[CHAR_SIZE])
 {
     const uint32_t size = printable_utf8_size(words);
@@ -53,12 +54,9 @@ static void put_words(struct json *json, const char *words)
     char one[CHAR_SIZE];
     put_json_text(json, "\"");
     while (*words) {
-        if (words[0] == '"' || words[0] == '\\') {
-            put_json_text(json, "\\%c", *words++);
-        } else {
-            words += escape(words, one);
-            put_json_text(json, "%s", one);
-        }
+        const bool is_marked = words[0] == '"' || words[0] == '\\';
+        words += escape(words, one);
+        put_json_text(json, "%s%s", is_marked ? "\\" : "", one);
     }
     put_json_text(json, "\"");
 }
@@ -77,8 +75,8 @@ static void begin_json_element(struct json *json, const char *key)
         put_words(json, key);
         put_json_text(json, ": ");
     }
-    json->inner = 1;
-    json->breaks = 0;
+    json->inner = true;
+    json->breaks = false;
 }
 
 void json_open(struct json *json, const char *key, char bracket)
@@ -86,7 +84,7 @@ void json_open(struct json *json, const char *key, char bracket)
     CORE_ASSERT(bracket == '{' || bracket == '[');
     begin_json_element(json, key);
     put_json_text(json, "%c", bracket);
-    json->inner = 0;
+    json->inner = false;
 }
 
 void json_close(struct json *json, char bracket)
@@ -96,13 +94,13 @@ void json_close(struct json *json, char bracket)
         put_json_text(json, "\n%*s", json->indent, "");
     }
     put_json_text(json, "%c", bracket);
-    json->inner = 1;
-    json->breaks = 0;
+    json->inner = true;
+    json->breaks = false;
 }
 
 void json_line(struct json *json, uint8_t indent)
 {
-    json->breaks = 1;
+    json->breaks = true;
     json->indent = indent;
 }
 
@@ -122,7 +120,7 @@ void json_number(struct json *json, const char *key, double value, uint32_t deci
     json_value(json, key, "%.*s", (int)length, digits);
 }
 
-void json_bool(struct json *json, const char *key, int value)
+void json_bool(struct json *json, const char *key, bool value)
 {
     json_value(json, key, "%s", value ? "true" : "false");
 }

@@ -7,6 +7,7 @@
 #ifndef KINGYO_PLATFORM_OS_JSON_H
 #define KINGYO_PLATFORM_OS_JSON_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -18,9 +19,9 @@ struct json {
     char *buffer;   /* Buffer that receives the document with a terminating zero. */
     size_t size;    /* Size of `buffer` in bytes. Asserts that the document fits. */
     size_t used;    /* Number of bytes that were written to `buffer`. */
-    uint8_t inner;  /* 1 if the current object or array already has an element, so that the next
-                       element needs a comma. Otherwise 0. */
-    uint8_t breaks; /* 1 if the next element or bracket is on a line of its own, otherwise 0. */
+    bool inner;     /* True if the current object or array already has an element, so that the next
+                       element needs a comma. */
+    bool breaks;    /* True if the next element or bracket is on a line of its own. */
     uint8_t indent; /* Number of blanks before the next element or bracket if it is on a line of its
                        own. */
 };
@@ -42,7 +43,7 @@ __attribute__((format(printf, 3, 4))) void json_value(struct json *json, const c
 void json_number(struct json *json, const char *key, double value, uint32_t decimals);
 
 /* Writes true or false. */
-void json_bool(struct json *json, const char *key, int value);
+void json_bool(struct json *json, const char *key, bool value);
 
 /* Writes a string in quotes. */
 void json_text(struct json *json, const char *key, const char *words);

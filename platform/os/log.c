@@ -10,28 +10,23 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "core/base/printable.h"
 #include "platform/os/file.h"
 #include "platform/os/panic.h"
 
-static int has_journal; /* 1 if the systemd journal reads standard error, otherwise 0. Set once,
-                           before other threads start. */
-
-int log_is_journal(const char *journal, int fd)
-{
-    char here[64];
-    struct stat about;
-    if (!journal || fstat(fd, &about) != 0) {
-        return 0;
-    }
-    snprintf(here, sizeof here, "%llu:%llu", (unsigned long long)about.st_dev,
-             (unsigned long long)about.st_ino);
-    return strcmp(here, journal) == 0;
-}
+static bool has_journal; /* True if the systemd journal reads standard error. Set once, before other
+                            threads start. */
 
 void log_open(void)
 {
-    has_journal = log_is_journal(getenv("JOURNAL_STREAM"), fileno(stderr));
+    const char *journal = getenv("JOURNAL_STREAM"); /* The journal's "DEVICE:INODE", or null. */
+    char here[64];
+    struct stat about;
+    has_journal = false;
+    if (journal && fstat(STDERR_FILENO, &about) == 0) {
+        snprintf(here, sizeof here, "%llu:%llu", (unsigned long long)about.st_dev,
+                 (unsigned long long)about.st_ino);
+        has_journal = strcmp(here, journal) == 0;
+    }
 }
 
 void log_print_raw(enum log_level level, const char *words)
@@ -51,16 +46,10 @@ void log_print_raw(enum log_level level, const char *words)
 void log_print(enum log_level level, const char *format, ...)
 {
     assert(format);
-    char line[LOG_LINE_MAX], words[LOG_LINE_MAX - 32u];
+    char words[LOG_LINE_MAX - 32u];
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(words, sizeof words, format, arguments);
     va_end(arguments);
-    printable(words);
-    if (has_journal) {
-        snprintf(line, sizeof line, "<%d>kingyo: %s\n", (int)level, words);
-    } else {
-        snprintf(line, sizeof line, "kingyo: %s\n", words);
-    }
-    fputs(line, stderr);
+    log_print_raw(level, words);
 }

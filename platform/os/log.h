@@ -5,8 +5,6 @@
 #ifndef KINGYO_PLATFORM_OS_LOG_H
 #define KINGYO_PLATFORM_OS_LOG_H
 
-#include <stddef.h>
-
 /* Size of a log line in bytes, enough for a path and a reason. Longer lines are cut. */
 #define LOG_LINE_MAX 1536u
 
@@ -18,12 +16,8 @@ enum log_level {
                                continues with fewer functions. */
 };
 
-/* Returns 1 if the file descriptor `fd` is the journal, otherwise 0. `journal` is the value of
- * $JOURNAL_STREAM ("DEVICE:INODE") and may be null. */
-int log_is_journal(const char *journal, int fd);
-
-/* Detects whether the systemd journal reads standard error. The program calls log_open() once at
- * program start. */
+/* Detects whether the systemd journal reads standard error: $JOURNAL_STREAM then has the device and
+ * the inode of standard error. The program calls log_open() once at program start. */
 void log_open(void);
 
 /* Formats `format` as printf() does and writes one line after "kingyo: ". `format` has no line end.

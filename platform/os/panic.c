@@ -4,6 +4,7 @@
 
 #include <assert.h>
 #include <poll.h>
+#include <signal.h>
 #include <stdatomic.h>
 #include <string.h>
 #include <unistd.h>
@@ -101,22 +102,15 @@ static void on_fatal(int number)
     raise(number); /* The raised signal is delivered after the signal handler has returned. */
 }
 
-void panic_prepare(void (*last_wish)(void *self, const char *reason), void *self)
+void panic_prepare(void (*handler)(void *self, const char *reason), void *self)
 {
     const stack_t own = { .ss_sp = stack, .ss_size = sizeof stack };
     struct sigaction action = { .sa_handler = on_fatal, .sa_flags = SA_ONSTACK };
-    wish = last_wish;
+    wish = handler;
     wish_self = self;
     sigaltstack(&own, NULL);
     sigemptyset(&action.sa_mask);
     for (size_t i = 0; i < FATAL_COUNT; i++) {
         sigaction(fatal[i].number, &action, NULL);
-    }
-}
-
-void panic_leave_open(sigset_t *set)
-{
-    for (size_t i = 0; i < FATAL_COUNT; i++) {
-        sigdelset(set, fatal[i].number);
     }
 }

@@ -6,24 +6,19 @@
 #ifndef KINGYO_PLATFORM_OS_PANIC_H
 #define KINGYO_PLATFORM_OS_PANIC_H
 
-#include <signal.h>
 #include <stddef.h>
 #include <stdint.h>
 
 /* Installs the signal handlers. The calling thread gets a separate signal stack, because its normal
- * stack may have overflowed. `last_wish` is the panic handler. It is called with `self` and with
+ * stack may have overflowed. `handler` is the panic handler. It is called with `self` and with
  * the reason, which is "FILE:LINE: not so: CONDITION" or the name of the signal. The panic handler
- * must report the reason and may call async-signal-safe functions only. If `last_wish` is null,
+ * must report the reason and may call async-signal-safe functions only. If `handler` is null,
  * panic_report() writes one line to standard error. */
-void panic_prepare(void (*last_wish)(void *self, const char *reason), void *self);
+void panic_prepare(void (*handler)(void *self, const char *reason), void *self);
 
 /* Calls the panic handler that panic_prepare() has installed, or writes one line if there is no
  * panic handler. Only the first panic of a process is reported. Async-signal-safe. */
 void panic_report(const char *reason);
-
-/* Removes the fatal signals that panic_prepare() handles from `set`, a set of signals that a thread
- * will block. A blocked fatal signal would end the process without a report. */
-void panic_leave_open(sigset_t *set);
 
 /* ---- Text: async-signal-safe ----------------------------------------------------------------- */
 

@@ -8,28 +8,9 @@
 
 #include "platform/os/file.h"
 
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wconversion"
-#pragma GCC diagnostic ignored "-Wsign-conversion"
-#pragma GCC diagnostic ignored "-Wshadow"
-#pragma GCC diagnostic ignored "-Wmissing-prototypes"
-#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STBI_WRITE_NO_STDIO
 #include <stb/stb_image_write.h>
-#pragma GCC diagnostic pop
-
-static int write_all(const char *path, const uint8_t *bytes, size_t size)
-{
-    struct atomic_file out;
-    const int error = file_atomic_open(&out, path);
-    if (error) {
-        return error;
-    }
-    fwrite(bytes, 1, size, out.file); /* The result of fwrite() is not checked because
-                                         file_atomic_close() reports a failed write. */
-    return file_atomic_close(&out);
-}
 
 int png_write(const char *path, const uint8_t *rgb, uint32_t width, uint32_t height)
 {
@@ -40,7 +21,13 @@ int png_write(const char *path, const uint8_t *rgb, uint32_t width, uint32_t hei
     if (!packed) {
         return -ENOMEM;
     }
-    const int result = write_all(path, packed, (size_t)size);
+    struct atomic_file out;
+    int error = file_atomic_open(&out, path);
+    if (error == 0) {
+        fwrite(packed, 1, (size_t)size, out.file); /* The result of fwrite() is not checked because
+                                                      file_atomic_close() reports a failed write. */
+        error = file_atomic_close(&out);
+    }
     free(packed);
-    return result;
+    return error;
 }

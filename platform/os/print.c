@@ -18,7 +18,7 @@ __attribute__((format(printf, 3, 0))) static void print_put(FILE *file, const ch
     vsnprintf(line, sizeof line - 1u, format, arguments);
     printable(line);
     assert(strlen(end) <= 1);
-    strcat(line, end); /* `end` has at most one byte, for which `line` has space. */
+    memcpy(line + strlen(line), end, strlen(end) + 1u); /* `line` has space for one more byte. */
     fputs(line, file);
 }
 
@@ -38,14 +38,6 @@ void print_line(FILE *file, const char *format, ...)
     va_end(arguments);
 }
 
-void print_error(const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    print_put(stderr, "\n", format, arguments);
-    va_end(arguments);
-}
-
 /* ---- Standard streams ----------------------------------------------------------------------- */
 
 int print_open_streams(void)
@@ -57,8 +49,9 @@ int print_open_streams(void)
         /* Opens /dev/null for writing as standard input, and for reading as standard output or
          * standard error. Each read or write on the descriptor therefore fails. open() returns the
          * lowest free descriptor, which is `fd`. */
-        if (open("/dev/null", fd == STDIN_FILENO ? O_WRONLY : O_RDONLY) != fd) {
-            return errno != 0 ? -errno : -EIO;
+        const int opened = open("/dev/null", fd == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+        if (opened != fd) {
+            return opened < 0 ? -errno : -EIO;
         }
     }
     return 0;
@@ -69,22 +62,22 @@ static int flush_error; /* errno of the first failed print_flush(), or 0 if no c
 
 int print_flush(FILE *out)
 {
-    errno = 0;
-    if (fflush(out) == 0 && !ferror(out)) {
+    const int error = fflush(out) == 0 ? 0 : errno;
+    if (error == 0 && !ferror(out)) {
         return 0;
     }
-    flush_error = flush_error ? flush_error : errno;
+    flush_error = flush_error ? flush_error : error;
     return -1;
 }
 
 int print_finish(void)
 {
     const int has_failed = ferror(stdout) != 0;
-    errno = 0;
     /* After a failed write the C library keeps the bytes in its buffer, so that fflush() fails
      * again for the same reason. */
-    if (fflush(stdout) == 0 && !has_failed) {
+    const int error = fflush(stdout) == 0 ? 0 : errno;
+    if (error == 0 && !has_failed) {
         return 0;
     }
-    return flush_error != 0 ? -flush_error : errno != 0 ? -errno : -EIO;
+    return flush_error != 0 ? -flush_error : error != 0 ? -error : -EIO;
 }

@@ -21,7 +21,7 @@ __attribute__((format(printf, 2, 3))) void print_part(FILE *file, const char *fo
 __attribute__((format(printf, 2, 3))) void print_line(FILE *file, const char *format, ...);
 
 /* Writes one line and a line end to standard error. */
-__attribute__((format(printf, 1, 2))) void print_error(const char *format, ...);
+#define print_error(...) print_line(stderr, __VA_ARGS__)
 
 /* ---- Standard streams ------------------------------------------------------------------------ */
 

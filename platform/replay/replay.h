@@ -2,14 +2,14 @@
  * the core's states.
  *
  * All numbers are little-endian. A file consists of one header, the initial state ("start"), the
- * growth lab's catalog ("book") if it is not empty, chunks of at most one second each, and one end
- * mark:
+ * growth lab's catalog ("book"), chunks of at most one second each, and one end mark. The catalog
+ * is absent if it is empty. The table lists the fields of each part in their order in the file:
  *
  *   header   magic 8, u16 version, u16 header size, u32 tick rate in Hz, program version 16 (text,
  *            zero-filled), u32 ticks per digest, u32 start size, u32 book size, u64 sum of the 44
  *            bytes before it
- *   start    start size bytes (replay_initial_state.h), u64 sum
- *   book     book size bytes, the catalog (replay_initial_state.h), u64 sum; absent if the size is
+ *   start    start size bytes (replay_initial_state.c), u64 sum
+ *   book     book size bytes, the catalog (replay_initial_state.c), u64 sum; absent if the size is
  *            0
  *   chunk    "SECS", u32 payload size, u32 first tick, u32 tick count, u32 rounds begun, u32 fish
  *            caught, u32 fouls, u16 modes played, u16 players, u64 core_hash after the last tick,
@@ -32,19 +32,27 @@
 #ifndef KINGYO_PLATFORM_REPLAY_REPLAY_H
 #define KINGYO_PLATFORM_REPLAY_REPLAY_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
 #include "core/core.h"
 #include "core/input.h"
-#include "platform/replay/replay_initial_state.h"
+#include "core/game/lab/lab_edit.h"
+
+/* Maximum size of the serialized initial state in bytes. A full leaderboard with all audits takes
+ * half of this size. */
+#define REPLAY_INITIAL_STATE_MAX (16u * 1024u)
+
+/* Maximum size of a catalog in bytes. Eight species and fifteen graphs take 25 KB. */
+#define REPLAY_CATALOG_MAX (32u * 1024u)
 
 /* Format version that the writer writes. Version 8 added the rules of tickets and refunds. */
 #define REPLAY_VERSION 8u
 /* Oldest format version that the reader accepts. A recording of version 7 is simulated under the
- * rules of version 7. Older versions are rejected because they lack data. Version 1 lacks shadows,
- * version 2 game modes, version 3 the growth lab, version 4 credits and the operator's controllers,
- * version 5 the ledger, and version 6 wrong PINs. */
+ * rules of version 7. Older versions are rejected because their recordings lack data. Version 1
+ * lacks shadows, version 2 game modes, version 3 the growth lab, version 4 credits and the
+ * operator's controllers, version 5 the ledger, and version 6 wrong PINs. */
 #define REPLAY_VERSION_MIN 7u
 
 /* Sizes in bytes of the header, the head of a chunk, the end mark and a checksum. */
@@ -58,12 +66,14 @@
 
 #define REPLAY_DESK_BYTES (CONTROLLER_MAX + 4u)
 
-/* Maximum size in bytes of the machine's state in one tick: a mask, two ids of saved data, the
- * level bits, day, minute, dropped ticks, faults and completed tickets. */
+/* Maximum size in bytes of the machine's state in one tick: the mask of the group, two ids of saved
+ * data, the byte of flags, the day, the minute, and the numbers of dropped ticks, faults and
+ * completed tickets. */
 #define REPLAY_MACHINE_BYTES (1u + 2u * 4u + 1u + 2u * 2u + 3u * 4u)
 
-/* Maximum size of the poses of one tick in bytes: the mask of devices; for each poi a mask, a byte,
- * six floats and an age; for each fan a mask, a byte and three floats. */
+/* Maximum size in bytes of the poses of one tick. The first byte is a mask with one bit for each
+ * poi and fan. Each poi has a mask byte, a status byte, six floats and an age of two bytes. Each
+ * fan has a mask byte, a status byte and three floats. */
 #define REPLAY_POSE_BYTES                                                                          \
     (1u + POI_MAX * (1u + 1u + 6u * 4u + 2u) + SHADE_MAX * (1u + 1u + 3u * 4u))
 /* Maximum size in bytes of one tick: mask, held and pressed buttons, coins of each line, the
@@ -91,8 +101,8 @@ struct replay_header {
                                           Zero-terminated. */
 };
 
-/* Value in place of the hash of a tick that a panic interrupted, because there is no complete
- * state. Only a reader with `as_is` interprets 0 in this way. */
+/* Hash that a recording contains for a tick that a panic interrupted. Such a tick has no complete
+ * state, so core_hash() cannot be computed. Only a reader with `as_is` interprets 0 in this way. */
 #define REPLAY_HASH_NONE 0u
 
 /* Totals of a recording, counted from its start to the end of a chunk or to the end of the
@@ -107,6 +117,31 @@ struct replay_totals {
                          recording. */
 };
 
+/* ---- Initial state (replay_initial_state.c), pure functions -----------------------------------
+ *
+ * The initial state is the core's configuration and the loaded persistent state. The growth lab's
+ * catalog (installed species and saved graphs) is a separate part. Without the catalog, a game that
+ * used the growth lab could not be replayed. Most bytes of the initial state are zero, and a run of
+ * zeros takes one byte. */
+
+/* Writes the initial state to `out`. Returns the number of bytes, which is never 0. */
+size_t replay_initial_state_encode(const struct core_config *config,
+                                   uint8_t out[REPLAY_INITIAL_STATE_MAX]);
+
+/* Parses exactly `size` bytes, which may have any content, in format `version` (REPLAY_VERSION_MIN
+ * .. REPLAY_VERSION). Leaves the catalog and the lanes of `config` unchanged. Sets fields that
+ * `version` lacks to 0. For version 7, sets rules_7 to 1. Returns true on success. Returns false
+ * and leaves an invalid `config` if no recorder writes these bytes. */
+bool replay_initial_state_decode(struct core_config *config, const uint8_t *bytes, size_t size,
+                                 uint32_t version);
+
+/* Writes the catalog to `out`. Returns the number of bytes. Returns 0 for an empty catalog. */
+size_t replay_catalog_encode(const struct lab_book *book, uint8_t out[REPLAY_CATALOG_MAX]);
+
+/* Parses exactly `size` bytes, which may have any content. Returns true. Returns false and empties
+ * `book` if the bytes are not a valid catalog for the species of this program. */
+bool replay_catalog_decode(struct lab_book *book, const uint8_t *bytes, size_t size);
+
 /* ---- Codec (replay_codec.c), pure functions ------------------------------------------------ */
 
 /* Encodes `input` as the difference from `before`. Writes at most REPLAY_TICK_SIZE_MAX - 4 bytes.
@@ -115,15 +150,12 @@ size_t replay_encode_input(const struct input *before, const struct input *input
 
 /* Decodes one input. `input` must contain the input of the previous tick and is updated. Returns
  * the number of bytes that were read. Returns 0 and leaves `input` unchanged if the bytes are
- * incomplete or contain values that no recorder writes. */
-size_t replay_decode_input(struct input *input, const uint8_t *bytes, size_t size);
+ * incomplete or contain values that no recorder writes. If `as_is` is true, also accepts hand-held
+ * fans whose poses are NaN or infinite, although the core panics for these values. */
+size_t replay_decode_input(struct input *input, const uint8_t *bytes, size_t size, bool as_is);
 
-/* Decodes one input as replay_decode_input() does. If `as_is` is 1, also accepts hand-held fans
- * whose poses are NaN or infinite, although the core panics for these values. */
-size_t replay_decode_as_is(struct input *input, const uint8_t *bytes, size_t size, int as_is);
-
-/* Returns 1 if the totals `a` and `b` are equal, apart from ticks and hash. Otherwise returns 0. */
-int replay_totals_agree(const struct replay_totals *a, const struct replay_totals *b);
+/* Returns true if the totals `a` and `b` are equal, apart from ticks and hash. */
+bool replay_totals_agree(const struct replay_totals *a, const struct replay_totals *b);
 
 /* ---- Writer (replay_writer.c) -------------------------------------------------------------- */
 
@@ -156,20 +188,20 @@ int replay_create(struct replay_writer *writer, const char *path, const struct c
 int replay_create_in(struct replay_writer *writer, uint8_t *memory, size_t size,
                      const struct core_config *config, uint64_t first_hash);
 
-/* Returns 1 while the writer accepts ticks, otherwise 0. */
-int replay_is_open(const struct replay_writer *writer);
+/* Returns true while the writer accepts ticks. */
+bool replay_is_open(const struct replay_writer *writer);
 
 /* Adds one tick. The last tick of each second writes a chunk. `digest` is used only if
- * replay_wants_digest() returns 1, and `totals->hash` only if replay_wants_hash() returns 1. A
- * failed write ends the recording and sets `error`. The file then ends with the last complete
+ * replay_wants_digest() returns true, and `totals->hash` only if replay_wants_hash() returns true.
+ * A failed write ends the recording and sets `error`. The file then ends with the last complete
  * second. */
 void replay_add(struct replay_writer *writer, const struct input *input, uint32_t digest,
                 const struct replay_totals *totals);
 
-/* replay_wants_digest() returns 1 if the next replay_add() uses `digest`. replay_wants_hash()
- * returns 1 if the next replay_add() uses `totals->hash`. Otherwise both return 0. */
-int replay_wants_digest(const struct replay_writer *writer);
-int replay_wants_hash(const struct replay_writer *writer);
+/* replay_wants_digest() returns true if the next replay_add() uses `digest`. replay_wants_hash()
+ * returns true if the next replay_add() uses `totals->hash`. */
+bool replay_wants_digest(const struct replay_writer *writer);
+bool replay_wants_hash(const struct replay_writer *writer);
 
 /* Writes the last, incomplete second and closes the file. `hash` is core_hash() of the current
  * state. Returns 0, or the negative errno of the failure that ended the recording. */
@@ -177,42 +209,42 @@ int replay_finish(struct replay_writer *writer, uint64_t hash);
 
 /* Writes a recording in memory to the descriptor `fd` as if the recording had ended with the newest
  * tick. `memory` must be the buffer that was passed to replay_create_in(), because a full recording
- * has cleared writer->memory. `hash` is core_hash() of the current state. If `is_torn` is 1, a
+ * has cleared writer->memory. `hash` is core_hash() of the current state. If `is_torn` is true, a
  * signal interrupted a change of the writer, and only complete seconds are written. The writer
  * cannot be used afterwards. Async-signal-safe. Returns 0 on success, -ENODATA if nothing was
  * recorded, or another negative errno. */
-int replay_dump(struct replay_writer *writer, const uint8_t *memory, uint64_t hash, int is_torn,
+int replay_dump(struct replay_writer *writer, const uint8_t *memory, uint64_t hash, bool is_torn,
                 int fd);
 
-/* Copies a recording in memory to `out` as if it had ended with the newest tick. The recording
- * continues. `hash` is core_hash() of the current state. Returns the size in bytes. Returns 0 if
- * the recording is not open or `size` is too small. */
+/* Copies a recording in memory to `out` as if the recording had ended with the newest tick. The
+ * recording continues. `hash` is core_hash() of the current state. Returns the size in bytes.
+ * Returns 0 if the recording is not open or `size` is too small. */
 size_t replay_copy(const struct replay_writer *writer, uint64_t hash, uint8_t *out, size_t size);
 
 /* Progress of replay_seal_next(), which recomputes the checksums of a recording in memory. */
 struct replay_seal {
-    uint8_t *part; /* Next chunk of the recording, or its end mark. */
+    uint8_t *part; /* Next chunk of the recording, or the end mark of the recording. */
     uint64_t sum;  /* Checksum of the part that precedes `part`. */
 };
 
 /* Replaces the initial state of a complete recording made by replay_copy(). Afterwards the
- * checksums of the chunks and of the end mark are wrong until replay_seal_next() returns 1. Returns
- * the new size. Returns 0 and changes nothing if the new size is more than `size_max`. */
+ * checksums of the chunks and of the end mark are wrong until replay_seal_next() returns true.
+ * Returns the new size. Returns 0 and changes nothing if the new size is more than `size_max`. */
 size_t replay_replace_start(uint8_t *recording, size_t size, size_t size_max,
                             const struct core_config *config, struct replay_seal *seal);
 
 /* Recomputes the checksums of the next chunks of `seal`. Stops when at least `size` bytes are done.
- * Returns 1 if the whole recording is done, otherwise 0. */
-int replay_seal_next(struct replay_seal *seal, size_t size);
+ * Returns true if the whole recording is done. */
+bool replay_seal_next(struct replay_seal *seal, size_t size);
 
 /* ---- Reader (replay_reader.c) -------------------------------------------------------------- */
 
 #define REPLAY_PROBLEM_SIZE 120u
 
-/* Reason why a recording cannot be used. `is_io` is 1 if the file could not be read (exit code 74),
- * and 0 if its bytes are not a complete recording (exit code 65). */
+/* Reason why a recording cannot be used. `is_io` is true if the file could not be read (exit code
+ * 74), and false if its bytes are not a complete recording (exit code 65). */
 struct replay_problem {
-    int is_io;
+    bool is_io;
     uint64_t offset;
     char text[REPLAY_PROBLEM_SIZE];
 };
@@ -228,14 +260,15 @@ struct replay_reader {
     struct replay_totals totals; /* Totals of the current chunk or of the end mark. */
     struct input input;
     uint32_t digest_ticks;
-    uint8_t has_digest; /* 1 if the tick that replay_next() returned last has a digest. */
+    bool has_digest; /* True if the tick that replay_next() returned last has a digest. */
     uint32_t digest;
     uint32_t tick;       /* Number of ticks that replay_next() has returned so far. */
     uint32_t chunk_left; /* Number of ticks in the current chunk that are not yet returned. */
     size_t payload_size, payload_used;
-    uint8_t ended;
-    uint8_t as_is; /* 1 if ticks are decoded with replay_decode_as_is(). Set after replay_open(),
-                      and only by a caller that does not stop when the core panics. */
+    bool ended;
+    bool as_is; /* True to accept recorded poses of fans that are NaN or infinite (parameter
+                   `as_is` of replay_decode_input()). The core panics for such a pose. Therefore
+                   only a caller that handles a panic may set this field, after replay_open(). */
     struct replay_problem problem;
     uint8_t bytes[REPLAY_BUFFER_SIZE];
 };
@@ -249,8 +282,8 @@ int replay_open(struct replay_reader *reader, const char *path);
 int replay_open_in(struct replay_reader *reader, const uint8_t *memory, size_t size);
 
 /* Reads the next tick. Returns 1 and sets `input`. If has_digest is 1, also sets reader->digest.
- * Returns 0 at the end mark. Returns -1 and sets `problem` if the recording is invalid. If
- * chunk_left is 0 after a tick, `totals` belong to the state after that tick. */
+ * Returns 0 at the end mark. Returns -1 and sets reader->problem if the recording is invalid. If
+ * reader->chunk_left is 0 after a tick, reader->totals contains the totals after that tick. */
 int replay_next(struct replay_reader *reader, struct input *input);
 
 /* Closes the recording without reading the rest. */

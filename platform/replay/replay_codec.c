@@ -1,22 +1,29 @@
 /* replay_codec.c -- encodes and decodes one input as the difference from the previous input. One
  * list of fields serves both directions.
  *
- * A group of fields is a mask and the fields that changed, in the order of the bits. The mask of
- * the whole input is the first byte. Each bit states whether one of these parts follows: held
- * buttons, pressed buttons, coins, machine state, controllers, poses. Held buttons, pressed buttons
- * and the coins of each line are u32. Pressed buttons and coins are values and not differences.
+ * A group of fields consists of a mask and the changed fields. Each bit of the mask states whether
+ * one field follows the mask. The fields have the order of the bits.
  *
- * The machine state is a group. The id of the saved ledger entry and the id of the saved edit are
- * u32. One byte has the level bits: portrait screen, store rejects edits, store healthy. Day and
- * minute are u16. Dropped ticks, faults and completed tickets are u32.
+ * The encoded input starts with a mask of one byte. The bits of this mask state which of the
+ * following parts are present:
  *
- * The controllers are a group with a u16 mask and bytes. The bytes are the state of each
- * controller, then the step, row and progress of the learn wizard, then the number of files.
+ *   held buttons     u32
+ *   pressed buttons  u32, the buttons of this tick and not a difference
+ *   coins            u32 for each coin line, the coins of this tick and not a difference
+ *   machine state    a group of the fields below
+ *   controllers      a group of bytes with a u16 mask: the state of each controller, the step, row
+ *                    and progress of the learn wizard, and the number of files
+ *   poses            a byte with one bit for each changed poi (low half) and fan (high half), then
+ *                    one group for each changed poi or fan
  *
- * The poses are a mask of the pois (low half) and fans (high half) that changed. One group for each
- * changed device follows: one byte, the floats, and a poi's age as u16. The byte contains a poi's
- * link, wrist and tremble flags, or a fan's presence. Floats are stored with all their bits,
- * because a replay must be identical even for invalid poses. */
+ * The fields of the machine state are the id of the saved ledger entry (u32), the id of the saved
+ * edit (u32), a byte of flags (portrait screen, store rejects edits, store healthy), the day (u16),
+ * the minute (u16), and the numbers of dropped ticks, faults and completed tickets (u32 each).
+ *
+ * The group of a pose consists of a status byte, the floats of the pose and, for a poi, the age of
+ * the newest report (u16). The status byte of a poi contains struct poi_input's link, has_wrist,
+ * trembles and has_gap. The status byte of a fan states whether the fan is present. Floats are
+ * stored with all their bits, because a replay must be identical even for invalid poses. */
 #include <string.h>
 
 #include "core/base/panic.h"
@@ -25,9 +32,9 @@
 
 enum {
     HAS_HELD = 1u << 0,
-    HAS_PRESSED = 1u << 1, /* Mask bit of the pressed buttons. If this bit is 0, no button was
-                              pressed in the tick. In the same way, the bit HAS_COINS is 0 if no
-                              coin was inserted in the tick. */
+    HAS_PRESSED = 1u << 1, /* Mask bit of the pressed buttons. 0 means that no button was pressed in
+                              the tick, and 0 in the bit HAS_COINS means that no coin was inserted
+                              in the tick. */
     HAS_COINS = 1u << 2,
     HAS_MACHINE = 1u << 3,
     HAS_HANDS = 1u << 4,
@@ -43,7 +50,8 @@ enum {
     MACHINE_MINUTE = 1u << 4,
     MACHINE_DROPPED = 1u << 5,
     MACHINE_FAULTS = 1u << 6,
-    MACHINE_TICKETS = 1u << 7, /* This bit exists only in format 8 and later. */
+    MACHINE_TICKETS = 1u << 7, /* Mask bit of the number of completed tickets. The bit exists only
+                                  in format 8 and later. */
 };
 
 enum {
@@ -63,6 +71,9 @@ enum {
 };
 _Static_assert(DESK_BYTES == REPLAY_DESK_BYTES && DESK_BYTES <= 16, "each has its bit in a u16");
 _Static_assert(sizeof(struct controller_status) == DESK_BYTES, "the desk's bytes are all of it");
+_Static_assert(offsetof(struct controller_status, learn_step) == DESK_STEP &&
+                   offsetof(struct controller_status, learn_row) == DESK_ROW,
+               "the bytes have the order of the struct");
 
 enum {
     POSE_HAS_BYTE = 1u << 0,
@@ -70,12 +81,16 @@ enum {
                                  follow. */
     POI_FLOATS = 6,
     SHADE_FLOATS = 3,
-    POI_HAS_AGE = 1u << 7, /* Mask bit of a poi's age. The lower bits are those of the status byte
-                              and of the six floats. */
-    LINK_WRIST = 1u << 2,  /* Bit of the wrist flag in a poi's status byte. Bits 0 and 1 of the
-                              status byte contain the poi's link. */
+    POI_HAS_AGE = 1u << 7, /* Mask bit of poi_input.age_ticks, the age of the newest report. The
+                              lower bits are the mask bits of the status byte and of the six
+                              floats. */
+    LINK_WRIST = 1u << 2,  /* Bit of poi_input.has_wrist (the controller measures angles) in a poi's
+                              status byte. Bits 0 and 1 of the status byte contain poi_input.link,
+                              the source of the pose. */
     LINK_TREMBLES = 1u << 3,
-    LINK_ALL = 15u,
+    LINK_GAP = 1u << 4, /* Bit of poi_input.has_gap: the controller's motion since the last tick was
+                           not observed. Older recordings never set this bit. */
+    LINK_ALL = 31u,
 };
 _Static_assert(sizeof(struct poi_target) == POI_FLOATS * sizeof(float), "a target is six floats");
 _Static_assert(POI_MAX + SHADE_MAX <= 8, "all that hands hold has its bit in one byte");
@@ -195,34 +210,20 @@ static bool walk_machine(struct replay_serializer *walk, const struct input *bef
     return group_end(&group, 0xffu);
 }
 
-static void list_desk(const struct controller_status *desk, uint8_t out[DESK_BYTES])
-{
-    memcpy(out, desk->state, CONTROLLER_MAX);
-    out[DESK_STEP] = desk->learn_step;
-    out[DESK_ROW] = desk->learn_row;
-    out[DESK_PROGRESS] = desk->learn_progress;
-    out[DESK_FILES] = desk->file_count;
-}
-
 static bool walk_desk(struct replay_serializer *walk, const struct input *before,
                       struct input *input)
 {
-    struct controller_status *desk = &input->controllers;
-    uint8_t old[DESK_BYTES], bytes[DESK_BYTES];
+    /* struct controller_status consists of bytes only. Byte i of the struct has bit i in the mask
+     * of the group. */
+    const uint8_t *old = (const uint8_t *)&before->controllers;
+    uint8_t *bytes = (uint8_t *)&input->controllers;
     struct group group = group_begin(walk, true);
-    list_desk(&before->controllers, old);
-    list_desk(desk, bytes);
     for (unsigned i = 0; i < DESK_BYTES; i++) {
         group_u8(&group, 1u << i, old[i], &bytes[i]);
         walk->bad |= !walk->out && i < CONTROLLER_MAX && bytes[i] >= CONTROLLER_STATE_COUNT;
     }
     walk->bad |=
         !walk->out && (bytes[DESK_STEP] >= LEARN_STEP_COUNT || bytes[DESK_ROW] >= CONTROLLER_MAX);
-    memcpy(desk->state, bytes, CONTROLLER_MAX);
-    desk->learn_step = bytes[DESK_STEP];
-    desk->learn_row = bytes[DESK_ROW];
-    desk->learn_progress = bytes[DESK_PROGRESS];
-    desk->file_count = bytes[DESK_FILES];
     return group_end(&group, (1u << DESK_BYTES) - 1u);
 }
 
@@ -231,7 +232,7 @@ static bool walk_desk(struct replay_serializer *walk, const struct input *before
 /* Stored form of the pose of a poi or a hand-held fan: a status byte, floats and an age. */
 struct stored_pose {
     uint8_t byte;
-    uint8_t has_age; /* 1 for a poi. 0 for a hand-held fan, which has no age. */
+    bool has_age; /* True for a poi. A hand-held fan has no age. */
     uint16_t age;
     uint32_t float_count;
     uint32_t bits[POI_FLOATS];
@@ -255,9 +256,10 @@ static bool walk_stored(struct replay_serializer *walk, const struct stored_pose
 static struct stored_pose stored_poi(const struct poi_input *poi)
 {
     const uint32_t byte = poi->link | (poi->has_wrist ? (uint32_t)LINK_WRIST : 0u) |
-                          (poi->trembles ? (uint32_t)LINK_TREMBLES : 0u);
+                          (poi->trembles ? (uint32_t)LINK_TREMBLES : 0u) |
+                          (poi->has_gap ? (uint32_t)LINK_GAP : 0u);
     struct stored_pose pose = {
-        .byte = (uint8_t)byte, .has_age = 1, .age = poi->age_ticks, .float_count = POI_FLOATS
+        .byte = (uint8_t)byte, .has_age = true, .age = poi->age_ticks, .float_count = POI_FLOATS
     };
     memcpy(pose.bits, &poi->target, sizeof poi->target);
     return pose;
@@ -273,6 +275,7 @@ static bool walk_poi(struct replay_serializer *walk, const struct poi_input *bef
         poi->link = pose.byte & 3u;
         poi->has_wrist = (pose.byte & LINK_WRIST) != 0;
         poi->trembles = (pose.byte & LINK_TREMBLES) != 0;
+        poi->has_gap = (pose.byte & LINK_GAP) != 0;
         poi->age_ticks = pose.age;
         memcpy(&poi->target, pose.bits, sizeof poi->target);
     }
@@ -304,7 +307,8 @@ static bool walk_shade(struct replay_serializer *walk, const struct shade_input 
     return has_changed;
 }
 
-/* Serializes the poses. The bit of poi 0 is bit 0, and the fans follow the POI_MAX pois. */
+/* Serializes the poses. The group's mask has one bit for each poi and fan: bit i is poi i, and bit
+ * POI_MAX + i is fan i. */
 static bool walk_poses(struct replay_serializer *walk, const struct input *before,
                        struct input *input)
 {
@@ -356,7 +360,7 @@ static void walk_input(struct replay_serializer *walk, const struct input *befor
     }
     if (walk->out) {
         walk->out[group.at] = (uint8_t)group.mask; /* A tick without any change is stored as one
-                                                      byte, the mask. */
+                                                      byte: the mask of the input, which is 0. */
     } else {
         walk->bad |= group.mask > HAS_ALL || (input->held | input->pressed) > INPUT_BUTTON_ALL;
     }
@@ -372,12 +376,7 @@ size_t replay_encode_input(const struct input *before, const struct input *input
     return walk.at;
 }
 
-size_t replay_decode_input(struct input *input, const uint8_t *bytes, size_t size)
-{
-    return replay_decode_as_is(input, bytes, size, 0);
-}
-
-size_t replay_decode_as_is(struct input *input, const uint8_t *bytes, size_t size, int as_is)
+size_t replay_decode_input(struct input *input, const uint8_t *bytes, size_t size, bool as_is)
 {
     struct replay_serializer walk = { .in = bytes, .size = size, .as_is = as_is };
     struct input next = *input;
@@ -389,7 +388,7 @@ size_t replay_decode_as_is(struct input *input, const uint8_t *bytes, size_t siz
     return walk.at;
 }
 
-int replay_totals_agree(const struct replay_totals *a, const struct replay_totals *b)
+bool replay_totals_agree(const struct replay_totals *a, const struct replay_totals *b)
 {
     return a->rounds == b->rounds && a->caught == b->caught && a->fouls == b->fouls &&
            a->modes == b->modes && a->players == b->players;

@@ -3,6 +3,7 @@
 #ifndef KINGYO_PLATFORM_REPLAY_REPLAY_FORMAT_H
 #define KINGYO_PLATFORM_REPLAY_REPLAY_FORMAT_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -62,10 +63,10 @@ struct replay_serializer {
                           bytes. */
     uint32_t version;  /* Format version of the bytes: REPLAY_VERSION_MIN .. REPLAY_VERSION. 0 in a
                           catalog, which has no version. */
-    int bad;           /* 1 if the buffer was too short, otherwise 0. After the value has become 1,
+    bool bad;          /* True if the buffer was too short. After the value has become true,
                           later calls have no effect. */
-    int as_is;         /* 1 to accept floats that the core does not permit, for example NaN. Used to
-                          read the recording of a panic. */
+    bool as_is; /* True to accept floats that the core does not permit, for example NaN, when the
+                   recording of a panic is read. */
 };
 
 /* Each function whose name begins with replay_serialize_ writes or reads one field, or an array of
@@ -74,6 +75,5 @@ void replay_serialize_bytes(struct replay_serializer *walk, void *bytes, size_t 
 void replay_serialize_u8(struct replay_serializer *walk, uint8_t *value);
 void replay_serialize_u16(struct replay_serializer *walk, uint16_t *value);
 void replay_serialize_u32(struct replay_serializer *walk, uint32_t *value);
-void replay_serialize_floats(struct replay_serializer *walk, float *values, size_t count);
 
 #endif

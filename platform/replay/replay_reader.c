@@ -19,7 +19,7 @@
 
 /* Sets `problem`, closes the file and returns -1. */
 __attribute__((format(printf, 4, 5))) static int replay_reader_error(struct replay_reader *reader,
-                                                                     int is_io, uint64_t offset,
+                                                                     bool is_io, uint64_t offset,
                                                                      const char *format, ...)
 {
     va_list arguments;
@@ -62,7 +62,7 @@ static int read_bytes(struct replay_reader *reader, uint8_t *out, size_t size, u
         if (got == 0) {
             return replay_reader_error(reader, 0, begin + done,
                                        "the file ends in the middle of %s; "
-                                       "%u whole seconds before that are good",
+                                       "the first %u seconds are valid",
                                        what, reader->tick / CORE_TICK_HZ);
         }
         done += (size_t)got;
@@ -70,9 +70,9 @@ static int read_bytes(struct replay_reader *reader, uint8_t *out, size_t size, u
     return 0;
 }
 
-/* Returns 1 if `bytes` is a valid program version. The name must be printable and padded with
- * zeros, and must not contain a character that would end a JSON string. Otherwise returns 0. */
-static int is_program_name(const uint8_t *bytes)
+/* Returns true if `bytes` is a valid program version. The name must be printable and padded with
+ * zeros, and must not contain a character that would end a JSON string. */
+static bool is_program_name(const uint8_t *bytes)
 {
     size_t length = 0;
     while (length < REPLAY_PROGRAM_SIZE && bytes[length] >= ' ' && bytes[length] <= '~' &&
@@ -132,9 +132,8 @@ static int read_book(struct replay_reader *reader, size_t size)
     return 0;
 }
 
-/* Returns 1 if the header contains values that a recorder of this version can write, otherwise
- * 0. */
-static int is_possible(const uint8_t *header)
+/* Returns true if the header contains values that a recorder of this version can write. */
+static bool is_possible(const uint8_t *header)
 {
     const uint32_t digest_ticks = replay_get_u32(header + HEADER_DIGEST_TICKS);
     return replay_get_u32(header + HEADER_VERSION) >> 16 == REPLAY_HEADER_SIZE &&
@@ -239,11 +238,11 @@ static int read_end(struct replay_reader *reader)
         return replay_reader_error(reader, 0, size, "there is more after the end mark");
     }
     reader->totals = totals;
-    reader->ended = 1;
+    reader->ended = true;
     return 0;
 }
 
-static int chunk_head_is_possible(const struct replay_reader *reader, uint32_t tick_count)
+static bool chunk_head_is_possible(const struct replay_reader *reader, uint32_t tick_count)
 {
     return tick_count > 0 && tick_count <= REPLAY_CHUNK_TICKS &&
            replay_get_u32(reader->bytes + CHUNK_FIRST_TICK) == reader->tick &&
@@ -287,7 +286,8 @@ static int read_chunk(struct replay_reader *reader)
     return 0;
 }
 
-/* Reads the next chunk or the end mark. */
+/* Reads the next chunk, or the end mark, and validates it. Returns 0, or -1 and sets
+ * reader->problem. */
 static int read_part(struct replay_reader *reader)
 {
     uint8_t tag[4];
@@ -319,7 +319,7 @@ int replay_next(struct replay_reader *reader, struct input *input)
     const uint8_t *payload = reader->bytes + REPLAY_CHUNK_HEAD_SIZE;
     const size_t left = reader->payload_size - reader->payload_used;
     const size_t used =
-        replay_decode_as_is(&reader->input, payload + reader->payload_used, left, reader->as_is);
+        replay_decode_input(&reader->input, payload + reader->payload_used, left, reader->as_is);
     const size_t digest_size = (reader->tick + 1u) % reader->digest_ticks == 0 ? 4 : 0;
     const uint64_t at = reader->offset + REPLAY_CHUNK_HEAD_SIZE + reader->payload_used;
     if (used == 0 || left - used < digest_size) {

@@ -1,5 +1,5 @@
-/* replay_serializer.c -- reads and writes little-endian numbers, and serializes one field at a
- * time; see replay_format.h. */
+/* replay_serializer.c -- reads and writes little-endian numbers, and serializes one field at a time
+ * (replay_format.h). */
 #include <string.h>
 
 #include "core/base/panic.h"
@@ -33,7 +33,7 @@ void replay_serialize_bytes(struct replay_serializer *walk, void *bytes, size_t 
 {
     CORE_ASSERT((walk->out == NULL) != (walk->in == NULL) && walk->at <= walk->size);
     if (walk->bad || walk->at + count > walk->size) {
-        walk->bad = 1;
+        walk->bad = true;
         return;
     }
     if (walk->out != NULL) {
@@ -62,14 +62,4 @@ void replay_serialize_u32(struct replay_serializer *walk, uint32_t *value)
     replay_put_u32(bytes, *value);
     replay_serialize_bytes(walk, bytes, sizeof bytes);
     *value = replay_get_u32(bytes);
-}
-
-void replay_serialize_floats(struct replay_serializer *walk, float *values, size_t count)
-{
-    for (size_t i = 0; i < count; i++) {
-        uint32_t bits;
-        memcpy(&bits, &values[i], sizeof bits);
-        replay_serialize_u32(walk, &bits);
-        memcpy(&values[i], &bits, sizeof bits);
-    }
 }

@@ -130,7 +130,7 @@ static int open_empty(const char *path)
     return fd;
 }
 
-int replay_is_open(const struct replay_writer *writer)
+bool replay_is_open(const struct replay_writer *writer)
 {
     return writer->fd >= 0 || writer->memory != NULL;
 }
@@ -188,9 +188,9 @@ static void restore(struct replay_writer *writer)
     (void)error; /* A second error is ignored because the recording has already failed. */
 }
 
-/* Completes the current chunk and appends an end mark. The caller has already written the payload
- * after the head of `chunk`. Returns the size of the chunk without the end mark. Sets `*sum` to the
- * chunk's checksum. */
+/* Completes the current chunk: writes the head of `chunk`, the checksum and an end mark. The caller
+ * has already written the payload after the head of `chunk`. Returns the size of the chunk without
+ * the end mark. Sets `*sum` to the chunk's checksum. */
 static size_t close_chunk(uint8_t *chunk, size_t payload_size, uint32_t ticks,
                           const struct replay_totals *totals, uint64_t *sum)
 {
@@ -228,12 +228,12 @@ static void write_chunk(struct replay_writer *writer)
     writer->payload_size = 0;
 }
 
-int replay_wants_hash(const struct replay_writer *writer)
+bool replay_wants_hash(const struct replay_writer *writer)
 {
     return replay_is_open(writer) && writer->chunk_ticks + 1 == REPLAY_CHUNK_TICKS;
 }
 
-int replay_wants_digest(const struct replay_writer *writer)
+bool replay_wants_digest(const struct replay_writer *writer)
 {
     return replay_is_open(writer) && (writer->totals.ticks + 1u) % writer->digest_ticks == 0;
 }
@@ -276,7 +276,7 @@ int replay_finish(struct replay_writer *writer, uint64_t hash)
     return -writer->error;
 }
 
-int replay_dump(struct replay_writer *writer, const uint8_t *memory, uint64_t hash, int is_torn,
+int replay_dump(struct replay_writer *writer, const uint8_t *memory, uint64_t hash, bool is_torn,
                 int fd)
 {
     uint8_t end[REPLAY_END_SIZE];
@@ -339,16 +339,16 @@ size_t replay_replace_start(uint8_t *recording, size_t size, size_t size_max,
     return size - old_size + new_size;
 }
 
-int replay_seal_next(struct replay_seal *seal, size_t size)
+bool replay_seal_next(struct replay_seal *seal, size_t size)
 {
     const uint8_t *replay_writer_begin = seal->part;
     while (memcmp(seal->part, REPLAY_CHUNK_TAG, 4) == 0) {
         if ((size_t)(seal->part - replay_writer_begin) >= size) {
-            return 0;
+            return false;
         }
         const size_t payload_size = replay_get_u32(seal->part + CHUNK_PAYLOAD_SIZE);
         seal->part += put_sum(seal->part, REPLAY_CHUNK_HEAD_SIZE + payload_size, &seal->sum);
     }
     replay_put_u64(seal->part + END_SUM, hash_bytes(seal->sum, seal->part, END_SUM));
-    return 1;
+    return true;
 }
