@@ -12,19 +12,13 @@
 
 #define PATH_SIZE 1200u
 
-/* Returns 1 if the species name consists of letters, digits and '_' only, so that it cannot form
- * another path. Otherwise returns 0. */
-static int is_plain_name(const char id[SPECIES_NAME_SIZE])
+/* Returns true if the species name consists of letters, digits and '_' only, so that it cannot form
+ * another path. */
+static bool is_plain_name(const char id[SPECIES_NAME_SIZE])
 {
-    size_t length = 0;
-    while (length < SPECIES_NAME_SIZE && id[length] != 0) {
-        const char c = id[length];
-        if (!((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_')) {
-            return 0;
-        }
-        length++;
-    }
-    return length > 0 && length < SPECIES_NAME_SIZE;
+    const size_t length = strnlen(id, SPECIES_NAME_SIZE);
+    return length > 0 && length < SPECIES_NAME_SIZE &&
+           strspn(id, "abcdefghijklmnopqrstuvwxyz0123456789_") == length;
 }
 
 int graph_file_write(const char *data, const struct graph_edit_record *record)

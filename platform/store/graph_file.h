@@ -19,6 +19,7 @@
 #ifndef KINGYO_PLATFORM_STORE_GRAPH_FILE_H
 #define KINGYO_PLATFORM_STORE_GRAPH_FILE_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
 
@@ -37,10 +38,10 @@
 /* Writes `record` as text to `out`. Returns the length, which is less than GRAPH_FILE_TEXT_MAX. */
 size_t graph_file_format(const struct graph_edit_record *record, char out[GRAPH_FILE_TEXT_MAX]);
 
-/* Parses `size` bytes, which may have any content, as a graph of the species `card`. Returns 1. If
- * the text is invalid, returns 0 and writes "LINE: reason" to `why`. */
-int graph_file_parse(const char *text, size_t size, const struct species_card *card,
-                     struct lab_edit *edit, char why[GRAPH_FILE_WHY_SIZE]);
+/* Parses `size` bytes, which may have any content, as a graph of the species `card`. Returns true.
+ * If the text is invalid, returns false and writes "LINE: reason" to `why`. */
+bool graph_file_parse(const char *text, size_t size, const struct species_card *card,
+                      struct lab_edit *edit, char why[GRAPH_FILE_WHY_SIZE]);
 
 /* ---- Functions of graph_file.c ------------------------------------------------------------- */
 

@@ -71,17 +71,17 @@ struct reading {
                               white space. */
     uint32_t knot_line[GRAPH_KNOT_MAX], scale_line[GRAPH_KNOT_MAX];
     char *why;
-    int is_unreadable; /* 1 if the file has ended or a line is malformed, otherwise 0. If the value
-                          is 1, `why` has the reason and the parser skips all later checks. */
+    bool is_unreadable; /* True if the file has ended or a line is malformed. `why` then has the
+                           reason, and the parser skips all later checks. */
 };
 
-__attribute__((format(printf, 2, 3))) static int graph_text_error(struct reading *reading,
-                                                                  const char *format, ...)
+__attribute__((format(printf, 2, 3))) static bool graph_text_error(struct reading *reading,
+                                                                   const char *format, ...)
 {
     char what[GRAPH_FILE_WHY_SIZE - 12u];
     va_list arguments;
     if (reading->is_unreadable) {
-        return 0;
+        return false;
     }
     va_start(arguments, format);
     vsnprintf(what, sizeof what, format, arguments);
@@ -90,40 +90,40 @@ __attribute__((format(printf, 2, 3))) static int graph_text_error(struct reading
     return 0;
 }
 
-static int end_reading(struct reading *reading, const char *what)
+static bool end_reading(struct reading *reading, const char *what)
 {
     reading->line += reading->line == 0; /* For an empty file the error message names line 1. */
     graph_text_error(reading, "%s", what);
-    reading->is_unreadable = 1;
+    reading->is_unreadable = true;
     return 0;
 }
 
-/* Reads the next line that is not empty. Returns 1, or 0 at the end of the file or at a malformed
+/* Reads the next line that is not empty. Returns false at the end of the file or at a malformed
  * line. */
-static int graph_text_next_line(struct reading *reading)
+static bool graph_text_next_line(struct reading *reading)
 {
     while (reading->at < reading->size) {
-        size_t length = 0, end = reading->at;
+        const char *line = reading->text + reading->at;
+        const char *end = memchr(line, '\n', reading->size - reading->at);
+        const size_t size = end ? (size_t)(end - line) : reading->size - reading->at;
+        size_t length = 0;
         reading->line++;
-        while (end < reading->size && reading->text[end] != '\n') {
-            end++;
-        }
-        for (size_t i = reading->at; i < end && reading->text[i] != '#'; i++) {
-            const char c = reading->text[i];
-            if (c == 0 || length + 1u == LINE_SIZE) {
-                return end_reading(reading, c == 0 ? "not a text" : "longer than any line of one");
+        reading->at += size + 1u;
+        for (size_t i = 0; i < size && line[i] != '#'; i++) {
+            if (line[i] == 0 || length + 1u == LINE_SIZE) {
+                return end_reading(reading,
+                                   line[i] == 0 ? "not a text" : "longer than any line of one");
             }
-            if (length > 0 || !isspace((unsigned char)c)) {
-                reading->words[length++] = c;
+            if (length > 0 || !isspace((unsigned char)line[i])) {
+                reading->words[length++] = line[i];
             }
         }
-        reading->at = end + 1u;
         while (length > 0 && isspace((unsigned char)reading->words[length - 1u])) {
             length--;
         }
         reading->words[length] = 0;
         if (length > 0) {
-            return 1;
+            return true;
         }
     }
     return end_reading(reading, "the file ends without 'end'");
@@ -154,8 +154,8 @@ static int read_named_value(struct reading *reading, const char *word, const cha
     return -1;
 }
 
-/* Parses exactly `count` numbers. Returns 1, or 0 after an error. */
-static int parse_numbers(struct reading *reading, const char *rest, float *out, uint32_t count)
+/* Parses exactly `count` numbers. Returns false after an error. */
+static bool parse_numbers(struct reading *reading, const char *rest, float *out, uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {
         char *end;
@@ -168,11 +168,11 @@ static int parse_numbers(struct reading *reading, const char *rest, float *out, 
     while (*rest == ' ') {
         rest++;
     }
-    return *rest == 0 ? 1 : graph_text_error(reading, "more than %u numbers", count);
+    return *rest == 0 || graph_text_error(reading, "more than %u numbers", count);
 }
 
-static int read_head(struct reading *reading, const struct species_card *card,
-                     struct lab_edit *edit)
+static bool read_head(struct reading *reading, const struct species_card *card,
+                      struct lab_edit *edit)
 {
     static const char *const first[] = { "1" };
     static const char *const yes_or_no[] = { "0", "1" };
@@ -193,50 +193,50 @@ static int read_head(struct reading *reading, const struct species_card *card,
     const int line = template_id < 0 ? -1 : read_named_value(reading, "line", lines, 2);
     const int solved = line < 0 ? -1 : read_named_value(reading, "solved", yes_or_no, 2);
     if (solved < 0) {
-        return 0;
+        return false;
     }
     edit->template_id = (uint8_t)template_id;
     edit->graph.line = (uint8_t)line;
     edit->graph.solved = (uint8_t)solved;
-    return 1;
+    return true;
 }
 
-static int read_knot(struct reading *reading, const char *rest, const struct species_card *card,
-                     struct graph *graph)
+static bool read_knot(struct reading *reading, const char *rest, const struct species_card *card,
+                      struct graph *graph)
 {
-    CORE_ASSERT(graph->knot_count <= GRAPH_KNOT_MAX);
     float values[1u + MORPH_KEY_MAX] = { 0 };
+    CORE_ASSERT(graph->knot_count <= GRAPH_KNOT_MAX);
     if (graph->knot_count == GRAPH_KNOT_MAX) {
         return graph_text_error(reading, "more than %u knots", GRAPH_KNOT_MAX);
     }
     if (!parse_numbers(reading, rest, values, 1u + card->key_count)) {
-        return 0;
+        return false;
     }
     reading->knot_line[graph->knot_count] = reading->line;
     struct graph_knot *knot = &graph->knots[graph->knot_count++];
     knot->progress = values[0];
     memcpy(knot->weight, values + 1, card->key_count * sizeof values[0]);
-    return 1;
+    return true;
 }
 
-static int read_scale(struct reading *reading, const char *rest, struct lab_edit *edit)
+static bool read_scale(struct reading *reading, const char *rest, struct lab_edit *edit)
 {
     float values[2] = { 0 };
     if (edit->scale_knot_count == GRAPH_KNOT_MAX) {
         return graph_text_error(reading, "more than %u scale knots", GRAPH_KNOT_MAX);
     }
     if (!parse_numbers(reading, rest, values, 2)) {
-        return 0;
+        return false;
     }
     reading->scale_line[edit->scale_knot_count] = reading->line;
     edit->scale_knots[edit->scale_knot_count++] = (struct scale_knot){ values[0], values[1] };
-    return 1;
+    return true;
 }
 
-/* Checks the graph. Returns 1. If the graph is invalid, reports the number of the wrong knot and
- * the reason, and returns 0. */
-static int judge_graph(struct reading *reading, const struct species_card *card,
-                       const struct graph *graph)
+/* Returns true if the graph is valid. Otherwise reports the number of the invalid knot with the
+ * reason, and returns false. */
+static bool judge_graph(struct reading *reading, const struct species_card *card,
+                        const struct graph *graph)
 {
     static const char *const faults[] = {
         [GRAPH_ENDS] = "the first knot is not at 0, or the last not at 1",
@@ -247,7 +247,7 @@ static int judge_graph(struct reading *reading, const struct species_card *card,
     const struct graph_verdict verdict = graph_check(graph, card->key_count);
     switch (verdict.fault) {
     case GRAPH_GOOD:
-        return 1;
+        return true;
     case GRAPH_KNOT_COUNT:
         return graph_text_error(reading, "fewer than 2 knots");
     case GRAPH_UNSOLVABLE:
@@ -260,7 +260,7 @@ static int judge_graph(struct reading *reading, const struct species_card *card,
     }
 }
 
-static int judge_scale(struct reading *reading, const struct lab_edit *edit)
+static bool judge_scale(struct reading *reading, const struct lab_edit *edit)
 {
     const uint32_t count = edit->scale_knot_count;
     for (uint32_t i = 0; i < count; i++) {
@@ -275,39 +275,39 @@ static int judge_scale(struct reading *reading, const struct lab_edit *edit)
             return graph_text_error(reading, "scale knot %u: not of 0.2 mm to 20 m", i + 1u);
         }
     }
-    return 1;
+    return true;
 }
 
-int graph_file_parse(const char *text, size_t size, const struct species_card *card,
-                     struct lab_edit *edit, char why[GRAPH_FILE_WHY_SIZE])
+bool graph_file_parse(const char *text, size_t size, const struct species_card *card,
+                      struct lab_edit *edit, char why[GRAPH_FILE_WHY_SIZE])
 {
     CORE_ASSERT(text && card->key_count <= MORPH_KEY_MAX);
     struct reading reading = { .text = text, .size = size, .why = why };
     struct lab_edit read = { 0 };
     why[0] = 0;
     if (!read_head(&reading, card, &read)) {
-        return 0;
+        return false;
     }
     while (graph_text_next_line(&reading)) {
         const char *knot = text_after_word(&reading, "knot"),
                    *scale = text_after_word(&reading, "scale");
         if (strcmp(reading.words, "end") == 0) {
             if (!judge_graph(&reading, card, &read.graph) || !judge_scale(&reading, &read)) {
-                return 0;
+                return false;
             }
             if (!lab_edit_is_valid(&read, card)) {
                 return graph_text_error(&reading, "no graph of %s", card->id);
             }
             *edit = read;
-            return 1;
+            return true;
         }
         if (knot == NULL && scale == NULL) {
             return graph_text_error(&reading, "expected 'knot', 'scale' or 'end'");
         }
         if (!(knot != NULL ? read_knot(&reading, knot, card, &read.graph)
                            : read_scale(&reading, scale, &read))) {
-            return 0;
+            return false;
         }
     }
-    return 0;
+    return false;
 }

@@ -2,7 +2,6 @@
  * of the store. Only open() and close() may block. */
 #include "platform/store/storage.h"
 
-#include <signal.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -11,55 +10,135 @@
 
 #include "core/base/panic.h"
 #include "platform/os/file.h"
-#include "platform/os/panic.h"
+#include "platform/os/thread.h"
 #include "platform/store/storage_internal.h"
+
+/* ---- Status text --------------------------------------------------------------------------- */
+
+/* Writes the state of the store to storage->text, one line for the operator's menu, the status file
+ * and the log. */
+static void set_text(struct storage *storage, const char *what, const char *why, const char *advice)
+{
+    snprintf(storage->text, sizeof storage->text, "%.68s: %.44s; %.40s", what, why, advice);
+}
+
+static void text_no_file(struct storage *storage, const char *why)
+{
+    char what[HAL_TEXT_SIZE / 2];
+    snprintf(what, sizeof what, "no store: %.56s", storage->path);
+    set_text(storage, what, why, "nothing is kept");
+}
+
+static void text_refused(struct storage *storage, int error, const char *advice)
+{
+    char what[HAL_TEXT_SIZE / 2];
+    snprintf(what, sizeof what, "store: %u entries not written", storage_unwritten(storage));
+    set_text(storage, what, ledger_file_error(error), advice);
+}
+
+/* Returns the time in milliseconds for which the card (the disk with the database) has not
+ * responded. Returns 0 if the time is less than STORAGE_STUCK_MS. */
+static int64_t stuck_ms(const struct storage *storage)
+{
+    CORE_ASSERT(storage);
+    const int64_t since_ms = atomic_load(&storage->busy_since_ms);
+    const int64_t busy_ms = since_ms > 0 ? storage_now_ms() - since_ms : 0;
+    return busy_ms >= STORAGE_STUCK_MS ? busy_ms : 0;
+}
+
+static const char *advice_for(int error)
+{
+    switch (error) {
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+        return "another program holds it; it is retried";
+    case SQLITE_FULL:
+        return "free some space; it is retried";
+    case SQLITE_READONLY:
+        return "the card is read-only; it is retried";
+    case LEDGER_FILE_FOREIGN:
+        return "restart to use this one";
+    default:
+        return "it is retried each second";
+    }
+}
+
+static const char *storage_describe(void *self)
+{
+    struct storage *storage = self;
+    const int error = atomic_load(&storage->error);
+    const int edit_error = atomic_load(&storage->edit_error);
+    const unsigned aside = atomic_load(&storage->aside);
+    if (!atomic_load(&storage->has_file)) {
+        if (error == LEDGER_FILE_FOREIGN) {
+            set_text(storage, "no store", "the card is there now, and not empty",
+                     "a restart, once nobody plays");
+        }
+        return storage->text[0] ? storage->text : "no store: not opened";
+    }
+    if (stuck_ms(storage) > 0) {
+        snprintf(storage->text, sizeof storage->text,
+                 "store: the card has not answered for %u s; %u entries wait",
+                 (unsigned)(stuck_ms(storage) / 1000), storage_unwritten(storage));
+    } else if (error == LEDGER_FILE_MOVED) {
+        set_text(storage, "store: the data folder or " STORAGE_FILE " was removed or replaced",
+                 "nothing is kept", "put it back, or restart the kiosk");
+    } else if (error != SQLITE_OK) {
+        text_refused(storage, error, advice_for(error));
+    } else if (edit_error != 0) {
+        set_text(storage, "store: a graph was not written", strerror(edit_error), "it is retried");
+    } else if (atomic_load(&storage->tail_error) != 0) {
+        set_text(storage, "store: the second copy is not written",
+                 strerror(atomic_load(&storage->tail_error)), "it is retried");
+    } else if (aside > 0) {
+        char what[80] = "missing", lost[24] = "unknown how many";
+        if (!storage->was_missing) {
+            snprintf(what, sizeof what,
+                     "damaged and is now " STORAGE_FILE STORAGE_QUARANTINE_SUFFIX "%u", aside);
+        }
+        if (!storage->salvaged.is_open_ended) {
+            snprintf(lost, sizeof lost, "%u", storage->salvaged.lost);
+        }
+        snprintf(storage->text, sizeof storage->text,
+                 STORAGE_FILE " was %s: %u entries from the backup, %u later ones, %s lost", what,
+                 storage->from_backup, storage->salvaged.entries, lost);
+    } else if (atomic_load(&storage->strange) > 0) {
+        snprintf(storage->text, sizeof storage->text,
+                 STORAGE_FILE "%s was not a regular file and was set aside",
+                 storage_suffixes[atomic_load(&storage->strange) - 1u]);
+    } else {
+        snprintf(storage->text, sizeof storage->text, "%.150s", storage->path);
+    }
+    return storage->text;
+}
 
 /* ---- Opening ------------------------------------------------------------------------------- */
 
-/* Returns true if the data folder exists or was created. A folder that cannot be written is
- * accepted, because the card may be remounted at any time. */
-static bool folder_is_there(struct storage *storage)
-{
-    const int error = file_make_folder(storage->dir);
-    struct stat about;
-    const bool is_there = stat(storage->dir, &about) == 0 && S_ISDIR(about.st_mode);
-    if (error && !is_there) {
-        char what[HAL_TEXT_SIZE / 2];
-        snprintf(what, sizeof what, "no store: %.56s", storage->dir);
-        storage_log(storage, what, strerror(-error), "make that folder and restart");
-    }
-    return is_there;
-}
-
-/* Sets storage->path to the path of the database and returns true. Otherwise writes the reason to
- * storage->text and returns false. */
+/* Sets storage->path to the path of the database, and creates the data folder if necessary. Returns
+ * true. Otherwise writes the reason to storage->text and returns false. A folder that cannot be
+ * written is accepted, because the card may be remounted at any time. */
 static bool find_file(struct storage *storage)
 {
+    struct stat about;
+    char what[HAL_TEXT_SIZE / 2];
     if (!storage->dir) {
-        storage_log(storage, "no store", "no folder was named", "give one with --data DIR");
+        set_text(storage, "no store", "no folder was named", "give one with --data DIR");
         return false;
     }
     const int length =
         snprintf(storage->path, sizeof storage->path, "%s/" STORAGE_FILE, storage->dir);
     if (length < 0 || (size_t)length >= sizeof storage->path) {
         storage->path[0] = '\0';
-        storage_log(storage, "no store", "the folder's path is too long", "name a shorter one");
+        set_text(storage, "no store", "the folder's path is too long", "name a shorter one");
         return false;
     }
-    return storage->how.vfs || folder_is_there(storage);
-}
-
-/* Starts the store's thread with all signals blocked except the fatal signals, because the main
- * thread handles the signals that end the kiosk. */
-static bool start_thread(struct storage *storage)
-{
-    sigset_t all, before;
-    sigfillset(&all);
-    panic_leave_open(&all);
-    pthread_sigmask(SIG_SETMASK, &all, &before);
-    storage->has_thread = pthread_create(&storage->thread, NULL, storage_thread, storage) == 0;
-    pthread_sigmask(SIG_SETMASK, &before, NULL);
-    return storage->has_thread;
+    const int error = storage->how.vfs ? 0 : file_make_folder(storage->dir);
+    if (error && !(stat(storage->dir, &about) == 0 && S_ISDIR(about.st_mode))) {
+        snprintf(what, sizeof what, "no store: %.56s", storage->dir);
+        set_text(storage, what, strerror(-error), "make that folder and restart");
+        return false;
+    }
+    return true;
 }
 
 /* Opens the store. The store's thread also runs without a database, because edits of the growth lab
@@ -93,14 +172,21 @@ static int storage_open(void *self)
             storage_update_sealed(storage);
         }
         atomic_store(&storage->has_file, true);
-        storage_share_file(storage);
+        if (storage->file.refusal == SQLITE_FULL) {
+            /* Close the database, because other programs cannot read a database that is open on a
+             * full card. */
+            storage_close_file(storage);
+        }
     } else {
-        storage_log_no_file(storage, ledger_file_error(code));
+        text_no_file(storage, ledger_file_error(code));
     }
     sem_init(&storage->wake, 0, 0);
     storage->running = true;
-    if (!storage->by_hand && !start_thread(storage)) {
-        storage_log_no_file(storage, "no thread to be had");
+    if (!storage->by_hand) {
+        storage->has_thread = thread_start(&storage->thread, storage_thread, storage) == 0;
+    }
+    if (!storage->by_hand && !storage->has_thread) {
+        text_no_file(storage, "no thread to be had");
         storage_close_file(storage);
         storage_unlock(storage);
         atomic_store(&storage->has_file, false);
@@ -122,52 +208,10 @@ static int storage_load(void *self, struct persistent_state *out)
     return HAL_OK;
 }
 
-/* ---- Queueing entries and edits ------------------------------------------------------------ */
-
-static int storage_append(void *self, const struct ledger_entry *entry)
-{
-    struct storage *storage = self;
-    if (!atomic_load(&storage->has_file)) {
-        return HAL_ERR_ABSENT;
-    }
-    if (entry->id <= storage->accepted_id) {
-        return HAL_OK;
-    }
-    if (storage_unwritten(storage) == STORAGE_QUEUE_MAX) {
-        return HAL_ERR_BUSY;
-    }
-    const unsigned pushed = atomic_load(&storage->pushed);
-    storage->queue[pushed % STORAGE_QUEUE_MAX] = *entry;
-    storage->accepted_id = entry->id;
-    atomic_store(&storage->pushed, pushed + 1);
-    sem_post(&storage->wake);
-    return HAL_OK;
-}
-
 static uint32_t storage_committed_id(void *self)
 {
     struct storage *storage = self;
     return atomic_load(&storage->is_unproven) ? 0u : atomic_load(&storage->saved_id);
-}
-
-static int storage_store_edit(void *self, const struct graph_edit_record *edit)
-{
-    struct storage *storage = self;
-    if (!storage->running) {
-        return HAL_ERR_ABSENT;
-    }
-    if (edit->id <= storage->accepted_edit_id) {
-        return HAL_OK;
-    }
-    const unsigned pushed = atomic_load(&storage->edits_pushed);
-    if (storage_unwritten_edits(storage) == STORAGE_EDITS_MAX) {
-        return HAL_ERR_BUSY;
-    }
-    storage->edits[pushed % STORAGE_EDITS_MAX] = *edit;
-    storage->accepted_edit_id = edit->id;
-    atomic_store(&storage->edits_pushed, pushed + 1);
-    sem_post(&storage->wake);
-    return HAL_OK;
 }
 
 static uint32_t storage_stored_edit_id(void *self)
@@ -186,22 +230,12 @@ static int storage_edits_failed(void *self)
 
 /* ---- Status -------------------------------------------------------------------------------- */
 
-/* Returns the time in milliseconds for which the card (the disk with the database) has not
- * responded. Returns 0 if the time is less than STORAGE_STUCK_MS. */
-int64_t storage_stuck_ms(const struct storage *storage)
-{
-    CORE_ASSERT(storage);
-    const int64_t since_ms = atomic_load(&storage->busy_since_ms);
-    const int64_t busy_ms = since_ms > 0 ? storage_now_ms() - since_ms : 0;
-    return busy_ms >= STORAGE_STUCK_MS ? busy_ms : 0;
-}
-
 static int storage_is_healthy(void *self)
 {
     struct storage *storage = self;
     return atomic_load(&storage->has_file) && atomic_load(&storage->error) == SQLITE_OK &&
            !atomic_load(&storage->is_unproven) && atomic_load(&storage->tail_error) == 0 &&
-           storage_stuck_ms(storage) == 0;
+           stuck_ms(storage) == 0;
 }
 
 static int storage_needs_restart(void *self)
@@ -245,19 +279,19 @@ static uint32_t storage_close(void *self)
             !storage->file.db || storage->file.refusal || storage->moved ||
             storage->queue[i % STORAGE_QUEUE_MAX].id > storage->file.content.memory.ledger.last_id;
     }
-    const uint32_t lost = unsaved, lost_edits = storage_unwritten_edits(storage);
-    if (lost > 0) {
-        storage_log_refused(storage, atomic_load(&storage->error), "they are lost");
+    const uint32_t lost_edits = storage_unwritten_edits(storage);
+    if (unsaved > 0) {
+        text_refused(storage, atomic_load(&storage->error), "they are lost");
     } else if (lost_edits > 0) {
-        storage_log(storage, "store: a graph was not written",
-                    strerror(atomic_load(&storage->edit_error)), "it is lost");
+        set_text(storage, "store: a graph was not written",
+                 strerror(atomic_load(&storage->edit_error)), "it is lost");
     }
     sem_destroy(&storage->wake);
     storage_close_file(storage);
     storage_unlock(storage);
     storage->running = storage->closes = false;
     atomic_store(&storage->has_file, false);
-    return lost + lost_edits;
+    return unsaved + lost_edits;
 }
 
 struct hal_storage storage_device(struct storage *storage)
@@ -292,95 +326,4 @@ struct hal_storage storage_device(struct storage *storage)
         .replays = { &replays, storage },
         .edits = { &edits, storage },
     };
-}
-
-/* ---- Status text --------------------------------------------------------------------------- */
-
-/* Describes the state of the store in one line for the operator's menu, the status file and the
- * log. */
-
-void storage_log(struct storage *storage, const char *what, const char *why, const char *advice)
-{
-    snprintf(storage->text, sizeof storage->text, "%.68s: %.44s; %.40s", what, why, advice);
-}
-
-void storage_log_no_file(struct storage *storage, const char *why)
-{
-    char what[HAL_TEXT_SIZE / 2];
-    snprintf(what, sizeof what, "no store: %.56s", storage->path);
-    storage_log(storage, what, why, "nothing is kept");
-}
-
-void storage_log_refused(struct storage *storage, int error, const char *advice)
-{
-    char what[HAL_TEXT_SIZE / 2];
-    snprintf(what, sizeof what, "store: %u entries not written", storage_unwritten(storage));
-    storage_log(storage, what, ledger_file_error(error), advice);
-}
-
-static const char *advice_for(int error)
-{
-    switch (error) {
-    case SQLITE_BUSY:
-    case SQLITE_LOCKED:
-        return "another program holds it; it is retried";
-    case SQLITE_FULL:
-        return "free some space; it is retried";
-    case SQLITE_READONLY:
-        return "the card is read-only; it is retried";
-    case LEDGER_FILE_FOREIGN:
-        return "restart to use this one";
-    default:
-        return "it is retried each second";
-    }
-}
-
-const char *storage_describe(void *self)
-{
-    struct storage *storage = self;
-    const int error = atomic_load(&storage->error);
-    const int edit_error = atomic_load(&storage->edit_error);
-    const unsigned aside = atomic_load(&storage->aside);
-    if (!atomic_load(&storage->has_file)) {
-        if (error == LEDGER_FILE_FOREIGN) {
-            storage_log(storage, "no store", "the card is there now, and not empty",
-                        "a restart, once nobody plays");
-        }
-        return storage->text[0] ? storage->text : "no store: not opened";
-    }
-    if (storage_stuck_ms(storage) > 0) {
-        snprintf(storage->text, sizeof storage->text,
-                 "store: the card has not answered for %u s; %u entries wait",
-                 (unsigned)(storage_stuck_ms(storage) / 1000), storage_unwritten(storage));
-    } else if (error == LEDGER_FILE_MOVED) {
-        storage_log(storage, "store: the data folder or " STORAGE_FILE " was removed or replaced",
-                    "nothing is kept", "put it back, or restart the kiosk");
-    } else if (error != SQLITE_OK) {
-        storage_log_refused(storage, error, advice_for(error));
-    } else if (edit_error != 0) {
-        storage_log(storage, "store: a graph was not written", strerror(edit_error),
-                    "it is retried");
-    } else if (atomic_load(&storage->tail_error) != 0) {
-        storage_log(storage, "store: the second copy is not written",
-                    strerror(atomic_load(&storage->tail_error)), "it is retried");
-    } else if (aside > 0) {
-        char what[80] = "missing", lost[24] = "unknown how many";
-        if (!storage->was_missing) {
-            snprintf(what, sizeof what,
-                     "damaged and is now " STORAGE_FILE STORAGE_QUARANTINE_SUFFIX "%u", aside);
-        }
-        if (!storage->salvaged.is_open_ended) {
-            snprintf(lost, sizeof lost, "%u", storage->salvaged.lost);
-        }
-        snprintf(storage->text, sizeof storage->text,
-                 STORAGE_FILE " was %s: %u entries from the backup, %u later ones, %s lost", what,
-                 storage->from_backup, storage->salvaged.entries, lost);
-    } else if (atomic_load(&storage->strange) > 0) {
-        snprintf(storage->text, sizeof storage->text,
-                 STORAGE_FILE "%s was not a regular file and was set aside",
-                 storage_suffixes[atomic_load(&storage->strange) - 1u]);
-    } else {
-        snprintf(storage->text, sizeof storage->text, "%.150s", storage->path);
-    }
-    return storage->text;
 }

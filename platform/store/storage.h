@@ -2,30 +2,30 @@
  * The ledger is the append-only list of money events and rounds. A separate thread writes the
  * database.
  *
- * The frame loop never blocks on the card, which contains the database's folder. append() copies an
- * entry into a queue of STORAGE_QUEUE_MAX entries and returns. The store's thread writes and syncs
- * all queued entries in one transaction. Afterwards committed_id() returns the id of the newest
- * entry. After a failed sync, an entry counts as saved only when its bytes were written again and
- * synced, in the database (platform/store/sqlite/ledger_file.c) and in the ledger mirror. The
- * ledger mirror is a second copy of the newest entries.
+ * The frame loop never blocks on the memory card that contains the database's folder. append()
+ * copies an entry into a queue of STORAGE_QUEUE_MAX entries and returns. The store's thread writes
+ * and syncs all queued entries in one transaction. Afterwards committed_id() returns the id of the
+ * newest entry. After a failed sync, an entry counts as saved only when its bytes were written
+ * again and synced, in the database (platform/store/sqlite/ledger_file.c) and in the ledger mirror.
+ * The ledger mirror is a second copy of the newest entries.
  *
  * A card that is slow, full, busy, read-only or absent is retried once per second while the queue
  * fills. A file that must be read completely to detect a change is retried less often
- * (storage_card.c). When the queue is full, append() returns HAL_ERR_BUSY and the entries wait in
- * the core's output. If the card is full at program start, the store only reads the database until
- * the card has free space. Each failed write is counted. close() tries once more and returns the
- * number of lost entries.
+ * (storage_card.c). When the queue is full, append() returns HAL_ERR_BUSY, and the core keeps the
+ * entries in its output. If the card is full at program start, the store only reads the database
+ * until the card has free space. Each failed write is counted. close() tries once more and returns
+ * the number of lost entries.
  *
  * The database is copied to a backup file in the same folder: at program start, every hour, and
  * after STORAGE_BACKUP_ENTRIES entries. The backup is validated before it replaces the previous
  * backup. Entries that are newer than the backup are stored twice, in the database and in the
  * ledger mirror (platform/store/sqlite/ledger_recovery.h).
  *
- * A damaged database is renamed (quarantined). It is never repaired in place and never deleted. The
- * replacement consists of the backup and of all later entries that can be read from the damaged
- * database or the ledger mirror. A missing database is replaced in the same way, and an empty
- * marker file records the loss. If the card has no space for the replacement, all files stay
- * unchanged and are only read.
+ * A damaged database is renamed (quarantined). The store never repairs a damaged database in place
+ * and never deletes it. The replacement consists of the backup and of all later entries that can be
+ * read from the damaged database or the ledger mirror. A missing database is replaced in the same
+ * way, and an empty marker file records the loss. If the card has no space for the replacement, all
+ * files stay unchanged and are only read.
  *
  * The open database or its folder may be removed, renamed, replaced or mounted over. The store
  * detects each of these events within one second (storage_card.c). Afterwards no entry counts as
@@ -98,16 +98,14 @@
  * backup, and a replay of maximum length (SESSION_RECORDER_SIZE) for each ranked round. */
 #define STORAGE_HEAP_MAX (8 * 1024 * 1024)
 
-#define STORAGE_RANKS (MODE_COUNT * RANK_PERIOD_COUNT * RANK_ROWS)
-
 /* States of a request to write or read a replay. The frame loop first sets all other fields of the
  * request, and then sets `state` to STORAGE_REPLAY_WAITS. The store's thread sets `state` to
  * STORAGE_REPLAY_IDLE when the request is complete. */
 enum storage_replay_state { STORAGE_REPLAY_IDLE = 0, STORAGE_REPLAY_WAITS };
 struct storage_replay {
     uint32_t round_id;
-    const uint8_t *bytes; /* Bytes to write. The caller must not change them until the request is
-                             complete. */
+    const uint8_t *bytes; /* Bytes to write. The caller must not change the bytes until the
+                             request is complete. */
     uint8_t *room;        /* Buffer that receives the bytes of the replay. The buffer must stay
                              valid until the request is complete. */
     size_t size;
@@ -122,8 +120,8 @@ struct storage_replay {
  * (-shm). */
 #define STORAGE_PLACES 3u
 
-/* Identity of a monitored file at the time when the store first saw the file. A structure of zeros
- * means that the file did not exist yet. */
+/* Device and inode of a monitored file when the store first found the file at its path. A structure
+ * of zeros means that the file has not existed yet. */
 struct storage_place {
     uint64_t device, inode;
 };
@@ -195,10 +193,10 @@ struct storage {
     uint32_t from_backup; /* Newest entry id in the backup from which the replacement was made. */
     struct ledger_recovered salvaged; /* Entries newer than the backup that were recovered from the
                                          damaged database and the ledger mirror. */
-    atomic_int error;      /* SQLite code of the last write if it failed. 0 means that the last
-                              write succeeded. */
-    atomic_int edit_error; /* errno of the last write of an edit if it failed. 0 means that the last
-                              write succeeded. */
+    atomic_int error;      /* SQLite code of the last write if the write failed. 0 means that the
+                              last write succeeded. */
+    atomic_int edit_error; /* errno of the last write of an edit if the write failed. 0 means
+                              that the last write succeeded. */
     atomic_uint refused;   /* Number of failed writes, including retries. */
     atomic_llong busy_since_ms; /* Start time of the current write on the monotonic clock. 0 means
                                    that no write is in progress. */
@@ -219,9 +217,9 @@ struct storage {
     uint32_t accepted_id; /* Newest entry id that append() has accepted. Another append() call with
                              an accepted entry stores nothing. */
     atomic_uint saved_id;
-    atomic_bool is_unproven; /* True if the write-ahead log that the store has read may not be on
-                                disk. committed_id() then returns 0 and the store counts as
-                                unhealthy. */
+    /* True if the store has read the write-ahead log, but the log may not be on disk.
+     * committed_id() then returns 0 and the store counts as unhealthy. */
+    atomic_bool is_unproven;
     uint32_t saved_boot, saved_tick; /* Boot number and tick of the entry `saved_id`. Used by the
                                         store's thread only. */
     uint64_t sight;       /* Hash of the database file's attributes at the last attempt to open the
@@ -236,8 +234,9 @@ struct storage {
                                                     log's index. Used by the store's thread only. */
     bool moved;  /* True if the open database is no longer at its path. Used by the store's thread
                     only. */
-    bool prunes; /* True if entries, rounds or replays may exceed their limits. ledger_file_prune()
-                    must then delete some of them. Used by the store's thread only. */
+    bool prunes; /* True if entries, rounds or replays may exceed their limits.
+                    ledger_file_prune() must then delete the excess. Used by the store's thread
+                    only. */
     struct ledger_mirror tail;   /* Ledger mirror, the second copy of the newest entries. Used by
                                     the store's thread only. */
     uint32_t tail_from;          /* First entry id that the ledger mirror lacks. 0 means that the
@@ -257,8 +256,8 @@ struct storage {
                              because the card rejected it. */
     atomic_int got;       /* Result of the last read of a replay, which fetched() returns when the
                              request is complete. */
-    atomic_uint sealed[STORAGE_RANKS]; /* Round id of each ranking row whose replay is on disk. 0
-                                          means that the row has no replay on disk. */
+    atomic_uint sealed[LEDGER_RANKS]; /* Round id of each ranking row whose replay is on disk. 0
+                                         means that the row has no replay on disk. */
 };
 
 /* Returns the HAL device that uses `storage`. `storage` must outlive the returned device. open()

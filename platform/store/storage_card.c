@@ -17,7 +17,9 @@
 #include "platform/os/log.h"
 #include "platform/store/storage_internal.h"
 
-void storage_note_result(struct storage *storage, int code)
+/* Stores the SQLite code of a write, or of an attempt to open the database. If the code is an
+ * error, counts a failed write. */
+static void note_result(struct storage *storage, int code)
 {
     atomic_store(&storage->error, code);
     if (code != SQLITE_OK) {
@@ -27,7 +29,7 @@ void storage_note_result(struct storage *storage, int code)
 
 void storage_note_write(struct storage *storage, int code)
 {
-    storage_note_result(storage, code);
+    note_result(storage, code);
     if (storage_needs_reopening(code)) {
         storage_close_file(storage);
     }
@@ -37,6 +39,97 @@ bool storage_needs_reopening(int code)
 {
     return code == SQLITE_IOERR || code == SQLITE_CANTOPEN || code == SQLITE_READONLY ||
            code == SQLITE_CORRUPT || code == SQLITE_NOTADB;
+}
+
+/* ---- Moved database ------------------------------------------------------------------------ */
+
+/* Detects that the open database is no longer at its path. The database or its folder may have been
+ * removed, renamed, replaced or mounted over, so that the next program start would not find it. The
+ * open file can still be written and synced, but its content is lost or hidden. Therefore no entry
+ * is acknowledged. Without acknowledgements the coin slot is locked. A folder that is put back is
+ * used again. A deleted database stays open, and close() copies it to the path of the backup, where
+ * the next program start finds it. */
+
+/* Suffixes of the monitored files. SQLite owns the descriptors of the log and its index. These
+ * files are therefore identified by the device and inode that the store first found at their
+ * paths. */
+static const char *const suffixes[STORAGE_PLACES] = { "", "-wal", "-shm" };
+
+static bool is_same(const struct stat *about, const struct storage_place *place)
+{
+    return (uint64_t)about->st_dev == place->device && (uint64_t)about->st_ino == place->inode;
+}
+
+/* Returns true if the monitored file is absent or was replaced. The first call that finds the file
+ * stores its identity. */
+static bool has_left(struct storage *storage, size_t index)
+{
+    struct storage_place *place = &storage->places[index];
+    struct stat about;
+    const bool is_there = lstat(storage_path(storage, suffixes[index], "").text, &about) == 0;
+    if (place->inode == 0 && is_there) {
+        *place = (struct storage_place){ (uint64_t)about.st_dev, (uint64_t)about.st_ino };
+    }
+    return place->inode != 0 && !(is_there && is_same(&about, place));
+}
+
+static bool has_folder_left(const struct storage *storage)
+{
+    struct stat held, named;
+    return storage->hold > 0 && fstat(storage->hold - 1, &held) == 0 &&
+           (stat(storage->dir, &named) != 0 || held.st_dev != named.st_dev ||
+            held.st_ino != named.st_ino);
+}
+
+bool storage_has_moved(struct storage *storage)
+{
+    int has_moved = 0;
+    if (storage->how.vfs || !storage->file.db) {
+        return false;
+    }
+    sqlite3_file_control(storage->file.db, "main", SQLITE_FCNTL_HAS_MOVED, &has_moved);
+    bool result = has_moved != 0 || has_folder_left(storage);
+    for (size_t i = 0; i < STORAGE_PLACES; i++) {
+        result = has_left(storage, i) || result;
+    }
+    return result;
+}
+
+/* Returns true if the open database was deleted and has no name in any folder. The data of such a
+ * file are lost when the file is closed. */
+static bool is_deleted(const struct storage *storage)
+{
+    struct stat held, about;
+    const struct storage_place *place = &storage->places[0];
+    if (storage->hold > 0 && fstat(storage->hold - 1, &held) == 0 && held.st_nlink == 0) {
+        return true;
+    }
+    /* If the folder was only renamed or mounted over, the database still has a name in its folder
+     * and is not deleted. The database counts as deleted only if its folder is still at its path
+     * and no longer contains the database. */
+    return !has_folder_left(storage) &&
+           !(lstat(storage->path, &about) == 0 && is_same(&about, place));
+}
+
+/* Logs which file or folder has moved. */
+static void log_moved(const struct storage *storage)
+{
+    struct stat about;
+    const bool is_folder = has_folder_left(storage);
+    const bool is_log = lstat(storage->path, &about) == 0 && is_same(&about, &storage->places[0]);
+    log_print(
+        LOG_LEVEL_ERROR, "%s: %s", is_folder ? storage->dir : storage->path,
+        is_folder ? "the data folder was removed, renamed or replaced; nothing is stored until"
+                    " it is back"
+        : is_log  ? "its log (-wal or -shm) was removed or replaced; the database is opened again"
+                  : "was removed or replaced; nothing is stored until it is back");
+}
+
+/* Logs that the store uses a database again. */
+static void log_back(const struct storage *storage)
+{
+    log_print(LOG_LEVEL_WARNING, "%s: is in use again, with entries up to %u", storage->path,
+              storage->file.content.memory.ledger.last_id);
 }
 
 /* ---- Retry schedule ------------------------------------------------------------------------ */
@@ -79,23 +172,20 @@ static uint64_t room_of(const struct storage *storage)
 
 /* ---- Identity of the ledger ---------------------------------------------------------------- */
 
-/* Locks the folder, because two kiosk processes with one ledger would assign the same ids. Returns
- * false only if another process holds the lock. On a file system without locks, returns true. */
-static bool is_alone(struct storage *storage)
+/* Locks the folder first, because two kiosk processes with one ledger would assign the same ids. On
+ * a file system without locks, the database is opened without a lock. */
+int storage_open_exclusive(struct storage *storage)
 {
     if (storage->hold == 0 && !storage->how.vfs) {
         const int handle = file_lock_folder(storage->dir);
         storage->hold = handle >= 0 ? handle + 1 : 0;
-        return handle != -EWOULDBLOCK;
+        if (handle == -EWOULDBLOCK) {
+            return LEDGER_FILE_LOCKED;
+        }
     }
-    return true;
-}
-
-int storage_open_exclusive(struct storage *storage)
-{
-    const int code = is_alone(storage) ? storage_open_file(storage) : LEDGER_FILE_LOCKED;
+    const int code = storage_open_file(storage);
     if (code == SQLITE_OK && !storage->moved) {
-        storage_note_place(storage);
+        memset(storage->places, 0, sizeof storage->places);
     }
     return code;
 }
@@ -109,7 +199,9 @@ void storage_unlock(struct storage *storage)
     }
 }
 
-static int storage_card_probe(struct storage *storage)
+/* Opens the file at the database's path. Returns SQLITE_OK if the store may write the file,
+ * otherwise the reason as an SQLite code or an error code of ledger_file.h. */
+static int probe(struct storage *storage)
 {
     int code = storage_open_exclusive(storage);
     /* A file that has replaced a moved database may lack entries that were acknowledged. */
@@ -119,10 +211,9 @@ static int storage_card_probe(struct storage *storage)
         storage_unlock(storage);
         return LEDGER_FILE_MOVED;
     }
-    /* Returns true if the open file contains a foreign ledger, which comes from another card, or
-     * from a card that was absent at program start. A new card or a backup has fewer entries and is
-     * accepted. The file may also contain queued entries, because a write that reported an error
-     * may have succeeded. */
+    /* Reject a foreign ledger, which comes from another card, or from a card that was absent at
+     * program start. A new card or a backup has fewer entries and is accepted. The file may also
+     * contain queued entries, because a write that reported an error may have succeeded. */
     const unsigned pushed = atomic_load(&storage->pushed);
     const uint32_t saved_id = atomic_load(&storage->saved_id);
     const uint32_t last_id = storage->file.content.memory.ledger.last_id;
@@ -145,28 +236,34 @@ static int storage_card_probe(struct storage *storage)
         atomic_store(&storage->has_file, true);
         atomic_store(&storage->is_unproven, storage->file.is_suspect);
         if (storage->moved) {
-            storage_restore_log(storage);
+            log_back(storage);
         }
-        storage_note_place(storage);
+        memset(storage->places, 0, sizeof storage->places);
+        storage->moved = false;
         code = storage->file.refusal;
     }
-    storage_share_file(storage);
+    if (storage->file.refusal == SQLITE_FULL) {
+        /* Close the database, because other programs cannot read a database that is open on a full
+         * card. */
+        storage_close_file(storage);
+    }
     return code;
 }
 
 /* Returns true if the store may open the file that is now at the database's path, in place of the
- * open file that moved. The first call only reports the loss. The status therefore shows each loss,
- * even if the next call repairs the loss. During close() the first call may also return true,
- * because there is no later call. */
+ * open file that moved. The first call after a loss returns false and reports the loss, so that the
+ * status shows each loss even if the next call repairs it. During close() the first call may also
+ * return true, because there is no later call. */
 static bool leave_moved(struct storage *storage)
 {
     const bool is_first = !storage->moved;
     if (is_first) {
-        storage_mark_log_removed(storage);
+        log_moved(storage);
     }
     storage->moved = true;
-    if ((is_first && !storage->closes) || !storage_may_follow(storage)) {
-        storage_note_result(storage, LEDGER_FILE_MOVED);
+    if ((is_first && !storage->closes) || !storage_has_path(storage->path) ||
+        (storage->file.db && is_deleted(storage))) {
+        note_result(storage, LEDGER_FILE_MOVED);
         return false;
     }
     if (storage->file.db) {
@@ -182,8 +279,8 @@ bool storage_has_card(struct storage *storage)
     if (storage->file.db && !storage->file.refusal && !storage_has_moved(storage)) {
         if (storage->moved) { /* The database file is back at its path. */
             storage->moved = false;
-            storage_note_result(storage, SQLITE_OK);
-            storage_restore_log(storage);
+            note_result(storage, SQLITE_OK);
+            log_back(storage);
         }
         return true;
     }
@@ -201,10 +298,11 @@ bool storage_has_card(struct storage *storage)
         return false;
     }
     storage_close_file(storage);
-    const int code = storage_card_probe(storage);
+    const int code = probe(storage);
     const uint64_t sight = sight_of(storage);
     const int64_t longer_ms = 2 * storage->look_wait_ms;
-    /* The interval grows only if the store has read the whole file to get the result `code`. */
+    /* The store gets the following codes only by reading the whole file. The interval to the next
+     * attempt grows only after these codes, because attempts with other results are cheap. */
     if (!(code == LEDGER_FILE_FOREIGN || code == LEDGER_FILE_NEWER || code == LEDGER_FILE_MOVED ||
           code == SQLITE_READONLY || code == SQLITE_FULL || code == SQLITE_CORRUPT ||
           code == SQLITE_NOTADB)) {
@@ -218,155 +316,29 @@ bool storage_has_card(struct storage *storage)
     storage->room = room_of(storage);
     storage->look_due_ms = storage->look_wait_ms > 0 ? storage_now_ms() + storage->look_wait_ms : 0;
     if (code != SQLITE_OK || storage_unwritten(storage) == 0) {
-        storage_note_result(storage, code); /* If entries wait in the queue, the result of their
-                                               write sets the store's status. */
+        /* If entries are in the queue, their write follows and sets the store's status. */
+        note_result(storage, code);
     }
     return code == SQLITE_OK;
 }
 
-/* ---- Moved database ------------------------------------------------------------------------ */
+/* ---- Deleted database ---------------------------------------------------------------------- */
 
-/* Detects that the open database is no longer at its path. The database or its folder may have been
- * removed, renamed, replaced or mounted over, so that the next program start would not find it. The
- * open file can still be written and synced, but its content is lost or hidden. Therefore no entry
- * is acknowledged. Without acknowledgements the coin slot is locked. A folder that is put back is
- * used again. A deleted database stays open, and close() copies it to the path of the backup, where
- * the next program start finds it. */
-
-/* Suffixes of the monitored files. SQLite owns the descriptors of the log and its index. These
- * files are therefore identified by the inode that was seen first. */
-static const char *const suffixes[STORAGE_PLACES] = { "", "-wal", "-shm" };
-
-static bool storage_moved_is_same(const struct stat *about, const struct storage_place *place)
-{
-    return (uint64_t)about->st_dev == place->device && (uint64_t)about->st_ino == place->inode;
-}
-
-void storage_note_place(struct storage *storage)
-{
-    CORE_ASSERT(storage->path[0]);
-    memset(storage->places, 0, sizeof storage->places);
-    storage->moved = false;
-}
-
-/* Returns true if the monitored file is absent or was replaced. The identity of a new file is
- * stored when the store first sees the file. */
-static bool has_left(struct storage *storage, size_t index)
-{
-    struct storage_place *place = &storage->places[index];
-    struct stat about;
-    char path[LEDGER_PATH_SIZE];
-    storage_sibling_path(storage, suffixes[index], "", path);
-    const bool is_there = lstat(path, &about) == 0;
-    if (place->inode == 0 && is_there) {
-        *place = (struct storage_place){ (uint64_t)about.st_dev, (uint64_t)about.st_ino };
-    }
-    return place->inode != 0 && !(is_there && storage_moved_is_same(&about, place));
-}
-
-static bool has_folder_left(const struct storage *storage)
-{
-    struct stat held, named;
-    return storage->hold > 0 && fstat(storage->hold - 1, &held) == 0 &&
-           (stat(storage->dir, &named) != 0 || held.st_dev != named.st_dev ||
-            held.st_ino != named.st_ino);
-}
-
-bool storage_has_moved(struct storage *storage)
-{
-    int has_moved = 0;
-    if (storage->how.vfs || !storage->file.db) {
-        return false;
-    }
-    sqlite3_file_control(storage->file.db, "main", SQLITE_FCNTL_HAS_MOVED, &has_moved);
-    bool result = has_moved != 0 || has_folder_left(storage);
-    for (size_t i = 0; i < STORAGE_PLACES; i++) {
-        result = has_left(storage, i) || result;
-    }
-    return result;
-}
-
-/* Checks for a moved database before the entries are acknowledged. If the database moved during the
- * write, no program start would find the entries. */
-int storage_write_entries(struct storage *storage, const struct ledger_entry *entries,
-                          uint32_t count)
-{
-    CORE_ASSERT(entries && count > 0);
-    CORE_ASSERT(storage->file.db);
-    const int code = ledger_file_write(&storage->file, entries, count);
-    return code == SQLITE_OK && storage_has_moved(storage) ? LEDGER_FILE_MOVED : code;
-}
-
-/* ---- Recovery ------------------------------------------------------------------------------ */
-
-/* Returns true if the open database was deleted and has no name in any folder. Closing a database
- * without a name deletes its data. */
-static bool is_deleted(const struct storage *storage)
-{
-    struct stat held, about;
-    const struct storage_place *place = &storage->places[0];
-    if (storage->hold > 0 && fstat(storage->hold - 1, &held) == 0 && held.st_nlink == 0) {
-        return true;
-    }
-    /* If only the folder was renamed or mounted over, the database still has a name in its
-     * folder. */
-    return !has_folder_left(storage) &&
-           !(lstat(storage->path, &about) == 0 && storage_moved_is_same(&about, place));
-}
-
-bool storage_may_follow(struct storage *storage)
-{
-    return storage_has_path(storage->path) && (!storage->file.db || !is_deleted(storage));
-}
-
-static bool has_any(const struct storage *storage)
-{
-    static const char *const names[] = { "", STORAGE_BACKUP_SUFFIX, STORAGE_MIRROR_SUFFIX,
-                                         STORAGE_NEW_SUFFIX };
-    bool has = false;
-    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
-        char path[LEDGER_PATH_SIZE];
-        storage_sibling_path(storage, names[i], "", path);
-        has = has || storage_has_path(path);
-    }
-    return has;
-}
-
-void storage_mark_log_removed(const struct storage *storage)
-{
-    struct stat about;
-    if (has_folder_left(storage)) {
-        log_print(LOG_LEVEL_ERROR,
-                  "%s: the data folder was removed, renamed or replaced; nothing is stored"
-                  " until it is back",
-                  storage->dir);
-    } else if (lstat(storage->path, &about) == 0 &&
-               storage_moved_is_same(&about, &storage->places[0])) {
-        log_print(LOG_LEVEL_ERROR,
-                  "%s: its log (-wal or -shm) was removed or replaced; the database is"
-                  " opened again",
-                  storage->path);
-    } else {
-        log_print(LOG_LEVEL_ERROR,
-                  "%s: was removed or replaced; nothing is stored until it is back", storage->path);
-    }
-}
-
-void storage_restore_log(const struct storage *storage)
-{
-    log_print(LOG_LEVEL_WARNING, "%s: is in use again, with entries up to %u", storage->path,
-              storage->file.content.memory.ledger.last_id);
-}
-
-bool storage_save_deleted(struct storage *storage)
+void storage_save_deleted(struct storage *storage)
 {
     CORE_ASSERT(storage_unwritten(storage) <= STORAGE_QUEUE_MAX);
-    char backup[LEDGER_PATH_SIZE];
+    static const char *const names[] = { "", STORAGE_BACKUP_SUFFIX, STORAGE_MIRROR_SUFFIX,
+                                         STORAGE_NEW_SUFFIX };
+    const struct storage_path backup = storage_path(storage, STORAGE_BACKUP_SUFFIX, "");
     if (!storage->moved || !storage->file.db || !is_deleted(storage) ||
-        file_make_folder(storage->dir) != 0 || has_any(storage)) {
-        return false;
+        file_make_folder(storage->dir) != 0) {
+        return;
     }
-    storage_backup_path(storage, backup);
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        if (storage_has_path(storage_path(storage, names[i], "").text)) {
+            return;
+        }
+    }
     /* Write all queued entries, in at most two parts because the queue is a ring buffer. */
     const unsigned pushed = atomic_load(&storage->pushed);
     unsigned at = atomic_load(&storage->written);
@@ -378,16 +350,13 @@ bool storage_save_deleted(struct storage *storage)
         code = ledger_file_write(&storage->file, &storage->queue[first], count);
         at += count;
     }
-    const bool is_saved =
-        code == SQLITE_OK && ledger_backup_make(&storage->file, backup, false) == SQLITE_OK;
-    if (is_saved) {
+    if (code == SQLITE_OK && ledger_backup_make(&storage->file, backup.text, false) == SQLITE_OK) {
         atomic_store(&storage->written, atomic_load(&storage->pushed));
         log_print(LOG_LEVEL_WARNING,
                   "%s: was deleted while it was open; all entries are saved in %s", storage->path,
-                  backup);
+                  backup.text);
     } else {
         log_print(LOG_LEVEL_ERROR, "%s: was deleted while it was open, and %s could not be written",
-                  storage->path, backup);
+                  storage->path, backup.text);
     }
-    return is_saved;
 }

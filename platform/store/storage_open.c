@@ -16,28 +16,18 @@
 #include "platform/store/sqlite/ledger_backup.h"
 #include "platform/store/storage_internal.h"
 
-void storage_sibling_path(const struct storage *storage, const char *suffix, const char *more,
-                          char out[LEDGER_PATH_SIZE])
+struct storage_path storage_path(const struct storage *storage, const char *suffix,
+                                 const char *more)
 {
     CORE_ASSERT(suffix && more);
-    snprintf(out, LEDGER_PATH_SIZE, "%.520s%.40s%.20s", storage->path, suffix, more);
-}
-
-void storage_backup_path(const struct storage *storage, char out[LEDGER_PATH_SIZE])
-{
-    storage_sibling_path(storage, STORAGE_BACKUP_SUFFIX, "", out);
-}
-
-void storage_mirror_path(const struct storage *storage, char out[LEDGER_PATH_SIZE])
-{
-    storage_sibling_path(storage, STORAGE_MIRROR_SUFFIX, "", out);
+    struct storage_path path;
+    snprintf(path.text, sizeof path.text, "%.520s%.40s%.20s", storage->path, suffix, more);
+    return path;
 }
 
 struct ledger_mirror storage_inspect_mirror(const struct storage *storage)
 {
-    char path[LEDGER_PATH_SIZE];
-    storage_mirror_path(storage, path);
-    return ledger_mirror_inspect(path);
+    return ledger_mirror_inspect(storage_path(storage, STORAGE_MIRROR_SUFFIX, "").text);
 }
 
 /* Returns true if the path exists. After an I/O error also returns true, so that no file is
@@ -51,7 +41,7 @@ const char *const storage_suffixes[STORAGE_SIBLING_COUNT] = {
     "-wal", "-shm", "-journal", STORAGE_BACKUP_SUFFIX, STORAGE_MIRROR_SUFFIX,
 };
 
-static bool has_bytes(const char *path)
+bool storage_has_bytes(const char *path)
 {
     struct stat about;
     return stat(path, &about) == 0 && about.st_size > 0;
@@ -77,15 +67,13 @@ enum others {
 static enum others backup_is(struct storage *storage)
 {
     const uint32_t last_id = storage->file.content.memory.ledger.last_id;
+    const struct storage_path path = storage_path(storage, STORAGE_BACKUP_SUFFIX, "");
     struct ledger_file backup;
-    char path[LEDGER_PATH_SIZE];
-    storage_backup_path(storage, path);
-    if (!storage_has_path(path) || ledger_file_inspect(&backup, path) != SQLITE_OK) {
+    if (!storage_has_path(path.text) || ledger_file_inspect(&backup, path.text) != SQLITE_OK) {
         return OTHERS_NOT;
     }
     enum others result = OTHERS_NOT;
-    if (ledger_recovery_relation_of_file(&storage->file, last_id, &backup) ==
-        LEDGER_RELATION_OTHER) {
+    if (ledger_recovery_relation(&storage->file, last_id, NULL, &backup) == LEDGER_RELATION_OTHER) {
         result = OTHERS_STRANGE;
     } else if (last_id < backup.content.memory.ledger.last_id &&
                ledger_check(backup.db) == SQLITE_OK) {
@@ -102,8 +90,7 @@ static enum others tail_is(struct storage *storage)
     const uint32_t last_id = storage->file.content.memory.ledger.last_id;
     struct ledger_mirror tail = storage_inspect_mirror(storage);
     const uint32_t tails_last_id = ledger_mirror_last_id(&tail);
-    const enum ledger_relation kin =
-        ledger_recovery_relation_of_mirror(&storage->file, last_id, &tail);
+    const enum ledger_relation kin = ledger_recovery_relation(&storage->file, last_id, &tail, NULL);
     ledger_mirror_close(&tail);
     if (kin == LEDGER_RELATION_OTHER ||
         (kin == LEDGER_RELATION_UNKNOWN && last_id > 0 && tails_last_id > last_id)) {
@@ -124,17 +111,15 @@ bool storage_is_behind_backup(struct storage *storage)
  * to the replaced database and is deleted. Returns an SQLite code. */
 static int take_copy(struct storage *storage)
 {
-    char backup[LEDGER_PATH_SIZE], before[LEDGER_PATH_SIZE], tail[LEDGER_PATH_SIZE];
-    storage_mirror_path(storage, tail);
-    if (unlink(tail) != 0 && errno != ENOENT) {
+    if (unlink(storage_path(storage, STORAGE_MIRROR_SUFFIX, "").text) != 0 && errno != ENOENT) {
         return SQLITE_IOERR;
     }
-    storage_backup_path(storage, backup);
-    storage_sibling_path(storage, STORAGE_BEFORE_SUFFIX, "", before);
-    if (backup_is(storage) != OTHERS_NOT && file_rename_durable(backup, before) != 0) {
+    if (backup_is(storage) != OTHERS_NOT &&
+        file_rename_durable(storage_path(storage, STORAGE_BACKUP_SUFFIX, "").text,
+                            storage_path(storage, STORAGE_BEFORE_SUFFIX, "").text) != 0) {
         return SQLITE_IOERR;
     }
-    return ledger_unmark(&storage->file);
+    return ledger_mark(storage->file.db, false);
 }
 
 /* Compares the database with its backup and mirror, and renames a backup or mirror of a foreign
@@ -146,28 +131,27 @@ static int compare_database_copies(struct storage *storage)
     if (backup == OTHERS_NEWER || tail == OTHERS_NEWER) {
         return SQLITE_CORRUPT;
     }
-    if (!storage->file.refusal && backup == OTHERS_STRANGE &&
-        storage_quarantine_other(storage, STORAGE_BACKUP_SUFFIX) != 0) {
-        return SQLITE_IOERR;
-    }
-    if (!storage->file.refusal && tail == OTHERS_STRANGE &&
-        storage_quarantine_other(storage, STORAGE_MIRROR_SUFFIX) != 0) {
-        return SQLITE_IOERR;
-    }
-    return SQLITE_OK;
+    const bool is_done =
+        storage->file.refusal ||
+        ((backup != OTHERS_STRANGE ||
+          storage_quarantine_other(storage, STORAGE_BACKUP_SUFFIX) == 0) &&
+         (tail != OTHERS_STRANGE || storage_quarantine_other(storage, STORAGE_MIRROR_SUFFIX) == 0));
+    return is_done ? SQLITE_OK : SQLITE_IOERR;
 }
 
 static int open_whole(struct storage *storage)
 {
-    char backup[LEDGER_PATH_SIZE], log[LEDGER_PATH_SIZE];
-    storage_backup_path(storage, backup);
-    storage_sibling_path(storage, "-wal", "", log);
     struct stat about;
-    int code = file_is_other(storage->path) ? SQLITE_NOTADB
-               : (stat(storage->path, &about) == 0 && about.st_size == 0 &&
-                  (has_bytes(backup) || has_bytes(log) || has_tail(storage)))
-                   ? SQLITE_CORRUPT
-                   : ledger_file_open(&storage->file, storage->path, &storage->how);
+    int code = SQLITE_OK;
+    if (file_is_other(storage->path)) {
+        code = SQLITE_NOTADB;
+    } else if (stat(storage->path, &about) == 0 && about.st_size == 0 &&
+               (storage_has_bytes(storage_path(storage, STORAGE_BACKUP_SUFFIX, "").text) ||
+                storage_has_bytes(storage_path(storage, "-wal", "").text) || has_tail(storage))) {
+        code = SQLITE_CORRUPT;
+    } else {
+        code = ledger_file_open(&storage->file, storage->path, &storage->how);
+    }
     if (code != SQLITE_OK) {
         return code;
     }
@@ -202,9 +186,8 @@ int storage_open_file(struct storage *storage)
      * that the start continues without it. On a read-only card the object stays and is not
      * opened. */
     for (unsigned i = 0; i < STORAGE_SIBLING_COUNT; i++) {
-        char path[LEDGER_PATH_SIZE];
-        storage_sibling_path(storage, storage_suffixes[i], "", path);
-        if (file_is_other(path) && storage_quarantine_other(storage, storage_suffixes[i]) == 0) {
+        if (file_is_other(storage_path(storage, storage_suffixes[i], "").text) &&
+            storage_quarantine_other(storage, storage_suffixes[i]) == 0) {
             atomic_store(&storage->strange, i + 1u);
         }
     }
@@ -212,10 +195,10 @@ int storage_open_file(struct storage *storage)
     if (code != SQLITE_OK) {
         return code;
     }
-    char backup[LEDGER_PATH_SIZE];
-    storage_backup_path(storage, backup);
     const bool is_missing =
-        !storage_has_path(storage->path) && (storage_has_path(backup) || has_tail(storage));
+        !storage_has_path(storage->path) &&
+        (storage_has_path(storage_path(storage, STORAGE_BACKUP_SUFFIX, "").text) ||
+         has_tail(storage));
     code = is_missing ? SQLITE_CORRUPT : open_whole(storage);
     if (code == SQLITE_CORRUPT || code == SQLITE_NOTADB) {
         storage->has_to_rebuild = true;

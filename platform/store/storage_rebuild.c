@@ -2,9 +2,9 @@
  *
  * The replacement contains the last valid backup and all newer entries of the damaged database and
  * the ledger mirror. The replacement is first written and synced completely under a temporary name.
- * Then it is renamed to STORAGE_NEW_SUFFIX, the damaged database is renamed, and finally the
- * replacement gets the name of the database. After a power cut at any point, the next start repeats
- * or completes the procedure. A card without enough space is left unchanged.
+ * Then the replacement is renamed to STORAGE_NEW_SUFFIX, the damaged database is renamed, and
+ * finally the replacement gets the name of the database. After a power cut at any point, the next
+ * start repeats or completes these steps. A card without enough space is left unchanged.
  *
  * If the id of the newest lost entry is unknown, a later entry may get the same id, because ids
  * rise by one (core/ledger.h). The two entries then differ in their boot numbers. */
@@ -33,9 +33,9 @@ static const char *const suffixes[] = { "-wal", "-journal", "-shm" };
 
 /* ---- Quarantine ---------------------------------------------------------------------------- */
 
-/* Returns the highest number in the names of all quarantined files and markers, plus one. The
- * operator may have deleted an acknowledged file. Its marker remains, and would hide a new file
- * with the same number. */
+/* Returns the number for the name of the next quarantined file or marker: the highest number in use
+ * plus one. Markers are counted too, because the operator may have deleted an acknowledged file and
+ * not its marker. The marker would mark a new file with the same number as acknowledged. */
 static unsigned next_number(const struct storage *storage)
 {
     static const char *const kinds[] = { STORAGE_QUARANTINE_SUFFIX, STORAGE_MISSING_SUFFIX,
@@ -61,27 +61,28 @@ static unsigned next_number(const struct storage *storage)
 int storage_quarantine_other(struct storage *storage, const char *suffix)
 {
     CORE_ASSERT(suffix[0] == '.' || suffix[0] == '-');
-    char from[LEDGER_PATH_SIZE], to[LEDGER_PATH_SIZE], number[40];
+    char number[40];
     snprintf(number, sizeof number, STORAGE_OTHER_SUFFIX "%u", next_number(storage));
-    storage_sibling_path(storage, suffix, "", from);
-    storage_sibling_path(storage, suffix, number, to);
-    return file_rename_durable(from, to) == 0 ? 0 : -1;
+    return file_rename_durable(storage_path(storage, suffix, "").text,
+                               storage_path(storage, suffix, number).text) == 0
+               ? 0
+               : -1;
 }
 
-/* Renames the damaged database first and then its log and journal. SQLite would apply a log or
- * journal that kept its name to the new database. Returns true on success. */
+/* Renames the damaged database first and then its log and journal. A log or journal with its old
+ * name would be applied to the new database by SQLite. Returns true on success. */
 static bool set_aside(struct storage *storage, unsigned number)
 {
-    char from[LEDGER_PATH_SIZE], to[LEDGER_PATH_SIZE], suffix[40];
+    char suffix[40];
     snprintf(suffix, sizeof suffix, STORAGE_QUARANTINE_SUFFIX "%u", number);
-    storage_sibling_path(storage, suffix, "", to);
-    if (storage_has_path(storage->path) && rename(storage->path, to) != 0) {
+    if (storage_has_path(storage->path) &&
+        rename(storage->path, storage_path(storage, suffix, "").text) != 0) {
         return false;
     }
     for (size_t i = 0; i < SUFFIX_COUNT; i++) {
-        storage_sibling_path(storage, suffixes[i], "", from);
-        storage_sibling_path(storage, suffix, suffixes[i], to);
-        if (rename(from, to) != 0 && errno != ENOENT) {
+        if (rename(storage_path(storage, suffixes[i], "").text,
+                   storage_path(storage, suffix, suffixes[i]).text) != 0 &&
+            errno != ENOENT) {
             return false;
         }
     }
@@ -90,25 +91,22 @@ static bool set_aside(struct storage *storage, unsigned number)
 
 /* Creates an empty marker for a missing database. The marker stays until the operator acknowledges
  * the loss. Returns true if the marker is on disk. */
-static bool leave_note(struct storage *storage, unsigned number)
+static bool write_note(struct storage *storage, unsigned number)
 {
-    char path[LEDGER_PATH_SIZE], suffix[40];
+    char suffix[40];
     snprintf(suffix, sizeof suffix, STORAGE_MISSING_SUFFIX "%u", number);
-    storage_sibling_path(storage, suffix, "", path);
-    const int handle = file_handle(path, O_WRONLY | O_CREAT, 0600);
-    return handle >= 0 && close(handle) == 0 && file_sync_parent(path) == 0;
+    const struct storage_path path = storage_path(storage, suffix, "");
+    const int handle = file_handle(path.text, O_WRONLY | O_CREAT, 0600);
+    return handle >= 0 && close(handle) == 0 && file_sync_parent(path.text) == 0;
 }
 
 /* ---- Replacement --------------------------------------------------------------------------- */
 
 static void remove_all(const struct storage *storage, const char *suffix)
 {
-    char path[LEDGER_PATH_SIZE];
-    storage_sibling_path(storage, suffix, "", path);
-    unlink(path);
+    unlink(storage_path(storage, suffix, "").text);
     for (size_t i = 0; i < SUFFIX_COUNT; i++) {
-        storage_sibling_path(storage, suffix, suffixes[i], path);
-        unlink(path);
+        unlink(storage_path(storage, suffix, suffixes[i]).text);
     }
 }
 
@@ -116,12 +114,10 @@ static void remove_all(const struct storage *storage, const char *suffix)
  * from the ledger mirror. Returns an SQLite code. */
 static int salvage_into(struct storage *storage, struct ledger_file *to)
 {
-    struct stat about;
-    const bool has_bytes = stat(storage->path, &about) == 0 && about.st_size > 0;
     struct ledger_mirror tail = storage_inspect_mirror(storage);
     storage->from_backup = to->content.memory.ledger.last_id;
-    const int code =
-        ledger_recover(has_bytes ? storage->path : NULL, &tail, to, &storage->salvaged);
+    const int code = ledger_recover(storage_has_bytes(storage->path) ? storage->path : NULL, &tail,
+                                    to, &storage->salvaged);
     ledger_mirror_close(&tail);
     return code;
 }
@@ -141,43 +137,36 @@ static int sync_file(const char *path)
  * between the two steps. */
 static int make_new(struct storage *storage, bool is_missing, unsigned number)
 {
-    char part[LEDGER_PATH_SIZE], fresh[LEDGER_PATH_SIZE];
-    storage_sibling_path(storage, PART_SUFFIX, "", part);
-    storage_sibling_path(storage, STORAGE_NEW_SUFFIX, "", fresh);
-    remove_all(storage, PART_SUFFIX);
-    /* Makes the replacement under its temporary name. Single writes are not synced, because no
-     * process reads the file before it is complete. Syncing once at the end saves time on a slow
-     * card. */
+    /* Single writes are not synced, because no process reads the file before it is complete.
+     * Syncing once at the end saves time on a slow card. */
     static const struct ledger_file_options unsynced = { .journal = "MEMORY OFF" };
-    struct ledger_file file;
-    char backup[LEDGER_PATH_SIZE];
+    const struct storage_path part = storage_path(storage, PART_SUFFIX, "");
+    const struct storage_path backup = storage_path(storage, STORAGE_BACKUP_SUFFIX, "");
+    remove_all(storage, PART_SUFFIX);
+    /* The backup is opened read-only, so that a backup with an older schema can be copied too. */
+    struct ledger_file file = { .refusal = SQLITE_READONLY };
     int code = SQLITE_OK;
-    storage_backup_path(storage, backup);
-    /* The backup is opened read-only. An older schema is accepted. */
-    file = (struct ledger_file){ .refusal = SQLITE_READONLY };
-    const bool is_good = storage_has_path(backup) &&
-                         sql_open(backup, SQLITE_OPEN_READONLY, NULL, &file.db) == SQLITE_OK &&
-                         ledger_check(file.db) == SQLITE_OK;
-    if (!is_good) {
-        ledger_file_close(&file);
+    if (storage_has_path(backup.text) &&
+        sql_open(backup.text, SQLITE_OPEN_READONLY, NULL, &file.db) == SQLITE_OK &&
+        ledger_check(file.db) == SQLITE_OK) {
+        code = ledger_backup_make(&file, part.text, false);
     }
-    if (is_good) {
-        code = ledger_backup_make(&file, part, false);
-        ledger_file_close(&file);
-    }
-    code = code == SQLITE_OK ? ledger_file_open(&file, part, &unsynced) : code;
-    if (code == SQLITE_CORRUPT) { /* The pages of the backup are intact, but its aggregates are out
-                                     of range. */
+    ledger_file_close(&file);
+    code = code == SQLITE_OK ? ledger_file_open(&file, part.text, &unsynced) : code;
+    /* The pages of the backup are intact, but its settings, audits or ranking are out of range. The
+     * replacement is therefore made without the backup. */
+    if (code == SQLITE_CORRUPT) {
         remove_all(storage, PART_SUFFIX);
-        code = ledger_file_open(&file, part, &unsynced);
+        code = ledger_file_open(&file, part.text, &unsynced);
     }
     if (code == SQLITE_OK) {
         code = file.refusal ? file.refusal : salvage_into(storage, &file);
         ledger_file_close(&file);
-        code = code == SQLITE_OK && sync_file(part) != 0 ? SQLITE_IOERR : code;
+        code = code == SQLITE_OK && sync_file(part.text) != 0 ? SQLITE_IOERR : code;
     }
     if (code == SQLITE_OK &&
-        ((is_missing && !leave_note(storage, number)) || file_rename_durable(part, fresh) != 0)) {
+        ((is_missing && !write_note(storage, number)) ||
+         file_rename_durable(part.text, storage_path(storage, STORAGE_NEW_SUFFIX, "").text) != 0)) {
         code = SQLITE_IOERR;
     }
     if (code != SQLITE_OK) {
@@ -186,13 +175,12 @@ static int make_new(struct storage *storage, bool is_missing, unsigned number)
     return code;
 }
 
-/* Renames the replacement to the database path, which is the last step of the procedure. After a
- * power cut the next start repeats this step. */
+/* Renames the complete replacement to the path of the database, which is the last step of a
+ * replacement. After a power cut the next start repeats this step. Returns true on success. */
 static bool put_new(struct storage *storage)
 {
-    char fresh[LEDGER_PATH_SIZE];
-    storage_sibling_path(storage, STORAGE_NEW_SUFFIX, "", fresh);
-    return file_rename_durable(fresh, storage->path) == 0;
+    return file_rename_durable(storage_path(storage, STORAGE_NEW_SUFFIX, "").text, storage->path) ==
+           0;
 }
 
 int storage_rebuild(struct storage *storage, bool is_missing)
@@ -204,8 +192,14 @@ int storage_rebuild(struct storage *storage, bool is_missing)
     if (code != SQLITE_OK) {
         return code;
     }
-    if (storage->salvaged.has_others_tail &&
-        storage_quarantine_other(storage, STORAGE_MIRROR_SUFFIX) != 0) {
+    /* A backup that was not used may be the only copy of its entries. It must be renamed before the
+     * next backup takes its name. */
+    const bool has_unused_backup =
+        storage->from_backup == 0 &&
+        storage_has_bytes(storage_path(storage, STORAGE_BACKUP_SUFFIX, "").text);
+    if ((has_unused_backup && storage_quarantine_other(storage, STORAGE_BACKUP_SUFFIX) != 0) ||
+        (storage->salvaged.has_others_tail &&
+         storage_quarantine_other(storage, STORAGE_MIRROR_SUFFIX) != 0)) {
         return SQLITE_IOERR;
     }
     if (!set_aside(storage, number) || file_sync_parent(storage->path) != 0 || !put_new(storage)) {
@@ -220,11 +214,9 @@ int storage_rebuild(struct storage *storage, bool is_missing)
  * exists, the replacement is obsolete and is deleted. */
 int storage_end_rebuilding(struct storage *storage)
 {
-    char fresh[LEDGER_PATH_SIZE];
-    storage_sibling_path(storage, STORAGE_NEW_SUFFIX, "", fresh);
     if (storage_has_path(storage->path)) {
         remove_all(storage, STORAGE_NEW_SUFFIX);
-    } else if (storage_has_path(fresh) &&
+    } else if (storage_has_path(storage_path(storage, STORAGE_NEW_SUFFIX, "").text) &&
                !(set_aside(storage, next_number(storage)) && put_new(storage))) {
         return SQLITE_IOERR; /* No new database may be created at the path while the replacement
                                 cannot be renamed. */
@@ -236,10 +228,10 @@ int storage_end_rebuilding(struct storage *storage)
 
 bool storage_read_remnants(struct storage *storage, int refusal)
 {
-    char backup[LEDGER_PATH_SIZE];
-    storage_backup_path(storage, backup);
     struct ledger_file *file = &storage->file;
-    if (ledger_file_inspect(file, backup) != SQLITE_OK || ledger_check(file->db) != SQLITE_OK) {
+    if (ledger_file_inspect(file, storage_path(storage, STORAGE_BACKUP_SUFFIX, "").text) !=
+            SQLITE_OK ||
+        ledger_check(file->db) != SQLITE_OK) {
         ledger_file_close(file);
     }
     file->refusal = refusal;

@@ -63,7 +63,7 @@ int storage_replay_fetched(void *self)
 int storage_has_replay(void *self, uint32_t round_id)
 {
     struct storage *storage = self;
-    for (uint32_t i = 0; i < STORAGE_RANKS && round_id != 0; i++) {
+    for (uint32_t i = 0; i < LEDGER_RANKS && round_id != 0; i++) {
         if (atomic_load_explicit(&storage->sealed[i], memory_order_relaxed) == round_id) {
             return 1;
         }
@@ -76,24 +76,13 @@ int storage_has_replay(void *self, uint32_t round_id)
 /* Returns true if the round is on disk and has a place in the ranking. */
 static bool is_ranked(const struct storage *storage, uint32_t round_id)
 {
-    const struct ranking *ranking = &storage->file.content.memory.ranking;
-    for (uint32_t i = 0; i < MODE_COUNT * RANK_PERIOD_COUNT * RANK_ROWS; i++) {
-        const struct rank_row *row =
-            &ranking->row[i / RANK_ROWS / RANK_PERIOD_COUNT][i / RANK_ROWS % RANK_PERIOD_COUNT]
-                         [i % RANK_ROWS];
-        if (row->caught > 0 && row->round_id == round_id) {
+    const struct rank_row *rows = &storage->file.content.memory.ranking.row[0][0][0];
+    for (uint32_t i = 0; i < LEDGER_RANKS; i++) {
+        if (rows[i].caught > 0 && rows[i].round_id == round_id) {
             return true;
         }
     }
     return false;
-}
-
-/* Returns true if the card has rejected the replay for STORAGE_REPLAY_MS. */
-static bool gives_up(struct storage *storage)
-{
-    const int64_t now_ms = storage_now_ms();
-    storage->put_since_ms = storage->put_since_ms > 0 ? storage->put_since_ms : now_ms;
-    return now_ms - storage->put_since_ms >= STORAGE_REPLAY_MS;
 }
 
 void storage_update_sealed(struct storage *storage)
@@ -102,7 +91,7 @@ void storage_update_sealed(struct storage *storage)
         return; /* A failed write has closed the database. Therefore no replay can be looked up. */
     }
     const struct rank_row *rows = &storage->file.content.memory.ranking.row[0][0][0];
-    for (uint32_t i = 0; i < STORAGE_RANKS; i++) {
+    for (uint32_t i = 0; i < LEDGER_RANKS; i++) {
         const uint32_t id = rows[i].caught > 0 ? rows[i].round_id : 0u;
         const int has = id != 0 && ledger_file_has_replay(&storage->file, id);
         atomic_store_explicit(&storage->sealed[i], has ? id : 0u, memory_order_relaxed);
@@ -126,7 +115,9 @@ void storage_put_replay(struct storage *storage)
         storage_note_write(storage, code);
         storage_update_sealed(storage);
     }
-    if (code == SQLITE_OK || gives_up(storage)) {
+    const int64_t now_ms = storage_now_ms();
+    storage->put_since_ms = storage->put_since_ms > 0 ? storage->put_since_ms : now_ms;
+    if (code == SQLITE_OK || now_ms - storage->put_since_ms >= STORAGE_REPLAY_MS) {
         storage->put_since_ms = 0;
         atomic_store(&storage->put_id, storage->put.round_id);
         atomic_store(&storage->put.state, STORAGE_REPLAY_IDLE);

@@ -1,5 +1,6 @@
-/* storage_thread.c -- implements the store's thread, which writes to the database and to the ledger
- * mirror while the frame loop draws. */
+/* storage_thread.c -- implements the queues of entries and edits from the frame loop to the store's
+ * thread, and the store's thread. The thread writes to the database and to the ledger mirror while
+ * the frame loop draws. */
 #include <errno.h>
 #include <semaphore.h>
 #include <sys/stat.h>
@@ -14,8 +15,9 @@
 
 /* Interval between two attempts to write to a card after a failure, in milliseconds. */
 #define RETRY_MS 1000
-/* Interval in milliseconds between two checks that the open database is still at its path. A loss
- * is reported within one second, because the status file is written immediately after a change. */
+/* Interval in milliseconds between two checks that the open database is still at its path. With
+ * this interval a loss is reported within one second, because the status file is written
+ * immediately after a change of the status. */
 #define CHECK_MS 200
 
 uint32_t storage_unwritten(const struct storage *storage)
@@ -35,13 +37,6 @@ void storage_close_file(struct storage *storage)
     ledger_file_close(&storage->file);
 }
 
-void storage_share_file(struct storage *storage)
-{
-    if (storage->file.refusal == SQLITE_FULL) {
-        storage_close_file(storage);
-    }
-}
-
 int64_t storage_now_ms(void)
 {
     struct timespec now;
@@ -49,190 +44,46 @@ int64_t storage_now_ms(void)
     return (int64_t)now.tv_sec * 1000 + now.tv_nsec / 1000000 + 1;
 }
 
-/* ---- Writing entries ----------------------------------------------------------------------- */
+/* ---- Queues, which the frame loop fills ---------------------------------------------------- */
 
-/* Writes the oldest contiguous entries of the queue in one transaction. Returns 1 if both the
- * database and the mirror have synced the entries. Otherwise acknowledges no entry and returns
- * 0. */
-static int write_batch(struct storage *storage, unsigned written, unsigned pushed)
+int storage_append(void *self, const struct ledger_entry *entry)
 {
-    CORE_ASSERT(written != pushed);
-    CORE_ASSERT(pushed - written <= STORAGE_QUEUE_MAX);
-    const unsigned first = written % STORAGE_QUEUE_MAX;
-    const unsigned waiting = pushed - written;
-    const unsigned beside = STORAGE_QUEUE_MAX - first;
-    const unsigned count = waiting < beside ? waiting : beside;
-    const struct ledger_entry *entries = &storage->queue[first];
-    atomic_store(&storage->busy_since_ms, storage_now_ms());
-    const int code = storage_write_entries(storage, entries, count);
-    const int tail = code == SQLITE_OK ? storage_mirror_write(storage, entries, count) : -1;
-    atomic_store(&storage->busy_since_ms, 0);
-    storage_note_write(storage, code);
-    if (code != SQLITE_OK || tail != 0) {
-        return 0;
+    struct storage *storage = self;
+    if (!atomic_load(&storage->has_file)) {
+        return HAL_ERR_ABSENT;
     }
-    for (unsigned i = 0; i < count; i++) {
-        storage->prunes |= entries[i].kind == LEDGER_ROUND;
+    if (entry->id <= storage->accepted_id) {
+        return HAL_OK;
     }
-    const struct ledger_entry *newest = &entries[count - 1u];
-    storage->saved_boot = newest->boot;
-    storage->saved_tick = newest->tick;
-    atomic_store(&storage->saved_id, newest->id);
-    atomic_store(&storage->written, written + count);
-    return 1;
+    if (storage_unwritten(storage) == STORAGE_QUEUE_MAX) {
+        return HAL_ERR_BUSY;
+    }
+    const unsigned pushed = atomic_load(&storage->pushed);
+    storage->queue[pushed % STORAGE_QUEUE_MAX] = *entry;
+    storage->accepted_id = entry->id;
+    atomic_store(&storage->pushed, pushed + 1);
+    sem_post(&storage->wake);
+    return HAL_OK;
 }
 
-/* Writes the queued entries, oldest first, and stops at the first failure. */
-static void drain(struct storage *storage)
+int storage_store_edit(void *self, const struct graph_edit_record *edit)
 {
-    unsigned written = atomic_load(&storage->written);
-    unsigned pushed = atomic_load(&storage->pushed);
-    while (written != pushed && write_batch(storage, written, pushed)) {
-        written = atomic_load(&storage->written);
-        pushed = atomic_load(&storage->pushed);
+    struct storage *storage = self;
+    if (!storage->running) {
+        return HAL_ERR_ABSENT;
     }
-    if (storage->prunes && storage->file.db && written == pushed) {
-        const int code = ledger_file_prune(&storage->file);
-        storage->prunes = code != SQLITE_OK;
-        if (storage_needs_reopening(code)) {
-            storage_note_write(storage, code);
-        }
-        storage_update_sealed(storage);
+    if (edit->id <= storage->accepted_edit_id) {
+        return HAL_OK;
     }
-}
-
-/* ---- Backup -------------------------------------------------------------------------------- */
-
-static int64_t wall_clock_s(void)
-{
-    return storage_now_ms() / 1000;
-}
-
-/* Advances the backup in steps while no entry waits. After a failure the next backup is started one
- * hour later. */
-static void back_up(struct storage *storage)
-{
-    char path[LEDGER_PATH_SIZE];
-    int code = SQLITE_OK;
-    if (!(storage->file.db && !storage->file.refusal && !storage->how.vfs && !storage->closes &&
-          atomic_load(&storage->error) == SQLITE_OK)) {
-        ledger_backup_drop(&storage->backup);
-        return;
+    const unsigned pushed = atomic_load(&storage->edits_pushed);
+    if (storage_unwritten_edits(storage) == STORAGE_EDITS_MAX) {
+        return HAL_ERR_BUSY;
     }
-    const uint32_t last_id = storage->file.content.memory.ledger.last_id;
-    if (!storage->backup.copy && (wall_clock_s() >= storage->backup_due_s ||
-                                  last_id - storage->backup_id >= STORAGE_BACKUP_ENTRIES)) {
-        storage->backup_due_s = wall_clock_s() + STORAGE_BACKUP_S;
-        storage->backup_id = last_id;
-        storage_backup_path(storage, path);
-        code = storage_is_behind_backup(storage)
-                   ? SQLITE_CORRUPT /* A backup must not be replaced by a database with fewer
-                                       entries. */
-                   : ledger_backup_begin(&storage->backup, &storage->file, path);
-    }
-    while (code == SQLITE_OK && storage->backup.copy && storage_unwritten(storage) == 0 &&
-           !atomic_load(&storage->stop)) {
-        code = ledger_backup_step(&storage->backup);
-    }
-    if (code != SQLITE_OK && code != SQLITE_DONE && code != SQLITE_BUSY) {
-        atomic_fetch_add(&storage->refused, 1);
-    }
-}
-
-/* ---- Writing edits of the growth lab ------------------------------------------------------- */
-
-static void drain_edits(struct storage *storage)
-{
-    CORE_ASSERT(storage_unwritten_edits(storage) <= STORAGE_EDITS_MAX);
-    unsigned written = atomic_load(&storage->edits_written);
-    while (written != atomic_load(&storage->edits_pushed)) {
-        const struct graph_edit_record *edit = &storage->edits[written % STORAGE_EDITS_MAX];
-        const int error = graph_file_write(storage->dir, edit);
-        atomic_store(&storage->edit_error, -error);
-        if (error != 0) {
-            atomic_fetch_add(&storage->refused, 1);
-            return;
-        }
-        atomic_store(&storage->stored_edit_id, edit->id);
-        atomic_store(&storage->edits_written, ++written);
-    }
-}
-
-/* ---- Write-ahead log ----------------------------------------------------------------------- */
-
-/* ---- Background work ----------------------------------------------------------------------- */
-
-static bool has_chore(const struct storage *storage)
-{
-    return storage->chore.step && storage->file.db && !storage->file.refusal && !storage->moved &&
-           !atomic_load(&storage->is_unproven) && atomic_load(&storage->error) == SQLITE_OK;
-}
-
-static void do_chore(struct storage *storage)
-{
-    const int64_t until_ms = storage_now_ms() + STORAGE_CHORE_MS;
-    int code = SQLITE_OK;
-    while (code == SQLITE_OK && has_chore(storage) && storage_unwritten(storage) == 0 &&
-           storage_now_ms() < until_ms && !atomic_load(&storage->stop)) {
-        code = storage->chore.step(storage->chore.self, &storage->file);
-    }
-    if (code == SQLITE_DONE) {
-        storage->chore.step = NULL;
-    } else if (storage_needs_reopening(code)) {
-        storage_note_write(storage, code);
-    }
-}
-
-/* ---- Thread -------------------------------------------------------------------------------- */
-
-void storage_work(struct storage *storage)
-{
-    CORE_ASSERT(storage_unwritten(storage) <= STORAGE_QUEUE_MAX);
-    /* Write and sync the write-ahead log again if another program's lock prevented the rewrite
-     * when the database was opened. If the lock remains, the next call retries. */
-    if (atomic_load(&storage->is_unproven) && storage_has_card(storage)) {
-        const int code = storage->file.is_suspect ? ledger_log_secure(&storage->file) : SQLITE_OK;
-        storage_note_write(storage, code);
-        if (code == SQLITE_OK) {
-            atomic_store(&storage->is_unproven, false);
-        }
-    }
-    if (storage_has_card(storage)) {
-        drain(storage);
-        storage_mirror_repair(storage);
-    }
-    storage_put_replay(storage);
-    storage_get_replay(storage);
-    drain_edits(storage);
-    back_up(storage);
-    do_chore(storage);
-}
-
-/* Thread function of the store. Calls storage_work() when there is new work, and at least once per
- * second to retry a failed card and to start a backup that is due. */
-void *storage_thread(void *context)
-{
-    struct storage *storage = context;
-    int64_t due_ms = 0;
-    while (!atomic_load(&storage->stop)) {
-        /* Blocks until new work arrives, for at most CHECK_MS. Returns true if there is new
-         * work. */
-        struct timespec until;
-        clock_gettime(CLOCK_MONOTONIC, &until);
-        until.tv_nsec += (has_chore(storage) ? STORAGE_CHORE_WAIT_MS : CHECK_MS) * 1000000L;
-        until.tv_sec += until.tv_nsec / 1000000000L;
-        until.tv_nsec %= 1000000000L;
-        if (sem_clockwait(&storage->wake, CLOCK_MONOTONIC, &until) == 0 ||
-            storage_now_ms() >= due_ms ||
-            (storage->file.db && !storage->file.refusal &&
-             storage_has_moved(storage) != storage->moved)) {
-            storage_work(storage);
-            due_ms = storage_now_ms() + RETRY_MS;
-        } else {
-            do_chore(storage);
-        }
-    }
-    return NULL;
+    storage->edits[pushed % STORAGE_EDITS_MAX] = *edit;
+    storage->accepted_edit_id = edit->id;
+    atomic_store(&storage->edits_pushed, pushed + 1);
+    sem_post(&storage->wake);
+    return HAL_OK;
 }
 
 /* ---- Ledger mirror ------------------------------------------------------------------------- */
@@ -248,9 +99,8 @@ void *storage_thread(void *context)
 
 static int open_tail(struct storage *storage)
 {
-    char path[LEDGER_PATH_SIZE];
-    storage_mirror_path(storage, path);
-    int result = ledger_mirror_open(&storage->tail, path);
+    const struct storage_path path = storage_path(storage, STORAGE_MIRROR_SUFFIX, "");
+    int result = ledger_mirror_open(&storage->tail, path.text);
     /* A mirror of a foreign ledger must not be used. For example, a user may have copied files from
      * another card. */
     struct ledger_entry entry;
@@ -259,7 +109,7 @@ static int open_tail(struct storage *storage)
         (entry.boot != storage->saved_boot || entry.tick != storage->saved_tick)) {
         ledger_mirror_close(&storage->tail);
         result = storage_quarantine_other(storage, STORAGE_MIRROR_SUFFIX);
-        result = result == 0 ? ledger_mirror_open(&storage->tail, path) : result;
+        result = result == 0 ? ledger_mirror_open(&storage->tail, path.text) : result;
     }
     if (result == 0) {
         /* Set `tail_from` to the id of the first saved entry that the mirror lacks. */
@@ -302,10 +152,10 @@ static int make_ready(struct storage *storage, uint32_t last_id)
     return result;
 }
 
-static void note_result(struct storage *storage, int result, uint32_t first_id)
+static void note_mirror(struct storage *storage, int result, uint32_t first_id)
 {
-    const int error = errno > 0 ? errno : EIO;
-    atomic_store(&storage->tail_error, result == 0 ? 0 : error);
+    const int error = result == 0 ? 0 : errno > 0 ? errno : EIO;
+    atomic_store(&storage->tail_error, error);
     if (result != 0) {
         ledger_mirror_close(&storage->tail);
         storage->tail_from = storage->tail_from > 0 ? storage->tail_from : first_id;
@@ -321,27 +171,203 @@ int storage_mirror_write(struct storage *storage, const struct ledger_entry *ent
         return 0;
     }
     int result = make_ready(storage, entries[0].id - 1u);
-    if (result == 0) {
-        /* Erase revoked player names from the mirror. */
-        result = 0;
-        for (uint32_t i = 0; result == 0 && i < count; i++) {
-            if (entries[i].kind == LEDGER_NAME && !entries[i].name[0]) {
-                result =
-                    ledger_mirror_erase_name(&storage->tail, entries[i].count, entries[i].detail);
-            }
+    /* Erase revoked player names from the mirror. */
+    for (uint32_t i = 0; result == 0 && i < count; i++) {
+        if (entries[i].kind == LEDGER_NAME && !entries[i].name[0]) {
+            result = ledger_mirror_erase_name(&storage->tail, entries[i].count, entries[i].detail);
         }
     }
     result = result == 0 ? ledger_mirror_write(&storage->tail, entries, count) : result;
-    note_result(storage, result, entries[0].id);
+    note_mirror(storage, result, entries[0].id);
     return result;
 }
 
-/* Completes the mirror if no entry waits in the queue. If entries wait, the write of the next batch
- * completes the mirror, and the store must stay unhealthy until then. */
-void storage_mirror_repair(struct storage *storage)
+/* ---- Writing entries ----------------------------------------------------------------------- */
+
+/* Writes the oldest contiguous entries of the queue in one transaction. Returns true if both the
+ * database and the mirror have synced the entries. Otherwise acknowledges no entry and returns
+ * false. */
+static bool write_batch(struct storage *storage, unsigned written, unsigned pushed)
 {
-    if (storage->tail_from > 0 && storage_unwritten(storage) == 0 && storage->file.db &&
-        !storage->file.refusal) {
-        note_result(storage, make_ready(storage, atomic_load(&storage->saved_id)), 0);
+    CORE_ASSERT(written != pushed);
+    CORE_ASSERT(pushed - written <= STORAGE_QUEUE_MAX);
+    const unsigned first = written % STORAGE_QUEUE_MAX;
+    const unsigned waiting = pushed - written;
+    const unsigned beside = STORAGE_QUEUE_MAX - first;
+    const unsigned count = waiting < beside ? waiting : beside;
+    const struct ledger_entry *entries = &storage->queue[first];
+    atomic_store(&storage->busy_since_ms, storage_now_ms());
+    int code = ledger_file_write(&storage->file, entries, count);
+    if (code == SQLITE_OK && storage_has_moved(storage)) {
+        code = LEDGER_FILE_MOVED; /* The database moved during the write. No program start would
+                                     find the entries. */
     }
+    const bool is_in_mirror =
+        code == SQLITE_OK && storage_mirror_write(storage, entries, count) == 0;
+    atomic_store(&storage->busy_since_ms, 0);
+    storage_note_write(storage, code);
+    if (!is_in_mirror) {
+        return false;
+    }
+    for (unsigned i = 0; i < count; i++) {
+        storage->prunes |= entries[i].kind == LEDGER_ROUND;
+    }
+    const struct ledger_entry *newest = &entries[count - 1u];
+    storage->saved_boot = newest->boot;
+    storage->saved_tick = newest->tick;
+    atomic_store(&storage->saved_id, newest->id);
+    atomic_store(&storage->written, written + count);
+    return true;
+}
+
+/* Writes the queued entries, oldest first, and stops at the first failure. */
+static void drain(struct storage *storage)
+{
+    unsigned written = atomic_load(&storage->written);
+    unsigned pushed = atomic_load(&storage->pushed);
+    while (written != pushed && write_batch(storage, written, pushed)) {
+        written = atomic_load(&storage->written);
+        pushed = atomic_load(&storage->pushed);
+    }
+    if (storage->prunes && storage->file.db && written == pushed) {
+        const int code = ledger_file_prune(&storage->file);
+        storage->prunes = code != SQLITE_OK;
+        if (storage_needs_reopening(code)) {
+            storage_note_write(storage, code);
+        }
+        storage_update_sealed(storage);
+    }
+}
+
+/* ---- Backup -------------------------------------------------------------------------------- */
+
+/* Advances the backup in steps while no entry waits. After a failure the next backup is started one
+ * hour later. */
+static void back_up(struct storage *storage)
+{
+    const int64_t now_s = storage_now_ms() / 1000;
+    int code = SQLITE_OK;
+    if (!(storage->file.db && !storage->file.refusal && !storage->how.vfs && !storage->closes &&
+          atomic_load(&storage->error) == SQLITE_OK)) {
+        ledger_backup_drop(&storage->backup);
+        return;
+    }
+    const uint32_t last_id = storage->file.content.memory.ledger.last_id;
+    if (!storage->backup.copy && (now_s >= storage->backup_due_s ||
+                                  last_id - storage->backup_id >= STORAGE_BACKUP_ENTRIES)) {
+        storage->backup_due_s = now_s + STORAGE_BACKUP_S;
+        storage->backup_id = last_id;
+        code = storage_is_behind_backup(storage)
+                   ? SQLITE_CORRUPT /* A backup must not be replaced by a database with fewer
+                                       entries. */
+                   : ledger_backup_begin(&storage->backup, &storage->file,
+                                         storage_path(storage, STORAGE_BACKUP_SUFFIX, "").text);
+    }
+    while (code == SQLITE_OK && storage->backup.copy && storage_unwritten(storage) == 0 &&
+           !atomic_load(&storage->stop)) {
+        code = ledger_backup_step(&storage->backup);
+    }
+    if (code != SQLITE_OK && code != SQLITE_DONE && code != SQLITE_BUSY) {
+        atomic_fetch_add(&storage->refused, 1);
+    }
+}
+
+/* ---- Writing edits of the growth lab ------------------------------------------------------- */
+
+static void drain_edits(struct storage *storage)
+{
+    CORE_ASSERT(storage_unwritten_edits(storage) <= STORAGE_EDITS_MAX);
+    unsigned written = atomic_load(&storage->edits_written);
+    while (written != atomic_load(&storage->edits_pushed)) {
+        const struct graph_edit_record *edit = &storage->edits[written % STORAGE_EDITS_MAX];
+        const int error = graph_file_write(storage->dir, edit);
+        atomic_store(&storage->edit_error, -error);
+        if (error != 0) {
+            atomic_fetch_add(&storage->refused, 1);
+            return;
+        }
+        atomic_store(&storage->stored_edit_id, edit->id);
+        atomic_store(&storage->edits_written, ++written);
+    }
+}
+
+/* ---- Background work ----------------------------------------------------------------------- */
+
+static bool has_chore(const struct storage *storage)
+{
+    return storage->chore.step && storage->file.db && !storage->file.refusal && !storage->moved &&
+           !atomic_load(&storage->is_unproven) && atomic_load(&storage->error) == SQLITE_OK;
+}
+
+static void do_chore(struct storage *storage)
+{
+    const int64_t until_ms = storage_now_ms() + STORAGE_CHORE_MS;
+    int code = SQLITE_OK;
+    while (code == SQLITE_OK && has_chore(storage) && storage_unwritten(storage) == 0 &&
+           storage_now_ms() < until_ms && !atomic_load(&storage->stop)) {
+        code = storage->chore.step(storage->chore.self, &storage->file);
+    }
+    if (code == SQLITE_DONE) {
+        storage->chore.step = NULL;
+    } else if (storage_needs_reopening(code)) {
+        storage_note_write(storage, code);
+    }
+}
+
+/* ---- Thread -------------------------------------------------------------------------------- */
+
+void storage_work(struct storage *storage)
+{
+    CORE_ASSERT(storage_unwritten(storage) <= STORAGE_QUEUE_MAX);
+    /* Write and sync the write-ahead log again if another program's lock prevented the rewrite
+     * when the database was opened. If the lock remains, the next call retries. */
+    if (atomic_load(&storage->is_unproven) && storage_has_card(storage)) {
+        const int code = storage->file.is_suspect ? ledger_log_secure(&storage->file) : SQLITE_OK;
+        storage_note_write(storage, code);
+        if (code == SQLITE_OK) {
+            atomic_store(&storage->is_unproven, false);
+        }
+    }
+    if (storage_has_card(storage)) {
+        drain(storage);
+        /* Complete the mirror after a failed write if no entry waits in the queue. If entries wait,
+         * the write of the next batch completes the mirror, and the store must stay unhealthy until
+         * then. */
+        if (storage->tail_from > 0 && storage_unwritten(storage) == 0 && storage->file.db &&
+            !storage->file.refusal) {
+            note_mirror(storage, make_ready(storage, atomic_load(&storage->saved_id)), 0);
+        }
+    }
+    storage_put_replay(storage);
+    storage_get_replay(storage);
+    drain_edits(storage);
+    back_up(storage);
+    do_chore(storage);
+}
+
+/* Thread function of the store. Calls storage_work() when there is new work, and at least once per
+ * second to retry a failed card and to start a backup that is due. */
+void *storage_thread(void *context)
+{
+    struct storage *storage = context;
+    int64_t due_ms = 0;
+    while (!atomic_load(&storage->stop)) {
+        /* Blocks until new work arrives, for at most CHECK_MS. Returns true if there is new
+         * work. */
+        struct timespec until;
+        clock_gettime(CLOCK_MONOTONIC, &until);
+        until.tv_nsec += (has_chore(storage) ? STORAGE_CHORE_WAIT_MS : CHECK_MS) * 1000000L;
+        until.tv_sec += until.tv_nsec / 1000000000L;
+        until.tv_nsec %= 1000000000L;
+        if (sem_clockwait(&storage->wake, CLOCK_MONOTONIC, &until) == 0 ||
+            storage_now_ms() >= due_ms ||
+            (storage->file.db && !storage->file.refusal &&
+             storage_has_moved(storage) != storage->moved)) {
+            storage_work(storage);
+            due_ms = storage_now_ms() + RETRY_MS;
+        } else {
+            do_chore(storage);
+        }
+    }
+    return NULL;
 }

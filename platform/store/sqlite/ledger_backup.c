@@ -13,7 +13,7 @@
 
 #include "core/base/panic.h"
 #include "platform/os/file.h"
-#include "platform/store/sqlite/ledger_internal.h"
+#include "platform/store/sqlite/ledger_file.h"
 #include "platform/store/sqlite/sql.h"
 
 #define PAGES_A_STEP 64
@@ -59,7 +59,7 @@ int ledger_backup_begin(struct ledger_backup *backup, struct ledger_file *from, 
     return code;
 }
 
-static int ledger_backup_set_mark(sqlite3 *db, bool is_marked)
+int ledger_mark(sqlite3 *db, bool is_marked)
 {
     char text[64];
     snprintf(text, sizeof text, "PRAGMA application_id = %d", is_marked ? LEDGER_COPY_MARK : 0);
@@ -73,9 +73,18 @@ bool ledger_is_marked(struct ledger_file *file)
            id == LEDGER_COPY_MARK;
 }
 
-int ledger_unmark(struct ledger_file *file)
+/* Deletes a write-ahead log or journal beside the previous backup. SQLite would apply it to the new
+ * backup, which would then be unreadable. Returns an SQLite code. */
+static int remove_old_logs(const struct ledger_backup *backup)
 {
-    return ledger_backup_set_mark(file->db, false);
+    static const char *const suffixes[] = { "-wal", "-journal", "-shm" };
+    int code = SQLITE_OK;
+    for (size_t i = 0; i < sizeof suffixes / sizeof suffixes[0]; i++) {
+        char name[LEDGER_PATH_SIZE];
+        snprintf(name, sizeof name, "%.580s%s", backup->path, suffixes[i]);
+        code = unlink(name) == 0 || errno == ENOENT ? code : SQLITE_IOERR;
+    }
+    return code;
 }
 
 int ledger_backup_step(struct ledger_backup *backup)
@@ -94,12 +103,14 @@ int ledger_backup_step(struct ledger_backup *backup)
         code = sqlite3_backup_finish(backup->copy);
         backup->copy = NULL;
         code = code == SQLITE_OK ? sql_run(backup->to, "PRAGMA journal_mode = DELETE") : code;
-        code = code == SQLITE_OK ? ledger_backup_set_mark(backup->to, backup->is_marked) : code;
+        code = code == SQLITE_OK ? ledger_mark(backup->to, backup->is_marked) : code;
         code = code == SQLITE_OK ? ledger_check(backup->to) : code;
         if (code == SQLITE_OK) {
             sqlite3_close(backup->to);
             backup->to = NULL;
-            code = file_rename_durable(name, backup->path) == 0 ? SQLITE_DONE : SQLITE_IOERR;
+            code = remove_old_logs(backup);
+            code = code == SQLITE_OK && file_rename_durable(name, backup->path) == 0 ? SQLITE_DONE
+                                                                                     : SQLITE_IOERR;
         }
     }
     ledger_backup_drop(backup);
@@ -130,9 +141,9 @@ static int ledger_leave_delete_rows(struct ledger_file *file, enum panics_left l
         code =
             sqlite3_prepare_v2(file->db, "DELETE FROM settings WHERE name = ?1", -1, &forget, NULL);
         for (uint32_t id = 0; code == SQLITE_OK && id < SETTING_COUNT; id++) {
-            /* The PIN and the money settings are not deleted, because they do not affect a round.
-             * Without a PIN everyone could open the operator's menu, and without money settings the
-             * game would be free. */
+            /* The PIN and the money settings are not deleted, because these settings do not affect
+             * a round. Without a PIN everyone could open the operator's menu, and without money
+             * settings the game would be free. */
             if (settings_entry(id)->group != GROUP_MONEY && id != SET_PIN) {
                 sqlite3_bind_text(forget, 1, settings_entry(id)->name, -1, SQLITE_STATIC);
                 code = sqlite3_step(forget) == SQLITE_DONE ? SQLITE_OK : sqlite3_errcode(file->db);
@@ -149,25 +160,7 @@ static int ledger_leave_delete_rows(struct ledger_file *file, enum panics_left l
         }
         code = code == SQLITE_OK ? ledger_checksum_put(file->db) : code;
     }
-    code = code == SQLITE_OK ? sql_run(file->db, "COMMIT") : code;
-    if (code != SQLITE_OK) {
-        sql_run(file->db, "ROLLBACK");
-    }
-    return ledger_log_result(file, code);
-}
-
-/* Finds the first unused number of a copy. Writes the path of the copy to `copy` and returns the
- * number. Returns 0 if all numbers are used. */
-static uint32_t free_number(const char *path, char copy[LEDGER_PATH_SIZE])
-{
-    struct stat about;
-    for (uint32_t i = 1; i <= LEDGER_LEFT_MAX; i++) {
-        snprintf(copy, LEDGER_PATH_SIZE, "%.560s" STORAGE_LEFT_SUFFIX "%u", path, i);
-        if (lstat(copy, &about) != 0 && errno == ENOENT) {
-            return i;
-        }
-    }
-    return 0;
+    return ledger_log_result(file, sql_commit(file->db, code));
 }
 
 int ledger_leave_out(const char *data, enum panics_left left, char words[LEDGER_LEAVE_WORDS])
@@ -185,8 +178,11 @@ int ledger_leave_out(const char *data, enum panics_left left, char words[LEDGER_
     int code = ledger_file_open(&file, path, NULL);
     if (code == SQLITE_OK) {
         char copy[LEDGER_PATH_SIZE];
-        number = free_number(path, copy);
-        code = file.refusal ? file.refusal : number == 0 ? SQLITE_FULL : SQLITE_OK;
+        do { /* Find the first unused number of a copy. */
+            number++;
+            snprintf(copy, sizeof copy, "%.560s" STORAGE_LEFT_SUFFIX "%u", path, number);
+        } while (number <= LEDGER_LEFT_MAX && (lstat(copy, &about) == 0 || errno != ENOENT));
+        code = file.refusal ? file.refusal : number > LEDGER_LEFT_MAX ? SQLITE_FULL : SQLITE_OK;
         code = code == SQLITE_OK ? ledger_backup_make(&file, copy, true) : code;
         if (code == SQLITE_OK && chmod(copy, 0600) != 0) {
             code = SQLITE_IOERR;

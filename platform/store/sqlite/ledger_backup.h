@@ -41,21 +41,24 @@ struct ledger_backup {
  * backup is in progress. */
 int ledger_backup_begin(struct ledger_backup *backup, struct ledger_file *from, const char *path);
 
-/* Copies 256 KiB. Returns SQLITE_OK if a part remains to be copied. Returns SQLITE_BUSY if the
- * caller must retry later. Returns SQLITE_DONE if `path` is the complete copy and is on disk. After
- * any other code the copy is aborted and the file at `path` is unchanged. */
+/* Copies the next 256 KiB of the database. Returns SQLITE_OK if a part of the database remains to
+ * be copied. Returns SQLITE_BUSY if the caller must retry later. Returns SQLITE_DONE if the copy is
+ * complete and is on disk at its path. After any other code the copy is aborted and the file at the
+ * path is unchanged. */
 int ledger_backup_step(struct ledger_backup *backup);
 
 /* Aborts the copy and deletes its temporary file. */
 void ledger_backup_drop(struct ledger_backup *backup);
 
-/* Makes a complete copy in one call. Returns an SQLite code. */
+/* Copies the open database `from` to the file `path`, validates the copy and syncs it, in one call.
+ * If `is_marked` is true, the copy gets the mark LEDGER_COPY_MARK. Returns an SQLite code. */
 int ledger_backup_make(struct ledger_file *from, const char *path, bool is_marked);
 
-/* ledger_is_marked() returns true if the open database is a marked copy. ledger_unmark() removes
- * the mark from a restored copy, which then is the kiosk's database. */
+/* ledger_is_marked() returns true if the open database is a marked copy. ledger_mark() sets the
+ * mark, or removes it if `is_marked` is false, because a restored copy becomes the kiosk's
+ * database. Returns an SQLite code. */
 bool ledger_is_marked(struct ledger_file *file);
-int ledger_unmark(struct ledger_file *file);
+int ledger_mark(struct sqlite3 *db, bool is_marked);
 
 /* ---- Deleting data after panics ----------------------------------------------------------- */
 

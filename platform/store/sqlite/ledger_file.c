@@ -1,5 +1,5 @@
-/* ledger_file.c -- writes entries and replays to the open database in transactions, deletes old
- * data, and makes the write-ahead log durable; ledger_open.c opens the database. */
+/* ledger_file.c -- makes the write-ahead log of the open database durable, stores replays, deletes
+ * old data, and closes the database. */
 #include "platform/store/sqlite/ledger_file.h"
 
 #include <stdint.h>
@@ -11,80 +11,21 @@
 #include "core/base/panic.h"
 #include "platform/os/file.h"
 #include "platform/store/sqlite/ledger_backup.h"
-#include "platform/store/sqlite/ledger_internal.h"
 #include "platform/store/sqlite/sql.h"
-
-int ledger_statement(struct ledger_file *file, enum ledger_statement which, sqlite3_stmt **out)
-{
-    CORE_ASSERT(which < LEDGER_STATEMENT_COUNT);
-    CORE_ASSERT(file->db);
-    int code = SQLITE_OK;
-    if (!file->statement[which]) {
-        code = sqlite3_prepare_v3(file->db, ledger_statement_text(which), -1,
-                                  SQLITE_PREPARE_PERSISTENT, &file->statement[which], NULL);
-    }
-    *out = file->statement[which];
-    return code;
-}
+#include "sql_texts.h"
 
 void ledger_file_close(struct ledger_file *file)
 {
-    ledger_log_before_close(file);
+    /* If the write-ahead log may not be on disk (`is_suspect`), SQLite must not copy the log into
+     * the database when the database is closed. */
+    if (file->db) {
+        sqlite3_db_config(file->db, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, (int)file->is_suspect, NULL);
+    }
     for (uint32_t i = 0; i < LEDGER_STATEMENT_COUNT; i++) {
         sqlite3_finalize(file->statement[i]);
     }
     sqlite3_close(file->db);
     *file = (struct ledger_file){ 0 };
-}
-
-/* ---- Writing ------------------------------------------------------------------------------- */
-
-int ledger_file_write(struct ledger_file *file, const struct ledger_entry *entries, uint32_t count)
-{
-    CORE_ASSERT(file->db && entries);
-    struct ledger_content after = file->content;
-    int code = file->is_suspect ? ledger_log_secure(file) : SQLITE_OK;
-    code = code == SQLITE_OK ? sql_run(file->db, "BEGIN IMMEDIATE") : code;
-    if (code != SQLITE_OK) {
-        return code;
-    }
-    for (uint32_t i = 0; code == SQLITE_OK && i < count; i++) {
-        if (entries[i].id > after.memory.ledger.last_id) {
-            code = ledger_rows_put(file, &entries[i]);
-            ledger_aggregates_note(&after, &entries[i]);
-        }
-    }
-    code = code == SQLITE_OK ? ledger_aggregates_put(file, &file->content, &after) : code;
-    code = code == SQLITE_OK ? sql_run(file->db, "COMMIT") : code;
-    if (code != SQLITE_OK) {
-        /* Roll back and read the content again, because SQLite may have written the entries
-         * although it reported an error, or another program may have written entries. A connection
-         * that reported a failed sync of a transaction does not return the content of that
-         * transaction. */
-        sql_run(file->db, "ROLLBACK");
-        struct ledger_content found;
-        if (ledger_aggregates_read(file, &found) == SQLITE_OK) {
-            file->content = found;
-        }
-        return code;
-    }
-    file->content = after;
-    return ledger_log_result(file, SQLITE_OK);
-}
-
-/* ---- Content and errors -------------------------------------------------------------------- */
-
-void ledger_content_load(const struct ledger_content *content, struct persistent_state *out)
-{
-    const struct persistent_state *memory = &content->memory;
-    out->ledger = memory->ledger;
-    out->audits = memory->audits;
-    out->ranking = memory->ranking;
-    for (uint32_t id = 0; id < SETTING_COUNT; id++) {
-        if (content->has_setting[id]) {
-            out->settings.value[id] = memory->settings.value[id];
-        }
-    }
 }
 
 const char *ledger_file_error(int code)
@@ -139,15 +80,9 @@ void ledger_log_distrust(struct ledger_file *file)
     sqlite3_wal_hook(file->db, after_commit, file);
 }
 
-void ledger_log_before_close(struct ledger_file *file)
-{
-    if (file->db) {
-        sqlite3_db_config(file->db, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, (int)file->is_suspect, NULL);
-    }
-}
-
-/* Writes the write-ahead log again. The write lock prevents another program from restarting the log
- * during the rewrite. */
+/* Writes every page of the write-ahead log again and syncs the log, because after a failed sync the
+ * pages may exist only in the kernel's cache. The write lock prevents another program from
+ * restarting the log during the rewrite. */
 int ledger_log_secure(struct ledger_file *file)
 {
     CORE_ASSERT(file->db);
@@ -187,33 +122,12 @@ int ledger_log_result(const struct ledger_file *file, int code)
 
 /* ---- Replays and old data ------------------------------------------------------------------ */
 
-/* Stores the replays of ranked rounds and deletes old data. */
-
-/* SQL text that deletes old data. Entries are deleted in large groups, so that most calls write
- * nothing. */
-static const char prune[] =
-    "BEGIN IMMEDIATE;"
-    "DELETE FROM replays WHERE round NOT IN (SELECT round FROM ranking WHERE caught > 0);"
-    "DELETE FROM entries WHERE id + 32768 <= (SELECT max(id) FROM entries) AND"
-    " (SELECT max(id) - min(id) FROM entries) >= 32768 + 256;"
-    "DELETE FROM round_players WHERE round <="
-    " (SELECT entry FROM rounds ORDER BY entry DESC LIMIT 1 OFFSET 65536)"
-    " AND round NOT IN (SELECT round FROM ranking);"
-    "DELETE FROM rounds WHERE entry <="
-    " (SELECT entry FROM rounds ORDER BY entry DESC LIMIT 1 OFFSET 65536)"
-    " AND entry NOT IN (SELECT round FROM ranking);"
-    "COMMIT";
-
-_Static_assert(LEDGER_FILE_ENTRIES == 32768u && LEDGER_FILE_ROUNDS == 65536u, "as prune says");
+_Static_assert(LEDGER_FILE_ENTRIES == 32768u && LEDGER_FILE_ROUNDS == 65536u, "as sql_prune says");
 
 int ledger_file_prune(struct ledger_file *file)
 {
     CORE_ASSERT(file->db);
-    const int code = sql_run(file->db, prune);
-    if (code != SQLITE_OK) {
-        sql_run(file->db, "ROLLBACK");
-    }
-    return ledger_log_result(file, code);
+    return ledger_log_result(file, sql_commit(file->db, sql_run(file->db, sql_prune)));
 }
 
 int ledger_file_put_replay(struct ledger_file *file, uint32_t round_id, const void *bytes,
@@ -278,11 +192,7 @@ int ledger_file_renew_replay(struct ledger_file *file, uint32_t round_id, const 
     code = ledger_pin_mark(file);
     code = code == SQLITE_OK ? ledger_file_put_replay(file, round_id, bytes, size) : code;
     code = code == SQLITE_OK ? ledger_checksum_put(file->db) : code;
-    code = code == SQLITE_OK ? sql_run(file->db, "COMMIT") : code;
-    if (code != SQLITE_OK) {
-        sql_run(file->db, "ROLLBACK");
-    }
-    return ledger_log_result(file, code);
+    return ledger_log_result(file, sql_commit(file->db, code));
 }
 
 int ledger_file_has_replay(struct ledger_file *file, uint32_t round_id)

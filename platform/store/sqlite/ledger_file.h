@@ -42,6 +42,9 @@ struct sqlite3_stmt;
 #define LEDGER_FILE_MOVED (-4)  /* The file or its folder was removed, renamed or replaced. */
 #define LEDGER_FILE_LINK (-5)   /* The path of the file is a symbolic link. */
 
+/* Number of rows of all leaderboards. */
+#define LEDGER_RANKS (MODE_COUNT * RANK_PERIOD_COUNT * RANK_ROWS)
+
 enum ledger_statement {
     PUT_ENTRY = 0,
     PUT_ROUND,
@@ -75,12 +78,13 @@ struct ledger_file {
     struct sqlite3 *db;
     struct sqlite3_stmt *statement[LEDGER_STATEMENT_COUNT];
     struct ledger_content content;
-    bool is_suspect; /* True if a sync may have failed. The write-ahead log must then be written
-                        again (ledger_file.c) before SQLite copies the log into the database. */
-    int refusal;     /* Reason why the file is read-only. 0 means that the file can be written.
-                        SQLITE_FULL means that the card has no space for the index of the
-                        write-ahead log. Other values are SQLITE_READONLY, or the reason why a
-                        damaged file could not be replaced. */
+    /* True if a sync of the write-ahead log may have failed. The log must then be written again
+     * (ledger_log_secure()) before SQLite copies the log into the database. */
+    bool is_suspect;
+    int refusal; /* Reason why the file is read-only. 0 means that the file can be written.
+                    SQLITE_FULL means that the card has no space for the index of the write-ahead
+                    log. Other values are SQLITE_READONLY, or the reason why a damaged file could
+                    not be replaced. */
 };
 
 /* Options for opening a file. Each field may be null, which means the default. */
@@ -173,5 +177,70 @@ void ledger_file_close(struct ledger_file *file);
 
 /* Returns the text for an SQLite code or an error code of this module. */
 const char *ledger_file_error(int code);
+
+/* ---- Functions that only the source files of the database call ----------------------------- */
+
+/* Size in bytes of the name of a setting, an audit or a state. All names that Kingyo writes fit
+ * into this size. */
+#define LEDGER_ROW_NAME_SIZE 64u
+
+/* The column `open` contains three fields of the balance: `open` in the low 8 bits, `returned`
+ * shifted by LEDGER_RETURNED_SHIFT, and `tickets` shifted by LEDGER_TICKETS_SHIFT. Older files have
+ * 0 in the upper two fields, so that their rows and checksums remain valid. */
+#define LEDGER_RETURNED_SHIFT 8u
+#define LEDGER_TICKETS_SHIFT 16u
+
+/* ledger_write.c: writes a prepared statement to `out`. The statement is prepared at its first use,
+ * because its tables may not exist earlier. Returns an SQLite code. */
+int ledger_statement(struct ledger_file *file, enum ledger_statement which,
+                     struct sqlite3_stmt **out);
+
+/* ledger_file.c: prevents SQLite from copying the write-ahead log into the database until
+ * ledger_log_secure() succeeds. */
+void ledger_log_distrust(struct ledger_file *file);
+/* Returns `code`, the result of a write. If `code` is SQLITE_OK but the checkpoint after the commit
+ * failed, returns SQLITE_IOERR. */
+int ledger_log_result(const struct ledger_file *file, int code);
+
+/* ledger_schema.c: migrates the file from `version` to LEDGER_FILE_VERSION, inside the caller's
+ * transaction. Returns an SQLite code. */
+int ledger_schema_raise(struct ledger_file *file, int version);
+
+/* Compares the text of the whole schema with the tables of the file version `user_version`. Returns
+ * SQLITE_CORRUPT if a table differs or is missing, or if the file has any other schema object, such
+ * as a trigger. */
+int ledger_schema_check(struct sqlite3 *db, int64_t user_version);
+
+/* ledger_write.c: writes one entry without its aggregates. Returns an SQLite code. */
+int ledger_rows_put(struct ledger_file *file, const struct ledger_entry *entry);
+
+/* Returns the checksum of an entry, except of its name, which may be revoked. The checksum is
+ * needed because SQLite detects an incompletely written page but not a flipped bit. */
+int64_t ledger_entry_sum(const struct ledger_entry *entry);
+
+/* ledger_open.c: marks the file, inside the caller's transaction, as possibly containing old bytes
+ * of a PIN. The next open then rewrites the file. The caller must afterwards call
+ * ledger_checksum_put() in the same transaction. */
+int ledger_pin_mark(struct ledger_file *file);
+
+/* ledger_write.c: updates the aggregates in `content` from one entry. */
+void ledger_aggregates_note(struct ledger_content *content, const struct ledger_entry *entry);
+/* Writes the aggregates that differ between `before` and `after` to the database. Returns an SQLite
+ * code. */
+int ledger_aggregates_put(struct ledger_file *file, const struct ledger_content *before,
+                          const struct ledger_content *after);
+/* ledger_read.c: reads the aggregates (settings, audits, ranking). Returns SQLITE_CORRUPT if the
+ * rows contain values that core_init() would reject. */
+int ledger_aggregates_read(struct ledger_file *file, struct ledger_content *out);
+
+/* First file version in which the tables have checksums. */
+#define LEDGER_CHECKSUM_VERSION 4
+
+/* ledger_read.c: writes the table checksums. Call inside the caller's transaction, after its
+ * other changes. Returns an SQLite code. */
+int ledger_checksum_put(struct sqlite3 *db);
+/* Verifies the table checksums. Returns SQLITE_CORRUPT if settings, audits or ranking differ from
+ * the written values. */
+int ledger_checksum_check(struct sqlite3 *db);
 
 #endif

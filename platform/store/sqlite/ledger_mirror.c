@@ -10,7 +10,7 @@
 #include <unistd.h>
 
 #include "core/base/hash.h"
-#include "core/game/accounting/ledger_writer.h"
+#include "core/game/accounting/accounts.h"
 #include "core/pin.h"
 #include "core/settings.h"
 #include "platform/os/file.h"
@@ -43,112 +43,34 @@ static off_t offset_of(uint32_t id)
     return (off_t)(id % LEDGER_MIRROR_SLOTS) * LEDGER_MIRROR_SLOT_SIZE;
 }
 
-static bool read_slot_as_is(const struct ledger_mirror *tail, uint32_t index, struct slot *slot)
+/* Reads a slot. Returns true if the slot has a valid entry. If an older version stored a PIN in the
+ * slot as plain digits, `slot` receives the salted hash of the PIN (core/pin.h) instead. `*had_pin`
+ * is then set to true unless `had_pin` is null. */
+static bool read_slot(const struct ledger_mirror *tail, uint32_t index, struct slot *slot,
+                      bool *had_pin)
 {
     CORE_ASSERT(index < LEDGER_MIRROR_SLOTS);
+    struct ledger_entry *entry = &slot->entry;
     if (pread(tail->handle, slot, sizeof *slot, offset_of(index)) != (ssize_t)sizeof *slot ||
         (slot->version != SLOT_VERSION && slot->version != SLOT_VERSION_4) ||
         slot->size != sizeof slot->entry || slot->sum != sum_of(slot) ||
-        slot->entry.id % LEDGER_MIRROR_SLOTS != index) {
+        entry->id % LEDGER_MIRROR_SLOTS != index) {
         return false;
     }
     if (slot->version == SLOT_VERSION_4) {
-        slot->entry.balance.returned = 0;
-        slot->entry.balance.tickets = 0;
+        entry->balance.returned = 0;
+        entry->balance.tickets = 0;
     }
-    return ledger_entry_is_valid(&slot->entry);
-}
-
-/* Hides a PIN that an older version wrote as plain digits. Returns true if the entry contained a
- * plain PIN. */
-static bool hide_pin(struct ledger_entry *entry)
-{
-    const bool is_plain = entry->kind == LEDGER_SETTING && entry->detail == SET_PIN &&
-                          entry->count == 0 && pin_is_plain(entry->value);
-    entry->value = is_plain ? pin_hide((uint32_t)entry->value, entry->id) : entry->value;
-    return is_plain;
-}
-
-static bool read_slot(const struct ledger_mirror *tail, uint32_t index, struct slot *slot)
-{
-    const bool is_good = read_slot_as_is(tail, index, slot);
-    if (is_good) {
-        hide_pin(&slot->entry);
+    const bool is_good = ledger_entry_is_valid(entry);
+    if (is_good && entry->kind == LEDGER_SETTING && entry->detail == SET_PIN && entry->count == 0 &&
+        pin_is_plain(entry->value)) {
+        entry->value = pin_hide((uint32_t)entry->value, entry->id);
+        if (had_pin) {
+            *had_pin = true;
+        }
     }
     return is_good;
 }
-
-/* ---- Opening ------------------------------------------------------------------------------- */
-
-/* Writes the whole file before the first entry, so that all blocks are allocated. Later writes
- * change only their sectors and cannot fail because of a full card. Returns 0 or -1. */
-static int ledger_mirror_allocate(int handle)
-{
-    static const uint8_t nothing[64 * LEDGER_MIRROR_SLOT_SIZE];
-    for (off_t at = 0; at < FILE_SIZE; at += (off_t)sizeof nothing) {
-        if (pwrite(handle, nothing, sizeof nothing, at) != (ssize_t)sizeof nothing) {
-            return -1;
-        }
-    }
-    return fsync(handle);
-}
-
-/* Writes each byte of the file again. A sync may have failed in the current process or in a process
- * that was killed. After a failed sync, a slot may be readable although it is not on disk. Returns
- * 0 or -1. */
-static int rewrite(int handle)
-{
-    uint8_t bytes[64 * LEDGER_MIRROR_SLOT_SIZE];
-    for (off_t at = 0; at < FILE_SIZE; at += (off_t)sizeof bytes) {
-        if (pread(handle, bytes, sizeof bytes, at) != (ssize_t)sizeof bytes ||
-            pwrite(handle, bytes, sizeof bytes, at) != (ssize_t)sizeof bytes) {
-            return -1;
-        }
-    }
-    return fsync(handle);
-}
-
-static struct ledger_mirror mirror_of_handle(int handle)
-{
-    return (struct ledger_mirror){ .handle = handle > 0 ? handle : 0 };
-}
-
-static int hide_pins(struct ledger_mirror *tail);
-
-int ledger_mirror_open(struct ledger_mirror *tail, const char *path)
-{
-    struct stat about;
-    *tail = mirror_of_handle(file_handle(path, O_RDWR | O_CREAT, 0600));
-    if (tail->handle == 0) {
-        return -1;
-    }
-    const bool is_whole = fstat(tail->handle, &about) == 0 && about.st_size == FILE_SIZE;
-    fchmod(tail->handle, S_IRUSR | S_IWUSR); /* Older versions of Kingyo created the file with read
-                                                permission for all users. */
-    int result = is_whole ? rewrite(tail->handle) : ledger_mirror_allocate(tail->handle);
-    result = result == 0 && is_whole ? hide_pins(tail) : result;
-    if (result != 0 || file_sync_parent(path) != 0) {
-        ledger_mirror_close(tail);
-        return -1;
-    }
-    return 0;
-}
-
-struct ledger_mirror ledger_mirror_inspect(const char *path)
-{
-    return mirror_of_handle(file_handle(path, O_RDONLY, 0));
-}
-
-void ledger_mirror_close(struct ledger_mirror *tail)
-{
-    CORE_ASSERT(tail->handle >= 0);
-    if (tail->handle > 0) {
-        close(tail->handle);
-    }
-    *tail = (struct ledger_mirror){ 0 };
-}
-
-/* ---- Reading and writing entries ----------------------------------------------------------- */
 
 static int write_slot(struct ledger_mirror *tail, const struct ledger_entry *entry)
 {
@@ -165,21 +87,81 @@ static int write_slot(struct ledger_mirror *tail, const struct ledger_entry *ent
     return done == (ssize_t)sizeof sector ? 0 : -1;
 }
 
-/* Finds the slots that contain a PIN as plain digits, and writes them again with the hidden PIN.
- * Returns 0 or -1. */
+/* ---- Opening ------------------------------------------------------------------------------- */
+
+/* Writes every byte of the file and syncs the file. Returns 0 or -1.
+ *
+ * A new file is filled with zeros, so that all blocks are allocated. Later writes change only their
+ * sectors and cannot fail because of a full card. An existing file (`is_whole`) keeps its content.
+ * Its bytes are written again, because a sync may have failed in the current process or in a
+ * process that was killed. After a failed sync, a slot may be readable although it is not on
+ * disk. */
+static int write_all(int handle, bool is_whole)
+{
+    uint8_t bytes[64 * LEDGER_MIRROR_SLOT_SIZE] = { 0 };
+    const ssize_t size = (ssize_t)sizeof bytes;
+    for (off_t at = 0; at < FILE_SIZE; at += size) {
+        if ((is_whole && pread(handle, bytes, sizeof bytes, at) != size) ||
+            pwrite(handle, bytes, sizeof bytes, at) != size) {
+            return -1;
+        }
+    }
+    return fsync(handle);
+}
+
+/* Finds the slots that contain a PIN as plain digits, and replaces the digits in the file by the
+ * salted hash of the PIN (core/pin.h). Returns 0 or -1. */
 static int hide_pins(struct ledger_mirror *tail)
 {
     struct slot slot;
     int result = 0;
     bool any = false;
     for (uint32_t i = 0; result == 0 && i < LEDGER_MIRROR_SLOTS; i++) {
-        if (read_slot_as_is(tail, i, &slot) && hide_pin(&slot.entry)) {
+        bool had_pin = false;
+        if (read_slot(tail, i, &slot, &had_pin) && had_pin) {
             result = write_slot(tail, &slot.entry);
             any = true;
         }
     }
     return result == 0 && any ? fdatasync(tail->handle) : result;
 }
+
+int ledger_mirror_open(struct ledger_mirror *tail, const char *path)
+{
+    struct stat about;
+    const int handle = file_handle(path, O_RDWR | O_CREAT, 0600);
+    *tail = (struct ledger_mirror){ .handle = handle > 0 ? handle : 0 };
+    if (tail->handle == 0) {
+        return -1;
+    }
+    const bool is_whole = fstat(handle, &about) == 0 && about.st_size == FILE_SIZE;
+    fchmod(handle, S_IRUSR | S_IWUSR); /* Older versions of Kingyo created the file with read
+                                          permission for all users. */
+    int result = write_all(handle, is_whole);
+    result = result == 0 && is_whole ? hide_pins(tail) : result;
+    if (result != 0 || file_sync_parent(path) != 0) {
+        ledger_mirror_close(tail);
+        return -1;
+    }
+    return 0;
+}
+
+struct ledger_mirror ledger_mirror_inspect(const char *path)
+{
+    const int handle = file_handle(path, O_RDONLY, 0);
+    return (struct ledger_mirror){ .handle = handle > 0 ? handle : 0 };
+}
+
+void ledger_mirror_close(struct ledger_mirror *tail)
+{
+    CORE_ASSERT(tail->handle >= 0);
+    if (tail->handle > 0) {
+        close(tail->handle);
+    }
+    *tail = (struct ledger_mirror){ 0 };
+}
+
+/* ---- Reading and writing entries ----------------------------------------------------------- */
 
 int ledger_mirror_write(struct ledger_mirror *tail, const struct ledger_entry *entries,
                         uint32_t count)
@@ -200,8 +182,8 @@ int ledger_mirror_erase_name(struct ledger_mirror *tail, uint32_t round_id, uint
         struct ledger_entry *entry = &slot.entry;
         /* A slot whose name is already empty is also written again, because its earlier sync may
          * have failed. */
-        if (read_slot(tail, i, &slot) && entry->kind == LEDGER_NAME && entry->count == round_id &&
-            entry->detail == seat) {
+        if (read_slot(tail, i, &slot, NULL) && entry->kind == LEDGER_NAME &&
+            entry->count == round_id && entry->detail == seat) {
             memset(entry->name, 0, sizeof entry->name);
             result = write_slot(tail, entry);
         }
@@ -212,7 +194,7 @@ int ledger_mirror_erase_name(struct ledger_mirror *tail, uint32_t round_id, uint
 bool ledger_mirror_entry(const struct ledger_mirror *tail, uint32_t id, struct ledger_entry *out)
 {
     struct slot slot;
-    if (tail->handle == 0 || !read_slot(tail, id % LEDGER_MIRROR_SLOTS, &slot) ||
+    if (tail->handle == 0 || !read_slot(tail, id % LEDGER_MIRROR_SLOTS, &slot, NULL) ||
         slot.entry.id != id) {
         return false;
     }
@@ -225,7 +207,7 @@ uint32_t ledger_mirror_last_id(const struct ledger_mirror *tail)
     struct slot slot;
     uint32_t last_id = 0;
     for (uint32_t i = 0; tail->handle > 0 && i < LEDGER_MIRROR_SLOTS; i++) {
-        if (read_slot(tail, i, &slot) && slot.entry.id > last_id) {
+        if (read_slot(tail, i, &slot, NULL) && slot.entry.id > last_id) {
             last_id = slot.entry.id;
         }
     }

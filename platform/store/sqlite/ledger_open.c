@@ -1,5 +1,7 @@
-/* ledger_open.c -- opens, validates, migrates and reads the database, and hides a PIN that an older
- * version stored as plain digits. A database that cannot be written is opened read-only. */
+/* ledger_open.c -- opens, validates, migrates and reads the database. If an older version stored a
+ * PIN as plain digits, replaces the digits by their salted hash. A database that cannot be written
+ * is opened read-only. */
+#include <inttypes.h>
 #include <limits.h>
 #include <stdio.h>
 #include <string.h>
@@ -8,7 +10,7 @@
 #include <sqlite3.h>
 
 #include "core/pin.h"
-#include "platform/store/sqlite/ledger_internal.h"
+#include "platform/store/sqlite/ledger_file.h"
 #include "platform/store/sqlite/sql.h"
 
 /* Maximum time in milliseconds that a call waits while another program (kingyoctl, a backup) locks
@@ -21,36 +23,32 @@
  * syncs. ledger_file.c copies the log into the database. cache_size is the memory in KiB that one
  * transaction needs. */
 #define JOURNAL "WAL FULL"
+#define VERSION "PRAGMA user_version" /* SQL text that reads the version of the file. */
 static const char settings[] = "PRAGMA cache_size = -1024";
 
-static int set_up(sqlite3 *db, const struct ledger_file_options *how)
+/* Sets the journal mode, checks that SQLite uses a write-ahead log, and makes the log durable. The
+ * check is necessary because SQLite reports no error if it cannot create a write-ahead log and
+ * keeps another journal mode. If the caller has selected a journal mode, checks nothing and
+ * guarantees no durability. Returns an SQLite code. */
+static int set_up(struct ledger_file *file, const struct ledger_file_options *how)
 {
     char mode[16] = "", sync[16] = "", text[120];
-    const char *journal = how && how->journal ? how->journal : JOURNAL;
-    if (sscanf(journal, "%15s %15s", mode, sync) != 2) {
+    const bool is_chosen = how && how->journal;
+    sqlite3_stmt *ask = NULL;
+    if (sscanf(is_chosen ? how->journal : JOURNAL, "%15s %15s", mode, sync) != 2) {
         return SQLITE_MISUSE;
     }
     snprintf(text, sizeof text, "PRAGMA journal_mode = %s; PRAGMA synchronous = %s", mode, sync);
-    const int code = sql_run(db, text);
-    return code == SQLITE_OK ? sql_run(db, settings) : code;
-}
-
-/* Checks that SQLite uses a write-ahead log, and makes the log durable. The check is necessary
- * because SQLite reports no error if it cannot create a write-ahead log and keeps another journal
- * mode. If the caller has selected a journal mode, checks nothing and guarantees no durability.
- * Returns an SQLite code. */
-static int secure(struct ledger_file *file, const struct ledger_file_options *how)
-{
-    sqlite3_stmt *ask = NULL;
-    if (how && how->journal) {
-        file->is_suspect = false;
-        return SQLITE_OK;
+    int code = sql_run(file->db, text);
+    code = code == SQLITE_OK ? sql_run(file->db, settings) : code;
+    if (code != SQLITE_OK || is_chosen) {
+        file->is_suspect = file->is_suspect && !is_chosen;
+        return code;
     }
-    int code = sqlite3_prepare_v2(file->db, "PRAGMA journal_mode", -1, &ask, NULL);
-    code = code == SQLITE_OK ? sqlite3_step(ask) : code;
-    if (code == SQLITE_ROW) {
-        const unsigned char *mode = sqlite3_column_text(ask, 0);
-        code = mode && strcmp((const char *)mode, "wal") == 0 ? SQLITE_OK : SQLITE_IOERR;
+    code = sqlite3_prepare_v2(file->db, "PRAGMA journal_mode", -1, &ask, NULL);
+    if (sql_row(ask, &code)) {
+        const unsigned char *found = sqlite3_column_text(ask, 0);
+        code = found && strcmp((const char *)found, "wal") == 0 ? SQLITE_OK : SQLITE_IOERR;
     }
     sqlite3_finalize(ask);
     code = code == SQLITE_OK ? ledger_log_secure(file) : code;
@@ -76,7 +74,7 @@ static int as_damage(int code)
 int ledger_check(sqlite3 *db)
 {
     int64_t version = 0;
-    int code = sql_number(db, "PRAGMA user_version", &version);
+    int code = sql_number(db, VERSION, &version);
     if (code == SQLITE_OK && version > LEDGER_FILE_VERSION) {
         return LEDGER_FILE_NEWER;
     }
@@ -85,13 +83,10 @@ int ledger_check(sqlite3 *db)
         /* SQLite's integrity check finds most damage. */
         sqlite3_stmt *check = NULL;
         code = sqlite3_prepare_v2(db, "PRAGMA quick_check(1)", -1, &check, NULL);
-        if (code == SQLITE_OK) {
-            code = sqlite3_step(check);
-            if (code == SQLITE_ROW) {
-                const unsigned char *verdict = sqlite3_column_text(check, 0);
-                const bool good = verdict && strcmp((const char *)verdict, "ok") == 0;
-                code = good ? SQLITE_OK : SQLITE_CORRUPT;
-            }
+        if (sql_row(check, &code)) {
+            const unsigned char *verdict = sqlite3_column_text(check, 0);
+            const bool good = verdict && strcmp((const char *)verdict, "ok") == 0;
+            code = good ? SQLITE_OK : SQLITE_CORRUPT;
         }
         sqlite3_finalize(check);
     }
@@ -101,32 +96,134 @@ int ledger_check(sqlite3 *db)
     return as_damage(code);
 }
 
-/* ---- Opening ------------------------------------------------------------------------------- */
+/* ---- Hiding a PIN -------------------------------------------------------------------------- */
 
-static int read_version(struct ledger_file *file, int64_t *version)
+/* Hides a PIN that an older version stored as plain digits: replaces the digits by their salted
+ * hash (core/pin.h).
+ *
+ * The digits are in the PIN setting and in each entry that records a change of the PIN setting. All
+ * copies of a PIN are hashed with the same salt. Settings that are rebuilt from the entries are
+ * therefore equal to the stored settings.
+ *
+ * Old bytes remain in free pages and in gaps of pages. VACUUM rewrites the file, and the following
+ * checkpoint empties the write-ahead log. Each of the two steps may fail after the rows were
+ * committed. Therefore a row of the table `state` marks the file until VACUUM and the checkpoint
+ * have succeeded. */
+
+/* Name of the `state` row that exists while old bytes of a PIN may be in the file. */
+#define MARK "'pin-vacuum'"
+/* SQL text that selects the entries with a PIN as plain digits. */
+#define PLAIN_ENTRIES "FROM entries WHERE kind = %d AND detail = %d AND count = 0 AND value > 0"
+
+/* Replaces the PIN by its salted hash in the entries that contain the PIN as plain digits. Few
+ * entries contain a PIN: one for each PIN that was ever set. Returns an SQLite code. */
+static int hide_entries(struct ledger_file *file, uint32_t salt)
 {
-    *version = 0;
-    return sql_number(file->db, "PRAGMA user_version", version);
+    struct ledger_entry entry;
+    char text[160], change[120];
+    int64_t id = 0;
+    int code;
+    snprintf(text, sizeof text, "SELECT coalesce(max(id), 0) " PLAIN_ENTRIES, LEDGER_SETTING,
+             SET_PIN);
+    while ((code = sql_number(file->db, text, &id)) == SQLITE_OK && id > 0) {
+        code = ledger_file_entry(file, (uint32_t)id, &entry);
+        if (code == SQLITE_OK) {
+            entry.value = pin_is_plain(entry.value) ? pin_hide((uint32_t)entry.value, salt) : 0;
+            snprintf(change, sizeof change,
+                     "UPDATE entries SET value = %d, sum = %" PRId64 " WHERE id = %u", entry.value,
+                     ledger_entry_sum(&entry), entry.id);
+            code = sql_run(file->db, change);
+            code = code == SQLITE_OK && sqlite3_changes64(file->db) != 1 ? SQLITE_CORRUPT : code;
+        }
+        if (code != SQLITE_OK) {
+            return code;
+        }
+    }
+    return code;
 }
+
+int ledger_pin_mark(struct ledger_file *file)
+{
+    return sql_run(file->db, "INSERT OR REPLACE INTO state VALUES (" MARK ", 1)");
+}
+
+/* Replaces each PIN that settings or entries contain as plain digits by its salted hash
+ * (core/pin.h), and removes the old bytes from free pages and from the write-ahead log. Returns an
+ * SQLite code. After an error the next open tries again. Replays of an older version may still
+ * contain the PIN until platform/kiosk/recorder/pin_sweep.h has replaced them. */
+static int hide_pin(struct ledger_file *file)
+{
+    uint32_t salt = 0;
+    int64_t reasons = 0;
+    /* Count the rows that require a rewrite of the file: rows with a plain PIN, and the row
+     * MARK. */
+    char text[320];
+    snprintf(text, sizeof text,
+             "SELECT (SELECT count(*) " PLAIN_ENTRIES ") +"
+             " (SELECT count(*) FROM settings WHERE name = 'pin' AND value BETWEEN 1 AND %d) +"
+             " (SELECT count(*) FROM state WHERE name = " MARK ")",
+             LEDGER_SETTING, SET_PIN, PIN_MAX);
+    int code = sql_number(file->db, text, &reasons);
+    if (code != SQLITE_OK || reasons == 0) {
+        return code;
+    }
+    sqlite3_randomness(sizeof salt, &salt);
+    code = sql_run(file->db, "PRAGMA secure_delete = ON; BEGIN IMMEDIATE");
+    if (code == SQLITE_OK) {
+        code = ledger_pin_mark(file);
+        code = code == SQLITE_OK ? hide_entries(file, salt) : code;
+        if (code == SQLITE_OK) {
+            char change[120];
+            int64_t kept = 0;
+            code = sql_number(file->db, "SELECT value FROM settings WHERE name = 'pin'", &kept);
+            if (code == SQLITE_OK && pin_is_plain((int32_t)kept)) {
+                snprintf(change, sizeof change, "UPDATE settings SET value = %d WHERE name = 'pin'",
+                         pin_hide((uint32_t)kept, salt));
+                code = sql_run(file->db, change);
+            }
+            code = code == SQLITE_OK ? ledger_checksum_put(file->db) : code;
+        }
+        code = sql_commit(file->db, code);
+    }
+    if (code == SQLITE_OK) {
+        /* Rewrite the file with VACUUM. VACUUM attaches its new file as a second database.
+         * sql_open() has set the limit of attached databases to 0, therefore the limit is raised
+         * during VACUUM. */
+        sqlite3_limit(file->db, SQLITE_LIMIT_ATTACHED, 1);
+        code = sql_run(file->db, "VACUUM");
+        sqlite3_limit(file->db, SQLITE_LIMIT_ATTACHED, 0);
+        code = code == SQLITE_OK ? sqlite3_wal_checkpoint_v2(file->db, "main",
+                                                             SQLITE_CHECKPOINT_TRUNCATE, NULL, NULL)
+                                 : code;
+    }
+    if (code == SQLITE_OK) {
+        code = sql_run(file->db, "BEGIN IMMEDIATE");
+        if (code == SQLITE_OK) {
+            code = sql_run(file->db, "DELETE FROM state WHERE name = " MARK);
+            code = code == SQLITE_OK ? ledger_checksum_put(file->db) : code;
+            code = sql_commit(file->db, code);
+        }
+    }
+    file->is_suspect = file->is_suspect || (code != SQLITE_OK && code != SQLITE_BUSY);
+    return code;
+}
+
+/* ---- Opening ------------------------------------------------------------------------------- */
 
 /* Migrates the file in one transaction. If two programs open an old file, the second program
  * detects that the first program has already migrated the file. Returns an SQLite code. */
 static int bring_up_to_date(struct ledger_file *file)
 {
-    int64_t version;
+    int64_t version = 0;
     int code = sql_run(file->db, "BEGIN IMMEDIATE");
     if (code != SQLITE_OK) {
         return code;
     }
-    code = read_version(file, &version);
+    code = sql_number(file->db, VERSION, &version);
     if (code == SQLITE_OK && version < LEDGER_FILE_VERSION) {
         code = ledger_schema_raise(file, (int)version);
     }
-    code = code == SQLITE_OK ? sql_run(file->db, "COMMIT") : code;
-    if (code != SQLITE_OK) {
-        sql_run(file->db, "ROLLBACK");
-    }
-    return code;
+    return sql_commit(file->db, code);
 }
 
 /* Validates and reads an open connection. A damaged file or a file of a newer version is not
@@ -141,23 +238,22 @@ static int ledger_open_begin(struct ledger_file *file, const struct ledger_file_
         file->refusal = SQLITE_READONLY;
     }
     int code = ledger_check(file->db);
-    code = code == SQLITE_OK ? read_version(file, &version) : code;
-    code = code == SQLITE_OK && version > LEDGER_FILE_VERSION ? LEDGER_FILE_NEWER : code;
-    if (code == SQLITE_OK && !file->refusal) {
-        code = set_up(file->db, how);
-        code = code == SQLITE_OK ? secure(file, how) : code;
+    code = code == SQLITE_OK ? sql_number(file->db, VERSION, &version) : code;
+    if (code == SQLITE_OK && version > LEDGER_FILE_VERSION) {
+        return LEDGER_FILE_NEWER;
     }
+    code = code == SQLITE_OK && !file->refusal ? set_up(file, how) : code;
     if (code != SQLITE_OK) {
         return code;
     }
-    code = version > LEDGER_FILE_VERSION    ? LEDGER_FILE_NEWER
-           : version == LEDGER_FILE_VERSION ? SQLITE_OK
-           : file->refusal                  ? file->refusal
-                                            : bring_up_to_date(file);
+    code = version == LEDGER_FILE_VERSION ? SQLITE_OK
+           : file->refusal                ? file->refusal
+                                          : bring_up_to_date(file);
     if (code == SQLITE_OK) {
-        /* If the card has no space, the next program start tries again. Until then the PIN stays in
-         * the file as plain digits and still opens the menu. */
-        code = file->refusal ? SQLITE_OK : ledger_pin_hide(file);
+        /* An error while the PIN is hidden, for example a card without space, does not prevent the
+         * start. The next program start tries again. Until then the PIN stays in the file as plain
+         * digits and still opens the menu. */
+        code = file->refusal ? SQLITE_OK : hide_pin(file);
         code = code == SQLITE_CORRUPT || code == SQLITE_NOTADB ? code : SQLITE_OK;
     }
     if (code == SQLITE_OK) {
@@ -184,10 +280,7 @@ static bool has_log(const char *path)
  * without a lock, because no process can write the file. */
 static int open_unwritable(struct ledger_file *file, const char *path)
 {
-    if (has_log(path)) {
-        return SQLITE_CANTOPEN;
-    }
-    return sql_open_unwritable(path, &file->db);
+    return has_log(path) ? SQLITE_CANTOPEN : sql_open_unwritable(path, &file->db);
 }
 
 /* Returns true if missing permissions of the file or folder may be the cause of the error. */
@@ -238,12 +331,12 @@ int ledger_file_inspect(struct ledger_file *file, const char *path)
     int code = sql_open(path, SQLITE_OPEN_READONLY, NULL, &file->db);
     if (code == SQLITE_OK) {
         sqlite3_busy_timeout(file->db, BUSY_MS);
-        code = read_version(file, &version);
+        code = sql_number(file->db, VERSION, &version);
     }
     if (is_unwritable(code)) {
         ledger_file_close(file);
         code = open_unwritable(file, path);
-        code = code == SQLITE_OK ? read_version(file, &version) : code;
+        code = code == SQLITE_OK ? sql_number(file->db, VERSION, &version) : code;
     }
     code = code != SQLITE_OK && is_card_full(file, code) ? SQLITE_FULL : code;
     if (code == SQLITE_OK && version != LEDGER_FILE_VERSION) {
@@ -254,114 +347,5 @@ int ledger_file_inspect(struct ledger_file *file, const char *path)
     if (code != SQLITE_OK) {
         ledger_file_close(file);
     }
-    return code;
-}
-
-/* ---- Hiding a PIN -------------------------------------------------------------------------- */
-
-/* Hides a PIN that an older version stored as plain digits. The digits are in the PIN setting and
- * in each entry that records a change of the PIN setting. All copies of a PIN are hidden with the
- * same salt. Settings that are rebuilt from the entries are therefore equal to the stored settings.
- * Old bytes remain in free pages and in gaps of pages. VACUUM rewrites the file, and the following
- * checkpoint empties the write-ahead log. Each of the two steps may fail after the rows were
- * committed. Therefore a row of the table `state` marks the file until VACUUM and the checkpoint
- * have succeeded. */
-
-/* Name of the `state` row that exists while old bytes of a PIN may be in the file. */
-#define MARK "'pin-vacuum'"
-/* SQL text that selects the entries with a PIN as plain digits. */
-#define PLAIN_ENTRIES "FROM entries WHERE kind = %d AND detail = %d AND count = 0 AND value > 0"
-
-/* Hides the PIN in the entries that contain it. There are few entries to hide: one for each PIN
- * that was ever set. Returns an SQLite code. */
-static int hide_entries(struct ledger_file *file, uint32_t salt)
-{
-    struct ledger_entry entry;
-    char text[160];
-    int64_t id = 0;
-    int code;
-    snprintf(text, sizeof text, "SELECT coalesce(max(id), 0) " PLAIN_ENTRIES, LEDGER_SETTING,
-             SET_PIN);
-    while ((code = sql_number(file->db, text, &id)) == SQLITE_OK && id > 0) {
-        code = ledger_file_entry(file, (uint32_t)id, &entry);
-        if (code == SQLITE_OK) {
-            entry.value = pin_is_plain(entry.value) ? pin_hide((uint32_t)entry.value, salt) : 0;
-            code = ledger_rows_put_value(file, &entry);
-        }
-        if (code != SQLITE_OK) {
-            return code;
-        }
-    }
-    return code;
-}
-
-static int end_transaction(struct ledger_file *file, int code)
-{
-    code = code == SQLITE_OK ? sql_run(file->db, "COMMIT") : code;
-    if (code != SQLITE_OK) {
-        sql_run(file->db, "ROLLBACK");
-    }
-    return code;
-}
-
-int ledger_pin_mark(struct ledger_file *file)
-{
-    return sql_run(file->db, "INSERT OR REPLACE INTO state VALUES (" MARK ", 1)");
-}
-
-int ledger_pin_hide(struct ledger_file *file)
-{
-    uint32_t salt = 0;
-    int64_t reasons = 0;
-    /* Count the rows that require a rewrite of the file: rows with a plain PIN, and the row
-     * MARK. */
-    char text[320];
-    snprintf(text, sizeof text,
-             "SELECT (SELECT count(*) " PLAIN_ENTRIES ") +"
-             " (SELECT count(*) FROM settings WHERE name = 'pin' AND value BETWEEN 1 AND %d) +"
-             " (SELECT count(*) FROM state WHERE name = " MARK ")",
-             LEDGER_SETTING, SET_PIN, PIN_MAX);
-    int code = sql_number(file->db, text, &reasons);
-    if (code != SQLITE_OK || reasons == 0) {
-        return code;
-    }
-    sqlite3_randomness(sizeof salt, &salt);
-    code = sql_run(file->db, "PRAGMA secure_delete = ON; BEGIN IMMEDIATE");
-    if (code == SQLITE_OK) {
-        code = ledger_pin_mark(file);
-        code = code == SQLITE_OK ? hide_entries(file, salt) : code;
-        if (code == SQLITE_OK) {
-            char change[120];
-            int64_t kept = 0;
-            code = sql_number(file->db, "SELECT value FROM settings WHERE name = 'pin'", &kept);
-            if (code == SQLITE_OK && pin_is_plain((int32_t)kept)) {
-                snprintf(change, sizeof change, "UPDATE settings SET value = %d WHERE name = 'pin'",
-                         pin_hide((uint32_t)kept, salt));
-                code = sql_run(file->db, change);
-            }
-            code = code == SQLITE_OK ? ledger_checksum_put(file->db) : code;
-        }
-        code = end_transaction(file, code);
-    }
-    if (code == SQLITE_OK) {
-        /* Rewrite the file with VACUUM. VACUUM attaches its new file as a second database.
-         * sql_open() has set the limit of attached databases to 0, therefore the limit is raised
-         * during VACUUM. */
-        sqlite3_limit(file->db, SQLITE_LIMIT_ATTACHED, 1);
-        code = sql_run(file->db, "VACUUM");
-        sqlite3_limit(file->db, SQLITE_LIMIT_ATTACHED, 0);
-        code = code == SQLITE_OK ? sqlite3_wal_checkpoint_v2(file->db, "main",
-                                                             SQLITE_CHECKPOINT_TRUNCATE, NULL, NULL)
-                                 : code;
-    }
-    if (code == SQLITE_OK) {
-        code = sql_run(file->db, "BEGIN IMMEDIATE");
-        if (code == SQLITE_OK) {
-            code = sql_run(file->db, "DELETE FROM state WHERE name = " MARK);
-            code = code == SQLITE_OK ? ledger_checksum_put(file->db) : code;
-            code = end_transaction(file, code);
-        }
-    }
-    file->is_suspect = file->is_suspect || (code != SQLITE_OK && code != SQLITE_BUSY);
     return code;
 }

@@ -5,7 +5,7 @@
 #include <sqlite3.h>
 
 #include "core/base/panic.h"
-#include "platform/store/sqlite/ledger_internal.h"
+#include "platform/store/sqlite/ledger_file.h"
 #include "platform/store/sqlite/sql.h"
 
 #define BATCH 64u /* Maximum number of entries in one transaction. */
@@ -30,10 +30,11 @@ struct salvage {
 
 /* ---- Comparison of two ledgers ------------------------------------------------------------- */
 
-static enum ledger_relation find_kin(struct ledger_file *file, uint32_t last_id,
-                                     const struct ledger_mirror *tail, struct ledger_file *other)
+enum ledger_relation ledger_recovery_relation(struct ledger_file *file, uint32_t last_id,
+                                              const struct ledger_mirror *tail,
+                                              struct ledger_file *other)
 {
-    CORE_ASSERT((tail == 0) != (other == 0));
+    CORE_ASSERT((tail == NULL) != (other == NULL));
     struct ledger_entry ours, theirs;
     for (uint32_t i = 0; i < LEDGER_MIRROR_SLOTS && i < last_id; i++) {
         const uint32_t id = last_id - i;
@@ -50,29 +51,17 @@ static enum ledger_relation find_kin(struct ledger_file *file, uint32_t last_id,
     return LEDGER_RELATION_UNKNOWN;
 }
 
-enum ledger_relation ledger_recovery_relation_of_mirror(struct ledger_file *file, uint32_t last_id,
-                                                        const struct ledger_mirror *tail)
-{
-    return find_kin(file, last_id, tail, NULL);
-}
-
-enum ledger_relation ledger_recovery_relation_of_file(struct ledger_file *file, uint32_t last_id,
-                                                      struct ledger_file *other)
-{
-    return find_kin(file, last_id, NULL, other);
-}
-
 static bool has_others_tail(struct salvage *salvage)
 {
     const struct ledger_content *content = &salvage->to->content;
     const uint32_t last_id = content->memory.ledger.last_id;
     enum ledger_relation kin = LEDGER_RELATION_UNKNOWN;
     if (salvage->has_from) {
-        kin = ledger_recovery_relation_of_mirror(
-            &salvage->from, salvage->knows_last ? salvage->last : last_id, salvage->tail);
+        kin = ledger_recovery_relation(
+            &salvage->from, salvage->knows_last ? salvage->last : last_id, salvage->tail, NULL);
     }
     if (kin == LEDGER_RELATION_UNKNOWN && salvage->to->db) {
-        kin = ledger_recovery_relation_of_mirror(salvage->to, last_id, salvage->tail);
+        kin = ledger_recovery_relation(salvage->to, last_id, salvage->tail, NULL);
     }
     /* If the database and the mirror have no common entry and the mirror is older than `content`,
      * the mirror belongs to a foreign ledger. An empty mirror is accepted. */
@@ -91,6 +80,26 @@ static bool reads_well(struct salvage *salvage, int64_t id)
     struct ledger_entry entry;
     return id > 0 && id <= UINT32_MAX &&
            ledger_file_entry(&salvage->from, (uint32_t)id, &entry) == SQLITE_OK;
+}
+
+/* Reads the smallest and the largest id of the damaged file, and limits the range to plausible
+ * values. */
+static void find_range(struct salvage *salvage)
+{
+    int64_t min = 0, max = 0;
+    sqlite3 *db = salvage->from.db;
+    const bool has_min = sql_number(db, "SELECT min(id) FROM entries", &min) == SQLITE_OK &&
+                         reads_well(salvage, min);
+    const bool has_max =
+        sql_number(db, "SELECT max(id) FROM entries", &max) == SQLITE_OK && max >= 0;
+    if (has_min && min > salvage->first) {
+        salvage->first = (uint32_t)min;
+    }
+    if (has_max && max > (int64_t)salvage->first + SALVAGE_MAX && reads_well(salvage, max)) {
+        salvage->first = (uint32_t)max - SALVAGE_MAX;
+    }
+    salvage->knows_last = has_max && max <= (int64_t)salvage->first + SALVAGE_MAX;
+    salvage->last = salvage->knows_last ? (uint32_t)max : salvage->first + SALVAGE_MAX;
 }
 
 /* Extends the range of ids to the end of the mirror. Each entry is written to the mirror before it
@@ -131,20 +140,6 @@ static int write_salvaged(struct salvage *salvage)
     return code;
 }
 
-static int salvage_entries(struct salvage *salvage)
-{
-    int code = SQLITE_OK;
-    for (uint32_t id = salvage->first; code == SQLITE_OK && id <= salvage->last; id++) {
-        struct ledger_entry *out = &salvage->entries[salvage->count];
-        if (((salvage->has_from && ledger_file_entry(&salvage->from, id, out) == SQLITE_OK) ||
-             ledger_mirror_entry(salvage->tail, id, out)) &&
-            ++salvage->count == BATCH) {
-            code = write_salvaged(salvage);
-        }
-    }
-    return code == SQLITE_OK ? write_salvaged(salvage) : code;
-}
-
 int ledger_recover(const char *path, const struct ledger_mirror *tail, struct ledger_file *to,
                    struct ledger_recovered *out)
 {
@@ -164,29 +159,23 @@ int ledger_recover(const char *path, const struct ledger_mirror *tail, struct le
                        sql_open(path, SQLITE_OPEN_READONLY, NULL, &salvage.from.db) == SQLITE_OK &&
                        sql_number(salvage.from.db, any, &has_entries) == SQLITE_OK && has_entries;
     if (salvage.has_from) {
-        /* Read the smallest and the largest id of the damaged file, and limit the range to
-         * plausible values. */
-        int64_t min = 0, max = 0;
-        sqlite3 *db = salvage.from.db;
-        const bool has_min = sql_number(db, "SELECT min(id) FROM entries", &min) == SQLITE_OK &&
-                             reads_well(&salvage, min);
-        const bool has_max =
-            sql_number(db, "SELECT max(id) FROM entries", &max) == SQLITE_OK && max >= 0;
-        if (has_min && min > salvage.first) {
-            salvage.first = (uint32_t)min;
-        }
-        if (has_max && max > (int64_t)salvage.first + SALVAGE_MAX && reads_well(&salvage, max)) {
-            salvage.first = (uint32_t)max - SALVAGE_MAX;
-        }
-        salvage.knows_last = has_max && max <= (int64_t)salvage.first + SALVAGE_MAX;
-        salvage.last = salvage.knows_last ? (uint32_t)max : salvage.first + SALVAGE_MAX;
+        find_range(&salvage);
     }
     if (has_others_tail(&salvage)) {
         salvage.done.has_others_tail = true;
         salvage.tail = &none;
     }
     reach_to_tail(&salvage);
-    const int code = salvage_entries(&salvage);
+    int code = SQLITE_OK;
+    for (uint32_t id = salvage.first; code == SQLITE_OK && id <= salvage.last; id++) {
+        struct ledger_entry *entry = &salvage.entries[salvage.count];
+        if (((salvage.has_from && ledger_file_entry(&salvage.from, id, entry) == SQLITE_OK) ||
+             ledger_mirror_entry(salvage.tail, id, entry)) &&
+            ++salvage.count == BATCH) {
+            code = write_salvaged(&salvage);
+        }
+    }
+    code = code == SQLITE_OK ? write_salvaged(&salvage) : code;
     const uint32_t last_id = to->content.memory.ledger.last_id;
     const uint32_t newest_id = salvage.newest_id > last_id ? salvage.newest_id : last_id;
     salvage.done.lost = newest_id - before_id - salvage.done.entries;

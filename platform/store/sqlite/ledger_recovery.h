@@ -45,8 +45,8 @@ struct ledger_mirror ledger_mirror_inspect(const char *path);
 int ledger_mirror_write(struct ledger_mirror *tail, const struct ledger_entry *entries,
                         uint32_t count);
 
-/* Erases the player name of the slot `seat` in the round `round_id`. Returns 0, or -1 and sets
- * errno. The change is on disk only after the next ledger_mirror_write(). */
+/* Erases the name of the player in slot `seat` of the round `round_id`. Returns 0. On an error sets
+ * errno and returns -1. The change is on disk only after the next ledger_mirror_write(). */
 int ledger_mirror_erase_name(struct ledger_mirror *tail, uint32_t round_id, uint32_t seat);
 
 /* Reads the entry `id`. Returns true if the mirror has the entry with a valid checksum. Returns
@@ -66,13 +66,12 @@ enum ledger_relation {
                               again from its first entry. */
 };
 
-/* Each of the functions below compares the entry `last_id` of `file` and earlier entries with the
- * mirror `tail` or the file `other`. At most LEDGER_MIRROR_SLOTS entries are compared. The newest
- * common entry determines the result. */
-enum ledger_relation ledger_recovery_relation_of_mirror(struct ledger_file *file, uint32_t last_id,
-                                                        const struct ledger_mirror *tail);
-enum ledger_relation ledger_recovery_relation_of_file(struct ledger_file *file, uint32_t last_id,
-                                                      struct ledger_file *other);
+/* Compares the entry `last_id` of `file` and earlier entries with the mirror `tail`, or with the
+ * file `other`. Exactly one of `tail` and `other` is null. At most LEDGER_MIRROR_SLOTS entries are
+ * compared. The newest common entry determines the result. */
+enum ledger_relation ledger_recovery_relation(struct ledger_file *file, uint32_t last_id,
+                                              const struct ledger_mirror *tail,
+                                              struct ledger_file *other);
 
 struct ledger_recovered {
     uint32_t entries;     /* Number of recovered entries. */

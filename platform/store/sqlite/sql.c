@@ -74,13 +74,32 @@ void sql_text(sqlite3_stmt *statement, int column, char *out, int size)
     }
 }
 
+bool sql_row(sqlite3_stmt *statement, int *code)
+{
+    if (*code != SQLITE_OK && *code != SQLITE_ROW) {
+        return false;
+    }
+    *code = sqlite3_step(statement);
+    return *code == SQLITE_ROW;
+}
+
 int sql_end(sqlite3_stmt *statement, int code)
 {
     sqlite3_finalize(statement);
     return code == SQLITE_DONE ? SQLITE_OK : code;
 }
 
-/* ---- Opening ------------------------------------------------------------------------------- */
+int sql_commit(sqlite3 *db, int code)
+{
+    CORE_ASSERT(db);
+    code = code == SQLITE_OK ? sql_run(db, "COMMIT") : code;
+    if (code != SQLITE_OK) {
+        sql_run(db, "ROLLBACK");
+    }
+    return code;
+}
+
+/* ---- Limits and options -------------------------------------------------------------------- */
 
 /* Limits of SQLite that are well above the needs of Kingyo's own statements. */
 static const struct {
@@ -219,18 +238,8 @@ int sql_open_unwritable(const char *path, sqlite3 **out)
 
 /* ---- Days and dates ------------------------------------------------------------------------ */
 
-/* Converts between day numbers and dates; see day.h. The calculation starts the year in March, so
- * that the leap day is the last day of a year. */
-
-#define DAYS_TO_2000 730425 /* Days from 0000-03-01 to 2000-01-01 in the Gregorian calendar. */
-
-static int64_t day_number(int64_t year, int64_t month, int64_t day)
-{
-    const int64_t from_march = month > 2 ? month - 3 : month + 9;
-    const int64_t era = month > 2 ? year : year - 1;
-    return era * 365 + era / 4 - era / 100 + era / 400 + (from_march * 153 + 2) / 5 + day - 1 -
-           DAYS_TO_2000;
-}
+#define DAY_S 86400
+#define DAYS_TO_2000 10957 /* Days from 1970-01-01 to 2000-01-01. */
 
 struct sql_day sql_day_of(int64_t unix_s)
 {
@@ -239,7 +248,10 @@ struct sql_day sql_day_of(int64_t unix_s)
     if (!localtime_r(&moment, &local)) {
         return (struct sql_day){ 0 };
     }
-    const int64_t day = day_number(local.tm_year + 1900, local.tm_mon + 1, local.tm_mday);
+    struct tm midnight = { .tm_year = local.tm_year,
+                           .tm_mon = local.tm_mon,
+                           .tm_mday = local.tm_mday };
+    const int64_t day = timegm(&midnight) / DAY_S - DAYS_TO_2000;
     if (day <= 0 || day > UINT16_MAX) {
         return (struct sql_day){ 0 };
     }
@@ -249,18 +261,10 @@ struct sql_day sql_day_of(int64_t unix_s)
 
 void sql_day_text(uint16_t day, char out[SQL_DAY_TEXT_SIZE])
 {
-    int64_t year = 2000 + day / 366, month = 1;
-    while (day_number(year + 1, 1, 1) <= day) {
-        year++;
-    }
-    while (month < 12 && day_number(year, month + 1, 1) <= day) {
-        month++;
-    }
-    const int64_t in_month = day - day_number(year, month, 1) + 1;
-    if (day == 0) {
+    const time_t moment = ((time_t)day + DAYS_TO_2000) * DAY_S;
+    struct tm date;
+    if (day == 0 || !gmtime_r(&moment, &date) ||
+        strftime(out, SQL_DAY_TEXT_SIZE, "%Y-%m-%d", &date) == 0) {
         snprintf(out, SQL_DAY_TEXT_SIZE, "-");
-    } else {
-        snprintf(out, SQL_DAY_TEXT_SIZE, "%04u-%02u-%02u", (unsigned)year % 10000u,
-                 (unsigned)month % 100u, (unsigned)in_month % 100u);
     }
 }

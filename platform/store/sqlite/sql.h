@@ -3,6 +3,7 @@
 #ifndef KINGYO_PLATFORM_STORE_SQLITE_SQL_H
 #define KINGYO_PLATFORM_STORE_SQLITE_SQL_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 struct sqlite3;
@@ -40,9 +41,18 @@ uint32_t sql_uint(struct sqlite3_stmt *statement, int column, uint32_t max);
 /* Copies a text column: at most `size` - 1 bytes. Fills the rest of `out` with zeros. */
 void sql_text(struct sqlite3_stmt *statement, int column, char *out, int size);
 
-/* Finalizes a statement after a loop over its rows. `code` is the last result of sqlite3_step().
+/* Reads the next row of a statement. `*code` is the result of the previous step, or of the
+ * preparation of the statement. Returns true if there is a row. Otherwise returns false. `*code` is
+ * then SQLITE_DONE after the last row, or the code of an error. */
+bool sql_row(struct sqlite3_stmt *statement, int *code);
+
+/* Finalizes a statement after a loop over its rows. `code` is the last result of sql_row().
  * Returns SQLITE_OK if `code` is SQLITE_DONE, otherwise `code`. */
 int sql_end(struct sqlite3_stmt *statement, int code);
+
+/* Ends a transaction: commits if `code` is SQLITE_OK, otherwise rolls back. Rolls back too if the
+ * commit fails. Returns `code`, or the error of the commit. */
+int sql_commit(struct sqlite3 *db, int code);
 
 /* ---- Days and dates ------------------------------------------------------------------------ */
 
