@@ -18,7 +18,6 @@
 /* Simulated time of one frame: six ticks, which is about the time that a software renderer needs
  * for one picture. */
 #define FRAME_NS 50000000ull
-#define NS_PER_S 1000000000ull
 #define START_NS FRAME_NS /* Simulated time at which START is pressed. */
 /* Simulated duration of one frame before the round. The frames before the round are not drawn. */
 #define PRELUDE_NS 100000000ull
@@ -42,10 +41,10 @@ struct demo {
     uint64_t now_ns, end_ns;
     uint32_t shots;
     uint32_t width, height; /* Size of the pictures in pixels. */
-    int whole_replay;       /* 1 if the demonstration ends with the last tick of a replayed
-                               recording. 0 if the demonstration ends at the simulated time
+    bool whole_replay;      /* True if the demonstration ends with the last tick of a replayed
+                               recording. False if the demonstration ends at the simulated time
                                end_ns. */
-    int failed;             /* 1 if a picture could not be captured or written, otherwise 0. */
+    bool failed;            /* True if a picture could not be captured or written. */
 };
 
 static enum exit_code demo_begin(struct demo *demo)
@@ -71,7 +70,7 @@ static enum exit_code demo_begin(struct demo *demo)
     config_apply_settings(&config.core, settings);
     config.core.round_s = round_s > ROUND_S_MIN ? round_s : ROUND_S_MIN;
     for (uint32_t i = 0; i < config.core.players; i++) {
-        config.bot[i] = 1;
+        config.bot[i] = true;
     }
     demo->whole_replay = options->replay[0] && !options->demo;
     demo->end_ns = demo->whole_replay ? demo->session->replayed.ticks * NS_PER_S / CORE_TICK_HZ
@@ -81,27 +80,24 @@ static enum exit_code demo_begin(struct demo *demo)
 
 /* ---- Pictures ------------------------------------------------------------------------------ */
 
-static int plan_sheet(struct demo *demo, const struct hal_image *image)
-{
-    demo->sheet.rgb = malloc(demo_sheet_plan(&demo->sheet, image->width, image->height));
-    if (!demo->sheet.rgb) {
-        log_print(LOG_LEVEL_ERROR, "no memory for the contact sheet");
-        return -1;
-    }
-    demo_sheet_clear(&demo->sheet);
-    return 0;
-}
-
 static void take_shot(struct demo *demo)
 {
     CORE_ASSERT(demo->shots < SHEET_PICTURES);
     char path[PATH_SIZE];
     struct hal_image image;
     snprintf(path, sizeof path, "%s/shot-%02u.png", demo->folder, demo->shots + 1);
-    if (run_common_shot(demo->session, path, &image) ||
-        (!demo->sheet.rgb && plan_sheet(demo, &image))) {
-        demo->failed = 1;
+    if (run_common_shot(demo->session, path, &image)) {
+        demo->failed = true;
         return;
+    }
+    if (!demo->sheet.rgb) {
+        demo->sheet.rgb = malloc(demo_sheet_plan(&demo->sheet, image.width, image.height));
+        if (!demo->sheet.rgb) {
+            log_print(LOG_LEVEL_ERROR, "no memory for the contact sheet");
+            demo->failed = true;
+            return;
+        }
+        demo_sheet_clear(&demo->sheet);
     }
     demo_sheet_put(&demo->sheet, demo->shots, image.rgb, image.width, image.height);
     demo->shots++;
@@ -109,26 +105,22 @@ static void take_shot(struct demo *demo)
 
 /* ---- Main loop ----------------------------------------------------------------------------- */
 
-/* Runs frames without pictures until the round is in progress. Before the round, the bot's poi is
- * beside the tank. */
-static enum kiosk_end skip_to_round(struct demo *demo)
+static enum kiosk_end demo_run_frames(struct demo *demo)
 {
     struct run_common *session = demo->session;
     const struct output *output = &session->kiosk.output;
+    const bool is_replay = session->options.replay[0] != '\0';
     enum kiosk_end end = KIOSK_RUNS;
-    while (end == KIOSK_RUNS && !*session->stop &&
+    /* Runs frames without pictures until the round is in progress. Before the round, the bot's poi
+     * is beside the tank. */
+    while (!is_replay && end == KIOSK_RUNS && !*session->stop &&
            !(output->phase == PHASE_ROUND && output->tick - output->round_tick >= IN_ROUND_TICKS) &&
            output->tick < PRELUDE_TICKS_MAX) {
         end = kiosk_frame(&session->kiosk, &session->hal);
         board_rehearsal_advance(PRELUDE_NS);
     }
-    return end;
-}
-
-static enum kiosk_end demo_run_frames(struct demo *demo)
-{
-    struct run_common *session = demo->session;
-    enum kiosk_end end = session->options.replay[0] ? KIOSK_RUNS : skip_to_round(demo);
+    const bool on_terminal = isatty(STDERR_FILENO);
+    const uint64_t step_ns = on_terminal ? NS_PER_S / 2 : 5 * NS_PER_S;
     while (end == KIOSK_RUNS && !*session->stop &&
            (demo->whole_replay || demo->now_ns < demo->end_ns)) {
         end = kiosk_frame(&session->kiosk, &session->hal);
@@ -143,24 +135,16 @@ static enum kiosk_end demo_run_frames(struct demo *demo)
         demo->now_ns += FRAME_NS;
         /* Print the progress. On a terminal one line is updated; otherwise one line is printed
          * every five seconds. */
-        const int on_terminal = isatty(STDERR_FILENO);
-        const uint64_t step_ns = on_terminal ? NS_PER_S / 2 : 5 * NS_PER_S;
-        if (demo->now_ns % step_ns == 0 && demo->now_ns > 0) {
+        if (demo->now_ns % step_ns == 0) {
             fprintf(stderr, "%s%s: %4.1f of %.0f s, %u pictures%s", on_terminal ? "\r" : "",
-                    demo->session->options.replay[0] ? "replay" : "demo",
-                    (double)demo->now_ns / (double)NS_PER_S,
+                    is_replay ? "replay" : "demo", (double)demo->now_ns / (double)NS_PER_S,
                     (double)demo->end_ns / (double)NS_PER_S, demo->shots, on_terminal ? "" : "\n");
         }
     }
-    if (isatty(STDERR_FILENO)) {
+    if (on_terminal) {
         fputc('\n', stderr);
     }
     return end;
-}
-
-static double ns_to_ms(uint64_t ns)
-{
-    return (double)ns * 1e-6;
 }
 
 static void print_summary(const struct demo *demo)
@@ -185,10 +169,10 @@ static void print_summary(const struct demo *demo)
     printf("  frames        %llu of %ux%u%s; frame time median %.1f ms, p99 %.1f ms\n",
            (unsigned long long)kiosk->frames, demo->width, demo->height,
            session->options.replay[0] ? ", drawn where pictures are" : "",
-           ns_to_ms(frame_timing_quantile_ns(frame, 0.5)),
-           ns_to_ms(frame_timing_quantile_ns(frame, 0.99)));
+           (double)frame_timing_quantile_ns(frame, 0.5) * 1e-6,
+           (double)frame_timing_quantile_ns(frame, 0.99) * 1e-6);
     printf("  core          %.1f %% of the frame; %.3f ms a tick\n", 100.0 * share,
-           ns_to_ms(kiosk->core_ns) / ticks);
+           (double)kiosk->core_ns * 1e-6 / ticks);
     printf("  state hash    %016llx\n", (unsigned long long)core_hash(&kiosk->core));
     print_line(stdout, "  drawn by      %s",
                session->hal.display.ops->describe(session->hal.display.self));
@@ -240,7 +224,7 @@ enum exit_code demo_run(struct run_common *session)
         demo.sheet.rgb ? png_write(path, demo.sheet.rgb, demo.sheet.width, demo.sheet.height) : 0;
     if (error) {
         log_print(LOG_LEVEL_ERROR, "%s: cannot write: %s", path, strerror(-error));
-        demo.failed = 1;
+        demo.failed = true;
     }
     free(demo.sheet.rgb);
     print_summary(&demo);

@@ -43,8 +43,8 @@ size_t demo_sheet_plan(struct contact_sheet *sheet, uint32_t width, uint32_t hei
 /* Fills the sheet with the dark blue background colour. */
 void demo_sheet_clear(struct contact_sheet *sheet);
 
-/* Scales a picture down by averaging and writes it to position `index` of the sheet. Positions
- * count row by row from the top left; `index` must be less than SHEET_PICTURES. */
+/* Scales a picture down by averaging and writes the result to position `index` of the sheet.
+ * Positions count row by row from the top left; `index` must be less than SHEET_PICTURES. */
 void demo_sheet_put(struct contact_sheet *sheet, uint32_t index, const uint8_t *rgb, uint32_t width,
                     uint32_t height);
 

@@ -2,9 +2,8 @@
 #include "platform/kiosk/frame_pacer.h"
 
 #include "core/base/panic.h"
-#include "core/input.h"
+#include "platform/hal.h"
 
-#define NS_PER_S 1000000000ull
 #define FRAME_TICKS 2u
 #define FRAME_NS (NS_PER_S * FRAME_TICKS / CORE_TICK_HZ)
 /* Maximum difference between FRAME_NS and the duration of a frame that may belong to a 60 Hz
@@ -35,25 +34,25 @@ static uint64_t absolute_difference(uint64_t a, uint64_t b)
     return a > b ? a - b : b - a;
 }
 
-/* Returns 1 if the frame must run exactly two ticks, otherwise 0. Two ticks are correct if the
+/* Returns true if the frame must run exactly two ticks. Two ticks are correct if the
  * frame lasted about 1/60 s and the elapsed time in `owed` is near the time of two ticks. */
-static int snap(struct frame_pacer *pace, uint64_t elapsed_ns)
+static bool snap(struct frame_pacer *pace, uint64_t elapsed_ns)
 {
     const int64_t left = pace->owed - (int64_t)(FRAME_TICKS * NS_PER_S);
     const int64_t snap = SNAP_NS * (int64_t)CORE_TICK_HZ;
     if (absolute_difference(elapsed_ns, FRAME_NS) > LIKE_60_HZ_NS || left > snap || left < -snap) {
-        return 0;
+        return false;
     }
     pace->owed = absolute_difference(elapsed_ns, FRAME_NS) < SURE_60_HZ_NS
                      ? left - left / DRIFT_SHARE
                      : left;
-    return 1;
+    return true;
 }
 
 uint32_t frame_pacer_ticks_due(struct frame_pacer *pace, uint64_t now_ns)
 {
     if (!pace->started) {
-        pace->started = 1;
+        pace->started = true;
         pace->last_ns = now_ns;
         return FRAME_TICKS;
     }
@@ -95,7 +94,7 @@ uint64_t frame_pacer_sleep_ns(struct frame_pacer_sleep *rest, uint64_t took_ns)
 
 void frame_timing_add(struct frame_timing *timing, uint64_t duration_ns)
 {
-    const int is_fine = duration_ns < FINE_END_NS;
+    const bool is_fine = duration_ns < FINE_END_NS;
     const uint64_t slow = is_fine ? 0u : (duration_ns - FINE_END_NS) / TIMING_SLOW_NS;
     const uint32_t bin = is_fine                         ? (uint32_t)(duration_ns / TIMING_BIN_NS)
                          : slow < TIMING_SLOW_COUNT - 1u ? TIMING_BIN_COUNT + (uint32_t)slow

@@ -3,12 +3,14 @@
 #ifndef KINGYO_PLATFORM_KIOSK_FRAME_PACER_H
 #define KINGYO_PLATFORM_KIOSK_FRAME_PACER_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 /* Maximum number of ticks per frame (0.5 s). Further ticks are dropped, because running them would
  * delay the next frame again. The maximum is high because a tick takes much less time than a
- * picture. Dropped ticks also affect the game: players continue to move during dropped ticks. A
- * stroke compressed into fewer ticks would be faster and would tear the paper. */
+ * picture. Dropped ticks also affect the game: players continue to move in the time of dropped
+ * ticks. The next ticks would then contain the whole motion, which would be faster than the
+ * player's stroke and would tear the paper. */
 #define FRAME_PACER_TICKS_MAX 60u
 
 struct frame_pacer {
@@ -18,7 +20,7 @@ struct frame_pacer {
                          the clock. */
     uint64_t dropped; /* Number of ticks that were dropped because a frame needed more than
                          FRAME_PACER_TICKS_MAX. */
-    uint8_t started;
+    bool started;     /* True after the first frame. */
 };
 
 /* Returns the number of ticks to run in the frame that starts at `now_ns`. The first frame runs two

@@ -1,16 +1,61 @@
-/* kiosk.c -- runs one frame: samples the devices, runs the ticks, and presents the result. The file
- * kiosk_devices.c accesses the devices. */
+/* kiosk.c -- runs one frame: samples the devices, runs the ticks, and presents the picture. The
+ * file kiosk_outputs.c sends all other results of the ticks to the devices. */
 #include "platform/kiosk/kiosk.h"
 
 #include <string.h>
 
 #include "core/base/panic.h"
+#include "core/game/menu/menu_pages.h"
 #include "core/game/phases.h"
 #include "platform/cpu.h"
-#include "platform/kiosk/operator_view.h"
 #include "platform/kiosk/recorder/score_playback.h"
 #include "platform/kiosk/recorder/session_recorder.h"
 #include "platform/system_health.h"
+
+/* Maximum time between two presses of the quit key. The time equals MENU_ASK_TICKS, which is the
+ * maximum time between two presses of the TEST button during a round. */
+#define QUIT_ASK_NS 5000000000ull
+#define RETRY_NS 1000000000ull /* Interval between two attempts to reopen a lost display. */
+
+static void read_wall(struct kiosk *kiosk, const struct hal *hal)
+{
+    if (hal->clock.ops->civil) {
+        hal->clock.ops->civil(hal->clock.self, &kiosk->input.day, &kiosk->input.minute);
+    }
+}
+
+static void open_seat(struct kiosk *kiosk, const struct hal *hal, uint32_t seat)
+{
+    CORE_ASSERT(seat < POI_MAX);
+    const uint64_t now_ns = hal_now_ns(hal->clock);
+    kiosk->faults.poi += sampler_poi_open(&kiosk->samplers[seat], &hal->poi[seat], now_ns);
+    if (seat < SHADE_MAX) {
+        kiosk->faults.shade += sampler_fan_open(&kiosk->shades[seat], &hal->fan[seat], now_ns);
+    }
+}
+
+/* Sends the camera view and the display settings to the display and to the pointer devices if one
+ * of them has changed. */
+static void present_view(struct kiosk *kiosk, const struct hal *hal)
+{
+    const struct display_settings display_settings =
+        output_dimmer_step(&kiosk->dimmer, &kiosk->core.config.persistent.settings, &kiosk->input,
+                           kiosk->output.phase == PHASE_ATTRACT, hal_now_ns(hal->clock));
+    const uint8_t phase = kiosk->output.phase;
+    const bool scoops = phase == PHASE_READY || phase == PHASE_ROUND;
+    if (kiosk->scoops == scoops &&
+        memcmp(&kiosk->display_settings, &display_settings, sizeof display_settings) == 0 &&
+        memcmp(&kiosk->view, &kiosk->scene.view, sizeof kiosk->view) == 0) {
+        return;
+    }
+    kiosk->scoops = scoops;
+    kiosk->view = kiosk->scene.view;
+    kiosk->display_settings = display_settings;
+    hal->display.ops->set_transform(hal->display.self, &display_settings);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        hal->poi[i].ops->set_view(hal->poi[i].self, &kiosk->view, &display_settings, scoops);
+    }
+}
 
 enum core_error kiosk_init(struct kiosk *kiosk, const struct hal *hal,
                            const struct kiosk_config *config)
@@ -27,18 +72,18 @@ enum core_error kiosk_init(struct kiosk *kiosk, const struct hal *hal,
         return error;
     }
     output_audio_open(&kiosk->voice, &hal->audio, hal_now_ns(hal->clock));
-    kiosk_open_devices(kiosk, hal);
+    read_wall(kiosk, hal); /* The first call reads the time zone in the C library, which allocates
+                              memory. */
+    hal->seats.ops->arrange(hal->seats.self, 1);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        open_seat(kiosk, hal, i);
+    }
     if (config->chapters) {
         session_recorder_begin(config->chapters, &kiosk->core);
     }
     core_scene(&kiosk->core, &kiosk->scene);
-    kiosk_present_view(kiosk, hal);
+    present_view(kiosk, hal);
     return CORE_OK;
-}
-
-int kiosk_asks_to_quit(const struct kiosk *kiosk)
-{
-    return kiosk->sampled_ns < kiosk->quit_until_ns;
 }
 
 uint32_t kiosk_fault_count(const struct kiosk_faults *faults)
@@ -48,43 +93,137 @@ uint32_t kiosk_fault_count(const struct kiosk_faults *faults)
            faults->buttons + faults->switches;
 }
 
-/* Prepares kiosk->input for one tick. Returns 1. If the input source has no more ticks, ends the
- * frame loop and returns 0. */
-static int prepare_tick(struct kiosk *kiosk, uint32_t index, uint32_t tick_count)
+/* ---- Sampling the devices ------------------------------------------------------------------ */
+
+/* Returns true if the quit key was pressed once, so that a second press ends the kiosk. */
+static bool asks_to_quit(const struct kiosk *kiosk)
 {
-    CORE_ASSERT(index < tick_count);
-    if (!kiosk->config.source.next) {
-        for (uint32_t i = 0; i < POI_MAX; i++) {
-            struct poi_input *poi = &kiosk->input.poi[i];
-            sampler_poi_at(&kiosk->hands[i], index, tick_count, kiosk->sampled_ns, poi);
-            poi->link = kiosk->config.bot[i] ? (uint8_t)POI_SOURCE_BOT : poi->link;
-        }
-        for (uint32_t i = 0; i < SHADE_MAX; i++) {
-            kiosk->input.shade[i] = sampler_fan_at(&kiosk->shades[i], index, tick_count);
-        }
-        /* During a score playback, poses and buttons control the playback, and the game gets
-         * only coins. The input that ends the playback is not passed to the game. */
-        if (kiosk->config.playback && kiosk->config.playback->state != ENCORE_OFF) {
-            score_playback_handle_input(kiosk->config.playback, kiosk->input.pressed,
-                                        kiosk->input.poi);
-            kiosk->input.pressed = kiosk->input.held = 0;
-            for (uint32_t i = 0; i < POI_MAX; i++) {
-                kiosk->input.poi[i].link = POI_SOURCE_ABSENT;
-            }
-        }
-        return 1;
-    }
-    if (!kiosk->config.source.next(kiosk->config.source.self, &kiosk->input)) {
-        kiosk->end = KIOSK_SOURCE_END;
-        return 0;
-    }
-    return 1;
+    return kiosk->sampled_ns < kiosk->quit_until_ns;
 }
 
-/* Runs one tick. Returns 1. If the core rejects the tick, sets kiosk->end and returns 0.
- * session_recorder_before() must be the first call, because it blocks the calling thread if another
- * thread panics. */
-static int run_tick(struct kiosk *kiosk)
+/* Handles the quit key. A kiosk on a desktop requires a second press within QUIT_ASK_NS, because
+ * Esc is easily pressed by accident. Any other button cancels the first press. A replay ends at the
+ * first press. In the operator's menu the quit key returns to the previous page. */
+static void handle_quit_key(struct kiosk *kiosk, const struct button_sample *buttons)
+{
+    const bool is_menu = kiosk->output.phase == PHASE_MENU;
+    if (buttons->pressed != 0 || is_menu) {
+        kiosk->quit_until_ns = 0;
+    }
+    if (!buttons->quit) {
+        return;
+    }
+    if (is_menu) {
+        kiosk->input.pressed |= MENU_WAY_BACK;
+    } else if (asks_to_quit(kiosk) || kiosk->config.source.next) {
+        kiosk->end = KIOSK_QUIT;
+    } else {
+        kiosk->quit_until_ns = kiosk->sampled_ns + QUIT_ASK_NS;
+    }
+}
+
+/* Fills kiosk->input with the current device values, except the poses, which are set for each tick.
+ * Counts faults. Sets kiosk->end if the user quits or the display is lost permanently. */
+static void sample_devices(struct kiosk *kiosk, const struct hal *hal)
+{
+    struct input *input = &kiosk->input;
+    /* The display is polled first, because its poll() fills the event queue from which mouse and
+     * keyboard are read. */
+    struct display_events events = { 0 };
+    if (hal->display.ops->poll(hal->display.self, &events) == HAL_OK) {
+        input->upright = events.upright;
+    }
+    if (events.quit || events.lost) {
+        kiosk->end = events.lost ? KIOSK_DISPLAY_LOST : KIOSK_QUIT;
+    }
+    hal->controllers.ops->poll(hal->controllers.self, &input->controllers);
+    input->controllers.file_count = operator_view_file_count(kiosk->config.notes);
+    const uint64_t now_ns = kiosk->sampled_ns = hal_now_ns(hal->clock);
+    /* Assigns controllers to slots. Slots change only between two games and while the operator's
+     * menu is shown, so that no player loses a controller during a game. */
+    const uint8_t phase = kiosk->output.phase;
+    const bool may_move = phase == PHASE_ATTRACT || phase == PHASE_MENU;
+    const uint32_t moved = hal->seats.ops->arrange(hal->seats.self, may_move);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (moved & (1u << i)) {
+            open_seat(kiosk, hal, i);
+            hal->poi[i].ops->set_view(hal->poi[i].self, &kiosk->view, &kiosk->display_settings,
+                                      kiosk->scoops);
+        }
+    }
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        kiosk->faults.poi += sampler_poi_sample(&kiosk->samplers[i], &hal->poi[i], now_ns);
+    }
+    for (uint32_t i = 0; i < SHADE_MAX; i++) {
+        kiosk->faults.shade += sampler_fan_sample(&kiosk->shades[i], &hal->fan[i], now_ns);
+    }
+    /* The buttons are polled after the pois, because polling a poi also reads the buttons of its
+     * controller. */
+    struct button_sample buttons = { 0 };
+    hal->buttons.ops->poll(hal->buttons.self, &buttons);
+    input->held = buttons.held & (uint32_t)INPUT_BUTTON_ALL;
+    input->pressed |= buttons.pressed & (uint32_t)INPUT_BUTTON_ALL;
+    for (uint32_t line = 0; line < COIN_LINE_COUNT; line++) {
+        input->coin_count[line] += buttons.coin_count[line];
+    }
+    kiosk->faults.buttons += buttons.faults;
+    operator_view_lines_add(&kiosk->lines, &buttons);
+    if (buttons.full_screen) {
+        hal->display.ops->toggle_full_screen(hal->display.self);
+    }
+    handle_quit_key(kiosk, &buttons);
+    const struct hal_storage *storage = &hal->storage;
+    input->record_saved_id = storage->ledger.ops->committed_id(storage->ledger.self);
+    input->edit_saved_id = storage->edits.ops->stored_id(storage->edits.self);
+    input->edit_refused = storage->edits.ops->has_failed(storage->edits.self) != 0;
+    input->store_well = storage->ledger.ops->is_healthy(storage->ledger.self) != 0;
+    kiosk_count_refused(kiosk, hal);
+    input->tickets_done = output_lines_are_done(&kiosk->switches, &hal->switches, HAL_TICKET);
+    read_wall(kiosk, hal);
+    input->dropped_ticks = (uint32_t)kiosk->pace.dropped;
+    input->device_faults = kiosk_fault_count(&kiosk->faults);
+}
+
+/* ---- Ticks --------------------------------------------------------------------------------- */
+
+/* Prepares kiosk->input for one tick and returns true. If the input source has no more ticks, ends
+ * the frame loop and returns false instead. */
+static bool prepare_tick(struct kiosk *kiosk, uint32_t index, uint32_t tick_count)
+{
+    CORE_ASSERT(index < tick_count);
+    struct input *input = &kiosk->input;
+    if (kiosk->config.source.next) {
+        if (kiosk->config.source.next(kiosk->config.source.self, input)) {
+            return true;
+        }
+        kiosk->end = KIOSK_SOURCE_END;
+        return false;
+    }
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        sampler_poi_at(&kiosk->samplers[i], index, tick_count, kiosk->sampled_ns, &input->poi[i]);
+        if (kiosk->config.bot[i]) {
+            input->poi[i].link = POI_SOURCE_BOT;
+        }
+    }
+    for (uint32_t i = 0; i < SHADE_MAX; i++) {
+        input->shade[i] = sampler_fan_at(&kiosk->shades[i], index, tick_count);
+    }
+    /* During a score playback, poses and buttons control the playback, and the game gets only
+     * coins. The input that ends the playback is not passed to the game. */
+    if (kiosk->config.playback && kiosk->config.playback->state != ENCORE_OFF) {
+        score_playback_handle_input(kiosk->config.playback, input->pressed, input->poi);
+        input->pressed = input->held = 0;
+        for (uint32_t i = 0; i < POI_MAX; i++) {
+            input->poi[i].link = POI_SOURCE_ABSENT;
+        }
+    }
+    return true;
+}
+
+/* Runs one tick. Returns false and sets kiosk->end if the core rejects the tick, otherwise returns
+ * true. session_recorder_before() must be the first call, because it blocks the calling thread if
+ * another thread panics. */
+static bool run_tick(struct kiosk *kiosk)
 {
     CORE_ASSERT(kiosk->output.sound_count <= OUTPUT_SOUND_MAX);
     const struct kiosk_tap *tap = &kiosk->config.tap;
@@ -96,7 +235,7 @@ static int run_tick(struct kiosk *kiosk)
     }
     if (core_tick(&kiosk->core, &kiosk->input, &kiosk->output) != CORE_OK) {
         kiosk->end = KIOSK_FLOAT;
-        return 0;
+        return false;
     }
     for (uint32_t i = 0; i < POI_MAX; i++) {
         output_merge_force(&kiosk->felt[i], &kiosk->output.poi[i]);
@@ -109,7 +248,7 @@ static int run_tick(struct kiosk *kiosk)
     }
     kiosk->input.pressed = 0; /* A button press is valid for one tick only. */
     memset(kiosk->input.coin_count, 0, sizeof kiosk->input.coin_count);
-    return 1;
+    return true;
 }
 
 /* Runs the ticks of the frame. Returns the number of completed ticks. */
@@ -130,61 +269,53 @@ static uint32_t run_ticks(struct kiosk *kiosk, uint32_t tick_count)
     }
     if (done > 0) {
         for (uint32_t i = 0; i < POI_MAX; i++) {
-            sampler_poi_end(&kiosk->hands[i]);
+            sampler_path_end(&kiosk->samplers[i].path);
         }
         for (uint32_t i = 0; i < SHADE_MAX; i++) {
-            sampler_fan_end(&kiosk->shades[i]);
+            kiosk->shades[i].from = kiosk->shades[i].to;
         }
         core_scene(&kiosk->core, &kiosk->scene);
     }
     return done;
 }
 
-/* Shows a score playback in place of the game. */
-static void show_encore(struct kiosk *kiosk, const struct hal *hal, uint32_t tick_count)
+/* ---- Frame --------------------------------------------------------------------------------- */
+
+/* Draws the picture. Game and store continue without a display. A lost display is retried once per
+ * second. */
+static void present_picture(struct kiosk *kiosk, const struct hal *hal)
 {
-    struct score_playback *playback = kiosk->config.playback;
-    if (!playback) {
+    const struct hal_display *display = &hal->display;
+    const uint64_t now_ns = hal_now_ns(hal->clock);
+    if (kiosk->display_retry_ns > 0 && now_ns >= kiosk->display_retry_ns) {
+        const bool is_back = display->ops->open(display->self) == HAL_OK;
+        kiosk->display_retry_ns = is_back ? 0 : hal_now_ns(hal->clock) + RETRY_NS;
+    }
+    if (kiosk->display_retry_ns > 0) {
         return;
     }
-    if (kiosk->wanted_replay_id != 0) {
-        score_playback_request(playback, kiosk->wanted_replay_id);
-        kiosk->wanted_replay_id = 0;
+    const int result = display->ops->present(display->self, &kiosk->scene);
+    kiosk->faults.display += (uint32_t)hal_is_fault(result);
+    if (result == HAL_ERR_GONE) {
+        kiosk->display_retry_ns = now_ns + RETRY_NS;
     }
-    score_playback_frame(playback, hal, &kiosk->config.stopwatch, core_ranking(&kiosk->core),
-                         tick_count);
-    score_playback_show(playback, &kiosk->scene, &kiosk->output);
 }
 
-static uint64_t stopwatch_ns(const struct kiosk *kiosk)
+/* Completes the scene: shows a score playback in place of the game, and fills the operator's
+ * menu. */
+static void complete_scene(struct kiosk *kiosk, const struct hal *hal, uint32_t tick_count)
 {
-    return hal_now_ns(kiosk->config.stopwatch);
-}
-
-enum kiosk_end kiosk_frame(struct kiosk *kiosk, const struct hal *hal)
-{
-    CORE_ASSERT(hal->display.ops && hal->seats.ops && hal->storage.ledger.ops);
-    const uint64_t begin_ns = stopwatch_ns(kiosk);
-    if (kiosk->frames > 0) {
-        frame_timing_add(&kiosk->frame_time, begin_ns - kiosk->frame_begin_ns);
-    }
-    kiosk->frame_begin_ns = begin_ns;
-    kiosk->frames++;
-    const uint32_t tick_due = frame_pacer_ticks_due(&kiosk->pace, hal_now_ns(hal->clock));
-    kiosk_sample_devices(kiosk, hal);
-    if (tick_due > 0) {
-        /* Adds the waiting time of each poi report to the statistics. The end of the waiting
-         * time is read from the clock that also stamped the reports. */
-        const uint64_t now_ns = hal_now_ns(hal->clock);
-        for (uint32_t i = 0; i < POI_MAX; i++) {
-            sampler_poi_time(&kiosk->hands[i], now_ns, &kiosk->report_wait);
+    struct score_playback *playback = kiosk->config.playback;
+    if (playback) {
+        if (kiosk->wanted_replay_id != 0) {
+            score_playback_request(playback, kiosk->wanted_replay_id);
+            kiosk->wanted_replay_id = 0;
         }
+        score_playback_frame(playback, hal, &kiosk->config.stopwatch, core_ranking(&kiosk->core),
+                             tick_count);
+        score_playback_show(playback, &kiosk->scene, &kiosk->output);
     }
-    output_dimmer_notice(&kiosk->dimmer, &kiosk->input, kiosk->output.phase == PHASE_ATTRACT);
-    const uint64_t core_begin_ns = stopwatch_ns(kiosk);
-    const uint32_t tick_count = run_ticks(kiosk, tick_due);
-    show_encore(kiosk, hal, tick_count);
-    kiosk->scene.asks_quit = (uint8_t)kiosk_asks_to_quit(kiosk);
+    kiosk->scene.asks_quit = asks_to_quit(kiosk);
     /* Copies the newest system health, and forwards the operator's acknowledgement to the health
      * monitor. Never blocks. */
     struct system_health *machine = kiosk->config.machine;
@@ -192,44 +323,59 @@ enum kiosk_end kiosk_frame(struct kiosk *kiosk, const struct hal *hal)
     kiosk->machine.missed = kiosk->config.chapters ? kiosk->config.chapters->missed : 0u;
     if (machine) {
         if (kiosk->has_acknowledged) {
-            kiosk->has_acknowledged = !system_health_acknowledge(machine);
+            system_health_acknowledge(machine);
+            kiosk->has_acknowledged = 0;
         }
         system_health_read(machine, &kiosk->machine);
     }
-    const struct operator_view operator_view = { .notes = kiosk->config.notes,
-                                                 .input = &kiosk->input,
-                                                 .hands = kiosk->hands,
-                                                 .lines = &kiosk->lines,
-                                                 .button_faults = kiosk->faults.buttons,
-                                                 .machine = &kiosk->machine,
-                                                 .frame_ns = frame_timing_quantile_ns(
-                                                     &kiosk->frame_time, 0.5) };
+    const struct operator_view operator_view = {
+        .notes = kiosk->config.notes,
+        .input = &kiosk->input,
+        .samplers = kiosk->samplers,
+        .lines = &kiosk->lines,
+        .button_faults = kiosk->faults.buttons,
+        .machine = &kiosk->machine,
+        .frame_ns = frame_timing_quantile_ns(&kiosk->frame_time, 0.5),
+    };
     operator_view_fill(&kiosk->scene, hal, &operator_view);
-    kiosk->core_ns += stopwatch_ns(kiosk) - core_begin_ns;
-    kiosk_present_view(kiosk, hal);
-    kiosk_present_frame(kiosk, hal, tick_count);
+}
+
+enum kiosk_end kiosk_frame(struct kiosk *kiosk, const struct hal *hal)
+{
+    CORE_ASSERT(hal->display.ops && hal->seats.ops && hal->storage.ledger.ops);
+    const struct hal_clock stopwatch = kiosk->config.stopwatch;
+    const uint64_t begin_ns = hal_now_ns(stopwatch);
+    if (kiosk->frames > 0) {
+        frame_timing_add(&kiosk->frame_time, begin_ns - kiosk->frame_begin_ns);
+    }
+    kiosk->frame_begin_ns = begin_ns;
+    kiosk->frames++;
+    const uint32_t tick_due = frame_pacer_ticks_due(&kiosk->pace, hal_now_ns(hal->clock));
+    sample_devices(kiosk, hal);
+    if (tick_due > 0) {
+        /* Adds the waiting time of each poi report to the statistics. The end of the waiting
+         * time is read from the clock that also stamped the reports. */
+        const uint64_t now_ns = hal_now_ns(hal->clock);
+        for (uint32_t i = 0; i < POI_MAX; i++) {
+            sampler_poi_time(&kiosk->samplers[i], now_ns, &kiosk->report_wait);
+        }
+    }
+    output_dimmer_notice(&kiosk->dimmer, &kiosk->input, kiosk->output.phase == PHASE_ATTRACT);
+    const uint64_t core_begin_ns = hal_now_ns(stopwatch);
+    const uint32_t tick_count = run_ticks(kiosk, tick_due);
+    complete_scene(kiosk, hal, tick_count);
+    kiosk->core_ns += hal_now_ns(stopwatch) - core_begin_ns;
+    present_view(kiosk, hal);
+    if (tick_count > 0) {
+        kiosk_send_results(kiosk, hal);
+    }
+    present_picture(kiosk, hal); /* The picture is last because it may wait for the screen, and
+                                    sounds must not be delayed. */
     if (tick_count > 0) {
         hal->watchdog.ops->kick(hal->watchdog.self); /* The watchdog is notified only after a frame
                                                         with ticks. The watchdog therefore restarts
                                                         a kiosk that runs no ticks. */
     }
-    frame_timing_add(&kiosk->work_time, stopwatch_ns(kiosk) - kiosk->frame_begin_ns);
+    frame_timing_add(&kiosk->work_time, hal_now_ns(stopwatch) - begin_ns);
     return kiosk->end;
-}
-
-uint32_t kiosk_close_store(struct kiosk *kiosk, const struct hal *hal)
-{
-    CORE_ASSERT(hal->storage.ledger.ops);
-    const int is_replay = kiosk->config.source.next != NULL;
-    const uint32_t waiting = is_replay ? 0 : kiosk->output.entry_id - kiosk->saving.accepted_id;
-    /* Adds a last health entry, which contains the uptime, to the ledger when the program ends
-     * without an error. Adds no entry while other entries wait for the store. */
-    struct ledger_entry entry;
-    if (!kiosk->config.source.next && saving_is_done(&kiosk->saving, &kiosk->output) &&
-        core_final_entry(&kiosk->core, &kiosk->input, &entry)) {
-        hal->storage.ledger.ops->append(hal->storage.ledger.self, &entry);
-    }
-    const uint32_t unwritten = hal->storage.ledger.ops->close(hal->storage.ledger.self);
-    kiosk->faults.storage += saving_refused(&kiosk->saving, &hal->storage.ledger);
-    return unwritten + waiting;
 }

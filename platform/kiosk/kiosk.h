@@ -11,16 +11,17 @@
 #ifndef KINGYO_PLATFORM_KIOSK_KIOSK_H
 #define KINGYO_PLATFORM_KIOSK_KIOSK_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "core/core.h"
 #include "platform/hal.h"
 #include "platform/kiosk/frame_pacer.h"
+#include "platform/kiosk/offline_flush.h"
 #include "platform/kiosk/operator_view.h"
 #include "platform/kiosk/output_devices.h"
 #include "platform/kiosk/recorder/replayer.h"
 #include "platform/kiosk/sampler.h"
-#include "platform/kiosk/saving.h"
 
 struct session_recorder;
 struct score_playback;
@@ -28,8 +29,8 @@ struct system_health;
 
 struct kiosk_config {
     struct core_config core;
-    uint8_t bot[POI_MAX];       /* 1 if the core's bot controls the poi, regardless of the connected
-                                   devices. Otherwise 0. */
+    bool bot[POI_MAX];          /* True if the core's bot controls the poi, regardless of the
+                                   connected devices. */
     struct hal_clock stopwatch; /* Clock that only measures durations. Its time has no effect on
                                    the core. */
     const struct operator_notes *notes; /* Messages for the operator's menu. Must outlive the
@@ -41,7 +42,7 @@ struct kiosk_config {
     struct score_playback *playback;    /* Score playback. Must outlive the kiosk. Null means no
                                            playback. */
     struct kiosk_tap tap;               /* Callbacks of a recorder. Each callback may be null. */
-    struct kiosk_source source; /* Source of the input of each tick. If the function is null, the
+    struct kiosk_source source; /* Source of the input of each tick. If source.next is null, the
                                    devices provide the input. */
 };
 
@@ -64,6 +65,18 @@ struct kiosk_faults {
 /* Returns the sum of the faults of all device types. */
 uint32_t kiosk_fault_count(const struct kiosk_faults *faults);
 
+/* Progress of passing ledger entries and edits of the growth lab to the store, which may be busy,
+ * fail or be absent. An entry or edit is passed again and again until the store accepts it. */
+struct saving {
+    uint32_t accepted_id;      /* Id of the newest ledger entry that is settled: the store accepted
+                                  the entry, or no store exists. */
+    uint32_t accepted_edit_id; /* Id of the newest edit that is settled: the store accepted the
+                                  edit, or no store exists. */
+    uint32_t refused_seen;     /* Number of failed writes that were already counted as faults. */
+    uint64_t retry_ns;         /* Time until which no data are passed to the store, because a
+                                  previous attempt failed. */
+};
+
 struct kiosk {
     struct kiosk_config config;
     struct core core;
@@ -74,12 +87,13 @@ struct kiosk {
                                        see output_merge_force(). */
     struct scene scene;
     struct frame_pacer pace;
-    struct poi_sampler hands[POI_MAX];
+    struct poi_sampler samplers[POI_MAX];
     struct fan_sampler shades[SHADE_MAX];
     uint64_t sampled_ns;       /* Time of the last device poll in nanoseconds. */
     uint64_t display_retry_ns; /* Time of the next attempt to reopen a lost display. 0 means that
                                   the display is open. */
     struct output_dimmer dimmer;
+    bool scoops;      /* True if the pois were last told that a dip scoops fish. */
     struct view view; /* Camera view that was last sent to the display and the pois. */
     /* Display settings (rotation, margins, brightness) that were last sent to the display and the
      * pois. */
@@ -96,9 +110,9 @@ struct kiosk {
                                output.command_count is the number of all commands. */
     uint32_t wanted_replay_id;    /* Id of the round whose replay the operator wants to see. 0 means
                                      no request. */
-    uint8_t has_acknowledged;     /* 1 if the operator has acknowledged the quarantined files but
-                                     the health monitor has not accepted the acknowledgement yet,
-                                     otherwise 0. */
+    bool has_acknowledged;        /* True if the operator has acknowledged the quarantined files but
+                                     the health monitor has not accepted the acknowledgement
+                                     yet. */
     struct scene_machine machine; /* Newest result of the health monitor. */
     uint8_t end;                  /* Reason why the frame loop ends (enum kiosk_end). */
 
@@ -125,10 +139,6 @@ struct kiosk {
 enum core_error kiosk_init(struct kiosk *kiosk, const struct hal *hal,
                            const struct kiosk_config *config);
 
-/* Returns 1 if the quit key was pressed once, so that a second press ends the kiosk. Otherwise
- * returns 0. */
-int kiosk_asks_to_quit(const struct kiosk *kiosk);
-
 /* Runs one displayed frame. Sets the calling thread's floating-point control register before the
  * ticks. Returns KIOSK_RUNS, or the reason why the frame loop ends. After a value other than
  * KIOSK_RUNS, the caller must not call the function again. */
@@ -139,21 +149,13 @@ enum kiosk_end kiosk_frame(struct kiosk *kiosk, const struct hal *hal);
  * an existing store never accepted it. */
 uint32_t kiosk_close_store(struct kiosk *kiosk, const struct hal *hal);
 
-/* ---- Parts of a frame, implemented by kiosk_devices.c -------------------------------------- */
+/* Sends the results of a frame with ticks to all devices except the display: plays sounds, sets
+ * outputs, executes commands, sends forces and stores data. Counts faults. Sets kiosk->end if the
+ * kiosk must restart. Defined in kiosk_outputs.c. */
+void kiosk_send_results(struct kiosk *kiosk, const struct hal *hal);
 
-/* Assigns controllers to all slots and opens them. Call before the first frame. */
-void kiosk_open_devices(struct kiosk *kiosk, const struct hal *hal);
-
-/* Fills kiosk->input with the current device values, except the poses, which are set for each tick.
- * Counts faults. Sets kiosk->end if the user quits or the display is lost permanently. */
-void kiosk_sample_devices(struct kiosk *kiosk, const struct hal *hal);
-
-/* Sends the camera view and the display settings to the display and to the pointer devices if one
- * of them has changed. */
-void kiosk_present_view(struct kiosk *kiosk, const struct hal *hal);
-
-/* Presents the picture. If the frame had ticks, also plays sounds, sets outputs, executes commands,
- * sends forces and stores data. Counts faults. Sets kiosk->end if the kiosk must restart. */
-void kiosk_present_frame(struct kiosk *kiosk, const struct hal *hal, uint32_t tick_count);
+/* Adds the number of writes that failed in the store's thread since the last call to the faults of
+ * the store. Defined in kiosk_outputs.c. */
+void kiosk_count_refused(struct kiosk *kiosk, const struct hal *hal);
 
 #endif

@@ -1,6 +1,7 @@
 /* main.c -- the program `kingyo`: parses the options, detects a screen and runs the kiosk or the
  * demonstration. */
 #include <signal.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -26,15 +27,10 @@ static void on_signal(int number)
     stop = 1;
 }
 
-static void kiosk_main_warn(const char *line)
-{
-    log_print(LOG_LEVEL_WARNING, "%s", line);
-}
-
 /* Reports a rejected line of the configuration file in the log and in the operator's menu. */
 static void warn_of_config(const char *line)
 {
-    kiosk_main_warn(line);
+    log_print(LOG_LEVEL_WARNING, "%s", line);
     run_common_note_refused(&evening, line);
 }
 
@@ -66,22 +62,25 @@ static const char *config_of(const struct options *options)
 }
 
 /* Reads the configuration file `path`. Returns EXIT_IO if a file named on the command line cannot
- * be read. If CONFIG_FILE_DEFAULT cannot be read, the kiosk starts without it. */
+ * be read. If CONFIG_FILE_DEFAULT cannot be read, the kiosk starts without a configuration file. */
 static enum exit_code read_config(struct options *options, const char *path)
 {
     char line[OPTIONS_PATH_MAX + 64];
-    const int is_named = options->config[0] != '\0';
+    const bool is_named = options->config[0] != '\0';
     *options = (struct options){ .demo_s = OPTIONS_DEMO_S };
     const int failed = config_file_read(options, path, warn_of_config);
     if (failed) {
         snprintf(line, sizeof line, "%s: cannot read: %s", path, file_error(-failed));
-        (is_named ? kiosk_main_warn : warn_of_config)(line);
+        log_print(LOG_LEVEL_WARNING, "%s", line);
+        if (!is_named) {
+            run_common_note_refused(&evening, line);
+        }
     }
     return failed && is_named ? EXIT_IO : EXIT_OK;
 }
 
-/* Parses the command line, reads the configuration file that it names, and parses the command line
- * again. The second pass overrides the configuration file. */
+/* Parses the command line, reads the configuration file that the command line names, and parses the
+ * command line again. The second pass overrides the configuration file. */
 static enum exit_code read_options(struct options *options, int argc, char **argv)
 {
     char error[OPTIONS_ERROR_MAX];
@@ -97,16 +96,16 @@ static enum exit_code read_options(struct options *options, int argc, char **arg
         failed = options_parse(options, argc, words, error);
     }
     if (failed) {
-        kiosk_main_warn(error);
+        log_print(LOG_LEVEL_WARNING, "%s", error);
         return EXIT_USAGE;
     }
     return EXIT_OK;
 }
 
-static void last_wish(void *self, const char *reason)
+static void panic_handler(void *self, const char *reason)
 {
     struct run_common *session = self;
-    const int is_sound = panic_evidence_write(&session->evidence, reason);
+    const bool is_sound = panic_evidence_write(&session->evidence, reason);
     if (is_sound && session->options.record[0]) {
         recorder_end_in_panic(&session->recorder);
     }
@@ -146,12 +145,13 @@ static enum exit_code kiosk_main_run(struct run_common *session)
 static void begin_anew(const struct run_common *session, char **argv)
 {
     if (session->options.record[0]) {
-        kiosk_main_warn("a restart would write over the recording: start it again by hand");
+        log_print(LOG_LEVEL_WARNING,
+                  "a restart would overwrite the recording; start kingyo again by hand");
         return;
     }
     execvp(argv[0], argv);
     execv("/proc/self/exe", argv);
-    kiosk_main_warn("cannot restart: start it again by hand");
+    log_print(LOG_LEVEL_WARNING, "cannot restart; start kingyo again by hand");
 }
 
 static enum exit_code run_words(int argc, char **argv)
@@ -173,7 +173,7 @@ static enum exit_code run_words(int argc, char **argv)
     sigaction(SIGINT, &action, NULL);
     sigaction(SIGTERM, &action, NULL);
     signal(SIGPIPE, SIG_IGN);
-    panic_prepare(last_wish, &evening);
+    panic_prepare(panic_handler, &evening);
     /* The kiosk also starts if its data folder cannot be used. The store then reports the
      * reason. */
     code = evening.options.shots[0] ? run_common_make_folder(evening.options.shots) : EXIT_OK;
@@ -185,7 +185,8 @@ static enum exit_code run_words(int argc, char **argv)
     }
     if (evening.kiosk.end == KIOSK_RESTART) {
         if (evening.kiosk.restart_ns == 0) {
-            kiosk_main_warn("the store is there at last: beginning anew, to go on from it");
+            log_print(LOG_LEVEL_WARNING,
+                      "the store became available; kingyo restarts to use its data");
         }
         begin_anew(&evening, argv);
     }
@@ -196,12 +197,10 @@ static enum exit_code run_words(int argc, char **argv)
  * at the end. */
 int main(int argc, char **argv)
 {
-    char line[128];
     const int closed = print_open_streams();
     log_open();
     if (closed) {
-        snprintf(line, sizeof line, "/dev/null: %s", strerror(-closed));
-        kiosk_main_warn(line);
+        log_print(LOG_LEVEL_WARNING, "/dev/null: %s", strerror(-closed));
         return EXIT_IO;
     }
     evening.stop = &stop;
@@ -209,8 +208,7 @@ int main(int argc, char **argv)
     const enum exit_code code = run_words(argc, argv);
     const int lost = print_finish();
     if (lost && code == EXIT_OK) {
-        snprintf(line, sizeof line, "standard output: %s", strerror(-lost));
-        kiosk_main_warn(line);
+        log_print(LOG_LEVEL_WARNING, "standard output: %s", strerror(-lost));
         return EXIT_IO;
     }
     return (int)code;

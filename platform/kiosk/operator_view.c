@@ -2,7 +2,6 @@
  * operator_view.h. */
 #include "platform/kiosk/operator_view.h"
 
-#include <assert.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -28,15 +27,15 @@ static void copy_line(char *out, size_t out_size, const char *line)
 {
     CORE_ASSERT(out_size > sizeof " ...");
     static const char more[] = " ...";
-    size_t length = line ? strlen(line) : 0;
+    line = line ? line : "";
+    const size_t length = strlen(line);
     if (length < out_size) {
-        memcpy(out, line ? line : "", length);
-        out[length] = 0;
+        memcpy(out, line, length + 1u);
         return;
     }
-    length = end_before(line, out_size - sizeof more);
-    memcpy(out, line, length);
-    memcpy(out + length, more, sizeof more);
+    const size_t kept = end_before(line, out_size - sizeof more);
+    memcpy(out, line, kept);
+    memcpy(out + kept, more, sizeof more);
 }
 
 /* Returns the row of the store. The state is read in each frame because a card may become full
@@ -55,7 +54,7 @@ static struct scene_file store_row(const struct hal_storage *store)
 
 uint8_t operator_view_file_count(const struct operator_notes *notes)
 {
-    return (uint8_t)(1u + (notes ? operator_notes_rows(notes) : 0u));
+    return (uint8_t)(1u + (notes ? notes->count + (notes->beyond > 0) : 0u));
 }
 
 void operator_view_lines_add(struct operator_view_lines *book, const struct button_sample *sample)
@@ -71,11 +70,6 @@ void operator_view_lines_add(struct operator_view_lines *book, const struct butt
     }
 }
 
-static uint32_t frame_rate_hz(uint64_t frame_ns)
-{
-    return frame_ns > 0 ? (uint32_t)((1000000000ull + frame_ns / 2u) / frame_ns) : 0u;
-}
-
 /* Copies the names of the controllers and the describe() text of each device. */
 static void copy_texts(struct scene_devices *devices, const struct hal *hal)
 {
@@ -84,19 +78,17 @@ static void copy_texts(struct scene_devices *devices, const struct hal *hal)
         copy_line(devices->controller[i], sizeof devices->controller[i],
                   controllers->ops->name(controllers->self, i));
     }
-    copy_line(devices->controllers, sizeof devices->controllers,
-              controllers->ops->describe(controllers->self));
-    copy_line(devices->lines, sizeof devices->lines,
-              hal->switches.ops->describe(hal->switches.self));
     const char *const lines[ABOUT_COUNT] = {
         [ABOUT_DISPLAY] = hal->display.ops->describe(hal->display.self),
         [ABOUT_SOUND] = hal->audio.ops->describe(hal->audio.self),
         [ABOUT_STORE] = hal->storage.ledger.ops->describe(hal->storage.ledger.self),
-        [ABOUT_CONTROLLERS] = hal->controllers.ops->describe(hal->controllers.self),
+        [ABOUT_CONTROLLERS] = controllers->ops->describe(controllers->self),
         [ABOUT_BUTTONS] = hal->buttons.ops->describe(hal->buttons.self),
         [ABOUT_SWITCHES] = hal->switches.ops->describe(hal->switches.self),
         [ABOUT_WATCHDOG] = hal->watchdog.ops->describe(hal->watchdog.self),
     };
+    copy_line(devices->controllers, sizeof devices->controllers, lines[ABOUT_CONTROLLERS]);
+    copy_line(devices->lines, sizeof devices->lines, lines[ABOUT_SWITCHES]);
     for (uint32_t i = 0; i < ABOUT_COUNT; i++) {
         copy_line(devices->about[i], sizeof devices->about[i], lines[i]);
     }
@@ -116,14 +108,14 @@ void operator_view_fill(struct scene *scene, const struct hal *hal,
     }
     devices->machine = *operator_view->machine;
     copy_texts(devices, hal);
-    const struct scene_machine *machine = &scene->devices.machine;
     for (uint32_t i = 0; i < SCENE_FILE_MAX; i++) {
         const uint32_t row = scene->menu.file_first + i;
         struct scene_file *file = &scene->devices.file[i];
         *file = row == 0               ? store_row(&hal->storage)
                 : operator_view->notes ? operator_notes_row(operator_view->notes, row - 1u)
                                        : (struct scene_file){ .state = FILE_UNKNOWN };
-        if (file->state == FILE_ASIDE && machine->has_looked && machine->aside == 0) {
+        if (file->state == FILE_ASIDE && devices->machine.has_looked &&
+            devices->machine.aside == 0) {
             file->state = FILE_SEEN;
         }
     }
@@ -132,13 +124,15 @@ void operator_view_fill(struct scene *scene, const struct hal *hal,
             .link = operator_view->input->poi[i].link,
             .position_m = operator_view->input->poi[i].target.position_m,
             .angles = operator_view->input->poi[i].target.angles,
-            .report_count = operator_view->hands[i].pace.shown_count,
-            .gap_ms = (float)operator_view->hands[i].pace.shown_gap_ns * 1e-6f,
+            .report_count = operator_view->samplers[i].pace.shown_count,
+            .gap_ms = (float)operator_view->samplers[i].pace.shown_gap_ns * 1e-6f,
         };
     }
     devices->button_faults = operator_view->button_faults;
     devices->files_refused = operator_view->notes ? operator_view->notes->refused_count : 0u;
-    devices->frames_a_second = frame_rate_hz(operator_view->frame_ns);
+    const uint64_t frame_ns = operator_view->frame_ns;
+    devices->frames_a_second =
+        frame_ns > 0 ? (uint32_t)((1000000000ull + frame_ns / 2u) / frame_ns) : 0u;
     devices->line_raw = operator_view->lines->raw;
     devices->buttons_missing = operator_view->lines->missing;
     memcpy(devices->coins, operator_view->lines->coins, sizeof devices->coins);
@@ -160,7 +154,7 @@ void operator_notes_add(struct operator_notes *notes, enum scene_file_state stat
 {
     CORE_ASSERT(notes->count <= OPERATOR_NOTES_MAX);
     CORE_ASSERT(notes->first_count <= notes->count);
-    assert(state == FILE_USED || state == FILE_REFUSED || state == FILE_ASIDE);
+    CORE_ASSERT(state == FILE_USED || state == FILE_REFUSED || state == FILE_ASIDE);
     if (notes->count == OPERATOR_NOTES_MAX) {
         notes->beyond++;
         return;
@@ -185,7 +179,7 @@ void operator_notes_refused(struct operator_notes *notes, const char *data, cons
 {
     char name[1024];
     const size_t length = strlen(data);
-    const int is_below = length > 0 && strncmp(line, data, length) == 0 && line[length] == '/';
+    const bool is_below = length > 0 && strncmp(line, data, length) == 0 && line[length] == '/';
     const char *from = is_below ? line + length + 1u : line;
     const char *gap = strstr(from, ": ");
     if (gap == NULL) {
@@ -194,11 +188,6 @@ void operator_notes_refused(struct operator_notes *notes, const char *data, cons
     }
     snprintf(name, sizeof name, "%.*s", (int)(gap - from), from);
     operator_notes_add(notes, FILE_REFUSED, name, gap + 2);
-}
-
-uint32_t operator_notes_rows(const struct operator_notes *notes)
-{
-    return notes->count + (notes->beyond > 0);
 }
 
 struct scene_file operator_notes_row(const struct operator_notes *notes, uint32_t row)

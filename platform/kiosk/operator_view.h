@@ -3,6 +3,7 @@
 #ifndef KINGYO_PLATFORM_KIOSK_OPERATOR_VIEW_H
 #define KINGYO_PLATFORM_KIOSK_OPERATOR_VIEW_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "core/scene.h"
@@ -39,10 +40,8 @@ void operator_notes_refused(struct operator_notes *notes, const char *data, cons
 void operator_notes_add(struct operator_notes *notes, enum scene_file_state state, const char *name,
                         const char *words);
 
-/* operator_notes_rows() returns the number of menu rows for `notes`. operator_notes_row()
- * returns the row with the number `row`, or a row with the state FILE_UNKNOWN if `row` is beyond
- * the end. */
-uint32_t operator_notes_rows(const struct operator_notes *notes);
+/* Returns the menu row of `notes` with the number `row`, or a row with the state FILE_UNKNOWN if
+ * `row` is beyond the end. */
 struct scene_file operator_notes_row(const struct operator_notes *notes, uint32_t row);
 
 /* ---- Names and texts of the devices -------------------------------------------------------- */
@@ -66,7 +65,7 @@ struct operator_view {
     const struct operator_notes *notes; /* Messages about files that the operator's menu shows.
                                            Null means no messages. */
     const struct input *input;          /* Input of the newest tick. */
-    const struct poi_sampler *hands;    /* Array of POI_MAX poi samplers. */
+    const struct poi_sampler *samplers; /* Array of POI_MAX poi samplers. */
     const struct operator_view_lines *lines;
     uint32_t button_faults;
     const struct scene_machine *machine;

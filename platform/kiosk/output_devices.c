@@ -4,59 +4,47 @@
 
 #include "core/base/panic.h"
 
-#define NS_PER_S 1000000000ull
-#define RETRY_NS NS_PER_S /* Interval between two searches for a sound card. */
+/* Interval between two attempts to use a device that failed, and between two searches for a sound
+ * card. */
+#define RETRY_NS NS_PER_S
 
-static void look_for_card(struct output_audio *voice, const struct hal_audio *audio,
-                          uint64_t now_ns)
+bool output_is_settled(int result, uint64_t now_ns, uint64_t *retry_ns)
 {
-    voice->retry_ns = audio->ops->open(audio->self) == HAL_OK ? 0 : now_ns + RETRY_NS;
+    CORE_ASSERT(retry_ns);
+    if (hal_is_fault(result)) {
+        *retry_ns = now_ns + RETRY_NS;
+    }
+    return result >= 0 || result == HAL_ERR_ABSENT;
 }
 
 void output_audio_open(struct output_audio *voice, const struct hal_audio *audio, uint64_t now_ns)
 {
     CORE_ASSERT(audio->ops);
-    look_for_card(voice, audio, now_ns);
-}
-
-float output_audio_gain(const struct settings *settings)
-{
-    CORE_ASSERT(settings->value[SET_VOLUME] >= 0);
-    const float share = 0.01f * (float)settings->value[SET_VOLUME];
-    return share * share;
-}
-
-int output_audio_is_audible(const struct settings *settings, uint64_t attract_s)
-{
-    const uint64_t every = (uint64_t)settings->value[SET_ATTRACT_SOUND];
-    return every > 0 && attract_s / OUTPUT_AUDIO_SHOW_S % every == 0;
-}
-
-static int is_silent(struct output_audio *voice, const struct settings *settings, int is_attract,
-                     uint64_t now_ns)
-{
-    if (!is_attract) {
-        voice->attract_ns = 0;
-        return 0;
-    }
-    if (voice->attract_ns == 0) {
-        voice->attract_ns = now_ns;
-    }
-    return !output_audio_is_audible(settings, (now_ns - voice->attract_ns) / NS_PER_S);
+    voice->retry_ns = audio->ops->open(audio->self) == HAL_OK ? 0 : now_ns + RETRY_NS;
 }
 
 uint32_t output_audio_play(struct output_audio *voice, const struct hal_audio *audio,
                            const struct output *output, const struct settings *settings,
-                           int is_attract, uint64_t now_ns)
+                           bool is_attract, uint64_t now_ns)
 {
-    CORE_ASSERT(audio->ops);
+    CORE_ASSERT(settings->value[SET_VOLUME] >= 0);
     CORE_ASSERT(output->sound_count <= OUTPUT_SOUND_MAX);
-    const float gain = output_audio_gain(settings);
+    /* The gain is the square of the volume setting, because hearing follows a power law: half of
+     * the setting then sounds about half as loud. */
+    const float share = 0.01f * (float)settings->value[SET_VOLUME];
+    const float gain = share * share;
     uint32_t faults = 0;
     if (voice->retry_ns > 0 && now_ns >= voice->retry_ns) {
-        look_for_card(voice, audio, now_ns);
+        output_audio_open(voice, audio, now_ns);
     }
-    if (is_silent(voice, settings, is_attract, now_ns) || gain <= 0.0f) {
+    if (!is_attract) {
+        voice->attract_ns = 0;
+    } else if (voice->attract_ns == 0) {
+        voice->attract_ns = now_ns;
+    }
+    const uint64_t section = (now_ns - voice->attract_ns) / NS_PER_S / OUTPUT_AUDIO_SHOW_S;
+    const uint64_t every = (uint64_t)settings->value[SET_ATTRACT_SOUND];
+    if (gain <= 0.0f || (is_attract && (every == 0 || section % every != 0))) {
         return 0;
     }
     for (uint32_t i = 0; i < output->sound_count && voice->retry_ns == 0; i++) {
@@ -78,28 +66,16 @@ uint32_t output_audio_play(struct output_audio *voice, const struct hal_audio *a
  * the next frame. A request that failed is sent again after one second. An output that the cabinet
  * does not have counts as set. */
 
-/* Returns 1 if the driver accepted the request or has no such output, otherwise 0. After a fault,
- * delays the next attempt. */
-static int is_settled(struct output_lines *switches, enum hal_switch which, int result,
-                      uint64_t now_ns)
+static uint32_t output_lines_set(struct output_lines *switches, const struct hal_switches *device,
+                                 enum hal_switch which, bool active, uint64_t now_ns)
 {
     CORE_ASSERT(which < HAL_SWITCH_COUNT);
-    if (hal_is_fault(result)) {
-        switches->retry_ns[which] = now_ns + RETRY_NS;
-    }
-    return result >= 0 || result == HAL_ERR_ABSENT;
-}
-
-static uint32_t output_lines_set(struct output_lines *switches, const struct hal_switches *device,
-                                 enum hal_switch which, uint8_t active, uint64_t now_ns)
-{
-    CORE_ASSERT(active <= 1u);
     const uint32_t bit = 1u << which;
     if (!(switches->active & bit) == !active || now_ns < switches->retry_ns[which]) {
         return 0;
     }
-    const int result = device->ops->set(device->self, which, active != 0);
-    if (is_settled(switches, which, result, now_ns)) {
+    const int result = device->ops->set(device->self, which, active);
+    if (output_is_settled(result, now_ns, &switches->retry_ns[which])) {
         switches->active ^= bit;
     }
     return (uint32_t)hal_is_fault(result);
@@ -110,12 +86,13 @@ static uint32_t output_lines_set(struct output_lines *switches, const struct hal
 static uint32_t send_new_pulses(struct output_lines *switches, const struct hal_switches *device,
                                 enum hal_switch which, uint32_t wanted, uint64_t now_ns)
 {
+    CORE_ASSERT(which < HAL_SWITCH_COUNT);
     const uint32_t count = wanted - switches->given[which];
     if (count == 0 || now_ns < switches->retry_ns[which]) {
         return 0;
     }
     const int result = device->ops->pulse(device->self, which, count);
-    if (is_settled(switches, which, result, now_ns)) {
+    if (output_is_settled(result, now_ns, &switches->retry_ns[which])) {
         switches->given[which] = wanted;
     }
     return (uint32_t)hal_is_fault(result);
@@ -140,7 +117,6 @@ uint32_t output_lines_are_done(const struct output_lines *switches,
 
 /* ---- Brightness and position of the picture ------------------------------------------------ */
 
-#define NS_PER_MS 1000000ull
 /* Duration of dimming in seconds. Dimming is slow so that players do not notice the change. */
 #define FADE_DOWN_S 4.0f
 /* Duration of brightening in seconds. Brightening is fast because an arriving player needs
@@ -156,39 +132,12 @@ uint32_t output_lines_are_done(const struct output_lines *switches,
 #define WANDER_Y_MS (23u * 60000u)
 #define WANDER_MS (37u * WANDER_Y_MS)
 
-/* ---- Detection of players ------------------------------------------------------------------ */
-
-void output_dimmer_notice(struct output_dimmer *dimmer, const struct input *input, int is_attract)
+void output_dimmer_notice(struct output_dimmer *dimmer, const struct input *input, bool is_attract)
 {
     if (input->pressed != 0 || input_coin_pulses(input) > 0 || !is_attract) {
-        dimmer->was_stirred = 1;
+        dimmer->was_stirred = true;
     }
 }
-
-/* ---- Brightness ---------------------------------------------------------------------------- */
-
-static int is_night(const int32_t *value, const struct input *input)
-{
-    const int32_t from = value[SET_NIGHT_FROM_MIN], to = value[SET_NIGHT_TO_MIN];
-    const int32_t minute = input->minute;
-    if (input->day == 0 || from == to) {
-        return 0;
-    }
-    return from < to ? minute >= from && minute < to : minute >= from || minute < to;
-}
-
-/* Returns the target brightness after `idle_s` seconds without input, as a fraction of the
- * brightness that the operator has set. */
-static float light_wanted(const int32_t *value, const struct input *input, uint64_t idle_s)
-{
-    const uint64_t dim_s = 60u * (uint64_t)value[SET_DIM_AFTER_MIN];
-    if (is_night(value, input) && idle_s >= DIMMER_NIGHT_IDLE_S) {
-        return 0.0f;
-    }
-    return dim_s > 0 && idle_s >= dim_s ? 0.01f * (float)value[SET_DIM] : 1.0f;
-}
-
-/* ---- Position of the picture --------------------------------------------------------------- */
 
 static float dimmer_shift_at(uint32_t ms, uint32_t period_ms)
 {
@@ -197,37 +146,45 @@ static float dimmer_shift_at(uint32_t ms, uint32_t period_ms)
 
 struct display_settings output_dimmer_step(struct output_dimmer *dimmer,
                                            const struct settings *settings,
-                                           const struct input *input, int is_attract,
+                                           const struct input *input, bool is_attract,
                                            uint64_t now_ns)
 {
     CORE_ASSERT(dimmer->wander_ms < WANDER_MS);
     const int32_t *value = settings->value;
-    const int is_first = dimmer->seen_ns == 0;
-    const uint64_t since_ns = dimmer->seen_ns > 0 ? now_ns - dimmer->seen_ns : 0;
-    const uint64_t elapsed = since_ns / NS_PER_MS;
-    dimmer->seen_ns = dimmer->seen_ns > 0 ? dimmer->seen_ns + elapsed * NS_PER_MS : now_ns;
+    const bool is_first = dimmer->seen_ns == 0;
+    const uint64_t elapsed = is_first ? 0 : (now_ns - dimmer->seen_ns) / NS_PER_MS;
+    dimmer->seen_ns = is_first ? now_ns : dimmer->seen_ns + elapsed * NS_PER_MS;
     const uint32_t ms = elapsed < STEP_MS_MAX ? (uint32_t)elapsed : STEP_MS_MAX;
     /* Detects pois that have moved. Positions are not validated because a non-finite position does
      * not count as a movement. */
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const vec3 at_m = input->poi[i].target.position_m;
         const float moved_m = v3_length(v3_sub(at_m, dimmer->hand_m[i]));
-        const int is_hand = input->poi[i].link == POI_SOURCE_LIVE && f_is_finite(moved_m);
+        const bool is_hand = input->poi[i].link == POI_SOURCE_LIVE && f_is_finite(moved_m);
         if (is_hand && moved_m > DIMMER_STIR_M) {
             dimmer->hand_m[i] = at_m;
-            dimmer->was_stirred = 1;
+            dimmer->was_stirred = true;
         }
     }
     if (is_first || dimmer->was_stirred) {
         dimmer->touched_ns = now_ns;
-        dimmer->was_stirred = 0;
+        dimmer->was_stirred = false;
     }
     const uint64_t idle_s = (now_ns - dimmer->touched_ns) / NS_PER_S;
-    const float share = 1e-3f * (float)ms, wanted = light_wanted(value, input, idle_s);
-    dimmer->light =
-        is_first ? wanted
-                 : (dimmer->light > wanted ? f_max(dimmer->light - (share / FADE_DOWN_S), wanted)
-                                           : f_min(dimmer->light + (share / FADE_UP_S), wanted));
+    /* The target brightness `wanted` is a fraction of the brightness that the operator has set. The
+     * night may include midnight. */
+    const int32_t from = value[SET_NIGHT_FROM_MIN], to = value[SET_NIGHT_TO_MIN];
+    const bool is_after = input->minute >= from, is_before = input->minute < to;
+    const bool is_night = input->day != 0 && from != to &&
+                          (from < to ? is_after && is_before : is_after || is_before);
+    const uint64_t dim_s = 60u * (uint64_t)value[SET_DIM_AFTER_MIN];
+    const float wanted = is_night && idle_s >= DIMMER_NIGHT_IDLE_S ? 0.0f
+                         : dim_s > 0 && idle_s >= dim_s            ? 0.01f * (float)value[SET_DIM]
+                                                                   : 1.0f;
+    const float share = 1e-3f * (float)ms;
+    dimmer->light = is_first                 ? wanted
+                    : dimmer->light > wanted ? f_max(dimmer->light - (share / FADE_DOWN_S), wanted)
+                                             : f_min(dimmer->light + (share / FADE_UP_S), wanted);
     if (is_attract) { /* The picture is not moved during a game, because the players aim at objects
                          in the picture. */
         dimmer->wander_ms = (dimmer->wander_ms + ms) % WANDER_MS;

@@ -5,6 +5,7 @@
 #ifndef KINGYO_PLATFORM_KIOSK_OUTPUT_DEVICES_H
 #define KINGYO_PLATFORM_KIOSK_OUTPUT_DEVICES_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "core/display_geometry.h"
@@ -17,6 +18,11 @@
  * where n is the setting SET_ATTRACT_SOUND. If n is 0, no section has sounds. */
 #define OUTPUT_AUDIO_SHOW_S 60u
 
+/* Returns true if a device accepted a request, or if the cabinet has no such device. `result` is
+ * the result of the request. After a fault, sets `retry_ns` to the time of the next attempt, which
+ * is one second later. */
+bool output_is_settled(int result, uint64_t now_ns, uint64_t *retry_ns);
+
 struct output_audio {
     uint64_t retry_ns;   /* Time of the next search for a missing sound card. 0 means that a sound
                             card is open. */
@@ -27,19 +33,11 @@ struct output_audio {
  * second. */
 void output_audio_open(struct output_audio *voice, const struct hal_audio *audio, uint64_t now_ns);
 
-/* Returns the gain [0, 1] of a sound of full volume. The gain is the square of the volume setting,
- * because hearing follows a power law: half of the setting then sounds about half as loud. */
-float output_audio_gain(const struct settings *settings);
-
-/* Returns 1 if sounds are played `attract_s` seconds after the start of attract mode, otherwise
- * 0. */
-int output_audio_is_audible(const struct settings *settings, uint64_t attract_s);
-
-/* Plays the sounds of one frame. Returns the number of faults. The loss of the sound card counts as
- * one fault. */
+/* Plays the sounds of one frame with the volume of the settings. Returns the number of faults.
+ * The loss of the sound card counts as one fault. */
 uint32_t output_audio_play(struct output_audio *voice, const struct hal_audio *audio,
                            const struct output *output, const struct settings *settings,
-                           int is_attract, uint64_t now_ns);
+                           bool is_attract, uint64_t now_ns);
 
 /* ---- Lamp, lockout, counter and tickets ---------------------------------------------------- */
 
@@ -89,21 +87,20 @@ struct output_dimmer {
                              operator has set. The fraction changes gradually. */
     uint32_t wander_ms;   /* Phase of the slow movement in milliseconds. Wraps around at the end of
                              its period. */
-    uint8_t was_stirred;  /* 1 if a button press, a coin, a poi movement or a running game was
-                             detected after the previous call of output_dimmer_step(), otherwise
-                             0. */
+    bool was_stirred;     /* True if a button press, a coin, a poi movement or a running game was
+                             detected after the previous call of output_dimmer_step(). */
     vec3 hand_m[POI_MAX]; /* Position in metres of each poi at its last detected movement. */
 };
 
 /* Detects input: a pressed button, a coin or a running game. Call before the ticks of the frame. */
-void output_dimmer_notice(struct output_dimmer *dimmer, const struct input *input, int is_attract);
+void output_dimmer_notice(struct output_dimmer *dimmer, const struct input *input, bool is_attract);
 
 /* Detects movements of the pois and returns the display settings of the frame. Call after the ticks
  * of the frame. `now_ns` is monotonic. The caller guarantees that `settings` are valid. Night is
  * determined from input->minute, and there is no night while input->day is 0. */
 struct display_settings output_dimmer_step(struct output_dimmer *dimmer,
                                            const struct settings *settings,
-                                           const struct input *input, int is_attract,
+                                           const struct input *input, bool is_attract,
                                            uint64_t now_ns);
 
 #endif

@@ -54,12 +54,12 @@ static const char *words_of_aside(const char *data, const char *name)
         [SYSTEM_HEALTH_QUARANTINE_LEFT] =
             "a copy from before a part was left out, because of panics",
         [SYSTEM_HEALTH_QUARANTINE_OTHER] =
-            "of another list, and set aside: nothing was read from it",
+            "of another list or damaged, and set aside: nothing was read from it",
     };
     char path[PATH_MAX + 1u];
     const enum system_health_quarantine aside = system_health_quarantine_of(name);
     const int length = snprintf(path, sizeof path, "%s/%s", data, name);
-    const int has_path = length > 0 && (size_t)length < sizeof path;
+    const bool has_path = length > 0 && (size_t)length < sizeof path;
     return aside == SYSTEM_HEALTH_QUARANTINE_OTHER && has_path && file_is_other(path)
                ? "was not a regular file, and was set aside"
                : words[aside];
@@ -132,7 +132,7 @@ enum exit_code run_common_begin(struct run_common *session, struct kiosk_config 
     char file[sizeof LIBRARY_FOLDER + LIBRARY_FILE_SIZE], words[SCENE_LINE_SIZE];
     for (uint32_t i = 0; i < library->line_count; i++) {
         const struct library_line *line = &library->lines[i];
-        const int is_used = line->slot != LIBRARY_SLOT_NONE;
+        const bool is_used = line->slot != LIBRARY_SLOT_NONE;
         snprintf(file, sizeof file, LIBRARY_FOLDER "/%s", line->file);
         operator_notes_add(&session->notes, is_used ? FILE_USED : FILE_REFUSED, file,
                            is_used ? library->slots[line->slot].species.card.id : line->why);
@@ -154,7 +154,7 @@ enum exit_code run_common_begin(struct run_common *session, struct kiosk_config 
         return run_common_print_float();
     }
     if (refused != CORE_OK) {
-        log_print(LOG_LEVEL_ERROR, "%s: this program has no such stall (preset, fish or time)",
+        log_print(LOG_LEVEL_ERROR, "%s: the preset, the number of fish or the time is out of range",
                   replay[0] ? replay : "options");
         return replay[0] ? EXIT_BAD_DATA : EXIT_USAGE;
     }
@@ -171,7 +171,7 @@ enum exit_code run_common_begin(struct run_common *session, struct kiosk_config 
 
 enum exit_code run_common_print_float(void)
 {
-    log_print(LOG_LEVEL_CRITICAL, "the stall is closed: " CPU_FLOAT_WRONG);
+    log_print(LOG_LEVEL_CRITICAL, "the kiosk stops: " CPU_FLOAT_WRONG);
     return EXIT_NOT_SO;
 }
 
@@ -195,49 +195,39 @@ void run_common_print_library(const struct run_common *session)
     }
 }
 
-static enum exit_code end_recording(struct run_common *session)
-{
-    const char *path = session->options.record;
-    const int error = recorder_end(&session->recorder);
-    const struct replay_totals *saved = &session->recorder.writer.saved;
-    if (error) {
-        log_print(LOG_LEVEL_ERROR, "%s: recording stopped after %u s: %s", path,
-                  saved->ticks / CORE_TICK_HZ, strerror(-error));
-        return EXIT_IO;
-    }
-    print_line(stdout, "recorded %.1f s to %s", (double)saved->ticks / CORE_TICK_HZ, path);
-    return EXIT_OK;
-}
-
-static enum exit_code end_replay(struct run_common *session)
-{
-    struct replayer *replayer = &session->replayer;
-    const char *path = session->options.replay;
-    replayer_end(replayer);
-    if (replayer->damaged) {
-        return replayer_print_problem("kingyo", path, &replayer->reader.problem);
-    }
-    if (replayer->difference.found) {
-        log_print(LOG_LEVEL_ERROR,
-                  "%s: this play is not the recorded one from tick %u on; "
-                  "'kingyoctl replay verify' says more",
-                  path, replayer->difference.tick);
-        return EXIT_NOT_SO;
-    }
-    print_line(stdout, "replayed %u of %u ticks (%.1f s) of %s, each as recorded",
-               replayer->totals.ticks, session->replayed.ticks,
-               (double)replayer->totals.ticks / CORE_TICK_HZ, path);
-    return EXIT_OK;
-}
-
 enum exit_code run_common_end(struct run_common *session)
 {
     system_health_stop(&session->machine);
     free(session->rgb);
     session->rgb = NULL;
-    return session->options.record[0]   ? end_recording(session)
-           : session->options.replay[0] ? end_replay(session)
-                                        : EXIT_OK;
+    const char *record = session->options.record, *replay = session->options.replay;
+    if (record[0]) {
+        const int error = recorder_end(&session->recorder);
+        const uint32_t ticks = session->recorder.writer.saved.ticks;
+        if (error) {
+            log_print(LOG_LEVEL_ERROR, "%s: recording stopped after %u s: %s", record,
+                      ticks / CORE_TICK_HZ, strerror(-error));
+            return EXIT_IO;
+        }
+        print_line(stdout, "recorded %.1f s to %s", (double)ticks / CORE_TICK_HZ, record);
+    } else if (replay[0]) {
+        struct replayer *replayer = &session->replayer;
+        const uint32_t ticks = replayer->totals.ticks;
+        replayer_end(replayer);
+        if (replayer->damaged) {
+            return replayer_print_problem("kingyo", replay, &replayer->reader.problem);
+        }
+        if (replayer->difference.found) {
+            log_print(LOG_LEVEL_ERROR,
+                      "%s: the simulation differs from the recording from tick %u on; "
+                      "'kingyoctl replay verify' shows the difference",
+                      replay, replayer->difference.tick);
+            return EXIT_NOT_SO;
+        }
+        print_line(stdout, "replayed %u of %u ticks (%.1f s) of %s, each as recorded", ticks,
+                   session->replayed.ticks, (double)ticks / CORE_TICK_HZ, replay);
+    }
+    return EXIT_OK;
 }
 
 /* ---- Folders and pictures ------------------------------------------------------------------ */
@@ -246,7 +236,7 @@ enum exit_code run_common_make_folder(const char *path)
 {
     const int error = file_make_folder(path);
     if (error) {
-        log_print(LOG_LEVEL_ERROR, "%s: cannot write there: %s", path, strerror(-error));
+        log_print(LOG_LEVEL_ERROR, "%s: cannot write to the folder: %s", path, strerror(-error));
         return EXIT_IO;
     }
     return EXIT_OK;
@@ -284,7 +274,7 @@ int run_common_shot(struct run_common *session, const char *path, struct hal_ima
                      : HAL_ERR_IO;
     }
     if (result != HAL_OK) {
-        log_print(LOG_LEVEL_ERROR, "the display gives no picture");
+        log_print(LOG_LEVEL_ERROR, "the display returned no picture");
         return -1;
     }
     const int error = path ? png_write(path, image->rgb, image->width, image->height) : 0;

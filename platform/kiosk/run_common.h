@@ -4,6 +4,7 @@
 #define KINGYO_PLATFORM_KIOSK_RUN_COMMON_H
 
 #include <signal.h>
+#include <stdbool.h>
 
 #include "platform/config/options.h"
 #include "platform/hal.h"
@@ -24,8 +25,8 @@ struct run_common {
     struct replayer replayer;
     struct score_playback playback;   /* Playback of a score's replay on the screen. */
     struct session_recorder chapters; /* Session recorder for the replays of scores and panics. */
-    struct evidence evidence;         /* Panic handler, which writes the replay and the count of a
-                                         panic. */
+    struct evidence evidence;         /* Panic handler, which after a panic writes the replay and
+                                         increases the count of panics. */
     struct library library;           /* Installed species files, read at program start. */
     struct operator_notes notes;      /* Messages about species files and other files that were read
                                          at program start. */
@@ -73,14 +74,14 @@ int run_common_shot(struct run_common *session, const char *path, struct hal_ima
 
 /* ---- run_interactive.c: the kiosk on a screen ---------------------------------------------- */
 
-/* Returns 1 if a service manager started the kiosk ($NOTIFY_SOCKET is set), otherwise 0. A kiosk
- * that runs as a service starts without a screen and waits until a screen is connected, because no
- * user would read an error message. */
-int run_interactive_waits_for_screen(void);
+/* Returns true if a service manager started the kiosk ($NOTIFY_SOCKET is set). A kiosk that runs
+ * as a service starts without a screen and waits until a screen is connected, because no user
+ * would read an error message. */
+bool run_interactive_waits_for_screen(void);
 
-/* Opens the board's devices. Returns 1 if the display is open, or if the kiosk waits until a screen
- * is connected. Otherwise returns 0. */
-int run_interactive_open(struct run_common *session);
+/* Opens the board's devices. Returns true if the display is open, or if the kiosk waits until a
+ * screen is connected. */
+bool run_interactive_open(struct run_common *session);
 
 /* Runs frames until the end. Returns an exit code. Reports all errors before it returns. */
 enum exit_code run_interactive_run(struct run_common *session);

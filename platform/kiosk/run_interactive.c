@@ -17,29 +17,9 @@
 
 #define SHOT_TICKS (5u * CORE_TICK_HZ)
 
-static void tell_device(const char *name, const char *line)
+static double quantile_ms(const struct frame_timing *timing, double share)
 {
-    if (line && line[0]) {
-        print_line(stdout, "  %-9s %s", name, line);
-    }
-}
-
-static void tell_devices(const struct hal *hal)
-{
-    printf("Kingyo %s\n", KINGYO_VERSION);
-    tell_device("display", hal->display.ops->describe(hal->display.self));
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        tell_device("poi", hal->poi[i].ops->describe(hal->poi[i].self));
-    }
-    for (uint32_t i = 0; i < SHADE_MAX; i++) {
-        tell_device("fan", hal->fan[i].ops->describe(hal->fan[i].self));
-    }
-    tell_device("buttons", hal->buttons.ops->describe(hal->buttons.self));
-    tell_device("switches", hal->switches.ops->describe(hal->switches.self));
-    tell_device("usb", hal->controllers.ops->describe(hal->controllers.self));
-    tell_device("sound", hal->audio.ops->describe(hal->audio.self));
-    tell_device("store", hal->storage.ledger.ops->describe(hal->storage.ledger.self));
-    tell_device("watchdog", hal->watchdog.ops->describe(hal->watchdog.self));
+    return (double)frame_timing_quantile_ns(timing, share) * 1e-6;
 }
 
 /* Closes the store, then prints the statistics, which include entries that could not be written.
@@ -54,24 +34,21 @@ static enum exit_code tell_end(struct run_common *session, enum kiosk_end end)
                   session->hal.display.ops->describe(session->hal.display.self));
     }
     printf("%llu frames, median %.1f ms, p99 %.1f ms; %u ticks, %llu dropped; device faults %u\n",
-           (unsigned long long)kiosk->frames,
-           (double)frame_timing_quantile_ns(&kiosk->frame_time, 0.5) * 1e-6,
-           (double)frame_timing_quantile_ns(&kiosk->frame_time, 0.99) * 1e-6, kiosk->output.tick,
+           (unsigned long long)kiosk->frames, quantile_ms(&kiosk->frame_time, 0.5),
+           quantile_ms(&kiosk->frame_time, 0.99), kiosk->output.tick,
            (unsigned long long)kiosk->pace.dropped, kiosk_fault_count(&kiosk->faults));
     /* Prints the duration of a frame, from the first device poll to the end of the buffer swap.
      * Also prints the core's share of this duration. */
     const struct frame_timing *work = &kiosk->work_time;
     const double share = work->sum_ns > 0 ? (double)kiosk->core_ns / (double)work->sum_ns : 0.0;
     printf("a frame's work: median %.1f ms, p99 %.1f ms, the core %.1f %% of it\n",
-           (double)frame_timing_quantile_ns(work, 0.5) * 1e-6,
-           (double)frame_timing_quantile_ns(work, 0.99) * 1e-6, 100.0 * share);
+           quantile_ms(work, 0.5), quantile_ms(work, 0.99), 100.0 * share);
     /* Prints the latency of controller reports, if a poi has time-stamped reports. */
     const struct frame_timing *wait = &kiosk->report_wait;
     if (wait->count > 0) {
         printf("%llu reports of pois, from arrival to the tick that used them: median %.1f ms, "
                "p99 %.1f ms\n",
-               (unsigned long long)wait->count, (double)frame_timing_quantile_ns(wait, 0.5) * 1e-6,
-               (double)frame_timing_quantile_ns(wait, 0.99) * 1e-6);
+               (unsigned long long)wait->count, quantile_ms(wait, 0.5), quantile_ms(wait, 0.99));
     }
     if (lost > 0) {
         const struct hal_storage *storage = &session->hal.storage;
@@ -94,8 +71,8 @@ static enum exit_code end_play(struct run_common *session, enum kiosk_end end)
 }
 
 /* Ends the program inside the display call. After the connection to the display is lost, Xlib and
- * the threads of the software renderer are not usable. Therefore the function must not return to
- * them. */
+ * the threads of the software renderer are not usable. Therefore the function must not return into
+ * the code of Xlib or of the renderer. */
 static void on_display_lost(void *self)
 {
     struct run_common *session = self;
@@ -105,13 +82,13 @@ static void on_display_lost(void *self)
     _exit((int)code);
 }
 
-int run_interactive_waits_for_screen(void)
+bool run_interactive_waits_for_screen(void)
 {
     const char *socket = getenv("NOTIFY_SOCKET");
     return socket && socket[0];
 }
 
-int run_interactive_open(struct run_common *session)
+bool run_interactive_open(struct run_common *session)
 {
     struct options *options = &session->options;
     struct display_events events;
@@ -134,7 +111,7 @@ int run_interactive_open(struct run_common *session)
         .line_count = options->line_count,
         .line = (const char(*)[BOARD_LINE_SIZE])options->line,
         .full_screen = options->width == 0,
-        .waits_for_screen = run_interactive_waits_for_screen() != 0,
+        .waits_for_screen = run_interactive_waits_for_screen(),
         .width = options->width,
         .height = options->height,
         .data_dir = options->data[0] ? options->data : NULL,
@@ -149,9 +126,9 @@ int run_interactive_open(struct run_common *session)
     const struct hal_display *display = &session->hal.display;
     if (display->ops->poll(display->self, &events) == HAL_ERR_ABSENT) {
         board_close(&session->hal);
-        return 0;
+        return false;
     }
-    return 1;
+    return true;
 }
 
 static enum kiosk_end run_interactive_loop(struct run_common *session)
@@ -160,27 +137,26 @@ static enum kiosk_end run_interactive_loop(struct run_common *session)
     enum kiosk_end end = KIOSK_RUNS;
     struct frame_pacer_sleep rest = { 0 };
     uint32_t shots = 0;
-    int was_away = 0, is_float_told = 0;
+    bool was_away = false, is_float_told = false;
     while (end == KIOSK_RUNS && !*session->stop) {
-        const uint64_t begin_ns = clock.ops->now_ns(clock.self);
+        const uint64_t begin_ns = hal_now_ns(clock);
         end = kiosk_frame(&session->kiosk, &session->hal);
         panic_evidence_note_frame(&session->evidence);
         /* Report once when the display is lost and once when the display is back. */
         const struct hal_display *display = &session->hal.display;
-        const int is_away = session->kiosk.display_retry_ns > 0;
+        const bool is_away = session->kiosk.display_retry_ns > 0;
         if (is_away != was_away) {
-            print_error("kingyo: %s%s", is_away ? "the stall goes on without a picture: " : "",
+            print_error("kingyo: %s%s", is_away ? "the kiosk continues without a picture: " : "",
                         display->ops->describe(display->self));
             was_away = is_away;
         }
-        /* Report a changed floating-point control register once, because a library that changes
-         * it does so in each frame. */
-        int *is_told = &is_float_told;
-        if (session->kiosk.float_resets > 0 && !*is_told) {
+        /* Report a changed floating-point control register once, because a library that changes the
+         * register changes the register in each frame. */
+        if (session->kiosk.float_resets > 0 && !is_float_told) {
             log_print(LOG_LEVEL_WARNING,
                       "a library changed how this thread computes (denormal numbers or "
                       "rounding): it is set back before each frame");
-            *is_told = 1;
+            is_float_told = true;
         }
         /* Take a picture if one is due. After the first failure no more pictures are taken, so that
          * the error is reported only once. */
@@ -194,7 +170,7 @@ static enum kiosk_end run_interactive_loop(struct run_common *session)
             }
         }
         status_update(&session->status, &session->kiosk, &session->hal, begin_ns);
-        const uint64_t end_ns = clock.ops->now_ns(clock.self);
+        const uint64_t end_ns = hal_now_ns(clock);
         const uint64_t rest_ns = frame_pacer_sleep_ns(&rest, end_ns - begin_ns);
         if (rest_ns > 0) {
             clock_sleep_until(end_ns + rest_ns);
@@ -228,17 +204,24 @@ enum exit_code run_interactive_run(struct run_common *session)
         board_close(&session->hal);
         return code;
     }
-    tell_devices(&session->hal);
+    printf("Kingyo %s\n", KINGYO_VERSION);
+    struct status_device devices[STATUS_DEVICES_MAX];
+    status_devices(&session->hal, devices);
+    for (uint32_t i = 0; i < STATUS_DEVICES_MAX; i++) {
+        if (devices[i].text && devices[i].text[0]) {
+            print_line(stdout, "  %-9s %s", devices[i].part, devices[i].text);
+        }
+    }
     /* Print the player slots that have no controller. */
     char text[HAL_TEXT_SIZE] = "";
     for (uint32_t i = 1; i < session->kiosk.core.config.players; i++) {
-        if (!session->kiosk.config.bot[i] && session->kiosk.hands[i].link == POI_SOURCE_ABSENT) {
+        if (!session->kiosk.config.bot[i] && session->kiosk.samplers[i].link == POI_SOURCE_ABSENT) {
             const size_t length = strlen(text);
             snprintf(text + length, sizeof text - length, "%s%u", length ? ", " : "", i + 1u);
         }
     }
     if (text[0]) {
-        printf("  %-9s nobody at %s: no controller\n", "seats", text);
+        printf("  %-9s no controller for player %s\n", "seats", text);
     }
     run_common_print_library(session);
     fflush(stdout);

@@ -7,6 +7,7 @@
 #ifndef KINGYO_PLATFORM_KIOSK_SAMPLER_H
 #define KINGYO_PLATFORM_KIOSK_SAMPLER_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "core/input.h"
@@ -33,31 +34,27 @@ struct sampler_path {
     uint32_t count;             /* Number of reports in `path`. 0 means no report yet. */
 };
 
-/* Clears the path. Called after the loss of a controller, because the motion during the loss is
- * unknown. */
-void sampler_path_reset(struct sampler_path *resampler);
-
 /* Adds a report. A report whose time is not later than the time of the newest report replaces the
  * newest report. If the path is full, the second oldest report is dropped, because the oldest
- * report is the start of the path. Accepts any bit pattern because the core validates the values.
- * Returns 1, or 0 if a number is invalid or out of the range of
- * core/game/control/input_validation.h. */
-int sampler_path_push(struct sampler_path *resampler, const struct poi_sample *sample);
+ * report is the start of the path. Stores even an invalid report, because the core validates the
+ * values. Returns false if a number of the report is invalid or out of the range of
+ * core/game/control/input_pose.h, otherwise true. */
+bool sampler_path_push(struct sampler_path *resampler, const struct poi_sample *sample);
 
 /* Returns the pose for tick `index` of the `tick_count` >= 1 ticks of the frame. Asserts that
  * `count` is greater than 0. */
 struct poi_target sampler_path_at(const struct sampler_path *resampler, uint32_t index,
                                   uint32_t tick_count);
 
-/* Makes the newest report the start of the next frame's path. Call after the last tick of the
- * frame. */
+/* Makes the newest report the start of the next frame's path. The caller calls this function for
+ * the path of each struct poi_sampler after the last tick of the frame. */
 void sampler_path_end(struct sampler_path *resampler);
 
 /* ---- Pois ---------------------------------------------------------------------------------- */
 
 /* Report statistics of a controller, measured over one second and shown during the next second. */
 struct report_pace {
-    uint64_t begin_ns; /* Start of the current second. */
+    uint64_t begin_ns; /* Start time of the current second of the statistics. */
     uint64_t last_ns;  /* Arrival time of the last report. 0 means no report yet. */
     uint64_t gap_ns;   /* Longest gap between two reports in the current second. */
     uint32_t count;
@@ -69,13 +66,12 @@ struct report_pace {
 struct poi_sampler {
     struct report_pace pace;
     struct sampler_path path;
-    uint64_t retry_ns;           /* Time of the next attempt to open a lost controller. */
-    uint64_t newest_ns;          /* Arrival time of the newest report. */
-    uint8_t link;                /* Connection state of the controller (enum poi_source), never
-                                    POI_SOURCE_BOT. */
-    uint8_t has_wrist, trembles; /* Flags of the newest report; see struct poi_sample. */
-    uint8_t was_seen; /* 1 if the controller has sent at least one report after program start,
-                         otherwise 0. */
+    uint64_t retry_ns;        /* Time of the next attempt to open a lost controller. */
+    uint64_t newest_ns;       /* Arrival time of the newest report. */
+    uint8_t link;             /* Connection state of the controller (enum poi_source), never
+                                 POI_SOURCE_BOT. */
+    bool has_wrist, trembles; /* Flags of the newest report; see struct poi_sample. */
+    bool was_seen; /* True if the controller has sent at least one report after program start. */
     uint64_t waiting_ns[HAL_POI_SAMPLES_MAX]; /* Arrival times of reports that no tick has used
                                                  yet. */
     uint32_t waiting_count;                   /* Number of entries in `waiting_ns`. When
@@ -85,29 +81,26 @@ struct poi_sampler {
 
 /* Opens the controller. Returns 1 if open() returned a device fault (hal_is_fault()), otherwise
  * 0. */
-uint32_t sampler_poi_open(struct poi_sampler *hand, const struct hal_poi *device, uint64_t now_ns);
+uint32_t sampler_poi_open(struct poi_sampler *sampler, const struct hal_poi *device,
+                          uint64_t now_ns);
 
 /* Reads the reports that arrived after the previous frame. Tries to reopen a lost controller once
  * per second. Returns the number of faults, which are failed calls and reports with invalid
  * numbers. */
-uint32_t sampler_poi_sample(struct poi_sampler *hand, const struct hal_poi *device,
+uint32_t sampler_poi_sample(struct poi_sampler *sampler, const struct hal_poi *device,
                             uint64_t now_ns);
 
 /* Writes the pose for tick `index` of the `tick_count` >= 1 ticks of the frame that started at
  * `now_ns`. A controller that never sent a report counts as absent. A controller that stopped
  * reporting counts as lost, and its pose stays unchanged. If the reports cover much more time than
- * the ticks, the pose is not interpolated. The core then gets late reports
- * (core/game/control/input_validation.h) and moves the poi slowly to the new pose. */
-void sampler_poi_at(const struct poi_sampler *hand, uint32_t index, uint32_t tick_count,
+ * the ticks, the kiosk was delayed and the pose is not interpolated. The first tick then has the
+ * flag `has_gap`, and the core moves the poi slowly to the new pose. */
+void sampler_poi_at(const struct poi_sampler *sampler, uint32_t index, uint32_t tick_count,
                     uint64_t now_ns, struct poi_input *out);
 
 /* Adds the waiting time of each report that no tick has used yet to the histogram `wait`. Call
  * before the first tick of the frame. */
-void sampler_poi_time(struct poi_sampler *hand, uint64_t now_ns, struct frame_timing *wait);
-
-/* Makes the newest report the first point of the next frame's path. Call after the last tick of the
- * frame. */
-void sampler_poi_end(struct poi_sampler *hand);
+void sampler_poi_time(struct poi_sampler *sampler, uint64_t now_ns, struct frame_timing *wait);
 
 /* ---- Fans ---------------------------------------------------------------------------------- */
 
@@ -119,7 +112,8 @@ void sampler_poi_end(struct poi_sampler *hand);
 
 struct fan_sampler {
     struct shade_input from, to; /* Position at the last tick of the previous frame (`from`), and
-                                    newest position from the device (`to`). */
+                                    newest position from the device (`to`). The caller copies `to`
+                                    to `from` after the last tick of a frame. */
     uint64_t retry_ns;           /* Time of the next attempt to open a lost device. */
     uint8_t link;                /* Connection state of the device (enum poi_source), never
                                     POI_SOURCE_BOT. */
@@ -127,21 +121,18 @@ struct fan_sampler {
 
 /* Opens the fan device. Returns 1 if opening failed with a fault. Returns 0 on success, or if there
  * is no fan device. */
-uint32_t sampler_fan_open(struct fan_sampler *hand, const struct hal_fan *device, uint64_t now_ns);
+uint32_t sampler_fan_open(struct fan_sampler *sampler, const struct hal_fan *device,
+                          uint64_t now_ns);
 
 /* Reads the newest report. Tries to reopen a lost fan once per second. While a fan is lost, the fan
  * counts as absent. Rejects a report with a non-finite number or a value beyond 1,000 m. Returns
  * the number of faults. */
-uint32_t sampler_fan_sample(struct fan_sampler *hand, const struct hal_fan *device,
+uint32_t sampler_fan_sample(struct fan_sampler *sampler, const struct hal_fan *device,
                             uint64_t now_ns);
 
 /* Returns the fan's position for tick `index` of the `tick_count` >= 1 ticks of the frame. A fan
  * that was absent before appears at its position without interpolation. */
-struct shade_input sampler_fan_at(const struct fan_sampler *hand, uint32_t index,
+struct shade_input sampler_fan_at(const struct fan_sampler *sampler, uint32_t index,
                                   uint32_t tick_count);
-
-/* Makes the newest fan position the start of the next frame's interpolation. Call after the last
- * tick of the frame. */
-void sampler_fan_end(struct fan_sampler *hand);
 
 #endif

@@ -13,63 +13,75 @@
 #include <unistd.h>
 
 #include "core/base/panic.h"
+#include "platform/os/clock.h"
 #include "platform/os/file.h"
 #include "platform/os/json.h"
 #include "platform/os/log.h"
 #include "platform/panics.h"
 
-#define NS_PER_MS 1000000ull
-
 /* ---- Making the report --------------------------------------------------------------------- */
 
-static void take_device(struct status_report *report, const char *part, const char *text)
-{
-    assert(report->device_count < STATUS_DEVICES_MAX);
-    if (text && text[0]) {
-        report->device[report->device_count].part = part;
-        snprintf(report->device[report->device_count++].text, HAL_TEXT_SIZE, "%s", text);
-    }
-}
-
-void status_take(struct status_report *report, const struct kiosk *kiosk, const struct hal *hal)
+void status_devices(const struct hal *hal, struct status_device devices[STATUS_DEVICES_MAX])
 {
     CORE_ASSERT(hal->display.ops && hal->storage.ledger.ops);
-    const struct core *core = &kiosk->core;
-    report->up_s = kiosk->output.tick / CORE_TICK_HZ;
-    report->boot = core->config.persistent.ledger.boots;
-    report->phase = kiosk->output.phase;
-    report->players = core->config.players;
-    report->balance = core->game.accounts.ledger.balance;
-    report->tickets_out = core->game.accounts.audits.count[AUDIT_TICKETS_OUT];
-    report->entry_id = kiosk->output.entry_id;
-    report->saved_id = kiosk->input.record_saved_id;
-    report->store_well = kiosk->input.store_well;
-    report->frames = kiosk->frames;
-    report->dropped_ticks = kiosk->pace.dropped;
-    report->ticks = kiosk->output.tick;
-    report->frame_median_ns = frame_timing_quantile_ns(&kiosk->frame_time, 0.5);
-    report->frame_p99_ns = frame_timing_quantile_ns(&kiosk->frame_time, 0.99);
-    report->faults = kiosk->faults;
-    report->float_resets = kiosk->float_resets;
-    report->buttons_missing = kiosk->lines.missing;
-    report->day = kiosk->input.day;
-    report->minute = kiosk->input.minute;
-    report->files_refused = kiosk->config.notes ? kiosk->config.notes->refused_count : 0u;
-    report->machine = kiosk->machine;
-    report->device_count = 0;
-    take_device(report, "display", hal->display.ops->describe(hal->display.self));
+    const struct status_device last[] = {
+        { "buttons", hal->buttons.ops->describe(hal->buttons.self) },
+        { "switches", hal->switches.ops->describe(hal->switches.self) },
+        { "usb", hal->controllers.ops->describe(hal->controllers.self) },
+        { "sound", hal->audio.ops->describe(hal->audio.self) },
+        { "store", hal->storage.ledger.ops->describe(hal->storage.ledger.self) },
+        { "watchdog", hal->watchdog.ops->describe(hal->watchdog.self) },
+    };
+    struct status_device *next = devices;
+    *next++ = (struct status_device){ "display", hal->display.ops->describe(hal->display.self) };
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        take_device(report, "poi", hal->poi[i].ops->describe(hal->poi[i].self));
+        *next++ = (struct status_device){ "poi", hal->poi[i].ops->describe(hal->poi[i].self) };
     }
     for (uint32_t i = 0; i < SHADE_MAX; i++) {
-        take_device(report, "fan", hal->fan[i].ops->describe(hal->fan[i].self));
+        *next++ = (struct status_device){ "fan", hal->fan[i].ops->describe(hal->fan[i].self) };
     }
-    take_device(report, "buttons", hal->buttons.ops->describe(hal->buttons.self));
-    take_device(report, "switches", hal->switches.ops->describe(hal->switches.self));
-    take_device(report, "usb", hal->controllers.ops->describe(hal->controllers.self));
-    take_device(report, "sound", hal->audio.ops->describe(hal->audio.self));
-    take_device(report, "store", hal->storage.ledger.ops->describe(hal->storage.ledger.self));
-    take_device(report, "watchdog", hal->watchdog.ops->describe(hal->watchdog.self));
+    _Static_assert(sizeof last / sizeof last[0] == STATUS_DEVICES_MAX - 1u - POI_MAX - SHADE_MAX,
+                   "the list has the display, the pois, the fans and the devices of `last`");
+    memcpy(next, last, sizeof last);
+}
+
+/* Fills the report with the state of a kiosk, except written_ms and pid. */
+static void take_report(struct status_report *report, const struct kiosk *kiosk,
+                        const struct hal *hal)
+{
+    const struct core *core = &kiosk->core;
+    *report = (struct status_report){
+        .up_s = kiosk->output.tick / CORE_TICK_HZ,
+        .boot = core->config.persistent.ledger.boots,
+        .phase = kiosk->output.phase,
+        .players = core->config.players,
+        .balance = core->game.accounts.ledger.balance,
+        .tickets_out = core->game.accounts.audits.count[AUDIT_TICKETS_OUT],
+        .entry_id = kiosk->output.entry_id,
+        .saved_id = kiosk->input.record_saved_id,
+        .store_well = kiosk->input.store_well,
+        .frames = kiosk->frames,
+        .dropped_ticks = kiosk->pace.dropped,
+        .ticks = kiosk->output.tick,
+        .frame_median_ns = frame_timing_quantile_ns(&kiosk->frame_time, 0.5),
+        .frame_p99_ns = frame_timing_quantile_ns(&kiosk->frame_time, 0.99),
+        .faults = kiosk->faults,
+        .float_resets = kiosk->float_resets,
+        .buttons_missing = kiosk->lines.missing,
+        .day = kiosk->input.day,
+        .minute = kiosk->input.minute,
+        .files_refused = kiosk->config.notes ? kiosk->config.notes->refused_count : 0u,
+        .machine = kiosk->machine,
+    };
+    struct status_device devices[STATUS_DEVICES_MAX];
+    status_devices(hal, devices);
+    for (uint32_t i = 0; i < STATUS_DEVICES_MAX; i++) {
+        if (devices[i].text && devices[i].text[0]) {
+            report->device[report->device_count].part = devices[i].part;
+            snprintf(report->device[report->device_count++].text, HAL_TEXT_SIZE, "%s",
+                     devices[i].text);
+        }
+    }
 }
 
 /* ---- Writing the file ---------------------------------------------------------------------- */
@@ -87,11 +99,9 @@ static void *status_thread(void *self)
             continue;
         }
         report = status->report;
-        status->is_fresh = 0;
+        status->is_fresh = false;
         pthread_mutex_unlock(&status->mutex);
-        struct timespec now;
-        clock_gettime(CLOCK_BOOTTIME, &now);
-        report.written_ms = (uint64_t)now.tv_sec * 1000u + (uint64_t)now.tv_nsec / NS_PER_MS;
+        report.written_ms = clock_ns(CLOCK_BOOTTIME) / NS_PER_MS;
         report.pid = (uint32_t)getpid();
         /* The file is in a memory file system and needs no sync. */
         const int error = file_replace(status->path, status->text,
@@ -123,15 +133,15 @@ void status_update(struct status *status, const struct kiosk *kiosk, const struc
                    uint64_t now_ns)
 {
     CORE_ASSERT(!status->runs || status->path[0]);
-    const int has_changed = kiosk->input.store_well != status->told_well;
+    const bool has_changed = kiosk->input.store_well != status->told_well;
     if (!status->runs || (now_ns < status->next_ns && !has_changed)) {
         return;
     }
     status->next_ns = now_ns + STATUS_PERIOD_NS;
-    status_take(&status->draft, kiosk, hal);
+    take_report(&status->draft, kiosk, hal);
     if (pthread_mutex_trylock(&status->mutex) == 0) {
         status->report = status->draft;
-        status->is_fresh = 1;
+        status->is_fresh = true;
         status->told_well = status->draft.store_well;
         pthread_cond_signal(&status->changed);
         pthread_mutex_unlock(&status->mutex);
@@ -144,14 +154,14 @@ void status_end(struct status *status)
         return;
     }
     pthread_mutex_lock(&status->mutex);
-    status->stop = 1;
+    status->stop = true;
     pthread_cond_signal(&status->changed);
     pthread_mutex_unlock(&status->mutex);
     pthread_join(status->thread, NULL);
     pthread_mutex_destroy(&status->mutex);
     pthread_cond_destroy(&status->changed);
     unlink(status->path);
-    status->runs = 0;
+    status->runs = false;
 }
 
 /* ---- JSON text ----------------------------------------------------------------------------- */
@@ -178,38 +188,35 @@ static const char *name_of(const char *const *names, size_t count, uint8_t value
     return value < count && names[value] ? names[value] : other;
 }
 
+/* Begins a new line for the next member of the report. Returns `json`. */
+static struct json *member(struct json *json)
+{
+    json_line(json, 2);
+    return json;
+}
+
 static void put_stall(struct json *json, const struct status_report *report)
 {
     const struct balance *balance = &report->balance;
-    json_line(json, 2);
-    json_text(json, "version", KINGYO_VERSION);
-    json_line(json, 2);
-    json_value(json, "pid", "%u", report->pid);
-    json_line(json, 2);
-    json_value(json, "written_ms", "%llu", (unsigned long long)report->written_ms);
-    json_line(json, 2);
-    json_value(json, "up_s", "%u", report->up_s);
-    json_line(json, 2);
-    json_value(json, "boot", "%u", report->boot);
-    json_line(json, 2);
-    json_text(json, "phase", NAME_OF(phase_names, report->phase, "other"));
-    json_line(json, 2);
-    json_value(json, "players", "%u", report->players);
-    json_line(json, 2);
-    json_open(json, "credits", '{');
+    json_text(member(json), "version", KINGYO_VERSION);
+    json_value(member(json), "pid", "%u", report->pid);
+    json_value(member(json), "written_ms", "%llu", (unsigned long long)report->written_ms);
+    json_value(member(json), "up_s", "%u", report->up_s);
+    json_value(member(json), "boot", "%u", report->boot);
+    json_text(member(json), "phase", NAME_OF(phase_names, report->phase, "other"));
+    json_value(member(json), "players", "%u", report->players);
+    json_open(member(json), "credits", '{');
     json_value(json, "paid", "%u", balance->paid);
     json_value(json, "service", "%u", balance->service);
     json_value(json, "units", "%u", balance->units);
     json_value(json, "untold", "%u", balance->unlogged);
     json_bool(json, "round_open", balance->open != PAYMENT_NONE);
     json_close(json, '}');
-    json_line(json, 2);
-    json_open(json, "tickets", '{');
+    json_open(member(json), "tickets", '{');
     json_value(json, "owed", "%u", balance->tickets);
     json_value(json, "dispensed", "%u", report->tickets_out);
     json_close(json, '}');
-    json_line(json, 2);
-    json_open(json, "store", '{');
+    json_open(member(json), "store", '{');
     json_bool(json, "well", report->store_well);
     json_value(json, "entry_id", "%u", report->entry_id);
     json_value(json, "saved_id", "%u", report->saved_id);
@@ -220,19 +227,16 @@ static void put_stall(struct json *json, const struct status_report *report)
 static void put_figures(struct json *json, const struct status_report *report)
 {
     const struct kiosk_faults *faults = &report->faults;
-    json_line(json, 2);
-    json_open(json, "frames", '{');
+    json_open(member(json), "frames", '{');
     json_value(json, "count", "%llu", (unsigned long long)report->frames);
     json_value(json, "median_ms", "%.1f", (double)report->frame_median_ns * 1e-6);
     json_value(json, "p99_ms", "%.1f", (double)report->frame_p99_ns * 1e-6);
     json_close(json, '}');
-    json_line(json, 2);
-    json_open(json, "ticks", '{');
+    json_open(member(json), "ticks", '{');
     json_value(json, "count", "%u", report->ticks);
     json_value(json, "dropped", "%llu", (unsigned long long)report->dropped_ticks);
     json_close(json, '}');
-    json_line(json, 2);
-    json_open(json, "faults", '{');
+    json_open(member(json), "faults", '{');
     json_value(json, "poi", "%u", faults->poi);
     json_value(json, "fan", "%u", faults->shade);
     json_value(json, "display", "%u", faults->display);
@@ -245,8 +249,8 @@ static void put_figures(struct json *json, const struct status_report *report)
     json_close(json, '}');
 }
 
-/* Writes the JSON member `name` with a number, or with null if `is_known` is 0. */
-static void put_known(struct json *json, const char *name, int is_known, int64_t value)
+/* Writes the JSON member `name` with a number, or with null if the number is not known. */
+static void put_known(struct json *json, const char *name, bool is_known, int64_t value)
 {
     if (is_known) {
         json_value(json, name, "%lld", (long long)value);
@@ -259,8 +263,7 @@ static void put_known(struct json *json, const char *name, int is_known, int64_t
 static void put_machine(struct json *json, const struct status_report *report)
 {
     const struct scene_machine *machine = &report->machine;
-    json_line(json, 2);
-    json_open(json, "machine", '{');
+    json_open(member(json), "machine", '{');
     json_text(json, "data", NAME_OF(keeps_names, machine->keeps, "unknown"));
     put_known(json, "backup_min", machine->has_backup, machine->backup_min);
     put_known(json, "free_mib", machine->has_looked, machine->room_mib);
@@ -270,14 +273,12 @@ static void put_machine(struct json *json, const struct status_report *report)
     put_known(json, "clock_minute", report->day != 0, report->minute);
     json_bool(json, "clock_went_back", machine->is_clock_back);
     json_close(json, '}');
-    json_line(json, 2);
-    json_open(json, "files", '{');
+    json_open(member(json), "files", '{');
     json_value(json, "refused", "%u", report->files_refused);
     json_value(json, "set_aside", "%u", machine->aside);
     json_value(json, "replays_missed", "%u", machine->missed);
     json_close(json, '}');
-    json_line(json, 2);
-    json_open(json, "panics", '{');
+    json_open(member(json), "panics", '{');
     json_value(json, "count", "%u", machine->panics);
     json_text(json, "left_out", panics_left_name(machine->left_out));
     json_close(json, '}');
@@ -290,8 +291,7 @@ size_t status_format(const struct status_report *report, char out[STATUS_TEXT_MA
     put_stall(&json, report);
     put_figures(&json, report);
     put_machine(&json, report);
-    json_line(&json, 2);
-    json_open(&json, "devices", '[');
+    json_open(member(&json), "devices", '[');
     for (uint32_t i = 0; i < report->device_count; i++) {
         json_line(&json, 4);
         json_open(&json, NULL, '{');
@@ -299,8 +299,7 @@ size_t status_format(const struct status_report *report, char out[STATUS_TEXT_MA
         json_text(&json, "text", report->device[i].text);
         json_close(&json, '}');
     }
-    json_line(&json, 2);
-    json_close(&json, ']');
+    json_close(member(&json), ']');
     json_line(&json, 0);
     json_close(&json, '}');
     json_end(&json);

@@ -9,6 +9,7 @@
 #include <limits.h>
 #include <pthread.h>
 #include <stdatomic.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -20,8 +21,8 @@
 /* Size of the file's text in bytes. The size is enough for all numbers and for all device texts,
  * even if each character is escaped (6 bytes). */
 #define STATUS_TEXT_MAX 24576u
-/* Maximum number of devices in a report. */
-#define STATUS_DEVICES_MAX (10u + POI_MAX + SHADE_MAX)
+/* Number of devices: one display, the pois, the fans and six other devices. */
+#define STATUS_DEVICES_MAX (7u + POI_MAX + SHADE_MAX)
 
 /* One status report. A structure of zeros is the report of a kiosk that has just started. */
 struct status_report {
@@ -38,7 +39,7 @@ struct status_report {
                                     audits. */
     uint32_t entry_id, saved_id; /* Id of the newest ledger entry, and id of the newest entry on
                                     disk. */
-    uint8_t store_well;
+    bool store_well;
     uint64_t frames, dropped_ticks;
     uint32_t ticks;
     uint64_t frame_median_ns, frame_p99_ns;
@@ -62,8 +63,14 @@ struct status_report {
  * always fits. */
 size_t status_format(const struct status_report *report, char out[STATUS_TEXT_MAX]);
 
-/* Fills the report with the state of a kiosk, except written_ms and pid. */
-void status_take(struct status_report *report, const struct kiosk *kiosk, const struct hal *hal);
+/* Name of the device type, a static string, and the describe() text of a device. */
+struct status_device {
+    const char *part, *text;
+};
+
+/* Writes the texts of all devices to `devices`. A text may be null or empty. The texts are valid
+ * until the devices are used again. */
+void status_devices(const struct hal *hal, struct status_device devices[STATUS_DEVICES_MAX]);
 
 struct status {
     pthread_t thread;
@@ -71,14 +78,14 @@ struct status {
                               only. */
     pthread_cond_t changed;
     struct status_report report;
-    uint8_t is_fresh; /* 1 if `report` is not written to the file yet, otherwise 0. */
-    uint8_t stop;
+    bool is_fresh; /* True if `report` is not written to the file yet. */
+    bool stop;
     atomic_uint failed; /* Number of failed writes of the status file. Only the first failure is
                            logged. */
 
-    uint8_t runs;
-    uint64_t next_ns;  /* Time of the next report. */
-    uint8_t told_well; /* Value of `store_well` in the last report that was passed to the status
+    bool runs;        /* True if the status file's thread exists. */
+    uint64_t next_ns; /* Time of the next report. */
+    bool told_well;   /* Value of `store_well` in the last report that was passed to the status
                           file's thread. */
     struct status_report draft;
     char text[STATUS_TEXT_MAX];

@@ -6,7 +6,6 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <pthread.h>
-#include <signal.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <time.h>
@@ -15,6 +14,7 @@
 #include "platform/os/file.h"
 #include "platform/os/log.h"
 #include "platform/os/panic.h"
+#include "platform/os/thread.h"
 #include "platform/store/sqlite/ledger_backup.h"
 
 #define NAME_SIZE 16u
@@ -42,12 +42,12 @@ static void *outlive_refused(void *self)
     /* Clear the count of panics after ten minutes without a panic, because such a long run shows
      * that the stored data are not the cause. If a panic occurs at the same time, the count is not
      * cleared. */
-    atomic_store(&evidence->is_clearing, 1);
+    atomic_store(&evidence->is_clearing, true);
     if (atomic_load(&evidence->has_frame) && !atomic_load(&evidence->has_panicked)) {
         panics_clear(&evidence->panics);
         write_count(evidence);
     }
-    atomic_store(&evidence->is_clearing, 0);
+    atomic_store(&evidence->is_clearing, false);
     return NULL;
 }
 
@@ -70,16 +70,12 @@ static void leave_out(struct evidence *evidence)
     write_count(evidence);
     if (panics_is_due(panics)) {
         /* Start the thread that clears the count of panics after ten minutes. If no thread can be
-         * created, the next program start removes the same part of the data again. */
-        sigset_t all, before;
+         * created, the count stays, and the next program start leaves out the same part of the data
+         * once more. */
         pthread_t thread;
-        sigfillset(&all);
-        panic_leave_open(&all);
-        pthread_sigmask(SIG_SETMASK, &all, &before);
-        if (pthread_create(&thread, NULL, outlive_refused, evidence) == 0) {
+        if (thread_start(&thread, outlive_refused, evidence) == 0) {
             pthread_detach(thread);
         }
-        pthread_sigmask(SIG_SETMASK, &before, NULL);
     }
     log_print(LOG_LEVEL_ERROR, "after %s this start %s %s: %s", cause,
               result == 0 ? "leaves out" : "cannot leave out", panics_left_name(left), words);
@@ -95,16 +91,16 @@ static void hold_and_leave_out(struct evidence *evidence)
     const int hold = file_lock_folder(evidence->data);
     if (hold == -EWOULDBLOCK) {
         log_print(LOG_LEVEL_ERROR,
-                  "%s: another stall has the folder open; nothing is left out after panics",
+                  "%s: another kiosk has the folder open; no data are left out after the panics",
                   evidence->data);
         return;
     }
-    const int is_read = panics_read(panics, evidence->folder - 1) == 0;
+    const bool is_read = panics_read(panics, evidence->folder - 1) == 0;
     if (is_read && panics->attempt != LEFT_NOTHING) {
         /* Clear the count of panics and keep all data, because the previous start ended during its
          * attempt to remove data. */
         log_print(LOG_LEVEL_ERROR,
-                  "the last start ended while it left out %s; this start leaves out nothing",
+                  "the last start ended while it left out %s; this start leaves out no data",
                   panics_left_name(evidence->panics.attempt));
         panics_clear(&evidence->panics);
         write_count(evidence);
@@ -142,32 +138,26 @@ void panic_evidence_open(struct evidence *evidence, const char *data,
 
 void panic_evidence_note_frame(struct evidence *evidence)
 {
-    atomic_store(&evidence->has_frame, 1);
+    atomic_store(&evidence->has_frame, true);
 }
 
 /* ---- Panic handler: async-signal-safe calls only ------------------------------------------- */
 
-/* Deletes the old file `name` and creates a new one. Returns its descriptor or a negative errno. */
-static int make_file(int folder, const char *name)
+/* Writes the recorded session to the new file `name`, which replaces an old file. Returns 0 or a
+ * negative errno; -ENODATA means that no session was recorded. */
+static int write_replay(const struct evidence *evidence, const char *name, bool is_sound)
 {
+    if (!evidence->chapters || !session_recorder_has_begun(evidence->chapters)) {
+        return -ENODATA;
+    }
+    const int folder = evidence->folder - 1;
     if (unlinkat(folder, name, 0) != 0 && errno != ENOENT) {
         return -errno;
     }
     const int file =
         openat(folder, name, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600);
-    return file < 0 ? -errno : file;
-}
-
-/* Writes the recorded session to the file `name`. Returns 0 or a negative errno; -ENODATA means
- * that no session was recorded. */
-static int write_replay(const struct evidence *evidence, const char *name, int is_sound)
-{
-    if (!evidence->chapters || !session_recorder_has_begun(evidence->chapters)) {
-        return -ENODATA;
-    }
-    const int file = make_file(evidence->folder - 1, name);
     if (file < 0) {
-        return file;
+        return -errno;
     }
     int error = session_recorder_dump(evidence->chapters, evidence->core, is_sound, file);
     if (!error && fsync(file) != 0) {
@@ -199,17 +189,17 @@ static void evidence_log_error(const struct evidence *evidence, const char *reas
     log_print_raw(LOG_LEVEL_CRITICAL, text.out);
 }
 
-int panic_evidence_write(struct evidence *evidence, const char *reason)
+bool panic_evidence_write(struct evidence *evidence, const char *reason)
 {
     /* Wait until the count of panics is written, at most EVIDENCE_WAIT_MS milliseconds. */
-    atomic_store(&evidence->has_panicked, 1);
+    atomic_store(&evidence->has_panicked, true);
     for (int i = 0; i < EVIDENCE_WAIT_MS && atomic_load(&evidence->is_clearing); i++) {
         poll(NULL, 0, 1);
     }
     /* Stop the thread that runs the ticks. Before panic_evidence_open() that thread is the main
      * thread. */
-    const int is_own = gettid() == (evidence->thread != 0 ? evidence->thread : getpid());
-    const int is_sound =
+    const bool is_own = gettid() == (evidence->thread != 0 ? evidence->thread : getpid());
+    const bool is_sound =
         evidence->chapters ? session_recorder_freeze(evidence->chapters, is_own) : is_own;
     struct panics *panics = &evidence->panics;
     char name[NAME_SIZE] = "";

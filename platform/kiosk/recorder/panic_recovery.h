@@ -11,6 +11,7 @@
 #define KINGYO_PLATFORM_KIOSK_RECORDER_PANIC_RECOVERY_H
 
 #include <stdatomic.h>
+#include <stdbool.h>
 #include <stdint.h>
 #include <sys/types.h>
 
@@ -28,15 +29,15 @@ struct evidence {
     const struct core *core;
     pid_t thread; /* Id of the thread that runs the core's ticks. */
     uint64_t boot;
-    uint32_t begun_s;          /* Time of the program start, in seconds after the machine's boot
+    uint32_t begun_s;         /* Time of the program start, in seconds after the machine's boot
                                   (panics_up_s()). */
-    struct panics panics;      /* Count of panics. The file of panics.h stores the same
+    struct panics panics;     /* Count of panics. The file of panics.h stores the same
                                   count. */
-    atomic_uchar has_frame;    /* 1 if the first frame was shown, otherwise 0. */
-    atomic_uchar has_panicked; /* 1 if panic_evidence_write() has started. Afterwards only
+    atomic_bool has_frame;    /* True if the first frame was shown. */
+    atomic_bool has_panicked; /* True if panic_evidence_write() has started. Afterwards only
                                   panic_evidence_write() uses `panics`. */
-    atomic_uchar is_clearing;  /* 1 while a thread clears `panics` after ten minutes without a
-                                  panic, otherwise 0. */
+    atomic_bool is_clearing;  /* True while a thread clears `panics` after ten minutes without
+                                  a panic. */
 };
 
 /* Opens the data folder and reads the count of panics. Call on the thread that will run the ticks,
@@ -53,9 +54,9 @@ void panic_evidence_open(struct evidence *evidence, const char *data,
 void panic_evidence_note_frame(struct evidence *evidence);
 
 /* Handles a panic: stops the thread that runs the ticks, writes the replay and the count of panics,
- * and reports `reason` and the results in one line. Returns 1. Returns 0 if the thread that runs
- * the ticks may still change the core and its recordings, or if the panic interrupted a change.
- * Async-signal-safe. */
-int panic_evidence_write(struct evidence *evidence, const char *reason);
+ * and reports `reason` and the results in one line. Returns false if the thread that runs the ticks
+ * may still change the core and its recordings, or if the panic interrupted a change; otherwise
+ * returns true. Async-signal-safe. */
+bool panic_evidence_write(struct evidence *evidence, const char *reason);
 
 #endif

@@ -6,15 +6,15 @@
 #include "core/base/panic.h"
 #include "platform/os/log.h"
 
-static void end_replay(struct pin_sweep *sweep, int is_cleaned)
+static void end_replay(struct pin_sweep *sweep, bool is_cleaned)
 {
-    sweep->cleaned += is_cleaned != 0;
-    sweep->left += is_cleaned == 0;
+    sweep->cleaned += is_cleaned;
+    sweep->left += !is_cleaned;
     sweep->stage = PIN_SWEEP_SEEK;
 }
 
-/* Reads the next stored replay and selects it if its initial state contains a PIN. A replay that
- * cannot be read is skipped. */
+/* Reads the next stored replay and selects the replay if its initial state contains a PIN. A replay
+ * that cannot be read is skipped. */
 static void seek(struct pin_sweep *sweep, struct ledger_file *file)
 {
     if (ledger_file_next_replay(file, sweep->round_id, &sweep->round_id) != SQLITE_OK) {
@@ -32,14 +32,15 @@ static void seek(struct pin_sweep *sweep, struct ledger_file *file)
         replay_verifier_open(&sweep->judge, sweep->replay, sweep->size) == 0 &&
         session_recorder_start_has_pin(&sweep->judge.replayer.reader.header.config)) {
         ledger_file_round(file, sweep->round_id, &sweep->kept);
-        sweep->is_check = 0;
+        sweep->is_check = false;
         sweep->stage = PIN_SWEEP_READ;
     }
 }
 
-/* Returns the hash that the core would have if its PIN had been withheld from the start. Withholds
- * the PIN, calls `hash`, and restores the PIN. Until digits are typed, the PIN affects no other
- * part of the state. */
+/* Returns the hash that the core would have if the initial configuration had contained PIN_WITHHELD
+ * instead of the PIN (core/pin.h). Replaces the PIN, calls `hash`, and restores the PIN. The
+ * replacement is sufficient because the PIN affects no other part of the state until digits of a
+ * PIN are typed. */
 static uint64_t hash_without_pin(struct core *core, uint64_t (*hash)(const struct core *core))
 {
     int32_t *kept = &core->config.persistent.settings.value[SET_PIN];
@@ -54,15 +55,6 @@ static uint64_t hash_without_pin(struct core *core, uint64_t (*hash)(const struc
     return result;
 }
 
-static int begin_recording(struct pin_sweep *sweep)
-{
-    struct replay_verifier *judge = &sweep->judge;
-    struct core_config *config = &judge->replayer.reader.header.config;
-    session_recorder_withhold_pin(config, NULL);
-    return replay_create_in(&sweep->writer, sweep->made, sizeof sweep->made, config,
-                            hash_without_pin(&judge->core, core_hash));
-}
-
 /* Handles the end of a simulation. The first simulation replays the stored recording and creates a
  * new recording. The second simulation verifies the new recording. If both simulations succeed, the
  * new recording replaces the stored recording. Returns an SQLite result code. */
@@ -72,16 +64,16 @@ static int end_play(struct pin_sweep *sweep, struct ledger_file *file)
     int code = SQLITE_OK;
     if (replay_verifier_result(judge, &file->content.memory.ranking, sweep->round_id,
                                &sweep->kept) != REPLAY_VERDICT_GENUINE) {
-        end_replay(sweep, 0);
+        end_replay(sweep, false);
     } else if (sweep->is_check) {
         code = ledger_file_renew_replay(file, sweep->round_id, sweep->made, judge->size);
         end_replay(sweep, code == SQLITE_OK);
     } else if (replay_finish(&sweep->writer, hash_without_pin(&judge->core, core_hash)) != 0 ||
                replay_verifier_open(judge, sweep->made,
                                     (size_t)sweep->writer.offset + REPLAY_END_SIZE) != 0) {
-        end_replay(sweep, 0);
+        end_replay(sweep, false);
     } else {
-        sweep->is_check = 1;
+        sweep->is_check = true;
         sweep->stage = PIN_SWEEP_READ;
     }
     return code;
@@ -93,7 +85,7 @@ static int play_on(struct pin_sweep *sweep, struct ledger_file *file)
         return end_play(sweep, file);
     }
     if (!sweep->is_check && session_recorder_types_pin(&sweep->judge.core)) {
-        end_replay(sweep, 0);
+        end_replay(sweep, false);
     } else if (!sweep->is_check) {
         struct core *core = &sweep->judge.core;
         struct replay_writer *writer = &sweep->writer;
@@ -119,9 +111,16 @@ static int do_step(void *self, struct ledger_file *file)
         seek(sweep, file);
         return SQLITE_OK;
     case PIN_SWEEP_READ: {
+        struct core_config *config = &sweep->judge.replayer.reader.header.config;
         const int more = replay_verifier_read(&sweep->judge);
-        if (more < 0 || (more == 0 && !sweep->is_check && begin_recording(sweep) != 0)) {
-            end_replay(sweep, 0);
+        int error = more < 0;
+        if (more == 0 && !sweep->is_check) {
+            session_recorder_withhold_pin(config, NULL);
+            error = replay_create_in(&sweep->writer, sweep->made, sizeof sweep->made, config,
+                                     hash_without_pin(&sweep->judge.core, core_hash));
+        }
+        if (error) {
+            end_replay(sweep, false);
         } else if (more == 0) {
             sweep->stage = PIN_SWEEP_PLAY;
         }

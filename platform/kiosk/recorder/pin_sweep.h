@@ -25,8 +25,8 @@ enum pin_sweep_stage {
 
 struct pin_sweep {
     uint8_t stage;     /* Current step (enum pin_sweep_stage). */
-    uint8_t is_check;  /* 0 while the stored recording is parsed and simulated; 1 while the new
-                          recording is verified. */
+    bool is_check;     /* False while the stored recording is parsed and simulated; true while the
+                          new recording is verified. */
     uint32_t round_id; /* Round id of the newest examined replay. 0 means none yet. */
     uint32_t cleaned;  /* Number of replays whose PIN was removed. */
     uint32_t left;     /* Number of replays that still contain a PIN. */

@@ -8,15 +8,6 @@
 #include "core/base/panic.h"
 #include "platform/cpu.h"
 
-static int no_such_stall(struct replay_verifier *verifier)
-{
-    struct replay_problem *problem = &verifier->replayer.reader.problem;
-    *problem = (struct replay_problem){ .offset = REPLAY_HEADER_SIZE };
-    snprintf(problem->text, sizeof problem->text, "this program has no such stall");
-    verifier->is_damaged = 1;
-    return -1;
-}
-
 int replay_verifier_open(struct replay_verifier *verifier, const uint8_t *bytes, size_t size)
 {
     CORE_ASSERT(bytes);
@@ -24,7 +15,7 @@ int replay_verifier_open(struct replay_verifier *verifier, const uint8_t *bytes,
     verifier->round = (struct ledger_entry){ 0 };
     verifier->said = (struct replay_totals){ 0 };
     verifier->round_tick = 0;
-    verifier->is_read = verifier->is_refused = 0;
+    verifier->is_read = verifier->is_refused = false;
     verifier->bytes = bytes;
     verifier->size = size;
     memset(&verifier->output, 0, sizeof verifier->output);
@@ -49,7 +40,7 @@ int replay_verifier_read(struct replay_verifier *verifier)
         replay_close(reader);
         struct core_config config;
         if (replayer_begin_in(&verifier->replayer, verifier->bytes, verifier->size, &config)) {
-            verifier->is_damaged = 1;
+            verifier->is_damaged = true;
             return -1;
         }
         config.lanes = cpu_lanes();
@@ -57,10 +48,16 @@ int replay_verifier_read(struct replay_verifier *verifier)
         const enum core_error error = core_init(&verifier->core, &config);
         verifier->is_refused = error == CORE_ERR_FLOAT;
         if (error != CORE_OK) {
-            return verifier->is_refused ? -1 : no_such_stall(verifier);
+            if (!verifier->is_refused) {
+                reader->problem = (struct replay_problem){ .offset = REPLAY_HEADER_SIZE };
+                snprintf(reader->problem.text, sizeof reader->problem.text,
+                         "this version has no such tank or game mode");
+                verifier->is_damaged = true;
+            }
+            return -1;
         }
         verifier->seen_id = verifier->core.game.accounts.ledger.last_id;
-        verifier->is_read = 1;
+        verifier->is_read = true;
         return 0;
     }
     verifier->is_damaged = more < 0;
@@ -76,20 +73,20 @@ int replay_verifier_begin(struct replay_verifier *verifier, const uint8_t *bytes
     return more;
 }
 
-int replay_verifier_tick(struct replay_verifier *verifier)
+bool replay_verifier_tick(struct replay_verifier *verifier)
 {
     struct replayer *replayer = &verifier->replayer;
     const struct kiosk_source source = replayer_source(replayer);
     const struct kiosk_tap tap = replayer_tap(replayer);
     if (verifier->is_damaged || verifier->is_refused || !verifier->is_read ||
         replayer->difference.found || !source.next(source.self, &verifier->input)) {
-        return 0;
+        return false;
     }
     verifier->output.sound_count = 0;
     verifier->is_refused =
         core_tick(&verifier->core, &verifier->input, &verifier->output) == CORE_ERR_FLOAT;
     if (verifier->is_refused) {
-        return 0;
+        return false;
     }
     tap.tick(tap.self, &verifier->input, &verifier->core);
     while (verifier->seen_id != verifier->core.game.accounts.ledger.last_id) {
@@ -99,49 +96,39 @@ int replay_verifier_tick(struct replay_verifier *verifier)
             verifier->round = *entry;
         }
     }
-    return 1;
+    return true;
 }
 
-int replay_verifier_is_at_round(const struct replay_verifier *verifier)
+bool replay_verifier_is_at_round(const struct replay_verifier *verifier)
 {
     return verifier->replayer.totals.ticks >= verifier->round_tick;
 }
 
-/* Compares a row of the ranking with the simulated round. Returns 1 if the row equals the round, -1
- * if the row differs, 0 if the row belongs to another round. */
-static int look_at_row(const struct replay_verifier *verifier, const struct rank_row *row,
-                       uint8_t mode, uint32_t round_id)
+/* Returns true if at least one row of the ranking has the id `round_id`, and every row with this id
+ * equals the simulated round. */
+static bool agrees_with(const struct replay_verifier *verifier, const struct ranking *ranking,
+                        uint32_t round_id)
 {
     const struct round_record *round = &verifier->round.round;
-    if (row->caught == 0 || row->round_id != round_id) {
-        return 0;
-    }
-    return row->seat < POI_MAX && round->mode == mode && (round->players & 1u << row->seat) &&
-                   round->player[row->seat].caught == row->caught
-               ? 1
-               : -1;
-}
-
-static int agrees_with(const struct replay_verifier *verifier, const struct ranking *ranking,
-                       uint32_t round_id)
-{
-    uint32_t found = 0;
-    for (uint8_t mode = 0; mode < MODE_COUNT; mode++) {
-        for (uint32_t i = 0; i < RANK_PERIOD_COUNT * RANK_ROWS; i++) {
-            const struct rank_row *row = &ranking->row[mode][i / RANK_ROWS][i % RANK_ROWS];
-            const int says = look_at_row(verifier, row, mode, round_id);
-            if (says < 0) {
-                return 0;
-            }
-            found += (uint32_t)says;
+    const struct rank_row *rows = &ranking->row[0][0][0];
+    bool is_found = false;
+    for (uint32_t i = 0; i < MODE_COUNT * RANK_PERIOD_COUNT * RANK_ROWS; i++) {
+        const struct rank_row *row = &rows[i];
+        if (row->caught == 0 || row->round_id != round_id) {
+            continue;
         }
+        if (row->seat >= POI_MAX || round->mode != i / (RANK_PERIOD_COUNT * RANK_ROWS) ||
+            !(round->players & 1u << row->seat) || round->player[row->seat].caught != row->caught) {
+            return false;
+        }
+        is_found = true;
     }
-    return found > 0;
+    return is_found;
 }
 
-static int same_players(const struct round_record *a, const struct round_record *b)
+static bool same_players(const struct round_record *a, const struct round_record *b)
 {
-    int same = 1;
+    bool same = true;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const struct player_record *one = &a->player[i], *other = &b->player[i];
         same &= one->caught == other->caught && one->scoops == other->scoops &&
@@ -151,8 +138,8 @@ static int same_players(const struct round_record *a, const struct round_record 
     return same;
 }
 
-/* Returns 1 if the simulated round's entry equals the ledger's entry `kept`, otherwise 0. */
-static int is_entry(const struct ledger_entry *played, const struct ledger_entry *kept)
+/* Returns true if the simulated round's entry equals the ledger's entry `kept`. */
+static bool is_entry(const struct ledger_entry *played, const struct ledger_entry *kept)
 {
     const struct round_record *a = &played->round, *b = &kept->round;
     /* Older versions of Kingyo did not store tank data. A round without tank data is accepted. */

@@ -16,6 +16,7 @@
 #ifndef KINGYO_PLATFORM_KIOSK_RECORDER_REPLAY_VERIFIER_H
 #define KINGYO_PLATFORM_KIOSK_RECORDER_REPLAY_VERIFIER_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -43,16 +44,16 @@ struct replay_verifier {
     struct ledger_entry round; /* Newest round entry of the simulated game. The id is 0 before the
                                   first round. */
     uint32_t seen_id;
-    uint8_t is_damaged;
-    uint8_t is_refused; /* 1 if the core returned CORE_ERR_FLOAT, otherwise 0. */
-    uint8_t is_read;    /* 1 if the whole replay was parsed and is valid, otherwise 0. */
+    bool is_damaged;
+    bool is_refused; /* True if the core returned CORE_ERR_FLOAT. */
+    bool is_read;    /* True if the whole replay was parsed and is valid. */
     const uint8_t *bytes;
     size_t size;
 };
 
 /* Opens a replay and sets the calling thread's floating-point control register. `bytes` must
- * outlive the verification. Returns 0. Returns -1 if the header is invalid; the result is then
- * REPLAY_VERDICT_DAMAGED. */
+ * outlive the verification. Returns 0, or -1 if the header is invalid. The result of the
+ * verification is then REPLAY_VERDICT_DAMAGED. */
 int replay_verifier_open(struct replay_verifier *verifier, const uint8_t *bytes, size_t size);
 
 /* Parses at most one second of the open replay, so that the work fits into a frame. Returns 1 if
@@ -63,15 +64,15 @@ int replay_verifier_read(struct replay_verifier *verifier);
 /* Opens and parses a replay completely. Returns 0, or -1 if the replay is invalid. */
 int replay_verifier_begin(struct replay_verifier *verifier, const uint8_t *bytes, size_t size);
 
-/* Simulates one tick. Returns 1. Returns 0 at the end of the replay, at the first difference, or if
- * the core rejected the tick. */
-int replay_verifier_tick(struct replay_verifier *verifier);
+/* Simulates one tick. Returns false at the end of the replay, at the first difference, or if the
+ * core rejected the tick; otherwise returns true. */
+bool replay_verifier_tick(struct replay_verifier *verifier);
 
-/* Returns 1 if the simulation has reached the recorded second in which the last round starts,
- * otherwise 0. The verified score is the score of the last round. */
-int replay_verifier_is_at_round(const struct replay_verifier *verifier);
+/* Returns true if the simulation has reached the recorded second in which the last round starts.
+ * The verified score is the score of the last round. */
+bool replay_verifier_is_at_round(const struct replay_verifier *verifier);
 
-/* Returns the result of the verification. Call after replay_verifier_tick() has returned 0. At
+/* Returns the result of the verification. Call after replay_verifier_tick() has returned false. At
  * least one row of `ranking` must have the id `round_id`, and every row with this id must equal the
  * simulated round. `kept` is the round's ledger entry and must equal the entry of the simulation.
  * An id of 0 in `kept` means that the ledger no longer has the entry. */

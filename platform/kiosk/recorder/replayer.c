@@ -9,6 +9,31 @@
 #include "core/base/panic.h"
 #include "platform/os/print.h"
 
+/* Returns the increase from `*before` to `now`, and sets `*before` to `now`. Returns 0 if the value
+ * has decreased. */
+static uint32_t risen(uint32_t *before, uint32_t now)
+{
+    const uint32_t rise = now > *before ? now - *before : 0;
+    *before = now;
+    return rise;
+}
+
+void recorder_count(struct replay_totals *totals, struct recorder_tally *tally,
+                    const struct core *core)
+{
+    const struct game *game = &core->game;
+    totals->ticks++;
+    totals->rounds += risen(&tally->rounds, game->round_count);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        totals->caught += risen(&tally->caught[i], game->player[i].caught);
+        totals->fouls += risen(&tally->fouls[i], game->player[i].fouls);
+        if (game->phase == PHASE_ROUND && game->player[i].plays) {
+            totals->modes |= (uint16_t)(1u << game->mode);
+            totals->players |= (uint16_t)(1u << i);
+        }
+    }
+}
+
 int replayer_begin(struct replayer *replayer, const char *path, struct core_config *config)
 {
     memset(replayer, 0, sizeof *replayer);
@@ -44,19 +69,19 @@ struct kiosk_source replayer_source(struct replayer *replayer)
     return (struct kiosk_source){ .next = replayer_next, .self = replayer };
 }
 
-int replayer_is_interrupted(const struct replayer *replayer)
+bool replayer_is_interrupted(const struct replayer *replayer)
 {
     const struct replay_reader *reader = &replayer->reader;
     return reader->as_is && reader->chunk_left == 0 && reader->totals.hash == REPLAY_HASH_NONE;
 }
 
-static void compare_replay_value(struct replayer *replayer, int is_full, uint64_t recorded,
+static void compare_replay_value(struct replayer *replayer, bool is_full, uint64_t recorded,
                                  uint64_t computed)
 {
     if (recorded != computed && !replayer->difference.found) {
         replayer->difference = (struct replay_difference){
-            .found = 1,
-            .is_full = is_full != 0,
+            .found = true,
+            .is_full = is_full,
             .tick = replayer->totals.ticks - 1,
             .recorded = recorded,
             .computed = computed,
@@ -74,14 +99,14 @@ static void replayer_tick(void *self, const struct input *input, const struct co
         return;
     }
     if (reader->has_digest) {
-        compare_replay_value(replayer, 0, reader->digest, (uint32_t)core_hash_quick(core));
+        compare_replay_value(replayer, false, reader->digest, (uint32_t)core_hash_quick(core));
     }
     if (reader->chunk_left == 0 && !replayer->difference.found) {
-        compare_replay_value(replayer, 1, reader->totals.hash, core_hash(core));
-        compare_replay_value(replayer, 1, reader->totals.rounds, replayer->totals.rounds);
-        compare_replay_value(replayer, 1, reader->totals.caught, replayer->totals.caught);
-        compare_replay_value(replayer, 1, reader->totals.fouls, replayer->totals.fouls);
-        compare_replay_value(replayer, 1, 1,
+        compare_replay_value(replayer, true, reader->totals.hash, core_hash(core));
+        compare_replay_value(replayer, true, reader->totals.rounds, replayer->totals.rounds);
+        compare_replay_value(replayer, true, reader->totals.caught, replayer->totals.caught);
+        compare_replay_value(replayer, true, reader->totals.fouls, replayer->totals.fouls);
+        compare_replay_value(replayer, true, 1,
                              (uint64_t)replay_totals_agree(&reader->totals, &replayer->totals));
     }
 }
@@ -106,29 +131,16 @@ enum exit_code replayer_print_problem(const char *speaker, const char *path,
 
 /* ---- Recording to a file ------------------------------------------------------------------- */
 
-/* Returns the increase from `*before` to `now`, and sets `*before` to `now`. Returns 0 if the value
- * has decreased. */
-static uint32_t risen(uint32_t *before, uint32_t now)
+void recorder_add_tick(struct replay_writer *writer, struct replay_totals *totals,
+                       struct recorder_tally *tally, const struct input *input,
+                       const struct core *core)
 {
-    const uint32_t rise = now > *before ? now - *before : 0;
-    *before = now;
-    return rise;
-}
-
-void recorder_count(struct replay_totals *totals, struct recorder_tally *tally,
-                    const struct core *core)
-{
-    const struct game *game = &core->game;
-    totals->ticks++;
-    totals->rounds += risen(&tally->rounds, game->round_count);
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        totals->caught += risen(&tally->caught[i], game->player[i].caught);
-        totals->fouls += risen(&tally->fouls[i], game->player[i].fouls);
-        if (game->phase == PHASE_ROUND && game->player[i].plays) {
-            totals->modes |= (uint16_t)(1u << game->mode);
-            totals->players |= (uint16_t)(1u << i);
-        }
+    recorder_count(totals, tally, core);
+    if (replay_wants_hash(writer)) {
+        totals->hash = core_hash(core);
     }
+    replay_add(writer, input, replay_wants_digest(writer) ? (uint32_t)core_hash_quick(core) : 0,
+               totals);
 }
 
 int recorder_begin(struct recorder *recorder, const char *path, const struct core *core)
@@ -137,7 +149,7 @@ int recorder_begin(struct recorder *recorder, const char *path, const struct cor
     memset(&recorder->totals, 0, sizeof recorder->totals);
     memset(&recorder->tally, 0, sizeof recorder->tally);
     recorder->core = core;
-    recorder->is_in_tick = recorder->is_adding = 0;
+    recorder->is_in_tick = recorder->is_adding = false;
     recorder->totals.hash = core_hash(core);
     return replay_create(&recorder->writer, path, &core->config, recorder->totals.hash);
 }
@@ -146,22 +158,16 @@ static void recorder_before(void *self, const struct input *input)
 {
     struct recorder *recorder = self;
     recorder->begun = *input;
-    atomic_store(&recorder->is_in_tick, 1);
+    atomic_store(&recorder->is_in_tick, true);
 }
 
 static void recorder_tick(void *self, const struct input *input, const struct core *core)
 {
     struct recorder *recorder = self;
-    atomic_store(&recorder->is_adding, 1);
-    atomic_store(&recorder->is_in_tick, 0);
-    recorder_count(&recorder->totals, &recorder->tally, core);
-    if (replay_wants_hash(&recorder->writer)) {
-        recorder->totals.hash = core_hash(core);
-    }
-    const int wants_digest = replay_wants_digest(&recorder->writer);
-    replay_add(&recorder->writer, input, wants_digest ? (uint32_t)core_hash_quick(core) : 0,
-               &recorder->totals);
-    atomic_store(&recorder->is_adding, 0);
+    atomic_store(&recorder->is_adding, true);
+    atomic_store(&recorder->is_in_tick, false);
+    recorder_add_tick(&recorder->writer, &recorder->totals, &recorder->tally, input, core);
+    atomic_store(&recorder->is_adding, false);
 }
 
 struct kiosk_tap recorder_tap(struct recorder *recorder)
@@ -171,10 +177,9 @@ struct kiosk_tap recorder_tap(struct recorder *recorder)
 
 int recorder_end(struct recorder *recorder)
 {
-    const int is_open = replay_is_open(&recorder->writer); /* The core must not be hashed if no
-                                                              recording is open, because the core
-                                                              may not exist. */
-    return replay_finish(&recorder->writer, is_open ? core_hash(recorder->core) : 0);
+    /* The core must not be hashed if no recording is open, because the core may not exist. */
+    return replay_finish(&recorder->writer,
+                         replay_is_open(&recorder->writer) ? core_hash(recorder->core) : 0);
 }
 
 int recorder_end_in_panic(struct recorder *recorder)

@@ -6,6 +6,7 @@
 #define KINGYO_PLATFORM_KIOSK_RECORDER_REPLAYER_H
 
 #include <stdatomic.h>
+#include <stdbool.h>
 
 #include "core/core.h"
 #include "platform/config/options.h"
@@ -48,16 +49,21 @@ struct recorder {
     struct recorder_tally tally;
     const struct core *core; /* Core that is recorded. recorder_end() writes the hash of its state
                                 with the last, incomplete second. */
-    struct input begun;      /* Input of the current tick. Valid while is_in_tick is 1. */
-    atomic_uchar is_in_tick; /* 1 while core_tick() runs, otherwise 0. */
-    atomic_uchar is_adding;  /* 1 while recorder_tick() changes `totals` and `writer`, otherwise
-                                0. */
+    struct input begun;      /* Input of the current tick. Valid while is_in_tick is true. */
+    atomic_bool is_in_tick;  /* True while core_tick() runs. */
+    atomic_bool is_adding;   /* True while recorder_tick() changes `totals` and `writer`. */
 };
 
 /* Updates `totals` after a tick: the numbers of ticks, rounds, caught fish and fouls, and the modes
  * and players. If a count is lower than in `tally`, the count has restarted at 0. */
 void recorder_count(struct replay_totals *totals, struct recorder_tally *tally,
                     const struct core *core);
+
+/* Calls recorder_count() after a tick of `core`, and adds the tick's input and digest to the
+ * recording. */
+void recorder_add_tick(struct replay_writer *writer, struct replay_totals *totals,
+                       struct recorder_tally *tally, const struct input *input,
+                       const struct core *core);
 
 /* Starts a recording of `core`. The core must not have run a tick and must outlive the recording.
  * Returns 0 or a negative errno. */
@@ -81,11 +87,11 @@ int recorder_end_in_panic(struct recorder *recorder);
 
 /* First difference between the simulation and the recording. */
 struct replay_difference {
-    uint8_t found;
-    /* 1 if the difference is in the full hash or in a count, which are compared at the end of each
-     * recorded second. 0 if the difference is in the short digest, which is compared at each
-     * tick. */
-    uint8_t is_full;
+    bool found;
+    /* True if the difference is in the full hash or in a count, which are compared at the end of
+     * each recorded second. False if the difference is in the short digest, which is compared at
+     * each tick. */
+    bool is_full;
     uint32_t tick; /* Tick of the difference, counted from 0. */
     uint64_t recorded, computed;
 };
@@ -95,7 +101,7 @@ struct replayer {
     struct replay_totals totals; /* Totals of the simulation so far. */
     struct recorder_tally tally;
     struct replay_difference difference;
-    uint8_t damaged; /* 1 if the recording's file is invalid, otherwise 0; see reader.problem. */
+    bool damaged; /* True if the recording's file is invalid; see reader.problem. */
 };
 
 /* Opens the recording `path` and writes its initial state to `config`. Returns 0, or -1 and sets
@@ -112,9 +118,9 @@ int replayer_begin_in(struct replayer *replayer, const uint8_t *bytes, size_t si
 struct kiosk_source replayer_source(struct replayer *replayer);
 struct kiosk_tap replayer_tap(struct replayer *replayer);
 
-/* Returns 1 if a panic interrupted the newest tick, so that the recording has no state after the
- * newest tick. Otherwise returns 0. */
-int replayer_is_interrupted(const struct replayer *replayer);
+/* Returns true if a panic interrupted the newest tick, so that the recording has no state after the
+ * newest tick. */
+bool replayer_is_interrupted(const struct replayer *replayer);
 
 /* Closes the recording. */
 void replayer_end(struct replayer *replayer);

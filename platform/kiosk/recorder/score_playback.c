@@ -14,7 +14,7 @@ void score_playback_request(struct score_playback *playback, uint32_t round_id)
         return; /* The store is still writing a previously requested replay to `bytes`. */
     }
     playback->state = ENCORE_SEEKS;
-    playback->is_open = playback->has_play = 0;
+    playback->is_open = playback->has_play = false;
     playback->round_id = round_id;
     playback->end_ticks = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -26,13 +26,13 @@ void score_playback_request(struct score_playback *playback, uint32_t round_id)
 void score_playback_end(struct score_playback *playback)
 {
     playback->state = ENCORE_OFF;
-    playback->is_open = playback->has_play = 0;
+    playback->is_open = playback->has_play = false;
 }
 
-int score_playback_handle_input(struct score_playback *playback, uint32_t pressed,
-                                const struct poi_input poi[POI_MAX])
+bool score_playback_handle_input(struct score_playback *playback, uint32_t pressed,
+                                 const struct poi_input poi[POI_MAX])
 {
-    int dips = 0;
+    bool dips = false;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (poi[i].link == POI_SOURCE_LIVE) {
             const float y_m = poi[i].target.position_m.y;
@@ -42,9 +42,9 @@ int score_playback_handle_input(struct score_playback *playback, uint32_t presse
     }
     if (pressed != 0 || dips) {
         score_playback_end(playback);
-        return 1;
+        return true;
     }
-    return 0;
+    return false;
 }
 
 static void conclude(struct score_playback *playback, const struct ranking *ranking)
@@ -73,7 +73,7 @@ static void fetch_score_replay(struct score_playback *playback, const struct hal
     if (size == HAL_ERR_BUSY) {
         return;
     }
-    playback->is_asked = 0;
+    playback->is_asked = false;
     if (playback->state == ENCORE_OFF) {
         return; /* The playback was ended while the store loaded the replay. */
     }
@@ -82,26 +82,7 @@ static void fetch_score_replay(struct score_playback *playback, const struct hal
     } else if (replay_verifier_open(&playback->judge, playback->bytes, (size_t)size)) {
         conclude(playback, ranking);
     } else {
-        playback->is_open = 1;
-    }
-}
-
-/* Parses one second of the replay. */
-static void read_on(struct score_playback *playback, const struct ranking *ranking)
-{
-    const int more = replay_verifier_read(&playback->judge);
-    playback->has_play = more == 0;
-    if (more < 0) {
-        conclude(playback, ranking);
-    }
-}
-
-static void seek_on(struct score_playback *playback, const struct ranking *ranking)
-{
-    if (replay_verifier_is_at_round(&playback->judge)) {
-        playback->state = ENCORE_PLAYS;
-    } else if (!replay_verifier_tick(&playback->judge)) {
-        conclude(playback, ranking);
+        playback->is_open = true;
     }
 }
 
@@ -115,7 +96,19 @@ static void seek(struct score_playback *playback, const struct hal_clock *stopwa
     for (uint32_t i = 0; i < SCORE_PLAYBACK_SEEK_TICKS && spent_ns < SCORE_PLAYBACK_SEEK_NS &&
                          playback->state == ENCORE_SEEKS;
          i++) {
-        (playback->has_play ? seek_on : read_on)(playback, ranking);
+        bool is_over = false;
+        if (!playback->has_play) {
+            const int more = replay_verifier_read(&playback->judge); /* Parses one second. */
+            playback->has_play = more == 0;
+            is_over = more < 0;
+        } else if (replay_verifier_is_at_round(&playback->judge)) {
+            playback->state = ENCORE_PLAYS;
+        } else {
+            is_over = !replay_verifier_tick(&playback->judge);
+        }
+        if (is_over) {
+            conclude(playback, ranking);
+        }
         spent_ns = hal_now_ns(*stopwatch) - begin_ns;
     }
 }
@@ -124,7 +117,7 @@ void score_playback_frame(struct score_playback *playback, const struct hal *hal
                           const struct hal_clock *stopwatch, const struct ranking *ranking,
                           uint32_t tick_count)
 {
-    const int waits = playback->state == ENCORE_SEEKS && !playback->is_open;
+    const bool waits = playback->state == ENCORE_SEEKS && !playback->is_open;
     if (waits || playback->is_asked) {
         fetch_score_replay(playback, &hal->storage, ranking);
     } else if (playback->state == ENCORE_SEEKS) {

@@ -21,11 +21,11 @@
 #define SCORE_PLAYBACK_SEEK_TICKS 240u
 
 struct score_playback {
-    uint8_t state;    /* State of the playback (enum scene_encore). */
-    uint8_t is_asked; /* 1 while the store loads the replay, otherwise 0. */
-    uint8_t is_open;  /* 1 if the verifier has opened the replay, otherwise 0. */
-    uint8_t has_play; /* 1 if the verifier has parsed the whole replay, so that the scene can be
-                         drawn. Otherwise 0. */
+    uint8_t state; /* State of the playback (enum scene_encore). */
+    bool is_asked; /* True while the store loads the replay. */
+    bool is_open;  /* True if the verifier has opened the replay. */
+    bool has_play; /* True if the verifier has parsed the whole replay, so that the scene can be
+                         drawn. */
     uint32_t round_id;
     uint32_t end_ticks;       /* Ticks since the end of the playback, during which the result is
                                  shown. */
@@ -39,10 +39,10 @@ struct score_playback {
  * requested again in each frame. The function has no effect while the store loads a replay. */
 void score_playback_request(struct score_playback *playback, uint32_t round_id);
 
-/* Handles input during a playback. `pressed` is the bit set of the pressed buttons. Returns 1 if
- * the input ends the playback, otherwise 0. */
-int score_playback_handle_input(struct score_playback *playback, uint32_t pressed,
-                                const struct poi_input poi[POI_MAX]);
+/* Handles input during a playback. `pressed` is the bit set of the pressed buttons. Returns true
+ * if the input ends the playback. */
+bool score_playback_handle_input(struct score_playback *playback, uint32_t pressed,
+                                 const struct poi_input poi[POI_MAX]);
 
 /* score_playback_frame() advances the playback by `tick_count` ticks; call it once per frame.
  * score_playback_show() replaces the sounds of `output`. After the playback has reached the start

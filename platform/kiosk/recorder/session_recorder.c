@@ -25,18 +25,18 @@ void session_recorder_withhold_pin(struct core_config *config, int32_t *told)
     *kept = *kept != 0 ? PIN_WITHHELD : 0;
 }
 
-static int is_pin(int32_t value)
+static bool is_pin(int32_t value)
 {
     return value != 0 && value != PIN_WITHHELD;
 }
 
-int session_recorder_start_has_pin(const struct core_config *config)
+bool session_recorder_start_has_pin(const struct core_config *config)
 {
     return is_pin(config->persistent.settings.value[SET_PIN]) ||
            is_pin(config->session.settings_edit.told.value[SET_PIN]);
 }
 
-int session_recorder_types_pin(const struct core *core)
+bool session_recorder_types_pin(const struct core *core)
 {
     const struct menu *menu = &core->game.menu;
     return core->game.phase == PHASE_MENU &&
@@ -50,19 +50,19 @@ void session_recorder_begin(struct session_recorder *chapters, const struct core
     memset(&chapters->tally, 0, sizeof chapters->tally);
     chapters->totals.hash = core_hash(core);
     chapters->seen_id = core->game.accounts.ledger.last_id;
-    chapters->has_pin = 0;
+    chapters->has_pin = false;
     chapters->start = core->config;
     session_recorder_withhold_pin(&chapters->start, NULL);
     replay_create_in(&chapters->writer, chapters->memory, sizeof chapters->memory, &core->config,
                      chapters->totals.hash);
 }
 
-static int is_ranked(const struct core *core, const struct ledger_entry *entry)
+static bool is_ranked(const struct core *core, const struct ledger_entry *entry)
 {
     const struct round_record *round = &entry->round;
     uint32_t place = RANK_ROWS;
     if (entry->kind != LEDGER_ROUND || round->by_bot || round->unscored) {
-        return 0;
+        return false;
     }
     for (uint32_t i = 0; i < RANK_PERIOD_COUNT * POI_MAX && place == RANK_ROWS; i++) {
         place = ranking_place(&core->game.accounts.ranking, round->mode,
@@ -86,76 +86,61 @@ static void keep_round(struct session_recorder *chapters, uint32_t round_id,
             replay_replace_start(chapters->replay, chapters->replay_size, sizeof chapters->replay,
                                  &chapters->start, &chapters->seal);
     }
-    chapters->is_sealed = 0;
+    chapters->is_sealed = false;
     chapters->round_id = chapters->replay_size > 0 ? round_id : 0;
     chapters->missed += chapters->replay_size == 0;
 }
 
 void session_recorder_before(struct session_recorder *chapters, const struct input *input)
 {
-    atomic_store(&chapters->is_busy, 1);
+    atomic_store(&chapters->is_busy, true);
     /* Block the thread that runs the ticks forever if another thread has panicked. */
     while (atomic_load(&chapters->is_frozen)) {
-        atomic_store(&chapters->is_busy, 0);
+        atomic_store(&chapters->is_busy, false);
         pause();
     }
     chapters->begun = *input;
-    atomic_store(&chapters->is_in_tick, 1);
+    atomic_store(&chapters->is_in_tick, true);
 }
 
-static void note_tick(struct session_recorder *chapters, const struct input *input,
-                      const struct core *core, const struct output *output)
+void session_recorder_tick(struct session_recorder *chapters, const struct input *input,
+                           const struct core *core, const struct output *output)
 {
+    atomic_store(&chapters->is_in_tick, false);
     if (core_is_fresh(core)) { /* The new session's initial configuration already includes the
                                   effect of the current tick. */
         session_recorder_begin(chapters, core);
-        return;
+    } else {
+        chapters->has_pin = chapters->has_pin || session_recorder_types_pin(core);
+        recorder_add_tick(&chapters->writer, &chapters->totals, &chapters->tally, input, core);
     }
-    chapters->has_pin = chapters->has_pin || session_recorder_types_pin(core);
-    struct replay_writer *writer = &chapters->writer;
-    uint32_t digest = 0;
-    recorder_count(&chapters->totals, &chapters->tally, core);
-    if (replay_wants_hash(writer)) {
-        chapters->totals.hash = core_hash(core);
-    }
-    if (replay_wants_digest(writer)) {
-        digest = (uint32_t)core_hash_quick(core);
-    }
-    replay_add(writer, input, digest, &chapters->totals);
     while (chapters->seen_id != core->game.accounts.ledger.last_id) {
         const struct ledger_entry *entry = &output->entries[++chapters->seen_id % LEDGER_RING];
         if (entry->id == chapters->seen_id && is_ranked(core, entry)) {
             keep_round(chapters, entry->id, core);
         }
     }
+    atomic_store(&chapters->is_busy, false);
 }
 
-void session_recorder_tick(struct session_recorder *chapters, const struct input *input,
-                           const struct core *core, const struct output *output)
-{
-    atomic_store(&chapters->is_in_tick, 0);
-    note_tick(chapters, input, core, output);
-    atomic_store(&chapters->is_busy, 0);
-}
-
-int session_recorder_freeze(struct session_recorder *chapters, int is_own)
+bool session_recorder_freeze(struct session_recorder *chapters, bool is_own)
 {
     if (is_own) {
         return !atomic_load(&chapters->is_busy) || atomic_load(&chapters->is_in_tick);
     }
-    atomic_store(&chapters->is_frozen, 1);
+    atomic_store(&chapters->is_frozen, true);
     for (int i = 0; i < SESSION_RECORDER_FREEZE_MS && atomic_load(&chapters->is_busy); i++) {
         poll(NULL, 0, 1);
     }
     return !atomic_load(&chapters->is_busy);
 }
 
-int session_recorder_has_begun(const struct session_recorder *chapters)
+bool session_recorder_has_begun(const struct session_recorder *chapters)
 {
     return chapters->writer.offset > 0;
 }
 
-int session_recorder_dump(struct session_recorder *chapters, const struct core *core, int is_sound,
+int session_recorder_dump(struct session_recorder *chapters, const struct core *core, bool is_sound,
                           int fd)
 {
     uint64_t hash = chapters->totals.hash;
@@ -171,28 +156,27 @@ int session_recorder_dump(struct session_recorder *chapters, const struct core *
 
 /* The store drops replays of rounds that are not in its database. Therefore the replay is passed to
  * the store after its round is on disk. */
-int session_recorder_offer(struct session_recorder *chapters, const struct hal_storage *storage)
+bool session_recorder_offer(struct session_recorder *chapters, const struct hal_storage *storage)
 {
     CORE_ASSERT(storage->ledger.ops && storage->replays.ops);
     const struct hal_replay_store *store = &storage->replays;
     if (chapters->round_id != 0 && !chapters->is_sealed) {
-        chapters->is_sealed =
-            (uint8_t)replay_seal_next(&chapters->seal, SESSION_RECORDER_SEAL_SIZE);
+        chapters->is_sealed = replay_seal_next(&chapters->seal, SESSION_RECORDER_SEAL_SIZE);
     }
     if (chapters->round_id == 0 || !chapters->is_sealed ||
         storage->ledger.ops->committed_id(storage->ledger.self) < chapters->round_id) {
-        return 0;
+        return false;
     }
     if (chapters->is_lent) {
-        const int is_done = store->ops->stored_id(store->self) == chapters->round_id;
+        const bool is_done = store->ops->stored_id(store->self) == chapters->round_id;
         chapters->round_id = is_done ? 0 : chapters->round_id;
         chapters->is_lent = !is_done;
-        return 0;
+        return false;
     }
     const int result =
         store->ops->store(store->self, chapters->round_id, chapters->replay, chapters->replay_size);
     if (result == HAL_OK) {
-        chapters->is_lent = 1;
+        chapters->is_lent = true;
     } else if (result != HAL_ERR_BUSY) {
         chapters->round_id = 0;
         chapters->missed += (uint32_t)hal_is_fault(result);

@@ -15,6 +15,7 @@
 #define KINGYO_PLATFORM_KIOSK_RECORDER_SESSION_RECORDER_H
 
 #include <stdatomic.h>
+#include <stdbool.h>
 
 #include "platform/hal.h"
 #include "platform/kiosk/recorder/replayer.h"
@@ -45,21 +46,20 @@ struct session_recorder {
     struct recorder_tally tally;
     uint32_t seen_id;  /* Id of the newest ledger entry that was examined. */
     uint32_t round_id; /* Id of the round whose replay is in `replay`. 0 means no replay. */
-    uint8_t is_lent;   /* 1 while the store uses `replay`, otherwise 0. */
-    uint8_t is_sealed; /* 1 if the checksums of `replay` are complete, otherwise 0. */
+    bool is_lent;      /* True while the store uses `replay`. */
+    bool is_sealed;    /* True if the checksums of `replay` are complete. */
     struct replay_seal seal;
-    uint8_t has_pin; /* 1 if digits of a PIN were typed in the session, otherwise 0. If the value is
-                        1, the store gets no replay of the session. */
+    bool has_pin; /* True if digits of a PIN were typed in the session. The store then gets no
+                     replay of the session. */
     size_t replay_size;
-    uint32_t missed;         /* Number of ranked rounds whose replay could not be stored. */
-    struct input begun;      /* Input of the current tick. Valid while is_in_tick is 1. */
-    atomic_uchar is_in_tick; /* 1 while core_tick() runs, otherwise 0. */
-    /* 1 between the start of session_recorder_before() and the end of session_recorder_tick(),
-     * otherwise 0. */
-    atomic_uchar is_busy;
-    atomic_uchar is_frozen; /* 1 if the panic handler reads the recording, otherwise 0. While the
-                               value is 1, the thread that runs the ticks blocks before it changes
-                               the recording. */
+    uint32_t missed;        /* Number of ranked rounds whose replay could not be stored. */
+    struct input begun;     /* Input of the current tick. Valid while is_in_tick is true. */
+    atomic_bool is_in_tick; /* True while core_tick() runs. */
+    /* True between the start of session_recorder_before() and the end of
+     * session_recorder_tick(). */
+    atomic_bool is_busy;
+    atomic_bool is_frozen; /* True if the panic handler reads the recording. The thread that runs
+                               the ticks then blocks before it changes the recording. */
     uint8_t memory[SESSION_RECORDER_MEMORY];
     uint8_t replay[SESSION_RECORDER_SIZE];
 };
@@ -80,9 +80,9 @@ void session_recorder_tick(struct session_recorder *chapters, const struct input
 #define SESSION_RECORDER_SEAL_SIZE (128u * 1024u)
 
 /* Computes checksums of the finished replay, SESSION_RECORDER_SEAL_SIZE bytes per call. Passes the
- * replay to the store after its round is on disk. Call once per frame. Returns 1 if the store
- * failed, otherwise 0. */
-int session_recorder_offer(struct session_recorder *chapters, const struct hal_storage *storage);
+ * replay to the store after its round is on disk. Call once per frame. Returns true if the
+ * store failed. */
+bool session_recorder_offer(struct session_recorder *chapters, const struct hal_storage *storage);
 
 /* ---- PIN in a recording -------------------------------------------------------------------- */
 
@@ -92,28 +92,30 @@ int session_recorder_offer(struct session_recorder *chapters, const struct hal_s
  * that the simulated game stays the same. */
 void session_recorder_withhold_pin(struct core_config *config, int32_t *told);
 
-/* Returns 1 if the initial configuration of a recording contains a PIN, otherwise 0. */
-int session_recorder_start_has_pin(const struct core_config *config);
+/* Returns true if the initial configuration of a recording contains a PIN. */
+bool session_recorder_start_has_pin(const struct core_config *config);
 
-/* Returns 1 while digits of a PIN are typed, otherwise 0. Inputs that are recorded during this time
- * contain the digits. */
-int session_recorder_types_pin(const struct core *core);
+/* Returns true while digits of a PIN are typed. Inputs that are recorded during this time contain
+ * the digits. */
+bool session_recorder_types_pin(const struct core *core);
 
 /* ---- Async-signal-safe functions for the panic handler ------------------------------------- */
 
-/* Stops all changes of the recording. `is_own` is 1 if the calling thread runs the ticks. If
- * `is_own` is 0, waits for the end of the current tick, at most SESSION_RECORDER_FREEZE_MS
- * milliseconds. Returns 1. Returns 0 if a change was interrupted or is still in progress. */
+/* Stops all changes of the recording, so that the panic handler can write the recording. `is_own`
+ * is true if the calling thread is the thread that runs the ticks. If `is_own` is false, the
+ * function waits for the end of the current tick, at most SESSION_RECORDER_FREEZE_MS milliseconds.
+ * Returns false if a change of the recording was interrupted or is still in progress, otherwise
+ * true. */
 #define SESSION_RECORDER_FREEZE_MS 200
-int session_recorder_freeze(struct session_recorder *chapters, int is_own);
+bool session_recorder_freeze(struct session_recorder *chapters, bool is_own);
 
-/* Returns 1 if there is a session to write, otherwise 0. */
-int session_recorder_has_begun(const struct session_recorder *chapters);
+/* Returns true if there is a session to write. */
+bool session_recorder_has_begun(const struct session_recorder *chapters);
 
 /* Writes the session to the descriptor `fd`. session_recorder_freeze() must be called first, and
  * `is_sound` is the value that it returned. An interrupted tick is written with its input and
  * REPLAY_HASH_NONE. Returns 0 or a negative errno. */
-int session_recorder_dump(struct session_recorder *chapters, const struct core *core, int is_sound,
+int session_recorder_dump(struct session_recorder *chapters, const struct core *core, bool is_sound,
                           int fd);
 
 #endif

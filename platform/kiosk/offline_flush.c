@@ -1,0 +1,122 @@
+/* offline_flush.c -- computes the offline credits that are not yet on disk and transfers them to
+ * the store; see offline_flush.h. */
+#include "platform/kiosk/offline_flush.h"
+
+#include "core/base/panic.h"
+
+/* Maximum number of entries in one call of merge_offline(). Additional entries follow in the next
+ * transaction. */
+#define BATCH_MAX 16u
+
+struct batch {
+    const struct core *core;
+    const struct audits *told; /* Audit counts that the store has already written to disk. */
+    struct ledger_entry entries[BATCH_MAX];
+    uint32_t count;
+};
+
+/* Returns the part of the counter `audit` that is not yet on disk. */
+static uint32_t unflushed_count(const struct batch *batch, uint32_t audit)
+{
+    CORE_ASSERT(audit < AUDIT_COUNT);
+    const uint32_t count = batch->core->game.accounts.audits.count[audit];
+    const uint32_t told = batch->told->count[audit];
+    return count > told ? count - told : 0u;
+}
+
+static void add_entry(struct batch *batch, uint8_t kind, uint32_t detail, uint32_t count,
+                      uint32_t value)
+{
+    CORE_ASSERT(batch->count <= BATCH_MAX);
+    const struct ledger *ledger = &batch->core->game.accounts.ledger;
+    if (batch->count < BATCH_MAX) {
+        batch->entries[batch->count++] = (struct ledger_entry){
+            .tick = batch->core->game.tick,
+            .day = ledger->day,
+            .minute = ledger->minute,
+            .kind = kind,
+            .detail = (uint8_t)detail,
+            .count = count,
+            .value = (int32_t)value,
+        };
+    }
+}
+
+/* Adds an entry for each kind of credit that was counted since the last transfer. */
+static void add_credits(struct batch *batch)
+{
+    static const struct {
+        uint8_t kind, audit;
+    } counts[] = {
+        { LEDGER_CREDITS, AUDIT_CREDITS_PAID },
+        { LEDGER_EXPIRED, AUDIT_EXPIRED },
+        { LEDGER_TEST_COIN, AUDIT_TEST_COINS },
+    };
+    for (uint32_t i = 0; i < sizeof counts / sizeof counts[0]; i++) {
+        const uint32_t count = unflushed_count(batch, counts[i].audit);
+        const uint32_t bonus =
+            counts[i].kind == LEDGER_CREDITS ? unflushed_count(batch, AUDIT_CREDITS_BONUS) : 0u;
+        if (count > 0) {
+            add_entry(batch, counts[i].kind, 0, count, bonus);
+        }
+    }
+    for (uint32_t i = unflushed_count(batch, AUDIT_CREDITS_SERVICE);
+         i > 0 && batch->count < BATCH_MAX; i--) {
+        add_entry(batch, LEDGER_SERVICE, 0, 1, 0);
+    }
+}
+
+bool offline_flush_step(struct offline_flush *flush, const struct hal_ledger *store,
+                        const struct core *core)
+{
+    struct batch batch = { .core = core, .told = &flush->told };
+    /* Record the amounts of a transfer as transferred after the store has written the transfer. */
+    if (flush->is_asked && store->ops->offline_merged(store->self) == HAL_OK) {
+        flush->told = flush->asked;
+        flush->told_balance = flush->asked_balance;
+        flush->is_asked = false;
+    }
+    if (flush->is_asked) {
+        return false;
+    }
+    const struct balance_change step = { flush->told_balance, core->game.accounts.ledger.balance };
+    /* Add one entry for each coin line that received coins. The audits contain only the total value
+     * of all coins, not the value of each coin line. Therefore the first entry gets the total
+     * value, and the other entries get 0. */
+    uint32_t units = unflushed_count(&batch, AUDIT_UNITS);
+    for (uint32_t line = 0; line < COIN_LINE_COUNT; line++) {
+        const uint32_t pulses = unflushed_count(&batch, AUDIT_COINS_1 + line);
+        if (pulses > 0) {
+            add_entry(&batch, LEDGER_COINS, line, pulses, units);
+            units = 0;
+        }
+    }
+    add_credits(&batch);
+    /* Add the offline tickets as an entry for a round (LEDGER_ROUND) without players. The
+     * balance already contains the tickets. The entry only makes the audits count the tickets. */
+    const uint32_t count = unflushed_count(&batch, AUDIT_TICKETS);
+    if (count > 0 && batch.count < BATCH_MAX) {
+        add_entry(&batch, LEDGER_ROUND, 0, 0, count);
+        batch.entries[batch.count - 1u].round.unscored = 1;
+    }
+    if (batch.count == 0 && step.from.units == step.to.units &&
+        step.from.bonus_units == step.to.bonus_units && step.from.paid == step.to.paid &&
+        step.from.service == step.to.service && step.from.unlogged == step.to.unlogged &&
+        step.from.tickets == step.to.tickets) {
+        return true;
+    }
+    if (batch.count == 0) {
+        add_entry(&batch, LEDGER_HEALTH, 0, 0,
+                  0); /* A health entry whose counts are all 0 only stores the changed
+                                       balance. */
+    }
+    if (store->ops->merge_offline(store->self, &step, batch.entries, batch.count) == HAL_OK) {
+        flush->asked = flush->told;
+        for (uint32_t i = 0; i < batch.count; i++) {
+            audits_note(&flush->asked, &batch.entries[i]);
+        }
+        flush->asked_balance = step.to;
+        flush->is_asked = true;
+    }
+    return false;
+}

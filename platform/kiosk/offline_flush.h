@@ -1,0 +1,34 @@
+/* offline_flush.h -- transfers offline credits to a store that appears later. Offline credits are
+ * coins and credits that the kiosk received while it had no store.
+ *
+ * A kiosk that started without a store must restart to use a store that appears later. The restart
+ * would lose data that are only in memory: coins, the credits that the coins bought, and service
+ * credits. Therefore the kiosk first transfers these data to the store. Each transfer contains only
+ * amounts that no earlier transfer contained. Coins that are inserted during a transfer wait for
+ * the next transfer. Each coin is therefore stored exactly once. */
+#ifndef KINGYO_PLATFORM_KIOSK_OFFLINE_FLUSH_H
+#define KINGYO_PLATFORM_KIOSK_OFFLINE_FLUSH_H
+
+#include <stdbool.h>
+
+#include "core/core.h"
+#include "platform/hal.h"
+
+/* State of the transfer. A structure of zeros means that nothing has been transferred. */
+struct offline_flush {
+    struct audits told; /* Audit counts of this kiosk that the store has already written to disk. */
+    struct balance told_balance; /* Balance of this kiosk that the store has already written to
+                                    disk. */
+    struct audits asked; /* Audit counts of this kiosk that will be on disk when the current write
+                            succeeds. */
+    struct balance asked_balance;
+    bool is_asked; /* True while the store writes the amounts in `asked`. */
+};
+
+/* Transfers the amounts that are not yet on disk. Call once per frame while a new store exists and
+ * no game runs. Returns true if all amounts are on disk, so that the kiosk may restart in this
+ * frame. */
+bool offline_flush_step(struct offline_flush *flush, const struct hal_ledger *store,
+                        const struct core *core);
+
+#endif
