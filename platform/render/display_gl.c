@@ -56,11 +56,6 @@ static void display_gl_release(struct display_gl *display)
     display->has_shown = false;
 }
 
-static const char *sockets_of(const struct display_gl *display)
-{
-    return display->config.sockets ? display->config.sockets : "/sys/class/drm";
-}
-
 static uint64_t display_gl_now_ns(void)
 {
     const struct hal_clock clock = clock_device();
@@ -81,7 +76,7 @@ static int create_window(struct display_gl *display)
     }
     screen_card_prefer();
     if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) {
-        return display_gl_fail(display, "SDL video does not start", SDL_GetError());
+        return display_gl_fail(display, "SDL video cannot start", SDL_GetError());
     }
     /* SDL may choose a video driver without a visible picture ("offscreen" or "dummy"), for example
      * if the window system has stopped. Such a driver is accepted only if `off_screen` or the
@@ -90,8 +85,8 @@ static int create_window(struct display_gl *display)
     if (!display->config.off_screen && !SDL_getenv("SDL_VIDEODRIVER") && driver &&
         (strcmp(driver, "offscreen") == 0 || strcmp(driver, "dummy") == 0)) {
         SDL_QuitSubSystem(SDL_INIT_VIDEO);
-        return display_gl_fail(display, "no screen answers",
-                               "SDL found only one that shows nothing");
+        return display_gl_fail(display, "no screen is available",
+                               "SDL offers only a video driver without a picture");
     }
     SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, SDL_GL_CONTEXT_PROFILE_ES);
     SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, 3);
@@ -102,7 +97,7 @@ static int create_window(struct display_gl *display)
         SDL_CreateWindow(config->title ? config->title : "Kingyo", SDL_WINDOWPOS_CENTERED,
                          SDL_WINDOWPOS_CENTERED, width, height, flags);
     if (!display->window) {
-        const int error = display_gl_fail(display, "SDL opens no window", SDL_GetError());
+        const int error = display_gl_fail(display, "SDL cannot open a window", SDL_GetError());
         SDL_QuitSubSystem(SDL_INIT_VIDEO);
         return error;
     }
@@ -136,7 +131,7 @@ static int create_context(struct display_gl *display)
         .library = display->config.library,
     };
     if (renderer_open(&display->renderer, &wanted) != HAL_OK) {
-        return display_gl_fail(display, "renderer", renderer_error(&display->renderer));
+        return display_gl_fail(display, "renderer", display->renderer.status.text);
     }
     if (display->is_placed) {
         renderer_place(&display->renderer, &display->display_settings);
@@ -166,7 +161,7 @@ static int govern(struct display_gl *display, const struct scene *scene)
         return HAL_OK;
     }
     if (renderer_lower(&display->renderer, step) != HAL_OK) {
-        return display_gl_fail(display, "quality", renderer_error(&display->renderer));
+        return display_gl_fail(display, "quality", display->renderer.status.text);
     }
     renderer_describe(&display->renderer, display->text, sizeof display->text);
     return HAL_OK;
@@ -179,14 +174,14 @@ static int display_open(void *self)
     display->lost = display->broken = false;
     const char *const asked = SDL_getenv("SDL_VIDEODRIVER");
     display->is_bare = !display->config.off_screen && asked && strcasecmp(asked, "kmsdrm") == 0;
-    display->plugged = screen_connectors(sockets_of(display));
+    display->plugged = screen_connectors(display->config.sockets);
     display->looked_ns = display_gl_now_ns();
     display->changed_looks = 0;
     if (display->is_bare && display->plugged.count > 0 && display->plugged.connected == 0) {
         display->lost = true; /* SDL is not initialized, because SDL takes long to detect that no
                                  screen is connected. */
         return display_gl_fail(display, "screen",
-                               "none is plugged in; it is looked for each second");
+                               "no screen is connected; the kiosk checks once a second");
     }
     int error = create_window(display);
     if (error == HAL_OK) {
@@ -227,13 +222,14 @@ static void watch_plugs(struct display_gl *display)
         return;
     }
     display->looked_ns = now;
-    const struct connectors plugged = screen_connectors(sockets_of(display));
+    const struct connectors plugged = screen_connectors(display->config.sockets);
     const bool is_other = plugged.count > 0 && plugged.which != display->plugged.which;
     display->changed_looks = (uint8_t)(is_other ? display->changed_looks + 1u : 0u);
     if (display->changed_looks >= LOOKS) {
         display_gl_release(display);
         display_gl_fail(display, "screen",
-                        plugged.connected ? "another was plugged in" : "it was pulled out");
+                        plugged.connected ? "a different screen was connected"
+                                          : "the screen was unplugged");
         display->lost = true;
     }
 }
@@ -282,7 +278,7 @@ static int follow_size(struct display_gl *display)
         return HAL_OK;
     }
     if (renderer_resize(&display->renderer, (uint32_t)width, (uint32_t)height) != HAL_OK) {
-        return display_gl_fail(display, "resize", renderer_error(&display->renderer));
+        return display_gl_fail(display, "resize", display->renderer.status.text);
     }
     renderer_describe(&display->renderer, display->text, sizeof display->text);
     return HAL_OK;
@@ -307,7 +303,7 @@ static int display_present(void *self, const struct scene *scene)
     renderer_draw(&display->renderer, scene);
     SDL_GL_SwapWindow(display->window);
     if (!display->lost && !renderer_is_alive(&display->renderer)) {
-        display_gl_fail(display, "frame", renderer_error(&display->renderer));
+        display_gl_fail(display, "frame", display->renderer.status.text);
         display->lost = true;
     }
     if (!display->lost && govern(display, scene) != HAL_OK) {
@@ -352,7 +348,7 @@ static int display_capture(void *self, struct hal_image *image)
     /* If pictures are drawn only on demand, the growth lab or the album is drawn PAINT_DRAWS times.
      * After these draws, the fish textures are painted at full resolution. */
     const uint8_t phase = display->shown.phase;
-    const int paints = display->config.on_demand && (phase == PHASE_LAB || phase == PHASE_ALBUM);
+    const bool paints = display->config.on_demand && (phase == PHASE_LAB || phase == PHASE_ALBUM);
     for (uint32_t i = 0; i < (paints ? PAINT_DRAWS : 1u); i++) {
         renderer_draw(&display->renderer, &display->shown);
     }

@@ -20,16 +20,6 @@
 #define REST_SIZE (BYTES_SIZE + PAINT_SIZE_BYTES)
 _Static_assert(MORPH_KEY_MAX *KEY_SIZE + REST_SIZE == FISH_VERTEX_SIZE_MAX, "as fish_mesh.h");
 
-static uint8_t vertex_byte_of(float x)
-{
-    return (uint8_t)(f_clamp(x, 0.0f, 1.0f) * 255.0f + 0.5f);
-}
-
-static uint16_t fraction(float x)
-{
-    return (uint16_t)(x * 65535.0f + 0.5f);
-}
-
 static void pack_vertex(uint8_t *out, const struct species_mesh *source, uint32_t key_count,
                         uint32_t index)
 {
@@ -38,21 +28,15 @@ static void pack_vertex(uint8_t *out, const struct species_mesh *source, uint32_
         memcpy(out, &source->points[key][index], KEY_SIZE);
     }
     const struct species_vertex *const vertex = &source->vertices[index];
-    const uint8_t rest[BYTES_SIZE] = {
-        vertex_byte_of(vertex->u),
-        vertex_byte_of(vertex->v),
-        vertex->part,
-        vertex->flex,
-        vertex->mask[0],
-        vertex->mask[1],
-        vertex->mask[2],
-        vertex->mask[3],
-        vertex->anchor,
-        vertex->side,
-    };
+    uint8_t rest[BYTES_SIZE] = { paint_atlas_byte(vertex->u), paint_atlas_byte(vertex->v),
+                                 vertex->part, vertex->flex };
+    memcpy(rest + SURFACE_SIZE, vertex->mask, MORPH_CURVE_MAX);
+    rest[SURFACE_SIZE + MORPH_CURVE_MAX] = vertex->anchor;
+    rest[SURFACE_SIZE + MORPH_CURVE_MAX + 1u] = vertex->side;
     float uv[2];
     paint_atlas_find(vertex, uv);
-    const uint16_t paint[2] = { fraction(uv[0]), fraction(uv[1]) };
+    const uint16_t paint[2] = { (uint16_t)(uv[0] * 65535.0f + 0.5f),
+                                (uint16_t)(uv[1] * 65535.0f + 0.5f) };
     memcpy(out, rest, sizeof rest);
     memcpy(out + sizeof rest, paint, sizeof paint);
 }
@@ -72,38 +56,6 @@ static uint32_t gather(uint16_t *out, const struct species_mesh *source, bool fi
     return count;
 }
 
-static void describe_bytes(GLuint location, GLint count, GLboolean fraction, GLsizei stride,
-                           size_t offset)
-{
-    glEnableVertexAttribArray(location);
-    glVertexAttribPointer(location, count, GL_UNSIGNED_BYTE, fraction, stride,
-                          (const void *)offset);
-}
-
-static void describe_vertex(uint32_t key_count)
-{
-    const size_t rest = key_count * KEY_SIZE;
-    const GLsizei stride = (GLsizei)(rest + REST_SIZE);
-    for (uint32_t key = key_count; key < MORPH_KEY_MAX; key++) {
-        glDisableVertexAttribArray(key); /* The species has fewer key shapes (modelled growth
-                                            stages) than the shader has attributes. The shader reads
-                                            a disabled attribute as a constant, which has the weight
-                                            0 in the blend. */
-    }
-    for (uint32_t key = 0; key < key_count; key++) {
-        glEnableVertexAttribArray(key);
-        glVertexAttribPointer(key, 4, GL_SHORT, GL_TRUE, stride,
-                              (const void *)(size_t)(key * KEY_SIZE));
-    }
-    describe_bytes(FISH_ATTRIBUTE_SURFACE, 4, GL_TRUE, stride, rest);
-    describe_bytes(FISH_ATTRIBUTE_MASKS, 4, GL_TRUE, stride, rest + SURFACE_SIZE);
-    describe_bytes(FISH_ATTRIBUTE_RIDES, 2, GL_FALSE, stride,
-                   rest + SURFACE_SIZE + MORPH_CURVE_MAX);
-    glEnableVertexAttribArray(FISH_ATTRIBUTE_PAINT);
-    glVertexAttribPointer(FISH_ATTRIBUTE_PAINT, 2, GL_UNSIGNED_SHORT, GL_TRUE, stride,
-                          (const void *)(rest + BYTES_SIZE));
-}
-
 void fish_mesh_reserve(struct fish_mesh *mesh)
 {
     glGenVertexArrays(1, &mesh->vertex_array);
@@ -115,7 +67,7 @@ void fish_mesh_fill(struct fish_mesh *mesh, struct fish_mesh_memory *memory,
                     const struct species_mesh *source, uint32_t key_count)
 {
     CORE_ASSERT(key_count > 0);
-    const size_t stride = key_count * KEY_SIZE + REST_SIZE;
+    const size_t rest = key_count * KEY_SIZE, stride = rest + REST_SIZE;
     CORE_ASSERT(key_count <= MORPH_KEY_MAX);
     CORE_ASSERT(source->vertex_count <= MESH_VERTEX_MAX && source->index_count <= MESH_INDEX_MAX);
     for (uint32_t i = 0; i < source->vertex_count; i++) {
@@ -127,7 +79,23 @@ void fish_mesh_fill(struct fish_mesh *mesh, struct fish_mesh_memory *memory,
     glBindBuffer(GL_ARRAY_BUFFER, mesh->vertex_buffer);
     glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(source->vertex_count * stride), memory->vertices,
                  GL_STATIC_DRAW);
-    describe_vertex(key_count);
+    /* If the species has fewer key shapes (modelled growth stages) than the shader has attributes,
+     * the shader reads a disabled attribute as a constant, which has the weight 0 in the blend. */
+    for (uint32_t key = key_count; key < MORPH_KEY_MAX; key++) {
+        glDisableVertexAttribArray(key);
+    }
+    for (uint32_t key = 0; key < key_count; key++) {
+        glEnableVertexAttribArray(key);
+        glVertexAttribPointer(key, 4, GL_SHORT, GL_TRUE, (GLsizei)stride,
+                              (const void *)(size_t)(key * KEY_SIZE));
+    }
+    gl_attribute_bytes(FISH_ATTRIBUTE_SURFACE, 4, true, stride, rest);
+    gl_attribute_bytes(FISH_ATTRIBUTE_MASKS, 4, true, stride, rest + SURFACE_SIZE);
+    gl_attribute_bytes(FISH_ATTRIBUTE_RIDES, 2, false, stride,
+                       rest + SURFACE_SIZE + MORPH_CURVE_MAX);
+    glEnableVertexAttribArray(FISH_ATTRIBUTE_PAINT);
+    glVertexAttribPointer(FISH_ATTRIBUTE_PAINT, 2, GL_UNSIGNED_SHORT, GL_TRUE, (GLsizei)stride,
+                          (const void *)(rest + BYTES_SIZE));
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, mesh->index_buffer);
     glBufferData(GL_ELEMENT_ARRAY_BUFFER, (GLsizeiptr)((body + fins) * sizeof *memory->indices),
                  memory->indices, GL_STATIC_DRAW);
@@ -224,7 +192,7 @@ void fish_poses_close(struct fish_poses *poses)
     glDeleteTextures(1, &poses->texture);
 }
 
-static void send_run(struct fish_poses *poses)
+void fish_poses_end(struct fish_poses *poses)
 {
     CORE_ASSERT(poses->run_count <= POSE_RUN);
     if (poses->run_count > 0) {
@@ -250,7 +218,7 @@ void fish_poses_set(struct fish_poses *poses, const struct morph_rig *rig, uint3
         return;
     }
     if (poses->run_count == POSE_RUN || row != poses->run_first + poses->run_count) {
-        send_run(poses);
+        fish_poses_end(poses);
     }
     if (poses->run_count == 0) {
         poses->run_first = row;
@@ -261,9 +229,4 @@ void fish_poses_set(struct fish_poses *poses, const struct morph_rig *rig, uint3
     poses->progress[row] = progress;
     poses->run_count++;
     poses->posed_count++;
-}
-
-void fish_poses_end(struct fish_poses *poses)
-{
-    send_run(poses);
 }

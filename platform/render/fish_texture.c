@@ -12,11 +12,10 @@
  * So many bands are too fine for a painted sheet. */
 #define LINES_MIN 40u
 
-static GLuint make_sheet_array(struct gl_status *status, GLenum internal_format, GLenum format)
+static GLuint make_sheet_array(struct gl_status *status, GLenum internal_format)
 {
     return gl_texture(status, "skin",
                       &(struct gl_texture_desc){ .internal_format = internal_format,
-                                                 .format = format,
                                                  .width = PAINT_SIZE,
                                                  .height = PAINT_SIZE,
                                                  .layers = FISH_TEXTURE_SHEETS });
@@ -24,8 +23,8 @@ static GLuint make_sheet_array(struct gl_status *status, GLenum internal_format,
 
 void fish_texture_open(struct gl_status *status, struct fish_texture *skin)
 {
-    skin->paints = make_sheet_array(status, GL_RGBA8, GL_RGBA);
-    skin->shines = make_sheet_array(status, GL_R8, GL_RED);
+    skin->paints = make_sheet_array(status, GL_RGBA8);
+    skin->shines = make_sheet_array(status, GL_R8);
 }
 
 void fish_texture_close(struct fish_texture *skin)
@@ -38,24 +37,30 @@ float fish_texture_scales(const struct fish_texture *skin)
 {
     /* Number of fish scales from head to tail for each body form. A carp has about 30 scales, and a
      * bream has about 50. */
-    static const float along[] = { [FORM_FUSIFORM] = 31.0f,
-                                   [FORM_COMPRESSED] = 50.0f,
-                                   [FORM_DEPRESSED] = 80.0f,
-                                   [FORM_EEL] = 0.0f,
-                                   [FORM_PUFFER] = 0.0f };
+    static const float along[FORM_PUFFER + 1] = {
+        [FORM_FUSIFORM] = 31.0f, [FORM_COMPRESSED] = 50.0f, [FORM_DEPRESSED] = 80.0f
+    };
     const struct species_card *const card = &skin->species.card;
     const bool bare = card->motion == MOTION_WING || card->motion == MOTION_TUNA;
     return bare ? 0.0f : along[card->form];
 }
 
-/* Removes the marks that the shader draws from the marks to paint. The first kind is lines round
- * the body, whose copies are stored in skin->lined. The second kind is dots that stand for fish
- * scales, if the shader draws the scales with rims. A removed mark keeps its place in the array,
- * because marks of two key shapes correspond to each other by their index. */
-static void leave_out_marks(struct fish_texture *skin)
+void fish_texture_bind(struct fish_texture *skin, const struct species *species)
 {
+    const uint32_t steps = species->card.key_count - 1u;
+    CORE_ASSERT(steps >= 1 && steps < MORPH_KEY_MAX);
+    skin->species = *species;
+    skin->per_key = (FISH_TEXTURE_SHEETS - 1u) / steps;
+    skin->sheet_count = steps * skin->per_key + 1u;
+    skin->shown = skin->shown_px = 0.0f;
+    memset(skin->bands_done, 0, sizeof skin->bands_done);
+    memset(skin->is_coarse, 0, sizeof skin->is_coarse);
+    /* Removes the marks that the shader draws from the marks to paint. The first kind is lines
+     * round the body, whose copies are stored in skin->lined. The second kind is dots that stand
+     * for fish scales, if the shader draws the scales with rims. A removed mark keeps its place in
+     * the array, because marks of two key shapes correspond to each other by their index. */
     const bool has_scales = fish_texture_scales(skin) > 0.0f;
-    for (uint32_t key = 0; key < skin->species.card.key_count; key++) {
+    for (uint32_t key = 0; key <= steps; key++) {
         struct species_coat *const coat = &skin->species.coats[key];
         skin->lined[key].count = 0;
         for (uint32_t i = 0; i < coat->mark_count; i++) {
@@ -72,19 +77,6 @@ static void leave_out_marks(struct fish_texture *skin)
             }
         }
     }
-}
-
-void fish_texture_bind(struct fish_texture *skin, const struct species *species)
-{
-    const uint32_t steps = species->card.key_count - 1u;
-    CORE_ASSERT(steps >= 1 && steps < MORPH_KEY_MAX);
-    skin->species = *species;
-    skin->per_key = (FISH_TEXTURE_SHEETS - 1u) / steps;
-    skin->sheet_count = steps * skin->per_key + 1u;
-    skin->shown = skin->shown_px = 0.0f;
-    memset(skin->bands_done, 0, sizeof skin->bands_done);
-    memset(skin->is_coarse, 0, sizeof skin->is_coarse);
-    leave_out_marks(skin);
 }
 
 static struct painting painting_of(const struct fish_texture *skin, struct paint_brush *brush,
@@ -194,18 +186,6 @@ bool fish_texture_is_fine(const struct fish_texture *skin)
     return sheet == skin->sheet_count || f_abs((float)sheet - skin->shown) >= 1.0f;
 }
 
-static struct fish_texture_lines lines_of(const struct species_mark *mark, float share)
-{
-    const float step = f_max(mark->to - mark->from, 1e-3f) / f_max((float)mark->count, 1.0f);
-    return (struct fish_texture_lines){
-        .place = { mark->from, step, (float)mark->count, mark->slant },
-        .shape = { 0.5f * mark->width, mark->low, mark->high, share },
-        .colour = { (float)(mark->colour >> 16 & 255u) / 255.0f,
-                    (float)(mark->colour >> 8 & 255u) / 255.0f,
-                    (float)(mark->colour & 255u) / 255.0f },
-    };
-}
-
 /* Writes the line sets of the two keys with the largest weights. The opacity of each line set is
  * its key's weight divided by the sum of all weights. paint_at() fades marks that exist in only one
  * key in the same way. Two neighbouring keys of a larva have different numbers of muscles, so that
@@ -223,9 +203,18 @@ void fish_texture_lines(const struct fish_texture *skin, const float weights[MOR
         const float share = f_max(weights[key], 0.0f) / f_max(sum, 1e-6f);
         struct fish_texture_lines *const least =
             lines[0].shape[3] < lines[1].shape[3] ? &lines[0] : &lines[1];
-        if (skin->lined[key].count > 0 && share > least->shape[3]) {
-            *least = lines_of(&skin->lined[key], share);
+        const struct species_mark *const mark = &skin->lined[key];
+        if (mark->count == 0 || share <= least->shape[3]) {
+            continue;
         }
+        const float step = f_max(mark->to - mark->from, 1e-3f) / f_max((float)mark->count, 1.0f);
+        *least = (struct fish_texture_lines){
+            .place = { mark->from, step, (float)mark->count, mark->slant },
+            .shape = { 0.5f * mark->width, mark->low, mark->high, share },
+            .colour = { (float)(mark->colour >> 16 & 255u) / 255.0f,
+                        (float)(mark->colour >> 8 & 255u) / 255.0f,
+                        (float)(mark->colour & 255u) / 255.0f },
+        };
     }
 }
 

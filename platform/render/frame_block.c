@@ -43,29 +43,6 @@ static void multiply(float out[16], const float a[16], const float b[16])
     }
 }
 
-static void frame_block_view_matrix(float out[16], const struct basis *axes, vec3 eye)
-{
-    const float m[16] = {
-        axes->right.x,
-        axes->up.x,
-        axes->back.x,
-        0.0f,
-        axes->right.y,
-        axes->up.y,
-        axes->back.y,
-        0.0f,
-        axes->right.z,
-        axes->up.z,
-        axes->back.z,
-        0.0f,
-        -v3_dot(axes->right, eye),
-        -v3_dot(axes->up, eye),
-        -v3_dot(axes->back, eye),
-        1.0f,
-    };
-    memcpy(out, m, sizeof m);
-}
-
 static void frame_block_set(float out[4], float x, float y, float z, float w)
 {
     out[0] = x;
@@ -74,48 +51,36 @@ static void frame_block_set(float out[4], float x, float y, float z, float w)
     out[3] = w;
 }
 
-void frame_open(struct frame *frame)
-{
-    frame->buffer = gl_buffer(GL_UNIFORM_BUFFER, NULL, sizeof frame->block);
-    glBindBufferBase(GL_UNIFORM_BUFFER, 0, frame->buffer);
-}
-
-void frame_close(struct frame *frame)
-{
-    glDeleteBuffers(1, &frame->buffer);
-}
-
 static void set_camera(struct frame *frame, const struct view *view,
                        const struct display_transform *transform)
 {
     CORE_ASSERT(transform->width > 0.0f && transform->height > 0.0f);
     const float aspect = transform->width / transform->height;
-    float rotation[16];
-    float projection[16];
-    float seen[16];
-    float placed[16];
-    const struct basis axes = view_basis(view);
     const float tan_y = view_half_height_tan(view, aspect);
-    frame_block_view_matrix(rotation, &axes, view->eye_m);
-    memset(projection, 0, 16 * sizeof *projection);
-    projection[0] = 1.0f / (tan_y * aspect);
-    projection[5] = 1.0f / tan_y;
-    projection[10] = (FAR_M + NEAR_M) / (NEAR_M - FAR_M);
-    projection[11] = -1.0f;
-    projection[14] = 2.0f * FAR_M * NEAR_M / (NEAR_M - FAR_M);
-    multiply(seen, projection, rotation);
+    const struct basis axes = view_basis(view);
+    const vec3 rows[3] = { axes.right, axes.up, axes.back };
+    /* All matrices are column-major. */
+    float rotation[16] = { [15] = 1.0f };
+    for (int row = 0; row < 3; row++) {
+        rotation[row] = rows[row].x;
+        rotation[4 + row] = rows[row].y;
+        rotation[8 + row] = rows[row].z;
+        rotation[12 + row] = -v3_dot(rows[row], view->eye_m);
+    }
+    const float projection[16] = { [0] = 1.0f / (tan_y * aspect),
+                                   [5] = 1.0f / tan_y,
+                                   [10] = (FAR_M + NEAR_M) / (NEAR_M - FAR_M),
+                                   [11] = -1.0f,
+                                   [14] = 2.0f * FAR_M * NEAR_M / (NEAR_M - FAR_M) };
     /* The matrix `placed` converts from the picture's clip space to the screen's clip space. Every
      * pass can therefore draw directly at the final place on the screen. */
-    float turned[4], move[2];
-    memset(placed, 0, 16 * sizeof *placed);
+    float turned[4], move[2], seen[16];
     display_clip_matrix(transform, turned, move);
-    frame_block_set(placed, turned[0], turned[1], 0.0f, 0.0f);
-    frame_block_set(placed + 4, turned[2], turned[3], 0.0f, 0.0f);
-    placed[10] = 1.0f;
-    frame_block_set(placed + 12, move[0], move[1], 0.0f, 1.0f);
+    const float placed[16] = { [0] = turned[0], [1] = turned[1], [4] = turned[2], [5] = turned[3],
+                               [10] = 1.0f,     [12] = move[0],  [13] = move[1],  [15] = 1.0f };
+    multiply(seen, projection, rotation);
     multiply(frame->block.view_projection, placed, seen);
-    memcpy(frame->block.placed, (float[4]){ placed[0], placed[1], placed[4], placed[5] },
-           sizeof frame->block.placed);
+    memcpy(frame->block.placed, turned, sizeof frame->block.placed);
     frame->view.eye_m = view->eye_m;
     frame->view.focal_px = 0.5f * transform->height / tan_y;
 }
@@ -173,16 +138,4 @@ void frame_begin(struct frame *frame, const struct scene *scene,
     glBindBuffer(GL_UNIFORM_BUFFER, frame->buffer);
     gl_buffer_refill(GL_UNIFORM_BUFFER, block, sizeof *block);
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, frame->buffer);
-}
-
-void frame_pose(float out[16], vec3 position_m, struct angles angles, float scale)
-{
-    CORE_ASSERT(scale > 0.0f);
-    const struct basis axes = vec_basis_from_angles(angles);
-    const vec3 columns[3] = { axes.right, axes.up, axes.back };
-    for (int i = 0; i < 3; i++) {
-        frame_block_set(out + i * 4, columns[i].x * scale, columns[i].y * scale,
-                        columns[i].z * scale, 0.0f);
-    }
-    frame_block_set(out + 12, position_m.x, position_m.y, position_m.z, 1.0f);
 }

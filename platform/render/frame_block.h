@@ -23,7 +23,7 @@ struct frame_block {
 };
 _Static_assert(sizeof(struct frame_block) == 288, "the block has the layout of common.glsl");
 
-/* Camera values that the C code needs in addition to the uniform block. */
+/* Values of the camera that the C code reads. The shaders do not read these values. */
 struct frame_view {
     vec3 eye_m;
     float focal_px; /* Length in pixels, on the screen, of one metre at a distance of one metre from
@@ -36,16 +36,9 @@ struct frame {
     struct frame_view view;
 };
 
-void frame_open(struct frame *frame);
-void frame_close(struct frame *frame);
-
 /* Computes the uniform block for `scene` with the display geometry `transform`, and uploads the
  * block. */
 void frame_begin(struct frame *frame, const struct scene *scene,
                  const struct display_transform *transform);
-
-/* Writes a body's pose as a column-major matrix. One unit along each of the body's axes is `scale`
- * metres long. */
-void frame_pose(float out[16], vec3 position_m, struct angles angles, float scale);
 
 #endif

@@ -32,20 +32,21 @@ bool gl_is_well(const struct gl_status *status)
     return status->text[0] == '\0';
 }
 
-static bool check_texture_size(struct gl_status *status, const char *name,
-                               const struct gl_texture_desc *desc)
+/* Stores a failure if the driver does not support the size of the texture. */
+static bool is_size_supported(struct gl_status *status, const char *name,
+                              const struct gl_texture_desc *desc)
 {
     GLint side_max = 0, layers_max = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &side_max);
     glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &layers_max);
     if (desc->width > (uint32_t)side_max || desc->height > (uint32_t)side_max) {
-        gl_fail(status, "texture %s is %ux%u, and this OpenGL driver takes %dx%d", name,
-                desc->width, desc->height, side_max, side_max);
+        gl_fail(status, "texture %s is %ux%u texels, but this OpenGL driver supports at most %dx%d",
+                name, desc->width, desc->height, side_max, side_max);
         return false;
     }
     if (desc->layers > (uint32_t)layers_max) {
-        gl_fail(status, "texture %s has %u layers, and this OpenGL driver takes %d", name,
-                desc->layers, layers_max);
+        gl_fail(status, "texture %s has %u layers, but this OpenGL driver supports at most %d",
+                name, desc->layers, layers_max);
         return false;
     }
     return true;
@@ -53,34 +54,36 @@ static bool check_texture_size(struct gl_status *status, const char *name,
 
 GLuint gl_texture(struct gl_status *status, const char *name, const struct gl_texture_desc *desc)
 {
-    CORE_ASSERT(!desc->pixels || desc->format != 0);
+    const GLenum format = desc->internal_format == GL_R8    ? GL_RED
+                          : desc->internal_format == GL_RG8 ? GL_RG
+                                                            : GL_RGB;
+    CORE_ASSERT(!desc->pixels || format != GL_RGB || desc->internal_format == GL_RGB8);
     CORE_ASSERT(desc->width > 0 && desc->height > 0);
-    const GLenum kind = desc->layers ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D;
-    GLuint texture = 0;
-    if (!check_texture_size(status, name, desc)) {
+    if (!is_size_supported(status, name, desc)) {
         return 0;
     }
-    glGenTextures(1, &texture);
-    gl_bind_texture(0, kind, texture);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    const GLsizei width = (GLsizei)desc->width;
-    const GLsizei height = (GLsizei)desc->height;
+    const GLenum kind = desc->layers ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D;
+    const GLsizei width = (GLsizei)desc->width, height = (GLsizei)desc->height;
     const GLsizei layers = (GLsizei)desc->layers;
     GLsizei levels = 1;
     for (uint32_t side = desc->width > desc->height ? desc->width : desc->height;
          desc->mipmaps && side > 1; side /= 2) {
         levels++;
     }
+    GLuint texture = 0;
+    glGenTextures(1, &texture);
+    gl_bind_texture(0, kind, texture);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     if (layers) {
         glTexStorage3D(kind, levels, desc->internal_format, width, height, layers);
     } else {
         glTexStorage2D(kind, levels, desc->internal_format, width, height);
     }
     if (desc->pixels && layers) {
-        glTexSubImage3D(kind, 0, 0, 0, 0, width, height, layers, desc->format, GL_UNSIGNED_BYTE,
+        glTexSubImage3D(kind, 0, 0, 0, 0, width, height, layers, format, GL_UNSIGNED_BYTE,
                         desc->pixels);
     } else if (desc->pixels) {
-        glTexSubImage2D(kind, 0, 0, 0, width, height, desc->format, GL_UNSIGNED_BYTE, desc->pixels);
+        glTexSubImage2D(kind, 0, 0, 0, width, height, format, GL_UNSIGNED_BYTE, desc->pixels);
     }
     if (desc->mipmaps) {
         glGenerateMipmap(kind);
@@ -240,6 +243,15 @@ void gl_attribute_floats(GLuint location, GLint count, size_t stride, size_t off
                           (const void *)offset);
 }
 
+void gl_attribute_bytes(GLuint location, GLint count, bool is_fraction, size_t stride,
+                        size_t offset)
+{
+    CORE_ASSERT(count >= 1 && count <= 4);
+    glEnableVertexAttribArray(location);
+    glVertexAttribPointer(location, count, GL_UNSIGNED_BYTE, is_fraction ? GL_TRUE : GL_FALSE,
+                          (GLsizei)stride, (const void *)offset);
+}
+
 #define LOG_SIZE 512
 #define NAME_SIZE 32
 
@@ -285,19 +297,18 @@ GLuint gl_link(struct gl_status *status, const char *name, GLuint vertex, GLuint
     return program;
 }
 
-static void bind_block(GLuint program, const char *name, GLuint point)
-{
-    const GLuint block = glGetUniformBlockIndex(program, name);
-    if (block != GL_INVALID_INDEX) {
-        glUniformBlockBinding(program, block, point);
-    }
-}
-
 void gl_program_bind(GLuint program, const char *samplers)
 {
+    static const char *const blocks[] = { "Frame",
+                                          "Pose" }; /* Names of the uniform blocks, indexed by
+                                                                binding point. */
     CORE_ASSERT(program != 0 && samplers);
-    bind_block(program, "Frame", 0);
-    bind_block(program, "Pose", 1);
+    for (GLuint point = 0; point < 2u; point++) {
+        const GLuint block = glGetUniformBlockIndex(program, blocks[point]);
+        if (block != GL_INVALID_INDEX) {
+            glUniformBlockBinding(program, block, point);
+        }
+    }
     char name[NAME_SIZE];
     GLint unit = 0;
     glUseProgram(program);
@@ -309,11 +320,10 @@ void gl_program_bind(GLuint program, const char *samplers)
     }
 }
 
-static GLuint build(struct gl_status *status, const char *name, const char *defines,
-                    const char *library, const char *vertex, const char *fragment,
-                    const char *samplers)
+GLuint gl_program(struct gl_status *status, const char *name, const char *defines,
+                  const char *vertex, const char *fragment, const char *samplers)
 {
-    const char *const vertex_parts[] = { "#version 300 es\n", defines, shader_common, library,
+    const char *const vertex_parts[] = { "#version 300 es\n", defines, shader_common, shader_morph,
                                          vertex };
     const char *const fragment_parts[] = { "#version 300 es\n", defines, shader_common, fragment };
     const GLuint stages[2] = {
@@ -329,16 +339,4 @@ static GLuint build(struct gl_status *status, const char *name, const char *defi
         gl_program_bind(program, samplers);
     }
     return program;
-}
-
-GLuint gl_program(struct gl_status *status, const char *name, const char *defines,
-                  const char *vertex, const char *fragment, const char *samplers)
-{
-    return build(status, name, defines, "", vertex, fragment, samplers);
-}
-
-GLuint gl_morph_program(struct gl_status *status, const char *name, const char *defines,
-                        const char *vertex, const char *fragment, const char *samplers)
-{
-    return build(status, name, defines, shader_morph, vertex, fragment, samplers);
 }

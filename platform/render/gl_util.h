@@ -33,8 +33,7 @@ void gl_fail(struct gl_status *status, const char *format, ...)
 bool gl_is_well(const struct gl_status *status);
 
 struct gl_texture_desc {
-    GLenum internal_format, format; /* OpenGL formats. `internal_format` must have 8-bit components
-                                       if `pixels` is set. */
+    GLenum internal_format; /* OpenGL format: GL_R8, GL_RG8 or GL_RGB8 if `pixels` is set. */
     uint32_t width, height;
     uint32_t layers;       /* Number of layers of an array texture. 0 means a plain 2D texture. */
     const uint8_t *pixels; /* Initial texels. Null leaves the content undefined. */
@@ -107,6 +106,11 @@ void gl_bind_texture(uint32_t unit, GLenum kind, GLuint texture);
  * `stride` and `offset` are in bytes. */
 void gl_attribute_floats(GLuint location, GLint count, size_t stride, size_t offset);
 
+/* Describes an attribute of unsigned bytes as gl_attribute_floats() does. If `is_fraction` is true,
+ * the shader reads a byte as a fraction [0, 1], otherwise as a whole number. */
+void gl_attribute_bytes(GLuint location, GLint count, bool is_fraction, size_t stride,
+                        size_t offset);
+
 #define GL_UNIT_MAX 5u /* Maximum number of texture units that one program reads. */
 
 /* Compiles one shader stage from `count` pieces of source code. The caller deletes the shader after
@@ -116,17 +120,13 @@ GLuint gl_compile(struct gl_status *status, const char *name, GLenum stage,
 GLuint gl_link(struct gl_status *status, const char *name, GLuint vertex, GLuint fragment);
 
 /* Compiles and links a program. `defines` (may be "") is inserted into both sources after the
- * version line and before the code that all shaders share. `samplers` lists up to GL_UNIT_MAX
+ * version line and before the code that all shaders share. If `defines` defines KEYS, the vertex
+ * shader can call the functions of assets/shaders/morph.glsl. `samplers` lists up to GL_UNIT_MAX
  * sampler names, separated by spaces. The samplers get the texture units 0, 1, 2, ... in this
  * order. Binds the uniform block `Frame` to binding point 0 and `Pose` to binding point 1. Returns
  * 0 on failure. */
 GLuint gl_program(struct gl_status *status, const char *name, const char *defines,
                   const char *vertex, const char *fragment, const char *samplers);
-
-/* Same as gl_program(), but inserts assets/shaders/morph.glsl before the source of the vertex
- * shader. */
-GLuint gl_morph_program(struct gl_status *status, const char *name, const char *defines,
-                        const char *vertex, const char *fragment, const char *samplers);
 
 /* Binds the uniform blocks and samplers of a linked program as gl_program() does. */
 void gl_program_bind(GLuint program, const char *samplers);

@@ -98,7 +98,7 @@ bool paint_atlas_at(float x, float y, struct species_vertex *vertex)
 
 /* ---- Painting of a group of texel rows ------------------------------------------------------- */
 
-static uint8_t paint_byte_of(float x)
+uint8_t paint_atlas_byte(float x)
 {
     return (uint8_t)(f_clamp(x, 0.0f, 1.0f) * 255.0f + 0.5f);
 }
@@ -117,10 +117,10 @@ static bool paint_point(const struct painting *painting, float x, float y, struc
 static void put_texel(const struct painting *painting, uint32_t index, const struct paint *paint)
 {
     CORE_ASSERT(index < BAND_TEXELS);
-    const uint8_t texel[4] = { paint_byte_of(paint->colour.x), paint_byte_of(paint->colour.y),
-                               paint_byte_of(paint->colour.z), paint_byte_of(paint->clear) };
+    const uint8_t texel[4] = { paint_atlas_byte(paint->colour.x), paint_atlas_byte(paint->colour.y),
+                               paint_atlas_byte(paint->colour.z), paint_atlas_byte(paint->clear) };
     memcpy(painting->brush->paint[index], texel, sizeof texel);
-    painting->brush->shine[index] = paint_byte_of(paint->shine);
+    painting->brush->shine[index] = paint_atlas_byte(paint->shine);
 }
 
 void paint_atlas_coarse_points(const struct painting *painting)
@@ -191,29 +191,12 @@ static bool differ(const uint8_t a[4], const uint8_t b[4])
     return most > EDGE;
 }
 
-/* Paints texel (x, y) as the mean of the paint at four points. */
-static void paint_four_points(const struct painting *painting, uint32_t index, uint32_t x,
-                              uint32_t y)
-{
-    struct paint mean = { .colour = { 0.0f, 0.0f, 0.0f } }, paint;
-    for (uint32_t i = 0; i < 4; i++) {
-        const float right = 0.25f + 0.5f * (float)(i & 1u), down = 0.25f + 0.5f * (float)(i >> 1);
-        if (!paint_point(painting, (float)x + right, (float)y + down, &paint)) {
-            return;
-        }
-        mean.colour = v3_muladd(mean.colour, paint.colour, 0.25f);
-        mean.clear += 0.25f * paint.clear;
-        mean.shine += 0.25f * paint.shine;
-    }
-    put_texel(painting, index, &mean);
-}
-
 /* Each texel first gets the paint at its centre. Then the edges of marks are smoothed, because an
  * edge may be narrower than a texel and would be jagged if each texel were painted from one
  * point. */
 void paint_atlas_fine_band(const struct painting *painting, uint32_t first)
 {
-    struct paint paint;
+    struct paint paint = { .colour = { 0.0f, 0.0f, 0.0f } };
     bool edge[BAND_TEXELS] = { false };
     CORE_ASSERT(first % PAINT_BAND == 0 && first < PAINT_SIZE);
     for (uint32_t i = 0; i < BAND_TEXELS; i++) {
@@ -235,8 +218,18 @@ void paint_atlas_fine_band(const struct painting *painting, uint32_t first)
         }
     }
     for (uint32_t i = 0; i < BAND_TEXELS; i++) {
+        /* A texel at an edge is painted as the mean of the paint at four points. */
+        struct paint mean = { .colour = { 0.0f, 0.0f, 0.0f } };
+        for (uint32_t k = 0; k < 4 && edge[i]; k++) {
+            const float x = (float)(i % PAINT_SIZE) + (0.25f + 0.5f * (float)(k & 1u));
+            const float y = (float)(first + i / PAINT_SIZE) + (0.25f + 0.5f * (float)(k >> 1));
+            edge[i] = paint_point(painting, x, y, &paint);
+            mean.colour = v3_muladd(mean.colour, paint.colour, 0.25f);
+            mean.clear += 0.25f * paint.clear;
+            mean.shine += 0.25f * paint.shine;
+        }
         if (edge[i]) {
-            paint_four_points(painting, i, i % PAINT_SIZE, first + i / PAINT_SIZE);
+            put_texel(painting, i, &mean);
         }
     }
 }

@@ -25,6 +25,9 @@ void paint_atlas_find(const struct species_vertex *vertex, float uv[2]);
  * at half texels. Returns false if no body part has texels at (x, y). */
 bool paint_atlas_at(float x, float y, struct species_vertex *vertex);
 
+/* Converts a fraction to a byte. `x` is clamped to [0, 1]. */
+uint8_t paint_atlas_byte(float x);
+
 #define PAINT_BAND 8u   /* Number of texel rows that are painted together. */
 #define PAINT_COARSE 4u /* Distance in texels between two points of the coarse painting. */
 #define PAINT_COARSE_SIZE (PAINT_SIZE / PAINT_COARSE)

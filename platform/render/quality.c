@@ -136,7 +136,7 @@ uint32_t quality_governor_frame(struct governor *governor, uint64_t now_ns, bool
             if (governor->is_trying && governor->patience_s < GOVERNOR_PATIENCE_MAX_S) {
                 governor->patience_s *= 2u;
             }
-            governor->is_trying = 0;
+            governor->is_trying = false;
             governor->timely_s = 0;
             if (governor->step < QUALITY_STEP_MAX) {
                 governor->step++;
@@ -144,12 +144,12 @@ uint32_t quality_governor_frame(struct governor *governor, uint64_t now_ns, bool
         } else {
             governor->timely_s += GOVERNOR_LOOK_S;
             if (governor->is_trying && governor->timely_s >= HELD_S) {
-                governor->is_trying = 0;
+                governor->is_trying = false;
                 governor->patience_s = GOVERNOR_PATIENCE_S;
             }
             if (governor->step > 0 && governor->timely_s >= governor->patience_s && may_refine) {
                 governor->step--;
-                governor->is_trying = 1;
+                governor->is_trying = true;
                 governor->timely_s = 0;
             }
         }

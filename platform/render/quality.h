@@ -71,18 +71,18 @@ struct governor {
     uint64_t turn_ns;       /* Refresh period of the screen in ns, the shortest possible frame
                                duration. */
     uint64_t last_ns;       /* Time of the previous frame in ns. 0 means no previous frame. */
-    uint64_t sum_ns, count; /* Total duration in ns of the frames in the current measurement
-                               interval, and number of these frames. */
+    uint64_t sum_ns, count; /* Total duration in ns (`sum_ns`) and number (`count`) of the frames in
+                               the current measurement interval. */
     uint32_t stalls;        /* Number of consecutive stalls. A stall is a frame whose duration is
                                too long to be caused by drawing. */
     uint32_t timely_s;      /* Number of consecutive seconds without late frames. */
     /* Number of seconds without late frames that must pass before a finer quality step is tried. */
     uint32_t patience_s;
-    uint8_t step;      /* Number of quality steps below the best quality that the drawing speed
+    uint8_t step;   /* Number of quality steps below the best quality that the drawing speed
                           requires. */
-    uint8_t heat;      /* Number of quality steps below the best quality that keep the machine cool,
+    uint8_t heat;   /* Number of quality steps below the best quality that keep the machine cool,
                           at most QUALITY_STEP_MAX. */
-    uint8_t is_trying; /* 1 while a finer quality step is on trial, otherwise 0. */
+    bool is_trying; /* True while a finer quality step is on trial. */
 };
 
 /* Initializes the governor. `refresh_hz` is the screen's refresh rate. A value of 0 or above 60

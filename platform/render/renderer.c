@@ -21,7 +21,7 @@ static void draw_life(const struct renderer *renderer, const struct scene *scene
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glEnable(GL_DEPTH_TEST);
     for (enum fish_group group = FISH_FAR; group <= FISH_ON_POI; group++) {
-        fish_pass_bodies(&renderer->fish, group, &renderer->textures, caustics);
+        fish_pass_bodies(&renderer->fish, group, false, &renderer->textures, caustics);
     }
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (scene->bowl[i].present) {
@@ -63,13 +63,14 @@ static void draw_above(const struct renderer *renderer, const struct scene *scen
     /* The parts of a gulping fish that are above the surface are drawn without the water's tint.
      * The depth of the surface hides the parts below the surface. */
     fish_pass_rings(&renderer->fish);
-    fish_pass_snouts(&renderer->fish, &renderer->textures, caustics);
+    fish_pass_bodies(&renderer->fish, FISH_GULPING_FAR, true, &renderer->textures, caustics);
+    fish_pass_bodies(&renderer->fish, FISH_GULPING, true, &renderer->textures, caustics);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (scene->bowl[i].present) {
             bowl_pass_shell(&renderer->bowl, &scene->bowl[i], caustics, false);
         }
     }
-    fish_pass_bodies(&renderer->fish, FISH_IN_BOWL, &renderer->textures, caustics);
+    fish_pass_bodies(&renderer->fish, FISH_IN_BOWL, false, &renderer->textures, caustics);
     fish_pass_fins(&renderer->fish, FISH_IN_BOWL, caustics);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (scene->bowl[i].present) {
@@ -78,7 +79,7 @@ static void draw_above(const struct renderer *renderer, const struct scene *scen
     }
     basin_pass_deck(&renderer->basin, &renderer->textures);
     quad_pass_drips(&renderer->quad, scene);
-    fish_pass_bodies(&renderer->fish, FISH_ON_POI, &renderer->textures, caustics);
+    fish_pass_bodies(&renderer->fish, FISH_ON_POI, false, &renderer->textures, caustics);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (poi_is_above(&scene->poi[i])) {
             poi_pass_paper(&renderer->poi, scene, i, &renderer->textures);

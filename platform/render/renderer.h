@@ -82,7 +82,7 @@ struct renderer {
 };
 
 /* Creates all programs, textures and buffers. Returns HAL_OK, or HAL_ERR_GONE on failure. After a
- * failure, renderer_error() returns the reason. */
+ * failure, `status` contains the reason. */
 int renderer_open(struct renderer *renderer, const struct renderer_config *config);
 void renderer_close(struct renderer *renderer);
 
@@ -107,10 +107,8 @@ void renderer_draw(struct renderer *renderer, const struct scene *scene);
 int renderer_read(struct renderer *renderer, struct hal_image *image);
 
 /* Returns false after OpenGL has reported a lost device or a lack of memory. After that,
- * renderer_error() returns the reason. */
+ * `status` contains the reason. */
 bool renderer_is_alive(struct renderer *renderer);
-
-const char *renderer_error(const struct renderer *renderer);
 
 /* Writes a description such as "OpenGL ES 3.2 llvmpipe, 1280x720, scene 0.75x, floor 0.5x". */
 void renderer_describe(const struct renderer *renderer, char *out, size_t size);

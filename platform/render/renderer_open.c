@@ -92,7 +92,8 @@ int renderer_open(struct renderer *renderer, const struct renderer_config *confi
         renderer->gl_name[length - 1] = '\0';
     }
     struct gl_status *const status = &renderer->status;
-    frame_open(&renderer->frame);
+    renderer->frame.buffer = gl_buffer(GL_UNIFORM_BUFFER, NULL, sizeof renderer->frame.block);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 0, renderer->frame.buffer);
     textures_open(status, &renderer->textures);
     light_pass_open(status, &renderer->light);
     basin_pass_open(status, &renderer->basin);
@@ -122,7 +123,7 @@ void renderer_close(struct renderer *renderer)
     basin_pass_close(&renderer->basin);
     light_pass_close(&renderer->light);
     textures_close(&renderer->textures);
-    frame_close(&renderer->frame);
+    glDeleteBuffers(1, &renderer->frame.buffer);
 }
 
 void renderer_place(struct renderer *renderer, const struct display_settings *display_settings)
@@ -191,11 +192,6 @@ bool renderer_is_alive(struct renderer *renderer)
         gl_fail(&renderer->status, "the graphics driver has reset");
     }
     return gl_is_well(&renderer->status);
-}
-
-const char *renderer_error(const struct renderer *renderer)
-{
-    return renderer->status.text;
 }
 
 void renderer_describe(const struct renderer *renderer, char *out, size_t size)

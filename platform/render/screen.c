@@ -8,6 +8,7 @@
 #include <dirent.h>
 #include <dlfcn.h>
 #include <limits.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -46,7 +47,7 @@ static enum connector_state connector_state(const char *folder, const char *name
     if (!file) {
         return CONNECTOR_NONE;
     }
-    const int is_read = fscanf(file, "%15s", word) == 1;
+    const bool is_read = fscanf(file, "%15s", word) == 1;
     fclose(file);
     return is_read && strcmp(word, "connected") == 0 ? CONNECTOR_CONNECTED : CONNECTOR_FREE;
 }
@@ -94,8 +95,8 @@ void screen_card_prefer(void)
  * the names. The kernel may list the names in a different order each time. */
 struct connectors screen_connectors(const char *root)
 {
-    CORE_ASSERT(root);
     struct connectors found = { 0 };
+    root = root ? root : "/sys/class/drm";
     DIR *const folder = opendir(root);
     if (!folder) {
         return found;
@@ -135,7 +136,7 @@ typedef error_handler (*set_error_handler)(error_handler handler);
 typedef void (*exit_handler)(Display *display, void *context);
 typedef void (*set_exit_handler)(Display *display, exit_handler handler, void *context);
 
-static int keep_quiet(Display *display)
+static int ignore_io_error(Display *display)
 {
     (void)display; /* After this error handler returns, Xlib calls the exit handler of the
                       connection. */
@@ -170,7 +171,7 @@ void screen_guard_x11(SDL_Window *window, void (*on_broken)(void *context), void
         memcpy(&set_exit, &symbols[1], sizeof set_exit);
         if (set_error && set_exit) {
             set_exit(info.info.x11.display, connection_broken, &guard);
-            set_error(keep_quiet);
+            set_error(ignore_io_error);
         }
         dlclose(library); /* The functions stay loaded after dlclose(), because SDL has also opened
                              the library. */

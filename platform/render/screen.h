@@ -21,8 +21,8 @@ struct connectors {
                            connector has a screen. */
 };
 
-/* Reads the connectors from `root`, a directory like /sys/class/drm. Returns 0 connectors if the
- * directory cannot be read. */
+/* Reads the connectors from `root`, a directory like /sys/class/drm. A null `root` means
+ * /sys/class/drm. Returns 0 connectors if the directory cannot be read. */
 struct connectors screen_connectors(const char *root);
 
 /* Returns the number N of the card (/dev/dri/cardN) that shows the picture. This is the first card

@@ -66,15 +66,11 @@ void shape_close(struct shape_buffers *buffers)
     *buffers = (struct shape_buffers){ 0 };
 }
 
-void shape_draw(const struct shape_buffers *buffers)
+void shape_draw(const struct shape_buffers *buffers, uint32_t first)
 {
-    shape_draw_part(buffers, 0, (uint32_t)buffers->index_count);
-}
-
-void shape_draw_part(const struct shape_buffers *buffers, uint32_t first, uint32_t count)
-{
-    CORE_ASSERT((GLsizei)(first + count) <= buffers->index_count);
+    const GLsizei count = buffers->index_count - (GLsizei)first;
+    CORE_ASSERT(count > 0);
     glBindVertexArray(buffers->vertex_array);
-    glDrawElements(GL_TRIANGLES, (GLsizei)count, GL_UNSIGNED_SHORT,
+    glDrawElements(GL_TRIANGLES, count, GL_UNSIGNED_SHORT,
                    (const void *)(first * sizeof(uint16_t)));
 }

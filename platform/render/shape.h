@@ -41,8 +41,7 @@ void shape_grid(struct shape *shape, uint32_t columns, uint32_t rows, shape_poin
 
 void shape_upload(const struct shape *shape, struct shape_buffers *buffers);
 void shape_close(struct shape_buffers *buffers);
-void shape_draw(const struct shape_buffers *buffers);
-/* Draws only `count` indices, beginning with index number `first`. */
-void shape_draw_part(const struct shape_buffers *buffers, uint32_t first, uint32_t count);
+/* Draws the mesh from index number `first` to the last index. */
+void shape_draw(const struct shape_buffers *buffers, uint32_t first);
 
 #endif

@@ -28,11 +28,11 @@ struct specimen_axes specimen_axes(const struct specimen *specimen)
     return axes;
 }
 
-void specimen_project(const struct specimen *specimen, vec3 point, float *x_px, float *y_px)
+void specimen_project(const struct specimen *specimen, vec3 point, float out[2])
 {
     const struct specimen_axes axes = specimen_axes(specimen);
-    *x_px = specimen->x_px + specimen->length_px * v3_dot(axes.right, point);
-    *y_px = specimen->y_px - specimen->length_px * v3_dot(axes.up, point);
+    out[0] = specimen->x_px + specimen->length_px * v3_dot(axes.right, point);
+    out[1] = specimen->y_px - specimen->length_px * v3_dot(axes.up, point);
 }
 
 struct specimen_bounds specimen_bounds(const struct specimen *specimen)

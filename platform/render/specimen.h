@@ -53,9 +53,9 @@ struct specimen_axes {
 };
 struct specimen_axes specimen_axes(const struct specimen *specimen);
 
-/* Projects a point of the body's coordinate system to pixels. `point` is in body lengths, as
- * returned by morph_shape(), without the swimming motion. */
-void specimen_project(const struct specimen *specimen, vec3 point, float *x_px, float *y_px);
+/* Projects a point of the body's coordinate system to the screen position `out` (x, y) in pixels.
+ * `point` is in body lengths, as returned by morph_shape(), without the swimming motion. */
+void specimen_project(const struct specimen *specimen, vec3 point, float out[2]);
 
 /* Maximum extent of a fish from its body's centre over all key shapes, in body lengths. A box of
  * this extent contains the fish at every age, without the swimming motion. */

@@ -8,7 +8,6 @@ static GLuint grey_tile(struct gl_status *status, const char *name, const uint8_
 {
     return gl_texture(status, name,
                       &(struct gl_texture_desc){ .internal_format = GL_R8,
-                                                 .format = GL_RED,
                                                  .width = side,
                                                  .height = side,
                                                  .pixels = pixels,
@@ -20,7 +19,6 @@ void textures_open(struct gl_status *status, struct textures *textures)
 {
     textures->caustics = gl_texture(status, "caustics",
                                     &(struct gl_texture_desc){ .internal_format = GL_R8,
-                                                               .format = GL_RED,
                                                                .width = ASSET_CAUSTICS_SIZE,
                                                                .height = ASSET_CAUSTICS_SIZE,
                                                                .layers = ASSET_CAUSTICS_FRAMES,
@@ -28,7 +26,6 @@ void textures_open(struct gl_status *status, struct textures *textures)
                                                                .wrap = GL_REPEAT });
     textures->patterns = gl_texture(status, "patterns",
                                     &(struct gl_texture_desc){ .internal_format = GL_RG8,
-                                                               .format = GL_RG,
                                                                .width = ASSET_PATTERN_WIDTH,
                                                                .height = ASSET_PATTERN_HEIGHT,
                                                                .layers = ASSET_PATTERN_LAYERS,
@@ -36,7 +33,6 @@ void textures_open(struct gl_status *status, struct textures *textures)
                                                                .mipmaps = true });
     textures->environment = gl_texture(status, "environment",
                                        &(struct gl_texture_desc){ .internal_format = GL_RGB8,
-                                                                  .format = GL_RGB,
                                                                   .width = ASSET_ENVIRONMENT_SIZE,
                                                                   .height = ASSET_ENVIRONMENT_SIZE,
                                                                   .pixels = asset_environment });

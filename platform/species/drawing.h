@@ -28,16 +28,16 @@
  * coordinate x of this edge differs between keys. */
 #define GILL_U 0.30f
 
-/* A cross section of the body at position `x`. Its outline is a superellipse with height `depth`,
- * width `width` and exponent `exponent`. The centre of the outline is `offset` above the body's
- * axis. */
+/* A cross section of the body at position `x`. The outline of the cross section is a superellipse
+ * with height `depth`, width `width` and exponent `exponent`. The centre of the outline is `offset`
+ * above the body's axis. */
 struct station {
     float x, depth, width, offset, exponent;
 };
 
 /* One fin ray. `at` is the position of the ray along the fin's base, [0, 1]. `length` is a fraction
- * of the fish's length. fin_direction() in shape_fin.c defines the directions for which `sweep_deg`
- * and `side_deg` are 0. These directions depend on the fin. */
+ * of the distance from the snout to the tail root. fin_direction() in shape_fin.c defines the
+ * directions for which `sweep_deg` and `side_deg` are 0. These directions depend on the fin. */
 struct ray {
     float at, length, sweep_deg, side_deg;
 };
@@ -56,8 +56,8 @@ struct fin {
 /* A row of finlets, which are small fins behind the dorsal or anal fin. Each finlet leans backward
  * by `sweep_deg` degrees. 0 means upright. */
 struct finlets {
-    uint32_t count; /* Number of finlets, 0 to FINLET_MAX. */
     float start, end, length, sweep_deg;
+    uint32_t count; /* Number of finlets, 0 to FINLET_MAX. */
 };
 
 /* An eye. `bulge` is how far the eye protrudes from the skin, as a fraction of the diameter.
@@ -69,10 +69,6 @@ struct eye {
 };
 
 struct key_text {
-    char name[SPECIES_NAME_SIZE];
-    float length_m;
-    float age_days; /* Age of the key in days. A negative value means that the species text gives no
-                       age and that the age is computed from the length. */
     float gill;     /* Position x of the rear edge of the gill cover. 0 means that the species text
                        has no `gill` line. */
     bool confluent; /* Copy of the field `confluent` of struct species_text. */
@@ -81,7 +77,8 @@ struct key_text {
     struct eye eyes[2];          /* Right eye, then left eye. */
     struct fin fins[PART_COUNT]; /* Fins, indexed by enum species_part. A fin without rays does not
                                     exist. */
-    struct finlets finlets[2];   /* Upper row of finlets, then lower row. */
+    struct finlets finlets[2];   /* Rows of finlets: element 0 is the upper row, and element 1 is
+                                    the lower row. */
     struct species_coat coat;
 };
 
@@ -96,33 +93,27 @@ struct area {
     float from, to, low, high, soft;
 };
 
-/* A deformation graph and the parts that the graph moves. The first graph of a species moves all
+/* The parts of the fish that one deformation graph moves. The first graph of a species moves all
  * parts that no other graph moves. */
 struct curve_text {
-    char name[SPECIES_NAME_SIZE];
     uint32_t parts; /* Set of the parts that the graph moves. Each enum species_part, PART_HEAD and
                        PART_TRUNK has one bit. */
     uint32_t area_count;
     struct area areas[AREA_MAX];
-    struct graph graph;
 };
 
 struct species_text {
-    char id[SPECIES_NAME_SIZE];
-    uint8_t measure, motion, form; /* Kind of the length measure, kind of the swimming motion, and
-                                      body form, with the values of struct species_card. */
-    bool confluent;                /* True if the dorsal fin, the tail fin and the anal fin form one
-                                      continuous fin, as in an eel. */
-    uint32_t without;              /* Set of the parts that the species lacks in every key. Each
-                                      enum species_part has one bit. */
-    struct growth growth;
-    uint32_t scale_knot_count;
-    struct scale_knot scale_knots[GRAPH_KNOT_MAX];
-    uint8_t thesis_key[3], thesis_template;
-    uint32_t key_count;
-    struct key_text keys[MORPH_KEY_MAX];
-    uint32_t curve_count;
-    struct curve_text curves[MORPH_CURVE_MAX];
+    struct species_card
+        card;         /* Card of the species, with the names of its keys and its graphs. While
+                         the text is read, a negative age of a key means that the text gives no
+                         age and that the age is computed from the length. */
+    bool confluent;   /* True if the dorsal fin, the tail fin and the anal fin form one
+                         continuous fin, as in an eel. */
+    uint32_t without; /* Set of the parts that the species lacks in every key. Each enum
+                         species_part has one bit. */
+    struct key_text keys[MORPH_KEY_MAX];       /* Drawing of each key (modelled growth stage). */
+    struct curve_text curves[MORPH_CURVE_MAX]; /* The parts of the fish that each graph of the
+                                                  card moves. */
 };
 
 /* Numbers of vertices in a mesh of one level of detail. The body and the eyes consist of rings
@@ -153,12 +144,13 @@ struct loft {
     uint16_t indices[MESH_INDEX_MAX];
 };
 
-/* Settings of the near mesh, then of the far mesh. */
+/* Numbers of vertices of the near mesh (first element) and of the far mesh (second element). The
+ * far mesh has fewer vertices and is drawn for distant fish. */
 extern const struct detail species_detail[SPECIES_LOD_COUNT];
 
 /* Reads a whole species file. Returns true if the text is valid. Otherwise writes one line
- * 'PATH:LINE: what' to `complaints` and returns false. `species` is then incomplete and must not be
- * used. */
+ * 'PATH:LINE: error' to `complaints` and returns false. `species` is then incomplete and must not
+ * be used. */
 bool species_read(FILE *file, const char *path, FILE *complaints, struct species_text *species);
 
 /* Builds the meshes of all keys. Vertex numbers and triangles are the same in every key. Each mesh
@@ -166,10 +158,6 @@ bool species_read(FILE *file, const char *path, FILE *complaints, struct species
  * defines. */
 void species_loft(const struct species_text *species, const struct detail *detail,
                   struct loft *loft);
-
-/* Converts a species text to the card and the coats of `out`. The meshes of `out` are not
- * written. */
-void species_compile(const struct species_text *species, struct species *out);
 
 /* Storage for the tables of one level of detail. */
 struct mesh_tables {

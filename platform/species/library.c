@@ -5,6 +5,7 @@
 #include <dirent.h>
 #include <errno.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "core/base/panic.h"
@@ -12,47 +13,17 @@
 
 #define PATH_SIZE 1024u
 
-struct listing {
-    char names[LIBRARY_LINE_MAX][NAME_MAX + 1];
-    uint32_t count, beyond;
-};
-
-/* Inserts a name in alphabetical order, because the order of a directory's entries is undefined. If
- * there are more than LIBRARY_LINE_MAX names, keeps only the first LIBRARY_LINE_MAX names. */
-static void insert(struct listing *l, const char *name)
+static int is_pack_file(const struct dirent *entry)
 {
-    uint32_t at = l->count;
-    while (at > 0 && strcmp(name, l->names[at - 1]) < 0) {
-        at--;
-    }
-    if (l->count == LIBRARY_LINE_MAX) {
-        l->beyond++;
-    }
-    if (at == LIBRARY_LINE_MAX) {
-        return;
-    }
-    l->count += l->count < LIBRARY_LINE_MAX;
-    memmove(&l->names[at] + 1, &l->names[at], (l->count - at - 1) * sizeof l->names[0]);
-    memcpy(l->names[at], name, strlen(name) + 1);
+    const size_t length = strlen(entry->d_name), suffix = strlen(PACK_SUFFIX);
+    return length > suffix && entry->d_name[0] != '.' &&
+           strcmp(entry->d_name + length - suffix, PACK_SUFFIX) == 0;
 }
 
-/* Lists the names of the files in `folder`. Returns 0 on success or if the folder does not exist,
- * and an errno value if the folder cannot be read. */
-static int list_pack_files(const char *folder, struct listing *l)
+/* Compares two entries by their bytes, so that their order does not depend on the locale. */
+static int compare_names(const struct dirent **a, const struct dirent **b)
 {
-    DIR *directory = opendir(folder);
-    if (!directory) {
-        return errno == ENOENT ? 0 : errno;
-    }
-    for (const struct dirent *entry = readdir(directory); entry; entry = readdir(directory)) {
-        const size_t length = strlen(entry->d_name), suffix = strlen(PACK_SUFFIX);
-        if (length > suffix && entry->d_name[0] != '.' &&
-            strcmp(entry->d_name + length - suffix, PACK_SUFFIX) == 0) {
-            insert(l, entry->d_name);
-        }
-    }
-    closedir(directory);
-    return 0;
+    return strcmp((*a)->d_name, (*b)->d_name);
 }
 
 /* Reads one file into the next free slot of the library. If the species is invalid, returns false
@@ -62,7 +33,8 @@ static bool library_read_file(struct library *library, const char *path,
 {
     CORE_ASSERT(library->species_count <= SPECIES_EXTRA_MAX);
     if (library->species_count == SPECIES_EXTRA_MAX) {
-        snprintf(why, VALIDATE_WHY_SIZE, "no room: %u species are loaded", SPECIES_EXTRA_MAX);
+        snprintf(why, VALIDATE_WHY_SIZE, "%u species are loaded, which is the maximum",
+                 SPECIES_EXTRA_MAX);
         return false;
     }
     struct species_slot *slot = &library->slots[library->species_count];
@@ -73,7 +45,7 @@ static bool library_read_file(struct library *library, const char *path,
     memcpy(id, slot->species.card.id, sizeof id);
     for (uint32_t i = 0; i < library_count(library); i++) {
         if (strcmp(library_species(library, i)->card.id, id) == 0) {
-            snprintf(why, VALIDATE_WHY_SIZE, "id: there is a '%s' already", id);
+            snprintf(why, VALIDATE_WHY_SIZE, "id: the species '%s' exists already", id);
             return false;
         }
     }
@@ -81,36 +53,48 @@ static bool library_read_file(struct library *library, const char *path,
     return true;
 }
 
+/* Appends an entry for the file `file` to library->lines and returns the entry. The entry has no
+ * library slot and no reason yet. */
+static struct library_line *add_line(struct library *library, const char *file)
+{
+    CORE_ASSERT(library->line_count < LIBRARY_LINE_MAX);
+    struct library_line *line = &library->lines[library->line_count++];
+    *line = (struct library_line){ .slot = LIBRARY_SLOT_NONE };
+    snprintf(line->file, sizeof line->file, "%.*s", (int)sizeof line->file - 1, file);
+    printable(line->file);
+    return line;
+}
+
 void library_fill(struct library *library, const char *data)
 {
-    struct listing listing = { .count = 0 };
-    char folder[PATH_SIZE];
+    char folder[PATH_SIZE], path[PATH_SIZE];
+    struct dirent **entries = NULL;
     library->species_count = library->line_count = library->unread_count = library->graph_count = 0;
     const int length = snprintf(folder, sizeof folder, "%s/" LIBRARY_FOLDER, data ? data : "");
     if (!data || !data[0] || length < 0 || (size_t)length >= sizeof folder) {
         return;
     }
-    const int error = list_pack_files(folder, &listing);
-    if (error != 0) {
-        struct library_line *line = &library->lines[library->line_count++];
-        *line = (struct library_line){ .file = LIBRARY_FOLDER, .slot = LIBRARY_SLOT_NONE };
+    const int count = scandir(folder, &entries, is_pack_file, compare_names);
+    if (count < 0 && errno != ENOENT) {
+        const int error = errno;
+        struct library_line *line = add_line(library, LIBRARY_FOLDER);
         snprintf(line->why, sizeof line->why, "%s", strerror(error));
     }
-    for (uint32_t i = 0; i < listing.count; i++) {
-        char path[PATH_SIZE];
-        struct library_line *line = &library->lines[library->line_count++];
-        *line = (struct library_line){ .slot = LIBRARY_SLOT_NONE };
-        snprintf(line->file, sizeof line->file, "%.*s", (int)sizeof line->file - 1,
-                 listing.names[i]);
-        printable(line->file);
-        const int path_size = snprintf(path, sizeof path, "%s/%s", folder, listing.names[i]);
-        if (path_size < 0 || (size_t)path_size >= sizeof path) {
-            snprintf(line->why, sizeof line->why, "%s", strerror(ENAMETOOLONG));
-        } else if (library_read_file(library, path, line->why)) {
-            line->slot = (uint8_t)(library->species_count - 1);
+    for (int i = 0; i < count; i++) {
+        if (library->line_count < LIBRARY_LINE_MAX) {
+            struct library_line *line = add_line(library, entries[i]->d_name);
+            const int size = snprintf(path, sizeof path, "%s/%s", folder, entries[i]->d_name);
+            if (size < 0 || (size_t)size >= sizeof path) {
+                snprintf(line->why, sizeof line->why, "%s", strerror(ENAMETOOLONG));
+            } else if (library_read_file(library, path, line->why)) {
+                line->slot = (uint8_t)(library->species_count - 1);
+            }
+        } else {
+            library->unread_count++;
         }
+        free(entries[i]);
     }
-    library->unread_count = listing.beyond;
+    free(entries);
 }
 
 /* ---- Rejected files and graphs that the operator's screens show ------------------------------ */

@@ -27,9 +27,9 @@ struct library_line {
                                      accepted. */
 };
 
-/* Species library. Its size is about 2.1 MB, so it must be static. */
+/* Species library. An object of this type has about 2.1 MB and must be static. */
 struct library {
-    uint32_t species_count; /* Number of valid species, which occupy the first slots. */
+    uint32_t species_count; /* Number of valid species, which are the first elements of `slots`. */
     uint32_t line_count;
     uint32_t unread_count; /* Number of files that were not read because the folder has more than
                               LIBRARY_LINE_MAX files. */

@@ -12,10 +12,11 @@
 #include "core/base/panic.h"
 
 #define RINGS_MAX 64
-/* Position of the additional ring that makes the end of the body round. 0 is the last ring, 1 is
- * the closing point. */
+/* Position of the additional ring that makes the rear end of the body round. 0 is the position of
+ * the last ring, and 1 is the body's last point. */
 #define CAP_AT 0.6
-/* Backward component of the last ring's normals, divided by their outward component. */
+/* Ratio of the backward component to the outward component of the normals on the additional ring at
+ * the rear end of the body. */
 #define CAP_FACES 0.8
 
 /* clang-format off */
@@ -31,159 +32,7 @@ const struct detail species_detail[SPECIES_LOD_COUNT] = {
 };
 /* clang-format on */
 
-uint16_t loft_next_vertex(struct lofting *l, struct species_vertex vertex)
-{
-    CORE_ASSERT(l->loft->vertex_count < MESH_VERTEX_MAX);
-    l->loft->vertices[l->loft->vertex_count] = vertex;
-    return (uint16_t)l->loft->vertex_count++;
-}
-
-static vec3 single(v3d p)
-{
-    return (vec3){ (float)p.x, (float)p.y, (float)p.z };
-}
-
-void loft_place(struct lofting *l, uint32_t key, v3d p, v3d normal)
-{
-    CORE_ASSERT(l->loft->vertex_count > 0);
-    CORE_ASSERT(key < l->species->key_count);
-    const v3d snout = { 0.0, 0.0, -0.5 };
-    l->loft->positions[key][l->loft->vertex_count - 1] =
-        single(v3d_muladd(snout, p, 1.0 / l->unit[key]));
-    l->loft->normals[key][l->loft->vertex_count - 1] = single(normal);
-}
-
-void loft_place_from_anchor(struct lofting *l, uint32_t key, v3d offset, v3d normal)
-{
-    CORE_ASSERT(l->loft->vertex_count > 0);
-    CORE_ASSERT(l->loft->anchor_count > 0);
-    const v3d anchor = { 0.0, 0.0, 0.0 };
-    l->loft->positions[key][l->loft->vertex_count - 1] =
-        single(v3d_muladd(anchor, offset, 1.0 / l->unit[key]));
-    l->loft->normals[key][l->loft->vertex_count - 1] = single(normal);
-}
-
-void loft_triangle(struct lofting *l, uint32_t a, uint32_t b, uint32_t c)
-{
-    CORE_ASSERT(a < l->loft->vertex_count && b < l->loft->vertex_count &&
-                c < l->loft->vertex_count);
-    CORE_ASSERT(l->loft->index_count + 3 <= MESH_INDEX_MAX);
-    uint16_t *out = &l->loft->indices[l->loft->index_count];
-    out[0] = (uint16_t)a;
-    out[1] = (uint16_t)b;
-    out[2] = (uint16_t)c;
-    l->loft->index_count += 3;
-}
-
-struct species_anchor *loft_next_anchor(struct lofting *l, enum species_part part, uint8_t turns)
-{
-    CORE_ASSERT(l->loft->anchor_count < ANCHOR_MAX);
-    struct species_anchor *anchor = &l->loft->anchors[l->loft->anchor_count++];
-    anchor->curve = loft_curve_of(l->species, part);
-    anchor->turns = turns;
-    return anchor;
-}
-
-/* Adds the two closing points of the body's surface at the snout or at the tail root. Each point
- * lies on the axis of the cross section. Each flank has its own closing point, so that the pattern
- * coordinate v does not jump at the belly. `normal` is the normal of the right flank's point.
- * Returns the vertex index of the right flank's point. */
-static uint32_t add_poles(struct lofting *l, double u, v3d normal)
-{
-    for (int side = 1; side >= -1; side -= 2) {
-        loft_next_vertex(l, (struct species_vertex){ .u = (float)u,
-                                                     .v = side > 0 ? 0.25f : 0.75f,
-                                                     .anchor = ANCHOR_NONE });
-        for (uint32_t key = 0; key < l->species->key_count; key++) {
-            const struct station s = shape_section(&l->species->keys[key], u);
-            const double z = u > 0.0 ? shape_body_end(&l->species->keys[key]) : 0.0;
-            loft_place(l, key, (v3d){ 0.0, (double)s.offset, z },
-                       (v3d){ normal.x * side, normal.y, normal.z });
-        }
-    }
-    return l->loft->vertex_count - 2;
-}
-
-static void add_body(struct lofting *l)
-{
-    const uint32_t rings = l->detail->rings, spokes = l->detail->spokes;
-    double u[RINGS_MAX];
-    CORE_ASSERT(rings <= RINGS_MAX);
-    loft_place_rings(l->species, rings, u);
-    const uint32_t snout = add_poles(l, 0.0, (v3d){ 0.0, 0.0, -1.0 });
-    const uint32_t first = l->loft->vertex_count;
-    for (uint32_t ring = 0; ring < rings; ring++) {
-        for (uint32_t spoke = 0; spoke <= l->detail->spokes; spoke++) {
-            const double v = (double)spoke / l->detail->spokes;
-            loft_next_vertex(l, (struct species_vertex){
-                                    .u = (float)u[ring], .v = (float)v, .anchor = ANCHOR_NONE });
-            for (uint32_t key = 0; key < l->species->key_count; key++) {
-                const struct key_text *text = &l->species->keys[key];
-                loft_place(l, key, shape_body_point(text, u[ring], v),
-                           shape_body_normal(text, u[ring], v));
-            }
-        }
-    }
-    if (l->detail->round_end) {
-        /* Add a ring between the last ring and the closing points, which makes the end of
-         * the body round. The ring is not part of the vertex grid because no anchor lies on
-         * the ring. */
-        for (uint32_t spoke = 0; spoke <= l->detail->spokes; spoke++) {
-            const double v = (double)spoke / l->detail->spokes;
-            loft_next_vertex(
-                l, (struct species_vertex){ .u = 1.0f, .v = (float)v, .anchor = ANCHOR_NONE });
-            for (uint32_t key = 0; key < l->species->key_count; key++) {
-                const struct key_text *text = &l->species->keys[key];
-                loft_place(l, key, shape_end_point(text, CAP_AT, v),
-                           v3d_unit(v3d_muladd(shape_body_normal(text, 1.0, v),
-                                               (v3d){ 0.0, 0.0, 1.0 }, CAP_FACES)));
-            }
-        }
-    }
-    const uint32_t rows = rings + (l->detail->round_end ? 1u : 0u);
-    const uint32_t last = first + (rows - 1) * (spokes + 1);
-    const uint32_t end = add_poles(l, 1.0, v3d_unit((v3d){ 1.0, 0.0, 0.3 }));
-    for (uint32_t j = 0; j < spokes; j++) {
-        const uint32_t left = 2 * j < spokes ? 0 : 1;
-        loft_triangle(l, snout + left, first + j, first + j + 1);
-        for (uint32_t row = first; row < last; row += spokes + 1) {
-            const uint32_t a = row + j, b = a + 1, c = a + spokes + 1, d = c + 1;
-            loft_triangle(l, a, c, b);
-            loft_triangle(l, b, c, d);
-        }
-        loft_triangle(l, last + j, end + left, last + j + 1);
-    }
-    l->loft->grid_first = first;
-    l->loft->grid_rings = rings;
-    l->loft->grid_spokes = spokes;
-}
-
-void species_loft(const struct species_text *species, const struct detail *detail,
-                  struct loft *loft)
-{
-    CORE_ASSERT(species->key_count <= MORPH_KEY_MAX);
-    struct lofting l = { .species = species, .detail = detail, .loft = loft };
-    memset(loft, 0, sizeof *loft);
-    for (uint32_t key = 0; key < species->key_count; key++) {
-        l.unit[key] =
-            shape_unit_length(&species->keys[key], (enum species_measure)species->measure);
-    }
-    add_body(&l);
-    loft_add_eyes(&l);
-    loft_add_fins(&l);
-    loft_paint_masks(&l);
-    /* `farthest` is the largest coordinate of the mesh. The `reach` of a mesh is the length that
-     * the largest packed coordinate stands for. Its value is the smallest of 1, 2 and 4 that no
-     * coordinate exceeds. */
-    float farthest = 0.0f;
-    for (uint32_t key = 0; key < species->key_count; key++) {
-        for (uint32_t i = 0; i < loft->vertex_count; i++) {
-            const vec3 p = loft->positions[key][i];
-            farthest = fmaxf(farthest, fmaxf(fabsf(p.x), fmaxf(fabsf(p.y), fabsf(p.z))));
-        }
-    }
-    loft->reach = farthest <= 1.0f ? 1.0f : farthest <= 2.0f ? 2.0f : 4.0f;
-}
+const v3d loft_snout = { 0.0, 0.0, -0.5 };
 
 /* ---- Positions of the rings ------------------------------------------------------------------ */
 
@@ -214,7 +63,9 @@ static void body_outline_at(const struct key_text *key, double u, double out[3])
     out[2] = 0.5 * (double)s.width;
 }
 
-void loft_place_rings(const struct species_text *species, uint32_t count, double *u)
+/* Writes the body coordinate u of each of `count` rings to `u`. The last ring is at u = 1. The
+ * rings are closer to each other where an outline bends in any key. */
+static void place_rings(const struct species_text *species, uint32_t count, double *u)
 {
     double sum[RING_SAMPLES + 1] = { 0.0 };
     for (int i = 0; i < RING_SAMPLES; i++) {
@@ -224,7 +75,7 @@ void loft_place_rings(const struct species_text *species, uint32_t count, double
          * `at`. */
         const double d = 1.0 / RING_SAMPLES;
         double most = 0.0;
-        for (uint32_t key = 0; key < species->key_count; key++) {
+        for (uint32_t key = 0; key < species->card.key_count; key++) {
             double before[3], here[3], after[3];
             body_outline_at(&species->keys[key], at - d, before);
             body_outline_at(&species->keys[key], at, here);
@@ -283,9 +134,11 @@ static double ramp(double from, double to, double x)
     return t * t * (3.0 - 2.0 * t);
 }
 
-uint8_t loft_curve_of(const struct species_text *species, uint32_t part)
+/* Returns the index of the deformation curve that moves `part`. 0 is the curve of the whole
+ * fish. */
+static uint8_t curve_of(const struct species_text *species, uint32_t part)
 {
-    for (uint32_t curve = 1; curve < species->curve_count; curve++) {
+    for (uint32_t curve = 1; curve < species->card.curve_count; curve++) {
         if (species->curves[curve].parts >> part & 1u) {
             return (uint8_t)curve;
         }
@@ -304,23 +157,22 @@ static void skin_share(const struct species_text *species, double u, double v,
     for (uint32_t curve = 1; curve < MORPH_CURVE_MAX; curve++) {
         const struct curve_text *c = &species->curves[curve];
         share[curve] = 0.0;
-        if (curve < species->curve_count) {
+        if (curve < species->card.curve_count) {
             share[curve] = (c->parts >> PART_HEAD & 1u ? 1.0 - trunk : 0.0) +
                            (c->parts >> PART_TRUNK & 1u ? trunk : 0.0);
             for (uint32_t i = 0; i < c->area_count; i++) {
                 /* Computes the weight of the point (u, v) in a painted area. The weight is 1 inside
                  * the area, and falls to 0 at the distance `soft` outside the area's border. The
                  * positions of areas refer to the first key. */
-                const struct key_text *key = &species->keys[0];
-                const double x = shape_body_x(key, u), soft = (double)c->areas[i].soft;
-                const double high = 0.5 + 0.5 * cos(2.0 * 3.14159265358979323846 * v);
-                share[curve] = fmax(
-                    share[curve],
-                    ramp((double)c->areas[i].from - soft, (double)c->areas[i].from, x) *
-                        (1.0 - ramp((double)c->areas[i].to, (double)c->areas[i].to + soft, x)) *
-                        ramp((double)c->areas[i].low - soft, (double)c->areas[i].low, high) *
-                        (1.0 -
-                         ramp((double)c->areas[i].high, (double)c->areas[i].high + soft, high)));
+                const struct area *area = &c->areas[i];
+                const double from = (double)area->from, to = (double)area->to;
+                const double low = (double)area->low, high = (double)area->high;
+                const double x = shape_body_x(&species->keys[0], u), soft = (double)area->soft;
+                const double y = 0.5 + 0.5 * cos(2.0 * 3.14159265358979323846 * v);
+                share[curve] =
+                    fmax(share[curve], ramp(from - soft, from, x) * (1.0 - ramp(to, to + soft, x)) *
+                                           ramp(low - soft, low, y) *
+                                           (1.0 - ramp(high, high + soft, y)));
             }
         }
         sum += share[curve];
@@ -331,15 +183,18 @@ static void skin_share(const struct species_text *species, double u, double v,
     share[0] = fmax(1.0 - sum, 0.0);
 }
 
-void loft_paint_masks(struct lofting *l)
+/* Computes the masks of every vertex. A mask is the weight with which a deformation curve moves the
+ * vertex. */
+static void paint_masks(struct lofting *l)
 {
     for (uint32_t i = 0; i < l->loft->vertex_count; i++) {
         struct species_vertex *vertex = &l->loft->vertices[i];
-        double share[MORPH_CURVE_MAX];
+        double share[MORPH_CURVE_MAX] = { 0.0 };
         uint32_t left = 255;
-        const uint8_t own = loft_curve_of(l->species, vertex->part);
-        /* `rooted` is the weight of the deformation curve of the vertex's own body part. The
-         * remaining weight is distributed as on the skin at the vertex. */
+        const uint8_t own = curve_of(l->species, vertex->part);
+        /* `rooted` is the fraction of the vertex's motion that comes from the deformation curve of
+         * its own body part. The rest of the motion comes from the curves that move the skin. For
+         * the tail fin, these are the curves of the skin at the tail root. */
         double rooted = 0.0;
         if (vertex->part == PART_TAIL) {
             skin_share(l->species, TAIL_ROOT_U, 0.25, share);
@@ -360,4 +215,144 @@ void loft_paint_masks(struct lofting *l)
         }
         vertex->mask[0] = (uint8_t)left;
     }
+}
+
+/* ---- Mesh of the body ------------------------------------------------------------------------ */
+
+uint16_t loft_next_vertex(struct lofting *l, struct species_vertex vertex)
+{
+    CORE_ASSERT(l->loft->vertex_count < MESH_VERTEX_MAX);
+    l->loft->vertices[l->loft->vertex_count] = vertex;
+    return (uint16_t)l->loft->vertex_count++;
+}
+
+static vec3 single(v3d p)
+{
+    return (vec3){ (float)p.x, (float)p.y, (float)p.z };
+}
+
+void loft_place(struct lofting *l, uint32_t key, v3d origin, v3d offset, v3d normal)
+{
+    CORE_ASSERT(l->loft->vertex_count > 0);
+    CORE_ASSERT(key < l->species->card.key_count);
+    const uint32_t newest = l->loft->vertex_count - 1;
+    l->loft->positions[key][newest] = single(v3d_muladd(origin, offset, 1.0 / l->unit[key]));
+    l->loft->normals[key][newest] = single(normal);
+}
+
+void loft_triangle(struct lofting *l, uint32_t a, uint32_t b, uint32_t c)
+{
+    CORE_ASSERT(a < l->loft->vertex_count && b < l->loft->vertex_count &&
+                c < l->loft->vertex_count);
+    CORE_ASSERT(l->loft->index_count + 3 <= MESH_INDEX_MAX);
+    uint16_t *out = &l->loft->indices[l->loft->index_count];
+    out[0] = (uint16_t)a;
+    out[1] = (uint16_t)b;
+    out[2] = (uint16_t)c;
+    l->loft->index_count += 3;
+}
+
+struct species_anchor *loft_next_anchor(struct lofting *l, enum species_part part, bool turns)
+{
+    CORE_ASSERT(l->loft->anchor_count < ANCHOR_MAX);
+    struct species_anchor *anchor = &l->loft->anchors[l->loft->anchor_count++];
+    anchor->curve = curve_of(l->species, part);
+    anchor->turns = turns;
+    return anchor;
+}
+
+/* Adds two vertices that close the body's surface at the snout (`u` = 0) or at the body's last
+ * point (`u` = 1). Both vertices have the same position, on the axis of the cross section. The
+ * first vertex belongs to the right flank and the second vertex to the left flank. With a single
+ * vertex for both flanks, the pattern coordinate v would jump at the belly. `normal` is the normal
+ * of the right vertex, and its mirror image is the normal of the left vertex. Returns the index of
+ * the right vertex. */
+static uint32_t add_poles(struct lofting *l, double u, v3d normal)
+{
+    for (int side = 1; side >= -1; side -= 2) {
+        loft_next_vertex(l, (struct species_vertex){ .u = (float)u,
+                                                     .v = side > 0 ? 0.25f : 0.75f,
+                                                     .anchor = ANCHOR_NONE });
+        for (uint32_t key = 0; key < l->species->card.key_count; key++) {
+            const struct station s = shape_section(&l->species->keys[key], u);
+            const double z = u > 0.0 ? shape_body_end(&l->species->keys[key]) : 0.0;
+            loft_place(l, key, loft_snout, (v3d){ 0.0, (double)s.offset, z },
+                       (v3d){ normal.x * side, normal.y, normal.z });
+        }
+    }
+    return l->loft->vertex_count - 2;
+}
+
+static void add_body(struct lofting *l)
+{
+    const uint32_t rings = l->detail->rings, spokes = l->detail->spokes;
+    /* If detail->round_end is true, the mesh has one additional row of vertices behind the last
+     * ring, which makes the rear end of the body round. This row is not part of the vertex grid,
+     * because no anchor lies on the row. */
+    const uint32_t rows = rings + (l->detail->round_end ? 1u : 0u);
+    double u[RINGS_MAX + 1];
+    CORE_ASSERT(rings <= RINGS_MAX);
+    place_rings(l->species, rings, u);
+    u[rings] = 1.0;
+    const uint32_t snout = add_poles(l, 0.0, (v3d){ 0.0, 0.0, -1.0 });
+    const uint32_t first = l->loft->vertex_count;
+    for (uint32_t row = 0; row < rows; row++) {
+        for (uint32_t spoke = 0; spoke <= spokes; spoke++) {
+            const double v = (double)spoke / spokes;
+            loft_next_vertex(l, (struct species_vertex){
+                                    .u = (float)u[row], .v = (float)v, .anchor = ANCHOR_NONE });
+            for (uint32_t key = 0; key < l->species->card.key_count; key++) {
+                const struct key_text *text = &l->species->keys[key];
+                v3d p = shape_body_point(text, u[row], v), n = shape_body_normal(text, u[row], v);
+                if (row == rings) {
+                    p = shape_end_point(text, CAP_AT, v);
+                    n = v3d_unit(v3d_muladd(n, (v3d){ 0.0, 0.0, 1.0 }, CAP_FACES));
+                }
+                loft_place(l, key, loft_snout, p, n);
+            }
+        }
+    }
+    const uint32_t last = first + (rows - 1) * (spokes + 1);
+    const uint32_t end = add_poles(l, 1.0, v3d_unit((v3d){ 1.0, 0.0, 0.3 }));
+    for (uint32_t j = 0; j < spokes; j++) {
+        const uint32_t left = 2 * j < spokes ? 0 : 1;
+        loft_triangle(l, snout + left, first + j, first + j + 1);
+        for (uint32_t row = first; row < last; row += spokes + 1) {
+            const uint32_t a = row + j, b = a + 1, c = a + spokes + 1, d = c + 1;
+            loft_triangle(l, a, c, b);
+            loft_triangle(l, b, c, d);
+        }
+        loft_triangle(l, last + j, end + left, last + j + 1);
+    }
+    l->loft->grid_first = first;
+    l->loft->grid_rings = rings;
+    l->loft->grid_spokes = spokes;
+}
+
+void species_loft(const struct species_text *species, const struct detail *detail,
+                  struct loft *loft)
+{
+    CORE_ASSERT(species->card.key_count <= MORPH_KEY_MAX);
+    struct lofting l = { .species = species, .detail = detail, .loft = loft };
+    memset(loft, 0, sizeof *loft);
+    for (uint32_t key = 0; key < species->card.key_count; key++) {
+        l.unit[key] =
+            shape_unit_length(&species->keys[key], (enum species_measure)species->card.measure);
+    }
+    add_body(&l);
+    loft_add_eye(&l, 0);
+    loft_add_eye(&l, 1);
+    loft_add_fins(&l);
+    paint_masks(&l);
+    /* Sets `reach`, the length that the largest packed coordinate represents. `reach` is 1, 2 or 4,
+     * and is chosen as small as possible for the best resolution. The value must not be smaller
+     * than `farthest`, the largest absolute coordinate of the mesh. */
+    float farthest = 0.0f;
+    for (uint32_t key = 0; key < species->card.key_count; key++) {
+        for (uint32_t i = 0; i < loft->vertex_count; i++) {
+            const vec3 p = loft->positions[key][i];
+            farthest = fmaxf(farthest, fmaxf(fabsf(p.x), fmaxf(fabsf(p.y), fabsf(p.z))));
+        }
+    }
+    loft->reach = farthest <= 1.0f ? 1.0f : farthest <= 2.0f ? 2.0f : 4.0f;
 }

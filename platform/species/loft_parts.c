@@ -11,47 +11,28 @@
 #include "core/base/panic.h"
 
 #define PI 3.14159265358979323846
-/* Distance between the tail stalk and the first visible vertices of the tail fin, as a fraction of
- * the tail fin's length. */
+/* Position of the second row of the tail fin's vertices, as a fraction of the fin's visible length.
+ * At this position the row is just behind the tail stalk. */
 #define TAIL_LEAVES 0.05
-/* Minimum number of vertex rows of a tail fin whose second row is close behind the tail stalk (see
- * row_at()). A tail fin with fewer rows needs all rows to approximate its bend. */
+/* Minimum number of vertex rows of a tail fin whose second row is placed at TAIL_LEAVES. With fewer
+ * rows, the rows are evenly spaced, because all rows are needed to approximate the bend of the
+ * fin. */
 #define TAIL_ROWS 4
 
-static const struct species_vertex on_nothing = { .anchor = ANCHOR_NONE };
-
-/* Returns the position of row `j` of a fin, [0, 1]. The fin has `along` rows. In the near mesh, the
- * second row of the tail fin is just behind the tail stalk. Otherwise the edges from the first row
- * to the second row would cut through the sides of the stalk. */
-static double row_at(enum species_part part, uint32_t j, uint32_t along)
-{
-    if (part == PART_TAIL && along >= TAIL_ROWS) {
-        return j == 0 ? 0.0 : TAIL_LEAVES + (1.0 - TAIL_LEAVES) * (j - 1) / (along - 2);
-    }
-    return (double)j / (along - 1);
-}
-
-/* Writes the body coordinates of the root of a fin's ray at position `at`. Must not be called for
- * the tail fin, whose root has no body coordinates. */
-static void root_at(const struct key_text *key, enum species_part part, int side, double at,
-                    double *u, double *v)
-{
-    const struct fin *fin = &key->fins[part];
-    const double girth = part == PART_DORSAL || part == PART_DORSAL_2 ? 0.0
-                         : part == PART_ANAL                          ? 0.5
-                                                                      : (double)fin->girth;
-    *u = shape_body_u(key, (double)fin->start + ((double)fin->end - (double)fin->start) * at);
-    *v = side > 0 ? girth : 1.0 - girth;
-}
-
+/* Adds the anchor of the fin's ray at position `at` of the fin's base. The anchor lies where the
+ * ray leaves the skin. Returns the index of the anchor. Must not be called for the tail fin, whose
+ * root has no body coordinates. */
 static uint8_t add_root(struct lofting *l, enum species_part part, int side, double at)
 {
-    struct species_anchor *anchor = loft_next_anchor(l, part, 0);
-    for (uint32_t key = 0; key < l->species->key_count; key++) {
-        double u, v;
-        root_at(&l->species->keys[key], part, side, at, &u, &v);
-        anchor->u[key] = (float)u;
-        anchor->v[key] = (float)v;
+    struct species_anchor *anchor = loft_next_anchor(l, part, false);
+    for (uint32_t key = 0; key < l->species->card.key_count; key++) {
+        const struct fin *fin = &l->species->keys[key].fins[part];
+        const double girth = part == PART_DORSAL || part == PART_DORSAL_2 ? 0.0
+                             : part == PART_ANAL                          ? 0.5
+                                                                          : (double)fin->girth;
+        const double x = (double)fin->start + ((double)fin->end - (double)fin->start) * at;
+        anchor->u[key] = (float)shape_body_u(&l->species->keys[key], x);
+        anchor->v[key] = (float)(side > 0 ? girth : 1.0 - girth);
     }
     return (uint8_t)(l->loft->anchor_count - 1);
 }
@@ -62,29 +43,28 @@ static void place_newest_vertex(struct lofting *l, uint32_t key, v3d p, v3d norm
 {
     const uint8_t index = l->loft->vertices[l->loft->vertex_count - 1].anchor;
     if (index == ANCHOR_NONE) {
-        loft_place(l, key, p, normal);
+        loft_place(l, key, loft_snout, p, normal);
         return;
     }
     const struct species_anchor *anchor = &l->loft->anchors[index];
     const v3d skin =
         shape_body_point(&l->species->keys[key], (double)anchor->u[key], (double)anchor->v[key]);
-    loft_place_from_anchor(l, key, v3d_sub(p, skin), normal);
+    loft_place(l, key, (v3d){ 0.0, 0.0, 0.0 }, v3d_sub(p, skin), normal);
 }
 
 static void add_fin_vertex(struct lofting *l, enum species_part part, int side, double at,
                            double along, uint8_t anchor)
 {
-    struct species_vertex vertex = on_nothing;
-    vertex.u = (float)at;
-    vertex.v = (float)along;
-    vertex.part = (uint8_t)part;
-    vertex.flex = (uint8_t)lround(255.0 * along);
-    vertex.anchor = anchor;
-    if (part == PART_PECTORAL || part == PART_PELVIC) {
-        vertex.side = side > 0 ? SIDE_RIGHT : SIDE_LEFT;
-    }
-    loft_next_vertex(l, vertex);
-    for (uint32_t key = 0; key < l->species->key_count; key++) {
+    const bool paired = part == PART_PECTORAL || part == PART_PELVIC;
+    loft_next_vertex(l, (struct species_vertex){ .u = (float)at,
+                                                 .v = (float)along,
+                                                 .part = (uint8_t)part,
+                                                 .side = !paired    ? SIDE_MIDDLE
+                                                         : side > 0 ? SIDE_RIGHT
+                                                                    : SIDE_LEFT,
+                                                 .flex = (uint8_t)lround(255.0 * along),
+                                                 .anchor = anchor });
+    for (uint32_t key = 0; key < l->species->card.key_count; key++) {
         const struct key_text *text = &l->species->keys[key];
         v3d p = shape_fin_point(text, part, at, along), n = shape_fin_normal(text, part, at, along);
         p.x *= side;
@@ -109,7 +89,14 @@ static void add_fin(struct lofting *l, enum species_part part, int side)
         const double at = part == PART_TAIL ? 0.5 - 0.5 * cos(PI * t) : t;
         const uint8_t anchor = part == PART_TAIL ? ANCHOR_NONE : add_root(l, part, side, at);
         for (uint32_t j = 0; j < along; j++) {
-            add_fin_vertex(l, part, side, at, row_at(part, j, along), anchor);
+            /* `row` is the position of row `j` along the ray, [0, 1]. In the near mesh, the second
+             * row of the tail fin is just behind the tail stalk. Otherwise the edges from the first
+             * row to the second row would cut through the sides of the stalk. */
+            double row = (double)j / (along - 1);
+            if (part == PART_TAIL && along >= TAIL_ROWS && j > 0) {
+                row = TAIL_LEAVES + (1.0 - TAIL_LEAVES) * (j - 1) / (along - 2);
+            }
+            add_fin_vertex(l, part, side, at, row, anchor);
         }
     }
     for (uint32_t i = 0; i + 1 < across; i++) {
@@ -139,22 +126,22 @@ void loft_add_fins(struct lofting *l)
             const double at = (double)i / count;
             const enum species_part part = row == 0 ? PART_FINLET_UPPER : PART_FINLET_LOWER;
             const uint32_t first = l->loft->vertex_count;
-            struct species_anchor *anchor = loft_next_anchor(l, part, 0);
-            for (uint32_t key = 0; key < l->species->key_count; key++) {
+            struct species_anchor *anchor = loft_next_anchor(l, part, false);
+            for (uint32_t key = 0; key < l->species->card.key_count; key++) {
                 const struct finlets *f = &l->species->keys[key].finlets[row];
                 const double x = (double)f->start + at * ((double)f->end - (double)f->start);
                 anchor->u[key] = (float)shape_body_u(&l->species->keys[key], x);
                 anchor->v[key] = row == 0 ? 0.0f : 0.5f;
             }
             for (uint32_t corner = 0; corner < 3; corner++) {
-                struct species_vertex vertex = on_nothing;
-                vertex.u = (float)(at + (corner == 1 ? FINLET_BASE * (1.0 / count) : 0.0));
-                vertex.v = corner == 2 ? 1.0f : 0.0f;
-                vertex.part = (uint8_t)part;
-                vertex.flex = corner == 2 ? 255 : 0;
-                vertex.anchor = (uint8_t)(l->loft->anchor_count - 1);
-                loft_next_vertex(l, vertex);
-                for (uint32_t key = 0; key < l->species->key_count; key++) {
+                const double u = at + (corner == 1 ? FINLET_BASE * (1.0 / count) : 0.0);
+                loft_next_vertex(
+                    l, (struct species_vertex){ .u = (float)u,
+                                                .v = corner == 2 ? 1.0f : 0.0f,
+                                                .part = (uint8_t)part,
+                                                .flex = corner == 2 ? 255 : 0,
+                                                .anchor = (uint8_t)(l->loft->anchor_count - 1) });
+                for (uint32_t key = 0; key < l->species->card.key_count; key++) {
                     const v3d p = shape_finlet_point(&l->species->keys[key], row, at, corner);
                     place_newest_vertex(l, key, p, (v3d){ 1.0, 0.0, 0.0 });
                 }
@@ -180,24 +167,24 @@ static void add_ball_vertex(struct lofting *l, uint32_t side, double polar, doub
                                                  .part = PART_EYE,
                                                  .side = side == 0 ? SIDE_RIGHT : SIDE_LEFT,
                                                  .anchor = (uint8_t)(l->loft->anchor_count - 1) });
-    for (uint32_t key = 0; key < l->species->key_count; key++) {
+    for (uint32_t key = 0; key < l->species->card.key_count; key++) {
         const struct ball ball = shape_eye_ball(&l->species->keys[key], side);
         const double out = cos(polar) > 0.0 ? ball.out : ball.in;
         const double c = cos(polar), s = sin(polar);
         const v3d p = { out * c - ball.sunk, ball.radius * s * cos(angle),
                         ball.radius * s * sin(angle) };
         const v3d n = { c / out, s * cos(angle) / ball.radius, s * sin(angle) / ball.radius };
-        loft_place_from_anchor(l, key, p, v3d_unit(n));
+        loft_place(l, key, (v3d){ 0.0, 0.0, 0.0 }, p, v3d_unit(n));
     }
 }
 
-static void add_eye(struct lofting *l, uint32_t side)
+void loft_add_eye(struct lofting *l, uint32_t side)
 {
     CORE_ASSERT(side < 2);
     CORE_ASSERT(l->detail->eye_spokes >= 3);
     const uint32_t rings = l->detail->eye_rings, spokes = l->detail->eye_spokes;
-    struct species_anchor *anchor = loft_next_anchor(l, PART_EYE, 1);
-    for (uint32_t key = 0; key < l->species->key_count; key++) {
+    struct species_anchor *anchor = loft_next_anchor(l, PART_EYE, true);
+    for (uint32_t key = 0; key < l->species->card.key_count; key++) {
         const struct ball ball = shape_eye_ball(&l->species->keys[key], side);
         anchor->u[key] = (float)ball.u;
         anchor->v[key] = (float)ball.v;
@@ -228,10 +215,4 @@ static void add_eye(struct lofting *l, uint32_t side)
         }
         loft_triangle(l, back, last + k, last + j);
     }
-}
-
-void loft_add_eyes(struct lofting *l)
-{
-    add_eye(l, 0);
-    add_eye(l, 1);
 }

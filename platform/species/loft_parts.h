@@ -16,35 +16,26 @@ struct lofting {
                                    defines the length. */
 };
 
-/* Adds a vertex and returns its index. This vertex is the newest vertex until the next call.
- * loft_paint_masks() computes the masks of all vertices later. */
+/* Adds a vertex and returns its index. This vertex is the newest vertex until the next call. The
+ * masks of all vertices are computed after all parts were added. */
 uint16_t loft_next_vertex(struct lofting *l, struct species_vertex vertex);
 
-/* Sets the newest vertex's position in one key to point `p` of the drawing. */
-void loft_place(struct lofting *l, uint32_t key, v3d p, v3d normal);
-/* Sets the newest vertex's position in one key to `offset` from its anchor, in the units of the
+/* Position of the snout in the mesh, where the origin of the drawing lies. */
+extern const v3d loft_snout;
+/* Sets the newest vertex's position in one key. `origin` is loft_snout for a point `offset` of the
+ * drawing, or 0 for an offset from the vertex's anchor. The units of `offset` are those of the
  * drawing. */
-void loft_place_from_anchor(struct lofting *l, uint32_t key, v3d offset, v3d normal);
+void loft_place(struct lofting *l, uint32_t key, v3d origin, v3d offset, v3d normal);
 
 /* Adds a triangle of the vertices `a`, `b` and `c`. */
 void loft_triangle(struct lofting *l, uint32_t a, uint32_t b, uint32_t c);
 
-/* Adds an anchor and returns the anchor. All body coordinates of the anchor are equal in every key
- * until the caller changes them. */
-struct species_anchor *loft_next_anchor(struct lofting *l, enum species_part part, uint8_t turns);
+/* Adds an anchor and returns the anchor. The body coordinates of the anchor are 0 in every key
+ * until the caller sets them. `turns` is true if the anchor's vertices rotate with the skin. */
+struct species_anchor *loft_next_anchor(struct lofting *l, enum species_part part, bool turns);
 
-/* Writes the body coordinate u of each of `count` rings. The last ring is at u = 1. Rings are
- * closer to each other where an outline bends in any key. */
-void loft_place_rings(const struct species_text *species, uint32_t count, double *u);
-
-/* Returns the index of the deformation curve that moves `part`. 0 is the curve of the whole
- * fish. */
-uint8_t loft_curve_of(const struct species_text *species, uint32_t part);
-/* Computes the masks of every vertex. A mask is the weight with which a deformation curve moves the
- * vertex. */
-void loft_paint_masks(struct lofting *l);
-
-void loft_add_eyes(struct lofting *l);
+/* Adds the ball of an eye. `side` is 0 for the right eye, 1 for the left eye. */
+void loft_add_eye(struct lofting *l, uint32_t side);
 void loft_add_fins(struct lofting *l);
 
 #endif

@@ -1,12 +1,19 @@
-/* pack.c -- serializes and parses a species file. The walk functions visit the fields of a species
- * in one order, both for reading and for writing. */
+/* pack.c -- serializes, parses, reads and writes species files (NAME.kfish), and converts a species
+ * text to a species. The walk functions visit the fields of a species in one order, for reading and
+ * for writing. */
 #include "platform/species/pack.h"
 
-#include <stdarg.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "core/base/panic.h"
+#include "core/morph/morph.h"
+#include "platform/os/file.h"
+#include "platform/species/shape.h"
 
 #define HEAD_SIZE 20u
 
@@ -18,6 +25,7 @@ _Static_assert(sizeof(struct species_card) == 2348 && sizeof(struct species_coat
                    sizeof(struct species_mark) == 32 && sizeof(struct species_vertex) == 16 &&
                    sizeof(struct species_anchor) == 68,
                "all that a pack holds is walked");
+_Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "a pack has the byte order of memory");
 
 /* Byte buffer with the current position and the direction: writing or reading fields. */
 struct tape {
@@ -29,126 +37,74 @@ struct tape {
     const char *too_many; /* Name of the first count that exceeded its maximum. Null means none. */
 };
 
-static void word8(struct tape *t, uint8_t *x)
+/* Copies `size` bytes between `data` and the current position of the buffer. `writing` of the tape
+ * selects the direction. Bytes beyond the end of the buffer are not written, and are read
+ * as zeros. */
+static void transfer(struct tape *t, void *data, size_t size)
 {
-    if (t->at < t->size) {
-        if (t->writing) {
-            t->bytes[t->at] = *x;
-        } else {
-            *x = t->bytes[t->at];
-        }
-    } else if (!t->writing) {
-        *x = 0;
+    const size_t from = t->at < t->size ? t->at : t->size;
+    const size_t count = size < t->size - from ? size : t->size - from;
+    if (t->writing) {
+        memcpy(t->bytes + from, data, count);
+    } else {
+        memcpy(data, t->bytes + from, count);
+        memset((uint8_t *)data + count, 0, size - count);
     }
-    t->at++;
+    t->at += size;
 }
 
-static void word16(struct tape *t, uint16_t *x)
+/* Copies a count between `data` and the buffer, and returns the count. If the count exceeds
+ * `count_max`, the size of its table, returns 0. The first such count is recorded by its name
+ * `what`. `width` is the size of the count in bytes, 1 or 4. */
+static uint32_t transfer_count(struct tape *t, void *data, size_t width, uint32_t count_max,
+                               const char *what)
 {
-    uint8_t low = (uint8_t)(*x & 255u), high = (uint8_t)(*x >> 8);
-    word8(t, &low);
-    word8(t, &high);
-    *x = (uint16_t)(low | high << 8);
-}
-
-static void word32(struct tape *t, uint32_t *x)
-{
-    uint16_t low = (uint16_t)(*x & 0xffffu), high = (uint16_t)(*x >> 16);
-    word16(t, &low);
-    word16(t, &high);
-    *x = low | (uint32_t)high << 16;
-}
-
-static void signed16(struct tape *t, int16_t *x)
-{
-    uint16_t bits;
-    memcpy(&bits, x, sizeof bits);
-    word16(t, &bits);
-    memcpy(x, &bits, sizeof bits);
-}
-
-static void transfer_float(struct tape *t, float *x)
-{
-    uint32_t bits;
-    memcpy(&bits, x, sizeof bits);
-    word32(t, &bits);
-    memcpy(x, &bits, sizeof bits);
-}
-
-static void transfer_name(struct tape *t, char x[SPECIES_NAME_SIZE])
-{
-    for (uint32_t i = 0; i < SPECIES_NAME_SIZE; i++) {
-        uint8_t byte = (uint8_t)x[i];
-        word8(t, &byte);
-        x[i] = (char)byte;
+    uint32_t count = 0;
+    transfer(t, data, width);
+    memcpy(&count, data, width);
+    if (count <= count_max) {
+        return count;
     }
-}
-
-/* Returns `count`, which was read from the file, or 0 if `count` exceeds the size of its table.
- * Records the name `what` of the first count that was too large. */
-static uint32_t limit_table_count(struct tape *t, uint32_t count, uint32_t count_max,
-                                  const char *what)
-{
-    if (count > count_max && !t->too_many) {
-        t->too_many = what;
-    }
-    return count > count_max ? 0 : count;
+    t->too_many = t->too_many ? t->too_many : what;
+    return 0;
 }
 
 static void count8(struct tape *t, uint8_t *x, uint32_t count_max, const char *what)
 {
-    word8(t, x);
-    *x = (uint8_t)limit_table_count(t, *x, count_max, what);
+    *x = (uint8_t)transfer_count(t, x, sizeof *x, count_max, what);
 }
 
 static void count32(struct tape *t, uint32_t *x, uint32_t count_max, const char *what)
 {
-    word32(t, x);
-    *x = limit_table_count(t, *x, count_max, what);
+    *x = transfer_count(t, x, sizeof *x, count_max, what);
 }
 
 static void walk_card(struct tape *t, struct species_card *card)
 {
-    transfer_name(t, card->id);
+    transfer(t, card->id, sizeof card->id);
     count8(t, &card->key_count, MORPH_KEY_MAX, "keys");
-    word8(t, &card->measure);
-    word8(t, &card->motion);
-    word8(t, &card->form);
-    for (uint32_t i = 0; i < 3; i++) {
-        word8(t, &card->thesis_key[i]);
-    }
-    word8(t, &card->thesis_template);
+    /* Copy the seven consecutive one-byte fields from `measure` to `thesis_template`. */
+    transfer(t, (uint8_t *)card + offsetof(struct species_card, measure), 7);
     for (uint32_t key = 0; key < card->key_count; key++) {
-        transfer_name(t, card->key_names[key]);
-        transfer_float(t, &card->key_age_days[key]);
-        transfer_float(t, &card->key_length_m[key]);
+        transfer(t, card->key_names[key], sizeof card->key_names[key]);
+        transfer(t, &card->key_age_days[key], sizeof card->key_age_days[key]);
+        transfer(t, &card->key_length_m[key], sizeof card->key_length_m[key]);
     }
-    transfer_float(t, &card->growth.length_inf_m);
-    transfer_float(t, &card->growth.k_per_year);
-    transfer_float(t, &card->growth.t0_year);
-    transfer_float(t, &card->growth.fade_year);
-    count32(t, &card->growth.point_count, GROWTH_POINT_MAX, "growth points");
-    for (uint32_t i = 0; i < card->growth.point_count; i++) {
-        transfer_float(t, &card->growth.points[i].age_days);
-        transfer_float(t, &card->growth.points[i].length_m);
-    }
+    struct growth *growth = &card->growth;
+    transfer(t, growth, offsetof(struct growth, point_count));
+    count32(t, &growth->point_count, GROWTH_POINT_MAX, "growth points");
+    transfer(t, growth->points, growth->point_count * sizeof growth->points[0]);
     count8(t, &card->scale_knot_count, GRAPH_KNOT_MAX, "scale knots");
-    for (uint32_t i = 0; i < card->scale_knot_count; i++) {
-        transfer_float(t, &card->scale_knots[i].progress);
-        transfer_float(t, &card->scale_knots[i].length_m);
-    }
+    transfer(t, card->scale_knots, card->scale_knot_count * sizeof card->scale_knots[0]);
     count8(t, &card->curve_count, MORPH_CURVE_MAX, "curves");
     for (uint32_t i = 0; i < card->curve_count; i++) {
-        transfer_name(t, card->curve_names[i]);
         struct graph *graph = &card->curves[i];
+        transfer(t, card->curve_names[i], sizeof card->curve_names[i]);
         count8(t, &graph->knot_count, GRAPH_KNOT_MAX, "knots");
-        word8(t, &graph->line);
-        word8(t, &graph->solved);
+        transfer(t, &graph->line, sizeof graph->line);
+        transfer(t, &graph->solved, sizeof graph->solved);
         for (uint32_t k = 0; k < graph->knot_count; k++) {
-            transfer_float(t, &graph->knots[k].progress);
-            for (uint32_t key = 0; key < card->key_count; key++) {
-                transfer_float(t, &graph->knots[k].weight[key]);
-            }
+            transfer(t, &graph->knots[k], sizeof(float) * (1u + card->key_count));
         }
     }
 }
@@ -159,43 +115,24 @@ static void walk_mesh(struct tape *t, struct species_mesh *mesh, struct mesh_tab
     count32(t, &mesh->vertex_count, MESH_VERTEX_MAX, "vertices");
     count32(t, &mesh->index_count, MESH_INDEX_MAX, "indices");
     count32(t, &mesh->anchor_count, ANCHOR_MAX, "anchors");
-    word16(t, &mesh->grid_first);
-    word16(t, &mesh->grid_rings);
-    word16(t, &mesh->grid_spokes);
-    transfer_float(t, &mesh->reach);
-    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-        struct species_vertex *vertex = &tables->vertices[i];
-        transfer_float(t, &vertex->u);
-        transfer_float(t, &vertex->v);
-        word8(t, &vertex->part);
-        word8(t, &vertex->side);
-        word8(t, &vertex->flex);
-        word8(t, &vertex->anchor);
-        for (uint32_t curve = 0; curve < MORPH_CURVE_MAX; curve++) {
-            word8(t, &vertex->mask[curve]);
-        }
-    }
+    transfer(t, &mesh->grid_first, sizeof mesh->grid_first);
+    transfer(t, &mesh->grid_rings, sizeof mesh->grid_rings);
+    transfer(t, &mesh->grid_spokes, sizeof mesh->grid_spokes);
+    transfer(t, &mesh->reach, sizeof mesh->reach);
+    transfer(t, tables->vertices, mesh->vertex_count * sizeof tables->vertices[0]);
     for (uint32_t key = 0; key < key_count; key++) {
-        for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-            struct species_point *point = &tables->points[key][i];
-            signed16(t, &point->x);
-            signed16(t, &point->y);
-            signed16(t, &point->z);
-            signed16(t, &point->normal);
-        }
+        transfer(t, tables->points[key], mesh->vertex_count * sizeof tables->points[key][0]);
     }
     for (uint32_t i = 0; i < mesh->anchor_count; i++) {
         struct species_anchor *anchor = &tables->anchors[i];
-        word8(t, &anchor->curve);
-        word8(t, &anchor->turns);
+        transfer(t, &anchor->curve, sizeof anchor->curve);
+        transfer(t, &anchor->turns, sizeof anchor->turns);
         for (uint32_t key = 0; key < key_count; key++) {
-            transfer_float(t, &anchor->u[key]);
-            transfer_float(t, &anchor->v[key]);
+            transfer(t, &anchor->u[key], sizeof anchor->u[key]);
+            transfer(t, &anchor->v[key], sizeof anchor->v[key]);
         }
     }
-    for (uint32_t i = 0; i < mesh->index_count; i++) {
-        word16(t, &tables->indices[i]);
-    }
+    transfer(t, tables->indices, mesh->index_count * sizeof tables->indices[0]);
 }
 
 static void walk_species(struct tape *t, struct species_slot *slot)
@@ -203,28 +140,10 @@ static void walk_species(struct tape *t, struct species_slot *slot)
     struct species *s = &slot->species;
     walk_card(t, &s->card);
     for (uint32_t key = 0; key < s->card.key_count; key++) {
-        uint32_t *const colours[] = { &s->coats[key].back, &s->coats[key].flank,
-                                      &s->coats[key].belly, &s->coats[key].fin,
-                                      &s->coats[key].iris };
-        for (uint32_t i = 0; i < sizeof colours / sizeof colours[0]; i++) {
-            word32(t, colours[i]);
-        }
-        word8(t, &s->coats[key].clear);
-        word8(t, &s->coats[key].shine);
-        count8(t, &s->coats[key].mark_count, MARK_MAX, "marks");
-        for (uint32_t i = 0; i < s->coats[key].mark_count; i++) {
-            struct species_mark *mark = &s->coats[key].marks[i];
-            word8(t, &mark->kind);
-            word8(t, &mark->part);
-            word8(t, &mark->count);
-            word8(t, &mark->seed);
-            word32(t, &mark->colour);
-            float *const numbers[] = { &mark->from,  &mark->to,  &mark->width,
-                                       &mark->slant, &mark->low, &mark->high };
-            for (uint32_t k = 0; k < sizeof numbers / sizeof numbers[0]; k++) {
-                transfer_float(t, numbers[k]);
-            }
-        }
+        struct species_coat *coat = &s->coats[key];
+        transfer(t, coat, offsetof(struct species_coat, mark_count));
+        count8(t, &coat->mark_count, MARK_MAX, "marks");
+        transfer(t, coat->marks, coat->mark_count * sizeof coat->marks[0]);
     }
     for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
         walk_mesh(t, &s->lod[lod], &slot->tables[lod], s->card.key_count);
@@ -249,40 +168,26 @@ static uint32_t crc32(const uint8_t *bytes, size_t size)
     return ~crc;
 }
 
-static uint32_t little32(const uint8_t *bytes)
+static bool check_head(const uint8_t *bytes, size_t size, char why[VALIDATE_WHY_SIZE])
 {
-    return bytes[0] | (uint32_t)bytes[1] << 8 | (uint32_t)bytes[2] << 16 | (uint32_t)bytes[3] << 24;
-}
-
-__attribute__((format(printf, 2, 3))) static enum pack_result
-refuse_pack(char why[VALIDATE_WHY_SIZE], const char *format, ...)
-{
-    va_list values;
-    va_start(values, format);
-    vsnprintf(why, VALIDATE_WHY_SIZE, format, values);
-    va_end(values);
-    return PACK_BAD;
-}
-
-static enum pack_result check_head(const uint8_t *bytes, size_t size, char why[VALIDATE_WHY_SIZE])
-{
+    uint32_t head[3]; /* Version, size and CRC-32. */
     if (size < HEAD_SIZE || memcmp(bytes, magic, sizeof magic) != 0) {
-        return refuse_pack(why, "magic: this is no packed species");
+        return validate_refuse(why, "magic: the file is not a packed species");
     }
-    const uint32_t version = little32(bytes + 8), body = little32(bytes + 12);
-    if (version != PACK_VERSION) {
-        return refuse_pack(why, "version: %u, and this program reads %u", version, PACK_VERSION);
+    memcpy(head, bytes + sizeof magic, sizeof head);
+    if (head[0] != PACK_VERSION) {
+        return validate_refuse(why, "version: %u, but this program reads version %u", head[0],
+                               PACK_VERSION);
     }
-    if (body != size - HEAD_SIZE) {
-        return refuse_pack(why, "size: %u bytes are announced, %zu follow", body, size - HEAD_SIZE);
+    if (head[1] != size - HEAD_SIZE) {
+        return validate_refuse(why, "size: the header gives %u bytes, but %zu bytes follow",
+                               head[1], size - HEAD_SIZE);
     }
-    if (crc32(bytes + HEAD_SIZE, body) != little32(bytes + 16)) {
-        return refuse_pack(why, "crc: the bytes are not those that were written");
-    }
-    return PACK_OK;
+    return crc32(bytes + HEAD_SIZE, head[1]) == head[2] ||
+           validate_refuse(why, "crc: the checksum is wrong, so the file is damaged");
 }
 
-static void point_at_tables(struct species_slot *slot)
+void pack_point(struct species_slot *slot)
 {
     for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
         struct species_mesh *mesh = &slot->species.lod[lod];
@@ -300,9 +205,10 @@ enum pack_result pack_decode(const uint8_t *bytes, size_t size, struct species_s
                              char why[VALIDATE_WHY_SIZE])
 {
     if (size > PACK_SIZE_MAX) {
-        return refuse_pack(why, "size: more than %u bytes", PACK_SIZE_MAX);
+        validate_refuse(why, "size: more than %u bytes", PACK_SIZE_MAX);
+        return PACK_BAD;
     }
-    if (check_head(bytes, size, why) != PACK_OK) {
+    if (!check_head(bytes, size, why)) {
         return PACK_BAD;
     }
     /* The cast removes the const qualifier of `bytes`. This is safe because reading does not modify
@@ -311,28 +217,27 @@ enum pack_result pack_decode(const uint8_t *bytes, size_t size, struct species_s
     memset(slot, 0, sizeof *slot);
     walk_species(&tape, slot);
     if (tape.too_many) {
-        return refuse_pack(why, "%s: more than a species may have", tape.too_many);
+        validate_refuse(why, "%s: more than a species may have", tape.too_many);
+        return PACK_BAD;
     }
     if (tape.at != size) {
-        return refuse_pack(why, "size: the tables end %s the file does",
-                           tape.at > size ? "after" : "before");
+        validate_refuse(why, "size: the tables end %s the end of the file",
+                        tape.at > size ? "after" : "before");
+        return PACK_BAD;
     }
-    point_at_tables(slot);
+    pack_point(slot);
     return species_validate(&slot->species, why) ? PACK_OK : PACK_BAD;
 }
 
 size_t pack_encode(struct species_slot *slot, uint8_t bytes[PACK_SIZE_MAX])
 {
-    struct tape head = { .bytes = bytes, .size = HEAD_SIZE, .at = sizeof magic, .writing = true };
     struct tape tape = { .bytes = bytes, .size = PACK_SIZE_MAX, .at = HEAD_SIZE, .writing = true };
     walk_species(&tape, slot);
     CORE_ASSERT(!tape.too_many && tape.at <= PACK_SIZE_MAX);
-    uint32_t version = PACK_VERSION, size = (uint32_t)(tape.at - HEAD_SIZE);
-    uint32_t crc = crc32(bytes + HEAD_SIZE, size);
+    const uint32_t size = (uint32_t)(tape.at - HEAD_SIZE);
+    const uint32_t head[3] = { PACK_VERSION, size, crc32(bytes + HEAD_SIZE, size) };
     memcpy(bytes, magic, sizeof magic);
-    word32(&head, &version);
-    word32(&head, &size);
-    word32(&head, &crc);
+    memcpy(bytes + sizeof magic, head, sizeof head);
     return tape.at;
 }
 
@@ -354,15 +259,121 @@ void pack_copy(const struct species *species, struct species_slot *slot)
                    mesh->vertex_count * sizeof *mesh->points[key]);
         }
     }
-    point_at_tables(slot);
+    pack_point(slot);
+}
+
+/* ---- Species from a text --------------------------------------------------------------------- */
+
+void species_pack(const struct loft *loft, uint32_t key_count, struct mesh_tables *tables,
+                  struct species_mesh *mesh)
+{
+    CORE_ASSERT(key_count <= MORPH_KEY_MAX);
+    CORE_ASSERT(loft->vertex_count <= MESH_VERTEX_MAX);
+    memcpy(tables->vertices, loft->vertices, sizeof loft->vertices);
+    memcpy(tables->anchors, loft->anchors, sizeof loft->anchors);
+    memcpy(tables->indices, loft->indices, sizeof loft->indices);
+    *mesh = (struct species_mesh){ .vertex_count = loft->vertex_count,
+                                   .index_count = loft->index_count,
+                                   .anchor_count = loft->anchor_count,
+                                   .grid_first = (uint16_t)loft->grid_first,
+                                   .grid_rings = (uint16_t)loft->grid_rings,
+                                   .grid_spokes = (uint16_t)loft->grid_spokes,
+                                   .reach = loft->reach,
+                                   .vertices = tables->vertices,
+                                   .anchors = tables->anchors,
+                                   .indices = tables->indices };
+    for (uint32_t key = 0; key < key_count; key++) {
+        for (uint32_t i = 0; i < loft->vertex_count; i++) {
+            const vec3 p = loft->positions[key][i];
+            CORE_ASSERT(fmaxf(fmaxf(fabsf(p.x), fabsf(p.y)), fabsf(p.z)) <= loft->reach);
+            tables->points[key][i] = (struct species_point){
+                .x = morph_count(p.x, loft->reach),
+                .y = morph_count(p.y, loft->reach),
+                .z = morph_count(p.z, loft->reach),
+                .normal = morph_fold_normal(loft->normals[key][i]),
+            };
+        }
+        mesh->points[key] = tables->points[key];
+    }
 }
 
 void pack_text(const struct species_text *text, struct species_slot *slot)
 {
     static struct loft loft;
-    species_compile(text, &slot->species);
+    const uint32_t key_count = text->card.key_count;
+    slot->species = (struct species){ .card = text->card };
+    for (uint32_t key = 0; key < key_count; key++) {
+        struct species_coat *coat = &slot->species.coats[key];
+        *coat = text->keys[key].coat;
+        /* A maker (a user who draws a species) writes the position of a mark along x. The paint
+         * functions read body coordinates, so the positions are converted here. */
+        for (uint32_t i = 0; i < coat->mark_count; i++) {
+            struct species_mark *mark = &coat->marks[i];
+            if (mark->part == PART_BODY) {
+                mark->from = (float)shape_body_u(&text->keys[key], (double)mark->from);
+                mark->to = (float)shape_body_u(&text->keys[key], (double)mark->to);
+            }
+        }
+    }
     for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
         species_loft(text, &species_detail[lod], &loft);
-        species_pack(&loft, text->key_count, &slot->tables[lod], &slot->species.lod[lod]);
+        species_pack(&loft, key_count, &slot->tables[lod], &slot->species.lod[lod]);
     }
+}
+
+/* ---- Reading and writing of files ------------------------------------------------------------ */
+
+/* Reads a species file from its descriptor, which may be -1 with the reason in errno, and closes
+ * the descriptor. */
+static enum pack_result read_descriptor(int handle, struct species_slot *slot,
+                                        char why[VALIDATE_WHY_SIZE])
+{
+    static uint8_t bytes[PACK_SIZE_MAX + 1u]; /* The buffer is one byte larger than the maximum
+                                                 file size, so that a file that is too large is
+                                                 detected. */
+    size_t size = 0;
+    ssize_t got = handle < 0 ? -1 : 1;
+    while (got > 0 && size < sizeof bytes) {
+        got = read(handle, bytes + size, sizeof bytes - size);
+        size += got > 0 ? (size_t)got : 0u;
+    }
+    const int error = got < 0 ? errno : size > PACK_SIZE_MAX ? EFBIG : 0;
+    if (handle >= 0) {
+        close(handle);
+    }
+    if (error != 0) {
+        validate_refuse(why, "%s", file_error(error));
+        return error == EFBIG ? PACK_BAD : PACK_IO;
+    }
+    return pack_decode(bytes, size, slot, why);
+}
+
+enum pack_result pack_read(const char *path, struct species_slot *slot, char why[VALIDATE_WHY_SIZE])
+{
+    return read_descriptor(file_user_handle(path, O_RDONLY, 0), slot, why);
+}
+
+enum pack_result pack_read_data(const char *path, struct species_slot *slot,
+                                char why[VALIDATE_WHY_SIZE])
+{
+    return read_descriptor(file_handle(path, O_RDONLY, 0), slot, why);
+}
+
+enum pack_result pack_write(const char *path, struct species_slot *slot,
+                            char why[VALIDATE_WHY_SIZE])
+{
+    static uint8_t bytes[PACK_SIZE_MAX];
+    struct atomic_file out;
+    const size_t size = pack_encode(slot, bytes);
+    int error = file_atomic_open_durable(&out, path);
+    if (error == 0) {
+        fwrite(bytes, 1, size, out.file); /* file_atomic_close() also reports an earlier error of
+                                             fwrite(). */
+        error = file_atomic_close(&out);
+    }
+    if (error != 0) {
+        validate_refuse(why, "%s", strerror(-error));
+        return PACK_IO;
+    }
+    return PACK_OK;
 }

@@ -65,6 +65,9 @@ enum pack_result pack_write(const char *path, struct species_slot *slot,
  * must therefore call species_validate(). */
 void pack_text(const struct species_text *text, struct species_slot *slot);
 
+/* Sets the pointers of `slot->species` to the tables of `slot`. */
+void pack_point(struct species_slot *slot);
+
 /* Copies `species` to `slot` and its tables to `slot->tables`. The counts of `species` must not
  * exceed the sizes of these tables. */
 void pack_copy(const struct species *species, struct species_slot *slot);

@@ -1,5 +1,6 @@
-/* part.c -- names the body parts, and finds the vertex that represents a body part. The
- * representing vertex is the vertex nearest to the reference coordinates of the part. */
+/* part.c -- names the body parts, and finds the vertex that represents a body part. Each part has
+ * reference coordinates (u, v). The vertex of the part that is nearest to these coordinates
+ * represents the part. */
 #include "platform/species/part.h"
 
 #include <math.h>
@@ -7,9 +8,10 @@
 
 #include "core/base/panic.h"
 
-const char *const species_measure_names[] = { "total", "standard", "fork", "disc" };
-const char *const species_motion_names[] = { "tail", "eel", "fins", "tuna", "wing" };
-const char *const species_form_names[] = { "fusiform", "compressed", "depressed", "eel", "puffer" };
+const char *const species_measure_names[] = { "total", "standard", "fork", "disc", NULL };
+const char *const species_motion_names[] = { "tail", "eel", "fins", "tuna", "wing", NULL };
+const char *const species_form_names[] = { "fusiform", "compressed", "depressed",
+                                           "eel",      "puffer",     NULL };
 
 const char *const part_names[OWNED_COUNT] = {
     [PART_BODY] = "body",
@@ -35,10 +37,11 @@ enum species_part part_of_vertex(const char *name)
     return part;
 }
 
-/* Returns the distance of vertex `at` from the reference coordinates of the part. If the part is
- * one of a pair, vertices on the wrong side are farther than all vertices on the correct side. */
-static float unlikeness(const struct species_vertex *at, enum species_part part,
-                        enum species_side side)
+/* Returns the distance of vertex `at` from the (u, v) coordinates of the point that represents
+ * `part`, for example the pupil's centre for an eye (part_vertex_range()). For a paired part, the
+ * distance of a vertex on the wrong side is greater than that of any vertex on the side `side`. */
+static float part_point_distance(const struct species_vertex *at, enum species_part part,
+                                 enum species_side side)
 {
     const float other_side = at->side != SIDE_MIDDLE && at->side != side ? 10.0f : 0.0f;
     switch (part) {
@@ -61,9 +64,9 @@ uint32_t part_vertex_range(const struct species_mesh *mesh, enum species_part pa
     uint32_t best = mesh->vertex_count;
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         const struct species_vertex *at = &mesh->vertices[i];
-        if (at->part == part &&
-            (best == mesh->vertex_count ||
-             unlikeness(at, part, side) < unlikeness(&mesh->vertices[best], part, side))) {
+        if (at->part == part && (best == mesh->vertex_count ||
+                                 part_point_distance(at, part, side) <
+                                     part_point_distance(&mesh->vertices[best], part, side))) {
             best = i;
         }
     }

@@ -3,6 +3,7 @@
 #include "platform/species/shape.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "core/base/panic.h"
 
@@ -27,7 +28,7 @@ static double monotone_slope(const double *x, const double *y, uint32_t count, u
     return (w0 + w1) / (w0 / d0 + w1 / d1);
 }
 
-double shape_curve_through(const double *x, const double *y, uint32_t count, double at)
+static double curve_through(const double *x, const double *y, uint32_t count, double at)
 {
     CORE_ASSERT(count >= 2);
     uint32_t i = 0;
@@ -43,38 +44,43 @@ double shape_curve_through(const double *x, const double *y, uint32_t count, dou
            (t3 - t2) * m1;
 }
 
-/* Returns the cross section at position `along`. The interpolation uses the square root of x,
- * because an outline that starts with size 0 is then round like a ball. With x itself, the outline
- * would be pointed like a cone. */
-struct station shape_section(const struct key_text *key, double along)
+void shape_interpolate(const void *rows, uint32_t width, uint32_t count, bool is_round, double at,
+                       void *out)
 {
-    CORE_ASSERT(key->substep_count >= 2 && key->substep_count <= STATION_MAX);
-    double x[STATION_MAX], y[4][STATION_MAX];
-    for (uint32_t i = 0; i < key->substep_count; i++) {
-        const struct station *s = &key->stations[i];
-        x[i] = sqrt((double)s->x);
-        y[0][i] = (double)s->depth;
-        y[1][i] = (double)s->width;
-        y[2][i] = (double)s->offset;
-        y[3][i] = (double)s->exponent;
+    CORE_ASSERT(count >= 2 && count <= STATION_MAX);
+    CORE_ASSERT(width <= SHAPE_FIELD_MAX);
+    double x[STATION_MAX], y[SHAPE_FIELD_MAX][STATION_MAX];
+    float result[SHAPE_FIELD_MAX] = { (float)at };
+    for (uint32_t i = 0; i < count; i++) {
+        float row[SHAPE_FIELD_MAX];
+        memcpy(row, (const char *)rows + i * width * sizeof row[0], width * sizeof row[0]);
+        x[i] = is_round ? sqrt((double)row[0]) : (double)row[0];
+        for (uint32_t k = 1; k < width; k++) {
+            y[k][i] = (double)row[k];
+        }
     }
-    const uint32_t n = key->substep_count;
-    const double at = sqrt(fmax(along, 0.0));
-    return (struct station){ .x = (float)along,
-                             .depth = (float)shape_curve_through(x, y[0], n, at),
-                             .width = (float)shape_curve_through(x, y[1], n, at),
-                             .offset = (float)shape_curve_through(x, y[2], n, at),
-                             .exponent = (float)shape_curve_through(x, y[3], n, at) };
+    for (uint32_t k = 1; k < width; k++) {
+        const double place = is_round ? sqrt(fmax(at, 0.0)) : at;
+        result[k] = (float)curve_through(x, y[k], count, place);
+    }
+    memcpy(out, result, width * sizeof result[0]);
 }
 
-/* The body coordinate u is a piecewise linear function of x. Its two pieces meet at the gill
+struct station shape_section(const struct key_text *key, double x)
+{
+    struct station station;
+    shape_interpolate(key->stations, 5, key->substep_count, true, x, &station);
+    return station;
+}
+
+/* The body coordinate u is a piecewise linear function of x. The two linear pieces meet at the gill
  * cover's rear edge, where u = GILL_U in every key. */
 
 double shape_body_x(const struct key_text *key, double u)
 {
     const double gill = key->gill > 0.0f ? (double)key->gill : (double)GILL_U;
     const double at[] = { 0.0, (double)GILL_U, 1.0 }, x[] = { 0.0, gill, 1.0 };
-    return shape_curve_through(at, x, 3, u);
+    return curve_through(at, x, 3, u);
 }
 
 double shape_body_u(const struct key_text *key, double x)
@@ -118,20 +124,23 @@ v3d shape_body_normal(const struct key_text *key, double u, double v)
 
 /* This section computes where an eye lies on the skin, and how far the eye's ball protrudes. */
 
-/* Maximum height of an eye's centre above the middle of the cross section, as a fraction of half of
- * the cross section's height. */
+/* Maximum height of an eye's centre above the middle of the cross section. The unit is half of the
+ * cross section's height. */
 #define HIGHEST 0.97
-/* Upper limit of the mean depth of the skin under the rim of the eye's ball, as a fraction of the
- * ball's radius. The limit applies where the skin around the eye is a sharp ridge. */
+/* Upper limit of `drop` in shape_eye_ball(), the mean depth of the skin under the rim of an eye's
+ * ball. The unit is the ball's radius. The limit applies where the skin around the eye is a sharp
+ * ridge. */
 #define DROP_MAX 0.35
-/* Maximum depth of the centre of an eye's ball below the skin, as a fraction of half of the head's
+/* Maximum depth below the skin at which an eye ball has its centre. The unit is half of the head's
  * thickness at the eye. */
 #define SUNK_MAX 0.6
-/* Maximum depth of the back of an eye's ball below the skin, as a fraction of half of the head's
- * thickness at the eye. Without this limit, the ball could emerge on the opposite side of the
- * head. */
+/* Maximum depth below the skin that the back of an eye ball reaches. The unit is half of the
+ * head's thickness at the eye. Without this limit, the ball could emerge on the opposite side of
+ * the head. */
 #define DEPTH_MAX 0.9
-/* Minimum depth of each half of an eye's ball. A flatter ball has no usable normals. */
+/* Minimum depth of the outer half and of the inner half of an eye's ball, and minimum of half of
+ * the head's thickness at the eye. The unit is the drawing's unit. A flatter ball has no usable
+ * normals. */
 #define THINNEST 1e-3
 
 struct ball shape_eye_ball(const struct key_text *key, uint32_t side)
@@ -140,8 +149,9 @@ struct ball shape_eye_ball(const struct key_text *key, uint32_t side)
     CORE_ASSERT(key->eyes[side].diameter > 0.0f);
     const struct eye *eye = &key->eyes[side];
     const struct station s = shape_section(key, (double)eye->x);
-    /* `girth` is the surface coordinate v of the right flank at the height of the eye. 0 is the
-     * middle of the back, and 0.5 is the middle of the belly. */
+    /* `girth` is the surface coordinate v at which a right eye lies: 0 is the middle of the back,
+     * 0.25 is the flank, and 0.5 is the middle of the belly. The eye's height determines `girth`,
+     * and the migration angle turn_deg moves the eye toward the back and beyond it. */
     const double up = ((double)eye->y - (double)s.offset) / (0.5 * (double)s.depth);
     const double share = pow(fmin(fabs(up), HIGHEST), 0.5 * (double)s.exponent);
     const double girth =
@@ -193,9 +203,10 @@ double shape_unit_length(const struct key_text *key, enum species_measure measur
     const bool tail = key->fins[PART_TAIL].ray_count > 0;
     double length = measure == MEASURE_DISC ? 0.0 : 1.0;
     if (measure == MEASURE_DISC) {
-        /* For a species that is measured by its disc, the length is the greatest width of the body.
-         * Only the stations are examined, because the body is nowhere wider than at its widest
-         * station. */
+        /* MEASURE_DISC is the width of the disc, which is the flat body of a ray. The disc's width
+         * is the greatest width of the body. The loop examines only the stations (the cross
+         * sections that the species text defines), because the interpolated width between two
+         * stations never exceeds the width of the wider station. */
         for (uint32_t i = 0; i < key->substep_count; i++) {
             length = fmax(length, (double)key->stations[i].width);
         }

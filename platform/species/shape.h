@@ -51,20 +51,28 @@ static inline v3d v3d_unit(v3d a)
                           : (v3d){ 0.0, 1.0, 0.0 };
 }
 
-/* Returns the value at position `at` of a smooth curve through `count` points (x[i], y[i]). The
- * curve never overshoots the points (method of Fritsch and Carlson). Before the first point and
- * after the last point, the curve is constant. */
-double shape_curve_through(const double *x, const double *y, uint32_t count, double at);
+/* Maximum number of floats in a structure that shape_interpolate() interpolates. */
+#define SHAPE_FIELD_MAX 5
+/* Interpolates `count` structures at `rows`, each of which consists of `width` floats, and writes
+ * the result to `out`. The first float of a structure is its position, and the positions increase.
+ * The curve of each other float is smooth and never overshoots (method of Fritsch and Carlson).
+ * Before the first position and after the last position, the curves are constant.
+ *
+ * If `is_round` is true, the interpolation uses the square root of the positions. An outline that
+ * starts with size 0 is then round like a ball. Otherwise the outline would be pointed like a
+ * cone. */
+void shape_interpolate(const void *rows, uint32_t width, uint32_t count, bool is_round, double at,
+                       void *out);
 
-/* Converts the body coordinate u to the drawing's position x along the body. Both are 0 at the
+/* Converts the body coordinate u to the drawing's position x along the body. u and x are 0 at the
  * snout and 1 at the tail root. */
 double shape_body_x(const struct key_text *key, double u);
-/* Converts the drawing's position x along the body to the body coordinate u. Both are 0 at the
+/* Converts the drawing's position x along the body to the body coordinate u. x and u are 0 at the
  * snout and 1 at the tail root. */
 double shape_body_u(const struct key_text *key, double x);
 
 /* Returns the cross section at position `x` along the body. The cross section is interpolated
- * smoothly between the stations. */
+ * smoothly between the stations (the cross sections that the species text defines). */
 struct station shape_section(const struct key_text *key, double x);
 
 /* Returns a point of the body's surface. `u` in (0, 1] runs from the snout to the tail root. `v` in
@@ -114,7 +122,8 @@ v3d shape_finlet_point(const struct key_text *key, uint32_t row, double at, uint
  * mesh uses this length as its unit. */
 double shape_unit_length(const struct key_text *key, enum species_measure measure);
 
-/* Returns a number that no coordinate of any point of the fish exceeds, on any axis. */
+/* Returns an upper limit of the absolute values of the x, y and z coordinates of all points of the
+ * fish, in the drawing's units. */
 double shape_farthest(const struct key_text *key);
 
 #endif

@@ -7,8 +7,8 @@
 #include "core/base/panic.h"
 
 #define PI 3.14159265358979323846
-/* Depth of the fins' roots below the skin, as a fraction of the fish's length. The roots are below
- * the skin so that no gap is visible. */
+/* Depth of the roots of the fins below the skin, as a fraction of the distance from the snout to
+ * the tail root. The roots are below the skin so that no gap is visible between fin and skin. */
 #define FIN_SINK 0.014
 /* Minimum visible length of a fin ray, as a fraction of the distance from the snout to the tail
  * root. A shorter ray has no usable normal. */
@@ -16,10 +16,11 @@
 /* Upper limit of the depth of the fins' roots in a thin body, as a fraction of the body's
  * thickness. */
 #define SINK_SHARE 0.3
-/* Depth of the start of the tail fin's rays inside the body, measured forward from the tail root,
- * as a fraction of the distance from the snout to the tail root. */
+/* Distance from the tail root forward to the point inside the body at which the tail fin's rays
+ * start. The unit is the distance from the snout to the tail root. */
 #define TAIL_SINK 0.035
-/* Upper limit of the depth TAIL_SINK for a thin tail stalk, as a multiple of the stalk's height. */
+/* Upper limit of the distance from the tail root forward to the start of the tail fin's rays, as a
+ * multiple of the tail stalk's height. The smaller of TAIL_SINK and this limit applies. */
 #define STALK_SINK 1.2
 /* Maximum distance from the tail root backward to the body's last point, as a fraction of the
  * distance from the snout to the tail root. */
@@ -27,11 +28,11 @@
 /* Maximum distance from the tail root backward to the body's last point for a thin tail stalk, as a
  * multiple of the stalk's height. The smaller of END_MAX and this limit applies. */
 #define END_SHARE 0.25
-/* Angle at the root of a ray of an unpaired fin, as a fraction of the ray's sideways angle at its
- * tip. */
+/* Sideways angle of an unpaired fin's ray at its root, as a fraction of the sideways angle at the
+ * tip of the ray. */
 #define SIDE_AT_ROOT 0.4
-/* Minimum extent of the tail fin's base upward and downward from the stalk's middle, as a fraction
- * of half of the stalk's height. */
+/* Minimum distance from the middle of the tail stalk to the upper and to the lower end of the tail
+ * fin's base, as a fraction of the maximum distance. */
 #define THINNEST 0.2
 #define RAY_STEPS 12
 /* Number of steps in the search for the point at which a ray leaves the body. */
@@ -39,8 +40,8 @@
 /* Maximum fraction of a ray's length that is treated as inside the body. The rest of the ray is
  * always visible. */
 #define EXIT_MAX 0.85
-/* Distance behind the tail stalk, as a fraction of the distance from the snout to the tail root, at
- * which a tail fin with sideways angles reaches its full width. */
+/* Length of the part behind the tail stalk in which the sideways extent of the tail fin grows from
+ * 0 to its full value. The unit is the distance from the snout to the tail root. */
 #define CUP_OPENS 0.05
 /* Position along the base of an eel's dorsal or anal fin, [0, 1]. Behind this position, the fin
  * merges with the tail fin. */
@@ -59,8 +60,8 @@ double shape_body_end(const struct key_text *key)
     return 1.0 + fmin(END_MAX, END_SHARE * stalk_depth(key));
 }
 
-/* Returns the ratio of a cross section in the body's round end to the cross section at the tail
- * root. `t` is 0 at the tail root and 1 at the body's last point. */
+/* Returns the size of the cross section in the body's round end at position `t`, as a fraction of
+ * its size at the tail root. `t` is 0 at the tail root and 1 at the body's last point. */
 static double closing(double t)
 {
     return sqrt(fmax(1.0 - t * t, 0.0));
@@ -75,7 +76,7 @@ v3d shape_end_point(const struct key_text *key, double t, double v)
 }
 
 /* Returns a point of the tail fin's base. The base is limited to the height of the tail stalk. `at`
- * is 0 at the top and 1 at the bottom. */
+ * is 0 at the upper end and 1 at the lower end of the base. */
 static v3d tail_root(const struct key_text *key, double at)
 {
     const struct fin *fin = &key->fins[PART_TAIL];
@@ -155,23 +156,14 @@ static v3d fin_direction(const struct fin *fin, enum species_part part, struct r
     }
 }
 
-/* Returns a point of a ray. `along` is 0 where the ray leaves the skin, and 1 at the tip. The
- * length in the drawing also includes the part of the ray below the skin. */
+/* Returns a point of the ray at position `at` of the fin's base. `along` is 0 where the ray leaves
+ * the skin, and 1 at the tip of the ray. The drawn length of a ray includes the part below the
+ * skin, so the visible length is shorter by the depth of the root. */
 static v3d ray_point(const struct key_text *key, enum species_part part, double at, double along)
 {
     const struct fin *fin = &key->fins[part];
-    double x[RAY_MAX], y[3][RAY_MAX];
-    for (uint32_t i = 0; i < fin->ray_count; i++) {
-        x[i] = (double)fin->rays[i].at;
-        y[0][i] = (double)fin->rays[i].length;
-        y[1][i] = (double)fin->rays[i].sweep_deg;
-        y[2][i] = (double)fin->rays[i].side_deg;
-    }
-    const uint32_t n = fin->ray_count;
-    const struct ray ray = { .at = (float)at,
-                             .length = (float)shape_curve_through(x, y[0], n, at),
-                             .sweep_deg = (float)shape_curve_through(x, y[1], n, at),
-                             .side_deg = (float)shape_curve_through(x, y[2], n, at) };
+    struct ray ray;
+    shape_interpolate(fin->rays, 4, fin->ray_count, false, at, &ray);
     const double length = (double)ray.length;
     const double sink = part == PART_TAIL ? 0.0 : sink_at(key, base_x(fin, at));
     const double shown = fmax(length - sink, SHOWN_MIN);
@@ -181,8 +173,8 @@ static v3d ray_point(const struct key_text *key, enum species_part part, double 
         p = v3d_muladd(p, fin_direction(fin, part, ray, r), shown * along / RAY_STEPS);
     }
     if (part == PART_TAIL) {
-        /* The tail fin reaches its sideways width only behind the tail stalk. Otherwise the tail
-         * fin would cut through the sides of the stalk. */
+        /* The tail fin is flat at the tail stalk and reaches its full sideways extent only behind
+         * the stalk. Otherwise the tail fin would cut through the sides of the stalk. */
         const double start = shape_body_end(key);
         p.x *= fmin(fmax((p.z - start) / CUP_OPENS, 0.0), 1.0);
     }
@@ -192,7 +184,7 @@ static v3d ray_point(const struct key_text *key, enum species_part part, double 
 /* Returns the distance of `p` from the body's axis, divided by the distance of the skin from the
  * body's axis in this direction. The result is 1 on the skin, smaller inside the body and larger
  * outside. In front of the snout and behind the body, the result is always CLEAR_OF. */
-static double outness(const struct key_text *key, v3d p)
+static double skin_distance_ratio(const struct key_text *key, v3d p)
 {
     const double end = shape_body_end(key);
     if (p.z >= end || p.z <= 0.0) {
@@ -206,8 +198,8 @@ static double outness(const struct key_text *key, v3d p)
     return pow(pow(x, e) + pow(y, e), 1.0 / e);
 }
 
-/* Returns the root of a ray (along = 0) or a point of the ray's visible part (along > 0). Does not
- * include the merging of an eel's dorsal or anal fin with its tail fin. */
+/* Returns the root of a ray (along = 0) or a point of the ray's visible part (along > 0). The
+ * merging of an eel's dorsal and anal fins with the tail fin is not applied. */
 static v3d own_point(const struct key_text *key, enum species_part part, double at, double along)
 {
     if (along <= 0.0) {
@@ -217,7 +209,7 @@ static v3d own_point(const struct key_text *key, enum species_part part, double 
         /* A point of a folded paired fin that is inside the body is moved away from the body's
          * axis until the point is just outside the skin. */
         const v3d p = ray_point(key, part, at, along);
-        const double out = outness(key, p);
+        const double out = skin_distance_ratio(key, p);
         if (out >= CLEAR_OF || out < 1e-3) {
             return p;
         }
@@ -227,7 +219,7 @@ static v3d own_point(const struct key_text *key, enum species_part part, double 
     }
     /* `exit` is the fraction of the ray's length at which the ray leaves the body. */
     double exit = 0.0;
-    while (exit < EXIT_MAX && outness(key, ray_point(key, part, at, exit)) < CLEAR_OF) {
+    while (exit < EXIT_MAX && skin_distance_ratio(key, ray_point(key, part, at, exit)) < CLEAR_OF) {
         exit += 1.0 / EXIT_STEPS;
     }
     exit = fmin(exit, EXIT_MAX);

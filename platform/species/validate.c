@@ -16,184 +16,202 @@
 /* Maximum relative difference between a key's length and the length on the growth curve at the
  * key's age. */
 #define LENGTH_APART 0.02f
+#define WHAT_SIZE 64u /* Size in bytes of the name of a value in a reason. */
 
-bool validate_refuse(struct vetting *v, const char *format, ...)
+bool validate_refuse(char why[VALIDATE_WHY_SIZE], const char *format, ...)
 {
     va_list values;
     va_start(values, format);
-    vsnprintf(v->why, VALIDATE_WHY_SIZE, format, values);
+    vsnprintf(why, VALIDATE_WHY_SIZE, format, values);
     va_end(values);
     return false;
 }
 
-bool validate_number(struct vetting *v, const char *what, float x, float low, float high)
+bool validate_number(char why[VALIDATE_WHY_SIZE], float x, float low, float high,
+                     const char *format, ...)
 {
-    if (!(x >= low && x <= high)) { /* The negated comparison also rejects NaN. */
-        return validate_refuse(v, "%s: %g is outside %g .. %g", what, (double)x, (double)low,
-                               (double)high);
+    char what[WHAT_SIZE];
+    va_list values;
+    if (x >= low && x <= high) { /* Both comparisons are false for NaN. */
+        return true;
     }
-    return true;
-}
-
-bool validate_choice(struct vetting *v, const char *what, uint32_t x, uint32_t count)
-{
-    return x < count || validate_refuse(v, "%s: %u is outside 0 .. %u", what, x, count - 1u);
+    va_start(values, format);
+    vsnprintf(what, sizeof what, format, values);
+    va_end(values);
+    return validate_refuse(why, "%s: %g is outside %g .. %g", what, (double)x, (double)low,
+                           (double)high);
 }
 
 bool species_name_is_good(const char text[SPECIES_NAME_SIZE])
 {
-    const char *end = memchr(text, 0, SPECIES_NAME_SIZE);
-    if (!end || end == text) {
-        return false;
-    }
-    for (const char *c = text; c < text + SPECIES_NAME_SIZE; c++) {
-        if (c < end ? !strchr("abcdefghijklmnopqrstuvwxyz0123456789_", *c) : *c != 0) {
+    const size_t length = strnlen(text, SPECIES_NAME_SIZE);
+    for (size_t i = length; i < SPECIES_NAME_SIZE; i++) {
+        if (text[i] != '\0') {
             return false;
         }
     }
-    return true;
+    return length > 0 && length < SPECIES_NAME_SIZE &&
+           strspn(text, "abcdefghijklmnopqrstuvwxyz0123456789_") == length;
 }
 
-static bool vet_name(struct vetting *v, const char *what, const char text[SPECIES_NAME_SIZE])
+/* Validates the name `text`. If the name is invalid, writes the reason to `why` and returns false.
+ * In the reason the name is called "ITEM INDEX/name". */
+static bool vet_name(char why[VALIDATE_WHY_SIZE], const char *item, uint32_t index,
+                     const char text[SPECIES_NAME_SIZE])
 {
     return species_name_is_good(text) ||
-           validate_refuse(v, "%s: no name of a-z, 0-9 and _, 1 to %u long", what,
-                           SPECIES_NAME_SIZE - 1u);
+           validate_refuse(why, "%s %u/name: the name must have 1 to %u characters a-z, 0-9 and _",
+                           item, index, SPECIES_NAME_SIZE - 1u);
 }
 
-static bool vet_keys(struct vetting *v)
+static bool vet_keys(const struct species_card *card, char why[VALIDATE_WHY_SIZE])
 {
-    const struct species_card *card = &v->species->card;
     if (card->key_count < 3 || card->key_count > MORPH_KEY_MAX) {
-        return validate_refuse(v, "keys: %u, and a species has 3 to %u", card->key_count,
+        return validate_refuse(why, "keys: %u, but a species has 3 to %u keys", card->key_count,
                                MORPH_KEY_MAX);
     }
     for (uint32_t key = 0; key < card->key_count; key++) {
-        char what[VALIDATE_WHAT_SIZE];
         const float age = card->key_age_days[key];
-        snprintf(what, sizeof what, "key %u/name", key);
-        if (!vet_name(v, what, card->key_names[key])) {
-            return false;
-        }
-        snprintf(what, sizeof what, "%s/age_days", card->key_names[key]);
-        if (!validate_number(v, what, age, 0.0f, AGE_MAX_DAYS)) {
+        const char *name = card->key_names[key];
+        if (!vet_name(why, "key", key, name) ||
+            !validate_number(why, age, 0.0f, AGE_MAX_DAYS, "%s/age_days", name)) {
             return false;
         }
         if (key > 0 && age <= card->key_age_days[key - 1]) {
-            return validate_refuse(v, "%s: %g is not above the key before", what, (double)age);
+            return validate_refuse(
+                why, "%s/age_days: %g is not greater than the age of the previous key", name,
+                (double)age);
         }
-        snprintf(what, sizeof what, "%s/length_m", card->key_names[key]);
-        if (!validate_number(v, what, card->key_length_m[key], LENGTH_MIN_M, LENGTH_MAX_M)) {
+        if (!validate_number(why, card->key_length_m[key], LENGTH_MIN_M, LENGTH_MAX_M,
+                             "%s/length_m", name)) {
             return false;
         }
         for (uint32_t other = 0; other < key; other++) {
-            if (strcmp(card->key_names[key], card->key_names[other]) == 0) {
-                return validate_refuse(v, "key %u/name: '%s' is there already", key,
-                                       card->key_names[key]);
+            if (strcmp(name, card->key_names[other]) == 0) {
+                return validate_refuse(why, "key %u/name: '%s' exists already", key, name);
             }
         }
     }
     return true;
 }
 
-static bool vet_scale(struct vetting *v)
+static bool vet_growth(const struct species_card *card, char why[VALIDATE_WHY_SIZE])
 {
-    const struct species_card *card = &v->species->card;
+    const struct growth *g = &card->growth;
+    if (!validate_number(why, g->length_inf_m, LENGTH_MIN_M, LENGTH_MAX_M, "growth/length_inf_m") ||
+        !validate_number(why, g->k_per_year, 0.001f, 10.0f, "growth/k_per_year") ||
+        !validate_number(why, g->t0_year, -20.0f, 20.0f, "growth/t0_year") ||
+        !validate_number(why, g->fade_year, 0.001f, 5.0f, "growth/fade_year")) {
+        return false;
+    }
+    if (g->point_count < 1 || g->point_count > GROWTH_POINT_MAX) {
+        return validate_refuse(why, "growth/points: %u, but 1 to %u points are allowed",
+                               g->point_count, GROWTH_POINT_MAX);
+    }
+    for (uint32_t i = 0; i < g->point_count; i++) {
+        const struct growth_point *point = &g->points[i];
+        if (!validate_number(why, point->age_days, 0.0f, AGE_MAX_DAYS, "growth/age_days") ||
+            !validate_number(why, point->length_m, LENGTH_MIN_M, LENGTH_MAX_M, "growth/length_m")) {
+            return false;
+        }
+        if (i == 0 ? point->age_days != 0.0f : point->age_days <= point[-1].age_days) {
+            return validate_refuse(
+                why,
+                "growth/age_days: point %u (%g) breaks the order, which starts at 0 and increases",
+                i, (double)point->age_days);
+        }
+    }
+    /* The age, the progress and the length of each key must be consistent, because some parts of
+     * the program compute one of the three values from the others. */
+    for (uint32_t key = 0; key < card->key_count; key++) {
+        const float age = card->key_age_days[key], length = card->key_length_m[key];
+        const float grown = growth_length_m(g, age);
+        if (!(f_abs(grown / length - 1.0f) <= LENGTH_APART)) {
+            return validate_refuse(
+                why, "%s/length_m: %.4g at %.4g days, but the growth curve gives %.4g",
+                card->key_names[key], (double)length, (double)age, (double)grown);
+        }
+    }
+    return true;
+}
+
+static bool vet_scale(const struct species_card *card, char why[VALIDATE_WHY_SIZE])
+{
     const uint32_t count = card->scale_knot_count;
     if (count == 1 || count > GRAPH_KNOT_MAX) {
-        return validate_refuse(v, "scale knots: %u, and there are none or 2 to %u", count,
+        return validate_refuse(why, "scale knots: %u, but 0 or 2 to %u knots are allowed", count,
                                GRAPH_KNOT_MAX);
     }
     for (uint32_t i = 0; i < count; i++) {
         const struct scale_knot *knot = &card->scale_knots[i];
         const float first = i == 0 ? 0.0f : i + 1 == count ? 1.0f : knot->progress;
-        if (!validate_number(v, "scale knot/progress", knot->progress, 0.0f, 1.0f) ||
-            !validate_number(v, "scale knot/length_m", knot->length_m, LENGTH_MIN_M,
-                             LENGTH_MAX_M)) {
+        if (!validate_number(why, knot->progress, 0.0f, 1.0f, "scale knot/progress") ||
+            !validate_number(why, knot->length_m, LENGTH_MIN_M, LENGTH_MAX_M,
+                             "scale knot/length_m")) {
             return false;
         }
         if (knot->progress != first || (i > 0 && knot->progress <= knot[-1].progress)) {
-            return validate_refuse(v, "scale knot/progress: %g does not go from 0 to 1",
-                                   (double)knot->progress);
+            return validate_refuse(
+                why, "scale knot/progress: %g breaks the order, which increases from 0 to 1",
+                (double)knot->progress);
         }
     }
     return true;
 }
 
-bool species_validate_graph(const struct graph *graph, uint32_t key_count, const char *curve,
-                            char why[VALIDATE_WHY_SIZE])
+static bool vet_curves(const struct species_card *card, char why[VALIDATE_WHY_SIZE])
 {
     static const char *const reasons[] = {
-        [GRAPH_KNOT_COUNT] = "fewer than 2 knots or more than there may be",
-        [GRAPH_ENDS] = "the knots do not go from progress 0 to 1",
-        [GRAPH_ORDER] = "a knot not behind the one before",
-        [GRAPH_NEGATIVE] = "a weight that is negative or no number",
-        [GRAPH_SUM] = "weights whose sum is not 1",
-        [GRAPH_UNSOLVABLE] = "to be solved, but a key is hardly seen at its own progress",
+        [GRAPH_KNOT_COUNT] = "the number of knots is not allowed",
+        [GRAPH_ENDS] = "the first knot must be at progress 0 and the last knot at 1",
+        [GRAPH_ORDER] = "the progress is not greater than that of the previous knot",
+        [GRAPH_NEGATIVE] = "a weight is negative or not a number",
+        [GRAPH_SUM] = "the sum of the weights is not 1",
+        [GRAPH_UNSOLVABLE] = "unsolvable: a key has too little weight at its own progress",
     };
-    struct vetting v = { .why = why };
-    char what[VALIDATE_WHAT_SIZE];
-    snprintf(what, sizeof what, "curve %s/line", curve);
-    if (!validate_choice(&v, what, graph->line, GRAPH_SMOOTH + 1u)) {
-        return false;
-    }
-    snprintf(what, sizeof what, "curve %s/solved", curve);
-    if (!validate_choice(&v, what, graph->solved, 2)) {
-        return false;
-    }
-    const struct graph_verdict verdict = graph_check(graph, key_count);
-    if (verdict.fault != GRAPH_GOOD) {
-        const bool known = verdict.fault < sizeof reasons / sizeof reasons[0];
-        return validate_refuse(&v, "curve %s/knot %u: %s (%g)", curve, verdict.knot,
-                               known ? reasons[verdict.fault] : "no graph", (double)verdict.value);
-    }
-    return true;
-}
-
-static bool vet_curves(struct vetting *v)
-{
-    const struct species_card *card = &v->species->card;
     if (card->curve_count < 1 || card->curve_count > MORPH_CURVE_MAX) {
-        return validate_refuse(v, "curves: %u, and there are 1 to %u", card->curve_count,
+        return validate_refuse(why, "curves: %u, but 1 to %u curves are allowed", card->curve_count,
                                MORPH_CURVE_MAX);
     }
     for (uint32_t i = 0; i < card->curve_count; i++) {
-        char what[VALIDATE_WHAT_SIZE];
-        snprintf(what, sizeof what, "curve %u/name", i);
-        if (!vet_name(v, what, card->curve_names[i]) ||
-            !species_validate_graph(&card->curves[i], card->key_count, card->curve_names[i],
-                                    v->why)) {
+        const struct graph *graph = &card->curves[i];
+        const char *name = card->curve_names[i];
+        if (!vet_name(why, "curve", i, name) ||
+            !validate_choice(why, graph->line, GRAPH_SMOOTH + 1u, "curve %s/line", name) ||
+            !validate_choice(why, graph->solved, 2, "curve %s/solved", name)) {
             return false;
+        }
+        const struct graph_verdict verdict = graph_check(graph, card->key_count);
+        if (verdict.fault != GRAPH_GOOD) {
+            return validate_refuse(why, "curve %s/knot %u: %s (%g)", name, verdict.knot,
+                                   reasons[verdict.fault], (double)verdict.value);
         }
     }
     return true;
 }
 
-static bool vet_coats(struct vetting *v)
+static bool vet_coats(const struct species *species, char why[VALIDATE_WHY_SIZE])
 {
-    const struct species_card *card = &v->species->card;
-    for (uint32_t key = 0; key < card->key_count; key++) {
-        const struct species_coat *coat = &v->species->coats[key];
-        const uint32_t all = coat->back | coat->flank | coat->belly | coat->fin | coat->iris;
-        if (all > 0xffffffu) {
-            return validate_refuse(v, "%s/coat: a colour beyond ffffff", card->key_names[key]);
+    for (uint32_t key = 0; key < species->card.key_count; key++) {
+        const struct species_coat *coat = &species->coats[key];
+        const char *name = species->card.key_names[key];
+        if ((coat->back | coat->flank | coat->belly | coat->fin | coat->iris) > 0xffffffu) {
+            return validate_refuse(why, "%s/coat: a colour is greater than ffffff", name);
         }
         if (coat->mark_count > MARK_MAX) {
-            return validate_refuse(v, "%s/marks: more than %u", card->key_names[key], MARK_MAX);
+            return validate_refuse(why, "%s/marks: more than %u", name, MARK_MAX);
         }
         for (uint32_t i = 0; i < coat->mark_count; i++) {
             const struct species_mark *mark = &coat->marks[i];
-            char what[VALIDATE_WHAT_SIZE];
-            const float *const numbers[] = { &mark->from,  &mark->to,  &mark->width,
-                                             &mark->slant, &mark->low, &mark->high };
-            snprintf(what, sizeof what, "%s/mark", card->key_names[key]);
+            const float numbers[] = { mark->from,  mark->to,  mark->width,
+                                      mark->slant, mark->low, mark->high };
             for (uint32_t k = 0; k < sizeof numbers / sizeof numbers[0]; k++) {
-                if (!validate_number(v, what, *numbers[k], -1000.0f, 1000.0f)) {
+                if (!validate_number(why, numbers[k], -1000.0f, 1000.0f, "%s/mark", name)) {
                     return false;
                 }
             }
-            if (!validate_choice(v, what, mark->kind, MARK_COUNT) ||
-                !validate_choice(v, what, mark->part, PART_COUNT)) {
+            if (!validate_choice(why, mark->kind, MARK_COUNT, "%s/mark", name) ||
+                !validate_choice(why, mark->part, PART_COUNT, "%s/mark", name)) {
                 return false;
             }
         }
@@ -203,60 +221,29 @@ static bool vet_coats(struct vetting *v)
 
 bool species_validate(const struct species *species, char why[VALIDATE_WHY_SIZE])
 {
-    struct vetting v = { .species = species, .why = why };
     const struct species_card *card = &species->card;
-    if (!vet_name(&v, "id", card->id) || !vet_keys(&v) ||
-        !validate_choice(&v, "measure", card->measure, MEASURE_DISC + 1u) ||
-        !validate_choice(&v, "motion", card->motion, MOTION_WING + 1u) ||
-        !validate_choice(&v, "form", card->form, FORM_PUFFER + 1u)) {
+    if (!species_name_is_good(card->id)) {
+        return validate_refuse(why, "id: the name must have 1 to %u characters a-z, 0-9 and _",
+                               SPECIES_NAME_SIZE - 1u);
+    }
+    if (!vet_keys(card, why) ||
+        !validate_choice(why, card->measure, MEASURE_DISC + 1u, "measure") ||
+        !validate_choice(why, card->motion, MOTION_WING + 1u, "motion") ||
+        !validate_choice(why, card->form, FORM_PUFFER + 1u, "form")) {
         return false;
     }
     for (uint32_t i = 0; i < 3; i++) {
-        if (!validate_choice(&v, "thesis keys", card->thesis_key[i], card->key_count)) {
+        if (!validate_choice(why, card->thesis_key[i], card->key_count, "thesis keys")) {
             return false;
         }
         if (i > 0 && card->thesis_key[i] <= card->thesis_key[i - 1]) {
-            return validate_refuse(&v, "thesis keys: they go from young to old");
+            return validate_refuse(why, "thesis keys: the keys must be in the order of their ages");
         }
     }
     if (card->thesis_template == TEMPLATE_OWN) {
-        return validate_refuse(&v, "thesis template: it is one of its own");
+        return validate_refuse(why, "thesis template: the species' own graph is not allowed");
     }
-    if (!validate_choice(&v, "thesis template", card->thesis_template, TEMPLATE_COUNT)) {
-        return false;
-    }
-    const struct growth *g = &v.species->card.growth;
-    if (!validate_number(&v, "growth/length_inf_m", g->length_inf_m, LENGTH_MIN_M, LENGTH_MAX_M) ||
-        !validate_number(&v, "growth/k_per_year", g->k_per_year, 0.001f, 10.0f) ||
-        !validate_number(&v, "growth/t0_year", g->t0_year, -20.0f, 20.0f) ||
-        !validate_number(&v, "growth/fade_year", g->fade_year, 0.001f, 5.0f)) {
-        return false;
-    }
-    if (g->point_count < 1 || g->point_count > GROWTH_POINT_MAX) {
-        return validate_refuse(&v, "growth/points: %u, and there are 1 to %u", g->point_count,
-                               GROWTH_POINT_MAX);
-    }
-    for (uint32_t i = 0; i < g->point_count; i++) {
-        const struct growth_point *point = &g->points[i];
-        if (!validate_number(&v, "growth/age_days", point->age_days, 0.0f, AGE_MAX_DAYS) ||
-            !validate_number(&v, "growth/length_m", point->length_m, LENGTH_MIN_M, LENGTH_MAX_M)) {
-            return false;
-        }
-        if (i == 0 ? point->age_days != 0.0f : point->age_days <= point[-1].age_days) {
-            return validate_refuse(&v, "growth/age_days: point %u (%g) does not go on from 0", i,
-                                   (double)point->age_days);
-        }
-    }
-    /* The age, the progress and the length of each key must be consistent, because some parts of
-     * the program compute one of the three values from the others. */
-    for (uint32_t key = 0; key < card->key_count; key++) {
-        const float age = card->key_age_days[key], length = card->key_length_m[key];
-        const float grown = growth_length_m(&card->growth, age);
-        if (!(f_abs(grown / length - 1.0f) <= LENGTH_APART)) {
-            return validate_refuse(&v, "%s/length_m: %.4g at %.4g days, where growth says %.4g",
-                                   card->key_names[key], (double)length, (double)age,
-                                   (double)grown);
-        }
-    }
-    return vet_scale(&v) && vet_curves(&v) && vet_coats(&v) && validate_meshes(&v);
+    return validate_choice(why, card->thesis_template, TEMPLATE_COUNT, "thesis template") &&
+           vet_growth(card, why) && vet_scale(card, why) && vet_curves(card, why) &&
+           vet_coats(species, why) && validate_meshes(species, why);
 }

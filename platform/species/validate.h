@@ -23,39 +23,31 @@
  * ANCHOR_MAX. */
 bool species_validate(const struct species *species, char why[VALIDATE_WHY_SIZE]);
 
-/* Returns true if the deformation graph `graph` is valid for a species of `key_count` keys.
- * Otherwise returns false and writes the reason to `why`. `curve` is the name of the graph in the
- * reason. */
-bool species_validate_graph(const struct graph *graph, uint32_t key_count, const char *curve,
-                            char why[VALIDATE_WHY_SIZE]);
-
 /* Returns true if `name` has 1 to SPECIES_NAME_SIZE - 1 characters a-z, 0-9 and _, followed by zero
  * bytes. */
 bool species_name_is_good(const char name[SPECIES_NAME_SIZE]);
 
-/* ---- Functions that validate.c and validate_mesh.c share ------------------------------------- */
+/* ---- Functions that pack.c, validate.c and validate_mesh.c share ----------------------------- */
 
-#define VALIDATE_WHAT_SIZE 64u
-
-struct vetting {
-    const struct species *species;
-    char *why; /* Buffer of VALIDATE_WHY_SIZE bytes for the reason why the species is invalid. */
-};
-
-/* Writes the reason to `v->why` and returns false. The reason is the text that `format` and its
+/* Writes the reason to `why` and returns false. The reason is the text that `format` and its
  * arguments produce. */
-__attribute__((format(printf, 2, 3))) bool validate_refuse(struct vetting *v, const char *format,
-                                                           ...);
+__attribute__((format(printf, 2, 3))) bool validate_refuse(char why[VALIDATE_WHY_SIZE],
+                                                           const char *format, ...);
 
-/* Returns true if `low` <= x <= `high`. Otherwise, and if x is NaN, writes the reason and returns
- * false. */
-bool validate_number(struct vetting *v, const char *what, float x, float low, float high);
+/* Returns true if `low` <= x <= `high`. If x is outside this range or NaN, writes the reason to
+ * `why` and returns false. `format` and its arguments produce the name of the value in the
+ * reason. */
+__attribute__((format(printf, 5, 6))) bool validate_number(char why[VALIDATE_WHY_SIZE], float x,
+                                                           float low, float high,
+                                                           const char *format, ...);
 
-/* Returns true if x < `count`. Otherwise writes the reason and returns false. */
-bool validate_choice(struct vetting *v, const char *what, uint32_t x, uint32_t count);
+/* Returns true if the integer `x`, 0 to 255, is less than `count`. Otherwise writes the reason to
+ * `why` and returns false. A format and its arguments follow, as for validate_number(). */
+#define validate_choice(why, x, count, ...)                                                        \
+    validate_number(why, (float)(x), 0.0f, (float)((count) - 1u), __VA_ARGS__)
 
 /* Validates the meshes of both levels of detail. The caller guarantees that the card has been
  * validated successfully. */
-bool validate_meshes(struct vetting *v);
+bool validate_meshes(const struct species *species, char why[VALIDATE_WHY_SIZE]);
 
 #endif

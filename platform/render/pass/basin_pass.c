@@ -27,7 +27,7 @@ enum basin_part {
     PART_COUNTER,
     PART_SIDES,
     PART_RIM,
-    PART_END
+    PART_END = BASIN_PARTS
 };
 
 #define UP { 0.0f, 1.0f, 0.0f }
@@ -72,29 +72,37 @@ static const struct face faces[] = {
 
 static const uint8_t part_faces[PART_END + 1] = { 0, 1, 5, 6, 10, 14, FACE_COUNT };
 
+/* Shader program of each part of the tank. */
+static const struct {
+    const char *name, *defines, *vertex, *fragment, *samplers;
+} programs[PART_END] = {
+    [PART_FLOOR] = { "floor", "#define FLOOR\n", shader_tank_vert, shader_tank_frag,
+                     "caustics shadows" },
+    [PART_WALLS] = { "walls", "", shader_tank_vert, shader_tank_frag, "caustics" },
+    [PART_SURFACE] = { "water", "", shader_water_vert, shader_water_frag,
+                       "ground life slopes environment" },
+    [PART_COUNTER] = { "counter", "#define COUNTER\n", shader_deck_vert, shader_deck_frag, "wood" },
+    [PART_SIDES] = { "rim sides", "", shader_deck_vert, shader_deck_frag, "wood" },
+    [PART_RIM] = { "rim", "#define RIM\n", shader_deck_vert, shader_deck_frag, "wood" },
+};
+
 static void draw_part(const struct basin_pass *pass, enum basin_part part)
 {
     CORE_ASSERT(part < PART_END);
     const GLint first = part_faces[part] * (GLint)VERTICES_PER_FACE;
     const GLint end = part_faces[part + 1] * (GLint)VERTICES_PER_FACE;
+    glUseProgram(pass->programs[part]);
     glBindVertexArray(pass->vertex_array);
     glDrawArrays(GL_TRIANGLES, first, end - first);
 }
 
 void basin_pass_open(struct gl_status *status, struct basin_pass *pass)
 {
-    pass->floor_program = gl_program(status, "floor", "#define FLOOR\n", shader_tank_vert,
-                                     shader_tank_frag, "caustics shadows");
-    pass->wall_program =
-        gl_program(status, "walls", "", shader_tank_vert, shader_tank_frag, "caustics");
-    pass->counter_program = gl_program(status, "counter", "#define COUNTER\n", shader_deck_vert,
-                                       shader_deck_frag, "wood");
-    pass->rim_program =
-        gl_program(status, "rim", "#define RIM\n", shader_deck_vert, shader_deck_frag, "wood");
-    pass->side_program =
-        gl_program(status, "rim sides", "", shader_deck_vert, shader_deck_frag, "wood");
-    pass->water_program = gl_program(status, "water", "", shader_water_vert, shader_water_frag,
-                                     "ground life slopes environment");
+    for (uint32_t i = 0; i < PART_END; i++) {
+        pass->programs[i] =
+            gl_program(status, programs[i].name, programs[i].defines, programs[i].vertex,
+                       programs[i].fragment, programs[i].samplers);
+    }
     struct corner corners[FACE_COUNT * VERTICES_PER_FACE];
     struct corner *out = corners;
     for (uint32_t i = 0; i < FACE_COUNT; i++) {
@@ -119,19 +127,15 @@ void basin_pass_open(struct gl_status *status, struct basin_pass *pass)
             /* The texels are 16-bit floats. With 8-bit slopes, the reflections of the lanterns
              * would have visible steps. */
             .internal_format = GL_RGBA16F,
-            .format = GL_RGBA,
             .width = RIPPLE_X,
             .height = RIPPLE_Z });
 }
 
 void basin_pass_close(struct basin_pass *pass)
 {
-    glDeleteProgram(pass->floor_program);
-    glDeleteProgram(pass->wall_program);
-    glDeleteProgram(pass->counter_program);
-    glDeleteProgram(pass->side_program);
-    glDeleteProgram(pass->rim_program);
-    glDeleteProgram(pass->water_program);
+    for (uint32_t i = 0; i < PART_END; i++) {
+        glDeleteProgram(pass->programs[i]);
+    }
     glDeleteVertexArrays(1, &pass->vertex_array);
     glDeleteBuffers(1, &pass->vertex_buffer);
     gl_ring_close(&pass->slope_ring);
@@ -139,7 +143,7 @@ void basin_pass_close(struct basin_pass *pass)
 
 /* A wave that a light wind causes on the water surface. The renderer adds a few long, low waves to
  * the surface slopes that the core computes, so that the reflections of the lanterns always move.
- * `slope` is in the scene's units of 1/508. */
+ * `slope` is the slope times 508, as in struct scene. */
 struct wind_wave {
     float x_rad_m, z_rad_m, rad_s, slope;
 };
@@ -215,24 +219,19 @@ void basin_pass_ground(const struct basin_pass *pass, GLuint caustics, GLuint sh
 {
     gl_bind_texture(0, GL_TEXTURE_2D, caustics);
     gl_bind_texture(1, GL_TEXTURE_2D, shadows);
-    glUseProgram(pass->floor_program);
     draw_part(pass, PART_FLOOR);
-    glUseProgram(pass->wall_program);
     draw_part(pass, PART_WALLS);
 }
 
 void basin_pass_deck(const struct basin_pass *pass, const struct textures *textures)
 {
     gl_bind_texture(0, GL_TEXTURE_2D, textures->wood);
+    /* The faces of the counter and of the rim are drawn from the lowest to the highest, because the
+     * counter does not write depth. */
     glDepthMask(GL_FALSE);
-    glUseProgram(pass->counter_program); /* The faces of the counter and of the rim are drawn from
-                                            the lowest to the highest, because the counter does not
-                                            write depth. */
     draw_part(pass, PART_COUNTER);
-    glUseProgram(pass->side_program);
     draw_part(pass, PART_SIDES);
     glEnable(GL_BLEND);
-    glUseProgram(pass->rim_program);
     draw_part(pass, PART_RIM);
     glDisable(GL_BLEND);
     glDepthMask(GL_TRUE);
@@ -245,6 +244,5 @@ void basin_pass_water(const struct basin_pass *pass, const struct textures *text
     gl_bind_texture(1, GL_TEXTURE_2D, life);
     gl_bind_texture(2, GL_TEXTURE_2D, gl_ring_texture(&pass->slope_ring));
     gl_bind_texture(3, GL_TEXTURE_2D, textures->environment);
-    glUseProgram(pass->water_program);
     draw_part(pass, PART_SURFACE);
 }

@@ -6,9 +6,12 @@
 #include "core/scene.h"
 #include "platform/render/textures.h"
 
+/* Number of parts with a shader program of their own: the floor, the walls, the water surface, the
+ * counter, the sides of the rim, and the top of the rim. */
+#define BASIN_PARTS 6u
+
 struct basin_pass {
-    GLuint floor_program, wall_program, water_program;
-    GLuint counter_program, side_program, rim_program;
+    GLuint programs[BASIN_PARTS];
     GLuint vertex_array, vertex_buffer;
     struct gl_ring slope_ring;
     float waves[RIPPLE_Z][RIPPLE_X][2];

@@ -89,7 +89,6 @@ void bowl_pass_open(struct gl_status *status, struct bowl_pass *pass)
     pass->hull_first = shape.index_count;
     shape_grid(&shape, SHELL_COLUMNS, SHELL_ROWS, shell_point, &outside);
     shape_grid(&shape, SHELL_COLUMNS, LIP_ROWS, lip_point, NULL);
-    pass->hull_count = shape.index_count - pass->hull_first;
     shape_upload(&shape, &pass->shell);
     shape.vertex_count = shape.index_count = 0;
     shape_grid(&shape, SHELL_COLUMNS, DISC_ROWS, disc_point, NULL);
@@ -140,7 +139,7 @@ void bowl_pass_hole(const struct bowl_pass *pass, const struct scene_bowl *bowl)
     use(&pass->hole_part, bowl);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     glDepthFunc(GL_ALWAYS);
-    shape_draw(&pass->disc);
+    shape_draw(&pass->disc, 0);
     glDepthFunc(GL_LEQUAL);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
@@ -148,12 +147,11 @@ void bowl_pass_hole(const struct bowl_pass *pass, const struct scene_bowl *bowl)
 void bowl_pass_shell(const struct bowl_pass *pass, const struct scene_bowl *bowl, GLuint caustics,
                      bool is_hull)
 {
-    const uint32_t count = is_hull ? pass->hull_count : (uint32_t)pass->shell.index_count;
     gl_bind_texture(0, GL_TEXTURE_2D, caustics);
     use(&pass->shell_part, bowl);
     glEnable(GL_BLEND);
     glEnable(GL_CULL_FACE);
-    shape_draw_part(&pass->shell, is_hull ? pass->hull_first : 0u, count);
+    shape_draw(&pass->shell, is_hull ? pass->hull_first : 0u);
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
 }
@@ -163,7 +161,7 @@ void bowl_pass_water(const struct bowl_pass *pass, const struct scene_bowl *bowl
     use(&pass->water_part, bowl);
     glEnable(GL_BLEND);
     glDepthMask(GL_FALSE);
-    shape_draw(&pass->disc);
+    shape_draw(&pass->disc, 0);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
 }

@@ -21,7 +21,7 @@ static struct fish_program link_fish_program(struct gl_status *status, const cha
     const size_t length = strlen(defines);
     snprintf(defines + length, sizeof defines - length, "%s", variant);
     const GLuint program =
-        gl_morph_program(status, name, defines, shader_fish_vert, shader_fish_frag, SAMPLERS);
+        gl_program(status, name, defines, shader_fish_vert, shader_fish_frag, SAMPLERS);
     return (struct fish_program){ program, glGetUniformLocation(program, "reach") };
 }
 
@@ -101,19 +101,6 @@ static enum fish_group group_of(const struct scene_fish *fish, const struct fram
                : (near ? FISH_NEAR : FISH_FAR);
 }
 
-static void fill_instance(struct fish_instance *out, const struct scene_fish *fish, uint32_t row)
-{
-    const struct basis axes = vec_basis_from_angles(fish->angles);
-    const uint32_t look = fish->look;
-    *out = (struct fish_instance){
-        .place = { fish->position_m.x, fish->position_m.y, fish->position_m.z, fish->length_m },
-        .right_phase = { axes.right.x, axes.right.y, axes.right.z, fish->tail_phase_rad },
-        .up_amplitude = { axes.up.x, axes.up.y, axes.up.z, fish->tail_amplitude },
-        .character = { fish->bend_rad, fish->maturity, textures_pattern(look), textures_hue(look) },
-        .gulp = { fish->gape, fish->gulp, (float)row },
-    };
-}
-
 static bool is_far(enum fish_group group)
 {
     return group == FISH_FAR || group == FISH_GULPING_FAR;
@@ -136,8 +123,18 @@ void fish_pass_prepare(struct fish_pass *pass, const struct scene *scene,
     }
     sort_by_height(pass, scene);
     for (uint32_t i = 0; i < scene->fish_count; i++) {
-        const uint32_t fish = pass->order[i];
-        fill_instance(&pass->instances[next[pass->group[fish]]++], &scene->fish[fish], fish);
+        const uint32_t row = pass->order[i];
+        const struct scene_fish *const fish = &scene->fish[row];
+        const vec3 at = fish->position_m;
+        const struct basis axes = vec_basis_from_angles(fish->angles);
+        pass->instances[next[pass->group[row]]++] = (struct fish_instance){
+            .place = { at.x, at.y, at.z, fish->length_m },
+            .right_phase = { axes.right.x, axes.right.y, axes.right.z, fish->tail_phase_rad },
+            .up_amplitude = { axes.up.x, axes.up.y, axes.up.z, fish->tail_amplitude },
+            .character = { fish->bend_rad, fish->maturity, textures_pattern(fish->look),
+                           textures_hue(fish->look) },
+            .gulp = { fish->gape, fish->gulp, (float)row },
+        };
     }
     /* The texture row of each fish is its index in the scene. A row is written again only if the
      * fish has grown or its level of detail has changed. */
@@ -154,28 +151,29 @@ void fish_pass_prepare(struct fish_pass *pass, const struct scene *scene,
     gl_buffer_refill(GL_ARRAY_BUFFER, pass->instances, scene->fish_count * sizeof *pass->instances);
 }
 
-/* Sets the instance attributes so that they begin at instance `first`, because OpenGL ES 3.0 has no
- * base instance. */
-static void point_instances(uint32_t first)
+/* Sets the first `count` instance attributes of the table in this function so that they begin at
+ * instance `first`, because OpenGL ES 3.0 has no base instance. `locations` lists the locations of
+ * the attributes in the shader. */
+static void point_instances(const struct fish_pass *pass, uint32_t first, const GLuint *locations,
+                            uint32_t count)
 {
-    CORE_ASSERT(first < SCENE_FISH_MAX);
-    static const struct instance_attribute {
-        GLuint location;
+    static const struct {
         GLint count;
         size_t offset;
     } attributes[] = {
-        { 9, 4, offsetof(struct fish_instance, place) },
-        { 10, 4, offsetof(struct fish_instance, right_phase) },
-        { 11, 4, offsetof(struct fish_instance, up_amplitude) },
-        { 14, 4, offsetof(struct fish_instance, character) },
-        { 15, 3, offsetof(struct fish_instance, gulp) },
+        { 4, offsetof(struct fish_instance, place) },
+        { 4, offsetof(struct fish_instance, right_phase) },
+        { 4, offsetof(struct fish_instance, up_amplitude) },
+        { 3, offsetof(struct fish_instance, gulp) },
+        { 4, offsetof(struct fish_instance, character) },
     };
+    CORE_ASSERT(first <= SCENE_FISH_MAX && count <= sizeof attributes / sizeof *attributes);
     const size_t stride = sizeof(struct fish_instance);
-    for (uint32_t i = 0; i < sizeof attributes / sizeof *attributes; i++) {
-        const struct instance_attribute *const attribute = &attributes[i];
-        gl_attribute_floats(attribute->location, attribute->count, stride,
-                            first * stride + attribute->offset);
-        glVertexAttribDivisor(attribute->location, 1);
+    glBindBuffer(GL_ARRAY_BUFFER, pass->instance_buffer);
+    for (uint32_t i = 0; i < count; i++) {
+        gl_attribute_floats(locations[i], attributes[i].count, stride,
+                            first * stride + attributes[i].offset);
+        glVertexAttribDivisor(locations[i], 1);
     }
 }
 
@@ -183,8 +181,9 @@ static void point_instances(uint32_t first)
 static void draw_group(const struct fish_pass *pass, const struct fish_program *program,
                        enum fish_group group, bool fins)
 {
-    CORE_ASSERT(pass->first[group] + pass->count[group] <= SCENE_FISH_MAX);
+    static const GLuint locations[] = { 9, 10, 11, 15, 14 };
     CORE_ASSERT(group < FISH_GROUP_COUNT);
+    CORE_ASSERT(pass->first[group] + pass->count[group] <= SCENE_FISH_MAX);
     const uint32_t lod = is_far(group) ? 1 : 0;
     const struct fish_mesh *const mesh = &pass->mesh[lod];
     if (pass->count[group] == 0) {
@@ -193,39 +192,26 @@ static void draw_group(const struct fish_pass *pass, const struct fish_program *
     gl_bind_texture(2, GL_TEXTURE_2D, pass->poses[lod].texture);
     glUniform1f(program->reach, mesh->reach);
     glBindVertexArray(mesh->vertex_array);
-    glBindBuffer(GL_ARRAY_BUFFER, pass->instance_buffer);
-    point_instances(pass->first[group]);
+    point_instances(pass, pass->first[group], locations, 5);
     fish_mesh_draw(mesh, fins, (GLsizei)pass->count[group]);
 }
 
-/* Draws the bodies of all groups of fish from group `first` to group `last`. */
-static void draw_bodies(const struct fish_pass *pass, const struct fish_program *program,
-                        enum fish_group first, enum fish_group last,
-                        const struct textures *textures, GLuint caustics)
+void fish_pass_bodies(const struct fish_pass *pass, enum fish_group group, bool snouts,
+                      const struct textures *textures, GLuint caustics)
 {
+    const bool gulps = group == FISH_GULPING_FAR || group == FISH_GULPING;
+    const struct fish_program *const program = snouts  ? &pass->snout
+                                               : gulps ? &pass->sunk
+                                                       : &pass->body;
+    CORE_ASSERT(gulps || !snouts);
     glUseProgram(program->name);
     gl_bind_texture(0, GL_TEXTURE_2D, caustics);
     gl_bind_texture(1, GL_TEXTURE_2D_ARRAY, textures->patterns);
     glEnable(GL_CULL_FACE);
     glEnable(GL_BLEND);
-    for (enum fish_group group = first; group <= last; group++) {
-        draw_group(pass, program, group, false);
-    }
+    draw_group(pass, program, group, false);
     glDisable(GL_BLEND);
     glDisable(GL_CULL_FACE);
-}
-
-void fish_pass_bodies(const struct fish_pass *pass, enum fish_group group,
-                      const struct textures *textures, GLuint caustics)
-{
-    const bool gulps = group == FISH_GULPING_FAR || group == FISH_GULPING;
-    draw_bodies(pass, gulps ? &pass->sunk : &pass->body, group, group, textures, caustics);
-}
-
-void fish_pass_snouts(const struct fish_pass *pass, const struct textures *textures,
-                      GLuint caustics)
-{
-    draw_bodies(pass, &pass->snout, FISH_GULPING_FAR, FISH_GULPING, textures, caustics);
 }
 
 void fish_pass_fins(const struct fish_pass *pass, enum fish_group group, GLuint caustics)
@@ -241,22 +227,14 @@ void fish_pass_fins(const struct fish_pass *pass, enum fish_group group, GLuint 
 
 void fish_pass_rings(const struct fish_pass *pass)
 {
-    const size_t stride = sizeof(struct fish_instance);
-    const size_t base = pass->first[FISH_GULPING_FAR] * stride;
+    static const GLuint locations[] = { 0, 1, 2, 3 };
     const uint32_t count = pass->count[FISH_GULPING_FAR] + pass->count[FISH_GULPING];
     if (count == 0) {
         return;
     }
     glUseProgram(pass->ring_program);
     glBindVertexArray(pass->rings);
-    glBindBuffer(GL_ARRAY_BUFFER, pass->instance_buffer);
-    gl_attribute_floats(0, 4, stride, base + offsetof(struct fish_instance, place));
-    gl_attribute_floats(1, 4, stride, base + offsetof(struct fish_instance, right_phase));
-    gl_attribute_floats(2, 4, stride, base + offsetof(struct fish_instance, up_amplitude));
-    gl_attribute_floats(3, 2, stride, base + offsetof(struct fish_instance, gulp));
-    for (GLuint i = 0; i < 4; i++) {
-        glVertexAttribDivisor(i, 1);
-    }
+    point_instances(pass, pass->first[FISH_GULPING_FAR], locations, 4);
     glEnable(GL_BLEND);
     glDepthMask(GL_FALSE);
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, (GLsizei)count);
@@ -266,13 +244,7 @@ void fish_pass_rings(const struct fish_pass *pass)
 
 GLsizei fish_pass_shadow_casters(const struct fish_pass *pass)
 {
-    const size_t stride = sizeof(struct fish_instance);
-    glBindBuffer(GL_ARRAY_BUFFER, pass->instance_buffer);
-    gl_attribute_floats(0, 4, stride, offsetof(struct fish_instance, place));
-    gl_attribute_floats(1, 4, stride, offsetof(struct fish_instance, right_phase));
-    gl_attribute_floats(2, 4, stride, offsetof(struct fish_instance, up_amplitude));
-    for (GLuint i = 0; i < 3; i++) {
-        glVertexAttribDivisor(i, 1);
-    }
+    static const GLuint locations[] = { 0, 1, 2 };
+    point_instances(pass, 0, locations, 3);
     return (GLsizei)(pass->first[FISH_ON_POI] + pass->count[FISH_ON_POI]);
 }

@@ -58,18 +58,14 @@ void fish_pass_close(struct fish_pass *pass);
 void fish_pass_prepare(struct fish_pass *pass, const struct scene *scene,
                        const struct frame_view *view, const struct quality *quality);
 
-/* Draws the bodies of one group of fish into a render target with a depth buffer. For gulping fish,
- * draws only the part below the water surface. */
-void fish_pass_bodies(const struct fish_pass *pass, enum fish_group group,
+/* Draws the bodies of one group of fish into a render target with a depth buffer. Of gulping fish,
+ * draws only the part below the water surface, or the snouts if `snouts` is true. The snouts are
+ * the parts above the water surface. Each fish is then drawn completely, and the depth of the water
+ * surface hides the lower part. */
+void fish_pass_bodies(const struct fish_pass *pass, enum fish_group group, bool snouts,
                       const struct textures *textures, GLuint caustics);
 /* Draws the fins of one group of fish with premultiplied blending. */
 void fish_pass_fins(const struct fish_pass *pass, enum fish_group group, GLuint caustics);
-
-/* Draws the parts of gulping fish that are above the water surface. Each fish is drawn completely
- * into a render target with a depth buffer, and the depth of the water surface hides the lower
- * part. */
-void fish_pass_snouts(const struct fish_pass *pass, const struct textures *textures,
-                      GLuint caustics);
 
 /* Draws the rings on the water surface that gulping fish cause. Must be called after the water is
  * drawn and before the objects above the water. */

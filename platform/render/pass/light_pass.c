@@ -94,11 +94,10 @@ void light_pass_shadows(const struct light_pass *pass, const struct scene *scene
     for (uint32_t i = 0; i < POI_MAX; i++) {
         float pose[16];
         if (scene->poi[i].present) {
-            CORE_ASSERT(i < POI_MAX);
             const struct scene_poi *const caster = &scene->poi[i];
             /* The shadow of a poi is drawn vertically below the poi, because the fish react to a
              * shadow at this place. */
-            frame_pose(pose, caster->position_m, caster->angles, caster->ring_radius_m);
+            poi_pose(pose, caster->position_m, caster->angles, caster->ring_radius_m);
             glUniform1f(pass->disc_slant, 0.0f);
             disc_shadow(pass, pose, caster->position_m.y + scene->tank_size_m.y,
                         caster->ring_radius_m, (const float[3]){ 3.7f, 0.34f, (float)i });
@@ -106,7 +105,7 @@ void light_pass_shadows(const struct light_pass *pass, const struct scene *scene
         if (scene->bowl[i].present) {
             const vec3 bottom =
                 v3_sub(scene->bowl[i].position_m, v3(0.0f, scene->bowl[i].depth_m * 0.6f, 0.0f));
-            frame_pose(pose, bottom, (struct angles){ 0 }, scene->bowl[i].radius_m);
+            poi_pose(pose, bottom, (struct angles){ 0 }, scene->bowl[i].radius_m);
             glUniform1f(pass->disc_slant, 1.0f);
             disc_shadow(pass, pose, bottom.y + scene->tank_size_m.y, scene->bowl[i].radius_m,
                         (const float[3]){ 1.0f, 0.62f, -1.0f });

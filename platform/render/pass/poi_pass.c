@@ -150,7 +150,6 @@ void poi_pass_open(struct gl_status *status, struct poi_pass *pass)
     pass->paper_pool = glGetUniformLocation(pass->paper_program, "pool");
     gl_ring_open(status, "sheets", &pass->sheet_ring,
                  &(struct gl_texture_desc){ .internal_format = GL_RGBA8,
-                                            .format = GL_RGBA,
                                             .width = SHEET_SIDE,
                                             .height = SHEET_SIDE,
                                             .layers = POI_MAX });
@@ -202,64 +201,64 @@ bool poi_is_above(const struct scene_poi *poi)
     return poi->present && poi->position_m.y > -poi->ring_radius_m * REACH;
 }
 
+void poi_pose(float out[16], vec3 position_m, struct angles angles, float scale)
+{
+    CORE_ASSERT(scale > 0.0f);
+    const struct basis axes = vec_basis_from_angles(angles);
+    const vec3 columns[4] = { v3_scale(axes.right, scale), v3_scale(axes.up, scale),
+                              v3_scale(axes.back, scale), position_m };
+    for (uint32_t i = 0; i < 4; i++) {
+        const float column[4] = { columns[i].x, columns[i].y, columns[i].z, i == 3u ? 1.0f : 0.0f };
+        memcpy(out + 4u * i, column, sizeof column);
+    }
+}
+
 void poi_pass_frame(const struct poi_pass *pass, const struct scene_poi *poi)
 {
-    CORE_ASSERT(poi->ring_radius_m > 0.0f);
     float pose[16];
-    frame_pose(pose, poi->position_m, poi->angles, poi->ring_radius_m);
+    poi_pose(pose, poi->position_m, poi->angles, poi->ring_radius_m);
     glUseProgram(pass->frame_program);
     glUniformMatrix4fv(pass->frame_pose, 1, GL_FALSE, pose);
     glUniform4fv(pass->frame_paint, 1, poi_paint(poi->owner));
     glEnable(GL_BLEND);
     glEnable(GL_CULL_FACE);
-    shape_draw(&pass->solid);
+    shape_draw(&pass->solid, 0);
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
-}
-
-/* Sets the shader uniforms for the first RESTS_MAX fish on the paper. A fish length of 0 means that
- * the entry is unused. */
-static void set_rests(const struct poi_pass *pass, const struct scene *scene,
-                      const struct scene_poi *poi)
-{
-    CORE_ASSERT(scene->fish_count <= SCENE_FISH_MAX);
-    float rests[RESTS_MAX][4] = { 0 };
-    float spines[RESTS_MAX][3] = { 0 };
-    uint32_t count = 0;
-    for (uint32_t i = 0; i < scene->fish_count && count < RESTS_MAX; i++) {
-        const struct scene_fish *const fish = &scene->fish[i];
-        const float away_m = v3_length(v3_sub(fish->position_m, poi->position_m));
-        if (fish->place != SCENE_ON_POI || away_m > poi->ring_radius_m * 1.5f) {
-            continue;
-        }
-        const vec3 back = vec_basis_from_angles(fish->angles).back;
-        const float rest[4] = { fish->position_m.x, fish->position_m.y, fish->position_m.z,
-                                fish->length_m };
-        memcpy(rests[count], rest, sizeof rest);
-        memcpy(spines[count], (const float[3]){ back.x, back.y, back.z }, sizeof spines[count]);
-        count++;
-    }
-    glUniform4fv(pass->paper_rests, RESTS_MAX, rests[0]);
-    glUniform3fv(pass->paper_spines, RESTS_MAX, spines[0]);
 }
 
 void poi_pass_paper(const struct poi_pass *pass, const struct scene *scene, uint32_t index,
                     const struct textures *textures)
 {
-    CORE_ASSERT(index < POI_MAX);
+    CORE_ASSERT(index < POI_MAX && scene->fish_count <= SCENE_FISH_MAX);
     const struct scene_poi *const poi = &scene->poi[index];
-    float pose[16];
-    frame_pose(pose, poi->position_m, poi->angles, poi->ring_radius_m);
+    float pose[16], rests[RESTS_MAX][4] = { 0 }, spines[RESTS_MAX][3] = { 0 };
+    poi_pose(pose, poi->position_m, poi->angles, poi->ring_radius_m);
+    /* The first RESTS_MAX fish on the paper darken the paper. A fish length of 0 means that the
+     * entry is unused. */
+    for (uint32_t i = 0, count = 0; i < scene->fish_count && count < RESTS_MAX; i++) {
+        const struct scene_fish *const fish = &scene->fish[i];
+        const vec3 at = fish->position_m;
+        const float away_m = v3_length(v3_sub(at, poi->position_m));
+        if (fish->place == SCENE_ON_POI && away_m <= poi->ring_radius_m * 1.5f) {
+            const vec3 back = vec_basis_from_angles(fish->angles).back;
+            memcpy(rests[count], (const float[4]){ at.x, at.y, at.z, fish->length_m },
+                   sizeof rests[count]);
+            memcpy(spines[count], (const float[3]){ back.x, back.y, back.z }, sizeof spines[count]);
+            count++;
+        }
+    }
+    const struct poi_pool pool = poi_pool_of(poi);
     glUseProgram(pass->paper_program);
     gl_bind_texture(0, GL_TEXTURE_2D_ARRAY, gl_ring_texture(&pass->sheet_ring));
     gl_bind_texture(1, GL_TEXTURE_2D, textures->paper);
     glUniformMatrix4fv(pass->paper_pose, 1, GL_FALSE, pose);
-    set_rests(pass, scene, poi);
+    glUniform4fv(pass->paper_rests, RESTS_MAX, rests[0]);
+    glUniform3fv(pass->paper_spines, RESTS_MAX, spines[0]);
     glUniform4f(pass->paper_paper, poi->sag_m / poi->ring_radius_m, (float)index,
                 poi->shows_stress ? 1.0f : 0.0f, 0.0f);
-    const struct poi_pool pool = poi_pool_of(poi);
     glUniform2f(pass->paper_pool, pool.level_m, pool.film_m);
     glEnable(GL_BLEND);
-    shape_draw(&pass->disc);
+    shape_draw(&pass->disc, 0);
     glDisable(GL_BLEND);
 }

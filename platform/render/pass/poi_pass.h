@@ -5,7 +5,6 @@
 #define KINGYO_PLATFORM_RENDER_PASS_POI_PASS_H
 
 #include "core/scene.h"
-#include "platform/render/frame_block.h"
 #include "platform/render/shape.h"
 #include "platform/render/textures.h"
 
@@ -34,6 +33,10 @@ struct poi_pass {
     uint8_t cells[SHEET_SIDE * SHEET_SIDE][4]; /* Buffer of one paper sheet: wetness, integrity,
                                                   presence and stress of each cell. */
 };
+
+/* Writes the pose of a poi or of another object as a column-major matrix. One unit along each of
+ * the object's axes is `scale` metres long, > 0. */
+void poi_pose(float out[16], vec3 position_m, struct angles angles, float scale);
 
 /* Returns the colour of player `owner` (red, green, blue). The fourth value is the number of white
  * marks on the poi, which distinguish the players without colour. `owner` must be below POI_MAX. */

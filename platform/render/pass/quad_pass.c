@@ -2,7 +2,6 @@
 #include "platform/render/pass/quad_pass.h"
 
 #include "core/base/panic.h"
-#include "platform/render/frame_block.h"
 #include "platform/render/gl_util.h"
 #include "platform/render/pass/poi_pass.h"
 #include "shaders.h"
@@ -85,23 +84,17 @@ void quad_pass_air(const struct quad_pass *pass, const struct scene *scene)
     }
 }
 
-/* Returns the lowest point of the ring. For a level ring, returns the centre of the sagging
- * paper. */
-static vec3 low_side(const struct scene_poi *poi)
-{
-    const vec3 up = vec_basis_from_angles(poi->angles).up;
-    /* `down` is the direction of steepest descent in the plane of the poi's ring. */
-    const vec3 down = v3(up.x * up.y, up.y * up.y - 1.0f, up.z * up.y);
-    const float steep = v3_length(down);
-    const float reach_m = RING_REACH * poi->ring_radius_m * f_smoothstep(0.03f, 0.20f, steep);
-    return v3_muladd(poi->position_m, v3_normalize_or(down, v3(0.0f, 0.0f, 0.0f)), reach_m);
-}
-
 void quad_pass_drips(const struct quad_pass *pass, const struct scene *scene)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const struct scene_poi *const poi = &scene->poi[i];
-        const vec3 at = low_side(poi);
+        const vec3 up = vec_basis_from_angles(poi->angles).up;
+        /* `down` is the direction of steepest descent in the plane of the poi's ring. `at` is the
+         * lowest point of the ring. For a level ring, `at` is the centre of the sagging paper. */
+        const vec3 down = v3(up.x * up.y, up.y * up.y - 1.0f, up.z * up.y);
+        const float steep = f_smoothstep(0.03f, 0.20f, v3_length(down));
+        const vec3 at = v3_muladd(poi->position_m, v3_normalize_or(down, v3(0.0f, 0.0f, 0.0f)),
+                                  RING_REACH * poi->ring_radius_m * steep);
         if (poi->present && poi->water_m >= DRIPS_FROM_M && at.y >= CLEAR_M) {
             const float wet = (poi->water_m - DRIPS_FROM_M) / (DRIPS_FULL_M - DRIPS_FROM_M);
             const float drops = (float)DROPS_MAX * f_clamp(0.2f + 0.8f * wet, 0.0f, 1.0f);
@@ -131,7 +124,7 @@ void quad_pass_fans(const struct quad_pass *pass, const struct scene *scene,
         const struct angles angles = { .yaw_rad = 0.18f + SWAY_RAD * f_sin(sway),
                                        .pitch_rad = FAN_PITCH_RAD,
                                        .roll_rad = SWAY_RAD * f_cos(sway) };
-        frame_pose(pose, v3(fan->x_m, FAN_HEIGHT_M, fan->z_m), angles, fan->radius_m);
+        poi_pose(pose, v3(fan->x_m, FAN_HEIGHT_M, fan->z_m), angles, fan->radius_m);
         glUniformMatrix4fv(pass->fan_pose, 1, GL_FALSE, pose);
         /* A hand-held fan that is not moved becomes partly transparent, so that its player sees the
          * fish behind the fan. */
@@ -143,22 +136,17 @@ void quad_pass_fans(const struct quad_pass *pass, const struct scene *scene,
     glDisable(GL_BLEND);
 }
 
-/* Fills the rectangle from (left, bottom) to (right, top) with black, in OpenGL's window
- * coordinates with the origin at the lower left. Does nothing if the rectangle is empty. */
-static void blacken(GLint left, GLint bottom, GLint right, GLint top)
-{
-    if (right > left && top > bottom) {
-        glScissor(left, bottom, right - left, top - bottom);
-        glClear(GL_COLOR_BUFFER_BIT);
-    }
-}
-
 void quad_pass_edge(const struct quad_pass *pass, const struct display_transform *transform)
 {
     const struct display_rect part = display_picture_rect(transform);
     const GLint width = (GLint)transform->screen_width, height = (GLint)transform->screen_height;
-    const GLint left = (GLint)part.left, right = (GLint)part.right;
-    const GLint top = height - (GLint)part.top, bottom = height - (GLint)part.bottom;
+    const GLint top = height - (GLint)part.top, right = (GLint)part.right;
+    /* The four strips beside the picture: left, bottom, width and height of each strip, in OpenGL's
+     * window coordinates with the origin at the lower left. */
+    const GLint strips[4][4] = { { 0, top, width, height - top },
+                                 { 0, 0, width, height - (GLint)part.bottom },
+                                 { 0, 0, (GLint)part.left, height },
+                                 { right, 0, width - right, height } };
     CORE_ASSERT(width > 0 && height > 0);
     if (transform->light < 1.0f) {
         glViewport(0, 0, width, height);
@@ -173,9 +161,11 @@ void quad_pass_edge(const struct quad_pass *pass, const struct display_transform
     }
     glEnable(GL_SCISSOR_TEST);
     glClearColor(0.0f, 0.0f, 0.0f, 1.0f);
-    blacken(0, top, width, height);
-    blacken(0, 0, width, bottom);
-    blacken(0, 0, left, height);
-    blacken(right, 0, width, height);
+    for (uint32_t i = 0; i < 4; i++) {
+        if (strips[i][2] > 0 && strips[i][3] > 0) {
+            glScissor(strips[i][0], strips[i][1], strips[i][2], strips[i][3]);
+            glClear(GL_COLOR_BUFFER_BIT);
+        }
+    }
     glDisable(GL_SCISSOR_TEST);
 }

@@ -23,48 +23,28 @@
 #define REST_NS 3000000u
 #define CLEAR_MIN 0.02f /* Minimum transparency from which a fish's body is drawn as transparent. */
 
-static struct specimen_screen screen_of(GLuint program)
+/* Finds the locations of all uniforms of a program. OpenGL ignores a write to a uniform that the
+ * program does not have. */
+static struct specimen_program find_uniforms(GLuint name)
 {
-    return (struct specimen_screen){
-        .size = glGetUniformLocation(program, "screen_px"),
-        .turn = glGetUniformLocation(program, "turn"),
-        .move = glGetUniformLocation(program, "move"),
-    };
-}
-
-static struct specimen_program link_specimen_program(struct gl_status *status, const char *name,
-                                                     const char *defines)
-{
-    const GLuint made = gl_morph_program(status, name, defines, shader_specimen_vert,
-                                         shader_specimen_frag, SAMPLERS);
-    return (struct specimen_program){
-        .name = made,
-        .reach = glGetUniformLocation(made, "reach"),
-        .axes = glGetUniformLocation(made, "axes"),
-        .place = glGetUniformLocation(made, "place"),
-        .screen = screen_of(made),
-        .swim = glGetUniformLocation(made, "swim"),
-        .look = glGetUniformLocation(made, "look"),
-        .tint = glGetUniformLocation(made, "tint"),
-        .sheets = glGetUniformLocation(made, "sheets"),
-        .worn = glGetUniformLocation(made, "worn"),
-        .line_place = glGetUniformLocation(made, "line_place"),
-        .line_shape = glGetUniformLocation(made, "line_shape"),
-        .line_colour = glGetUniformLocation(made, "line_colour"),
-    };
+    struct specimen_program program = { .name = name };
+#define X(uniform) program.uniform = glGetUniformLocation(name, #uniform);
+    SPECIMEN_UNIFORMS
+#undef X
+    return program;
 }
 
 void specimen_pass_open(struct gl_status *status, struct specimen_pass *pass,
                         const struct textures *textures)
 {
     pass->patterns = textures->patterns;
-    pass->body = link_specimen_program(status, "specimen", DEFINES);
-    pass->fin = link_specimen_program(status, "specimen's fins", DEFINES "#define FIN\n");
-    pass->shadow.name = gl_program(status, "specimen's shadow", "", shader_specimen_shadow_vert,
-                                   shader_specimen_shadow_frag, "");
-    pass->shadow.place = glGetUniformLocation(pass->shadow.name, "place");
-    pass->shadow.screen = screen_of(pass->shadow.name);
-    pass->shadow.look = glGetUniformLocation(pass->shadow.name, "look");
+    pass->body = find_uniforms(gl_program(status, "specimen", DEFINES, shader_specimen_vert,
+                                          shader_specimen_frag, SAMPLERS));
+    pass->fin = find_uniforms(gl_program(status, "specimen's fins", DEFINES "#define FIN\n",
+                                         shader_specimen_vert, shader_specimen_frag, SAMPLERS));
+    pass->shadow =
+        find_uniforms(gl_program(status, "specimen's shadow", "", shader_specimen_shadow_vert,
+                                 shader_specimen_shadow_frag, ""));
     pass->pose_buffer = gl_buffer(GL_UNIFORM_BUFFER, NULL, sizeof pass->texels);
     glGenVertexArrays(1, &pass->no_attributes);
     for (uint32_t i = 0; i < SPECIMEN_SLOTS; i++) {
@@ -93,23 +73,6 @@ void specimen_pass_close(struct specimen_pass *pass)
     }
 }
 
-/* Returns the fish texture of a built-in species whose paint is identical to the paint of
- * `species`. Returns null if no built-in species has this paint. The ordinary morph of a species
- * therefore shares the texture of the species. */
-static struct fish_texture *skin_like(struct specimen_pass *pass, const struct species *species)
-{
-    const struct species_card *const card = &species->card;
-    for (uint32_t i = 0; i < SPECIES_BUILT_IN; i++) {
-        const struct species *const other = pass->slots[i].species;
-        if (other && other != species && other->card.key_count == card->key_count &&
-            other->card.form == card->form && other->card.motion == card->motion &&
-            memcmp(other->coats, species->coats, sizeof species->coats) == 0) {
-            return &pass->slots[i].skin;
-        }
-    }
-    return NULL;
-}
-
 static void specimen_pass_fill_slot(struct specimen_pass *pass, struct specimen_slot *slot,
                                     const struct specimen *specimen)
 {
@@ -121,47 +84,40 @@ static void specimen_pass_fill_slot(struct specimen_pass *pass, struct specimen_
         fish_mesh_fill(&slot->mesh[lod], &pass->memory, &species->lod[lod],
                        species->card.key_count);
     }
-    slot->worn = skin_like(pass, species);
-    if (!slot->worn) {
-        slot->worn = &slot->skin;
+    /* The species shares the fish texture of a built-in species with identical paint. The ordinary
+     * morph of a species therefore shares the texture of the species. */
+    slot->worn = &slot->skin;
+    for (uint32_t i = 0; i < SPECIES_BUILT_IN && slot->worn == &slot->skin; i++) {
+        const struct species *const other = pass->slots[i].species;
+        if (other && other != species && other->card.key_count == species->card.key_count &&
+            other->card.form == species->card.form && other->card.motion == species->card.motion &&
+            memcmp(other->coats, species->coats, sizeof species->coats) == 0) {
+            slot->worn = &pass->slots[i].skin;
+        }
+    }
+    if (slot->worn == &slot->skin) {
         fish_texture_bind(&slot->skin, species);
     }
 }
 
-/* Returns the cache slot that is reserved for a built-in species. Returns null for any other
- * species. Compares only the address of the species, because the data of built-in species never
- * change. */
-static struct specimen_slot *home_of(struct specimen_pass *pass, const struct species *species)
-{
-    for (uint32_t i = 0; i < species_table_count && i < SPECIES_BUILT_IN; i++) {
-        if (species_table[i] == species) {
-            return &pass->slots[i];
-        }
-    }
-    return NULL;
-}
-
-/* Returns the cache slot that holds a species that is not built in. If no slot holds the species,
- * returns the least recently used slot among the slots for species that are not built in. */
-static struct specimen_slot *other_of(struct specimen_pass *pass, const struct specimen *specimen)
-{
-    struct specimen_slot *rested = &pass->slots[SPECIES_BUILT_IN];
-    for (uint32_t i = SPECIES_BUILT_IN; i < SPECIMEN_SLOTS; i++) {
-        struct specimen_slot *const slot = &pass->slots[i];
-        if (slot->species == specimen->species && slot->edition == specimen->edition) {
-            return slot;
-        }
-        rested = slot->last_used < rested->last_used ? slot : rested;
-    }
-    return rested;
-}
-
+/* Returns the cache slot with the data of the specimen's species. A built-in species has its own
+ * slot, and only the address of the species is compared, because its data never change. Any other
+ * species is loaded into the least recently used of the other slots if no slot has the species. */
 static struct specimen_slot *slot_of(struct specimen_pass *pass, const struct specimen *specimen)
 {
     CORE_ASSERT(specimen->species);
-    struct specimen_slot *const home = home_of(pass, specimen->species);
-    struct specimen_slot *const slot = home ? home : other_of(pass, specimen);
-    if (slot->species != specimen->species || (!home && slot->edition != specimen->edition)) {
+    struct specimen_slot *slot = &pass->slots[SPECIES_BUILT_IN];
+    bool is_home = false, is_loaded = false;
+    for (uint32_t i = 0; i < species_table_count && i < SPECIES_BUILT_IN && !is_home; i++) {
+        is_home = species_table[i] == specimen->species;
+        slot = is_home ? &pass->slots[i] : slot;
+    }
+    for (uint32_t i = SPECIES_BUILT_IN; i < SPECIMEN_SLOTS && !is_home && !is_loaded; i++) {
+        struct specimen_slot *const other = &pass->slots[i];
+        is_loaded = other->species == specimen->species && other->edition == specimen->edition;
+        slot = is_loaded || other->last_used < slot->last_used ? other : slot;
+    }
+    if (is_home ? slot->species != specimen->species : !is_loaded) {
         specimen_pass_fill_slot(pass, slot, specimen);
     }
     slot->last_used = ++pass->draw_count;
@@ -191,34 +147,22 @@ static struct fish_texture *unfinished(struct specimen_pass *pass, bool *is_seen
     return found;
 }
 
-/* Loads the next built-in species that has no data in its cache slot yet, which takes about a
- * millisecond. */
-static void fill_ahead(struct specimen_pass *pass)
-{
-    for (uint32_t i = 0; i < species_table_count && i < SPECIES_BUILT_IN; i++) {
-        if (!pass->slots[i].species) {
-            specimen_pass_fill_slot(pass, &pass->slots[i],
-                                    &(struct specimen){ .species = species_table[i] });
-            return;
-        }
-    }
-}
-
-static uint64_t specimen_pass_now_ns(void)
-{
-    const struct hal_clock clock = clock_device();
-    return clock.ops->now_ns(clock.self);
-}
-
 void specimen_pass_work(struct specimen_pass *pass, bool ahead)
 {
-    const uint64_t start_ns = specimen_pass_now_ns();
+    const struct hal_clock clock = clock_device();
+    const uint64_t start_ns = clock.ops->now_ns(clock.self);
     bool is_seen;
     struct fish_texture *skin = unfinished(pass, &is_seen);
-    if (!skin && ahead) {
-        fill_ahead(pass);
+    for (uint32_t i = 0; !skin && ahead && i < species_table_count && i < SPECIES_BUILT_IN; i++) {
+        if (!pass->slots[i].species) {
+            /* Only one built-in species is loaded in a frame, because loading takes about a
+             * millisecond. */
+            specimen_pass_fill_slot(pass, &pass->slots[i],
+                                    &(struct specimen){ .species = species_table[i] });
+            break;
+        }
     }
-    while (skin && specimen_pass_now_ns() - start_ns < (is_seen ? WORK_NS : REST_NS)) {
+    while (skin && clock.ops->now_ns(clock.self) - start_ns < (is_seen ? WORK_NS : REST_NS)) {
         fish_texture_work(skin, &pass->brush, 1);
         skin = unfinished(pass, &is_seen);
     }
@@ -242,14 +186,17 @@ struct told {
     struct fish_texture_lines lines[FISH_TEXTURE_LINES];
 };
 
-static void send_screen(const struct specimen_screen *screen,
+/* Makes `program` current and sends the uniforms of the screen and of the specimen's place. */
+static void use_program(const struct specimen_program *program, const struct specimen *specimen,
                         const struct display_transform *transform)
 {
     float turn[4], move[2];
     display_clip_matrix(transform, turn, move);
-    glUniform2f(screen->size, transform->width, transform->height);
-    glUniformMatrix2fv(screen->turn, 1, GL_FALSE, turn);
-    glUniform2fv(screen->move, 1, move);
+    glUseProgram(program->name);
+    glUniform2f(program->screen_px, transform->width, transform->height);
+    glUniformMatrix2fv(program->turn, 1, GL_FALSE, turn);
+    glUniform2fv(program->move, 1, move);
+    glUniform3f(program->place, specimen->x_px, specimen->y_px, specimen->length_px);
 }
 
 static void send_specimen_uniforms(const struct specimen_program *program,
@@ -264,10 +211,8 @@ static void send_specimen_uniforms(const struct specimen_program *program,
     for (uint32_t i = 0; i < 4; i++) {
         tint[i] = (float)(specimen->tint >> (24u - 8u * i) & 255u) / 255.0f;
     }
-    glUseProgram(program->name);
+    use_program(program, specimen, told->transform);
     glUniformMatrix3fv(program->axes, 1, GL_FALSE, rows);
-    glUniform3f(program->place, specimen->x_px, specimen->y_px, specimen->length_px);
-    send_screen(&program->screen, told->transform);
     glUniform3f(program->swim, specimen->phase_rad, specimen->amplitude, (float)card->motion);
     glUniform4fv(program->look, 1, told->look);
     glUniform4fv(program->tint, 1, tint);
@@ -330,9 +275,7 @@ void specimen_pass_draw(struct specimen_pass *pass, const struct specimen *speci
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     if (specimen->shadow > 0.0f) {
-        glUseProgram(pass->shadow.name);
-        glUniform3f(pass->shadow.place, specimen->x_px, specimen->y_px, specimen->length_px);
-        send_screen(&pass->shadow.screen, transform);
+        use_program(&pass->shadow, specimen, transform);
         glUniform3f(pass->shadow.look, specimen->shadow * (1.0f - specimen->fade),
                     f_abs(f_cos(specimen->yaw_rad)), 0.0f);
         glBindVertexArray(pass->no_attributes);

@@ -19,17 +19,20 @@
 #define SPECIMEN_OTHERS 2u
 #define SPECIMEN_SLOTS (SPECIES_BUILT_IN + SPECIMEN_OTHERS)
 
-/* Locations of the shader uniforms for the screen size, the picture's rotation and the picture's
- * position. */
-struct specimen_screen {
-    GLint size, turn, move;
-};
+/* clang-format off */
+/* List of the uniforms of the specimen shaders. `screen_px` is the screen size in pixels. `turn`
+ * and `move` are the rotation and the position of the picture on the screen. */
+#define SPECIMEN_UNIFORMS                                                                          \
+    X(screen_px) X(turn) X(move) X(reach) X(axes) X(place) X(swim) X(look) X(tint) X(sheets)       \
+    X(worn) X(line_place) X(line_shape) X(line_colour)
+/* clang-format on */
 
+/* A shader program, and the location of each uniform in it. */
 struct specimen_program {
     GLuint name;
-    struct specimen_screen screen;
-    GLint reach, axes, place, swim, look, tint, sheets, worn;
-    GLint line_place, line_shape, line_colour;
+#define X(uniform) GLint uniform;
+    SPECIMEN_UNIFORMS
+#undef X
 };
 
 struct specimen_slot {

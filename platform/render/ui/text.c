@@ -2,6 +2,7 @@
 #include "platform/render/ui/text.h"
 
 #include <stdbool.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "core/base/panic.h"
@@ -51,47 +52,6 @@ float text_width_em(enum font_id font, const char *words, float spacing_em)
     return count == 0 ? 0.0f : width + spacing_em * (float)(count - 1u);
 }
 
-static size_t put_number(char *out, size_t room, uint32_t number)
-{
-    char digits[10];
-    size_t count = 0;
-    do {
-        digits[count++] = (char)('0' + number % 10u);
-        number /= 10u;
-    } while (number > 0);
-    if (count > room) {
-        return 0;
-    }
-    for (size_t i = 0; i < count; i++) {
-        out[i] = digits[count - 1u - i];
-    }
-    return count;
-}
-
-void text_number(char *out, size_t out_size, const char *words, uint32_t number)
-{
-    CORE_ASSERT(out_size > 0);
-    size_t used = 0;
-    int placed = 0;
-    while (*words != 0) {
-        if (!placed && words[0] == '{' && words[1] == '}') {
-            used += put_number(out + used, out_size - 1u - used, number);
-            words += 2;
-            placed = 1;
-            continue;
-        }
-        const char *next = words;
-        printable_next(&next);
-        if ((size_t)(next - words) > out_size - 1u - used) {
-            break;
-        }
-        while (words < next) {
-            out[used++] = *words++;
-        }
-    }
-    out[used] = 0;
-}
-
 #define GAPS_MAX 6u /* Maximum number of gaps for names and figures in a line. */
 /* Maximum depth of messages that contain messages, such as "no store: PATH: disk I/O error;
  * ...". */
@@ -121,6 +81,23 @@ static void sink_put(struct sink *sink, const char *at, size_t size)
     memcpy(sink->out + sink->used, at, size);
     sink->used += size;
     sink->out[sink->used] = '\0';
+}
+
+void text_number(char *out, size_t out_size, const char *words, uint32_t number)
+{
+    CORE_ASSERT(out_size > 0);
+    struct sink sink = { .out = out, .size = out_size };
+    const char *const gap = strstr(words, "{}");
+    out[0] = '\0';
+    sink_put(&sink, words, gap ? (size_t)(gap - words) : strlen(words));
+    if (gap) {
+        char digits[12];
+        const size_t count = (size_t)snprintf(digits, sizeof digits, "%u", number);
+        if (count < sink.size - sink.used) { /* A cut number would be a wrong number. */
+            sink_put(&sink, digits, count);
+        }
+        sink_put(&sink, gap + 2, strlen(gap + 2));
+    }
 }
 
 static bool starts_with(struct span text, const char *literal, size_t size)
@@ -188,7 +165,8 @@ static void write_pattern(struct sink *sink, uint8_t language, enum text_key key
 {
     const char *words = text_words(language, key);
     uint32_t next = 0;
-    for (const char *brace; (brace = strstr(words, "{}")) != NULL && next < GAPS_MAX; next++) {
+    for (const char *brace;
+         (brace = strstr(words, "{}")) != NULL && next < GAPS_MAX && gap[next].at != NULL; next++) {
         sink_put(sink, words, (size_t)(brace - words));
         write_translated_line(sink, language, gap[next], depth + 1u);
         words = brace + 2;

@@ -9,80 +9,58 @@
 #include "core/base/panic.h"
 #include "fonts.h"
 #include "platform/render/gl_util.h"
+#include "shaders.h"
 
 #define INDICES_PER_QUAD 6u
 
 _Static_assert(UI_QUADS_MAX * 4u <= 65536u, "indices are 16 bits wide");
 
-static void add_attribute(GLuint location, GLint count, GLenum type, size_t offset)
+/* Compiles one shader program for each kind of quad. */
+static void make_programs(struct gl_status *status, struct ui *ui)
 {
-    const GLboolean normalized = type == GL_UNSIGNED_BYTE;
-    glEnableVertexAttribArray(location);
-    glVertexAttribPointer(location, count, type, normalized, sizeof(struct ui_vertex),
-                          (const void *)offset);
-}
-
-/* Creates the vertex buffer and the index buffer. The indices of all quads are constant. Only the
- * vertices change from frame to frame. */
-static void make_buffers(struct ui *ui)
-{
-    static uint16_t indices[UI_QUADS_MAX * INDICES_PER_QUAD];
-    static const uint16_t corners[INDICES_PER_QUAD] = { 0, 2, 1, 1, 2, 3 };
-    for (uint32_t i = 0; i < UI_QUADS_MAX * INDICES_PER_QUAD; i++) {
-        indices[i] = (uint16_t)(i / INDICES_PER_QUAD * 4u + corners[i % INDICES_PER_QUAD]);
+    static const char *const kinds[UI_KIND_COUNT] = {
+        [UI_GLYPH] = "UI_GLYPH", [UI_PANEL] = "UI_PANEL", [UI_WASHI] = "UI_WASHI",
+        [UI_WAVES] = "UI_WAVES", [UI_RING] = "UI_RING",   [UI_GLOW] = "UI_GLOW",
+        [UI_FISH] = "UI_FISH",   [UI_POI] = "UI_POI",     [UI_LANTERN] = "UI_LANTERN",
+        [UI_WOOD] = "UI_WOOD",   [UI_HEAT] = "UI_HEAT",   [UI_WATER] = "UI_WATER",
+    };
+    const char *const vertex_parts[] = { "#version 300 es\n", shader_ui_vert };
+    const GLuint vertex = gl_compile(status, "words", GL_VERTEX_SHADER, vertex_parts, 2);
+    for (uint32_t i = 0; i < UI_KIND_COUNT && gl_is_well(status); i++) {
+        char head[192];
+        snprintf(head, sizeof head,
+                 "#version 300 es\n#define %s\n#define FONT_EDGE %u.0\n#define FONT_STEP %u.0\n"
+                 "#define FONT_SIZE vec2(%u.0, %u.0)\n",
+                 kinds[i], ASSET_FONT_EDGE, ASSET_FONT_STEP, ASSET_FONT_WIDTH, ASSET_FONT_ROWS);
+        const char *const parts[] = { head, shader_ui_frag };
+        const GLuint fragment = gl_compile(status, "words", GL_FRAGMENT_SHADER, parts, 2);
+        ui->programs[i] = gl_link(status, "words", vertex, fragment);
+        glDeleteShader(fragment); /* OpenGL ignores the name 0, and keeps a deleted shader until
+                                     no program uses the shader. */
+        if (ui->programs[i] != 0) {
+            gl_program_bind(ui->programs[i], "font paper");
+            ui->to_clip[i] = glGetUniformLocation(ui->programs[i], "to_clip");
+            ui->turn[i] = glGetUniformLocation(ui->programs[i], "turn");
+            ui->move[i] = glGetUniformLocation(ui->programs[i], "move");
+        }
     }
-    glGenVertexArrays(1, &ui->vertex_array);
-    glGenBuffers(1, &ui->vertex_buffer);
-    glGenBuffers(1, &ui->index_buffer);
-    glBindVertexArray(ui->vertex_array);
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, ui->index_buffer);
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER, sizeof indices, indices, GL_STATIC_DRAW);
-    glBindBuffer(GL_ARRAY_BUFFER, ui->vertex_buffer);
-    glBufferData(GL_ARRAY_BUFFER, sizeof ui->batch.vertices, NULL, GL_STREAM_DRAW);
-    add_attribute(0, 2, GL_FLOAT, offsetof(struct ui_vertex, x));
-    add_attribute(1, 2, GL_FLOAT, offsetof(struct ui_vertex, u));
-    add_attribute(2, 4, GL_FLOAT, offsetof(struct ui_vertex, shape));
-    add_attribute(3, 4, GL_UNSIGNED_BYTE, offsetof(struct ui_vertex, fill));
-    add_attribute(4, 4, GL_UNSIGNED_BYTE, offsetof(struct ui_vertex, line));
-    glBindVertexArray(0);
+    glDeleteShader(vertex);
 }
 
-int ui_init(struct ui *ui, char *why, size_t why_size)
+bool ui_init(struct ui *ui, char *why, size_t why_size)
 {
     CORE_ASSERT(why_size > 0);
     *ui = (struct ui){ 0 };
     struct gl_status status = { 0 };
-    const GLuint vertex = gl_compile(&status, "words", GL_VERTEX_SHADER, &ui_vertex_source, 1);
-    for (uint32_t i = 0; i < UI_KIND_COUNT && gl_is_well(&status); i++) {
-        char numbers[160];
-        snprintf(numbers, sizeof numbers,
-                 "#version 300 es\n#define FONT_EDGE %u.0\n#define FONT_STEP %u.0\n"
-                 "#define FONT_SIZE vec2(%u.0, %u.0)\n",
-                 ASSET_FONT_EDGE, ASSET_FONT_STEP, ASSET_FONT_WIDTH, ASSET_FONT_ROWS);
-        const char *const parts[3] = { numbers, ui_fragment_head, ui_fragment_sources[i] };
-        const GLuint fragment = gl_compile(&status, "words", GL_FRAGMENT_SHADER, parts, 3);
-        const GLuint program = gl_link(&status, "words", vertex, fragment);
-        glDeleteShader(fragment); /* OpenGL ignores the name 0, and keeps a deleted shader until
-                                     no program uses the shader. */
-        if (program != 0) {
-            gl_program_bind(program, "font paper");
-        }
-        ui->programs[i] = program;
-        ui->to_clip[i] = ui->programs[i] ? glGetUniformLocation(ui->programs[i], "to_clip") : -1;
-        ui->turn[i] = ui->programs[i] ? glGetUniformLocation(ui->programs[i], "turn") : -1;
-        ui->move[i] = ui->programs[i] ? glGetUniformLocation(ui->programs[i], "move") : -1;
-    }
-    glDeleteShader(vertex);
+    make_programs(&status, ui);
     ui->font_texture = gl_texture(&status, "font",
                                   &(struct gl_texture_desc){ .internal_format = GL_R8,
-                                                             .format = GL_RED,
                                                              .width = ASSET_FONT_WIDTH,
                                                              .height = ASSET_FONT_ROWS,
                                                              .layers = ASSET_FONT_PAGES,
                                                              .pixels = asset_font });
     ui->paper_texture = gl_texture(&status, "paper",
                                    &(struct gl_texture_desc){ .internal_format = GL_R8,
-                                                              .format = GL_RED,
                                                               .width = ASSET_PAPER_SIZE,
                                                               .height = ASSET_PAPER_SIZE,
                                                               .pixels = asset_paper,
@@ -90,10 +68,26 @@ int ui_init(struct ui *ui, char *why, size_t why_size)
     if (!gl_is_well(&status)) {
         snprintf(why, why_size, "%s", status.text);
         ui_close(ui);
-        return 0;
+        return false;
     }
-    make_buffers(ui);
-    return 1;
+    /* The indices of all quads are constant. Only the vertices change from frame to frame. */
+    static uint16_t indices[UI_QUADS_MAX * INDICES_PER_QUAD];
+    static const uint16_t corners[INDICES_PER_QUAD] = { 0, 2, 1, 1, 2, 3 };
+    for (uint32_t i = 0; i < UI_QUADS_MAX * INDICES_PER_QUAD; i++) {
+        indices[i] = (uint16_t)(i / INDICES_PER_QUAD * 4u + corners[i % INDICES_PER_QUAD]);
+    }
+    const size_t stride = sizeof(struct ui_vertex);
+    glGenVertexArrays(1, &ui->vertex_array);
+    glBindVertexArray(ui->vertex_array);
+    ui->index_buffer = gl_buffer(GL_ELEMENT_ARRAY_BUFFER, indices, sizeof indices);
+    ui->vertex_buffer = gl_buffer(GL_ARRAY_BUFFER, NULL, sizeof ui->batch.vertices);
+    gl_attribute_floats(0, 2, stride, offsetof(struct ui_vertex, x));
+    gl_attribute_floats(1, 2, stride, offsetof(struct ui_vertex, u));
+    gl_attribute_floats(2, 4, stride, offsetof(struct ui_vertex, shape));
+    gl_attribute_bytes(3, 4, true, stride, offsetof(struct ui_vertex, fill));
+    gl_attribute_bytes(4, 4, true, stride, offsetof(struct ui_vertex, line));
+    glBindVertexArray(0);
+    return true;
 }
 
 static void set_state(const struct ui *ui, const struct display_transform *transform)

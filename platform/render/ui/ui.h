@@ -11,6 +11,7 @@
 #ifndef KINGYO_PLATFORM_RENDER_UI_UI_H
 #define KINGYO_PLATFORM_RENDER_UI_UI_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -34,9 +35,9 @@ struct ui {
     uint32_t font_texture, paper_texture;
 };
 
-/* Compiles the shaders and uploads the font and the paper texture. Returns 1. On failure returns 0
- * and writes a one-line reason to `why`. */
-int ui_init(struct ui *ui, char *why, size_t why_size);
+/* Compiles the shaders and uploads the font and the paper texture. Returns true on success. On
+ * failure returns false and writes a one-line reason to `why`. */
+bool ui_init(struct ui *ui, char *why, size_t why_size);
 
 /* Draws the user interface over the bound framebuffer, whose size must be the screen size of
  * `transform`. `specimens` draws the specimens of the batch between the quads. If `specimens` is
@@ -57,12 +58,5 @@ void ui_show(struct ui *ui, struct specimen_pass *specimens,
 
 /* Deletes the OpenGL objects. The context of ui_init() must be current. */
 void ui_close(struct ui *ui);
-
-extern const char *const ui_vertex_source;
-
-/* Source code at the start of every fragment shader in ui_fragment_sources: inputs and shared
- * functions. Macros FONT_EDGE and FONT_STEP must be defined before this code. */
-extern const char *const ui_fragment_head;
-extern const char *const ui_fragment_sources[UI_KIND_COUNT];
 
 #endif

@@ -24,8 +24,8 @@ static struct album_grid grid_of(const struct ui_frame *frame, uint32_t count)
 {
     CORE_ASSERT(count > 0);
     const float u = frame->unit;
-    const int upright = frame->height > 1.2f * frame->width;
-    struct album_grid grid = { .columns = upright      ? (count > 3u ? 2u : 1u)
+    const bool is_upright = frame->height > 1.2f * frame->width;
+    struct album_grid grid = { .columns = is_upright   ? (count > 3u ? 2u : 1u)
                                           : count > 3u ? 3u
                                                        : count,
                                .gap = 18.0f * u };
@@ -44,66 +44,20 @@ static struct album_grid grid_of(const struct ui_frame *frame, uint32_t count)
 
 /* ---- Picture of one fish -------------------------------------------------------------------- */
 
-/* Returns the opacity of the fish's adult pattern, [0, 1]. The pattern appears between the last two
- * keys (modelled growth stages), whose coats are red. For a fish that was caught at a younger age,
- * the pattern is complete on the day of the catch. */
-static float ripe(const struct scene_grown *fish)
+/* Draws the fish in its aquarium. The fish is at its animated age. */
+static void draw_album_fish(const struct ui_frame *frame, const struct scene_grown *fish, float t,
+                            struct ui_box water)
 {
-    const struct species_card *card = &species_wakin.card;
+    /* The adult pattern appears between the last two keys (modelled growth stages), whose coats are
+     * red. For a fish that was caught at a younger age, the pattern is complete on the day of the
+     * catch. */
+    const struct species_card *const card = &species_wakin.card;
     const float key = 1.0f / ((float)card->key_count - 1.0f);
-    const float met = life_progress(card, fish->caught_age_days);
-    const float whole = fminf(1.0f - key, met);
-    return ui_smooth(whole - key, whole, fish->progress);
-}
-
-/* Draws the seal of the catch. The seal appears when the animated age reaches the fish's age on the
- * day of the catch. */
-static void met_seal(const struct ui_frame *frame, struct ui_box water,
-                     const struct scene_grown *fish)
-{
-    const float u = frame->unit;
-    char age[TEXT_LINE_MAX], length[32], words[2u * TEXT_LINE_MAX];
-    if (!fish->is_caught) {
-        return;
-    }
-    lab_age_words(frame->language, fish->caught_age_days, age, sizeof age);
-    lab_length_words(fish->caught_length_m, length, sizeof length);
-    snprintf(words, sizeof words, "%s  %s  %s", ui_words(frame, TEXT_ALBUM_MET), age, length);
-    const float size = SEAL_SIZE * u;
-    const struct ui_ribbon seal = { .x = water.x + 0.5f * water.width,
-                                    .y = water.y + water.height - 1.15f * size,
-                                    .size_px = size,
-                                    .font = FONT_BODY,
-                                    .fill = 0xc92c1ce8u,
-                                    .line = 0xfff1ddb0u,
-                                    .ink = 0xfff1ddffu,
-                                    .room_px = water.width - 10.0f * u };
-    ui_ribbon(frame, &seal, words);
-}
-
-static void draw_album_picture(const struct ui_frame *frame, const struct scene *scene,
-                               uint32_t index, struct ui_box box)
-{
-    CORE_ASSERT(index < scene->album.fish_count);
-    const float u = frame->unit;
-    const struct scene_grown *fish = &scene->album.fish[index];
-    char age[TEXT_LINE_MAX], length[32], words[2u * TEXT_LINE_MAX];
-    const struct ui_box shade = { box.x + 3.0f * u, box.y + 6.0f * u, box.width, box.height };
-    const struct ui_box water = { box.x + 10.0f * u, box.y + 10.0f * u, box.width - 20.0f * u,
-                                  box.height - 82.0f * u };
-    ui_panel(frame, UI_PANEL, shade, 10.0f * u, 0.0f, 0x04061880u, 0);
-    ui_panel(frame, UI_WASHI, box, 10.0f * u, 2.0f * u, LAB_PAPER, LAB_PAPER_LINE);
-    ui_shape(frame->batch,
-             &(struct ui_shape){ .box = water,
-                                 .kind = UI_WATER,
-                                 .fill = 0x1d7a86ffu,
-                                 .line = 0x06243cffu,
-                                 .shape = { 0, 0, 6.0f * u, frame->time_s + (float)index } });
-    const float t = frame->time_s + 0.7f * (float)index;
+    const float whole = fminf(1.0f - key, life_progress(card, fish->caught_age_days));
     struct specimen specimen = { .species = &species_wakin,
                                  .progress = fish->progress,
                                  .look = fish->look,
-                                 .ripe = ripe(fish),
+                                 .ripe = f_smoothstep(whole - key, whole, fish->progress),
                                  .maturity = fish->maturity };
     specimen_portrait(&specimen);
     const float high = water.height - 2.3f * SEAL_SIZE * frame->unit;
@@ -115,13 +69,37 @@ static void draw_album_picture(const struct ui_frame *frame, const struct scene 
     specimen.phase_rad = fmodf(TAU * 1.2f * t, TAU);
     specimen.amplitude = 0.8f;
     ui_specimen(frame->batch, &specimen);
-    met_seal(frame, water, fish);
+}
+
+static void draw_album_picture(const struct ui_frame *frame, uint32_t index, struct ui_box box)
+{
+    CORE_ASSERT(index < frame->scene->album.fish_count);
+    const float u = frame->unit;
+    const struct scene_grown *const fish = &frame->scene->album.fish[index];
+    char age[TEXT_LINE_MAX], length[32], words[3u * TEXT_LINE_MAX];
+    const struct ui_box shade = { box.x + 3.0f * u, box.y + 6.0f * u, box.width, box.height };
+    const struct ui_box water = { box.x + 10.0f * u, box.y + 10.0f * u, box.width - 20.0f * u,
+                                  box.height - 82.0f * u };
+    ui_panel(frame, UI_PANEL, shade, 10.0f * u, 0.0f, 0x04061880u, 0);
+    ui_panel(frame, UI_WASHI, box, 10.0f * u, 2.0f * u, LAB_PAPER, LAB_PAPER_LINE);
+    ui_water(frame, water, 6.0f * u, frame->time_s + (float)index, 0x06243cffu);
+    draw_album_fish(frame, fish, frame->time_s + 0.7f * (float)index, water);
+    if (fish->is_caught) {
+        /* The seal of the catch appears when the animated age reaches the fish's age on the day of
+         * the catch. */
+        const float size = SEAL_SIZE * u;
+        lab_age_words(frame->language, fish->caught_age_days, age, sizeof age);
+        lab_length_words(fish->caught_length_m, length, sizeof length);
+        snprintf(words, sizeof words, "%s  %s  %s", ui_words(frame, TEXT_ALBUM_MET), age, length);
+        ui_ribbon_at(frame, (struct ui_ribbon){ FONT_BODY, 0xc92c1ce8u, 0xfff1ddb0u, 0xfff1ddffu },
+                     water.x + 0.5f * water.width, water.y + water.height - 1.15f * size, size,
+                     water.width - 10.0f * u, words);
+    }
     lab_age_words(frame->language, fish->age_days, age, sizeof age);
     lab_length_words(fish->length_m, length, sizeof length);
     snprintf(words, sizeof words, "%s   %s", age, length);
-    const struct ui_text style =
-        ui_style(frame, FONT_STALL, 27.0f, 0.5f, LAB_INK, box.width - 28.0f * u);
-    ui_text(frame->batch, &style, box.x + 0.5f * box.width, box.y + box.height - 40.0f * u, words);
+    ui_text(frame->batch, ui_style(frame, FONT_STALL, 27.0f, 0.5f, LAB_INK, box.width - 28.0f * u),
+            box.x + 0.5f * box.width, box.y + box.height - 40.0f * u, words);
     /* The fish's lifeline is a time axis with a mark on the day of the catch. */
     const struct ui_box line = { box.x + 22.0f * u, box.y + box.height - 28.0f * u,
                                  box.width - 44.0f * u, 14.0f * u };
@@ -129,43 +107,37 @@ static void draw_album_picture(const struct ui_frame *frame, const struct scene 
     const float y = line.y + 0.5f * line.height;
     const float start[2] = { line.x, y }, end[2] = { line.x + line.width, y };
     const float now[2] = { line.x + line.width * fish->progress, y };
-    const float day = line.x + line.width * met, r = 8.0f * u;
     ui_segment(frame->batch, start, end, 5.0f * u, 0xd9c8a0ffu);
     ui_segment(frame->batch, start, now, 5.0f * u, UI_VERMILION);
-    ui_disc(frame, day, y, r, 2.5f * u, fish->is_caught ? 0xc92c1cffu : 0xfff6e2ffu, 0xc92c1cffu);
-    if (ui_player_count(scene) > 1u) {
+    ui_disc(frame, line.x + line.width * met, y, 8.0f * u, 2.5f * u,
+            fish->is_caught ? 0xc92c1cffu : UI_CREAM, 0xc92c1cffu);
+    if (ui_player_count(frame->scene) > 1u) {
         ui_player_mark(frame, box.x + 32.0f * u, box.y + 32.0f * u, 17.0f * u, fish->owner);
     }
 }
 
 /* ---- Whole page of the album ---------------------------------------------------------------- */
 
-void ui_album(const struct ui_frame *frame, const struct scene *scene)
+void ui_album(const struct ui_frame *frame)
 {
-    const struct scene_album *album = &scene->album;
+    const struct scene_album *const album = &frame->scene->album;
     const struct album_grid grid = grid_of(frame, album->fish_count > 0 ? album->fish_count : 1u);
-    const struct ui_box cloth = { 0.0f, 0.0f, frame->width, frame->height };
-    ui_panel(frame, UI_PANEL, cloth, 0.0f, 0.0f, 0x171d42ffu, 0);
-    ui_panel(frame, UI_WAVES, cloth, 36.0f * frame->unit, 0.0f, 0x141a3cffu, 0);
-    const float u = frame->unit;
+    const float u = frame->unit, middle = 0.5f * frame->width, room = frame->width - 60.0f * u;
+    const bool shows_all = album->caught <= album->fish_count;
     char words[TEXT_LINE_MAX];
-    const struct ui_text title = { .font = FONT_STALL,
-                                   .size_px = 42.0f * u,
-                                   .align = 0.5f,
-                                   .outline_em = 0.03f,
-                                   .soft_em = 0.1f,
-                                   .fill = 0xfff6e2ffu,
-                                   .line = 0x0a0c24e0u,
-                                   .fit_px = frame->width - 60.0f * u };
-    ui_text_at(frame, &title, 0.5f * frame->width, 48.0f * u, ui_words(frame, TEXT_ALBUM));
-    const struct ui_text small =
-        ui_style(frame, FONT_BODY, 22.0f, 0.5f, 0xd6dcf2ffu, frame->width - 60.0f * u);
-    const int all = scene->album.caught <= scene->album.fish_count;
-    text_number(words, sizeof words, ui_words(frame, all ? TEXT_ALBUM_ALL : TEXT_ALBUM_FIRST),
-                all ? scene->album.caught : scene->album.fish_count);
-    ui_text_at(frame, &small, 0.5f * frame->width, 92.0f * u, words);
+    ui_veil(frame, 0x171d42ffu);
+    ui_panel(frame, UI_WAVES, (struct ui_box){ 0.0f, 0.0f, frame->width, frame->height }, 36.0f * u,
+             0.0f, 0x141a3cffu, 0);
+    const struct ui_text title = ui_style(frame, FONT_STALL, 42.0f, 0.5f, UI_CREAM, room);
+    ui_text_at(frame, ui_outlined(title, 0.03f, 0.1f, 0x0a0c24e0u), middle, 48.0f * u,
+               ui_words(frame, TEXT_ALBUM));
+    text_number(words, sizeof words, ui_words(frame, shows_all ? TEXT_ALBUM_ALL : TEXT_ALBUM_FIRST),
+                shows_all ? album->caught : album->fish_count);
+    ui_text_at(frame, ui_style(frame, FONT_BODY, 22.0f, 0.5f, 0xd6dcf2ffu, room), middle, 92.0f * u,
+               words);
     for (uint32_t i = 0; i < album->fish_count; i++) {
-        const float in = ui_smooth(0.15f * (float)i, 0.15f * (float)i + 0.4f, scene->phase_s);
+        const float start_s = 0.15f * (float)i;
+        const float in = f_smoothstep(start_s, start_s + 0.4f, frame->scene->phase_s);
         /* If the last row of pictures is not full, the row is centred. */
         const uint32_t row = i / grid.columns, column = i % grid.columns;
         const uint32_t in_row =
@@ -174,10 +146,10 @@ void ui_album(const struct ui_frame *frame, const struct scene *scene)
         struct ui_box box = { grid.left + shift + (float)column * (grid.width + grid.gap),
                               grid.top + (float)row * (grid.height + grid.gap), grid.width,
                               grid.height };
-        box.y += 30.0f * frame->unit * (1.0f - in);
+        box.y += 30.0f * u * (1.0f - in);
         frame->batch->opacity = in;
-        draw_album_picture(frame, scene, i, box);
+        draw_album_picture(frame, i, box);
         frame->batch->opacity = 1.0f;
     }
-    ui_start_ribbon(frame, scene, frame->height - 56.0f * frame->unit, TEXT_AGAIN);
+    ui_start_ribbon(frame, frame->height - 56.0f * u, TEXT_AGAIN);
 }

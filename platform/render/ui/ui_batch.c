@@ -1,6 +1,9 @@
 /* ui_batch.c -- fills the list of quads: one quad for each shape and for each letter of a text. */
 #include "platform/render/ui/ui_batch.h"
 
+#include <stdbool.h>
+#include <string.h>
+
 #include "assets.h"
 #include "core/base/panic.h"
 
@@ -10,10 +13,8 @@
 
 void ui_batch_clear(struct ui_batch *batch)
 {
-    batch->quad_count = 0;
-    batch->dropped_count = 0;
-    batch->unbaked_count = 0;
-    batch->specimen_count = 0;
+    batch->quad_count = batch->specimen_count = 0;
+    batch->dropped_count = batch->unbaked_count = 0;
     batch->opacity = 1.0f;
 }
 
@@ -45,9 +46,7 @@ static struct ui_vertex *add_quad(struct ui_batch *batch, const struct ui_shape 
         quad[i].y = shape->box.y + shape->box.height * down;
         quad[i].u = shape->box.width * (right - 0.5f);
         quad[i].v = shape->box.height * (down - 0.5f);
-        for (uint32_t k = 0; k < 4u; k++) {
-            quad[i].shape[k] = shape->shape[k];
-        }
+        memcpy(quad[i].shape, shape->shape, sizeof quad[i].shape);
         unpack(quad[i].fill, shape->fill, batch->opacity);
         unpack(quad[i].line, shape->line, batch->opacity);
     }
@@ -100,46 +99,45 @@ void ui_specimen(struct ui_batch *batch, const struct specimen *specimen)
     batch->specimen_quad[i] = (uint16_t)batch->quad_count;
 }
 
-float ui_text_width(const struct ui_text *style, const char *words)
+float ui_text_width(struct ui_text style, const char *words)
 {
-    return text_width_em(style->font, words, style->spacing_em) * ui_text_size(style, words);
+    return text_width_em(style.font, words, style.spacing_em) * ui_text_size(style, words);
 }
 
-float ui_text_size(const struct ui_text *style, const char *words)
+float ui_text_size(struct ui_text style, const char *words)
 {
-    CORE_ASSERT(style->size_px >= 0.0f);
-    const float width_px = text_width_em(style->font, words, style->spacing_em) * style->size_px;
-    const int too_wide = style->fit_px > 0.0f && width_px > style->fit_px;
-    return too_wide ? style->size_px * style->fit_px / width_px : style->size_px;
+    CORE_ASSERT(style.size_px >= 0.0f);
+    const float width_px = text_width_em(style.font, words, style.spacing_em) * style.size_px;
+    const bool is_too_wide = style.fit_px > 0.0f && width_px > style.fit_px;
+    return is_too_wide ? style.size_px * style.fit_px / width_px : style.size_px;
 }
 
-float ui_text_middle(const struct ui_text *style, float y)
+float ui_text_middle(struct ui_text style, float y)
 {
-    return y + 0.5f * asset_fonts[style->font].cap_em * style->size_px;
+    return y + 0.5f * asset_fonts[style.font].cap_em * style.size_px;
 }
 
-static void add_glyph(struct ui_batch *batch, const struct ui_text *style, float size_px, float x,
-                      float y, const struct font_glyph *glyph)
+static void add_glyph(struct ui_batch *batch, struct ui_text style, float size_px, float x, float y,
+                      const struct font_glyph *glyph)
 {
-    const float em = asset_fonts[style->font].em_px, texel_px = size_px / em;
-    struct ui_shape shape = { .kind = UI_GLYPH, .fill = style->fill, .line = style->line };
-    shape.shape[0] = style->weight_em * em;
-    shape.shape[1] = style->outline_em * em;
-    const float room = REACH_PX - shape.shape[0] - shape.shape[1], soft = style->soft_em * em;
-    shape.shape[2] = soft < room ? soft : room > 0.0f ? room : 0.0f;
-    shape.shape[3] = texel_px;
+    const float em = asset_fonts[style.font].em_px, texel_px = size_px / em;
+    const float weight = style.weight_em * em, outline = style.outline_em * em;
+    const float room = REACH_PX - weight - outline;
+    const float soft = f_clamp(style.soft_em * em, 0.0f, f_max(room, 0.0f));
     /* `trim` is the width, in atlas pixels, of the unpainted part of the letter's margin. The quad
      * omits this part. `trim` is at least half a texel, because otherwise texture filtering would
      * mix in the neighbouring letter. */
-    const float painted =
-        shape.shape[0] + shape.shape[1] + shape.shape[2] + 0.5f / shape.shape[3] + 0.5f;
+    const float painted = weight + outline + soft + 0.5f / texel_px + 0.5f;
     const float trim = f_max(REACH_PX - painted, 0.5f);
     const float width = (float)glyph->width - 2.0f * trim;
     const float height = (float)glyph->height - 2.0f * trim;
-    shape.box.x = x + glyph->left_em * size_px + trim * texel_px;
-    shape.box.y = y + glyph->top_em * size_px + trim * texel_px;
-    shape.box.width = width * texel_px;
-    shape.box.height = height * texel_px;
+    const struct ui_shape shape = { .box = { x + glyph->left_em * size_px + trim * texel_px,
+                                             y + glyph->top_em * size_px + trim * texel_px,
+                                             width * texel_px, height * texel_px },
+                                    .kind = UI_GLYPH,
+                                    .shape = { weight, outline, soft, texel_px },
+                                    .fill = style.fill,
+                                    .line = style.line };
     struct ui_vertex *quad = add_quad(batch, &shape);
     for (uint32_t i = 0; quad != NULL && i < 4u; i++) {
         quad[i].u = (float)glyph->x + trim + ((i & 1u) != 0 ? width : 0.0f);
@@ -147,41 +145,36 @@ static void add_glyph(struct ui_batch *batch, const struct ui_text *style, float
     }
 }
 
-static void add_line(struct ui_batch *batch, const struct ui_text *style, float size_px, float x,
-                     float y, const char *words)
+static void add_line(struct ui_batch *batch, struct ui_text style, float size_px, float x, float y,
+                     const char *words)
 {
     for (uint32_t code = printable_next(&words); code != 0; code = printable_next(&words)) {
-        const struct font_glyph *glyph = text_glyph(style->font, code);
-        if (glyph == NULL) {
-            batch->unbaked_count++;
-            glyph = text_glyph_or_mark(style->font, code);
-        }
+        batch->unbaked_count += text_glyph(style.font, code) == NULL;
+        const struct font_glyph *const glyph = text_glyph_or_mark(style.font, code);
         if (glyph == NULL) {
             continue;
         }
         if (glyph->width > 0) {
             add_glyph(batch, style, size_px, x, y, glyph);
         }
-        x += (glyph->advance_em + style->spacing_em) * size_px;
+        x += (glyph->advance_em + style.spacing_em) * size_px;
     }
 }
 
-float ui_text(struct ui_batch *batch, const struct ui_text *style, float x, float y,
-              const char *words)
+float ui_text(struct ui_batch *batch, struct ui_text style, float x, float y, const char *words)
 {
-    CORE_ASSERT(style->align >= 0.0f && style->align <= 1.0f);
+    CORE_ASSERT(style.align >= 0.0f && style.align <= 1.0f);
     const float size_px = ui_text_size(style, words), width_px = ui_text_width(style, words);
-    const float left = x - style->align * width_px;
+    const float left = x - style.align * width_px;
     /* The outlines of all letters are added before the letters, so that no outline covers a
      * neighbouring letter. */
-    if (style->outline_em + style->soft_em > 0.0f) {
-        struct ui_text outline = *style;
+    if (style.outline_em + style.soft_em > 0.0f) {
+        struct ui_text outline = style;
         outline.fill = 0;
-        add_line(batch, &outline, size_px, left, y, words);
+        add_line(batch, outline, size_px, left, y, words);
     }
-    struct ui_text letters = *style;
-    letters.line = 0;
-    letters.outline_em = letters.soft_em = 0.0f;
-    add_line(batch, &letters, size_px, left, y, words);
+    style.line = 0;
+    style.outline_em = style.soft_em = 0.0f;
+    add_line(batch, style, size_px, left, y, words);
     return width_px;
 }

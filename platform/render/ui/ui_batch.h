@@ -116,16 +116,15 @@ struct ui_text {
 };
 
 /* Adds one line of text with its baseline at `y`. Returns the width of the text in pixels. */
-float ui_text(struct ui_batch *batch, const struct ui_text *style, float x, float y,
-              const char *words);
+float ui_text(struct ui_batch *batch, struct ui_text style, float x, float y, const char *words);
 
 /* Returns the width in pixels that the text `words` has when ui_text() draws the text. */
-float ui_text_width(const struct ui_text *style, const char *words);
+float ui_text_width(struct ui_text style, const char *words);
 /* Returns the em size in pixels with which ui_text() draws the text `words`. The size is smaller
  * than `size_px` if the text is shrunk to `fit_px`. */
-float ui_text_size(const struct ui_text *style, const char *words);
+float ui_text_size(struct ui_text style, const char *words);
 
 /* Returns the y of the baseline at which capitals and digits are vertically centred on `y`. */
-float ui_text_middle(const struct ui_text *style, float y);
+float ui_text_middle(struct ui_text style, float y);
 
 #endif

@@ -14,37 +14,43 @@
 /* Delay in seconds from the appearance of one row to the appearance of the next row. */
 #define ROW_COMES_S 0.07f
 
-enum text_key ui_place_key(uint8_t period)
+const struct ui_period *ui_leaderboard_period(uint8_t period)
 {
-    static const enum text_key keys[RANK_PERIOD_COUNT] = { TEXT_PLACE_DAY, TEXT_PLACE_WEEK,
-                                                           TEXT_PLACE_EVER };
-    return keys[period < RANK_PERIOD_COUNT ? period : RANK_EVER];
-}
-
-enum text_key ui_leaderboard_key(uint8_t period)
-{
-    static const enum text_key keys[RANK_PERIOD_COUNT] = { TEXT_BOARD_DAY, TEXT_BOARD_WEEK,
-                                                           TEXT_BOARD_EVER };
-    return keys[period < RANK_PERIOD_COUNT ? period : RANK_EVER];
+    static const struct ui_period periods[RANK_PERIOD_COUNT] = {
+        { TEXT_BOARD_DAY, TEXT_PLACE_DAY },
+        { TEXT_BOARD_WEEK, TEXT_PLACE_WEEK },
+        { TEXT_BOARD_EVER, TEXT_PLACE_EVER },
+    };
+    return &periods[period < RANK_PERIOD_COUNT ? period : RANK_EVER];
 }
 
 float ui_leaderboard_in(const struct scene_leaderboard *board)
 {
-    return board->shown
-               ? ui_smooth(0.0f, COME_S, board->shown_s) * ui_smooth(0.0f, GO_S, board->left_s)
-               : 0.0f;
+    return board->shown ? f_smoothstep(0.0f, COME_S, board->shown_s) *
+                              f_smoothstep(0.0f, GO_S, board->left_s)
+                        : 0.0f;
 }
 
 /* Draws a vermilion seal, which means that the round can be replayed to verify its score. */
 void ui_genuine_seal(const struct ui_frame *frame, float x, float y, float size)
 {
-    const float u = frame->unit;
     const struct ui_text word = { .font = FONT_STALL,
                                   .size_px = 0.74f * size,
                                   .fill = 0xfff1ddffu };
     const struct ui_box box = { x - 0.5f * size, y - 0.5f * size, size, size };
-    ui_panel(frame, UI_PANEL, box, 5.0f * u, 1.5f * u, 0xc92c1cffu, 0xfff1ddb0u);
-    ui_words_in(frame, box, &word, ui_words(frame, TEXT_BOARD_SEAL));
+    ui_panel(frame, UI_PANEL, box, 5.0f * frame->unit, 1.5f * frame->unit, 0xc92c1cffu,
+             0xfff1ddb0u);
+    ui_words_in(frame, box, word, ui_words(frame, TEXT_BOARD_SEAL));
+}
+
+float ui_score(const struct ui_frame *frame, struct ui_text digits, struct ui_text unit,
+               float right, float y, float gap, uint32_t caught)
+{
+    const char *const words = ui_words(frame, TEXT_UNIT);
+    const float digits_right = right - ui_text_width(unit, words) - gap;
+    ui_text(frame->batch, unit, right, ui_text_middle(digits, y), words);
+    ui_number_at(frame, digits, digits_right, y, caught);
+    return digits_right;
 }
 
 static void row_at(const struct ui_frame *frame, const struct scene_row *row, uint32_t place,
@@ -53,13 +59,6 @@ static void row_at(const struct ui_frame *frame, const struct scene_row *row, ui
     CORE_ASSERT(place < SCENE_LEADERBOARD_ROWS);
     static const uint32_t medals[] = { 0xe2a92fffu, 0xa9b0baffu, 0xb9794affu };
     const float u = frame->unit, y = box.y + 0.5f * box.height;
-    const float right = box.x + box.width - 18.0f * u;
-    const struct ui_text name =
-        ui_style(frame, FONT_STALL, 31.0f, 0.0f, row->name[0] ? UI_INK : 0x5a464880u,
-                 box.width - 300.0f * u);
-    const struct ui_text digits = ui_style(frame, FONT_STALL, 33.0f, 1.0f, UI_INK, 90.0f * u);
-    const struct ui_text unit = ui_style(frame, FONT_STALL, 20.0f, 1.0f, UI_INK_SOFT, 0.0f);
-    char number[12];
     if (row->is_new) {
         /* The background of a newly added row has the colour of the player's ring. */
         const uint32_t colour = ui_player_colours[row->seat < POI_MAX ? row->seat : 0];
@@ -68,31 +67,31 @@ static void row_at(const struct ui_frame *frame, const struct scene_row *row, ui
     }
     /* The numbers of the places 1 to 3 are drawn on a medal of gold, silver or bronze. */
     const float x = box.x + 34.0f * u, radius = 19.0f * u;
-    const int has_medal = place < sizeof medals / sizeof *medals;
-    char place_number[12];
-    text_number(place_number, sizeof place_number, "{}", place + 1u);
+    const bool has_medal = place < sizeof medals / sizeof *medals;
     if (has_medal) {
         ui_disc(frame, x, y, radius, 1.5f * u, medals[place], 0x5a3a20ffu);
     }
-    const struct ui_text place_style =
-        ui_style(frame, FONT_STALL, 26.0f, 0.5f, has_medal ? UI_INK : UI_INK_SOFT, 1.8f * radius);
-    ui_text_at(frame, &place_style, x, y, place_number);
-    ui_text_at(frame, &name, box.x + 74.0f * u, y, row->name[0] ? row->name : "---");
-    text_number(number, sizeof number, "{}", row->caught);
-    const char *words = ui_words(frame, TEXT_UNIT);
-    const float baseline = ui_text_middle(&digits, y);
-    ui_text(frame->batch, &unit, right, baseline, words);
-    const float digits_right = right - ui_text_width(&unit, words) - 8.0f * u;
-    ui_text(frame->batch, &digits, digits_right, baseline, number);
-    ui_fish_sign(frame, digits_right - 132.0f * u, y, 52.0f * u);
+    ui_number_at(
+        frame,
+        ui_style(frame, FONT_STALL, 26.0f, 0.5f, has_medal ? UI_INK : UI_INK_SOFT, 1.8f * radius),
+        x, y, place + 1u);
+    ui_text_at(frame,
+               ui_style(frame, FONT_STALL, 31.0f, 0.0f, row->name[0] ? UI_INK : 0x5a464880u,
+                        box.width - 300.0f * u),
+               box.x + 74.0f * u, y, row->name[0] ? row->name : "---");
+    const float score_x =
+        ui_score(frame, ui_style(frame, FONT_STALL, 33.0f, 1.0f, UI_INK, 90.0f * u),
+                 ui_style(frame, FONT_STALL, 20.0f, 1.0f, UI_INK_SOFT, 0.0f),
+                 box.x + box.width - 18.0f * u, y, 8.0f * u, row->caught);
+    ui_fish_sign(frame, score_x - 132.0f * u, y, 52.0f * u);
     if (row->is_sealed) {
-        ui_genuine_seal(frame, digits_right - 192.0f * u, y, 30.0f * u);
+        ui_genuine_seal(frame, score_x - 192.0f * u, y, 30.0f * u);
     }
 }
 
-void ui_leaderboard(const struct ui_frame *frame, const struct scene_leaderboard *board, float top,
-                    float bottom)
+void ui_leaderboard(const struct ui_frame *frame, float top, float bottom)
 {
+    const struct scene_leaderboard *const board = &frame->scene->leaderboard;
     const float u = frame->unit, in = ui_leaderboard_in(board);
     if (in <= 0.0f) {
         return;
@@ -115,18 +114,16 @@ void ui_leaderboard(const struct ui_frame *frame, const struct scene_leaderboard
     const float inset = 12.0f * u;
     const struct ui_box band = { box.x + inset, box.y + inset, box.width - 2.0f * inset,
                                  62.0f * u };
-    const struct ui_text mode =
-        ui_style(frame, FONT_STALL, 27.0f, 0.0f, UI_GOLD, 0.38f * band.width);
-    const struct ui_text title =
-        ui_style(frame, FONT_STALL, 36.0f, 1.0f, 0xfff6e2ffu, 0.52f * band.width);
     const float y = band.y + 0.5f * band.height;
     ui_panel(frame, UI_WAVES, band, 9.0f * u, 1.5f * u, UI_INDIGO, 0x0b1030ffu);
-    ui_text_at(frame, &mode, band.x + 20.0f * u, y, ui_mode_name(frame->language, board->mode));
-    ui_text_at(frame, &title, band.x + band.width - 20.0f * u, y,
-               ui_words(frame, ui_leaderboard_key(board->period)));
+    ui_text_at(frame, ui_style(frame, FONT_STALL, 27.0f, 0.0f, UI_GOLD, 0.38f * band.width),
+               band.x + 20.0f * u, y, ui_mode_name(frame->language, board->mode));
+    ui_text_at(frame, ui_style(frame, FONT_STALL, 36.0f, 1.0f, UI_CREAM, 0.52f * band.width),
+               band.x + band.width - 20.0f * u, y,
+               ui_words(frame, ui_leaderboard_period(board->period)->title));
     for (uint32_t i = 0; i < rows; i++) {
         const float since_s = board->shown_s - ROW_COMES_S * (float)(rows - i);
-        frame->batch->opacity = in * ui_smooth(0.1f, 0.35f, since_s);
+        frame->batch->opacity = in * f_smoothstep(0.1f, 0.35f, since_s);
         row_at(frame, &board->row[i], i,
                (struct ui_box){ box.x + 16.0f * u, box.y + head + pitch * (float)i + 2.0f * u,
                                 box.width - 32.0f * u, pitch - 4.0f * u });
@@ -134,9 +131,9 @@ void ui_leaderboard(const struct ui_frame *frame, const struct scene_leaderboard
     frame->batch->opacity = 1.0f;
 }
 
-void ui_ranking(const struct ui_frame *frame, const struct scene *scene)
+void ui_ranking(const struct ui_frame *frame)
 {
     const float u = frame->unit;
-    ui_leaderboard(frame, &scene->leaderboard, 24.0f * u, frame->height - 110.0f * u);
-    ui_start_ribbon(frame, scene, frame->height - 58.0f * u, TEXT_AGAIN);
+    ui_leaderboard(frame, 24.0f * u, frame->height - 110.0f * u);
+    ui_start_ribbon(frame, frame->height - 58.0f * u, TEXT_AGAIN);
 }

@@ -38,17 +38,23 @@ uint32_t ui_first_player(const struct scene *scene)
     return 0;
 }
 
+float ui_catch_pop(const struct ui_frame *frame, uint32_t player)
+{
+    CORE_ASSERT(player < POI_MAX);
+    const struct ui_memory *const memory = frame->memory;
+    const uint32_t age = frame->scene->tick - memory->caught_tick[player];
+    return memory->caught[player] > 0 ? 1.0f - f_smoothstep(0.0f, POP_S, (float)age * CORE_TICK_S)
+                                      : 0.0f;
+}
+
 void ui_player_mark(const struct ui_frame *frame, float x, float y, float radius, uint32_t player)
 {
     CORE_ASSERT(player < POI_MAX);
-    const struct ui_box box = { x - radius, y - radius, 2.0f * radius, 2.0f * radius };
-    char number[12];
-    text_number(number, sizeof number, "{}", player + 1u);
     const struct ui_text digit = {
         .font = FONT_STALL, .size_px = 1.35f * radius, .align = 0.5f, .fill = 0x14101cffu
     };
-    ui_panel(frame, UI_PANEL, box, radius, 0.13f * radius, ui_player_colours[player], 0xfff8eaffu);
-    ui_text_at(frame, &digit, x, y, number);
+    ui_disc(frame, x, y, radius, 0.13f * radius, ui_player_colours[player], 0xfff8eaffu);
+    ui_number_at(frame, digit, x, y, player + 1u);
 }
 
 void ui_foul_lamps(const struct ui_frame *frame, float x, float y, float radius, float step,
@@ -56,76 +62,59 @@ void ui_foul_lamps(const struct ui_frame *frame, float x, float y, float radius,
 {
     for (uint32_t i = 0; i < FOUL_MAX; i++) {
         const float at = x + step * (float)i;
-        const int lit = i < fouls;
-        const struct ui_box halo = { at - 2.2f * radius, y - 2.2f * radius, 4.4f * radius,
-                                     4.4f * radius };
-        const struct ui_box lamp = { at - radius, y - radius, 2.0f * radius, 2.0f * radius };
-        if (lit) {
-            ui_glow(frame, halo, 0xff5a30a0u);
+        const bool is_lit = i < fouls;
+        if (is_lit) {
+            ui_glow(frame, ui_around(at, y, 2.2f * radius), 0xff5a30a0u);
         }
-        ui_panel(frame, UI_PANEL, lamp, radius, 0.2f * radius, lit ? 0xff5236ffu : 0x120c18c0u,
-                 lit ? 0xffd9a0ffu : 0xe8b85ca0u);
+        ui_disc(frame, at, y, radius, 0.2f * radius, is_lit ? 0xff5236ffu : 0x120c18c0u,
+                is_lit ? 0xffd9a0ffu : 0xe8b85ca0u);
     }
 }
 
-/* Draws the right part of a player's plate. This part shows either the player's paper or the reason
- * why the player does not play. */
-static void player_state(const struct ui_frame *frame, const struct scene *scene, uint32_t player,
-                         float x, float y)
-{
-    const float u = frame->unit;
-    const struct scene_player *state = &scene->player[player];
-    if (state->out) {
-        /* `out` is set for a player who is out of the round, and also for a player whose waiting
-         * time has expired. */
-        const struct ui_text stamp =
-            ui_style(frame, FONT_STALL, 28.0f, 0.5f, 0xff9a80ffu, 46.0f * u);
-        ui_text_at(frame, &stamp, x, y, ui_words(frame, TEXT_OUT));
-    } else if (state->lost) {
-        const struct ui_text ask =
-            ui_style(frame, FONT_STALL, 40.0f, 0.5f,
-                     ui_fade(0xff9a80ffu, 0.4f + 0.6f * ui_pulse(frame->time_s, 1.0f)), 0.0f);
-        ui_text_at(frame, &ask, x, y, "?");
-    } else {
-        ui_poi_sign(frame, x, y - 5.0f * u, 14.0f * u, scene->poi[player].paper_left,
-                    ui_player_colours[player]);
-    }
-}
-
-static void plate(const struct ui_frame *frame, const struct scene *scene,
-                  const struct ui_memory *memory, uint32_t player, struct ui_box box)
+static void plate(const struct ui_frame *frame, uint32_t player, struct ui_box box)
 {
     CORE_ASSERT(player < POI_MAX);
     const float u = frame->unit;
-    const int judged = rules_of(scene->mode)->judges;
-    const float y = box.y + (judged ? 27.0f * u : 0.5f * box.height);
-    const float since_s = (float)(scene->tick - memory->caught_tick[player]) * CORE_TICK_S;
-    const float pop = memory->caught[player] > 0 ? 1.0f - ui_smooth(0.0f, POP_S, since_s) : 0.0f;
-    const struct ui_text digits =
-        ui_style(frame, FONT_STALL, 38.0f + 8.0f * pop, 0.0f, 0xfff8eaffu, box.width - 112.0f * u);
-    char number[12];
-    text_number(number, sizeof number, "{}", scene->caught[player]);
+    const bool is_judged = rules_of(frame->scene->mode)->judges;
+    const float y = box.y + (is_judged ? 27.0f * u : 0.5f * box.height);
     ui_plate(frame, box);
     const struct ui_box band = { box.x + 4.0f * u, box.y + 10.0f * u, 5.0f * u,
                                  box.height - 20.0f * u };
     ui_panel(frame, UI_PANEL, band, 2.5f * u, 0.0f, ui_player_colours[player], 0);
     ui_player_mark(frame, box.x + 32.0f * u, y, 17.0f * u, player);
-    ui_text_at(frame, &digits, box.x + 58.0f * u, y, number);
-    player_state(frame, scene, player, box.x + box.width - 30.0f * u,
-                 0.5f * (y + box.y) + 16.0f * u);
-    if (judged) {
+    ui_number_at(frame,
+                 ui_style(frame, FONT_STALL, 38.0f + 8.0f * ui_catch_pop(frame, player), 0.0f,
+                          0xfff8eaffu, box.width - 112.0f * u),
+                 box.x + 58.0f * u, y, frame->scene->caught[player]);
+    /* The right part of the plate shows either the player's paper or the reason why the player does
+     * not play. `out` is set for a player who is out of the round, and also for a player whose
+     * waiting time has expired. */
+    const struct scene_player *const state = &frame->scene->player[player];
+    const float state_x = box.x + box.width - 30.0f * u, state_y = 0.5f * (y + box.y) + 16.0f * u;
+    if (state->out) {
+        ui_text_at(frame, ui_style(frame, FONT_STALL, 28.0f, 0.5f, 0xff9a80ffu, 46.0f * u), state_x,
+                   state_y, ui_words(frame, TEXT_OUT));
+    } else if (state->lost) {
+        const uint32_t colour = ui_fade(0xff9a80ffu, 0.4f + 0.6f * ui_pulse(frame->time_s, 1.0f));
+        ui_text_at(frame, ui_style(frame, FONT_STALL, 40.0f, 0.5f, colour, 0.0f), state_x, state_y,
+                   "?");
+    } else {
+        ui_poi_sign(frame, state_x, state_y - 5.0f * u, 14.0f * u,
+                    frame->scene->poi[player].paper_left, ui_player_colours[player]);
+    }
+    if (is_judged) {
         ui_foul_lamps(frame, box.x + 28.0f * u, box.y + box.height - 15.0f * u, 7.0f * u, 20.0f * u,
-                      scene->player[player].fouls);
+                      state->fouls);
     }
 }
 
-float ui_player_plates(const struct ui_frame *frame, const struct scene *scene,
-                       const struct ui_memory *memory, float right_px)
+float ui_player_plates(const struct ui_frame *frame, float right_px)
 {
+    const struct scene *const scene = frame->scene;
     const float gap = 8.0f * frame->unit, edge = 18.0f * frame->unit;
     const float count = (float)ui_player_count(scene);
     const float beside = frame->width - 2.0f * edge - right_px - gap;
-    const int fits = count * (PLATE_WIDTH_MIN * frame->unit + gap) <= beside;
+    const bool fits = count * (PLATE_WIDTH_MIN * frame->unit + gap) <= beside;
     const float room = (fits ? beside : frame->width - 2.0f * edge) / count - gap;
     /* If the row has room, the plates are enlarged, at most to the size of a single player's
      * plate. */
@@ -136,19 +125,20 @@ float ui_player_plates(const struct ui_frame *frame, const struct scene *scene,
                           (rules_of(scene->mode)->judges ? 74.0f : 58.0f) * larger.unit };
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (scene->player[i].plays) {
-            plate(&larger, scene, memory, i, box);
+            plate(&larger, i, box);
             box.x += box.width + gap;
         }
     }
     return box.y + box.height;
 }
 
-void ui_bowl_marks(const struct ui_frame *frame, const struct scene *scene, float alpha)
+void ui_bowl_marks(const struct ui_frame *frame, float alpha)
 {
+    const struct scene *const scene = frame->scene;
     const float radius = 24.0f * frame->unit, edge = radius + 4.0f * frame->unit;
     for (uint32_t i = 0; i < POI_MAX && ui_seat_count(scene) > 1u; i++) {
-        const int wanted = scene->phase == PHASE_READY || scene->player[i].plays;
-        if (wanted && scene->bowl[i].present) {
+        const bool is_wanted = scene->phase == PHASE_READY || scene->player[i].plays;
+        if (is_wanted && scene->bowl[i].present) {
             /* Computes the position of the bowl on the screen in pixels from its position in the
              * tank. */
             const float aspect = frame->width / frame->height;

@@ -3,26 +3,53 @@
 #include "platform/render/ui/ui_primitives.h"
 
 #include <math.h>
+#include <stdio.h>
 
 #include "core/base/panic.h"
 
 #define TAU 6.28318531f
 #define NOREN_STRIPS 5u
+#define CEDAR_DIM 0xa77d50ffu
+
+struct ui_frame ui_canvas(const struct ui_frame *frame, bool is_upright)
+{
+    const struct layout_point size = pointer_layout_size(is_upright);
+    const float across = frame->width / size.x, down = frame->height / size.y;
+    struct ui_frame canvas = *frame;
+    canvas.is_upright = is_upright;
+    canvas.unit = is_upright ? across : fminf(across, down);
+    canvas.x = 0.5f * (frame->width - size.x * canvas.unit);
+    canvas.y = 0.5f * (frame->height - size.y * canvas.unit);
+    return canvas;
+}
+
+struct ui_box ui_place(const struct ui_frame *frame, struct layout_box box)
+{
+    const float u = frame->unit;
+    return (struct ui_box){ frame->x + box.x * u, frame->y + box.y * u, box.width * u,
+                            box.height * u };
+}
+
+struct ui_box ui_place_either(const struct ui_frame *frame, struct layout_box wide,
+                              struct layout_box upright)
+{
+    return ui_place(frame, frame->is_upright ? upright : wide);
+}
+
+struct ui_box ui_around(float x, float y, float half)
+{
+    return (struct ui_box){ x - half, y - half, 2.0f * half, 2.0f * half };
+}
+
+struct ui_box ui_inset(struct ui_box box, float margin)
+{
+    return (struct ui_box){ box.x + margin, box.y, box.width - 2.0f * margin, box.height };
+}
 
 uint32_t ui_fade(uint32_t colour, float alpha)
 {
-    return (colour & 0xffffff00u) | (uint32_t)((float)(colour & 0xffu) * ui_clamp01(alpha) + 0.5f);
-}
-
-float ui_clamp01(float x)
-{
-    return x < 0.0f ? 0.0f : x > 1.0f ? 1.0f : x;
-}
-
-float ui_smooth(float from, float to, float x)
-{
-    const float t = ui_clamp01((x - from) / (to - from));
-    return t * t * (3.0f - 2.0f * t);
+    const float faded = (float)(colour & 0xffu) * f_clamp(alpha, 0.0f, 1.0f);
+    return (colour & 0xffffff00u) | (uint32_t)(faded + 0.5f);
 }
 
 float ui_pulse(float time_s, float period_s)
@@ -43,11 +70,36 @@ struct ui_text ui_style(const struct ui_frame *frame, enum font_id font, float s
     };
 }
 
+struct ui_text ui_body(const struct ui_frame *frame, float size, uint32_t fill)
+{
+    return ui_style(frame, FONT_BODY, size, 0.0f, fill, 0.0f);
+}
+
+struct ui_text ui_brush(const struct ui_frame *frame, float brush_size, float size,
+                        float spacing_em, uint32_t fill)
+{
+    if (frame->language != LANGUAGE_JA) {
+        return ui_style(frame, FONT_STALL, size, 0.0f, fill, 0.0f);
+    }
+    struct ui_text style = ui_style(frame, FONT_BRUSH, brush_size, 0.0f, fill, 0.0f);
+    style.weight_em = 0.022f;
+    style.spacing_em = spacing_em;
+    return style;
+}
+
+struct ui_text ui_outlined(struct ui_text style, float outline_em, float soft_em, uint32_t line)
+{
+    style.outline_em = outline_em;
+    style.soft_em = soft_em;
+    style.line = line;
+    return style;
+}
+
 void ui_panel(const struct ui_frame *frame, enum ui_kind kind, struct ui_box box, float radius_px,
               float border_px, uint32_t fill, uint32_t line)
 {
     CORE_ASSERT(kind == UI_PANEL || kind == UI_WASHI || kind == UI_WAVES || kind == UI_WOOD ||
-                kind == UI_HEAT);
+                kind == UI_HEAT || kind == UI_GLOW || kind == UI_WATER);
     ui_shape(frame->batch, &(struct ui_shape){ .box = box,
                                                .kind = kind,
                                                .fill = fill,
@@ -55,19 +107,28 @@ void ui_panel(const struct ui_frame *frame, enum ui_kind kind, struct ui_box box
                                                .shape = { 0, 0, radius_px, border_px } });
 }
 
+void ui_fill(const struct ui_frame *frame, struct ui_box box, uint32_t colour)
+{
+    CORE_ASSERT(box.width >= 0.0f && box.height >= 0.0f);
+    ui_panel(frame, UI_PANEL, box, 0.0f, 0.0f, colour, 0);
+}
+
+void ui_veil(const struct ui_frame *frame, uint32_t colour)
+{
+    ui_fill(frame, (struct ui_box){ 0.0f, 0.0f, frame->width, frame->height }, colour);
+}
+
 void ui_disc(const struct ui_frame *frame, float x, float y, float radius_px, float border_px,
              uint32_t fill, uint32_t line)
 {
-    const struct ui_box box = { x - radius_px, y - radius_px, 2.0f * radius_px, 2.0f * radius_px };
-    ui_panel(frame, UI_PANEL, box, radius_px, border_px, fill, line);
+    ui_panel(frame, UI_PANEL, ui_around(x, y, radius_px), radius_px, border_px, fill, line);
 }
 
 void ui_ring(const struct ui_frame *frame, float x, float y, float radius_px, float width_px,
              float part, uint32_t fill, uint32_t line)
 {
     CORE_ASSERT(radius_px >= width_px);
-    const struct ui_box box = { x - radius_px, y - radius_px, 2.0f * radius_px, 2.0f * radius_px };
-    ui_shape(frame->batch, &(struct ui_shape){ .box = box,
+    ui_shape(frame->batch, &(struct ui_shape){ .box = ui_around(x, y, radius_px),
                                                .kind = UI_RING,
                                                .fill = fill,
                                                .line = line,
@@ -76,18 +137,49 @@ void ui_ring(const struct ui_frame *frame, float x, float y, float radius_px, fl
 
 void ui_glow(const struct ui_frame *frame, struct ui_box box, uint32_t fill)
 {
-    ui_shape(
-        frame->batch,
-        &(struct ui_shape){ .box = box, .kind = UI_GLOW, .fill = fill, .shape = { 0, 0, 1.0f } });
+    ui_panel(frame, UI_GLOW, box, 1.0f, 0.0f, fill, 0);
 }
 
-float ui_text_at(const struct ui_frame *frame, const struct ui_text *style, float x, float y,
+void ui_water(const struct ui_frame *frame, struct ui_box box, float radius_px, float time_s,
+              uint32_t deep)
+{
+    ui_panel(frame, UI_WATER, box, radius_px, time_s, 0x1d7a86ffu, deep);
+}
+
+float ui_text_at(const struct ui_frame *frame, struct ui_text style, float x, float y,
                  const char *words)
 {
     return ui_text(frame->batch, style, x, ui_text_middle(style, y), words);
 }
 
-void ui_hang_lantern(const struct ui_frame *frame, float x, float y, float size, float phase)
+void ui_number_at(const struct ui_frame *frame, struct ui_text style, float x, float y,
+                  uint32_t number)
+{
+    char digits[12];
+    snprintf(digits, sizeof digits, "%u", number);
+    ui_text_at(frame, style, x, y, digits);
+}
+
+void ui_words_at(const struct ui_frame *frame, float x, float y, float room, float align,
+                 struct ui_text style, const char *words)
+{
+    CORE_ASSERT(align >= 0.0f && align <= 1.0f);
+    style.fit_px = room;
+    style.size_px = ui_text_size(style, words);
+    style.align = align;
+    ui_text_at(frame, style, x, y, words);
+}
+
+void ui_words_in(const struct ui_frame *frame, struct ui_box box, struct ui_text style,
+                 const char *words)
+{
+    ui_words_at(frame, box.x + 0.5f * box.width, box.y + 0.5f * box.height, box.width, 0.5f, style,
+                words);
+}
+
+/* Draws a paper lantern that hangs from (x, y). `size` is the height of its body in pixels, and
+ * `phase` is the phase of its sway in radians. */
+static void hang_lantern(const struct ui_frame *frame, float x, float y, float size, float phase)
 {
     CORE_ASSERT(size > 0.0f);
     const float sway = sinf(frame->time_s * 1.1f + phase) * size * 0.035f;
@@ -113,42 +205,37 @@ void ui_hang_lantern(const struct ui_frame *frame, float x, float y, float size,
                                     0.46f * width, cap };
         ui_panel(frame, UI_PANEL, rim, 0.2f * cap, 0.14f * cap, 0x17121affu, UI_GOLD);
     }
-    const struct ui_text brush = { .font = FONT_BRUSH,
-                                   .size_px = size * 0.56f,
-                                   .align = 0.5f,
-                                   .weight_em = 0.020f,
-                                   .fill = 0x2a0d0cffu };
-    ui_text_at(frame, &brush, middle_x + sway * 0.15f, top + 0.52f * size,
+    struct ui_text brush = { .font = FONT_BRUSH, .size_px = size * 0.56f, .fill = 0x2a0d0cffu };
+    brush.align = 0.5f;
+    brush.weight_em = 0.020f;
+    ui_text_at(frame, brush, middle_x + sway * 0.15f, top + 0.52f * size,
                ui_words(frame, TEXT_LANTERN));
 }
 
 static void noren_title(const struct ui_frame *frame, float left, float top, float width,
                         float height)
 {
-    const int brush = frame->language == LANGUAGE_JA;
-    struct ui_text title = { .font = brush ? FONT_BRUSH : FONT_STALL,
+    const bool is_brush = frame->language == LANGUAGE_JA;
+    struct ui_text title = { .font = is_brush ? FONT_BRUSH : FONT_STALL,
                              .align = 0.5f,
-                             .size_px = brush ? height * 0.86f : height * 0.56f,
-                             .weight_em = brush ? 0.022f : 0.004f,
-                             .fill = 0xfff6e2ffu };
+                             .size_px = is_brush ? height * 0.86f : height * 0.56f,
+                             .weight_em = is_brush ? 0.022f : 0.004f,
+                             .fill = UI_CREAM };
     const char *words = ui_words(frame, TEXT_TITLE);
-    if (!brush) {
-        title.fit_px = width * 0.92f;
-        title.size_px = ui_text_size(&title, words);
-        ui_text_at(frame, &title, left + 0.5f * width, top + 0.50f * height, words);
+    if (!is_brush) {
+        ui_words_at(frame, left + 0.5f * width, top + 0.50f * height, width * 0.92f, 0.5f, title,
+                    words);
         return;
     }
     /* Each strip of the curtain shows one character of the title, like a real shop curtain. */
     for (uint32_t i = 0; i < NOREN_STRIPS && *words != 0; i++) {
-        char one[8] = "";
+        char one[8];
         const char *from = words;
         printable_next(&words);
-        for (uint32_t k = 0; from + k < words && k < sizeof one - 1u; k++) {
-            one[k] = from[k];
-        }
+        snprintf(one, sizeof one, "%.*s", (int)(words - from), from);
         const float x = left + width * ((float)i + 0.5f) / (float)NOREN_STRIPS;
         const float sway = frame->unit * 1.6f * sinf(frame->time_s * 0.9f + (float)i * 0.8f);
-        ui_text_at(frame, &title, x + sway, top + 0.51f * height, one);
+        ui_text_at(frame, title, x + sway, top + 0.51f * height, one);
     }
 }
 
@@ -182,18 +269,8 @@ void ui_noren(const struct ui_frame *frame, float lift)
         ui_panel(frame, UI_PANEL, hem, 1.2f * u, 0.0f, 0xfff6e2b0u, 0);
     }
     noren_title(frame, left, top, width, height);
-    ui_hang_lantern(frame, left - 64.0f * u, top, 118.0f * u, 0.0f);
-    ui_hang_lantern(frame, left + width + 64.0f * u, top, 118.0f * u, 2.0f);
-}
-
-void ui_words_in(const struct ui_frame *frame, struct ui_box box, const struct ui_text *style,
-                 const char *words)
-{
-    struct ui_text fitted = *style;
-    fitted.align = 0.5f;
-    fitted.fit_px = box.width;
-    fitted.size_px = ui_text_size(&fitted, words);
-    ui_text_at(frame, &fitted, box.x + 0.5f * box.width, box.y + 0.5f * box.height, words);
+    hang_lantern(frame, left - 64.0f * u, top, 118.0f * u, 0.0f);
+    hang_lantern(frame, left + width + 64.0f * u, top, 118.0f * u, 2.0f);
 }
 
 void ui_card(const struct ui_frame *frame, struct ui_box box)
@@ -207,31 +284,30 @@ void ui_card(const struct ui_frame *frame, struct ui_box box)
     ui_panel(frame, UI_WASHI, box, 14.0f * u, 3.0f * u, UI_WASHI_WHITE, 0xb5762fffu);
 }
 
-float ui_ribbon(const struct ui_frame *frame, const struct ui_ribbon *ribbon, const char *words)
+float ui_ribbon_at(const struct ui_frame *frame, struct ui_ribbon ribbon, float x, float y,
+                   float size_px, float room_px, const char *words)
 {
-    CORE_ASSERT(ribbon->size_px > 0.0f);
-    const float x = ribbon->x > 0.0f ? ribbon->x : 0.5f * frame->width;
-    const float room_px =
-        ribbon->room_px > 0.0f ? ribbon->room_px : frame->width - 32.0f * frame->unit;
-    const float pad = 0.95f * ribbon->size_px, height = 1.95f * ribbon->size_px;
-    const struct ui_text text = { .font = ribbon->font,
-                                  .size_px = ribbon->size_px,
-                                  .align = 0.5f,
-                                  .fill = ribbon->ink ? ribbon->ink : 0xfff8eaffu,
+    CORE_ASSERT(size_px > 0.0f);
+    const float pad = 0.95f * size_px, height = 1.95f * size_px;
+    const struct ui_text text = { .font = ribbon.font,
+                                  .size_px = size_px,
+                                  .fill = ribbon.ink ? ribbon.ink : 0xfff8eaffu,
                                   .fit_px = room_px - 2.0f * pad };
-    const float width = ui_text_width(&text, words) + 2.0f * pad;
-    const struct ui_box box = { x - 0.5f * width, ribbon->y - 0.5f * height, width, height };
-    ui_panel(frame, UI_PANEL, box, 0.5f * height, 2.0f * frame->unit, ribbon->fill, ribbon->line);
-    struct ui_text fitted = text;
-    fitted.size_px = ui_text_size(&text, words);
-    ui_text(frame->batch, &text, x, ui_text_middle(&fitted, ribbon->y), words);
+    const float width = ui_text_width(text, words) + 2.0f * pad;
+    const struct ui_box box = { x - 0.5f * width, y - 0.5f * height, width, height };
+    ui_panel(frame, UI_PANEL, box, 0.5f * height, 2.0f * frame->unit, ribbon.fill, ribbon.line);
+    ui_words_at(frame, x, y, text.fit_px, 0.5f, text, words);
     return width;
 }
 
-/* ---- Wooden parts of a festival stall: bamboo pole, red cords and tags of cedar ------------- */
+void ui_ribbon(const struct ui_frame *frame, struct ui_ribbon ribbon, float y, float size_px,
+               const char *words)
+{
+    ui_ribbon_at(frame, ribbon, 0.5f * frame->width, y, size_px, frame->width - 32.0f * frame->unit,
+                 words);
+}
 
-#define CEDAR 0xd9a667ffu
-#define CEDAR_DIM 0xa77d50ffu
+/* ---- Wooden parts of a festival stall: bamboo pole, red cords and tags of cedar ------------- */
 
 void ui_pole(const struct ui_frame *frame, float x, float y, float width)
 {
@@ -250,16 +326,16 @@ void ui_cords(const struct ui_frame *frame, struct ui_box box, float pole_y)
     }
 }
 
-void ui_wooden_tag(const struct ui_frame *frame, struct ui_box box, int pointed)
+void ui_wooden_tag(const struct ui_frame *frame, struct ui_box box, bool is_pointed)
 {
     const float u = frame->unit;
-    if (pointed) {
+    if (is_pointed) {
         const struct ui_box halo = { box.x - 60.0f * u, box.y - 50.0f * u, box.width + 120.0f * u,
                                      box.height + 110.0f * u };
         ui_glow(frame, halo, ui_fade(0xffb050ffu, 0.75f + 0.25f * ui_pulse(frame->time_s, 2.4f)));
     }
     const struct ui_box shade = { box.x + 5.0f * u, box.y + 12.0f * u, box.width, box.height };
     ui_panel(frame, UI_PANEL, shade, 12.0f * u, 0.0f, 0x05061c70u, 0);
-    ui_panel(frame, UI_WOOD, box, 10.0f * u, (pointed ? 5.0f : 2.0f) * u,
-             pointed ? CEDAR : CEDAR_DIM, pointed ? 0xc8341fffu : 0x5a3a20ffu);
+    ui_panel(frame, UI_WOOD, box, 10.0f * u, (is_pointed ? 5.0f : 2.0f) * u,
+             is_pointed ? UI_CEDAR : CEDAR_DIM, is_pointed ? 0xc8341fffu : 0x5a3a20ffu);
 }

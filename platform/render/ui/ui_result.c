@@ -41,202 +41,165 @@ static const struct grade *grade_of(uint8_t mode, uint32_t caught)
 static uint32_t counted_up(const struct scene *scene, uint32_t player)
 {
     CORE_ASSERT(player < POI_MAX);
-    const float share = ui_smooth(0.2f, 0.2f + COUNT_UP_S, scene->phase_s);
+    const float share = f_smoothstep(0.2f, 0.2f + COUNT_UP_S, scene->phase_s);
     const uint32_t caught = scene->caught[player];
     return share < 1.0f ? (uint32_t)((double)share * (double)caught) : caught;
 }
 
-static void result_count(const struct ui_frame *frame, const struct scene *scene, uint32_t player,
-                         float x, float y)
+/* Draws the number of fish that the only player caught, beside a fish. Below the number, draws the
+ * praise, and the fouls if the mode counts fouls. */
+static void one_players_result(const struct ui_frame *frame, struct ui_box box)
 {
-    const float u = frame->unit;
+    const struct scene *const scene = frame->scene;
+    const float u = frame->unit, x = box.x + 0.5f * box.width;
+    const uint32_t player = ui_first_player(scene);
     char number[12];
-    text_number(number, sizeof number, "{}", counted_up(scene, player));
+    snprintf(number, sizeof number, "%u", counted_up(scene, player));
+    const char *const words = ui_words(frame, TEXT_UNIT);
     const struct ui_text digits = ui_style(frame, FONT_STALL, 116.0f, 0.0f, UI_INK, 320.0f * u);
     const struct ui_text unit = ui_style(frame, FONT_STALL, 48.0f, 0.0f, UI_INK_SOFT, 0.0f);
-    const char *words = ui_words(frame, TEXT_UNIT);
-    const float fish = 164.0f * u, gap = 20.0f * u;
-    const float number_width = ui_text_width(&digits, number);
-    const float whole = fish + number_width + ui_text_width(&unit, words) + 2.0f * gap;
-    const float left = x - 0.5f * whole, baseline = ui_text_middle(&digits, y);
-    ui_fish_sign(frame, left + 0.5f * fish, y, fish);
-    ui_text(frame->batch, &digits, left + fish + gap, baseline, number);
-    ui_text(frame->batch, &unit, left + fish + number_width + 2.0f * gap, baseline, words);
-}
-
-static void praise(const struct ui_frame *frame, const struct scene *scene, uint32_t player,
-                   struct ui_box box)
-{
-    const float u = frame->unit, x = box.x + 0.5f * box.width;
-    const struct grade *grade = grade_of(scene->mode, scene->caught[player]);
-    const int brush = frame->language == LANGUAGE_JA;
-    const struct ui_text word = { .font = brush ? FONT_BRUSH : FONT_STALL,
-                                  .align = 0.5f,
-                                  .size_px = (brush ? 104.0f : 76.0f) * u,
-                                  .weight_em = brush ? 0.022f : 0.0f,
-                                  .spacing_em = brush ? -0.10f : 0.0f,
-                                  .fill = 0xc8301effu,
-                                  .fit_px = box.width - 60.0f * u };
-    const struct ui_text words =
-        ui_style(frame, FONT_BODY, 27.0f, 0.5f, UI_INK, box.width - 60.0f * u);
-    frame->batch->opacity = ui_smooth(1.1f, 1.5f, scene->phase_s);
-    ui_text_at(frame, &word, x, box.y + 252.0f * u, ui_words(frame, grade->praise));
-    ui_text(frame->batch, &words, x, box.y + 338.0f * u, ui_words(frame, grade->words));
+    const float fish = 164.0f * u, gap = 20.0f * u, number_width = ui_text_width(digits, number);
+    const float whole = fish + number_width + ui_text_width(unit, words) + 2.0f * gap;
+    const float count_x = x - 0.5f * whole, count_y = box.y + 128.0f * u;
+    const float baseline = ui_text_middle(digits, count_y);
+    ui_fish_sign(frame, count_x + 0.5f * fish, count_y, fish);
+    ui_text(frame->batch, digits, count_x + fish + gap, baseline, number);
+    ui_text(frame->batch, unit, count_x + fish + number_width + 2.0f * gap, baseline, words);
+    const struct grade *const grade = grade_of(scene->mode, scene->caught[player]);
+    struct ui_text praise = ui_brush(frame, 104.0f, 76.0f, -0.10f, 0xc8301effu);
+    praise.align = 0.5f;
+    praise.fit_px = box.width - 60.0f * u;
+    frame->batch->opacity = f_smoothstep(1.1f, 1.5f, scene->phase_s);
+    ui_text_at(frame, praise, x, box.y + 252.0f * u, ui_words(frame, grade->praise));
+    ui_text(frame->batch, ui_style(frame, FONT_BODY, 27.0f, 0.5f, UI_INK, praise.fit_px), x,
+            box.y + 338.0f * u, ui_words(frame, grade->words));
     frame->batch->opacity = 1.0f;
-}
-
-static void one_players_result(const struct ui_frame *frame, const struct scene *scene,
-                               struct ui_box box)
-{
-    const float u = frame->unit;
-    const uint32_t player = ui_first_player(scene);
-    result_count(frame, scene, player, box.x + 0.5f * box.width, box.y + 128.0f * u);
-    praise(frame, scene, player, box);
     if (rules_of(scene->mode)->judges) {
-        const struct ui_text label = ui_style(frame, FONT_STALL, 24.0f, 0.0f, UI_INK_SOFT, 0.0f);
-        const float x = box.x + 26.0f * u, y = box.y + box.height - 37.0f * u;
-        const float width = ui_text_at(frame, &label, x, y, ui_words(frame, TEXT_FOUL));
-        ui_foul_lamps(frame, x + width + 22.0f * u, y, 9.5f * u, 25.0f * u,
+        const float left = box.x + 26.0f * u, y = box.y + box.height - 37.0f * u;
+        const float width =
+            ui_text_at(frame, ui_style(frame, FONT_STALL, 24.0f, 0.0f, UI_INK_SOFT, 0.0f), left, y,
+                       ui_words(frame, TEXT_FOUL));
+        ui_foul_lamps(frame, left + width + 22.0f * u, y, 9.5f * u, 25.0f * u,
                       scene->player[player].fouls);
     }
 }
 
-/* Returns the number of players who caught more fish than `player`. Players with equal catches
- * therefore have the same place. */
-static uint32_t ui_result_place_of(const struct scene *scene, uint32_t player)
+static void ranked(const struct ui_frame *frame, uint32_t player, uint32_t place, struct ui_box row)
 {
-    CORE_ASSERT(player < POI_MAX);
-    uint32_t ahead = 0;
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        ahead += scene->player[i].plays && scene->caught[i] > scene->caught[player];
-    }
-    return ahead;
-}
-
-static void ranked(const struct ui_frame *frame, const struct scene *scene, uint32_t player,
-                   struct ui_box row)
-{
+    const struct scene *const scene = frame->scene;
     const float u = frame->unit, y = row.y + 0.5f * row.height;
-    const uint32_t place = ui_result_place_of(scene, player);
-    char words[TEXT_LINE_MAX], number[12];
+    char words[TEXT_LINE_MAX];
     text_number(words, sizeof words, ui_words(frame, TEXT_PLACE), place + 1u);
-    text_number(number, sizeof number, "{}", counted_up(scene, player));
     ui_panel(frame, UI_PANEL, row, 10.0f * u, 2.0f * u,
              ui_fade(ui_player_colours[player], place == 0 ? 0.42f : 0.20f),
              ui_fade(ui_player_colours[player], place == 0 ? 1.0f : 0.5f));
-    const struct ui_text rank = ui_style(frame, FONT_STALL, 36.0f, 0.0f, UI_INK, 0.0f);
     const struct ui_text digits = ui_style(frame, FONT_STALL, 44.0f, 1.0f, UI_INK, 150.0f * u);
-    const struct ui_text unit = ui_style(frame, FONT_STALL, 27.0f, 0.0f, UI_INK_SOFT, 0.0f);
-    ui_text_at(frame, &rank, row.x + 24.0f * u, y, words);
+    ui_text_at(frame, ui_style(frame, FONT_STALL, 36.0f, 0.0f, UI_INK, 0.0f), row.x + 24.0f * u, y,
+               words);
     ui_player_mark(frame, row.x + 148.0f * u, y, 22.0f * u, player);
     ui_fish_sign(frame, row.x + 226.0f * u, y, 74.0f * u);
-    const float digits_x = row.x + 428.0f * u, baseline = ui_text_middle(&digits, y);
-    ui_text(frame->batch, &digits, digits_x, baseline, number);
-    ui_text(frame->batch, &unit, digits_x + 14.0f * u, baseline, ui_words(frame, TEXT_UNIT));
+    const float digits_x = row.x + 428.0f * u;
+    ui_number_at(frame, digits, digits_x, y, counted_up(scene, player));
+    ui_text(frame->batch, ui_style(frame, FONT_STALL, 27.0f, 0.0f, UI_INK_SOFT, 0.0f),
+            digits_x + 14.0f * u, ui_text_middle(digits, y), ui_words(frame, TEXT_UNIT));
     if (rules_of(scene->mode)->judges) {
         ui_foul_lamps(frame, row.x + row.width - 84.0f * u, y, 10.0f * u, 29.0f * u,
                       scene->player[player].fouls);
     }
 }
 
-static void draw_result_ranking(const struct ui_frame *frame, const struct scene *scene,
-                                struct ui_box box)
+/* Draws a row for each player, with the best player first. A player's place is the number of
+ * players who caught more fish, so that players with equal catches have the same place. */
+static void draw_result_ranking(const struct ui_frame *frame, struct ui_box box)
 {
+    const struct scene *const scene = frame->scene;
     const float u = frame->unit, pitch = 70.0f * u, first = box.y + 76.0f * u;
-    uint32_t shown = 0;
-    for (uint32_t place = 0; place < POI_MAX; place++) {
-        for (uint32_t i = 0; i < POI_MAX; i++) {
-            if (scene->player[i].plays && ui_result_place_of(scene, i) == place) {
-                ranked(frame, scene, i,
-                       (struct ui_box){ box.x + 26.0f * u, first + pitch * (float)shown++,
-                                        box.width - 52.0f * u, pitch - 8.0f * u });
-            }
+    uint32_t place[POI_MAX] = { 0 }, shown = 0;
+    for (uint32_t i = 0; i < POI_MAX * POI_MAX; i++) {
+        const uint32_t a = i / POI_MAX, b = i % POI_MAX;
+        place[a] += scene->player[b].plays && scene->caught[b] > scene->caught[a];
+    }
+    for (uint32_t i = 0; i < POI_MAX * POI_MAX; i++) {
+        const uint32_t player = i % POI_MAX;
+        if (scene->player[player].plays && place[player] == i / POI_MAX) {
+            ranked(frame, player, place[player],
+                   (struct ui_box){ box.x + 26.0f * u, first + pitch * (float)shown++,
+                                    box.width - 52.0f * u, pitch - 8.0f * u });
         }
     }
 }
 
-/* Returns the opacity of the result card. The announcement "time!" is visible for CALL_TIME_S
- * seconds before the card fades in. */
-static float after_call(const struct scene *scene)
-{
-    return scene->call == CALL_TIME ? ui_smooth(CALL_TIME_S, CALL_TIME_S + 0.4f, scene->call_s)
-                                    : 1.0f;
-}
-
-/* Draws the result card of a refunded round. Because a refunded round does not count, the card
- * shows no score, place or seal. */
-static void given_back(const struct ui_frame *frame, struct ui_box box)
-{
-    const float u = frame->unit, x = box.x + 0.5f * box.width;
-    struct ui_text style =
-        ui_style(frame, FONT_STALL, 64.0f, 0.5f, 0xc8301effu, box.width - 60.0f * u);
-    ui_fish_sign(frame, x, box.y + 138.0f * u, 124.0f * u);
-    ui_text_at(frame, &style, x, box.y + 238.0f * u, ui_words(frame, TEXT_GIVEN_BACK));
-    style.font = FONT_BODY;
-    style.size_px = 27.0f * u;
-    style.fill = UI_INK;
-    ui_text(frame->batch, &style, x, box.y + 338.0f * u, ui_words(frame, TEXT_GIVEN_BACK_WORDS));
-}
-
-/* Draws the last line of the result card, which is the day's best score in the mode of the round.
- * After a practice round, the line is a comment of the stallkeeper instead. */
-static void last_line(const struct ui_frame *frame, const struct scene *scene, struct ui_box box)
-{
-    const float u = frame->unit;
-    const int scored = rules_of(scene->mode)->keeps_score;
-    const struct ui_text small = ui_style(frame, scored ? FONT_STALL : FONT_BODY, 25.0f, 0.5f,
-                                          0x8a5a1cffu, box.width - 60.0f * u);
-    char best[TEXT_LINE_MAX];
-    ui_best_words(scene, best, sizeof best);
-    ui_text(frame->batch, &small, box.x + 0.5f * box.width, box.y + box.height - 28.0f * u,
-            scored ? best : ui_words(frame, TEXT_PRACTICE_WORDS));
-}
-
 /* Draws a seal such as "Best of the day!" or "No. 3 this week" for the player with the best place
  * on the leaderboard. Draws nothing if no player has a place. */
-static void place_seal(const struct ui_frame *frame, const struct scene *scene, struct ui_box box)
+static void place_seal(const struct ui_frame *frame, struct ui_box box)
 {
-    const float u = frame->unit, in = ui_smooth(1.6f, 1.8f, scene->phase_s);
+    const float u = frame->unit, in = f_smoothstep(1.6f, 1.8f, frame->scene->phase_s);
     const float x = box.x + box.width - 130.0f * u, y = box.y - 8.0f * u;
     const struct scene_player *best = NULL;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        const struct scene_player *const player = &scene->player[i];
+        const struct scene_player *const player = &frame->scene->player[i];
         best = player->place != 0 && (!best || player->place < best->place) ? player : best;
     }
     if (in <= 0.0f || !best) {
         return;
     }
     char words[TEXT_LINE_MAX];
-    const int is_first = best->place == 1 && best->period == RANK_DAY;
-    text_number(words, sizeof words,
-                ui_words(frame, is_first ? TEXT_NEW_BEST : ui_place_key(best->period)),
-                best->place);
+    const bool is_first = best->place == 1 && best->period == RANK_DAY;
+    text_number(
+        words, sizeof words,
+        ui_words(frame, is_first ? TEXT_NEW_BEST : ui_leaderboard_period(best->period)->place),
+        best->place);
     const struct ui_text text = { .font = FONT_STALL,
                                   .size_px = 27.0f * u * (2.0f - in),
                                   .align = 0.5f,
                                   .fill = 0xfff1ddffu,
                                   .fit_px = 216.0f * u * (2.0f - in) };
-    const float width = ui_text_width(&text, words) + 34.0f * u, height = 50.0f * u * (2.0f - in);
+    const float width = ui_text_width(text, words) + 34.0f * u, height = 50.0f * u * (2.0f - in);
     frame->batch->opacity = in;
     ui_panel(frame, UI_WASHI, (struct ui_box){ x - 0.5f * width, y - 0.5f * height, width, height },
              8.0f * u, 2.5f * u, 0xc92c1cffu, 0xfff1ddb0u);
-    ui_text_at(frame, &text, x, y, words);
+    ui_text_at(frame, text, x, y, words);
     frame->batch->opacity = 1.0f;
 }
 
-void ui_result(const struct ui_frame *frame, const struct scene *scene,
-               const struct ui_memory *memory)
+/* Draws the content of the result card for a round that counts. */
+static void draw_result_card(const struct ui_frame *frame, struct ui_box box)
 {
-    const float u = frame->unit, in = ui_smooth(0.0f, 0.45f, scene->phase_s) * after_call(scene);
+    const struct scene *const scene = frame->scene;
+    const float u = frame->unit;
+    if (ui_player_count(scene) > 1u) {
+        draw_result_ranking(frame, box);
+    } else {
+        one_players_result(frame, box);
+    }
+    /* The last line is the day's best score in the mode of the round. After a practice round, the
+     * line is a comment of the stallkeeper instead. */
+    const bool is_scored = rules_of(scene->mode)->keeps_score;
+    char best[TEXT_LINE_MAX];
+    ui_best_words(scene, best, sizeof best);
+    ui_text(frame->batch,
+            ui_style(frame, is_scored ? FONT_STALL : FONT_BODY, 25.0f, 0.5f, 0x8a5a1cffu,
+                     box.width - 60.0f * u),
+            box.x + 0.5f * box.width, box.y + box.height - 28.0f * u,
+            is_scored ? best : ui_words(frame, TEXT_PRACTICE_WORDS));
+    place_seal(frame, box);
+}
+
+void ui_result(const struct ui_frame *frame)
+{
+    const struct scene *const scene = frame->scene;
+    /* The announcement "time!" is visible for CALL_TIME_S seconds before the card fades in. */
+    const float after_call = scene->call == CALL_TIME
+                                 ? f_smoothstep(CALL_TIME_S, CALL_TIME_S + 0.4f, scene->call_s)
+                                 : 1.0f;
+    const float u = frame->unit, in = f_smoothstep(0.0f, 0.45f, scene->phase_s) * after_call;
     const float width = fminf(680.0f * u, frame->width - 40.0f * u), height = 416.0f * u;
     const struct ui_box box = { 0.5f * (frame->width - width),
                                 0.45f * frame->height - 0.5f * height + 40.0f * u * (1.0f - in),
                                 width, height };
-    const struct ui_text heading =
-        ui_style(frame, FONT_STALL, 30.0f, 0.5f, UI_INK_SOFT, box.width - 60.0f * u);
     char words[2u * TEXT_LINE_MAX];
-    ui_umpire(frame, scene);
-    if (after_call(scene) <= 0.0f) {
+    ui_umpire(frame);
+    if (after_call <= 0.0f) {
         return;
     }
     frame->batch->opacity = in;
@@ -244,23 +207,25 @@ void ui_result(const struct ui_frame *frame, const struct scene *scene,
     /* The heading is a line such as "Championship: that's all!" */
     snprintf(words, sizeof words, "%s  %s", ui_mode_name(frame->language, scene->mode),
              ui_words(frame, TEXT_RESULT));
-    ui_text(frame->batch, &heading, box.x + 0.5f * box.width, box.y + 56.0f * u, words);
+    ui_text(frame->batch,
+            ui_style(frame, FONT_STALL, 30.0f, 0.5f, UI_INK_SOFT, box.width - 60.0f * u),
+            box.x + 0.5f * box.width, box.y + 56.0f * u, words);
     frame->batch->opacity = 1.0f;
     if (scene->credit.came_back) {
-        given_back(frame, box);
+        /* A refunded round does not count. Therefore its card shows no score, place or seal. */
+        const float x = box.x + 0.5f * box.width, room = box.width - 60.0f * u;
+        ui_fish_sign(frame, x, box.y + 138.0f * u, 124.0f * u);
+        ui_text_at(frame, ui_style(frame, FONT_STALL, 64.0f, 0.5f, 0xc8301effu, room), x,
+                   box.y + 238.0f * u, ui_words(frame, TEXT_GIVEN_BACK));
+        ui_text(frame->batch, ui_style(frame, FONT_BODY, 27.0f, 0.5f, UI_INK, room), x,
+                box.y + 338.0f * u, ui_words(frame, TEXT_GIVEN_BACK_WORDS));
     } else {
-        if (ui_player_count(scene) > 1u) {
-            draw_result_ranking(frame, scene, box);
-        } else {
-            one_players_result(frame, scene, box);
-        }
-        last_line(frame, scene, box);
-        place_seal(frame, scene, box);
+        draw_result_card(frame, box);
     }
     if (scene->hint == HINT_START) {
-        ui_start_ribbon(frame, scene, frame->height - 58.0f * u,
+        ui_start_ribbon(frame, frame->height - 58.0f * u,
                         scene->name.waits != 0 ? TEXT_NAME_CALL : TEXT_AGAIN);
     } else {
-        ui_hint_ribbon(frame, scene, memory);
+        ui_hint_ribbon(frame);
     }
 }

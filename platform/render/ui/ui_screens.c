@@ -32,7 +32,7 @@ void ui_screens_notice(struct ui_memory *memory, const struct scene *scene)
 
 /* Draws the ribbon of a score playback over all other drawings. The ribbon shows the round and
  * whether its score is verified. Draws nothing if no score playback runs. */
-static void playback_ribbon(const struct ui_frame *frame, const struct scene *scene)
+static void playback_ribbon(const struct ui_frame *frame)
 {
     static const struct {
         enum text_key words;
@@ -44,75 +44,39 @@ static void playback_ribbon(const struct ui_frame *frame, const struct scene *sc
         [ENCORE_OTHER] = { TEXT_ENCORE_OTHER, 0xb8301ee8u },
         [ENCORE_NONE] = { TEXT_ENCORE_NONE, 0xb8301ee8u },
     };
+    const uint8_t playback = frame->scene->playback;
+    if (playback == ENCORE_OFF || playback >= ENCORE_COUNT) {
+        return;
+    }
     const float u = frame->unit;
-    if (scene->playback == ENCORE_OFF || scene->playback >= ENCORE_COUNT) {
-        return;
-    }
-    const int seeks = scene->playback == ENCORE_SEEKS;
-    const int is_end = !seeks && scene->playback != ENCORE_PLAYS;
-    const struct ui_ribbon ribbon = { .y =
-                                          seeks ? 0.5f * frame->height : frame->height - 120.0f * u,
-                                      .size_px = (is_end ? 40.0f : 30.0f) * u,
-                                      .font = FONT_BODY,
-                                      .fill = verdicts[scene->playback].fill,
-                                      .line = UI_GOLD };
+    const bool seeks = playback == ENCORE_SEEKS, is_end = !seeks && playback != ENCORE_PLAYS;
+    const float y = seeks ? 0.5f * frame->height : frame->height - 120.0f * u;
     frame->batch->opacity = 1.0f;
-    ui_ribbon(frame, &ribbon, ui_words(frame, verdicts[scene->playback].words));
+    ui_ribbon(frame, (struct ui_ribbon){ FONT_BODY, verdicts[playback].fill, UI_GOLD, 0 }, y,
+              (is_end ? 40.0f : 30.0f) * u, ui_words(frame, verdicts[playback].words));
     if (seeks) { /* The bar shows the fraction of the recording that has been searched. */
-        const float width = BAR_WIDTH * u, share = ui_clamp01(scene->encore_progress);
-        struct ui_box bar = { 0.5f * (frame->width - width), ribbon.y + 44.0f * u, width,
-                              BAR_HEIGHT * u };
-        ui_panel(frame, UI_PANEL, bar, 0.0f, 0.0f, UI_NIGHT, 0);
-        bar.width = width * share;
-        ui_panel(frame, UI_PANEL, bar, 0.0f, 0.0f, UI_GOLD, 0);
+        const float width = BAR_WIDTH * u;
+        struct ui_box bar = { 0.5f * (frame->width - width), y + 44.0f * u, width, BAR_HEIGHT * u };
+        ui_fill(frame, bar, UI_NIGHT);
+        bar.width = width * f_clamp(frame->scene->encore_progress, 0.0f, 1.0f);
+        ui_fill(frame, bar, UI_GOLD);
     }
-}
-
-static void phase_screen(const struct ui_frame *frame, struct ui_memory *memory,
-                         const struct scene *scene)
-{
-    switch (scene->phase) {
-    case PHASE_READY:
-        ui_ready(frame, scene, memory);
-        break;
-    case PHASE_ROUND:
-        ui_round(frame, scene, memory);
-        break;
-    case PHASE_RESULT:
-        ui_result(frame, scene, memory);
-        break;
-    case PHASE_MODE_SELECT:
-        ui_choose(frame, scene, memory);
-        break;
-    case PHASE_LAB:
-        ui_lab(frame, scene, memory);
-        break;
-    case PHASE_ALBUM:
-        ui_album(frame, scene);
-        break;
-    case PHASE_NAME:
-        ui_name(frame, scene);
-        break;
-    case PHASE_LEADERBOARD:
-        ui_ranking(frame, scene);
-        break;
-    case PHASE_ATTRACT:
-        ui_attract(frame, scene);
-        break;
-    case PHASE_MENU:
-        ui_menu(frame, scene);
-        return; /* ui_menu() has already drawn the warnings. */
-    default:    /* Only PHASE_WORDLESS reaches this case. The screen of this phase has no text. */
-        return;
-    }
-    ui_warnings(frame, scene);
 }
 
 void ui_screens(struct ui_batch *batch, struct ui_memory *memory, const struct scene *scene,
                 float width_px, float height_px)
 {
+    /* PHASE_WORDLESS has no screen, because this phase shows no text. */
+    static void (*const screens[])(const struct ui_frame *frame) = {
+        [PHASE_ATTRACT] = ui_attract,     [PHASE_READY] = ui_ready,        [PHASE_ROUND] = ui_round,
+        [PHASE_RESULT] = ui_result,       [PHASE_MODE_SELECT] = ui_choose, [PHASE_LAB] = ui_lab,
+        [PHASE_ALBUM] = ui_album,         [PHASE_MENU] = ui_menu,          [PHASE_NAME] = ui_name,
+        [PHASE_LEADERBOARD] = ui_ranking,
+    };
     const struct ui_frame frame = {
         .batch = batch,
+        .scene = scene,
+        .memory = memory,
         .width = width_px,
         .height = height_px,
         .unit = fminf(height_px / 720.0f, width_px / 860.0f),
@@ -123,9 +87,13 @@ void ui_screens(struct ui_batch *batch, struct ui_memory *memory, const struct s
     ui_batch_clear(batch);
     ui_screens_notice(memory, scene);
     if (scene->veil > 0.0f) { /* The fade between two sessions darkens the tank. */
-        ui_panel(&frame, UI_PANEL, (struct ui_box){ 0.0f, 0.0f, width_px, height_px }, 0.0f, 0.0f,
-                 ui_fade(0x05060fffu, scene->veil), 0);
+        ui_veil(&frame, ui_fade(0x05060fffu, scene->veil));
     }
-    phase_screen(&frame, memory, scene);
-    playback_ribbon(&frame, scene);
+    if (scene->phase < sizeof screens / sizeof *screens && screens[scene->phase]) {
+        screens[scene->phase](&frame);
+        if (scene->phase != PHASE_MENU) { /* The pages of the menu show no warnings. */
+            ui_warnings(&frame);
+        }
+    }
+    playback_ribbon(&frame);
 }

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "core/base/panic.h"
-#include "core/game/accounting/credit.h"
+#include "core/game/accounting/accounts.h"
 
 #define HINT_FADE_S 0.35f
 /* Time in seconds for which the coin request is emphasized after a player tried to start without
@@ -32,13 +32,13 @@ void ui_poi_sign(const struct ui_frame *frame, float x, float y, float radius, f
                  uint32_t ring)
 {
     CORE_ASSERT(radius > 0.0f);
-    const float reach = 1.5f * radius; /* The box of the sign is larger than the ring because the
-                                          poi's handle extends to the lower right. */
-    ui_shape(frame->batch,
-             &(struct ui_shape){ .box = { x - reach, y - reach, 2.0f * reach, 2.0f * reach },
-                                 .kind = UI_POI,
-                                 .fill = ring,
-                                 .shape = { radius, ui_clamp01(paper_left) } });
+    /* The box of the sign is larger than the ring because the poi's handle extends to the lower
+     * right. */
+    const struct ui_shape sign = { .box = ui_around(x, y, 1.5f * radius),
+                                   .kind = UI_POI,
+                                   .fill = ring,
+                                   .shape = { radius, f_clamp(paper_left, 0.0f, 1.0f) } };
+    ui_shape(frame->batch, &sign);
 }
 
 void ui_plate(const struct ui_frame *frame, struct ui_box box)
@@ -47,27 +47,7 @@ void ui_plate(const struct ui_frame *frame, struct ui_box box)
     ui_panel(frame, UI_WAVES, box, 16.0f * u, 1.5f * u, UI_NIGHT, UI_GOLD_DIM);
 }
 
-struct hint_paint {
-    uint32_t fill, line;
-};
-
-/* Returns the colours of a hint. Red means a failure, green means the right moment to act, and dark
- * means advice. */
-static struct hint_paint ui_widgets_paint_of(uint8_t hint)
-{
-    switch (hint) {
-    case HINT_TORN:
-    case HINT_LOST_POI:
-        return (struct hint_paint){ 0xb8301ee8u, UI_GOLD };
-    case HINT_LIFT:
-        return (struct hint_paint){ 0x17754ee8u, UI_GOLD };
-    default:
-        return (struct hint_paint){ UI_NIGHT, UI_GOLD_DIM };
-    }
-}
-
-void ui_hint_ribbon(const struct ui_frame *frame, const struct scene *scene,
-                    const struct ui_memory *memory)
+void ui_hint_ribbon(const struct ui_frame *frame)
 {
     static const uint16_t keys[HINT_COUNT] = {
         [HINT_START] = TEXT_HINT_START,
@@ -87,57 +67,51 @@ void ui_hint_ribbon(const struct ui_frame *frame, const struct scene *scene,
         [HINT_COIN] = TEXT_HINT_COIN,
         [HINT_PAID_BACK] = TEXT_HINT_PAID_BACK,
     };
-    if (scene->hint == HINT_NONE || scene->hint >= HINT_COUNT ||
-        (scene->hint == HINT_COIN && scene->credit.warnings != 0)) {
+    const struct scene *const scene = frame->scene;
+    const uint8_t hint = scene->hint;
+    if (hint == HINT_NONE || hint >= HINT_COUNT ||
+        (hint == HINT_COIN && scene->credit.warnings != 0)) {
         return;
     }
-    const float u = frame->unit, age_s = (float)(scene->tick - memory->hint_tick) * CORE_TICK_S;
-    const float in = ui_smooth(0.0f, HINT_FADE_S, age_s);
-    const struct hint_paint paint = ui_widgets_paint_of(scene->hint);
-    const struct ui_ribbon ribbon = {
-        .y = frame->height - 52.0f * u + 14.0f * u * (1.0f - in),
-        .size_px = 32.0f * u,
-        .font = FONT_BODY,
-        .fill = paint.fill,
-        .line = paint.line,
-    };
+    const float u = frame->unit;
+    const float age_s = (float)(scene->tick - frame->memory->hint_tick) * CORE_TICK_S;
+    const float in = f_smoothstep(0.0f, HINT_FADE_S, age_s);
+    /* A red ribbon means a failure, a green ribbon means the right moment to act, and a dark ribbon
+     * means advice. */
+    struct ui_ribbon ribbon = { FONT_BODY, UI_NIGHT, UI_GOLD_DIM, 0 };
+    if (hint == HINT_TORN || hint == HINT_LOST_POI || hint == HINT_LIFT) {
+        ribbon.fill = hint == HINT_LIFT ? 0x17754ee8u : 0xb8301ee8u;
+        ribbon.line = UI_GOLD;
+    }
     frame->batch->opacity = in;
-    ui_ribbon(frame, &ribbon, text_words(scene->language, (enum text_key)keys[scene->hint]));
+    ui_ribbon(frame, ribbon, frame->height - 52.0f * u + 14.0f * u * (1.0f - in), 32.0f * u,
+              ui_words(frame, (enum text_key)keys[hint]));
     frame->batch->opacity = 1.0f;
 }
 
-void ui_start_ribbon(const struct ui_frame *frame, const struct scene *scene, float y,
-                     enum text_key key)
+void ui_start_ribbon(const struct ui_frame *frame, float y, enum text_key key)
 {
     const float u = frame->unit, pulse = ui_pulse(frame->time_s, 2.4f);
-    const struct scene_credit *credit = &scene->credit;
-    const int lacks_poi = ui_lacks_poi(scene);
-    /* `asking` is the strength of the emphasis. The strength is 1 when a player tries to start
-     * without credit, and then decreases to 0. */
-    const float asking = credit->unpaid ? 1.0f - ui_smooth(0.0f, ASK_S, credit->asked_s) : 0.0f;
-    const struct ui_box halo = { 0.5f * frame->width - 400.0f * u, y - 64.0f * u, 800.0f * u,
-                                 128.0f * u };
-    char coins[TEXT_LINE_MAX];
-    if (credit->unpaid && credit->warnings != 0 && !lacks_poi) {
+    const struct scene_credit *const credit = &frame->scene->credit;
+    const bool lacks_poi = credit->warnings & WARN_NO_POI, is_coin = credit->unpaid && !lacks_poi;
+    if (is_coin && credit->warnings != 0) {
         return; /* While a warning is active, an inserted coin would be returned. The screen then
                    shows only the warning and no request for coins. */
     }
+    /* `asking` is the strength of the emphasis. The strength is 1 when a player tries to start
+     * without credit, and then decreases to 0. */
+    const float asking = credit->unpaid ? 1.0f - f_smoothstep(0.0f, ASK_S, credit->asked_s) : 0.0f;
+    const struct ui_box halo = { 0.5f * frame->width - 400.0f * u, y - 64.0f * u, 800.0f * u,
+                                 128.0f * u };
+    char coins[TEXT_LINE_MAX];
     const uint32_t worth = credit->coin_units > 0 ? credit->coin_units : 1u;
     const uint32_t missing = credit->price > credit->units ? credit->price - credit->units : 0u;
     text_number(coins, sizeof coins, ui_words(frame, TEXT_COIN), (missing + worth - 1u) / worth);
-    const int is_coin = credit->unpaid && !lacks_poi;
-    const char *const words =
-        is_coin ? coins : ui_words(frame, lacks_poi ? TEXT_START_NO_POI : key);
     ui_glow(frame, halo, ui_fade(0xff7a30b0u, fmaxf(0.25f + 0.55f * pulse, asking)));
-    const struct ui_ribbon ribbon = {
-        .y = y,
-        .size_px = (35.0f + 6.0f * asking) * u,
-        .font = FONT_STALL,
-        .fill = 0xc8341ff2u,
-        .line = UI_GOLD,
-        .ink = ui_fade(0xfff8eaffu, 0.82f + 0.18f * pulse),
-    };
-    ui_ribbon(frame, &ribbon, words);
+    const uint32_t ink = ui_fade(0xfff8eaffu, 0.82f + 0.18f * pulse);
+    ui_ribbon(frame, (struct ui_ribbon){ FONT_STALL, 0xc8341ff2u, UI_GOLD, ink }, y,
+              (35.0f + 6.0f * asking) * u,
+              is_coin ? coins : ui_words(frame, lacks_poi ? TEXT_START_NO_POI : key));
 }
 
 void ui_best_words(const struct scene *scene, char *out, size_t out_size)
@@ -153,18 +127,15 @@ void ui_big_word(const struct ui_frame *frame, enum font_id font, float y, float
     CORE_ASSERT(alpha >= 0.0f && alpha <= 1.0f);
     const struct ui_text text = { .font = font,
                                   .size_px = size_px,
-                                  .align = 0.5f,
                                   .weight_em = font == FONT_BRUSH ? 0.024f : 0.0f,
                                   .spacing_em = font == FONT_BRUSH ? -0.14f : 0.0f,
                                   .outline_em = 0.014f,
                                   .soft_em = 0.035f,
                                   .fill = 0xfff6e2ffu,
-                                  .line = 0x9c1f14ffu,
-                                  .fit_px = frame->width - 48.0f * frame->unit };
-    struct ui_text fitted = text;
-    fitted.size_px = ui_text_size(&text, words);
+                                  .line = 0x9c1f14ffu };
     frame->batch->opacity = alpha;
-    ui_text(frame->batch, &text, 0.5f * frame->width, ui_text_middle(&fitted, y), words);
+    ui_words_at(frame, 0.5f * frame->width, y, frame->width - 48.0f * frame->unit, 0.5f, text,
+                words);
     frame->batch->opacity = 1.0f;
 }
 
@@ -172,28 +143,22 @@ void ui_big_word(const struct ui_frame *frame, enum font_id font, float y, float
 #define CLINK_S 0.5f
 #define COMING_WIDTH 84.0f /* Width of the text "+99" with its margins, in layout units. */
 
-/* Width and lower edge, in layout units, of the plates at the sides of the screen during a round.
- * The stress legend of ui_round.c is the widest and the lowest plate. */
+/* Width in layout units that the plates occupy at each side of the screen during a round. The
+ * stress legend of ui_round.c is the widest plate. */
 #define PLATES_WIDTH 284.0f
+/* Lower edge in layout units of the plates at the sides of the screen during a round. The stress
+ * legend of ui_round.c is the lowest plate. */
 #define PLATES_REACH 240.0f
 
-void ui_credits(const struct ui_frame *frame, const struct scene *scene, float x, float y)
+void ui_credits(const struct ui_frame *frame, float x, float y)
 {
-    const struct scene_credit *credit = &scene->credit;
-    const float u = frame->unit;
-    const float clink = 1.0f - ui_smooth(0.0f, CLINK_S, credit->coin_s);
+    const struct scene_credit *const credit = &frame->scene->credit;
+    const float u = frame->unit, room_px = 2.0f * fminf(x, frame->width - x) - 8.0f * u;
+    const float clink = 1.0f - f_smoothstep(0.0f, CLINK_S, credit->coin_s);
     char words[TEXT_LINE_MAX + 32u];
     if (credit->is_event) {
-        const struct ui_ribbon event = {
-            .x = x,
-            .y = y,
-            .size_px = 25.0f * frame->unit,
-            .font = FONT_STALL,
-            .fill = 0x8a2f6ee8u,
-            .line = UI_GOLD,
-            .room_px = 2.0f * fminf(x, frame->width - x) - 8.0f * frame->unit,
-        };
-        ui_ribbon(frame, &event, ui_words(frame, TEXT_EVENT));
+        ui_ribbon_at(frame, (struct ui_ribbon){ FONT_STALL, 0x8a2f6ee8u, UI_GOLD, 0 }, x, y,
+                     25.0f * u, room_px, ui_words(frame, TEXT_EVENT));
     }
     if (credit->price == 0) {
         return;
@@ -204,80 +169,50 @@ void ui_credits(const struct ui_frame *frame, const struct scene *scene, float x
         const size_t length = strlen(words);
         snprintf(words + length, sizeof words - length, "  +  %u/%u", credit->units, credit->price);
     }
-    const struct ui_ribbon plate = {
-        .x = x,
-        .y = y,
-        .size_px = (25.0f + 4.0f * clink) * u,
-        .font = FONT_STALL,
-        .fill = credit->credits > 0 ? 0x17754ee8u : UI_NIGHT,
-        .line = credit->credits > 0 || clink > 0.0f ? UI_GOLD : UI_GOLD_DIM,
-        .room_px = 2.0f * fminf(x, frame->width - x) - 8.0f * u,
-    };
-    const float width = ui_ribbon(frame, &plate, words);
+    const bool has_credit = credit->credits > 0;
+    const struct ui_ribbon plate = { FONT_STALL, has_credit ? 0x17754ee8u : UI_NIGHT,
+                                     has_credit || clink > 0.0f ? UI_GOLD : UI_GOLD_DIM, 0 };
+    const float width =
+        ui_ribbon_at(frame, plate, x, y, (25.0f + 4.0f * clink) * u, room_px, words);
     /* A text with an outline beside the plate shows the number of credits that are not on disk
      * yet. */
-    const float left = x + 0.5f * width + 10.0f * u;
-    const float room = frame->width - left - 8.0f * u;
-    char coming_words[16];
-    if (credit->coming == 0 || room < COMING_WIDTH * u) {
+    const float left = x + 0.5f * width + 10.0f * u, coming_px = COMING_WIDTH * u;
+    if (credit->coming == 0 || frame->width - left - 8.0f * u < coming_px) {
         return;
     }
-    snprintf(coming_words, sizeof coming_words, "+%u", credit->coming);
-    const struct ui_ribbon outline = {
-        .x = left + 0.5f * COMING_WIDTH * u,
-        .y = y,
-        .size_px = 21.0f * u,
-        .font = FONT_STALL,
-        .line = ui_fade(UI_GOLD, 0.55f + 0.45f * ui_pulse(frame->time_s, 1.2f)),
-        .ink = ui_fade(0xfff8eaffu, 0.7f),
-        .room_px = COMING_WIDTH * u,
+    snprintf(words, sizeof words, "+%u", credit->coming);
+    const uint32_t line = ui_fade(UI_GOLD, 0.55f + 0.45f * ui_pulse(frame->time_s, 1.2f));
+    ui_ribbon_at(frame, (struct ui_ribbon){ FONT_STALL, 0, line, ui_fade(0xfff8eaffu, 0.7f) },
+                 left + 0.5f * coming_px, y, 21.0f * u, coming_px, words);
+}
+
+void ui_warnings(const struct ui_frame *frame)
+{
+    const struct scene *const scene = frame->scene;
+    const uint32_t active = scene->credit.warnings;
+    const bool in_round = scene->phase == PHASE_ROUND || scene->phase == PHASE_READY;
+    const struct {
+        bool is_shown;
+        enum text_key key;
+    } warnings[] = {
+        { scene->asks_quit, TEXT_QUIT_ASK },
+        { scene->asks_menu, TEXT_MENU_ASK },
+        { active & WARN_TILT, TEXT_WARN_TILT },
+        { active & WARN_DOOR, TEXT_WARN_DOOR },
+        /* During a round, the pause sign already shows this warning in larger letters. */
+        { (active & WARN_NO_POI) && !in_round, TEXT_WARN_NO_POI },
+        { active & WARN_STORE, TEXT_WARN_STORE },
     };
-    ui_ribbon(frame, &outline, coming_words);
-}
-
-int ui_lacks_poi(const struct scene *scene)
-{
-    return (scene->credit.warnings & WARN_NO_POI) != 0;
-}
-
-static void warning(const struct ui_frame *frame, float y, float room_px, enum text_key key)
-{
-    const float u = frame->unit;
-    const struct ui_ribbon ribbon = { .y = y,
-                                      .size_px = 27.0f * u,
-                                      .font = FONT_BODY,
-                                      .fill = 0xb8301ee8u,
-                                      .line = UI_GOLD,
-                                      .room_px = room_px };
-    ui_ribbon(frame, &ribbon, ui_words(frame, key));
-}
-
-void ui_warnings(const struct ui_frame *frame, const struct scene *scene)
-{
-    static const enum text_key keys[] = { TEXT_WARN_TILT, TEXT_WARN_DOOR, TEXT_WARN_NO_POI,
-                                          TEXT_WARN_STORE };
-    const int in_round = scene->phase == PHASE_ROUND || scene->phase == PHASE_READY;
-    uint32_t shown = scene->credit.warnings;
     /* The warnings are below the shop curtain in attract mode (the demonstration between rounds),
      * and below the plates during a round. */
     float y = (scene->phase == PHASE_ATTRACT ? 0.335f : 0.215f) * frame->height;
     const float beside = in_round && y < PLATES_REACH * frame->unit ? PLATES_WIDTH : 16.0f;
     const float room_px = frame->width - 2.0f * beside * frame->unit;
-    if (scene->asks_quit) {
-        warning(frame, y, room_px, TEXT_QUIT_ASK);
-        y += 58.0f * frame->unit;
-    }
-    if (scene->asks_menu) {
-        warning(frame, y, room_px, TEXT_MENU_ASK);
-        y += 58.0f * frame->unit;
-    }
-    if (in_round) {
-        shown &= ~(uint32_t)WARN_NO_POI; /* During a round, the pause sign already shows the warning
-                                            WARN_NO_POI in larger letters. */
-    }
-    for (uint32_t i = 0; i < sizeof keys / sizeof keys[0]; i++) {
-        if (shown >> i & 1u) {
-            warning(frame, y, room_px, keys[i]);
+    for (uint32_t i = 0; i < sizeof warnings / sizeof *warnings; i++) {
+        if (warnings[i].is_shown) {
+            ui_ribbon_at(frame, (struct ui_ribbon){ FONT_BODY, 0xb8301ee8u, UI_GOLD, 0 },
+                         0.5f * frame->width, y, 27.0f * frame->unit, room_px,
+                         ui_words(frame, warnings[i].key));
             y += 58.0f * frame->unit;
         }
     }

@@ -26,24 +26,19 @@ const char *ui_mode_name(uint8_t language, uint8_t mode);
 
 /* Draws the hint of the scene at the bottom of the screen. Draws nothing if the scene has no hint.
  * A new hint fades in. */
-void ui_hint_ribbon(const struct ui_frame *frame, const struct scene *scene,
-                    const struct ui_memory *memory);
+void ui_hint_ribbon(const struct ui_frame *frame);
 
 /* Draws the glowing ribbon with the request to start (text `key`), centred at height `y`.
  * Without credit, the ribbon requests coins. If no slot has a controller, the ribbon requests a
  * controller. Draws nothing if no round is paid and an inserted coin would be returned. */
-void ui_start_ribbon(const struct ui_frame *frame, const struct scene *scene, float y,
-                     enum text_key key);
+void ui_start_ribbon(const struct ui_frame *frame, float y, enum text_key key);
 
 /* Draws the number of paid rounds (credits), centred at (x, y). Draws nothing in free play. */
-void ui_credits(const struct ui_frame *frame, const struct scene *scene, float x, float y);
-
-/* Returns 1 if no player can play because no slot has a controller, otherwise 0. */
-int ui_lacks_poi(const struct scene *scene);
+void ui_credits(const struct ui_frame *frame, float x, float y);
 
 /* Draws the active warnings over all other drawings, for example that the cabinet is shaken, that
  * its door is open, or that no controller is present. */
-void ui_warnings(const struct ui_frame *frame, const struct scene *scene);
+void ui_warnings(const struct ui_frame *frame);
 
 /* Writes a line such as "Best today: 12 fish". If no score exists yet, writes a line that states
  * this. */
@@ -62,6 +57,10 @@ uint32_t ui_first_player(const struct scene *scene);
  * that only the slots with a bowl are counted. */
 uint32_t ui_seat_count(const struct scene *scene);
 
+/* Returns the strength of the emphasis on a player's number of caught fish, [0, 1]. The strength is
+ * 1 immediately after a catch, and decreases to 0. */
+float ui_catch_pop(const struct ui_frame *frame, uint32_t player);
+
 /* Draws a player's number on a disc of the player's colour, centred at (x, y). */
 void ui_player_mark(const struct ui_frame *frame, float x, float y, float radius, uint32_t player);
 
@@ -74,32 +73,27 @@ void ui_foul_lamps(const struct ui_frame *frame, float x, float y, float radius,
  * one player. The plates are in one row to the left of the `right_px` pixels that other plates
  * occupy at the right edge. If this row is too narrow, the plates are in a second row below.
  * Returns the lower edge of the plates in pixels. */
-float ui_player_plates(const struct ui_frame *frame, const struct scene *scene,
-                       const struct ui_memory *memory, float right_px);
+float ui_player_plates(const struct ui_frame *frame, float right_px);
 
 /* Draws the players' numbers over their bowls if there are several players. During a round, only
  * the players of the round have a number. */
-void ui_bowl_marks(const struct ui_frame *frame, const struct scene *scene, float alpha);
+void ui_bowl_marks(const struct ui_frame *frame, float alpha);
 
 /* Draws over all other drawings: the stallkeeper's announcements, the umpire's foul signs, and the
  * pause after a loss of controller input. */
-void ui_umpire(const struct ui_frame *frame, const struct scene *scene);
+void ui_umpire(const struct ui_frame *frame);
 
 /* Declarations of functions that each draw one whole screen. */
-void ui_lab(const struct ui_frame *frame, const struct scene *scene, struct ui_memory *memory);
-void ui_album(const struct ui_frame *frame, const struct scene *scene);
-void ui_menu(const struct ui_frame *frame, const struct scene *scene);
-void ui_name(const struct ui_frame *frame, const struct scene *scene);
-void ui_ranking(const struct ui_frame *frame, const struct scene *scene);
-void ui_attract(const struct ui_frame *frame, const struct scene *scene);
-void ui_choose(const struct ui_frame *frame, const struct scene *scene,
-               const struct ui_memory *memory);
-void ui_ready(const struct ui_frame *frame, const struct scene *scene,
-              const struct ui_memory *memory);
-void ui_round(const struct ui_frame *frame, const struct scene *scene,
-              const struct ui_memory *memory);
-void ui_result(const struct ui_frame *frame, const struct scene *scene,
-               const struct ui_memory *memory);
+void ui_lab(const struct ui_frame *frame);
+void ui_album(const struct ui_frame *frame);
+void ui_menu(const struct ui_frame *frame);
+void ui_name(const struct ui_frame *frame);
+void ui_ranking(const struct ui_frame *frame);
+void ui_attract(const struct ui_frame *frame);
+void ui_choose(const struct ui_frame *frame);
+void ui_ready(const struct ui_frame *frame);
+void ui_round(const struct ui_frame *frame);
+void ui_result(const struct ui_frame *frame);
 
 /* Returns the opacity of the leaderboard, [0, 1]. The leaderboard fades in and out. 0 means that
  * the leaderboard is hidden. */
@@ -107,18 +101,25 @@ float ui_leaderboard_in(const struct scene_leaderboard *board);
 
 /* Draws the leaderboard, vertically centred between `top` and `bottom` in pixels. Draws nothing
  * while the leaderboard is hidden. */
-void ui_leaderboard(const struct ui_frame *frame, const struct scene_leaderboard *board, float top,
-                    float bottom);
+void ui_leaderboard(const struct ui_frame *frame, float top, float bottom);
 
 /* Draws the seal "Genuine", which means that the recording of a round is stored and can verify the
  * score. The seal is centred at (x, y) and is `size` pixels wide and high. */
 void ui_genuine_seal(const struct ui_frame *frame, float x, float y, float size);
 
-/* Returns the key of the text "Today's best" or of the corresponding text for another leaderboard
- * period (enum rank_period). */
-enum text_key ui_leaderboard_key(uint8_t period);
-/* Returns the key of the text "No. {} today" or of the corresponding text for another leaderboard
- * period (enum rank_period). */
-enum text_key ui_place_key(uint8_t period);
+/* Draws a score such as "12 fish". The text ends at `right` pixels. The number has the style
+ * `digits`, and the word has the style `unit`. The words "12" and "fish" are `gap` pixels apart.
+ * The digits are vertically centred on `y`. Returns the right end of the number in pixels. */
+float ui_score(const struct ui_frame *frame, struct ui_text digits, struct ui_text unit,
+               float right, float y, float gap, uint32_t caught);
+
+/* Texts of a leaderboard period (enum rank_period). */
+struct ui_period {
+    enum text_key title; /* Text such as "Today's best". */
+    enum text_key place; /* Text such as "No. {} today". */
+};
+/* Returns the texts of a leaderboard period. Returns the texts of the period without end if
+ * `period` is unknown. */
+const struct ui_period *ui_leaderboard_period(uint8_t period);
 
 #endif

@@ -1,14 +1,14 @@
 /* ui_lab.h -- functions and colours that the source files of the growth lab's screen share.
  *
  * All coordinates are on the core's canvas (core/game/lab/lab_layout.h), which is the layout area
- * in which the pointer also moves. */
+ * in which the pointer also moves. The drawing context of each function is the canvas
+ * (ui_canvas()). */
 #ifndef KINGYO_PLATFORM_RENDER_UI_LAB_UI_LAB_H
 #define KINGYO_PLATFORM_RENDER_UI_LAB_UI_LAB_H
 
 #include "core/game/lab/lab_layout.h"
-#include "platform/render/ui/lab/ui_lab_preview.h"
 #include "platform/render/ui/ui_primitives.h"
-#include "platform/species/library.h"
+#include "platform/render/ui/ui_screens.h"
 
 /* Colour of the curve that shows the fish's length. The 2005 thesis also uses purple for this
  * curve. */
@@ -19,34 +19,15 @@
 #define LAB_INK_SOFT 0x6b5a50ffu
 #define LAB_MIST 0xdff3f2ffu /* Colour of text that is drawn on the water. */
 
-struct lab_page {
-    struct ui_frame frame; /* Drawing context of the growth lab. Its `unit` is the size of one
-                              canvas unit in pixels. */
-    const struct scene_lab *lab;
-    struct ui_lab_preview *bench; /* State of the previewed species. Null means that this kiosk does
-                                     not have the species. */
-    /* Species library, which also lists the rejected makers' files. Null means no library. */
-    const struct library *library;
-    float x, y; /* Position of the upper left corner of the canvas on the screen, in pixels. */
-};
-
 /* Returns the box on the screen of a part of the growth lab. */
-struct ui_box lab_place(const struct lab_page *page, enum lab_part part);
-/* Converts a horizontal canvas coordinate to pixels on the screen. */
-float lab_px_x(const struct lab_page *page, float x);
-/* Converts a vertical canvas coordinate to pixels on the screen. */
-float lab_px_y(const struct lab_page *page, float y);
+struct ui_box lab_place(const struct ui_frame *frame, enum lab_part part);
 
 /* Returns the colour of a key (modelled growth stage) as opaque 0xRRGGBBAA, computed by
  * key_colour(). */
 uint32_t lab_key_colour(uint32_t key_count, uint32_t key);
 
-/* Returns 1 if the pointer is over the part or drags the part, otherwise 0. */
-int lab_is_pointed(const struct lab_page *page, enum lab_part part);
-
-/* Returns a text style. `size` is in canvas units. A standing player can read texts of size 22 or
- * more. */
-struct ui_text lab_text(const struct lab_page *page, float size, uint32_t fill);
+/* Returns true if the pointer is over the part or drags the part. */
+bool lab_is_pointed(const struct ui_frame *frame, enum lab_part part);
 
 /* Writes an age such as "45 days" or "3.2 years". */
 void lab_age_words(uint8_t language, float age_days, char *out, size_t out_size);
@@ -57,15 +38,21 @@ void lab_length_words(float length_m, char *out, size_t out_size);
  * there is no translation, returns `id`, the identifier in the species file. */
 const char *lab_name(uint8_t language, const char *id);
 
+/* Returns the previewed fish at `progress` through life in its usual view. The extent of the fish
+ * over all ages is centred at (x, y). The fish is `share` times as large as the largest fish that
+ * fits into `width` x `height` pixels at every age. */
+struct specimen lab_fish(const struct ui_frame *frame, float progress, float x, float y,
+                         float width, float height, float share);
+
 /* Draws the aquarium with the fish. */
-void lab_stage(const struct lab_page *page);
+void lab_stage(const struct ui_frame *frame);
 /* Draws the key shapes (modelled growth stages), the weight of each key at the current age, and the
  * lifeline, on which the player selects the age. */
-void lab_keys(const struct lab_page *page);
+void lab_keys(const struct ui_frame *frame);
 /* Draws the deformation graph, which shows the weight of each key over the fish's progress through
  * life. */
-void lab_graph(const struct lab_page *page);
+void lab_graph(const struct ui_frame *frame);
 /* Draws the growth curve, which shows the fish's length over its age. */
-void lab_chart(const struct lab_page *page);
+void lab_chart(const struct ui_frame *frame);
 
 #endif

@@ -34,9 +34,11 @@ struct ui_lab_preview {
     const struct species *species; /* Selected species. Null means that no species is selected. */
     uint32_t edition;              /* Counter that increases by 1 with each selection of a
                                       species. */
-    struct species_card card;      /* Copy of the species card from which the other fields were
+    bool is_shown;            /* True if the selected species is the species of the scene. False
+                                      if this kiosk does not have the species of the scene. */
+    struct species_card card; /* Copy of the species card from which the other fields were
                                       computed. */
-    struct morph_rig rig;          /* Prepared deformation graphs with the player's edits. */
+    struct morph_rig rig;     /* Prepared deformation graphs with the player's edits. */
     struct morph_rig ordinary_rig;
     struct species ordinary;
     struct straight_memory memory;

@@ -34,64 +34,35 @@ struct tank_room {
     float ruler_y;
 };
 
-static struct tank_room room_of(const struct lab_page *page, uint32_t half)
+static struct tank_room room_of(const struct ui_frame *frame, uint32_t half)
 {
     CORE_ASSERT(half < 2u);
-    const float u = page->frame.unit;
-    struct ui_box box = lab_place(page, LAB_STAGE);
-    if (page->lab->compare && page->lab->upright) {
+    struct ui_box box = lab_place(frame, LAB_STAGE);
+    if (frame->scene->lab.compare && frame->is_upright) {
         box.height *= 0.5f;
         box.y += (float)half * box.height;
-    } else if (page->lab->compare) {
+    } else if (frame->scene->lab.compare) {
         box.width *= 0.5f;
         box.x += (float)half * box.width;
     }
-    return (struct tank_room){ .box = box, .ruler_y = box.y + box.height - 40.0f * u };
+    return (struct tank_room){ .box = box, .ruler_y = box.y + box.height - 40.0f * frame->unit };
 }
 
-/* Vertical range in pixels that the fish occupies. */
-struct span_px {
-    float top, foot;
-};
-
-static struct span_px free_span(const struct lab_page *page, const struct tank_room *room)
+/* Returns the previewed fish. The fish fits into its area at every age, and is drawn shorter while
+ * it is young. */
+static struct specimen fish_in(const struct ui_frame *frame, const struct tank_room *room)
 {
-    const float u = page->frame.unit;
-    return (struct span_px){ room->box.y + (page->lab->compare ? TOP_CAPTION : TOP) * u,
-                             room->ruler_y - FOOT * u };
-}
-
-/* Returns the fish's length in pixels. The fish fits on the stage at every age, and is drawn
- * shorter while it is young. */
-static float stage_fish_length_px(const struct lab_page *page, const struct tank_room *room)
-{
-    const struct ui_lab_preview *bench = page->bench;
-    const struct specimen_bounds *reach = &bench->bounds;
-    const float u = page->frame.unit;
-    const float wide = (room->box.width - 64.0f * u) / fmaxf(reach->left + reach->right, 0.1f);
-    const struct span_px span = free_span(page, room);
-    const float high = (span.foot - span.top) / fmaxf(reach->up + reach->down, 0.1f);
-    const float grown = YOUNG_SIZE + (1.0f - YOUNG_SIZE) * page->lab->progress;
-    return fminf(wide, high) * grown;
-}
-
-static struct specimen fish_in(const struct lab_page *page, const struct tank_room *room)
-{
-    const struct ui_lab_preview *bench = page->bench;
-    const struct specimen_bounds *reach = &bench->bounds;
-    const struct span_px span = free_span(page, room);
-    const float time_s = page->frame.time_s;
-    struct specimen fish = { .species = bench->species,
-                             .edition = bench->edition,
-                             .rig = &bench->rig,
-                             .progress = page->lab->progress,
-                             .length_px = stage_fish_length_px(page, room),
-                             .shadow = 0.35f };
-    specimen_portrait(&fish);
-    fish.x_px =
-        room->box.x + 0.5f * room->box.width + 0.5f * (reach->left - reach->right) * fish.length_px;
-    fish.y_px = 0.5f * (span.top + span.foot) + 0.5f * (reach->up - reach->down) * fish.length_px;
-    if (!page->lab->path) { /* The fish swims only while no trajectories are drawn. */
+    const struct scene_lab *const lab = &frame->scene->lab;
+    const struct ui_box *const box = &room->box;
+    const float u = frame->unit, time_s = frame->time_s;
+    const float top = box->y + (lab->compare ? TOP_CAPTION : TOP) * u;
+    const float foot = room->ruler_y - FOOT * u;
+    struct specimen fish = lab_fish(frame, lab->progress, box->x + 0.5f * box->width,
+                                    0.5f * (top + foot), box->width - 64.0f * u, foot - top,
+                                    YOUNG_SIZE + (1.0f - YOUNG_SIZE) * lab->progress);
+    fish.rig = &frame->memory->bench.rig;
+    fish.shadow = 0.35f;
+    if (!lab->path) { /* The fish swims only while no trajectories are drawn. */
         fish.yaw_rad += 0.16f * sinf(0.5f * time_s);
         fish.pitch_rad += 0.05f * sinf(0.37f * time_s + 1.0f);
         fish.phase_rad = fmodf(TAU * BEAT_HZ * time_s, TAU);
@@ -121,258 +92,223 @@ static float ruler_step_m(float px_per_m, float least_px)
 
 /* Draws a bamboo ruler from the fish's snout to the right. The ruler shows the length that is
  * usually measured for the species, for example with or without the tail fin. */
-static void ruler(const struct lab_page *page, const struct tank_room *room,
+static void ruler(const struct ui_frame *frame, const struct tank_room *room,
                   const struct specimen *fish)
 {
-    const float u = page->frame.unit;
+    const struct scene_lab *const lab = &frame->scene->lab;
+    const float u = frame->unit;
     const struct ui_box rule = { room->box.x + 14.0f * u, room->ruler_y,
                                  room->box.width - 28.0f * u, 32.0f * u };
-    const float px_per_m = fish->length_px / fmaxf(page->lab->length_m, 1e-5f);
+    const float px_per_m = fish->length_px / fmaxf(lab->length_m, 1e-5f);
     const float zero = fish->x_px - 0.5f * fish->length_px;
     const float fine = ruler_step_m(px_per_m, 7.0f * u), coarse = ruler_step_m(px_per_m, 74.0f * u);
-    const int in_cm = coarse >= 0.0099f;
-    ui_panel(&page->frame, UI_WOOD, rule, 5.0f * u, 1.5f * u, 0xe2bf82ffu, 0x6a4a22ffu);
+    const bool in_cm = coarse >= 0.0099f;
+    ui_panel(frame, UI_WOOD, rule, 5.0f * u, 1.5f * u, 0xe2bf82ffu, 0x6a4a22ffu);
     const float end = rule.x + rule.width - 6.0f * u;
     for (uint32_t i = 0; i < RULE_MARKS_MAX; i++) {
         const float x = zero + (float)i * fine * px_per_m;
         const float turns = (float)i * fine / coarse;
-        const int is_coarse = fabsf(turns - roundf(turns)) < 0.01f;
+        const bool is_coarse = fabsf(turns - roundf(turns)) < 0.01f;
         if (x > end) {
             break;
         }
-        if (x >= rule.x + 6.0f * u) {
-            const float mark_from[2] = { x, rule.y + 2.5f * u };
-            const float mark_to[2] = { x, rule.y + (is_coarse ? 14.0f : 8.0f) * u };
-            ui_segment(page->frame.batch, mark_from, mark_to, (is_coarse ? 1.8f : 1.1f) * u,
-                       0x4a3018ffu);
+        if (x < rule.x + 6.0f * u) {
+            continue;
         }
-        if (x >= rule.x + 6.0f * u && is_coarse && x < end - 34.0f * u) {
+        const float from[2] = { x, rule.y + 2.5f * u };
+        const float to[2] = { x, rule.y + (is_coarse ? 14.0f : 8.0f) * u };
+        ui_segment(frame->batch, from, to, (is_coarse ? 1.8f : 1.1f) * u, 0x4a3018ffu);
+        if (is_coarse && x < end - 34.0f * u) {
             /* Only the first number of the ruler is followed by the unit of length. */
             const float length_m = (float)i * fine;
-            const int is_first = length_m <= 0.0f;
+            const bool is_first = length_m <= 0.0f;
             char number[24];
             snprintf(number, sizeof number, "%g%s",
                      (double)roundf(length_m * (in_cm ? 1e4f : 1e5f)) / 100.0,
                      is_first ? (in_cm ? " cm" : " mm") : "");
-            struct ui_text style = lab_text(page, 15.5f, 0x3a2410ffu);
-            style.align = is_first ? 0.0f : 0.5f;
-            ui_text(page->frame.batch, &style, x - (is_first ? 3.0f * u : 0.0f), rule.y + 28.0f * u,
-                    number);
+            ui_text(frame->batch,
+                    ui_style(frame, FONT_BODY, 15.5f, is_first ? 0.0f : 0.5f, 0x3a2410ffu, 0.0f),
+                    x - (is_first ? 3.0f * u : 0.0f), rule.y + 28.0f * u, number);
         }
     }
-    if (page->lab->card.measure == MEASURE_DISC) {
+    if (lab->card.measure == MEASURE_DISC) {
         return; /* A disc-shaped body is measured by its width, which a ruler below the fish cannot
                    show. */
     }
     /* A bracket marks the measured length of the fish on the ruler. */
     const float left[2] = { zero, rule.y + 1.5f * u };
     const float right[2] = { zero + fish->length_px, rule.y + 1.5f * u };
-    ui_segment(page->frame.batch, left, right, 4.0f * u, LAB_PURPLE);
+    ui_segment(frame->batch, left, right, 4.0f * u, LAB_PURPLE);
     for (uint32_t i = 0; i < 2u; i++) {
         const float *foot = i == 0 ? left : right;
         const float tick[2] = { foot[0], foot[1] - 12.0f * u };
-        ui_segment(page->frame.batch, tick, foot, 2.4f * u, LAB_PURPLE);
+        ui_segment(frame->batch, tick, foot, 2.4f * u, LAB_PURPLE);
     }
 }
 
 /* ---- Texts on the stage --------------------------------------------------------------------- */
 
-static void ui_lab_stage_draw_words(const struct lab_page *page, const struct tank_room *room)
+/* Returns the style of a text that is drawn on the water. */
+static struct ui_text on_water(struct ui_text style)
 {
-    const float u = page->frame.unit;
-    const struct scene_lab *lab = page->lab;
-    char age[TEXT_LINE_MAX], length[32], line[2u * TEXT_LINE_MAX];
-    static const enum text_key measures[] = { TEXT_TOTAL_LENGTH, TEXT_STANDARD_LENGTH,
-                                              TEXT_FORK_LENGTH, TEXT_DISC_WIDTH };
-    lab_age_words(page->frame.language, lab->age_days, age, sizeof age);
-    lab_length_words(lab->length_m, length, sizeof length);
-    snprintf(line, sizeof line, "%s %s", ui_words(&page->frame, measures[lab->card.measure & 3u]),
-             length);
-    const struct ui_text big = { .font = FONT_STALL,
-                                 .size_px = 40.0f * u,
-                                 .fill = 0xffffffffu,
-                                 .outline_em = 0.03f,
-                                 .soft_em = 0.10f,
-                                 .line = 0x02141ec0u,
-                                 .fit_px = 0.5f * room->box.width };
-    struct ui_text small = lab_text(page, 25.0f, LAB_MIST);
-    small.align = 1.0f;
-    small.outline_em = 0.04f;
-    small.soft_em = 0.10f;
-    small.line = 0x02141ec0u;
-    small.fit_px = 0.46f * room->box.width;
-    ui_text(page->frame.batch, &big, room->box.x + 20.0f * u, room->box.y + 48.0f * u, age);
-    ui_text(page->frame.batch, &small, room->box.x + room->box.width - 20.0f * u,
-            room->box.y + 44.0f * u, line);
+    return ui_outlined(style, 0.04f, 0.10f, 0x02141ec0u);
 }
 
-/* Draws a caption that names the fish's morph. Without the captions, a player could confuse the two
- * fish, because they have the same age and length. */
-static void caption(const struct lab_page *page, const struct tank_room *room, enum text_key key)
+/* Draws the fish's age and length at the top of the stage. While a comparison fish is shown, draws
+ * them as a caption that names the fish's morph (text `key`). Without the captions, a player could
+ * confuse the two fish, because they have the same age and length. */
+static void caption(const struct ui_frame *frame, const struct tank_room *room, enum text_key key)
 {
-    const float u = page->frame.unit;
-    char words[3u * TEXT_LINE_MAX];
-    char age[TEXT_LINE_MAX], length[32];
-    lab_age_words(page->frame.language, page->lab->age_days, age, sizeof age);
-    lab_length_words(page->lab->length_m, length, sizeof length);
-    snprintf(words, sizeof words, "%s   %s  %s", ui_words(&page->frame, key), age, length);
-    const struct ui_ribbon ribbon = { .x = room->box.x + 0.5f * room->box.width,
-                                      .y = room->box.y + 26.0f * u,
-                                      .size_px = 21.0f * u,
-                                      .font = FONT_BODY,
-                                      .fill = 0x06222ec0u,
-                                      .line = 0x9fd6d080u,
-                                      .ink = LAB_MIST,
-                                      .room_px = room->box.width - 24.0f * u };
-    ui_ribbon(&page->frame, &ribbon, words);
+    static const enum text_key measures[] = { TEXT_TOTAL_LENGTH, TEXT_STANDARD_LENGTH,
+                                              TEXT_FORK_LENGTH, TEXT_DISC_WIDTH };
+    const struct scene_lab *const lab = &frame->scene->lab;
+    const struct ui_box box = room->box;
+    const float u = frame->unit;
+    char age[TEXT_LINE_MAX], length[32], words[3u * TEXT_LINE_MAX];
+    lab_age_words(frame->language, lab->age_days, age, sizeof age);
+    lab_length_words(lab->length_m, length, sizeof length);
+    if (lab->compare) {
+        snprintf(words, sizeof words, "%s   %s  %s", ui_words(frame, key), age, length);
+        ui_ribbon_at(frame, (struct ui_ribbon){ FONT_BODY, 0x06222ec0u, 0x9fd6d080u, LAB_MIST },
+                     box.x + 0.5f * box.width, box.y + 26.0f * u, 21.0f * u, box.width - 24.0f * u,
+                     words);
+        return;
+    }
+    snprintf(words, sizeof words, "%s %s", ui_words(frame, measures[lab->card.measure & 3u]),
+             length);
+    const struct ui_text big =
+        ui_style(frame, FONT_STALL, 40.0f, 0.0f, 0xffffffffu, 0.5f * box.width);
+    const struct ui_text small =
+        ui_style(frame, FONT_BODY, 25.0f, 1.0f, LAB_MIST, 0.46f * box.width);
+    ui_text(frame->batch, ui_outlined(big, 0.03f, 0.10f, 0x02141ec0u), box.x + 20.0f * u,
+            box.y + 48.0f * u, age);
+    ui_text(frame->batch, on_water(small), box.x + box.width - 20.0f * u, box.y + 44.0f * u, words);
 }
 
 /* ---- Trajectories of points of the fish ----------------------------------------------------- */
 
-static void ui_lab_stage_put(const struct specimen *fish, vec3 point, float out[2])
+/* Draws a trajectory as a line of `width` units and returns its length in pixels. Draws nothing if
+ * `width` is 0. */
+static float way_line(const struct ui_frame *frame, const struct specimen *fish,
+                      const vec3 at[LAB_PREVIEW_STEPS + 1u], float width, uint32_t colour)
 {
-    specimen_project(fish, point, &out[0], &out[1]);
-}
-
-static void way_line(const struct lab_page *page, const struct specimen *fish,
-                     const vec3 at[LAB_PREVIEW_STEPS + 1u], float width, uint32_t colour)
-{
+    float length_px = 0.0f;
     for (uint32_t i = 0; i < LAB_PREVIEW_STEPS; i++) {
         float from[2], to[2];
-        ui_lab_stage_put(fish, at[i], from);
-        ui_lab_stage_put(fish, at[i + 1u], to);
-        ui_segment(page->frame.batch, from, to, width * page->frame.unit, colour);
+        specimen_project(fish, at[i], from);
+        specimen_project(fish, at[i + 1u], to);
+        length_px += hypotf(to[0] - from[0], to[1] - from[1]);
+        if (width > 0.0f) {
+            ui_segment(frame->batch, from, to, width * frame->unit, colour);
+        }
     }
+    return length_px;
 }
 
-static void way_dot(const struct lab_page *page, const struct specimen *fish, vec3 at, float radius,
-                    uint32_t fill, uint32_t line)
+static void way_dot(const struct ui_frame *frame, const struct specimen *fish, vec3 at,
+                    float radius, uint32_t fill, uint32_t line)
 {
     float middle[2];
-    const float r = radius * page->frame.unit;
-    ui_lab_stage_put(fish, at, middle);
-    ui_disc(&page->frame, middle[0], middle[1], r, fminf(2.0f * page->frame.unit, 0.35f * r), fill,
-            line);
+    const float r = radius * frame->unit;
+    specimen_project(fish, at, middle);
+    ui_disc(frame, middle[0], middle[1], r, fminf(2.0f * frame->unit, 0.35f * r), fill, line);
 }
 
 /* Draws the trajectory of a point (2005 thesis, figures 3.4 and 3.5) and the straight line of the
  * ordinary morph (2005 thesis, figure 3.2). A dot marks each key, and a ring marks the current
  * position. */
-static void one_way(const struct lab_page *page, const struct specimen *fish,
+static void one_way(const struct ui_frame *frame, const struct specimen *fish,
                     const struct lab_preview_path *way, uint32_t colour)
 {
-    const uint32_t keys = page->lab->card.key_count;
-    const uint32_t now = (uint32_t)(page->lab->progress * (float)LAB_PREVIEW_STEPS + 0.5f);
-    if (!way->is_there) {
-        return;
-    }
+    const struct scene_lab *const lab = &frame->scene->lab;
+    const uint32_t keys = lab->card.key_count;
+    const uint32_t now = (uint32_t)(lab->progress * (float)LAB_PREVIEW_STEPS + 0.5f);
     /* The dots are smaller on a short trajectory, for example on an eye's trajectory of about 20
      * px. */
-    float length_px = 0.0f;
-    for (uint32_t i = 0; i < LAB_PREVIEW_STEPS; i++) {
-        float from[2], to[2];
-        ui_lab_stage_put(fish, way->at[i], from);
-        ui_lab_stage_put(fish, way->at[i + 1u], to);
-        length_px += hypotf(to[0] - from[0], to[1] - from[1]);
-    }
-    const float share = length_px / (page->frame.unit * DOT_WAY);
-    const float size = fminf(fmaxf(share, 0.4f), 1.0f);
-    way_line(page, fish, way->ordinary, 2.0f, CHORD);
-    way_line(page, fish, way->at, 1.5f + 2.5f * size, colour);
+    const float share = way_line(frame, fish, way->at, 0.0f, 0) / (frame->unit * DOT_WAY);
+    const float size = f_clamp(share, 0.4f, 1.0f);
+    way_line(frame, fish, way->ordinary, 2.0f, CHORD);
+    way_line(frame, fish, way->at, 1.5f + 2.5f * size, colour);
     for (uint32_t key = 0; key < keys; key++) {
         const uint32_t step =
             (uint32_t)((float)key / (float)(keys - 1u) * (float)LAB_PREVIEW_STEPS + 0.5f);
-        way_dot(page, fish, way->at[step], 6.5f * size, lab_key_colour(keys, key), 0xffffffffu);
+        way_dot(frame, fish, way->at[step], 6.5f * size, lab_key_colour(keys, key), 0xffffffffu);
     }
     /* The ring at the current position is so large that the fish's eye is visible inside the
      * ring. */
-    way_dot(page, fish, way->at[now], 12.0f, 0x00000000u, colour);
+    way_dot(frame, fish, way->at[now], 12.0f, 0x00000000u, colour);
 }
 
-static void draw_vertex_paths(const struct lab_page *page, const struct specimen *fish)
+/* Draws the trajectories of all traced points. The legend is in the free area above the fish's
+ * snout. For each trajectory, the legend shows the largest distance from the straight line, in per
+ * cent of a body length. */
+static void draw_vertex_paths(const struct ui_frame *frame, const struct specimen *fish,
+                              const struct ui_box *box)
 {
-    one_way(page, fish, &page->bench->ways[LAB_PREVIEW_DORSAL], WAY_GOLD);
-    one_way(page, fish, &page->bench->ways[LAB_PREVIEW_EYE], WAY_PINK);
+    static const uint32_t colours[LAB_PREVIEW_POINT_COUNT] = { WAY_GOLD, WAY_PINK };
+    const struct scene_lab *const lab = &frame->scene->lab;
+    const struct lab_preview_path *const ways = frame->memory->bench.ways;
+    const float u = frame->unit;
+    /* For a stingray, the traced point is the sting instead of the dorsal fin. */
+    const enum text_key names[LAB_PREVIEW_POINT_COUNT] = {
+        [LAB_PREVIEW_DORSAL] = lab->card.motion == MOTION_WING ? TEXT_LAB_STING : TEXT_LAB_DORSAL,
+        [LAB_PREVIEW_EYE] = TEXT_LAB_EYE,
+    };
+    for (uint32_t i = 0; i < LAB_PREVIEW_POINT_COUNT; i++) {
+        if (ways[i].is_there) {
+            one_way(frame, fish, &ways[i], colours[i]);
+        }
+    }
+    float y = box->y + (lab->compare ? 74.0f : 88.0f) * u;
+    for (uint32_t i = 0; i < LAB_PREVIEW_POINT_COUNT; i++) {
+        if (!ways[i].is_there) {
+            continue;
+        }
+        char words[TEXT_LINE_MAX];
+        snprintf(words, sizeof words, "%s  %.1f %%", ui_words(frame, names[i]),
+                 (double)(100.0f * ways[i].bow));
+        const float from[2] = { box->x + 20.0f * u, y - 7.0f * u };
+        const float to[2] = { from[0] + 26.0f * u, from[1] };
+        ui_segment(frame->batch, from, to, 4.5f * u, colours[i]);
+        ui_text(frame->batch, on_water(ui_body(frame, 20.0f, LAB_MIST)), to[0] + 12.0f * u, y,
+                words);
+        y += 28.0f * u;
+    }
 }
 
 /* ---- Whole stage ---------------------------------------------------------------------------- */
 
-/* Draws the comparison fish, which shows the ordinary morph (2005 thesis, eq. 3.1) from the first
- * key to the last key (modelled growth stage). */
-static void rival(const struct lab_page *page)
+void lab_stage(const struct ui_frame *frame)
 {
-    const struct tank_room room = room_of(page, 1);
-    struct specimen fish = fish_in(page, &room);
-    fish.species = &page->bench->ordinary;
-    fish.rig = &page->bench->ordinary_rig;
-    ui_specimen(page->frame.batch, &fish);
-    ruler(page, &room, &fish);
-    caption(page, &room, TEXT_LAB_THE_ORDINARY);
-    const struct ui_box stage = lab_place(page, LAB_STAGE);
-    const int across = page->lab->upright;
-    const float from[2] = { across ? stage.x : room.box.x, across ? room.box.y : stage.y };
-    const float to[2] = { across ? stage.x + stage.width : room.box.x,
-                          across ? room.box.y : stage.y + stage.height };
-    ui_segment(page->frame.batch, from, to, 2.0f * page->frame.unit, UI_GOLD_DIM);
-}
-
-static void fish_and_figures(const struct lab_page *page)
-{
-    const struct tank_room room = room_of(page, 0);
-    const struct specimen fish = fish_in(page, &room);
-    ui_specimen(page->frame.batch, &fish);
-    ruler(page, &room, &fish);
-    if (page->lab->compare) {
-        rival(page);
-        caption(page, &room, TEXT_LAB_OURS);
-    } else {
-        ui_lab_stage_draw_words(page, &room);
-    }
-    if (page->lab->path) {
-        draw_vertex_paths(page, &fish);
-        /* The legend is in the free area above the fish's snout. For each trajectory, the legend
-         * shows the largest distance from the straight line, in per cent of a body length. */
-        static const uint32_t colours[LAB_PREVIEW_POINT_COUNT] = { WAY_GOLD, WAY_PINK };
-        const float u = page->frame.unit;
-        float y = room.box.y + (page->lab->compare ? 74.0f : 88.0f) * u;
-        for (uint32_t i = 0; i < LAB_PREVIEW_POINT_COUNT; i++) {
-            const struct lab_preview_path *way = &page->bench->ways[i];
-            char words[TEXT_LINE_MAX];
-            if (!way->is_there) {
-                continue;
-            }
-            /* For a stingray, the traced point is the sting instead of the dorsal fin. */
-            const int stings = page->lab->card.motion == MOTION_WING;
-            snprintf(words, sizeof words, "%s  %.1f %%",
-                     ui_words(&page->frame, i == LAB_PREVIEW_EYE ? TEXT_LAB_EYE
-                                            : stings             ? TEXT_LAB_STING
-                                                                 : TEXT_LAB_DORSAL),
-                     (double)(100.0f * way->bow));
-            const float from[2] = { room.box.x + 20.0f * u, y - 7.0f * u };
-            const float to[2] = { from[0] + 26.0f * u, from[1] };
-            ui_segment(page->frame.batch, from, to, 4.5f * u, colours[i]);
-            struct ui_text style = lab_text(page, 20.0f, LAB_MIST);
-            style.outline_em = 0.04f;
-            style.soft_em = 0.1f;
-            style.line = 0x02141ec0u;
-            ui_text(page->frame.batch, &style, to[0] + 12.0f * u, y, words);
-            y += 28.0f * u;
+    const struct ui_lab_preview *const bench = &frame->memory->bench;
+    const struct scene_lab *const lab = &frame->scene->lab;
+    const float u = frame->unit;
+    const struct ui_box box = lab_place(frame, LAB_STAGE);
+    ui_water(frame, box, 16.0f * u, frame->time_s, 0x06243cffu);
+    if (bench->is_shown) {
+        const struct tank_room room = room_of(frame, 0);
+        const struct specimen fish = fish_in(frame, &room);
+        ui_specimen(frame->batch, &fish);
+        ruler(frame, &room, &fish);
+        if (lab->compare) {
+            /* The comparison fish shows the ordinary morph (2005 thesis, eq. 3.1) from the first
+             * key to the last key (modelled growth stage). */
+            const struct tank_room other_room = room_of(frame, 1);
+            struct specimen other = fish_in(frame, &other_room);
+            other.species = &bench->ordinary;
+            other.rig = &bench->ordinary_rig;
+            ui_specimen(frame->batch, &other);
+            ruler(frame, &other_room, &other);
+            caption(frame, &other_room, TEXT_LAB_THE_ORDINARY);
+            const float from[2] = { other_room.box.x, other_room.box.y };
+            const float to[2] = { frame->is_upright ? box.x + box.width : from[0],
+                                  frame->is_upright ? from[1] : box.y + box.height };
+            ui_segment(frame->batch, from, to, 2.0f * u, UI_GOLD_DIM);
+        }
+        caption(frame, &room, TEXT_LAB_OURS);
+        if (lab->path) {
+            draw_vertex_paths(frame, &fish, &room.box);
         }
     }
-}
-
-void lab_stage(const struct lab_page *page)
-{
-    const float u = page->frame.unit;
-    const struct ui_box box = lab_place(page, LAB_STAGE);
-    ui_shape(page->frame.batch,
-             &(struct ui_shape){ .box = box,
-                                 .kind = UI_WATER,
-                                 .fill = 0x1d7a86ffu,
-                                 .line = 0x06243cffu,
-                                 .shape = { 0, 0, 16.0f * u, page->frame.time_s } });
-    if (page->bench != NULL) {
-        fish_and_figures(page);
-    }
-    ui_panel(&page->frame, UI_PANEL, box, 16.0f * u, 2.0f * u, 0, UI_GOLD_DIM);
+    ui_panel(frame, UI_PANEL, box, 16.0f * u, 2.0f * u, 0, UI_GOLD_DIM);
 }

@@ -34,7 +34,7 @@ static const struct menu_words pages[MENU_PAGE_COUNT] = {
     [MENU_SOUND] = { .title = TEXT_PAGE_SOUND, .about = TEXT_ABOUT_SOUND, .foot = TURNS },
     [MENU_PICTURE] = { .title = TEXT_PAGE_PICTURE, .about = TEXT_ABOUT_PICTURE, .foot = TURNS },
     [MENU_CARD] = { .title = TEXT_PAGE_CARD, .about = TEXT_ABOUT_CARD, .foot = { BACK },
-                    .draw = menu_card, .is_whole = 1 },
+                    .draw = menu_card, .is_whole = true },
     [MENU_AXES] = { .title = TEXT_PAGE_AXES, .about = TEXT_ABOUT_AXES, .foot = { BACK },
                     .draw = menu_axes },
     [MENU_CALIBRATION] = {
