@@ -22,11 +22,12 @@ static void render(void *context, Uint8 *bytes, int size)
         atomic_store(&audio->taken, ++taken);
     }
     const uint32_t frame_count = (uint32_t)size / (2u * (uint32_t)sizeof(int16_t));
-    synth_render(&audio->synth, (int16_t *)(void *)bytes, frame_count);
+    void *const samples = bytes; /* SDL passes samples of type int16_t as bytes. */
+    synth_render(&audio->synth, samples, frame_count);
 }
 
-static void say_nothing(const char *file, int line, const char *function, int error,
-                        const char *format, ...)
+static void discard_alsa_message(const char *file, int line, const char *function, int error,
+                                 const char *format, ...)
 {
     (void)file, (void)line, (void)function, (void)error, (void)format;
 }
@@ -43,33 +44,23 @@ static void quiet_alsa(void)
         memcpy(&set_handler, &symbol, sizeof set_handler); /* POSIX permits the conversion of an
                                                               object pointer to a function pointer,
                                                               but C has no cast for it. */
-        set_handler(say_nothing);
+        set_handler(discard_alsa_message);
     }
 }
 
-static uint64_t audio_now_ns(void)
+/* Returns true if another search for a sound card is due, and records the search. A search is due
+ * if a sound card appeared or disappeared, which changes the modification time of the folder of
+ * sound devices, or if AUDIO_TRY_S has passed. SDL takes 3 to 5 ms for a search that finds no
+ * card. */
+static bool is_search_due(struct audio *audio)
 {
+    struct stat folder = { 0 };
     const struct hal_clock clock = clock_device();
-    return clock.ops->now_ns(clock.self);
-}
-
-/* Returns the time in nanoseconds when a sound card last appeared or disappeared. Returns 0 if the
- * folder of sound devices does not exist. */
-static uint64_t cards_changed_ns(const struct audio *audio)
-{
-    struct stat folder;
-    if (stat(audio->cards ? audio->cards : "/dev/snd", &folder)) {
-        return 0;
-    }
-    return (uint64_t)folder.st_mtim.tv_sec * 1000000000u + (uint64_t)folder.st_mtim.tv_nsec;
-}
-
-/* Returns true if another search for a sound card is due, and records the search. SDL takes 3 to
- * 5 ms for a search that finds no card. */
-static bool is_worth_a_look(struct audio *audio)
-{
-    const uint64_t now = audio_now_ns(), changed = cards_changed_ns(audio);
+    const uint64_t now = clock.ops->now_ns(clock.self);
     const bool is_due = now - audio->tried_ns >= AUDIO_TRY_S * 1000000000ull;
+    (void)stat(audio->cards ? audio->cards : "/dev/snd", &folder);
+    const uint64_t changed =
+        (uint64_t)folder.st_mtim.tv_sec * 1000000000u + (uint64_t)folder.st_mtim.tv_nsec;
     if (audio->tried_ns > 0 && !is_due && changed == audio->cards_ns) {
         return false;
     }
@@ -84,7 +75,7 @@ static int audio_open(void *self)
     if (audio->device) {
         return HAL_OK;
     }
-    if (!is_worth_a_look(audio)) {
+    if (!is_search_due(audio)) {
         return HAL_ERR_ABSENT;
     }
     const SDL_AudioSpec wanted = {
@@ -103,18 +94,19 @@ static int audio_open(void *self)
         /* The call permits no format changes, so that SDL converts the samples to the card's
          * format. */
         audio->device = SDL_OpenAudioDevice(NULL, 0, &wanted, NULL, 0);
-        if (audio->device) {
-            snprintf(audio->text, sizeof audio->text, "sound through SDL %s",
-                     SDL_GetCurrentAudioDriver());
-            SDL_PauseAudioDevice(audio->device, 0);
-            audio->tried_ns = 0; /* If the card is lost, the next open() searches immediately. */
-            return HAL_OK;
+        if (!audio->device) {
+            SDL_QuitSubSystem(SDL_INIT_AUDIO);
         }
-        SDL_QuitSubSystem(SDL_INIT_AUDIO);
     }
-    snprintf(audio->text, sizeof audio->text,
-             "no sound: %.70s; plug a sound device in or set SDL_AUDIODRIVER", SDL_GetError());
-    return HAL_ERR_ABSENT;
+    if (!audio->device) {
+        snprintf(audio->text, sizeof audio->text,
+                 "no sound: %.70s; plug a sound device in or set SDL_AUDIODRIVER", SDL_GetError());
+        return HAL_ERR_ABSENT;
+    }
+    snprintf(audio->text, sizeof audio->text, "sound through SDL %s", SDL_GetCurrentAudioDriver());
+    SDL_PauseAudioDevice(audio->device, 0);
+    audio->tried_ns = 0; /* If the card is lost, the next open() searches immediately. */
+    return HAL_OK;
 }
 
 static void audio_close(void *self)

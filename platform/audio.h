@@ -9,7 +9,6 @@
 #define KINGYO_PLATFORM_AUDIO_H
 
 #include <stdatomic.h>
-#include <stdbool.h>
 #include <stdint.h>
 
 #include "core/sound/synth.h"

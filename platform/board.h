@@ -3,6 +3,7 @@
 #ifndef KINGYO_PLATFORM_BOARD_H
 #define KINGYO_PLATFORM_BOARD_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "platform/hal.h"
@@ -44,16 +45,16 @@ struct board_options {
     const char (*usb)[BOARD_USB_SIZE];
     uint32_t line_count; /* Number of GPIO line options. The last option for a role is used. */
     const char (*line)[BOARD_LINE_SIZE];
-    uint8_t keyboard;   /* Keyboard mode: BOARD_KEYBOARD_ON or BOARD_KEYBOARD_OFF. The caller has
-                           replaced BOARD_KEYBOARD_AUTO by one of the two. */
-    uint8_t off_screen; /* 1 if frames are rendered without a screen, to write pictures. */
-    uint8_t on_demand;  /* 1 if only those frames are drawn that become pictures. Used only off
-                           screen. */
-    uint8_t full_screen;
-    uint8_t waits_for_screen; /* 1 if a screen may be connected after program start. Without a
-                                 screen the display returns HAL_ERR_GONE. */
-    uint32_t width, height;   /* Window or picture size in pixels. 0 means the board's default. */
-    uint8_t mute;
+    uint8_t keyboard; /* Keyboard mode: BOARD_KEYBOARD_ON or BOARD_KEYBOARD_OFF. The caller has
+                         replaced BOARD_KEYBOARD_AUTO by one of the two. */
+    bool off_screen;  /* True if frames are rendered without a screen, to write pictures. */
+    bool on_demand;   /* True if only those frames are drawn that become pictures. Used only off
+                         screen. */
+    bool full_screen;
+    bool waits_for_screen;  /* True if a screen may be connected after program start. Without a
+                               screen the display returns HAL_ERR_GONE. */
+    uint32_t width, height; /* Window or picture size in pixels. 0 means the board's default. */
+    bool mute;
     const char *data_dir;          /* Folder of the store. Null means that nothing is stored. */
     struct view view;              /* Camera view from which the rays of a pointer device start. */
     const struct library *library; /* Installed species files to show (platform/species/library.h).
@@ -74,8 +75,8 @@ struct board_options {
  * returns -1 and writes the reason to `why`. */
 int board_check_lines(const char (*line)[BOARD_LINE_SIZE], uint32_t count, char why[HAL_TEXT_SIZE]);
 
-/* Returns 1 if `text` names a USB controller ("VVVV:PPPP" or "VVVV:PPPP:SERIAL"), otherwise 0. */
-int board_check_usb(const char *text);
+/* Returns true if `text` names a USB controller ("VVVV:PPPP" or "VVVV:PPPP:SERIAL"). */
+bool board_check_usb(const char *text);
 
 /* Opens a real driver for each connected device and a null driver for each missing device. Never
  * fails. describe() of each device states what is missing. */
@@ -97,8 +98,8 @@ void board_open_rehearsal(struct hal *hal, const struct board_options *options, 
 /* Advances the clock of board_open_rehearsal() by `ns` nanoseconds. */
 void board_rehearsal_advance(uint64_t ns);
 
-/* Returns 1 if a screen can be opened. Otherwise returns 0 and writes one line with the reason to
- * `why` (`why_size` bytes). */
-int board_has_screen(char *why, size_t why_size);
+/* Returns true if a screen can be opened. Otherwise returns false and writes one line with the
+ * reason to `why` (`why_size` bytes). */
+bool board_has_screen(char *why, size_t why_size);
 
 #endif

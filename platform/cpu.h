@@ -2,6 +2,7 @@
 #ifndef KINGYO_PLATFORM_CPU_H
 #define KINGYO_PLATFORM_CPU_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 /* Returns the number of SIMD lanes for the core's vectorized loops: 8 with AVX2, otherwise 4. The
@@ -13,12 +14,12 @@ uint8_t cpu_lanes(void);
  * nearest, denormal numbers kept, no traps. The register is MXCSR on x86-64, FPCR on AArch64, FPSCR
  * on 32-bit Arm and fcsr on RISC-V. On other machines the function has no effect. Each thread must
  * call cpu_set_float() before it runs the core's ticks. The kiosk calls it before the ticks of each
- * frame, a command-line tool once. Returns 1 if the register was changed, otherwise 0. */
-int cpu_set_float(void);
+ * frame, a command-line tool once. Returns true if the register was changed. */
+bool cpu_set_float(void);
 
 /* Error message if core_init() or core_tick() returns CORE_ERR_FLOAT after cpu_set_float(). */
 #define CPU_FLOAT_WRONG                                                                            \
     "this machine's floating point is not IEEE 754's default (denormal numbers become zero, or "   \
-    "rounding is not to nearest), so no result would be right"
+    "rounding is not to nearest), so results would be wrong"
 
 #endif

@@ -13,6 +13,7 @@
 #ifndef KINGYO_PLATFORM_HAL_H
 #define KINGYO_PLATFORM_HAL_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -20,6 +21,9 @@
 #include "core/input.h"
 #include "core/output.h"
 #include "core/scene.h"
+
+#define NS_PER_S 1000000000ull
+#define NS_PER_MS 1000000ull
 
 enum hal_error {
     HAL_OK = 0,
@@ -29,9 +33,9 @@ enum hal_error {
     HAL_ERR_ABSENT = -4, /* The kiosk has no device of this type (null driver). */
 };
 
-/* Returns 1 if `result` is a device fault, otherwise 0. HAL_ERR_ABSENT (null driver) and
+/* Returns true if `result` is a device fault. HAL_ERR_ABSENT (null driver) and
  * HAL_ERR_BUSY (busy device) are not faults. */
-static inline int hal_is_fault(int result)
+static inline bool hal_is_fault(int result)
 {
     return result < 0 && result != HAL_ERR_ABSENT && result != HAL_ERR_BUSY;
 }
@@ -59,10 +63,10 @@ struct hal_image {
 
 /* Events of the windowing system since the last poll. */
 struct display_events {
-    uint8_t quit;    /* 1 if the user closed the window or the desktop session ends, otherwise 0. */
-    uint8_t lost;    /* 1 in every poll after the display was lost permanently, otherwise 0. */
-    uint8_t upright; /* 1 while width / height of the window is less than POINTER_UPRIGHT_ASPECT,
-                        otherwise 0. */
+    bool quit;    /* True if the user closed the window or the desktop session ends. */
+    bool lost;    /* True in every poll after the display was lost permanently. */
+    bool upright; /* True while width / height of the window is less than
+                     POINTER_UPRIGHT_ASPECT. */
 };
 
 /* Minimum and maximum size of a window in points (the coordinates of the windowing system). Text is
@@ -95,12 +99,12 @@ struct hal_display_ops {
 
 /* One decoded controller report: a pose and its arrival time. */
 struct poi_sample {
-    uint64_t time_ns;    /* Arrival time in nanoseconds on the clock of hal_clock_ops. */
-    uint8_t was_stamped; /* 1 if a report arrived at `time_ns`; 0 if the driver synthesized the
-                            sample between two reports or for a controller at rest. */
-    uint8_t has_wrist;
-    uint8_t trembles;         /* 1 if the sensor is noisy. Identical values in consecutive samples
-                                 then mean that the sensor is frozen. */
+    uint64_t time_ns; /* Arrival time in nanoseconds on the clock of hal_clock_ops. */
+    bool was_stamped; /* True if a report arrived at `time_ns`; false if the driver synthesized the
+                         sample between two reports or for a controller at rest. */
+    bool has_wrist;   /* True if the controller measures angles. */
+    bool trembles;    /* True if the sensor is noisy. Identical values in consecutive samples then
+                         mean that the sensor is frozen. */
     struct poi_target target; /* Values from the device, not validated. Each float may have any bit
                                  pattern. */
 };
@@ -117,9 +121,10 @@ struct hal_poi_ops {
      * of all ticks in the frame (output_merge_force()). */
     int (*set_force)(void *self, const struct poi_force *force);
     /* Sets the camera view and the display settings for all later samples. A pointer device uses
-     * both to convert a screen position to a tank position. Copies both structures. */
+     * both to convert a screen position to a tank position. Copies both structures. `scoops` is
+     * true while a dip scoops fish, and false while a dip presses an item on a page. */
     void (*set_view)(void *self, const struct view *view,
-                     const struct display_settings *display_settings);
+                     const struct display_settings *display_settings, bool scoops);
     const char *(*describe)(void *self);
 };
 
@@ -152,14 +157,13 @@ struct button_sample {
                                button_sample. */
     } line[HAL_LINE_COUNT];
     uint32_t coin_count[COIN_LINE_COUNT];
-    uint32_t faults;     /* Line faults since the last poll: stuck coin inputs, lost edges, and
-                            lines that disappeared or were absent at program start. */
-    uint32_t missing;    /* Configured inputs whose GPIO line does not exist. The bits are those of
-                            enum input_button and, for coin lines, HAL_MISSING_COIN. */
-    uint8_t quit;        /* 1 if the quit key of a desktop keyboard was pressed. Always 0 in a
-                            cabinet. */
-    uint8_t full_screen; /* 1 if the full-screen key of a desktop keyboard was pressed, otherwise
-                            0. */
+    uint32_t faults;  /* Line faults since the last poll: stuck coin inputs, lost edges, and
+                         lines that disappeared or were absent at program start. */
+    uint32_t missing; /* Configured inputs whose GPIO line does not exist. The bits are those of
+                         enum input_button and, for coin lines, HAL_MISSING_COIN. */
+    bool quit;        /* True if the quit key of a desktop keyboard was pressed. Always false in
+                         a cabinet. */
+    bool full_screen; /* True if the full-screen key of a desktop keyboard was pressed. */
 };
 
 struct hal_buttons_ops {
@@ -173,8 +177,9 @@ struct hal_seats_ops {
     /* Assigns controllers to slots. The kiosk calls arrange() once per frame, before it polls the
      * pois. The kiosk passes 1 as `may_move` between two games and 0 during a game. If `may_move`
      * is 0, a slot with a connected controller keeps that controller. Returns a bit (1 << slot) for
-     * each slot whose controller changed or was reconnected. The caller must reopen the poi and the
-     * fan of each returned slot. */
+     * each slot whose controller changed or was reconnected. arrange() also replaces the poi and
+     * the fan of each changed slot in struct hal. The caller must reopen the poi and the fan of
+     * each returned slot, and set the view of the poi. */
     uint32_t (*arrange)(void *self, int may_move);
 };
 
@@ -327,6 +332,13 @@ struct hal_replay_store { const struct hal_replay_store_ops *ops; void *self; };
 struct hal_edit_store { const struct hal_edit_store_ops *ops; void *self; };
 struct hal_watchdog { const struct hal_watchdog_ops *ops; void *self; };
 /* clang-format on */
+
+/* The devices of one controller. One constructor makes all of them. */
+struct hal_controller_devices {
+    struct hal_poi poi;
+    struct hal_fan fan;
+    struct hal_buttons buttons;
+};
 
 /* The three stores of one folder or card. One constructor makes all of them. */
 struct hal_storage {

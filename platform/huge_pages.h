@@ -7,10 +7,7 @@
 
 /* Returns `size` bytes of zeros, aligned to 2 MiB, or NULL if there is no memory. Pages of 2 MiB
  * reduce the processor's time for address translation. The kernel may use ordinary pages instead.
- * The caller releases the memory with huge_pages_free() and the same `size`. */
+ * The caller releases the memory with free(). */
 void *huge_pages_alloc(size_t size);
-
-/* Releases memory that huge_pages_alloc() returned for the same `size`. */
-void huge_pages_free(void *memory, size_t size);
 
 #endif

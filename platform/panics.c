@@ -13,8 +13,8 @@
 #include "core/base/hash.h"
 #include "core/base/panic.h"
 #include "platform/os/log.h"
+#include "platform/os/clock.h"
 #include "platform/os/file.h"
-#include "platform/os/panic.h"
 #include "platform/replay/replay_format.h"
 
 #define MAGIC "KGPANIC1"
@@ -47,14 +47,12 @@ uint64_t panics_boot(void)
 
 uint32_t panics_up_s(void)
 {
-    struct timespec now;
-    clock_gettime(CLOCK_BOOTTIME, &now);
-    return (uint32_t)now.tv_sec;
+    return (uint32_t)(clock_ns(CLOCK_BOOTTIME) / NS_PER_S);
 }
 
 /* ---- Counting and leaving out -------------------------------------------------------------- */
 
-void panics_add(struct panics *panics, uint64_t boot, uint32_t up_s, uint32_t run_s, int had_frame)
+void panics_add(struct panics *panics, uint64_t boot, uint32_t up_s, uint32_t run_s, bool had_frame)
 {
     CORE_ASSERT(panics->count <= PANICS_RECENT);
     if (had_frame && (panics->left_boot != boot || run_s >= PANICS_WITHIN_S)) {
@@ -63,20 +61,19 @@ void panics_add(struct panics *panics, uint64_t boot, uint32_t up_s, uint32_t ru
     panics->total += panics->total < UINT32_MAX;
     panics->is_early = !had_frame;
     panics->count += panics->count < PANICS_RECENT;
-    for (uint32_t i = PANICS_RECENT - 1u; i > 0; i--) {
-        panics->recent[i] = panics->recent[i - 1u];
-    }
+    memmove(&panics->recent[1], &panics->recent[0],
+            sizeof panics->recent - sizeof panics->recent[0]);
     panics->recent[0].boot = boot;
     panics->recent[0].up_s = up_s;
 }
 
-int panics_is_due(const struct panics *panics)
+bool panics_is_due(const struct panics *panics)
 {
     CORE_ASSERT(panics->count <= PANICS_RECENT);
-    int is_due = panics->count == PANICS_RECENT;
+    bool is_due = panics->count == PANICS_RECENT;
     for (uint32_t i = 0; i < panics->count; i++) {
-        is_due &= panics->recent[i].boot == panics->recent[0].boot &&
-                  panics->recent[0].up_s - panics->recent[i].up_s <= PANICS_WITHIN_S;
+        is_due = is_due && panics->recent[i].boot == panics->recent[0].boot &&
+                 panics->recent[0].up_s - panics->recent[i].up_s <= PANICS_WITHIN_S;
     }
     return panics->is_early || is_due;
 }
@@ -97,7 +94,8 @@ void panics_set_left_out(struct panics *panics, uint64_t boot)
 
 void panics_clear(struct panics *panics)
 {
-    panics->attempt = panics->is_early = panics->count = 0;
+    panics->is_early = false;
+    panics->attempt = panics->count = 0;
     memset(panics->recent, 0, sizeof panics->recent);
 }
 
@@ -114,19 +112,20 @@ const char *panics_left_name(uint32_t left)
 static int open_file(int folder, int flags)
 {
     const int file = file_handle_at(folder, PANICS_FILE, flags, 0600);
-    if (file < 0) { /* The name belongs to a link, a socket, a FIFO or a folder. */
+    if (file < 0) { /* The name may belong to a link, a socket, a FIFO or a folder. */
         return errno == ELOOP || errno == EISDIR ? -ENOTSUP : -errno;
     }
     return file;
 }
 
-static int parse(struct panics *panics, const uint8_t bytes[PANICS_SIZE])
+static bool parse(struct panics *panics, const uint8_t bytes[PANICS_SIZE])
 {
+    const uint32_t is_early = replay_get_u32(bytes + AT_EARLY);
     *panics = (struct panics){
         .total = replay_get_u32(bytes + AT_TOTAL),
         .left = replay_get_u32(bytes + AT_LEFT),
         .left_boot = replay_get_u64(bytes + AT_LEFT_BOOT),
-        .is_early = replay_get_u32(bytes + AT_EARLY),
+        .is_early = is_early == 1,
         .count = replay_get_u32(bytes + AT_COUNT),
         .attempt = replay_get_u32(bytes + AT_ATTEMPT),
     };
@@ -134,35 +133,35 @@ static int parse(struct panics *panics, const uint8_t bytes[PANICS_SIZE])
         panics->recent[i].boot = replay_get_u64(bytes + AT_RECENT + i * RECENT_SIZE);
         panics->recent[i].up_s = replay_get_u32(bytes + AT_RECENT + i * RECENT_SIZE + 8u);
     }
-    return memcmp(bytes, MAGIC, 8) == 0 && panics->left < LEFT_COUNT && panics->is_early <= 1 &&
+    return memcmp(bytes, MAGIC, 8) == 0 && panics->left < LEFT_COUNT && is_early <= 1 &&
            panics->count <= PANICS_RECENT && panics->attempt < LEFT_COUNT &&
            replay_get_u64(bytes + AT_SUM) == hash_bytes(HASH_START, bytes, AT_SUM);
 }
 
 /* Renames a link, FIFO, folder, socket or device that has the file's name, so that a new file can
- * be created. Returns 1 if the object was renamed, otherwise 0. */
-static int set_strange_aside(int folder)
+ * be created. Returns true if the object was renamed. */
+static bool set_strange_aside(int folder)
 {
     char name[40];
     struct stat about;
     if (fstatat(folder, PANICS_FILE, &about, AT_SYMLINK_NOFOLLOW) != 0 || S_ISREG(about.st_mode)) {
-        return 0;
+        return false;
     }
     for (unsigned number = 1; number <= PANICS_OTHER_MAX; number++) {
         snprintf(name, sizeof name, PANICS_FILE ".other-%u", number);
         if (fstatat(folder, name, &about, AT_SYMLINK_NOFOLLOW) != 0) {
             if (errno != ENOENT || renameat(folder, PANICS_FILE, folder, name) != 0) {
-                return 0;
+                return false;
             }
             fsync(folder);
             log_print(LOG_LEVEL_WARNING,
-                      PANICS_FILE " in the data folder: is not a regular file, and is now"
+                      PANICS_FILE " in the data folder: is not a regular file, and was renamed to"
                                   " %s; panics are counted from zero",
                       name);
-            return 1;
+            return true;
         }
     }
-    return 0;
+    return false;
 }
 
 const char *panics_error(int error)

@@ -14,6 +14,7 @@
 #ifndef KINGYO_PLATFORM_PANICS_H
 #define KINGYO_PLATFORM_PANICS_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #define PANICS_FILE "panics"
@@ -36,7 +37,7 @@ struct panics {
     uint32_t total;     /* Panics since the file was created. The count stops at UINT32_MAX. */
     uint32_t left;      /* Data that the last successful attempt left out (enum panics_left). */
     uint64_t left_boot; /* Id (panics_boot()) of the boot in which `left` was set. */
-    uint32_t is_early;  /* 1 if the newest panic came before the first frame, otherwise 0. */
+    bool is_early;      /* True if the newest panic came before the first frame. */
     uint32_t count;     /* Number of valid entries in `recent`, which has the newest panic first. */
     uint32_t attempt;   /* Data that the current start tries to leave out (enum panics_left). 0
                            means that no attempt is in progress. */
@@ -51,13 +52,14 @@ struct panics {
 uint64_t panics_boot(void);
 uint32_t panics_up_s(void);
 
-/* Counts a panic of a program that ran for `run_s` seconds. `had_frame` is 1 if the program showed
- * a frame. Clears panics.left if the program showed a frame and either ran for ten minutes or runs
- * on another boot than panics.left_boot. */
-void panics_add(struct panics *panics, uint64_t boot, uint32_t up_s, uint32_t run_s, int had_frame);
+/* Counts a panic of a program that ran for `run_s` seconds. `had_frame` is true if the program
+ * showed a frame. Clears panics.left if the program showed a frame and either ran for ten minutes
+ * or runs on another boot than panics.left_boot. */
+void panics_add(struct panics *panics, uint64_t boot, uint32_t up_s, uint32_t run_s,
+                bool had_frame);
 
-/* Returns 1 if the next program start must leave data out, otherwise 0. */
-int panics_is_due(const struct panics *panics);
+/* Returns true if the next program start must leave data out. */
+bool panics_is_due(const struct panics *panics);
 
 /* Records that the current start tries to leave out one more part of the data. Returns the value of
  * panics.attempt. */

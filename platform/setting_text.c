@@ -21,43 +21,28 @@ struct words {
     const char *word[8];
 };
 
-static const struct words play = { 3, { "free", "paid", "event" } };
-static const struct words language = { 2, { "ja", "en" } };
-static const struct words rotation = { 4, { "0", "90", "180", "270" } };
-/* Values 1 to 3 have no name because they are not valid. Value 0 is the paper grade of the game
- * mode. */
-static const struct words grade = { 8, { "own", "", "", "", "4", "5", "6", "7" } };
-static const struct words on = { 2, { "off", "on" } };
-
 _Static_assert(PLAY_KIND_COUNT == 3 && LANGUAGE_COUNT == 2, "each has its word");
 _Static_assert(CHOICE_COUNT <= 8, "so many words there may be");
 
-static struct words mode_setting_words(void)
-{
-    struct words words = { .count = CHOICE_COUNT, .word = { [CHOICE_LAB] = "lab" } };
-    for (uint8_t mode = 0; mode < MODE_COUNT; mode++) {
-        words.word[mode] = rules_of(mode)->name;
-    }
-    return words;
-}
-
 static struct words words_of(uint32_t id)
 {
+    static const struct words names[SETTING_COUNT] = {
+        [SET_PLAY] = { 3, { "free", "paid", "event" } },
+        [SET_LANGUAGE] = { 2, { "ja", "en" } },
+        [SET_ROTATION] = { 4, { "0", "90", "180", "270" } },
+        /* Values 1 to 3 have no name because they are not valid. Value 0 is the paper grade of the
+         * game mode. */
+        [SET_GRADE] = { 8, { "own", "", "", "", "4", "5", "6", "7" } },
+    };
+    struct words words = { .count = CHOICE_COUNT, .word = { [CHOICE_LAB] = "lab" } };
     assert(id < SETTING_COUNT);
-    switch (id) {
-    case SET_PLAY:
-        return play;
-    case SET_LANGUAGE:
-        return language;
-    case SET_ROTATION:
-        return rotation;
-    case SET_GRADE:
-        return grade;
-    case SET_MODES:
-        return mode_setting_words();
-    default:
-        return on;
+    if (id != SET_MODES) {
+        return names[id].count > 0 ? names[id] : (struct words){ 2, { "off", "on" } };
     }
+    for (uint32_t mode = 0; mode < MODE_COUNT; mode++) {
+        words.word[mode] = rules_of((uint8_t)mode)->name;
+    }
+    return words;
 }
 
 /* Returns the index of the matching word, or -1 if no word matches. */
@@ -75,80 +60,63 @@ static int32_t find_word(const struct words *words, const char *text, size_t len
 
 /* ---- Parsing ------------------------------------------------------------------------------- */
 
-static int parse_number(const struct setting *setting, const char *text, int32_t *out)
-{
-    uint32_t number;
-    if (!number_parse(text, (uint32_t)setting->min, (uint32_t)setting->max, &number)) {
-        return 0;
-    }
-    *out = (int32_t)number;
-    return 1;
-}
-
-static int parse_bits(const struct words *words, const char *text, int32_t *out)
+/* Parses words separated by commas. Returns the bits of the words, or -1 if a word is unknown or no
+ * word follows a comma. */
+static int32_t parse_bits(const struct words *words, const char *text)
 {
     int32_t bits = 0;
-    for (;;) {
+    for (;; text++) {
         text += strspn(text, " \t");
         const size_t length = strcspn(text, ", \t");
         const int32_t bit = find_word(words, text, length);
-        if (bit < 0) {
-            return 0;
+        text += length + strspn(text + length, " \t");
+        if (bit < 0 || (*text != ',' && *text != '\0')) {
+            return -1;
         }
         bits |= 1 << bit;
-        text += length + strspn(text + length, " \t");
         if (*text == '\0') {
-            *out = bits;
-            return 1;
-        }
-        if (*text++ != ',') {
-            return 0;
+            return bits;
         }
     }
 }
 
-static int parse_minute(const char *text, int32_t *out)
+/* Parses a time of day HH:MM. Returns the minutes after midnight, or -1 if the time is invalid. */
+static int32_t parse_minute(const char *text)
 {
     char hour[3] = "";
     uint32_t hours, minutes;
     const char *colon = strchr(text, ':');
     if (!colon || colon - text > 2 || strlen(colon + 1) != 2) {
-        return 0;
+        return -1;
     }
     memcpy(hour, text, (size_t)(colon - text));
     if (!number_parse(hour, 0, 23, &hours) || !number_parse(colon + 1, 0, 59, &minutes)) {
-        return 0;
+        return -1;
     }
-    *out = (int32_t)hours * MINUTES_PER_HOUR + (int32_t)minutes;
-    return 1;
+    return (int32_t)hours * MINUTES_PER_HOUR + (int32_t)minutes;
 }
 
-static int parse_kind(uint32_t id, const char *text, int32_t *out)
+bool setting_parse(uint32_t id, const char *text, int32_t *out)
 {
     const struct setting *setting = settings_entry(id);
     const struct words words = words_of(id);
-    switch (setting->kind) {
-    case KIND_CHOICE:
-        *out = find_word(&words, text, strlen(text));
-        return *out >= 0;
-    case KIND_BITS:
-        return parse_bits(&words, text, out);
-    case KIND_MINUTE:
-        return parse_minute(text, out);
-    default:
-        return parse_number(setting, text, out);
+    uint32_t number;
+    int32_t value = -1; /* A negative value is invalid, because no setting in a file is negative. */
+    assert(setting_section(setting->group));
+    if (setting->kind == KIND_CHOICE) {
+        value = find_word(&words, text, strlen(text));
+    } else if (setting->kind == KIND_BITS) {
+        value = parse_bits(&words, text);
+    } else if (setting->kind == KIND_MINUTE) {
+        value = parse_minute(text);
+    } else if (number_parse(text, (uint32_t)setting->min, (uint32_t)setting->max, &number)) {
+        value = (int32_t)number;
     }
-}
-
-int setting_parse(uint32_t id, const char *text, int32_t *out)
-{
-    int32_t value = 0;
-    assert(setting_section(settings_entry(id)->group)); /* A setting in a file is never negative. */
-    if (!parse_kind(id, text, &value) || !settings_allows(id, value)) {
-        return 0;
+    if (value < 0 || !settings_allows(id, value)) {
+        return false;
     }
     *out = value;
-    return 1;
+    return true;
 }
 
 /* ---- Printing ------------------------------------------------------------------------------ */
@@ -234,37 +202,51 @@ static const char *const sections[SETTING_GROUP_COUNT] = {
 };
 
 static const char *const help[SETTING_COUNT] = {
-    [SET_PLAY] = "Who pays: free play, paid play, or an event, which is free and sends coins back.",
-    [SET_PRICE] = "Units that a round costs in paid play. A unit is what the smallest coin is "
-                  "worth.",
+    [SET_PLAY] = "Payment: free play, paid play, or an event, which is free and returns all coins.",
+    [SET_PRICE] = "Units that a round costs in paid play. One unit is the value of the smallest "
+                  "coin.",
     [SET_COIN_1] = "Units that a pulse of the first coin line is worth.",
-    [SET_COIN_2] = "The same of the second.",
-    [SET_COIN_3] = "The same of the third.",
-    [SET_BONUS_UNITS] = "Who inserts so many units in a row gets credits for nothing; 0: nobody.",
-    [SET_BONUS_CREDITS] = "How many credits that are.",
-    [SET_CREDIT_MAX] = "Credits that may wait; from there on coins are sent back.",
-    [SET_CREDIT_EXPIRY_MIN] = "Minutes after which credits that nobody plays lapse; 0: never.",
-    [SET_TICKET_FISH] = "A ticket for so many fish that a player catches; 0: no tickets.",
-    [SET_MODES] = "What START offers to choose from.",
-    [SET_GRADE] = "The paper, from 4, strong, to 7, weak; own: the mode's.",
-    [SET_ROUND_S] = "Seconds of a round, 10 at least; 0: the mode's own time.",
-    [SET_FISH] = "How many fish swim; 0: as many as the tank is made for. At most as many as it "
-                 "holds.",
-    [SET_PLAYERS] = "Bowls at the tank; who has no controller leaves one empty.",
-    [SET_LANGUAGE] = "Language of the stall. When nothing says it, the machine's locale does.",
-    [SET_NAMES] = "Whether whoever is ranked is asked for a name.",
-    [SET_VOLUME] = "Per cent of full volume.",
-    [SET_ATTRACT_SOUND] = "While nobody plays, every so many-th show is heard; 0: none.",
-    [SET_ROTATION] = "Degrees by which the screen is turned, clockwise.",
+    [SET_COIN_2] = "Units that a pulse of the second coin line is worth.",
+    [SET_COIN_3] = "Units that a pulse of the third coin line is worth.",
+    [SET_BONUS_UNITS] =
+        "Units that a player must insert before a round to get the bonus credits. 0 "
+        "means no bonus.",
+    [SET_BONUS_CREDITS] = "Number of bonus credits.",
+    [SET_CREDIT_MAX] = "Maximum number of unused credits. Coins beyond the maximum are returned.",
+    [SET_CREDIT_EXPIRY_MIN] = "Minutes after which unused credits are deleted. 0 means never.",
+    [SET_TICKET_FISH] = "Number of caught fish for which a player gets a ticket. 0 means no "
+                        "tickets.",
+    [SET_MODES] = "Game modes that a player can choose after START.",
+    [SET_GRADE] =
+        "Grade of the paper, from 4 (strong) to 7 (weak). own means the grade of the game "
+        "mode.",
+    [SET_ROUND_S] = "Length of a round in seconds, at least 10. 0 means the length of the game "
+                    "mode.",
+    [SET_FISH] =
+        "Number of fish, at most the number that the tank can hold. 0 means the default of "
+        "the tank.",
+    [SET_PLAYERS] = "Number of bowls at the tank. A bowl without a controller stays empty.",
+    [SET_LANGUAGE] =
+        "Default language, to which a visitor's choice returns. Without this setting it is the "
+        "language of the machine's locale.",
+    [SET_NAMES] = "Whether a player who is ranked can enter a name.",
+    [SET_VOLUME] = "Volume in per cent of the full volume.",
+    [SET_ATTRACT_SOUND] = "Every n-th loop of the demonstration has sound, where n is the value. 0 "
+                          "means no sound.",
+    [SET_ROTATION] = "Clockwise rotation of the screen in degrees.",
     [SET_OVERSCAN_X] = "Thousandths of the picture's width that the screen hides at each side.",
-    [SET_OVERSCAN_Y] = "The same of its height.",
-    [SET_BRIGHTNESS] = "Per cent of the picture's full brightness.",
-    [SET_DIM] = "Per cent of that while nobody has played for a while.",
-    [SET_DIM_AFTER_MIN] = "Minutes without a player after which the picture is dimmed; 0: never.",
-    [SET_NIGHT_FROM_MIN] = "From this time of day on the picture is dark; needs a clock that is "
-                           "right.",
-    [SET_NIGHT_TO_MIN] = "Until this time of day; the same as night-from: never.",
-    [SET_PIN] = "Four digits that open the operator's menu; 0: it opens without.",
+    [SET_OVERSCAN_Y] =
+        "Thousandths of the picture's height that the screen hides at the top and at "
+        "the bottom.",
+    [SET_BRIGHTNESS] = "Brightness in per cent of the picture's full brightness.",
+    [SET_DIM] = "Per cent of the brightness to which the picture is dimmed without players.",
+    [SET_DIM_AFTER_MIN] = "Minutes without a player after which the picture is dimmed. 0 means "
+                          "never.",
+    [SET_NIGHT_FROM_MIN] = "Time of day at which the picture becomes dark. The machine needs a "
+                           "correct clock.",
+    [SET_NIGHT_TO_MIN] = "Time of day until which the picture stays dark. The time of night-from "
+                         "means never.",
+    [SET_PIN] = "Four digits that open the operator's menu. 0 means that the menu needs no PIN.",
 };
 
 const char *setting_section(uint32_t group)

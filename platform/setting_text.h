@@ -6,6 +6,7 @@
 #ifndef KINGYO_PLATFORM_SETTING_TEXT_H
 #define KINGYO_PLATFORM_SETTING_TEXT_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -25,9 +26,9 @@ const char *setting_section(uint32_t group);
 uint32_t setting_find(const char *name, size_t length);
 
 /* Parses a value: a decimal number, the name of a choice, mode names separated by commas, or a time
- * of day HH:MM. Returns 1 and sets `*out`. If the setting does not permit the value, returns 0 and
- * leaves `*out` unchanged. */
-int setting_parse(uint32_t id, const char *text, int32_t *out);
+ * of day HH:MM. Returns true and sets `*out`. If the setting does not permit the value, returns
+ * false and leaves `*out` unchanged. */
+bool setting_parse(uint32_t id, const char *text, int32_t *out);
 
 /* Writes a valid value in the form that setting_parse() reads. */
 void setting_print(uint32_t id, int32_t value, char out[SETTING_TEXT_MAX]);

@@ -9,10 +9,12 @@
 #define KINGYO_PLATFORM_SYSTEM_HEALTH_H
 
 #include <pthread.h>
+#include <stdatomic.h>
 #include <stdbool.h>
 #include <stdint.h>
+#include <time.h>
 
-#include "core/scene_machine.h"
+#include "core/scene_menu.h"
 
 #define SYSTEM_HEALTH_PERIOD_S 5u
 /* File to which the script board/kiosk/check-data writes its result. */
@@ -34,10 +36,10 @@ struct system_health {
 
     pthread_t thread;
     bool runs;
-    pthread_mutex_t lock; /* Protects `ends`, `acknowledges` and `newest`. The frame loop uses
-                             trylock only. */
-    pthread_cond_t bell;
-    bool ends, acknowledges;
+    int wake_fd; /* Descriptor of eventfd(2) that ends the wait of the health monitor's thread. */
+    atomic_bool ends, acknowledges; /* Requests that the thread ends, and that it marks all
+                                       quarantined files as acknowledged. */
+    pthread_mutex_t lock;           /* Protects `newest`. The frame loop uses trylock only. */
     struct scene_machine newest;
 
     /* Only the health monitor's thread uses the following fields. */
@@ -45,8 +47,7 @@ struct system_health {
                           file. */
     struct {
         uint64_t inode;
-        int64_t mtime_s;
-        long mtime_ns;
+        struct timespec modified;
     } backup;         /* Identity of the backup file at the last check (inode and modification
                          time). */
     int64_t backup_s; /* Time on the monotonic clock at which the backup was made. */
@@ -92,7 +93,7 @@ void system_health_stop(struct system_health *machine);
 void system_health_read(struct system_health *machine, struct scene_machine *out);
 
 /* Requests that the health monitor's thread marks all quarantined files as acknowledged. Never
- * blocks. Returns false if the thread holds the lock; the caller retries. */
-bool system_health_acknowledge(struct system_health *machine);
+ * blocks. */
+void system_health_acknowledge(struct system_health *machine);
 
 #endif

@@ -5,10 +5,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
+#include <sys/eventfd.h>
+#include <unistd.h>
 
 #include "core/base/panic.h"
 #include "platform/os/file.h"
+#include "platform/os/thread.h"
 
 #define PATH_SIZE 512
 #define TRIP_MAX 12u    /* Maximum number of trip points of a zone in the kernel. */
@@ -31,9 +33,9 @@ static void thermal_read_line(char *line, size_t line_size, const char *root, co
     }
 }
 
-/* Reads a temperature in thousandths of a degree. Returns 1 if the file has a plausible
- * temperature, otherwise 0. */
-static int read_mdeg(const char *root, const char *zone, const char *name, int32_t *out)
+/* Reads a temperature in thousandths of a degree. Returns true if the file has a plausible
+ * temperature. */
+static bool read_mdeg(const char *root, const char *zone, const char *name, int32_t *out)
 {
     char line[32], *end;
     thermal_read_line(line, sizeof line, root, zone, name);
@@ -81,31 +83,14 @@ int32_t thermal_read(const char *root)
 
 /* ---- Thread -------------------------------------------------------------------------------- */
 
-/* Waits up to THERMAL_LOOK_S on the monotonic clock. If the wait used the civil clock and this
- * clock were set back by years, the wait would take years. */
-static void wait_a_while(struct thermal *thermal)
-{
-    struct timespec until;
-    clock_gettime(CLOCK_MONOTONIC, &until);
-    until.tv_sec += THERMAL_LOOK_S;
-    pthread_cond_timedwait(&thermal->bell, &thermal->lock, &until);
-}
-
 static void *thermal_thread(void *self)
 {
     struct thermal *thermal = self;
-    const char *root = thermal->root ? thermal->root : "/sys/class/thermal";
-    pthread_mutex_lock(&thermal->lock);
-    while (!thermal->ends) {
-        pthread_mutex_unlock(&thermal->lock);
-        atomic_store(&thermal->margin_mdeg, thermal_read(root));
+    do {
+        atomic_store(&thermal->margin_mdeg,
+                     thermal_read(thermal->root ? thermal->root : THERMAL_ROOT));
         atomic_fetch_add(&thermal->looks, 1u);
-        pthread_mutex_lock(&thermal->lock);
-        if (!thermal->ends) {
-            wait_a_while(thermal);
-        }
-    }
-    pthread_mutex_unlock(&thermal->lock);
+    } while (!thread_wait(thermal->end_fd, THERMAL_LOOK_S));
     return NULL;
 }
 
@@ -114,15 +99,14 @@ void thermal_start(struct thermal *thermal)
     if (thermal->runs) {
         return;
     }
-    thermal->ends = false;
     atomic_store(&thermal->margin_mdeg, THERMAL_UNKNOWN_MDEG);
-    pthread_mutex_init(&thermal->lock, NULL);
-    pthread_condattr_t monotonic;
-    pthread_condattr_init(&monotonic);
-    pthread_condattr_setclock(&monotonic, CLOCK_MONOTONIC);
-    pthread_cond_init(&thermal->bell, &monotonic);
-    pthread_condattr_destroy(&monotonic);
-    thermal->runs = pthread_create(&thermal->thread, NULL, thermal_thread, thermal) == 0;
+    thermal->end_fd = eventfd(0, EFD_CLOEXEC);
+    if (thermal->end_fd >= 0) {
+        thermal->runs = pthread_create(&thermal->thread, NULL, thermal_thread, thermal) == 0;
+        if (!thermal->runs) {
+            close(thermal->end_fd);
+        }
+    }
 }
 
 void thermal_stop(struct thermal *thermal)
@@ -130,10 +114,8 @@ void thermal_stop(struct thermal *thermal)
     if (!thermal->runs) {
         return;
     }
-    pthread_mutex_lock(&thermal->lock);
-    thermal->ends = true;
-    pthread_cond_signal(&thermal->bell);
-    pthread_mutex_unlock(&thermal->lock);
+    eventfd_write(thermal->end_fd, 1);
     pthread_join(thermal->thread, NULL);
+    close(thermal->end_fd);
     thermal->runs = false;
 }

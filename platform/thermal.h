@@ -12,6 +12,7 @@
 #include <stdint.h>
 
 #define THERMAL_LOOK_S 5u
+#define THERMAL_ROOT "/sys/class/thermal" /* Folder of the machine's thermal zones. */
 /* Default temperature limit in thousandths of a degree Celsius, used for a thermal zone without its
  * own limit. Typical boards slow down above this temperature. */
 #define THERMAL_LIMIT_MDEG 80000
@@ -26,12 +27,11 @@ int32_t thermal_read(const char *root);
 /* State of the temperature monitor. The caller owns the structure and initializes it to zero. The
  * address must not change while the thread runs. */
 struct thermal {
-    const char *root; /* Folder of the thermal zones. Null means /sys/class/thermal. */
+    const char *root; /* Folder of the thermal zones. Null means THERMAL_ROOT. */
     pthread_t thread;
     bool runs;
-    pthread_mutex_t lock;
-    pthread_cond_t bell;
-    bool ends; /* True if the temperature monitor's thread must end. Protected by `lock`. */
+    int end_fd; /* Descriptor of eventfd(2) that becomes readable when the temperature monitor's
+                   thread must end. */
     atomic_int margin_mdeg;
     atomic_uint looks; /* Number of completed temperature measurements. */
 };

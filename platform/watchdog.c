@@ -14,38 +14,28 @@
 /* Notifications sent per time limit. Three of four notifications may be lost or late. */
 #define KICKS_PER_DEADLINE 4u
 
-static int notify_address(struct sockaddr_un *address, socklen_t *size, const char *path)
-{
-    const size_t length = path ? strlen(path) : 0;
-    if (length < 2 || length >= sizeof address->sun_path || (path[0] != '/' && path[0] != '@')) {
-        return HAL_ERR_ABSENT;
-    }
-    memset(address, 0, sizeof *address);
-    address->sun_family = AF_UNIX;
-    memcpy(address->sun_path, path, length);
-    if (path[0] == '@') {
-        address->sun_path[0] = '\0'; /* Abstract socket names of Linux begin with a zero byte. */
-    }
-    *size = (socklen_t)(offsetof(struct sockaddr_un, sun_path) + length);
-    return HAL_OK;
-}
-
 int watchdog_init(struct watchdog *watchdog, struct hal_clock clock, const char *notify_socket,
                   uint64_t usec)
 {
     CORE_ASSERT(clock.ops);
-    struct sockaddr_un address;
-    socklen_t size;
+    struct sockaddr_un address = { .sun_family = AF_UNIX };
+    const size_t length = notify_socket ? strlen(notify_socket) : 0;
     *watchdog = (struct watchdog){ .clock = clock, .socket_fd = -1 };
-    if (notify_address(&address, &size, notify_socket) != HAL_OK) {
+    if (length < 2 || length >= sizeof address.sun_path ||
+        (notify_socket[0] != '/' && notify_socket[0] != '@')) {
         return HAL_ERR_ABSENT;
     }
+    memcpy(address.sun_path, notify_socket, length);
+    if (notify_socket[0] == '@') {
+        address.sun_path[0] = '\0'; /* Abstract socket names of Linux begin with a zero byte. */
+    }
+    const socklen_t size = (socklen_t)(offsetof(struct sockaddr_un, sun_path) + length);
     watchdog->socket_fd = socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
-    if (watchdog->socket_fd < 0 ||
-        connect(watchdog->socket_fd, (const struct sockaddr *)&address, size) != 0) {
-        if (watchdog->socket_fd >= 0) {
-            close(watchdog->socket_fd);
-        }
+    if (watchdog->socket_fd < 0) {
+        return HAL_ERR_ABSENT;
+    }
+    if (connect(watchdog->socket_fd, (const struct sockaddr *)&address, size) != 0) {
+        close(watchdog->socket_fd);
         watchdog->socket_fd = -1;
         return HAL_ERR_ABSENT;
     }
@@ -56,9 +46,9 @@ int watchdog_init(struct watchdog *watchdog, struct hal_clock clock, const char 
     return HAL_OK;
 }
 
-/* Sends `line` to the service manager. Returns 1 if the service manager accepted it, otherwise 0.
- * The caller retries with the next kick. */
-static int watchdog_say(const struct watchdog *watchdog, const char *line)
+/* Sends `line` to the service manager. Returns true if the service manager accepted the line.
+ * Otherwise the caller retries with the next kick. */
+static bool watchdog_say(const struct watchdog *watchdog, const char *line)
 {
     CORE_ASSERT(line);
     const size_t size = strlen(line);
@@ -70,7 +60,7 @@ static void watchdog_kick(void *self)
     struct watchdog *watchdog = self;
     const uint64_t now_ns = watchdog->clock.ops->now_ns(watchdog->clock.self);
     if (!watchdog->told_ready) {
-        watchdog->told_ready = (uint8_t)watchdog_say(watchdog, "READY=1");
+        watchdog->told_ready = watchdog_say(watchdog, "READY=1");
         watchdog->is_deaf = !watchdog->told_ready;
     } else if (now_ns - watchdog->last_kick_ns < watchdog->period_ns) {
         return;

@@ -6,6 +6,8 @@
 #ifndef KINGYO_PLATFORM_WATCHDOG_H
 #define KINGYO_PLATFORM_WATCHDOG_H
 
+#include <stdbool.h>
+
 #include "platform/hal.h"
 
 struct watchdog {
@@ -13,11 +15,10 @@ struct watchdog {
     int socket_fd;
     uint64_t period_ns; /* Minimum interval in nanoseconds between two sent notifications. */
     uint64_t last_kick_ns;
-    uint8_t told_ready;
-    uint8_t has_limit; /* 1 if the service manager restarts the kiosk when notifications are
-                          missing, otherwise 0. */
-    uint8_t is_deaf;   /* 1 if the service manager did not accept the last notification, otherwise
-                          0. */
+    bool told_ready; /* True if the service manager has accepted READY=1. */
+    bool has_limit;  /* True if the service manager restarts the kiosk when notifications are
+                        missing. */
+    bool is_deaf;    /* True if the service manager did not accept the last notification. */
     char text[HAL_TEXT_SIZE];
 };
 

@@ -26,27 +26,16 @@ const struct option *option_table_find(const struct option_table *table, const c
     return NULL;
 }
 
-/* Returns 1 if one of the subcommands `groups` accepts the option, otherwise 0. */
-static int is_option_accepted(const struct option *option, uint32_t groups)
+/* Returns true if one of the subcommands `groups` accepts the option. */
+static bool is_option_accepted(const struct option *option, uint32_t groups)
 {
     return option->groups == 0 || (option->groups & groups) != 0;
 }
 
 /* ---- Values -------------------------------------------------------------------------------- */
 
-static int parse_choice(const char *const *choices, const char *value, uint8_t *out)
-{
-    for (uint8_t i = 0; value && choices[i]; i++) {
-        if (strcmp(choices[i], value) == 0) {
-            *out = i;
-            return 1;
-        }
-    }
-    return 0;
-}
-
-int option_parse(const struct option *option, void *target, const char *value,
-                 char why[OPTION_TEXT_MAX])
+bool option_parse(const struct option *option, void *target, const char *value,
+                  char why[OPTION_TEXT_MAX])
 {
     void *out = (char *)target + option->offset;
     why[0] = '\0';
@@ -58,19 +47,25 @@ int option_parse(const struct option *option, void *target, const char *value,
     switch (option->kind) {
     case OPTION_FLAG:
         *(uint8_t *)out = 1;
-        return 1;
+        return true;
     case OPTION_PATH:
         if (!value || value[0] == '\0' || strlen(value) >= OPTIONS_PATH_MAX) {
-            return 0;
+            return false;
         }
         memcpy(out, value, strlen(value) + 1u);
-        return 1;
+        return true;
     case OPTION_WHOLE:
         return number_parse(value, (uint32_t)option->min, (uint32_t)option->max, out);
     case OPTION_DECIMAL:
         return number_parse_decimal(value, option->min, option->max, out);
     case OPTION_CHOICE:
-        return parse_choice(option->choices, value, out);
+        for (uint8_t i = 0; value && option->choices[i]; i++) {
+            if (strcmp(option->choices[i], value) == 0) {
+                *(uint8_t *)out = i;
+                return true;
+            }
+        }
+        return false;
     default:
         *(const char **)out = value;
         return value && value[0];
@@ -110,51 +105,34 @@ const char *option_expects(const struct option *option, char out[OPTION_TEXT_MAX
 
 /* ---- Command line -------------------------------------------------------------------------- */
 
-/* Returns the value of the option at argv[*index]: the text after '=', or the next argument.
- * Returns null if there is no value. If the value is the next argument, advances `*index`. */
-static const char *value_of(const struct option *option, int argc, const char *const *argv,
-                            int *index)
-{
-    const char *equals = strchr(argv[*index], '=');
-    if (equals) {
-        return equals + 1;
-    }
-    if (!option->value || *index + 1 >= argc) {
-        return NULL;
-    }
-    const char *next = argv[*index + 1];
-    const int is_optional = option->value[0] == '[';
-    const char first = next[next[0] == '-']; /* A word such as "-3" is treated as the value of the
-                                                option. The range check then rejects the number with
-                                                a specific error message. */
-    if (is_optional ? !isdigit((unsigned char)first) : strncmp(next, "--", 2) == 0) {
-        return NULL;
-    }
-    ++*index;
-    return next;
-}
-
-/* Parses the option at argv[*index] and its value. Returns 0. On an error writes the reason to
+/* Parses the option at argv[*index] and its value: the text after '=', or the next argument. If the
+ * value is the next argument, advances `*index`. Returns 0. On an error writes the reason to
  * `error` and returns -1. */
 static int parse_named(const struct option *option, void *target, int argc, const char *const *argv,
                        int *index, char error[OPTIONS_ERROR_MAX])
 {
     char why[OPTION_TEXT_MAX], expects[OPTION_TEXT_MAX];
     const char *dashes = option->name[1] ? "--" : "-", *name = option->name;
-    const char *value = value_of(option, argc, argv, index);
+    const char *equals = strchr(argv[*index], '='), *value = equals ? equals + 1 : NULL;
+    const bool is_optional = option->value && option->value[0] == '[';
+    if (!value && option->value && *index + 1 < argc) {
+        const char *next = argv[*index + 1];
+        /* A word such as "-3" is treated as the value of the option. The range check then rejects
+         * the number with a specific error message. */
+        if (is_optional ? isdigit((unsigned char)next[next[0] == '-'])
+                        : strncmp(next, "--", 2) != 0) {
+            value = next;
+            ++*index;
+        }
+    }
     if (!option->value && value) {
         snprintf(error, OPTIONS_ERROR_MAX, "%s%s takes no value", dashes, name);
-        return -1;
-    }
-    if (option->value && option->value[0] != '[' && !value) {
+    } else if (option->value && !is_optional && !value) {
         snprintf(error, OPTIONS_ERROR_MAX, "%s%s needs a value: %s", dashes, name,
                  option_expects(option, expects));
-        return -1;
-    }
-    if (option_parse(option, target, value, why)) {
+    } else if (option_parse(option, target, value, why)) {
         return 0;
-    }
-    if (why[0]) {
+    } else if (why[0]) {
         snprintf(error, OPTIONS_ERROR_MAX, "%s%s: '%.60s': %s", dashes, name, value ? value : "",
                  why);
     } else {
@@ -173,9 +151,9 @@ static int parse_word(const struct option_table *table, uint32_t groups, void *t
     for (; table; table = table->base) {
         for (uint32_t i = 0; i < table->count; i++) {
             const struct option *option = &table->options[i];
-            const int is_open = option->kind == OPTION_ARGUMENT &&
-                                is_option_accepted(option, groups) &&
-                                (option->set || !*(const char **)((char *)target + option->offset));
+            const bool is_open =
+                option->kind == OPTION_ARGUMENT && is_option_accepted(option, groups) &&
+                (option->set || !*(const char **)((char *)target + option->offset));
             if (is_open && option_parse(option, target, word, why)) {
                 return 0;
             }
@@ -219,7 +197,7 @@ int option_table_parse(const struct option_table *table, uint32_t groups, void *
     for (const struct option_table *part = table; part; part = part->base) {
         for (uint32_t i = 0; i < part->count; i++) {
             if (part->options[i].initial) {
-                const int is_valid =
+                const bool is_valid =
                     option_parse(&part->options[i], target, part->options[i].initial, error);
                 CORE_ASSERT(is_valid);
             }
@@ -238,12 +216,13 @@ int option_table_parse(const struct option_table *table, uint32_t groups, void *
 /* Writes the name and the value of an option as --help shows them. */
 static void write_left(const struct option *option, char left[OPTION_TEXT_MAX])
 {
+    const char *name = option->name ? option->name : "",
+               *value = option->value ? option->value : "";
     snprintf(left, OPTION_TEXT_MAX, "%s%s%s%s",
-             !option->name     ? ""
-             : option->name[1] ? "--"
-                               : "-",
-             option->name ? option->name : "", option->name && option->value ? " " : "",
-             option->value ? option->value : "");
+             !name[0]  ? ""
+             : name[1] ? "--"
+                       : "-",
+             name, name[0] && value[0] ? " " : "", value);
 }
 
 /* Prints the words of `text` from column `column` on, and breaks lines before column COLUMNS. Lines
@@ -274,7 +253,7 @@ static void print_option(const struct option *option, int indent)
     } else if (option->kind == OPTION_CHOICE) {
         option_expects(option, range);
     }
-    const int is_bracketed = range[0] || initial;
+    const bool is_bracketed = range[0] || initial;
     const int length =
         snprintf(text, sizeof text, "%s%s%s%s%s%s%s", option->help, is_bracketed ? " (" : "", range,
                  range[0] && initial ? "; " : "", initial ? "default " : "", initial ? initial : "",

@@ -8,6 +8,7 @@
 #ifndef KINGYO_PLATFORM_CONFIG_OPTION_TABLE_H
 #define KINGYO_PLATFORM_CONFIG_OPTION_TABLE_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -52,10 +53,10 @@ struct option {
     const char *expects; /* Description of the valid values in error messages. Null selects a
                             description that is generated from the kind and the range. */
     /* Callback that parses `value` for an OPTION_CUSTOM or an OPTION_ARGUMENT. `value` is null if
-     * an optional value is absent. Returns 1. If the value is wrong, returns 0 and may write a
-     * specific reason to `why`. */
-    int (*set)(void *target, const struct option *option, const char *value,
-               char why[OPTION_TEXT_MAX]);
+     * an optional value is absent. Returns true. If the value is wrong, returns false and may write
+     * a specific reason to `why`. */
+    bool (*set)(void *target, const struct option *option, const char *value,
+                char why[OPTION_TEXT_MAX]);
     uint32_t id; /* Number that the function `set` may use, for example the id of a setting. */
     /* Callback that writes additional text to `out`. The text is appended to `help` and to
      * `expects`. May be null. */
@@ -81,10 +82,10 @@ const struct option *option_table_find(const struct option_table *table, const c
                                        size_t length);
 
 /* Parses `value` into the member of `target` that `option` describes. `value` may be null only if
- * the value is optional. Returns 1. If the value is wrong, returns 0 and writes a specific reason
- * to `why`, or "" if the description of the valid values is sufficient. */
-int option_parse(const struct option *option, void *target, const char *value,
-                 char why[OPTION_TEXT_MAX]);
+ * the value is optional. Returns true. If the value is wrong, returns false and writes a specific
+ * reason to `why`, or "" if the description of the valid values is sufficient. */
+bool option_parse(const struct option *option, void *target, const char *value,
+                  char why[OPTION_TEXT_MAX]);
 
 /* Returns the description of the valid values of `option`. The text is a static string or is stored
  * in `out`. */

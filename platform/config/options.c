@@ -14,34 +14,44 @@
 
 /* ---- Parsers of values --------------------------------------------------------------------- */
 
-static int add_setting(struct options *options, uint32_t id, int32_t value)
+static bool add_setting(struct options *options, uint32_t id, int32_t value)
 {
     struct options_query_result *asked = options->is_file ? &options->file : &options->words;
     CORE_ASSERT(id < SETTING_COUNT);
     asked->value[id] = value;
-    asked->is_set[id] = 1;
-    return 1;
+    asked->is_set[id] = true;
+    return true;
 }
 
-/* Parses the value of the setting option->id as setting_parse() does and stores the value. */
-static int set_one(void *target, const struct option *option, const char *value, char *why)
+/* Parses the value of the setting option->id as setting_parse() does and stores the value. The old
+ * options of the command line differ from the settings: --mode accepts "choose" for all game modes,
+ * but no list of modes; --grade does not accept "own"; and --fish does not accept 0. */
+static bool set_one(void *target, const struct option *option, const char *value, char *why)
 {
     int32_t number;
+    const bool is_modes = option->id == SET_MODES;
     (void)why;
-    return setting_parse(option->id, value, &number) && add_setting(target, option->id, number);
+    if (is_modes && strcmp(value, "choose") == 0) {
+        return add_setting(target, SET_MODES, OPTIONS_MODES_ALL);
+    }
+    if ((is_modes && strchr(value, ',')) || !setting_parse(option->id, value, &number) ||
+        (number == 0 && (option->id == SET_GRADE || option->id == SET_FISH))) {
+        return false;
+    }
+    return add_setting(target, option->id, number);
 }
 
-static int set_demo(void *target, const struct option *option, const char *value, char *why)
+static bool set_demo(void *target, const struct option *option, const char *value, char *why)
 {
     struct options *options = target;
     (void)option;
     (void)why;
-    options->demo = 1;
+    options->demo = true;
     options->demo_s = OPTIONS_DEMO_S;
     return !value || number_parse(value, OPTIONS_DEMO_S_MIN, OPTIONS_DEMO_S_MAX, &options->demo_s);
 }
 
-static int set_window(void *target, const struct option *option, const char *value, char *why)
+static bool set_window(void *target, const struct option *option, const char *value, char *why)
 {
     struct options *options = target;
     char width[16];
@@ -49,53 +59,54 @@ static int set_window(void *target, const struct option *option, const char *val
     (void)option;
     (void)why;
     if (!cross || cross == value || (size_t)(cross - value) >= sizeof width) {
-        return 0;
+        return false;
     }
     snprintf(width, sizeof width, "%.*s", (int)(cross - value), value);
     return number_parse(width, HAL_WINDOW_WIDTH_MIN, HAL_WINDOW_SIDE_MAX, &options->width) &&
            number_parse(cross + 1, HAL_WINDOW_HEIGHT_MIN, HAL_WINDOW_SIDE_MAX, &options->height);
 }
 
-static int set_usb(void *target, const struct option *option, const char *value, char *why)
+static bool set_usb(void *target, const struct option *option, const char *value, char *why)
 {
     struct options *options = target;
     (void)option;
     (void)why;
     if (strlen(value) >= BOARD_USB_SIZE || options->usb_count == BOARD_USB_MAX ||
         !board_check_usb(value)) {
-        return 0;
+        return false;
     }
     memcpy(options->usb[options->usb_count++], value, strlen(value) + 1u);
-    return 1;
+    return true;
 }
 
-static int set_line(void *target, const struct option *option, const char *value, char *why)
+static bool set_line(void *target, const struct option *option, const char *value, char *why)
 {
     struct options *options = target;
     char line[1][BOARD_LINE_SIZE], reason[HAL_TEXT_SIZE];
+    const size_t size = strlen(value) + 1u;
     (void)option;
-    if (strlen(value) >= BOARD_LINE_SIZE) {
+    if (size > BOARD_LINE_SIZE) {
         snprintf(why, OPTION_TEXT_MAX, "longer than %u characters", BOARD_LINE_SIZE - 1u);
-        return 0;
+        return false;
     }
-    memcpy(line[0], value, strlen(value) + 1u);
+    memcpy(line[0], value, size);
     if (board_check_lines((const char(*)[BOARD_LINE_SIZE])line, 1, reason)) {
         snprintf(why, OPTION_TEXT_MAX, "%s", reason);
-        return 0;
+        return false;
     }
     if (options->line_count == BOARD_LINE_MAX) {
-        return 0;
+        return false;
     }
-    memcpy(options->line[options->line_count++], line[0], BOARD_LINE_SIZE);
-    return 1;
+    memcpy(options->line[options->line_count++], value, size);
+    return true;
 }
 
-static int set_seed(void *target, const struct option *option, const char *value, char *why)
+static bool set_seed(void *target, const struct option *option, const char *value, char *why)
 {
     struct options *options = target;
     (void)option;
     (void)why;
-    options->has_seed = 1;
+    options->has_seed = true;
     return number_parse(value, 0, UINT32_MAX, &options->seed);
 }
 
@@ -111,47 +122,20 @@ static void print_fish_max(char out[OPTION_TEXT_MAX])
              tank_fish_limit(TANK_PRESET_OFFICIAL));
 }
 
-/* Sets the number of fish. options_too_many_fish() checks the tank's maximum later, when the tank
- * is known. */
-static int set_fish(void *target, const struct option *option, const char *value, char *why)
-{
-    uint32_t count;
-    (void)option;
-    (void)why;
-    return number_parse(value, 1, TANK_FISH_MAX, &count) &&
-           add_setting(target, SET_FISH, (int32_t)count);
-}
-
-/* Sets the game modes that a player can choose: one game mode, only the growth lab (in which growth
- * curves of the fish are edited), or all modes. */
-static int set_mode(void *target, const struct option *option, const char *value, char *why)
-{
-    if (strcmp(value, "choose") == 0) {
-        return add_setting(target, SET_MODES, OPTIONS_MODES_ALL);
-    }
-    return !strchr(value, ',') && set_one(target, option, value, why);
-}
-
-static int set_grade(void *target, const struct option *option, const char *value, char *why)
-{
-    return strcmp(value, "own") != 0 && set_one(target, option, value, why);
-}
-
-static int set_coins(void *target, const struct option *option, const char *value, char *why)
+static bool set_coins(void *target, const struct option *option, const char *value, char *why)
 {
     uint32_t coins;
     (void)option;
     (void)why;
     if (!number_parse(value, 0, (uint32_t)settings_entry(SET_PRICE)->max, &coins)) {
-        return 0;
+        return false;
     }
-    return coins == 0 ? add_setting(target, SET_PLAY, PLAY_FREE)
-                      : add_setting(target, SET_PLAY, PLAY_PAID) &&
-                            add_setting(target, SET_PRICE, (int32_t)coins);
+    add_setting(target, SET_PLAY, coins == 0 ? PLAY_FREE : PLAY_PAID);
+    return coins == 0 || add_setting(target, SET_PRICE, (int32_t)coins);
 }
 
 /* Parses NAME=VALUE, where NAME is the name of a setting. */
-static int set_setting(void *target, const struct option *option, const char *text, char *why)
+static bool set_setting(void *target, const struct option *option, const char *text, char *why)
 {
     char range[SETTING_RANGE_MAX];
     int32_t value;
@@ -159,44 +143,26 @@ static int set_setting(void *target, const struct option *option, const char *te
     const uint32_t id = text[length] ? setting_find(text, length) : SETTING_COUNT;
     (void)option;
     if (id == SETTING_COUNT) {
-        return 0;
+        return false;
     }
     if (!setting_parse(id, text + length + 1, &value)) {
         setting_range(id, range);
         snprintf(why, OPTION_TEXT_MAX, "expected %s", range);
-        return 0;
+        return false;
     }
     return add_setting(target, id, value);
 }
 
 /* ---- Table of options ---------------------------------------------------------------------- */
 
-static const char *const poi_names[] = {
-    [BOARD_POI_AUTO] = "auto",  [BOARD_POI_MOUSE] = "mouse", [BOARD_POI_TOUCH] = "touch",
-    [BOARD_POI_PAD] = "pad",    [BOARD_POI_USB] = "usb",     [BOARD_POI_BOT] = "bot",
-    [BOARD_POI_BOT + 1] = NULL,
-};
-
-static const char *const keyboard_names[] = {
-    [BOARD_KEYBOARD_AUTO] = "auto",
-    [BOARD_KEYBOARD_ON] = "on",
-    [BOARD_KEYBOARD_OFF] = "off",
-    [BOARD_KEYBOARD_OFF + 1] = NULL,
-};
-
-const char *const options_tank_names[] = {
-    [TANK_PRESET_FESTIVAL] = "festival",
-    [TANK_PRESET_THESIS] = "thesis",
-    [TANK_PRESET_OFFICIAL] = "official",
-    [TANK_PRESET_COUNT] = NULL,
-};
-
-const char *const options_mode_names[] = {
-    [MODE_FESTIVAL] = "festival",
-    [MODE_CHAMPIONSHIP] = "championship",
-    [MODE_PRACTICE] = "practice",
-    [MODE_COUNT] = NULL,
-};
+static const char *const poi_names[] = { "auto", "mouse", "touch", "pad", "usb", "bot", NULL };
+static const char *const keyboard_names[] = { "auto", "on", "off", NULL };
+const char *const options_tank_names[] = { "festival", "thesis", "official", NULL };
+const char *const options_mode_names[] = { "festival", "championship", "practice", NULL };
+const char *const options_level_names[] = { "master", "normal", "easy", NULL };
+_Static_assert(BOARD_POI_BOT == 5 && BOARD_KEYBOARD_OFF == 2 && TANK_PRESET_OFFICIAL == 2 &&
+                   MODE_PRACTICE == 2,
+               "the lists have the order of their enums");
 
 #define AT(member) .offset = offsetof(struct options, member)
 #define SET(function) .kind = OPTION_CUSTOM, .set = (function)
@@ -221,11 +187,11 @@ static const struct option table[] = {
     { "mode", "NAME",
       "festival, championship, practice, lab (fish grow), or choose, with which the player chooses "
       "the mode after START",
-      SET(set_mode), .id = SET_MODES,
+      SET(set_one), .id = SET_MODES,
       .expects = "festival, championship, practice, lab or choose", .section = "" },
     { "grade", "N",
       "grade of the paper from 4 (strong) to 7 (weak); the default is 6, and 5 in a championship",
-      SET(set_grade), .id = SET_GRADE, .expects = "4 to 7", .section = "" },
+      SET(set_one), .id = SET_GRADE, .expects = "4 to 7", .section = "" },
     { "players", "N", "number of bowls at the tank; a bowl without a controller stays empty",
       SET(set_one), .id = SET_PLAYERS, .expects = "1 to 4", .section = "" },
     { "coins", "N", "coins that a round costs; 0, the default, is free play", SET(set_coins),
@@ -245,8 +211,8 @@ static const struct option table[] = {
     { "config", "FILE",
       "configuration file (/etc/kingyo/kingyo.conf), which the command line overrides",
       OPTION_PATH, AT(config) },
-    { "lang", "ja|en", "language of the kiosk", SET(set_one), .id = SET_LANGUAGE,
-      .expects = "ja or en", .section = "" },
+    { "lang", "ja|en", "default language, to which a visitor's choice returns", SET(set_one),
+      .id = SET_LANGUAGE, .expects = "ja or en", .section = "" },
     { "tank", "NAME",
       "tank of the kiosk; thesis is the tank of 2013, and official that of a championship",
       OPTION_CHOICE, AT(tank), .choices = options_tank_names,
@@ -254,7 +220,7 @@ static const struct option table[] = {
       .section = "game" },
     { "seed", "N", "seed of all random numbers; equal seeds give equal fish", SET(set_seed),
       .expects = "0 to 4294967295", .section = "game" },
-    { "fish", "N", "number of fish, at most", SET(set_fish), .more = print_fish_max,
+    { "fish", "N", "number of fish, at most", SET(set_one), .id = SET_FISH, .more = print_fish_max,
       .expects = "1 to", .section = "" },
     { "help", NULL, "print this text", OPTION_FLAG, AT(help) },
     { "version", NULL, "print the version", OPTION_FLAG, AT(version) },
@@ -265,44 +231,43 @@ const struct option_table options_table = { table, sizeof table / sizeof table[0
 
 /* ---- Command line -------------------------------------------------------------------------- */
 
-int options_wires_clash(const struct options *options, char says[OPTION_TEXT_MAX])
+bool options_wires_clash(const struct options *options, char says[OPTION_TEXT_MAX])
 {
     char why[HAL_TEXT_SIZE];
     CORE_ASSERT(options->line_count <= BOARD_LINE_MAX);
     if (board_check_lines((const char(*)[BOARD_LINE_SIZE])options->line, options->line_count,
                           why) == 0) {
-        return 0;
+        return false;
     }
     snprintf(says, OPTION_TEXT_MAX, "%s", why);
-    return 1;
+    return true;
 }
 
-int options_too_many_fish(const struct options *options, char says[OPTION_TEXT_MAX])
+bool options_too_many_fish(const struct options *options, char says[OPTION_TEXT_MAX])
 {
     const struct options_query_result *by = options->is_file ? &options->file : &options->words;
     CORE_ASSERT(options->tank < TANK_PRESET_COUNT);
     const uint32_t most = tank_fish_limit(options->tank);
     if (!by->is_set[SET_FISH] || by->value[SET_FISH] <= (int32_t)most) {
-        return 0;
+        return false;
     }
     snprintf(says, OPTION_TEXT_MAX, "%d is too many; the %s tank holds 1 to %u",
              by->value[SET_FISH], tank_preset(options->tank)->name, most);
-    return 1;
+    return true;
 }
 
 int options_check(const struct options *options, char error[OPTIONS_ERROR_MAX])
 {
     char says[OPTION_TEXT_MAX];
+    const char *name = options_too_many_fish(options, says) ? "fish"
+                       : options_wires_clash(options, says) ? "line"
+                                                            : NULL;
     if (options->record[0] && options->replay[0]) {
-        snprintf(error, OPTIONS_ERROR_MAX, "--record and --replay cannot go together");
+        snprintf(error, OPTIONS_ERROR_MAX, "--record and --replay cannot be combined");
         return -1;
     }
-    if (options_too_many_fish(options, says)) {
-        snprintf(error, OPTIONS_ERROR_MAX, "--fish: %s", says);
-        return -1;
-    }
-    if (options_wires_clash(options, says)) {
-        snprintf(error, OPTIONS_ERROR_MAX, "--line: %s", says);
+    if (name) {
+        snprintf(error, OPTIONS_ERROR_MAX, "--%s: %s", name, says);
         return -1;
     }
     return 0;
@@ -333,7 +298,7 @@ void options_print_help(void)
          "tilts it.\n"
          "Without a screen the bot plays, or the replay is verified, and pictures are written.\n");
     option_table_print(&options_table, 0);
-    puts("\nEach player needs a controller. A seat without a controller stays empty. With --poi\n"
+    puts("\nEach player needs a controller. A bowl without a controller stays empty. With --poi\n"
          "bot, the bot plays for all players. With --poi auto, the first player gets the best\n"
          "connected controller, also if it is connected later: a USB poi, else a gamepad, else\n"
          "mouse or touch screen. No controller changes during a game. A championship uses the\n"
@@ -370,7 +335,7 @@ void options_last(const struct options *options, struct settings *settings)
     put_asked(&options->words, settings);
 }
 
-int options_query(const struct options *options, uint32_t id)
+bool options_query(const struct options *options, uint32_t id)
 {
     CORE_ASSERT(id < SETTING_COUNT);
     return options->file.is_set[id] || options->words.is_set[id];

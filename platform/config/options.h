@@ -4,7 +4,7 @@
 #ifndef KINGYO_PLATFORM_CONFIG_OPTIONS_H
 #define KINGYO_PLATFORM_CONFIG_OPTIONS_H
 
-#include <stddef.h>
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "core/core.h"
@@ -18,25 +18,26 @@
 #define OPTIONS_DEMO_S_MAX 600u
 #define OPTIONS_MODES_ALL ((1 << CHOICE_COUNT) - 1)
 
-/* Settings from one source, for example the command line. is_set[id] is 1 if the source sets
- * value[id], otherwise 0. */
+/* Settings from one source, for example the command line. is_set[id] is true if the source sets
+ * value[id]. */
 struct options_query_result {
     int32_t value[SETTING_COUNT];
-    uint8_t is_set[SETTING_COUNT];
+    bool is_set[SETTING_COUNT];
 };
 
 struct options {
-    uint8_t help, version;
-    uint8_t demo;           /* 1 if the demonstration runs without a window and writes pictures,
-                               otherwise 0. */
+    bool help, version;
+    bool demo;              /* True if the demonstration runs without a window and writes
+                               pictures. */
     uint32_t demo_s;        /* Length of the demonstration in seconds. */
     uint32_t width, height; /* Window size in pixels. 0 means full screen. */
     uint8_t poi;            /* Kind of controller that moves the poi (enum board_poi). */
-    uint8_t has_seed;
+    bool has_seed;
     uint32_t seed;
-    uint8_t tank;                        /* Tank preset of the game (enum tank_preset_id). */
-    uint8_t is_file;                     /* 1 while values from the configuration file are parsed. 0
-                                            while the command line is parsed. */
+    uint8_t tank; /* Tank preset of the game (enum tank_preset_id). */
+    /* True while values from the configuration file are parsed. False while the command line is
+     * parsed. */
+    bool is_file;
     struct options_query_result machine; /* Settings from the machine's locale. */
     struct options_query_result file;    /* Settings from the configuration file. */
     struct options_query_result words;   /* Settings from the command line. */
@@ -61,6 +62,8 @@ int options_check(const struct options *options, char error[OPTIONS_ERROR_MAX]);
  * ends with null. */
 extern const char *const options_tank_names[];
 extern const char *const options_mode_names[];
+/* Names of the levels in the order of enum level, followed by null. */
+extern const char *const options_level_names[];
 
 /* The table of the options. Its target is struct options. */
 extern const struct option_table options_table;
@@ -71,14 +74,14 @@ extern const struct option_table options_table;
 int options_parse(struct options *options, int argc, const char *const *argv,
                   char error[OPTIONS_ERROR_MAX]);
 
-/* Returns 1 and writes the name of the GPIO line to `says` if two GPIO line options use the same
- * GPIO line. Otherwise returns 0. */
-int options_wires_clash(const struct options *options, char says[OPTION_TEXT_MAX]);
+/* Returns true and writes the name of the GPIO line to `says` if two GPIO line options use the same
+ * GPIO line. Otherwise returns false. */
+bool options_wires_clash(const struct options *options, char says[OPTION_TEXT_MAX]);
 
-/* Returns 1 if the tank cannot hold the configured number of fish, and writes the reason to `says`.
- * Otherwise returns 0. Checks the configuration file if options->is_file is 1, otherwise the
- * command line. */
-int options_too_many_fish(const struct options *options, char says[OPTION_TEXT_MAX]);
+/* Returns true if the tank cannot hold the configured number of fish, and writes the reason to
+ * `says`. Otherwise returns false. Checks the configuration file if options->is_file is true,
+ * otherwise the command line. */
+bool options_too_many_fish(const struct options *options, char says[OPTION_TEXT_MAX]);
 
 /* Sets the initial settings, which the operator's menu may change later. The value of a setting in
  * the configuration file is preferred, then the value of the machine's locale, and then the
@@ -88,8 +91,8 @@ void options_first(const struct options *options, struct settings *settings);
 /* Overrides the values in `settings` with the settings that the command line sets. */
 void options_last(const struct options *options, struct settings *settings);
 
-/* Returns 1 if the configuration file or the command line sets the setting `id`, otherwise 0. */
-int options_query(const struct options *options, uint32_t id);
+/* Returns true if the configuration file or the command line sets the setting `id`. */
+bool options_query(const struct options *options, uint32_t id);
 
 /* Prints the text of --help. */
 void options_print_help(void);

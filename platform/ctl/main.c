@@ -1,5 +1,6 @@
 /* main.c -- the program `kingyoctl`, a command-line tool for operators, authors of fish species and
  * researchers. */
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -26,7 +27,7 @@ static void print_help(void)
         "output that is full or closed.");
 }
 
-static int is_help(const char *word)
+static bool is_help(const char *word)
 {
     return strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0;
 }

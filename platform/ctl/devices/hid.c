@@ -1,13 +1,12 @@
 /* hid.c -- the command `kingyoctl hid`.
  *
  * The command explains a HID report descriptor and decodes reports with that descriptor. */
-#include <errno.h>
 #include <signal.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/ioctl.h>
-#include <time.h>
 #include <unistd.h>
 
 #include "drivers/hid/hid_descriptor.h"
@@ -34,32 +33,29 @@
 #define SCREEN_REST "\x1b[J"
 #define SCREEN_END "\x1b[?25h\x1b[?1049l"
 
-struct hid_watch_options {
-    const char *path; /* Path of the device. Null lists all devices. */
-    const char
-        *descriptor_path; /* Path of the descriptor if `path` is a file or a pipe, or null. */
+/* Arguments of a subcommand of `kingyoctl hid`. */
+struct request {
+    const char *path;   /* First argument: the path of a descriptor or of a device. Null lists all
+                           devices. */
+    const char *second; /* Second argument: a file of reports, or the ids of a device. */
+    /* Path of the descriptor if `path` is a file or a pipe, or null. */
+    const char *descriptor_path;
     uint32_t seconds; /* Duration in seconds. 0 means that the command runs until the source ends or
                          the user stops the command. */
 };
 
 /* State of `kingyoctl hid watch` for one device. */
 struct watch {
-    struct hid_descriptor descriptor;
     struct hid_source source;
     struct hid_live live;
     char id[HID_ID_SIZE];
-    uint8_t on_terminal;
+    bool on_terminal;
     uint64_t begin_ns, picture_ns;
 };
 
+static const char name[] = "hid";
 static volatile sig_atomic_t is_stopped;
-
-static uint64_t hid_watch_now_ns(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (uint64_t)now.tv_sec * 1000000000u + (uint64_t)now.tv_nsec;
-}
+static struct hid_descriptor descriptor;
 
 /* ---- List of devices ------------------------------------------------------------------------- */
 
@@ -91,30 +87,26 @@ static char *format_hid_picture(const struct watch *watch)
     return text;
 }
 
-static void add_report(struct watch *watch, struct hid_report report)
-{
-    const uint64_t time_ns = hid_watch_now_ns();
-    char seq[16], tail[40];
-    if (!watch->on_terminal) {
-        snprintf(seq, sizeof seq, "%u", watch->live.report_count + watch->live.refused_count);
-        snprintf(tail, sizeof tail, "\t%.3f\n", (double)(time_ns - watch->begin_ns) / 1e6);
-        hid_rows_values(&watch->descriptor, watch->id, seq, report, tail);
-        fflush(stdout);
-    }
-    hid_live_report(&watch->live, report, time_ns);
-}
-
 static enum exit_code hid_watch_loop(struct watch *watch, uint32_t seconds)
 {
+    char seq[16], tail[40];
     enum exit_code code = EXIT_OK;
     const uint64_t end_ns = seconds ? watch->begin_ns + seconds * 1000000000ull : UINT64_MAX;
     for (;;) {
         struct hid_report report;
         const enum hid_pull pull = hid_source_pull(&watch->source, WAIT_MS, &report, &code);
         if (pull == HID_PULL_REPORT) {
-            add_report(watch, report);
+            const uint64_t time_ns = ctl_now_ns();
+            if (!watch->on_terminal) {
+                snprintf(seq, sizeof seq, "%u",
+                         watch->live.report_count + watch->live.refused_count);
+                snprintf(tail, sizeof tail, "\t%.3f\n", (double)(time_ns - watch->begin_ns) / 1e6);
+                hid_rows_values(&descriptor, watch->id, seq, report, tail);
+                fflush(stdout);
+            }
+            hid_live_report(&watch->live, report, time_ns);
         }
-        const uint64_t time_ns = hid_watch_now_ns();
+        const uint64_t time_ns = ctl_now_ns();
         hid_live_time(&watch->live, time_ns);
         if (watch->on_terminal && time_ns - watch->picture_ns >= PICTURE_NS) {
             watch->picture_ns = time_ns;
@@ -132,19 +124,19 @@ static enum exit_code hid_watch_loop(struct watch *watch, uint32_t seconds)
     }
 }
 
-static enum exit_code watch_one(const struct hid_watch_options *options)
+static enum exit_code watch_device(const struct request *options)
 {
     static struct watch watch;
     ctl_stop_at_signals(&is_stopped);
     const enum exit_code code =
-        hid_source_open(&watch.source, options->path, &watch.descriptor, options->descriptor_path);
+        hid_source_open(&watch.source, options->path, &descriptor, options->descriptor_path);
     if (code != EXIT_OK) {
         return code;
     }
     hid_file_id(options->descriptor_path ? options->descriptor_path : options->path, watch.id);
-    hid_live_begin(&watch.live, &watch.descriptor, options->path);
+    hid_live_begin(&watch.live, &descriptor, options->path);
     watch.on_terminal = isatty(STDOUT_FILENO) != 0;
-    watch.begin_ns = hid_watch_now_ns();
+    watch.begin_ns = ctl_now_ns();
     fputs(watch.on_terminal ? SCREEN_BEGIN : HID_VALUE_HEADER "\ttime_ms\n", stdout);
     const enum exit_code end = hid_watch_loop(&watch, options->seconds);
     if (watch.on_terminal) { /* The last view is printed once more on the normal screen, where the
@@ -156,19 +148,6 @@ static enum exit_code watch_one(const struct hid_watch_options *options)
     return end;
 }
 
-static enum exit_code run_hid_watch(const struct hid_watch_options *options)
-{
-    if (!options->path) {
-        return options->descriptor_path || options->seconds
-                   ? ctl_usage("hid", "watch: a DEVICE is missing; without options it lists them")
-                   : print_hid_nodes();
-    }
-    return watch_one(options);
-}
-
-static const char name[] = "hid";
-static struct hid_descriptor descriptor;
-
 /* Prints the fields of the descriptor, or the values in the reports `reports_path` if it is not
  * null. */
 static enum exit_code decode(const char *descriptor_path, const char *reports_path)
@@ -177,19 +156,15 @@ static enum exit_code decode(const char *descriptor_path, const char *reports_pa
     FILE *file;
     enum exit_code code = hid_file_read(&descriptor, descriptor_path);
     hid_file_id(descriptor_path, id);
-    if (code != EXIT_OK) {
-        return code;
-    }
-    if (!reports_path) {
+    if (code == EXIT_OK && !reports_path) {
         hid_rows_describe(&descriptor, id);
-        return EXIT_OK;
+    } else if (code == EXIT_OK) {
+        code = ctl_file_open("kingyoctl hid", reports_path, HID_REPORTS_SIZE_MAX, &file);
+        if (code == EXIT_OK) {
+            code = hid_rows_decode(&descriptor, id, file, reports_path);
+            fclose(file);
+        }
     }
-    code = ctl_file_open("kingyoctl hid", reports_path, HID_REPORTS_SIZE_MAX, &file);
-    if (code != EXIT_OK) {
-        return code;
-    }
-    code = hid_rows_decode(&descriptor, id, file, reports_path);
-    fclose(file);
     return code;
 }
 
@@ -197,22 +172,21 @@ static enum exit_code decode(const char *descriptor_path, const char *reports_pa
  * the vendor and product in hex. Null means a device of an unknown vendor. */
 static enum exit_code print_hid_mapping(const char *path, const char *ids)
 {
-    struct hid_identity who = { 0 };
     struct usb_key key = { 0 };
     struct hid_mapping chosen;
     char text[HID_MAPPING_TEXT_SIZE];
     if (ids && usb_key_read(&key, ids) != 0) {
-        return ctl_usage(name, "map FILE [VVVV:PPPP]");
+        return ctl_usage(name,
+                         "map: VVVV:PPPP must be four hexadecimal digits, a colon and four more");
     }
     const enum exit_code code = hid_file_read(&descriptor, path);
     if (code != EXIT_OK) {
         return code;
     }
-    who.vendor = key.vendor;
-    who.product = key.product;
+    const struct hid_identity who = { .vendor = key.vendor, .product = key.product };
     hid_mapping_choose(&chosen, &who, &descriptor);
     if (chosen.source == HID_MAPPING_NONE || hid_mapping_write(&chosen, text) != 0) {
-        print_error("kingyoctl hid: %s: cannot be a poi as it is: %s", path,
+        print_error("kingyoctl hid: %s: the kiosk has no mapping for this device: %s", path,
                     hid_mapping_absence_reason(&descriptor));
         return EXIT_NOT_SO;
     }
@@ -222,22 +196,17 @@ static enum exit_code print_hid_mapping(const char *path, const char *ids)
 
 /* ---- Command line ---------------------------------------------------------------------------- */
 
-struct request {
-    struct hid_watch_options watch; /* watch.path is the first argument of every subcommand. */
-    const char *second; /* Second argument: a file of reports, or the ids of a device. */
-};
-
 enum group { GROUP_DESCRIBE = 1, GROUP_DECODE = 2, GROUP_MAP = 4, GROUP_WATCH = 8 };
 
 #define AT(member) .offset = offsetof(struct request, member)
 
 static const struct option options[] = {
-    { NULL, "FILE", "descriptor, or device to watch", OPTION_ARGUMENT, AT(watch.path) },
+    { NULL, "FILE", "descriptor, or device to watch", OPTION_ARGUMENT, AT(path) },
     { NULL, "SECOND", "reports, or the ids of a device", OPTION_ARGUMENT, AT(second),
       .groups = GROUP_DECODE | GROUP_MAP },
-    { "descriptor", "FILE", "descriptor of the device", OPTION_TEXT, AT(watch.descriptor_path),
+    { "descriptor", "FILE", "descriptor of the device", OPTION_TEXT, AT(descriptor_path),
       .groups = GROUP_WATCH },
-    { "seconds", "N", "duration", OPTION_WHOLE, AT(watch.seconds), 1, SECONDS_MAX,
+    { "seconds", "N", "duration", OPTION_WHOLE, AT(seconds), 1, SECONDS_MAX,
       .groups = GROUP_WATCH },
 };
 
@@ -246,19 +215,24 @@ static const struct option_table table = { options, sizeof options / sizeof opti
 static enum exit_code hid_run(int argc, const char *const *argv)
 {
     static const char *const subcommands[] = { "describe", "decode", "map", "watch" };
-    struct request request = { .second = NULL };
+    struct request request = { .path = NULL };
     uint32_t group = GROUP_DESCRIBE;
     for (size_t i = 0; argc > 0 && i < 4 && strcmp(argv[0], subcommands[i]) != 0; i++) {
         group <<= 1;
     }
     if (argc > 0 && group <= GROUP_WATCH) {
         const enum exit_code code = ctl_options(name, &table, group, &request, argc - 1, argv + 1);
-        if (code != EXIT_OK || group == GROUP_WATCH) {
-            return code != EXIT_OK ? code : run_hid_watch(&request.watch);
+        if (code != EXIT_OK || (group == GROUP_WATCH && request.path)) {
+            return code != EXIT_OK ? code : watch_device(&request);
         }
-        if (request.watch.path && (request.second || group != GROUP_DECODE)) {
-            return (group == GROUP_MAP ? print_hid_mapping : decode)(request.watch.path,
-                                                                     request.second);
+        if (group == GROUP_WATCH) {
+            return request.descriptor_path || request.seconds
+                       ? ctl_usage(name, "watch: a DEVICE is missing; watch without options lists "
+                                         "the devices")
+                       : print_hid_nodes();
+        }
+        if (request.path && (request.second || group != GROUP_DECODE)) {
+            return (group == GROUP_MAP ? print_hid_mapping : decode)(request.path, request.second);
         }
     }
     return ctl_usage(name, "expected describe FILE, decode DESCRIPTOR REPORTS.tsv, map FILE, or "

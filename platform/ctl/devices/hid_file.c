@@ -6,6 +6,7 @@
 
 #include <ctype.h>
 #include <errno.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -16,43 +17,31 @@
 
 static int hex_digit(int letter)
 {
-    return isdigit(letter)                  ? letter - '0'
-           : letter >= 'a' && letter <= 'f' ? letter - 'a' + 10
-           : letter >= 'A' && letter <= 'F' ? letter - 'A' + 10
-                                            : -1;
+    return !isxdigit(letter) ? -1 : isdigit(letter) ? letter - '0' : (letter | 0x20) - 'a' + 10;
 }
 
-/* Returns the index of the first hex digit without a second digit, or `size` if every byte has two
- * digits. */
-static size_t lone_digit(const uint8_t *text, size_t size)
+long hid_from_hex(uint8_t *bytes, size_t size, size_t *wrong)
 {
-    size_t high = size;
-    for (size_t i = 0; i < size && (high == size || hex_digit(text[i]) >= 0); i++) {
-        high = hex_digit(text[i]) < 0 || high < size ? size : i;
-    }
-    return high;
-}
-
-long hid_from_hex(uint8_t *bytes, size_t size)
-{
-    long count = 0;
-    int high = -1;
-    for (size_t i = 0; i < size; i++) {
-        if (hex_digit(bytes[i]) < 0 && !isspace(bytes[i])) {
+    size_t unused, count = 0, high = size;
+    wrong = wrong ? wrong : &unused;
+    for (*wrong = 0; *wrong < size; ++*wrong) {
+        if (!isxdigit(bytes[*wrong]) && !isspace(bytes[*wrong])) {
             return HID_NOT_HEX;
         }
     }
     for (size_t i = 0; i < size; i++) {
         const int digit = hex_digit(bytes[i]);
-        if (digit < 0 && high >= 0) {
-            return HID_HALF_HEX;
+        if (digit >= 0 && high == size) {
+            high = i;
+        } else if (digit >= 0) {
+            bytes[count++] = (uint8_t)(hex_digit(bytes[high]) << 4 | digit);
+            high = size;
+        } else if (high < size) {
+            break;
         }
-        if (high >= 0) {
-            bytes[count++] = (uint8_t)(high << 4 | digit);
-        }
-        high = high < 0 ? digit : -1;
     }
-    return high < 0 ? count : HID_HALF_HEX;
+    *wrong = high;
+    return high == size ? (long)count : HID_HALF_HEX;
 }
 
 enum exit_code hid_file_print_error(const char *path)
@@ -61,31 +50,25 @@ enum exit_code hid_file_print_error(const char *path)
     return EXIT_IO;
 }
 
-/* Returns the index of the first character that is neither a hex digit nor white space. Returns
- * `size` if every character is valid, or if the bytes are not text. */
-static size_t first_odd_letter(const uint8_t *bytes, size_t size)
+static bool is_text(const uint8_t *bytes, size_t size)
 {
-    size_t odd = size;
-    for (size_t i = size; i-- > 0;) {
+    for (size_t i = 0; i < size; i++) {
         if (!isprint(bytes[i]) && !isspace(bytes[i])) {
-            return size;
+            return false;
         }
-        odd = hex_digit(bytes[i]) < 0 && !isspace(bytes[i]) ? i : odd;
     }
-    return odd;
+    return true;
 }
 
 enum exit_code hid_file_take(struct hid_descriptor *out, uint8_t *bytes, size_t size,
                              const char *path)
 {
     CORE_ASSERT(out && bytes && path);
-    const size_t lone = lone_digit(bytes, size); /* The unpaired digit is searched before the
-                                                    conversion, because hid_from_hex() overwrites
-                                                    the text. */
-    const long count = hid_from_hex(bytes, size);
+    size_t wrong;
+    const long count = hid_from_hex(bytes, size, &wrong);
     if (count == HID_HALF_HEX) {
         print_error("kingyoctl hid: %s: hex text in which a byte has one digit: letter %zu", path,
-                    lone + 1u);
+                    wrong + 1u);
         return EXIT_BAD_DATA;
     }
     const size_t byte_count = count >= 0 ? (size_t)count : size;
@@ -95,12 +78,11 @@ enum exit_code hid_file_take(struct hid_descriptor *out, uint8_t *bytes, size_t 
     }
     const enum hid_error error = hid_descriptor_read(out, bytes, byte_count);
     if (error || out->group_count == 0) {
-        const size_t letter = count >= 0 ? size : first_odd_letter(bytes, size);
         char binary[80] = "";
-        if (letter < size) {
+        if (count < 0 && is_text(bytes, size)) {
             snprintf(binary, sizeof binary,
-                     " (read as binary, for its letter %zu, '%c', is no hex)", letter + 1u,
-                     bytes[letter]);
+                     " (read as binary, because letter %zu, '%c', is not hex)", wrong + 1u,
+                     bytes[wrong]);
         }
         print_error(
             "kingyoctl hid: %s: byte %zu: %s%s", path, error ? out->error_offset : byte_count,
@@ -113,14 +95,8 @@ enum exit_code hid_file_take(struct hid_descriptor *out, uint8_t *bytes, size_t 
 enum exit_code hid_file_read(struct hid_descriptor *out, const char *path)
 {
     static uint8_t bytes[HID_FILE_SIZE];
-    FILE *file;
-    enum exit_code code = ctl_file_open("kingyoctl hid", path, sizeof bytes, &file);
-    if (code != EXIT_OK) {
-        return code;
-    }
-    const size_t size = fread(bytes, 1, sizeof bytes, file);
-    code = ferror(file) ? hid_file_print_error(path) : EXIT_OK;
-    fclose(file);
+    size_t size;
+    const enum exit_code code = ctl_file_read("kingyoctl hid", path, bytes, sizeof bytes, &size);
     return code == EXIT_OK ? hid_file_take(out, bytes, size, path) : code;
 }
 

@@ -27,8 +27,9 @@
 #define HID_HALF_HEX (-2)
 
 /* Converts hex text to bytes in place. White space separates the bytes. Returns the number of
- * bytes, HID_NOT_HEX or HID_HALF_HEX. */
-long hid_from_hex(uint8_t *bytes, size_t size);
+ * bytes. After an error, sets `*wrong` to the index of the wrong character, or of the digit without
+ * a second digit, and returns HID_NOT_HEX or HID_HALF_HEX. `wrong` may be null. */
+long hid_from_hex(uint8_t *bytes, size_t size, size_t *wrong);
 
 /* Parses the content `bytes` of the descriptor file `path`. Hex text is first converted to bytes in
  * place, so `bytes` is overwritten. Any other content is parsed as a binary descriptor.

@@ -5,6 +5,7 @@
 
 #include <inttypes.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -29,7 +30,7 @@ void hid_live_begin(struct hid_live *live, const struct hid_descriptor *descript
     printable(live->title);
     for (uint32_t i = 0; i < descriptor->group_count; i++) {
         const struct hid_group *group = &descriptor->group[i];
-        const int is_set = !(group->flags & HID_VARIABLE) || group->bit_size == 1u;
+        const bool is_set = !(group->flags & HID_VARIABLE) || group->bit_size == 1u;
         if (group->flags & HID_CONSTANT || group->bit_size > 32u) {
             continue;
         }
@@ -40,7 +41,7 @@ void hid_live_begin(struct hid_live *live, const struct hid_descriptor *descript
             }
             live->row[live->row_count++] = (struct hid_live_row){ .group = (uint16_t)i,
                                                                   .field = (uint16_t)field,
-                                                                  .is_set = is_set != 0 };
+                                                                  .is_set = is_set };
         }
     }
 }
@@ -72,7 +73,7 @@ void hid_live_time(struct hid_live *live, uint64_t time_ns)
     if (time_ns - live->second_ns < SECOND_NS) {
         return;
     }
-    const int was_last = time_ns - live->second_ns < 2ull * SECOND_NS;
+    const bool was_last = time_ns - live->second_ns < 2ull * SECOND_NS;
     live->per_second = was_last ? live->second_count : 0;
     live->second_count = 0;
     live->second_ns = was_last ? live->second_ns + SECOND_NS : time_ns;
@@ -94,7 +95,7 @@ void hid_live_report(struct hid_live *live, struct hid_report report, uint64_t t
         if (group->report_id != hid_report_id(live->descriptor, report)) {
             continue;
         }
-        row->is_known = 1;
+        row->is_known = true;
         if (row->is_set) {
             take_set(live, row, group, report);
         } else {
@@ -148,7 +149,8 @@ static void put_bar(struct page *page, const struct hid_group *group, int64_t va
     }
     const uint32_t columns = page->width - used - 2u;
     const int64_t span = group->logical_max - group->logical_min;
-    const int is_low = value<group->logical_min, is_high = value> group->logical_max;
+    const bool is_low = value < group->logical_min;
+    const bool is_high = value > group->logical_max;
     const int64_t into = is_low ? 0 : is_high ? span : value - group->logical_min;
     const uint32_t at = (uint32_t)((double)into / (double)span * (columns - 1u) + 0.5);
     hid_live_put(page, "%c", is_low ? '<' : '[');
@@ -190,7 +192,7 @@ static void put_field(struct page *page, const struct hid_live *live,
         return;
     }
     hid_live_put(page, "%*" PRId64 "  ", VALUE_COLUMNS, row->value);
-    const int is_out = row->value < group->logical_min || row->value > group->logical_max;
+    const bool is_out = row->value < group->logical_min || row->value > group->logical_max;
     if (group->flags & HID_RELATIVE) {
         hid_live_put(page, "%*" PRId64 " in all", VALUE_COLUMNS, row->sum);
     } else if (is_out && group->flags & HID_NULL_STATE) {

@@ -5,6 +5,7 @@
 #ifndef KINGYO_PLATFORM_CTL_DEVICES_HID_LIVE_H
 #define KINGYO_PLATFORM_CTL_DEVICES_HID_LIVE_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -19,9 +20,9 @@
 struct hid_live_row {
     uint16_t group;
     uint16_t field;
-    uint8_t is_set; /* 1 if the row lists the active usages of a set: the one-bit switches of an
-                       Input item, or the elements of an array. 0 if the row shows one value. */
-    uint8_t is_known;
+    bool is_set;   /* True if the row lists the active usages of a set: the one-bit switches of an
+                      Input item, or the elements of an array. False if the row shows one value. */
+    bool is_known; /* True after the first report that contains the row. */
     int64_t value; /* Latest value of the field. */
     int64_t sum;   /* Sum of all values of the field. The view shows the sum for relative fields. */
     uint32_t on_count;

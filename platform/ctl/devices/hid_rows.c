@@ -3,6 +3,7 @@
 #include "platform/ctl/devices/hid_rows.h"
 
 #include <inttypes.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -22,78 +23,45 @@
 #define LINE_SIZE 65536
 #define REPORT_SIZE_MAX 16384u
 
+/* Names of usages in runs of adjacent usages. A null name means that the usage is written
+ * in hex. */
 static const struct {
-    hid_usage usage;
-    const char *word;
-} words[] = {
+    hid_usage first;
+    const char *names[10];
+} runs[] = {
     /* Usages of the Generic Desktop page (HID Usage Tables 1.5, section 4). */
-    { 0x00010001, "pointer" },
-    { 0x00010002, "mouse" },
-    { 0x00010004, "joystick" },
-    { 0x00010005, "game pad" },
-    { 0x00010006, "keyboard" },
-    { 0x00010007, "keypad" },
-    { 0x00010008, "multi-axis controller" },
-    { 0x00010030, "X" },
-    { 0x00010031, "Y" },
-    { 0x00010032, "Z" },
-    { 0x00010033, "Rx" },
-    { 0x00010034, "Ry" },
-    { 0x00010035, "Rz" },
-    { 0x00010036, "slider" },
-    { 0x00010037, "dial" },
-    { 0x00010038, "wheel" },
-    { 0x00010039, "hat" },
-    { 0x0001003d, "start" },
-    { 0x0001003e, "select" },
-    { 0x00010040, "Vx" },
-    { 0x00010041, "Vy" },
-    { 0x00010042, "Vz" },
-    { 0x00010080, "system control" },
-    { 0x00010085, "system main menu" },
-    { 0x00010090, "pad up" },
-    { 0x00010091, "pad down" },
-    { 0x00010092, "pad right" },
-    { 0x00010093, "pad left" },
+    { 0x00010001, { "pointer", "mouse", NULL, "joystick", "game pad", "keyboard", "keypad" } },
+    { 0x00010008, { "multi-axis controller" } },
+    { 0x00010030, { "X", "Y", "Z", "Rx", "Ry", "Rz", "slider", "dial", "wheel", "hat" } },
+    { 0x0001003d, { "start", "select", NULL, "Vx", "Vy", "Vz" } },
+    { 0x00010080, { "system control", NULL, NULL, NULL, NULL, "system main menu" } },
+    { 0x00010090, { "pad up", "pad down", "pad right", "pad left" } },
     /* Usages of the Simulation Controls page (HID Usage Tables 1.5, section 5). */
-    { 0x000200ba, "rudder" },
-    { 0x000200bb, "throttle" },
-    { 0x000200c4, "accelerator" },
-    { 0x000200c5, "brake" },
-    { 0x000200c8, "steering" },
+    { 0x000200ba, { "rudder", "throttle" } },
+    { 0x000200c4, { "accelerator", "brake", NULL, NULL, "steering" } },
     /* Usages of the Generic Device Controls page (HID Usage Tables 1.5, section 9) and the Consumer
      * page (section 15). */
-    { 0x00060020, "battery" },
-    { 0x000c0001, "consumer control" },
-    { 0x000c0224, "back" },
-    { 0x000c0238, "pan" },
+    { 0x00060020, { "battery" } },
+    { 0x000c0001, { "consumer control" } },
+    { 0x000c0224, { "back" } },
+    { 0x000c0238, { "pan" } },
     /* Usages of the Digitizers page (HID Usage Tables 1.5, section 16). */
-    { 0x000d0001, "digitizer" },
-    { 0x000d0002, "pen" },
-    { 0x000d0004, "touch screen" },
-    { 0x000d0005, "touch pad" },
-    { 0x000d0022, "finger" },
-    { 0x000d0030, "pressure" },
-    { 0x000d0032, "in range" },
-    { 0x000d003c, "invert" },
-    { 0x000d003d, "X tilt" },
-    { 0x000d003e, "Y tilt" },
-    { 0x000d0042, "tip" },
-    { 0x000d0044, "barrel" },
-    { 0x000d0045, "eraser" },
-    { 0x000d0047, "confidence" },
-    { 0x000d0051, "contact id" },
-    { 0x000d0054, "contact count" },
-    { 0x000d0056, "scan time" },
+    { 0x000d0001, { "digitizer", "pen", NULL, "touch screen", "touch pad" } },
+    { 0x000d0022, { "finger" } },
+    { 0x000d0030, { "pressure", NULL, "in range" } },
+    { 0x000d003c, { "invert", "X tilt", "Y tilt", NULL, NULL, NULL, "tip", NULL, "barrel" } },
+    { 0x000d0045, { "eraser", NULL, "confidence" } },
+    { 0x000d0051, { "contact id", NULL, NULL, "contact count", NULL, "scan time" } },
 };
 
 const char *hid_usage_name(hid_usage usage, char out[HID_NAME_SIZE])
 {
     const uint32_t page = usage >> 16, id = usage & 0xffffu;
     CORE_ASSERT(out);
-    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
-        if (words[i].usage == usage) {
-            return words[i].word;
+    for (size_t i = 0; i < sizeof runs / sizeof runs[0]; i++) {
+        const uint32_t at = usage - runs[i].first; /* A usage before the run wraps around. */
+        if (at < sizeof runs[0].names / sizeof runs[0].names[0] && runs[i].names[at]) {
+            return runs[i].names[at];
         }
     }
     if (page == PAGE_BUTTON) {
@@ -117,7 +85,7 @@ static void print_usage(hid_usage usage)
 static void describe_field(const struct hid_descriptor *descriptor, const char *id,
                            const struct hid_group *group, uint32_t index)
 {
-    const int is_variable = (group->flags & HID_VARIABLE) != 0;
+    const bool is_variable = (group->flags & HID_VARIABLE) != 0;
     print_part(stdout, "%s", id);
     putchar('\t');
     print_usage(group->application);
@@ -158,26 +126,6 @@ void hid_rows_describe(const struct hid_descriptor *descriptor, const char *id)
 
 /* ---- Output of `kingyoctl hid decode` -------------------------------------------------------- */
 
-static void print_value(const struct hid_descriptor *descriptor, const struct hid_group *group,
-                        uint32_t index, struct hid_report report)
-{
-    const int64_t value = hid_field_value(descriptor, group, index, report);
-    const int is_array = !(group->flags & HID_VARIABLE);
-    const int out = value < group->logical_min || value > group->logical_max;
-    const hid_usage usage =
-        is_array ? hid_selected(descriptor, group, value) : hid_usage_at(descriptor, group, index);
-    printf("\t%u\t%u\t%u\t", group->report_id, group->bit_offset + index * group->bit_size,
-           group->bit_size);
-    if (usage) {
-        print_usage(usage);
-    } else {
-        putchar('-');
-    }
-    printf("\t%" PRId64 "\t%s", value,
-           is_array ? (out ? "array,out_of_logical_range" : "array")
-                    : (out ? "out_of_logical_range" : "-"));
-}
-
 void hid_rows_values(const struct hid_descriptor *descriptor, const char *id, const char *seq,
                      struct hid_report report, const char *tail)
 {
@@ -187,12 +135,27 @@ void hid_rows_values(const struct hid_descriptor *descriptor, const char *id, co
     const int report_id = hid_report_id(descriptor, report);
     for (uint32_t i = 0; i < descriptor->group_count; i++) {
         const struct hid_group *group = &descriptor->group[i];
-        const int is_shown = group->report_id == report_id && !(group->flags & HID_CONSTANT) &&
-                             group->bit_size <= 32u;
+        const bool is_shown = group->report_id == report_id && !(group->flags & HID_CONSTANT) &&
+                              group->bit_size <= 32u;
         for (uint32_t index = 0; is_shown && index < group->count; index++) {
             print_part(stdout, "%s", id);
-            printf("\t%s", seq);
-            print_value(descriptor, group, index, report);
+            putchar('\t');
+            print_part(stdout, "%s", seq);
+            const int64_t value = hid_field_value(descriptor, group, index, report);
+            const bool is_array = !(group->flags & HID_VARIABLE);
+            const bool out = value < group->logical_min || value > group->logical_max;
+            const hid_usage usage = is_array ? hid_selected(descriptor, group, value)
+                                             : hid_usage_at(descriptor, group, index);
+            printf("\t%u\t%u\t%u\t", group->report_id, group->bit_offset + index * group->bit_size,
+                   group->bit_size);
+            if (usage) {
+                print_usage(usage);
+            } else {
+                putchar('-');
+            }
+            printf("\t%" PRId64 "\t%s", value,
+                   is_array ? (out ? "array,out_of_logical_range" : "array")
+                            : (out ? "out_of_logical_range" : "-"));
             fputs(tail, stdout);
         }
     }
@@ -226,13 +189,14 @@ static enum exit_code decode_row(struct decoded *of, char *line, unsigned row)
     const char *row_id = strsep(&rest, "\t");
     const char *seq = strsep(&rest, "\t");
     char *hex = strsep(&rest, "\t");
-    const int is_header = row == 1 && strcmp(row_id, "id") == 0;
+    const bool is_header = row == 1 && strcmp(row_id, "id") == 0;
     if (is_header || strcmp(row_id, of->id) != 0) {
         return EXIT_OK;
     }
     const size_t length = hex ? strlen(hex) : 0;
-    const long size =
-        hex && length <= 2u * REPORT_SIZE_MAX ? hid_from_hex((uint8_t *)hex, length) : HID_NOT_HEX;
+    const long size = hex && length <= 2u * REPORT_SIZE_MAX
+                          ? hid_from_hex((uint8_t *)hex, length, NULL)
+                          : HID_NOT_HEX;
     if (size < 0) {
         return hid_rows_error(of->path, row, "the third column is not a report in hex");
     }
@@ -240,7 +204,7 @@ static enum exit_code decode_row(struct decoded *of, char *line, unsigned row)
     if (of->reports++ == 0) {
         puts(HID_VALUE_HEADER);
     }
-    of->whole += hid_report_is_whole(of->descriptor, report) != 0;
+    of->whole += hid_report_is_whole(of->descriptor, report) ? 1u : 0u;
     hid_rows_values(of->descriptor, of->id, seq, report, "\n");
     return EXIT_OK;
 }
@@ -266,8 +230,7 @@ enum exit_code hid_rows_decode(const struct hid_descriptor *descriptor, const ch
         /* The id is the descriptor's file name, so a file without a matching report most likely
          * belongs to another descriptor. */
         puts(HID_VALUE_HEADER);
-        print_error("kingyoctl hid: %s: no report of id '%s', which is the descriptor's file "
-                    "name",
+        print_error("kingyoctl hid: %s: no report of id '%s', which is the descriptor's file name",
                     path, id);
         return EXIT_NOT_SO;
     }

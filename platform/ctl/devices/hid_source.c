@@ -5,7 +5,9 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <linux/hidraw.h>
+#include <linux/input.h>
 #include <poll.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -29,31 +31,29 @@
 
 /* ---- Device nodes ---------------------------------------------------------------------------- */
 
-static void take_text(char *out, size_t room, const char *text)
-{
-    snprintf(out, room, "%.*s", (int)strcspn(text, "\n"), text);
-    printable(out);
-}
-
 static void read_node(const char *root, struct hid_node *node)
 {
+    const struct {
+        const char *key;
+        char *out;
+        size_t size;
+    } texts[] = {
+        { "HID_NAME=", node->name, sizeof node->name },
+        { "HID_PHYS=", node->place, sizeof node->place },
+        { "HID_UNIQ=", node->serial, sizeof node->serial },
+        { "DRIVER=", node->driver, sizeof node->driver },
+    };
     char path[HID_NODE_PATH], line[LINE_SIZE];
     snprintf(path, sizeof path, "%s/sys/class/hidraw/hidraw%u/device/uevent", root, node->number);
     FILE *file = file_open(path, FILE_KERNEL_SIZE_MAX);
     while (file && file_read_line(file, line, sizeof line) != FILE_LINE_END) {
-        unsigned bus, vendor, product;
-        if (sscanf(line, "HID_ID=%4x:%8x:%8x", &bus, &vendor, &product) == 3) {
-            node->bus = (uint16_t)bus;
-            node->vendor = (uint16_t)vendor;
-            node->product = (uint16_t)product;
-        } else if (strncmp(line, "HID_NAME=", 9) == 0) {
-            take_text(node->name, sizeof node->name, line + 9);
-        } else if (strncmp(line, "HID_PHYS=", 9) == 0) {
-            take_text(node->place, sizeof node->place, line + 9);
-        } else if (strncmp(line, "HID_UNIQ=", 9) == 0) {
-            take_text(node->serial, sizeof node->serial, line + 9);
-        } else if (strncmp(line, "DRIVER=", 7) == 0) {
-            take_text(node->driver, sizeof node->driver, line + 7);
+        sscanf(line, "HID_ID=%4hx:%8x:%8x", &node->bus, &node->vendor, &node->product);
+        for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
+            const size_t length = strlen(texts[i].key);
+            if (strncmp(line, texts[i].key, length) == 0) {
+                snprintf(texts[i].out, texts[i].size, "%s", line + length);
+                printable(texts[i].out);
+            }
         }
     }
     if (file) {
@@ -91,36 +91,14 @@ uint32_t hid_nodes_list(const char *root, struct hid_node out[HID_NODES_MAX])
     return count;
 }
 
-int hid_node_descriptor(const char *root, const struct hid_node *node, struct hid_descriptor *out,
-                        int *said_errno)
-{
-    char path[HID_NODE_PATH];
-    static uint8_t bytes[HID_DESCRIPTOR_SIZE_MAX];
-    snprintf(path, sizeof path, "%s/sys/class/hidraw/hidraw%u/device/report_descriptor", root,
-             node->number);
-    const int file = open(path, O_RDONLY | O_CLOEXEC);
-    const ssize_t size = file < 0 ? -1 : read(file, bytes, sizeof bytes);
-    *said_errno = size < 0 ? errno : 0;
-    if (file >= 0) {
-        close(file);
-    }
-    return size >= 0 && hid_descriptor_read(out, bytes, (size_t)size) == HID_OK;
-}
-
 const char *hid_node_bus(const struct hid_node *node)
 {
-    switch (node->bus) {
-    case 0x03:
-        return "USB";
-    case 0x05:
-        return "Bluetooth";
-    case 0x06:
-        return "virtual";
-    case 0x18:
-        return "I2C";
-    default:
-        return "other";
-    }
+    static const char *const names[] = { [BUS_USB] = "USB",
+                                         [BUS_BLUETOOTH] = "Bluetooth",
+                                         [BUS_VIRTUAL] = "virtual",
+                                         [BUS_I2C] = "I2C" };
+    const size_t count = sizeof names / sizeof names[0];
+    return node->bus < count && names[node->bus] ? names[node->bus] : "other";
 }
 
 /* ---- Opening a source and its descriptor ----------------------------------------------------- */
@@ -128,17 +106,12 @@ const char *hid_node_bus(const struct hid_node *node)
 static enum exit_code ask_node(int file, struct hid_descriptor *descriptor, const char *path)
 {
     struct hidraw_report_descriptor said = { .size = 0 };
-    int size = 0;
-    if (ioctl(file, HIDIOCGRDESCSIZE, &size) < 0) {
-        return hid_file_print_error(path);
-    }
-    said.size = (uint32_t)size;
-    if (ioctl(file, HIDIOCGRDESC, &said) < 0) {
+    if (ioctl(file, HIDIOCGRDESCSIZE, &said.size) < 0 || ioctl(file, HIDIOCGRDESC, &said) < 0) {
         return hid_file_print_error(path);
     }
     const enum hid_error error = hid_descriptor_read(descriptor, said.value, said.size);
     if (error) {
-        print_error("kingyoctl hid: %s: byte %zu of its descriptor: %s", path,
+        print_error("kingyoctl hid: %s: byte %zu of its report descriptor: %s", path,
                     descriptor->error_offset, hid_error_text(error));
         return EXIT_BAD_DATA;
     }
@@ -146,19 +119,19 @@ static enum exit_code ask_node(int file, struct hid_descriptor *descriptor, cons
 }
 
 /* Waits until another process opens the pipe for writing, because a shell starts both processes at
- * about the same time. Also reads the first bytes. Returns 1, or 0 if no process opens the pipe
- * within WRITER_WAIT_MS. */
-static int wait_for_writer(struct hid_source *source)
+ * about the same time. Also reads the first bytes. Returns true, or false if no process opens the
+ * pipe within WRITER_WAIT_MS. */
+static bool wait_for_writer(struct hid_source *source)
 {
-    const ssize_t none = 0;
-    ssize_t size = none;
-    for (int ms = 0; size == none && ms < WRITER_WAIT_MS; ms += WRITER_STEP_MS) {
+    ssize_t size =
+        0; /* A size of 0 means that the pipe has no writer. A negative size (EAGAIN) means
+                         that a process has opened the pipe but has not written to it yet. */
+    for (int ms = 0; size == 0 && ms < WRITER_WAIT_MS; ms += WRITER_STEP_MS) {
         poll(NULL, 0, ms > 0 ? WRITER_STEP_MS : 0);
         size = read(source->file, source->bytes, sizeof source->bytes);
     }
     source->size = size > 0 ? (size_t)size : 0;
-    return size == none ? 0 : 1; /* A negative size (EAGAIN) means that a process has opened the
-                                    pipe but has not written to it yet. */
+    return size != 0;
 }
 
 /* Checks a source that is not a device node. The source must be a file of limited size, or a pipe
@@ -177,7 +150,8 @@ static enum exit_code check_type(struct hid_source *source)
         return EXIT_IO;
     }
     if (!S_ISREG(about.st_mode) && !S_ISFIFO(about.st_mode)) {
-        print_error("kingyoctl hid: %s: is no HID device, regular file or pipe", source->path);
+        print_error("kingyoctl hid: %s: is not a HID device, a regular file or a pipe",
+                    source->path);
         return EXIT_IO;
     }
     return EXIT_OK;
@@ -187,16 +161,13 @@ enum exit_code hid_source_open(struct hid_source *source, const char *path,
                                struct hid_descriptor *descriptor, const char *descriptor_path)
 {
     CORE_ASSERT(path && descriptor);
-    source->path = path;
-    source->descriptor = descriptor;
-    source->at_end = 0;
-    source->size = source->given = 0;
-    source->taken = 0;
+    *source = (struct hid_source){ .path = path, .descriptor = descriptor };
     source->file = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
     if (source->file < 0 && (errno == EACCES || errno == EPERM)) {
-        print_error("kingyoctl hid: %s: %s; a udev rule as board/udev's gives it to your group, "
-                    "'kingyoctl doctor' says which",
-                    path, strerror(errno));
+        print_error(
+            "kingyoctl hid: %s: %s; a udev rule as in board/udev gives your group access, and "
+            "'kingyoctl doctor' prints the rule",
+            path, strerror(errno));
         return EXIT_IO;
     }
     if (source->file < 0) {
@@ -210,7 +181,8 @@ enum exit_code hid_source_open(struct hid_source *source, const char *path,
     } else if (source->is_node) {
         code = ask_node(source->file, descriptor, path);
     } else {
-        print_error("kingyoctl hid: %s: no device's node; --descriptor FILE says what it is", path);
+        print_error(
+            "kingyoctl hid: %s: is not a device node; name its descriptor with --descriptor", path);
     }
     code = code == EXIT_OK && !source->is_node ? check_type(source) : code;
     if (code != EXIT_OK) {
@@ -304,13 +276,12 @@ enum hid_pull hid_source_pull(struct hid_source *source, int timeout_ms, struct 
     memmove(source->bytes, source->bytes + source->given, source->size);
     source->given = 0;
     enum hid_pull pull = cut_next_report(source, out, code);
-    if (pull == HID_PULL_NOTHING && !source->at_end) {
-        pull = hid_source_wait_bytes(source, timeout_ms, code);
-        return pull == HID_PULL_NOTHING ? cut_next_report(source, out, code) : pull;
-    }
-    if (pull == HID_PULL_NOTHING) {
+    if (pull == HID_PULL_NOTHING && source->at_end) {
         return source->size > 0 ? hid_source_error(source, "ends within a report", code)
                                 : end_with(code, EXIT_OK);
     }
-    return pull;
+    if (pull == HID_PULL_NOTHING) {
+        pull = hid_source_wait_bytes(source, timeout_ms, code);
+    }
+    return pull == HID_PULL_NOTHING ? cut_next_report(source, out, code) : pull;
 }

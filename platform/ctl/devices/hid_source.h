@@ -6,6 +6,7 @@
 #ifndef KINGYO_PLATFORM_CTL_DEVICES_HID_SOURCE_H
 #define KINGYO_PLATFORM_CTL_DEVICES_HID_SOURCE_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -22,7 +23,7 @@ struct hid_node {
     uint32_t number; /* Number N of the node /dev/hidrawN. */
     uint16_t bus;    /* Bus type, a BUS_* constant of linux/input.h: 3 is USB, 5 is Bluetooth, 0x18
                         is I2C. */
-    uint16_t vendor, product;
+    uint32_t vendor, product;
     int open_errno; /* Errno of the attempt to open the node. 0 means that the current user may read
                        the node. ENOENT means that /dev has no such node. */
     char name[HID_NODE_TEXT];  /* Name that the device reports. Unprintable characters are replaced
@@ -38,12 +39,6 @@ struct hid_node {
  * HID_NODES_MAX are dropped. */
 uint32_t hid_nodes_list(const char *root, struct hid_node out[HID_NODES_MAX]);
 
-/* Reads the report descriptor of a node from /sys, which every user may read. Returns 1 if the
- * descriptor is valid. Otherwise returns 0 and sets `*said_errno`. A `*said_errno` of 0 means that
- * the descriptor was read but is invalid, and `out->error` is the reason. */
-int hid_node_descriptor(const char *root, const struct hid_node *node, struct hid_descriptor *out,
-                        int *said_errno);
-
 /* Returns the name of the node's bus: "USB", "Bluetooth", "I2C", "virtual" or "other". */
 const char *hid_node_bus(const struct hid_node *node);
 
@@ -55,10 +50,10 @@ struct hid_source {
     const char *path;
     const struct hid_descriptor *descriptor;
     int file;
-    uint8_t is_node;
-    uint8_t at_end; /* 1 after the end of the file, or after every writer of the pipe has closed the
-                       pipe. Otherwise 0. */
-    size_t size;    /* Number of valid bytes in the buffer `bytes`. */
+    bool is_node; /* True for a device node, false for a file or a pipe. */
+    bool at_end; /* True after the end of the file, or after every writer of the pipe has closed the
+                     pipe. */
+    size_t size; /* Number of valid bytes in the buffer `bytes`. */
     size_t given;   /* Length in bytes of the report that was returned last. The next call of
                        hid_source_pull() removes the report from the buffer. */
     uint64_t taken; /* Position in the stream of the first byte in `bytes`. */

@@ -24,7 +24,7 @@ static struct doctor doctor;
 struct doctor_words {
     struct options options; /* Options of the kiosk. */
     const char *root, *user;
-    uint8_t as_json;
+    bool as_json;
 };
 
 /* ---- User account of the kiosk --------------------------------------------------------------- */
@@ -43,11 +43,9 @@ static enum exit_code take_user(struct doctor_user *user, const char *wanted)
     user->data[0] = '\0';
     if (!wanted || user->id == geteuid()) {
         file_default_data(user->data);
-    } else {
+    } else if (entry->pw_dir && entry->pw_dir[0] == '/' && entry->pw_dir[1]) {
         /* The default data folder is below the account's home folder. */
-        if (entry->pw_dir && entry->pw_dir[0] == '/' && entry->pw_dir[1]) {
-            snprintf(user->data, sizeof user->data, "%.900s/.local/share/kingyo", entry->pw_dir);
-        }
+        snprintf(user->data, sizeof user->data, "%.900s/.local/share/kingyo", entry->pw_dir);
     }
     snprintf(user->name, sizeof user->name, "%s", entry ? entry->pw_name : "this user");
     if (entry && getgrouplist(entry->pw_name, entry->pw_gid, user->groups, &count) < 0) {
@@ -65,7 +63,7 @@ static void doctor_warn(const char *line)
     struct doctor_finding *finding =
         doctor_find(&doctor, "config", DOCTOR_WRONG, "%s", doctor.options.config);
     doctor_state(finding, "%s", line);
-    doctor_todo(finding, "mend that line: the kiosk passes it over; 'kingyoctl config defaults' "
+    doctor_todo(finding, "correct the line, which the kiosk skips; 'kingyoctl config defaults' "
                          "lists the keys");
 }
 

@@ -10,6 +10,7 @@
 #include <stdint.h>
 #include <sys/types.h>
 
+#include "drivers/gpio/gpio_lines.h"
 #include "platform/config/options.h"
 #include "platform/os/file.h"
 
@@ -102,6 +103,32 @@ void doctor_sound(struct doctor *doctor);
 /* Checks the data folder, the database and the stored controller mappings. */
 void doctor_store(struct doctor *doctor);
 
+/* ---- GPIO lines ------------------------------------------------------------------------------ */
+
+/* Maximum number of lines in the list. A Raspberry Pi 5 has 130 lines on 14 chips. */
+#define GPIO_CENSUS_MAX 1024u
+
+/* State of one GPIO line, as the kernel reports it. */
+struct gpio_seen {
+    char chip[GPIO_TEXT_SIZE]; /* Label of the GPIO chip to which the line belongs. */
+    char name[GPIO_TEXT_SIZE];
+    char consumer[GPIO_TEXT_SIZE];
+    uint32_t offset;
+    bool is_used;
+};
+
+/* List of the GPIO lines of all chips. `more` is the number of lines that were dropped because the
+ * list was full. */
+struct gpio_census {
+    uint32_t count, more;
+    struct gpio_seen line[GPIO_CENSUS_MAX];
+};
+
+/* Adds a finding for the GPIO line that `wire` configures for `role`. The finding reports whether
+ * the line exists in `census`, is unused, and is the only line with its name. */
+void doctor_gpio_wire(struct doctor *doctor, enum gpio_role role, const struct gpio_wire *wire,
+                      const struct gpio_census *census);
+
 /* ---- Access permissions ---------------------------------------------------------------------- */
 
 /* Checks whether the kiosk's user may read and write `path`, which is relative to the root. Returns
@@ -127,14 +154,14 @@ __attribute__((format(printf, 4, 5))) void doctor_line(const struct doctor *doct
 
 /* Capacity of struct doctor_names, which is a sorted list of the names in a folder. Further names
  * are dropped. */
-#define DOCTOR_NAMES_MAX 64u
+#define DOCTOR_NAMES_MAX 256u
 struct doctor_names {
     uint32_t count;
-    char name[DOCTOR_NAMES_MAX][64];
+    char name[DOCTOR_NAMES_MAX][256];
 };
 
-/* Fills `out` with the names in the folder `path` that begin with `prefix`. The path is relative to
- * the root. */
+/* Fills `out` with the names in the folder `path` that begin with `prefix`, in the order of
+ * strverscmp(). The path is relative to the root. */
 void doctor_list(const struct doctor *doctor, const char *path, const char *prefix,
                  struct doctor_names *out);
 

@@ -76,7 +76,7 @@ void doctor_report_text(const struct doctor *doctor)
         }
     }
     if (doctor->more > 0) {
-        printf("and %u more that there was no room for\n", doctor->more);
+        printf("%u further findings were dropped because the list is full\n", doctor->more);
     }
     printf("%u fine, %u to look at, %u wrong\n", doctor_count(doctor, DOCTOR_FINE),
            doctor_count(doctor, DOCTOR_LOOK), doctor_count(doctor, DOCTOR_WRONG));
@@ -104,18 +104,25 @@ void doctor_report_json(const struct doctor *doctor)
     json_line(&json, 0);
     json_close(&json, ']');
     json_value(&json, "more", "%u", doctor->more);
-    json_value(&json, "fine", "%u", doctor_count(doctor, DOCTOR_FINE));
-    json_value(&json, "look", "%u", doctor_count(doctor, DOCTOR_LOOK));
-    json_value(&json, "wrong", "%u", doctor_count(doctor, DOCTOR_WRONG));
+    for (enum doctor_level level = DOCTOR_FINE; level <= DOCTOR_WRONG; level++) {
+        json_value(&json, keys[level], "%u", doctor_count(doctor, level));
+    }
     json_close(&json, '}');
     json_end(&json);
 }
 
+/* Returns the path `path` below the root in a static buffer, which the next call overwrites. */
+static const char *below_root(const struct doctor *doctor, const char *path)
+{
+    static char whole[DOCTOR_PATH + OPTIONS_PATH_MAX];
+    snprintf(whole, sizeof whole, "%s%s", doctor->root, path);
+    return whole;
+}
+
 int doctor_may_use(const struct doctor *doctor, const char *path)
 {
-    char whole[DOCTOR_PATH + OPTIONS_PATH_MAX];
+    const char *whole = below_root(doctor, path);
     struct stat about;
-    snprintf(whole, sizeof whole, "%s%s", doctor->root, path);
     if (stat(whole, &about)) {
         return errno;
     }
@@ -141,12 +148,10 @@ int doctor_may_use(const struct doctor *doctor, const char *path)
 void doctor_todo_access(const struct doctor *doctor, struct doctor_finding *finding,
                         const char *path, const char *otherwise)
 {
-    char whole[DOCTOR_PATH + OPTIONS_PATH_MAX];
     struct stat about;
-    snprintf(whole, sizeof whole, "%s%s", doctor->root, path);
     const mode_t group_may = S_IRGRP | S_IWGRP;
-    if (stat(whole, &about)) {
-        doctor_todo(finding, "%s is not there: mount /dev with devtmpfs and start udev", path);
+    if (stat(below_root(doctor, path), &about)) {
+        doctor_todo(finding, "%s does not exist: mount /dev with devtmpfs and start udev", path);
         return;
     }
     const struct group *group = getgrgid(about.st_gid);
@@ -173,16 +178,13 @@ void doctor_line(const struct doctor *doctor, char *out, size_t size, const char
 
 bool doctor_kiosk_is_running(const struct doctor *doctor)
 {
-    char path[DOCTOR_PATH + OPTIONS_PATH_MAX], name[32];
+    char name[32];
     bool runs = false;
-    snprintf(path, sizeof path, "%s/proc", doctor->root);
-    DIR *folder = opendir(path);
+    DIR *folder = opendir(below_root(doctor, "/proc"));
     const struct dirent *entry;
     while (folder && !runs && (entry = readdir(folder))) {
-        if (entry->d_name[0] >= '0' && entry->d_name[0] <= '9') {
-            doctor_line(doctor, name, sizeof name, "/proc/%.32s/comm", entry->d_name);
-            runs = strcmp(name, "kingyo") == 0;
-        }
+        doctor_line(doctor, name, sizeof name, "/proc/%.32s/comm", entry->d_name);
+        runs = entry->d_name[0] >= '0' && entry->d_name[0] <= '9' && strcmp(name, "kingyo") == 0;
     }
     if (folder) {
         closedir(folder);
@@ -198,14 +200,12 @@ static int by_name(const void *left, const void *right)
 void doctor_list(const struct doctor *doctor, const char *path, const char *prefix,
                  struct doctor_names *out)
 {
-    char whole[DOCTOR_PATH + OPTIONS_PATH_MAX];
-    snprintf(whole, sizeof whole, "%s%s", doctor->root, path);
-    DIR *folder = opendir(whole);
+    DIR *folder = opendir(below_root(doctor, path));
     const struct dirent *entry;
     out->count = 0;
     while (folder && out->count < DOCTOR_NAMES_MAX && (entry = readdir(folder))) {
         if (strncmp(entry->d_name, prefix, strlen(prefix)) == 0) {
-            snprintf(out->name[out->count++], sizeof out->name[0], "%.63s", entry->d_name);
+            snprintf(out->name[out->count++], sizeof out->name[0], "%s", entry->d_name);
         }
     }
     if (folder) {

@@ -3,7 +3,7 @@
  * The check reports whether each configured line exists, is unused and has a unique name. The check
  * uses linux/gpio.h directly, because the kernel reports the consumer of a line without a request
  * for the line. */
-#include "platform/ctl/doctor/doctor_gpio.h"
+#include "platform/ctl/doctor/doctor.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -16,35 +16,11 @@
 #include "core/base/panic.h"
 #include "drivers/gpio/gpio_config.h"
 #include "drivers/gpio/gpio_backend.h"
-#include "platform/ctl/doctor/doctor.h"
 
 /* ---- Reading all GPIO lines ------------------------------------------------------------------ */
 
-static void doctor_gpio_read_lines(int file, const struct gpiochip_info *chip,
-                                   struct gpio_census *census)
-{
-    for (uint32_t offset = 0; offset < chip->lines; offset++) {
-        struct gpio_v2_line_info line = { .offset = offset };
-        if (ioctl(file, GPIO_V2_GET_LINEINFO_IOCTL, &line)) {
-            continue;
-        }
-        if (census->count == GPIO_CENSUS_MAX) {
-            census->more++;
-            continue;
-        }
-        struct gpio_seen *seen = &census->line[census->count++];
-        *seen = (struct gpio_seen){
-            .offset = offset,
-            .is_used = (line.flags & GPIO_V2_LINE_FLAG_USED) != 0,
-        };
-        snprintf(seen->chip, sizeof seen->chip, "%.31s", chip->label);
-        snprintf(seen->name, sizeof seen->name, "%.31s", line.name);
-        snprintf(seen->consumer, sizeof seen->consumer, "%.31s", line.consumer);
-    }
-}
-
 /* Adds a finding for a chip, and adds the lines of the chip to `census`. */
-static void look_at_chip(struct doctor *doctor, const char *path, struct gpio_census *census)
+static void check_chip(struct doctor *doctor, const char *path, struct gpio_census *census)
 {
     char whole[OPTIONS_PATH_MAX + 64u];
     struct gpiochip_info chip = { .lines = 0 };
@@ -65,7 +41,24 @@ static void look_at_chip(struct doctor *doctor, const char *path, struct gpio_ce
     if (error) {
         doctor_state(doctor_find(doctor, "gpio", DOCTOR_LOOK, "%s", path), "%s", strerror(error));
     } else {
-        doctor_gpio_read_lines(file, &chip, census);
+        for (uint32_t offset = 0; offset < chip.lines; offset++) {
+            struct gpio_v2_line_info line = { .offset = offset };
+            if (ioctl(file, GPIO_V2_GET_LINEINFO_IOCTL, &line)) {
+                continue;
+            }
+            if (census->count == GPIO_CENSUS_MAX) {
+                census->more++;
+                continue;
+            }
+            struct gpio_seen *seen = &census->line[census->count++];
+            *seen = (struct gpio_seen){
+                .offset = offset,
+                .is_used = (line.flags & GPIO_V2_LINE_FLAG_USED) != 0,
+            };
+            snprintf(seen->chip, sizeof seen->chip, "%.31s", chip.label);
+            snprintf(seen->name, sizeof seen->name, "%.31s", line.name);
+            snprintf(seen->consumer, sizeof seen->consumer, "%.31s", line.consumer);
+        }
         doctor_state(doctor_find(doctor, "gpio", DOCTOR_FINE, "%s", path), "%s, %u lines",
                      chip.label, chip.lines);
     }
@@ -76,30 +69,7 @@ static void look_at_chip(struct doctor *doctor, const char *path, struct gpio_ce
 
 /* ---- Checks of the configured lines ---------------------------------------------------------- */
 
-/* Fills the finding for a configured line. `seen` is the first of `places` lines that match the
- * configuration. If two chips have the same label, only the names of their lines distinguish the
- * chips. */
-static void look_at_found(struct doctor_finding *finding, const struct gpio_wire *wire,
-                          const struct gpio_seen *seen, uint32_t places)
-{
-    if (places > 1u && !wire->name[0]) {
-        finding->level = DOCTOR_WRONG;
-        doctor_state(finding, "%u chips have that label", places);
-        doctor_todo(finding, "name it by its line's name, if it has one: kingyoctl lines list");
-    } else if (places > 1u) {
-        finding->level = DOCTOR_WRONG;
-        doctor_state(finding, "%u lines are called so", places);
-        doctor_todo(finding, "name it by its chip: %s:%u", seen->chip, seen->offset);
-    } else if (seen->is_used && strcmp(seen->consumer, "kingyo") != 0) {
-        finding->level = DOCTOR_WRONG;
-        doctor_state(finding, "held by '%s'", seen->consumer);
-        doctor_todo(finding, "end that program, or remove the overlay or driver of that name");
-    } else {
-        doctor_state(finding, "on %s, line %u%s", seen->chip, seen->offset,
-                     seen->is_used ? ", held by the running kiosk" : ", free");
-    }
-}
-
+/* If two chips have the same label, only the names of their lines distinguish the chips. */
 void doctor_gpio_wire(struct doctor *doctor, enum gpio_role role, const struct gpio_wire *wire,
                       const struct gpio_census *census)
 {
@@ -118,14 +88,28 @@ void doctor_gpio_wire(struct doctor *doctor, enum gpio_role role, const struct g
     gpio_wire_text(wire, line);
     struct doctor_finding *finding =
         doctor_find(doctor, "line", DOCTOR_FINE, "%s on %s", gpio_role_name(role), line);
-    if (found) {
-        look_at_found(finding, wire, found, places);
-        return;
+    if (!found) {
+        finding->level = DOCTOR_WRONG;
+        doctor_state(finding, "no chip that may be opened has this line");
+        doctor_todo(finding, "correct --line %s=...; kingyoctl lines list prints all lines",
+                    gpio_role_name(role));
+    } else if (places > 1u && !wire->name[0]) {
+        finding->level = DOCTOR_WRONG;
+        doctor_state(finding, "%u chips have this label", places);
+        doctor_todo(finding,
+                    "use the name of the line, if the line has a name: kingyoctl lines list");
+    } else if (places > 1u) {
+        finding->level = DOCTOR_WRONG;
+        doctor_state(finding, "%u lines have this name", places);
+        doctor_todo(finding, "use the chip and the offset: %s:%u", found->chip, found->offset);
+    } else if (found->is_used && strcmp(found->consumer, "kingyo") != 0) {
+        finding->level = DOCTOR_WRONG;
+        doctor_state(finding, "held by '%s'", found->consumer);
+        doctor_todo(finding, "end the program, or remove the overlay or driver of this name");
+    } else {
+        doctor_state(finding, "on %s, line %u%s", found->chip, found->offset,
+                     found->is_used ? ", held by the running kiosk" : ", free");
     }
-    finding->level = DOCTOR_WRONG;
-    doctor_state(finding, "no chip that may be opened has it");
-    doctor_todo(finding, "kingyoctl lines list shows those there are: mend --line %s=...",
-                gpio_role_name(role));
 }
 
 void doctor_gpio(struct doctor *doctor)
@@ -136,15 +120,16 @@ void doctor_gpio(struct doctor *doctor)
     census.count = census.more = 0;
     struct gpio_dev_walk walk = { .root = doctor->root };
     while (gpio_dev_next(&walk)) {
-        look_at_chip(doctor, walk.path, &census);
+        check_chip(doctor, walk.path, &census);
     }
     if (walk.count == 0) {
         const bool is_needed = doctor->options.line_count > 0;
         struct doctor_finding *none =
             doctor_find(doctor, "gpio", is_needed ? DOCTOR_WRONG : DOCTOR_FINE, "chips");
-        doctor_state(none, "this machine has no GPIO: buttons are keys, coins are '5'");
+        doctor_state(none,
+                     "this machine has no GPIO: use keys as buttons, and the key '5' as a coin");
         if (is_needed) {
-            doctor_todo(none, "enable the GPIO driver, or take the --line options away");
+            doctor_todo(none, "enable the GPIO driver, or remove the --line options");
         }
     }
     for (uint32_t i = 0; i < doctor->options.line_count; i++) {

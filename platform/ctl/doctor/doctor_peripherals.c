@@ -17,8 +17,8 @@
 /* Adds a finding for a device node. `what` is the text of the finding. If the kiosk's user has no
  * access, the finding contains the command that gives access through the group `group`. `is_needed`
  * is false if a desktop session opens the node for the kiosk. */
-static void look_at_node(struct doctor *doctor, const char *part, const char *what,
-                         const char *path, const char *group, bool is_needed)
+static void check_node(struct doctor *doctor, const char *part, const char *what, const char *path,
+                       const char *group, bool is_needed)
 {
     CORE_ASSERT(part && what && path && group);
     char join[DOCTOR_TEXT];
@@ -51,25 +51,25 @@ bool doctor_under_a_desktop(const struct doctor *doctor)
 void doctor_input(struct doctor *doctor)
 {
     static struct doctor_names events;
-    char name[DOCTOR_TEXT], path[96], what[2u * DOCTOR_TEXT];
+    char name[DOCTOR_TEXT], path[DOCTOR_PATH], what[2u * DOCTOR_PATH];
     doctor_list(doctor, "/sys/class/input", "event", &events);
     for (uint32_t i = 0; i < events.count; i++) {
-        snprintf(path, sizeof path, "/dev/input/%.64s", events.name[i]);
+        snprintf(path, sizeof path, "/dev/input/%s", events.name[i]);
         doctor_line(doctor, name, sizeof name, "/sys/class/input/%s/device/name", events.name[i]);
         snprintf(what, sizeof what, "%s, %s", name[0] ? name : "without a name", path);
-        look_at_node(doctor, "input", what, path, "input", !doctor_under_a_desktop(doctor));
+        check_node(doctor, "input", what, path, "input", !doctor_under_a_desktop(doctor));
     }
 }
 
-static void look_at_nodes(struct doctor *doctor, const char *part, const char *folder,
-                          const char *prefix, const char *group)
+static void check_nodes(struct doctor *doctor, const char *part, const char *folder,
+                        const char *prefix, const char *group)
 {
-    struct doctor_names nodes;
-    char path[160];
+    static struct doctor_names nodes;
+    char path[DOCTOR_PATH];
     doctor_list(doctor, folder, prefix, &nodes);
     for (uint32_t i = 0; i < nodes.count; i++) {
         snprintf(path, sizeof path, "%s/%s", folder, nodes.name[i]);
-        look_at_node(doctor, part, path, path, group, true);
+        check_node(doctor, part, path, path, group, true);
     }
 }
 
@@ -77,8 +77,8 @@ static void look_at_nodes(struct doctor *doctor, const char *part, const char *f
 
 void doctor_screen(struct doctor *doctor)
 {
-    struct doctor_names sockets; /* Video connectors, for example "card1-HDMI-A-1". */
-    uint32_t connected = 0;      /* Number of connectors to which a screen is connected. */
+    static struct doctor_names sockets; /* Video connectors, for example "card1-HDMI-A-1". */
+    uint32_t connected = 0;             /* Number of connectors to which a screen is connected. */
     doctor_list(doctor, "/sys/class/drm", "card", &sockets);
     for (uint32_t i = 0; i < sockets.count; i++) {
         char status[32], mode[32];
@@ -94,8 +94,8 @@ void doctor_screen(struct doctor *doctor)
         doctor_state(doctor_find(doctor, "display", DOCTOR_FINE, "desktop"), "%s",
                      getenv("WAYLAND_DISPLAY") ? getenv("WAYLAND_DISPLAY") : getenv("DISPLAY"));
     } else {
-        look_at_nodes(doctor, "display", "/dev/dri", "card", "video");
-        look_at_nodes(doctor, "display", "/dev/dri", "renderD", "render");
+        check_nodes(doctor, "display", "/dev/dri", "card", "video");
+        check_nodes(doctor, "display", "/dev/dri", "renderD", "render");
     }
     if (!doctor->root[0]) { /* The display is checked only on the real machine (an empty root). A
                                test folder cannot open windows. */
@@ -103,15 +103,16 @@ void doctor_screen(struct doctor *doctor)
         const bool has_screen = board_has_screen(why, sizeof why) != 0;
         struct doctor_finding *finding =
             doctor_find(doctor, "display", has_screen ? DOCTOR_FINE : DOCTOR_WRONG, "the kiosk's");
-        doctor_state(finding, "%s", has_screen ? "opens here and now" : why);
+        doctor_state(finding, "%s", has_screen ? "can be opened" : why);
         if (!has_screen) {
-            doctor_todo(finding, "plug a screen in, or start from a desktop; without one the kiosk "
-                                 "only writes pictures");
+            doctor_todo(finding,
+                        "connect a screen, or start from a desktop; without a screen the kiosk "
+                        "only writes pictures");
         }
     } else if (connected == 0) {
         struct doctor_finding *none = doctor_find(doctor, "display", DOCTOR_WRONG, "screens");
         doctor_state(none, "no screen is plugged in");
-        doctor_todo(none, "plug one in and switch it on");
+        doctor_todo(none, "connect a screen and switch it on");
     }
 }
 
@@ -128,7 +129,7 @@ void doctor_sound(struct doctor *doctor)
     while (file && file_read_line(file, line, sizeof line) != FILE_LINE_END) {
         unsigned number;
         const char *name = strstr(line, "]: ");
-        if (sscanf(line, " %u [", &number) == 1 && name) {
+        if (sscanf(line, " %9u [", &number) == 1 && name) {
             doctor_state(doctor_find(doctor, "sound", DOCTOR_FINE, "card %u", number), "%s",
                          name + 3);
             count++;
@@ -139,10 +140,10 @@ void doctor_sound(struct doctor *doctor)
     }
     if (count == 0) {
         struct doctor_finding *none = doctor_find(doctor, "sound", DOCTOR_LOOK, "cards");
-        doctor_state(none, "there is none: the stall is silent");
-        doctor_todo(none, "plug one in, or enable the board's own (on a Raspberry Pi: "
+        doctor_state(none, "this machine has no sound card: the kiosk is silent");
+        doctor_todo(none, "connect a sound card, or enable the board's sound (on a Raspberry Pi: "
                           "dtparam=audio=on)");
         return;
     }
-    look_at_nodes(doctor, "sound", "/dev/snd", "pcm", "audio");
+    check_nodes(doctor, "sound", "/dev/snd", "pcm", "audio");
 }

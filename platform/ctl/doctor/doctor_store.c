@@ -1,5 +1,4 @@
 /* doctor_store.c -- checks the data folder, the database and the stored controller mappings. */
-#include <dirent.h>
 #include <errno.h>
 #include <inttypes.h>
 #include <stdio.h>
@@ -25,24 +24,24 @@
 
 /* ---- Data folder ----------------------------------------------------------------------------- */
 
-static void look_at_room(struct doctor *doctor, const char *path)
+static void check_room(struct doctor *doctor, const char *path)
 {
     struct statvfs about;
-    if (statvfs(path, &about)) {
-        return;
-    }
-    const uint64_t mib = (uint64_t)about.f_bavail * about.f_frsize / 1048576u;
-    struct doctor_finding *finding =
-        doctor_find(doctor, "store", mib < ROOM_MIB ? DOCTOR_LOOK : DOCTOR_FINE, "room");
-    doctor_state(finding, "%" PRIu64 " MiB are free", mib);
-    if (mib < ROOM_MIB) {
-        doctor_todo(finding, "make room on that card: %u MiB at least", ROOM_MIB);
+    if (statvfs(path, &about) == 0) {
+        const uint64_t mib = (uint64_t)about.f_bavail * about.f_frsize / 1048576u;
+        const bool is_low = mib < ROOM_MIB;
+        struct doctor_finding *finding =
+            doctor_find(doctor, "store", is_low ? DOCTOR_LOOK : DOCTOR_FINE, "room");
+        doctor_state(finding, "%" PRIu64 " MiB are free", mib);
+        if (is_low) {
+            doctor_todo(finding, "free space on the card: %u MiB at least", ROOM_MIB);
+        }
     }
 }
 
 /* Adds a finding for the data folder. Returns 0 if the kiosk's user may use the folder, otherwise
  * an errno. */
-static int look_at_folder(struct doctor *doctor, const char *path)
+static int check_folder(struct doctor *doctor, const char *path)
 {
     struct statvfs mount;
     /* The mode bits of a folder do not show whether its file system is mounted read-only. */
@@ -51,13 +50,14 @@ static int look_at_folder(struct doctor *doctor, const char *path)
                           : doctor_may_use(doctor, doctor->options.data);
     struct doctor_finding *finding = doctor_find(doctor, "store", DOCTOR_FINE, "%s", path);
     if (error == ENOENT) {
-        doctor_state(finding, "is not there yet: the kiosk makes it at its first start");
+        doctor_state(finding,
+                     "does not exist yet: the kiosk creates the folder at its first start");
     } else if (error == EROFS) {
         finding->level = DOCTOR_WRONG;
-        doctor_state(finding, "lies on what can only be read: nothing is kept, no coin is taken");
+        doctor_state(finding, "is mounted read-only: the kiosk saves nothing and accepts no coin");
         doctor_todo(finding,
-                    "look into /run/kingyo-data and 'findmnt %.300s'; a card that became "
-                    "so by itself is to be replaced",
+                    "see /run/kingyo-data and 'findmnt %.300s'; replace a card that became "
+                    "read-only by itself",
                     doctor->options.data);
     } else if (error) {
         finding->level = DOCTOR_WRONG;
@@ -81,30 +81,34 @@ static int64_t count_of(struct ledger_file *file, const char *sql)
     return sql_number(file->db, sql, &count) == SQLITE_OK ? count : 0;
 }
 
-static void say_why_not(struct doctor *doctor, struct doctor_finding *finding, int code,
-                        const char *path)
+static void report_open_error(struct doctor *doctor, struct doctor_finding *finding, int code,
+                              const char *path)
 {
     if (code == SQLITE_BUSY || code == SQLITE_LOCKED) {
-        doctor_state(finding, "another program writes to it right now");
-    } else if (code == SQLITE_SCHEMA) {
-        doctor_state(finding, "of an earlier version: brought up to date at the next start");
-    } else if (code == LEDGER_FILE_NEWER) {
-        finding->level = DOCTOR_WRONG;
-        doctor_state(finding, "a later Kingyo wrote it: this one keeps nothing");
-        doctor_todo(finding, "install that version again, or put a backup in the file's place");
+        doctor_state(finding, "another program is writing to the database");
+        return;
+    }
+    if (code == SQLITE_SCHEMA) {
+        doctor_state(finding,
+                     "of an earlier version: the kiosk updates the database at its next start");
+        return;
+    }
+    finding->level = DOCTOR_WRONG;
+    if (code == LEDGER_FILE_NEWER) {
+        doctor_state(finding,
+                     "a later version of Kingyo wrote the database: this version saves nothing");
+        doctor_todo(finding, "install the later version again, or replace the file with a backup");
     } else if (code == SQLITE_CORRUPT || code == SQLITE_NOTADB) {
-        finding->level = DOCTOR_WRONG;
         doctor_state(finding, "damaged: %.200s", ledger_file_error(code));
-        doctor_todo(finding, "restart the stall: it will set the file aside and go on from its "
-                             "backup, with what can still be read");
+        doctor_todo(finding, "restart the kiosk: it renames the file and continues from the "
+                             "backup and the entries that can still be read");
     } else {
-        finding->level = DOCTOR_WRONG;
         doctor_state(finding, "cannot be opened: %.200s", ledger_file_error(code));
         doctor_todo(finding, "sudo chown %s '%s'", doctor->user.name, path);
     }
 }
 
-static void look_at_database(struct doctor *doctor, const char *folder)
+static void check_database(struct doctor *doctor, const char *folder)
 {
     char path[PATH_ROOM];
     struct stat about;
@@ -113,7 +117,7 @@ static void look_at_database(struct doctor *doctor, const char *folder)
     snprintf(path, sizeof path, "%s/%s", folder, STORAGE_FILE);
     struct doctor_finding *finding = doctor_find(doctor, "database", DOCTOR_FINE, "%s", path);
     if (stat(path, &about)) {
-        doctor_state(finding, "is not there yet: nothing was kept");
+        doctor_state(finding, "does not exist yet: the kiosk has saved nothing");
         return;
     }
     int code = ledger_file_inspect(&file, path);
@@ -127,12 +131,12 @@ static void look_at_database(struct doctor *doctor, const char *folder)
                      count_of(&file, "SELECT count(*) FROM rounds"),
                      count_of(&file, "SELECT count(*) FROM replays"));
     } else {
-        say_why_not(doctor, finding, code, path);
+        report_open_error(doctor, finding, code, path);
     }
     ledger_file_close(&file);
 }
 
-static void look_at_backup(struct doctor *doctor, const char *folder)
+static void check_backup(struct doctor *doctor, const char *folder)
 {
     char path[PATH_ROOM];
     struct stat about;
@@ -147,61 +151,58 @@ static void look_at_backup(struct doctor *doctor, const char *folder)
     doctor_state(finding, "%" PRId64 " h old, %" PRId64 " KiB", hours,
                  (int64_t)about.st_size / 1024);
     if (hours >= BACKUP_OLD_H) {
-        doctor_todo(finding, "nothing, if the stall was closed so long; else make room on the card "
-                             "and look at its log");
+        doctor_todo(
+            finding,
+            "nothing, if the kiosk was closed for this time; otherwise free space on the card "
+            "and check the log of the kiosk");
     }
 }
 
 static const struct {
     const char *state, *todo;
 } asides[] = {
-    [SYSTEM_HEALTH_QUARANTINE_DAMAGED] = { "was damaged, and set aside",
-                                           "compare the books (kingyoctl audits) with the meter; "
-                                           "then remove "
-                                           "it. If there are several, replace the card" },
-    [SYSTEM_HEALTH_QUARANTINE_MISSING] = { "kingyo.db was missing, and made anew of what could be "
-                                           "read",
-                                           "compare the books (kingyoctl audits) with the meter; "
-                                           "then remove "
-                                           "this note" },
-    [SYSTEM_HEALTH_QUARANTINE_LEFT] = { "is the database from before a start that left a part out, "
-                                        "because of "
-                                        "panics",
+    [SYSTEM_HEALTH_QUARANTINE_DAMAGED] = { "was damaged, and was renamed",
+                                           "compare the audits (kingyoctl audits) with the meter, "
+                                           "then remove the file. If there are several, replace "
+                                           "the card" },
+    [SYSTEM_HEALTH_QUARANTINE_MISSING] = { "kingyo.db was missing, and was created from what could "
+                                           "be read",
+                                           "compare the audits (kingyoctl audits) with the meter, "
+                                           "then remove this note" },
+    [SYSTEM_HEALTH_QUARANTINE_LEFT] = { "is the database from before a start that left out a part "
+                                        "because of panics",
                                         "send the log and panic-*.kgr; kingyoctl backup --restore "
-                                        "goes back "
-                                        "to it. Then remove it" },
-    [SYSTEM_HEALTH_QUARANTINE_OTHER] = { "is of another list or not a regular file, and was set "
-                                         "aside",
-                                         "remove it, or put it back beside the kingyo.db it "
-                                         "belongs to" },
+                                        "restores this database. Then remove the file" },
+    [SYSTEM_HEALTH_QUARANTINE_OTHER] = { "belongs to another database or is not a regular file, "
+                                         "and was renamed",
+                                         "remove the file, or move it back to the kingyo.db to "
+                                         "which it belongs" },
 };
 
 /* Adds a finding for each quarantined file, a damaged file that the kiosk renamed. A quarantined
  * file stays in the data folder until the operator deletes it. */
-static void look_at_damaged(struct doctor *doctor, const char *folder)
+static void check_damaged(struct doctor *doctor, const char *folder)
 {
-    DIR *list = opendir(folder);
-    const struct dirent *entry;
-    while (list && (entry = readdir(list))) {
-        const enum system_health_quarantine aside = system_health_quarantine_of(entry->d_name);
+    static struct doctor_names names;
+    doctor_list(doctor, doctor->options.data, "", &names);
+    for (uint32_t i = 0; i < names.count; i++) {
+        const enum system_health_quarantine aside = system_health_quarantine_of(names.name[i]);
         if (aside != SYSTEM_HEALTH_QUARANTINE_NONE) {
             CORE_ASSERT((size_t)aside < sizeof asides / sizeof asides[0]);
             struct doctor_finding *finding =
-                doctor_find(doctor, "database", DOCTOR_LOOK, "%s/%s", folder, entry->d_name);
-            doctor_state(
-                finding, "%s%s", asides[aside].state,
-                system_health_is_seen(folder, entry->d_name) ? "; the operator has seen that" : "");
+                doctor_find(doctor, "database", DOCTOR_LOOK, "%s/%s", folder, names.name[i]);
+            doctor_state(finding, "%s%s", asides[aside].state,
+                         system_health_is_seen(folder, names.name[i])
+                             ? "; the operator has confirmed the finding"
+                             : "");
             doctor_todo(finding, "%s", asides[aside].todo);
         }
-    }
-    if (list) {
-        closedir(list);
     }
 }
 
 /* ---- Stored controller mappings -------------------------------------------------------------- */
 
-static void look_at_poi(struct doctor *doctor, const char *path)
+static void check_poi_file(struct doctor *doctor, const char *path)
 {
     static char text[HID_MAPPING_STORE_TEXT_SIZE];
     static struct hid_mapping_store_entry entry;
@@ -226,29 +227,26 @@ static void look_at_poi(struct doctor *doctor, const char *path)
     } else {
         doctor_state(finding, "line %d: %s", line, why);
     }
-    doctor_todo(finding, "remove it, and learn that controller again in the operator's menu");
+    doctor_todo(finding, "remove the file, and learn the controller again in the operator's menu");
 }
 
-static void look_at_pois(struct doctor *doctor, const char *data)
+static void check_poi_files(struct doctor *doctor, const char *data)
 {
+    static struct doctor_names names;
     char path[PATH_ROOM];
-    snprintf(path, sizeof path, "%s/pois", data);
-    DIR *folder = opendir(path);
-    const struct dirent *entry;
-    while (folder && (entry = readdir(folder))) {
-        const char *dot = strrchr(entry->d_name, '.');
+    snprintf(path, sizeof path, "%s/pois", doctor->options.data);
+    doctor_list(doctor, path, "", &names);
+    for (uint32_t i = 0; i < names.count; i++) {
+        const char *dot = strrchr(names.name[i], '.');
         if (dot && strcmp(dot, ".poi") == 0) {
-            snprintf(path, sizeof path, "%s/pois/%.255s", data, entry->d_name);
-            look_at_poi(doctor, path);
+            snprintf(path, sizeof path, "%s/pois/%s", data, names.name[i]);
+            check_poi_file(doctor, path);
         }
-    }
-    if (folder) {
-        closedir(folder);
     }
 }
 
 static void (*const checks[])(struct doctor *doctor, const char *folder) = {
-    look_at_room, look_at_database, look_at_backup, look_at_damaged, look_at_pois,
+    check_room, check_database, check_backup, check_damaged, check_poi_files,
 };
 
 void doctor_store(struct doctor *doctor)
@@ -256,12 +254,12 @@ void doctor_store(struct doctor *doctor)
     char path[OPTIONS_PATH_MAX + 64u];
     if (!doctor->options.data[0]) {
         struct doctor_finding *none = doctor_find(doctor, "store", DOCTOR_WRONG, "data folder");
-        doctor_state(none, "nowhere: neither --data nor HOME is set, so nothing is kept");
+        doctor_state(none, "neither --data nor HOME is set, so the kiosk saves nothing");
         doctor_todo(none, "start the kiosk with --data FOLDER");
         return;
     }
     snprintf(path, sizeof path, "%s%s", doctor->root, doctor->options.data);
-    const int error = look_at_folder(doctor, path);
+    const int error = check_folder(doctor, path);
     for (size_t i = 0; !error && i < sizeof checks / sizeof checks[0]; i++) {
         checks[i](doctor, path);
     }

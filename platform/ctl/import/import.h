@@ -58,6 +58,10 @@ struct import_mesh {
                                                       0, at each keyframe. */
 };
 
+/* Formats a message to `why` as printf() does and returns false. */
+__attribute__((format(printf, 2, 3))) bool import_error(char why[IMPORT_WHY_SIZE],
+                                                        const char *format, ...);
+
 /* Opens a regular file of at most `size_max` bytes. Returns EXIT_OK, and the caller closes `*file`.
  * After an error, writes "FILE: MESSAGE" to `why` and returns EXIT_BAD_DATA for a file that is too
  * large, otherwise EXIT_IO. */
@@ -80,11 +84,8 @@ enum exit_code import_scene(struct import_mesh *mesh, const char *path, char why
 
 /* ---- Scenes (import_flat.c, in a child process of import_scene.c) ---------------------------- */
 
-/* Returns true if this program was built with the headers of assimp. */
-bool import_flat_is_available(void);
-
-/* Returns true if this build can read scenes. Otherwise writes what is missing to `why` and returns
- * false. */
+/* Returns true if this build can read scenes and the library assimp is installed. Otherwise writes
+ * what is missing to `why` and returns false. */
 bool import_can_flatten(char why[IMPORT_WHY_SIZE]);
 
 /* Reads the scene at `path` into `mesh`. Returns true. If the scene cannot be used, writes the
@@ -136,35 +137,49 @@ struct import_report {
                                   animation of the file. 0 means that the file has no animation. */
 };
 
+/* import_orient(), import_build(), import_life() and import_fitted_life() return true. After an
+ * error they write the reason to `why`, without the file name, and return false. */
+
 /* Rotates `mesh` to the axes of Kingyo (snout to -z, back to +y), and scales each key shape to
- * the size 1 in the length measure of the options. Returns EXIT_OK. If the orientation or the
- * size cannot be detected, writes the reason to `why`, without the file name, and returns
- * EXIT_BAD_DATA. */
-enum exit_code import_orient(struct import_mesh *mesh, const struct import_options *plan,
-                             struct import_report *report, char why[IMPORT_WHY_SIZE]);
+ * the size 1 in the length measure of the options. Fails if the orientation or the size cannot be
+ * detected. */
+bool import_orient(struct import_mesh *mesh, const struct import_options *plan,
+                   struct import_report *report, char why[IMPORT_WHY_SIZE]);
 
 /* Builds the near and the far body mesh of a species from an oriented mesh. Does not validate the
- * species. Returns EXIT_OK. After an error, writes the reason to `why` and returns another exit
- * code. */
-enum exit_code import_build(const struct import_mesh *mesh, struct species_slot *slot,
-                            struct import_report *report, char why[IMPORT_WHY_SIZE]);
+ * species. Fails if the mesh has too many vertices or triangles. */
+bool import_build(const struct import_mesh *mesh, struct species_slot *slot,
+                  struct import_report *report, char why[IMPORT_WHY_SIZE]);
 
-/* Fills the species card and the colours of the species in `slot`. Returns EXIT_OK. After an error,
- * writes the reason to `why` and returns EXIT_BAD_DATA. */
-enum exit_code import_life(const struct import_mesh *mesh, const struct import_options *plan,
-                           struct species_slot *slot, struct import_report *report,
-                           char why[IMPORT_WHY_SIZE]);
+/* Fills the species card and the colours of the species in `slot`. Fails if the options do not fit
+ * the number of key shapes, or if no lengths are known. */
+bool import_life(const struct import_mesh *mesh, const struct import_options *plan,
+                 struct species_slot *slot, struct import_report *report,
+                 char why[IMPORT_WHY_SIZE]);
 
 /* Applies the options to `card`, the species card of a template that was fitted to meshes. The
- * options set the id, names, lengths, ages and growth. Returns EXIT_OK. After an error, writes the
- * reason to `why` and returns EXIT_BAD_DATA. */
-enum exit_code import_fitted_life(const struct import_options *plan, struct species_card *card,
-                                  char why[IMPORT_WHY_SIZE]);
+ * options set the id, names, lengths, ages and growth. Fails if the options do not fit the number
+ * of key shapes. */
+bool import_fitted_life(const struct import_options *plan, struct species_card *card,
+                        char why[IMPORT_WHY_SIZE]);
+
+/* Computes the normal of each vertex as the mean of the normals of its triangles, weighted by area.
+ * The triangles are the first `index_count` indices of `mesh`. Vertices with the same place[] share
+ * one normal. If the two sides of a fin have opposite normals, the first triangle determines the
+ * direction. */
+void import_normals(const struct species_mesh *mesh, uint32_t index_count, const vec3 *positions,
+                    const uint32_t *place, vec3 normals[MESH_VERTEX_MAX]);
 
 /* Returns the part of the fish to which a group of triangles belongs, as detected from words in the
  * group's name. For example, "Fin_dorsal.L" is the dorsal fin. A name without a known word is the
  * body. */
 enum species_part import_part(const char *group);
+
+/* Returns the part of the fish to which a triangle of the mesh belongs. */
+static inline enum species_part import_part_of(const struct import_mesh *mesh, uint32_t triangle)
+{
+    return import_part(mesh->group_names[mesh->groups[triangle]]);
+}
 
 extern const char *const import_axis_names[AXIS_NONE];
 

@@ -6,14 +6,12 @@
  * coordinates. Imported meshes have no anchors, so each vertex position depends only on the key
  * shapes. */
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "core/base/panic.h"
 #include "core/morph/morph.h"
 #include "platform/ctl/import/import.h"
 
-#define BUCKETS 262144u /* Number of buckets of the hash table, four times IMPORT_VERTEX_MAX. */
 #define PI 3.14159265f
 
 /* A corner of a triangle in the new mesh. Corners with equal content become one vertex. */
@@ -36,8 +34,6 @@ struct builder {
     struct corner corners[MESH_VERTEX_MAX];
     uint32_t place[MESH_VERTEX_MAX]; /* Index of a place for each vertex. The place is the first
                                         vertex of the same part that has the same position. */
-    uint32_t buckets[BUCKETS];       /* Hash table of the vertices. An entry is a vertex index + 1,
-                                        or 0 if the bucket is empty. */
     struct part_box {
         vec3 low, high;
         bool used;
@@ -60,15 +56,10 @@ static enum species_side import_build_side_of(const struct builder *b, enum spec
     return x >= 0.0f ? SIDE_RIGHT : SIDE_LEFT;
 }
 
-static enum species_part part_of(const struct builder *b, uint32_t t)
-{
-    return import_part(b->mesh->group_names[b->mesh->groups[t]]);
-}
-
 static void measure_parts(struct builder *b)
 {
     for (uint32_t t = 0; t < b->mesh->triangle_count; t++) {
-        const enum species_part part = part_of(b, t);
+        const enum species_part part = import_part_of(b->mesh, t);
         struct part_box *box = &b->boxes[part][import_build_side_of(b, part, t)];
         for (uint32_t k = 0; k < 3; k++) {
             const vec3 p = b->mesh->positions[b->key][b->mesh->triangles[t][k]];
@@ -88,13 +79,45 @@ static float share_of_range(float x, float low, float high)
     return high > low ? f_clamp((x - low) / (high - low), 0.0f, 1.0f) : 0.0f;
 }
 
+/* Computes the body coordinates u and v of a vertex at the position `p` (core/morph/species.h). */
+static void set_body_coordinates(const struct builder *b, vec3 p, struct corner *corner)
+{
+    const enum species_side side = (enum species_side)corner->side;
+    const struct part_box *box = &b->boxes[corner->part][side];
+    const vec3 middle = v3_scale(v3_add(box->low, box->high), 0.5f);
+    const float along = share_of_range(p.z, box->low.z, box->high.z);
+    if (corner->part == PART_BODY) {
+        const float turn = atan2f(p.x - middle.x, p.y - middle.y) / (2.0f * PI);
+        corner->u = along;
+        corner->v = turn < 0.0f ? turn + 1.0f : turn;
+    } else if (corner->part == PART_EYE) {
+        const vec3 out_of = v3(side == SIDE_RIGHT ? 1.0f : -1.0f, 0.0f, 0.0f);
+        const vec3 from = v3_normalize_or(v3_sub(p, middle), out_of);
+        corner->u = acosf(f_clamp(v3_dot(from, out_of), -1.0f, 1.0f)) / (0.5f * PI);
+        corner->v = side == SIDE_RIGHT ? 0.25f : 0.75f;
+    } else if (corner->part == PART_TAIL) {
+        corner->u = 1.0f - share_of_range(p.y, box->low.y, box->high.y);
+        corner->v = along;
+    } else if (side != SIDE_MIDDLE) {
+        const float low = fabsf(box->low.x), high = fabsf(box->high.x);
+        corner->u = along;
+        corner->v = share_of_range(fabsf(p.x), fminf(low, high), fmaxf(low, high));
+    } else {
+        const float root = fmaxf(fmaxf(box->low.y, -box->high.y), 0.0f);
+        const float reach = fmaxf(fabsf(box->low.y), fabsf(box->high.y));
+        corner->u = along;
+        corner->v = share_of_range(fabsf(p.y), root, reach);
+    }
+}
+
 static struct corner corner_of(const struct builder *b, uint32_t t, uint32_t k)
 {
     CORE_ASSERT(t < b->mesh->triangle_count && k < 3);
     const struct import_mesh *m = b->mesh;
     const uint32_t vertex = m->triangles[t][k];
-    struct corner corner = { .part = (uint8_t)part_of(b, t) };
-    corner.side = (uint8_t)import_build_side_of(b, part_of(b, t), t);
+    const enum species_part part = import_part_of(m, t);
+    struct corner corner = { .part = (uint8_t)part,
+                             .side = (uint8_t)import_build_side_of(b, part, t) };
     for (uint32_t key = 0; key < m->key_count; key++) {
         const vec3 p = m->positions[key][vertex];
         corner.at[key][0] = morph_count(p.x, b->reach);
@@ -105,63 +128,25 @@ static struct corner corner_of(const struct builder *b, uint32_t t, uint32_t k)
         corner.u = f_clamp(m->uv[vertex][0], -2.0f, 4.0f);
         corner.v = f_clamp(m->uv[vertex][1], -2.0f, 4.0f);
     } else {
-        /* u and v are the body coordinates of the vertex (core/morph/species.h). */
-        const enum species_part part = part_of(b, t);
-        const enum species_side side = (enum species_side)corner.side;
-        const struct part_box *box = &b->boxes[part][side];
-        const vec3 middle = v3_scale(v3_add(box->low, box->high), 0.5f);
-        const float along = share_of_range(m->positions[b->key][vertex].z, box->low.z, box->high.z);
-        if (part == PART_BODY) {
-            const float turn = atan2f(m->positions[b->key][vertex].x - middle.x,
-                                      m->positions[b->key][vertex].y - middle.y) /
-                               (2.0f * PI);
-            corner.u = along;
-            corner.v = turn < 0.0f ? turn + 1.0f : turn;
-        } else if (part == PART_EYE) {
-            const vec3 out_of = v3(side == SIDE_RIGHT ? 1.0f : -1.0f, 0.0f, 0.0f);
-            const vec3 from = v3_normalize_or(v3_sub(m->positions[b->key][vertex], middle), out_of);
-            corner.u = acosf(f_clamp(v3_dot(from, out_of), -1.0f, 1.0f)) / (0.5f * PI);
-            corner.v = side == SIDE_RIGHT ? 0.25f : 0.75f;
-        } else if (part == PART_TAIL) {
-            corner.u =
-                1.0f - share_of_range(m->positions[b->key][vertex].y, box->low.y, box->high.y);
-            corner.v = along;
-        } else {
-            const float reach = fmaxf(fabsf(box->low.y), fabsf(box->high.y));
-            const float root = fmaxf(fmaxf(box->low.y, -box->high.y), 0.0f);
-            const bool paired = side != SIDE_MIDDLE;
-            const float far = fmaxf(fabsf(box->low.x), fabsf(box->high.x));
-            corner.u = along;
-            corner.v = paired ? share_of_range(fabsf(m->positions[b->key][vertex].x),
-                                               fminf(fabsf(box->low.x), fabsf(box->high.x)), far)
-                              : share_of_range(fabsf(m->positions[b->key][vertex].y), root, reach);
-        }
+        set_body_coordinates(b, m->positions[b->key][vertex], &corner);
     }
     return corner;
 }
 
 static bool vertex_of(struct builder *b, const struct corner *corner, uint32_t *out)
 {
-    const uint8_t *bytes = (const uint8_t *)corner;
-    uint32_t hash = 2166136261u;
-    for (size_t i = 0; i < sizeof *corner; i++) {
-        hash = (hash ^ bytes[i]) * 16777619u;
-    }
-    uint32_t at = hash % BUCKETS;
-    for (; b->buckets[at] != 0; at = (at + 1) % BUCKETS) {
-        if (memcmp(&b->corners[b->buckets[at] - 1], corner, sizeof *corner) == 0) {
-            *out = b->buckets[at] - 1;
+    for (*out = 0; *out < b->out->vertex_count; ++*out) {
+        if (memcmp(&b->corners[*out], corner, sizeof *corner) == 0) {
             return true;
         }
     }
     if (b->out->vertex_count == MESH_VERTEX_MAX) {
-        snprintf(b->why, IMPORT_WHY_SIZE,
-                 "vertices: more than %u; reduce the model, or fit a template to it (--fit)",
-                 MESH_VERTEX_MAX);
-        return false;
+        return import_error(b->why,
+                            "vertices: more than %u; reduce the model, or fit a species to it "
+                            "with 'kingyoctl morph refit'",
+                            MESH_VERTEX_MAX);
     }
-    *out = b->out->vertex_count++;
-    b->buckets[at] = *out + 1;
+    b->out->vertex_count++;
     b->corners[*out] = *corner;
     b->tables->vertices[*out] = (struct species_vertex){
         .u = corner->u,
@@ -186,9 +171,8 @@ static bool add_triangle(struct builder *b, uint32_t x, uint32_t y, uint32_t z)
                         vertex. */
     }
     if (b->out->index_count + 3 > MESH_INDEX_MAX) {
-        snprintf(b->why, IMPORT_WHY_SIZE, "triangles: more than %u; reduce the model",
-                 MESH_INDEX_MAX / 3u);
-        return false;
+        return import_error(b->why, "triangles: more than %u; reduce the model",
+                            MESH_INDEX_MAX / 3u);
     }
     uint16_t *index = &b->tables->indices[b->out->index_count];
     index[0] = (uint16_t)x;
@@ -265,58 +249,63 @@ static bool give_sheets_a_second_side(struct builder *b)
     return true;
 }
 
-/* Computes the vertex normals as means of the triangle normals, weighted by area. If the two sides
- * of a sheet have opposite normals, the first triangle determines the direction. */
-static void make_normals(struct builder *b, uint32_t index_count)
+void import_normals(const struct species_mesh *mesh, uint32_t index_count, const vec3 *positions,
+                    const uint32_t *place, vec3 normals[MESH_VERTEX_MAX])
 {
     static vec3 sums[MESH_VERTEX_MAX];
-    for (uint32_t key = 0; key < b->mesh->key_count; key++) {
-        memset(sums, 0, sizeof sums);
-        for (uint32_t i = 0; i < index_count; i += 3) {
-            const uint16_t *t = &b->tables->indices[i];
-            const vec3 a = morph_position(b->out, key, t[0]);
-            const vec3 normal = v3_cross(v3_sub(morph_position(b->out, key, t[1]), a),
-                                         v3_sub(morph_position(b->out, key, t[2]), a));
-            for (uint32_t k = 0; k < 3; k++) {
-                vec3 *sum = &sums[b->place[t[k]]];
-                const float side =
-                    v3_dot(*sum, normal) < 0.0f && b->tables->vertices[t[k]].part >= PART_TAIL
-                        ? -1.0f
-                        : 1.0f;
-                *sum = v3_muladd(*sum, normal, side);
-            }
+    memset(sums, 0, sizeof sums);
+    for (uint32_t i = 0; i < index_count; i += 3) {
+        const uint16_t *t = &mesh->indices[i];
+        const vec3 a = positions[t[0]];
+        const vec3 normal = v3_cross(v3_sub(positions[t[1]], a), v3_sub(positions[t[2]], a));
+        for (uint32_t k = 0; k < 3; k++) {
+            vec3 *sum = &sums[place[t[k]]];
+            const bool is_fin = mesh->vertices[t[k]].part >= PART_TAIL;
+            *sum = v3_muladd(*sum, normal, is_fin && v3_dot(*sum, normal) < 0.0f ? -1.0f : 1.0f);
         }
+    }
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        normals[i] = v3_normalize_or(sums[place[i]], v3(0.0f, 1.0f, 0.0f));
+    }
+}
+
+static void write_normals(struct builder *b, uint32_t index_count)
+{
+    static vec3 positions[MESH_VERTEX_MAX], normals[MESH_VERTEX_MAX];
+    for (uint32_t key = 0; key < b->mesh->key_count; key++) {
         for (uint32_t i = 0; i < b->out->vertex_count; i++) {
-            b->tables->points[key][i].normal =
-                morph_fold_normal(v3_normalize_or(sums[b->place[i]], v3(0.0f, 1.0f, 0.0f)));
+            positions[i] = morph_position(b->out, key, i);
+        }
+        import_normals(b->out, index_count, positions, b->place, normals);
+        for (uint32_t i = 0; i < b->out->vertex_count; i++) {
+            b->tables->points[key][i].normal = morph_fold_normal(normals[i]);
         }
     }
 }
 
-enum exit_code import_build(const struct import_mesh *mesh, struct species_slot *slot,
-                            struct import_report *report, char why[IMPORT_WHY_SIZE])
+bool import_build(const struct import_mesh *mesh, struct species_slot *slot,
+                  struct import_report *report, char why[IMPORT_WHY_SIZE])
 {
     CORE_ASSERT(mesh->key_count >= 1 && mesh->key_count <= MORPH_KEY_MAX);
     static struct builder b;
     struct species_mesh *near = &slot->species.lod[0];
+    float far = 0.0f;
+    for (uint32_t key = 0; key < mesh->key_count; key++) {
+        for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+            const vec3 p = mesh->positions[key][i];
+            far = fmaxf(far, fmaxf(fabsf(p.x), fmaxf(fabsf(p.y), fabsf(p.z))));
+        }
+    }
+    if (!(far < 4.0f)) {
+        return import_error(why, "size: a vertex is %g lengths from the middle", (double)far);
+    }
     memset(&b, 0, sizeof b);
     b.mesh = mesh;
     b.tables = &slot->tables[0];
     b.out = near;
     b.why = why;
     b.key = mesh->key_count - 1;
-    float far = 0.0f;
-    for (uint32_t key = 0; key < b.mesh->key_count; key++) {
-        for (uint32_t i = 0; i < b.mesh->vertex_count; i++) {
-            const vec3 p = b.mesh->positions[key][i];
-            far = fmaxf(far, fmaxf(fabsf(p.x), fmaxf(fabsf(p.y), fabsf(p.z))));
-        }
-    }
     b.reach = far < 1.0f ? 1.0f : far < 2.0f ? 2.0f : 4.0f;
-    if (!(far < 4.0f)) {
-        snprintf(b.why, IMPORT_WHY_SIZE, "size: a vertex lies %g lengths off", (double)far);
-        return EXIT_BAD_DATA;
-    }
     *near = (struct species_mesh){ .reach = b.reach,
                                    .vertices = b.tables->vertices,
                                    .anchors = b.tables->anchors,
@@ -326,11 +315,11 @@ enum exit_code import_build(const struct import_mesh *mesh, struct species_slot 
     }
     measure_parts(&b);
     if (!add_triangles(&b)) {
-        return EXIT_BAD_DATA;
+        return false;
     }
     /* Vertices with the same position get the same place. The surface is therefore continuous at a
      * texture seam, although different vertices lie on the two sides of the seam. */
-    for (uint32_t i = 0; i < b.out->vertex_count; i++) {
+    for (uint32_t i = 0; i < near->vertex_count; i++) {
         b.place[i] = i;
         for (uint32_t j = 0; j < i && b.place[i] == i; j++) {
             if (b.corners[i].part == b.corners[j].part &&
@@ -341,10 +330,10 @@ enum exit_code import_build(const struct import_mesh *mesh, struct species_slot 
     }
     const uint32_t index_count = near->index_count;
     if (!give_sheets_a_second_side(&b)) {
-        return EXIT_BAD_DATA;
+        return false;
     }
-    make_normals(&b, index_count);
+    write_normals(&b, index_count);
     report->joined_count =
         mesh->vertex_count > near->vertex_count ? mesh->vertex_count - near->vertex_count : 0;
-    return EXIT_OK;
+    return true;
 }

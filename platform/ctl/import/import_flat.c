@@ -26,53 +26,38 @@ struct assimp {
     void (*detach)(void);
 };
 
-/* Loads a function from the library. The pointer is copied as bytes, because C does not allow the
- * conversion of an object pointer to a function pointer. POSIX guarantees that the two have the
+/* Loads the library and its functions. Each pointer is copied as bytes, because C does not allow
+ * the conversion of an object pointer to a function pointer. POSIX guarantees that the two have the
  * same representation. */
-static bool import_flat_load_symbol(void *library, const char *name, void *function)
-{
-    void *const symbol = dlsym(library, name);
-    memcpy(function, &symbol, sizeof symbol);
-    return symbol != NULL;
-}
-
 static bool load_assimp(struct assimp *assimp)
 {
+    const struct {
+        const char *name;
+        void *function;
+    } symbols[] = { { "aiImportFile", &assimp->read },
+                    { "aiGetErrorString", &assimp->error },
+                    { "aiReleaseImport", &assimp->release },
+                    { "aiAttachLogStream", &assimp->attach },
+                    { "aiDetachAllLogStreams", &assimp->detach } };
     void *library = NULL;
     for (size_t i = 0; !library && i < sizeof libraries / sizeof libraries[0]; i++) {
         library = dlopen(libraries[i], RTLD_NOW | RTLD_LOCAL);
     }
-    if (!library) {
-        return false;
+    bool is_loaded = library != NULL;
+    for (size_t i = 0; is_loaded && i < sizeof symbols / sizeof symbols[0]; i++) {
+        void *const symbol = dlsym(library, symbols[i].name);
+        memcpy(symbols[i].function, &symbol, sizeof symbol);
+        is_loaded = symbol != NULL;
     }
-    return import_flat_load_symbol(library, "aiImportFile", &assimp->read) &&
-           import_flat_load_symbol(library, "aiGetErrorString", &assimp->error) &&
-           import_flat_load_symbol(library, "aiReleaseImport", &assimp->release) &&
-           import_flat_load_symbol(library, "aiAttachLogStream", &assimp->attach) &&
-           import_flat_load_symbol(library, "aiDetachAllLogStreams", &assimp->detach);
-}
-
-bool import_flat_is_available(void)
-{
-    return true;
+    return is_loaded;
 }
 
 bool import_can_flatten(char why[IMPORT_WHY_SIZE])
 {
     struct assimp assimp;
-    if (!load_assimp(&assimp)) {
-        snprintf(why, IMPORT_WHY_SIZE,
-                 "libassimp is not here, and it reads all but .obj and .txt "
-                 "(on Debian: apt install libassimp-dev)");
-        return false;
-    }
-    return true;
-}
-
-bool import_flat_error(struct flattening *f, const char *text)
-{
-    snprintf(f->why, IMPORT_WHY_SIZE, "%s", text);
-    return false;
+    return load_assimp(&assimp) ||
+           import_error(why, "the library libassimp, which reads all formats except .obj and .txt, "
+                             "is missing (on Debian: apt install libassimp-dev)");
 }
 
 /* ---- Metadata of key shapes in files that kingyoctl wrote ------------------------------------ */
@@ -85,6 +70,13 @@ static const struct aiMetadataEntry *entry_of(const struct aiMetadata *data, con
         }
     }
     return NULL;
+}
+
+/* Returns the text of a metadata entry, or null if the entry is null or has no text. */
+static const char *text_of(const struct aiMetadataEntry *entry)
+{
+    return entry && entry->mType == AI_AISTRING ? ((const struct aiString *)entry->mData)->data
+                                                : NULL;
 }
 
 /* Returns a number of the metadata, or 0 if the key is absent. The importer stores a real number
@@ -129,10 +121,9 @@ static void read_life(struct flattening *f)
     for (uint32_t key = 0; key < m->key_count; key++) {
         const struct aiMetadata *life =
             list->mValues[key].mType == AI_AIMETADATA ? list->mValues[key].mData : NULL;
-        const struct aiMetadataEntry *name = entry_of(life, "name");
-        if (name && name->mType == AI_AISTRING) {
-            const struct aiString *text = name->mData;
-            snprintf(m->key_names[key], IMPORT_NAME_SIZE, "%.40s", text->data);
+        const char *name = text_of(entry_of(life, "name"));
+        if (name) {
+            snprintf(m->key_names[key], IMPORT_NAME_SIZE, "%.40s", name);
         }
         m->ages_days[key] = number_of(life, "age_days");
         m->lengths_m[key] = number_of(life, "length_m");
@@ -149,23 +140,11 @@ static void read_life(struct flattening *f)
     }
     m->has_life = true;
     static const char *const names[] = { "TL", "SL", "FL", "DW" };
-    const struct aiMetadataEntry *entry = find_extra(f, "measure");
+    const char *measure = text_of(find_extra(f, "measure"));
     m->measure = MEASURE_TOTAL;
-    for (uint8_t i = 0; entry && entry->mType == AI_AISTRING && i < 4; i++) {
-        if (strcmp(((const struct aiString *)entry->mData)->data, names[i]) == 0) {
-            m->measure = i;
-        }
+    for (uint8_t i = 0; measure && i < 4; i++) {
+        m->measure = strcmp(measure, names[i]) == 0 ? i : m->measure;
     }
-}
-
-static bool refuse_scene(struct flattening *f, const char *text)
-{
-    snprintf(f->why, IMPORT_WHY_SIZE, "%.110s", text);
-    for (char *c = f->why; *c; c++) {
-        *c = *c >= ' ' && *c < 127 ? *c : ' '; /* The message may quote the file, so unprintable
-                                                  characters are replaced. */
-    }
-    return false;
 }
 
 /* Callback for assimp's log messages. assimp drops faces with invalid vertex indices, and reports
@@ -181,29 +160,20 @@ static bool flatten(struct flattening *f)
 {
     struct import_mesh *mesh = f->mesh;
     if (!f->scene->mRootNode || f->scene->mNumMeshes == 0) {
-        return import_flat_error(f, "no mesh");
+        return import_error(f->why, "no mesh");
     }
-    const struct aiMetadata *data = f->scene->mMetaData;
-    mesh->is_ours = false;
-    for (uint32_t i = 0; data && i < data->mNumProperties; i++) {
-        if (strcmp(data->mKeys[i].data, "SourceAsset_Generator") == 0 &&
-            data->mValues[i].mType == AI_AISTRING) {
-            const char *generator = ((const struct aiString *)data->mValues[i].mData)->data;
-            mesh->is_ours =
-                strncmp(generator, "kingyo", 6) == 0 || strncmp(generator, "Kingyo", 6) == 0;
-            break;
-        }
-    }
+    const char *generator = text_of(entry_of(f->scene->mMetaData, "SourceAsset_Generator"));
+    mesh->is_ours = generator && strncasecmp(generator, "kingyo", 6) == 0;
     if (!import_keys_choose(f) || !import_keys_read_weights(f)) {
         return false;
     }
     if (!import_nodes_fill(&f->standing, f->scene)) {
-        return import_flat_error(f, "more than 4096 nodes");
+        return import_error(f->why, "more than 4096 nodes");
     }
     memcpy(mesh->scales, f->standing.scales, sizeof mesh->scales);
     read_life(f);
     return import_shapes_add_meshes(f) &&
-           (mesh->triangle_count > 0 || import_flat_error(f, "no triangles"));
+           (mesh->triangle_count > 0 || import_error(f->why, "no triangles"));
 }
 
 bool import_flatten(const char *path, struct import_mesh *mesh, char why[IMPORT_WHY_SIZE])
@@ -214,7 +184,7 @@ bool import_flatten(const char *path, struct import_mesh *mesh, char why[IMPORT_
     f.mesh = mesh;
     f.why = why;
     if (!load_assimp(&assimp)) {
-        return import_flat_error(&f, "libassimp is gone");
+        return import_error(why, "libassimp cannot be loaded");
     }
     char dropped = 0;
     const struct aiLogStream log = { listen, &dropped };
@@ -222,35 +192,28 @@ bool import_flatten(const char *path, struct import_mesh *mesh, char why[IMPORT_
     f.scene = assimp.read(path, aiProcess_Triangulate);
     assimp.detach();
     if (!f.scene) {
-        return refuse_scene(&f, assimp.error());
+        return import_error(why, "%.110s", assimp.error());
     }
     const bool good =
-        dropped ? import_flat_error(&f, "a triangle that names a vertex that is not there")
-                : flatten(&f);
+        dropped ? import_error(why, "a triangle refers to a missing vertex") : flatten(&f);
     assimp.release(f.scene);
     return good;
 }
 
 #else /* The following functions replace the import in a build without assimp. */
 
-bool import_flat_is_available(void)
-{
-    return false;
-}
-
 bool import_can_flatten(char why[IMPORT_WHY_SIZE])
 {
-    snprintf(why, IMPORT_WHY_SIZE,
-             "this kingyoctl was built without assimp, which reads all but "
-             ".obj and .txt (on Debian: apt install libassimp-dev, build)");
-    return false;
+    return import_error(why,
+                        "this kingyoctl was built without assimp, which reads all formats except "
+                        ".obj and .txt (on Debian: apt install libassimp-dev, then build again)");
 }
 
 bool import_flatten(const char *path, struct import_mesh *mesh, char why[IMPORT_WHY_SIZE])
 {
     (void)path;
     (void)mesh;
-    return !import_can_flatten(why) && false;
+    return import_can_flatten(why);
 }
 
 #endif

@@ -1,5 +1,5 @@
-/* import_flat.h -- declarations that import_flat.c, import_keys.c, import_nodes.c and
- * import_shapes.c share while they convert an assimp scene to one mesh with several key shapes.
+/* import_flat.h -- declarations that import_flat.c, import_keys.c and import_shapes.c share while
+ * they convert an assimp scene to one mesh with several key shapes.
  *
  * Included only if assimp is available. A key shape of the result is the base shape, one morph
  * target alone, or the scene at one time of its animation. */
@@ -15,7 +15,7 @@
 
 #include "platform/ctl/import/import.h"
 
-/* ---- Transforms of the nodes (import_nodes.c) ------------------------------------------------ */
+/* ---- Transforms of the nodes (import_shapes.c) ----------------------------------------------- */
 
 #define NODE_MAX 4096u
 
@@ -48,10 +48,6 @@ struct import_nodes {
  * Returns false if the scene has more than NODE_MAX nodes. */
 bool import_nodes_fill(struct import_nodes *standing, const struct aiScene *scene);
 
-/* Returns the node called `name`, or null if there is no such node. */
-const struct import_nodes_node *import_nodes_find(const struct import_nodes *standing,
-                                                  const char *name);
-
 /* Returns true if the animation rotates or moves any node. A growing node, whose uniform scale
  * changes, does not count. */
 bool import_nodes_moves(const struct aiScene *scene);
@@ -59,14 +55,16 @@ bool import_nodes_moves(const struct aiScene *scene);
 /* Returns the animation time of key shape `key`. */
 double import_nodes_time(const struct import_nodes *standing, uint32_t key);
 
-/* Converts a matrix of assimp to a transform. The last row of the matrix is ignored. */
-struct place import_nodes_place_of(const struct aiMatrix4x4 *matrix);
+/* Returns the first animation of the scene, or null if the scene has no animation. */
+static inline const struct aiAnimation *import_animation(const struct aiScene *scene)
+{
+    return scene->mNumAnimations > 0 ? scene->mAnimations[0] : NULL;
+}
 
-/* Returns the product outer * inner, which applies `inner` first and then `outer`. */
-struct place import_nodes_place_within(const struct place *outer, const struct place *inner);
-
-/* Applies a transform to the point `a` and returns the result. */
-vec3 import_nodes_apply(const struct place *place, vec3 a);
+static inline vec3 import_vector(const struct aiVector3D *a)
+{
+    return v3(a->x, a->y, a->z);
+}
 
 /* ---- Conversion of a scene ------------------------------------------------------------------- */
 
@@ -90,15 +88,12 @@ struct flattening {
                                           shape. Used only if `sampled` is false. */
 };
 
-/* Writes `text` to `why` and returns false. */
-bool import_flat_error(struct flattening *f, const char *text);
-
-/* Selects the key shapes and sets their names. Returns false after import_flat_error(). Defined in
- * import_keys.c. */
+/* Selects the key shapes and sets their names. After an error returns false, and import_error() has
+ * written the reason. Defined in import_keys.c. */
 bool import_keys_choose(struct flattening *f);
 
-/* Reads the animation of the morph target weights, which becomes the deformation graph. Returns
- * false after import_flat_error(). Defined in import_keys.c. */
+/* Reads the animation of the morph target weights, which becomes the deformation graph. After an
+ * error returns false, and import_error() has written the reason. Defined in import_keys.c. */
 bool import_keys_read_weights(struct flattening *f);
 
 /* Adds the morph target weights of `channel`, at the animation time of key shape `key`, to
@@ -106,8 +101,8 @@ bool import_keys_read_weights(struct flattening *f);
 void import_keys_weights_at(const struct flattening *f, const struct aiMeshMorphAnim *channel,
                             uint32_t key, float out[TARGET_MAX]);
 
-/* Adds the meshes of every node to the result, in every key shape. Returns false after
- * import_flat_error(). Defined in import_shapes.c. */
+/* Adds the meshes of every node to the result, in every key shape. After an error returns false,
+ * and import_error() has written the reason. Defined in import_shapes.c. */
 bool import_shapes_add_meshes(struct flattening *f);
 
 #endif

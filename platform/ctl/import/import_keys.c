@@ -7,7 +7,6 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 #include "core/base/panic.h"
 #include "platform/ctl/import/import_flat.h"
@@ -15,11 +14,6 @@
 /* Distance in the unit of the file. If a morph target moves no vertex farther than this distance,
  * the target equals the base shape. */
 #define SAME 1e-7f
-
-static vec3 vector(const struct aiVector3D *a)
-{
-    return v3(a->x, a->y, a->z);
-}
 
 static void add_weights(const struct aiMeshMorphKey *moment, float share, float out[TARGET_MAX])
 {
@@ -50,27 +44,14 @@ void import_keys_weights_at(const struct flattening *f, const struct aiMeshMorph
     }
 }
 
-/* Returns the mesh with the fewest morph targets, or null if no mesh has morph targets. The mesh
- * determines the number and the names of the key shapes. */
-static const struct aiMesh *plainest(const struct flattening *f)
-{
-    const struct aiMesh *plain = NULL;
-    for (uint32_t i = 0; i < f->scene->mNumMeshes; i++) {
-        const struct aiMesh *mesh = f->scene->mMeshes[i];
-        if (mesh->mNumAnimMeshes > 0 && (!plain || mesh->mNumAnimMeshes < plain->mNumAnimMeshes)) {
-            plain = mesh;
-        }
-    }
-    return plain;
-}
-
 static bool is_base(const struct aiMesh *mesh, const struct aiAnimMesh *target)
 {
     if (!target->mVertices || target->mNumVertices != mesh->mNumVertices) {
         return !target->mVertices;
     }
     for (uint32_t i = 0; i < mesh->mNumVertices; i++) {
-        const vec3 d = v3_sub(vector(&mesh->mVertices[i]), vector(&target->mVertices[i]));
+        const vec3 d =
+            v3_sub(import_vector(&mesh->mVertices[i]), import_vector(&target->mVertices[i]));
         if (!(fabsf(d.x) <= SAME && fabsf(d.y) <= SAME && fabsf(d.z) <= SAME)) {
             return false;
         }
@@ -78,23 +59,9 @@ static bool is_base(const struct aiMesh *mesh, const struct aiAnimMesh *target)
     return true;
 }
 
-/* Returns true if the first morph target equals the base shape in every mesh. Some programs write
- * the base shape twice. */
-static bool base_comes_twice(const struct flattening *f)
-{
-    for (uint32_t i = 0; i < f->scene->mNumMeshes; i++) {
-        const struct aiMesh *mesh = f->scene->mMeshes[i];
-        if (mesh->mNumAnimMeshes > 0 && !is_base(mesh, mesh->mAnimMeshes[0])) {
-            return false;
-        }
-    }
-    return f->target_count > 0;
-}
-
 static const struct aiMeshMorphAnim *first_weights(const struct flattening *f)
 {
-    const struct aiAnimation *animation =
-        f->scene->mNumAnimations > 0 ? f->scene->mAnimations[0] : NULL;
+    const struct aiAnimation *animation = import_animation(f->scene);
     return animation && animation->mNumMorphMeshChannels > 0 ? animation->mMorphMeshChannels[0]
                                                              : NULL;
 }
@@ -112,20 +79,32 @@ static double weight_of(const struct aiMeshMorphKey *moment, uint32_t target)
     return target != KEY_BASE ? own : sum > 1.0 && sum < 1.0 + 1e-5 ? 0.0 : 1.0 - sum;
 }
 
-/* Returns the mean of the animation times at which a morph target is shown. Each keyframe counts
- * with the weight that the morph target has at the keyframe. */
-static double season_of(const struct aiMeshMorphAnim *channel, uint32_t target)
+/* Sorts the key shapes by their mean animation time, in which each keyframe counts with the weight
+ * that the morph target has at the keyframe. Without an animation, the base shape is the youngest
+ * key shape. */
+static void sort_by_season(struct flattening *f, const struct aiMeshMorphAnim *channel)
 {
-    double sum = 0.0, when = 0.0;
-    for (uint32_t i = 0; i < channel->mNumKeys; i++) {
-        const double before = i > 0 ? channel->mKeys[i].mTime - channel->mKeys[i - 1].mTime : 0.0;
-        const double after =
-            i + 1 < channel->mNumKeys ? channel->mKeys[i + 1].mTime - channel->mKeys[i].mTime : 0.0;
-        const double weight = weight_of(&channel->mKeys[i], target) * (before + after);
-        sum += weight;
-        when += weight * channel->mKeys[i].mTime;
+    double season[MORPH_KEY_MAX];
+    for (uint32_t i = 0; i < f->mesh->key_count; i++) {
+        const uint8_t target = f->key_target[i];
+        double sum = 0.0, when = 0.0;
+        for (uint32_t k = 0; k < channel->mNumKeys; k++) {
+            const struct aiMeshMorphKey *moment = &channel->mKeys[k];
+            const double before = k > 0 ? moment->mTime - moment[-1].mTime : 0.0;
+            const double after = k + 1 < channel->mNumKeys ? moment[1].mTime - moment->mTime : 0.0;
+            const double weight = weight_of(moment, target) * (before + after);
+            sum += weight;
+            when += weight * moment->mTime;
+        }
+        when = sum > 0.0 ? when / sum : 0.0;
+        uint32_t at = i;
+        for (; at > 0 && season[at - 1] > when; at--) {
+            season[at] = season[at - 1];
+            f->key_target[at] = f->key_target[at - 1];
+        }
+        season[at] = when;
+        f->key_target[at] = target;
     }
-    return sum > 0.0 ? when / sum : 0.0;
 }
 
 /* Returns the morph target with the greatest weight at the time of a key shape, or KEY_BASE if the
@@ -151,47 +130,40 @@ static uint32_t most_shown(const struct flattening *f, uint32_t key)
 bool import_keys_choose(struct flattening *f)
 {
     CORE_ASSERT(f->scene && f->mesh);
-    const struct aiMesh *plain = plainest(f);
-    f->target_count = plain ? plain->mNumAnimMeshes : 0;
+    const struct aiMeshMorphAnim *channel = first_weights(f);
+    const struct aiMesh *plain = NULL; /* Mesh with the fewest morph targets, which determines the
+                                          number and the names of the key shapes. */
+    bool is_twice = true; /* True if the first morph target equals the base shape in every mesh.
+                             Some programs write the base shape twice. */
     /* The key shapes must be sampled from the animation if joints or moving nodes change the shape,
      * or if meshes have different numbers of morph targets. */
     bool more = import_nodes_moves(f->scene);
     for (uint32_t i = 0; i < f->scene->mNumMeshes; i++) {
         const struct aiMesh *mesh = f->scene->mMeshes[i];
-        more = more || mesh->mNumBones > 0 ||
-               (mesh->mNumAnimMeshes > 0 && mesh->mNumAnimMeshes != f->target_count);
+        more = more || mesh->mNumBones > 0;
+        if (mesh->mNumAnimMeshes > 0) {
+            more = more || (plain && mesh->mNumAnimMeshes != plain->mNumAnimMeshes);
+            is_twice = is_twice && is_base(mesh, mesh->mAnimMeshes[0]);
+            plain = !plain || mesh->mNumAnimMeshes < plain->mNumAnimMeshes ? mesh : plain;
+        }
     }
-    f->sampled =
-        more && f->scene->mNumAnimations > 0 && f->scene->mAnimations[0]->mNumMorphMeshChannels > 0;
-    const bool twice = !f->sampled && base_comes_twice(f);
+    f->target_count = plain ? plain->mNumAnimMeshes : 0;
+    f->sampled = more && channel;
+    const bool twice = !f->sampled && plain && is_twice;
     const uint32_t count = f->target_count + (twice ? 0u : 1u);
     if (count > MORPH_KEY_MAX) {
-        return import_flat_error(f, "more than 7 morph targets");
+        return import_error(f->why, "more than 7 morph targets");
     }
     f->mesh->key_count = f->standing.key_count = count;
     for (uint32_t key = 0; key < count; key++) {
         f->key_target[key] = twice ? (uint8_t)key : key == 0 ? KEY_BASE : (uint8_t)(key - 1);
     }
-    const struct aiMeshMorphAnim *channel = first_weights(f);
     if (channel && channel->mNumKeys > 0) {
         f->standing.begin = channel->mKeys[0].mTime;
         f->standing.end = channel->mKeys[channel->mNumKeys - 1].mTime;
     }
-    if (!f->sampled && !twice) {
-        /* The key shapes are sorted by their mean animation time. Without an animation, the base
-         * shape is the youngest key shape. */
-        double season[MORPH_KEY_MAX];
-        for (uint32_t i = 0; channel && i < f->mesh->key_count; i++) {
-            const uint8_t target = f->key_target[i];
-            const double when = season_of(channel, target);
-            uint32_t at = i;
-            for (; at > 0 && season[at - 1] > when; at--) {
-                season[at] = season[at - 1];
-                f->key_target[at] = f->key_target[at - 1];
-            }
-            season[at] = when;
-            f->key_target[at] = target;
-        }
+    if (channel && !f->sampled && !twice) {
+        sort_by_season(f, channel);
     }
     for (uint32_t key = 0; key < count; key++) {
         const uint32_t target = f->sampled ? most_shown(f, key) : f->key_target[key];
@@ -205,7 +177,8 @@ bool import_keys_choose(struct flattening *f)
 }
 
 /* Copies the animation of the weights, which becomes the deformation graph. Nothing is copied if
- * the key shapes are not morph targets. Returns false after import_flat_error(). */
+ * the key shapes are not morph targets. After an error returns false, and import_error() has
+ * written the reason. */
 bool import_keys_read_weights(struct flattening *f)
 {
     struct import_mesh *m = f->mesh;
@@ -214,7 +187,7 @@ bool import_keys_read_weights(struct flattening *f)
         return true;
     }
     if (channel->mNumKeys > IMPORT_TIME_MAX) {
-        return import_flat_error(f, "an animation of more than 4096 moments");
+        return import_error(f->why, "an animation of more than 4096 keyframes");
     }
     for (uint32_t i = 0; i < channel->mNumKeys; i++) {
         const struct aiMeshMorphKey *moment = &channel->mKeys[i];

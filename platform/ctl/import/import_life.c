@@ -27,33 +27,31 @@
 static void name_keys(const struct import_mesh *mesh, const struct import_options *plan,
                       struct species_card *card)
 {
+    memset(card->key_names, 0, sizeof card->key_names);
     for (uint32_t key = 0; key < card->key_count; key++) {
+        char *name = card->key_names[key];
         if (plan->name_count > 0) {
-            memcpy(card->key_names[key], plan->names[key], SPECIES_NAME_SIZE);
+            memcpy(name, plan->names[key], SPECIES_NAME_SIZE);
             continue;
         }
-        /* A name of another program is converted to a valid species name. For example, "Shape
-         * Key.001" becomes shape_key_001. */
-        const char *from = mesh->key_names[key];
+        /* Convert the name of another program to a valid name of a key shape. For example,
+         * "Shape Key.001" becomes shape_key_001. */
         uint32_t length = 0;
-        memset(card->key_names[key], 0, SPECIES_NAME_SIZE);
-        for (; *from && length + 1 < SPECIES_NAME_SIZE; from++) {
+        for (const char *from = mesh->key_names[key]; *from && length + 1 < SPECIES_NAME_SIZE;
+             from++) {
             const char c = (char)tolower((unsigned char)*from);
             const bool fits = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
-            if (fits) {
-                card->key_names[key][length++] = c;
-            } else if (length > 0 && card->key_names[key][length - 1] != '_') {
-                card->key_names[key][length++] = '_';
+            if (fits || (length > 0 && name[length - 1] != '_')) {
+                name[length++] = fits ? c : '_';
             }
         }
-        if (length == 0) {
-            snprintf(card->key_names[key], SPECIES_NAME_SIZE, "key_%u", key);
-        }
+        bool is_good = name[0] != '\0';
         for (uint32_t other = 0; other < key; other++) {
-            if (strcmp(card->key_names[key], card->key_names[other]) == 0) {
-                memset(card->key_names[key], 0, SPECIES_NAME_SIZE);
-                snprintf(card->key_names[key], SPECIES_NAME_SIZE, "key_%u", key);
-            }
+            is_good = is_good && strcmp(name, card->key_names[other]) != 0;
+        }
+        if (!is_good) {
+            memset(name, 0, SPECIES_NAME_SIZE);
+            snprintf(name, SPECIES_NAME_SIZE, "key_%u", key);
         }
     }
 }
@@ -166,10 +164,9 @@ static void draw_graph(const struct import_mesh *mesh, struct graph *graph,
 {
     CORE_ASSERT(mesh->time_count >= 2 && mesh->time_count <= IMPORT_TIME_MAX);
     uint32_t chosen[GRAPH_KNOT_MAX] = { 0, mesh->time_count - 1 }, count = 2;
-    float worst = 1.0f;
-    while (count < GRAPH_KNOT_MAX && worst > 1e-4f) {
+    for (;;) {
         uint32_t gap = 0, where = 0;
-        worst = 0.0f;
+        float worst = 0.0f;
         for (uint32_t i = 0; i + 1 < count; i++) {
             uint32_t at = chosen[i];
             const float off = worst_line_deviation(mesh, chosen[i], chosen[i + 1], &at);
@@ -179,17 +176,17 @@ static void draw_graph(const struct import_mesh *mesh, struct graph *graph,
                 where = at;
             }
         }
-        if (worst > 1e-4f) {
-            memmove(&chosen[gap + 2], &chosen[gap + 1], (count - gap - 1) * sizeof chosen[0]);
-            chosen[gap + 1] = where;
-            count++;
+        report->graph_error = worst;
+        if (worst <= 1e-4f || count == GRAPH_KNOT_MAX) {
+            break;
         }
+        memmove(&chosen[gap + 2], &chosen[gap + 1], (count - gap - 1) * sizeof chosen[0]);
+        chosen[gap + 1] = where;
+        count++;
     }
-    report->graph_error = 0.0f;
     const float begin = mesh->times[0], span = mesh->times[mesh->time_count - 1] - begin;
     *graph = (struct graph){ .knot_count = (uint8_t)count, .line = GRAPH_STRAIGHT };
     for (uint32_t i = 0; i < count; i++) {
-        uint32_t unused;
         struct graph_knot *knot = &graph->knots[i];
         knot->progress = i + 1 == count ? 1.0f : (mesh->times[chosen[i]] - begin) / span;
         /* Copy the weights of the keyframe and scale their sum to 1. Files contain rounded
@@ -202,23 +199,19 @@ static void draw_graph(const struct import_mesh *mesh, struct graph *graph,
         for (uint32_t key = 0; key < MORPH_KEY_MAX; key++) {
             knot->weight[key] = (float)((double)from[key] / sum);
         }
-        if (i + 1 < count) {
-            report->graph_error = fmaxf(
-                report->graph_error, worst_line_deviation(mesh, chosen[i], chosen[i + 1], &unused));
-        }
     }
     report->knot_count = count;
 }
 
 /* Computes the mean colour of the vertices of a part at one height. `third` is 0 for the lowest
- * third of the part, 1 for the middle and 2 for the highest. Returns false if there are no such
- * vertices. */
+ * third of the part, 1 for the middle, 2 for the highest, and -1 for the whole part. Returns false
+ * if there are no such vertices. */
 static bool mean_colour(const struct import_mesh *mesh, enum species_part part, int third,
                         uint32_t *out)
 {
     uint64_t sum[3] = { 0, 0, 0 }, count = 0;
     for (uint32_t i = 0; i < mesh->triangle_count; i++) {
-        const enum species_part its = import_part(mesh->group_names[mesh->groups[i]]);
+        const enum species_part its = import_part_of(mesh, i);
         if (part == PART_TAIL ? its < PART_TAIL : its != part) {
             continue;
         }
@@ -232,10 +225,11 @@ static bool mean_colour(const struct import_mesh *mesh, enum species_part part, 
             count++;
         }
     }
-    *out = count == 0 ? 0
-                      : (uint32_t)(sum[0] / count) << 16 | (uint32_t)(sum[1] / count) << 8 |
-                            (uint32_t)(sum[2] / count);
-    return count > 0;
+    if (count == 0) {
+        return false;
+    }
+    *out = (uint32_t)(sum[0] / count << 16 | sum[1] / count << 8 | sum[2] / count);
+    return true;
 }
 
 static void set_coats(const struct import_mesh *mesh, const struct import_options *plan,
@@ -247,28 +241,29 @@ static void set_coats(const struct import_mesh *mesh, const struct import_option
                                  .fin = 0x7d8a90,
                                  .iris = 0xc9b26a,
                                  .shine = 90 };
-    uint32_t colour;
-    if (plan->like) {
-        memcpy(species->coats, plan->like->coats, sizeof species->coats);
+    /* Colours of the coat, each with the part and the height of the vertices from which
+     * mean_colour() computes the colour. */
+    const struct {
+        uint32_t *colour;
+        enum species_part part;
+        int third;
+    } rows[] = { { &coat.back, PART_BODY, 2 },
+                 { &coat.flank, PART_BODY, 1 },
+                 { &coat.belly, PART_BODY, 0 },
+                 { &coat.fin, PART_TAIL, -1 },
+                 { &coat.iris, PART_EYE, -1 } };
+    const bool has_file_coats = mesh->has_coats && plan->colour_count == 0;
+    if (plan->like || has_file_coats) {
+        memcpy(species->coats, plan->like ? plan->like->coats : mesh->coats, sizeof species->coats);
         return;
     }
-    if (mesh->has_coats && plan->colour_count == 0) {
-        memcpy(species->coats, mesh->coats, sizeof species->coats);
-        return;
-    }
-    if (mesh->has_colours) {
-        coat.back = mean_colour(mesh, PART_BODY, 2, &colour) ? colour : coat.back;
-        coat.flank = mean_colour(mesh, PART_BODY, 1, &colour) ? colour : coat.flank;
-        coat.belly = mean_colour(mesh, PART_BODY, 0, &colour) ? colour : coat.belly;
-        coat.fin = mean_colour(mesh, PART_TAIL, -1, &colour) ? colour : coat.fin;
-        coat.iris = mean_colour(mesh, PART_EYE, -1, &colour) ? colour : coat.iris;
-    }
-    if (plan->colour_count > 0) {
-        coat.back = plan->colours[0];
-        coat.flank = plan->colours[1];
-        coat.belly = plan->colours[2];
-        coat.fin = plan->colours[3];
-        coat.iris = plan->colours[4];
+    for (uint32_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        uint32_t colour;
+        if (plan->colour_count > 0) {
+            *rows[i].colour = plan->colours[i];
+        } else if (mesh->has_colours && mean_colour(mesh, rows[i].part, rows[i].third, &colour)) {
+            *rows[i].colour = colour;
+        }
     }
     for (uint32_t key = 0; key < species->card.key_count; key++) {
         species->coats[key] = coat;
@@ -287,28 +282,22 @@ static bool counts_agree(uint32_t key_count, const struct import_options *plan,
                   { "--like", plan->like ? plan->like->card.key_count : 0 } };
     for (size_t i = 0; i < sizeof lists / sizeof lists[0]; i++) {
         if (lists[i].count > 0 && lists[i].count != key_count) {
-            snprintf(why, IMPORT_WHY_SIZE, "%s: %u, and there are %u shapes", lists[i].what,
-                     lists[i].count, key_count);
-            return false;
+            return import_error(why, "%s: %u given for %u key shapes; give one for each",
+                                lists[i].what, lists[i].count, key_count);
         }
     }
     return true;
 }
 
-static void set_id(const struct import_options *plan, struct species_card *card)
-{
-    memset(card->id, 0, sizeof card->id);
-    snprintf(card->id, sizeof card->id, "%s", plan->id);
-}
-
-enum exit_code import_fitted_life(const struct import_options *plan, struct species_card *card,
-                                  char why[IMPORT_WHY_SIZE])
+bool import_fitted_life(const struct import_options *plan, struct species_card *card,
+                        char why[IMPORT_WHY_SIZE])
 {
     CORE_ASSERT(plan->name_count <= MORPH_KEY_MAX && plan->length_count <= MORPH_KEY_MAX);
     if (!counts_agree(card->key_count, plan, why)) {
-        return EXIT_BAD_DATA;
+        return false;
     }
-    set_id(plan, card);
+    strncpy(card->id, plan->id,
+            sizeof card->id - 1); /* strncpy() also clears the rest of the id. */
     for (uint32_t key = 0; key < plan->name_count; key++) {
         memcpy(card->key_names[key], plan->names[key], SPECIES_NAME_SIZE);
     }
@@ -320,17 +309,16 @@ enum exit_code import_fitted_life(const struct import_options *plan, struct spec
         card->scale_knot_count = 0; /* The knots of the template's growth scale apply only to the
                                        lengths of the template. */
     }
-    return EXIT_OK;
+    return true;
 }
 
-enum exit_code import_life(const struct import_mesh *mesh, const struct import_options *plan,
-                           struct species_slot *slot, struct import_report *report,
-                           char why[IMPORT_WHY_SIZE])
+bool import_life(const struct import_mesh *mesh, const struct import_options *plan,
+                 struct species_slot *slot, struct import_report *report, char why[IMPORT_WHY_SIZE])
 {
     CORE_ASSERT(mesh->key_count >= 2 && mesh->key_count <= MORPH_KEY_MAX);
     struct species_card *card = &slot->species.card;
     if (!counts_agree(mesh->key_count, plan, why)) {
-        return EXIT_BAD_DATA;
+        return false;
     }
     if (plan->like) {
         *card = plan->like->card;
@@ -339,7 +327,7 @@ enum exit_code import_life(const struct import_mesh *mesh, const struct import_o
         card->thesis_key[2] = (uint8_t)(mesh->key_count - 1u);
         card->thesis_template = TEMPLATE_PAIRWISE;
     }
-    set_id(plan, card);
+    strncpy(card->id, plan->id, sizeof card->id - 1);
     card->key_count = (uint8_t)mesh->key_count;
     card->measure = plan->measure;
     card->motion = plan->motion != UNSET ? plan->motion : plan->like ? card->motion : MOTION_TAIL;
@@ -348,8 +336,7 @@ enum exit_code import_life(const struct import_mesh *mesh, const struct import_o
         name_keys(mesh, plan, card);
     }
     if (!set_lengths(mesh, plan, report, card)) {
-        snprintf(why, IMPORT_WHY_SIZE, "lengths: all shapes are one size; say --lengths-mm A,B,C");
-        return EXIT_BAD_DATA;
+        return import_error(why, "lengths: all shapes have the same size; use --lengths-mm A,B,C");
     }
     if (has_own_life(mesh, plan)) {
         set_ages(mesh, plan, card);
@@ -359,15 +346,14 @@ enum exit_code import_life(const struct import_mesh *mesh, const struct import_o
     card->curve_count = 1;
     memset(card->curve_names, 0, sizeof card->curve_names);
     memcpy(card->curve_names[0], "whole", sizeof "whole");
-    if (plan->template_id != TEMPLATE_OWN) {
-        graph_from_template(&card->curves[0], (enum graph_template)plan->template_id,
-                            card->key_count, SIMULTANEOUS_PEAK);
-    } else if (mesh->time_count >= 2) {
+    const bool is_own = plan->template_id == TEMPLATE_OWN;
+    if (is_own && mesh->time_count >= 2) {
         draw_graph(mesh, &card->curves[0], report);
-    } else if (!plan->like) {
-        graph_from_template(&card->curves[0], TEMPLATE_PAIRWISE, card->key_count,
-                            SIMULTANEOUS_PEAK);
+    } else if (!is_own || !plan->like) {
+        graph_from_template(&card->curves[0],
+                            is_own ? TEMPLATE_PAIRWISE : (enum graph_template)plan->template_id,
+                            card->key_count, SIMULTANEOUS_PEAK);
     }
     set_coats(mesh, plan, &slot->species);
-    return EXIT_OK;
+    return true;
 }

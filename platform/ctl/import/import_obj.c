@@ -14,7 +14,7 @@
 
 #include "core/base/panic.h"
 #include "core/base/printable.h"
-#include "platform/species/text.h"
+#include "platform/os/file.h"
 
 #define LINE_SIZE 4096 /* Longest line in characters. A face with 300 corners fits on one line. */
 #define CORNER_MAX 256
@@ -26,7 +26,7 @@ struct obj {
     char *why;
     uint32_t line;
     uint32_t vertex_count, uv_count, triangle_count;
-    uint8_t group;
+    uint32_t group;
     float uv[IMPORT_VERTEX_MAX][2]; /* Texture coordinates in the order of the `vt` lines. */
 };
 
@@ -56,7 +56,7 @@ static int parse_obj_numbers(struct obj *o, const char *text, float *out, int co
         if (!(fabsf(value) <= IMPORT_REACH_MAX)) {
             const char *word = text + strspn(text, " \t");
             const size_t length = strcspn(word, " \t\r\n");
-            import_obj_error(o, "'%.*s' is no number from %g to %g",
+            import_obj_error(o, "'%.*s' is not a number from %g to %g",
                              (int)(length < 20 ? length : 20), word, -(double)IMPORT_REACH_MAX,
                              (double)IMPORT_REACH_MAX);
             return -1;
@@ -67,18 +67,26 @@ static int parse_obj_numbers(struct obj *o, const char *text, float *out, int co
     return count;
 }
 
+/* Returns true if the mesh has space for one more element than `count`. A file of a later key shape
+ * has space for `first_count` elements, as many as the file of the first key shape has. */
+static bool has_space(struct obj *o, const char *elements, uint32_t count, uint32_t max,
+                      uint32_t first_count)
+{
+    const uint32_t limit = o->key == 0 ? max : first_count;
+    return count < limit || import_obj_error(o, "more than %u %s%s", limit, elements,
+                                             o->key == 0 ? "" : ", which the first shape has");
+}
+
 static bool read_vertex(struct obj *o, const char *text)
 {
     CORE_ASSERT(o->vertex_count <= IMPORT_VERTEX_MAX);
     float x[6];
     const int count = parse_obj_numbers(o, text, x, 6);
     if (count < 3) {
-        return count < 0 ? false : import_obj_error(o, "a vertex has three numbers");
+        return count < 0 ? false : import_obj_error(o, "a vertex needs three numbers");
     }
-    const uint32_t limit = o->key == 0 ? IMPORT_VERTEX_MAX : o->mesh->vertex_count;
-    if (o->vertex_count == limit) {
-        return import_obj_error(o, "more than %u vertices%s", limit,
-                                o->key == 0 ? "" : ", which the first shape has");
+    if (!has_space(o, "vertices", o->vertex_count, IMPORT_VERTEX_MAX, o->mesh->vertex_count)) {
+        return false;
     }
     o->mesh->positions[o->key][o->vertex_count] = v3(x[0], x[1], x[2]);
     if (o->key == 0) {
@@ -117,12 +125,12 @@ static bool read_face(struct obj *o, char *text)
         errno = 0;
         const long vertex = strtol(word, &end, 10);
         if (end == word || errno != 0 || !index_of(vertex, o->vertex_count, &corner[count])) {
-            return import_obj_error(o, "corner '%.30s' names no vertex above this line", word);
+            return import_obj_error(o, "corner '%.30s' refers to no vertex above this line", word);
         }
         if (end[0] == '/' && end[1] != '/') {
             if (!index_of(strtol(end + 1, NULL, 10), o->uv_count, &uv)) {
                 return import_obj_error(
-                    o, "corner '%.30s' names no texture coordinate above this line", word);
+                    o, "corner '%.30s' refers to no texture coordinate above this line", word);
             }
             if (o->key == 0) {
                 memcpy(o->mesh->uv[corner[count]], o->uv[uv], sizeof o->uv[uv]);
@@ -132,24 +140,46 @@ static bool read_face(struct obj *o, char *text)
         count++;
     }
     if (count < 3) {
-        return import_obj_error(o, "a face has three corners");
+        return import_obj_error(o, "a face needs three corners");
     }
     for (uint32_t i = 2; i < count; i++) {
         struct import_mesh *m = o->mesh;
         const uint32_t edge[3] = { corner[0], corner[i - 1], corner[i] };
-        const uint32_t limit = o->key == 0 ? IMPORT_TRIANGLE_MAX : m->triangle_count;
-        if (o->triangle_count == limit) {
-            return import_obj_error(o, "more than %u triangles%s", limit,
-                                    o->key == 0 ? "" : ", which the first shape has");
+        if (!has_space(o, "triangles", o->triangle_count, IMPORT_TRIANGLE_MAX, m->triangle_count)) {
+            return false;
         }
         if (o->key == 0) {
             memcpy(m->triangles[o->triangle_count], edge, sizeof edge);
-            m->groups[o->triangle_count] = o->group;
+            m->groups[o->triangle_count] = (uint8_t)o->group;
         } else if (memcmp(m->triangles[o->triangle_count], edge, sizeof edge) != 0) {
-            return import_obj_error(o, "this face joins other vertices than in the first shape");
+            return import_obj_error(o, "this face has other vertices than in the first shape");
         }
         o->triangle_count++;
     }
+    return true;
+}
+
+/* Selects the group that `text` names for the following faces, and adds the group if it is new.
+ * Only the groups of key shape 0 are used, because the files of other key shapes may have other
+ * group names. */
+static bool read_group(struct obj *o, char *text)
+{
+    struct import_mesh *m = o->mesh;
+    char name[IMPORT_NAME_SIZE];
+    if (o->key > 0) {
+        return true;
+    }
+    text[strcspn(text, "\r\n")] = '\0';
+    snprintf(name, sizeof name, "%s", text + strspn(text, " \t"));
+    for (o->group = 0; o->group < m->group_count; o->group++) {
+        if (strcmp(name, m->group_names[o->group]) == 0) {
+            return true;
+        }
+    }
+    if (m->group_count == IMPORT_GROUP_MAX) {
+        return import_obj_error(o, "more than %u groups", IMPORT_GROUP_MAX);
+    }
+    memcpy(m->group_names[m->group_count++], name, sizeof name);
     return true;
 }
 
@@ -159,54 +189,33 @@ static bool import_obj_read_line(struct obj *o, char *text)
     if (strncmp(word, "v ", 2) == 0 || strncmp(word, "v\t", 2) == 0) {
         return read_vertex(o, word + 2);
     }
-    if (strncmp(word, "vt ", 3) == 0) {
-        if (o->uv_count == IMPORT_VERTEX_MAX) {
-            return import_obj_error(o, "more than %u texture coordinates", IMPORT_VERTEX_MAX);
-        }
-        const int count = parse_obj_numbers(o, word + 3, o->uv[o->uv_count], 2);
-        if (count < 2) {
-            return count < 0 ? false : import_obj_error(o, "a texture coordinate has two numbers");
-        }
-        o->uv_count++;
-        return true;
-    }
     if (strncmp(word, "f ", 2) == 0) {
         return read_face(o, word + 2);
     }
     if (strncmp(word, "g ", 2) == 0 || strncmp(word, "o ", 2) == 0) {
-        /* Only the groups of key shape 0 are used. The files of other key shapes may have other
-         * group names. */
-        struct import_mesh *m = o->mesh;
-        const char *name = strtok(word + 2, "\r\n");
-        if (o->key > 0) {
-            return true;
-        }
-        char cut[IMPORT_NAME_SIZE];
-        snprintf(cut, sizeof cut, "%s", name ? name + strspn(name, " \t") : "");
-        for (o->group = 0; o->group < m->group_count; o->group++) {
-            if (strcmp(cut, m->group_names[o->group]) == 0) {
-                return true;
-            }
-        }
-        if (m->group_count == IMPORT_GROUP_MAX) {
-            return import_obj_error(o, "more than %u groups", IMPORT_GROUP_MAX);
-        }
-        memcpy(m->group_names[m->group_count++], cut, sizeof cut);
+        return read_group(o, word + 2);
+    }
+    if (strncmp(word, "vt ", 3) != 0) {
         return true;
     }
-    return true;
+    if (o->uv_count == IMPORT_VERTEX_MAX) {
+        return import_obj_error(o, "more than %u texture coordinates", IMPORT_VERTEX_MAX);
+    }
+    const int count = parse_obj_numbers(o, word + 3, o->uv[o->uv_count], 2);
+    o->uv_count++;
+    return count == 2 ||
+           (count >= 0 && import_obj_error(o, "a texture coordinate needs two numbers"));
 }
 
 static bool read_all(struct obj *o, FILE *file)
 {
     static char text[LINE_SIZE];
-    enum text_file_line got = text_file_line(file, text, sizeof text);
-    for (; got != TEXT_FILE_END; got = text_file_line(file, text, sizeof text)) {
+    enum file_line got;
+    while ((got = file_read_line(file, text, sizeof text)) != FILE_LINE_END) {
         o->line++;
-        if (got != TEXT_FILE_LINE) {
-            return got == TEXT_FILE_LONG
-                       ? import_obj_error(o, "the line is longer than %d", LINE_SIZE - 2)
-                       : import_obj_error(o, "a zero byte, and this is to be a text");
+        if (got == FILE_LINE_BAD) {
+            return import_obj_error(
+                o, "the line is longer than %d characters or contains a zero byte", LINE_SIZE - 1);
         }
         if (!import_obj_read_line(o, text)) {
             return false;
@@ -214,7 +223,7 @@ static bool read_all(struct obj *o, FILE *file)
     }
     struct import_mesh *m = o->mesh;
     if (ferror(file)) {
-        return import_obj_error(o, "cannot be read further");
+        return import_obj_error(o, "cannot be read to its end");
     }
     if (o->vertex_count == 0 || o->triangle_count == 0) {
         return import_obj_error(o, "no %s", o->vertex_count == 0 ? "vertices" : "faces");
@@ -232,16 +241,31 @@ static bool read_all(struct obj *o, FILE *file)
     return true;
 }
 
+bool import_error(char why[IMPORT_WHY_SIZE], const char *format, ...)
+{
+    va_list values;
+    va_start(values, format);
+    vsnprintf(why, IMPORT_WHY_SIZE, format, values);
+    va_end(values);
+    return false;
+}
+
 enum exit_code import_open(const char *path, uint32_t size_max, FILE **file,
                            char why[IMPORT_WHY_SIZE])
 {
     CORE_ASSERT(path);
-    char cannot[TEXT_FILE_WHY_SIZE];
-    const enum text_file_open opened = text_file_open(path, size_max, file, cannot);
-    if (opened != TEXT_FILE_OPEN) {
-        snprintf(why, IMPORT_WHY_SIZE, "%.80s: %s", path, cannot);
+    *file = file_open(path, size_max);
+    if (*file) {
+        return EXIT_OK;
     }
-    return opened == TEXT_FILE_OPEN ? EXIT_OK : opened == TEXT_FILE_LARGE ? EXIT_BAD_DATA : EXIT_IO;
+    if (errno == EFBIG) {
+        const bool in_kib = size_max < 1u << 20;
+        import_error(why, "%.80s: larger than %u %s", path, size_max >> (in_kib ? 10 : 20),
+                     in_kib ? "KiB" : "MiB");
+        return EXIT_BAD_DATA;
+    }
+    import_error(why, "%.80s: %s", path, file_error(errno));
+    return EXIT_IO;
 }
 
 enum exit_code import_obj(struct import_mesh *mesh, uint32_t key, const char *path,

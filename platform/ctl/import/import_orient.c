@@ -2,7 +2,6 @@
  * rotates and scales its mesh. */
 #include <ctype.h>
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "core/base/panic.h"
@@ -63,10 +62,9 @@ static float import_orient_along(vec3 p, uint32_t axis)
 static vec3 axis_vector(uint32_t axis)
 {
     CORE_ASSERT(axis < AXIS_NONE);
-    const float sign = axis < AXIS_MINUS_X ? 1.0f : -1.0f;
-    const uint32_t which = axis % AXIS_MINUS_X;
-    return v3(which == AXIS_X ? sign : 0.0f, which == AXIS_Y ? sign : 0.0f,
-              which == AXIS_Z ? sign : 0.0f);
+    float x[3] = { 0.0f, 0.0f, 0.0f };
+    x[axis % AXIS_MINUS_X] = axis < AXIS_MINUS_X ? 1.0f : -1.0f;
+    return v3(x[0], x[1], x[2]);
 }
 
 struct extent {
@@ -80,10 +78,7 @@ static struct extent extent_of(const struct import_mesh *mesh, uint32_t key, uin
 {
     struct extent e = { INFINITY, -INFINITY };
     for (uint32_t i = 0; i < mesh->triangle_count; i++) {
-        if (body && import_part(mesh->group_names[mesh->groups[i]]) != PART_BODY) {
-            continue;
-        }
-        for (uint32_t k = 0; k < 3; k++) {
+        for (uint32_t k = 0; k < 3 && (!body || import_part_of(mesh, i) == PART_BODY); k++) {
             const float x = import_orient_along(mesh->positions[key][mesh->triangles[i][k]], axis);
             e.low = fminf(e.low, x);
             e.high = fmaxf(e.high, x);
@@ -93,8 +88,8 @@ static struct extent extent_of(const struct import_mesh *mesh, uint32_t key, uin
 }
 
 /* Returns the mean of the triangle centres along `axis`, weighted by area. If the file names the
- * eyes, uses only the triangles of the eyes and sets `*eyes` to true. */
-static double middle_along(const struct import_mesh *mesh, uint32_t axis, bool *eyes)
+ * eyes, uses only the triangles of the eyes, otherwise the triangles of the body. */
+static double middle_along(const struct import_mesh *mesh, uint32_t axis)
 {
     const uint32_t key = mesh->key_count - 1;
     double sum[2] = { 0.0, 0.0 }, area[2] = { 0.0, 0.0 };
@@ -102,7 +97,7 @@ static double middle_along(const struct import_mesh *mesh, uint32_t axis, bool *
         const uint32_t *t = mesh->triangles[i];
         const vec3 a = mesh->positions[key][t[0]], b = mesh->positions[key][t[1]],
                    c = mesh->positions[key][t[2]];
-        const enum species_part part = import_part(mesh->group_names[mesh->groups[i]]);
+        const enum species_part part = import_part_of(mesh, i);
         const double weight = (double)v3_length(v3_cross(v3_sub(b, a), v3_sub(c, a)));
         const double middle =
             ((double)import_orient_along(a, axis) + (double)import_orient_along(b, axis) +
@@ -113,8 +108,8 @@ static double middle_along(const struct import_mesh *mesh, uint32_t axis, bool *
             area[part == PART_EYE] += weight;
         }
     }
-    *eyes = area[1] > 0.0;
-    return area[*eyes] > 0.0 ? sum[*eyes] / area[*eyes] : 0.0;
+    const bool has_eyes = area[1] > 0.0;
+    return area[has_eyes] > 0.0 ? sum[has_eyes] / area[has_eyes] : 0.0;
 }
 
 /* Finds the direction of the snout and writes it to `front`. The head is at the end that is nearer
@@ -123,31 +118,25 @@ static double middle_along(const struct import_mesh *mesh, uint32_t axis, bool *
 static bool find_front(const struct import_mesh *mesh, uint32_t up, uint8_t *front,
                        char why[IMPORT_WHY_SIZE])
 {
-    const uint32_t key = mesh->key_count - 1;
+    double length[3], middle[3];
+    for (uint32_t axis = 0; axis < 3; axis++) {
+        const struct extent e = extent_of(mesh, mesh->key_count - 1, axis, false);
+        length[axis] = (double)e.high - (double)e.low;
+        middle[axis] = 0.5 * ((double)e.low + (double)e.high);
+    }
     const uint32_t one = (up + 1) % 3, two = (up + 2) % 3;
-    const struct extent a = extent_of(mesh, key, one, false);
-    const struct extent b = extent_of(mesh, key, two, false);
-    const double length_a = (double)a.high - (double)a.low;
-    const double length_b = (double)b.high - (double)b.low;
-    const struct extent c = extent_of(mesh, key, up, false);
-    if ((double)c.high - (double)c.low > SQUARE_RATIO * fmax(length_a, length_b)) {
-        snprintf(why, IMPORT_WHY_SIZE,
-                 "front: longest along %s, where its back would be; say "
-                 "--up AXIS",
-                 import_axis_names[up]);
-        return false;
+    const uint32_t axis = length[one] > length[two] ? one : two;
+    if (length[up] > SQUARE_RATIO * length[axis]) {
+        return import_error(
+            why, "front: the fish is longest along %s, the direction of its back; use --up AXIS",
+            import_axis_names[up]);
     }
-    if (fmax(length_a, length_b) < SQUARE_RATIO * fmin(length_a, length_b)) {
-        snprintf(why, IMPORT_WHY_SIZE, "front: nearly as wide as long; say --front AXIS");
-        return false;
+    if (length[axis] < SQUARE_RATIO * fmin(length[one], length[two])) {
+        return import_error(why, "front: the fish is nearly as wide as long; use --front AXIS");
     }
-    const uint32_t axis = length_a > length_b ? one : two;
-    const struct extent e = length_a > length_b ? a : b;
-    bool eyes;
-    const double off = middle_along(mesh, axis, &eyes) - 0.5 * ((double)e.low + (double)e.high);
-    if (fabs(off) < UNCLEAR_SHARE * fmax(length_a, length_b)) {
-        snprintf(why, IMPORT_WHY_SIZE, "front: head and tail look alike; say --front AXIS");
-        return false;
+    const double off = middle_along(mesh, axis) - middle[axis];
+    if (fabs(off) < UNCLEAR_SHARE * length[axis]) {
+        return import_error(why, "front: head and tail cannot be distinguished; use --front AXIS");
     }
     *front = (uint8_t)(off > 0.0 ? axis : axis + AXIS_MINUS_X);
     return true;
@@ -162,7 +151,7 @@ static float fork_of(const struct import_mesh *mesh, uint32_t key)
     for (uint32_t i = 0; i < 3 * mesh->triangle_count; i++) {
         const uint32_t t = i / 3;
         const vec3 p = mesh->positions[key][mesh->triangles[t][i % 3]];
-        const enum species_part part = import_part(mesh->group_names[mesh->groups[t]]);
+        const enum species_part part = import_part_of(mesh, t);
         const float off = fabsf(p.y - 0.5f * (y.low + y.high));
         if (part == PART_BODY || (part == PART_TAIL && off < MIDDLE_SHARE * (y.high - y.low))) {
             far = fmaxf(far, p.z);
@@ -171,41 +160,27 @@ static float fork_of(const struct import_mesh *mesh, uint32_t key)
     return far;
 }
 
-/* Moves the snout to z = -0.5 and the middle of the body to x = y = 0, and scales the mesh so that
- * `size` becomes 1. */
-static void import_orient_normalize(struct import_mesh *mesh, uint32_t key, float size)
-{
-    const struct extent x = extent_of(mesh, key, AXIS_X, true);
-    const struct extent y = extent_of(mesh, key, AXIS_Y, true);
-    const struct extent z = extent_of(mesh, key, AXIS_Z, false);
-    const vec3 from = v3(0.5f * (x.low + x.high), 0.5f * (y.low + y.high), z.low);
-    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-        vec3 *p = &mesh->positions[key][i];
-        *p = v3_scale(v3_sub(*p, from), 1.0f / size);
-        p->z -= 0.5f;
-    }
-}
-
-enum exit_code import_orient(struct import_mesh *mesh, const struct import_options *plan,
-                             struct import_report *report, char why[IMPORT_WHY_SIZE])
+bool import_orient(struct import_mesh *mesh, const struct import_options *plan,
+                   struct import_report *report, char why[IMPORT_WHY_SIZE])
 {
     CORE_ASSERT(plan->up < AXIS_NONE);
     CORE_ASSERT(plan->front <= AXIS_NONE);
     report->front = mesh->is_ours && plan->front == AXIS_NONE ? AXIS_Z : plan->front;
     if (report->front == AXIS_NONE && !find_front(mesh, plan->up % 3, &report->front, why)) {
-        return EXIT_BAD_DATA;
+        return false;
     }
+    CORE_ASSERT(report->front < AXIS_NONE);
     if (report->front % 3 == plan->up % 3) {
-        snprintf(why, IMPORT_WHY_SIZE, "front: %s, and up is %s; say --front and --up",
-                 import_axis_names[report->front], import_axis_names[plan->up]);
-        return EXIT_BAD_DATA;
+        return import_error(why,
+                            "front is %s and up is %s; set different axes with --front and --up",
+                            import_axis_names[report->front], import_axis_names[plan->up]);
     }
-    const vec3 z = v3_scale(axis_vector(report->front), -1.0f), y = axis_vector(plan->up),
-               x = v3_cross(y, z);
+    const vec3 back = v3_scale(axis_vector(report->front), -1.0f), up = axis_vector(plan->up),
+               right = v3_cross(up, back);
     for (uint32_t key = 0; key < mesh->key_count; key++) {
         for (uint32_t i = 0; i < mesh->vertex_count; i++) {
             vec3 *p = &mesh->positions[key][i];
-            *p = v3(v3_dot(*p, x), v3_dot(*p, y), v3_dot(*p, z));
+            *p = v3(v3_dot(*p, right), v3_dot(*p, up), v3_dot(*p, back));
         }
     }
     bool is_settled = mesh->is_ours; /* True if the mesh needs no scaling. A mesh that kingyoctl
@@ -218,16 +193,23 @@ enum exit_code import_orient(struct import_mesh *mesh, const struct import_optio
         report->size[key] =
             (plan->measure == MEASURE_FORK ? fork_of(mesh, key) : extent.high) - extent.low;
         if (!(report->size[key] > 1e-6f)) {
-            snprintf(why, IMPORT_WHY_SIZE, "%.40s: has no length", mesh->key_names[key]);
-            return EXIT_BAD_DATA;
+            return import_error(why, "%.40s: has no length", mesh->key_names[key]);
         }
         is_settled = is_settled && fabsf(report->size[key] - 1.0f) < OURS_OFF;
     }
     for (uint32_t key = 0; key < mesh->key_count; key++) {
-        if (!is_settled) {
-            import_orient_normalize(mesh, key, report->size[key]);
+        /* Moves the snout to z = -0.5 and the middle of the body to x = y = 0, and scales the mesh
+         * so that the size becomes 1. */
+        const struct extent x = extent_of(mesh, key, AXIS_X, true);
+        const struct extent y = extent_of(mesh, key, AXIS_Y, true);
+        const struct extent z = extent_of(mesh, key, AXIS_Z, false);
+        const vec3 from = v3(0.5f * (x.low + x.high), 0.5f * (y.low + y.high), z.low);
+        for (uint32_t i = 0; i < mesh->vertex_count && !is_settled; i++) {
+            vec3 *p = &mesh->positions[key][i];
+            *p = v3_scale(v3_sub(*p, from), 1.0f / report->size[key]);
+            p->z -= 0.5f;
         }
         report->size[key] *= mesh->scales[key];
     }
-    return EXIT_OK;
+    return true;
 }

@@ -6,13 +6,13 @@
  * the child crashes, the parent only prints an error line. A build without assimp's headers rejects
  * scenes with a message. */
 #include <errno.h>
+#include <float.h>
 #include <math.h>
 #include <signal.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
-#include <sys/stat.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
@@ -20,7 +20,6 @@
 #include "core/base/panic.h"
 #include "core/base/printable.h"
 #include "platform/ctl/import/import.h"
-#include "platform/species/text.h"
 
 #define MEMORY_MAX (1024ull * 1024ull * 1024ull)
 #define CPU_MAX_S 20
@@ -40,8 +39,8 @@
 struct shared {
     struct import_mesh mesh;
     char why[IMPORT_WHY_SIZE];
-    int done; /* 1 after a successful import. 0 means that the import failed. `why` is then the
-                 reason, or "" if the child process ended early. */
+    bool done; /* True after a successful import. False means that the import failed. `why` is then
+                  the reason, or "" if the child process ended early. */
 };
 
 /* Reads the scene in the child process and never returns. The parent process receives only the
@@ -49,6 +48,7 @@ struct shared {
 static _Noreturn void read_in_child(struct shared *shared, const char *path)
 {
     const struct rlimit time = { CPU_MAX_S, CPU_MAX_S }, cores = { 0, 0 };
+    const struct rlimit memory = { MEMORY_MAX, MEMORY_MAX };
     static const int fatal[] = { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU };
     for (size_t i = 0; i < sizeof fatal / sizeof fatal[0]; i++) {
         signal(fatal[i], SIG_DFL); /* Restores the default action, which ends the child process,
@@ -57,7 +57,6 @@ static _Noreturn void read_in_child(struct shared *shared, const char *path)
     }
     setrlimit(RLIMIT_CPU, &time);
     setrlimit(RLIMIT_CORE, &cores);
-    const struct rlimit memory = { MEMORY_MAX, MEMORY_MAX };
     if (!SANITIZED) {
         setrlimit(RLIMIT_AS, &memory);
     }
@@ -77,11 +76,6 @@ static bool wait_for(pid_t child, int *status)
     kill(child, SIGKILL);
     waitpid(child, status, 0);
     return false;
-}
-
-static bool is_terminated(const char *text, size_t size)
-{
-    return memchr(text, 0, size) != NULL;
 }
 
 /* Returns true if the times of the keyframes increase, and if the weights at each keyframe are at
@@ -108,6 +102,17 @@ static bool vet_weights(const struct import_mesh *m, uint32_t *where)
     return true;
 }
 
+/* Returns true if no value is NaN or has an absolute value above `max`. */
+static bool are_within(const float *values, uint32_t count, float max)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        if (!(fabsf(values[i]) <= max)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 const char *import_validate(const struct import_mesh *m, char room[IMPORT_WHY_SIZE / 2])
 {
     uint32_t moment = 0;
@@ -117,39 +122,30 @@ const char *import_validate(const struct import_mesh *m, char room[IMPORT_WHY_SI
                 m->group_count >= 1 && m->group_count <= IMPORT_GROUP_MAX &&
                 m->time_count <= IMPORT_TIME_MAX;
     for (uint32_t i = 0; good && i < m->key_count; i++) {
-        good = is_terminated(m->key_names[i], IMPORT_NAME_SIZE);
+        good = memchr(m->key_names[i], 0, IMPORT_NAME_SIZE) != NULL;
     }
     for (uint32_t i = 0; good && i < m->group_count; i++) {
-        good = is_terminated(m->group_names[i], IMPORT_NAME_SIZE);
+        good = memchr(m->group_names[i], 0, IMPORT_NAME_SIZE) != NULL;
     }
     if (!good) {
-        return "no shape, or more than may be";
+        return "no shape, or more shapes, vertices, triangles or groups than are allowed";
     }
-    for (uint32_t key = 0; key < m->key_count; key++) {
-        for (uint32_t i = 0; i < m->vertex_count; i++) {
-            const vec3 p = m->positions[key][i];
-            if (!(fabsf(p.x) <= IMPORT_REACH_MAX && fabsf(p.y) <= IMPORT_REACH_MAX &&
-                  fabsf(p.z) <= IMPORT_REACH_MAX)) {
-                return "a coordinate that is no number or beyond 1e6";
-            }
-        }
+    for (uint32_t key = 0; good && key < m->key_count; key++) {
+        good = are_within(&m->positions[key][0].x, 3 * m->vertex_count, IMPORT_REACH_MAX);
     }
-    for (uint32_t i = 0; i < m->vertex_count; i++) {
-        if (!(isfinite(m->uv[i][0]) && isfinite(m->uv[i][1]))) {
-            return "a coordinate that is no number or beyond 1e6";
-        }
+    if (!good || !are_within(m->uv[0], 2 * m->vertex_count, FLT_MAX)) {
+        return "a coordinate is not a number or is beyond 1e6";
     }
     for (uint32_t i = 0; i < m->triangle_count; i++) {
         const uint32_t *t = m->triangles[i];
         if (t[0] >= m->vertex_count || t[1] >= m->vertex_count || t[2] >= m->vertex_count ||
             m->groups[i] >= m->group_count) {
-            return "a triangle that names a vertex that is not there";
+            return "a triangle refers to a missing vertex";
         }
     }
     if (!vet_weights(m, &moment)) {
         snprintf(room, IMPORT_WHY_SIZE / 2,
-                 "the animation's moment %u: weights that are negative or sum to more than 1",
-                 moment);
+                 "the animation's moment %u: a weight is negative, or the sum is not 1", moment);
         return room;
     }
     return NULL;
@@ -162,15 +158,15 @@ static enum exit_code import_scene_read_file(struct import_mesh *mesh, struct sh
     char room[IMPORT_WHY_SIZE / 2];
     int status = 0;
     if (!wait_for(child, &status)) {
-        snprintf(why, IMPORT_WHY_SIZE, "%.80s: not read within %d s", path, WAIT_MAX_MS / 1000);
+        import_error(why, "%.80s: not read within %d s", path, WAIT_MAX_MS / 1000);
         return EXIT_BAD_DATA;
     }
     shared->why[IMPORT_WHY_SIZE - 1] = '\0';
     printable(shared->why);
     if (!WIFEXITED(status) || !shared->done) {
-        const bool told = WIFEXITED(status) && shared->why[0];
-        snprintf(why, IMPORT_WHY_SIZE, "%.80s: %.110s", path,
-                 told ? shared->why : "damaged: the importer gave up on it");
+        const bool has_reason = WIFEXITED(status) && shared->why[0];
+        import_error(why, "%.80s: %.110s", path,
+                     has_reason ? shared->why : "damaged; the importer crashed while reading it");
         return EXIT_BAD_DATA;
     }
     memcpy(mesh, &shared->mesh, sizeof *mesh); /* The mesh is copied before the validation, so that
@@ -178,7 +174,7 @@ static enum exit_code import_scene_read_file(struct import_mesh *mesh, struct sh
                                                   data. */
     const char *fault = import_validate(mesh, room);
     if (fault) {
-        snprintf(why, IMPORT_WHY_SIZE, "%.80s: %s", path, fault);
+        import_error(why, "%.80s: %s", path, fault);
         return EXIT_BAD_DATA;
     }
     for (uint32_t key = 0; key < mesh->key_count; key++) {
@@ -199,7 +195,7 @@ enum exit_code import_scene(struct import_mesh *mesh, const char *path, char why
     }
     fclose(file);
     if (!import_can_flatten(missing)) {
-        snprintf(why, IMPORT_WHY_SIZE, "%.60s: %.130s", path, missing);
+        import_error(why, "%.60s: %.130s", path, missing);
         return EXIT_NOT_SO;
     }
     struct shared *shared =
@@ -209,7 +205,7 @@ enum exit_code import_scene(struct import_mesh *mesh, const char *path, char why
         read_in_child(shared, path);
     }
     if (child < 0) {
-        snprintf(why, IMPORT_WHY_SIZE, "no process to read with: %s", strerror(errno));
+        import_error(why, "cannot start a process that reads the scene: %s", strerror(errno));
         code = EXIT_IO;
     } else {
         code = import_scene_read_file(mesh, shared, path, child, why);

@@ -60,7 +60,7 @@ static void draw_from_mesh(const struct import_mesh *mesh)
 {
     const uint32_t step = mesh->triangle_count / BACK_MAX + 1u;
     for (uint32_t t = 0; t < mesh->triangle_count; t += step) {
-        const enum species_part part = import_part(mesh->group_names[mesh->groups[t]]);
+        const enum species_part part = import_part_of(mesh, t);
         const vec3 q = mesh->positions[0][mesh->triangles[t][t % 3]];
         float best = FAR_SHARE * FAR_SHARE;
         uint32_t nearest = MESH_VERTEX_MAX;
@@ -126,20 +126,7 @@ static void write_points(struct species_slot *slot, uint32_t lod, uint32_t key)
     static vec3 normals[MESH_VERTEX_MAX];
     static struct morph_pose pose;
     const struct species_mesh *mesh = &slot->species.lod[lod];
-    memset(normals, 0, MESH_VERTEX_MAX * sizeof *normals);
-    for (uint32_t i = 0; i < fit.mesh->index_count; i += 3) {
-        const uint16_t *t = &fit.mesh->indices[i];
-        const vec3 normal =
-            v3_cross(v3_sub(fit.now[t[1]], fit.now[t[0]]), v3_sub(fit.now[t[2]], fit.now[t[0]]));
-        for (uint32_t k = 0; k < 3; k++) {
-            vec3 *sum = &normals[fit.place[t[k]]];
-            const bool sheet = fit.mesh->vertices[t[k]].part >= PART_TAIL;
-            *sum = v3_muladd(*sum, normal, sheet && v3_dot(*sum, normal) < 0.0f ? -1.0f : 1.0f);
-        }
-    }
-    for (uint32_t i = 0; i < fit.mesh->vertex_count; i++) {
-        normals[i] = v3_normalize_or(normals[fit.place[i]], v3(0.0f, 1.0f, 0.0f));
-    }
+    import_normals(mesh, mesh->index_count, fit.now, fit.place, normals);
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         if (mesh->vertices[i].anchor == ANCHOR_NONE) {
             put_point(slot, lod, key, i, fit.now[i], normals[i]);
@@ -159,25 +146,21 @@ static void write_points(struct species_slot *slot, uint32_t lod, uint32_t key)
 
 /* ---- Error of the fit ----------------------------------------------------------------------- */
 
-struct tally {
-    double sum, squares;
-    float max;
-    uint32_t count;
-};
-
-static void count_gap(struct tally *tally, float gap)
+/* Measures the distances from `count` points to the surface of `tree`. */
+static struct refit_error measure_points(const vec3 *points, uint32_t count,
+                                         const struct refit_tree *tree)
 {
-    tally->sum += (double)gap;
-    tally->squares += (double)gap * (double)gap;
-    tally->max = fmaxf(tally->max, gap);
-    tally->count++;
-}
-
-static struct refit_error error_of(const struct tally *tally)
-{
-    const double n = fmax((double)tally->count, 1.0);
-    return (struct refit_error){ (float)(tally->sum / n), (float)sqrt(tally->squares / n),
-                                 tally->max };
+    double sum = 0.0, squares = 0.0;
+    float max = 0.0f;
+    const double n = fmax((double)count, 1.0);
+    for (uint32_t i = 0; i < count; i++) {
+        vec3 at;
+        const float gap = sqrtf(refit_tree_nearest(tree, points[i], REFIT_TREE_ANY_PART, &at));
+        sum += (double)gap;
+        squares += (double)gap * (double)gap;
+        max = fmaxf(max, gap);
+    }
+    return (struct refit_error){ (float)(sum / n), (float)sqrt(squares / n), max };
 }
 
 /* Measures the distance from each vertex of the fitted template to the mesh, and from each used
@@ -185,8 +168,8 @@ static struct refit_error error_of(const struct tally *tally)
 static void refit_measure_error(const struct import_mesh *mesh, struct refit_result *result)
 {
     static bool seen[IMPORT_VERTEX_MAX];
-    struct tally to = { 0 }, from = { 0 };
-    vec3 at;
+    static vec3 used[IMPORT_VERTEX_MAX];
+    uint32_t used_count = 0;
     fitted_tree.triangle_count = 0;
     for (uint32_t i = 0; i < fit.mesh->index_count; i += 3) {
         const uint16_t *t = &fit.mesh->indices[i];
@@ -194,20 +177,16 @@ static void refit_measure_error(const struct import_mesh *mesh, struct refit_res
                        fit.mesh->vertices[t[0]].part);
     }
     refit_tree_build(&fitted_tree);
-    for (uint32_t i = 0; i < fit.mesh->vertex_count; i++) {
-        count_gap(&to, sqrtf(refit_tree_nearest(fit.tree, fit.now[i], REFIT_TREE_ANY_PART, &at)));
-    }
     memset(seen, 0, sizeof seen);
     for (uint32_t i = 0; i < 3 * mesh->triangle_count; i++) {
         const uint32_t vertex = mesh->triangles[i / 3][i % 3];
         if (!seen[vertex]) {
-            const vec3 q = mesh->positions[0][vertex];
-            count_gap(&from, sqrtf(refit_tree_nearest(&fitted_tree, q, REFIT_TREE_ANY_PART, &at)));
+            used[used_count++] = mesh->positions[0][vertex];
             seen[vertex] = true;
         }
     }
-    result->to_mesh = error_of(&to);
-    result->from_mesh = error_of(&from);
+    result->to_mesh = measure_points(fit.now, fit.mesh->vertex_count, fit.tree);
+    result->from_mesh = measure_points(used, used_count, &fitted_tree);
 }
 
 /* Pairs each landmark of the mesh with the same landmark of the template. `from` receives the
@@ -249,19 +228,18 @@ static void refit_begin(const struct species_slot *slot, uint32_t lod, uint32_t 
     /* `other` lists the neighbours of each place along the edges. A neighbour is listed once for
      * each triangle that has the edge. */
     static uint32_t fill[MESH_VERTEX_MAX];
-    const struct species_mesh *lod_mesh = fit.mesh;
     memset(fit.first, 0, sizeof fit.first);
-    for (uint32_t i = 0; i < lod_mesh->index_count; i++) {
-        fit.first[fit.place[lod_mesh->indices[i]] + 1] += 2;
+    for (uint32_t i = 0; i < fit.mesh->index_count; i++) {
+        fit.first[fit.place[fit.mesh->indices[i]] + 1] += 2;
     }
-    for (uint32_t i = 0; i < lod_mesh->vertex_count; i++) {
+    for (uint32_t i = 0; i < fit.mesh->vertex_count; i++) {
         fit.first[i + 1] += fit.first[i];
         fill[i] = fit.first[i];
     }
-    for (uint32_t i = 0; i < lod_mesh->index_count; i++) {
-        const uint32_t t = i - i % 3, at = fit.place[lod_mesh->indices[i]];
-        fit.other[fill[at]++] = fit.place[lod_mesh->indices[t + (i + 1) % 3]];
-        fit.other[fill[at]++] = fit.place[lod_mesh->indices[t + (i + 2) % 3]];
+    for (uint32_t i = 0; i < fit.mesh->index_count; i++) {
+        const uint32_t t = i - i % 3, at = fit.place[fit.mesh->indices[i]];
+        fit.other[fill[at]++] = fit.place[fit.mesh->indices[t + (i + 1) % 3]];
+        fit.other[fill[at]++] = fit.place[fit.mesh->indices[t + (i + 2) % 3]];
     }
 }
 
@@ -345,8 +323,7 @@ void refit_key(struct species_slot *slot, uint32_t key, const struct import_mesh
     for (uint32_t i = 0; i < mesh->triangle_count; i++) {
         const uint32_t *t = mesh->triangles[i];
         refit_tree_add(&target_tree, mesh->positions[0][t[0]], mesh->positions[0][t[1]],
-                       mesh->positions[0][t[2]],
-                       (uint8_t)import_part(mesh->group_names[mesh->groups[i]]));
+                       mesh->positions[0][t[2]], (uint8_t)import_part_of(mesh, i));
     }
     refit_tree_build(&target_tree);
     /* `stray` becomes the landmark with the greatest distance from the surface of the mesh. */

@@ -12,8 +12,6 @@
 #ifndef KINGYO_PLATFORM_CTL_IMPORT_REFIT_H
 #define KINGYO_PLATFORM_CTL_IMPORT_REFIT_H
 
-#include <stddef.h>
-
 #include "platform/ctl/import/import.h"
 #include "platform/species/pack.h"
 

@@ -7,7 +7,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/base/panic.h"
 #include "platform/ctl/import/refit.h"
 #include "platform/ctl/morph/morph_import_words.h"
 #include "platform/ctl/morph/morph.h"
@@ -39,8 +38,8 @@ static void axis_from(const struct refit_marks *marks, const char *to, const cha
         const vec3 way = v3_sub(b->place, a->place);
         const float part[3] = { way.x, way.y, way.z };
         uint8_t most = AXIS_X;
-        for (uint8_t i = AXIS_Y; i <= AXIS_Z; i++) {
-            most = fabsf(part[i]) > fabsf(part[most]) ? i : most;
+        for (uint32_t i = AXIS_Y; i <= AXIS_Z; i++) {
+            most = fabsf(part[i]) > fabsf(part[most]) ? (uint8_t)i : most;
         }
         *axis = part[most] < 0.0f ? (uint8_t)(most + AXIS_MINUS_X) : most;
     }
@@ -56,8 +55,7 @@ static bool orient(struct import_mesh *mesh, struct refit_marks *marks,
     struct import_report report = { .front = AXIS_NONE };
     const uint32_t first = mesh->vertex_count;
     if (first + marks->count > IMPORT_VERTEX_MAX) {
-        snprintf(why, IMPORT_WHY_SIZE, "more than %u vertices", IMPORT_VERTEX_MAX);
-        return false;
+        return import_error(why, "more than %u vertices", IMPORT_VERTEX_MAX);
     }
     for (uint32_t i = 0; i < marks->count; i++) {
         mesh->positions[0][first + i] = marks->marks[i].place;
@@ -66,7 +64,7 @@ static bool orient(struct import_mesh *mesh, struct refit_marks *marks,
     mesh->key_count = 1; /* Only the first key shape of a scene is used. */
     axis_from(marks, "back", "belly", &own.up);
     axis_from(marks, "snout", "tail_root", &own.front);
-    const bool good = import_orient(mesh, &own, &report, why) == EXIT_OK;
+    const bool good = import_orient(mesh, &own, &report, why);
     for (uint32_t i = 0; i < marks->count; i++) {
         marks->marks[i].place = mesh->positions[0][first + i];
     }
@@ -102,7 +100,8 @@ static enum exit_code fit_files(struct species_slot *slot, const struct morph_im
         }
         refit_key(slot, key, &mesh, &list, &result);
         if (result.stray_gap > STRAY_MAX) {
-            snprintf(why, IMPORT_WHY_SIZE, "%.80s: %s lies %.0f %% of the length off the mesh",
+            snprintf(why, IMPORT_WHY_SIZE,
+                     "%.80s: landmark %s is %.0f %% of the length away from the mesh",
                      words->marks[key], result.stray, 100.0 * (double)result.stray_gap);
             return EXIT_BAD_DATA;
         }
@@ -131,7 +130,7 @@ static enum exit_code refit_run(int argc, const char *const *argv)
     }
     const struct species *bent = words.plan.like;
     if (words.file_count != bent->card.key_count) {
-        return morph_usage(name, "'%.60s' has %u keys, and there are %u files", words.like,
+        return morph_usage(name, "'%.60s' has %u key shapes, and there are %u files", words.like,
                            bent->card.key_count, words.file_count);
     }
     /* Unless an option names the landmark file, the landmarks of FISH.obj are in FISH.marks. */
@@ -150,7 +149,7 @@ static enum exit_code refit_run(int argc, const char *const *argv)
         print_error("%s", why);
         return code;
     }
-    if (import_fitted_life(&words.plan, &slot.species.card, why) != EXIT_OK) {
+    if (!import_fitted_life(&words.plan, &slot.species.card, why)) {
         print_error("%s: %s", words.files[0], why);
         return EXIT_BAD_DATA;
     }
@@ -166,25 +165,15 @@ static enum exit_code refit_run(int argc, const char *const *argv)
 const struct morph_command ctl_morph_refit = {
     .name = name,
     .words = "OUT.kfish SPECIES|FILE A.obj B.obj C.obj .. [options]",
-    .summary = "bends the body of a species onto meshes of any topology, a file a key",
-    .usage =
-        "A mesh is an .obj file or a scene, as for 'kingyoctl morph import'. There are as many as\n"
-        "the species has keys. Each is fitted by landmarks (FISH.obj has FISH.marks), and how far\n"
-        "off it is, is printed. Lines of 'NAME X Y Z': snout, tail_root, back, belly, eye_right,\n"
-        "eye_left, tail_top, tail_bottom, and NAME_start, NAME_end, NAME_tip of dorsal, dorsal2,\n"
-        "anal, pectoral_right, .._left, pelvic_right, .._left; four or more, each within 10 % of\n"
-        "the length of the mesh.\n"
-        "  --marks A,B,C        the landmarks' files, where they stand elsewhere\n"
-        "  --id ID              its name, a-z, 0-9 and _; otherwise OUT's\n"
-        "  --names A,B,C        the keys' names; otherwise the species'\n"
-        "  --lengths-mm A,B,C   how long each key truly is, 0.5 to 20000; otherwise the species'\n"
-        "  --ages-days A,B,C    how old each key is, 0 to 14610; otherwise by --growth, else the\n"
-        "                       species'\n"
-        "  --growth LINF_MM,K_PER_YEAR,T0_YEAR,HATCH_MM,FADE_YEAR\n"
-        "                       von Bertalanffy's curve, as for 'kingyoctl morph import'\n"
-        "  --front AXIS         where the snout points: +x, -x, +y, -y, +z or -z; otherwise from\n"
-        "                       the landmarks snout and tail_root\n"
-        "  --up AXIS            where the back is; otherwise from back and belly, else +y\n"
-        "  --measure M          total, standard, fork or disc: the length that is meant\n",
+    .summary = "fits the body of a species to meshes with any triangles, one for each key shape",
+    .options = &morph_import_words_table,
+    .groups = IMPORT_REFIT,
+    .usage = "Give one mesh for each key shape of the species. Each mesh needs a landmark\n"
+             "file with four or more lines of the form 'NAME X Y Z', in the coordinates of\n"
+             "the mesh. The names are snout, tail_root, back, belly, eye_right, eye_left,\n"
+             "tail_top, tail_bottom, and FIN_start, FIN_end, FIN_tip with the FIN dorsal,\n"
+             "dorsal2, anal, pectoral_right, pectoral_left, pelvic_right or pelvic_left.\n"
+             "Each landmark must be within 10 % of the length from the mesh. The command\n"
+             "prints the distances of each fit from its mesh.\n",
     .run = refit_run,
 };

@@ -7,67 +7,68 @@
 
 #include "core/base/panic.h"
 #include "platform/ctl/import/refit.h"
-#include "platform/species/text.h"
+#include "platform/os/file.h"
 
 #define LINE_SIZE 256
 #define MARKS_SIZE_MAX (64u * 1024u)
-#define COUNT(array) (sizeof(array) / sizeof((array)[0]))
 
-static const struct {
-    const char *name;
-    uint8_t part, side;
-} fins[] = {
-    { "dorsal2", PART_DORSAL_2, SIDE_MIDDLE },
-    { "dorsal", PART_DORSAL, SIDE_MIDDLE },
-    { "anal", PART_ANAL, SIDE_MIDDLE },
-    { "pectoral_right", PART_PECTORAL, SIDE_RIGHT },
-    { "pectoral_left", PART_PECTORAL, SIDE_LEFT },
-    { "pelvic_right", PART_PELVIC, SIDE_RIGHT },
-    { "pelvic_left", PART_PELVIC, SIDE_LEFT },
+/* How the position of a landmark is found on the template. */
+enum rule {
+    RULE_NEAR,    /* The vertex of the part that is nearest to the body coordinates u and v. */
+    RULE_HIGHEST, /* The highest vertex of the part. */
+    RULE_LOWEST,  /* The lowest vertex of the part. */
+    RULE_MEAN,    /* The mean of all vertices of the part. */
 };
 
-static const char *const singles[] = { "snout",     "tail_root", "back",     "belly",
-                                       "eye_right", "eye_left",  "tail_top", "tail_bottom" };
+#define FIN(name, part, side)                                                                      \
+    { name "_start", RULE_NEAR, part, side, 0.0f, 0.0f },                                          \
+        { name "_end", RULE_NEAR, part, side, 1.0f, 0.0f },                                        \
+        { name "_tip", RULE_NEAR, part, side, 0.0f, 1.0f }
 
-/* Returns the index of the fin whose name starts the name of the landmark, and sets `end` to the
- * rest of the landmark's name. Returns COUNT(fins) if the landmark is not on a fin. */
-static size_t fin_of(const char *name, const char **end)
+/* All landmarks. SIDE_MIDDLE selects the vertices of both sides. */
+static const struct landmark {
+    const char *name;
+    enum rule rule;
+    uint8_t part, side;
+    float u, v;
+} landmarks[] = {
+    { "snout", RULE_NEAR, PART_BODY, SIDE_MIDDLE, 0.0f, 0.25f },
+    { "tail_root", RULE_NEAR, PART_BODY, SIDE_MIDDLE, 1.0f, 0.25f },
+    { "back", RULE_HIGHEST, PART_BODY, SIDE_MIDDLE, 0.0f, 0.0f },
+    { "belly", RULE_LOWEST, PART_BODY, SIDE_MIDDLE, 0.0f, 0.0f },
+    { "eye_right", RULE_MEAN, PART_EYE, SIDE_RIGHT, 0.0f, 0.0f },
+    { "eye_left", RULE_MEAN, PART_EYE, SIDE_LEFT, 0.0f, 0.0f },
+    { "tail_top", RULE_NEAR, PART_TAIL, SIDE_MIDDLE, 0.0f, 1.0f },
+    { "tail_bottom", RULE_NEAR, PART_TAIL, SIDE_MIDDLE, 1.0f, 1.0f },
+    FIN("dorsal2", PART_DORSAL_2, SIDE_MIDDLE),
+    FIN("dorsal", PART_DORSAL, SIDE_MIDDLE),
+    FIN("anal", PART_ANAL, SIDE_MIDDLE),
+    FIN("pectoral_right", PART_PECTORAL, SIDE_RIGHT),
+    FIN("pectoral_left", PART_PECTORAL, SIDE_LEFT),
+    FIN("pelvic_right", PART_PELVIC, SIDE_RIGHT),
+    FIN("pelvic_left", PART_PELVIC, SIDE_LEFT),
+};
+
+static const struct landmark *find_landmark(const char *name)
 {
-    size_t i = 0;
-    for (; i < COUNT(fins); i++) {
-        const size_t length = strlen(fins[i].name);
-        if (strncmp(name, fins[i].name, length) != 0 || name[length] != '_') {
-            continue;
-        }
-        *end = name + length + 1;
-        if (strcmp(*end, "start") == 0 || strcmp(*end, "end") == 0 || strcmp(*end, "tip") == 0) {
-            break;
+    for (size_t i = 0; i < sizeof landmarks / sizeof landmarks[0]; i++) {
+        if (strcmp(landmarks[i].name, name) == 0) {
+            return &landmarks[i];
         }
     }
-    return i;
-}
-
-static bool is_landmark(const char *name)
-{
-    const char *end;
-    bool known = fin_of(name, &end) < COUNT(fins);
-    for (size_t i = 0; i < COUNT(singles); i++) {
-        known = known || strcmp(name, singles[i]) == 0;
-    }
-    return known;
+    return NULL;
 }
 
 static bool refit_marks_error(char why[IMPORT_WHY_SIZE], const char *path, uint32_t line,
                               const char *what)
 {
-    snprintf(why, IMPORT_WHY_SIZE, "%.80s:%u: %s", path, line, what);
-    return false;
+    return import_error(why, "%.80s:%u: %s", path, line, what);
 }
 
 static bool refit_marks_read_line(char *text, struct refit_marks *list, const char *path,
                                   uint32_t line, char why[IMPORT_WHY_SIZE])
 {
-    struct refit_landmark mark;
+    struct refit_landmark mark = { 0 };
     char *rest = NULL;
     text[strcspn(text, "#")] = '\0';
     const char *name = strtok_r(text, " \t\r\n", &rest);
@@ -77,22 +78,21 @@ static bool refit_marks_read_line(char *text, struct refit_marks *list, const ch
     if (list->count == REFIT_MARKS_MAX) {
         return refit_marks_error(why, path, line, "more than 24 landmarks");
     }
-    if (strlen(name) >= MARK_NAME_SIZE || !is_landmark(name)) {
-        return refit_marks_error(why, path, line, "no landmark of that name; --help lists them");
+    if (!find_landmark(name)) {
+        return refit_marks_error(why, path, line, "unknown landmark; --help lists the names");
     }
-    memset(&mark, 0, sizeof mark);
-    memcpy(mark.name, name, strlen(name));
+    snprintf(mark.name, sizeof mark.name, "%s", name);
     float *const place[3] = { &mark.place.x, &mark.place.y, &mark.place.z };
     for (int i = 0; i < 3; i++) {
         const char *word = strtok_r(NULL, " \t\r\n", &rest);
         char *end = NULL;
         *place[i] = word ? strtof(word, &end) : NAN;
         if (!word || *end != '\0' || !(fabsf(*place[i]) <= IMPORT_REACH_MAX)) {
-            return refit_marks_error(why, path, line, "write: NAME X Y Z");
+            return refit_marks_error(why, path, line, "expected NAME X Y Z");
         }
     }
     if (strtok_r(NULL, " \t\r\n", &rest)) {
-        return refit_marks_error(why, path, line, "write: NAME X Y Z");
+        return refit_marks_error(why, path, line, "expected NAME X Y Z");
     }
     list->marks[list->count++] = mark;
     return true;
@@ -110,16 +110,17 @@ enum exit_code refit_marks_read(const char *path, struct refit_marks *list,
     if (opened != EXIT_OK) {
         return opened;
     }
-    enum text_file_line got = text_file_line(file, text, sizeof text);
-    for (; good && got != TEXT_FILE_END; got = text_file_line(file, text, sizeof text)) {
+    enum file_line got;
+    while (good && (got = file_read_line(file, text, sizeof text)) != FILE_LINE_END) {
         line++;
-        good = got == TEXT_FILE_LINE ? refit_marks_read_line(text, list, path, line, why)
-               : got == TEXT_FILE_LONG
-                   ? refit_marks_error(why, path, line, "the line is longer than 254")
-                   : refit_marks_error(why, path, line, "a zero byte, in what is a text");
+        good = got == FILE_LINE_READ
+                   ? refit_marks_read_line(text, list, path, line, why)
+                   : refit_marks_error(
+                         why, path, line,
+                         "the line is longer than 255 characters or contains a zero byte");
     }
     if (good && list->count < 4) {
-        good = refit_marks_error(why, path, line, "four landmarks or more are needed");
+        good = refit_marks_error(why, path, line, "at least four landmarks are needed");
     }
     const bool broken = ferror(file) != 0;
     fclose(file);
@@ -128,70 +129,31 @@ enum exit_code refit_marks_read(const char *path, struct refit_marks *list,
 
 /* ---- Landmarks of the template --------------------------------------------------------------- */
 
-/* Finds the vertex of a part whose body coordinates are nearest to (u, v). Returns false if the
- * fish does not have the part. */
-static bool vertex_near(const struct species_mesh *mesh, const vec3 *positions, uint8_t part,
-                        uint8_t side, float u, float v, vec3 *out)
+bool refit_marks_of_template(const struct species_mesh *mesh, const vec3 *positions,
+                             const char *name, vec3 *out)
 {
-    float best = INFINITY;
-    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+    const struct landmark *mark = find_landmark(name);
+    vec3 sum = { 0.0f, 0.0f, 0.0f };
+    float best = INFINITY, count = 0.0f;
+    for (uint32_t i = 0; mark && i < mesh->vertex_count; i++) {
         const struct species_vertex *at = &mesh->vertices[i];
-        if (at->part != part || (side != SIDE_MIDDLE && at->side != side)) {
+        if (at->part != mark->part || (mark->side != SIDE_MIDDLE && at->side != mark->side)) {
             continue;
         }
-        const float off = fabsf(at->u - u) + fabsf(at->v - v);
+        const float off = mark->rule == RULE_NEAR ? fabsf(at->u - mark->u) + fabsf(at->v - mark->v)
+                          : mark->rule == RULE_HIGHEST ? -positions[i].y
+                                                       : positions[i].y;
         if (off < best) {
             best = off;
             *out = positions[i];
         }
+        sum = v3_add(sum, positions[i]);
+        count += 1.0f;
     }
-    return best < INFINITY;
-}
-
-bool refit_marks_of_template(const struct species_mesh *mesh, const vec3 *positions,
-                             const char *name, vec3 *out)
-{
-    CORE_ASSERT(name[0]);
-    if (strcmp(name, "snout") == 0 || strcmp(name, "tail_root") == 0) {
-        return vertex_near(mesh, positions, PART_BODY, SIDE_MIDDLE, name[0] == 's' ? 0.0f : 1.0f,
-                           0.25f, out);
-    }
-    if (strcmp(name, "back") == 0 || strcmp(name, "belly") == 0) {
-        /* `sign` is 1 for the highest point of the body, and -1 for the lowest point. */
-        const float sign = strcmp(name, "back") == 0 ? 1.0f : -1.0f;
-        float best = -INFINITY;
-        for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-            if (mesh->vertices[i].part == PART_BODY && sign * positions[i].y > best) {
-                best = sign * positions[i].y;
-                *out = positions[i];
-            }
-        }
-        return best > -INFINITY;
-    }
-    if (strcmp(name, "eye_right") == 0 || strcmp(name, "eye_left") == 0) {
-        const enum species_side side = name[4] == 'r' ? SIDE_RIGHT : SIDE_LEFT;
-        vec3 sum = { 0.0f, 0.0f, 0.0f };
-        float count = 0.0f;
-        for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-            if (mesh->vertices[i].part == PART_EYE && mesh->vertices[i].side == side) {
-                sum = v3_add(sum, positions[i]);
-                count += 1.0f;
-            }
-        }
+    if (mark && mark->rule == RULE_MEAN) {
         *out = v3_scale(sum, 1.0f / fmaxf(count, 1.0f));
-        return count > 0.0f;
     }
-    if (strcmp(name, "tail_top") == 0 || strcmp(name, "tail_bottom") == 0) {
-        return vertex_near(mesh, positions, PART_TAIL, SIDE_MIDDLE, name[5] == 't' ? 0.0f : 1.0f,
-                           1.0f, out);
-    }
-    const char *end = name;
-    const size_t i = fin_of(name, &end);
-    if (i == COUNT(fins)) {
-        return false;
-    }
-    return vertex_near(mesh, positions, fins[i].part, fins[i].side, end[0] == 'e' ? 1.0f : 0.0f,
-                       end[0] == 't' ? 1.0f : 0.0f, out);
+    return count > 0.0f;
 }
 
 /* ---- Warp between two sets of landmarks ------------------------------------------------------ */
@@ -268,24 +230,6 @@ static vec3 stretched(double m[SYSTEM_MAX][SYSTEM_MAX + 3], vec3 p, vec3 middle,
     return v3_add(v3_add(at, goal), v3((float)way[0], (float)way[1], (float)way[2]));
 }
 
-/* Computes the weights of the displacements around the landmarks. The affine transform does not
- * move each landmark exactly to its target. The displacements together add the missing distance. */
-static void fit_bumps(const vec3 *from, const vec3 *to, uint32_t n,
-                      double m[SYSTEM_MAX][SYSTEM_MAX + 3])
-{
-    memset(m, 0, SYSTEM_MAX * sizeof *m);
-    for (uint32_t i = 0; i < n; i++) {
-        const vec3 way = v3_sub(to[i], from[i]);
-        for (uint32_t j = 0; j < n; j++) {
-            m[i][j] = bump(point_distance(from[i], from[j])) + (i == j ? SLACK : 0.0);
-        }
-        m[i][n] = (double)way.x;
-        m[i][n + 1] = (double)way.y;
-        m[i][n + 2] = (double)way.z;
-    }
-    solve(m, n);
-}
-
 void refit_marks_warp(const vec3 *from, const vec3 *to, uint32_t n, vec3 *points, uint32_t count)
 {
     CORE_ASSERT(n <= REFIT_MARKS_MAX);
@@ -320,7 +264,20 @@ void refit_marks_warp(const vec3 *from, const vec3 *to, uint32_t n, vec3 *points
     for (uint32_t i = 0; i < count; i++) {
         points[i] = stretched(m, points[i], middle, goal);
     }
-    fit_bumps(at, to, n, m);
+    /* Compute the weights of the displacements around the landmarks. The affine transform does not
+     * move each landmark exactly to its target. The displacements together add the missing
+     * distance. */
+    memset(m, 0, sizeof m);
+    for (uint32_t i = 0; i < n; i++) {
+        const vec3 way = v3_sub(to[i], at[i]);
+        for (uint32_t j = 0; j < n; j++) {
+            m[i][j] = bump(point_distance(at[i], at[j])) + (i == j ? SLACK : 0.0);
+        }
+        m[i][n] = (double)way.x;
+        m[i][n + 1] = (double)way.y;
+        m[i][n + 2] = (double)way.z;
+    }
+    solve(m, n);
     for (uint32_t i = 0; i < count; i++) {
         double way[3] = { 0.0, 0.0, 0.0 };
         for (uint32_t j = 0; j < n; j++) {

@@ -16,28 +16,18 @@ void refit_tree_add(struct refit_tree *tree, vec3 a, vec3 b, vec3 c, uint8_t par
     tree->triangles[tree->triangle_count++] = (struct refit_tree_triangle){ { a, b, c }, part };
 }
 
-static float corner_sum_on_axis(const struct refit_tree_triangle *t, int axis)
+/* Compares two triangles by their centres on the axis `*axis` (0 to 2 for x to z), for
+ * qsort_r(). */
+static int compare_on_axis(const void *a, const void *b, void *axis)
 {
-    const float *a = &t->corner[0].x, *b = &t->corner[1].x, *c = &t->corner[2].x;
-    return a[axis] + b[axis] + c[axis];
-}
-
-static int by_x(const void *a, const void *b)
-{
-    const float x = corner_sum_on_axis(a, 0), y = corner_sum_on_axis(b, 0);
-    return (x > y) - (x < y);
-}
-
-static int by_y(const void *a, const void *b)
-{
-    const float x = corner_sum_on_axis(a, 1), y = corner_sum_on_axis(b, 1);
-    return (x > y) - (x < y);
-}
-
-static int by_z(const void *a, const void *b)
-{
-    const float x = corner_sum_on_axis(a, 2), y = corner_sum_on_axis(b, 2);
-    return (x > y) - (x < y);
+    const struct refit_tree_triangle *t[2] = { a, b };
+    float sum[2];
+    for (int i = 0; i < 2; i++) {
+        const float *corner[3] = { &t[i]->corner[0].x, &t[i]->corner[1].x, &t[i]->corner[2].x };
+        const int k = *(const int *)axis;
+        sum[i] = corner[0][k] + corner[1][k] + corner[2][k];
+    }
+    return (sum[0] > sum[1]) - (sum[0] < sum[1]);
 }
 
 static vec3 componentwise_min(vec3 a, vec3 b)
@@ -82,10 +72,9 @@ void refit_tree_build(struct refit_tree *tree)
             continue;
         }
         const vec3 size = v3_sub(node->high, node->low);
-        qsort(&tree->triangles[range.first], range.count, sizeof tree->triangles[0],
-              size.x >= size.y && size.x >= size.z ? by_x
-              : size.y >= size.z                   ? by_y
-                                                   : by_z);
+        int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+        qsort_r(&tree->triangles[range.first], range.count, sizeof tree->triangles[0],
+                compare_on_axis, &axis);
         const uint32_t half = range.count / 2;
         node->count = 0;
         waiting[depth++] = (struct range){ range.first + half, range.count - half, index };

@@ -48,18 +48,13 @@ vec3 canvas_linear(vec3 srgb)
     return v3(to_linear(srgb.x), to_linear(srgb.y), to_linear(srgb.z));
 }
 
-vec3 canvas_srgb(vec3 linear)
-{
-    return v3(to_srgb(linear.x), to_srgb(linear.y), to_srgb(linear.z));
-}
-
 vec3 canvas_colour(uint32_t rgb)
 {
     return canvas_linear(v3((float)(rgb >> 16 & 255u) / 255.0f, (float)(rgb >> 8 & 255u) / 255.0f,
                             (float)(rgb & 255u) / 255.0f));
 }
 
-/* ---- Rectangles and shadows ------------------------------------------------------------------ */
+/* ---- Rectangles ------------------------------------------------------------------------------ */
 
 struct span {
     uint32_t first, end; /* `first` is the first pixel that the range touches. `end` is one more
@@ -94,21 +89,6 @@ void canvas_fill(struct canvas *canvas, struct canvas_box box, uint32_t above, u
             vec3 *pixel = &canvas->pixels[(size_t)y * canvas->width + x];
             const float cover = covered(box.left, box.width, x) * covered(box.top, box.height, y);
             *pixel = v3_lerp(*pixel, colour, cover);
-        }
-    }
-}
-
-void canvas_shade(struct canvas *canvas, struct canvas_box box, float strength)
-{
-    const struct span rows = touched_pixels(box.top, box.height, canvas->height);
-    const struct span columns = touched_pixels(box.left, box.width, canvas->width);
-    for (uint32_t y = rows.first; y < rows.end; y++) {
-        const float down = ((float)y + 0.5f - box.top) / box.height * 2.0f - 1.0f;
-        for (uint32_t x = columns.first; x < columns.end; x++) {
-            const float along = ((float)x + 0.5f - box.left) / box.width * 2.0f - 1.0f;
-            const float inside = f_max(1.0f - along * along - down * down, 0.0f);
-            vec3 *pixel = &canvas->pixels[(size_t)y * canvas->width + x];
-            *pixel = v3_scale(*pixel, 1.0f - strength * inside * inside);
         }
     }
 }
@@ -173,11 +153,6 @@ void canvas_words(struct canvas *canvas, float x, float y, float size_px, enum c
 
 /* ---- PNG output ------------------------------------------------------------------------------ */
 
-static uint8_t byte_of(float linear)
-{
-    return (uint8_t)(to_srgb(f_clamp(linear, 0.0f, 1.0f)) * 255.0f + 0.5f);
-}
-
 int canvas_write_png(const struct canvas *canvas, const char *path)
 {
     const size_t count = (size_t)canvas->width * canvas->height;
@@ -186,10 +161,10 @@ int canvas_write_png(const struct canvas *canvas, const char *path)
     if (!rgb) {
         return -ENOMEM;
     }
-    for (size_t i = 0; i < count; i++) {
-        rgb[3 * i] = byte_of(canvas->pixels[i].x);
-        rgb[3 * i + 1] = byte_of(canvas->pixels[i].y);
-        rgb[3 * i + 2] = byte_of(canvas->pixels[i].z);
+    for (size_t i = 0; i < 3u * count; i++) {
+        const vec3 *pixel = &canvas->pixels[i / 3u];
+        const float linear = i % 3u == 0 ? pixel->x : i % 3u == 1 ? pixel->y : pixel->z;
+        rgb[i] = (uint8_t)(to_srgb(f_clamp(linear, 0.0f, 1.0f)) * 255.0f + 0.5f);
     }
     const int error = png_write(path, rgb, canvas->width, canvas->height);
     free(rgb);

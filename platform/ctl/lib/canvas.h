@@ -1,5 +1,5 @@
-/* canvas.h -- a software canvas on which rectangles, shadows and text are drawn, and which is
- * written as a PNG file.
+/* canvas.h -- a software canvas on which rectangles and text are drawn, and which is written
+ * as a PNG file.
  *
  * Pixels are stored as linear RGB, so that partial coverage is blended correctly. Colour parameters
  * are 0xRRGGBB in sRGB. Positions are in pixels from the top left corner, with x to the right and y
@@ -37,17 +37,11 @@ void canvas_close(struct canvas *canvas); /* Frees the pixels. May also be calle
 vec3 canvas_linear(vec3 srgb); /* Converts an sRGB colour to linear light. Each component is in [0,
                                   1]. */
 
-/* Converts a colour in linear light to sRGB. Each component is in [0, 1]. */
-vec3 canvas_srgb(vec3 linear);
 vec3 canvas_colour(uint32_t rgb); /* Converts the sRGB colour 0xRRGGBB to linear light. */
 
 /* Fills `box` with a vertical gradient from the colour `above` at the top to the colour `below` at
  * the bottom. A partly covered pixel at the edge of the box is blended by its coverage. */
 void canvas_fill(struct canvas *canvas, struct canvas_box box, uint32_t above, uint32_t below);
-
-/* Draws a shadow, which is a soft-edged ellipse inside `box`. Pixels are darkened by up to
- * `strength`, in [0, 1]. */
-void canvas_shade(struct canvas *canvas, struct canvas_box box, float strength);
 
 /* Draws UTF-8 text in the kiosk's font with the baseline at `y`. `x` is the left end, the middle or
  * the right end of the text, as `align` selects. The font's em is `size_px` pixels high. */

@@ -73,15 +73,16 @@ void caption_bar(struct canvas *canvas, float x, float y, float width_max_px, fl
         canvas_fill(canvas, (struct canvas_box){ at, y - 0.5f * tick, thick, tick }, CAPTION_INK,
                     CAPTION_INK);
     }
-    const double mm = 1e3 * (double)length_m;
-    const int unit = mm < 9.5 ? 0 : mm < 995.0 ? 1 : 2;
-    snprintf(words, sizeof words, "%.3g %s",
-             unit == 0   ? mm
-             : unit == 1 ? 0.1 * mm
-                         : 1e-3 * mm,
-             unit == 0   ? "mm"
-             : unit == 1 ? "cm"
-                         : "m");
+    static const struct {
+        double from_m, per_m;
+        const char *name;
+    } units[] = { { 0.995, 1.0, "m" }, { 9.5e-3, 1e2, "cm" }, { 0.0, 1e3, "mm" } };
+    uint32_t unit = 0;
+    while ((double)length_m < units[unit].from_m) {
+        unit++;
+    }
+    snprintf(words, sizeof words, "%.3g %s", (double)length_m * units[unit].per_m,
+             units[unit].name);
     canvas_words(canvas, x, y + 1.15f * size_px, size_px, ALIGN_CENTRE, CAPTION_INK, words);
 }
 

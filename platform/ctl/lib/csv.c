@@ -6,6 +6,7 @@
 
 #include <errno.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <string.h>
 
 #include "core/base/panic.h"
@@ -17,6 +18,8 @@
 /* Maximum number of characters of an invalid value that an error message quotes. */
 #define FIELD_SHOWN 40
 #define LIST_MAX 256u
+
+#define BLANKS " \t\r\n"
 
 static const char byte_order_mark[] = "\xEF\xBB\xBF"; /* Byte-order mark U+FEFF in UTF-8. */
 
@@ -39,71 +42,43 @@ enum exit_code csv_error(const struct csv *csv, uint32_t index, const char *form
     return EXIT_BAD_DATA;
 }
 
-static int is_blank(char c)
+/* Reads the next line that is not empty into csv->text. Sets `*is_end` to true at the end of the
+ * file, otherwise to false. */
+static enum exit_code csv_next_line(struct csv *csv, bool *is_end)
 {
-    return c == ' ' || c == '\t' || c == '\r' || c == '\n';
-}
-
-/* Reads the next line that is not empty into csv->text. Sets `*is_end` to 1 at the end of the file,
- * otherwise to 0. */
-static enum exit_code csv_next_line(struct csv *csv, int *is_end)
-{
-    *is_end = 0;
-    for (;;) {
+    const size_t mark = sizeof byte_order_mark - 1u;
+    do {
         csv->line++;
         const enum file_line result = file_read_line(csv->file, csv->text, sizeof csv->text);
-        if (result == FILE_LINE_END) {
-            *is_end = 1;
-            if (ferror(csv->file)) {
-                return ctl_file_error(csv->speaker, csv->path, CSV_SIZE_MAX, errno);
-            }
-            return EXIT_OK;
+        *is_end = result == FILE_LINE_END;
+        if (*is_end) {
+            return ferror(csv->file) ? ctl_file_error(csv->speaker, csv->path, CSV_SIZE_MAX, errno)
+                                     : EXIT_OK;
         }
         if (result == FILE_LINE_BAD) {
             return refuse_line(csv, "is longer than any line of numbers");
         }
         /* Some editors write a byte-order mark at the start of a file. The mark would otherwise
          * become part of the first column's name. */
-        const size_t mark = sizeof byte_order_mark - 1u;
         if (csv->line == 1 && strncmp(csv->text, byte_order_mark, mark) == 0) {
             memmove(csv->text, csv->text + mark, strlen(csv->text + mark) + 1u);
         }
-        size_t blank = 0;
-        while (is_blank(csv->text[blank])) {
-            blank++;
-        }
-        if (csv->text[blank] != '\0') {
-            return EXIT_OK;
-        }
-    }
+    } while (csv->text[strspn(csv->text, BLANKS)] == '\0');
+    return EXIT_OK;
 }
 
 /* Returns the next field of the line, without the white space around the field. Returns null after
  * the last field. Advances `*rest` past the field. */
 static char *cut_field(char **rest)
 {
-    char *field = *rest;
-    if (!field) {
-        return NULL;
-    }
-    char *comma = strchr(field, ',');
-    *rest = comma ? comma + 1 : NULL;
-    char *end = comma ? comma : field + strlen(field);
-    while (end > field && is_blank(end[-1])) {
-        end--;
-    }
-    *end = '\0';
-    while (is_blank(*field)) {
-        field++;
+    char *field = strsep(rest, ",");
+    if (field) {
+        field += strspn(field, BLANKS);
+        for (size_t size = strlen(field); size > 0 && strchr(BLANKS, field[size - 1u]);) {
+            field[--size] = '\0';
+        }
     }
     return field;
-}
-
-/* Appends a word to a comma-separated list. */
-static void list_word(char list[LIST_MAX], const char *word)
-{
-    const size_t used = strlen(list);
-    snprintf(list + used, LIST_MAX - used, "%s%s", used ? ", " : "", word);
 }
 
 /* Notes that the column `name` is at position `number` in the file. */
@@ -113,12 +88,12 @@ static enum exit_code take_name(struct csv *csv, const char *name, uint32_t numb
     for (uint32_t i = 0; i < csv->column_count; i++) {
         if (strcmp(name, csv->columns[i].name) == 0) {
             if (csv->field_of[i]) {
-                return csv_error(csv, i, "is there twice");
+                return csv_error(csv, i, "occurs twice");
             }
             csv->field_of[i] = number;
             return EXIT_OK;
         }
-        list_word(list, csv->columns[i].name);
+        ctl_list_word(list, sizeof list, csv->columns[i].name);
     }
     print_error("%s: %s: line %u, column %u: '%.*s' is none of %s", csv->speaker, csv->path,
                 csv->line, number, FIELD_SHOWN, name, list);
@@ -127,42 +102,23 @@ static enum exit_code take_name(struct csv *csv, const char *name, uint32_t numb
 
 static enum exit_code read_head(struct csv *csv)
 {
-    int is_end;
-    const enum exit_code code = csv_next_line(csv, &is_end);
-    if (code != EXIT_OK || is_end) {
-        return code != EXIT_OK ? code : refuse_line(csv, "is empty: a head of columns is missing");
+    bool is_end;
+    enum exit_code code = csv_next_line(csv, &is_end);
+    if (code == EXIT_OK && is_end) {
+        return refuse_line(csv, "is empty: the header line with the column names is missing");
     }
     char *rest = csv->text;
-    for (char *name = cut_field(&rest); name; name = cut_field(&rest)) {
-        const enum exit_code right = take_name(csv, name, ++csv->field_count);
-        if (right != EXIT_OK) {
-            return right;
-        }
+    for (char *name; code == EXIT_OK && (name = cut_field(&rest));) {
+        code = take_name(csv, name, ++csv->field_count);
     }
-    for (uint32_t i = 0; i < csv->column_count; i++) {
+    for (uint32_t i = 0; code == EXIT_OK && i < csv->column_count; i++) {
         if (!csv->field_of[i] && !csv->columns[i].may_miss) {
             print_error("%s: %s: line %u: the column %s is missing", csv->speaker, csv->path,
                         csv->line, csv->columns[i].name);
             return EXIT_BAD_DATA;
         }
     }
-    return EXIT_OK;
-}
-
-enum exit_code csv_open(struct csv *csv, const char *speaker, const char *path,
-                        const struct csv_column *columns, uint32_t column_count)
-{
-    CORE_ASSERT(columns && column_count >= 1 && column_count <= CSV_COLUMN_MAX);
-    *csv = (struct csv){
-        .speaker = speaker, .path = path, .columns = columns, .column_count = column_count
-    };
-    const enum exit_code code = ctl_file_open(speaker, path, CSV_SIZE_MAX, &csv->file);
-    return code == EXIT_OK ? read_head(csv) : code;
-}
-
-int csv_has(const struct csv *csv, uint32_t index)
-{
-    return csv->field_of[index] != 0;
+    return code;
 }
 
 static enum exit_code read_value(const struct csv *csv, uint32_t index, const char *text,
@@ -179,7 +135,7 @@ static enum exit_code read_value(const struct csv *csv, uint32_t index, const ch
                 *value = (double)i;
                 return EXIT_OK;
             }
-            list_word(list, column->words[i]);
+            ctl_list_word(list, sizeof list, column->words[i]);
         }
         return csv_error(csv, index, "'%.*s' is none of %s", FIELD_SHOWN, text, list);
     }
@@ -190,7 +146,9 @@ static enum exit_code read_value(const struct csv *csv, uint32_t index, const ch
     return EXIT_OK;
 }
 
-enum exit_code csv_row(struct csv *csv, double *values, int *is_end)
+/* Reads the next row into values[column_count]. Sets `*is_end` to true at the end of the file,
+ * otherwise to false. */
+static enum exit_code read_row(struct csv *csv, double *values, bool *is_end)
 {
     const enum exit_code code = csv_next_line(csv, is_end);
     if (code != EXIT_OK || *is_end) {
@@ -226,10 +184,30 @@ enum exit_code csv_row(struct csv *csv, double *values, int *is_end)
     return EXIT_OK;
 }
 
-void csv_close(struct csv *csv)
+enum exit_code csv_read(struct csv *csv,
+                        enum exit_code (*take)(void *self, const struct csv *csv,
+                                               const double *values),
+                        void *self)
 {
-    if (csv->file) {
-        fclose(csv->file);
-        csv->file = NULL;
+    double values[CSV_COLUMN_MAX];
+    uint32_t row_count = 0;
+    bool is_end = false;
+    CORE_ASSERT(csv->columns && csv->column_count >= 1 && csv->column_count <= CSV_COLUMN_MAX);
+    enum exit_code code = ctl_file_open(csv->speaker, csv->path, CSV_SIZE_MAX, &csv->file);
+    if (code != EXIT_OK) {
+        return code;
     }
+    code = read_head(csv);
+    while (code == EXIT_OK && !is_end) {
+        code = read_row(csv, values, &is_end);
+        if (code == EXIT_OK && !is_end) {
+            row_count++;
+            code = take(self, csv, values);
+        }
+    }
+    if (code == EXIT_OK && row_count == 0) {
+        code = refuse_line(csv, "a row of numbers is missing");
+    }
+    fclose(csv->file);
+    return code;
 }

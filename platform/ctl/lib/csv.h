@@ -7,6 +7,7 @@
 #ifndef KINGYO_PLATFORM_CTL_LIB_CSV_H
 #define KINGYO_PLATFORM_CTL_LIB_CSV_H
 
+#include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
 
@@ -28,48 +29,40 @@ struct csv_column {
     const char *const *words; /* Allowed words, terminated by a null pointer. The value of a
                                  field is the index of its word. A null `words` means a column of
                                  numbers. */
-    uint8_t may_miss;         /* 1 if the file may lack the column. 0 if a file without the column
-                                 is rejected. */
-    uint8_t unread;           /* 1 if the fields of the column are not parsed, so that the value is
-                                 always `otherwise`. 0 if the fields are parsed. */
+    bool may_miss;            /* True if the file may lack the column. */
+    bool unread;              /* True if the fields of the column are not parsed, so that the value
+                                 is always `otherwise`. */
     double otherwise;         /* Value that every row gets if the file does not have the column. */
 };
 
-/* An open CSV file. csv_open() initializes the structure. */
+/* A CSV file. The caller of csv_read() sets the first four fields, and all other fields to 0. */
 struct csv {
     const char *speaker; /* Prefix of error messages, for example "kingyoctl tank: --place". */
     const char *path;
+    const struct csv_column *columns;
+    uint32_t column_count; /* Number of columns that the caller defined, at most CSV_COLUMN_MAX. */
     FILE *file;
     uint32_t line;        /* Number of the current line, counted from 1. */
     uint32_t field_count; /* Number of fields of the header line. Every row must have the same
                              number of fields. */
-    const struct csv_column *columns;
-    uint32_t column_count;             /* Number of columns that the caller defined, at most
-                                          CSV_COLUMN_MAX. */
     uint32_t field_of[CSV_COLUMN_MAX]; /* Position in the file of each defined column, counted from
                                           1. 0 means that the file does not have the column. */
     char text[CSV_LINE_MAX];
 };
 
-/* Opens the file at `path` and parses its header line. Returns EXIT_OK. After an error, prints one
- * line and returns EXIT_IO or EXIT_BAD_DATA. `speaker`, `path` and `columns` must outlive `csv`. */
-enum exit_code csv_open(struct csv *csv, const char *speaker, const char *path,
-                        const struct csv_column *columns, uint32_t column_count);
-
-/* Reads the next row into values[column_count]. Returns EXIT_OK. After an error, prints one line
- * and returns EXIT_IO or EXIT_BAD_DATA. Sets `*is_end` to 1 at the end of the file, otherwise to
- * 0. */
-enum exit_code csv_row(struct csv *csv, double *values, int *is_end);
-
-/* Returns 1 if the file has the defined column `index`, otherwise 0. */
-int csv_has(const struct csv *csv, uint32_t index);
+/* Opens the file, parses its header line, and calls `take` with `self` for each row. `values` has
+ * one value for each defined column. `take` returns EXIT_OK, or prints one line and returns another
+ * exit code, which ends the reading. csv_read() returns EXIT_OK. After an error, prints one line
+ * and returns EXIT_IO, EXIT_BAD_DATA or the exit code of `take`. A file without a row is an error.
+ * */
+enum exit_code csv_read(struct csv *csv,
+                        enum exit_code (*take)(void *self, const struct csv *csv,
+                                               const double *values),
+                        void *self);
 
 /* Prints an error for column `index` of the current line. The reason is formatted as by printf().
  * Returns EXIT_BAD_DATA. */
 __attribute__((format(printf, 3, 4))) enum exit_code
 csv_error(const struct csv *csv, uint32_t index, const char *format, ...);
-
-/* Closes the CSV file. */
-void csv_close(struct csv *csv);
 
 #endif

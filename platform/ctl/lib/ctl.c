@@ -4,12 +4,15 @@
 
 #include <errno.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "core/base/panic.h"
 #include "platform/cpu.h"
-#include "platform/os/print.h"
+#include "platform/os/clock.h"
 #include "platform/os/file.h"
+#include "platform/os/print.h"
 
 enum exit_code ctl_usage(const char *command, const char *format, ...)
 {
@@ -50,16 +53,29 @@ void ctl_stop_at_signals(volatile sig_atomic_t *flag)
     sigaction(SIGHUP, &action, NULL);
 }
 
+uint64_t ctl_now_ns(void)
+{
+    const struct hal_clock clock = clock_device();
+    return clock.ops->now_ns(clock.self);
+}
+
 enum exit_code ctl_float(const char *command)
 {
     print_error("kingyoctl %s: " CPU_FLOAT_WRONG, command);
     return EXIT_NOT_SO;
 }
 
+void ctl_list_word(char *list, size_t size, const char *word)
+{
+    const size_t used = strlen(list);
+    CORE_ASSERT(used < size);
+    snprintf(list + used, size - used, "%s%s", used ? ", " : "", word);
+}
+
 enum exit_code ctl_file_error(const char *speaker, const char *path, uint32_t size_max, int error)
 {
     if (error == EFBIG) {
-        const int in_kib = size_max < 1u << 20;
+        const bool in_kib = size_max < 1u << 20;
         print_error("%s: %s: is larger than %u %s", speaker, path, size_max >> (in_kib ? 10 : 20),
                     in_kib ? "KiB" : "MiB");
         return EXIT_BAD_DATA;
@@ -73,4 +89,17 @@ enum exit_code ctl_file_open(const char *speaker, const char *path, uint32_t siz
     CORE_ASSERT(size_max > 0);
     *out = file_open(path, size_max);
     return *out ? EXIT_OK : ctl_file_error(speaker, path, size_max, errno);
+}
+
+enum exit_code ctl_file_read(const char *speaker, const char *path, void *bytes, uint32_t size_max,
+                             size_t *size)
+{
+    FILE *file;
+    enum exit_code code = ctl_file_open(speaker, path, size_max, &file);
+    if (code == EXIT_OK) {
+        *size = fread(bytes, 1, size_max, file);
+        code = ferror(file) ? ctl_file_error(speaker, path, size_max, errno) : EXIT_OK;
+        fclose(file);
+    }
+    return code;
 }

@@ -7,6 +7,7 @@
 #define KINGYO_PLATFORM_CTL_LIB_CTL_H
 
 #include <signal.h>
+#include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
 
@@ -22,10 +23,10 @@ struct ctl_command {
     const struct option_table *options; /* Options that --help lists after `usage`. May be null. */
     const char *notes;                  /* Help text after the list of options. May be null. */
     void (*tell_more)(void);            /* Prints further help at the end. May be null. */
-    uint8_t helps_itself; /* 1 if the command itself handles --help for its subcommands. 0 if
-                             main() handles --help. */
+    bool helps_itself; /* True if the command itself handles --help for its subcommands. False if
+                          main() handles --help. */
     /* Runs the command. argv[0] is the first argument after the command's name. Returns the exit
-     * code of the program. main() has already handled --help unless `helps_itself` is 1. */
+     * code of the program. main() has already handled --help unless `helps_itself` is true. */
     enum exit_code (*run)(int argc, const char *const *argv);
 };
 
@@ -45,6 +46,9 @@ enum exit_code ctl_options(const char *command, const struct option_table *table
  * by its normal exit path. */
 void ctl_stop_at_signals(volatile sig_atomic_t *flag);
 
+/* Returns the monotonic time in ns. */
+uint64_t ctl_now_ns(void);
+
 /* Prints an error line for CORE_ERR_FLOAT, which the core returns if the floating-point settings
  * are unsuitable. Returns EXIT_NOT_SO. */
 enum exit_code ctl_float(const char *command);
@@ -55,6 +59,14 @@ enum exit_code ctl_float(const char *command);
  * error. Returns EXIT_BAD_DATA if the file has more than `size_max` bytes. Returns EXIT_IO if the
  * file is missing or is not a regular file. */
 enum exit_code ctl_file_open(const char *speaker, const char *path, uint32_t size_max, FILE **out);
+
+/* Reads the whole file `path` into `bytes`, and sets `*size` to its size. Opens the file and
+ * reports errors as ctl_file_open() does. */
+enum exit_code ctl_file_read(const char *speaker, const char *path, void *bytes, uint32_t size_max,
+                             size_t *size);
+
+/* Appends `word` to the comma-separated `list` in a buffer of `size` bytes. */
+void ctl_list_word(char *list, size_t size, const char *word);
 
 /* Prints the error line for a read that failed with the errno `error`. Returns the exit code that
  * ctl_file_open() returns for this error. */

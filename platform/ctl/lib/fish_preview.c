@@ -1,4 +1,4 @@
-/* fish_preview.c -- the camera, the light and the skin of a fish picture. */
+/* fish_preview.c -- computes the camera, the light and the skin of a fish picture. */
 #include "platform/ctl/lib/fish_preview.h"
 
 #include <math.h>
@@ -76,18 +76,6 @@ struct corners {
     vec3 normals[3]; /* Normals of the three corners, in the axes of the camera. */
 };
 
-static struct species_vertex interpolated_vertex(const struct corners *c, const float part[3])
-{
-    const struct species_vertex *vertices = c->preview->mesh->vertices;
-    struct species_vertex at = vertices[c->at[0]];
-    at.u = at.v = 0.0f;
-    for (uint32_t i = 0; i < 3; i++) {
-        at.u += vertices[c->at[i]].u * part[i];
-        at.v += vertices[c->at[i]].v * part[i];
-    }
-    return at;
-}
-
 /* Returns the brightness at a point with the normal `n`. The light comes from a large soft lamp at
  * the upper left, from the sky and from the ground. */
 static float light_on(vec3 n, bool is_fin)
@@ -102,7 +90,13 @@ static float light_on(vec3 n, bool is_fin)
 static struct raster_colour fish_preview_colour_at(const void *triangle, const float part[3])
 {
     const struct corners *c = triangle;
-    const struct species_vertex at = interpolated_vertex(c, part);
+    const struct species_vertex *vertices = c->preview->mesh->vertices;
+    struct species_vertex at = vertices[c->at[0]];
+    at.u = at.v = 0.0f;
+    for (uint32_t i = 0; i < 3; i++) {
+        at.u += vertices[c->at[i]].u * part[i];
+        at.v += vertices[c->at[i]].v * part[i];
+    }
     const bool is_fin = at.part >= PART_TAIL;
     vec3 n = v3_scale(c->normals[0], part[0]);
     n = v3_muladd(v3_muladd(n, c->normals[1], part[1]), c->normals[2], part[2]);

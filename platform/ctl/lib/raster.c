@@ -74,23 +74,6 @@ static void raster_push(struct raster *raster, uint32_t x, uint32_t y, struct ra
 
 /* ---- Coverage of a pixel --------------------------------------------------------------------- */
 
-/* Computes the edge function of the edge from `a` to `b`. With y downward, the function is positive
- * inside a triangle whose corners appear counter-clockwise.
- *
- * The coefficients are always computed from the same end of the edge. Two triangles that share the
- * edge therefore get exactly the same numbers with opposite signs. */
-static struct edge edge_of(vec3 a, vec3 b)
-{
-    const bool swap = a.x > b.x || (a.x == b.x && a.y > b.y);
-    const vec3 from = swap ? b : a, to = swap ? a : b;
-    const float sign = swap ? -1.0f : 1.0f;
-    const float dx = to.y - from.y, dy = from.x - to.x;
-    struct edge e = { .dx = sign * dx, .dy = sign * dy };
-    e.at = -sign * (dx * from.x + dy * from.y);
-    e.owns = e.dx > 0.0f || (e.dx == 0.0f && e.dy > 0.0f);
-    return e;
-}
-
 static float edge_at(const struct edge *e, float x, float y)
 {
     return e->dx * x + e->dy * y + e->at;
@@ -106,8 +89,19 @@ struct triangle {
 
 static bool triangle_of(const vec3 c[3], struct triangle *t)
 {
+    /* With y downward, an edge function is positive inside a triangle whose corners appear
+     * counter-clockwise. The coefficients are always computed from the same end of the edge. Two
+     * triangles that share the edge therefore get exactly the same numbers with opposite signs. */
     for (uint32_t i = 0; i < 3; i++) {
-        t->edges[i] = edge_of(c[(i + 1) % 3], c[(i + 2) % 3]);
+        const vec3 a = c[(i + 1) % 3], b = c[(i + 2) % 3];
+        const bool swap = a.x > b.x || (a.x == b.x && a.y > b.y);
+        const vec3 from = swap ? b : a, to = swap ? a : b;
+        const float sign = swap ? -1.0f : 1.0f;
+        const float dx = to.y - from.y, dy = from.x - to.x;
+        struct edge *e = &t->edges[i];
+        *e = (struct edge){ .dx = sign * dx, .dy = sign * dy };
+        e->at = -sign * (dx * from.x + dy * from.y);
+        e->owns = e->dx > 0.0f || (e->dx == 0.0f && e->dy > 0.0f);
     }
     t->double_area = edge_at(&t->edges[0], c[0].x, c[0].y);
     if (!(t->double_area > 1e-6f)) {
@@ -172,14 +166,9 @@ static void draw_pixel(struct raster *raster, const struct triangle *t, uint32_t
                 });
 }
 
-static uint32_t pixel_before(float x, uint32_t limit)
+static uint32_t pixel_within(float x, uint32_t limit)
 {
-    return (uint32_t)f_clamp(floorf(x - 0.5f), 0.0f, (float)limit);
-}
-
-static uint32_t pixel_behind(float x, uint32_t limit)
-{
-    return (uint32_t)f_clamp(ceilf(x + 0.5f), 0.0f, (float)limit);
+    return (uint32_t)f_clamp(x, 0.0f, (float)limit);
 }
 
 void raster_triangle(struct raster *raster, const vec3 c[3], struct raster_skin skin)
@@ -188,14 +177,14 @@ void raster_triangle(struct raster *raster, const vec3 c[3], struct raster_skin 
     if (!triangle_of(c, &t)) {
         return;
     }
-    const float left = f_min(c[0].x, f_min(c[1].x, c[2].x));
-    const float right = f_max(c[0].x, f_max(c[1].x, c[2].x));
-    const float top = f_min(c[0].y, f_min(c[1].y, c[2].y));
-    const float bottom = f_max(c[0].y, f_max(c[1].y, c[2].y));
-    const uint32_t x_end = pixel_behind(right, raster->width);
-    const uint32_t y_end = pixel_behind(bottom, raster->height);
-    for (uint32_t y = pixel_before(top, raster->height); y < y_end; y++) {
-        for (uint32_t x = pixel_before(left, raster->width); x < x_end; x++) {
+    const float left = floorf(f_min(c[0].x, f_min(c[1].x, c[2].x)) - 0.5f);
+    const float right = ceilf(f_max(c[0].x, f_max(c[1].x, c[2].x)) + 0.5f);
+    const float top = floorf(f_min(c[0].y, f_min(c[1].y, c[2].y)) - 0.5f);
+    const float bottom = ceilf(f_max(c[0].y, f_max(c[1].y, c[2].y)) + 0.5f);
+    const uint32_t x_end = pixel_within(right, raster->width);
+    const uint32_t y_end = pixel_within(bottom, raster->height);
+    for (uint32_t y = pixel_within(top, raster->height); y < y_end; y++) {
+        for (uint32_t x = pixel_within(left, raster->width); x < x_end; x++) {
             draw_pixel(raster, &t, x, y, skin);
         }
     }

@@ -1,15 +1,25 @@
-/* glb.h -- a builder for binary glTF 2.0 files (.glb).
+/* glb.h -- a builder for binary glTF 2.0 files (.glb), and the declarations that the writer of a
+ * fish's life shares.
  *
  * Arrays are stored in the binary buffer. The JSON objects that describe the arrays are stored in
  * one text list for each type of object. glb_next() starts a list entry and writes the comma, and
- * byte_buffer_print() then writes the entry. Names of species contain only a-z, 0-9 and _, so that
- * no string needs escaping. */
+ * fprintf() then writes the entry. Names of species contain only a-z, 0-9 and _, so that
+ * no string needs escaping.
+ *
+ * glb.c writes the file and its nodes, morph_glb_mesh.c the meshes and their shapes, and
+ * morph_glb_life.c the animation. A piece is a mesh of one part of the fish on one side. A key is a
+ * modelled growth stage. */
 #ifndef KINGYO_PLATFORM_CTL_MORPH_GLB_H
 #define KINGYO_PLATFORM_CTL_MORPH_GLB_H
 
-#include "platform/ctl/lib/byte_buffer.h"
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
 
-/* Lists of JSON objects in a glTF file. */
+#include "platform/ctl/morph/morph_export.h"
+
+/* Lists of JSON objects in a glTF file, and the binary buffer. */
 enum glb_list {
     GLB_VIEWS,
     GLB_ACCESSORS,
@@ -19,52 +29,89 @@ enum glb_list {
     GLB_NODES,
     GLB_SAMPLERS,
     GLB_CHANNELS,
+    GLB_BUFFER,
     GLB_LIST_COUNT,
 };
 
-/* A file under construction. A zero-initialized structure is a valid empty file. */
+/* A stream of open_memstream(3), whose text is in `data` after fflush(3). */
+struct glb_stream {
+    FILE *file;
+    char *data;
+    size_t size;
+};
+
+/* A file under construction. */
 struct glb {
-    struct byte_buffer buffer;
-    struct byte_buffer lists[GLB_LIST_COUNT];
+    struct glb_stream lists[GLB_LIST_COUNT];
     uint32_t counts[GLB_LIST_COUNT];
 };
 
 enum glb_type { GLB_SCALAR, GLB_VEC2, GLB_VEC3, GLB_VEC4, GLB_MAT4 };
 
-/* Use of an array in the file. The use determines which properties of the array glTF requires. */
+/* Use of an array in the file. The use determines the type of the components and the properties
+ * that glTF requires. The components are floats unless the comment states another type. */
 enum glb_use {
-    GLB_FOR_VERTICES, /* The array is a vertex attribute, or an attribute of a morph target. */
-    GLB_FOR_PLACES,   /* The array contains vertex positions (POSITION), for which glTF requires
-                         bounds. */
-    GLB_FOR_TIMES,    /* The array is the input of an animation sampler, for which glTF requires
-                         bounds. */
-    GLB_FOR_DATA,     /* The array is the output of an animation sampler, or contains the matrices
-                         of a skin. */
+    GLB_FOR_VERTICES,  /* The array is a vertex attribute, or an attribute of a morph target. */
+    GLB_FOR_PLACES,    /* The array contains vertex positions (POSITION), for which glTF requires
+                          bounds. */
+    GLB_FOR_TIMES,     /* The array is the input of an animation sampler, for which glTF requires
+                          bounds. */
+    GLB_FOR_DATA,      /* The array is the output of an animation sampler, or contains the matrices
+                          of a skin. */
+    GLB_FOR_TRIANGLES, /* The array contains the vertex indices of triangles as uint16_t. */
+    GLB_FOR_JOINTS,    /* The array contains four joint numbers for each vertex as uint8_t. */
 };
 
 /* Starts a new entry of a list and returns the entry's index. The caller appends the entry's text
- * to `lists[list]`. */
+ * to lists[list].file. */
 uint32_t glb_next(struct glb *glb, enum glb_list list);
 
-/* Copies `count` elements of floats to the buffer and adds an accessor, the glTF description of the
- * array. Returns the index of the accessor. `count` must be at least 1. */
-uint32_t glb_floats(struct glb *glb, enum glb_use use, enum glb_type type, const float *values,
-                    uint32_t count);
+/* Copies `count` elements to the buffer and adds an accessor, the glTF description of the array.
+ * Returns the index of the accessor. `count` must be at least 1. */
+uint32_t glb_array(struct glb *glb, enum glb_use use, enum glb_type type, const void *data,
+                   uint32_t count);
 
-/* Copies `count` vertex indices of triangles to the buffer. Returns the index of the new
- * accessor. */
-uint32_t glb_indices(struct glb *glb, const uint16_t *indices, uint32_t count);
-/* Copies four joint numbers for each of `count` vertices to the buffer. Returns the index of the
- * new accessor. */
-uint32_t glb_joints(struct glb *glb, const uint8_t (*joints)[4], uint32_t count);
+/* ---- Life of a fish -------------------------------------------------------------------------- */
 
-/* Writes the file to `path`. `animation` is the name of the animation that contains all samplers
- * and channels. `scene` is a JSON list of the node numbers in the scene, for example "0,3". Returns
- * 0 or a negative errno. -ENOMEM means that an earlier memory allocation failed and `glb` is
- * incomplete. */
-int glb_write(struct glb *glb, const char *path, const char *animation, const char *scene);
+#define GLB_SECONDS 10.0f /* Duration in seconds of the animation of a whole life. */
+/* Index of the fish's node in the file. The nodes of the pieces follow, and then the nodes of the
+ * anchors. */
+#define GLB_ROOT_NODE 0u
+#define GLB_PIECE_NODE 1u
+#define TARGET_MAX (MORPH_CURVE_MAX * (MORPH_KEY_MAX - 1u))
 
-/* Frees the memory of the buffer and of all lists. */
-void glb_free(struct glb *glb);
+/* Morph targets of a piece. Each curve that moves the piece has one target for each key except the
+ * last key. The curve of the whole fish is always included, because this curve also blends the
+ * colours. */
+struct target_list {
+    uint32_t count;
+    uint8_t curves; /* Bit mask of the curves that have targets. Bit i is curve i. */
+    uint8_t curve[TARGET_MAX], key[TARGET_MAX];
+};
+
+struct morph_glb {
+    const struct morph_options *pick;
+    const struct species_mesh *mesh;
+    struct glb file;
+    struct morph_pose adult; /* Pose of the fish at progress 1. A viewer shows this pose if no
+                                animation runs. */
+    struct morph_mesh cut;
+    struct paint paints[MORPH_KEY_MAX][MESH_VERTEX_MAX]; /* Colour of each vertex for each key,
+                                                            indexed by key and vertex. */
+    struct target_list targets[PIECE_MAX];
+    bool skinned[PIECE_MAX]; /* True if at least one vertex of the piece has an anchor on the body's
+                                surface. */
+    /* Number of the material of each part, counted from 1. 0 means that the material does not exist
+     * yet. */
+    uint32_t materials[PART_COUNT];
+};
+
+/* Adds the mesh of `piece` to the file. Also sets the morph targets of the piece, and sets
+ * `skinned` for the piece. Returns the index of the mesh. */
+uint32_t morph_glb_add_mesh(struct morph_glb *fish, uint32_t piece);
+
+/* Adds the animation of all nodes to the file. Must be called after all meshes were added. Returns
+ * false if memory allocation fails. */
+bool morph_glb_animate(struct morph_glb *fish);
 
 #endif

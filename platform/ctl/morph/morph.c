@@ -2,7 +2,6 @@
  * for researchers. */
 #include "platform/ctl/morph/morph.h"
 
-#include <errno.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -22,34 +21,25 @@ static const struct morph_command *const table[] = {
 
 #define TABLE_COUNT (sizeof table / sizeof table[0])
 
-static void morph_print_error(const char *command, const char *format, va_list arguments)
-{
-    char words[PRINT_LINE_MAX];
-    vsnprintf(words, sizeof words, format, arguments);
-    print_error("kingyoctl %s %s: %s", name, command, words);
-}
-
-enum exit_code morph_usage(const char *command, const char *format, ...)
-{
-    CORE_ASSERT(command);
-    va_list arguments;
-    va_start(arguments, format);
-    morph_print_error(command, format, arguments);
-    va_end(arguments);
-    return EXIT_USAGE;
-}
-
 enum exit_code morph_fail(enum exit_code code, const char *command, const char *format, ...)
 {
-    CORE_ASSERT(code != EXIT_OK);
+    CORE_ASSERT(code != EXIT_OK && command);
+    char words[PRINT_LINE_MAX];
     va_list arguments;
     va_start(arguments, format);
-    morph_print_error(command, format, arguments);
+    vsnprintf(words, sizeof words, format, arguments);
     va_end(arguments);
+    print_error("kingyoctl %s %s: %s", name, command, words);
     return code;
 }
 
-static int is_help(const char *word)
+enum exit_code morph_written(const char *command, const char *path, int error)
+{
+    CORE_ASSERT(error <= 0);
+    return error ? morph_fail(EXIT_IO, command, "%.900s: %s", path, strerror(-error)) : EXIT_OK;
+}
+
+static bool is_help(const char *word)
 {
     return strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0;
 }
@@ -69,7 +59,12 @@ static enum exit_code run_one(const struct morph_command *command, int argc,
             return EXIT_OK;
         }
     }
-    return command->run(argc, argv);
+    if (!command->plan) {
+        return command->run(argc, argv);
+    }
+    const enum exit_code code = morph_options_read(command->plan, command->name, command->groups,
+                                                   command->options, argc, argv);
+    return code == EXIT_OK ? command->run_fish() : code;
 }
 
 static enum exit_code morph_run(int argc, const char *const *argv)
@@ -82,15 +77,16 @@ static enum exit_code morph_run(int argc, const char *const *argv)
         for (size_t i = 0; i < TABLE_COUNT; i++) {
             printf("  %s %s\n      %s\n", table[i]->name, table[i]->words, table[i]->summary);
         }
-        puts("\nSPECIES is a built-in one (`kingyoctl morph list`), FILE a maker's: NAME.txt\n"
-             "as written, NAME.kfish as packed by 'import'.\n"
-             "  --template T  own (the species' curves, the default), pairwise (figure 3.8 of the\n"
-             "                2005 thesis), simultaneous (figure 3.9), smooth (no corner at any\n"
-             "                key), or ordinary (the first and the last key alone: equation 3.1)\n"
-             "  --thesis      the thesis' own method: chapter 4's three keys, straight paths, the\n"
-             "                middle key exaggerated where it is never whole; at the same ages as\n"
-             "                long as the shifted growth curve makes them (section 3.2)\n\n"
-             "'kingyoctl morph SUBCOMMAND --help' says more.");
+        puts(
+            "\nSPECIES is a built-in species ('kingyoctl morph list' lists them). FILE is a\n"
+            "species text NAME.txt, or a species NAME.kfish that 'import' has packed.\n"
+            "  --template T  own (the species' curves, the default), pairwise (figure 3.8 of the\n"
+            "                2005 thesis), simultaneous (figure 3.9), smooth (no corner at any\n"
+            "                key), or ordinary (only the first and the last key, equation 3.1)\n"
+            "  --thesis      the method of the 2005 thesis: the three keys of chapter 4, straight\n"
+            "                paths, an exaggerated middle key if the key never has the weight 1,\n"
+            "                and the lengths of the shifted growth curve (section 3.2)\n\n"
+            "'kingyoctl morph SUBCOMMAND --help' prints the options of a subcommand.");
         return EXIT_OK;
     }
     for (size_t i = 0; i < TABLE_COUNT; i++) {
@@ -103,14 +99,12 @@ static enum exit_code morph_run(int argc, const char *const *argv)
 
 const struct ctl_command ctl_morph = {
     .name = name,
-    .summary = "fish of any age from a few drawings: graphs, growth, export, check, import",
+    .summary = "shows and converts fish of any age: graphs, growth, export, check, import",
     .helps_itself = 1,
     .run = morph_run,
 };
 
-/* ---- List of the built-in species ------------------------------------------------------------ */
-
-/* `kingyoctl morph list`, which lists the built-in species. */
+/* ---- `kingyoctl morph list`: the built-in species -------------------------------------------- */
 
 static void list_json(struct json *json, const struct species *species)
 {
@@ -149,50 +143,43 @@ static void list_json(struct json *json, const struct species *species)
     json_close(json, '}');
 }
 
-/* Prints one species. Lengths of a few millimetres are printed with one decimal, and lengths of
- * large fish without decimals. */
-static void list_text(const struct species *species)
-{
-    const struct species_card *card = &species->card;
-    printf("%-10s %-10s  ", card->id, species_form_names[card->form]);
-    for (uint32_t i = 0; i < card->key_count; i++) {
-        const double mm = 1e3 * (double)card->key_length_m[i];
-        printf("%s%s %.*f mm", i > 0 ? ", " : "", card->key_names[i], mm < 100.0 ? 1 : 0, mm);
-    }
-    putchar('\n');
-}
-
 static const struct option list_options[] = {
     { "json", NULL,
-      "print JSON, also with ages, measure (which length is meant), swimming, curves, and the keys "
-      "and the template of chapter 4 of the 2005 thesis",
+      "print JSON, which also contains the ages, the kind of length, the kind of swimming, the "
+      "curves, and the keys and the template of chapter 4 of the 2005 thesis",
       OPTION_FLAG, .offset = 0 },
 };
 
 static const struct option_table list_table = { list_options, 1, NULL };
 
-static enum exit_code morph_list_run(int argc, const char *const *argv)
+static enum exit_code list(int argc, const char *const *argv)
 {
     struct json json = { .file = stdout };
-    uint8_t as_json = 0;
+    bool as_json = false;
     const enum exit_code code = ctl_options("morph list", &list_table, 0, &as_json, argc, argv);
     if (code != EXIT_OK) {
         return code;
     }
+    for (uint32_t i = 0; !as_json && i < species_table_count; i++) {
+        const struct species_card *card = &species_table[i]->card;
+        printf("%-10s %-10s  ", card->id, species_form_names[card->form]);
+        for (uint32_t key = 0; key < card->key_count; key++) {
+            /* Lengths of a few millimetres are printed with one decimal, and lengths of large fish
+             * without decimals. */
+            const double mm = 1e3 * (double)card->key_length_m[key];
+            printf("%s%s %.*f mm", key > 0 ? ", " : "", card->key_names[key], mm < 100.0 ? 1 : 0,
+                   mm);
+        }
+        putchar('\n');
+    }
     if (as_json) {
         json_open(&json, NULL, '[');
-    }
-    for (uint32_t i = 0; i < species_table_count; i++) {
-        if (!as_json) {
-            list_text(species_table[i]);
-            continue;
+        for (uint32_t i = 0; i < species_table_count; i++) {
+            if (i > 0) {
+                json_line(&json, 1);
+            }
+            list_json(&json, species_table[i]);
         }
-        if (i > 0) {
-            json_line(&json, 1);
-        }
-        list_json(&json, species_table[i]);
-    }
-    if (as_json) {
         json_close(&json, ']');
         json_end(&json);
     }
@@ -202,8 +189,8 @@ static enum exit_code morph_list_run(int argc, const char *const *argv)
 const struct morph_command ctl_morph_list = {
     .name = "list",
     .words = "[--json]",
-    .summary = "the built-in species: body form, key shapes and how long a fish of each is",
+    .summary = "lists the built-in species with their body form, key shapes and lengths",
     .options = &list_table,
     .usage = "",
-    .run = morph_list_run,
+    .run = list,
 };

@@ -6,6 +6,8 @@
 
 #include "platform/ctl/lib/ctl.h"
 
+struct morph_options;
+
 struct morph_command {
     const char *name; /* Name of the subcommand, for example "weights". */
     /* Arguments in the form of the usage line, for example "SPECIES|FILE [--steps N]". */
@@ -15,29 +17,29 @@ struct morph_command {
     uint32_t groups;                    /* Groups of options that the subcommand accepts (enum
                                            morph_requirement). */
     const char *usage;                  /* Further text that --help prints after the options. */
-    /* Runs the subcommand. argv[0] is the first argument after the subcommand's name. The caller of
-     * `run` has already handled --help. */
+    /* Target of the options, whose first member is the structure. morph.c parses the options before
+     * it calls `run_fish`. Null if `run` parses its own options. */
+    struct morph_options *plan;
+    enum exit_code (*run_fish)(void);
+    /* Runs a subcommand without `plan`. argv[0] is the first argument after the subcommand's name.
+     * The caller of `run` has already handled --help. */
     enum exit_code (*run)(int argc, const char *const *argv);
 };
 
-extern const struct morph_command ctl_morph_check;
-extern const struct morph_command ctl_morph_export;
-extern const struct morph_command ctl_morph_graph;
-extern const struct morph_command ctl_morph_growth;
-extern const struct morph_command ctl_morph_import;
-extern const struct morph_command ctl_morph_list;
-extern const struct morph_command ctl_morph_path;
-extern const struct morph_command ctl_morph_refit; /* The subcommand `kingyoctl morph refit`, which
-                                                      is defined in platform/ctl/import. */
-extern const struct morph_command ctl_morph_weights;
+extern const struct morph_command ctl_morph_check, ctl_morph_export, ctl_morph_graph,
+    ctl_morph_growth, ctl_morph_import, ctl_morph_list, ctl_morph_path, ctl_morph_weights;
+/* The subcommand `kingyoctl morph refit`, which is defined in platform/ctl/import. */
+extern const struct morph_command ctl_morph_refit;
 
-/* Prints one line, "kingyoctl morph COMMAND: ...", to standard error and returns EXIT_USAGE. */
-__attribute__((format(printf, 2, 3))) enum exit_code morph_usage(const char *command,
-                                                                 const char *format, ...);
-
-/* Prints one line, "kingyoctl morph COMMAND: ...", to standard error and returns `code`. Used for
- * errors of a file, of memory or of the data. */
+/* Prints one line, "kingyoctl morph COMMAND: ...", to standard error and returns `code`. */
 __attribute__((format(printf, 3, 4))) enum exit_code
 morph_fail(enum exit_code code, const char *command, const char *format, ...);
+
+/* Prints an error in the arguments of `command` as morph_fail() does. Returns EXIT_USAGE. */
+#define morph_usage(command, ...) morph_fail(EXIT_USAGE, command, __VA_ARGS__)
+
+/* Reports that `path` was written. `error` is 0 or a negative errno. Returns EXIT_OK if `error` is
+ * 0. Otherwise prints one line with the path and the reason, and returns EXIT_IO. */
+enum exit_code morph_written(const char *command, const char *path, int error);
 
 #endif

@@ -30,7 +30,7 @@ enum exit_code morph_sheet_write(const struct morph_options *pick, const char *p
 enum exit_code morph_frames_write(const struct morph_options *pick, enum fish_preview_view view,
                                   uint32_t count, const char *folder);
 
-/* ---- Meshes (morph_mesh.c, morph_glb.c) ------------------------------------------------------ */
+/* ---- Meshes (morph_export.c, glb.c) ------------------------------------------------------ */
 
 /* Maximum number of pieces. Each part may have a middle, a right and a left piece. */
 #define PIECE_MAX (3u * PART_COUNT)
@@ -67,7 +67,7 @@ void morph_mesh_paint(const struct species *species, const float weights[MORPH_K
  * metres. Returns EXIT_OK, or prints one line to standard error and returns EXIT_IO. */
 enum exit_code morph_obj_write(const struct morph_options *pick, const char *path);
 
-/* Writes the whole life of the fish that `pick` selects as a glTF 2.0 file (see morph_glb.c).
+/* Writes the whole life of the fish that `pick` selects as a glTF 2.0 file (see glb.c).
  * Returns EXIT_OK, or prints one line to standard error and returns EXIT_IO. */
 enum exit_code morph_glb_write(const struct morph_options *pick, const char *path);
 

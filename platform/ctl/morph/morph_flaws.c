@@ -15,7 +15,7 @@
  *
  * - Penetrations between fins are not measured, because fins are sheets without thickness that bend
  * in the water. */
-#include "platform/ctl/morph/morph_flaws.h"
+#include "platform/ctl/morph/morph_survey.h"
 
 #include "core/base/panic.h"
 
@@ -40,39 +40,11 @@ void morph_inside_find_roots(struct morph_walk *w)
     }
 }
 
-void morph_inside_build_skins(struct morph_walk *w)
-{
-    morph_skin_build(&w->body, w->mesh, w->positions, PART_BODY, SIDE_MIDDLE);
-    w->body_closed = morph_skin_is_closed(&w->body);
-    w->out->moments_open += !w->body_closed;
-    for (uint32_t i = 0; i < 2; i++) {
-        morph_skin_build(&w->eye[i], w->mesh, w->positions, PART_EYE,
-                         i == 0 ? SIDE_RIGHT : SIDE_LEFT);
-        w->eye_closed[i] = morph_skin_is_closed(&w->eye[i]);
-    }
-}
-
 static void measure_in(struct morph_walk *w, const struct morph_skin *skin, struct finding *finding,
                        uint32_t i)
 {
     if (morph_skin_has(skin, w->positions[i])) {
         morph_walk_keep(w, finding, morph_skin_distance(skin, w->positions[i]), i);
-    }
-}
-
-static void measure_eye_vertex(struct morph_walk *w, uint32_t i)
-{
-    const struct species_vertex *vertex = &w->mesh->vertices[i];
-    const uint32_t other = vertex->side == SIDE_RIGHT ? 1 : 0;
-    if (vertex->u >= EYE_RIM) {
-        return;
-    }
-    measure_in(w, &w->body, &w->out->eye_in_body, i);
-    if (vertex->u <= PUPIL) {
-        measure_in(w, &w->body, &w->out->pupil_in_body, i);
-    }
-    if (w->eye_closed[0] && w->eye_closed[1]) {
-        measure_in(w, &w->eye[other], &w->out->eye_in_eye, i);
     }
 }
 
@@ -85,17 +57,32 @@ static float depth_of(const struct morph_walk *w, uint32_t i)
 
 void morph_inside_measure(struct morph_walk *w)
 {
+    morph_skin_build(&w->body, w->mesh, w->positions, PART_BODY, SIDE_MIDDLE);
+    w->body_closed = morph_skin_is_closed(&w->body);
+    w->out->moments_open += !w->body_closed;
+    for (uint32_t eye = 0; eye < 2; eye++) {
+        morph_skin_build(&w->eye[eye], w->mesh, w->positions, PART_EYE,
+                         eye == 0 ? SIDE_RIGHT : SIDE_LEFT);
+        w->eye_closed[eye] = morph_skin_is_closed(&w->eye[eye]);
+    }
     for (uint32_t i = 0; i < w->mesh->vertex_count && w->body_closed; i++) {
-        const uint8_t part = w->mesh->vertices[i].part;
-        if (part == PART_BODY) {
+        const struct species_vertex *vertex = &w->mesh->vertices[i];
+        if (vertex->part == PART_BODY) {
             const vec3 lifted = v3_muladd(w->positions[i], w->normals[i], LIFT);
             if (morph_skin_has(&w->body, lifted)) {
                 morph_walk_keep(w, &w->out->body_in_body,
                                 morph_skin_way_out(&w->body, lifted, w->normals[i]), i);
             }
-        } else if (part == PART_EYE) {
-            measure_eye_vertex(w, i);
-        } else {
+        } else if (vertex->part == PART_EYE && vertex->u < EYE_RIM) {
+            measure_in(w, &w->body, &w->out->eye_in_body, i);
+            if (vertex->u <= PUPIL) {
+                measure_in(w, &w->body, &w->out->pupil_in_body, i);
+            }
+            if (w->eye_closed[0] && w->eye_closed[1]) {
+                const uint32_t other = vertex->side == SIDE_RIGHT ? 1 : 0;
+                measure_in(w, &w->eye[other], &w->out->eye_in_eye, i);
+            }
+        } else if (vertex->part != PART_EYE) {
             const bool inside = morph_skin_has(&w->body, w->positions[i]);
             if (w->root[i] != i && inside) {
                 morph_walk_keep(w, &w->out->fin_in_body, depth_of(w, i) - depth_of(w, w->root[i]),
@@ -161,20 +148,6 @@ static void mark_flipped(struct morph_walk *w, uint32_t triangle, uint32_t *coun
     }
 }
 
-/* Checks one small step of the fin triangles that may be flipped. */
-static void morph_flips_check_step(struct morph_walk *w)
-{
-    for (uint32_t t = 0; t < w->mesh->index_count / 3u; t++) {
-        const vec3 face = face_of(w, t);
-        if (w->doubtful[t] && !is_thin(w, t, face)) {
-            if (v3_dot(face, w->facing[t]) < 0.0f) {
-                mark_flipped(w, t, &w->out->flipped_fins);
-            }
-            w->facing[t] = face;
-        }
-    }
-}
-
 void morph_flips_measure(struct morph_walk *w)
 {
     CORE_ASSERT(w->mesh->index_count <= MESH_INDEX_MAX);
@@ -202,7 +175,15 @@ void morph_flips_measure(struct morph_walk *w)
             w->progress = i == steps ? till : f_lerp(from, till, (float)i / (float)steps);
             morph_pose(w->rig, w->mesh, w->progress, &w->pose);
             morph_shape(w->mesh, w->rig->key_count, &w->pose, w->positions, w->normals);
-            morph_flips_check_step(w);
+            for (uint32_t t = 0; t < w->mesh->index_count / 3u; t++) {
+                const vec3 face = face_of(w, t);
+                if (w->doubtful[t] && !is_thin(w, t, face)) {
+                    if (v3_dot(face, w->facing[t]) < 0.0f) {
+                        mark_flipped(w, t, &w->out->flipped_fins);
+                    }
+                    w->facing[t] = face;
+                }
+            }
         }
     }
     w->before = w->progress;

@@ -8,7 +8,7 @@
 
 #include "core/base/panic.h"
 #include "platform/ctl/lib/piecewise_fit.h"
-#include "platform/ctl/morph/morph_glb.h"
+#include "platform/ctl/morph/glb.h"
 
 /* Maximum error of a weight, of the relative size, and of an anchor's position in body lengths. */
 #define TOLERANCE 1e-5f
@@ -147,25 +147,24 @@ static uint32_t add_times(struct morph_glb *fish, const struct piecewise_fit *tr
     for (uint32_t i = 0; i < track->count; i++) {
         track->progress[i] *= GLB_SECONDS;
     }
-    return glb_floats(&fish->file, GLB_FOR_TIMES, GLB_SCALAR, track->progress, track->count);
+    return glb_array(&fish->file, GLB_FOR_TIMES, GLB_SCALAR, track->progress, track->count);
 }
 
 static uint32_t add_sampler(struct morph_glb *fish, uint32_t times, enum glb_type type,
                             const float *values, uint32_t count)
 {
-    const uint32_t output = glb_floats(&fish->file, GLB_FOR_DATA, type, values, count);
+    const uint32_t output = glb_array(&fish->file, GLB_FOR_DATA, type, values, count);
     const uint32_t sampler = glb_next(&fish->file, GLB_SAMPLERS);
-    byte_buffer_print(&fish->file.lists[GLB_SAMPLERS],
-                      "{\"input\":%u,\"output\":%u,\"interpolation\":\"LINEAR\"}", times, output);
+    fprintf(fish->file.lists[GLB_SAMPLERS].file,
+            "{\"input\":%u,\"output\":%u,\"interpolation\":\"LINEAR\"}", times, output);
     return sampler;
 }
 
 static void add_channel(struct morph_glb *fish, uint32_t sampler, uint32_t node, const char *path)
 {
     glb_next(&fish->file, GLB_CHANNELS);
-    byte_buffer_print(&fish->file.lists[GLB_CHANNELS],
-                      "{\"sampler\":%u,\"target\":{\"node\":%u,\"path\":\"%s\"}}", sampler, node,
-                      path);
+    fprintf(fish->file.lists[GLB_CHANNELS].file,
+            "{\"sampler\":%u,\"target\":{\"node\":%u,\"path\":\"%s\"}}", sampler, node, path);
 }
 
 /* Copies `width` columns of the samples to `out`, from the column `column` on. A quaternion is

@@ -3,6 +3,7 @@
  *
  * The graph has one curve for the weight of each key and a purple curve for the size. The shapes of
  * the keys are drawn above the graph, and the ages below. */
+#include <ctype.h>
 #include <errno.h>
 #include <math.h>
 #include <stddef.h>
@@ -10,7 +11,7 @@
 #include <string.h>
 
 #include "core/base/panic.h"
-#include "platform/ctl/morph/morph_graph.h"
+#include "platform/ctl/lib/caption.h"
 #include "platform/ctl/morph/morph_options.h"
 #include "platform/ctl/morph/morph_outline.h"
 
@@ -26,51 +27,207 @@ static const char name[] = "graph";
  * labelled. */
 #define TURN_LEAST 0.01
 
-struct graph_plan {
+#define WIDTH 1280.0
+#define HEIGHT 760.0
+/* Edges of the graph in the picture, in pixels. */
+#define LEFT 110.0
+#define RIGHT 1150.0
+#define TOP 270.0
+#define BOTTOM 600.0
+#define WORDS 24u
+#define AGES 652.0 /* Distance of the row of ages from the top of the picture, in pixels. */
+#define YEAR_DAYS 365.25
+/* Ratio of the least length to the lower end of a logarithmic axis. The margin leaves room for the
+ * label of a trough. */
+#define FOOT 1.4
+/* Ratio of the greatest to the least length above which the length axis is logarithmic. */
+#define LOG_FROM 10.0f
+#define AGE_MAX 16u   /* Maximum number of ages with a label. */
+#define AGE_ROOM 78.0 /* Minimum distance between two labelled ages in pixels. */
+
+static struct graph_plan {
     struct morph_options pick;
     const char *path, *curve_name;
     uint32_t curve;
-    struct morph_rig keys; /* Rig whose weights select exactly one key at the progress of each
-                              key. */
-    struct morph_graph_lengths lengths;
+    struct morph_rig keys;  /* Rig whose weights select exactly one key at the progress of each
+                               key. */
+    double low_mm, high_mm; /* Range of the length axis at the right of the picture. */
+    bool is_log; /* True for a logarithmic length axis. False for a linear axis that starts at 0. */
     struct svg svg;
-};
+} plan;
 
-static void draw_title(struct graph_plan *plan)
+static struct svg *const svg = &plan.svg;
+
+static double graph_x(double progress)
 {
-    char title[SPECIES_NAME_SIZE];
-    const struct morph_options *pick = &plan->pick;
-    const struct graph *graph = &pick->rig.curves[plan->curve];
+    return LEFT + (RIGHT - LEFT) * progress;
+}
+
+static double graph_y(double share)
+{
+    return BOTTOM + (TOP - BOTTOM) * share;
+}
+
+/* Writes an age in days, for example "545 d". An age of two years or more is written in years, for
+ * example "4.01 y". */
+static void print_age(char out[WORDS], double days)
+{
+    if (days < 2.0 * YEAR_DAYS - 0.5) {
+        snprintf(out, WORDS, "%.0f d", days);
+    } else {
+        snprintf(out, WORDS, "%.3g y", days / YEAR_DAYS);
+    }
+}
+
+/* Writes a length in mm with `digits` significant digits. Lengths at keys are measured with four
+ * digits, for example 125.5 mm. Lengths between keys need only three digits. */
+static void print_length(char out[WORDS], double mm, int digits)
+{
+    const bool small = mm < 1000.0;
+    snprintf(out, WORDS, "%.*g %s", digits, small ? mm : 1e-3 * mm, small ? "mm" : "m");
+}
+
+/* Returns the greatest value that is 1, 2 or 5 times a power of ten and at most `mm`. */
+static double round_below(double mm)
+{
+    const double power = pow(10.0, floor(log10(mm) + 1e-9)), part = mm / power + 1e-6;
+    return power * (part >= 5.0 ? 5.0 : part >= 2.0 ? 2.0 : 1.0);
+}
+
+/* Converts a length in mm to pixels from the top of the picture. */
+static double length_y(double mm)
+{
+    return graph_y(plan.is_log ? log(mm / plan.low_mm) / log(plan.high_mm / plan.low_mm)
+                               : mm / plan.high_mm);
+}
+
+static void draw_length(double mm)
+{
+    const double y = length_y(mm);
+    char text[WORDS];
+    print_length(text, mm, 4);
+    svg_line(svg, RIGHT, y, RIGHT + 6.0, y, MORPH_SCALE_COLOUR, 1.5, NULL);
+    svg_text(svg, RIGHT + 12.0, y + 5.0, 14.0, "start", MORPH_SCALE_COLOUR, "%s", text);
+}
+
+/* Draws round ages below the graph, each with the fish's length at this age. The roundest ages are
+ * placed first, and less round ages are added where there is room. Young fish need steps of days
+ * and old fish steps of years. */
+static void draw_ages(void)
+{
+    /* Steps of 10, 5, 2 and 1 years, then steps of 100 days to 1 day. */
+    static const double steps_days[] = { 3652.5, 1826.25, 730.5, YEAR_DAYS, 100.0, 50.0,
+                                         20.0,   10.0,    5.0,   2.0,       1.0 };
+    const struct species_card *card = &plan.pick.fish->card;
+    const double youngest = ceil((double)life_age_days(card, 0.0f) - 0.01);
+    const double oldest = (double)life_age_days(card, 1.0f) + 0.01;
+    double labelled[AGE_MAX]; /* Positions of the labelled ages, in pixels. */
+    uint32_t count = 0;
+    svg_line(svg, LEFT, AGES, RIGHT, AGES, SVG_INK, 1.2, NULL);
+    for (size_t i = 0; i < sizeof steps_days / sizeof steps_days[0]; i++) {
+        const double step = steps_days[i], last = fmin(oldest, 40.0 * step);
+        const double first = step < YEAR_DAYS ? 0.0 : 2.0 * YEAR_DAYS;
+        for (uint32_t n = 0; (double)n * step <= last; n++) {
+            const double days = (double)n * step;
+            bool has_room = count < AGE_MAX && days >= fmax(youngest, first);
+            const float progress = has_room ? life_progress(card, (float)days) : 0.0f;
+            const double x = graph_x((double)progress);
+            for (uint32_t k = 0; k < count; k++) {
+                has_room = has_room && fabs(labelled[k] - x) >= AGE_ROOM;
+            }
+            if (has_room) {
+                char age[WORDS], length[WORDS];
+                labelled[count++] = x;
+                print_age(age, days);
+                print_length(length, 1e3 * (double)life_length_m(card, progress), 3);
+                svg_line(svg, x, AGES, x, AGES + 6.0, SVG_INK, 1.2, NULL);
+                svg_text(svg, x, AGES + 24.0, 14.0, "middle", SVG_INK, "%s", age);
+                svg_text(svg, x, AGES + 44.0, 13.0, "middle", MORPH_SCALE_COLOUR, "%s", length);
+            }
+        }
+    }
+    svg_text(svg, LEFT - 36.0, AGES + 24.0, 14.0, "end", SVG_INK, "age");
+    svg_text(svg, LEFT - 36.0, AGES + 44.0, 13.0, "end", MORPH_SCALE_COLOUR, "length");
+}
+
+/* Draws the axes of the graph. The left axis shows weights and the right axis shows lengths. Below
+ * the graph are the progress and the ages with their lengths. */
+static void draw_axes(void)
+{
+    CORE_ASSERT(plan.high_mm > 0.0 && plan.low_mm <= plan.high_mm);
+    for (int percent = 0; percent <= 100; percent += 25) {
+        const double y = graph_y(0.01 * percent);
+        svg_line(svg, LEFT, y, RIGHT, y, SVG_FAINT, 1.0, NULL);
+        svg_text(svg, LEFT - 12.0, y + 5.0, 14.0, "end", SVG_INK, "%d %%", percent);
+    }
+    svg_put(svg, "<g transform=\"rotate(-90 40 %.0f)\">\n", graph_y(0.5));
+    svg_text(svg, 40.0, graph_y(0.5), 15.0, "middle", SVG_INK, "share of each key");
+    svg_put(svg, "</g>\n");
+    svg_line(svg, LEFT, BOTTOM, RIGHT, BOTTOM, SVG_INK, 1.2, NULL);
+    for (int i = 0; i <= 10; i++) {
+        const double x = graph_x(0.1 * i);
+        svg_line(svg, x, BOTTOM, x, BOTTOM + 6.0, SVG_INK, 1.2, NULL);
+        svg_text(svg, x, BOTTOM + 24.0, 14.0, "middle", SVG_INK, "%g", 0.1 * i);
+    }
+    svg_text(svg, LEFT - 24.0, BOTTOM + 24.0, 14.0, "end", SVG_INK, "progress");
+    draw_ages();
+    svg_line(svg, RIGHT, TOP, RIGHT, BOTTOM, MORPH_SCALE_COLOUR, 1.5, NULL);
+    const double most = plan.high_mm * 1.0001;
+    if (plan.is_log) {
+        /* A logarithmic scale has the round lengths 1, 2, 5, 10 and so on. */
+        double mm = round_below(2.5 * plan.low_mm);
+        while (mm <= most) {
+            draw_length(mm);
+            mm = round_below(2.51 * mm);
+        }
+        return;
+    }
+    /* The step of a linear scale is a round length. The scale has four to ten steps. */
+    const double step = round_below(plan.high_mm / 4.0);
+    double mm = 0.0;
+    while (mm <= most) {
+        draw_length(mm);
+        mm += step;
+    }
+}
+
+/* ---- Contents of the picture ----------------------------------------------------------------- */
+
+static void draw_title(void)
+{
+    char title[CAPTION_WORDS_SIZE];
+    const struct morph_options *pick = &plan.pick;
+    const struct graph *graph = &pick->rig.curves[plan.curve];
     const enum graph_template template_id =
         pick->template_id != TEMPLATE_OWN || !pick->thesis
             ? pick->template_id
             : (enum graph_template)pick->drawn->card.thesis_template;
-    morph_outline_title(title, pick->fish->card.id);
-    svg_text(&plan->svg, MORPH_GRAPH_LEFT, 50.0, 28.0, "start", SVG_INK, "%s", title);
-    svg_text(&plan->svg, MORPH_GRAPH_LEFT, 78.0, 15.0, "start", SVG_GREY, "%s%s curve%s%s%s%s",
+    caption_name(title, pick->fish->card.id);
+    title[0] = (char)toupper((unsigned char)title[0]);
+    svg_text(svg, LEFT, 50.0, 28.0, "start", SVG_INK, "%s", title);
+    svg_text(svg, LEFT, 78.0, 15.0, "start", SVG_GREY, "%s%s curve%s%s%s%s",
              pick->thesis ? "chapter 4 of the 2005 thesis: " : "", morph_template_name(template_id),
-             plan->curve > 0 ? " of the part " : "",
-             plan->curve > 0 ? pick->fish->card.curve_names[plan->curve] : "",
+             plan.curve > 0 ? " of the part " : "",
+             plan.curve > 0 ? pick->fish->card.curve_names[plan.curve] : "",
              graph->line == GRAPH_SMOOTH ? ", smooth" : ", straight from knot to knot",
              graph->solved ? ", its shapes solved so that each drawing is passed through" : "");
 }
 
-/* ---- Keys and curves ------------------------------------------------------------------------- */
-
 /* Draws the shape of a key with its name, age and length, and a line down to the progress of the
  * key. */
-static void draw_key(struct graph_plan *plan, uint32_t key)
+static void draw_key(uint32_t key)
 {
-    CORE_ASSERT(key < plan->pick.fish->card.key_count);
-    const struct species_card *card = &plan->pick.fish->card;
-    const double spacing = (MORPH_GRAPH_RIGHT - MORPH_GRAPH_LEFT) / (card->key_count - 1.0);
-    const double x = morph_graph_x(key / (card->key_count - 1.0));
-    char age[MORPH_GRAPH_WORDS], length[MORPH_GRAPH_WORDS], words[SPECIES_NAME_SIZE];
+    CORE_ASSERT(key < plan.pick.fish->card.key_count);
+    const struct species_card *card = &plan.pick.fish->card;
+    const double spacing = (RIGHT - LEFT) / (card->key_count - 1.0);
+    const double x = graph_x(key / (card->key_count - 1.0));
+    char age[WORDS], length[WORDS], words[CAPTION_WORDS_SIZE];
     /* The shape is as large as possible and centred at `x`. */
     struct morph_outline outline = {
-        .species = plan->pick.fish,
-        .rig = &plan->keys,
-        .view = morph_outline_view_of(card),
+        .species = plan.pick.fish,
+        .rig = &plan.keys,
+        /* The largest area of the body is visible in this view. */
+        .view = card->form == FORM_DEPRESSED ? MORPH_OUTLINE_TOP : MORPH_OUTLINE_SIDE,
         .progress = (float)key / (float)(card->key_count - 1u),
         .length_px = 1.0,
         .colour = morph_outline_key_colour(card, key),
@@ -82,43 +239,41 @@ static void draw_key(struct graph_plan *plan, uint32_t key)
         fmin(fmin(0.85 * spacing, KEY_WIDTH) / (high[0] - low[0]), KEY_HEIGHT / (high[1] - low[1]));
     outline.x = x - 0.5 * (low[0] + high[0]) * outline.length_px;
     outline.y = 156.0 - 0.5 * (low[1] + high[1]) * outline.length_px;
-    morph_outline_draw(&plan->svg, &outline);
-    morph_graph_print_age(age, (double)card->key_age_days[key]);
-    morph_graph_print_length(length, 1e3 * (double)card->key_length_m[key], 4);
-    morph_outline_words(words, card->key_names[key]);
-    svg_text(&plan->svg, x, MORPH_GRAPH_TOP - 38.0, 16.0, "middle",
-             morph_outline_key_colour(card, key), "%s", words);
-    svg_text(&plan->svg, x, MORPH_GRAPH_TOP - 18.0, 13.0, "middle", SVG_GREY, "%s, %s", age,
-             length);
-    svg_line(&plan->svg, x, MORPH_GRAPH_TOP - 10.0, x, MORPH_GRAPH_BOTTOM, SVG_GREY, 1.0, "3 4");
+    morph_outline_draw(svg, &outline);
+    print_age(age, (double)card->key_age_days[key]);
+    print_length(length, 1e3 * (double)card->key_length_m[key], 4);
+    caption_name(words, card->key_names[key]);
+    svg_text(svg, x, TOP - 38.0, 16.0, "middle", morph_outline_key_colour(card, key), "%s", words);
+    svg_text(svg, x, TOP - 18.0, 13.0, "middle", SVG_GREY, "%s, %s", age, length);
+    svg_line(svg, x, TOP - 10.0, x, BOTTOM, SVG_GREY, 1.0, "3 4");
 }
 
-static void draw_curve(struct graph_plan *plan, uint32_t key)
+static void draw_curve(uint32_t key)
 {
-    CORE_ASSERT(key < plan->pick.fish->card.key_count);
-    CORE_ASSERT(plan->curve < plan->pick.rig.curve_count);
-    const struct species_card *card = &plan->pick.fish->card;
-    const struct graph *graph = &plan->pick.rig.curves[plan->curve];
-    svg_begin_line(&plan->svg);
+    CORE_ASSERT(key < plan.pick.fish->card.key_count);
+    CORE_ASSERT(plan.curve < plan.pick.rig.curve_count);
+    const struct species_card *card = &plan.pick.fish->card;
+    const struct graph *graph = &plan.pick.rig.curves[plan.curve];
+    svg_begin_line(svg);
     for (uint32_t i = 0; i <= SAMPLES; i++) {
         float weights[MORPH_KEY_MAX];
         const float progress = (float)i / (float)SAMPLES;
         graph_weights(graph, card->key_count, progress, weights);
-        svg_point(&plan->svg, morph_graph_x((double)progress), morph_graph_y((double)weights[key]));
+        svg_point(svg, graph_x((double)progress), graph_y((double)weights[key]));
     }
-    svg_end_line(&plan->svg, morph_outline_key_colour(card, key), 3.5, NULL);
+    svg_end_line(svg, morph_outline_key_colour(card, key), 3.5, NULL);
     for (uint32_t i = 0; i < graph->knot_count; i++) {
-        svg_dot(&plan->svg, morph_graph_x((double)graph->knots[i].progress),
-                morph_graph_y((double)graph->knots[i].weight[key]), 4.5, SVG_PAPER,
+        svg_dot(svg, graph_x((double)graph->knots[i].progress),
+                graph_y((double)graph->knots[i].weight[key]), 4.5, SVG_PAPER,
                 morph_outline_key_colour(card, key));
     }
 }
 
 /* Labels the peaks and troughs of the length. For example, a conger larva is longest before its
  * metamorphosis to an eel. */
-static void draw_turns(struct graph_plan *plan)
+static void draw_turns(void)
 {
-    const struct species_card *card = &plan->pick.fish->card;
+    const struct species_card *card = &plan.pick.fish->card;
     double last = 1e3 * (double)life_length_m(card, 0.0f), turned = last, at = 0.0;
     /* Direction of the change: 1 while the length increases, -1 while it decreases, 0 before the
      * first change. */
@@ -134,10 +289,10 @@ static void draw_turns(struct graph_plan *plan)
             at = progress;
         } else if (fabs(mm - turned) > TURN_LEAST * turned) {
             /* The label of a peak is above the curve, and the label of a trough below. */
-            const double x = morph_graph_x(at), y = morph_graph_length_y(&plan->lengths, turned);
-            svg_dot(&plan->svg, x, y, 4.5, MORPH_SCALE_COLOUR, SVG_PAPER);
-            svg_text(&plan->svg, x, y + (way > 0 ? -12.0 : 24.0), 15.0, "middle",
-                     MORPH_SCALE_COLOUR, "%.1f mm", turned);
+            const double x = graph_x(at), y = length_y(turned);
+            svg_dot(svg, x, y, 4.5, MORPH_SCALE_COLOUR, SVG_PAPER);
+            svg_text(svg, x, y + (way > 0 ? -12.0 : 24.0), 15.0, "middle", MORPH_SCALE_COLOUR,
+                     "%.1f mm", turned);
             way = -way;
             turned = mm;
             at = progress;
@@ -148,25 +303,22 @@ static void draw_turns(struct graph_plan *plan)
 
 /* Writes two notes below the graph: the meaning of the lines, and the names of the curves that the
  * graph does not show. */
-static void draw_foot(struct graph_plan *plan)
+static void draw_foot(void)
 {
-    CORE_ASSERT(plan->pick.fish->card.curve_count <= MORPH_CURVE_MAX);
-    const struct species_card *card = &plan->pick.fish->card;
-    const double y = MORPH_GRAPH_HEIGHT - 28.0;
+    CORE_ASSERT(plan.pick.fish->card.curve_count <= MORPH_CURVE_MAX);
+    const struct species_card *card = &plan.pick.fish->card;
+    const double y = HEIGHT - 28.0;
     char list[MORPH_CURVE_MAX * (SPECIES_NAME_SIZE + 2u)] = "";
     for (uint32_t i = 0; i < card->curve_count; i++) {
-        const size_t used = strlen(list);
-        if (i != plan->curve) {
-            snprintf(list + used, sizeof list - used, "%s%s", used ? ", " : "",
-                     card->curve_names[i]);
+        if (i != plan.curve) {
+            ctl_list_word(list, sizeof list, card->curve_names[i]);
         }
     }
-    svg_text(&plan->svg, MORPH_GRAPH_RIGHT, y, 13.0, "end", SVG_GREY,
+    svg_text(svg, RIGHT, y, 13.0, "end", SVG_GREY,
              "Solid: what each key counts for, in its colour. Dashed: the fish's length%s.",
-             plan->lengths.is_log ? ", by factors" : "");
+             plan.is_log ? ", by factors" : "");
     if (list[0]) {
-        svg_text(&plan->svg, MORPH_GRAPH_LEFT, y, 13.0, "start", SVG_GREY, "Other curves: %s.",
-                 list);
+        svg_text(svg, LEFT, y, 13.0, "start", SVG_GREY, "Other curves: %s.", list);
     }
 }
 
@@ -177,65 +329,60 @@ static const struct option options[] = {
       .offset = offsetof(struct graph_plan, curve_name), .expects = "the name of a curve" },
 };
 
-static const struct option_table table = { options, sizeof options / sizeof options[0],
-                                           &morph_options_table };
-
-static enum exit_code morph_graph_run(int argc, const char *const *argv)
+static enum exit_code draw(void)
 {
-    static struct graph_plan plan;
-    plan = (struct graph_plan){ 0 };
-    enum exit_code code =
-        morph_options_read(&plan.pick, name, MORPH_REQUIRES_CURVES, &table, argc, argv);
-    if (code == EXIT_OK) {
-        code = plan.path
-                   ? morph_curve_find(&plan.pick.fish->card, name, plan.curve_name, &plan.curve)
-                   : morph_usage(name, "--svg FILE is missing");
+    if (!plan.path) {
+        return morph_usage(name, "--svg FILE is missing");
     }
+    const struct species_card *card = &plan.pick.fish->card;
+    const enum exit_code code = morph_curve_find(card, name, plan.curve_name, &plan.curve);
     if (code != EXIT_OK) {
         return code;
     }
-    if (!svg_open(&plan.svg, plan.path, MORPH_GRAPH_WIDTH, MORPH_GRAPH_HEIGHT,
-                  "Deformation graph")) {
-        return morph_fail(EXIT_IO, name, "%.200s: %s", plan.path, strerror(errno));
+    if (!svg_open(svg, plan.path, WIDTH, HEIGHT, "Deformation graph")) {
+        return morph_written(name, plan.path, -errno);
     }
-    const struct species_card *card = &plan.pick.fish->card;
-    plan.lengths = morph_graph_lengths(card, plan.pick.thesis);
+    /* The length axis is logarithmic if the greatest length of the life is more than ten times the
+     * least length. --thesis forces a linear axis, as in the 2005 thesis. */
+    float min_m, max_m;
+    morph_options_lengths(card, &min_m, &max_m);
+    plan.is_log = !plan.pick.thesis && max_m > LOG_FROM * min_m;
+    plan.low_mm = plan.is_log ? 1e3 * (double)min_m / FOOT : 0.0;
+    plan.high_mm = 1e3 * (double)max_m;
     morph_rig_init(&plan.keys, card, TEMPLATE_PAIRWISE);
-    draw_title(&plan);
-    morph_graph_axes(&plan.svg, card, &plan.lengths);
+    draw_title();
+    draw_axes();
     for (uint32_t key = 0; key < card->key_count; key++) {
-        draw_key(&plan, key);
+        draw_key(key);
     }
-    svg_begin_line(&plan.svg);
+    svg_begin_line(svg);
     for (uint32_t i = 0; i <= SAMPLES; i++) {
         const float progress = (float)i / (float)SAMPLES;
-        svg_point(&plan.svg, morph_graph_x((double)progress),
-                  morph_graph_length_y(&plan.lengths, 1e3 * (double)life_length_m(card, progress)));
+        svg_point(svg, graph_x((double)progress),
+                  length_y(1e3 * (double)life_length_m(card, progress)));
     }
-    svg_end_line(&plan.svg, MORPH_SCALE_COLOUR, 2.5, "9 5");
+    svg_end_line(svg, MORPH_SCALE_COLOUR, 2.5, "9 5");
     for (uint32_t key = 0; key < card->key_count; key++) {
-        draw_curve(&plan, key);
+        draw_curve(key);
     }
     if (!plan.pick.thesis) {
-        draw_turns(&plan);
+        draw_turns();
     }
-    draw_foot(&plan);
-    if (!svg_close(&plan.svg)) {
-        return morph_fail(EXIT_IO, name, "%.200s: %s", plan.path, strerror(errno));
-    }
-    return EXIT_OK;
+    draw_foot();
+    return morph_written(name, plan.path, svg_close(svg) ? 0 : -errno);
 }
 
 const struct morph_command ctl_morph_graph = {
     .name = name,
-    .options = &table,
+    .options = MORPH_OPTION_TABLE(options),
     .groups = MORPH_REQUIRES_CURVES,
     .words = "SPECIES|FILE --svg FILE [--template T] [--thesis] [--curve NAME]",
-    .summary = "the deformation graph as a picture: a curve for each key, the size, the ages",
+    .summary = "draws the deformation graph: a curve for each key, the length, and the ages",
     .usage =
-        "Three keys are red, green and blue as in the 2005 thesis; of more, those between have\n"
-        "the colours between, as in the growth lab: red, orange, green, teal, blue for five. The\n"
-        "size is purple, read off on the right: by factors where it spans more than ten, with\n"
-        "the lengths where it turns round. With --thesis its axis is even, as in the thesis.\n",
-    .run = morph_graph_run,
+        "The colours of the keys range from red to blue, as in the growth lab. Three keys are\n"
+        "red, green and blue, as in the 2005 thesis. The length is purple, with its axis at the\n"
+        "right. The axis is logarithmic if the greatest length is more than ten times the least\n"
+        "length. With --thesis the axis is linear, as in the thesis.\n",
+    .plan = &plan.pick,
+    .run_fish = draw,
 };

@@ -1,5 +1,5 @@
-/* morph_import_words.c -- parses the options of `kingyoctl morph import` and `kingyoctl morph
- * refit`. */
+/* morph_import_words.c -- the table of the options of `kingyoctl morph import` and `kingyoctl morph
+ * refit`, and the parsers of their values. */
 #include "platform/ctl/morph/morph_import_words.h"
 
 #include <stdio.h>
@@ -11,199 +11,210 @@
 #include "platform/os/number.h"
 #include "platform/species/part.h"
 
-/* ---- Parsers of one value -------------------------------------------------------------------- */
+/* ---- Lists of values ------------------------------------------------------------------------- */
 
-/* Parses a length in mm. The allowed range is the range of a species text (text_life.c), so that
- * the core receives no other value. */
-static bool take_length(const char *piece, uint32_t index, void *out)
+/* Parses a number in the range of the option. The ranges of lengths and ages are those of a species
+ * text (text_life.c), so that the core receives no other value. */
+static bool take_number(const struct option *option, const char *item, uint32_t index, void *out)
 {
-    CORE_ASSERT(index < MORPH_KEY_MAX);
-    return number_parse_decimal(piece, 0.5, 20000.0, (double *)out + index);
+    return number_parse_decimal(item, option->min, option->max, (double *)out + index);
 }
 
-static bool take_age(const char *piece, uint32_t index, void *out)
-{
-    CORE_ASSERT(index < MORPH_KEY_MAX);
-    return number_parse_decimal(piece, 0.0, 14610.0, (double *)out + index);
-}
-
-static bool take_growth(const char *piece, uint32_t index, void *out)
+static bool take_growth(const struct option *option, const char *item, uint32_t index, void *out)
 {
     static const double ranges[5][2] = {
         { 10.0, 20000.0 }, { 0.001, 10.0 }, { -20.0, 20.0 }, { 0.5, 2000.0 }, { 0.001, 5.0 }
     };
-    CORE_ASSERT(index < 5);
-    return number_parse_decimal(piece, ranges[index][0], ranges[index][1], (double *)out + index);
+    (void)option;
+    return number_parse_decimal(item, ranges[index][0], ranges[index][1], (double *)out + index);
 }
 
-static bool take_unit(const char *piece, uint32_t index, void *out)
+static bool take_name(const struct option *option, const char *item, uint32_t index, void *out)
 {
-    (void)index;
-    return number_parse_decimal(piece, 1e-6, 1e3, out);
-}
-
-bool morph_import_words_take_name(const char *piece, uint32_t index, void *out)
-{
-    CORE_ASSERT(index < MORPH_KEY_MAX);
     char(*names)[SPECIES_NAME_SIZE] = out;
-    const size_t length = strlen(piece);
-    if (length >= SPECIES_NAME_SIZE) {
-        return false;
-    }
+    (void)option;
     memset(names[index], 0, SPECIES_NAME_SIZE);
-    memcpy(names[index], piece, length);
-    return species_name_is_good(names[index]);
+    snprintf(names[index], SPECIES_NAME_SIZE, "%s", item);
+    return strlen(item) < SPECIES_NAME_SIZE && species_name_is_good(names[index]);
 }
 
-static bool take_path(const char *piece, uint32_t index, void *out)
+static bool take_path(const struct option *option, const char *item, uint32_t index, void *out)
 {
-    CORE_ASSERT(index < MORPH_KEY_MAX);
     char(*paths)[IMPORT_PATH_SIZE] = out;
-    snprintf(paths[index], IMPORT_PATH_SIZE, "%s", piece);
+    (void)option;
+    snprintf(paths[index], IMPORT_PATH_SIZE, "%s", item);
     return true;
 }
 
-/* Stores a text that is not empty. `out` points to a pointer to the text. */
-static bool take_text(const char *piece, uint32_t index, void *out)
+static bool take_colour(const struct option *option, const char *item, uint32_t index, void *out)
 {
-    (void)index;
-    *(const char **)out = piece;
-    return piece[0] != '\0';
+    uint32_t *colour = (uint32_t *)out + index;
+    (void)option;
+    return strlen(item) == 6 && strspn(item, "0123456789abcdef") == 6 &&
+           sscanf(item, "%x", colour) == 1;
 }
 
-static bool take_colour(const char *piece, uint32_t index, void *out)
+enum list_id { LIST_NAMES, LIST_MARKS, LIST_LENGTHS, LIST_AGES, LIST_GROWTH, LIST_COLOURS };
+
+/* Values of the options whose value is a list with commas between the items. */
+static const struct list {
+    bool (*take)(const struct option *option, const char *item, uint32_t index, void *out);
+    size_t count;         /* Offset of the number of parsed items in struct morph_import_words. */
+    uint32_t least, most; /* Allowed number of items. */
+} lists[] = {
+    [LIST_NAMES] = { take_name, offsetof(struct morph_import_words, plan.name_count), 3,
+                     MORPH_KEY_MAX },
+    [LIST_MARKS] = { take_path, offsetof(struct morph_import_words, mark_count), 3, MORPH_KEY_MAX },
+    [LIST_LENGTHS] = { take_number, offsetof(struct morph_import_words, plan.length_count), 2,
+                       MORPH_KEY_MAX },
+    [LIST_AGES] = { take_number, offsetof(struct morph_import_words, plan.age_count), 2,
+                    MORPH_KEY_MAX },
+    [LIST_GROWTH] = { take_growth, offsetof(struct morph_import_words, plan.growth_count), 5, 5 },
+    [LIST_COLOURS] = { take_colour, offsetof(struct morph_import_words, plan.colour_count), 5, 5 },
+};
+
+static bool set_list(void *target, const struct option *option, const char *value, char *why)
 {
-    uint32_t value = 0;
-    if (strlen(piece) != 6) {
-        return false;
-    }
-    for (; *piece; piece++) {
-        const char *digit = strchr("0123456789abcdef", *piece);
-        if (!digit) {
+    const struct list *list = &lists[option->id];
+    void *const place = (char *)target + list->count;
+    uint32_t *const count = place;
+    (void)why;
+    for (*count = 0; *value; ++*count) {
+        char item[IMPORT_PATH_SIZE];
+        const size_t length = strcspn(value, ",");
+        if (length >= sizeof item || *count == list->most) {
             return false;
         }
-        value = value << 4 | (uint32_t)(digit - "0123456789abcdef");
-    }
-    ((uint32_t *)out)[index] = value;
-    return true;
-}
-
-static bool take_axis(const char *value, uint32_t index, void *out)
-{
-    (void)index;
-    for (uint8_t axis = 0; axis < AXIS_NONE; axis++) {
-        if (strcmp(value, import_axis_names[axis]) == 0 ||
-            strcmp(value, import_axis_names[axis] + 1) == 0) {
-            *(uint8_t *)out = axis;
-            return axis < AXIS_MINUS_X || value[0] == '-';
+        memcpy(item, value, length);
+        item[length] = '\0';
+        if (!list->take(option, item, *count, (char *)target + option->offset)) {
+            return false;
         }
+        value += length + (value[length] == ',');
     }
-    return false;
+    return *count >= list->least;
 }
 
-static bool take_template(const char *value, uint32_t index, void *out)
+/* ---- Single values --------------------------------------------------------------------------- */
+
+static bool set_id(void *target, const struct option *option, const char *value, char *why)
 {
-    (void)index;
-    for (enum graph_template i = TEMPLATE_ORDINARY; i < TEMPLATE_COUNT; i++) {
-        if (strcmp(value, morph_template_name(i)) == 0) {
-            *(uint8_t *)out = (uint8_t)i;
+    char id[1][SPECIES_NAME_SIZE];
+    (void)why;
+    ((struct morph_import_words *)target)->plan.id = value;
+    return take_name(option, value, 0, id);
+}
+
+static bool set_axis(void *target, const struct option *option, const char *value, char *why)
+{
+    (void)why;
+    for (uint32_t axis = 0; axis < AXIS_NONE; axis++) {
+        const char *name = import_axis_names[axis];
+        if (strcmp(value, name) == 0 || (axis < AXIS_MINUS_X && strcmp(value, name + 1) == 0)) {
+            *((uint8_t *)target + option->offset) = (uint8_t)axis;
             return true;
         }
     }
     return false;
 }
 
-/* ---- Options --------------------------------------------------------------------------------- */
-
-/* An option and its value. Exactly one of `take` and `choices` is not null. */
-struct word_option {
-    const char *name;
-    enum import_command command; /* Commands that accept the option: one command or both. */
-    void *out;
-    bool (*take)(const char *piece, uint32_t index, void *out); /* Callback that parses one item of
-                                                                   the option's value. Null if
-                                                                   `choices` is not null. */
-    const char *const *choices; /* Words that the option accepts, `most` words in number. Null if
-                                   `take` is not null. `out` points to the index of the chosen
-                                   word. */
-    uint32_t *count;            /* Number of parsed items of a comma-separated list. Null if the
-                                   option has a single value. */
-    uint32_t least, most;       /* Allowed number of items of a list. */
-};
-
-/* Parses the value of an option. Returns false if the value is invalid. */
-static bool take_value(const struct word_option *option, const char *value)
+static bool set_graph(void *target, const struct option *option, const char *value, char *why)
 {
-    if (option->choices) {
-        uint8_t choice = 0;
-        while (choice < option->most && strcmp(option->choices[choice], value) != 0) {
-            choice++;
+    (void)why;
+    for (enum graph_template i = TEMPLATE_ORDINARY; i < TEMPLATE_COUNT; i++) {
+        if (strcmp(value, morph_template_name(i)) == 0) {
+            *((uint8_t *)target + option->offset) = (uint8_t)i;
+            return true;
         }
-        *(uint8_t *)option->out = choice;
-        return choice < option->most;
     }
-    if (!option->count) {
-        return option->take(value, 0, option->out);
-    }
-    for (*option->count = 0; *value; (*option->count)++) {
-        char piece[IMPORT_PATH_SIZE];
-        const size_t length = strcspn(value, ",");
-        if (length >= sizeof piece || *option->count == option->most) {
-            return false;
-        }
-        memcpy(piece, value, length);
-        piece[length] = '\0';
-        if (!option->take(piece, *option->count, option->out)) {
-            return false;
-        }
-        value += length + (value[length] == ',');
-    }
-    return *option->count >= option->least;
+    return false;
 }
+
+static bool add_file(void *target, const struct option *option, const char *value, char *why)
+{
+    struct morph_import_words *words = target;
+    (void)option;
+    if (words->file_count == MORPH_KEY_MAX) {
+        snprintf(why, OPTION_TEXT_MAX, "more than %u files", MORPH_KEY_MAX);
+        return false;
+    }
+    words->files[words->file_count++] = value;
+    return true;
+}
+
+/* ---- Command line ---------------------------------------------------------------------------- */
+
+#define AT(member) .offset = offsetof(struct morph_import_words, member)
+#define LIST(list_id) OPTION_CUSTOM, .set = set_list, .id = (list_id)
+#define AXES "+x, -x, +y, -y, +z or -z"
+
+/* clang-format off */
+static const struct option options[] = {
+    { NULL, "OUT.kfish", "packed species to write", OPTION_ARGUMENT, AT(out) },
+    { NULL, "SPECIES|FILE", "species whose body is fitted to the meshes", OPTION_ARGUMENT,
+      AT(like), .groups = IMPORT_REFIT },
+    { NULL, "FILE", "input file; a mesh is an .obj file or a scene (.glb and other formats)",
+      OPTION_ARGUMENT, .set = add_file },
+    { "marks", "A,B,C", "landmark file of each mesh; the default for FISH.obj is FISH.marks",
+      LIST(LIST_MARKS), AT(marks), .expects = "a path for each key shape", .groups = IMPORT_REFIT },
+    { "id", "ID", "id of the species, of a-z, 0-9 and _; the default is the name of OUT",
+      OPTION_CUSTOM, .set = set_id, .expects = "a name of a-z, 0-9 and _" },
+    { "names", "A,B,C", "name of each key shape; the default is the name in the file",
+      LIST(LIST_NAMES), AT(plan.names), .expects = "3 to 8 names of a-z, 0-9 and _" },
+    { "lengths-mm", "A,B,C",
+      "real length of each key shape in mm, 0.5 to 20000; the default is the length in the file or "
+      "in the fitted species",
+      LIST(LIST_LENGTHS), AT(plan.lengths_mm), 0.5, 20000.0,
+      .expects = "2 to 8 numbers from 0.5 to 20000" },
+    { "unit-m", "U", "length of one unit of the file in metres", OPTION_DECIMAL,
+      AT(plan.unit_m), 1e-6, 1e3, .initial = "1", .groups = IMPORT_MESHES },
+    { "ages-days", "A,B,C",
+      "age of each key shape in days, 0 to 14610; the default comes from --growth, else from the "
+      "file, else from --like or the fitted species, else the key shapes are 30 days apart",
+      LIST(LIST_AGES), AT(plan.ages_days), 0.0, 14610.0,
+      .expects = "2 to 8 numbers from 0 to 14610" },
+    { "growth", "LINF_MM,K_PER_YEAR,T0_YEAR,HATCH_MM,FADE_YEAR",
+      "von Bertalanffy's growth curve (10 to 20000 mm, 0.001 to 10, -20 to 20, 0.5 to 2000 mm, "
+      "0.001 to 5); the default is a curve through the key shapes. Ages and lengths that differ "
+      "from the curve by more than 2 % are rejected",
+      LIST(LIST_GROWTH), AT(plan.growth),
+      .expects = "5 numbers: 10 to 20000, 0.001 to 10, -20 to 20, 0.5 to 2000, 0.001 to 5" },
+    { "like", "SPECIES|FILE",
+      "species with as many key shapes, from which absent ages, lengths, colours, marks and curves "
+      "are taken; its growth is taken only if no option and no file contains ages or lengths",
+      OPTION_TEXT, AT(like), .expects = "a species or a file", .groups = IMPORT_MESHES },
+    { "graph", "T",
+      "deformation graph: ordinary, pairwise, simultaneous or smooth; the default is the file's "
+      "animation of the weights, else the graph of --like, else pairwise",
+      OPTION_CUSTOM, AT(plan.template_id), .set = set_graph,
+      .expects = "ordinary, pairwise, simultaneous or smooth", .groups = IMPORT_MESHES },
+    { "front", "AXIS",
+      "direction of the snout: " AXES "; the default comes from the landmarks snout and tail_root, "
+      "or is the end near the eyes, else the end of the thicker half",
+      OPTION_CUSTOM, AT(plan.front), .set = set_axis, .expects = AXES },
+    { "up", "AXIS",
+      "direction of the back; the default comes from the landmarks back and belly, or is +y",
+      OPTION_CUSTOM, AT(plan.up), .set = set_axis, .expects = AXES },
+    { "measure", "M", "length measure of the species", OPTION_CHOICE, AT(plan.measure),
+      .choices = species_measure_names },
+    { "motion", "M", "kind of swimming", OPTION_CHOICE, AT(plan.motion),
+      .choices = species_motion_names, .groups = IMPORT_MESHES },
+    { "form", "F", "form of the body", OPTION_CHOICE, AT(plan.form),
+      .choices = species_form_names, .groups = IMPORT_MESHES },
+    { "colours", "BACK,FLANK,BELLY,FIN,IRIS",
+      "colours as rrggbb for all key shapes; the default comes from a .glb file that kingyoctl "
+      "wrote, else from the vertex colours. Marks come only from a text or from --like",
+      LIST(LIST_COLOURS), AT(plan.colours), .expects = "5 colours, each as rrggbb",
+      .groups = IMPORT_MESHES },
+};
+/* clang-format on */
+
+const struct option_table morph_import_words_table = { options, sizeof options / sizeof options[0],
+                                                       NULL };
 
 static const char *command_name(enum import_command command)
 {
     return command == IMPORT_REFIT ? "refit" : "import";
-}
-
-/* Parses one option with its value. Returns EXIT_OK, or prints one line and returns EXIT_USAGE. */
-static enum exit_code take_option(struct morph_import_words *words, enum import_command command,
-                                  const char *option, const char *value)
-{
-    struct import_options *plan = &words->plan;
-    /* clang-format off */
-    const struct word_option options[] = {
-        { "--id", IMPORT_BOTH, &words->id, take_text, 0, 0, 0, 0 },
-        { "--like", IMPORT_MESHES, &words->like, take_text, 0, 0, 0, 0 },
-        { "--front", IMPORT_BOTH, &plan->front, take_axis, 0, 0, 0, 0 },
-        { "--up", IMPORT_BOTH, &plan->up, take_axis, 0, 0, 0, 0 },
-        { "--unit-m", IMPORT_MESHES, &plan->unit_m, take_unit, 0, 0, 0, 0 },
-        { "--measure", IMPORT_BOTH, &plan->measure, 0, species_measure_names, 0, 0, 4 },
-        { "--motion", IMPORT_MESHES, &plan->motion, 0, species_motion_names, 0, 0, 5 },
-        { "--form", IMPORT_MESHES, &plan->form, 0, species_form_names, 0, 0, 5 },
-        { "--graph", IMPORT_MESHES, &plan->template_id, take_template, 0, 0, 0, 0 },
-        { "--names", IMPORT_BOTH, plan->names, morph_import_words_take_name, 0,
-          &plan->name_count, 3, MORPH_KEY_MAX },
-        { "--marks", IMPORT_REFIT, words->marks, take_path, 0,
-          &words->mark_count, 3, MORPH_KEY_MAX },
-        { "--lengths-mm", IMPORT_BOTH, plan->lengths_mm, take_length, 0,
-          &plan->length_count, 2, MORPH_KEY_MAX },
-        { "--ages-days", IMPORT_BOTH, plan->ages_days, take_age, 0,
-          &plan->age_count, 2, MORPH_KEY_MAX },
-        { "--growth", IMPORT_BOTH, plan->growth, take_growth, 0, &plan->growth_count, 5, 5 },
-        { "--colours", IMPORT_MESHES, plan->colours, take_colour, 0, &plan->colour_count, 5, 5 },
-    };
-    /* clang-format on */
-    for (size_t i = 0; i < sizeof options / sizeof options[0]; i++) {
-        if ((options[i].command & command) && strcmp(option, options[i].name) == 0) {
-            return take_value(&options[i], value)
-                       ? EXIT_OK
-                       : morph_usage(command_name(command),
-                                     "%s: '%.60s' will not do; --help says what will", option,
-                                     value);
-        }
-    }
-    return morph_usage(command_name(command), "unknown option '%.100s'; --help lists them", option);
 }
 
 enum exit_code morph_import_words_read(struct morph_import_words *words,
@@ -211,43 +222,24 @@ enum exit_code morph_import_words_read(struct morph_import_words *words,
                                        const char *const *argv)
 {
     CORE_ASSERT(command == IMPORT_MESHES || command == IMPORT_REFIT);
+    char error[OPTIONS_ERROR_MAX];
     *words = (struct morph_import_words){
         .plan = { .front = AXIS_NONE,
                   .up = AXIS_Y,
                   .measure = IMPORT_UNSET,
                   .motion = IMPORT_UNSET,
                   .form = IMPORT_UNSET,
-                  .template_id = TEMPLATE_OWN,
-                  .unit_m = 1.0 },
+                  .template_id = TEMPLATE_OWN },
     };
-    for (int i = 0; i < argc; i++) {
-        if (strncmp(argv[i], "--", 2) == 0) {
-            const enum exit_code code =
-                take_option(words, command, argv[i], i + 1 < argc ? argv[i + 1] : "");
-            if (code != EXIT_OK) {
-                return code;
-            }
-            i++;
-        } else if (!words->out) {
-            words->out = argv[i];
-        } else if (command == IMPORT_REFIT && !words->like) {
-            words->like = argv[i];
-        } else if (words->file_count == MORPH_KEY_MAX) {
-            return morph_usage(command_name(command), "more than %u files", MORPH_KEY_MAX);
-        } else {
-            words->files[words->file_count++] = argv[i];
-        }
+    if (option_table_parse(&morph_import_words_table, command, words, argc, argv, error)) {
+        return morph_usage(command_name(command), "%s", error);
     }
     if (words->file_count == 0) {
         return morph_usage(command_name(command),
                            command == IMPORT_REFIT
-                               ? "write: OUT.kfish, the species to bend, and a mesh for each key"
-                               : "write: OUT.kfish and what to make it of");
-    }
-    char id[1][SPECIES_NAME_SIZE];
-    if (words->id && !morph_import_words_take_name(words->id, 0, id)) {
-        return morph_usage(command_name(command), "--id: '%.60s' is no name of a-z, 0-9 and _",
-                           words->id);
+                               ? "a mesh for each key shape is missing; write OUT.kfish SPECIES "
+                                 "A.obj B.obj C.obj"
+                               : "an input file is missing; write OUT.kfish FILE.txt, or meshes");
     }
     return EXIT_OK;
 }
@@ -273,7 +265,7 @@ enum exit_code morph_import_words_open_like(struct morph_import_words *words,
     static struct morph_options like;
     static char id[SPECIES_NAME_SIZE];
     morph_import_words_name(words->out, id);
-    words->plan.id = words->id ? words->id : id;
+    words->plan.id = words->plan.id ? words->plan.id : id;
     if (!words->like) {
         return EXIT_OK;
     }

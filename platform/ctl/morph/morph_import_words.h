@@ -3,7 +3,6 @@
 #ifndef KINGYO_PLATFORM_CTL_MORPH_MORPH_IMPORT_WORDS_H
 #define KINGYO_PLATFORM_CTL_MORPH_MORPH_IMPORT_WORDS_H
 
-#include <stdbool.h>
 #include <stdint.h>
 
 #include "platform/ctl/import/import.h"
@@ -12,18 +11,16 @@
 #define IMPORT_UNSET 255u /* Value of an option in `plan` that the command line does not contain. */
 #define IMPORT_PATH_SIZE 256u
 
-/* Commands that convert meshes. The values are bits, so that an option can belong to both. */
+/* Commands that convert meshes. The values are the groups of the options in the table. */
 enum import_command {
     IMPORT_MESHES = 1, /* `kingyoctl morph import` */
     IMPORT_REFIT = 2,  /* `kingyoctl morph refit` */
-    IMPORT_BOTH = 3,
 };
 
 struct morph_import_words {
     const char *out;
     const char *files[MORPH_KEY_MAX];
     uint32_t file_count;
-    const char *id;
     const char *like; /* Value of --like, or the species that `refit` bends. */
     /* Path of the landmark file for each mesh file. Used by `refit`. */
     char marks[MORPH_KEY_MAX][IMPORT_PATH_SIZE];
@@ -31,16 +28,16 @@ struct morph_import_words {
     struct import_options plan;
 };
 
+/* The arguments and the options of both commands. The target is struct morph_import_words, and the
+ * groups are enum import_command. */
+extern const struct option_table morph_import_words_table;
+
 /* Parses the command line into `words`. argv[0] is the first argument after the command's name.
  * `words` keeps pointers into `argv`. Returns EXIT_OK. For an unknown option, an invalid value, or
  * too many files, prints one line to standard error and returns EXIT_USAGE. */
 enum exit_code morph_import_words_read(struct morph_import_words *words,
                                        enum import_command command, int argc,
                                        const char *const *argv);
-
-/* Parses `piece` as the name of a species or of a key, and copies it to element `index` of `out`.
- * `out` points to an array of char[SPECIES_NAME_SIZE]. Returns false if the name is invalid. */
-bool morph_import_words_take_name(const char *piece, uint32_t index, void *out);
 
 /* Writes the base name of the file without its suffix to `out`, for use as an id or as the name of
  * a key. */

@@ -9,7 +9,6 @@
 
 #include "core/base/panic.h"
 #include "platform/os/print.h"
-#include "platform/species/text.h"
 
 #define LENGTH_SAMPLES 1000u
 /* Relative tolerance for a value outside the range, because the user may enter a value that was
@@ -109,13 +108,13 @@ static enum exit_code check_drawn(const struct species_card *card, enum place pl
 
 /* ---- Complete command line ------------------------------------------------------------------- */
 
-enum exit_code morph_options_read(struct morph_options *pick, const char *command,
-                                  enum morph_requirement asks, const struct option_table *table,
-                                  int argc, const char *const *argv)
+enum exit_code morph_options_read(struct morph_options *pick, const char *command, uint32_t groups,
+                                  const struct option_table *table, int argc,
+                                  const char *const *argv)
 {
     char error[OPTIONS_ERROR_MAX];
     *pick = (struct morph_options){ .place = { NAN, NAN, NAN } };
-    if (option_table_parse(table, asks, pick, argc, argv, error)) {
+    if (option_table_parse(table, groups, pick, argc, argv, error)) {
         return morph_usage(command, "%s", error);
     }
     enum exit_code code = morph_options_open(pick, command);
@@ -125,13 +124,12 @@ enum exit_code morph_options_read(struct morph_options *pick, const char *comman
     /* The options --thesis and --template ordinary replace the drawn species by a reduced one. */
     static struct straight_memory memory;
     static struct species made;
-    pick->fish = pick->drawn;
+    const bool ordinary = pick->template_id == TEMPLATE_ORDINARY;
+    pick->fish = pick->thesis || ordinary ? &made : pick->drawn;
     if (pick->thesis) {
         straight_thesis(pick->drawn, &memory, &made);
-        pick->fish = &made;
-    } else if (pick->template_id == TEMPLATE_ORDINARY) {
+    } else if (ordinary) {
         straight_species(pick->drawn, &memory, &made);
-        pick->fish = &made;
     }
     morph_rig_init(&pick->rig, &pick->fish->card, pick->template_id);
     const struct species_card *card = &pick->fish->card;
@@ -141,7 +139,7 @@ enum exit_code morph_options_read(struct morph_options *pick, const char *comman
             continue;
         }
         if (pick->has_place) {
-            return morph_usage(command, "--progress, --age-days and --length-mm: one of them");
+            return morph_usage(command, "write only one of --progress, --age-days and --length-mm");
         }
         code = check_drawn(card, (enum place)i, value, command);
         if (code != EXIT_OK) {
@@ -167,12 +165,12 @@ enum exit_code morph_options_read(struct morph_options *pick, const char *comman
 static enum exit_code read_text(const char *path, const char *command, struct species_slot *slot)
 {
     static struct species_text text;
-    char why[VALIDATE_WHY_SIZE], cannot[TEXT_FILE_WHY_SIZE];
+    char why[VALIDATE_WHY_SIZE], speaker[64];
     FILE *file;
-    const enum text_file_open opened = text_file_open(path, TEXT_SIZE_MAX, &file, cannot);
-    if (opened != TEXT_FILE_OPEN) {
-        return morph_fail(opened == TEXT_FILE_LARGE ? EXIT_BAD_DATA : EXIT_IO, command,
-                          "%.200s: %s", path, cannot);
+    snprintf(speaker, sizeof speaker, "kingyoctl morph %s", command);
+    const enum exit_code opened = ctl_file_open(speaker, path, TEXT_SIZE_MAX, &file);
+    if (opened != EXIT_OK) {
+        return opened;
     }
     const bool good = species_read(file, path, stderr, &text);
     const bool broken = ferror(file) != 0;
@@ -202,33 +200,25 @@ enum exit_code morph_options_file(const char *path, const char *command, struct 
     return result == PACK_OK ? EXIT_OK : result == PACK_BAD ? EXIT_BAD_DATA : EXIT_IO;
 }
 
-enum exit_code morph_options_unknown(const char *command, const char *word)
-{
-    char list[SPECIES_BUILT_IN * (SPECIES_NAME_SIZE + 2u)] = "";
-    for (uint32_t i = 0; i < species_table_count; i++) {
-        const size_t used = strlen(list);
-        snprintf(list + used, sizeof list - used, "%s%s", used ? ", " : "",
-                 species_table[i]->card.id);
-    }
-    return morph_usage(command,
-                       "'%.100s' is no species; there are %s, and files (NAME.txt or "
-                       "NAME.kfish)",
-                       word, list);
-}
-
 enum exit_code morph_options_open(struct morph_options *pick, const char *command)
 {
     if (!pick->word) {
-        return morph_usage(command, "a species is missing; 'kingyoctl morph list' tells them");
+        return morph_usage(command,
+                           "a species is missing; 'kingyoctl morph list' lists the species");
     }
+    char list[SPECIES_BUILT_IN * (SPECIES_NAME_SIZE + 2u)] = "";
     for (uint32_t i = 0; i < species_table_count; i++) {
         if (strcmp(pick->word, species_table[i]->card.id) == 0) {
             pick->drawn = species_table[i];
             return EXIT_OK;
         }
+        ctl_list_word(list, sizeof list, species_table[i]->card.id);
     }
     if (!strpbrk(pick->word, "/.")) {
-        return morph_options_unknown(command, pick->word);
+        return morph_usage(command,
+                           "'%.100s' is not a species; write %s, or a file (NAME.txt or "
+                           "NAME.kfish)",
+                           pick->word, list);
     }
     static struct species_slot slot;
     const enum exit_code code = morph_options_file(pick->word, command, &slot);
@@ -254,8 +244,8 @@ enum exit_code morph_curve_find(const struct species_card *card, const char *com
             *curve = i;
             return EXIT_OK;
         }
-        const size_t used = strlen(list);
-        snprintf(list + used, sizeof list - used, "%s%s", used ? ", " : "", card->curve_names[i]);
+        ctl_list_word(list, sizeof list, card->curve_names[i]);
     }
-    return morph_usage(command, "--curve: '%.40s' is none of %s", curve_name, list);
+    return morph_usage(command, "--curve: '%.40s' is not a curve; the curves are %s", curve_name,
+                       list);
 }

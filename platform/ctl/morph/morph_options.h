@@ -49,15 +49,23 @@ const char *morph_template_name(enum graph_template template_id);
  * of its own structure, and this table as the base of its own table. */
 extern const struct option_table morph_options_table;
 
+/* Pointer to a table of the array `rows` whose base is the table of the shared options. */
+#define MORPH_OPTION_TABLE(rows)                                                                   \
+    &(const struct option_table)                                                                   \
+    {                                                                                              \
+        rows, sizeof rows / sizeof rows[0], &morph_options_table                                   \
+    }
+
 /* Parses the arguments of the subcommand `command` with `table`, for example "weights". The
- * arguments are one SPECIES|FILE and options in any order. Returns EXIT_OK, or prints one line to
+ * arguments are one SPECIES|FILE and options in any order. `groups` are the groups of options that
+ * the subcommand accepts (enum morph_requirement). Returns EXIT_OK, or prints one line to
  * standard error and returns another exit code.
  *
  * An age or a length outside the drawn life is an error, and the message contains the allowed
  * range. The objects to which `pick` points are static, so only one fish is valid at a time. */
-enum exit_code morph_options_read(struct morph_options *pick, const char *command,
-                                  enum morph_requirement asks, const struct option_table *table,
-                                  int argc, const char *const *argv);
+enum exit_code morph_options_read(struct morph_options *pick, const char *command, uint32_t groups,
+                                  const struct option_table *table, int argc,
+                                  const char *const *argv);
 
 /* Reads a species file into `slot`. A file NAME.kfish is read as a packed species. Any other file
  * is read as a species text, from which the mesh is lofted. Returns EXIT_OK, or prints one line to
@@ -67,9 +75,6 @@ enum exit_code morph_options_file(const char *path, const char *command, struct 
 /* Sets `pick->drawn` to the built-in species or to the species file that `pick->word` names.
  * Returns EXIT_OK, or prints one line to standard error and returns another exit code. */
 enum exit_code morph_options_open(struct morph_options *pick, const char *command);
-
-/* Prints that no species is called `word`, and lists the built-in species. Returns EXIT_USAGE. */
-enum exit_code morph_options_unknown(const char *command, const char *word);
 
 /* Returns `pick->fish` reduced to ordinary morphing (2005 thesis, eq. 3.1), with only the first and
  * the last key and linear weights. Also initializes `rig`. The returned object is static. */

@@ -26,27 +26,6 @@ const char *morph_outline_key_colour(const struct species_card *card, uint32_t k
     return colours[key];
 }
 
-void morph_outline_words(char out[SPECIES_NAME_SIZE], const char name[SPECIES_NAME_SIZE])
-{
-    memcpy(out, name, SPECIES_NAME_SIZE);
-    for (char *c = strchr(out, '_'); c; c = strchr(c, '_')) {
-        *c = ' ';
-    }
-}
-
-void morph_outline_title(char out[SPECIES_NAME_SIZE], const char name[SPECIES_NAME_SIZE])
-{
-    morph_outline_words(out, name);
-    if (out[0] >= 'a' && out[0] <= 'z') {
-        out[0] = (char)(out[0] - 'a' + 'A');
-    }
-}
-
-enum morph_outline_view morph_outline_view_of(const struct species_card *card)
-{
-    return card->form == FORM_DEPRESSED ? MORPH_OUTLINE_TOP : MORPH_OUTLINE_SIDE;
-}
-
 /* Converts a body point to the axes of the view: right, up and toward the viewer. */
 static vec3 point_in_view_axes(enum morph_outline_view view, vec3 p)
 {
@@ -82,18 +61,9 @@ static enum layer layer_of(uint8_t part, float toward)
     }
 }
 
-/* Returns true if the view hides a triangle of a layer. `toward` is positive if the triangle is on
- * the viewer's side of the fish's middle plane. The side view hides the eye on the far side. The
- * front view hides the median fins, because only their edges are visible. */
-static bool is_hidden(const struct morph_outline *outline, enum layer layer, float toward)
-{
-    if (outline->view == MORPH_OUTLINE_FRONT) {
-        return layer == LAYER_MEDIAN_FINS;
-    }
-    return layer == LAYER_EYES && outline->view == MORPH_OUTLINE_SIDE && toward < 0.0f;
-}
-
-/* Returns true if the triangle at `corner` belongs to the layer and faces the viewer. */
+/* Returns true if the triangle at `corner` belongs to the layer and is visible. Triangles that face
+ * away from the viewer are hidden. The side view also hides the eye on the far side. The front view
+ * also hides the median fins, because only their edges would be visible. */
 static bool is_triangle_visible(const struct morph_outline *outline, const vec3 *positions,
                                 const uint16_t *corner, enum layer layer)
 {
@@ -101,10 +71,14 @@ static bool is_triangle_visible(const struct morph_outline *outline, const vec3 
     const vec3 a = point_in_view_axes(outline->view, positions[corner[0]]);
     const vec3 b = point_in_view_axes(outline->view, positions[corner[1]]);
     const vec3 c = point_in_view_axes(outline->view, positions[corner[2]]);
+    /* Positive if the triangle is on the viewer's side of the fish's middle plane. */
     const float toward = a.z + b.z + c.z;
     const float area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-    return area > 0.0f && layer_of(mesh->vertices[corner[0]].part, toward) == layer &&
-           !is_hidden(outline, layer, toward);
+    const bool is_hidden = outline->view == MORPH_OUTLINE_FRONT ? layer == LAYER_MEDIAN_FINS
+                           : outline->view == MORPH_OUTLINE_SIDE
+                               ? layer == LAYER_EYES && toward < 0.0f
+                               : false;
+    return area > 0.0f && !is_hidden && layer_of(mesh->vertices[corner[0]].part, toward) == layer;
 }
 
 static void put_point(struct svg *svg, const struct morph_outline *outline, char verb, vec3 p)
@@ -119,14 +93,14 @@ static void put_point(struct svg *svg, const struct morph_outline *outline, char
 static void draw_contour(struct svg *svg, const struct morph_outline *outline,
                          const vec3 *positions, const uint16_t *joined, enum layer layer)
 {
-    /* has[a][b] is 1 if a visible triangle has an edge from vertex a to vertex b. */
-    static uint8_t has[MESH_VERTEX_MAX][MESH_VERTEX_MAX];
+    /* has[a][b] is true if a visible triangle has an edge from vertex a to vertex b. */
+    static bool has[MESH_VERTEX_MAX][MESH_VERTEX_MAX];
     const struct species_mesh *mesh = &outline->species->lod[0];
     const uint16_t *at = mesh->indices;
     memset(has, 0, sizeof has);
     for (uint32_t i = 0; i + 2 < mesh->index_count; i += 3) {
         for (uint32_t j = 0; is_triangle_visible(outline, positions, &at[i], layer) && j < 3; j++) {
-            has[joined[at[i + j]]][joined[at[i + (j + 1) % 3]]] = 1;
+            has[joined[at[i + j]]][joined[at[i + (j + 1) % 3]]] = true;
         }
     }
     svg_put(svg,

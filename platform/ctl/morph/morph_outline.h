@@ -1,20 +1,14 @@
-/* morph_outline.h -- draws a fish as an outline of one colour in an SVG picture. */
+/* morph_outline.h -- draws a fish as an outline of one colour in an SVG picture, and draws the path
+ * of one point of a part during the growth of the fish. */
 #ifndef KINGYO_PLATFORM_CTL_MORPH_MORPH_OUTLINE_H
 #define KINGYO_PLATFORM_CTL_MORPH_MORPH_OUTLINE_H
 
-#include "core/morph/morph.h"
 #include "platform/ctl/lib/svg.h"
+#include "platform/ctl/morph/morph_options.h"
 
 /* Returns the colour of a key (growth stage) in SVG notation, for example "#d23a2c". The string is
  * static, and different keys have different strings. */
 const char *morph_outline_key_colour(const struct species_card *card, uint32_t key);
-
-/* Converts a name to readable words, for example "long_leaf" to "long leaf". */
-void morph_outline_words(char out[SPECIES_NAME_SIZE], const char name[SPECIES_NAME_SIZE]);
-
-/* Converts a name to readable words with a capital first letter, for example "long_leaf" to "Long
- * leaf". */
-void morph_outline_title(char out[SPECIES_NAME_SIZE], const char name[SPECIES_NAME_SIZE]);
 
 /* Colour of the curve of the fish's size, purple as in the 2005 thesis. */
 #define MORPH_SCALE_COLOUR "#8e4bb8"
@@ -38,10 +32,6 @@ struct morph_outline {
     double line_px; /* Width of the contour line in pixels. 0 means that no contour is drawn. */
 };
 
-/* Returns the best view for a fish of the species' body form, in which the largest area of the body
- * is visible. */
-enum morph_outline_view morph_outline_view_of(const struct species_card *card);
-
 /* Converts a point of the body frame to pixels of the picture. */
 void morph_outline_project(const struct morph_outline *outline, vec3 p, double *x, double *y);
 
@@ -50,5 +40,23 @@ void morph_outline_measure(const struct morph_outline *outline, double low[2], d
 
 /* Draws the outline of the fish into the picture. */
 void morph_outline_draw(struct svg *svg, const struct morph_outline *outline);
+
+/* ---- Path of a part (morph_table.c, morph_path_picture.c) ------------------------------------ */
+
+/* Straight line from the first position of the part to its last position, in body coordinates. */
+struct chord {
+    vec3 from, to;
+};
+
+struct morph_path_plan {
+    struct morph_options pick;
+    const char *part, *side, *svg, *view;
+    uint32_t vertex, steps;
+    struct chord chord;
+};
+
+/* Draws the path into the SVG file `plan->svg`. Returns EXIT_OK, or prints one line to standard
+ * error and returns another exit code. */
+enum exit_code morph_path_picture(const struct morph_path_plan *plan, const char *command);
 
 #endif

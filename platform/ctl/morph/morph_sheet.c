@@ -58,12 +58,6 @@ static enum exit_code sheet_no_memory(void)
     return morph_fail(EXIT_IO, command, "%s", strerror(ENOMEM));
 }
 
-static enum exit_code sheet_write_picture(const struct canvas *canvas, const char *path)
-{
-    const int error = canvas_write_png(canvas, path);
-    return error ? morph_fail(EXIT_IO, command, "%.900s: %s", path, strerror(-error)) : EXIT_OK;
-}
-
 static void sheet_measure(const struct morph_options *pick,
                           struct fish_preview_bounds bounds[VIEW_COUNT])
 {
@@ -78,9 +72,12 @@ static void sheet_measure(const struct morph_options *pick,
     }
 }
 
-static float midpoint_of(float a, float b)
+/* Draws the portrait into `raster`. The middle of the bounds is at the middle of the raster. */
+static void draw_portrait(enum fish_preview_view view, const struct fish_preview_bounds *b,
+                          float scale_px, struct raster *raster)
 {
-    return 0.5f * (a + b);
+    fish_preview_draw(&portrait, view, 0.5f * (b->left + b->right), 0.5f * (b->low + b->high),
+                      scale_px, raster);
 }
 
 /* ---- Layout of the page ---------------------------------------------------------------------- */
@@ -105,24 +102,6 @@ static struct layout plan_sheet_layout(const struct page *page, uint32_t columns
     }
     layout.height = layout.water_height + 6.2f * words_px + GAP;
     return layout;
-}
-
-/* Draws one view of the fish. The corner of a raster is a whole pixel, so the remaining fraction of
- * a pixel is applied inside the raster. */
-static void draw_view(struct page *page, enum fish_preview_view view, struct canvas_box box,
-                      float scale_px)
-{
-    const struct fish_preview_bounds *b = &page->bounds[view];
-    struct raster raster;
-    if (!raster_open(&raster, (uint32_t)box.width, (uint32_t)box.height)) {
-        page->failed = true;
-    } else {
-        fish_preview_draw(&portrait, view, midpoint_of(b->left, b->right),
-                          midpoint_of(b->low, b->high), scale_px, &raster);
-        page->failed |=
-            !raster_finish(&raster, &page->canvas, (uint32_t)box.left, (uint32_t)box.top);
-    }
-    raster_close(&raster);
 }
 
 static void draw_words(struct page *page, const struct layout *layout, float x, float y,
@@ -159,9 +138,18 @@ static void draw_stage(struct page *page, const struct layout *layout, uint32_t 
     float y = top;
     fish_preview_pose(&portrait, page->pick->fish, &page->pick->rig, progress);
     for (uint32_t view = 0; view < VIEW_COUNT; view++) {
-        draw_view(page, (enum fish_preview_view)view,
-                  (struct canvas_box){ left, y, layout->cell_width, layout->band_height[view] },
-                  layout->scale_px);
+        /* The corner of a raster is a whole pixel, so the remaining fraction of a pixel is applied
+         * inside the raster. */
+        struct raster raster;
+        if (!raster_open(&raster, (uint32_t)layout->cell_width,
+                         (uint32_t)layout->band_height[view])) {
+            page->failed = true;
+        } else {
+            draw_portrait((enum fish_preview_view)view, &page->bounds[view], layout->scale_px,
+                          &raster);
+            page->failed |= !raster_finish(&raster, &page->canvas, (uint32_t)left, (uint32_t)y);
+        }
+        raster_close(&raster);
         y += layout->band_height[view];
     }
     draw_words(page, layout, left + 0.5f * layout->cell_width, top + layout->water_height, title,
@@ -191,19 +179,15 @@ static void draw_head(struct page *page)
                  "from its left, from above, aslant");
 }
 
-static uint32_t key_rows(const struct morph_options *pick)
-{
-    return (pick->fish->card.key_count + KEY_COLUMNS_MAX - 1u) / KEY_COLUMNS_MAX;
-}
-
 enum exit_code morph_sheet_write(const struct morph_options *pick, const char *path)
 {
     CORE_ASSERT(pick->fish->card.key_count >= 2);
     struct page page = { .pick = pick };
-    const uint32_t strips = pick->fish->card.key_count - 1u, rows = key_rows(pick);
+    const struct species_card *card = &pick->fish->card;
+    const uint32_t strips = card->key_count - 1u;
+    const uint32_t rows = (card->key_count + KEY_COLUMNS_MAX - 1u) / KEY_COLUMNS_MAX;
     sheet_measure(pick, page.bounds);
-    page.keys =
-        plan_sheet_layout(&page, (pick->fish->card.key_count + rows - 1u) / rows, KEY_WORDS_PX);
+    page.keys = plan_sheet_layout(&page, (card->key_count + rows - 1u) / rows, KEY_WORDS_PX);
     page.betweens = plan_sheet_layout(&page, MORPH_SHEET_BETWEEN, BETWEEN_WORDS_PX);
     const float height = HEAD_HEIGHT + (float)rows * page.keys.height +
                          (float)strips * (page.betweens.height + MARGIN) + MARGIN;
@@ -215,7 +199,6 @@ enum exit_code morph_sheet_write(const struct morph_options *pick, const char *p
     float top = HEAD_HEIGHT;
     canvas_fill(&page.canvas, paper, PAPER, PAPER);
     draw_head(&page);
-    const struct species_card *card = &page.pick->fish->card;
     for (uint32_t i = 0; i < card->key_count; i++) {
         const float down = (float)(i / page.keys.columns) * page.keys.height;
         const uint32_t left = card->key_count - i;
@@ -226,8 +209,8 @@ enum exit_code morph_sheet_write(const struct morph_options *pick, const char *p
         draw_stage(&page, &page.keys, i % page.keys.columns, top + down, card->key_names[i],
                    (float)i / (float)(card->key_count - 1u));
     }
-    top += (float)key_rows(page.pick) * page.keys.height + MARGIN;
-    for (uint32_t i = 0; i + 1u < page.pick->fish->card.key_count; i++) {
+    top += (float)rows * page.keys.height + MARGIN;
+    for (uint32_t i = 0; i < strips; i++) {
         const float steps = (float)(MORPH_SHEET_BETWEEN + 1u);
         char first[CAPTION_WORDS_SIZE], second[CAPTION_WORDS_SIZE],
             words[2 * CAPTION_WORDS_SIZE + 8];
@@ -243,7 +226,8 @@ enum exit_code morph_sheet_write(const struct morph_options *pick, const char *p
         top += page.betweens.height + MARGIN;
     }
     const enum exit_code code =
-        page.failed ? sheet_no_memory() : sheet_write_picture(&page.canvas, path);
+        page.failed ? sheet_no_memory()
+                    : morph_written(command, path, canvas_write_png(&page.canvas, path));
     canvas_close(&page.canvas);
     return code;
 }
@@ -268,8 +252,7 @@ static bool draw_frame(const struct morph_options *pick, struct canvas *canvas,
     char words[4 * CAPTION_WORDS_SIZE];
     fish_preview_pose(&portrait, pick->fish, &pick->rig, progress);
     canvas_fill(canvas, (struct canvas_box){ 0.0f, 0.0f, width, height }, WATER_ABOVE, WATER_BELOW);
-    fish_preview_draw(&portrait, view, midpoint_of(b->left, b->right), midpoint_of(b->low, b->high),
-                      scale_px, raster);
+    draw_portrait(view, b, scale_px, raster);
     const bool whole = raster_finish(raster, canvas, 0, 0);
     caption_age(age, life_age_days(card, progress));
     caption_length(length, length_m);
@@ -290,7 +273,7 @@ enum exit_code morph_frames_write(const struct morph_options *pick, enum fish_pr
     struct raster raster = { 0 };
     const int error = file_make_folder(folder);
     if (error) {
-        return morph_fail(EXIT_IO, "export", "%.900s: %s", folder, strerror(-error));
+        return morph_written(command, folder, error);
     }
     sheet_measure(pick, bounds);
     enum exit_code code = EXIT_OK;
@@ -303,7 +286,8 @@ enum exit_code morph_frames_write(const struct morph_options *pick, enum fish_pr
         const bool whole = draw_frame(pick, &canvas, &raster, view, &bounds[view], progress);
         char path[FILE_FOLDER_MAX + 64];
         snprintf(path, sizeof path, "%s/%s_%04u.png", folder, pick->fish->card.id, i);
-        code = whole ? sheet_write_picture(&canvas, path) : sheet_no_memory();
+        code = whole ? morph_written(command, path, canvas_write_png(&canvas, path))
+                     : sheet_no_memory();
     }
     raster_close(&raster);
     canvas_close(&canvas);

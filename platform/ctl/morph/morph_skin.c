@@ -1,6 +1,6 @@
 /* morph_skin.c -- tests whether points are inside a closed triangle surface, and computes their
  * distances from the surface. */
-#include "platform/ctl/morph/morph_skin.h"
+#include "platform/ctl/morph/morph_survey.h"
 
 #include <float.h>
 #include <math.h>
@@ -14,30 +14,38 @@ static uint32_t bin_of(float x, float low, float high, uint32_t count)
     return (uint32_t)f_clamp(at, 0.0f, (float)(count - 1u));
 }
 
-struct bins {
-    uint32_t row[2], column[2];
-};
+static uint32_t row_of(const struct morph_skin *skin, float y)
+{
+    return bin_of(y, skin->low_y, skin->high_y, MORPH_SKIN_ROWS);
+}
+
+static uint32_t column_of(const struct morph_skin *skin, float z)
+{
+    return bin_of(z, skin->low_z, skin->high_z, MORPH_SKIN_COLUMNS);
+}
+
+static float least(float a, float b, float c)
+{
+    return f_min(f_min(a, b), c);
+}
+
+static float most(float a, float b, float c)
+{
+    return f_max(f_max(a, b), c);
+}
 
 /* Sorts the triangles into bins. If `fill` is false, only counts the triangles of each bin. If
  * `fill` is true, writes the triangle indices to `binned`. */
 static void walk_bins(struct morph_skin *skin, bool fill)
 {
     for (uint32_t i = 0; i < skin->triangle_count; i++) {
-        const vec3 *corner = skin->corner[i];
-        float y[2] = { corner[0].y, corner[0].y }, z[2] = { corner[0].z, corner[0].z };
-        for (int k = 1; k < 3; k++) {
-            y[0] = f_min(y[0], corner[k].y);
-            y[1] = f_max(y[1], corner[k].y);
-            z[0] = f_min(z[0], corner[k].z);
-            z[1] = f_max(z[1], corner[k].z);
-        }
-        struct bins b;
-        for (int end = 0; end < 2; end++) {
-            b.row[end] = bin_of(y[end], skin->low_y, skin->high_y, MORPH_SKIN_ROWS);
-            b.column[end] = bin_of(z[end], skin->low_z, skin->high_z, MORPH_SKIN_COLUMNS);
-        }
-        for (uint32_t row = b.row[0]; row <= b.row[1]; row++) {
-            for (uint32_t column = b.column[0]; column <= b.column[1]; column++) {
+        const vec3 *c = skin->corner[i];
+        const uint32_t bottom = row_of(skin, least(c[0].y, c[1].y, c[2].y));
+        const uint32_t top = row_of(skin, most(c[0].y, c[1].y, c[2].y));
+        const uint32_t front = column_of(skin, least(c[0].z, c[1].z, c[2].z));
+        const uint32_t rear = column_of(skin, most(c[0].z, c[1].z, c[2].z));
+        for (uint32_t row = bottom; row <= top; row++) {
+            for (uint32_t column = front; column <= rear; column++) {
                 uint32_t *end = &skin->bin_first[row * MORPH_SKIN_COLUMNS + column + 1u];
                 if (fill) {
                     skin->binned[*end] = (uint16_t)i;
@@ -147,9 +155,7 @@ bool morph_skin_has(const struct morph_skin *skin, vec3 p)
         p.z > skin->high_z) {
         return false;
     }
-    const uint32_t bin =
-        bin_of(p.y, skin->low_y, skin->high_y, MORPH_SKIN_ROWS) * MORPH_SKIN_COLUMNS +
-        bin_of(p.z, skin->low_z, skin->high_z, MORPH_SKIN_COLUMNS);
+    const uint32_t bin = row_of(skin, p.y) * MORPH_SKIN_COLUMNS + column_of(skin, p.z);
     bool inside = false;
     for (uint32_t i = skin->bin_first[bin]; i < skin->bin_first[bin + 1u]; i++) {
         inside ^= lies_right(skin->corner[skin->binned[i]], p);
@@ -176,7 +182,7 @@ static float to_triangle(vec3 p, const vec3 c[3])
 
 static float to_span(float x, float a, float b, float c)
 {
-    return f_max(f_max(f_min(f_min(a, b), c) - x, x - f_max(f_max(a, b), c)), 0.0f);
+    return most(least(a, b, c) - x, x - most(a, b, c), 0.0f);
 }
 
 float morph_skin_distance(const struct morph_skin *skin, vec3 point)

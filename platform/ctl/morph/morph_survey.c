@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "core/base/panic.h"
-#include "platform/ctl/morph/morph_flaws.h"
 #include "platform/species/part.h"
 
 static void measure_sum(const float *weight, float *error, float *least)
@@ -46,11 +45,13 @@ static void measure_key(struct morph_walk *w)
     }
 }
 
-static void shape_at(struct morph_walk *w, float progress)
+/* Computes the shape at `progress`. Returns the positions of its vertices. */
+static const vec3 *shape_at(struct morph_walk *w, float progress)
 {
     w->progress = progress;
     morph_pose(w->rig, w->mesh, progress, &w->pose);
     morph_shape(w->mesh, w->rig->key_count, &w->pose, w->positions, w->normals);
+    return w->positions;
 }
 
 static float key_progress(const struct morph_walk *w, uint32_t key)
@@ -58,35 +59,12 @@ static float key_progress(const struct morph_walk *w, uint32_t key)
     return (float)key / (float)(w->rig->key_count - 1u);
 }
 
-/* Returns the z coordinate of the tail root, where the standard length of a fish ends. The tail
- * root is the foremost body point with u = 1. The point that closes the body also has u = 1, but is
- * farther behind. Returns `rearmost` if the body has no point with u = 1. */
-static float standard_end(const struct morph_walk *w, float rearmost)
-{
-    float end = FLT_MAX;
-    for (uint32_t i = 0; i < w->mesh->vertex_count; i++) {
-        const struct species_vertex *at = &w->mesh->vertices[i];
-        if (at->part == PART_BODY && at->u > 0.999f) {
-            end = f_min(end, w->positions[i].z);
-        }
-    }
-    return end < FLT_MAX ? end : rearmost;
-}
-
-static float fork_end(const struct morph_walk *w)
-{
-    float end = 0.0f, nearest = FLT_MAX;
-    for (uint32_t i = 0; i < w->mesh->vertex_count; i++) {
-        const struct species_vertex *at = &w->mesh->vertices[i];
-        const float away = fabsf(at->u - 0.5f) + fabsf(at->v - 1.0f);
-        if (at->part == PART_TAIL && away < nearest) {
-            nearest = away;
-            end = w->positions[i].z;
-        }
-    }
-    return end;
-}
-
+/* Measures the volume and the size of the fish in each key.
+ *
+ * The standard length ends at the tail root, the foremost body point with u = 1. The point that
+ * closes the body also has u = 1, but is farther behind. If the body has no point with u = 1, the
+ * standard length ends at the rearmost body point. The fork length ends at the vertex that is
+ * nearest to the middle of the tail fin's edge (u = 0.5, v = 1). */
 static void measure_keys(struct morph_walk *w)
 {
     for (uint32_t key = 0; key < w->rig->key_count; key++) {
@@ -95,27 +73,32 @@ static void measure_keys(struct morph_walk *w)
         morph_shape(w->mesh, w->rig->key_count, &w->pose, w->positions, w->normals);
         morph_skin_build(&w->body, w->mesh, w->positions, PART_BODY, SIDE_MIDDLE);
         w->key_volume[key] = morph_skin_volume(&w->body);
-        const enum species_measure measure = (enum species_measure)w->species->card.measure;
-        vec3 low = { FLT_MAX, 0.0f, FLT_MAX }, high = { -FLT_MAX, 0.0f, -FLT_MAX };
-        float end = -FLT_MAX;
+        float left = FLT_MAX, right = -FLT_MAX, front = FLT_MAX, rear = -FLT_MAX, end = -FLT_MAX;
+        float root = FLT_MAX, fork = 0.0f, nearest = FLT_MAX;
         for (uint32_t i = 0; i < w->mesh->vertex_count; i++) {
-            const uint8_t part = w->mesh->vertices[i].part;
+            const struct species_vertex *at = &w->mesh->vertices[i];
             const vec3 p = w->positions[i];
-            if (part == PART_BODY) {
-                low = v3(f_min(low.x, p.x), 0.0f, f_min(low.z, p.z));
-                high = v3(f_max(high.x, p.x), 0.0f, f_max(high.z, p.z));
+            const float away = fabsf(at->u - 0.5f) + fabsf(at->v - 1.0f);
+            if (at->part == PART_BODY) {
+                left = f_min(left, p.x);
+                right = f_max(right, p.x);
+                front = f_min(front, p.z);
+                rear = f_max(rear, p.z);
+                root = at->u > 0.999f ? f_min(root, p.z) : root;
+            } else if (at->part == PART_TAIL) {
+                end = f_max(end, p.z);
+                fork = away < nearest ? p.z : fork;
+                nearest = f_min(nearest, away);
             }
-            end = part == PART_BODY || part == PART_TAIL ? f_max(end, p.z) : end;
         }
-        const float length = measure == MEASURE_TOTAL      ? end + 0.5f
-                             : measure == MEASURE_STANDARD ? standard_end(w, high.z) + 0.5f
-                             : measure == MEASURE_FORK     ? fork_end(w) + 0.5f
-                                                           : high.x - low.x;
+        const enum species_measure measure = (enum species_measure)w->species->card.measure;
+        const float length = measure == MEASURE_TOTAL      ? f_max(end, rear) + 0.5f
+                             : measure == MEASURE_STANDARD ? (root < FLT_MAX ? root : rear) + 0.5f
+                             : measure == MEASURE_FORK     ? fork + 0.5f
+                                                           : right - left;
         morph_walk_keep(w, &w->out->size_error, fabsf(length - 1.0f), MORPH_SURVEY_NOWHERE);
-        morph_walk_keep(w, &w->out->size_error, fabsf(low.z + 0.5f), MORPH_SURVEY_NOWHERE);
+        morph_walk_keep(w, &w->out->size_error, fabsf(front + 0.5f), MORPH_SURVEY_NOWHERE);
     }
-    w->out->volume_first = w->key_volume[0];
-    w->out->volume_last = w->key_volume[w->rig->key_count - 1u];
 }
 
 static void measure_moment(struct morph_walk *w, float progress)
@@ -130,7 +113,6 @@ static void measure_moment(struct morph_walk *w, float progress)
     }
     measure_key(w);
     morph_flips_measure(w);
-    morph_inside_build_skins(w);
     morph_inside_measure(w);
     const uint32_t last = w->rig->key_count - 1u;
     const uint32_t key = (uint32_t)fminf(w->progress * (float)last, (float)(last - 1u));
@@ -139,36 +121,52 @@ static void measure_moment(struct morph_walk *w, float progress)
     morph_walk_keep(w, &w->out->volume_dip, dip, MORPH_SURVEY_NOWHERE);
 }
 
-static vec3 morph_survey_place_of(struct morph_walk *w, uint32_t vertex, float progress)
-{
-    shape_at(w, progress);
-    return w->positions[vertex];
-}
-
-static void measure_path(struct morph_walk *w, enum species_part part, enum species_side side,
-                         uint32_t steps, struct curvature *out)
+static float measure_path(struct morph_walk *w, enum species_part part, enum species_side side,
+                          uint32_t steps)
 {
     CORE_ASSERT(steps >= 1);
     const uint32_t vertex = part_vertex_range(w->mesh, part, side);
-    *out = (struct curvature){ .vertex = MORPH_SURVEY_NOWHERE };
+    float off = 0.0f;
     if (vertex == w->mesh->vertex_count) {
-        return;
+        return off;
     }
-    out->vertex = vertex;
-    const vec3 from = morph_survey_place_of(w, vertex, 0.0f),
-               to = morph_survey_place_of(w, vertex, 1.0f);
+    const vec3 from = shape_at(w, 0.0f)[vertex], to = shape_at(w, 1.0f)[vertex];
     for (uint32_t i = 0; i <= steps; i++) {
-        const vec3 p = morph_survey_place_of(w, vertex, (float)i / (float)steps);
-        out->from_chord = f_max(out->from_chord, v3_from_line(p, from, to));
+        const vec3 p = shape_at(w, (float)i / (float)steps)[vertex];
+        off = f_max(off, v3_from_line(p, from, to));
     }
+    return off;
 }
 
-/* ---- Ages and lengths ------------------------------------------------------------------------ */
-
-/* This section checks the conversions between age, progress and length over the whole life of a
- * fish. */
-
-/* ---- Survey of a whole life ------------------------------------------------------------------ */
+/* Checks the conversions between age, progress and length over the whole life of a fish. */
+static void measure_ages(struct morph_walk *w, uint32_t steps)
+{
+    struct morph_survey *out = w->out;
+    const struct species_card *card = &w->species->card;
+    float before_days = -1.0f;
+    for (uint32_t i = 0; i <= steps; i++) {
+        w->progress = (float)i / (float)steps;
+        const float age_days = life_age_days(card, w->progress);
+        /* The fish must be older at each moment than at the previous moment. */
+        if (!(age_days > before_days) && out->moments_not_older++ == 0) {
+            out->age_stands_at = w->progress;
+        }
+        /* The fish's length is compared with the growth curve at its age, unless the author of the
+         * species drew the sizes. */
+        const float length_m = life_length_m(card, w->progress);
+        const float again_m = life_length_m(card, morph_progress(card, length_m));
+        morph_walk_keep(w, &out->length_lost, fabsf(again_m / length_m - 1.0f),
+                        MORPH_SURVEY_NOWHERE);
+        if (card->scale_knot_count == 0) {
+            const float grown_m = growth_length_m(&card->growth, age_days);
+            morph_walk_keep(w, &out->off_growth, fabsf(length_m / grown_m - 1.0f),
+                            MORPH_SURVEY_NOWHERE);
+        }
+        const float back = fabsf(life_progress(card, age_days) - w->progress);
+        morph_walk_keep(w, &out->progress_lost, back, MORPH_SURVEY_NOWHERE);
+        before_days = age_days;
+    }
+}
 
 void morph_survey(const struct species *species, const struct morph_rig *rig, uint32_t lod,
                   uint32_t steps, struct morph_survey *out)
@@ -199,33 +197,8 @@ void morph_survey(const struct species *species, const struct morph_rig *rig, ui
     for (key = 0; key < rig->key_count; key++) {
         out->keys_alone += w->key_alone[key];
     }
-    const struct species_card *card = &w->species->card;
-    float before_days = -1.0f;
-    for (uint32_t i = 0; i <= steps; i++) {
-        w->progress = (float)i / (float)steps;
-        const float age_days = life_age_days(card, w->progress);
-        /* The fish must be older at each moment than at the previous moment. */
-        if (!(age_days > before_days)) {
-            w->out->age_stands_at =
-                w->out->moments_not_older == 0 ? w->progress : w->out->age_stands_at;
-            w->out->moments_not_older++;
-        }
-        /* The fish's length is compared with the growth curve at its age, unless the author of the
-         * species drew the sizes. */
-        const float length_m = life_length_m(card, w->progress);
-        const float again_m = life_length_m(card, morph_progress(card, length_m));
-        morph_walk_keep(w, &w->out->length_lost, fabsf(again_m / length_m - 1.0f),
-                        MORPH_SURVEY_NOWHERE);
-        if (card->scale_knot_count == 0) {
-            const float grown_m = growth_length_m(&card->growth, age_days);
-            morph_walk_keep(w, &w->out->off_growth, fabsf(length_m / grown_m - 1.0f),
-                            MORPH_SURVEY_NOWHERE);
-        }
-        const float back = fabsf(life_progress(card, age_days) - w->progress);
-        morph_walk_keep(w, &w->out->progress_lost, back, MORPH_SURVEY_NOWHERE);
-        before_days = age_days;
-    }
-    measure_path(w, PART_DORSAL, SIDE_MIDDLE, steps, &out->dorsal_root);
-    measure_path(w, PART_EYE, SIDE_RIGHT, steps, &out->eye_right);
-    measure_path(w, PART_EYE, SIDE_LEFT, steps, &out->eye_left);
+    measure_ages(w, steps);
+    out->dorsal_root = measure_path(w, PART_DORSAL, SIDE_MIDDLE, steps);
+    out->eye_right = measure_path(w, PART_EYE, SIDE_RIGHT, steps);
+    out->eye_left = measure_path(w, PART_EYE, SIDE_LEFT, steps);
 }

@@ -7,6 +7,8 @@
 #ifndef KINGYO_PLATFORM_CTL_MORPH_MORPH_SURVEY_H
 #define KINGYO_PLATFORM_CTL_MORPH_MORPH_SURVEY_H
 
+#include <stdbool.h>
+
 #include "core/morph/morph.h"
 
 #define MORPH_SURVEY_NOWHERE UINT32_MAX
@@ -18,13 +20,6 @@ struct finding {
     float progress;
     uint32_t vertex; /* Vertex with the worst value, or MORPH_SURVEY_NOWHERE if the value belongs to
                         no vertex. */
-};
-
-/* Greatest distance of a vertex from the straight line between its first and last positions. */
-struct curvature {
-    /* Index of the vertex, or MORPH_SURVEY_NOWHERE if the fish does not have the part. */
-    uint32_t vertex;
-    float from_chord;
 };
 
 struct morph_survey {
@@ -61,13 +56,12 @@ struct morph_survey {
                                      outside the body. */
     /* Loss of body volume between two keys, as a share of the lesser volume of the two keys. */
     struct finding volume_dip;
-    /* Body volume at progress 0 (`volume_first`) and at progress 1 (`volume_last`), for a fish of
-     * length 1. */
-    float volume_first, volume_last;
     /* The greater of two errors of a key: the distance of the snout from z = -0.5, and the
      * difference between the measured length and 1. */
     struct finding size_error;
-    struct curvature dorsal_root, eye_right, eye_left;
+    /* Greatest distance of a part's first vertex from the straight line between its first and last
+     * positions. 0 if the fish does not have the part. */
+    float dorsal_root, eye_right, eye_left;
     /* `moments_not_older` is the number of moments at which the fish is not older than at the
      * previous moment. `age_stands_at` is the progress of the first such moment. */
     uint32_t moments_not_older;
@@ -86,5 +80,95 @@ struct morph_survey {
  * key. `lod` is the level of detail of the mesh: 0 is near, 1 is far. */
 void morph_survey(const struct species *species, const struct morph_rig *rig, uint32_t lod,
                   uint32_t steps, struct morph_survey *out);
+
+/* ---- Closed surfaces (morph_skin.c) ---------------------------------------------------------- */
+
+/* A surface is the body of a fish or one eyeball. A point is inside the surface if a ray from
+ * the point to the right crosses the surface an odd number of times. The triangles are sorted into
+ * bins, a grid seen from the right, to make the test fast. */
+
+#define MORPH_SKIN_TRIANGLE_MAX (MESH_INDEX_MAX / 3u)
+#define MORPH_SKIN_ROWS 16u /* Number of rows of the bin grid, from bottom to top. */
+/* Number of columns of the bin grid, from front to rear. A ray to the right passes through exactly
+ * one bin. */
+#define MORPH_SKIN_COLUMNS 32u
+#define MORPH_SKIN_BINS (MORPH_SKIN_ROWS * MORPH_SKIN_COLUMNS)
+
+struct morph_skin { /* A closed surface with its bins. The structure has about 3 MiB. */
+    uint32_t triangle_count;
+    vec3 corner[MORPH_SKIN_TRIANGLE_MAX][3];
+    float low_y, low_z, high_y, high_z;
+    uint32_t bin_first[MORPH_SKIN_BINS + 1u];
+    uint16_t binned[MORPH_SKIN_TRIANGLE_MAX * MORPH_SKIN_BINS];
+};
+
+/* Builds the surface from the triangles of the part `part` on `side`. SIDE_MIDDLE selects the
+ * triangles of all sides. */
+void morph_skin_build(struct morph_skin *skin, const struct species_mesh *mesh,
+                      const vec3 *positions, enum species_part part, enum species_side side);
+
+/* Returns true if the surface has triangles and no hole. In a closed surface, the sum of the
+ * triangles' area vectors is zero. */
+bool morph_skin_is_closed(const struct morph_skin *skin);
+
+/* Returns the volume inside a closed surface. */
+float morph_skin_volume(const struct morph_skin *skin);
+
+/* Returns whether `point` is inside the surface. */
+bool morph_skin_has(const struct morph_skin *skin, vec3 point);
+
+/* Returns the distance from `point` to the nearest point of the surface. The point may be inside or
+ * outside. */
+float morph_skin_distance(const struct morph_skin *skin, vec3 point);
+
+/* Returns the distance from `point`, which must be inside, to the surface in the direction `way`, a
+ * unit vector. Returns 0 if the ray does not meet the surface. */
+float morph_skin_way_out(const struct morph_skin *skin, vec3 point, vec3 way);
+
+/* ---- State of a survey (morph_survey.c, morph_flaws.c) --------------------------------------- */
+
+struct morph_walk { /* State of a survey. The structure has about 10 MiB. */
+    const struct species *species;
+    const struct species_mesh *mesh;
+    const struct morph_rig *rig;
+    struct morph_survey *out;
+    float progress;
+    struct morph_pose pose, key_pose;
+    vec3 positions[MESH_VERTEX_MAX], normals[MESH_VERTEX_MAX];
+    vec3 key_positions[MESH_VERTEX_MAX];
+    /* Normal of each fin triangle, measured at the last moment at which the triangle was large
+     * enough. */
+    vec3 facing[MESH_INDEX_MAX / 3];
+    bool flipped[MESH_INDEX_MAX / 3], doubtful[MESH_INDEX_MAX / 3];
+    /* Progress at the previous moment. While the first moment is measured, `before` is at least as
+     * large as `progress`. */
+    float before;
+    uint32_t root[MESH_VERTEX_MAX]; /* For each fin vertex, the vertex at the root of the same fin
+                                       ray. */
+    bool key_alone[MORPH_KEY_MAX];
+    float key_volume[MORPH_KEY_MAX];
+    struct morph_skin body, eye[2];
+    bool body_closed, eye_closed[2];
+};
+
+/* Stores `value` in `finding`, with the present progress and `vertex`, if `value` exceeds the
+ * stored value. */
+static inline void morph_walk_keep(const struct morph_walk *w, struct finding *finding, float value,
+                                   uint32_t vertex)
+{
+    if (value > finding->value) {
+        *finding = (struct finding){ value, w->progress, vertex };
+    }
+}
+
+/* Finds the root of each fin ray. Called once before the first moment. */
+void morph_inside_find_roots(struct morph_walk *w);
+/* Builds the surfaces of the body and of the eyes, and measures penetrations. Called at every
+ * moment for which a shape is computed. */
+void morph_inside_measure(struct morph_walk *w);
+
+/* morph_flips_measure() is called at every moment for which a shape is computed. Progress must
+ * increase from call to call. */
+void morph_flips_measure(struct morph_walk *w);
 
 #endif

@@ -35,21 +35,6 @@ static void print_mean(const char *what, uint32_t sum, uint32_t count, const cha
     }
 }
 
-static void print_times(const struct audits *audits)
-{
-    static const char *const days[DAYS] = { "Mon", "Tue", "Wed", "Thu", "Fri", "Sat", "Sun" };
-    puts("\nrounds by hour");
-    for (uint32_t hour = 0; hour < HOURS; hour++) {
-        printf("%s%02u:%6u%s", hour % 6u == 0 ? "  " : "   ", hour,
-               audits->count[AUDIT_HOUR + hour], hour % 6u == 5u ? "\n" : "");
-    }
-    puts("\nrounds by weekday");
-    for (uint32_t day = 0; day < DAYS; day++) {
-        printf("%s%s%6u", day == 0 ? "  " : "  ", days[day], audits->count[AUDIT_WEEKDAY + day]);
-    }
-    putchar('\n');
-}
-
 static void audits_print_text(const struct persistent_state *memory)
 {
     const struct audits *audits = &memory->audits;
@@ -83,7 +68,17 @@ static void audits_print_text(const struct persistent_state *memory)
         }
         putchar('\n');
     }
-    print_times(audits);
+    static const char *const days[DAYS] = { "Mon", "Tue", "Wed", "Thu", "Fri", "Sat", "Sun" };
+    puts("\nrounds by hour");
+    for (uint32_t hour = 0; hour < HOURS; hour++) {
+        printf("%s%02u:%6u%s", hour % 6u == 0 ? "  " : "   ", hour,
+               audits->count[AUDIT_HOUR + hour], hour % 6u == 5u ? "\n" : "");
+    }
+    puts("\nrounds by weekday");
+    for (uint32_t day = 0; day < DAYS; day++) {
+        printf("  %s%6u", days[day], audits->count[AUDIT_WEEKDAY + day]);
+    }
+    putchar('\n');
     puts("\nmachine");
     print_named(audits, AUDIT_BOOTS, AUDIT_TICKETS_OUT);
 }

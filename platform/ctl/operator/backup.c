@@ -10,6 +10,7 @@
 #include <fcntl.h>
 #include <limits.h>
 #include <sqlite3.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -37,6 +38,7 @@ static const char command[] = "backup --restore";
  * copy. */
 struct swap {
     char own[BOOKS_PATH_SIZE];     /* Path of the kiosk's ledger database. */
+    char folder[BOOKS_PATH_SIZE];  /* Path of the folder of the ledger database. */
     char fresh[LEDGER_PATH_SIZE];  /* Path of the copy that will replace the database. */
     char before[LEDGER_PATH_SIZE]; /* Path to which the replaced database is renamed. */
     /* Start record of the copy. All fields are 0 if an earlier version of Kingyo wrote the copy. */
@@ -55,36 +57,27 @@ static void join_path_suffix(char out[LEDGER_PATH_SIZE], const char *path, const
     snprintf(out, LEDGER_PATH_SIZE, "%.560s%.39s", path, suffix);
 }
 
-/* Returns 1 if a process has the database at `path` open, otherwise 0. SQLite locks parts of the
- * database file or of its shared-memory file while the database is open. */
-static int is_locked(const char *path)
+/* Returns true if a process has the database at `path` open. SQLite locks parts of the database
+ * file or of its shared-memory file while the database is open. */
+static bool is_locked(const char *path)
 {
     struct flock lock = { .l_type = F_WRLCK, .l_whence = SEEK_SET };
     const int handle = file_handle(path, O_RDONLY, 0);
-    const int is_held = handle >= 0 && fcntl(handle, F_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
+    const bool is_held =
+        handle >= 0 && fcntl(handle, F_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
     if (handle >= 0) {
         close(handle);
     }
     return is_held;
 }
 
-/* Writes the path of the folder of the database to `folder`. */
-static void folder_of(const struct swap *swap, char folder[BOOKS_PATH_SIZE])
-{
-    snprintf(folder, BOOKS_PATH_SIZE, "%s", swap->own);
-    char *slash = strrchr(folder, '/');
-    CORE_ASSERT(slash);
-    *slash = '\0';
-}
-
-/* Returns 1 if a kiosk runs with the data folder of the database, or if a process has the database
- * open, otherwise 0. A kiosk locks its data folder for its whole run, even while its database is
+/* Returns true if a kiosk runs with the data folder of the database, or if a process has the
+ * database open. A kiosk locks its data folder for its whole run, even while its database is
  * closed. */
-static int is_database_held(const struct swap *swap)
+static bool is_database_held(const struct swap *swap)
 {
-    char shared[LEDGER_PATH_SIZE], folder[BOOKS_PATH_SIZE];
-    folder_of(swap, folder);
-    const int handle = file_lock_folder(folder[0] ? folder : "/");
+    char shared[LEDGER_PATH_SIZE];
+    const int handle = file_lock_folder(swap->folder[0] ? swap->folder : "/");
     if (handle >= 0) {
         close(handle);
     }
@@ -95,19 +88,18 @@ static int is_database_held(const struct swap *swap)
 /* ---- Writing the copy ------------------------------------------------------------------------ */
 
 /* Gives the copy the owner and the mode of the present database, because the kiosk's user must be
- * able to write the copy. If there is no database, the owner is the owner of the data folder.
+ * able to write the copy. If there is no database, or another kind of file has its name, the owner
+ * is the owner of the data folder.
  * Returns 0, or -1 with errno set. */
-static int give_to_its_user(const struct swap *swap)
+static int copy_owner_and_mode(const struct swap *swap)
 {
     struct stat about;
-    char folder[BOOKS_PATH_SIZE];
-    folder_of(swap, folder);
-    const int has_file = stat(swap->own, &about) == 0;
-    if (!has_file && stat(folder, &about) != 0) {
+    const bool has_file = lstat(swap->own, &about) == 0 && S_ISREG(about.st_mode);
+    if (!has_file && stat(swap->folder, &about) != 0) {
         return -1;
     }
     const mode_t mode = has_file ? about.st_mode & 0660 : S_IRUSR | S_IWUSR;
-    return chown(swap->fresh, about.st_uid, about.st_gid) == 0 ? chmod(swap->fresh, mode) : -1;
+    return file_give(swap->fresh, about.st_uid, about.st_gid, mode);
 }
 
 static enum exit_code make_copy(struct swap *swap, const char *from)
@@ -118,7 +110,7 @@ static enum exit_code make_copy(struct swap *swap, const char *from)
         return fails(from, strerror(errno));
     }
     if (!S_ISREG(about.st_mode)) {
-        return fails(from, "is no file");
+        return fails(from, "is not a regular file");
     }
     int code = books_check_copy(from, &swap->copied);
     code = code == SQLITE_OK ? sql_open(from, SQLITE_OPEN_READONLY, NULL, &file.db) : code;
@@ -126,14 +118,14 @@ static enum exit_code make_copy(struct swap *swap, const char *from)
     if (code != SQLITE_OK) {
         ledger_file_close(&file);
         if (code != SQLITE_CORRUPT || !books_tell_foreign(command, from, "use another copy")) {
-            fails(from, code == SQLITE_NOTFOUND ? "is no copy of a stall's file"
+            fails(from, code == SQLITE_NOTFOUND ? "is not a copy of a kiosk's database"
                                                 : ledger_file_error(code));
         }
         return code == SQLITE_CANTOPEN ? EXIT_IO : EXIT_BAD_DATA;
     }
     code = ledger_backup_make(&file, swap->fresh, false);
     ledger_file_close(&file);
-    if (code != SQLITE_OK || give_to_its_user(swap) != 0) {
+    if (code != SQLITE_OK || copy_owner_and_mode(swap) != 0) {
         fails(swap->fresh, code != SQLITE_OK ? ledger_file_error(code) : strerror(errno));
         unlink(swap->fresh);
         return EXIT_IO;
@@ -143,7 +135,7 @@ static enum exit_code make_copy(struct swap *swap, const char *from)
 
 /* ---- Replacing the database ------------------------------------------------------------------ */
 
-static int name_before(struct swap *swap)
+static bool name_before(struct swap *swap)
 {
     char suffix[40], backup[LEDGER_PATH_SIZE];
     for (unsigned number = 1; number <= BEFORE_MAX; number++) {
@@ -151,20 +143,10 @@ static int name_before(struct swap *swap)
         join_path_suffix(swap->before, swap->own, suffix);
         join_path_suffix(backup, swap->before, STORAGE_BACKUP_SUFFIX);
         if (access(swap->before, F_OK) != 0 && access(backup, F_OK) != 0) {
-            return 1;
+            return true;
         }
     }
-    return 0;
-}
-
-/* Renames the file with `suffix` that belongs to the database. Returns 0 if the file was renamed or
- * does not exist. */
-static int move_one(const struct swap *swap, const char *suffix)
-{
-    char from[LEDGER_PATH_SIZE], to[LEDGER_PATH_SIZE];
-    join_path_suffix(from, swap->own, suffix);
-    join_path_suffix(to, swap->before, suffix);
-    return rename(from, to) == 0 || errno == ENOENT ? 0 : -1;
+    return false;
 }
 
 /* Replaces the database with the copy. The backup and the ledger mirror, a second copy of the
@@ -172,15 +154,22 @@ static int move_one(const struct swap *swap, const char *suffix)
  * renamed. */
 static int put_in_place(const struct swap *swap)
 {
-    if (move_one(swap, STORAGE_BACKUP_SUFFIX) != 0 || move_one(swap, STORAGE_MIRROR_SUFFIX) != 0 ||
-        file_sync_parent(swap->own) != 0 || move_one(swap, "") != 0 ||
-        file_sync_parent(swap->own) != 0) {
-        return -1;
+    static const char *const suffixes[] = {
+        STORAGE_BACKUP_SUFFIX, STORAGE_MIRROR_SUFFIX, "", "-wal", "-journal", "-shm"
+    };
+    for (size_t i = 0; i < sizeof suffixes / sizeof suffixes[0]; i++) {
+        const bool is_database = suffixes[i][0] == '\0';
+        char from[LEDGER_PATH_SIZE], to[LEDGER_PATH_SIZE];
+        join_path_suffix(from, swap->own, suffixes[i]);
+        join_path_suffix(to, swap->before, suffixes[i]);
+        /* A file that does not exist need not be renamed. */
+        if ((is_database && file_sync_parent(swap->own) != 0) ||
+            (rename(from, to) != 0 && errno != ENOENT) ||
+            (is_database && file_sync_parent(swap->own) != 0)) {
+            return -1;
+        }
     }
-    return move_one(swap, "-wal") == 0 && move_one(swap, "-journal") == 0 &&
-                   move_one(swap, "-shm") == 0 && rename(swap->fresh, swap->own) == 0
-               ? file_sync_parent(swap->own)
-               : -1;
+    return rename(swap->fresh, swap->own) == 0 ? file_sync_parent(swap->own) : -1;
 }
 
 /* Prints the copy `path` and its start record. `before` is the path of the replaced database, "" if
@@ -209,11 +198,14 @@ static enum exit_code restore_backup(const struct books_words *words, const char
         return ctl_usage(name, "the name is too long");
     }
     if (books_is_same(from, swap.own)) {
-        return ctl_usage(name, "%.200s: is the stall's own file", from);
+        return ctl_usage(name, "%.200s: is the kiosk's own database", from);
     }
+    snprintf(swap.folder, sizeof swap.folder, "%.*s", (int)(strrchr(swap.own, '/') - swap.own),
+             swap.own);
     join_path_suffix(swap.fresh, swap.own, STORAGE_NEW_SUFFIX);
     if (is_database_held(&swap)) {
-        return fails(swap.own, "the stall runs, or another program reads it: stop it first");
+        return fails(swap.own,
+                     "the kiosk runs, or another program reads the database: stop it first");
     }
     const enum exit_code code = make_copy(&swap, from);
     if (code != EXIT_OK) {
@@ -221,19 +213,20 @@ static enum exit_code restore_backup(const struct books_words *words, const char
     }
     if (is_database_held(&swap) || !name_before(&swap)) {
         unlink(swap.fresh);
-        return fails(swap.own, "the stall was started, or too many files lie beside it");
+        return fails(swap.own,
+                     "the kiosk was started, or the folder has too many replaced databases");
     }
     if (put_in_place(&swap) != 0) {
         return fails(swap.own, strerror(errno));
     }
-    const int has_before = access(swap.before, F_OK) == 0;
+    const bool has_before = access(swap.before, F_OK) == 0;
     if (words->as_json) {
         print_json(named, has_before ? swap.before : "", &swap.copied);
         return EXIT_OK;
     }
-    print_line(stdout, "%s: is %s now, %u entries", named, swap.own, swap.copied.last_id);
+    print_line(stdout, "%s: is now %s, %u entries", named, swap.own, swap.copied.last_id);
     if (has_before) {
-        print_line(stdout, "what was there: %s", swap.before);
+        print_line(stdout, "replaced database: %s", swap.before);
     }
     return EXIT_OK;
 }
@@ -250,21 +243,21 @@ static const char *why_not(const struct books_words *words, const char *path)
     const char *slash = strrchr(path, '/'), *last = slash ? slash + 1 : path;
     books_path(words, own);
     snprintf(folder, sizeof folder, "%.*s.", (int)(last - path), path);
-    const int is_database = books_is_same(own, path);
+    const bool is_database = books_is_same(own, path);
     *(strrchr(own, '/') + 1) = '\0';
     if (is_database ||
         (strncmp(last, STORAGE_FILE, strlen(STORAGE_FILE)) == 0 && books_is_same(own, folder))) {
-        return "is the stall's own file";
+        return "is the kiosk's own database";
     }
     if (stat(path, &about) != 0 || (S_ISREG(about.st_mode) && about.st_size == 0)) {
         return NULL;
     }
     if (!S_ISREG(about.st_mode)) {
-        return S_ISDIR(about.st_mode) ? "is a folder" : "is no file";
+        return S_ISDIR(about.st_mode) ? "is a folder" : "is not a regular file";
     }
     return books_check_copy(path, &older) == SQLITE_OK
                ? NULL
-               : "is there, and is no copy of a stall's file";
+               : "exists, and is not a copy of a kiosk's database";
 }
 
 static enum exit_code write_backup_copy(struct ledger_file *file, const char *path,
@@ -277,7 +270,7 @@ static enum exit_code write_backup_copy(struct ledger_file *file, const char *pa
     const int code = ledger_backup_make(file, path, true);
     if (code != SQLITE_OK) {
         print_error("kingyoctl backup: %s: cannot be written: %s", path,
-                    code == SQLITE_CORRUPT ? "the stall's own file is damaged"
+                    code == SQLITE_CORRUPT ? "the kiosk's own database is damaged"
                                            : ledger_file_error(code));
         return code == SQLITE_CORRUPT ? EXIT_BAD_DATA : EXIT_IO;
     }
@@ -293,8 +286,8 @@ static enum exit_code write_backup_copy(struct ledger_file *file, const char *pa
 struct request {
     struct books_words books;
     const char *path;
-    uint8_t restores; /* 1 if the database is replaced with the copy at `path`. 0 if the database is
-                         only copied. */
+    bool restores; /* True if the database is replaced with the copy at `path`. False if the
+                      database is only copied. */
 };
 
 static const struct option options[] = {

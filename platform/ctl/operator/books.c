@@ -45,49 +45,44 @@ void books_path(const struct books_words *words, char path[BOOKS_PATH_SIZE])
     }
 }
 
-int books_is_same(const char *one, const char *other)
+bool books_is_same(const char *one, const char *other)
 {
     struct stat a, b;
     return stat(one, &a) == 0 && stat(other, &b) == 0 && a.st_dev == b.st_dev &&
            a.st_ino == b.st_ino;
 }
 
-/* Distinguishes a database of Kingyo's first version from a database of another program. A low
- * version number is not sufficient, because any program may write such a number. The first version
- * is recognized by two columns of its table `rounds`.
- *
- * Returns SQLITE_OK for a database of the first version, SQLITE_NOTFOUND for any other database, or
- * an SQLite error code. */
-static int look_at_old(const char *path)
+int books_check_copy(const char *path, struct ledger_start *out)
 {
     static const char ours[] =
         "SELECT count(*) = 2 FROM pragma_table_info('rounds') WHERE name IN ('number', 'id')";
+    struct ledger_file file;
+    *out = (struct ledger_start){ 0 };
+    int code = ledger_file_inspect(&file, path);
+    if (code == SQLITE_OK) {
+        *out = file.content.memory.ledger;
+        ledger_file_close(&file);
+    }
+    if (code != SQLITE_SCHEMA) {
+        return code;
+    }
+    /* Two columns of the table `rounds` distinguish a database of Kingyo's first version from a
+     * database of another program. A low version number is not sufficient, because any program may
+     * write such a number. */
     sqlite3 *db = NULL;
     int64_t is_ours = 0;
-    int code = sql_open(path, SQLITE_OPEN_READONLY, NULL, &db);
+    code = sql_open(path, SQLITE_OPEN_READONLY, NULL, &db);
     code = code == SQLITE_OK ? sql_number(db, ours, &is_ours) : code;
     sqlite3_close(db);
     return code == SQLITE_OK && !is_ours ? SQLITE_NOTFOUND : code;
 }
 
-int books_check_copy(const char *path, struct ledger_start *out)
-{
-    struct ledger_file file;
-    *out = (struct ledger_start){ 0 };
-    const int code = ledger_file_inspect(&file, path);
-    if (code == SQLITE_OK) {
-        *out = file.content.memory.ledger;
-        ledger_file_close(&file);
-    }
-    return code == SQLITE_SCHEMA ? look_at_old(path) : code;
-}
-
-int books_tell_foreign(const char *command, const char *path, const char *advice)
+bool books_tell_foreign(const char *command, const char *path, const char *advice)
 {
     struct ledger_foreign foreign;
     sqlite3 *db = NULL;
-    const int has_foreign = sql_open(path, SQLITE_OPEN_READONLY, NULL, &db) == SQLITE_OK &&
-                            ledger_schema_foreign(db, &foreign);
+    const bool has_foreign = sql_open(path, SQLITE_OPEN_READONLY, NULL, &db) == SQLITE_OK &&
+                             ledger_schema_foreign(db, &foreign);
     sqlite3_close(db);
     if (has_foreign) {
         print_error("kingyoctl %s: %s: holds the %s '%s', %s; %s", command, path, foreign.type,
@@ -108,8 +103,8 @@ enum exit_code books_open(const char *command, const struct books_words *words,
     const int error = look_for(path);
     if (error) {
         print_error("kingyoctl %s: %s: %s", command, path,
-                    error == ENOENT   ? "is not there; --data says where else"
-                    : error == EACCES ? "you may not look there: ask with sudo"
+                    error == ENOENT   ? "does not exist; name the data folder with --data"
+                    : error == EACCES ? "you have no access; use sudo"
                                       : strerror(error));
         return EXIT_IO;
     }
@@ -118,13 +113,14 @@ enum exit_code books_open(const char *command, const struct books_words *words,
         return EXIT_OK;
     }
     if (code == SQLITE_CORRUPT &&
-        books_tell_foreign(command, path, "the stall replaces the file when it starts")) {
+        books_tell_foreign(command, path, "the kiosk replaces the file when it starts")) {
         return EXIT_BAD_DATA;
     }
     print_error("kingyoctl %s: %s: %s", command, path,
-                code == SQLITE_SCHEMA    ? "an earlier Kingyo wrote it: start the stall once"
-                : code == SQLITE_NOTADB  ? "is no database"
-                : code == SQLITE_CORRUPT ? "is damaged: the stall replaces it when it starts"
+                code == SQLITE_SCHEMA
+                    ? "an earlier version of Kingyo wrote it: start the kiosk once"
+                : code == SQLITE_NOTADB  ? "is not a database"
+                : code == SQLITE_CORRUPT ? "is damaged: the kiosk replaces it when it starts"
                                          : ledger_file_error(code));
     return code == SQLITE_SCHEMA || code == SQLITE_NOTADB || code == SQLITE_CORRUPT ||
                    code == LEDGER_FILE_NEWER

@@ -6,6 +6,8 @@
 #ifndef KINGYO_PLATFORM_CTL_OPERATOR_BOOKS_H
 #define KINGYO_PLATFORM_CTL_OPERATOR_BOOKS_H
 
+#include <stdbool.h>
+
 #include "platform/ctl/lib/ctl.h"
 #include "platform/os/file.h"
 #include "platform/store/sqlite/ledger_file.h"
@@ -19,7 +21,7 @@ struct books_words {
     const char *data; /* Data folder given with --data, or null if the option is absent. Null
                          selects the folder of the system service, or the user's own data folder if
                          the service has no database. */
-    uint8_t as_json;
+    bool as_json;
 };
 
 /* The table of the options in struct books_words, which is the target of the table. */
@@ -28,8 +30,8 @@ extern const struct option_table books_options;
 /* Writes the path of the kiosk's ledger database to `out`. The file may not exist. */
 void books_path(const struct books_words *words, char out[BOOKS_PATH_SIZE]);
 
-/* Returns 1 if the two paths lead to the same file (same device and inode), otherwise 0. */
-int books_is_same(const char *one, const char *other);
+/* Returns true if the two paths lead to the same file (same device and inode). */
+bool books_is_same(const char *one, const char *other);
 
 /* Checks whether the file at `path` is a ledger database that Kingyo wrote.
  *
@@ -40,8 +42,8 @@ int books_check_copy(const char *path, struct ledger_start *out);
 
 /* Finds a foreign object in the database, for example a table of another program, because of which
  * ledger_check() reports the database as damaged. Prints one line with the name of the object and
- * then `advice`. Returns 1 if a foreign object was found, otherwise 0. */
-int books_tell_foreign(const char *command, const char *path, const char *advice);
+ * then `advice`. Returns true if a foreign object was found. */
+bool books_tell_foreign(const char *command, const char *path, const char *advice);
 
 /* Opens the ledger database for reading. A kiosk that is running may have the database open at the
  * same time.

@@ -1,10 +1,10 @@
 /* scores.c -- `kingyoctl scores`, which prints the kiosk's leaderboard of each game mode, verifies
  * the replays of ranked rounds without a screen, and writes a replay to a file. */
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <time.h>
 
 #include "core/base/panic.h"
 #include "core/game/rules.h"
@@ -26,9 +26,8 @@ struct scores_request {
     /* `mode` is the selected game mode, or MODE_COUNT for all modes. `period` is the selected
      * ranking period, or RANK_PERIOD_COUNT for all periods. */
     uint8_t mode, period;
-    uint8_t is_all;    /* 1 if all ranked rounds are verified, otherwise 0. */
-    uint8_t with_pin;  /* 1 if the output file may contain the PIN of the operator's menu, otherwise
-                          0. */
+    bool is_all;       /* True if all ranked rounds are verified. */
+    bool with_pin;     /* True if the output file may contain the PIN of the operator's menu. */
     uint32_t round_id; /* Number of the selected round, or 0 if no round is selected. */
     const char *out;   /* Path of the output file for the replay, or null. */
 };
@@ -41,23 +40,16 @@ static uint8_t bytes[SESSION_RECORDER_SIZE];
 /* Result of the verification of one ranked round. */
 struct finding {
     uint32_t round_id;
-    int has_replay;
+    bool has_replay;
     enum replay_verdict verdict;
     size_t size;
     double play_s, took_s;
 };
 
-static double scores_clock_s(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
 static struct finding look_into(struct ledger_file *file, uint32_t round_id)
 {
     struct finding found = { .round_id = round_id, .verdict = REPLAY_VERDICT_DAMAGED };
-    const double begin_s = scores_clock_s();
+    const uint64_t begin_ns = ctl_now_ns();
     struct ledger_entry kept;
     found.has_replay =
         ledger_file_get_replay(file, round_id, bytes, sizeof bytes, &found.size) == 0;
@@ -71,7 +63,7 @@ static struct finding look_into(struct ledger_file *file, uint32_t round_id)
     }
     ledger_file_round(file, round_id, &kept);
     found.verdict = replay_verifier_result(&judge, &file->content.memory.ranking, round_id, &kept);
-    found.took_s = scores_clock_s() - begin_s;
+    found.took_s = 1e-9 * (double)(ctl_now_ns() - begin_ns);
     return found;
 }
 
@@ -122,7 +114,7 @@ static uint32_t list_rounds(const struct ranking *ranking, uint32_t out[ROUNDS_M
         const struct rank_row *row =
             &ranking->row[board / RANK_PERIOD_COUNT][board % RANK_PERIOD_COUNT][i % RANK_ROWS];
         uint32_t k = 0;
-        CORE_ASSERT(count <= ROUNDS_MAX);
+        CORE_ASSERT(count <= i);
         while (k < count && out[k] != row->round_id) {
             k++;
         }
@@ -138,7 +130,7 @@ static uint32_t list_rounds(const struct ranking *ranking, uint32_t out[ROUNDS_M
 static enum exit_code verify(const struct scores_request *request, struct ledger_file *file)
 {
     uint32_t rounds[ROUNDS_MAX] = { request->round_id };
-    const int is_all = request->round_id == 0, as_json = request->books.as_json;
+    const bool is_all = request->round_id == 0, as_json = request->books.as_json;
     const uint32_t count = is_all ? list_rounds(&file->content.memory.ranking, rounds) : 1u;
     struct json json = { .file = stdout };
     uint32_t bad = 0;
@@ -146,7 +138,7 @@ static enum exit_code verify(const struct scores_request *request, struct ledger
     if (as_json) {
         json_open(&json, NULL, '[');
     } else if (count == 0) {
-        puts("nobody has caught a fish yet");
+        puts("no player has caught a fish yet");
     }
     for (uint32_t i = 0; i < count; i++) {
         const struct finding found = look_into(file, rounds[i]);
@@ -180,7 +172,7 @@ static enum exit_code write_replay(const struct scores_request *request, struct 
     /* A replay begins with a copy of the settings. Earlier versions of Kingyo included the PIN of
      * the operator's menu in the copy and in the hashes of the replay, so the PIN cannot be
      * removed. */
-    int has_pin = 0;
+    bool has_pin = false;
     if (replay_open_in(&reader, bytes, size) == 0) {
         has_pin = session_recorder_start_has_pin(&reader.header.config);
         replay_close(&reader);
@@ -216,7 +208,7 @@ static const char *const periods[RANK_PERIOD_COUNT + 1] = { "day", "week", "ever
 struct place {
     uint32_t mode, period, place;
     const struct rank_row *row;
-    int has_replay;
+    bool has_replay;
 };
 
 static void place_text(const struct place *at)
@@ -252,19 +244,21 @@ static void place_json(const struct place *at, struct json *json)
 static enum exit_code print_ranking(const struct scores_request *request, struct ledger_file *file)
 {
     struct json json = { .file = stdout };
-    const int as_json = request->books.as_json;
+    const bool as_json = request->books.as_json;
     uint32_t count = 0;
     CORE_ASSERT(request->mode <= MODE_COUNT && request->period <= RANK_PERIOD_COUNT);
     if (as_json) {
         json_open(&json, NULL, '[');
     }
-    for (uint32_t i = 0; i < MODE_COUNT * RANK_PERIOD_COUNT * RANK_ROWS; i++) {
+    for (uint32_t i = 0; i < ROUNDS_MAX; i++) {
         const uint32_t board = i / RANK_ROWS;
-        struct place at = { board / RANK_PERIOD_COUNT, board % RANK_PERIOD_COUNT, i % RANK_ROWS,
-                            NULL, 0 };
+        struct place at = { .mode = board / RANK_PERIOD_COUNT,
+                            .period = board % RANK_PERIOD_COUNT,
+                            .place = i % RANK_ROWS };
         at.row = &file->content.memory.ranking.row[at.mode][at.period][at.place];
-        const int is_asked = (request->mode == MODE_COUNT || request->mode == at.mode) &&
-                             (request->period == RANK_PERIOD_COUNT || request->period == at.period);
+        const bool is_asked =
+            (request->mode == MODE_COUNT || request->mode == at.mode) &&
+            (request->period == RANK_PERIOD_COUNT || request->period == at.period);
         if (!is_asked || at.row->caught == 0) {
             continue;
         }
@@ -281,7 +275,7 @@ static enum exit_code print_ranking(const struct scores_request *request, struct
         json_close(&json, ']');
         json_end(&json);
     } else if (count == 0) {
-        puts("nobody has caught a fish yet");
+        puts("no player has caught a fish yet");
     }
     return EXIT_OK;
 }
@@ -290,7 +284,7 @@ static enum exit_code print_ranking(const struct scores_request *request, struct
 
 enum group { GROUP_RANKING = 1, GROUP_VERIFY = 2, GROUP_REPLAY = 4 };
 
-static int take_round(void *target, const struct option *option, const char *value, char *why)
+static bool take_round(void *target, const struct option *option, const char *value, char *why)
 {
     struct scores_request *request = target;
     (void)option;

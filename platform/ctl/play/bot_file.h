@@ -32,14 +32,14 @@ struct bot_file_problem {
 int bot_file_parse(const char *text, size_t size, struct technique *out,
                    struct bot_file_problem *problem);
 
-/* Reads and parses the bot file at `path` into `out`.
+/* Fills `out` with the technique of `bot`, which is "novice", "expert" or the path of a bot file.
  *
  * Returns EXIT_OK. After an error, leaves `out` unchanged, prints one line, "SPEAKER: PATH:LINE:
  * ...", on standard error, and returns EXIT_IO or EXIT_BAD_DATA. */
-enum exit_code bot_file_read(const char *speaker, const char *path, struct technique *out);
+enum exit_code bot_file_read(const char *speaker, const char *bot, struct technique *out);
 
-/* Fills `out` with the technique of `bot`, which is "novice", "expert" or the path of a bot file.
- * Returns an exit code of bot_file_read(). */
-enum exit_code bot_file_named(const char *speaker, const char *bot, struct technique *out);
+/* Prints a table of all keys on standard output, with the allowed values, the values of the novice
+ * and the expert, and the descriptions. */
+void bot_file_print_keys(void);
 
 #endif

@@ -23,27 +23,24 @@ struct words {
 };
 
 /* Parses a comma-separated list of weights in grams. */
-static int take_weights(void *target, const struct option *option, const char *value, char *why)
+static bool take_weights(void *target, const struct option *option, const char *value, char *why)
 {
     struct paper_options *plan = &((struct words *)target)->plan;
+    char list[2048], *rest = list;
     (void)option;
     (void)why;
-    plan->weight_count = 0;
-    for (const char *from = value;;) {
-        char word[48];
-        const size_t length = strcspn(from, ",");
-        double grams;
-        snprintf(word, sizeof word, "%.*s", (int)(length < sizeof word ? length : 0u), from);
-        if (plan->weight_count == PAPER_WEIGHTS_MAX ||
-            !number_parse_decimal(word, 0.1, 5000, &grams)) {
-            return 0;
-        }
-        plan->weights_kg[plan->weight_count++] = 1e-3 * grams;
-        if (from[length] == '\0') {
-            return 1;
-        }
-        from += length + 1u;
+    if ((size_t)snprintf(list, sizeof list, "%s", value) >= sizeof list) {
+        return false;
     }
+    for (plan->weight_count = 0; rest; plan->weight_count++) {
+        double grams;
+        if (plan->weight_count == PAPER_WEIGHTS_MAX ||
+            !number_parse_decimal(strsep(&rest, ","), 0.1, 5000, &grams)) {
+            return false;
+        }
+        plan->weights_kg[plan->weight_count] = 1e-3 * grams;
+    }
+    return true;
 }
 
 static const char *const media[] = { "water", "air", NULL };
@@ -155,7 +152,7 @@ static void report_text(const struct paper_lab *lab)
                plan->still ? " that lie still" : "");
     }
     printf("\n  force on the paper  %8.4f N\n", (double)lab->force_n);
-    printf("  tension, greatest   %8.2f N/m; it is made for %.0f wet, %.0f dry\n",
+    printf("  tension, greatest   %8.2f N/m; its strength is %.0f wet, %.0f dry\n",
            (double)lab->tension_n_m, (double)sheet_grade(plan->grade)->wet_n_m,
            (double)sheet_grade(plan->grade)->dry_n_m);
     if (tore_s < 0.0) {

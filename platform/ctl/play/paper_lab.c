@@ -134,7 +134,7 @@ void paper_lab_tick(struct paper_lab *lab)
     }
     lab->tick++;
     /* Computes the forces of the water on the poi's ring. */
-    hand_spring_tick(poi, poi->position_m, &axes, poi->immersed);
+    poi_spring_tick(poi, poi->position_m, &axes, poi->immersed);
     /* Restores the constant speed, because the carriage does not yield to forces. */
     poi->velocity_m_s = carriage_m_s;
     /* Fraction of the paper without holes at the time when the force was computed. */
@@ -158,7 +158,7 @@ double paper_lab_tore_s(const struct paper_lab *lab)
     return lab->tore_tick > 0 ? (double)lab->tore_tick / CORE_TICK_HZ : -1.0;
 }
 
-int paper_lab_is_instant(const struct paper_lab *lab)
+bool paper_lab_is_instant(const struct paper_lab *lab)
 {
     return lab->tore_tick > 0 && lab->tore_tick <= INSTANT_TICKS;
 }

@@ -7,6 +7,7 @@
 #ifndef KINGYO_PLATFORM_CTL_PLAY_PAPER_LAB_H
 #define KINGYO_PLATFORM_CTL_PLAY_PAPER_LAB_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "core/poi/catch/catch.h"
@@ -25,13 +26,12 @@ struct paper_options {
     float tilt_rad;
     float speed_m_s; /* Speed of the carriage that moves the poi, in [0, 5] m/s. */
     uint8_t in_air;  /* 1 if the poi moves in air. 0 if the poi moves deep under water. */
-    uint8_t upside_down;
-    uint8_t still; /* 1 if the fish on the paper do not slap the paper with their tails, otherwise
-                      0. */
-    /* 1 for the membrane formula alone, 0 for the full paper model. The full model varies the
-     * strength over the paper and includes stress concentration. */
-    uint8_t ideal;
-    uint8_t as_json;
+    bool upside_down;
+    bool still; /* True if the fish on the paper do not slap the paper with their tails. */
+    /* True for the membrane formula alone, false for the full paper model. The full model varies
+     * the strength over the paper and includes stress concentration. */
+    bool ideal;
+    bool as_json;
     uint32_t fish_count; /* Number of fish on the paper, 0 .. POI_CARRIED_MAX. */
     float fish_m;
     uint32_t tick_count; /* Length of the simulation in ticks of 1/120 s, at least 1. */
@@ -50,8 +50,9 @@ struct paper_lab {
     const struct paper_options *plan; /* Options of the simulation. The caller owns the
                                          structure. */
     struct tank tank;
-    struct bowl bowl; /* Bowl that the core's functions require. The laboratory has no bowl, so all
-                         fields are zero. */
+    /* Bowl that the functions of the core expect as an argument. The simulation does not use the
+     * bowl, so all fields are zero. */
+    struct bowl bowl;
     struct poi poi;
     float wetness[SHEET_CELL_COUNT]; /* Wetness of each cell of the sheet, in [0, 1]. The wetness is
                                         held constant. */
@@ -74,8 +75,8 @@ void paper_lab_tick(struct paper_lab *lab);
  * value means that the paper has not torn. */
 double paper_lab_tore_s(const struct paper_lab *lab);
 
-/* Returns 1 if the paper tore in the first 0.05 s, otherwise 0. */
-int paper_lab_is_instant(const struct paper_lab *lab);
+/* Returns true if the paper tore in the first 0.05 s. */
+bool paper_lab_is_instant(const struct paper_lab *lab);
 
 /* Returns the present area of all holes in the paper, in mm^2. */
 double paper_lab_hole_mm2(const struct paper_lab *lab);

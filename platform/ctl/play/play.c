@@ -1,7 +1,8 @@
 /* play.c -- `kingyoctl play`, which plays rounds with bots (simulated players) at full speed and
  * without a screen. */
+#include <stdbool.h>
+#include <stddef.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -10,7 +11,6 @@
 #include "core/game/table_setup.h"
 #include "platform/ctl/lib/ctl.h"
 #include "platform/ctl/play/bot_file.h"
-#include "platform/ctl/play/bot_keys.h"
 #include "platform/ctl/play/rounds.h"
 #include "platform/os/file.h"
 #include "platform/os/json.h"
@@ -20,26 +20,23 @@
 static const char name[] = "play";
 static const char speaker[] = "kingyoctl play";
 
-#define PATH_MAX_CHARS (FILE_FOLDER_MAX + 32u)
-
 struct play_options {
     const char *bot, *record;
     uint32_t rounds, seed, fish_count, round_s, grade, jobs;
-    uint8_t mode, as_json;
+    uint8_t mode, level;
+    bool as_json;
 };
+
+static struct round_plan plans[ROUNDS_MAX];
+static struct round_result results[ROUNDS_MAX];
 
 /* State of one run of `kingyoctl play`. */
 struct evening {
     const struct play_options *options;
-    struct round_plan *plans;
-    struct round_result *results;
-    char (*paths)[PATH_MAX_CHARS]; /* Path of the recording of each round. */
-    /* Number of fish caught in each round. The array is sorted for the summary. */
-    uint32_t *caught;
     /* `played` is the number of finished rounds. `told` is the number of printed rounds, which are
      * printed in the order of their numbers. */
     uint32_t played, told;
-    int shows_progress;
+    bool shows_progress;
 };
 
 /* ---- Output ---------------------------------------------------------------------------------- */
@@ -74,8 +71,7 @@ static void report_round(uint32_t number, uint32_t seed, const struct round_resu
            (unsigned long long)result->state_hash);
 }
 
-static void report_json(const struct round_result *results, uint32_t count,
-                        const struct summary *summary)
+static void report_json(uint32_t count, const struct summary *summary)
 {
     struct json json = { .file = stdout };
     json_open(&json, NULL, '{');
@@ -112,9 +108,9 @@ static void tell_round(void *self, uint32_t index)
     CORE_ASSERT(index < evening->options->rounds && evening->played < evening->options->rounds);
     evening->played++;
     while (!evening->options->as_json && evening->told < evening->options->rounds &&
-           evening->results[evening->told].code == EXIT_OK) {
+           results[evening->told].code == EXIT_OK) {
         const uint32_t at = evening->told++;
-        report_round(at + 1u, evening->plans[at].seed, &evening->results[at]);
+        report_round(at + 1u, plans[at].seed, &results[at]);
         fflush(stdout);
     }
     if (evening->shows_progress) {
@@ -123,15 +119,15 @@ static void tell_round(void *self, uint32_t index)
     }
 }
 
-static void report_all(struct evening *evening)
+static void report_all(const struct play_options *options)
 {
-    const struct play_options *options = evening->options;
+    static uint32_t caught[ROUNDS_MAX];
     for (uint32_t i = 0; i < options->rounds; i++) {
-        evening->caught[i] = evening->results[i].caught;
+        caught[i] = results[i].caught;
     }
-    const struct summary summary = rounds_summary(evening->caught, options->rounds);
+    const struct summary summary = rounds_summary(caught, options->rounds);
     if (options->as_json) {
-        report_json(evening->results, options->rounds, &summary);
+        report_json(options->rounds, &summary);
         return;
     }
     char median[NUMBER_FIXED_MAX + 1u], p90[NUMBER_FIXED_MAX + 1u];
@@ -141,82 +137,57 @@ static void report_all(struct evening *evening)
                options->rounds, rules_of(options->mode)->name);
 }
 
-static enum exit_code tell_failure(const struct evening *evening)
+static enum exit_code tell_failure(const struct play_options *options)
 {
-    for (uint32_t i = 0; i < evening->options->rounds; i++) {
-        const struct round_result *result = &evening->results[i];
-        if (result->code == EXIT_IO) {
-            print_error("%s: %s: cannot record: %s", speaker, evening->paths[i],
-                        strerror(result->error));
+    for (uint32_t i = 0; i < options->rounds; i++) {
+        if (results[i].code == EXIT_IO) {
+            char path[ROUNDS_PATH_MAX];
+            rounds_record_path(path, options->record, i);
+            print_error("%s: %s: cannot record: %s", speaker, path, strerror(results[i].error));
             return EXIT_IO;
         }
-        if (result->is_refused) {
+        if (results[i].is_refused) {
             return ctl_float(name);
         }
     }
-    print_error("%s: a round did not come to its end", speaker);
+    print_error("%s: a round did not end", speaker);
     return EXIT_NOT_SO;
 }
 
-/* ---- Playing the rounds ---------------------------------------------------------------------- */
-
-static void plan_rounds(struct evening *evening, const struct technique *technique)
-{
-    const struct play_options *options = evening->options;
-    for (uint32_t i = 0; i < options->rounds; i++) {
-        evening->plans[i] = (struct round_plan){
-            .technique = *technique,
-            .seed = options->seed + i,
-            .mode = options->mode,
-            .grade = (uint8_t)options->grade,
-            .fish_count = options->fish_count,
-            .round_s = options->round_s,
-        };
-        if (options->record) {
-            snprintf(evening->paths[i], sizeof evening->paths[i], "%s/round-%05u.kgr",
-                     options->record, i + 1u);
-            evening->plans[i].record = evening->paths[i];
-        }
-    }
-}
-
-static enum exit_code hold_evening(const struct play_options *options,
-                                   const struct technique *technique)
+static enum exit_code play_rounds(const struct play_options *options,
+                                  const struct technique *technique)
 {
     CORE_ASSERT(options->rounds >= 1 && options->rounds <= ROUNDS_MAX);
     struct evening evening = {
         .options = options,
-        .plans = calloc(options->rounds, sizeof *evening.plans),
-        .results = calloc(options->rounds, sizeof *evening.results),
-        .caught = calloc(options->rounds, sizeof *evening.caught),
-        .paths = calloc(options->record ? options->rounds : 1u, sizeof *evening.paths),
         .shows_progress = isatty(STDERR_FILENO) && (options->as_json || !isatty(STDOUT_FILENO)),
     };
-    enum exit_code code = EXIT_NOT_SO;
-    if (evening.plans && evening.results && evening.caught && evening.paths) {
-        plan_rounds(&evening, technique);
-        const struct rounds rounds = {
-            .plans = evening.plans,
-            .results = evening.results,
-            .count = options->rounds,
-            .workers = options->jobs ? options->jobs : rounds_workers(),
-            .done = tell_round,
-            .self = &evening,
+    for (uint32_t i = 0; i < options->rounds; i++) {
+        plans[i] = (struct round_plan){
+            .technique = *technique,
+            .seed = options->seed + i,
+            .mode = options->mode,
+            .level = options->level,
+            .grade = (uint8_t)options->grade,
+            .fish_count = options->fish_count,
+            .round_s = options->round_s,
+            .record = options->record,
         };
-        code = rounds_play(&rounds);
-        if (code == EXIT_OK) {
-            report_all(&evening);
-        } else {
-            code = tell_failure(&evening);
-        }
-    } else {
-        print_error("%s: no memory for %u rounds", speaker, options->rounds);
     }
-    free(evening.plans);
-    free(evening.results);
-    free(evening.caught);
-    free(evening.paths);
-    return code;
+    const struct rounds rounds = {
+        .plans = plans,
+        .results = results,
+        .count = options->rounds,
+        .workers = options->jobs ? options->jobs : rounds_workers(),
+        .done = tell_round,
+        .self = &evening,
+    };
+    const enum exit_code code = rounds_play(&rounds);
+    if (code != EXIT_OK) {
+        return tell_failure(options);
+    }
+    report_all(options);
+    return EXIT_OK;
 }
 
 /* ---- Command line ---------------------------------------------------------------------------- */
@@ -229,6 +200,8 @@ static const struct option options_list[] = {
       OPTION_TEXT, AT(bot), .initial = "expert", .expects = "novice, expert or a bot FILE" },
     { "mode", "MODE", "game mode", OPTION_CHOICE, AT(mode), .choices = options_mode_names,
       .initial = "festival" },
+    { "level", "LEVEL", "level of the festival and of practice; the championship has none",
+      OPTION_CHOICE, AT(level), .choices = options_level_names, .initial = "master" },
     { "grade", "G",
       "grade of the paper, from strong to weak; without the option 6, and 5 in a championship",
       OPTION_WHOLE, AT(grade), SHEET_GRADE_MIN, SHEET_GRADE_MAX },
@@ -276,19 +249,19 @@ static enum exit_code play_command_run(int argc, const char *const *argv)
                              options.fish_count, rules_of(options.mode)->name, fish_max);
         }
     }
-    code = code == EXIT_OK ? bot_file_named(speaker, options.bot, &technique) : code;
+    code = code == EXIT_OK ? bot_file_read(speaker, options.bot, &technique) : code;
     const int error = code == EXIT_OK && options.record ? file_make_folder(options.record) : 0;
     if (error) {
         print_error("%s: %s: cannot record: %s", speaker, options.record, strerror(-error));
         return EXIT_IO;
     }
-    return code == EXIT_OK ? hold_evening(&options, &technique) : code;
+    return code == EXIT_OK ? play_rounds(&options, &technique) : code;
 }
 
 const struct ctl_command ctl_play = {
     .name = name,
     .summary = "rounds played by a bot, without a screen",
     .options = &table,
-    .tell_more = bot_keys_print,
+    .tell_more = bot_file_print_keys,
     .run = play_command_run,
 };

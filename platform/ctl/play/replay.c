@@ -1,8 +1,8 @@
 /* replay.c -- `kingyoctl replay`, which prints the content of a recording and verifies the
  * recording. */
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 
 #include "core/base/panic.h"
@@ -46,11 +46,11 @@ static void info_json(const struct replay_header *header, const struct replay_to
     json_value(&json, "ticks", "%u", totals->ticks);
     json_value(&json, "seconds", "%.3f", (double)totals->ticks / CORE_TICK_HZ);
     json_open(&json, "modes", '[');
-    for (uint8_t mode = 0; mode < MODE_COUNT; mode++) {
+    for (uint32_t mode = 0; mode < MODE_COUNT; mode++) {
         if (totals->modes >> mode & 1u) {
             json_open(&json, NULL, '{');
-            json_text(&json, "mode", rules_of(mode)->name);
-            json_value(&json, "grade", "%u", table_setup_grade(config, mode));
+            json_text(&json, "mode", rules_of((uint8_t)mode)->name);
+            json_value(&json, "grade", "%u", table_setup_grade(config, (uint8_t)mode));
             json_close(&json, '}');
         }
     }
@@ -71,10 +71,10 @@ static void info_text(const struct replay_header *header, const struct replay_to
            "played       ",
            header->program, header->version, header->config.seed,
            (double)totals->ticks / CORE_TICK_HZ, totals->ticks);
-    for (uint8_t mode = 0; mode < MODE_COUNT; mode++) {
+    for (uint32_t mode = 0; mode < MODE_COUNT; mode++) {
         if (totals->modes >> mode & 1u) {
-            printf("%s%s with No. %u paper", gap, rules_of(mode)->name,
-                   table_setup_grade(&header->config, mode));
+            printf("%s%s with No. %u paper", gap, rules_of((uint8_t)mode)->name,
+                   table_setup_grade(&header->config, (uint8_t)mode));
             gap = ", ";
         }
     }
@@ -84,7 +84,7 @@ static void info_text(const struct replay_header *header, const struct replay_to
            totals->caught, totals->fouls, (unsigned long long)totals->hash);
 }
 
-static enum exit_code print_replay_info(const char *path, int as_json)
+static enum exit_code print_replay_info(const char *path, bool as_json)
 {
     static struct replay_reader reader;
     struct replay_totals totals;
@@ -163,9 +163,11 @@ static enum exit_code tell_verdict(const char *path, const struct replayer *repl
         return EXIT_NOT_SO;
     }
     if (replayer_is_interrupted(replayer)) {
-        print_line(stdout,
-                   "%s: true up to tick %u, in which a signal ended it; no panic comes there", path,
-                   totals->ticks - 1u);
+        print_line(
+            stdout,
+            "%s: true up to tick %u, in which a signal ended the recording; that tick causes "
+            "no panic",
+            path, totals->ticks - 1u);
         return EXIT_OK;
     }
     print_line(stdout,
@@ -177,13 +179,6 @@ static enum exit_code tell_verdict(const char *path, const struct replayer *repl
     return EXIT_OK;
 }
 
-static double replay_clock_s(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + (double)now.tv_nsec * 1e-9;
-}
-
 static enum exit_code verify(const char *path)
 {
     static struct replayer replayer;
@@ -191,7 +186,7 @@ static enum exit_code verify(const char *path)
     CORE_ASSERT(path);
     struct core_config config;
     struct replay_totals totals;
-    const double begin_s = replay_clock_s();
+    const uint64_t begin_ns = ctl_now_ns();
     if (scan(&replayer.reader, path, &totals) || replayer_begin(&replayer, path, &config)) {
         return replayer_print_problem(speaker, path, &replayer.reader.problem);
     }
@@ -199,7 +194,8 @@ static enum exit_code verify(const char *path)
     config.lanes = cpu_lanes();
     const enum core_error error = core_init(&core, &config);
     if (error == CORE_ERR_RANGE) {
-        print_error("kingyoctl replay: %s: byte 32: this program has no such stall", path);
+        print_error("kingyoctl replay: %s: byte 32: this version has no such tank or game mode",
+                    path);
         return EXIT_BAD_DATA;
     }
     if (strcmp(replayer.reader.header.program, KINGYO_VERSION) != 0) {
@@ -217,12 +213,12 @@ static enum exit_code verify(const char *path)
     if (refused != CORE_OK) {
         return ctl_float(name);
     }
-    return tell_verdict(path, &replayer, replay_clock_s() - begin_s);
+    return tell_verdict(path, &replayer, 1e-9 * (double)(ctl_now_ns() - begin_ns));
 }
 
 struct request {
     const char *path;
-    uint8_t as_json;
+    bool as_json;
 };
 
 enum group { GROUP_INFO = 1, GROUP_VERIFY = 2 };
@@ -237,11 +233,11 @@ static const struct option_table table = { options, sizeof options / sizeof opti
 
 static enum exit_code replay_run(int argc, const char *const *argv)
 {
-    struct request request = { NULL, 0 };
+    struct request request = { .path = NULL };
     if (argc < 1 || (strcmp(argv[0], "info") != 0 && strcmp(argv[0], "verify") != 0)) {
         return ctl_usage(name, "expected 'info FILE' or 'verify FILE'; --help explains them");
     }
-    const int is_info = strcmp(argv[0], "info") == 0;
+    const bool is_info = strcmp(argv[0], "info") == 0;
     const enum exit_code code = ctl_options(name, &table, is_info ? GROUP_INFO : GROUP_VERIFY,
                                             &request, argc - 1, argv + 1);
     if (code == EXIT_OK && !request.path) {

@@ -4,6 +4,7 @@
 
 #include <pthread.h>
 #include <sched.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "core/base/panic.h"
@@ -41,6 +42,7 @@ static struct core_config config_of(const struct round_plan *plan)
         .round_s = plan->round_s,
         .modes = (uint8_t)(1u << plan->mode),
         .grade = plan->grade,
+        .level = plan->level,
         .lanes = cpu_lanes(),
     };
     config.preset = table_setup_preset(&config, plan->mode);
@@ -52,84 +54,67 @@ static struct core_config config_of(const struct round_plan *plan)
     return config;
 }
 
-/* Writes the controller input of one tick. START is pressed once per second while no round is
- * played. The controller is always connected and has a wrist sensor. `trembles` is 1 only if the
- * bot's hand trembles, because otherwise the core would treat a motionless hand as a stuck
- * sensor. */
-static void act(struct seat *seat)
-{
-    const uint8_t phase = seat->core.game.phase;
-    const int idle = phase == PHASE_ATTRACT || phase == PHASE_MODE_SELECT;
-    struct poi_input *poi = &seat->input.poi[0];
-    seat->input.pressed = idle && seat->core.game.tick % CORE_TICK_HZ == 0 ? INPUT_START : 0;
-    poi->link = POI_SOURCE_LIVE;
-    poi->has_wrist = 1;
-    poi->trembles = seat->bot.technique.tremor_m > 0.0f;
-    poi->target = bot_tick(
-        &seat->bot,
-        &(struct vision){ .game = &seat->core.game, .world = &seat->core.world, .player = 0 });
-}
-
-/* Advances the core by one tick and records the tick. Returns the result of core_tick(). */
-static enum core_error tick_and_record(struct seat *seat)
-{
-    seat->output.sound_count = 0;
-    act(seat);
-    const enum core_error error = core_tick(&seat->core, &seat->input, &seat->output);
-    if (error == CORE_OK && seat->tap.tick) {
-        seat->tap.tick(seat->tap.self, &seat->input, &seat->core);
-    }
-    return error;
-}
-
-static double ticks_to_seconds(uint32_t ticks)
-{
-    return (double)ticks / CORE_TICK_HZ;
-}
-
-/* Reads the result of the round in the tick in which the round ended. The values come from the game
- * state, because the core outputs no record of a practice round. */
-static void read_result(const struct seat *seat, struct round_result *result)
-{
-    const struct round_record record =
-        game_record(&seat->core.game, &seat->core.world, &seat->core.config);
-    const struct player_record *player = &record.player[0];
-    result->caught = player->caught;
-    result->scoops = player->scoops;
-    result->fouls = player->fouls;
-    result->hole_area_mm2 = player->hole_area_mm2;
-    result->sheets = player->sheets;
-    result->torn = player->torn_tick != 0;
-    result->torn_at_s =
-        result->torn ? ticks_to_seconds(player->torn_tick - record.start_tick) : 0.0;
-    result->length_s = ticks_to_seconds(record.end_tick - record.start_tick);
-    result->state_hash = core_hash(&seat->core);
-}
-
 static enum exit_code play_through(struct seat *seat, struct round_result *result)
 {
     for (uint32_t i = 0; i < ROUND_TICKS_MAX; i++) {
         const uint8_t before = seat->core.game.phase;
-        if (tick_and_record(seat) != CORE_OK) {
-            result->is_refused = 1;
+        seat->output.sound_count = 0;
+        /* Write the controller input of one tick. START is pressed once per second while no round
+         * is played. The controller is always connected and has a wrist sensor. `trembles` is 1
+         * only if the bot's hand trembles, because otherwise the core would treat a motionless hand
+         * as a stuck sensor. */
+        const bool idle = before == PHASE_ATTRACT || before == PHASE_MODE_SELECT;
+        struct poi_input *poi = &seat->input.poi[0];
+        seat->input.pressed = idle && seat->core.game.tick % CORE_TICK_HZ == 0 ? INPUT_START : 0;
+        poi->link = POI_SOURCE_LIVE;
+        poi->has_wrist = 1;
+        poi->trembles = seat->bot.technique.tremor_m > 0.0f;
+        poi->target = bot_tick(
+            &seat->bot,
+            &(struct vision){ .game = &seat->core.game, .world = &seat->core.world, .player = 0 });
+        if (core_tick(&seat->core, &seat->input, &seat->output) != CORE_OK) {
+            result->is_refused = true;
             return EXIT_NOT_SO;
         }
+        if (seat->tap.tick) {
+            seat->tap.tick(seat->tap.self, &seat->input, &seat->core);
+        }
         if (before == PHASE_ROUND && seat->core.game.phase != PHASE_ROUND) {
-            read_result(seat, result);
+            /* The values come from the game state, because the core outputs no record of a practice
+             * round. */
+            const struct round_record record =
+                game_record(&seat->core.game, &seat->core.world, &seat->core.config);
+            const struct player_record *player = &record.player[0];
+            const bool torn = player->torn_tick != 0;
+            const uint32_t torn_ticks = torn ? player->torn_tick - record.start_tick : 0;
+            *result = (struct round_result){
+                .caught = player->caught,
+                .scoops = player->scoops,
+                .fouls = player->fouls,
+                .hole_area_mm2 = player->hole_area_mm2,
+                .sheets = player->sheets,
+                .torn = torn,
+                .torn_at_s = (double)torn_ticks / CORE_TICK_HZ,
+                .length_s = (double)(record.end_tick - record.start_tick) / CORE_TICK_HZ,
+                .state_hash = core_hash(&seat->core),
+            };
             return EXIT_OK;
         }
     }
     return EXIT_NOT_SO;
 }
 
-static enum exit_code rounds_begin(struct seat *seat, const struct round_plan *plan,
-                                   struct round_result *result)
+static struct round_result play_one(struct seat *seat, const struct round_plan *plan,
+                                    uint32_t index)
 {
+    struct round_result result = { .code = EXIT_NOT_SO };
     const struct core_config config = config_of(plan);
     const enum core_error refused = core_init(&seat->core, &config);
+    char path[ROUNDS_PATH_MAX];
     if (refused != CORE_OK) {
-        result->is_refused = refused == CORE_ERR_FLOAT;
-        return result->is_refused ? EXIT_NOT_SO : EXIT_USAGE;
+        result.is_refused = refused == CORE_ERR_FLOAT;
+        result.code = result.is_refused ? EXIT_NOT_SO : EXIT_USAGE;
+        return result;
     }
     seat->input = (struct input){ 0 };
     seat->output = (struct output){ 0 };
@@ -137,24 +122,15 @@ static enum exit_code rounds_begin(struct seat *seat, const struct round_plan *p
     bot_init(&seat->bot, &plan->technique, plan->seed);
     seat->bot.hand.pose = seat->core.game.hand_pose[0];
     if (plan->record) {
-        result->error = -recorder_begin(&seat->recorder, plan->record, &seat->core);
+        rounds_record_path(path, plan->record, index);
+        result.error = -recorder_begin(&seat->recorder, path, &seat->core);
         seat->tap = recorder_tap(&seat->recorder);
     }
-    return result->error ? EXIT_IO : EXIT_OK;
-}
-
-static struct round_result play_one(struct seat *seat, const struct round_plan *plan)
-{
-    struct round_result result = { 0 };
-    result.code = rounds_begin(seat, plan, &result);
-    if (result.code != EXIT_OK) {
-        return result;
+    if (result.error == 0) {
+        result.code = play_through(seat, &result);
+        result.error = plan->record ? -recorder_end(&seat->recorder) : 0;
     }
-    result.code = play_through(seat, &result);
-    if (plan->record) {
-        result.error = -recorder_end(&seat->recorder);
-        result.code = result.error ? EXIT_IO : result.code;
-    }
+    result.code = result.error ? EXIT_IO : result.code;
     return result;
 }
 
@@ -168,41 +144,33 @@ struct hall {
     enum exit_code code;
 };
 
-/* Returns the index of the next plan and marks the plan as started. Returns `count` if no plan is
- * left or a round has failed. */
-static uint32_t rounds_next_plan(struct hall *hall)
-{
-    pthread_mutex_lock(&hall->lock);
-    const uint32_t index = hall->code == EXIT_OK ? hall->next : hall->rounds->count;
-    hall->next += index < hall->rounds->count ? 1u : 0u;
-    pthread_mutex_unlock(&hall->lock);
-    return index;
-}
-
 static void *work(void *self)
 {
     struct hall *hall = self;
+    const struct rounds *rounds = hall->rounds;
     cpu_set_float();
     struct seat *seat = malloc(sizeof *seat);
-    if (!seat) {
-        pthread_mutex_lock(&hall->lock);
-        hall->code = EXIT_NOT_SO;
+    pthread_mutex_lock(&hall->lock);
+    hall->code = seat ? hall->code : EXIT_NOT_SO;
+    while (hall->code == EXIT_OK && hall->next < rounds->count) {
+        const uint32_t i = hall->next++;
         pthread_mutex_unlock(&hall->lock);
-        return NULL;
-    }
-    for (uint32_t i = rounds_next_plan(hall); i < hall->rounds->count; i = rounds_next_plan(hall)) {
-        const struct rounds *rounds = hall->rounds;
-        const struct round_result result = play_one(seat, &rounds->plans[i]);
+        const struct round_result result = play_one(seat, &rounds->plans[i], i);
         pthread_mutex_lock(&hall->lock);
         rounds->results[i] = result;
         hall->code = hall->code == EXIT_OK ? result.code : hall->code;
         if (rounds->done) {
             rounds->done(rounds->self, i);
         }
-        pthread_mutex_unlock(&hall->lock);
     }
+    pthread_mutex_unlock(&hall->lock);
     free(seat);
     return NULL;
+}
+
+void rounds_record_path(char out[ROUNDS_PATH_MAX], const char *folder, uint32_t index)
+{
+    snprintf(out, ROUNDS_PATH_MAX, "%s/round-%05u.kgr", folder, index + 1u);
 }
 
 uint32_t rounds_workers(void)

@@ -9,10 +9,12 @@
 #ifndef KINGYO_PLATFORM_CTL_PLAY_ROUNDS_H
 #define KINGYO_PLATFORM_CTL_PLAY_ROUNDS_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "core/game/bot/technique.h"
 #include "platform/config/options.h"
+#include "platform/os/file.h"
 
 #define ROUNDS_MAX 100000u
 #define ROUNDS_WORKERS_MAX 64u
@@ -21,12 +23,13 @@ struct round_plan {
     struct technique technique;
     uint32_t seed;
     uint8_t mode;        /* Game mode (enum game_mode). */
+    uint8_t level;       /* Level of the player (enum level). */
     uint8_t grade;       /* Paper grade, 4 .. 7. 0 selects the default grade of the game mode. */
     uint32_t fish_count; /* Number of fish. 0 selects the number of the tank preset. */
     /* Length of the round in seconds, 10 .. 600. 0 selects the default length of the game mode. */
     uint32_t round_s;
-    /* Path of the recording to create, or null for no recording. A file with this path must not
-     * exist yet. The caller owns the string. */
+    /* Folder in which the recording is created (rounds_record_path()), or null for no recording.
+     * The recording must not exist yet. The caller owns the string. */
     const char *record;
 };
 
@@ -35,15 +38,14 @@ struct round_result {
      * EXIT_OK, only `error` and `is_refused` are valid. */
     enum exit_code code;
     int error; /* Errno of the write error of the recording. Valid if `code` is EXIT_IO. */
-    /* 1 if `code` is EXIT_NOT_SO because the core returned CORE_ERR_FLOAT, otherwise 0. */
-    uint8_t is_refused;
+    /* True if `code` is EXIT_NOT_SO because the core returned CORE_ERR_FLOAT. */
+    bool is_refused;
     uint32_t caught; /* Number of caught fish that are counted in the result. */
     uint32_t scoops; /* Number of times that the poi's ring entered the water. */
     uint32_t fouls;
-    uint8_t torn;     /* 1 if the first paper tore so far that it could no longer hold a fish,
-                         otherwise 0. */
+    bool torn;        /* True if the first paper tore so far that it could no longer hold a fish. */
     double torn_at_s; /* Time in the round at which the first paper tore, in seconds. 0 if `torn` is
-                         0. */
+                         false. */
     /* Number of papers that the player used. A torn paper is replaced only in a practice round. */
     uint32_t sheets;
     uint32_t hole_area_mm2; /* Hole area of the last paper at the end of the round, in mm^2. */
@@ -61,6 +63,13 @@ struct rounds {
     void (*done)(void *self, uint32_t index);
     void *self;
 };
+
+/* Size in bytes of the path of a recording. */
+#define ROUNDS_PATH_MAX (FILE_FOLDER_MAX + 32u)
+
+/* Writes the path of the recording of the round with the index `index` to `out`, for example
+ * "FOLDER/round-00001.kgr" for the index 0. */
+void rounds_record_path(char out[ROUNDS_PATH_MAX], const char *folder, uint32_t index);
 
 /* Returns the number of rounds that this machine plays in parallel, which is the number of CPU
  * cores. */

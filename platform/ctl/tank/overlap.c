@@ -4,6 +4,7 @@
 #include "platform/ctl/tank/overlap.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
 #include "core/base/panic.h"
@@ -47,53 +48,44 @@ static double shadow_m(const struct overlap_box *box, const double axis[3])
            box->half_m[2] * fabs(double3_dot(box->axis[2], axis));
 }
 
-/* Projects the two boxes onto the unit vector `axis`. Sets `*least_m` to the overlap of the
- * projections if the overlap is less than `*least_m`. Returns 1 if the axis separates the boxes,
- * otherwise 0. */
-static int parted_along(const struct overlap_box *a, const struct overlap_box *b, const double d[3],
-                        const double axis[3], double *least_m)
+/* Computes axis number `n` of the fifteen axes that may separate two boxes: the three axes of each
+ * box, and the cross product of each axis of `a` with each axis of `b`. Returns false for a cross
+ * product of parallel axes. */
+static bool separating_axis(const struct overlap_box *a, const struct overlap_box *b, int n,
+                            double axis[3])
 {
-    const double overlap_m = shadow_m(a, axis) + shadow_m(b, axis) - fabs(double3_dot(d, axis));
-    *least_m = fmin(*least_m, overlap_m);
-    return overlap_m <= 0.0;
-}
-
-static int parted_by_edges(const struct overlap_box *a, const struct overlap_box *b,
-                           const double d[3], double *least_m)
-{
-    for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 3; j++) {
-            const double *u = a->axis[i], *v = b->axis[j];
-            double edge[3] = { u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-                               u[0] * v[1] - u[1] * v[0] };
-            const double length = sqrt(double3_dot(edge, edge));
-            if (length < PARALLEL) {
-                continue;
-            }
-            for (int k = 0; k < 3; k++) {
-                edge[k] /= length;
-            }
-            if (parted_along(a, b, d, edge, least_m)) {
-                return 1;
-            }
-        }
+    if (n < 6) {
+        memcpy(axis, n < 3 ? a->axis[n] : b->axis[n - 3], 3 * sizeof axis[0]);
+        return true;
     }
-    return 0;
+    const double *u = a->axis[(n - 6) / 3], *v = b->axis[(n - 6) % 3];
+    axis[0] = u[1] * v[2] - u[2] * v[1];
+    axis[1] = u[2] * v[0] - u[0] * v[2];
+    axis[2] = u[0] * v[1] - u[1] * v[0];
+    const double length = sqrt(double3_dot(axis, axis));
+    for (int k = 0; k < 3; k++) {
+        axis[k] /= length;
+    }
+    return length >= PARALLEL;
 }
 
 double overlap_depth_m(const struct overlap_box *a, const struct overlap_box *b)
 {
-    double d[3], least_m = INFINITY;
+    double d[3], axis[3], least_m = INFINITY;
     for (int i = 0; i < 3; i++) {
         d[i] = b->centre_m[i] - a->centre_m[i];
     }
-    for (int i = 0; i < 3; i++) {
-        if (parted_along(a, b, d, a->axis[i], &least_m) ||
-            parted_along(a, b, d, b->axis[i], &least_m)) {
-            return 0.0;
+    for (int n = 0; n < 15; n++) {
+        if (separating_axis(a, b, n, axis)) {
+            const double overlap_m =
+                shadow_m(a, axis) + shadow_m(b, axis) - fabs(double3_dot(d, axis));
+            if (overlap_m <= 0.0) {
+                return 0.0;
+            }
+            least_m = fmin(least_m, overlap_m);
         }
     }
-    return parted_by_edges(a, b, d, &least_m) ? 0.0 : least_m;
+    return least_m;
 }
 
 /* ---- All pairs of fish ----------------------------------------------------------------------- */
@@ -130,20 +122,6 @@ static void sort_by_cell(struct overlap *overlap, const struct floor_grid *grid)
     }
 }
 
-static void overlap_classify_pair(const struct overlap *overlap, uint32_t i, uint32_t j,
-                                  struct overlap_count *total)
-{
-    const struct overlap_box *a = &overlap->box[i], *b = &overlap->box[j];
-    const double x = a->centre_m[0] - b->centre_m[0], y = a->centre_m[1] - b->centre_m[1],
-                 z = a->centre_m[2] - b->centre_m[2], both_m = a->reach_m + b->reach_m;
-    if (x * x + y * y + z * z >= both_m * both_m) {
-        return;
-    }
-    const double depth_mm = 1000.0 * overlap_depth_m(a, b);
-    total->deepest_mm = fmax(total->deepest_mm, depth_mm);
-    total->pairs += depth_mm > OVERLAP_DEEP_MM ? 1u : 0u;
-}
-
 /* Tests box `i` against the boxes of its own cell and of the neighbouring cells. Over all calls,
  * each pair of boxes is tested once. */
 static void judge_around(const struct overlap *overlap, const struct floor_grid *grid, uint32_t i,
@@ -157,8 +135,13 @@ static void judge_around(const struct overlap *overlap, const struct floor_grid 
         const uint32_t begin = overlap->first[r * grid->columns + left];
         const uint32_t end = overlap->first[r * grid->columns + right + 1u];
         for (uint32_t k = begin; k < end; k++) {
-            if (overlap->order[k] > i) {
-                overlap_classify_pair(overlap, i, overlap->order[k], total);
+            const struct overlap_box *a = &overlap->box[i], *b = &overlap->box[overlap->order[k]];
+            const double x = a->centre_m[0] - b->centre_m[0], y = a->centre_m[1] - b->centre_m[1],
+                         z = a->centre_m[2] - b->centre_m[2], both_m = a->reach_m + b->reach_m;
+            if (overlap->order[k] > i && x * x + y * y + z * z < both_m * both_m) {
+                const double depth_mm = 1000.0 * overlap_depth_m(a, b);
+                total->deepest_mm = fmax(total->deepest_mm, depth_mm);
+                total->pairs += depth_mm > OVERLAP_DEEP_MM ? 1u : 0u;
             }
         }
     }
@@ -193,8 +176,8 @@ void overlap_add(struct overlap *overlap, const struct tank *tank, struct overla
 
 /* ---- Encounters ------------------------------------------------------------------------------ */
 
-/* Returns 1 if the personal spaces of two fish overlap, otherwise 0. */
-static int spaces_overlap(const struct tank *tank, const struct tank_meeting *pair)
+/* Returns true if the personal spaces of two fish overlap. */
+static bool spaces_overlap(const struct tank *tank, const struct tank_meeting *pair)
 {
     struct box spaces[2];
     for (uint32_t i = 0; i < 2; i++) {

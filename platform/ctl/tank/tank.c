@@ -40,25 +40,6 @@ static enum exit_code run_tank_simulation(struct tank_lab *lab, struct tank_trac
     return EXIT_OK;
 }
 
-static enum exit_code tank_measure_lab(struct tank_lab *lab)
-{
-    const struct tank_options *plan = lab->plan;
-    struct tank_trace trace = { 0 };
-    enum exit_code code = plan->trace ? tank_trace_open(&trace, plan->trace) : EXIT_OK;
-    if (code != EXIT_OK) {
-        return code;
-    }
-    const enum exit_code swum = run_tank_simulation(lab, &trace);
-    code = trace.file ? tank_trace_close(&trace) : EXIT_OK;
-    code = swum != EXIT_OK ? swum : code;
-    if (code != EXIT_OK) {
-        return code;
-    }
-    const struct tank_figures figures = tank_figures_of(lab);
-    (plan->as_json ? tank_report_json : tank_report_text)(lab, &figures);
-    return EXIT_OK;
-}
-
 static enum exit_code tank_run(int argc, const char *const *argv)
 {
     struct tank_options plan;
@@ -73,10 +54,18 @@ static enum exit_code tank_run(int argc, const char *const *argv)
     }
     code = tank_lab_open(lab, &plan);
     if (code == EXIT_OK) {
-        code = tank_measure_lab(lab);
+        struct tank_trace trace = { 0 };
+        code = plan.trace ? tank_trace_open(&trace, plan.trace) : EXIT_OK;
+        code = code == EXIT_OK ? run_tank_simulation(lab, &trace) : code;
+        const enum exit_code closed = trace.file ? tank_trace_close(&trace) : EXIT_OK;
+        code = code == EXIT_OK ? closed : code;
+        if (code == EXIT_OK) {
+            const struct tank_figures figures = tank_figures_of(lab);
+            (plan.as_json ? tank_report_json : tank_report_text)(lab, &figures);
+        }
         tank_lab_close(lab);
     }
-    huge_pages_free(lab, sizeof *lab);
+    free(lab);
     return code;
 }
 

@@ -38,9 +38,9 @@ static const struct csv_column path_columns[PATH_COLUMNS] = {
     [PATH_ROLL] = { .name = "roll_deg", .min = -3600, .max = 3600 },
 };
 
-static enum exit_code tank_path_take_row(struct tank_path *path, const struct csv *csv,
-                                         const double value[PATH_COLUMNS])
+static enum exit_code tank_path_take_row(void *self, const struct csv *csv, const double *value)
 {
+    struct tank_path *path = self;
     CORE_ASSERT(path->count <= TANK_PATH_MAX);
     if (path->count == TANK_PATH_MAX) {
         return csv_error(csv, PATH_T_S, "more than %u rows", TANK_PATH_MAX);
@@ -63,23 +63,11 @@ static enum exit_code tank_path_take_row(struct tank_path *path, const struct cs
 
 enum exit_code tank_path_read(struct tank_path *path, const char *speaker, const char *file)
 {
-    struct csv csv;
-    double value[PATH_COLUMNS];
-    int is_end = 0;
+    struct csv csv = {
+        .speaker = speaker, .path = file, .columns = path_columns, .column_count = PATH_COLUMNS
+    };
     path->count = path->newest = 0;
-    enum exit_code code = csv_open(&csv, speaker, file, path_columns, PATH_COLUMNS);
-    while (code == EXIT_OK && !is_end) {
-        code = csv_row(&csv, value, &is_end);
-        if (code == EXIT_OK && !is_end) {
-            code = tank_path_take_row(path, &csv, value);
-        }
-    }
-    if (code == EXIT_OK && path->count == 0) {
-        print_error("%s: %s: line %u: a row of numbers is missing", speaker, file, csv.line);
-        code = EXIT_BAD_DATA;
-    }
-    csv_close(&csv);
-    return code;
+    return csv_read(&csv, tank_path_take_row, path);
 }
 
 struct poi_target tank_path_at(struct tank_path *path, double t_s)
@@ -141,27 +129,27 @@ static const uint8_t gaits[] = { GAIT_REST,  GAIT_SWIM,    GAIT_BURST,
  * contains neither the phase of the tail beat nor the avoidance, so each fish starts with the
  * initial values. */
 static const struct csv_column columns[COLUMN_COUNT] = {
-    [TICK] = { .name = "tick", .min = 0, .max = UINT32_MAX, .may_miss = 1 },
-    [FISH] = { .name = "fish", .may_miss = 1, .unread = 1 },
+    [TICK] = { .name = "tick", .min = 0, .max = UINT32_MAX, .may_miss = true },
+    [FISH] = { .name = "fish", .may_miss = true, .unread = true },
     [X_CM] = { .name = "x_cm", .min = -1000, .max = 1000 },
     [Y_CM] = { .name = "y_cm", .min = -100, .max = 100 },
     [Z_CM] = { .name = "z_cm", .min = -1000, .max = 1000 },
     [YAW_DEG] = { .name = "yaw_deg", .min = -360, .max = 360 },
-    [PITCH_DEG] = { .name = "pitch_deg", .min = -90, .max = 90, .may_miss = 1 },
-    [ROLL_DEG] = { .name = "roll_deg", .min = -180, .max = 180, .may_miss = 1 },
-    [LENGTH_CM] = { .name = "length_cm", .min = 1, .max = 20, .may_miss = 1 },
-    [HEIGHT_CM] = { .name = "height_cm", .may_miss = 1, .unread = 1 },
-    [WIDTH_CM] = { .name = "width_cm", .may_miss = 1, .unread = 1 },
-    [SPEED_CM_S] = { .name = "speed_cm_s", .min = 0, .max = 1000, .may_miss = 1 },
-    [TAIL_HZ] = { .name = "tail_hz", .may_miss = 1, .unread = 1 },
-    [GAIT] = { .name = "gait", .words = gait_words, .may_miss = 1, .otherwise = GAIT_BY_SPEED },
-    [STAMINA] = { .name = "stamina", .min = 0, .max = 100, .may_miss = 1, .otherwise = 100 },
-    [AVOIDING] = { .name = "avoiding", .may_miss = 1, .unread = 1 },
+    [PITCH_DEG] = { .name = "pitch_deg", .min = -90, .max = 90, .may_miss = true },
+    [ROLL_DEG] = { .name = "roll_deg", .min = -180, .max = 180, .may_miss = true },
+    [LENGTH_CM] = { .name = "length_cm", .min = 1, .max = 20, .may_miss = true },
+    [HEIGHT_CM] = { .name = "height_cm", .may_miss = true, .unread = true },
+    [WIDTH_CM] = { .name = "width_cm", .may_miss = true, .unread = true },
+    [SPEED_CM_S] = { .name = "speed_cm_s", .min = 0, .max = 1000, .may_miss = true },
+    [TAIL_HZ] = { .name = "tail_hz", .may_miss = true, .unread = true },
+    [GAIT] = { .name = "gait", .words = gait_words, .may_miss = true, .otherwise = GAIT_BY_SPEED },
+    [STAMINA] = { .name = "stamina", .min = 0, .max = 100, .may_miss = true, .otherwise = 100 },
+    [AVOIDING] = { .name = "avoiding", .may_miss = true, .unread = true },
 };
 
-static enum exit_code tank_place_take_row(struct tank_place *place, const struct csv *csv,
-                                          const double value[COLUMN_COUNT])
+static enum exit_code tank_place_take_row(void *self, const struct csv *csv, const double *value)
 {
+    struct tank_place *place = self;
     if (place->count > 0 && value[TICK] != place->tick) {
         place->rows_left_out++;
         return EXIT_OK;
@@ -177,7 +165,7 @@ static enum exit_code tank_place_take_row(struct tank_place *place, const struct
         .gait = value[GAIT] < 0.0 ? by_speed : gaits[(uint32_t)value[GAIT]],
     };
     if (stage.gait == GAIT_HELD) {
-        return csv_error(csv, GAIT, "no poi holds this fish; leave it out, or let it swim");
+        return csv_error(csv, GAIT, "no poi holds this fish; remove the row, or change the gait");
     }
     if (place->count == TANK_FISH_MAX) {
         return csv_error(csv, X_CM, "more than %u fish", TANK_FISH_MAX);
@@ -190,23 +178,11 @@ static enum exit_code tank_place_take_row(struct tank_place *place, const struct
 
 enum exit_code tank_place_read(struct tank_place *place, const char *speaker, const char *file)
 {
-    struct csv csv;
-    double value[COLUMN_COUNT];
-    int is_end = 0;
+    struct csv csv = {
+        .speaker = speaker, .path = file, .columns = columns, .column_count = COLUMN_COUNT
+    };
     place->count = place->rows_left_out = 0;
-    enum exit_code code = csv_open(&csv, speaker, file, columns, COLUMN_COUNT);
-    while (code == EXIT_OK && !is_end) {
-        code = csv_row(&csv, value, &is_end);
-        if (code == EXIT_OK && !is_end) {
-            code = tank_place_take_row(place, &csv, value);
-        }
-    }
-    if (code == EXIT_OK && place->count == 0) {
-        print_error("%s: %s: line %u: a row with a fish is missing", speaker, file, csv.line);
-        code = EXIT_BAD_DATA;
-    }
-    csv_close(&csv);
-    return code;
+    return csv_read(&csv, tank_place_take_row, place);
 }
 
 /* Returns half of the size of the axis-aligned box around an oriented box, in metres. `along` is
@@ -217,9 +193,9 @@ static double extent_m(const struct overlap_box *box, int along)
            box->half_m[2] * fabs(box->axis[2][along]);
 }
 
-/* Returns 1 if the box is in the water, otherwise 0. The box may extend above the water surface by
- * up to `emerges_m` metres. */
-static int is_in_water(const struct overlap_box *box, vec3 size_m, double emerges_m)
+/* Returns true if the box is in the water. The box may extend above the water surface by up to
+ * `emerges_m` metres. */
+static bool is_in_water(const struct overlap_box *box, vec3 size_m, double emerges_m)
 {
     const double side[3] = { 0.5 * (double)size_m.x, (double)size_m.y, 0.5 * (double)size_m.z };
     return fabs(box->centre_m[0]) + extent_m(box, 0) <= side[0] + TOUCH_M &&
@@ -239,25 +215,26 @@ enum exit_code tank_place_stage(const struct tank_place *place, struct tank *tan
         const double emerges_m =
             place->stage[i].gait == GAIT_SURFACE ? (double)fish_emerges_m(fish) : 0.0;
         if (!is_in_water(&box, tank->size_m, emerges_m)) {
-            print_error("%s: %s: line %u: fish %u is not all in the water: %g x %g cm, %g cm "
-                        "deep",
-                        speaker, file, place->line[i], i, 100.0 * (double)tank->size_m.x,
-                        100.0 * (double)tank->size_m.z, 100.0 * (double)tank->size_m.y);
+            print_error(
+                "%s: %s: line %u: fish %u is not completely in the water of %g x %g cm, %g cm "
+                "deep",
+                speaker, file, place->line[i], i, 100.0 * (double)tank->size_m.x,
+                100.0 * (double)tank->size_m.z, 100.0 * (double)tank->size_m.y);
             return EXIT_BAD_DATA;
         }
         for (uint32_t j = 0; j < i; j++) {
             const struct overlap_box other = overlap_box_of(&tank->fish[j]);
             const double depth_mm = 1000.0 * overlap_depth_m(&box, &other);
             if (depth_mm > OVERLAP_DEEP_MM) {
-                print_error("%s: %s: line %u: fish %u and %u are %.1f mm in each other", speaker,
-                            file, place->line[i], j, i, depth_mm);
+                print_error("%s: %s: line %u: fish %u and %u overlap by %.1f mm", speaker, file,
+                            place->line[i], j, i, depth_mm);
                 return EXIT_BAD_DATA;
             }
         }
     }
     if (place->rows_left_out > 0) {
         print_error("%s: %s: the %u fish of the first tick, %.0f, are placed; %u rows of "
-                    "others are left out",
+                    "other ticks are skipped",
                     speaker, file, place->count, place->tick, place->rows_left_out);
     }
     return EXIT_OK;

@@ -2,19 +2,22 @@
 #include "platform/ctl/tank/tank_lab.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include "core/base/hash.h"
 #include "core/base/panic.h"
 #include "core/poi/catch/catch.h"
 #include "core/poi/poi.h"
+#include "core/poi/poi_fields.h"
 #include "core/tank/behavior/avoid.h"
+#include "core/tank/tank_fields.h"
 #include "platform/cpu.h"
 #include "platform/ctl/lib/ctl.h"
 #include "platform/ctl/tank/tank_files.h"
+#include "platform/os/clock.h"
 #include "platform/os/print.h"
 
 #define POI_GRADE 5u /* Paper grade of the poi. The championship mode has the same grade. */
@@ -44,17 +47,17 @@ static struct shade_cast cast_of(const struct plan_shade *shade)
     };
 }
 
-/* Returns 1 if the fish is within any shade of the plan, otherwise 0. A shade that is not cast at
- * the moment counts too. */
-static int is_shaded(const struct tank_lab *lab, const struct fish *fish)
+/* Returns true if the fish is within any shade of the plan. A shade that is not cast at the moment
+ * counts too. */
+static bool is_shaded(const struct tank_lab *lab, const struct fish *fish)
 {
     for (uint32_t i = 0; i < lab->plan->shade_count; i++) {
         const struct shade_cast cast = cast_of(&lab->plan->shade[i]);
         if (shade_covers(&cast, fish->position_m)) {
-            return 1;
+            return true;
         }
     }
-    return 0;
+    return false;
 }
 
 static void count_second(struct tank_lab *lab)
@@ -97,15 +100,13 @@ static void observe(struct tank_lab *lab)
  * recorded. */
 static void tick_tank(struct tank_lab *lab, struct obstacle *obstacles, uint32_t count)
 {
-    struct timespec begin, end;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &begin);
+    const uint64_t begin_ns = clock_ns(CLOCK_THREAD_CPUTIME_ID);
     tank_tick(&lab->tank, lab->tick, obstacles, count);
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &end);
+    const uint64_t end_ns = clock_ns(CLOCK_THREAD_CPUTIME_ID);
     if (lab->observe_every <= BROAD_PHASE_UPDATE_TICKS || lab->observed_tick == 0 ||
         lab->tick >= lab->observed_tick + BROAD_PHASE_UPDATE_TICKS) {
         CORE_ASSERT(lab->timed_count < lab->plan->tick_count);
-        lab->tick_ns[lab->timed_count++] = (float)((double)(end.tv_sec - begin.tv_sec) * 1e9 +
-                                                   (double)(end.tv_nsec - begin.tv_nsec));
+        lab->tick_ns[lab->timed_count++] = (float)(end_ns - begin_ns);
     }
 }
 
@@ -126,41 +127,33 @@ static void cast_shades(struct tank_lab *lab)
     tank_cast(&lab->tank, casts);
 }
 
-/* Advances a tank that contains a poi by one tick, in the order of core_tick(): poi, water, fish,
- * captures. */
-static void tick_with_poi(struct tank_lab *lab)
-{
-    const double now_s = (double)(lab->tick + 1u) / CORE_TICK_HZ;
-    const struct poi_grip grip = {
-        .target = tank_path_at(&lab->path, now_s),
-        .has_wrist = 1,
-    };
-    lab->output.sound_count = 0;
-    poi_tick(&lab->poi, &grip, &lab->tank, &lab->bowl);
-    surface_disturbance_tick(&lab->poi, &lab->tank.water, lab->tank.size_m);
-    if (lab->tick % 2u == 0) {
-        water_step(&lab->tank.water, lab->tank.size_m);
-    }
-    struct obstacle ring = poi_obstacle(&lab->poi);
-    cast_shades(lab);
-    tick_tank(lab, &ring, 1);
-    poi_apply_reaction(&lab->poi, &ring);
-    const struct stall stall = { &lab->tank, &lab->bowl, 1 };
-    struct catch_result caught[POI_MAX] = { 0 };
-    catch_tick(&lab->poi, 0, &stall, lab->tick, &lab->output, caught);
-}
-
 void tank_lab_tick(struct tank_lab *lab)
 {
     CORE_ASSERT(lab->tick < lab->plan->tick_count && lab->observe_every > 0);
-    if (lab->path.count > 0) {
-        tick_with_poi(lab);
-    } else {
-        if (lab->tick % 2u == 0) {
-            water_step(&lab->tank.water, lab->tank.size_m);
-        }
-        cast_shades(lab);
-        tick_tank(lab, NULL, 0);
+    const bool has_poi = lab->path.count > 0;
+    struct poi *poi = &lab->poi;
+    struct obstacle ring = { 0 };
+    /* The steps have the order of core_tick(): poi, water, fish, captures. */
+    if (has_poi) {
+        const double now_s = (double)(lab->tick + 1u) / CORE_TICK_HZ;
+        const struct poi_grip grip = { .target = tank_path_at(&lab->path, now_s), .has_wrist = 1 };
+        lab->output.sound_count = 0;
+        poi_tick(poi, &grip, &lab->tank, &lab->bowl);
+        surface_disturbance_tick(poi, &lab->tank.water, lab->tank.size_m);
+    }
+    if (lab->tick % 2u == 0) {
+        water_step(&lab->tank.water, lab->tank.size_m);
+    }
+    if (has_poi) {
+        ring = poi_obstacle(poi);
+    }
+    cast_shades(lab);
+    tick_tank(lab, has_poi ? &ring : NULL, has_poi ? 1 : 0);
+    if (has_poi) {
+        const struct stall stall = { &lab->tank, &lab->bowl, 1 };
+        struct catch_result caught[POI_MAX] = { 0 };
+        poi_apply_reaction(poi, &ring);
+        catch_tick(poi, 0, &stall, lab->tick, &lab->output, caught);
     }
     lab->tick++;
     if (lab->tick % lab->observe_every == 0 || lab->tick == lab->plan->tick_count) {
@@ -173,60 +166,42 @@ void tank_lab_tick(struct tank_lab *lab)
 
 uint64_t tank_lab_hash(const struct tank_lab *lab)
 {
-    const uint64_t hash = lab->path.count > 0 ? poi_hash(HASH_START, &lab->poi) : HASH_START;
-    return tank_hash(hash, &lab->tank);
+    const uint64_t hash =
+        lab->path.count > 0 ? field_hash(HASH_START, &poi_fields, &lab->poi) : HASH_START;
+    return field_hash(hash, &tank_fields, &lab->tank);
 }
 
 /* ---- Opening the tank ------------------------------------------------------------------------ */
 
-static enum exit_code open_or_say(struct tank_lab *lab, const struct tank_config *config)
-{
-    if (!tank_open(&lab->tank, config)) {
-        print_error("kingyoctl tank: %u fish find no room in this tank by seed %u",
-                    config->fish_count, config->seed);
-        return EXIT_NOT_SO;
-    }
-    return EXIT_OK;
-}
-
-static enum exit_code open_placed(struct tank_lab *lab, struct tank_config *config,
-                                  struct tank_place *place)
-{
-    const struct tank_options *plan = lab->plan;
-    enum exit_code code = tank_place_read(place, place_speaker, plan->place);
-    if (code != EXIT_OK) {
-        return code;
-    }
-    const uint32_t most = tank_config_fish_max(config);
-    if (plan->has_fish && place->count != config->fish_count) {
-        return ctl_usage("tank", "--fish: %u, but %s places %u", config->fish_count, plan->place,
-                         place->count);
-    }
-    if (place->count > most) {
-        print_error("%s: %s: %u fish; this tank holds 1 to %u", place_speaker, plan->place,
-                    place->count, most);
-        return EXIT_BAD_DATA;
-    }
-    config->fish_count = place->count;
-    code = open_or_say(lab, config);
-    return code != EXIT_OK ? code : tank_place_stage(place, &lab->tank, place_speaker, plan->place);
-}
-
 static enum exit_code open_tank(struct tank_lab *lab)
 {
-    struct tank_config config = lab->plan->config;
+    static struct tank_place place;
+    const struct tank_options *plan = lab->plan;
+    struct tank_config config = plan->config;
     config.lanes = cpu_lanes();
-    if (!lab->plan->place) {
-        return open_or_say(lab, &config);
+    if (plan->place) {
+        const enum exit_code code = tank_place_read(&place, place_speaker, plan->place);
+        const uint32_t most = tank_config_fish_max(&config);
+        if (code != EXIT_OK) {
+            return code;
+        }
+        if (plan->has_fish && place.count != config.fish_count) {
+            return ctl_usage("tank", "--fish: %u, but %s places %u", config.fish_count, plan->place,
+                             place.count);
+        }
+        if (place.count > most) {
+            print_error("%s: %s: %u fish; this tank holds 1 to %u", place_speaker, plan->place,
+                        place.count, most);
+            return EXIT_BAD_DATA;
+        }
+        config.fish_count = place.count;
     }
-    struct tank_place *place = calloc(1, sizeof *place);
-    if (!place) {
-        print_error("kingyoctl tank: out of memory");
-        return EXIT_IO;
+    if (!tank_open(&lab->tank, &config)) {
+        print_error("kingyoctl tank: %u fish do not fit in this tank with the seed %u",
+                    config.fish_count, config.seed);
+        return EXIT_NOT_SO;
     }
-    const enum exit_code code = open_placed(lab, &config, place);
-    free(place);
-    return code;
+    return plan->place ? tank_place_stage(&place, &lab->tank, place_speaker, plan->place) : EXIT_OK;
 }
 
 enum exit_code tank_lab_open(struct tank_lab *lab, const struct tank_options *plan)

@@ -31,9 +31,10 @@ struct lab_sums {
 struct tank_lab {
     const struct tank_options *plan;
     struct tank tank;
-    struct poi poi;   /* Poi that follows the path. Used only if `path.count` is above 0. */
-    struct bowl bowl; /* Bowl that the core's functions require. The laboratory has no bowl, so all
-                         fields are zero. */
+    struct poi poi; /* Poi that follows the path. Used only if `path.count` is above 0. */
+    /* Bowl that the functions of the core expect as an argument. The simulation does not use the
+     * bowl, so all fields are zero. */
+    struct bowl bowl;
     struct output output;
     struct tank_path path;
     uint32_t tick; /* Number of ticks that were completed. */

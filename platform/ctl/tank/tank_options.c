@@ -3,6 +3,7 @@
 #include "platform/ctl/tank/tank_options.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -10,7 +11,7 @@
 #include "platform/ctl/lib/ctl.h"
 #include "platform/os/number.h"
 
-#define FIELD_MAX 48
+#define LIST_MAX 256
 /* Converts metres to whole centimetres by rounding, because the float 0.30f is not exactly 0.3. */
 #define CM(metres) ((double)(int)(100.0f * (metres) + 0.5f))
 
@@ -29,7 +30,7 @@ struct words {
     uint8_t preset;
     uint8_t pump;   /* Setting of the water pump (enum pump). */
     uint8_t search; /* Method of the pair search (enum pair_search). */
-    uint8_t balls;  /* 1 if the option --spaces ball was given, otherwise 0. */
+    uint8_t balls;  /* 1 for the option --spaces ball, otherwise 0. */
     uint32_t seed;
     double area_scale, wall_follow, stamina;
     double temperature_c, pressure_hpa, oxygen_mg_l, time_compression;
@@ -47,28 +48,22 @@ struct range {
     double min, max;
 };
 
-/* Parses `count` comma-separated numbers, each in its own range. Returns 1, or 0 if the list is
- * invalid. */
-static int read_list(const char *text, const struct range *parts, int count, double *out)
+/* Parses `count` comma-separated numbers, each in its own range. Returns true, or false if the list
+ * is invalid. */
+static bool read_list(const char *text, const struct range *parts, int count, double *out)
 {
+    char list[LIST_MAX], *rest = list;
     CORE_ASSERT(text && count > 0);
+    snprintf(list, sizeof list, "%s", text);
     for (int i = 0; i < count; i++) {
-        char field[FIELD_MAX];
-        const size_t length = strcspn(text, ",");
-        if (length >= sizeof field || (text[length] == ',') != (i + 1 < count)) {
-            return 0;
+        if (!number_parse_decimal(strsep(&rest, ","), parts[i].min, parts[i].max, &out[i])) {
+            return false;
         }
-        memcpy(field, text, length);
-        field[length] = '\0';
-        if (!number_parse_decimal(field, parts[i].min, parts[i].max, &out[i])) {
-            return 0;
-        }
-        text += length + (i + 1 < count);
     }
-    return 1;
+    return !rest && strlen(text) < sizeof list;
 }
 
-static int take_size(void *target, const struct option *option, const char *value, char *why)
+static bool take_size(void *target, const struct option *option, const char *value, char *why)
 {
     static const struct range parts[3] = {
         { CM(TANK_SIDE_MIN_M), CM(TANK_SIDE_MAX_M) },
@@ -80,7 +75,7 @@ static int take_size(void *target, const struct option *option, const char *valu
     return read_list(value, parts, 3, ((struct words *)target)->size_cm);
 }
 
-static int take_shade(void *target, const struct option *option, const char *value, char *why)
+static bool take_shade(void *target, const struct option *option, const char *value, char *why)
 {
     static const struct range parts[5] = {
         { -1000, 1000 },
@@ -94,15 +89,15 @@ static int take_shade(void *target, const struct option *option, const char *val
     (void)option;
     if (plan->shade_count == SHADE_MAX) {
         snprintf(why, OPTION_TEXT_MAX, "at most %u shades", SHADE_MAX);
-        return 0;
+        return false;
     }
     if (!read_list(value, parts, 5, part) || part[3] >= part[4]) {
-        return 0;
+        return false;
     }
     plan->shade[plan->shade_count++] = (struct plan_shade){
         0.01 * part[0], 0.01 * part[1], 0.01 * part[2], part[3], part[4],
     };
-    return 1;
+    return true;
 }
 
 /* ---- Table of options ------------------------------------------------------------------------ */
@@ -244,12 +239,6 @@ static enum exit_code settle_fish(struct tank_options *plan, const struct words 
     return EXIT_OK;
 }
 
-/* Returns `given` as a float, or the value `preset` if `given` is NaN. */
-static float or_preset(double given, float preset)
-{
-    return isnan(given) ? preset : (float)given;
-}
-
 enum exit_code tank_options_read(struct tank_options *plan, int argc, const char *const *argv)
 {
     struct words words = {
@@ -271,20 +260,28 @@ enum exit_code tank_options_read(struct tank_options *plan, int argc, const char
     plan->tick_count = (uint32_t)round(plan->seconds * CORE_TICK_HZ);
     struct tank_config *config = &plan->config;
     *config = tank_config_of(words.preset);
-    config->area_scale = f_clamp(or_preset(words.area_scale, config->area_scale),
-                                 TANK_AREA_SCALE_MIN, TANK_AREA_SCALE_MAX);
+    const struct {
+        double given;
+        float *value;
+    } numbers[] = {
+        { words.area_scale, &config->area_scale },
+        { words.wall_follow, &config->wall_follow },
+        { 0.01 * words.stamina, &config->stamina_min },
+        { 0.01 * words.stamina, &config->stamina_max },
+        { words.temperature_c, &config->temperature_c },
+        { words.pressure_hpa, &config->pressure_hpa },
+        { words.oxygen_mg_l, &config->oxygen_mg_l },
+        { words.time_compression, &config->time_compression },
+    };
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+        *numbers[i].value = isnan(numbers[i].given) ? *numbers[i].value : (float)numbers[i].given;
+    }
+    config->area_scale = f_clamp(config->area_scale, TANK_AREA_SCALE_MIN, TANK_AREA_SCALE_MAX);
     if (words.size_cm[0] > 0.0) {
         config->size_m = v3((float)(0.01 * words.size_cm[0]), (float)(0.01 * words.size_cm[1]),
                             (float)(0.01 * words.size_cm[2]));
     }
-    config->wall_follow = or_preset(words.wall_follow, config->wall_follow);
     config->seed = words.seed;
-    config->stamina_min = or_preset(0.01 * words.stamina, config->stamina_min);
-    config->stamina_max = or_preset(0.01 * words.stamina, config->stamina_max);
-    config->temperature_c = or_preset(words.temperature_c, config->temperature_c);
-    config->pressure_hpa = or_preset(words.pressure_hpa, config->pressure_hpa);
-    config->oxygen_mg_l = or_preset(words.oxygen_mg_l, config->oxygen_mg_l);
-    config->time_compression = or_preset(words.time_compression, config->time_compression);
     config->pump = words.pump == PUMP_AS_PRESET ? config->pump : words.pump == PUMP_ON;
     config->search = words.search;
     config->ball_spaces = words.balls;

@@ -2,6 +2,7 @@
 #ifndef KINGYO_PLATFORM_CTL_TANK_TANK_OPTIONS_H
 #define KINGYO_PLATFORM_CTL_TANK_TANK_OPTIONS_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "core/tank/tank.h"
@@ -28,9 +29,9 @@ struct tank_options {
     /* Number of ticks between two observations. 0 selects the default, which depends on the number
      * of fish. */
     uint32_t observe_every;
-    uint8_t has_fish; /* 1 if --fish was given, otherwise 0. If --fish was given, the file of start
-                         positions must have the same number of fish. */
-    uint8_t as_json;
+    bool has_fish; /* True if --fish was given. The file of start positions must then have the same
+                      number of fish. */
+    bool as_json;
 };
 
 /* Parses the options into `plan`. Options that are absent have the values of the tank preset.

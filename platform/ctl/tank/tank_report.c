@@ -46,44 +46,39 @@ enum exit_code tank_trace_open(struct tank_trace *trace, const char *path)
     return EXIT_OK;
 }
 
-static void add_row(struct tank_trace *trace, const struct fish *fish, uint32_t index,
-                    uint32_t tick)
-{
-    CORE_ASSERT(fish->gait < GAIT_COUNT && fish->avoiding < 3);
-    const struct {
-        double value;
-        uint32_t decimals;
-    } figures[] = {
-        { (double)tick, 0 },
-        { (double)index, 0 },
-        { 100.0 * (double)fish->position_m.x, 4 },
-        { 100.0 * (double)fish->position_m.y, 4 },
-        { 100.0 * (double)fish->position_m.z, 4 },
-        { DEG * (double)fish->angles.yaw_rad, 4 },
-        { DEG * (double)fish->angles.pitch_rad, 4 },
-        { DEG * (double)fish->angles.roll_rad, 4 },
-        { 100.0 * (double)fish->length_m, 4 },
-        { 100.0 * (double)fish->height_m, 4 },
-        { 100.0 * (double)fish->width_m, 4 },
-        { 100.0 * (double)v3_length(fish->velocity_m_s), 4 },
-        { (double)fish->tail_beat_hz, 3 },
-    };
-    char row[ROW_MAX];
-    uint32_t length = 0;
-    for (uint32_t i = 0; i < sizeof figures / sizeof figures[0]; i++) {
-        length += number_print_fixed(row + length, figures[i].value, figures[i].decimals);
-        row[length++] = ',';
-    }
-    fwrite(row, 1, length, trace->file);
-    length = number_print_fixed(row, 100.0 * (double)fish->stamina, 3);
-    fprintf(trace->file, "%s,%.*s,%s\n", gait_names[fish->gait], (int)length, row,
-            avoiding_names[fish->avoiding]);
-}
-
 void tank_trace_add(struct tank_trace *trace, const struct tank *tank, uint32_t tick)
 {
     for (uint32_t i = 0; i < tank->fish_count; i++) {
-        add_row(trace, &tank->fish[i], i, tick);
+        const struct fish *fish = &tank->fish[i];
+        CORE_ASSERT(fish->gait < GAIT_COUNT && fish->avoiding < 3);
+        const struct {
+            double value;
+            uint32_t decimals;
+        } figures[] = {
+            { (double)tick, 0 },
+            { (double)i, 0 },
+            { 100.0 * (double)fish->position_m.x, 4 },
+            { 100.0 * (double)fish->position_m.y, 4 },
+            { 100.0 * (double)fish->position_m.z, 4 },
+            { DEG * (double)fish->angles.yaw_rad, 4 },
+            { DEG * (double)fish->angles.pitch_rad, 4 },
+            { DEG * (double)fish->angles.roll_rad, 4 },
+            { 100.0 * (double)fish->length_m, 4 },
+            { 100.0 * (double)fish->height_m, 4 },
+            { 100.0 * (double)fish->width_m, 4 },
+            { 100.0 * (double)v3_length(fish->velocity_m_s), 4 },
+            { (double)fish->tail_beat_hz, 3 },
+        };
+        char row[ROW_MAX];
+        uint32_t length = 0;
+        for (uint32_t k = 0; k < sizeof figures / sizeof figures[0]; k++) {
+            length += number_print_fixed(row + length, figures[k].value, figures[k].decimals);
+            row[length++] = ',';
+        }
+        fwrite(row, 1, length, trace->file);
+        length = number_print_fixed(row, 100.0 * (double)fish->stamina, 3);
+        fprintf(trace->file, "%s,%.*s,%s\n", gait_names[fish->gait], (int)length, row,
+                avoiding_names[fish->avoiding]);
     }
 }
 
@@ -118,7 +113,7 @@ struct tank_figures tank_figures_of(struct tank_lab *lab)
         .speed_max_cm_s = 100.0 * sums->speed_max_m_s,
         .stamina_mean = 100.0 * sums->stamina / fish_ticks,
     };
-    for (uint8_t gait = 0; gait < GAIT_COUNT; gait++) {
+    for (uint32_t gait = 0; gait < GAIT_COUNT; gait++) {
         figures.share[gait] = (double)sums->gait_ticks[gait] / fish_ticks;
         figures.other_share += gait > GAIT_BURST ? figures.share[gait] : 0.0;
     }

@@ -1,11 +1,11 @@
-/* lines_show.h -- prints the output of `kingyoctl lines`, which is either the list of all GPIO
+/* lines.h -- prints the output of `kingyoctl lines`, which is either the list of all GPIO
  * lines or the events on the configured lines. */
-#ifndef KINGYO_PLATFORM_CTL_DEVICES_LINES_SHOW_H
-#define KINGYO_PLATFORM_CTL_DEVICES_LINES_SHOW_H
+#ifndef KINGYO_PLATFORM_CTL_DEVICES_LINES_H
+#define KINGYO_PLATFORM_CTL_DEVICES_LINES_H
 
 #include <stdio.h>
 
-#include "drivers/gpio/buttons_gpio.h"
+#include "drivers/gpio/gpio_thread.h"
 #include "platform/config/options.h"
 
 /* Prints a header and a tab-separated row for each line of each GPIO chip. Returns EXIT_OK. If
