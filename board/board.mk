@@ -1,7 +1,7 @@
-# board.mk -- setting a machine up, and playing on it.
+# board.mk -- sets up the machine and starts the kiosk.
 
-# A fresh machine's first command installs, then builds, then plays; the second only plays. The build
-# is a second make because what it asks of pkg-config is only there after the set-up.
+# On a fresh machine, the first `make run` installs packages, builds and starts the kiosk. Later runs only start it. The
+# build is a second make process, because pkg-config finds the new packages only after the set-up.
 
 ## play/run: Set up, build and start the game; ARGS='--lang en' are its options
 run:

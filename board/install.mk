@@ -1,4 +1,4 @@
-# install.mk -- the stall as a service of its machine, by hand or as Debian packages.
+# install.mk -- installs the kiosk as a service, directly or by Debian packages.
 
 PREFIX ?= /usr/local
 DESTDIR ?=

@@ -1,17 +1,17 @@
 #!/bin/bash
-# install.sh install|uninstall -- puts what board/files.txt lists below $DESTDIR, or takes it away again.
+# install.sh install|uninstall -- installs the files of board/files.txt below $DESTDIR, or removes them.
 #
-# PREFIX (/usr/local), BUILD (build), PACKAGES ("kingyo kingyo-kiosk") choose. What an operator wrote is
-# left alone: a configuration file that is there stays, and so does the data folder. Exits 74 where it
-# cannot write, 2 for wrong usage.
+# The variables PREFIX (default /usr/local), BUILD (build) and PACKAGES ("kingyo kingyo-kiosk") select what and where.
+# Files of the operator stay unchanged: an existing configuration file and the data folder. Exits with 74 if a file cannot
+# be written, or with 2 after wrong usage.
 set -u
 cd "$(dirname "$0")/.." || exit 74
 PREFIX=${PREFIX:-/usr/local} BUILD=${BUILD:-build} DESTDIR=${DESTDIR:-}
 PACKAGES=${PACKAGES:-kingyo kingyo-kiosk}
-# A word that sed or the list would read as something else is no path of ours.
+# Refuses a path with characters that sed or the file list would interpret.
 [[ $PREFIX =~ ^/[A-Za-z0-9._/+-]*$ ]] || { echo "install: PREFIX=$PREFIX: expected a path without spaces" >&2; exit 2; }
 
-rows() { # KIND FROM TO, of the packages that are wanted.
+rows() { # KIND FROM TO: prints the rows of the selected packages.
     sed -e '/^#/d' -e "s#@BUILD@#$BUILD#; s#@PREFIX@#${PREFIX%/}#" board/files.txt |
         while read -r package kind from to; do
             [[ " $PACKAGES " == *" $package "* ]] && echo "$kind $from $to"
@@ -22,17 +22,17 @@ put() { # KIND FROM TO
     local to=$DESTDIR$3
     case $1 in
     program) install -D -m 755 "$2" "$to" ;;
-    # install(1) removes what is there and makes a new file: a link in its place is never written through.
+    # install(1) removes an existing file and creates a new one. It therefore never writes through a link.
     text) sed "s#@PREFIX@#${PREFIX%/}#g" "$2" | install -D -m 644 /dev/stdin "$to" ;;
     conf) [ -e "$to" ] || [ -L "$to" ] || install -D -m 644 "$2" "$to" ;;
     *) echo "install: board/files.txt: unknown kind '$1'" >&2; return 1 ;;
     esac
 }
 
-# A folder of our own goes when it is empty; what is shared with others stays.
+# Removes a file. A folder that only the kiosk uses is removed when it is empty; shared folders stay.
 take() { # KIND FROM TO
     local to=$DESTDIR$3
-    # Anything but a regular file is the operator's; cmp would wait on a FIFO.
+    # A configuration path that is not a regular file belongs to the operator. cmp would block on a FIFO.
     [ "$1" = conf ] && { [ -L "$to" ] || [ ! -f "$to" ] || ! cmp -s "$2" "$to"; } && return 0
     rm -f "$to" || return 1
     [[ $(dirname "$to") == */kingyo ]] && rmdir "$(dirname "$to")" 2>/dev/null

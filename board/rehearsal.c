@@ -23,7 +23,7 @@ void board_open_rehearsal(struct hal *hal, const struct board_options *options, 
     quiet.data_dir = NULL;
     board_open(hal, &quiet);
     const struct hal_display display = hal->display;
-    *hal = null_hal();
+    *hal = null_hal(NULL);
     hal->display = display;
     rehearsal_clock = (struct clock_sim){ 0 };
     hal->clock = sim_clock_device(&rehearsal_clock);

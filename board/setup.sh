@@ -1,22 +1,21 @@
 #!/bin/bash
-# setup.sh PURPOSE... -- makes sure that the packages for these purposes (run, test, dev) are installed.
+# setup.sh PURPOSE... -- installs the packages for these purposes (run, test, dev) if they are missing.
 #
-# board/packages.txt says which and why. With nothing missing it asks dpkg once and is done. Else, as
-# root or with a sudo that asks no password, it says what it installs and why, and installs it; any
-# other user gets the one line to run. Exits 0 when everything is there, 1 when not. On a system that is
-# not Debian it names the list and exits 0: there the person knows whether all is there, and the build
-# that follows says what is not.
+# board/packages.txt lists the packages with the reason for each. If no package is missing, the script asks dpkg once and
+# ends. Otherwise root, or a user whose sudo needs no password, installs the packages; the script prints which and why.
+# Any other user gets the command to run. Exits with 0 if all packages are installed, otherwise with 1. On a system other
+# than Debian the script names the list and exits with 0, because only the user can know what is installed there.
 set -u
 here=$(dirname "$0")
 
-wanted() { # Lines `package why` for the purposes asked; what playing needs, testing needs too.
+wanted() { # Prints lines `package reason` for the purposes. The purpose test includes run.
     local purposes=" $* "
     case $purposes in *' test '*) purposes+='run ' ;; esac
     awk -v purposes="$purposes" '!/^#/ && NF && index(purposes, " " $2 " ") {
         name = $1; $1 = $2 = ""; sub(/^ +/, ""); print name "\t" $0 }' "$here/packages.txt"
 }
 
-missing() { # Of the lines on standard input, those whose package is not installed.
+missing() { # Prints those lines of standard input whose package is not installed.
     local installed
     # shellcheck disable=SC2046
     installed=$(dpkg-query -W -f '${db:Status-Status} ${Package}\n' $(wanted "$@" | cut -f1) 2>/dev/null |
@@ -51,14 +50,14 @@ awk -F'\t' '{ printf "  %-28s %s\n", $1, $2 }' <<<"$lines"
 export DEBIAN_FRONTEND=noninteractive
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
-apt() { # Shows apt's own words only when it fails.
+apt() { # Prints apt's output only if apt fails.
     "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq -o Dpkg::Use-Pty=0 "$@" >"$log" 2>&1
 }
 update() {
     echo '  asking the mirror what is new ...'
     apt update || { tail -5 "$log" >&2; echo 'setup: apt-get update failed' >&2; exit 1; }
 }
-# Lists that were never fetched, or are too old to find the files they name, cost one more try.
+# Retries once with new package lists, because the lists may be missing or too old.
 compgen -G '/var/lib/apt/lists/*_Packages*' >/dev/null || { update; fresh=1; }
 echo '  installing ...'
 # shellcheck disable=SC2086

@@ -1,9 +1,9 @@
 #!/bin/bash
-# deb.sh -- makes the Debian packages of what board/files.txt lists, into $BUILD/deb/, and names them.
+# deb.sh -- makes the Debian packages of the files in board/files.txt, in $BUILD/deb/, and prints their names.
 #
-# By dpkg-deb alone: the same tree and SOURCE_DATE_EPOCH (else the newest commit's time) give the same
-# bytes, whoever builds and whenever. LEVEL=1 packs faster; VERSION= overrules the program's own, for a
-# test of upgrades. Needs dpkg-dev; not root. Exits 74 when something cannot be made.
+# Uses only dpkg-deb. The same tree and the same SOURCE_DATE_EPOCH (default: the time of the newest commit) give the same
+# bytes on every machine. LEVEL=1 packs faster. VERSION= replaces the program's version, to test upgrades. Needs dpkg-dev,
+# but not root. Exits with 74 if a file cannot be made.
 set -eu
 cd "$(dirname "$0")/../.."
 BUILD=${BUILD:-build}
@@ -18,7 +18,7 @@ rm -rf "$out"
 mkdir -p "$out"
 trap 'rm -rf "$out"/root-* "$out/debian"' EXIT
 
-# Which packages the programs' libraries are in.
+# Prints the packages that contain the libraries of the programs.
 libraries() { # ROOT
     mkdir -p "$out/debian"
     printf 'Source: kingyo\n\nPackage: kingyo\nArchitecture: any\n' >"$out/debian/control"
@@ -26,7 +26,7 @@ libraries() { # ROOT
         sed -n 's/^shlibs:Depends=//p'
 }
 
-# Prints CHANGELOG.md in Debian's format. A version that is not listed there yet comes first.
+# Prints CHANGELOG.md in Debian's format. A version that CHANGELOG.md does not list yet comes first.
 changelog() {
     VERSION=$version DATE=$(date -u -d "@$SOURCE_DATE_EPOCH" +%F) LC_ALL=C awk '
         function rfc_2822(on,   command, line) {
@@ -75,10 +75,10 @@ documents() { # PACKAGE ROOT
     fi
 }
 
-control() { # PACKAGE ROOT: its DEBIAN folder.
+control() { # PACKAGE ROOT: writes the package's DEBIAN folder.
     local size script to
     mkdir -p "$2/DEBIAN"
-    # In KiB as Debian counts them: a file's rounded up, a folder as one; not the disk's own.
+    # Size in KiB as Debian counts it: the size of each file is rounded up, and each folder counts as one KiB.
     size=$(find "$2" -path "$2/DEBIAN" -prune -o -printf '%y %s\n' |
         awk '{ sum += $1 == "f" ? int(($2 + 1023) / 1024) : 1 } END { print sum }')
     sed -e "s/@VERSION@/$version/; s/@ARCHITECTURE@/$architecture/; s/@SIZE@/$size/" \

@@ -22,18 +22,18 @@
 #define PATH_SIZE 1100u
 
 static struct {
-    struct usb_seats *seats; /* State of the USB transport. Null means that the transport has not
-                                been started. */
+    struct usb_event_thread *transport; /* State of the USB transport. Null means that the transport
+                                           has not been started. */
     struct poi_hid poi[POI_MAX];
-    struct hid_mapping_store book;
-    struct controller_manager desk;
+    struct hid_mapping_store store;
+    struct controller_manager manager;
     struct usb_key listed[BOARD_USB_MAX];
     uint32_t listed_count;
     char choices[PATH_SIZE];
     char text[HAL_TEXT_SIZE];
 } usb;
 
-int board_check_usb(const char *text)
+bool board_check_usb(const char *text)
 {
     struct usb_key key;
     return usb_key_read(&key, text) == 0;
@@ -56,25 +56,13 @@ static void complain_of_file(void *self, const char *line)
     }
 }
 
-static void open_desk(struct hal *hal, const struct board_options *options)
-{
-    CORE_ASSERT(hal->clock.ops);
-    struct poi_hid *seats[POI_MAX];
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        seats[i] = &usb.poi[i];
-        poi_hid_init(seats[i], usb_transport_port(usb.seats, i), hal->clock,
-                     hid_mapping_store_mapper(&usb.book), &options->view);
-    }
-    controller_manager_init(&usb.desk, usb_transport_roster(usb.seats), &usb.book, seats);
-    hal->controllers = controller_manager_device(&usb.desk);
-}
-
 /* Opens USB only if the option --poi is auto or usb. */
 static void usb_open(struct hal *hal, const struct board_options *options)
 {
     if (options->poi != BOARD_POI_AUTO && options->poi != BOARD_POI_USB) {
         return;
     }
+    struct poi_hid *pois[POI_MAX];
     usb.listed_count = 0;
     for (uint32_t i = 0; i < options->usb_count && i < BOARD_USB_MAX; i++) {
         usb.listed_count += usb_key_read(&usb.listed[usb.listed_count], options->usb[i]) == 0;
@@ -89,51 +77,35 @@ static void usb_open(struct hal *hal, const struct board_options *options)
         .tell = log_controller_warning,
     };
     struct board_options told = *options;
-    hid_mapping_store_open(&usb.book, options->data_dir, complain_of_file, &told);
-    hid_mapping_store_set_error_sink(&usb.book, log_controller_warning, NULL);
-    usb.seats = usb_transport_start(&config, usb.text);
+    hid_mapping_store_open(&usb.store, options->data_dir, complain_of_file, &told);
+    hid_mapping_store_set_error_sink(&usb.store, log_controller_warning, NULL);
+    usb.transport = usb_transport_start(&config, usb.text);
     if (usb.text[0]) {
         complain_of_file(&told, usb.text);
     }
-    open_desk(hal, options);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        pois[i] = &usb.poi[i];
+        poi_hid_init(pois[i], usb_transport_port(usb.transport, i), hal->clock,
+                     hid_mapping_store_mapper(&usb.store), &options->view);
+    }
+    hal->controllers =
+        controller_manager_init(&usb.manager, usb_transport_list(usb.transport), &usb.store, pois);
 }
 
-/* Returns 1 if the controller of a slot is ready to play, otherwise 0. A controller is ready if it
- * has a mapping. Reports of controllers without a mapping are read too, so that the controller
+/* Returns true if the controller of a slot is ready to play. A controller is ready if it has a
+ * mapping. Reports of controllers without a mapping are read too, so that the controller
  * manager can learn a mapping. */
-static int is_controller_ready(void *self)
+static bool is_controller_ready(void *self)
 {
     struct poi_hid *poi = self;
-    const struct hal_poi device = poi_hid_device(poi);
+    const struct hal_poi device = poi_hid_devices(poi).poi;
     struct poi_sample unheard;
     if (!poi->is_open) {
         device.ops->open(device.self);
     } else if (!poi->plays) {
         device.ops->poll(device.self, &unheard, 1);
     }
-    return poi->is_open && poi->plays;
-}
-
-static void usb_add_seats(struct input_mux *seats)
-{
-    CORE_ASSERT(seats);
-    for (uint32_t i = 0; usb.seats && i < POI_MAX; i++) {
-        const struct input_source source = {
-            .poi = poi_hid_device(&usb.poi[i]),
-            .fan = poi_hid_fan(&usb.poi[i]),
-            .is_there = is_controller_ready,
-            .self = &usb.poi[i],
-            .kind = INPUT_KIND_USB,
-        };
-        input_mux_add(seats, &source);
-    }
-}
-
-static void usb_fill_exclusion(struct gamepad_exclusion *out, uint16_t vendor, uint16_t product,
-                               const char *serial)
-{
-    *out = (struct gamepad_exclusion){ .vendor = vendor, .product = product };
-    snprintf(out->serial, sizeof out->serial, "%s", serial);
+    return poi->plays;
 }
 
 _Static_assert(GAMEPADS_EXCLUSION_MAX >= USB_REQUEST_MAX + CONTROLLER_MAX,
@@ -142,24 +114,18 @@ _Static_assert(GAMEPADS_EXCLUSION_MAX >= USB_REQUEST_MAX + CONTROLLER_MAX,
 /* Copies two groups of USB controllers to `out`, which SDL must not open: the selected controllers,
  * and the controllers that are in use or were disconnected. Returns the number of controllers in
  * `out`. */
-static uint32_t usb_exclusions(struct gamepad_exclusion out[GAMEPADS_EXCLUSION_MAX])
+static uint32_t usb_exclusions(struct usb_key out[GAMEPADS_EXCLUSION_MAX])
 {
-    struct usb_key wanted[USB_REQUEST_MAX];
     struct hid_row rows[CONTROLLER_MAX];
-    uint32_t count = 0;
-    if (!usb.seats) {
+    if (!usb.transport) {
         return 0;
     }
-    const struct hid_device_list device_list = usb_transport_roster(usb.seats);
-    const uint32_t wanted_count = usb_transport_wanted(usb.seats, wanted);
+    const struct hid_device_list device_list = usb_transport_list(usb.transport);
+    uint32_t count = usb_transport_wanted(usb.transport, out);
     device_list.ops->rows(device_list.self, rows);
-    for (uint32_t i = 0; i < wanted_count; i++) {
-        usb_fill_exclusion(&out[count++], wanted[i].vendor, wanted[i].product, wanted[i].serial);
-    }
     for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
-        const struct hid_identity *who = &rows[i].identity;
         if (rows[i].state == CONTROLLER_ACTIVE || rows[i].state == CONTROLLER_LOST) {
-            usb_fill_exclusion(&out[count++], who->vendor, who->product, who->serial);
+            out[count++] = usb_key_of(&rows[i].identity);
         }
     }
     return count;
@@ -168,13 +134,13 @@ static uint32_t usb_exclusions(struct gamepad_exclusion out[GAMEPADS_EXCLUSION_M
 /* ---- Game pads and pointers ------------------------------------------------------------------ */
 
 static struct {
-    struct input_mux seats;
+    struct input_mux mux;
     struct mouse_poi mouse;
     struct gamepads gamepads;
-    uint8_t has_pointer;
-} hands;
+    bool has_pointer;
+} devices;
 
-static int wants(const struct board_options *options, enum board_poi kind)
+static bool wants(const struct board_options *options, enum board_poi kind)
 {
     return options->poi == BOARD_POI_AUTO || options->poi == kind;
 }
@@ -184,31 +150,31 @@ static void add_pointer(struct hal *hal, const struct board_options *options, ui
     CORE_ASSERT(heeds != 0);
     const uint32_t width = options->width ? options->width : 1280;
     const uint32_t height = options->height ? options->height : 720;
-    mouse_poi_init(&hands.mouse, hal->clock, &options->view, width, height, heeds);
-    hands.has_pointer = 1;
+    mouse_poi_init(&devices.mouse, hal->clock, &options->view, width, height, heeds);
+    devices.has_pointer = true;
     const struct input_source mouse = {
-        .poi = mouse_poi_device(&hands.mouse),
-        .fan = mouse_poi_fan(&hands.mouse),
-        .is_there = mouse_poi_is_used,
-        .self = &hands.mouse,
+        .poi = mouse_poi_devices(&devices.mouse).poi,
+        .fan = mouse_poi_devices(&devices.mouse).fan,
+        .is_present = mouse_poi_is_used,
+        .self = &devices.mouse,
         .kind = INPUT_KIND_POINTER,
-        .stands_in = 1,
+        .stands_in = true,
     };
-    input_mux_add(&hands.seats, &mouse);
+    input_mux_add(&devices.mux, &mouse);
 }
 
 /* Excludes the devices of the USB driver from SDL, so that each device has one owner. */
 static void bar_pads(void)
 {
-    struct gamepad_exclusion bar[GAMEPADS_EXCLUSION_MAX] = { 0 };
-    gamepads_exclude(&hands.gamepads, bar, usb_exclusions(bar));
+    struct usb_key bar[GAMEPADS_EXCLUSION_MAX] = { 0 };
+    gamepads_exclude(&devices.gamepads, bar, usb_exclusions(bar));
 }
 
-/* Returns 1 if the game pad is plugged in, otherwise 0. The operator may select USB controllers
+/* Returns true if the game pad is plugged in. The operator may select USB controllers
  * while the kiosk runs, so the exclusions are updated once in each frame. */
-static int pad_is_there(void *self)
+static bool pad_is_present(void *self)
 {
-    if (self == &hands.gamepads.pad[0]) {
+    if (self == &devices.gamepads.pad[0]) {
         bar_pads();
     }
     return gamepad_poi_is_present(self);
@@ -223,18 +189,18 @@ static void add_pads(struct hal *hal, const struct board_options *options)
     if (options->data_dir) {
         snprintf(database, sizeof database, "%.1024s/gamecontrollerdb.txt", options->data_dir);
     }
-    gamepads_init(&hands.gamepads, hal->clock, &options->view);
+    gamepads_init(&devices.gamepads, hal->clock, &options->view);
     bar_pads();
-    gamepads_open(&hands.gamepads, database[0] ? database : NULL);
+    gamepads_open(&devices.gamepads, database[0] ? database : NULL);
     for (uint32_t i = 0; i < GAMEPADS_MAX; i++) {
         const struct input_source pad = {
-            .poi = gamepad_poi_device(&hands.gamepads, i),
-            .fan = gamepad_poi_fan(&hands.gamepads, i),
-            .is_there = pad_is_there,
-            .self = &hands.gamepads.pad[i],
+            .poi = gamepad_poi_devices(&devices.gamepads, i).poi,
+            .fan = gamepad_poi_devices(&devices.gamepads, i).fan,
+            .is_present = pad_is_present,
+            .self = &devices.gamepads.pad[i],
             .kind = INPUT_KIND_GAMEPAD,
         };
-        input_mux_add(&hands.seats, &pad);
+        input_mux_add(&devices.mux, &pad);
     }
 }
 
@@ -254,7 +220,7 @@ void controllers_open(struct hal *hal, const struct board_options *options)
     const uint32_t heeds = (wants(options, BOARD_POI_MOUSE) ? (uint32_t)POINTER_FILTER_MOUSE : 0u) |
                            (wants(options, BOARD_POI_TOUCH) ? (uint32_t)POINTER_FILTER_TOUCH : 0u);
     usb_open(hal, options);
-    hands.has_pointer = 0;
+    devices.has_pointer = false;
     if (!heeds) { /* SDL drops mouse and touch events, because no driver reads them. */
         static const Uint32 types[] = { SDL_MOUSEMOTION, SDL_MOUSEBUTTONDOWN, SDL_MOUSEBUTTONUP,
                                         SDL_MOUSEWHEEL,  SDL_FINGERDOWN,      SDL_FINGERUP,
@@ -264,40 +230,44 @@ void controllers_open(struct hal *hal, const struct board_options *options)
     if (options->poi == BOARD_POI_BOT) {
         return;
     }
-    input_mux_init(&hands.seats, missing_poi(options->poi));
-    usb_add_seats(&hands.seats);
+    hal->seats = input_mux_init(&devices.mux, hal, missing_poi(options->poi));
+    for (uint32_t i = 0; usb.transport && i < POI_MAX; i++) {
+        const struct input_source source = {
+            .poi = poi_hid_devices(&usb.poi[i]).poi,
+            .fan = poi_hid_devices(&usb.poi[i]).fan,
+            .is_present = is_controller_ready,
+            .self = &usb.poi[i],
+            .kind = INPUT_KIND_USB,
+        };
+        input_mux_add(&devices.mux, &source);
+    }
     if (wants(options, BOARD_POI_PAD)) {
         add_pads(hal, options);
     }
     if (heeds) {
         add_pointer(hal, options, heeds);
     }
-    hal->seats = input_mux_device(&hands.seats);
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        hal->poi[i] = input_mux_poi(&hands.seats, i);
-        hal->fan[i] = input_mux_fan(&hands.seats, i);
-    }
 }
 
 void controllers_add_buttons(struct buttons_mux *join)
 {
-    for (uint32_t i = 0; usb.seats && i < POI_MAX; i++) {
-        buttons_mux_add(join, poi_hid_buttons(&usb.poi[i]));
+    for (uint32_t i = 0; usb.transport && i < POI_MAX; i++) {
+        buttons_mux_add(join, poi_hid_devices(&usb.poi[i]).buttons);
     }
-    if (hands.gamepads.is_open) {
-        buttons_mux_add(join, gamepad_poi_buttons(&hands.gamepads));
+    if (devices.gamepads.is_open) {
+        buttons_mux_add(join, gamepad_poi_devices(&devices.gamepads, 0).buttons);
     }
-    if (hands.has_pointer) {
-        buttons_mux_add(join, mouse_poi_buttons(&hands.mouse));
+    if (devices.has_pointer) {
+        buttons_mux_add(join, mouse_poi_devices(&devices.mouse).buttons);
     }
 }
 
 void controllers_close(void)
 {
-    gamepads_close(&hands.gamepads);
-    if (usb.seats) {
-        usb_transport_stop(usb.seats);
-        hid_mapping_store_close(&usb.book);
-        usb.seats = NULL;
+    gamepads_close(&devices.gamepads);
+    if (usb.transport) {
+        usb_transport_stop(usb.transport);
+        hid_mapping_store_close(&usb.store);
+        usb.transport = NULL;
     }
 }

@@ -32,11 +32,4 @@ void controllers_add_buttons(struct buttons_mux *join);
  * the event thread. */
 void controllers_close(void);
 
-/* Merges all buttons into one device, and opens the cabinet's GPIO lines. Must be called after
- * controllers_open(). */
-void panel_open(struct hal *hal, const struct board_options *options);
-
-/* Switches the lamps off, locks out coins, and ends the GPIO thread. */
-void panel_close(void);
-
 #endif

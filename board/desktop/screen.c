@@ -1,5 +1,6 @@
 /* screen.c -- opens the window or the full screen, and detects whether there is a screen. */
 #include <SDL.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -24,9 +25,7 @@ void screen_ignore(const uint32_t *types, size_t count)
     }
 }
 
-/* Makes SDL drop events that no driver reads. Such events would fill SDL's queue during a long day.
- * A full queue drops later events, for example the click that closes the window. */
-static void ignore_foreign_events(void)
+void screen_open(struct hal *hal, const struct board_options *options)
 {
     /* clang-format off */
     static const Uint32 foreign[] = {
@@ -36,11 +35,6 @@ static void ignore_foreign_events(void)
         SDL_LOCALECHANGED,    SDL_RENDER_TARGETS_RESET, SDL_RENDER_DEVICE_RESET,
     };
     /* clang-format on */
-    screen_ignore(foreign, sizeof foreign / sizeof foreign[0]);
-}
-
-void screen_open(struct hal *hal, const struct board_options *options)
-{
     CORE_ASSERT(hal && options);
     struct display_gl *display = &devices.display;
     display->config = (struct display_gl_config){
@@ -56,55 +50,57 @@ void screen_open(struct hal *hal, const struct board_options *options)
     hal->display = display_gl_device(display);
     /* SDL's event queue must outlive a display that is lost and reopened. */
     SDL_InitSubSystem(SDL_INIT_EVENTS);
-    ignore_foreign_events();
+    /* SDL drops events that no driver reads. Such events would fill SDL's queue during a long day.
+     * A full queue drops later events, for example the click that closes the window. */
+    screen_ignore(foreign, sizeof foreign / sizeof foreign[0]);
     if (hal->display.ops->open(display) != HAL_OK && !options->waits_for_screen) {
         snprintf(devices.text, sizeof devices.text, "%.*s", (int)sizeof devices.text - 1,
                  hal->display.ops->describe(display));
-        hal->display = null_display(devices.text);
+        hal->display = null_hal(devices.text).display;
     }
 }
 
-/* Returns 1 if the kernel has a graphics card (/dev/dri/card*), otherwise 0. Without a graphics
+/* Returns true if the kernel has a graphics card (/dev/dri/card*). Without a graphics
  * card SDL is not called, because its libraries would write errors to standard error. */
-static int has_graphics_card(void)
+static bool has_graphics_card(void)
 {
     char path[32];
     for (int i = 0; i < 16; i++) {
         snprintf(path, sizeof path, "/dev/dri/card%d", i);
         if (access(path, F_OK) == 0) {
-            return 1;
+            return true;
         }
     }
-    return 0;
+    return false;
 }
 
-static int is_variable_set(const char *name)
+static bool is_variable_set(const char *name)
 {
     const char *value = getenv(name);
     return value && value[0];
 }
 
-int board_has_screen(char *why, size_t why_size)
+bool board_has_screen(char *why, size_t why_size)
 {
-    const int has_windows = is_variable_set("DISPLAY") || is_variable_set("WAYLAND_DISPLAY");
+    const bool has_windows = is_variable_set("DISPLAY") || is_variable_set("WAYLAND_DISPLAY");
     if (!has_windows && !is_variable_set("SDL_VIDEODRIVER") && !has_graphics_card()) {
         snprintf(why, why_size,
                  "neither DISPLAY nor WAYLAND_DISPLAY is set, and there is no "
                  "graphics card");
-        return 0;
+        return false;
     }
     screen_card_prefer();
     if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) {
         snprintf(why, why_size, "%s (SDL: %s)",
-                 has_windows ? "the display does not answer" : "no screen is plugged in",
+                 has_windows ? "the display does not respond" : "no screen is plugged in",
                  SDL_GetError());
-        return 0;
+        return false;
     }
     const char *driver = SDL_GetCurrentVideoDriver();
-    const int shows = driver && strcmp(driver, "offscreen") != 0 && strcmp(driver, "dummy") != 0;
+    const bool shows = driver && strcmp(driver, "offscreen") != 0 && strcmp(driver, "dummy") != 0;
     if (!shows) {
         snprintf(why, why_size, "%s (SDL fell back to '%s')",
-                 has_windows ? "the display does not answer" : "no screen is plugged in",
+                 has_windows ? "the display does not respond" : "no screen is plugged in",
                  driver ? driver : "nothing");
     }
     SDL_QuitSubSystem(SDL_INIT_VIDEO);

@@ -19,7 +19,7 @@ import sys
 
 TOPS = ('core', 'drivers', 'platform', 'board')
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*"([^"]+)"', re.M)
-# Boxes of which a contract may include files: mathematics, tables of species, and the floor of the platform.
+# Boxes whose headers a contract may include: mathematics, species tables, and the operating-system layer.
 LOWEST = {'base', 'morph', 'os'}
 FILL = {'core': '#fde7c8', 'drivers': '#dcefd8', 'platform': '#d8e6f5', 'board': '#eadcf0'}
 
@@ -86,7 +86,7 @@ def read_graph(build):
     includes = direct_includes(files)
     boxes = {path: box_of(includes, path) for path in files}
     counts, folders = collections.Counter(), collections.defaultdict(set)
-    for path in whole_tree():  # Another version of a library compiles other files; the numbers stay.
+    for path in whole_tree():  # Another version of a library compiles other files, but the numbers stay equal.
         box = boxes.get(path) or box_of(includes | {path: set()}, path)
         counts[box] += 1
         folders[box] |= set(path.split('/')[2:-1])
@@ -151,7 +151,7 @@ def main():
     made = subprocess.run(['dot', '-Tsvg'], input=graph, capture_output=True, text=True)
     if made.returncode != 0:
         fail(2, f'dot failed: {made.stderr.strip()}')
-    picture = re.sub(r'<!--.*?-->\n', '', made.stdout, flags=re.S)  # Names of nodes, which the titles repeat.
+    picture = re.sub(r'<!--.*?-->\n', '', made.stdout, flags=re.S)  # The comments repeat the node names that the titles contain.
     with open(options.svg, 'w', encoding='utf-8') as file:
         file.write(picture.replace('<svg ', comment + '<svg ', 1))
 

@@ -12,7 +12,7 @@ COMMENT = re.compile(r'"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\'|/\*.*?\*/', re
 
 def escape(text):
     text = re.sub(r'([\\@<>#&$])', r'\\\1', text).replace('%', '%%')
-    return re.sub(r'(?<!\S)\.\.(?!\S)', 'to', text)  # Doxygen reads a lone `..` as the end of a list.
+    return re.sub(r'(?<!\S)\.\.(?!\S)', 'to', text)  # Doxygen parses a lone `..` as the end of a list.
 
 
 def convert(text):

@@ -1,11 +1,11 @@
 #!/bin/bash
-# boot.sh BOARD -- what starts the machine, in $IMAGE: the kernel, its first files, and the partition with both.
+# boot.sh BOARD -- makes the boot files in $IMAGE: the kernel, the initramfs, and the partition with both.
 # shellcheck disable=SC2154,SC1091,SC2115  # lib.sh sets them
 . "$(dirname "$0")/lib.sh"
 
 release=$(cat "$kernel_root/release")
-# The root is a partition that cannot be written, nobody may type a line for the kernel, and a crash is over in 5 s.
-# fsck answers its own questions with yes: nobody else will.
+# The root partition is read-only, the boot loader accepts no kernel parameters, and a crashed kernel restarts after 5 s.
+# fsck answers its own questions with yes, because no operator is present.
 words="quiet fsck.repair=yes loglevel=3 panic=5 oops=panic systemd.getty_auto=0 systemd.gpt_auto=0 vt.global_cursor_default=0 $kernel_words"
 
 make_initrd() {
@@ -21,7 +21,7 @@ make_initrd() {
     rm -rf "$image"
 }
 
-# For UEFI: systemd's boot loader, which shows no menu and takes no words.
+# For UEFI: systemd's boot loader, without a menu and without an editor for kernel parameters.
 make_boot() {
     local fat=$IMAGE/boot.fat
     rm -f "$fat"

@@ -1,4 +1,4 @@
-# image.mk -- a disk with the stall on it: power on, and it plays.
+# image.mk -- makes a disk image that starts the kiosk at power on.
 
 IMAGE := $(BUILD)/image/$(BOARD)
 

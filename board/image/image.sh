@@ -1,13 +1,13 @@
 #!/bin/bash
-# image.sh BOARD -- makes the disk of board/BOARD/image.conf: $IMAGE/kingyo.img, with the kiosk of $BUILD on it.
+# image.sh BOARD -- makes the disk of board/BOARD/image.conf: $IMAGE/kingyo.img, with the kiosk of $BUILD.
 #
-# Four partitions' worth of work, one script each: Debian's packages (root.sh), the kernel and what starts it
-# (boot.sh), then here the stall itself and the disk. Nothing of this machine goes onto it but what make built.
-# Exit code 1: something is missing or failed, in one line; 2: wrong usage.
+# Three scripts do the work: root.sh installs Debian's packages, boot.sh makes the kernel and the boot files, and this
+# script installs the kiosk and writes the disk. Of the build machine's files, only the output of make goes into the image.
+# Exit code 1: something is missing or failed; one line says what. Exit code 2: wrong usage.
 # shellcheck disable=SC2154,SC1091,SC2115  # lib.sh sets them
 . "$(dirname "$0")/lib.sh"
 
-install_kiosk() { # FOLDER: the Debian packages of this tree, whose dependencies packages.txt must meet
+install_kiosk() { # FOLDER: installs the Debian packages of this tree. packages.txt must list their dependencies.
     local root=$1
     mkdir "$root/debs"
     cp "$BUILD"/deb/*.deb "$root/debs/"
@@ -19,11 +19,11 @@ install_kiosk() { # FOLDER: the Debian packages of this tree, whose dependencies
     rm -r "$root/debs"
 }
 
-owner() { # FOLDER: of the stall's files there, as USER:GROUP
+owner() { # FOLDER: prints the owner of the kiosk's files there, as USER:GROUP.
     sed -n 's/^kingyo:[^:]*:\([0-9]*:[0-9]*\):.*/\1/p' "$1/etc/passwd"
 }
 
-# What a cabinet has beside the stall: who mounts what, what keys do, which services there are.
+# Writes the settings that a cabinet needs beside the kiosk: mounts, keys and services.
 settle() { # FOLDER
     local root=$1 unit
     cp -r "$here/root/." "$root/"
@@ -33,7 +33,7 @@ settle() { # FOLDER
         "$version" "$board" "$version" >"$root/etc/os-release.new"
     mv "$root/etc/os-release.new" "$root/etc/os-release"
     ln -s /usr/lib/systemd/system/kingyo-data.service "$root/etc/systemd/system/multi-user.target.wants/"
-    # Nobody logs in: no prompts on any console, nobody has a password, no network to come from.
+    # Nobody can log in: no console shows a prompt, no user has a password, and there is no network.
     for unit in getty.target getty@.service serial-getty@.service autovt@.service console-getty.service \
         container-getty@.service debug-shell.service emergency.service rescue.service \
         ctrl-alt-del.target systemd-logind.service systemd-networkd.service systemd-networkd.socket \
@@ -45,19 +45,19 @@ settle() { # FOLDER
     sed -i 's/^\([^:]*\):[^:]*:/\1:!:/' "$root/etc/shadow"
     ln -sf multi-user.target "$root/usr/lib/systemd/system/default.target"
     install -d "$root/var/tmp" "$root/var/cache" "$root/var/lib/systemd"
-    # Where there is no data partition the stall finds its own folder there, which it cannot write.
+    # Without a data partition, the kiosk finds this folder instead, which it cannot write.
     install -d -m 750 "$root/var/lib/kingyo"
     chown "$(owner "$root")" "$root/var/lib/kingyo"
     install_modules "$root" "$boot_modules $modules"
 }
 
-# Tools to install software are of no use where nothing can be written.
+# Removes the tools that install software, because the root partition is read-only.
 strip_root() { # FOLDER
     local root=$1
     rm -rf "$root"/usr/share/{doc,man,info,locale,lintian,initramfs-tools,bash-completion,bug} \
         "$root"/var/lib/{apt,dpkg/info} "$root"/var/cache/* "$root"/var/log/* "$root"/boot/* \
         "$root"/etc/{apt,cron.daily,init.d,rc?.d,rcS.d} "$root"/{vmlinuz,initrd.img}*
-    # A program that makes whoever runs it root is of no use to anybody here.
+    # Removes the set-user-id bits, because no user of the image needs them.
     find "$root" -xdev -perm /6000 -type f -exec chmod ug-s {} +
 }
 
@@ -74,7 +74,7 @@ make_root() {
     rm -rf --one-file-system "$root"
 }
 
-# Empty, and the stall's from the first start on.
+# Makes the data partition: empty, and owned by the kiosk.
 make_data() {
     rm -f "$IMAGE/data.ext4"
     truncate -s "${data_size}M" "$IMAGE/data.ext4"

@@ -1,6 +1,7 @@
-# lib.sh -- what the scripts of this folder share. Source it with BOARD as the first word; it wants BUILD and IMAGE.
+# lib.sh -- functions that the scripts of this folder share. Source the file with BOARD as the first argument, and with
+# BUILD and IMAGE set.
 #
-# What is fetched lies in $cache, by the release, and is fetched anew after a week; what is made lies in $IMAGE.
+# Downloads are stored in $cache, by release, and are fetched again after a week. Results are stored in $IMAGE.
 # shellcheck shell=bash disable=SC2034,SC1091,SC1090,SC2154  # who sources it uses what it sets
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -12,11 +13,11 @@ version=$(sed -n 's/.*define KINGYO_VERSION "\(.*\)".*/\1/p' "$top/core/core.h")
 mkdir -p "$IMAGE" "$BUILD/image/$suite-$arch"
 IMAGE=$(cd "$IMAGE" && pwd) cache=$(cd "$BUILD/image/$suite-$arch" && pwd)
 kernel_root=$cache/kernel
-days_max=7 # So old may be what was fetched: a mirror forgets it after that.
+days_max=7 # Maximum age of a download in days, because mirrors remove old packages.
 made_s=$(git -C "$top" log -1 --format=%ct 2>/dev/null || date +%s)
 
-# Root works in these folders under names that are known before. Where another user may write, a link in place of such
-# a name would let that user overwrite any file.
+# Refuses folders that other users can write. Root writes files with predictable names there, and a link in place of such
+# a file would let the other user overwrite any file.
 refuse_shared() { # FOLDER...
     local folder owner
     for folder; do
@@ -45,12 +46,12 @@ needs() {
     done
 }
 
-# Whether FILE was made less than days_max ago, and of these words.
+# Succeeds if FILE is younger than days_max days and was made from the same WORDS.
 is_fresh() { # FILE WORDS
     [ -n "$(find "$1" -maxdepth 0 -mtime "-$days_max" 2>/dev/null)" ] && [ "$(cat "$1.of" 2>/dev/null)" = "$2" ]
 }
 
-# The addresses that this machine fetches Debian from, as lines for apt of the release.
+# Prints the sources of Debian's packages on this machine, as lines for apt of the release.
 sources() {
     local archive security
     archive=$(mirror 0)
@@ -63,12 +64,12 @@ sources() {
     [ -z "$security" ] || echo "deb $security $suite-security main"
 }
 
-mirror() { # 0|1: the archive, or its security fixes
+mirror() { # 0|1: prints the address of the archive (0) or of its security fixes (1)
     apt-get indextargets --format '$(REPO_URI) $(ORIGIN) $(LABEL)' 'Created-By: Packages' 2>/dev/null |
         awk -v security="$1" '$2 == "Debian" && (($3 ~ /Security/) == security) { print $1; exit }'
 }
 
-# Copies modules of the kernel, and what they need, below FOLDER.
+# Copies the named kernel modules, and the modules they need, below FOLDER.
 install_modules() { # FOLDER MODULES
     local release module file to
     release=$(cat "$kernel_root/release")
@@ -80,7 +81,7 @@ install_modules() { # FOLDER MODULES
     done | awk '$1 == "insmod" { print $2 }' | sort -u | while read -r file; do
         to=$1/usr/lib/modules/$release/${file#"$kernel_root/lib/modules/$release/"}
         mkdir -p "${to%/*}"
-        case $file in # Unpacked here: what busybox calls modprobe knows no xz.
+        case $file in # Decompressed here, because the modprobe of busybox cannot read xz.
             *.xz) xz -dc "$file" >"${to%.xz}" ;;
             *) cp "$file" "$to" ;;
         esac

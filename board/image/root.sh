@@ -1,5 +1,5 @@
 #!/bin/bash
-# root.sh BOARD -- Debian's packages for the disk (packages.txt), set up, and its kernel unpacked; in $cache.
+# root.sh BOARD -- installs Debian's packages for the disk (packages.txt) in $cache, and unpacks its kernel.
 # shellcheck disable=SC2154,SC1091,SC2115  # lib.sh sets them
 . "$(dirname "$0")/lib.sh"
 
@@ -10,8 +10,8 @@ step "Debian's packages: $suite, $arch"
 mapfile -t lines < <(sources)
 rm -rf "$cache/debs"
 mkdir -p "$cache/debs"
-# The kernel is fetched by the same apt, so that both are of one day, and unpacked beside the root: installed, it would
-# want a maker of initramfs' in there.
+# The same apt fetches the kernel, so that kernel and packages are of the same day. The kernel is unpacked beside the root
+# file system, because an installed kernel requires a tool that makes initramfs files.
 export cache kernel
 mmdebstrap --quiet --mode=root --format=tar --variant=essential --architectures="$arch" --include="$packages" \
     --aptopt='APT::Install-Recommends "false"' --dpkgopt='path-exclude=/usr/share/man/*' \
@@ -34,7 +34,7 @@ mkdir -p "$kernel_root"
 for deb in "$cache"/debs/*.deb; do
     dpkg-deb --fsys-tarfile "$deb" | tar -x -C "$kernel_root"
 done
-# Modules lie in /lib or, from Debian 13 on, in /usr/lib.
+# Modules are in /lib, or in /usr/lib from Debian 13 on.
 [ -d "$kernel_root/lib/modules" ] || { mkdir -p "$kernel_root/lib"; mv "$kernel_root/usr/lib/modules" "$kernel_root/lib/"; }
 release=$(basename "$kernel_root"/lib/modules/*)
 depmod -b "$kernel_root" "$release"

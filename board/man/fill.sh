@@ -1,11 +1,10 @@
 #!/bin/bash
-# fill.sh PAGE.in -- writes the manual page to standard output: its text, and in place of the lines
-# @OPTIONS@, @COMMANDS@ and @SETTINGS@ the help texts of the programs in $BUILD. So page and program
-# cannot differ. Exits 74 if a program does not answer.
+# fill.sh PAGE.in -- writes a manual page to standard output. The help texts of the programs in $BUILD replace the lines
+# @OPTIONS@, @COMMANDS@ and @SETTINGS@, so that page and program always agree. Exits with 74 if a program fails.
 set -eu -o pipefail
 build=${BUILD:-build}
 
-# Formats text for mdoc(7): a sentence a line, 76 columns at most, nothing that looks like a macro.
+# Formats text for mdoc(7): one sentence on each line, at most 76 columns, and no word that mdoc would read as a macro.
 words='
 function escape(text) {
     gsub(/\\/, "\\e", text)
@@ -23,7 +22,7 @@ function fill(text,    count, word, i, line) {
     if (line != "") print escape(line)
 }'
 
-options() { # Converts the output of kingyo --help: "  --name VALUE   what it does", in one line or more.
+options() { # Converts the output of kingyo --help: "  --name VALUE   description", in one or more lines.
     "$build/kingyo" --help | awk "$words"'
         function flush() {
             if (name == "") return

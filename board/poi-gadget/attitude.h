@@ -1,5 +1,6 @@
 /* attitude.h -- computes the orientation of the poi (a paper scoop with sensors) from its inertial
- * sensor. The functions are pure.
+ * sensor, and converts all sensor readings to the report that is sent to the host. The functions
+ * are pure.
  *
  * Some inertial chips, for example the BNO055, compute the orientation as a quaternion. For other
  * chips, a complementary filter combines the rotation rate with the acceleration (Mahony, Hamel,
@@ -8,13 +9,21 @@
  *
  * No sensor measures the heading. The heading therefore decays to straight ahead, so that the drift
  * of the gyroscope does not accumulate. The decay is not visible on the round ring of the poi, only
- * on its handle. */
+ * on its handle.
+ *
+ * The position is filtered without delaying fast motion. The One Euro filter (Casiez, Roussel,
+ * Vogel 2012) is a first-order low-pass filter whose corner frequency increases with the speed. At
+ * rest, one step of a 12-bit converter (0.3 mm) must not appear as a hand tremor of 75 mm/s. During
+ * a fast dip, the delay of the filter must stay below one tick of the game (1/120 s). */
 #ifndef KINGYO_BOARD_POI_GADGET_ATTITUDE_H
 #define KINGYO_BOARD_POI_GADGET_ATTITUDE_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
+#include "board/poi-gadget/poi_config.h"
 #include "core/base/vec.h"
+#include "drivers/hid/poi_report.h"
 
 #define GRAVITY_M_S2 9.80665f
 
@@ -24,12 +33,12 @@ struct quaternion {
 };
 
 struct attitude {
-    uint8_t knows; /* 1 after gravity was first measured, otherwise 0. */
+    bool knows; /* True after gravity was first measured. */
     struct quaternion turn;
     vec3 bias_rad_s; /* Bias of the gyroscope in rad/s, in the axes of the poi. */
     float still_s;   /* Time in seconds for which the poi has been still. */
     float ahead_rad; /* Heading in rad that is reported as 0, which means straight ahead. */
-    uint8_t has_ahead;
+    bool has_ahead;  /* True after `ahead_rad` was first set. */
 };
 
 /* Updates the orientation from the rotation rate and the acceleration during the last `seconds`.
@@ -55,5 +64,57 @@ struct quaternion attitude_quaternion_of_angles(struct angles angles);
 
 /* Converts a quaternion to yaw, pitch and roll. */
 struct angles attitude_quaternion_angles(struct quaternion q);
+
+/* ---- Pose ------------------------------------------------------------------------------------ */
+
+/* Limit in converter steps. A reading below this limit counts as the end stop of the potentiometer.
+ * The limit allows for noise. */
+#define BOARD_POSE_STEPS_MIN 8.0f
+
+/* Readings of all sensors at one moment, in the steps of the converter and in the axes of the
+ * inertial chip. */
+struct readings {
+    float wire[DRAW_WIRE_COUNT]; /* Mean of several samples for each draw wire, in steps of the
+                                    analog-to-digital converter. */
+    /* True if the inertial chip computes a quaternion and `turn` is valid. False if `gyro_rad_s`
+     * and `accel_m_s2` are valid instead. */
+    bool fuses;
+    struct quaternion turn; /* Rotation from the axes of the inertial chip to a world whose +z axis
+                               points up. */
+    vec3 gyro_rad_s, accel_m_s2;
+    uint8_t buttons; /* Bit mask of the pressed buttons (enum poi_button). */
+};
+
+/* State of the position filter. The constants of the filter are in attitude.c. */
+struct steady {
+    bool begun;                     /* True after the first position. */
+    vec3 place_m, speed_m_s, raw_m; /* Filtered position, filtered speed, and last unfiltered
+                                       position. Positions are in metres. */
+};
+
+struct board_pose {
+    const struct poi_config *config;
+    struct attitude attitude;
+    struct steady steady;
+    struct quaternion mount;      /* Rotation from the axes of the inertial chip to the axes of the
+                                     poi. */
+    enum draw_wires_result wires; /* Result of the last computation of the position from the draw
+                                     wires. */
+    vec3 eye_m;                   /* Unfiltered position of the eye, the point at which the draw
+                                     wires meet, in metres. */
+};
+
+/* Initializes the state. `config` must outlive `pose`. The caller guarantees that `config` is valid
+ * and calibrated. */
+void board_pose_init(struct board_pose *pose, const struct poi_config *config);
+
+/* Computes the next report. `seconds` is the time since the previous report and must be above 0. If
+ * the wires do not meet in a point, the report has no position. The caller sets the sequence number
+ * of the report. */
+void board_pose_step(struct board_pose *pose, const struct readings *readings, float seconds,
+                     struct poi_report *out);
+
+/* Converts a rotation matrix with the rows `row` to a quaternion. */
+struct quaternion board_pose_quaternion_of_rows(const vec3 row[3]);
 
 #endif

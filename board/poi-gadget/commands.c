@@ -1,94 +1,130 @@
 /* commands.c -- measures the draw wires at each calibration mark, as a mean over one second, and
  * checks the parts of a poi. Each result of a check is printed immediately. */
-#include "board/poi-gadget/commands.h"
+#include "board/poi-gadget/run.h"
 
 #include <assert.h>
 #include <errno.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 #include <time.h>
 #include <unistd.h>
 
-#include "board/poi-gadget/board_pose.h"
+#include "board/poi-gadget/attitude.h"
 #include "board/poi-gadget/draw_wires.h"
 #include "board/poi-gadget/motor.h"
 #include "board/poi-gadget/sensors.h"
+#include "platform/os/clock.h"
 #include "platform/os/print.h"
+
+/* ---- Observation of the sensors -------------------------------------------------------------- */
+
+#define LOOKS 50u /* Number of readings of the sensors in one observation. */
+/* Pause in ns between two readings during the calibration, so that an observation takes one second.
+ */
+#define CALIBRATE_PAUSE_NS 20000000
+
+/* Holds the result of LOOKS readings of all sensors. */
+struct looks {
+    struct readings last;
+    /* Mean, least and greatest converter steps of each wire. */
+    float mean[DRAW_WIRE_COUNT], low[DRAW_WIRE_COUNT], high[DRAW_WIRE_COUNT];
+    vec3 gyro_rad_s;             /* Mean rotation rate in the axes of the inertial chip. */
+    float spin_rad_s, pull_m_s2; /* Mean magnitude of the rotation rate and mean magnitude of the
+                                    acceleration over all readings. */
+    uint32_t missed;             /* Number of readings in which a sensor did not respond. */
+    double seconds;              /* Duration of the observation in seconds. */
+};
+
+static void observe_sensors(struct sensors *sensors, long pause_ns, struct looks *looks)
+{
+    const float part = 1.0f / (float)LOOKS;
+    *looks = (struct looks){ 0 };
+    const uint64_t began_ns = clock_ns(CLOCK_MONOTONIC);
+    for (uint32_t n = 0; n < LOOKS; n++) {
+        looks->missed += !sensors_read(sensors, &looks->last);
+        for (uint32_t i = 0; i < DRAW_WIRE_COUNT; i++) {
+            const float wire = looks->last.wire[i];
+            looks->low[i] = n == 0 ? wire : f_min(looks->low[i], wire);
+            looks->high[i] = n == 0 ? wire : f_max(looks->high[i], wire);
+            looks->mean[i] += wire * part;
+        }
+        looks->gyro_rad_s = v3_muladd(looks->gyro_rad_s, looks->last.gyro_rad_s, part);
+        looks->spin_rad_s += v3_length(looks->last.gyro_rad_s) * part;
+        looks->pull_m_s2 += v3_length(looks->last.accel_m_s2) * part;
+        if (pause_ns > 0) {
+            nanosleep(&(struct timespec){ .tv_nsec = pause_ns }, NULL);
+        }
+    }
+    looks->seconds = (double)(clock_ns(CLOCK_MONOTONIC) - began_ns) * 1e-9;
+}
 
 /* ---- Calibration of the wires ---------------------------------------------------------------- */
 
-#define READINGS 50u
-#define BETWEEN_NS 20000000
 /* Maximum range of the converter steps while the user holds the eye (the point where the wires
  * meet) on a mark. 20 steps are 5 mm of wire. */
 #define STILL_STEPS 20.0f
 
-/* Computes the mean and the range of the sensor readings during one second. Returns 1, or 0 if a
- * sensor does not respond. */
-static int mean_readings(struct sensors *sensors, struct readings *mean, float spread[3])
+/* Prints an instruction, waits until the user presses Enter, and observes the sensors for one
+ * second. Returns true, or false if standard input has ended or a sensor did not respond. */
+__attribute__((format(printf, 3, 4))) static bool
+observe_after_enter(struct sensors *sensors, struct looks *looks, const char *format, ...)
 {
-    float low[3], high[3];
-    *mean = (struct readings){ 0 };
-    for (uint32_t n = 0; n < READINGS; n++) {
-        struct readings one = { 0 };
-        if (!sensors_read(sensors, &one)) {
-            return 0;
-        }
-        for (uint32_t i = 0; i < DRAW_WIRE_COUNT; i++) {
-            low[i] = n == 0 ? one.wire[i] : f_min(low[i], one.wire[i]);
-            high[i] = n == 0 ? one.wire[i] : f_max(high[i], one.wire[i]);
-            mean->wire[i] += one.wire[i] / (float)READINGS;
-            spread[i] = high[i] - low[i];
-        }
-        mean->fuses = one.fuses;
-        mean->gyro_rad_s = v3_muladd(mean->gyro_rad_s, one.gyro_rad_s, 1.0f / (float)READINGS);
-        nanosleep(&(struct timespec){ .tv_nsec = BETWEEN_NS }, NULL);
-    }
-    return 1;
-}
-
-static int wait_for_enter(void)
-{
+    char words[PRINT_LINE_MAX];
     int letter;
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(words, sizeof words, format, arguments);
+    va_end(arguments);
+    print_error("%s, press Enter", words);
     do {
         letter = getchar();
     } while (letter != '\n' && letter != EOF);
-    return letter != EOF;
+    if (letter != EOF) {
+        observe_sensors(sensors, CALIBRATE_PAUSE_NS, looks);
+    }
+    if (letter == EOF || looks->missed > 0) {
+        print_error("kingyo-poi: standard input has ended, or a sensor did not respond");
+        return false;
+    }
+    return true;
 }
 
-/* Asks the user to hold the eye on a mark, measures the wires, and adds the mark to the fits of the
- * three wires. */
-static int ask_mark(const struct poi_config *config, struct sensors *sensors, uint32_t mark,
-                    struct wire_fit fits[DRAW_WIRE_COUNT], struct readings *mean)
+/* Asks the user to hold the eye (the point on the poi's neck at which the three wires meet) on a
+ * mark. Then measures the wires and adds the mark to the calibration fits of the three wires. */
+static bool ask_mark(const struct poi_config *config, struct sensors *sensors, uint32_t mark,
+                     struct wire_fit fits[DRAW_WIRE_COUNT])
 {
     assert(mark < config->mark_count);
     const vec3 at_m = config->mark_m[mark];
-    float length_m[DRAW_WIRE_COUNT], spread[DRAW_WIRE_COUNT];
-    for (;;) {
-        print_error("mark %u of %u: hold the eye still at %.0f %.0f %.0f mm, press Enter", mark + 1,
-                    config->mark_count, (double)(at_m.x * 1000.0f), (double)(at_m.y * 1000.0f),
-                    (double)(at_m.z * 1000.0f));
-        if (!wait_for_enter() || !mean_readings(sensors, mean, spread)) {
-            print_error("kingyo-poi: standard input or a sensor ended");
-            return 0;
+    float length_m[DRAW_WIRE_COUNT], most;
+    struct looks looks;
+    do {
+        if (!observe_after_enter(sensors, &looks,
+                                 "mark %u of %u: hold the eye still at %.0f %.0f %.0f mm", mark + 1,
+                                 config->mark_count, (double)(at_m.x * 1000.0f),
+                                 (double)(at_m.y * 1000.0f), (double)(at_m.z * 1000.0f))) {
+            return false;
         }
-        const float most = f_max(spread[0], f_max(spread[1], spread[2]));
-        if (most < STILL_STEPS) {
-            break;
+        most = 0.0f;
+        for (uint32_t i = 0; i < DRAW_WIRE_COUNT; i++) {
+            most = f_max(most, looks.high[i] - looks.low[i]);
         }
-        print_error("  it moved by %.0f steps; once more", (double)most);
-    }
+        if (most >= STILL_STEPS) {
+            print_error("  the eye moved by %.0f steps; hold it still once more", (double)most);
+        }
+    } while (most >= STILL_STEPS);
     draw_wires_lengths(config->spool_m, at_m, length_m);
     for (uint32_t i = 0; i < DRAW_WIRE_COUNT; i++) {
-        draw_wires_fit_add(&fits[i], mean->wire[i], length_m[i]);
+        draw_wires_fit_add(&fits[i], looks.mean[i], length_m[i]);
     }
-    return 1;
+    return true;
 }
 
 static enum exit_code calibrate_print_result(const struct poi_config *config,
                                              struct wire_fit fits[DRAW_WIRE_COUNT],
-                                             const struct readings *rest)
+                                             const struct looks *rest)
 {
     enum exit_code code = EXIT_OK;
     for (uint32_t i = 0; i < DRAW_WIRE_COUNT; i++) {
@@ -102,7 +138,7 @@ static enum exit_code calibrate_print_result(const struct poi_config *config,
                (double)(fits[i].zero_m * 1000.0f), (double)(fits[i].step_m * 1000.0f),
                (double)(fits[i].miss_m * 1000.0f));
     }
-    if (code == EXIT_OK && !rest->fuses) {
+    if (code == EXIT_OK && !rest->last.fuses) {
         const vec3 bias = poi_config_from_chip(config, rest->gyro_rad_s);
         printf("gyro_bias = %.5f %.5f %.5f\n", (double)bias.x, (double)bias.y, (double)bias.z);
     }
@@ -113,22 +149,19 @@ enum exit_code commands_calibrate(const struct poi_config *config, const char *r
 {
     struct wire_fit fits[DRAW_WIRE_COUNT] = { 0 };
     struct sensors sensors;
-    struct readings rest = { 0 };
+    struct looks rest;
     char why[SENSORS_WHY_SIZE];
-    float spread[DRAW_WIRE_COUNT];
     enum exit_code code = EXIT_IO;
     if (!sensors_open(&sensors, config, root, why)) {
         print_error("kingyo-poi: %s", why);
     } else {
         uint32_t mark = 0;
-        while (mark < config->mark_count && ask_mark(config, &sensors, mark, fits, &rest)) {
+        while (mark < config->mark_count && ask_mark(config, &sensors, mark, fits)) {
             mark++;
         }
-        if (mark == config->mark_count) {
-            print_error("lay the poi down, press Enter");
-            code = wait_for_enter() && mean_readings(&sensors, &rest, spread)
-                       ? calibrate_print_result(config, fits, &rest)
-                       : EXIT_IO;
+        if (mark == config->mark_count &&
+            observe_after_enter(&sensors, &rest, "lay the poi down")) {
+            code = calibrate_print_result(config, fits, &rest);
         }
     }
     sensors_close(&sensors);
@@ -137,7 +170,6 @@ enum exit_code commands_calibrate(const struct poi_config *config, const char *r
 
 /* ---- Self-test ------------------------------------------------------------------------------- */
 
-#define LOOKS 50u /* Number of readings of the sensors while the poi is at rest. */
 #define LOOK_S 0.02f
 /* Maximum range of the converter steps while the poi is at rest. 8 steps are 2 mm of wire. With a
  * working converter, the means of four readings vary less. */
@@ -147,14 +179,12 @@ enum exit_code commands_calibrate(const struct poi_config *config, const char *r
 #define GRAVITY_OFF_MAX 0.08f
 #define SPIN_REST_MAX 0.2f /* Maximum rotation rate in rad/s while the poi is at rest. */
 
-struct verdicts {
-    uint32_t good, bad;
-};
+static uint32_t failed_count, passed_count; /* Numbers of failed and of passed checks. */
 
-/* Prints one line with "ok" or "FAIL", the name of the check, and the reason. Counts the result in
- * `verdicts`. */
-__attribute__((format(printf, 4, 5))) static void
-print_verdict(struct verdicts *verdicts, int good, const char *what, const char *format, ...)
+/* Prints one line with "ok" or "FAIL", the name of the check, and the reason, and counts the
+ * result. */
+__attribute__((format(printf, 3, 4))) static void print_verdict(bool good, const char *what,
+                                                                const char *format, ...)
 {
     char why[PRINT_LINE_MAX];
     va_list arguments;
@@ -163,92 +193,59 @@ print_verdict(struct verdicts *verdicts, int good, const char *what, const char 
     va_end(arguments);
     print_line(stdout, "%-4s  %-10s %s", good ? "ok" : "FAIL", what, why);
     fflush(stdout);
-    if (good) {
-        verdicts->good++;
-    } else {
-        verdicts->bad++;
-    }
+    ++*(good ? &passed_count : &failed_count);
 }
 
 /* ---- Sensors at rest ------------------------------------------------------------------------- */
 
-struct looks {
-    struct readings last;
-    float low[DRAW_WIRE_COUNT], high[DRAW_WIRE_COUNT];
-    float spin_rad_s, pull_m_s2; /* Mean magnitude of the rotation rate and mean magnitude of the
-                                    acceleration over all readings. */
-    uint32_t missed;
-    struct timespec began, ended;
-};
-
-static void observe_sensors(struct sensors *sensors, struct looks *looks)
+static void judge_readings(const struct poi_config *config, const struct looks *looks)
 {
-    *looks = (struct looks){ 0 };
-    clock_gettime(CLOCK_MONOTONIC, &looks->began);
-    for (uint32_t n = 0; n < LOOKS; n++) {
-        looks->missed += !sensors_read(sensors, &looks->last);
-        for (uint32_t i = 0; i < DRAW_WIRE_COUNT; i++) {
-            const float wire = looks->last.wire[i];
-            looks->low[i] = n == 0 ? wire : f_min(looks->low[i], wire);
-            looks->high[i] = n == 0 ? wire : f_max(looks->high[i], wire);
-        }
-        looks->spin_rad_s += v3_length(looks->last.gyro_rad_s) / (float)LOOKS;
-        looks->pull_m_s2 += v3_length(looks->last.accel_m_s2) / (float)LOOKS;
-    }
-    clock_gettime(CLOCK_MONOTONIC, &looks->ended);
-}
-
-static void judge_readings(struct verdicts *verdicts, const struct poi_config *config,
-                           const struct looks *looks)
-{
-    const double seconds = (double)(looks->ended.tv_sec - looks->began.tv_sec) +
-                           (double)(looks->ended.tv_nsec - looks->began.tv_nsec) * 1e-9;
-    const double each_ms = seconds * 1000.0 / (double)LOOKS;
+    const double each_ms = looks->seconds * 1000.0 / (double)LOOKS;
     assert(looks->missed <= LOOKS);
-    print_verdict(verdicts, looks->missed == 0, "sensors", "%u of %u readings answered",
+    print_verdict(looks->missed == 0, "sensors", "%u of %u readings succeeded",
                   LOOKS - looks->missed, LOOKS);
-    print_verdict(verdicts, each_ms < 4.0, "speed", "%.2f ms a reading: %.0f a second%s", each_ms,
-                  1000.0 / each_ms, each_ms < 4.0 ? "" : "; raise the bus' clock, or lower --rate");
+    print_verdict(each_ms < 4.0, "speed", "%.2f ms per reading, %.0f readings per second%s",
+                  each_ms, 1000.0 / each_ms,
+                  each_ms < 4.0 ? "" : "; increase the bus clock, or decrease --rate");
     for (uint32_t i = 0; i < DRAW_WIRE_COUNT; i++) {
         const float noise = looks->high[i] - looks->low[i];
-        const int out = looks->low[i] >= BOARD_POSE_STEPS_MIN;
+        const bool out = looks->low[i] >= BOARD_POSE_STEPS_MIN;
         char what[16];
         snprintf(what, sizeof what, "wire %u", i + 1);
-        print_verdict(verdicts, noise <= NOISE_STEPS_MAX && out, what,
-                      "channel %u says %.1f, within %.1f steps%s", config->channel[i],
+        print_verdict(noise <= NOISE_STEPS_MAX && out, what,
+                      "channel %u reads %.1f steps, with a range of %.1f%s", config->channel[i],
                       (double)looks->last.wire[i], (double)noise,
                       noise > NOISE_STEPS_MAX ? "; hold the poi still, or shield the cable"
                       : out                   ? ""
-                                              : "; that is its stop, or an open potentiometer");
+                            : "; the wire is at its stop, or the potentiometer is not connected");
     }
 }
 
-static void judge_turn(struct verdicts *verdicts, const struct poi_config *config,
-                       const struct looks *looks)
+static void judge_turn(const struct poi_config *config, const struct looks *looks)
 {
     const struct quaternion q = looks->last.turn;
     if (looks->last.fuses) {
-        const int alive = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z > 0.0f;
-        print_verdict(verdicts, alive, "inertia", "%s fuses by itself%s", config->imu,
-                      alive ? "" : ", but says nothing: write a fusing mode to its operation_mode");
+        const bool alive = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z > 0.0f;
+        print_verdict(alive, "inertia", "%s computes the orientation%s", config->imu,
+                      alive ? ""
+                            : ", but gives no values: write a fusion mode to its operation_mode");
         return;
     }
     const float off = f_abs(looks->pull_m_s2 / GRAVITY_M_S2 - 1.0f);
-    print_verdict(verdicts, off < GRAVITY_OFF_MAX, "gravity", "%.2f m/s^2%s",
-                  (double)looks->pull_m_s2,
-                  off < GRAVITY_OFF_MAX ? "" : "; lay the poi down, and look at the chip's scale");
-    print_verdict(verdicts, looks->spin_rad_s < SPIN_REST_MAX, "gyroscope", "%.3f rad/s at rest%s",
+    print_verdict(off < GRAVITY_OFF_MAX, "gravity", "%.2f m/s^2%s", (double)looks->pull_m_s2,
+                  off < GRAVITY_OFF_MAX ? ""
+                                        : "; lay the poi down, or check the scale of the chip");
+    print_verdict(looks->spin_rad_s < SPIN_REST_MAX, "gyroscope", "%.3f rad/s at rest%s",
                   (double)looks->spin_rad_s,
-                  looks->spin_rad_s < SPIN_REST_MAX ? "" : "; lay it down");
+                  looks->spin_rad_s < SPIN_REST_MAX ? "" : "; lay the poi down");
 }
 
-static void judge_place(struct verdicts *verdicts, const struct poi_config *config,
-                        const struct looks *looks)
+static void judge_place(const struct poi_config *config, const struct looks *looks)
 {
     struct board_pose pose;
     struct poi_report report = { 0 };
     if (!poi_config_is_calibrated(config)) {
-        print_verdict(verdicts, 0, "place", "the wires are not calibrated: kingyo-poi calibrate");
+        print_verdict(false, "place", "the wires are not calibrated; run 'kingyo-poi calibrate'");
         return;
     }
     board_pose_init(&pose, config);
@@ -256,28 +253,25 @@ static void judge_place(struct verdicts *verdicts, const struct poi_config *conf
         board_pose_step(&pose, &looks->last, LOOK_S, &report);
     }
     const vec3 at_m = report.target.position_m;
-    const int reach = v3_is_finite(at_m) && v3_length(at_m) < POI_REPORT_REACH_M;
-    print_verdict(verdicts, pose.wires == DRAW_WIRES_OK && reach, "place",
-                  "%s; ring at %.0f %.0f %.0f mm", draw_wires_text(pose.wires),
-                  (double)(at_m.x * 1000.0f), (double)(at_m.y * 1000.0f),
-                  (double)(at_m.z * 1000.0f));
+    const bool reach = v3_is_finite(at_m) && v3_length(at_m) < POI_REPORT_REACH_M;
+    print_verdict(pose.wires == DRAW_WIRES_OK && reach, "place", "%s; ring at %.0f %.0f %.0f mm",
+                  draw_wires_text(pose.wires), (double)(at_m.x * 1000.0f),
+                  (double)(at_m.y * 1000.0f), (double)(at_m.z * 1000.0f));
 }
 
-static void judge_sensors(struct verdicts *verdicts, const struct poi_config *config,
-                          const char *root)
+static void judge_sensors(const struct poi_config *config, const char *root)
 {
     struct sensors sensors;
     struct looks looks;
     char why[SENSORS_WHY_SIZE];
     if (!sensors_open(&sensors, config, root, why)) {
-        print_verdict(verdicts, 0, "sensors",
-                      "%s; look at dtoverlay in config.txt and at the wiring", why);
+        print_verdict(false, "sensors", "%s; check dtoverlay in config.txt and the wiring", why);
     } else {
-        observe_sensors(&sensors, &looks);
-        judge_readings(verdicts, config, &looks);
-        judge_turn(verdicts, config, &looks);
-        judge_place(verdicts, config, &looks);
-        print_verdict(verdicts, 1, "keys", "%u device%s of gpio-keys; held now: %02x",
+        observe_sensors(&sensors, 0, &looks);
+        judge_readings(config, &looks);
+        judge_turn(config, &looks);
+        judge_place(config, &looks);
+        print_verdict(true, "keys", "%u device%s of gpio-keys; pressed keys: %02x",
                       sensors.keys.count, sensors.keys.count == 1 ? "" : "s", looks.last.buttons);
     }
     sensors_close(&sensors);
@@ -285,17 +279,16 @@ static void judge_sensors(struct verdicts *verdicts, const struct poi_config *co
 
 /* ---- Motor, light and USB -------------------------------------------------------------------- */
 
-static void judge_motor(struct verdicts *verdicts, const struct poi_config *config,
-                        const char *root)
+static void judge_motor(const struct poi_config *config, const char *root)
 {
     struct motor motor;
     char why[MOTOR_WHY_SIZE];
-    const int named = config->pwm_chip >= 0 || config->light[0] != '\0';
-    const int works = motor_open(&motor, config, root, why);
-    print_verdict(verdicts, works, "motor", "%s",
+    const bool named = config->pwm_chip >= 0 || config->light[0] != '\0';
+    const bool works = motor_open(&motor, config, root, why);
+    print_verdict(works, "motor", "%s",
                   !works  ? why
-                  : named ? "did it hum, and the light shine?"
-                          : "none named: the hand feels nothing");
+                  : named ? "check that the motor hummed and that the light was on"
+                          : "no motor or light is configured, so there is no force feedback");
     if (named) {
         motor_set(&motor, (struct feel_levels){ .motor = 0.8f, .light = 1.0f });
         nanosleep(&(struct timespec){ .tv_nsec = 500000000 }, NULL);
@@ -306,12 +299,10 @@ static void judge_motor(struct verdicts *verdicts, const struct poi_config *conf
 enum exit_code commands_self_test(const struct poi_config *config, const char *root,
                                   const char *device)
 {
-    struct verdicts verdicts = { 0 };
-    judge_sensors(&verdicts, config, root);
-    judge_motor(&verdicts, config, root);
-    const int can = access(device, R_OK | W_OK) == 0;
-    print_verdict(&verdicts, can, "cable", "%s%s%s", device, can ? "" : ": ",
-                  can ? "" : strerror(errno));
-    printf("%u ok, %u failed\n", verdicts.good, verdicts.bad);
-    return verdicts.bad == 0 ? EXIT_OK : EXIT_NOT_SO;
+    judge_sensors(config, root);
+    judge_motor(config, root);
+    const bool can = access(device, R_OK | W_OK) == 0;
+    print_verdict(can, "cable", "%s%s%s", device, can ? "" : ": ", can ? "" : strerror(errno));
+    printf("%u ok, %u failed\n", passed_count, failed_count);
+    return failed_count == 0 ? EXIT_OK : EXIT_NOT_SO;
 }

@@ -33,7 +33,7 @@ static struct spool_axes axes_of(const vec3 spool_m[DRAW_WIRE_COUNT])
     return axes;
 }
 
-int draw_wires_is_determined(const vec3 spool_m[DRAW_WIRE_COUNT])
+bool draw_wires_is_determined(const vec3 spool_m[DRAW_WIRE_COUNT])
 {
     const struct spool_axes axes = axes_of(spool_m);
     return axes.second_x_m > SPOOLS_APART_M && axes.third_y_m > SPOOLS_APART_M &&
@@ -55,7 +55,8 @@ enum draw_wires_result draw_wires_meet(const vec3 spool_m[DRAW_WIRE_COUNT],
     const float d = axes.second_x_m, i = axes.third_x_m, j = axes.third_y_m;
     const float x_m = (a - b + d * d) / (2.0f * d);
     const float y_m = (a - c + i * i + j * j - 2.0f * i * x_m) / (2.0f * j);
-    /* `below` is the square of the eye's depth below the plane of the spools, in m^2. */
+    /* `below` is the square of the depth of the eye below the plane of the spools, in m^2. The eye
+     * is the point on the poi's neck at which the three wires meet. */
     const float below = a - x_m * x_m - y_m * y_m;
     /* The square of the depth is negative if the wires are too short to meet. The limit is the
      * value for wires that are too short by DRAW_WIRE_SLACK_M. */
@@ -81,10 +82,10 @@ void draw_wires_lengths(const vec3 spool_m[DRAW_WIRE_COUNT], vec3 eye_m,
 const char *draw_wires_text(enum draw_wires_result result)
 {
     static const char *const text[DRAW_WIRES_RESULT_COUNT] = {
-        [DRAW_WIRES_OK] = "they meet",
+        [DRAW_WIRES_OK] = "the wires meet",
         [DRAW_WIRES_LENGTH] = "a wire has no length: is it plugged in and calibrated?",
         [DRAW_WIRES_APART] = "the wires do not meet: is one caught, slack or torn?",
-        [DRAW_WIRES_HIGH] = "the poi is held up among the spools, where its height is a guess",
+        [DRAW_WIRES_HIGH] = "the poi is too close to the spools, where its height is inaccurate",
     };
     assert((uint32_t)result < DRAW_WIRES_RESULT_COUNT);
     return text[result];
@@ -92,8 +93,8 @@ const char *draw_wires_text(enum draw_wires_result result)
 
 /* ---- Calibration ----------------------------------------------------------------------------- */
 
-/* The fit uses steps and lengths relative to their means over all marks. This reduces rounding
- * errors. */
+/* The fit uses steps and lengths relative to their means over all marks, because differences of
+ * large numbers would have larger rounding errors. */
 
 void draw_wires_fit_add(struct wire_fit *fit, float step, float length_m)
 {
@@ -103,12 +104,12 @@ void draw_wires_fit_add(struct wire_fit *fit, float step, float length_m)
     fit->count++;
 }
 
-int draw_wires_fit_solve(struct wire_fit *fit, const char **why)
+bool draw_wires_fit_solve(struct wire_fit *fit, const char **why)
 {
     assert(fit->count <= sizeof fit->step / sizeof fit->step[0]);
     if (fit->count < 3) {
-        *why = "three marks at least: two make any line true";
-        return 0;
+        *why = "at least three marks are needed, because two marks show no error";
+        return false;
     }
     float low = fit->step[0], high = fit->step[0], step_sum = 0.0f, length_sum_m = 0.0f;
     for (uint32_t i = 0; i < fit->count; i++) {
@@ -118,8 +119,8 @@ int draw_wires_fit_solve(struct wire_fit *fit, const char **why)
         length_sum_m += fit->length_m[i];
     }
     if (high - low < WIRE_FIT_STEPS_MIN) {
-        *why = "the converter hardly moved from mark to mark: is it on this channel?";
-        return 0;
+        *why = "the converter value hardly changed between the marks: check the channel";
+        return false;
     }
     const float step_mean = step_sum / (float)fit->count;
     const float length_mean_m = length_sum_m / (float)fit->count;
@@ -138,7 +139,7 @@ int draw_wires_fit_solve(struct wire_fit *fit, const char **why)
     }
     if (fit->miss_m > WIRE_FIT_MISS_MAX_M || fit->step_m == 0.0f) {
         *why = "the marks miss a line by over 5 mm: is one misplaced, or the wire in layers?";
-        return 0;
+        return false;
     }
-    return 1;
+    return true;
 }

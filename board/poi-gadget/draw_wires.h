@@ -12,6 +12,7 @@
 #ifndef KINGYO_BOARD_POI_GADGET_DRAW_WIRES_H
 #define KINGYO_BOARD_POI_GADGET_DRAW_WIRES_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "core/base/vec.h"
@@ -41,9 +42,9 @@ enum draw_wires_result {
 /* Returns a static text that describes the result, without a full stop. */
 const char *draw_wires_text(enum draw_wires_result result);
 
-/* Returns 1 if spools at these positions determine where the three wires meet, otherwise 0. Two
- * spools must be at least 10 cm apart, and the three spools must not lie on one line. */
-int draw_wires_is_determined(const vec3 spool_m[DRAW_WIRE_COUNT]);
+/* Returns true if spools at these positions determine where the three wires meet. Two spools must
+ * be at least 10 cm apart, and the three spools must not lie on one line. */
+bool draw_wires_is_determined(const vec3 spool_m[DRAW_WIRE_COUNT]);
 
 /* Computes the position of the eye in world axes, in metres. The spools must satisfy
  * draw_wires_is_determined(). Leaves `out` unchanged unless the result is DRAW_WIRES_OK. */
@@ -79,8 +80,8 @@ struct wire_fit {
  * room. */
 void draw_wires_fit_add(struct wire_fit *fit, float step, float length_m);
 
-/* Computes the coefficients from all marks. Returns 1. If the marks are too few, too close together
- * or inconsistent, sets `why` to a static text and returns 0. */
-int draw_wires_fit_solve(struct wire_fit *fit, const char **why);
+/* Computes the coefficients from all marks. Returns true. If the marks are too few, too close
+ * together or inconsistent, sets `why` to a static text and returns false. */
+bool draw_wires_fit_solve(struct wire_fit *fit, const char **why);
 
 #endif

@@ -4,6 +4,7 @@
 #include <assert.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <stdbool.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -20,12 +21,12 @@ void hid_gadget_init(struct hid_gadget *gadget, const char *path)
     *gadget = (struct hid_gadget){ .path = path, .fd = -1 };
 }
 
-static int is_stdout(const struct hid_gadget *gadget)
+static bool is_stdout(const struct hid_gadget *gadget)
 {
     return strcmp(gadget->path, "-") == 0;
 }
 
-int hid_gadget_open(struct hid_gadget *gadget)
+bool hid_gadget_open(struct hid_gadget *gadget)
 {
     if (gadget->fd < 0) {
         gadget->fd =
@@ -44,7 +45,7 @@ static void survive(struct hid_gadget *gadget)
     }
 }
 
-int hid_gadget_send(struct hid_gadget *gadget, const struct poi_report *report)
+bool hid_gadget_send(struct hid_gadget *gadget, const struct poi_report *report)
 {
     struct poi_report numbered = *report;
     uint8_t bytes[POI_REPORT_SIZE];
@@ -56,7 +57,7 @@ int hid_gadget_send(struct hid_gadget *gadget, const struct poi_report *report)
             gadget->sequence++;
             gadget->sent_count++;
             gadget->shut_count = 0;
-            return 1;
+            return true;
         }
         /* A missing host and a removed USB function give the same error. The device is therefore
          * closed after SHUT_MAX consecutive errors, so that a new USB function is found when the
@@ -69,12 +70,12 @@ int hid_gadget_send(struct hid_gadget *gadget, const struct poi_report *report)
         }
     }
     gadget->skipped_count++;
-    return 0;
+    return false;
 }
 
-int hid_gadget_feel(struct hid_gadget *gadget, struct poi_force *out)
+bool hid_gadget_feel(struct hid_gadget *gadget, struct poi_force *out)
 {
-    int felt = 0;
+    bool felt = false;
     for (int i = 0; i < READS_MAX && gadget->fd >= 0 && !is_stdout(gadget); i++) {
         uint8_t bytes[64];
         const ssize_t size = read(gadget->fd, bytes, sizeof bytes);
@@ -87,7 +88,7 @@ int hid_gadget_feel(struct hid_gadget *gadget, struct poi_force *out)
         }
         if (poi_feel_decode(bytes, (uint32_t)size, out, NULL)) {
             gadget->felt_count++;
-            felt = 1;
+            felt = true;
         } else {
             gadget->refused_count++;
         }

@@ -6,6 +6,7 @@
 #ifndef KINGYO_BOARD_POI_GADGET_HID_GADGET_H
 #define KINGYO_BOARD_POI_GADGET_HID_GADGET_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "drivers/hid/poi_report.h"
@@ -30,17 +31,17 @@ struct hid_gadget {
 /* Initializes the structure without opening the device. `path` must outlive `gadget`. */
 void hid_gadget_init(struct hid_gadget *gadget, const char *path);
 
-/* Opens the device unless it is already open. Returns 1 if the device is open. Otherwise sets errno
- * and returns 0. */
-int hid_gadget_open(struct hid_gadget *gadget);
+/* Opens the device unless it is already open. Returns true if the device is open. Otherwise sets
+ * errno and returns false. */
+bool hid_gadget_open(struct hid_gadget *gadget);
 
-/* Sends a report and sets its sequence number. Returns 1 if the report was sent, or 0 if the report
- * was dropped. */
-int hid_gadget_send(struct hid_gadget *gadget, const struct poi_report *report);
+/* Sends a report and sets its sequence number. Returns true if the report was sent, or false if the
+ * report was dropped. */
+bool hid_gadget_send(struct hid_gadget *gadget, const struct poi_report *report);
 
-/* Reads the newest force feedback report that arrived since the last call. Returns 1 and sets
- * `out`, or returns 0 if no report arrived. */
-int hid_gadget_feel(struct hid_gadget *gadget, struct poi_force *out);
+/* Reads the newest force feedback report that arrived since the last call. Returns true and
+ * sets `out`, or returns false if no report arrived. */
+bool hid_gadget_feel(struct hid_gadget *gadget, struct poi_force *out);
 
 /* Closes the device /dev/hidgN. */
 void hid_gadget_close(struct hid_gadget *gadget);

@@ -1,182 +1,161 @@
 /* main.c -- `kingyo-poi`, the program that runs on the small computer board of a poi (a paper scoop
  * with sensors). */
-#include <assert.h>
-#include <errno.h>
+#include <stdbool.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-#include "board/poi-gadget/commands.h"
 #include "board/poi-gadget/motor.h"
 #include "board/poi-gadget/run.h"
 #include "board/poi-gadget/pose_script.h"
 #include "board/poi-gadget/sensor_twin.h"
 #include "board/poi-gadget/sensors.h"
+#include "core/base/panic.h"
 #include "drivers/hid/poi_report.h"
+#include "platform/config/option_table.h"
 #include "platform/os/print.h"
 
+#define CONFIG_DEFAULT "/etc/kingyo-poi/poi.conf"
+
+/* Reports a failed assertion. */
+_Noreturn void core_panic(const char *condition, const char *file, int line)
+{
+    print_error("kingyo-poi: %s:%d: not so: %s", file, line, condition);
+    abort();
+}
+
 static const char usage[] =
-    "kingyo-poi COMMAND [OPTION...]: the program of a poi's own board.\n\n"
-    "  run          poses to the host, at each beat; what the hand feels to motor and light\n"
-    "  watch        prints the poses, a line each, as --script reads them\n"
-    "  test         looks at each part of this poi, and says what to do\n"
-    "  calibrate    asks for the wires' eye at each mark, prints lines for the config\n"
-    "  descriptor   writes the HID report descriptor to standard output; --hex as text\n\n"
-    "  --simulate          scoops without sensors, for who tests a kiosk\n"
-    "  --script            poses from standard input: [+MS] X Y Z PITCH YAW ROLL [KEY...]\n"
-    "                      in mm and degrees, or 'lost'; +MS glides; keys OK START LEFT RIGHT FAN\n"
-    "  --config FILE       /etc/kingyo-poi/poi.conf\n"
-    "  --device FILE       /dev/hidg0; - writes the reports to standard output\n"
-    "  --rate HZ           of the reports, 50 .. 1000; 250\n"
-    "  --seconds S         ends then; 0: never\n"
-    "  --root DIR          looks for sys and dev there\n\n"
-    "Exit code: 0 fine; 1 checked, and not so; 2 wrong usage; 65 bad data; 74 a path that\n"
+    "kingyo-poi COMMAND [OPTION...]: the program on the board of a poi.\n\n"
+    "  run          sends poses to the host, and passes force feedback to motor and light\n"
+    "  watch        prints one pose per line, in the format that --script reads\n"
+    "  test         checks each part of this poi, and prints advice for each failure\n"
+    "  calibrate    asks for the eye of the wires at each mark, and prints lines for the\n"
+    "               configuration file\n"
+    "  descriptor   writes the HID report descriptor to standard output\n\n";
+
+static const char notes[] =
+    "\nExit code: 0 success; 1 a check failed; 2 wrong usage; 65 invalid data; 74 a path that\n"
     "cannot be read or written.\n";
 
 struct arguments {
     struct run_options run;
     const char *config, *root;
-    uint8_t simulate, script, hex;
+    bool simulate, script, hex;
 };
 
-static int read_count(const char *word, uint32_t least, uint32_t most, uint32_t *out)
+#define AT(member) .offset = offsetof(struct arguments, member)
+
+/* Stores the prefix of all paths. Unlike the value of an OPTION_TEXT, the prefix may be empty. */
+static bool set_root(void *target, const struct option *option, const char *value,
+                     char why[OPTION_TEXT_MAX])
 {
-    char *end;
-    assert(least <= most);
-    errno = 0;
-    const unsigned long value = strtoul(word, &end, 10);
-    if (errno || end == word || *end != '\0' || value < least || value > most || *word == '-') {
-        return 0;
-    }
-    *out = (uint32_t)value;
-    return 1;
+    struct arguments *arguments = target;
+    (void)option;
+    (void)why;
+    arguments->root = value;
+    return true;
 }
 
-/* ---- Command line ---------------------------------------------------------------------------- */
+static const struct option options[] = {
+    { "simulate", NULL, "scoop with simulated sensors, to test a kiosk", OPTION_FLAG,
+      AT(simulate) },
+    { "script", NULL,
+      "read poses from standard input: [+MS] X Y Z PITCH YAW ROLL [KEY...] in mm and degrees, or "
+      "'lost'; +MS moves smoothly in MS milliseconds; keys: OK START LEFT RIGHT FAN",
+      OPTION_FLAG, AT(script) },
+    { "hex", NULL, "write the descriptor as hex text", OPTION_FLAG, AT(hex) },
+    { "config", "FILE", "configuration file; the default is " CONFIG_DEFAULT, OPTION_TEXT,
+      AT(config) },
+    { "device", "FILE", "USB device; - writes the reports to standard output", OPTION_TEXT,
+      AT(run.device), .initial = "/dev/hidg0" },
+    { "rate", "HZ", "reports per second", OPTION_WHOLE, AT(run.rate_hz), RUN_RATE_MIN_HZ,
+      RUN_RATE_MAX_HZ, .initial = "250" },
+    { "seconds", "S", "duration; 0 means no limit", OPTION_WHOLE, AT(run.seconds), 0, 86400,
+      .initial = "0" },
+    { "root", "DIR", "use sys and dev in DIR; '' means those of this machine", OPTION_CUSTOM,
+      .set = set_root },
+};
 
-/* Parses one option and its value. Returns the number of command-line words that were parsed, or 0
- * if the option is invalid. */
-static int read_option(struct arguments *out, const char *name, const char *value)
-{
-    /* Exactly one of `flag`, `path` and `count` is set. */
-    const struct option {
-        const char *name;
-        uint8_t *flag;
-        const char **path;
-        uint32_t *count, least, most;
-    } options[] = {
-        { "--simulate", .flag = &out->simulate },
-        { "--script", .flag = &out->script },
-        { "--hex", .flag = &out->hex },
-        { "--config", .path = &out->config },
-        { "--device", .path = &out->run.device },
-        { "--root", .path = &out->root },
-        { "--rate", .count = &out->run.rate_hz, .least = RUN_RATE_MIN_HZ, .most = RUN_RATE_MAX_HZ },
-        { "--seconds", .count = &out->run.seconds, .least = 0, .most = 86400 },
-    };
-    for (size_t i = 0; i < sizeof options / sizeof options[0]; i++) {
-        const struct option *option = &options[i];
-        if (strcmp(option->name, name) != 0) {
-            continue;
-        }
-        if (option->flag) {
-            *option->flag = 1;
-            return 1;
-        }
-        if (value && option->path) {
-            *option->path = value;
-            return 2;
-        }
-        return value && read_count(value, option->least, option->most, option->count) ? 2 : 0;
-    }
-    return 0;
-}
-
-static enum exit_code report_usage_error(const char *what, const char *word)
-{
-    print_error("kingyo-poi: %s '%.100s'; --help lists what there is", what, word);
-    return EXIT_USAGE;
-}
+static const struct option_table table = { options, sizeof options / sizeof options[0], NULL };
 
 /* ---- Commands ------------------------------------------------------------------------------- */
 
 static enum exit_code play_sensors(const struct poi_config *config,
-                                   const struct arguments *arguments, struct feel_sink sink,
-                                   int prints)
+                                   const struct arguments *arguments, struct feel_sink sink)
 {
     static struct sensor_source own;
     char why[SENSORS_WHY_SIZE];
     if (!poi_config_is_calibrated(config)) {
-        print_error("kingyo-poi: the wires are not calibrated: kingyo-poi calibrate");
+        print_error("kingyo-poi: the wires are not calibrated; run 'kingyo-poi calibrate'");
         return EXIT_NOT_SO;
     }
     if (!sensors_open(&own.sensors, config, arguments->root, why)) {
-        print_error("kingyo-poi: %s; kingyo-poi test says more", why);
+        print_error("kingyo-poi: %s; 'kingyo-poi test' checks all parts", why);
         sensors_close(&own.sensors);
         return EXIT_IO;
     }
-    const struct pose_source source = sensors_source(&own, config);
-    const enum exit_code code =
-        prints ? run_watch(&arguments->run, source) : run(&arguments->run, source, sink);
-    print_error("kingyo-poi: %u readings missed", own.sensors.failed_count);
+    const enum exit_code code = run(&arguments->run, sensors_source(&own, config), sink);
+    print_error("kingyo-poi: %u readings of the sensors failed", own.sensors.failed_count);
     sensors_close(&own.sensors);
     return code;
 }
 
-/* Runs the program with the selected source of poses. If `prints` is 1, prints the poses as text.
- * Otherwise sends the poses to the host. */
-static enum exit_code stream_poses(struct poi_config *config, const struct arguments *arguments,
-                                   int prints)
+/* Runs the main loop with the selected source of poses. */
+static enum exit_code stream_poses(struct poi_config *config, const struct arguments *arguments)
 {
     static struct pose_script_source script;
     static struct sensor_twin_source twin;
     static struct motor motor;
     struct feel_sink sink = { 0 };
-    struct pose_source source;
     char why[MOTOR_WHY_SIZE];
-    if (!prints) {
+    if (!arguments->run.prints) {
         if (!motor_open(&motor, config, arguments->root, why)) {
             print_error("kingyo-poi: %s", why); /* A missing motor or light is not fatal. The
                                                    program continues without force feedback. */
         }
         sink = motor_sink(&motor);
     }
-    if (!arguments->script && !arguments->simulate) {
-        return play_sensors(config, arguments, sink, prints);
-    }
     if (arguments->script) {
-        source =
+        const struct pose_source source =
             pose_script_source(&script, STDIN_FILENO, "standard input", arguments->run.rate_hz);
-    } else {
-        if (!poi_config_is_calibrated(config)) {
-            sensor_twin_calibrate(config);
-        }
-        source = sensor_twin_source(&twin, config);
+        return run(&arguments->run, source, sink);
     }
-    return prints ? run_watch(&arguments->run, source) : run(&arguments->run, source, sink);
+    if (!arguments->simulate) {
+        return play_sensors(config, arguments, sink);
+    }
+    if (!poi_config_is_calibrated(config)) {
+        sensor_twin_calibrate(config);
+    }
+    return run(&arguments->run, sensor_twin_source(&twin, config), sink);
+}
+
+static enum exit_code write_descriptor(bool as_hex)
+{
+    for (uint32_t i = 0; i < POI_DESCRIPTOR_SIZE; i++) {
+        if (as_hex) {
+            printf("%02x%c", poi_descriptor[i], i % 16 == 15 ? '\n' : ' ');
+        } else {
+            putchar(poi_descriptor[i]);
+        }
+    }
+    fputs(as_hex ? "\n" : "", stdout);
+    return EXIT_OK;
 }
 
 static enum exit_code run_poi_command(const char *name, struct arguments *arguments)
 {
     struct poi_config config;
-    const int prints = strcmp(name, "watch") == 0;
     if (strcmp(name, "descriptor") == 0) {
-        for (uint32_t i = 0; i < POI_DESCRIPTOR_SIZE && arguments->hex; i++) {
-            printf("%02x%c", poi_descriptor[i], i % 16 == 15 ? '\n' : ' ');
-        }
-        if (arguments->hex) {
-            putchar('\n');
-        } else {
-            fwrite(poi_descriptor, 1, sizeof poi_descriptor, stdout);
-        }
-        return EXIT_OK;
+        return write_descriptor(arguments->hex);
     }
     if (arguments->simulate && arguments->script) {
-        return report_usage_error("--simulate and --script exclude each other in", name);
+        print_error("kingyo-poi %s: --simulate and --script exclude each other", name);
+        return EXIT_USAGE;
     }
     if (!arguments->config && !arguments->simulate && !arguments->script) {
-        arguments->config = "/etc/kingyo-poi/poi.conf";
+        arguments->config = CONFIG_DEFAULT;
     }
     /* If no file is named, the defaults apply, which are sufficient for simulated sensors. */
     poi_config_init(&config);
@@ -189,15 +168,20 @@ static enum exit_code run_poi_command(const char *name, struct arguments *argume
     if (strcmp(name, "calibrate") == 0) {
         return commands_calibrate(&config, arguments->root);
     }
-    return stream_poses(&config, arguments, prints);
+    arguments->run.prints = strcmp(name, "watch") == 0;
+    return stream_poses(&config, arguments);
 }
 
-static enum exit_code run_words(int argc, char **argv)
+static enum exit_code run_words(int argc, const char *const *argv)
 {
-    struct arguments arguments = { .run = { .device = "/dev/hidg0", .rate_hz = 250 }, .root = "" };
+    static const char *const commands[] = { "run", "watch", "test", "calibrate", "descriptor" };
+    struct arguments arguments = { .root = "" };
+    char error[OPTIONS_ERROR_MAX];
     for (int i = 1; i < argc; i++) {
         if (strcmp(argv[i], "--help") == 0) {
             fputs(usage, stdout);
+            option_table_print(&table, UINT32_MAX);
+            fputs(notes, stdout);
             return EXIT_OK;
         }
     }
@@ -205,19 +189,17 @@ static enum exit_code run_words(int argc, char **argv)
         fputs(usage, stderr);
         return EXIT_USAGE;
     }
-    static const char *const commands[] = { "run", "watch", "test", "calibrate", "descriptor" };
     size_t known = 0;
     while (known < sizeof commands / sizeof commands[0] && strcmp(commands[known], argv[1]) != 0) {
         known++;
     }
     if (known == sizeof commands / sizeof commands[0]) {
-        return report_usage_error("unknown command", argv[1]);
+        print_error("kingyo-poi: unknown command '%.100s'; --help lists the commands", argv[1]);
+        return EXIT_USAGE;
     }
-    for (int i = 2, taken; i < argc; i += taken) {
-        taken = read_option(&arguments, argv[i], i + 1 < argc ? argv[i + 1] : NULL);
-        if (taken == 0) {
-            return report_usage_error("not an option, or not its value:", argv[i]);
-        }
+    if (option_table_parse(&table, UINT32_MAX, &arguments, argc - 2, argv + 2, error)) {
+        print_error("kingyo-poi %s: %s", argv[1], error);
+        return EXIT_USAGE;
     }
     return run_poi_command(argv[1], &arguments);
 }
@@ -229,7 +211,7 @@ int main(int argc, char **argv)
         print_error("kingyo-poi: /dev/null: %s", strerror(-closed));
         return EXIT_IO;
     }
-    const enum exit_code code = run_words(argc, argv);
+    const enum exit_code code = run_words(argc, (const char *const *)argv);
     const int lost = print_finish();
     if (lost && (code == EXIT_OK || code == EXIT_NOT_SO)) {
         print_error("kingyo-poi: standard output: %s", strerror(-lost));

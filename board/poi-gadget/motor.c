@@ -5,10 +5,14 @@
 
 #include <assert.h>
 #include <fcntl.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 #include <time.h>
 #include <unistd.h>
+
+#include "platform/os/file.h"
+#include "platform/os/number.h"
 
 /* ---- Levels ---------------------------------------------------------------------------------- */
 
@@ -44,22 +48,24 @@ struct feel_levels motor_mix_step(struct motor_mix *mix, const struct poi_force 
  * the files some time after the export. */
 #define EXPORT_TRIES 20
 
-/* Writes a number to the start of an open file. Returns 1, or 0 after an error. */
-static int write_number(int fd, uint32_t value)
+/* Writes a number to the start of an open file. Returns true, or false after an error. */
+static bool write_number(int fd, uint32_t value)
 {
     char text[16];
     const int size = snprintf(text, sizeof text, "%u", value);
     return pwrite(fd, text, (size_t)size, 0) == size;
 }
 
-static int motor_put(const char *path, uint32_t value)
+/* Writes a number to the file `name` in `folder`. Returns true, or false after an error. */
+static bool put_number(const char *folder, const char *name, uint32_t value)
 {
+    char path[PATH_SIZE + 32];
+    snprintf(path, sizeof path, "%s/%s", folder, name);
     const int fd = open(path, O_WRONLY | O_CLOEXEC);
-    if (fd < 0) {
-        return 0;
+    const bool wrote = fd >= 0 && write_number(fd, value);
+    if (fd >= 0) {
+        close(fd);
     }
-    const int wrote = write_number(fd, value);
-    close(fd);
     return wrote;
 }
 
@@ -70,21 +76,18 @@ static void put_again(int fd, uint32_t *last, uint32_t value)
     }
 }
 
-static int open_pwm(struct motor *motor, const struct poi_config *config, const char *root,
-                    char why[MOTOR_WHY_SIZE])
+static bool open_pwm(struct motor *motor, const struct poi_config *config, const char *root,
+                     char why[MOTOR_WHY_SIZE])
 {
-    char chip[PATH_SIZE], path[PATH_SIZE + 32];
+    char chip[PATH_SIZE], pwm[PATH_SIZE], path[PATH_SIZE + 32];
     assert(config->pwm_chip >= 0);
     assert(config->motor_hz > 0);
-    snprintf(chip, sizeof chip, "%s/sys/class/pwm/pwmchip%d", root, config->pwm_chip);
-    snprintf(path, sizeof path, "%s/pwm%u/duty_cycle", chip, config->pwm_channel);
-    if (access(path, F_OK) != 0) {
-        char export[PATH_SIZE + 32];
-        snprintf(export, sizeof export, "%s/export", chip);
-        if (!motor_put(export, config->pwm_channel)) {
-            snprintf(why, MOTOR_WHY_SIZE, "motor: cannot write %.120s", export);
-            return 0;
-        }
+    snprintf(chip, sizeof chip, "%.200s/sys/class/pwm/pwmchip%d", root, config->pwm_chip);
+    snprintf(pwm, sizeof pwm, "%.240s/pwm%u", chip, config->pwm_channel);
+    snprintf(path, sizeof path, "%s/duty_cycle", pwm);
+    if (access(path, F_OK) != 0 && !put_number(chip, "export", config->pwm_channel)) {
+        snprintf(why, MOTOR_WHY_SIZE, "motor: cannot write %.120s/export", chip);
+        return false;
     }
     motor->duty_fd = open(path, O_WRONLY | O_CLOEXEC);
     for (int i = 1; i < EXPORT_TRIES && motor->duty_fd < 0; i++) {
@@ -97,42 +100,36 @@ static int open_pwm(struct motor *motor, const struct poi_config *config, const 
     /* The duty is set to 0 before the period is set, because the kernel rejects a period that is
      * shorter than the duty. */
     put_again(motor->duty_fd, &motor->duty_ns, 0);
-    snprintf(path, sizeof path, "%s/pwm%u/period", chip, config->pwm_channel);
-    const int period = motor_put(path, motor->period_ns);
-    snprintf(path, sizeof path, "%s/pwm%u/enable", chip, config->pwm_channel);
-    if (motor->duty_fd < 0 || !period || !motor_put(path, 1)) {
-        snprintf(why, MOTOR_WHY_SIZE, "motor: cannot set up %.110s/pwm%u", chip,
-                 config->pwm_channel);
-        return 0;
+    const bool has_period = put_number(pwm, "period", motor->period_ns);
+    if (motor->duty_fd < 0 || !has_period || !put_number(pwm, "enable", 1)) {
+        snprintf(why, MOTOR_WHY_SIZE, "motor: cannot set up %.110s", pwm);
+        return false;
     }
-    return 1;
+    return true;
 }
 
-static int open_light(struct motor *motor, const struct poi_config *config, const char *root,
-                      char why[MOTOR_WHY_SIZE])
+static bool open_light(struct motor *motor, const struct poi_config *config, const char *root,
+                       char why[MOTOR_WHY_SIZE])
 {
-    char path[PATH_SIZE];
+    char path[PATH_SIZE], text[32];
     snprintf(path, sizeof path, "%s/sys/class/leds/%s/max_brightness", root, config->light);
-    FILE *file = fopen(path, "r");
-    const int got = file && fscanf(file, "%u", &motor->light_most) == 1;
-    if (file) {
-        fclose(file);
-    }
+    file_first_line(path, text, sizeof text);
     snprintf(path, sizeof path, "%s/sys/class/leds/%s/brightness", root, config->light);
-    motor->light_fd = got ? open(path, O_WRONLY | O_CLOEXEC) : -1;
+    if (number_parse(text, 0, UINT32_MAX, &motor->light_most)) {
+        motor->light_fd = open(path, O_WRONLY | O_CLOEXEC);
+    }
     if (motor->light_fd < 0) {
         snprintf(why, MOTOR_WHY_SIZE, "light: no LED '%s' that may be written", config->light);
-        return 0;
     }
-    return 1;
+    return motor->light_fd >= 0;
 }
 
-int motor_open(struct motor *motor, const struct poi_config *config, const char *root,
-               char why[MOTOR_WHY_SIZE])
+bool motor_open(struct motor *motor, const struct poi_config *config, const char *root,
+                char why[MOTOR_WHY_SIZE])
 {
     *motor = (struct motor){ .duty_fd = -1, .light_fd = -1, .light_value = UINT32_MAX };
-    const int turns = config->pwm_chip < 0 || open_pwm(motor, config, root, why);
-    const int shines = config->light[0] == '\0' || open_light(motor, config, root, why);
+    const bool turns = config->pwm_chip < 0 || open_pwm(motor, config, root, why);
+    const bool shines = config->light[0] == '\0' || open_light(motor, config, root, why);
     motor_set(motor, (struct feel_levels){ 0 });
     return turns && shines;
 }

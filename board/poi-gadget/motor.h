@@ -8,6 +8,8 @@
 #ifndef KINGYO_BOARD_POI_GADGET_MOTOR_H
 #define KINGYO_BOARD_POI_GADGET_MOTOR_H
 
+#include <stdbool.h>
+
 #include "board/poi-gadget/poi_config.h"
 #include "board/poi-gadget/run.h"
 #include "core/output.h"
@@ -51,11 +53,11 @@ struct motor {
 
 #define MOTOR_WHY_SIZE 160u
 
-/* Exports the PWM channel and enables the channel with a duty of 0. Returns 1 if all configured
- * parts are present. Otherwise writes one line to `why` and returns 0, and the parts that are
- * present can still be used. */
-int motor_open(struct motor *motor, const struct poi_config *config, const char *root,
-               char why[MOTOR_WHY_SIZE]);
+/* Exports the PWM channel and enables the channel with a duty of 0. Returns true if all
+ * configured parts are present. Otherwise writes one line to `why` and returns false, and the parts
+ * that are present can still be used. */
+bool motor_open(struct motor *motor, const struct poi_config *config, const char *root,
+                char why[MOTOR_WHY_SIZE]);
 
 /* Returns a receiver of force feedback that drives the motor and the light. The receiver's stop()
  * sets the motor and the light to 0. */

@@ -5,7 +5,8 @@
 GADGET_DIR := board/poi-gadget
 GADGET_SRC := $(wildcard $(GADGET_DIR)/*.c)
 GADGET_SHARED := core/base/fmath.c core/base/vec.c core/base/rng.c core/base/printable.c \
-    drivers/hid/poi_report.c platform/os/file.c platform/os/print.c
+    drivers/hid/poi_report.c platform/config/option_table.c platform/os/clock.c platform/os/file.c \
+    platform/os/number.c platform/os/print.c
 # The program is linked statically, because the board's Debian may be older than the build machine's.
 GADGET_LDFLAGS ?= -static
 GADGET_OBJ := $(patsubst %.c,$(BUILD)/poi-gadget/%.o,$(GADGET_SRC) $(GADGET_SHARED))

@@ -3,6 +3,7 @@
 
 #include <assert.h>
 #include <errno.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -35,14 +36,14 @@ void poi_config_init(struct poi_config *config)
 
 /* ---- Settings -------------------------------------------------------------------------------- */
 
-/* One setting of the configuration file. `set` parses the value and returns 1, or 0 if the value is
- * invalid. */
+/* Describes one setting of the configuration file. `set` parses the value and returns true. An
+ * invalid value gives false. */
 struct setting {
     const char *name;
-    int (*set)(struct poi_config *config, const struct setting *setting, const char *value);
+    bool (*set)(struct poi_config *config, const struct setting *setting, const char *value);
     const char *expects; /* Part of the error message that describes the valid values. */
-    /* Meaning depends on `set`: the number of a spool or of a wire, or the offset of the setting's
-     * field in struct poi_config. */
+    /* Number of the spool or of the wire that `set` stores, or the offset of the setting's field in
+     * struct poi_config. */
     size_t at;
     /* For read_floats(): how many numbers are parsed, their minimum and maximum, and the factor
      * that converts the numbers to the stored unit. */
@@ -50,17 +51,17 @@ struct setting {
     float least, most, unit;
 };
 
-/* Parses exactly `count` numbers, each from `least` to `most`. Returns 1, or 0 if the text is
- * invalid. */
-static int read_numbers(const char *text, uint32_t count, float least, float most,
-                        float out[NUMBERS_MAX])
+/* Parses exactly `count` numbers, each from `least` to `most`. Returns true, or false if the
+ * text is invalid. */
+static bool read_numbers(const char *text, uint32_t count, float least, float most,
+                         float out[NUMBERS_MAX])
 {
     assert(count <= NUMBERS_MAX);
     for (uint32_t i = 0; i < count; i++) {
         char *end;
         out[i] = strtof(text, &end);
         if (end == text || !f_is_finite(out[i]) || out[i] < least || out[i] > most) {
-            return 0;
+            return false;
         }
         text = end;
     }
@@ -69,61 +70,61 @@ static int read_numbers(const char *text, uint32_t count, float least, float mos
 
 /* Parses `setting->count` numbers and stores them one after the other at the offset `setting->at`.
  * Each number is multiplied by `setting->unit`. */
-static int read_floats(struct poi_config *config, const struct setting *setting, const char *value)
+static bool read_floats(struct poi_config *config, const struct setting *setting, const char *value)
 {
     float n[NUMBERS_MAX];
     assert(setting->at + setting->count * sizeof n[0] <= sizeof *config);
     if (!read_numbers(value, setting->count, setting->least, setting->most, n)) {
-        return 0;
+        return false;
     }
     for (uint32_t i = 0; i < setting->count; i++) {
         n[i] *= setting->unit;
     }
     memcpy((char *)config + setting->at, n, setting->count * sizeof n[0]);
-    return 1;
+    return true;
 }
 
-static int poi_config_is_whole(float number, float most)
+static bool poi_config_is_whole(float number, float most)
 {
     return number >= 0.0f && number <= most && number == f_floor(number);
 }
 
-static int read_spool(struct poi_config *config, const struct setting *setting, const char *value)
+static bool read_spool(struct poi_config *config, const struct setting *setting, const char *value)
 {
     float n[NUMBERS_MAX];
     assert(setting->at < DRAW_WIRE_COUNT);
     if (!read_numbers(value, 4, -PLACE_MAX_MM, PLACE_MAX_MM, n) ||
         !poi_config_is_whole(n[0], POI_CONFIG_CHANNEL_MAX)) {
-        return 0;
+        return false;
     }
     config->channel[setting->at] = (uint32_t)n[0];
     config->spool_m[setting->at] = v3_scale(v3(n[1], n[2], n[3]), MM);
-    return 1;
+    return true;
 }
 
-static int poi_config_read_wire(struct poi_config *config, const struct setting *setting,
-                                const char *value)
+static bool poi_config_read_wire(struct poi_config *config, const struct setting *setting,
+                                 const char *value)
 {
     float n[NUMBERS_MAX];
     assert(setting->at < DRAW_WIRE_COUNT);
     if (!read_numbers(value, 2, -10000.0f, 10000.0f, n) || n[1] == 0.0f) {
-        return 0;
+        return false;
     }
     config->zero_m[setting->at] = n[0] * MM;
     config->step_m[setting->at] = n[1] * MM;
-    return 1;
+    return true;
 }
 
-/* Parses three axes of the inertial chip, for example "+x -z +y". Returns 1, or 0 if the axes do
- * not form a rotation matrix. A reflection is invalid. */
-static int read_axes(struct poi_config *config, const struct setting *setting, const char *value)
+/* Parses three axes of the inertial chip, for example "+x -z +y". Returns true, or false if the
+ * axes do not form a rotation matrix. A reflection is invalid. */
+static bool read_axes(struct poi_config *config, const struct setting *setting, const char *value)
 {
     (void)setting;
     vec3 row[3];
     for (uint32_t i = 0; i < 3; i++) {
         value += strspn(value, " \t");
         if ((value[0] != '+' && value[0] != '-') || value[1] < 'x' || value[1] > 'z') {
-            return 0;
+            return false;
         }
         const float sign = value[0] == '+' ? 1.0f : -1.0f;
         row[i] = v3(value[1] == 'x' ? sign : 0.0f, value[1] == 'y' ? sign : 0.0f,
@@ -131,51 +132,51 @@ static int read_axes(struct poi_config *config, const struct setting *setting, c
         value += 2;
     }
     if (*value != '\0' || v3_dot(v3_cross(row[0], row[1]), row[2]) < 0.5f) {
-        return 0;
+        return false;
     }
     memcpy(config->imu_row, row, sizeof row);
-    return 1;
+    return true;
 }
 
-static int read_name(struct poi_config *config, const struct setting *setting, const char *value)
+static bool read_name(struct poi_config *config, const struct setting *setting, const char *value)
 {
     if (strlen(value) >= POI_CONFIG_NAME_SIZE || strchr(value, '/')) {
-        return 0;
+        return false;
     }
-    strcpy((char *)config + setting->at, value);
-    return 1;
+    snprintf((char *)config + setting->at, POI_CONFIG_NAME_SIZE, "%s", value);
+    return true;
 }
 
-static int read_motor(struct poi_config *config, const struct setting *setting, const char *value)
+static bool read_motor(struct poi_config *config, const struct setting *setting, const char *value)
 {
     (void)setting;
     float n[NUMBERS_MAX];
     if (strcmp(value, "none") == 0) {
         config->pwm_chip = -1;
-        return 1;
+        return true;
     }
     if (!read_numbers(value, 4, 0.0f, 100000.0f, n) || !poi_config_is_whole(n[0], 63.0f) ||
         !poi_config_is_whole(n[1], 15.0f) || !poi_config_is_whole(n[2], 100000.0f) ||
         n[2] < 20.0f || n[3] >= 1.0f) {
-        return 0;
+        return false;
     }
     config->pwm_chip = (int32_t)n[0];
     config->pwm_channel = (uint32_t)n[1];
     config->motor_hz = (uint32_t)n[2];
     config->motor_least = n[3];
-    return 1;
+    return true;
 }
 
-static int read_mark(struct poi_config *config, const struct setting *setting, const char *value)
+static bool read_mark(struct poi_config *config, const struct setting *setting, const char *value)
 {
     (void)setting;
     float n[NUMBERS_MAX];
     if (config->mark_count == POI_CONFIG_MARK_MAX ||
         !read_numbers(value, 3, -PLACE_MAX_MM, PLACE_MAX_MM, n)) {
-        return 0;
+        return false;
     }
     config->mark_m[config->mark_count++] = v3_scale(v3(n[0], n[1], n[2]), MM);
-    return 1;
+    return true;
 }
 
 #define FIELD(name) offsetof(struct poi_config, name)
@@ -207,38 +208,23 @@ static const struct setting settings[] = {
 
 /* ---- Parsing lines --------------------------------------------------------------------------- */
 
-/* Removes the comment and the white space around the text. Returns the first remaining
- * character. */
-static char *poi_config_trim(char *text)
-{
-    text[strcspn(text, "#\r\n")] = '\0';
-    text += strspn(text, " \t");
-    size_t size = strlen(text);
-    while (size > 0 && (text[size - 1] == ' ' || text[size - 1] == '\t')) {
-        text[--size] = '\0';
-    }
-    return text;
-}
-
 int poi_config_line(struct poi_config *config, const char *line, const char **why)
 {
     char copy[POI_CONFIG_LINE_SIZE];
-    if (strlen(line) >= sizeof copy) {
+    if ((size_t)snprintf(copy, sizeof copy, "%s", line) >= sizeof copy) {
         *why = "the line is longer than 159 bytes";
         return -1;
     }
-    strcpy(copy, line);
-    char *name = poi_config_trim(copy), *equals = strchr(name, '=');
+    copy[strcspn(copy, "#")] = '\0';
+    char *name = file_trim(copy);
     if (*name == '\0') {
         return 0;
     }
     *why = "a line is: name = value";
-    if (!equals) {
+    const char *value = file_cut_value(name);
+    if (!value) {
         return -1;
     }
-    *equals = '\0';
-    const char *value = poi_config_trim(equals + 1);
-    name = poi_config_trim(name);
     *why = "no such name; poi.conf lists them";
     for (size_t i = 0; i < sizeof settings / sizeof settings[0]; i++) {
         if (strcmp(settings[i].name, name) == 0) {
@@ -249,21 +235,21 @@ int poi_config_line(struct poi_config *config, const char *line, const char **wh
     return -1;
 }
 
-int poi_config_is_sound(const struct poi_config *config, const char **why)
+bool poi_config_is_sound(const struct poi_config *config, const char **why)
 {
     if (!draw_wires_is_determined(config->spool_m)) {
         *why = "the spools must hang apart, in a plane that is more level than steep";
-        return 0;
+        return false;
     }
     const uint32_t *channel = config->channel;
     if (channel[0] == channel[1] || channel[1] == channel[2] || channel[0] == channel[2]) {
         *why = "two spools are on one channel";
-        return 0;
+        return false;
     }
-    return 1;
+    return true;
 }
 
-int poi_config_is_calibrated(const struct poi_config *config)
+bool poi_config_is_calibrated(const struct poi_config *config)
 {
     return config->step_m[0] != 0.0f && config->step_m[1] != 0.0f && config->step_m[2] != 0.0f;
 }
@@ -274,7 +260,7 @@ vec3 poi_config_from_chip(const struct poi_config *config, vec3 chip)
               v3_dot(config->imu_row[2], chip));
 }
 
-int poi_config_load(struct poi_config *config, const char *path)
+bool poi_config_load(struct poi_config *config, const char *path)
 {
     char line[POI_CONFIG_LINE_SIZE + 1];
     const char *why = NULL;
@@ -282,7 +268,7 @@ int poi_config_load(struct poi_config *config, const char *path)
     FILE *file = file_open(path, POI_CONFIG_SIZE_MAX);
     if (!file) {
         print_error("%s: %s", path, file_error(errno));
-        return 0;
+        return false;
     }
     int result = 0;
     enum file_line end;
@@ -295,7 +281,7 @@ int poi_config_load(struct poi_config *config, const char *path)
     fclose(file);
     if (result >= 0 && read_error) {
         print_error("%s: %s", path, file_error(read_error));
-        return 0;
+        return false;
     }
     if (result >= 0 && !poi_config_is_sound(config, &why)) {
         result = -1;

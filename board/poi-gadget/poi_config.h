@@ -6,6 +6,7 @@
 #ifndef KINGYO_BOARD_POI_GADGET_POI_CONFIG_H
 #define KINGYO_BOARD_POI_GADGET_POI_CONFIG_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "board/poi-gadget/draw_wires.h"
@@ -60,18 +61,19 @@ void poi_config_init(struct poi_config *config);
  * line is invalid, sets `why` to a static text and returns -1. */
 int poi_config_line(struct poi_config *config, const char *line, const char **why);
 
-/* Returns 1 if the configuration is valid. Otherwise sets `why` to a static text and returns 0.
+/* Returns true if the configuration is valid. Otherwise sets `why` to a static text and returns
+ * false.
  * poi_config_is_calibrated() checks the calibration separately. */
-int poi_config_is_sound(const struct poi_config *config, const char **why);
+bool poi_config_is_sound(const struct poi_config *config, const char **why);
 
-/* Returns 1 if all wires are calibrated, otherwise 0. */
-int poi_config_is_calibrated(const struct poi_config *config);
+/* Returns true if all wires are calibrated. */
+bool poi_config_is_calibrated(const struct poi_config *config);
 
 /* Converts a vector from the axes of the inertial chip to the axes of the poi. */
 vec3 poi_config_from_chip(const struct poi_config *config, vec3 chip);
 
-/* Reads the configuration file at `path`. Returns 1. If the file is not readable or invalid, prints
- * one line to standard error and returns 0. */
-int poi_config_load(struct poi_config *config, const char *path);
+/* Reads the configuration file at `path`. Returns true. If the file is not readable or invalid,
+ * prints one line to standard error and returns false. */
+bool poi_config_load(struct poi_config *config, const char *path);
 
 #endif

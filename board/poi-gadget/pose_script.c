@@ -6,6 +6,7 @@
 #include <assert.h>
 #include <errno.h>
 #include <poll.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -27,32 +28,17 @@ static const struct key_name {
 };
 #define KEY_COUNT (sizeof keys / sizeof keys[0])
 
-/* Returns the next word and advances `*rest` past the word. Returns null at the end of the line or
- * at a comment. */
-static char *next_word(char **rest)
-{
-    char *word = *rest + strspn(*rest, " \t\r\n");
-    if (*word == '\0' || *word == '#') {
-        return NULL;
-    }
-    char *end = word + strcspn(word, " \t\r\n#");
-    *rest = *end == '\0' || *end == '#' ? end : end + 1;
-    if (*end == '#') {
-        *rest = end + strlen(end);
-    }
-    *end = '\0';
-    return word;
-}
+#define BLANKS " \t\r\n"
 
-static int read_number(const char *word, float most, float *out)
+static bool read_number(const char *word, float most, float *out)
 {
     char *end;
     const float value = strtof(word, &end);
     if (end == word || *end != '\0' || !f_is_finite(value) || f_abs(value) > most) {
-        return 0;
+        return false;
     }
     *out = value;
-    return 1;
+    return true;
 }
 
 /* Parses the six numbers of a pose. Positions must be within +-1,000 mm, and angles within +-360
@@ -61,7 +47,7 @@ static int read_pose(struct poi_target *out, char *word, char **rest, const char
 {
     const float most[6] = { 1000.0f, 1000.0f, 1000.0f, 360.0f, 360.0f, 360.0f };
     float number[6];
-    for (uint32_t i = 0; i < 6; i++, word = i < 6 ? next_word(rest) : NULL) {
+    for (uint32_t i = 0; i < 6; i++, word = i < 6 ? strtok_r(NULL, BLANKS, rest) : NULL) {
         if (!word) {
             *why = "a pose is six numbers: X Y Z in mm, pitch yaw roll in degrees";
             return -1;
@@ -83,12 +69,12 @@ int pose_line_read(struct pose_line *out, const char *text, const char **why)
 {
     char copy[POSE_LINE_SIZE];
     struct pose_line line = { 0 };
-    if (strlen(text) >= sizeof copy) {
+    if ((size_t)snprintf(copy, sizeof copy, "%s", text) >= sizeof copy) {
         *why = "the line is longer than 127 bytes";
         return -1;
     }
-    strcpy(copy, text);
-    char *rest = copy, *word = next_word(&rest);
+    copy[strcspn(copy, "#")] = '\0';
+    char *rest, *word = strtok_r(copy, BLANKS, &rest);
     if (!word) {
         return 0;
     }
@@ -99,13 +85,13 @@ int pose_line_read(struct pose_line *out, const char *text, const char **why)
             return -1;
         }
         line.glide_s = glide_ms / 1000.0f;
-        word = next_word(&rest);
+        word = strtok_r(NULL, BLANKS, &rest);
     }
     line.lost = word && strcmp(word, "lost") == 0;
     if (!line.lost && read_pose(&line.target, word, &rest, why) < 0) {
         return -1;
     }
-    while ((word = next_word(&rest)) != NULL) {
+    while ((word = strtok_r(NULL, BLANKS, &rest)) != NULL) {
         size_t k = 0;
         while (k < KEY_COUNT && strcmp(keys[k].name, word) != 0) {
             k++;
@@ -144,17 +130,16 @@ void pose_line_write(const struct poi_report *report, char text[POSE_LINE_SIZE])
  * exactly 0.1 s in binary floating point. */
 #define ROUNDING_S 1e-4f
 
-int pose_glide_is_there(const struct pose_glide *glide)
+bool pose_glide_is_there(const struct pose_glide *glide)
 {
     return !glide->begun || glide->at_s >= glide->to.glide_s - ROUNDING_S;
 }
 
 void pose_glide_send(struct pose_glide *glide, const struct pose_line *to)
 {
-    glide->from = glide->begun && !glide->to.lost ? glide->to : *to;
-    glide->to = *to;
-    glide->at_s = 0.0f;
-    glide->begun = 1;
+    *glide = (struct pose_glide){ .begun = true,
+                                  .from = glide->begun && !glide->to.lost ? glide->to : *to,
+                                  .to = *to };
 }
 
 /* Interpolates between two angles in the direction of the smaller rotation. */
@@ -187,18 +172,6 @@ void pose_glide_step(struct pose_glide *glide, float seconds, struct poi_report 
 }
 
 /* ---- Buffered text --------------------------------------------------------------------------- */
-
-char *pose_tape_room(struct pose_tape *tape, uint32_t *room)
-{
-    *room = POSE_TAPE_SIZE - tape->size;
-    return tape->text + tape->size;
-}
-
-void pose_tape_wrote(struct pose_tape *tape, uint32_t count)
-{
-    assert(count <= POSE_TAPE_SIZE - tape->size);
-    tape->size += count;
-}
 
 /* Moves one line from the buffer to `line`. Returns 1 if a line was moved, or 0 if the buffer has
  * no complete line. If the line is too long or not text, sets `why` and returns -1. */
@@ -253,22 +226,23 @@ static enum pose_result script_step(void *self, float seconds, struct poi_report
 {
     struct pose_script_source *script = self;
     uint8_t buttons = 0;
-    int any = 0, got = 1;
-    for (float left_s = seconds; got == 1 && left_s > 0.5f * script->beat_s;
-         left_s -= script->beat_s) {
+    bool any = false;
+    int got = 1;
+    const uint32_t beats = (uint32_t)(seconds / script->beat_s + 0.5f);
+    for (uint32_t i = 0; got == 1 && i < beats; i++) {
         struct pollfd ready = { .fd = script->fd, .events = POLLIN };
-        uint32_t room;
-        char *at = pose_tape_room(&script->tape, &room);
-        if (room > 0 && !script->tape.ended && poll(&ready, 1, 0) > 0) {
-            const ssize_t size = read(script->fd, at, room);
-            pose_tape_wrote(&script->tape, size > 0 ? (uint32_t)size : 0u);
-            script->tape.ended = size == 0 || (size < 0 && errno != EAGAIN && errno != EINTR);
+        struct pose_tape *tape = &script->tape;
+        if (tape->size < POSE_TAPE_SIZE && !tape->ended && poll(&ready, 1, 0) > 0) {
+            const ssize_t size =
+                read(script->fd, tape->text + tape->size, POSE_TAPE_SIZE - tape->size);
+            tape->size += size > 0 ? (uint32_t)size : 0u;
+            tape->ended = size == 0 || (size < 0 && errno != EAGAIN && errno != EINTR);
         }
-        got = pose_tape_step(&script->tape, script->beat_s, out);
+        got = pose_tape_step(tape, script->beat_s, out);
         if (got == 1) {
             buttons |= out->buttons;
             out->buttons = buttons;
-            any = 1;
+            any = true;
         }
     }
     if (got < 0) {

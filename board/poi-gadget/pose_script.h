@@ -9,8 +9,8 @@
  * [+MS] lost
  *
  * Positions are in millimetres and angles in degrees, in the axes of drivers/hid/poi_report.h. With
- * +MS, the hand moves smoothly to the pose in MS milliseconds. Without +MS, the hand jumps to the
- * pose. "lost" means that the position is unknown. # starts a comment.
+ * +MS, the simulated hand moves smoothly to the pose in MS milliseconds. Without +MS, the simulated
+ * hand jumps to the pose. "lost" means that the position is unknown. # starts a comment.
  *
  * A line is used when the motion of the previous line has ended. The whole text of a round can
  * therefore be written to the text buffer as fast as there is room. A line without a duration lasts
@@ -18,6 +18,7 @@
 #ifndef KINGYO_BOARD_POI_GADGET_POSE_SCRIPT_H
 #define KINGYO_BOARD_POI_GADGET_POSE_SCRIPT_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "board/poi-gadget/run.h"
@@ -34,7 +35,7 @@
 struct pose_line {
     float glide_s;            /* Duration of the motion to the pose in seconds, in [0,
                                  POSE_LINE_GLIDE_S]. */
-    uint8_t lost;             /* 1 if the position of the poi is unknown, otherwise 0. */
+    bool lost;                /* True if the position of the poi is unknown. */
     uint8_t buttons;          /* Bit mask of the pressed buttons (enum poi_button). */
     struct poi_target target; /* Pose of the poi. Positions are within +-POI_REPORT_REACH_M, and
                                  angles within one full turn in each direction. */
@@ -50,13 +51,13 @@ void pose_line_write(const struct poi_report *report, char text[POSE_LINE_SIZE])
 /* ---- Motion from pose to pose ---------------------------------------------------------------- */
 
 struct pose_glide {
-    uint8_t begun; /* 1 after the first pose has been set, otherwise 0. */
+    bool begun; /* True after the first pose has been set. */
     struct pose_line from, to;
     float at_s; /* Time in seconds since the start of the present motion, at most `to.glide_s`. */
 };
 
-/* Returns 1 if the hand has reached its goal, or if no goal has been set. Otherwise returns 0. */
-int pose_glide_is_there(const struct pose_glide *glide);
+/* Returns true if the simulated hand has reached its goal, or if no goal has been set. */
+bool pose_glide_is_there(const struct pose_glide *glide);
 
 /* Sets the next goal, which starts a new motion. If the present position is unknown, at the start
  * and after a lost pose, the hand jumps to the goal. */
@@ -71,23 +72,18 @@ void pose_glide_step(struct pose_glide *glide, float seconds, struct poi_report 
 /* Size of the text buffer in bytes. If the buffer is full, the caller must keep further text. */
 #define POSE_TAPE_SIZE 4096u
 
+/* Buffer of text, to which the caller appends at `text` + `size`. */
 struct pose_tape {
     char text[POSE_TAPE_SIZE];
-    uint32_t size;
+    uint32_t size; /* Number of bytes in `text`. */
     uint32_t line; /* Number of the line that was used last, counted from 1. */
-    uint8_t ended; /* 1 if the caller will append no more text, otherwise 0. */
+    bool ended;    /* True if the caller will append no more text. */
     struct pose_glide glide;
     const char *why; /* Error message for line number `line`, as a static text. */
 };
 
-/* pose_tape_room() returns the unused part of the buffer and sets `room` to its size in bytes, at
- * most POSE_TAPE_SIZE. The caller writes text there and then calls pose_tape_wrote() with the
- * number of bytes. */
-char *pose_tape_room(struct pose_tape *tape, uint32_t *room);
-void pose_tape_wrote(struct pose_tape *tape, uint32_t count);
-
 /* Advances the hand by `seconds`. Returns 1 and writes the pose to `out`. Returns 0 at the end of
- * the text (`ended` is 1), or if no line has been appended yet. After an error, sets `why` and
+ * the text (`ended` is true), or if no line has been appended yet. After an error, sets `why` and
  * returns -1. The caller sets the sequence number of the report. */
 int pose_tape_step(struct pose_tape *tape, float seconds, struct poi_report *out);
 

@@ -1,11 +1,16 @@
-/* run.h -- the main loop of the poi's board, and the interfaces of the sources of poses and of the
- * receivers of force feedback.
+/* run.h -- the main loop of the poi's board, and the commands of `kingyo-poi`. A poi is a paper
+ * scoop with sensors. This header also declares the interfaces of pose sources and force-feedback
+ * receivers.
  *
- * In each cycle, the loop sends a pose to the host and forwards the host's force feedback to the
- * motor. The sources of poses are the real sensors, the simulated sensors, and scripts. */
+ * In each cycle, the loop reads a pose from the pose source, sends the pose to the host, and
+ * forwards the host's force feedback to the motor. A pose source is either the real sensors, the
+ * simulated sensors, or a script. */
 #ifndef KINGYO_BOARD_POI_GADGET_RUN_H
 #define KINGYO_BOARD_POI_GADGET_RUN_H
 
+#include <stdbool.h>
+
+#include "board/poi-gadget/poi_config.h"
 #include "drivers/hid/poi_report.h"
 #include "platform/os/exit_code.h"
 
@@ -43,15 +48,30 @@ struct run_options {
     const char *device; /* Path of the device /dev/hidgN, or "-" for standard output. */
     uint32_t rate_hz;   /* Report rate in Hz, RUN_RATE_MIN_HZ .. RUN_RATE_MAX_HZ. */
     uint32_t seconds;   /* Duration of the loop in seconds. 0 means no limit. */
+    bool prints;        /* True if the poses are printed as lines of text (pose_script.h) instead of
+                           being sent to the host. */
 };
 
-/* Runs the loop until the source ends, the duration has passed, or a signal arrives. Prints
- * statistics to standard error. Returns EXIT_OK, EXIT_IO if the device is missing at the start, or
- * EXIT_BAD_DATA if the source has an invalid pose. Asserts that the rate is in range. */
+/* Runs the loop until the source ends, the duration has passed, or a signal arrives. `sink` is not
+ * used if `options->prints` is true. Otherwise prints statistics to standard error at the end.
+ * Returns EXIT_OK, EXIT_IO if the device is missing at the start, or EXIT_BAD_DATA if the source
+ * has an invalid pose. Asserts that the rate is in range. */
 enum exit_code run(const struct run_options *options, struct pose_source source,
                    struct feel_sink sink);
 
-/* Prints the poses of `source` as lines of text (pose_script.h), `rate_hz` lines per second. */
-enum exit_code run_watch(const struct run_options *options, struct pose_source source);
+/* ---- Commands (commands.c) ------------------------------------------------------------------- */
+
+/* Calibrates each draw wire at marks with known positions. Prints the instructions to standard
+ * error, and the results, which are lines for the configuration file, to standard output. `root` is
+ * the prefix of all paths: "" for this machine, or a test folder. Returns EXIT_OK. Returns
+ * EXIT_NOT_SO if the measurements at the marks contradict each other, or EXIT_IO if a sensor or
+ * standard input is missing. */
+enum exit_code commands_calibrate(const struct poi_config *config, const char *root);
+
+/* Checks each part of a poi, and prints the results to standard output, with advice for each
+ * failure. The motor turns for half a second. `root` is the prefix of all paths, as for
+ * commands_calibrate(). Returns EXIT_OK, or EXIT_NOT_SO if a check failed. */
+enum exit_code commands_self_test(const struct poi_config *config, const char *root,
+                                  const char *device);
 
 #endif

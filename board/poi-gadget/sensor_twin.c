@@ -1,6 +1,7 @@
 /* sensor_twin.c -- moves the simulated hand through a table of strokes, each scoop at a different
- * target position. Computes the simulated readings by inverting board_pose.c, and adds quantization
- * and noise. */
+ * target position. Computes the readings that the sensors would give for each pose. This
+ * computation is the inverse of attitude.c, which computes a pose from the readings. Adds
+ * quantization and noise to the wire readings. */
 #include "board/poi-gadget/sensor_twin.h"
 
 #include <assert.h>
@@ -25,27 +26,27 @@
 #define BOWL_Z_M 0.185f
 
 /* Table of the strokes of one scoop. Positions are relative to the target position, or to the bowl
- * if `at_bowl` is 1. */
+ * if `at_bowl` is true. */
 static const struct stroke {
-    uint8_t at_bowl;
+    bool at_bowl;
     uint8_t buttons;
     float seconds;
     float x_m, y_m, z_m;
     float pitch_deg, roll_deg;
 } strokes[SCOOP_STROKES] = {
-    { 0, POI_BUTTON_START, 0.9f, 0.00f, 0.045f, 0.06f, -38.0f, 0.0f },
+    { false, POI_BUTTON_START, 0.9f, 0.00f, 0.045f, 0.06f, -38.0f, 0.0f },
     /* Holds the poi still above the water, because its shade attracts fish. */
-    { 0, 0, 1.2f, 0.00f, 0.045f, 0.06f, -38.0f, 0.0f },
+    { false, 0, 1.2f, 0.00f, 0.045f, 0.06f, -38.0f, 0.0f },
     /* Moves the poi into the water in the direction of the paper's plane. */
-    { 0, 0, 0.6f, 0.00f, -0.070f, -0.06f, -38.0f, 0.0f },
-    { 0, 0, 0.5f, 0.00f, -0.070f, -0.10f, 0.0f, 0.0f }, /* Moves the poi forward under the fish. */
+    { false, 0, 0.6f, 0.00f, -0.070f, -0.06f, -38.0f, 0.0f },
+    /* Moves the poi forward under the fish. */
+    { false, 0, 0.5f, 0.00f, -0.070f, -0.10f, 0.0f, 0.0f },
     /* Lifts the poi level, so that the water drains from the paper. */
-    { 0, 0, 0.9f, 0.00f, 0.060f, -0.09f, 2.0f, 0.0f },
-    { 1, 0, 1.1f, 0.00f, 0.020f, 0.00f, 2.0f, 0.0f },
-    { 1, POI_BUTTON_OK, 0.5f, 0.00f, 0.000f, 0.00f, 0.0f, 58.0f }, /* Tips the poi to the right over
-                                                                      the bowl, so that the fish
-                                                                      slides off the paper. */
-    { 1, 0, 0.6f, -0.03f, 0.030f, 0.00f, 0.0f, 0.0f },
+    { false, 0, 0.9f, 0.00f, 0.060f, -0.09f, 2.0f, 0.0f },
+    { true, 0, 1.1f, 0.00f, 0.020f, 0.00f, 2.0f, 0.0f },
+    /* Tips the poi to the right over the bowl, so that the fish slides off the paper. */
+    { true, POI_BUTTON_OK, 0.5f, 0.00f, 0.000f, 0.00f, 0.0f, 58.0f },
+    { true, 0, 0.6f, -0.03f, 0.030f, 0.00f, 0.0f, 0.0f },
 };
 
 void sensor_twin_scoop(struct scoop *scoop, float seconds, struct poi_report *out)

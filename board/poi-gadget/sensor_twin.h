@@ -13,7 +13,7 @@
 #ifndef KINGYO_BOARD_POI_GADGET_SENSOR_TWIN_H
 #define KINGYO_BOARD_POI_GADGET_SENSOR_TWIN_H
 
-#include "board/poi-gadget/board_pose.h"
+#include "board/poi-gadget/attitude.h"
 #include "board/poi-gadget/pose_script.h"
 #include "board/poi-gadget/run.h"
 
@@ -39,9 +39,9 @@ struct sensor_twin {
      * amount. A reading is a mean of four samples and therefore has less noise. */
     float noise_steps;
     vec3 gyro_bias_rad_s; /* Simulated bias of the gyroscope in rad/s. */
-    uint8_t fuses;        /* 1 if the simulated chip computes a quaternion, as a BNO055 does. 0 if
-                             the simulated chip gives rotation rates and accelerations. */
-    uint8_t begun;
+    bool fuses;    /* True if the simulated chip computes a quaternion, as a BNO055 does. False
+                             if the simulated chip gives rotation rates and accelerations. */
+    uint8_t begun; /* Number of steps so far, at most 2. */
     uint32_t step;
     struct quaternion before;
     vec3 place_m, speed_m_s;

@@ -6,6 +6,7 @@
 #include <assert.h>
 #include <fcntl.h>
 #include <linux/input.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -24,7 +25,7 @@
 /* Maximum number of IIO devices that are searched. A board has only a few devices. */
 #define DEVICES_MAX 32
 
-static int read_text(int fd, char *text, size_t size)
+static bool read_text(int fd, char *text, size_t size)
 {
     const ssize_t got = pread(fd, text, size - 1, 0);
     text[got > 0 ? got : 0] = '\0';
@@ -42,9 +43,9 @@ static int iio_open(const char *device_path, const char *attribute)
 
 /* Finds the folder of the IIO device whose kernel name is `name`, and writes the folder's path to
  * `path`. `root` is the prefix of all paths: "" for this machine, or a test folder. If several
- * devices have the name, the device with the lowest number is used. Returns 1, or 0 if there is no
- * such device. */
-static int iio_find(char path[IIO_PATH_SIZE], const char *root, const char *name)
+ * devices have the name, the device with the lowest number is used. Returns true, or false if there
+ * is no such device. */
+static bool iio_find(char path[IIO_PATH_SIZE], const char *root, const char *name)
 {
     for (int i = 0; i < DEVICES_MAX; i++) {
         char text[64];
@@ -52,32 +53,32 @@ static int iio_find(char path[IIO_PATH_SIZE], const char *root, const char *name
             snprintf(path, IIO_PATH_SIZE, "%s/sys/bus/iio/devices/iio:device%d", root, i);
         const int fd = length < (int)IIO_PATH_SIZE ? iio_open(path, "name") : -1;
         if (fd >= 0) {
-            const int got = read_text(fd, text, sizeof text);
+            const bool got = read_text(fd, text, sizeof text);
             close(fd);
             text[strcspn(text, "\n")] = '\0';
             if (got && strcmp(text, name) == 0) {
-                return 1;
+                return true;
             }
         }
     }
-    return 0;
+    return false;
 }
 
-/* Reads the present numbers of an attribute. Returns 1 if the attribute contains exactly `count`
- * numbers, otherwise 0. `count` is at most 4. */
-static int iio_read(int fd, uint32_t count, float *out)
+/* Reads the present numbers of an attribute. Returns true if the attribute contains exactly `count`
+ * numbers. `count` is at most 4. */
+static bool iio_read(int fd, uint32_t count, float *out)
 {
     char text[96];
     assert(count > 0 && count <= 4);
     if (fd < 0 || !read_text(fd, text, sizeof text)) {
-        return 0;
+        return false;
     }
     const char *at = text;
     for (uint32_t i = 0; i < count; i++) {
         char *end;
         out[i] = strtof(at, &end);
         if (end == at) {
-            return 0;
+            return false;
         }
         at = end;
     }
@@ -122,7 +123,7 @@ void sensors_open_keys(struct keys *keys, const char *root)
         char path[256], phys[32];
         snprintf(path, sizeof path, "%s/sys/class/input/event%u/device/phys", root, i);
         file_first_line(path, phys, sizeof phys);
-        const int is_keys = strncmp(phys, "gpio-keys/", 10) == 0;
+        const bool is_keys = strncmp(phys, "gpio-keys/", 10) == 0;
         snprintf(path, sizeof path, "%s/dev/input/event%u", root, i);
         const int fd = is_keys ? open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC) : -1;
         if (fd >= 0) {
@@ -165,42 +166,40 @@ void sensors_close_keys(struct keys *keys)
 
 /* ---- All sensors ----------------------------------------------------------------------------- */
 
-static const char axis_of[3] = { 'x', 'y', 'z' };
-
-static int open_wires(struct sensors *sensors, const struct poi_config *config, const char *root,
-                      char why[SENSORS_WHY_SIZE])
+static bool open_wires(struct sensors *sensors, const struct poi_config *config, const char *root,
+                       char why[SENSORS_WHY_SIZE])
 {
     char path[IIO_PATH_SIZE], name[32];
     if (!iio_find(path, root, config->adc)) {
         snprintf(why, SENSORS_WHY_SIZE, "no converter '%s' in %s/sys/bus/iio/devices", config->adc,
                  root);
-        return 0;
+        return false;
     }
     for (uint32_t i = 0; i < DRAW_WIRE_COUNT; i++) {
         snprintf(name, sizeof name, "in_voltage%u_raw", config->channel[i]);
-        sensors->wire_fd[i] = iio_open(path, name);
-        if (sensors->wire_fd[i] < 0) {
+        sensors->fd[SENSORS_WIRE + i] = iio_open(path, name);
+        if (sensors->fd[SENSORS_WIRE + i] < 0) {
             snprintf(why, SENSORS_WHY_SIZE, "'%s' has no %s for spool %u", config->adc, name,
                      i + 1);
-            return 0;
+            return false;
         }
     }
-    return 1;
+    return true;
 }
 
-static int open_three(int fd[3], const char *path, const char *quantity, float *scale)
+static bool open_three(int fd[3], const char *path, const char *quantity, float *scale)
 {
     char name[32];
     for (uint32_t i = 0; i < 3; i++) {
-        snprintf(name, sizeof name, "in_%s_%c_raw", quantity, axis_of[i]);
+        snprintf(name, sizeof name, "in_%s_%c_raw", quantity, "xyz"[i]);
         fd[i] = iio_open(path, name);
         if (fd[i] < 0) {
-            return 0;
+            return false;
         }
     }
     snprintf(name, sizeof name, "in_%s_scale", quantity);
     const int scale_fd = iio_open(path, name);
-    const int got = iio_read(scale_fd, 1, scale);
+    const bool got = iio_read(scale_fd, 1, scale);
     if (scale_fd >= 0) {
         close(scale_fd);
     }
@@ -209,103 +208,93 @@ static int open_three(int fd[3], const char *path, const char *quantity, float *
 
 /* Opens the inertial chip. By the sysfs-bus-iio ABI, the order of a quaternion is x y z w. Linux's
  * bno055 driver instead writes the order of the chip's registers, w x y z. */
-static int open_imu(struct sensors *sensors, const struct poi_config *config, const char *root,
-                    char why[SENSORS_WHY_SIZE])
+static bool open_imu(struct sensors *sensors, const struct poi_config *config, const char *root,
+                     char why[SENSORS_WHY_SIZE])
 {
     char path[IIO_PATH_SIZE];
+    int *fd = sensors->fd;
     if (!iio_find(path, root, config->imu)) {
         snprintf(why, SENSORS_WHY_SIZE, "no inertial sensor '%s' in %s/sys/bus/iio/devices",
                  config->imu, root);
-        return 0;
+        return false;
     }
     sensors->scalar_first = strcmp(config->imu, "bno055") == 0;
-    sensors->turn_fd = iio_open(path, "in_rot_quaternion_raw");
-    if (sensors->turn_fd >= 0) {
-        return 1;
-    }
-    if (!open_three(sensors->gyro_fd, path, "anglvel", &sensors->gyro_scale) ||
-        !open_three(sensors->accel_fd, path, "accel", &sensors->accel_scale)) {
+    fd[SENSORS_TURN] = iio_open(path, "in_rot_quaternion_raw");
+    if (fd[SENSORS_TURN] < 0 &&
+        (!open_three(&fd[SENSORS_GYRO], path, "anglvel", &sensors->gyro_scale) ||
+         !open_three(&fd[SENSORS_ACCEL], path, "accel", &sensors->accel_scale))) {
         snprintf(why, SENSORS_WHY_SIZE,
                  "'%s' gives neither in_rot_quaternion_raw nor in_anglvel_ and in_accel_ x y z",
                  config->imu);
-        return 0;
+        return false;
     }
-    return 1;
+    return true;
 }
 
-int sensors_open(struct sensors *sensors, const struct poi_config *config, const char *root,
-                 char why[SENSORS_WHY_SIZE])
+bool sensors_open(struct sensors *sensors, const struct poi_config *config, const char *root,
+                  char why[SENSORS_WHY_SIZE])
 {
-    *sensors = (struct sensors){ .turn_fd = -1 };
-    for (uint32_t i = 0; i < 3; i++) {
-        sensors->wire_fd[i] = sensors->gyro_fd[i] = sensors->accel_fd[i] = -1;
-    }
+    *sensors = (struct sensors){ 0 };
+    memset(sensors->fd, -1, sizeof sensors->fd);
     sensors_open_keys(&sensors->keys, root);
     return open_wires(sensors, config, root, why) && open_imu(sensors, config, root, why);
 }
 
-static int read_three(const int fd[3], float scale, vec3 *out)
+static bool read_three(const int fd[3], float scale, vec3 *out)
 {
     float n[3];
     for (uint32_t i = 0; i < 3; i++) {
         if (!iio_read(fd[i], 1, &n[i])) {
-            return 0;
+            return false;
         }
     }
     *out = v3_scale(v3(n[0], n[1], n[2]), scale);
-    return 1;
+    return true;
 }
 
-static int read_turn(struct sensors *sensors, struct readings *out)
+static bool read_turn(struct sensors *sensors, struct readings *out)
 {
+    const int *fd = sensors->fd;
     float n[4];
-    out->fuses = sensors->turn_fd >= 0;
+    out->fuses = fd[SENSORS_TURN] >= 0;
     if (!out->fuses) {
-        return read_three(sensors->gyro_fd, sensors->gyro_scale, &out->gyro_rad_s) &&
-               read_three(sensors->accel_fd, sensors->accel_scale, &out->accel_m_s2);
+        return read_three(&fd[SENSORS_GYRO], sensors->gyro_scale, &out->gyro_rad_s) &&
+               read_three(&fd[SENSORS_ACCEL], sensors->accel_scale, &out->accel_m_s2);
     }
-    if (!iio_read(sensors->turn_fd, 4, n)) {
-        return 0;
+    if (!iio_read(fd[SENSORS_TURN], 4, n)) {
+        return false;
     }
     out->turn = sensors->scalar_first ? (struct quaternion){ n[0], n[1], n[2], n[3] }
                                       : (struct quaternion){ n[3], n[0], n[1], n[2] };
-    return 1;
+    return true;
 }
 
-int sensors_read(struct sensors *sensors, struct readings *out)
+bool sensors_read(struct sensors *sensors, struct readings *out)
 {
-    int all = read_turn(sensors, out);
+    bool all = read_turn(sensors, out);
     for (uint32_t i = 0; i < DRAW_WIRE_COUNT; i++) {
         float sum = 0.0f, one = 0.0f;
-        int good = 1;
+        bool good = true;
         for (uint32_t k = 0; k < SENSORS_SAMPLES && good; k++) {
-            good = iio_read(sensors->wire_fd[i], 1, &one);
+            good = iio_read(sensors->fd[SENSORS_WIRE + i], 1, &one);
             sum += one;
         }
         out->wire[i] = good ? sum / (float)SENSORS_SAMPLES : out->wire[i];
-        all &= good;
+        all = all && good;
     }
     out->buttons = sensors_held_keys(&sensors->keys);
-    sensors->failed_count += !all;
+    sensors->failed_count += all ? 0u : 1u;
     return all;
-}
-
-static void close_one(int *fd)
-{
-    if (*fd >= 0) {
-        close(*fd);
-    }
-    *fd = -1;
 }
 
 void sensors_close(struct sensors *sensors)
 {
-    for (uint32_t i = 0; i < 3; i++) {
-        close_one(&sensors->wire_fd[i]);
-        close_one(&sensors->gyro_fd[i]);
-        close_one(&sensors->accel_fd[i]);
+    for (uint32_t i = 0; i < SENSORS_FD_COUNT; i++) {
+        if (sensors->fd[i] >= 0) {
+            close(sensors->fd[i]);
+        }
+        sensors->fd[i] = -1;
     }
-    close_one(&sensors->turn_fd);
     sensors_close_keys(&sensors->keys);
 }
 

@@ -7,9 +7,10 @@
 #ifndef KINGYO_BOARD_POI_GADGET_SENSORS_H
 #define KINGYO_BOARD_POI_GADGET_SENSORS_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
-#include "board/poi-gadget/board_pose.h"
+#include "board/poi-gadget/attitude.h"
 #include "board/poi-gadget/run.h"
 
 /* Maximum number of gpio-keys devices that are opened. A handle has one device. */
@@ -37,18 +38,25 @@ void sensors_close_keys(struct keys *keys);
  * sample. */
 #define SENSORS_SAMPLES 4u
 
+/* Indices of struct sensors.fd. The wires and the axes x, y and z have adjacent indices. */
+enum sensors_fd {
+    SENSORS_WIRE = 0,                              /* First of the draw wires. */
+    SENSORS_GYRO = SENSORS_WIRE + DRAW_WIRE_COUNT, /* First of three axes of the gyroscope. */
+    SENSORS_ACCEL = SENSORS_GYRO + 3,              /* First of three axes of the accelerometer. */
+    SENSORS_TURN = SENSORS_ACCEL + 3,              /* The quaternion. */
+    SENSORS_FD_COUNT,
+};
+
 struct sensors {
-    int wire_fd[DRAW_WIRE_COUNT];
-    /* File descriptor of the attribute that contains the quaternion. -1 means that the inertial
-     * chip does not compute a quaternion. */
-    int turn_fd;
-    int gyro_fd[3], accel_fd[3];
+    /* File descriptors of the attributes (enum sensors_fd). -1 means that the attribute is absent,
+     * for example because the inertial chip computes a quaternion instead. */
+    int fd[SENSORS_FD_COUNT];
     /* Size of one step of the gyroscope in rad/s (`gyro_scale`) and of the accelerometer in m/s^2
      * (`accel_scale`). */
     float gyro_scale, accel_scale;
-    /* 1 if the driver writes the scalar part of the quaternion first, 0 if the driver writes the
-     * scalar part last (see sensors.c). */
-    uint8_t scalar_first;
+    /* True if the driver writes the scalar part of the quaternion first, false if the driver writes
+     * the scalar part last (see sensors.c). */
+    bool scalar_first;
     struct keys keys;
     uint32_t failed_count; /* Number of readings that failed because a chip did not respond. */
 };
@@ -57,14 +65,15 @@ struct sensors {
 #define SENSORS_WHY_SIZE 160u
 
 /* Opens the sensors that `config` names. `root` is the prefix of all paths: "" for this machine, or
- * a test folder. `why` is a buffer of SENSORS_WHY_SIZE bytes. Returns 1. If a sensor is missing,
- * writes one line to `why` and returns 0. The caller must call sensors_close() in either case. */
-int sensors_open(struct sensors *sensors, const struct poi_config *config, const char *root,
-                 char why[SENSORS_WHY_SIZE]);
+ * a test folder. `why` is a buffer of SENSORS_WHY_SIZE bytes. Returns true. If a sensor is missing,
+ * writes one line to `why` and returns false. The caller must call sensors_close() in either
+ * case. */
+bool sensors_open(struct sensors *sensors, const struct poi_config *config, const char *root,
+                  char why[SENSORS_WHY_SIZE]);
 
-/* Reads all sensors. Returns 1 if all sensors responded. Otherwise returns 0, and `out` contains
- * the readings of the sensors that responded. */
-int sensors_read(struct sensors *sensors, struct readings *out);
+/* Reads all sensors. Returns true if all sensors responded. Otherwise returns false, and `out`
+ * contains the readings of the sensors that responded. */
+bool sensors_read(struct sensors *sensors, struct readings *out);
 
 /* Number of consecutive failed readings of the sensors after which the poi's position counts as
  * unknown. */
