@@ -1,11 +1,12 @@
-# lib.sh -- what the tests of programs and scripts share: kingyoctl, a folder of their own, a line of TAP for each
-# check. Sourced, in the repository's root.
-# shellcheck shell=bash disable=SC2034  # Its users use them.
+# lib.sh -- shared functions for tests of programs and scripts. They set the path of kingyoctl,
+# create a temporary folder and print one TAP line for each check. Source this file in the root of
+# the repository.
+# shellcheck shell=bash disable=SC2034  # The scripts that source this file use the variables.
 set -u
 build=${BUILD:-build}
 ctl=$build/kingyoctl
 work=$(mktemp -d)
-# No test depends on what the user's own stall has stored.
+# XDG_DATA_HOME is set so that no test depends on the data of the user's own kiosk.
 export XDG_DATA_HOME=$work/share
 trap 'rm -rf "$work"' EXIT
 count=0
@@ -20,7 +21,7 @@ check() { # TITLE COMMAND...
     fi
 }
 
-# Prints the line of a check that has been made: STATUS is its exit status.
+# Prints the TAP line of a check that has already run. STATUS is the exit status of the check.
 ok() { # STATUS TITLE
     count=$((count + 1))
     if [ "$1" -eq 0 ]; then echo "ok $count - $2"; else echo "not ok $count - $2"; fi

@@ -1,9 +1,9 @@
 #!/bin/bash
-# run.sh RESULTS PROGRAM... -- runs test programs that speak TAP and sums them up.
-#
-# One line a program as it ends, the whole text of those that fail, then `<n> passed, <n> failed`
-# alone on the last line. Programs run side by side, one for each core; a name that begins with @
-# runs alone, after the others, because it measures or drives a whole machine. Exits 1 on any failure.
+# run.sh RESULTS PROGRAM... -- runs test programs that speak TAP and adds up their results.
+# Prints one line when a program ends, the whole output of programs that fail, and at last `<n>
+# passed, <n> failed` on a line of its own. One program runs on each core at a time. A program
+# whose name begins with @ runs alone after the others, because it measures time or drives a whole
+# machine. Exits with 1 if any test fails.
 set -u
 export CMOCKA_MESSAGE_OUTPUT=TAP
 limit_s=${TEST_LIMIT_S:-400}
@@ -23,18 +23,18 @@ run_one() { # RESULTS PROGRAM
     planned=$(sed -nE 's/^1\.\.([0-9]+).*/\1/p' "$log" | awk '{ sum += $1 } END { print sum + 0 }')
     if [ "$failed" -eq 0 ] &&
         { [ $status -ne 0 ] || [ "$planned" -eq 0 ] || [ $((passed + skipped)) -ne "$planned" ]; }; then
-        failed=1 # It crashed, ran too long, tested nothing or stopped halfway.
+        failed=1 # The program crashed, timed out, ran no test or stopped before its last test.
     fi
     echo "$passed $failed $skipped" >"$1/$name.count"
     if [ "$failed" -eq 0 ]; then
         printf '  ok    %-28s %4d passed  %6s s\n' "$name" "$passed" "$seconds"
         grep -iE '^\s*(not )?ok\b.*# skip' "$log" | sed -E 's/^\s*(not )?ok[ 0-9]*-*/        skipped:/'
-        sed -n 's/^# figure: /        /p' "$log" # What a test counted, for its readers.
+        sed -n 's/^# figure: /        /p' "$log" # Prints the figures that a test measured.
     else
         printf '  FAIL  %-28s %4d passed, %d failed  %6s s\n' "$name" "$passed" "$failed" "$seconds"
         [ $status -eq 124 ] && echo "        stopped after $limit_s s"
         [ $status -gt 1 ] && [ $status -ne 124 ] && echo "        exit status $status"
-        [ "$planned" -ne $((passed + failed + skipped)) ] && echo "        its plan was of $planned"
+        [ "$planned" -ne $((passed + failed + skipped)) ] && echo "        the program planned $planned tests"
         tail -n 60 "$log" | sed 's/^/        /'
     fi
     return 0

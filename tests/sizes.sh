@@ -1,5 +1,6 @@
 #!/bin/bash
-# sizes.sh BUILD -- the core's structs, code, constants and deepest stack frames, as built there.
+# sizes.sh BUILD -- prints the sizes of the core's structs, code and constants, and its deepest
+# stack frames, as built in BUILD.
 set -u
 "$1/tests/sizes"
 echo

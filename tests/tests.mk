@@ -1,10 +1,13 @@
-# tests.mk -- what `make test` builds and runs. tests/README.md says how the tests are arranged.
+# tests.mk -- builds and runs the tests of `make test`. tests/README.md describes the structure of
+# the tests.
 
 RESULTS := $(BUILD)/results
 
-# The folders below tests/unit are those of the sources; support/ has what several tests share.
+# The folders below tests/unit are those of the sources. support/ has the code that several tests
+# share.
 UNIT_SRC := $(filter %.c,$(foreach file,$(call sources,tests/unit),$(if $(filter test_%,$(notdir $(file))),$(file))))
-# A test that includes only the core links only the core, which is one more proof that it can.
+# A test that includes only core headers links only the core, which proves that the core needs
+# nothing else.
 UNIT_SHELL_SRC := $(if $(UNIT_SRC),$(shell grep -lE '"(platform|drivers|board)/' $(UNIT_SRC)))
 UNIT_CORE_SRC := $(filter-out $(UNIT_SHELL_SRC),$(UNIT_SRC))
 UNIT_SHELL := $(UNIT_SHELL_SRC:%.c=$(BUILD)/%)
@@ -12,12 +15,12 @@ UNIT_CORE := $(UNIT_CORE_SRC:%.c=$(BUILD)/%)
 UNIT := $(UNIT_CORE) $(UNIT_SHELL)
 
 E2E_BIN := $(BUILD)/tests/e2e/hand $(BUILD)/tests/e2e/ask_to_close $(BUILD)/tests/e2e/manager
-# And the kiosk's own mind, by its recording.
+# tests/vm/look prints the state of the kiosk from its recording.
 E2E := $(E2E_BIN) $(BUILD)/tests/vm/look
 
 -include tests/replay/replay.mk tests/golden/golden.mk tests/gltf/gltf.mk tests/gpio/gpio.mk tests/usb/usb.mk tests/hid/hid.mk
 
-# Whole-machine tests run alone, after those that only compute (tests/run.sh).
+# Tests that use the whole machine run alone, after the tests that only compute (tests/run.sh).
 TEST_SCRIPTS := $(wildcard tests/boundaries/test_*.sh tests/replay/test_*.sh tests/bake/test_*.sh \
     tests/soak/test_*.sh tests/ctl/test_*.sh tests/fuzz/test_*.sh \
     tests/hid/test_*.sh tests/board/test_*.sh tests/power/test_*.sh tests/mutants/test_*.sh \
@@ -34,7 +37,8 @@ test:
 	+@$(MAKE) --no-print-directory -j$(JOBS) tests
 	+@$(MAKE) --no-print-directory run-tests
 
-# A make of its own, because which tests there are depends on what the set-up installed.
+# A separate make process, because the list of tests depends on the packages that the set-up
+# installed.
 run-tests:
 	@BUILD=$(BUILD) tests/run.sh $(RESULTS) $(TEST_PROGRAMS)
 
@@ -64,9 +68,9 @@ test-fresh:
 
 $(UNIT_CORE): %: %.o $(BUILD)/tests/unit/support/panic.o $(BUILD)/core.a
 	$(call step,LINK,$@)
-	$(Q)$(CC) $(OPT) -g -o $@ $^ -lcmocka -lm
+	$(Q)$(CC) $(OPT) -g -o $@ $(filter %.o,$^) $(filter %.a,$^) -lcmocka -lm
 
-# Lanes are held to the scalar form in both widths (core/base/simd.h).
+# The test compares the SIMD functions of both widths with the scalar functions (core/base/simd.h).
 $(BUILD)/tests/unit/core/base/test_simd.o: BASE_CFLAGS += -Wno-psabi
 $(BUILD)/tests/unit/core/base/test_simd_wide.o: BASE_CFLAGS += -Wno-psabi \
     $(if $(filter x86_64%,$(MACHINE)),$(WIDE_CFLAGS))
@@ -75,18 +79,22 @@ $(UNIT_SHELL): %: %.o $(BUILD)/tests/unit/support/panic.o $(BUILD)/ctl.a $(BUILD
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g $(TRAP) -o $@ $(filter %.o,$^) $(filter %.a,$^) -lcmocka $(HOST_LIBS)
 
-# The judge of the technique bench (tests/bench/technique.c) is a part of the bench alone.
+# The statistics of the technique bench (tests/bench/technique.c) are part of the bench only.
 $(BUILD)/tests/unit/bench/test_statistics: $(BUILD)/tests/bench/statistics.o
 
-# A card with moods.
+# The simulated players and their targets are part of `make bench-players` only.
+$(BUILD)/tests/unit/bench/test_goals: $(BUILD)/tests/bench/players/goals.o $(BUILD)/tests/bench/statistics.o
+$(BUILD)/tests/unit/bench/test_sim_player: $(BUILD)/tests/bench/players/sim_player.o $(BUILD)/tests/bench/players/habits.o
+
+# A simulated card whose calls fail.
 $(BUILD)/tests/unit/platform/store/test_storage_card: $(BUILD)/tests/power/tape.o $(BUILD)/tests/power/fault.o
 $(BUILD)/tests/unit/platform/store/test_storage_card: TRAP := -Wl,--wrap=access
 
-# What allocates, as our objects ask for it; libraries' own asking is not turned aside.
+# Wraps the allocations of our own objects. Allocations inside libraries are not wrapped.
 $(BUILD)/tests/unit/platform/kiosk/test_own_memory: TRAP := -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc \
     -Wl,--wrap=strdup,--wrap=fopen
 
-# The kernel that a live device is read from.
+# Wraps the system calls that read a live device.
 $(BUILD)/tests/unit/platform/ctl/devices/test_hid_source: TRAP := -Wl,--wrap=open,--wrap=ioctl,--wrap=read
 
 $(BUILD)/tests/e2e/hand: $(BUILD)/tests/e2e/hand.o $(BUILD)/tests/e2e/eye.o $(BUILD)/core.a
@@ -96,7 +104,7 @@ $(E2E_BIN):
 	$(call step,LINK,$@)
 	$(Q)$(CC) -o $@ $^ -lXtst -lX11 -lm
 
-# Shares nothing with what it judges.
+# judge_trace shares no code with the programs that it checks.
 $(BUILD)/tests/ctl/judge_trace: $(BUILD)/tests/ctl/judge_trace.o
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ -lm
@@ -124,8 +132,9 @@ sizes: $(BUILD)/tests/sizes $(BUILD)/core.o
 $(BUILD)/tests/sizes: $(BUILD)/tests/sizes.o
 	$(Q)$(CC) -o $@ $^
 
-# Debian 12 and Debian 13 both have this version, and versions differ in what they accept.
+# Debian 12 and Debian 13 both have this version. Other versions format some code differently.
 FORMATTER := clang-format-19
+TIDY := clang-tidy-19
 
 ## test/lint: Check format, line length, shell scripts, pages and the drawing
 lint:
@@ -137,9 +146,15 @@ lint:
 	+@$(MAKE) --no-print-directory -j$(JOBS) build
 	@board/docs/architecture.py --check $(BUILD) $(ARCHITECTURE) && echo '  ok    architecture'
 
+## test/tidy: Check the C code with clang-tidy (minutes); ONLY=FILE... names files
+tidy:
+	@board/setup.sh dev test
+	+@$(MAKE) --no-print-directory -j$(JOBS) generated compile_commands.json
+	@tests/boundaries/tidy.sh $(TIDY) $(ONLY)
+
 ## test/format: Rewrite all C files in the form of .clang-format
 format:
 	@board/setup.sh dev
 	$(Q)git ls-files '*.[ch]' | xargs -P $(JOBS) -n 40 $(FORMATTER) -i
 
-.PHONY: test run-tests tests check unit test-e2e test-fresh boundaries includes symbols sizes lint format
+.PHONY: test run-tests tests check unit test-e2e test-fresh boundaries includes symbols sizes lint tidy format

@@ -1,4 +1,4 @@
-# bench.mk -- the figures, one row each with the command that gives it.
+# bench.mk -- measures the figures, each in one row with its command.
 
 BENCH_BIN := $(BUILD)/tests/bench/bench_start $(BUILD)/tests/bench/bench_latency \
     $(BUILD)/tests/bench/bench_open $(BUILD)/tests/bench/bench_reports
@@ -13,9 +13,11 @@ $(BENCH_BIN): %: %.o $(BUILD)/shell.a $(BUILD)/core.a
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
 
-# The tank's bench uses the tank that is compiled for 131,072 fish (platform/ctl/tank/tank.mk).
+# The benchmark of the tank uses the tank that is compiled for 131,072 fish
+# (platform/ctl/tank/tank.mk).
 BENCH_TANK := $(BUILD)/tests/bench/bench_tank
-# Calls between modules that it times; tests/bench/bench_tank.c wraps each.
+# The calls between modules that the benchmark measures. tests/bench/bench_tank.c wraps each of
+# them.
 BENCH_TANK_TIMED := swim_move_all broad_phase_mark broad_phase_sync broad_phase_is_stale broad_phase_select_contacts broad_phase_update \
     narrow_phase_begin narrow_phase_next contact_solver_project contact_solver_finish swim_settle_all oxygen_tick
 
@@ -52,7 +54,7 @@ bench-morph:
 	+@$(MAKE) --no-print-directory -j$(JOBS) $(BENCH_MORPH)
 	@$(BENCH_MORPH) $(BUILD)/bench_morph.tsv
 
-$(BENCH_MORPH): %: %.o $(BUILD)/platform/cpu.o $(BUILD)/core.a
+$(BENCH_MORPH): %: %.o $(BUILD)/core.a
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ -lm
 
@@ -73,7 +75,8 @@ $(BENCH_HID): %: %.o $(BUILD)/ctl.a $(BUILD)/shell.a $(BUILD)/core.a
 
 .PHONY: bench bench-tank bench-poi bench-morph bench-hid
 
-# Bots' rounds, on every core: minutes. Pictures where there is a gnuplot (board/setup.sh dev).
+# Rounds of the bots on all cores, which take minutes. gnuplot draws pictures if it is installed
+# (board/setup.sh dev).
 BENCH_PLAY := $(BUILD)/tests/bench/technique $(BUILD)/tests/bench/scores
 BENCH_PLOT = if command -v gnuplot >/dev/null; then gnuplot -e "dir='$(1)'" $(2) && echo "picture: $(3)"; \
     else echo 'no gnuplot, no picture'; fi
@@ -97,9 +100,26 @@ bench-scores:
 	    [ $$code -gt 1 ] || { $(call BENCH_PLOT,$(BUILD)/scores,tests/bench/scores.gp,$(BUILD)/scores/scores.png); }; \
 	    exit $$code
 
-$(BENCH_PLAY): %: %.o $(BUILD)/tests/bench/league.o $(BUILD)/tests/bench/statistics.o \
+$(BENCH_PLAY): %: %.o $(BUILD)/tests/bench/league.o $(BUILD)/tests/bench/progress.o $(BUILD)/tests/bench/statistics.o \
     $(BUILD)/ctl.a $(BUILD)/shell.a $(BUILD)/core.a
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
 
-.PHONY: bench-technique bench-scores
+# Simulated players with the habits of visitors, through the decoders of their input devices.
+BENCH_PLAYERS := $(BUILD)/tests/bench/players/players
+PLAYERS_OBJ := $(patsubst %,$(BUILD)/tests/bench/players/%.o,sim_player habits device round goals) \
+    $(BUILD)/tests/bench/progress.o $(BUILD)/tests/bench/statistics.o
+LEVEL ?= master
+bench-players: SEEDS = 60
+
+## measure/bench-players: Measure the catches of simulated visitors; SEEDS=60, LEVEL=master
+bench-players:
+	+@$(MAKE) --no-print-directory -j$(JOBS) $(BENCH_PLAYERS)
+	@mkdir -p $(BUILD)/players
+	@$(BENCH_PLAYERS) $(SEEDS) $(BUILD)/players --level $(LEVEL) --first $(FIRST)
+
+$(BENCH_PLAYERS): %: %.o $(PLAYERS_OBJ) $(BUILD)/ctl.a $(BUILD)/shell.a $(BUILD)/core.a
+	$(call step,LINK,$@)
+	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
+
+.PHONY: bench-technique bench-scores bench-players

@@ -1,9 +1,10 @@
 #!/bin/bash
-# bench.sh -- the figures of the stall on this machine, one row each with the command that gives it.
-#
-# BUILD is the folder that make uses. Prints a table and writes it to BUILD/bench.tsv. Needs a quiet
-# machine: what else runs is named at the top. Takes about a minute.
-# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+# bench.sh -- measures the kiosk on this machine and prints one row for each figure with its
+# command.
+# BUILD is the folder that make uses. Prints a table and writes it to BUILD/bench.tsv. Needs a
+# quiet machine, because other programs change the results; the script names them at the top. Takes
+# about a minute.
+# shellcheck disable=SC2154,SC1091  # lib.sh sets these variables
 . "$(dirname "$0")/../e2e/lib.sh"
 
 tsv=$BUILD/bench.tsv
@@ -13,7 +14,8 @@ row() { # FIGURE VALUE COMMAND
     printf '%s\t%s\t%s\n' "$1" "$2" "$3" >>"$tsv"
     printf '  %-46s %-34s %s\n' "$1" "$2" "$3"
 }
-pick() { # FILE PATTERN: what the pattern matches after its \K, in the first line that fits.
+# FILE PATTERN: Prints the text that the pattern matches after its \K, in the first matching line.
+pick() {
     grep -oP -- "$2" "$1" | head -1
 }
 
@@ -40,7 +42,7 @@ bot="kingyo --window 1280x720 --mode festival --poi bot --seed 2013"
 "$BUILD/kingyo" --window 1280x720 --mode festival --poi bot --seed 2013 --data "$work/data" >"$work/bot" 2>&1 &
 kiosk_pid=$!
 sleep 3
-xdotool key space # A round of 60 s, of which the figures see the first 25.
+xdotool key space # A round takes 60 s, and the figures cover its first 25 s.
 sleep 25
 kill -TERM "$kiosk_pid"
 end_of_kiosk 20

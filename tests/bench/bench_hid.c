@@ -18,7 +18,7 @@
 #include <time.h>
 
 #include "drivers/hid/hid_learn.h"
-#include "drivers/hid/hid_pose_decoder.h"
+#include "drivers/hid/poi_hid.h"
 #include "platform/ctl/devices/hid_file.h"
 
 #define RUNS 25u
@@ -69,7 +69,7 @@ static size_t load(const char *path)
     }
     const size_t size = fread(bytes, 1, sizeof bytes, file);
     fclose(file);
-    const long count = hid_from_hex(bytes, size);
+    const long count = hid_from_hex(bytes, size, NULL);
     return count >= 0 ? (size_t)count : size;
 }
 
@@ -152,29 +152,30 @@ static struct hid_device_info face;
 static struct hid_pose_decoder hand;
 static struct hid_learn learn;
 
-static void say(const uint8_t *items, uint32_t size)
+static void append(const uint8_t *items, uint32_t size)
 {
     memcpy(face.descriptor + face.descriptor_size, items, size);
     face.descriptor_size += size;
 }
 
-#define SAY(...) say((const uint8_t[]){ __VA_ARGS__ }, sizeof((const uint8_t[]){ __VA_ARGS__ }))
+#define APPEND(...)                                                                                \
+    append((const uint8_t[]){ __VA_ARGS__ }, sizeof((const uint8_t[]){ __VA_ARGS__ }))
 
 /* Builds a joystick with arrays of as many elements as can be bound. The descriptor lists each
  * usage of the arrays separately. */
 static void make_slow(void)
 {
     memset(&face, 0, sizeof face);
-    SAY(0x05, 1, 0x09, 4, 0xa1, 1, 0x09, 0x30, 0x09, 0x31, 0x15, 0, 0x25, 127, 0x75, 8, 0x95, 2,
-        0x81, 2, 0x05, 9, 0x09, 1, 0x25, 1, 0x75, 1, 0x95, 1, 0x81, 2);
-    SAY(0x25, ARRAY_USAGES - 1u, 0x75, ELEMENT_BITS, 0x95, HID_ARRAY_MAX);
+    APPEND(0x05, 1, 0x09, 4, 0xa1, 1, 0x09, 0x30, 0x09, 0x31, 0x15, 0, 0x25, 127, 0x75, 8, 0x95, 2,
+           0x81, 2, 0x05, 9, 0x09, 1, 0x25, 1, 0x75, 1, 0x95, 1, 0x81, 2);
+    APPEND(0x25, ARRAY_USAGES - 1u, 0x75, ELEMENT_BITS, 0x95, HID_ARRAY_MAX);
     for (uint32_t i = 0; i < ARRAYS; i++) {
         for (uint8_t usage = 1; usage <= ARRAY_USAGES; usage++) {
-            SAY(0x09, usage);
+            APPEND(0x09, usage);
         }
-        SAY(0x81, 0);
+        APPEND(0x81, 0);
     }
-    SAY(0xc0);
+    APPEND(0xc0);
 }
 
 static void bind_all(struct hid_mapping *map)
@@ -221,7 +222,7 @@ static double slow_report_us(struct hid_raw *raw, int is_learned)
     return best;
 }
 
-static void bench_slow_hand(void)
+static void bench_slow_decoder(void)
 {
     static const struct view view = { .eye_m = { 0.0f, 0.9f, 0.7f },
                                       .half_height_tan = 0.4f,
@@ -269,7 +270,7 @@ int main(int argc, char **argv)
     FILLED("65,535 bytes of globals", 0x04, 0x14, 0x24, 0x34, 0x44, 0x54, 0x64, 0x74, 0x94);
     FILLED("65,535 bytes of long items", 0xfe, 0x00, 0x00);
     bench_report(argv[1]);
-    bench_slow_hand();
+    bench_slow_decoder();
     printf("  memory of what was read: %zu bytes, the caller's, whatever it says\n",
            sizeof descriptor);
     if (tsv) {

@@ -46,12 +46,12 @@ static struct booth base, with, without;
 
 static struct hal wire(struct booth *stall)
 {
-    struct hal hal = null_hal();
+    struct hal hal = null_hal(NULL);
     hal.clock = sim_clock_device(&stall->clock);
     hal.display = sim_display_device(&stall->display);
     stall->poi.feed.clock = hal.clock;
     stall->poi.reports = stall->reports;
-    hal.poi[0] = pointer_sim_device(&stall->poi);
+    hal.poi[0] = pointer_sim_devices(&stall->poi).poi;
     return hal;
 }
 

@@ -21,8 +21,7 @@
 
 #include "core/base/panic.h"
 #include "core/base/rng.h"
-#include "core/morph/morph.h"
-#include "platform/cpu.h"
+#include "core/morph/blend_lanes.h"
 
 #define VERTICES 1000u /* Number of vertices of one fish. */
 /* Number of vertices that have an anchor. The near fish have about as many in fins and eyes. */
@@ -95,8 +94,8 @@ static void pose_of(uint32_t key_count)
 }
 
 /* Returns the seconds for `count` blends, which use the first `among` fish of the arena
- * repeatedly. */
-static double blend_s(uint32_t key_count, uint32_t lanes, size_t count, size_t among)
+ * repeatedly. If `single` is true, the vertices are blended one at a time, without SIMD. */
+static double blend_s(uint32_t key_count, bool single, size_t count, size_t among)
 {
     const double begin = now_s();
     for (size_t i = 0; i < count; i++) {
@@ -109,7 +108,11 @@ static double blend_s(uint32_t key_count, uint32_t lanes, size_t count, size_t a
         for (uint32_t key = 0; key < key_count; key++) {
             mesh.points[key] = fish->points[key];
         }
-        morph_shape_lanes(&mesh, key_count, &pose, fish->positions, fish->normals, lanes);
+        if (single) {
+            blend_each(&mesh, key_count, &pose, 0, fish->positions, fish->normals);
+        } else {
+            morph_shape(&mesh, key_count, &pose, fish->positions, fish->normals);
+        }
     }
     return now_s() - begin;
 }
@@ -139,34 +142,32 @@ static void keep_least(double *least, double ns)
 
 /* Returns the least time of all rounds for each case, because other processes disturbed that round
  * least. */
-static struct measured measure(uint32_t key_count, uint32_t lanes)
+static struct measured measure(uint32_t key_count)
 {
     struct measured least = { 1e9, 1e9, 1e9, 1e9 };
     const double per_vertex = 1e9 / (double)VERTICES, fish = (double)fish_count;
     pose_of(key_count);
     for (uint32_t round = 0; round < ROUNDS; round++) {
         keep_least(&least.ns,
-                   blend_s(key_count, lanes, fish_count, fish_count) / fish * per_vertex);
+                   blend_s(key_count, false, fish_count, fish_count) / fish * per_vertex);
         keep_least(&least.bound_ns, copy_s_per_byte() * (double)bytes_moved(key_count) * 1e9);
-        keep_least(&least.hot_ns, blend_s(key_count, lanes, 200, 1) / 200.0 * per_vertex);
-        keep_least(&least.scalar_ns, blend_s(key_count, 1, 100, 1) / 100.0 * per_vertex);
+        keep_least(&least.hot_ns, blend_s(key_count, false, 200, 1) / 200.0 * per_vertex);
+        keep_least(&least.scalar_ns, blend_s(key_count, true, 100, 1) / 100.0 * per_vertex);
     }
     return least;
 }
 
-static bool print_table(bool anchored, uint32_t lanes, FILE *tsv)
+static bool print_table(bool anchored, FILE *tsv)
 {
     static const uint32_t key_counts[] = { 3, 5, 8 };
     bool good = true;
     fill(anchored);
-    printf("%s, %u lanes\n",
-           anchored ? "Two curves, 40 % of the vertices on anchors" : "One curve, no anchors",
-           lanes);
+    puts(anchored ? "Two curves, 40 % of the vertices on anchors" : "One curve, no anchors");
     printf("  %4s %10s %12s %10s %8s %12s %14s\n", "keys", "bytes", "bound ns", "ns", "share",
            "in cache ns", "one by one ns");
     for (size_t i = 0; i < sizeof key_counts / sizeof key_counts[0]; i++) {
         const uint32_t keys = key_counts[i];
-        const struct measured m = measure(keys, lanes);
+        const struct measured m = measure(keys);
         printf("  %4u %10zu %12.2f %10.2f %7.0f%% %12.2f %14.2f\n", keys, bytes_moved(keys),
                m.bound_ns, m.ns, 100.0 * (m.bound_ns / m.ns), m.hot_ns, m.scalar_ns);
         if (tsv) {
@@ -192,8 +193,8 @@ int main(int argc, char **argv)
         fputs("mesh\tkeys\tbytes\tbound_ns\tns\tshare\tin_cache_ns\tone_by_one_ns\n", tsv);
     }
     puts("A vertex blended, ns; bound: as many bytes copied; share: bound / ns");
-    const bool good = print_table(false, cpu_lanes(), tsv);
-    print_table(true, cpu_lanes(), tsv);
+    const bool good = print_table(false, tsv);
+    print_table(true, tsv);
     printf("%s: each share of the first table is to be at least %.0f %%\n",
            good ? "good" : "NOT so", 100.0 * GOAL);
     free(arena);

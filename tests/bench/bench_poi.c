@@ -16,6 +16,7 @@
 #include "core/poi/catch/catch.h"
 #include "core/poi/paper/strain.h"
 #include "core/tank/preset.h"
+#include "tests/unit/support/open_tank.h"
 
 #define SAMPLES 40000u
 #define GOAL_US 60.0
@@ -133,7 +134,7 @@ static double measure_poi(void)
     struct bowl bowl;
     const vec3 place = v3(0.0f, 0.08f, 0.0f);
     const struct stall stall = { &tank, &bowl, 1 };
-    tank_init(&tank, TANK_PRESET_FESTIVAL, 300, 1);
+    open_tank(&tank, TANK_PRESET_FESTIVAL, 300, 1);
     bowl_init(&bowl, v3(0.30f, 0.02f, 0.15f));
     poi_init(&poi, 5, place, 1);
     poi.link = POI_SOURCE_LIVE;
@@ -171,7 +172,7 @@ static void measure_catch(uint32_t carried_fish, const char *what)
     struct bowl bowl;
     const struct stall stall = { &tank, &bowl, 1 };
     struct catch_result caught[POI_MAX] = { 0 };
-    tank_init(&tank, TANK_PRESET_OFFICIAL, 1000, 1);
+    open_tank(&tank, TANK_PRESET_OFFICIAL, 1000, 1);
     bowl_init(&bowl, tank_preset(TANK_PRESET_OFFICIAL)->bowl_m[0]);
     poi_init(&poi, 5, v3(0.0f, 0.08f, 0.0f), 1);
     for (uint32_t i = 0; i < carried_fish; i++) {
@@ -197,7 +198,7 @@ static void measure_bowls(uint32_t fish_count, const char *what)
     const struct stall stall = { &tank, bowls, POI_MAX };
     const uint8_t live[POI_MAX] = { 1, 1, 1, 1 };
     static struct poi pois[POI_MAX];
-    tank_init(&tank, TANK_PRESET_OFFICIAL, 1000, 1);
+    open_tank(&tank, TANK_PRESET_OFFICIAL, 1000, 1);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         bowl_init(&bowls[i], tank_preset(TANK_PRESET_OFFICIAL)->bowl_m[i]);
         poi_init(&pois[i], 5, v3_add(bowls[i].position_m, v3(0.0f, 0.05f, 0.0f)), i);

@@ -22,14 +22,14 @@
 #include "drivers/hid/poi_report.h"
 #include "drivers/hid/poi_hid.h"
 #include "drivers/null.h"
-#include "drivers/usb/usb_slot.h"
+#include "drivers/hid/hid_port.h"
 #include "platform/kiosk/kiosk.h"
 #include "platform/os/clock.h"
 
 static struct bench {
     double seconds, report_hz, frame_ms, work_ms;
     struct hal_clock clock;
-    struct usb_slot seat;
+    struct hid_port port;
     struct poi_hid poi;
     struct kiosk kiosk;
     uint64_t beat_ns;
@@ -43,7 +43,7 @@ static uint64_t now_ns(void)
 }
 
 /* Pushes report number `index` of a ring that circles over the water. */
-static void say(uint32_t index)
+static void push_report(uint32_t index)
 {
     uint8_t bytes[POI_REPORT_SIZE];
     const float turn = (float)index / (float)bench.report_hz;
@@ -52,7 +52,7 @@ static void say(uint32_t index)
         .sequence = (uint8_t)index,
     };
     poi_report_encode(&report, bytes);
-    usb_slot_report(&bench.seat, now_ns(), bytes, sizeof bytes);
+    hid_port_report(&bench.port, now_ns(), bytes, sizeof bytes);
 }
 
 static void *run_poi(void *context)
@@ -62,7 +62,7 @@ static void *run_poi(void *context)
     while (!atomic_load(&bench.stop)) {
         bench.said++;
         clock_sleep_until(begin_ns + (uint64_t)(1e9 * bench.said / bench.report_hz));
-        say(bench.said);
+        push_report(bench.said);
     }
     return NULL;
 }
@@ -84,8 +84,8 @@ static int screen_present(void *self, const struct scene *scene)
 static void take_feeling(void *self)
 {
     (void)self;
-    if (usb_slot_outgoing(&bench.seat) > 0) {
-        usb_slot_sent(&bench.seat);
+    if (hid_port_outgoing(&bench.port) > 0) {
+        hid_port_sent(&bench.port);
     }
 }
 
@@ -95,19 +95,19 @@ static void wire(struct hal *hal)
     static struct hal_display_ops screen;
     memcpy(face.descriptor, poi_descriptor, sizeof poi_descriptor);
     face.descriptor_size = sizeof poi_descriptor;
-    usb_slot_init(&bench.seat, take_feeling, NULL);
-    usb_slot_attach(&bench.seat, &face);
-    poi_hid_init(&bench.poi, usb_slot_port(&bench.seat), bench.clock, (struct hid_mapper){ 0 },
+    hid_port_init(&bench.port, take_feeling, NULL);
+    hid_port_attach(&bench.port, &face);
+    poi_hid_init(&bench.poi, &bench.port, bench.clock, (struct hid_mapper){ 0 },
                  &tank_preset(TANK_PRESET_FESTIVAL)->view);
-    *hal = null_hal();
+    *hal = null_hal(NULL);
     hal->clock = bench.clock;
-    hal->poi[0] = poi_hid_device(&bench.poi);
+    hal->poi[0] = poi_hid_devices(&bench.poi).poi;
     screen = *hal->display.ops;
     screen.present = screen_present;
     hal->display.ops = &screen;
 }
 
-static int tell(uint32_t lost)
+static int print_result(uint32_t lost)
 {
     const struct frame_timing *wait = &bench.kiosk.report_wait;
     const double median_ms = (double)frame_timing_quantile_ns(wait, 0.5) * 1e-6;
@@ -141,6 +141,5 @@ int main(int argc, char **argv)
     }
     atomic_store(&bench.stop, 1);
     pthread_join(thread, NULL);
-    const struct hid_port port = usb_slot_port(&bench.seat);
-    return tell(port.ops->lost_count(port.self));
+    return print_result(atomic_load(&bench.port.lost));
 }

@@ -1,7 +1,6 @@
 #!/bin/bash
-# bench_tank.sh BUILD -- the tank's figures, and the instructions that valgrind counts behind them.
-#
-# Prints tables for people and writes BUILD/bench_tank.tsv. Wants a quiet machine; takes two minutes.
+# bench_tank.sh BUILD -- measures the times of the tank, and the instructions that valgrind counts.
+# Prints tables and writes BUILD/bench_tank.tsv. Needs a quiet machine and takes two minutes.
 build=$1
 bench=$build/tests/bench/bench_tank
 tsv=$build/bench_tank.tsv

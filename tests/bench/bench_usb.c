@@ -3,7 +3,7 @@
  *
  * Usage: bench_usb [SECONDS]
  *
- * Runs the transport's own thread over a simulated bus in memory (tests/unit/support/usb_stand.h)
+ * Runs the transport's own thread over a simulated bus in memory (tests/unit/support/usb/usb_sim.h)
  * at 1,000 reports per second. A loop of 60 frames per second takes all queued reports and then
  * works for
  * 4 ms. The benchmark runs in real time. The figures do not include the kernel's host controller
@@ -15,14 +15,14 @@
 
 #include "drivers/usb/usb_transport.h"
 #include "platform/kiosk/frame_pacer.h"
-#include "tests/unit/support/usb_kinds.h"
+#include "tests/unit/support/usb/usb_fixture.h"
 
 #define REPORT_NS 1000000ull
 #define FRAME_NS 16666667ull
 #define WORK_NS 4000000ull
 #define SECONDS_MAX 600u
 
-static struct usb_bench bench;
+static struct usb_fixture fixture;
 static struct frame_timing to_stamp, to_frame, call;
 static uint64_t sent_ns[65536]; /* Send time of each report, indexed by the number in the report. */
 static atomic_int is_over;
@@ -41,24 +41,24 @@ static void *wire(void *self)
         next_ns += REPORT_NS;
         clock_sleep_until(next_ns);
         sent_ns[i & 0xffffu] = now_ns();
-        bench_say(device, i & 0xffffu);
+        fixture_send(device, i & 0xffffu);
     }
     return NULL;
 }
 
 /* Takes all queued reports. Returns the number of reports that were not the next in sequence. */
-static uint32_t take_all(const struct hid_port *port, uint32_t *expected)
+static uint32_t take_all(struct hid_port *port, uint32_t *expected)
 {
     struct hid_raw raw;
     uint32_t wrong = 0;
     int result;
     do {
         const uint64_t begin_ns = now_ns();
-        result = port->ops->take(port->self, &raw);
+        result = hid_port_take(port, &raw);
         const uint64_t end_ns = now_ns();
         frame_timing_add(&call, end_ns - begin_ns);
         if (result == 1) {
-            const uint32_t number = bench_number(&raw);
+            const uint32_t number = fixture_number(&raw);
             wrong += number != *expected;
             *expected = (number + 1u) & 0xffffu;
             frame_timing_add(&to_stamp, raw.time_ns - sent_ns[number]);
@@ -68,7 +68,7 @@ static uint32_t take_all(const struct hid_port *port, uint32_t *expected)
     return wrong;
 }
 
-static void tell(const char *what, const struct frame_timing *timing)
+static void print_timing(const char *what, const struct frame_timing *timing)
 {
     printf("%-28s p50 %6.2f ms   p99 %6.2f ms   at most %6.2f ms\n", what,
            (double)frame_timing_quantile_ns(timing, 0.5) * 1e-6,
@@ -77,17 +77,17 @@ static void tell(const char *what, const struct frame_timing *timing)
 
 static uint32_t run(uint32_t seconds)
 {
-    const struct hid_port port = usb_transport_port(bench.seats, 0);
+    struct hid_port *const port = usb_transport_port(fixture.thread, 0);
     const uint64_t end_ns = now_ns() + seconds * 1000000000ull;
     uint32_t expected = 0, wrong = 0;
     for (uint64_t frame_ns = now_ns(); frame_ns < end_ns; frame_ns += FRAME_NS) {
         clock_sleep_until(frame_ns);
-        wrong += take_all(&port, &expected);
+        wrong += take_all(port, &expected);
         while (now_ns() < frame_ns + WORK_NS) { /* The loop keeps one core busy as the scene does,
                                                    so that the USB thread must use another core. */
         }
     }
-    return wrong + port.ops->lost_count(port.self);
+    return wrong + atomic_load(&port->lost);
 }
 
 int main(int argc, char **argv)
@@ -96,20 +96,20 @@ int main(int argc, char **argv)
     const uint32_t seconds = wanted > 0 && wanted <= SECONDS_MAX ? wanted : 10u;
     struct hid_device_info face;
     pthread_t thread;
-    bench_prepare(&bench);
-    bench_start(&bench, NULL, 0);
-    device = stand_plug(&own_poi, 1);
-    if (!bench_open(&bench, 0, &face) || pthread_create(&thread, NULL, wire, NULL)) {
+    fixture_prepare(&fixture);
+    fixture_start(&fixture, NULL, 0);
+    device = usb_sim_plug(&own_poi, 1);
+    if (!fixture_open(&fixture, 0, &face) || pthread_create(&thread, NULL, wire, NULL)) {
         return 1;
     }
     const uint32_t wrong = run(seconds);
     atomic_store(&is_over, 1);
     pthread_join(thread, NULL);
-    const uint32_t left = bench_end(&bench);
+    const uint32_t left = fixture_end(&fixture);
     printf("%llu reports in %u s, %u lost or out of order\n", (unsigned long long)to_stamp.count,
            seconds, wrong);
-    tell("wire to stamp", &to_stamp);
-    tell("stamp to frame (60 a second)", &to_frame);
+    print_timing("wire to stamp", &to_stamp);
+    print_timing("stamp to frame (60 a second)", &to_frame);
     printf("%-28s at most %.1f us\n", "one call of the frame loop", (double)call.max_ns * 1e-3);
     return wrong > 0 || left > 0;
 }

@@ -5,55 +5,23 @@
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
-#include <unistd.h>
 
-#include "platform/ctl/play/bot_keys.h"
+#include "tests/bench/progress.h"
 
 #define PATH_CHARS 1200u
 
-static double now_s(void)
+/* Prints the progress after each round. */
+static void print_progress(void *self, uint32_t index)
 {
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + (double)now.tv_nsec * 1e-9;
-}
-
-/* ---- Progress ------------------------------------------------------------------------------- */
-
-struct progress {
-    const char *speaker;
-    uint32_t played, count, told_percent;
-    double begin_s;
-    int is_watched;
-};
-
-/* Prints the progress after each round on a terminal, and after each tenth of the rounds in a
- * log. */
-static void tell_progress(void *self, uint32_t index)
-{
-    struct progress *progress = self;
     (void)index;
-    progress->played++;
-    const uint32_t percent = 100u * progress->played / progress->count;
-    const double took_s = now_s() - progress->begin_s;
-    const double left_s =
-        took_s / (double)progress->played * (double)(progress->count - progress->played);
-    if (progress->is_watched) {
-        fprintf(stderr, "\r%s: %u of %u rounds, %.0f s, %.0f s to go   ", progress->speaker,
-                progress->played, progress->count, took_s, left_s);
-    } else if (percent / 10u > progress->told_percent / 10u) {
-        fprintf(stderr, "%s: %u of %u rounds, %.0f s, %.0f s to go\n", progress->speaker,
-                progress->played, progress->count, took_s, left_s);
-    }
-    progress->told_percent = percent;
+    progress_add(self);
 }
 
 /* ---- Arms ----------------------------------------------------------------------------------- */
 
 static int same_plan(const struct round_plan *a, const struct round_plan *b)
 {
-    return bot_keys_same(&a->technique, &b->technique) && a->mode == b->mode &&
+    return memcmp(&a->technique, &b->technique, sizeof a->technique) == 0 && a->mode == b->mode &&
            a->grade == b->grade && a->fish_count == b->fish_count && a->round_s == b->round_s;
 }
 
@@ -99,24 +67,20 @@ static struct round_result *sort_results(const struct league *league,
 enum exit_code league_play(struct league *league)
 {
     const uint32_t count = league->seeds * league->arm_count;
-    struct progress progress = { .speaker = league->speaker,
-                                 .count = count,
-                                 .begin_s = now_s(),
-                                 .is_watched = isatty(STDERR_FILENO) };
+    struct progress progress = progress_begin(league->speaker, count);
     struct round_plan *plans = plan_all(league);
     struct round_result *played = calloc(count, sizeof *played);
     const struct rounds rounds = { .plans = plans,
                                    .results = played,
                                    .count = count,
                                    .workers = rounds_workers(),
-                                   .done = tell_progress,
+                                   .done = print_progress,
                                    .self = &progress };
     const enum exit_code code = plans && played ? rounds_play(&rounds) : EXIT_NOT_SO;
     struct round_result *sorted = code == EXIT_OK ? sort_results(league, played) : NULL;
     free(plans);
     free(played);
-    league->took_s = now_s() - progress.begin_s;
-    fputs(progress.is_watched ? "\n" : "", stderr);
+    league->took_s = progress_end(&progress);
     if (!sorted) {
         fprintf(stderr, "%s: a round did not come to its end\n", league->speaker);
         return EXIT_NOT_SO;

@@ -53,7 +53,7 @@ static uint32_t count_torn(const struct league *league, uint32_t arm)
 }
 
 /* Prints one line. Returns 1 if the goal is met. */
-static int tell_goal(const struct league *league, uint32_t arm, const struct goal *goal)
+static int print_goal(const struct league *league, uint32_t arm, const struct goal *goal)
 {
     uint32_t caught[LEAGUE_SEEDS_MAX];
     char wanted[64];
@@ -91,7 +91,7 @@ int main(int argc, char **argv)
     printf("  %-20s %6s %6s %5s  %6s %5s  %s\n", "fish caught", "median", "p90", "most", "scoops",
            "torn", "goal");
     for (size_t i = 0; i < GOAL_COUNT; i++) {
-        well &= tell_goal(&league, arms[i], &goals[i]);
+        well &= print_goal(&league, arms[i], &goals[i]);
     }
     code = league_write_rounds(&league, argv[2], "scores.tsv");
     league_end(&league);

@@ -91,7 +91,7 @@ static enum exit_code add_experiment(struct league *league, const char *folder,
 
 /* ---- Judgement ------------------------------------------------------------------------------ */
 
-static void judge(const struct league *league, struct trial *trial)
+static void evaluate(const struct league *league, struct trial *trial)
 {
     uint32_t better[LEAGUE_SEEDS_MAX], worse[LEAGUE_SEEDS_MAX];
     league_caught(league, trial->better, better);
@@ -180,7 +180,7 @@ int main(int argc, char **argv)
         return (int)code;
     }
     for (size_t i = 0; i < EXPERIMENT_COUNT; i++) {
-        judge(&league, &trials[i]);
+        evaluate(&league, &trials[i]);
     }
     print_trials(&league, trials);
     code = write_trials(&league, trials, argv[3]);

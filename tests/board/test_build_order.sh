@@ -1,13 +1,14 @@
 #!/bin/bash
-# test_build_order.sh -- a package that comes or goes between two commands: what depends on it is compiled again, and
-# nothing else. A compiler of the test's own hides assimp's headers. Speaks TAP.
-# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+# test_build_order.sh -- after a package was installed or removed, the build compiles the objects
+# that depend on the package and no other object. A wrapper of the compiler hides the headers of
+# assimp. Speaks TAP.
+# shellcheck disable=SC2154,SC1091  # lib.sh sets these variables
 . "$(dirname "$0")/../lib.sh"
 tree=$work/build
 flat=$tree/platform/ctl/import/import_flat.o core=$tree/core/base/rng.o
 mkdir "$tree" "$work/include" "$work/pc" "$work/bin"
-# What was baked is the same whatever the compiler: it is copied, so that the test takes seconds.
-cp -a "$build"/{generated,assets,bake_host,bake,bake_species,bake_words} "$tree/"
+# The baked files do not depend on the compiler. They are copied so that the test takes seconds.
+cp -a "$build"/{generated,assets,bake_host,bake,bake_species} "$tree/"
 rm -f "$tree"/generated/*.o
 ln -s /usr/include/* "$work/include/"
 rm -f "$work/include/assimp"
@@ -18,7 +19,7 @@ exec gcc -nostdinc -isystem "$(gcc -print-file-name=include)" -isystem "$work/in
 END
 chmod +x "$work/bin/hidden-gcc"
 
-builds() { # WORDS...: the number of objects that are compiled.
+builds() { # WORDS...: Prints the number of compiled objects.
     make BUILD="$tree" CC="$work/bin/hidden-gcc" "$flat" "$core" "$@" >"$work/out" 2>&1 || { cat "$work/out"; return 1; }
     cat "$work/out"
     compiled=$(grep -c '^  CC    \(platform\|core/base\)' "$work/out") || true
@@ -29,7 +30,8 @@ is_still() { builds && [ "$compiled" -eq 0 ]; }
 comes() { mkdir "$work/include/assimp" && cp -r /usr/include/assimp/* "$work/include/assimp/" && builds && [ "$compiled" -eq 1 ] && reads_assimp; }
 goes() { rm -r "$work/include/assimp" && builds && [ "$compiled" -eq 1 ] && ! reads_assimp; }
 flags_change() { builds OPT=-O1 && [ "$compiled" -eq 2 ]; }
-gpiod_changes() { # As pkg-config of another release answers: objects and the choice of sources follow.
+# pkg-config answers as in another release. Both the objects and the choice of sources must follow.
+gpiod_changes() {
     printf 'Name: libgpiod\nDescription: none\nVersion: 2.1\nLibs: -lgpiod\nCflags:\n' >"$work/pc/libgpiod.pc"
     PKG_CONFIG_PATH=$work/pc builds OPT=-O1 && [ "$compiled" -eq 1 ] &&
         grep -qx 'libgpiod major version 2' "$tree/found.txt" &&
@@ -39,14 +41,14 @@ gpiod_changes() { # As pkg-config of another release answers: objects and the ch
 
 echo 1..7
 if [ -d /usr/include/assimp ]; then
-    check 'without assimp, no object reads it' starts_without
+    check 'a build without assimp compiles no object that reads its headers' starts_without
     check 'a second build compiles nothing' is_still
-    check 'assimp comes: what reads it is compiled again, the core is not' comes
-    check 'then nothing is compiled' is_still
-    check 'assimp goes: what read it is compiled again' goes
+    check 'installing assimp recompiles its users and not the core' comes
+    check 'the next build compiles nothing' is_still
+    check 'removing assimp recompiles its users' goes
 else
     for _ in 1 2 3 4 5; do skip 'assimp comes and goes' 'libassimp-dev is not installed'; done
     builds
 fi
-check 'other flags compile everything again' flags_change
-check 'another libgpiod compiles the shell again, with its own sources' gpiod_changes
+check 'other compiler flags recompile everything' flags_change
+check 'another libgpiod recompiles the shell with its own sources' gpiod_changes

@@ -1,15 +1,15 @@
 #!/bin/bash
-# test_cabinet.sh -- the cabinet's pins are the same wherever they are written: page, picture, overlays, lines,
-# boot files. Speaks TAP.
-# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+# test_cabinet.sh -- the pins of the cabinet agree between the page, the picture, the overlays,
+# lines.conf and the boot files. Speaks TAP.
+# shellcheck disable=SC2154,SC1091  # lib.sh sets these variables
 . "$(dirname "$0")/../lib.sh"
 cabinet=board/cabinet
 
-# The header of 40 pins: which GPIO is on which pin (Raspberry Pi documentation).
+# The GPIO of each pin of the 40-pin header (Raspberry Pi documentation).
 header='3:2 5:3 7:4 8:14 10:15 11:17 12:18 13:27 15:22 16:23 18:24 19:10 21:9 22:25 23:11 24:8 26:7 27:0 28:1
 29:5 31:6 32:12 33:13 35:19 36:16 37:26 38:20 40:21'
 
-# `ROLE PIN GPIO` of the page's table.
+# `ROLE PIN GPIO` for each row of the page's table.
 awk -F' *[|] *' '/^[|] [A-Z]/ && $3 ~ /^[0-9]+$/ { print $2, $3, $4 }' "$cabinet/README.md" | sort >"$work/page"
 
 pins_are_the_headers() {
@@ -47,7 +47,7 @@ boot_file_agrees() { # BOARD
         [ "$(wc -l <"board/$1/cmdline.txt")" = 1 ]
 }
 
-# Every role of the cabinet has its line, and the stall reads each where it looks for it.
+# Every role of the cabinet has its line, and the kiosk accepts each line.
 lines_agree() {
     local line lines=()
     "$ctl" config check "$cabinet/lines.conf" >"$work/lines" 2>&1 || { cat "$work/lines"; return 1; }
@@ -61,11 +61,11 @@ lines_agree() {
     ! grep -qE "is no (role|word)|same line" "$work/lines" || { cat "$work/lines"; return 1; }
 }
 
-check 'the pins of the page are those of the header' pins_are_the_headers
-check 'the picture has every pin and role' picture_agrees
+check 'the pins of the page agree with the 40-pin header' pins_are_the_headers
+check 'the picture has every pin and every role' picture_agrees
 for board in rpi4 rpi5; do
     check "the overlay of $board names each line after its role" overlay_agrees "$board"
-    check "the boot file of $board pulls each pin to where it rests" boot_file_agrees "$board"
+    check "the boot file of $board pulls each pin to its rest level" boot_file_agrees "$board"
 done
-check 'the lines of the configuration are wires' lines_agree
+check 'lines.conf has every role of the cabinet' lines_agree
 echo "1..$count"

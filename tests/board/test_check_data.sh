@@ -1,7 +1,8 @@
 #!/bin/bash
-# test_check_data.sh -- the check of the data partition and its read-only remount, in folders that are hostile: links,
-# FIFOs, devices, wild marks. The disk is stood in for; the mounts are real where this machine allows them. Speaks TAP.
-# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+# test_check_data.sh -- the check of the data partition and its read-only remount in hostile
+# folders with links, FIFOs, devices and invalid marks. The disk is simulated. The mounts are real
+# if this machine allows them. Speaks TAP.
+# shellcheck disable=SC2154,SC1091  # lib.sh sets these variables
 . "$(dirname "$0")/../lib.sh"
 data=$work/data bin=$work/bin precious=$work/precious
 mkdir "$bin"
@@ -11,13 +12,13 @@ stand_in() { # NAME LINES...
 }
 stand_in mountpoint 'exit 0'
 stand_in findmnt 'case $* in *SOURCE*) echo /dev/sda3 ;; *FSROOT*) echo "${FSROOT-/}" ;; *) echo ext4 ;; esac'
-# A file system in memory may have no direct reads.
+# A file system in memory may not support direct reads.
 stand_in dd 'for word; do shift; set -- "$@" "$(echo "$word" | sed "s/,direct$//")"; done' "exec $(command -v dd) \"\$@\""
 
-fresh() { # An empty folder, and a file elsewhere that must stay as it is.
+fresh() { # Creates an empty folder, and a file elsewhere that must stay unchanged.
     rm -rf "$data" && mkdir "$data" && echo precious >"$precious"
 }
-probe() { # Never waits: 10 s are for a loaded machine.
+probe() { # Fails after 10 s, which is long enough for a loaded machine.
     PATH=$bin:$PATH timeout 10 sh board/kiosk/check-data "$data" >"$work/told" 2>"$work/err"
     local code=$?
     cat "$work/told" "$work/err"
@@ -25,14 +26,14 @@ probe() { # Never waits: 10 s are for a loaded machine.
     [ "$(wc -l <"$work/told")" -eq 1 ] || { echo 'not one line'; return 98; }
     return $code
 }
-keeps() { # COUNT: the folder keeps, and the mark is a regular file that counts COUNT.
+keeps() { # COUNT: The check succeeds, and the mark is a regular file with the count COUNT.
     probe && grep -q "^kept: /dev/sda3, ext4; start $1 of this disk" "$work/told" && [ ! -L "$data/.persists" ] &&
         [ "$(cat "$data/.persists")" = "$1 $(cat /proc/sys/kernel/random/boot_id)" ] && [ ! -e "$data/.persists.new" ]
 }
 after() { # MARK COUNT
     fresh && printf -- "$1" >"$data/.persists" && keeps "$2"
 }
-keeps_with() { # COMMAND...: hostile, but of no effect.
+keeps_with() { # COMMAND...: The command prepares a hostile folder, which must not affect the result.
     fresh && "$@" && keeps 1
 }
 fails_with() { # PATTERN COMMAND...
@@ -42,36 +43,36 @@ fails_with() { # PATTERN COMMAND...
 }
 
 # ---- The mark
-check 'no mark is the first start' keeps_with true
+check 'a folder without a mark counts as the first start' keeps_with true
 check 'the next start is counted' after '7 b3c1\n' 8
-check 'the start before is named' grep -q 'the one before was b3c1' "$work/told"
-check 'a mark without a byte begins anew' after '' 1
-check 'a mark that was cut off counts' after '7' 8
+check 'the previous start is named' grep -q 'the one before was b3c1' "$work/told"
+check 'an empty mark restarts the count' after '' 1
+check 'a truncated mark is counted' after '7' 8
 for mark in '08 b3c1' '09' '0' '-1 x' '+7' '0x10' '12345678901234567890 b3c1' '9999999999' '1;id' '1+1' 'a[$(touch owned)] 1' \
     '\001\377x' '7\033[2J' ' 7'; do
-    check "the mark '$mark' begins anew" after "$mark\n" 1
+    check "the mark '$mark' restarts the count" after "$mark\n" 1
 done
-check 'a start before that is no id is not repeated' after '7 \033[2J;touch\n' 8
-check 'neither in the journal' grep -q 'the one before was never' "$work/err"
+check 'an invalid id of the previous start is not printed' after '7 \033[2J;touch\n' 8
+check 'an invalid id of the previous start is not in the journal' grep -q 'the one before was never' "$work/err"
 long() { fresh && { printf '7 '; head -c 1000000 /dev/zero | tr '\0' a; } >"$data/.persists" && keeps 8; }
-check 'a mark of a megabyte is read in part' long
+check 'only the beginning of a mark of 1 MiB is read' long
 
-# ---- What lies in the folder
+# ---- Hostile entries of the folder
 check 'a link in place of the new mark is not followed' keeps_with ln -s "$precious" "$data/.persists.new"
-check 'a link to nothing neither' keeps_with ln -s "$work/owned" "$data/.persists.new"
+check 'a link to a missing file in place of the new mark is not followed' keeps_with ln -s "$work/owned" "$data/.persists.new"
 check 'a FIFO in place of the new mark does not block' keeps_with mkfifo "$data/.persists.new"
 check 'a folder in place of the new mark is a failure' fails_with 'cannot be written' mkdir "$data/.persists.new"
 check 'a link in place of the mark is a failure' fails_with 'cannot be read' ln -s "$precious" "$data/.persists"
-check 'a link to nothing too' fails_with 'cannot be read' ln -s "$work/owned" "$data/.persists"
-check 'a FIFO in place of the mark is a failure, at once' fails_with 'cannot be read' mkfifo "$data/.persists"
-check 'a folder in place of the mark too' fails_with 'cannot be read' mkdir "$data/.persists"
-check 'a folder that is no mount of its own is a failure' env FSROOT=/kingyo bash -c "$(declare -f fresh probe fails_with)
+check 'a link to a missing file in place of the mark is a failure' fails_with 'cannot be read' ln -s "$work/owned" "$data/.persists"
+check 'a FIFO in place of the mark fails immediately' fails_with 'cannot be read' mkfifo "$data/.persists"
+check 'a folder in place of the mark is a failure' fails_with 'cannot be read' mkdir "$data/.persists"
+check 'a folder that is not a mount point is a failure' env FSROOT=/kingyo bash -c "$(declare -f fresh probe fails_with)
     work=$work data=$data bin=$bin precious=$precious; fails_with 'no partition of its own' true"
 stand_in dd 'exit 1'
-check 'a disk that gives nothing back is a failure' fails_with 'cannot be' true
+check 'a disk whose reads and writes fail is a failure' fails_with 'cannot be' true
 
 # ---- The remount
-protects() { # RESULT: as root in mounts of its own; every file of the folder is hostile.
+protects() { # RESULT: Runs as root in mounts of its own. Every file of the folder is hostile.
     fresh && ln -s "$precious" "$data/.persists" && mkfifo "$data/.persists.new" "$data/kingyo.db" || return 1
     rm -f "$work/told"
     SERVICE_RESULT=$1 unshare -m sh -c "timeout 10 sh board/kiosk/protect-data '$data' '$work/told' || exit 2
@@ -89,26 +90,26 @@ keeps_words() {
 }
 if [ "$(id -u)" -eq 0 ] && unshare -m true 2>/dev/null; then
     for result in exit-code timeout signal core-dump resources ''; do
-        check "a check that ended with '$result' leaves the folder read-only" shuts "$result"
+        check "a check that ended with '$result' makes the folder read-only" shuts "$result"
     done
-    check 'a check that succeeded leaves it as it is' opens
-    check 'the reason that the check gave stays' keeps_words
-    cannot() { # A remount that fails: an empty folder covers this one.
+    check 'a successful check leaves the folder writable' opens
+    check 'the reason that the check reported is kept' keeps_words
+    cannot() { # If the remount fails, an empty folder covers the data folder.
         stand_in mount 'case $* in *remount*) exit 32 ;; esac' "exec $(command -v mount) \"\$@\""
         rm -f "$bin/findmnt" "$bin/mountpoint"
         fresh && echo x >"$data/file"
         PATH=$bin:$PATH SERVICE_RESULT=timeout unshare -m sh -c "sh board/kiosk/protect-data '$data' '$work/told' &&
             [ ! -e '$data/file' ] && ! touch '$data/new'"
     }
-    check 'where the remount fails, nothing can be written all the same' cannot
+    check 'a failed remount still prevents writing' cannot
 else
-    skip 'a check that failed leaves the folder read-only' 'no root, or no mounts'
+    skip 'a failed check makes the folder read-only' 'no root, or no mounts'
 fi
 
-# ---- The unit: only the remount is root's
+# ---- The unit: only the remount runs as root
 unit=board/systemd/kingyo-data.service
 as_user() { grep -qx 'User=kingyo' $unit && grep -q '^ExecStart=@PREFIX@/lib/kingyo/check-data ' $unit && ! grep -q '^ExecStart=[+!]' $unit; }
 check 'the check runs as the service user' as_user
-check 'the remount runs after every end of the check, as root' grep -q '^ExecStopPost=+@PREFIX@/lib/kingyo/protect-data ' $unit
-check 'the script of root opens no file in the folder' bash -c '! grep -nE "\\\$folder[\"'\'']?/|\\\$1/" board/kiosk/protect-data'
+check 'the remount runs as root after every end of the check' grep -q '^ExecStopPost=+@PREFIX@/lib/kingyo/protect-data ' $unit
+check 'the script that runs as root opens no file in the folder' bash -c '! grep -nE "\\\$folder[\"'\'']?/|\\\$1/" board/kiosk/protect-data'
 echo "1..$count"

@@ -1,19 +1,20 @@
 #!/bin/bash
-# test_manual.sh -- the operator's manual says what the stall says: its Japanese words are the menu's, its links lead
-# somewhere, its commands and files exist. Speaks TAP.
-# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+# test_manual.sh -- the operator's manual agrees with the program: its Japanese words are those of
+# the menu, its links have a target, and its commands and files exist. Speaks TAP.
+# shellcheck disable=SC2154,SC1091  # lib.sh sets these variables
 . "$(dirname "$0")/../lib.sh"
 export LC_ALL=C.UTF-8
 manual=board/MANUAL.md words=assets/text/ja.txt
 
-# [..] with kana or kanji in it; a way through the menu is one word after the other.
+# Prints each text in [..] that contains kana or kanji. A path through the menu has one word for
+# each level.
 japanese() { grep -oP '\[\K[^]\[]*[\x{3040}-\x{30ff}\x{4e00}-\x{9fff}][^]\[]*(?=\])' "$manual" | sed 's/ → /\n/g' | sort -u; }
 words_are_the_menus() {
     local word
     japanese >"$work/japanese"
     [ "$(wc -l <"$work/japanese")" -gt 20 ] || return 1
     while read -r word; do
-        sed -n 's/^[a-z0-9_]* = //p' "$words" | grep -qF -- "$word" || { echo "nobody is told $word"; return 1; }
+        sed -n 's/^[a-z0-9_]* = //p' "$words" | grep -qF -- "$word" || { echo "the menu lacks $word"; return 1; }
     done <"$work/japanese"
 }
 links_lead_somewhere() {
@@ -35,8 +36,8 @@ commands_exist() {
 }
 pictures_are_small() { ! find assets/pictures -name 'manual-*' -size +200k | grep .; }
 
-check 'its Japanese words are those of the menu' words_are_the_menus
-check 'its links lead somewhere' links_lead_somewhere
-check 'its commands are the tool'\''s' commands_exist
-check 'its pictures are under 200 KB' pictures_are_small
+check 'the Japanese words of the manual are those of the menu' words_are_the_menus
+check 'the links of the manual have a target' links_lead_somewhere
+check 'the commands of the manual exist' commands_exist
+check 'the pictures of the manual are under 200 KB' pictures_are_small
 echo "1..$count"

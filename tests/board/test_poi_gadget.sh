@@ -1,16 +1,16 @@
 #!/bin/bash
-# test_poi_gadget.sh -- kingyo-poi-gadget on a configfs made of folders, under each shell that is here.
-#
-# The folder stands for the kernel's own: attributes vanish with their directory, and a directory with
-# directories or links in it stays (Documentation/filesystems/configfs.rst). tests/vm has the real one.
-# Speaks TAP.
-# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+# test_poi_gadget.sh -- kingyo-poi-gadget on a simulated configfs of folders, under each installed
+# shell.
+# The folder behaves like configfs: attributes disappear with their directory, and a directory that
+# contains directories or links cannot be removed (Documentation/filesystems/configfs.rst).
+# tests/vm uses the real configfs. Speaks TAP.
+# shellcheck disable=SC2154,SC1091  # lib.sh sets these variables
 . "$(dirname "$0")/../lib.sh"
 build=$(realpath "$build")
 gadget_script=$(realpath board/poi-gadget/kingyo-poi-gadget)
 
-# A machine with one USB device controller, and commands in place of the system's: as functions, because
-# busybox looks for its own before it looks for programs. Nothing here touches this machine's kernel.
+# A machine with one USB device controller. System commands are replaced by functions, because
+# busybox prefers its own commands to programs. The test does not touch the kernel of this machine.
 mkdir "$work/bin"
 cat >"$work/commands" <<END
 mount() { :; }
@@ -34,7 +34,7 @@ done
 END
 chmod +x "$work/bin"/*
 
-fresh() { # A new machine; no gadget, no settings.
+fresh() { # Creates a new machine without a gadget and without settings.
     rm -rf "$work/config" "$work/sys" "$work/conf"
     mkdir -p "$work/config/usb_gadget" "$work/sys/class/udc/fe980000.usb" "$work/sys/dev/char/240:0"
     echo configured >"$work/sys/class/udc/fe980000.usb/state"
@@ -43,7 +43,7 @@ fresh() { # A new machine; no gadget, no settings.
     printf '00000000deadbeef\0' >"$work/sys/firmware/devicetree/base/serial-number"
 }
 
-script() { # ARGUMENTS: what it says goes to "$work/words".
+script() { # ARGUMENTS: The output goes to "$work/words".
     # shellcheck disable=SC2016
     COMMANDS=$work/commands CONFIGFS=$work/config SYSFS=$work/sys MACHINE_ID=$work/machine-id \
         KINGYO_POI_GADGET_CONF=$work/conf \
@@ -54,7 +54,7 @@ g=$work/config/usb_gadget/kingyo-poi
 ids='VENDOR=0x1209 PRODUCT=0x0001'
 poi=POI=$build/kingyo-poi
 
-refuses() { # CODE PATTERN ARGUMENTS...: and leaves nothing behind.
+refuses() { # CODE PATTERN ARGUMENTS...: The script fails and leaves nothing behind.
     local code=$1 pattern=$2 status
     shift 2
     script "$@"
@@ -79,7 +79,7 @@ starts() {
         [ "$(readlink -f "$g/configs/c.1/hid.poi")" = "$(readlink -f "$g/functions/hid.poi")" ]
 }
 
-interval() { # Linux 6.16 has it: the file is there once the function is made.
+interval() { # Linux 6.16 has this attribute, which exists after the function was created.
     fresh
     rm "$work/bin/mkdir"
     cat >"$work/bin/mkdir" <<'END'
@@ -95,7 +95,7 @@ END
     [ $status -eq 0 ] && holds functions/hid.poi/interval 4
 }
 
-tells() { # PATTERN CODE: what status says.
+tells() { # PATTERN CODE: The status command prints PATTERN.
     script status
     local status=$?
     cat "$work/words"
@@ -127,7 +127,7 @@ reads_settings() {
         holds strings/0x409/serialnumber eight && holds strings/0x409/product 'Red poi'
 }
 
-hides() { # A board without a serial number of its own.
+hides() { # A board without a serial number.
     local id=0123456789abcdef0123456789abcdef first
     fresh
     rm "$work/sys/firmware/devicetree/base/serial-number"
@@ -144,7 +144,8 @@ hides() { # A board without a serial number of its own.
     script start $ids "$poi" && [ "$(cat "$g/strings/0x409/serialnumber")" != "$first" ]
 }
 
-half_way() { # A kernel that does not take the descriptor: what was made is taken away again.
+# The kernel rejects the descriptor. The script must remove the directories that it created.
+half_way() {
     fresh
     printf '#!/bin/sh\nexit 74\n' >"$work/bad-poi"
     chmod +x "$work/bad-poi"
@@ -161,33 +162,33 @@ command -v dash >/dev/null && shells+=('dash')
 command -v busybox >/dev/null && shells+=('busybox sh')
 [ ${#shells[@]} -gt 0 ] || shells=('sh')
 for shell in "${shells[@]}"; do
-    check "$shell: a gadget is made, with our descriptor, and plugged in" starts
-    check "$shell: the ids for tests come with a warning" warns
-    check "$shell: it is asked each millisecond where the kernel lets one choose" interval
-    check "$shell: pulled out, plugged in, and said so" plugs
-    check "$shell: taken away in an order that configfs takes" stops
-    check "$shell: only one at a time" starts_once
-    check "$shell: settings come from a file and from the command line" reads_settings
-    check "$shell: a machine-id is not given away, and tells machines apart" hides
+    check "$shell: start creates a gadget with our descriptor and attaches it" starts
+    check "$shell: the test ids print a warning" warns
+    check "$shell: the polling interval is 1 ms where the kernel supports it" interval
+    check "$shell: detach and attach are reported" plugs
+    check "$shell: stop removes the gadget in an order that configfs accepts" stops
+    check "$shell: a second start is refused" starts_once
+    check "$shell: settings come from the file and from the command line" reads_settings
+    check "$shell: the serial number hides the machine-id and differs between machines" hides
     fresh
-    check "$shell: no ids, no poi" refuses 2 'USB ids of its own' start "$poi"
-    check "$shell: nor with one of them" refuses 2 'USB ids of its own' start VENDOR=0x1209 "$poi"
-    check "$shell: nor with what is no id" refuses 2 'not 0x and four' start VENDOR=4617 PRODUCT=0x0001 "$poi"
-    check "$shell: nor with 0" refuses 2 'not 0x and four' start VENDOR=0x1209 PRODUCT=0x0000 "$poi"
+    check "$shell: missing ids are wrong usage" refuses 2 'USB ids of its own' start "$poi"
+    check "$shell: a missing product id is wrong usage" refuses 2 'USB ids of its own' start VENDOR=0x1209 "$poi"
+    check "$shell: an invalid id is wrong usage" refuses 2 'not 0x and four' start VENDOR=4617 PRODUCT=0x0001 "$poi"
+    check "$shell: the id 0 is wrong usage" refuses 2 'not 0x and four' start VENDOR=0x1209 PRODUCT=0x0000 "$poi"
     # shellcheck disable=SC2086
-    check "$shell: a setting that is none" refuses 2 'is no setting' start $ids COLOUR=red
+    check "$shell: an unknown setting is wrong usage" refuses 2 'is no setting' start $ids COLOUR=red
     echo 'VENDOR 0x1209' >"$work/conf"
-    check "$shell: and its line in the file" refuses 65 'conf:1' start "$poi"
+    check "$shell: an unknown setting of the file is reported with its line" refuses 65 'conf:1' start "$poi"
     rm "$work/conf"
     mkdir "$work/sys/class/udc/other"
     # shellcheck disable=SC2086
-    check "$shell: of two controllers one must be chosen" refuses 2 'choose one by UDC=' start $ids "$poi"
+    check "$shell: two controllers need UDC=" refuses 2 'choose one by UDC=' start $ids "$poi"
     # shellcheck disable=SC2086
-    check "$shell: and be there" refuses 74 "no USB device controller 'third'" start $ids "$poi" UDC=third
+    check "$shell: a missing controller exits with 74" refuses 74 "no USB device controller 'third'" start $ids "$poi" UDC=third
     rm -r "$work/sys/class/udc"
     # shellcheck disable=SC2086
-    check "$shell: none at all says what a Raspberry Pi needs" refuses 74 'dr_mode=peripheral' start $ids "$poi"
-    check "$shell: what was half made is taken away" half_way
+    check "$shell: a machine without a controller gets the advice for a Raspberry Pi" refuses 74 'dr_mode=peripheral' start $ids "$poi"
+    check "$shell: a failed start removes the incomplete gadget" half_way
     check "$shell: an unknown command is wrong usage" refuses 2 'COMMAND' restart
 done
 
@@ -199,9 +200,9 @@ same_bytes() {
     echo "README: $(readme_bytes)"
     [ "$(readme_bytes)" = "$("$build/kingyo-poi" descriptor --hex | tr -s ' \n' ' ' | sed 's/ $//')" ]
 }
-check 'the README lists the bytes that the program gives' same_bytes
+check "the README lists the bytes of the program's descriptor" same_bytes
 
-# Its lines of how to install, into a folder that stands for /.
+# The installation commands of the README, into a folder that replaces /.
 installs() (
     local lines
     lines=$(sed -nE 's/^ +sudo (install .*)/\1/p' board/poi-gadget/README.md | sed "s# build/# $build/#")
@@ -211,10 +212,10 @@ installs() (
         "$work/root/usr/local/sbin/kingyo-poi" descriptor >/dev/null && cd "$work/root" &&
         ls usr/local/sbin/kingyo-poi-gadget etc/kingyo-poi/{poi,gadget}.conf etc/systemd/system/kingyo-poi.service
 )
-check 'what the README says installs it' installs
+check 'the installation commands of the README work' installs
 
-# Its table of fields against what kingyoctl's reader makes of the bytes.
-readme_fields() { # bit offset, bits, usage, logical and physical ends
+# The table of fields in the README against the output of kingyoctl for the same bytes.
+readme_fields() { # Prints bit offset, bits, usage, logical and physical range.
     awk -F'|' '/^\| 1 \| [0-9]+ \|/ { for (i = 3; i <= 9; i++) gsub(/[ `]/, "", $i)
         print $3, $4, $5, $6, $7, $8, $9 }' board/poi-gadget/README.md
 }
@@ -224,9 +225,10 @@ same_fields() {
         awk -F'\t' '{ print $4, $5, $11, $12, $13, $14, $15 }' >"$work/read"
     diff "$work/read" <(readme_fields) && [ "$(wc -l <"$work/read")" -eq 15 ]
 }
-check 'and its table of fields is what a reader makes of them' same_fields
+check 'the table of fields in the README agrees with kingyoctl' same_fields
 
-# What a board's own system reads. The unit's programs are made to exist: only its words are judged.
+# The files that the system of a board reads. The programs of the unit are created, because only
+# its text is checked.
 if command -v dtc >/dev/null; then
     check 'the overlay compiles' dtc -@ -q -I dts -O dtb -o "$work/poi.dtbo" board/poi-gadget/kingyo-poi.dts
 else
@@ -241,7 +243,7 @@ unit_is_sound() {
     return 0
 }
 if command -v systemd-analyze >/dev/null; then
-    check 'systemd finds nothing wrong with the unit' unit_is_sound
+    check 'systemd-analyze finds no mistake in the unit' unit_is_sound
 else
     count=$((count + 1))
     echo "ok $count - systemd finds nothing wrong with the unit # SKIP no systemd-analyze"

@@ -1,6 +1,7 @@
 #!/bin/bash
-# test_service.sh -- what `make install` puts where, what the service may do, what an uninstall leaves. Speaks TAP.
-# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+# test_service.sh -- the files that `make install` installs, the permissions of the service, the
+# files that an uninstall keeps. Speaks TAP.
+# shellcheck disable=SC2154,SC1091  # lib.sh sets these variables
 . "$(dirname "$0")/../lib.sh"
 cd "$(dirname "$0")/../.." || exit 1
 root=$work/root
@@ -8,22 +9,22 @@ installer() { DESTDIR=$root PREFIX=${prefix:-/usr} BUILD=$build board/install.sh
 unit=$root/usr/lib/systemd/system/kingyo.service
 
 # ---- Installing
-check 'it installs' installer install
-everything() { # And nothing else: as many files as rows.
+check 'make install succeeds' installer install
+everything() { # The installed files are exactly the rows of the list.
     local rows files
     rows=$(grep -cE '^kingyo' board/files.txt)
     files=$(find "$root" -type f | wc -l)
     echo "$rows rows, $files files"
     [ "$rows" -eq "$files" ]
 }
-check 'every row of the list is a file' everything
+check 'every row of the list is installed' everything
 runs() { "$root/usr/bin/kingyo" --version && "$root/usr/bin/kingyoctl" --version; }
-check 'the programs run from there' runs
+check 'the installed programs run' runs
 no_marks() { ! grep -rIn '@PREFIX@\|@BUILD@' "$root" --exclude-dir=bin; }
-check 'no mark is left unfilled' no_marks
+check 'no placeholder is left in an installed file' no_marks
 modes() { ! find "$root" -type f -perm /022 | grep . && [ "$(stat -c %a "$root/usr/bin/kingyo")" = 755 ] && [ "$(stat -c %a "$unit")" = 644 ]; }
-check 'programs are 755, texts 644, nothing is for everybody to write' modes
-all_listed() { # What lies in these folders without a row would never reach a machine.
+check 'programs have mode 755 and texts 644, and nothing is writable for everybody' modes
+all_listed() { # Every file of these folders needs a row, because it would otherwise never be installed.
     local file
     for file in board/kiosk/* board/systemd/* board/udev/* board/sysusers/* board/tmpfiles/*; do
         grep -q " $file " board/files.txt || { echo "$file is in no row"; return 1; }
@@ -36,23 +37,24 @@ elsewhere() {
     (root=$work/local prefix=/usr/local; installer install) &&
         grep -q '^ExecStart=/usr/local/bin/kingyo ' "$work/local/usr/local/lib/systemd/system/kingyo.service"
 }
-check 'another prefix is the service'\''s, too' elsewhere
+check 'the service uses another prefix' elsewhere
 
 # ---- The manual
 for page in man6/kingyo.6 man1/kingyoctl.1 man5/kingyo.conf.5; do
     # shellcheck disable=SC2317
     formats() { man --warnings -E UTF-8 -l -Tutf8 -Z "$root/usr/share/man/$page" 2>&1 >"$work/formatted" | grep . && return 1; [ -s "$work/formatted" ]; }
-    if command -v man >"$work/which"; then check "$page: man has nothing to complain of" formats; else
-        skip "$page: man has nothing to complain of" 'no man'
+    if command -v man >"$work/which"; then check "$page: man reports nothing" formats; else
+        skip "$page: man reports nothing" 'no man'
     fi
-    # What it refers to may not be installed here; the section's order is a matter of taste.
+    # The pages it refers to may not be installed here, and the order of the sections is a matter
+    # of style.
     # shellcheck disable=SC2317
     lints() { mandoc -Tlint -W style "$root/usr/share/man/$page" | grep -v 'referenced manual not found' | grep . && return 1; return 0; }
-    if command -v mandoc >"$work/which"; then check "$page: mandoc finds nothing, not even of style" lints; else
-        skip "$page: mandoc finds nothing, not even of style" 'no mandoc'
+    if command -v mandoc >"$work/which"; then check "$page: mandoc reports nothing" lints; else
+        skip "$page: mandoc reports nothing" 'no mandoc'
     fi
 done
-complete() { # Each key of the file, each option of the kiosk, each command.
+complete() { # The pages contain each key of the file, each option of the kiosk and each command.
     local word
     for word in $("$build/kingyoctl" config defaults | sed -nE 's/^#([a-z0-9-]+) =.*/\1/p'); do
         grep -qx ".It Ic $word" "$root/usr/share/man/man5/kingyo.conf.5" || { echo "no $word"; return 1; }
@@ -64,36 +66,36 @@ complete() { # Each key of the file, each option of the kiosk, each command.
         grep -qx ".Ss kingyoctl $word" "$root/usr/share/man/man1/kingyoctl.1" || { echo "no $word"; return 1; }
     done
 }
-check 'every key, option and command has its place in them' complete
+check 'the pages contain every key, option and command' complete
 has_range() { grep -A3 -x '.It Ic price' "$root/usr/share/man/man5/kingyo.conf.5" | grep -x 'Expects 1 to 20.'; }
-check 'a key with its range' has_range
+check 'the page gives the range of a key' has_range
 
 # ---- The service
 has() { grep -qxF "$1" "$unit" || { echo "no line '$1'"; return 1; }; }
 for line in Type=notify WatchdogSec=10s TimeoutAbortSec=10s Restart=always StartLimitIntervalSec=1h StartLimitBurst=40 User=kingyo LimitRTPRIO=1; do
-    check "the service says $line" has "$line"
+    check "the service has $line" has "$line"
 done
 no_seat() { ! grep -E '^(PAMName|TTYPath|StandardInput)=' "$unit"; }
-check 'and needs no seat and no terminal' no_seat
+check 'the service needs no seat and no terminal' no_seat
 if systemd-analyze security --help 2>/dev/null | grep -q -- --offline; then
-    exposure() { # At most 1.5, in tenths as systemd counts them.
+    exposure() { # At most 1.5, which systemd counts in tenths.
         systemd-analyze security --offline=true --no-pager --threshold=15 "$unit"
     }
-    check 'systemd calls its exposure 1.5 or lower' exposure
-    open() { # That the judge can say no: the same service without a line of its sandbox.
+    check 'the exposure level of systemd is at most 1.5' exposure
+    open() { # The check must detect a service without a line of its sandbox.
         sed '/^RestrictNamespaces\|^CapabilityBoundingSet\|^SystemCallFilter/d' "$unit" >"$work/kingyo.service"
         ! systemd-analyze security --offline=true --no-pager --threshold=15 "$work/kingyo.service"
     }
-    check 'and would not without capabilities, calls and namespaces shut' open
+    check 'a weakened sandbox exceeds the exposure level' open
     # shellcheck disable=SC2317
-    sound() { # Its program is not in this machine's root: only its words are judged.
+    sound() { # The program is not in the root of this machine, so only the text of the unit is checked.
         sed "s#=/usr/bin/#=$(realpath "$root")/usr/bin/#; /^Documentation/d" "$unit" >"$work/kingyo.service"
         systemd-analyze verify --man=no "$work/kingyo.service" >"$work/verified" 2>&1
         ! grep kingyo "$work/verified"
     }
-    check 'systemd finds no mistake in it' sound
+    check 'systemd-analyze finds no mistake in the unit' sound
 else
-    for title in 'systemd calls its exposure 1.5 or lower' 'systemd finds no mistake in it'; do
+    for title in 'the exposure level of systemd is at most 1.5' 'systemd-analyze finds no mistake in the unit'; do
         skip "$title" 'no systemd-analyze that judges files (systemd 250 brought it)'
     done
 fi
@@ -107,24 +109,24 @@ if command -v systemd-sysusers >"$work/which"; then
         id=$(awk -F: '$1 == "kingyo" { print $3 }' "$root/etc/passwd")
         [ "$(stat -c '%u %a' "$root/var/lib/kingyo")" = "$id 750" ]
     }
-    check 'the data folder is the kiosk'\''s alone' folder
+    check 'the data folder is accessible only to the kiosk' folder
 else
-    skip 'the data folder is the kiosk'\''s alone' 'there is no systemd-sysusers'
+    skip 'the data folder is accessible only to the kiosk' 'there is no systemd-sysusers'
 fi
 
-# ---- Taking it away
+# ---- Uninstalling
 keeps() {
     mkdir -p "$root/var/lib/kingyo" && echo takings >"$root/var/lib/kingyo/kingyo.db"
     installer uninstall || return 1
     find "$root" -path "$root/etc/kingyo" -o -type f -print | grep -v -e /var/lib/kingyo/kingyo.db -e "$root/etc/"
     [ "$(find "$root/usr" -type f | wc -l)" -eq 0 ] && [ -e "$root/var/lib/kingyo/kingyo.db" ]
 }
-check 'an uninstall takes every file and leaves the takings' keeps
-check 'a second one is no mistake' installer uninstall
+check 'make uninstall removes every file and keeps the data' keeps
+check 'a second uninstall succeeds' installer uninstall
 conf_stays() {
     installer install && [ -e "$root/etc/kingyo/kingyo.conf" ] && echo 'price = 2' >"$root/etc/kingyo/kingyo.conf" &&
         installer install && grep -qx 'price = 2' "$root/etc/kingyo/kingyo.conf" &&
         installer uninstall && grep -qx 'price = 2' "$root/etc/kingyo/kingyo.conf"
 }
-check 'what the operator wrote outlives both' conf_stays
+check "the operator's configuration survives install and uninstall" conf_stays
 echo "1..$count"

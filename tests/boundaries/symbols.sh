@@ -1,8 +1,8 @@
 #!/bin/bash
-# symbols.sh OBJECT -- the linked core needs nothing but four memory functions and the panic hook.
-#
-# Run by `make boundaries` on every object of the core joined into one. One line per symbol too many, or
-# one when nm cannot read the object at all.
+# symbols.sh OBJECT -- checks that the linked core needs only four memory functions and the panic
+# hook.
+# `make boundaries` runs the script on all objects of the core linked into one. Prints one line for
+# each other symbol, or one line if nm cannot read the object.
 set -u
 undefined=$(nm -u "$1") || { echo "symbols: nm cannot read $1"; exit 1; }
 extra=$(awk '{ print $NF }' <<<"$undefined" | grep -vxE 'memcpy|memmove|memset|memcmp|core_panic|')

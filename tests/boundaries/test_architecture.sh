@@ -1,7 +1,7 @@
 #!/bin/bash
-# test_architecture.sh -- architecture.py draws a small tree that this script writes, and notices changes.
-#
-# Without Graphviz every test is skipped. Speaks TAP.
+# test_architecture.sh -- architecture.py draws a small tree that this script writes, and detects
+# changes.
+# If Graphviz is missing, every test is skipped. Speaks TAP.
 set -u
 draw=$(realpath "$(dirname "$0")/../../board/docs/architecture.py")
 tree=$(mktemp -d)
@@ -40,23 +40,23 @@ check $? 'a tree that was built becomes a picture'
 grep -q '"core/tank" .label="tank  2.ncollision"' picture.svg
 check $? 'a box counts the files of a folder and names its subfolders'
 grep -q '"core/tank" -> "core/contracts"' picture.svg
-check $? 'an include is an arrow'
+check $? 'an include becomes an arrow'
 ! grep -q '"core/./" .* "core/contracts"' picture.svg
-check $? 'an arrow that other arrows replace is left out'
+check $? 'an arrow that other arrows imply is omitted'
 ! grep -q 'cc3333' picture.svg
-check $? 'no arrow is red without a cycle'
+check $? 'a tree without a cycle has no red arrow'
 "$draw" --check build picture.svg >log 2>&1
-check $? 'a picture of this tree is up to date'
+check $? 'the picture of an unchanged tree is up to date'
 
 echo '#include "drivers/hid.h"' >>core/tank/tank.h
 echo '#include "core/tank/tank.h"' >drivers/hid.h
 sed -i 's|core/input.h|core/input.h drivers/hid.h|' build/core/core.d
 "$draw" --check build picture.svg >log 2>&1
 [ $? -eq 1 ] && grep -q 'make architecture' log
-check $? 'a new include makes the picture out of date, and the message says what to run'
+check $? 'a new include makes the picture out of date, and the message names the command'
 "$draw" build picture.svg >log 2>&1 && grep -q 'cc3333' picture.svg
 check $? 'folders that include each other have red arrows'
 "$draw" empty picture.svg >log 2>&1
 [ $? -eq 2 ] && grep -q 'run .make. first' log
-check $? 'a tree that is not built is exit status 2'
+check $? 'a tree that is not built gives exit status 2'
 echo "1..$count"

@@ -1,9 +1,8 @@
 #!/bin/bash
 # test_boundaries.sh -- `make boundaries` fails when one bad line is added to a source or a header.
-#
-# Each rule between two folders has a test of its own in test_includes.sh, without a compiler.
-# Works in a copy of the tree. BUILD is the folder that make uses; what is built there is copied too,
-# so that only the file with the bad line is compiled again. Speaks TAP.
+# test_includes.sh tests each rule between two folders without a compiler. This test works in a
+# copy of the tree and of the build folder BUILD, so that only the file with the bad line is
+# compiled again. Speaks TAP.
 set -u
 BUILD=${BUILD:-build}
 copy=$(mktemp -d)
@@ -17,11 +16,12 @@ ok() { # STATUS TEXT
     [ "$1" -eq 0 ] && echo "ok $count - $2" || echo "not ok $count - $2"
 }
 
-boundaries() { # [FILE]: the only one whose includes are asked again.
+boundaries() { # Checks the includes of FILE only.
     make -C "$copy" --no-print-directory BUILD="$BUILD" ONLY="${1:-}" boundaries 2>&1
 }
 
-# Adds LINE to the end of FILE and expects a refusal that names FILE (or its object) and RULE.
+# Adds LINE to the end of FILE. `make boundaries` must then fail with a message that names FILE (or
+# its object) and RULE.
 refuses() { # FILE LINE RULE TEXT
     local file=$copy/$1 said status
     mkdir -p "$(dirname "$file")"
@@ -39,7 +39,7 @@ refuses() { # FILE LINE RULE TEXT
 
 said=$(boundaries)
 status=$?
-ok $status 'the tree as it is keeps every rule'
+ok $status 'the unchanged tree keeps every rule'
 [ $status -eq 0 ] || sed 's/^/# /' <<<"$said"
 
 any_of() { find "$1" -name "$2" ! -name main.c | sort | head -1; }
@@ -48,19 +48,19 @@ render=$(any_of platform/render '*.c')
 
 core='includes only core'
 refuses core/view.c '#include <stdio.h>' "$core" 'the core may not include a hosted header'
-refuses core/view.c '#include <math.h>' "$core" 'nor the mathematics library'
-refuses core/view.c '#include "platform/hal.h"' "$core" 'nor the platform'
-refuses core/unused.h '#include <stdlib.h>' "$core" 'nor may a header that nobody includes yet'
+refuses core/view.c '#include <math.h>' "$core" 'the core may not include the mathematics library'
+refuses core/view.c '#include "platform/hal.h"' "$core" 'the core may not include the platform'
+refuses core/unused.h '#include <stdlib.h>' "$core" 'an unused header of the core may not include a hosted header'
 refuses core/view.c 'float kept_busy(float x); float sinf(float); float kept_busy(float x) { return sinf(x); }' \
     'sinf: needed by' 'the core may not call libm, declared by hand or not'
 refuses core/view.c 'void *hoard(void); void *malloc(unsigned long); void *hoard(void) { return malloc(1); }' \
-    'malloc: needed by' 'nor allocate'
-refuses core/game/bot/targeting.c '#include "core/tank/tank.h"' 'a bot knows the game' 'a bot may not look into the tank'
-refuses core/game/bot/bot.c '#include "core/core.h"' 'a bot knows the game' 'nor at the whole of the state'
+    'malloc: needed by' 'the core may not allocate memory'
+refuses core/game/bot/targeting.c '#include "core/tank/tank.h"' 'a bot knows the game' 'a bot may not include the tank'
+refuses core/game/bot/bot.c '#include "core/core.h"' 'a bot knows the game' 'a bot may not include the whole state'
 refuses "${driver:-drivers/a.c}" '#include "core/core.h"' 'a driver includes only' \
-    "a driver may not see the core's state"
-refuses "${driver:-drivers/a.c}" '#include "platform/board.h"' 'a driver includes only' 'nor the board'
-refuses drivers/unused.h '#include "platform/render/renderer.h"' 'a driver includes only' 'nor the renderer'
+    "a driver may not include the core's state"
+refuses "${driver:-drivers/a.c}" '#include "platform/board.h"' 'a driver includes only' 'a driver may not include the board'
+refuses drivers/unused.h '#include "platform/render/renderer.h"' 'a driver includes only' 'an unused header of a driver may not include the renderer'
 refuses "$render" "#include \"$(any_of drivers '*.h')\"" 'only board/ and main' \
-    'the platform may not name a driver'
+    'the platform may not include a driver'
 echo "1..$count"

@@ -1,14 +1,16 @@
 #!/bin/bash
-# test_doctor_command.sh -- `kingyoctl doctor` on a machine made of files: who may play, who is in the way, what to
-# do. The user it asks for is nobody, so that the test says the same to root. Speaks TAP.
-# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+# test_doctor_command.sh -- `kingyoctl doctor` on a machine that is simulated by files: which
+# controllers can play, what prevents them, and the advice. The command checks the permissions of
+# the user nobody, so that the results are the same when root runs the test. Speaks TAP.
+# shellcheck disable=SC2154,SC1091  # lib.sh sets these variables
 . "$(dirname "$0")/../lib.sh"
 root=$work/root
 good=tests/hid/good/descriptors
 unhex() { tr -d ' \n' | tr a-f A-F | basenc --base16 -d; }
 
 doctor() { "$ctl" doctor --root "$root" --user nobody --data /data "$@" >"$work/out" 2>"$work/err"; }
-# LEVEL PART WHAT STATE [ADVICE]: extended patterns; exactly one finding fits all of them.
+# LEVEL PART WHAT STATE [ADVICE] are extended regular expressions. Exactly one finding matches all
+# of them.
 finds() {
     doctor --json "${with[@]}"
     sqlite3 :memory: "select * from (select json_extract(value,'\$.level') as level, json_extract(value,'\$.part'),
@@ -48,14 +50,14 @@ interface() { # PORT NUMBER CLASS SUBCLASS PROTOCOL DRIVER [DESCRIPTOR]
     fi
 }
 
-# ---- Nothing at all
+# ---- An empty machine
 mkdir -p "$root"
-check 'a machine without anything is told so' finds wrong display screens 'no screen is plugged in' 'plug one in'
-check 'also that it has no USB' finds look usb controllers 'no USB' 'plug one in'
-check 'and no sound' finds look sound cards 'none: the stall is silent' 'plug one in'
-check 'a data folder that is not there yet is fine' finds fine store "data" 'is not there yet'
+check 'a machine without a screen is wrong' finds wrong display screens 'no screen is plugged in' 'connect a screen'
+check 'a machine without USB is reported' finds look usb controllers 'no USB' 'plug in a controller'
+check 'a machine without a sound card is reported' finds look sound cards 'no sound card: the kiosk is silent' 'connect a sound card'
+check 'a data folder that does not exist yet is fine' finds fine store "data" 'does not exist yet'
 exits() { local code=$1; shift; doctor "$@"; [ $? -eq "$code" ]; }
-check 'something wrong exits 1' exits 1
+check 'a finding of level wrong exits with 1' exits 1
 
 # ---- Controllers
 device 1-1 09 1d6b 0002 1 'Hub'
@@ -68,63 +70,63 @@ device 1-2 ff 045e 028e 4 'Xbox 360 Controller'
 interface 1-2 0 ff 5d 01 xpad
 device 1-3 00 0781 5567 5 'Cruzer'
 interface 1-3 0 08 06 50 usb-storage
-check 'a controller that may not be opened is one to look at' finds look usb '054c:0ce6 DualSense.*port 1-1.1' \
+check 'a controller without permission is reported with advice' finds look usb '054c:0ce6 DualSense.*port 1-1.1' \
     'nobody may not open it: /dev/bus/usb/001/002: Permission denied' 'sudo cp board/udev/.*rules /etc/udev/rules.d/ and replug it; nobody must be in group kingyo.*usermod -aG kingyo nobody'
 with=(--usb 054c:0ce6)
-check 'and wrong where it is to play' finds wrong usb 054c:0ce6 'nobody may not open it' 'sudo cp'
+check 'a requested controller without permission is wrong' finds wrong usb 054c:0ce6 'nobody may not open it' 'sudo cp'
 chmod 666 "$root/dev/bus/usb/001/002"
-check 'one that may fall asleep is one to look at' finds look usb 054c:0ce6 \
-    'plays \(a controller we know\), but may fall asleep' 'sudo cp board/udev/.*echo on . sudo tee /sys/bus/usb/devices/1-1.1/power/control'
+check 'a controller that autosuspend may stop is reported' finds look usb 054c:0ce6 \
+    'plays \(a known controller\), but autosuspend may stop it' 'sudo cp board/udev/.*echo on . sudo tee /sys/bus/usb/devices/1-1.1/power/control'
 put sys/bus/usb/devices/1-1.1/power/control on
-check 'else it is fine, and plays' finds fine usb 054c:0ce6 'plays \(a controller we know\)'
+check 'a requested controller without problems is fine' finds fine usb 054c:0ce6 'plays \(a known controller\)'
 with=()
-check 'one that nobody chose may play, and it is said how' finds fine usb 054c:0ce6 'may play' 'choose it .*--usb 054c:0ce6'
+check 'a controller that nobody selected is reported with the option that selects it' finds fine usb 054c:0ce6 'may play' 'select it .*--usb 054c:0ce6'
 put data/usb.txt 'plays 054c:0ce6'
-check 'one that was chosen in the menu plays' finds fine usb 054c:0ce6 'plays \(a controller we know\)'
+check 'a controller that was selected in the menu is fine' finds fine usb 054c:0ce6 'plays \(a known controller\)'
 rm "$root/sys/bus/usb/devices/1-1.1:1.3/driver"
 ln -s /sys/bus/usb/drivers/usbfs "$root/sys/bus/usb/devices/1-1.1:1.3/driver"
-check 'one that a program has claimed is wrong, and it is said how to find that' finds wrong usb 054c:0ce6 \
+check 'a controller that another program claimed is wrong, and the advice finds the program' finds wrong usb 054c:0ce6 \
     'another program has claimed it' 'end that program; sudo fuser -v /dev/bus/usb/001/002'
 put proc/4711/comm kingyo
-check 'unless that program is the kiosk' finds fine usb 054c:0ce6 'claimed, by the running kiosk'
+check 'a controller that the running kiosk claimed is fine' finds fine usb 054c:0ce6 'claimed, by the running kiosk'
 rm -r "$root/proc/4711"
 ln -sfn /sys/bus/usb/drivers/odd "$root/sys/bus/usb/devices/1-1.1:1.3/driver"
-check 'a kernel driver gives way' finds fine usb 054c:0ce6 'plays'
+check 'a controller with a kernel driver is fine' finds fine usb 054c:0ce6 'plays'
 rm "$root/sys/bus/usb/devices/1-1.1:1.3/driver"
-check 'without a driver it is free' finds fine usb 054c:0ce6 'plays'
+check 'a controller without a driver is fine' finds fine usb 054c:0ce6 'plays'
 mv "$root/sys/bus/usb/devices/1-1.1:1.3/0003:0000:0000.0001" "$work/hid"
-check 'one whose descriptor nobody has read yet says so' finds fine usb 054c:0ce6 'is asked as soon as the kiosk starts \(it says how once'
+check 'a controller with an unread descriptor is reported as examined later' finds fine usb 054c:0ce6 'is examined when the kiosk starts \(its motions are known'
 mv "$work/hid" "$root/sys/bus/usb/devices/1-1.1:1.3/0003:0000:0000.0001"
 with=(--usb dead:beef)
-check 'one that was asked for and is not there is wrong' finds wrong usb dead:beef 'is not plugged in' 'plug it in'
+check 'a requested controller that is not plugged in is wrong' finds wrong usb dead:beef 'is not plugged in' 'plug it in'
 with=(--usb 046d:c31c)
-check 'a keyboard is never claimed, whoever names it, who hears so' finds look usb 046d:c31c 'was asked for, but .*a keyboard is never claimed'
+check 'a requested keyboard is reported as never claimed' finds look usb 046d:c31c 'was requested, but .*the kiosk never claims a keyboard'
 with=()
-check "an Xbox pad plays through its driver" finds fine usb 045e:028e 'plays as a pad, through SDL'
-check 'a memory stick is no controller' finds fine usb 0781:5567 'is no controller; driver usb-storage'
+check "an Xbox pad is reported with its driver" finds fine usb 045e:028e 'plays as a pad, through SDL'
+check 'a memory stick is reported as no controller' finds fine usb 0781:5567 'is not a controller; driver usb-storage'
 device 1-4 00 256c 006e 7 Tablet auto
 interface 1-4 0 03 00 00 usbhid $good/137-dg-huion-h610-if0.hid
 own_rule='put into .*71-kingyo-local.rules.*ATTR\{idProduct\}=="006e", GROUP="kingyo", MODE="0660", ATTR\{power/control\}="on"'
-check 'one that our rules do not list needs a line of its own' finds look usb 256c:006e 'may not open it' "$own_rule; nobody must be"
+check 'a controller outside our udev rules needs a local rule' finds look usb 256c:006e 'may not open it' "$own_rule; nobody must be"
 chmod 666 "$root/dev/bus/usb/001/007"
-check 'also to stay awake' finds look usb 256c:006e 'may fall asleep' "$own_rule, or for now: echo on"
+check 'the local rule also disables autosuspend' finds look usb 256c:006e 'autosuspend may stop it' "$own_rule, or for now: echo on"
 rm -r "$root"/sys/bus/usb/devices/1-4*
-listed() { # Every id of the rules, and no other, is sent to them.
+listed() { # doctor_usb.c lists exactly the ids of the udev rules.
     sed -nE 's/^ATTRS\{idVendor\}=="(.*)", ATTRS\{idProduct\}=="(.*)", GOTO.*/\1 \2/p' board/udev/70-kingyo.rules |
         while read -r vendor products; do for product in ${products//|/ }; do echo "$vendor $product"; done; done |
         sort >"$work/rules"
-    grep -oE '\{ 0x[0-9a-f]{4}, 0x[0-9a-f]{4} \}' platform/ctl/doctor/doctor_usb_read.c | sed -E 's/[^ ]*0x|[{},]//g; s/^ +//; s/ +$//' |
+    grep -oE '\{ 0x[0-9a-f]{4}, 0x[0-9a-f]{4} \}' platform/ctl/doctor/doctor_usb.c | sed -E 's/[^ ]*0x|[{},]//g; s/^ +//; s/ +$//' |
         tr -s ' ' | sort | diff - "$work/rules"
 }
-check 'doctor knows what our rules list' listed
+check 'doctor lists the same controllers as the udev rules' listed
 ln -s "$root/gone" "$root/sys/bus/usb/devices/1-7"
-check 'a port of which nothing can be read is one to look at' finds look usb 'port 1-7' 'says nothing of itself'
+check 'a port without readable data is reported' finds look usb 'port 1-7' 'has no readable data'
 rm "$root/sys/bus/usb/devices/1-7"
 no_hub() { doctor; ! grep -q Hub "$work/out"; }
-check 'hubs are left out' no_hub
+check 'hubs are omitted' no_hub
 put sys/class/hidraw/hidraw0/device/uevent 'HID_ID=0005:0000054C:00000CE6
 HID_NAME=Wireless	Controller'
-check 'a controller by Bluetooth plays through SDL, and its name breaks no row' finds fine hid '054c:0ce6 Wireless.Controller' 'by Bluetooth: plays through SDL'
+check 'a Bluetooth controller with a tab in its name is fine and stays in one row' finds fine hid '054c:0ce6 Wireless.Controller' 'by Bluetooth: plays through SDL'
 
 put sys/class/input/event2/device/name 'Touch screen'
 put sys/class/input/event10/device/name 'Gamepad'
@@ -132,20 +134,20 @@ put dev/input/event2 ''
 put dev/input/event10 ''
 chmod 600 "$root/dev/input/event2"
 chmod 666 "$root/dev/input/event10"
-check 'an event node that SDL may not read is wrong without a desktop' finds wrong input 'Touch screen, /dev/input/event2' \
+check 'an event node that SDL cannot read is wrong without a desktop' finds wrong input 'Touch screen, /dev/input/event2' \
     'nobody may not read it' 'sudo usermod -aG input nobody'
-check 'one that it may is fine' finds fine input 'Gamepad, /dev/input/event10' 'nobody may read it'
+check 'an event node that SDL can read is fine' finds fine input 'Gamepad, /dev/input/event10' 'nobody may read it'
 chmod 666 "$root/dev/input/event2"
 
 # ---- Lines
 put dev/gpiochip0 ''
 chmod 600 "$root/dev/gpiochip0"
-check 'a chip that nobody needs may stay closed' finds look gpio /dev/gpiochip0 'nobody may not open it: Permission denied' 'sudo cp board/udev'
-ln -s gpiochip0 "$root/dev/gpiochip4" # As Raspberry Pi OS does.
-check 'a link to it is no other one' finds look gpio /dev/gpiochip 'nobody may not open it'
+check 'an unused GPIO chip without permission is reported' finds look gpio /dev/gpiochip0 'nobody may not open it: Permission denied' 'sudo cp board/udev'
+ln -s gpiochip0 "$root/dev/gpiochip4" # Raspberry Pi OS creates this link.
+check 'a link to a GPIO chip is not reported as a second chip' finds look gpio /dev/gpiochip 'nobody may not open it'
 with=(--line start=BTN_START)
-check 'one that is needed may not' finds wrong gpio /dev/gpiochip0 'nobody may not open it' 'sudo cp board/udev'
-check 'and its line is not found' finds wrong line 'start on BTN_START' 'no chip that may be opened has it' 'kingyoctl lines list'
+check 'a required GPIO chip without permission is wrong' finds wrong gpio /dev/gpiochip0 'nobody may not open it' 'sudo cp board/udev'
+check 'a line of a closed GPIO chip is reported as not found' finds wrong line 'start on BTN_START' 'no chip that may be opened has this line' 'correct --line'
 with=()
 
 # ---- Screen and sound
@@ -156,84 +158,84 @@ put dev/dri/card1 ''
 put dev/dri/renderD128 ''
 chmod 600 "$root/dev/dri/card1"
 chmod 666 "$root/dev/dri/renderD128"
-check 'a screen is named with its size' finds fine display card1-HDMI-A-1 'connected, 1920x1080'
-check 'a socket without one too' finds fine display card1-HDMI-A-2 disconnected
-check 'a card that may not be used is wrong, and which group helps' finds wrong display /dev/dri/card1 'nobody may not use it' 'sudo usermod -aG video nobody'
-check 'a renderer that may be used is fine' finds fine display /dev/dri/renderD128 'nobody may use it'
+check 'a screen is reported with its resolution' finds fine display card1-HDMI-A-1 'connected, 1920x1080'
+check 'a connector without a screen is reported' finds fine display card1-HDMI-A-2 disconnected
+check 'a graphics card without permission is wrong, and the advice names the group' finds wrong display /dev/dri/card1 'nobody may not use it' 'sudo usermod -aG video nobody'
+check 'an accessible render node is fine' finds fine display /dev/dri/renderD128 'nobody may use it'
 put proc/asound/cards ' 0 [PCH            ]: HDA-Intel - HDA Intel PCH
                       HDA Intel PCH at 0xa1 irq 130'
 put dev/snd/pcmC0D0p ''
 chmod 600 "$root/dev/snd/pcmC0D0p"
-check 'a sound card is named' finds fine sound 'card 0' 'HDA-Intel - HDA Intel PCH'
-check 'its output needs a group' finds wrong sound /dev/snd/pcmC0D0p 'may not use it' 'sudo usermod -aG audio nobody'
+check 'a sound card is reported by name' finds fine sound 'card 0' 'HDA-Intel - HDA Intel PCH'
+check 'a sound output without permission is wrong, and the advice names the group' finds wrong sound /dev/snd/pcmC0D0p 'may not use it' 'sudo usermod -aG audio nobody'
 if [ "$(id -u)" -eq 0 ]; then
     chown :daemon "$root/dev/snd/pcmC0D0p"
     chmod 660 "$root/dev/snd/pcmC0D0p"
-    check 'the group that its node has is the one that is named' finds wrong sound /dev/snd/pcmC0D0p . 'sudo usermod -aG daemon nobody'
+    check 'the advice names the group of the device node' finds wrong sound /dev/snd/pcmC0D0p . 'sudo usermod -aG daemon nobody'
 fi
 chmod 666 "$root/dev/snd/pcmC0D0p" "$root/dev/dri/card1"
 
 # ---- Store
 chmod 755 "$root/data"
-check 'a folder that may not be written is wrong' finds wrong store /data 'nobody may not write there' "sudo chown -R nobody '/data'"
+check 'a data folder without write permission is wrong' finds wrong store /data 'nobody may not write there' "sudo chown -R nobody '/data'"
 chmod 777 "$root/data"
-check 'one that may is fine' finds fine store /data 'nobody may write there'
-check 'how much room there is, is said' finds '(fine|look)' store room '[0-9]+ MiB are free'
-check 'no database yet is fine' finds fine database kingyo.db 'nothing was kept'
+check 'a writable data folder is fine' finds fine store /data 'nobody may write there'
+check 'the free space is reported' finds '(fine|look)' store room '[0-9]+ MiB are free'
+check 'a missing database is fine' finds fine database kingyo.db 'has saved nothing'
 cp tests/unit/platform/store/files/version-5.db "$root/data/kingyo.db"
-check 'a database is looked through' finds fine database kingyo.db 'whole, version 5: 9 entries of 2 starts, 1 rounds'
+check 'a database is checked and summarized' finds fine database kingyo.db 'whole, version 5: 9 entries of 2 starts, 1 rounds'
 cp tests/unit/platform/store/files/version-2.db "$root/data/kingyo.db"
-check 'an earlier one is brought up to date by the stall' finds fine database kingyo.db 'of an earlier version'
+check 'a database of an earlier version is fine' finds fine database kingyo.db 'of an earlier version'
 touch "$root/data/kingyo.db.damaged-1" "$root/data/kingyo.db.damaged-1-wal"
 touch -d '3 days ago' "$root/data/kingyo.db.backup"
-check 'one that was set aside is to be looked at' finds look database kingyo.db.damaged-1 'set aside'
-check 'a backup has an age' finds look backup kingyo.db.backup '72 h old'
+check 'a renamed damaged database is reported' finds look database kingyo.db.damaged-1 'was renamed'
+check 'a backup is reported with its age' finds look backup kingyo.db.backup '72 h old'
 rm "$root"/data/kingyo.db.*
 head -c 5000 /dev/urandom >"$root/data/kingyo.db"
-check 'a damaged one is wrong' finds wrong database kingyo.db damaged 'restart the stall'
+check 'a damaged database is wrong' finds wrong database kingyo.db damaged 'restart the kiosk'
 rm "$root/data/kingyo.db"
 put data/pois/054c-0ce6-A.poi 'something else'
-check 'a learned controller that cannot be read is told with its line' finds look learned 054c-0ce6-A.poi 'line 1: ' 'remove it, and learn that controller again'
+check 'an unreadable controller mapping is reported with its line' finds look learned 054c-0ce6-A.poi 'line 1: ' 'remove the file, and learn the controller again'
 rm "$root/data/pois/054c-0ce6-A.poi"
 
 # ---- Configuration
 printf 'fish = 300\nfish = many\n' >"$work/kingyo.conf"
 with=(--config "$work/kingyo.conf")
-check 'a line of the configuration that cannot be used is told' finds wrong config kingyo.conf 'kingyo.conf:2: ' 'mend that line'
+check 'a wrong line of the configuration is reported' finds wrong config kingyo.conf 'kingyo.conf:2: ' 'correct the line'
 printf 'fish = 300\nusb = 054c:0ce6\n' >"$work/kingyo.conf"
 rm "$root/data/usb.txt"
-check 'a good one is fine' finds fine config kingyo.conf 'every line is used'
-check 'and counts' finds fine usb 054c:0ce6 'plays \(a controller we know\)'
+check 'a valid configuration is fine' finds fine config kingyo.conf 'every line is used'
+check 'a controller that the configuration selects is fine' finds fine usb 054c:0ce6 'plays \(a known controller\)'
 with=()
 put etc/kingyo/kingyo.conf '[money]
 price = 30'
-check 'without one the machine'\''s own is read, as the kiosk reads it' finds wrong config etc/kingyo/kingyo.conf 'kingyo.conf:2: price: wrong value .30.; expected 1 to 20' 'mend that line'
+check 'the default configuration path is checked when --config is missing' finds wrong config etc/kingyo/kingyo.conf 'kingyo.conf:2: price: wrong value .30.; expected 1 to 20' 'correct the line'
 rm -r "$root/etc/kingyo"
-check 'with nothing wrong it exits 0' exits 0
+check 'a machine without a finding of level wrong exits with 0' exits 0
 text_says() { doctor; tail -1 "$work/out" | grep -qE '^[0-9]+ fine, [0-9]+ to look at, 0 wrong$' && grep -qE '^look +gpio' "$work/out" && grep -qE '^ +-> sudo cp' "$work/out"; }
-check 'people get a line each and a sum' text_says
+check 'the text has one line for each finding and a total' text_says
 touched() { [ "$(find "$root" -newer "$work/kingyo.conf" -type f -not -path '*/data/*' | wc -l)" -eq 0 ]; }
-check 'it touches nothing' touched
+check 'doctor changes no file' touched
 
-# ---- Words
+# ---- Arguments
 refuses() { local code=$1; shift; doctor "$@"; [ $? -eq "$code" ] && [ "$(wc -l <"$work/err")" -eq 1 ] && [ ! -s "$work/out" ] && grep -q '^kingyoctl doctor: ' "$work/err"; }
-check 'an option that nobody knows is wrong usage' refuses 2 --colour
-check 'a value that is missing too' refuses 2 --root
-check 'a wire that is none too' refuses 2 --line nonsense
-check 'a user that is not there is bad data' refuses 65 --user nobody-of-this-name
-check 'a root that is not there is an I/O error' refuses 74 --root "$work/none"
-check 'so is one that is a file' refuses 74 --root "$work/kingyo.conf"
-home_of() { # USER: the store is in his home, not in that of who asks
+check 'an unknown option is wrong usage' refuses 2 --colour
+check 'a missing value is wrong usage' refuses 2 --root
+check 'an invalid line is wrong usage' refuses 2 --line nonsense
+check 'an unknown user exits with 65' refuses 65 --user nobody-of-this-name
+check 'a missing root folder exits with 74' refuses 74 --root "$work/none"
+check 'a root that is a file exits with 74' refuses 74 --root "$work/kingyo.conf"
+home_of() { # USER: The data folder is in the home of USER, not in the home of the caller.
     local home
     home=$(getent passwd "$1" | cut -d: -f6)
     HOME=/somebody/else "$ctl" doctor --root "$root" --user "$1" >"$work/out"
     grep -E ' store ' "$work/out"
     grep -qF "$root$home/.local/share/kingyo: " "$work/out" && ! grep -q somebody/else "$work/out"
 }
-check 'whose kiosk it is has a data folder of his own' home_of daemon
-check 'a configuration that is not there is an I/O error' refuses 74 --config "$work/none.conf"
+check '--user selects the data folder of that user' home_of daemon
+check 'a missing configuration exits with 74' refuses 74 --config "$work/none.conf"
 helps() { "$ctl" doctor --help | grep -q -- '--root FOLDER'; }
-check 'help says what there is' helps
+check '--help lists the options' helps
 this_machine() { "$ctl" doctor --json >"$work/out"; [ $? -le 1 ] && [ "$(sqlite3 :memory: "select json_array_length(readfile('$work/out'), '\$.findings') > 3")" = 1 ]; }
-check 'this very machine is looked at, whatever it is' this_machine
+check 'the real machine is checked without an error' this_machine
 echo "1..$count"

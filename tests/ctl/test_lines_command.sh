@@ -1,7 +1,7 @@
 #!/bin/bash
-# test_lines_command.sh -- kingyoctl lines where there may be no GPIO chip at all: what it asks for, and what it
-# says of what it cannot have. What it does on true lines is proven in a virtual machine.
-# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+# test_lines_command.sh -- kingyoctl lines on a machine that may have no GPIO chip: its arguments
+# and its errors. tests/vm checks the command on real lines.
+# shellcheck disable=SC2154,SC1091  # lib.sh sets these variables
 . "$(dirname "$0")/../lib.sh"
 
 refuses() { # CODE WORDS ARGUMENTS...: exits with CODE, one line on standard error that has WORDS.
@@ -13,7 +13,9 @@ refuses() { # CODE WORDS ARGUMENTS...: exits with CODE, one line on standard err
     [ "$(wc -l <"$work/err")" -eq 1 ] || { echo 'not one line:'; cat "$work/err"; return 1; }
     grep -qF -- "$words" "$work/err" || { cat "$work/err"; return 1; }
 }
-lists() { # Lines where there are chips, a sentence and exit 1 where there are none; the head in any case.
+# Prints the lines of all chips. Without a chip the command exits with 1 and one sentence. The
+# table head is printed in both cases.
+lists() {
     "$ctl" lines list >"$work/out" 2>"$work/err"
     local code=$?
     head -1 "$work/out" | grep -q $'^device\tchip\toffset\tname' || return 1
@@ -26,17 +28,17 @@ lists() { # Lines where there are chips, a sentence and exit 1 where there are n
 helps() { "$ctl" lines --help | grep -q 'kingyoctl lines pulse ROLE=LINE COUNT'; }
 
 echo 1..14
-check 'help names its subcommands' helps
-check 'the list says what there is, or that there is nothing' lists
-check 'a subcommand is wanted' refuses 2 'expected list, watch, set or pulse'
-check 'an unknown one is told' refuses 2 "'look' is none of" look
-check 'list wants no words' refuses 2 'list takes no arguments' list start=A
-check 'watch wants a wire' refuses 2 'watch needs ROLE=LINE' watch
-check 'a role that is none is told' refuses 2 "'strat' is no role" watch strat=A
-check 'a word that is none is told' refuses 2 "'lo' is none of" watch start=A,lo
-check 'two roles on one line are told' refuses 2 'one line, one role' watch left=A right=A
-check 'seconds are a number' refuses 2 "--seconds: 'soon' is wrong; expected a whole number" watch start=A --seconds soon
-check 'a button cannot be switched' refuses 2 'start is a button' set start=A on
-check 'a lamp is on or off' refuses 2 "not 'bright'" set start-lamp=A bright
-check 'pulses are counted' refuses 2 'a count from 1 to' pulse ticket=A 0
-check 'a line that is not there is told, with what to do' refuses 74 'NOT_A_LINE_OF_ANY_BOARD' watch start=NOT_A_LINE_OF_ANY_BOARD --seconds 1
+check '--help lists the subcommands' helps
+check 'lines list prints the lines or reports that there is no chip' lists
+check 'a missing subcommand is wrong usage' refuses 2 'expected list, watch, set or pulse'
+check 'an unknown subcommand is wrong usage' refuses 2 "'look' is none of" look
+check 'lines list with an argument is wrong usage' refuses 2 'list takes no arguments' list start=A
+check 'lines watch without a line is wrong usage' refuses 2 'watch needs ROLE=LINE' watch
+check 'an unknown role is wrong usage' refuses 2 "'strat' is not a role" watch strat=A
+check 'an unknown flag of a line is wrong usage' refuses 2 "'lo' is none of" watch start=A,lo
+check 'two roles on one line are wrong usage' refuses 2 'one line, one role' watch left=A right=A
+check '--seconds with text is wrong usage' refuses 2 "--seconds: 'soon' is wrong; expected a whole number" watch start=A --seconds soon
+check 'lines set of a button is wrong usage' refuses 2 'start is a button' set start=A on
+check 'lines set with a value other than on or off is wrong usage' refuses 2 "not 'bright'" set start-lamp=A bright
+check 'lines pulse with a count of 0 is wrong usage' refuses 2 'a count from 1 to' pulse ticket=A 0
+check 'a missing line exits with 74 and is named' refuses 74 'NOT_A_LINE_OF_ANY_BOARD' watch start=NOT_A_LINE_OF_ANY_BOARD --seconds 1

@@ -1,7 +1,8 @@
 #!/bin/bash
-# test_lost_output.sh -- every command of kingyoctl and the options of kingyo and kingyo-poi that print: with standard
-# output full or closed, each exits with 74 and one line, and writes the same files as ever. Speaks TAP.
-# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+# test_lost_output.sh -- every command of kingyoctl, and the options of kingyo and kingyo-poi that
+# print. If standard output is full or closed, each exits with 74 and one line, and writes the same
+# files as otherwise. Speaks TAP.
+# shellcheck disable=SC2154,SC1091  # lib.sh sets these variables
 . "$(dirname "$0")/../lib.sh"
 data=$work/data
 mkdir "$data" "$work/other" "$work/rounds" "$work/full" "$work/closed" "$work/loud"
@@ -20,7 +21,7 @@ cat >"$work/status.json" <<JSON
   "ticks": {"count": 1, "dropped": 0}, "devices": [] }
 JSON
 
-# One command a line. DIR is a folder of its own for what the command writes beside its output.
+# One command on each line. DIR is a separate folder for the files that the command writes.
 commands=$(cat <<END
 tank --fish 5 --seconds 1 --trace DIR/trace.csv
 tank --fish 5 --seconds 1 --json
@@ -69,9 +70,11 @@ mapfile -t parts < <("$ctl" morph --help | sed -nE 's/^  ([a-z]+) .*/morph \1/p'
     for name in "${names[@]}"; do "$ctl" "$name" --help | sed -nE 's/^  kingyoctl ([a-z]+ [a-z]+)( .*|$)/\1/p'; done | sort -u)
 helps=$(for name in "${names[@]}" "${parts[@]}"; do echo "$name --help"; done)
 
-# A command that prints nothing has lost nothing; the table may hold few of those.
+# A command that prints nothing loses no output. The table may contain only a few such commands.
 silent=0
-is_told() { # FULL|CLOSED PROGRAM WORDS...: exits with 74, one line on standard error says why.
+# FULL|CLOSED PROGRAM WORDS...: The program exits with 74 and reports the reason in one line on
+# standard error.
+is_told() {
     local how=$1 code words
     shift
     words=("${@//DIR/$work/$how}")
@@ -88,10 +91,10 @@ is_told() { # FULL|CLOSED PROGRAM WORDS...: exits with 74, one line on standard 
         [ -z "$("${words[@]}" 2>&1 </dev/null)" ]
         return
     fi
-    # Standard error may hold the command's own word on what it found, as ever.
+    # Standard error may also contain the usual message of the command.
     [ $code -eq 74 ] && [ "$(grep -c 'standard output: ' "$work/err")" -le 1 ] && [ "$(wc -l <"$work/err")" -le 2 ]
 }
-all_told() { # FULL|CLOSED LIST: each command of the list; names those that fail.
+all_told() { # FULL|CLOSED LIST: Runs each command of LIST and prints the commands that fail.
     local words bad=0
     while IFS= read -r words; do
         # shellcheck disable=SC2086
@@ -99,14 +102,15 @@ all_told() { # FULL|CLOSED LIST: each command of the list; names those that fail
     done <<<"$2"
     return $bad
 }
-covers() { # Every command and every subcommand that the help lists stands in the table.
+covers() { # The table contains every command and every subcommand that --help lists.
     local name bad=0
     for name in "${names[@]}" "${parts[@]}"; do
         grep -qE "^$name( |\$)" <<<"$commands" || { echo "not in the table: $name"; bad=1; }
     done
     [ ${#names[@]} -ge 13 ] && [ ${#parts[@]} -ge 20 ] && [ $bad -eq 0 ]
 }
-same_files() { # What the commands wrote beside their output is byte for byte the same, and free of printed words.
+# The files that the commands write are identical byte for byte, and contain no printed text.
+same_files() {
     diff -r "$work/full" "$work/closed" && [ "$(ls "$work/closed" | wc -l)" -ge 7 ] &&
         "$ctl" replay verify "$work/closed/round-00001.kgr" &&
         [ "$(sqlite3 "$work/closed/copy.db" 'pragma integrity_check')" = ok ]
@@ -119,16 +123,16 @@ is_reason() { # WORDS FULL|CLOSED PROGRAM...
 }
 
 echo 1..15
-check 'the table of this test has every command and subcommand' covers
+check 'the table of this test contains every command and subcommand' covers
 check 'every command reports a full standard output' all_told full "$commands"
 check 'every command reports a closed standard output' all_told closed "$commands"
 check 'a closed standard output changes no file that a command writes' same_files
 check 'every --help reports a full standard output' all_told full "$helps"
 check 'every --help reports a closed standard output' all_told closed "$helps"
-check 'only five commands of the table print nothing' few_silent
-check 'a full disk is named' is_reason 'No space left' full "$ctl" audits --data "$data"
-check 'a closed descriptor is named' is_reason 'Bad file descriptor' closed "$ctl" audits --data "$data"
-check 'a command with a word of its own prints one line all the same' is_reason 'No space left' full "$ctl" lines list
+check 'at most ten commands of the table print nothing' few_silent
+check 'a full disk is reported with its cause' is_reason 'No space left' full "$ctl" audits --data "$data"
+check 'a closed descriptor is reported with its cause' is_reason 'Bad file descriptor' closed "$ctl" audits --data "$data"
+check 'a command with an error of its own reports the lost output in one line' is_reason 'No space left' full "$ctl" lines list
 for how in full closed; do
     check "kingyo --help reports a $how standard output" is_reason '' $how "$build/kingyo" --help
     check "kingyo --version reports a $how standard output" is_reason '' $how "$build/kingyo" --version

@@ -1,7 +1,7 @@
 #!/bin/bash
-# test_morph_check_command.sh -- `kingyoctl morph check` as its users see it: every species is judged good, a
-# spoiled one is not, and the same figures stand in text and JSON. Speaks TAP.
-# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+# test_morph_check_command.sh -- `kingyoctl morph check`: every species passes, a damaged species
+# fails, and the text has the figures of the JSON. Speaks TAP.
+# shellcheck disable=SC2154,SC1091  # lib.sh sets these variables
 . "$(dirname "$0")/../lib.sh"
 root=$(cd "$(dirname "$0")/../.." && pwd)
 morph() { "$ctl" morph "$@"; }
@@ -14,10 +14,10 @@ is_good() { # SPECIES
         [ "$(query "json_extract(j, '\$.moments')")" = 501 ]
 }
 for id in "${species[@]}"; do
-    check "$id grows without a flaw" is_good "$id"
+    check "morph check of $id reports no flaw" is_good "$id"
 done
 
-# ---- What the ordinary morph does to a flatfish, and the thesis' way does not
+# ---- The ordinary morph of a flatfish moves an eye through its head; the method of the thesis does not
 through_the_head() {
     morph check hirame --template ordinary --steps 500 --json >"$work/check.json"
     [ $? = 1 ] || return 1
@@ -25,13 +25,13 @@ through_the_head() {
     [ "$(query "json_extract(j, '\$.near.pupil_in_body') > 0.02")" = 1 ] &&
         [ "$(query "json_extract(j, '\$.near.eye_right') < 1e-6")" = 1 ]
 }
-check "hirame's ordinary eye goes straight through its head, and the status says so" through_the_head
+check "the ordinary morph of hirame moves the eye through the head and exits with 1" through_the_head
 round_the_head() {
     morph check hirame --steps 500 --json >"$work/check.json"
     [ "$(query "json_extract(j, '\$.near.pupil_in_body') = 0")" = 1 ] &&
         [ "$(query "json_extract(j, '\$.near.eye_right') > 0.05")" = 1 ]
 }
-check "ours goes round it on a curve" round_the_head
+check "the own template of hirame moves the eye around the head" round_the_head
 
 # ---- Text
 text_tells() {
@@ -40,9 +40,9 @@ text_tells() {
     grep -q '^wakin: [0-9]* keys' "$work/text" && grep -q 'near *far *ordinary' "$work/text" &&
         grep -q 'key, where shown alone, missed by *0.0e+00' "$work/text"
 }
-check 'the table names its columns and its figures' text_tells
+check 'the text has a table with column names and figures' text_tells
 
-# ---- A spoiled drawing: the third key's pectoral fins swept back through the flanks
+# ---- A damaged drawing: the pectoral fins of the third key point backward through the flanks
 spoiled() {
     awk '/^key / { k++ } /^fin / { f = $2 } /^ray / && k == 3 && f == "pectoral" { $4 = 150; $5 = 0 } { print }' \
         "$root/assets/species/wakin.txt" >"$work/sunk.txt"
@@ -50,13 +50,13 @@ spoiled() {
     [ $? = 1 ] || { cat "$work/text"; return 1; }
     grep -q '^not so (near): fin deeper than its root.* at progress .* (pectoral)' "$work/text"
 }
-check 'a spoiled drawing is not good, and it says what and where' spoiled
+check 'a damaged drawing fails, and the error names the flaw and its position' spoiled
 
 refused() { # WORDS...
     morph check "$@" >"$work/out" 2>"$work/err"
     [ $? = 2 ] && [ "$(wc -l <"$work/err")" = 1 ] && [ ! -s "$work/out" ]
 }
-check 'no steps are refused' refused wakin --steps 0
-check 'a species that is not is refused' refused carp
-check 'no species is refused' refused
+check '--steps 0 is wrong usage' refused wakin --steps 0
+check 'an unknown species is wrong usage' refused carp
+check 'a missing species is wrong usage' refused
 echo "1..$count"

@@ -1,7 +1,7 @@
 #!/bin/bash
-# test_morph_command.sh -- `kingyoctl morph` list, weights, growth, path and graph as their users see them:
-# tables that another program judges, for every species and every template. Speaks TAP.
-# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+# test_morph_command.sh -- `kingyoctl morph` list, weights, growth, path and graph: awk and SQLite
+# check their tables for every species and every template. Speaks TAP.
+# shellcheck disable=SC2154,SC1091  # lib.sh sets these variables
 . "$(dirname "$0")/../lib.sh"
 root=$(cd "$(dirname "$0")/../.." && pwd)
 morph() { "$ctl" morph "$@"; }
@@ -11,15 +11,15 @@ query() { sqlite3 :memory: "with r as (select readfile('$work/list.json') as j) 
 morph list --json >"$work/list.json"
 mapfile -t species < <(sqlite3 :memory: "select json_extract(value, '\$.id') from json_each(readfile('$work/list.json'))")
 list_is_valid() { [ "$(query 'json_valid(j)')" = 1 ] && [ "${#species[@]}" -ge 1 ]; }
-check 'the list is valid JSON' list_is_valid
+check 'morph list --json is valid JSON' list_is_valid
 listed_for_people() {
     morph list >"$work/list"
     cat "$work/list"
     [ "$(awk '{ print $1 }' "$work/list")" = "$(printf '%s\n' "${species[@]}")" ]
 }
-check 'the same species stand in the text' listed_for_people
+check 'the text of morph list has the same species as the JSON' listed_for_people
 has_wakin() { printf '%s\n' "${species[@]}"; [ "${species[0]}" = wakin ]; }
-check 'the goldfish of the stall first' has_wakin
+check 'the wakin is the first species of morph list' has_wakin
 key_names() { # SPECIES
     sqlite3 :memory: "select json_extract(k.value, '\$.name') from json_each(readfile('$work/list.json')) s,
         json_each(s.value, '\$.keys') k where json_extract(s.value, '\$.id')='$1' order by k.key"
@@ -31,8 +31,8 @@ head_is() { # SPECIES
     expected=progress,age_days,length_mm,scale$(key_names "$1" | sed 's/^/,w_/' | tr -d '\n')
     [ "$(morph weights "$1" --steps 1 | head -1)" = "$expected" ] || { echo "$expected"; return 1; }
 }
-# Sums 1 within 1e-6 (and half a unit of the last place printed, for each), none below 0, scale in (0, 1] and 1
-# somewhere, progress and age rising.
+# The weights of each row sum to 1 within 1e-6, plus half a unit of the last printed digit for each
+# weight. No weight is below 0. The scale is in (0, 1] and reaches 1. Progress and age rise.
 weights_hold() { # ROWS OPTIONS...
     local rows=$1
     shift
@@ -48,7 +48,8 @@ weights_hold() { # ROWS OPTIONS...
         END { if (!bad && (NR != rows + 1 || last != 1 || top < 0.99)) { bad = "rows " NR " top " top; print bad }
               exit bad != "" }' "$work/w.csv"
 }
-# At every key's own progress its weight is what it is meant to be.
+# At the progress of each key, the weight of that key is WEIGHT_OF_INNER, or 1 for the first and
+# the last key.
 key_weight() { # SPECIES WEIGHT_OF_INNER OPTIONS...
     local keys
     keys=$(key_names "$1" | wc -l)
@@ -59,18 +60,18 @@ key_weight() { # SPECIES WEIGHT_OF_INNER OPTIONS...
         END { exit bad || seen != keys }' "$work/w.csv"
 }
 for id in "${species[@]}"; do
-    check "$id: the head names the keys" head_is "$id"
+    check "$id: the table head names the keys" head_is "$id"
     for template in own ordinary pairwise simultaneous smooth; do
-        check "$id, $template: weights are shares" weights_hold 201 "$id" --steps 200 --template $template
-        check "$id, $template, the thesis' way: too" weights_hold 98 "$id" --steps 97 --template $template --thesis
+        check "$id, $template: the weights sum to 1" weights_hold 201 "$id" --steps 200 --template $template
+        check "$id, $template, --thesis: the weights sum to 1" weights_hold 98 "$id" --steps 97 --template $template --thesis
     done
-    check "$id, pairwise: each key is reached whole" key_weight "$id" 1 --template pairwise
+    check "$id, pairwise: each key reaches the weight 1" key_weight "$id" 1 --template pairwise
     check "$id, simultaneous: inner keys peak at 70 %" key_weight "$id" 0.7 --template simultaneous
-    check "$id, simultaneous: and yet each drawing is passed through" key_weight "$id" 1 --template simultaneous --drawn
-    check "$id, smooth: each drawing is passed through" key_weight "$id" 1 --template smooth --drawn
-    check "$id, ordinary: inner keys count for nothing" key_weight "$id" 0 --template ordinary
+    check "$id, simultaneous --drawn: each key reaches the weight 1" key_weight "$id" 1 --template simultaneous --drawn
+    check "$id, smooth --drawn: each key reaches the weight 1" key_weight "$id" 1 --template smooth --drawn
+    check "$id, ordinary: inner keys have the weight 0" key_weight "$id" 0 --template ordinary
 done
-same_file() { # SPECIES: what the build baked and what its text says.
+same_file() { # SPECIES: The built-in species and its text give the same tables.
     local words
     for words in "weights SPECIES" "path SPECIES --part eye --steps 20"; do
         # shellcheck disable=SC2086
@@ -78,9 +79,9 @@ same_file() { # SPECIES: what the build baked and what its text says.
     done
 }
 for id in "${species[@]}"; do
-    check "$id: its text says what is built in" same_file "$id"
+    check "$id: the text gives the same tables as the built-in species" same_file "$id"
 done
-packed() { # What a maker packs is read as what it was packed from.
+packed() { # A packed species gives the same tables as its source.
     local words
     morph import "$work/packed.kfish" "$root/assets/species/hirame.txt" || return 1
     for words in "weights FISH --curve eye" "growth FISH" "path FISH --part eye --steps 20" "path FISH --part eye --steps 9 --thesis"; do
@@ -88,7 +89,7 @@ packed() { # What a maker packs is read as what it was packed from.
         cmp <(morph ${words/FISH/hirame}) <(morph ${words/FISH/$work/packed.kfish}) || return 1
     done
 }
-check 'a packed flounder grows as the built-in one' packed
+check 'a packed flounder gives the same tables as the built-in flounder' packed
 three_keys() {
     local wide
     for id in "${species[@]}"; do
@@ -96,9 +97,9 @@ three_keys() {
         [ "$wide" = 7 ] || { echo "$id: $wide columns"; return 1; }
     done
 }
-check 'the thesis has three keys' three_keys
+check '--thesis has three keys' three_keys
 
-# ---- Growth: what the table holds at hatching, at the end and between
+# ---- Growth: the table at hatching, at the end and between
 growth_holds() { # SPECIES
     morph growth "$1" --steps 400 >"$work/g.csv" || return 1
     awk -F, 'NR == 1 { if ($0 != "age_days,age_years,length_mm,von_bertalanffy_mm,shifted_mm") bad = "head"; next }
@@ -110,13 +111,13 @@ growth_holds() { # SPECIES
               if (bad || NR != 402) { print bad, NR; exit 1 } }' "$work/g.csv"
 }
 for id in "${species[@]}"; do
-    check "$id: hatches with its true length, ends on the plain curve" growth_holds "$id"
+    check "$id: growth begins with the true length and ends on the plain curve" growth_holds "$id"
 done
 thesis_growth() {
     diff <(morph growth wakin --thesis | cut -d, -f3) <(morph growth wakin | cut -d, -f5 | sed s/shifted_mm/length_mm/)
 }
-check "the thesis' growth is the shifted curve" thesis_growth
-thesis_is_as_long() { # SPECIES: at each of its keys as long as `growth --thesis` says.
+check "the growth of --thesis is the shifted curve" thesis_growth
+thesis_is_as_long() { # SPECIES: At each of its keys the species is as long as `growth --thesis` prints.
     local age mm
     morph weights "$1" --thesis --steps 2 | awk -F, 'NR > 1 && $2 >= 1 { print $2, $3 }' >"$work/keys"
     [ -s "$work/keys" ] || return 1
@@ -126,53 +127,57 @@ thesis_is_as_long() { # SPECIES: at each of its keys as long as `growth --thesis
     done <"$work/keys"
 }
 for id in "${species[@]}"; do
-    check "$id: by the thesis' method as long as its growth" thesis_is_as_long "$id"
+    check "$id: the lengths of weights --thesis equal those of growth --thesis" thesis_is_as_long "$id"
 done
 if [[ " ${species[*]} " == *' mebachi '* ]]; then
-    bigeye() { # Plain: 32.0 cm at hatching, 63.7 at a year; shifted: 37.8 at a year (the fit of figure 3.6).
+    # The plain curve gives 32.0 cm at hatching and 63.7 cm at one year; the shifted curve gives
+    # 37.8 cm at one year (the fit of figure 3.6).
+    bigeye() {
         morph growth mebachi --to-days 365.25 --steps 1 | awk -F, 'NR == 2 && ($4 < 317 || $4 > 323) { bad = 1 }
             NR == 3 && ($4 < 634 || $4 > 640 || $3 < 0.9 * $4 || $5 > 385) { bad = 1 } { print } END { exit bad }'
     }
-    check 'a bigeye hatches as a giant by the plain curve, and stays small by the shifted one' bigeye
+    check 'the growth of mebachi follows figure 3.6 on the plain and on the shifted curve' bigeye
 fi
 if [[ " ${species[*]} " == *' kuroanago '* ]]; then
-    shrinks() { # 64 -> 125.5 -> 56 -> 72.5 mm and on: table 2.7
+    shrinks() { # The length goes from 64 to 125.5, 56 and 72.5 mm, and then rises (table 2.7).
         morph weights kuroanago --steps 2000 | awk -F, 'NR > 1 { if ($3 > last) { if (down) turns++; down = 0 }
             else if ($3 < last) { if (!down) { turns++; top = last }; down = 1; low = $3 } last = $3 }
             END { print turns, top, low; exit !(turns == 2 && top > 125 && top < 126 && low > 55.5 && low < 56.5) }'
     }
-    check 'the conger grows, shrinks and grows' shrinks
+    check 'the conger grows, shrinks and grows again' shrinks
 fi
 
 # ---- Paths
-straight() { # COLUMN OPTIONS...: nowhere farther from the chord than rounding
+straight() { # COLUMN OPTIONS...: No row is farther from the chord than the rounding error.
     local column=$1
     shift
     morph path "$@" >"$work/p.csv" || return 1
     awk -F, -v c="$column" 'NR > 1 && $c > 2e-6 { print; bad = 1; exit } END { exit bad || NR < 10 }' "$work/p.csv"
 }
-bent() { # LEAST OPTIONS...: at its farthest
+bent() { # LEAST OPTIONS...: The largest distance from the chord is at least LEAST.
     local least=$1
     shift
     morph path "$@" >"$work/p.csv" || return 1
     awk -F, -v least="$least" 'NR > 1 && $7 > most { most = $7 } END { print most; exit most < least }' "$work/p.csv"
 }
 for id in "${species[@]}"; do
-    check "$id: the ordinary morph moves an eye straight" straight 11 "$id" --part eye
-    check "$id: and is what --template ordinary gives" straight 7 "$id" --part eye --template ordinary
+    check "$id: the ordinary morph moves an eye in a straight line" straight 11 "$id" --part eye
+    check "$id: --template ordinary gives the straight line" straight 7 "$id" --part eye --template ordinary
 done
-check 'ours bends' bent 0.003 wakin --part dorsal
-[[ " ${species[*]} " == *' kuroanago '* ]] && check "a conger's dorsal fin slides along its back" bent 0.005 kuroanago --part dorsal
-[[ " ${species[*]} " == *' hirame '* ]] && check "a flounder's eye goes round its head" bent 0.02 hirame --part eye
-mirrored() { # But for the 0.0019 by which the triangles of the skin, whose diagonals are no mirror images, move them.
+check "the path of a wakin's dorsal fin is curved" bent 0.003 wakin --part dorsal
+[[ " ${species[*]} " == *' kuroanago '* ]] && check "the path of a conger's dorsal fin is curved" bent 0.005 kuroanago --part dorsal
+[[ " ${species[*]} " == *' hirame '* ]] && check "the path of a flounder's eye leads around its head" bent 0.02 hirame --part eye
+# The tolerance is 0.002, because the diagonals of the skin's triangles are not mirrored. They
+# cause a difference of 0.0019.
+mirrored() {
     paste -d, <(morph path wakin --part eye --side right) <(morph path wakin --part eye --side left) |
         awk -F, 'NR > 1 && (($4 + $15) ^ 2 + ($5 - $16) ^ 2 + ($6 - $17) ^ 2 > 2e-3 ^ 2 || $4 <= 0) { print; bad = 1; exit }
             END { exit bad || NR < 100 }'
 }
-check "a goldfish's eyes are of two sides" mirrored
+check "the left and the right eye of a goldfish are mirrored" mirrored
 
 # ---- Pictures
-drawn() { # LINES OPTIONS...: a whole SVG with so many lines of the first key's colour or more
+drawn() { # LINES OPTIONS...: A complete SVG has at least LINES lines of the first key's colour.
     local least=$1
     shift
     morph "$@" --svg "$work/picture.svg" || return 1
@@ -181,23 +186,23 @@ drawn() { # LINES OPTIONS...: a whole SVG with so many lines of the first key's 
         [ "$(tail -1 "$work/picture.svg")" = '</svg>' ] && [ "$(grep -c '#d23a2c' "$work/picture.svg")" -ge "$least" ]
 }
 for id in "${species[@]}"; do
-    check "$id: the graph is drawn" drawn 4 graph "$id"
-    check "$id: the way of its back is drawn" drawn 2 path "$id" --part body --view side
+    check "$id: morph graph writes an SVG" drawn 4 graph "$id"
+    check "$id: morph path writes an SVG" drawn 2 path "$id" --part body --view side
 done
 for template in ordinary pairwise simultaneous smooth; do
-    check "a $template graph is drawn" drawn 4 graph wakin --template $template --thesis
-    check "and its way" drawn 2 path wakin --part dorsal --template $template --thesis
+    check "morph graph --template $template --thesis writes an SVG" drawn 4 graph wakin --template $template --thesis
+    check "morph path --template $template --thesis writes an SVG" drawn 2 path wakin --part dorsal --template $template --thesis
 done
-has_curves() { # Each key's curve and the size: polylines that differ
+has_curves() { # Each key has a curve, and the size has one more.
     morph graph wakin --svg "$work/graph.svg" && [ "$(grep -c 'stroke="#8e4bb8"' "$work/graph.svg")" -ge 2 ] &&
         [ "$(grep -cE '<polyline.{2000,}' "$work/graph.svg")" -eq $(($(key_names wakin | wc -l) + 1)) ]
 }
-odd_name() { # An id may begin with what has no capital.
+odd_name() { # An id may begin with a character that has no capital form.
     sed 's/^species .*/species 2_koi/' "$root/assets/species/wakin.txt" >"$work/koi.txt"
     morph graph "$work/koi.txt" --svg "$work/koi.svg" && ! LC_ALL=C grep -q "$(printf '[\001-\010\016-\037]')" "$work/koi.svg" &&
         grep -q '>2 koi<' "$work/koi.svg"
 }
-colours_of() { # OPTIONS...: the colours of the keys' curves, in the keys' order
+colours_of() { # OPTIONS...: The colours of the keys' curves, in the order of the keys
     morph graph "$@" --svg "$work/colours.svg" &&
         sed -nE 's/.*stroke="(#[0-9a-f]{6})" stroke-width="3.5".*/\1/p' "$work/colours.svg" | paste -sd ' '
 }
@@ -207,16 +212,20 @@ is_coloured() { # COLOURS OPTIONS...
     echo "$is"
     [ "$is" = "$1" ]
 }
-check 'five keys go from red over green to blue' is_coloured '#d23a2c #dc7415 #2f9a4e #1c97a0 #2f6fd0' wakin
-check 'three are red, green and blue as in the thesis' is_coloured '#d23a2c #2f9a4e #2f6fd0' wakin --thesis
-turns() { # Where a conger's length turns round is told; as the thesis draws it, it is not
+check 'five keys are coloured from red to green to blue' is_coloured '#d23a2c #dc7415 #2f9a4e #1c97a0 #2f6fd0' wakin
+check 'the three keys of --thesis are red, green and blue' is_coloured '#d23a2c #2f9a4e #2f6fd0' wakin --thesis
+# The graph labels the lengths at which a conger's growth reverses. The graph of --thesis does not
+# label them.
+turns() {
     morph graph kuroanago --svg "$work/turns.svg" && grep -q '>125.5 mm</text>' "$work/turns.svg" &&
         grep -q '>56.0 mm</text>' "$work/turns.svg" && grep -q 'by factors' "$work/turns.svg" &&
         morph graph kuroanago --thesis --svg "$work/turns.svg" && ! grep -qE '>56.0 mm<|by factors' "$work/turns.svg" &&
         grep -q '>0 mm</text>' "$work/turns.svg"
 }
-check "a conger's peak and its least length are told" turns
-named() { # The kiosk's English name, without what is in brackets, stands in the first line of the text
+check "the graph labels the maximum and the minimum length of a conger" turns
+# The first line of a species' text contains the kiosk's English name, without the part in
+# brackets.
+named() {
     local id name
     for id in "${species[@]}"; do
         name=$(sed -nE "s/^fish_$id = ([^(]*[^( ]).*/\1/p" "$root/assets/text/en.txt")
@@ -224,11 +233,11 @@ named() { # The kiosk's English name, without what is in brackets, stands in the
         [ -n "$name" ] && head -1 "$root/assets/species/$id.txt" | grep -qi -- "$name" || return 1
     done
 }
-check 'a species has one English name' named
-check 'under any name' odd_name
-check 'with a curve for each key and one for the size' has_curves
+check "the text of each species gives the kiosk's English name" named
+check 'an id that begins with a digit is drawn as a name' odd_name
+check 'the graph has a curve for each key and one for the size' has_curves
 
-# ---- Mistakes: one line that names the word, nothing on standard output
+# ---- Mistakes: one line that names the wrong argument, nothing on standard output
 mistake() { # STATUS NEEDLE WORDS...
     local expected=$1 needle=$2 status
     shift 2
@@ -239,41 +248,41 @@ mistake() { # STATUS NEEDLE WORDS...
     [ $status -eq "$expected" ] && [ ! -s "$work/out" ] && [ "$(wc -l <"$work/err")" -eq 1 ] &&
         grep -qF -- "$needle" "$work/err"
 }
-check 'a subcommand is missing' mistake 2 missing
-check 'a subcommand that is none' mistake 2 "'grow'" grow
-check 'the list takes no fish' mistake 2 wakin list wakin
+check 'a missing subcommand is wrong usage' mistake 2 missing
+check 'an unknown subcommand is wrong usage' mistake 2 "'grow'" grow
+check 'morph list with a species is wrong usage' mistake 2 wakin list wakin
 for sub in weights growth path graph; do
-    check "$sub: a species is missing" mistake 2 'a species is missing' $sub
-    check "$sub: a species that is none" mistake 2 "'koi'" $sub koi
-    check "$sub: one species at a time" mistake 2 "'wakin' is not understood" $sub wakin wakin
-    check "$sub: an option that is none" mistake 2 "'--step'" $sub wakin --step 3
-    check "$sub: an empty word" mistake 2 "'' is not understood" $sub ''
-    check "$sub: a file that is not there" mistake 74 nowhere $sub "$work/nowhere.txt"
-    check "$sub: a folder is no file" mistake 74 "$work" $sub "$work/."
-    check "$sub: nor a packed one" mistake 74 nowhere $sub "$work/nowhere.kfish"
+    check "$sub without a species is wrong usage" mistake 2 'a species is missing' $sub
+    check "$sub with an unknown species is wrong usage" mistake 2 "'koi'" $sub koi
+    check "$sub with two species is wrong usage" mistake 2 "'wakin' is not understood" $sub wakin wakin
+    check "$sub with an unknown option is wrong usage" mistake 2 "'--step'" $sub wakin --step 3
+    check "$sub with an empty argument is wrong usage" mistake 2 "'' is not understood" $sub ''
+    check "$sub of a missing text exits with 74" mistake 74 nowhere $sub "$work/nowhere.txt"
+    check "$sub of a folder exits with 74" mistake 74 "$work" $sub "$work/."
+    check "$sub of a missing packed species exits with 74" mistake 74 nowhere $sub "$work/nowhere.kfish"
 done
-check 'steps are whole' mistake 2 --steps weights wakin --steps 2.5
-check 'and there are some' mistake 2 '1 to 100000' growth wakin --steps 0
-check 'but not too many' mistake 2 '1 to 100000' path wakin --part eye --steps 100001
-check 'a number is missing' mistake 2 --steps weights wakin --steps
-check 'a template that is none' mistake 2 "'linear'" weights wakin --template linear
-check 'a template is missing' mistake 2 --template graph wakin --template
-check 'a curve that is none' mistake 2 "'ear'" weights wakin --curve ear
-check 'no part' mistake 2 '--part is missing' path wakin
-check 'a part that is none' mistake 2 "'wing'" path wakin --part wing
-check 'a part that a goldfish has not' mistake 2 'has no dorsal2' path wakin --part dorsal2
-check 'a side that is none' mistake 2 "'up'" path wakin --part eye --side up
-check 'a view that is none' mistake 2 "'below'" path wakin --part eye --svg "$work/x.svg" --view below
-check 'a view of a table' mistake 2 '--view goes with --svg' path wakin --part eye --view side
-check 'a day before hatching' mistake 2 --to-days growth wakin --to-days -1
-check 'a day that is no number' mistake 2 --to-days growth wakin --to-days nan
-check 'growth knows no template' mistake 2 --template growth wakin --template smooth
-check 'a picture goes somewhere' mistake 2 --svg graph wakin
-check 'but not there' mistake 74 /nowhere/ graph wakin --svg /nowhere/g.svg
-check 'nor the other' mistake 74 /nowhere/ path wakin --part eye --svg /nowhere/g.svg
-check 'a full disk is told' mistake 74 /dev/full graph wakin --svg /dev/full
+check 'a fractional --steps is wrong usage' mistake 2 --steps weights wakin --steps 2.5
+check '--steps 0 is wrong usage' mistake 2 '1 to 100000' growth wakin --steps 0
+check '--steps above 100000 is wrong usage' mistake 2 '1 to 100000' path wakin --part eye --steps 100001
+check '--steps without a number is wrong usage' mistake 2 --steps weights wakin --steps
+check 'an unknown template is wrong usage' mistake 2 "'linear'" weights wakin --template linear
+check '--template without a name is wrong usage' mistake 2 --template graph wakin --template
+check 'an unknown curve is wrong usage' mistake 2 "'ear'" weights wakin --curve ear
+check 'morph path without --part is wrong usage' mistake 2 '--part is missing' path wakin
+check 'an unknown part is wrong usage' mistake 2 "'wing'" path wakin --part wing
+check 'a part that the species lacks is wrong usage' mistake 2 'has no dorsal2' path wakin --part dorsal2
+check 'an unknown side is wrong usage' mistake 2 "'up'" path wakin --part eye --side up
+check 'an unknown view is wrong usage' mistake 2 "'below'" path wakin --part eye --svg "$work/x.svg" --view below
+check '--view without --svg is wrong usage' mistake 2 '--view needs --svg' path wakin --part eye --view side
+check 'a day before hatching is wrong usage' mistake 2 --to-days growth wakin --to-days -1
+check '--to-days nan is wrong usage' mistake 2 --to-days growth wakin --to-days nan
+check 'morph growth --template is wrong usage' mistake 2 --template growth wakin --template smooth
+check 'morph graph without --svg is wrong usage' mistake 2 --svg graph wakin
+check 'morph graph into a missing folder exits with 74' mistake 74 /nowhere/ graph wakin --svg /nowhere/g.svg
+check 'morph path into a missing folder exits with 74' mistake 74 /nowhere/ path wakin --part eye --svg /nowhere/g.svg
+check 'morph graph to a full disk exits with 74' mistake 74 /dev/full graph wakin --svg /dev/full
 mkfifo "$work/pipe"
-stays() { # WORDS...: a pipe that nobody reads is no place, and stays a pipe
+stays() { # WORDS...: A FIFO without a reader is refused, and stays a FIFO.
     timeout 60 "$ctl" morph "$@" >"$work/out" 2>"$work/err"
     local status=$?
     cat "$work/err"
@@ -281,21 +290,21 @@ stays() { # WORDS...: a pipe that nobody reads is no place, and stays a pipe
 }
 for to in 'graph wakin --svg' 'path wakin --part eye --svg' 'export wakin --sheet' 'export wakin --glb' \
     'export wakin --progress 1 --obj'; do
-    # shellcheck disable=SC2086  # Words.
-    check "${to%% *} ${to##* } onto a pipe that nobody reads" stays $to "$work/pipe"
+    # shellcheck disable=SC2086  # several arguments
+    check "${to%% *} ${to##* } onto a FIFO without a reader exits with 74" stays $to "$work/pipe"
 done
-check 'import onto a pipe' stays import "$work/pipe" "$root/assets/species/wakin.txt"
-check 'import onto a device' mistake 74 /dev/null import /dev/null "$root/assets/species/wakin.txt"
-check 'a full disk takes no species' mistake 74 /dev/full import /dev/full "$root/assets/species/wakin.txt"
+check 'morph import onto a FIFO exits with 74' stays import "$work/pipe" "$root/assets/species/wakin.txt"
+check 'morph import onto a device exits with 74' mistake 74 /dev/null import /dev/null "$root/assets/species/wakin.txt"
+check 'morph import to a full disk exits with 74' mistake 74 /dev/full import /dev/full "$root/assets/species/wakin.txt"
 devices_stay() { [ -c /dev/null ] && [ -c /dev/full ]; }
-check 'and devices stay what they are' devices_stay
-onto_link() { # What a link leads to is drawn; the link stays
+check 'refused outputs leave the devices unchanged' devices_stay
+onto_link() { # The SVG is written to the target of the link, and the link stays.
     : >"$work/drawing.svg"
     ln -s drawing.svg "$work/link.svg"
     morph graph wakin --svg "$work/link.svg" && [ -L "$work/link.svg" ] && grep -q '</svg>' "$work/drawing.svg" &&
         ! compgen -G "$work/*part*"
 }
-check 'a link to a file stays one' onto_link
+check 'an output through a symbolic link keeps the link' onto_link
 full_output() {
     local status
     for words in list 'list --json' 'weights wakin --steps 5000' 'growth wakin' 'path wakin --part eye --steps 2' --help; do
@@ -305,20 +314,20 @@ full_output() {
         [ $status -eq 74 ] || { echo "$words: $status"; return 1; }
     done
 }
-check 'where the tables go, too' full_output
+check 'a full standard output exits with 74' full_output
 sed '0,/^station.*/s//station 0.00 wide/' "$root/assets/species/wakin.txt" >"$work/bad.txt"
-check 'a text that is no species, by its line' mistake 65 'bad.txt:' weights "$work/bad.txt"
+check 'a wrong line of a species text exits with 65' mistake 65 'bad.txt:' weights "$work/bad.txt"
 head -c 600 "$root/assets/species/wakin.txt" >"$work/short.txt"
-check 'half a text' mistake 65 'short.txt' graph "$work/short.txt" --svg "$work/x.svg"
+check 'a truncated species text exits with 65' mistake 65 'short.txt' graph "$work/short.txt" --svg "$work/x.svg"
 head -c 300 /dev/zero >"$work/zero.kfish"
-check 'zeros are no packed species' mistake 65 zero.kfish growth "$work/zero.kfish"
+check 'a packed species of zero bytes exits with 65' mistake 65 zero.kfish growth "$work/zero.kfish"
 : >"$work/empty.txt"
-check 'nor is nothing a text' mistake 65 empty.txt weights "$work/empty.txt"
+check 'an empty species text exits with 65' mistake 65 empty.txt weights "$work/empty.txt"
 
-# ---- Any words at all: an answer or one line, never a crash
+# ---- Random arguments: the command succeeds or prints one error line, and never crashes
 words=(wakin list weights growth path graph --template own smooth --thesis --steps 3 -1 1e9 --curve whole --part eye tail
     --side left --svg "$work/fuzz.svg" --view top --to-days '' % "$work/bad.txt" --drawn --json "$(printf 'x%.0s' {1..5000})")
-any_words() { # In the test's own folder: a word may become the name of a picture.
+any_words() { # Runs in the test's own folder, because an argument may become the name of an output file.
     local status program
     program=$(realpath "$ctl")
     RANDOM=7
@@ -334,7 +343,7 @@ any_words() { # In the test's own folder: a word may become the name of a pictur
         esac || { echo "exit $status: ${line[*]}" | cut -c1-300; cat "$work/err"; return 1; }
     done
 }
-check 'any words get an answer or one line' any_words
+check 'random arguments give a result or one error line' any_words
 helps() {
     local sub
     for sub in list weights growth path graph; do
@@ -342,5 +351,5 @@ helps() {
         morph --help | grep -q "^  $sub " || return 1
     done
 }
-check 'each subcommand helps' helps
+check '--help of each subcommand describes that subcommand' helps
 echo "1..$count"

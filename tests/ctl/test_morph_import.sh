@@ -1,11 +1,12 @@
 #!/bin/bash
-# test_morph_import.sh -- what makers bring: packed, refused in one line, and found by a kiosk. Speaks TAP.
-# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+# test_morph_import.sh -- species of other makers: kingyoctl packs or rejects them, and the kiosk
+# loads them. Speaks TAP.
+# shellcheck disable=SC2154,SC1091  # lib.sh sets these variables
 . "$(dirname "$0")/../lib.sh"
 root=$(cd "$(dirname "$0")/../.." && pwd)
 morph() { "$ctl" morph "$@"; }
 corpus=$root/tests/fuzz/corpus
-mistake() { # STATUS WORDS ARGUMENTS...: nothing but one line, with the words in it, within seconds and 1 GiB
+mistake() { # STATUS WORDS ARGUMENTS...: Prints one line that contains WORDS, within 20 s and 2 GiB.
     local expected=$1 words=$2 status
     shift 2
     (
@@ -21,29 +22,29 @@ mistake() { # STATUS WORDS ARGUMENTS...: nothing but one line, with the words in
 # ---- Texts
 for text in "$root"/assets/species/*.txt; do
     id=$(basename "$text" .txt)
-    check "$id is packed" morph import "$work/$id.kfish" "$text"
+    check "morph import packs $id" morph import "$work/$id.kfish" "$text"
     same_weights() { cmp <(morph weights "$id" --steps 50) <(morph weights "$work/$id.kfish" --steps 50); }
-    check "$id: packed, it is what is built in" same_weights
+    check "the packed $id has the weights of the built-in species" same_weights
 done
-check 'a text is renamed as it is packed' morph import "$work/pet.kfish" "$root/assets/species/wakin.txt" --id pet
+check '--id renames a species' morph import "$work/pet.kfish" "$root/assets/species/wakin.txt" --id pet
 echo 'species x' >"$work/short.txt"
-check 'half a text' mistake 65 short.txt:1: "$work/x.kfish" "$work/short.txt"
+check 'a truncated text exits with 65' mistake 65 short.txt:1: "$work/x.kfish" "$work/short.txt"
 printf 'species x\n\033[31mred\233 1\n' >"$work/esc.txt"
-check 'control characters of a text stay in it' mistake 65 "esc.txt:2: '?[31mred?' is no word" "$work/x.kfish" "$work/esc.txt"
+check 'the error masks control characters of a text' mistake 65 "esc.txt:2: '?[31mred?' is not a keyword" "$work/x.kfish" "$work/esc.txt"
 printf 'species x\nmeasure total\0 and more\n' >"$work/zero.txt"
-check 'a zero byte in a text' mistake 65 'zero.txt:2: a zero byte' "$work/x.kfish" "$work/zero.txt"
+check 'a zero byte in a text exits with 65' mistake 65 'zero.txt:2: the line is longer than 255 characters or contains a zero byte' "$work/x.kfish" "$work/zero.txt"
 ln -s /dev/zero "$work/endless.txt" && ln -s /dev/zero "$work/endless.obj"
-check 'a text without end' mistake 74 'endless.txt: is not a regular file' "$work/x.kfish" "$work/endless.txt"
+check 'an endless text exits with 74' mistake 74 'endless.txt: is not a regular file' "$work/x.kfish" "$work/endless.txt"
 truncate -s 2M "$work/large.txt"
-check 'a text of 2 MiB' mistake 65 'large.txt: larger than 1 MiB' "$work/x.kfish" "$work/large.txt"
+check 'a text of 2 MiB exits with 65' mistake 65 'large.txt: is larger than 1 MiB' "$work/x.kfish" "$work/large.txt"
 mkfifo "$work/pipe.kfish"
-check 'a pack is not put over a pipe' mistake 74 'pipe.kfish: ' "$work/pipe.kfish" "$root/assets/species/wakin.txt"
-check 'which stays' test -p "$work/pipe.kfish"
-check 'no text' mistake 74 nowhere.txt "$work/x.kfish" "$work/nowhere.txt"
-check 'nowhere to write' mistake 74 nowhere "$work/nowhere/x.kfish" "$root/assets/species/wakin.txt"
-check 'nothing to pack' mistake 2 'OUT.kfish' "$work/x.kfish"
-check 'an unknown option' mistake 2 --colour "$work/x.kfish" a.obj --colour red
-check 'a value that is none' mistake 2 --front "$work/x.kfish" a.obj --front sideways
+check 'an output onto a FIFO exits with 74' mistake 74 'pipe.kfish: ' "$work/pipe.kfish" "$root/assets/species/wakin.txt"
+check 'the FIFO is not replaced' test -p "$work/pipe.kfish"
+check 'a missing text exits with 74' mistake 74 nowhere.txt "$work/x.kfish" "$work/nowhere.txt"
+check 'an output into a missing folder exits with 74' mistake 74 nowhere "$work/nowhere/x.kfish" "$root/assets/species/wakin.txt"
+check 'a missing input is wrong usage' mistake 2 'OUT.kfish' "$work/x.kfish"
+check 'an unknown option is wrong usage' mistake 2 --colour "$work/x.kfish" a.obj --colour red
+check 'an invalid --front is wrong usage' mistake 2 --front "$work/x.kfish" a.obj --front sideways
 
 # ---- OBJ: three shapes of one topology
 for key in a b c; do
@@ -51,32 +52,32 @@ for key in a b c; do
         "$corpus/obj/fish.obj" >"$work/$key.obj"
 done
 objs=("$work/a.obj" "$work/b.obj" "$work/c.obj")
-check 'three OBJ files are a species' morph import "$work/small.kfish" "${objs[@]}" --lengths-mm 10,20,40 --ages-days 0,30,90
+check 'three OBJ files become a species' morph import "$work/small.kfish" "${objs[@]}" --lengths-mm 10,20,40 --ages-days 0,30,90
 tells_lengths() { morph list >/dev/null && morph weights "$work/small.kfish" --steps 2 | tee "$work/w" | tail -1 | grep -q '^1.000000,90.000,40.0000,'; }
-check 'whose life is as told' tells_lengths
-check 'one size says no lengths' mistake 65 'say --lengths-mm' "$work/x.kfish" "${objs[@]}"
-check 'two shapes are no species' mistake 65 'a species has 3 to 8' "$work/x.kfish" "$work/a.obj" "$work/b.obj"
-check 'lengths for another number of shapes' mistake 65 '--lengths-mm: 2' "$work/x.kfish" "${objs[@]}" --lengths-mm 1,2
+check 'the species has the given ages and lengths' tells_lengths
+check 'OBJ files of one size need --lengths-mm' mistake 65 'use --lengths-mm' "$work/x.kfish" "${objs[@]}"
+check 'two OBJ files exit with 65' mistake 65 'a species has 3 to 8' "$work/x.kfish" "$work/a.obj" "$work/b.obj"
+check 'a wrong number of lengths exits with 65' mistake 65 '--lengths-mm: 2' "$work/x.kfish" "${objs[@]}" --lengths-mm 1,2
 for growth in 500,0.3,-0.1,3,0 500,0,-0.1,3,0.3 500,0.3,99,3,0.3 0,0.3,-0.1,3,0.3 500,0.3,-0.1,0,0.3; do
-    check "a growth of $growth" mistake 2 "--growth: '$growth' will not do" "$work/x.kfish" "${objs[@]}" \
+    check "--growth $growth is wrong usage" mistake 2 "--growth: '$growth' is wrong" "$work/x.kfish" "${objs[@]}" \
         --lengths-mm 5,10,20 --growth "$growth"
 done
-check 'a length of nothing' mistake 2 '--lengths-mm' "$work/x.kfish" "${objs[@]}" --lengths-mm 0,10,20
-check 'an age before hatching' mistake 2 '--ages-days' "$work/x.kfish" "${objs[@]}" --lengths-mm 5,10,20 --ages-days -1,2,3
-check 'ages that growth does not bear out' mistake 65 'a/length_m: 0.005 at 100 days, where growth says' "$work/x.kfish" \
+check 'a length of 0 is wrong usage' mistake 2 '--lengths-mm' "$work/x.kfish" "${objs[@]}" --lengths-mm 0,10,20
+check 'an age before hatching is wrong usage' mistake 2 '--ages-days' "$work/x.kfish" "${objs[@]}" --lengths-mm 5,10,20 --ages-days -1,2,3
+check 'ages that contradict the growth curve exit with 65' mistake 65 'a/length_m: 0.005 at 100 days, but the growth curve gives' "$work/x.kfish" \
     "${objs[@]}" --lengths-mm 5,10,20 --ages-days 100,200,300 --growth 500,0.3,-0.1,3,0.3
 sed 's/^key koaka 45$/key koaka 45 200/' "$root/assets/species/wakin.txt" >"$work/late.txt"
-check 'a text of a late key' mistake 65 'late.txt:175: key koaka is 45 mm at 200 days, and growth says' "$work/x.kfish" "$work/late.txt"
+check 'a text with an age that contradicts its growth exits with 65' mistake 65 'late.txt:175: key koaka is 45 mm long at 200 days, but the growth curve gives' "$work/x.kfish" "$work/late.txt"
 head -5 "$work/b.obj" >"$work/cut.obj"
-check 'a cut shape' mistake 65 'cut.obj:5: no faces' "$work/x.kfish" "$work/cut.obj" "$work/b.obj" "$work/c.obj"
-check 'a shape of another topology' mistake 65 'cut.obj:5: no faces' "$work/x.kfish" "$work/a.obj" "$work/cut.obj" "$work/c.obj"
-check 'a shape without end' mistake 74 'endless.obj: is not a regular file' "$work/x.kfish" "$work/endless.obj" "$work/b.obj" "$work/c.obj"
+check 'a truncated first OBJ file exits with 65' mistake 65 'cut.obj:5: no faces' "$work/x.kfish" "$work/cut.obj" "$work/b.obj" "$work/c.obj"
+check 'a truncated second OBJ file exits with 65' mistake 65 'cut.obj:5: no faces' "$work/x.kfish" "$work/a.obj" "$work/cut.obj" "$work/c.obj"
+check 'an endless OBJ file exits with 74' mistake 74 'endless.obj: is not a regular file' "$work/x.kfish" "$work/endless.obj" "$work/b.obj" "$work/c.obj"
 truncate -s 65M "$work/large.obj"
-check 'a file of 65 MiB' mistake 65 'larger than 64 MiB' "$work/x.kfish" "$work/large.obj" "$work/b.obj" "$work/c.obj"
+check 'an OBJ file of 65 MiB exits with 65' mistake 65 'larger than 64 MiB' "$work/x.kfish" "$work/large.obj" "$work/b.obj" "$work/c.obj"
 
-# ---- Unequal topology: a template is fitted
+# ---- Unequal topology: a template is fitted to the meshes
 morph export wakin --progress 1 --obj "$work/grown.obj" >/dev/null 2>&1
-marks() { # OBJ: four landmarks, as a maker would pick them
+marks() { # OBJ: Prints four landmarks of the mesh.
     awk '$1 == "v" { n++; x[n] = $2; y[n] = $3; z[n] = $4 }
         $1 == "g" { body = $2 == "body" }
         body && $1 == "f" { for (i = 2; i <= 4; i++) { split($i, c, "/"); v = c[1]
@@ -95,25 +96,25 @@ for ((i = 0; i < keys; i++)); do
     marks "$work/fit$i.obj" >"$work/fit$i.marks"
 done
 fits() { morph refit "$work/fitted.kfish" kurodai "${meshes[@]}" --id fitted >"$work/fits"; }
-fitted_well() { # Each mean, both ways, within 0.4 % of the length
+fitted_well() { # Each mean error is within 0.4 % of the length, from the fit to the mesh and back.
     cat "$work/fits"
     awk -v keys="$keys" '/mean/ { split($0, p, /mean |mesh to fit: /); n++; if (p[2] + 0 > 0.4 || p[3] + 0 > 0.4) bad = 1 }
         END { exit !(n == keys && !bad) }' "$work/fits"
 }
-check 'a bream is bent onto goldfish by four landmarks' fits
-check 'within 0.4 % of their length in the mean' fitted_well
-check 'and grows as one' morph weights "$work/fitted.kfish" --steps 4
+check 'morph refit fits a bream to goldfish by four landmarks' fits
+check 'the mean error of the fit is within 0.4 % of the length' fitted_well
+check 'morph weights reads the fitted species' morph weights "$work/fitted.kfish" --steps 4
 awk '$1 == "tail_root" { $3 += 0.002 } { print }' "$work/fit0.marks" >"$work/stray.marks"
 strays() { morph refit "$work/x.kfish" kurodai "${meshes[@]}" --marks "$work/stray.marks,$1,$1,$1,$1" 2>&1 >/dev/null |
-    grep -E '^[^ ]*stray.marks: tail_root lies [1-9][0-9] % of the length off the mesh$'; }
-check 'a landmark off the mesh is told' strays "$work/fit1.marks"
+    grep -E '^[^ ]*stray.marks: landmark tail_root is [1-9][0-9] % of the length away from the mesh$'; }
+check 'a landmark away from the mesh is reported' strays "$work/fit1.marks"
 of_refit() { of=refit mistake "$@"; }
-check 'landmarks are needed' of_refit 74 grown.marks "$work/x.kfish" wakin "$work/grown.obj" "$work/grown.obj" \
+check 'a missing file of landmarks exits with 74' of_refit 74 grown.marks "$work/x.kfish" wakin "$work/grown.obj" "$work/grown.obj" \
     "$work/grown.obj" "$work/grown.obj" "$work/grown.obj"
-check 'no such template' of_refit 2 "'karp' is no species; there are wakin" "$work/x.kfish" karp "$work/grown.obj"
-check 'a mesh is needed' of_refit 2 'a mesh for each key' "$work/x.kfish" wakin
-check 'the colours stay' of_refit 2 'unknown option' "$work/x.kfish" wakin --colours 0,0,0,0,0 "$work/grown.obj"
-check 'a file a key' of_refit 2 'and there are 1 files' "$work/x.kfish" wakin "$work/grown.obj"
+check 'an unknown template is wrong usage' of_refit 2 "'karp' is not a species; write wakin" "$work/x.kfish" karp "$work/grown.obj"
+check 'morph refit without a mesh is wrong usage' of_refit 2 'a mesh for each key' "$work/x.kfish" wakin
+check 'morph refit --colours is wrong usage' of_refit 2 'unknown option' "$work/x.kfish" wakin --colours 0,0,0,0,0 "$work/grown.obj"
+check 'a wrong number of meshes is wrong usage' of_refit 2 'and there are 1 files' "$work/x.kfish" wakin "$work/grown.obj"
 
 # ---- glTF
 if morph import "$work/x.kfish" "$corpus/scene/fish.glb" --lengths-mm 1,2,3 >"$work/scene" 2>&1; then
@@ -121,15 +122,15 @@ if morph import "$work/x.kfish" "$corpus/scene/fish.glb" --lengths-mm 1,2,3 >"$w
         morph export "$1" --glb "$work/$1.glb" && morph import "$work/back.kfish" "$work/$1.glb" --id back &&
             morph weights "$work/back.kfish" --steps 4
     }
-    check 'morph targets are a species, their animation its graph' grep -q 'graph  *3 knots of 3 moments' "$work/scene"
-    check 'what was exported comes back' back hirame
+    check 'morph targets become keys, and their animation becomes the growth graph' grep -q 'graph  *3 knots of 3 moments' "$work/scene"
+    check 'an exported .glb file can be imported' back hirame
     refuse() { check "$1.glb" mistake 65 "$1.glb: $2" "$work/x.kfish" "$corpus/scene/$1.glb" --lengths-mm 1,2,3; }
     refuse cyclic_nodes 'GLTF: '
     refuse huge_count 'GLTF: '
     refuse huge_view 'GLTF: '
     refuse missing_node 'GLTF: '
-    refuse index_off 'a triangle that names a vertex that is not there'
-    refuse nan 'a coordinate that is no number'
+    refuse index_off 'a triangle refers to a missing vertex'
+    refuse nan 'a coordinate is not a number'
     refuse no_faces ''
     refuse points 'no triangles'
     refuse not_json ''
@@ -141,14 +142,14 @@ else
         echo "ok $count - glTF, $what # skip $(head -1 "$work/scene")"
     done
 fi
-check 'no scene' mistake 74 nowhere.glb "$work/x.kfish" "$work/nowhere.glb"
+check 'a missing scene exits with 74' mistake 74 nowhere.glb "$work/x.kfish" "$work/nowhere.glb"
 
-# ---- The kiosk reads what was packed, and no model of any other program
+# ---- The kiosk reads packed species, and contains no importer
 kiosk_is_free_of_assimp() {
     ! ldd "$build/kingyo" | grep -i assimp && ! strings -a "$build/kingyo" | grep -i 'libassimp' &&
         ! nm "$build/kingyo" | grep -i 'import_'
 }
-check 'the kiosk knows no importer' kiosk_is_free_of_assimp
+check 'the kiosk contains no importer' kiosk_is_free_of_assimp
 mkdir -p "$work/data/species"
 cp "$work/small.kfish" "$work/pet.kfish" "$work/data/species/"
 head -c 900 "$work/pet.kfish" >"$work/data/species/cut.kfish"
@@ -159,8 +160,8 @@ opens() {
     [ $status -le 1 ]
 }
 opens >"$work/told" 2>&1
-check 'a kiosk with bad species opens' grep -q '^Kingyo .* played by the bot' "$work/told"
-check 'and says what it loaded' grep -q 'species  *small.kfish: small' "$work/told"
-check 'and what it did not, and why' grep -q 'species/cut.kfish: size: ' "$work/told"
-check 'nor twice' grep -q "species/twin.kfish: id: there is a 'wakin' already" "$work/told"
+check 'the kiosk opens with invalid species' grep -q '^Kingyo .* played by the bot' "$work/told"
+check 'the kiosk reports each loaded species' grep -q 'species  *small.kfish: small' "$work/told"
+check 'the kiosk reports a rejected species with the reason' grep -q 'species/cut.kfish: size: ' "$work/told"
+check 'the kiosk rejects a second species of the same id' grep -q "species/twin.kfish: id: the species 'wakin' exists already" "$work/told"
 echo "1..$count"

@@ -1,13 +1,14 @@
 #!/bin/bash
-# test_odd_files.sh -- every option and word of a command line that names a file to read: a device, a FIFO without a
-# writer, a folder, an endless file of /proc and a huge sparse file each give one line and exit 65 or 74 at once.
-# Speaks TAP.
-# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+# test_odd_files.sh -- every option and argument that names an input file: a device, a FIFO without
+# a writer, a folder, an endless file of /proc and a huge sparse file each give one line and exit
+# code 65 or 74 within seconds. Speaks TAP.
+# shellcheck disable=SC2154,SC1091  # lib.sh sets these variables
 . "$(dirname "$0")/../lib.sh"
-limit_s=20 # A loaded machine may be slow; a command that hangs is killed.
+limit_s=20 # The limit in seconds allows for a loaded machine. A command that hangs is killed.
 pad=tests/hid/good/descriptors/006-blaze-joypad.hid
 mkdir "$work/odd" "$work/plain"
-# Names end as the commands want them: a species by its suffix, an import by its format.
+# The names have the suffixes that the commands expect: a species by its suffix, an import by its
+# format.
 for suffix in '' .txt .kfish .glb .obj .graph; do
     ln -s /dev/zero "$work/odd/zero$suffix"
     ln -s /proc/self/pagemap "$work/odd/endless$suffix"
@@ -16,7 +17,7 @@ for suffix in '' .txt .kfish .glb .obj .graph; do
     truncate -s 1T "$work/odd/sparse$suffix" 2>/dev/null || truncate -s 4G "$work/odd/sparse$suffix"
 done
 
-# PROGRAM WORDS, with FILE in place of the odd file.
+# PROGRAM and arguments, with FILE in place of the odd file.
 readers=$(cat <<END
 $ctl config check FILE
 $ctl doctor --config FILE
@@ -46,7 +47,7 @@ END
 printf 'id\tnumber\thex\n' >"$work/plain/reports.tsv"
 : >"$work/plain/raw"
 
-refused() { # WORDS...: one line on standard error, exit 65 or 74, in time.
+refused() { # WORDS...: One line on standard error, exit code 65 or 74, within limit_s.
     local code
     SDL_VIDEODRIVER=dummy timeout --kill-after=2 $limit_s "$@" >"$work/out" 2>"$work/err" </dev/null
     code=$?
@@ -82,41 +83,41 @@ database() { # A FIFO, a folder or a device in place of kingyo.db.
         refused "$ctl" backup "$work/copy.db" --data "$work/data" || bad=1
         timeout $limit_s "$ctl" doctor --data "$work/data" >/dev/null 2>&1 </dev/null
         [ $? -le 1 ] || bad=1
-        # It sets aside what is there, as ever.
+        # A restore renames the odd file and writes the database.
         timeout $limit_s "$ctl" backup --restore tests/unit/platform/store/files/version-5.db --data "$work/data" && [ -f "$work/data/kingyo.db" ] || bad=1
     done
     return $bad
 }
-learned() { # A FIFO among the learned controllers.
+learned() { # A FIFO lies among the controller mappings.
     mkdir -p "$work/learned/pois" && mkfifo "$work/learned/pois/a.poi" &&
         timeout $limit_s "$ctl" doctor --data "$work/learned" >"$work/out" 2>&1 </dev/null
     [ $? -le 1 ] && grep -q 'a.poi' "$work/out"
 }
-links() { # A symbolic link to a regular file is as good as the file.
+links() { # A symbolic link to a regular file is read like the file.
     "$ctl" config defaults >"$work/plain/mine.conf" && ln -s mine.conf "$work/plain/link.conf" &&
         "$ctl" config check "$work/plain/link.conf" &&
         ln -s "$PWD/$pad" "$work/plain/link.hid" && "$ctl" hid describe "$work/plain/link.hid" >/dev/null
 }
-writes_nowhere() { # What is written is not kept waiting by a FIFO without a reader, either.
+writes_nowhere() { # An output to a FIFO without a reader does not block either.
     refused "$ctl" tank --fish 1 --seconds 1 --trace "$work/odd/pipe" && [ -p "$work/odd/pipe" ]
 }
-by_input() { # Standard input is read where it is a regular file.
+by_input() { # Standard input is read if it is a regular file.
     "$ctl" config defaults >"$work/plain/in.conf" && "$ctl" config check /dev/stdin <"$work/plain/in.conf"
 }
 
 echo 1..13
-check 'a device without an end is refused everywhere' all_refuse zero
-check 'a FIFO without a writer is refused everywhere' all_refuse pipe
-check 'a folder is refused everywhere' all_refuse folder
-check 'a huge sparse file is refused everywhere' all_refuse sparse
-lines=2 # The configuration's own warning may come before the read fails.
-check 'a file of the kernel without an end is refused everywhere' all_refuse endless
+check 'an endless device is refused by every command' all_refuse zero
+check 'a FIFO without a writer is refused by every command' all_refuse pipe
+check 'a folder is refused by every command' all_refuse folder
+check 'a huge sparse file is refused by every command' all_refuse sparse
+lines=2 # The warning of the configuration may come before the read error.
+check 'an endless file of /proc is refused by every command' all_refuse endless
 lines=1
-check 'the type is named' says 'is not a regular file' pipe "$ctl" config check FILE
-check 'the size is named' says 'is larger than 64 MiB' sparse "$ctl" tank --place FILE --fish 1
-check 'a pipe without a writer is named' says 'no process writes into this pipe' pipe "$ctl" hid watch FILE --descriptor $pad
-check 'a database of another type is refused everywhere' database
-check 'a FIFO among the learned controllers holds nobody' learned
+check 'the error names the wrong file type' says 'is not a regular file' pipe "$ctl" config check FILE
+check 'the error names the size limit' says 'is larger than 64 MiB' sparse "$ctl" tank --place FILE --fish 1
+check 'the error names a pipe without a writer' says 'no process writes into this pipe' pipe "$ctl" hid watch FILE --descriptor $pad
+check 'a database of another file type is refused by every command' database
+check 'a FIFO among the controller mappings does not block doctor' learned
 check 'a symbolic link is followed' links
-check 'a trace into a FIFO without a reader is refused' writes_nowhere
-check 'standard input that is a file is read' by_input
+check 'a trace to a FIFO without a reader is refused' writes_nowhere
+check 'standard input from a regular file is read' by_input

@@ -1,10 +1,11 @@
 #!/bin/bash
-# test_status_command.sh -- kingyoctl status: reads the file, and says whether the stall is well. Speaks TAP.
-# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+# test_status_command.sh -- kingyoctl status: prints the status file, and exits with 1 if the kiosk
+# is not well. Speaks TAP.
+# shellcheck disable=SC2154,SC1091  # lib.sh sets these variables
 . "$(dirname "$0")/../lib.sh"
 build=$(realpath "$build")
 file=$work/status.json
-writes() { # AGE_S WELL: as the service does.
+writes() { # AGE_S WELL: Writes the file as the service does.
     local now
     now=$(awk -v age="$1" '{ printf "%.0f", ($1 - age) * 1000 }' /proc/uptime)
     cat >"$file" <<JSON
@@ -30,30 +31,30 @@ ends() { # CODE PATTERN ARGUMENTS...
     [ $got -eq "$code" ] && grep -qE -- "$pattern" "$work/out" "$work/err"
 }
 writes 1 true
-check 'a stall that runs is told' ends 0 '^kingyo 0.1.0, start 12, open for 2 h 03 min: attract$'
-check 'with its credits' ends 0 '^  credits   3 paid, 1 of service, 2 units towards the next$'
-check 'its tickets' ends 0 '^  tickets   5 owed, 37 dispensed$'
-check 'its ledger' ends 0 '^  ledger    well; 120 entries, 2 not on disk yet$'
-check 'its frames' ends 0 '^  frames    443040, median 16.7 ms, p99 17.1 ms; 4 ticks dropped$'
-check 'the machine below it' ends 0 \
+check 'a running kiosk is reported with its version and phase' ends 0 '^kingyo 0.1.0, start 12, open for 2 h 03 min: attract$'
+check 'the credits are printed' ends 0 '^  credits   3 paid, 1 of service, 2 units towards the next$'
+check 'the tickets are printed' ends 0 '^  tickets   5 owed, 37 dispensed$'
+check 'the state of the ledger is printed' ends 0 '^  ledger    well; 120 entries, 2 not on disk yet$'
+check 'the frame times are printed' ends 0 '^  frames    443040, median 16.7 ms, p99 17.1 ms; 4 ticks dropped$'
+check 'the state of the machine is printed' ends 0 \
     '^  machine   data proven; backup 12 min old; 345 MiB free; heat 21 degrees below slowing down; watchdog fed$'
-check 'what was refused, set aside or not kept' ends 0 \
+check 'rejected, renamed and missing files are counted' ends 0 \
     '^  files     1 refused; 2 databases set aside and not seen; 3 scores without their replay$'
-check 'those faults that there were' ends 0 '^  faults    poi 2, sound 1$'
-check 'and its devices' ends 0 '^  display   OpenGL ES 3.1 V3D, 1920x1080$'
+check 'only faults that occurred are printed' ends 0 '^  faults    poi 2, sound 1$'
+check 'the devices are printed' ends 0 '^  display   OpenGL ES 3.1 V3D, 1920x1080$'
 as_it_is() { status --json && cmp "$file" "$work/out"; }
-check '--json prints it as it is' as_it_is
+check '--json prints the file unchanged' as_it_is
 writes 1 true null null
-check 'what nobody measures is not made up' ends 0 'heat not measured; watchdog fed; CLOCK NOT SET$'
+check 'values without a measurement are reported as not measured' ends 0 'heat not measured; watchdog fed; CLOCK NOT SET$'
 writes 60 true
-check 'one that stood still for a minute is not well' ends 1 'has said nothing for 6[0-9]\.[0-9] s'
+check 'a status file that is 60 s old exits with 1' ends 1 'has written no status for 6[0-9]\.[0-9] s'
 writes 1 false
-check 'nor is one that cannot keep what it earns' ends 1 'is not kept now'
+check 'a kiosk that cannot save its entries exits with 1' ends 1 'cannot save what it earns'
 echo 'something else' >"$file"
-check 'another file is bad data' ends 65 'is no stall.s status'
+check 'a file that is not JSON exits with 65' ends 65 'is not the status file of a kiosk'
 echo '{"version": "0.1.0"}' >"$file"
-check 'so is other JSON' ends 65 'is no stall.s status'
+check 'JSON of another kind exits with 65' ends 65 'is not the status file of a kiosk'
 rm "$file"
-check 'none at all is an I/O error that says why' ends 74 'no stall runs as a service here'
-check 'a word too many is wrong usage' ends 2 'is not understood' now
+check 'a missing status file exits with 74 and the reason' ends 74 'no kiosk runs as a service here'
+check 'a surplus argument is wrong usage' ends 2 'is not understood' now
 echo "1..$count"

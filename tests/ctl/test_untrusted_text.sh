@@ -1,44 +1,49 @@
 #!/bin/bash
-# test_untrusted_text.sh -- arguments, paths, files and names full of escape sequences, line breaks and bytes that are
-# not UTF-8: nothing of that reaches the output of any program, and each error stays one line. Speaks TAP.
-# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+# test_untrusted_text.sh -- arguments, paths, files and names with escape sequences, line breaks
+# and bytes that are not UTF-8. No program prints them raw, and each error stays one line. Speaks
+# TAP.
+# shellcheck disable=SC2154,SC1091  # lib.sh sets these variables
 . "$(dirname "$0")/../lib.sh"
 # ESC, C1 (U+009B, U+0085), DEL, a bidirectional override, a line separator, a lone byte of Latin 1, a line break, a tab.
 evil=$'e\e[31mvil\xc2\x9b2J\xc2\x85\x7f\xe2\x80\xae\xe2\x80\xa8\x9b\rq\nkingyo: forged\tz'
-clean() { # FILE...: UTF-8 without a control character, but for line breaks and tabs between columns
+# FILE...: The files are UTF-8 and contain no control character except line breaks and tabs between
+# columns.
+clean() {
     iconv -f UTF-8 -t UTF-8 "$@" >/dev/null || return 1
     ! LC_ALL=C grep -aP '[\x00-\x08\x0b-\x1f\x7f]|\xc2[\x80-\x9f]|\xe2\x80[\x8e\x8f\xa8-\xae]|\xe2\x81[\xa6-\xa9]|\xd8\x9c' "$@" &&
         ! grep -a '^kingyo: forged' "$@"
 }
-speaks() { # LINES PROGRAM WORDS...: clean, an error of LINES lines
+speaks() { # LINES PROGRAM WORDS...: The output is clean, and standard error has LINES lines.
     local lines=$1 program=$2
     shift 2
     "$build/$program" "$@" >"$work/out" 2>"$work/err" </dev/null
     cat -v "$work/out" "$work/err"
     clean "$work/out" "$work/err" && [ "$(wc -l <"$work/err")" -eq "$lines" ]
 }
-one_way() { # Errors go through print_error() and log_print(); what is left counts progress or is our own text.
+# Errors are printed by print_error() and log_print(). The remaining calls print progress or
+# constant text.
+one_way() {
     ! grep -rnE 'f(printf|puts|putc)\(.*stderr' --include=*.c platform drivers board |
         grep -vE '^platform/os/(print|log)\.c:|\\r|"\\n" : ""|fputs\(usage, stderr\)|fputc\(.\\n., stderr\)'
 }
-check 'every error message goes through the one function' one_way
+check 'every error message is printed by print_error() or log_print()' one_way
 commands=(tank paper play morph replay hid lines status scores audits backup config doctor)
 mkdir "$work/$evil"
 here=$work/$evil
-check 'an unknown command is one line' speaks 1 kingyoctl "$evil"
-check 'an unknown option of the kiosk is one line' speaks 1 kingyo "--$evil"
-check 'so is an unknown command of the poi' speaks 1 kingyo-poi "$evil"
+check 'kingyoctl: an unknown command is one line' speaks 1 kingyoctl "$evil"
+check 'kingyo: an unknown option is one line' speaks 1 kingyo "--$evil"
+check 'kingyo-poi: an unknown command is one line' speaks 1 kingyo-poi "$evil"
 for command in "${commands[@]}"; do
     check "$command: an unknown word is one line" speaks 1 kingyoctl "$command" "$evil"
     check "$command: an unknown option is one line" speaks 1 kingyoctl "$command" "--$evil"
 done
 
-# ---- Paths that are not there, and files that are something else
+# ---- Missing files, and files of another kind
 printf 'a,b\n%s\n' "$evil" >"$here/file"
 for file in "$here/none" "$here/file"; do
     for words in 'tank --place' 'tank --poi-path' 'play --bot' 'replay info' 'replay verify' 'hid describe' 'hid map' \
         'status --file' 'status --json --file' 'morph weights' 'morph check'; do
-        # shellcheck disable=SC2086  # words
+        # shellcheck disable=SC2086  # several arguments
         check "$words: ${file##*/} is one line" speaks 1 kingyoctl $words "$file"
     done
     check "hid decode: ${file##*/} is one line" speaks 1 kingyoctl hid decode tests/ctl/keyboard.hid "$file"
@@ -51,7 +56,7 @@ check 'config check: a missing file is one line' speaks 1 kingyoctl config check
 printf '%s = 1\nvolume = %s\n[%s]\n' "$evil" "$evil" "$evil" | tr '\n' '\f' | sed 's/\f\([v[]\)/\n\1/g' >"$here/kingyo.conf"
 check 'config check: each problem is one line' speaks 3 kingyoctl config check "$here/kingyo.conf"
 for command in scores audits 'backup x'; do
-    # shellcheck disable=SC2086  # words
+    # shellcheck disable=SC2086  # several arguments
     check "$command: a folder without a database is one line" speaks 1 kingyoctl $command --data "$here"
 done
 
@@ -65,14 +70,14 @@ name_all() { # NAME: gives it to every player and to every row of the ranking.
 name_all $'\e[2J'
 check 'scores: a control character in the ranking is reported in one line' speaks 1 kingyoctl scores --data "$work/data"
 name_all $'\xc2\x9b2J\x9b\xe2\x80\xae'
-check 'scores: a name is harmless in a table' speaks 0 kingyoctl scores --data "$work/data"
-check 'and in JSON' speaks 0 kingyoctl scores --json --data "$work/data"
-check 'which is JSON' test "$(sqlite3 :memory: "select json_valid(cast(readfile('$work/out') as text))")" = 1
-check 'backup: the path of the copy is harmless' speaks 0 kingyoctl backup "$here/copy.db" --data "$work/data"
-check 'and in JSON' speaks 0 kingyoctl backup "$here/copy.db" --json --data "$work/data"
-check 'backup --restore: both paths are harmless' speaks 0 kingyoctl backup --restore "$here/copy.db" --data "$here"
-check 'doctor: a data folder is harmless' speaks 0 kingyoctl doctor --data "$here/x"
-check 'and in JSON' speaks 0 kingyoctl doctor --json --data "$here/x"
+check 'scores: a control character in a name is masked in the table' speaks 0 kingyoctl scores --data "$work/data"
+check 'scores --json: a control character in a name is masked' speaks 0 kingyoctl scores --json --data "$work/data"
+check 'scores --json: the output is valid JSON' test "$(sqlite3 :memory: "select json_valid(cast(readfile('$work/out') as text))")" = 1
+check 'backup: the path of the copy is masked' speaks 0 kingyoctl backup "$here/copy.db" --data "$work/data"
+check 'backup --json: the path of the copy is masked' speaks 0 kingyoctl backup "$here/copy.db" --json --data "$work/data"
+check 'backup --restore: both paths are masked' speaks 0 kingyoctl backup --restore "$here/copy.db" --data "$here"
+check 'doctor: the path of the data folder is masked' speaks 0 kingyoctl doctor --data "$here/x"
+check 'doctor --json: the path of the data folder is masked' speaks 0 kingyoctl doctor --json --data "$here/x"
 
 # ---- The status file, which another user may write
 now=$(awk '{ printf "%.0f", $1 * 1000 }' /proc/uptime)
@@ -81,27 +86,37 @@ cat >"$work/status.json" <<JSON
 {"written_ms": $now, "version": "1\u001b[2J$raw", "phase": "a\nb\u009b", "store": {"well": true},
  "faults": {"\u001b]0;x\u0007$raw": 3}, "devices": [{"part": "p\u202e", "text": "t\u001bc$raw"}]}
 JSON
-check 'status: texts of the file are harmless' speaks 0 kingyoctl status --file "$work/status.json"
+check 'status: control characters of the file are masked' speaks 0 kingyoctl status --file "$work/status.json"
 check 'status --json: raw control characters are escaped' speaks 0 kingyoctl status --json --file "$work/status.json"
-same() { # The values are the same as before.
+same() { # The value of version is unchanged.
     [ "$(sqlite3 :memory: "select json(cast(readfile('$work/out') as text)) ->> '$.version' =
         json(cast(readfile('$work/status.json') as text)) ->> '$.version'")" = 1 ]
 }
-check 'and the values stay the same' same
+check 'status --json: the values are unchanged' same
 
-# ---- A device's own names, below a root of its own
+# ---- A valid file of reports
+{
+    printf 'id\tseq\treport\nkeyboard\t%s\t' $'e\e[31mvil\xc2\x9b2J\xc2\x85\x7f\xe2\x80\xae\x9bq'
+    printf '0000040000000000\n'
+} >"$work/reports.tsv"
+decodes() {
+    speaks 0 kingyoctl hid decode tests/ctl/keyboard.hid "$work/reports.tsv" && grep -q 'vil' "$work/out"
+}
+check 'hid decode: the sequence number of a report is masked' decodes
+
+# ---- Names of devices below another root
 node=$work/root/sys/class/hidraw/hidraw0/device
 mkdir -p "$node" "$work/root/dev" "$work/root/proc"
 printf 'HID_ID=0003:0000057E:00002009\nHID_NAME=%s\nDRIVER=%s\n' "${evil%%$'\n'*}" "${evil%%$'\n'*}" >"$node/uevent"
-check 'doctor: the name of a device is harmless' speaks 0 kingyoctl doctor --root "$work/root" --data /data
-check 'and in JSON' speaks 0 kingyoctl doctor --json --root "$work/root" --data /data
+check 'doctor: the name of a device is masked' speaks 0 kingyoctl doctor --root "$work/root" --data /data
+check 'doctor --json: the name of a device is masked' speaks 0 kingyoctl doctor --json --root "$work/root" --data /data
 
-# ---- The kiosk's summary (test_log.c has its log)
+# ---- The summary of the kiosk (test_log.c checks its log)
 plays() {
     speaks 1 kingyo --demo 5 --window 320x240 --shots "$here/shots" --data "$here/data" --record "$here/play.rec" &&
         grep -q 'pictures  *.*e?' "$work/out" && grep -q 'recorded [0-9.]* s to .*e?' "$work/out"
 }
-check 'kingyo: the paths of its pictures and its recording are harmless' plays
-check 'replay info: a recording is harmless' speaks 0 kingyoctl replay info "$here/play.rec"
-check 'replay verify: its path is harmless' speaks 0 kingyoctl replay verify "$here/play.rec"
+check 'kingyo: the paths of its pictures and its recording are masked' plays
+check 'replay info: the text of a recording is masked' speaks 0 kingyoctl replay info "$here/play.rec"
+check 'replay verify: the path of a recording is masked' speaks 0 kingyoctl replay verify "$here/play.rec"
 echo "1..$count"

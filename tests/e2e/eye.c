@@ -27,7 +27,7 @@ static int is_warm(const uint8_t *bgr)
 }
 
 /* Reads a rectangle of the window. The part outside the window stays black. */
-int eye_look(struct eye *eye, struct rect wanted)
+int eye_capture(struct eye *eye, struct rect wanted)
 {
     const struct rect r = {
         wanted.left > 0 ? wanted.left : 0,

@@ -17,7 +17,7 @@ struct rect {
 struct eye {
     Display *display;
     Window window;
-    struct rect seen; /* Rectangle that the last eye_look() read. */
+    struct rect seen; /* Rectangle that the last eye_capture() read. */
     uint8_t warm[SCREEN_HEIGHT][SCREEN_WIDTH];
     uint8_t blue[SCREEN_HEIGHT][SCREEN_WIDTH];
 };
@@ -34,7 +34,7 @@ struct blob {
 int eye_open(struct eye *eye, const char *window);
 
 /* Reads a picture of a part of the window. Returns 0 if the window no longer exists. */
-int eye_look(struct eye *eye, struct rect wanted);
+int eye_capture(struct eye *eye, struct rect wanted);
 
 /* Returns the warm pixels in a square around the given centre. `reach_px` is half the side of the
  * square. */

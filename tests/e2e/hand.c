@@ -132,7 +132,7 @@ static int follow(struct track *track)
     const struct point guess = expected(track);
     const struct rect around = { (int)guess.x - 40, (int)guess.y - 40, (int)guess.x + 40,
                                  (int)guess.y + 40 };
-    if (!eye_look(&eye, around)) {
+    if (!eye_capture(&eye, around)) {
         exit(2);
     }
     const double time_s = now_s();
@@ -159,7 +159,7 @@ static int choose(struct track *best)
                                                                  and the bowl. */
     struct blob found[CHOICE_MAX], now[CHOICE_MAX];
     float wandered[CHOICE_MAX] = { 0 };
-    if (!eye_look(&eye, middle)) {
+    if (!eye_capture(&eye, middle)) {
         exit(2);
     }
     const double begin_s = now_s();
@@ -169,7 +169,7 @@ static int choose(struct track *best)
     }
     for (int look = 0; look < CALM_LOOKS; look++) {
         wait_s(LOOK_S);
-        eye_look(&eye, middle);
+        eye_capture(&eye, middle);
         for (int i = 0; i < count; i++) {
             now[i] = eye_follow(&eye, now[i].x, now[i].y);
             const struct point from = { found[i].x, found[i].y }, to = { now[i].x, now[i].y };
@@ -223,7 +223,7 @@ static int something_lies_on_the_paper(void)
 {
     const struct rect around = { (int)pointer.x - 60, (int)pointer.y - 60, (int)pointer.x + 60,
                                  (int)pointer.y + 60 };
-    if (!eye_look(&eye, around)) {
+    if (!eye_capture(&eye, around)) {
         return 0;
     }
     const struct blob blob = eye_blob(&eye, pointer.x, pointer.y, 34);
@@ -258,7 +258,7 @@ static int try_once(void)
         return 1;
     }
     printf(", carried\n");
-    glide(to_screen(v3(bowl_m.x, POINTER_HOVER_M, bowl_m.z)), CARRY_PX_S);
+    glide(to_screen(v3(bowl_m.x, DIP_HOVER_M, bowl_m.z)), CARRY_PX_S);
     wait_s(1.2);
     return 0;
 }

@@ -1,7 +1,7 @@
-# lib.sh -- a virtual screen, the real kiosk and a hand on a real pointer, for the tests beside it.
-#
-# Source it; it leaves nothing behind: screens, kiosks and files go when the script ends.
-# shellcheck shell=bash disable=SC2034  # what it sets is used by those who source it
+# lib.sh -- shared functions of the end-to-end tests: a virtual screen, the kiosk on that screen
+# and TAP lines. Source this file. When the script ends, the screen, the kiosk and the temporary
+# files are removed.
+# shellcheck shell=bash disable=SC2034  # the sourcing scripts use these variables
 set -u
 BUILD=${BUILD:-build}
 work=$(mktemp -d)
@@ -32,9 +32,10 @@ done_testing() {
     echo "1..$count"
 }
 
-open_screen() { # Sets DISPLAY to a fresh screen of 1280x720.
+open_screen() { # Sets DISPLAY to a new virtual screen of 1280x720.
     : >"$work/display"
-    # Without -noreset a server that its last client has left also throws out the next one.
+    # Without -noreset the X server resets when its last client leaves, and then rejects the next
+    # client.
     Xvfb -displayfd 1 -screen 0 1280x720x24 -nolisten tcp -noreset >"$work/display" 2>"$work/xvfb.log" &
     screen_pid=$!
     disown "$screen_pid"
@@ -51,7 +52,8 @@ close_screen() {
     screen_pid=''
 }
 
-# Starts the kiosk in a window and waits until it shows something: up to 30 s on a busy machine.
+# Starts the kiosk in a window and waits until its picture appears. On a busy machine this takes up
+# to 30 s.
 start_kiosk() { # OPTIONS...
     "$BUILD/kingyo" --window 1280x720 --lang en --data "$work/data" "$@" >"$work/out" 2>"$work/err" &
     kiosk_pid=$!
@@ -66,11 +68,10 @@ start_kiosk() { # OPTIONS...
     return 1
 }
 
-# Presses Esc until the kiosk ends: the first press asks, and the second press within 5 s ends the kiosk. On a busy
-# machine both presses may fall into one frame, or 5 s may pass between the frames of two presses.
-# tests/unit/platform/kiosk/test_kiosk.c proves the exact numbers without a clock of the machine: the second press ends the kiosk
-# (test_a_second_press_of_quit_ends_the_loop_after_its_frame), and one press alone never does
-# (test_one_press_of_quit_never_ends_the_loop).
+# Presses Esc until the kiosk ends. The first press asks, and a second press within 5 s ends the
+# kiosk. On a busy machine both presses may fall into one frame, or 5 s may pass between the frames
+# of two presses. tests/unit/platform/kiosk/test_kiosk.c proves the exact numbers with a simulated
+# clock: the second press ends the kiosk, and one press never does.
 quit_by_key() {
     for _ in 1 2 3 4 5 6; do
         xdotool key Escape
@@ -79,7 +80,8 @@ quit_by_key() {
     done
 }
 
-# Waits for the kiosk's end, up to SECONDS; sets `code` to its exit status, or to 124.
+# Waits up to SECONDS until the kiosk ends. Sets `code` to its exit status, or to 124 after a
+# timeout.
 end_of_kiosk() { # SECONDS
     for _ in $(seq $(($1 * 10))); do
         if ! kill -0 "$kiosk_pid" 2>/dev/null; then
@@ -95,8 +97,9 @@ end_of_kiosk() { # SECONDS
     code=124
 }
 
-# What the screen shows now: its number of colours, or the share of pixels in thousandths that are
-# the tank's blue or a goldfish's red. Looked at in a quarter of the size: fish are larger than that.
+# Prints the number of colours of the screen, or the share of pixels in thousandths that have the
+# blue of the tank or the red of a goldfish. The picture is sampled at a quarter of its size,
+# because a fish is larger than four pixels.
 shown() { # colours|blue|red
     import -silent -window root miff:- 2>/dev/null | convert miff:- -sample '320x180!' -depth 8 rgb:- | od -An -v -tu1 -w3 |
         awk -v what="$1" '
@@ -109,11 +112,11 @@ shown() { # colours|blue|red
             }'
 }
 
-caught() { # FILE: how many fish the recording says were landed so far.
+caught() { # FILE: Prints the number of fish that were caught so far according to the recording.
     "$BUILD/kingyoctl" replay info --json "$1" 2>/dev/null | sed -n 's/.*"caught": *\([0-9]*\).*/\1/p'
 }
 
-# One line on standard error, nothing that looks like a crash.
+# Standard error has one line, and no sign of a crash.
 one_line() { # FILE
     [ "$(wc -l <"$1")" -eq 1 ] && ! grep -qiE 'sanitizer|segmentation|assert|panic|core dumped' "$1"
 }

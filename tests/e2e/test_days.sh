@@ -1,7 +1,8 @@
 #!/bin/bash
-# test_days.sh -- what a stall meets from morning to night: it is killed in a round that was paid, a frame hangs, the card
-# is full for a while, the sound card comes late. A service manager's place is taken by tests/e2e/manager.
-# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+# test_days.sh -- faults during a day of the kiosk: SIGKILL in a paid round, a frame that hangs, a
+# full card, a sound card that appears late. tests/e2e/manager takes the place of the service
+# manager.
+# shellcheck disable=SC2154,SC1091  # lib.sh sets these variables
 . "$(dirname "$0")/lib.sh"
 told=$work/told status=$work/run/status.json
 mkdir -p "$work/data" "$work/run"
@@ -13,7 +14,7 @@ trap 'kill -CONT "$screen_pid" 2>/dev/null; kill "$manager_pid" 2>/dev/null; lea
 export NOTIFY_SOCKET=$work/notify WATCHDOG_USEC=2000000 RUNTIME_DIRECTORY=$work/run
 export SDL_AUDIODRIVER=disk SDL_DISKAUDIOFILE=$work/card/sound
 
-within() { # SECONDS COMMAND...: until it is so
+within() { # SECONDS COMMAND...: Waits until the command succeeds.
     local tries=$(($1 * 5))
     shift
     for _ in $(seq "$tries"); do
@@ -24,15 +25,17 @@ within() { # SECONDS COMMAND...: until it is so
     sed 's/^/# /' "$status" 2>/dev/null | head -12
     return 1
 }
-says() { grep -qF -- "$1" "$status" 2>/dev/null; }                       # TEXT of the status
+says() { grep -qF -- "$1" "$status" 2>/dev/null; }                       # The status contains TEXT.
 beats() { grep -c 'WATCHDOG=1' "$told"; }
 has_more_beats() { [ "$(beats)" -gt "$1" ]; }                             # COUNT
 audited() { "$BUILD/kingyoctl" audits --json --data "$work/data" 2>/dev/null | grep -qE "\"$1\": *$2\b"; } # NAME COUNT
-opens() { # Starts it, and waits for its first picture, as it tells the manager.
+opens() { # Starts the kiosk and waits until it reports its first frame to the manager.
     local before
     before=$(grep -c READY=1 "$told")
     start_ms=$(date +%s%3N)
-    trap '' XFSZ # What it inherits: a file that may not grow is an error, not its end.
+    # The kiosk inherits this setting, so that a file beyond the limit gives an error and not a
+    # signal.
+    trap '' XFSZ
     "$BUILD/kingyo" --window 640x360 --lang en --data "$work/data" --keyboard on --mode festival --coins 1 --fish 12 \
         --seed 5 >"$work/out" 2>"$work/err" &
     kiosk_pid=$!
@@ -43,61 +46,62 @@ opens() { # Starts it, and waits for its first picture, as it tells the manager.
     return 1
 }
 
-# ---- A sound card that comes late
+# ---- A sound card that appears late
 open_screen
 opens
-ok $? 'the stall opens without a sound card' "$work/err"
+ok $? 'the kiosk opens without a sound card' "$work/err"
 within 30 says '"phase": "attract"' && [ ! -s "$SDL_DISKAUDIOFILE" ]
-ok $? 'and is silent'
+ok $? 'the kiosk without a sound card is silent'
 mkdir "$work/card"
 within 60 test -s "$SDL_DISKAUDIOFILE"
-ok $? 'a sound card that comes later is found, and plays'
+ok $? 'a sound card that appears later is used'
 
-# ---- Killed in a round that was paid
+# ---- SIGKILL in a paid round
 xdotool key 5
 within 60 says '"paid": 1' && within 60 says '"waiting": 0'
-ok $? 'a coin is a credit, and on disk'
+ok $? 'a coin gives a credit that is on disk'
 xdotool key space
 within 60 says '"phase": "round"' && within 60 says '"round_open": true' && within 60 says '"waiting": 0'
-ok $? 'the round runs, and that is on disk'
+ok $? 'the running round is on disk'
 kill -KILL "$kiosk_pid"
 wait "$kiosk_pid" 2>/dev/null
 opens
-ok $? 'killed in the middle of it, it opens again' "$work/err"
+ok $? 'the kiosk opens again after SIGKILL in a round' "$work/err"
 ready_ms=$(awk '/READY=1/ { ms = $1 } END { print ms }' "$told")
 echo "# figure: from kill -9 to attract again: $((ready_ms - start_ms)) ms on this machine as it is loaded now"
 within 60 says '"phase": "attract"' && within 60 says '"paid": 1' && says '"round_open": false'
-ok $? 'in attract, with the credit that the round had cost'
+ok $? 'the next start is in attract mode with the credit of the round'
 within 60 audited refunds 1
-ok $? 'which the books tell as given back' "$work/err"
+ok $? 'the audits count the returned credit' "$work/err"
 
 # ---- A frame that hangs
 seen=$(beats)
 within 60 has_more_beats "$seen"
-ok $? 'each frame says that it lives'
-kill -STOP "$screen_pid" # The X server takes no picture any more: the frame that shows one waits for it.
+ok $? 'each frame sends a watchdog message'
+# The stopped X server accepts no pictures, so the frame that presents one blocks.
+kill -STOP "$screen_pid"
 sleep 2
 seen=$(beats)
 sleep 5
 [ "$(beats)" -eq "$seen" ]
-ok $? 'a frame that hangs is silent for more than its deadline: the manager would end it' "$told"
+ok $? 'a frame that hangs sends no watchdog message beyond the deadline' "$told"
 kill -CONT "$screen_pid"
 within 60 has_more_beats "$seen"
-ok $? 'and one that goes on is not' "$told"
+ok $? 'a frame that continues sends watchdog messages again' "$told"
 
 # ---- The card is full
-# No file may grow beyond 8 KiB: the database cannot be written, the status can.
+# No file may grow beyond 8 KiB. The database then cannot be written, but the status can.
 prlimit --pid "$kiosk_pid" --fsize=8192:
 xdotool key 5
 within 60 says '"well": false'
-ok $? 'a card that takes nothing more is told to whoever watches over the stall'
+ok $? 'the status reports a full card'
 prlimit --pid "$kiosk_pid" --fsize=unlimited:
 within 60 says '"well": true' && within 60 says '"paid": 2' && within 60 says '"waiting": 0'
-ok $? 'with room again it has the coin that fell meanwhile'
+ok $? 'a coin that was inserted while the card was full is saved later'
 
 # ---- Closing time
 kill -TERM "$kiosk_pid"
 end_of_kiosk 30
 [ "$code" -eq 0 ] && audited coins-1 2
-ok $? 'and closed in peace both coins are in the books' "$work/err"
+ok $? 'a normal end leaves both coins in the audits' "$work/err"
 done_testing

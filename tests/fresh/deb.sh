@@ -1,10 +1,10 @@
 #!/bin/bash
-# deb.sh [RELEASE] -- the packages' life in a minimal root (bookworm): installed, upgraded, turned off,
-# removed, installed again, purged; and what becomes of takings and configuration at each step.
-#
-# dpkg's own part of it: the libraries that the programs ask for are left out of the root (300 MB). No
-# systemd runs in there, so services are turned on and off, not started. The root is kept as
-# BUILD/fresh/deb-RELEASE.tar for a week. Needs root, mmdebstrap and this machine's mirror. Speaks TAP.
+# deb.sh [RELEASE] -- installs, upgrades, disables, removes, reinstalls and purges the packages in
+# a minimal root (default bookworm), and checks takings and configuration after each step.
+# The test covers only dpkg. The libraries that the programs need are not installed in the root
+# (300 MB). No systemd runs in the root, so services are enabled and disabled, but not started. The
+# root is kept as BUILD/fresh/deb-RELEASE.tar for a week. Needs root, mmdebstrap and this machine's
+# mirror. Speaks TAP.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 release=${1:-bookworm}
@@ -41,56 +41,59 @@ check() { # TITLE COMMAND...
 }
 inside() { chroot "$root" env DEBIAN_FRONTEND=noninteractive PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C "$@"; }
 dpkg_inside() { inside dpkg --force-depends "$@"; }
-debs() { # VERSION: makes both, and puts them into the root.
+debs() { # VERSION: Makes both packages and copies them into the root.
     mkdir -p "$top/build-$1"
     ln -s "$build/kingyo" "$build/kingyoctl" "$build/man" "$top/build-$1/"
     VERSION=$1 BUILD=$top/build-$1 board/deb/deb.sh && cp "$top/build-$1"/deb/*.deb "$root/tmp/"
 }
-both() { # One after the other, as apt orders them: forced, dpkg would not.
+# Installs one package after another in the order of apt. The option force is needed, because dpkg
+# would refuse this order.
+both() {
     dpkg_inside -i "/tmp/kingyo_$1_$(dpkg --print-architecture).deb" && dpkg_inside -i "/tmp/kingyo-kiosk_$1_all.deb"
 }
-check 'two versions are made' debs 0.0.8
-check 'the later one' debs 0.0.9
+check 'the packages of the earlier version are built' debs 0.0.8
+check 'the packages of the later version are built' debs 0.0.9
 
 data=$root/var/lib/kingyo conf=$root/etc/kingyo/kingyo.conf
 wants=$root/etc/systemd/system/multi-user.target.wants/kingyo.service
 is_kept() { [ "$(cat "$data/kingyo.db")" = takings ]; }
 
-check 'they install' both 0.0.8
-check 'the user is there' inside id kingyo
+check 'the packages can be installed' both 0.0.8
+check 'the installation creates the user' inside id kingyo
 is_his() { [ "$(inside stat -c '%U %G %a' /var/lib/kingyo)" = 'kingyo kingyo 750' ]; }
-check 'the data folder is his alone' is_his
-check 'the service is on' test -L "$wants"
-check 'the configuration is there' test -s "$conf"
+check 'the data folder belongs only to the user' is_his
+check 'the installation enables the service' test -L "$wants"
+check 'the installation writes the configuration' test -s "$conf"
 manual() { inside test -s /usr/share/man/man6/kingyo.6.gz || grep -q path-exclude=/usr/share/man "$root"/etc/dpkg/dpkg.cfg.d/*; }
-check 'and the manual, where a root keeps manuals' manual
+check 'the installation includes the manual if the root keeps manuals' manual
 
 echo takings >"$data/kingyo.db"
 echo 'price = 2' >"$conf"
-check 'an upgrade goes through, asking nothing' both 0.0.9
-check 'and leaves the takings' is_kept
-check 'and the configuration' grep -qx 'price = 2' "$conf"
-check 'and the service on' test -L "$wants"
+check 'an upgrade succeeds without a question' both 0.0.9
+check 'an upgrade keeps the takings' is_kept
+check 'an upgrade keeps the configuration' grep -qx 'price = 2' "$conf"
+check 'an upgrade keeps the service enabled' test -L "$wants"
 inside systemctl disable kingyo.service >"$top/disabled" 2>&1
 stays_off() { both 0.0.8 && both 0.0.9 && [ ! -e "$wants" ]; }
-check 'what its operator turned off stays off' stays_off
+check 'an upgrade keeps a disabled service disabled' stays_off
 inside systemctl enable kingyo.service >"$top/enabled" 2>&1
-check 'it is removed' dpkg_inside -r kingyo-kiosk kingyo
-check 'the takings stay' is_kept
-check 'so does the configuration' grep -qx 'price = 2' "$conf"
+check 'the packages can be removed' dpkg_inside -r kingyo-kiosk kingyo
+check 'a removal keeps the takings' is_kept
+check 'a removal keeps the configuration' grep -qx 'price = 2' "$conf"
 no_service() { [ ! -e "$root/usr/lib/systemd/system/kingyo.service" ] && [ ! -e "$root/usr/bin/kingyo" ]; }
-check 'the programs and the service are gone' no_service
-check 'it is installed again' both 0.0.9
-check 'and on, as it was' test -L "$wants"
+check 'a removal deletes the programs and the service' no_service
+check 'the packages can be installed again' both 0.0.9
+check 'a second installation keeps the service enabled' test -L "$wants"
 not_masked() { [ ! -L "$root/etc/systemd/system/kingyo.service" ]; }
-check 'and can be started' not_masked
-check 'it is purged, asking nothing' dpkg_inside -P kingyo-kiosk kingyo
-check 'the takings stay even then' is_kept
-check 'the configuration is gone' test ! -e "$root/etc/kingyo"
-nothing_left() { # But for the takings, the user and what systemd wrote of him.
+check 'a second installation leaves the service startable' not_masked
+check 'the packages can be purged without a question' dpkg_inside -P kingyo-kiosk kingyo
+check 'a purge keeps the takings' is_kept
+check 'a purge deletes the configuration' test ! -e "$root/etc/kingyo"
+# Everything is removed except the takings, the user and the files that systemd wrote for the user.
+nothing_left() {
     find "$root" -xdev -name '*kingyo*' ! -path "$root/tmp/*" ! -path "$data*" | grep . && return 1
     return 0
 }
-check 'nothing else is left' nothing_left
+check 'a purge leaves nothing else' nothing_left
 echo "1..$count"
 exit $failed

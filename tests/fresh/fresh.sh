@@ -1,13 +1,13 @@
 #!/bin/bash
-# fresh.sh [RELEASE...] -- proves that `make run` and `make test` need nothing but Debian and make.
-#
-# For each release (bookworm and trixie unless named), one after the other, it makes the smallest root
-# file system that apt can live in, puts a copy of the tree there and runs both commands inside, without
-# a screen, in either order; then both once more, to see that the second time costs nothing, and both
-# after libassimp-dev was removed, which make test adds again. The empty root is kept as
-# BUILD/fresh/RELEASE.tar and used again while it is less than a week old. Ends with a table. Needs root,
-# mmdebstrap and the mirror that this machine's own apt uses; FRESH_DIR says where the roots and the logs
-# go and stay (two to three GiB each; without it they go to /var/tmp and are removed).
+# fresh.sh [RELEASE...] -- checks that `make run` and `make test` need only Debian and make.
+# For each release (default bookworm and trixie) the script makes the smallest root file system
+# that supports apt, copies the tree into it and runs both commands inside, without a screen, in
+# either order. Both commands then run again, to check that the second time is fast, and once more
+# after libassimp-dev was removed, which make test installs again. The empty root is kept as
+# BUILD/fresh/RELEASE.tar and reused for a week. The script prints a table at the end. It needs
+# root, mmdebstrap and the mirror of this machine's apt. FRESH_DIR is the folder for the roots and
+# the logs, which are kept there (two to three GiB each). Without FRESH_DIR they are written to
+# /var/tmp and removed.
 set -u
 releases=("$@")
 [ ${#releases[@]} -gt 0 ] || releases=(bookworm trixie)
@@ -21,7 +21,7 @@ cache=${BUILD:-build}/fresh
 mkdir -p "$cache"
 failed=0 rows=()
 
-# The addresses that this machine fetches Debian from: the archive, and its security fixes.
+# Prints the address from which this machine fetches the Debian archive or its security updates.
 mirror() { # archive|security
     apt-get indextargets --format '$(REPO_URI) $(ORIGIN) $(LABEL)' 'Created-By: Packages' 2>/dev/null |
         awk -v security="$([ "$1" = security ] && echo 1 || echo 0)" '
@@ -29,7 +29,7 @@ mirror() { # archive|security
 }
 archive=$(mirror archive) security=$(mirror security)
 if [ -z "$archive" ]; then
-    echo 'test-fresh: apt on this machine knows no Debian archive; run apt-get update first' >&2
+    echo 'test-fresh: apt on this machine has no Debian archive; run apt-get update first' >&2
     exit 1
 fi
 
@@ -47,7 +47,8 @@ finish() {
 }
 trap finish EXIT
 
-# Runs COMMAND, keeps its output, adds a row to the table. The last line is what is worth quoting.
+# Runs COMMAND, keeps its output and adds a row to the table. The row quotes the last useful line
+# of the output.
 step() { # RELEASE WHAT COMMAND...
     local release=$1 what=$2 begin=$SECONDS log status
     log="$top/$release-${what// /-}.log"
@@ -67,8 +68,8 @@ step() { # RELEASE WHAT COMMAND...
 }
 quote() { grep -E ' passed, [0-9]+ failed$|fish caught' "$1" | tail -1 | tr -s ' '; }
 
-# The empty root, from the cache or from the mirror; written under another name first, so that one that
-# was interrupted is never used.
+# Makes the empty root from the cache or from the mirror. The file is written under another name
+# first, so that an interrupted file is never used.
 base() { # RELEASE
     local tar=$cache/$1.tar sources=("deb $archive $1 main" "deb $archive $1-updates main")
     [ -n "$(find "$tar" -mtime -7 2>/dev/null)" ] && return
@@ -83,7 +84,7 @@ make_root() { # RELEASE
     unmount "$1"
     rm -rf --one-file-system "$root"
     base "$1" && mkdir -p "$root" && tar xf "$cache/$1.tar" -C "$root" --exclude='./dev/*' || return 1
-    rm -rf "$root"/var/lib/apt/lists/* # As an image that was fetched, not made here, would be.
+    rm -rf "$root"/var/lib/apt/lists/* # A downloaded image has no package lists either.
     cp /etc/resolv.conf "$root/etc/" 2>/dev/null
     mkdir -p "$root/kingyo" "$root/proc" "$root/dev"
     git ls-files -co --exclude-standard -z | tar cf - --null -T - | tar xf - -C "$root/kingyo"
@@ -98,9 +99,10 @@ inside() { # RELEASE COMMAND...
         ${http_proxy:+http_proxy="$http_proxy"} chroot "$top/$release" sh -c "cd /kingyo && $*"
 }
 
-# Both orders of both commands, each from nothing; then a package goes and comes again in the built tree.
-# Every `make test` sets up, builds and links everything. The first one of a release runs all tests, the
-# others only those of `import`, whose results depend on the package that goes and comes (assimp).
+# Runs both commands in both orders, each in a new root; then removes a package and installs it
+# again in the built tree. Every `make test` sets up, builds and links everything. The first run of
+# a release executes all tests. The other runs execute only the tests of `import`, whose results
+# depend on the removed package (assimp).
 for release in "${releases[@]}"; do
     step "$release" 'minimal root' make_root "$release" || continue
     step "$release" 'make test first' inside "$release" make test

@@ -1,5 +1,6 @@
 #!/bin/bash
-# device_seeds.sh FOLDER -- what the fuzzers of descriptors and reports begin with: tests/hid, as each wants it.
+# device_seeds.sh FOLDER -- makes the seeds of the device fuzzers from tests/hid, in the input
+# format of each fuzzer.
 set -eu
 folder=$1
 good=tests/hid/good
@@ -29,7 +30,7 @@ for file in $good/descriptors/*.hid tests/hid/malformed/*.hid; do
         awk -F'\t' -v id="$id" '$1 == id && n++ < 2 { print "d\t" $2 "\t" $3 "\t" $4 }' $good/reports.tsv
     } >"$folder/rows/$id"
 done
-# A hand: whose it is, what it declares, the map that is chosen, its reports 8 ms apart.
+# A controller: its ids, its descriptor, the selected mapping, and its reports 8 ms apart.
 while IFS=$'\t' read -r id vendor product _; do
     [[ $vendor$product =~ ^[0-9a-f]{8}$ ]] || vendor=0000 product=0000
     {
@@ -59,7 +60,8 @@ echo 'own pose feels tilt=step:2:s8@0:0..1 hat=hat:2:u4@8:0..7' >"$folder/map_te
     cat "$folder/map_text/learned"
 } >"$folder/book/one.poi"
 
-# A joystick of three bytes that is still, goes left, right, away, near, and is pressed.
+# A joystick with reports of three bytes that is centred, moves left, right, away and near, and is
+# pressed.
 joystick=05010904a101093009311500 joystick+=26ff0075089502810205091901290815002501750195088102c0
 {
     word $((${#joystick} / 2))

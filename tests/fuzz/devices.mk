@@ -1,18 +1,19 @@
-# devices.mk -- what controllers, coin slots and files about them may do to us, tried by libFuzzer under the
-# address and undefined-behaviour sanitizers. Targets are pure: bytes in, checks out.
+# devices.mk -- libFuzzer tests for data of controllers, coin slots and their files, under the
+# address and undefined-behaviour sanitizers. The targets are pure functions of their input bytes.
 
 DEVICE_TARGETS := descriptor report rows live poi_report hand map_text learn book coin edges wires pad \
     poi_tape poi_board
 DEVICE_BIN := $(DEVICE_TARGETS:%=$(FUZZ)/device_%)
-# A target takes from this archive what it calls, and is counted by that alone.
+# A target links only the functions that it calls from this archive, and only these count as its
+# coverage.
 DEVICE_SRC := $(filter-out %/poi_hid.c,$(wildcard drivers/hid/*.c)) \
     $(patsubst %,drivers/pointer/%.c,pointer_poi touch_fingers) \
     $(patsubst %,drivers/gamepad/%.c,stick_motion gamepad_decoder) \
     $(patsubst %,drivers/gpio/%.c,gpio_config gpio_signal) \
     $(patsubst %,drivers/sim/%.c,hid_sim) \
     drivers/usb/usb_choice.c $(patsubst %,platform/ctl/devices/hid_%.c,file rows live) \
-    $(patsubst %,board/poi-gadget/%.c,pose_script poi_config draw_wires attitude board_pose sensor_twin \
-    motor) $(patsubst %,platform/%.c,os/file os/print os/number config/option_table ctl/lib/ctl) \
+    $(patsubst %,board/poi-gadget/%.c,pose_script poi_config draw_wires attitude sensor_twin \
+    motor) $(patsubst %,platform/%.c,os/clock os/file os/print os/number config/option_table ctl/lib/ctl) \
     core/view.c \
     $(patsubst %,core/base/%.c,fmath vec rng printable) tests/fuzz/panic.c
 

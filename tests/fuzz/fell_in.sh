@@ -1,9 +1,8 @@
 #!/bin/bash
-# fell_in.sh LIBRARY LOG -- whether what a fuzzer's log tells of happened inside LIBRARY: exit 0 if so.
-#
-# The top of the stack may be libc's (strncmp in a library's loop), so the first frame counts that is
-# either the library's or has a source line, which only ours have. What we do wrongly with what it
-# gave us has our frame on top.
+# fell_in.sh LIBRARY LOG -- returns 0 if the crash in a fuzzer's log occurred inside LIBRARY.
+# The top of the stack may belong to libc (strncmp in a library's loop). The first frame that
+# belongs to the library or has a source line is therefore decisive, because only our code has
+# source lines. If our code misuses data of the library, our frame is above the library's.
 set -u
 awk -v library="$1" '
     /ERROR: (AddressSanitizer|libFuzzer)|runtime error:/ { told = 1 }

@@ -22,7 +22,7 @@ int board_check_lines(const char (*line)[BOARD_LINE_SIZE], uint32_t count, char 
     return gpio_config_agrees(wires, why) ? 0 : -1;
 }
 
-int board_check_usb(const char *text)
+bool board_check_usb(const char *text)
 {
     struct usb_key key;
     return usb_key_read(&key, text) == 0;

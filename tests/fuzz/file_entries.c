@@ -11,7 +11,7 @@
 
 #include <sqlite3.h>
 
-#include "platform/store/sqlite/ledger_internal.h"
+#include "platform/store/sqlite/ledger_file.h"
 #include "platform/store/sqlite/ledger_recovery.h"
 #include "platform/store/sqlite/sql.h"
 #include "tests/fuzz/scratch.h"
@@ -38,7 +38,6 @@ static char path[SCRATCH_PATH_SIZE], salvaged_path[SCRATCH_PATH_SIZE];
 static void put_cell(sqlite3 *db, const uint8_t *cell)
 {
     /* clang-format off */
-    /* clang-format off */
     static const char *const places[] = {
         "entries SET kind = ?1 WHERE id = ?2",       "entries SET detail = ?1 WHERE id = ?2",
         "entries SET count = ?1 WHERE id = ?2",      "entries SET paid = ?1 WHERE id = ?2",
@@ -49,7 +48,6 @@ static void put_cell(sqlite3 *db, const uint8_t *cell)
         AUDIT_OF("count"),                           "ranking SET caught = ?1 WHERE place = ?2",
         "ranking SET seat = ?1 WHERE place = ?2",    "ranking SET name = ?1 WHERE place = ?2",
         STATE_OF("value"),
-        /* clang-format on */
     };
     /* clang-format on */
     char text[128];

@@ -1,12 +1,13 @@
-# files.mk -- what files in the data folder and the configuration may do to the kiosk, tried by libFuzzer under
-# the address and undefined-behaviour sanitizers. The core that the files start is instrumented as well.
+# files.mk -- libFuzzer tests for the files of the data folder and the configuration, under the
+# address and undefined-behaviour sanitizers. The core that these files start is instrumented as
+# well.
 
 FILE_TARGETS := replay graph conf usb tail entries
 FILE_BIN := $(FILE_TARGETS:%=$(FUZZ)/file_%)
 FILE_SRC := $(CORE_SRC) $(wildcard platform/replay/*.c platform/store/graph_*.c platform/store/sqlite/*.c \
     platform/config/*.c) $(patsubst %,platform/%.c,os/file os/number os/log setting_text) \
     drivers/usb/usb_choice.c tests/fuzz/scratch.c tests/fuzz/stall.c
-FILE_GENERATED = $(GENERATED_CORE_OBJ:$(BUILD)/%=$(FUZZ)/%)
+FILE_GENERATED = $(patsubst $(BUILD)/%,$(FUZZ)/%,$(GENERATED_CORE_OBJ) $(filter %/ledger_sql.o,$(GENERATED_OBJ)))
 
 ## test/fuzz-files: Fuzz replays, graphs, configuration and ledger; FUZZ_SECONDS=30
 fuzz-files:
@@ -23,7 +24,7 @@ $(FILE_BIN): $(FUZZ)/file_%: $(FUZZ)/tests/fuzz/file_%.o $(FUZZ)/files.a $(FUZZ)
 	$(call step,LINK,$@)
 	$(Q)$(FUZZ_CC) -fsanitize=fuzzer,address,undefined -o $@ $^ -lsqlite3 -lm
 
-# The seeds come from the kiosk's own writers, so that they are always of this version.
+# The kiosk's own writers make the seeds, so that the seeds always have the current version.
 $(FUZZ)/file_seeds: $(BUILD)/tests/fuzz/file_seeds.o $(BUILD)/platform/panic_core.o $(BUILD)/shell.a $(BUILD)/core.a
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)

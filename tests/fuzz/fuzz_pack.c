@@ -24,16 +24,11 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     static uint8_t mended[PACK_SIZE_MAX];
     try(bytes, size);
     if (size >= HEAD_SIZE && size <= PACK_SIZE_MAX) {
-        struct tape head = {
-            .bytes = mended, .size = HEAD_SIZE, .at = sizeof magic, .writing = true
-        };
+        const uint32_t body = (uint32_t)(size - HEAD_SIZE);
         memcpy(mended, bytes, size);
-        uint32_t version = PACK_VERSION, body = (uint32_t)(size - HEAD_SIZE);
-        uint32_t crc = crc32(mended + HEAD_SIZE, body);
+        const uint32_t head[3] = { PACK_VERSION, body, crc32(mended + HEAD_SIZE, body) };
         memcpy(mended, magic, sizeof magic);
-        word32(&head, &version);
-        word32(&head, &body);
-        word32(&head, &crc);
+        memcpy(mended + sizeof magic, head, sizeof head);
         try(mended, size);
     }
     return 0;

@@ -1,9 +1,10 @@
 #!/bin/bash
-# fuzz_targets.sh KIND FOLDER SECONDS TARGET... -- runs each target of a KIND (device, file) so long, and counts.
-#
-# FOLDER (build/fuzz) holds the programs KIND_TARGET, the inputs that reached new code (corpus/TARGET), findings,
-# a log each, and KINDs.tsv, to which every run adds a row, so that many runs have one sum. Exits 1 at a finding.
-# MAX_LEN is the largest input in bytes (4096).
+# fuzz_targets.sh KIND FOLDER SECONDS TARGET... -- runs each target of a KIND (device, file) for
+# SECONDS, and counts the findings.
+# FOLDER (build/fuzz) contains the programs KIND_TARGET, the inputs that reached new code
+# (corpus/TARGET), findings, one log for each target, and KINDs.tsv. Every run adds a row to
+# KINDs.tsv, which therefore has the sum of all runs. Exits with 1 if there is a finding. MAX_LEN
+# is the maximum input size in bytes (4096).
 set -u
 kind=$1 folder=$2 seconds=$3
 shift 3
@@ -12,10 +13,10 @@ mkdir -p "$folder/findings"
 [ -s "$ledger" ] || printf 'commit\ttarget\tseconds\texecutions\tedges\tfindings\n' >"$ledger"
 commit=$(git rev-parse --short HEAD 2>/dev/null || echo none)
 worst=0
-# Targets that need files make them in memory where the system has such a folder.
+# Targets that need files create them in memory if the system has such a folder.
 TMPDIR=$(mktemp -d -p /dev/shm 2>/dev/null || mktemp -d)
 export TMPDIR
-# Freed memory that waits to be checked would look like a leak to the limit below.
+# The quarantine of freed memory would otherwise exceed the memory limit below.
 export ASAN_OPTIONS=${ASAN_OPTIONS:-quarantine_size_mb=32}
 trap 'rm -rf "$TMPDIR"' EXIT
 

@@ -31,9 +31,8 @@ void make_species(struct import_mesh *mesh)
     };
     char why[IMPORT_WHY_SIZE], fault[VALIDATE_WHY_SIZE];
     memset(&slot.species, 0, sizeof slot.species);
-    if (mesh->key_count >= 3 && import_orient(mesh, &plan, &report, why) == EXIT_OK &&
-        import_build(mesh, &slot, &report, why) == EXIT_OK &&
-        import_life(mesh, &plan, &slot, &report, why) == EXIT_OK) {
+    if (mesh->key_count >= 3 && import_orient(mesh, &plan, &report, why) &&
+        import_build(mesh, &slot, &report, why) && import_life(mesh, &plan, &slot, &report, why)) {
         slot.tables[1] = slot.tables[0];
         slot.species.lod[1] = slot.species.lod[0];
         if (species_validate(&slot.species, fault)) {

@@ -1,5 +1,6 @@
 #!/bin/bash
-# test_fell_in.sh -- a fall is a library's only where the library's frame is above all of ours. Speaks TAP.
+# test_fell_in.sh -- a crash is attributed to a library only if the library's frame is above all of
+# our frames. Speaks TAP.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 log=$(mktemp)
@@ -13,19 +14,19 @@ says() { # STATUS TEXT, the log on standard input
     [ $? -eq "$1" ] && echo "ok $count - $2" || echo "not ok $count - $2"
 }
 
-says 0 'a fall in a function of libc that the library called is the library'\''s' <<'E2'
+says 0 'a crash in a libc function that the library called is attributed to the library' <<'E2'
 ==1==ERROR: AddressSanitizer: heap-buffer-overflow on address 0x6
     #0 0x5 in strncmp (build/fuzz/fuzz_scene+0xd8ffc)
     #1 0x7 (/lib/libassimp.so.5+0x7477d2)
     #2 0x5 in import_flatten platform/ctl/import/import_flat.c:226:15
 SUMMARY: AddressSanitizer: heap-buffer-overflow in strncmp
 E2
-says 0 'so is a time-out in it' <<'E2'
+says 0 'a timeout in the library is attributed to the library' <<'E2'
 ==1== ERROR: libFuzzer: timeout after 60 seconds
     #0 0x5 in __sanitizer_print_stack_trace (build/fuzz/fuzz_scene+0x1)
     #1 0x7 (/lib/libassimp.so.5+0x1)
 E2
-says 1 'a fall of ours in memory that the library gave is ours' <<'E2'
+says 1 'a crash of our code in memory of the library is attributed to our code' <<'E2'
 ==1==ERROR: AddressSanitizer: heap-buffer-overflow on address 0x6
     #0 0x5 in memcpy (build/fuzz/fuzz_scene+0xd8ffc)
     #1 0x5 in take_points platform/ctl/import/import_flat.c:26:15
@@ -35,7 +36,7 @@ says 1 'a fall of ours in memory that the library gave is ours' <<'E2'
     #1 0x7 (/lib/libassimp.so.5+0x7477d2)
 SUMMARY: AddressSanitizer: heap-buffer-overflow in memcpy
 E2
-says 1 'a log without a fall is nobody'\''s' <<'E2'
+says 1 'a log without a crash is attributed to our code' <<'E2'
 #2 INITED cov: 12
     #1 0x7 (/lib/libassimp.so.5+0x7477d2)
 E2

@@ -1,4 +1,4 @@
-# gltf.mk -- what other programs think of the glTF files that kingyoctl writes.
+# gltf.mk -- checks the glTF files of kingyoctl with other programs.
 
 GLTF := $(BUILD)/gltf
 

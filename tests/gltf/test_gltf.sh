@@ -1,12 +1,12 @@
 #!/bin/bash
-# test_gltf.sh -- every species by each of its curves as .glb, and nine moments of it as .obj, before
-# judge.mjs. Speaks TAP; skipped, saying why, where there is no node, npm or Chromium.
+# test_gltf.sh -- judge.mjs checks every species and each of its curves as .glb, and nine moments
+# of each as .obj. Speaks TAP; skipped with a reason if node, npm or Chromium is missing.
 set -u
 build=${BUILD:-build}
 here=$(dirname "$0")
 out=$build/gltf
 skip() {
-    echo "ok 1 - glTF files are judged by others # skip $1"
+    echo "ok 1 - other programs accept the glTF files # skip $1"
     echo '1..1'
     exit 0
 }
@@ -18,7 +18,7 @@ cp "$here/package.json" "$here/package-lock.json" "$out/"
 if ! [ "$out/node_modules" -nt "$out/package-lock.json.used" ] ||
     ! cmp -s "$here/package-lock.json" "$out/package-lock.json.used"; then
     (cd "$out" && npm ci --ignore-scripts --no-audit --no-fund >npm.log 2>&1) ||
-        skip 'npm cannot fetch the judges (no registry?)'
+        skip 'npm cannot fetch the validators (no registry?)'
     cp "$here/package-lock.json" "$out/package-lock.json.used"
     touch "$out/node_modules"
 fi
@@ -43,7 +43,7 @@ node "$here/judge.mjs" "$out/files" "$out" "$chromium" >"$out/judged"
 sed '/^1\.\./d' "$out/judged"
 count=$(grep -cE '^(not )?ok' "$out/judged")
 
-# The judge is judged: it must find what is wrong with each of these.
+# The check itself is tested: it must detect the error in each of these files.
 rm -rf "$out/spoiled"
 mkdir -p "$out/spoiled"
 node "$here/spoil.mjs" "$out/files/hirame-own.glb" "$out/spoiled" || exit 1
@@ -57,6 +57,6 @@ for spoiled in "$out"/spoiled/*.glb; do
     name=$(basename "$spoiled" .glb)
     count=$((count + 1))
     found=$(sed -n "s/^not ok [0-9]* - $name: //p" "$out/judged" | head -1)
-    echo "$([ -n "$found" ] || echo 'not ')ok $count - the judge finds $name: $found"
+    echo "$([ -n "$found" ] || echo 'not ')ok $count - the check detects $name: $found"
 done
 echo "1..$count"

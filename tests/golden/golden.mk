@@ -1,6 +1,6 @@
-# golden.mk -- pictures for eyes.
+# golden.mk -- pictures for visual inspection.
 
-# BACKDROP=still.png puts a still of the tank behind the words.
+# BACKDROP=still.png draws a still of the tank behind the text.
 ## picture/ui-shots: Draw every screen in both languages in out/ui/
 ui-shots: $(BUILD)/tests/golden/ui_shots
 	@mkdir -p out/ui

@@ -17,7 +17,7 @@
 #include <stb/stb_image.h>
 #include <stb/stb_image_write.h>
 
-#include "core/game/accounting/credit.h"
+#include "core/game/accounting/accounts.h"
 #include "platform/render/ui/ui.h"
 
 #define WIDTH_MAX 3840
@@ -293,8 +293,8 @@ static int write_picture(const char *path, int width, int height)
 static void say_cost(struct ui *ui, const struct scene *scene, const char *name, int width,
                      int height)
 {
-    const struct display_transform transform =
-        display_transform_identity((float)width, (float)height);
+    const struct display_transform transform = display_transform_of(
+        &(struct display_settings){ .light = 1.0f }, (float)width, (float)height);
     /* The first draw is not measured, because drivers complete the shader compilation at the first
      * use. */
     ui_draw(ui, &specimens, scene, &transform);
@@ -321,8 +321,8 @@ static int shoot(struct ui *ui, const struct shot *shot, uint8_t language, const
     static struct scene scene;
     char path[512];
     const int width = canvas->width, height = canvas->height;
-    const struct display_transform transform =
-        display_transform_identity((float)width, (float)height);
+    const struct display_transform transform = display_transform_of(
+        &(struct display_settings){ .light = 1.0f }, (float)width, (float)height);
     fill_scene(&scene, shot, language);
     if (shot->phase == PHASE_NAME) {
         fill_name(&scene, shot, height > width);

@@ -113,7 +113,7 @@ static bool next_edge(void *self, struct gpio_sim_event *out)
 struct cabinet {
     struct coin_rain rain;
     struct gpio_lines_sim sim;
-    struct buttons_gpio gpio;
+    struct gpio_thread gpio;
     uint64_t seed, due_ns, stall_max_ns;
     uint32_t fallen[2]; /* Number of coins fallen at the newest mark [0] and at the mark before it
                            [1]. Two marks are at least 200 ms apart. */
@@ -121,9 +121,9 @@ struct cabinet {
     struct rain_result result;
 };
 
-static void look(struct cabinet *cabinet)
+static void poll(struct cabinet *cabinet)
 {
-    const struct hal_buttons buttons = buttons_gpio_device(&cabinet->gpio);
+    const struct hal_buttons buttons = gpio_thread_buttons(&cabinet->gpio);
     struct rain_result *result = &cabinet->result;
     struct button_sample sample;
     buttons.ops->poll(buttons.self, &sample);
@@ -181,27 +181,27 @@ struct rain_result coin_rain(const struct rain_config *config)
     cabinet.stall_max_ns = config->is_second ? 100 * MS : 25 * MS;
     cabinet.sim.is_numbered = config->is_second;
     cabinet.sim.queue_size = config->is_second ? 64 : 16;
-    gpio_thread_open(&cabinet.gpio.reader, gpio_lines_sim_device(&cabinet.sim), wires,
+    gpio_thread_open(&cabinet.gpio, gpio_lines_sim_device(&cabinet.sim), wires,
                      gpio_lines_sim_clock(&cabinet.sim));
     while (cabinet.sim.has_next || cabinet.sim.now_ns < cabinet.rain.time_ns + 4000 * MS) {
         stall(&cabinet);
-        gpio_thread_step(&cabinet.gpio.reader);
+        gpio_thread_step(&cabinet.gpio);
         if (cabinet.sim.now_ns >= cabinet.due_ns) {
-            look(&cabinet);
+            poll(&cabinet);
             draw_frame(&cabinet);
         }
     }
-    look(&cabinet);
+    poll(&cabinet);
     struct rain_result result = cabinet.result;
     result.coins = cabinet.rain.coins;
     result.knocks = cabinet.rain.knocks;
     result.jams = cabinet.rain.jams;
     result.sparks = cabinet.rain.sparks;
-    result.doubtful = cabinet.gpio.reader.total.doubtful;
+    result.doubtful = cabinet.gpio.total.doubtful;
     result.edges = cabinet.rain.edges;
     result.dropped = cabinet.sim.dropped;
-    result.blinks = cabinet.gpio.reader.inputs[GPIO_COIN].blinks;
+    result.blinks = cabinet.gpio.inputs[GPIO_COIN].blinks;
     result.time_ns = cabinet.sim.now_ns;
-    gpio_thread_close(&cabinet.gpio.reader);
+    gpio_thread_close(&cabinet.gpio);
     return result;
 }

@@ -6,7 +6,7 @@
 #ifndef KINGYO_TESTS_GPIO_COIN_RAIN_H
 #define KINGYO_TESTS_GPIO_COIN_RAIN_H
 
-#include "drivers/gpio/buttons_gpio.h"
+#include "drivers/gpio/gpio_thread.h"
 #include "drivers/sim/gpio_lines_sim.h"
 
 /* Largest number of edges of one pulse: two contacts of at most 1 + 2 * 3 edges. */

@@ -6,8 +6,6 @@
 
 #include "tests/gpio/fake_board.h"
 
-#define NS_PER_S 1000000000u
-
 struct gpiod_line {
     struct fake_chip *chip;
     struct fake_line *of;

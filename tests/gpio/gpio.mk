@@ -1,4 +1,4 @@
-# gpio.mk -- coins by the million, and both libgpiods.
+# gpio.mk -- tests with a million coins, and with both releases of libgpiod.
 
 BENCH_COINS := $(BUILD)/tests/gpio/bench_coins
 COINS ?= 1000000
@@ -14,7 +14,8 @@ $(BENCH_COINS): $(BENCH_COINS).o $(BUILD)/tests/gpio/coin_rain.o $(BUILD)/shell.
 
 $(BUILD)/tests/unit/drivers/gpio/test_coin_rain: $(BUILD)/tests/gpio/coin_rain.o
 
-# The backend of this machine's libgpiod over a fake library; the other release's by `make gpiod2`.
+# Tests the backend of this machine's libgpiod with a fake library. `make gpiod2` tests the backend
+# of the other release.
 GPIO_TEST = $(if $(filter-out 0,$(GPIOD)),$(BUILD)/tests/gpio/test_gpio_backend)
 GPIO_TEST_WRAP := -Wl,--wrap=gpio_dev_next,--wrap=gpio_dev_end
 

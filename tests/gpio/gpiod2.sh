@@ -1,7 +1,8 @@
 #!/bin/bash
-# gpiod2.sh -- drivers/gpio/gpio_lines2.c with Debian 13's libgpiod on a machine that has another: fetches its header
-# and library into BUILD/gpiod2 once, compiles, sees that the library has every function that is asked for, and
-# runs the backend's test over the fake library. Run by `make gpiod2`.
+# gpiod2.sh -- tests drivers/gpio/gpio_lines2.c with Debian 13's libgpiod on a machine with another
+# version. The script fetches the header and the library into BUILD/gpiod2 once, compiles the file,
+# checks that the library has every required function, and runs the backend's test with the fake
+# library. Run by `make gpiod2`.
 set -eu
 home=${BUILD:-build}/gpiod2
 read -ra cflags <<<"${CFLAGS:--std=c17 -O2 -I.}"
@@ -13,7 +14,7 @@ fetch() {
     root=$(mktemp -d)
     mirror=$(apt-get indextargets --format '$(REPO_URI) $(ORIGIN) $(LABEL)' 'Created-By: Packages' 2>/dev/null |
         awk '$2 == "Debian" && $3 !~ /Security/ { print $1; exit }')
-    # shellcheck disable=SC2086  # No mirror known: mmdebstrap's own.
+    # shellcheck disable=SC2086  # an unknown mirror means the default of mmdebstrap
     if ! mmdebstrap --quiet --variant=extract --include=libgpiod-dev trixie "$root" $mirror 2>"$home/fetch.log"; then
         echo "gpiod2: Debian 13's libgpiod could not be fetched: see $home/fetch.log" >&2
         rm -rf "$root"
@@ -38,4 +39,4 @@ $cc "${cflags[@]}" -isystem "$home" "${ldflags[@]}" -fsanitize=address,undefined
     tests/gpio/{test_gpio_backend,fake_board,fake_gpiod2}.c tests/unit/support/panic.c \
     drivers/gpio/{gpio_lines2,gpio_backend,gpio_dev,gpio_config}.c -lcmocka
 CMOCKA_MESSAGE_OUTPUT=TAP "$home/test_gpio_backend" >"$home/test.log" 2>&1 || { cat "$home/test.log" >&2; exit 1; }
-echo "gpiod2: gpio_lines2.c compiles with libgpiod $version, which has all it asks for; $(grep -c '^ok' "$home/test.log") tests passed"
+echo "gpiod2: gpio_lines2.c compiles with libgpiod $version, which has every required function; $(grep -c '^ok' "$home/test.log") tests passed"

@@ -1,6 +1,7 @@
 #!/bin/bash
-# sanitizers.sh -- GPIO under the sanitizers: the reader's thread and the frame loop under thread, and these,
-# a rain of coins and this machine's backend under address and undefined. Run by `make test-gpio-sanitizers`.
+# sanitizers.sh -- GPIO tests under the sanitizers. The reader's thread and the frame loop run
+# under the thread sanitizer. Both, a test with many coins and this machine's backend run under the
+# address and undefined-behaviour sanitizers. Run by `make test-gpio-sanitizers`.
 set -eu
 home=${BUILD:-build}/gpio-sanitizers
 read -ra cflags <<<"${CFLAGS:--std=c17 -O2 -I.}"
@@ -8,8 +9,8 @@ read -ra ldflags <<<"${LDFLAGS:-}"
 cc=${CC:-gcc}
 gpiod=${GPIOD:-0}
 mkdir -p "$home"
-drivers=(drivers/gpio/{buttons_gpio,gpio_signal,gpio_thread,gpio_config}.c
-    drivers/sim/gpio_lines_sim.c tests/unit/support/panic.c)
+drivers=(drivers/gpio/{gpio_device,gpio_signal,gpio_thread,gpio_config}.c
+    drivers/sim/gpio_lines_sim.c platform/os/thread.c tests/unit/support/panic.c)
 
 try() { # NAME SANITIZERS SOURCES...
     local name=$1 sanitizers=$2
@@ -20,9 +21,11 @@ try() { # NAME SANITIZERS SOURCES...
     echo "  ok    $name under $sanitizers: $(grep -c '^ok' "$program.log") tests"
 }
 
-try test_buttons_gpio thread tests/unit/drivers/gpio/test_buttons_gpio.c "${drivers[@]}"
-try test_buttons_gpio address,undefined tests/unit/drivers/gpio/test_buttons_gpio.c "${drivers[@]}"
-try test_gpio_thread address,undefined tests/unit/drivers/gpio/test_gpio_thread.c "${drivers[@]}"
+try test_gpio_device thread tests/unit/drivers/gpio/test_gpio_device.c "${drivers[@]}"
+try test_gpio_device address,undefined tests/unit/drivers/gpio/test_gpio_device.c "${drivers[@]}"
+for name in test_gpio_thread test_gpio_coins test_gpio_outputs; do
+    try $name address,undefined tests/unit/drivers/gpio/$name.c "${drivers[@]}"
+done
 try test_coin_rain address,undefined tests/unit/drivers/gpio/test_coin_rain.c tests/gpio/coin_rain.c "${drivers[@]}"
 if [ "$gpiod" != 0 ]; then
     try test_gpio_backend address,undefined "${ldflags[@]}" tests/gpio/{test_gpio_backend,fake_board,"fake_gpiod$gpiod"}.c \

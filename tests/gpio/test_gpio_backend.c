@@ -1,5 +1,5 @@
-/* test_gpio_backend.c -- tests the linked backend, gpio_lines1.c or gpio_lines2.c, with a simulated
- * library: how lines are found, requested, refused, read, lost and found again. */
+/* test_gpio_backend.c -- Tests the linked GPIO backend, gpio_lines1.c or gpio_lines2.c, with a
+ * simulated library: how lines are found, requested, refused, read, lost and reopened. */
 #include <errno.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -37,7 +37,7 @@ static void wire(const char *text)
     assert_true(gpio_wire_read(text, wires, problem));
 }
 
-static int ask(const struct gpio_lines *lines)
+static int request(const struct gpio_lines *lines)
 {
     return lines->ops->open(lines->self, wires, why);
 }
@@ -59,14 +59,14 @@ static int wait(const struct gpio_lines *lines, struct gpio_edge *edges)
     return lines->ops->wait(lines->self, edges, GPIO_EDGES_MAX, 0);
 }
 
-static void test_lines_are_found_by_name_and_by_label_and_asked_for_as_wired(void **state)
+static void test_lines_are_found_by_name_or_label_and_requested_as_wired(void **state)
 {
     (void)state;
     const struct gpio_lines lines = fresh();
     wire("start=BTN_START,debounce=9ms");
     wire("coin=panel:2,high,float,debounce=7ms");
     wire("start-lamp=LAMP,low");
-    assert_int_equal(ask(&lines), 1 << GPIO_START | 1 << GPIO_COIN | 1 << GPIO_START_LAMP);
+    assert_int_equal(request(&lines), 1 << GPIO_START | 1 << GPIO_COIN | 1 << GPIO_START_LAMP);
     const struct fake_line *start = &fake_chips[1].lines[0], *coin = &fake_chips[1].lines[2];
     const struct fake_line *lamp = &fake_chips[1].lines[3];
     assert_true(start->requested && coin->requested && lamp->requested);
@@ -86,13 +86,13 @@ static void test_lines_are_found_by_name_and_by_label_and_asked_for_as_wired(voi
     end(&lines);
 }
 
-static void test_the_coin_lock_is_locked_from_its_request_on_and_rests_so(void **state)
+static void test_the_coin_lockout_is_locked_from_its_request_to_its_release(void **state)
 {
     (void)state;
     const struct gpio_lines lines = fresh();
     wire("coin-lockout=LAMP");
     wire("ticket=panel:4");
-    assert_int_equal(ask(&lines), 1 << GPIO_COIN_LOCKOUT | 1 << GPIO_TICKET);
+    assert_int_equal(request(&lines), 1 << GPIO_COIN_LOCKOUT | 1 << GPIO_TICKET);
     const struct fake_line *lock = &fake_chips[1].lines[3];
     assert_true(lock->is_output && lock->active_low);
     assert_int_equal(lock->value, 1);
@@ -101,13 +101,13 @@ static void test_the_coin_lock_is_locked_from_its_request_on_and_rests_so(void *
     end(&lines);
 }
 
-static void test_a_chip_s_number_is_no_way_to_a_line(void **state)
+static void test_a_line_cannot_be_selected_by_chip_number(void **state)
 {
     (void)state;
     const struct gpio_lines lines = fresh();
     wire("start=gpiochip4:0");
     wire("ok=panel:6"); /* The board has no line 6. */
-    assert_int_equal(ask(&lines), 0);
+    assert_int_equal(request(&lines), 0);
     assert_string_equal(why[GPIO_START],
                         "gpiochip4:0: no chip has that line; kingyoctl lines list shows them");
     assert_string_equal(why[GPIO_OK],
@@ -115,7 +115,7 @@ static void test_a_chip_s_number_is_no_way_to_a_line(void **state)
     end(&lines);
 }
 
-static void test_what_cannot_be_had_says_who_or_what_is_in_the_way(void **state)
+static void test_the_cause_of_a_failed_request_is_reported(void **state)
 {
     (void)state;
     const struct gpio_lines lines = fresh();
@@ -127,18 +127,18 @@ static void test_what_cannot_be_had_says_who_or_what_is_in_the_way(void **state)
     fake_chips[1].lines[2].refuses = EPERM;
     fake_chips[0].lines[0].refuses = ENXIO;
     fake_chips[2].denied = true;
-    assert_int_equal(ask(&lines), 0);
+    assert_int_equal(request(&lines), 0);
     assert_string_equal(why[GPIO_START],
-                        "BTN_START is held by 'gpio-keys': end that, or take it off the line");
+                        "BTN_START is in use by 'gpio-keys': stop that program or driver");
     assert_string_equal(why[GPIO_COIN],
                         "COIN may not be used: put the kiosk's user into its group");
-    assert_string_equal(why[GPIO_DOOR], "DOOR: /dev/gpiochip11 is not ours to open: put the "
+    assert_string_equal(why[GPIO_DOOR], "DOOR: /dev/gpiochip11: access denied: put the "
                                         "kiosk's user into its group");
     assert_string_equal(why[GPIO_OK], "soc:0: No such device or address");
     end(&lines);
 }
 
-static void test_without_any_chip_there_is_none(void **state)
+static void test_without_a_chip_the_open_returns_absent(void **state)
 {
     (void)state;
     const struct gpio_lines lines = fresh();
@@ -146,19 +146,19 @@ static void test_without_any_chip_there_is_none(void **state)
     for (uint32_t i = 0; i < FAKE_CHIPS; i++) {
         fake_chips[i].gone = true;
     }
-    assert_int_equal(ask(&lines), HAL_ERR_ABSENT);
+    assert_int_equal(request(&lines), HAL_ERR_ABSENT);
     assert_string_equal(why[GPIO_START], "BTN_START: there is no GPIO chip in /dev");
     end(&lines);
 }
 
-static void test_edges_come_with_their_times_each_lines_oldest_first(void **state)
+static void test_edges_have_time_stamps_and_are_in_order_for_each_line(void **state)
 {
     (void)state;
     struct gpio_edge edges[GPIO_EDGES_MAX];
     const struct gpio_lines lines = fresh();
     wire("start=BTN_START");
     wire("coin=COIN");
-    ask(&lines);
+    request(&lines);
     assert_int_equal(wait(&lines, edges), 0);
     fake_line_edge(&fake_chips[1].lines[2], 5000000007ull, true, 0);
     fake_line_edge(&fake_chips[1].lines[0], 5100 * MS, true, 0);
@@ -185,7 +185,7 @@ static void test_edges_that_the_queue_dropped_are_counted_or_inferred(void **sta
     const struct gpio_lines lines = fresh();
     struct fake_line *start = &fake_chips[1].lines[0];
     wire("start=BTN_START");
-    ask(&lines);
+    request(&lines);
     for (uint32_t i = 0; i < 16; i++) { /* The 16 edges fill the queue of libgpiod 1.6. The line
                                            ends inactive. */
         fake_line_edge(start, (100 + i) * MS, i % 2 == 0, 0);
@@ -201,14 +201,14 @@ static void test_edges_that_the_queue_dropped_are_counted_or_inferred(void **sta
     end(&lines);
 }
 
-static void test_no_more_edges_are_taken_than_there_is_room_for_and_none_is_lost(void **state)
+static void test_edges_beyond_the_buffer_stay_queued(void **state)
 {
     (void)state;
     struct gpio_edge edges[GPIO_EDGES_MAX];
     const struct gpio_lines lines = fresh();
     wire("start=BTN_START");
     wire("coin=COIN");
-    ask(&lines);
+    request(&lines);
     for (uint32_t i = 0; i < 12; i++) {
         fake_line_edge(&fake_chips[1].lines[0], (100 + i) * MS, i % 2 == 0, 0);
         fake_line_edge(&fake_chips[1].lines[2], (100 + i) * MS, i % 2 == 0, 0);
@@ -223,7 +223,7 @@ static void test_no_more_edges_are_taken_than_there_is_room_for_and_none_is_lost
     end(&lines);
 }
 
-static void test_a_line_without_interrupts_is_looked_at(void **state)
+static void test_a_line_without_interrupts_is_polled(void **state)
 {
     (void)state;
     struct gpio_edge edges[GPIO_EDGES_MAX];
@@ -233,7 +233,7 @@ static void test_a_line_without_interrupts_is_looked_at(void **state)
     door->value = 1; /* The door is open. */
     wire("door=DOOR");
     wire("start=BTN_START");
-    assert_int_equal(ask(&lines), 1 << GPIO_DOOR | 1 << GPIO_START);
+    assert_int_equal(request(&lines), 1 << GPIO_DOOR | 1 << GPIO_START);
     assert_string_equal(why[GPIO_DOOR], "");
     assert_int_equal(lines.ops->debounces(lines.self, GPIO_DOOR), 0);
     assert_int_equal(wait(&lines, edges), 0);
@@ -249,14 +249,14 @@ static void test_a_line_without_interrupts_is_looked_at(void **state)
     end(&lines);
 }
 
-static void test_a_chip_that_goes_is_told_after_the_edges_of_the_others(void **state)
+static void test_a_removed_chip_is_reported_after_the_edges_of_the_others(void **state)
 {
     (void)state;
     struct gpio_edge edges[GPIO_EDGES_MAX];
     const struct gpio_lines lines = fresh();
     wire("start=BTN_START");
     wire("door=DOOR");
-    ask(&lines);
+    request(&lines);
     fake_chip_pull(&fake_chips[1]);
     fake_line_edge(&fake_chips[2].lines[5], 100 * MS, true, 0);
     assert_int_equal(wait(&lines, edges), 1);
@@ -264,9 +264,9 @@ static void test_a_chip_that_goes_is_told_after_the_edges_of_the_others(void **s
     assert_int_equal(wait(&lines, edges), HAL_ERR_GONE);
     assert_int_equal(lines.ops->level(lines.self, GPIO_START), HAL_ERR_GONE);
     assert_int_equal(lines.ops->level(lines.self, GPIO_DOOR), 1);
-    assert_int_equal(ask(&lines), 1 << GPIO_DOOR);
+    assert_int_equal(request(&lines), 1 << GPIO_DOOR);
     fake_chips[1].gone = false;
-    assert_int_equal(ask(&lines), 1 << GPIO_START | 1 << GPIO_DOOR);
+    assert_int_equal(request(&lines), 1 << GPIO_START | 1 << GPIO_DOOR);
     fake_line_edge(&fake_chips[1].lines[0], 900 * MS, true, 0);
     assert_int_equal(wait(&lines, edges), 1);
     assert_int_equal(edges[0].role, GPIO_START);
@@ -274,12 +274,12 @@ static void test_a_chip_that_goes_is_told_after_the_edges_of_the_others(void **s
     end(&lines);
 }
 
-static void test_a_chip_that_only_has_lamps_is_missed_when_one_is_set(void **state)
+static void test_the_loss_of_a_chip_with_only_outputs_is_reported_by_a_write(void **state)
 {
     (void)state;
     const struct gpio_lines lines = fresh();
     wire("start-lamp=LAMP");
-    ask(&lines);
+    request(&lines);
     assert_int_equal(lines.ops->set(lines.self, GPIO_START_LAMP, 1), HAL_OK);
     assert_int_equal(fake_chips[1].lines[3].value, 1);
     assert_int_equal(lines.ops->level(lines.self, GPIO_START_LAMP), 1);
@@ -306,7 +306,7 @@ static void note(void *context, const struct gpio_line_info *line)
     }
 }
 
-static void test_all_lines_of_chips_that_may_be_opened_are_listed(void **state)
+static void test_all_lines_of_accessible_chips_are_listed(void **state)
 {
     (void)state;
     struct listed listed = { 0 };
@@ -325,18 +325,18 @@ static void test_all_lines_of_chips_that_may_be_opened_are_listed(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_lines_are_found_by_name_and_by_label_and_asked_for_as_wired),
-        cmocka_unit_test(test_the_coin_lock_is_locked_from_its_request_on_and_rests_so),
-        cmocka_unit_test(test_a_chip_s_number_is_no_way_to_a_line),
-        cmocka_unit_test(test_what_cannot_be_had_says_who_or_what_is_in_the_way),
-        cmocka_unit_test(test_without_any_chip_there_is_none),
-        cmocka_unit_test(test_edges_come_with_their_times_each_lines_oldest_first),
+        cmocka_unit_test(test_lines_are_found_by_name_or_label_and_requested_as_wired),
+        cmocka_unit_test(test_the_coin_lockout_is_locked_from_its_request_to_its_release),
+        cmocka_unit_test(test_a_line_cannot_be_selected_by_chip_number),
+        cmocka_unit_test(test_the_cause_of_a_failed_request_is_reported),
+        cmocka_unit_test(test_without_a_chip_the_open_returns_absent),
+        cmocka_unit_test(test_edges_have_time_stamps_and_are_in_order_for_each_line),
         cmocka_unit_test(test_edges_that_the_queue_dropped_are_counted_or_inferred),
-        cmocka_unit_test(test_no_more_edges_are_taken_than_there_is_room_for_and_none_is_lost),
-        cmocka_unit_test(test_a_line_without_interrupts_is_looked_at),
-        cmocka_unit_test(test_a_chip_that_goes_is_told_after_the_edges_of_the_others),
-        cmocka_unit_test(test_a_chip_that_only_has_lamps_is_missed_when_one_is_set),
-        cmocka_unit_test(test_all_lines_of_chips_that_may_be_opened_are_listed),
+        cmocka_unit_test(test_edges_beyond_the_buffer_stay_queued),
+        cmocka_unit_test(test_a_line_without_interrupts_is_polled),
+        cmocka_unit_test(test_a_removed_chip_is_reported_after_the_edges_of_the_others),
+        cmocka_unit_test(test_the_loss_of_a_chip_with_only_outputs_is_reported_by_a_write),
+        cmocka_unit_test(test_all_lines_of_accessible_chips_are_listed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,4 @@
-# hid.mk -- what leads a hand from raw reports, under the sanitizers.
+# hid.mk -- tests the code from raw reports to the pose of a controller, under the sanitizers.
 
 ## test/test-hand-sanitizers: Test mappings and controllers under the sanitizers
 test-hand-sanitizers: $(BUILD)/core.a $(BUILD)/shell.a

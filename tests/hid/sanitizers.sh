@@ -1,14 +1,16 @@
 #!/bin/bash
-# sanitizers.sh -- hands, maps, learning, the book, the desk, the menu that leads to it, and a paid round over a cable
-# that comes out, under the sanitizers: everything of drivers/ and of the game that they call is compiled for address +
-# undefined behaviour, and again for threads. Run by `make test-hand-sanitizers`.
+# sanitizers.sh -- controller input, mappings, learning, the mapping store, the controller manager,
+# their menu pages and a paid round with a cable that is unplugged, all under the sanitizers. All
+# code of drivers/ and of the game that they call is compiled for address and undefined behaviour,
+# and again for threads. Run by `make test-hand-sanitizers`.
 set -eu
 build=${BUILD:-build}
 read -ra cflags <<<"${CFLAGS:--std=c17 -O1 -g -I.}"
-cflags+=(-Wno-conversion) # What checks shifts and sums makes wider numbers of small ones.
+cflags+=(-Wno-conversion) # The instrumentation of shifts and sums widens narrow integers.
 cc=${CC:-gcc}
-tests=(drivers/hid/test_{hid_mapping,hid_pose_decoder,hid_learn,hid_mapping_store,controller_manager,poi_hid}
-    drivers/gamepad/test_stick_motion core/game/menu/test_menu core/game/accounting/test_credit
+tests=(drivers/hid/test_{hid_mapping,hid_pose_decoder,hid_pose_pointing,hid_pose_own,hid_learn}
+    drivers/hid/test_{hid_mapping_store,controller_manager,poi_hid} drivers/gamepad/test_stick_motion
+    core/game/menu/test_{menu,menu_controllers,menu_poi} core/game/accounting/test_credit
     platform/kiosk/test_{menu_desk,unplug_paid})
 mapfile -t sources < <(find core/game drivers/hid -name '*.c')
 sources+=(drivers/pointer/pointer_poi.c drivers/gamepad/stick_motion.c drivers/null.c

@@ -1,11 +1,12 @@
 #!/bin/bash
-# test_hid_corpus.sh -- what kingyoctl hid reads out of real and of hostile report descriptors, row by row.
-# README.md says where they are from. Speaks TAP; a line that begins with "# figure:" is shown by run.sh.
-# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+# test_hid_corpus.sh -- compares the output of kingyoctl hid for real and malformed report
+# descriptors with recorded rows. README.md lists the sources of the descriptors. Speaks TAP;
+# run.sh prints lines that begin with "# figure:".
+# shellcheck disable=SC2154,SC1091  # lib.sh sets these variables
 . "$(dirname "$0")/../lib.sh"
 good=tests/hid/good malformed=tests/hid/malformed
 
-# FILES -> one file of rows; the header line must come first, of each, and once.
+# Gathers the rows of several files in one file. The header line must come first and once in each.
 gather() { # OUT HEADER_OF COMMAND...: for every descriptor in $good
     local out=$1 header file
     header=$(head -1 "$2")
@@ -18,8 +19,8 @@ gather() { # OUT HEADER_OF COMMAND...: for every descriptor in $good
     done
 }
 
-# What both have, each row as often as it is there. Prints `agreed rows`; fails unless they are the same.
-# Values of fields over 32 bits are marked wide, and may be left out.
+# Prints the number of agreeing rows, with repetitions, and fails unless both files have the same
+# rows. Values of fields over 32 bits are marked wide and may be omitted.
 agree() { # WANTED GOT
     awk -F'\t' -v OFS='\t' '
         FNR == 1 { file++ }
@@ -32,33 +33,33 @@ agree() { # WANTED GOT
               if (wide) printf ", %d of fields over 32 bits are left out", wide
               print ""; exit rows == 0 || agreed + wide != rows }' what="$3" "$1" "$2"
 }
-same_order() { # WANTED GOT: order too
+same_order() { # WANTED GOT: Compares the order as well.
     diff <(tail -n +2 "$1" | grep -v "$(printf '\t')wide") "$2"
 }
-decode() { # Of some devices there is a descriptor and no report, and exit 1 says so.
+decode() { # Some devices have a descriptor but no report, which gives exit 1.
     "$ctl" hid decode "$1" "$good/reports.tsv"
     local got=$?
     [ $got -eq "$(awk -F'\t' -v id="$(basename "$1" .hid)" '$1 == id && $7 != "short_linux_drops" { found = 1 } END { print !found }' $good/reports.tsv)" ]
 }
 
-check 'every real descriptor is read' gather "$work/fields" $good/fields.tsv "$ctl" hid describe
-check 'every report of it is decoded' gather "$work/values" $good/values.tsv decode
+check 'every real descriptor is parsed' gather "$work/fields" $good/fields.tsv "$ctl" hid describe
+check 'every report of a real descriptor is decoded' gather "$work/values" $good/values.tsv decode
 for of in fields values; do
     agree $good/$of.tsv "$work/$of" "$(ls $good/descriptors | wc -l) real descriptors, $of" >"$work/$of.said"
     agreed=$?
     grep '^# ' "$work/$of.said" | tail -20
-    check "$of: every row agrees with what was recorded" [ $agreed -eq 0 ]
-    check "$of: in the order of the bits" same_order $good/$of.tsv "$work/$of"
+    check "$of: every row agrees with the recorded row" [ $agreed -eq 0 ]
+    check "$of: the rows are in the order of the bits" same_order $good/$of.tsv "$work/$of"
 done
 
-# Short, long and unknown reports are all among them; what is short prints nothing.
+# The corpus has short, long and unknown reports. A short report prints no row.
 short_rows() {
     awk -F'\t' 'NR == FNR { if ($7 == "short_linux_drops") { short[$1, $2] = 1; count++ } next }
         ($1, $2) in short { print; bad = 1 } END { exit bad || count < 70 }' $good/reports.tsv "$work/values"
 }
 check 'a report that is shorter than declared prints no row' short_rows
 
-# ---- Hostile ones: one clear line and 65, or a list that is right; each within two seconds.
+# ---- Malformed descriptors: either one line and exit 65 or a correct list, each within two seconds.
 count_hostile=0 agreed_hostile=0
 while IFS=$'\t' read -r id exit rows says kernel kernel_rows _; do
     timeout 2 "$ctl" hid describe "$malformed/$id.hid" >"$work/out" 2>"$work/err"
@@ -75,12 +76,13 @@ while IFS=$'\t' read -r id exit rows says kernel kernel_rows _; do
     [ $code -eq 0 ] && agreed_hostile=$((agreed_hostile + 1)) ||
         { echo "# $id: exit $got, $lines lines, $(head -c 200 "$work/err")"; }
 done < <(tail -n +2 $malformed/verdicts.tsv)
-echo "# figure: $agreed_hostile of $count_hostile hostile descriptors are listed rightly or refused in one line"
-check 'each hostile descriptor gets its list or its one line' [ $agreed_hostile -eq $count_hostile ]
-check 'none of them was forgotten' [ "$(ls $malformed/*.hid | wc -l)" -eq $count_hostile ]
+echo "# figure: $agreed_hostile of $count_hostile hostile descriptors are listed correctly or rejected in one line"
+check 'each malformed descriptor gives its list or one error line' [ $agreed_hostile -eq $count_hostile ]
+check 'every malformed descriptor is tested' [ "$(ls $malformed/*.hid | wc -l)" -eq $count_hostile ]
 
-# Where the kernel lists fields of a hostile one and we do, both lists are the same. It writes the usages
-# of an array out and goes by report; we write ranges and go by item.
+# If the kernel and kingyoctl both list the fields of a malformed descriptor, the lists agree. The
+# kernel expands the usages of an array and sorts by report; kingyoctl prints ranges and sorts by
+# item.
 like_kernel() {
     local id
     for id in $(awk -F'\t' 'NR > 1 && $2 == 0 && $5 == "takes" { print $1 }' $malformed/verdicts.tsv); do
@@ -90,8 +92,8 @@ like_kernel() {
         grep "^$id$(printf '\t')" $malformed/linux_fields.tsv | sort | diff - "$work/ours" || return 1
     done
 }
-check 'hostile ones that Linux reads too say the same to both' like_kernel
-# Those that are legal, and that Linux refuses for another reason, still mean X and Y.
+check 'malformed descriptors that Linux accepts give the same fields' like_kernel
+# Valid descriptors that Linux rejects for another reason still contain X and Y.
 x_and_y() {
     local id
     for id in M08-long-item-valid M09-long-item-zero M58-main-unknown-tags M59-global-unknown-tags \
@@ -100,16 +102,16 @@ x_and_y() {
         [ "$(cat "$work/ours")" = '0 0 8 0001:0030;0 8 8 0001:0031;' ] || { echo "$id"; cat "$work/ours"; return 1; }
     done
 }
-check 'long and reserved items are stepped over' x_and_y
-all_x() { # Every bit of M41 is an X; every id of M54 has one.
+check 'long and reserved items are skipped' x_and_y
+all_x() { # Every bit of M41 is an X, and every report id of M54 has an X.
     "$ctl" hid describe $malformed/M41-usages-1900-one-input.hid |
         awk -F'\t' 'NR > 1 && ($4 != NR - 2 || $11 != "0001:0030") { exit 1 }' &&
         "$ctl" hid describe $malformed/M54-report-ids-255.hid |
         awk -F'\t' 'NR > 1 && ($3 != NR - 1 || $4 != 0 || $11 != "0001:0030") { exit 1 }'
 }
-check 'as many usages and report ids as there may be are all there' all_x
+check 'the maximum number of usages and report ids is listed' all_x
 
-# ---- Fixed memory: the reader asks for none, and for nothing of the system.
+# ---- Fixed memory: the reader allocates no memory and makes no system call.
 asks_for_nothing() {
     local objects=() part
     for part in hid_descriptor hid_item; do objects+=("$build/drivers/hid/$part.o"); done
@@ -117,5 +119,5 @@ asks_for_nothing() {
         return 1
     size -A "${objects[@]}" | awk '$1 ~ /^\.t?(data|bss)$/ && $2 > 0 { print; bad = 1 } END { exit bad }'
 }
-check 'the reader asks the system for nothing and keeps nothing of its own' asks_for_nothing
+check 'the reader makes no system call and has no writable data' asks_for_nothing
 echo "1..$count"

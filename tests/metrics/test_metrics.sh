@@ -1,7 +1,6 @@
 #!/bin/bash
-# test_metrics.sh -- metrics.py finds the known values of a small tree that this script writes.
-#
-# Without universal-ctags, cloc or clang-format-19 every test is skipped. Speaks TAP.
+# test_metrics.sh -- metrics.py computes the known values of a small tree that this script writes.
+# If universal-ctags, cloc or clang-format-19 is missing, every test is skipped. Speaks TAP.
 set -u
 metrics=$(realpath "$(dirname "$0")/metrics.py")
 tree=$(mktemp -d)
@@ -75,7 +74,7 @@ static int entry(void) { return 1; }
 int (*const coins_table[])(void) = { entry };
 int CAPITALS(void) { return 1; }
 END_C
-for name in a b c; do # Together with coins.c, four files use the name of its static function.
+for name in a b c; do # Four files, with coins.c, use the same name for a static function.
     printf 'void drivers_%s(void) {\n    int helper = 1;\n    (void)helper;\n}\n' "$name" >"$tree/drivers/$name.c"
 done
 cat >"$tree/platform/store/ledger_file.c" <<'END_C'
@@ -92,7 +91,7 @@ printf 'coin core/game/coins.c coins_take\n' >>"$tree/tests/metrics/paths.txt"
 
 measure
 [ $? -eq 1 ]
-check $? 'a missed bound is exit status 1'
+check $? 'a missed bound gives exit status 1'
 # Sentences: core.h 2, fish.h 1, wall.c 1, ledger_file.c 3.
 row 'comment sentences that begin with a bare' '28.6 %' MISS
 row 'comment sentences with idiom' '14.3 %' MISS
@@ -100,9 +99,9 @@ row 'production code lines' 39 ok
 row 'production files' 9 MISS
 row 'mean lines of a production file' 4.9 MISS
 row 'C files in the largest flat folder' 3 ok
-# Fifteen functions in 44 lines: wall.c 3, coins.c 6, drivers 3, ledger_file.c 3; declarations are none.
+# Fifteen functions in 44 lines: wall.c 3, coins.c 6, drivers 3, ledger_file.c 3. Declarations are not counted.
 row 'functions per 1,000 lines' 340.9 MISS
-# Of once(), twice(), helper() and entry(), the first and the third have one caller.
+# once() and helper() have one caller; twice() and entry() do not.
 row 'static functions with one caller' '50.0 %' MISS
 row 'assertions per function, core and drivers' 0.08 MISS
 row 'assertions per function, platform' 0.00 MISS
@@ -135,5 +134,5 @@ cmp -s "$tree/first" "$tree/table"
 check $? 'the same seed draws the same sample'
 measure sample core
 [ $? -eq 2 ]
-check $? 'a wrong command line is exit status 2'
+check $? 'a wrong command line gives exit status 2'
 echo "1..$count"

@@ -170,7 +170,7 @@ static int open_board(void)
 {
     const struct view *view = &tank_preset(TANK_PRESET_FESTIVAL)->view;
     rig.clock.now_ns = 1000000000u;
-    rig.hal = null_hal();
+    rig.hal = null_hal(NULL);
     rig.hal.clock = sim_clock_device(&rig.clock);
     rig.display.config =
         (struct display_gl_config){ .width = WIDTH, .height = HEIGHT, .off_screen = true };
@@ -180,10 +180,10 @@ static int open_board(void)
     }
     rig.hal.buttons = buttons_keyboard_device(&rig.keyboard);
     mouse_poi_init(&rig.mouse, rig.hal.clock, view, WIDTH, HEIGHT, POINTER_FILTER_MOUSE);
-    rig.hal.poi[0] = mouse_poi_device(&rig.mouse);
-    rig.hal.fan[0] = mouse_poi_fan(&rig.mouse);
+    rig.hal.poi[0] = mouse_poi_devices(&rig.mouse).poi;
+    rig.hal.fan[0] = mouse_poi_devices(&rig.mouse).fan;
     pointer_sim_init(&rig.poi, rig.hal.clock, view);
-    rig.hal.poi[1] = pointer_sim_device(&rig.poi);
+    rig.hal.poi[1] = pointer_sim_devices(&rig.poi).poi;
     return 1;
 }
 

@@ -1,7 +1,6 @@
-# monkey.mk -- random keys, pointer events, window sizes and plugs under the sanitizers.
-#
-# Every object of the kiosk is compiled once more, by clang, with the sanitizers. What was baked holds
-# only data and comes from the build itself.
+# monkey.mk -- random keys, pointer events, window sizes and plug events under the sanitizers.
+# Clang compiles every object of the kiosk again with the sanitizers. The baked files contain only
+# data and come from the normal build.
 
 MONKEY := $(BUILD)/monkey
 MONKEY_CC := clang

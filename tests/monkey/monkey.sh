@@ -1,17 +1,20 @@
 #!/bin/bash
-# monkey.sh SECONDS [SEED] -- random input against the kiosk that was built with the sanitizers.
-#
-# Half of the time the frame loop runs off screen under tests/monkey/monkey.c. The other half the real kiosk runs
-# on a virtual screen under tests/monkey/fingers.c: its frames must go on, Esc pressed twice must end it with code
-# 0 (this script starts it again), and so must SIGTERM at the end. Exits with 1 on any failure; SEED repeats a run.
-# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+# monkey.sh SECONDS [SEED] -- random input for the kiosk that was built with the sanitizers.
+# In the first half of the time the frame loop runs off screen under tests/monkey/monkey.c. In the
+# second half the real kiosk runs on a virtual screen under tests/monkey/fingers.c. It must
+# continue to draw frames. Two presses of Esc must end it with code 0 (this script starts it
+# again), and so must SIGTERM at the end. Exits with 1 on any failure. SEED repeats a random
+# sequence.
+# shellcheck disable=SC2154,SC1091  # lib.sh sets these variables
 build=${BUILD:-build}
 BUILD=$build/monkey
 . "$(dirname "$0")/../e2e/lib.sh"
 seconds=$1 seed=${2:-$(date +%s)}
 half=$(((seconds + 1) / 2))
 status=$work/run/status.json
-stuck_s=20 # A frame under the sanitizers on a busy machine takes 0.3 s; the first picture takes 5 s.
+# Limit in seconds. A frame under the sanitizers on a busy machine takes 0.3 s, and the first
+# picture takes 5 s.
+stuck_s=20
 export ASAN_OPTIONS=detect_leaks=0:handle_segv=2:handle_sigfpe=2:handle_sigbus=2:handle_sigill=2
 export UBSAN_OPTIONS=print_stacktrace=1
 echo "  monkey: seed $seed, $half s of frames off screen, then $((seconds - half)) s on a virtual screen"
@@ -34,7 +37,7 @@ open_kiosk() {
     seen=none
 }
 frames() { sed -n 's/.*"frames": {"count": \([0-9]*\).*/\1/p' "$status" 2>/dev/null; }
-check_end() { # TEXT: the kiosk ended; its code is 0, and it reported no fault.
+check_end() { # TEXT: The kiosk must have ended with code 0 and without a fault.
     grep -qiE 'sanitizer|runtime error|panic' "$work/err" && fail "$1: a fault" "$work/err"
     [ "$code" -eq 0 ] || fail "$1: exit code $code" "$work/err"
 }
@@ -47,7 +50,7 @@ quits=0 total=0
 "$build/tests/monkey/fingers" "$seed" $((seconds - half)) >"$work/said" 2>&1 &
 fingers_pid=$!
 trap 'kill "$fingers_pid" 2>/dev/null; leave' EXIT
-watch() { # One look at the kiosk. Starts it again after an orderly end.
+watch() { # Checks the kiosk once, and starts it again after a normal end.
     sleep 0.5
     now=$(frames)
     if ! kill -0 "$kiosk_pid" 2>/dev/null; then
@@ -67,7 +70,7 @@ while kill -0 "$fingers_pid" 2>/dev/null; do
     watch
 done
 wait "$fingers_pid" || fail 'the virtual fingers failed' "$work/said"
-watch # The last Esc may end it now. SIGTERM is for a kiosk that shows frames.
+watch # The last Esc may end the kiosk now. SIGTERM must be sent to a kiosk that draws frames.
 until [ "$seen" != none ]; do
     watch
 done

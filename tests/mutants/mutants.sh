@@ -1,13 +1,15 @@
 #!/bin/bash
-# mutants.sh FOLDER COUNT SEED FILE... -- counts the small faults in FILE... that the unit tests detect.
-#
-# The script draws mutations by SEED (mutate.c) until COUNT of them change the object code, and links each into
-# the unit tests of a copy of the tree. The nearest tests run first: test_NAME*, the tests that include the
-# module's header, and those that share its first word. Then follow the others that link it, fastest first, up to
-# BUDGET seconds (15), and the golden hashes. The first failing test ends a mutant. A test may take three times its
-# own processor time and 3 s. A test that fails without a mutation, or takes more than SLOW seconds (30), is left out.
-# KEEP=1 takes the copy of the last run as it is.
-# FOLDER/results.tsv has one row a mutant; FOLDER/survivors.txt has the diffs of those that no test detected.
+# mutants.sh FOLDER COUNT SEED FILE... -- counts the small faults in FILE... that the unit tests
+# detect.
+# The script draws mutations by SEED (mutate.c) until COUNT of them change the object code, and
+# links each into the unit tests of a copy of the tree. The nearest tests run first: test_NAME*,
+# the tests that include the module's header, and those that share its first word. The other tests
+# that link the module follow, fastest first, up to BUDGET seconds (15), and then the golden
+# hashes. The first failing test ends a mutant. A test may take three times its own processor time
+# plus 3 s. A test that fails without a mutation, or takes more than SLOW seconds (30), is omitted.
+# KEEP=1 reuses the copy of the last run.
+# FOLDER/results.tsv has one row for each mutant. FOLDER/survivors.txt has the diffs of the mutants
+# that no test detected.
 set -eu
 folder=$1 count=$2 seed=$3
 shift 3
@@ -25,9 +27,9 @@ copy_tree() {
         tar --null -T - -cf - | tar -C "$tree" -xf -
 }
 
-# ---- What make would run, and the tests without a mutation ----
+# ---- The commands of make, and the tests without a mutation ----
 
-# Keeps the exact link command of each test and the exact compile command of each source.
+# Saves the exact link command of each test and the exact compile command of each source.
 note_commands() { # FILE...
     local file line name
     rm -rf "$folder/link" "$folder/compile"
@@ -47,8 +49,8 @@ note_commands() { # FILE...
         done
 }
 
-# Runs PROGRAM for at most LIMIT seconds of processor time, so that a busy machine changes no verdict, and prints
-# the seconds that it took. Returns what it exits with.
+# Runs PROGRAM for at most LIMIT seconds of processor time, so that a busy machine changes no
+# result, and prints the time it took in seconds. Returns the exit status of PROGRAM.
 timed() { # LIMIT PROGRAM
     local status=0 seconds TIMEFORMAT='%U %S'
     seconds=$({
@@ -61,7 +63,8 @@ timed() { # LIMIT PROGRAM
     return "$status"
 }
 
-# The path of a test below tests/unit, without its suffix. Each name exists once (tests/run.sh counts by name).
+# Prints the path of a test below tests/unit, without its suffix. Each name exists once
+# (tests/run.sh counts by name).
 place_of() { # TEST
     grep -m 1 -- "/$1\$" "$folder/places"
 }
@@ -82,7 +85,7 @@ base_one() { # TEST
 
 # ---- Mutants ----
 
-# Every text of a file is compiled under one name, so that __FILE__ does not differ.
+# Every version of a file is compiled under one name, so that __FILE__ does not differ.
 compile() { # FILE TEXT OBJECT
     local place
     place=$(dirname "$3")/text/$1
@@ -97,7 +100,7 @@ base_object() { # FILE
     compile "$1" "$tree/$1" "$folder/base/${1//\//,}/base.o"
 }
 
-# Leaves candidate/ID/mutant.o where the mutation compiles to other object code.
+# Creates candidate/ID/mutant.o if the mutation changes the object code.
 mutate_one() { # ID FILE SITE
     local own=$folder/candidate/$1
     mkdir -p "$own"
@@ -113,7 +116,7 @@ mutate_one() { # ID FILE SITE
     fi
 }
 
-# Compiles half as many again as are wanted, and keeps the first COUNT of them that differ.
+# Compiles one and a half times COUNT mutations, and keeps the first COUNT that differ.
 make_mutants() { # FILE...
     local id kept=0 broken=0 same=0 state
     rm -rf "$folder/mutant" "$folder/candidate" "$folder/base"
@@ -137,7 +140,7 @@ make_mutants() { # FILE...
     echo "  $id drawn: $broken do not compile, $same have the same object code, $kept are tested"
 }
 
-# The tests that link the mutant, nearest first, as "near NAME" or "wide NAME".
+# Prints the tests that link the mutant, nearest first, as "near NAME" or "wide NAME".
 tests_for() { # FILE OBJECT
     local stem name
     stem=$(basename "$1" .c)
@@ -180,7 +183,7 @@ judge_one() { # ID
     local mutant=$folder/mutant/$1 file line kind near name seconds spent=0 run=0 verdict=survived by=-
     file=$(cat "$mutant/file")
     read -r line kind <"$mutant/place"
-    ulimit -f 1000000 # KiB; a mutant may write without end.
+    ulimit -f 1000000 # The unit is KiB. A mutant may write without end.
     export TMPDIR=$mutant
     cd "$tree"
     while read -r near name; do

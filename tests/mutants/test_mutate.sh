@@ -1,7 +1,7 @@
 #!/bin/bash
-# test_mutate.sh -- the mutator changes code alone, one place at a time, and draws the same for the same seed.
-# Speaks TAP.
-# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+# test_mutate.sh -- the mutator changes only code, one place at a time, and draws the same places
+# for the same seed. Speaks TAP.
+# shellcheck disable=SC2154,SC1091  # lib.sh sets these variables
 . "$(dirname "$0")/../lib.sh"
 
 cat >"$work/one.c" <<'END_C'
@@ -29,16 +29,16 @@ for ((site = 0; site < sites; site++)); do
 done
 
 [ "$(wc -l <"$work/lines")" -eq "$sites" ] && [ "$(sort -u "$work/sums" | wc -l)" -eq "$sites" ]
-ok $? 'each site changes one line, and each in another way'
+ok $? 'each site changes one line in a different way'
 has() { grep -qF -- "$1" "$work/lines"; ok $? "$2"; }
 has 'if (!(*purse < price && LIMIT))' 'a condition is negated'
 has 'if (*purse <= price && LIMIT)' 'a comparison is swapped'
 has 'if (*purse < price || LIMIT)' 'a logical operator is swapped'
 has '#define LIMIT (4u' 'a constant of a definition is changed'
 grep -qE '^\+ +;$' "$work/lines"
-ok $? 'a statement is removed'
+ok $? 'a mutation removes a statement'
 ! grep -qE 'CORE_ASSERT|refuse\("[^"]*[^ 1+<3"]|A <[^ ]|LIMIT .*7 \+|int i = 0; ;' "$work/lines"
-ok $? 'assertions, strings, comments and the heads of loops keep their text'
+ok $? 'assertions, strings, comments and loop heads are not mutated'
 
 "$work/mutate" draw 5 7 core/game/*.c core/game/*/*.c >"$work/first"
 "$work/mutate" draw 5 7 core/game/*.c core/game/*/*.c >"$work/second"

@@ -1,4 +1,4 @@
-# paper.mk -- the paper's figures, to be looked at.
+# paper.mk -- draws the figures of the paper for visual inspection.
 
 PAPER_CURVES := $(BUILD)/tests/paper/curves
 

@@ -6,8 +6,8 @@
 
 #include <sqlite3.h>
 
-#include "core/game/accounting/credit.h"
-#include "core/game/accounting/ledger_writer.h"
+#include "core/game/accounting/accounts.h"
+#include "core/game/game_fields.h"
 #include "tests/power/hour.h"
 
 void books_open(struct books *books)
@@ -36,7 +36,7 @@ void books_add(struct books *books, const struct ledger_entry *entry)
 
 /* ---- Reading the database file -------------------------------------------------------------- */
 
-static int64_t ask(sqlite3 *db, const char *query, int *code)
+static int64_t query_number(sqlite3 *db, const char *query, int *code)
 {
     sqlite3_stmt *statement = NULL;
     int64_t answer = -1;
@@ -92,9 +92,9 @@ int books_read(const char *path, uint32_t replay_id, struct books_file *out)
     memset(out, 0, sizeof *out);
     int code = sqlite3_open_v2(path, &db, SQLITE_OPEN_READWRITE, NULL);
     read_integrity(db, out->integrity, &code);
-    out->rounds = ask(db, "SELECT count(*) FROM rounds", &code);
-    out->caught = ask(db, "SELECT coalesce(sum(caught), 0) FROM rounds", &code);
-    out->doubled = ask(db, "SELECT count(*) - count(DISTINCT entry) FROM rounds", &code);
+    out->rounds = query_number(db, "SELECT count(*) FROM rounds", &code);
+    out->caught = query_number(db, "SELECT coalesce(sum(caught), 0) FROM rounds", &code);
+    out->doubled = query_number(db, "SELECT count(*) - count(DISTINCT entry) FROM rounds", &code);
     read_replays(db, replay_id, out, &code);
     sqlite3_close(db);
     return code;
@@ -125,7 +125,7 @@ static int purse_differs(char why[BOOKS_WHY_SIZE], const struct balance *is,
            differs(why, "the open round", is->open, should->open);
 }
 
-static int stand_differs(char why[BOOKS_WHY_SIZE], const struct ledger_stand *is,
+static int round_differs(char why[BOOKS_WHY_SIZE], const struct ledger_stand *is,
                          const struct ledger_stand *should)
 {
     return differs(why, "the catch of the open round", is->count, should->count) ||
@@ -164,7 +164,7 @@ static int settings_differ(char why[BOOKS_WHY_SIZE], const struct settings *is,
 static int ranking_differs(char why[BOOKS_WHY_SIZE], const struct ranking *is,
                            const struct ranking *should)
 {
-    if (ranking_hash(0, is) == ranking_hash(0, should)) {
+    if (field_hash(0, &ranking_fields, is) == field_hash(0, &ranking_fields, should)) {
         return 0;
     }
     snprintf(why, BOOKS_WHY_SIZE, "the ranking is another one");
@@ -188,7 +188,7 @@ int books_agree(const struct books *books, const struct persistent_state *memory
                 const struct books_file *file, char why[BOOKS_WHY_SIZE])
 {
     const int differ = purse_differs(why, &memory->ledger.balance, &books->balance) ||
-                       stand_differs(why, &memory->ledger.stand, &books->stand) ||
+                       round_differs(why, &memory->ledger.stand, &books->stand) ||
                        sums_differ(why, books, &memory->audits) ||
                        settings_differ(why, &memory->settings, &books->settings) ||
                        ranking_differs(why, &memory->ranking, &books->ranking) ||

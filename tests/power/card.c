@@ -72,13 +72,13 @@ static int open_stall(const char *folder, uint32_t mood_s)
                                    .stopwatch = clock_device() };
     const struct hal_clock clock = clock_device();
     store = (struct storage){ .dir = folder };
-    hal = null_hal();
+    hal = null_hal(NULL);
     hal.clock = clock;
     hal.storage = storage_device(&store);
     fill_script(clock.ops->now_ns(clock.self) + S_NS, MOOD_COUNT * mood_s * S_NS);
     hal.buttons = sim_buttons_device(&buttons);
     pointer_sim_init(&poi, clock, &tank_preset(TANK_PRESET_FESTIVAL)->view);
-    hal.poi[0] = pointer_sim_device(&poi);
+    hal.poi[0] = pointer_sim_devices(&poi).poi;
     if (hal.storage.ledger.ops->open(hal.storage.ledger.self) != HAL_OK) {
         fprintf(stderr, "card: %s\n", hal.storage.ledger.ops->describe(hal.storage.ledger.self));
         return -1;
@@ -145,7 +145,7 @@ static void tell_time(double seconds)
     }
 }
 
-static void tell(const struct mood *mood, const struct seen *seen)
+static void print_row(const struct mood *mood, const struct seen *seen)
 {
     printf("  %-22s %6.2f ms %8llu %6u %8u", mood->name, (double)seen->longest_ns / 1e6,
            (unsigned long long)seen->dropped, seen->coins, seen->waiting_max);
@@ -186,7 +186,7 @@ static int run(const char *folder, uint32_t mood_s)
            mood_s, "the card", "longest", "dropped", "coins", "waiting", "closed", "open");
     for (size_t i = 0; i < MOOD_COUNT; i++) {
         const struct seen seen = watch(&moods[i], mood_s);
-        tell(&moods[i], &seen);
+        print_row(&moods[i], &seen);
         dropped += seen.dropped;
     }
     kiosk_close_store(&kiosk, &hal);

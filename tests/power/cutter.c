@@ -71,8 +71,8 @@ static int tickets_differ(const struct persistent_state *memory, const struct pr
     return out == promise->tickets || out == promise->tickets + 1u ? 0 : -1;
 }
 
-void cutter_look(const struct cutter *cutter, struct tally *tally, const char *folder,
-                 const struct promise *promise, const char *where)
+void cutter_check(const struct cutter *cutter, struct tally *tally, const char *folder,
+                  const struct promise *promise, const char *where)
 {
     static struct persistent_state memory;
     struct books_file file;
@@ -127,7 +127,7 @@ static void cut_again(const struct cutter *cutter, struct tally *tally, const ch
         disk_step(&disk, op);
         snprintf(place, sizeof place, "%.80s, and again at op %zu", where, op);
         disk_cut(&disk, (enum disk_luck)((op + tally->cuts) % DISK_LUCK_COUNT), op, folder_2);
-        cutter_look(cutter, tally, folder_2, promise, place);
+        cutter_check(cutter, tally, folder_2, promise, place);
         tally->second_cuts++;
     }
     disk_close(&disk);
@@ -140,7 +140,7 @@ int cutter_is_point(const struct tape_op *op)
     return op->kind < TAPE_KEPT;
 }
 
-void cutter_heed(struct promise *promise, const struct tape_op *op)
+void cutter_update_promise(struct promise *promise, const struct tape_op *op)
 {
     if (op->kind == TAPE_KEPT) {
         promise->kept = (uint32_t)op->offset;
@@ -175,7 +175,7 @@ static void cut_once(const struct cutter *cutter, const struct disk *disk, size_
         disk_cut(disk, luck, seed, bench->folder);
     }
     tally->by_luck[luck]++;
-    cutter_look(cutter, tally, bench->folder, promise, where);
+    cutter_check(cutter, tally, bench->folder, promise, where);
 }
 
 /* Runs one job. Every job applies the whole tape and makes its share of the cuts. */
@@ -192,7 +192,7 @@ static void work(const struct cutter *cutter, uint32_t job, struct tally *tally)
     for (size_t op = 0; op < cutter->tape->count; op++) {
         const struct tape_op *what = &cutter->tape->ops[op];
         disk_step(&disk, op);
-        cutter_heed(&promise, what);
+        cutter_update_promise(&promise, what);
         for (uint32_t way = 0; way < cutter->ways; way++) {
             if (cutter_is_point(what) && (op + way) % cutter->jobs == job) {
                 cut_once(cutter, &disk, op, way, &promise, &bench, tally);

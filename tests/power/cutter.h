@@ -39,12 +39,12 @@ struct promise {
 };
 
 /* Updates the promise if `op` is a mark. */
-void cutter_heed(struct promise *promise, const struct tape_op *op);
+void cutter_update_promise(struct promise *promise, const struct tape_op *op);
 
 /* Opens the files that a cut left in `folder`, as the kiosk does at its next start, and counts each
  * violated promise. `where` names the cut in messages. */
-void cutter_look(const struct cutter *cutter, struct tally *tally, const char *folder,
-                 const struct promise *promise, const char *where);
+void cutter_check(const struct cutter *cutter, struct tally *tally, const char *folder,
+                  const struct promise *promise, const char *where);
 
 /* Adds one to `count`, which is a field of `tally`. The text of the first fault is stored. */
 void tally_complain(struct tally *tally, uint64_t *count, const char *where, const char *why);

@@ -7,10 +7,11 @@
 
 #include "core/base/fmath.h"
 #include "core/base/rng.h"
-#include "core/game/accounting/ledger_writer.h"
+#include "core/game/accounting/accounts.h"
 #include "core/game/phases.h"
 #include "platform/cpu.h"
 #include "tests/power/tape.h"
+#include "tests/unit/support/newest_record.h"
 
 /* Length of a round in seconds. Rounds are short so that many of them are played. */
 #define ROUND_S 20u
@@ -61,7 +62,7 @@ static int happens(const struct hour *hour, uint32_t what, uint32_t seconds)
 }
 
 /* Moves the poi in a circle over the water, so that a player is present. */
-static void lead_hand(struct hour *hour)
+static void move_poi(struct hour *hour)
 {
     const float turn = 0.01f * (float)(hour->core.game.tick % 6283u);
     hour->input.poi[0] = (struct poi_input){
@@ -77,9 +78,8 @@ static void live(struct hour *hour)
     input->pressed = 0;
     memset(input->coin_count, 0, sizeof input->coin_count);
     input->day =
-        (uint16_t)(9800u + hour->core.game.tick / (900u * CORE_TICK_HZ)); /* The simulated hour
-                                                                                 covers four
-                                                                                 calendar days. */
+        /* The simulated hour covers four calendar days. */
+        (uint16_t)(9800u + hour->core.game.tick / (900u * CORE_TICK_HZ));
     input->minute = (uint16_t)(hour->core.game.tick / CORE_TICK_HZ % 1440u);
     if (happens(hour, DRAW_COIN, 9) && !hour->output.coin_lockout) {
         input->coin_count[0] = 1u + draw(hour, DRAW_COINS) % 3u;
@@ -92,7 +92,7 @@ static void live(struct hour *hour)
     if (happens(hour, DRAW_START, 2)) {
         input->pressed |= INPUT_START;
     }
-    lead_hand(hour);
+    move_poi(hour);
 }
 
 static void land_fish(struct hour *hour)
@@ -125,7 +125,7 @@ static void give_name(struct hour *hour)
 
 static void keep_books(struct hour *hour)
 {
-    const uint32_t round_id = hour->output.record.id;
+    const uint32_t round_id = newest_record(&hour->output)->id;
     if (happens(hour, DRAW_VOLUME, 100)) {
         turn_volume(hour);
     }
@@ -177,7 +177,7 @@ static void dispense(struct hour *hour, uint32_t asked_before)
     hour->input.tickets_done = hour->output.tickets - (hour->pulse_ticks > 0);
 }
 
-static void hand_over(struct hour *hour, struct hal_storage store)
+static void pass_to_store(struct hour *hour, struct hal_storage store)
 {
     while (hour->kept_id != hour->output.entry_id) {
         const struct ledger_entry *entry =
@@ -193,7 +193,7 @@ static void hand_over(struct hour *hour, struct hal_storage store)
 
 /* Passes the newest replay to the store. The store's thread reads the buffer until the replay is
  * stored, so the buffer must not change before. */
-static void hand_over_replay(struct hour *hour, struct hal_storage store)
+static void pass_replay(struct hour *hour, struct hal_storage store)
 {
     const int is_buffer_free = hour->replay_acked_id == hour->replay_taken_id;
     if (hour->replay_id != 0 && hour->replay_id != hour->replay_taken_id && is_buffer_free) {
@@ -261,7 +261,7 @@ void hour_frame(struct hour *hour, struct hal_storage store)
         land_fish(hour);
         keep_books(hour);
     }
-    hand_over(hour, store);
-    hand_over_replay(hour, store);
+    pass_to_store(hour, store);
+    pass_replay(hour, store);
     save_graph(hour, store);
 }

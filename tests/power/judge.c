@@ -30,7 +30,7 @@ static struct persistent_state memory;
 static struct disk disk;
 static uint32_t found; /* Newest entry after the last cut. */
 
-static int64_t ask(sqlite3 *db, const char *query)
+static int64_t query_number(sqlite3 *db, const char *query)
 {
     sqlite3_stmt *statement = NULL;
     int64_t answer = -1;
@@ -54,10 +54,12 @@ static int is_sound(const char *folder, uint32_t coins)
     snprintf(query, sizeof query, "SELECT coalesce(sum(count), 0) FROM entries WHERE kind = %d",
              LEDGER_COINS);
     int sound = sqlite3_open_v2(path, &db, SQLITE_OPEN_READWRITE, NULL) == SQLITE_OK;
-    const int64_t in_entries = ask(db, query);
+    const int64_t in_entries = query_number(db, query);
     sound = sound &&
-            ask(db, "SELECT coalesce(max(id) - min(id) + 1, 0) - count(*) FROM entries") == 0 &&
-            ask(db, "SELECT coalesce(max(id), 0) FROM entries") == (int64_t)memory.ledger.last_id &&
+            query_number(db, "SELECT coalesce(max(id) - min(id) + 1, 0) - count(*) FROM entries") ==
+                0 &&
+            query_number(db, "SELECT coalesce(max(id), 0) FROM entries") ==
+                (int64_t)memory.ledger.last_id &&
             memory.ledger.balance.paid <= coins &&
             in_entries == (int64_t)memory.audits.count[AUDIT_COINS_1] &&
             in_entries <= (int64_t)coins;
@@ -65,7 +67,8 @@ static int is_sound(const char *folder, uint32_t coins)
     return sound;
 }
 
-static void look(struct tally *tally, const char *folder, uint32_t acked, uint32_t coins, size_t op)
+static void check_state(struct tally *tally, const char *folder, uint32_t acked, uint32_t coins,
+                        size_t op)
 {
     char where[60];
     snprintf(where, sizeof where, "op %zu, %u were reported", op, acked);
@@ -112,7 +115,7 @@ static uint32_t go_through(const struct kiosk_tape *map, const char *folder, uin
             const uint32_t index = (uint32_t)tally->cuts++ + 1u;
             disk_cut(&disk, (enum disk_luck)(draw(seed, index) % DISK_LUCK_COUNT), seed + index,
                      folder);
-            look(tally, folder, acked, map->coins, op);
+            check_state(tally, folder, acked, map->coins, op);
             next = op + 1u + draw(seed, index + 100u) % each;
         }
     }

@@ -1,12 +1,13 @@
 #!/bin/bash
-# kiosk_lives.sh -- real kiosks whose file calls fail, and what a power cut leaves of them.
-#
+# kiosk_lives.sh -- runs real kiosks with failing file calls, and checks the data after a power
+# cut.
 #   kiosk_lives.sh LIVES [SEED]
-#
-# Each life is a kiosk in a window of a virtual screen, under tests/power/preload.c: coins drop, calls fail by seed,
-# SIGKILL ends it; a second kiosk goes on from the same files and ends in the same way; tests/power/judge.c then cuts
-# the power at several places of both. JOBS lives run side by side. At last one kiosk has every sync fail: its status
-# must say so, and kingyoctl must exit 1. Exit 1 when anything was lost, doubled or unopenable.
+# Each life is a kiosk in a window of a virtual screen, under tests/power/preload.c. Coins are
+# inserted, calls fail by seed, and SIGKILL ends the kiosk. A second kiosk continues with the same
+# files and ends in the same way. tests/power/judge.c then cuts the power at several places of
+# both. JOBS lives run in parallel. At the end one kiosk has every sync fail: its status must
+# report this, and kingyoctl must exit with 1. Exits with 1 if an entry was lost or duplicated, or
+# if a database could not be opened.
 # shellcheck disable=SC2154,SC1091  # The sourced file sets `work`.
 set -u
 lives=$1 first_seed=${2:-1}
@@ -16,7 +17,7 @@ jobs=${JOBS:-$(nproc)}
 here=$PWD
 case $BUILD in /*) ;; *) BUILD=$here/$BUILD ;; esac
 
-# One kiosk under the library, up to its end; 137 is SIGKILL.
+# Runs one kiosk under the library until its end. The exit status 137 means SIGKILL.
 run_kiosk() { # FOLDER SEED [VARIABLES...]
     local folder=$1 seed=$2
     shift 2
@@ -49,14 +50,14 @@ cat "$work"/life-*/verdict | awk -v lives="$lives" '
       for (i = 0; i < 6; i++) failed[i] += $(9 + i) }
     END {
         printf "  %d real kiosks, killed twice each: %d coins dropped, %d entries acknowledged, %d found at the end\n", judged, coins, acked, found
-        printf "  calls that failed: %d fsync, %d fdatasync, %d write, %d pwrite, %d ftruncate, %d rename; %d statuses said that the store is not well\n", \
+        printf "  calls that failed: %d fsync, %d fdatasync, %d write, %d pwrite, %d ftruncate, %d rename; %d statuses reported a failing store\n", \
             failed[0], failed[1], failed[2], failed[3], failed[4], failed[5], unwell
         printf "  %d cuts: %d lost, %d doubled, %d unopenable\n", cuts, lost, doubled, unopenable
         exit !(judged == lives && acked > 0 && lost + doubled + unopenable == 0)
     }'
 verdict=$?
 
-# Where every sync fails from the first on, nothing is ever acknowledged.
+# If every sync fails from the beginning, no entry is ever acknowledged.
 never=$work/never
 { run_kiosk "$never" 7 KINGYO_FAULT_SYNCS=1; } 2>/dev/null
 "$BUILD/kingyoctl" status --file "$never/run/status.json" >"$never/status"

@@ -128,7 +128,7 @@ static void live_part(struct life *life)
 
 /* Checks that a graph that was reported as committed exists, or a later graph that was passed to
  * the store. */
-static void look_at_graph(struct life *life, const char *where)
+static void check_graph(struct life *life, const char *where)
 {
     char path[PATH_SIZE + 40u], text[GRAPH_FILE_TEXT_MAX], why[80];
     size_t size = 0;
@@ -151,7 +151,7 @@ static void step_to(struct life *life, size_t op)
 {
     for (; life->stepped <= op; life->stepped++) {
         disk_step(&life->disk, life->stepped);
-        cutter_heed(&life->promise, &tape.ops[life->stepped]);
+        cutter_update_promise(&life->promise, &tape.ops[life->stepped]);
     }
 }
 
@@ -166,8 +166,8 @@ static void cut_at(struct life *life, size_t op)
     disk_cut(&life->disk, luck, draw(life), life->cut);
     tally->cuts++;
     tally->by_luck[luck]++;
-    look_at_graph(life, where);
-    cutter_look(&cutter, tally, life->cut, &life->promise, where);
+    check_graph(life, where);
+    cutter_check(&cutter, tally, life->cut, &life->promise, where);
 }
 
 /* Cuts the power at random places among the operations after the last part, in time order, and at

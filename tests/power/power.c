@@ -119,7 +119,7 @@ static int tape_is_whole(const char *folder, const char *copy)
 
 /* ---- Messages ------------------------------------------------------------------------------- */
 
-static void tell_hour(const struct plan *plan)
+static void print_hour(const struct plan *plan)
 {
     uint32_t writes = 0, syncs = 0, points = 0;
     for (size_t i = 0; i < tape.count; i++) {
@@ -135,7 +135,7 @@ static void tell_hour(const struct plan *plan)
            (double)tape.used / 1e6, syncs);
 }
 
-static int tell(const struct tally *sum, double seconds)
+static int print_result(const struct tally *sum, double seconds)
 {
     static const char *const luck[DISK_LUCK_COUNT] = {
         "all there",           "nothing there",  "last write torn", "half of the sectors",
@@ -163,7 +163,7 @@ static int tell(const struct tally *sum, double seconds)
            sum->cuts == 0;
 }
 
-static int tell_lives(const struct lives_tally *sum, double seconds)
+static int print_lives(const struct lives_tally *sum, double seconds)
 {
     const struct tally *cuts = &sum->cuts;
     printf("  in %llu lives of failing calls (%llu ended by SIGKILL, %llu starts refused)\n"
@@ -196,7 +196,7 @@ static int run_lives(const struct plan *plan)
         fprintf(stderr, "power: a worker died\n");
         return 1;
     }
-    return tell_lives(&sum, difftime(time(NULL), begin));
+    return print_lives(&sum, difftime(time(NULL), begin));
 }
 
 static int read_plan(struct plan *plan, int argc, char **argv)
@@ -239,7 +239,7 @@ static int run_hour(const struct plan *plan)
     if (play(plan, folder) != 0 || add_up() != 0) {
         return 1;
     }
-    tell_hour(plan);
+    print_hour(plan);
     if (!tape_is_whole(folder, copy)) {
         fprintf(stderr, "power: the tape does not tell all that happened to the files\n");
         return 1;
@@ -256,7 +256,7 @@ static int run_hour(const struct plan *plan)
         fprintf(stderr, "power: a worker died\n");
         return 1;
     }
-    return tell(&sum, difftime(time(NULL), begin));
+    return print_result(&sum, difftime(time(NULL), begin));
 }
 
 static int run(struct plan *plan)

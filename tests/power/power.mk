@@ -1,4 +1,4 @@
-# power.mk -- the plug is pulled, at every write.
+# power.mk -- simulates a power cut at every write.
 
 POWER := $(BUILD)/tests/power/power
 CUTS ?= 50000
@@ -20,13 +20,13 @@ LIVES ?= 100
 PRELOAD := $(BUILD)/tests/power/preload.so
 JUDGE := $(BUILD)/tests/power/judge
 
-## test/test-faults: Run LIVES=100 real kiosks whose file calls and power fail
+## test/test-faults: Run LIVES=100 real kiosks with failing calls; SEED=n
 test-faults:
 	@board/setup.sh test
 	+@$(MAKE) --no-print-directory -j$(JOBS) $(BUILD)/kingyo $(BUILD)/kingyoctl $(PRELOAD) $(JUDGE)
-	@BUILD=$(BUILD) tests/power/kiosk_lives.sh $(LIVES)
+	@BUILD=$(BUILD) tests/power/kiosk_lives.sh $(LIVES) $(SEED)
 
-# Whole in one library: it shares nothing with the kiosk that it is loaded into.
+# The library is self-contained, because it must share no code with the kiosk that loads it.
 PRELOAD_SRC := $(addprefix tests/power/,preload.c kiosk_tape.c tape.c fault.c) core/base/rng.c
 $(PRELOAD): $(PRELOAD_SRC) $(wildcard tests/power/*.h)
 	@mkdir -p $(@D)

@@ -223,6 +223,22 @@ static int open_file(const char *path, int flags, mode_t mode)
 OPEN_AS(open)
 OPEN_AS(open64)
 
+/* Records files that are opened by a path, as open() does. Paths relative to another folder are
+ * passed to the kernel. */
+#define OPENAT_AS(name)                                                                            \
+    int name(int folder, const char *path, int flags, ...);                                        \
+    int name(int folder, const char *path, int flags, ...)                                         \
+    {                                                                                              \
+        va_list rest;                                                                              \
+        va_start(rest, flags);                                                                     \
+        const mode_t mode = flags & O_CREAT ? va_arg(rest, mode_t) : 0;                            \
+        va_end(rest);                                                                              \
+        return folder == AT_FDCWD ? open_file(path, flags, mode)                                   \
+                                  : (int)syscall(SYS_openat, folder, path, flags, mode);           \
+    }
+OPENAT_AS(openat)
+OPENAT_AS(openat64)
+
 static void note_write(int fd, const void *bytes, ssize_t done, uint64_t offset)
 {
     const uint32_t file = file_of(fd);

@@ -1,7 +1,7 @@
 #!/bin/bash
-# test_power.sh -- the plug is pulled some thousand times; and a card whose syncs are lies is found out.
-# Speaks TAP; a line that begins with "# figure:" is shown by run.sh.
-# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+# test_power.sh -- cuts the power some thousand times, and checks that a card whose syncs have no
+# effect is detected. Speaks TAP; run.sh prints lines that begin with "# figure:".
+# shellcheck disable=SC2154,SC1091  # lib.sh sets these variables
 . "$(dirname "$0")/../lib.sh"
 power=$build/tests/power/power
 
@@ -20,10 +20,10 @@ a_liar_is_found() {
     [ $code = 1 ]
 }
 
-check 'nothing that was promised is lost, and nothing is doubled, wherever the power goes' nothing_is_lost
+check 'no acknowledged entry is lost or duplicated by a power cut at any write' nothing_is_lost
 sed -n 's/^  \([0-9]* cuts in .*\)/# figure: \1/p' "$work/said"
-check 'nothing that was promised is lost where syncs, writes, truncations and renames fail' failing_calls_lose_nothing
+check 'no acknowledged entry is lost when syncs, writes, truncations and renames fail' failing_calls_lose_nothing
 sed -n -e 's/^  calls that failed: \(.*\)/# figure: failed calls: \1/p' -e 's/^  \([0-9]* cuts in these .*\)/# figure: \1/p' "$work/said"
-check 'a card that only says that it has synced is found out' a_liar_is_found
-check 'and what it cost is told' grep -qE '[:,] [1-9][0-9]* (lost|unopenable)' "$work/liar"
+check 'a card whose syncs have no effect is detected' a_liar_is_found
+check 'the number of lost entries of that card is reported' grep -qE '[:,] [1-9][0-9]* (lost|unopenable)' "$work/liar"
 echo "1..$count"

@@ -1,4 +1,4 @@
-# render.mk -- a look at the picture without playing.
+# render.mk -- makes pictures of the game without playing.
 
 SHOT_PARTS := shot shot_options shot_scene shot_menu
 $(BUILD)/tests/render/shot: $(SHOT_PARTS:%=$(BUILD)/tests/render/%.o) $(BUILD)/shell.a \
@@ -6,13 +6,14 @@ $(BUILD)/tests/render/shot: $(SHOT_PARTS:%=$(BUILD)/tests/render/%.o) $(BUILD)/s
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
 
-# --start presses START after half a second; --mode NAME offers that mode alone, --choose all three;
-# --players N are bots; --follow M looks at the first poi from so near; --paper holds one up, with
-# --stress, --water MM, --tilt DEGREES, --owner N; --heel DEGREES tilts the bowls; --careless plays
-# with a hand that wets half the paper and pushes it; --lab SPECIES --progress P is the growth lab, with
-# --compare, --path, --size-layer; --album N --progress P the album with N fish;
-# --menu PAGE --step N a page of the operator's menu; --coins N what a round costs;
-# --rotation QUARTERS, --inset and --shift THOUSANDTHS, --light PERCENT lay the picture on the screen.
+# --start presses START after half a second. --mode NAME enables only that mode, and --choose
+# enables all three. --players N sets the number of bots. --follow M views the first poi from a
+# distance of M metres. --paper shows a poi with --stress, --water MM, --tilt DEGREES and --owner
+# N. --heel DEGREES tilts the bowls. --careless plays with a bot that wets half the paper and
+# pushes it. --lab SPECIES --progress P shows the growth lab with --compare, --path or
+# --size-layer. --album N --progress P shows the album with N fish. --menu PAGE --step N shows a
+# page of the operator's menu. --coins N sets the price of a round. --rotation QUARTERS, --inset
+# and --shift THOUSANDTHS and --light PERCENT transform the picture on the screen.
 ## picture/shot: Play and keep a frame in out/shot.png; ARGS="--players 4"
 shot: $(BUILD)/tests/render/shot
 	@mkdir -p out
@@ -41,8 +42,9 @@ PICTURE := out/pictures
 ## picture/pictures: Draw the pictures of the README pages (needs ImageMagick)
 pictures: fish-pictures game-pictures growth-picture lab-pictures menu-picture manual-pictures stall-picture
 
-# The choice of a mode, a championship of four, and what a big fish does to paper in practice: bots
-# play, so the moments move with the physics; look before you keep them.
+# The choice of a mode, a championship of four players, and paper under a big fish in practice
+# mode. Bots play, so a change of the physics moves the moments. Check the pictures before you keep
+# them.
 game-pictures: $(BUILD)/tests/render/shot
 	@mkdir -p $(PICTURE)
 	@$< --choose --seconds 3 -o $(PICTURE)/choose.png
@@ -52,7 +54,7 @@ game-pictures: $(BUILD)/tests/render/shot
 	    convert $(PICTURE)/$$name.png -resize 1120x -quality 88 assets/pictures/$$name.jpg; \
 	    echo "assets/pictures/$$name.jpg"; done
 
-# Three of the tank's moments side by side: gulping, a fan, a start.
+# Three moments of the tank side by side: fish that breathe at the surface, a fan, and a startle.
 fish-pictures: $(BUILD)/tests/render/shot $(BUILD)/tests/render/film
 	@mkdir -p $(PICTURE)
 	@$(BUILD)/tests/render/shot --oxygen 1 --seconds 25 --plain --close 0.1,0,0.22 -o $(PICTURE)/gulp.png
@@ -65,15 +67,15 @@ fish-pictures: $(BUILD)/tests/render/shot $(BUILD)/tests/render/film
 	@convert $(PICTURE)/top.png $(PICTURE)/strip.png -append -quality 86 assets/pictures/fish.jpg
 	@echo 'assets/pictures/fish.jpg'
 
-# All species, a row each, from hatchling to adult, as the growth lab shows them.
+# All species from hatchling to adult, one in each row, as the growth lab shows them.
 growth-picture: $(BUILD)/tests/render/specimen
 	@mkdir -p $(PICTURE)
 	@$< --cell 420x250 -o $(PICTURE)/growth.png
 	@convert $(PICTURE)/growth.png -resize 1120x -quality 88 assets/pictures/growth.jpg
 	@echo 'assets/pictures/growth.jpg'
 
-# The lab in the middle of hirame's metamorphosis, and six fish of a catch half-way through life; and
-# hirame three ways, from the 2005 thesis' figures.
+# The lab in the middle of the metamorphosis of hirame, and six fish of a catch at half their life.
+# A third picture shows three forms of hirame from the figures of the 2005 thesis.
 lab-pictures: $(BUILD)/tests/render/shot thesis-figures-2005
 	@mkdir -p $(PICTURE)
 	@$< --lab hirame --progress 0.22 --en --path -o $(PICTURE)/lab.png
@@ -84,7 +86,7 @@ lab-pictures: $(BUILD)/tests/render/shot thesis-figures-2005
 	@convert build/thesis-2005/figure-4.14-three-ways.png -resize 1120x -quality 86 assets/pictures/hirame.jpg
 	@echo 'assets/pictures/hirame.jpg'
 
-# The operator's desk: a controller that is being taught, and buttons and coins that are tried.
+# The operator's device page: a controller that is being learned, and a test of buttons and coins.
 menu-picture: $(BUILD)/tests/render/shot
 	@mkdir -p $(PICTURE)
 	@$< --menu learn --step 3 --en -o $(PICTURE)/learn.png
@@ -92,14 +94,14 @@ menu-picture: $(BUILD)/tests/render/shot
 	@convert $(PICTURE)/learn.png $(PICTURE)/lines.png -resize 800x +append -quality 86 assets/pictures/menu.jpg
 	@echo 'assets/pictures/menu.jpg'
 
-# A stall of one's own: the money page, a name that is written, the ranking on the wall.
+# The kiosk as its operator configures it: the money page, a name that is entered, and the ranking.
 stall-picture: $(BUILD)/tests/render/shot ui-shots
 	@$< --menu money --en -o $(PICTURE)/money.png
 	@convert $(PICTURE)/money.png out/ui/name_ja_1280x720.png out/ui/wall_ja_1280x720.png -resize 640x +append \
 	    -quality 86 assets/pictures/stall.jpg
 	@echo 'assets/pictures/stall.jpg'
 
-# Of the operator's manual: two pages of the menu side by side, PAGE or PAGE@STEP.
+# Pictures of the operator's manual: two pages of the menu side by side, each as PAGE or PAGE@STEP.
 MANUAL_PICTURES := menu:top:money picture:picture:card ranking:ranking:score books:earnings:hours \
     lines:lines:axes upkeep:files:about calibration:calibration@3:calibration@6 \
     selftest:selftest:machine

@@ -122,7 +122,7 @@ int main(int argc, char **argv)
                                                  .scene_scale = options.scale,
                                                  .samples = options.samples };
     const struct hal_display device = display_gl_device(&display);
-    if (options.menu && !shot_menu_knows(options.menu, options.step)) {
+    if (options.menu && !shot_menu_exists(options.menu, options.step)) {
         fprintf(stderr, "shot: --menu '%s' --step %u: no such page or step\n", options.menu,
                 options.step);
         return 2;

@@ -56,7 +56,7 @@ static const char *const names[MENU_PAGE_COUNT] = {
 };
 /* clang-format on */
 
-int shot_menu_knows(const char *page, uint8_t step)
+int shot_menu_exists(const char *page, uint8_t step)
 {
     for (uint8_t i = 0; i < MENU_PAGE_COUNT; i++) {
         if (names[i] && strcmp(names[i], page) == 0) {
@@ -145,7 +145,7 @@ void shot_menu_open(struct core *core, const char *page, uint8_t step, int uprig
     keep_books(core);
     if (menu->page == MENU_CALIBRATION) {
         calibrate_some(&menu->calibrate, step);
-        settings_edit_set(&core->game, &core->config, calibration_setting(0),
+        settings_edit_set(&core->game, &core->config, input_calibration_setting(0),
                           step > CALIBRATE_WATER ? 1 : 0);
     }
     menu->from = MENU_EARNINGS;
@@ -169,6 +169,20 @@ void shot_menu_open(struct core *core, const char *page, uint8_t step, int uprig
     }
 }
 
+/* clang-format off */
+static const char *const about[ABOUT_COUNT] = {
+    [ABOUT_DISPLAY] = "OpenGL ES 3.1 V3D 7.1, 1920x1080, scene 1x, floor 0.6x, 4 samples",
+    [ABOUT_SOUND] = "sound through SDL alsa",
+    [ABOUT_STORE] = "/var/lib/kingyo/kingyo.db",
+    [ABOUT_CONTROLLERS] = "libusb: 5 controllers, 1 of them play",
+    [ABOUT_BUTTONS] = "keyboard: Space starts, arrows choose, 5 6 7 coins, F2 menu, F3 "
+                      "service, L language, F11 full screen, Esc quits; three fingers start",
+    [ABOUT_SWITCHES] = "libgpiod 1.6.3: 6 of 8 lines; no start, coin (BTN_START is in use by "
+                       "'another')",
+    [ABOUT_WATCHDOG] = "watchdog: service manager at /run/systemd/notify",
+};
+/* clang-format on */
+
 void shot_menu_name(struct scene_devices *devices, uint8_t file_first)
 {
     for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
@@ -178,20 +192,7 @@ void shot_menu_name(struct scene_devices *devices, uint8_t file_first)
     }
     snprintf(devices->controllers, SCENE_LINE_SIZE, "libusb: 5 controllers, 1 of them play");
     snprintf(devices->lines, SCENE_LINE_SIZE,
-             "libgpiod 1.6.3: 6 of 8 lines; no start, coin (BTN_START is held by 'another')");
-    /* clang-format off */
-    static const char *const about[ABOUT_COUNT] = {
-        [ABOUT_DISPLAY] = "OpenGL ES 3.1 V3D 7.1, 1920x1080, scene 1x, floor 0.6x, 4 samples",
-        [ABOUT_SOUND] = "sound through SDL alsa",
-        [ABOUT_STORE] = "/var/lib/kingyo/kingyo.db",
-        [ABOUT_CONTROLLERS] = "libusb: 5 controllers, 1 of them play",
-        [ABOUT_BUTTONS] = "keyboard: Space starts, arrows choose, 5 6 7 coins, F2 menu, F3 "
-                          "service, L language, F11 full screen, Esc quits; three fingers start",
-        [ABOUT_SWITCHES] = "libgpiod 1.6.3: 6 of 8 lines; no start, coin (BTN_START is held by "
-                           "'another')",
-        [ABOUT_WATCHDOG] = "watchdog: service manager at /run/systemd/notify",
-    };
-    /* clang-format on */
+             "libgpiod 1.6.3: 6 of 8 lines; no start, coin (BTN_START is in use by 'another')");
     for (uint32_t i = 0; i < ABOUT_COUNT; i++) {
         snprintf(devices->about[i], SCENE_LINE_SIZE, "%s", about[i]);
     }

@@ -5,7 +5,7 @@
 #include "core/core.h"
 
 /* Returns 1 if the page exists and has this step. */
-int shot_menu_knows(const char *page, uint8_t step);
+int shot_menu_exists(const char *page, uint8_t step);
 
 /* Opens the menu on `page` (top, controllers, controller, learn, lines or files). On the learn page
  * `step` is an enum learn_step. On the files page `step` is the number of presses of MORE. On other

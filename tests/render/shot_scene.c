@@ -31,7 +31,7 @@ static void set_water(const struct shot_options *options)
 
 /* Returns the pose of a careless player, who wets one half of the paper at a steep angle and pushes
  * it flat through the water. */
-static struct poi_input careless_hand(float time_s)
+static struct poi_input careless_pose(float time_s)
 {
     const float sinks = f_smoothstep(4.0f, 4.6f, time_s);
     const float turns = f_smoothstep(3.6f, 4.0f, time_s);
@@ -93,7 +93,7 @@ static void play(const struct shot_options *options, struct output *output)
             input.poi[k].link = k == 0 || k < options->players ? POI_SOURCE_BOT : POI_SOURCE_ABSENT;
         }
         if (options->careless) {
-            input.poi[0] = careless_hand((float)i * CORE_TICK_S);
+            input.poi[0] = careless_pose((float)i * CORE_TICK_S);
         }
         input.shade[0] = options->fan;
         if (options->start && i == 60u) {

@@ -183,14 +183,15 @@ static void label(const struct options *o, const struct species *species,
     const struct ui_text style = {
         .font = FONT_BODY, .size_px = size_px, .align = 0.5f, .fill = 0xffffffd0u
     };
-    ui_text(&ui.batch, &style, x_px, y_px, words);
+    ui_text(&ui.batch, style, x_px, y_px, words);
 }
 
 /* Prints the CPU time of a sheet. The time includes all threads and the driver, because a software
  * renderer works in them. */
-static void say_cost(const float sheet[2], uint32_t fish_count)
+static void print_cost(const float sheet[2], uint32_t fish_count)
 {
-    const struct display_transform transform = display_transform_identity(sheet[0], sheet[1]);
+    const struct display_transform transform =
+        display_transform_of(&(struct display_settings){ .light = 1.0f }, sheet[0], sheet[1]);
     const clock_t start = clock();
     for (uint32_t i = 0; i < COST_DRAWS; i++) {
         for (uint32_t k = 0; k < ui.batch.specimen_count; k++) {
@@ -238,10 +239,11 @@ static void show(const struct options *o, const struct species *species, uint32_
         label(o, species, &fish, ((float)i + 0.5f) * (float)o->width,
               ((float)row + 0.955f) * (float)o->height);
     }
-    const struct display_transform transform = display_transform_identity(sheet[0], sheet[1]);
+    const struct display_transform transform =
+        display_transform_of(&(struct display_settings){ .light = 1.0f }, sheet[0], sheet[1]);
     ui_show(&ui, &pass, &transform);
     if (o->time) {
-        say_cost(sheet, ui.batch.specimen_count);
+        print_cost(sheet, ui.batch.specimen_count);
     }
 }
 

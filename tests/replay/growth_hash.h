@@ -4,11 +4,28 @@
 
 #include <inttypes.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "core/base/hash.h"
 #include "core/morph/morph.h"
 
 #define GROWTH_STEPS 40
+
+/* Adds the bits of the numbers to the hash. */
+static uint64_t hash_floats(uint64_t hash, const float *values, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        uint32_t bits;
+        memcpy(&bits, &values[i], sizeof bits);
+        hash = hash_u32(hash, bits);
+    }
+    return hash;
+}
+
+static uint64_t hash_vec3(uint64_t hash, vec3 value)
+{
+    return hash_floats(hash, (const float[]){ value.x, value.y, value.z }, 3);
+}
 
 /* Adds the weights and the anchors of a pose to the hash. */
 static uint64_t hash_pose(uint64_t hash, const struct morph_pose *pose, uint32_t anchor_count)
@@ -24,14 +41,14 @@ static uint64_t hash_pose(uint64_t hash, const struct morph_pose *pose, uint32_t
 
 /* Adds the shape of the species at one progress to the hash, in all levels of detail. */
 static uint64_t hash_moment(uint64_t hash, const struct species *species,
-                            const struct morph_rig *rig, float progress, uint32_t lanes)
+                            const struct morph_rig *rig, float progress)
 {
     static struct morph_pose pose;
     static vec3 positions[MESH_VERTEX_MAX], normals[MESH_VERTEX_MAX];
     for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
         const struct species_mesh *mesh = &species->lod[lod];
         morph_pose(rig, mesh, progress, &pose);
-        morph_shape_lanes(mesh, rig->key_count, &pose, positions, normals, lanes);
+        morph_shape(mesh, rig->key_count, &pose, positions, normals);
         hash = hash_pose(hash, &pose, mesh->anchor_count);
         for (uint32_t i = 0; i < mesh->vertex_count; i++) {
             hash = hash_vec3(hash_vec3(hash, positions[i]), normals[i]);
@@ -39,14 +56,14 @@ static uint64_t hash_moment(uint64_t hash, const struct species *species,
     }
     const float age_days = life_age_days(&species->card, progress);
     const float length_m = life_length_m(&species->card, progress);
-    hash = hash_float(hash_float(hash, age_days), length_m);
-    hash = hash_float(hash, life_progress(&species->card, age_days));
-    return hash_float(hash, morph_progress(&species->card, length_m));
+    const float life[] = { age_days, length_m, life_progress(&species->card, age_days),
+                           morph_progress(&species->card, length_m) };
+    return hash_floats(hash, life, 4);
 }
 
 /* Prints the hashes of the growth by the species' own curves, by the smooth template, and by the
  * method of the thesis. */
-static void print_growth_hashes(uint32_t lanes)
+static void print_growth_hashes(void)
 {
     static struct straight_memory memory;
     static struct species thesis;
@@ -60,7 +77,7 @@ static void print_growth_hashes(uint32_t lanes)
         for (uint32_t step = 0; step <= GROWTH_STEPS; step++) {
             for (uint32_t k = 0; k < 3; k++) {
                 hash = hash_moment(hash, k < 2 ? species_table[i] : &thesis, &rig[k],
-                                   (float)step / GROWTH_STEPS, lanes);
+                                   (float)step / GROWTH_STEPS);
             }
         }
         printf("%016" PRIx64 "  %s\n", hash, species_table[i]->card.id);

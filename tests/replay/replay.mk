@@ -1,11 +1,12 @@
-# replay.mk -- the same half-minute of the core from every compiler and level, against the golden hashes.
+# replay.mk -- simulates the same half-minute with every compiler and optimization level, and
+# compares it with the golden hashes.
 
 VARIANTS := gcc-O0 gcc-O2 gcc-O3 clang-O0 clang-O2 clang-O3
 VARIANT_BIN := $(VARIANTS:%=$(BUILD)/variants/%/state_hash) $(BUILD)/variants/sanitized/state_hash
 VARIANT_CORE = $(CORE_SRC) $(WIDE_SRC:%.c=%_8.c) $(GENERATED_CORE_OBJ:$(BUILD)/%.o=%.c)
 VARIANT_FLAGS := $(subst $(OPT) -g,,$(CORE_CFLAGS)) -w
 
-# $(call variant,NAME,COMPILER AND LEVEL): the whole core once more, in its own folder.
+# $(call variant,NAME,COMPILER AND LEVEL) compiles the whole core again in its own folder.
 define variant
 $(BUILD)/variants/$(1)/state_hash: $$(VARIANT_CORE:%.c=$(BUILD)/variants/$(1)/%.o) \
                                    $(BUILD)/variants/$(1)/tests/replay/state_hash.o
@@ -30,7 +31,7 @@ $(BUILD)/variants/$(1)/tests/replay/state_hash.o: tests/replay/state_hash.c $(FO
 endef
 
 $(foreach v,$(VARIANTS),$(eval $(call variant,$(v),$(subst -O, -O,$(v)))))
-# What the language leaves undefined would be a bug that no hash shows yet.
+# Undefined behaviour is a bug even if it does not change a hash yet.
 SANITIZE := gcc -O1 -g -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all
 $(eval $(call variant,sanitized,$(SANITIZE)))
 

@@ -1,7 +1,7 @@
 /* state_hash.c -- plays a fixed half-minute of the core and prints the hash of its state every
  * second.
  *
- * Usage: state_hash [LANES [growth]]. Returns exit status 77 if this machine has no SIMD of this
+ * Usage: state_hash [LANES | growth]. Returns exit status 77 if this machine has no SIMD of this
  * width. With `growth` it prints one line for each species instead (growth_hash.h).
  *
  * Plays attract mode, then a round of a bot, then a player who dips and sweeps next to a second
@@ -29,7 +29,7 @@ _Noreturn void core_panic(const char *condition, const char *file, int line)
 }
 
 /* Returns a tilted dip every two seconds while the poi sweeps back and forth through the tank. */
-static struct poi_target hand_at(uint32_t tick)
+static struct poi_target pose_at(uint32_t tick)
 {
     const float s = (float)(tick - HAND_TICK) * CORE_TICK_S;
     return (struct poi_target){
@@ -58,7 +58,7 @@ static struct input input_at(uint32_t tick)
     input.poi[0].link = POI_SOURCE_BOT;
     if (tick >= HAND_TICK) {
         input.poi[0].link = POI_SOURCE_LIVE;
-        input.poi[0].target = hand_at(tick);
+        input.poi[0].target = pose_at(tick);
         input.shade[1] = fan_at(tick);
     }
     if (tick == START_TICK) {
@@ -79,12 +79,12 @@ static int machine_has(uint32_t lanes)
 int main(int argc, char **argv)
 {
     const uint32_t lanes = argc > 1 ? (uint32_t)strtoul(argv[1], NULL, 10) : 0u;
+    if (argc > 1 && strcmp(argv[1], "growth") == 0) {
+        print_growth_hashes();
+        return 0;
+    }
     if (!machine_has(lanes)) {
         return 77;
-    }
-    if (argc > 2 && strcmp(argv[2], "growth") == 0) {
-        print_growth_hashes(lanes);
-        return 0;
     }
     static struct core core;
     static struct output output;

@@ -1,8 +1,8 @@
 #!/bin/bash
-# test_float_control.sh -- a library that leaves flush-to-zero on changes no result of the programs, and a
-# thread whose mode cannot be kept gives an error in place of a wrong hash. Each machine's control word is
-# set by code that clang compiles for it. Speaks TAP.
-# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+# test_float_control.sh -- a library that leaves flush-to-zero enabled changes no result of the
+# programs. If the mode of a thread cannot be kept, the program reports an error instead of a wrong
+# hash. Clang compiles the code that sets the control word of each architecture. Speaks TAP.
+# shellcheck disable=SC2154,SC1091  # lib.sh sets these variables
 . "$(dirname "$0")/../lib.sh"
 
 sets() { # TARGET INSTRUCTION
@@ -16,26 +16,26 @@ check 'the code for RISC-V sets fcsr' sets riscv64-linux-gnu 'fscsr'
 check 'the code for x86-64 sets MXCSR' sets x86_64-linux-gnu 'ldmxcsr'
 
 if [ "$(uname -m)" != x86_64 ]; then
-    skip 'programs under a library that leaves flush-to-zero on' 'the library is written for x86-64'
+    skip 'programs with a library that enables flush-to-zero' 'the library is written for x86-64'
     echo "1..$count"
     exit
 fi
 gcc -shared -fPIC -O1 -o "$work/mode.so" tests/replay/float_mode.c -ldl
-# The sanitizers' runtime must come first, in a build that has one.
+# In a build with sanitizers, their runtime library must be loaded first.
 with_mode() { LD_PRELOAD="$work/mode.so" "$@"; }
 play() { "$ctl" play --bot expert --seed 5 --round-s 10 --rounds 2 --jobs 2 --json; }
 play >"$work/clean.json"
 with_mode play >"$work/mode.json"
-check 'rounds of kingyoctl play end in the same states' cmp "$work/clean.json" "$work/mode.json"
+check 'kingyoctl play gives the same states with flush-to-zero enabled' cmp "$work/clean.json" "$work/mode.json"
 tank() { "$ctl" tank --fish 30 --seconds 3 --seed 2 --json | grep -o '"state_hash": "[0-9a-f]*"'; }
 tank >"$work/clean"
 with_mode tank >"$work/mode"
-check 'kingyoctl tank names a hash' test -s "$work/clean"
-check 'and the same one' cmp "$work/clean" "$work/mode"
+check 'kingyoctl tank prints a hash' test -s "$work/clean"
+check 'kingyoctl tank gives the same hash with flush-to-zero enabled' cmp "$work/clean" "$work/mode"
 
 "$ctl" play --bot expert --seed 5 --round-s 10 --record "$work/rec" >"$work/said"
 round=$work/rec/round-00001.kgr
-check 'a recording is true under the library' with_mode "$ctl" replay verify "$round"
+check 'a recording verifies with flush-to-zero enabled' with_mode "$ctl" replay verify "$round"
 refused() {
     FLOAT_MODE_IN=pread with_mode "$ctl" replay verify "$round" >"$work/out" 2>"$work/err"
     local code=$?
@@ -43,5 +43,5 @@ refused() {
     [ $code = 1 ] && [ ! -s "$work/out" ] && [ "$(wc -l <"$work/err")" = 1 ] &&
         grep -q '^kingyoctl replay: this machine.s floating point' "$work/err"
 }
-check 'a mode that each read leaves behind is one line and exit 1, and no wrong hash' refused
+check 'a mode that each read changes gives one line and exit 1' refused
 echo "1..$count"

@@ -1,8 +1,8 @@
 #!/bin/bash
-# test_golden.sh -- gcc and clang, -O0 to -O3, four lanes and eight, give the same states, and those are
-# the known good.
-#
-# BUILD is the folder that make uses. Speaks TAP; where a hash differs it names the first second.
+# test_golden.sh -- gcc and clang, -O0 to -O3, with four and eight SIMD lanes give the same states,
+# which equal the golden hashes.
+# BUILD is the folder that make uses. Speaks TAP. If a hash differs, the output gives the first
+# second.
 set -u
 variants=${BUILD:-build}/variants
 golden=tests/replay/golden.txt
@@ -10,7 +10,7 @@ out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 count=0
 
-# Side by side: the unoptimised ones are slow.
+# The programs run in parallel, because the unoptimised ones are slow.
 for program in "$variants"/*/state_hash; do
     name=$(basename "$(dirname "$program")")
     echo "$name 4"
@@ -33,13 +33,13 @@ same() { # NAME EXPECTED TEXT
     diff "$2" "$out/$1" | head -3 | sed 's/^/# /'
 }
 
-same gcc-O2-4 "$golden" 'half a minute of play gives the golden hashes (else see make golden)'
-same gcc-O2-8 "$out/gcc-O2-4" 'eight lanes play the same game as four'
+same gcc-O2-4 "$golden" 'half a minute of play gives the golden hashes (if not, see make golden)'
+same gcc-O2-8 "$out/gcc-O2-4" 'eight lanes give the same states as four lanes'
 for variant in gcc-O0 gcc-O3 clang-O0 clang-O2 clang-O3; do
-    same $variant-4 "$out/gcc-O2-4" "$variant agrees with gcc-O2 on every second"
-    same $variant-8 "$out/gcc-O2-4" "$variant does so with eight lanes"
+    same $variant-4 "$out/gcc-O2-4" "$variant gives the states of gcc-O2 in every second"
+    same $variant-8 "$out/gcc-O2-4" "$variant with eight lanes gives the states of gcc-O2 in every second"
 done
-sanitized='nothing undefined happens: address and undefined-behaviour sanitizers are silent'
+sanitized='the address and undefined-behaviour sanitizers report nothing'
 same sanitized-4 "$out/gcc-O2-4" "$sanitized"
 same sanitized-8 "$out/gcc-O2-4" "$sanitized with eight lanes"
 echo "1..$count"

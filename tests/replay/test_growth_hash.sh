@@ -1,22 +1,19 @@
 #!/bin/bash
-# test_growth_hash.sh -- gcc and clang, -O0 to -O3, four lanes and eight, grow every species into the same shapes,
-# bit for bit; and nothing that the language leaves undefined happens on the way. That is said of one bake: the
-# tables are drawn in double by the libm of the machine that builds, and another's may round a count otherwise.
-#
-# BUILD is the folder that make uses. Speaks TAP; where a hash differs it names the species.
+# test_growth_hash.sh -- gcc and clang, -O0 to -O3, give identical shapes for every species, and the sanitizers report no undefined behaviour. The comparison holds
+# for one bake, because the libm of the build machine computes the tables in double precision, and
+# another libm may round a value differently.
+# BUILD is the folder that make uses. Speaks TAP. If a hash differs, the output gives the species.
 set -u
 variants=${BUILD:-build}/variants
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 count=0
 
-same() { # VARIANT LANES
+same() { # VARIANT
     count=$((count + 1))
-    "$variants/$1/state_hash" "$2" growth >"$out/hashes" 2>"$out/err"
-    local code=$? text="$1 with $2 lanes grows every species into the same shapes"
-    if [ $code = 77 ]; then
-        echo "ok $count - $text # SKIP this machine has no eight lanes"
-    elif [ $code = 0 ] && [ ! -s "$out/err" ] && cmp -s "$out/hashes" "$out/known"; then
+    "$variants/$1/state_hash" growth >"$out/hashes" 2>"$out/err"
+    local code=$? text="$1 grows every species into the same shapes"
+    if [ $code = 0 ] && [ ! -s "$out/err" ] && cmp -s "$out/hashes" "$out/known"; then
         echo "ok $count - $text"
     else
         echo "not ok $count - $text"
@@ -24,16 +21,15 @@ same() { # VARIANT LANES
     fi
 }
 
-"$variants/gcc-O2/state_hash" 1 growth >"$out/known" # One vertex by one.
+"$variants/gcc-O2/state_hash" growth >"$out/known"
 count=1
 if [ "$(sort -u "$out/known" | wc -l)" -ge 3 ] && [ "$(wc -l <"$out/known")" = "$(sort -u "$out/known" | wc -l)" ]; then
-    echo 'ok 1 - every species has a growth of its own'
+    echo 'ok 1 - every species has a different growth hash'
 else
-    echo 'not ok 1 - every species has a growth of its own'
+    echo 'not ok 1 - every species has a different growth hash'
     sed 's/^/# /' "$out/known"
 fi
-for variant in gcc-O0 gcc-O2 gcc-O3 clang-O0 clang-O2 clang-O3 sanitized; do
-    same $variant 4
-    same $variant 8
+for variant in gcc-O0 gcc-O3 clang-O0 clang-O2 clang-O3 sanitized; do
+    same $variant
 done
 echo "1..$count"

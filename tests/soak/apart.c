@@ -61,8 +61,8 @@ static void fill(struct cells *cells, const struct tank *tank)
 }
 
 /* Checks fish `i` against the fish of one cell that come before it. */
-static void look_in_cell(struct apart *apart, const struct tank *tank, const struct cells *cells,
-                         uint32_t i, uint32_t cell)
+static void check_cell(struct apart *apart, const struct tank *tank, const struct cells *cells,
+                       uint32_t i, uint32_t cell)
 {
     for (uint32_t at = cells->first[cell]; at != 0; at = cells->next[at - 1u]) {
         const uint32_t j = at - 1u;
@@ -75,7 +75,7 @@ static void look_in_cell(struct apart *apart, const struct tank *tank, const str
     }
 }
 
-static void look_at_pairs(struct apart *apart, const struct tank *tank)
+static void check_pairs(struct apart *apart, const struct tank *tank)
 {
     static struct cells cells;
     fill(&cells, tank);
@@ -88,7 +88,7 @@ static void look_at_pairs(struct apart *apart, const struct tank *tank)
         for (int r = row - 1; r <= row + 1; r++) {
             for (int c = column - 1; c <= column + 1; c++) {
                 if (r >= 0 && c >= 0 && r < (int)cells.rows && c < (int)cells.columns) {
-                    look_in_cell(apart, tank, &cells, i, (uint32_t)r * cells.columns + (uint32_t)c);
+                    check_cell(apart, tank, &cells, i, (uint32_t)r * cells.columns + (uint32_t)c);
                 }
             }
         }
@@ -116,8 +116,8 @@ static void note(struct apart *apart, float *deepest_m, float depth_m)
     apart->other_count += depth_m > APART_DEEP_M;
 }
 
-static void look_at_walls(struct apart *apart, const struct tank *tank, const struct fish *fish,
-                          const struct box *box)
+static void check_walls(struct apart *apart, const struct tank *tank, const struct fish *fish,
+                        const struct box *box)
 {
     const vec3 extent = box_extent_m(box), at = fish->position_m;
     const float beyond_x = f_abs(at.x) + extent.x - 0.5f * tank->size_m.x;
@@ -166,7 +166,7 @@ static float ring_depth_m(const struct poi *poi, const struct basis *axes, const
     return tube_m - least_m;
 }
 
-static void look_at_ring(struct apart *apart, const struct poi *poi, const struct box *box)
+static void check_ring(struct apart *apart, const struct poi *poi, const struct box *box)
 {
     const vec3 d = v3_sub(box->centre_m, poi->position_m);
     const float reach_m = POI_OUTER_RADIUS_M + v3_length(box->half_m);
@@ -190,7 +190,7 @@ static float point_in_hull_m(const struct bowl *bowl, vec3 point_m)
     return (1.0f - k) * k / f_max(v3_length(gradient), 1e-6f);
 }
 
-static void look_at_hull(struct apart *apart, const struct bowl *bowl, const struct box *box)
+static void check_hull(struct apart *apart, const struct bowl *bowl, const struct box *box)
 {
     const float reach_m = BOWL_RADIUS_M + v3_length(box->half_m);
     const vec3 d = v3_sub(box->centre_m, bowl->position_m);
@@ -215,7 +215,7 @@ static int is_calm(const struct fish *fish)
     return fish->gait == GAIT_REST || fish->gait == GAIT_SWIM;
 }
 
-static void look_at_turn(struct apart *apart, const struct fish *fish, uint32_t i)
+static void check_turn(struct apart *apart, const struct fish *fish, uint32_t i)
 {
     const float turn_rad_s =
         f_wrap_angle(fish->angles.yaw_rad - apart->yaw_rad[i]) * (float)CORE_TICK_HZ;
@@ -231,8 +231,8 @@ static void look_at_turn(struct apart *apart, const struct fish *fish, uint32_t 
     }
 }
 
-static void look_at_pace(struct apart *apart, const struct tank *tank, const struct fish *fish,
-                         uint32_t i)
+static void check_pace(struct apart *apart, const struct tank *tank, const struct fish *fish,
+                       uint32_t i)
 {
     const uint32_t now = (uint32_t)apart->ticks;
     const float away_m = v3_length(v3_sub(fish->position_m, apart->spot_m[i]));
@@ -251,13 +251,13 @@ static void look_at_pace(struct apart *apart, const struct tank *tank, const str
     }
 }
 
-static void look_at_fish(struct apart *apart, const struct tank *tank, uint32_t i)
+static void check_fish(struct apart *apart, const struct tank *tank, uint32_t i)
 {
     const struct fish *fish = &tank->fish[i];
     const struct box box = fish_box(fish);
-    look_at_walls(apart, tank, fish, &box);
-    look_at_turn(apart, fish, i);
-    look_at_pace(apart, tank, fish, i);
+    check_walls(apart, tank, fish, &box);
+    check_turn(apart, fish, i);
+    check_pace(apart, tank, fish, i);
     const float near_x = 0.5f * tank->size_m.x - f_abs(fish->position_m.x);
     const float near_z = 0.5f * tank->size_m.z - f_abs(fish->position_m.z);
     apart->by_wall += f_min(near_x, near_z) < NEAR_WALL_M;
@@ -276,10 +276,10 @@ static int is_loose(const struct fish *fish)
     return fish->gait == GAIT_HELD && fish->holder >= POI_MAX;
 }
 
-void apart_look(struct apart *apart, const struct tank *tank, const struct poi *pois,
-                uint32_t poi_count, const struct bowl *bowls, uint32_t bowl_count)
+void apart_check(struct apart *apart, const struct tank *tank, const struct poi *pois,
+                 uint32_t poi_count, const struct bowl *bowls, uint32_t bowl_count)
 {
-    look_at_pairs(apart, tank);
+    check_pairs(apart, tank);
     for (uint32_t i = 0; i < tank->fish_count; i++) {
         const struct fish *fish = &tank->fish[i];
         apart->loose_ticks[i] = is_loose(fish) ? apart->loose_ticks[i] + 1u : 0u;
@@ -288,14 +288,14 @@ void apart_look(struct apart *apart, const struct tank *tank, const struct poi *
             apart->known[i] = 0;
             continue;
         }
-        look_at_fish(apart, tank, i);
+        check_fish(apart, tank, i);
         apart->known[i] = 1;
         const struct box box = fish_box(fish);
         for (uint32_t p = 0; p < poi_count; p++) {
-            look_at_ring(apart, &pois[p], &box);
+            check_ring(apart, &pois[p], &box);
         }
         for (uint32_t b = 0; b < bowl_count; b++) {
-            look_at_hull(apart, &bowls[b], &box);
+            check_hull(apart, &bowls[b], &box);
         }
     }
     apart->ticks++;

@@ -48,8 +48,8 @@ struct apart {
 void apart_init(struct apart *apart);
 
 /* Checks the tank after a tick. `pois` and `bowls` may be null. */
-void apart_look(struct apart *apart, const struct tank *tank, const struct poi *pois,
-                uint32_t poi_count, const struct bowl *bowls, uint32_t bowl_count);
+void apart_check(struct apart *apart, const struct tank *tank, const struct poi *pois,
+                 uint32_t poi_count, const struct bowl *bowls, uint32_t bowl_count);
 
 /* Returns the deepest overlap of all pairs without the grid, as a reference for the test of the
  * grid. */

@@ -60,7 +60,7 @@ static void next_stroke(struct drag *drag)
                          draw(drag, 7, -tilt, tilt) * F_DEG };
 }
 
-static void move_hand(struct drag *drag)
+static void move_target(struct drag *drag)
 {
     struct poi_target *hand = &drag->input.poi[0].target;
     const vec3 way = v3_sub(drag->to_m, hand->position_m);
@@ -106,7 +106,7 @@ static void renew_paper(struct poi *poi)
 void drag_tick(struct drag *drag)
 {
     struct core *core = &drag->core;
-    move_hand(drag);
+    move_target(drag);
     renew_paper(&core->world.poi[0]);
     if (core->world.bowl[0].fish_count > BOWL_FULL) {
         bowl_empty(&core->world.bowl[0], 0, &core->world.tank);

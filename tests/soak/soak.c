@@ -56,8 +56,8 @@ static void run(const struct density *density, int dragged, uint32_t seconds, ui
             drag_calm_tick(&drag);
         }
         reverted_count += drag.core.world.tank.solver.reverted_count;
-        apart_look(&apart, &drag.core.world.tank, drag.core.world.poi, dragged ? 1u : 0u,
-                   drag.core.world.bowl, 1);
+        apart_check(&apart, &drag.core.world.tank, drag.core.world.poi, dragged ? 1u : 0u,
+                    drag.core.world.bowl, 1);
         if (tick % (5u * CORE_TICK_HZ) == 0) {
             cells_missed |= apart_all_pairs_m(&drag.core.world.tank) > apart.pair_m;
         }

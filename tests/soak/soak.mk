@@ -1,4 +1,4 @@
-# soak.mk -- minutes of full tanks in which nothing may pass through anything.
+# soak.mk -- simulates full tanks for minutes and checks that no body passes through another.
 
 SOAK_BIN := $(BUILD)/tests/soak/soak
 SOAK_OBJ := $(BUILD)/tests/soak/apart.o $(BUILD)/tests/soak/drag.o $(BUILD)/platform/cpu.o
@@ -11,7 +11,7 @@ $(SOAK_BIN): $(BUILD)/tests/soak/soak.o $(SOAK_OBJ) $(BUILD)/tests/unit/support/
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ -lcmocka -lm
 
-# Some seconds of the same belong to `make test` (test_soak.sh).
+# `make test` runs the same program for some seconds (test_soak.sh).
 tests: $(SOAK_BIN)
 
 .PHONY: soak

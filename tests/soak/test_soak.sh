@@ -1,6 +1,7 @@
 #!/bin/bash
-# A few seconds of each full tank, calm and dragged through: nothing is in anything else. The ten
-# minutes of `make soak` are the same program.
+# test_soak.sh -- simulates each full tank for a few seconds, calm and with a poi that is dragged
+# through it, and checks that no body overlaps another. `make soak` runs the same program for ten
+# minutes. Speaks TAP.
 out=$("${BUILD:-build}/tests/soak/soak" "${SOAK_SECONDS:-8}")
 failed=$?
 n=0

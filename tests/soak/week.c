@@ -86,14 +86,14 @@ static const char *crowd_describe(void *self)
     return "a crowd";
 }
 
-static int hand_open(void *self)
+static int poi_open(void *self)
 {
     (void)self;
     return HAL_OK;
 }
 
 /* Moves the poi in a circle over the water while the stall is open. */
-static int hand_poll(void *self, struct poi_sample *out, uint32_t max)
+static int poi_poll(void *self, struct poi_sample *out, uint32_t max)
 {
     (void)self;
     const float turn = (float)(kiosk.frames % 628u) * 0.01f;
@@ -109,31 +109,32 @@ static int hand_poll(void *self, struct poi_sample *out, uint32_t max)
     return 1;
 }
 
-static int hand_feel(void *self, const struct poi_force *force)
+static int poi_set_force(void *self, const struct poi_force *force)
 {
     (void)self;
     (void)force;
     return HAL_OK;
 }
 
-static void hand_look(void *self, const struct view *view,
-                      const struct display_settings *display_settings)
+static void poi_set_view(void *self, const struct view *view,
+                         const struct display_settings *display_settings, bool scoops)
 {
     (void)self;
     (void)view;
     (void)display_settings;
+    (void)scoops;
 }
 
 static struct hal broad_phase(const char *folder)
 {
     static const struct hal_buttons_ops buttons = { .poll = crowd_poll,
                                                     .describe = crowd_describe };
-    static const struct hal_poi_ops hand = { .open = hand_open,
-                                             .poll = hand_poll,
-                                             .set_force = hand_feel,
-                                             .set_view = hand_look,
+    static const struct hal_poi_ops hand = { .open = poi_open,
+                                             .poll = poi_poll,
+                                             .set_force = poi_set_force,
+                                             .set_view = poi_set_view,
                                              .describe = crowd_describe };
-    struct hal all = null_hal();
+    struct hal all = null_hal(NULL);
     store = (struct storage){ .dir = folder };
     all.clock = sim_clock_device(&clock_of_week);
     all.storage = storage_device(&store);
@@ -231,7 +232,7 @@ static size_t sqlites_size(void)
     return (size_t)sqlite3_memory_used() + (size_t)pieces * PIECE_HEAD;
 }
 
-static struct sample look(void)
+static struct sample take_sample(void)
 {
     return (struct sample){
         .ours = mallinfo2().uordblks,
@@ -241,7 +242,7 @@ static struct sample look(void)
     };
 }
 
-static void tell(uint32_t hour, const struct sample *sample)
+static void print_sample(uint32_t hour, const struct sample *sample)
 {
     const struct audits *audits = &kiosk.core.game.accounts.audits;
     const uint32_t *count = audits->count;
@@ -310,7 +311,7 @@ static int holds_all(const char *folder)
 
 /* Prints the growth. SQLite keeps the data it reads until its cache is full, which is bounded. All
  * other memory must not grow. */
-static int tell_growth(const struct sample *first, const struct sample *last, uint32_t since_hour)
+static int print_growth(const struct sample *first, const struct sample *last, uint32_t since_hour)
 {
     const double own = ((double)last->ours - (double)last->sqlites) -
                        ((double)first->ours - (double)first->sqlites);
@@ -333,18 +334,18 @@ static int run(const char *folder, uint32_t hours)
            hours, "", "coins", "rounds", "entries", "KiB", "KiB", "MiB", "KiB", "dropped");
     for (uint32_t hour = 1; hour <= hours; hour++) {
         pass_hour();
-        last = look();
+        last = take_sample();
         if (hour == (hours + 3u) / 4u) {
             first = last;
         }
         if (hour % LINE_HOURS == 0 || hour == hours) {
-            tell(hour, &last);
+            print_sample(hour, &last);
         }
     }
     const uint64_t dropped = kiosk.pace.dropped;
     const uint32_t unwritten = kiosk_close_store(&kiosk, &hal);
     const int holds = holds_all(folder);
-    const int grew = tell_growth(&first, &last, (hours + 3u) / 4u);
+    const int grew = print_growth(&first, &last, (hours + 3u) / 4u);
     printf("  %llu ticks dropped, %u unwritten\n", (unsigned long long)dropped, unwritten);
     return grew || dropped > 0 || unwritten > 0 || !holds;
 }

@@ -166,8 +166,8 @@ static void fill_water(void)
 static void draw_side(struct renderer *renderer)
 {
     const GLuint caustics = renderer->light.caustics.texture;
-    const struct display_transform transform =
-        display_transform_identity((float)fine_width, (float)fine_height);
+    const struct display_transform transform = display_transform_of(
+        &(struct display_settings){ .light = 1.0f }, (float)fine_width, (float)fine_height);
     frame_begin(&renderer->frame, &scene, &transform);
     fish_pass_prepare(&renderer->fish, &scene, &renderer->frame.view, &renderer->quality);
     light_pass_caustics(&renderer->light, &renderer->textures);
@@ -177,7 +177,7 @@ static void draw_side(struct renderer *renderer)
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_TRUE);
     for (enum fish_group group = FISH_FAR; group <= FISH_NEAR; group++) {
-        fish_pass_bodies(&renderer->fish, group, &renderer->textures, caustics);
+        fish_pass_bodies(&renderer->fish, group, false, &renderer->textures, caustics);
     }
     for (enum fish_group group = FISH_FAR; group <= FISH_NEAR; group++) {
         fish_pass_fins(&renderer->fish, group, caustics);

@@ -1,6 +1,7 @@
 #!/bin/bash
-# figures.sh -- repeats the 2013 thesis' experiments with our tank: pictures, CSV and one page that shows
-# them, in $BUILD/thesis. Each step says what it does and which words of `kingyoctl tank` anyone may run.
+# figures.sh -- repeats the experiments of the 2013 thesis with our tank. Writes pictures, CSV and
+# a page into $BUILD/thesis. Each step prints its purpose and the `kingyoctl tank` command, which
+# every user can run.
 set -eu
 build=${BUILD:-build}
 out=$build/thesis
@@ -27,9 +28,12 @@ tank --preset festival --seconds 8 --poi-path "$here/escape_path.csv" --trace "$
 } >"$out/beats_46.csv"
 rm "$out/calm.csv" "$out/fright.csv"
 
-say 'chapter 2: where a single fish is in 60 x 30 cm (figure 2.3): 24 fish that walls draw, 8 that they do not, an hour each'
-lone() { # K FISH: how much walls draw it, and how many; the share of their time in each 2 cm of the tank's length
-    # A fish keeps to one wall for minutes: it takes a day of them until both walls look alike.
+say 'chapter 2: position of a single fish in 60 x 30 cm (figure 2.3): 24 fish with and 8 without wall following, an hour each'
+# K FISH: K is the wall-following strength and FISH the number of fish. Prints the share of their
+# time in each 2 cm of the tank's length.
+lone() {
+    # A fish follows one wall for minutes, so a simulated day is needed until both walls have equal
+    # shares.
     seq "$2" | xargs -P "$(nproc)" -I{} "$build/kingyoctl" tank --preset festival --fish 1 --size-cm 60,20,30 --wall-follow "$1" \
         --seconds 3600 --seed {} --trace "$out/lone-$1-{}.trace" --trace-every 60 >"$out/lone.log"
     awk -F, 'FNR > 1 { bin = int(($3 + 30) / 2); seen[bin < 0 ? 0 : bin > 29 ? 29 : bin]++; all++ }
@@ -50,7 +54,7 @@ awk -F, 'NR > 1 { left += NR <= 16 ? $2 : 0; near += $1 < 10 || $1 > 50 ? $2 : 0
 say 'chapter 2: oxygen by temperature (figure 2.9)'
 "$bin/curves" >"$out/figure-2.9.csv"
 
-say 'section 4.1: how near two fish pass, with boxes and with balls'
+say 'section 4.1: passing distance of two fish with boxes and with balls'
 "$bin/gaps" >"$out/gap.csv"
 
 say 'chapter 4: pictures (figures 4.1 to 4.24)'

@@ -1,7 +1,7 @@
 #!/bin/bash
-# figures_2005.sh -- the 2005 thesis' figures 3.2 to 3.9 and 4.1 to 4.15 from our own species, by commands
-# that anyone may run, into $BUILD/thesis-2005: pictures, tables and one page that shows them.
-# Figure 3.1 morphs a person into a pig; it is no fish, and outside.
+# figures_2005.sh -- makes figures 3.2 to 3.9 and 4.1 to 4.15 of the 2005 thesis from our own
+# species, with commands that every user can run. Writes pictures, tables and a page into
+# $BUILD/thesis-2005. Figure 3.1 is omitted, because it morphs a person into a pig.
 set -eu
 build=${BUILD:-build}
 out=$build/thesis-2005
@@ -12,13 +12,14 @@ mkdir -p "$out"
 rm -f "$out"/*.png "$out"/*.svg "$out"/*.csv "$out"/*.tsv "$out"/*.html
 
 say() { printf '[%3d s] %s\n' $((SECONDS - begin)) "$*"; }
-# figure FILE CAPTION WHAT_WE_DO: a line of the page, once the picture is there; how it was made is in $made.
+# figure FILE CAPTION WHAT_WE_DO adds a line to the page after the picture was made. $made
+# describes how it was made.
 made=
 figure() {
     [ -s "$out/$1.png" ]
     printf '%s\t%s\t%s\t%s\n' "$1" "$2" "$3" "$made" >>"$out/figures.tsv"
 }
-vector() { # FILE SUBCOMMAND SPECIES WORDS...: a picture that kingyoctl draws as SVG
+vector() { # FILE SUBCOMMAND SPECIES WORDS...: Kingyoctl draws the picture as SVG.
     made="kingyoctl morph ${*:2} --svg FILE.svg"
     "$build/kingyoctl" morph "${@:2}" --svg "$out/$1.svg"
     rsvg-convert "$out/$1.svg" -o "$out/$1.png"
@@ -32,10 +33,10 @@ stages() { # FILE KIND SPECIES: tests/thesis/stages.c
     "$bin/stages" "$2" "$3" "$out/$1.png"
 }
 
-# The species' English name, as the kiosk says it: "Black conger".
+# Prints the English name of the species as the kiosk shows it, such as "Black conger".
 name() { sed -n "s/^fish_$1 = //p" assets/text/en.txt | grep .; }
 
-say 'chapter 3: where a vertex goes (figures 3.2 to 3.5)'
+say 'chapter 3: path of a vertex (figures 3.2 to 3.5)'
 vector figure-3.2 path kurodai --part dorsal --template ordinary
 figure figure-3.2 'Ordinary morph: a vertex goes straight' 'Same: the root of the dorsal fin goes along the chord, to the last digit.'
 stages figure-3.3 growth kurodai
@@ -92,7 +93,7 @@ figure figure-4.15 'What three shapes can reach' 'Same: the triangle, the red wa
 vector figure-4.15-ours path hirame --part eye --view front
 figure figure-4.15-ours 'The eye by our own method' 'Better: it is a rigid part that rides round the head by body coordinates.'
 
-say 'beyond the thesis: what it left out'
+say 'cases that the thesis omits'
 sheet beyond-ray ray
 figure beyond-ray "$(name ray)" 'The flat body form that chapter 4 leaves to the flounder, which is flattened the other way.'
 sheet beyond-wakin wakin

@@ -1,5 +1,5 @@
 #!/bin/bash
-# page_2005.sh FOLDER -- the page that shows what figures_2005.sh made, on standard output.
+# page_2005.sh FOLDER -- prints the HTML page with the results of figures_2005.sh.
 set -eu
 cat <<'HTML'
 <!doctype html>

@@ -1,4 +1,5 @@
-# thesis.mk -- the 2013 thesis' experiments repeated with our tank, the 2005 thesis' with our species.
+# thesis.mk -- repeats the experiments of the 2013 thesis with our tank, and those of the 2005
+# thesis with our species.
 
 THESIS := $(BUILD)/tests/thesis
 THESIS_BIN := $(THESIS)/pictures $(THESIS)/table $(THESIS)/curves $(THESIS)/gaps $(THESIS)/stages

@@ -1,18 +1,21 @@
-# usb.mk -- the USB transport over a bus of memory (tests/unit/support/usb_stand.h), and under the sanitizers.
+# usb.mk -- tests the USB transport with a simulated bus (tests/unit/support/usb/usb_sim.h), also
+# under the sanitizers.
 
-USB_TESTS := usb_transport usb_reports usb_unplug usb_crowd usb_ring usb_choice usb_wait
-USB_STAND := usb_stand usb_stand_lib usb_stand_open
+USB_TESTS := usb_transport usb_reports usb_unplug usb_crowd usb_ring usb_choice usb_kind usb_sysfs usb_wait
+USB_SIM := usb_sim usb_sim_lib usb_sim_open
 
-# libusb's functions come from the stand: what the program itself defines is linked before libraries.
+# The simulated bus defines libusb's functions, because the linker prefers definitions of the
+# program to those of libraries.
 $(patsubst %,$(BUILD)/tests/unit/drivers/usb/test_%,$(USB_TESTS) usb_play) \
-    $(BUILD)/tests/unit/board/desktop/test_board_usb: $(USB_STAND:%=$(BUILD)/tests/unit/support/%.o)
-.SECONDARY: $(USB_STAND:%=$(BUILD)/tests/unit/support/%.o)
+    $(BUILD)/tests/unit/board/desktop/test_board_usb: $(USB_SIM:%=$(BUILD)/tests/unit/support/usb/%.o)
+.SECONDARY: $(USB_SIM:%=$(BUILD)/tests/unit/support/usb/%.o)
 
-# The same again with everything they call compiled for address + undefined behaviour, and for threads.
+# The same tests with all code under the address and undefined-behaviour sanitizers, and again
+# under the thread sanitizer.
 USB_SAN := $(BUILD)/usb
 USB_SAN_SRC := $(wildcard drivers/usb/*.c) $(patsubst %,drivers/hid/%.c,hid_descriptor hid_item \
-    hid_mapping hid_mapping_auto poi_report) core/base/fmath.c core/base/printable.c platform/os/clock.c \
-    platform/os/file.c $(USB_STAND:%=tests/unit/support/%.c) \
+    hid_mapping hid_mapping_auto hid_port poi_report) core/base/fmath.c core/base/printable.c platform/os/clock.c \
+    platform/os/file.c platform/os/thread.c $(USB_SIM:%=tests/unit/support/usb/%.c) \
     tests/unit/support/panic.c
 USB_SAN_BIN := $(foreach t,$(USB_TESTS),$(USB_SAN)/address/test_$(t) $(USB_SAN)/thread/test_$(t))
 USB_SAN_CFLAGS := -std=c17 -O1 -g $(WARN) -D_GNU_SOURCE -I. -fno-sanitize-recover=all
@@ -48,7 +51,7 @@ $(USB_SAN)/thread/%.o: %.c $(FOUND)
 bench-usb: $(BUILD)/tests/bench/bench_usb
 	@$< $(or $(SECONDS),10)
 
-$(BUILD)/tests/bench/bench_usb: %: %.o $(USB_STAND:%=$(BUILD)/tests/unit/support/%.o) $(BUILD)/shell.a $(BUILD)/core.a
+$(BUILD)/tests/bench/bench_usb: %: %.o $(USB_SIM:%=$(BUILD)/tests/unit/support/usb/%.o) $(BUILD)/shell.a $(BUILD)/core.a
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
 

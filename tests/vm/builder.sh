@@ -1,9 +1,10 @@
 #!/bin/bash
-# builder.sh -- a root of the guest's release to compile in, in $cache/builder: gcc, make, the libraries.
-#
-# Compiles the kernel's modules and, where the guest is of another release or architecture than this
-# machine, the kiosk. Its programs are this machine's; its libraries are the guest's.
-# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+# builder.sh -- a root of the guest's release for compiling, in $cache/builder: gcc, make and the
+# libraries.
+# The root compiles kernel modules. If the guest has another release or architecture than this
+# machine, it also compiles the kiosk. Its programs have the architecture of this machine, its
+# libraries that of the guest.
+# shellcheck disable=SC2154,SC1091  # lib.sh sets these variables
 . "$(dirname "$0")/lib.sh"
 
 builder=$cache/builder
@@ -23,7 +24,8 @@ fi
 unpack_root "$builder" "$architectures" "$tools,$libraries"
 settle_root "$builder"
 ln -sfn gawk "$builder/usr/bin/awk"
-if [ -n "$cross" ]; then # An archive of another machine's objects needs that machine's ar.
+# An archive of objects for another architecture needs the ar of that architecture.
+if [ -n "$cross" ]; then
     mkdir -p "$builder/usr/local/bin"
     ln -sf "/usr/bin/${cross}ar" "$builder/usr/local/bin/ar"
 fi

@@ -1,6 +1,7 @@
 #!/bin/bash
-# initrd.sh -- the guest's first minutes, in $cache/initrd.zst: busybox, its script, the modules that are used.
-# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+# initrd.sh -- the initial RAM disk of the guest, in $cache/initrd.zst: busybox, its script and the
+# required modules.
+# shellcheck disable=SC2154,SC1091  # lib.sh sets these variables
 . "$(dirname "$0")/lib.sh"
 
 kernel=$cache/kernel release=$(cat "$cache/kernel/release")

@@ -1,10 +1,11 @@
-# judge.sh -- what was seen of a guest, by the lines of a list of checks, and the table of it. Source it after qemu.sh.
-# shellcheck shell=bash disable=SC2154,SC2034  # lib.sh sets what it uses
+# judge.sh -- collects the results of a guest for a list of checks, and prints the table of
+# results. Source it after qemu.sh.
+# shellcheck shell=bash disable=SC2154,SC2034  # lib.sh sets these variables
 declare -A verdict words
 shots=$cache/shots
 
-judge() { # ok|bad|out ID WORDS; out: this run does not try it
-    [ "${verdict[$2]-ok}" = ok ] || return 0 # Once bad is bad.
+judge() { # out means that this run does not try the check
+    [ "${verdict[$2]-ok}" = ok ] || return 0 # A failed check stays failed.
     verdict[$2]=$1 words[$2]=${*:3}
 }
 
@@ -14,7 +15,8 @@ passes() { # ID WORDS -- COMMAND...
     if "$@"; then judge ok "$id" "$said"; else judge bad "$id" "$said"; fi
 }
 
-# A picture's colours, and the share of its pixels, in thousandths, that are the tank's blue and fish's red.
+# Prints the number of colours of a picture, and the shares of its pixels, in thousandths, that
+# have the blue of the tank and the red of fish.
 picture() { # NAME
     convert "$shots/$1.png" -depth 8 rgb:- 2>/dev/null | od -An -v -tu1 -w3 | awk '
         { seen[$1 "," $2 "," $3] = 1 }
@@ -33,11 +35,12 @@ judge_tank() { # NAME of a picture, ID
     passes "$2" "${it[0]-0} colours, ${it[1]-0} / 1000 blue, ${it[2]-0} / 1000 red" -- shows_tank "${it[@]}"
 }
 
-first() { # PATTERN FILES...: the first line of them that has it; none is no mistake
+# PATTERN FILES...: Prints the first matching line of the files. A missing match is not an error.
+first() {
     grep -hE "$1" "${@:2}" 2>/dev/null | head -1 || true
 }
 
-table() { # CHECKS TITLE: the verdict, a line each, and the count of both
+table() { # CHECKS TITLE: Prints one line for each check, and the totals.
     local id text passed=0 failed=0 left_out=0
     printf '\n%s, %d s\n' "$2" "$SECONDS"
     while read -r id text; do

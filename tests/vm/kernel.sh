@@ -1,9 +1,9 @@
 #!/bin/bash
-# kernel.sh -- Debian's own kernel for the guest, and the modules it leaves out, in $cache/kernel.
-#
-# gpio-sim is switched off in Debian's configurations (6.1 and 6.12): it is built from Debian's kernel
-# source against Debian's headers. Nothing of this machine is used but a chroot.
-# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+# kernel.sh -- Debian's own kernel for the guest, and the modules that Debian does not build, in
+# $cache/kernel.
+# Debian's configurations (6.1 and 6.12) disable gpio-sim. The script builds gpio-sim from Debian's
+# kernel source against Debian's headers. It uses only a chroot of this machine.
+# shellcheck disable=SC2154,SC1091  # lib.sh sets these variables
 . "$(dirname "$0")/lib.sh"
 
 release=$(kernel_release)
@@ -18,13 +18,13 @@ common=linux-headers-${release%"-$arch"}-common
 (cd "$cache/debs" && guest_apt apt-get -qq download "linux-image-$release" "linux-headers-$release" \
     "$common" "linux-source-$linux" 2>/dev/null)
 dpkg-deb --fsys-tarfile "$cache"/debs/linux-image-*.deb | tar -x -C "$kernel"
-settle_modules() { # Modules lie in /lib or, from Debian 13 on, in /usr/lib.
+settle_modules() { # The modules are in /lib or, from Debian 13 on, in /usr/lib.
     [ -d "$kernel/lib/modules" ] || { mkdir -p "$kernel/lib"; mv "$kernel/usr/lib/modules" "$kernel/lib/"; }
     depmod -b "$kernel" "$release"
 }
 settle_modules
 
-# The kernel proper, without what unpacks it: a machine in software takes seconds for that.
+# Extracts the kernel without its decompressor, which takes seconds on an emulated machine.
 unpack_image() {
     local image=$kernel/boot/vmlinuz-$release offset
     if [ "$arch" = amd64 ]; then
@@ -49,7 +49,7 @@ done
 rm -rf "$builder/modules"
 mkdir "$builder/modules"
 source=linux-source-$linux
-( # The last tar stops at the third file, and whoever still writes to it is told so.
+( # The last tar stops at the third file, so the programs before it end with a write error.
     set +o pipefail
     dpkg-deb --fsys-tarfile "$cache"/debs/linux-source-*.deb 2>/dev/null |
         tar -xO "./usr/src/$source.tar.xz" 2>/dev/null | xz -dc -T0 2>/dev/null |

@@ -34,7 +34,7 @@ static void tell(void *self, const char *line)
     fprintf(stderr, "lag: %s\n", line);
 }
 
-static struct usb_seats *start(struct hal *hal, const struct usb_key *key)
+static struct usb_event_thread *start(struct hal *hal, const struct usb_key *key)
 {
     char why[HAL_TEXT_SIZE];
     const struct usb_transport_config config = {
@@ -43,11 +43,11 @@ static struct usb_seats *start(struct hal *hal, const struct usb_key *key)
         .listed_count = 1,
         .tell = tell,
     };
-    struct usb_seats *usb = usb_transport_start(&config, why);
+    struct usb_event_thread *usb = usb_transport_start(&config, why);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         poi_hid_init(&poi[i], usb_transport_port(usb, i), hal->clock, (struct hid_mapper){ 0 },
                      &tank_preset(TANK_PRESET_FESTIVAL)->view);
-        hal->poi[i] = poi_hid_device(&poi[i]);
+        hal->poi[i] = poi_hid_devices(&poi[i]).poi;
     }
     if (why[0]) {
         tell(NULL, why);
@@ -82,7 +82,7 @@ static void frame(const struct hal *hal)
     for (uint32_t i = 0; i < due; i++) {
         sampler_poi_at(&hand, i, due, now_ns, &input);
     }
-    sampler_poi_end(&hand);
+    sampler_path_end(&hand.path);
 }
 
 /* Runs frames until `long_ns` have passed. A late frame is not repeated. Returns the number of
@@ -116,7 +116,7 @@ static int judge(uint32_t frames, uint64_t seconds)
 int main(int argc, char **argv)
 {
     struct usb_key key;
-    struct hal hal = null_hal();
+    struct hal hal = null_hal(NULL);
     const uint64_t seconds = argc == 3 ? strtoull(argv[2], NULL, 10) : 0;
     int passed = 0;
     if (seconds == 0 || usb_key_read(&key, argv[1]) != 0) {
@@ -124,7 +124,7 @@ int main(int argc, char **argv)
         return 2;
     }
     hal.clock = clock_device();
-    struct usb_seats *usb = start(&hal, &key);
+    struct usb_event_thread *usb = start(&hal, &key);
     if (is_found(&hal)) {
         passed = judge(play(&hal, seconds * 1000000000u), seconds);
     } else {

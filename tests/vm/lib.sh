@@ -1,13 +1,14 @@
-# lib.sh -- what the scripts of this folder share: which guests there are, and their Debian.
-#
-# Source it; it wants GUEST and BUILD. Everything that is fetched or built lies in $cache, and stays.
-# shellcheck shell=bash disable=SC2034  # what it sets is used by those who source it
+# lib.sh -- shared functions of the scripts in this folder: the supported guests and their Debian
+# releases.
+# Source this file. It needs GUEST and BUILD. All fetched and built files are kept in $cache.
+# shellcheck shell=bash disable=SC2034  # the sourcing scripts use these variables
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 top=$(cd "$here/../.." && pwd)
 BUILD=${BUILD:-build}
 
-# suite: the release. arch: the guest's. linux: of the source package. cross: the prefix of the compiler.
+# suite is the Debian release, arch the architecture of the guest, linux the version of the source
+# package, and cross the prefix of the compiler.
 case $GUEST in
     bookworm) suite=bookworm arch=amd64 linux=6.1 machine=x86_64 gpiod=libgpiod2 ;;
     trixie) suite=trixie arch=amd64 linux=6.12 machine=x86_64 gpiod=libgpiod3 ;;
@@ -21,34 +22,35 @@ tuple=$machine-linux-gnu cross=
 [ "$arch" = amd64 ] || cross=$tuple-
 mkdir -p "$BUILD/vm/$GUEST"
 cache=$(cd "$BUILD/vm/$GUEST" && pwd)
-days_max=7 # So old may be what was fetched: a mirror forgets kernels after that.
+days_max=7 # Maximum age of fetched files in days. A mirror removes old kernels after that time.
 
 step() { printf '[%4d s] %s\n' "$SECONDS" "$*"; }
 
-# Whether FILE was made less than days_max ago.
+# Returns 0 if FILE was made less than days_max days ago.
 is_fresh() { [ -n "$(find "$1" -maxdepth 0 -mtime "-$days_max" 2>/dev/null)" ]; }
 
-# The addresses that this machine fetches Debian from: the archive, and its security fixes.
+# Prints the address from which this machine fetches the Debian archive or its security updates.
 mirror() { # archive|security
     apt-get indextargets --format '$(REPO_URI) $(ORIGIN) $(LABEL)' 'Created-By: Packages' 2>/dev/null |
         awk -v security="$([ "$1" = security ] && echo 1 || echo 0)" '
             $2 == "Debian" && (($3 ~ /Security/) == security) { print $1; exit }'
 }
 
-# Lines for apt of the guest's release. The archive alone will do: a fixed kernel is in its next point.
+# Prints the apt sources of the guest's release. The archive alone is sufficient, because its next
+# point release contains each fixed kernel.
 sources() {
     local archive security
     archive=$(mirror archive)
     security=$(mirror security)
     if [ -z "$archive" ]; then
-        echo 'test-vm: apt on this machine knows no Debian archive; run apt-get update first' >&2
+        echo 'test-vm: apt on this machine has no Debian archive; run apt-get update first' >&2
         return 1
     fi
     echo "deb $archive $suite main"
     [ -z "$security" ] || echo "deb $security $suite-security main"
 }
 
-# An apt of the guest's release and architecture, beside this machine's own.
+# Runs apt for the guest's release and architecture, separately from this machine's own apt.
 guest_apt() { # COMMAND...
     local dir=$cache/apt
     if ! is_fresh "$dir/updated"; then
@@ -66,13 +68,14 @@ END
     APT_CONFIG=$dir/apt.conf "$@"
 }
 
-# Which kernel the release has now: "6.1.0-56-amd64".
+# Prints the current kernel of the release, such as "6.1.0-56-amd64".
 kernel_release() {
     guest_apt apt-cache depends "linux-image-$arch" | sed -n 's/.*Depends: linux-image-//p' | head -1
 }
 
-# A folder of unpacked packages, not set up: enough to run programs from, and made in seconds.
-unpack_root() { # FOLDER ARCHITECTURES PACKAGES, both with commas
+# Unpacks packages into a folder without configuring them. The programs in the folder can run, and
+# unpacking takes seconds.
+unpack_root() { # FOLDER ARCHITECTURES PACKAGES, the last two separated by commas
     local -a lines
     rm -rf --one-file-system "$1"
     mapfile -t lines < <(sources)
@@ -83,7 +86,7 @@ unpack_root() { # FOLDER ARCHITECTURES PACKAGES, both with commas
     }
 }
 
-# What their maintainers' scripts would have done to make it a place to run programs in.
+# Does the part of the maintainer scripts' work that programs in the folder need.
 settle_root() { # FOLDER
     local part
     for part in bin sbin lib lib64; do
@@ -102,7 +105,8 @@ settle_root() { # FOLDER
         sgx:x:107: kvm:x:108: plugdev:x:46: kingyo:x:990: >"$1/etc/group"
 }
 
-# Copies modules, and what they need, from a kernel's files to another root, and lists them there.
+# Copies modules and their dependencies from a kernel's files to another root, and lists them
+# there.
 copy_modules() { # FROM RELEASE TO MODULES
     local module file to
     for module in $4; do
@@ -110,7 +114,7 @@ copy_modules() { # FROM RELEASE TO MODULES
     done | awk '$1 == "insmod" { print $2 }' | sort -u | while read -r file; do
         to=$3/${file#"$1"/}
         mkdir -p "${to%/*}"
-        case $file in # Unpacked here: what busybox calls modprobe knows no xz.
+        case $file in # Unpacked here, because the modprobe of busybox does not support xz.
             *.xz) xz -dc "$file" >"${to%.xz}" ;;
             *) cp "$file" "$to" ;;
         esac

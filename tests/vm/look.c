@@ -8,6 +8,7 @@
 
 #include "core/game/menu/menu_pages.h"
 #include "tests/vm/twin.h"
+#include "tests/unit/support/menu_tag.h"
 
 #define LOOK_NS 100000000 /* Poll period in ns. A recording grows once a second. */
 

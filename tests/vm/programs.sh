@@ -1,9 +1,9 @@
 #!/bin/bash
-# programs.sh -- the kiosk and its helpers for the guest; prints the folder they lie in.
-#
-# Where this machine is of the guest's release and architecture, what `make` built for it is taken as it
-# is. Else all is compiled in the builder (builder.sh), by its own compiler against the guest's libraries.
-# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+# programs.sh -- builds the kiosk and its helper programs for the guest, and prints their folder.
+# If this machine has the guest's release and architecture, the script uses the result of `make`.
+# Otherwise the compiler of the builder (builder.sh) compiles all programs against the guest's
+# libraries.
+# shellcheck disable=SC2154,SC1091  # lib.sh sets these variables
 . "$(dirname "$0")/lib.sh"
 release=$(. /etc/os-release && echo "${VERSION_CODENAME-}")
 

@@ -1,12 +1,11 @@
-# qemu.sh -- starts the guest, listens to it, takes its pictures. Source it after lib.sh.
-#
-# The guest writes lines to share/out/talk (guest/lib.sh); QEMU is asked for pictures and says what
-# happened to its machine (a watchdog that bit) through QMP on two pipes.
-# shellcheck shell=bash disable=SC2154,SC2054,SC2086,SC2034  # commas are QEMU's
+# qemu.sh -- starts the guest, reads its messages and takes its pictures. Source it after lib.sh.
+# The guest writes lines to share/out/talk (guest/lib.sh). QEMU takes pictures on request and
+# reports events of its machine, such as an expired watchdog, through QMP on two pipes.
+# shellcheck shell=bash disable=SC2154,SC2054,SC2086,SC2034  # QEMU needs the commas
 run=$cache/run share=$cache/run/share
 qemu_pid='' qmp_in='' qmp_reader='' qmp_id=0
 
-qemu_words() { # The machine: 2 processors and 1 GiB, nothing emulated that the kiosk does not use.
+qemu_words() { # The machine has 2 processors and 1 GiB. QEMU emulates only devices that the kiosk uses.
     local words=(-nodefaults -no-user-config -display none -smp 2 -m 1024 -kernel "$cache/kernel/image"
         -initrd "$cache/initrd.zst" -no-reboot -action watchdog=reset
         -drive "file=$cache/root.sqfs,format=raw,if=virtio,readonly=on"
@@ -15,14 +14,15 @@ qemu_words() { # The machine: 2 processors and 1 GiB, nothing emulated that the 
         -serial "file:$run/console" -qmp "pipe:$run/qmp" -accel tcg,thread=multi,tb-size=512)
     local append='quiet loglevel=4 mitigations=off panic=-1'
     case $arch in
-        # No AVX: QEMU 7.2's VPGATHERDD faults where LLVM 19 makes one for Mesa 25, and it is no faster.
+        # AVX is disabled, because VPGATHERDD of QEMU 7.2 faults in code that LLVM 19 generates for
+        # Mesa 25. AVX would not be faster.
         amd64) words+=(-machine q35 -cpu qemu64,+ssse3,+sse4.1,+sse4.2,+popcnt -append "console=ttyS0 $append") ;;
         arm64) words+=(-machine virt -cpu cortex-a72 -append "console=ttyAMA0 $append") ;;
     esac
     printf '%s\n' "${words[@]}"
 }
 
-qmp() { # COMMAND [ARGUMENTS]: waits until QEMU has done it
+qmp() { # COMMAND [ARGUMENTS]: Waits until QEMU has executed the command.
     qmp_id=$((qmp_id + 1))
     printf '{"execute":"%s","arguments":{%s},"id":%d}\n' "$1" "${2-}" "$qmp_id" >&"$qmp_in"
     for _ in $(seq 200); do
@@ -43,20 +43,22 @@ guest_start() { # LIMIT_S
     exec {qmp_in}<>"$run/qmp.in"
     cat "$run/qmp.out" >"$run/qmp.log" &
     qmp_reader=$!
-    # Whatever becomes of this shell, its machine ends with it.
+    # The guest ends when this shell ends.
     setpriv --pdeathsig TERM timeout --signal=KILL "$1" "qemu-system-$machine" "${words[@]}" >"$run/qemu.log" 2>&1 &
     qemu_pid=$!
     qmp qmp_capabilities
 }
 
-MIDDLE_DARK=350 MIDDLE_LIGHT=430 # Seen: 241 under "Hold on", 512 to 528 without.
+MIDDLE_DARK=350 MIDDLE_LIGHT=430 # Measured values: 241 under "Hold on", 512 to 528 otherwise.
 
-# How light the middle of a picture is, in thousandths: across it lies the message of a round that waits.
+# Prints the brightness of the middle of a picture in thousandths. The message of a paused round
+# covers the middle.
 middle() { # FILE
     convert "$1" -crop 100%x20%+0+88 +repage -resize '1x1!' -colorspace Gray -format '%[fx:int(1000*mean)]' info: 2>/dev/null || echo 0
 }
 
-# A guest draws a picture in a second or more, and shows it a picture later: what is asked for is waited for.
+# A guest draws a picture in a second or more, and shows it one picture later. The function
+# therefore waits for the requested brightness.
 guest_shot() { # NAME [dark|light], of build/vm/GUEST/shots/NAME.png
     local file=$cache/shots/$1.png try
     for ((try = 0; try < 40; try++)); do
@@ -71,7 +73,8 @@ guest_shot() { # NAME [dark|light], of build/vm/GUEST/shots/NAME.png
     : >"$share/shots/$1.done"
 }
 
-guest_listen() { # Until the guest is off: pictures when asked, each line to heard(), if there is one.
+# Runs until the guest is off: takes requested pictures, and passes each line to heard().
+guest_listen() {
     local line
     while read -r line; do
         set -- $line
@@ -86,6 +89,6 @@ guest_listen() { # Until the guest is off: pictures when asked, each line to hea
 }
 
 guest_stop() {
-    [ -z "$qemu_pid" ] || kill "$qemu_pid" 2>/dev/null || true # timeout(1), which passes it on
+    [ -z "$qemu_pid" ] || kill "$qemu_pid" 2>/dev/null || true # timeout(1) passes the signal to QEMU.
     [ -z "$qmp_reader" ] || kill "$qmp_reader" 2>/dev/null || true
 }

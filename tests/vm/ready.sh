@@ -1,6 +1,6 @@
 #!/bin/bash
-# ready.sh GUEST -- whether this machine can run the guest. Exit code 1, and why not in one line, if not;
-# 2: there is no such guest.
+# ready.sh GUEST -- checks whether this machine can run the guest. If not, exits with 1 and prints
+# the reason in one line. Exits with 2 if the guest is unknown.
 set -u
 case ${1:-bookworm} in
     bookworm | trixie) machine=x86_64 ;;

@@ -1,8 +1,8 @@
 #!/bin/bash
-# root.sh -- the guest's root file system, in $cache/root.sqfs: Debian's packages and nothing of ours.
-#
-# What is ours comes through the shared folder, so that a change of the kiosk costs no new root.
-# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+# root.sh -- the root file system of the guest, in $cache/root.sqfs, with packages of Debian only.
+# Our own files come through the shared folder, so that a change of the kiosk does not require a
+# new root.
+# shellcheck disable=SC2154,SC1091  # lib.sh sets these variables
 . "$(dirname "$0")/lib.sh"
 
 is_fresh "$cache/root.sqfs" && exit 0

@@ -1,11 +1,10 @@
 #!/bin/bash
-# test-vm.sh -- boots the guest that GUEST names, drives the kiosk in it from outside, judges.
-#
-# Everything it fetches and builds stays in BUILD/vm/GUEST: run/ has the logs, shots/ the pictures.
-# KEEP=1 leaves the guest's last recording. Exit code 0 when every line of checks.txt passed, else 1.
-# shellcheck disable=SC2154,SC1091,SC2034  # lib.sh and qemu.sh set and use them
+# test-vm.sh -- boots the guest GUEST, drives the kiosk in it from outside and checks the results.
+# All fetched and built files are kept in BUILD/vm/GUEST: run/ has the logs, shots/ the pictures.
+# Exit code 0 if every line of checks.txt passed, otherwise 1.
+# shellcheck disable=SC2154,SC1091,SC2034  # lib.sh and qemu.sh set and use these variables
 export GUEST=${GUEST:-bookworm} BUILD=${BUILD:-build}
-# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+# shellcheck disable=SC2154,SC1091  # lib.sh sets these variables
 . "$(dirname "$0")/lib.sh"
 . "$(dirname "$0")/qemu.sh"
 . "$(dirname "$0")/judge.sh"
@@ -23,7 +22,7 @@ trap leave EXIT
 trap 'exit 130' INT
 trap 'exit 143' TERM HUP
 
-# The guest's users and groups, with ours as systemd-sysusers makes them.
+# Creates the users and groups of the guest, with ours as systemd-sysusers creates them.
 make_users() { # FOLDER
     mkdir -p "$1"/{etc,usr/lib/sysusers.d}
     unsquashfs -cat "$cache/root.sqfs" etc/passwd >"$1/etc/passwd"
@@ -45,13 +44,13 @@ make_share() {
     [ ! -d "$cache/mesa" ] || cp -r "$cache/mesa" "$share/mesa"
 }
 
-hand() { # In the background: the guest goes on as soon as hand-done is there.
+hand() { # Runs in the background. The guest continues when hand-done exists.
     local status=0
     "$BUILD/tests/vm/hand" "$share/out/play.kgr" "$share" "$patience_s" >"$share/hand.log" 2>&1 || status=$?
     echo "$status" >"$share/hand-done"
 }
 
-heard() { # A line of the guest's (guest/lib.sh).
+heard() { # Handles one line from the guest (guest/lib.sh).
     set -- $1
     case ${2-} in
         ok | bad) judge "${@:2}" ;;
@@ -70,17 +69,18 @@ judge_pictures() {
         local dark light
         dark=$(middle "$shots/paused.png")
         light=$(middle "$shots/resumed.png")
-        passes paused "the middle is as light as $dark of 1000, and $light when the round goes on" \
+        passes paused "the brightness of the middle is $dark of 1000, and $light when the round continues" \
             -- [ "$dark" -lt "$MIDDLE_DARK" -a "$light" -gt "$MIDDLE_LIGHT" ]
     fi
 }
 
-seen() { # NAME: what look.c saw of it last
+seen() { # NAME: Prints the latest value of NAME from look.c.
     sed -n "s/^$1 //p" "$share/seen" 2>/dev/null || true
 }
 
-# What the kernel warned of, but for one thing: 6.12 takes the interrupts of a chip that goes away from
-# whoever holds its lines, and frees them once more when he lets go (linereq_free). It says so, and no more.
+# Prints kernel warnings except one. When a chip is removed, Linux 6.12 frees the interrupts of its
+# lines, and frees them again when the process that holds the lines closes them (linereq_free). The
+# kernel warns about this without any other effect.
 warnings() {
     grep -hA1 'cut here' "$run/console" "$share/out/dmesg" 2>/dev/null |
         grep -vE 'cut here|^--|Trying to free already-free IRQ' | head -1 || true
@@ -89,20 +89,20 @@ warnings() {
 judge_logs() {
     local out=$share/out/kingyo.out err=$share/out/kingyo.err line
     line=$(first 'arrival' "$out")
-    passes latency "${line:-the kiosk says nothing of it}" -- [ -n "$line" ]
+    passes latency "${line:-the kiosk reports no latency}" -- [ -n "$line" ]
     line=$(first 'keeper: fed' "$err")
-    passes fed "${line:-it never was}" -- [ "${line:+1}" = 1 ]
+    passes fed "${line:-the watchdog was not fed}" -- [ "${line:+1}" = 1 ]
     line=$(first 'BUG:|Oops|segfault|general protection|Kernel panic|hung task' "$run/console" "$share/out/dmesg")
     [ -n "$line" ] || line=$(warnings)
     [ -n "$line" ] || line=$(first 'panic|assert|anitizer|egmentation|aborted' "$err")
     passes crash "${line:-$(wc -l <"$run/console") lines of the kernel, $(grep -vc '^keeper' "$err") of the kiosk}" -- [ -z "$line" ]
-    passes twin "$(seen ticks) ticks; the first that differs: $(seen differs_at)" -- grep -q '^differs_at 0' "$share/seen"
+    passes twin "$(seen ticks) ticks; the first difference: $(seen differs_at)" -- grep -q '^differs_at 0' "$share/seen"
 }
 
-judge_watchdog() { # QEMU says when a watchdog bites, and why it ended.
+judge_watchdog() { # QEMU reports when a watchdog expires, and why QEMU ended.
     local bit=no
     grep -q '"WATCHDOG"' "$run/qmp.log" && bit=yes
-    passes watchdog "hanging: $hanging, bitten: $bit" -- [ "$hanging$bit" = 1yes ]
+    passes watchdog "hanging: $hanging, expired: $bit" -- [ "$hanging$bit" = 1yes ]
 }
 
 "$here/prepare.sh"

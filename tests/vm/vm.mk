@@ -1,12 +1,13 @@
-# vm.mk -- the kiosk before Debian's real kernels, in a machine made of software.
+# vm.mk -- tests of the kiosk with Debian's real kernels, in an emulated machine.
 
 VM_BIN := $(BUILD)/tests/vm/hand $(BUILD)/tests/vm/look $(BUILD)/tests/vm/image/witness
-# What the guest runs beside the kiosk. The static ones need nothing of it.
+# Programs that run in the guest beside the kiosk. The static programs need no library of the
+# guest.
 VM_STATIC := $(BUILD)/tests/vm/keeper $(BUILD)/tests/vm/as $(BUILD)/tests/vm/panel \
     $(BUILD)/tests/vm/image/hold
 VM_GUEST := $(VM_STATIC) $(BUILD)/tests/vm/lag
 
-# The disk is Debian 12's: the other guests go without it.
+# The disk image has Debian 12, so only that guest also runs test-image.
 ## test/test-vm: Run the kiosk on a real kernel in QEMU; GUEST=bookworm|trixie|arm64
 test-vm:
 	@tests/vm/ready.sh $(GUEST); case $$? in 0) ;; 1) exit 0 ;; *) exit 2 ;; esac; \

@@ -5,7 +5,7 @@
  * in ms, and the first level of the line. After these bytes each edge has two bytes, low byte
  * first: 13 bits of time since the last edge in units of 50 us, one bit each for a poll just before
  * and just after the edge, and its level. */
-#include "drivers/gpio/gpio_signal.h"
+#include "drivers/gpio/gpio_thread.h"
 #include "tests/fuzz/trap.h"
 
 #define EDGE_MAX 2048u

@@ -5,7 +5,7 @@
  * Input: the debounce period in 0.1 ms and the first level. After these bytes each step has two
  * bytes, low byte first: 12 bits of time in units of 50 us, three bits for the kind of step (an
  * edge, a late edge, an edge after lost edges, or a level), and the level of the step. */
-#include "drivers/gpio/gpio_signal.h"
+#include "drivers/gpio/gpio_thread.h"
 #include "tests/fuzz/trap.h"
 
 #define TIME_NS 50000u

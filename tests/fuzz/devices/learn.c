@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "drivers/hid/hid_learn.h"
-#include "drivers/hid/hid_pose_decoder.h"
+#include "drivers/hid/poi_hid.h"
 #include "tests/fuzz/trap.h"
 
 #define TIME_STEP_NS 4000000u

@@ -57,7 +57,7 @@ static void hold_pad(struct gamepad_queue *track, uint64_t now_ns, uint32_t max)
         hold_target(&samples[i].target);
         HOLD(i == 0 || samples[i].time_ns >= samples[i - 1].time_ns);
     }
-    const struct shade_input fan = gamepad_decoder_fan(&track->hand, now_ns);
+    const struct shade_input fan = stick_motion_fan(&track->decoder.fly, now_ns);
     HOLD(!fan.present || (f_is_finite(fan.x_m) && f_is_finite(fan.z_m)));
     gamepad_queue_buttons(track, &buttons);
     HOLD((buttons.held & ~(uint32_t)INPUT_BUTTON_ALL) == 0);

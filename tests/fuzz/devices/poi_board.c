@@ -3,7 +3,7 @@
  * its range. */
 #include <string.h>
 
-#include "board/poi-gadget/board_pose.h"
+#include "board/poi-gadget/attitude.h"
 #include "board/poi-gadget/motor.h"
 #include "board/poi-gadget/sensor_twin.h"
 #include "tests/fuzz/trap.h"

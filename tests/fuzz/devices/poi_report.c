@@ -31,7 +31,7 @@ static void hold_feel(const uint8_t *bytes, uint32_t size)
         return;
     }
     HOLD(size == POI_FEEL_SIZE && sequence == bytes[1]);
-    poi_feel_encode(&force, sequence, written);
+    poi_force_encode(&force, sequence, written);
     HOLD(memcmp(written, bytes, sizeof written) == 0);
 }
 
@@ -41,7 +41,7 @@ static void hold_wild(const uint8_t *bytes, size_t size)
     struct poi_force force = { 0 }, again;
     uint8_t written[POI_FEEL_SIZE];
     memcpy(&force, bytes, size < sizeof force ? size : sizeof force);
-    poi_feel_encode(&force, 7u, written);
+    poi_force_encode(&force, 7u, written);
     HOLD(poi_feel_decode(written, sizeof written, &again, NULL));
     HOLD(fabsf(again.force_n.x) <= POI_FORCE_N_MAX);
     HOLD(fabsf(again.torque_n_m.z) <= POI_TORQUE_N_M_MAX);

@@ -45,11 +45,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     memset(&tape, 0, sizeof tape);
     for (uint32_t n = 0; n < STEPS_MAX && result >= 0 && !(result == 0 && tape.ended); n++) {
         struct poi_report report = { 0 };
-        uint32_t room;
-        char *at = pose_tape_room(&tape, &room);
+        const size_t room = POSE_TAPE_SIZE - tape.size;
         const size_t more = size - fed < room ? size - fed : room;
-        memcpy(at, bytes + fed, more);
-        pose_tape_wrote(&tape, (uint32_t)more);
+        memcpy(tape.text + tape.size, bytes + fed, more);
+        tape.size += (uint32_t)more;
         fed += more;
         tape.ended = fed == size;
         result = pose_tape_step(&tape, 0.5f, &report);

@@ -1,5 +1,5 @@
-/* test_statistics.c -- the judge of techniques is judged: by printed tables, worked examples of
- * textbooks, and by dealing out every sign. */
+/* test_statistics.c -- Tests the statistics that compare techniques with printed tables, textbook
+ * examples, and exhaustive counts of signs. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -17,7 +17,7 @@ static void expect_near(double value, double expected, double within)
     }
 }
 
-static void test_t_agrees_with_the_printed_table(void **state)
+static void test_student_t_matches_the_printed_table(void **state)
 {
     (void)state;
     expect_near(statistics_t_95(1), 12.706, 5e-4);
@@ -28,9 +28,9 @@ static void test_t_agrees_with_the_printed_table(void **state)
     expect_near(statistics_t_95(1999), 1.961, 5e-4);
 }
 
-/* Student's own ten patients (1908), hours of sleep gained by two drugs, here in tenths of an hour
- * and 2 h more: the mean difference is 1.58 h, from 0.70 to 2.46 h. */
-static void test_the_interval_is_that_of_students_sleepers(void **state)
+/* Student's ten patients (1908): hours of sleep gained by two drugs, here in tenths of an hour plus
+ * 2 h. The mean difference is 1.58 h, with an interval from 0.70 to 2.46 h. */
+static void test_the_confidence_interval_matches_the_sleep_data_of_student(void **state)
 {
     (void)state;
     static const uint32_t first[] = { 27, 4, 18, 8, 19, 54, 57, 28, 20, 40 };
@@ -43,8 +43,9 @@ static void test_the_interval_is_that_of_students_sleepers(void **state)
 }
 
 /* Nine patients before and after (Hollander and Wolfe, Nonparametric Statistical Methods, table
- * 3.1): signed ranks sum to 40 of 45, and 10 of the 512 ways are as far from the middle. */
-static void test_signed_ranks_are_those_of_a_worked_example(void **state)
+ * 3.1): the signed ranks sum to 40 of 45, and 10 of the 512 sign patterns are as far from the
+ * middle. */
+static void test_signed_ranks_match_a_textbook_example(void **state)
 {
     (void)state;
     static const double before[] = { 1.83, 0.50, 1.62, 2.48, 1.68, 1.88, 1.55, 3.06, 1.30 };
@@ -56,7 +57,8 @@ static void test_signed_ranks_are_those_of_a_worked_example(void **state)
     expect_near(statistics_signed_rank_p(differences, 9), 20.0 / 512.0, 1e-12);
 }
 
-/* What count_ways() counts cleverly, one way after the other. `ranks` are doubled, as there. */
+/* Counts all sign patterns one by one, as a reference for count_ways(). `ranks` are doubled as in
+ * that function. */
 static double by_every_sign(const uint32_t *ranks, uint32_t positive, uint32_t count)
 {
     uint32_t sum = 0, observed = 0, as_far = 0;
@@ -76,14 +78,15 @@ static double by_every_sign(const uint32_t *ranks, uint32_t positive, uint32_t c
     return (double)as_far / (double)(1u << count);
 }
 
-/* Catches are small numbers: most differences are alike, and many are none. */
-static void test_ties_and_zeros_are_counted_as_by_dealing_out_every_sign(void **state)
+/* Catches are small numbers, so most differences are equal and many are zero. */
+static void test_ties_and_zeros_match_an_exhaustive_count_of_signs(void **state)
 {
     (void)state;
     static const double sizes[] = { 1, 1, 1, 2, 2, 3, 3, 3, 3, 7 };
     static const uint32_t ranks[] = { 4, 4, 4, 9, 9, 15, 15, 15, 15, 20 };
     for (uint32_t signs = 0; signs < 1u << 10; signs += 7) {
-        double differences[14] = { 0 }; /* Two zeros before, two behind. */
+        double differences[14] = { 0 }; /* Two zeros come before and two after the other
+                                           differences. */
         for (uint32_t i = 0; i < 10; i++) {
             differences[i + 2] = signs >> i & 1u ? sizes[i] : -sizes[i];
         }
@@ -92,7 +95,7 @@ static void test_ties_and_zeros_are_counted_as_by_dealing_out_every_sign(void **
     }
 }
 
-static void test_who_catches_the_same_does_not_differ(void **state)
+static void test_equal_catches_show_no_difference(void **state)
 {
     (void)state;
     static const uint32_t same[] = { 3, 0, 7, 7, 1 };
@@ -102,7 +105,7 @@ static void test_who_catches_the_same_does_not_differ(void **state)
     expect_near(found.high, 0.0, 0.0);
 }
 
-static void test_one_pair_proves_nothing(void **state)
+static void test_one_pair_is_not_significant(void **state)
 {
     (void)state;
     const uint32_t many = 9, none = 0;
@@ -112,8 +115,8 @@ static void test_one_pair_proves_nothing(void **state)
     expect_near(found.p, 1.0, 0.0);
 }
 
-/* 200 pairs that all differ the same way: one way of 2^200 to each side. */
-static void test_two_hundred_of_one_mind_are_as_rare_as_they_are(void **state)
+/* All 200 pairs differ in the same direction: one of 2^200 sign patterns for each direction. */
+static void test_the_probability_of_two_hundred_equal_signs_is_exact(void **state)
 {
     (void)state;
     uint32_t a[200], b[200];
@@ -125,8 +128,8 @@ static void test_two_hundred_of_one_mind_are_as_rare_as_they_are(void **state)
     expect_near(statistics_compare(b, a, 200).p, statistics_compare(a, b, 200).p, 0.0);
 }
 
-/* The same catches, told of the other hand. */
-static void test_what_pays_one_way_goes_the_wrong_way_the_other(void **state)
+/* The same catches with the two samples exchanged. */
+static void test_exchanging_the_samples_reverses_the_difference(void **state)
 {
     (void)state;
     static const uint32_t more[] = { 5, 4, 6, 5, 7, 3, 5, 6 }, less[] = { 2, 2, 3, 1, 5, 2, 1, 2 };
@@ -134,12 +137,14 @@ static void test_what_pays_one_way_goes_the_wrong_way_the_other(void **state)
     assert_int_equal(statistics_verdict(&found), VERDICT_PAYS);
     found = statistics_compare(less, more, 8);
     assert_int_equal(statistics_verdict(&found), VERDICT_WRONG_WAY);
-    found = statistics_compare(more, less, 5); /* All five agree, but so do 2 ways of 32. */
+    found = statistics_compare(more, less, 5); /* All five differences have the same sign, but so
+                                                  have 2 of 32 patterns. */
     assert_int_equal(statistics_verdict(&found), VERDICT_NOT_SHOWN);
 }
 
-/* Ranks see that nearly all are a little better; the mean sees the one that is far worse. */
-static void test_where_mean_and_ranks_disagree_nothing_is_shown(void **state)
+/* The ranks show that nearly all values are a little better. The mean is dominated by one much
+ * worse value. */
+static void test_disagreement_of_mean_and_ranks_is_not_significant(void **state)
 {
     (void)state;
     static const uint32_t a[] = { 4, 5, 6, 7, 8, 9, 10, 11, 12, 0 };
@@ -154,15 +159,15 @@ static void test_where_mean_and_ranks_disagree_nothing_is_shown(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_t_agrees_with_the_printed_table),
-        cmocka_unit_test(test_the_interval_is_that_of_students_sleepers),
-        cmocka_unit_test(test_signed_ranks_are_those_of_a_worked_example),
-        cmocka_unit_test(test_ties_and_zeros_are_counted_as_by_dealing_out_every_sign),
-        cmocka_unit_test(test_who_catches_the_same_does_not_differ),
-        cmocka_unit_test(test_one_pair_proves_nothing),
-        cmocka_unit_test(test_what_pays_one_way_goes_the_wrong_way_the_other),
-        cmocka_unit_test(test_where_mean_and_ranks_disagree_nothing_is_shown),
-        cmocka_unit_test(test_two_hundred_of_one_mind_are_as_rare_as_they_are),
+        cmocka_unit_test(test_student_t_matches_the_printed_table),
+        cmocka_unit_test(test_the_confidence_interval_matches_the_sleep_data_of_student),
+        cmocka_unit_test(test_signed_ranks_match_a_textbook_example),
+        cmocka_unit_test(test_ties_and_zeros_match_an_exhaustive_count_of_signs),
+        cmocka_unit_test(test_equal_catches_show_no_difference),
+        cmocka_unit_test(test_one_pair_is_not_significant),
+        cmocka_unit_test(test_exchanging_the_samples_reverses_the_difference),
+        cmocka_unit_test(test_disagreement_of_mean_and_ranks_is_not_significant),
+        cmocka_unit_test(test_the_probability_of_two_hundred_equal_signs_is_exact),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

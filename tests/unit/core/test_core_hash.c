@@ -1,8 +1,8 @@
-/* test_core_hash.c -- the core's hash sees every simulated field, and nothing that is scratch.
+/* test_core_hash.c -- checks that the core's hash depends on every simulated field and on no
+ * scratch field.
  *
- * Each table of hashed_fields.h names a struct's members in order. One that leaves a member out
- * fails: between two listed members there may be no more than the padding that alignment asks
- * for. */
+ * The tables of the core list the members of each struct. A table that lacks a member fails the
+ * test, because only the padding for alignment may lie between two listed members. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -11,103 +11,53 @@
 
 #include <cmocka.h>
 
-#include "tests/unit/support/hashed_fields.h"
+#include "core/base/hash.h"
+#include "core/core.h"
+#include "core/game/game_fields.h"
+#include "core/poi/poi_fields.h"
+#include "core/tank/tank_fields.h"
 
 static struct core core, twin;
 
-struct table {
-    const struct field *fields;
-    size_t count;
-    size_t size; /* Of the struct. */
-    void *at;    /* The one whose members are changed. */
+/* The tables that core_hash() reads, with the object that each describes. */
+static const struct root {
+    const struct field_table *table;
+    void *object;
+} roots[] = {
+    { &core_config_fields, &core.config },
+    { &ledger_start_fields, &core.config.persistent.ledger },
+    { &ranking_fields, &core.config.persistent.ranking },
+    { &game_session_fields, &core.config.session },
+    { &settings_edit_fields, &core.config.session.settings_edit },
+    { &lab_book_fields, &core.config.book },
+    { &game_fields, &core.game },
+    { &ranking_fields, &core.game.accounts.ranking },
+    { &settings_edit_fields, &core.game.settings_edit },
+    { &lab_saved_fields, &core.game.lab },
+    { &audits_fields, &core.config.persistent.audits },
+    { &audits_fields, &core.game.accounts.audits },
+    { &poi_fields, &core.world.poi[0] },
+    { &poi_fields, &core.world.poi[3] },
+    { &bowl_fields, &core.world.bowl[0] },
+    { &bowl_fields, &core.world.bowl[3] },
+    { &tank_fields, &core.world.tank },
+    { &settings_fields, &core.config.persistent.settings },
 };
+#define ROOT_COUNT (sizeof roots / sizeof roots[0])
 
-#define TABLE(type, list, place) { list, sizeof list / sizeof list[0], sizeof(struct type), place }
-
-static const struct table tables[] = {
-    TABLE(core, core_fields, &core),
-    TABLE(core_config, config_fields, &core.config),
-    TABLE(game, game_fields, &core.game),
-    TABLE(accounts, accounts_fields, &core.game.accounts),
-    TABLE(world, world_fields, &core.world),
-    TABLE(lab_book, book_fields, &core.config.book),
-    TABLE(species_card, card_fields, &core.config.book.cards[0]),
-    TABLE(species_card, card_fields, &core.config.book.cards[SPECIES_EXTRA_MAX - 1u]),
-    TABLE(graph, graph_fields, &core.config.book.cards[0].curves[0]),
-    TABLE(graph, graph_fields, &core.config.book.cards[0].curves[MORPH_CURVE_MAX - 1u]),
-    TABLE(lab_edit, edit_fields, &core.config.book.edits[0]),
-    TABLE(graph, graph_fields, &core.config.book.edits[SPECIES_MAX - 1u].graph),
-    TABLE(lab, lab_fields, &core.game.lab),
-    TABLE(lab_edit, edit_fields, &core.game.lab.edit),
-    TABLE(lab_edit, edit_fields, &core.game.lab.edits[SPECIES_MAX - 1u]),
-    TABLE(graph, graph_fields, &core.game.lab.edit.graph),
-    TABLE(graph, graph_fields, &core.game.lab.edits[0].graph),
-    TABLE(menu, menu_fields, &core.game.menu),
-    TABLE(calibrate, calibrate_fields, &core.game.menu.calibrate),
-    TABLE(calibration_said, calibration_said_fields, &core.game.menu.calibrate.said),
-    TABLE(self_test, self_test_fields, &core.game.menu.self),
-    TABLE(settings_edit, adjust_fields, &core.game.settings_edit),
-    TABLE(persistent_state, memory_fields, &core.config.persistent),
-    TABLE(ledger_start, ledger_start_fields, &core.config.persistent.ledger),
-    TABLE(balance, purse_fields, &core.config.persistent.ledger.balance),
-    TABLE(ledger_stand, stand_fields, &core.config.persistent.ledger.stand),
-    TABLE(ledger_stand, stand_fields, &core.game.accounts.credit.stand),
-    TABLE(game_session, chapter_fields, &core.config.session),
-    TABLE(language_choice, language_choice_fields, &core.config.session.language),
-    TABLE(ledger, ledger_fields, &core.config.session.ledger),
-    TABLE(credit, credit_fields, &core.config.session.credit),
-    TABLE(balance, purse_fields, &core.config.session.ledger.balance),
-    TABLE(ledger, ledger_fields, &core.game.accounts.ledger),
-    TABLE(balance, purse_fields, &core.game.accounts.ledger.committed),
-    TABLE(balance, purse_fields, &core.game.accounts.ledger.after[0]),
-    TABLE(balance, purse_fields, &core.game.accounts.ledger.after[LEDGER_RING - 1u]),
-    TABLE(balance, purse_fields, &core.game.accounts.ledger.balance),
-    TABLE(ranking, ranking_fields, &core.game.accounts.ranking),
-    TABLE(name, name_fields, &core.game.name),
-    TABLE(rank_row, rank_row_fields, &core.game.accounts.ranking.row[2][2][9]),
-    TABLE(rank_row, rank_row_fields, &core.config.persistent.ranking.row[0][0][0]),
-    TABLE(credit, credit_fields, &core.game.accounts.credit),
-    TABLE(pending_coins, untold_fields, &core.game.accounts.credit.pending_coins[0]),
-    TABLE(pending_coins, untold_fields,
-          &core.game.accounts.credit.pending_coins[COIN_LINE_COUNT - 1u]),
-    TABLE(health_log, upkeep_fields, &core.game.health_log),
-    TABLE(health_log, upkeep_fields, &core.config.session.health_log),
-    TABLE(album, album_fields, &core.game.album),
-    TABLE(album_fish, album_fish_fields, &core.game.album.fish[0]),
-    TABLE(album_fish, album_fish_fields, &core.game.album.fish[ALBUM_FISH_MAX - 1u]),
-    TABLE(player, player_fields, &core.game.player[0]),
-    TABLE(player, player_fields, &core.game.player[3]),
-    TABLE(input_validation, trust_fields, &core.game.validation[0]),
-    TABLE(input_validation, trust_fields, &core.game.validation[3]),
-    TABLE(hints, hints_fields, &core.game.hints),
-    TABLE(bot, bot_fields, &core.game.bot[0]),
-    TABLE(technique, technique_fields, &core.game.bot[0].technique),
-    TABLE(snapshot, look_fields, &core.game.bot[0].known),
-    TABLE(snapshot, look_fields, &core.game.bot[3].seen),
-    TABLE(snapshot_fish, look_fish_fields, &core.game.bot[0].known.prey),
-    TABLE(snapshot_fish, look_fish_fields, &core.game.bot[0].seen.near[SNAPSHOT_NEAR_MAX - 1u]),
-    TABLE(snapshot_paper, look_paper_fields, &core.game.bot[0].known.paper),
-    TABLE(vision_poi, sight_poi_fields, &core.game.bot[0].known.poi),
-    TABLE(vision_bowl, sight_bowl_fields, &core.game.bot[0].known.bowl),
-    TABLE(bot, bot_fields, &core.game.bot[3]),
-    TABLE(poi, poi_fields, &core.world.poi[0]),
-    TABLE(poi, poi_fields, &core.world.poi[3]),
-    TABLE(carried_fish, rider_fields, &core.world.poi[0].carried_fish[1]),
-    TABLE(sheet_load, load_fields, &core.world.poi[0].loads[1]),
-    TABLE(sheet, sheet_fields, &core.world.poi[0].sheet),
-    TABLE(sheet, sheet_fields, &core.world.poi[3].sheet),
-    TABLE(bowl, bowl_fields, &core.world.bowl[0]),
-    TABLE(bowl, bowl_fields, &core.world.bowl[3]),
-    TABLE(tank, tank_fields, &core.world.tank),
-    TABLE(water, water_fields, &core.world.tank.water),
-    TABLE(shade, shade_fields, &core.world.tank.shade[0]),
-    TABLE(shade, shade_fields, &core.world.tank.shade[TANK_SHADE_MAX - 1u]),
-    TABLE(shade_cast, cast_fields, &core.world.tank.shade[1].cast),
-    TABLE(oxygen, oxygen_fields, &core.world.tank.oxygen),
-    TABLE(fish, fish_fields, &core.world.tank.fish[0]),
-    TABLE(fish, fish_fields, &core.world.tank.fish[11]),
+/* What core_hash() hashes by functions, because it depends on the format of the recording. */
+#define PART(place) { #place, &core.place, sizeof core.place }
+static const struct part {
+    const char *name;
+    void *at;
+    size_t size;
+} parts[] = {
+    PART(game.tick),
+    PART(game.settings_edit.told),
+    PART(config.session.settings_edit.told),
+    PART(config.session.language.chosen),
+    PART(config.session.language.until_tick),
 };
-#define TABLE_COUNT (sizeof tables / sizeof tables[0])
 
 static int setup(void **state)
 {
@@ -119,8 +69,9 @@ static int setup(void **state)
     for (uint32_t i = 0; i < 100; i++) {
         core_tick(&core, &input, &output);
     }
-    core.world.poi[0].carried_count = 2; /* As if two fish lay on it. */
+    core.world.poi[0].carried_count = 2; /* The state is that of a poi with two fish. */
     core.world.poi[0].load_count = 2;
+    core.world.tank.broad_phase.near_count = 2;
     return 0;
 }
 
@@ -129,35 +80,73 @@ static size_t align_up(size_t offset, size_t align)
     return (offset + align - 1u) / align * align;
 }
 
-static void test_every_member_is_in_its_table(void **state)
+/* The order of a table is that of the hash, so its members are sought in their order in memory. */
+static void check_members(const struct field_table *table)
+{
+    uint32_t end = 0, align_max = 1;
+    uint32_t listed = 0;
+    for (uint32_t i = 0; i < table->count; i++) {
+        listed += table->fields[i].form != FORM_AGAIN;
+    }
+    for (uint32_t found = 0; found < listed; found++) {
+        const struct field *next = NULL;
+        for (uint32_t i = 0; i < table->count; i++) {
+            const struct field *field = &table->fields[i];
+            if (field->form != FORM_AGAIN && field->offset >= end &&
+                (!next || field->offset < next->offset)) {
+                next = field;
+            }
+        }
+        if (!next || next->offset != align_up(end, next->align)) {
+            fail_msg("a member of %s before offset %u is not listed, or listed twice", table->name,
+                     next ? next->offset : table->size);
+        }
+        if (next->table && next->size % next->table->size != 0) {
+            fail_msg("%s.%s has the table of another struct", table->name, next->name);
+        }
+        end = next->offset + next->size;
+        align_max = next->align > align_max ? next->align : align_max;
+    }
+    if (align_up(end, align_max) != table->size) {
+        fail_msg("a member of %s after offset %u is not listed", table->name, end);
+    }
+}
+
+/* The saved edits of the lab are a part of struct lab, whose table is that of the game. */
+static void test_every_member_is_in_the_tables_of_the_core(void **state)
 {
     (void)state;
-    for (size_t t = 0; t < TABLE_COUNT; t++) {
-        size_t end = 0;
-        size_t align_max = 1;
-        for (size_t i = 0; i < tables[t].count; i++) {
-            const struct field *field = &tables[t].fields[i];
-            if (field->offset != align_up(end, field->align)) {
-                fail_msg("a member before %s is not listed", field->name);
+    for (size_t r = 0; r < ROOT_COUNT; r++) {
+        const struct field_table *open[32] = { roots[r].table };
+        for (size_t at = 0, count = 1; at < count; at++) {
+            if (open[at] != &lab_saved_fields) {
+                check_members(open[at]);
             }
-            end = field->offset + field->size;
-            align_max = field->align > align_max ? field->align : align_max;
-        }
-        if (align_up(end, align_max) != tables[t].size) {
-            fail_msg("a member after %s is not listed", tables[t].fields[tables[t].count - 1].name);
+            for (uint32_t i = 0; i < open[at]->count; i++) {
+                const struct field_table *inner = open[at]->fields[i].table;
+                int is_known = inner == NULL;
+                for (size_t k = 0; k < count; k++) {
+                    is_known |= open[k] == inner;
+                }
+                if (!is_known) {
+                    assert_true(count < sizeof open / sizeof open[0]);
+                    open[count++] = inner;
+                }
+            }
         }
     }
 }
 
-/* Returns 1 and writes the hash of the core, or returns 0 if an assertion refuses the state. */
-static int hash_if_valid(uint64_t *hash)
+/* Returns 1 and writes the hash of an object, or of the core if `table` is null. Returns 0 if an
+ * assertion refuses the state. */
+static int hash_if_valid(const struct field_table *table, const void *object, uint64_t *hash)
 {
     if (setjmp(global_expect_assert_env) != 0) {
         global_expecting_assert = 0;
         return 0;
     }
     global_expecting_assert = 1;
-    *hash = core_hash(&core);
+    *hash = table ? field_hash(HASH_START, table, object) : core_hash(&core);
     global_expecting_assert = 0;
     return 1;
 }
@@ -169,40 +158,72 @@ static void flip(const char *name, uint8_t *byte, uint64_t before)
     for (uint32_t bit = 0; bit < 8u; bit++) {
         uint64_t after = before;
         *byte ^= (uint8_t)(1u << bit);
-        const int is_valid = hash_if_valid(&after);
+        const int is_valid = hash_if_valid(NULL, NULL, &after);
         *byte ^= (uint8_t)(1u << bit);
         if (is_valid) {
             if (after == before) {
-                fail_msg("the hash does not see %s", name);
+                fail_msg("the hash does not depend on %s", name);
             }
             return;
         }
     }
 }
 
-static void test_the_hash_sees_the_first_and_the_last_byte_of_every_member(void **state)
+static void flip_ends(const char *name, uint8_t *bytes, size_t size, uint64_t before)
+{
+    flip(name, bytes, before);
+    flip(name, bytes + size / 2u, before);
+    flip(name, bytes + size - 1u, before);
+}
+
+/* Returns the size of the elements in use in a member of `object`. */
+static size_t used_size(const struct field *field, const uint8_t *object)
+{
+    uint32_t used = field->count;
+    if (field->count_offset != FIELD_ALL_USED) {
+        memcpy(&used, object + field->count_offset, sizeof used);
+    }
+    return (size_t)used * field->unit;
+}
+
+/* The hash of a table is that of its object alone, which is much faster than that of the core. */
+static void test_the_hash_depends_on_every_member_of_the_tables(void **state)
 {
     (void)state;
     const uint64_t before = core_hash(&core);
-    for (size_t t = 0; t < TABLE_COUNT; t++) {
-        for (size_t i = 0; i < tables[t].count; i++) {
-            const struct field *field = &tables[t].fields[i];
-            uint8_t *bytes = (uint8_t *)tables[t].at + field->offset;
-            if (!field->skipped) {
-                flip(field->name, bytes, before);
-                flip(field->name, bytes + field->size / 2u, before);
-                flip(field->name, bytes + field->size - 1u, before);
+    for (size_t r = 0; r < ROOT_COUNT; r++) {
+        uint8_t *object = roots[r].object;
+        const uint64_t alone = field_hash(HASH_START, roots[r].table, object);
+        struct field_cursor cursor = field_begin(roots[r].table, object, true);
+        const uint8_t *at = NULL;
+        uint8_t *last = NULL;
+        for (const struct field *field; (field = field_next(&cursor, &at)) != NULL;) {
+            const size_t size = used_size(field, cursor.level[cursor.depth - 1u].object);
+            const size_t changed[] = { 0, size / 2u, size - 1u };
+            for (uint32_t i = 0; i < 3u && field->form != FORM_SKIPPED; i++) {
+                last = object + (at - object) + changed[i];
+                *last ^= 1u;
+                uint64_t after = alone;
+                if (hash_if_valid(roots[r].table, object, &after) && after == alone) {
+                    fail_msg("the hash does not depend on %s", field->name);
+                }
+                *last ^= 1u;
             }
         }
+        flip(roots[r].table->name, last, before);
+    }
+    for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++) {
+        flip_ends(parts[i].name, parts[i].at, parts[i].size, before);
     }
     assert_true(core_hash(&core) == before);
 }
 
-static void test_the_hash_sees_how_many_there_are(void **state)
+static void test_the_hash_depends_on_the_element_counts(void **state)
 {
     (void)state;
     uint32_t *const counts[] = { &core.world.poi[0].carried_count, &core.world.poi[0].load_count,
-                                 &core.world.tank.fish_count };
+                                 &core.world.tank.fish_count,
+                                 &core.world.tank.broad_phase.near_count };
     const uint64_t before = core_hash(&core);
     for (size_t i = 0; i < sizeof counts / sizeof counts[0]; i++) {
         (*counts[i])--;
@@ -211,32 +232,18 @@ static void test_the_hash_sees_how_many_there_are(void **state)
     }
 }
 
-/* A look's findings hold for some ticks, so they are state. */
-static void test_the_hash_sees_what_the_fish_last_saw(void **state)
-{
-    (void)state;
-    struct broad_phase *broad_phase = &core.world.tank.broad_phase;
-    broad_phase->near_count = 2;
-    broad_phase->contact[1] = (struct contact){ 1, 2, 0.001f };
-    const uint64_t before = core_hash(&core);
-    flip("contact.a", (uint8_t *)&broad_phase->contact[1].a, before);
-    flip("contact.b", (uint8_t *)&broad_phase->contact[1].b, before);
-    flip("contact.gap_m", (uint8_t *)&broad_phase->contact[1].gap_m, before);
-    flip("way_m", (uint8_t *)&broad_phase->way_m[11], before);
-    flip("reach_m", (uint8_t *)&broad_phase->reach_m[11], before);
-    broad_phase->near_count = 1;
-    assert_true(core_hash(&core) != before);
-}
-
-/* What no hash covers must not matter: else two equal hashes could part later. */
-static void test_scratch_that_is_overwritten_changes_nothing(void **state)
+/* Data without a hash must not affect the state. Otherwise two states with equal hashes could
+ * diverge later. */
+static void test_overwritten_scratch_memory_does_not_change_the_hash(void **state)
 {
     (void)state;
     static struct output output;
     const struct input input = { .pressed = INPUT_START };
     core.world.poi[0].carried_count = core.world.poi[0].load_count = 0;
+    core.world.tank.broad_phase.near_count = 0;
     twin = core;
-    assert_int_equal(core.game.tick % BROAD_PHASE_UPDATE_TICKS, 0); /* All look anew. */
+    assert_int_equal(core.game.tick % BROAD_PHASE_UPDATE_TICKS, 0); /* All fish update their
+                                                                       perception in this tick. */
     memset(&twin.world.tank.broad_phase, 0x5a, sizeof twin.world.tank.broad_phase);
     memset(&twin.world.tank.solver, 0x5a, sizeof twin.world.tank.solver);
     for (uint32_t i = 0; i < 100; i++) {
@@ -249,12 +256,10 @@ static void test_scratch_that_is_overwritten_changes_nothing(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(test_every_member_is_in_its_table, setup),
-        cmocka_unit_test_setup(test_the_hash_sees_the_first_and_the_last_byte_of_every_member,
-                               setup),
-        cmocka_unit_test_setup(test_the_hash_sees_how_many_there_are, setup),
-        cmocka_unit_test_setup(test_the_hash_sees_what_the_fish_last_saw, setup),
-        cmocka_unit_test_setup(test_scratch_that_is_overwritten_changes_nothing, setup),
+        cmocka_unit_test_setup(test_every_member_is_in_the_tables_of_the_core, setup),
+        cmocka_unit_test_setup(test_the_hash_depends_on_every_member_of_the_tables, setup),
+        cmocka_unit_test_setup(test_the_hash_depends_on_the_element_counts, setup),
+        cmocka_unit_test_setup(test_overwritten_scratch_memory_does_not_change_the_hash, setup),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,7 +1,7 @@
-/* test_core_wild.c -- whatever controllers do, the core goes on: no panic, no number that is none.
+/* test_core_wild.c -- checks that any controller input leaves the core valid: no panic and no NaN.
  *
- * Four players' worth of links that come and go; hands that hurry from goal to goal, and say any
- * bits now and then, in any field; random presses; fans too. */
+ * The controllers of four players come and go. Poses move fast between random goals, and some
+ * fields contain random bits. Buttons are random, and fans are present. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -35,14 +35,14 @@ static float pick_m(void)
     return kind < 8 ? wild[kind] : ((float)draw(2001) - 1000.0f) * 0.0004f;
 }
 
-/* ---- Hands ---------------------------------------------------------------------------------- */
+/* ---- Controllers ---------------------------------------------------------------------------- */
 
-/* A hand that can be believed: it goes from goal to goal, gently or as fast as an arm goes. */
+/* State of a valid hand motion, which moves between random goals slowly or as fast as an arm. */
 static struct wild_hand {
     struct poi_target at, goal;
     float pace_m_s, turn_rad_s;
-    uint32_t broken_ticks; /* So long its controller says something else yet. */
-    uint32_t breaks;       /* In which way. */
+    uint32_t broken_ticks; /* Remaining ticks of a faulty report. */
+    uint32_t breaks;       /* Kind of the fault. */
     struct poi_target stuck;
 } hands[POI_MAX];
 
@@ -59,7 +59,9 @@ static float toward(float from, float to, float step)
 static void wander(struct wild_hand *hand)
 {
     if (draw(60) == 0) {
-        hand->goal.position_m.x = reach_m(0.6f); /* One by one: a compiler may draw in any order. */
+        hand->goal.position_m.x = reach_m(0.6f); /* Each value is drawn in its own statement,
+                                                    because the evaluation order of arguments is
+                                                    unspecified. */
         hand->goal.position_m.y = reach_m(0.2f);
         hand->goal.position_m.z = reach_m(0.4f);
         hand->goal.angles.yaw_rad = reach_m(3.0f);
@@ -84,7 +86,7 @@ static void spoil_field(struct poi_target *target, uint32_t bits)
     memcpy(bytes + draw(6) * sizeof(float), &bits, sizeof bits);
 }
 
-/* Any bits in any field of a poi's input, and the lesser ways to be wrong. */
+/* Writes random bits to any field of a poi's input, or a smaller error. */
 static void spoil(struct poi_input *poi, struct wild_hand *hand)
 {
     static const uint32_t none[] = { 0x7fc00000u, 0xffc00000u, 0x7f800000u, 0xff800000u,
@@ -124,7 +126,7 @@ static void spoil(struct poi_input *poi, struct wild_hand *hand)
     }
 }
 
-/* Whole controllers come and go too, now and then for good. */
+/* Connects and disconnects whole controllers, sometimes permanently. */
 static void stir_hand(struct poi_input *poi, struct wild_hand *hand)
 {
     wander(hand);
@@ -142,8 +144,8 @@ static void stir_hand(struct poi_input *poi, struct wild_hand *hand)
     }
 }
 
-/* Who opened the operator's menu often, or stayed until a wild hand has found its way out of all
- * pages, would hardly play: a visit lasts some seconds, and ends by the buttons that lead back. */
+/* Limits visits to the operator's menu to some seconds and ends them with the buttons that lead
+ * back. Otherwise random input would stay in the menu for most of the time. */
 static void heed_visits(struct input *input)
 {
     const uint32_t stay_ticks = core.game.tick - core.game.phase_tick;
@@ -160,7 +162,8 @@ static void stir(struct input *input)
     input->held = draw(INPUT_BUTTON_ALL + 1u);
     input->coin_count[0] = draw(3);
     input->store_well = draw(100) != 0;
-    input->record_saved_id = draw(50) == 0  ? draw(4) /* Whatever it says: it is no bug of ours. */
+    input->record_saved_id = draw(50) == 0  ? draw(4) /* The value is random. The core must accept
+                                                         any value. */
                              : draw(4) == 0 ? output.entry_id
                                             : input->record_saved_id;
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -176,7 +179,7 @@ static void stir(struct input *input)
     }
 }
 
-/* What this tick's controllers say of it. */
+/* Returns the input of this tick with the faults of its controllers. */
 static struct input said(const struct input *input)
 {
     struct input out = *input;
@@ -190,9 +193,9 @@ static struct input said(const struct input *input)
     return out;
 }
 
-/* ---- What must hold ------------------------------------------------------------------------- */
+/* ---- Invariants ----------------------------------------------------------------------------- */
 
-/* Nor in the water without swimming, for longer than half a second. */
+/* Ticks for which a fish is in the water without swimming. The limit is half a second. */
 static uint32_t loose_ticks[TANK_FISH_MAX];
 
 static void check_loose(const struct fish *fish, uint32_t index)
@@ -209,7 +212,7 @@ static void check_fish(const struct fish *fish)
     assert_true(f_is_finite(fish->angles.yaw_rad + fish->angles.pitch_rad + fish->angles.roll_rad));
     assert_true(f_is_finite(fish->tail_phase_rad + fish->bend_rad + fish->alarm));
     assert_true(v3_length(fish->position_m) < 3.0f);
-    /* Nobody hangs in the air without a poi. */
+    /* Only a poi holds a fish in the air. */
     if (fish->gait == GAIT_HELD && fish->holder != FISH_HOLDER_WATER) {
         const struct poi *poi = &core.world.poi[fish->holder];
         uint32_t found = 0;
@@ -238,7 +241,7 @@ static void check_force(const struct poi_force *force)
     assert_true(force->tear >= 0.0f && force->tear <= 1.0f);
 }
 
-/* What was seen, so that a run in which nobody could play proves nothing. */
+/* Counts of events, because a run without any play proves nothing. */
 static struct tally {
     uint32_t led, lost, dips, rounds, torn, championships, menu;
 } tally;
@@ -252,14 +255,14 @@ static void count(void)
         tally.dips += poi->splash_m_s > 0.0f;
         tally.torn += poi->strain.cells_torn;
     }
-    /* A chapter counts its own rounds from zero. */
+    /* A session counts its own rounds from zero. */
     tally.rounds += core.game.phase == PHASE_ROUND && core.game.round_tick + 1u == core.game.tick;
     tally.menu += core.game.phase == PHASE_MENU;
     tally.championships += core.game.phase == PHASE_ROUND && core.game.mode == MODE_CHAMPIONSHIP;
 }
 
-/* The operator's settings say what the stall begins with: else the first that a wild hand turns in
- * the menu would bring the standard's single player. */
+/* Sets the operator's settings to the values of the configuration. Otherwise the first random
+ * change in the menu would restore the default of a single player. */
 static struct core_config settled(const struct core_config *config)
 {
     struct core_config out = *config;
@@ -300,14 +303,15 @@ static uint64_t play(const struct core_config *config, uint32_t ticks)
         count();
     }
     const uint64_t hash = core_hash(&core);
-    print_message("%u rounds, %u dips, led for %u s, lost for %u s, %u cells torn, in the menu for "
-                  "%u s, %016llx\n",
-                  tally.rounds, tally.dips, tally.led / CORE_TICK_HZ, tally.lost / CORE_TICK_HZ,
-                  tally.torn, tally.menu / CORE_TICK_HZ, (unsigned long long)hash);
+    print_message(
+        "%u rounds, %u dips, controlled for %u s, lost for %u s, %u cells torn, in the menu for "
+        "%u s, %016llx\n",
+        tally.rounds, tally.dips, tally.led / CORE_TICK_HZ, tally.lost / CORE_TICK_HZ, tally.torn,
+        tally.menu / CORE_TICK_HZ, (unsigned long long)hash);
     return hash;
 }
 
-static void test_four_wild_players_break_nothing_and_do_it_again_alike(void **state)
+static void test_four_random_players_are_safe_and_repeatable(void **state)
 {
     (void)state;
     const struct core_config config = {
@@ -319,7 +323,7 @@ static void test_four_wild_players_break_nothing_and_do_it_again_alike(void **st
     assert_true(play(&config, MINUTES(3)) == first);
 }
 
-static void test_wild_controllers_beside_one_player_break_nothing(void **state)
+static void test_random_controllers_beside_one_player_are_safe(void **state)
 {
     (void)state;
     const struct core_config config = { .seed = 2, .fish_count = FISH, .round_s = 20 };
@@ -327,7 +331,7 @@ static void test_wild_controllers_beside_one_player_break_nothing(void **state)
     assert_true(tally.rounds > 1 && tally.dips > 10);
 }
 
-static void test_wild_players_may_choose_among_all_modes(void **state)
+static void test_random_players_with_all_modes_are_safe(void **state)
 {
     (void)state;
     const struct core_config config = {
@@ -344,9 +348,9 @@ static void test_wild_players_may_choose_among_all_modes(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_four_wild_players_break_nothing_and_do_it_again_alike),
-        cmocka_unit_test(test_wild_controllers_beside_one_player_break_nothing),
-        cmocka_unit_test(test_wild_players_may_choose_among_all_modes),
+        cmocka_unit_test(test_four_random_players_are_safe_and_repeatable),
+        cmocka_unit_test(test_random_controllers_beside_one_player_are_safe),
+        cmocka_unit_test(test_random_players_with_all_modes_are_safe),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

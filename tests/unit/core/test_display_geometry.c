@@ -1,4 +1,5 @@
-/* test_display_geometry.c -- how the picture lies on the screen, and how a pointer looks back. */
+/* test_display_geometry.c -- checks the position of the picture on the screen and the mapping of a
+ * pointer. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -23,12 +24,13 @@ static void assert_near(float is, float wanted)
     assert_float_equal(is, wanted, 1e-3f);
 }
 
-static void test_a_plain_picture_fills_the_screen(void **state)
+static void test_an_untransformed_picture_fills_the_screen(void **state)
 {
     (void)state;
-    const struct display_transform transform = turned(0),
-                                   whole = display_transform_identity(WIDTH, HEIGHT);
-    assert_memory_equal(&transform, &whole, sizeof whole);
+    const struct display_transform transform = turned(0);
+    assert_near(transform.width, WIDTH);
+    assert_near(transform.height, HEIGHT);
+    assert_near(transform.light, 1.0f);
     float turn[4], move[2];
     display_clip_matrix(&transform, turn, move);
     assert_near(turn[0], 1.0f);
@@ -39,7 +41,7 @@ static void test_a_plain_picture_fills_the_screen(void **state)
     assert_near(move[1], 0.0f);
 }
 
-static void test_a_quarter_turn_clockwise_brings_the_top_left_to_the_top_right(void **state)
+static void test_a_quarter_turn_clockwise_moves_the_top_left_to_the_top_right(void **state)
 {
     (void)state;
     static const float corner[4][2] = {
@@ -59,7 +61,7 @@ static void test_a_quarter_turn_clockwise_brings_the_top_left_to_the_top_right(v
     }
 }
 
-static void test_who_looks_back_sees_what_opengl_drew_there(void **state)
+static void test_the_inverse_transform_matches_the_opengl_transform(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < 4u * 8u; i++) {
@@ -83,7 +85,7 @@ static void test_who_looks_back_sees_what_opengl_drew_there(void **state)
     }
 }
 
-static void test_what_is_lost_at_the_screen_s_edges_is_left_free_in_whole_pixels(void **state)
+static void test_overscan_margins_are_whole_pixels(void **state)
 {
     (void)state;
     const struct display_settings display_settings = {
@@ -100,7 +102,7 @@ static void test_what_is_lost_at_the_screen_s_edges_is_left_free_in_whole_pixels
     assert_near(transform.height, WIDTH - 192.0f);
 }
 
-static void test_absurd_wishes_leave_a_picture(void **state)
+static void test_out_of_range_settings_leave_a_visible_picture(void **state)
 {
     (void)state;
     const struct display_settings display_settings = {
@@ -112,7 +114,7 @@ static void test_absurd_wishes_leave_a_picture(void **state)
     assert_near(transform.light, 1.0f);
 }
 
-static void test_a_pointer_on_a_turned_screen_points_at_what_it_touches(void **state)
+static void test_a_pointer_on_a_rotated_screen_maps_to_the_touched_point(void **state)
 {
     (void)state;
     const struct display_settings upright = { .rotation = 1, .inset_x = 0.1f, .light = 1.0f };
@@ -122,8 +124,10 @@ static void test_a_pointer_on_a_turned_screen_points_at_what_it_touches(void **s
     const struct pointer_report on = pointer_report_on(&at, &upright);
     assert_int_equal(on.width_px, 1080);
     assert_int_equal(on.height_px, 1536);
-    assert_near(on.x_px, 270.0f);  /* The picture's right is the screen's lower end; ... */
-    assert_near(on.y_px, 1536.0f); /* ... its foot is at the left, behind the margin. */
+    assert_near(on.x_px, 270.0f);  /* The right side of the picture is at the lower end of the
+                                      screen. */
+    assert_near(on.y_px, 1536.0f); /* The lower side of the picture is on the left, behind the
+                                      margin. */
     assert_int_equal(on.buttons, POINTER_DIP);
     const struct pointer_report unknown = { .x_px = 5.0f };
     assert_near(pointer_report_on(&unknown, &upright).x_px, 5.0f);
@@ -132,12 +136,12 @@ static void test_a_pointer_on_a_turned_screen_points_at_what_it_touches(void **s
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_plain_picture_fills_the_screen),
-        cmocka_unit_test(test_a_quarter_turn_clockwise_brings_the_top_left_to_the_top_right),
-        cmocka_unit_test(test_who_looks_back_sees_what_opengl_drew_there),
-        cmocka_unit_test(test_what_is_lost_at_the_screen_s_edges_is_left_free_in_whole_pixels),
-        cmocka_unit_test(test_absurd_wishes_leave_a_picture),
-        cmocka_unit_test(test_a_pointer_on_a_turned_screen_points_at_what_it_touches),
+        cmocka_unit_test(test_an_untransformed_picture_fills_the_screen),
+        cmocka_unit_test(test_a_quarter_turn_clockwise_moves_the_top_left_to_the_top_right),
+        cmocka_unit_test(test_the_inverse_transform_matches_the_opengl_transform),
+        cmocka_unit_test(test_overscan_margins_are_whole_pixels),
+        cmocka_unit_test(test_out_of_range_settings_leave_a_visible_picture),
+        cmocka_unit_test(test_a_pointer_on_a_rotated_screen_maps_to_the_touched_point),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

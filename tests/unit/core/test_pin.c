@@ -1,4 +1,4 @@
-/* test_pin.c -- the PIN as a salted hash, and SHA-256 by the vectors of FIPS 180-4. */
+/* test_pin.c -- checks the PIN as a salted hash, and SHA-256 with the vectors of FIPS 180-4. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -18,8 +18,8 @@ static void expect_digest(const char *message, const uint32_t wanted[SHA256_WORD
     assert_memory_equal(digest, wanted, sizeof digest);
 }
 
-/* csrc.nist.gov, "Example algorithms"; the second one is the empty message. */
-static void test_digests_are_those_of_the_standard(void **state)
+/* The source is csrc.nist.gov, "Example algorithms". The second message is empty. */
+static void test_digests_equal_those_of_the_standard(void **state)
 {
     (void)state;
     static const uint32_t abc[] = { 0xba7816bf, 0x8f01cfea, 0x414140de, 0x5dae2223,
@@ -54,8 +54,8 @@ static void test_a_hidden_pin_matches_its_digits(void **state)
     }
 }
 
-/* 20 bits of digest: of 100 PINs with 9,998 others each about one is matched by another. */
-static void test_hardly_any_other_pin_matches(void **state)
+/* The digest has 20 bits. For 100 PINs with 9,998 others each, about one other PIN matches. */
+static void test_other_pins_rarely_match(void **state)
 {
     (void)state;
     uint32_t others = 0;
@@ -68,15 +68,16 @@ static void test_hardly_any_other_pin_matches(void **state)
     assert_in_range(others, 0, 5);
 }
 
-static void test_equal_pins_differ_by_their_salt(void **state)
+static void test_equal_pins_with_another_salt_differ(void **state)
 {
     (void)state;
     assert_int_not_equal(pin_hide(407, 1), pin_hide(407, 2));
-    assert_int_equal(pin_hide(407, 0), pin_hide(407, 1)); /* A salt of 0 is none. */
+    assert_int_equal(pin_hide(407, 0), pin_hide(407, 1)); /* A salt of 0 is replaced, because 0
+                                                             means no salt. */
     assert_int_equal(pin_hide(407, 2047), pin_hide(407, UINT32_MAX));
 }
 
-static void test_plain_digits_none_and_a_withheld_pin(void **state)
+static void test_plain_absent_and_withheld_pins_are_distinguished(void **state)
 {
     (void)state;
     assert_int_equal(pin_hide(0, 7), 0);
@@ -106,7 +107,7 @@ static void test_settings_hide_a_plain_pin_once(void **state)
     assert_int_equal(settings.value[SET_PIN], kept);
 }
 
-static void test_only_hashes_of_format_7_count_the_pin(void **state)
+static void test_only_hashes_of_format_7_include_the_pin(void **state)
 {
     (void)state;
     static struct settings settings, other;
@@ -122,14 +123,14 @@ static void test_only_hashes_of_format_7_count_the_pin(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_digests_are_those_of_the_standard),
+        cmocka_unit_test(test_digests_equal_those_of_the_standard),
         cmocka_unit_test(test_the_longest_message_fits_beside_its_padding),
         cmocka_unit_test(test_a_hidden_pin_matches_its_digits),
-        cmocka_unit_test(test_hardly_any_other_pin_matches),
-        cmocka_unit_test(test_equal_pins_differ_by_their_salt),
-        cmocka_unit_test(test_plain_digits_none_and_a_withheld_pin),
+        cmocka_unit_test(test_other_pins_rarely_match),
+        cmocka_unit_test(test_equal_pins_with_another_salt_differ),
+        cmocka_unit_test(test_plain_absent_and_withheld_pins_are_distinguished),
         cmocka_unit_test(test_settings_hide_a_plain_pin_once),
-        cmocka_unit_test(test_only_hashes_of_format_7_count_the_pin),
+        cmocka_unit_test(test_only_hashes_of_format_7_include_the_pin),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

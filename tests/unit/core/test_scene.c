@@ -1,4 +1,4 @@
-/* test_scene.c -- the picture says what the state is, and changes nothing in it. */
+/* test_scene.c -- checks that the scene shows the state and does not change it. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -22,7 +22,7 @@ static int setup(void **state)
         .language = LANGUAGE_EN,
     };
     assert_int_equal(core_init(&core, &config), CORE_OK);
-    memset(&scene, 0xa5, sizeof scene); /* what was there before must not matter */
+    memset(&scene, 0xa5, sizeof scene); /* The previous contents must not matter. */
     return 0;
 }
 
@@ -36,10 +36,10 @@ static void tick(uint32_t count)
     }
 }
 
-static void test_every_fish_is_shaped_by_its_age(void **state)
+static void test_the_shape_of_every_fish_follows_its_age(void **state)
 {
     (void)state;
-    core.world.tank.fish[0].age_days = 60.0f; /* A stunted one is as old as it is: ... */
+    core.world.tank.fish[0].age_days = 60.0f; /* The shape of a stunted fish follows its age. */
     core.world.tank.fish[0].length_m = 0.02f;
     core_scene(&core, &scene);
     assert_int_equal(scene.fish_count, core.world.tank.fish_count);
@@ -49,13 +49,13 @@ static void test_every_fish_is_shaped_by_its_age(void **state)
         assert_float_equal(fish->age_days, core.world.tank.fish[i].age_days, 0.0f);
         assert_float_equal(fish->progress, life_progress(&species_wakin.card, fish->age_days),
                            0.0f);
-        if (i > 0) { /* ... this tank's others are as long as their age says. */
+        if (i > 0) { /* The length of the other fish of this tank follows their age. */
             assert_float_equal(length_m, fish->length_m, 1e-3f * length_m);
         }
     }
 }
 
-static void test_the_festivals_fish_are_of_many_ages(void **state)
+static void test_the_fish_of_a_festival_have_many_ages(void **state)
 {
     (void)state;
     float youngest = 1.0f, oldest = 0.0f;
@@ -64,10 +64,10 @@ static void test_the_festivals_fish_are_of_many_ages(void **state)
         youngest = f_min(youngest, scene.fish[i].progress);
         oldest = f_max(oldest, scene.fish[i].progress);
     }
-    assert_true(oldest - youngest > 0.1f); /* A tenth of a life, between smallest and largest. */
+    assert_true(oldest - youngest > 0.1f); /* The difference is over a tenth of a life. */
 }
 
-static void test_fish_are_where_the_tank_has_them(void **state)
+static void test_fish_have_the_positions_of_the_tank(void **state)
 {
     (void)state;
     core.world.tank.fish[3].gait = GAIT_HELD;
@@ -114,11 +114,11 @@ static void test_paper_shows_wetness_damage_and_holes(void **state)
     assert_int_equal(scene.poi[0].wetness[middle], 255);
     assert_int_equal(scene.poi[0].wetness[middle + 1u], 0);
     assert_int_equal(scene.poi[0].integrity[middle], 255);
-    assert_int_equal(scene.poi[0].integrity[middle + 1u], 1); /* nearly torn is not a hole */
+    assert_int_equal(scene.poi[0].integrity[middle + 1u], 1); /* Nearly torn paper is not a hole. */
     assert_int_equal(scene.poi[0].integrity[middle + 2u], 0);
 }
 
-static void test_a_poi_is_shown_where_it_is_with_its_belly_and_the_paper_that_is_left(void **state)
+static void test_a_poi_is_shown_with_its_position_belly_and_remaining_paper(void **state)
 {
     (void)state;
     struct poi *poi = &core.world.poi[0];
@@ -149,7 +149,7 @@ static void test_cells_beyond_the_ring_continue_the_paper_inside(void **state)
     assert_int_equal(scene.poi[0].integrity[row], 255);
 }
 
-static void test_paper_shows_its_stress_and_has_none_where_it_has_gone(void **state)
+static void test_paper_shows_its_stress_and_holes_show_none(void **state)
 {
     (void)state;
     core.world.poi[0].link = POI_SOURCE_BOT;
@@ -163,10 +163,11 @@ static void test_paper_shows_its_stress_and_has_none_where_it_has_gone(void **st
     assert_int_equal(scene.poi[0].stress[middle], 255);
     assert_int_equal(scene.poi[0].stress[middle + 1u], 0);
     assert_int_equal(scene.poi[0].stress[middle + 2u], 40);
-    assert_int_equal(scene.poi[0].stress[SHEET_SIDE / 4u * SHEET_SIDE], 40); /* Spread outward. */
+    assert_int_equal(scene.poi[0].stress[SHEET_SIDE / 4u * SHEET_SIDE], 40); /* The stress spreads
+                                                                                outward. */
 }
 
-static void test_only_a_round_of_practice_colours_the_paper(void **state)
+static void test_the_stress_colour_is_shown_only_in_practice(void **state)
 {
     (void)state;
     core.world.poi[0].link = POI_SOURCE_BOT;
@@ -181,7 +182,7 @@ static void test_only_a_round_of_practice_colours_the_paper(void **state)
     }
 }
 
-static void test_every_mode_tells_its_time_and_paper(void **state)
+static void test_every_mode_shows_its_time_and_paper(void **state)
 {
     (void)state;
     core_scene(&core, &scene);
@@ -193,21 +194,23 @@ static void test_every_mode_tells_its_time_and_paper(void **state)
     core.config.round_s = 90;
     core_scene(&core, &scene);
     assert_int_equal(scene.offer[MODE_FESTIVAL].grade, 4);
-    assert_int_equal(scene.offer[MODE_CHAMPIONSHIP].grade, 5); /* The rules say so. */
+    assert_int_equal(scene.offer[MODE_CHAMPIONSHIP].grade, 5); /* The championship's rules set the
+                                                                  grade. */
     assert_int_equal(scene.offer[MODE_PRACTICE].round_s, 90);
 }
 
-static void test_what_a_poi_carries_is_told_as_a_depth(void **state)
+static void test_the_water_of_a_poi_is_shown_as_a_depth(void **state)
 {
     (void)state;
     core.world.poi[0].link = POI_SOURCE_BOT;
     core.world.poi[0].film_kg = 0.0f;
-    core.world.poi[0].water_kg = core.world.poi[0].pool_kg = 0.005f; /* 5 g on 50 cm2: 1 mm. */
+    core.world.poi[0].water_kg = core.world.poi[0].pool_kg = 0.005f; /* 5 g on 50 cm2 give a depth
+                                                                        of 1 mm. */
     core_scene(&core, &scene);
     assert_float_equal(scene.poi[0].water_m, 0.001f, 2e-5f);
 }
 
-static void test_players_calls_and_fouls_are_told_with_their_age(void **state)
+static void test_announcements_and_fouls_are_shown_with_their_age(void **state)
 {
     (void)state;
     core.game.tick = 1200;
@@ -238,7 +241,7 @@ static void test_an_absent_poi_and_bowl_are_not_shown(void **state)
     assert_int_equal(scene.bowl[0].present, 1);
 }
 
-static void test_a_bowl_leans_as_it_heels_and_tells_where_its_water_stands(void **state)
+static void test_a_bowl_is_shown_with_its_heel_and_its_water_level(void **state)
 {
     (void)state;
     core.world.bowl[0].heel_x = 0.10f;
@@ -255,7 +258,7 @@ static void test_a_bowl_leans_as_it_heels_and_tells_where_its_water_stands(void 
     assert_true(scene.bowl[0].water_below_m > before_m);
 }
 
-static void test_the_game_is_told_as_it_is(void **state)
+static void test_the_scene_shows_the_state_of_the_game(void **state)
 {
     (void)state;
     core.game.phase = PHASE_ROUND;
@@ -274,7 +277,7 @@ static void test_the_game_is_told_as_it_is(void **state)
     assert_int_equal(scene.language, LANGUAGE_EN);
 }
 
-static void test_looking_changes_nothing(void **state)
+static void test_building_the_scene_does_not_change_the_state(void **state)
 {
     (void)state;
     tick(200);
@@ -288,22 +291,22 @@ int main(void)
 {
 #define TEST(name) cmocka_unit_test_setup(name, setup)
     const struct CMUnitTest tests[] = {
-        TEST(test_every_fish_is_shaped_by_its_age),
-        TEST(test_the_festivals_fish_are_of_many_ages),
-        TEST(test_fish_are_where_the_tank_has_them),
+        TEST(test_the_shape_of_every_fish_follows_its_age),
+        TEST(test_the_fish_of_a_festival_have_many_ages),
+        TEST(test_fish_have_the_positions_of_the_tank),
         TEST(test_fish_redden_between_fifty_and_a_hundred_and_twenty_days),
         TEST(test_paper_shows_wetness_damage_and_holes),
-        TEST(test_a_poi_is_shown_where_it_is_with_its_belly_and_the_paper_that_is_left),
+        TEST(test_a_poi_is_shown_with_its_position_belly_and_remaining_paper),
         TEST(test_cells_beyond_the_ring_continue_the_paper_inside),
-        TEST(test_paper_shows_its_stress_and_has_none_where_it_has_gone),
-        TEST(test_only_a_round_of_practice_colours_the_paper),
-        TEST(test_every_mode_tells_its_time_and_paper),
-        TEST(test_what_a_poi_carries_is_told_as_a_depth),
-        TEST(test_players_calls_and_fouls_are_told_with_their_age),
+        TEST(test_paper_shows_its_stress_and_holes_show_none),
+        TEST(test_the_stress_colour_is_shown_only_in_practice),
+        TEST(test_every_mode_shows_its_time_and_paper),
+        TEST(test_the_water_of_a_poi_is_shown_as_a_depth),
+        TEST(test_announcements_and_fouls_are_shown_with_their_age),
         TEST(test_an_absent_poi_and_bowl_are_not_shown),
-        TEST(test_a_bowl_leans_as_it_heels_and_tells_where_its_water_stands),
-        TEST(test_the_game_is_told_as_it_is),
-        TEST(test_looking_changes_nothing),
+        TEST(test_a_bowl_is_shown_with_its_heel_and_its_water_level),
+        TEST(test_the_scene_shows_the_state_of_the_game),
+        TEST(test_building_the_scene_does_not_change_the_state),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

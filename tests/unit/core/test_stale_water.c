@@ -1,5 +1,5 @@
-/* test_stale_water.c -- the keeper's pump, and what the stall's water does over a quarter of an
- * hour: who looks on sees fish come up for air and go down again; a round begins in fair water. */
+/* test_stale_water.c -- checks the pump and the water over a quarter of an hour. Fish rise for air
+ * and dive again in attract, and a round starts in fair water. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -33,7 +33,7 @@ static void run(uint32_t seconds)
     }
 }
 
-static void test_the_pump_rests_by_turns_and_while_somebody_plays(void **state)
+static void test_the_pump_pauses_periodically_and_during_a_round(void **state)
 {
     (void)state;
     struct game game = { .phase = PHASE_ATTRACT, .phase_tick = 1000 };
@@ -50,15 +50,25 @@ static void test_the_pump_rests_by_turns_and_while_somebody_plays(void **state)
     assert_true(game_pumps(&game, 1000));
 }
 
-static void test_who_looks_on_sees_fish_come_up_and_go_down_again(void **state)
+/* Returns the number of fish that gulp at the surface. */
+static uint32_t surfacing_count(const struct tank *water)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < water->fish_count; i++) {
+        count += water->fish[i].gait == GAIT_SURFACE;
+    }
+    return count;
+}
+
+static void test_fish_rise_for_air_and_dive_again_in_attract(void **state)
 {
     (void)state;
     uint32_t most = 0, least_after = 300;
     for (uint32_t second = 0; second < 155; second += 5) {
         run(5);
-        const uint32_t count = tank_surfacing_count(&core.world.tank);
+        const uint32_t count = surfacing_count(&core.world.tank);
         if (second < 80) {
-            assert_true(count <= 1); /* At 4 mg/L one choice of gait in 4,000 sends a fish up. */
+            assert_true(count <= 1); /* At 4 mg/L, one gait choice in 4,000 makes a fish rise. */
         }
         most = count > most ? count : most;
         least_after = second >= 135 && count < least_after ? count : least_after;
@@ -70,13 +80,13 @@ static void test_who_looks_on_sees_fish_come_up_and_go_down_again(void **state)
     assert_true(core.world.tank.oxygen.dissolved_mg_l > 6.0f);
 }
 
-static void test_a_round_that_begins_in_stale_water_ends_among_gulpers(void **state)
+static void test_a_round_that_starts_in_stale_water_ends_with_gulping_fish(void **state)
 {
     (void)state;
     core.world.tank.oxygen.dissolved_mg_l = 2.0f;
     run(5);
     const float stale_mg_l = core.world.tank.oxygen.dissolved_mg_l;
-    /* A player who only holds the poi over a corner: paper lasts, and no fish is scooped. */
+    /* The player only holds the poi over a corner, so the paper lasts and no fish is scooped. */
     input.poi[0].link = POI_SOURCE_LIVE;
     input.poi[0].target.position_m = v3(-0.35f, 0.15f, 0.2f);
     input.pressed = INPUT_START;
@@ -87,11 +97,11 @@ static void test_a_round_that_begins_in_stale_water_ends_among_gulpers(void **st
     assert_int_equal(core.game.phase, PHASE_ROUND);
     print_message("%.2f mg/L, after the call %.2f, %u at the surface near the end\n",
                   (double)stale_mg_l, (double)core.world.tank.oxygen.dissolved_mg_l,
-                  tank_surfacing_count(&core.world.tank));
-    assert_true(tank_surfacing_count(&core.world.tank) >= 5);
+                  surfacing_count(&core.world.tank));
+    assert_true(surfacing_count(&core.world.tank) >= 5);
 }
 
-static void test_only_a_stall_with_a_pump_has_one(void **state)
+static void test_a_pump_runs_only_in_a_preset_with_a_pump(void **state)
 {
     (void)state;
     const struct core_config config = { .preset = TANK_PRESET_OFFICIAL, .fish_count = 20 };
@@ -113,11 +123,11 @@ static void test_only_a_stall_with_a_pump_has_one(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_the_pump_rests_by_turns_and_while_somebody_plays),
-        cmocka_unit_test_setup(test_who_looks_on_sees_fish_come_up_and_go_down_again, open_stall),
-        cmocka_unit_test_setup(test_a_round_that_begins_in_stale_water_ends_among_gulpers,
+        cmocka_unit_test(test_the_pump_pauses_periodically_and_during_a_round),
+        cmocka_unit_test_setup(test_fish_rise_for_air_and_dive_again_in_attract, open_stall),
+        cmocka_unit_test_setup(test_a_round_that_starts_in_stale_water_ends_with_gulping_fish,
                                open_stall),
-        cmocka_unit_test_setup(test_only_a_stall_with_a_pump_has_one, open_stall),
+        cmocka_unit_test_setup(test_a_pump_runs_only_in_a_preset_with_a_pump, open_stall),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,5 @@
-/* test_stall.c -- four wild players at one tank: no fish is created, lost or in two places. */
+/* test_stall.c -- checks with four random players that no fish is created, lost or in two
+ * places. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -21,8 +22,8 @@ static float draw(uint32_t tick, uint32_t which, float low, float high)
     return rng_range((struct rng_key){ 5, tick, which, RNG_TEST }, low, high);
 }
 
-/* Each hand goes to a new place every half second: down into the water, up, or over its bowl, as
- * fast as an arm can and at any slant. */
+/* Moves each hand to a new position every half second: into the water, out of it, or over its bowl,
+ * as fast as an arm can and at any angle. */
 static void lead(uint32_t player, uint32_t tick)
 {
     struct poi_input *poi = &input.poi[player];
@@ -49,7 +50,8 @@ static void lead(uint32_t player, uint32_t tick)
     poi->target.angles.roll_rad = f_lerp(poi->target.angles.roll_rad, goal[player].roll_rad, 0.05f);
 }
 
-/* Every fish swims, or is one poi's rider, or is in one bowl; and each bowl's count is true. */
+/* Checks that every fish swims, is carried by one poi or is in one bowl, and that each bowl's count
+ * is correct. */
 static void count_all(void)
 {
     uint32_t ridden[FISH] = { 0 }, bowled[POI_MAX] = { 0 };
@@ -85,7 +87,7 @@ static void count_all(void)
     most_bowled = kept > most_bowled ? kept : most_bowled;
 }
 
-static void test_a_wild_minute_of_four_pois_creates_and_loses_no_fish(void **state)
+static void test_a_minute_of_four_random_pois_creates_and_loses_no_fish(void **state)
 {
     (void)state;
     const struct core_config config = { .seed = 7,
@@ -93,7 +95,8 @@ static void test_a_wild_minute_of_four_pois_creates_and_loses_no_fish(void **sta
                                         .players = POI_MAX,
                                         .grade = 4,
                                         .round_s = 60,
-                                        .modes = 1u << MODE_PRACTICE }; /* Torn paper is renewed. */
+                                        .modes = 1u << MODE_PRACTICE }; /* Torn paper is replaced in
+                                                                           practice. */
     assert_int_equal(core_init(&core, &config), CORE_OK);
     for (uint32_t tick = 0; tick < 64u * CORE_TICK_HZ; tick++) {
         for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -113,7 +116,7 @@ static void test_a_wild_minute_of_four_pois_creates_and_loses_no_fish(void **sta
     assert_true(most_bowled >= 2);
 }
 
-static void test_as_many_bowls_float_as_play_each_at_its_own_place(void **state)
+static void test_each_player_has_a_bowl_at_its_own_place(void **state)
 {
     (void)state;
     for (uint8_t preset = 0; preset < TANK_PRESET_COUNT; preset++) {
@@ -132,7 +135,7 @@ static void test_as_many_bowls_float_as_play_each_at_its_own_place(void **state)
     }
 }
 
-/* No fish starts in the hull of a bowl that is there. */
+/* No fish starts in the hull of a present bowl. */
 static void test_fish_start_clear_of_every_bowl(void **state)
 {
     (void)state;
@@ -156,8 +159,8 @@ static void test_fish_start_clear_of_every_bowl(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_wild_minute_of_four_pois_creates_and_loses_no_fish),
-        cmocka_unit_test(test_as_many_bowls_float_as_play_each_at_its_own_place),
+        cmocka_unit_test(test_a_minute_of_four_random_pois_creates_and_loses_no_fish),
+        cmocka_unit_test(test_each_player_has_a_bowl_at_its_own_place),
         cmocka_unit_test(test_fish_start_clear_of_every_bowl),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

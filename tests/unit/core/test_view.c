@@ -1,4 +1,4 @@
-/* test_view.c -- what lies under a pointer is where the camera draws it. */
+/* test_view.c -- checks that the point under a pointer is the point that the camera draws there. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -16,7 +16,7 @@ static const struct view above = {
     .aspect_min = 1.6f,
 };
 
-/* The camera's forward direction, world to screen, as the renderer does it. */
+/* Projects a point from the world to the screen, as the renderer does. */
 static void project(const struct view *view, float aspect, vec3 point, float *x, float *y)
 {
     const struct basis axes = view_basis(view);
@@ -35,7 +35,7 @@ static void assert_ray_comes_back(float aspect, float x, float y)
     assert_true(fabsf(px - x) < 1e-3f && fabsf(py - y) < 1e-3f);
 }
 
-static void test_projecting_the_point_under_the_pointer_gives_the_pointer(void **state)
+static void test_projecting_the_point_under_the_pointer_returns_the_pointer(void **state)
 {
     (void)state;
     const float aspects[] = { 0.5625f, 1.3333f, 1.7778f, 2.4f };
@@ -48,7 +48,7 @@ static void test_projecting_the_point_under_the_pointer_gives_the_pointer(void *
     }
 }
 
-static void test_a_ray_above_the_horizon_ends_at_a_finite_place(void **state)
+static void test_a_ray_above_the_horizon_ends_at_a_finite_point(void **state)
 {
     (void)state;
     const struct view level = { .eye_m = { 0, 0.5f, 1 },
@@ -60,7 +60,7 @@ static void test_a_ray_above_the_horizon_ends_at_a_finite_place(void **state)
     assert_true(v3_length(v3_sub(point, level.eye_m)) < 4.001f);
 }
 
-static void test_a_narrow_screen_sees_as_wide_as_the_narrowest_it_was_made_for(void **state)
+static void test_a_narrow_screen_keeps_the_minimum_field_of_view(void **state)
 {
     (void)state;
     const float at_min = view_half_height_tan(&above, 1.6f) * 1.6f;
@@ -72,9 +72,9 @@ static void test_a_narrow_screen_sees_as_wide_as_the_narrowest_it_was_made_for(v
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_projecting_the_point_under_the_pointer_gives_the_pointer),
-        cmocka_unit_test(test_a_ray_above_the_horizon_ends_at_a_finite_place),
-        cmocka_unit_test(test_a_narrow_screen_sees_as_wide_as_the_narrowest_it_was_made_for),
+        cmocka_unit_test(test_projecting_the_point_under_the_pointer_returns_the_pointer),
+        cmocka_unit_test(test_a_ray_above_the_horizon_ends_at_a_finite_point),
+        cmocka_unit_test(test_a_narrow_screen_keeps_the_minimum_field_of_view),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,4 @@
-/* test_buttons_mux.c -- several panels are one. */
+/* test_buttons_mux.c -- Tests the combination of several button panels into one. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -43,7 +43,7 @@ static int poll_join(struct buttons_mux *join, struct button_sample *out)
     return device.ops->poll(device.self, out);
 }
 
-static void test_what_any_panel_says_the_joint_one_says(void **state)
+static void test_input_of_any_panel_is_reported(void **state)
 {
     (void)state;
     struct buttons_mux join = { 0 };
@@ -69,8 +69,8 @@ static void test_what_any_panel_says_the_joint_one_says(void **state)
     assert_int_equal(sum.full_screen, 1);
 }
 
-/* A button that one panel lets go is still held on the other. */
-static void test_a_level_is_held_while_any_panel_holds_it(void **state)
+/* A button that is released on one panel is still held on the other. */
+static void test_a_button_is_held_while_any_panel_holds_it(void **state)
 {
     (void)state;
     struct buttons_mux join = { 0 };
@@ -87,22 +87,22 @@ static void test_a_level_is_held_while_any_panel_holds_it(void **state)
     assert_int_equal(sum.held, 0);
 }
 
-static void test_a_panel_that_is_not_there_is_no_loss(void **state)
+static void test_an_absent_panel_is_no_fault(void **state)
 {
     (void)state;
     struct buttons_mux join = { 0 };
     struct button_sample sum;
     struct panel keys = { .says.pressed = INPUT_TEST, .line = "keys" };
     assert_int_equal(poll_join(&join, &sum), HAL_ERR_ABSENT);
-    buttons_mux_add(&join, null_buttons("no lines"));
+    buttons_mux_add(&join, null_hal("no lines").buttons);
     assert_int_equal(poll_join(&join, &sum), HAL_ERR_ABSENT);
     buttons_mux_add(&join, device_of(&keys));
     assert_int_equal(poll_join(&join, &sum), HAL_OK);
     assert_int_equal(sum.pressed, INPUT_TEST);
 }
 
-/* It says what it still knows: its faults. */
-static void test_a_panel_that_fails_hinders_no_other(void **state)
+/* A failed panel still reports its faults. */
+static void test_a_failed_panel_does_not_affect_the_others(void **state)
 {
     (void)state;
     struct buttons_mux join = { 0 };
@@ -116,7 +116,7 @@ static void test_a_panel_that_fails_hinders_no_other(void **state)
     assert_int_equal(sum.faults, 1);
 }
 
-static void test_the_line_names_each_and_is_cut_to_its_room(void **state)
+static void test_the_description_names_every_panel_and_is_truncated(void **state)
 {
     (void)state;
     char long_line[HAL_TEXT_SIZE];
@@ -133,7 +133,8 @@ static void test_the_line_names_each_and_is_cut_to_its_room(void **state)
     buttons_mux_add(&join, device_of(&lines));
     assert_string_equal(device.ops->describe(device.self), "keys; 5 lines");
     buttons_mux_add(&join, device_of(&lines));
-    assert_string_equal(device.ops->describe(device.self), "keys; 5 lines"); /* Told once. */
+    /* The failure is reported once. */
+    assert_string_equal(device.ops->describe(device.self), "keys; 5 lines");
     for (uint32_t i = 0; i < 4; i++) {
         buttons_mux_add(&join, device_of(&talker));
         buttons_mux_add(&join, device_of(&keys));
@@ -141,7 +142,7 @@ static void test_the_line_names_each_and_is_cut_to_its_room(void **state)
     assert_int_equal(strlen(device.ops->describe(device.self)), sizeof join.text - 1);
 }
 
-static void test_one_too_many_is_refused_and_never_asked(void **state)
+static void test_a_panel_beyond_the_maximum_is_rejected_and_never_polled(void **state)
 {
     (void)state;
     struct buttons_mux join = { 0 };
@@ -158,12 +159,12 @@ static void test_one_too_many_is_refused_and_never_asked(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_what_any_panel_says_the_joint_one_says),
-        cmocka_unit_test(test_a_level_is_held_while_any_panel_holds_it),
-        cmocka_unit_test(test_a_panel_that_is_not_there_is_no_loss),
-        cmocka_unit_test(test_a_panel_that_fails_hinders_no_other),
-        cmocka_unit_test(test_the_line_names_each_and_is_cut_to_its_room),
-        cmocka_unit_test(test_one_too_many_is_refused_and_never_asked),
+        cmocka_unit_test(test_input_of_any_panel_is_reported),
+        cmocka_unit_test(test_a_button_is_held_while_any_panel_holds_it),
+        cmocka_unit_test(test_an_absent_panel_is_no_fault),
+        cmocka_unit_test(test_a_failed_panel_does_not_affect_the_others),
+        cmocka_unit_test(test_the_description_names_every_panel_and_is_truncated),
+        cmocka_unit_test(test_a_panel_beyond_the_maximum_is_rejected_and_never_polled),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,5 @@
-/* test_input_mux.c -- who sits where, as controllers come and go. */
+/* test_input_mux.c -- Tests which controller gets which player slot while controllers are connected
+ * and disconnected. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -7,10 +8,10 @@
 #include <cmocka.h>
 
 #include "core/base/rng.h"
-#include "core/tank/preset.h"
 #include "drivers/input_mux.h"
+#include "drivers/null.h"
 
-/* ---- The rule ------------------------------------------------------------------------------- */
+/* ---- The assignment ------------------------------------------------------------------------- */
 
 enum { USB0, USB1, USB2, USB3, PAD0, PAD1, PAD2, PAD3, MOUSE, COUNT };
 #define NOBODY SLOT_NONE
@@ -26,7 +27,7 @@ static void assert_share(uint8_t seat[POI_MAX], uint32_t there, const uint8_t wa
     assert_memory_equal(seat, wanted, POI_MAX);
 }
 
-static void test_the_best_takes_the_first_seat(void **state)
+static void test_the_best_controller_gets_the_first_slot(void **state)
 {
     (void)state;
     uint8_t seat[POI_MAX] = { NOBODY, NOBODY, NOBODY, NOBODY };
@@ -38,7 +39,7 @@ static void test_the_best_takes_the_first_seat(void **state)
     assert_share(seat, BIT(MOUSE), (uint8_t[]){ MOUSE, NOBODY, NOBODY, NOBODY });
 }
 
-static void test_who_sits_keeps_his_place_among_his_kind(void **state)
+static void test_an_assigned_controller_keeps_its_slot_among_its_kind(void **state)
 {
     (void)state;
     uint8_t seat[POI_MAX] = { NOBODY, NOBODY, NOBODY, NOBODY };
@@ -48,7 +49,7 @@ static void test_who_sits_keeps_his_place_among_his_kind(void **state)
     assert_share(seat, BIT(USB0) | BIT(USB3), (uint8_t[]){ USB3, USB0, NOBODY, NOBODY });
 }
 
-static void test_no_seat_is_left_for_the_fifth(void **state)
+static void test_a_fifth_controller_gets_no_slot(void **state)
 {
     (void)state;
     uint8_t seat[POI_MAX] = { NOBODY, NOBODY, NOBODY, NOBODY };
@@ -58,9 +59,9 @@ static void test_no_seat_is_left_for_the_fifth(void **state)
                  (uint8_t[]){ USB0, PAD1, PAD2, PAD0 });
 }
 
-/* Whatever came before: the seats hold as many as can sit, each once, better kinds in front, and
- * asking again moves nobody. */
-static void test_any_company_is_seated_well(void **state)
+/* After any history each slot has at most one controller, as many slots as possible are used,
+ * better kinds have the lower slots, and a second assignment changes nothing. */
+static void test_every_set_of_controllers_is_assigned_correctly(void **state)
 {
     (void)state;
     uint8_t seat[POI_MAX] = { NOBODY, NOBODY, NOBODY, NOBODY };
@@ -84,12 +85,12 @@ static void test_any_company_is_seated_well(void **state)
     }
 }
 
-/* ---- The seats ------------------------------------------------------------------------------ */
+/* ---- The player slots ----------------------------------------------------------------------- */
 
 struct source {
     int there;
-    int lies_about; /* It can be opened, although nobody has it in hand. */
-    uint32_t opened, polled, looked, asked;
+    int lies_about; /* 1 if the device can be opened although no player uses it. */
+    uint32_t opened, polled, asked;
     struct poi_force felt;
 };
 
@@ -116,22 +117,13 @@ static int source_feel(void *self, const struct poi_force *force)
     return HAL_OK;
 }
 
-static void source_look(void *self, const struct view *view,
-                        const struct display_settings *display_settings)
-{
-    struct source *source = self;
-    (void)view;
-    (void)display_settings;
-    source->looked++;
-}
-
 static const char *source_describe(void *self)
 {
     (void)self;
     return "a source";
 }
 
-static int source_is_there(void *self)
+static bool source_is_present(void *self)
 {
     struct source *source = self;
     source->asked++;
@@ -139,6 +131,7 @@ static int source_is_there(void *self)
 }
 
 static struct input_mux seats;
+static struct hal hal;
 static struct source usb, pad, mouse;
 
 static void add(struct source *source, enum input_kind kind)
@@ -147,12 +140,11 @@ static void add(struct source *source, enum input_kind kind)
         .open = source_open,
         .poll = source_poll,
         .set_force = source_feel,
-        .set_view = source_look,
         .describe = source_describe,
     };
     const struct input_source one = {
         .poi = { .ops = &ops, .self = source },
-        .is_there = source_is_there,
+        .is_present = source_is_present,
         .self = source,
         .kind = (uint8_t)kind,
     };
@@ -164,7 +156,8 @@ static int begin(void **state)
     (void)state;
     usb = pad = (struct source){ 0 };
     mouse = (struct source){ .there = 1 };
-    input_mux_init(&seats, "plug one in");
+    hal = null_hal(NULL);
+    hal.seats = input_mux_init(&seats, &hal, "plug one in");
     add(&usb, INPUT_KIND_USB);
     add(&pad, INPUT_KIND_GAMEPAD);
     add(&mouse, INPUT_KIND_POINTER);
@@ -173,65 +166,66 @@ static int begin(void **state)
 
 static uint32_t arrange(int may_move)
 {
-    const struct hal_seats device = input_mux_device(&seats);
-    return device.ops->arrange(device.self, may_move);
+    return hal.seats.ops->arrange(hal.seats.self, may_move);
 }
 
-static void test_a_seat_passes_on_to_whoever_sits_there(void **state)
+static void test_a_slot_forwards_calls_to_its_assigned_source(void **state)
 {
     (void)state;
-    const struct hal_poi poi = input_mux_poi(&seats, 0);
+    const struct hal_poi *const poi = &hal.poi[0];
     struct poi_sample sample;
-    assert_int_equal(poi.ops->open(poi.self), HAL_ERR_ABSENT);
-    assert_int_equal(poi.ops->poll(poi.self, &sample, 1), HAL_ERR_ABSENT);
-    assert_string_equal(poi.ops->describe(poi.self), "plug one in");
+    assert_int_equal(poi->ops->open(poi->self), HAL_ERR_ABSENT);
+    assert_int_equal(poi->ops->poll(poi->self, &sample, 1), HAL_ERR_ABSENT);
+    assert_string_equal(poi->ops->describe(poi->self), "plug one in");
     assert_int_equal(arrange(1), 1u);
-    assert_int_equal(poi.ops->open(poi.self), HAL_OK);
-    assert_int_equal(poi.ops->poll(poi.self, &sample, 1), 1);
+    assert_int_equal(poi->ops->open(poi->self), HAL_OK);
+    assert_int_equal(poi->ops->poll(poi->self, &sample, 1), 1);
     assert_int_equal(mouse.polled, 1);
-    assert_string_equal(poi.ops->describe(poi.self), "a source");
-    const struct hal_poi second = input_mux_poi(&seats, 1);
-    assert_string_equal(second.ops->describe(second.self), "");
+    assert_string_equal(poi->ops->describe(poi->self), "a source");
+    const struct hal_poi *const second = &hal.poi[1];
+    assert_string_equal(second->ops->describe(second->self), "");
 }
 
-static void test_a_better_one_gets_the_seat_between_games_only(void **state)
+static void test_a_better_controller_gets_the_slot_only_between_games(void **state)
 {
     (void)state;
     arrange(1);
     pad.there = 1;
     assert_int_equal(arrange(0), 0u);
     assert_int_equal(arrange(0), 0u);
-    assert_true(pad.asked >= 2); /* It is looked for all the same. */
+    assert_true(pad.asked >= 2); /* The source is polled nevertheless. */
     assert_int_equal(arrange(1), 3u);
     assert_int_equal(arrange(1), 0u);
     usb.there = 1;
     assert_int_equal(arrange(1), 7u);
 }
 
-/* Whoever pulls the cable in mid-round comes back to his own round, not to someone else's mouse. */
-static void test_a_lost_one_keeps_its_seat_while_the_game_lasts(void **state)
+/* A player who pulls the cable during a round gets the slot back, and not the mouse of another
+ * player. */
+static void test_a_lost_controller_keeps_its_slot_during_the_game(void **state)
 {
     (void)state;
-    const struct hal_poi poi = input_mux_poi(&seats, 0);
+    const struct hal_poi *const poi = &hal.poi[0];
     struct poi_sample sample;
     usb.there = 1;
     arrange(1);
     usb.there = 0;
     assert_int_equal(arrange(0), 0u);
-    assert_int_equal(poi.ops->poll(poi.self, &sample, 1), HAL_ERR_GONE);
-    assert_int_equal(poi.ops->open(poi.self), HAL_ERR_GONE);
+    assert_int_equal(poi->ops->poll(poi->self, &sample, 1), HAL_ERR_GONE);
+    assert_int_equal(poi->ops->open(poi->self), HAL_ERR_GONE);
     usb.there = 1;
-    assert_int_equal(arrange(0), 1u); /* Back at once, also in a round. */
+    assert_int_equal(arrange(0), 1u); /* The source returns at once, also during a round. */
     assert_int_equal(arrange(0), 0u);
-    assert_int_equal(poi.ops->open(poi.self), HAL_OK);
+    assert_int_equal(poi->ops->open(poi->self), HAL_OK);
     usb.there = 0;
     assert_int_equal(arrange(1), 3u);
-    assert_int_equal(poi.ops->poll(poi.self, &sample, 1), 1);
+    assert_int_equal(poi->ops->poll(poi->self, &sample, 1), 1);
     assert_true(mouse.polled > 0);
 }
 
-/* A mouse that lies about in a cabinet is no second player, but the first where nobody else is. */
-static void test_one_that_stands_in_sits_where_nobody_else_does_or_once_it_is_used(void **state)
+/* A mouse that is connected to a cabinet is not a second player. It is the first player only if
+ * there is no other controller. */
+static void test_a_substitute_gets_a_slot_if_no_other_exists_or_once_used(void **state)
 {
     (void)state;
     seats.source[2].stands_in = 1;
@@ -240,10 +234,11 @@ static void test_one_that_stands_in_sits_where_nobody_else_does_or_once_it_is_us
     assert_int_equal(arrange(1), 1u);
     pad.there = 1;
     assert_int_equal(arrange(1), 1u);
-    const struct hal_poi second = input_mux_poi(&seats, 1);
-    assert_int_equal(second.ops->open(second.self), HAL_ERR_ABSENT);
+    const struct hal_poi *const second = &hal.poi[1];
+    assert_int_equal(second->ops->open(second->self), HAL_ERR_ABSENT);
     arrange(1);
-    assert_int_equal(mouse.polled, 1); /* Without a seat, lest nobody sees that it is moved. */
+    assert_int_equal(mouse.polled, 1); /* The mouse is polled without a slot, because otherwise
+                                          its motion would go unnoticed. */
     mouse.there = 1;
     assert_int_equal(arrange(1), 2u);
     mouse.there = 0;
@@ -251,9 +246,10 @@ static void test_one_that_stands_in_sits_where_nobody_else_does_or_once_it_is_us
     assert_int_equal(arrange(1), 2u);
 }
 
-/* His own without a serial number, plugged in elsewhere, or the one that lies ready: but never the
- * mouse, and never somebody else's. */
-static void test_who_lost_his_in_a_game_takes_up_another_of_its_kind(void **state)
+/* The player continues with the same controller in another port, if it has no serial number, or
+ * with an unused controller of the same kind. The player never gets the mouse or the controller of
+ * another player. */
+static void test_a_lost_controller_is_replaced_in_a_game_by_one_of_its_kind(void **state)
 {
     (void)state;
     static struct source second, third;
@@ -263,19 +259,20 @@ static void test_who_lost_his_in_a_game_takes_up_another_of_its_kind(void **stat
     usb.there = second.there = 1;
     arrange(1);
     usb.there = 0;
-    assert_int_equal(arrange(0), 0u); /* The second has a seat, the mouse is no poi. */
+    assert_int_equal(arrange(0), 0u); /* The second controller has a slot, and the mouse is not a
+                                         poi. */
     third.there = 1;
     assert_int_equal(arrange(0), 1u);
-    const struct hal_poi poi = input_mux_poi(&seats, 0);
+    const struct hal_poi *const poi = &hal.poi[0];
     struct poi_sample sample;
-    poi.ops->poll(poi.self, &sample, 1);
+    poi->ops->poll(poi->self, &sample, 1);
     assert_int_equal(third.polled, 1);
     usb.there = 1;
     assert_int_equal(arrange(0), 0u);
 }
 
-/* Else SDL's queue would fill with what a mouse says that nobody plays with. */
-static void test_who_has_no_seat_is_listened_to(void **state)
+/* Without polling, SDL's queue would fill with events of an unused mouse. */
+static void test_a_source_without_a_slot_is_still_polled(void **state)
 {
     (void)state;
     while (seats.source_count < POI_MAX + 1u) {
@@ -289,36 +286,25 @@ static void test_who_has_no_seat_is_listened_to(void **state)
     }
     assert_int_equal(mouse.opened, 1);
     assert_int_equal(mouse.polled, 3);
-    assert_int_equal(usb.polled, 0); /* The frame loop does, since it sits. */
+    assert_int_equal(usb.polled, 0); /* The frame loop polls the controller because the
+                                        controller has a slot. */
 }
 
-static void test_who_sits_down_is_told_the_view(void **state)
+static void test_a_source_that_loses_its_slot_gets_zero_force(void **state)
 {
     (void)state;
-    const struct hal_poi poi = input_mux_poi(&seats, 0);
-    poi.ops->set_view(poi.self, &tank_preset(TANK_PRESET_FESTIVAL)->view,
-                      &(struct display_settings){ .light = 1.0f });
-    arrange(1);
-    assert_int_equal(mouse.looked, 0);
-    poi.ops->open(poi.self);
-    assert_int_equal(mouse.looked, 1);
-}
-
-static void test_a_hand_that_stands_up_feels_nothing_more(void **state)
-{
-    (void)state;
-    const struct hal_poi poi = input_mux_poi(&seats, 0);
+    const struct hal_poi *const poi = &hal.poi[0];
     const struct poi_force force = { .drag = 1.0f };
     pad.there = 1;
     arrange(1);
-    poi.ops->set_force(poi.self, &force);
+    poi->ops->set_force(poi->self, &force);
     assert_true(pad.felt.drag == 1.0f);
     usb.there = 1;
     arrange(1);
     assert_true(pad.felt.drag == 0.0f);
 }
 
-static void test_one_source_too_many_is_refused(void **state)
+static void test_a_source_beyond_the_maximum_is_rejected(void **state)
 {
     (void)state;
     while (seats.source_count < INPUT_SOURCE_MAX) {
@@ -331,20 +317,20 @@ static void test_one_source_too_many_is_refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_the_best_takes_the_first_seat),
-        cmocka_unit_test(test_who_sits_keeps_his_place_among_his_kind),
-        cmocka_unit_test(test_no_seat_is_left_for_the_fifth),
-        cmocka_unit_test(test_any_company_is_seated_well),
-        cmocka_unit_test_setup(test_a_seat_passes_on_to_whoever_sits_there, begin),
-        cmocka_unit_test_setup(test_a_better_one_gets_the_seat_between_games_only, begin),
-        cmocka_unit_test_setup(test_a_lost_one_keeps_its_seat_while_the_game_lasts, begin),
-        cmocka_unit_test_setup(
-            test_one_that_stands_in_sits_where_nobody_else_does_or_once_it_is_used, begin),
-        cmocka_unit_test_setup(test_who_lost_his_in_a_game_takes_up_another_of_its_kind, begin),
-        cmocka_unit_test_setup(test_who_has_no_seat_is_listened_to, begin),
-        cmocka_unit_test_setup(test_who_sits_down_is_told_the_view, begin),
-        cmocka_unit_test_setup(test_a_hand_that_stands_up_feels_nothing_more, begin),
-        cmocka_unit_test_setup(test_one_source_too_many_is_refused, begin),
+        cmocka_unit_test(test_the_best_controller_gets_the_first_slot),
+        cmocka_unit_test(test_an_assigned_controller_keeps_its_slot_among_its_kind),
+        cmocka_unit_test(test_a_fifth_controller_gets_no_slot),
+        cmocka_unit_test(test_every_set_of_controllers_is_assigned_correctly),
+        cmocka_unit_test_setup(test_a_slot_forwards_calls_to_its_assigned_source, begin),
+        cmocka_unit_test_setup(test_a_better_controller_gets_the_slot_only_between_games, begin),
+        cmocka_unit_test_setup(test_a_lost_controller_keeps_its_slot_during_the_game, begin),
+        cmocka_unit_test_setup(test_a_substitute_gets_a_slot_if_no_other_exists_or_once_used,
+                               begin),
+        cmocka_unit_test_setup(test_a_lost_controller_is_replaced_in_a_game_by_one_of_its_kind,
+                               begin),
+        cmocka_unit_test_setup(test_a_source_without_a_slot_is_still_polled, begin),
+        cmocka_unit_test_setup(test_a_source_that_loses_its_slot_gets_zero_force, begin),
+        cmocka_unit_test_setup(test_a_source_beyond_the_maximum_is_rejected, begin),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,5 @@
-/* test_audio.c -- what the core calls out is heard; with no sound device the kiosk is silent, no
- * more. */
+/* test_audio.c -- Tests that sounds of the core reach the device, and that a kiosk without a sound
+ * device is silent and continues. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -31,7 +31,7 @@ static int close_after(void **state)
     return 0;
 }
 
-/* The loudest sample in a file of them; 0 is silence. */
+/* Returns the loudest sample in a file of samples. 0 means silence. */
 static int loudest(const char *path)
 {
     int16_t samples[1024];
@@ -47,7 +47,7 @@ static int loudest(const char *path)
     return peak;
 }
 
-/* SDL's `disk` driver writes what a card would have played. */
+/* SDL's `disk` driver writes the samples that a sound card would play. */
 static int heard_through_sdl(int play_something)
 {
     char path[] = "/tmp/kingyo-sound-XXXXXX";
@@ -74,13 +74,13 @@ static void test_a_sound_reaches_the_device(void **state)
     assert_true(heard_through_sdl(1) > 1000);
 }
 
-static void test_no_sound_is_silence(void **state)
+static void test_without_a_sound_the_output_is_silent(void **state)
 {
     (void)state;
     assert_int_equal(heard_through_sdl(0), 0);
 }
 
-static void test_no_device_is_said_in_one_line(void **state)
+static void test_a_missing_sound_device_gives_a_one_line_message(void **state)
 {
     (void)state;
     setenv("SDL_AUDIODRIVER", "nonesuch", 1);
@@ -93,8 +93,9 @@ static void test_no_device_is_said_in_one_line(void **state)
     assert_int_equal(device.ops->play(device.self, &event), HAL_ERR_ABSENT);
 }
 
-/* SDL finds no driver of that name: what open() says then it says without asking SDL, too. */
-static void test_a_card_that_comes_later_is_found_and_not_asked_for_in_vain(void **state)
+/* SDL finds no driver of that name. Afterwards open() returns the same error without a call to
+ * SDL. */
+static void test_a_sound_card_plugged_in_later_is_opened_without_useless_attempts(void **state)
 {
     (void)state;
     char cards[] = "/tmp/kingyo-cards-XXXXXX", card[64];
@@ -103,11 +104,11 @@ static void test_a_card_that_comes_later_is_found_and_not_asked_for_in_vain(void
     setenv("SDL_AUDIODRIVER", "nonesuch", 1);
     const struct hal_audio device = audio_device(&audio);
     assert_int_equal(device.ops->open(device.self), HAL_ERR_ABSENT);
-    setenv("SDL_AUDIODRIVER", "dummy", 1); /* There is one now, but nothing has told of it. */
+    setenv("SDL_AUDIODRIVER", "dummy", 1); /* A driver exists now, but no event has reported it. */
     for (uint32_t i = 0; i < 1000; i++) {
         assert_int_equal(device.ops->open(device.self), HAL_ERR_ABSENT);
     }
-    SDL_Delay(20); /* A file system's clock ticks in steps of up to 10 ms. */
+    SDL_Delay(20); /* The clock of a file system advances in steps of up to 10 ms. */
     snprintf(card, sizeof card, "%s/pcmC0D0p", cards);
     fclose(fopen(card, "w"));
     assert_int_equal(device.ops->open(device.self), HAL_OK);
@@ -115,7 +116,7 @@ static void test_a_card_that_comes_later_is_found_and_not_asked_for_in_vain(void
     rmdir(cards);
 }
 
-static void test_a_sound_server_that_starts_later_is_found_within_ten_seconds(void **state)
+static void test_a_sound_server_started_later_is_used_within_ten_seconds(void **state)
 {
     (void)state;
     audio.cards = "/nonexistent";
@@ -124,18 +125,18 @@ static void test_a_sound_server_that_starts_later_is_found_within_ten_seconds(vo
     assert_int_equal(device.ops->open(device.self), HAL_ERR_ABSENT);
     setenv("SDL_AUDIODRIVER", "dummy", 1);
     assert_int_equal(device.ops->open(device.self), HAL_ERR_ABSENT);
-    audio.tried_ns -= AUDIO_TRY_S * 1000000000ull; /* As if so long had passed. */
+    audio.tried_ns -= AUDIO_TRY_S * 1000000000ull; /* The retry delay is skipped. */
     assert_int_equal(device.ops->open(device.self), HAL_OK);
 }
 
-static void test_a_card_that_asks_for_nothing_never_holds_a_frame(void **state)
+static void test_a_sound_card_that_requests_no_data_never_blocks_a_frame(void **state)
 {
     (void)state;
     setenv("SDL_AUDIODRIVER", "dummy", 1);
     const struct hal_audio device = audio_device(&audio);
     assert_int_equal(device.ops->open(device.self), HAL_OK);
     SDL_PauseAudioDevice(audio.device, 1);
-    SDL_Delay(50); /* A request that was under way ends. */
+    SDL_Delay(50); /* A request in progress ends. */
     const struct sound_event event = { .sound = SOUND_DIP, .gain = 1.0f };
     for (uint32_t i = 0; i < AUDIO_QUEUE_MAX; i++) {
         assert_int_equal(device.ops->play(device.self, &event), HAL_OK);
@@ -149,11 +150,11 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         WITH_AUDIO(test_a_sound_reaches_the_device),
-        WITH_AUDIO(test_no_sound_is_silence),
-        WITH_AUDIO(test_no_device_is_said_in_one_line),
-        WITH_AUDIO(test_a_card_that_comes_later_is_found_and_not_asked_for_in_vain),
-        WITH_AUDIO(test_a_sound_server_that_starts_later_is_found_within_ten_seconds),
-        WITH_AUDIO(test_a_card_that_asks_for_nothing_never_holds_a_frame),
+        WITH_AUDIO(test_without_a_sound_the_output_is_silent),
+        WITH_AUDIO(test_a_missing_sound_device_gives_a_one_line_message),
+        WITH_AUDIO(test_a_sound_card_plugged_in_later_is_opened_without_useless_attempts),
+        WITH_AUDIO(test_a_sound_server_started_later_is_used_within_ten_seconds),
+        WITH_AUDIO(test_a_sound_card_that_requests_no_data_never_blocks_a_frame),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

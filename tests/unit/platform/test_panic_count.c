@@ -1,5 +1,5 @@
-/* test_panic_count.c -- which panics make a start leave something out, and a count file that may
- * hold anything. */
+/* test_panic_count.c -- Tests which panics make a start omit data, and that a count file with any
+ * content is handled. */
 #include <errno.h>
 #include <fcntl.h>
 #include <setjmp.h>
@@ -39,7 +39,7 @@ static int close_folder(void **state)
     return rmdir(dir);
 }
 
-static void test_two_panics_within_ten_minutes_leave_nothing_out_and_three_do(void **state)
+static void test_three_panics_within_ten_minutes_omit_data_and_two_do_not(void **state)
 {
     (void)state;
     struct panics panics = { 0 };
@@ -52,7 +52,7 @@ static void test_two_panics_within_ten_minutes_leave_nothing_out_and_three_do(vo
     assert_int_equal(panics.total, 3);
 }
 
-static void test_three_panics_in_more_than_ten_minutes_leave_nothing_out(void **state)
+static void test_three_panics_in_more_than_ten_minutes_omit_nothing(void **state)
 {
     (void)state;
     struct panics panics = { 0 };
@@ -61,10 +61,10 @@ static void test_three_panics_in_more_than_ten_minutes_leave_nothing_out(void **
     panics_add(&panics, BOOT, 701, 50, 1);
     assert_false(panics_is_due(&panics));
     panics_add(&panics, BOOT, 702, 50, 1);
-    assert_true(panics_is_due(&panics)); /* 300, 701 and 702. */
+    assert_true(panics_is_due(&panics)); /* Panics at 300, 701 and 702. */
 }
 
-static void test_panics_of_another_start_of_the_machine_leave_nothing_out(void **state)
+static void test_panics_of_an_earlier_boot_omit_nothing(void **state)
 {
     (void)state;
     struct panics panics = { 0 };
@@ -74,7 +74,7 @@ static void test_panics_of_another_start_of_the_machine_leave_nothing_out(void *
     assert_false(panics_is_due(&panics));
 }
 
-static void test_one_panic_before_the_first_frame_is_enough(void **state)
+static void test_one_panic_before_the_first_frame_omits_data(void **state)
 {
     (void)state;
     struct panics panics = { 0 };
@@ -82,7 +82,7 @@ static void test_one_panic_before_the_first_frame_is_enough(void **state)
     assert_true(panics_is_due(&panics));
 }
 
-static void test_each_such_start_leaves_one_part_more_out_and_counts_anew(void **state)
+static void test_each_recovery_start_omits_one_more_part_and_resets_the_count(void **state)
 {
     (void)state;
     static const enum panics_left order[] = { LEFT_SETTINGS, LEFT_REPLAYS, LEFT_NAMES, LEFT_NAMES };
@@ -99,7 +99,7 @@ static void test_each_such_start_leaves_one_part_more_out_and_counts_anew(void *
     assert_string_equal(panics_left_name(panics.left), "settings, replays and names");
 }
 
-static void test_a_run_of_ten_minutes_begins_with_settings_again(void **state)
+static void test_a_run_of_ten_minutes_restarts_the_omission_with_the_settings(void **state)
 {
     (void)state;
     struct panics panics = { 0 };
@@ -116,7 +116,7 @@ static void test_a_run_of_ten_minutes_begins_with_settings_again(void **state)
     assert_int_equal(panics.left, LEFT_NOTHING);
 }
 
-static void test_a_count_comes_back_from_its_file_which_only_its_owner_reads(void **state)
+static void test_a_panic_count_is_restored_from_its_private_file(void **state)
 {
     (void)state;
     struct panics panics = { 0 }, read;
@@ -132,7 +132,7 @@ static void test_a_count_comes_back_from_its_file_which_only_its_owner_reads(voi
     assert_int_equal(about.st_size, PANICS_SIZE);
 }
 
-static void test_no_file_is_no_panic(void **state)
+static void test_a_missing_count_file_means_no_panic(void **state)
 {
     (void)state;
     struct panics read = { .total = 9 };
@@ -141,7 +141,7 @@ static void test_no_file_is_no_panic(void **state)
     assert_int_equal(read.total, 0);
 }
 
-static void test_a_file_with_any_wrong_byte_or_size_is_refused(void **state)
+static void test_a_count_file_with_any_wrong_byte_or_size_is_rejected(void **state)
 {
     (void)state;
     struct panics panics = { 0 }, read;
@@ -169,7 +169,7 @@ static void test_a_file_with_any_wrong_byte_or_size_is_refused(void **state)
     assert_int_equal(panics_read(&read, folder), 0);
 }
 
-static int rename_error; /* errno of every renameat(); 0: renameat() works. */
+static int rename_error; /* errno of every renameat(). 0 means that renameat() works. */
 
 int renameat(int from, const char *name, int to, const char *other)
 {
@@ -196,7 +196,7 @@ static void is_set_aside(const char *name)
     unlinkat(folder, PANICS_FILE, 0);
 }
 
-static void test_a_link_a_fifo_and_a_folder_are_set_aside_so_that_panics_count(void **state)
+static void test_a_link_a_fifo_and_a_folder_in_place_of_the_count_are_quarantined(void **state)
 {
     (void)state;
     unlinkat(folder, PANICS_FILE, 0);
@@ -211,7 +211,7 @@ static void test_a_link_a_fifo_and_a_folder_are_set_aside_so_that_panics_count(v
     unlinkat(folder, PANICS_FILE ".other-3", AT_REMOVEDIR);
 }
 
-static void test_what_a_read_only_card_keeps_in_its_place_has_plain_words(void **state)
+static void test_an_unremovable_object_on_a_read_only_card_is_reported(void **state)
 {
     (void)state;
     struct panics panics = { .total = 1 };
@@ -235,17 +235,17 @@ static void test_what_a_read_only_card_keeps_in_its_place_has_plain_words(void *
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_two_panics_within_ten_minutes_leave_nothing_out_and_three_do),
-        cmocka_unit_test(test_three_panics_in_more_than_ten_minutes_leave_nothing_out),
-        cmocka_unit_test(test_panics_of_another_start_of_the_machine_leave_nothing_out),
-        cmocka_unit_test(test_one_panic_before_the_first_frame_is_enough),
-        cmocka_unit_test(test_each_such_start_leaves_one_part_more_out_and_counts_anew),
-        cmocka_unit_test(test_a_run_of_ten_minutes_begins_with_settings_again),
-        cmocka_unit_test(test_a_count_comes_back_from_its_file_which_only_its_owner_reads),
-        cmocka_unit_test(test_no_file_is_no_panic),
-        cmocka_unit_test(test_a_file_with_any_wrong_byte_or_size_is_refused),
-        cmocka_unit_test(test_a_link_a_fifo_and_a_folder_are_set_aside_so_that_panics_count),
-        cmocka_unit_test(test_what_a_read_only_card_keeps_in_its_place_has_plain_words),
+        cmocka_unit_test(test_three_panics_within_ten_minutes_omit_data_and_two_do_not),
+        cmocka_unit_test(test_three_panics_in_more_than_ten_minutes_omit_nothing),
+        cmocka_unit_test(test_panics_of_an_earlier_boot_omit_nothing),
+        cmocka_unit_test(test_one_panic_before_the_first_frame_omits_data),
+        cmocka_unit_test(test_each_recovery_start_omits_one_more_part_and_resets_the_count),
+        cmocka_unit_test(test_a_run_of_ten_minutes_restarts_the_omission_with_the_settings),
+        cmocka_unit_test(test_a_panic_count_is_restored_from_its_private_file),
+        cmocka_unit_test(test_a_missing_count_file_means_no_panic),
+        cmocka_unit_test(test_a_count_file_with_any_wrong_byte_or_size_is_rejected),
+        cmocka_unit_test(test_a_link_a_fifo_and_a_folder_in_place_of_the_count_are_quarantined),
+        cmocka_unit_test(test_an_unremovable_object_on_a_read_only_card_is_reported),
     };
     return cmocka_run_group_tests(tests, open_folder, close_folder);
 }

@@ -1,4 +1,4 @@
-/* test_setting_text.c -- settings as people write them. */
+/* test_setting_text.c -- Tests the text form of settings. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -16,7 +16,7 @@ static int is_for_files(uint32_t id)
     return setting_section(settings_entry(id)->group) != NULL;
 }
 
-static void test_every_value_that_is_allowed_is_read_as_it_was_written(void **state)
+static void test_every_valid_setting_value_is_unchanged_by_printing_and_parsing(void **state)
 {
     char text[SETTING_TEXT_MAX];
     (void)state;
@@ -41,7 +41,7 @@ static void check_refused(uint32_t id, const char *text)
     assert_int_equal(value, 77);
 }
 
-static void test_what_is_no_value_is_refused_and_leaves_no_trace(void **state)
+static void test_an_invalid_setting_value_is_rejected_without_a_change(void **state)
 {
     /* clang-format off */
     static const struct { uint32_t id; const char *text; } wrong[] = {
@@ -63,7 +63,7 @@ static void test_what_is_no_value_is_refused_and_leaves_no_trace(void **state)
     }
 }
 
-static void test_modes_are_words_in_any_order(void **state)
+static void test_modes_are_keywords_in_any_order(void **state)
 {
     int32_t value;
     (void)state;
@@ -71,7 +71,7 @@ static void test_modes_are_words_in_any_order(void **state)
     assert_int_equal(value, 1 << CHOICE_LAB | 1 << MODE_FESTIVAL);
 }
 
-static void test_every_setting_for_files_has_a_place_a_range_and_a_reason(void **state)
+static void test_every_setting_of_the_file_has_a_section_a_range_and_a_description(void **state)
 {
     char range[SETTING_RANGE_MAX];
     (void)state;
@@ -90,7 +90,13 @@ static void test_every_setting_for_files_has_a_place_a_range_and_a_reason(void *
     }
 }
 
-static void test_ranges_read_as_a_person_would_say_them(void **state)
+static void test_the_help_of_the_language_names_the_choice_of_a_visitor(void **state)
+{
+    (void)state;
+    assert_non_null(strstr(setting_help(SET_LANGUAGE), "a visitor's choice returns"));
+}
+
+static void test_ranges_are_printed_as_readable_text(void **state)
 {
     char range[SETTING_RANGE_MAX];
     (void)state;
@@ -110,11 +116,12 @@ static void test_ranges_read_as_a_person_would_say_them(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_value_that_is_allowed_is_read_as_it_was_written),
-        cmocka_unit_test(test_what_is_no_value_is_refused_and_leaves_no_trace),
-        cmocka_unit_test(test_modes_are_words_in_any_order),
-        cmocka_unit_test(test_every_setting_for_files_has_a_place_a_range_and_a_reason),
-        cmocka_unit_test(test_ranges_read_as_a_person_would_say_them),
+        cmocka_unit_test(test_every_valid_setting_value_is_unchanged_by_printing_and_parsing),
+        cmocka_unit_test(test_an_invalid_setting_value_is_rejected_without_a_change),
+        cmocka_unit_test(test_modes_are_keywords_in_any_order),
+        cmocka_unit_test(test_every_setting_of_the_file_has_a_section_a_range_and_a_description),
+        cmocka_unit_test(test_the_help_of_the_language_names_the_choice_of_a_visitor),
+        cmocka_unit_test(test_ranges_are_printed_as_readable_text),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

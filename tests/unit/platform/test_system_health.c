@@ -1,5 +1,5 @@
-/* test_system_health.c -- a machine made of files: what is looked at, and what is marked as
- * seen. */
+/* test_system_health.c -- Tests the system health with a simulated machine of files: the values
+ * that are read, and the acknowledgement of quarantined files. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -19,7 +19,7 @@
 static char root[64], checked[96], heat[96];
 static time_t calendar_ahead_s, monotonic_ahead_s;
 
-/* In the place of the C library's: the test's own calendar, and its own patience. */
+/* These functions replace those of the C library with a calendar and a delay of the test. */
 int clock_gettime(clockid_t clock, struct timespec *out)
 {
     const int result = (int)syscall(SYS_clock_gettime, clock, out);
@@ -68,12 +68,12 @@ static struct scene_machine look(struct system_health *machine)
     struct scene_machine says = { .watch = WATCH_DEAF, .missed = 3 };
     system_health_sample(machine, &says);
     assert_int_equal(says.has_looked, 1);
-    assert_int_equal(says.watch, WATCH_DEAF); /* The frame loop's own. */
+    assert_int_equal(says.watch, WATCH_DEAF); /* The frame loop sets this value. */
     assert_int_equal(says.missed, 3);
     return says;
 }
 
-static void test_the_boards_own_check_says_whether_the_data_persist(void **state)
+static void test_the_board_check_reports_whether_data_persist(void **state)
 {
     struct system_health machine = machine_here(), nowhere = { .checked = checked, .heat = heat };
     struct system_health gone = { .data = "/nowhere/at/all", .checked = checked, .heat = heat };
@@ -82,7 +82,8 @@ static void test_the_boards_own_check_says_whether_the_data_persist(void **state
     assert_int_equal(look(&machine).keeps, KEEPS_FOLDER);
     write_file("checked", "kept: /dev/mmcblk0p3, ext4; start 7 of this disk, ...\n");
     assert_int_equal(look(&machine).keeps, KEEPS_PROVEN);
-    assert_int_equal(look(&memory).keeps, KEEPS_MEMORY); /* Whatever another folder is. */
+    assert_int_equal(look(&memory).keeps, KEEPS_MEMORY); /* The result does not depend on other
+                                                            folders. */
     write_file("checked", "not kept: /dev/loop0 is memory\n");
     assert_int_equal(look(&machine).keeps, KEEPS_NOT);
     write_file("checked", "");
@@ -93,7 +94,7 @@ static void test_the_boards_own_check_says_whether_the_data_persist(void **state
     assert_true(look(&machine).room_mib > 0);
 }
 
-static void test_a_backup_ages_by_the_clock_that_nobody_sets(void **state)
+static void test_the_backup_age_uses_the_monotonic_clock(void **state)
 {
     struct system_health machine = machine_here();
     (void)state;
@@ -101,7 +102,7 @@ static void test_a_backup_ages_by_the_clock_that_nobody_sets(void **state)
     write_file("kingyo.db.backup", "x");
     assert_int_equal(look(&machine).has_backup, 1);
     assert_int_equal(look(&machine).backup_min, 0);
-    calendar_ahead_s = 40 * 365 * 86400; /* The network says what day it is. */
+    calendar_ahead_s = 40 * 365 * 86400; /* The network time sets the clock ahead. */
     assert_int_equal(look(&machine).backup_min, 0);
     monotonic_ahead_s = 61 * 60;
     assert_int_equal(look(&machine).backup_min, 61);
@@ -109,11 +110,11 @@ static void test_a_backup_ages_by_the_clock_that_nobody_sets(void **state)
     char from[160], to[160];
     snprintf(from, sizeof from, "%s/kingyo.db.backup.new", root);
     snprintf(to, sizeof to, "%s/kingyo.db.backup", root);
-    assert_int_equal(rename(from, to), 0); /* The next hour's. */
+    assert_int_equal(rename(from, to), 0); /* The backup of the next hour. */
     assert_int_equal(look(&machine).backup_min, 0);
 }
 
-static void test_a_backup_of_an_earlier_evening_is_as_old_as_its_date(void **state)
+static void test_an_earlier_backup_has_the_age_of_its_date(void **state)
 {
     struct system_health machine = machine_here();
     (void)state;
@@ -122,23 +123,23 @@ static void test_a_backup_of_an_earlier_evening_is_as_old_as_its_date(void **sta
     assert_in_range(look(&machine).backup_min, 299, 301);
 }
 
-static void test_a_clock_behind_its_own_files_was_set_back(void **state)
+static void test_a_clock_older_than_the_files_was_set_back(void **state)
 {
     struct system_health machine = machine_here(), later = machine_here();
     (void)state;
     write_file("kingyo.db", "x");
     assert_int_equal(look(&machine).is_clock_back, 0);
-    calendar_ahead_s = -3600; /* Summer time ends. */
+    calendar_ahead_s = -3600; /* Daylight saving time ends. */
     assert_int_equal(look(&machine).is_clock_back, 0);
     calendar_ahead_s = -86400;
     assert_int_equal(look(&later).is_clock_back, 1);
-    write_file("kingyo.db", "xx"); /* What it writes now says nothing. */
+    write_file("kingyo.db", "xx"); /* The time of a file that is written now is not evidence. */
     assert_int_equal(look(&later).is_clock_back, 1);
     calendar_ahead_s = 0;
     assert_int_equal(look(&later).is_clock_back, 0);
 }
 
-static void test_heat_is_a_margin_where_there_is_a_sensor(void **state)
+static void test_the_thermal_margin_is_reported_if_a_sensor_exists(void **state)
 {
     struct system_health machine = machine_here();
     char zone[128];
@@ -154,14 +155,14 @@ static void test_heat_is_a_margin_where_there_is_a_sensor(void **state)
     assert_int_equal(look(&machine).heat_margin_c, -3);
 }
 
-static void test_what_was_set_aside_counts_until_it_is_acknowledged(void **state)
+static void test_a_quarantined_file_is_counted_until_acknowledged(void **state)
 {
     struct system_health machine = machine_here();
     (void)state;
     write_file("kingyo.db.damaged-1", "x");
-    write_file("kingyo.db.damaged-1-wal", "x"); /* Its journal. */
+    write_file("kingyo.db.damaged-1-wal", "x"); /* The journal of the quarantined file. */
     write_file("kingyo.db.damaged-2", "x");
-    write_file("kingyo.db.damaged-", "x"); /* Nothing of ours. */
+    write_file("kingyo.db.damaged-", "x"); /* A name that Kingyo does not write. */
     assert_int_equal(look(&machine).aside, 2);
     assert_int_equal(system_health_mark_seen(&machine), 0);
     assert_int_equal(look(&machine).aside, 0);
@@ -181,7 +182,7 @@ static void test_what_was_set_aside_counts_until_it_is_acknowledged(void **state
 static int is_told(struct system_health *machine, uint32_t aside)
 {
     struct scene_machine says = { .watch = WATCH_FED };
-    for (uint32_t i = 0; i < 500u; i++) { /* 5 s, before a second look is due. */
+    for (uint32_t i = 0; i < 500u; i++) { /* 5 s, which is less than the interval of the check. */
         system_health_read(machine, &says);
         if (says.has_looked && says.aside == aside) {
             return says.watch == WATCH_FED;
@@ -191,26 +192,25 @@ static int is_told(struct system_health *machine, uint32_t aside)
     return 0;
 }
 
-static void test_its_thread_looks_and_marks_and_the_frame_loop_only_asks(void **state)
+static void test_the_health_thread_does_all_file_access_of_the_frame_loop(void **state)
 {
     static struct system_health machine;
     struct scene_machine says = { 0 };
     (void)state;
     write_file("kingyo.db.damaged-1", "x");
     machine = machine_here();
-    system_health_read(&machine, &says); /* Nobody looks yet. */
+    system_health_read(&machine, &says); /* The thread has not started. */
     assert_int_equal(says.has_looked, 0);
     system_health_start(&machine);
     assert_true(is_told(&machine, 1));
-    while (!system_health_acknowledge(&machine)) {
-        usleep(1000);
-    }
+    system_health_acknowledge(&machine);
     assert_true(is_told(&machine, 0));
-    pthread_mutex_lock(&machine.lock); /* While it copies, what was known stays. */
+    pthread_mutex_lock(&machine.lock); /* The previous values are kept while the thread copies new
+                                          ones. */
     says = (struct scene_machine){ .room_mib = 77 };
     system_health_read(&machine, &says);
     assert_int_equal(says.room_mib, 77);
-    assert_false(system_health_acknowledge(&machine));
+    system_health_acknowledge(&machine); /* Does not block while the lock is held. */
     pthread_mutex_unlock(&machine.lock);
     system_health_stop(&machine);
     assert_true(system_health_is_seen(root, "kingyo.db.damaged-1"));
@@ -219,20 +219,20 @@ static void test_its_thread_looks_and_marks_and_the_frame_loop_only_asks(void **
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(test_the_boards_own_check_says_whether_the_data_persist,
+        cmocka_unit_test_setup_teardown(test_the_board_check_reports_whether_data_persist, set_up,
+                                        tear_down),
+        cmocka_unit_test_setup_teardown(test_the_backup_age_uses_the_monotonic_clock, set_up,
+                                        tear_down),
+        cmocka_unit_test_setup_teardown(test_an_earlier_backup_has_the_age_of_its_date, set_up,
+                                        tear_down),
+        cmocka_unit_test_setup_teardown(test_a_clock_older_than_the_files_was_set_back, set_up,
+                                        tear_down),
+        cmocka_unit_test_setup_teardown(test_the_thermal_margin_is_reported_if_a_sensor_exists,
                                         set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_a_backup_ages_by_the_clock_that_nobody_sets, set_up,
-                                        tear_down),
-        cmocka_unit_test_setup_teardown(test_a_backup_of_an_earlier_evening_is_as_old_as_its_date,
-                                        set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_a_clock_behind_its_own_files_was_set_back, set_up,
-                                        tear_down),
-        cmocka_unit_test_setup_teardown(test_heat_is_a_margin_where_there_is_a_sensor, set_up,
-                                        tear_down),
-        cmocka_unit_test_setup_teardown(test_what_was_set_aside_counts_until_it_is_acknowledged,
+        cmocka_unit_test_setup_teardown(test_a_quarantined_file_is_counted_until_acknowledged,
                                         set_up, tear_down),
         cmocka_unit_test_setup_teardown(
-            test_its_thread_looks_and_marks_and_the_frame_loop_only_asks, set_up, tear_down),
+            test_the_health_thread_does_all_file_access_of_the_frame_loop, set_up, tear_down),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

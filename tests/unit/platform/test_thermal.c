@@ -1,4 +1,4 @@
-/* test_thermal.c -- how hot a machine made of files is. */
+/* test_thermal.c -- Tests the temperature margin of a simulated machine of files. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -18,7 +18,7 @@
 static char root[64];
 static time_t calendar_is_ahead_s;
 
-/* In the place of the C library's: the test's own calendar. */
+/* This function replaces that of the C library with a calendar of the test. */
 int clock_gettime(clockid_t clock, struct timespec *out)
 {
     const int result = (int)syscall(SYS_clock_gettime, clock, out);
@@ -53,7 +53,7 @@ static void zone(uint32_t index, const char *name, const char *words)
     fclose(file);
 }
 
-static void test_a_board_slows_down_at_eighty_degrees(void **state)
+static void test_the_default_throttle_limit_is_80_degrees(void **state)
 {
     (void)state;
     zone(0, "temp", "61234\n");
@@ -62,7 +62,7 @@ static void test_a_board_slows_down_at_eighty_degrees(void **state)
     assert_int_equal(thermal_read(root), 80000 - 61234);
 }
 
-static void test_a_zone_that_says_where_it_slows_down_is_believed(void **state)
+static void test_a_passive_trip_point_of_the_zone_is_the_throttle_limit(void **state)
 {
     (void)state;
     zone(0, "temp", "70000\n");
@@ -70,12 +70,12 @@ static void test_a_zone_that_says_where_it_slows_down_is_believed(void **state)
     zone(0, "trip_point_0_temp", "95000\n");
     zone(0, "trip_point_1_type", "passive\n");
     zone(0, "trip_point_1_temp", "85000\n");
-    zone(0, "trip_point_2_type", "active\n"); /* A fan. */
+    zone(0, "trip_point_2_type", "active\n"); /* An active trip point starts a fan. */
     zone(0, "trip_point_2_temp", "50000\n");
     assert_int_equal(thermal_read(root), 15000);
 }
 
-static void test_the_hottest_zone_counts(void **state)
+static void test_the_temperature_is_that_of_the_hottest_zone(void **state)
 {
     (void)state;
     zone(0, "temp", "40000\n");
@@ -84,7 +84,7 @@ static void test_the_hottest_zone_counts(void **state)
     assert_int_equal(thermal_read(root), -2500);
 }
 
-static void test_sensors_that_talk_nonsense_are_none(void **state)
+static void test_invalid_temperatures_are_ignored(void **state)
 {
     (void)state;
     assert_int_equal(thermal_read("/nonexistent"), THERMAL_UNKNOWN_MDEG);
@@ -98,7 +98,7 @@ static void test_sensors_that_talk_nonsense_are_none(void **state)
     }
 }
 
-static void test_the_thread_looks_and_ends_at_once(void **state)
+static void test_the_thermal_thread_reads_the_sensor_and_stops_immediately(void **state)
 {
     (void)state;
     static struct thermal thermal;
@@ -109,13 +109,13 @@ static void test_the_thread_looks_and_ends_at_once(void **state)
         usleep(10000);
     }
     assert_int_equal(atomic_load(&thermal.margin_mdeg), 50000);
-    thermal_stop(&thermal); /* It would wait five seconds else, and the test with it. */
+    thermal_stop(&thermal); /* Without an immediate stop the test would wait five seconds. */
     thermal_stop(&thermal);
     assert_false(thermal.runs);
 }
 
-/* A board without a battery begins in 2036, and the network sets it back. */
-static void test_a_calendar_that_is_set_back_hides_no_heat(void **state)
+/* A board without a battery starts in 2036, and the network time sets it back. */
+static void test_a_clock_set_back_does_not_delay_the_temperature(void **state)
 {
     (void)state;
     static struct thermal thermal;
@@ -136,12 +136,12 @@ static void test_a_calendar_that_is_set_back_hides_no_heat(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        TEST(test_a_board_slows_down_at_eighty_degrees),
-        TEST(test_a_zone_that_says_where_it_slows_down_is_believed),
-        TEST(test_the_hottest_zone_counts),
-        TEST(test_sensors_that_talk_nonsense_are_none),
-        TEST(test_the_thread_looks_and_ends_at_once),
-        TEST(test_a_calendar_that_is_set_back_hides_no_heat),
+        TEST(test_the_default_throttle_limit_is_80_degrees),
+        TEST(test_a_passive_trip_point_of_the_zone_is_the_throttle_limit),
+        TEST(test_the_temperature_is_that_of_the_hottest_zone),
+        TEST(test_invalid_temperatures_are_ignored),
+        TEST(test_the_thermal_thread_reads_the_sensor_and_stops_immediately),
+        TEST(test_a_clock_set_back_does_not_delay_the_temperature),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

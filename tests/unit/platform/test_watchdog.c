@@ -1,4 +1,4 @@
-/* test_watchdog.c -- the service manager hears that frames flow, and is not drowned in it. */
+/* test_watchdog.c -- Tests the watchdog notifications to the service manager and their rate. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -16,7 +16,7 @@
 
 #define MS 1000000ull
 
-/* A manager that listens on an abstract name. */
+/* Opens a service manager that listens on an abstract socket name. */
 static int listen_as(const char *name)
 {
     struct sockaddr_un address = { .sun_family = AF_UNIX };
@@ -36,7 +36,7 @@ static const char *heard(int fd)
     return line;
 }
 
-static void test_it_says_ready_once_and_then_a_few_times_a_deadline(void **state)
+static void test_ready_is_sent_once_and_kicks_several_times_per_deadline(void **state)
 {
     struct clock_sim clock = { .now_ns = 5000 * MS };
     struct watchdog watchdog;
@@ -50,14 +50,14 @@ static void test_it_says_ready_once_and_then_a_few_times_a_deadline(void **state
     assert_string_equal(heard(fd), "READY=1");
     assert_int_equal(device.ops->watches(device.self), WATCH_FED);
     uint32_t kicks = 0;
-    for (uint32_t i = 0; i < 600; i++) { /* Ten seconds of frames, a deadline of two. */
+    for (uint32_t i = 0; i < 600; i++) { /* Ten seconds of frames with a deadline of two seconds. */
         clock.now_ns += 16666667;
         device.ops->kick(device.self);
         kicks += strcmp(heard(fd), "WATCHDOG=1") == 0;
     }
     assert_in_range(kicks, 18, 20);
     close(fd);
-    device.ops->kick(device.self); /* A manager that went away is no harm. */
+    device.ops->kick(device.self); /* A missing service manager is not an error. */
     clock.now_ns += 10000 * MS;
     device.ops->kick(device.self);
     assert_int_equal(device.ops->watches(device.self), WATCH_DEAF);
@@ -65,7 +65,7 @@ static void test_it_says_ready_once_and_then_a_few_times_a_deadline(void **state
     close(watchdog.socket_fd);
 }
 
-static void test_a_manager_too_busy_to_hear_ready_is_told_again(void **state)
+static void test_ready_is_sent_again_if_the_service_manager_was_busy(void **state)
 {
     struct clock_sim clock = { .now_ns = 5000 * MS };
     struct watchdog watchdog;
@@ -75,7 +75,8 @@ static void test_a_manager_too_busy_to_hear_ready_is_told_again(void **state)
     const int fd = listen_as(name);
     assert_int_equal(watchdog_init(&watchdog, sim_clock_device(&clock), name, 2000000), HAL_OK);
     const struct hal_watchdog device = watchdog_device(&watchdog);
-    while (send(watchdog.socket_fd, "x", 1, MSG_NOSIGNAL) == 1) { /* Until its queue is full. */
+    while (send(watchdog.socket_fd, "x", 1, MSG_NOSIGNAL) == 1) { /* The loop fills the queue of the
+                                                                     manager. */
     }
     device.ops->kick(device.self);
     while (strcmp(heard(fd), "x") == 0) {
@@ -104,8 +105,8 @@ static void test_without_a_manager_there_is_no_watchdog(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_it_says_ready_once_and_then_a_few_times_a_deadline),
-        cmocka_unit_test(test_a_manager_too_busy_to_hear_ready_is_told_again),
+        cmocka_unit_test(test_ready_is_sent_once_and_kicks_several_times_per_deadline),
+        cmocka_unit_test(test_ready_is_sent_again_if_the_service_manager_was_busy),
         cmocka_unit_test(test_without_a_manager_there_is_no_watchdog),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

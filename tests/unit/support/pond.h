@@ -15,7 +15,7 @@
     .length_m = (size_m), .height_m = 0.36f * (size_m), .width_m = 0.20f * (size_m)
 
 /* Returns the behavior parameters of the festival tank's fish. */
-static inline const struct behavior_params *pond_law(void)
+static inline const struct behavior_params *pond_params(void)
 {
     return &tank_preset(TANK_PRESET_FESTIVAL)->params;
 }
@@ -26,7 +26,7 @@ static inline const struct perception *pond_at(uint32_t seed, uint32_t tick)
 {
     static struct perception around;
     around = (struct perception){
-        .params = pond_law(),
+        .params = pond_params(),
         .size_m = { 0.85f, POND_WATER_M, 0.55f },
         .seed = seed,
         .tick = tick,

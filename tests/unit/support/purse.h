@@ -5,6 +5,7 @@
 #define KINGYO_TESTS_UNIT_SUPPORT_PURSE_H
 
 #include "core/core.h"
+#include "tests/unit/support/newest_record.h"
 
 /* Returns the sum of paid credits and service credits. */
 static inline uint32_t purse_credits(const struct core *core)
@@ -34,15 +35,13 @@ static inline uint32_t purse_count(const struct output *out, enum ledger_kind ki
     return count;
 }
 
-/* Returns 1 if the newest round record in `out` equals the ledger entry with its id, otherwise
+/* Returns 1 if the record of the newest scored round has the id of its ledger entry, otherwise
  * 0. */
 static inline int purse_keeps_record(const struct output *out)
 {
-    const struct round_record *record = &out->record;
+    const struct round_record *record = newest_record(out);
     const struct ledger_entry *entry = purse_entry(out, record->id);
-    return record->id != 0 && entry->id == record->id && entry->kind == LEDGER_ROUND &&
-           entry->round.seed == record->seed && entry->round.end_tick == record->end_tick &&
-           entry->round.mode == record->mode && entry->round.caught == record->caught;
+    return record->id != 0 && entry->id == record->id && &entry->round == record;
 }
 
 #endif

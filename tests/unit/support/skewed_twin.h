@@ -7,7 +7,7 @@
 
 #include <string.h>
 
-#include "core/game/control/calibration.h"
+#include "core/game/control/input_pose.h"
 
 /* Transform from true positions and angles to the coordinate frame of the sensors. */
 struct twin {
@@ -37,8 +37,9 @@ static inline struct poi_target seen(const struct twin *twin, struct poi_target 
 /* Writes calibration values and their check value into the settings of one player. */
 static inline void set_values(struct settings *settings, uint32_t seat, const int32_t *value)
 {
-    memcpy(&settings->value[calibration_setting(seat)], value, CALIBRATION_VALUES * sizeof *value);
-    settings->value[calibration_check_setting(seat)] = calibration_check(value);
+    memcpy(&settings->value[input_calibration_setting(seat)], value,
+           CALIBRATION_VALUES * sizeof *value);
+    settings->value[input_calibration_check_setting(seat)] = input_calibration_check(value);
 }
 
 #endif

@@ -5,10 +5,10 @@
 #include <stdlib.h>
 
 #include "core/input.h"
-#include "core/tank/tank.h"
+#include "tests/unit/support/open_tank.h"
 
 /* Returns the behavior parameters of the thesis tank. */
-static inline const struct behavior_params *thesis_law(void)
+static inline const struct behavior_params *thesis_params(void)
 {
     return &tank_preset(TANK_PRESET_THESIS)->params;
 }
@@ -19,7 +19,7 @@ static inline const struct perception *thesis_at(uint32_t seed, uint32_t tick)
 {
     static struct perception around;
     around = (struct perception){
-        .params = thesis_law(),
+        .params = thesis_params(),
         .size_m = tank_preset(TANK_PRESET_THESIS)->size_m,
         .seed = seed,
         .tick = tick,
@@ -34,7 +34,7 @@ static inline struct tank *thesis_stage(const struct tank_stage *stages, uint32_
                                         uint32_t seed)
 {
     static struct tank tank;
-    tank_init(&tank, TANK_PRESET_THESIS, count, seed);
+    open_tank(&tank, TANK_PRESET_THESIS, count, seed);
     tank_stage_all(&tank, stages, count);
     return &tank;
 }

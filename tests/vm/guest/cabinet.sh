@@ -1,13 +1,13 @@
-# cabinet.sh -- a cabinet's wires: a gpio-sim chip with named lines, pressed from its pull files.
-#
-# Buttons and the coin mechanism pull their line low, as real ones do. Coins come in while the lock's
-# coil has current, so it locks when its line is low.
-# shellcheck shell=dash disable=SC2154,SC2034,SC1091  # init sources all of them
+# cabinet.sh -- simulated wiring of a cabinet: a gpio-sim chip with named lines, which are pressed
+# through its pull files.
+# Buttons and the coin mechanism pull their line low, as real devices do. Coins are accepted while
+# the coil of the lockout has current, so a low line locks the coin slot.
+# shellcheck shell=dash disable=SC2154,SC2034,SC1091  # init sources all files of this folder
 cabinet=/sys/kernel/config/gpio-sim/cabinet
 cabinet_lines='START COIN TEST SERVICE TILT DOOR LAMP LOCKOUT METER TICKET'
 cabinet_wiring='start=START coin=COIN test=TEST service=SERVICE tilt=TILT door=DOOR
     start-lamp=LAMP coin-lockout=LOCKOUT coin-counter=METER ticket=TICKET'
-coin_window='15 250' # ms: what a coin's pulse lasts where nothing else is wired.
+coin_window='15 250' # Duration of a coin's pulse in ms, if no other range is configured.
 
 cabinet_open() {
     modprobe gpio-sim
@@ -32,7 +32,7 @@ cabinet_pull_out() {
     echo 0 >$cabinet/live
 }
 
-wire() { # NAME: the folder of its line
+wire() { # NAME: Prints the folder of the line.
     number=0
     for name in $cabinet_lines; do
         [ "$name" = "$1" ] && echo "/run/cabinet/sim_gpio$number"
@@ -40,20 +40,20 @@ wire() { # NAME: the folder of its line
     done
 }
 
-press() { # NAME: down for 0.15 s
+press() { # NAME: Presses the button for 0.15 s.
     panel pulse "$(wire "$1")" 150 150 1 >/dev/null
 }
 
-coins() { # COUNT: each a pulse of 60 ms, with as much between
+coins() { # COUNT: Sends a pulse of 60 ms for each coin, with a gap of 60 ms.
     panel pulse "$(wire COIN)" 60 60 "$1" $coin_window
 }
 
-# Whether the kiosk has the line in its hand.
+# Returns 0 if the kiosk holds the line.
 is_held() { # NAME
     gpioinfo | grep -q "\"$1\".*kingyo"
 }
 
-is_lit() { # NAME: whether the kiosk puts out 1 there
+is_lit() { # NAME: Returns 0 if the kiosk outputs 1 on the line.
     [ "$(cat "$(wire "$1")/value")" = 1 ]
 }
 
@@ -71,8 +71,9 @@ has_metered() { # COUNT
     [ "$(cat /run/meter)" -eq "$1" ]
 }
 
-# Before the kiosk has the lines: a coin, a pulse too short for one, and one that sticks. 1: they were
-# not told apart; 2: this machine stood still, and the pulses were others.
+# Before the kiosk opens the lines: sends a coin, a pulse that is too short and a pulse that is too
+# long. Returns 1 if the command did not distinguish the pulses, or 2 if this machine was delayed
+# and sent other pulses.
 jam_once() {
     as kingyo kingyoctl lines watch coin=COIN --seconds 8 >$host/out/lines 2>&1 &
     watch=$!

@@ -1,5 +1,6 @@
-# hang.sh -- a kiosk that hangs resets the machine. The last part: nobody comes back from it.
-# shellcheck shell=dash disable=SC2154,SC2034,SC1091  # init sources all of them
+# hang.sh -- a kiosk that hangs resets the machine. This part runs last, because the guest does not
+# continue afterwards.
+# shellcheck shell=dash disable=SC2154,SC2034,SC1091  # init sources all files of this folder
 kiosk_start hang 12 --fish 20
 sleep 3
 say 'the kiosk is stopped'

@@ -1,25 +1,27 @@
-# lib.sh -- how the guest talks to the machine outside: lines in out/talk of the folder they share, pictures on demand.
-#
-# "ok ID words", "bad ID words": one finding (checks.txt says which there are). "shot NAME": a picture,
-# please. Anything else is for people.
-# shellcheck shell=dash disable=SC2154,SC2034,SC1091  # init sources all of them
-talk=$host/out/talk # Who sources this has said where the shared folder is.
+# lib.sh -- messages from the guest to the host: lines in out/talk of the shared folder, and
+# requests for pictures.
+# "ok ID words" and "bad ID words" are results of the checks in checks.txt. "shot NAME" requests a
+# picture. Other lines are only printed.
+# shellcheck shell=dash disable=SC2154,SC2034,SC1091  # init sources all files of this folder
+talk=$host/out/talk # The script that sources this file has set the path of the shared folder.
 
 say() { # WORDS
     echo "$(now_ms) $*" >>$talk
 }
 
-found() { # STATUS ID WORDS: what was to be seen was (STATUS 0), or was not
+found() { # STATUS ID WORDS: Reports a check that passed (STATUS 0) or failed.
     if [ "$1" -eq 0 ]; then say "ok $2 ${3-}"; else say "bad $2 ${3-}"; fi
 }
 
-shot() { # NAME [dark|light]: $host/shots/NAME.png is what the screen shows now, or once its middle is so
+# Requests a picture of the screen as $host/shots/NAME.png, if necessary after waiting for that
+# brightness.
+shot() {
     rm -f "$host/shots/$1.png"
     say "shot $*"
     await 60 test -e "$host/shots/$1.done"
 }
 
-await() { # SECONDS COMMAND...: 0 as soon as COMMAND says so, 1 when the time is up
+await() { # SECONDS COMMAND...: Returns 0 as soon as COMMAND succeeds, or 1 after SECONDS.
     local end=$(($(now_ms) + $1 * 1000))
     shift
     while ! "$@" >/dev/null 2>&1; do
@@ -28,13 +30,13 @@ await() { # SECONDS COMMAND...: 0 as soon as COMMAND says so, 1 when the time is
     done
 }
 
-now_ms() { # Since the boot; the file says hundredths of a second.
+now_ms() { # Milliseconds since the boot. The file has a resolution of 10 ms.
     local up rest
     read -r up rest </proc/uptime
     echo "${up%.*}${up#*.}0"
 }
 
-# Whether a process is the user kingyo, in the groups that board/sysusers gives him and in no other.
+# Returns 0 if the process belongs to the user kingyo with exactly the groups of board/sysusers.
 is_kingyo() { # PID
     local id groups
     id=$(sed -n 's/^kingyo:[^:]*:\([0-9]*:[0-9]*\):.*/\1/p' /etc/passwd)
@@ -45,7 +47,7 @@ is_kingyo() { # PID
             sort -nu | tr '\n' ' ')" = "$groups" ]
 }
 
-groups_of() { # PID: by name
+groups_of() { # PID: Prints the names of the groups.
     for group in $(sed -n 's/^Groups:\t//p' "/proc/$1/status"); do
         sed -n "s/^\([^:]*\):[^:]*:$group:.*/\1/p" /etc/group
     done | tr '\n' ' '

@@ -1,5 +1,5 @@
-# poi.sh -- our own poi on a cable that never leaves the machine: dummy_hcd is both its ends.
-# shellcheck shell=dash disable=SC2154,SC2034,SC1091  # init sources all of them
+# poi.sh -- our own poi on a virtual cable: dummy_hcd is both the host and the device side.
+# shellcheck shell=dash disable=SC2154,SC2034,SC1091  # init sources all files of this folder
 poi_ids=1209:0001
 poi_gadget="sh $host/bin/kingyo-poi-gadget"
 
@@ -19,7 +19,7 @@ poi_make() {
     poi_hold
 }
 
-# A report's way to its tick where no picture is drawn, at the rate that our poi has by itself.
+# Measures the time from a report to its tick without drawing, at the default rate of our poi.
 poi_is_timed() {
     kingyo-poi run --simulate --device /dev/hidg0 2>$host/out/simulated.log &
     simulated=$!
@@ -31,7 +31,7 @@ poi_is_timed() {
     udevadm settle --timeout=10
 }
 
-# Whoever holds the poi: at rest before the tank, until the machine outside sends a way.
+# Simulates the player: the poi rests before the tank until the host sends a motion.
 poi_hold() {
     rm -f /tmp/way
     mkfifo /tmp/way
@@ -50,7 +50,8 @@ poi_hold() {
     feeder=$!
 }
 
-# Whether our udev rules gave the poi and the lines to the kiosk's group, and keep the poi awake.
+# Checks that our udev rules gave the poi and the lines to the kiosk's group, and that they disable
+# the suspend of the poi.
 poi_is_given() {
     udevadm settle --timeout=10
     device=$(grep -l ^1209 /sys/bus/usb/devices/*/idVendor | head -n 1)
@@ -61,7 +62,8 @@ poi_is_given() {
     found $? rules "$node, hidraw0, gpiochip0: $given; power $(cat "$device/power/control")"
 }
 
-# Before the kiosk takes it: its node says what it is, its reports are rows, the doctor knows it and the lines.
+# Before the kiosk opens the poi: hid watch identifies the device node and prints its reports, and
+# doctor reports the poi and the lines.
 poi_is_watched() {
     await 10 test -e /dev/hidraw0
     as kingyo kingyoctl hid watch >$host/out/watched 2>&1
@@ -78,7 +80,7 @@ poi_is_watched() {
 poi_unplug() { $poi_gadget detach >>$host/out/poi.log 2>&1; }
 poi_plug() { $poi_gadget attach ${poi_udc:+UDC=$poi_udc} >>$host/out/poi.log 2>&1; }
 
-# Whether the kiosk has it: through libusb, in place of the kernel's own driver.
+# Returns 0 if the kiosk has claimed the poi through libusb, instead of the kernel's driver.
 poi_is_taken() {
     set -- /sys/bus/usb/drivers/usbfs/*:1.0
     [ -e "$1" ]

@@ -1,16 +1,16 @@
-# books.sh -- what a stall's store must say after its plug was pulled, held against what the stall had said. Source it
-# after plug.sh; bad() is who sources it.
-#
-# Entries have ids that rise by one. What the stall was told is safe, and what it found at a start, must be on the disk for
-# ever after, bit for bit; more may be there, since a recording ends up to a second before the plug is pulled.
-# shellcheck shell=bash disable=SC2154,SC2034  # who sources it sets and uses them
-sure_to=0       # No entry up to here may ever be missing again.
+# books.sh -- compares the database after a power cut with the entries that the kiosk reported
+# before. Source it after plug.sh. The script that sources this file defines bad().
+# Entries have ids that rise by one. Each entry that was acknowledged to the kiosk, or that was
+# found at a start, must stay on the disk unchanged. The disk may have more entries, because a
+# recording ends up to a second before the power cut.
+# shellcheck shell=bash disable=SC2154,SC2034  # the sourcing scripts set and use these variables
+sure_to=0       # No entry with an id up to this value may be missing.
 found_to=0 found_open=0
-told_purse=''   # What the newest entry found says of the purse.
+told_purse=''   # The balance according to the newest entry that was found.
 columns='id, boot, tick, kind, detail, count, value, units, bonus_units, paid, service, untold, open'
-: >"$cache/sure.txt"   # Those entries, a line each.
-: >"$cache/told.txt"   # What the last stall that told anything wrote, safe or not.
-: >"$cache/fallen.txt" # "BOOT COINS": how many fell into the slot then, at most.
+: >"$cache/sure.txt"   # The entries up to sure_to, one on each line.
+: >"$cache/told.txt"   # The entries that the last reporting start wrote, acknowledged or not.
+: >"$cache/fallen.txt" # "BOOT COINS": the maximum number of coins that were inserted in that start.
 
 ask() { # SQL
     sqlite3 -separator ' ' "$share/out/kept/kingyo.db" "$1"
@@ -20,40 +20,41 @@ has_store() {
     [ -s "$share/out/kept/kingyo.db" ] && [ "$(ask "SELECT count(*) FROM sqlite_master WHERE name = 'entries'")" != 0 ]
 }
 
-# The audits are sums of the entries, written with them.
+# The audits are sums of the entries. Both are written in one transaction.
 sums_agree() {
     [ "$(ask "SELECT coalesce(sum(count), 0) FROM audits WHERE name = 'coins-1'")" = \
         "$(ask 'SELECT coalesce(sum(count), 0) FROM entries WHERE kind = 2')" ]
 }
 
-# Coins of a start that nobody let fall.
+# Prints an error if a start has more coins than were inserted.
 coins_too_many() {
     ask 'SELECT boot, sum(count) FROM entries WHERE kind = 2 GROUP BY boot' |
         awk 'NR == FNR { fell[$1] = $2 > fell[$1] ? $2 : fell[$1]; next }
-            $2 > fell[$1] + 0 { printf "%d coins of start %d, where %d fell", $2, $1, fell[$1] }' "$cache/fallen.txt" -
+            $2 > fell[$1] + 0 { printf "%d coins of start %d, but only %d were inserted", $2, $1, fell[$1] }' "$cache/fallen.txt" -
 }
 
-# What this start found on its disk before it opened (guest/kept.sh), against all that was ever sure. 1: it came not so far.
+# Compares the entries that this start found on its disk (guest/kept.sh) with all acknowledged
+# entries. Returns 1 if the start did not get that far.
 books_found() {
     local count missing whole
     [ -d "$share/out/kept" ] || return 1
     grep -q '^kept' "$share/out/kept/data" || bad "$(cat "$share/out/kept/data")"
-    if ! has_store; then # The plug may be pulled before anything was ever kept.
-        [ "$sure_to" -eq 0 ] || bad "entry $sure_to was acknowledged; there is no store"
+    if ! has_store; then # The power may be cut before the first entry is saved.
+        [ "$sure_to" -eq 0 ] || bad "entry $sure_to was acknowledged, but there is no database"
         return 0
     fi
     whole=$(ask 'PRAGMA integrity_check' 2>&1 | head -1)
-    [ "$whole" = ok ] || { bad "the store is damaged: $whole"; return 0; }
+    [ "$whole" = ok ] || { bad "the database is damaged: $whole"; return 0; }
     ask "SELECT $columns FROM entries ORDER BY id" | sort >"$cache/disk.txt"
     read -r found_to count < <(ask 'SELECT coalesce(max(id), 0), count(*) FROM entries')
-    [ "$found_to" -ge "$sure_to" ] || bad "entry $sure_to was acknowledged; the disk has $found_to"
-    [ "$count" -eq "$found_to" ] || bad "$count entries up to $found_to"
+    [ "$found_to" -ge "$sure_to" ] || bad "entry $sure_to was acknowledged, but the disk ends at $found_to"
+    [ "$count" -eq "$found_to" ] || bad "the disk has $count entries, but the last id is $found_to"
     missing=$(comm -13 "$cache/disk.txt" "$cache/sure.txt" | head -1)
-    [ -z "$missing" ] || bad "it was acknowledged, and the disk has another: $missing"
-    # What was written and not acknowledged may be there or not; where it is, it is what was written. Another start
-    # in between would have given its number to another.
+    [ -z "$missing" ] || bad "an acknowledged entry differs on the disk: $missing"
+    # An entry that was written but not acknowledged may be missing. If the entry is on the disk,
+    # it must be unchanged, because no other start has used its number.
     missing=$(awk -v to="$found_to" '$1 <= to' "$cache/told.txt" | sort | comm -13 "$cache/disk.txt" - | head -1)
-    [ -z "$missing" ] || bad "the disk has another: $missing"
+    [ -z "$missing" ] || bad "a written entry differs on the disk: $missing"
     missing=$(coins_too_many)
     [ -z "$missing" ] || bad "$missing"
     sums_agree || bad 'the audits are not the sums of the entries'
@@ -63,19 +64,20 @@ books_found() {
     cp "$cache/disk.txt" "$cache/sure.txt"
 }
 
-# What the stall of this start said of itself, by its recording: it began with what the disk had, gave back what was open,
-# and from now on what it was told is safe is sure. 1: it had no time to say anything.
+# Compares the recording of this start with the database: the start has the balance of the disk and
+# returns the credit of an open round. The entries that this start acknowledged become sure.
+# Returns 1 if there is no complete recording.
 books_told() { # FALLEN
     local recording refunds started safe_to
     : >"$cache/told.txt"
     recording=$(find "$share/out" -name 'play-*.kgr' -size +0 | head -1)
     [ -n "$recording" ] && "$BUILD/tests/vm/image/witness" "$recording" >"$cache/witness.txt" || return 1
     started=$(awk '/^start/ { print $2, $4, $5, $6, $7, $8, $9 }' "$cache/witness.txt")
-    [ "$started" = "${told_purse:-0 0 0 0 0 0 0}" ] || bad "it began with '$started'; the disk had '$told_purse'"
+    [ "$started" = "${told_purse:-0 0 0 0 0 0 0}" ] || bad "the start began with '$started', but the disk had '$told_purse'"
     awk '/^entry/ { print substr($0, 7) }' "$cache/witness.txt" >"$cache/told.txt"
     refunds=$(awk '$4 == 6 && $5 == 2' "$cache/told.txt" | wc -l)
     [ ! -s "$cache/told.txt" ] || [ "$refunds" -eq $((found_open != 0)) ] ||
-        bad "it found a round ($found_open) and gave back $refunds"
+        bad "the start found an open round ($found_open) and returned $refunds credits"
     refunded=$refunds
     safe_to=$(awk '/^end/ { print $3 }' "$cache/witness.txt")
     awk -v to="$safe_to" '$1 <= to' "$cache/told.txt" | sort - "$cache/sure.txt" >"$cache/sure.new"

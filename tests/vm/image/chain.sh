@@ -1,19 +1,21 @@
 #!/bin/bash
-# chain.sh JOB KILLS -- one machine, whose plug is pulled KILLS times; each start finds the disk that the kill before left.
-#
-# kills.sh starts it, with a photo of the machine in build/vm/image-kills/, and adds up what it leaves in
-# build/vm/image-kills/JOB/sums. The first start and the last are whole, with their picture (COLD=1: all are). Of the
-# others each fourth, by lot, loses its power while it starts: at any moment from the check of the disk until coins fall.
-# The rest lose it within a second after a coin that is drawn, too; a round is on then, mostly. It ends at the first thing
-# that is not as it must be, and leaves disk, log and recording as they were. Exit code 0: nothing was.
-# shellcheck disable=SC2154,SC1091,SC2034  # what it sources sets and uses them
+# chain.sh JOB KILLS -- one machine whose power is cut KILLS times. Each start has the disk that
+# the previous power cut left.
+# kills.sh starts this script, with a snapshot of the machine in build/vm/image-kills/, and adds up
+# the results in build/vm/image-kills/JOB/sums. The first and the last start are complete boots
+# with a picture (COLD=1: all starts are). A random quarter of the other starts loses its power
+# during the start, between the check of the disk and the first coin. The rest lose it within a
+# second after a random coin, usually during a round. The script stops at the first error and keeps
+# disk, log and recording. Exit code 0 means that there was no error.
+# shellcheck disable=SC2154,SC1091,SC2034  # the sourced files set and use these variables
 export BUILD=${BUILD:-build}
 job=$1 kills=$2
 . "$(dirname "$0")/plug.sh" "image-kills/$job"
 . "$(dirname "$0")/books.sh"
 photo=$cache/../photo initrd=$cache/../initrd.zst
 seed=$((${SEED:-1} * 100 + job)) limit_s=${VM_SECONDS:-600} coins_max=${COINS:-25} cold=${COLD:-0} lies=${LIES:+lies}
-start_ms=${START_MS:-20000} # From the check of the disk until coins fall; then as it was measured.
+# Time from the check of the disk to the first coin. Replaced by the measured time.
+start_ms=${START_MS:-20000}
 processors=${PROCESSORS:-2}
 failures=0 kill=0 starts_hit=0 rounds_hit=0 refunds=0 told_all=0 looks=0
 RANDOM=$seed
@@ -33,7 +35,7 @@ bad() { # WORDS
 
 now_ms() { date +%s%3N; }
 
-heard() { # A line of the guest's (guest/load.sh)
+heard() { # Handles one line from the guest (guest/load.sh).
     set -- $1
     case ${2-} in
         load)
@@ -56,8 +58,10 @@ pull_in() { # MS
 choose_moment() {
     begins=photo pull_at=$((1 + RANDOM % coins_max)) pull_ms=$((RANDOM % 1000))
     if [ "$cold" != 0 ] || [ "$kill" -eq 1 ] || [ "$kill" -gt "$kills" ]; then
-        begins=whole pull_at=$((pull_at + 20)) # Pictures are slow: so many coins fall until the first is safe.
-        [ "$kill" -le "$kills" ] || pull_at=1  # Nobody will look at what this one did.
+        # Pictures slow the machine down, so this many coins are inserted until the first one is
+        # saved.
+        begins=whole pull_at=$((pull_at + 20))
+        [ "$kill" -le "$kills" ] || pull_at=1  # No later start checks the entries of this start.
     elif [ $((RANDOM % 4)) -eq 0 ]; then
         pull_at=0 pull_ms=$((RANDOM * start_ms / 32768))
     fi
@@ -76,9 +80,10 @@ start_once() {
     keep_shaders
 }
 
-# What this start found, what it said, and what became of its disk when the plug was pulled.
+# Checks the entries that this start found, the entries it reported, and its disk after the power
+# cut.
 judge_start() {
-    found='was pulled before it looked' refunded=0 told_count=0
+    found='lost its power before the check' refunded=0 told_count=0
     if books_found; then
         looks=$((looks + 1))
         found="found entries up to $found_to"
@@ -93,7 +98,7 @@ judge_start() {
 }
 
 when() {
-    if [ "$loading" = 1 ]; then echo "at coin $fallen"; else echo 'as it started'; fi
+    if [ "$loading" = 1 ]; then echo "at coin $fallen"; else echo 'during the start'; fi
 }
 
 tell() {
@@ -106,8 +111,8 @@ cp --sparse=always "$image/kingyo.img" "$base"
 for ((kill = 1; kill <= kills + 1; kill++)); do
     start_once
     lived_ms=$(($(now_ms) - switched_on))
-    [ "$qemu_status" -eq 137 ] || bad "the machine ended by itself, with $qemu_status"
-    [ "$loading" = 1 ] || [ -n "$puller" ] || bad 'it never opened'
+    [ "$qemu_status" -eq 137 ] || bad "the machine ended before the power cut, with $qemu_status"
+    [ "$loading" = 1 ] || [ -n "$puller" ] || bad 'the kiosk did not open'
     judge_start
     [ "$failures" -eq 0 ] || break
     if [ "$kill" -le "$kills" ]; then
@@ -118,7 +123,8 @@ for ((kill = 1; kill <= kills + 1; kill++)); do
     fi
 done
 
-# kills, looks, as it started, rounds open, rounds given back, entries, coins; writes flushed, there, torn, lost; failures
+# Columns: kills, checked starts, kills during a start, open rounds, returned credits, entries,
+# coins; writes flushed, kept, torn, lost; failures.
 made=$((kill - 1 < kills ? kill - 1 : kills))
 coins=$(awk '$4 == 2 { sum += $6 } END { print sum + 0 }' "$cache/sure.txt")
 awk -v said="$made $looks $starts_hit $rounds_hit $refunds $told_all $coins" -v failures="$failures" \

@@ -1,13 +1,12 @@
-# disk.sh -- a machine whose disk is that of `make image BOARD=vm`. Source it with BUILD and a name of one's own, whose
-# folder BUILD/vm/NAME has the logs (run/) and the pictures (shots/).
-#
-# Nothing on the disk is for tests: what they bring comes in a second archive of first files, whose program runs before
-# the disk's own (guest/rdinit), and through a shared folder.
-# shellcheck shell=bash disable=SC2154,SC1091,SC2034,SC2054  # who sources it uses them; commas are QEMU's
+# disk.sh -- a machine with the disk of `make image BOARD=vm`. Source this file with BUILD and a
+# name. BUILD/vm/NAME has the logs (run/) and the pictures (shots/).
+# The disk contains no test files. Test files come in a second initramfs, whose program runs before
+# the disk's own init (guest/rdinit), and through a shared folder.
+# shellcheck shell=bash disable=SC2154,SC1091,SC2034,SC2054  # the sourcing scripts use these variables; QEMU needs the commas
 GUEST=bookworm
 . "$(dirname "${BASH_SOURCE[0]}")/../lib.sh"
 modules_cache=$cache
-shaders=$modules_cache/image-mesa # Compiled by whoever was here before.
+shaders=$modules_cache/image-mesa # Shaders that an earlier machine compiled.
 cache=$BUILD/vm/${1:?a name}
 mkdir -p "$cache"
 cache=$(cd "$cache" && pwd)
@@ -15,12 +14,12 @@ image=$(cd "$BUILD/image/vm" && pwd)
 . "$here/qemu.sh"
 . "$here/judge.sh"
 processors=2
-width=160 height=120 # So small a picture is drawn several times a second, mostly.
+width=160 height=120 # A picture of this size is drawn several times a second.
 disk=$run/disk.img initrd=$cache/initrd.zst
 test_modules='virtio_pci virtio_blk squashfs 9p 9pnet_virtio configfs gpio-sim dummy_hcd libcomposite usb_f_hid usb_f_mass_storage
     usb_f_ecm usb_f_acm'
 
-# Two cables that never leave the machine: our poi's and a stranger's.
+# Two virtual cables: one for our poi, and one for a foreign device.
 make_test_initrd() {
     local folder=$cache/initrd release
     release=$(cat "$modules_cache/kernel/release")
@@ -54,21 +53,21 @@ make_share() { # SCRIPT of guest/ that the guest runs
     [ ! -d "$shaders" ] || cp -r "$shaders" "$share/mesa"
 }
 
-keep_shaders() { # What this machine compiled, the next one need not.
+keep_shaders() { # Keeps the compiled shaders for the next machine.
     [ ! -d "$share/out/mesa" ] || { rm -rf "$shaders"; mv "$share/out/mesa" "$shaders"; }
 }
 
-# As it came from the recipe.
+# Copies the unchanged disk of the image.
 fresh_disk() {
     cp --sparse=always "$image/kingyo.img" "$disk"
 }
 
-disk_words() { # Overridden by who cuts its power.
+disk_words() { # plug.sh overrides this function.
     echo "-drive"
     echo "file=$disk,format=raw,if=virtio"
 }
 
-qemu_words() { # The machine: 2 processors and 1 GiB, as tests/vm/qemu.sh has it.
+qemu_words() { # The machine has 2 processors and 1 GiB, as in tests/vm/qemu.sh.
     printf '%s\n' -nodefaults -no-user-config -display none -smp "$processors" -m 1024 -machine q35 \
         -cpu qemu64,+ssse3,+sse4.1,+sse4.2,+popcnt -kernel "$modules_cache/kernel/image" -initrd "$initrd" \
         -append "$(cat "$image/kernel_words") rdinit=/rdinit loglevel=4 mitigations=off" \

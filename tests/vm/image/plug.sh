@@ -1,14 +1,15 @@
-# plug.sh -- a machine whose plug is pulled: QEMU, which is killed, over a disk that loses what was not flushed (cut.c).
-# Source it with a name as disk.sh wants it.
-#
-# A boot by software takes a minute, of which the store sees the last seconds. So most starts begin from a photo of the
-# machine, taken just before it looks at its data partition (guest/photo.sh): fsck, mount, the check that it keeps, and the
-# stall's own start are done anew each time. Its screen is pulled out then, as a stall must bear it: a processor that has
-# no picture to draw plays in real time, and in the same minutes it falls ten times as often.
-# shellcheck shell=bash disable=SC2154,SC1091,SC2034  # who sources it uses what it sets
+# plug.sh -- a machine whose power is cut: a QEMU process that is killed, on a disk that loses
+# writes that were not flushed (cut.c). Source this file with a name, like disk.sh.
+# An emulated boot takes a minute, and only its last seconds use the database. Most starts
+# therefore begin from a snapshot of the machine before it opens its data partition
+# (guest/photo.sh). The file system check, the mount, the check of the data partition and the start
+# of the kiosk run each time. The snapshot has no screen, which the kiosk must support. A processor
+# that draws no picture plays in real time, so ten times as many power cuts take the same time.
+# shellcheck shell=bash disable=SC2154,SC1091,SC2034  # the sourcing scripts use these variables
 . "$(dirname "${BASH_SOURCE[0]}")/disk.sh" "$1"
 base=$cache/base.img log=$cache/writes.log
-begins=whole # whole; taking: until the photo; photo: from it
+# whole is a complete boot, taking the run until the snapshot, and photo a start from the snapshot.
+begins=whole
 
 disk_words() {
     printf '%s\n' -pidfile "$run/pid" -serial "pipe:$run/go"
@@ -21,8 +22,9 @@ disk_words() {
     [ "$begins" != photo ] || printf '%s\n' -incoming "exec:cat $photo"
 }
 
-# Few fish, and where there is a picture one by softpipe, whose shaders need no compiler. Of a credit for two coins more
-# would be given back than played, until the stall has the 99 that it may and sends coins back.
+# The kiosk has few fish and draws by softpipe, whose shaders need no compiler. A credit costs five
+# coins. With two coins more credits would be returned than played, until the kiosk reaches its
+# limit of 99 credits and rejects coins.
 make_machine() { # SCRIPT of guest/
     make_share "$1"
     sed -i 's/ --fish [0-9]*/ --fish 3/; s/ --coins 2/ --coins 5/' "$share/units/kingyo.service.d/test.conf"
@@ -53,7 +55,8 @@ is_taken() {
 
 is_running() { qmp query-status && tail -1 "$run/qmp.log" | grep -q '"status": "running"'; }
 
-# What is said to a machine that is still being put together is not heard.
+# A machine that is still being restored ignores messages, so this function waits until the machine
+# runs.
 begin_from_photo() {
     within 60 is_running && echo go >"$run/go.in"
 }
@@ -64,7 +67,7 @@ take_photo() { # LIMIT_S
     : >"$share/photo"
     guest_start "$1"
     within "$1" is_posed && qmp migrate "\"uri\":\"exec:cat >$photo\"" && within "$1" is_taken || {
-        echo "kills: no photo of the machine: $(tail -1 "$run/console")"
+        echo "kills: no snapshot of the machine: $(tail -1 "$run/console")"
         return 1
     }
     pull_plug

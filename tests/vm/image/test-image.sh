@@ -1,9 +1,10 @@
 #!/bin/bash
-# test-image.sh -- boots the disk of `make image BOARD=vm` as it ships, drives the stall on it from outside, judges.
-#
-# PARTS ("round screen strangers ends") says what is tried; the lines of other parts are told as not run. Logs and pictures lie in BUILD/vm/image. Exit code 0 when
-# every line of checks.txt passed, else 1.
-# shellcheck disable=SC2154,SC1091,SC2034  # what it sources sets and uses them
+# test-image.sh -- boots the unchanged disk of `make image BOARD=vm`, drives the kiosk from outside
+# and checks the results.
+# PARTS ("round screen strangers ends") selects the parts. Checks of other parts are printed as not
+# run. Logs and pictures are in BUILD/vm/image. Exit code 0 if every line of checks.txt passed,
+# otherwise 1.
+# shellcheck disable=SC2154,SC1091,SC2034  # the sourced files set and use these variables
 export BUILD=${BUILD:-build}
 . "$(dirname "$0")/disk.sh" image
 limit_s=${VM_SECONDS:-900}
@@ -23,14 +24,15 @@ follow() { # RECORDING
     look_pid=$!
 }
 
-# What a stranger types: a coin and the menu of a desk, the end, another console, the machine's end, a reset.
+# Types the keys of an attacker: a coin and the menu of a desktop kiosk, quit, another console, a
+# reboot and a reset.
 type_keys() {
     local keys
     for keys in 5 f2 esc alt-f2 ctrl-alt-f3 ctrl-alt-delete alt-sysrq-b alt-sysrq-k; do
         keyboard "$keys"
         sleep 0.3
     done
-    for _ in 1 2 3 4 5 6 7 8; do # systemd resets at seven in two seconds where it may.
+    for _ in 1 2 3 4 5 6 7 8; do # systemd reboots after seven presses in two seconds if this is enabled.
         keyboard ctrl-alt-delete
     done
     echo '5, F2, Esc, Alt-F2, Ctrl-Alt-F3, Ctrl-Alt-Del (8 times), Alt-SysRq-b and -k' >"$share/keys-done"
@@ -44,7 +46,7 @@ keyboard() { # KEYS, joined by a dash
     qmp send-key "\"keys\":[$words]"
 }
 
-heard() { # A line of the guest's (tests/vm/guest/lib.sh).
+heard() { # Handles one line from the guest (tests/vm/guest/lib.sh).
     set -- $1
     case ${2-} in
         ok | bad) judge "${@:2}" ;;
@@ -54,8 +56,9 @@ heard() { # A line of the guest's (tests/vm/guest/lib.sh).
     printf '       %s\n' "$*"
 }
 
-# What the kernel warned of, but for the other end of a stranger's cable (dummy_hcd, libcomposite): pulled out in the
-# middle of a word it says so, and no stall has that end.
+# Prints kernel warnings except those of the device side of the foreign cable (dummy_hcd,
+# libcomposite). The device side warns if it is unplugged during a transfer, and a real kiosk does
+# not have it.
 warnings() {
     grep -hE 'WARNING: |refcount_t' "${files[@]}" 2>/dev/null | grep -v ' at drivers/usb/gadget/' | head -1 || true
 }

@@ -1,4 +1,5 @@
-/* test_board.c -- the desktop's wiring: whoever holds the poi, the stall can be closed. */
+/* test_board.c -- Tests the keys and the events of the desktop board: the player can close the
+ * stall, and unused events do not fill SDL's queue. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -13,7 +14,7 @@
 
 static struct hal hal;
 
-/* A window without a screen: SDL's own driver for that. */
+/* Opens a window without a screen by SDL's dummy video driver. */
 static int open_with(uint8_t keyboard)
 {
     setenv("SDL_VIDEODRIVER", "offscreen", 1);
@@ -56,7 +57,7 @@ static void push_key(SDL_Keycode code)
     assert_int_equal(SDL_PushEvent(&event), 1);
 }
 
-static void test_in_the_bots_stall_the_keys_still_work(void **state)
+static void test_keys_work_in_the_demo_of_the_bots(void **state)
 {
     (void)state;
     struct button_sample buttons;
@@ -67,7 +68,7 @@ static void test_in_the_bots_stall_the_keys_still_work(void **state)
     assert_int_equal(buttons.pressed, INPUT_START);
 }
 
-static void test_a_mouse_that_nobody_reads_cannot_fill_the_queue(void **state)
+static void test_an_unused_mouse_does_not_fill_the_event_queue(void **state)
 {
     (void)state;
     static const Uint32 types[] = { SDL_MOUSEMOTION, SDL_MOUSEBUTTONDOWN, SDL_MOUSEBUTTONUP,
@@ -77,8 +78,9 @@ static void test_a_mouse_that_nobody_reads_cannot_fill_the_queue(void **state)
     }
 }
 
-/* F is nobody's there: not full screen any more, and there is no fan to hold. */
-static void test_in_the_bots_stall_nobody_holds_a_fan(void **state)
+/* In the demo of the bots the key F has no function: it neither changes to full screen nor holds a
+ * fan. */
+static void test_there_is_no_fan_in_the_demo_of_the_bots(void **state)
 {
     (void)state;
     struct button_sample buttons;
@@ -95,8 +97,9 @@ static void test_in_the_bots_stall_nobody_holds_a_fan(void **state)
     assert_int_equal(buttons.full_screen, 1);
 }
 
-/* Whoever plugs a keyboard into a cabinet has no coins of it, no menu and no way out. */
-static void test_in_a_cabinet_no_key_is_anything(void **state)
+/* A keyboard that is plugged into a cabinet must not insert coins, open the menu or end the
+ * program. */
+static void test_in_a_cabinet_no_key_has_a_function(void **state)
 {
     static const SDL_Keycode keys[] = { SDLK_ESCAPE, SDLK_q,  SDLK_SPACE, SDLK_5,   SDLK_6, SDLK_7,
                                         SDLK_F2,     SDLK_F3, SDLK_F4,    SDLK_F11, SDLK_l };
@@ -110,19 +113,20 @@ static void test_in_a_cabinet_no_key_is_anything(void **state)
     hal.buttons.ops->poll(hal.buttons.self, &buttons);
     assert_memory_equal(&buttons, &nothing, sizeof nothing);
     for (size_t i = 0; i < sizeof types / sizeof types[0]; i++) {
-        assert_int_equal(SDL_EventState(types[i], SDL_QUERY), SDL_IGNORE); /* Fills no queue. */
+        /* An ignored event does not fill the queue. */
+        assert_int_equal(SDL_EventState(types[i], SDL_QUERY), SDL_IGNORE);
     }
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_in_the_bots_stall_the_keys_still_work),
-        cmocka_unit_test(test_a_mouse_that_nobody_reads_cannot_fill_the_queue),
-        cmocka_unit_test(test_in_the_bots_stall_nobody_holds_a_fan),
+        cmocka_unit_test(test_keys_work_in_the_demo_of_the_bots),
+        cmocka_unit_test(test_an_unused_mouse_does_not_fill_the_event_queue),
+        cmocka_unit_test(test_there_is_no_fan_in_the_demo_of_the_bots),
     };
     const struct CMUnitTest in_cabinet[] = {
-        cmocka_unit_test(test_in_a_cabinet_no_key_is_anything),
+        cmocka_unit_test(test_in_a_cabinet_no_key_has_a_function),
     };
     const int failed = cmocka_run_group_tests(tests, open_board, close_board);
     return failed + cmocka_run_group_tests(in_cabinet, open_cabinet, close_board);

@@ -1,6 +1,7 @@
-/* test_board_usb.c -- the whole wiring with a poi on USB: board, transport, decoder, frame loop and
- * game, over the stand's bus. Plugged in while the stall is open it gets the first seat; pulled out
- * in mid-round in any of the ways there are, the round waits and goes on, and no credit is lost. */
+/* test_board_usb.c -- Tests the complete desktop board with a USB poi: board, transport, decoder,
+ * frame loop and game, over a simulated bus. A poi that is plugged in gets the first slot. When a
+ * poi is unplugged during a round, in any order of the bus events, the round pauses and continues,
+ * and no credit is lost. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -19,18 +20,19 @@
 #include "platform/board.h"
 #include "platform/kiosk/kiosk.h"
 #include "tests/unit/support/purse.h"
-#include "tests/unit/support/usb_kinds.h"
+#include "tests/unit/support/usb/usb_fixture.h"
 
 #define FRAME_US 8000
-#define FRAMES_MAX 1500u /* Twelve seconds: a machine that is busy with other tests. */
+#define FRAMES_MAX 1500u /* Twelve seconds, because the machine may be busy with other tests. */
 
 static struct {
     struct storage_sim storage;
     struct hal hal;
+    struct hal real; /* The original devices, with the display and the store of the board. */
     struct kiosk kiosk;
-    uint32_t poi;     /* On the stand; */
-    uint8_t is_in;    /* while it is plugged in ... */
-    uint8_t sequence; /* ... it speaks. */
+    uint32_t poi;     /* Index of the poi on the simulated bus. */
+    uint8_t is_in;    /* 1 while the poi is plugged in. */
+    uint8_t sequence; /* Sequence number of the next report. */
 } stall;
 
 static const struct kiosk_config config = {
@@ -39,7 +41,7 @@ static const struct kiosk_config config = {
 
 static int open_stall_at(const char *folder)
 {
-    stand_begin(NULL);
+    usb_sim_begin(NULL);
     setenv("SDL_VIDEODRIVER", "offscreen", 1);
     const struct board_options options = {
         .poi = BOARD_POI_AUTO,
@@ -51,7 +53,12 @@ static int open_stall_at(const char *folder)
     };
     board_open(&stall.hal, &options);
     stall.is_in = 0;
-    return kiosk_init(&stall.kiosk, &stall.hal, &config);
+    const int result = kiosk_init(&stall.kiosk, &stall.hal, &config);
+    /* The picture is not drawn, because drawing would take longer than all other work. */
+    stall.real = stall.hal;
+    stall.hal.display = null_hal("not drawn").display;
+    stall.hal.storage = storage_sim_device(&stall.storage);
+    return result;
 }
 
 static int open_stall(void **state)
@@ -63,26 +70,28 @@ static int open_stall(void **state)
 static int close_stall(void **state)
 {
     (void)state;
+    stall.hal.display = stall.real.display;
+    stall.hal.storage = stall.real.storage;
     board_close(&stall.hal);
-    assert_int_equal(stand_end(), 0);
-    assert_int_equal(stand_breaches(), 0);
+    assert_int_equal(usb_sim_end(), 0);
+    assert_int_equal(usb_sim_breaches(), 0);
     return 0;
 }
 
 static void plug(void)
 {
-    stall.poi = stand_plug(&bench_poi, 1);
+    stall.poi = usb_sim_plug(&unbound_poi, 1);
     stall.is_in = 1;
 }
 
-static void unplug(enum stand_parting how)
+static void unplug(enum usb_sim_unplug_order how)
 {
     stall.is_in = 0;
-    stand_unplug(stall.poi, how);
+    usb_sim_unplug(stall.poi, how);
 }
 
-/* A hand that hovers over the middle. */
-static void say(void)
+/* Sends the pose of a poi that hovers over the middle of the tank. */
+static void send_pose(void)
 {
     uint8_t bytes[POI_REPORT_SIZE];
     const struct poi_report report = {
@@ -90,20 +99,16 @@ static void say(void)
         .sequence = stall.sequence++,
     };
     poi_report_encode(&report, bytes);
-    stand_report(stall.poi, bytes, sizeof bytes);
+    usb_sim_report(stall.poi, bytes, sizeof bytes);
 }
 
-/* Nothing of it is drawn: the picture would take longer than all the rest. */
 static void frame(void)
 {
-    struct hal hal = stall.hal;
-    hal.display = null_display("not drawn");
-    hal.storage = storage_sim_device(&stall.storage);
     if (stall.is_in) {
-        say();
+        send_pose();
     }
     usleep(FRAME_US);
-    assert_int_equal(kiosk_frame(&stall.kiosk, &hal), KIOSK_RUNS);
+    assert_int_equal(kiosk_frame(&stall.kiosk, &stall.hal), KIOSK_RUNS);
 }
 
 static int sits_on_usb(void)
@@ -143,21 +148,21 @@ static void begin_round(void)
     until(is_held);
 }
 
-static void test_a_poi_that_is_plugged_in_gets_the_first_seat_from_the_mouse(void **state)
+static void test_a_new_poi_gets_the_first_slot_of_the_mouse(void **state)
 {
     (void)state;
     frame();
     assert_false(stall.kiosk.input.poi[0].has_wrist);
-    assert_int_equal(stall.kiosk.input.poi[0].link, POI_SOURCE_LIVE); /* The mouse. */
+    assert_int_equal(stall.kiosk.input.poi[0].link, POI_SOURCE_LIVE); /* The mouse has the slot. */
     plug();
     until(sits_on_usb);
     assert_int_equal(stall.kiosk.input.poi[1].link,
-                     POI_SOURCE_ABSENT); /* Nobody moves the mouse. */
+                     POI_SOURCE_ABSENT); /* The mouse does not move. */
     assert_int_equal(stall.kiosk.faults.poi, 0);
     assert_true(stall.kiosk.report_wait.count > 0);
 }
 
-static void test_in_the_middle_of_a_round_the_mouse_keeps_it(void **state)
+static void test_the_mouse_keeps_its_slot_during_a_round(void **state)
 {
     (void)state;
     begin_round();
@@ -169,27 +174,27 @@ static void test_in_the_middle_of_a_round_the_mouse_keeps_it(void **state)
     assert_true(is_in_round());
 }
 
-static void test_its_hand_is_made_to_feel_the_water(void **state)
+static void test_a_usb_poi_gets_force_output(void **state)
 {
     (void)state;
     plug();
     until(sits_on_usb);
-    for (uint32_t i = 0; i < FRAMES_MAX && stand_seen(stall.poi).outs == 0; i++) {
+    for (uint32_t i = 0; i < FRAMES_MAX && usb_sim_seen(stall.poi).outs == 0; i++) {
         frame();
     }
-    const struct stand_seen seen = stand_seen(stall.poi);
+    const struct usb_sim_seen seen = usb_sim_seen(stall.poi);
     assert_true(seen.outs > 0);
     assert_int_equal(seen.out_size, POI_FEEL_SIZE);
     assert_int_equal(seen.out[0], POI_FEEL_ID);
 }
 
-/* The time is told: from the plug to the frame whose input has it again. */
-static void lose_and_find(enum stand_parting how)
+/* Prints the time from the plug to the frame whose input has the poi again. */
+static void lose_and_find(enum usb_sim_unplug_order how)
 {
     const uint32_t credits = purse_credits(&stall.kiosk.core);
     unplug(how);
-    if (how == STAND_LATE) {
-        stand_announce(stall.poi);
+    if (how == USB_SIM_LATE) {
+        usb_sim_announce(stall.poi);
     }
     until(is_lost);
     assert_false(is_held());
@@ -207,14 +212,14 @@ static void lose_and_find(enum stand_parting how)
     assert_int_equal(purse_credits(&stall.kiosk.core), credits);
 }
 
-static void test_pulled_out_in_mid_round_the_round_waits_and_goes_on(void **state)
+static void test_a_round_pauses_while_the_poi_is_unplugged(void **state)
 {
     (void)state;
     plug();
     until(sits_on_usb);
     begin_round();
     for (uint32_t i = 0; i < 8; i++) {
-        lose_and_find((enum stand_parting)(i % 4u));
+        lose_and_find((enum usb_sim_unplug_order)(i % 4u));
     }
 }
 
@@ -223,20 +228,20 @@ static int mouse_sits(void)
     return stall.kiosk.input.poi[0].link == POI_SOURCE_LIVE && !stall.kiosk.input.poi[0].has_wrist;
 }
 
-/* The mouse must not take over a round that a poi began; after it, it may. */
-static void test_lost_for_good_the_seat_is_the_mouses_in_the_next_game(void **state)
+/* The mouse must not take over a round that a poi began. After the round it may. */
+static void test_the_mouse_gets_the_slot_of_an_absent_poi_in_the_next_game(void **state)
 {
     (void)state;
     plug();
     until(sits_on_usb);
     begin_round();
-    unplug(STAND_GONE);
+    unplug(USB_SIM_GONE);
     until(is_lost);
     for (uint32_t i = 0; i < 50; i++) {
         frame();
         assert_true(is_lost());
     }
-    stall.kiosk.core.game.phase = PHASE_ATTRACT; /* As after a minute. */
+    stall.kiosk.core.game.phase = PHASE_ATTRACT; /* The phase is that of one minute later. */
     stall.kiosk.output.phase = PHASE_ATTRACT;
     until(mouse_sits);
 }
@@ -246,9 +251,9 @@ static void hint_is(const char *text)
     assert_string_equal(SDL_GetHint(SDL_HINT_GAMECONTROLLER_IGNORE_DEVICES), text);
 }
 
-/* From the moment that SDL first looks, and as long as nobody takes the choice back; whom a serial
- * number names is no reason to shut out the others of its kind. */
-static void test_what_was_chosen_yesterday_is_barred_from_sdl_from_the_start(void **state)
+/* The device is excluded from the first poll of SDL on, until the operator releases it. A device
+ * with a serial number does not exclude other devices of its kind. */
+static void test_a_stored_choice_is_excluded_from_sdl_at_the_start(void **state)
 {
     (void)state;
     char folder[] = "/tmp/kingyo-board-XXXXXX", command[64], path[64];
@@ -272,18 +277,17 @@ static void test_what_was_chosen_yesterday_is_barred_from_sdl_from_the_start(voi
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(
-            test_a_poi_that_is_plugged_in_gets_the_first_seat_from_the_mouse, open_stall,
-            close_stall),
-        cmocka_unit_test_setup_teardown(test_in_the_middle_of_a_round_the_mouse_keeps_it,
-                                        open_stall, close_stall),
-        cmocka_unit_test_setup_teardown(test_its_hand_is_made_to_feel_the_water, open_stall,
+        cmocka_unit_test_setup_teardown(test_a_new_poi_gets_the_first_slot_of_the_mouse, open_stall,
                                         close_stall),
-        cmocka_unit_test_setup_teardown(test_pulled_out_in_mid_round_the_round_waits_and_goes_on,
-                                        open_stall, close_stall),
-        cmocka_unit_test_setup_teardown(test_lost_for_good_the_seat_is_the_mouses_in_the_next_game,
-                                        open_stall, close_stall),
-        cmocka_unit_test(test_what_was_chosen_yesterday_is_barred_from_sdl_from_the_start),
+        cmocka_unit_test_setup_teardown(test_the_mouse_keeps_its_slot_during_a_round, open_stall,
+                                        close_stall),
+        cmocka_unit_test_setup_teardown(test_a_usb_poi_gets_force_output, open_stall, close_stall),
+        cmocka_unit_test_setup_teardown(test_a_round_pauses_while_the_poi_is_unplugged, open_stall,
+                                        close_stall),
+        cmocka_unit_test_setup_teardown(
+            test_the_mouse_gets_the_slot_of_an_absent_poi_in_the_next_game, open_stall,
+            close_stall),
+        cmocka_unit_test(test_a_stored_choice_is_excluded_from_sdl_at_the_start),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,5 @@
-/* test_attitude.c -- turns against the world's own axes, and a filter against what is true. */
+/* test_attitude.c -- Tests the rotation functions against the core's angles, and the attitude
+ * filter against the true attitude. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -24,7 +25,7 @@ static void assert_near(struct angles a, struct angles b, float rad)
     assert_true(f_abs(f_wrap_angle(a.roll_rad - b.roll_rad)) < rad);
 }
 
-/* What an accelerometer at rest says: the push that holds it up. */
+/* Returns the acceleration that an accelerometer at rest measures. */
 static vec3 held_up(struct angles angles)
 {
     const struct basis axes = vec_basis_from_angles(angles);
@@ -39,7 +40,7 @@ static vec3 turned(struct quaternion q, vec3 v)
     return v3(r.x, r.y, r.z);
 }
 
-static void test_a_quaternion_turns_as_the_cores_angles_do(void **state)
+static void test_a_quaternion_rotates_like_the_angles_of_the_core(void **state)
 {
     (void)state;
     for (uint32_t n = 0; n < 2000; n++) {
@@ -54,7 +55,7 @@ static void test_a_quaternion_turns_as_the_cores_angles_do(void **state)
     }
 }
 
-static void test_at_rest_gravity_alone_tells_pitch_and_roll(void **state)
+static void test_pitch_and_roll_at_rest_follow_from_gravity(void **state)
 {
     (void)state;
     const struct angles slants[] = {
@@ -71,7 +72,7 @@ static void test_at_rest_gravity_alone_tells_pitch_and_roll(void **state)
     }
 }
 
-static void test_a_hand_that_swings_for_a_minute_is_followed_within_two_degrees(void **state)
+static void test_a_swinging_poi_is_tracked_within_two_degrees_for_a_minute(void **state)
 {
     (void)state;
     struct attitude attitude = { 0 };
@@ -85,7 +86,7 @@ static void test_a_hand_that_swings_for_a_minute_is_followed_within_two_degrees(
         const struct quaternion back = { before.w, -before.x, -before.y, -before.z };
         const struct quaternion d = attitude_quaternion_product(back, q);
         const vec3 rate = n == 0 ? v3(0, 0, 0) : v3_scale(v3(d.x, d.y, d.z), 2.0f / DT_S);
-        /* A hand shakes: 1 m/s^2 to and fro, and a chip's bias that nobody calibrated. */
+        /* A trembling hand adds 1 m/s^2, and the uncalibrated chip has a bias. */
         vec3 pull = v3_add(held_up(truth), v3(f_sin(19.0f * t), 0.0f, f_sin(23.0f * t)));
         attitude_add_motion(&attitude, v3_add(rate, v3(0.01f, 0.0f, -0.01f)), pull, DT_S);
         before = q;
@@ -97,7 +98,7 @@ static void test_a_hand_that_swings_for_a_minute_is_followed_within_two_degrees(
     assert_true(worst_rad < 2.0f * F_DEG);
 }
 
-static void test_a_gyroscope_that_lies_still_learns_its_own_bias(void **state)
+static void test_a_gyroscope_at_rest_estimates_its_bias(void **state)
 {
     (void)state;
     struct attitude attitude = { 0 };
@@ -110,12 +111,13 @@ static void test_a_gyroscope_that_lies_still_learns_its_own_bias(void **state)
     for (uint32_t n = 0; n < 15000; n++) {
         attitude_add_motion(&attitude, bias, v3(0, GRAVITY_M_S2, 0), DT_S);
     }
-    /* A minute later: without it the heading had gone 103 degrees. */
+    /* The drift is measured after a minute. Without the correction the heading would drift by 103
+     * degrees. */
     const float drift_rad = attitude_angles(&attitude, 0.0f, DT_S).yaw_rad - yaw_rad;
     assert_true(f_abs(f_wrap_angle(drift_rad)) < 0.5f * F_DEG);
 }
 
-static void test_a_hand_that_turns_slowly_is_not_taken_for_a_bias(void **state)
+static void test_a_slow_rotation_is_not_taken_for_a_bias(void **state)
 {
     (void)state;
     struct attitude attitude = { 0 };
@@ -123,11 +125,11 @@ static void test_a_hand_that_turns_slowly_is_not_taken_for_a_bias(void **state)
         attitude_add_motion(&attitude, v3(0, 0.08f, 0), v3(0, GRAVITY_M_S2, 0), DT_S);
     }
     assert_true(v3_length(attitude.bias_rad_s) < 1e-6f);
-    /* The first heading that is asked for counts as straight ahead. */
+    /* The first heading that is read becomes straight ahead. */
     assert_float_equal(attitude_angles(&attitude, 0.0f, DT_S).yaw_rad, 0.0f, 1e-3f);
 }
 
-static void test_the_heading_leaks_to_straight_ahead_and_nothing_else_does(void **state)
+static void test_only_the_heading_decays_to_straight_ahead(void **state)
 {
     (void)state;
     struct attitude attitude = { 0 };
@@ -136,7 +138,7 @@ static void test_the_heading_leaks_to_straight_ahead_and_nothing_else_does(void 
     attitude_set(&attitude, attitude_quaternion_of_angles((struct angles){ 2.5f, 0.3f, -0.2f }));
     assert_float_equal(attitude_angles(&attitude, 30.0f, DT_S).yaw_rad, 0.5f, 1e-2f);
     struct angles found = { 0 };
-    for (uint32_t n = 0; n < 7500; n++) { /* 30 s: 1/e is left. */
+    for (uint32_t n = 0; n < 7500; n++) { /* After 30 s the heading has decayed to 1/e. */
         found = attitude_angles(&attitude, 30.0f, DT_S);
     }
     assert_float_equal(found.yaw_rad, 0.5f * 0.36788f, 2e-3f);
@@ -144,7 +146,7 @@ static void test_the_heading_leaks_to_straight_ahead_and_nothing_else_does(void 
     assert_float_equal(found.roll_rad, -0.2f, 1e-3f);
 }
 
-static void test_no_number_and_free_fall_change_nothing(void **state)
+static void test_values_that_are_not_finite_and_free_fall_change_nothing(void **state)
 {
     (void)state;
     struct attitude attitude = { 0 };
@@ -164,13 +166,13 @@ static void test_no_number_and_free_fall_change_nothing(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_quaternion_turns_as_the_cores_angles_do),
-        cmocka_unit_test(test_at_rest_gravity_alone_tells_pitch_and_roll),
-        cmocka_unit_test(test_a_hand_that_swings_for_a_minute_is_followed_within_two_degrees),
-        cmocka_unit_test(test_a_gyroscope_that_lies_still_learns_its_own_bias),
-        cmocka_unit_test(test_a_hand_that_turns_slowly_is_not_taken_for_a_bias),
-        cmocka_unit_test(test_the_heading_leaks_to_straight_ahead_and_nothing_else_does),
-        cmocka_unit_test(test_no_number_and_free_fall_change_nothing),
+        cmocka_unit_test(test_a_quaternion_rotates_like_the_angles_of_the_core),
+        cmocka_unit_test(test_pitch_and_roll_at_rest_follow_from_gravity),
+        cmocka_unit_test(test_a_swinging_poi_is_tracked_within_two_degrees_for_a_minute),
+        cmocka_unit_test(test_a_gyroscope_at_rest_estimates_its_bias),
+        cmocka_unit_test(test_a_slow_rotation_is_not_taken_for_a_bias),
+        cmocka_unit_test(test_only_the_heading_decays_to_straight_ahead),
+        cmocka_unit_test(test_values_that_are_not_finite_and_free_fall_change_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

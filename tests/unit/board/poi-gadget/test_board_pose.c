@@ -1,4 +1,5 @@
-/* test_board_pose.c -- a hand, its sensors' twin and the decoder: what goes in comes out. */
+/* test_board_pose.c -- Tests that the pose that the decoder reads equals the pose that was given to
+ * the simulated sensors. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -7,7 +8,7 @@
 
 #include <cmocka.h>
 
-#include "board/poi-gadget/board_pose.h"
+#include "board/poi-gadget/attitude.h"
 #include "board/poi-gadget/sensor_twin.h"
 
 #define DT_S 0.004f
@@ -23,7 +24,7 @@ static int fresh(void **state)
     return 0;
 }
 
-static void test_a_pose_goes_through_every_way_to_mount_a_chip_that_fuses(void **state)
+static void test_a_fused_pose_is_correct_for_every_mounting_of_the_chip(void **state)
 {
     (void)state;
     static const char *const ways[] = { "imu_axes = +x +y +z", "imu_axes = +x +z -y",
@@ -55,11 +56,12 @@ static void test_a_pose_goes_through_every_way_to_mount_a_chip_that_fuses(void *
 }
 
 struct errors {
-    float rest_m, rest_speed_m_s; /* While the hand keeps still. */
+    float rest_m, rest_speed_m_s; /* The errors while the poi is at rest. */
     float moving_m, turn_rad;
 };
 
-/* A minute of scoops: how far what is reported is from where the ring is. */
+/* Runs a minute of simulated scoops. Returns the differences between the reported and the true
+ * pose. */
 static struct errors scoop_for_a_minute(uint8_t fuses, float noise_steps, vec3 bias)
 {
     struct errors worst = { 0 };
@@ -76,7 +78,7 @@ static struct errors scoop_for_a_minute(uint8_t fuses, float noise_steps, vec3 b
         sensor_twin_step(&twin, &hand, DT_S, &readings);
         board_pose_step(&pose, &readings, DT_S, &out);
         const float off_m = v3_length(v3_sub(out.target.position_m, hand.target.position_m));
-        const int rests = n < 225; /* The first stroke goes from its end to its end. */
+        const int rests = n < 225; /* The first stroke moves from end to end. */
         if (rests && n > 25) {
             const vec3 step_m = v3_sub(out.target.position_m, before.target.position_m);
             worst.rest_m = f_max(worst.rest_m, off_m);
@@ -96,17 +98,17 @@ static struct errors scoop_for_a_minute(uint8_t fuses, float noise_steps, vec3 b
     return worst;
 }
 
-static void test_scoops_with_a_chip_that_fuses_are_told_within_a_centimetre(void **state)
+static void test_scoops_with_sensor_fusion_are_reported_within_1_cm(void **state)
 {
     (void)state;
     const struct errors worst = scoop_for_a_minute(1, 1.5f, v3(0, 0, 0));
     assert_true(worst.rest_m < 0.0005f);
     assert_true(worst.rest_speed_m_s < 0.03f);
-    assert_true(worst.moving_m < 0.010f); /* The lag of a filter at half a metre a second. */
+    assert_true(worst.moving_m < 0.010f); /* The limit includes the lag of a filter at 0.5 m/s. */
     assert_true(worst.turn_rad < 0.5f * F_DEG);
 }
 
-static void test_scoops_with_a_cheap_chip_are_told_within_five_degrees(void **state)
+static void test_scoops_with_a_cheap_chip_are_reported_within_5_degrees(void **state)
 {
     (void)state;
     const struct errors worst = scoop_for_a_minute(0, 1.5f, v3(0.005f, -0.005f, 0.005f));
@@ -115,7 +117,7 @@ static void test_scoops_with_a_cheap_chip_are_told_within_five_degrees(void **st
     assert_true(worst.turn_rad < 5.0f * F_DEG);
 }
 
-static void test_a_torn_wire_is_no_place_and_a_mended_one_is_at_once(void **state)
+static void test_a_torn_wire_gives_no_position_until_it_is_repaired(void **state)
 {
     (void)state;
     const struct poi_report hand = { .target.position_m = { 0.1f, 0.0f, 0.05f } };
@@ -127,16 +129,16 @@ static void test_a_torn_wire_is_no_place_and_a_mended_one_is_at_once(void **stat
     board_pose_init(&pose, &config);
     sensor_twin_step(&twin, &hand, DT_S, &readings);
     const float whole = readings.wire[1];
-    readings.wire[1] = 0.0f; /* Its spring pulled it all in. */
+    readings.wire[1] = 0.0f; /* The spring of the torn wire has wound it completely. */
     board_pose_step(&pose, &readings, DT_S, &out);
     poi_report_encode(&out, bytes);
-    assert_false(poi_report_decode(bytes, sizeof bytes, &out)); /* The host is told: no value. */
+    assert_false(poi_report_decode(bytes, sizeof bytes, &out)); /* The report has no position. */
     readings.wire[1] = whole;
     board_pose_step(&pose, &readings, DT_S, &out);
     assert_true(v3_length(v3_sub(out.target.position_m, hand.target.position_m)) < 0.001f);
 }
 
-static void test_a_scoop_dips_and_tips_over_the_bowl_and_never_leaves_the_tank(void **state)
+static void test_a_simulated_scoop_dips_tips_and_stays_over_the_tank(void **state)
 {
     (void)state;
     struct scoop scoop = { 0 };
@@ -148,13 +150,14 @@ static void test_a_scoop_dips_and_tips_over_the_bowl_and_never_leaves_the_tank(v
         dips += was_m.y > -0.01f && at_m.y <= -0.01f;
         tips += before.target.angles.roll_rad < 0.9f && hand.target.angles.roll_rad >= 0.9f;
         starts += (hand.buttons & ~before.buttons & POI_BUTTON_START) != 0;
-        if (hand.target.angles.roll_rad > 0.9f) { /* Within the mouth of the first bowl. */
+        if (hand.target.angles.roll_rad > 0.9f) { /* The poi is within the opening of the first
+                                                     bowl. */
             assert_true(v3_length(v3_sub(v3(at_m.x, 0, at_m.z), v3(0.335f, 0, 0.185f))) < 0.08f);
             assert_true(at_m.y > 0.04f && at_m.y < 0.10f);
         }
         assert_true(f_abs(at_m.x) < 0.38f && f_abs(at_m.z) < 0.23f);
         assert_true(at_m.y > -0.08f && at_m.y < 0.2f);
-        if (n > 0) { /* No faster than an arm (core/game/control/input_validation.h). */
+        if (n > 0) { /* The speed is at most that of an arm (core/game/control/input_pose.h). */
             assert_true(v3_length(v3_sub(at_m, was_m)) / DT_S < 2.0f);
         }
         before = hand;
@@ -166,13 +169,11 @@ static void test_a_scoop_dips_and_tips_over_the_bowl_and_never_leaves_the_tank(v
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(test_a_pose_goes_through_every_way_to_mount_a_chip_that_fuses,
-                               fresh),
-        cmocka_unit_test_setup(test_scoops_with_a_chip_that_fuses_are_told_within_a_centimetre,
-                               fresh),
-        cmocka_unit_test_setup(test_scoops_with_a_cheap_chip_are_told_within_five_degrees, fresh),
-        cmocka_unit_test_setup(test_a_torn_wire_is_no_place_and_a_mended_one_is_at_once, fresh),
-        cmocka_unit_test(test_a_scoop_dips_and_tips_over_the_bowl_and_never_leaves_the_tank),
+        cmocka_unit_test_setup(test_a_fused_pose_is_correct_for_every_mounting_of_the_chip, fresh),
+        cmocka_unit_test_setup(test_scoops_with_sensor_fusion_are_reported_within_1_cm, fresh),
+        cmocka_unit_test_setup(test_scoops_with_a_cheap_chip_are_reported_within_5_degrees, fresh),
+        cmocka_unit_test_setup(test_a_torn_wire_gives_no_position_until_it_is_repaired, fresh),
+        cmocka_unit_test(test_a_simulated_scoop_dips_tips_and_stays_over_the_tank),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,5 @@
-/* test_draw_wires.c -- three lengths into a point and back, and lengths that are of no point. */
+/* test_draw_wires.c -- Tests the position that is computed from the lengths of three draw wires,
+ * and the rejection of lengths without a position. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -10,7 +11,7 @@
 #include "board/poi-gadget/draw_wires.h"
 #include "core/base/rng.h"
 
-/* Over the festival tank, as poi.conf hangs them. */
+/* Positions of the spools over the festival tank, as in poi.conf. */
 static const vec3 stall_m[3] = { { -0.45f, 0.75f, -0.30f },
                                  { 0.45f, 0.75f, -0.30f },
                                  { 0.0f, 0.75f, 0.35f } };
@@ -20,14 +21,15 @@ static float drawn(uint32_t n, uint32_t what, float low, float high)
     return rng_range((struct rng_key){ 11, n, what, RNG_TEST }, low, high);
 }
 
-/* Wherever a hand plays: beyond the walls by 10 cm, from the floor to 30 cm over the water. */
+/* Returns position `n` of the playing area: up to 10 cm beyond the walls, from the floor to 30 cm
+ * above the water. */
 static vec3 place_m(uint32_t n)
 {
     return v3(drawn(n, 0, -0.525f, 0.525f), drawn(n, 1, -0.12f, 0.30f),
               drawn(n, 2, -0.375f, 0.375f));
 }
 
-static void test_the_wires_lengths_give_back_the_place(void **state)
+static void test_the_position_follows_from_the_wire_lengths(void **state)
 {
     (void)state;
     for (uint32_t n = 0; n < 5000; n++) {
@@ -40,7 +42,7 @@ static void test_the_wires_lengths_give_back_the_place(void **state)
     }
 }
 
-static void test_spools_that_hang_at_odd_heights_in_any_order_do_as_well(void **state)
+static void test_spools_at_any_heights_and_in_any_order_give_the_position(void **state)
 {
     (void)state;
     const vec3 a_m = { 0.1f, 0.9f, 0.4f }, b_m = { -0.5f, 0.7f, 0.0f }, c_m = { 0.4f, 0.6f, -0.3f };
@@ -56,7 +58,7 @@ static void test_spools_that_hang_at_odd_heights_in_any_order_do_as_well(void **
     }
 }
 
-static void test_a_step_of_a_converter_moves_the_place_by_about_a_millimetre(void **state)
+static void test_one_converter_count_moves_the_position_by_about_1_mm(void **state)
 {
     (void)state;
     float worst_m = 0.0f;
@@ -76,7 +78,7 @@ static void test_a_step_of_a_converter_moves_the_place_by_about_a_millimetre(voi
     assert_true(worst_m < 0.0012f);
 }
 
-static void test_what_is_no_place_is_refused_and_the_last_place_kept(void **state)
+static void test_impossible_lengths_are_rejected_and_the_position_is_kept(void **state)
 {
     (void)state;
     const float nan = __builtin_nanf("");
@@ -88,9 +90,11 @@ static void test_what_is_no_place_is_refused_and_the_last_place_kept(void **stat
         { { 0.8f, 0.0f, 0.8f }, DRAW_WIRES_LENGTH },
         { { 0.8f, 0.8f, -0.1f }, DRAW_WIRES_LENGTH },
         { { 0.8f, 0.8f, 3.0f }, DRAW_WIRES_LENGTH },
-        { { 0.30f, 0.30f, 0.8f }, DRAW_WIRES_APART }, /* Two ends 90 cm apart cannot touch. */
+        { { 0.30f, 0.30f, 0.8f }, DRAW_WIRES_APART }, /* Two wires cannot meet if their spools
+                                                         are 90 cm apart. */
         { { 0.40f, 0.40f, 0.40f }, DRAW_WIRES_APART },
-        { { 0.5431f, 0.5431f, 0.3536f }, DRAW_WIRES_HIGH }, /* 5 cm under the spools. */
+        { { 0.5431f, 0.5431f, 0.3536f }, DRAW_WIRES_HIGH }, /* The position is 5 cm below the
+                                                               spools. */
     };
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         vec3 kept_m = { 7, 7, 7 };
@@ -100,7 +104,7 @@ static void test_what_is_no_place_is_refused_and_the_last_place_kept(void **stat
     }
 }
 
-static void test_spools_in_a_row_or_on_a_wall_cannot_tell(void **state)
+static void test_collinear_or_upright_spools_are_rejected(void **state)
 {
     (void)state;
     const vec3 row_m[3] = { { -0.4f, 0.7f, 0 }, { 0, 0.7f, 0.01f }, { 0.4f, 0.7f, 0 } };
@@ -115,11 +119,11 @@ static void test_spools_in_a_row_or_on_a_wall_cannot_tell(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_the_wires_lengths_give_back_the_place),
-        cmocka_unit_test(test_spools_that_hang_at_odd_heights_in_any_order_do_as_well),
-        cmocka_unit_test(test_a_step_of_a_converter_moves_the_place_by_about_a_millimetre),
-        cmocka_unit_test(test_what_is_no_place_is_refused_and_the_last_place_kept),
-        cmocka_unit_test(test_spools_in_a_row_or_on_a_wall_cannot_tell),
+        cmocka_unit_test(test_the_position_follows_from_the_wire_lengths),
+        cmocka_unit_test(test_spools_at_any_heights_and_in_any_order_give_the_position),
+        cmocka_unit_test(test_one_converter_count_moves_the_position_by_about_1_mm),
+        cmocka_unit_test(test_impossible_lengths_are_rejected_and_the_position_is_kept),
+        cmocka_unit_test(test_collinear_or_upright_spools_are_rejected),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

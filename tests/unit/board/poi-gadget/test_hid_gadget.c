@@ -1,4 +1,5 @@
-/* test_hid_gadget.c -- the poi's side of the cable, against the other end of a socket. */
+/* test_hid_gadget.c -- Tests the poi's end of the USB connection against the other end of a
+ * socket. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -16,7 +17,7 @@
 static struct hid_gadget gadget;
 static int host;
 
-/* A socket of packets keeps reports apart, as the function does. */
+/* Opens a packet socket, which keeps reports separate like the USB function. */
 static int plug_in(void **state)
 {
     (void)state;
@@ -36,7 +37,7 @@ static int pull_out(void **state)
     return 0;
 }
 
-static void test_reports_that_leave_are_numbered_and_those_that_do_not_are_not(void **state)
+static void test_only_reports_that_were_sent_get_a_sequence_number(void **state)
 {
     (void)state;
     const struct poi_report report = { .target.position_m = { 0.1f, 0.2f, 0.3f } };
@@ -44,7 +45,7 @@ static void test_reports_that_leave_are_numbered_and_those_that_do_not_are_not(v
     uint8_t bytes[64];
     uint32_t sent = 0;
     while (sent < 100000 && hid_gadget_send(&gadget, &report)) {
-        sent++; /* Until the host, who does not fetch them, has no room for more. */
+        sent++; /* Sends reports until the buffer of the host, which reads none, is full. */
     }
     assert_true(sent > 1 && sent < 100000);
     assert_int_equal(gadget.sent_count, sent);
@@ -54,19 +55,20 @@ static void test_reports_that_leave_are_numbered_and_those_that_do_not_are_not(v
         assert_true(poi_report_decode(bytes, POI_REPORT_SIZE, &got));
         assert_int_equal(got.sequence, i & 255u);
     }
-    assert_true(hid_gadget_send(&gadget, &report)); /* No gap: what was skipped was no report. */
+    assert_true(hid_gadget_send(&gadget, &report)); /* The numbers have no gap, because a skipped
+                                                       report gets no number. */
     assert_int_equal(read(host, bytes, sizeof bytes), POI_REPORT_SIZE);
     assert_int_equal(bytes[1], sent & 255u);
 }
 
-static void test_the_newest_feeling_counts_and_what_is_none_is_refused(void **state)
+static void test_the_newest_output_report_is_used_and_invalid_ones_are_rejected(void **state)
 {
     (void)state;
     uint8_t bytes[POI_FEEL_SIZE];
     struct poi_force force = { 0 };
     assert_false(hid_gadget_feel(&gadget, &force));
     for (uint32_t i = 1; i <= 3; i++) {
-        poi_feel_encode(&(struct poi_force){ .slap = 0.2f * (float)i }, (uint8_t)i, bytes);
+        poi_force_encode(&(struct poi_force){ .slap = 0.2f * (float)i }, (uint8_t)i, bytes);
         assert_int_equal(write(host, bytes, sizeof bytes), sizeof bytes);
     }
     assert_int_equal(write(host, "nonsense", 8), 8);
@@ -77,13 +79,14 @@ static void test_the_newest_feeling_counts_and_what_is_none_is_refused(void **st
     assert_false(hid_gadget_feel(&gadget, &force));
 }
 
-static void test_a_function_that_was_taken_away_is_let_go(void **state)
+static void test_a_removed_usb_function_is_closed(void **state)
 {
     (void)state;
     const struct poi_report report = { 0 };
     close(host);
     host = -1;
-    assert_false(hid_gadget_send(&gadget, &report)); /* EPIPE: no signal, as run() has it. */
+    assert_false(hid_gadget_send(&gadget, &report)); /* The write fails with EPIPE. SIGPIPE is
+                                                        ignored, as in run(). */
     assert_int_equal(gadget.fd, -1);
     assert_false(hid_gadget_open(&gadget));
     assert_false(hid_gadget_send(&gadget, &report));
@@ -95,12 +98,11 @@ int main(void)
 {
     signal(SIGPIPE, SIG_IGN);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(
-            test_reports_that_leave_are_numbered_and_those_that_do_not_are_not, plug_in, pull_out),
-        cmocka_unit_test_setup_teardown(test_the_newest_feeling_counts_and_what_is_none_is_refused,
+        cmocka_unit_test_setup_teardown(test_only_reports_that_were_sent_get_a_sequence_number,
                                         plug_in, pull_out),
-        cmocka_unit_test_setup_teardown(test_a_function_that_was_taken_away_is_let_go, plug_in,
-                                        pull_out),
+        cmocka_unit_test_setup_teardown(
+            test_the_newest_output_report_is_used_and_invalid_ones_are_rejected, plug_in, pull_out),
+        cmocka_unit_test_setup_teardown(test_a_removed_usb_function_is_closed, plug_in, pull_out),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

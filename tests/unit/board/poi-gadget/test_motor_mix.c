@@ -1,4 +1,5 @@
-/* test_motor_mix.c -- blows that die away, a rattle, and a host that falls silent. */
+/* test_motor_mix.c -- Tests the motor level that is mixed from drag, decaying impacts and the
+ * rattle of a tear, and the timeout of the host. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -11,7 +12,7 @@
 
 #define DT_S 0.004f
 
-static void test_drag_hums_and_leaves_room_for_a_blow(void **state)
+static void test_drag_leaves_room_for_an_impact(void **state)
 {
     (void)state;
     struct motor_mix mix = { 0 };
@@ -22,7 +23,7 @@ static void test_drag_hums_and_leaves_room_for_a_blow(void **state)
     assert_float_equal(motor_mix_step(&mix, &drag, DT_S).light, 1.0f, 0.1f);
 }
 
-static void test_a_slap_dies_away_in_its_time(void **state)
+static void test_an_impact_decays_with_its_time_constant(void **state)
 {
     (void)state;
     struct motor_mix mix = { 0 };
@@ -34,24 +35,25 @@ static void test_a_slap_dies_away_in_its_time(void **state)
         assert_true(next < level);
         level = next;
     }
-    assert_float_equal(level, 0.8f * 0.36788f, 1e-3f); /* 60 ms later 1/e is left. */
+    assert_float_equal(level, 0.8f * 0.36788f, 1e-3f); /* After 60 ms the impact has decayed to
+                                                          1/e. */
 }
 
-static void test_a_tear_rattles_as_paper_does(void **state)
+static void test_a_tear_gives_a_rattle(void **state)
 {
     (void)state;
     struct motor_mix mix = { 0 };
     const struct poi_force tear = { .tear = 1.0f };
     uint32_t turns = 0, on = motor_mix_step(&mix, &tear, DT_S).motor > 0.0f;
-    for (uint32_t n = 1; n < 100; n++) { /* 0.4 s. */
+    for (uint32_t n = 1; n < 100; n++) { /* The loop runs 0.4 s. */
         const uint32_t now = motor_mix_step(&mix, &tear, DT_S).motor > 0.0f;
         turns += now != on;
         on = now;
     }
-    assert_in_range(turns, 18, 20); /* 25 Hz on and off. */
+    assert_in_range(turns, 18, 20); /* The rattle switches on and off at 25 Hz. */
 }
 
-static void test_a_host_that_falls_silent_leaves_the_motor_at_rest(void **state)
+static void test_the_motor_stops_after_the_host_timeout(void **state)
 {
     (void)state;
     struct motor_mix mix = { 0 };
@@ -67,7 +69,7 @@ static void test_a_host_that_falls_silent_leaves_the_motor_at_rest(void **state)
     assert_float_equal(levels.motor, 0.0f, 1e-3f);
 }
 
-static void test_numbers_beyond_all_bounds_stay_within_the_motor(void **state)
+static void test_extreme_values_are_clamped_to_the_motor_range(void **state)
 {
     (void)state;
     struct motor_mix mix = { 0 };
@@ -82,11 +84,11 @@ static void test_numbers_beyond_all_bounds_stay_within_the_motor(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_drag_hums_and_leaves_room_for_a_blow),
-        cmocka_unit_test(test_a_slap_dies_away_in_its_time),
-        cmocka_unit_test(test_a_tear_rattles_as_paper_does),
-        cmocka_unit_test(test_a_host_that_falls_silent_leaves_the_motor_at_rest),
-        cmocka_unit_test(test_numbers_beyond_all_bounds_stay_within_the_motor),
+        cmocka_unit_test(test_drag_leaves_room_for_an_impact),
+        cmocka_unit_test(test_an_impact_decays_with_its_time_constant),
+        cmocka_unit_test(test_a_tear_gives_a_rattle),
+        cmocka_unit_test(test_the_motor_stops_after_the_host_timeout),
+        cmocka_unit_test(test_extreme_values_are_clamped_to_the_motor_range),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

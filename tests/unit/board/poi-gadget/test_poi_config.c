@@ -1,4 +1,4 @@
-/* test_poi_config.c -- the text that says how a poi was built. */
+/* test_poi_config.c -- Tests the parser of the configuration file of a poi. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -18,7 +18,7 @@ static int fresh(void **state)
     return 0;
 }
 
-static int says(const char *line)
+static int read_line(const char *line)
 {
     const char *why = NULL;
     const int result = poi_config_line(&config, line, &why);
@@ -26,30 +26,30 @@ static int says(const char *line)
     return result;
 }
 
-static void test_each_line_sets_what_it_names(void **state)
+static void test_each_line_sets_its_option(void **state)
 {
     (void)state;
-    assert_int_equal(says("  adc =\tads1115   # a remark\n"), 1);
+    assert_int_equal(read_line("  adc =\tads1115   # a remark\n"), 1);
     assert_string_equal(config.adc, "ads1115");
-    assert_int_equal(says("spool2 = 5  450 750 -300"), 1);
+    assert_int_equal(read_line("spool2 = 5  450 750 -300"), 1);
     assert_int_equal(config.channel[1], 5);
     assert_float_equal(config.spool_m[1].z, -0.3f, 1e-6f);
-    assert_int_equal(says("wire3=251.5 0.2441"), 1);
+    assert_int_equal(read_line("wire3=251.5 0.2441"), 1);
     assert_float_equal(config.zero_m[2], 0.2515f, 1e-6f);
     assert_float_equal(config.step_m[2], 0.0002441f, 1e-9f);
-    assert_int_equal(says("imu_axes = +x +z -y"), 1);
+    assert_int_equal(read_line("imu_axes = +x +z -y"), 1);
     assert_float_equal(config.imu_row[2].y, -1.0f, 0.0f);
-    assert_int_equal(says("motor = 0 1 200 0.25"), 1);
+    assert_int_equal(read_line("motor = 0 1 200 0.25"), 1);
     assert_int_equal(config.pwm_channel, 1);
-    assert_int_equal(says("motor = none"), 1);
+    assert_int_equal(read_line("motor = none"), 1);
     assert_int_equal(config.pwm_chip, -1);
-    assert_int_equal(says("mark = 1 2 3"), 1);
+    assert_int_equal(read_line("mark = 1 2 3"), 1);
     assert_int_equal(config.mark_count, 1);
-    assert_int_equal(says(""), 0);
-    assert_int_equal(says("   # only a remark"), 0);
+    assert_int_equal(read_line(""), 0);
+    assert_int_equal(read_line("   # only a remark"), 0);
 }
 
-static void test_what_is_wrong_is_refused(void **state)
+static void test_invalid_lines_are_rejected(void **state)
 {
     (void)state;
     static const char *const bad[] = {
@@ -66,7 +66,7 @@ static void test_what_is_wrong_is_refused(void **state)
         "wire1 = nan 1",
         "ring = 1 2",
         "ring = 1 2 4000",
-        "imu_axes = +x +y -z", /* A mirror image. */
+        "imu_axes = +x +y -z", /* The axes are a mirror image. */
         "imu_axes = +x +x +y",
         "imu_axes = x y z",
         "imu_axes = +x +y +z +x",
@@ -77,34 +77,34 @@ static void test_what_is_wrong_is_refused(void **state)
     };
     const struct poi_config before = config;
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
-        assert_int_equal(says(bad[i]), -1);
+        assert_int_equal(read_line(bad[i]), -1);
         assert_memory_equal(&config, &before, sizeof config);
     }
     char endless[400];
     memset(endless, ' ', sizeof endless - 1);
     endless[sizeof endless - 1] = '\0';
-    assert_int_equal(says(endless), -1);
+    assert_int_equal(read_line(endless), -1);
     for (uint32_t i = 0; i < POI_CONFIG_MARK_MAX; i++) {
-        assert_int_equal(says("mark = 1 2 3"), 1);
+        assert_int_equal(read_line("mark = 1 2 3"), 1);
     }
-    assert_int_equal(says("mark = 1 2 3"), -1);
+    assert_int_equal(read_line("mark = 1 2 3"), -1);
 }
 
-static void test_spools_that_cannot_tell_and_shared_channels_are_unsound(void **state)
+static void test_invalid_spool_positions_and_shared_channels_are_rejected(void **state)
 {
     (void)state;
     const char *why = NULL;
     assert_true(poi_config_is_sound(&config, &why));
     assert_false(poi_config_is_calibrated(&config));
-    says("spool3 = 1 0 750 350");
+    read_line("spool3 = 1 0 750 350");
     assert_false(poi_config_is_sound(&config, &why));
     assert_non_null(strstr(why, "channel"));
-    says("spool3 = 2 0 750 -300");
+    read_line("spool3 = 2 0 750 -300");
     assert_false(poi_config_is_sound(&config, &why));
     assert_non_null(strstr(why, "apart"));
 }
 
-static void test_the_file_in_the_box_is_the_default_and_only_wants_calibration(void **state)
+static void test_the_supplied_file_has_the_defaults_and_lacks_only_calibration(void **state)
 {
     (void)state;
     struct poi_config shipped;
@@ -127,10 +127,11 @@ static void test_the_file_in_the_box_is_the_default_and_only_wants_calibration(v
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(test_each_line_sets_what_it_names, fresh),
-        cmocka_unit_test_setup(test_what_is_wrong_is_refused, fresh),
-        cmocka_unit_test_setup(test_spools_that_cannot_tell_and_shared_channels_are_unsound, fresh),
-        cmocka_unit_test_setup(test_the_file_in_the_box_is_the_default_and_only_wants_calibration,
+        cmocka_unit_test_setup(test_each_line_sets_its_option, fresh),
+        cmocka_unit_test_setup(test_invalid_lines_are_rejected, fresh),
+        cmocka_unit_test_setup(test_invalid_spool_positions_and_shared_channels_are_rejected,
+                               fresh),
+        cmocka_unit_test_setup(test_the_supplied_file_has_the_defaults_and_lacks_only_calibration,
                                fresh),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,4 +1,5 @@
-/* test_poi_sensors.c -- a board's files in a folder: sensors by name, keys, motor and light. */
+/* test_poi_sensors.c -- Tests the sensors, keys, motor and light of a poi board over a folder of
+ * simulated device files. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -28,7 +29,7 @@ static void path_of(char path[256], const char *leaf)
     snprintf(path, 256, "%s/%s", root, leaf);
 }
 
-/* Writes a file under the board's root, with the folders that lead there. */
+/* Writes a file under the simulated root folder. Creates its parent folders. */
 static void put(const char *leaf, const char *text)
 {
     char path[256];
@@ -55,7 +56,8 @@ static long number_in(const char *leaf)
     return strtol(text, NULL, 10);
 }
 
-/* A converter, a chip that fuses, one that does not, and a thermometer in between. */
+/* Creates a converter, an IMU with sensor fusion, an IMU without, and a thermometer between
+ * them. */
 static int build_board(void **state)
 {
     (void)state;
@@ -96,7 +98,7 @@ static int raze_board(void **state)
     return system(command);
 }
 
-static void test_sensors_are_found_by_name_and_read_in_their_units(void **state)
+static void test_sensors_are_found_by_name_and_scaled_to_their_units(void **state)
 {
     (void)state;
     struct sensors sensors;
@@ -110,13 +112,14 @@ static void test_sensors_are_found_by_name_and_read_in_their_units(void **state)
     assert_false(readings.fuses);
     assert_float_equal(readings.gyro_rad_s.x, -0.5f, 1e-6f);
     assert_float_equal(readings.accel_m_s2.y, 9.7976f, 1e-3f);
-    put(IIO "1/in_voltage0_raw", "1234\n"); /* The file stays open; what it says is new. */
+    put(IIO "1/in_voltage0_raw", "1234\n"); /* The file stays open, and the next read returns the
+                                               new value. */
     assert_true(sensors_read(&sensors, &readings));
     assert_float_equal(readings.wire[0], 1234.0f, 0.0f);
     sensors_close(&sensors);
 }
 
-static void test_a_quaternion_is_read_in_its_drivers_own_order(void **state)
+static void test_a_quaternion_is_read_in_the_order_of_its_driver(void **state)
 {
     (void)state;
     struct sensors sensors;
@@ -128,7 +131,8 @@ static void test_a_quaternion_is_read_in_its_drivers_own_order(void **state)
     assert_float_equal(readings.turn.w, 16384.0f, 0.0f);
     assert_float_equal(readings.turn.z, 3.0f, 0.0f);
     sensors_close(&sensors);
-    put(IIO "3/name", "dev_rotation\n"); /* Of a sensor hub: as the ABI says, x y z w. */
+    put(IIO "3/name", "dev_rotation\n"); /* A HID sensor hub uses the order of the ABI, which is
+                                            x y z w. */
     strcpy(config.imu, "dev_rotation");
     assert_true(sensors_open(&sensors, &config, root, why));
     assert_true(sensors_read(&sensors, &readings));
@@ -137,7 +141,7 @@ static void test_a_quaternion_is_read_in_its_drivers_own_order(void **state)
     sensors_close(&sensors);
 }
 
-static void test_what_is_missing_is_named(void **state)
+static void test_each_missing_sensor_is_named(void **state)
 {
     (void)state;
     struct sensors sensors;
@@ -157,7 +161,7 @@ static void test_what_is_missing_is_named(void **state)
     sensors_close(&sensors);
 }
 
-static void test_a_chip_that_stops_answering_loses_the_place_and_gets_it_back(void **state)
+static void test_the_position_is_lost_while_the_converter_fails(void **state)
 {
     (void)state;
     static struct sensor_source own;
@@ -173,7 +177,8 @@ static void test_a_chip_that_stops_answering_loses_the_place_and_gets_it_back(vo
         snprintf(text, sizeof text, "%.0f\n", (double)truth.wire[i]);
         put(leaf, text);
     }
-    put(IIO "3/in_rot_quaternion_raw", "11585 11585 0 0\n"); /* Level: +z of its world is up. */
+    put(IIO "3/in_rot_quaternion_raw", "11585 11585 0 0\n"); /* The poi is level, with +z of the
+                                                                sensor's world up. */
     assert_true(sensors_open(&own.sensors, &config, root, why));
     struct pose_source source = sensors_source(&own, &config);
     for (int n = 0; n < 5; n++) {
@@ -182,7 +187,8 @@ static void test_a_chip_that_stops_answering_loses_the_place_and_gets_it_back(vo
     assert_true(v3_length(v3_sub(out.target.position_m, hand.target.position_m)) < 0.002f);
     put(IIO "1/in_voltage1_raw", "");
     for (uint32_t n = 0; n <= SENSOR_GONE_BEATS; n++) {
-        assert_true(f_is_finite(out.target.position_m.x)); /* A moment's silence is borne. */
+        assert_true(f_is_finite(out.target.position_m.x)); /* A short failure does not change the
+                                                              pose. */
         source.step(source.self, 0.004f, &out);
     }
     assert_false(f_is_finite(out.target.position_m.x));
@@ -203,7 +209,7 @@ static void press(uint16_t code, int value)
     close(fd);
 }
 
-static void test_keys_of_gpio_are_levels_and_other_devices_are_left_alone(void **state)
+static void test_gpio_keys_are_read_as_levels_and_other_devices_ignored(void **state)
 {
     (void)state;
     struct keys keys;
@@ -217,7 +223,7 @@ static void test_keys_of_gpio_are_levels_and_other_devices_are_left_alone(void *
     press(BTN_START, 0);
     press(KEY_Q, 1);
     assert_int_equal(sensors_held_keys(&keys), POI_BUTTON_OK);
-    press(BTN_TRIGGER, 2); /* Repeated: still held. */
+    press(BTN_TRIGGER, 2); /* A repeat event means that the key is still held. */
     press(BTN_DPAD_LEFT, 1);
     press(BTN_DPAD_RIGHT, 1);
     press(BTN_THUMB, 1);
@@ -225,7 +231,7 @@ static void test_keys_of_gpio_are_levels_and_other_devices_are_left_alone(void *
     sensors_close_keys(&keys);
 }
 
-static void test_a_motor_hums_by_its_pulses_and_rests_when_told(void **state)
+static void test_the_motor_follows_its_level_and_stops_at_zero(void **state)
 {
     (void)state;
     struct motor motor;
@@ -247,10 +253,11 @@ static void test_a_motor_hums_by_its_pulses_and_rests_when_told(void **state)
     const struct feel_sink sink = motor_sink(&motor);
     const struct poi_force blow = { .slap = 0.5f };
     sink.feel(sink.self, &blow, 0.004f);
-    /* 0.2 just turns it; half of the rest above that. */
+    /* A duty of 0.2 is the least that turns the motor. The level uses half of the rest above it. */
     assert_in_range(number_in("sys/class/pwm/pwmchip0/pwm1/duty_cycle"), 2999990, 3000010);
     assert_int_equal(number_in("sys/class/leds/poi/brightness"), 128);
-    put("sys/class/pwm/pwmchip0/pwm1/duty_cycle", ""); /* What is shorter leaves no digits. */
+    put("sys/class/pwm/pwmchip0/pwm1/duty_cycle", ""); /* A shorter number must not leave old
+                                                          digits. */
     put("sys/class/leds/poi/brightness", "");
     sink.stop(sink.self);
     assert_int_equal(number_in("sys/class/pwm/pwmchip0/pwm1/duty_cycle"), 0);
@@ -263,17 +270,16 @@ static void test_a_motor_hums_by_its_pulses_and_rests_when_told(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(test_sensors_are_found_by_name_and_read_in_their_units,
+        cmocka_unit_test_setup_teardown(test_sensors_are_found_by_name_and_scaled_to_their_units,
                                         build_board, raze_board),
-        cmocka_unit_test_setup_teardown(test_a_quaternion_is_read_in_its_drivers_own_order,
+        cmocka_unit_test_setup_teardown(test_a_quaternion_is_read_in_the_order_of_its_driver,
                                         build_board, raze_board),
-        cmocka_unit_test_setup_teardown(test_what_is_missing_is_named, build_board, raze_board),
-        cmocka_unit_test_setup_teardown(
-            test_a_chip_that_stops_answering_loses_the_place_and_gets_it_back, build_board,
-            raze_board),
-        cmocka_unit_test_setup_teardown(
-            test_keys_of_gpio_are_levels_and_other_devices_are_left_alone, build_board, raze_board),
-        cmocka_unit_test_setup_teardown(test_a_motor_hums_by_its_pulses_and_rests_when_told,
+        cmocka_unit_test_setup_teardown(test_each_missing_sensor_is_named, build_board, raze_board),
+        cmocka_unit_test_setup_teardown(test_the_position_is_lost_while_the_converter_fails,
+                                        build_board, raze_board),
+        cmocka_unit_test_setup_teardown(test_gpio_keys_are_read_as_levels_and_other_devices_ignored,
+                                        build_board, raze_board),
+        cmocka_unit_test_setup_teardown(test_the_motor_follows_its_level_and_stops_at_zero,
                                         build_board, raze_board),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

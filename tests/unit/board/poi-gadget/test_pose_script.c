@@ -1,4 +1,5 @@
-/* test_pose_script.c -- lines of poses: read, refused, written back, and glided through. */
+/* test_pose_script.c -- Tests that lines of poses are parsed, rejected, written and
+ * interpolated. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -14,14 +15,13 @@
 
 static void feed(struct pose_tape *tape, const char *text)
 {
-    uint32_t room;
-    char *at = pose_tape_room(tape, &room);
-    assert_true(strlen(text) <= room);
-    memcpy(at, text, strlen(text));
-    pose_tape_wrote(tape, (uint32_t)strlen(text));
+    const size_t size = strlen(text);
+    assert_true(size <= POSE_TAPE_SIZE - tape->size);
+    memcpy(tape->text + tape->size, text, size);
+    tape->size += (uint32_t)size;
 }
 
-static void test_a_line_says_place_turn_time_and_keys(void **state)
+static void test_a_line_contains_position_angles_time_and_keys(void **state)
 {
     (void)state;
     struct pose_line line;
@@ -33,7 +33,8 @@ static void test_a_line_says_place_turn_time_and_keys(void **state)
     assert_float_equal(line.target.position_m.y, -0.05f, 1e-6f);
     assert_float_equal(line.target.position_m.z, 0.0305f, 1e-6f);
     assert_float_equal(line.target.angles.pitch_rad, -25.0f * F_DEG, 1e-5f);
-    assert_float_equal(line.target.angles.roll_rad, -170.0f * F_DEG, 1e-5f); /* The same turn. */
+    /* The angle is the same rotation. */
+    assert_float_equal(line.target.angles.roll_rad, -170.0f * F_DEG, 1e-5f);
     assert_int_equal(line.buttons, POI_BUTTON_OK | POI_BUTTON_FAN);
     assert_int_equal(pose_line_read(&line, "lost START", &why), 1);
     assert_true(line.lost && line.buttons == POI_BUTTON_START);
@@ -41,7 +42,7 @@ static void test_a_line_says_place_turn_time_and_keys(void **state)
     assert_int_equal(pose_line_read(&line, "\r\n", &why), 0);
 }
 
-static void test_what_is_no_pose_is_refused_with_its_reason(void **state)
+static void test_an_invalid_line_is_rejected_with_a_reason(void **state)
 {
     (void)state;
     /* clang-format off */
@@ -71,7 +72,7 @@ static void test_what_is_no_pose_is_refused_with_its_reason(void **state)
     assert_int_equal(pose_line_read(&line, endless, &why), -1);
 }
 
-static void test_what_is_written_is_read_back(void **state)
+static void test_a_line_is_unchanged_by_writing_and_reading(void **state)
 {
     (void)state;
     for (uint32_t n = 0; n < 2000; n++) {
@@ -96,7 +97,7 @@ static void test_what_is_written_is_read_back(void **state)
     }
 }
 
-static void test_a_glide_takes_its_time_and_ends_where_it_was_sent(void **state)
+static void test_an_interpolation_takes_its_time_and_ends_at_its_target(void **state)
 {
     (void)state;
     struct pose_tape tape = { 0 };
@@ -110,7 +111,7 @@ static void test_a_glide_takes_its_time_and_ends_where_it_was_sent(void **state)
         assert_int_equal(pose_tape_step(&tape, 0.01f, &out), 1);
         assert_true(out.target.position_m.x > before_m);
         assert_int_equal(out.buttons, POI_BUTTON_OK);
-        /* The short way round: never through straight ahead. */
+        /* The interpolation takes the shorter way and does not pass straight ahead. */
         assert_true(f_abs(out.target.angles.yaw_rad) > 169.0f * F_DEG);
         if (i == 5) {
             assert_float_equal(out.target.position_m.x, 0.05f, 1e-5f);
@@ -124,14 +125,15 @@ static void test_a_glide_takes_its_time_and_ends_where_it_was_sent(void **state)
     assert_int_equal(pose_tape_step(&tape, 0.01f, &out), 0);
 }
 
-static void test_a_tape_that_waits_for_more_holds_its_hand_still(void **state)
+static void test_a_script_that_waits_for_input_keeps_the_pose(void **state)
 {
     (void)state;
     struct pose_tape tape = { 0 };
     struct poi_report out = { 0 };
     assert_int_equal(pose_tape_step(&tape, 0.01f, &out), 0);
     feed(&tape, "100 0 0 0");
-    assert_int_equal(pose_tape_step(&tape, 0.01f, &out), 0); /* Half a line is none. */
+    assert_int_equal(pose_tape_step(&tape, 0.01f, &out), 0); /* An incomplete line is not
+                                                                executed. */
     feed(&tape, " 0 0\n");
     for (uint32_t i = 0; i < 20; i++) {
         assert_int_equal(pose_tape_step(&tape, 0.01f, &out), 1);
@@ -140,13 +142,13 @@ static void test_a_tape_that_waits_for_more_holds_its_hand_still(void **state)
     feed(&tape, "lost\n200 0 0 0 0 0");
     assert_int_equal(pose_tape_step(&tape, 0.01f, &out), 1);
     assert_false(f_is_finite(out.target.position_m.x));
-    tape.ended = 1; /* The last line needs no end. */
+    tape.ended = 1; /* The last line needs no line end. */
     assert_int_equal(pose_tape_step(&tape, 0.01f, &out), 1);
     assert_float_equal(out.target.position_m.x, 0.2f, 0.0f);
     assert_int_equal(pose_tape_step(&tape, 0.01f, &out), 0);
 }
 
-static void test_a_bad_line_is_told_by_its_number(void **state)
+static void test_an_invalid_line_is_reported_with_its_number(void **state)
 {
     (void)state;
     struct pose_tape tape = { 0 };
@@ -158,7 +160,7 @@ static void test_a_bad_line_is_told_by_its_number(void **state)
     assert_non_null(tape.why);
 }
 
-static void test_bytes_without_an_end_are_no_line_and_no_harm(void **state)
+static void test_a_line_that_is_too_long_is_rejected(void **state)
 {
     (void)state;
     struct pose_tape tape = { 0 };
@@ -170,12 +172,12 @@ static void test_bytes_without_an_end_are_no_line_and_no_harm(void **state)
     assert_int_equal(pose_tape_step(&tape, 0.01f, &out), -1);
     memset(&tape, 0, sizeof tape);
     memset(tape.text, 0, 10);
-    pose_tape_wrote(&tape, 10);
+    tape.size = 10;
     tape.ended = 1;
     assert_int_equal(pose_tape_step(&tape, 0.01f, &out), -1);
 }
 
-static void test_missed_beats_skip_lines_and_keep_their_keys(void **state)
+static void test_missed_periods_skip_lines_and_keep_their_keys(void **state)
 {
     (void)state;
     static struct pose_script_source script;
@@ -189,15 +191,17 @@ static void test_missed_beats_skip_lines_and_keep_their_keys(void **state)
     close(ends[1]);
     assert_int_equal(source.step(source.self, 0.01f, &out), POSE_NEW);
     assert_float_equal(out.target.position_m.x, 0.010f, 2e-5f);
-    assert_int_equal(source.step(source.self, 0.02f, &out), POSE_NEW); /* One beat was missed. */
+    assert_int_equal(source.step(source.self, 0.02f, &out), POSE_NEW); /* One period was missed. */
     assert_float_equal(out.target.position_m.x, 0.030f, 2e-5f);
     assert_int_equal(out.buttons, POI_BUTTON_START);
     assert_int_equal(source.step(source.self, 0.01f, &out), POSE_NEW);
     assert_float_equal(out.target.position_m.x, 0.040f, 2e-5f);
     assert_int_equal(out.buttons, 0);
-    assert_int_equal(source.step(source.self, 0.02f, &out), POSE_NEW); /* Half of the glide. */
+    /* Half of the interpolation time has passed. */
+    assert_int_equal(source.step(source.self, 0.02f, &out), POSE_NEW);
     assert_float_equal(out.target.position_m.x, 0.060f, 2e-5f);
-    assert_int_equal(source.step(source.self, 0.50f, &out), POSE_NEW); /* To its end, and beyond. */
+    assert_int_equal(source.step(source.self, 0.50f, &out), POSE_NEW); /* The interpolation time
+                                                                          has passed. */
     assert_float_equal(out.target.position_m.x, 0.090f, 2e-5f);
     assert_int_equal(source.step(source.self, 0.01f, &out), POSE_END);
     close(ends[0]);
@@ -206,14 +210,14 @@ static void test_missed_beats_skip_lines_and_keep_their_keys(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_line_says_place_turn_time_and_keys),
-        cmocka_unit_test(test_what_is_no_pose_is_refused_with_its_reason),
-        cmocka_unit_test(test_what_is_written_is_read_back),
-        cmocka_unit_test(test_a_glide_takes_its_time_and_ends_where_it_was_sent),
-        cmocka_unit_test(test_a_tape_that_waits_for_more_holds_its_hand_still),
-        cmocka_unit_test(test_a_bad_line_is_told_by_its_number),
-        cmocka_unit_test(test_bytes_without_an_end_are_no_line_and_no_harm),
-        cmocka_unit_test(test_missed_beats_skip_lines_and_keep_their_keys),
+        cmocka_unit_test(test_a_line_contains_position_angles_time_and_keys),
+        cmocka_unit_test(test_an_invalid_line_is_rejected_with_a_reason),
+        cmocka_unit_test(test_a_line_is_unchanged_by_writing_and_reading),
+        cmocka_unit_test(test_an_interpolation_takes_its_time_and_ends_at_its_target),
+        cmocka_unit_test(test_a_script_that_waits_for_input_keeps_the_pose),
+        cmocka_unit_test(test_an_invalid_line_is_reported_with_its_number),
+        cmocka_unit_test(test_a_line_that_is_too_long_is_rejected),
+        cmocka_unit_test(test_missed_periods_skip_lines_and_keep_their_keys),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

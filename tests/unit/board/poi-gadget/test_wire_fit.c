@@ -1,4 +1,4 @@
-/* test_wire_fit.c -- marks on a line, beside it, and too few of them. */
+/* test_wire_fit.c -- Tests the line that is fitted to the calibration marks of a wire. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -20,7 +20,7 @@ static struct wire_fit four_marks(float off_m)
     return fit;
 }
 
-static void test_marks_on_a_line_give_it_back(void **state)
+static void test_marks_on_a_line_give_that_line(void **state)
 {
     (void)state;
     const char *why;
@@ -31,7 +31,7 @@ static void test_marks_on_a_line_give_it_back(void **state)
     assert_true(fit.miss_m < 1e-6f);
 }
 
-static void test_a_converter_that_counts_down_is_a_line_as_well(void **state)
+static void test_a_converter_that_counts_down_gives_a_line(void **state)
 {
     (void)state;
     const char *why;
@@ -43,7 +43,7 @@ static void test_a_converter_that_counts_down_is_a_line_as_well(void **state)
     assert_float_equal(fit.step_m, -0.00025f, 1e-9f);
 }
 
-static void test_marks_that_miss_by_a_hand_say_so_and_by_a_hair_do_not(void **state)
+static void test_only_large_deviations_from_the_line_are_reported(void **state)
 {
     (void)state;
     const char *why = NULL;
@@ -54,7 +54,7 @@ static void test_marks_that_miss_by_a_hand_say_so_and_by_a_hair_do_not(void **st
     assert_non_null(strstr(why, "misplaced"));
 }
 
-static void test_two_marks_or_a_wire_that_does_not_move_are_refused(void **state)
+static void test_two_marks_or_a_constant_wire_are_rejected(void **state)
 {
     (void)state;
     const char *why = NULL;
@@ -67,16 +67,16 @@ static void test_two_marks_or_a_wire_that_does_not_move_are_refused(void **state
         draw_wires_fit_add(&still, 2000.0f + (float)i, 0.3f + 0.1f * (float)i);
     }
     assert_false(draw_wires_fit_solve(&still, &why));
-    assert_non_null(strstr(why, "hardly moved"));
+    assert_non_null(strstr(why, "hardly changed"));
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_marks_on_a_line_give_it_back),
-        cmocka_unit_test(test_a_converter_that_counts_down_is_a_line_as_well),
-        cmocka_unit_test(test_marks_that_miss_by_a_hand_say_so_and_by_a_hair_do_not),
-        cmocka_unit_test(test_two_marks_or_a_wire_that_does_not_move_are_refused),
+        cmocka_unit_test(test_marks_on_a_line_give_that_line),
+        cmocka_unit_test(test_a_converter_that_counts_down_gives_a_line),
+        cmocka_unit_test(test_only_large_deviations_from_the_line_are_reported),
+        cmocka_unit_test(test_two_marks_or_a_constant_wire_are_rejected),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

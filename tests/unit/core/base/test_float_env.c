@@ -1,5 +1,6 @@
-/* test_float_env.c -- no mode of the processor that a library leaves behind reaches a state's hash:
- * the core refuses to run in a wrong mode, and the kiosk sets the mode before each frame. */
+/* test_float_env.c -- checks that a floating-point mode left behind by a library never changes a
+ * state's hash. The core refuses to run in a wrong mode, and the kiosk resets the mode before each
+ * frame. */
 #include <fenv.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -50,7 +51,7 @@ static int restore(void **state)
     return 0;
 }
 
-static void test_the_check_finds_each_wrong_mode_and_the_platform_sets_it_right(void **state)
+static void test_the_check_finds_each_wrong_mode_and_the_platform_resets_it(void **state)
 {
     (void)state;
     assert_int_equal(cpu_set_float(), 0);
@@ -65,7 +66,7 @@ static void test_the_check_finds_each_wrong_mode_and_the_platform_sets_it_right(
     }
 }
 
-static void test_flags_that_only_report_are_no_wrong_mode(void **state)
+static void test_status_flags_are_no_wrong_mode(void **state)
 {
     (void)state;
     feraiseexcept(FE_INEXACT | FE_UNDERFLOW | FE_OVERFLOW);
@@ -73,7 +74,7 @@ static void test_flags_that_only_report_are_no_wrong_mode(void **state)
     assert_true(float_env_is_standard());
 }
 
-static void test_a_core_is_not_begun_in_a_wrong_mode(void **state)
+static void test_a_core_does_not_start_in_a_wrong_mode(void **state)
 {
     (void)state;
     static struct core core, before;
@@ -88,7 +89,7 @@ static void test_a_core_is_not_begun_in_a_wrong_mode(void **state)
     }
 }
 
-static void test_a_tick_that_begins_a_second_is_refused_in_a_wrong_mode(void **state)
+static void test_the_first_tick_of_a_second_is_rejected_in_a_wrong_mode(void **state)
 {
     (void)state;
     static struct core core, before;
@@ -114,7 +115,7 @@ static void test_a_tick_that_begins_a_second_is_refused_in_a_wrong_mode(void **s
 
 /* ---- The frame loop ------------------------------------------------------------------------- */
 
-static int mode_left = -1; /* By the display, after each picture. */
+static int mode_left = -1; /* Mode that the display leaves after each picture. */
 
 static int present(void *self, const struct scene *scene)
 {
@@ -126,12 +127,13 @@ static int present(void *self, const struct scene *scene)
     return HAL_OK;
 }
 
-/* Plays `frames` frames with a display whose library leaves `mode` behind; -1: it leaves none. */
+/* Plays `frames` frames with a display whose library leaves `mode` behind. A mode of -1 means that
+ * the library changes nothing. */
 static uint64_t play(int mode, uint32_t frames, uint32_t *resets)
 {
     static struct kiosk kiosk;
     struct clock_sim clock = { .now_ns = 1000000000ull };
-    struct hal hal = null_hal();
+    struct hal hal = null_hal(NULL);
     struct hal_display_ops ops = *hal.display.ops;
     struct kiosk_config with = config;
     with.bot[0] = 1;
@@ -158,17 +160,17 @@ static void test_a_library_that_leaves_a_wrong_mode_in_each_frame_changes_no_has
     assert_int_equal(resets, 0);
     for (int mode = 0; mode < MODE_COUNT_HERE; mode++) {
         assert_true(play(mode, 600, &resets) == hash);
-        assert_int_equal(resets, 599); /* Before each frame but the first. */
+        assert_int_equal(resets, 599); /* The mode is reset before each frame except the first. */
     }
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_the_check_finds_each_wrong_mode_and_the_platform_sets_it_right),
-        cmocka_unit_test(test_flags_that_only_report_are_no_wrong_mode),
-        cmocka_unit_test(test_a_core_is_not_begun_in_a_wrong_mode),
-        cmocka_unit_test(test_a_tick_that_begins_a_second_is_refused_in_a_wrong_mode),
+        cmocka_unit_test(test_the_check_finds_each_wrong_mode_and_the_platform_resets_it),
+        cmocka_unit_test(test_status_flags_are_no_wrong_mode),
+        cmocka_unit_test(test_a_core_does_not_start_in_a_wrong_mode),
+        cmocka_unit_test(test_the_first_tick_of_a_second_is_rejected_in_a_wrong_mode),
         cmocka_unit_test(test_a_library_that_leaves_a_wrong_mode_in_each_frame_changes_no_hash),
     };
     return cmocka_run_group_tests(tests, NULL, restore);

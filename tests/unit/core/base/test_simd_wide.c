@@ -1,2 +1,3 @@
-/* test_simd_wide.c -- test_simd.c once more, as the Makefile builds kernels for eight lanes. */
+/* test_simd_wide.c -- builds test_simd.c again with eight lanes, as the Makefile builds the SIMD
+ * functions. */
 #include "tests/unit/core/base/test_simd.c"

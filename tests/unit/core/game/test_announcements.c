@@ -1,4 +1,4 @@
-/* test_announcements.c -- what the keeper calls out, each once and to the tick. */
+/* test_announcements.c -- checks that each announcement is made once at its tick. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -20,7 +20,7 @@ static uint32_t count_calls(enum time_call call, uint32_t round_s)
     return count;
 }
 
-static void test_three_minutes_have_the_calls_of_the_championship(void **state)
+static void test_a_three_minute_round_has_the_announcements_of_the_championship(void **state)
 {
     (void)state;
     const uint32_t total = SECONDS(180u);
@@ -33,7 +33,7 @@ static void test_three_minutes_have_the_calls_of_the_championship(void **state)
     assert_int_equal(round_call_at(total, total), CALL_TIME);
 }
 
-static void test_each_is_called_once_and_nothing_in_between(void **state)
+static void test_each_announcement_is_made_once(void **state)
 {
     (void)state;
     static const uint32_t counts[] = { [CALL_ONE_MINUTE] = 1,
@@ -46,24 +46,26 @@ static void test_each_is_called_once_and_nothing_in_between(void **state)
     }
 }
 
-static void test_a_short_round_has_only_the_calls_that_it_has_time_for(void **state)
+static void test_a_short_round_has_only_the_announcements_within_its_time(void **state)
 {
     (void)state;
     assert_int_equal(count_calls(CALL_ONE_MINUTE, 60), 0);
-    assert_int_equal(count_calls(CALL_ONE_MINUTE, 70), 0); /* Ten seconds are left: that is said. */
+    assert_int_equal(count_calls(CALL_ONE_MINUTE, 70), 0); /* At ten seconds, the other announcement
+                                                              is made. */
     assert_int_equal(count_calls(CALL_ONE_MINUTE, 71), 1);
     assert_int_equal(count_calls(CALL_TEN_SECONDS, 70), 1);
     assert_int_equal(count_calls(CALL_TWO_MINUTES, 120), 0);
-    assert_int_equal(count_calls(CALL_TEN_SECONDS, 10), 1); /* As it begins. */
+    assert_int_equal(count_calls(CALL_TEN_SECONDS, 10), 1); /* The announcement comes at the
+                                                               start. */
     assert_int_equal(count_calls(CALL_COUNTDOWN, 10), 5);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_three_minutes_have_the_calls_of_the_championship),
-        cmocka_unit_test(test_each_is_called_once_and_nothing_in_between),
-        cmocka_unit_test(test_a_short_round_has_only_the_calls_that_it_has_time_for),
+        cmocka_unit_test(test_a_three_minute_round_has_the_announcements_of_the_championship),
+        cmocka_unit_test(test_each_announcement_is_made_once),
+        cmocka_unit_test(test_a_short_round_has_only_the_announcements_within_its_time),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

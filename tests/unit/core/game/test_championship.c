@@ -1,17 +1,19 @@
-/* test_championship.c -- a championship from START to the result, played by a live hand: the tank,
- * the clock, the calls, the count, the record, and the same again from the same inputs. */
+/* test_championship.c -- checks a championship from START to the result with live input: tank,
+ * clock, announcements, count, record, and the same result from the same inputs. */
 #include "tests/unit/support/purse.h"
-#include "tests/unit/support/stall_stand.h"
+#include "tests/unit/support/core_fixture.h"
 
 #include "core/game/bot/bot.h"
+#include "tests/unit/support/newest_record.h"
 
 #define ROUND_TICKS (180u * CORE_TICK_HZ)
 #define CALLS_MAX 16u
 
-static struct bot player; /* Its hand is what a controller sends: the core knows no bot here. */
+static struct bot player; /* The bot's poses are sent as controller input, so the core knows no
+                             bot. */
 
 struct heard {
-    uint32_t tick; /* Since the round began. */
+    uint32_t tick; /* Ticks since the start of the round. */
     uint8_t sound;
 };
 
@@ -48,9 +50,9 @@ static uint64_t play_through(uint32_t seed, uint32_t round_s)
     const struct core_config config = { .seed = seed,
                                         .round_s = round_s,
                                         .modes = 1u << MODE_CHAMPIONSHIP };
-    open_stall(&config);
+    open_core(&config);
     bot_init(&player, &technique_expert, seed);
-    hold(0, v3(0.0f, STAND_ABOVE_M, 0.0f));
+    hold(0, v3(0.0f, ABOVE_M, 0.0f));
     input.pressed = INPUT_START;
     run_to_result(1);
     return core_hash(&core);
@@ -63,7 +65,7 @@ static int play_one(void **state)
     return 0;
 }
 
-static void test_it_is_the_federations_tank_paper_and_time(void **state)
+static void test_a_championship_has_the_federations_tank_paper_and_time(void **state)
 {
     (void)state;
     look();
@@ -74,13 +76,13 @@ static void test_it_is_the_federations_tank_paper_and_time(void **state)
     assert_int_equal(core.world.poi[0].sheet.grade, 5);
     assert_float_equal(2.0f * scene.poi[0].ring_radius_m, 0.080f, 1e-6f);
     assert_int_equal(core.world.tank.oxygen.pump, 0);
-    const uint32_t lasted = output.record.end_tick - output.record.start_tick;
+    const uint32_t lasted = newest_record(&output)->end_tick - newest_record(&output)->start_tick;
     assert_true(lasted <= ROUND_TICKS + GAME_CARRY_TICKS);
     assert_true(lasted >= ROUND_TICKS || scene.player[0].out);
 }
 
-/* By who only holds the poi over the water: paper lasts. */
-static void test_the_keeper_calls_the_time(void **state)
+/* The player only holds the poi above the water, so the paper lasts. */
+static void test_the_time_announcements_come_at_their_ticks(void **state)
 {
     (void)state;
     const struct core_config config = { .preset = TANK_PRESET_OFFICIAL,
@@ -93,9 +95,9 @@ static void test_the_keeper_calls_the_time(void **state)
         { 178u * CORE_TICK_HZ, SOUND_TICK }, { 179u * CORE_TICK_HZ, SOUND_TICK },
         { 180u * CORE_TICK_HZ, SOUND_CALL },
     };
-    open_stall(&config);
+    open_core(&config);
     heard_count = 0;
-    hold(0, v3(0.0f, STAND_ABOVE_M, 0.0f));
+    hold(0, v3(0.0f, ABOVE_M, 0.0f));
     press(INPUT_START);
     run_to_result(0);
     assert_int_equal(heard_count, sizeof calls / sizeof calls[0]);
@@ -104,21 +106,23 @@ static void test_the_keeper_calls_the_time(void **state)
         assert_int_equal(heard[i].sound, calls[i].sound);
     }
     assert_int_equal(look()->call, CALL_TIME);
-    assert_int_equal(output.record.end_tick - output.record.start_tick, ROUND_TICKS);
+    assert_int_equal(newest_record(&output)->end_tick - newest_record(&output)->start_tick,
+                     ROUND_TICKS);
 }
 
-static void test_what_was_caught_is_told_and_kept(void **state)
+static void test_the_catch_is_shown_and_stored(void **state)
 {
     (void)state;
-    const struct player_record *record = &output.record.player[0];
+    const struct player_record *record = &newest_record(&output)->player[0];
     print_message("%u caught by %u scoops, %u fouls\n", record->caught, record->scoops,
                   record->fouls);
     assert_true(purse_keeps_record(&output));
     assert_int_equal(purse_count(&output, LEDGER_ROUND), 1);
-    assert_int_equal(output.record.mode, MODE_CHAMPIONSHIP);
-    assert_int_equal(output.record.grade, 5);
-    assert_int_equal(output.record.players, 1);
-    assert_int_equal(output.record.by_bot, 0); /* To the core it was a person. */
+    assert_int_equal(newest_record(&output)->mode, MODE_CHAMPIONSHIP);
+    assert_int_equal(newest_record(&output)->grade, 5);
+    assert_int_equal(newest_record(&output)->players, 1);
+    assert_int_equal(newest_record(&output)->by_bot, 0); /* The core counts the input as a
+                                                            person's. */
     assert_true(record->caught > 0);
     assert_int_equal(record->caught, look()->caught[0]);
     assert_true(record->scoops >= record->caught / 8u);
@@ -137,11 +141,11 @@ static void test_the_same_inputs_play_the_same_championship(void **state)
 int main(void)
 {
     const struct CMUnitTest whole[] = {
-        cmocka_unit_test(test_it_is_the_federations_tank_paper_and_time),
-        cmocka_unit_test(test_what_was_caught_is_told_and_kept),
+        cmocka_unit_test(test_a_championship_has_the_federations_tank_paper_and_time),
+        cmocka_unit_test(test_the_catch_is_shown_and_stored),
     };
     const struct CMUnitTest parts[] = {
-        cmocka_unit_test(test_the_keeper_calls_the_time),
+        cmocka_unit_test(test_the_time_announcements_come_at_their_ticks),
         cmocka_unit_test(test_the_same_inputs_play_the_same_championship),
     };
     return cmocka_run_group_tests(whole, play_one, NULL) +

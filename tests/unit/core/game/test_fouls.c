@@ -1,10 +1,12 @@
-/* test_fouls.c -- how a fish was scooped is seen in the motion: along the wall, or swept into the
- * bowl from the water, it is a foul and the fish does not count; the third foul ends the round. */
-#include "tests/unit/support/stall_stand.h"
+/* test_fouls.c -- checks fouls. A fish scooped along a wall or swept into the bowl from the water
+ * is a foul and does not count. The third foul ends the player's round. */
+#include "tests/unit/support/core_fixture.h"
+#include "tests/unit/support/newest_record.h"
 
 #define READY_TICKS (5u * CORE_TICK_HZ)
 
-static const vec3 aside_m = { 0.0f, STAND_ABOVE_M, 0.45f }; /* Beyond the tank's near wall. */
+static const vec3 aside_m = { 0.0f, ABOVE_M, 0.45f }; /* The position is outside the tank's near
+                                                         wall. */
 
 static void begin(uint8_t mode, uint32_t fish_count)
 {
@@ -15,7 +17,7 @@ static void begin(uint8_t mode, uint32_t fish_count)
         .grade = 5,
         .modes = (uint8_t)(1u << mode),
     };
-    open_stall(&config);
+    open_core(&config);
     hold(0, aside_m);
     tick();
     press(INPUT_START);
@@ -40,7 +42,7 @@ static void lead_tilted(vec3 to_m, float pitch_rad, float roll_rad)
     }
 }
 
-/* Six fish rest side by side about a place, in three layers. */
+/* Places six resting fish around a point, side by side in three layers. */
 static void lay_fish(float x_m, float z_m)
 {
     struct tank_stage stages[6];
@@ -56,7 +58,7 @@ static void lay_fish(float x_m, float z_m)
     tank_stage_all(&core.world.tank, stages, 6);
 }
 
-/* Six fish over the dipped poi, side by side, toward the ring's right. */
+/* Places six fish above the dipped poi, side by side, near the ring's right edge. */
 static void lay_fish_over_the_poi(float x_m, float z_m)
 {
     struct tank_stage stages[6];
@@ -81,7 +83,8 @@ static void bring_home(void)
     lead_tilted(v3(bowl_m.x - 0.15f, 0.09f, bowl_m.z), 0.0f, 0.0f);
 }
 
-/* A slanted poi comes from the inside, meets the wall, is pressed `press_m` on and lifted along. */
+/* Moves a slanted poi outward to the wall, presses it on by `press_m`, and lifts it along the
+ * wall. */
 static void scoop_along_the_wall(float press_m)
 {
     const float ring_z_m = WALL_Z_M - POI_OUTER_RADIUS_M * f_cos(SLANT_RAD) + press_m;
@@ -94,7 +97,7 @@ static void scoop_along_the_wall(float press_m)
     bring_home();
 }
 
-/* The same far from every wall: from under them, straight up. */
+/* Makes the same scoop far from every wall, straight up from below the fish. */
 static void scoop_in_the_open(void)
 {
     lead_tilted(v3(0.30f, 0.06f, 0.0f), 0.0f, 0.0f);
@@ -104,9 +107,9 @@ static void scoop_in_the_open(void)
     bring_home();
 }
 
-/* A bowl with a hundred fish in it has its rim 3 mm over the water. A poi with fish on it comes
- * along in the film, ever faster, up to 1.7 m/s, its rim `end_m` over the water in the end, and
- * stops at the bowl: what lies in front slides on. */
+/* Sweeps fish into a bowl. A bowl with a hundred fish has its rim 3 mm above the water. A poi with
+ * fish accelerates at the surface up to 1.7 m/s, ends with its rim `end_m` above the water, and
+ * stops at the bowl. Fish ahead of the poi slide on. */
 static void sweep_into_the_bowl(uint32_t wait_ticks, float end_m)
 {
     const vec3 bowl_m = core.world.bowl[0].position_m;
@@ -131,7 +134,7 @@ static void sweep_into_the_bowl(uint32_t wait_ticks, float end_m)
     ticks(60);
 }
 
-/* Alike in all modes, to the tick. */
+/* The motion is the same in all modes, to the tick. */
 static void play(uint8_t mode)
 {
     begin(mode, 6);
@@ -164,7 +167,7 @@ struct sweeps {
     uint32_t caught, in_bowl, fouls, poured;
 };
 
-/* Fish are where they like: many tries, each a few ticks later than the last. */
+/* The fish have random positions, so the sweep is repeated, each time a few ticks later. */
 static struct sweeps sweep_often(uint8_t mode, float end_m)
 {
     struct sweeps sum = { 0 };
@@ -183,7 +186,7 @@ static struct sweeps sweep_often(uint8_t mode, float end_m)
     return sum;
 }
 
-static void test_fish_swept_in_from_a_ring_in_the_water_are_a_foul_and_do_not_count(void **state)
+static void test_fish_swept_in_from_the_water_are_a_foul_and_do_not_count(void **state)
 {
     (void)state;
     const struct sweeps sum = sweep_often(MODE_CHAMPIONSHIP, 0.004f);
@@ -191,16 +194,16 @@ static void test_fish_swept_in_from_a_ring_in_the_water_are_a_foul_and_do_not_co
     assert_true(sum.caught + sum.fouls <= sum.in_bowl);
 }
 
-static void test_at_a_stall_what_was_swept_in_counts(void **state)
+static void test_fish_swept_in_count_in_a_festival(void **state)
 {
     (void)state;
     const struct sweeps sum = sweep_often(MODE_FESTIVAL, 0.004f);
-    assert_true(sum.poured > 0); /* The same motions; only nobody whistles. */
+    assert_true(sum.poured > 0); /* The motions are the same, but the mode has no fouls. */
     assert_int_equal(sum.caught, sum.in_bowl);
 }
 
-/* The same, but the ring rises clear of the water before the bowl. */
-static void test_a_ring_that_was_lifted_clear_first_pours_nothing(void **state)
+/* The motion is the same, but the ring rises above the water before the bowl. */
+static void test_a_ring_lifted_above_the_water_first_commits_no_foul(void **state)
 {
     (void)state;
     const struct sweeps sum = sweep_often(MODE_CHAMPIONSHIP, 0.030f);
@@ -219,7 +222,7 @@ static void test_fish_from_open_water_count_without_a_foul(void **state)
     assert_true(scene.caught[0] > 0);
 }
 
-/* One fish falls into the empty bowl; so long its ring has been clear of the water. */
+/* Drops one fish into the empty bowl. The ring has been above the water for `clear_ticks`. */
 static void drop_a_fish(uint8_t clear_ticks)
 {
     core.world.tank.fish[0].gait = GAIT_HELD;
@@ -233,7 +236,7 @@ static void drop_a_fish(uint8_t clear_ticks)
     assert_int_equal(core.world.bowl[0].fish_count, 1);
 }
 
-static void test_what_falls_off_a_poi_that_nobody_leads_is_no_foul(void **state)
+static void test_a_fish_that_falls_off_a_lost_poi_is_no_foul(void **state)
 {
     (void)state;
     static const uint8_t links[] = { POI_SOURCE_ABSENT, POI_SOURCE_LOST };
@@ -245,10 +248,11 @@ static void test_what_falls_off_a_poi_that_nobody_leads_is_no_foul(void **state)
     }
     play(MODE_CHAMPIONSHIP);
     drop_a_fish(0);
-    assert_int_equal(look()->player[0].fouls, 1); /* Of one that is led it is. */
+    assert_int_equal(look()->player[0].fouls, 1); /* For a controlled poi, the same drop is a
+                                                     foul. */
 }
 
-static void test_after_the_third_foul_nothing_counts(void **state)
+static void test_no_fish_counts_after_the_third_foul(void **state)
 {
     (void)state;
     for (uint8_t before = 0; before <= FOUL_MAX; before++) {
@@ -259,7 +263,7 @@ static void test_after_the_third_foul_nothing_counts(void **state)
     }
 }
 
-/* Two scoops along the wall are two fouls; with one before the start they are three. */
+/* Two scoops along the wall are two fouls. With one before the start, there are three. */
 static void test_the_third_foul_ends_the_players_round(void **state)
 {
     (void)state;
@@ -274,11 +278,11 @@ static void test_the_third_foul_ends_the_players_round(void **state)
     }
     assert_int_equal(scene.player[0].fouls, FOUL_MAX);
     assert_true(scene.player[0].out);
-    wait_for_phase(PHASE_RESULT, GAME_GONE_TICKS + 1u); /* Nobody is left who plays. */
-    assert_int_equal(output.record.player[0].fouls, FOUL_MAX);
+    wait_for_phase(PHASE_RESULT, GAME_GONE_TICKS + 1u); /* No active player is left. */
+    assert_int_equal(newest_record(&output)->player[0].fouls, FOUL_MAX);
 }
 
-static void test_at_a_stall_a_fish_from_the_wall_counts(void **state)
+static void test_a_fish_from_the_wall_counts_in_a_festival(void **state)
 {
     (void)state;
     uint32_t caught = 0;
@@ -296,14 +300,14 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_fish_pressed_against_the_wall_are_a_foul_and_do_not_count),
-        cmocka_unit_test(test_fish_swept_in_from_a_ring_in_the_water_are_a_foul_and_do_not_count),
-        cmocka_unit_test(test_at_a_stall_what_was_swept_in_counts),
-        cmocka_unit_test(test_a_ring_that_was_lifted_clear_first_pours_nothing),
+        cmocka_unit_test(test_fish_swept_in_from_the_water_are_a_foul_and_do_not_count),
+        cmocka_unit_test(test_fish_swept_in_count_in_a_festival),
+        cmocka_unit_test(test_a_ring_lifted_above_the_water_first_commits_no_foul),
         cmocka_unit_test(test_fish_from_open_water_count_without_a_foul),
-        cmocka_unit_test(test_what_falls_off_a_poi_that_nobody_leads_is_no_foul),
-        cmocka_unit_test(test_after_the_third_foul_nothing_counts),
+        cmocka_unit_test(test_a_fish_that_falls_off_a_lost_poi_is_no_foul),
+        cmocka_unit_test(test_no_fish_counts_after_the_third_foul),
         cmocka_unit_test(test_the_third_foul_ends_the_players_round),
-        cmocka_unit_test(test_at_a_stall_a_fish_from_the_wall_counts),
+        cmocka_unit_test(test_a_fish_from_the_wall_counts_in_a_festival),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

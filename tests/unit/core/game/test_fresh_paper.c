@@ -1,5 +1,5 @@
-/* test_fresh_paper.c -- when a poi is handed out, and when a torn one ends a round. */
-#include "tests/unit/support/game_stand.h"
+/* test_fresh_paper.c -- checks when a poi gets new paper and when a torn poi ends a round. */
+#include "tests/unit/support/game_fixture.h"
 #include "core/game/phases.h"
 
 static void test_a_round_with_no_paper_left_ends_three_seconds_later(void **state)
@@ -18,7 +18,7 @@ static void test_a_round_with_no_paper_left_ends_three_seconds_later(void **stat
     assert_int_equal(sounds[SOUND_GONE], 1);
 }
 
-static void test_each_round_hands_out_fresh_and_different_paper(void **state)
+static void test_each_round_starts_with_new_and_different_paper(void **state)
 {
     (void)state;
     play_into_round();
@@ -34,11 +34,11 @@ static void test_each_round_hands_out_fresh_and_different_paper(void **state)
                             sizeof first.strength);
 }
 
-static void test_a_poi_under_water_gets_its_paper_when_it_is_clear(void **state)
+static void test_a_poi_under_water_gets_its_paper_above_the_water(void **state)
 {
     (void)state;
     core.world.poi[0].immersed = 1.0f;
-    start_with_a_hand();
+    start_with_a_poi();
     steps(30);
     assert_int_equal(core.game.player[0].handed, 0);
     core.world.poi[0].immersed = 0.0f;
@@ -46,7 +46,7 @@ static void test_a_poi_under_water_gets_its_paper_when_it_is_clear(void **state)
     assert_int_equal(core.game.player[0].handed, 1);
 }
 
-static void test_the_attract_bot_gets_new_paper_when_its_own_is_gone(void **state)
+static void test_the_attract_bot_gets_new_paper_when_its_paper_is_torn(void **state)
 {
     (void)state;
     steps(10);
@@ -69,7 +69,7 @@ static void test_the_attract_bot_pours_a_full_bowl_back(void **state)
     assert_int_equal(core.world.bowl[0].fish_count, 9);
     core.world.tank.fish[9].gait = GAIT_BOWL;
     core.world.bowl[0].fish_count = 10;
-    core.world.poi[0].carried_count = 1; /* not while it carries one more */
+    core.world.poi[0].carried_count = 1; /* The round continues while the poi carries a fish. */
     steps(3u * CORE_TICK_HZ);
     assert_int_equal(core.world.bowl[0].fish_count, 10);
     core.world.poi[0].carried_count = 0;
@@ -91,14 +91,15 @@ static void punch(struct sheet *sheet, float x_m, float z_m, float radius_m)
     }
 }
 
-static void test_paper_with_a_hole_in_the_middle_still_holds_beside_it(void **state)
+static void test_paper_with_a_hole_in_the_middle_is_usable_beside_it(void **state)
 {
     (void)state;
     struct sheet *sheet = &core.world.poi[0].sheet;
     assert_true(paper_can_hold(sheet));
     punch(sheet, 0.0f, 0.0f, 0.012f);
     assert_true(paper_can_hold(sheet));
-    punch(sheet, 0.0f, 0.0f, 0.026f); /* a fringe of 14 mm is narrower than a fish needs */
+    punch(sheet, 0.0f, 0.0f, 0.026f); /* A strip of 14 mm at the ring is narrower than a fish
+                                         needs. */
     assert_true(sheet_left(sheet) > PAPER_LEFT_MIN);
     assert_false(paper_can_hold(sheet));
 }
@@ -108,11 +109,11 @@ int main(void)
 #define TEST(name) cmocka_unit_test_setup(name, setup)
     const struct CMUnitTest tests[] = {
         TEST(test_a_round_with_no_paper_left_ends_three_seconds_later),
-        TEST(test_each_round_hands_out_fresh_and_different_paper),
-        TEST(test_a_poi_under_water_gets_its_paper_when_it_is_clear),
-        TEST(test_the_attract_bot_gets_new_paper_when_its_own_is_gone),
+        TEST(test_each_round_starts_with_new_and_different_paper),
+        TEST(test_a_poi_under_water_gets_its_paper_above_the_water),
+        TEST(test_the_attract_bot_gets_new_paper_when_its_paper_is_torn),
         TEST(test_the_attract_bot_pours_a_full_bowl_back),
-        TEST(test_paper_with_a_hole_in_the_middle_still_holds_beside_it),
+        TEST(test_paper_with_a_hole_in_the_middle_is_usable_beside_it),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

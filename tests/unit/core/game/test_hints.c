@@ -1,4 +1,4 @@
-/* test_hints.c -- what the stall says to a player who does this or that. */
+/* test_hints.c -- checks which hint the game shows for each action of a player. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -29,7 +29,7 @@ static int setup(void **state)
     return 0;
 }
 
-/* So many ticks of hints alone; what they say then. */
+/* Runs `ticks` ticks of the hints alone. Returns the hint after them. */
 static uint8_t hint_after(uint32_t ticks)
 {
     for (uint32_t i = 0; i < ticks; i++) {
@@ -62,14 +62,14 @@ static void put_fish_on_the_poi(void)
     core.world.tank.fish[0].holder = 0;
 }
 
-static void test_attract_says_start(void **state)
+static void test_attract_shows_the_start_hint(void **state)
 {
     (void)state;
     core.game.phase = PHASE_ATTRACT;
     assert_int_equal(hint_after(300), HINT_START);
 }
 
-static void test_the_result_says_start_when_a_dip_would_begin_again(void **state)
+static void test_the_result_shows_the_start_hint_when_a_dip_counts(void **state)
 {
     (void)state;
     core.game.phase = PHASE_RESULT;
@@ -78,32 +78,33 @@ static void test_the_result_says_start_when_a_dip_would_begin_again(void **state
     assert_int_equal(hint_after(20), HINT_START);
 }
 
-static void test_a_hand_that_rests_is_told_to_move(void **state)
+static void test_a_resting_poi_gets_the_move_hint(void **state)
 {
     (void)state;
     assert_int_equal(hint_after(300), HINT_MOVE);
 }
 
-static void test_a_hand_that_moved_is_told_to_dip(void **state)
+static void test_a_moved_poi_gets_the_dip_hint(void **state)
 {
     (void)state;
     hint_after(300);
     core.world.poi[0].velocity_m_s = v3(0.3f, 0.0f, 0.0f);
-    assert_int_equal(hint_after(24), HINT_MOVE); /* 6 cm are not a try yet */
+    assert_int_equal(hint_after(24), HINT_MOVE); /* A motion of 6 cm is too small to count. */
     assert_int_equal(hint_after(120), HINT_DIP);
 }
 
-static void test_a_fish_over_the_dipped_poi_calls_for_a_lift(void **state)
+static void test_a_fish_over_the_dipped_poi_gives_the_lift_hint(void **state)
 {
     (void)state;
     hint_after(300);
     dip_poi();
-    assert_int_equal(hint_after(200), HINT_NONE); /* under water with no fish near: let be */
+    assert_int_equal(hint_after(200), HINT_NONE); /* A poi under water without fish nearby gives no
+                                                     hint. */
     put_fish_over_the_poi();
     assert_int_equal(hint_after(200), HINT_LIFT);
 }
 
-static void test_a_fish_under_the_dipped_poi_does_not(void **state)
+static void test_a_fish_under_the_dipped_poi_gives_no_lift_hint(void **state)
 {
     (void)state;
     dip_poi();
@@ -112,7 +113,7 @@ static void test_a_fish_under_the_dipped_poi_does_not(void **state)
     assert_int_equal(hint_after(300), HINT_NONE);
 }
 
-static void test_a_fish_on_the_lifted_poi_calls_for_the_bowl(void **state)
+static void test_a_fish_on_the_lifted_poi_gives_the_bowl_hint(void **state)
 {
     (void)state;
     put_fish_on_the_poi();
@@ -122,12 +123,12 @@ static void test_a_fish_on_the_lifted_poi_calls_for_the_bowl(void **state)
     learn(HINT_TILT);
     learn(HINT_MOVE);
     learn(HINT_DIP);
-    assert_int_equal(hint_after(300), HINT_NONE); /* and is not said again */
+    assert_int_equal(hint_after(300), HINT_NONE); /* The hint is not repeated. */
     put_fish_on_the_poi();
     assert_int_equal(hint_after(300), HINT_NONE);
 }
 
-static void test_who_caught_one_hears_of_the_tilt_until_it_is_done(void **state)
+static void test_the_tilt_hint_stays_until_the_player_tilts(void **state)
 {
     (void)state;
     learn(HINT_MOVE);
@@ -138,7 +139,7 @@ static void test_who_caught_one_hears_of_the_tilt_until_it_is_done(void **state)
     assert_int_equal(hint_after(300), HINT_NONE);
 }
 
-static void test_a_lift_that_is_done_is_not_asked_for_any_longer(void **state)
+static void test_a_completed_lift_ends_the_lift_hint(void **state)
 {
     (void)state;
     hint_after(300);
@@ -149,7 +150,7 @@ static void test_a_lift_that_is_done_is_not_asked_for_any_longer(void **state)
     assert_int_not_equal(hint_after(12), HINT_LIFT);
 }
 
-static void test_dips_in_vain_call_for_a_word_on_how_it_is_done(void **state)
+static void test_unsuccessful_dips_give_the_technique_hint(void **state)
 {
     (void)state;
     learn(HINT_MOVE);
@@ -165,7 +166,7 @@ static void test_dips_in_vain_call_for_a_word_on_how_it_is_done(void **state)
     assert_int_equal(hint_after(300), HINT_GLIDE);
 }
 
-static void test_haste_that_tears_is_told_to_slow_down(void **state)
+static void test_a_fast_motion_that_tears_gives_the_slow_hint(void **state)
 {
     (void)state;
     hint_after(300);
@@ -174,7 +175,7 @@ static void test_haste_that_tears_is_told_to_slow_down(void **state)
     assert_int_equal(hint_after(13), HINT_SLOWLY);
 }
 
-static void test_a_tear_without_haste_is_no_reproach(void **state)
+static void test_a_tear_in_slow_motion_gives_no_slow_hint(void **state)
 {
     (void)state;
     hint_after(300);
@@ -198,12 +199,12 @@ static void test_a_hint_stays_for_one_and_a_half_seconds(void **state)
     assert_in_range(core.game.tick - since, HINT_TICKS_MIN, HINT_TICKS_MIN + 12u);
 }
 
-static void test_what_is_urgent_does_not_wait(void **state)
+static void test_an_urgent_hint_is_shown_immediately(void **state)
 {
     (void)state;
     hint_after(300);
     learn(HINT_MOVE);
-    hint_after(13); /* now HINT_DIP is fresh */
+    hint_after(13); /* HINT_DIP is now new. */
     core.world.poi[0].link = POI_SOURCE_LOST;
     assert_int_equal(hint_after(13), HINT_LOST_POI);
     core.world.poi[0].link = POI_SOURCE_LIVE;
@@ -212,14 +213,14 @@ static void test_what_is_urgent_does_not_wait(void **state)
     assert_int_equal(hint_after(13), HINT_TORN);
 }
 
-static void test_a_bot_is_told_nothing(void **state)
+static void test_a_bot_gets_no_hint(void **state)
 {
     (void)state;
     core.world.poi[0].link = POI_SOURCE_BOT;
     assert_int_equal(hint_after(500), HINT_NONE);
 }
 
-static void test_a_new_player_learns_anew(void **state)
+static void test_a_new_player_gets_the_hints_from_the_start(void **state)
 {
     (void)state;
     learn(HINT_MOVE);
@@ -227,13 +228,13 @@ static void test_a_new_player_learns_anew(void **state)
     assert_int_equal(hint_after(300), HINT_MOVE);
 }
 
-static void test_the_lesson_is_for_who_has_a_poi_in_hand(void **state)
+static void test_only_a_player_with_a_controller_gets_hints(void **state)
 {
     (void)state;
     const struct core_config config = { .seed = 3, .fish_count = 2, .players = 2 };
     assert_int_equal(core_init(&core, &config), CORE_OK);
     core.game.phase = PHASE_ROUND;
-    core.world.poi[1].link = POI_SOURCE_LIVE; /* The first seat is empty. */
+    core.world.poi[1].link = POI_SOURCE_LIVE; /* The first player slot is empty. */
     core.world.poi[1].position_m = v3(0.0f, 0.06f, 0.0f);
     core.game.tick = 5000;
     assert_int_equal(hint_after(300), HINT_MOVE);
@@ -245,23 +246,23 @@ int main(void)
 {
 #define TEST(name) cmocka_unit_test_setup(name, setup)
     const struct CMUnitTest tests[] = {
-        TEST(test_attract_says_start),
-        TEST(test_the_result_says_start_when_a_dip_would_begin_again),
-        TEST(test_a_hand_that_rests_is_told_to_move),
-        TEST(test_a_hand_that_moved_is_told_to_dip),
-        TEST(test_a_fish_over_the_dipped_poi_calls_for_a_lift),
-        TEST(test_a_fish_under_the_dipped_poi_does_not),
-        TEST(test_a_fish_on_the_lifted_poi_calls_for_the_bowl),
-        TEST(test_who_caught_one_hears_of_the_tilt_until_it_is_done),
-        TEST(test_a_lift_that_is_done_is_not_asked_for_any_longer),
-        TEST(test_dips_in_vain_call_for_a_word_on_how_it_is_done),
-        TEST(test_haste_that_tears_is_told_to_slow_down),
-        TEST(test_a_tear_without_haste_is_no_reproach),
+        TEST(test_attract_shows_the_start_hint),
+        TEST(test_the_result_shows_the_start_hint_when_a_dip_counts),
+        TEST(test_a_resting_poi_gets_the_move_hint),
+        TEST(test_a_moved_poi_gets_the_dip_hint),
+        TEST(test_a_fish_over_the_dipped_poi_gives_the_lift_hint),
+        TEST(test_a_fish_under_the_dipped_poi_gives_no_lift_hint),
+        TEST(test_a_fish_on_the_lifted_poi_gives_the_bowl_hint),
+        TEST(test_the_tilt_hint_stays_until_the_player_tilts),
+        TEST(test_a_completed_lift_ends_the_lift_hint),
+        TEST(test_unsuccessful_dips_give_the_technique_hint),
+        TEST(test_a_fast_motion_that_tears_gives_the_slow_hint),
+        TEST(test_a_tear_in_slow_motion_gives_no_slow_hint),
         TEST(test_a_hint_stays_for_one_and_a_half_seconds),
-        TEST(test_what_is_urgent_does_not_wait),
-        TEST(test_a_bot_is_told_nothing),
-        TEST(test_a_new_player_learns_anew),
-        TEST(test_the_lesson_is_for_who_has_a_poi_in_hand),
+        TEST(test_an_urgent_hint_is_shown_immediately),
+        TEST(test_a_bot_gets_no_hint),
+        TEST(test_a_new_player_gets_the_hints_from_the_start),
+        TEST(test_only_a_player_with_a_controller_gets_hints),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,17 +1,17 @@
-/* test_idle.c -- whatever somebody leaves behind, the stall opens again by itself.
+/* test_idle.c -- checks that the kiosk returns to attract from every abandoned state.
  *
- * Every phase and every page of the operator's menu is walked into and left: with nobody there,
- * with a poi that swings on its cord, with a controller whose plug comes and goes, with buttons
- * that are stuck. */
+ * The test enters every phase and every page of the operator's menu and abandons it: without a
+ * player, with a poi that swings on its cord, with a loose controller plug, and with stuck
+ * buttons. */
 #include "core/game/menu/menu_pages.h"
 #include "core/game/phases.h"
-#include "tests/unit/support/game_stand.h"
+#include "tests/unit/support/game_fixture.h"
 
 #define LONGEST_TICKS (MENU_SWING_SPANS * MENU_IDLE_TICKS + CORE_TICK_HZ)
-#define SWING_TICKS 170u /* A cord of half a metre. */
+#define SWING_TICKS 170u /* Period of a cord of half a metre. */
 #define PLUG_TICKS 1200u
 
-/* ---- Who is left behind --------------------------------------------------------------------- */
+/* ---- Abandoned input ------------------------------------------------------------------------ */
 
 enum left_behind { LEFT_NOTHING, LEFT_SWINGING, LEFT_LOOSE_PLUG, LEFT_STUCK, LEFT_COUNT };
 static const char *const left_names[] = { "nothing", "a swinging poi", "a loose plug",
@@ -44,9 +44,9 @@ static void leave(enum left_behind what)
     }
 }
 
-/* ---- The walk ------------------------------------------------------------------------------- */
+/* ---- Visits --------------------------------------------------------------------------------- */
 
-static uint32_t seen; /* A bit for each phase that was waited in. */
+static uint32_t seen; /* Bit mask of the phases in which the test waited. */
 
 static void expect_attract_by_itself(enum left_behind what, const char *where)
 {
@@ -56,17 +56,17 @@ static void expect_attract_by_itself(enum left_behind what, const char *where)
         leave(what);
         step();
         if (core.game.tick - begin > LONGEST_TICKS) {
-            fail_msg("%s is left for ever with %s, in phase %u", where, left_names[what],
+            fail_msg("%s never ends with %s, in phase %u", where, left_names[what],
                      core.game.phase);
         }
     }
     input = (struct input){ 0 };
     leave(what);
     steps(60u * CORE_TICK_HZ);
-    assert_int_equal(core.game.phase, PHASE_ATTRACT); /* And stays there. */
+    assert_int_equal(core.game.phase, PHASE_ATTRACT); /* The game stays in attract. */
 }
 
-/* All is offered, and a store is there to keep names. */
+/* Opens a kiosk with all modes and with a store for names. */
 static void open_stall(void)
 {
     struct core_config config = { .seed = 7, .fish_count = 12, .persistent.ledger.boots = 1 };
@@ -80,7 +80,7 @@ static void open_stall(void)
     steps(10);
 }
 
-/* From the choice into a round of `choice`, by buttons. */
+/* Advances from the mode selection into a round of `choice` by buttons. */
 static void begin_playing(uint32_t choice)
 {
     open_stall();
@@ -105,7 +105,7 @@ static void finish_round_with_a_catch(void)
     assert_int_equal(core.game.phase, PHASE_RESULT);
 }
 
-static void test_the_choice_is_left_by_itself(void **state)
+static void test_the_mode_selection_times_out(void **state)
 {
     (void)state;
     for (enum left_behind what = 0; what < LEFT_COUNT; what++) {
@@ -116,7 +116,7 @@ static void test_the_choice_is_left_by_itself(void **state)
     }
 }
 
-static void test_what_was_chosen_is_left_by_itself(void **state)
+static void test_every_chosen_mode_times_out(void **state)
 {
     (void)state;
     for (uint32_t choice = 0; choice < CHOICE_COUNT; choice++) {
@@ -128,7 +128,7 @@ static void test_what_was_chosen_is_left_by_itself(void **state)
     }
 }
 
-static void test_the_result_and_all_that_follows_is_left_by_itself(void **state)
+static void test_the_result_and_the_following_phases_time_out(void **state)
 {
     (void)state;
     for (enum left_behind what = 0; what < LEFT_COUNT; what++) {
@@ -141,7 +141,7 @@ static void test_the_result_and_all_that_follows_is_left_by_itself(void **state)
     }
 }
 
-static void test_every_page_of_the_menu_is_left_by_itself(void **state)
+static void test_every_page_of_the_menu_times_out(void **state)
 {
     (void)state;
     for (uint32_t page = 0; page < MENU_PAGE_COUNT; page++) {
@@ -157,8 +157,8 @@ static void test_every_page_of_the_menu_is_left_by_itself(void **state)
     }
 }
 
-/* Who looks at the axes moves nothing but a poi, and has time for it. */
-static void test_a_hand_that_moves_keeps_the_menu_open_for_a_quarter_of_an_hour(void **state)
+/* An operator who watches the axes moves only a poi and needs time. */
+static void test_a_moving_poi_keeps_the_menu_open_for_15_minutes(void **state)
 {
     (void)state;
     open_stall();
@@ -172,7 +172,7 @@ static void test_a_hand_that_moves_keeps_the_menu_open_for_a_quarter_of_an_hour(
                     MENU_SWING_SPANS * MENU_IDLE_TICKS + CORE_TICK_HZ);
 }
 
-static void test_a_button_now_and_then_keeps_the_menu_open(void **state)
+static void test_occasional_buttons_keep_the_menu_open(void **state)
 {
     (void)state;
     open_stall();
@@ -187,12 +187,12 @@ static void test_a_button_now_and_then_keeps_the_menu_open(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_the_choice_is_left_by_itself),
-        cmocka_unit_test(test_what_was_chosen_is_left_by_itself),
-        cmocka_unit_test(test_the_result_and_all_that_follows_is_left_by_itself),
-        cmocka_unit_test(test_every_page_of_the_menu_is_left_by_itself),
-        cmocka_unit_test(test_a_hand_that_moves_keeps_the_menu_open_for_a_quarter_of_an_hour),
-        cmocka_unit_test(test_a_button_now_and_then_keeps_the_menu_open),
+        cmocka_unit_test(test_the_mode_selection_times_out),
+        cmocka_unit_test(test_every_chosen_mode_times_out),
+        cmocka_unit_test(test_the_result_and_the_following_phases_time_out),
+        cmocka_unit_test(test_every_page_of_the_menu_times_out),
+        cmocka_unit_test(test_a_moving_poi_keeps_the_menu_open_for_15_minutes),
+        cmocka_unit_test(test_occasional_buttons_keep_the_menu_open),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

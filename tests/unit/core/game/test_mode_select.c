@@ -1,6 +1,5 @@
-/* test_mode_select.c -- a stall that offers several modes: pointing, taking, and the tank that a
- * mode is played in. */
-#include "tests/unit/support/stall_stand.h"
+/* test_mode_select.c -- checks the selection of a mode, and the tank of each mode. */
+#include "tests/unit/support/core_fixture.h"
 #include "core/game/table_setup.h"
 
 #define ALL_MODES ((1u << MODE_COUNT) - 1u)
@@ -11,7 +10,7 @@ static int offer_all(void **state)
 {
     (void)state;
     const struct core_config config = { .seed = 5, .fish_count = 12, .modes = ALL_MODES };
-    open_stall(&config);
+    open_core(&config);
     return 0;
 }
 
@@ -32,21 +31,21 @@ static void take(uint8_t mode)
     assert_int_equal(core.game.phase, PHASE_READY);
 }
 
-static void test_one_mode_alone_is_not_asked_for(void **state)
+static void test_a_single_mode_needs_no_selection(void **state)
 {
     (void)state;
     for (uint8_t mode = 0; mode < MODE_COUNT; mode++) {
         const struct core_config config = { .seed = 5,
                                             .fish_count = 12,
                                             .modes = (uint8_t)(1u << mode) };
-        open_stall(&config);
+        open_core(&config);
         press(INPUT_START);
         assert_int_equal(core.game.phase, PHASE_READY);
         assert_int_equal(look()->mode, mode);
     }
 }
 
-static void test_left_and_right_go_round_and_start_takes_one(void **state)
+static void test_left_and_right_cycle_and_start_chooses_a_mode(void **state)
 {
     (void)state;
     choose();
@@ -59,18 +58,19 @@ static void test_left_and_right_go_round_and_start_takes_one(void **state)
     assert_int_equal(look()->mode, MODE_FESTIVAL);
     press(INPUT_LEFT);
     assert_int_equal(look()->mode, MODE_PRACTICE);
-    assert_int_equal(sounds[SOUND_CHOOSE], 5); /* One as it opens, one for each. */
+    assert_int_equal(sounds[SOUND_CHOOSE], 5); /* One sound plays at the opening and one for each
+                                                  mode. */
     press(INPUT_OK);
     assert_int_equal(core.game.phase, PHASE_READY);
     assert_int_equal(look()->mode, MODE_PRACTICE);
 }
 
-static void test_modes_that_are_not_offered_are_passed_over(void **state)
+static void test_disabled_modes_are_skipped(void **state)
 {
     (void)state;
     const struct core_config config = { .fish_count = 12,
                                         .modes = 1u << MODE_FESTIVAL | 1u << MODE_PRACTICE };
-    open_stall(&config);
+    open_core(&config);
     choose();
     press(INPUT_RIGHT);
     assert_int_equal(look()->mode, MODE_PRACTICE);
@@ -78,22 +78,22 @@ static void test_modes_that_are_not_offered_are_passed_over(void **state)
     assert_int_equal(look()->mode, MODE_FESTIVAL);
 }
 
-static void test_a_hand_points_at_the_share_of_the_tank_that_it_is_over(void **state)
+static void test_a_poi_selects_the_mode_of_its_part_of_the_tank(void **state)
 {
     (void)state;
-    hold(0, v3(RIGHT_M, STAND_ABOVE_M, 0.0f));
+    hold(0, v3(RIGHT_M, ABOVE_M, 0.0f));
     choose();
     assert_int_equal(look()->mode, MODE_PRACTICE);
-    lead(0, v3(0.0f, STAND_ABOVE_M, 0.0f));
+    lead(0, v3(0.0f, ABOVE_M, 0.0f));
     assert_int_equal(look()->mode, MODE_CHAMPIONSHIP);
-    lead(0, v3(-0.6f, STAND_ABOVE_M, 0.0f));
+    lead(0, v3(-0.6f, ABOVE_M, 0.0f));
     assert_int_equal(look()->mode, MODE_FESTIVAL);
-    press(INPUT_RIGHT); /* A hand that rests leaves the buttons their way. */
+    press(INPUT_RIGHT); /* A resting poi does not override the buttons. */
     ticks(60);
     assert_int_equal(look()->mode, MODE_CHAMPIONSHIP);
 }
 
-static void test_a_dip_takes_the_mode_where_it_dips(void **state)
+static void test_a_dip_chooses_the_mode_under_it(void **state)
 {
     (void)state;
     choose();
@@ -106,7 +106,7 @@ static void test_a_dip_takes_the_mode_where_it_dips(void **state)
     assert_int_equal(look()->mode, MODE_FESTIVAL);
 }
 
-static void test_the_press_that_opens_the_choice_takes_nothing(void **state)
+static void test_the_press_that_opens_the_selection_chooses_no_mode(void **state)
 {
     (void)state;
     press(INPUT_START);
@@ -118,7 +118,7 @@ static void test_the_press_that_opens_the_choice_takes_nothing(void **state)
     assert_int_equal(core.game.phase, PHASE_READY);
 }
 
-static void test_fifteen_seconds_without_pointing_end_the_choice(void **state)
+static void test_fifteen_seconds_without_input_end_the_selection(void **state)
 {
     (void)state;
     choose();
@@ -131,30 +131,30 @@ static void test_fifteen_seconds_without_pointing_end_the_choice(void **state)
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
-static void test_a_hand_that_moves_about_is_somebody_who_chooses(void **state)
+static void test_a_moving_poi_keeps_the_selection_open(void **state)
 {
     (void)state;
-    hold(0, v3(LEFT_M, STAND_ABOVE_M, 0.0f));
+    hold(0, v3(LEFT_M, ABOVE_M, 0.0f));
     choose();
     for (uint32_t i = 0; i < 5; i++) {
         ticks(GAME_MODE_SELECT_TICKS - CORE_TICK_HZ);
-        lead(0, v3(LEFT_M, STAND_ABOVE_M, i % 2u ? 0.0f : 0.1f));
+        lead(0, v3(LEFT_M, ABOVE_M, i % 2u ? 0.0f : 0.1f));
         assert_int_equal(core.game.phase, PHASE_MODE_SELECT);
     }
-    ticks(GAME_MODE_SELECT_TICKS + 1u); /* One that rests is a poi that lies there. */
+    ticks(GAME_MODE_SELECT_TICKS + 1u); /* A resting poi counts as unused. */
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
-/* A poi on its cord swings past the stall's edge for ever. */
-static void test_no_choice_lasts_longer_than_two_minutes(void **state)
+/* A poi on its cord swings across the kiosk's edge forever. */
+static void test_the_selection_lasts_at_most_two_minutes(void **state)
 {
     (void)state;
-    hold(0, v3(LEFT_M, STAND_ABOVE_M, 0.0f));
+    hold(0, v3(LEFT_M, ABOVE_M, 0.0f));
     choose();
     const uint32_t begin_tick = core.game.phase_tick;
     while (core.game.phase == PHASE_MODE_SELECT &&
            core.game.tick - begin_tick <= GAME_MODE_SELECT_TICKS_MAX) {
-        lead(0, v3(LEFT_M, STAND_ABOVE_M, core.game.tick % 2u ? 0.0f : 0.1f));
+        lead(0, v3(LEFT_M, ABOVE_M, core.game.tick % 2u ? 0.0f : 0.1f));
         press(core.game.tick % 3u ? 0 : INPUT_RIGHT);
         assert_true(look()->seconds_left <= 15.0f);
     }
@@ -163,38 +163,40 @@ static void test_no_choice_lasts_longer_than_two_minutes(void **state)
                     120u * CORE_TICK_HZ + 1u);
 }
 
-/* Away while the player chooses, back elsewhere: the poi is on its way to the hand as it opens. */
-static void test_in_a_tank_that_opens_nobodys_poi_is_still_led_back(void **state)
+/* The controller is lost during the selection and returns elsewhere. The poi is on its way to the
+ * controller when the tank opens. */
+static void test_a_newly_opened_tank_has_no_returning_poi(void **state)
 {
     (void)state;
-    hold(0, v3(0.0f, STAND_ABOVE_M, 0.0f));
+    hold(0, v3(0.0f, ABOVE_M, 0.0f));
     choose();
     input.poi[0].link = POI_SOURCE_LOST;
     ticks(60);
-    hold(0, v3(0.0f, STAND_ABOVE_M, 0.2f));
+    hold(0, v3(0.0f, ABOVE_M, 0.2f));
     for (uint32_t i = 0; i < 120 && core.game.return_ticks[0] < 2u; i++) {
         tick();
     }
     assert_true(core.game.return_ticks[0] > 0);
-    assert_int_equal(core.game.mode, MODE_CHAMPIONSHIP); /* It points there. */
+    assert_int_equal(core.game.mode, MODE_CHAMPIONSHIP); /* The selection follows the poi. */
     press(INPUT_START);
     assert_int_equal(core.world.tank.preset, TANK_PRESET_OFFICIAL);
     assert_int_equal(core.game.return_ticks[0], 0);
     assert_int_equal(core.world.poi[0].damage_immune, 0);
 }
 
-static void test_a_poi_stays_above_the_water_while_somebody_chooses(void **state)
+static void test_a_poi_stays_above_the_water_during_the_selection(void **state)
 {
     (void)state;
     choose();
-    hold(0, v3(RIGHT_M, STAND_BELOW_M, 0.0f)); /* It appears below: no dip. */
+    hold(0, v3(RIGHT_M, BELOW_M, 0.0f)); /* The controller appears below the water, which is no
+                                            dip. */
     ticks(300);
     assert_int_equal(core.game.phase, PHASE_MODE_SELECT);
     assert_true(core.world.poi[0].position_m.y > 0.0f);
     assert_int_equal(core.world.poi[0].dips, 0);
 }
 
-static void test_the_championship_has_a_tank_of_its_own_and_attract_has_the_stalls(void **state)
+static void test_the_championship_has_its_own_tank_and_attract_the_festivals(void **state)
 {
     (void)state;
     take(MODE_CHAMPIONSHIP);
@@ -205,7 +207,7 @@ static void test_the_championship_has_a_tank_of_its_own_and_attract_has_the_stal
     assert_float_equal(core.world.bowl[0].position_m.x, official->bowl_m[0].x, 0.02f);
     assert_int_equal(scene.grade, 5);
     assert_float_equal(scene.seconds_left, 5.0f, 0.02f);
-    core.game.phase = PHASE_RESULT; /* As if it had been played. */
+    core.game.phase = PHASE_RESULT; /* The state is that after a played round. */
     core.game.phase_tick = core.game.tick;
     ticks(GAME_RESULT_TICKS + 1u);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
@@ -213,7 +215,7 @@ static void test_the_championship_has_a_tank_of_its_own_and_attract_has_the_stal
     assert_int_equal(core.world.tank.fish_count, 12);
 }
 
-static void test_each_championship_draws_its_tank_anew(void **state)
+static void test_each_championship_has_a_new_random_tank(void **state)
 {
     (void)state;
     take(MODE_CHAMPIONSHIP);
@@ -224,9 +226,9 @@ static void test_each_championship_draws_its_tank_anew(void **state)
     assert_int_not_equal(core.world.tank.seed, first);
 }
 
-/* Fish count ticks since their last thought in a byte: those of a tank that opens late have not
- * slept for seconds. */
-static void test_fish_of_a_tank_that_opens_late_have_just_thought(void **state)
+/* Fish count the ticks since their last update in a byte. Fish of a tank that opens late must not
+ * have an update pending for seconds. */
+static void test_fish_of_a_tank_that_opens_late_were_just_updated(void **state)
 {
     (void)state;
     ticks(200u - core.game.tick % 256u);
@@ -240,7 +242,7 @@ static void test_fish_of_a_tank_that_opens_late_have_just_thought(void **state)
     }
 }
 
-static void test_festival_and_practice_are_played_in_the_stalls_own_tank(void **state)
+static void test_festival_and_practice_use_the_configured_tank(void **state)
 {
     (void)state;
     const struct core_config config = { .preset = TANK_PRESET_THESIS,
@@ -248,20 +250,20 @@ static void test_festival_and_practice_are_played_in_the_stalls_own_tank(void **
                                         .modes = ALL_MODES };
     static const uint8_t modes[] = { MODE_FESTIVAL, MODE_PRACTICE };
     for (size_t i = 0; i < sizeof modes; i++) {
-        open_stall(&config);
+        open_core(&config);
         take(modes[i]);
         assert_int_equal(core.world.tank.preset, TANK_PRESET_THESIS);
         assert_int_equal(core.world.tank.fish_count, 12);
     }
 }
 
-static void test_the_paper_is_the_stalls_but_for_the_championships(void **state)
+static void test_the_paper_is_the_configured_grade_except_in_the_championship(void **state)
 {
     (void)state;
     const struct core_config config = { .fish_count = 12, .modes = ALL_MODES, .grade = 4 };
     static const uint8_t grades[MODE_COUNT] = { 4, 5, 4 };
     for (uint8_t mode = 0; mode < MODE_COUNT; mode++) {
-        open_stall(&config);
+        open_core(&config);
         take(mode);
         ticks(10);
         assert_int_equal(core.world.poi[0].sheet.grade, grades[mode]);
@@ -269,7 +271,7 @@ static void test_the_paper_is_the_stalls_but_for_the_championships(void **state)
     }
 }
 
-static void test_a_championship_that_is_offered_alone_takes_the_paper_that_is_named(void **state)
+static void test_a_championship_as_the_only_mode_uses_the_configured_grade(void **state)
 {
     (void)state;
     const uint8_t named[] = { 0, 4, 7 }, played[] = { 5, 4, 7 };
@@ -279,12 +281,12 @@ static void test_a_championship_that_is_offered_alone_takes_the_paper_that_is_na
                                             .modes = 1u << MODE_CHAMPIONSHIP,
                                             .grade = named[i] };
         assert_int_equal(table_setup_grade(&config, MODE_CHAMPIONSHIP), played[i]);
-        open_stall(&config);
+        open_core(&config);
         assert_int_equal(core.world.poi[0].sheet.grade, played[i]);
     }
 }
 
-static void test_the_same_presses_choose_and_play_the_same(void **state)
+static void test_the_same_inputs_choose_and_play_identically(void **state)
 {
     uint64_t hash[2];
     for (uint32_t i = 0; i < 2; i++) {
@@ -296,7 +298,7 @@ static void test_the_same_presses_choose_and_play_the_same(void **state)
     assert_true(hash[0] == hash[1]);
 }
 
-static void test_start_in_the_result_asks_again(void **state)
+static void test_start_in_the_result_reopens_the_selection(void **state)
 {
     (void)state;
     take(MODE_PRACTICE);
@@ -305,32 +307,32 @@ static void test_start_in_the_result_asks_again(void **state)
     ticks(GAME_AGAIN_TICKS);
     press(INPUT_START);
     assert_int_equal(core.game.phase, PHASE_MODE_SELECT);
-    assert_int_equal(look()->mode, MODE_PRACTICE); /* What was played is pointed at. */
+    assert_int_equal(look()->mode, MODE_PRACTICE); /* The last played mode is selected. */
 }
 
 int main(void)
 {
 #define TEST(name) cmocka_unit_test_setup(name, offer_all)
     const struct CMUnitTest tests[] = {
-        TEST(test_one_mode_alone_is_not_asked_for),
-        TEST(test_left_and_right_go_round_and_start_takes_one),
-        TEST(test_modes_that_are_not_offered_are_passed_over),
-        TEST(test_a_hand_points_at_the_share_of_the_tank_that_it_is_over),
-        TEST(test_a_dip_takes_the_mode_where_it_dips),
-        TEST(test_the_press_that_opens_the_choice_takes_nothing),
-        TEST(test_fifteen_seconds_without_pointing_end_the_choice),
-        TEST(test_a_hand_that_moves_about_is_somebody_who_chooses),
-        TEST(test_no_choice_lasts_longer_than_two_minutes),
-        TEST(test_in_a_tank_that_opens_nobodys_poi_is_still_led_back),
-        TEST(test_a_poi_stays_above_the_water_while_somebody_chooses),
-        TEST(test_the_championship_has_a_tank_of_its_own_and_attract_has_the_stalls),
-        TEST(test_each_championship_draws_its_tank_anew),
-        TEST(test_fish_of_a_tank_that_opens_late_have_just_thought),
-        TEST(test_festival_and_practice_are_played_in_the_stalls_own_tank),
-        TEST(test_the_paper_is_the_stalls_but_for_the_championships),
-        TEST(test_a_championship_that_is_offered_alone_takes_the_paper_that_is_named),
-        TEST(test_the_same_presses_choose_and_play_the_same),
-        TEST(test_start_in_the_result_asks_again),
+        TEST(test_a_single_mode_needs_no_selection),
+        TEST(test_left_and_right_cycle_and_start_chooses_a_mode),
+        TEST(test_disabled_modes_are_skipped),
+        TEST(test_a_poi_selects_the_mode_of_its_part_of_the_tank),
+        TEST(test_a_dip_chooses_the_mode_under_it),
+        TEST(test_the_press_that_opens_the_selection_chooses_no_mode),
+        TEST(test_fifteen_seconds_without_input_end_the_selection),
+        TEST(test_a_moving_poi_keeps_the_selection_open),
+        TEST(test_the_selection_lasts_at_most_two_minutes),
+        TEST(test_a_newly_opened_tank_has_no_returning_poi),
+        TEST(test_a_poi_stays_above_the_water_during_the_selection),
+        TEST(test_the_championship_has_its_own_tank_and_attract_the_festivals),
+        TEST(test_each_championship_has_a_new_random_tank),
+        TEST(test_fish_of_a_tank_that_opens_late_were_just_updated),
+        TEST(test_festival_and_practice_use_the_configured_tank),
+        TEST(test_the_paper_is_the_configured_grade_except_in_the_championship),
+        TEST(test_a_championship_as_the_only_mode_uses_the_configured_grade),
+        TEST(test_the_same_inputs_choose_and_play_identically),
+        TEST(test_start_in_the_result_reopens_the_selection),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

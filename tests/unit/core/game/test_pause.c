@@ -1,21 +1,22 @@
-/* test_pause.c -- a hand is lost in the middle of a round: the clock waits, nobody scoops, nobody's
- * paper suffers, and the others go on without it in the end. */
-#include "tests/unit/support/stall_stand.h"
+/* test_pause.c -- checks a lost controller in the middle of a round. The clock pauses, no player
+ * scoops, no paper wears, and the other players finally continue. */
+#include "tests/unit/support/core_fixture.h"
 #include "core/game/phases.h"
+#include "tests/unit/support/newest_record.h"
 
 #define ROUND_S 20u
 #define MINE 0u
 #define OTHER 1u
 
-static const vec3 mine_m = { -0.10f, STAND_ABOVE_M, 0.05f };
-static const vec3 other_m = { 0.10f, STAND_ABOVE_M, -0.05f };
+static const vec3 mine_m = { -0.10f, ABOVE_M, 0.05f };
+static const vec3 other_m = { 0.10f, ABOVE_M, -0.05f };
 
 static void play(uint8_t players)
 {
     const struct core_config config = {
         .seed = 7, .fish_count = 12, .round_s = ROUND_S, .players = players
     };
-    open_stall(&config);
+    open_core(&config);
     hold(MINE, mine_m);
     if (players > 1) {
         hold(OTHER, other_m);
@@ -50,7 +51,7 @@ static void return_hand(uint32_t index)
     input.poi[index].link = POI_SOURCE_LIVE;
 }
 
-static void test_the_clock_stands_still_for_both_and_all_can_see_why(void **state)
+static void test_the_clock_pauses_for_both_players_and_shows_the_cause(void **state)
 {
     (void)state;
     const float before_s = look()->seconds_left;
@@ -63,13 +64,13 @@ static void test_the_clock_stands_still_for_both_and_all_can_see_why(void **stat
     assert_int_equal(scene.hint, HINT_LOST_POI);
 }
 
-static void test_it_goes_on_when_the_hand_is_back(void **state)
+static void test_the_round_continues_when_the_controller_returns(void **state)
 {
     (void)state;
     lose(OTHER);
     ticks(5u * CORE_TICK_HZ);
     return_hand(OTHER);
-    ticks(60); /* A quarter of a second until it is believed. */
+    ticks(60); /* The input becomes valid after a quarter of a second. */
     const float before_s = look()->seconds_left;
     assert_false(scene.paused);
     assert_false(scene.player[OTHER].out);
@@ -77,10 +78,10 @@ static void test_it_goes_on_when_the_hand_is_back(void **state)
     assert_float_equal(look()->seconds_left, before_s - 1.0f, 0.001f);
 }
 
-static void test_who_waits_is_led_out_of_the_water_as_who_is_waited_for(void **state)
+static void test_both_pois_leave_the_water_during_the_pause(void **state)
 {
     (void)state;
-    lead(MINE, v3(mine_m.x, STAND_BELOW_M, mine_m.z));
+    lead(MINE, v3(mine_m.x, BELOW_M, mine_m.z));
     ticks(CORE_TICK_HZ / 2u);
     assert_true(core.world.poi[MINE].immersed > 0.9f);
     lose(OTHER);
@@ -93,16 +94,16 @@ static void test_who_waits_is_led_out_of_the_water_as_who_is_waited_for(void **s
     assert_true(fastest_m_s < 0.25f);
     assert_int_equal(core.world.poi[MINE].sheet.paper_cells,
                      core.world.poi[MINE].sheet.paper_cells_new);
-    lead(MINE, v3(0.0f, STAND_BELOW_M, 0.0f)); /* It does not follow. */
+    lead(MINE, v3(0.0f, BELOW_M, 0.0f)); /* The poi does not follow. */
     ticks(CORE_TICK_HZ);
     assert_true(core.world.poi[MINE].immersed <= 0.0f);
     return_hand(OTHER);
-    ticks(3u * CORE_TICK_HZ); /* Now it does. */
+    ticks(3u * CORE_TICK_HZ); /* The poi follows now. */
     assert_true(core.world.poi[MINE].immersed > 0.9f);
     assert_float_equal(core.world.poi[MINE].position_m.x, 0.0f, 0.01f);
 }
 
-static void test_after_ten_seconds_the_others_go_on_without_it(void **state)
+static void test_the_other_players_continue_after_ten_seconds(void **state)
 {
     (void)state;
     const float before_s = look()->seconds_left;
@@ -113,17 +114,17 @@ static void test_after_ten_seconds_the_others_go_on_without_it(void **state)
     ticks(1);
     assert_true(look()->player[OTHER].out);
     assert_false(scene.paused);
-    return_hand(OTHER); /* Too late. */
+    return_hand(OTHER); /* The return is too late. */
     ticks(CORE_TICK_HZ);
     assert_true(look()->player[OTHER].out);
     assert_float_equal(scene.seconds_left, before_s - 1.0f, 0.02f);
-    lead(OTHER, v3(other_m.x, STAND_BELOW_M, other_m.z));
+    lead(OTHER, v3(other_m.x, BELOW_M, other_m.z));
     ticks(2u * CORE_TICK_HZ);
-    assert_true(core.world.poi[OTHER].immersed <= 0.0f); /* Who is out scoops no more. */
+    assert_true(core.world.poi[OTHER].immersed <= 0.0f); /* A player who is out cannot scoop. */
     assert_int_equal(core.game.phase, PHASE_ROUND);
 }
 
-static void test_a_few_short_losses_are_forgiven(void **state)
+static void test_a_few_short_losses_end_no_players_round(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < 3; i++) {
@@ -135,7 +136,8 @@ static void test_a_few_short_losses_are_forgiven(void **state)
     assert_false(look()->player[OTHER].out);
 }
 
-/* Ticks until the round is over, of a hand that is away for 9 s of each 9.3. */
+/* Returns the number of ticks until the round ends, for a controller that is lost for 9 s of each
+ * 9.3 s. */
 static uint32_t play_with_a_flaky_plug(uint32_t index)
 {
     uint32_t passed = 0;
@@ -148,23 +150,23 @@ static uint32_t play_with_a_flaky_plug(uint32_t index)
     return passed;
 }
 
-static void test_a_flaky_plug_does_not_stop_the_table_for_ever(void **state)
+static void test_repeated_losses_pause_the_round_for_a_limited_time(void **state)
 {
     (void)state;
     const uint32_t passed = play_with_a_flaky_plug(OTHER);
-    const uint32_t round = (ROUND_S - 1u) * CORE_TICK_HZ; /* One second of it is gone. */
+    const uint32_t round = (ROUND_S - 1u) * CORE_TICK_HZ; /* One second of the round is over. */
     assert_true(core.game.player[OTHER].out && !core.game.player[MINE].out);
     assert_in_range(passed, round + GAME_WAIT_TICKS_OTHERS, round + GAME_WAIT_TICKS_OTHERS + 5u);
 }
 
-static void test_alone_a_flaky_plug_ends_the_round_too(void **state)
+static void test_repeated_losses_end_the_round_of_a_single_player(void **state)
 {
     (void)state;
     const uint32_t passed = play_with_a_flaky_plug(MINE);
     assert_in_range(passed, GAME_WAIT_TICKS_MAX, GAME_WAIT_TICKS_MAX * 11u / 10u);
 }
 
-static void test_each_round_has_patience_of_its_own(void **state)
+static void test_each_round_has_its_own_pause_limit(void **state)
 {
     (void)state;
     play_with_a_flaky_plug(OTHER);
@@ -177,9 +179,9 @@ static void test_each_round_has_patience_of_its_own(void **state)
     assert_int_equal(core.game.player[OTHER].waited_ticks, 0);
 }
 
-/* Twenty seconds are played in thirty, and the paper's one and a half before the wait are with its
- * one and a half after it. */
-static void test_waiting_is_no_play_in_the_books(void **state)
+/* Twenty seconds are played in thirty. The paper's use counts 1.5 s before the pause and 1.5 s
+ * after it. */
+static void test_pauses_do_not_count_as_play_time_in_the_record(void **state)
 {
     (void)state;
     const uint32_t *books = core.game.accounts.audits.count;
@@ -198,10 +200,11 @@ static void test_waiting_is_no_play_in_the_books(void **state)
     assert_int_equal(books[AUDIT_PLAY_S], ROUND_S);
     assert_int_equal(books[AUDIT_PAPERS_TORN], 1);
     assert_int_equal(books[AUDIT_PAPER_LIFE_S], 3);
-    assert_int_equal(output.record.end_tick - output.record.start_tick, ROUND_S * CORE_TICK_HZ);
+    assert_int_equal(newest_record(&output)->end_tick - newest_record(&output)->start_tick,
+                     ROUND_S * CORE_TICK_HZ);
 }
 
-static void test_who_is_out_and_puts_the_poi_away_is_not_waited_for(void **state)
+static void test_a_lost_player_who_is_out_pauses_nothing(void **state)
 {
     (void)state;
     tear_all(MINE);
@@ -217,19 +220,19 @@ static void test_who_is_out_and_puts_the_poi_away_is_not_waited_for(void **state
     }
 }
 
-static void test_after_time_was_called_nobody_is_waited_for(void **state)
+static void test_no_loss_pauses_the_game_after_the_call_of_time(void **state)
 {
     (void)state;
     while (game_seconds_left(&core.game, core.game.tick + 1u) > 0.0f) {
         tick();
     }
     core.world.poi[MINE].carried_count =
-        1; /* As if a fish lay there: the round waits for it, ... */
+        1; /* The state is that of a fish on the poi, for which the round waits. */
     core.world.poi[MINE].carried_fish[0].fish = 0;
     core.world.tank.fish[0].gait = GAIT_HELD;
     ticks(1);
     assert_true(game_seconds_left(&core.game, core.game.tick) == 0.0f);
-    lose(MINE); /* ... but not for the hand. */
+    lose(MINE); /* The round does not wait for the controller. */
     uint32_t passed = 0;
     for (; core.game.phase == PHASE_ROUND; passed++) {
         tick();
@@ -239,14 +242,14 @@ static void test_after_time_was_called_nobody_is_waited_for(void **state)
     assert_true(passed > 1u);
 }
 
-static void test_nobody_waits_for_who_never_held_a_poi(void **state)
+static void test_a_player_who_never_had_a_controller_pauses_nothing(void **state)
 {
     (void)state;
     const struct core_config config = { .fish_count = 12, .round_s = ROUND_S, .players = 2 };
-    open_stall(&config);
+    open_core(&config);
     hold(MINE, mine_m);
     hold(OTHER, other_m);
-    lose(OTHER); /* From the very start. */
+    lose(OTHER); /* The controller is absent from the start. */
     press(INPUT_START);
     wait_for_phase(PHASE_ROUND, 4u * CORE_TICK_HZ);
     ticks(CORE_TICK_HZ);
@@ -254,7 +257,7 @@ static void test_nobody_waits_for_who_never_held_a_poi(void **state)
     assert_false(scene.player[OTHER].plays);
 }
 
-static void test_alone_it_is_waited_for_a_minute(void **state)
+static void test_a_single_player_pauses_the_round_for_up_to_a_minute(void **state)
 {
     (void)state;
     lose(MINE);
@@ -267,24 +270,24 @@ static void test_alone_it_is_waited_for_a_minute(void **state)
     assert_false(look()->paused);
 }
 
-static void test_a_minute_in_pieces_is_no_minute(void **state)
+static void test_separate_losses_do_not_add_up_to_the_minute(void **state)
 {
     (void)state;
     lose(MINE);
     ticks(GAME_LOST_TICKS_MAX - 60u);
     return_hand(MINE);
-    ticks(50); /* A quarter of a second until it is believed. */
+    ticks(50); /* The input becomes valid after a quarter of a second. */
     lose(MINE);
     ticks(60);
     assert_int_equal(core.game.phase, PHASE_ROUND);
 }
 
-static void test_a_hand_that_leaps_or_talks_nonsense_is_waited_for_and_costs_no_paper(void **state)
+static void test_an_invalid_pose_pauses_the_round_and_damages_no_paper(void **state)
 {
     (void)state;
     const float nan = 0.0f / 0.0f;
     const uint32_t whole = core.world.poi[MINE].sheet.paper_cells_new;
-    lead(MINE, v3(mine_m.x, STAND_BELOW_M, mine_m.z));
+    lead(MINE, v3(mine_m.x, BELOW_M, mine_m.z));
     ticks(60);
     const vec3 wild_m[] = { { 1.3f, -0.05f, 0.0f }, { nan, nan, nan } };
     for (size_t i = 0; i < sizeof wild_m / sizeof wild_m[0]; i++) {
@@ -302,22 +305,21 @@ static void test_a_hand_that_leaps_or_talks_nonsense_is_waited_for_and_costs_no_
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(test_the_clock_stands_still_for_both_and_all_can_see_why, two),
-        cmocka_unit_test_setup(test_it_goes_on_when_the_hand_is_back, two),
-        cmocka_unit_test_setup(test_who_waits_is_led_out_of_the_water_as_who_is_waited_for, two),
-        cmocka_unit_test_setup(test_after_ten_seconds_the_others_go_on_without_it, two),
-        cmocka_unit_test_setup(test_a_few_short_losses_are_forgiven, two),
-        cmocka_unit_test_setup(test_a_flaky_plug_does_not_stop_the_table_for_ever, two),
-        cmocka_unit_test_setup(test_alone_a_flaky_plug_ends_the_round_too, alone),
-        cmocka_unit_test_setup(test_each_round_has_patience_of_its_own, two),
-        cmocka_unit_test_setup(test_waiting_is_no_play_in_the_books, two),
-        cmocka_unit_test_setup(test_who_is_out_and_puts_the_poi_away_is_not_waited_for, alone),
-        cmocka_unit_test_setup(test_after_time_was_called_nobody_is_waited_for, alone),
-        cmocka_unit_test(test_nobody_waits_for_who_never_held_a_poi),
-        cmocka_unit_test_setup(test_alone_it_is_waited_for_a_minute, alone),
-        cmocka_unit_test_setup(test_a_minute_in_pieces_is_no_minute, alone),
-        cmocka_unit_test_setup(
-            test_a_hand_that_leaps_or_talks_nonsense_is_waited_for_and_costs_no_paper, alone),
+        cmocka_unit_test_setup(test_the_clock_pauses_for_both_players_and_shows_the_cause, two),
+        cmocka_unit_test_setup(test_the_round_continues_when_the_controller_returns, two),
+        cmocka_unit_test_setup(test_both_pois_leave_the_water_during_the_pause, two),
+        cmocka_unit_test_setup(test_the_other_players_continue_after_ten_seconds, two),
+        cmocka_unit_test_setup(test_a_few_short_losses_end_no_players_round, two),
+        cmocka_unit_test_setup(test_repeated_losses_pause_the_round_for_a_limited_time, two),
+        cmocka_unit_test_setup(test_repeated_losses_end_the_round_of_a_single_player, alone),
+        cmocka_unit_test_setup(test_each_round_has_its_own_pause_limit, two),
+        cmocka_unit_test_setup(test_pauses_do_not_count_as_play_time_in_the_record, two),
+        cmocka_unit_test_setup(test_a_lost_player_who_is_out_pauses_nothing, alone),
+        cmocka_unit_test_setup(test_no_loss_pauses_the_game_after_the_call_of_time, alone),
+        cmocka_unit_test(test_a_player_who_never_had_a_controller_pauses_nothing),
+        cmocka_unit_test_setup(test_a_single_player_pauses_the_round_for_up_to_a_minute, alone),
+        cmocka_unit_test_setup(test_separate_losses_do_not_add_up_to_the_minute, alone),
+        cmocka_unit_test_setup(test_an_invalid_pose_pauses_the_round_and_damages_no_paper, alone),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

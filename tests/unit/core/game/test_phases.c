@@ -1,9 +1,10 @@
-/* test_phases.c -- the phases of the stall, each edge on both sides. */
-#include "tests/unit/support/game_stand.h"
+/* test_phases.c -- checks the phases of the game, each transition on both sides. */
+#include "tests/unit/support/game_fixture.h"
 #include "core/game/menu/menu.h"
 #include "core/game/phases.h"
+#include "tests/unit/support/newest_record.h"
 
-static void test_the_stall_begins_in_attract_and_stays_there_alone(void **state)
+static void test_the_game_starts_in_attract_and_stays_there_without_input(void **state)
 {
     (void)state;
     steps(3000);
@@ -21,14 +22,14 @@ static void test_start_begins_one_round_in_the_tick_that_sees_it(void **state)
     assert_int_equal(sounds[SOUND_START], 1);
 }
 
-static void test_other_buttons_begin_nothing(void **state)
+static void test_other_buttons_begin_no_round(void **state)
 {
     (void)state;
     press(INPUT_BUTTON_ALL & ~(uint32_t)(INPUT_START | INPUT_TEST));
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
-static void test_start_within_a_round_is_not_heard(void **state)
+static void test_start_within_a_round_is_ignored(void **state)
 {
     (void)state;
     play_into_round();
@@ -44,7 +45,7 @@ static void test_a_dip_of_a_live_poi_starts_a_round(void **state)
     assert_int_equal(core.game.phase, PHASE_READY);
 }
 
-static void test_a_hand_that_appears_below_the_water_does_not_dip(void **state)
+static void test_a_poi_that_appears_below_the_water_does_not_dip(void **state)
 {
     (void)state;
     hold_at(BELOW_M);
@@ -52,7 +53,7 @@ static void test_a_hand_that_appears_below_the_water_does_not_dip(void **state)
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
-static void test_a_hand_just_above_the_dip_line_does_not_dip(void **state)
+static void test_a_poi_just_above_the_dip_line_does_not_dip(void **state)
 {
     (void)state;
     hold_at(ABOVE_M);
@@ -65,7 +66,7 @@ static void test_a_hand_just_above_the_dip_line_does_not_dip(void **state)
     assert_int_equal(core.game.phase, PHASE_READY);
 }
 
-static void test_the_dip_of_a_bot_or_of_a_poi_without_a_bowl_starts_nothing(void **state)
+static void test_the_dip_of_a_bot_or_of_a_poi_without_a_bowl_starts_no_round(void **state)
 {
     (void)state;
     dip();
@@ -80,17 +81,17 @@ static void test_the_dip_of_a_bot_or_of_a_poi_without_a_bowl_starts_nothing(void
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
-static void test_ready_lasts_three_seconds_to_the_tick(void **state)
+static void test_ready_lasts_exactly_three_seconds(void **state)
 {
     (void)state;
-    start_with_a_hand();
+    start_with_a_poi();
     steps(GAME_READY_TICKS - 1u);
     assert_int_equal(core.game.phase, PHASE_READY);
     step();
     assert_int_equal(core.game.phase, PHASE_ROUND);
 }
 
-static void test_a_round_lasts_its_seconds_to_the_tick(void **state)
+static void test_a_round_lasts_exactly_its_seconds(void **state)
 {
     (void)state;
     play_into_round();
@@ -98,10 +99,11 @@ static void test_a_round_lasts_its_seconds_to_the_tick(void **state)
     assert_int_equal(core.game.phase, PHASE_ROUND);
     step();
     assert_int_equal(core.game.phase, PHASE_RESULT);
-    assert_int_equal(output.record.end_tick - output.record.start_tick, ROUND_S * CORE_TICK_HZ);
+    assert_int_equal(newest_record(&output)->end_tick - newest_record(&output)->start_tick,
+                     ROUND_S * CORE_TICK_HZ);
 }
 
-/* When time is called a fish on the paper may still be carried home, but not for ever. */
+/* At the call of time, a fish on the paper may still be carried to the bowl for a limited time. */
 static void test_a_fish_on_the_paper_at_the_call_gets_three_seconds_to_the_bowl(void **state)
 {
     (void)state;
@@ -116,7 +118,7 @@ static void test_a_fish_on_the_paper_at_the_call_gets_three_seconds_to_the_bowl(
     assert_int_equal(core.world.poi[0].carried_count, 0);
 }
 
-static void test_the_round_ends_as_soon_as_the_last_fish_is_home(void **state)
+static void test_the_round_ends_when_the_last_fish_is_in_the_bowl(void **state)
 {
     (void)state;
     play_into_round();
@@ -127,7 +129,7 @@ static void test_the_round_ends_as_soon_as_the_last_fish_is_home(void **state)
     assert_int_equal(core.game.phase, PHASE_RESULT);
 }
 
-static void test_nothing_can_be_dipped_after_the_call(void **state)
+static void test_no_poi_enters_the_water_after_the_call(void **state)
 {
     (void)state;
     struct poi_target targets[POI_MAX];
@@ -141,7 +143,7 @@ static void test_nothing_can_be_dipped_after_the_call(void **state)
     assert_true(targets[0].position_m.y > 0.0f);
 }
 
-static void test_the_result_gives_way_to_attract_after_twelve_seconds(void **state)
+static void test_attract_follows_the_result_after_twelve_seconds(void **state)
 {
     (void)state;
     play_into_result();
@@ -168,7 +170,7 @@ static void test_a_dip_in_the_result_counts_from_two_and_a_half_seconds(void **s
     (void)state;
     play_into_result();
     steps(GAME_AGAIN_DIP_TICKS - 3u);
-    dip(); /* one tick too early */
+    dip(); /* The dip is one tick too early. */
     assert_int_equal(core.game.phase, PHASE_RESULT);
     dip();
     assert_int_equal(core.game.phase, PHASE_READY);
@@ -178,7 +180,7 @@ static void test_seconds_left_count_down_through_ready_and_round(void **state)
 {
     (void)state;
     assert_float_equal(game_seconds_left(&core.game, core.game.tick), 0.0f, 0.0f);
-    start_with_a_hand();
+    start_with_a_poi();
     assert_float_equal(game_seconds_left(&core.game, core.game.tick), 3.0f, 0.01f);
     steps(GAME_READY_TICKS);
     assert_float_equal(game_seconds_left(&core.game, core.game.tick), (float)ROUND_S, 0.01f);
@@ -200,7 +202,7 @@ static void test_each_of_the_last_five_seconds_ticks_once(void **state)
     assert_int_equal(sounds[SOUND_RESULT], 1);
 }
 
-static void test_in_attract_the_bot_has_the_poi_whatever_is_linked(void **state)
+static void test_the_bot_controls_the_poi_in_attract(void **state)
 {
     (void)state;
     hold_at(ABOVE_M);
@@ -209,11 +211,12 @@ static void test_in_attract_the_bot_has_the_poi_whatever_is_linked(void **state)
     assert_int_equal(core.world.poi[1].link, POI_SOURCE_ABSENT);
 }
 
-/* Who lost it has gone; whoever comes next is not led back to where that hand was. */
-static void test_what_the_bot_takes_over_is_on_its_way_back_to_nobody(void **state)
+/* The player of the lost controller has gone. The poi must not return to that player's last
+ * pose. */
+static void test_a_poi_that_the_bot_takes_over_does_not_return_to_the_player(void **state)
 {
     (void)state;
-    start_with_a_hand();
+    start_with_a_poi();
     input.poi[0].link = POI_SOURCE_LOST;
     steps(60);
     assert_true(core.game.return_ticks[0] > 0);
@@ -237,7 +240,7 @@ static void test_language_changes_with_each_press_in_any_phase(void **state)
     assert_int_equal(core.game.language, LANGUAGE_JA);
 }
 
-/* The tank waits for the store and for nobody: the result, the boards, then attract. */
+/* The game waits for the store but for no player: the result, the leaderboards, then attract. */
 static void steps_into_attract(void)
 {
     for (uint32_t i = 0; i < 120u * CORE_TICK_HZ && core.game.phase != PHASE_ATTRACT; i++) {
@@ -270,13 +273,13 @@ static void test_a_language_chosen_in_attract_lasts_for_one_cycle(void **state)
     press(INPUT_LANGUAGE);
     assert_int_equal(core.game.language, LANGUAGE_EN);
     steps(LANGUAGE_TICKS / 2u);
-    press(INPUT_LANGUAGE); /* A visitor who chooses the operator's language ends the choice, too. */
+    press(INPUT_LANGUAGE); /* Choosing the operator's language also ends the visitor's choice. */
     assert_int_equal(core.game.language, LANGUAGE_JA);
     steps(2u * LANGUAGE_TICKS);
     assert_int_equal(core.game.language, LANGUAGE_JA);
 }
 
-static void test_the_operators_language_is_the_one_that_attract_returns_to(void **state)
+static void test_attract_returns_to_the_operators_language(void **state)
 {
     (void)state;
     settings_edit_set(&core.game, &core.config, SET_LANGUAGE, LANGUAGE_EN);
@@ -286,7 +289,7 @@ static void test_the_operators_language_is_the_one_that_attract_returns_to(void 
     assert_int_equal(core.game.language, LANGUAGE_EN);
 }
 
-static void test_under_the_rules_of_format_7_a_chosen_language_stays(void **state)
+static void test_a_chosen_language_stays_under_the_rules_of_format_7(void **state)
 {
     (void)state;
     core.config.rules_7 = 1;
@@ -297,7 +300,7 @@ static void test_under_the_rules_of_format_7_a_chosen_language_stays(void **stat
     assert_int_equal(core.game.language_until, until);
 }
 
-static void test_the_start_lamp_blinks_only_where_start_would_be_heard(void **state)
+static void test_the_start_lamp_blinks_only_when_start_is_accepted(void **state)
 {
     (void)state;
     uint32_t lit = 0;
@@ -306,7 +309,7 @@ static void test_the_start_lamp_blinks_only_where_start_would_be_heard(void **st
         lit += output.start_lamp;
     }
     assert_int_equal(lit, CORE_TICK_HZ / 2u);
-    start_with_a_hand();
+    start_with_a_poi();
     for (uint32_t i = 0; i < CORE_TICK_HZ; i++) {
         step();
         assert_int_equal(output.start_lamp, 0);
@@ -317,32 +320,32 @@ int main(void)
 {
 #define TEST(name) cmocka_unit_test_setup(name, setup)
     const struct CMUnitTest tests[] = {
-        TEST(test_the_stall_begins_in_attract_and_stays_there_alone),
+        TEST(test_the_game_starts_in_attract_and_stays_there_without_input),
         TEST(test_start_begins_one_round_in_the_tick_that_sees_it),
-        TEST(test_other_buttons_begin_nothing),
-        TEST(test_start_within_a_round_is_not_heard),
+        TEST(test_other_buttons_begin_no_round),
+        TEST(test_start_within_a_round_is_ignored),
         TEST(test_a_dip_of_a_live_poi_starts_a_round),
-        TEST(test_a_hand_that_appears_below_the_water_does_not_dip),
-        TEST(test_a_hand_just_above_the_dip_line_does_not_dip),
-        TEST(test_the_dip_of_a_bot_or_of_a_poi_without_a_bowl_starts_nothing),
-        TEST(test_ready_lasts_three_seconds_to_the_tick),
-        TEST(test_a_round_lasts_its_seconds_to_the_tick),
+        TEST(test_a_poi_that_appears_below_the_water_does_not_dip),
+        TEST(test_a_poi_just_above_the_dip_line_does_not_dip),
+        TEST(test_the_dip_of_a_bot_or_of_a_poi_without_a_bowl_starts_no_round),
+        TEST(test_ready_lasts_exactly_three_seconds),
+        TEST(test_a_round_lasts_exactly_its_seconds),
         TEST(test_a_fish_on_the_paper_at_the_call_gets_three_seconds_to_the_bowl),
-        TEST(test_the_round_ends_as_soon_as_the_last_fish_is_home),
-        TEST(test_nothing_can_be_dipped_after_the_call),
-        TEST(test_the_result_gives_way_to_attract_after_twelve_seconds),
+        TEST(test_the_round_ends_when_the_last_fish_is_in_the_bowl),
+        TEST(test_no_poi_enters_the_water_after_the_call),
+        TEST(test_attract_follows_the_result_after_twelve_seconds),
         TEST(test_start_in_the_result_counts_from_one_and_a_half_seconds),
         TEST(test_a_dip_in_the_result_counts_from_two_and_a_half_seconds),
         TEST(test_seconds_left_count_down_through_ready_and_round),
         TEST(test_each_of_the_last_five_seconds_ticks_once),
-        TEST(test_in_attract_the_bot_has_the_poi_whatever_is_linked),
-        TEST(test_what_the_bot_takes_over_is_on_its_way_back_to_nobody),
+        TEST(test_the_bot_controls_the_poi_in_attract),
+        TEST(test_a_poi_that_the_bot_takes_over_does_not_return_to_the_player),
         TEST(test_language_changes_with_each_press_in_any_phase),
         TEST(test_a_chosen_language_lasts_through_the_game_until_attract_begins),
         TEST(test_a_language_chosen_in_attract_lasts_for_one_cycle),
-        TEST(test_the_operators_language_is_the_one_that_attract_returns_to),
-        TEST(test_under_the_rules_of_format_7_a_chosen_language_stays),
-        TEST(test_the_start_lamp_blinks_only_where_start_would_be_heard),
+        TEST(test_attract_returns_to_the_operators_language),
+        TEST(test_a_chosen_language_stays_under_the_rules_of_format_7),
+        TEST(test_the_start_lamp_blinks_only_when_start_is_accepted),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,25 +1,26 @@
-/* test_players.c -- up to four at one tank: to each a bowl, a poi, paper, a count and an end of its
- * own. */
-#include "tests/unit/support/stall_stand.h"
+/* test_players.c -- checks up to four players at one tank: each has a bowl, a poi, paper, a count
+ * and an end of its own. */
+#include "tests/unit/support/core_fixture.h"
 
 #include "core/game/bot/paper_patch.h"
+#include "tests/unit/support/newest_record.h"
 
 #define ROUND_S 20u
 
 static const vec3 places_m[POI_MAX] = {
-    { 0.20f, STAND_ABOVE_M, 0.15f },
-    { -0.20f, STAND_ABOVE_M, 0.15f },
-    { 0.20f, STAND_ABOVE_M, -0.15f },
-    { -0.20f, STAND_ABOVE_M, -0.15f },
+    { 0.20f, ABOVE_M, 0.15f },
+    { -0.20f, ABOVE_M, 0.15f },
+    { 0.20f, ABOVE_M, -0.15f },
+    { -0.20f, ABOVE_M, -0.15f },
 };
 
-/* `hands`: a bit for each who holds a controller. */
+/* Starts a round. `hands` is a bit mask of the players with a controller. */
 static void play(uint8_t players, uint32_t hands)
 {
     const struct core_config config = {
         .seed = 7, .fish_count = 12, .round_s = ROUND_S, .players = players
     };
-    open_stall(&config);
+    open_core(&config);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (hands >> i & 1u) {
             hold(i, places_m[i]);
@@ -30,7 +31,7 @@ static void play(uint8_t players, uint32_t hands)
     tick();
 }
 
-/* A fish falls into a player's bowl, as if from its poi. */
+/* Drops a fish into a player's bowl, as if from that player's poi. */
 static void drop_into_bowl(uint32_t player, uint32_t which)
 {
     struct fish *fish = &core.world.tank.fish[which];
@@ -60,7 +61,7 @@ static void test_there_are_as_many_bowls_and_pois_as_players(void **state)
     }
 }
 
-static void test_each_has_paper_of_its_own(void **state)
+static void test_each_player_has_paper_of_its_own(void **state)
 {
     (void)state;
     play(4, 0xfu);
@@ -68,7 +69,7 @@ static void test_each_has_paper_of_its_own(void **state)
         assert_memory_not_equal(core.world.poi[i].sheet.strength, core.world.poi[0].sheet.strength,
                                 sizeof core.world.poi[0].sheet.strength);
     }
-    lead(2, v3(places_m[2].x, STAND_BELOW_M, places_m[2].z));
+    lead(2, v3(places_m[2].x, BELOW_M, places_m[2].z));
     ticks(120);
     assert_true(core.world.poi[2].sheet.touched);
     assert_false(core.world.poi[0].sheet.touched);
@@ -76,7 +77,7 @@ static void test_each_has_paper_of_its_own(void **state)
     assert_int_equal(core.world.poi[3].dips, 0);
 }
 
-static void test_each_has_a_count_of_its_own(void **state)
+static void test_each_player_has_a_count_of_its_own(void **state)
 {
     (void)state;
     play(4, 0xfu);
@@ -90,7 +91,7 @@ static void test_each_has_a_count_of_its_own(void **state)
     }
 }
 
-static void test_who_has_no_paper_is_out_and_the_others_go_on(void **state)
+static void test_a_player_without_paper_is_out_and_the_others_continue(void **state)
 {
     (void)state;
     play(3, 0x7u);
@@ -105,20 +106,21 @@ static void test_who_has_no_paper_is_out_and_the_others_go_on(void **state)
     assert_int_equal(core.game.phase, PHASE_ROUND);
     tear_all(2);
     ticks(GAME_GONE_TICKS);
-    assert_int_equal(core.game.phase, PHASE_ROUND); /* So that the last hole is seen. */
+    assert_int_equal(core.game.phase, PHASE_ROUND); /* The round continues for a while so that the
+                                                       last hole is visible. */
     ticks(2);
     assert_int_equal(core.game.phase, PHASE_RESULT);
     assert_int_equal(sounds[SOUND_GONE], 3);
 }
 
-static void test_who_is_out_does_not_dip(void **state)
+static void test_a_player_who_is_out_cannot_dip(void **state)
 {
     (void)state;
     play(2, 0x3u);
     tear_all(0);
     tick();
-    lead(0, v3(places_m[0].x, STAND_BELOW_M, places_m[0].z));
-    lead(1, v3(places_m[1].x, STAND_BELOW_M, places_m[1].z));
+    lead(0, v3(places_m[0].x, BELOW_M, places_m[0].z));
+    lead(1, v3(places_m[1].x, BELOW_M, places_m[1].z));
     ticks(120);
     assert_true(core.world.poi[0].immersed <= 0.0f);
     assert_true(core.world.poi[1].immersed > 0.9f);
@@ -129,7 +131,7 @@ static void test_a_torn_poi_may_be_used_while_it_can_hold_a_fish(void **state)
     (void)state;
     play(1, 0x1u);
     struct sheet *sheet = &core.world.poi[0].sheet;
-    for (uint32_t i = 0; i < 10u * SHEET_SIDE; i++) { /* Its far third. */
+    for (uint32_t i = 0; i < 10u * SHEET_SIDE; i++) { /* The far third of the paper is torn. */
         if (sheet->state[i] == CELL_PAPER) {
             sheet->state[i] = CELL_HOLE;
             sheet->paper_cells--;
@@ -143,11 +145,11 @@ static void test_a_torn_poi_may_be_used_while_it_can_hold_a_fish(void **state)
     assert_int_equal(look()->caught[0], 1);
 }
 
-static void test_the_record_names_who_played_and_what_each_did(void **state)
+static void test_the_record_lists_the_players_and_their_results(void **state)
 {
     (void)state;
-    play(4, 0x5u); /* The first and the third. */
-    lead(2, v3(places_m[2].x, STAND_BELOW_M, places_m[2].z));
+    play(4, 0x5u); /* The first and the third player take part. */
+    lead(2, v3(places_m[2].x, BELOW_M, places_m[2].z));
     lead(2, places_m[2]);
     drop_into_bowl(0, 0);
     drop_into_bowl(2, 1);
@@ -157,7 +159,7 @@ static void test_the_record_names_who_played_and_what_each_did(void **state)
     const uint32_t torn_tick = core.game.tick - 1u;
     tear_all(2);
     wait_for_phase(PHASE_RESULT, GAME_GONE_TICKS + 2u);
-    const struct round_record *record = &output.record;
+    const struct round_record *record = newest_record(&output);
     assert_int_equal(record->mode, MODE_FESTIVAL);
     assert_int_equal(record->grade, 6);
     assert_int_equal(record->players, 0x5u);
@@ -167,13 +169,14 @@ static void test_the_record_names_who_played_and_what_each_did(void **state)
     assert_int_equal(record->player[0].torn_tick, torn_tick);
     assert_int_equal(record->player[2].caught, 2);
     assert_int_equal(record->player[2].scoops, 1);
-    assert_int_equal(record->player[2].hole_area_mm2, 5027); /* All of an 80 mm disc. */
+    assert_int_equal(record->player[2].hole_area_mm2, 5027); /* The hole is the whole area of an
+                                                                80 mm disc. */
     assert_int_equal(record->player[2].sheets, 1);
     assert_int_equal(record->player[1].caught, 0);
     assert_int_equal(record->by_bot, 0);
 }
 
-static void test_the_best_is_one_persons_not_all_together(void **state)
+static void test_the_best_score_is_that_of_one_player(void **state)
 {
     (void)state;
     play(2, 0x3u);
@@ -181,15 +184,15 @@ static void test_the_best_is_one_persons_not_all_together(void **state)
     drop_into_bowl(1, 1);
     drop_into_bowl(1, 2);
     wait_for_phase(PHASE_RESULT, (ROUND_S + 4u) * CORE_TICK_HZ);
-    assert_int_equal(output.record.caught, 3);
+    assert_int_equal(newest_record(&output)->caught, 3);
     assert_int_equal(core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught, 2);
 }
 
-static void test_in_attract_only_the_stalls_own_bot_is_there(void **state)
+static void test_only_the_bot_is_present_in_attract(void **state)
 {
     (void)state;
     const struct core_config config = { .fish_count = 12, .players = 4 };
-    open_stall(&config);
+    open_core(&config);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         hold(i, places_m[i]);
     }
@@ -201,20 +204,20 @@ static void test_in_attract_only_the_stalls_own_bot_is_there(void **state)
     }
 }
 
-static void test_anybody_may_start_by_a_dip(void **state)
+static void test_any_player_can_start_by_a_dip(void **state)
 {
     (void)state;
     const struct core_config config = { .fish_count = 12, .players = 3 };
-    open_stall(&config);
+    open_core(&config);
     dip(2, 0.1f, 0.0f);
     assert_int_equal(core.game.phase, PHASE_READY);
-    open_stall(&config);
-    dip(3, 0.1f, 0.0f); /* Nobody's place. */
+    open_core(&config);
+    dip(3, 0.1f, 0.0f); /* The position belongs to no player. */
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
-/* The first hand that comes to a bowl in the middle of a round plays from then on. */
-static void test_who_comes_late_plays(void **state)
+/* The first controller that comes to a bowl in the middle of a round takes part from then on. */
+static void test_a_late_player_joins_the_round(void **state)
 {
     (void)state;
     play(2, 0x1u);
@@ -228,8 +231,8 @@ static void test_who_comes_late_plays(void **state)
     assert_int_equal(core.game.phase, PHASE_ROUND);
 }
 
-/* As if it was washed in: its ring was never clear of the water. */
-static void test_at_a_stall_a_fish_counts_for_the_bowl_that_it_lies_in(void **state)
+/* The fish was washed in, because its ring was never above the water. */
+static void test_a_fish_counts_for_the_bowl_it_lies_in_in_a_festival(void **state)
 {
     (void)state;
     play(2, 0x3u);
@@ -246,14 +249,14 @@ static void test_at_a_stall_a_fish_counts_for_the_bowl_that_it_lies_in(void **st
     assert_int_equal(scene.caught[0], 0);
 }
 
-static void test_a_scoop_counts_where_a_hand_leads_it(void **state)
+static void test_a_scoop_counts_only_while_a_player_controls_the_poi(void **state)
 {
     (void)state;
     play(1, 0x1u);
-    lead(0, v3(0.0f, STAND_BELOW_M, 0.0f));
+    lead(0, v3(0.0f, BELOW_M, 0.0f));
     ticks(60);
     assert_int_equal(core.world.poi[0].dips, 1);
-    for (uint32_t i = 0; i < 3; i++) { /* It drifts out and is led back, three times. */
+    for (uint32_t i = 0; i < 3; i++) { /* The poi is lost and returns three times. */
         input.poi[0].link = POI_SOURCE_LOST;
         ticks(4u * CORE_TICK_HZ);
         assert_true(core.world.poi[0].immersed <= 0.0f);
@@ -268,18 +271,18 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_there_are_as_many_bowls_and_pois_as_players),
-        cmocka_unit_test(test_each_has_paper_of_its_own),
-        cmocka_unit_test(test_each_has_a_count_of_its_own),
-        cmocka_unit_test(test_who_has_no_paper_is_out_and_the_others_go_on),
-        cmocka_unit_test(test_who_is_out_does_not_dip),
+        cmocka_unit_test(test_each_player_has_paper_of_its_own),
+        cmocka_unit_test(test_each_player_has_a_count_of_its_own),
+        cmocka_unit_test(test_a_player_without_paper_is_out_and_the_others_continue),
+        cmocka_unit_test(test_a_player_who_is_out_cannot_dip),
         cmocka_unit_test(test_a_torn_poi_may_be_used_while_it_can_hold_a_fish),
-        cmocka_unit_test(test_the_record_names_who_played_and_what_each_did),
-        cmocka_unit_test(test_the_best_is_one_persons_not_all_together),
-        cmocka_unit_test(test_in_attract_only_the_stalls_own_bot_is_there),
-        cmocka_unit_test(test_anybody_may_start_by_a_dip),
-        cmocka_unit_test(test_who_comes_late_plays),
-        cmocka_unit_test(test_at_a_stall_a_fish_counts_for_the_bowl_that_it_lies_in),
-        cmocka_unit_test(test_a_scoop_counts_where_a_hand_leads_it),
+        cmocka_unit_test(test_the_record_lists_the_players_and_their_results),
+        cmocka_unit_test(test_the_best_score_is_that_of_one_player),
+        cmocka_unit_test(test_only_the_bot_is_present_in_attract),
+        cmocka_unit_test(test_any_player_can_start_by_a_dip),
+        cmocka_unit_test(test_a_late_player_joins_the_round),
+        cmocka_unit_test(test_a_fish_counts_for_the_bowl_it_lies_in_in_a_festival),
+        cmocka_unit_test(test_a_scoop_counts_only_while_a_player_controls_the_poi),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

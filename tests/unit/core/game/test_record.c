@@ -1,7 +1,8 @@
-/* test_record.c -- what counts, what a round leaves behind, and that each round is another. */
-#include "tests/unit/support/game_stand.h"
+/* test_record.c -- checks what counts, what a round records, and that rounds differ. */
+#include "tests/unit/support/game_fixture.h"
 #include "core/game/phases.h"
 #include "core/game/table_setup.h"
+#include "tests/unit/support/newest_record.h"
 
 static void land(uint32_t count)
 {
@@ -14,7 +15,7 @@ static void test_fish_count_only_while_the_round_runs(void **state)
     (void)state;
     land(3);
     assert_int_equal(core.game.player[0].caught, 0);
-    start_with_a_hand();
+    start_with_a_poi();
     land(3);
     assert_int_equal(core.game.player[0].caught, 0);
     steps(GAME_READY_TICKS);
@@ -32,24 +33,24 @@ static void test_a_round_leaves_a_record_with_the_id_of_its_entry(void **state)
     play_into_round();
     land(4);
     steps(ROUND_S * CORE_TICK_HZ);
-    const uint32_t first_id = output.record.id;
+    const uint32_t first_id = newest_record(&output)->id;
     assert_true(purse_keeps_record(&output));
-    assert_int_equal(output.record.seed, 7);
-    assert_int_equal(output.record.caught, 4);
-    assert_int_equal(output.record.by_bot, 0);
+    assert_int_equal(newest_record(&output)->seed, 7);
+    assert_int_equal(newest_record(&output)->caught, 4);
+    assert_int_equal(newest_record(&output)->by_bot, 0);
     assert_int_equal(core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught, 4);
     steps(GAME_AGAIN_TICKS);
     press(INPUT_START);
     steps(GAME_READY_TICKS + ROUND_S * CORE_TICK_HZ);
-    assert_true(output.record.id > first_id);
+    assert_true(newest_record(&output)->id > first_id);
     assert_true(purse_keeps_record(&output));
     assert_int_equal(purse_count(&output, LEDGER_ROUND), 2);
-    assert_int_equal(output.record.caught, 0);
-    /* A worse round takes nothing away. */
+    assert_int_equal(newest_record(&output)->caught, 0);
+    /* A worse round changes no score. */
     assert_int_equal(core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught, 4);
 }
 
-static void test_record_ids_go_on_from_what_the_store_has(void **state)
+static void test_record_ids_continue_after_those_of_the_store(void **state)
 {
     (void)state;
     struct core_config config = core.config;
@@ -57,13 +58,13 @@ static void test_record_ids_go_on_from_what_the_store_has(void **state)
     assert_int_equal(core_init(&core, &config), CORE_OK);
     input.record_saved_id = 41;
     play_into_result();
-    assert_true(output.record.id > 41);
+    assert_true(newest_record(&output)->id > 41);
     assert_true(purse_keeps_record(&output));
     assert_int_equal(purse_count(&output, LEDGER_ROUND), 1);
-    assert_int_equal(purse_entry(&output, 42)->id, 42); /* None is left out. */
+    assert_int_equal(purse_entry(&output, 42)->id, 42); /* No id is skipped. */
 }
 
-static void test_a_bots_round_is_marked_and_is_no_best(void **state)
+static void test_a_bots_round_is_marked_and_never_the_best(void **state)
 {
     (void)state;
     input.poi[0].link = POI_SOURCE_BOT;
@@ -71,12 +72,12 @@ static void test_a_bots_round_is_marked_and_is_no_best(void **state)
     steps(GAME_READY_TICKS);
     land(9);
     steps(ROUND_S * CORE_TICK_HZ);
-    assert_int_equal(output.record.by_bot, 1);
-    assert_int_equal(output.record.caught, 9);
+    assert_int_equal(newest_record(&output)->by_bot, 1);
+    assert_int_equal(newest_record(&output)->caught, 9);
     assert_int_equal(core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught, 2);
 }
 
-static void test_the_best_of_the_day_is_a_round_that_beats_it(void **state)
+static void test_a_better_round_becomes_the_best_of_the_day(void **state)
 {
     (void)state;
     play_into_round();
@@ -85,7 +86,7 @@ static void test_the_best_of_the_day_is_a_round_that_beats_it(void **state)
     assert_int_equal(core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught, 2);
 }
 
-static void test_a_start_pours_the_bowl_back_and_frees_the_fish_on_the_paper(void **state)
+static void test_a_start_empties_the_bowl_and_releases_carried_fish(void **state)
 {
     (void)state;
     core.world.tank.fish[0].gait = GAIT_BOWL;
@@ -101,7 +102,7 @@ static void test_a_start_pours_the_bowl_back_and_frees_the_fish_on_the_paper(voi
     input.pressed = 0;
     float last_m = core.world.tank.fish[1].position_m.y;
     assert_true(last_m > 0.03f);
-    for (uint32_t i = 0; i < 60; i++) { /* It falls; it is not under water at once. */
+    for (uint32_t i = 0; i < 60; i++) { /* The fish falls and is not under water immediately. */
         core_tick(&core, &input, &output);
         assert_true(f_abs(core.world.tank.fish[1].position_m.y - last_m) < 0.015f);
         last_m = core.world.tank.fish[1].position_m.y;
@@ -115,7 +116,7 @@ static void test_a_start_pours_the_bowl_back_and_frees_the_fish_on_the_paper(voi
 static void test_a_fish_that_falls_into_the_bowl_before_the_round_is_poured_back(void **state)
 {
     (void)state;
-    start_with_a_hand();
+    start_with_a_poi();
     steps(100);
     core.world.tank.fish[3].gait = GAIT_BOWL;
     core.world.bowl[0].fish_count = 1;
@@ -133,14 +134,14 @@ static void hold_a_fish(uint32_t fish, float y_m)
     core.world.tank.fish[fish].velocity_m_s = v3(0.0f, 0.0f, 0.0f);
 }
 
-static void test_a_fish_on_a_poi_whose_controller_is_taken_away_falls_into_the_water(void **state)
+static void test_the_fish_of_a_removed_poi_falls_into_the_water(void **state)
 {
     (void)state;
     play_into_round();
     hold_a_fish(1, 0.05f);
     core.world.poi[0].carried_fish[0] = (struct carried_fish){ .fish = 1 };
     core.world.poi[0].carried_count = 1;
-    hold_a_fish(2, 0.05f); /* held, and nobody's rider */
+    hold_a_fish(2, 0.05f); /* The fish is held but not carried by a poi. */
     input.poi[0].link = POI_SOURCE_ABSENT;
     core_tick(&core, &input, &output);
     assert_true(core.world.tank.fish[1].position_m.y > 0.045f);
@@ -153,10 +154,10 @@ static void test_a_fish_on_a_poi_whose_controller_is_taken_away_falls_into_the_w
     assert_true(core.world.tank.fish[1].position_m.y < 0.0f);
 }
 
-static void test_a_round_that_nobody_played_ends_without_a_record(void **state)
+static void test_a_round_without_a_player_ends_without_a_record(void **state)
 {
     (void)state;
-    press(INPUT_START); /* no controller at all */
+    press(INPUT_START); /* No controller is present. */
     steps(GAME_READY_TICKS);
     assert_int_equal(core.game.phase, PHASE_ROUND);
     const float before_s = game_seconds_left(&core.game, core.game.tick);
@@ -165,12 +166,12 @@ static void test_a_round_that_nobody_played_ends_without_a_record(void **state)
     assert_float_equal(game_seconds_left(&core.game, core.game.tick), before_s, 0.001f);
     steps(4);
     assert_int_equal(core.game.phase, PHASE_RESULT);
-    assert_int_equal(output.record.id, 0);
+    assert_int_equal(newest_record(&output)->id, 0);
     assert_int_equal(purse_count(&output, LEDGER_ROUND), 0);
     assert_int_equal(purse_count(&output, LEDGER_LEFT), 1);
 }
 
-static void test_a_round_that_was_left_after_a_while_keeps_its_record(void **state)
+static void test_an_abandoned_round_keeps_its_record(void **state)
 {
     (void)state;
     play_into_round();
@@ -179,10 +180,10 @@ static void test_a_round_that_was_left_after_a_while_keeps_its_record(void **sta
     input.poi[0].link = POI_SOURCE_ABSENT;
     steps(GAME_LOST_TICKS_MAX + 1u);
     assert_int_equal(core.game.phase, PHASE_RESULT);
-    assert_int_equal(output.record.caught, 3);
+    assert_int_equal(newest_record(&output)->caught, 3);
 }
 
-static void test_the_bots_first_luck_differs_between_seeds(void **state)
+static void test_the_bots_first_catch_depends_on_the_seed(void **state)
 {
     (void)state;
     const struct core_config config = { .seed = 8, .fish_count = 12 };
@@ -202,15 +203,15 @@ int main(void)
     const struct CMUnitTest tests[] = {
         TEST(test_fish_count_only_while_the_round_runs),
         TEST(test_a_round_leaves_a_record_with_the_id_of_its_entry),
-        TEST(test_record_ids_go_on_from_what_the_store_has),
-        TEST(test_a_bots_round_is_marked_and_is_no_best),
-        TEST(test_the_best_of_the_day_is_a_round_that_beats_it),
-        TEST(test_a_start_pours_the_bowl_back_and_frees_the_fish_on_the_paper),
+        TEST(test_record_ids_continue_after_those_of_the_store),
+        TEST(test_a_bots_round_is_marked_and_never_the_best),
+        TEST(test_a_better_round_becomes_the_best_of_the_day),
+        TEST(test_a_start_empties_the_bowl_and_releases_carried_fish),
         TEST(test_a_fish_that_falls_into_the_bowl_before_the_round_is_poured_back),
-        TEST(test_a_fish_on_a_poi_whose_controller_is_taken_away_falls_into_the_water),
-        TEST(test_a_round_that_nobody_played_ends_without_a_record),
-        TEST(test_a_round_that_was_left_after_a_while_keeps_its_record),
-        TEST(test_the_bots_first_luck_differs_between_seeds),
+        TEST(test_the_fish_of_a_removed_poi_falls_into_the_water),
+        TEST(test_a_round_without_a_player_ends_without_a_record),
+        TEST(test_an_abandoned_round_keeps_its_record),
+        TEST(test_the_bots_first_catch_depends_on_the_seed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

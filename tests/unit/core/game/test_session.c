@@ -1,5 +1,5 @@
-/* test_session.c -- attract begins the stall anew: from then on a play needs nothing that was
- * before. */
+/* test_session.c -- checks that attract starts a new session, which needs nothing of the previous
+ * one. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -8,10 +8,10 @@
 
 #include <cmocka.h>
 
+#include "core/game/game_fields.h"
 #include "core/base/rng.h"
 #include "core/core.h"
-#include "core/game/accounting/credit.h"
-#include "core/game/accounting/ledger_writer.h"
+#include "core/game/accounting/accounts.h"
 
 static struct core core, twin;
 static struct output output, echo;
@@ -28,8 +28,9 @@ static void tick(struct core *at, const struct input *input, struct output *to)
     core_tick(at, input, to);
 }
 
-/* Runs with `input` until a chapter begins; at most `tick_max` ticks. Returns how many. */
-static uint32_t run_to_chapter(const struct input *input, uint32_t tick_max)
+/* Runs with `input` until a session starts, for at most `tick_max` ticks. Returns the number of
+ * ticks. */
+static uint32_t run_to_session(const struct input *input, uint32_t tick_max)
 {
     uint32_t ticks = 0;
     do {
@@ -39,22 +40,22 @@ static uint32_t run_to_chapter(const struct input *input, uint32_t tick_max)
     return ticks;
 }
 
-static void test_ten_minutes_of_attract_are_a_chapter(void **state)
+static void test_ten_minutes_of_attract_are_a_session(void **state)
 {
     (void)state;
     const struct core_config config = { .seed = 3, .fish_count = 12 };
     const struct input input = { .poi[0].link = POI_SOURCE_BOT };
     begin(&config);
     assert_true(core_is_fresh(&core));
-    assert_int_equal(run_to_chapter(&input, UINT32_MAX), SESSION_TICKS_MAX + SESSION_FADE_TICKS);
+    assert_int_equal(run_to_session(&input, UINT32_MAX), SESSION_TICKS_MAX + SESSION_FADE_TICKS);
     assert_int_equal(core.game.tick, SESSION_TICKS_MAX + SESSION_FADE_TICKS);
     assert_true(core.config.seed != 3);
     const uint32_t second = core.config.seed;
-    assert_int_equal(run_to_chapter(&input, UINT32_MAX), SESSION_TICKS_MAX + SESSION_FADE_TICKS);
+    assert_int_equal(run_to_session(&input, UINT32_MAX), SESSION_TICKS_MAX + SESSION_FADE_TICKS);
     assert_true(core.config.seed != 3 && core.config.seed != second);
 }
 
-/* A coin, a service credit, a visit to the menu, a language: much to go on with. */
+/* Inserts a coin, adds a service credit, opens the menu and changes the language. */
 static void live(uint32_t ticks, struct input *input)
 {
     static const uint32_t presses[] = { INPUT_SERVICE, INPUT_LANGUAGE, INPUT_TEST,
@@ -72,8 +73,8 @@ static void live(uint32_t ticks, struct input *input)
     input->pressed = 0;
 }
 
-/* The heart of it: who has only the configuration and the inputs since then has the play. */
-static void test_a_chapter_is_what_its_configuration_makes(void **state)
+/* The session's configuration and the inputs since its start are sufficient to repeat it. */
+static void test_a_session_depends_only_on_its_configuration_and_inputs(void **state)
 {
     (void)state;
     struct core_config config = { .seed = 9,
@@ -87,7 +88,7 @@ static void test_a_chapter_is_what_its_configuration_makes(void **state)
     begin(&config);
     live(40u * CORE_TICK_HZ, &input);
     for (uint32_t session = 0; session < 3; session++) {
-        assert_in_range(run_to_chapter(&input, SESSION_TICKS_MAX * 2u), 1, SESSION_TICKS_MAX * 2u);
+        assert_in_range(run_to_session(&input, SESSION_TICKS_MAX * 2u), 1, SESSION_TICKS_MAX * 2u);
         assert_true(core_is_fresh(&core));
         static struct core_config from;
         from = core.config;
@@ -109,7 +110,7 @@ static void test_a_chapter_is_what_its_configuration_makes(void **state)
     }
 }
 
-static void test_a_language_that_was_just_chosen_outlives_the_chapter(void **state)
+static void test_a_recently_chosen_language_survives_the_session(void **state)
 {
     (void)state;
     const struct core_config config = { .seed = 3, .fish_count = 12 };
@@ -122,7 +123,7 @@ static void test_a_language_that_was_just_chosen_outlives_the_chapter(void **sta
     tick(&core, &input, &output);
     input.pressed = 0;
     const uint32_t until = core.game.language_until;
-    assert_in_range(run_to_chapter(&input, SESSION_TICKS_MAX), 1, SESSION_FADE_TICKS);
+    assert_in_range(run_to_session(&input, SESSION_TICKS_MAX), 1, SESSION_FADE_TICKS);
     assert_int_equal(core.game.language, LANGUAGE_EN);
     while (core.game.tick < until) {
         tick(&core, &input, &output);
@@ -132,7 +133,7 @@ static void test_a_language_that_was_just_chosen_outlives_the_chapter(void **sta
     assert_int_equal(core.game.language, LANGUAGE_JA);
 }
 
-static void test_a_chapter_takes_nothing_from_anybody(void **state)
+static void test_a_new_session_keeps_credits_and_settings(void **state)
 {
     (void)state;
     struct core_config config = { .seed = 9, .fish_count = 12, .credit_coins = 3 };
@@ -147,17 +148,20 @@ static void test_a_chapter_takes_nothing_from_anybody(void **state)
     const struct ledger ledger = core.game.accounts.ledger;
     const struct audits audits = core.game.accounts.audits;
     const uint32_t commands = core.game.menu.command_count;
-    run_to_chapter(&input, SESSION_TICKS_MAX);
+    run_to_session(&input, SESSION_TICKS_MAX);
     assert_true(core_is_fresh(&core));
-    assert_true(credit_hash(0, &core.game.accounts.credit) == credit_hash(0, &credit));
-    assert_true(ledger_hash(0, &core.game.accounts.ledger) == ledger_hash(0, &ledger));
-    assert_true(audits_hash(0, &core.game.accounts.audits) == audits_hash(0, &audits));
+    assert_true(field_hash(0, &credit_fields, &core.game.accounts.credit) ==
+                field_hash(0, &credit_fields, &credit));
+    assert_true(field_hash(0, &ledger_fields, &core.game.accounts.ledger) ==
+                field_hash(0, &ledger_fields, &ledger));
+    assert_true(field_hash(0, &audits_fields, &core.game.accounts.audits) ==
+                field_hash(0, &audits_fields, &audits));
     assert_int_equal(core.game.menu.command_count, commands);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
-/* The cut is in the dark, and the dark is short and has no edge. */
-static void test_the_cut_is_dark_and_nothing_else_is(void **state)
+/* The session changes while the picture is dark. The fade is short and continuous. */
+static void test_the_picture_is_dark_only_at_the_session_change(void **state)
 {
     (void)state;
     static struct scene scene;
@@ -180,8 +184,8 @@ static void test_the_cut_is_dark_and_nothing_else_is(void **state)
     assert_in_range(dark, 3u * SESSION_FADE_TICKS - 4u, 3u * SESSION_FADE_TICKS);
 }
 
-/* Who dips while it grows dark plays; the chapter goes on, and ends with the next attract. */
-static void test_a_player_stops_the_turn(void **state)
+/* A player who dips during the fade plays. The session continues and ends in the next attract. */
+static void test_a_player_prevents_the_session_change(void **state)
 {
     (void)state;
     const struct core_config config = { .seed = 3, .fish_count = 12, .round_s = 10 };
@@ -198,18 +202,18 @@ static void test_a_player_stops_the_turn(void **state)
         tick(&core, &input, &output);
         assert_int_equal(core.config.session.tick, 0);
     }
-    assert_int_equal(run_to_chapter(&input, SESSION_TICKS_MAX), SESSION_FADE_TICKS - 1u);
+    assert_int_equal(run_to_session(&input, SESSION_TICKS_MAX), SESSION_FADE_TICKS - 1u);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_ten_minutes_of_attract_are_a_chapter),
-        cmocka_unit_test(test_a_chapter_is_what_its_configuration_makes),
-        cmocka_unit_test(test_a_language_that_was_just_chosen_outlives_the_chapter),
-        cmocka_unit_test(test_a_chapter_takes_nothing_from_anybody),
-        cmocka_unit_test(test_the_cut_is_dark_and_nothing_else_is),
-        cmocka_unit_test(test_a_player_stops_the_turn),
+        cmocka_unit_test(test_ten_minutes_of_attract_are_a_session),
+        cmocka_unit_test(test_a_session_depends_only_on_its_configuration_and_inputs),
+        cmocka_unit_test(test_a_recently_chosen_language_survives_the_session),
+        cmocka_unit_test(test_a_new_session_keeps_credits_and_settings),
+        cmocka_unit_test(test_the_picture_is_dark_only_at_the_session_change),
+        cmocka_unit_test(test_a_player_prevents_the_session_change),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

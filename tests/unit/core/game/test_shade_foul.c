@@ -1,12 +1,13 @@
-/* test_shade_foul.c -- before the start the umpire sees who holds a shadow over fish: hands and
- * fans move, nobody declares anything. */
-#include "tests/unit/support/stall_stand.h"
+/* test_shade_foul.c -- checks that the umpire detects a shadow held over fish before the start,
+ * from the motion of pois and fans alone. */
+#include "tests/unit/support/core_fixture.h"
 
 #include "core/game/phases.h"
 
 #define READY_TICKS (5u * CORE_TICK_HZ)
 
-static const vec3 aside_m = { 0.0f, STAND_ABOVE_M, 0.45f }; /* Beyond the tank's near wall. */
+static const vec3 aside_m = { 0.0f, ABOVE_M, 0.45f }; /* The position is outside the tank's near
+                                                         wall. */
 
 static void begin(uint8_t mode, uint32_t fish_count)
 {
@@ -16,7 +17,7 @@ static void begin(uint8_t mode, uint32_t fish_count)
         .fish_count = fish_count,
         .modes = (uint8_t)(1u << mode),
     };
-    open_stall(&config);
+    open_core(&config);
     hold(0, aside_m);
     tick();
     press(INPUT_START);
@@ -37,7 +38,7 @@ static void fan(int present, float x_m)
     };
 }
 
-static void test_who_leaves_the_water_alone_commits_no_foul(void **state)
+static void test_a_player_away_from_the_water_commits_no_foul(void **state)
 {
     (void)state;
     ticks(READY_TICKS + 10u);
@@ -52,22 +53,22 @@ static void test_a_fan_held_over_fish_before_the_start_is_one_foul(void **state)
     fan(1, 0.1f);
     ticks(170);
     assert_int_equal(look()->player[0].fouls, 0);
-    ticks(20); /* A second and a half. */
+    ticks(20); /* The time of 1.5 s is over. */
     assert_int_equal(look()->player[0].fouls, 1);
     assert_int_equal(scene.player[0].foul, FOUL_SHADE);
     assert_true(scene.player[0].foul_s < 0.2f);
-    ticks(READY_TICKS - 200u); /* It is one, however long it is held. */
+    ticks(READY_TICKS - 200u); /* A held fan is one foul for any duration. */
     assert_int_equal(look()->player[0].fouls, 1);
     assert_int_equal(sounds[SOUND_FOUL], 1);
 }
 
-static void test_a_fan_that_was_there_already_has_a_second_and_a_half_to_go(void **state)
+static void test_a_fan_already_present_has_1_5_s_to_leave(void **state)
 {
     (void)state;
     const struct core_config config = { .seed = 3,
                                         .preset = TANK_PRESET_OFFICIAL,
                                         .modes = 1u << MODE_CHAMPIONSHIP };
-    open_stall(&config);
+    open_core(&config);
     hold(0, aside_m);
     fan(1, 0.1f);
     ticks(300);
@@ -78,18 +79,19 @@ static void test_a_fan_that_was_there_already_has_a_second_and_a_half_to_go(void
     assert_int_equal(look()->player[0].fouls, 1);
 }
 
-static void test_a_fan_that_passes_or_waves_is_none(void **state)
+static void test_a_passing_or_waving_fan_is_no_foul(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < READY_TICKS - 10u; i++) {
         const float share = (float)(i % 240u) / 120.0f;
-        fan(1, 0.4f * (share < 1.0f ? share : 2.0f - share)); /* To and fro at 0.4 m/s. */
+        fan(1, 0.4f * (share < 1.0f ? share : 2.0f - share)); /* The fan moves to and fro at 0.4
+                                                                 m/s. */
         tick();
     }
     assert_int_equal(look()->player[0].fouls, 0);
 }
 
-static void test_a_fan_over_water_without_fish_is_none(void **state)
+static void test_a_fan_over_water_without_fish_is_no_foul(void **state)
 {
     (void)state;
     begin(MODE_CHAMPIONSHIP, 1);
@@ -99,7 +101,7 @@ static void test_a_fan_over_water_without_fish_is_none(void **state)
     assert_int_equal(look()->player[0].fouls, 0);
 }
 
-static void test_two_seconds_later_it_is_another(void **state)
+static void test_two_seconds_later_a_fan_is_another_foul(void **state)
 {
     (void)state;
     fan(1, 0.1f);
@@ -112,7 +114,7 @@ static void test_two_seconds_later_it_is_another(void **state)
     assert_int_equal(look()->player[0].fouls, 2);
 }
 
-static void test_within_two_seconds_it_is_the_same(void **state)
+static void test_within_two_seconds_a_fan_is_the_same_foul(void **state)
 {
     (void)state;
     fan(1, 0.1f);
@@ -128,55 +130,56 @@ static void test_a_poi_brought_over_fish_and_held_there_is_a_foul(void **state)
 {
     (void)state;
     ticks(FOUL_SETTLE_TICKS);
-    lead(0, v3(0.05f, STAND_ABOVE_M, 0.05f));
+    lead(0, v3(0.05f, ABOVE_M, 0.05f));
     ticks(300);
     assert_int_equal(core.game.phase, PHASE_READY);
     assert_int_equal(look()->player[0].fouls, 1);
     assert_int_equal(scene.player[0].foul, FOUL_SHADE);
 }
 
-static void test_a_poi_that_has_rested_since_ready_began_is_none(void **state)
+static void test_a_poi_at_rest_since_ready_is_no_foul(void **state)
 {
     (void)state;
     const struct core_config config = { .seed = 3,
                                         .preset = TANK_PRESET_OFFICIAL,
                                         .modes = 1u << MODE_CHAMPIONSHIP };
-    open_stall(&config);
-    hold(0, v3(0.05f, STAND_ABOVE_M, 0.05f)); /* Where it was when START was pressed. */
+    open_core(&config);
+    hold(0, v3(0.05f, ABOVE_M, 0.05f)); /* The poi is at its position of START. */
     press(INPUT_START);
-    for (uint32_t i = 0; i < READY_TICKS - 10u; i++) { /* It trembles. */
+    for (uint32_t i = 0; i < READY_TICKS - 10u; i++) { /* The poi trembles. */
         input.poi[0].target.position_m.x = 0.05f + (i % 2u ? 0.001f : 0.0f);
         tick();
     }
-    assert_true(core.world.tank.shade[SHADE_MAX].still_s > FOUL_SHADE_S); /* The shadow is there. */
+    assert_true(core.world.tank.shade[SHADE_MAX].still_s > FOUL_SHADE_S); /* The shadow is
+                                                                             present. */
     assert_true(tank_shade_count(&core.world.tank, &core.world.tank.shade[SHADE_MAX].cast) > 0);
     assert_int_equal(look()->player[0].fouls, 0);
 }
 
-static void test_the_umpire_says_beforehand_what_is_forbidden(void **state)
+static void test_the_rule_is_shown_before_the_start(void **state)
 {
     (void)state;
     ticks(20);
     assert_int_equal(look()->hint, HINT_NO_SHADE);
 }
 
-static void test_a_fan_is_a_foul_of_the_player_whose_it_is(void **state)
+static void test_a_fan_is_a_foul_of_its_player(void **state)
 {
     (void)state;
     const struct core_config config = { .preset = TANK_PRESET_OFFICIAL,
                                         .modes = 1u << MODE_CHAMPIONSHIP,
                                         .players = 2 };
-    open_stall(&config);
+    open_core(&config);
     press(INPUT_START);
     input.shade[1] = (struct shade_input){ .present = 1, .radius_m = 0.12f };
     input.shade[2] = (struct shade_input){ .present = 1, .x_m = 0.3f, .radius_m = 0.12f };
     ticks(200);
     assert_int_equal(look()->player[0].fouls, 0);
     assert_int_equal(scene.player[1].fouls, 1);
-    assert_int_equal(scene.player[2].fouls, 0); /* No bowl, no player. */
+    assert_int_equal(scene.player[2].fouls, 0); /* A poi without a bowl has no player. */
 }
 
-static void test_at_a_stall_shade_is_nobodys_business(void **state)
+static void test_shade_is_no_foul_in_a_festival(void **state)
 {
     (void)state;
     begin(MODE_FESTIVAL, 0);
@@ -186,7 +189,7 @@ static void test_at_a_stall_shade_is_nobodys_business(void **state)
     assert_int_equal(sounds[SOUND_FOUL], 0);
 }
 
-static void test_in_the_round_shade_is_technique(void **state)
+static void test_shade_is_no_foul_during_the_round(void **state)
 {
     (void)state;
     ticks(READY_TICKS + 1u);
@@ -195,10 +198,10 @@ static void test_in_the_round_shade_is_technique(void **state)
     assert_int_equal(look()->player[0].fouls, 0);
 }
 
-static void test_a_cable_that_breaks_casts_no_guilty_shadow(void **state)
+static void test_the_shadow_of_a_lost_controller_is_no_foul(void **state)
 {
     (void)state;
-    lead(0, v3(0.1f, STAND_ABOVE_M, 0.0f)); /* Over fish, a moment after READY began. */
+    lead(0, v3(0.1f, ABOVE_M, 0.0f)); /* The poi comes over fish shortly after READY began. */
     input.poi[0].link = POI_SOURCE_LOST;
     ticks(READY_TICKS - 180u);
     assert_int_equal(core.game.phase, PHASE_READY);
@@ -209,20 +212,20 @@ int main(void)
 {
 #define TEST(name) cmocka_unit_test_setup(name, championship)
     const struct CMUnitTest tests[] = {
-        TEST(test_who_leaves_the_water_alone_commits_no_foul),
+        TEST(test_a_player_away_from_the_water_commits_no_foul),
         TEST(test_a_fan_held_over_fish_before_the_start_is_one_foul),
-        cmocka_unit_test(test_a_fan_that_was_there_already_has_a_second_and_a_half_to_go),
-        TEST(test_a_fan_that_passes_or_waves_is_none),
-        TEST(test_a_fan_over_water_without_fish_is_none),
-        TEST(test_two_seconds_later_it_is_another),
-        TEST(test_within_two_seconds_it_is_the_same),
+        cmocka_unit_test(test_a_fan_already_present_has_1_5_s_to_leave),
+        TEST(test_a_passing_or_waving_fan_is_no_foul),
+        TEST(test_a_fan_over_water_without_fish_is_no_foul),
+        TEST(test_two_seconds_later_a_fan_is_another_foul),
+        TEST(test_within_two_seconds_a_fan_is_the_same_foul),
         TEST(test_a_poi_brought_over_fish_and_held_there_is_a_foul),
-        TEST(test_a_poi_that_has_rested_since_ready_began_is_none),
-        TEST(test_a_cable_that_breaks_casts_no_guilty_shadow),
-        TEST(test_the_umpire_says_beforehand_what_is_forbidden),
-        cmocka_unit_test(test_a_fan_is_a_foul_of_the_player_whose_it_is),
-        cmocka_unit_test(test_at_a_stall_shade_is_nobodys_business),
-        TEST(test_in_the_round_shade_is_technique),
+        TEST(test_a_poi_at_rest_since_ready_is_no_foul),
+        TEST(test_the_shadow_of_a_lost_controller_is_no_foul),
+        TEST(test_the_rule_is_shown_before_the_start),
+        cmocka_unit_test(test_a_fan_is_a_foul_of_its_player),
+        cmocka_unit_test(test_shade_is_no_foul_in_a_festival),
+        TEST(test_shade_is_no_foul_during_the_round),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

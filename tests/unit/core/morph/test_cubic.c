@@ -1,4 +1,4 @@
-/* test_cubic.c -- the curve through a table's points. */
+/* test_cubic.c -- checks the curve through a table's points. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -16,11 +16,11 @@ static const struct cubic_point steps[] = { { 0.0f, 1.0f },  { 1.0f, 1.0f }, { 2
                                             { 9.0f, 2.99f }, { 9.1f, 0.0f } };
 #define COUNT (sizeof steps / sizeof steps[0])
 
-static void test_it_runs_through_every_point(void **state)
+static void test_the_curve_passes_through_every_point(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < COUNT; i++) {
-        assert_true(cubic_curve(steps, COUNT, steps[i].at) == steps[i].value);
+        assert_true(cubic_curve(steps, COUNT, steps[i].at, NULL) == steps[i].value);
     }
 }
 
@@ -31,20 +31,20 @@ static void assert_no_overshoot(const struct cubic_point *points, uint32_t count
         const float high = f_max(points[i].value, points[i + 1].value);
         for (int step = 0; step <= STEPS; step++) {
             const float at = f_lerp(points[i].at, points[i + 1].at, (float)step / STEPS);
-            const float value = cubic_curve(points, count, at);
+            const float value = cubic_curve(points, count, at, NULL);
             assert_true(value >= low - 1e-5f && value <= high + 1e-5f);
         }
     }
 }
 
-static void test_between_two_points_it_leaves_neither_below_nor_above(void **state)
+static void test_the_curve_stays_between_two_adjacent_points(void **state)
 {
     (void)state;
     assert_no_overshoot(steps, COUNT);
 }
 
-/* A small rise beside a deep fall: three points ask for a slope of 7.5 where 3 is the most. */
-static void test_it_does_not_overshoot_at_its_ends(void **state)
+/* A small rise is beside a steep fall: the three points give a slope of 7.5, and the limit is 3. */
+static void test_the_curve_does_not_overshoot_at_its_ends(void **state)
 {
     (void)state;
     const struct cubic_point first[3] = { { 0.0f, 0.0f }, { 1.0f, 1.0f }, { 2.0f, -11.0f } };
@@ -55,24 +55,24 @@ static void test_it_does_not_overshoot_at_its_ends(void **state)
     assert_no_overshoot(last, 3);
 }
 
-static void test_it_keeps_to_its_ends_outside_them(void **state)
+static void test_the_curve_is_constant_outside_its_ends(void **state)
 {
     (void)state;
-    assert_true(cubic_curve(steps, COUNT, -5.0f) == 1.0f);
-    assert_true(cubic_curve(steps, COUNT, 50.0f) == 0.0f);
+    assert_true(cubic_curve(steps, COUNT, -5.0f, NULL) == 1.0f);
+    assert_true(cubic_curve(steps, COUNT, 50.0f, NULL) == 0.0f);
 }
 
-static void test_two_points_are_a_straight_line(void **state)
+static void test_two_points_give_a_straight_line(void **state)
 {
     (void)state;
     const struct cubic_point line[2] = { { 1.0f, 2.0f }, { 3.0f, 8.0f } };
     for (int step = 0; step <= STEPS; step++) {
         const float at = 1.0f + 2.0f * (float)step / STEPS;
-        assert_float_equal(cubic_curve(line, 2, at), 2.0f + 3.0f * (at - 1.0f), 1e-5f);
+        assert_float_equal(cubic_curve(line, 2, at, NULL), 2.0f + 3.0f * (at - 1.0f), 1e-5f);
     }
 }
 
-static void test_equal_rises_keep_their_slope(void **state)
+static void test_equal_slopes_are_kept(void **state)
 {
     (void)state;
     const struct cubic_point line[4] = {
@@ -83,23 +83,23 @@ static void test_equal_rises_keep_their_slope(void **state)
     }
 }
 
-static void test_fewer_than_two_points_are_a_bug(void **state)
+static void test_fewer_than_two_points_fail_an_assertion(void **state)
 {
     (void)state;
-    expect_assert_failure(cubic_curve(steps, 1, 0.0f));
+    expect_assert_failure(cubic_curve(steps, 1, 0.0f, NULL));
     expect_assert_failure(cubic_slope(steps, 3, 3));
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_it_runs_through_every_point),
-        cmocka_unit_test(test_between_two_points_it_leaves_neither_below_nor_above),
-        cmocka_unit_test(test_it_does_not_overshoot_at_its_ends),
-        cmocka_unit_test(test_it_keeps_to_its_ends_outside_them),
-        cmocka_unit_test(test_two_points_are_a_straight_line),
-        cmocka_unit_test(test_equal_rises_keep_their_slope),
-        cmocka_unit_test(test_fewer_than_two_points_are_a_bug),
+        cmocka_unit_test(test_the_curve_passes_through_every_point),
+        cmocka_unit_test(test_the_curve_stays_between_two_adjacent_points),
+        cmocka_unit_test(test_the_curve_does_not_overshoot_at_its_ends),
+        cmocka_unit_test(test_the_curve_is_constant_outside_its_ends),
+        cmocka_unit_test(test_two_points_give_a_straight_line),
+        cmocka_unit_test(test_equal_slopes_are_kept),
+        cmocka_unit_test(test_fewer_than_two_points_fail_an_assertion),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,5 @@
-/* test_graph.c -- deformation graphs: their constraint, their lines, their templates, and the
- * shapes solved for them. */
+/* test_graph.c -- checks deformation graphs: their constraint, their curves, their templates and
+ * the solved shapes. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -64,7 +64,7 @@ static void test_every_template_keeps_the_constraint_at_knots_and_between(void *
     }
 }
 
-/* Numbers of a small generator, so that a failure repeats. */
+/* Returns the next number of a small generator, so that a failure can be repeated. */
 static float next_share(uint32_t *seed)
 {
     *seed = *seed * 1664525u + 1013904223u;
@@ -100,7 +100,7 @@ static void test_any_good_graph_keeps_the_constraint_between_its_knots(void **st
         const struct graph graph =
             random_graph(&seed, key_count, round % 2 ? GRAPH_SMOOTH : GRAPH_STRAIGHT);
         if (graph_check(&graph, key_count).fault != GRAPH_GOOD) {
-            continue; /* Two knots of the generator's may stand in the wrong order. */
+            continue; /* The generator may place two knots in the wrong order. */
         }
         good++;
         for (int step = 0; step <= STEPS; step++) {
@@ -112,7 +112,7 @@ static void test_any_good_graph_keeps_the_constraint_between_its_knots(void **st
     assert_true(good > 150);
 }
 
-static void test_a_knot_is_passed_exactly(void **state)
+static void test_a_curve_passes_its_knots_exactly(void **state)
 {
     (void)state;
     for (uint32_t t = 0; t < TEMPLATES; t++) {
@@ -128,7 +128,7 @@ static void test_a_knot_is_passed_exactly(void **state)
     }
 }
 
-/* The greatest change of a curve's steepness from one step to the next. */
+/* Returns the maximum change of a curve's slope from one step to the next. */
 static float sharpest_corner(const struct graph *graph)
 {
     float before[2][MORPH_KEY_MAX], sharpest = 0.0f;
@@ -147,7 +147,7 @@ static float sharpest_corner(const struct graph *graph)
     return sharpest;
 }
 
-static void test_smooth_lines_have_no_corner_where_straight_ones_do(void **state)
+static void test_smooth_curves_have_no_corner_where_straight_ones_do(void **state)
 {
     (void)state;
     struct graph graph = graph_of(TEMPLATE_SMOOTH, 4);
@@ -161,7 +161,7 @@ static struct graph_verdict verdict_of(const struct graph *graph)
     return graph_check(graph, 3);
 }
 
-static void test_a_graph_that_breaks_a_rule_is_told_where(void **state)
+static void test_a_graph_check_names_the_broken_rule(void **state)
 {
     (void)state;
     const struct graph good = graph_of(TEMPLATE_SIMULTANEOUS, 3);
@@ -192,7 +192,7 @@ static void test_a_graph_that_breaks_a_rule_is_told_where(void **state)
     assert_int_equal(verdict_of(&bad).fault, GRAPH_NEGATIVE);
 }
 
-static void test_a_sum_just_inside_the_rule_is_good_and_just_outside_is_told(void **state)
+static void test_a_sum_inside_the_tolerance_is_valid_and_one_outside_is_not(void **state)
 {
     (void)state;
     struct graph graph = graph_of(TEMPLATE_PAIRWISE, 3);
@@ -204,7 +204,7 @@ static void test_a_sum_just_inside_the_rule_is_good_and_just_outside_is_told(voi
     assert_true(verdict_of(&graph).value > 1.0f);
 }
 
-static void test_a_graph_that_hardly_shows_a_key_cannot_be_solved(void **state)
+static void test_a_graph_with_a_tiny_weight_of_a_key_cannot_be_solved(void **state)
 {
     (void)state;
     struct graph graph = graph_of(TEMPLATE_SIMULTANEOUS, 3);
@@ -221,7 +221,7 @@ static void test_a_graph_that_hardly_shows_a_key_cannot_be_solved(void **state)
     assert_int_equal(verdict_of(&graph).fault, GRAPH_GOOD);
 }
 
-/* T' = (T - 0.15 (S + U)) / 0.7: the middle drawing, exaggerated as section 4.2 needs it. */
+/* T' = (T - 0.15 (S + U)) / 0.7 is the middle key, exaggerated as in section 4.2. */
 static void test_the_solved_middle_key_is_the_thesis_exaggeration(void **state)
 {
     (void)state;
@@ -237,9 +237,9 @@ static void test_the_solved_middle_key_is_the_thesis_exaggeration(void **state)
     }
 }
 
-/* Where a key is seen less than its neighbour at its own progress, the largest pivot is in another
- * row. */
-static void test_shapes_are_solved_whatever_key_is_seen_most(void **state)
+/* If a key has a smaller weight than its neighbour at its own progress, the largest pivot is in
+ * another row. */
+static void test_shapes_are_solved_for_any_dominant_key(void **state)
 {
     (void)state;
     const struct graph graph = { .knot_count = 3,
@@ -261,7 +261,7 @@ static void test_shapes_are_solved_whatever_key_is_seen_most(void **state)
     }
 }
 
-static void test_a_solved_curve_passes_through_every_drawing_exactly(void **state)
+static void test_a_solved_curve_passes_through_every_key_exactly(void **state)
 {
     (void)state;
     for (uint32_t key_count = 3; key_count <= MORPH_KEY_MAX; key_count++) {
@@ -300,7 +300,8 @@ static void test_a_solved_curve_does_not_jump_at_a_key(void **state)
     }
 }
 
-/* Three shapes at once bend the path of a vertex; two by two cannot (figures 3.2 and 4.15). */
+/* Three keys at the same time bend the path of a vertex, which two keys cannot do (figures 3.2 and
+ * 4.15). */
 static void test_only_solved_smooth_curves_show_a_third_key_between_two(void **state)
 {
     (void)state;
@@ -309,14 +310,15 @@ static void test_only_solved_smooth_curves_show_a_third_key_between_two(void **s
     struct morph_rig rig = rig_of(&graph, 3);
     morph_weights(&rig, 0.25f, weights);
     assert_true(weights[0][2] < -0.02f);
-    graph.line = GRAPH_STRAIGHT; /* Solved, but straight: back to two by two. */
+    graph.line = GRAPH_STRAIGHT; /* The shapes are solved, but straight curves blend only two keys
+                                    at a time. */
     rig = rig_of(&graph, 3);
     morph_weights(&rig, 0.25f, weights);
     assert_float_equal(weights[0][2], 0.0f, 1e-6f);
     assert_float_equal(weights[0][1], 0.5f, 1e-6f);
 }
 
-static void test_curves_that_a_card_does_not_have_are_the_whole_fishs(void **state)
+static void test_absent_curves_of_a_card_use_the_curve_of_the_whole_fish(void **state)
 {
     (void)state;
     const struct graph graph = graph_of(TEMPLATE_PAIRWISE, 3);
@@ -328,7 +330,7 @@ static void test_curves_that_a_card_does_not_have_are_the_whole_fishs(void **sta
     }
 }
 
-static void test_a_template_outside_its_ranges_is_a_bug(void **state)
+static void test_a_template_outside_its_ranges_fails_an_assertion(void **state)
 {
     (void)state;
     struct graph graph;
@@ -345,18 +347,18 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_every_template_keeps_the_constraint_at_knots_and_between),
         cmocka_unit_test(test_any_good_graph_keeps_the_constraint_between_its_knots),
-        cmocka_unit_test(test_a_knot_is_passed_exactly),
-        cmocka_unit_test(test_smooth_lines_have_no_corner_where_straight_ones_do),
-        cmocka_unit_test(test_a_graph_that_breaks_a_rule_is_told_where),
-        cmocka_unit_test(test_a_sum_just_inside_the_rule_is_good_and_just_outside_is_told),
-        cmocka_unit_test(test_a_graph_that_hardly_shows_a_key_cannot_be_solved),
+        cmocka_unit_test(test_a_curve_passes_its_knots_exactly),
+        cmocka_unit_test(test_smooth_curves_have_no_corner_where_straight_ones_do),
+        cmocka_unit_test(test_a_graph_check_names_the_broken_rule),
+        cmocka_unit_test(test_a_sum_inside_the_tolerance_is_valid_and_one_outside_is_not),
+        cmocka_unit_test(test_a_graph_with_a_tiny_weight_of_a_key_cannot_be_solved),
         cmocka_unit_test(test_the_solved_middle_key_is_the_thesis_exaggeration),
-        cmocka_unit_test(test_shapes_are_solved_whatever_key_is_seen_most),
-        cmocka_unit_test(test_a_solved_curve_passes_through_every_drawing_exactly),
+        cmocka_unit_test(test_shapes_are_solved_for_any_dominant_key),
+        cmocka_unit_test(test_a_solved_curve_passes_through_every_key_exactly),
         cmocka_unit_test(test_a_solved_curve_does_not_jump_at_a_key),
         cmocka_unit_test(test_only_solved_smooth_curves_show_a_third_key_between_two),
-        cmocka_unit_test(test_curves_that_a_card_does_not_have_are_the_whole_fishs),
-        cmocka_unit_test(test_a_template_outside_its_ranges_is_a_bug),
+        cmocka_unit_test(test_absent_curves_of_a_card_use_the_curve_of_the_whole_fish),
+        cmocka_unit_test(test_a_template_outside_its_ranges_fails_an_assertion),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

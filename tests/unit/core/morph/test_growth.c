@@ -1,4 +1,4 @@
-/* test_growth.c -- how long wakin is at an age, and how old at a length. */
+/* test_growth.c -- checks the length of wakin at an age, and the age at a length. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -16,9 +16,9 @@ static void test_a_hatchling_has_its_true_length(void **state)
     assert_float_equal(growth_length_m(wakin, 0.0f), 0.005f, 1e-6f);
 }
 
-/* A fit to adults alone would have hatchlings of 32 cm: facts of the bigeye tuna, the thesis' own
- * example (L_inf 2.0834 m, k 0.1985 a year, t0 -0.839 years). */
-static void test_an_adult_fit_is_mended_at_hatching_and_kept_for_adults(void **state)
+/* A fit to adults alone would give hatchlings of 32 cm. The data of the bigeye tuna are the thesis'
+ * own example (L_inf 2.0834 m, k 0.1985 a year, t0 -0.839 years). */
+static void test_an_adult_fit_is_corrected_at_hatching_and_kept_for_adults(void **state)
 {
     (void)state;
     const struct growth bigeye = { 2.0834f, 0.1985152f, -0.839f, 0.35f, 1, { { 0.0f, 0.003f } } };
@@ -27,7 +27,7 @@ static void test_an_adult_fit_is_mended_at_hatching_and_kept_for_adults(void **s
     assert_float_equal(growth_length_m(&bigeye, 10.0f * 365.25f), 1.84f, 0.01f);
 }
 
-static void test_a_goldfish_of_three_months_is_a_fish_of_the_stall(void **state)
+static void test_a_goldfish_of_three_months_has_the_length_of_stall_fish(void **state)
 {
     (void)state;
     assert_float_equal(growth_length_m(wakin, 91.3f), 0.039f, 0.0039f);
@@ -35,7 +35,8 @@ static void test_a_goldfish_of_three_months_is_a_fish_of_the_stall(void **state)
     assert_float_equal(growth_length_m(wakin, 3.0f * 365.25f), 0.21f, 0.005f);
 }
 
-/* The black conger's larva: grows, shrinks as it becomes an eel, grows again (measured, in mm). */
+/* Returns the measured growth of the black conger's larva: it grows, shrinks during the
+ * metamorphosis to an eel, and grows again. */
 static struct growth conger_growth(void)
 {
     return (struct growth){ 1.4f,
@@ -51,7 +52,7 @@ static struct growth conger_growth(void)
                               { 330.0f, 0.0725f } } };
 }
 
-static void test_every_measured_length_is_met(void **state)
+static void test_the_growth_curve_passes_every_measured_length(void **state)
 {
     (void)state;
     const struct growth conger = conger_growth();
@@ -61,7 +62,7 @@ static void test_every_measured_length_is_met(void **state)
     }
 }
 
-static void test_between_measured_lengths_it_overshoots_neither(void **state)
+static void test_the_growth_curve_stays_between_measured_lengths(void **state)
 {
     (void)state;
     const struct growth conger = conger_growth();
@@ -76,7 +77,7 @@ static void test_between_measured_lengths_it_overshoots_neither(void **state)
     }
 }
 
-static void test_the_table_runs_into_the_curve_without_a_corner(void **state)
+static void test_the_table_joins_the_curve_without_a_corner(void **state)
 {
     (void)state;
     const struct growth conger = conger_growth();
@@ -87,9 +88,9 @@ static void test_the_table_runs_into_the_curve_without_a_corner(void **state)
     assert_float_equal(growth_length_m(&conger, 10.0f * 365.25f), 1.10f, 0.02f);
 }
 
-/* A curve far ahead of the last measured length would have it leave that length steeply: a table
- * that rises so little before would sink below its own points first. */
-static void test_a_table_does_not_sink_before_it_runs_into_a_steep_curve(void **state)
+/* A curve far above the last measured length would leave that length steeply. A table with a small
+ * slope would then fall below its own points first. */
+static void test_a_table_does_not_fall_before_it_joins_a_steep_curve(void **state)
 {
     (void)state;
     const struct growth lean = {
@@ -104,7 +105,7 @@ static void test_a_table_does_not_sink_before_it_runs_into_a_steep_curve(void **
     assert_true(before > 0.05f);
 }
 
-static void test_of_three_ages_of_one_length_the_youngest_is_told(void **state)
+static void test_a_length_at_three_ages_gives_the_youngest(void **state)
 {
     (void)state;
     const struct growth conger = conger_growth();
@@ -119,7 +120,7 @@ static void test_of_three_ages_of_one_length_the_youngest_is_told(void **state)
     assert_true(growth_age_between(&conger, 220.0f, 300.0f, 0.1255f) == 220.0f);
 }
 
-static void test_growth_says_where_it_goes_one_way(void **state)
+static void test_growth_reports_where_it_is_monotonic(void **state)
 {
     (void)state;
     const struct growth conger = conger_growth();
@@ -131,8 +132,9 @@ static void test_growth_says_where_it_goes_one_way(void **state)
     assert_false(growth_is_one_way(&conger, 50.0f, 50.0f));
 }
 
-/* A table that ends longer than the curve is at that age: it waits for the curve. */
-static void test_a_fish_ahead_of_its_curve_waits_and_does_not_shrink(void **state)
+/* The table ends at a length above the curve at that age, so the length pauses until the curve
+ * reaches it. */
+static void test_a_fish_ahead_of_its_curve_pauses_and_does_not_shrink(void **state)
 {
     (void)state;
     const struct growth early = { 0.5f, 0.2f, 0.0f, 0.3f, 2, { { 0.0f, 0.01f }, { 50.0f, 0.1f } } };
@@ -157,7 +159,7 @@ static void test_a_fish_never_shrinks(void **state)
     }
 }
 
-static void test_age_and_length_are_each_others_inverse(void **state)
+static void test_age_and_length_are_inverse_functions(void **state)
 {
     (void)state;
     for (float length_m = 0.006f; length_m < 0.24f; length_m *= 1.03f) {
@@ -170,7 +172,7 @@ static void test_age_and_length_are_each_others_inverse(void **state)
     }
 }
 
-static void test_ages_of_lengths_that_no_fish_has_are_the_ends_of_life(void **state)
+static void test_impossible_lengths_give_the_ends_of_life(void **state)
 {
     (void)state;
     assert_float_equal(growth_age_days(wakin, 0.001f), 0.0f, 0.0f);
@@ -178,7 +180,7 @@ static void test_ages_of_lengths_that_no_fish_has_are_the_ends_of_life(void **st
     assert_float_equal(growth_age_days(wakin, 1.0f), 40.0f * 365.25f, 1.0f);
 }
 
-static void test_an_age_before_hatching_is_a_bug(void **state)
+static void test_an_age_before_hatching_fails_an_assertion(void **state)
 {
     (void)state;
     expect_assert_failure(growth_length_m(wakin, -1.0f));
@@ -188,19 +190,19 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_a_hatchling_has_its_true_length),
-        cmocka_unit_test(test_an_adult_fit_is_mended_at_hatching_and_kept_for_adults),
-        cmocka_unit_test(test_a_goldfish_of_three_months_is_a_fish_of_the_stall),
-        cmocka_unit_test(test_every_measured_length_is_met),
-        cmocka_unit_test(test_between_measured_lengths_it_overshoots_neither),
-        cmocka_unit_test(test_the_table_runs_into_the_curve_without_a_corner),
-        cmocka_unit_test(test_a_table_does_not_sink_before_it_runs_into_a_steep_curve),
-        cmocka_unit_test(test_of_three_ages_of_one_length_the_youngest_is_told),
-        cmocka_unit_test(test_growth_says_where_it_goes_one_way),
-        cmocka_unit_test(test_a_fish_ahead_of_its_curve_waits_and_does_not_shrink),
+        cmocka_unit_test(test_an_adult_fit_is_corrected_at_hatching_and_kept_for_adults),
+        cmocka_unit_test(test_a_goldfish_of_three_months_has_the_length_of_stall_fish),
+        cmocka_unit_test(test_the_growth_curve_passes_every_measured_length),
+        cmocka_unit_test(test_the_growth_curve_stays_between_measured_lengths),
+        cmocka_unit_test(test_the_table_joins_the_curve_without_a_corner),
+        cmocka_unit_test(test_a_table_does_not_fall_before_it_joins_a_steep_curve),
+        cmocka_unit_test(test_a_length_at_three_ages_gives_the_youngest),
+        cmocka_unit_test(test_growth_reports_where_it_is_monotonic),
+        cmocka_unit_test(test_a_fish_ahead_of_its_curve_pauses_and_does_not_shrink),
         cmocka_unit_test(test_a_fish_never_shrinks),
-        cmocka_unit_test(test_age_and_length_are_each_others_inverse),
-        cmocka_unit_test(test_ages_of_lengths_that_no_fish_has_are_the_ends_of_life),
-        cmocka_unit_test(test_an_age_before_hatching_is_a_bug),
+        cmocka_unit_test(test_age_and_length_are_inverse_functions),
+        cmocka_unit_test(test_impossible_lengths_give_the_ends_of_life),
+        cmocka_unit_test(test_an_age_before_hatching_fails_an_assertion),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

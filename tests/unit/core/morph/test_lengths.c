@@ -1,4 +1,5 @@
-/* test_lengths.c -- how long the fish are at known ages, and at the stages of the 2005 thesis. */
+/* test_lengths.c -- checks the lengths of the fish at known ages and at the stages of the 2005
+ * thesis. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -10,7 +11,9 @@
 #include "core/morph/morph.h"
 
 #define YEAR 365.25f
-#define FITTED 0.10f     /* Of a length that a curve by hand or by print was meant to meet. */
+#define FITTED                                                                                     \
+    0.10f                /* Relative tolerance of a length that a fitted or published curve
+                            approximates. */
 #define DRAWN_M 0.00005f /* Half the last digit of a plate's caption. */
 
 static const struct species_card *card_of(const char *id)
@@ -24,9 +27,9 @@ static const struct species_card *card_of(const char *id)
     return NULL;
 }
 
-/* Von Bertalanffy's curves in print (bigeye, hirame) or fitted by hand to what keepers and anglers
- * say; in the species' measure, so hirame's total lengths are times 0.86. A conger's first year is
- * its table's. */
+/* The curves are von Bertalanffy's: published ones (bigeye, hirame) or fits to reports of keepers
+ * and anglers. Lengths use the species' own measure, so hirame's total lengths are multiplied by
+ * 0.86. The first year of a conger comes from its table. */
 static const struct {
     const char *id;
     float age_years, length_m;
@@ -39,7 +42,7 @@ static const struct {
     { "shimafugu", 10.0f, 0.54f }, { "kuroanago", 3.0f, 0.55f }, { "kuroanago", 10.0f, 1.10f },
 };
 
-static void test_fish_are_as_long_as_is_known_at_their_age(void **state)
+static void test_fish_have_the_known_length_at_their_age(void **state)
 {
     (void)state;
     uint32_t missed = 0;
@@ -55,8 +58,8 @@ static void test_fish_are_as_long_as_is_known_at_their_age(void **state)
     assert_int_equal(missed, 0);
 }
 
-/* Chapter 4's stages: total length, but standard length for hirame, whose first stage is 11 mm over
- * all and 9.5 without its tail. */
+/* The stages are those of chapter 4. Lengths are total lengths, except standard lengths for hirame,
+ * whose first stage has 11 mm of total length and 9.5 mm without its tail. */
 static const struct {
     const char *id;
     float length_mm[3];
@@ -68,8 +71,7 @@ static const struct {
     { "hirame", { 9.5f, 12.0f, 13.0f }, TEMPLATE_SIMULTANEOUS },
 };
 
-static void
-test_the_thesis_stages_are_drawn_at_its_lengths_and_blended_by_its_templates(void **state)
+static void test_the_thesis_stages_have_its_lengths_and_its_templates(void **state)
 {
     (void)state;
     for (size_t i = 0; i < sizeof stages / sizeof stages[0]; i++) {
@@ -82,7 +84,7 @@ test_the_thesis_stages_are_drawn_at_its_lengths_and_blended_by_its_templates(voi
     }
 }
 
-static void test_each_fish_has_an_adult_drawn_last(void **state)
+static void test_the_last_key_of_each_fish_is_an_adult(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < species_table_count; i++) {
@@ -92,14 +94,14 @@ static void test_each_fish_has_an_adult_drawn_last(void **state)
     }
 }
 
-/* Nine larvae and young of the plate, in the order of their growth. */
+/* The plate shows nine larvae and young fish in the order of their growth. */
 static void test_a_conger_grows_shrinks_and_grows_through_all_nine_measured_lengths(void **state)
 {
     (void)state;
     static const float length_mm[] = { 64.0f, 90.5f, 125.5f, 104.5f, 80.4f,
                                        75.0f, 66.5f, 56.0f,  72.5f };
     const struct growth *growth = &card_of("kuroanago")->growth;
-    assert_int_equal(growth->point_count, 10); /* And hatching. */
+    assert_int_equal(growth->point_count, 10); /* The table includes the hatching. */
     float longest = 0.0f;
     for (uint32_t i = 0; i < 9; i++) {
         const float age_days = growth->points[i + 1u].age_days;
@@ -117,10 +119,9 @@ static void test_a_conger_grows_shrinks_and_grows_through_all_nine_measured_leng
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_fish_are_as_long_as_is_known_at_their_age),
-        cmocka_unit_test(
-            test_the_thesis_stages_are_drawn_at_its_lengths_and_blended_by_its_templates),
-        cmocka_unit_test(test_each_fish_has_an_adult_drawn_last),
+        cmocka_unit_test(test_fish_have_the_known_length_at_their_age),
+        cmocka_unit_test(test_the_thesis_stages_have_its_lengths_and_its_templates),
+        cmocka_unit_test(test_the_last_key_of_each_fish_is_an_adult),
         cmocka_unit_test(test_a_conger_grows_shrinks_and_grows_through_all_nine_measured_lengths),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,5 +1,5 @@
-/* test_life.c -- age, progress and length of fish that grow, of one that shrinks, and of one whose
- * size is drawn by hand. */
+/* test_life.c -- checks age, progress and length of fish that grow, of one that shrinks, and of one
+ * with a custom size curve. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -11,8 +11,8 @@
 
 #define STEPS 1000
 
-/* A leptocephalus of 64 mm grows to 125.5, shrinks to an eel of 56, and grows again. Two keys have
- * the longest stage between them, two the shortest. */
+/* Returns a card of a leptocephalus that grows from 64 to 125.5 mm, shrinks to an eel of 56 mm, and
+ * grows again. The longest stage is between two keys, and so is the shortest. */
 static struct species_card conger_card(void)
 {
     struct species_card card = {
@@ -47,7 +47,7 @@ static void assert_a_key_stands_at_its_age_and_length(const struct species_card 
     }
 }
 
-static void test_each_key_stands_at_its_own_age_and_length(void **state)
+static void test_each_key_has_its_own_age_and_length(void **state)
 {
     (void)state;
     const struct species_card conger = conger_card();
@@ -67,7 +67,7 @@ static void assert_age_rises_and_leads_back(const struct species_card *card)
     }
 }
 
-static void test_age_rises_with_progress_and_each_leads_to_the_other(void **state)
+static void test_age_and_progress_are_monotonic_and_inverse(void **state)
 {
     (void)state;
     const struct species_card conger = conger_card();
@@ -125,14 +125,14 @@ static void test_a_conger_grows_shrinks_and_grows_again(void **state)
     assert_float_equal(shortest, 0.056f, 1e-4f);
 }
 
-static void test_a_length_passed_three_times_means_the_first(void **state)
+static void test_a_length_reached_three_times_gives_the_first_progress(void **state)
 {
     (void)state;
     const struct species_card conger = conger_card();
     const float first = morph_progress(&conger, 0.09f);
     assert_float_equal(life_length_m(&conger, first), 0.09f, 1e-4f);
     assert_true(life_age_days(&conger, first) < 220.0f);
-    /* Shorter than the first key, but reached as it shrinks. */
+    /* The length is below that of the first key, but the fish reaches it while it shrinks. */
     const float shrunk = morph_progress(&conger, 0.060f);
     assert_float_equal(life_length_m(&conger, shrunk), 0.060f, 1e-4f);
     assert_true(life_age_days(&conger, shrunk) > 260.0f);
@@ -141,7 +141,7 @@ static void test_a_length_passed_three_times_means_the_first(void **state)
     assert_true(morph_progress(&conger, 2.0f) == 1.0f);
 }
 
-static void test_length_leads_to_progress_and_back(void **state)
+static void test_length_converts_to_progress_and_back(void **state)
 {
     (void)state;
     const struct species_card conger = conger_card();
@@ -156,7 +156,7 @@ static void test_length_leads_to_progress_and_back(void **state)
     }
 }
 
-static void test_a_size_drawn_by_hand_takes_the_place_of_growth(void **state)
+static void test_a_custom_size_curve_replaces_growth(void **state)
 {
     (void)state;
     struct species_card card = conger_card();
@@ -178,26 +178,28 @@ static void test_a_size_drawn_by_hand_takes_the_place_of_growth(void **state)
     }
     assert_true(morph_progress(&card, 0.009f) == 0.0f);
     assert_true(morph_progress(&card, 0.21f) == 1.0f);
-    /* Ages are the growth curve's still. */
+    /* The ages are still those of the growth curve. */
     assert_true(life_age_days(&card, 1.0f) == card.key_age_days[3]);
 }
 
-/* One way in its keys, another in its growth: no card should be, and age rises all the same. */
-static void test_age_rises_even_where_a_key_is_dated_wrong(void **state)
+/* The keys rise where the growth falls. No card should have such keys, but age must rise
+ * nevertheless. */
+static void test_age_rises_even_with_a_wrong_key_age(void **state)
 {
     (void)state;
     struct species_card card = species_wakin.card;
-    card.key_age_days[3] = 200.0f; /* 74 mm by then, and drawn at 45. */
+    card.key_age_days[3] = 200.0f; /* The growth curve has 74 mm at this age, and the key has
+                                      45 mm. */
     assert_age_rises_and_leads_back(&card);
     assert_a_key_stands_at_its_age_and_length(&card);
-    card.key_length_m[3] = 0.030f; /* Shorter than the key before. */
+    card.key_length_m[3] = 0.030f; /* The length is below that of the previous key. */
     assert_age_rises_and_leads_back(&card);
-    card.key_length_m[3] = 0.300f; /* Longer than the next. */
+    card.key_length_m[3] = 0.300f; /* The length is above that of the next key. */
     assert_age_rises_and_leads_back(&card);
 }
 
-/* On touching it, the lab draws a species' size by hand through what it was. */
-static void test_a_size_drawn_by_hand_through_the_keys_is_what_growth_made_it(void **state)
+/* When a user edits the size, the lab starts with a custom curve equal to the growth curve. */
+static void test_a_custom_size_curve_through_the_keys_equals_growth(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < species_table_count; i++) {
@@ -220,7 +222,7 @@ static void test_a_size_drawn_by_hand_through_the_keys_is_what_growth_made_it(vo
     }
 }
 
-static void test_a_size_drawn_by_hand_may_fall(void **state)
+static void test_a_custom_size_curve_may_fall(void **state)
 {
     (void)state;
     struct species_card card = species_wakin.card;
@@ -240,7 +242,7 @@ static void test_a_size_drawn_by_hand_may_fall(void **state)
     assert_float_equal(before, 0.5f, 1e-5f);
 }
 
-static void test_a_level_stretch_drawn_by_hand_means_its_beginning(void **state)
+static void test_a_constant_section_of_a_custom_size_curve_gives_its_start(void **state)
 {
     (void)state;
     struct species_card card = species_wakin.card;
@@ -251,12 +253,13 @@ static void test_a_level_stretch_drawn_by_hand_means_its_beginning(void **state)
     card.scale_knots[3] = (struct scale_knot){ 1.0f, 0.04f };
     assert_true(morph_progress(&card, 0.01f) == 0.0f);
     assert_float_equal(morph_progress(&card, 0.04f), 0.75f, 1e-6f);
-    card.scale_knots[0].length_m = 0.005f; /* Not the first knots: the second and the third. */
+    card.scale_knots[0].length_m = 0.005f; /* The second and the third knot are changed, and not the
+                                              first. */
     card.scale_knots[2].length_m = 0.01f;
     assert_float_equal(morph_progress(&card, 0.01f), 0.5f, 1e-6f);
 }
 
-static void test_a_progress_or_an_age_that_cannot_be_is_a_bug(void **state)
+static void test_an_invalid_progress_or_age_fails_an_assertion(void **state)
 {
     (void)state;
     const struct species_card *card = &species_wakin.card;
@@ -269,19 +272,19 @@ static void test_a_progress_or_an_age_that_cannot_be_is_a_bug(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_each_key_stands_at_its_own_age_and_length),
-        cmocka_unit_test(test_age_rises_with_progress_and_each_leads_to_the_other),
+        cmocka_unit_test(test_each_key_has_its_own_age_and_length),
+        cmocka_unit_test(test_age_and_progress_are_monotonic_and_inverse),
         cmocka_unit_test(test_progress_never_falls_with_age),
         cmocka_unit_test(test_length_is_the_growth_curve_at_that_age),
         cmocka_unit_test(test_a_conger_grows_shrinks_and_grows_again),
-        cmocka_unit_test(test_a_length_passed_three_times_means_the_first),
-        cmocka_unit_test(test_length_leads_to_progress_and_back),
-        cmocka_unit_test(test_a_size_drawn_by_hand_takes_the_place_of_growth),
-        cmocka_unit_test(test_age_rises_even_where_a_key_is_dated_wrong),
-        cmocka_unit_test(test_a_size_drawn_by_hand_through_the_keys_is_what_growth_made_it),
-        cmocka_unit_test(test_a_size_drawn_by_hand_may_fall),
-        cmocka_unit_test(test_a_level_stretch_drawn_by_hand_means_its_beginning),
-        cmocka_unit_test(test_a_progress_or_an_age_that_cannot_be_is_a_bug),
+        cmocka_unit_test(test_a_length_reached_three_times_gives_the_first_progress),
+        cmocka_unit_test(test_length_converts_to_progress_and_back),
+        cmocka_unit_test(test_a_custom_size_curve_replaces_growth),
+        cmocka_unit_test(test_age_rises_even_with_a_wrong_key_age),
+        cmocka_unit_test(test_a_custom_size_curve_through_the_keys_equals_growth),
+        cmocka_unit_test(test_a_custom_size_curve_may_fall),
+        cmocka_unit_test(test_a_constant_section_of_a_custom_size_curve_gives_its_start),
+        cmocka_unit_test(test_an_invalid_progress_or_age_fails_an_assertion),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

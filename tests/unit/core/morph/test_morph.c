@@ -1,4 +1,5 @@
-/* test_morph.c -- the deformation graph and the blend of key shapes (2005 thesis, eq. 3.1, 3.2). */
+/* test_morph.c -- checks the deformation graph and the blend of key shapes (2005 thesis, eq. 3.1,
+ * 3.2). */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -58,8 +59,9 @@ static void test_weights_are_never_negative_and_sum_to_one(void **state)
     }
 }
 
-/* The thesis' second template (section 4.2): the middle shape at 70 %, with both others in it. */
-static void test_a_graph_of_three_at_once_keeps_its_sum_between_knots(void **state)
+/* In the thesis' second template (section 4.2), the middle shape has 70 % and the other two shapes
+ * share the rest. */
+static void test_a_graph_of_three_keys_keeps_its_sum_between_knots(void **state)
 {
     (void)state;
     struct species three = *wakin;
@@ -72,7 +74,7 @@ static void test_a_graph_of_three_at_once_keeps_its_sum_between_knots(void **sta
     }
 }
 
-static void test_each_key_is_reached_whole_at_its_own_length(void **state)
+static void test_each_key_has_full_weight_at_its_own_length(void **state)
 {
     (void)state;
     for (uint32_t key = 0; key < wakin->card.key_count; key++) {
@@ -97,15 +99,15 @@ static void test_progress_rises_with_length_and_stops_at_the_keys_ends(void **st
     assert_true(before == 1.0f);
 }
 
-static void test_lengths_between_keys_go_by_factors(void **state)
+static void test_lengths_between_keys_are_interpolated_geometrically(void **state)
 {
     (void)state;
-    /* 10 mm is as many times 5 mm as 20 mm is times 10 mm: half way between larva and aoko. */
+    /* 10 mm is the geometric mean of 5 and 20 mm, so it is half way between larva and aoko. */
     assert_float_equal(morph_progress(&wakin->card, 0.010f), 0.125f, 1e-5f);
 }
 
-/* 254 steps along each axis of the octahedron; on its rim below, two codes are one normal. */
-static void test_a_normal_is_folded_to_the_step_that_it_stands_on(void **state)
+/* Each axis of the octahedron has 254 steps. On its lower edge, two codes give the same normal. */
+static void test_a_normal_is_encoded_to_the_nearest_step(void **state)
 {
     (void)state;
     for (int32_t x = -126; x <= 126; x++) {
@@ -116,7 +118,7 @@ static void test_a_normal_is_folded_to_the_step_that_it_stands_on(void **state)
     }
 }
 
-static void test_a_progress_outside_the_graph_is_a_bug(void **state)
+static void test_a_progress_outside_the_graph_fails_an_assertion(void **state)
 {
     (void)state;
     float weights[MORPH_KEY_MAX];
@@ -125,7 +127,7 @@ static void test_a_progress_outside_the_graph_is_a_bug(void **state)
     expect_assert_failure(ordinary_at(wakin, 1.01f, weights));
 }
 
-static void test_a_key_blended_alone_is_the_key_bit_for_bit(void **state)
+static void test_a_key_blended_alone_equals_the_key_bit_for_bit(void **state)
 {
     (void)state;
     static vec3 positions[MESH_VERTEX_MAX];
@@ -185,8 +187,9 @@ static void assert_no_triangle_is_flipped(const struct species_mesh *mesh, const
     }
 }
 
-/* A wakin's keys grow ever deeper for their length, so no stage between may be leaner than both. */
-static void test_every_stage_between_keys_is_a_whole_fish(void **state)
+/* The relative depth of a wakin's keys increases, so no stage between two keys may be slimmer than
+ * both. */
+static void test_every_stage_between_keys_is_a_complete_fish(void **state)
 {
     (void)state;
     static vec3 positions[MESH_VERTEX_MAX], normals[MESH_VERTEX_MAX];
@@ -209,14 +212,14 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_weights_are_never_negative_and_sum_to_one),
-        cmocka_unit_test(test_a_graph_of_three_at_once_keeps_its_sum_between_knots),
-        cmocka_unit_test(test_each_key_is_reached_whole_at_its_own_length),
+        cmocka_unit_test(test_a_graph_of_three_keys_keeps_its_sum_between_knots),
+        cmocka_unit_test(test_each_key_has_full_weight_at_its_own_length),
         cmocka_unit_test(test_progress_rises_with_length_and_stops_at_the_keys_ends),
-        cmocka_unit_test(test_lengths_between_keys_go_by_factors),
-        cmocka_unit_test(test_a_normal_is_folded_to_the_step_that_it_stands_on),
-        cmocka_unit_test(test_a_progress_outside_the_graph_is_a_bug),
-        cmocka_unit_test(test_a_key_blended_alone_is_the_key_bit_for_bit),
-        cmocka_unit_test(test_every_stage_between_keys_is_a_whole_fish),
+        cmocka_unit_test(test_lengths_between_keys_are_interpolated_geometrically),
+        cmocka_unit_test(test_a_normal_is_encoded_to_the_nearest_step),
+        cmocka_unit_test(test_a_progress_outside_the_graph_fails_an_assertion),
+        cmocka_unit_test(test_a_key_blended_alone_equals_the_key_bit_for_bit),
+        cmocka_unit_test(test_every_stage_between_keys_is_a_complete_fish),
         cmocka_unit_test(test_a_blend_is_the_weighted_sum_and_its_normals_are_unit),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

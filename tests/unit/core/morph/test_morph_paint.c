@@ -1,4 +1,4 @@
-/* test_morph_paint.c -- coats and marks: where each kind lies, and that nothing jumps. */
+/* test_morph_paint.c -- checks coats and marks: the area of each kind, and continuity. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -21,7 +21,7 @@ static float cover(struct species_mark mark, float u, float v)
     return mark_cover(&mark, &point);
 }
 
-/* The share of the right flank that a mark covers. */
+/* Returns the share of the right flank that a mark covers. */
 static float covered_area(struct species_mark mark)
 {
     float sum = 0.0f;
@@ -33,7 +33,8 @@ static float covered_area(struct species_mark mark)
     return sum / (STEPS * STEPS);
 }
 
-/* How often the mark is entered on a walk from snout to tail along `v`, or round at `u`. */
+/* Counts the entries into the mark along a path from snout to tail at `v`, or around the body at
+ * `u`. */
 static int entered_along(struct species_mark mark, float v)
 {
     int count = 0;
@@ -54,7 +55,7 @@ static int entered_round(struct species_mark mark, float u)
     return count;
 }
 
-static void test_spots_cover_as_much_as_their_count_and_radius_say(void **state)
+static void test_the_area_of_spots_follows_their_count_and_radius(void **state)
 {
     (void)state;
     struct species_mark m = { .kind = MARK_SPOTS,
@@ -64,17 +65,17 @@ static void test_spots_cover_as_much_as_their_count_and_radius_say(void **state)
                               .from = 0.1f,
                               .to = 0.5f,
                               .high = 1.0f };
-    const float one = 3.1416f * 0.02f * 0.02f / 0.36f; /* Of a flank of 1 x 0.36 lengths. */
+    const float one = 3.1416f * 0.02f * 0.02f / 0.36f; /* The flank has 1 x 0.36 lengths. */
     const float ten = covered_area(m);
     m.count = 40;
     m.width = 0.01f;
     const float forty = covered_area(m);
-    assert_float_equal(ten / one, 10.0f, 3.0f); /* Whole cells, uneven radii. */
+    assert_float_equal(ten / one, 10.0f, 3.0f); /* The mark covers whole cells with random radii. */
     assert_float_equal(forty / one * 4.0f, 40.0f, 10.0f);
     assert_float_equal(cover(m, 0.7f, RIGHT_FLANK), 0.0f, 0.0f);
 }
 
-static void test_another_seed_scatters_spots_another_way_and_flanks_differ(void **state)
+static void test_spots_depend_on_the_seed_and_the_flank(void **state)
 {
     (void)state;
     struct species_mark m = {
@@ -92,7 +93,7 @@ static void test_another_seed_scatters_spots_another_way_and_flanks_differ(void 
     assert_true(by_flank > 5.0f);
 }
 
-static void test_bars_are_as_many_as_told_and_lean_with_their_slant(void **state)
+static void test_bars_have_the_given_count_and_slant(void **state)
 {
     (void)state;
     struct species_mark m = {
@@ -100,7 +101,7 @@ static void test_bars_are_as_many_as_told_and_lean_with_their_slant(void **state
     };
     assert_int_equal(entered_along(m, RIGHT_FLANK), 4);
     assert_float_equal(cover(m, 0.275f, 0.1f), 1.0f, 1e-3f);
-    m.slant = 0.1f; /* The top 0.05 backward of the middle. */
+    m.slant = 0.1f; /* The upper end is shifted backward by 0.05. */
     assert_float_equal(cover(m, 0.275f, 0.02f), 0.0f, 1e-3f);
     assert_float_equal(cover(m, 0.325f, 0.02f), 1.0f, 1e-3f);
     m.low = 0.5f;
@@ -114,11 +115,12 @@ static void test_stripes_run_along_the_flank(void **state)
         .kind = MARK_STRIPES, .count = 3, .width = 0.08f, .to = 1.0f, .low = 0.2f, .high = 0.8f
     };
     assert_int_equal(entered_round(m, 0.5f), 3);
-    assert_int_equal(entered_along(m, RIGHT_FLANK), 0); /* On it from the snout on. */
+    assert_int_equal(entered_along(m, RIGHT_FLANK), 0); /* The path is inside the mark from the
+                                                           snout on. */
     assert_float_equal(cover(m, 0.5f, RIGHT_FLANK), 1.0f, 1e-3f);
 }
 
-static void test_rows_have_their_dots_on_every_row(void **state)
+static void test_every_row_has_its_dots(void **state)
 {
     (void)state;
     const struct species_mark m = { .kind = MARK_ROWS,
@@ -152,9 +154,10 @@ static void test_a_blind_side_is_one_flank_and_its_paired_fins(void **state)
     };
     assert_float_equal(cover(m, 0.5f, RIGHT_FLANK), 1.0f, 1e-3f);
     assert_float_equal(cover(m, 0.5f, LEFT_FLANK), 0.0f, 1e-3f);
-    assert_float_equal(cover(m, 0.5f, 0.0f), 0.0f, 0.0f); /* The edge is the other flank's, ... */
+    assert_float_equal(cover(m, 0.5f, 0.0f), 0.0f, 0.0f); /* The edge belongs to the other flank. */
     assert_float_equal(cover(m, 0.5f, 0.01f), 0.0f, 0.0f);
-    assert_float_equal(cover(m, 0.5f, 0.04f), 0.0f, 0.01f); /* ... and so is what runs over it. */
+    assert_float_equal(cover(m, 0.5f, 0.04f), 0.0f, 0.01f); /* The part beyond the edge also belongs
+                                                               to the other flank. */
     assert_float_equal(cover(m, 0.5f, 0.10f), 1.0f, 0.01f);
     struct species_vertex fin = { .part = PART_PECTORAL, .side = SIDE_RIGHT };
     struct mark_point point = mark_point_of(&fin, FORM_FUSIFORM);
@@ -164,7 +167,7 @@ static void test_a_blind_side_is_one_flank_and_its_paired_fins(void **state)
     assert_float_equal(mark_cover(&m, &point), 0.0f, 1e-3f);
 }
 
-/* How far apart two places of a young fish's coat are in colour. */
+/* Returns the difference in colour of two points on a young fish's coat. */
 static float unlike(const struct species *species, struct species_vertex a, struct species_vertex b)
 {
     const float weights[MORPH_KEY_MAX] = { 0.0f, 0.0f, 1.0f };
@@ -172,14 +175,14 @@ static float unlike(const struct species *species, struct species_vertex a, stru
         v3_sub(paint_at(species, weights, &a).colour, paint_at(species, weights, &b).colour));
 }
 
-static void test_skin_runs_out_into_what_the_tail_fin_wears(void **state)
+static void test_skin_colour_blends_into_the_tail_fin_colour(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < species_table_count; i++) {
         const struct species_vertex fin = { .u = 0.5f, .part = PART_TAIL };
         const struct species_vertex end = { .u = 1.0f, .v = 0.25f, .part = PART_BODY };
         const struct species_vertex stalk = { .u = 0.95f, .v = 0.25f, .part = PART_BODY };
-        if (species_table[i]->card.motion != MOTION_WING) { /* A whip ends in no fin. */
+        if (species_table[i]->card.motion != MOTION_WING) { /* A whip tail has no fin at its end. */
             assert_true(unlike(species_table[i], end, fin) <=
                         0.15f * unlike(species_table[i], stalk, fin) + 0.01f);
         }
@@ -202,7 +205,7 @@ static void test_mouth_and_gill_are_fine_lines_of_the_head(void **state)
     assert_true(covered_area(gill) > 0.0f && covered_area(gill) < 0.02f);
 }
 
-static void test_a_pupil_is_black_in_its_iris_and_never_of_glass(void **state)
+static void test_a_pupil_is_black_and_never_transparent(void **state)
 {
     (void)state;
     struct species one = { .card.key_count = 3 };
@@ -217,7 +220,7 @@ static void test_a_pupil_is_black_in_its_iris_and_never_of_glass(void **state)
     assert_float_equal(paint_at(&one, weights, &at).clear, 1.0f, 1e-5f);
 }
 
-static void test_negative_weights_of_solved_shapes_take_no_colour_away(void **state)
+static void test_negative_weights_of_solved_shapes_remove_no_colour(void **state)
 {
     (void)state;
     struct species two = { .card.key_count = 3 };
@@ -227,8 +230,9 @@ static void test_negative_weights_of_solved_shapes_take_no_colour_away(void **st
     assert_float_equal(paint_at(&two, weights, &at).colour.y, 1.0f, 1e-4f);
 }
 
-/* Every built-in species, all along its life, at points all over it: small steps only. */
-static void test_paint_changes_without_jumps_as_every_species_grows(void **state)
+/* Every built-in species is sampled at points over its whole body and life. The steps must be
+ * small. */
+static void test_paint_changes_continuously_as_every_species_grows(void **state)
 {
     (void)state;
     for (uint32_t s = 0; s < species_table_count; s++) {
@@ -254,8 +258,9 @@ static void test_paint_changes_without_jumps_as_every_species_grows(void **state
     }
 }
 
-/* The same mark on the same line of two coats is one mark: halfway it lies halfway, whole. */
-static void test_a_mark_that_two_keys_share_moves_and_does_not_fade(void **state)
+/* The same mark on the same line of two coats counts as one mark. At half progress, it is half way
+ * and complete. */
+static void test_a_mark_of_two_keys_moves_and_does_not_fade(void **state)
 {
     (void)state;
     struct species two = { .card.key_count = 3 };
@@ -276,26 +281,26 @@ static void test_a_mark_that_two_keys_share_moves_and_does_not_fade(void **state
     assert_float_equal(paint_at(&two, weights, &at).colour.x, 1.0f, 1e-3f);
     at.u = 0.25f;
     assert_float_equal(paint_at(&two, weights, &at).colour.x, 0.0f, 1e-3f);
-    two.coats[1].marks[0].count = 2; /* Another mark: both are half there. */
+    two.coats[1].marks[0].count = 2; /* The marks differ, so both have half strength. */
     assert_float_equal(paint_at(&two, weights, &at).colour.x, 0.5f, 1e-3f);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_spots_cover_as_much_as_their_count_and_radius_say),
-        cmocka_unit_test(test_another_seed_scatters_spots_another_way_and_flanks_differ),
-        cmocka_unit_test(test_bars_are_as_many_as_told_and_lean_with_their_slant),
+        cmocka_unit_test(test_the_area_of_spots_follows_their_count_and_radius),
+        cmocka_unit_test(test_spots_depend_on_the_seed_and_the_flank),
+        cmocka_unit_test(test_bars_have_the_given_count_and_slant),
         cmocka_unit_test(test_stripes_run_along_the_flank),
-        cmocka_unit_test(test_rows_have_their_dots_on_every_row),
+        cmocka_unit_test(test_every_row_has_its_dots),
         cmocka_unit_test(test_a_margin_is_on_the_outer_part_of_its_own_fin),
         cmocka_unit_test(test_a_blind_side_is_one_flank_and_its_paired_fins),
-        cmocka_unit_test(test_skin_runs_out_into_what_the_tail_fin_wears),
+        cmocka_unit_test(test_skin_colour_blends_into_the_tail_fin_colour),
         cmocka_unit_test(test_mouth_and_gill_are_fine_lines_of_the_head),
-        cmocka_unit_test(test_a_pupil_is_black_in_its_iris_and_never_of_glass),
-        cmocka_unit_test(test_negative_weights_of_solved_shapes_take_no_colour_away),
-        cmocka_unit_test(test_a_mark_that_two_keys_share_moves_and_does_not_fade),
-        cmocka_unit_test(test_paint_changes_without_jumps_as_every_species_grows),
+        cmocka_unit_test(test_a_pupil_is_black_and_never_transparent),
+        cmocka_unit_test(test_negative_weights_of_solved_shapes_remove_no_colour),
+        cmocka_unit_test(test_a_mark_of_two_keys_moves_and_does_not_fade),
+        cmocka_unit_test(test_paint_changes_continuously_as_every_species_grows),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

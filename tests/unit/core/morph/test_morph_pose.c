@@ -1,5 +1,5 @@
-/* test_morph_pose.c -- anchors: fins ride on the blended skin, an eye goes round and never through.
- */
+/* test_morph_pose.c -- checks anchors: fins follow the blended skin, and an eye moves around the
+ * head and never through it. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -44,13 +44,14 @@ static void assert_near(vec3 a, vec3 b, float tolerance)
     assert_float_equal(a.z, b.z, tolerance);
 }
 
-static void test_an_eye_goes_round_the_head_and_never_through_it(void **state)
+static void test_an_eye_moves_around_the_head_and_never_through_it(void **state)
 {
     (void)state;
     float dip = 1.0f;
     for (int step = 0; step <= STEPS; step++) {
         shape_at((float)step / STEPS);
-        /* The skin is a polygon of 16 sides: 0.981 of its radius at the middle of a side. */
+        /* The skin is a polygon of 16 sides. The distance at the middle of a side is 0.981 of the
+         * radius. */
         dip = f_min(dip, from_axis(positions[BARREL_EYE]));
     }
     assert_true(dip > 0.1f * 0.98f + 0.009f);
@@ -65,9 +66,9 @@ static void test_an_eye_goes_round_the_head_and_never_through_it(void **state)
     assert_near(normals[BARREL_EYE], v3(-1.0f, 0.0f, 0.0f), 0.02f);
 }
 
-/* The same keys blended in the body frame: the ordinary morph's eye, for the test above to mean
- * something. */
-static void test_a_straight_blend_would_lead_the_eye_through_the_head(void **state)
+/* The same keys are blended in the body frame. The eye then passes through the head, so the test
+ * above detects that error. */
+static void test_a_straight_blend_moves_the_eye_through_the_head(void **state)
 {
     (void)state;
     shape_at(0.0f);
@@ -77,7 +78,7 @@ static void test_a_straight_blend_would_lead_the_eye_through_the_head(void **sta
     assert_true(from_axis(middle) < 0.03f);
 }
 
-static void test_a_ray_keeps_to_the_skin_while_its_root_slides_forward(void **state)
+static void test_a_fin_ray_stays_on_the_skin_while_its_root_moves_forward(void **state)
 {
     (void)state;
     float before = 1.0f;
@@ -85,7 +86,8 @@ static void test_a_ray_keeps_to_the_skin_while_its_root_slides_forward(void **st
         shape_at((float)step / STEPS);
         const vec3 tip = positions[BARREL_RAY];
         const float radius = from_axis(positions[0]);
-        assert_float_equal(tip.y, radius + 0.02f, 4e-5f); /* Two roundings to a count. */
+        assert_float_equal(tip.y, radius + 0.02f, 4e-5f); /* Two values are rounded to a step of the
+                                                             table. */
         assert_true(tip.z < before);
         before = tip.z;
     }
@@ -106,7 +108,7 @@ static void test_an_eye_moves_without_a_jump(void **state)
     }
 }
 
-static void test_coordinates_round_the_girth_count_turns(void **state)
+static void test_coordinates_around_the_girth_count_turns(void **state)
 {
     (void)state;
     morph_key_pose(mesh, 3, 0, &pose);
@@ -120,7 +122,7 @@ static void test_coordinates_round_the_girth_count_turns(void **state)
     }
 }
 
-static void test_coordinates_off_the_ends_stay_on_the_skin(void **state)
+static void test_coordinates_beyond_the_ends_stay_on_the_skin(void **state)
 {
     (void)state;
     morph_key_pose(mesh, 3, 0, &pose);
@@ -130,8 +132,9 @@ static void test_coordinates_off_the_ends_stay_on_the_skin(void **state)
     assert_float_equal(morph_ride(mesh, 3, &pose, 1.2f, 0.1f, false).position.z, 0.5f, 1e-4f);
 }
 
-/* Relative and back: what a loft does with a drawn eye, and what a shape does with the table. */
-static void test_a_frame_of_the_skin_turns_there_and_back(void **state)
+/* The conversion to the frame and back is that of a loft with a drawn eye, and of a shape with the
+ * table. */
+static void test_a_frame_of_the_skin_converts_forward_and_back(void **state)
 {
     (void)state;
     morph_key_pose(mesh, 3, 2, &pose);
@@ -146,7 +149,8 @@ static void test_a_frame_of_the_skin_turns_there_and_back(void **state)
     }
 }
 
-/* A patch of skin that faces `normal`: its frame stands square, of length 1, z not forward. */
+/* Checks a patch of skin that faces `normal`: its frame is orthonormal and z does not point
+ * forward. */
 static void assert_a_skin_has_its_turn(vec3 normal)
 {
     for (uint32_t k = 0; k < BARREL_GRID; k++) {
@@ -164,7 +168,7 @@ static void assert_a_skin_has_its_turn(vec3 normal)
     assert_true(z.z >= -1e-6f);
 }
 
-static void test_every_heading_of_the_skin_has_its_turn(void **state)
+static void test_every_direction_of_the_skin_has_a_rotation(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < 400; i++) {
@@ -174,8 +178,9 @@ static void test_every_heading_of_the_skin_has_its_turn(void **state)
     }
 }
 
-/* A snout faces forward and a tail root backward: then backward along the skin is no way at all. */
-static void test_a_skin_that_faces_along_the_body_has_its_turn(void **state)
+/* A snout faces forward and a tail root backward. The backward direction along the skin is then
+ * undefined. */
+static void test_a_skin_that_faces_along_the_body_has_a_rotation(void **state)
 {
     (void)state;
     assert_a_skin_has_its_turn(v3(0.0f, 0.0f, -1.0f));
@@ -186,8 +191,9 @@ static void test_a_skin_that_faces_along_the_body_has_its_turn(void **state)
                 1e-5f);
 }
 
-/* So little before the back that it rounds to a whole turn: the seam, not the next ring. */
-static void test_a_hair_before_the_seam_is_the_seam(void **state)
+/* The position is so little before the seam that it rounds to a whole turn. The result is the seam
+ * and not the next ring. */
+static void test_a_point_just_before_the_seam_is_on_the_seam(void **state)
 {
     (void)state;
     morph_key_pose(mesh, 3, 0, &pose);
@@ -207,14 +213,16 @@ static void test_an_anchor_follows_its_own_curve(void **state)
     graph_from_template(&card->curves[1], TEMPLATE_ORDINARY, 3, SIMULTANEOUS_PEAK);
     barrel.anchors[1].u[1] = 0.75f;
     morph_rig_init(&rig, card, TEMPLATE_OWN);
-    shape_at(0.25f); /* By the whole fish's curve it rests between the first two keys ... */
+    shape_at(0.25f); /* With the curve of the whole fish, the anchor rests between the first two
+                        keys. */
     assert_float_equal(positions[BARREL_RAY].z, 0.25f, 1e-4f);
     barrel.anchors[1].curve = 1;
-    shape_at(0.25f); /* ... by its own it has gone a quarter of the way to the last. */
+    shape_at(0.25f); /* With its own curve, the anchor has moved a quarter of the way to the last
+                        key. */
     assert_float_equal(positions[BARREL_RAY].z, 0.125f, 1e-4f);
 }
 
-static void test_a_vertex_bound_to_an_anchor_that_is_not_there_is_a_bug(void **state)
+static void test_a_vertex_of_an_absent_anchor_fails_an_assertion(void **state)
 {
     (void)state;
     barrel.vertices[BARREL_EYE].anchor = 2;
@@ -227,21 +235,19 @@ static void test_a_vertex_bound_to_an_anchor_that_is_not_there_is_a_bug(void **s
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(test_an_eye_goes_round_the_head_and_never_through_it, new_barrel),
-        cmocka_unit_test_setup(test_a_straight_blend_would_lead_the_eye_through_the_head,
-                               new_barrel),
-        cmocka_unit_test_setup(test_a_ray_keeps_to_the_skin_while_its_root_slides_forward,
+        cmocka_unit_test_setup(test_an_eye_moves_around_the_head_and_never_through_it, new_barrel),
+        cmocka_unit_test_setup(test_a_straight_blend_moves_the_eye_through_the_head, new_barrel),
+        cmocka_unit_test_setup(test_a_fin_ray_stays_on_the_skin_while_its_root_moves_forward,
                                new_barrel),
         cmocka_unit_test_setup(test_an_eye_moves_without_a_jump, new_barrel),
-        cmocka_unit_test_setup(test_coordinates_round_the_girth_count_turns, new_barrel),
-        cmocka_unit_test_setup(test_coordinates_off_the_ends_stay_on_the_skin, new_barrel),
-        cmocka_unit_test_setup(test_a_frame_of_the_skin_turns_there_and_back, new_barrel),
-        cmocka_unit_test_setup(test_every_heading_of_the_skin_has_its_turn, new_barrel),
-        cmocka_unit_test_setup(test_a_skin_that_faces_along_the_body_has_its_turn, new_barrel),
-        cmocka_unit_test_setup(test_a_hair_before_the_seam_is_the_seam, new_barrel),
+        cmocka_unit_test_setup(test_coordinates_around_the_girth_count_turns, new_barrel),
+        cmocka_unit_test_setup(test_coordinates_beyond_the_ends_stay_on_the_skin, new_barrel),
+        cmocka_unit_test_setup(test_a_frame_of_the_skin_converts_forward_and_back, new_barrel),
+        cmocka_unit_test_setup(test_every_direction_of_the_skin_has_a_rotation, new_barrel),
+        cmocka_unit_test_setup(test_a_skin_that_faces_along_the_body_has_a_rotation, new_barrel),
+        cmocka_unit_test_setup(test_a_point_just_before_the_seam_is_on_the_seam, new_barrel),
         cmocka_unit_test_setup(test_an_anchor_follows_its_own_curve, new_barrel),
-        cmocka_unit_test_setup(test_a_vertex_bound_to_an_anchor_that_is_not_there_is_a_bug,
-                               new_barrel),
+        cmocka_unit_test_setup(test_a_vertex_of_an_absent_anchor_fails_an_assertion, new_barrel),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

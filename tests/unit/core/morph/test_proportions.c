@@ -1,7 +1,8 @@
-/* test_proportions.c -- each drawn key, measured on its mesh, beside what is known of the fish.
+/* test_proportions.c -- compares measurements of each key's mesh with known proportions of the
+ * fish.
  *
- * The table is in proportions.h. No place is held to less than 1 % of the length, no angle to less
- * than 10 degrees. */
+ * The table is in proportions.h. No tolerance is below 1 % of the length for positions or below 10
+ * degrees for angles. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -15,12 +16,16 @@
 
 #define FLOOR 0.01f
 #define FLOOR_DEG 10.0f
-#define GILL_U 0.30f     /* Body coordinate of the gill cover's edge in every key that draws one. */
-#define STALK_FROM 0.70f /* The tail's stalk lies behind this part of the body. */
-#define DISC_END 0.15f   /* A disc ends where it is so narrow, of its width; behind it is whip. */
-#define SNOUT_Z 0.20f    /* The outline's angle is taken from the tip to here. */
+#define GILL_U                                                                                     \
+    0.30f                /* Body coordinate of the gill cover's edge in every key with a gill
+                            cover. */
+#define STALK_FROM 0.70f /* The caudal peduncle lies behind this body coordinate. */
+#define DISC_END                                                                                   \
+    0.15f             /* Share of the maximum width at which a disc ends and the whip tail
+                            starts. */
+#define SNOUT_Z 0.20f /* The angle of the outline is measured from the tip to this coordinate. */
 
-/* The fish as it lies on the bench: near mesh, one key, snout at z 0, `unit` long. */
+/* A fish to be measured: near mesh, one key, snout at z 0, `unit` long. */
 struct specimen {
     const struct species_mesh *mesh;
     uint32_t key;
@@ -122,15 +127,16 @@ static bool of_right_eye(const struct species_vertex *vertex)
     return vertex->part == PART_EYE && vertex->side == SIDE_RIGHT;
 }
 
-/* How far the right eye has gone round: from where the first key has it, over the midline of the
- * back, to the mirror image of that place, by its anchor's own coordinate round the girth. */
+/* Returns the turn of the right eye from its position in the first key, over the midline of the
+ * back, toward the mirrored position. The value is the anchor's coordinate around the girth. */
 static float turn_deg(const struct specimen *fish, uint8_t anchor)
 {
     const float *round = fish->mesh->anchors[anchor].v;
     return 90.0f * (1.0f - round[fish->key] / round[0]);
 }
 
-/* An eye is a ball in rings about its gaze: the widest tells its size and centre. */
+/* Measures an eye, which is a sphere of rings around its gaze. The widest ring gives its size and
+ * centre. */
 static void measure_eye(const struct specimen *fish, float of[FIELD_COUNT])
 {
     const struct species_vertex *vertices = fish->mesh->vertices;
@@ -151,7 +157,7 @@ static void measure_eye(const struct specimen *fish, float of[FIELD_COUNT])
     }
 }
 
-/* The fin's base along the body and its longest ray. */
+/* Measures the fin's base along the body and its longest ray. */
 static void measure_fin(const struct specimen *fish, uint8_t part, float *start, float *end,
                         float *length)
 {
@@ -185,11 +191,13 @@ static void measure_tail(const struct specimen *fish, float of[FIELD_COUNT])
         }
     }
     of[F_tail] = tip - root;
-    of[F_fork] = (tip - notch) / (tip - root) * fish->unit; /* A share of the tail, not a length. */
+    of[F_fork] = (tip - notch) / (tip - root) * fish->unit; /* The value is a share of the tail and
+                                                               not a length. */
     of[F_span] = top - bottom;
 }
 
-/* Where along the body the outline, seen from above, is `width` wide behind its widest. */
+/* Returns the position along the body, behind the widest point, at which the outline from above has
+ * the given width. */
 static float narrows_at(const struct specimen *fish, float width)
 {
     uint32_t ring = fish->mesh->grid_rings - 1u;
@@ -214,7 +222,8 @@ static void measure_disc(const struct specimen *fish, float of[FIELD_COUNT])
     of[F_disc] = narrows_at(fish, DISC_END * of[F_width]);
     of[F_whip] = grid(fish, fish->mesh->grid_rings - 1u, 0).z - of[F_disc];
     if (of[F_whip] > 0.0f) {
-        of[F_sting] = (of[F_dorsal_start] - of[F_disc]) / of[F_whip] * fish->unit; /* A share. */
+        of[F_sting] = (of[F_dorsal_start] - of[F_disc]) / of[F_whip] * fish->unit; /* The value is a
+                                                                                      share. */
     }
 }
 
@@ -242,7 +251,7 @@ static void measure(const struct specimen *fish, float of[FIELD_COUNT])
     }
 }
 
-/* How many of the known numbers `fish` misses; each is told. */
+/* Returns how many of the known values `fish` misses, and prints each one if `tell` is set. */
 static uint32_t count_missed(const struct known *known, const struct specimen *fish, bool tell)
 {
     float of[FIELD_COUNT];
@@ -276,50 +285,50 @@ static void check_species(const char *id, uint32_t row_count)
     assert_int_equal(missed, 0);
 }
 
-static void test_wakin_has_a_goldfish_s_proportions(void **state)
+static void test_wakin_has_the_proportions_of_a_goldfish(void **state)
 {
     (void)state;
     check_species("wakin", 5);
 }
 
-static void test_kurodai_has_a_sea_bream_s_proportions(void **state)
+static void test_kurodai_has_the_proportions_of_a_sea_bream(void **state)
 {
     (void)state;
     check_species("kurodai", 4);
 }
 
-static void test_shimafugu_has_a_puffer_s_proportions(void **state)
+static void test_shimafugu_has_the_proportions_of_a_puffer(void **state)
 {
     (void)state;
     check_species("shimafugu", 4);
 }
 
-static void test_kuroanago_has_a_conger_s_proportions(void **state)
+static void test_kuroanago_has_the_proportions_of_a_conger(void **state)
 {
     (void)state;
     check_species("kuroanago", 5);
 }
 
-static void test_hirame_has_a_flatfish_s_proportions(void **state)
+static void test_hirame_has_the_proportions_of_a_flatfish(void **state)
 {
     (void)state;
     check_species("hirame", 4);
 }
 
-static void test_mebachi_has_a_tuna_s_proportions(void **state)
+static void test_mebachi_has_the_proportions_of_a_tuna(void **state)
 {
     (void)state;
     check_species("mebachi", 3);
 }
 
-static void test_ray_has_a_stingray_s_proportions(void **state)
+static void test_ray_has_the_proportions_of_a_stingray(void **state)
 {
     (void)state;
     check_species("ray", 2);
 }
 
-/* A fish made 40 % deeper misses a number at least, one made so much shorter misses more. */
-static void test_a_fish_out_of_proportion_is_found_out(void **state)
+/* A fish made 40 % deeper misses at least one value, and a fish made 40 % shorter misses more. */
+static void test_the_check_detects_a_fish_out_of_proportion(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < ROW_COUNT; i++) {
@@ -337,14 +346,14 @@ static void test_a_fish_out_of_proportion_is_found_out(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_wakin_has_a_goldfish_s_proportions),
-        cmocka_unit_test(test_kurodai_has_a_sea_bream_s_proportions),
-        cmocka_unit_test(test_shimafugu_has_a_puffer_s_proportions),
-        cmocka_unit_test(test_kuroanago_has_a_conger_s_proportions),
-        cmocka_unit_test(test_hirame_has_a_flatfish_s_proportions),
-        cmocka_unit_test(test_mebachi_has_a_tuna_s_proportions),
-        cmocka_unit_test(test_ray_has_a_stingray_s_proportions),
-        cmocka_unit_test(test_a_fish_out_of_proportion_is_found_out),
+        cmocka_unit_test(test_wakin_has_the_proportions_of_a_goldfish),
+        cmocka_unit_test(test_kurodai_has_the_proportions_of_a_sea_bream),
+        cmocka_unit_test(test_shimafugu_has_the_proportions_of_a_puffer),
+        cmocka_unit_test(test_kuroanago_has_the_proportions_of_a_conger),
+        cmocka_unit_test(test_hirame_has_the_proportions_of_a_flatfish),
+        cmocka_unit_test(test_mebachi_has_the_proportions_of_a_tuna),
+        cmocka_unit_test(test_ray_has_the_proportions_of_a_stingray),
+        cmocka_unit_test(test_the_check_detects_a_fish_out_of_proportion),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,5 @@
-/* test_species.c -- the baked meshes: whole, right side out, and the fish that the text draws. */
+/* test_species.c -- checks the baked meshes: completeness, orientation and the shape that the
+ * species text describes. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -8,14 +9,18 @@
 
 #include "core/morph/morph.h"
 
-#define TOTAL_PER_STANDARD 1.27f /* Total length of a goldfish, in standard lengths. */
+#define TOTAL_PER_STANDARD                                                                         \
+    1.27f /* Ratio of the total length of a goldfish to its standard
+                                    length. */
 #define DEPTH_TOLERANCE 0.05f
-#define ROOT_APART 1e-3f /* Far cells are large, and cut the same way on both flanks: so much. */
-#define COUNT (1.0f / 32767.0f) /* A step of the tables. */
+#define ROOT_APART                                                                                 \
+    1e-3f /* Tolerance for roots of the far mesh, whose cells are large and cut in
+                            the same direction on both flanks. */
+#define COUNT (1.0f / 32767.0f) /* Step of the tables. */
 
 static const struct species *const wakin = &species_wakin;
 
-/* One key's shape as it is drawn, anchors and all. */
+/* Shape of one key with its anchors. */
 struct shape {
     const struct species *species;
     const struct species_mesh *mesh;
@@ -36,7 +41,7 @@ static const struct shape *shape_of(const struct species *species, uint32_t lod,
     return &shape;
 }
 
-/* Calls `check` for every key of every level of detail, of the goldfish or of all species. */
+/* Calls `check` for every key of every level of detail of a species. */
 static void each_shape_of(const struct species *species, void (*check)(const struct shape *shape))
 {
     for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
@@ -60,7 +65,7 @@ static void each_shape(void (*check)(const struct shape *shape))
 
 struct face {
     vec3 corner[3];
-    vec3 twice_area; /* Along the outward side. */
+    vec3 twice_area; /* The vector points outward. */
     uint8_t part;
 };
 
@@ -98,7 +103,7 @@ static void check_triangles(const struct shape *shape)
     }
 }
 
-static void test_triangles_name_vertices_that_exist_and_keep_to_one_part(void **state)
+static void test_triangles_use_existing_vertices_of_one_part(void **state)
 {
     (void)state;
     each_shape(check_triangles);
@@ -115,7 +120,7 @@ static void check_length(const struct shape *shape)
     assert_float_equal(rear, 0.5f, 0.01f);
 }
 
-static void test_each_key_is_one_long_from_snout_to_tail_tip(void **state)
+static void test_each_key_has_length_1_from_snout_to_tail_tip(void **state)
 {
     (void)state;
     each_wakin(check_length);
@@ -135,7 +140,7 @@ static void check_normals(const struct shape *shape)
     }
 }
 
-static void test_normals_are_unit_and_face_out_with_their_triangles(void **state)
+static void test_normals_have_unit_length_and_face_outward(void **state)
 {
     (void)state;
     each_shape(check_normals);
@@ -154,7 +159,8 @@ static void test_no_triangle_is_degenerate_in_any_key(void **state)
     each_shape(check_area);
 }
 
-/* Wrong winding would be negative, a hole would miss the ellipsoid's order of size. */
+/* Wrong winding would give a negative volume, and a hole would differ from the ellipsoid's
+ * magnitude. */
 static void check_volume(const struct shape *shape)
 {
     float volume = 0.0f;
@@ -203,7 +209,7 @@ static void check_mirror(const struct shape *shape)
     assert_true(right > 0.05f);
 }
 
-static void test_eyes_flanks_and_paired_fins_are_alike_on_both_sides(void **state)
+static void test_eyes_flanks_and_paired_fins_are_symmetric(void **state)
 {
     (void)state;
     each_wakin(check_mirror);
@@ -221,11 +227,11 @@ static float body_depth(const struct shape *shape)
     return top - bottom;
 }
 
-static void test_the_stages_are_as_deep_as_goldfish_of_their_length(void **state)
+static void test_the_stages_have_the_depth_of_goldfish_of_their_length(void **state)
 {
     (void)state;
     const float depth_per_standard[] = { 0.0f, 0.31f, 0.35f, 0.37f, 0.41f };
-    for (uint32_t key = 1; key < 5; key++) { /* The larva's tail is no fifth of it. */
+    for (uint32_t key = 1; key < 5; key++) { /* The tail of the larva is shorter than a fifth. */
         const float depth = body_depth(shape_of(wakin, 0, key)) * TOTAL_PER_STANDARD;
         assert_float_equal(depth, depth_per_standard[key], DEPTH_TOLERANCE * depth);
     }
@@ -243,7 +249,8 @@ static float width_from_above(const struct shape *shape, uint8_t part)
     return right - left;
 }
 
-/* Area of `part` that a camera toward `eye` sees, both windings of a sheet counted once. */
+/* Returns the area of `part` visible from the direction `eye`. Both windings of a sheet count
+ * once. */
 static float seen_area(const struct shape *shape, uint8_t part, vec3 eye)
 {
     float area = 0.0f;
@@ -259,7 +266,7 @@ static float seen_area(const struct shape *shape, uint8_t part, vec3 eye)
 static void check_fins_from_above(const struct shape *shape)
 {
     if (shape->key == 0) {
-        return; /* A larva's tail is a flat fold, and no larva swims in the stall. */
+        return; /* The tail of a larva is a flat fold, and the kiosk shows no larva. */
     }
     const vec3 side = v3(1.0f, 0.0f, 0.0f);
     const vec3 above[] = { v3(0.0f, 1.0f, 0.0f), v3(0.6f, 0.8f, 0.0f), v3(-0.6f, 0.8f, 0.0f) };
@@ -271,8 +278,9 @@ static void check_fins_from_above(const struct shape *shape)
                 width_from_above(shape, PART_BODY) + 0.04f);
 }
 
-/* A flat tail vanishes to the stall's camera; a turned one vanishes to fish that swim one way. */
-static void test_tail_and_pectorals_are_seen_from_above_and_from_either_slant(void **state)
+/* A flat tail would be invisible to the kiosk's camera, and a vertical one along a fish's direction
+ * of motion. */
+static void test_tail_and_pectorals_are_visible_from_above_and_from_each_slant(void **state)
 {
     (void)state;
     each_wakin(check_fins_from_above);
@@ -282,15 +290,15 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_levels_of_detail_keep_their_vertex_budgets),
-        cmocka_unit_test(test_triangles_name_vertices_that_exist_and_keep_to_one_part),
-        cmocka_unit_test(test_each_key_is_one_long_from_snout_to_tail_tip),
-        cmocka_unit_test(test_normals_are_unit_and_face_out_with_their_triangles),
+        cmocka_unit_test(test_triangles_use_existing_vertices_of_one_part),
+        cmocka_unit_test(test_each_key_has_length_1_from_snout_to_tail_tip),
+        cmocka_unit_test(test_normals_have_unit_length_and_face_outward),
         cmocka_unit_test(test_no_triangle_is_degenerate_in_any_key),
         cmocka_unit_test(test_the_body_encloses_a_positive_volume),
         cmocka_unit_test(test_body_and_eyes_are_closed_and_fins_have_two_sides),
-        cmocka_unit_test(test_eyes_flanks_and_paired_fins_are_alike_on_both_sides),
-        cmocka_unit_test(test_the_stages_are_as_deep_as_goldfish_of_their_length),
-        cmocka_unit_test(test_tail_and_pectorals_are_seen_from_above_and_from_either_slant),
+        cmocka_unit_test(test_eyes_flanks_and_paired_fins_are_symmetric),
+        cmocka_unit_test(test_the_stages_have_the_depth_of_goldfish_of_their_length),
+        cmocka_unit_test(test_tail_and_pectorals_are_visible_from_above_and_from_each_slant),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,5 @@
-/* test_straight.c -- the thesis' own method made from a species: straight paths, three keys. */
+/* test_straight.c -- checks a species converted to the thesis' own method: straight paths and three
+ * keys. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -28,7 +29,7 @@ static void key_positions(const struct species *species, uint32_t key, vec3 *pos
     morph_shape(mesh, species->card.key_count, &pose, positions, normals);
 }
 
-static void test_every_key_is_the_same_shape_without_anchors(void **state)
+static void test_every_key_keeps_its_shape_without_anchors(void **state)
 {
     (void)state;
     straight_species(&barrel.species, &memory, &out);
@@ -44,7 +45,7 @@ static void test_every_key_is_the_same_shape_without_anchors(void **state)
     }
 }
 
-static void test_between_keys_every_point_moves_straight(void **state)
+static void test_every_point_moves_straight_between_keys(void **state)
 {
     (void)state;
     struct morph_rig rig;
@@ -62,7 +63,7 @@ static void test_between_keys_every_point_moves_straight(void **state)
     }
 }
 
-static void test_masks_are_the_whole_fishs(void **state)
+static void test_masks_are_those_of_the_whole_fish(void **state)
 {
     (void)state;
     barrel.vertices[3].mask[0] = 100;
@@ -72,15 +73,16 @@ static void test_masks_are_the_whole_fishs(void **state)
     assert_int_equal(out.lod[0].vertices[3].mask[2], 0);
 }
 
-/* A fin's tip 0.4 above a back at 0.2 of a mesh that reaches 0.5: the body frame needs 1. */
-static void test_what_anchors_carry_far_out_widens_the_reach(void **state)
+/* A fin's tip is 0.4 above a back at 0.2, in a mesh with bounds of 0.5. The body frame needs 1. */
+static void test_distant_points_on_anchors_widen_the_bounds(void **state)
 {
     (void)state;
     for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
         barrel.species.lod[lod].reach = 0.5f;
     }
     for (uint32_t key = 0; key < 3; key++) {
-        for (uint32_t i = 0; i < BARREL_VERTICES; i++) { /* The same lengths in counts of half. */
+        for (uint32_t i = 0; i < BARREL_VERTICES; i++) { /* The same lengths have half as many
+                                                            steps. */
             struct species_point *p = &barrel.points[key][i];
             p->x = (int16_t)(p->x * 2);
             p->y = (int16_t)(p->y * 2);
@@ -112,7 +114,7 @@ static void test_a_species_without_anchors_keeps_its_tables(void **state)
     }
 }
 
-static void test_the_thesis_takes_its_three_keys_and_its_template(void **state)
+static void test_the_thesis_method_uses_its_three_keys_and_its_template(void **state)
 {
     (void)state;
     struct species_card *card = &barrel.species.card;
@@ -147,8 +149,9 @@ static void test_the_thesis_takes_its_three_keys_and_its_template(void **state)
     }
 }
 
-/* Section 3.2: hatched with the true length on eq. 3.3 itself, whatever was measured after that. */
-static void test_the_thesis_is_as_long_as_its_shifted_curve(void **state)
+/* By section 3.2, the fish hatches with its true length on eq. 3.3 itself, independently of later
+ * measurements. */
+static void test_the_thesis_method_uses_the_lengths_of_its_shifted_curve(void **state)
 {
     (void)state;
     straight_thesis(&barrel.species, &memory, &out);
@@ -158,15 +161,15 @@ static void test_the_thesis_is_as_long_as_its_shifted_curve(void **state)
         assert_float_equal(life_length_m(&out.card, progress) / expected, 1.0f, 1e-4f);
     }
     assert_float_equal(out.card.key_length_m[0], 0.01f, 1e-7f);
-    assert_float_equal(out.card.key_length_m[2], 0.0555f, 1e-4f); /* Drawn at 80 mm. */
+    assert_float_equal(out.card.key_length_m[2], 0.0555f, 1e-4f); /* The key was drawn at 80 mm. */
     const struct growth bigeye = { 2.0834f, 0.1985152f, -0.839f, 0.35f, 1, { { 0.0f, 0.003f } } };
-    const struct growth shifted = growth_shifted(&bigeye); /* 63.7 cm at a year by eq. 3.3. */
+    const struct growth shifted = growth_shifted(&bigeye); /* Eq. 3.3 gives 63.7 cm at one year. */
     assert_float_equal(growth_length_m(&shifted, 0.0f), 0.003f, 1e-6f);
     assert_float_equal(growth_length_m(&shifted, 365.25f), 0.378f, 0.001f);
     assert_float_equal(growth_length_m(&shifted, 1.0f), 0.00413f, 1e-5f);
 }
 
-static void test_a_thesis_key_that_is_not_there_is_a_bug(void **state)
+static void test_an_absent_thesis_key_fails_an_assertion(void **state)
 {
     (void)state;
     barrel.species.card.thesis_key[2] = 3;
@@ -176,14 +179,16 @@ static void test_a_thesis_key_that_is_not_there_is_a_bug(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(test_every_key_is_the_same_shape_without_anchors, new_barrel),
-        cmocka_unit_test_setup(test_between_keys_every_point_moves_straight, new_barrel),
-        cmocka_unit_test_setup(test_masks_are_the_whole_fishs, new_barrel),
-        cmocka_unit_test_setup(test_what_anchors_carry_far_out_widens_the_reach, new_barrel),
+        cmocka_unit_test_setup(test_every_key_keeps_its_shape_without_anchors, new_barrel),
+        cmocka_unit_test_setup(test_every_point_moves_straight_between_keys, new_barrel),
+        cmocka_unit_test_setup(test_masks_are_those_of_the_whole_fish, new_barrel),
+        cmocka_unit_test_setup(test_distant_points_on_anchors_widen_the_bounds, new_barrel),
         cmocka_unit_test_setup(test_a_species_without_anchors_keeps_its_tables, new_barrel),
-        cmocka_unit_test_setup(test_the_thesis_takes_its_three_keys_and_its_template, new_barrel),
-        cmocka_unit_test_setup(test_the_thesis_is_as_long_as_its_shifted_curve, new_barrel),
-        cmocka_unit_test_setup(test_a_thesis_key_that_is_not_there_is_a_bug, new_barrel),
+        cmocka_unit_test_setup(test_the_thesis_method_uses_its_three_keys_and_its_template,
+                               new_barrel),
+        cmocka_unit_test_setup(test_the_thesis_method_uses_the_lengths_of_its_shifted_curve,
+                               new_barrel),
+        cmocka_unit_test_setup(test_an_absent_thesis_key_fails_an_assertion, new_barrel),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,5 @@
-/* test_disc.c -- the water's hold on a tilted disc. */
-#include "tests/unit/support/poi_stand.h"
+/* test_disc.c -- checks drag, lift, immersion and added mass of a tilted disc in water. */
+#include "tests/unit/support/poi_fixture.h"
 
 #define RADIUS_M 0.040f
 
@@ -8,7 +8,7 @@ static float broadside_n(float speed_m_s)
     return speed_m_s * disc_normal_n_s_m(RADIUS_M, speed_m_s, 0.0f);
 }
 
-static void test_broadside_at_0_3_m_s_drags_a_quarter_newton(void **state)
+static void test_broadside_drag_at_0_3_m_s_is_a_quarter_newton(void **state)
 {
     (void)state;
     assert_float_equal(broadside_n(0.3f), 0.25f, 0.025f);
@@ -16,7 +16,7 @@ static void test_broadside_at_0_3_m_s_drags_a_quarter_newton(void **state)
     assert_float_equal(broadside_n(1.0f), 2.8f, 0.28f);
 }
 
-static void test_edge_on_at_0_3_m_s_is_under_a_hundredth_of_a_newton(void **state)
+static void test_edge_on_drag_at_0_3_m_s_is_under_a_hundredth_of_a_newton(void **state)
 {
     (void)state;
     const float friction_n = 0.3f * disc_edge_n_s_m(RADIUS_M, 0.3f);
@@ -33,14 +33,14 @@ static void test_a_small_angle_lifts_like_a_wing(void **state)
                        0.01f);
 }
 
-static void test_a_disc_at_rest_is_not_held(void **state)
+static void test_a_disc_at_rest_has_no_drag(void **state)
 {
     (void)state;
     assert_float_equal(disc_normal_n_s_m(RADIUS_M, 0.0f, 0.0f), 0.0f, 0.0f);
     assert_float_equal(disc_edge_n_s_m(RADIUS_M, 0.0f), 0.0f, 0.0f);
 }
 
-static void test_half_a_disc_is_under_when_its_centre_is_at_the_surface(void **state)
+static void test_half_a_disc_is_immersed_when_its_centre_is_at_the_surface(void **state)
 {
     (void)state;
     const float ups[] = { 1.0f, 0.7f, 0.0f, -1.0f };
@@ -51,7 +51,7 @@ static void test_half_a_disc_is_under_when_its_centre_is_at_the_surface(void **s
     }
 }
 
-static void test_a_slanted_disc_goes_under_little_by_little(void **state)
+static void test_the_immersion_of_a_slanted_disc_rises_gradually(void **state)
 {
     (void)state;
     float before = 0.0f;
@@ -63,7 +63,7 @@ static void test_a_slanted_disc_goes_under_little_by_little(void **state)
     }
 }
 
-static void test_added_mass_is_171_grams_in_the_open_and_half_at_the_surface(void **state)
+static void test_added_mass_is_171_g_under_water_and_half_at_the_surface(void **state)
 {
     (void)state;
     assert_float_equal(disc_added_mass_kg(RADIUS_M, -0.10f, 1.0f), 0.171f, 0.001f);
@@ -74,13 +74,13 @@ static void test_added_mass_is_171_grams_in_the_open_and_half_at_the_surface(voi
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_broadside_at_0_3_m_s_drags_a_quarter_newton),
-        cmocka_unit_test(test_edge_on_at_0_3_m_s_is_under_a_hundredth_of_a_newton),
+        cmocka_unit_test(test_broadside_drag_at_0_3_m_s_is_a_quarter_newton),
+        cmocka_unit_test(test_edge_on_drag_at_0_3_m_s_is_under_a_hundredth_of_a_newton),
         cmocka_unit_test(test_a_small_angle_lifts_like_a_wing),
-        cmocka_unit_test(test_a_disc_at_rest_is_not_held),
-        cmocka_unit_test(test_half_a_disc_is_under_when_its_centre_is_at_the_surface),
-        cmocka_unit_test(test_a_slanted_disc_goes_under_little_by_little),
-        cmocka_unit_test(test_added_mass_is_171_grams_in_the_open_and_half_at_the_surface),
+        cmocka_unit_test(test_a_disc_at_rest_has_no_drag),
+        cmocka_unit_test(test_half_a_disc_is_immersed_when_its_centre_is_at_the_surface),
+        cmocka_unit_test(test_the_immersion_of_a_slanted_disc_rises_gradually),
+        cmocka_unit_test(test_added_mass_is_171_g_under_water_and_half_at_the_surface),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

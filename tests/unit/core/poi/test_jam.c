@@ -1,7 +1,7 @@
-/* test_jam.c -- no poi is held for long: not by fish between it and the surface, not by another.
+/* test_jam.c -- checks that neither fish nor another poi block a poi for long.
  *
- * A ring jams where a hand pulls at it from more than 3 cm over it, 6.5 N, and it goes no faster
- * than 2 cm/s. */
+ * A ring counts as jammed while the hand pulls from more than 3 cm above it (6.5 N) and the ring
+ * moves at less than 2 cm/s. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -13,17 +13,17 @@
 #include "core/core.h"
 #include "core/game/bot/bot.h"
 #include "core/game/table_setup.h"
-#include "tests/unit/support/poi_stand.h"
+#include "tests/unit/support/poi_fixture.h"
 
 #define PULL_M 0.03f
 #define STILL_M (0.02f * CORE_TICK_S)
-#define JAM_TICKS_MAX CORE_TICK_HZ /* The bound; measured: 12 ticks at most. */
+#define JAM_TICKS_MAX CORE_TICK_HZ /* The bound. The longest measured jam lasted 12 ticks. */
 
 static struct core core;
 static struct input input;
 static struct output output;
 static struct bot bots[POI_MAX];
-static struct stand stand;
+static struct poi_fixture fixture;
 
 static int is_jammed(const struct poi *poi)
 {
@@ -63,7 +63,7 @@ static void open_stall(uint8_t mode, uint32_t players, uint32_t seed)
     }
 }
 
-/* The longest jam of any poi in a round of which `seconds` are played, in ticks. */
+/* Returns the longest jam of any poi, in ticks, in a round of which `seconds` are played. */
 static uint32_t longest_jam(uint8_t mode, uint32_t players, uint32_t seed, uint32_t seconds)
 {
     uint32_t held[POI_MAX] = { 0 }, longest = 0, played = 0, dipped = 0;
@@ -85,9 +85,9 @@ static uint32_t longest_jam(uint8_t mode, uint32_t players, uint32_t seed, uint3
     return longest;
 }
 
-/* ---- Rounds: seeds in which it lasted 18 to 163 s when fish kept what they held -------------- */
+/* ---- Rounds whose seeds gave jams of 18 to 163 s before fish gave way to a ring ------------- */
 
-static void test_no_jam_of_one_player_s_poi_lasts_in_a_festival(void **state)
+static void test_a_jam_of_one_players_poi_ends_soon_in_a_festival(void **state)
 {
     (void)state;
     static const uint32_t seeds[] = { 2, 4, 8 };
@@ -96,13 +96,13 @@ static void test_no_jam_of_one_player_s_poi_lasts_in_a_festival(void **state)
     }
 }
 
-static void test_no_jam_lasts_in_a_championship(void **state)
+static void test_a_jam_ends_soon_in_a_championship(void **state)
 {
     (void)state;
     assert_in_range(longest_jam(MODE_CHAMPIONSHIP, 1, 1, 60), 0, JAM_TICKS_MAX);
 }
 
-static void test_no_jam_of_two_or_four_at_a_tank_lasts(void **state)
+static void test_a_jam_of_two_or_four_players_ends_soon(void **state)
 {
     (void)state;
     assert_in_range(longest_jam(MODE_FESTIVAL, 2, 0, 60), 0, JAM_TICKS_MAX);
@@ -112,32 +112,33 @@ static void test_no_jam_of_two_or_four_at_a_tank_lasts(void **state)
 
 /* ---- A heap --------------------------------------------------------------------------------- */
 
-/* A ring 6 cm deep, a heap of fish from it to the surface: within it and across its edge. */
+/* Creates a ring 6 cm deep and a heap of fish from the ring to the surface, inside the ring and
+ * across its edge. */
 static void heap(uint32_t seed, float pitch_rad)
 {
-    stand_init(&stand, 4, seed);
-    stand_dip(&stand);
-    stand_turn(&stand, pitch_rad, 0.0f, 0.2f);
+    fixture_init(&fixture, 4, seed);
+    fixture_dip(&fixture);
+    fixture_turn(&fixture, pitch_rad, 0.0f, 0.2f);
     for (uint32_t layer = 0; layer < 3; layer++) {
         for (uint32_t i = 0; i < 12; i++) {
             const float x_m = 0.022f * ((float)(i % 4u) - 1.5f);
             const float z_m = 0.042f * ((float)(i / 4u) - 1.0f);
             const uint32_t fish =
-                stand_fish(&stand, v3(x_m, -0.008f - 0.017f * (float)layer, z_m), 0.038f);
-            stand.tank.fish[fish].angles.yaw_rad = 0.1f * (float)((seed + i) % 5u);
+                fixture_add_fish(&fixture, v3(x_m, -0.008f - 0.017f * (float)layer, z_m), 0.038f);
+            fixture.tank.fish[fish].angles.yaw_rad = 0.1f * (float)((seed + i) % 5u);
         }
     }
 }
 
-static void test_a_poi_under_a_heap_of_fish_comes_up_as_the_hand_does(void **state)
+static void test_a_poi_under_a_heap_of_fish_rises_with_the_hand(void **state)
 {
     (void)state;
     for (uint32_t seed = 0; seed < 24; seed++) {
         heap(seed, 0.04f * (float)(seed % 10u));
-        const vec3 up_m = v3(stand.hand.position_m.x, 0.10f, stand.hand.position_m.z);
-        stand_move(&stand, up_m, 0.25f);
-        stand_wait(&stand, 0.5f);
-        assert_true(stand.poi.position_m.y > 0.05f);
+        const vec3 up_m = v3(fixture.hand.position_m.x, 0.10f, fixture.hand.position_m.z);
+        fixture_move(&fixture, up_m, 0.25f);
+        fixture_wait(&fixture, 0.5f);
+        assert_true(fixture.poi.position_m.y > 0.05f);
     }
 }
 
@@ -180,7 +181,7 @@ static void both_to(vec3 a_m, vec3 b_m, float seconds)
     }
 }
 
-static void test_two_pois_at_one_place_lie_side_by_side_or_one_over_the_other(void **state)
+static void test_two_pois_at_one_place_separate_sideways_or_vertically(void **state)
 {
     (void)state;
     two_hands(v3(-0.10f, 0.08f, 0.0f), v3(0.10f, 0.08f, 0.0f));
@@ -191,11 +192,11 @@ static void test_two_pois_at_one_place_lie_side_by_side_or_one_over_the_other(vo
         const float flat_m = v3_length(v3(apart_m.x, 0.0f, apart_m.z));
         assert_true(flat_m > 2.0f * POI_OUTER_RADIUS_M - 0.006f ||
                     f_abs(apart_m.y) > 0.5f * POI_THICKNESS_M);
-        assert_true(apart_m.x > 0.0f); /* Nor did one come through the other. */
+        assert_true(apart_m.x > 0.0f); /* The pois did not pass through each other. */
     }
 }
 
-static void test_the_one_pushes_the_other_as_far_as_it_is_pushed(void **state)
+static void test_two_pois_push_each_other_equally(void **state)
 {
     (void)state;
     two_hands(v3(-0.10f, 0.08f, 0.0f), v3(0.10f, 0.08f, 0.0f));
@@ -207,7 +208,7 @@ static void test_the_one_pushes_the_other_as_far_as_it_is_pushed(void **state)
     assert_float_equal(left_m, -right_m, 0.002f);
 }
 
-static void test_a_poi_under_another_comes_up_within_half_a_second(void **state)
+static void test_a_poi_under_another_rises_within_half_a_second(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < 8; i++) {
@@ -223,13 +224,13 @@ static void test_a_poi_under_another_comes_up_within_half_a_second(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_no_jam_of_one_player_s_poi_lasts_in_a_festival),
-        cmocka_unit_test(test_no_jam_lasts_in_a_championship),
-        cmocka_unit_test(test_no_jam_of_two_or_four_at_a_tank_lasts),
-        cmocka_unit_test(test_a_poi_under_a_heap_of_fish_comes_up_as_the_hand_does),
-        cmocka_unit_test(test_two_pois_at_one_place_lie_side_by_side_or_one_over_the_other),
-        cmocka_unit_test(test_the_one_pushes_the_other_as_far_as_it_is_pushed),
-        cmocka_unit_test(test_a_poi_under_another_comes_up_within_half_a_second),
+        cmocka_unit_test(test_a_jam_of_one_players_poi_ends_soon_in_a_festival),
+        cmocka_unit_test(test_a_jam_ends_soon_in_a_championship),
+        cmocka_unit_test(test_a_jam_of_two_or_four_players_ends_soon),
+        cmocka_unit_test(test_a_poi_under_a_heap_of_fish_rises_with_the_hand),
+        cmocka_unit_test(test_two_pois_at_one_place_separate_sideways_or_vertically),
+        cmocka_unit_test(test_two_pois_push_each_other_equally),
+        cmocka_unit_test(test_a_poi_under_another_rises_within_half_a_second),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,5 @@
-/* test_pose.c -- angles and axes, there and back. */
-#include "tests/unit/support/poi_stand.h"
+/* test_pose.c -- checks conversions between angles and axes, turns and interpolation. */
+#include "tests/unit/support/poi_fixture.h"
 
 #include "core/poi/pose.h"
 
@@ -10,7 +10,7 @@ static void same_axes(const struct basis *a, const struct basis *b)
     assert_float_equal(v3_length(v3_sub(a->back, b->back)), 0.0f, 1e-4f);
 }
 
-static void test_angles_come_back_from_their_axes(void **state)
+static void test_angles_convert_to_axes_and_back(void **state)
 {
     (void)state;
     for (int yaw = -3; yaw <= 3; yaw++) {
@@ -34,7 +34,7 @@ static void test_a_quarter_turn_about_up_turns_left(void **state)
     same_axes(&turned, &left);
 }
 
-static void test_a_look_faces_forward_with_its_back_up(void **state)
+static void test_pose_look_faces_forward_with_its_back_up(void **state)
 {
     (void)state;
     const vec3 forward = v3(0.6f, 0.0f, -0.8f);
@@ -43,16 +43,18 @@ static void test_a_look_faces_forward_with_its_back_up(void **state)
     assert_true(axes.up.y > 0.99f);
     assert_float_equal(v3_dot(v3_cross(axes.right, axes.up), axes.back), 1.0f, 1e-5f);
     const struct basis odd =
-        pose_look(forward, forward); /* No such back: any will do, but axes they are. */
+        pose_look(forward, forward); /* The requested back is parallel to the forward direction, so
+                                        any back is accepted. The axes must still be valid. */
     assert_float_equal(v3_dot(v3_cross(odd.right, odd.up), odd.back), 1.0f, 1e-5f);
 }
 
-static void test_it_turns_the_short_way_round_and_no_farther_than_a_step(void **state)
+static void test_a_turn_takes_the_short_way_and_at_most_one_step(void **state)
 {
     (void)state;
     const struct angles from = { 3.0f, -0.2f, 0.1f }, to = { -3.0f, 0.2f, 0.1f };
     const struct angles half = pose_toward(from, to, 0.5f, 1.0f);
-    assert_float_equal(f_abs(half.yaw_rad), F_PI, 1e-5f); /* Over the back, not over 0. */
+    assert_float_equal(f_abs(half.yaw_rad), F_PI, 1e-5f); /* The interpolation passes the backward
+                                                             direction and not yaw 0. */
     assert_float_equal(half.pitch_rad, 0.0f, 1e-6f);
     assert_float_equal(half.roll_rad, 0.1f, 1e-6f);
     const struct angles step = pose_toward(from, to, 1.0f, 0.05f);
@@ -60,7 +62,7 @@ static void test_it_turns_the_short_way_round_and_no_farther_than_a_step(void **
     assert_float_equal(step.pitch_rad, -0.15f, 1e-6f);
 }
 
-static void test_between_two_poses_lie_places_and_turns_of_any_size(void **state)
+static void test_interpolation_covers_positions_and_turns_of_any_size(void **state)
 {
     (void)state;
     const struct poi_target from = { .position_m = { 0.1f, 0.0f, 0.0f },
@@ -71,17 +73,18 @@ static void test_between_two_poses_lie_places_and_turns_of_any_size(void **state
     assert_float_equal(middle.position_m.x, 0.2f, 1e-6f);
     assert_float_equal(middle.position_m.y, 0.1f, 1e-6f);
     assert_float_equal(f_abs(middle.angles.yaw_rad), F_PI, 1e-5f);
-    assert_float_equal(middle.angles.pitch_rad, 1.5f, 1e-5f); /* No step is too long. */
+    assert_float_equal(middle.angles.pitch_rad, 1.5f, 1e-5f); /* The interpolation accepts steps of
+                                                                 any size. */
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_angles_come_back_from_their_axes),
+        cmocka_unit_test(test_angles_convert_to_axes_and_back),
         cmocka_unit_test(test_a_quarter_turn_about_up_turns_left),
-        cmocka_unit_test(test_a_look_faces_forward_with_its_back_up),
-        cmocka_unit_test(test_it_turns_the_short_way_round_and_no_farther_than_a_step),
-        cmocka_unit_test(test_between_two_poses_lie_places_and_turns_of_any_size),
+        cmocka_unit_test(test_pose_look_faces_forward_with_its_back_up),
+        cmocka_unit_test(test_a_turn_takes_the_short_way_and_at_most_one_step),
+        cmocka_unit_test(test_interpolation_covers_positions_and_turns_of_any_size),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

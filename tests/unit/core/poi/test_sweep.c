@@ -1,27 +1,27 @@
-/* test_sweep.c -- the fastest hand there is: nothing is skipped between two ticks.
+/* test_sweep.c -- checks that nothing is skipped between two ticks at the fastest hand motion.
  *
- * At 4 m/s the ring goes 33 mm in a tick, more than a fish is thick and ten times what the ring
- * is. */
-#include "tests/unit/support/poi_stand.h"
+ * At 4 m/s the ring moves 33 mm in a tick. The distance exceeds the thickness of a fish and is ten
+ * times the thickness of the ring. */
+#include "tests/unit/support/poi_fixture.h"
 
 #include "core/base/rng.h"
 #include "core/poi/pose.h"
 
 #define HAND_M_S 4.0f
 
-static struct stand stand; /* Too large for some stacks. */
+static struct poi_fixture fixture; /* Static, because the struct is too large for some stacks. */
 
 static float drawn(uint32_t trial, uint32_t which, float low, float high)
 {
     return rng_range((struct rng_key){ 17, trial, which, RNG_TEST }, low, high);
 }
 
-/* A hand in full swing: ring and hand move together at `velocity_m_s` from `start_m` on. */
+/* Starts the ring and the hand together at `start_m` with `velocity_m_s`. */
 static void swing_from(vec3 start_m, struct angles angles, vec3 velocity_m_s)
 {
-    struct poi *poi = &stand.poi;
-    stand.has_wrist = 1;
-    stand.hand = (struct poi_target){ start_m, angles };
+    struct poi *poi = &fixture.poi;
+    fixture.has_wrist = 1;
+    fixture.hand = (struct poi_target){ start_m, angles };
     poi->position_m = poi->before_m = poi->hand_m = start_m;
     poi->angles = poi->before_angles = angles;
     poi->velocity_m_s = poi->before_m_s = velocity_m_s;
@@ -32,54 +32,56 @@ static void swing_from(vec3 start_m, struct angles angles, vec3 velocity_m_s)
 
 static void swing_on(vec3 velocity_m_s)
 {
-    stand.hand.position_m = v3_muladd(stand.hand.position_m, velocity_m_s, CORE_TICK_S);
-    stand_tick(&stand);
+    fixture.hand.position_m = v3_muladd(fixture.hand.position_m, velocity_m_s, CORE_TICK_S);
+    fixture_tick(&fixture);
 }
 
 /* ---- The surface ---------------------------------------------------------------------------- */
 
-static void test_a_plunge_at_4_m_s_is_a_dip_and_a_blow_to_the_hand(void **state)
+static void test_a_plunge_at_4_m_s_counts_as_a_dip_and_pushes_back(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < 40; i++) {
-        stand_init(&stand, 4, i);
+        fixture_init(&fixture, 4, i);
         const vec3 down_m_s = v3(0.0f, -HAND_M_S, 0.0f);
         float slam_n = 0.0f, felt_n = 0.0f;
         swing_from(v3(0.0f, 0.05f + 0.001f * (float)i, 0.0f), (struct angles){ 0 }, down_m_s);
         for (uint32_t tick = 0; tick < 6; tick++) {
             swing_on(down_m_s);
-            slam_n = f_max(slam_n, stand.poi.slam_n);
-            felt_n = f_max(felt_n, stand.force.force_n.y);
+            slam_n = f_max(slam_n, fixture.poi.slam_n);
+            felt_n = f_max(felt_n, fixture.force.force_n.y);
         }
-        stand_wait(&stand, 0.3f);
-        assert_int_equal(stand.poi.dips, 1);
-        assert_true(slam_n > 5.0f); /* 0.1 kg of water at up to 4 m/s in a tick: tens of newtons. */
+        fixture_wait(&fixture, 0.3f);
+        assert_int_equal(fixture.poi.dips, 1);
+        assert_true(slam_n > 5.0f); /* The disc accelerates 0.1 kg of water to up to 4 m/s in a
+                                       tick, which takes tens of newtons. */
         assert_true(felt_n > 5.0f);
-        assert_true(stand.poi.water_kg > 0.001f);
+        assert_true(fixture.poi.water_kg > 0.001f);
     }
 }
 
-/* Down and up again within 50 ms, however the ticks fall: it cannot have been dry. */
-static void test_a_flick_through_the_surface_and_back_is_a_dip(void **state)
+/* The poi enters and leaves the water within 50 ms, so some cells must be wet at every tick
+ * phase. */
+static void test_a_50_ms_movement_through_the_surface_counts_as_a_dip(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < 33; i++) {
-        stand_init(&stand, 4, i);
+        fixture_init(&fixture, 4, i);
         const vec3 down_m_s = v3(0.0f, -HAND_M_S, 0.0f);
         swing_from(v3(0.0f, 0.03f + 0.001f * (float)i, 0.0f), (struct angles){ 0 }, down_m_s);
         float lowest_m = 1.0f;
         for (uint32_t tick = 0; tick < 4; tick++) {
             swing_on(down_m_s);
-            lowest_m = f_min(lowest_m, stand.poi.position_m.y);
+            lowest_m = f_min(lowest_m, fixture.poi.position_m.y);
         }
         for (uint32_t tick = 0; tick < 30; tick++) {
-            stand.hand.position_m.y = f_min(0.08f, stand.hand.position_m.y + 0.033f);
-            stand_tick(&stand);
-            lowest_m = f_min(lowest_m, stand.poi.position_m.y);
+            fixture.hand.position_m.y = f_min(0.08f, fixture.hand.position_m.y + 0.033f);
+            fixture_tick(&fixture);
+            lowest_m = f_min(lowest_m, fixture.poi.position_m.y);
         }
-        assert_int_equal(stand.poi.dips, lowest_m < -0.006f ? 1 : 0);
-        assert_int_equal(stand.poi.sheet.touched, lowest_m < -0.006f);
-        assert_true(stand.poi.position_m.y > 0.03f);
+        assert_int_equal(fixture.poi.dips, lowest_m < -0.006f ? 1 : 0);
+        assert_int_equal(fixture.poi.sheet.touched, lowest_m < -0.006f);
+        assert_true(fixture.poi.position_m.y > 0.03f);
     }
 }
 
@@ -87,13 +89,14 @@ static void test_a_flick_through_the_surface_and_back_is_a_dip(void **state)
 
 static vec3 from_poi(uint32_t fish)
 {
-    const struct basis axes = vec_basis_from_angles(stand.poi.angles);
-    return vec_basis_to_body(&axes, v3_sub(stand.tank.fish[fish].position_m, stand.poi.position_m));
+    const struct basis axes = vec_basis_from_angles(fixture.poi.angles);
+    return vec_basis_to_body(&axes,
+                             v3_sub(fixture.tank.fish[fish].position_m, fixture.poi.position_m));
 }
 
-/* Whether what went from one place to the other in the poi's axes came through its paper. What lies
- * on it lies in its belly. */
-static int came_through(vec3 before, vec3 after)
+/* Returns whether a fish that moved from `before` to `after`, in the poi's axes, passed through the
+ * paper. A carried fish lies in the belly and did not. */
+static int passed_through_paper(vec3 before, vec3 after)
 {
     if (before.y * after.y >= 0.0f || f_abs(after.y) < 0.004f) {
         return 0;
@@ -102,47 +105,48 @@ static int came_through(vec3 before, vec3 after)
     return at.x * at.x + at.z * at.z < 0.9f * POI_RADIUS_M * POI_RADIUS_M;
 }
 
-/* One swing at a school of three; returns how many of them it met: moved by a millimetre. */
+/* Sweeps once at a school of three fish. Returns the number of fish that the poi moved by at least
+ * 1 mm. */
 static uint32_t swing_at_fish(uint32_t trial, vec3 velocity_m_s, struct angles angles,
                               vec3 turn_rad_s)
 {
     const vec3 start_m = v3(-0.20f * velocity_m_s.x / HAND_M_S,
                             f_clamp(-0.07f - 0.20f * velocity_m_s.y / HAND_M_S, -0.13f, 0.10f),
                             -0.20f * velocity_m_s.z / HAND_M_S);
-    stand_init(&stand, 4, trial);
+    fixture_init(&fixture, 4, trial);
     for (uint32_t i = 0; i < 3; i++) {
         const vec3 place = v3(0.07f * ((float)i - 1.0f), -0.07f + drawn(trial, 20 + i, 0, 0.02f),
                               drawn(trial, 10 + i, -0.02f, 0.02f));
-        const uint32_t fish = stand_fish(&stand, place, 0.05f);
-        stand.tank.fish[fish].angles.yaw_rad = drawn(trial, 30 + i, -3.0f, 3.0f);
+        const uint32_t fish = fixture_add_fish(&fixture, place, 0.05f);
+        fixture.tank.fish[fish].angles.yaw_rad = drawn(trial, 30 + i, -3.0f, 3.0f);
     }
     vec3 began[3];
-    stand.poi.damage_immune = 1; /* A hole would let them through. */
+    fixture.poi.damage_immune = 1; /* A fish could pass through a hole. */
     swing_from(start_m, angles, velocity_m_s);
     for (uint32_t i = 0; i < 3; i++) {
-        began[i] = stand.tank.fish[i].position_m;
+        began[i] = fixture.tank.fish[i].position_m;
     }
     for (uint32_t tick = 0; tick < 40; tick++) {
         vec3 before[3];
         for (uint32_t i = 0; i < 3; i++) {
             before[i] = from_poi(i);
         }
-        stand.hand.angles.yaw_rad += turn_rad_s.x * CORE_TICK_S;
-        stand.hand.angles.pitch_rad += turn_rad_s.y * CORE_TICK_S;
-        stand.hand.angles.roll_rad += turn_rad_s.z * CORE_TICK_S;
+        fixture.hand.angles.yaw_rad += turn_rad_s.x * CORE_TICK_S;
+        fixture.hand.angles.pitch_rad += turn_rad_s.y * CORE_TICK_S;
+        fixture.hand.angles.roll_rad += turn_rad_s.z * CORE_TICK_S;
         swing_on(velocity_m_s);
         for (uint32_t i = 0; i < 3; i++) {
-            assert_false(came_through(before[i], from_poi(i)));
+            assert_false(passed_through_paper(before[i], from_poi(i)));
         }
     }
     uint32_t met = 0;
     for (uint32_t i = 0; i < 3; i++) {
-        met += v3_length(v3_sub(stand.tank.fish[i].position_m, began[i])) > 0.001f;
+        met += v3_length(v3_sub(fixture.tank.fish[i].position_m, began[i])) > 0.001f;
     }
     return met;
 }
 
-static void test_a_broadside_sweep_at_4_m_s_takes_the_fish_along_and_passes_none(void **state)
+static void test_a_broadside_sweep_at_4_m_s_pushes_the_fish_and_passes_none(void **state)
 {
     (void)state;
     for (uint32_t trial = 0; trial < 40; trial++) {
@@ -152,7 +156,7 @@ static void test_a_broadside_sweep_at_4_m_s_takes_the_fish_along_and_passes_none
     }
 }
 
-static void test_however_a_fast_ring_comes_no_fish_passes_through_its_paper(void **state)
+static void test_a_fast_ring_from_any_direction_lets_no_fish_through_its_paper(void **state)
 {
     (void)state;
     uint32_t met = 0;
@@ -171,10 +175,10 @@ static void test_however_a_fast_ring_comes_no_fish_passes_through_its_paper(void
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_plunge_at_4_m_s_is_a_dip_and_a_blow_to_the_hand),
-        cmocka_unit_test(test_a_flick_through_the_surface_and_back_is_a_dip),
-        cmocka_unit_test(test_a_broadside_sweep_at_4_m_s_takes_the_fish_along_and_passes_none),
-        cmocka_unit_test(test_however_a_fast_ring_comes_no_fish_passes_through_its_paper),
+        cmocka_unit_test(test_a_plunge_at_4_m_s_counts_as_a_dip_and_pushes_back),
+        cmocka_unit_test(test_a_50_ms_movement_through_the_surface_counts_as_a_dip),
+        cmocka_unit_test(test_a_broadside_sweep_at_4_m_s_pushes_the_fish_and_passes_none),
+        cmocka_unit_test(test_a_fast_ring_from_any_direction_lets_no_fish_through_its_paper),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,4 @@
-/* test_synth.c -- every sound of the stall is heard, stays inside the format, and ends. */
+/* test_synth.c -- checks that every sound is audible, stays inside the sample format and ends. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -41,21 +41,30 @@ static void test_a_new_synth_is_silent(void **state)
     assert_int_equal(peak(heard, 1000, 1), 0);
 }
 
-static void test_each_sound_is_heard_at_once_clips_nothing_and_ends(void **state)
+static uint32_t active_voices(void)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < SYNTH_VOICE_MAX; i++) {
+        count += synth.voice[i].sound != SOUND_NONE;
+    }
+    return count;
+}
+
+static void test_each_sound_starts_immediately_does_not_clip_and_ends(void **state)
 {
     (void)state;
     for (uint8_t sound = SOUND_NONE + 1; sound < SOUND_COUNT; sound++) {
         synth_init(&synth);
         play(sound, 1.0f, 0.0f);
         synth_render(&synth, heard, FRAMES_MAX);
-        assert_in_range(peak(heard, FRAMES_MAX, 0), 3000, 24000); /* -21 .. -3 dBFS */
-        assert_true(peak(heard, SYNTH_RATE_HZ / 20u, 0) > 1000);  /* within 50 ms */
-        assert_int_equal(synth_voices(&synth), 0);
+        assert_in_range(peak(heard, FRAMES_MAX, 0), 3000, 24000); /* The peak is -21 to -3 dBFS. */
+        assert_true(peak(heard, SYNTH_RATE_HZ / 20u, 0) > 1000);  /* The time is within 50 ms. */
+        assert_int_equal(active_voices(), 0);
     }
 }
 
-/* Before a voice ends it has died away: cutting it there is not heard. */
-static void test_each_sound_dies_away_before_its_voice_is_freed(void **state)
+/* A voice has faded before it ends, so its end is inaudible. */
+static void test_each_sound_fades_before_its_voice_is_freed(void **state)
 {
     (void)state;
     for (uint8_t sound = SOUND_NONE + 1; sound < SOUND_COUNT; sound++) {
@@ -66,7 +75,7 @@ static void test_each_sound_dies_away_before_its_voice_is_freed(void **state)
         synth_render(&synth, heard, FRAMES_MAX);
         const int whole = peak(heard, FRAMES_MAX, 0);
         const int last_20_ms = peak(heard + 2u * (length - 960u), 960u, 0);
-        assert_true(last_20_ms * 50 < whole); /* -34 dB */
+        assert_true(last_20_ms * 50 < whole); /* The ratio is -34 dB. */
     }
 }
 
@@ -82,7 +91,7 @@ static void test_strings_fit_their_delay_line_and_decay(void **state)
     }
 }
 
-static void test_the_wave_does_not_depend_on_how_it_is_asked_for(void **state)
+static void test_the_wave_does_not_depend_on_the_block_size(void **state)
 {
     (void)state;
     enum { FRAMES = 4801 };
@@ -111,25 +120,25 @@ static void test_pan_moves_a_sound_between_the_ears(void **state)
     assert_true(peak(heard, 4800, 0) > 3000);
     assert_int_equal(peak(heard, 4800, 1), 0);
     synth_init(&synth);
-    play(SOUND_DIP, 1.0f, 7.0f); /* clamped to the right ear */
+    play(SOUND_DIP, 1.0f, 7.0f); /* The pan is clamped to the right ear. */
     synth_render(&synth, heard, 4800);
     assert_int_equal(peak(heard, 4800, 0), 0);
 }
 
-static void test_a_crowd_of_loud_sounds_stays_inside_the_format(void **state)
+static void test_many_loud_sounds_stay_inside_the_format(void **state)
 {
     (void)state;
     synth_init(&synth);
     for (uint32_t i = 0; i < 3u * SYNTH_VOICE_MAX; i++) {
-        play(SOUND_START, 9.0f, 0.0f); /* a gain that is too high counts as 1 */
+        play(SOUND_START, 9.0f, 0.0f); /* A gain above 1 counts as 1. */
     }
-    assert_int_equal(synth_voices(&synth), SYNTH_VOICE_MAX);
+    assert_int_equal(active_voices(), SYNTH_VOICE_MAX);
     synth_render(&synth, heard, SYNTH_RATE_HZ / 10u);
     const int most = peak(heard, SYNTH_RATE_HZ / 10u, 0);
     assert_in_range(most, 24000, 32000);
 }
 
-static void test_the_oldest_voice_gives_way(void **state)
+static void test_a_new_sound_replaces_the_oldest_voice(void **state)
 {
     (void)state;
     synth_init(&synth);
@@ -144,24 +153,24 @@ static void test_the_oldest_voice_gives_way(void **state)
     }
 }
 
-static void test_unknown_and_empty_sounds_are_not_heard(void **state)
+static void test_unknown_and_empty_sounds_are_silent(void **state)
 {
     (void)state;
     synth_init(&synth);
     play(SOUND_NONE, 1.0f, 0.0f);
     play(SOUND_COUNT, 1.0f, 0.0f);
     play(255, 1.0f, 0.0f);
-    assert_int_equal(synth_voices(&synth), 0);
+    assert_int_equal(active_voices(), 0);
 }
 
-/* The loudest sample between two times. */
+/* Returns the loudest sample between two times. */
 static int loudest(uint32_t from_ms, uint32_t to_ms)
 {
     const uint32_t per_ms = SYNTH_RATE_HZ / 1000u;
     return peak(heard + 2u * from_ms * per_ms, (to_ms - from_ms) * per_ms, 0);
 }
 
-static void test_the_keepers_clappers_are_struck_twice(void **state)
+static void test_the_clappers_sound_twice(void **state)
 {
     (void)state;
     synth_init(&synth);
@@ -172,7 +181,7 @@ static void test_the_keepers_clappers_are_struck_twice(void **state)
     assert_true(between * 10 < first);
 }
 
-/* A whistle with a pea in it flutters some 36 times a second. */
+/* A whistle with a pea flutters about 36 times a second. */
 static void test_the_umpires_whistle_flutters(void **state)
 {
     (void)state;
@@ -182,15 +191,16 @@ static void test_the_umpires_whistle_flutters(void **state)
     uint32_t flutters = 0;
     int loud = 0;
     for (uint32_t ms = 200; ms < 480u; ms++) {
-        const int most = loudest(ms - 15u, ms + 15u), now = loudest(ms, ms + 1u); /* One period. */
+        const int most = loudest(ms - 15u, ms + 15u), now = loudest(ms, ms + 1u); /* The interval is
+                                                                                     one period. */
         const int was_loud = loud;
         loud = now * 10 > most * 8 || (loud && now * 10 > most * 5);
         flutters += loud && !was_loud;
     }
-    assert_in_range(flutters, 9, 11); /* 0.28 s of 36 Hz: ten. */
+    assert_in_range(flutters, 9, 11); /* 0.28 s at 36 Hz gives ten periods. */
 }
 
-static void test_two_dips_do_not_sound_quite_alike(void **state)
+static void test_two_dips_sound_slightly_different(void **state)
 {
     (void)state;
     static int16_t second[2 * 4800];
@@ -206,17 +216,17 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_a_new_synth_is_silent),
-        cmocka_unit_test(test_each_sound_is_heard_at_once_clips_nothing_and_ends),
-        cmocka_unit_test(test_each_sound_dies_away_before_its_voice_is_freed),
+        cmocka_unit_test(test_each_sound_starts_immediately_does_not_clip_and_ends),
+        cmocka_unit_test(test_each_sound_fades_before_its_voice_is_freed),
         cmocka_unit_test(test_strings_fit_their_delay_line_and_decay),
-        cmocka_unit_test(test_the_wave_does_not_depend_on_how_it_is_asked_for),
+        cmocka_unit_test(test_the_wave_does_not_depend_on_the_block_size),
         cmocka_unit_test(test_pan_moves_a_sound_between_the_ears),
-        cmocka_unit_test(test_a_crowd_of_loud_sounds_stays_inside_the_format),
-        cmocka_unit_test(test_the_oldest_voice_gives_way),
-        cmocka_unit_test(test_unknown_and_empty_sounds_are_not_heard),
-        cmocka_unit_test(test_the_keepers_clappers_are_struck_twice),
+        cmocka_unit_test(test_many_loud_sounds_stay_inside_the_format),
+        cmocka_unit_test(test_a_new_sound_replaces_the_oldest_voice),
+        cmocka_unit_test(test_unknown_and_empty_sounds_are_silent),
+        cmocka_unit_test(test_the_clappers_sound_twice),
         cmocka_unit_test(test_the_umpires_whistle_flutters),
-        cmocka_unit_test(test_two_dips_do_not_sound_quite_alike),
+        cmocka_unit_test(test_two_dips_sound_slightly_different),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,5 @@
-/* test_ball_spaces.c -- what the 2013 thesis' section 3.4 spares itself with boxes: two fish that
- * would pass a hand's breadth apart give way when their spaces are balls. */
+/* test_ball_spaces.c -- shows why section 3.4 of the 2013 thesis uses boxes. With spherical spaces,
+ * two fish that would pass several centimetres apart avoid each other. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -11,7 +11,7 @@
 
 static struct tank tank;
 
-/* Head-on, so far apart sideways. Whether either gives way within four seconds. */
+/* Returns whether either of two head-on fish with a sideways offset reacts within four seconds. */
 static int gives_way(float aside_m, uint8_t ball_spaces)
 {
     struct tank_config config = tank_config_of(TANK_PRESET_THESIS);
@@ -35,16 +35,16 @@ static int gives_way(float aside_m, uint8_t ball_spaces)
     return 0;
 }
 
-/* Section 3.4: spaces are 3 cm wide, so courses 2.5 cm apart run into each other's. */
-static void test_boxes_give_way_to_what_comes_within_three_centimetres(void **state)
+/* In section 3.4, spaces are 3 cm wide, so spaces on courses 2.5 cm apart overlap. */
+static void test_fish_with_box_spaces_avoid_a_course_2_5_cm_aside(void **state)
 {
     (void)state;
     assert_true(gives_way(0.025f, 0));
     assert_false(gives_way(0.035f, 0));
 }
 
-/* A ball round 7 x 4 x 3 cm is 8.6 cm wide. */
-static void test_balls_give_way_to_what_would_pass_clear(void **state)
+/* A ball around 7 x 4 x 3 cm is 8.6 cm wide. */
+static void test_fish_with_ball_spaces_avoid_a_course_that_would_be_clear(void **state)
 {
     (void)state;
     assert_true(gives_way(0.035f, 1));
@@ -55,8 +55,8 @@ static void test_balls_give_way_to_what_would_pass_clear(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_boxes_give_way_to_what_comes_within_three_centimetres),
-        cmocka_unit_test(test_balls_give_way_to_what_would_pass_clear),
+        cmocka_unit_test(test_fish_with_box_spaces_avoid_a_course_2_5_cm_aside),
+        cmocka_unit_test(test_fish_with_ball_spaces_avoid_a_course_that_would_be_clear),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,5 @@
-/* test_flow.c -- the water round a moving disc: a flow that keeps its volume, held by its disc. */
+/* test_flow.c -- checks the water flow around a moving disc: it conserves volume and follows the
+ * disc. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -12,12 +13,13 @@
 #include "core/input.h"
 #include "core/tank/behavior/fish_behavior.h"
 #include "core/tank/tank.h"
+#include "core/tank/tank_fields.h"
 #include "core/tank/water.h"
 #include "tests/unit/support/pond.h"
 
 #define RADIUS_M 0.0465f
 
-/* Level, deep under water. */
+/* Returns a level disc deep under water. */
 static struct obstacle disc(vec3 velocity_m_s)
 {
     return (struct obstacle){ .kind = OBSTACLE_DISC,
@@ -43,7 +45,7 @@ static float drawn(uint32_t trial, uint32_t which, float low, float high)
     return rng_range((struct rng_key){ 3, trial, which, RNG_TEST }, low, high);
 }
 
-static void test_water_at_the_face_goes_along_with_the_disc(void **state)
+static void test_water_at_the_face_moves_with_the_disc(void **state)
 {
     (void)state;
     assert_float_equal(broadside_flow(0.0f, 0.0f, 0.0f).y, 1.0f, 1e-4f);
@@ -51,8 +53,8 @@ static void test_water_at_the_face_goes_along_with_the_disc(void **state)
     assert_float_equal(broadside_flow(0.2f, -0.001f, 0.1f).y, 1.0f, 0.02f);
 }
 
-/* (2 / pi) (acot s - s / (1 + s^2)), as Lamb has it. */
-static void test_on_the_axis_it_is_as_the_books_say(void **state)
+/* Lamb's solution on the axis is (2 / pi) (acot s - s / (1 + s^2)). */
+static void test_the_flow_on_the_axis_equals_lambs_solution(void **state)
 {
     (void)state;
     assert_float_equal(broadside_flow(0.0f, 1.0f, 0.0f).y, 0.1817f, 1e-3f);
@@ -60,8 +62,9 @@ static void test_on_the_axis_it_is_as_the_books_say(void **state)
     assert_float_equal(broadside_flow(0.0f, 1.0f, 0.0f).x, 0.0f, 1e-6f);
 }
 
-/* (8/3) a^3 / 4 pi r^3, twice along the axis and once, backwards, beside it. */
-static void test_far_away_it_is_the_dipole_of_the_added_mass(void **state)
+/* The dipole is (8/3) a^3 / 4 pi r^3: twice that along the axis and once, in reverse, beside the
+ * disc. */
+static void test_the_far_flow_is_the_dipole_of_the_added_mass(void **state)
 {
     (void)state;
     const float dipole = 8.0f / 3.0f / (4.0f * F_PI);
@@ -72,15 +75,16 @@ static void test_far_away_it_is_the_dipole_of_the_added_mass(void **state)
     }
 }
 
-static void test_ahead_it_runs_out_to_the_rim_and_behind_it_runs_in(void **state)
+static void test_the_flow_diverges_ahead_of_the_disc_and_converges_behind(void **state)
 {
     (void)state;
     assert_true(broadside_flow(0.7f, 0.4f, 0.0f).x > 0.2f);
     assert_true(broadside_flow(0.7f, -0.4f, 0.0f).x < -0.2f);
-    assert_true(broadside_flow(1.4f, 0.0f, 0.0f).y < -0.1f); /* And back round the edge. */
+    assert_true(broadside_flow(1.4f, 0.0f, 0.0f).y < -0.1f); /* The water flows back around the
+                                                                edge. */
 }
 
-static void test_no_water_comes_from_nowhere(void **state)
+static void test_the_flow_conserves_volume(void **state)
 {
     (void)state;
     const float step = 0.02f;
@@ -89,7 +93,7 @@ static void test_no_water_comes_from_nowhere(void **state)
         const float z = drawn(i, 2, -3.0f, 3.0f);
         const float off = f_sqrt(x * x + z * z) - 1.0f;
         if (f_abs(y) < 0.1f || y * y + off * off < 0.16f) {
-            continue; /* Through the sheet, or by the edge where it is held down. */
+            continue; /* The path passes the disc or its edge, where the flow is limited. */
         }
         const float divergence =
             broadside_flow(x + step, y, z).x - broadside_flow(x - step, y, z).x +
@@ -99,7 +103,7 @@ static void test_no_water_comes_from_nowhere(void **state)
     }
 }
 
-static void test_it_is_never_faster_than_the_disc_and_always_a_number(void **state)
+static void test_the_flow_is_finite_and_never_faster_than_the_disc(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < 20000; i++) {
@@ -116,7 +120,7 @@ static void test_it_is_never_faster_than_the_disc_and_always_a_number(void **sta
     }
 }
 
-static void test_in_air_and_round_a_disc_at_rest_there_is_none(void **state)
+static void test_a_disc_in_air_or_at_rest_makes_no_flow(void **state)
 {
     (void)state;
     struct obstacle moving = disc(v3(0.0f, 0.3f, 0.0f));
@@ -124,24 +128,24 @@ static void test_in_air_and_round_a_disc_at_rest_there_is_none(void **state)
     assert_float_equal(v3_length(water_flow_m_s(&still, near_disc(0.0f, 0.5f, 0.0f))), 0.0f, 0.0f);
     moving.centre_m.y = 0.01f;
     assert_float_equal(v3_length(water_flow_m_s(&moving, v3(0.0f, -0.01f, 0.0f))), 0.0f, 0.0f);
-    moving.centre_m.y = 0.0f; /* Half in. */
+    moving.centre_m.y = 0.0f; /* The disc is half submerged. */
     const float half = water_flow_m_s(&moving, v3(0.0f, -0.02f, 0.0f)).y;
     moving.centre_m.y = -0.5f;
     const float whole = water_flow_m_s(&moving, v3(0.0f, -0.52f, 0.0f)).y;
     assert_float_equal(half, 0.5f * whole, 1e-4f);
 }
 
-static void test_what_is_torn_lets_the_water_through(void **state)
+static void test_torn_paper_reduces_the_flow(void **state)
 {
     (void)state;
     struct obstacle torn = disc(v3(0.0f, 0.3f, 0.0f));
     const float whole_m_s = water_flow_m_s(&torn, near_disc(0.0f, 0.6f, 0.0f)).y;
-    torn.open = 0.85f; /* A ring alone. */
+    torn.open = 0.85f; /* The disc is a ring without paper. */
     assert_float_equal(water_flow_m_s(&torn, near_disc(0.0f, 0.6f, 0.0f)).y, 0.15f * whole_m_s,
                        1e-5f);
 }
 
-static void test_a_glide_along_the_plane_pushes_little_and_the_slower_by_the_square(void **state)
+static void test_a_glide_along_the_plane_pushes_by_the_square_of_its_speed(void **state)
 {
     (void)state;
     const struct obstacle broad = disc(v3(0.0f, 0.3f, 0.0f)), edge = disc(v3(0.3f, 0.0f, 0.0f));
@@ -155,8 +159,8 @@ static void test_a_glide_along_the_plane_pushes_little_and_the_slower_by_the_squ
 
 static struct tank tank;
 
-/* A ring ploughs for a second through fish that drift, dodge and start. */
-static uint64_t ploughed(uint8_t lanes)
+/* Sweeps a ring for a second through fish that drift, avoid and start. Returns the hash. */
+static uint64_t hash_after_sweep(uint8_t lanes)
 {
     struct tank_config config = tank_config_of(TANK_PRESET_FESTIVAL);
     config.fish_count = 60;
@@ -173,20 +177,21 @@ static uint64_t ploughed(uint8_t lanes)
         moving.step_m = step_m;
         tank_tick(&tank, tick, &moving, 1);
     }
-    return tank_hash_quick(HASH_START, &tank);
+    return field_hash(HASH_START, &tank_quick_fields, &tank);
 }
 
-static void test_lanes_of_any_width_drift_to_the_same_bit(void **state)
+static void test_lanes_of_any_width_give_the_same_drift_bit_for_bit(void **state)
 {
     (void)state;
-    const uint64_t scalar = ploughed(0);
-    assert_true(ploughed(4) == scalar);
+    const uint64_t scalar = hash_after_sweep(0);
+    assert_true(hash_after_sweep(4) == scalar);
     if (simd_is_built(8)) {
-        assert_true(ploughed(8) == scalar);
+        assert_true(hash_after_sweep(8) == scalar);
     }
 }
 
-/* A fish that rests half a radius before a disc, thinking in every tick while the push fades. */
+/* Returns the drift of a fish at rest half a radius ahead of a disc, with an update in every tick,
+ * while the push fades. */
 static vec3 carried_m_s(const struct behavior_params *params)
 {
     const struct obstacle moving = disc(v3(0.0f, 0.08f, 0.0f));
@@ -199,18 +204,20 @@ static vec3 carried_m_s(const struct behavior_params *params)
         around.obstacles = &moving;
         around.obstacle_count = 1;
         fish_behavior_tick(&fish, 0, &around);
-        fish.push_m_s = v3_scale(fish.push_m_s, tick % 4u == 0 ? 0.656f : 1.0f); /* tank.c */
+        fish.push_m_s = v3_scale(fish.push_m_s, tick % 4u == 0 ? 0.656f : 1.0f); /* The factor is
+                                                                                    that of
+                                                                                    tank.c. */
         fish.gait = GAIT_REST;
     }
     return fish.push_m_s;
 }
 
-static void test_a_living_fish_drifts_with_it_and_the_thesis_fish_feels_none(void **state)
+static void test_the_flow_moves_fish_except_those_of_the_thesis(void **state)
 {
     (void)state;
     const struct obstacle moving = disc(v3(0.0f, 0.08f, 0.0f));
     const vec3 flow = water_flow_m_s(&moving, near_disc(0.0f, 0.5f, 0.0f));
-    const vec3 living = carried_m_s(pond_law());
+    const vec3 living = carried_m_s(pond_params());
     const vec3 thesis = carried_m_s(&tank_preset(TANK_PRESET_THESIS)->params);
     assert_true(flow.y > 0.03f);
     assert_float_equal(living.y - thesis.y, flow.y, 0.25f * flow.y);
@@ -220,17 +227,17 @@ static void test_a_living_fish_drifts_with_it_and_the_thesis_fish_feels_none(voi
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_water_at_the_face_goes_along_with_the_disc),
-        cmocka_unit_test(test_on_the_axis_it_is_as_the_books_say),
-        cmocka_unit_test(test_far_away_it_is_the_dipole_of_the_added_mass),
-        cmocka_unit_test(test_ahead_it_runs_out_to_the_rim_and_behind_it_runs_in),
-        cmocka_unit_test(test_no_water_comes_from_nowhere),
-        cmocka_unit_test(test_it_is_never_faster_than_the_disc_and_always_a_number),
-        cmocka_unit_test(test_in_air_and_round_a_disc_at_rest_there_is_none),
-        cmocka_unit_test(test_what_is_torn_lets_the_water_through),
-        cmocka_unit_test(test_a_glide_along_the_plane_pushes_little_and_the_slower_by_the_square),
-        cmocka_unit_test(test_lanes_of_any_width_drift_to_the_same_bit),
-        cmocka_unit_test(test_a_living_fish_drifts_with_it_and_the_thesis_fish_feels_none),
+        cmocka_unit_test(test_water_at_the_face_moves_with_the_disc),
+        cmocka_unit_test(test_the_flow_on_the_axis_equals_lambs_solution),
+        cmocka_unit_test(test_the_far_flow_is_the_dipole_of_the_added_mass),
+        cmocka_unit_test(test_the_flow_diverges_ahead_of_the_disc_and_converges_behind),
+        cmocka_unit_test(test_the_flow_conserves_volume),
+        cmocka_unit_test(test_the_flow_is_finite_and_never_faster_than_the_disc),
+        cmocka_unit_test(test_a_disc_in_air_or_at_rest_makes_no_flow),
+        cmocka_unit_test(test_torn_paper_reduces_the_flow),
+        cmocka_unit_test(test_a_glide_along_the_plane_pushes_by_the_square_of_its_speed),
+        cmocka_unit_test(test_lanes_of_any_width_give_the_same_drift_bit_for_bit),
+        cmocka_unit_test(test_the_flow_moves_fish_except_those_of_the_thesis),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

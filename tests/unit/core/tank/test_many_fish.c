@@ -1,4 +1,5 @@
-/* test_many_fish.c -- rules of a pair among more fish than 16 bits count, as in the bench. */
+/* test_many_fish.c -- checks the rules of a pair with more fish than a 16-bit index holds, as in
+ * the benchmark. */
 #define TANK_FISH_MAX 131072u
 
 #include <setjmp.h>
@@ -8,7 +9,7 @@
 
 #include <cmocka.h>
 
-/* The library's is built for the shipped maximum. */
+/* The source is included, because the library is built for the shipped maximum. */
 #include "core/tank/behavior/avoid.c"
 #include "core/tank/preset.h"
 
@@ -22,7 +23,7 @@ static struct avoid_party swimmer(float z_m, float ahead, uint32_t index)
                                  .index = (fish_index)index };
 }
 
-/* +1 left, -1 right: one draw for the pair. */
+/* Returns the side of the pair's one draw: +1 is left and -1 is right. */
 static float side_of(uint32_t a, uint32_t b, uint32_t tick)
 {
     const struct avoid_party one = swimmer(0.03f, -1.0f, a), other = swimmer(-0.03f, 1.0f, b);
@@ -32,7 +33,7 @@ static float side_of(uint32_t a, uint32_t b, uint32_t tick)
     return pair.a.turn;
 }
 
-static void test_pairs_whose_indices_differ_by_65536_draw_for_themselves(void **state)
+static void test_pairs_whose_indices_differ_by_65536_draw_independently(void **state)
 {
     (void)state;
     uint32_t same = 0;
@@ -42,7 +43,7 @@ static void test_pairs_whose_indices_differ_by_65536_draw_for_themselves(void **
     assert_in_range(same, 440, 560);
 }
 
-static void test_counts_of_all_fish_fit_their_type(void **state)
+static void test_the_counter_types_hold_the_number_of_all_fish(void **state)
 {
     (void)state;
     assert_true((fish_index)TANK_FISH_MAX == TANK_FISH_MAX);
@@ -52,8 +53,8 @@ static void test_counts_of_all_fish_fit_their_type(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_pairs_whose_indices_differ_by_65536_draw_for_themselves),
-        cmocka_unit_test(test_counts_of_all_fish_fit_their_type),
+        cmocka_unit_test(test_pairs_whose_indices_differ_by_65536_draw_independently),
+        cmocka_unit_test(test_the_counter_types_hold_the_number_of_all_fish),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

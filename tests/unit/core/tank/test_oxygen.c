@@ -1,4 +1,5 @@
-/* test_oxygen.c -- what water holds by temperature and pressure, and how soon a tank uses it up. */
+/* test_oxygen.c -- checks the oxygen saturation by temperature and pressure, and the oxygen
+ * consumption of a tank. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -9,31 +10,33 @@
 #include "core/base/hash.h"
 #include "core/input.h"
 #include "core/tank/tank.h"
+#include "core/tank/tank_fields.h"
 
 static struct tank tank;
 
 struct row {
     float pressure_hpa;
-    float mg_l[9]; /* At 0, 5, 10, 15, 20, 25, 28, 30, 35 C. */
+    float mg_l[9]; /* Saturation at 0, 5, 10, 15, 20, 25, 28, 30 and 35 C. */
 };
 
 static const float row_c[9] = { 0, 5, 10, 15, 20, 25, 28, 30, 35 };
 
-/* Benson & Krause 1984 as the USGS tables print it, here by double precision. 980 hPa is a
- * typhoon's passing, 960 hPa its eye. */
+/* The values follow Benson & Krause 1984 as in the USGS tables, computed here in double precision.
+ * A pressure of 980 hPa is that of a passing typhoon, and 960 hPa that of its eye. */
 static const struct row rows[] = {
     { 1013.25f, { 14.621f, 12.771f, 11.288f, 10.084f, 9.092f, 8.263f, 7.828f, 7.559f, 6.949f } },
     { 980.0f, { 14.139f, 12.349f, 10.913f, 9.748f, 8.787f, 7.984f, 7.561f, 7.300f, 6.708f } },
     { 960.0f, { 13.849f, 12.095f, 10.688f, 9.545f, 8.604f, 7.815f, 7.401f, 7.144f, 6.563f } },
 };
 
-static void test_saturation_is_that_of_the_tables_at_three_pressures(void **state)
+static void test_saturation_equals_the_tables_at_three_pressures(void **state)
 {
     (void)state;
     for (size_t r = 0; r < sizeof rows / sizeof rows[0]; r++) {
         for (size_t i = 0; i < 9; i++) {
             const float mg_l = oxygen_saturation_mg_l(row_c[i], rows[r].pressure_hpa);
-            assert_float_equal(mg_l, rows[r].mg_l[i], 0.0011f); /* They print a thousandth. */
+            assert_float_equal(mg_l, rows[r].mg_l[i], 0.0011f); /* The tables have a resolution of
+                                                                   one thousandth. */
         }
     }
 }
@@ -51,7 +54,7 @@ static double exact_exp(double x)
     return sum;
 }
 
-/* The published formula, term by term. */
+/* Computes the published formula term by term. */
 static double exact_saturation(double t, double hpa)
 {
     const double k = t + 273.15, p = hpa / 1013.25;
@@ -62,7 +65,7 @@ static double exact_saturation(double t, double hpa)
     return exact_exp(ln_c) * ((p - u) * (1.0 - theta * p)) / ((1.0 - u) * (1.0 - theta));
 }
 
-static void test_single_precision_keeps_a_ten_thousandth_everywhere(void **state)
+static void test_single_precision_has_a_relative_error_below_a_ten_thousandth(void **state)
 {
     (void)state;
     double worst = 0.0;
@@ -77,8 +80,9 @@ static void test_single_precision_keeps_a_ten_thousandth_everywhere(void **state
     assert_true(worst < 1e-4);
 }
 
-/* mg/kg/h, rounded as printed: 2.9 g is a fish of 5 cm, 1.46 g one of 4 cm. */
-static void test_a_fish_breathes_by_mass_temperature_and_speed(void **state)
+/* The values are in mg/kg/h, rounded as printed. A fish of 5 cm has 2.9 g, and one of 4 cm
+ * 1.46 g. */
+static void test_oxygen_consumption_depends_on_mass_temperature_and_speed(void **state)
 {
     (void)state;
     assert_float_equal(oxygen_breath_mg_h(0.0029f, 15.0f, 0.0f) / 0.0029f, 128.0f, 1.0f);
@@ -93,14 +97,14 @@ static void test_a_fish_breathes_by_mass_temperature_and_speed(void **state)
     assert_float_equal((bursts - at_rest) / 0.0029f, 324.0f, 1.0f);
 }
 
-static void test_small_fish_need_a_little_more_in_the_water(void **state)
+static void test_small_fish_need_a_slightly_higher_oxygen_content(void **state)
 {
     (void)state;
     assert_float_equal(oxygen_critical_mg_l(0.00146f), 1.3f, 0.01f);
     assert_float_equal(oxygen_critical_mg_l(0.0029f), 1.2f, 0.01f);
 }
 
-static void test_a_still_surface_lets_in_a_third_of_what_lacks_in_an_hour(void **state)
+static void test_a_still_surface_replaces_a_third_of_the_deficit_in_an_hour(void **state)
 {
     (void)state;
     assert_float_equal(oxygen_exchange_per_h(0.10f, 0), 0.30f, 1e-6f);
@@ -117,7 +121,7 @@ static const struct shoal official = { 1000, 0.00146f, 88.4f };
 static const struct shoal grown = { 1000, 0.0029f, 88.4f };
 static const struct shoal of_2013 = { 600, 0.0029f, 176.8f };
 
-/* Resting fish at 25 C. */
+/* Returns the oxygen balance of resting fish at 25 C. */
 static struct oxygen_balance balance_of(const struct shoal *shoal, float exchange_per_h)
 {
     return (struct oxygen_balance){
@@ -129,7 +133,8 @@ static struct oxygen_balance balance_of(const struct shoal *shoal, float exchang
     };
 }
 
-/* Hours from saturation until 2 mg/L are left; 99 when it never comes to that in a day. */
+/* Returns the hours from saturation to 2 mg/L, or 99 if the content stays above 2 mg/L for a
+ * day. */
 static float hours_to_2_mg_l(const struct shoal *shoal, float exchange_per_h)
 {
     const struct oxygen_balance balance = balance_of(shoal, exchange_per_h);
@@ -149,7 +154,7 @@ static float steady_mg_l(const struct shoal *shoal, float exchange_per_h)
     return oxygen_after(balance.saturation_mg_l, &balance, 24.0f);
 }
 
-static void test_without_air_the_championship_gasps_after_one_and_a_half_hours(void **state)
+static void test_the_championship_without_air_reaches_2_mg_l_in_1_5_hours(void **state)
 {
     (void)state;
     assert_float_equal(balance_of(&official, 0.0f).breath_mg_l_h, 4.2f, 0.05f);
@@ -160,7 +165,7 @@ static void test_without_air_the_championship_gasps_after_one_and_a_half_hours(v
     assert_float_equal(hours_to_2_mg_l(&grown, 0.3f), 1.0f, 0.05f);
 }
 
-static void test_the_tank_of_2013_gasps_in_three_hours_or_with_any_exchange_never(void **state)
+static void test_the_thesis_tank_reaches_2_mg_l_in_3_hours_only_without_exchange(void **state)
 {
     (void)state;
     assert_float_equal(balance_of(&of_2013, 0.0f).breath_mg_l_h, 2.2f, 0.05f);
@@ -169,7 +174,7 @@ static void test_the_tank_of_2013_gasps_in_three_hours_or_with_any_exchange_neve
     assert_float_equal(oxygen_after(still.saturation_mg_l, &still, 6.0f), 2.16f, 0.05f);
 }
 
-static void test_an_air_stone_keeps_every_tank_far_from_that(void **state)
+static void test_an_air_stone_keeps_every_tank_well_above_2_mg_l(void **state)
 {
     (void)state;
     assert_float_equal(steady_mg_l(&official, 2.0f), 6.2f, 0.1f);
@@ -180,7 +185,7 @@ static void test_an_air_stone_keeps_every_tank_far_from_that(void **state)
     assert_float_equal(steady_mg_l(&of_2013, 5.0f), 7.8f, 0.1f);
 }
 
-static void test_one_long_step_ends_where_many_short_ones_do_and_never_below_nothing(void **state)
+static void test_one_long_step_equals_many_short_steps_and_stays_positive(void **state)
 {
     (void)state;
     const struct oxygen_balance balance = balance_of(&grown, 0.3f);
@@ -201,7 +206,7 @@ static struct tank_config official_config(void)
     struct tank_config config = tank_config_of(TANK_PRESET_OFFICIAL);
     config.fish_count = 100;
     config.area_scale = 0.1f;
-    config.time_compression = 360.0f; /* An hour in ten seconds. */
+    config.time_compression = 360.0f; /* One hour passes in ten seconds. */
     return config;
 }
 
@@ -213,8 +218,8 @@ static void run(const struct tank_config *config, uint32_t seconds)
     }
 }
 
-/* 4.2 mg/L/h at rest; a third swim, which costs them half as much again. */
-static void test_a_whole_tank_breathes_what_its_fish_do_by_its_hurried_clock(void **state)
+/* The fish consume 4.2 mg/L/h at rest. A third of them swim, which costs half as much again. */
+static void test_a_tank_consumes_the_sum_of_its_fish_at_the_compressed_time(void **state)
 {
     (void)state;
     struct tank_config config = official_config();
@@ -231,16 +236,16 @@ static void test_a_whole_tank_breathes_what_its_fish_do_by_its_hurried_clock(voi
     assert_float_equal(8.263f - tank.oxygen.dissolved_mg_l, half_an_hour / 180.0f, 0.004f);
 }
 
-/* Only the water's chemistry is hurried: the fish swim as if it were not. */
-static void test_the_hurry_of_the_water_is_not_the_fishes(void **state)
+/* Time compression applies only to the water's chemistry, so the fish move as without it. */
+static void test_time_compression_does_not_change_the_motion_of_fish(void **state)
 {
     (void)state;
     struct tank_config config = official_config();
     run(&config, 2);
-    const uint64_t hurried = tank_hash_quick(HASH_START, &tank);
+    const uint64_t hurried = field_hash(HASH_START, &tank_quick_fields, &tank);
     config.time_compression = 1.0f;
     run(&config, 2);
-    assert_true(tank_hash_quick(HASH_START, &tank) == hurried);
+    assert_true(field_hash(HASH_START, &tank_quick_fields, &tank) == hurried);
 }
 
 static void test_a_pump_and_cool_water_keep_the_oxygen(void **state)
@@ -267,7 +272,7 @@ static void refuse(struct tank_config config)
     assert_int_equal(tank.seed, 77);
 }
 
-static void test_water_that_no_stall_has_is_refused(void **state)
+static void test_water_values_out_of_range_are_rejected(void **state)
 {
     (void)state;
     const float nan = __builtin_nanf("");
@@ -295,19 +300,19 @@ static void test_water_that_no_stall_has_is_refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_saturation_is_that_of_the_tables_at_three_pressures),
-        cmocka_unit_test(test_single_precision_keeps_a_ten_thousandth_everywhere),
-        cmocka_unit_test(test_a_fish_breathes_by_mass_temperature_and_speed),
-        cmocka_unit_test(test_small_fish_need_a_little_more_in_the_water),
-        cmocka_unit_test(test_a_still_surface_lets_in_a_third_of_what_lacks_in_an_hour),
-        cmocka_unit_test(test_without_air_the_championship_gasps_after_one_and_a_half_hours),
-        cmocka_unit_test(test_the_tank_of_2013_gasps_in_three_hours_or_with_any_exchange_never),
-        cmocka_unit_test(test_an_air_stone_keeps_every_tank_far_from_that),
-        cmocka_unit_test(test_one_long_step_ends_where_many_short_ones_do_and_never_below_nothing),
-        cmocka_unit_test(test_a_whole_tank_breathes_what_its_fish_do_by_its_hurried_clock),
-        cmocka_unit_test(test_the_hurry_of_the_water_is_not_the_fishes),
+        cmocka_unit_test(test_saturation_equals_the_tables_at_three_pressures),
+        cmocka_unit_test(test_single_precision_has_a_relative_error_below_a_ten_thousandth),
+        cmocka_unit_test(test_oxygen_consumption_depends_on_mass_temperature_and_speed),
+        cmocka_unit_test(test_small_fish_need_a_slightly_higher_oxygen_content),
+        cmocka_unit_test(test_a_still_surface_replaces_a_third_of_the_deficit_in_an_hour),
+        cmocka_unit_test(test_the_championship_without_air_reaches_2_mg_l_in_1_5_hours),
+        cmocka_unit_test(test_the_thesis_tank_reaches_2_mg_l_in_3_hours_only_without_exchange),
+        cmocka_unit_test(test_an_air_stone_keeps_every_tank_well_above_2_mg_l),
+        cmocka_unit_test(test_one_long_step_equals_many_short_steps_and_stays_positive),
+        cmocka_unit_test(test_a_tank_consumes_the_sum_of_its_fish_at_the_compressed_time),
+        cmocka_unit_test(test_time_compression_does_not_change_the_motion_of_fish),
         cmocka_unit_test(test_a_pump_and_cool_water_keep_the_oxygen),
-        cmocka_unit_test(test_water_that_no_stall_has_is_refused),
+        cmocka_unit_test(test_water_values_out_of_range_are_rejected),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,4 @@
-/* test_preset.c -- the tanks that are offered are tanks that can be played. */
+/* test_preset.c -- checks that every offered tank can be played. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -11,7 +11,7 @@
 #include "core/tank/collision/narrow_phase.h"
 #include "core/tank/preset.h"
 
-static void test_festival_is_the_stall_that_it_says(void **state)
+static void test_the_festival_preset_has_the_documented_values(void **state)
 {
     (void)state;
     const struct tank_preset *preset = tank_preset(TANK_PRESET_FESTIVAL);
@@ -22,7 +22,7 @@ static void test_festival_is_the_stall_that_it_says(void **state)
     assert_int_equal(preset->fish_count, 300);
 }
 
-static void test_its_ages_give_fish_of_three_to_eight_centimetres(void **state)
+static void test_the_ages_of_the_festival_give_fish_of_3_to_8_cm(void **state)
 {
     (void)state;
     const struct tank_preset *preset = tank_preset(TANK_PRESET_FESTIVAL);
@@ -38,20 +38,21 @@ static void test_four_bowls_float_inside_each_tank_and_apart(void **state)
     for (uint8_t id = 0; id < TANK_PRESET_COUNT; id++) {
         const struct tank_preset *preset = tank_preset(id);
         const float radius_m = preset->bowl_radius_m;
-        assert_float_equal(radius_m, BOWL_RADIUS_M, 0.0f); /* The bowl that really floats there. */
+        assert_float_equal(radius_m, BOWL_RADIUS_M, 0.0f); /* The radius is that of the floating
+                                                              bowl. */
         for (uint32_t i = 0; i < POI_MAX; i++) {
             assert_true(f_abs(preset->bowl_m[i].x) + radius_m < 0.5f * preset->size_m.x);
             assert_true(f_abs(preset->bowl_m[i].z) + radius_m < 0.5f * preset->size_m.z);
-            for (uint32_t k = 0; k < i; k++) { /* And a fish passes between any two. */
+            for (uint32_t k = 0; k < i; k++) { /* A fish can pass between any two bowls. */
                 const vec3 apart_m = v3_sub(preset->bowl_m[i], preset->bowl_m[k]);
                 assert_true(v3_length(apart_m) > 2.0f * radius_m + 0.04f);
             }
         }
-        assert_true(BOWL_DEPTH_M < 0.6f * preset->size_m.y); /* Fish pass below it. */
+        assert_true(BOWL_DEPTH_M < 0.6f * preset->size_m.y); /* Fish can pass below the bowl. */
     }
 }
 
-/* Where a point shows on a screen: within +-1 on both axes is in the picture. */
+/* Returns the screen position of a point. A point within +-1 on both axes is visible. */
 static vec3 on_screen(const struct view *view, float aspect, vec3 point_m)
 {
     const struct basis axes = view_basis(view);
@@ -75,11 +76,11 @@ static void check_fits(uint8_t id, float aspect)
         widest = f_max(widest, f_abs(rim.x));
     }
     if (aspect > 1.7f && aspect < 1.8f) {
-        assert_true(widest > 0.85f); /* It fills the screen, too. */
+        assert_true(widest > 0.85f); /* The tank fills the screen. */
     }
 }
 
-static void test_each_whole_tank_is_in_the_picture_on_wide_and_narrow_screens(void **state)
+static void test_each_tank_is_visible_on_wide_and_narrow_screens(void **state)
 {
     (void)state;
     for (uint8_t id = 0; id < TANK_PRESET_COUNT; id++) {
@@ -90,8 +91,9 @@ static void test_each_whole_tank_is_in_the_picture_on_wide_and_narrow_screens(vo
     }
 }
 
-/* The federation's rules: type A, 1,000 fish of about 4 cm, 10 cm of water, no pump, 20 to 30 C. */
-static void test_official_is_the_championship(void **state)
+/* The federation's rules state type A, 1,000 fish of about 4 cm, 10 cm of water, no pump, and 20 to
+ * 30 C. */
+static void test_the_official_preset_is_the_championship(void **state)
 {
     (void)state;
     const struct tank_preset *preset = tank_preset(TANK_PRESET_OFFICIAL);
@@ -106,7 +108,7 @@ static void test_official_is_the_championship(void **state)
     assert_true(tank_preset_fish_max(preset, 1.0f) >= 1500);
 }
 
-static void test_living_fish_have_a_slimmer_box_than_the_thesis(void **state)
+static void test_fish_of_other_presets_have_a_slimmer_box_than_thesis_fish(void **state)
 {
     (void)state;
     for (uint8_t id = 0; id < TANK_PRESET_COUNT; id++) {
@@ -117,12 +119,13 @@ static void test_living_fish_have_a_slimmer_box_than_the_thesis(void **state)
     }
 }
 
-static void test_water_holds_fish_by_its_volume(void **state)
+static void test_the_maximum_fish_count_follows_the_water_volume(void **state)
 {
     (void)state;
     struct tank_preset preset = *tank_preset(TANK_PRESET_FESTIVAL);
     const uint32_t max = tank_preset_fish_max(&preset, 1.0f);
-    assert_in_range(max, 600, 700); /* Twice the stall's own, and not four times. */
+    assert_in_range(max, 600, 700); /* The maximum is twice the stall's own number of fish and not
+                                       four times. */
     preset.size_m.y *= 2.0f;
     assert_in_range(tank_preset_fish_max(&preset, 1.0f), 2u * max, 2u * max + 1u);
     preset.size_m.y *= 100.0f;
@@ -131,7 +134,7 @@ static void test_water_holds_fish_by_its_volume(void **state)
     assert_int_equal(tank_preset_fish_max(&preset, 1.0f), 1);
 }
 
-static void test_an_unknown_preset_is_a_bug(void **state)
+static void test_an_unknown_preset_fails_an_assertion(void **state)
 {
     (void)state;
     expect_assert_failure(tank_preset(TANK_PRESET_COUNT));
@@ -140,14 +143,14 @@ static void test_an_unknown_preset_is_a_bug(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_festival_is_the_stall_that_it_says),
-        cmocka_unit_test(test_its_ages_give_fish_of_three_to_eight_centimetres),
+        cmocka_unit_test(test_the_festival_preset_has_the_documented_values),
+        cmocka_unit_test(test_the_ages_of_the_festival_give_fish_of_3_to_8_cm),
         cmocka_unit_test(test_four_bowls_float_inside_each_tank_and_apart),
-        cmocka_unit_test(test_each_whole_tank_is_in_the_picture_on_wide_and_narrow_screens),
-        cmocka_unit_test(test_official_is_the_championship),
-        cmocka_unit_test(test_living_fish_have_a_slimmer_box_than_the_thesis),
-        cmocka_unit_test(test_water_holds_fish_by_its_volume),
-        cmocka_unit_test(test_an_unknown_preset_is_a_bug),
+        cmocka_unit_test(test_each_tank_is_visible_on_wide_and_narrow_screens),
+        cmocka_unit_test(test_the_official_preset_is_the_championship),
+        cmocka_unit_test(test_fish_of_other_presets_have_a_slimmer_box_than_thesis_fish),
+        cmocka_unit_test(test_the_maximum_fish_count_follows_the_water_volume),
+        cmocka_unit_test(test_an_unknown_preset_fails_an_assertion),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

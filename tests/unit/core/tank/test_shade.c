@@ -1,5 +1,5 @@
-/* test_shade.c -- shadows: how they age, how they draw (2013 thesis, section 3.5), how they
- * frighten. */
+/* test_shade.c -- checks shadows: their age, their pull (2013 thesis, section 3.5) and their
+ * startle stimulus. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -21,7 +21,7 @@ static struct shade_cast fan_at(float x_m, float z_m)
     return (struct shade_cast){ 1, x_m, z_m, 0.10f, SHADE_FAN_DARK };
 }
 
-/* A fan that has been held still for `still_s`. */
+/* Returns a fan that has been held still for `still_s`. */
 static struct shade still_fan(float still_s)
 {
     const struct shade_cast cast = fan_at(0.0f, 0.0f);
@@ -44,7 +44,8 @@ static int near(float a, float b, float tolerance)
 
 /* ---- The pull ------------------------------------------------------------------------------- */
 
-/* Eq. 3.5 with S = 0.01 a frame and the 60 frames a second of table 4.2 for 200 fish. */
+/* The expected value is eq. 3.5 with S = 0.01 a frame, at the 60 frames a second of table 4.2 for
+ * 200 fish. */
 static void test_the_pull_is_equation_3_5_per_second(void **state)
 {
     (void)state;
@@ -55,8 +56,9 @@ static void test_the_pull_is_equation_3_5_per_second(void **state)
     }
 }
 
-/* Figure 3.7: the field ends at twice the radius; beyond, the formula would push away. */
-static void test_beyond_twice_its_radius_nothing_pulls_or_pushes(void **state)
+/* In figure 3.7, the field ends at twice the radius. Beyond the field, the formula would push fish
+ * away. */
+static void test_a_shade_has_no_pull_beyond_twice_its_radius(void **state)
 {
     (void)state;
     const struct shade shade = still_fan(9.0f);
@@ -66,7 +68,7 @@ static void test_beyond_twice_its_radius_nothing_pulls_or_pushes(void **state)
     }
 }
 
-/* Area A of figure 3.7, reached by a fade instead of a step. */
+/* Area A of figure 3.7 has no pull. The fade replaces a step at its border. */
 static void test_the_pull_fades_to_none_between_5_and_3_cm(void **state)
 {
     (void)state;
@@ -77,8 +79,8 @@ static void test_the_pull_fades_to_none_between_5_and_3_cm(void **state)
     }
 }
 
-/* By the formula in space a fish 18 cm straight below the fan would be pulled up. */
-static void test_depth_does_not_count(void **state)
+/* In three dimensions, the formula would pull a fish 18 cm below the fan upward. */
+static void test_the_pull_ignores_depth(void **state)
 {
     (void)state;
     const struct shade shade = still_fan(0.0f);
@@ -87,7 +89,7 @@ static void test_depth_does_not_count(void **state)
     assert_false(shade_covers(&shade.cast, v3(0.0f, -0.01f, 0.101f)));
 }
 
-static void test_thesis_fish_are_drawn_at_once_and_others_after_the_dwell(void **state)
+static void test_the_pull_acts_immediately_on_thesis_fish_and_else_after_the_dwell(void **state)
 {
     (void)state;
     const struct shade fresh = still_fan(0.0f);
@@ -115,8 +117,8 @@ static int draw(struct shade_course *course, vec3 at_m, float yaw_rad)
     return shade_draw(&shade, 1, law_of(TANK_PRESET_THESIS), &fish, course);
 }
 
-/* Section 3.3: forces added to swimming may not exceed 7.5 cm/s. */
-static void test_with_the_pull_a_fish_keeps_to_7_5_cm_s(void **state)
+/* Section 3.3 limits forces added to swimming to a speed of 7.5 cm/s. */
+static void test_a_fish_with_the_pull_keeps_to_7_5_cm_s(void **state)
 {
     (void)state;
     for (float r_m = 0.03f; r_m < 0.2f; r_m += 0.005f) {
@@ -127,14 +129,15 @@ static void test_with_the_pull_a_fish_keeps_to_7_5_cm_s(void **state)
         }
     }
     struct shade_course inward = { .heading_rad = 0.5f * F_PI, .speed_m_s = 0.0525f };
-    assert_true(draw(&inward, v3(0.10f, -0.1f, 0.0f), 0.5f * F_PI)); /* 5.25 + 6 = 11.25 cm/s */
+    assert_true(draw(&inward, v3(0.10f, -0.1f, 0.0f), 0.5f * F_PI)); /* The uncapped speed is 5.25 +
+                                                                        6 = 11.25 cm/s. */
     assert_true(near(inward.speed_m_s, 0.075f, 1e-5f));
 }
 
 static void test_course_and_pull_add_up_as_velocities(void **state)
 {
     (void)state;
-    /* At r = 13 cm it pulls by 4.2 cm/s to -x, while the fish swims 3 cm/s to -z. */
+    /* At r = 13 cm, the pull is 4.2 cm/s toward -x. The fish swims at 3 cm/s toward -z. */
     const float want_rad = f_atan2(0.042f, 0.03f);
     struct shade_course course = { .heading_rad = 0.0f, .speed_m_s = 0.03f };
     assert_true(draw(&course, v3(0.13f, -0.1f, 0.0f), want_rad));
@@ -142,16 +145,17 @@ static void test_course_and_pull_add_up_as_velocities(void **state)
     assert_true(near(course.speed_m_s, f_sqrt(0.03f * 0.03f + 0.042f * 0.042f), 1e-4f));
 }
 
-static void test_a_fish_turns_to_the_shade_before_it_swims_there(void **state)
+static void test_a_fish_turns_toward_the_shade_before_it_swims_there(void **state)
 {
     (void)state;
     struct shade_course course = { .heading_rad = 0.0f, .speed_m_s = 0.0f };
-    assert_true(draw(&course, v3(0.10f, -0.1f, 0.0f), -0.5f * F_PI)); /* Its tail to the shade. */
+    assert_true(draw(&course, v3(0.10f, -0.1f, 0.0f), -0.5f * F_PI)); /* The tail points to the
+                                                                         shade. */
     assert_true(near(course.heading_rad, 0.5f * F_PI, 1e-3f));
     assert_true(course.speed_m_s == 0.0f);
 }
 
-static void test_out_of_the_field_a_course_stays_as_it_is(void **state)
+static void test_a_shade_does_not_change_a_course_outside_its_field(void **state)
 {
     (void)state;
     struct shade_course course = { .heading_rad = 1.25f, .speed_m_s = 0.04f };
@@ -171,7 +175,7 @@ static void glide(struct shade *shade, float speed_m_s, float seconds)
     }
 }
 
-static void test_a_shadow_that_moves_has_to_be_still_anew(void **state)
+static void test_a_moved_shadow_restarts_its_dwell(void **state)
 {
     (void)state;
     struct shade shade = still_fan(4.0f);
@@ -182,7 +186,7 @@ static void test_a_shadow_that_moves_has_to_be_still_anew(void **state)
     assert_true(pull_cm_s(&shade, TANK_PRESET_FESTIVAL, 10.0f) == 0.0f);
 }
 
-static void test_a_shadow_may_be_drawn_along_slowly_with_its_fish(void **state)
+static void test_a_slowly_moving_shadow_keeps_its_fish(void **state)
 {
     (void)state;
     struct shade shade = still_fan(4.0f);
@@ -193,21 +197,21 @@ static void test_a_shadow_may_be_drawn_along_slowly_with_its_fish(void **state)
                             DT) == 0.0f);
 }
 
-/* A mouse steps by a pixel, 0.85 mm, each 60th of a second at 5 cm/s, and rests between. */
-static void test_the_steps_of_a_slow_mouse_are_no_movement(void **state)
+/* A mouse at 5 cm/s moves one pixel, 0.85 mm, in 1/60 s and rests between two steps. */
+static void test_the_steps_of_a_slow_mouse_do_not_restart_the_dwell(void **state)
 {
     (void)state;
     struct shade shade = still_fan(1.0f);
     struct shade_cast cast = shade.cast;
     for (int i = 0; i < 240; i++) {
-        cast.x_m += i % 30 == 0 ? 0.00085f : 0.0f; /* 3.4 mm/s */
+        cast.x_m += i % 30 == 0 ? 0.00085f : 0.0f; /* The speed is 3.4 mm/s. */
         shade_tick(&shade, &cast, DT);
         assert_true(shade.edge_m_s < SHADE_MOVES_M_S);
     }
     assert_true(shade.still_s > 2.0f);
 }
 
-static void test_a_shadow_that_grows_has_a_moving_edge(void **state)
+static void test_a_growing_shadow_has_a_moving_edge(void **state)
 {
     (void)state;
     struct shade shade = still_fan(3.0f);
@@ -220,7 +224,7 @@ static void test_a_shadow_that_grows_has_a_moving_edge(void **state)
     assert_true(shade.still_s == 0.0f);
 }
 
-static void test_a_shadow_that_goes_is_forgotten(void **state)
+static void test_a_removed_shadow_leaves_no_state(void **state)
 {
     (void)state;
     struct shade shade = still_fan(5.0f);
@@ -230,7 +234,7 @@ static void test_a_shadow_that_goes_is_forgotten(void **state)
     assert_memory_equal(&shade, &zero, sizeof zero);
 }
 
-static void test_a_shadow_that_is_nowhere_is_a_bug(void **state)
+static void test_a_shadow_without_a_valid_position_fails_an_assertion(void **state)
 {
     (void)state;
     struct shade shade = { 0 };
@@ -244,14 +248,14 @@ static void test_a_shadow_that_is_nowhere_is_a_bug(void **state)
     expect_assert_failure(shade_tick(&shade, &lost, DT));
 }
 
-/* ---- Fright --------------------------------------------------------------------------------- */
+/* ---- Startle -------------------------------------------------------------------------------- */
 
 static float alarm(const struct shade *shade, enum tank_preset_id preset, float r_m)
 {
     return shade_alarm(shade, law_of(preset), v3(shade->cast.x_m, -0.05f, r_m), DT);
 }
 
-static void test_a_new_shadow_frightens_whom_it_covers(void **state)
+static void test_a_new_shadow_startles_the_fish_that_it_covers(void **state)
 {
     (void)state;
     const struct shade fresh = still_fan(0.0f);
@@ -262,7 +266,7 @@ static void test_a_new_shadow_frightens_whom_it_covers(void **state)
     assert_true(alarm(&old, TANK_PRESET_FESTIVAL, 0.05f) == 0.0f);
 }
 
-static void test_an_edge_faster_than_5_cm_s_frightens(void **state)
+static void test_an_edge_faster_than_5_cm_s_startles(void **state)
 {
     (void)state;
     struct shade slow = still_fan(2.0f), fast = slow;
@@ -272,8 +276,8 @@ static void test_an_edge_faster_than_5_cm_s_frightens(void **state)
     assert_true(alarm(&fast, TANK_PRESET_FESTIVAL, 0.05f) > 0.0f);
 }
 
-/* Section 3.5 models the still shadow alone. */
-static void test_thesis_fish_know_no_fright_by_shadows(void **state)
+/* Section 3.5 models only the still shadow. */
+static void test_shadows_do_not_startle_thesis_fish(void **state)
 {
     (void)state;
     struct shade shade = still_fan(0.0f);
@@ -283,7 +287,7 @@ static void test_thesis_fish_know_no_fright_by_shadows(void **state)
     assert_true(pull_cm_s(&shade, TANK_PRESET_THESIS, 10.0f) > 5.9f);
 }
 
-/* A weak contrast makes uneasy; it takes seconds where a fan takes a tenth of one. */
+/* A weak contrast acts slowly: the alarm takes seconds where a fan takes 0.1 s. */
 static void test_thin_paper_alarms_a_twentieth_as_much_as_a_fan(void **state)
 {
     (void)state;
@@ -300,23 +304,23 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_the_pull_is_equation_3_5_per_second),
-        cmocka_unit_test(test_beyond_twice_its_radius_nothing_pulls_or_pushes),
+        cmocka_unit_test(test_a_shade_has_no_pull_beyond_twice_its_radius),
         cmocka_unit_test(test_the_pull_fades_to_none_between_5_and_3_cm),
-        cmocka_unit_test(test_depth_does_not_count),
-        cmocka_unit_test(test_thesis_fish_are_drawn_at_once_and_others_after_the_dwell),
-        cmocka_unit_test(test_with_the_pull_a_fish_keeps_to_7_5_cm_s),
+        cmocka_unit_test(test_the_pull_ignores_depth),
+        cmocka_unit_test(test_the_pull_acts_immediately_on_thesis_fish_and_else_after_the_dwell),
+        cmocka_unit_test(test_a_fish_with_the_pull_keeps_to_7_5_cm_s),
         cmocka_unit_test(test_course_and_pull_add_up_as_velocities),
-        cmocka_unit_test(test_a_fish_turns_to_the_shade_before_it_swims_there),
-        cmocka_unit_test(test_out_of_the_field_a_course_stays_as_it_is),
-        cmocka_unit_test(test_a_shadow_that_moves_has_to_be_still_anew),
-        cmocka_unit_test(test_a_shadow_may_be_drawn_along_slowly_with_its_fish),
-        cmocka_unit_test(test_the_steps_of_a_slow_mouse_are_no_movement),
-        cmocka_unit_test(test_a_shadow_that_grows_has_a_moving_edge),
-        cmocka_unit_test(test_a_shadow_that_goes_is_forgotten),
-        cmocka_unit_test(test_a_shadow_that_is_nowhere_is_a_bug),
-        cmocka_unit_test(test_a_new_shadow_frightens_whom_it_covers),
-        cmocka_unit_test(test_an_edge_faster_than_5_cm_s_frightens),
-        cmocka_unit_test(test_thesis_fish_know_no_fright_by_shadows),
+        cmocka_unit_test(test_a_fish_turns_toward_the_shade_before_it_swims_there),
+        cmocka_unit_test(test_a_shade_does_not_change_a_course_outside_its_field),
+        cmocka_unit_test(test_a_moved_shadow_restarts_its_dwell),
+        cmocka_unit_test(test_a_slowly_moving_shadow_keeps_its_fish),
+        cmocka_unit_test(test_the_steps_of_a_slow_mouse_do_not_restart_the_dwell),
+        cmocka_unit_test(test_a_growing_shadow_has_a_moving_edge),
+        cmocka_unit_test(test_a_removed_shadow_leaves_no_state),
+        cmocka_unit_test(test_a_shadow_without_a_valid_position_fails_an_assertion),
+        cmocka_unit_test(test_a_new_shadow_startles_the_fish_that_it_covers),
+        cmocka_unit_test(test_an_edge_faster_than_5_cm_s_startles),
+        cmocka_unit_test(test_shadows_do_not_startle_thesis_fish),
         cmocka_unit_test(test_thin_paper_alarms_a_twentieth_as_much_as_a_fan),
     };
     cmocka_set_message_output(CM_OUTPUT_TAP);

@@ -1,5 +1,5 @@
-/* test_shade_tank.c -- shadows over whole tanks: who gathers (2013 thesis, figures 4.17 to 4.20),
- * who starts, and what casts them in the stall. */
+/* test_shade_tank.c -- checks shadows over whole tanks: which fish gather (2013 thesis, figures
+ * 4.17 to 4.20), which fish are startled, and what casts shadows in the stall. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -9,7 +9,7 @@
 #include <cmocka.h>
 
 #include "core/core.h"
-#include "core/tank/tank.h"
+#include "tests/unit/support/open_tank.h"
 
 static struct tank tank;
 
@@ -38,7 +38,7 @@ static struct gathering gather(uint32_t seed)
     const struct shade_cast fan = fan_at(0.0f, 0.0f);
     struct gathering count = { 0 };
     uint32_t tick = 0;
-    tank_init(&tank, TANK_PRESET_THESIS, 200, seed);
+    open_tank(&tank, TANK_PRESET_THESIS, 200, seed);
     count.at_0 = tank_shade_count(&tank, &fan);
     hold_fan(&tick, &fan, 1);
     count.at_1 = tank_shade_count(&tank, &fan);
@@ -51,8 +51,9 @@ static struct gathering gather(uint32_t seed)
     return count;
 }
 
-/* Figures 4.17 to 4.20: 200 fish; more of them in the shade after 1, 6 and 10 s, and those who came
- * stay. One fish that bursts away or gives way makes a single tank's count falter by a few. */
+/* Figures 4.17 to 4.20 show 200 fish: the shade holds more of them after 1, 6 and 10 s, and these
+ * fish stay. The test uses several tanks, because one fish that bursts or avoids another changes a
+ * single count by a few. */
 static void test_fish_gather_as_in_figures_4_17_to_4_20(void **state)
 {
     (void)state;
@@ -71,9 +72,9 @@ static void test_fish_gather_as_in_figures_4_17_to_4_20(void **state)
     assert_true(all.at_10 * 100u > all.at_6 * 105u);
 }
 
-/* Section 3.5 moves every fish; who bursts keeps its speed, for 3.3 caps that of swimming alone. */
-static void
-test_by_the_thesis_a_shade_turns_a_bursting_fish_and_in_the_stall_it_does_not(void **state)
+/* The pull of section 3.5 acts on every fish. A bursting fish keeps its speed, because section 3.3
+ * limits only the speed of swimming fish. */
+static void test_a_shade_turns_a_bursting_fish_only_in_the_thesis(void **state)
 {
     const uint8_t presets[] = { TANK_PRESET_THESIS, TANK_PRESET_FESTIVAL };
     (void)state;
@@ -84,29 +85,32 @@ test_by_the_thesis_a_shade_turns_a_bursting_fish_and_in_the_stall_it_does_not(vo
                                           .gait = GAIT_BURST };
         const struct shade_cast fan = fan_at(0.0f, 0.0f);
         uint32_t tick = 0;
-        tank_init(&tank, presets[p], 1, 3);
-        hold_fan(&tick, &fan, 3); /* The stall's dwell. */
+        open_tank(&tank, presets[p], 1, 3);
+        hold_fan(&tick, &fan, 3); /* The shadow is held for the dwell of the stall. */
         tank_stage_all(&tank, &stage, 1);
-        tank.fish[0].drawn_rad = tank.fish[0].yaw_rate_rad_s = 0.0f; /* It was drawn before. */
+        tank.fish[0].drawn_rad = tank.fish[0].yaw_rate_rad_s = 0.0f; /* The shade acted on the fish
+                                                                        before. */
         tank.fish[0].push_m_s = v3(0.0f, 0.0f, 0.0f);
         const struct shade_cast casts[TANK_SHADE_MAX] = { [0] = fan };
         for (uint32_t i = 0; i < 3u * CORE_TICK_HZ / 4u; i++, tick++) {
             tank_cast(&tank, casts);
             tank_tick(&tank, tick, NULL, 0);
         }
-        const float turned_rad = tank.fish[0].angles.yaw_rad; /* The middle is to its left. */
+        const float turned_rad = tank.fish[0].angles.yaw_rad; /* The middle is to the fish's
+                                                                 left. */
         assert_true(presets[p] == TANK_PRESET_THESIS ? turned_rad > 10.0f * F_DEG
                                                      : f_abs(turned_rad) < 1.0f * F_DEG);
-        assert_true(tank.fish[0].speed_goal_m_s > 0.10f); /* No swimmer wants more than 0.075. */
+        assert_true(tank.fish[0].speed_goal_m_s > 0.10f); /* The limit of swimming fish is 0.075
+                                                             m/s. */
     }
 }
 
-static void test_no_swimmer_in_a_tank_wants_more_than_7_5_cm_s(void **state)
+static void test_swimmers_in_a_shade_keep_to_7_5_cm_s(void **state)
 {
     const struct shade_cast casts[TANK_SHADE_MAX] = { [0] = fan_at(0.0f, 0.0f) };
     uint32_t drawn = 0;
     (void)state;
-    tank_init(&tank, TANK_PRESET_THESIS, 200, 2);
+    open_tank(&tank, TANK_PRESET_THESIS, 200, 2);
     for (uint32_t tick = 0; tick < 3u * CORE_TICK_HZ; tick++) {
         tank_cast(&tank, casts);
         tank_tick(&tank, tick, NULL, 0);
@@ -118,11 +122,11 @@ static void test_no_swimmer_in_a_tank_wants_more_than_7_5_cm_s(void **state)
             }
         }
     }
-    assert_true(drawn > 100u); /* Resting fish are drawn, too. */
+    assert_true(drawn > 100u); /* The pull acts on resting fish too. */
 }
 
-/* Reversals of turns faster than 20 degrees a second, by each fish within a circle and each second,
- * from the sixth to the fourteenth. */
+/* Returns the reversals of turns faster than 20 degrees a second, per second and per fish within a
+ * circle, from second 6 to second 14. */
 static float reversals_per_s(uint32_t fish_count, uint32_t seed, const struct shade_cast *fan,
                              const struct shade_cast *circle, float *within)
 {
@@ -130,7 +134,7 @@ static float reversals_per_s(uint32_t fish_count, uint32_t seed, const struct sh
     const struct shade_cast casts[TANK_SHADE_MAX] = { [0] = *fan };
     uint32_t reversals = 0, fish_ticks = 0;
     memset(turning, 0, sizeof turning);
-    tank_init(&tank, TANK_PRESET_THESIS, fish_count, seed);
+    open_tank(&tank, TANK_PRESET_THESIS, fish_count, seed);
     for (uint32_t tick = 0; tick < 14u * CORE_TICK_HZ; tick++) {
         tank_cast(&tank, casts);
         tank_tick(&tank, tick, NULL, 0);
@@ -150,9 +154,9 @@ static float reversals_per_s(uint32_t fish_count, uint32_t seed, const struct sh
     return (float)(reversals * CORE_TICK_HZ) / (float)fish_ticks;
 }
 
-/* Noses that turn this way and that. Gathered fish meet more often than free ones, for they are
- * more to a litre: the control is a tank without a fan that is as dense all over. Beyond that they
- * turn back whenever they are on their way out of it, every few seconds. */
+/* Counts noses that turn to and fro. Gathered fish meet more often than free fish, because they are
+ * denser. The control is therefore a tank without a fan and with the same density everywhere.
+ * Gathered fish also turn back every few seconds when they leave the shade. */
 static void test_gathered_fish_do_not_jitter(void **state)
 {
     const struct shade_cast none = { 0 }, fan = fan_at(0.0f, 0.0f);
@@ -171,21 +175,22 @@ static void test_gathered_fish_do_not_jitter(void **state)
     assert_true(gathered < 2.0f * dense);
 }
 
-/* Where fish know fright, a fan that drops in empties its place; held still, it fills it. */
-static void test_in_the_stall_a_new_fan_scatters_and_a_still_one_gathers(void **state)
+/* In presets with startle responses, a new fan empties its area. A fan that is held still fills
+ * it. */
+static void test_a_new_fan_scatters_fish_and_a_still_one_gathers_them(void **state)
 {
     const struct shade_cast fan = fan_at(0.0f, 0.0f);
     const struct shade_cast none = { 0 };
     (void)state;
     for (uint32_t seed = 1; seed <= 3; seed++) {
         uint32_t tick = 0;
-        tank_init(&tank, TANK_PRESET_FESTIVAL, 300, seed);
+        open_tank(&tank, TANK_PRESET_FESTIVAL, 300, seed);
         hold_fan(&tick, &none, 3);
         const uint32_t before = tank_shade_count(&tank, &fan);
         hold_fan(&tick, &fan, 1);
         const uint32_t scattered = tank_shade_count(&tank, &fan);
         hold_fan(&tick, &fan, 1);
-        assert_true(2u * tank_shade_count(&tank, &fan) < before); /* They flee for a while. */
+        assert_true(2u * tank_shade_count(&tank, &fan) < before); /* The fish flee for a while. */
         hold_fan(&tick, &fan, 8);
         const uint32_t gathered = tank_shade_count(&tank, &fan);
         print_message("seed %u: %u before, %u after 1 s, %u after 10 s\n", seed, before, scattered,
@@ -204,17 +209,17 @@ static uint32_t escaping(void)
     return count;
 }
 
-/* From the tick in which a fan drops in to the one in which a C-start begins. Those with their
- * snouts in the air answer half again as late, and duck first. */
-static void test_a_fan_that_drops_in_is_answered_after_60_to_150_ms(void **state)
+/* The latency lasts from the tick in which a fan appears to the tick in which a C-start begins. A
+ * gulping fish takes half as long again and submerges first. */
+static void test_fish_react_to_a_new_fan_after_60_to_150_ms(void **state)
 {
     const struct shade_cast none = { 0 };
     const struct shade_cast casts[TANK_SHADE_MAX] = { [0] = fan_at(0.0f, 0.0f) };
     uint32_t started[TANK_FISH_MAX], after[32] = { 0 }, starts = 0, soon = 0, late = 0;
     (void)state;
     for (uint32_t seed = 1; seed <= 40; seed++) {
-        uint32_t tick = seed; /* Fish think by turns: all turns meet the fan. */
-        tank_init(&tank, TANK_PRESET_FESTIVAL, 300, seed);
+        uint32_t tick = seed; /* Fish update by turns, so the seeds cover every phase. */
+        open_tank(&tank, TANK_PRESET_FESTIVAL, 300, seed);
         hold_fan(&tick, &none, 1);
         memset(started, 0, sizeof started);
         for (uint32_t n = 0; n < 32; n++, tick++) {
@@ -241,7 +246,7 @@ static void test_a_fan_that_drops_in_is_answered_after_60_to_150_ms(void **state
     print_message("%u starts, %u before 60 ms, %u after 150\n", starts, soon, late);
     assert_true(starts > 1000u);
     assert_int_equal(soon, 0);
-    assert_true(100u * late < starts); /* Who swam in under it meanwhile. */
+    assert_true(100u * late < starts); /* These fish swam under the fan after its arrival. */
 }
 
 static uint32_t escapes_under(uint8_t preset, float fan_m_s, float dark)
@@ -249,12 +254,12 @@ static uint32_t escapes_under(uint8_t preset, float fan_m_s, float dark)
     struct shade_cast casts[TANK_SHADE_MAX] = { [0] = fan_at(-0.30f, 0.0f) };
     uint32_t most = 0;
     casts[0].dark = dark;
-    tank_init(&tank, preset, 200, 4);
+    open_tank(&tank, preset, 200, 4);
     for (uint32_t tick = 0; tick < 2u * CORE_TICK_HZ; tick++) {
         casts[0].x_m += tick > CORE_TICK_HZ ? fan_m_s * CORE_TICK_S : 0.0f;
         tank_cast(&tank, casts);
         tank_tick(&tank, tick, NULL, 0);
-        if (tick > CORE_TICK_HZ) { /* The fright of its coming is over. */
+        if (tick > CORE_TICK_HZ) { /* The startle response to the arrival is over. */
             const uint32_t now = escaping();
             most = now > most ? now : most;
         }
@@ -262,7 +267,7 @@ static uint32_t escapes_under(uint8_t preset, float fan_m_s, float dark)
     return most;
 }
 
-static void test_a_fan_that_sweeps_by_startles_and_a_poi_in_the_air_hardly(void **state)
+static void test_a_moving_fan_startles_more_fish_than_a_poi_in_the_air(void **state)
 {
     (void)state;
     const uint32_t swept = escapes_under(TANK_PRESET_FESTIVAL, 0.30f, SHADE_FAN_DARK);
@@ -287,7 +292,7 @@ static void open_stall(void)
     assert_int_equal(core_init(&core, &config), CORE_OK);
 }
 
-static void test_what_a_hand_holds_falls_on_the_tank_within_its_bounds(void **state)
+static void test_the_position_of_a_fan_is_limited_to_the_tank(void **state)
 {
     struct input input = { .shade[2] = { 1, 0.1f, -0.2f, 0.12f } };
     (void)state;
@@ -303,12 +308,14 @@ static void test_what_a_hand_holds_falls_on_the_tank_within_its_bounds(void **st
     input.shade[2].radius_m = -1.0f;
     core_tick(&core, &input, &output);
     assert_true(cast->radius_m == SHADE_RADIUS_MIN_M);
-    input.shade[2] = (struct shade_input){ 0, 1.0f / 0.0f, 0.0f, 0.0f }; /* Not looked at. */
+    input.shade[2] = (struct shade_input){ 0, 1.0f / 0.0f, 0.0f, 0.0f }; /* The fan is absent, so
+                                                                            its values are not
+                                                                            read. */
     core_tick(&core, &input, &output);
     assert_int_equal(cast->present, 0);
 }
 
-static void test_a_fan_that_is_no_number_is_a_bug(void **state)
+static void test_a_nan_fan_fails_an_assertion(void **state)
 {
     static const float broken[] = { 1.0f / 0.0f, -1.0f / 0.0f };
     (void)state;
@@ -323,7 +330,7 @@ static void test_a_fan_that_is_no_number_is_a_bug(void **state)
     }
 }
 
-static void test_a_dry_poi_casts_its_paper_and_a_dipped_one_nothing(void **state)
+static void test_a_dry_poi_casts_a_shadow_and_a_submerged_poi_casts_none(void **state)
 {
     struct poi poi;
     (void)state;
@@ -332,7 +339,7 @@ static void test_a_dry_poi_casts_its_paper_and_a_dipped_one_nothing(void **state
     assert_true(level.present && level.x_m == 0.1f && level.z_m == -0.1f);
     assert_float_equal(level.radius_m, POI_OUTER_RADIUS_M, 1e-4f);
     assert_float_equal(level.dark, POI_PAPER_DARK, 1e-4f);
-    poi.angles.pitch_rad = 60.0f * F_DEG; /* An ellipse of half the area. */
+    poi.angles.pitch_rad = 60.0f * F_DEG; /* The shadow is an ellipse of half the area. */
     assert_float_equal(poi_shade(&poi).radius_m, 0.7071f * POI_OUTER_RADIUS_M, 1e-4f);
     poi.immersed = 0.01f;
     assert_int_equal(poi_shade(&poi).present, 0);
@@ -342,16 +349,15 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_fish_gather_as_in_figures_4_17_to_4_20),
-        cmocka_unit_test(
-            test_by_the_thesis_a_shade_turns_a_bursting_fish_and_in_the_stall_it_does_not),
-        cmocka_unit_test(test_no_swimmer_in_a_tank_wants_more_than_7_5_cm_s),
+        cmocka_unit_test(test_a_shade_turns_a_bursting_fish_only_in_the_thesis),
+        cmocka_unit_test(test_swimmers_in_a_shade_keep_to_7_5_cm_s),
         cmocka_unit_test(test_gathered_fish_do_not_jitter),
-        cmocka_unit_test(test_in_the_stall_a_new_fan_scatters_and_a_still_one_gathers),
-        cmocka_unit_test(test_a_fan_that_drops_in_is_answered_after_60_to_150_ms),
-        cmocka_unit_test(test_a_fan_that_sweeps_by_startles_and_a_poi_in_the_air_hardly),
-        cmocka_unit_test(test_what_a_hand_holds_falls_on_the_tank_within_its_bounds),
-        cmocka_unit_test(test_a_fan_that_is_no_number_is_a_bug),
-        cmocka_unit_test(test_a_dry_poi_casts_its_paper_and_a_dipped_one_nothing),
+        cmocka_unit_test(test_a_new_fan_scatters_fish_and_a_still_one_gathers_them),
+        cmocka_unit_test(test_fish_react_to_a_new_fan_after_60_to_150_ms),
+        cmocka_unit_test(test_a_moving_fan_startles_more_fish_than_a_poi_in_the_air),
+        cmocka_unit_test(test_the_position_of_a_fan_is_limited_to_the_tank),
+        cmocka_unit_test(test_a_nan_fan_fails_an_assertion),
+        cmocka_unit_test(test_a_dry_poi_casts_a_shadow_and_a_submerged_poi_casts_none),
     };
     cmocka_set_message_output(CM_OUTPUT_TAP);
     return cmocka_run_group_tests(tests, NULL, NULL);

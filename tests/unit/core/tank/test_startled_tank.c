@@ -1,4 +1,5 @@
-/* test_startled_tank.c -- a whole tank startled at once: nobody gets into anybody, all get away. */
+/* test_startled_tank.c -- checks a tank of fish that are all startled at the same time: no fish
+ * overlap, and all escape. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -8,7 +9,7 @@
 
 #include "core/input.h"
 #include "core/tank/behavior/startle.h"
-#include "core/tank/tank.h"
+#include "tests/unit/support/open_tank.h"
 
 static struct tank tank;
 static vec3 start_m[TANK_FISH_MAX];
@@ -32,7 +33,7 @@ static float deepest_m(uint32_t *over_half_mm)
     return deepest;
 }
 
-/* All at once, by a blow in the middle. */
+/* Startles all fish in one tick by a pressure stimulus in the middle. */
 static void startle_all(void)
 {
     for (uint32_t i = 0; i < tank.fish_count; i++) {
@@ -43,7 +44,7 @@ static void startle_all(void)
     }
 }
 
-/* Of all fish, in their own lengths. */
+/* Returns the mean distance of all fish from their start, in body lengths. */
 static float mean_way_lengths(void)
 {
     float sum = 0.0f;
@@ -67,7 +68,7 @@ static void check_panic(uint8_t preset, uint32_t fish_count, uint32_t seed, floa
 {
     uint32_t over = 0, start = 0;
     float deepest = 0.0f, way = 0.0f;
-    tank_init(&tank, preset, fish_count, seed);
+    open_tank(&tank, preset, fish_count, seed);
     for (uint32_t tick = 0; tick < 3u * CORE_TICK_HZ; tick++) {
         tank_tick(&tank, tick, NULL, 0);
     }
@@ -76,7 +77,7 @@ static void check_panic(uint8_t preset, uint32_t fish_count, uint32_t seed, floa
         tank_tick(&tank, 3u * CORE_TICK_HZ + tick, NULL, 0);
         deepest = f_max(deepest, deepest_m(&over));
         start = tick == 10u ? escaping() : start;
-        way = tick == 13u ? mean_way_lengths() : way; /* 100 ms after the start. */
+        way = tick == 13u ? mean_way_lengths() : way; /* The sample is 100 ms after the start. */
     }
     print_message("%u fish, %u start: deepest %.2f mm, %u pair-ticks over 0.5 mm, %.2f lengths "
                   "away after 100 ms\n",
@@ -86,14 +87,14 @@ static void check_panic(uint8_t preset, uint32_t fish_count, uint32_t seed, floa
     assert_true(way > way_min);
 }
 
-static void test_a_stall_in_panic_keeps_its_fish_apart(void **state)
+static void test_startled_fish_of_the_festival_do_not_overlap(void **state)
 {
     (void)state;
     check_panic(TANK_PRESET_FESTIVAL, 300, 1, 0.3f);
     check_panic(TANK_PRESET_FESTIVAL, 500, 2, 0.2f);
 }
 
-static void test_the_championships_tank_in_panic_does_so_too(void **state)
+static void test_startled_fish_of_the_championship_do_not_overlap(void **state)
 {
     (void)state;
     check_panic(TANK_PRESET_OFFICIAL, 1000, 3, 0.2f);
@@ -102,8 +103,8 @@ static void test_the_championships_tank_in_panic_does_so_too(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_stall_in_panic_keeps_its_fish_apart),
-        cmocka_unit_test(test_the_championships_tank_in_panic_does_so_too),
+        cmocka_unit_test(test_startled_fish_of_the_festival_do_not_overlap),
+        cmocka_unit_test(test_startled_fish_of_the_championship_do_not_overlap),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,4 @@
-/* test_tank.c -- a whole tank: minutes of 300 fish, the poi among them, and the same again. */
+/* test_tank.c -- checks a whole tank: minutes of 300 fish, a poi among them, and repeatability. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -9,7 +9,8 @@
 #include "core/base/hash.h"
 #include "core/base/mem.h"
 #include "core/core.h"
-#include "core/tank/tank.h"
+#include "core/tank/tank_fields.h"
+#include "tests/unit/support/open_tank.h"
 
 #define MINUTE (60u * CORE_TICK_HZ)
 
@@ -50,26 +51,27 @@ static void test_a_fresh_tank_holds_fish_that_do_not_overlap(void **state)
     const uint32_t counts[] = { 1, 300, tank_preset_fish_max(tank_preset(0), 1.0f) };
     for (uint32_t i = 0; i < 3; i++) {
         uint32_t over = 0;
-        tank_init(&tank, TANK_PRESET_FESTIVAL, counts[i], 40u + i);
+        open_tank(&tank, TANK_PRESET_FESTIVAL, counts[i], 40u + i);
         assert_true(deepest_overlap_m(&tank, &over) < 1e-5f);
     }
 }
 
-static void test_a_stall_takes_as_many_fish_as_its_water_holds_and_not_one_more(void **state)
+static void test_a_tank_accepts_exactly_the_maximum_fish_count(void **state)
 {
     (void)state;
     static struct core core;
     struct core_config config = { .seed = 3 };
     config.fish_count = tank_preset_fish_max(tank_preset(0), 1.0f) + 1u;
     assert_int_equal(core_init(&core, &config), CORE_ERR_RANGE);
-    assert_int_equal(core.world.tank.fish_count, 0); /* Untouched. */
-    expect_assert_failure(tank_init(&tank, 0, config.fish_count, 3));
+    assert_int_equal(core.world.tank.fish_count, 0); /* The tank was not changed. */
+    expect_assert_failure(open_tank(&tank, 0, config.fish_count, 3));
     config.fish_count--;
     assert_int_equal(core_init(&core, &config), CORE_OK);
     assert_int_equal(core.world.tank.fish_count, config.fish_count);
 }
 
-/* The farthest that a fish came in the last tick beyond 3 mm and what it swims at its fastest. */
+/* Returns the maximum distance that a fish moved in the last tick beyond 3 mm and its fastest
+ * swimming. */
 static float jump_m(const struct tank *t)
 {
     float farthest_m = 0.0f;
@@ -87,7 +89,7 @@ static void test_a_tank_that_is_full_keeps_its_fish_apart(void **state)
     (void)state;
     uint32_t over = 0;
     float deepest = 0.0f, jump = 0.0f;
-    tank_init(&tank, TANK_PRESET_FESTIVAL, tank_preset_fish_max(tank_preset(0), 1.0f), 5);
+    open_tank(&tank, TANK_PRESET_FESTIVAL, tank_preset_fish_max(tank_preset(0), 1.0f), 5);
     for (uint32_t tick = 0; tick < 4u * CORE_TICK_HZ; tick++) {
         run(&tank, tick, 1, 0, 0);
         jump = f_max(jump, jump_m(&tank));
@@ -116,13 +118,13 @@ static void check_inside(const struct fish *fish, vec3 size_m)
 
 #define LONG_TICKS (3u * MINUTE / 2u)
 
-static void test_minutes_leave_every_fish_sane_apart_and_inside(void **state)
+static void test_every_fish_stays_valid_separate_and_inside_for_minutes(void **state)
 {
     (void)state;
     uint32_t over = 0, near_wall = 0, samples = 0, jolts = 0;
     uint32_t gaits[GAIT_COUNT] = { 0 };
     float deepest = 0.0f, swim_lengths = 0.0f;
-    tank_init(&tank, TANK_PRESET_FESTIVAL, 300, 7);
+    open_tank(&tank, TANK_PRESET_FESTIVAL, 300, 7);
     for (uint32_t tick = 0; tick < LONG_TICKS; tick++) {
         run(&tank, tick, 1, 0, 0);
         if (tick % 40u != 0) {
@@ -133,8 +135,8 @@ static void test_minutes_leave_every_fish_sane_apart_and_inside(void **state)
             const struct fish *fish = &tank.fish[i];
             check_inside(fish, tank.size_m);
             assert_true(f_abs(fish->angles.pitch_rad) <
-                        26.0f * F_DEG); /* Nobody stands on its nose. */
-            assert_true(f_abs(fish->yaw_rate_rad_s) < 540.0f * F_DEG); /* Nobody spins. */
+                        26.0f * F_DEG); /* No fish is near vertical. */
+            assert_true(f_abs(fish->yaw_rate_rad_s) < 540.0f * F_DEG); /* No fish spins. */
             assert_true(fish->tail_phase_rad >= 0.0f && fish->tail_phase_rad < F_TAU);
             const float gap =
                 f_min(0.425f - f_abs(fish->position_m.x), 0.275f - f_abs(fish->position_m.z));
@@ -157,36 +159,43 @@ static void test_minutes_leave_every_fish_sane_apart_and_inside(void **state)
     assert_true(deepest < 0.004f);
     assert_true(over < 6u);
     assert_true(swim_lengths / (float)gaits[GAIT_SWIM] >
-                0.5f);                                        /* No gridlock: over half of 1.05. */
-    assert_float_equal((float)near_wall / all, 0.28f, 0.12f); /* 0.28 would be even: no pile. */
+                0.5f);                                        /* The fish are not in a gridlock: the
+                                                                 mean is over half of 1.05. */
+    assert_float_equal((float)near_wall / all, 0.28f, 0.12f); /* A uniform distribution gives 0.28,
+                                                                 so the fish do not pile up. */
     assert_float_equal((float)gaits[GAIT_REST] / all, 0.65f, 0.08f);
     assert_true((float)jolts / all < 0.001f);
 }
 
-static void test_the_same_seed_swims_the_same_and_another_does_not(void **state)
+static void test_the_same_seed_repeats_the_motion_and_another_does_not(void **state)
 {
     (void)state;
-    tank_init(&tank, TANK_PRESET_FESTIVAL, 120, 99);
-    tank_init(&twin, TANK_PRESET_FESTIVAL, 120, 99);
+    open_tank(&tank, TANK_PRESET_FESTIVAL, 120, 99);
+    open_tank(&twin, TANK_PRESET_FESTIVAL, 120, 99);
     run(&tank, 0, 20u * CORE_TICK_HZ, 0, 0);
     run(&twin, 0, 20u * CORE_TICK_HZ, 0, 0);
-    assert_true(tank_hash(HASH_START, &tank) == tank_hash(HASH_START, &twin));
-    assert_true(tank_hash_quick(HASH_START, &tank) == tank_hash_quick(HASH_START, &twin));
-    tank_init(&twin, TANK_PRESET_FESTIVAL, 120, 98);
+    assert_true(field_hash(HASH_START, &tank_fields, &tank) ==
+                field_hash(HASH_START, &tank_fields, &twin));
+    assert_true(field_hash(HASH_START, &tank_quick_fields, &tank) ==
+                field_hash(HASH_START, &tank_quick_fields, &twin));
+    open_tank(&twin, TANK_PRESET_FESTIVAL, 120, 98);
     run(&twin, 0, 20u * CORE_TICK_HZ, 0, 0);
-    assert_true(tank_hash_quick(HASH_START, &tank) != tank_hash_quick(HASH_START, &twin));
+    assert_true(field_hash(HASH_START, &tank_quick_fields, &tank) !=
+                field_hash(HASH_START, &tank_quick_fields, &twin));
 }
 
-static void test_a_copy_goes_on_as_the_tank_itself_does(void **state)
+static void test_a_copy_of_a_tank_continues_identically(void **state)
 {
     (void)state;
-    tank_init(&tank, TANK_PRESET_FESTIVAL, 80, 3);
+    open_tank(&tank, TANK_PRESET_FESTIVAL, 80, 3);
     run(&tank, 0, 500, 0, 0);
     twin = tank;
-    memset(&twin.broad_phase, 0x5a, sizeof twin.broad_phase); /* 500 is a tick in which all look. */
+    memset(&twin.broad_phase, 0x5a, sizeof twin.broad_phase); /* In tick 500, every fish updates its
+                                                                 neighbours. */
     run(&tank, 500, 500, 0, 0);
     run(&twin, 500, 500, 0, 0);
-    assert_true(tank_hash(HASH_START, &tank) == tank_hash(HASH_START, &twin));
+    assert_true(field_hash(HASH_START, &tank_fields, &tank) ==
+                field_hash(HASH_START, &tank_fields, &twin));
 }
 
 static struct obstacle disc_at(vec3 centre, vec3 velocity)
@@ -198,12 +207,21 @@ static struct obstacle disc_at(vec3 centre, vec3 velocity)
                               .radius_m = 0.0465f };
 }
 
-/* What a drag does to the fish. */
+/* Effects of a dragged disc on the fish. */
 struct dragged {
     uint32_t escapes, near_samples, over;
-    float body_m, ring_m, jump_m; /* Deepest overlaps, and the farthest shove. */
-    float lag_m;                  /* How far fish held it up. */
+    float body_m, ring_m, jump_m; /* Deepest overlaps and the largest displacement. */
+    float lag_m;                  /* Distance by which fish held the disc back. */
 };
+
+/* Returns the distance of a point from a disc, which includes the ring and its paper. */
+static float disc_distance_m(const struct obstacle *disc, vec3 point_m)
+{
+    const vec3 d = v3_sub(point_m, disc->centre_m);
+    const float above_m = v3_dot(d, disc->normal);
+    const float out_m = v3_length(v3_muladd(d, disc->normal, -above_m)) - disc->radius_m;
+    return out_m <= 0.0f ? f_abs(above_m) : f_sqrt(above_m * above_m + out_m * out_m);
+}
 
 static void look_at_the_ring(struct dragged *dragged, const struct obstacle *disc)
 {
@@ -215,11 +233,12 @@ static void look_at_the_ring(struct dragged *dragged, const struct obstacle *dis
     }
 }
 
-/* Drags a disc along the tank at half depth. It has come from where the fish left it. */
+/* Drags a disc along the tank at half depth. The disc starts each tick where the fish stopped
+ * it. */
 static struct dragged drag(float speed_m_s, vec3 normal)
 {
     struct dragged dragged = { 0 };
-    tank_init(&tank, TANK_PRESET_FESTIVAL, 300, 17);
+    open_tank(&tank, TANK_PRESET_FESTIVAL, 300, 17);
     run(&tank, 0, 5u * CORE_TICK_HZ, 0, 0);
     const uint32_t ticks = (uint32_t)(0.6f / speed_m_s * (float)CORE_TICK_HZ);
     vec3 left_m = { -0.3f, -0.06f, 0.0f };
@@ -237,10 +256,10 @@ static struct dragged drag(float speed_m_s, vec3 normal)
         dragged.lag_m = f_max(dragged.lag_m, v3_length(v3_sub(v3(x, -0.06f, 0.0f), left_m)));
         for (uint32_t i = 0; i < 300; i++) {
             dragged.escapes += tank.fish[i].gait == GAIT_ESCAPE && was[i] != GAIT_ESCAPE;
-            dragged.near_samples +=
-                obstacle_disc_distance_m(&disc, tank.fish[i].position_m) < 0.02f;
+            dragged.near_samples += disc_distance_m(&disc, tank.fish[i].position_m) < 0.02f;
         }
-        if (tick > CORE_TICK_HZ / 10u) { /* It appeared among them; now it is there. */
+        if (tick > CORE_TICK_HZ / 10u) { /* The disc appeared inside fish, so the first ticks are
+                                            skipped. */
             look_at_the_ring(&dragged, &disc);
         }
     }
@@ -255,28 +274,28 @@ static struct dragged drag(float speed_m_s, vec3 normal)
     return dragged;
 }
 
-static void test_the_fullest_tank_of_every_kind_begins_without_an_overlap(void **state)
+static void test_the_fullest_tank_of_each_preset_starts_without_an_overlap(void **state)
 {
     (void)state;
     static const float scales[] = { TANK_AREA_SCALE_MIN, 0.3f, 1.0f };
     for (uint32_t k = 0; k < 3u * TANK_PRESET_COUNT; k++) {
         struct tank_config config = tank_config_of((uint8_t)(k / 3u));
         config.area_scale = scales[k % 3u];
-        config.fish_count = tank_fish_max(config.preset, config.area_scale);
+        config.fish_count = tank_preset_fish_max(tank_preset(config.preset), config.area_scale);
         uint32_t over = 0;
         assert_int_equal(tank_open(&tank, &config), 1);
         assert_true(deepest_overlap_m(&tank, &over) <= SOLVER_FREE_M);
     }
 }
 
-/* Between walls as near as these a few fish are shoved to and fro for ever, by one seed in a
- * hundred; then they begin elsewhere. */
-static void test_the_smallest_tank_finds_room_for_its_fish_by_every_seed(void **state)
+/* Between walls this near, one seed in a hundred pushes a few fish to and fro forever. The tank
+ * then chooses other initial positions. */
+static void test_the_smallest_tank_has_room_for_its_fish_with_every_seed(void **state)
 {
     (void)state;
     struct tank_config config = tank_config_of(TANK_PRESET_FESTIVAL);
     config.area_scale = TANK_AREA_SCALE_MIN;
-    config.fish_count = tank_fish_max(config.preset, config.area_scale);
+    config.fish_count = tank_preset_fish_max(tank_preset(config.preset), config.area_scale);
     for (config.seed = 1; config.seed <= 300; config.seed++) {
         uint32_t over = 0;
         assert_int_equal(tank_open(&tank, &config), 1);
@@ -284,8 +303,9 @@ static void test_the_smallest_tank_finds_room_for_its_fish_by_every_seed(void **
     }
 }
 
-/* Two fish of up to 8 cm in a tank of 6.7 by 6.7 cm: some seed's have no room, and it says so. */
-static void test_a_tank_without_room_is_refused_rather_than_opened_with_an_overlap(void **state)
+/* The tank has 6.7 x 6.7 cm and two fish of up to 8 cm. Some seeds leave no room, and the function
+ * returns an error. */
+static void test_a_tank_without_room_is_rejected(void **state)
 {
     (void)state;
     uint32_t refused = 0;
@@ -305,8 +325,8 @@ static void test_a_tank_without_room_is_refused_rather_than_opened_with_an_overl
     assert_in_range(refused, 1, 20);
 }
 
-/* Else it would go on for up to three ticks as it was hatched. */
-static void test_a_staged_fish_does_what_it_is_staged_for_from_the_first_tick_on(void **state)
+/* Otherwise the fish would keep its initial motion for up to three ticks. */
+static void test_a_staged_fish_has_its_staged_motion_from_the_first_tick(void **state)
 {
     (void)state;
     for (uint32_t seed = 1; seed <= 40; seed++) {
@@ -317,7 +337,7 @@ static void test_a_staged_fish_does_what_it_is_staged_for_from_the_first_tick_on
             .stamina = 1.0f,
             .gait = seed % 2u ? GAIT_BURST : GAIT_REST,
         };
-        tank_init(&tank, TANK_PRESET_THESIS, 1, seed);
+        open_tank(&tank, TANK_PRESET_THESIS, 1, seed);
         tank_stage_all(&tank, &stage, 1);
         const float burst_m_s = 3.0f * 0.06f, drift_m_s = 0.1f * 0.06f;
         for (uint32_t tick = 0; tick < 4; tick++) {
@@ -333,7 +353,7 @@ static void test_a_staged_fish_does_what_it_is_staged_for_from_the_first_tick_on
     }
 }
 
-static void test_haste_scatters_fish_and_patience_does_not(void **state)
+static void test_a_fast_disc_scatters_fish_and_a_slow_one_does_not(void **state)
 {
     (void)state;
     const struct dragged slow = drag(0.10f, v3(0.0f, 1.0f, 0.0f));
@@ -341,7 +361,8 @@ static void test_haste_scatters_fish_and_patience_does_not(void **state)
     const struct dragged fast = drag(0.40f, slant_30_deg);
     assert_int_equal(slow.escapes, 0);
     assert_true(fast.escapes >= 10);
-    /* The patient ring leaves hardly a trace; the fast one shoves at its own speed, and no more. */
+    /* The slow ring leaves almost no overlap. The fast ring pushes fish at its own speed at
+     * most. */
     assert_true(slow.body_m < 0.0005f && slow.ring_m < 0.0005f && slow.jump_m < 0.004f);
     assert_true(fast.body_m < 0.0005f && fast.ring_m < 0.0005f && fast.over == 0);
     assert_true(slow.lag_m < 0.005f && fast.lag_m < 0.01f);
@@ -351,7 +372,7 @@ static void test_haste_scatters_fish_and_patience_does_not(void **state)
 static void test_an_escape_costs_stamina_and_ends_within_a_second(void **state)
 {
     (void)state;
-    tank_init(&tank, TANK_PRESET_FESTIVAL, 1, 5);
+    open_tank(&tank, TANK_PRESET_FESTIVAL, 1, 5);
     struct fish *fish = &tank.fish[0];
     fish->position_m = v3(0.0f, -0.06f, 0.0f);
     fish->stamina = 0.8f;
@@ -370,21 +391,22 @@ static void test_an_escape_costs_stamina_and_ends_within_a_second(void **state)
     assert_true(fish->stamina < 0.79f);
 }
 
-static void test_held_and_bowl_fish_stay_as_they_are(void **state)
+static void test_held_and_bowl_fish_are_not_changed(void **state)
 {
     (void)state;
-    tank_init(&tank, TANK_PRESET_FESTIVAL, 60, 8);
+    open_tank(&tank, TANK_PRESET_FESTIVAL, 60, 8);
     tank.fish[3].gait = GAIT_HELD;
     tank.fish[4].gait = GAIT_BOWL;
-    tank.fish[3].position_m = tank.fish[5].position_m; /* On top of another: must not push it. */
-    const uint64_t held = fish_hash(HASH_START, &tank.fish[3]),
-                   bowl = fish_hash(HASH_START, &tank.fish[4]);
+    tank.fish[3].position_m = tank.fish[5].position_m; /* The held fish is on top of another fish
+                                                          and must not push it. */
+    const uint64_t held = field_hash(HASH_START, &fish_fields, &tank.fish[3]),
+                   bowl = field_hash(HASH_START, &fish_fields, &tank.fish[4]);
     run(&tank, 0, 600, 0, 0);
-    assert_true(fish_hash(HASH_START, &tank.fish[3]) == held);
-    assert_true(fish_hash(HASH_START, &tank.fish[4]) == bowl);
+    assert_true(field_hash(HASH_START, &fish_fields, &tank.fish[3]) == held);
+    assert_true(field_hash(HASH_START, &fish_fields, &tank.fish[4]) == bowl);
 }
 
-/* 8 cm over the water, at rest. */
+/* Drops a fish at rest from 8 cm above the water. */
 static struct fish *drop(vec3 place_m)
 {
     struct fish *fish = &tank.fish[0];
@@ -394,25 +416,25 @@ static struct fish *drop(vec3 place_m)
     return fish;
 }
 
-static void test_a_fish_that_a_poi_lets_go_falls_in_and_flees(void **state)
+static void test_a_fish_that_a_poi_releases_falls_in_and_flees(void **state)
 {
     (void)state;
-    tank_init(&tank, TANK_PRESET_FESTIVAL, 1, 8);
+    open_tank(&tank, TANK_PRESET_FESTIVAL, 1, 8);
     const struct fish *fish = drop(v3(0.1f, 0.0f, 0.0f));
     run(&tank, 0, 10, 0, 0);
     assert_true(fish->position_m.y < 0.08f &&
-                fish->position_m.y > 0.0f); /* It falls, it does not jump. */
+                fish->position_m.y > 0.0f); /* The fish falls without a jump. */
     run(&tank, 10, 40, 0, 0);
     assert_int_equal(fish->gait, GAIT_ESCAPE);
     run(&tank, 50, 2u * CORE_TICK_HZ, 0, 0);
     check_inside(fish, tank.size_m);
 }
 
-static void test_a_fish_that_falls_upon_others_gets_in_among_them(void **state)
+static void test_a_fish_that_falls_on_others_finds_a_place_between_them(void **state)
 {
     (void)state;
     for (uint32_t seed = 0; seed < 12; seed++) {
-        tank_init(&tank, TANK_PRESET_FESTIVAL, 40, seed);
+        open_tank(&tank, TANK_PRESET_FESTIVAL, 40, seed);
         struct fish *under = &tank.fish[20];
         under->position_m.y = -0.5f * under->height_m - 0.002f;
         const struct fish *fish = drop(under->position_m);
@@ -431,7 +453,7 @@ static void test_no_fish_swims_into_the_bowl(void **state)
                              .radius_m = 0.075f,
                              .depth_m = 0.055f };
     float deepest = 0.0f;
-    tank_init(&tank, TANK_PRESET_FESTIVAL, 300, 12);
+    open_tank(&tank, TANK_PRESET_FESTIVAL, 300, 12);
     for (uint32_t tick = 0; tick < MINUTE / 2u; tick++) {
         run(&tank, tick, 1, &bowl, 1);
         for (uint32_t i = 0; i < tank.fish_count && tick > CORE_TICK_HZ; i++) {
@@ -443,10 +465,10 @@ static void test_no_fish_swims_into_the_bowl(void **state)
     assert_true(deepest < 0.0005f);
 }
 
-static void test_the_surface_is_never_quite_still(void **state)
+static void test_the_surface_is_never_completely_still(void **state)
 {
     (void)state;
-    tank_init(&tank, TANK_PRESET_FESTIVAL, 1, 2);
+    open_tank(&tank, TANK_PRESET_FESTIVAL, 1, 2);
     run(&tank, 0, 4u * CORE_TICK_HZ, 0, 0);
     uint32_t moved = 0;
     for (uint32_t column = 0; column < RIPPLE_X; column++) {
@@ -459,22 +481,22 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_a_fresh_tank_holds_fish_that_do_not_overlap),
-        cmocka_unit_test(test_a_stall_takes_as_many_fish_as_its_water_holds_and_not_one_more),
+        cmocka_unit_test(test_a_tank_accepts_exactly_the_maximum_fish_count),
         cmocka_unit_test(test_a_tank_that_is_full_keeps_its_fish_apart),
-        cmocka_unit_test(test_minutes_leave_every_fish_sane_apart_and_inside),
-        cmocka_unit_test(test_the_same_seed_swims_the_same_and_another_does_not),
-        cmocka_unit_test(test_a_copy_goes_on_as_the_tank_itself_does),
-        cmocka_unit_test(test_the_fullest_tank_of_every_kind_begins_without_an_overlap),
-        cmocka_unit_test(test_the_smallest_tank_finds_room_for_its_fish_by_every_seed),
-        cmocka_unit_test(test_a_tank_without_room_is_refused_rather_than_opened_with_an_overlap),
-        cmocka_unit_test(test_a_staged_fish_does_what_it_is_staged_for_from_the_first_tick_on),
-        cmocka_unit_test(test_haste_scatters_fish_and_patience_does_not),
+        cmocka_unit_test(test_every_fish_stays_valid_separate_and_inside_for_minutes),
+        cmocka_unit_test(test_the_same_seed_repeats_the_motion_and_another_does_not),
+        cmocka_unit_test(test_a_copy_of_a_tank_continues_identically),
+        cmocka_unit_test(test_the_fullest_tank_of_each_preset_starts_without_an_overlap),
+        cmocka_unit_test(test_the_smallest_tank_has_room_for_its_fish_with_every_seed),
+        cmocka_unit_test(test_a_tank_without_room_is_rejected),
+        cmocka_unit_test(test_a_staged_fish_has_its_staged_motion_from_the_first_tick),
+        cmocka_unit_test(test_a_fast_disc_scatters_fish_and_a_slow_one_does_not),
         cmocka_unit_test(test_an_escape_costs_stamina_and_ends_within_a_second),
-        cmocka_unit_test(test_held_and_bowl_fish_stay_as_they_are),
-        cmocka_unit_test(test_a_fish_that_a_poi_lets_go_falls_in_and_flees),
-        cmocka_unit_test(test_a_fish_that_falls_upon_others_gets_in_among_them),
+        cmocka_unit_test(test_held_and_bowl_fish_are_not_changed),
+        cmocka_unit_test(test_a_fish_that_a_poi_releases_falls_in_and_flees),
+        cmocka_unit_test(test_a_fish_that_falls_on_others_finds_a_place_between_them),
         cmocka_unit_test(test_no_fish_swims_into_the_bowl),
-        cmocka_unit_test(test_the_surface_is_never_quite_still),
+        cmocka_unit_test(test_the_surface_is_never_completely_still),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,5 @@
-/* test_tank_parts.c -- what parting believes of a whole tank, held against where bodies really are.
- */
+/* test_tank_parts.c -- compares the contact solver's data of a whole tank with the true positions
+ * of the bodies. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -10,7 +10,8 @@
 #include "core/base/hash.h"
 #include "core/base/mem.h"
 #include "core/input.h"
-#include "core/tank/tank.h"
+#include "core/tank/tank_fields.h"
+#include "tests/unit/support/open_tank.h"
 
 #define POI_RADIUS 0.0465f
 #define ROUNDING_M 0.00002f
@@ -19,7 +20,7 @@ static struct tank tank, twin;
 
 static void open_official(uint32_t fish_count)
 {
-    tank_init(&tank, TANK_PRESET_OFFICIAL, fish_count, 7);
+    open_tank(&tank, TANK_PRESET_OFFICIAL, fish_count, 7);
 }
 
 static int swims(const struct tank *t, uint32_t index)
@@ -27,22 +28,22 @@ static int swims(const struct tank *t, uint32_t index)
     return fish_swims(&t->fish[index]);
 }
 
-/* ---- Who is scooped between two looks ------------------------------------------------------- */
+/* ---- Fish scooped between two updates ------------------------------------------------------- */
 
-/* Takes a fish out as a poi does. */
+/* Removes a fish as a poi does. */
 static void scoop(struct tank *t, uint32_t index)
 {
     t->fish[index].gait = GAIT_HELD;
     t->fish[index].holder = 0;
 }
 
-/* Where its body was seen last, as far as anybody still knows. */
+/* Places the stale body of a fish where the broad phase last stored it. */
 static void ghost_at(struct tank *t, uint32_t index, vec3 place_m)
 {
     t->broad_phase.body[index].centre_m = place_m;
 }
 
-static void test_a_fish_scooped_between_two_looks_leaves_no_ghost_behind(void **state)
+static void test_a_fish_scooped_between_updates_leaves_no_stale_body(void **state)
 {
     (void)state;
     uint32_t staged = 0;
@@ -69,13 +70,14 @@ static void test_a_fish_scooped_between_two_looks_leaves_no_ghost_behind(void **
         const struct fish *after = &tank.fish[contact.a];
         assert_memory_equal(&after->position_m, &held.position_m, sizeof held.position_m);
         assert_memory_equal(&after->angles, &held.angles, sizeof held.angles);
-        assert_true(tank_hash_quick(HASH_START, &tank) == tank_hash_quick(HASH_START, &twin));
+        assert_true(field_hash(HASH_START, &tank_quick_fields, &tank) ==
+                    field_hash(HASH_START, &tank_quick_fields, &twin));
         staged++;
     }
     assert_true(staged >= 10);
 }
 
-/* ---- What ways and gaps say ----------------------------------------------------------------- */
+/* ---- Predicted gaps ------------------------------------------------------------------------- */
 
 static vec3 nearest_in(const struct box *box, vec3 point_m)
 {
@@ -84,8 +86,8 @@ static vec3 nearest_in(const struct box *box, vec3 point_m)
     return v3_add(box->centre_m, vec_basis_to_world(&box->axes, q));
 }
 
-/* How far apart two boxes really are: corner to corner that is more than any one axis shows. From
- * one to the other and back a point comes to where they are nearest. */
+/* Returns the true distance of two boxes. A corner-to-corner distance is larger than the gap on any
+ * one axis. Alternating projections converge on the nearest points. */
 static float apart_m(const struct box *a, const struct box *b)
 {
     vec3 in_a = a->centre_m, in_b = b->centre_m;
@@ -96,8 +98,9 @@ static float apart_m(const struct box *a, const struct box *b)
     return v3_length(v3_sub(in_a, in_b));
 }
 
-/* The most by which a pair is nearer than what parting believes, where it believes them apart. */
-static float worst_lie_m(const struct broad_phase *broad_phase)
+/* Returns the maximum by which a pair is nearer than its predicted gap, for pairs with a positive
+ * predicted gap. */
+static float worst_violation_m(const struct broad_phase *broad_phase)
 {
     float worst_m = 0.0f;
     for (uint32_t c = 0; c < broad_phase->near_count; c++) {
@@ -115,7 +118,7 @@ static float worst_lie_m(const struct broad_phase *broad_phase)
     return worst_m;
 }
 
-/* A ring that is swept to and fro through the crowd. */
+/* Returns a ring that is swept to and fro through the crowd. */
 static struct obstacle swept(uint32_t tick, float speed_m_s)
 {
     const float reach_m = 0.5f * tank.size_m.x - 0.06f;
@@ -134,7 +137,7 @@ static struct obstacle swept(uint32_t tick, float speed_m_s)
     return ring;
 }
 
-static void test_a_pair_is_never_nearer_than_its_gap_and_its_ways_say(void **state)
+static void test_the_true_distance_of_a_pair_is_at_least_its_predicted_gap(void **state)
 {
     (void)state;
     const float speeds_m_s[] = { 0.3f, 0.8f, 1.5f, 3.0f };
@@ -146,7 +149,7 @@ static void test_a_pair_is_never_nearer_than_its_gap_and_its_ways_say(void **sta
             struct obstacle ring = swept(tick, speeds_m_s[s]);
             tank_tick(&tank, s * 1000u + tick, &ring, 1);
             reverted_count += tank.solver.reverted_count;
-            worst_m = f_max(worst_m, worst_lie_m(&tank.broad_phase));
+            worst_m = f_max(worst_m, worst_violation_m(&tank.broad_phase));
         }
         print_message("%.1f m/s: %.4f mm nearer at worst, %u put back\n", (double)speeds_m_s[s],
                       (double)(1000.0f * worst_m), reverted_count);
@@ -157,8 +160,8 @@ static void test_a_pair_is_never_nearer_than_its_gap_and_its_ways_say(void **sta
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_fish_scooped_between_two_looks_leaves_no_ghost_behind),
-        cmocka_unit_test(test_a_pair_is_never_nearer_than_its_gap_and_its_ways_say),
+        cmocka_unit_test(test_a_fish_scooped_between_updates_leaves_no_stale_body),
+        cmocka_unit_test(test_the_true_distance_of_a_pair_is_at_least_its_predicted_gap),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,5 @@
-/* test_thesis_gait.c -- the 2013 thesis, sections 2.1, 3.2 and 3.3: gaits, stamina and speeds. */
+/* test_thesis_gait.c -- checks sections 2.1, 3.2 and 3.3 of the 2013 thesis: gaits, stamina and
+ * speeds. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -22,31 +23,33 @@ static struct fish rested(uint8_t gait)
                           .gait_left_s = 1.0f };
 }
 
-/* In water that keeps everybody in breath: what 3.2 and 3.3 do without the gulping of 3.6. */
+/* Returns a perception in water with enough oxygen. Sections 3.2 and 3.3 are tested without the
+ * gulping of section 3.6. */
 static const struct perception *at(uint32_t tick)
 {
     static struct behavior_params params;
     static struct perception around;
-    params = *thesis_law();
-    params.air_by_oxygen = 1; /* And there is enough: the one switch for gulping by stamina. */
+    params = *thesis_params();
+    params.air_by_oxygen = 1; /* The oxygen is sufficient. This switch disables gulping by low
+                                 stamina. */
     around = *thesis_at(7, tick);
     around.params = &params;
     around.oxygen_mg_l = 8.0f;
     return &around;
 }
 
-static void test_3_3_speeds_are_half_of_what_eq_2_1_gives(void **state)
+static void test_3_3_speeds_are_half_of_the_value_of_eq_2_1(void **state)
 {
     (void)state;
-    const float stride = 0.6f, length_m = 0.05f; /* Eq. 2.2. */
+    const float stride = 0.6f, length_m = 0.05f; /* The stride is that of eq. 2.2. */
     const struct fish burst = rested(GAIT_BURST), swim = rested(GAIT_SWIM);
     assert_float_equal(gait_speed_m_s(&burst, at(0)), 0.5f * stride * 10.0f * length_m, 1e-6f);
     assert_float_equal(gait_speed_m_s(&swim, at(0)), 0.5f * stride * 3.5f * length_m, 1e-6f);
-    assert_float_equal(gait_speed_max_m_s(&swim, thesis_law()), 0.5f * stride * 5.0f * length_m,
+    assert_float_equal(gait_speed_max_m_s(&swim, thesis_params()), 0.5f * stride * 5.0f * length_m,
                        1e-6f);
 }
 
-/* As printed, s = d (0.8 + H / 5) with H up to 100 would be 20.8 d. */
+/* The printed formula s = d (0.8 + H / 5), with H up to 100, would give 20.8 d. */
 static void test_3_3_both_speeds_fall_to_four_fifths_with_stamina(void **state)
 {
     (void)state;
@@ -55,22 +58,23 @@ static void test_3_3_both_speeds_fall_to_four_fifths_with_stamina(void **state)
         fish.stamina = 0.01f * (float)h;
         const float s = 0.8f + 0.01f * (float)h / 5.0f;
         assert_float_equal(gait_speed_m_s(&fish, at(0)), 0.0525f * s, 1e-6f);
-        assert_float_equal(gait_speed_max_m_s(&fish, thesis_law()), 0.075f * s, 1e-6f);
+        assert_float_equal(gait_speed_max_m_s(&fish, thesis_params()), 0.075f * s, 1e-6f);
         fish.gait = GAIT_BURST;
         assert_float_equal(gait_speed_m_s(&fish, at(0)), 0.15f * s, 1e-6f);
     }
 }
 
-/* Decadic, and of centimetres: the natural logarithm gives 0.325 s, metres a negative time. The
- * thesis cuts 0.1639 to 0.163. */
-static void test_eq_2_3_run_up_of_5_cm_is_0_1639_s(void **state)
+/* The logarithm is decadic and its argument is in centimetres: the natural logarithm gives 0.325 s,
+ * and metres give a negative time. The thesis truncates 0.1639 to 0.163. */
+static void test_eq_2_3_the_acceleration_time_at_5_cm_is_0_1639_s(void **state)
 {
     (void)state;
     assert_float_equal(3.0f * gait_run_up_s(0.05f), 0.1639f, 0.0005f);
     assert_float_equal(3.0f * gait_run_up_s(0.04f), 0.1467f, 0.0005f);
 }
 
-/* "95 % of the burst speed" (2.1): so v = v_t (1 - exp(-3 t / T_d)), for a swim as well (3.3). */
+/* Section 2.1 states "95 % of the burst speed", hence v = v_t (1 - exp(-3 t / T_d)). Section 3.3
+ * uses the same law for a swim. */
 static void check_run_up(uint8_t gait, float goal_m_s)
 {
     const struct tank_stage start = { .position_m = { 0.0f, -0.18f, 0.2f },
@@ -85,14 +89,14 @@ static void check_run_up(uint8_t gait, float goal_m_s)
     }
 }
 
-static void test_2_1_bursts_and_swims_run_up_by_the_same_law(void **state)
+static void test_2_1_bursts_and_swims_accelerate_by_the_same_law(void **state)
 {
     (void)state;
     check_run_up(GAIT_BURST, 0.15f);
     check_run_up(GAIT_SWIM, 0.0525f);
 }
 
-/* The top speed is the whole motion's: who dives or climbs, or is pushed, is no faster for it. */
+/* The top speed limits the whole motion, so a dive, a climb or a push does not raise it. */
 static void check_top_speed(uint8_t gait, float push_m_s, float most_m_s, float least_m_s)
 {
     const struct tank_stage start = { .position_m = { 0.0f, -0.05f, 0.25f },
@@ -109,7 +113,7 @@ static void check_top_speed(uint8_t gait, float push_m_s, float most_m_s, float 
     assert_true(tank->fish[0].climb_m_s < -0.02f);
 }
 
-static void test_3_3_neither_climbs_nor_pushes_add_to_the_top_speed(void **state)
+static void test_3_3_climbs_and_pushes_do_not_raise_the_top_speed(void **state)
 {
     (void)state;
     check_top_speed(GAIT_BURST, 0.0f, 0.15f, 0.144f);
@@ -133,7 +137,7 @@ static void check_choice(float stamina, float burst, float swim)
     assert_int_equal(count[GAIT_BURST] + count[GAIT_SWIM] + count[GAIT_REST], draws);
 }
 
-static void test_eqs_3_1_to_3_3_choose_by_stamina(void **state)
+static void test_eqs_3_1_to_3_3_choose_the_gait_by_stamina(void **state)
 {
     (void)state;
     check_choice(1.00f, 0.100f, 0.50f);
@@ -141,8 +145,9 @@ static void test_eqs_3_1_to_3_3_choose_by_stamina(void **state)
     check_choice(0.25f, 0.025f, 0.20f);
 }
 
-/* Eq. 3.2 leaves 0.1 for swimming at H = 0, the text says that it is not chosen then: the text. */
-static void test_3_2_at_no_stamina_nothing_but_rest_is_chosen(void **state)
+/* Eq. 3.2 gives 0.1 for swimming at H = 0, but the text states that swimming is not chosen. The
+ * code follows the text. */
+static void test_3_2_a_fish_without_stamina_always_rests(void **state)
 {
     (void)state;
     check_choice(-1.0f, 0.0f, 0.0f);
@@ -188,14 +193,14 @@ static void test_3_2_of_100_a_burst_takes_1_a_second_a_swim_0_2_and_rest_gives_0
     check_cost(GAIT_REST, 0.1f);
 }
 
-/* What eqs. 3.1 to 3.3 come to by themselves: 200 fish, from the start's 30 .. 100, half an hour to
- * forget it and an hour to count. By the preset's law but for the gulping of 3.6: that fills up who
- * falls below 25, and needs a tank to rise in. The balance of the equations is 0.80, 30.4 and
- * 68.8 % at 47.9. */
-static void test_3_2_in_the_long_run_0_8_percent_bursts_31_swims_68_rests_and_h_is_48(void **state)
+/* The test runs eqs. 3.1 to 3.3 alone: 200 fish with initial stamina from 30 to 100, half an hour
+ * to settle and one hour of samples. The gulping of section 3.6 is disabled, because it refills
+ * fish below 25 and needs a tank. The equilibrium of the equations is 0.80, 30.4 and 68.8 % at H =
+ * 47.9. */
+static void test_3_2_the_long_run_has_0_8_percent_burst_31_swim_68_rest_and_h_48(void **state)
 {
     (void)state;
-    const uint32_t hz = 30; /* As often as fish think. */
+    const uint32_t hz = 30; /* The rate is that of the behavior updates. */
     float spent[GAIT_COUNT] = { 0.0f }, stamina = 0.0f;
     for (uint32_t i = 0; i < 200; i++) {
         struct fish fish = rested(GAIT_REST);
@@ -225,8 +230,8 @@ static void test_3_2_in_the_long_run_0_8_percent_bursts_31_swims_68_rests_and_h_
     assert_float_equal(stamina, 0.48f, 0.01f);
 }
 
-/* Section 3.3 does not say by how much: a bell of 45 degrees about the old one, a sharp turn to
- * either side for a burst. */
+/* Section 3.3 gives no angle. The code uses a normal distribution of 45 degrees around the previous
+ * heading, and a sharp turn to either side for a burst. */
 static void test_3_3_the_heading_changes_with_the_gait(void **state)
 {
     (void)state;
@@ -253,7 +258,8 @@ static void test_3_3_the_heading_changes_with_the_gait(void **state)
     assert_in_range(left, 1900, 2100);
 }
 
-/* "Stands still", says 3.2; ours glides down and then drifts at up to 0.5 cm/s. */
+/* Section 3.2 states "stands still". In the code, the fish glides down and then drifts at up to 0.5
+ * cm/s. */
 static void test_3_2_a_fish_that_comes_to_rest_glides_down_and_holds_its_depth(void **state)
 {
     (void)state;
@@ -293,16 +299,16 @@ static void test_3_3_a_swimming_fish_goes_straight_evenly_and_level(void **state
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_3_3_speeds_are_half_of_what_eq_2_1_gives),
+        cmocka_unit_test(test_3_3_speeds_are_half_of_the_value_of_eq_2_1),
         cmocka_unit_test(test_3_3_both_speeds_fall_to_four_fifths_with_stamina),
-        cmocka_unit_test(test_eq_2_3_run_up_of_5_cm_is_0_1639_s),
-        cmocka_unit_test(test_2_1_bursts_and_swims_run_up_by_the_same_law),
-        cmocka_unit_test(test_3_3_neither_climbs_nor_pushes_add_to_the_top_speed),
-        cmocka_unit_test(test_eqs_3_1_to_3_3_choose_by_stamina),
-        cmocka_unit_test(test_3_2_at_no_stamina_nothing_but_rest_is_chosen),
+        cmocka_unit_test(test_eq_2_3_the_acceleration_time_at_5_cm_is_0_1639_s),
+        cmocka_unit_test(test_2_1_bursts_and_swims_accelerate_by_the_same_law),
+        cmocka_unit_test(test_3_3_climbs_and_pushes_do_not_raise_the_top_speed),
+        cmocka_unit_test(test_eqs_3_1_to_3_3_choose_the_gait_by_stamina),
+        cmocka_unit_test(test_3_2_a_fish_without_stamina_always_rests),
         cmocka_unit_test(test_3_2_a_burst_lasts_1_to_3_s_a_swim_or_a_rest_5_to_20),
         cmocka_unit_test(test_3_2_of_100_a_burst_takes_1_a_second_a_swim_0_2_and_rest_gives_0_1),
-        cmocka_unit_test(test_3_2_in_the_long_run_0_8_percent_bursts_31_swims_68_rests_and_h_is_48),
+        cmocka_unit_test(test_3_2_the_long_run_has_0_8_percent_burst_31_swim_68_rest_and_h_48),
         cmocka_unit_test(test_3_3_the_heading_changes_with_the_gait),
         cmocka_unit_test(test_3_2_a_fish_that_comes_to_rest_glides_down_and_holds_its_depth),
         cmocka_unit_test(test_3_3_a_swimming_fish_goes_straight_evenly_and_level),

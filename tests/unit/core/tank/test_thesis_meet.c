@@ -1,5 +1,5 @@
-/* test_thesis_meet.c -- the 2013 thesis, section 3.4, by the law alone: the three meetings, who
- * turns where, and repulsion. */
+/* test_thesis_meet.c -- checks section 3.4 of the 2013 thesis on single pairs: the three
+ * encounters, the turns and the repulsion. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -10,7 +10,7 @@
 #include "core/tank/behavior/avoid.h"
 #include "tests/unit/support/thesis.h"
 
-/* Heads for a compass angle (0 is -z, 90 to the left of it), pitched by so much. */
+/* Returns a fish with a compass heading (0 is -z, 90 is to the left) and a pitch. */
 static struct avoid_party party(float x_cm, float z_cm, float yaw_deg, float pitch_deg,
                                 uint16_t index)
 {
@@ -29,10 +29,10 @@ static struct avoid_party party(float x_cm, float z_cm, float yaw_deg, float pit
 static struct avoid_pair meet(const struct avoid_party *a, const struct avoid_party *b,
                               uint32_t tick)
 {
-    return avoid_meet(a, b, 0.015f, thesis_law(), 1, tick);
+    return avoid_meet(a, b, 0.015f, thesis_params(), 1, tick);
 }
 
-/* `a` comes from behind or ahead along -z, `b` heads for `yaw_deg`. */
+/* Returns the class of an encounter. Fish `a` comes along -z, and fish `b` heads for `yaw_deg`. */
 static uint8_t kind_at(float yaw_deg, float a_pitch_deg, float b_pitch_deg)
 {
     const struct avoid_party a = party(0.0f, 6.0f, 0.0f, a_pitch_deg, 1);
@@ -41,7 +41,7 @@ static uint8_t kind_at(float yaw_deg, float a_pitch_deg, float b_pitch_deg)
     return meet(&a, &b, 0).a.kind;
 }
 
-static void test_3_4_the_angle_of_the_headings_makes_the_class(void **state)
+static void test_3_4_the_angle_of_the_headings_gives_the_class(void **state)
 {
     (void)state;
     for (int side = -1; side <= 1; side += 2) {
@@ -55,9 +55,9 @@ static void test_3_4_the_angle_of_the_headings_makes_the_class(void **state)
     }
 }
 
-/* Eq. 3.4 takes the angle in space: a gulping fish at 45 degrees that meets another nose to nose
- * would count as hit from the side. Ours is the angle seen from above. */
-static void test_eq_3_4_is_read_in_the_level_plane(void **state)
+/* Eq. 3.4 uses the angle in space. A gulping fish at 45 degrees that meets another nose to nose
+ * would count as hit from the side. The code uses the angle seen from above. */
+static void test_eq_3_4_uses_the_horizontal_plane(void **state)
 {
     (void)state;
     assert_int_equal(kind_at(180.0f, 45.0f, 0.0f), MEET_HEAD_ON);
@@ -65,8 +65,8 @@ static void test_eq_3_4_is_read_in_the_level_plane(void **state)
     assert_int_equal(kind_at(0.0f, 45.0f, -30.0f), MEET_REAR_END);
 }
 
-/* arccos of 1.0000001 is no number; nor has a fish that stands on its tail a heading. */
-static void test_eq_3_4_knows_no_angle_that_is_no_number(void **state)
+/* The arccos of 1.0000001 is NaN. A vertical fish has no heading. */
+static void test_eq_3_4_never_gives_a_nan_angle(void **state)
 {
     (void)state;
     for (float yaw_deg = 0.0f; yaw_deg < 360.0f; yaw_deg += 0.7f) {
@@ -82,7 +82,7 @@ static void test_eq_3_4_knows_no_angle_that_is_no_number(void **state)
     }
 }
 
-/* By the angle alone, fish side by side would count as rear-end and fish that have passed each
+/* With the angle alone, fish side by side would count as rear-end and fish that have passed each
  * other as head-on. */
 static void test_3_4_only_fish_that_approach_meet(void **state)
 {
@@ -97,7 +97,7 @@ static void test_3_4_only_fish_that_approach_meet(void **state)
     assert_int_equal(meet(&a, &faster, 0).a.kind, MEET_NONE);
 }
 
-static void test_3_4_head_on_both_go_left_or_both_right_half_and_half(void **state)
+static void test_3_4_head_on_fish_both_turn_left_or_both_right_equally_often(void **state)
 {
     (void)state;
     const struct avoid_party a = party(0.0f, 3.5f, 0.0f, 0.0f, 7);
@@ -105,15 +105,17 @@ static void test_3_4_head_on_both_go_left_or_both_right_half_and_half(void **sta
     uint32_t left = 0;
     for (uint32_t tick = 0; tick < 4000; tick++) {
         const struct avoid_pair ab = meet(&a, &b, tick), ba = meet(&b, &a, tick);
-        assert_true(ab.a.turn == ab.b.turn && f_abs(ab.a.turn) == 1.0f); /* Each to its own. */
-        assert_true(ba.a.turn == ab.a.turn); /* One draw, whoever asks. */
+        assert_true(ab.a.turn == ab.b.turn && f_abs(ab.a.turn) == 1.0f); /* Each fish turns to its
+                                                                            own side. */
+        assert_true(ba.a.turn == ab.a.turn); /* Both fish get the same draw. */
         left += ab.a.turn > 0.0f;
     }
     assert_in_range(left, 1880, 2120);
 }
 
-/* The thesis' struck fish "turns left", wherever it is struck: half the time into the other. Its
- * figure shows one of two mirror images; ours turns away from the side it is struck on. */
+/* In the thesis, the struck fish "turns left" on either side, which is toward the other fish half
+ * the time. The thesis' figure shows only one of two mirror images. In the code, the fish turns
+ * away from the struck side. */
 static void check_side(float struck_yaw_deg, float behind, float away)
 {
     const struct avoid_party a = party(0.0f, 5.0f, 0.0f, 0.0f, 1);
@@ -123,33 +125,36 @@ static void check_side(float struck_yaw_deg, float behind, float away)
     for (uint32_t tick = 0; tick < 4000; tick++) {
         const struct avoid_pair pair = meet(&a, &b, tick);
         assert_true(f_abs(pair.a.turn) == 1.0f && pair.b.turn != 0.0f);
-        assert_int_equal(pair.a.turn == behind, pair.b.turn * away > 0.0f); /* One draw for both. */
+        assert_int_equal(pair.a.turn == behind, pair.b.turn * away > 0.0f); /* Both fish use one
+                                                                               draw. */
         sensible += pair.a.turn == behind;
     }
     assert_in_range(sensible, 3540, 3660);
 }
 
-static void test_3_4_from_the_side_the_hitter_passes_behind_nine_times_in_ten(void **state)
+static void test_3_4_the_fish_that_hits_from_the_side_passes_behind_in_90_percent(void **state)
 {
     (void)state;
-    check_side(90.0f, -1.0f, -1.0f); /* It runs to the left: behind is right; hit on its left. */
-    check_side(-90.0f, 1.0f, 1.0f);  /* The mirror image. */
+    check_side(90.0f, -1.0f, -1.0f); /* The struck fish moves to the left. Its rear is on the right,
+                                        and it is struck on its left side. */
+    check_side(-90.0f, 1.0f, 1.0f);  /* The case is the mirror image. */
 }
 
-static void test_3_4_who_faces_the_other_more_is_the_one_that_hits(void **state)
+static void test_3_4_the_fish_that_faces_the_other_more_is_the_one_that_hits(void **state)
 {
     (void)state;
     const struct avoid_party a = party(0.0f, 5.0f, 0.0f, 0.0f, 1);
     const struct avoid_party b = party(4.0f, 1.0f, 90.0f, 0.0f, 2);
-    /* Even: the lower index, whoever is asked first. */
+    /* If both fish are equal, the lower index decides in either order. */
     for (uint32_t tick = 0; tick < 200; tick++) {
         const struct avoid_pair ab = meet(&a, &b, tick), ba = meet(&b, &a, tick);
         assert_true(ab.a.turn == ba.b.turn && ab.b.turn == ba.a.turn);
     }
 }
 
-/* "Who gets nearer by its own next move alone"; by then it is not asked who is faster. */
-static void test_3_4_from_behind_only_the_follower_turns_half_and_half(void **state)
+/* The thesis defines the follower as the fish that "gets nearer by its own next move alone". The
+ * speeds do not matter. */
+static void test_3_4_only_the_follower_turns_left_or_right_equally_often(void **state)
 {
     (void)state;
     const struct avoid_party a = party(0.0f, 6.0f, 0.0f, 0.0f, 9);
@@ -165,8 +170,9 @@ static void test_3_4_from_behind_only_the_follower_turns_half_and_half(void **st
     assert_in_range(left, 1880, 2120);
 }
 
-/* Fig. 3.6 has both of a pair dive near the surface, else both rise: that parts nobody. */
-static void test_3_4_after_half_a_second_of_yaw_the_upper_rises_and_the_lower_dives(void **state)
+/* In fig. 3.6, both fish of a pair dive near the surface and otherwise rise, which does not
+ * separate them. */
+static void test_3_4_the_upper_fish_rises_and_the_lower_dives_after_0_5_s_of_yaw(void **state)
 {
     (void)state;
     const struct avoid_party a = party(0.0f, 3.5f, 0.0f, 0.0f, 1);
@@ -201,8 +207,8 @@ static float pitch_way(float y_m, int8_t rise)
     return fish.avoid_turn;
 }
 
-/* Near is within a body's height. */
-static void test_3_4_near_the_surface_it_dives_and_near_the_floor_it_rises(void **state)
+/* A fish is near the surface or the floor within a body's height. */
+static void test_3_4_a_fish_near_the_surface_dives_and_one_near_the_floor_rises(void **state)
 {
     (void)state;
     assert_true(pitch_way(-0.019f, 1) < 0.0f);
@@ -211,8 +217,8 @@ static void test_3_4_near_the_surface_it_dives_and_near_the_floor_it_rises(void 
     assert_true(pitch_way(-0.179f, -1) < 0.0f);
 }
 
-/* The thesis names it in four places and writes it down in none. Ours takes up the 2.25 cm/s that
- * 3.3 leaves between 5.25 and 7.5, at touch, and is gone at a gap of 1 cm. */
+/* The thesis names the repulsion in four places without a formula. The code uses the 2.25 cm/s
+ * between 5.25 and 7.5 of section 3.3 at contact. The repulsion is 0 at a gap of 1 cm. */
 static void test_3_4_repulsion_fills_the_headroom_of_3_3_within_1_cm(void **state)
 {
     (void)state;
@@ -224,16 +230,16 @@ static void test_3_4_repulsion_fills_the_headroom_of_3_3_within_1_cm(void **stat
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_3_4_the_angle_of_the_headings_makes_the_class),
-        cmocka_unit_test(test_eq_3_4_is_read_in_the_level_plane),
-        cmocka_unit_test(test_eq_3_4_knows_no_angle_that_is_no_number),
+        cmocka_unit_test(test_3_4_the_angle_of_the_headings_gives_the_class),
+        cmocka_unit_test(test_eq_3_4_uses_the_horizontal_plane),
+        cmocka_unit_test(test_eq_3_4_never_gives_a_nan_angle),
         cmocka_unit_test(test_3_4_only_fish_that_approach_meet),
-        cmocka_unit_test(test_3_4_head_on_both_go_left_or_both_right_half_and_half),
-        cmocka_unit_test(test_3_4_from_the_side_the_hitter_passes_behind_nine_times_in_ten),
-        cmocka_unit_test(test_3_4_who_faces_the_other_more_is_the_one_that_hits),
-        cmocka_unit_test(test_3_4_from_behind_only_the_follower_turns_half_and_half),
-        cmocka_unit_test(test_3_4_after_half_a_second_of_yaw_the_upper_rises_and_the_lower_dives),
-        cmocka_unit_test(test_3_4_near_the_surface_it_dives_and_near_the_floor_it_rises),
+        cmocka_unit_test(test_3_4_head_on_fish_both_turn_left_or_both_right_equally_often),
+        cmocka_unit_test(test_3_4_the_fish_that_hits_from_the_side_passes_behind_in_90_percent),
+        cmocka_unit_test(test_3_4_the_fish_that_faces_the_other_more_is_the_one_that_hits),
+        cmocka_unit_test(test_3_4_only_the_follower_turns_left_or_right_equally_often),
+        cmocka_unit_test(test_3_4_the_upper_fish_rises_and_the_lower_dives_after_0_5_s_of_yaw),
+        cmocka_unit_test(test_3_4_a_fish_near_the_surface_dives_and_one_near_the_floor_rises),
         cmocka_unit_test(test_3_4_repulsion_fills_the_headroom_of_3_3_within_1_cm),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

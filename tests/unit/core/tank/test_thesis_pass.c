@@ -1,5 +1,5 @@
-/* test_thesis_pass.c -- the 2013 thesis, section 3.4, by fish in the water: where they notice each
- * other, and how they pass in figures 4.1 to 4.12. */
+/* test_thesis_pass.c -- checks section 3.4 of the 2013 thesis on fish in the water: the detection
+ * distance, and the passes of figures 4.1 to 4.12. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -17,12 +17,12 @@ static struct tank_stage swimmer(float x_cm, float y_cm, float z_cm, float yaw_d
         .position_m = { 0.01f * x_cm, 0.01f * y_cm, 0.01f * z_cm },
         .angles = { .yaw_rad = yaw_deg * F_DEG },
         .speed_m_s = 0.0525f * 0.92f,
-        .stamina = 0.60f, /* Its depth is 13 cm. */
+        .stamina = 0.60f, /* The depth of this stamina is 13 cm. */
         .gait = GAIT_SWIM,
     };
 }
 
-/* How far apart the middles were when either first gave way; 0 when neither did. */
+/* Returns the distance of the centres when the first fish reacted, or 0 if neither fish reacted. */
 static float reacts_at_m(const struct tank_stage stage[2])
 {
     struct tank *tank = thesis_stage(stage, 2, 4);
@@ -36,7 +36,8 @@ static float reacts_at_m(const struct tank_stage stage[2])
     return 0.0f;
 }
 
-/* One so much beside the other's course, or above it; 5 cm above, where its stamina wants it. */
+/* Returns the reaction distance of two head-on fish with a sideways and a vertical offset. At 5 cm
+ * of height, the fish is at the depth of its stamina. */
 static float meets_head_on_m(float aside_cm, float above_cm)
 {
     struct tank_stage stage[] = { swimmer(0.0f, -13.0f, 5.0f, 0.0f),
@@ -45,8 +46,8 @@ static float meets_head_on_m(float aside_cm, float above_cm)
     return reacts_at_m(stage);
 }
 
-/* Box against box, as 3.7 has it: 2 cm between bodies. What 3.4 alone would also allow, space
- * against body, is half of that. */
+/* Two boxes of section 3.7 meet at 2 cm between the bodies. Section 3.4 would also permit a space
+ * against a body, which is half of that distance. */
 static void test_3_4_personal_spaces_of_7_by_4_by_3_cm_meet_box_against_box(void **state)
 {
     (void)state;
@@ -63,17 +64,18 @@ static void test_3_4_personal_space_never_shrinks_in_the_thesis(void **state)
     static struct tank tank;
     const uint32_t counts[] = { 50, 600, 1500, 2000 };
     for (uint32_t i = 0; i < 4; i++) {
-        tank_init(&tank, TANK_PRESET_THESIS, counts[i], 1);
+        open_tank(&tank, TANK_PRESET_THESIS, counts[i], 1);
         assert_float_equal(0.05f * tank.space, 0.01f, 1e-7f);
     }
     /* 1,000 boxes of 7 x 4 x 3 cm would fill 95 % of the championship's water. */
-    tank_init(&tank, TANK_PRESET_OFFICIAL, 1000, 1);
+    open_tank(&tank, TANK_PRESET_OFFICIAL, 1000, 1);
     assert_true(tank.space < 0.19f && tank.space > 0.15f);
-    tank_init(&tank, TANK_PRESET_OFFICIAL, 2000, 1);
+    open_tank(&tank, TANK_PRESET_OFFICIAL, 2000, 1);
     assert_true(tank.space < 0.15f && tank.space > 0.04f);
 }
 
-/* Between one head-on and one from the side, a fish turns for the one that it would touch first. */
+/* Returns the partner of a fish between a head-on fish and a fish from the side. The fish reacts to
+ * the partner that it would touch first. */
 static fish_index gives_way_to(float ahead_gap_cm, float aside_gap_cm)
 {
     const struct tank_stage stage[] = {
@@ -89,14 +91,14 @@ static fish_index gives_way_to(float ahead_gap_cm, float aside_gap_cm)
     return tank->fish[0].avoid_with;
 }
 
-static void test_3_4_of_several_meetings_the_soonest_counts(void **state)
+static void test_3_4_a_fish_reacts_to_the_soonest_of_several_meetings(void **state)
 {
     (void)state;
     assert_int_equal(gives_way_to(0.6f, 1.6f), 1);
     assert_int_equal(gives_way_to(1.6f, 0.4f), 2);
 }
 
-static void test_3_4_repulsion_parts_fish_that_rest_too_near(void **state)
+static void test_3_4_repulsion_separates_resting_fish(void **state)
 {
     (void)state;
     struct tank_stage stage[] = { swimmer(0.0f, -13.0f, 0.0f, 0.0f),
@@ -108,7 +110,7 @@ static void test_3_4_repulsion_parts_fish_that_rest_too_near(void **state)
     for (uint32_t tick = 0; tick < 5u * CORE_TICK_HZ; tick++) {
         tank_tick(tank, tick, NULL, 0);
         for (uint32_t i = 0; i < 2; i++) {
-            assert_int_equal(tank->fish[i].avoiding, AVOID_NONE); /* Nobody approaches. */
+            assert_int_equal(tank->fish[i].avoiding, AVOID_NONE); /* No fish approaches another. */
             pushed_m_s = f_max(pushed_m_s, v3_length(tank->fish[i].push_m_s));
         }
     }
@@ -120,10 +122,10 @@ static void test_3_4_repulsion_parts_fish_that_rest_too_near(void **state)
 /* ---- Figures 4.1 to 4.12 ------------------------------------------------------------------ */
 
 struct encounter {
-    uint32_t start_tick, done_tick; /* First and last of giving way; 0 is never. */
-    float turned_rad[2];            /* Since the start. */
-    float gap_m, depth_m;           /* The least gap there was, the deepest overlap. */
-    float apart_m, before_m;        /* Middles: in the end, and a second before. */
+    uint32_t start_tick, done_tick; /* First and last tick of the reaction. 0 means never. */
+    float turned_rad[2];            /* Turns of both fish since the start. */
+    float gap_m, depth_m;           /* Minimum gap and deepest overlap. */
+    float apart_m, before_m;        /* Distances of the centres at the end and one second before. */
     uint8_t pitched, still_avoiding;
 };
 
@@ -157,8 +159,8 @@ static struct encounter play(const struct tank_stage stage[2], uint32_t seed)
     return e;
 }
 
-/* Start, during, done, after: it begins, ends within some seconds, and they go their ways, be it
- * side by side. */
+/* Checks the phases start, during, done and after. The reaction starts, ends within some seconds,
+ * and the fish separate or swim side by side. */
 static void check_phases(const struct encounter *e)
 {
     assert_true(e->start_tick > 0);
@@ -168,7 +170,7 @@ static void check_phases(const struct encounter *e)
     assert_true(e->depth_m == 0.0f);
 }
 
-static void test_figs_4_1_to_4_4_head_on_they_pass_without_a_touch(void **state)
+static void test_figs_4_1_to_4_4_head_on_fish_pass_without_a_touch(void **state)
 {
     (void)state;
     const struct tank_stage stage[] = { swimmer(0.0f, -13.0f, 6.0f, 0.0f),
@@ -178,7 +180,8 @@ static void test_figs_4_1_to_4_4_head_on_they_pass_without_a_touch(void **state)
     for (uint32_t seed = 1; seed <= SEEDS; seed++) {
         const struct encounter e = play(stage, seed);
         check_phases(&e);
-        assert_true(e.turned_rad[0] * e.turned_rad[1] > 0.0f); /* In step. */
+        assert_true(e.turned_rad[0] * e.turned_rad[1] > 0.0f); /* Both fish turn in the same
+                                                                  direction. */
         assert_false(e.pitched);
         left += e.turned_rad[0] > 0.0f;
         gap_m = f_min(gap_m, e.gap_m);
@@ -189,7 +192,7 @@ static void test_figs_4_1_to_4_4_head_on_they_pass_without_a_touch(void **state)
     assert_true(gap_m > 0.003f);
 }
 
-static void test_figs_4_5_to_4_8_from_the_side_they_pass_without_a_touch(void **state)
+static void test_figs_4_5_to_4_8_fish_from_the_side_pass_without_a_touch(void **state)
 {
     (void)state;
     const struct tank_stage stage[] = { swimmer(0.0f, -13.0f, 7.0f, 0.0f),
@@ -209,7 +212,7 @@ static void test_figs_4_5_to_4_8_from_the_side_they_pass_without_a_touch(void **
     assert_true(gap_m > 0.002f);
 }
 
-static void test_figs_4_9_to_4_12_from_behind_it_passes_without_a_touch(void **state)
+static void test_figs_4_9_to_4_12_a_fish_from_behind_passes_without_a_touch(void **state)
 {
     (void)state;
     struct tank_stage stage[] = { swimmer(0.0f, -13.0f, 12.0f, 0.0f),
@@ -230,8 +233,8 @@ static void test_figs_4_9_to_4_12_from_behind_it_passes_without_a_touch(void **s
     assert_true(gap_m > 0.003f);
 }
 
-/* Only the follower gives way: past 20 degrees of its turn the headings alone would make the two a
- * side meeting, and the leader turn as one that is struck. */
+/* Only the follower avoids the leader. Beyond 20 degrees of the follower's turn, the headings alone
+ * would give a side encounter, and the leader would turn as a struck fish. */
 static void check_leader(const struct tank_stage stage[2], uint32_t seed, uint32_t *met)
 {
     struct tank *tank = thesis_stage(stage, 2, seed);
@@ -246,7 +249,7 @@ static void check_leader(const struct tank_stage stage[2], uint32_t seed, uint32
     *met += gave_way;
 }
 
-static void test_3_4_from_behind_the_leader_never_turns(void **state)
+static void test_3_4_the_leader_never_turns_for_a_follower(void **state)
 {
     (void)state;
     uint32_t met = 0;
@@ -258,7 +261,8 @@ static void test_3_4_from_behind_the_leader_never_turns(void **state)
         stage[0].speed_m_s = 0.138f;
         stage[1].stamina = 0.26f + 0.01f * (float)(seed % 70u);
         check_leader(stage, seed, &met);
-        stage[0].gait = GAIT_SWIM; /* Hardly faster: it takes seconds, and goes on in pitch. */
+        stage[0].gait = GAIT_SWIM; /* The follower is only slightly faster, so the reaction takes
+                                      seconds and continues in pitch. */
         stage[0].position_m.z = 0.10f;
         stage[0].speed_m_s = 0.0525f;
         stage[0].stamina = 1.0f;
@@ -275,12 +279,12 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_3_4_personal_spaces_of_7_by_4_by_3_cm_meet_box_against_box),
         cmocka_unit_test(test_3_4_personal_space_never_shrinks_in_the_thesis),
-        cmocka_unit_test(test_3_4_of_several_meetings_the_soonest_counts),
-        cmocka_unit_test(test_3_4_repulsion_parts_fish_that_rest_too_near),
-        cmocka_unit_test(test_figs_4_1_to_4_4_head_on_they_pass_without_a_touch),
-        cmocka_unit_test(test_figs_4_5_to_4_8_from_the_side_they_pass_without_a_touch),
-        cmocka_unit_test(test_figs_4_9_to_4_12_from_behind_it_passes_without_a_touch),
-        cmocka_unit_test(test_3_4_from_behind_the_leader_never_turns),
+        cmocka_unit_test(test_3_4_a_fish_reacts_to_the_soonest_of_several_meetings),
+        cmocka_unit_test(test_3_4_repulsion_separates_resting_fish),
+        cmocka_unit_test(test_figs_4_1_to_4_4_head_on_fish_pass_without_a_touch),
+        cmocka_unit_test(test_figs_4_5_to_4_8_fish_from_the_side_pass_without_a_touch),
+        cmocka_unit_test(test_figs_4_9_to_4_12_a_fish_from_behind_passes_without_a_touch),
+        cmocka_unit_test(test_3_4_the_leader_never_turns_for_a_follower),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,5 @@
-/* test_thesis_tank.c -- the 2013 thesis, sections 3.1, 3.2, 3.3 and 3.6: the tank, how its fish
- * begin, walls, depths; and that 600 of them get along. */
+/* test_thesis_tank.c -- checks sections 3.1, 3.2, 3.3 and 3.6 of the 2013 thesis: the tank, initial
+ * states, walls and depths, and the motion of 600 fish. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -18,18 +18,19 @@ static struct tank tank;
 static void test_3_1_the_tank_is_136_by_65_cm_with_walls_of_23_and_water_of_20(void **state)
 {
     (void)state;
-    tank_init(&tank, TANK_PRESET_THESIS, FISH, 1);
+    open_tank(&tank, TANK_PRESET_THESIS, FISH, 1);
     assert_float_equal(tank.size_m.x, 1.36f, 1e-6f);
-    assert_float_equal(tank.size_m.y, 0.20f, 1e-6f); /* Section 3.6. */
+    assert_float_equal(tank.size_m.y, 0.20f, 1e-6f); /* The value is from section 3.6. */
     assert_float_equal(tank.size_m.z, 0.65f, 1e-6f);
     assert_float_equal(tank.wall_height_m, 0.23f, 1e-6f);
-    assert_int_equal(tank_preset(TANK_PRESET_THESIS)->fish_count, FISH); /* Section 4.1. */
+    assert_int_equal(tank_preset(TANK_PRESET_THESIS)->fish_count, FISH); /* The value is from
+                                                                            section 4.1. */
 }
 
 static void test_3_1_every_fish_is_a_box_of_5_by_2_by_1_cm(void **state)
 {
     (void)state;
-    tank_init(&tank, TANK_PRESET_THESIS, FISH, 1);
+    open_tank(&tank, TANK_PRESET_THESIS, FISH, 1);
     for (uint32_t i = 0; i < FISH; i++) {
         const struct box box = fish_box(&tank.fish[i]);
         assert_float_equal(2.0f * box.half_m.z, 0.05f, 1e-6f);
@@ -38,28 +39,29 @@ static void test_3_1_every_fish_is_a_box_of_5_by_2_by_1_cm(void **state)
     }
 }
 
-static void test_3_2_stamina_begins_anywhere_from_30_to_100_alike(void **state)
+static void test_3_2_initial_stamina_is_uniform_from_30_to_100(void **state)
 {
     static float drawn[5u * FISH];
     (void)state;
     for (uint32_t seed = 0; seed < 5; seed++) {
-        tank_init(&tank, TANK_PRESET_THESIS, FISH, seed);
+        open_tank(&tank, TANK_PRESET_THESIS, FISH, seed);
         for (uint32_t i = 0; i < FISH; i++) {
             drawn[seed * FISH + i] = 100.0f * tank.fish[i].stamina;
         }
     }
     assert_true(uniform_misfit(drawn, 5u * FISH, 30.0f, 100.0f) < UNIFORM_MISFIT_MAX(5u * FISH));
-    assert_true(drawn[0] >= 30.0f && drawn[5u * FISH - 1u] < 100.0f); /* Sorted by now. */
+    assert_true(drawn[0] >= 30.0f && drawn[5u * FISH - 1u] < 100.0f); /* The values are sorted. */
 }
 
-/* By eqs. 3.1 to 3.3, 2 s a burst and 12.5 s a swim or a rest, H anywhere from 30 to 100. */
-static void test_3_2_gaits_begin_as_in_the_long_run_1_1_percent_burst_and_38_swim(void **state)
+/* The shares follow from eqs. 3.1 to 3.3 with 2 s for a burst, 12.5 s for a swim or a rest, and a
+ * uniform H from 30 to 100. */
+static void test_3_2_initial_gaits_are_1_1_percent_burst_and_38_percent_swim(void **state)
 {
     uint32_t count[GAIT_COUNT] = { 0 };
     const uint32_t seeds = 20, draws = seeds * FISH;
     (void)state;
     for (uint32_t seed = 0; seed < seeds; seed++) {
-        tank_init(&tank, TANK_PRESET_THESIS, FISH, seed);
+        open_tank(&tank, TANK_PRESET_THESIS, FISH, seed);
         for (uint32_t i = 0; i < FISH; i++) {
             count[tank.fish[i].gait]++;
         }
@@ -69,23 +71,23 @@ static void test_3_2_gaits_begin_as_in_the_long_run_1_1_percent_burst_and_38_swi
     assert_int_equal(count[GAIT_BURST] + count[GAIT_SWIM] + count[GAIT_REST], draws);
 }
 
-static void test_3_3_headings_begin_anywhere_from_0_to_360_degrees_alike(void **state)
+static void test_3_3_initial_headings_are_uniform_from_0_to_360_degrees(void **state)
 {
     static float drawn[5u * FISH];
     (void)state;
     for (uint32_t seed = 0; seed < 5; seed++) {
-        tank_init(&tank, TANK_PRESET_THESIS, FISH, seed);
+        open_tank(&tank, TANK_PRESET_THESIS, FISH, seed);
         for (uint32_t i = 0; i < FISH; i++) {
             const float yaw_rad = tank.fish[i].angles.yaw_rad;
             drawn[seed * FISH + i] = yaw_rad < 0.0f ? yaw_rad + F_TAU : yaw_rad;
             assert_float_equal(tank.fish[i].angles.pitch_rad, 0.0f, 0.0f);
-            assert_true(tank.fish[i].heading_rad == yaw_rad); /* Nothing turned it yet. */
+            assert_true(tank.fish[i].heading_rad == yaw_rad); /* No turn has started. */
         }
     }
     assert_true(uniform_misfit(drawn, 5u * FISH, 0.0f, F_TAU) < UNIFORM_MISFIT_MAX(5u * FISH));
 }
 
-/* Swims at a wall so many degrees off its normal. */
+/* Returns a tank with a fish that swims at a wall, `off_deg` off the wall's normal. */
 static struct tank *toward_wall(float off_deg, uint32_t seed)
 {
     const struct tank_stage start = {
@@ -98,8 +100,8 @@ static struct tank *toward_wall(float off_deg, uint32_t seed)
     return thesis_stage(&start, 1, seed);
 }
 
-/* Section 3.4: something within the personal space, 1 cm beyond the nose, makes it react. */
-static void test_3_1_a_fish_that_hits_a_wall_yaws_away_from_it_and_not_before(void **state)
+/* By section 3.4, the fish reacts to objects within its personal space, 1 cm ahead of the nose. */
+static void test_3_1_a_fish_yaws_away_from_a_wall_when_it_hits_the_wall(void **state)
 {
     (void)state;
     for (uint32_t seed = 1; seed <= 10; seed++) {
@@ -116,12 +118,12 @@ static void test_3_1_a_fish_that_hits_a_wall_yaws_away_from_it_and_not_before(vo
             assert_true(fish->position_m.z - box_extent_m(&box).z > -0.325f - 1e-5f);
             tank_tick(t, tick, NULL, 0);
         }
-        assert_true(f_cos(fish->angles.yaw_rad) < 0.0f); /* It points away, ... */
+        assert_true(f_cos(fish->angles.yaw_rad) < 0.0f); /* The nose points away from the wall. */
         const float z_m = fish->position_m.z;
         for (const uint32_t end = tick + CORE_TICK_HZ; tick < end; tick++) {
             tank_tick(t, tick, NULL, 0);
         }
-        assert_true(fish->position_m.z > z_m); /* ... and leaves. */
+        assert_true(fish->position_m.z > z_m); /* The fish leaves the wall. */
     }
 }
 
@@ -138,9 +140,9 @@ static void test_3_1_a_fish_that_grazes_a_wall_turns_to_the_side_it_came_from(vo
     }
 }
 
-/* At 18, 13 and 8 cm; who would be at 3 gulps. Where it begins does not matter, nor does whether it
- * rests: by 3.6 a fish gets there by pitching as it swims, but a tired one rests nine tenths of its
- * time and would never rise. */
+/* Depths are 18, 13 and 8 cm; a fish at the band of 3 cm gulps. The result depends neither on the
+ * initial depth nor on the gait. By section 3.6, a fish changes depth by pitch while it swims. A
+ * tired fish rests nine tenths of its time, so it would never rise that way. */
 static void check_depth(float stamina, uint8_t gait, float from_m, float depth_m)
 {
     const struct tank_stage start = {
@@ -157,7 +159,7 @@ static void check_depth(float stamina, uint8_t gait, float from_m, float depth_m
     }
     assert_float_equal(t->fish[0].position_m.y, -depth_m, 0.005f);
     assert_true(climb_max_m_s <= 0.0301f);
-    assert_true(pitch_max_rad > 5.0f * F_DEG); /* It pitches to get there. */
+    assert_true(pitch_max_rad > 5.0f * F_DEG); /* The fish pitches to change depth. */
 }
 
 static void test_3_6_depth_follows_stamina_at_rest_too_and_climbs_at_3_cm_s_at_most(void **state)
@@ -182,17 +184,17 @@ static void test_3_6_the_bands_change_at_75_50_and_25_of_100(void **state)
     }
 }
 
-/* The thesis knows no flight: a disc that rushes by scares nobody. */
-static void test_nobody_flees_or_dozes_or_whims_in_the_thesis(void **state)
+/* The thesis has no flight, so a fast disc startles no fish. */
+static void test_fish_of_the_thesis_do_not_flee_or_doze_or_turn_at_random(void **state)
 {
     (void)state;
-    const struct behavior_params *params = thesis_law();
+    const struct behavior_params *params = thesis_params();
     assert_false(params->escapes || params->glides || params->banks || params->shade_frights);
     assert_float_equal(params->flow_share, 0.0f, 0.0f);
     assert_false(params->air_by_oxygen);
     assert_float_equal(params->kick_rad + params->wall_follow + params->depth_stray, 0.0f, 0.0f);
     assert_float_equal(params->brake_s + params->meet_within_s + params->meet_miss, 0.0f, 0.0f);
-    tank_init(&tank, TANK_PRESET_THESIS, 200, 1);
+    open_tank(&tank, TANK_PRESET_THESIS, 200, 1);
     for (uint32_t tick = 0; tick < 2u * CORE_TICK_HZ; tick++) {
         struct obstacle disc = {
             .kind = OBSTACLE_DISC,
@@ -209,12 +211,12 @@ static void test_nobody_flees_or_dozes_or_whims_in_the_thesis(void **state)
     }
 }
 
-/* In a full tank, too: "when avoiding took it off its depth it goes back there". */
-static void test_3_6_six_hundred_fish_keep_to_their_depths(void **state)
+/* The thesis states for a full tank: "when avoiding took it off its depth it goes back there". */
+static void test_3_6_six_hundred_fish_keep_their_depths(void **state)
 {
     (void)state;
     uint32_t near = 0, all = 0;
-    tank_init(&tank, TANK_PRESET_THESIS, FISH, 3);
+    open_tank(&tank, TANK_PRESET_THESIS, FISH, 3);
     for (uint32_t tick = 0; tick < 30u * CORE_TICK_HZ; tick++) {
         tank_tick(&tank, tick, NULL, 0);
         for (uint32_t i = 0; tick % CORE_TICK_HZ == 0 && tick >= 15u * CORE_TICK_HZ && i < FISH;
@@ -232,10 +234,12 @@ static void test_3_6_six_hundred_fish_keep_to_their_depths(void **state)
 /* ---- A full tank -------------------------------------------------------------------------- */
 
 struct bustle {
-    float pace[GAIT_COUNT]; /* Mean speed over that of a fish alone. */
-    float reversals_per_s;  /* A fish; turns of over 30 degrees a second, left then right. */
+    float pace[GAIT_COUNT]; /* Mean speed divided by the mean speed of a single fish. */
+    float reversals_per_s;  /* Reversals per fish: turns of over 30 degrees a second, left then
+                               right. */
     float yaw_rate_max_rad_s;
-    float at_walls, at_walls_if_even; /* Shares of fish within 3/4 length of a wall. */
+    float at_walls, at_walls_if_even; /* Shares of fish within 3/4 length of a wall: measured, and
+                                         for a uniform distribution. */
 };
 
 struct bustle_sums {
@@ -249,7 +253,7 @@ static void watch(struct bustle_sums *sums, struct bustle *bustle, uint32_t tick
     struct perception around = { .params = tank_behavior_params(&tank),
                                  .size_m = tank.size_m,
                                  .tick = tick };
-    struct behavior_params even = *around.params; /* A beat and a glide in the mean. */
+    struct behavior_params even = *around.params; /* The mean of a beat and a glide is used. */
     even.glides = 0;
     around.params = &even;
     for (uint32_t i = 0; i < tank.fish_count; i++) {
@@ -270,13 +274,13 @@ static void watch(struct bustle_sums *sums, struct bustle *bustle, uint32_t tick
     }
 }
 
-/* Half a minute, of which the last twenty seconds count. */
+/* Measures the last 20 s of half a minute. */
 static struct bustle bustle_of(uint8_t preset, uint32_t fish_count)
 {
     static struct bustle_sums sums;
     struct bustle bustle = { 0 };
     sums = (struct bustle_sums){ 0 };
-    tank_init(&tank, preset, fish_count, 2013);
+    open_tank(&tank, preset, fish_count, 2013);
     for (uint32_t tick = 0; tick < 30u * CORE_TICK_HZ; tick++) {
         tank_tick(&tank, tick, NULL, 0);
         if (tick >= 10u * CORE_TICK_HZ) {
@@ -303,11 +307,12 @@ static struct bustle bustle_of(uint8_t preset, uint32_t fish_count)
 static void check_bustle(uint8_t preset, uint32_t fish_count)
 {
     const struct bustle bustle = bustle_of(preset, fish_count);
-    assert_true(bustle.pace[GAIT_SWIM] > 0.5f); /* No gridlock. */
+    assert_true(bustle.pace[GAIT_SWIM] > 0.5f); /* The fish are not in a gridlock. */
     assert_true(bustle.pace[GAIT_BURST] > 0.5f);
-    assert_true(bustle.reversals_per_s < 1.0f); /* No jitter. */
+    assert_true(bustle.reversals_per_s < 1.0f); /* The fish do not jitter. */
     assert_true(bustle.yaw_rate_max_rad_s < 721.0f * F_DEG);
-    assert_true(bustle.at_walls < 1.5f * bustle.at_walls_if_even); /* No pile. */
+    assert_true(bustle.at_walls < 1.5f * bustle.at_walls_if_even); /* The fish do not pile up at the
+                                                                      walls. */
 }
 
 static void test_4_1_six_hundred_fish_keep_moving_naturally(void **state)
@@ -316,7 +321,7 @@ static void test_4_1_six_hundred_fish_keep_moving_naturally(void **state)
     check_bustle(TANK_PRESET_THESIS, 600);
 }
 
-static void test_a_thousand_fish_of_the_championship_do_so_too(void **state)
+static void test_a_thousand_fish_of_the_championship_keep_moving_naturally(void **state)
 {
     (void)state;
     check_bustle(TANK_PRESET_OFFICIAL, 1000);
@@ -327,17 +332,17 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_3_1_the_tank_is_136_by_65_cm_with_walls_of_23_and_water_of_20),
         cmocka_unit_test(test_3_1_every_fish_is_a_box_of_5_by_2_by_1_cm),
-        cmocka_unit_test(test_3_2_stamina_begins_anywhere_from_30_to_100_alike),
-        cmocka_unit_test(test_3_2_gaits_begin_as_in_the_long_run_1_1_percent_burst_and_38_swim),
-        cmocka_unit_test(test_3_3_headings_begin_anywhere_from_0_to_360_degrees_alike),
-        cmocka_unit_test(test_3_1_a_fish_that_hits_a_wall_yaws_away_from_it_and_not_before),
+        cmocka_unit_test(test_3_2_initial_stamina_is_uniform_from_30_to_100),
+        cmocka_unit_test(test_3_2_initial_gaits_are_1_1_percent_burst_and_38_percent_swim),
+        cmocka_unit_test(test_3_3_initial_headings_are_uniform_from_0_to_360_degrees),
+        cmocka_unit_test(test_3_1_a_fish_yaws_away_from_a_wall_when_it_hits_the_wall),
         cmocka_unit_test(test_3_1_a_fish_that_grazes_a_wall_turns_to_the_side_it_came_from),
         cmocka_unit_test(test_3_6_depth_follows_stamina_at_rest_too_and_climbs_at_3_cm_s_at_most),
         cmocka_unit_test(test_3_6_the_bands_change_at_75_50_and_25_of_100),
-        cmocka_unit_test(test_3_6_six_hundred_fish_keep_to_their_depths),
-        cmocka_unit_test(test_nobody_flees_or_dozes_or_whims_in_the_thesis),
+        cmocka_unit_test(test_3_6_six_hundred_fish_keep_their_depths),
+        cmocka_unit_test(test_fish_of_the_thesis_do_not_flee_or_doze_or_turn_at_random),
         cmocka_unit_test(test_4_1_six_hundred_fish_keep_moving_naturally),
-        cmocka_unit_test(test_a_thousand_fish_of_the_championship_do_so_too),
+        cmocka_unit_test(test_a_thousand_fish_of_the_championship_keep_moving_naturally),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

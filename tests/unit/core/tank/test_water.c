@@ -1,13 +1,15 @@
-/* test_water.c -- the surface: waves run, come back from walls, fade, and never blow up. */
+/* test_water.c -- checks that waves spread, reflect at walls, fade and stay numerically stable. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 
 #include <cmocka.h>
 
 #include "core/base/hash.h"
+#include "core/tank/tank_fields.h"
 #include "core/tank/water.h"
 
 static struct water water;
@@ -35,7 +37,7 @@ static void steps(uint32_t count, vec3 size_m)
 static void test_still_water_stays_still(void **state)
 {
     (void)state;
-    water_init(&water);
+    memset(&water, 0, sizeof water);
     steps(600, tank_m);
     assert_true(highest() == 0.0f);
 }
@@ -43,7 +45,7 @@ static void test_still_water_stays_still(void **state)
 static void test_a_press_lowers_the_middle_and_keeps_the_volume(void **state)
 {
     (void)state;
-    water_init(&water);
+    memset(&water, 0, sizeof water);
     water_press(&water, tank_m, v3(0.0f, 0.0f, 0.0f), 0.05f, 0.004f);
     double volume = 0.0;
     for (uint32_t row = 0; row < RIPPLE_Z; row++) {
@@ -53,13 +55,13 @@ static void test_a_press_lowers_the_middle_and_keeps_the_volume(void **state)
     }
     const float middle = water.height_m[water.newest][RIPPLE_Z / 2][RIPPLE_X / 2];
     assert_true(middle < -0.003f && middle >= -0.004f);
-    assert_true(fabs(volume) < 0.002); /* Of about 0.1 that the hollow alone holds. */
+    assert_true(fabs(volume) < 0.002); /* The hollow alone holds about 0.1. */
 }
 
-static void test_a_wave_reaches_the_wall_in_its_time_and_comes_back(void **state)
+static void test_a_wave_reflects_at_the_wall_at_the_expected_time(void **state)
 {
     (void)state;
-    water_init(&water);
+    memset(&water, 0, sizeof water);
     water_press(&water, tank_m, v3(0.30f, 0.0f, 0.0f), 0.02f, 0.004f);
     float first_s = 0.0f;
     for (uint32_t i = 1; i <= 120 && first_s == 0.0f; i++) {
@@ -69,26 +71,27 @@ static void test_a_wave_reaches_the_wall_in_its_time_and_comes_back(void **state
         }
     }
     assert_true(first_s > 0.3f &&
-                first_s < 0.65f); /* 12.5 cm less the drop's own size at 23 cm/s. */
+                first_s < 0.65f); /* The distance is 12.5 cm less the drop's own size, at 23
+                                     cm/s. */
 }
 
 static void test_waves_fade_within_seconds(void **state)
 {
     (void)state;
-    water_init(&water);
+    memset(&water, 0, sizeof water);
     water_press(&water, tank_m, v3(0.1f, 0.0f, 0.1f), 0.04f, 0.006f);
     steps(600, tank_m);
     assert_true(highest() < 1e-4f);
 }
 
-static void test_ten_minutes_of_hard_stirring_never_blow_up(void **state)
+static void test_ten_minutes_of_hard_stirring_stay_stable(void **state)
 {
     (void)state;
     static const vec3 sizes[] = { { 0.85f, 0.12f, 0.55f },
                                   { 1.36f, 0.2f, 0.65f },
                                   { 0.2f, 0.1f, 0.1f } };
     for (uint32_t s = 0; s < 3; s++) {
-        water_init(&water);
+        memset(&water, 0, sizeof water);
         for (uint32_t i = 0; i < 12000; i++) {
             const float angle = 0.07f * (float)i;
             const vec3 at =
@@ -105,16 +108,16 @@ static void test_ten_minutes_of_hard_stirring_never_blow_up(void **state)
 static void test_points_outside_the_tank_are_ignored(void **state)
 {
     (void)state;
-    water_init(&water);
+    memset(&water, 0, sizeof water);
     water_press(&water, tank_m, v3(0.5f, 0.0f, 0.0f), 0.2f, 0.01f);
     water_press(&water, tank_m, v3(0.0f, 0.0f, -0.3f), 0.2f, 0.01f);
     assert_true(highest() == 0.0f);
 }
 
-static void test_a_press_at_the_very_wall_stays_in_the_field(void **state)
+static void test_a_press_at_the_wall_stays_inside_the_field(void **state)
 {
     (void)state;
-    water_init(&water);
+    memset(&water, 0, sizeof water);
     water_press(&water, tank_m, v3(0.425f, 0.0f, 0.275f), 0.05f, 0.005f);
     water_press(&water, tank_m, v3(-0.425f, 0.0f, -0.275f), 0.05f, 0.005f);
     assert_true(highest() > 0.003f);
@@ -123,7 +126,7 @@ static void test_a_press_at_the_very_wall_stays_in_the_field(void **state)
 static void test_slopes_are_508_times_rise_over_run(void **state)
 {
     (void)state;
-    water_init(&water);
+    memset(&water, 0, sizeof water);
     for (uint32_t row = 0; row < RIPPLE_Z; row++) {
         for (uint32_t column = 0; column < RIPPLE_X; column++) {
             water.height_m[0][row][column] = 0.1f * (float)column * tank_m.x / (float)RIPPLE_X -
@@ -135,13 +138,13 @@ static void test_slopes_are_508_times_rise_over_run(void **state)
     assert_int_equal(slope[40][60][1], -127);
 }
 
-static void test_the_hash_sees_one_cell(void **state)
+static void test_a_change_of_one_cell_changes_the_hash(void **state)
 {
     (void)state;
-    water_init(&water);
-    const uint64_t still = water_hash(HASH_START, &water);
+    memset(&water, 0, sizeof water);
+    const uint64_t still = field_hash(HASH_START, &water_fields, &water);
     water.height_m[1][3][5] = 1e-6f;
-    assert_true(water_hash(HASH_START, &water) != still);
+    assert_true(field_hash(HASH_START, &water_fields, &water) != still);
 }
 
 int main(void)
@@ -149,13 +152,13 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_still_water_stays_still),
         cmocka_unit_test(test_a_press_lowers_the_middle_and_keeps_the_volume),
-        cmocka_unit_test(test_a_wave_reaches_the_wall_in_its_time_and_comes_back),
+        cmocka_unit_test(test_a_wave_reflects_at_the_wall_at_the_expected_time),
         cmocka_unit_test(test_waves_fade_within_seconds),
-        cmocka_unit_test(test_ten_minutes_of_hard_stirring_never_blow_up),
+        cmocka_unit_test(test_ten_minutes_of_hard_stirring_stay_stable),
         cmocka_unit_test(test_points_outside_the_tank_are_ignored),
-        cmocka_unit_test(test_a_press_at_the_very_wall_stays_in_the_field),
+        cmocka_unit_test(test_a_press_at_the_wall_stays_inside_the_field),
         cmocka_unit_test(test_slopes_are_508_times_rise_over_run),
-        cmocka_unit_test(test_the_hash_sees_one_cell),
+        cmocka_unit_test(test_a_change_of_one_cell_changes_the_hash),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

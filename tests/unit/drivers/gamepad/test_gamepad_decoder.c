@@ -1,5 +1,5 @@
-/* test_gamepad_decoder.c -- what a pad says, as a hand: sticks, triggers, motion, and any bits at
- * all. */
+/* test_gamepad_decoder.c -- Tests the conversion of a gamepad's sticks, triggers and motion sensors
+ * to a pose, also with random inputs. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -8,7 +8,7 @@
 
 #include <cmocka.h>
 
-#include "core/game/control/input_validation.h"
+#include "core/game/control/input_pose.h"
 #include "drivers/sim/hal_sim.h"
 #include "drivers/sim/gamepad_sim.h"
 #include "tests/unit/support/pointer.h"
@@ -54,7 +54,7 @@ static struct poi_target after_ms(uint64_t ms)
     return gamepad_decoder_sample(&hand, now_ms * MS).target;
 }
 
-static void test_a_stick_that_is_worn_leads_nowhere(void **state)
+static void test_a_worn_stick_at_rest_moves_nothing(void **state)
 {
     (void)state;
     const vec3 before = after_ms(0).position_m;
@@ -65,8 +65,8 @@ static void test_a_stick_that_is_worn_leads_nowhere(void **state)
     assert_true(after_ms(800).position_m.x > before.x + 0.001f);
 }
 
-/* A stick's gate may be square: the corner is no faster than the rim. */
-static void test_a_stick_in_its_corner_is_as_fast_as_at_its_rim(void **state)
+/* A stick may have a square range, so its diagonal must not be faster than its axes. */
+static void test_a_diagonal_stick_is_as_fast_as_a_straight_one(void **state)
 {
     (void)state;
     set_axis(GAMEPAD_LEAD_X, INT16_MAX);
@@ -77,7 +77,7 @@ static void test_a_stick_in_its_corner_is_as_fast_as_at_its_rim(void **state)
     assert_true(speed.x > 0.0f && f_abs(speed.x - speed.z) < 1e-3f);
 }
 
-static void test_a_trigger_that_trembles_half_way_dips_once(void **state)
+static void test_a_trigger_that_trembles_at_half_travel_dips_once(void **state)
 {
     (void)state;
     uint32_t dips = 0;
@@ -94,7 +94,7 @@ static void test_a_trigger_that_trembles_half_way_dips_once(void **state)
     assert_true(after_ms(600).position_m.y > 0.03f);
 }
 
-static void test_a_and_either_trigger_hold_the_ring_down_together(void **state)
+static void test_the_ring_stays_down_while_button_a_or_a_trigger_is_held(void **state)
 {
     (void)state;
     set_buttons(GAMEPAD_SOUTH);
@@ -106,10 +106,10 @@ static void test_a_and_either_trigger_hold_the_ring_down_together(void **state)
     assert_true(after_ms(600).position_m.y > 0.03f);
 }
 
-static void test_the_right_stick_tilts_as_far_as_it_is_pushed_and_no_jerk(void **state)
+static void test_the_right_stick_tilts_in_proportion_and_without_a_jump(void **state)
 {
     (void)state;
-    set_axis(GAMEPAD_TILT_Y, INT16_MIN); /* Away. */
+    set_axis(GAMEPAD_TILT_Y, INT16_MIN); /* The full deflection points away from the player. */
     const float at_once = after_ms(8).angles.pitch_rad;
     const float then = after_ms(500).angles.pitch_rad;
     assert_true(at_once < 0.2f * GAMEPAD_TILT_RAD);
@@ -120,7 +120,7 @@ static void test_the_right_stick_tilts_as_far_as_it_is_pushed_and_no_jerk(void *
     assert_true(f_abs(after_ms(500).angles.roll_rad - GAMEPAD_TILT_RAD) < 0.01f);
 }
 
-static void test_buttons_are_the_cabinets(void **state)
+static void test_gamepad_buttons_map_to_the_cabinet_buttons(void **state)
 {
     (void)state;
     struct button_sample buttons;
@@ -136,21 +136,21 @@ static void test_buttons_are_the_cabinets(void **state)
     assert_int_equal(buttons.pressed, 0);
 }
 
-static void test_the_shoulder_holds_the_fan_and_the_poi_waits(void **state)
+static void test_the_shoulder_button_moves_the_fan_and_the_poi_waits(void **state)
 {
     (void)state;
-    assert_false(gamepad_decoder_fan(&hand, now_ms * MS).present);
+    assert_false(stick_motion_fan(&hand.fly, now_ms * MS).present);
     set_buttons(GAMEPAD_SHOULDER_LEFT);
     const vec3 before = after_ms(500).position_m;
     set_axis(GAMEPAD_LEAD_X, INT16_MAX);
     const vec3 after = after_ms(300).position_m;
-    const struct shade_input fan = gamepad_decoder_fan(&hand, now_ms * MS);
+    const struct shade_input fan = stick_motion_fan(&hand.fly, now_ms * MS);
     assert_true(fan.present);
     assert_true(fan.x_m > 0.05f);
     assert_true(f_abs(after.x - before.x) < 0.001f);
 }
 
-/* ---- Motion --------------------------------------------------------------------------------- */
+/* ---- Motion sensors ------------------------------------------------------------------------- */
 
 static void weigh(vec3 up)
 {
@@ -168,7 +168,7 @@ static void turn(vec3 rate_rad_s)
     gamepad_decoder_report(&hand, report);
 }
 
-/* Held at 40 degrees, as everybody holds one. */
+/* Returns the acceleration of a gamepad that is held at a pitch of 40 degrees, as is usual. */
 static vec3 as_held(float pitch_rad, float roll_rad)
 {
     const struct basis axes =
@@ -176,7 +176,7 @@ static vec3 as_held(float pitch_rad, float roll_rad)
     return vec_basis_to_body(&axes, v3(0.0f, 1.0f, 0.0f));
 }
 
-static void test_however_a_pad_is_held_that_is_level(void **state)
+static void test_any_rest_orientation_of_the_gamepad_is_level(void **state)
 {
     (void)state;
     weigh(as_held(40.0f * F_DEG, -10.0f * F_DEG));
@@ -184,35 +184,36 @@ static void test_however_a_pad_is_held_that_is_level(void **state)
     assert_true(f_abs(angles.pitch_rad) < 0.01f && f_abs(angles.roll_rad) < 0.01f);
 }
 
-/* Turned at once by the gyroscope; the accelerometer keeps it there for as long as it dips. */
-static void test_a_wrist_turns_the_ring_and_it_does_not_drift(void **state)
+/* The gyroscope turns the ring at once, and the accelerometer keeps the tilt during a dip. */
+static void test_gamepad_rotation_tilts_the_ring_without_drift(void **state)
 {
     (void)state;
     weigh(as_held(40.0f * F_DEG, 0.0f));
     after_ms(100);
     set_buttons(GAMEPAD_SOUTH);
     after_ms(500);
-    turn(v3(0.0f, 0.0f, -2.0f)); /* The right edge down, for a quarter of a second. */
+    turn(v3(0.0f, 0.0f, -2.0f)); /* The right edge goes down for a quarter of a second. */
     after_ms(250);
-    turn(v3(0.0f, 0.0f, 0.02f)); /* A gyroscope that is off by a degree a second. */
+    turn(v3(0.0f, 0.0f, 0.02f)); /* The gyroscope has a bias of one degree per second. */
     const float at_once = after_ms(200).angles.roll_rad;
     assert_true(at_once > 0.30f && at_once < 0.50f);
     const vec3 up = hand.tilt.up;
-    for (uint32_t i = 0; i < 2000; i++) { /* 20 s. */
+    for (uint32_t i = 0; i < 2000; i++) { /* The dip lasts 20 s. */
         turn(v3(0.0f, 0.0f, 0.02f));
         weigh(up);
         after_ms(10);
     }
     assert_true(f_abs(after_ms(10).angles.roll_rad - at_once) < 0.05f);
     set_buttons(0);
-    for (uint32_t i = 0; i < 2000; i++) { /* Hovering, it becomes the rest. */
+    for (uint32_t i = 0; i < 2000; i++) { /* While the ring hovers, the new orientation becomes
+                                             the rest orientation. */
         weigh(up);
         after_ms(10);
     }
     assert_true(f_abs(after_ms(10).angles.roll_rad) < 0.01f);
 }
 
-static void test_level_makes_how_it_is_held_the_rest(void **state)
+static void test_the_level_button_sets_the_rest_orientation(void **state)
 {
     (void)state;
     weigh(as_held(20.0f * F_DEG, 0.0f));
@@ -225,7 +226,7 @@ static void test_level_makes_how_it_is_held_the_rest(void **state)
     assert_true(f_abs(after_ms(300).angles.pitch_rad) < 0.02f);
 }
 
-/* ---- The twin ------------------------------------------------------------------------------- */
+/* ---- The simulated gamepad ------------------------------------------------------------------ */
 
 #define SCRIPT 1000u
 static struct gamepad_report script[SCRIPT];
@@ -233,12 +234,13 @@ static struct clock_sim clock_state;
 static struct gamepad_sim sim;
 static struct hal_poi poi;
 
-static int begin_twin(void **state)
+static int begin_sim(void **state)
 {
     (void)state;
     clock_state = (struct clock_sim){ .now_ns = 1000 * MS };
     gamepad_sim_init(&sim, sim_clock_device(&clock_state), stall_view());
-    for (uint32_t i = 0; i < SCRIPT; i++) { /* At 250 a second, leading about and dipping. */
+    for (uint32_t i = 0; i < SCRIPT; i++) { /* 250 reports per second move the ring about and
+                                               dip. */
         script[i] = (struct gamepad_report){ .time_ns = (1000 + 4 * (uint64_t)i) * MS };
         script[i].axis[GAMEPAD_LEAD_X] = (int16_t)(32767.0f * f_sin((float)i * 0.02f));
         script[i].axis[GAMEPAD_LEAD_Y] = (int16_t)(32767.0f * f_cos((float)i * 0.03f));
@@ -246,11 +248,12 @@ static int begin_twin(void **state)
     }
     sim.reports = script;
     sim.feed.count = SCRIPT;
-    poi = gamepad_sim_device(&sim);
+    poi = gamepad_sim_devices(&sim).poi;
     return poi.ops->open(poi.self);
 }
 
-/* Every sample is one that a hand can make of the one before; returns how many came. */
+/* Checks that every sample is a possible motion after the previous one. Returns the number of
+ * samples. */
 static uint32_t play_ms(uint64_t ms, uint64_t frame_ms)
 {
     struct poi_sample samples[HAL_POI_SAMPLES_MAX];
@@ -273,29 +276,30 @@ static uint32_t play_ms(uint64_t ms, uint64_t frame_ms)
     return count;
 }
 
-static void test_the_hand_is_sampled_a_tick_apart_however_slow_the_frames(void **state)
+static void test_there_is_one_sample_per_tick_at_every_frame_rate(void **state)
 {
     (void)state;
     for (uint64_t frame_ms = 8; frame_ms <= 400; frame_ms += 56) {
-        begin_twin(state);
+        begin_sim(state);
         const uint32_t count = play_ms(3200, frame_ms);
         const uint32_t ticks = 3200u * CORE_TICK_HZ / 1000u;
-        assert_true(count + 3200u / frame_ms >= ticks); /* Each frame may round one away. */
+        assert_true(count + 3200u / frame_ms >= ticks); /* Each frame may lose one tick to
+                                                           rounding. */
     }
 }
 
-static void test_the_way_is_the_same_however_slow_the_frames(void **state)
+static void test_the_path_is_equal_at_every_frame_rate(void **state)
 {
     (void)state;
     play_ms(3200, 8);
-    const vec3 fine = sim.track.hand.fly.place_m;
-    begin_twin(state);
+    const vec3 fine = sim.track.decoder.fly.place_m;
+    begin_sim(state);
     play_ms(3200, 200);
-    const vec3 coarse = sim.track.hand.fly.place_m;
+    const vec3 coarse = sim.track.decoder.fly.place_m;
     assert_true(v3_length(v3_sub(fine, coarse)) < 0.005f);
 }
 
-static void test_any_bits_make_a_hand_all_the_same(void **state)
+static void test_random_input_gives_finite_poses(void **state)
 {
     (void)state;
     sim.feed.spoil_from = 100;
@@ -306,11 +310,11 @@ static void test_any_bits_make_a_hand_all_the_same(void **state)
     assert_int_equal(sim.feed.next, SCRIPT);
 }
 
-static void test_a_burst_after_a_silence_loses_no_press(void **state)
+static void test_a_burst_of_reports_after_a_pause_loses_no_press(void **state)
 {
     (void)state;
     struct button_sample buttons;
-    const struct hal_buttons device = gamepad_sim_buttons(&sim);
+    const struct hal_buttons device = gamepad_sim_devices(&sim).buttons;
     for (uint32_t i = 100; i < SCRIPT; i += 100) {
         script[i].buttons |= GAMEPAD_START;
     }
@@ -322,17 +326,19 @@ static void test_a_burst_after_a_silence_loses_no_press(void **state)
         device.ops->poll(device.self, &buttons);
         edges += (buttons.pressed & INPUT_START) != 0;
     }
-    assert_int_equal(edges, 1); /* Nine presses in one look are one edge, and none is none. */
+    assert_int_equal(edges, 1); /* Nine presses within one poll are one edge, and a poll without
+                                   a press has no edge. */
     assert_int_equal(sim.feed.next, SCRIPT);
 }
 
-/* At each of its 1,000 reports: gone is told, and it comes back when it is plugged in again. */
-static void test_it_may_be_unplugged_at_any_report(void **state)
+/* At each of 1,000 reports the loss of the gamepad is reported, and the gamepad returns when it is
+ * plugged in again. */
+static void test_the_gamepad_can_be_unplugged_at_any_report(void **state)
 {
     (void)state;
     struct poi_sample samples[HAL_POI_SAMPLES_MAX];
     for (uint32_t at = 0; at < SCRIPT; at++) {
-        begin_twin(state);
+        begin_sim(state);
         sim.feed.unplug_at = at;
         sim.feed.replug_ns = clock_state.now_ns + (4 * (uint64_t)at + 100) * MS;
         int result = 0;
@@ -352,23 +358,21 @@ static void test_it_may_be_unplugged_at_any_report(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(test_a_stick_that_is_worn_leads_nowhere, begin),
-        cmocka_unit_test_setup(test_a_stick_in_its_corner_is_as_fast_as_at_its_rim, begin),
-        cmocka_unit_test_setup(test_a_trigger_that_trembles_half_way_dips_once, begin),
-        cmocka_unit_test_setup(test_a_and_either_trigger_hold_the_ring_down_together, begin),
-        cmocka_unit_test_setup(test_the_right_stick_tilts_as_far_as_it_is_pushed_and_no_jerk,
-                               begin),
-        cmocka_unit_test_setup(test_buttons_are_the_cabinets, begin),
-        cmocka_unit_test_setup(test_the_shoulder_holds_the_fan_and_the_poi_waits, begin),
-        cmocka_unit_test_setup(test_however_a_pad_is_held_that_is_level, begin),
-        cmocka_unit_test_setup(test_a_wrist_turns_the_ring_and_it_does_not_drift, begin),
-        cmocka_unit_test_setup(test_level_makes_how_it_is_held_the_rest, begin),
-        cmocka_unit_test_setup(test_the_hand_is_sampled_a_tick_apart_however_slow_the_frames,
-                               begin_twin),
-        cmocka_unit_test_setup(test_the_way_is_the_same_however_slow_the_frames, begin_twin),
-        cmocka_unit_test_setup(test_any_bits_make_a_hand_all_the_same, begin_twin),
-        cmocka_unit_test_setup(test_a_burst_after_a_silence_loses_no_press, begin_twin),
-        cmocka_unit_test_setup(test_it_may_be_unplugged_at_any_report, begin_twin),
+        cmocka_unit_test_setup(test_a_worn_stick_at_rest_moves_nothing, begin),
+        cmocka_unit_test_setup(test_a_diagonal_stick_is_as_fast_as_a_straight_one, begin),
+        cmocka_unit_test_setup(test_a_trigger_that_trembles_at_half_travel_dips_once, begin),
+        cmocka_unit_test_setup(test_the_ring_stays_down_while_button_a_or_a_trigger_is_held, begin),
+        cmocka_unit_test_setup(test_the_right_stick_tilts_in_proportion_and_without_a_jump, begin),
+        cmocka_unit_test_setup(test_gamepad_buttons_map_to_the_cabinet_buttons, begin),
+        cmocka_unit_test_setup(test_the_shoulder_button_moves_the_fan_and_the_poi_waits, begin),
+        cmocka_unit_test_setup(test_any_rest_orientation_of_the_gamepad_is_level, begin),
+        cmocka_unit_test_setup(test_gamepad_rotation_tilts_the_ring_without_drift, begin),
+        cmocka_unit_test_setup(test_the_level_button_sets_the_rest_orientation, begin),
+        cmocka_unit_test_setup(test_there_is_one_sample_per_tick_at_every_frame_rate, begin_sim),
+        cmocka_unit_test_setup(test_the_path_is_equal_at_every_frame_rate, begin_sim),
+        cmocka_unit_test_setup(test_random_input_gives_finite_poses, begin_sim),
+        cmocka_unit_test_setup(test_a_burst_of_reports_after_a_pause_loses_no_press, begin_sim),
+        cmocka_unit_test_setup(test_the_gamepad_can_be_unplugged_at_any_report, begin_sim),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,5 @@
-/* test_gamepad_imu_filter.c -- the tilt of a pad from its gyroscope and accelerometer, in real
- * units. */
+/* test_gamepad_imu_filter.c -- Tests the tilt that is computed from a gamepad's gyroscope and
+ * accelerometer, in physical units. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -17,7 +17,7 @@ static float nan_of(float zero)
     return zero / zero;
 }
 
-/* A pad that lies level and is known to. */
+/* Returns a filter that has converged for a level gamepad. */
 static struct gamepad_imu_filter level_pad(void)
 {
     struct gamepad_imu_filter tilt = { 0 };
@@ -27,11 +27,11 @@ static struct gamepad_imu_filter level_pad(void)
     return tilt;
 }
 
-static void test_a_rate_turns_the_pad_by_rate_times_time(void **state)
+static void test_the_tilt_is_the_angular_rate_times_the_time(void **state)
 {
     (void)state;
     struct gamepad_imu_filter tilt = level_pad();
-    for (uint64_t ms = 0; ms <= 100; ms += 10) { /* 0.1 s at 3 rad/s. */
+    for (uint64_t ms = 0; ms <= 100; ms += 10) { /* The rotation takes 0.1 s at 3 rad/s. */
         gamepad_imu_filter_add_rotation(&tilt, BEGIN_NS + ms * MS_NS, v3(3.0f, 0.0f, 0.0f));
     }
     const struct angles angles = gamepad_imu_filter_at(&tilt, BEGIN_NS + 100u * MS_NS, 0);
@@ -40,17 +40,17 @@ static void test_a_rate_turns_the_pad_by_rate_times_time(void **state)
     assert_float_equal(angles.roll_rad, 0.0f, 1e-4f);
 }
 
-static void test_a_rate_that_is_old_turns_no_further(void **state)
+static void test_an_old_angular_rate_is_not_extrapolated_further(void **state)
 {
     (void)state;
     struct gamepad_imu_filter tilt = level_pad();
     gamepad_imu_filter_add_rotation(&tilt, BEGIN_NS, v3(0.0f, 0.0f, 1.0f));
     const struct angles late = gamepad_imu_filter_at(&tilt, BEGIN_NS + 10000u * MS_NS, 0);
-    assert_true(f_abs(late.roll_rad) > 0.15f); /* A quarter of a second counts, and no more. */
+    assert_true(f_abs(late.roll_rad) > 0.15f); /* At most a quarter of a second is extrapolated. */
     assert_true(f_abs(late.roll_rad) < 0.25f);
 }
 
-static void test_a_time_before_the_newest_report_turns_nothing(void **state)
+static void test_a_time_before_the_newest_report_changes_nothing(void **state)
 {
     (void)state;
     struct gamepad_imu_filter tilt = level_pad();
@@ -59,22 +59,23 @@ static void test_a_time_before_the_newest_report_turns_nothing(void **state)
     assert_float_equal(before.pitch_rad, 0.0f, 0.0f);
 }
 
-static void test_gravity_pulls_a_drifted_pad_level_again_within_seconds(void **state)
+static void test_gravity_corrects_the_drift_within_seconds(void **state)
 {
     (void)state;
     struct gamepad_imu_filter tilt = level_pad();
-    const vec3 leaning = v3(0.0f, 9.81f * 0.8776f, 9.81f * 0.4794f); /* By 0.5 rad. */
+    const vec3 leaning = v3(0.0f, 9.81f * 0.8776f, 9.81f * 0.4794f); /* The gamepad leans by 0.5
+                                                                        rad. */
     gamepad_imu_filter_add_gravity(&tilt, BEGIN_NS + 100u * MS_NS, leaning);
     const float soon = f_abs(gamepad_imu_filter_at(&tilt, BEGIN_NS + 100u * MS_NS, 0).pitch_rad);
     for (uint64_t ms = 200; ms <= 3000; ms += 100) {
         gamepad_imu_filter_add_gravity(&tilt, BEGIN_NS + ms * MS_NS, leaning);
     }
     const float late = f_abs(gamepad_imu_filter_at(&tilt, BEGIN_NS + 3000u * MS_NS, 0).pitch_rad);
-    assert_true(soon < 0.1f); /* One report of 0.1 s counts for a sixth. */
+    assert_true(soon < 0.1f); /* One report of 0.1 s corrects one sixth of the error. */
     assert_float_equal(late, 0.5f - 2.0f * F_DEG, 0.02f);
 }
 
-static void test_a_shaken_pad_and_numbers_that_are_none_change_nothing(void **state)
+static void test_shaking_and_values_that_are_not_finite_change_nothing(void **state)
 {
     (void)state;
     struct gamepad_imu_filter tilt = level_pad();
@@ -94,11 +95,11 @@ static void test_a_shaken_pad_and_numbers_that_are_none_change_nothing(void **st
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_rate_turns_the_pad_by_rate_times_time),
-        cmocka_unit_test(test_a_rate_that_is_old_turns_no_further),
-        cmocka_unit_test(test_a_time_before_the_newest_report_turns_nothing),
-        cmocka_unit_test(test_gravity_pulls_a_drifted_pad_level_again_within_seconds),
-        cmocka_unit_test(test_a_shaken_pad_and_numbers_that_are_none_change_nothing),
+        cmocka_unit_test(test_the_tilt_is_the_angular_rate_times_the_time),
+        cmocka_unit_test(test_an_old_angular_rate_is_not_extrapolated_further),
+        cmocka_unit_test(test_a_time_before_the_newest_report_changes_nothing),
+        cmocka_unit_test(test_gravity_corrects_the_drift_within_seconds),
+        cmocka_unit_test(test_shaking_and_values_that_are_not_finite_change_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

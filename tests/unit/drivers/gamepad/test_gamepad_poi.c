@@ -1,4 +1,5 @@
-/* test_gamepad_poi.c -- pads that SDL makes of memory: real joysticks, real events, no hardware. */
+/* test_gamepad_poi.c -- Tests the gamepad driver with SDL's virtual joysticks and real SDL events,
+ * without hardware. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -27,7 +28,7 @@ static int SDLCALL take_rumble(void *self, Uint16 slow, Uint16 fast)
     return 0;
 }
 
-/* A pad as SDL knows them: six axes, fifteen buttons. */
+/* Attaches a virtual gamepad with six axes and fifteen buttons. Returns its SDL index. */
 static int attach(uint16_t product)
 {
     SDL_VirtualJoystickDesc desc = {
@@ -51,7 +52,7 @@ static SDL_Joystick *joystick(uint32_t place)
     return SDL_GameControllerGetJoystick(gamepads.pad[place].controller);
 }
 
-/* The SDL device that is plugged in at a place. */
+/* Returns the SDL index of the gamepad in a driver slot. */
 static int index_of(uint32_t place)
 {
     for (int i = 0; i < SDL_NumJoysticks(); i++) {
@@ -71,7 +72,7 @@ static void wait_ms(uint64_t ms)
 static struct poi_sample newest(uint32_t place)
 {
     struct poi_sample samples[HAL_POI_SAMPLES_MAX];
-    const struct hal_poi poi = gamepad_poi_device(&gamepads, place);
+    const struct hal_poi poi = gamepad_poi_devices(&gamepads, place).poi;
     const int count = poi.ops->poll(poi.self, samples, HAL_POI_SAMPLES_MAX);
     assert_true(count > 0);
     return samples[count - 1];
@@ -98,10 +99,10 @@ static int end(void **state)
     return 0;
 }
 
-static void test_a_pad_that_is_plugged_in_is_there(void **state)
+static void test_a_gamepad_that_is_plugged_in_is_opened(void **state)
 {
     (void)state;
-    const struct hal_poi poi = gamepad_poi_device(&gamepads, 0);
+    const struct hal_poi poi = gamepad_poi_devices(&gamepads, 0).poi;
     assert_false(gamepad_poi_is_present(&gamepads.pad[0]));
     assert_int_equal(poi.ops->open(poi.self), HAL_ERR_GONE);
     attach(1);
@@ -113,12 +114,13 @@ static void test_a_pad_that_is_plugged_in_is_there(void **state)
     assert_non_null(strstr(poi.ops->describe(poi.self), "rumbles"));
 }
 
-static void test_one_that_was_there_before_us_is_found(void **state)
+static void test_a_gamepad_that_was_connected_at_the_start_is_opened(void **state)
 {
     (void)state;
     attach(1);
     gamepads_close(&gamepads);
-    SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER); /* It would be gone with SDL's joysticks. */
+    SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER); /* Quitting SDL's joystick subsystem stopped this
+                                                   subsystem too. */
     attach(1);
     gamepads_init(&gamepads, sim_clock_device(&clock_state), stall_view());
     assert_int_equal(gamepads_open(&gamepads, NULL), HAL_OK);
@@ -128,7 +130,7 @@ static void test_one_that_was_there_before_us_is_found(void **state)
     SDL_QuitSubSystem(SDL_INIT_GAMECONTROLLER);
 }
 
-static void test_its_stick_leads_the_ring_to_the_right_and_its_trigger_dips(void **state)
+static void test_the_stick_moves_the_ring_to_the_right_and_the_trigger_dips(void **state)
 {
     (void)state;
     attach(1);
@@ -139,26 +141,27 @@ static void test_its_stick_leads_the_ring_to_the_right_and_its_trigger_dips(void
     newest(0);
     wait_ms(500);
     const vec3 after = newest(0).target.position_m;
-    assert_true(after.x > before.x + 0.20f && after.x < before.x + 0.29f); /* At 0.55 m/s. */
+    /* The limits are for a speed of 0.55 m/s. */
+    assert_true(after.x > before.x + 0.20f && after.x < before.x + 0.29f);
     assert_true(f_abs(after.z - before.z) < 0.02f);
     SDL_JoystickSetVirtualAxis(joystick(0), SDL_CONTROLLER_AXIS_LEFTX, 0);
     SDL_JoystickSetVirtualAxis(joystick(0), SDL_CONTROLLER_AXIS_TRIGGERRIGHT, 32767);
     wait_ms(16);
     newest(0);
     wait_ms(400);
-    assert_true(f_abs(newest(0).target.position_m.y - POINTER_DIP_M) < 0.001f);
+    assert_true(f_abs(newest(0).target.position_m.y - DIP_DEPTH_M) < 0.001f);
     SDL_JoystickSetVirtualAxis(joystick(0), SDL_CONTROLLER_AXIS_TRIGGERRIGHT, -32768);
     wait_ms(16);
     newest(0);
     wait_ms(600);
-    assert_true(f_abs(newest(0).target.position_m.y - POINTER_HOVER_M) < 0.001f);
+    assert_true(f_abs(newest(0).target.position_m.y - DIP_HOVER_M) < 0.001f);
 }
 
-static void test_a_press_between_two_looks_is_an_edge(void **state)
+static void test_a_press_between_two_polls_is_an_edge(void **state)
 {
     (void)state;
     struct button_sample buttons;
-    const struct hal_buttons device = gamepad_poi_buttons(&gamepads);
+    const struct hal_buttons device = gamepad_poi_devices(&gamepads, 0).buttons;
     assert_int_equal(device.ops->poll(device.self, &buttons), HAL_ERR_ABSENT);
     attach(1);
     wait_ms(16);
@@ -175,11 +178,11 @@ static void test_a_press_between_two_looks_is_an_edge(void **state)
     assert_int_equal(buttons.pressed, 0);
 }
 
-static void test_pulled_out_it_is_gone_and_comes_back_to_its_own_place(void **state)
+static void test_an_unplugged_gamepad_is_gone_and_returns_to_its_own_slot(void **state)
 {
     (void)state;
     struct poi_sample sample;
-    const struct hal_poi first = gamepad_poi_device(&gamepads, 0);
+    const struct hal_poi first = gamepad_poi_devices(&gamepads, 0).poi;
     attach(1);
     attach(2);
     wait_ms(16);
@@ -205,7 +208,7 @@ static void test_pulled_out_it_is_gone_and_comes_back_to_its_own_place(void **st
     assert_int_equal(first.ops->poll(first.self, &sample, 1), 1);
 }
 
-static void test_a_fifth_pad_finds_no_place(void **state)
+static void test_a_fifth_gamepad_gets_no_slot(void **state)
 {
     (void)state;
     for (uint16_t i = 0; i < GAMEPADS_MAX + 1; i++) {
@@ -218,10 +221,10 @@ static void test_a_fifth_pad_finds_no_place(void **state)
     }
 }
 
-static void test_a_device_that_another_driver_holds_is_left_alone(void **state)
+static void test_a_device_of_another_driver_is_not_opened(void **state)
 {
     (void)state;
-    static const struct gamepad_exclusion bars[] = { { 0x046d, 0xc216, "" }, { 0x1209, 7, "" } };
+    static const struct usb_key bars[] = { { 0x046d, 0xc216, "" }, { 0x1209, 7, "" } };
     gamepads_exclude(&gamepads, bars, 2);
     assert_string_equal(SDL_GetHint(SDL_HINT_GAMECONTROLLER_IGNORE_DEVICES),
                         "0x046d/0xc216,0x1209/0x0007,");
@@ -234,13 +237,13 @@ static void test_a_device_that_another_driver_holds_is_left_alone(void **state)
     assert_false(gamepad_poi_is_present(&gamepads.pad[1]));
 }
 
-/* Two of a kind, one chosen by its number: the other is SDL's, and so its hint must not name the
- * kind. Whose number nobody knows may be the one. */
-static void test_one_of_a_kind_is_barred_by_its_serial_number(void **state)
+/* One of two equal devices is claimed by its serial number. The other device belongs to SDL, so
+ * SDL's ignore hint must not contain their common id. A device without a readable serial number may
+ * be the claimed device. */
+static void test_one_of_two_equal_gamepads_is_excluded_by_its_serial_number(void **state)
 {
     (void)state;
-    static const struct gamepad_exclusion bars[] = { { 0x054c, 0x09cc, "A1" },
-                                                     { 0x046d, 0xc216, "" } };
+    static const struct usb_key bars[] = { { 0x054c, 0x09cc, "A1" }, { 0x046d, 0xc216, "" } };
     gamepads_exclude(&gamepads, bars, 2);
     assert_string_equal(SDL_GetHint(SDL_HINT_GAMECONTROLLER_IGNORE_DEVICES), "0x046d/0xc216,");
     assert_true(gamepads_is_excluded(&gamepads, 0x054c, 0x09cc, "A1"));
@@ -250,12 +253,12 @@ static void test_one_of_a_kind_is_barred_by_its_serial_number(void **state)
     assert_false(gamepads_is_excluded(&gamepads, 0x046d, 0x09cc, "A1"));
 }
 
-/* The operator chose it to be a HID poi: SDL lets go of it at once. */
-static void test_a_pad_that_is_barred_while_it_plays_is_gone(void **state)
+/* The operator assigned this gamepad to the HID driver, so SDL must close the gamepad at once. */
+static void test_a_gamepad_that_is_excluded_while_open_is_gone(void **state)
 {
     (void)state;
-    static const struct gamepad_exclusion bar = { 0x1209, 8, "" };
-    const struct hal_poi poi = gamepad_poi_device(&gamepads, 0);
+    static const struct usb_key bar = { 0x1209, 8, "" };
+    const struct hal_poi poi = gamepad_poi_devices(&gamepads, 0).poi;
     struct poi_sample sample;
     attach(8);
     wait_ms(16);
@@ -267,10 +270,10 @@ static void test_a_pad_that_is_barred_while_it_plays_is_gone(void **state)
     assert_string_equal(SDL_GetHint(SDL_HINT_GAMECONTROLLER_IGNORE_DEVICES), "");
 }
 
-static void test_it_hums_with_the_water_and_is_not_told_the_same_twice(void **state)
+static void test_rumble_follows_the_water_and_equal_values_are_sent_once(void **state)
 {
     (void)state;
-    const struct hal_poi poi = gamepad_poi_device(&gamepads, 0);
+    const struct hal_poi poi = gamepad_poi_devices(&gamepads, 0).poi;
     const struct poi_force push = { .drag = 0.5f };
     const struct poi_force blow = { .drag = 0.5f, .slap = 1.0f };
     attach(1);
@@ -303,8 +306,8 @@ static void push_sensor(SDL_SensorType type, float x, float y, float z)
     assert_int_equal(SDL_PushEvent(&event), 1);
 }
 
-/* SDL's virtual pads have no sensors, so its events are pushed. */
-static void test_a_pad_with_a_gyroscope_is_a_wrist(void **state)
+/* SDL's virtual joysticks have no sensors, so the test pushes sensor events into the queue. */
+static void test_a_gamepad_with_a_gyroscope_tilts_the_ring(void **state)
 {
     (void)state;
     attach(1);
@@ -313,7 +316,7 @@ static void test_a_pad_with_a_gyroscope_is_a_wrist(void **state)
     push_sensor(SDL_SENSOR_ACCEL, 0.0f, 9.81f, 0.0f);
     wait_ms(16);
     assert_true(f_abs(newest(0).target.angles.pitch_rad) < 0.01f);
-    for (uint32_t i = 0; i < 25; i++) { /* The far edge up, at 1 rad/s for 0.4 s. */
+    for (uint32_t i = 0; i < 25; i++) { /* The far edge rises at 1 rad/s for 0.4 s. */
         push_sensor(SDL_SENSOR_GYRO, 1.0f, 0.0f, 0.0f);
         wait_ms(16);
         newest(0);
@@ -329,23 +332,23 @@ static void test_a_pad_with_a_gyroscope_is_a_wrist(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(test_a_pad_that_is_plugged_in_is_there, begin, end),
-        cmocka_unit_test_setup_teardown(test_one_that_was_there_before_us_is_found, begin, end),
+        cmocka_unit_test_setup_teardown(test_a_gamepad_that_is_plugged_in_is_opened, begin, end),
+        cmocka_unit_test_setup_teardown(test_a_gamepad_that_was_connected_at_the_start_is_opened,
+                                        begin, end),
         cmocka_unit_test_setup_teardown(
-            test_its_stick_leads_the_ring_to_the_right_and_its_trigger_dips, begin, end),
-        cmocka_unit_test_setup_teardown(test_a_press_between_two_looks_is_an_edge, begin, end),
-        cmocka_unit_test_setup_teardown(test_pulled_out_it_is_gone_and_comes_back_to_its_own_place,
-                                        begin, end),
-        cmocka_unit_test_setup_teardown(test_a_fifth_pad_finds_no_place, begin, end),
-        cmocka_unit_test_setup_teardown(test_a_device_that_another_driver_holds_is_left_alone,
-                                        begin, end),
-        cmocka_unit_test_setup_teardown(test_one_of_a_kind_is_barred_by_its_serial_number, begin,
+            test_the_stick_moves_the_ring_to_the_right_and_the_trigger_dips, begin, end),
+        cmocka_unit_test_setup_teardown(test_a_press_between_two_polls_is_an_edge, begin, end),
+        cmocka_unit_test_setup_teardown(
+            test_an_unplugged_gamepad_is_gone_and_returns_to_its_own_slot, begin, end),
+        cmocka_unit_test_setup_teardown(test_a_fifth_gamepad_gets_no_slot, begin, end),
+        cmocka_unit_test_setup_teardown(test_a_device_of_another_driver_is_not_opened, begin, end),
+        cmocka_unit_test_setup_teardown(
+            test_one_of_two_equal_gamepads_is_excluded_by_its_serial_number, begin, end),
+        cmocka_unit_test_setup_teardown(test_a_gamepad_that_is_excluded_while_open_is_gone, begin,
                                         end),
-        cmocka_unit_test_setup_teardown(test_a_pad_that_is_barred_while_it_plays_is_gone, begin,
-                                        end),
-        cmocka_unit_test_setup_teardown(test_it_hums_with_the_water_and_is_not_told_the_same_twice,
-                                        begin, end),
-        cmocka_unit_test_setup_teardown(test_a_pad_with_a_gyroscope_is_a_wrist, begin, end),
+        cmocka_unit_test_setup_teardown(
+            test_rumble_follows_the_water_and_equal_values_are_sent_once, begin, end),
+        cmocka_unit_test_setup_teardown(test_a_gamepad_with_a_gyroscope_tilts_the_ring, begin, end),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,5 @@
-/* test_stick_motion.c -- a hand that sticks fly: how fast, how far, and that it costs no paper. */
+/* test_stick_motion.c -- Tests the speed and range of a poi that is moved by a stick, and that its
+ * motion does not tear the paper. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -40,7 +41,7 @@ static struct poi_target after(uint64_t ms)
 
 static const vec3 none = { 0.0f, 0.0f, 0.0f };
 
-static void test_full_push_is_full_speed_in_the_air_and_less_in_the_water(void **state)
+static void test_full_deflection_gives_full_speed_in_air_and_less_in_water(void **state)
 {
     (void)state;
     begin();
@@ -58,7 +59,7 @@ static void test_full_push_is_full_speed_in_the_air_and_less_in_the_water(void *
     assert_float_equal((after(300).position_m.x - wet_m) / 0.3f, STICK_MOTION_WATER_M_S, 0.01f);
 }
 
-static void test_a_little_push_goes_a_little_way(void **state)
+static void test_a_small_deflection_gives_a_small_displacement(void **state)
 {
     (void)state;
     begin();
@@ -69,7 +70,7 @@ static void test_a_little_push_goes_a_little_way(void **state)
     assert_true(slow_m_s > 0.0f && slow_m_s < 0.1f * STICK_MOTION_AIR_M_S);
 }
 
-static void test_however_it_is_pushed_it_stays_within_what_is_seen(void **state)
+static void test_the_ring_stays_within_the_visible_area(void **state)
 {
     (void)state;
     for (int i = 0; i < 8; i++) {
@@ -90,8 +91,8 @@ static void test_however_it_is_pushed_it_stays_within_what_is_seen(void **state)
     }
 }
 
-/* All bowls of all presets are within its reach, or a catch could not be landed. */
-static void test_every_bowl_is_within_reach(void **state)
+/* A catch can be put into a bowl only if the bowls of all presets are in range. */
+static void test_every_bowl_is_in_range(void **state)
 {
     (void)state;
     for (int preset = 0; preset < TANK_PRESET_COUNT; preset++) {
@@ -106,7 +107,7 @@ static void test_every_bowl_is_within_reach(void **state)
     }
 }
 
-static void test_it_goes_the_same_way_however_often_it_is_asked(void **state)
+static void test_the_path_does_not_depend_on_the_sample_rate(void **state)
 {
     (void)state;
     begin();
@@ -121,7 +122,7 @@ static void test_it_goes_the_same_way_however_often_it_is_asked(void **state)
     assert_float_equal(v3_length(v3_sub(once, often)), 0.0f, 1e-4f);
 }
 
-static void test_after_a_second_without_a_look_it_is_where_it_was(void **state)
+static void test_the_ring_does_not_move_during_a_second_without_samples(void **state)
 {
     (void)state;
     begin();
@@ -130,7 +131,7 @@ static void test_after_a_second_without_a_look_it_is_where_it_was(void **state)
     assert_float_equal(after(5000).position_m.x, before.x, 1e-6f);
 }
 
-static void test_no_step_from_tick_to_tick_is_a_leap(void **state)
+static void test_no_step_between_two_ticks_is_a_pose_jump(void **state)
 {
     (void)state;
     begin();
@@ -139,12 +140,49 @@ static void test_no_step_from_tick_to_tick_is_a_leap(void **state)
         const float side = i / 60u % 2u ? 1.0f : -1.0f;
         push(v3(side, -side, side), v3(side, side, side), i / 45u % 2u ? POINTER_DIP : 0u);
         const vec3 now = after(8).position_m;
-        assert_true(v3_length(v3_sub(now, before)) < 0.011f); /* 1.3 m/s: dip and flight. */
+        assert_true(v3_length(v3_sub(now, before)) < 0.011f); /* Dip and horizontal motion
+                                                                 together stay below 1.3 m/s. */
         before = now;
     }
 }
 
-static void test_level_brings_a_pucks_ring_back_over_the_water(void **state)
+/* A stick has the same strokes as a pointer (test_pointer_poi.c). */
+static void test_a_short_press_completes_the_dip_from_the_near_side(void **state)
+{
+    (void)state;
+    begin();
+    const float hover_z_m = after(0).position_m.z;
+    push(none, none, POINTER_DIP);
+    after(20);
+    push(none, none, 0);
+    float nearest_m = hover_z_m, lowest_m = DIP_HOVER_M, end_z_m = 0.0f;
+    for (uint32_t i = 0; i < 200; i++) {
+        const vec3 now = after(5).position_m;
+        nearest_m = f_max(nearest_m, now.z);
+        if (now.y < lowest_m) {
+            lowest_m = now.y;
+            end_z_m = now.z;
+        }
+    }
+    assert_float_equal(lowest_m, DIP_DEPTH_M, 1e-4f);
+    assert_true(nearest_m > hover_z_m + 0.005f && nearest_m < hover_z_m + DIP_NEAR_M);
+    assert_true(end_z_m < hover_z_m - 0.03f); /* The line of sight leads away from the player. */
+    assert_float_equal(after(0).position_m.y, DIP_HOVER_M, 1e-5f);
+    assert_float_equal(after(0).position_m.z, hover_z_m, 1e-5f);
+}
+
+/* The button is released before a pause that is longer than the stick integrates. */
+static void test_a_pause_without_samples_does_not_delay_the_lift(void **state)
+{
+    (void)state;
+    begin();
+    push(none, none, POINTER_DIP);
+    after(20);
+    push(none, none, 0);
+    assert_float_equal(after(1500).position_m.y, DIP_HOVER_M, 1e-5f);
+}
+
+static void test_the_level_button_lifts_the_ring_of_a_3d_mouse_over_the_water(void **state)
 {
     (void)state;
     begin();
@@ -155,7 +193,7 @@ static void test_level_brings_a_pucks_ring_back_over_the_water(void **state)
     assert_float_equal(after(600).position_m.y, DIP_HOVER_M, 2e-3f);
 }
 
-static void test_what_is_no_number_pushes_nothing(void **state)
+static void test_an_input_that_is_not_finite_moves_nothing(void **state)
 {
     (void)state;
     begin();
@@ -163,22 +201,24 @@ static void test_what_is_no_number_pushes_nothing(void **state)
     const vec3 at = after(300).position_m;
     assert_float_equal(at.x, 0.0f, 1e-6f);
     assert_float_equal(at.y, DIP_HOVER_M, 1e-6f);
-    push(v3(1e30f, 0, 0), none, 0); /* And what is too much is all there is. */
+    push(v3(1e30f, 0, 0), none, 0); /* An input beyond full deflection counts as full deflection. */
     assert_true(after(200).position_m.x < 0.2f * STICK_MOTION_AIR_M_S);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_full_push_is_full_speed_in_the_air_and_less_in_the_water),
-        cmocka_unit_test(test_a_little_push_goes_a_little_way),
-        cmocka_unit_test(test_however_it_is_pushed_it_stays_within_what_is_seen),
-        cmocka_unit_test(test_every_bowl_is_within_reach),
-        cmocka_unit_test(test_it_goes_the_same_way_however_often_it_is_asked),
-        cmocka_unit_test(test_after_a_second_without_a_look_it_is_where_it_was),
-        cmocka_unit_test(test_no_step_from_tick_to_tick_is_a_leap),
-        cmocka_unit_test(test_level_brings_a_pucks_ring_back_over_the_water),
-        cmocka_unit_test(test_what_is_no_number_pushes_nothing),
+        cmocka_unit_test(test_full_deflection_gives_full_speed_in_air_and_less_in_water),
+        cmocka_unit_test(test_a_small_deflection_gives_a_small_displacement),
+        cmocka_unit_test(test_the_ring_stays_within_the_visible_area),
+        cmocka_unit_test(test_every_bowl_is_in_range),
+        cmocka_unit_test(test_the_path_does_not_depend_on_the_sample_rate),
+        cmocka_unit_test(test_the_ring_does_not_move_during_a_second_without_samples),
+        cmocka_unit_test(test_no_step_between_two_ticks_is_a_pose_jump),
+        cmocka_unit_test(test_a_short_press_completes_the_dip_from_the_near_side),
+        cmocka_unit_test(test_a_pause_without_samples_does_not_delay_the_lift),
+        cmocka_unit_test(test_the_level_button_lifts_the_ring_of_a_3d_mouse_over_the_water),
+        cmocka_unit_test(test_an_input_that_is_not_finite_moves_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,11 +1,12 @@
-/* test_coin_mech.c -- which pulses are coins. */
+/* test_coin_mech.c -- Tests which pulses of the coin line are counted as coins and which as
+ * faults. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 
 #include <cmocka.h>
 
-#include "drivers/gpio/gpio_signal.h"
+#include "drivers/gpio/gpio_thread.h"
 
 #define MS 1000000ull
 #define MIN_NS (15 * MS)
@@ -32,7 +33,7 @@ static void assert_counts(const struct coin_mech *mech, uint32_t coins, uint32_t
     assert_int_equal(gpio_coin_faults(mech), too_short + stuck + cut);
 }
 
-static void test_a_pulse_is_a_coin_from_the_first_width_of_the_window_to_the_last(void **state)
+static void test_a_pulse_is_a_coin_if_its_width_is_within_the_limits(void **state)
 {
     (void)state;
     static const struct {
@@ -51,7 +52,7 @@ static void test_a_pulse_is_a_coin_from_the_first_width_of_the_window_to_the_las
     }
 }
 
-static void test_a_coin_counts_when_the_gap_behind_it_is_over(void **state)
+static void test_a_coin_is_counted_after_the_gap_that_follows_it(void **state)
 {
     (void)state;
     struct coin_mech mech = idle_mech();
@@ -65,7 +66,7 @@ static void test_a_coin_counts_when_the_gap_behind_it_is_over(void **state)
     assert_counts(&mech, 1, 0, 0, 0);
 }
 
-static void test_a_pulse_whose_contact_jumps_is_one_coin(void **state)
+static void test_a_pulse_that_is_interrupted_by_a_bounce_is_one_coin(void **state)
 {
     (void)state;
     struct coin_mech mech = idle_mech();
@@ -75,7 +76,7 @@ static void test_a_pulse_whose_contact_jumps_is_one_coin(void **state)
     assert_counts(&mech, 1, 0, 0, 0);
 }
 
-static void test_a_pulse_in_pieces_is_as_wide_as_all_of_them(void **state)
+static void test_the_width_of_an_interrupted_pulse_includes_all_parts(void **state)
 {
     (void)state;
     struct coin_mech mech = idle_mech();
@@ -86,7 +87,7 @@ static void test_a_pulse_in_pieces_is_as_wide_as_all_of_them(void **state)
     assert_int_equal(mech.width_ns, 25 * MS);
 }
 
-static void test_pulses_that_say_a_coins_worth_are_counted_each(void **state)
+static void test_each_pulse_of_a_multi_pulse_coin_is_counted(void **state)
 {
     (void)state;
     struct coin_mech mech = idle_mech();
@@ -97,7 +98,7 @@ static void test_pulses_that_say_a_coins_worth_are_counted_each(void **state)
     assert_counts(&mech, 10, 0, 0, 0);
 }
 
-static void test_a_coin_that_sticks_is_told_while_it_sticks_and_once(void **state)
+static void test_a_stuck_coin_is_reported_once_and_while_it_is_stuck(void **state)
 {
     (void)state;
     struct coin_mech mech = idle_mech();
@@ -108,16 +109,16 @@ static void test_a_coin_that_sticks_is_told_while_it_sticks_and_once(void **stat
     assert_counts(&mech, 0, 0, 1, 0);
     gpio_coin_settle(&mech, 60000 * MS);
     gpio_coin_edge(&mech, 61000 * MS, false);
-    gpio_coin_edge(&mech, 61005 * MS, true); /* It rattles loose ... */
+    gpio_coin_edge(&mech, 61005 * MS, true); /* The coin becomes loose with bounces. */
     gpio_coin_edge(&mech, 61030 * MS, false);
     gpio_coin_settle(&mech, 62000 * MS);
     assert_counts(&mech, 0, 0, 1, 0);
-    pulse(&mech, 63000 * MS, 50 * MS); /* ... and the next one is a coin again. */
+    pulse(&mech, 63000 * MS, 50 * MS); /* The next coin is counted again. */
     gpio_coin_settle(&mech, 64000 * MS);
     assert_counts(&mech, 1, 0, 1, 0);
 }
 
-static void test_what_covers_the_sensor_from_the_start_is_no_coin(void **state)
+static void test_a_sensor_that_is_covered_at_the_start_counts_no_coin(void **state)
 {
     (void)state;
     struct coin_mech mech = gpio_coin_begin(MIN_NS, MAX_NS, true, 1000 * MS);
@@ -129,7 +130,7 @@ static void test_what_covers_the_sensor_from_the_start_is_no_coin(void **state)
     assert_counts(&mech, 1, 0, 0, 0);
 }
 
-static void test_a_line_that_goes_keeps_the_coin_that_fell_and_cuts_one_that_falls(void **state)
+static void test_a_lost_line_keeps_a_finished_coin_and_rejects_an_unfinished_one(void **state)
 {
     (void)state;
     struct coin_mech fell = idle_mech(), falls = idle_mech(), none = idle_mech();
@@ -148,14 +149,14 @@ static void test_a_line_that_goes_keeps_the_coin_that_fell_and_cuts_one_that_fal
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_pulse_is_a_coin_from_the_first_width_of_the_window_to_the_last),
-        cmocka_unit_test(test_a_coin_counts_when_the_gap_behind_it_is_over),
-        cmocka_unit_test(test_a_pulse_whose_contact_jumps_is_one_coin),
-        cmocka_unit_test(test_a_pulse_in_pieces_is_as_wide_as_all_of_them),
-        cmocka_unit_test(test_pulses_that_say_a_coins_worth_are_counted_each),
-        cmocka_unit_test(test_a_coin_that_sticks_is_told_while_it_sticks_and_once),
-        cmocka_unit_test(test_what_covers_the_sensor_from_the_start_is_no_coin),
-        cmocka_unit_test(test_a_line_that_goes_keeps_the_coin_that_fell_and_cuts_one_that_falls),
+        cmocka_unit_test(test_a_pulse_is_a_coin_if_its_width_is_within_the_limits),
+        cmocka_unit_test(test_a_coin_is_counted_after_the_gap_that_follows_it),
+        cmocka_unit_test(test_a_pulse_that_is_interrupted_by_a_bounce_is_one_coin),
+        cmocka_unit_test(test_the_width_of_an_interrupted_pulse_includes_all_parts),
+        cmocka_unit_test(test_each_pulse_of_a_multi_pulse_coin_is_counted),
+        cmocka_unit_test(test_a_stuck_coin_is_reported_once_and_while_it_is_stuck),
+        cmocka_unit_test(test_a_sensor_that_is_covered_at_the_start_counts_no_coin),
+        cmocka_unit_test(test_a_lost_line_keeps_a_finished_coin_and_rejects_an_unfinished_one),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

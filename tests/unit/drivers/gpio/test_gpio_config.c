@@ -1,4 +1,4 @@
-/* test_gpio_config.c -- how wiring is written, and what is said of it when it is wrong. */
+/* test_gpio_config.c -- Tests the parser of the GPIO wiring options and its error messages. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -10,7 +10,7 @@
 
 static char why[HAL_TEXT_SIZE];
 
-static void test_a_button_by_name_closes_to_ground(void **state)
+static void test_a_named_button_line_is_active_low_with_a_pull_up(void **state)
 {
     (void)state;
     struct gpio_wire wires[GPIO_ROLE_COUNT] = { 0 };
@@ -25,7 +25,7 @@ static void test_a_button_by_name_closes_to_ground(void **state)
     assert_int_equal(gpio_config_count(wires), 1);
 }
 
-static void test_a_line_by_chip_and_offset_takes_all_its_words(void **state)
+static void test_a_line_by_chip_and_offset_accepts_every_option(void **state)
 {
     (void)state;
     struct gpio_wire wires[GPIO_ROLE_COUNT] = { 0 };
@@ -42,7 +42,7 @@ static void test_a_line_by_chip_and_offset_takes_all_its_words(void **state)
     assert_int_equal(wire->pulse_max_us, 1000000);
 }
 
-static void test_an_output_is_lit_by_high_and_keeps_its_bias(void **state)
+static void test_an_output_is_active_high_and_keeps_its_bias(void **state)
 {
     (void)state;
     struct gpio_wire wires[GPIO_ROLE_COUNT] = { 0 };
@@ -54,7 +54,7 @@ static void test_an_output_is_lit_by_high_and_keeps_its_bias(void **state)
     assert_int_equal(wire->pulse_off_us, 150000);
 }
 
-static void test_a_coin_lock_that_nobody_drives_is_locked(void **state)
+static void test_an_undriven_coin_lockout_blocks_coins(void **state)
 {
     (void)state;
     struct gpio_wire wires[GPIO_ROLE_COUNT] = { 0 };
@@ -68,7 +68,7 @@ static void test_a_coin_lock_that_nobody_drives_is_locked(void **state)
     assert_int_equal(wires[GPIO_COIN_LOCKOUT].bias, GPIO_BIAS_OFF);
 }
 
-static void test_a_later_wire_replaces_the_roles_earlier_one(void **state)
+static void test_a_later_wire_replaces_an_earlier_one_of_the_same_role(void **state)
 {
     (void)state;
     struct gpio_wire wires[GPIO_ROLE_COUNT] = { 0 };
@@ -80,7 +80,7 @@ static void test_a_later_wire_replaces_the_roles_earlier_one(void **state)
     assert_int_equal(wires[GPIO_OK].debounce_us, 5000);
 }
 
-static void test_what_is_wrong_is_said_and_changes_nothing(void **state)
+static void test_an_invalid_wire_gives_a_message_and_changes_nothing(void **state)
 {
     (void)state;
     static const struct {
@@ -88,9 +88,9 @@ static void test_what_is_wrong_is_said_and_changes_nothing(void **state)
     } wrong[] = {
         { "", "ROLE=LINE" },
         { "start", "ROLE=LINE" },
-        { "star=A", "'star' is no role" },
-        { "startx=A", "'startx' is no role" },
-        { "=A", "'' is no role" },
+        { "star=A", "'star' is not a role" },
+        { "startx=A", "'startx' is not a role" },
+        { "=A", "'' is not a role" },
         { "start=", "start: a line's name" },
         { "start=:4", "start: a line's name" },
         { "start=12345678901234567890123456789012", "start: a line's name" },
@@ -120,7 +120,7 @@ static void test_what_is_wrong_is_said_and_changes_nothing(void **state)
     }
 }
 
-static void test_a_name_with_a_colon_but_no_number_is_a_name(void **state)
+static void test_a_name_with_a_colon_but_no_number_is_a_line_name(void **state)
 {
     (void)state;
     struct gpio_wire wires[GPIO_ROLE_COUNT] = { 0 };
@@ -129,7 +129,7 @@ static void test_a_name_with_a_colon_but_no_number_is_a_name(void **state)
     assert_int_equal(wires[GPIO_DOOR].offset, 0);
 }
 
-static void test_two_roles_on_one_line_are_told(void **state)
+static void test_two_roles_on_one_line_are_reported(void **state)
 {
     (void)state;
     struct gpio_wire wires[GPIO_ROLE_COUNT] = { 0 };
@@ -155,14 +155,14 @@ static void test_every_role_is_found_by_its_name(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_button_by_name_closes_to_ground),
-        cmocka_unit_test(test_a_line_by_chip_and_offset_takes_all_its_words),
-        cmocka_unit_test(test_an_output_is_lit_by_high_and_keeps_its_bias),
-        cmocka_unit_test(test_a_coin_lock_that_nobody_drives_is_locked),
-        cmocka_unit_test(test_a_later_wire_replaces_the_roles_earlier_one),
-        cmocka_unit_test(test_what_is_wrong_is_said_and_changes_nothing),
-        cmocka_unit_test(test_a_name_with_a_colon_but_no_number_is_a_name),
-        cmocka_unit_test(test_two_roles_on_one_line_are_told),
+        cmocka_unit_test(test_a_named_button_line_is_active_low_with_a_pull_up),
+        cmocka_unit_test(test_a_line_by_chip_and_offset_accepts_every_option),
+        cmocka_unit_test(test_an_output_is_active_high_and_keeps_its_bias),
+        cmocka_unit_test(test_an_undriven_coin_lockout_blocks_coins),
+        cmocka_unit_test(test_a_later_wire_replaces_an_earlier_one_of_the_same_role),
+        cmocka_unit_test(test_an_invalid_wire_gives_a_message_and_changes_nothing),
+        cmocka_unit_test(test_a_name_with_a_colon_but_no_number_is_a_line_name),
+        cmocka_unit_test(test_two_roles_on_one_line_are_reported),
         cmocka_unit_test(test_every_role_is_found_by_its_name),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

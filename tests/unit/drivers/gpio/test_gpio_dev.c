@@ -1,4 +1,4 @@
-/* test_gpio_dev.c -- which chips a folder of devices has. */
+/* test_gpio_dev.c -- Tests the list of GPIO chips that are found in a device folder. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -28,7 +28,7 @@ static void put(const char *name)
     fclose(file);
 }
 
-static void test_a_chip_is_met_once_however_many_links_it_has(void **state)
+static void test_a_chip_with_several_links_is_listed_once(void **state)
 {
     (void)state;
     struct gpio_dev_walk walk = { .root = root };
@@ -54,7 +54,7 @@ static void test_a_chip_is_met_once_however_many_links_it_has(void **state)
     rmdir(root);
 }
 
-static void test_a_machine_without_devices_has_no_chip(void **state)
+static void test_a_missing_device_folder_gives_no_chip(void **state)
 {
     (void)state;
     struct gpio_dev_walk walk = { .root = "/nowhere at all" };
@@ -65,8 +65,8 @@ static void test_a_machine_without_devices_has_no_chip(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_chip_is_met_once_however_many_links_it_has),
-        cmocka_unit_test(test_a_machine_without_devices_has_no_chip),
+        cmocka_unit_test(test_a_chip_with_several_links_is_listed_once),
+        cmocka_unit_test(test_a_missing_device_folder_gives_no_chip),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,17 +1,18 @@
-/* test_pulse_train.c -- a meter's pulses: as many as asked for, none too short. */
+/* test_pulse_train.c -- Tests that an output gives the requested number of pulses and that no pulse
+ * or pause is too short. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 
 #include <cmocka.h>
 
-#include "drivers/gpio/gpio_signal.h"
+#include "drivers/gpio/gpio_thread.h"
 
 #define MS 1000000ull
 
 static const struct pulse_train slow = { .on_ns = 100 * MS, .off_ns = 60 * MS };
 
-static void test_pulses_come_one_after_the_other_with_a_rest_behind_each(void **state)
+static void test_pulses_follow_each_other_with_a_pause_after_each(void **state)
 {
     (void)state;
     struct pulse_train train = slow;
@@ -29,7 +30,7 @@ static void test_pulses_come_one_after_the_other_with_a_rest_behind_each(void **
     assert_false(gpio_pulses_at(&train, 900 * MS));
 }
 
-static void test_the_rest_holds_for_a_pulse_that_is_asked_for_in_it(void **state)
+static void test_a_pulse_that_is_requested_in_a_pause_starts_after_the_pause(void **state)
 {
     (void)state;
     struct pulse_train train = slow;
@@ -41,7 +42,7 @@ static void test_the_rest_holds_for_a_pulse_that_is_asked_for_in_it(void **state
     assert_true(gpio_pulses_at(&train, 170 * MS));
 }
 
-static void test_whoever_looks_late_makes_pulses_longer_and_no_fewer(void **state)
+static void test_late_updates_make_pulses_longer_and_no_fewer(void **state)
 {
     (void)state;
     struct pulse_train train = slow;
@@ -69,7 +70,7 @@ static void test_whoever_looks_late_makes_pulses_longer_and_no_fewer(void **stat
     assert_true(shortest_off_ns >= slow.off_ns);
 }
 
-static void test_more_pulses_than_can_be_counted_are_as_many_as_can(void **state)
+static void test_the_number_of_pending_pulses_saturates(void **state)
 {
     (void)state;
     struct pulse_train train = slow;
@@ -81,10 +82,10 @@ static void test_more_pulses_than_can_be_counted_are_as_many_as_can(void **state
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_pulses_come_one_after_the_other_with_a_rest_behind_each),
-        cmocka_unit_test(test_the_rest_holds_for_a_pulse_that_is_asked_for_in_it),
-        cmocka_unit_test(test_whoever_looks_late_makes_pulses_longer_and_no_fewer),
-        cmocka_unit_test(test_more_pulses_than_can_be_counted_are_as_many_as_can),
+        cmocka_unit_test(test_pulses_follow_each_other_with_a_pause_after_each),
+        cmocka_unit_test(test_a_pulse_that_is_requested_in_a_pause_starts_after_the_pause),
+        cmocka_unit_test(test_late_updates_make_pulses_longer_and_no_fewer),
+        cmocka_unit_test(test_the_number_of_pending_pulses_saturates),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

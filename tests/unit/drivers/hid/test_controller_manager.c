@@ -1,5 +1,5 @@
-/* test_controller_manager.c -- the operator's desk: choosing, learning, keeping, over seats of
- * memory. */
+/* test_controller_manager.c -- Tests how the operator chooses controllers, teaches their mappings
+ * and stores them, with simulated devices. */
 #include <fcntl.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -18,17 +18,18 @@
 #include "tests/unit/support/pointer.h"
 
 static struct clock_sim clock_now;
-static struct hid_wire wire[2]; /* A DualSense, and a pen tablet. */
+static struct hid_wire wire[2]; /* A DualSense and a pen tablet. */
 static struct hid_port_sim port[2];
 static struct hid_device_list_sim device_list;
-static struct hid_mapping_store book;
-static struct poi_hid seat[2];
-static struct controller_manager desk;
+static struct hid_mapping_store store;
+static struct poi_hid slot[2];
+static struct controller_manager manager;
+static struct hal_controllers device;
 
 static int set_up(void **state)
 {
     struct hid_port_sim *ports[POI_MAX] = { &port[0], &port[1] };
-    struct poi_hid *seats[POI_MAX] = { &seat[0], &seat[1] };
+    struct poi_hid *slots[POI_MAX] = { &slot[0], &slot[1] };
     (void)state;
     clock_now.now_ns = 1000000000ull;
     wire_load(&wire[0], &clock_now, "016-ci-dualsense");
@@ -38,37 +39,36 @@ static int set_up(void **state)
     wire_load(&wire[1], &clock_now, "137-dg-huion-h610-if0");
     wire[1].face.identity =
         (struct hid_identity){ .vendor = 0x256c, .product = 0x006e, .port = "3-2" };
-    hid_mapping_store_open(&book, NULL, NULL, NULL);
+    hid_mapping_store_open(&store, NULL, NULL, NULL);
     for (uint32_t i = 0; i < 2; i++) {
-        hid_port_sim_init(&port[i], sim_clock_device(&clock_now), &wire[0].face);
-        port[i].absent = 1;
-        poi_hid_init(&seat[i], hid_port_sim_port(&port[i]), sim_clock_device(&clock_now),
-                     hid_mapping_store_mapper(&book), stall_view());
+        hid_port_sim_init(&port[i], sim_clock_device(&clock_now), NULL);
+        poi_hid_init(&slot[i], &port[i].port, sim_clock_device(&clock_now),
+                     hid_mapping_store_mapper(&store), stall_view());
     }
     hid_device_list_sim_init(&device_list, ports);
     hid_device_list_sim_plug(&device_list, 0, &wire[0].face);
     hid_device_list_sim_plug(&device_list, 3, &wire[1].face);
-    controller_manager_init(&desk, hid_device_list_sim_device(&device_list), &book, seats);
+    device =
+        controller_manager_init(&manager, hid_device_list_sim_device(&device_list), &store, slots);
     return 0;
 }
 
 static int tear_down(void **state)
 {
     (void)state;
-    hid_mapping_store_close(&book);
+    hid_mapping_store_close(&store);
     return 0;
 }
 
-/* A frame: seats are looked at, then the desk. */
+/* Runs one frame: first the pois are polled, then the controller manager. Returns its status. */
 static struct controller_status frame(void)
 {
     struct poi_sample samples[HAL_POI_SAMPLES_MAX];
     struct controller_status out;
-    const struct hal_controllers device = controller_manager_device(&desk);
     clock_now.now_ns += 16666667ull;
     for (uint32_t i = 0; i < 2; i++) {
-        const struct hal_poi poi = poi_hid_device(&seat[i]);
-        if (!seat[i].is_open) {
+        const struct hal_poi poi = poi_hid_devices(&slot[i]).poi;
+        if (!slot[i].is_open) {
             poi.ops->open(poi.self);
         }
         poi.ops->poll(poi.self, samples, HAL_POI_SAMPLES_MAX);
@@ -80,17 +80,15 @@ static struct controller_status frame(void)
 static int order(enum controller_command_kind kind, uint8_t row)
 {
     const struct controller_command wanted = { .kind = (uint8_t)kind, .row = row };
-    const struct hal_controllers device = controller_manager_device(&desk);
     return device.ops->command(device.self, &wanted);
 }
 
 static const char *name(uint32_t row)
 {
-    const struct hal_controllers device = controller_manager_device(&desk);
     return device.ops->name(device.self, row);
 }
 
-/* Whoever holds the pad pushes its right stick instead of its left one, and squeezes L1. */
+/* Pushes the right stick of the gamepad instead of the left one, and presses L1. */
 static void push(uint32_t at, int64_t across, int64_t along, int64_t squeezed)
 {
     struct hid_wire *pad = &wire[0];
@@ -136,7 +134,7 @@ static void teach(void)
     order(COMMAND_LEARN_NEXT, 0);
 }
 
-static void test_rows_are_what_is_plugged_in(void **state)
+static void test_rows_list_the_connected_devices(void **state)
 {
     (void)state;
     const struct controller_status out = frame();
@@ -148,33 +146,34 @@ static void test_rows_are_what_is_plugged_in(void **state)
     assert_string_equal(name(CONTROLLER_MAX), "");
 }
 
-static void test_a_long_name_is_cut_between_its_letters(void **state)
+static void test_a_long_name_is_truncated_between_two_characters(void **state)
 {
     (void)state;
     snprintf(wire[0].face.identity.name, HID_TEXT_SIZE, "%s",
              "\xe9\x87\x91\xe9\xad\x9a\xe6\x8e\xac\xe3\x81\x84\xe3\x81\xae\xe5\x8f\xb0"
-             "\xe3\x81\xae\xe6\x9f\x84\xe3\x81\xa7\xe3\x81\x99"); /* Ten of three bytes. */
+             "\xe3\x81\xae\xe6\x9f\x84\xe3\x81\xa7\xe3\x81\x99"); /* The name is ten characters
+                                                                     of three bytes each. */
     frame();
     assert_int_equal(strlen(name(0)), 10 + 24 + 2 + 3);
     assert_true(strlen(name(0)) < HAL_CONTROLLER_TEXT);
 }
 
-static void test_who_is_chosen_plays_and_who_is_released_does_not(void **state)
+static void test_a_device_is_active_while_it_is_chosen(void **state)
 {
     (void)state;
     frame();
     assert_int_equal(order(COMMAND_CHOOSE, 0), HAL_OK);
     assert_int_equal(frame().state[0], CONTROLLER_ACTIVE);
     frame();
-    assert_true(seat[0].plays);
+    assert_true(slot[0].plays);
     assert_int_equal(order(COMMAND_RELEASE, 0), HAL_OK);
     assert_int_equal(frame().state[0], CONTROLLER_FREE);
-    assert_false(seat[0].is_open);
-    assert_int_equal(order(COMMAND_CHOOSE, 1), HAL_ERR_ABSENT); /* An empty row. */
+    assert_false(slot[0].is_open);
+    assert_int_equal(order(COMMAND_CHOOSE, 1), HAL_ERR_ABSENT); /* The row is empty. */
     assert_int_equal(order(COMMAND_CHOOSE, CONTROLLER_MAX), HAL_ERR_ABSENT);
 }
 
-static void test_a_pad_is_learned_tried_and_kept(void **state)
+static void test_a_mapping_is_learned_tried_and_stored(void **state)
 {
     (void)state;
     frame();
@@ -182,16 +181,18 @@ static void test_a_pad_is_learned_tried_and_kept(void **state)
     const struct controller_status tried = frame();
     assert_int_equal(tried.learn_step, LEARN_TRY);
     assert_int_equal(tried.learn_row, 0);
-    assert_true(seat[0].plays);
-    assert_int_equal(seat[0].hand.map.source, HID_MAPPING_LEARNED);
-    assert_int_equal(seat[0].hand.map.binding[0].bit_offset, 16); /* The right stick. */
+    assert_true(slot[0].plays);
+    assert_int_equal(slot[0].decoder.map.source, HID_MAPPING_LEARNED);
+    assert_int_equal(slot[0].decoder.map.binding[0].bit_offset, 16); /* The binding of the right
+                                                                        stick. */
     assert_int_equal(order(COMMAND_LEARN_KEEP, 0), HAL_OK);
     assert_int_equal(frame().learn_step, LEARN_NONE);
-    assert_non_null(hid_mapping_store_find(&book, &wire[0].face.identity));
-    assert_int_equal(seat[0].hand.map.source, HID_MAPPING_LEARNED); /* It plays on. */
+    assert_non_null(hid_mapping_store_find(&store, &wire[0].face.identity));
+    assert_int_equal(slot[0].decoder.map.source, HID_MAPPING_LEARNED); /* The mapping stays in
+                                                                          use. */
 }
 
-static void test_what_is_not_kept_is_forgotten(void **state)
+static void test_a_mapping_that_is_not_stored_is_discarded(void **state)
 {
     (void)state;
     frame();
@@ -201,30 +202,31 @@ static void test_what_is_not_kept_is_forgotten(void **state)
     frame();
     order(COMMAND_LEARN_END, 0);
     assert_int_equal(frame().learn_step, LEARN_NONE);
-    assert_null(hid_mapping_store_find(&book, &wire[0].face.identity));
-    assert_int_equal(seat[0].hand.map.source, HID_MAPPING_KNOWN);
-    assert_int_equal(frame().state[0], CONTROLLER_ACTIVE); /* As it did before. */
+    assert_null(hid_mapping_store_find(&store, &wire[0].face.identity));
+    assert_int_equal(slot[0].decoder.map.source, HID_MAPPING_KNOWN);
+    assert_int_equal(frame().state[0], CONTROLLER_ACTIVE); /* The state is the same as before the
+                                                              learning. */
 }
 
-static void test_who_was_free_is_so_again_where_nothing_was_kept(void **state)
+static void test_an_unused_device_is_free_again_after_a_discarded_mapping(void **state)
 {
     (void)state;
     frame();
-    order(COMMAND_LEARN, 0); /* Ended before it sits, ... */
+    order(COMMAND_LEARN, 0); /* The gamepad is unplugged before it has a slot. */
     order(COMMAND_LEARN_END, 0);
     assert_int_equal(frame().state[0], CONTROLLER_FREE);
-    teach(); /* ... while it is tried, also the second time, ... */
+    teach(); /* The gamepad is unplugged during the trial, also the second time. */
     order(COMMAND_LEARN, 0);
     assert_int_equal(frame().state[0], CONTROLLER_ACTIVE);
     order(COMMAND_LEARN_END, 0);
     assert_int_equal(frame().state[0], CONTROLLER_FREE);
-    order(COMMAND_LEARN, 0); /* ... by the next that is learned, ... */
+    order(COMMAND_LEARN, 0); /* Another learning replaces the trial. */
     frame();
     order(COMMAND_LEARN, 3);
     assert_int_equal(frame().state[0], CONTROLLER_FREE);
     assert_int_equal(frame().state[3], CONTROLLER_ACTIVE);
     order(COMMAND_LEARN_END, 3);
-    order(COMMAND_LEARN, 0); /* ... and while it is away. */
+    order(COMMAND_LEARN, 0); /* The gamepad is unplugged while it is absent from the trial. */
     frame();
     frame();
     hid_device_list_sim_plug(&device_list, 0, NULL);
@@ -235,7 +237,7 @@ static void test_who_was_free_is_so_again_where_nothing_was_kept(void **state)
     assert_int_equal(device_list.release_count, 5);
 }
 
-static void test_who_was_kept_plays_on(void **state)
+static void test_a_device_with_a_stored_mapping_stays_active(void **state)
 {
     (void)state;
     frame();
@@ -257,7 +259,7 @@ static void count_line(void *self, const char *line)
     told_count++;
 }
 
-/* The thread writes when it may: some frames are patience. */
+/* The thread may be busy with a write, so some frames are run. */
 static struct controller_status written(void)
 {
     struct controller_status out = frame();
@@ -268,38 +270,39 @@ static struct controller_status written(void)
     return out;
 }
 
-static void test_what_cannot_be_written_is_told_and_plays_on(void **state)
+static void test_an_unwritable_mapping_is_reported_and_stays_in_use(void **state)
 {
-    char data[] = "/tmp/kingyo-desk-XXXXXX", pois[64], line[] = "/pois/054c-0ce6-.poi: ";
+    char data[] = "/tmp/kingyo-manager-XXXXXX", pois[64], line[] = "/pois/054c-0ce6-.poi: ";
     (void)state;
     assert_non_null(mkdtemp(data));
     snprintf(pois, sizeof pois, "%s/pois", data);
-    assert_int_equal(close(open(pois, O_CREAT | O_WRONLY, 0644)), 0); /* No folder can be here. */
-    hid_mapping_store_close(&book);
-    hid_mapping_store_open(&book, data, NULL, NULL);
-    hid_mapping_store_set_error_sink(&book, count_line, line);
+    assert_int_equal(close(open(pois, O_CREAT | O_WRONLY, 0644)), 0); /* A file is in place of
+                                                                         the folder. */
+    hid_mapping_store_close(&store);
+    hid_mapping_store_open(&store, data, NULL, NULL);
+    hid_mapping_store_set_error_sink(&store, count_line, line);
     told_count = 0;
     frame();
     teach();
     assert_int_equal(order(COMMAND_LEARN_KEEP, 0), HAL_OK);
     assert_int_equal(written().learn_step, LEARN_NOT_SAVED);
     assert_int_equal(told_count, 1);
-    assert_true(seat[0].plays);
-    assert_int_equal(unlink(pois), 0); /* Somebody saw to it. */
+    assert_true(slot[0].plays);
+    assert_int_equal(unlink(pois), 0); /* The operator removes the file. */
     assert_int_equal(order(COMMAND_LEARN_KEEP, 0), HAL_OK);
     assert_int_equal(written().learn_step, LEARN_NONE);
-    assert_int_equal(book.written_count, 1);
-    assert_int_equal(seat[0].hand.map.source, HID_MAPPING_LEARNED);
-    hid_mapping_store_close(&book);
+    assert_int_equal(store.written_count, 1);
+    assert_int_equal(slot[0].decoder.map.source, HID_MAPPING_LEARNED);
+    hid_mapping_store_close(&store);
     snprintf(pois, sizeof pois, "rm -rf %s", data);
     assert_int_equal(system(pois), 0);
-    hid_mapping_store_open(&book, NULL, NULL, NULL);
+    hid_mapping_store_open(&store, NULL, NULL, NULL);
 }
 
-static void test_who_lives_with_what_is_not_kept_plays_on(void **state)
+static void test_a_device_with_an_accepted_unwritable_mapping_stays_active(void **state)
 {
     (void)state;
-    snprintf(book.folder, sizeof book.folder, "/nowhere/pois"); /* A book without its thread. */
+    snprintf(store.folder, sizeof store.folder, "/nowhere/pois"); /* The store has no thread. */
     frame();
     teach();
     assert_int_equal(order(COMMAND_LEARN_KEEP, 0), HAL_ERR_IO);
@@ -307,10 +310,10 @@ static void test_who_lives_with_what_is_not_kept_plays_on(void **state)
     order(COMMAND_LEARN_END, 0);
     assert_int_equal(frame().learn_step, LEARN_NONE);
     assert_int_equal(frame().state[0], CONTROLLER_ACTIVE);
-    assert_int_equal(seat[0].hand.map.source, HID_MAPPING_LEARNED);
+    assert_int_equal(slot[0].decoder.map.source, HID_MAPPING_LEARNED);
 }
 
-static void test_a_released_controller_is_forgotten(void **state)
+static void test_the_mapping_of_a_released_device_is_removed(void **state)
 {
     (void)state;
     frame();
@@ -319,10 +322,10 @@ static void test_a_released_controller_is_forgotten(void **state)
     frame();
     order(COMMAND_RELEASE, 0);
     frame();
-    assert_null(hid_mapping_store_find(&book, &wire[0].face.identity));
+    assert_null(hid_mapping_store_find(&store, &wire[0].face.identity));
 }
 
-static void test_one_that_is_pulled_out_while_it_is_learned_fails(void **state)
+static void test_learning_fails_if_the_device_is_unplugged(void **state)
 {
     (void)state;
     frame();
@@ -334,15 +337,15 @@ static void test_one_that_is_pulled_out_while_it_is_learned_fails(void **state)
     hid_device_list_sim_plug(&device_list, 0, NULL);
     frame();
     assert_int_equal(frame().learn_step, LEARN_FAILED);
-    order(COMMAND_LEARN_NEXT, 0); /* Nobody is there to go on with. */
+    order(COMMAND_LEARN_NEXT, 0); /* No learning is in progress. */
     assert_int_equal(frame().learn_step, LEARN_FAILED);
     hid_device_list_sim_plug(&device_list, 0, &wire[0].face);
     frame();
-    teach(); /* Begun again it goes well. */
+    teach(); /* A second attempt succeeds. */
     assert_int_equal(frame().learn_step, LEARN_TRY);
 }
 
-static void test_one_that_may_not_be_opened_cannot_be_learned(void **state)
+static void test_a_device_that_cannot_be_opened_cannot_be_learned(void **state)
 {
     (void)state;
     device_list.denied[3] = 1;
@@ -355,23 +358,23 @@ static void test_one_that_may_not_be_opened_cannot_be_learned(void **state)
     assert_int_equal(frame().learn_step, LEARN_FAILED);
 }
 
-static void test_who_cannot_be_shown_is_told_so(void **state)
+static void test_an_unsuccessful_learning_is_reported(void **state)
 {
     (void)state;
     frame();
     order(COMMAND_LEARN, 0);
     for (uint32_t i = LEARN_REST; i <= LEARN_DIP; i++) {
         frame();
-        step(128, 128, 0); /* Nobody moves it. */
+        step(128, 128, 0); /* The stick does not move. */
         order(COMMAND_LEARN_NEXT, 0);
     }
     assert_int_equal(frame().learn_step, LEARN_FAILED);
-    assert_true(seat[0].plays); /* By what it played by before. */
-    assert_int_equal(seat[0].hand.map.source, HID_MAPPING_KNOWN);
+    assert_true(slot[0].plays); /* The previous mapping is in use. */
+    assert_int_equal(slot[0].decoder.map.source, HID_MAPPING_KNOWN);
     assert_int_equal(order(COMMAND_LEARN_KEEP, 0), HAL_ERR_IO);
 }
 
-static void test_orders_that_do_not_fit_harm_nothing(void **state)
+static void test_invalid_commands_change_nothing(void **state)
 {
     (void)state;
     frame();
@@ -388,20 +391,20 @@ int main(void)
 {
 #define TEST(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
     const struct CMUnitTest tests[] = {
-        TEST(test_rows_are_what_is_plugged_in),
-        TEST(test_a_long_name_is_cut_between_its_letters),
-        TEST(test_who_is_chosen_plays_and_who_is_released_does_not),
-        TEST(test_a_pad_is_learned_tried_and_kept),
-        TEST(test_what_is_not_kept_is_forgotten),
-        TEST(test_who_was_free_is_so_again_where_nothing_was_kept),
-        TEST(test_who_was_kept_plays_on),
-        TEST(test_what_cannot_be_written_is_told_and_plays_on),
-        TEST(test_who_lives_with_what_is_not_kept_plays_on),
-        TEST(test_a_released_controller_is_forgotten),
-        TEST(test_one_that_is_pulled_out_while_it_is_learned_fails),
-        TEST(test_one_that_may_not_be_opened_cannot_be_learned),
-        TEST(test_who_cannot_be_shown_is_told_so),
-        TEST(test_orders_that_do_not_fit_harm_nothing),
+        TEST(test_rows_list_the_connected_devices),
+        TEST(test_a_long_name_is_truncated_between_two_characters),
+        TEST(test_a_device_is_active_while_it_is_chosen),
+        TEST(test_a_mapping_is_learned_tried_and_stored),
+        TEST(test_a_mapping_that_is_not_stored_is_discarded),
+        TEST(test_an_unused_device_is_free_again_after_a_discarded_mapping),
+        TEST(test_a_device_with_a_stored_mapping_stays_active),
+        TEST(test_an_unwritable_mapping_is_reported_and_stays_in_use),
+        TEST(test_a_device_with_an_accepted_unwritable_mapping_stays_active),
+        TEST(test_the_mapping_of_a_released_device_is_removed),
+        TEST(test_learning_fails_if_the_device_is_unplugged),
+        TEST(test_a_device_that_cannot_be_opened_cannot_be_learned),
+        TEST(test_an_unsuccessful_learning_is_reported),
+        TEST(test_invalid_commands_change_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

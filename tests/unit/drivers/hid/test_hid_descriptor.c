@@ -1,4 +1,5 @@
-/* test_hid_descriptor.c -- what a report descriptor says, and what it must not get away with. */
+/* test_hid_descriptor.c -- Tests the parser of HID report descriptors with valid and malformed
+ * descriptors. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -14,7 +15,7 @@ static struct hid_descriptor read_in;
     hid_descriptor_read(&read_in, (const uint8_t[]){ __VA_ARGS__ },                                \
                         sizeof((const uint8_t[]){ __VA_ARGS__ }))
 
-/* Report of bytes: for devices without ids. */
+/* Report payload of a device without report ids. */
 #define REPORT(...)                                                                                \
     ((struct hid_report){ (const uint8_t[]){ __VA_ARGS__ },                                        \
                           sizeof((const uint8_t[]){ __VA_ARGS__ }) })
@@ -22,17 +23,17 @@ static struct hid_descriptor read_in;
 #define JOYSTICK 0x05, 0x01, 0x09, 0x04, 0xa1, 0x01 /* Generic Desktop, Joystick, Application. */
 #define END 0xc0
 
-static void test_a_mouse_reads_as_buttons_and_relative_axes(void **state)
+static void test_a_mouse_has_buttons_and_relative_axes(void **state)
 {
     (void)state;
     const enum hid_error error =
         READ(0x05, 0x01, 0x09, 0x02, 0xa1, 0x01, 0x09, 0x01, 0xa1, 0x00, /* Mouse, Pointer */
-             0x05, 0x09, 0x19, 0x01, 0x29, 0x03, 0x15, 0x00, 0x25, 0x01, /* Buttons 1 .. 3 */
+             0x05, 0x09, 0x19, 0x01, 0x29, 0x03, 0x15, 0x00, 0x25, 0x01, /* Buttons 1 to 3 */
              0x75, 0x01, 0x95, 0x03, 0x81, 0x02, 0x75, 0x05, 0x95, 0x01, 0x81, 0x01, /* padding */
              0x05, 0x01, 0x09, 0x30, 0x09, 0x31, 0x15, 0x81, 0x25, 0x7f, 0x75, 0x08, 0x95, 0x02,
              0x81, 0x06, END, END);
     assert_int_equal(error, HID_OK);
-    assert_int_equal(read_in.group_count, 2); /* Padding is no group. */
+    assert_int_equal(read_in.group_count, 2); /* Padding makes no group. */
     const struct hid_group *axes = &read_in.group[1];
     assert_int_equal(axes->application, 0x00010002);
     assert_int_equal(axes->bit_offset, 8);
@@ -46,7 +47,7 @@ static void test_a_mouse_reads_as_buttons_and_relative_axes(void **state)
     assert_int_equal(hid_field_value(&read_in, axes, 1, report), 16);
 }
 
-static void test_a_report_that_is_too_short_is_not_whole(void **state)
+static void test_a_short_report_is_not_complete(void **state)
 {
     (void)state;
     assert_int_equal(
@@ -60,7 +61,7 @@ static void test_a_report_that_is_too_short_is_not_whole(void **state)
     assert_int_equal(hid_field_value(&read_in, &read_in.group[0], 1, report), 0x654);
 }
 
-static void test_each_report_id_counts_its_own_bits(void **state)
+static void test_each_report_id_has_its_own_bit_offsets(void **state)
 {
     (void)state;
     assert_int_equal(READ(JOYSTICK, 0x75, 0x08, 0x95, 0x01, 0x85, 0x01, 0x09, 0x30, 0x81, 0x02,
@@ -68,14 +69,16 @@ static void test_each_report_id_counts_its_own_bits(void **state)
                           END),
                      HID_OK);
     assert_int_equal(read_in.group[1].bit_offset, 0);
-    assert_int_equal(read_in.group[2].bit_offset, 8); /* Report 1 goes on where it was left. */
+    assert_int_equal(read_in.group[2].bit_offset, 8); /* The fields of report 1 continue at its
+                                                         own bit offset. */
     assert_int_equal(hid_report_id(&read_in, REPORT(2, 7)), 2);
     assert_true(hid_report_is_whole(&read_in, REPORT(2, 7)));
     assert_false(hid_report_is_whole(&read_in, REPORT(1, 7)));
-    assert_false(hid_report_is_whole(&read_in, REPORT(9, 7, 7))); /* Nobody declared it. */
+    assert_false(hid_report_is_whole(&read_in, REPORT(9, 7, 7))); /* The descriptor declares no
+                                                                     report 9. */
 }
 
-static void test_a_usage_keeps_the_page_it_was_named_on(void **state)
+static void test_a_usage_keeps_the_usage_page_at_its_declaration(void **state)
 {
     (void)state;
     assert_int_equal(READ(JOYSTICK, 0x75, 0x08, 0x95, 0x02, 0x09, 0x30, 0x05, 0x02, 0x0b, 0x07,
@@ -85,7 +88,7 @@ static void test_a_usage_keeps_the_page_it_was_named_on(void **state)
     assert_int_equal(hid_usage_at(&read_in, &read_in.group[0], 1), 0xff0d0007);
 }
 
-static void test_too_few_usages_repeat_the_last(void **state)
+static void test_with_too_few_usages_the_last_one_repeats(void **state)
 {
     (void)state;
     assert_int_equal(
@@ -105,7 +108,7 @@ static void test_a_maximum_is_signed_only_below_a_negative_minimum(void **state)
     assert_int_equal(hid_field_value(&read_in, &read_in.group[1], 0, REPORT(0x80, 0x80)), -128);
 }
 
-static void test_an_array_names_the_usage_that_is_down(void **state)
+static void test_an_array_contains_the_pressed_usage(void **state)
 {
     (void)state;
     assert_int_equal(READ(0x05, 0x01, 0x09, 0x06, 0xa1, 0x01, 0x05, 0x07, 0x19, 0x04, 0x29, 0x08,
@@ -118,7 +121,7 @@ static void test_an_array_names_the_usage_that_is_down(void **state)
     assert_int_equal(hid_selected(&read_in, keys, 6), 0);
 }
 
-static void test_push_keeps_the_globals_and_pop_brings_them_back(void **state)
+static void test_push_saves_the_global_items_and_pop_restores_them(void **state)
 {
     (void)state;
     assert_int_equal(READ(JOYSTICK, 0x75, 0x08, 0x95, 0x01, 0x55, 0x0e, 0x65, 0x11, 0xa4, 0x55,
@@ -127,10 +130,10 @@ static void test_push_keeps_the_globals_and_pop_brings_them_back(void **state)
                      HID_OK);
     assert_int_equal(read_in.group[0].unit, 0);
     assert_int_equal(read_in.group[1].unit, 0x11);
-    assert_int_equal(read_in.group[1].unit_exponent, -2); /* Nibble 14. */
+    assert_int_equal(read_in.group[1].unit_exponent, -2); /* The nibble 14 is the exponent -2. */
 }
 
-static void test_only_the_first_of_a_delimited_set_is_heard(void **state)
+static void test_only_the_first_usage_of_a_delimited_set_is_used(void **state)
 {
     (void)state;
     assert_int_equal(READ(JOYSTICK, 0x75, 0x08, 0x95, 0x01, 0xa9, 0x01, 0x09, 0x32, 0x09, 0x33,
@@ -140,7 +143,7 @@ static void test_only_the_first_of_a_delimited_set_is_heard(void **state)
     assert_int_equal(hid_usage_at(&read_in, &read_in.group[0], 0), 0x00010032);
 }
 
-static void test_long_and_reserved_items_are_passed_over(void **state)
+static void test_long_and_reserved_items_are_skipped(void **state)
 {
     (void)state;
     assert_int_equal(READ(JOYSTICK, 0xfe, 0x02, 0xf0, 1, 2, 0xcc, 0x00, 0x75, 0x08, 0x95, 0x01,
@@ -149,7 +152,7 @@ static void test_long_and_reserved_items_are_passed_over(void **state)
     assert_int_equal(read_in.group_count, 1);
 }
 
-static void test_each_malformed_descriptor_is_refused_at_its_place(void **state)
+static void test_each_malformed_descriptor_is_rejected_with_its_error_offset(void **state)
 {
     (void)state;
     assert_int_equal(READ(JOYSTICK, 0x26, 0x10), HID_ERR_CUT_OFF);
@@ -161,7 +164,8 @@ static void test_each_malformed_descriptor_is_refused_at_its_place(void **state)
     assert_int_equal(READ(JOYSTICK, 0x19, 0x05, 0x29, 0x02, END), HID_ERR_USAGE_RANGE);
     assert_int_equal(READ(JOYSTICK, 0xa9, 0x00, END), HID_ERR_DELIMITER);
     assert_int_equal(READ(JOYSTICK, 0xa9, 0x01, 0x09, 0x30, 0x81, 0x02, END), HID_ERR_DELIMITER);
-    assert_int_equal(read_in.error_offset, 10); /* At the main item that it should have ended by. */
+    assert_int_equal(read_in.error_offset, 10); /* The error is reported at the main item by
+                                                   which the delimited set should have ended. */
     assert_int_equal(READ(JOYSTICK, 0x77, 0xff, 0xff, 0xff, 0xff, 0x97, 0xff, 0xff, 0xff, 0xff,
                           0x09, 0x30, 0x81, 0x02, END),
                      HID_ERR_REPORT_SIZE);
@@ -169,7 +173,7 @@ static void test_each_malformed_descriptor_is_refused_at_its_place(void **state)
                      HID_ERR_FIELD_SIZE);
 }
 
-/* Reads `count` times the bytes of `item`, closed by as many of `end`. */
+/* Parses `count` copies of `item`, followed by `count` copies of `end`. */
 static enum hid_error repeated(const uint8_t item[2], uint32_t count, uint8_t end)
 {
     static uint8_t bytes[HID_DESCRIPTOR_SIZE_MAX + 1u];
@@ -184,7 +188,7 @@ static enum hid_error repeated(const uint8_t item[2], uint32_t count, uint8_t en
     return hid_descriptor_read(&read_in, bytes, size);
 }
 
-static void test_limits_hold_on_both_sides(void **state)
+static void test_each_limit_is_accepted_and_one_more_is_rejected(void **state)
 {
     (void)state;
     const uint8_t collection[2] = { 0xa1, 0x00 }, usage[2] = { 0x09, 0x30 };
@@ -199,7 +203,7 @@ static void test_limits_hold_on_both_sides(void **state)
     assert_int_equal(repeated(push, HID_PUSH_MAX / 2u + 1u, 0), HID_ERR_PUSH);
 }
 
-/* Reports 1 and 2 of `count` bits each, every bit a field. */
+/* Parses the reports 1 and 2 with `count` one-bit fields each. */
 static enum hid_error bits(uint32_t count)
 {
     const uint8_t low = (uint8_t)count, high = (uint8_t)(count >> 8), more = (uint8_t)(count >> 16);
@@ -207,7 +211,7 @@ static enum hid_error bits(uint32_t count)
                 0x85, 0x02, 0x95, 0x01, 0x09, 0x31, 0x81, 0x02, END);
 }
 
-static void test_as_many_fields_as_the_longest_report_has_bits(void **state)
+static void test_a_report_can_have_one_field_per_bit(void **state)
 {
     (void)state;
     assert_int_equal(bits(HID_FIELD_MAX - 1u), HID_OK);
@@ -216,7 +220,7 @@ static void test_as_many_fields_as_the_longest_report_has_bits(void **state)
     assert_int_equal(bits(HID_REPORT_BITS_MAX + 1u), HID_ERR_REPORT_SIZE);
 }
 
-static void test_nothing_of_the_last_descriptor_shows(void **state)
+static void test_a_parsed_descriptor_keeps_nothing_of_the_previous_one(void **state)
 {
     (void)state;
     assert_int_equal(bits(100), HID_OK);
@@ -231,10 +235,10 @@ static void test_nothing_of_the_last_descriptor_shows(void **state)
     assert_int_equal(read_in.error_offset, 0);
 }
 
-static void test_values_of_any_size_are_read_from_any_bit(void **state)
+static void test_values_of_any_size_are_read_at_any_bit_offset(void **state)
 {
     (void)state;
-    /* 3 bits, 32 signed ones, 64, and one that is its own sign. */
+    /* The fields have 3 bits, 32 signed bits, 64 bits, and one signed bit. */
     assert_int_equal(READ(JOYSTICK, 0x75, 0x03, 0x95, 0x01, 0x09, 0x30, 0x81, 0x02, 0x17, 0, 0, 0,
                           0x80, 0x27, 0xff, 0xff, 0xff, 0x7f, 0x75, 0x20, 0x09, 0x31, 0x81, 0x02,
                           0x75, 0x40, 0x09, 0x32, 0x81, 0x02, 0x75, 0x01, 0x09, 0x33, 0x81, 0x02,
@@ -245,7 +249,7 @@ static void test_values_of_any_size_are_read_from_any_bit(void **state)
     assert_true(hid_report_is_whole(&read_in, report));
     assert_int_equal(hid_field_value(&read_in, &read_in.group[0], 0, report), 5);
     assert_true(hid_field_value(&read_in, &read_in.group[1], 0, report) == -0x80000000ll);
-    /* Wider ones give their low 32 bits. */
+    /* A field wider than 32 bits returns its lowest 32 bits. */
     assert_true(hid_field_value(&read_in, &read_in.group[2], 0, report) == -0x3579bc01ll);
     assert_int_equal(hid_field_value(&read_in, &read_in.group[3], 0, report), -1);
 }
@@ -253,21 +257,21 @@ static void test_values_of_any_size_are_read_from_any_bit(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_mouse_reads_as_buttons_and_relative_axes),
-        cmocka_unit_test(test_a_report_that_is_too_short_is_not_whole),
-        cmocka_unit_test(test_each_report_id_counts_its_own_bits),
-        cmocka_unit_test(test_a_usage_keeps_the_page_it_was_named_on),
-        cmocka_unit_test(test_too_few_usages_repeat_the_last),
+        cmocka_unit_test(test_a_mouse_has_buttons_and_relative_axes),
+        cmocka_unit_test(test_a_short_report_is_not_complete),
+        cmocka_unit_test(test_each_report_id_has_its_own_bit_offsets),
+        cmocka_unit_test(test_a_usage_keeps_the_usage_page_at_its_declaration),
+        cmocka_unit_test(test_with_too_few_usages_the_last_one_repeats),
         cmocka_unit_test(test_a_maximum_is_signed_only_below_a_negative_minimum),
-        cmocka_unit_test(test_an_array_names_the_usage_that_is_down),
-        cmocka_unit_test(test_push_keeps_the_globals_and_pop_brings_them_back),
-        cmocka_unit_test(test_only_the_first_of_a_delimited_set_is_heard),
-        cmocka_unit_test(test_long_and_reserved_items_are_passed_over),
-        cmocka_unit_test(test_each_malformed_descriptor_is_refused_at_its_place),
-        cmocka_unit_test(test_limits_hold_on_both_sides),
-        cmocka_unit_test(test_as_many_fields_as_the_longest_report_has_bits),
-        cmocka_unit_test(test_nothing_of_the_last_descriptor_shows),
-        cmocka_unit_test(test_values_of_any_size_are_read_from_any_bit),
+        cmocka_unit_test(test_an_array_contains_the_pressed_usage),
+        cmocka_unit_test(test_push_saves_the_global_items_and_pop_restores_them),
+        cmocka_unit_test(test_only_the_first_usage_of_a_delimited_set_is_used),
+        cmocka_unit_test(test_long_and_reserved_items_are_skipped),
+        cmocka_unit_test(test_each_malformed_descriptor_is_rejected_with_its_error_offset),
+        cmocka_unit_test(test_each_limit_is_accepted_and_one_more_is_rejected),
+        cmocka_unit_test(test_a_report_can_have_one_field_per_bit),
+        cmocka_unit_test(test_a_parsed_descriptor_keeps_nothing_of_the_previous_one),
+        cmocka_unit_test(test_values_of_any_size_are_read_at_any_bit_offset),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

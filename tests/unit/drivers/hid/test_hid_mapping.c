@@ -1,5 +1,5 @@
-/* test_hid_mapping.c -- which map each of 72 real devices gets, what a map must be, and its
- * words. */
+/* test_hid_mapping.c -- Tests which mapping each of 72 real devices gets, the validation of
+ * mappings, and their text form. */
 #include <dirent.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -41,11 +41,12 @@ static const struct hid_binding *binding_of(const struct hid_mapping *map, enum 
 struct expected {
     const char *name;
     uint8_t style;
-    uint8_t manner, x_report; /* Of X. */
+    uint8_t manner, x_report; /* Kind and report id of the binding of X. */
     uint32_t x_offset;
 };
 
-/* Judged by reading each descriptor's fields (tests/hid/good/fields.tsv), not by what came out. */
+/* The expected mappings were derived from the declared fields (tests/hid/good/fields.tsv) and not
+ * from the result of the code. */
 static const struct expected expected[] = {
     { "002-3dconnexion-spacemouse-wireless", HID_STYLE_FLY, HID_BINDING_RATE, 1, 0 },
     { "006-blaze-joypad", HID_STYLE_FLY, HID_BINDING_RATE, 1, 40 },
@@ -73,7 +74,7 @@ static const struct expected expected[] = {
     { "207-hr-libinput-issue366-0003-046d-4082-0", HID_STYLE_NONE, 0, 0, 0 },
 };
 
-static void test_a_descriptor_says_how_its_device_is_played(void **state)
+static void test_the_mapping_follows_from_the_descriptor(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < sizeof expected / sizeof expected[0]; i++) {
@@ -103,7 +104,7 @@ static int is_keyboard(const char *name)
     return 0;
 }
 
-/* Visits all of the corpus; returns how many can be played. */
+/* Visits every device of the corpus. Returns the number of devices that have a mapping. */
 static uint32_t each_device(void (*visit)(const char *name, const struct hid_mapping *map))
 {
     DIR *folder = opendir(CORPUS);
@@ -137,7 +138,7 @@ static void is_sound_or_none(const char *name, const struct hid_mapping *map)
     }
 }
 
-static void test_every_real_device_has_a_sound_map_or_none(void **state)
+static void test_every_real_device_has_a_valid_mapping_or_none(void **state)
 {
     (void)state;
     const uint32_t playable = each_device(is_sound_or_none);
@@ -172,13 +173,13 @@ static void says_itself(const char *name, const struct hid_mapping *map)
     }
 }
 
-static void test_a_map_is_the_same_after_it_was_written_and_read(void **state)
+static void test_a_mapping_is_unchanged_by_writing_and_reading(void **state)
 {
     (void)state;
     each_device(says_itself);
 }
 
-static void test_our_own_poi_is_known_by_its_descriptor_whoever_made_it(void **state)
+static void test_a_kingyo_poi_of_any_vendor_is_recognized_by_its_descriptor(void **state)
 {
     (void)state;
     struct hid_mapping map;
@@ -189,10 +190,11 @@ static void test_our_own_poi_is_known_by_its_descriptor_whoever_made_it(void **s
     assert_int_equal(map.style, HID_STYLE_POSE);
     assert_true(map.feels);
     map = map_of("002-3dconnexion-spacemouse-wireless", 0x1209, 0x0001);
-    assert_int_equal(map.source, HID_MAPPING_AUTO); /* Six axes alone do not make a poi. */
+    assert_int_equal(map.source, HID_MAPPING_AUTO); /* A device is not a Kingyo poi only because
+                                                       it has six axes. */
 }
 
-static void test_a_playstation_pad_is_known_by_its_ids(void **state)
+static void test_a_playstation_gamepad_is_recognized_by_its_usb_ids(void **state)
 {
     (void)state;
     const struct hid_mapping known = map_of("016-ci-dualsense", 0x054c, 0x0ce6);
@@ -201,31 +203,32 @@ static void test_a_playstation_pad_is_known_by_its_ids(void **state)
     assert_int_equal(known.source, HID_MAPPING_KNOWN);
     assert_int_equal(edge.source, HID_MAPPING_KNOWN);
     assert_int_equal(other.source, HID_MAPPING_AUTO);
-    assert_int_equal(binding_of(&known, HID_ROLE_START)->bit_offset, 69); /* Options. */
+    /* The button OPTIONS is at this bit. */
+    assert_int_equal(binding_of(&known, HID_ROLE_START)->bit_offset, 69);
     const struct hid_mapping fourth = map_of(KNOWN "054c-05c4-dualshock4", 0x054c, 0x05c4);
     assert_int_equal(fourth.source, HID_MAPPING_KNOWN);
     assert_int_equal(binding_of(&fourth, HID_ROLE_START)->bit_offset, 45);
 }
 
-static void test_a_known_map_that_does_not_fit_the_descriptor_is_not_used(void **state)
+static void test_a_known_mapping_that_does_not_match_the_descriptor_is_unused(void **state)
 {
     (void)state;
     const struct hid_mapping map = map_of("187-hr-0003-045e-0040-0004", 0x054c, 0x0ce6);
-    assert_int_equal(map.source, HID_MAPPING_AUTO); /* A clone that is a mouse. */
+    assert_int_equal(map.source, HID_MAPPING_AUTO); /* This clone of a gamepad is a mouse. */
     assert_int_equal(map.style, HID_STYLE_POINTER);
 }
 
-/* 027 declares its buttons from 0 to 65535 in one bit. */
-static void test_a_range_wider_than_its_bits_ends_where_they_do(void **state)
+/* Device 027 declares buttons with the range 0 to 65535 in one bit. */
+static void test_a_range_wider_than_its_field_is_limited_to_the_field(void **state)
 {
     (void)state;
     const struct hid_mapping map = map_of("027-ci-xusb-gamepad2", 0x1111, 0x2222);
     assert_int_equal(binding_of(&map, HID_ROLE_DIP)->full, 1);
 }
 
-/* ---- Soundness ------------------------------------------------------------------------------ */
+/* ---- Validation ----------------------------------------------------------------------------- */
 
-static void test_one_wrong_number_makes_a_map_unsound(void **state)
+static void test_each_invalid_value_makes_a_mapping_invalid(void **state)
 {
     (void)state;
     const struct hid_mapping good = map_of("016-ci-dualsense", 0x054c, 0x0ce6);
@@ -239,16 +242,16 @@ static void test_one_wrong_number_makes_a_map_unsound(void **state)
     SPOIL(map.source = HID_MAPPING_NONE);
     SPOIL(map.source = HID_MAPPING_LEARNED + 1);
     SPOIL(map.style = HID_STYLE_NONE);
-    SPOIL(map.style = HID_STYLE_POSE);    /* No poi of ours. */
-    SPOIL(map.style = HID_STYLE_POINTER); /* Its axes are speeds. */
+    SPOIL(map.style = HID_STYLE_POSE);    /* The device is not a Kingyo poi. */
+    SPOIL(map.style = HID_STYLE_POINTER); /* The axes of the device are velocities. */
     SPOIL(map.count = HID_BINDING_MAX + 1u);
-    SPOIL(map.count = 1); /* No way along. */
+    SPOIL(map.count = 1); /* The mapping has no axis Z. */
     SPOIL(map.trembles = 2);
     SPOIL(map.binding[0].role = HID_ROLE_NONE);
     SPOIL(map.binding[0].role = HID_ROLE_COUNT);
     SPOIL(map.binding[0].manner = HID_BINDING_PRESS);
     SPOIL(map.binding[0].manner = HID_BINDING_KIND_COUNT);
-    SPOIL(map.binding[0].report_id = 2); /* There is no such report. */
+    SPOIL(map.binding[0].report_id = 2); /* The descriptor has no such report. */
     SPOIL(map.binding[0].bit_offset = wire.descriptor.report_bits[1] - 7u);
     SPOIL(map.binding[0].bit_offset = UINT32_MAX);
     SPOIL(map.binding[0].bit_size = 0);
@@ -258,16 +261,17 @@ static void test_one_wrong_number_makes_a_map_unsound(void **state)
     SPOIL(map.binding[0].rest = INT64_MIN);
     SPOIL(map.binding[0].dead = -1);
     SPOIL(map.binding[0].dead = 127);
-    SPOIL(map.binding[5].usage = 0x00070004); /* There is no array. */
+    SPOIL(map.binding[5].usage = 0x00070004); /* The descriptor has no such array. */
 #undef SPOIL
     struct hid_mapping last = good;
-    last.binding[0].bit_offset = wire.descriptor.report_bits[1] - 8u; /* Just within. */
+    /* The binding ends exactly at the end of the report. */
+    last.binding[0].bit_offset = wire.descriptor.report_bits[1] - 8u;
     assert_true(hid_mapping_is_sound(&last, &wire.descriptor));
 }
 
-/* ---- Words ---------------------------------------------------------------------------------- */
+/* ---- Text form ------------------------------------------------------------------------------ */
 
-static void test_words_that_are_no_map_are_refused_with_a_reason(void **state)
+static void test_an_invalid_text_is_rejected_with_a_reason(void **state)
 {
     static const char *const lines[] = {
         "",
@@ -307,7 +311,7 @@ static void test_words_that_are_no_map_are_refused_with_a_reason(void **state)
     }
 }
 
-static void test_a_line_with_too_many_bindings_is_refused(void **state)
+static void test_a_line_with_too_many_bindings_is_rejected(void **state)
 {
     char line[HID_MAPPING_TEXT_SIZE] = "learned fly", why[HAL_TEXT_SIZE] = "";
     struct hid_mapping map;
@@ -319,10 +323,10 @@ static void test_a_line_with_too_many_bindings_is_refused(void **state)
     assert_int_equal(map.count, HID_BINDING_MAX);
     strcat(line, " x=rate:1:u8@0:0..1");
     assert_int_equal(hid_mapping_read(&map, line, why), -1);
-    assert_non_null(strstr(why, "more bindings"));
+    assert_non_null(strstr(why, "too many bindings"));
 }
 
-static void test_the_longest_map_fits_its_line(void **state)
+static void test_the_longest_mapping_fits_into_its_line(void **state)
 {
     char line[HID_MAPPING_TEXT_SIZE], why[HAL_TEXT_SIZE];
     struct hid_mapping map = { .source = HID_MAPPING_AUTO,
@@ -353,7 +357,8 @@ static void test_the_longest_map_fits_its_line(void **state)
     assert_true(back.binding[HID_BINDING_MAX - 1u].dead == HID_VALUE_MAX);
 }
 
-/* A joystick of two axes, and buttons 1 .. 4 named by an array of so many elements. */
+/* Initializes a joystick with two axes and an array of `elements` elements for the buttons 1
+ * to 4. */
 static void load_array(uint8_t elements)
 {
     const uint8_t bytes[] = { 0x05, 1,    0x09, 4,        0xa1, 1, 0x09, 0x30, 0x09, 0x31,
@@ -363,7 +368,7 @@ static void load_array(uint8_t elements)
     wire_begin(&wire, &clock_now, bytes, sizeof bytes);
 }
 
-static void test_an_array_of_more_keys_than_fingers_is_bound_to_nothing(void **state)
+static void test_an_array_with_many_elements_is_not_bound(void **state)
 {
     struct hid_mapping map;
     (void)state;
@@ -372,12 +377,13 @@ static void test_an_array_of_more_keys_than_fingers_is_bound_to_nothing(void **s
     assert_int_equal(map.style, HID_STYLE_FLY);
     assert_int_equal(binding_of(&map, HID_ROLE_DIP)->usage, USAGE_BUTTON + 1u);
     load_array(HID_ARRAY_MAX + 1u);
-    assert_false(hid_mapping_is_sound(&map, &wire.descriptor)); /* As a file might want it. */
+    assert_false(hid_mapping_is_sound(&map, &wire.descriptor)); /* A mapping file may contain
+                                                                   such a binding. */
     hid_mapping_choose(&map, &wire.face.identity, &wire.descriptor);
-    assert_int_equal(map.source, HID_MAPPING_NONE); /* For nothing dips. */
+    assert_int_equal(map.source, HID_MAPPING_NONE); /* There is no button for the dip. */
 }
 
-static void test_a_touchpad_that_is_also_a_mouse_is_played_as_one(void **state)
+static void test_a_touchpad_with_a_mouse_report_is_mapped_as_a_mouse(void **state)
 {
     static const char *const gamepads[] = { "073-hd-elan-04f3-300b",
                                             "211-hr-libinput-issue423-0018-0488-121f-0",
@@ -395,19 +401,19 @@ static void test_a_touchpad_that_is_also_a_mouse_is_played_as_one(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_descriptor_says_how_its_device_is_played),
-        cmocka_unit_test(test_every_real_device_has_a_sound_map_or_none),
-        cmocka_unit_test(test_a_map_is_the_same_after_it_was_written_and_read),
-        cmocka_unit_test(test_our_own_poi_is_known_by_its_descriptor_whoever_made_it),
-        cmocka_unit_test(test_a_playstation_pad_is_known_by_its_ids),
-        cmocka_unit_test(test_a_known_map_that_does_not_fit_the_descriptor_is_not_used),
-        cmocka_unit_test(test_a_range_wider_than_its_bits_ends_where_they_do),
-        cmocka_unit_test(test_one_wrong_number_makes_a_map_unsound),
-        cmocka_unit_test(test_words_that_are_no_map_are_refused_with_a_reason),
-        cmocka_unit_test(test_a_line_with_too_many_bindings_is_refused),
-        cmocka_unit_test(test_the_longest_map_fits_its_line),
-        cmocka_unit_test(test_an_array_of_more_keys_than_fingers_is_bound_to_nothing),
-        cmocka_unit_test(test_a_touchpad_that_is_also_a_mouse_is_played_as_one),
+        cmocka_unit_test(test_the_mapping_follows_from_the_descriptor),
+        cmocka_unit_test(test_every_real_device_has_a_valid_mapping_or_none),
+        cmocka_unit_test(test_a_mapping_is_unchanged_by_writing_and_reading),
+        cmocka_unit_test(test_a_kingyo_poi_of_any_vendor_is_recognized_by_its_descriptor),
+        cmocka_unit_test(test_a_playstation_gamepad_is_recognized_by_its_usb_ids),
+        cmocka_unit_test(test_a_known_mapping_that_does_not_match_the_descriptor_is_unused),
+        cmocka_unit_test(test_a_range_wider_than_its_field_is_limited_to_the_field),
+        cmocka_unit_test(test_each_invalid_value_makes_a_mapping_invalid),
+        cmocka_unit_test(test_an_invalid_text_is_rejected_with_a_reason),
+        cmocka_unit_test(test_a_line_with_too_many_bindings_is_rejected),
+        cmocka_unit_test(test_the_longest_mapping_fits_into_its_line),
+        cmocka_unit_test(test_an_array_with_many_elements_is_not_bound),
+        cmocka_unit_test(test_a_touchpad_with_a_mouse_report_is_mapped_as_a_mouse),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

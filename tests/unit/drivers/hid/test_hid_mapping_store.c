@@ -1,5 +1,5 @@
-/* test_hid_mapping_store.c -- what was learned, over a restart, a torn file and a card that
- * fails. */
+/* test_hid_mapping_store.c -- Tests that learned mappings persist over a restart, a torn write and
+ * storage errors. */
 #include <fcntl.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -19,14 +19,14 @@
 
 static struct clock_sim clock_now;
 static struct hid_wire wire;
-static struct hid_mapping_store book;
+static struct hid_mapping_store store;
 static char data[64];
 static char complaint[2048];
 
 static int make_folder(void **state)
 {
     (void)state;
-    snprintf(data, sizeof data, "/tmp/kingyo-book-XXXXXX");
+    snprintf(data, sizeof data, "/tmp/kingyo-store-XXXXXX");
     return mkdtemp(data) ? 0 : -1;
 }
 
@@ -47,7 +47,7 @@ static void complain(void *self, const char *line)
 static uint32_t open_book(void)
 {
     complaint[0] = '\0';
-    return hid_mapping_store_open(&book, data, complain, NULL);
+    return hid_mapping_store_open(&store, data, complain, NULL);
 }
 
 static struct hid_identity identity(uint16_t vendor, uint16_t product, const char *serial)
@@ -57,7 +57,7 @@ static struct hid_identity identity(uint16_t vendor, uint16_t product, const cha
     return out;
 }
 
-/* A sound map of a DualSense that no table would give. */
+/* Returns a valid mapping of a DualSense that differs from the built-in table. */
 static struct hid_mapping learned(void)
 {
     struct hid_mapping map;
@@ -69,12 +69,13 @@ static struct hid_mapping learned(void)
     return map;
 }
 
-/* The thread has until the next keep() to write: a few tries are patience. */
+/* Stores a mapping. The thread may still be busy with the previous write, so several attempts are
+ * made. */
 static int keep(const struct hid_identity *who, const struct hid_mapping *map)
 {
     int result;
     for (uint32_t i = 0; i < 5000; i++) {
-        if ((result = hid_mapping_store_put(&book, who, map)) != HAL_ERR_BUSY) {
+        if ((result = hid_mapping_store_put(&store, who, map)) != HAL_ERR_BUSY) {
             break;
         }
         usleep(1000);
@@ -94,26 +95,27 @@ static void write_file(const char *name, const char *text)
     fclose(file);
 }
 
-static void test_what_was_kept_is_there_after_a_restart(void **state)
+static void test_a_stored_mapping_is_loaded_after_a_restart(void **state)
 {
     const struct hid_identity who = identity(0x054c, 0x0ce6, "a/../b \xe9\x87\x91%");
     const struct hid_mapping map = learned();
     (void)state;
     assert_int_equal(open_book(), 0);
-    assert_null(hid_mapping_store_find(&book, &who));
+    assert_null(hid_mapping_store_find(&store, &who));
     assert_int_equal(keep(&who, &map), HAL_OK);
-    assert_non_null(hid_mapping_store_find(&book, &who)); /* At once. */
-    hid_mapping_store_close(&book);
-    assert_int_equal(book.written_count, 1);
+    assert_non_null(hid_mapping_store_find(&store, &who)); /* The mapping is available before it
+                                                              is written. */
+    hid_mapping_store_close(&store);
+    assert_int_equal(store.written_count, 1);
     assert_int_equal(open_book(), 0);
-    const struct hid_mapping *back = hid_mapping_store_find(&book, &who);
+    const struct hid_mapping *back = hid_mapping_store_find(&store, &who);
     assert_non_null(back);
     assert_int_equal(back->count, map.count);
     assert_int_equal(back->binding[0].full, 0);
-    hid_mapping_store_close(&book);
+    hid_mapping_store_close(&store);
 }
 
-static void test_a_book_is_of_vendor_product_and_serial(void **state)
+static void test_a_mapping_is_stored_by_vendor_product_and_serial_number(void **state)
 {
     const struct hid_identity one = identity(1, 2, "A"), other = identity(1, 2, "B"),
                               third = identity(1, 3, "A");
@@ -121,12 +123,12 @@ static void test_a_book_is_of_vendor_product_and_serial(void **state)
     (void)state;
     open_book();
     assert_int_equal(keep(&one, &map), HAL_OK);
-    assert_null(hid_mapping_store_find(&book, &other));
-    assert_null(hid_mapping_store_find(&book, &third));
-    hid_mapping_store_close(&book);
+    assert_null(hid_mapping_store_find(&store, &other));
+    assert_null(hid_mapping_store_find(&store, &third));
+    hid_mapping_store_close(&store);
 }
 
-static void test_what_was_forgotten_stays_so(void **state)
+static void test_a_removed_mapping_stays_removed(void **state)
 {
     const struct hid_identity one = identity(1, 2, "A"), other = identity(1, 2, "B");
     const struct hid_mapping map = learned();
@@ -135,39 +137,39 @@ static void test_what_was_forgotten_stays_so(void **state)
     open_book();
     keep(&one, &map);
     keep(&other, &map);
-    while ((result = hid_mapping_store_forget(&book, &one)) == HAL_ERR_BUSY) {
+    while ((result = hid_mapping_store_forget(&store, &one)) == HAL_ERR_BUSY) {
         usleep(1000);
     }
     assert_int_equal(result, HAL_OK);
-    assert_null(hid_mapping_store_find(&book, &one));
-    hid_mapping_store_close(&book);
+    assert_null(hid_mapping_store_find(&store, &one));
+    hid_mapping_store_close(&store);
     open_book();
-    assert_null(hid_mapping_store_find(&book, &one));
-    assert_non_null(hid_mapping_store_find(&book, &other));
-    hid_mapping_store_close(&book);
+    assert_null(hid_mapping_store_find(&store, &one));
+    assert_non_null(hid_mapping_store_find(&store, &other));
+    hid_mapping_store_close(&store);
 }
 
-static void test_a_learned_map_plays_and_one_that_no_longer_fits_does_not(void **state)
+static void test_a_mapping_is_used_only_if_it_matches_the_descriptor(void **state)
 {
     struct hid_mapping map = learned(), chosen;
     struct hid_mapper mapper;
     (void)state;
     wire.face.identity = identity(0x054c, 0x0ce6, "");
     open_book();
-    mapper = hid_mapping_store_mapper(&book);
+    mapper = hid_mapping_store_mapper(&store);
     mapper.choose(mapper.self, &wire.face, &wire.descriptor, &chosen);
     assert_int_equal(chosen.source, HID_MAPPING_KNOWN);
     keep(&wire.face.identity, &map);
     mapper.choose(mapper.self, &wire.face, &wire.descriptor, &chosen);
     assert_int_equal(chosen.source, HID_MAPPING_LEARNED);
-    map.binding[0].bit_offset = 100000; /* Another firmware, another descriptor. */
+    map.binding[0].bit_offset = 100000; /* Another firmware version has another descriptor. */
     keep(&wire.face.identity, &map);
     mapper.choose(mapper.self, &wire.face, &wire.descriptor, &chosen);
     assert_int_equal(chosen.source, HID_MAPPING_KNOWN);
-    hid_mapping_store_close(&book);
+    hid_mapping_store_close(&store);
 }
 
-static void test_a_bad_file_is_one_line_and_the_others_are_read(void **state)
+static void test_an_invalid_file_gives_one_message_and_the_others_are_read(void **state)
 {
     struct hid_mapping_store_entry entry = { .vendor = 7, .product = 8, .map = learned() };
     char text[HID_MAPPING_STORE_TEXT_SIZE];
@@ -175,12 +177,12 @@ static void test_a_bad_file_is_one_line_and_the_others_are_read(void **state)
     static const char *const bad[][2] = {
         { "", ":1: not \"kingyo poi 1\"" },
         { "kingyo poi 2\n", ":1: not \"kingyo poi 1\"" },
-        { "kingyo poi 1\n12:34:x\n", ":2: not vendor:product:serial" },
-        { "kingyo poi 1\n0001:0002:%zz\nlearned fly\n", ":2: not vendor:product:serial" },
-        { "kingyo poi 1\n0001:0002:a\n", ":3: not one line of a map" },
-        { "kingyo poi 1\n0001:0002:a\nlearned fly", ":3: not one line of a map" },
-        { "kingyo poi 1\n0001:0002:a\nlearned hop\n", ":3: no style of play" },
-        { "kingyo poi 1\n0001:0002:a\nlearned fly\nmore\n", ":3: not one line of a map" },
+        { "kingyo poi 1\n12:34:x\n", ":2: must be vendor:product:serial" },
+        { "kingyo poi 1\n0001:0002:%zz\nlearned fly\n", ":2: must be vendor:product:serial" },
+        { "kingyo poi 1\n0001:0002:a\n", ":3: must be one line with a mapping" },
+        { "kingyo poi 1\n0001:0002:a\nlearned fly", ":3: must be one line with a mapping" },
+        { "kingyo poi 1\n0001:0002:a\nlearned hop\n", ":3: the second word is no style" },
+        { "kingyo poi 1\n0001:0002:a\nlearned fly\nmore\n", ":3: must be one line with a mapping" },
     };
     (void)state;
     assert_int_equal(hid_mapping_store_write(&entry, text), 0);
@@ -192,12 +194,12 @@ static void test_a_bad_file_is_one_line_and_the_others_are_read(void **state)
         if (!strstr(complaint, bad[i][1]) || !strstr(complaint, "/pois/bad.poi:")) {
             fail_msg("'%s' is complained of as '%s'", bad[i][0], complaint);
         }
-        assert_non_null(hid_mapping_store_find(&book, &who));
-        hid_mapping_store_close(&book);
+        assert_non_null(hid_mapping_store_find(&store, &who));
+        hid_mapping_store_close(&store);
     }
 }
 
-static void test_a_file_that_is_none_does_not_hold_up_the_start(void **state)
+static void test_a_special_file_does_not_block_the_start(void **state)
 {
     char path[128];
     (void)state;
@@ -213,84 +215,85 @@ static void test_a_file_that_is_none_does_not_hold_up_the_start(void **state)
     }
     fclose(file);
     assert_int_equal(open_book(), 4);
-    hid_mapping_store_close(&book);
+    hid_mapping_store_close(&store);
 }
 
-static void test_a_card_that_cannot_be_written_costs_the_run_nothing(void **state)
+static void test_mappings_stay_in_memory_if_the_card_is_read_only(void **state)
 {
     const struct hid_identity who = identity(1, 2, "A");
     const struct hid_mapping map = learned();
     char path[128];
     (void)state;
     snprintf(path, sizeof path, "%s/pois", data);
-    FILE *file = fopen(path, "w"); /* A file where the folder ought to be. */
+    FILE *file = fopen(path, "w"); /* Creates a file in place of the folder. */
     fclose(file);
     open_book();
-    hid_mapping_store_set_error_sink(&book, complain, NULL);
+    hid_mapping_store_set_error_sink(&store, complain, NULL);
     assert_int_equal(keep(&who, &map), HAL_OK);
-    assert_non_null(hid_mapping_store_find(&book, &who));
-    while (hid_mapping_store_result(&book) == HAL_ERR_BUSY) {
+    assert_non_null(hid_mapping_store_find(&store, &who));
+    while (hid_mapping_store_result(&store) == HAL_ERR_BUSY) {
         usleep(1000);
     }
-    assert_int_equal(hid_mapping_store_result(&book), HAL_ERR_IO);
-    hid_mapping_store_close(&book);
-    assert_int_equal(book.failed_count, 1);
-    assert_non_null(strstr(complaint, "/pois/0001-0002-A.poi: Not a directory; what was learned"));
+    assert_int_equal(hid_mapping_store_result(&store), HAL_ERR_IO);
+    hid_mapping_store_close(&store);
+    assert_int_equal(store.failed_count, 1);
+    assert_non_null(strstr(complaint, "/pois/0001-0002-A.poi: Not a directory; the change"));
 }
 
-/* Power that goes in the middle of a write leaves the file beside, which nobody reads. */
-static void test_a_torn_write_leaves_what_was_there_before(void **state)
+/* A power cut during a write leaves only the temporary file, which is never read. */
+static void test_a_torn_write_keeps_the_previous_mapping(void **state)
 {
     const struct hid_identity who = identity(1, 2, "A");
     const struct hid_mapping map = learned();
     (void)state;
     open_book();
     keep(&who, &map);
-    hid_mapping_store_close(&book);
+    hid_mapping_store_close(&store);
     write_file("0001-0002-A.poi.part", "kingyo poi 1\n0001:00");
     assert_int_equal(open_book(), 0);
-    assert_non_null(hid_mapping_store_find(&book, &who));
-    hid_mapping_store_close(&book);
+    assert_non_null(hid_mapping_store_find(&store, &who));
+    hid_mapping_store_close(&store);
 }
 
-static void test_a_full_book_takes_no_more_and_says_so(void **state)
+static void test_a_full_store_rejects_a_mapping_with_a_message(void **state)
 {
     const struct hid_mapping map = learned();
     (void)state;
-    hid_mapping_store_open(&book, NULL, NULL, NULL); /* In memory alone. */
+    hid_mapping_store_open(&store, NULL, NULL, NULL); /* The store is open without a folder. */
     for (uint32_t i = 0; i < HID_MAPPING_STORE_MAX; i++) {
         const struct hid_identity who = identity((uint16_t)(i + 1u), 1, "");
-        assert_int_equal(hid_mapping_store_put(&book, &who, &map), HAL_OK);
+        assert_int_equal(hid_mapping_store_put(&store, &who, &map), HAL_OK);
     }
     const struct hid_identity more = identity(999, 1, ""), known = identity(1, 1, "");
-    assert_int_equal(hid_mapping_store_put(&book, &more, &map), HAL_ERR_IO);
-    assert_int_equal(hid_mapping_store_put(&book, &known, &map), HAL_OK);
-    assert_int_equal(hid_mapping_store_forget(&book, &known), HAL_OK);
-    assert_int_equal(hid_mapping_store_put(&book, &more, &map), HAL_OK);
-    hid_mapping_store_close(&book);
+    assert_int_equal(hid_mapping_store_put(&store, &more, &map), HAL_ERR_IO);
+    assert_int_equal(hid_mapping_store_put(&store, &known, &map), HAL_OK);
+    assert_int_equal(hid_mapping_store_forget(&store, &known), HAL_OK);
+    assert_int_equal(hid_mapping_store_put(&store, &more, &map), HAL_OK);
+    hid_mapping_store_close(&store);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(test_what_was_kept_is_there_after_a_restart, make_folder,
-                                        remove_folder),
-        cmocka_unit_test_setup_teardown(test_a_book_is_of_vendor_product_and_serial, make_folder,
-                                        remove_folder),
-        cmocka_unit_test_setup_teardown(test_what_was_forgotten_stays_so, make_folder,
-                                        remove_folder),
+        cmocka_unit_test_setup_teardown(test_a_stored_mapping_is_loaded_after_a_restart,
+                                        make_folder, remove_folder),
         cmocka_unit_test_setup_teardown(
-            test_a_learned_map_plays_and_one_that_no_longer_fits_does_not, make_folder,
+            test_a_mapping_is_stored_by_vendor_product_and_serial_number, make_folder,
             remove_folder),
-        cmocka_unit_test_setup_teardown(test_a_bad_file_is_one_line_and_the_others_are_read,
-                                        make_folder, remove_folder),
-        cmocka_unit_test_setup_teardown(test_a_file_that_is_none_does_not_hold_up_the_start,
-                                        make_folder, remove_folder),
-        cmocka_unit_test_setup_teardown(test_a_card_that_cannot_be_written_costs_the_run_nothing,
-                                        make_folder, remove_folder),
-        cmocka_unit_test_setup_teardown(test_a_torn_write_leaves_what_was_there_before, make_folder,
+        cmocka_unit_test_setup_teardown(test_a_removed_mapping_stays_removed, make_folder,
                                         remove_folder),
-        cmocka_unit_test(test_a_full_book_takes_no_more_and_says_so),
+        cmocka_unit_test_setup_teardown(test_a_mapping_is_used_only_if_it_matches_the_descriptor,
+                                        make_folder, remove_folder),
+        cmocka_unit_test_setup_teardown(
+            test_an_invalid_file_gives_one_message_and_the_others_are_read, make_folder,
+            remove_folder),
+        cmocka_unit_test_setup_teardown(test_a_special_file_does_not_block_the_start, make_folder,
+                                        remove_folder),
+        cmocka_unit_test_setup_teardown(test_mappings_stay_in_memory_if_the_card_is_read_only,
+                                        make_folder, remove_folder),
+        cmocka_unit_test_setup_teardown(test_a_torn_write_keeps_the_previous_mapping, make_folder,
+                                        remove_folder),
+        cmocka_unit_test(test_a_full_store_rejects_a_mapping_with_a_message),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,5 @@
-/* test_hid_play.c -- rounds played with every ready map: raw reports of real descriptors, through
- * the port's twin, the decoder and the frame loop, until fish lie in the bowl. */
+/* test_hid_play.c -- Tests that fish can be caught with every built-in mapping. Raw reports of real
+ * descriptors pass through the simulated port, the decoder and the frame loop. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -17,15 +17,16 @@
 #include "tests/unit/support/calm_fish.h"
 #include "tests/unit/support/hid_wire.h"
 
-#define REPORT_NS 8333333ull /* 120 reports a second, two a frame. */
+#define REPORT_NS 8333333ull /* 120 reports per second, two per frame. */
 #define WIDTH 1920.0f
 #define HEIGHT 1080.0f
 
-/* Where whoever plays wants the ring to be, as he sees it. */
-struct wish {
-    vec3 over_m; /* Over the still water. */
+/* Position at which the simulated player wants the ring. */
+struct target {
+    vec3 over_m; /* Point on the still water above which the ring should be. */
     uint8_t dips;
-    uint8_t tips; /* Over the bowl: a hand with a wrist turns the ring. */
+    uint8_t is_tipping; /* 1 to tip the ring over the bowl, which a controller with a wrist does
+                           by rotation. */
 };
 
 static struct hid_player {
@@ -34,14 +35,15 @@ static struct hid_player {
     struct poi_hid poi;
     struct hal hal;
     struct kiosk kiosk;
-    struct wish wish;
-    void (*say)(const struct wish *wish); /* Puts the wish into the controller's reports. */
+    struct target target;
+    /* Sends a report of the controller that moves the ring toward the target. */
+    void (*send)(const struct target *target);
     uint32_t report_count;
-    vec3 hand_m; /* Of a true pose: where the arm is, ... */
+    vec3 arm_m; /* Position of the simulated arm, for a controller that reports its pose. */
     float tip_rad;
-    struct dip dip; /* ... and its stroke. */
+    struct dip dip; /* Stroke of the simulated arm. */
     uint8_t dipped;
-    float x_px, y_px; /* Of a mouse: what it does not say yet. */
+    float x_px, y_px; /* Fractions of a mouse count that were not sent yet. */
 } player;
 
 static vec3 ring_m(void)
@@ -52,7 +54,7 @@ static vec3 ring_m(void)
 static void report(void)
 {
     player.clock.now_ns += REPORT_NS;
-    player.say(&player.wish);
+    player.send(&player.target);
     if (++player.report_count % 2u == 0) {
         kiosk_frame(&player.kiosk, &player.hal);
     }
@@ -77,7 +79,7 @@ static void to_screen(vec3 point, float *x_px, float *y_px)
     *y_px = 0.5f * (1.0f - body.y / -body.z / tan_y) * HEIGHT;
 }
 
-/* How a stick is pushed toward where the ring is to be: fully from 8 cm on. */
+/* Returns the deflection of a stick for a distance to the target. It is full from 8 cm on. */
 static float push_of(float way_m)
 {
     return f_clamp(way_m / 0.08f, -1.0f, 1.0f);
@@ -88,43 +90,44 @@ static void put_stick(hid_usage usage, float push)
     wire_put(&player.wire, -1, usage, wire_share(&player.wire, -1, usage, 0.5f + 0.5f * push));
 }
 
-static void say_pad(const struct wish *wish, uint32_t dip_button)
+static void send_pad(const struct target *target, uint32_t dip_button)
 {
-    const vec3 way = v3_sub(wish->over_m, ring_m());
+    const vec3 way = v3_sub(target->over_m, ring_m());
     put_stick(USAGE_X, push_of(way.x));
     put_stick(USAGE_Y, push_of(way.z));
-    wire_send(&player.wire, wire_put(&player.wire, -1, USAGE_BUTTON + dip_button, wish->dips));
+    wire_send(&player.wire, wire_put(&player.wire, -1, USAGE_BUTTON + dip_button, target->dips));
 }
 
-static void say_generic_pad(const struct wish *wish)
+static void send_generic_pad(const struct target *target)
 {
-    say_pad(wish, 1);
+    send_pad(target, 1);
 }
 
-static void say_playstation(const struct wish *wish)
+static void send_playstation(const struct target *target)
 {
-    say_pad(wish, 6); /* R1. */
+    send_pad(target, 6); /* The dip button is R1. */
 }
 
-/* A puck has a height of its own: pushed down until the ring is deep enough, and up again. */
-static void say_puck(const struct wish *wish)
+/* A 3D mouse controls the height, so it is pushed down until the ring is deep enough, and then
+ * up. */
+static void send_3d_mouse(const struct target *target)
 {
     const vec3 ring = ring_m();
-    const float high_m = wish->dips ? DIP_DEPTH_M : wish->tips ? 0.07f : DIP_HOVER_M;
-    const vec3 way = v3_sub(v3(wish->over_m.x, high_m, wish->over_m.z), ring);
+    const float high_m = target->dips ? DIP_DEPTH_M : target->is_tipping ? 0.07f : DIP_HOVER_M;
+    const vec3 way = v3_sub(v3(target->over_m.x, high_m, target->over_m.z), ring);
     put_stick(USAGE_X, push_of(way.x));
     put_stick(USAGE_Y, push_of(way.z));
     put_stick(USAGE_Z, -f_clamp(way.y / 0.03f, -0.9f, 0.9f));
     wire_send(&player.wire, 1);
 }
 
-/* A hand on a mouse sees how far the ring is from where it should show, and moves so far. */
-static void say_mouse(const struct wish *wish)
+/* The mouse moves by the distance on the screen between the ring and its target. */
+static void send_mouse(const struct target *target)
 {
     float x_px, y_px, at_x_px, at_y_px;
-    to_screen(wish->over_m, &x_px, &y_px);
+    to_screen(target->over_m, &x_px, &y_px);
     to_screen(ring_m(), &at_x_px, &at_y_px);
-    const float pace = wish->dips ? 2.4f : 6.0f;
+    const float pace = target->dips ? 2.4f : 6.0f;
     const float dx = f_clamp(0.2f * (x_px - at_x_px), -pace, pace);
     const float dy = f_clamp(0.2f * (y_px - at_y_px), -pace, pace);
     player.x_px += dx;
@@ -134,18 +137,18 @@ static void say_mouse(const struct wish *wish)
     player.y_px -= (float)steps_y;
     wire_put(&player.wire, -1, USAGE_X, steps_x);
     wire_put(&player.wire, -1, USAGE_Y, steps_y);
-    wire_send(&player.wire, wire_put(&player.wire, -1, USAGE_BUTTON + 1u, wish->dips));
+    wire_send(&player.wire, wire_put(&player.wire, -1, USAGE_BUTTON + 1u, target->dips));
 }
 
-/* A pen glides to the place itself, hovering, its tip down to dip. */
-static void say_pen(const struct wish *wish)
+/* A pen moves to the target itself in hovering range and touches the tablet for a dip. */
+static void send_pen(const struct target *target)
 {
     const int id = player.wire.descriptor.report_bits[9] && !player.wire.descriptor.report_bits[7]
-                       ? 9 /* 157 has its pen in a mouse's report. */
-                       : (int)player.poi.hand.map.binding[0].report_id;
+                       ? 9 /* Device 157 has its pen in the report of a mouse. */
+                       : (int)player.poi.decoder.map.binding[0].report_id;
     float x_px, y_px;
-    to_screen(wish->over_m, &x_px, &y_px);
-    const float pace = wish->dips ? 2.4f : 7.0f;
+    to_screen(target->over_m, &x_px, &y_px);
+    const float pace = target->dips ? 2.4f : 7.0f;
     player.x_px += f_clamp(x_px - player.x_px, -pace, pace);
     player.y_px += f_clamp(y_px - player.y_px, -pace, pace);
     wire_put(&player.wire, id, USAGE_X, wire_share(&player.wire, id, USAGE_X, player.x_px / WIDTH));
@@ -157,28 +160,29 @@ static void say_pen(const struct wish *wish)
     const int has_tip =
         hid_mapping_auto_find(&player.wire.descriptor, 0, id, 1, USAGE_TIP).group != NULL;
     wire_put(&player.wire, id, has_tip ? (hid_usage)USAGE_TIP : (hid_usage)USAGE_BUTTON + 1u,
-             wish->dips);
+             target->dips);
     wire_send(&player.wire, (uint8_t)id);
 }
 
-/* An arm that holds our own poi: it goes at its pace, slants the ring into the water, and rolls it
- * over the bowl. */
-static void say_own(const struct wish *wish)
+/* A simulated arm holds a Kingyo poi. The arm moves at its own speed, dips with the strokes of a
+ * mouse, and rolls the ring over the bowl. */
+static void send_own_poi(const struct target *target)
 {
-    const float pace_m = (wish->dips ? 0.10f : 0.35f) * (float)REPORT_NS * 1e-9f;
-    const vec3 way = v3_sub(wish->over_m, player.hand_m);
-    player.hand_m = v3_add(player.hand_m, v3_limit(v3(way.x, 0.0f, way.z), pace_m));
-    if (wish->dips != player.dipped) {
-        player.dipped = wish->dips;
-        pointer_dip_begin(&player.dip, player.clock.now_ns, wish->dips);
+    const float pace_m = (target->dips ? 0.10f : 0.35f) * (float)REPORT_NS * 1e-9f;
+    const vec3 way = v3_sub(target->over_m, player.arm_m);
+    player.arm_m = v3_add(player.arm_m, v3_limit(v3(way.x, 0.0f, way.z), pace_m));
+    if (target->dips != player.dipped) {
+        player.dipped = target->dips;
+        pointer_dip_begin(&player.dip, player.clock.now_ns, target->dips);
     }
     const struct dip_state stroke = pointer_dip_at(&player.dip, player.clock.now_ns);
     const float down_m = DIP_HOVER_M - stroke.height_m;
-    player.tip_rad += f_clamp((wish->tips ? 60.0f * F_DEG : 0.0f) - player.tip_rad, -0.02f, 0.02f);
+    player.tip_rad +=
+        f_clamp((target->is_tipping ? 60.0f * F_DEG : 0.0f) - player.tip_rad, -0.02f, 0.02f);
     const float lifted_m = 0.09f * f_sin(player.tip_rad);
     const struct poi_report report = {
-        .target = { .position_m = v3(player.hand_m.x, stroke.height_m + lifted_m,
-                                     player.hand_m.z - 0.65f * down_m),
+        .target = { .position_m = v3(player.arm_m.x, stroke.height_m + lifted_m,
+                                     player.arm_m.z - 0.65f * down_m + stroke.near_m),
                     .angles = { .pitch_rad = -pointer_dip_slant_rad(stroke.speed_m_s),
                                 .roll_rad = player.tip_rad } },
         .sequence = (uint8_t)player.report_count,
@@ -194,15 +198,15 @@ static void begin_round(uint32_t seed)
 {
     const struct kiosk_config config = { .core = { .seed = seed, .fish_count = 300 } };
     const struct view *view = &tank_preset(TANK_PRESET_FESTIVAL)->view;
-    player.hal = null_hal();
+    player.hal = null_hal(NULL);
     player.hal.clock = sim_clock_device(&player.clock);
-    poi_hid_init(&player.poi, hid_port_sim_port(&player.wire.port), player.hal.clock,
-                 (struct hid_mapper){ 0 }, view);
-    player.hal.poi[0] = poi_hid_device(&player.poi);
+    poi_hid_init(&player.poi, &player.wire.port.port, player.hal.clock, (struct hid_mapper){ 0 },
+                 view);
+    player.hal.poi[0] = poi_hid_devices(&player.poi).poi;
     pointer_dip_init(&player.dip);
-    player.hand_m = v3(0.0f, DIP_HOVER_M, 0.0f);
-    player.wish = (struct wish){ .over_m = player.hand_m };
-    to_screen(player.hand_m, &player.x_px, &player.y_px);
+    player.arm_m = v3(0.0f, DIP_HOVER_M, 0.0f);
+    player.target = (struct target){ .over_m = player.arm_m };
+    to_screen(player.arm_m, &player.x_px, &player.y_px);
     assert_int_equal(kiosk_init(&player.kiosk, &player.hal, &config), CORE_OK);
     assert_true(player.poi.plays);
     reports(20);
@@ -220,7 +224,7 @@ static const struct fish *choose(void)
 
 static int goes_to(vec3 over_m, float near_m, uint32_t reports_max)
 {
-    player.wish.over_m = over_m;
+    player.target.over_m = over_m;
     for (uint32_t i = 0; i < reports_max; i++) {
         const vec3 way = v3_sub(over_m, ring_m());
         if (v3_length(v3(way.x, 0.0f, way.z)) < near_m) {
@@ -234,15 +238,16 @@ static int goes_to(vec3 over_m, float near_m, uint32_t reports_max)
 static void empty_over_bowl(void)
 {
     const vec3 bowl = player.kiosk.core.world.bowl[0].position_m;
-    const int has_wrist = player.poi.hand.map.style == HID_STYLE_POSE;
+    const int has_wrist = player.poi.decoder.map.style == HID_STYLE_POSE;
     goes_to(v3(bowl.x - (has_wrist ? 0.045f : 0.0f), DIP_HOVER_M, bowl.z), 0.012f, 400);
-    player.wish.tips = 1;
+    player.target.is_tipping = 1;
     reports(200);
-    player.wish.tips = 0;
+    player.target.is_tipping = 0;
     reports(40);
 }
 
-/* In beside it, under it, up, and over the bowl: what a person does. */
+/* Makes one attempt: dips beside a fish, moves under the fish, lifts it and tips it into the
+ * bowl. */
 static void try_once(void)
 {
     const struct fish *fish = choose();
@@ -252,17 +257,17 @@ static void try_once(void)
     }
     const float side = fish->position_m.x > 0.0f ? -0.08f : 0.08f;
     goes_to(v3_add(fish->position_m, v3(side, 0.0f, 0.0f)), 0.015f, 300);
-    player.wish.dips = 1;
+    player.target.dips = 1;
     reports(44);
     for (uint32_t i = 0; i < 90; i++) {
-        player.wish.over_m = fish->position_m;
+        player.target.over_m = fish->position_m;
         report();
     }
-    const vec3 still_m = player.wish.over_m;
-    player.wish.dips = 0;
-    const int flies = player.poi.hand.map.style == HID_STYLE_FLY;
+    const vec3 still_m = player.target.over_m;
+    player.target.dips = 0;
+    const int flies = player.poi.decoder.map.style == HID_STYLE_FLY;
     for (uint32_t i = 0; i < 70 || (i < 150 && ring_m().y < 0.02f); i++) {
-        player.wish.over_m = flies ? ring_m() : still_m; /* A stick is let go meanwhile. */
+        player.target.over_m = flies ? ring_m() : still_m; /* A released stick has no target. */
         report();
     }
     if (player.kiosk.core.world.poi[0].carried_count > 0) {
@@ -270,7 +275,7 @@ static void try_once(void)
     }
 }
 
-/* What each lands by now is printed; half of it is held. */
+/* Prints the number of fish that are caught. The tests require half of the usual number. */
 static uint32_t landed_in(uint32_t rounds, const char *what)
 {
     uint32_t landed = 0;
@@ -282,92 +287,94 @@ static uint32_t landed_in(uint32_t rounds, const char *what)
         }
         landed += player.kiosk.core.game.player[0].caught;
         player.clock.now_ns = 0;
-        player.wire.port.is_open = 0;
+        hid_port_sim_init(&player.wire.port, sim_clock_device(&player.clock), &player.wire.face);
     }
     print_message("%s: %u fish in %u rounds\n", what, landed, rounds);
     return landed;
 }
 
 static void capture_fish(const char *name, uint16_t vendor, uint16_t product,
-                         void (*say)(const struct wish *))
+                         void (*send)(const struct target *))
 {
     memset(&player, 0, sizeof player);
     wire_load(&player.wire, &player.clock, name);
     player.wire.face.identity.vendor = vendor;
     player.wire.face.identity.product = product;
-    player.say = say;
+    hid_port_sim_plug(&player.wire.port, &player.wire.face);
+    player.send = send;
     if (hid_mapping_auto_find(&player.wire.descriptor, 0, -1, 0, USAGE_HAT).group) {
-        wire_put(&player.wire, -1, USAGE_HAT, 15); /* Out of its range: let go. */
+        wire_put(&player.wire, -1, USAGE_HAT, 15); /* The value is out of the hat's range, which
+                                                      means that the hat is released. */
     }
 }
 
-static void test_our_own_poi_lands_fish(void **state)
+static void test_fish_can_be_caught_with_a_kingyo_poi(void **state)
 {
     (void)state;
     memset(&player, 0, sizeof player);
     wire_begin(&player.wire, &player.clock, poi_descriptor, POI_DESCRIPTOR_SIZE);
-    player.say = say_own;
+    player.send = send_own_poi;
     assert_true(landed_in(2, "our own poi") >= 2);
 }
 
-static void test_a_mouse_lands_fish(void **state)
+static void test_fish_can_be_caught_with_a_mouse(void **state)
 {
     (void)state;
-    capture_fish("011-dell-413c-301a-mouse", 0x413c, 0x301a, say_mouse);
+    capture_fish("011-dell-413c-301a-mouse", 0x413c, 0x301a, send_mouse);
     assert_true(landed_in(2, "mouse of 16 bits") >= 5);
-    capture_fish("187-hr-0003-045e-0040-0004", 0x045e, 0x0040, say_mouse);
+    capture_fish("187-hr-0003-045e-0040-0004", 0x045e, 0x0040, send_mouse);
     assert_true(landed_in(2, "mouse of 8 bits") >= 5);
 }
 
-static void test_a_pen_tablet_lands_fish(void **state)
+static void test_fish_can_be_caught_with_a_pen_tablet(void **state)
 {
     (void)state;
-    capture_fish("137-dg-huion-h610-if0", 0x256c, 0x006e, say_pen);
+    capture_fish("137-dg-huion-h610-if0", 0x256c, 0x006e, send_pen);
     assert_true(landed_in(2, "pen tablet") >= 5);
-    capture_fish("194-hr-0003-256c-006e-0008", 0x256c, 0x006e, say_pen);
+    capture_fish("194-hr-0003-256c-006e-0008", 0x256c, 0x006e, send_pen);
     assert_true(landed_in(2, "pen of 24 bits with tilt") >= 5);
-    capture_fish("157-dg-xp-pen-deco-01-if0", 0x28bd, 0x0042, say_pen);
+    capture_fish("157-dg-xp-pen-deco-01-if0", 0x28bd, 0x0042, send_pen);
     assert_true(landed_in(2, "pen in a mouse's report") >= 5);
 }
 
-static void test_a_playstation_pad_lands_fish(void **state)
+static void test_fish_can_be_caught_with_a_playstation_gamepad(void **state)
 {
     (void)state;
-    capture_fish(KNOWN "054c-05c4-dualshock4", 0x054c, 0x05c4, say_playstation);
+    capture_fish(KNOWN "054c-05c4-dualshock4", 0x054c, 0x05c4, send_playstation);
     assert_true(landed_in(2, "DualShock 4") >= 2);
-    assert_int_equal(player.poi.hand.map.source, HID_MAPPING_KNOWN);
-    capture_fish("016-ci-dualsense", 0x054c, 0x0ce6, say_playstation);
+    assert_int_equal(player.poi.decoder.map.source, HID_MAPPING_KNOWN);
+    capture_fish("016-ci-dualsense", 0x054c, 0x0ce6, send_playstation);
     assert_true(landed_in(2, "DualSense") >= 2);
-    assert_int_equal(player.poi.hand.map.source, HID_MAPPING_KNOWN);
+    assert_int_equal(player.poi.decoder.map.source, HID_MAPPING_KNOWN);
 }
 
-static void test_pads_and_sticks_of_any_maker_land_fish(void **state)
+static void test_fish_can_be_caught_with_gamepads_and_joysticks_of_any_vendor(void **state)
 {
     (void)state;
-    capture_fish("010-8bitdo-sn30pro-bt-dinput", 0x2dc8, 0x6001, say_generic_pad);
+    capture_fish("010-8bitdo-sn30pro-bt-dinput", 0x2dc8, 0x6001, send_generic_pad);
     assert_true(landed_in(2, "pad of 8 bits") >= 2);
-    capture_fish("033-ci-xboxone-model-1708-bluetooth", 0x045e, 0x02fd, say_generic_pad);
+    capture_fish("033-ci-xboxone-model-1708-bluetooth", 0x045e, 0x02fd, send_generic_pad);
     assert_true(landed_in(2, "pad of 16 bits") >= 5);
-    capture_fish("203-hr-libinput-issue201-0003-06a3-0c2d-0", 0x06a3, 0x0c2d, say_generic_pad);
+    capture_fish("203-hr-libinput-issue201-0003-06a3-0c2d-0", 0x06a3, 0x0c2d, send_generic_pad);
     assert_true(landed_in(2, "joystick") >= 2);
 }
 
-static void test_a_3dconnexion_puck_lands_fish(void **state)
+static void test_fish_can_be_caught_with_a_3dconnexion_mouse(void **state)
 {
     (void)state;
-    capture_fish("002-3dconnexion-spacemouse-wireless", 0x256f, 0xc62e, say_puck);
+    capture_fish("002-3dconnexion-spacemouse-wireless", 0x256f, 0xc62e, send_3d_mouse);
     assert_true(landed_in(2, "puck") >= 6);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_our_own_poi_lands_fish),
-        cmocka_unit_test(test_a_mouse_lands_fish),
-        cmocka_unit_test(test_a_pen_tablet_lands_fish),
-        cmocka_unit_test(test_a_playstation_pad_lands_fish),
-        cmocka_unit_test(test_pads_and_sticks_of_any_maker_land_fish),
-        cmocka_unit_test(test_a_3dconnexion_puck_lands_fish),
+        cmocka_unit_test(test_fish_can_be_caught_with_a_kingyo_poi),
+        cmocka_unit_test(test_fish_can_be_caught_with_a_mouse),
+        cmocka_unit_test(test_fish_can_be_caught_with_a_pen_tablet),
+        cmocka_unit_test(test_fish_can_be_caught_with_a_playstation_gamepad),
+        cmocka_unit_test(test_fish_can_be_caught_with_gamepads_and_joysticks_of_any_vendor),
+        cmocka_unit_test(test_fish_can_be_caught_with_a_3dconnexion_mouse),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,6 @@
-/* test_poi_descriptor.c -- what our poi declares against what it sends: every field of both reports
- * is found by the descriptor alone and says in physical units what poi_report.h wrote. */
+/* test_poi_descriptor.c -- Tests the report descriptor of the Kingyo poi against its reports. Every
+ * field of both reports is located by the descriptor alone, and its value in physical units must
+ * equal the value that poi_report.h wrote. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -17,7 +18,7 @@
 #define BUTTON(number) (0x00090000u | (number))
 #define OURS(usage) ((hid_usage)POI_PAGE << 16 | (hid_usage)(usage))
 
-/* HID 1.11 section 6.2.2.7: system 1 is cm, g, s; system 4 is of degrees. */
+/* Units of HID 1.11 section 6.2.2.7. System 1 has cm, g and s, and system 4 has degrees. */
 #define UNIT_CM 0x11u
 #define UNIT_DEGREE 0x14u
 #define UNIT_G_CM_S2 0xe111u
@@ -25,7 +26,7 @@
 
 static struct hid_descriptor inputs, outputs;
 
-/* The reader lists input fields: a copy whose Output items say Input makes it list those. */
+/* Replaces Output items by Input items in a copy, because the parser lists only input fields. */
 static void read_outputs_as_inputs(uint8_t bytes[POI_DESCRIPTOR_SIZE])
 {
     for (uint32_t i = 0; i < POI_DESCRIPTOR_SIZE;) {
@@ -50,7 +51,7 @@ static int read_both(void **state)
     return 0;
 }
 
-/* The field of a usage; fails where there is none or more than one. */
+/* Returns the field with a usage. Fails the test unless there is exactly one. */
 static const struct hid_group *group_of(const struct hid_descriptor *descriptor, hid_usage usage,
                                         uint32_t *index)
 {
@@ -68,7 +69,7 @@ static const struct hid_group *group_of(const struct hid_descriptor *descriptor,
     return found;
 }
 
-/* A field's value in units of `unit`, as any program would compute it: HID 1.11 section 6.2.2.7. */
+/* Returns the value of a field in units of `unit`, computed as HID 1.11 section 6.2.2.7 defines. */
 static double physical(const struct hid_descriptor *descriptor, hid_usage usage, uint32_t unit,
                        const uint8_t *bytes, size_t size)
 {
@@ -92,7 +93,7 @@ static double physical(const struct hid_descriptor *descriptor, hid_usage usage,
     return scaled;
 }
 
-static void test_each_report_is_as_long_as_declared_and_holds_nothing_else(void **state)
+static void test_each_report_has_the_declared_length_and_fields(void **state)
 {
     (void)state;
     assert_int_equal(inputs.report_bits[POI_REPORT_ID], 8 * (POI_REPORT_SIZE - 1));
@@ -105,7 +106,7 @@ static void test_each_report_is_as_long_as_declared_and_holds_nothing_else(void 
     assert_int_equal(outputs.field_count, 1 + 6 + 3);
 }
 
-static void test_a_pose_that_is_sent_is_read_by_the_descriptor_alone(void **state)
+static void test_a_pose_can_be_read_by_the_descriptor_alone(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < 2000; i++) {
@@ -128,7 +129,8 @@ static void test_a_pose_that_is_sent_is_read_by_the_descriptor_alone(void **stat
                 physical(&inputs, GENERIC(0x30u + k), UNIT_CM, bytes, sizeof bytes);
             const double turn_deg =
                 physical(&inputs, GENERIC(0x33u + k), UNIT_DEGREE, bytes, sizeof bytes);
-            assert_float_equal(place_cm, 100.0f * drawn[k], 0.0016); /* Half a step: 15 um. */
+            assert_float_equal(place_cm, 100.0f * drawn[k], 0.0016); /* The tolerance is half a
+                                                                        step, which is 15 um. */
             assert_float_equal(turn_deg, 180.0f * drawn[3 + k], 0.0028);
         }
         assert_int_equal(physical(&inputs, OURS(POI_USAGE_SEQUENCE), 0, bytes, sizeof bytes),
@@ -140,7 +142,7 @@ static void test_a_pose_that_is_sent_is_read_by_the_descriptor_alone(void **stat
     }
 }
 
-static void test_a_place_that_is_not_known_is_the_null_value(void **state)
+static void test_an_unknown_position_is_the_null_value(void **state)
 {
     (void)state;
     const struct poi_report lost = { .target.position_m.x = __builtin_nanf("") };
@@ -154,7 +156,7 @@ static void test_a_place_that_is_not_known_is_the_null_value(void **state)
     assert_int_equal(hid_field_value(&inputs, group, 1, report), 0);
 }
 
-static void test_a_force_that_is_sent_is_read_by_the_descriptor_alone(void **state)
+static void test_a_force_can_be_read_by_the_descriptor_alone(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < 2000; i++) {
@@ -170,9 +172,9 @@ static void test_a_force_that_is_sent_is_read_by_the_descriptor_alone(void **sta
             .tear = drawn[8],
         };
         uint8_t bytes[POI_FEEL_SIZE];
-        poi_feel_encode(&sent, (uint8_t)i, bytes);
+        poi_force_encode(&sent, (uint8_t)i, bytes);
         for (uint32_t k = 0; k < 3; k++) {
-            /* A newton is 10^5 g cm/s^2, a newton metre 10^7 g cm^2/s^2. */
+            /* One newton is 10^5 g cm/s^2, and one newton metre is 10^7 g cm^2/s^2. */
             const double force_n = 1e-5 * physical(&outputs, OURS(POI_USAGE_FORCE_X + k),
                                                    UNIT_G_CM_S2, bytes, sizeof bytes);
             const double torque_n_m = 1e-7 * physical(&outputs, OURS(POI_USAGE_TORQUE_X + k),
@@ -187,7 +189,7 @@ static void test_a_force_that_is_sent_is_read_by_the_descriptor_alone(void **sta
     }
 }
 
-static void test_only_the_whole_descriptor_is_our_poi(void **state)
+static void test_only_the_complete_descriptor_is_recognized(void **state)
 {
     (void)state;
     uint8_t bytes[POI_DESCRIPTOR_SIZE + 1] = { 0 };
@@ -205,11 +207,11 @@ static void test_only_the_whole_descriptor_is_our_poi(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_each_report_is_as_long_as_declared_and_holds_nothing_else),
-        cmocka_unit_test(test_a_pose_that_is_sent_is_read_by_the_descriptor_alone),
-        cmocka_unit_test(test_a_place_that_is_not_known_is_the_null_value),
-        cmocka_unit_test(test_a_force_that_is_sent_is_read_by_the_descriptor_alone),
-        cmocka_unit_test(test_only_the_whole_descriptor_is_our_poi),
+        cmocka_unit_test(test_each_report_has_the_declared_length_and_fields),
+        cmocka_unit_test(test_a_pose_can_be_read_by_the_descriptor_alone),
+        cmocka_unit_test(test_an_unknown_position_is_the_null_value),
+        cmocka_unit_test(test_a_force_can_be_read_by_the_descriptor_alone),
+        cmocka_unit_test(test_only_the_complete_descriptor_is_recognized),
     };
     return cmocka_run_group_tests(tests, read_both, NULL);
 }

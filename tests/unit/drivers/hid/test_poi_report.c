@@ -1,4 +1,5 @@
-/* test_poi_report.c -- our own poi's reports against bytes that were written by hand. */
+/* test_poi_report.c -- Tests the reports of the Kingyo poi against bytes that were computed
+ * independently. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -11,15 +12,16 @@
 #include "core/base/rng.h"
 #include "drivers/hid/poi_report.h"
 
-/* Half a metre to the left, 5 cm under, at the middle; nose down by a quarter of pi. */
+/* The poi is 0.5 m to the left, 5 cm under water and at the middle in depth. The nose points down
+ * by pi / 4. */
 static const uint8_t dipped[POI_REPORT_SIZE] = {
-    1,    200,                          /* id, sequence */
+    1,    200,                          /* Report id and sequence number */
     0x00, 0xc0, 0x9a, 0xf9, 0x00, 0x00, /* -16384, -1638, 0 */
     0x00, 0xe0, 0x00, 0x00, 0xff, 0x7f, /* -8192, 0, 32767 */
     0x05,
 };
 
-static void test_an_input_report_says_where_and_how_the_poi_is(void **state)
+static void test_an_input_report_contains_the_position_and_the_angles(void **state)
 {
     (void)state;
     struct poi_report report;
@@ -34,7 +36,7 @@ static void test_an_input_report_says_where_and_how_the_poi_is(void **state)
     assert_float_equal(report.target.angles.roll_rad, F_PI, 1e-6f);
 }
 
-static void test_what_is_written_is_what_was_read(void **state)
+static void test_a_report_is_unchanged_by_reading_and_writing(void **state)
 {
     (void)state;
     struct poi_report report;
@@ -54,7 +56,7 @@ static void test_what_is_written_is_what_was_read(void **state)
     }
 }
 
-static void test_another_length_another_id_or_a_lost_mark_is_refused(void **state)
+static void test_a_report_with_a_wrong_length_id_or_position_mark_is_rejected(void **state)
 {
     (void)state;
     const struct poi_report before = { .sequence = 77 };
@@ -76,7 +78,7 @@ static void test_another_length_another_id_or_a_lost_mark_is_refused(void **stat
     assert_memory_equal(&report, &before, sizeof before);
 }
 
-static void test_a_pose_beyond_the_range_is_its_end_and_no_number_is_no_value(void **state)
+static void test_a_pose_is_clamped_and_a_value_that_is_not_finite_is_null(void **state)
 {
     (void)state;
     struct poi_report report = { .target.position_m = { 7.0f, -7.0f, 1.0f } };
@@ -91,7 +93,7 @@ static void test_a_pose_beyond_the_range_is_its_end_and_no_number_is_no_value(vo
     assert_false(poi_report_decode(bytes, sizeof bytes, &read));
 }
 
-static void test_what_the_hand_feels_is_six_numbers_and_three_levels(void **state)
+static void test_an_output_report_contains_six_forces_and_three_levels(void **state)
 {
     (void)state;
     const struct poi_force force = {
@@ -107,11 +109,11 @@ static void test_what_the_hand_feels_is_six_numbers_and_three_levels(void **stat
         255,  128,  0,
     };
     uint8_t bytes[POI_FEEL_SIZE];
-    poi_feel_encode(&force, 9, bytes);
+    poi_force_encode(&force, 9, bytes);
     assert_memory_equal(bytes, expected, sizeof expected);
 }
 
-static void test_opposite_forces_are_opposite_in_bytes_and_come_back_to_half_a_step(void **state)
+static void test_forces_are_symmetric_and_exact_to_half_a_step(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < 5000; i++) {
@@ -120,7 +122,7 @@ static void test_opposite_forces_are_opposite_in_bytes_and_come_back_to_half_a_s
         const struct poi_force there = { .force_n = { n, -n, 0.0f } };
         struct poi_force back;
         uint8_t bytes[POI_FEEL_SIZE], sequence = 0;
-        poi_feel_encode(&there, (uint8_t)i, bytes);
+        poi_force_encode(&there, (uint8_t)i, bytes);
         assert_true(poi_feel_decode(bytes, sizeof bytes, &back, &sequence));
         assert_int_equal(sequence, (uint8_t)i);
         assert_float_equal(back.force_n.x, -back.force_n.y, 0.0f);
@@ -128,7 +130,7 @@ static void test_opposite_forces_are_opposite_in_bytes_and_come_back_to_half_a_s
     }
 }
 
-static void test_a_force_beyond_all_bounds_is_the_end_and_no_number_is_none(void **state)
+static void test_a_force_is_clamped_and_a_force_that_is_not_finite_is_zero(void **state)
 {
     (void)state;
     const struct poi_force wild = {
@@ -140,7 +142,7 @@ static void test_a_force_beyond_all_bounds_is_the_end_and_no_number_is_none(void
     };
     struct poi_force back;
     uint8_t bytes[POI_FEEL_SIZE];
-    poi_feel_encode(&wild, 0, bytes);
+    poi_force_encode(&wild, 0, bytes);
     assert_true(poi_feel_decode(bytes, sizeof bytes, &back, NULL));
     assert_float_equal(back.force_n.x, POI_FORCE_N_MAX, 1e-4f);
     assert_float_equal(back.force_n.y, -POI_FORCE_N_MAX, 1e-4f);
@@ -156,13 +158,13 @@ static void test_a_force_beyond_all_bounds_is_the_end_and_no_number_is_none(void
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_an_input_report_says_where_and_how_the_poi_is),
-        cmocka_unit_test(test_what_is_written_is_what_was_read),
-        cmocka_unit_test(test_another_length_another_id_or_a_lost_mark_is_refused),
-        cmocka_unit_test(test_a_pose_beyond_the_range_is_its_end_and_no_number_is_no_value),
-        cmocka_unit_test(test_what_the_hand_feels_is_six_numbers_and_three_levels),
-        cmocka_unit_test(test_opposite_forces_are_opposite_in_bytes_and_come_back_to_half_a_step),
-        cmocka_unit_test(test_a_force_beyond_all_bounds_is_the_end_and_no_number_is_none),
+        cmocka_unit_test(test_an_input_report_contains_the_position_and_the_angles),
+        cmocka_unit_test(test_a_report_is_unchanged_by_reading_and_writing),
+        cmocka_unit_test(test_a_report_with_a_wrong_length_id_or_position_mark_is_rejected),
+        cmocka_unit_test(test_a_pose_is_clamped_and_a_value_that_is_not_finite_is_null),
+        cmocka_unit_test(test_an_output_report_contains_six_forces_and_three_levels),
+        cmocka_unit_test(test_forces_are_symmetric_and_exact_to_half_a_step),
+        cmocka_unit_test(test_a_force_is_clamped_and_a_force_that_is_not_finite_is_zero),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,6 @@
-/* test_usb_play.c -- a paid round on a poi whose cable is pulled a thousand times: the transport's
- * own thread over a bus of memory, the decoder, the frame loop and the core. No credit is lost. */
+/* test_usb_play.c -- Tests that no credit is lost when the cable of a poi is unplugged a thousand
+ * times during paid rounds. The test runs the USB thread over a simulated bus, the decoder, the
+ * frame loop and the core. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -17,7 +18,7 @@
 #include "drivers/usb/usb_transport.h"
 #include "platform/kiosk/kiosk.h"
 #include "tests/unit/support/purse.h"
-#include "tests/unit/support/usb_kinds.h"
+#include "tests/unit/support/usb/usb_fixture.h"
 
 #define UNPLUG_COUNT 1000u
 #define FRAME_NS 16666667ull
@@ -25,8 +26,8 @@
 #define FRAMES_MAX 20000u
 
 static struct {
-    struct usb_bench bench;
-    atomic_ullong now_ns; /* Of both threads: a frame is a sixtieth of its second. */
+    struct usb_fixture fixture;
+    atomic_ullong now_ns; /* Time of both threads; each frame adds 1/60 s. */
     struct button_event event[2];
     struct buttons_sim buttons;
     struct poi_hid poi;
@@ -35,7 +36,7 @@ static struct {
     struct kiosk kiosk;
     uint32_t device;
     uint8_t is_plugged;
-    uint32_t said; /* Reports since it was plugged in. */
+    uint32_t sent; /* Number of reports since the device was plugged in. */
     uint8_t sequence;
 } stall;
 
@@ -55,37 +56,37 @@ static struct hal_clock stall_clock(void)
 
 static void plug(void)
 {
-    stall.device = stand_plug(&own_poi, 1);
+    stall.device = usb_sim_plug(&own_poi, 1);
     stall.is_plugged = 1;
-    stall.said = 0;
+    stall.sent = 0;
 }
 
 static void unplug(uint32_t how)
 {
-    stand_unplug(stall.device, (enum stand_parting)(how % 2u));
+    usb_sim_unplug(stall.device, (enum usb_sim_unplug_order)(how % 2u));
     stall.is_plugged = 0;
 }
 
-/* A hand that hovers, and trembles as hands do. */
-static void say(void)
+/* Sends the pose of a hovering controller with a small tremor. */
+static void send_pose(void)
 {
     uint8_t bytes[POI_REPORT_SIZE];
     const float sway_m = 0.001f * (float)(stall.sequence % 16u);
     const struct poi_report report = { .target.position_m = { sway_m, 0.15f, -sway_m },
                                        .sequence = stall.sequence++ };
     poi_report_encode(&report, bytes);
-    stand_report(stall.device, bytes, sizeof bytes);
-    stall.said++;
+    usb_sim_report(stall.device, bytes, sizeof bytes);
+    stall.sent++;
 }
 
-/* ---- The evening ---------------------------------------------------------------------------- */
+/* ---- The game ------------------------------------------------------------------------------- */
 
 static void frame(void)
 {
     if (stall.is_plugged) {
-        say();
-        say();
-        for (uint32_t i = 0; i < 200 && stand_waiting(stall.device) > 0; i++) {
+        send_pose();
+        send_pose();
+        for (uint32_t i = 0; i < 200 && usb_sim_waiting(stall.device) > 0; i++) {
             usleep(50);
         }
     }
@@ -101,7 +102,7 @@ static int frames_until(int (*is_so)(void))
         }
         frame();
         if (!stall.is_plugged || i > 100u) {
-            usleep(50); /* The thread has its turn. */
+            usleep(50); /* Lets the USB thread run. */
         }
     }
     return 0;
@@ -119,13 +120,14 @@ static int is_paused(void)
 
 static int runs(void)
 {
-    return is_round() && !stall.kiosk.scene.paused && stall.kiosk.hands[0].link == POI_SOURCE_LIVE;
+    return is_round() && !stall.kiosk.scene.paused &&
+           stall.kiosk.samplers[0].link == POI_SOURCE_LIVE;
 }
 
 static int is_attract(void)
 {
     return stall.kiosk.core.game.phase == PHASE_ATTRACT &&
-           stall.kiosk.hands[0].link == POI_SOURCE_LIVE;
+           stall.kiosk.samplers[0].link == POI_SOURCE_LIVE;
 }
 
 static void press_start(void)
@@ -144,18 +146,18 @@ static int set_up(void **state)
     };
     memset(&stall, 0, sizeof stall);
     atomic_store(&stall.now_ns, 1000000000000ull);
-    bench_prepare(&stall.bench);
-    bench_start_with(&stall.bench, stall_clock(), NULL, 0);
-    stall.hal = null_hal();
+    fixture_prepare(&stall.fixture);
+    fixture_start_with(&stall.fixture, stall_clock(), NULL, 0);
+    stall.hal = null_hal(NULL);
     stall.hal.clock = stall_clock();
     stall.event[0] = (struct button_event){ .coin_count[0] = COINS };
     stall.buttons =
         (struct buttons_sim){ .clock = stall_clock(), .events = stall.event, .event_count = 1 };
     stall.hal.buttons = sim_buttons_device(&stall.buttons);
     const struct view view = tank_preset(TANK_PRESET_FESTIVAL)->view;
-    poi_hid_init(&stall.poi, usb_transport_port(stall.bench.seats, 0), stall_clock(),
+    poi_hid_init(&stall.poi, usb_transport_port(stall.fixture.thread, 0), stall_clock(),
                  (struct hid_mapper){ NULL, NULL }, &view);
-    stall.hal.poi[0] = poi_hid_device(&stall.poi);
+    stall.hal.poi[0] = poi_hid_devices(&stall.poi).poi;
     stall.hal.storage = storage_sim_device(&stall.storage);
     return kiosk_init(&stall.kiosk, &stall.hal, &config);
 }
@@ -163,8 +165,8 @@ static int set_up(void **state)
 static int tear_down(void **state)
 {
     (void)state;
-    assert_int_equal(bench_end(&stall.bench), 0);
-    assert_int_equal(stand_breaches(), 0);
+    assert_int_equal(fixture_end(&stall.fixture), 0);
+    assert_int_equal(usb_sim_breaches(), 0);
     return 0;
 }
 
@@ -186,7 +188,7 @@ static void begin_round(void)
     assert_true(frames_until(runs));
 }
 
-static void test_a_thousand_unplugs_cost_no_credit(void **state)
+static void test_a_thousand_unplugs_lose_no_credit(void **state)
 {
     (void)state;
     uint32_t resumed = 0, paid_back = 0, over = 0;
@@ -197,7 +199,7 @@ static void test_a_thousand_unplugs_cost_no_credit(void **state)
     for (uint32_t i = 0; i < UNPLUG_COUNT; i++) {
         const uint32_t had = credits(), paid_before = refunds();
         for (uint32_t k = 0; k < i % 23u; k++) {
-            say();
+            send_pose();
         }
         unplug(i);
         assert_true(frames_until(is_paused));
@@ -206,13 +208,13 @@ static void test_a_thousand_unplugs_cost_no_credit(void **state)
             frame();
             usleep(20);
         }
-        if (refunds() > paid_before) { /* It was away for too long in all. */
+        if (refunds() > paid_before) { /* The pauses of the round exceeded the limit in total. */
             assert_int_equal(credits(), had + 1u);
             paid_back++;
             begin_round();
             continue;
         }
-        if (!is_round()) { /* Its credit came back before: the round counts. */
+        if (!is_round()) { /* The credit was refunded earlier, so the round is finished. */
             assert_int_equal(credits(), had);
             over++;
             begin_round();
@@ -225,7 +227,8 @@ static void test_a_thousand_unplugs_cost_no_credit(void **state)
     assert_int_equal(resumed + paid_back + over, UNPLUG_COUNT);
     assert_in_range(over, 0, paid_back);
     assert_true(resumed > UNPLUG_COUNT * 9u / 10u);
-    assert_int_equal(credits() + 1u + over, COINS); /* And one is being played. */
+    assert_int_equal(credits() + 1u + over, COINS); /* Another credit is in use by the current
+                                                       round. */
     printf("# %u unplugs in a round: %u resumed, %u paid back, %u rounds counted, 0 credits lost\n",
            UNPLUG_COUNT, resumed, paid_back, over);
 }
@@ -233,7 +236,7 @@ static void test_a_thousand_unplugs_cost_no_credit(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(test_a_thousand_unplugs_cost_no_credit, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_a_thousand_unplugs_lose_no_credit, set_up, tear_down),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,5 @@
-/* test_usb_ring.c -- what crosses between two threads crosses whole, in order, and never
- * late. */
+/* test_usb_ring.c -- Tests that reports and device descriptions pass between two threads complete
+ * and in order. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -11,16 +11,38 @@
 #include <sched.h>
 #include <string.h>
 
-#include "drivers/usb/usb_slot.h"
-#include "drivers/usb/triple_buffer.h"
+#include "drivers/hid/hid_port.h"
 
 #define REPORT_COUNT 200000u
 #define POST_COUNT 200000u
 
-static struct usb_ring ring;
-static struct usb_slot seat;
+static struct hid_port port;
 
-/* ---- The ring ------------------------------------------------------------------------------- */
+static void wake(void *self)
+{
+    uint32_t *wakes = self;
+    (*wakes)++;
+}
+
+static uint32_t wakes;
+
+static struct hid_device_info face_of(uint16_t product)
+{
+    return (struct hid_device_info){ .identity = { .vendor = 1, .product = product },
+                                     .descriptor_size = 1 };
+}
+
+/* Initializes the port, attaches a controller and opens the port. */
+static void begin(void)
+{
+    struct hid_device_info face = face_of(1);
+    wakes = 0;
+    hid_port_init(&port, wake, &wakes);
+    hid_port_attach(&port, &face);
+    assert_int_equal(hid_port_open(&port, &face), HAL_OK);
+}
+
+/* ---- The queue ------------------------------------------------------------------------------ */
 
 static void fill_bytes(uint8_t bytes[HID_REPORT_MAX], uint32_t size, uint32_t number)
 {
@@ -28,7 +50,7 @@ static void fill_bytes(uint8_t bytes[HID_REPORT_MAX], uint32_t size, uint32_t nu
     memcpy(bytes, &number, sizeof number);
 }
 
-/* Sizes differ, so that one read half by the old size would show. */
+/* Sizes differ, so that a report that was read with the size of an older one would be detected. */
 static uint32_t size_of(uint32_t number)
 {
     return 4u + number % (HID_REPORT_MAX - 3u);
@@ -36,14 +58,16 @@ static uint32_t size_of(uint32_t number)
 
 static atomic_int wrote;
 
-/* Now and then in bursts that no ring holds. */
+/* Sends bursts at times that exceed every queue. */
 static void *write_reports(void *self)
 {
     uint8_t bytes[HID_REPORT_MAX];
     (void)self;
     for (uint32_t i = 0; i < REPORT_COUNT; i++) {
+        const uint32_t pushed = atomic_load(&port.pushed);
         fill_bytes(bytes, size_of(i), i);
-        if (!usb_ring_push(&ring, i >> 8, i, bytes, size_of(i)) && i % 64u == 0u) {
+        hid_port_report(&port, i, bytes, size_of(i));
+        if (atomic_load(&port.pushed) == pushed && i % 64u == 0u) {
             sched_yield();
         }
     }
@@ -51,117 +75,118 @@ static void *write_reports(void *self)
     return NULL;
 }
 
-static void check_report(const struct usb_ring_slot *slot, uint32_t number)
-{
-    uint8_t bytes[HID_REPORT_MAX];
-    fill_bytes(bytes, size_of(number), number);
-    assert_int_equal(slot->raw.size, size_of(number));
-    assert_memory_equal(slot->raw.bytes, bytes, slot->raw.size);
-    assert_int_equal(slot->raw.time_ns, number);
-    assert_int_equal(slot->generation, number >> 8);
-}
-
-static void test_reports_cross_between_threads_whole_and_in_order_and_the_last_always(void **state)
+static void test_reports_pass_complete_and_in_order_and_the_last_is_never_lost(void **state)
 {
     (void)state;
+    static struct hid_raw raw;
+    uint8_t bytes[HID_REPORT_MAX];
     pthread_t writer;
     uint32_t count = 0, next = 0;
-    usb_ring_init(&ring);
+    begin();
+    atomic_store(&wrote, 0);
     assert_int_equal(pthread_create(&writer, NULL, write_reports, NULL), 0);
     for (;;) {
         const int is_all = atomic_load(&wrote);
-        const struct usb_ring_slot *slot = usb_ring_peek(&ring);
-        if (!slot && is_all) {
+        const int result = hid_port_take(&port, &raw);
+        if (result == 0 && is_all) {
             break;
         }
-        if (!slot) {
+        if (result == 0) {
             sched_yield();
             continue;
         }
-        assert_true(slot->raw.time_ns >= next); /* Its number. */
-        next = (uint32_t)slot->raw.time_ns + 1u;
-        check_report(slot, next - 1u);
+        assert_int_equal(result, 1);
+        assert_true(raw.time_ns >= next); /* The time is the number of the report. */
+        next = (uint32_t)raw.time_ns + 1u;
+        fill_bytes(bytes, size_of(next - 1u), next - 1u);
+        assert_int_equal(raw.size, size_of(next - 1u));
+        assert_memory_equal(raw.bytes, bytes, raw.size);
         count++;
-        usb_ring_drop(&ring);
     }
     pthread_join(writer, NULL);
     assert_int_equal(next, REPORT_COUNT);
-    assert_int_equal(count + usb_ring_lost(&ring), REPORT_COUNT);
+    assert_int_equal(count + atomic_load(&port.lost), REPORT_COUNT);
 }
 
+/* Sends a report of one byte. `number` is its time. */
+static void report(uint32_t number)
+{
+    const uint8_t byte = 7;
+    hid_port_report(&port, number, &byte, 1);
+}
+
+/* Takes a report and returns its number, or UINT32_MAX if there is no report. */
 static uint32_t next_number(void)
 {
-    const struct usb_ring_slot *slot = usb_ring_peek(&ring);
-    const uint32_t number = slot ? (uint32_t)slot->raw.time_ns : UINT32_MAX;
-    if (slot) {
-        usb_ring_drop(&ring);
-    }
-    return number;
+    struct hid_raw raw;
+    const int result = hid_port_take(&port, &raw);
+    assert_true(result == 0 || result == 1);
+    return result ? (uint32_t)raw.time_ns : UINT32_MAX;
 }
 
-static void test_a_full_ring_keeps_the_newest_and_counts_what_it_cannot(void **state)
+static void test_a_full_queue_keeps_the_newest_report_and_counts_lost_ones(void **state)
 {
     (void)state;
-    const uint8_t byte = 7;
-    usb_ring_init(&ring);
+    begin();
     for (uint32_t i = 0; i < HID_REPORTS_MAX; i++) {
-        assert_true(usb_ring_push(&ring, 1, i, &byte, 1));
+        report(i);
     }
-    assert_false(usb_ring_push(&ring, 1, 5000, &byte, 1));
-    assert_int_equal(usb_ring_lost(&ring), 0);
-    assert_false(usb_ring_push(&ring, 1, 5001, &byte, 1));
-    assert_int_equal(usb_ring_lost(&ring), 1);
+    report(5000);
+    assert_int_equal(atomic_load(&port.pushed), HID_REPORTS_MAX);
+    assert_int_equal(atomic_load(&port.lost), 0);
+    report(5001);
+    assert_int_equal(atomic_load(&port.lost), 1);
     for (uint32_t i = 0; i < 10; i++) {
         assert_int_equal(next_number(), i);
     }
-    assert_true(usb_ring_push(&ring, 1, 5002, &byte, 1)); /* Room again: that came later. */
+    report(5002); /* There is room again, and the report is newer. */
+    assert_int_equal(atomic_load(&port.pushed), HID_REPORTS_MAX + 1u);
     for (uint32_t i = 10; i < HID_REPORTS_MAX; i++) {
         assert_int_equal(next_number(), i);
     }
     assert_int_equal(next_number(), 5001);
     assert_int_equal(next_number(), 5002);
     assert_int_equal(next_number(), UINT32_MAX);
-    assert_int_equal(usb_ring_lost(&ring), 1);
+    assert_int_equal(atomic_load(&port.lost), 1);
 }
 
-/* Neither the wait beside the ring nor the numbers of reports are thrown by a wrap. */
-static void test_one_that_waits_beside_a_full_ring_keeps_its_turn_over_a_wrap(void **state)
+/* Neither the report beside the queue nor the numbers of reports are disturbed by a wrap. */
+static void test_the_report_beside_a_full_queue_stays_in_order_over_a_wrap(void **state)
 {
     (void)state;
-    const uint8_t byte = 7;
-    usb_ring_init(&ring);
-    ring.next_number = UINT32_MAX - HID_REPORTS_MAX - 1u;
+    begin();
+    port.next_number = UINT32_MAX - HID_REPORTS_MAX - 1u;
     for (uint32_t i = 0; i < HID_REPORTS_MAX + 2u; i++) { /* The last is number UINT32_MAX. */
-        usb_ring_push(&ring, 1, i, &byte, 1);
+        report(i);
     }
     for (uint32_t i = 0; i < HID_REPORTS_MAX - 1u; i++) {
         assert_int_equal(next_number(), i);
     }
-    assert_true(usb_ring_push(&ring, 1, 9000, &byte, 1)); /* Number 0. */
+    report(9000); /* Number 0. */
     assert_int_equal(next_number(), HID_REPORTS_MAX - 1u);
     assert_int_equal(next_number(), HID_REPORTS_MAX + 1u);
     assert_int_equal(next_number(), 9000);
 }
 
-static void test_counters_may_wrap(void **state)
+static void test_queue_counters_can_wrap(void **state)
 {
     (void)state;
-    const uint8_t byte = 7;
-    usb_ring_init(&ring);
-    atomic_store(&ring.pushed, UINT32_MAX - 5u);
-    atomic_store(&ring.taken, UINT32_MAX - 5u);
+    begin();
+    atomic_store(&port.pushed, UINT32_MAX - 5u);
+    atomic_store(&port.taken, UINT32_MAX - 5u);
     for (uint32_t i = 0; i < 3u * HID_REPORTS_MAX; i++) {
-        assert_true(usb_ring_push(&ring, 1, i, &byte, 1));
-        assert_int_equal(usb_ring_peek(&ring)->raw.time_ns, i);
-        usb_ring_drop(&ring);
+        report(i);
+        assert_int_equal(next_number(), i);
     }
-    assert_null(usb_ring_peek(&ring));
+    assert_int_equal(next_number(), UINT32_MAX);
+    assert_int_equal(atomic_load(&port.lost), 0);
 }
 
-/* ---- The mail ------------------------------------------------------------------------------- */
+/* ---- The buffer -------------------------------------------------------------------------------
+ * */
 
 static struct {
-    struct triple_buffer mail;
+    struct triple_buffer buffer;
     uint32_t letter[TRIPLE_BUFFER_SLOTS][64];
 } post;
 
@@ -170,25 +195,25 @@ static void *write_letters(void *self)
     (void)self;
     for (uint32_t i = 1; i <= POST_COUNT; i++) {
         for (uint32_t k = 0; k < 64; k++) {
-            post.letter[post.mail.writing][k] = i;
+            post.letter[post.buffer.writing][k] = i;
         }
-        triple_buffer_post(&post.mail);
+        triple_buffer_post(&post.buffer);
     }
     return NULL;
 }
 
-static void test_the_newest_value_is_whole_and_never_older_than_before(void **state)
+static void test_the_newest_value_is_complete_and_never_older_than_the_last(void **state)
 {
     (void)state;
     pthread_t writer;
     uint32_t newest = 0;
     memset(&post, 0, sizeof post);
-    triple_buffer_init(&post.mail);
-    assert_false(triple_buffer_fetch(&post.mail));
+    triple_buffer_init(&post.buffer);
+    assert_false(triple_buffer_fetch(&post.buffer));
     assert_int_equal(pthread_create(&writer, NULL, write_letters, NULL), 0);
     while (newest < POST_COUNT) {
-        const int is_new = triple_buffer_fetch(&post.mail);
-        const uint32_t *letter = post.letter[post.mail.reading];
+        const int is_new = triple_buffer_fetch(&post.buffer);
+        const uint32_t *letter = post.letter[post.buffer.reading];
         assert_true(is_new ? letter[0] > newest : letter[0] == newest);
         newest = letter[0];
         for (uint32_t k = 1; k < 64; k++) {
@@ -196,142 +221,123 @@ static void test_the_newest_value_is_whole_and_never_older_than_before(void **st
         }
     }
     pthread_join(writer, NULL);
-    assert_false(triple_buffer_fetch(&post.mail));
+    assert_false(triple_buffer_fetch(&post.buffer));
 }
 
-/* ---- The seat ------------------------------------------------------------------------------- */
+/* ---- The port ------------------------------------------------------------------------------- */
 
-static uint32_t wakes;
-
-static void wake(void *self)
-{
-    (void)self;
-    wakes++;
-}
-
-static struct hid_device_info face_of(uint16_t product)
-{
-    return (struct hid_device_info){ .identity = { .vendor = 1, .product = product },
-                                     .descriptor_size = 1 };
-}
-
-static void test_what_one_left_behind_is_not_taken_for_the_nexts(void **state)
+static void test_reports_of_a_removed_device_are_not_given_to_the_next(void **state)
 {
     (void)state;
     struct hid_device_info face;
     struct hid_raw raw;
-    usb_slot_init(&seat, wake, NULL);
-    const struct hid_port port = usb_slot_port(&seat);
-    assert_int_equal(port.ops->open(port.self, &face), HAL_ERR_GONE);
-    assert_int_equal(port.ops->take(port.self, &raw), HAL_ERR_GONE);
+    hid_port_init(&port, wake, &wakes);
+    assert_int_equal(hid_port_open(&port, &face), HAL_ERR_GONE);
+    assert_int_equal(hid_port_take(&port, &raw), HAL_ERR_GONE);
     face = face_of(1);
-    usb_slot_attach(&seat, &face);
-    assert_int_equal(port.ops->open(port.self, &face), HAL_OK);
-    usb_slot_report(&seat, 10, (const uint8_t *)"a", 1);
-    usb_slot_detach(&seat);
+    hid_port_attach(&port, &face);
+    assert_int_equal(hid_port_open(&port, &face), HAL_OK);
+    hid_port_report(&port, 10, (const uint8_t *)"a", 1);
+    hid_port_detach(&port);
     face = face_of(2);
-    usb_slot_attach(&seat, &face);
-    usb_slot_report(&seat, 20, (const uint8_t *)"b", 1);
-    assert_int_equal(port.ops->take(port.self, &raw), 1); /* The first one's last word ... */
+    hid_port_attach(&port, &face);
+    hid_port_report(&port, 20, (const uint8_t *)"b", 1);
+    assert_int_equal(hid_port_take(&port, &raw), 1); /* The last report of the first device. */
     assert_int_equal(raw.bytes[0], 'a');
-    assert_int_equal(port.ops->take(port.self, &raw), HAL_ERR_GONE); /* ... and its end. */
-    assert_int_equal(port.ops->open(port.self, &face), HAL_OK);
+    assert_int_equal(hid_port_take(&port, &raw), HAL_ERR_GONE); /* The end of the first device. */
+    assert_int_equal(hid_port_open(&port, &face), HAL_OK);
     assert_int_equal(face.identity.product, 2);
-    assert_int_equal(port.ops->take(port.self, &raw), 1);
+    assert_int_equal(hid_port_take(&port, &raw), 1);
     assert_int_equal(raw.bytes[0], 'b');
-    assert_int_equal(port.ops->take(port.self, &raw), 0);
+    assert_int_equal(hid_port_take(&port, &raw), 0);
 }
 
-static void test_what_came_before_the_seat_was_looked_at_is_dropped_with_its_owner(void **state)
+static void test_unread_reports_are_dropped_when_their_device_is_removed(void **state)
 {
     (void)state;
     struct hid_device_info face = face_of(1);
     struct hid_raw raw;
-    usb_slot_init(&seat, wake, NULL);
-    const struct hid_port port = usb_slot_port(&seat);
-    usb_slot_attach(&seat, &face);
-    usb_slot_report(&seat, 10, (const uint8_t *)"a", 1);
-    usb_slot_detach(&seat);
+    hid_port_init(&port, wake, &wakes);
+    hid_port_attach(&port, &face);
+    hid_port_report(&port, 10, (const uint8_t *)"a", 1);
+    hid_port_detach(&port);
     face = face_of(2);
-    usb_slot_attach(&seat, &face);
-    assert_int_equal(port.ops->open(port.self, &face), HAL_OK);
+    hid_port_attach(&port, &face);
+    assert_int_equal(hid_port_open(&port, &face), HAL_OK);
     assert_int_equal(face.identity.product, 2);
-    assert_int_equal(port.ops->take(port.self, &raw), 0);
+    assert_int_equal(hid_port_take(&port, &raw), 0);
 }
 
-static void test_time_stamps_never_go_back(void **state)
+static void test_time_stamps_never_decrease(void **state)
 {
     (void)state;
     struct hid_device_info face = face_of(1);
     struct hid_raw raw;
-    usb_slot_init(&seat, wake, NULL);
-    const struct hid_port port = usb_slot_port(&seat);
-    usb_slot_attach(&seat, &face);
-    assert_int_equal(port.ops->open(port.self, &face), HAL_OK);
-    usb_slot_report(&seat, 100, (const uint8_t *)"a", 1);
-    usb_slot_report(&seat, 90, (const uint8_t *)"b", 1);
-    assert_int_equal(port.ops->take(port.self, &raw), 1);
-    assert_int_equal(port.ops->take(port.self, &raw), 1);
+    hid_port_init(&port, wake, &wakes);
+    hid_port_attach(&port, &face);
+    assert_int_equal(hid_port_open(&port, &face), HAL_OK);
+    hid_port_report(&port, 100, (const uint8_t *)"a", 1);
+    hid_port_report(&port, 90, (const uint8_t *)"b", 1);
+    assert_int_equal(hid_port_take(&port, &raw), 1);
+    assert_int_equal(hid_port_take(&port, &raw), 1);
     assert_int_equal(raw.time_ns, 100);
 }
 
-static void test_sizes_that_are_no_report_are_no_report(void **state)
+static void test_a_report_of_an_invalid_size_is_ignored(void **state)
 {
     (void)state;
     static const uint8_t bytes[HID_REPORT_MAX + 1u] = { 5 };
     struct hid_device_info face = face_of(1);
     struct hid_raw raw;
-    usb_slot_init(&seat, wake, NULL);
-    const struct hid_port port = usb_slot_port(&seat);
-    usb_slot_attach(&seat, &face);
-    assert_int_equal(port.ops->open(port.self, &face), HAL_OK);
-    usb_slot_report(&seat, 1, bytes, 0);
-    usb_slot_report(&seat, 2, bytes, HID_REPORT_MAX + 1u);
-    assert_int_equal(port.ops->take(port.self, &raw), 0);
-    assert_int_equal(port.ops->lost_count(port.self), 1);
-    usb_slot_report(&seat, 3, bytes, HID_REPORT_MAX);
-    assert_int_equal(port.ops->take(port.self, &raw), 1);
+    hid_port_init(&port, wake, &wakes);
+    hid_port_attach(&port, &face);
+    assert_int_equal(hid_port_open(&port, &face), HAL_OK);
+    hid_port_report(&port, 1, bytes, 0);
+    hid_port_report(&port, 2, bytes, HID_REPORT_MAX + 1u);
+    assert_int_equal(hid_port_take(&port, &raw), 0);
+    assert_int_equal(atomic_load(&port.lost), 1);
+    hid_port_report(&port, 3, bytes, HID_REPORT_MAX);
+    assert_int_equal(hid_port_take(&port, &raw), 1);
     assert_int_equal(raw.size, HID_REPORT_MAX);
-    assert_int_equal(port.ops->send(port.self, bytes, HID_REPORT_MAX + 1u), HAL_ERR_IO);
-    assert_int_equal(port.ops->send(port.self, bytes, 0), HAL_ERR_IO);
+    assert_int_equal(hid_port_send(&port, bytes, HID_REPORT_MAX + 1u), HAL_ERR_IO);
+    assert_int_equal(hid_port_send(&port, bytes, 0), HAL_ERR_IO);
 }
 
-static void test_a_blow_for_one_who_left_does_not_reach_the_next(void **state)
+static void test_an_output_report_for_a_removed_device_is_not_sent_to_the_next(void **state)
 {
     (void)state;
     struct hid_device_info face = face_of(1);
-    usb_slot_init(&seat, wake, NULL);
-    const struct hid_port port = usb_slot_port(&seat);
-    usb_slot_attach(&seat, &face);
-    assert_int_equal(port.ops->open(port.self, &face), HAL_OK);
+    hid_port_init(&port, wake, &wakes);
+    hid_port_attach(&port, &face);
+    assert_int_equal(hid_port_open(&port, &face), HAL_OK);
     wakes = 0;
-    assert_int_equal(port.ops->send(port.self, (const uint8_t *)"x", 1), HAL_OK);
+    assert_int_equal(hid_port_send(&port, (const uint8_t *)"x", 1), HAL_OK);
     assert_int_equal(wakes, 1);
-    usb_slot_detach(&seat);
-    usb_slot_attach(&seat, &face);
-    assert_int_equal(usb_slot_outgoing(&seat), 0);
-    assert_int_equal(port.ops->open(port.self, &face), HAL_OK);
-    assert_int_equal(port.ops->send(port.self, (const uint8_t *)"y", 1), HAL_OK);
-    assert_int_equal(usb_slot_outgoing(&seat), 1);
-    assert_int_equal(seat.out_bytes[0], 'y');
-    assert_int_equal(port.ops->send(port.self, (const uint8_t *)"z", 1), HAL_ERR_BUSY);
-    usb_slot_sent(&seat);
-    assert_int_equal(port.ops->send(port.self, (const uint8_t *)"z", 1), HAL_OK);
+    hid_port_detach(&port);
+    hid_port_attach(&port, &face);
+    assert_int_equal(hid_port_outgoing(&port), 0);
+    assert_int_equal(hid_port_open(&port, &face), HAL_OK);
+    assert_int_equal(hid_port_send(&port, (const uint8_t *)"y", 1), HAL_OK);
+    assert_int_equal(hid_port_outgoing(&port), 1);
+    assert_int_equal(port.out_bytes[0], 'y');
+    assert_int_equal(hid_port_send(&port, (const uint8_t *)"z", 1), HAL_ERR_BUSY);
+    hid_port_sent(&port);
+    assert_int_equal(hid_port_send(&port, (const uint8_t *)"z", 1), HAL_OK);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_reports_cross_between_threads_whole_and_in_order_and_the_last_always),
-        cmocka_unit_test(test_a_full_ring_keeps_the_newest_and_counts_what_it_cannot),
-        cmocka_unit_test(test_one_that_waits_beside_a_full_ring_keeps_its_turn_over_a_wrap),
-        cmocka_unit_test(test_counters_may_wrap),
-        cmocka_unit_test(test_the_newest_value_is_whole_and_never_older_than_before),
-        cmocka_unit_test(test_what_one_left_behind_is_not_taken_for_the_nexts),
-        cmocka_unit_test(test_what_came_before_the_seat_was_looked_at_is_dropped_with_its_owner),
-        cmocka_unit_test(test_time_stamps_never_go_back),
-        cmocka_unit_test(test_sizes_that_are_no_report_are_no_report),
-        cmocka_unit_test(test_a_blow_for_one_who_left_does_not_reach_the_next),
+        cmocka_unit_test(test_reports_pass_complete_and_in_order_and_the_last_is_never_lost),
+        cmocka_unit_test(test_a_full_queue_keeps_the_newest_report_and_counts_lost_ones),
+        cmocka_unit_test(test_the_report_beside_a_full_queue_stays_in_order_over_a_wrap),
+        cmocka_unit_test(test_queue_counters_can_wrap),
+        cmocka_unit_test(test_the_newest_value_is_complete_and_never_older_than_the_last),
+        cmocka_unit_test(test_reports_of_a_removed_device_are_not_given_to_the_next),
+        cmocka_unit_test(test_unread_reports_are_dropped_when_their_device_is_removed),
+        cmocka_unit_test(test_time_stamps_never_decrease),
+        cmocka_unit_test(test_a_report_of_an_invalid_size_is_ignored),
+        cmocka_unit_test(test_an_output_report_for_a_removed_device_is_not_sent_to_the_next),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,7 +1,7 @@
-/* test_usb_unplug.c -- a cable may be pulled after any report, in any of the ways that show it.
- *
- * All that was said before is taken, in order; then the port says once that it is gone; then it
- * comes back to its seat. The stand counts whatever is closed too early or twice. */
+/* test_usb_unplug.c -- Tests that a device can be unplugged after any report, with each order of
+ * the bus events. All earlier reports are delivered in order. The port then returns HAL_ERR_GONE
+ * once, and the device gets the same slot again when it returns. The simulated bus counts objects
+ * that are closed too early or twice. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -10,27 +10,27 @@
 #include <cmocka.h>
 
 #include "drivers/usb/usb_transport.h"
-#include "tests/unit/support/usb_kinds.h"
+#include "tests/unit/support/usb/usb_fixture.h"
 
 #define INDEX_COUNT 1000u
-#define BURST 64u /* No more than the ring holds: none is lost. */
+#define BURST 64u /* A burst fits into the ring, so that no report is lost. */
 
-static struct usb_bench bench;
+static struct usb_fixture fixture;
 static struct hid_device_info face;
 
 static int set_up(void **state)
 {
     (void)state;
-    bench_prepare(&bench);
-    bench_start(&bench, NULL, 0);
+    fixture_prepare(&fixture);
+    fixture_start(&fixture, NULL, 0);
     return 0;
 }
 
 static int tear_down(void **state)
 {
     (void)state;
-    assert_int_equal(bench_end(&bench), 0);
-    assert_int_equal(stand_breaches(), 0);
+    assert_int_equal(fixture_end(&fixture), 0);
+    assert_int_equal(usb_sim_breaches(), 0);
     return 0;
 }
 
@@ -43,23 +43,24 @@ static void take_reports(uint32_t from, uint32_t to)
 {
     struct hid_raw raw;
     for (uint32_t i = from; i < to; i++) {
-        assert_int_equal(bench_take(&bench, 0, &raw), 1);
-        assert_int_equal(bench_number(&raw), i);
+        assert_int_equal(fixture_take(&fixture, 0, &raw), 1);
+        assert_int_equal(fixture_number(&raw), i);
     }
 }
 
-/* Leaves the last ones on their way: every transfer has them, but the frame loop has not. */
-static void say_reports(uint32_t device, uint32_t count)
+/* Sends `count` reports. If the count is odd, the last burst is left in the ring: the transfers
+ * have taken all reports, but the frame loop has not. */
+static void send_reports(uint32_t device, uint32_t count)
 {
     uint32_t taken = 0;
     for (uint32_t i = 0; i < count; i++) {
-        bench_say(device, i);
+        fixture_send(device, i);
         if (i + 1u - taken == BURST) {
             take_reports(taken, i + 1u);
             taken = i + 1u;
         }
     }
-    while (stand_waiting(device) > 0) {
+    while (usb_sim_waiting(device) > 0) {
         usleep(20);
     }
     if (count % 2u == 0u) {
@@ -78,27 +79,25 @@ static int compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-static void test_pulled_out_at_each_of_a_thousand_reports_it_comes_back(void **state)
+static void test_a_device_returns_after_an_unplug_at_each_of_1000_reports(void **state)
 {
     (void)state;
     static uint64_t back_ns[INDEX_COUNT];
     struct hid_raw raw;
     for (uint32_t i = 0; i < INDEX_COUNT; i++) {
-        const enum stand_parting how = (enum stand_parting)(i % 4u);
+        const enum usb_sim_unplug_order how = (enum usb_sim_unplug_order)(i % 4u);
         const uint64_t plugged_ns = now_ns();
-        const uint32_t poi = stand_plug(&own_poi, 1);
-        assert_true(bench_open(&bench, 0, &face));
+        const uint32_t poi = usb_sim_plug(&own_poi, 1);
+        assert_true(fixture_open(&fixture, 0, &face));
         back_ns[i] = now_ns() - plugged_ns;
-        say_reports(poi, i);
-        stand_unplug(poi, how);
+        send_reports(poi, i);
+        usb_sim_unplug(poi, how);
         take_reports(left_to_take(i), i);
-        assert_int_equal(bench_take(&bench, 0, &raw), HAL_ERR_GONE);
-        if (how == STAND_LATE) {
-            stand_announce(poi);
+        assert_int_equal(fixture_take(&fixture, 0, &raw), HAL_ERR_GONE);
+        if (how == USB_SIM_LATE) {
+            usb_sim_announce(poi);
         }
-        assert_int_equal(usb_transport_port(bench.seats, 0)
-                             .ops->lost_count(usb_transport_port(bench.seats, 0).self),
-                         0);
+        assert_int_equal(atomic_load(&usb_transport_port(fixture.thread, 0)->lost), 0);
     }
     qsort(back_ns, INDEX_COUNT, sizeof back_ns[0], compare);
     printf("# plugged in to seated: p50 %.2f ms, p99 %.2f ms, at most %.2f ms\n",
@@ -107,129 +106,133 @@ static void test_pulled_out_at_each_of_a_thousand_reports_it_comes_back(void **s
     assert_in_range(back_ns[INDEX_COUNT / 2u], 0, 100000000ull);
 }
 
-static void test_reports_still_on_the_wire_are_a_beginning_of_what_was_said(void **state)
+static void test_reports_that_arrive_before_an_unplug_are_a_prefix_of_those_sent(void **state)
 {
     (void)state;
     struct hid_raw raw;
     for (uint32_t round = 0; round < 100; round++) {
-        const uint32_t poi = stand_plug(&own_poi, 1);
+        const uint32_t poi = usb_sim_plug(&own_poi, 1);
         int result;
         uint32_t count = 0;
-        assert_true(bench_open(&bench, 0, &face));
+        assert_true(fixture_open(&fixture, 0, &face));
         for (uint32_t i = 0; i < 60; i++) {
-            bench_say(poi, i);
+            fixture_send(poi, i);
         }
-        stand_unplug(poi, (enum stand_parting)(round % 2u));
-        while ((result = bench_take(&bench, 0, &raw)) == 1) {
-            assert_int_equal(bench_number(&raw), count++);
+        usb_sim_unplug(poi, (enum usb_sim_unplug_order)(round % 2u));
+        while ((result = fixture_take(&fixture, 0, &raw)) == 1) {
+            assert_int_equal(fixture_number(&raw), count++);
         }
         assert_int_equal(result, HAL_ERR_GONE);
     }
 }
 
-static void test_a_lost_poi_has_its_row_while_it_is_away(void **state)
+static void test_a_lost_poi_keeps_its_row_in_the_device_list(void **state)
 {
     (void)state;
-    uint32_t poi = stand_plug(&own_poi, 1);
-    assert_true(bench_until(&bench, 0, CONTROLLER_ACTIVE));
-    stand_unplug(poi, STAND_IO_FIRST);
-    assert_true(bench_until(&bench, 0, CONTROLLER_LOST));
-    poi = stand_plug(&own_poi, 5); /* Elsewhere: its serial number says who it is. */
-    assert_true(bench_until(&bench, 0, CONTROLLER_ACTIVE));
-    assert_int_equal(bench_row(&bench, 0).seat, 0);
-    assert_string_equal(bench_row(&bench, 0).identity.port, "3-5");
-    assert_int_equal(bench_row(&bench, 1).state, CONTROLLER_NONE);
-    stand_unplug(poi, STAND_GONE);
-    assert_true(bench_until(&bench, 0, CONTROLLER_LOST));
-    const struct hid_device_list device_list = usb_transport_roster(bench.seats);
+    uint32_t poi = usb_sim_plug(&own_poi, 1);
+    assert_true(fixture_wait_state(&fixture, 0, CONTROLLER_ACTIVE));
+    usb_sim_unplug(poi, USB_SIM_IO_FIRST);
+    assert_true(fixture_wait_state(&fixture, 0, CONTROLLER_LOST));
+    poi = usb_sim_plug(&own_poi, 5); /* The device returns in another port and is identified by
+                                        its serial number. */
+    assert_true(fixture_wait_state(&fixture, 0, CONTROLLER_ACTIVE));
+    assert_int_equal(fixture_row(&fixture, 0).slot, 0);
+    assert_string_equal(fixture_row(&fixture, 0).identity.port, "3-5");
+    assert_int_equal(fixture_row(&fixture, 1).state, CONTROLLER_NONE);
+    usb_sim_unplug(poi, USB_SIM_GONE);
+    assert_true(fixture_wait_state(&fixture, 0, CONTROLLER_LOST));
+    const struct hid_device_list device_list = usb_transport_list(fixture.thread);
     assert_int_equal(device_list.ops->release(device_list.self, 0),
-                     HAL_OK); /* Waited for no more. */
-    assert_true(bench_until(&bench, 0, CONTROLLER_NONE));
+                     HAL_OK); /* The thread does not wait any longer. */
+    assert_true(fixture_wait_state(&fixture, 0, CONTROLLER_NONE));
 }
 
-static void test_transfers_that_come_back_late_are_waited_for(void **state)
+static void test_a_close_waits_for_late_transfers(void **state)
 {
     (void)state;
     struct hid_raw raw;
-    stand_set_faults(&(struct stand_faults){ .cancel_ms = 150 });
-    const uint32_t first = stand_plug(&own_poi, 1);
-    assert_true(bench_open(&bench, 0, &face));
-    stand_unplug(first, STAND_QUIET);
-    assert_int_equal(bench_take(&bench, 0, &raw), HAL_ERR_GONE);
-    const uint32_t again = stand_plug(&own_poi, 1); /* While its former self is not closed yet. */
-    assert_true(bench_open(&bench, 0, &face));
-    assert_int_equal(stand_seen(first).closes, 0);
-    bench_say(again, 1);
-    assert_int_equal(bench_take(&bench, 0, &raw), 1);
-    for (uint32_t i = 0; i < 5000 && stand_seen(first).closes == 0; i++) {
+    usb_sim_set_faults(&(struct usb_sim_faults){ .cancel_ms = 150 });
+    const uint32_t first = usb_sim_plug(&own_poi, 1);
+    assert_true(fixture_open(&fixture, 0, &face));
+    usb_sim_unplug(first, USB_SIM_QUIET);
+    assert_int_equal(fixture_take(&fixture, 0, &raw), HAL_ERR_GONE);
+    const uint32_t again = usb_sim_plug(&own_poi, 1); /* The device returns while its former
+                                                         handle is still open. */
+    assert_true(fixture_open(&fixture, 0, &face));
+    assert_int_equal(usb_sim_seen(first).closes, 0);
+    fixture_send(again, 1);
+    assert_int_equal(fixture_take(&fixture, 0, &raw), 1);
+    for (uint32_t i = 0; i < 5000 && usb_sim_seen(first).closes == 0; i++) {
         usleep(200);
     }
-    assert_int_equal(stand_seen(first).closes, 1);
+    assert_int_equal(usb_sim_seen(first).closes, 1);
 }
 
-static void test_the_end_waits_for_all_that_flies(void **state)
+static void test_the_thread_waits_for_all_transfers_before_it_ends(void **state)
 {
     (void)state;
-    stand_set_faults(&(struct stand_faults){ .cancel_ms = 100, .hold_outs = 1 });
-    const uint32_t poi = stand_plug(&own_poi, 1);
-    const uint32_t other = stand_plug(&second_poi, 2);
-    const struct hid_port port = usb_transport_port(bench.seats, 0);
+    usb_sim_set_faults(&(struct usb_sim_faults){ .cancel_ms = 100, .hold_outs = 1 });
+    const uint32_t poi = usb_sim_plug(&own_poi, 1);
+    const uint32_t other = usb_sim_plug(&second_poi, 2);
+    struct hid_port *const port = usb_transport_port(fixture.thread, 0);
     const uint8_t blow[] = { POI_FEEL_ID, 1 };
-    assert_true(bench_open(&bench, 0, &face));
-    assert_true(bench_open(&bench, 1, &face));
-    assert_true(bench_open(&bench, 0, &face));
-    assert_int_equal(port.ops->send(port.self, blow, sizeof blow), HAL_OK);
+    assert_true(fixture_open(&fixture, 0, &face));
+    assert_true(fixture_open(&fixture, 1, &face));
+    assert_true(fixture_open(&fixture, 0, &face));
+    assert_int_equal(hid_port_send(port, blow, sizeof blow), HAL_OK);
     usleep(10000);
-    usb_transport_stop(bench.seats);
-    assert_int_equal(stand_seen(poi).closes, 1);
-    assert_int_equal(stand_seen(poi).releases, 1);
-    assert_int_equal(stand_seen(other).closes, 1);
-    assert_int_equal(stand_end(), 0);
+    usb_transport_stop(fixture.thread);
+    assert_int_equal(usb_sim_seen(poi).closes, 1);
+    assert_int_equal(usb_sim_seen(poi).releases, 1);
+    assert_int_equal(usb_sim_seen(other).closes, 1);
+    assert_int_equal(usb_sim_end(), 0);
 }
 
-/* The last test of all: what the kernel never gave back is left to the end of the process. */
+/* Teardown of the last test. Transfers that the kernel never returned stay allocated until the
+ * process ends. */
 static int tear_down_what_is_left(void **state)
 {
     (void)state;
-    assert_true(bench_end(&bench) > 0);
-    assert_int_equal(stand_breaches(), 0); /* Nothing was closed or freed under it. */
+    assert_true(fixture_end(&fixture) > 0);
+    assert_int_equal(usb_sim_breaches(), 0); /* No object of a pending transfer was closed or
+                                                freed. */
     return 0;
 }
 
-static void test_the_end_does_not_wait_for_ever(void **state)
+static void test_the_wait_for_transfers_at_the_end_times_out(void **state)
 {
     (void)state;
-    stand_set_faults(&(struct stand_faults){ .cancel_ms = 3600000 });
-    stand_plug(&own_poi, 1);
-    assert_true(bench_open(&bench, 0, &face));
+    usb_sim_set_faults(&(struct usb_sim_faults){ .cancel_ms = 3600000 });
+    usb_sim_plug(&own_poi, 1);
+    assert_true(fixture_open(&fixture, 0, &face));
     const uint64_t begin_ns = now_ns();
-    usb_transport_stop(bench.seats);
+    usb_transport_stop(fixture.thread);
     assert_in_range(now_ns() - begin_ns, 1000000000ull, 10000000000ull);
 }
 
-static void test_pulled_out_while_it_is_being_opened(void **state)
+static void test_a_device_that_is_unplugged_during_the_open_is_released(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < 200; i++) {
-        const uint32_t poi = stand_plug(&bench_poi, 1);
+        const uint32_t poi = usb_sim_plug(&unbound_poi, 1);
         usleep(i % 40u * 10u);
-        stand_unplug(poi, (enum stand_parting)(i % 2u));
+        usb_sim_unplug(poi, (enum usb_sim_unplug_order)(i % 2u));
     }
-    stand_plug(&bench_poi, 1);
-    assert_true(bench_open(&bench, 0, &face));
+    usb_sim_plug(&unbound_poi, 1);
+    assert_true(fixture_open(&fixture, 0, &face));
 }
 
 int main(void)
 {
 #define BENCH(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
     const struct CMUnitTest tests[] = {
-        BENCH(test_pulled_out_at_each_of_a_thousand_reports_it_comes_back),
-        BENCH(test_reports_still_on_the_wire_are_a_beginning_of_what_was_said),
-        BENCH(test_a_lost_poi_has_its_row_while_it_is_away),
-        BENCH(test_transfers_that_come_back_late_are_waited_for),
-        BENCH(test_the_end_waits_for_all_that_flies),
-        BENCH(test_pulled_out_while_it_is_being_opened),
-        cmocka_unit_test_setup_teardown(test_the_end_does_not_wait_for_ever, set_up,
+        BENCH(test_a_device_returns_after_an_unplug_at_each_of_1000_reports),
+        BENCH(test_reports_that_arrive_before_an_unplug_are_a_prefix_of_those_sent),
+        BENCH(test_a_lost_poi_keeps_its_row_in_the_device_list),
+        BENCH(test_a_close_waits_for_late_transfers),
+        BENCH(test_the_thread_waits_for_all_transfers_before_it_ends),
+        BENCH(test_a_device_that_is_unplugged_during_the_open_is_released),
+        cmocka_unit_test_setup_teardown(test_the_wait_for_transfers_at_the_end_times_out, set_up,
                                         tear_down_what_is_left),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

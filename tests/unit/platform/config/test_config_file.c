@@ -1,4 +1,5 @@
-/* test_config_file.c -- kingyo.conf: what counts, and what is told and passed over. */
+/* test_config_file.c -- Tests kingyo.conf: which lines are used, and which are reported and
+ * skipped. */
 #include <errno.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -59,7 +60,7 @@ static int32_t asked(uint32_t id)
     return options.file.value[id];
 }
 
-static void test_no_control_character_of_a_file_comes_into_a_warning(void **state)
+static void test_control_characters_of_a_file_are_removed_from_warnings(void **state)
 {
     (void)state;
     read_text("[money]\nplay = pa\x1b[2Jid\rx\x7f\n\x01key = 1\n");
@@ -72,7 +73,7 @@ static void test_no_control_character_of_a_file_comes_into_a_warning(void **stat
     assert_non_null(strstr(warnings[0], "pa?[2Jid?x?"));
 }
 
-static void test_each_section_has_its_keys(void **state)
+static void test_each_section_accepts_its_own_keys(void **state)
 {
     (void)state;
     assert_int_equal(read_text("# the stall at the station\n\n[money]\nplay = paid\nprice=2\n"
@@ -102,7 +103,7 @@ static void test_each_section_has_its_keys(void **state)
     assert_int_equal(options.is_file, 0);
 }
 
-static void test_a_file_without_sections_goes_on_to_be_read(void **state)
+static void test_a_file_without_sections_is_read(void **state)
 {
     (void)state;
     assert_int_equal(read_text(" lang = en   # for visitors\nwindow=1920x1080\nfish = 400\n"
@@ -122,7 +123,7 @@ static void test_a_file_without_sections_goes_on_to_be_read(void **state)
     assert_int_equal(asked(SET_VOLUME), 50);
 }
 
-static void test_a_key_belongs_to_its_section(void **state)
+static void test_a_key_in_the_wrong_section_is_reported(void **state)
 {
     (void)state;
     assert_int_equal(read_text("[sound]\nprice = 2\nusb = 057e:2009\nlang = en\nvolume = 5\n"), 0);
@@ -135,7 +136,7 @@ static void test_a_key_belongs_to_its_section(void **state)
     assert_int_equal(options.usb_count, 0);
 }
 
-static void test_a_section_that_is_none_is_told_once_and_passed_over(void **state)
+static void test_an_unknown_section_is_reported_once_and_skipped(void **state)
 {
     (void)state;
     assert_int_equal(read_text("[mony]\nprice = 2\nnonsense\n[game\nfish = 5\n[ sound ]\n"
@@ -143,14 +144,14 @@ static void test_a_section_that_is_none_is_told_once_and_passed_over(void **stat
                      0);
     assert_int_equal(warning_count, 3);
     assert_non_null(strstr(warnings[0], ":1: unknown section [mony]; expected money, game, "));
-    assert_non_null(strstr(warnings[1], ":4: a section is [NAME]"));
+    assert_non_null(strstr(warnings[1], ":4: a section line must be [NAME]"));
     assert_non_null(strstr(warnings[2], ":8: unknown section []"));
     assert_int_equal(options.file.is_set[SET_PRICE], 0);
     assert_int_equal(options.file.is_set[SET_FISH], 0);
     assert_int_equal(asked(SET_VOLUME), 5);
 }
 
-static void test_every_value_beyond_its_range_is_told_with_it(void **state)
+static void test_every_out_of_range_value_is_reported_with_its_range(void **state)
 {
     char text[256], range[SETTING_RANGE_MAX];
     (void)state;
@@ -170,7 +171,7 @@ static void test_every_value_beyond_its_range_is_told_with_it(void **state)
     }
 }
 
-static void test_calibration_is_the_menus_alone(void **state)
+static void test_the_calibration_cannot_be_set_in_the_file(void **state)
 {
     (void)state;
     assert_int_equal(read_text("seat1-xx = 5\n"), 0);
@@ -178,7 +179,7 @@ static void test_calibration_is_the_menus_alone(void **state)
     assert_non_null(strstr(warnings[0], "unknown key"));
 }
 
-static void test_windows_editors_are_welcome(void **state)
+static void test_a_byte_order_mark_and_crlf_are_accepted(void **state)
 {
     (void)state;
     assert_int_equal(read_text("\xEF\xBB\xBF[money]\r\nprice = 4\r\n"), 0);
@@ -186,8 +187,8 @@ static void test_windows_editors_are_welcome(void **state)
     assert_int_equal(asked(SET_PRICE), 4);
 }
 
-/* Nobody writes into that pipe; whoever waited for it would wait for ever. */
-static void test_what_is_no_file_is_refused_at_once(void **state)
+/* The pipe has no writer. A reader that waits for one would block forever. */
+static void test_a_path_that_is_not_a_regular_file_is_rejected_without_blocking(void **state)
 {
     (void)state;
     char folder[] = "/tmp/kingyo-conf-XXXXXX", pipe_path[64];
@@ -202,7 +203,7 @@ static void test_what_is_no_file_is_refused_at_once(void **state)
     rmdir(folder);
 }
 
-static void test_a_line_too_long_for_any_key_is_one_warning(void **state)
+static void test_a_too_long_line_gives_one_warning(void **state)
 {
     static char text[3u * CONFIG_LINE_MAX];
     (void)state;
@@ -215,8 +216,8 @@ static void test_a_line_too_long_for_any_key_is_one_warning(void **state)
     assert_int_equal(asked(SET_PRICE), 2);
 }
 
-/* Whatever lies in the file, what is asked for is allowed. */
-static void test_noise_sets_nothing_that_may_not_be(void **state)
+/* The resulting options are valid for any content of the file. */
+static void test_random_bytes_never_set_an_invalid_value(void **state)
 {
     static const char bits[] = "[money]game=pricevolume,fish:0123456789\n\n  #=\0\xff";
     char text[400];
@@ -233,9 +234,9 @@ static void test_noise_sets_nothing_that_may_not_be(void **state)
     }
 }
 
-/* The file that 'kingyoctl config defaults' prints: with every '#' before a key taken off it is
- * read without a word, and asks for the standards. */
-static void test_the_example_says_what_holds_without_it(void **state)
+/* The file printed by 'kingyoctl config defaults' is read with every '#' before a key removed. It
+ * gives no warning and sets the defaults. */
+static void test_the_example_file_contains_the_defaults(void **state)
 {
     static char text[32768], open[32768];
     FILE *file = fmemopen(text, sizeof text, "w");
@@ -262,7 +263,7 @@ static void test_the_example_says_what_holds_without_it(void **state)
     }
 }
 
-static void test_a_file_that_is_none_is_not_told_line_by_line(void **state)
+static void test_a_file_with_many_invalid_lines_reports_the_count_of_the_rest(void **state)
 {
     (void)state;
     char text[CONFIG_WARNINGS_MAX * 4u + 16u] = "";
@@ -271,11 +272,11 @@ static void test_a_file_that_is_none_is_not_told_line_by_line(void **state)
     }
     assert_int_equal(read_text(text), 0);
     assert_int_equal(warning_count, CONFIG_WARNINGS_MAX + 1u);
-    assert_non_null(strstr(last_warning, ": and 3 more"));
+    assert_non_null(strstr(last_warning, ": 3 more invalid lines"));
 }
 
-/* A stall opens although a wire of its file is wrong, and with those that are right. */
-static void test_a_file_wires_lines_and_says_which_it_cannot(void **state)
+/* The kiosk starts although one line of the file is wrong, and uses the valid lines. */
+static void test_valid_gpio_lines_are_used_and_invalid_ones_reported(void **state)
 {
     (void)state;
     assert_int_equal(read_text("usb = 057e:2009\nline = start=BTN_START\nline = jump=X\n"
@@ -286,11 +287,11 @@ static void test_a_file_wires_lines_and_says_which_it_cannot(void **state)
     assert_string_equal(options.line[1], "coin=chip:4,low");
     assert_int_equal(warning_count, 2);
     assert_non_null(strstr(warnings[0], ":3: "));
-    assert_null(strstr(warnings[0], "expected"));
+    assert_non_null(strstr(warnings[0], "'jump' is not a role; expected"));
     assert_non_null(strstr(warnings[1], ":4: start and left are both on BTN_START"));
 }
 
-static void test_a_path_may_hold_what_begins_a_comment(void **state)
+static void test_a_path_may_contain_comment_characters(void **state)
 {
     (void)state;
     assert_int_equal(read_text("data = /srv/stall#1 # the first\n#shots = pics\n"), 0);
@@ -299,7 +300,7 @@ static void test_a_path_may_hold_what_begins_a_comment(void **state)
     assert_string_equal(options.shots, "");
 }
 
-static void test_a_typing_mistake_is_told_with_its_line_and_the_rest_counts(void **state)
+static void test_a_typing_error_is_reported_with_its_line_and_the_rest_is_read(void **state)
 {
     (void)state;
     assert_int_equal(read_text("colour = red\nfish = many\nlang\nwindow = 1x1\nseed = 9\n"), 0);
@@ -313,7 +314,7 @@ static void test_a_typing_mistake_is_told_with_its_line_and_the_rest_counts(void
     assert_int_equal(options.seed, 9);
 }
 
-static void test_a_file_names_the_tank_and_not_more_fish_than_it_holds(void **state)
+static void test_the_fish_count_of_a_file_is_limited_by_its_tank(void **state)
 {
     (void)state;
     assert_int_equal(read_text("fish = 1000\ntank = official\n"), 0);
@@ -323,10 +324,10 @@ static void test_a_file_names_the_tank_and_not_more_fish_than_it_holds(void **st
     assert_int_equal(read_text("fish = 1000\n"), 0);
     assert_int_equal(warning_count, 1);
     assert_non_null(strstr(warnings[0], ":1: fish: 1000 is too many; the festival tank holds 1 "));
-    assert_int_equal(options.file.is_set[SET_FISH], 0); /* The stall opens with its own. */
+    assert_int_equal(options.file.is_set[SET_FISH], 0); /* The kiosk starts with its own value. */
 }
 
-static void test_a_file_may_not_start_a_demonstration(void **state)
+static void test_a_file_cannot_start_the_demo(void **state)
 {
     (void)state;
     assert_int_equal(read_text("demo = 20\nhelp =\nconfig = other\nreplay = x\n"), 0);
@@ -344,24 +345,24 @@ static void test_a_file_that_cannot_be_read_is_an_error(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_no_control_character_of_a_file_comes_into_a_warning),
-        cmocka_unit_test(test_each_section_has_its_keys),
-        cmocka_unit_test(test_a_file_without_sections_goes_on_to_be_read),
-        cmocka_unit_test(test_a_key_belongs_to_its_section),
-        cmocka_unit_test(test_a_section_that_is_none_is_told_once_and_passed_over),
-        cmocka_unit_test(test_every_value_beyond_its_range_is_told_with_it),
-        cmocka_unit_test(test_calibration_is_the_menus_alone),
-        cmocka_unit_test(test_windows_editors_are_welcome),
-        cmocka_unit_test(test_what_is_no_file_is_refused_at_once),
-        cmocka_unit_test(test_a_line_too_long_for_any_key_is_one_warning),
-        cmocka_unit_test(test_noise_sets_nothing_that_may_not_be),
-        cmocka_unit_test(test_the_example_says_what_holds_without_it),
-        cmocka_unit_test(test_a_file_that_is_none_is_not_told_line_by_line),
-        cmocka_unit_test(test_a_file_wires_lines_and_says_which_it_cannot),
-        cmocka_unit_test(test_a_path_may_hold_what_begins_a_comment),
-        cmocka_unit_test(test_a_typing_mistake_is_told_with_its_line_and_the_rest_counts),
-        cmocka_unit_test(test_a_file_names_the_tank_and_not_more_fish_than_it_holds),
-        cmocka_unit_test(test_a_file_may_not_start_a_demonstration),
+        cmocka_unit_test(test_control_characters_of_a_file_are_removed_from_warnings),
+        cmocka_unit_test(test_each_section_accepts_its_own_keys),
+        cmocka_unit_test(test_a_file_without_sections_is_read),
+        cmocka_unit_test(test_a_key_in_the_wrong_section_is_reported),
+        cmocka_unit_test(test_an_unknown_section_is_reported_once_and_skipped),
+        cmocka_unit_test(test_every_out_of_range_value_is_reported_with_its_range),
+        cmocka_unit_test(test_the_calibration_cannot_be_set_in_the_file),
+        cmocka_unit_test(test_a_byte_order_mark_and_crlf_are_accepted),
+        cmocka_unit_test(test_a_path_that_is_not_a_regular_file_is_rejected_without_blocking),
+        cmocka_unit_test(test_a_too_long_line_gives_one_warning),
+        cmocka_unit_test(test_random_bytes_never_set_an_invalid_value),
+        cmocka_unit_test(test_the_example_file_contains_the_defaults),
+        cmocka_unit_test(test_a_file_with_many_invalid_lines_reports_the_count_of_the_rest),
+        cmocka_unit_test(test_valid_gpio_lines_are_used_and_invalid_ones_reported),
+        cmocka_unit_test(test_a_path_may_contain_comment_characters),
+        cmocka_unit_test(test_a_typing_error_is_reported_with_its_line_and_the_rest_is_read),
+        cmocka_unit_test(test_the_fish_count_of_a_file_is_limited_by_its_tank),
+        cmocka_unit_test(test_a_file_cannot_start_the_demo),
         cmocka_unit_test(test_a_file_that_cannot_be_read_is_an_error),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,4 +1,4 @@
-/* test_option_table.c -- the parser that all tables of options share. */
+/* test_option_table.c -- Tests the parser that all option tables share. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -55,7 +55,7 @@ static int parse(uint32_t groups, const char *const words[4])
 
 #define PARSE(groups, ...) parse(groups, (const char *const[4]){ __VA_ARGS__ })
 
-static void test_each_kind_reaches_its_target(void **state)
+static void test_each_type_of_option_is_stored_in_its_target(void **state)
 {
     (void)state;
     assert_int_equal(PARSE(0, "--flag", "--text=a", "word", "--whole=9"), 0);
@@ -72,7 +72,7 @@ static void test_each_kind_reaches_its_target(void **state)
     assert_string_equal(target.text, "b");
 }
 
-static void test_each_mistake_has_its_message(void **state)
+static void test_each_parse_error_has_its_own_message(void **state)
 {
     static const struct {
         const char *words[4], *error;
@@ -100,7 +100,7 @@ static void test_each_mistake_has_its_message(void **state)
     }
 }
 
-static void test_a_name_is_found_in_the_base_table_too(void **state)
+static void test_an_option_of_the_base_table_is_found(void **state)
 {
     (void)state;
     assert_ptr_equal(option_table_find(&table, "flag=1", 4), &base_options[0]);
@@ -111,9 +111,9 @@ static void test_a_name_is_found_in_the_base_table_too(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_each_kind_reaches_its_target),
-        cmocka_unit_test(test_each_mistake_has_its_message),
-        cmocka_unit_test(test_a_name_is_found_in_the_base_table_too),
+        cmocka_unit_test(test_each_type_of_option_is_stored_in_its_target),
+        cmocka_unit_test(test_each_parse_error_has_its_own_message),
+        cmocka_unit_test(test_an_option_of_the_base_table_is_found),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,5 @@
-/* test_options.c -- what may be asked of `kingyo`, and what is said when it is asked wrongly. */
+/* test_options.c -- Tests the command-line options of `kingyo` and the messages for wrong
+ * options. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -31,7 +32,7 @@ static int32_t asked(uint32_t id)
     return options.words.value[id];
 }
 
-static void test_every_option_is_understood(void **state)
+static void test_every_option_is_parsed(void **state)
 {
     static const char *const argv[] = {
         "kingyo",   "--window", "800x600",   "--poi",  "bot",
@@ -61,7 +62,7 @@ static void test_every_option_is_understood(void **state)
     assert_int_equal(options.demo_s, 30);
 }
 
-static void test_who_holds_the_poi_has_a_name(void **state)
+static void test_the_poi_option_accepts_each_controller_name(void **state)
 {
     static const struct {
         const char *name;
@@ -78,7 +79,7 @@ static void test_who_holds_the_poi_has_a_name(void **state)
     }
 }
 
-static void test_a_keyboard_counts_or_not_as_its_operator_says(void **state)
+static void test_the_keyboard_option_enables_or_disables_the_keyboard(void **state)
 {
     static const char *const on[] = { "kingyo", "--keyboard", "on" };
     static const char *const off[] = { "kingyo", "--keyboard=off" };
@@ -91,7 +92,7 @@ static void test_a_keyboard_counts_or_not_as_its_operator_says(void **state)
     assert_int_equal(parse(COUNT(perhaps), perhaps), -1);
 }
 
-static void test_controllers_and_lines_are_named_one_after_the_other(void **state)
+static void test_repeated_controller_and_line_options_are_appended(void **state)
 {
     /* clang-format off */
     static const char *const argv[] = {
@@ -108,7 +109,7 @@ static void test_controllers_and_lines_are_named_one_after_the_other(void **stat
     assert_string_equal(options.line[1], "coin=pinctrl-bcm2711:17,low,up");
 }
 
-static void test_no_more_controllers_or_lines_than_there_is_room_for(void **state)
+static void test_too_many_controllers_or_lines_are_an_error(void **state)
 {
     const char *argv[2 * (BOARD_LINE_MAX + 2)] = { "kingyo" };
     (void)state;
@@ -126,7 +127,7 @@ static void test_no_more_controllers_or_lines_than_there_is_room_for(void **stat
     assert_int_equal(parse(3 + 2 * (int)BOARD_LINE_MAX, argv), -1);
 }
 
-static void test_a_wrong_wire_is_told_with_what_is_wrong_about_it(void **state)
+static void test_a_wrong_gpio_line_is_reported_with_its_error(void **state)
 {
     static const char *const no_role[] = { "kingyo", "--line", "jump=BTN" };
     static const char *const clash[] = { "kingyo", "--line", "start=A", "--line", "left=A" };
@@ -137,7 +138,7 @@ static void test_a_wrong_wire_is_told_with_what_is_wrong_about_it(void **state)
     assert_non_null(strstr(error, "start and left are both on A"));
 }
 
-static void test_demo_needs_no_seconds(void **state)
+static void test_the_demo_option_needs_no_duration(void **state)
 {
     static const char *const last[] = { "kingyo", "--demo" };
     static const char *const middle[] = { "kingyo", "--demo", "--lang", "ja" };
@@ -195,7 +196,7 @@ static const char *const wrong[][4] = {
     { "kingyo", "--help=yes", NULL },
 };
 
-static void test_a_wrong_option_is_one_line_that_names_it(void **state)
+static void test_a_wrong_option_gives_one_message_that_names_the_option(void **state)
 {
     (void)state;
     for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
@@ -223,11 +224,11 @@ static void check_most(const char *tank, uint8_t preset)
     memcpy(most, count, sizeof most);
     snprintf(count, sizeof count, "%u", max + 1u);
     assert_int_equal(parse(COUNT(fish_first), fish_first), -1);
-    assert_non_null(strstr(error, most)); /* It says how many would be right. */
+    assert_non_null(strstr(error, most)); /* The message names the maximum. */
     assert_int_equal(parse(COUNT(tank_first), tank_first), -1);
 }
 
-static void test_as_many_fish_as_the_tank_holds_and_not_one_more(void **state)
+static void test_the_fish_count_is_limited_by_the_tank(void **state)
 {
     (void)state;
     check_most("festival", TANK_PRESET_FESTIVAL);
@@ -235,7 +236,7 @@ static void test_as_many_fish_as_the_tank_holds_and_not_one_more(void **state)
     check_most("official", TANK_PRESET_OFFICIAL);
 }
 
-static void test_the_stall_opens_the_festival_tank_and_no_unknown_one(void **state)
+static void test_the_default_tank_is_festival_and_an_unknown_tank_is_an_error(void **state)
 {
     static const char *const none[] = { "kingyo" };
     static const char *const unknown[] = { "kingyo", "--tank", "pond" };
@@ -246,7 +247,7 @@ static void test_the_stall_opens_the_festival_tank_and_no_unknown_one(void **sta
     assert_non_null(strstr(error, "festival, thesis or official"));
 }
 
-static void test_a_mode_is_one_of_three_or_asked_for(void **state)
+static void test_the_mode_option_accepts_three_modes_and_ask(void **state)
 {
     static const char *const modes[] = { "festival", "championship", "practice" };
     (void)state;
@@ -262,7 +263,7 @@ static void test_a_mode_is_one_of_three_or_asked_for(void **state)
 
 static struct settings settings;
 
-/* With what the operator's menu has saved, if anything. */
+/* Applies the settings saved by the operator menu, if any. */
 static void settle(uint32_t saved_id, int32_t saved)
 {
     options_first(&options, &settings);
@@ -272,7 +273,7 @@ static void settle(uint32_t saved_id, int32_t saved)
     options_last(&options, &settings);
 }
 
-static void test_what_is_asked_reaches_the_stall(void **state)
+static void test_options_are_copied_to_the_kiosk_configuration(void **state)
 {
     static const char *const all[] = { "kingyo",    "--mode",   "practice", "--grade",   "7",
                                        "--players", "4",        "--fish",   "50",        "--lang",
@@ -293,7 +294,7 @@ static void test_what_is_asked_reaches_the_stall(void **state)
     assert_int_equal(settings.value[SET_VOLUME], 35);
 }
 
-static void test_nothing_asked_is_every_standard(void **state)
+static void test_without_options_every_setting_has_its_default(void **state)
 {
     static const char *const none[] = { "kingyo" };
     (void)state;
@@ -305,7 +306,7 @@ static void test_nothing_asked_is_every_standard(void **state)
     }
 }
 
-static void test_no_coins_is_free_play_whatever_the_menu_said(void **state)
+static void test_no_coins_option_overrides_the_saved_price(void **state)
 {
     static const char *const argv[] = { "kingyo", "--coins", "0" };
     (void)state;
@@ -314,8 +315,9 @@ static void test_no_coins_is_free_play_whatever_the_menu_said(void **state)
     assert_int_equal(settings.value[SET_PLAY], PLAY_FREE);
 }
 
-/* Standard, locale, file, menu, command line: each later one wins. */
-static void test_each_later_voice_wins(void **state)
+/* The sources are the default, the locale, the file, the menu and the command line. Each source
+ * overrides the earlier ones. */
+static void test_each_later_configuration_source_overrides_the_earlier_one(void **state)
 {
     static const char *const none[] = { "kingyo" };
     static const char *const said[] = { "kingyo", "--set", "language=ja" };
@@ -336,7 +338,7 @@ static void test_each_later_voice_wins(void **state)
     assert_int_equal(settings.value[SET_LANGUAGE], LANGUAGE_JA);
 }
 
-static void test_a_setting_that_is_wrong_is_told_with_its_range(void **state)
+static void test_an_out_of_range_setting_is_reported_with_its_range(void **state)
 {
     static const char *const price[] = { "kingyo", "--set", "price=21" };
     static const char *const none[] = { "kingyo", "--set", "colour=red" };
@@ -351,7 +353,7 @@ static void test_a_setting_that_is_wrong_is_told_with_its_range(void **state)
     assert_int_equal(parse(COUNT(secret), secret), -1);
 }
 
-static void test_a_stall_never_has_more_fish_than_its_tank_holds(void **state)
+static void test_saved_fish_counts_are_clamped_to_the_tank(void **state)
 {
     struct core_config core = { .preset = TANK_PRESET_FESTIVAL };
     (void)state;
@@ -361,14 +363,14 @@ static void test_a_stall_never_has_more_fish_than_its_tank_holds(void **state)
     assert_int_equal(core.fish_count, tank_preset_fish_max(tank_preset(core.preset), 1.0f));
 }
 
-static void test_recording_a_replay_is_refused(void **state)
+static void test_recording_during_a_replay_is_an_error(void **state)
 {
     static const char *const argv[] = { "kingyo", "--record", "a", "--replay", "b" };
     (void)state;
     assert_int_equal(parse(COUNT(argv), argv), -1);
 }
 
-static void test_a_path_longer_than_any_is_refused(void **state)
+static void test_a_too_long_path_is_an_error(void **state)
 {
     static char path[OPTIONS_PATH_MAX + 1];
     const char *const argv[] = { "kingyo", "--data", path };
@@ -379,7 +381,7 @@ static void test_a_path_longer_than_any_is_refused(void **state)
     assert_int_equal(parse(COUNT(argv), argv), 0);
 }
 
-static void test_a_number_is_decimal_whatever_it_begins_with(void **state)
+static void test_a_number_with_leading_zeros_is_decimal(void **state)
 {
     static const char *const argv[] = { "kingyo", "--seed", "010" };
     (void)state;
@@ -390,26 +392,26 @@ static void test_a_number_is_decimal_whatever_it_begins_with(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_option_is_understood),
-        cmocka_unit_test(test_who_holds_the_poi_has_a_name),
-        cmocka_unit_test(test_a_keyboard_counts_or_not_as_its_operator_says),
-        cmocka_unit_test(test_controllers_and_lines_are_named_one_after_the_other),
-        cmocka_unit_test(test_no_more_controllers_or_lines_than_there_is_room_for),
-        cmocka_unit_test(test_a_wrong_wire_is_told_with_what_is_wrong_about_it),
-        cmocka_unit_test(test_demo_needs_no_seconds),
-        cmocka_unit_test(test_a_wrong_option_is_one_line_that_names_it),
-        cmocka_unit_test(test_as_many_fish_as_the_tank_holds_and_not_one_more),
-        cmocka_unit_test(test_the_stall_opens_the_festival_tank_and_no_unknown_one),
-        cmocka_unit_test(test_a_mode_is_one_of_three_or_asked_for),
-        cmocka_unit_test(test_what_is_asked_reaches_the_stall),
-        cmocka_unit_test(test_nothing_asked_is_every_standard),
-        cmocka_unit_test(test_no_coins_is_free_play_whatever_the_menu_said),
-        cmocka_unit_test(test_each_later_voice_wins),
-        cmocka_unit_test(test_a_setting_that_is_wrong_is_told_with_its_range),
-        cmocka_unit_test(test_a_stall_never_has_more_fish_than_its_tank_holds),
-        cmocka_unit_test(test_recording_a_replay_is_refused),
-        cmocka_unit_test(test_a_path_longer_than_any_is_refused),
-        cmocka_unit_test(test_a_number_is_decimal_whatever_it_begins_with),
+        cmocka_unit_test(test_every_option_is_parsed),
+        cmocka_unit_test(test_the_poi_option_accepts_each_controller_name),
+        cmocka_unit_test(test_the_keyboard_option_enables_or_disables_the_keyboard),
+        cmocka_unit_test(test_repeated_controller_and_line_options_are_appended),
+        cmocka_unit_test(test_too_many_controllers_or_lines_are_an_error),
+        cmocka_unit_test(test_a_wrong_gpio_line_is_reported_with_its_error),
+        cmocka_unit_test(test_the_demo_option_needs_no_duration),
+        cmocka_unit_test(test_a_wrong_option_gives_one_message_that_names_the_option),
+        cmocka_unit_test(test_the_fish_count_is_limited_by_the_tank),
+        cmocka_unit_test(test_the_default_tank_is_festival_and_an_unknown_tank_is_an_error),
+        cmocka_unit_test(test_the_mode_option_accepts_three_modes_and_ask),
+        cmocka_unit_test(test_options_are_copied_to_the_kiosk_configuration),
+        cmocka_unit_test(test_without_options_every_setting_has_its_default),
+        cmocka_unit_test(test_no_coins_option_overrides_the_saved_price),
+        cmocka_unit_test(test_each_later_configuration_source_overrides_the_earlier_one),
+        cmocka_unit_test(test_an_out_of_range_setting_is_reported_with_its_range),
+        cmocka_unit_test(test_saved_fish_counts_are_clamped_to_the_tank),
+        cmocka_unit_test(test_recording_during_a_replay_is_an_error),
+        cmocka_unit_test(test_a_too_long_path_is_an_error),
+        cmocka_unit_test(test_a_number_with_leading_zeros_is_decimal),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,5 @@
-/* test_audio_output.c -- as loud as the operator set it, now and then while nobody plays, and on a
- * card that may come late and go. */
+/* test_audio_output.c -- Tests the volume setting, the sound in attract mode, and a sound card that
+ * is plugged in late or removed. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -36,7 +36,7 @@ static uint32_t put(int is_attract, uint64_t now_ns)
     return output_audio_play(&voice, &audio, &output, &settings, is_attract, now_ns);
 }
 
-static void test_the_slider_is_a_power_and_its_foot_is_silence(void **state)
+static void test_the_volume_setting_is_a_power_law_and_zero_is_silent(void **state)
 {
     (void)state;
     output_audio_open(&voice, &audio, 1 * S);
@@ -62,7 +62,7 @@ static uint32_t heard_in_ten_shows(int32_t every)
     return sim.played[SOUND_DIP];
 }
 
-static void test_of_attract_each_nth_show_is_heard_and_a_game_always(void **state)
+static void test_sound_plays_in_every_nth_attract_cycle_and_in_every_game(void **state)
 {
     (void)state;
     output_audio_open(&voice, &audio, 1 * S);
@@ -75,13 +75,13 @@ static void test_of_attract_each_nth_show_is_heard_and_a_game_always(void **stat
     assert_int_equal(sim.played[SOUND_DIP], 2);
 }
 
-static void test_a_card_that_is_plugged_in_after_the_start_is_heard(void **state)
+static void test_a_sound_card_plugged_in_after_the_start_is_used(void **state)
 {
     (void)state;
     sim.gone = 1;
     output_audio_open(&voice, &audio, 10 * S);
     for (uint64_t ms = 0; ms < 3000; ms += 10) {
-        assert_int_equal(put(0, 10 * S + ms * 1000000ull), 0); /* None, and no fault. */
+        assert_int_equal(put(0, 10 * S + ms * 1000000ull), 0); /* No sound card and no fault. */
     }
     assert_in_range(sim.open_count, 3, 4);
     sim.gone = 0;
@@ -89,7 +89,7 @@ static void test_a_card_that_is_plugged_in_after_the_start_is_heard(void **state
     assert_int_equal(sim.played[SOUND_DIP], 1);
 }
 
-static void test_a_silent_attract_looks_for_a_card_too(void **state)
+static void test_a_silent_attract_mode_retries_the_sound_card(void **state)
 {
     (void)state;
     settings.value[SET_ATTRACT_SOUND] = 0;
@@ -101,7 +101,7 @@ static void test_a_silent_attract_looks_for_a_card_too(void **state)
     assert_int_equal(voice.retry_ns, 0);
 }
 
-static void test_a_card_that_goes_is_one_fault(void **state)
+static void test_a_removed_sound_card_is_counted_as_one_fault(void **state)
 {
     (void)state;
     output_audio_open(&voice, &audio, 10 * S);
@@ -120,11 +120,11 @@ static void test_a_card_that_goes_is_one_fault(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        TEST(test_the_slider_is_a_power_and_its_foot_is_silence),
-        TEST(test_of_attract_each_nth_show_is_heard_and_a_game_always),
-        TEST(test_a_card_that_is_plugged_in_after_the_start_is_heard),
-        TEST(test_a_silent_attract_looks_for_a_card_too),
-        TEST(test_a_card_that_goes_is_one_fault),
+        TEST(test_the_volume_setting_is_a_power_law_and_zero_is_silent),
+        TEST(test_sound_plays_in_every_nth_attract_cycle_and_in_every_game),
+        TEST(test_a_sound_card_plugged_in_after_the_start_is_used),
+        TEST(test_a_silent_attract_mode_retries_the_sound_card),
+        TEST(test_a_removed_sound_card_is_counted_as_one_fault),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

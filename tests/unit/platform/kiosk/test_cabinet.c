@@ -1,5 +1,7 @@
-/* test_cabinet.c -- a whole stall behind a cabinet's lines: from the edges of wires to credits, a
- * round, the meter and the coin lock, while frames are late and a chip goes. */
+/* test_cabinet.c -- Tests a whole kiosk behind the lines of a cabinet, from signal edges to
+ * credits, a round, the meter and the coin lockout.
+ *
+ * Frames are late and a GPIO chip is removed in these tests. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -7,7 +9,7 @@
 
 #include <cmocka.h>
 
-#include "drivers/gpio/buttons_gpio.h"
+#include "drivers/gpio/gpio_thread.h"
 #include "drivers/gpio/gpio_config.h"
 #include "drivers/null.h"
 #include "drivers/sim/gpio_lines_sim.h"
@@ -21,7 +23,7 @@
 static struct rig {
     struct gpio_lines_sim sim;
     struct gpio_sim_events script;
-    struct buttons_gpio gpio;
+    struct gpio_thread gpio;
     struct sensor_sim sensor;
     struct storage_sim storage;
     struct hal hal;
@@ -51,23 +53,23 @@ static void open_stall(const struct gpio_sim_event *events, uint32_t count)
     }
     rig.script = (struct gpio_sim_events){ .events = events, .count = count };
     gpio_lines_sim_init(&rig.sim, gpio_lines_sim_events_script(&rig.script), 1);
-    rig.hal = null_hal();
+    rig.hal = null_hal(NULL);
     rig.hal.clock = gpio_lines_sim_clock(&rig.sim);
-    gpio_thread_open(&rig.gpio.reader, gpio_lines_sim_device(&rig.sim), wires, rig.hal.clock);
-    rig.hal.buttons = buttons_gpio_device(&rig.gpio);
-    rig.hal.switches = buttons_gpio_switches(&rig.gpio);
+    gpio_thread_open(&rig.gpio, gpio_lines_sim_device(&rig.sim), wires, rig.hal.clock);
+    rig.hal.buttons = gpio_thread_buttons(&rig.gpio);
+    rig.hal.switches = gpio_thread_switches(&rig.gpio);
     sensor_sim_init(&rig.sensor, rig.hal.clock, 125);
     rig.hal.poi[0] = sensor_sim_device(&rig.sensor);
     rig.hal.storage = storage_sim_device(&rig.storage);
     assert_int_equal(kiosk_init(&rig.kiosk, &rig.hal, &config), 0);
 }
 
-/* One frame that takes `ns`: the lines' thread goes on meanwhile. */
+/* Runs one frame that takes `ns` while the GPIO thread continues. */
 static void frame(uint64_t ns)
 {
     const uint64_t until_ns = rig.sim.now_ns + ns;
     while (rig.sim.now_ns < until_ns) {
-        gpio_thread_step(&rig.gpio.reader);
+        gpio_thread_step(&rig.gpio);
     }
     assert_int_equal(kiosk_frame(&rig.kiosk, &rig.hal), KIOSK_RUNS);
 }
@@ -89,16 +91,16 @@ static uint32_t meter_steps(void)
     return steps;
 }
 
-static void close_stall(void)
+static void close_kiosk(void)
 {
-    gpio_thread_close(&rig.gpio.reader);
+    gpio_thread_close(&rig.gpio);
 }
 
-static void test_two_coins_by_their_edges_buy_a_round_and_step_the_meter(void **state)
+static void test_two_coin_pulses_pay_a_round_and_advance_the_meter(void **state)
 {
     (void)state;
     static const struct gpio_sim_event events[] = {
-        PULSE(1000, GPIO_START, 100), /* Nobody has paid. */
+        PULSE(1000, GPIO_START, 100), /* No coin is inserted yet. */
         PULSE(2000, GPIO_COIN, 50),   PULSE(2500, GPIO_COIN, 50),
         PULSE(4000, GPIO_START, 100), PULSE(6000, GPIO_START, 100),
     };
@@ -114,10 +116,10 @@ static void test_two_coins_by_their_edges_buy_a_round_and_step_the_meter(void **
     assert_int_equal(rig.kiosk.scene.credit.credits, 0);
     assert_int_not_equal(rig.kiosk.scene.phase, PHASE_ATTRACT);
     assert_int_equal(rig.kiosk.faults.buttons, 0);
-    close_stall();
+    close_kiosk();
 }
 
-static void test_coins_that_fall_while_a_frame_takes_three_seconds_are_paid(void **state)
+static void test_coins_inserted_during_a_three_second_frame_are_counted(void **state)
 {
     (void)state;
     static const struct gpio_sim_event events[] = {
@@ -131,21 +133,23 @@ static void test_coins_that_fall_while_a_frame_takes_three_seconds_are_paid(void
     assert_int_equal(rig.kiosk.scene.credit.credits, 3);
     assert_int_equal(rig.kiosk.scene.credit.units, 0);
     assert_int_equal(meter_steps(), 6);
-    close_stall();
+    close_kiosk();
 }
 
-static void test_a_chip_that_goes_costs_no_credit_and_its_lines_pay_again(void **state)
+static void test_a_removed_gpio_chip_loses_no_credit_and_reconnects(void **state)
 {
     (void)state;
     static const struct gpio_sim_event events[] = {
         PULSE(1000, GPIO_COIN, 50),
         PULSE(1500, GPIO_COIN, 50),
         PULSE(1800, GPIO_COIN, 50),
-        { .time_ns = 1852 * MS, .what = GPIO_SIM_GONE }, /* Before that coin was judged. */
+        { .time_ns = 1852 * MS, .what = GPIO_SIM_GONE }, /* The chip is removed before the coin
+                                                            pulse was validated. */
         { .time_ns = 4000 * MS, .what = GPIO_SIM_BACK },
         PULSE(6000, GPIO_COIN, 50),
         LEVEL(7000, GPIO_COIN, 1),
-        { .time_ns = 7030 * MS, .what = GPIO_SIM_GONE }, /* Who knows whether it fell? */
+        { .time_ns = 7030 * MS, .what = GPIO_SIM_GONE }, /* The chip is removed during the pulse, so
+                                                            that the coin cannot be confirmed. */
     };
     OPEN(events);
     run_until(3500);
@@ -157,11 +161,12 @@ static void test_a_chip_that_goes_costs_no_credit_and_its_lines_pay_again(void *
     assert_int_equal(rig.kiosk.faults.buttons, 1);
     run_until(8000);
     assert_int_equal(rig.kiosk.scene.credit.credits, 2);
-    assert_int_equal(rig.kiosk.faults.buttons, 1 + 2); /* The chip again, and a coin cut. */
-    close_stall();
+    assert_int_equal(rig.kiosk.faults.buttons, 1 + 2); /* One fault of the chip and one interrupted
+                                                          coin pulse. */
+    close_kiosk();
 }
 
-static void test_who_shakes_the_cabinet_has_coins_sent_back_for_a_while(void **state)
+static void test_tilting_the_cabinet_locks_the_coin_slot_temporarily(void **state)
 {
     (void)state;
     static const struct gpio_sim_event events[] = {
@@ -169,7 +174,7 @@ static void test_who_shakes_the_cabinet_has_coins_sent_back_for_a_while(void **s
         PULSE(5000, GPIO_SERVICE, 100),
     };
     OPEN(events);
-    assert_int_equal(rig.sim.outputs[GPIO_COIN_LOCKOUT], 1); /* Nobody has let coins in yet. */
+    assert_int_equal(rig.sim.outputs[GPIO_COIN_LOCKOUT], 1); /* The coin slot is still locked. */
     run_until(900);
     assert_int_equal(rig.sim.outputs[GPIO_COIN_LOCKOUT], 0);
     run_until(1200);
@@ -179,16 +184,16 @@ static void test_who_shakes_the_cabinet_has_coins_sent_back_for_a_while(void **s
     run_until(5500);
     assert_int_equal(rig.kiosk.scene.credit.credits, 1);
     assert_int_equal(meter_steps(), 0);
-    close_stall();
+    close_kiosk();
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_two_coins_by_their_edges_buy_a_round_and_step_the_meter),
-        cmocka_unit_test(test_coins_that_fall_while_a_frame_takes_three_seconds_are_paid),
-        cmocka_unit_test(test_a_chip_that_goes_costs_no_credit_and_its_lines_pay_again),
-        cmocka_unit_test(test_who_shakes_the_cabinet_has_coins_sent_back_for_a_while),
+        cmocka_unit_test(test_two_coin_pulses_pay_a_round_and_advance_the_meter),
+        cmocka_unit_test(test_coins_inserted_during_a_three_second_frame_are_counted),
+        cmocka_unit_test(test_a_removed_gpio_chip_loses_no_credit_and_reconnects),
+        cmocka_unit_test(test_tilting_the_cabinet_locks_the_coin_slot_temporarily),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

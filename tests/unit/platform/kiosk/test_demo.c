@@ -1,5 +1,5 @@
-/* test_demo.c -- a recording shown off screen is shown to its last tick, and judged by all of
- * them; and a demonstration is of the round, not of waiting for it. */
+/* test_demo.c -- Tests that a recording is played off screen to its last tick and compared at every
+ * tick, and that the demo starts in a round. */
 #include <setjmp.h>
 #include <signal.h>
 #include <stdarg.h>
@@ -34,7 +34,7 @@ static int remove_folder(void **state)
     return system(command);
 }
 
-/* Records `count` ticks of an idle stall; the digest of tick `wrong` is not the true one. */
+/* Records `count` ticks of an idle kiosk. The digest of tick `wrong` is incorrect. */
 static void record(const char *name, uint32_t count, uint32_t wrong)
 {
     static struct recorder recorder;
@@ -64,7 +64,7 @@ static enum exit_code show(void)
     return demo_run(&session);
 }
 
-static void test_every_tick_of_a_recording_is_shown(void **state)
+static void test_every_tick_of_a_recording_is_played(void **state)
 {
     (void)state;
     record("true.kgr", 100, UINT32_MAX);
@@ -72,7 +72,7 @@ static void test_every_tick_of_a_recording_is_shown(void **state)
     assert_int_equal(session.kiosk.core.game.tick, 100);
 }
 
-static void test_a_recording_that_is_wrong_in_its_last_tick_is_not_as_recorded(void **state)
+static void test_a_mismatch_in_the_last_tick_of_a_recording_is_detected(void **state)
 {
     (void)state;
     record("wrong.kgr", 100, 99);
@@ -80,7 +80,7 @@ static void test_a_recording_that_is_wrong_in_its_last_tick_is_not_as_recorded(v
     assert_int_equal(session.replayer.difference.tick, 99);
 }
 
-static void test_a_recording_of_nothing_is_one_picture(void **state)
+static void test_an_empty_recording_gives_one_picture(void **state)
 {
     (void)state;
     record("empty.kgr", 0, UINT32_MAX);
@@ -88,7 +88,7 @@ static void test_a_recording_of_nothing_is_one_picture(void **state)
     assert_int_equal(session.kiosk.frames, 1);
 }
 
-static void test_a_demonstration_begins_in_the_round_and_catches_something(void **state)
+static void test_the_demo_starts_in_the_round_and_catches_a_fish(void **state)
 {
     (void)state;
     session.options = (struct options){ .width = 320, .height = 240, .demo = 1, .demo_s = 15 };
@@ -96,7 +96,7 @@ static void test_a_demonstration_begins_in_the_round_and_catches_something(void 
     assert_int_equal(demo_run(&session), EXIT_OK);
     const struct core *played = &session.kiosk.core;
     assert_int_equal(played->game.phase, PHASE_ROUND);
-    /* Half a second for the hand to come over the water, before the first picture. */
+    /* The pose needs half a second to move over the water before the first picture. */
     assert_in_range(played->game.tick - played->game.round_tick, 31u * CORE_TICK_HZ / 2u,
                     16u * CORE_TICK_HZ);
     assert_true(played->game.player[0].caught > 0);
@@ -105,10 +105,10 @@ static void test_a_demonstration_begins_in_the_round_and_catches_something(void 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_tick_of_a_recording_is_shown),
-        cmocka_unit_test(test_a_recording_that_is_wrong_in_its_last_tick_is_not_as_recorded),
-        cmocka_unit_test(test_a_recording_of_nothing_is_one_picture),
-        cmocka_unit_test(test_a_demonstration_begins_in_the_round_and_catches_something),
+        cmocka_unit_test(test_every_tick_of_a_recording_is_played),
+        cmocka_unit_test(test_a_mismatch_in_the_last_tick_of_a_recording_is_detected),
+        cmocka_unit_test(test_an_empty_recording_gives_one_picture),
+        cmocka_unit_test(test_the_demo_starts_in_the_round_and_catches_a_fish),
     };
     return cmocka_run_group_tests(tests, make_folder, remove_folder);
 }

@@ -1,5 +1,5 @@
-/* test_dimmer.c -- light while somebody is there, dim when nobody was, dark at night, and never
- * long in one place. */
+/* test_dimmer.c -- Tests the brightness of the display: full with a player, dimmed when idle, dark
+ * at night, and the pixel shift against burn-in. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -44,7 +44,7 @@ static void frames(uint64_t seconds, int is_attract)
     }
 }
 
-static void test_it_is_as_bright_as_the_operator_set_it(void **state)
+static void test_the_brightness_follows_the_setting(void **state)
 {
     (void)state;
     frame(1);
@@ -60,7 +60,7 @@ static void test_it_is_as_bright_as_the_operator_set_it(void **state)
     assert_float_equal(display_settings.inset_y, 0.050f, 1e-6f);
 }
 
-static void test_after_a_while_alone_it_dims_gently_and_a_coin_wakes_it_at_once(void **state)
+static void test_an_idle_display_dims_slowly_and_a_coin_restores_it_immediately(void **state)
 {
     (void)state;
     settings.value[SET_DIM_AFTER_MIN] = 5;
@@ -79,7 +79,7 @@ static void test_after_a_while_alone_it_dims_gently_and_a_coin_wakes_it_at_once(
     assert_float_equal(display_settings.light, 1.0f, 1e-6f);
 }
 
-static void test_it_never_dims_in_a_game_nor_where_the_operator_wants_none(void **state)
+static void test_the_display_never_dims_in_a_game_or_when_dimming_is_off(void **state)
 {
     (void)state;
     settings.value[SET_DIM_AFTER_MIN] = 5;
@@ -90,7 +90,7 @@ static void test_it_never_dims_in_a_game_nor_where_the_operator_wants_none(void 
     assert_float_equal(display_settings.light, 1.0f, 1e-6f);
 }
 
-static void test_a_hand_that_moves_keeps_it_awake_and_a_noisy_sensor_does_not(void **state)
+static void test_a_moving_pose_prevents_dimming_and_sensor_noise_does_not(void **state)
 {
     (void)state;
     settings.value[SET_DIM_AFTER_MIN] = 5;
@@ -115,7 +115,7 @@ static void night(int32_t from, int32_t to, uint16_t day, uint16_t minute)
     input.minute = minute;
 }
 
-static void test_at_night_it_is_dark_until_somebody_comes(void **state)
+static void test_the_display_is_dark_at_night_until_an_input(void **state)
 {
     (void)state;
     night(22 * 60, 6 * 60, 9700, 23 * 60);
@@ -132,7 +132,7 @@ static void test_at_night_it_is_dark_until_somebody_comes(void **state)
     assert_float_equal(display_settings.light, 1.0f, 1e-6f);
 }
 
-static void test_a_clock_that_was_never_set_knows_no_night(void **state)
+static void test_an_unset_clock_disables_night_mode(void **state)
 {
     (void)state;
     settings.value[SET_DIM_AFTER_MIN] = 0;
@@ -151,9 +151,9 @@ static void test_a_clock_that_was_never_set_knows_no_night(void **state)
     assert_float_equal(display_settings.light, 0.0f, 1e-6f);
 }
 
-/* A day of attract at two frames a second: of the 9 x 9 places of 720 lines, how many are seen, and
- * the longest that it stays in one. */
-static void test_what_stands_still_wanders_by_a_pixel_every_few_minutes(void **state)
+/* Runs a day of attract mode at two frames a second. Counts how many of the 9 x 9 offsets at 720
+ * lines are used, and the longest time at one offset. */
+static void test_static_elements_shift_by_one_pixel_every_few_minutes(void **state)
 {
     (void)state;
     uint8_t seen[9][9] = { { 0 } };
@@ -176,12 +176,12 @@ static void test_what_stands_still_wanders_by_a_pixel_every_few_minutes(void **s
         before_x = x;
         before_y = y;
     }
-    print_message("%u of 81 places, never longer than %u s in one\n", places, longest / 20u);
+    print_message("%u of 81 offsets, at most %u s at one offset\n", places, longest / 20u);
     assert_true(places > 70u);
     assert_true(longest < 10u * 60u * 20u);
 }
 
-static void test_under_a_hand_that_aims_nothing_moves(void **state)
+static void test_static_elements_do_not_shift_while_the_player_aims(void **state)
 {
     (void)state;
     frames(300, 1);
@@ -196,14 +196,14 @@ static void test_under_a_hand_that_aims_nothing_moves(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        TEST(test_it_is_as_bright_as_the_operator_set_it),
-        TEST(test_after_a_while_alone_it_dims_gently_and_a_coin_wakes_it_at_once),
-        TEST(test_it_never_dims_in_a_game_nor_where_the_operator_wants_none),
-        TEST(test_a_hand_that_moves_keeps_it_awake_and_a_noisy_sensor_does_not),
-        TEST(test_at_night_it_is_dark_until_somebody_comes),
-        TEST(test_a_clock_that_was_never_set_knows_no_night),
-        TEST(test_what_stands_still_wanders_by_a_pixel_every_few_minutes),
-        TEST(test_under_a_hand_that_aims_nothing_moves),
+        TEST(test_the_brightness_follows_the_setting),
+        TEST(test_an_idle_display_dims_slowly_and_a_coin_restores_it_immediately),
+        TEST(test_the_display_never_dims_in_a_game_or_when_dimming_is_off),
+        TEST(test_a_moving_pose_prevents_dimming_and_sensor_noise_does_not),
+        TEST(test_the_display_is_dark_at_night_until_an_input),
+        TEST(test_an_unset_clock_disables_night_mode),
+        TEST(test_static_elements_shift_by_one_pixel_every_few_minutes),
+        TEST(test_static_elements_do_not_shift_while_the_player_aims),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,5 @@
-/* test_fan.c -- a fan from the mouse and its key through the frame loop to the core. */
+/* test_fan.c -- Tests a fan that is moved by the mouse and its key, through the frame loop to the
+ * core. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -20,7 +21,7 @@
 
 /* ---- The mouse and its key ------------------------------------------------------------------ */
 
-static struct clock_sim bench_clock;
+static struct clock_sim fixture_clock;
 static struct mouse_poi mouse;
 static struct buttons_keyboard keyboard;
 
@@ -32,12 +33,12 @@ static int open_mouse(void **state)
         return -1;
     }
     SDL_FlushEvents(SDL_FIRSTEVENT, SDL_LASTEVENT);
-    bench_clock.now_ns = 1000 * MS;
-    mouse_poi_init(&mouse, sim_clock_device(&bench_clock), stall_view(), WIDTH, HEIGHT,
+    fixture_clock.now_ns = 1000 * MS;
+    mouse_poi_init(&mouse, sim_clock_device(&fixture_clock), stall_view(), WIDTH, HEIGHT,
                    POINTER_FILTER_MOUSE);
-    const struct hal_poi device = mouse_poi_device(&mouse);
+    const struct hal_poi device = mouse_poi_devices(&mouse).poi;
     const int opened = device.ops->open(device.self);
-    return opened != HAL_OK ? -1 : device.ops->open(device.self); /* As after a loss. */
+    return opened != HAL_OK ? -1 : device.ops->open(device.self); /* The state after a loss. */
 }
 
 static int close_mouse(void **state)
@@ -62,16 +63,17 @@ static void push_motion(int x_px, int y_px)
     assert_int_equal(SDL_PushEvent(&event), 1);
 }
 
-/* As the frame loop does: buttons first, which empties the queue of keys; then the hands. */
+/* Polls in the order of the frame loop: the buttons first, because their poll empties the key
+ * queue, then the pointers. */
 static struct shade_input poll_hands(uint64_t ms)
 {
     const struct hal_buttons buttons = buttons_keyboard_device(&keyboard);
-    const struct hal_poi hand = mouse_poi_device(&mouse);
-    const struct hal_fan other = mouse_poi_fan(&mouse);
+    const struct hal_poi hand = mouse_poi_devices(&mouse).poi;
+    const struct hal_fan other = mouse_poi_devices(&mouse).fan;
     struct poi_sample samples[HAL_POI_SAMPLES_MAX];
     struct button_sample pressed;
     struct shade_input shade;
-    bench_clock.now_ns += ms * MS;
+    fixture_clock.now_ns += ms * MS;
     assert_int_equal(buttons.ops->poll(buttons.self, &pressed), HAL_OK);
     assert_int_equal(pressed.full_screen, 0);
     assert_true(hand.ops->poll(hand.self, samples, HAL_POI_SAMPLES_MAX) > 0);
@@ -79,7 +81,7 @@ static struct shade_input poll_hands(uint64_t ms)
     return shade;
 }
 
-static void test_key_f_holds_the_fan_while_it_is_down(void **state)
+static void test_key_f_activates_the_fan_while_pressed(void **state)
 {
     (void)state;
     push_motion(400, 300);
@@ -131,12 +133,12 @@ static int open_stall(void **state)
     (void)state;
     memset(&rig, 0, sizeof rig);
     rig.clock.now_ns = 1000 * MS;
-    rig.hal = null_hal();
+    rig.hal = null_hal(NULL);
     rig.hal.clock = sim_clock_device(&rig.clock);
     pointer_sim_init(&rig.poi, rig.hal.clock, stall_view());
     rig.poi.reports = rig.reports;
-    rig.hal.poi[0] = pointer_sim_device(&rig.poi);
-    rig.hal.fan[0] = pointer_sim_fan(&rig.poi);
+    rig.hal.poi[0] = pointer_sim_devices(&rig.poi).poi;
+    rig.hal.fan[0] = pointer_sim_devices(&rig.poi).fan;
     return kiosk_init(&rig.kiosk, &rig.hal, &config);
 }
 
@@ -154,8 +156,8 @@ static void lead_fan(float x_px, float y_px, uint32_t buttons)
     rig.reports[rig.poi.feed.count++] = report(ms, x_px, y_px, buttons);
 }
 
-/* A glide of whole pixels at 60 Hz reaches the core as even steps, one a tick. */
-static void test_each_tick_has_its_own_place_on_the_fans_way(void **state)
+/* A motion of whole pixels at 60 Hz reaches the core as equal steps, one per tick. */
+static void test_each_tick_has_an_interpolated_fan_position(void **state)
 {
     (void)state;
     lead_fan(300.0f, 300.0f, POINTER_FAN);
@@ -172,7 +174,7 @@ static void test_each_tick_has_its_own_place_on_the_fans_way(void **state)
     assert_float_equal(shade->edge_m_s, step_m * (float)CORE_TICK_HZ, 0.01f);
 }
 
-static void test_the_scene_shows_the_fan_where_its_shadow_is_felt(void **state)
+static void test_the_scene_shows_the_fan_at_its_simulated_position(void **state)
 {
     (void)state;
     lead_fan(500.0f, 320.0f, POINTER_FAN);
@@ -188,7 +190,7 @@ static void test_the_scene_shows_the_fan_where_its_shadow_is_felt(void **state)
     assert_int_equal(rig.kiosk.scene.fan[0].present, 0);
 }
 
-static void test_a_fan_whose_cable_is_pulled_is_gone_and_comes_back(void **state)
+static void test_an_unplugged_fan_disappears_and_reconnects(void **state)
 {
     (void)state;
     lead_fan(500.0f, 320.0f, POINTER_FAN);
@@ -215,7 +217,7 @@ static int broken_open(void *self)
     return HAL_OK;
 }
 
-static void test_a_fan_that_is_no_number_is_refused_and_counted(void **state)
+static void test_a_non_finite_fan_pose_is_rejected_and_counted(void **state)
 {
     static const struct hal_fan_ops ops = { .open = broken_open, .poll = broken_poll };
     struct shade_input reading = { 1, 0.1f, 0.1f, 0.1f };
@@ -235,18 +237,18 @@ static void test_a_fan_that_is_no_number_is_refused_and_counted(void **state)
         frames(1);
     }
     assert_int_equal(rig.kiosk.faults.shade, 12);
-    assert_float_equal(rig.kiosk.scene.fan[1].x_m, 0.1f, 0.0f); /* The last good one. */
+    assert_float_equal(rig.kiosk.scene.fan[1].x_m, 0.1f, 0.0f); /* The last valid position. */
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(test_key_f_holds_the_fan_while_it_is_down, open_mouse,
+        cmocka_unit_test_setup_teardown(test_key_f_activates_the_fan_while_pressed, open_mouse,
                                         close_mouse),
-        cmocka_unit_test_setup(test_each_tick_has_its_own_place_on_the_fans_way, open_stall),
-        cmocka_unit_test_setup(test_the_scene_shows_the_fan_where_its_shadow_is_felt, open_stall),
-        cmocka_unit_test_setup(test_a_fan_whose_cable_is_pulled_is_gone_and_comes_back, open_stall),
-        cmocka_unit_test_setup(test_a_fan_that_is_no_number_is_refused_and_counted, open_stall),
+        cmocka_unit_test_setup(test_each_tick_has_an_interpolated_fan_position, open_stall),
+        cmocka_unit_test_setup(test_the_scene_shows_the_fan_at_its_simulated_position, open_stall),
+        cmocka_unit_test_setup(test_an_unplugged_fan_disappears_and_reconnects, open_stall),
+        cmocka_unit_test_setup(test_a_non_finite_fan_pose_is_rejected_and_counted, open_stall),
     };
     cmocka_set_message_output(CM_OUTPUT_TAP);
     return cmocka_run_group_tests(tests, NULL, NULL);

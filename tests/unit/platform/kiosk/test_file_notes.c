@@ -1,5 +1,7 @@
-/* test_file_notes.c -- files that somebody put into the data folder, from the folder to the
- * operator's screen: which are in use, which were refused, and why. */
+/* test_file_notes.c -- Tests the file list on the operator's screen, from the data folder to the
+ * picture.
+ *
+ * The list shows which files are used, which files were rejected, and why. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -18,6 +20,7 @@
 #include "drivers/sim/storage_sim.h"
 #include "platform/kiosk/run_common.h"
 #include "platform/store/graph_file.h"
+#include "tests/unit/support/menu_tag.h"
 
 #define FRAME_NS 16666667ull
 
@@ -41,14 +44,14 @@ static void expect_row(uint32_t row, enum scene_file_state state, const char *na
     assert_string_equal(file.words, words);
 }
 
-static void test_what_was_refused_comes_first_and_each_kind_in_its_order(void **state)
+static void test_rejected_files_are_listed_first_and_each_kind_in_order(void **state)
 {
     (void)state;
     operator_notes_add(&notes, FILE_USED, "a", "one");
     operator_notes_add(&notes, FILE_REFUSED, "b", "two");
     operator_notes_add(&notes, FILE_USED, "c", "three");
     operator_notes_add(&notes, FILE_REFUSED, "d", "four");
-    assert_int_equal(operator_notes_rows(&notes), 4);
+    assert_int_equal(operator_view_file_count(&notes), 1 + 4);
     expect_row(0, FILE_REFUSED, "b", "two");
     expect_row(1, FILE_REFUSED, "d", "four");
     expect_row(2, FILE_USED, "a", "one");
@@ -56,7 +59,7 @@ static void test_what_was_refused_comes_first_and_each_kind_in_its_order(void **
     expect_row(4, FILE_UNKNOWN, "", "");
 }
 
-static void test_a_complaint_is_taken_apart_at_its_first_colon_and_gap(void **state)
+static void test_a_warning_is_split_at_its_first_colon_and_space(void **state)
 {
     (void)state;
     operator_notes_refused(&notes, "/data", "/data/pois/x.poi:3: role: unknown");
@@ -86,13 +89,13 @@ static void test_long_names_keep_their_end_and_long_reasons_their_beginning(void
     assert_string_equal(file.words, words);
 }
 
-static void test_when_it_is_full_the_rest_is_counted_in_a_row(void **state)
+static void test_a_full_list_counts_the_rest_in_its_last_row(void **state)
 {
     char name[16];
     (void)state;
     for (uint32_t i = 0; i < OPERATOR_NOTES_MAX + 3u; i++) {
         const uint32_t kept = i < OPERATOR_NOTES_MAX ? i : OPERATOR_NOTES_MAX;
-        assert_int_equal(operator_notes_rows(&notes), kept + (i > OPERATOR_NOTES_MAX));
+        assert_int_equal(operator_view_file_count(&notes), 1 + kept + (i > OPERATOR_NOTES_MAX));
         snprintf(name, sizeof name, "%u", i);
         operator_notes_add(&notes, i % 2u ? FILE_USED : FILE_REFUSED, name, "");
     }
@@ -147,7 +150,7 @@ static int set_up(void **state)
     snprintf(rig.data, sizeof rig.data, "/tmp/kingyo-notes-XXXXXX");
     assert_non_null(mkdtemp(rig.data));
     struct hal *hal = &rig.session.hal;
-    *hal = null_hal();
+    *hal = null_hal(NULL);
     hal->clock = sim_clock_device(&rig.clock);
     hal->display = sim_display_device(&rig.display);
     hal->buttons = (struct hal_buttons){ .ops = &buttons };
@@ -174,7 +177,7 @@ static void push(uint32_t button)
     }
 }
 
-/* The page's tag, by SERVICE and TEST. */
+/* Selects the tag of the page with SERVICE and TEST. */
 static void take(uint8_t page)
 {
     for (uint32_t i = 0; rig.display.scene.menu.tag != menu_tag_of(page) && i < MENU_TAG_MAX; i++) {
@@ -183,7 +186,7 @@ static void take(uint8_t page)
     push(INPUT_TEST);
 }
 
-/* Opens the stall, the menu and in it the files. */
+/* Starts the kiosk and opens the files page of the menu. */
 static const struct scene_file *look(void)
 {
     struct kiosk_config config = { .core = { .seed = 5, .fish_count = 8, .round_s = 10 } };
@@ -195,7 +198,7 @@ static const struct scene_file *look(void)
     return rig.display.scene.devices.file;
 }
 
-static void test_a_broken_species_is_on_the_screen_with_its_reason(void **state)
+static void test_a_rejected_species_file_is_listed_with_its_reason(void **state)
 {
     (void)state;
     put("species", "bad.kfish", "nonsense");
@@ -208,7 +211,7 @@ static void test_a_broken_species_is_on_the_screen_with_its_reason(void **state)
     assert_int_equal(file[2].state, FILE_UNKNOWN);
 }
 
-static void test_the_sound_ones_are_there_too_behind_the_others(void **state)
+static void test_valid_species_files_are_listed_after_the_rejected_ones(void **state)
 {
     static struct species_slot slot;
     char path[128], why[VALIDATE_WHY_SIZE];
@@ -230,7 +233,7 @@ static void test_the_sound_ones_are_there_too_behind_the_others(void **state)
     assert_string_equal(file[3].words, "funa");
 }
 
-static void test_a_graph_that_is_kept_is_in_use(void **state)
+static void test_a_stored_graph_is_listed_as_used(void **state)
 {
     const struct species_card *card = &species_wakin.card;
     struct graph_edit_record record = { .id = 1, .key_count = card->key_count };
@@ -243,7 +246,7 @@ static void test_a_graph_that_is_kept_is_in_use(void **state)
     assert_string_equal(file[1].name, "graphs/wakin.graph");
 }
 
-static void test_the_first_row_is_the_store_as_it_is_now(void **state)
+static void test_the_first_file_row_is_the_current_store_status(void **state)
 {
     (void)state;
     const struct scene_file *file = look();
@@ -254,7 +257,7 @@ static void test_the_first_row_is_the_store_as_it_is_now(void **state)
     assert_int_equal(file[0].state, FILE_REFUSED);
 }
 
-static void test_what_was_complained_of_before_the_stall_opened_is_there(void **state)
+static void test_warnings_from_before_the_kiosk_started_are_listed(void **state)
 {
     char line[128];
     (void)state;
@@ -267,8 +270,8 @@ static void test_what_was_complained_of_before_the_stall_opened_is_there(void **
     assert_string_equal(file[2].words, "no such word");
 }
 
-/* A folder of more files than a screen has room for, and MORE. */
-static void test_further_rows_follow_when_more_is_taken(void **state)
+/* The folder contains more files than the screen can show, so that the page has a MORE tag. */
+static void test_the_more_tag_shows_the_next_file_rows(void **state)
 {
     char file_name[32];
     (void)state;
@@ -294,9 +297,8 @@ static void until_first_is(const struct scene_file *file, uint8_t state)
     assert_int_equal(file[1].state, state);
 }
 
-/* On the page for good; but whoever has seen it is not told of it again, not even at the next
- * start. */
-static void test_a_database_that_was_set_aside_is_told_of_until_somebody_says_so(void **state)
+/* The row stays on the page. An acknowledged row is not reported again, even at the next start. */
+static void test_a_quarantined_database_is_reported_until_acknowledged(void **state)
 {
     (void)state;
     put(".", "kingyo.db.damaged-1", "nonsense");
@@ -328,18 +330,18 @@ static void test_a_database_that_was_set_aside_is_told_of_until_somebody_says_so
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(test_what_was_refused_comes_first_and_each_kind_in_its_order, empty),
-        cmocka_unit_test_setup(test_a_complaint_is_taken_apart_at_its_first_colon_and_gap, empty),
+        cmocka_unit_test_setup(test_rejected_files_are_listed_first_and_each_kind_in_order, empty),
+        cmocka_unit_test_setup(test_a_warning_is_split_at_its_first_colon_and_space, empty),
         cmocka_unit_test_setup(test_long_names_keep_their_end_and_long_reasons_their_beginning,
                                empty),
-        cmocka_unit_test_setup(test_when_it_is_full_the_rest_is_counted_in_a_row, empty),
-        ON_THE_SCREEN(test_a_broken_species_is_on_the_screen_with_its_reason),
-        ON_THE_SCREEN(test_the_sound_ones_are_there_too_behind_the_others),
-        ON_THE_SCREEN(test_a_graph_that_is_kept_is_in_use),
-        ON_THE_SCREEN(test_the_first_row_is_the_store_as_it_is_now),
-        ON_THE_SCREEN(test_what_was_complained_of_before_the_stall_opened_is_there),
-        ON_THE_SCREEN(test_further_rows_follow_when_more_is_taken),
-        ON_THE_SCREEN(test_a_database_that_was_set_aside_is_told_of_until_somebody_says_so),
+        cmocka_unit_test_setup(test_a_full_list_counts_the_rest_in_its_last_row, empty),
+        ON_THE_SCREEN(test_a_rejected_species_file_is_listed_with_its_reason),
+        ON_THE_SCREEN(test_valid_species_files_are_listed_after_the_rejected_ones),
+        ON_THE_SCREEN(test_a_stored_graph_is_listed_as_used),
+        ON_THE_SCREEN(test_the_first_file_row_is_the_current_store_status),
+        ON_THE_SCREEN(test_warnings_from_before_the_kiosk_started_are_listed),
+        ON_THE_SCREEN(test_the_more_tag_shows_the_next_file_rows),
+        ON_THE_SCREEN(test_a_quarantined_database_is_reported_until_acknowledged),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

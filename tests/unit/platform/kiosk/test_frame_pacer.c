@@ -1,4 +1,4 @@
-/* test_frame_pacer.c -- time into ticks. */
+/* test_frame_pacer.c -- Tests the conversion of elapsed time into ticks. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -12,7 +12,7 @@
 #define MS 1000000ull
 #define S 1000000000ull
 
-/* A pace whose first frame is over, at time 1 s. */
+/* Returns a frame pacer whose first frame ended at 1 s. */
 static struct frame_pacer running(void)
 {
     struct frame_pacer pace = { 0 };
@@ -20,7 +20,7 @@ static struct frame_pacer running(void)
     return pace;
 }
 
-static void test_the_first_frame_shows_something_at_once(void **state)
+static void test_the_first_frame_has_a_tick(void **state)
 {
     (void)state;
     struct frame_pacer pace = { 0 };
@@ -28,7 +28,7 @@ static void test_the_first_frame_shows_something_at_once(void **state)
     assert_int_equal(pace.dropped, 0);
 }
 
-static void test_a_60_hz_frame_is_two_ticks_however_it_jitters(void **state)
+static void test_a_60_hz_frame_has_two_ticks_at_any_jitter(void **state)
 {
     (void)state;
     struct frame_pacer pace = running();
@@ -39,7 +39,7 @@ static void test_a_60_hz_frame_is_two_ticks_however_it_jitters(void **state)
     }
 }
 
-static void test_jitter_of_three_milliseconds_is_no_judder(void **state)
+static void test_frame_jitter_of_three_milliseconds_causes_no_judder(void **state)
 {
     (void)state;
     static const int64_t early_ms[] = { 0, 3, -3, 2, -2, 1, 3, 0, -3, -1, 3, -3 };
@@ -66,7 +66,7 @@ static void test_a_display_of_nearly_60_hz_never_judders(void **state)
     }
 }
 
-static void test_75_and_50_hz_lose_and_gain_no_time_over_a_minute(void **state)
+static void test_ticks_at_75_and_50_hz_match_the_clock_over_a_minute(void **state)
 {
     (void)state;
     static const uint64_t frame_ns[] = { 13333333, 20000000 };
@@ -81,17 +81,18 @@ static void test_75_and_50_hz_lose_and_gain_no_time_over_a_minute(void **state)
     }
 }
 
-static void test_a_frame_unlike_60_hz_is_counted_as_it_is(void **state)
+static void test_a_frame_far_from_60_hz_is_not_rounded(void **state)
 {
     (void)state;
     struct frame_pacer pace = running();
-    assert_int_equal(frame_pacer_ticks_due(&pace, S + 12 * MS), 1);           /* 1.44 ticks */
-    assert_int_equal(frame_pacer_ticks_due(&pace, S + 12 * MS + 22 * MS), 3); /* 0.44 + 2.64 */
+    assert_int_equal(frame_pacer_ticks_due(&pace, S + 12 * MS), 1);           /* 1.44 ticks. */
+    assert_int_equal(frame_pacer_ticks_due(&pace, S + 12 * MS + 22 * MS), 3); /* 0.44 + 2.64
+                                                                                 ticks. */
 }
 
-/* ---- Rest ----------------------------------------------------------------------------------- */
+/* ---- Sleep ---------------------------------------------------------------------------------- */
 
-/* The rest of the last of `count` frames that take `took_ns`. */
+/* Returns the sleep time of the last of `count` frames that take `took_ns`. */
 static uint64_t rest_after(struct frame_pacer_sleep *rest, uint32_t count, uint64_t took_ns)
 {
     uint64_t rest_ns = 0;
@@ -101,7 +102,7 @@ static uint64_t rest_after(struct frame_pacer_sleep *rest, uint32_t count, uint6
     return rest_ns;
 }
 
-static void test_frames_that_nothing_holds_rest_to_60_a_second(void **state)
+static void test_frames_without_vsync_are_limited_to_60_a_second(void **state)
 {
     (void)state;
     struct frame_pacer_sleep rest = { 0 };
@@ -109,7 +110,7 @@ static void test_frames_that_nothing_holds_rest_to_60_a_second(void **state)
     assert_int_equal(rest_after(&rest, 1, 20 * MS), 0);
 }
 
-static void test_a_screen_that_paces_is_left_to_it(void **state)
+static void test_frames_paced_by_vsync_do_not_sleep(void **state)
 {
     (void)state;
     struct frame_pacer_sleep rest = { 0 };
@@ -118,7 +119,7 @@ static void test_a_screen_that_paces_is_left_to_it(void **state)
     }
 }
 
-static void test_odd_frames_lose_no_time_over_a_minute(void **state)
+static void test_irregular_frames_match_the_clock_over_a_minute(void **state)
 {
     (void)state;
     struct frame_pacer pace = running();
@@ -132,7 +133,7 @@ static void test_odd_frames_lose_no_time_over_a_minute(void **state)
     assert_in_range(ticks, expected - 1, expected);
 }
 
-static void test_a_fast_screen_gets_frames_without_ticks(void **state)
+static void test_a_fast_display_has_frames_without_ticks(void **state)
 {
     (void)state;
     struct frame_pacer pace = running();
@@ -141,7 +142,7 @@ static void test_a_fast_screen_gets_frames_without_ticks(void **state)
     assert_int_equal(frame_pacer_ticks_due(&pace, S + 12 * MS), 1);
 }
 
-static void test_a_stall_runs_60_ticks_and_counts_the_rest_as_dropped(void **state)
+static void test_a_delayed_frame_runs_60_ticks_and_counts_the_rest_as_dropped(void **state)
 {
     (void)state;
     struct frame_pacer pace = running();
@@ -151,7 +152,7 @@ static void test_a_stall_runs_60_ticks_and_counts_the_rest_as_dropped(void **sta
     assert_int_equal(pace.dropped, 60);
 }
 
-static void test_exactly_the_cap_drops_nothing(void **state)
+static void test_a_frame_of_exactly_the_tick_limit_drops_nothing(void **state)
 {
     (void)state;
     struct frame_pacer pace = running();
@@ -159,7 +160,7 @@ static void test_exactly_the_cap_drops_nothing(void **state)
     assert_int_equal(pace.dropped, 0);
 }
 
-static void test_a_clock_that_stands_or_goes_back_owes_nothing(void **state)
+static void test_a_stopped_or_reversed_clock_gives_no_ticks(void **state)
 {
     (void)state;
     struct frame_pacer pace = running();
@@ -168,7 +169,7 @@ static void test_a_clock_that_stands_or_goes_back_owes_nothing(void **state)
     assert_int_equal(frame_pacer_ticks_due(&pace, S / 2 + 25 * MS), 3);
 }
 
-static void test_a_wild_clock_cannot_overflow(void **state)
+static void test_a_large_clock_jump_does_not_overflow(void **state)
 {
     (void)state;
     struct frame_pacer pace = running();
@@ -179,20 +180,20 @@ static void test_a_wild_clock_cannot_overflow(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_the_first_frame_shows_something_at_once),
-        cmocka_unit_test(test_a_60_hz_frame_is_two_ticks_however_it_jitters),
-        cmocka_unit_test(test_jitter_of_three_milliseconds_is_no_judder),
+        cmocka_unit_test(test_the_first_frame_has_a_tick),
+        cmocka_unit_test(test_a_60_hz_frame_has_two_ticks_at_any_jitter),
+        cmocka_unit_test(test_frame_jitter_of_three_milliseconds_causes_no_judder),
         cmocka_unit_test(test_a_display_of_nearly_60_hz_never_judders),
-        cmocka_unit_test(test_75_and_50_hz_lose_and_gain_no_time_over_a_minute),
-        cmocka_unit_test(test_a_frame_unlike_60_hz_is_counted_as_it_is),
-        cmocka_unit_test(test_frames_that_nothing_holds_rest_to_60_a_second),
-        cmocka_unit_test(test_a_screen_that_paces_is_left_to_it),
-        cmocka_unit_test(test_odd_frames_lose_no_time_over_a_minute),
-        cmocka_unit_test(test_a_fast_screen_gets_frames_without_ticks),
-        cmocka_unit_test(test_a_stall_runs_60_ticks_and_counts_the_rest_as_dropped),
-        cmocka_unit_test(test_exactly_the_cap_drops_nothing),
-        cmocka_unit_test(test_a_clock_that_stands_or_goes_back_owes_nothing),
-        cmocka_unit_test(test_a_wild_clock_cannot_overflow),
+        cmocka_unit_test(test_ticks_at_75_and_50_hz_match_the_clock_over_a_minute),
+        cmocka_unit_test(test_a_frame_far_from_60_hz_is_not_rounded),
+        cmocka_unit_test(test_frames_without_vsync_are_limited_to_60_a_second),
+        cmocka_unit_test(test_frames_paced_by_vsync_do_not_sleep),
+        cmocka_unit_test(test_irregular_frames_match_the_clock_over_a_minute),
+        cmocka_unit_test(test_a_fast_display_has_frames_without_ticks),
+        cmocka_unit_test(test_a_delayed_frame_runs_60_ticks_and_counts_the_rest_as_dropped),
+        cmocka_unit_test(test_a_frame_of_exactly_the_tick_limit_drops_nothing),
+        cmocka_unit_test(test_a_stopped_or_reversed_clock_gives_no_ticks),
+        cmocka_unit_test(test_a_large_clock_jump_does_not_overflow),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

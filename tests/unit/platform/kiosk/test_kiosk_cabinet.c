@@ -1,6 +1,7 @@
-/* test_kiosk_cabinet.c -- what the frame loop tells a cabinet: each order of the operator's, each
- * level and each pulse reaches its driver once, however long a frame was and however often the
- * driver refused. */
+/* test_kiosk_cabinet.c -- Tests the output of the frame loop to a cabinet.
+ *
+ * Each operator command, each level and each pulse reaches its driver once, at any frame length and
+ * after any number of busy results of the driver. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -26,18 +27,19 @@ static struct rig {
     struct storage_sim storage;
     struct hal hal;
     struct kiosk kiosk;
-    struct button_sample buttons; /* Of the next frame. */
-    vec3 at_m[SAMPLES];           /* Where the hand is in the next frame, evenly spread over it. */
+    struct button_sample buttons; /* Button sample of the next frame. */
+    vec3 at_m[SAMPLES];           /* Positions of the pose in the next frame, evenly spaced in
+                                     time. */
     uint64_t frame_ns;
     struct controller_command commands[ORDERS_MAX];
     uint32_t command_count;
-    int answer; /* Of every switch. */
+    int answer; /* Return value of every switch call. */
     uint32_t asked[HAL_SWITCH_COUNT], level[HAL_SWITCH_COUNT], pulses[HAL_SWITCH_COUNT];
 } rig;
 
 /* ---- Devices -------------------------------------------------------------------------------- */
 
-static int poll_hand(void *self, struct poi_sample *out, uint32_t max)
+static int poll_pose(void *self, struct poi_sample *out, uint32_t max)
 {
     (void)self;
     for (uint32_t i = 0; i < SAMPLES && i < max; i++) {
@@ -51,13 +53,13 @@ static int poll_hand(void *self, struct poi_sample *out, uint32_t max)
     return (int)SAMPLES;
 }
 
-static int open_hand(void *self)
+static int open_controller(void *self)
 {
     (void)self;
     return HAL_OK;
 }
 
-static int feel(void *self, const struct poi_force *force)
+static int set_force(void *self, const struct poi_force *force)
 {
     (void)self;
     (void)force;
@@ -65,11 +67,12 @@ static int feel(void *self, const struct poi_force *force)
 }
 
 static void look(void *self, const struct view *view,
-                 const struct display_settings *display_settings)
+                 const struct display_settings *display_settings, bool scoops)
 {
     (void)self;
     (void)view;
     (void)display_settings;
+    (void)scoops;
 }
 
 static const char *describe(void *self)
@@ -86,7 +89,7 @@ static int poll_buttons(void *self, struct button_sample *out)
     return HAL_OK;
 }
 
-static int poll_desk(void *self, struct controller_status *out)
+static int poll_controllers(void *self, struct controller_status *out)
 {
     (void)self;
     *out = (struct controller_status){ .state[ROW] = CONTROLLER_FREE };
@@ -99,7 +102,7 @@ static const char *name(void *self, uint32_t row)
     return row == ROW ? "a stick" : "";
 }
 
-static int take_order(void *self, const struct controller_command *order)
+static int accept_command(void *self, const struct controller_command *order)
 {
     (void)self;
     assert_true(rig.command_count < ORDERS_MAX);
@@ -123,9 +126,9 @@ static int pulse(void *self, enum hal_switch which, uint32_t count)
     return rig.answer;
 }
 
-/* ---- The rig -------------------------------------------------------------------------------- */
+/* ---- Simulated cabinet ---------------------------------------------------------------------- */
 
-static void rest_at(vec3 at_m)
+static void hold_pose_at(vec3 at_m)
 {
     for (uint32_t i = 0; i < SAMPLES; i++) {
         rig.at_m[i] = at_m;
@@ -141,9 +144,10 @@ static uint32_t pending(void *self, enum hal_switch which)
 
 static int set_up(void **state)
 {
-    static const struct hal_poi_ops poi = { open_hand, poll_hand, feel, look, describe };
+    static const struct hal_poi_ops poi = { open_controller, poll_pose, set_force, look, describe };
     static const struct hal_buttons_ops buttons = { poll_buttons, describe };
-    static const struct hal_controllers_ops desk = { poll_desk, name, take_order, describe };
+    static const struct hal_controllers_ops desk = { poll_controllers, name, accept_command,
+                                                     describe };
     static const struct hal_switches_ops switches = { set, pulse, describe, pending };
     static const struct kiosk_config config = {
         .core = { .seed = 5, .fish_count = 8, .round_s = 10, .credit_coins = 1, .ticket_fish = 1 },
@@ -152,9 +156,9 @@ static int set_up(void **state)
     memset(&rig, 0, sizeof rig);
     rig.clock.now_ns = 1000 * MS;
     rig.frame_ns = FRAME_NS;
-    rig.level[HAL_COIN_LOCKOUT] = 1;  /* As a driver begins. */
-    rest_at(v3(-0.4f, 0.06f, -0.3f)); /* Over no tag. */
-    rig.hal = null_hal();
+    rig.level[HAL_COIN_LOCKOUT] = 1;       /* Initial level of a driver. */
+    hold_pose_at(v3(-0.4f, 0.06f, -0.3f)); /* The pose is over no menu tag. */
+    rig.hal = null_hal(NULL);
     rig.hal.clock = sim_clock_device(&rig.clock);
     rig.hal.poi[0] = (struct hal_poi){ .ops = &poi };
     rig.hal.storage = storage_sim_device(&rig.storage);
@@ -185,7 +189,7 @@ static void push(uint32_t button)
     frames(10);
 }
 
-/* ---- Orders --------------------------------------------------------------------------------- */
+/* ---- Controller commands -------------------------------------------------------------------- */
 
 static vec3 over_tag(uint32_t tag, float y_m)
 {
@@ -197,27 +201,27 @@ static vec3 over_tag(uint32_t tag, float y_m)
               size_m.z * ((box.y + 0.5f * box.height) / canvas.y - 0.5f));
 }
 
-/* The page of the one controller there is, with its first tag pointed at and a hand that rests
- * over `tag`. */
-static void open_the_row(uint32_t tag)
+/* Opens the page of the only controller with its first tag selected and a pose that rests over
+ * `tag`. */
+static void open_controller_page(uint32_t tag)
 {
-    for (uint32_t i = 0; i < 4u; i++) { /* The menu, and the first tag of each page. */
+    for (uint32_t i = 0; i < 4u; i++) { /* Opens the menu and selects the first tag of each page. */
         push(INPUT_TEST);
     }
     assert_int_equal(rig.kiosk.scene.menu.page, MENU_CONTROLLER);
-    rest_at(over_tag(tag, 0.06f));
+    hold_pose_at(over_tag(tag, 0.06f));
     frames(10);
     while (rig.kiosk.scene.menu.tag != ROW_CHOOSE) {
         push(INPUT_SERVICE);
     }
 }
 
-/* A press in the first of sixty ticks and a dip in the middle of them: what is ordered first is
- * told first, and neither hides the other. */
-static void test_all_orders_of_the_longest_frame_are_told_in_their_order(void **state)
+/* The button is pressed in the first of 60 ticks and the dip comes in the middle. The commands are
+ * sent in this order, and neither replaces the other. */
+static void test_all_commands_of_the_longest_frame_are_sent_in_order(void **state)
 {
     (void)state;
-    open_the_row(ROW_LEARN);
+    open_controller_page(ROW_LEARN);
     for (uint32_t i = SAMPLES / 2u; i < SAMPLES; i++) {
         rig.at_m[i].y = -0.05f;
     }
@@ -233,12 +237,12 @@ static void test_all_orders_of_the_longest_frame_are_told_in_their_order(void **
     assert_int_equal(rig.command_count, 2);
 }
 
-/* A hand that shakes over a tag for half a second orders as often as it may, and all of it comes
- * through. */
-static void test_a_hand_that_shakes_over_a_tag_loses_no_order(void **state)
+/* The pose trembles over a tag for half a second and issues the maximum number of commands. All of
+ * them are sent. */
+static void test_a_trembling_pose_over_a_menu_tag_loses_no_command(void **state)
 {
     (void)state;
-    open_the_row(ROW_CHOOSE);
+    open_controller_page(ROW_CHOOSE);
     for (uint32_t i = 0; i < SAMPLES; i++) {
         rig.at_m[i].y = i % 4u < 2u ? 0.06f : -0.05f;
     }
@@ -262,10 +266,10 @@ static void drop(uint32_t coins)
     frames(1);
 }
 
-static void test_a_switch_that_takes_what_it_is_told_is_told_once(void **state)
+static void test_an_accepted_switch_level_is_sent_once(void **state)
 {
     (void)state;
-    rig.buttons.held = INPUT_DOOR; /* The slot stays closed. */
+    rig.buttons.held = INPUT_DOOR; /* The open door keeps the coin slot closed. */
     drop(3);
     assert_int_equal(rig.level[HAL_COIN_LOCKOUT], 1);
     assert_int_equal(rig.asked[HAL_COIN_LOCKOUT], 0);
@@ -277,7 +281,7 @@ static void test_a_switch_that_takes_what_it_is_told_is_told_once(void **state)
     assert_int_equal(rig.asked[HAL_COIN_COUNTER], 1);
 }
 
-static void test_a_busy_switch_is_asked_again_each_frame_and_that_is_no_fault(void **state)
+static void test_a_busy_switch_is_retried_each_frame_without_a_fault(void **state)
 {
     (void)state;
     frames(10);
@@ -294,16 +298,16 @@ static void test_a_busy_switch_is_asked_again_each_frame_and_that_is_no_fault(vo
     assert_int_equal(rig.asked[HAL_COIN_COUNTER], 7);
 }
 
-static void test_a_switch_that_fails_is_asked_again_each_second_until_it_does_not(void **state)
+static void test_a_failing_switch_is_retried_each_second(void **state)
 {
     (void)state;
     frames(10);
     assert_int_equal(rig.level[HAL_COIN_LOCKOUT], 0);
     memset(rig.asked, 0, sizeof rig.asked);
     rig.answer = HAL_ERR_IO;
-    push(INPUT_TEST); /* In the menu the slot is closed. */
+    push(INPUT_TEST); /* The coin slot is closed while the menu is open. */
     drop(1);
-    frames(190); /* Three seconds and a half, in all. */
+    frames(190); /* Three and a half seconds in total. */
     assert_int_equal(rig.asked[HAL_COIN_LOCKOUT], 4);
     assert_int_equal(rig.asked[HAL_COIN_COUNTER], 4);
     assert_true(rig.kiosk.faults.switches >= 8);
@@ -315,7 +319,7 @@ static void test_a_switch_that_fails_is_asked_again_each_second_until_it_does_no
     assert_int_equal(rig.asked[HAL_COIN_COUNTER], 5);
 }
 
-static void test_what_no_longer_is_to_be_switched_is_not(void **state)
+static void test_an_obsolete_switch_command_is_not_retried(void **state)
 {
     (void)state;
     frames(10);
@@ -330,7 +334,7 @@ static void test_what_no_longer_is_to_be_switched_is_not(void **state)
     assert_int_equal(rig.level[HAL_COIN_LOCKOUT], 0);
 }
 
-static void test_a_cabinet_without_a_switch_is_asked_once_and_never_again(void **state)
+static void test_an_absent_switch_is_never_retried(void **state)
 {
     (void)state;
     frames(10);
@@ -352,12 +356,13 @@ static int next_of_a_replay(void *self, struct input *out)
     return 1;
 }
 
-/* Its coins fell long ago, and its core hears of none that falls now. */
-static void test_a_replay_opens_no_slot_and_steps_no_meter(void **state)
+/* The coins of the replay are old, and the core of the replay receives no coin that is inserted
+ * now. */
+static void test_a_replay_does_not_drive_the_coin_lockout_or_the_meters(void **state)
 {
     (void)state;
     rig.kiosk.config.source = (struct kiosk_source){ .next = next_of_a_replay };
-    frames(20); /* Fewer coins than fill the plate. */
+    frames(20); /* Fewer coins than the price of a credit. */
     assert_true(rig.kiosk.output.coins_counted > 0);
     assert_int_equal(rig.kiosk.output.coin_lockout, 0);
     assert_int_equal(rig.level[HAL_COIN_LOCKOUT], 1);
@@ -367,18 +372,14 @@ static void test_a_replay_opens_no_slot_and_steps_no_meter(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(test_all_orders_of_the_longest_frame_are_told_in_their_order,
-                               set_up),
-        cmocka_unit_test_setup(test_a_hand_that_shakes_over_a_tag_loses_no_order, set_up),
-        cmocka_unit_test_setup(test_a_switch_that_takes_what_it_is_told_is_told_once, set_up),
-        cmocka_unit_test_setup(test_a_busy_switch_is_asked_again_each_frame_and_that_is_no_fault,
-                               set_up),
-        cmocka_unit_test_setup(
-            test_a_switch_that_fails_is_asked_again_each_second_until_it_does_not, set_up),
-        cmocka_unit_test_setup(test_what_no_longer_is_to_be_switched_is_not, set_up),
-        cmocka_unit_test_setup(test_a_cabinet_without_a_switch_is_asked_once_and_never_again,
-                               set_up),
-        cmocka_unit_test_setup(test_a_replay_opens_no_slot_and_steps_no_meter, set_up),
+        cmocka_unit_test_setup(test_all_commands_of_the_longest_frame_are_sent_in_order, set_up),
+        cmocka_unit_test_setup(test_a_trembling_pose_over_a_menu_tag_loses_no_command, set_up),
+        cmocka_unit_test_setup(test_an_accepted_switch_level_is_sent_once, set_up),
+        cmocka_unit_test_setup(test_a_busy_switch_is_retried_each_frame_without_a_fault, set_up),
+        cmocka_unit_test_setup(test_a_failing_switch_is_retried_each_second, set_up),
+        cmocka_unit_test_setup(test_an_obsolete_switch_command_is_not_retried, set_up),
+        cmocka_unit_test_setup(test_an_absent_switch_is_never_retried, set_up),
+        cmocka_unit_test_setup(test_a_replay_does_not_drive_the_coin_lockout_or_the_meters, set_up),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

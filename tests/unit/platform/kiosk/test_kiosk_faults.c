@@ -1,7 +1,8 @@
-/* test_kiosk_faults.c -- controllers that break in the middle of a scoop, in the real frame loop:
- * from the reports of a simulated device to the paper, and back from the recording.
+/* test_kiosk_faults.c -- Tests controllers that fail in the middle of a scoop, in the real frame
+ * loop.
  *
- * The paper is wet and of the weakest grade, 6 cm deep in the water. */
+ * The tests follow the reports of a simulated device to the paper, and the replay of the recording.
+ * The paper is wet, of the weakest grade, and 6 cm deep in the water. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -29,7 +30,7 @@ static struct rig {
     struct clock_sim clock;
     struct sensor_sim sensor;
     struct pointer_sim pointer;
-    struct pointer_report report; /* The one report of each frame. */
+    struct pointer_report report; /* The only report of each frame. */
     struct hal hal;
     struct kiosk kiosk;
     uint32_t lost_frames, age_max;
@@ -65,10 +66,10 @@ static void open_kiosk(const struct kiosk_config *with)
 {
     memset(&rig, 0, sizeof rig);
     rig.clock.now_ns = 1000 * MS;
-    rig.hal = null_hal();
+    rig.hal = null_hal(NULL);
     rig.hal.clock = sim_clock_device(&rig.clock);
     sensor_sim_init(&rig.sensor, rig.hal.clock, 250);
-    rig.sensor.hand.position_m = v3(0.05f, 0.06f, 0.02f);
+    rig.sensor.pose.position_m = v3(0.05f, 0.06f, 0.02f);
     rig.hal.poi[0] = sensor_sim_device(&rig.sensor);
     assert_int_equal(kiosk_init(&rig.kiosk, &rig.hal, with), CORE_OK);
 }
@@ -94,8 +95,8 @@ static void wet_all(void)
 
 static void dip(void)
 {
-    while (rig.sensor.hand.position_m.y > -0.06f) {
-        rig.sensor.hand.position_m.y -= 0.1f * 1.0f / 60.0f;
+    while (rig.sensor.pose.position_m.y > -0.06f) {
+        rig.sensor.pose.position_m.y -= 0.1f * 1.0f / 60.0f;
         frame();
     }
     frames(60);
@@ -105,7 +106,7 @@ static void dip(void)
 static void sway(uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {
-        rig.sensor.hand.position_m.x += i / 60u % 2u ? -0.0008f : 0.0008f;
+        rig.sensor.pose.position_m.x += i / 60u % 2u ? -0.0008f : 0.0008f;
         frame();
     }
 }
@@ -120,20 +121,28 @@ static void break_for(enum sensor_fault fault, uint64_t ms)
 
 /* ---- A six-axis sensor ---------------------------------------------------------------------- */
 
-static void test_no_fault_of_a_sensor_tears_paper_and_the_round_waits_for_it(void **state)
+static void test_a_sensor_fault_pauses_the_round_and_tears_no_paper(void **state)
 {
     static const struct {
         enum sensor_fault fault;
-        uint32_t ms, lost_min, lost_max; /* Frames in which the hand is lost. */
+        uint32_t ms, lost_min, lost_max; /* Duration of the fault in ms, and limits of the number of
+                                            frames with a lost input. */
     } cases[] = {
-        { SENSOR_GONE, 700, 40, 160 },   /* Looked for once a second. */
-        { SENSOR_SILENT, 1200, 50, 70 }, /* From half a second on, and a quarter more. */
-        { SENSOR_SILENT, 300, 0, 0 },       { SENSOR_HELD_BACK, 300, 0, 0 },
-        { SENSOR_HELD_BACK, 1200, 50, 70 }, { SENSOR_STUCK, 2000, 70, 85 }, /* From a second on. */
-        { SENSOR_JUMPED, 8, 14, 20 },    /* A report or two, and a quarter of a second. */
-        { SENSOR_JUMPED, 1500, 14, 40 }, /* Found there, and back again. */
-        { SENSOR_FLIPPED, 100, 18, 30 },    { SENSOR_NOT_A_NUMBER, 100, 18, 30 },
-        { SENSOR_GARBAGE, 500, 40, 50 },    { SENSOR_TWICE, 1000, 0, 0 },
+        { SENSOR_GONE, 700, 40, 160 },   /* The device is searched once a second. */
+        { SENSOR_SILENT, 1200, 50, 70 }, /* The loss begins after half a second and lasts a quarter
+                                            of a second longer than the fault. */
+        { SENSOR_SILENT, 300, 0, 0 },
+        { SENSOR_HELD_BACK, 300, 0, 0 },
+        { SENSOR_HELD_BACK, 1200, 50, 70 },
+        { SENSOR_STUCK, 2000, 70, 85 },  /* The loss begins after
+                                                                               one second. */
+        { SENSOR_JUMPED, 8, 14, 20 },    /* The loss lasts one or two reports and a quarter of a
+                                            second. */
+        { SENSOR_JUMPED, 1500, 14, 40 }, /* The input is lost at the jump and at the return. */
+        { SENSOR_FLIPPED, 100, 18, 30 },
+        { SENSOR_NOT_A_NUMBER, 100, 18, 30 },
+        { SENSOR_GARBAGE, 500, 40, 50 },
+        { SENSOR_TWICE, 1000, 0, 0 },
     };
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
@@ -151,7 +160,7 @@ static void test_no_fault_of_a_sensor_tears_paper_and_the_round_waits_for_it(voi
         assert_in_range(rig.lost_frames, cases[i].lost_min, cases[i].lost_max);
         assert_int_equal(poi->sheet.paper_cells, cells);
         assert_false(controller_is_lost(&rig.kiosk.core.world, 0));
-        assert_true(v3_length(v3_sub(poi->position_m, rig.sensor.hand.position_m)) < 0.02f);
+        assert_true(v3_length(v3_sub(poi->position_m, rig.sensor.pose.position_m)) < 0.02f);
         const float passed_s =
             left_s - game_seconds_left(&rig.kiosk.core.game, rig.kiosk.core.game.tick);
         const float played_s = (float)(800u - 2u * rig.lost_frames) * CORE_TICK_S;
@@ -159,7 +168,7 @@ static void test_no_fault_of_a_sensor_tears_paper_and_the_round_waits_for_it(voi
     }
 }
 
-static void test_the_age_of_a_hand_is_that_of_its_newest_report(void **state)
+static void test_the_pose_age_is_that_of_the_newest_report(void **state)
 {
     (void)state;
     open_kiosk(&config);
@@ -174,7 +183,7 @@ static void test_the_age_of_a_hand_is_that_of_its_newest_report(void **state)
     assert_int_equal(seen()->age_ticks, 0);
 }
 
-static void test_numbers_that_are_none_are_faults_and_reach_the_core_as_they_are(void **state)
+static void test_non_finite_poses_are_counted_as_faults_and_passed_to_the_core(void **state)
 {
     (void)state;
     uint32_t none = 0;
@@ -203,11 +212,11 @@ static void open_with_pointer(void)
     rig.pointer.feed.count = 1;
     rig.report =
         (struct pointer_report){ .x_px = 640, .y_px = 400, .width_px = 1280, .height_px = 720 };
-    rig.hal.poi[0] = pointer_sim_device(&rig.pointer);
+    rig.hal.poi[0] = pointer_sim_devices(&rig.pointer).poi;
     assert_int_equal(kiosk_init(&rig.kiosk, &rig.hal, &config), CORE_OK);
 }
 
-static void test_a_pointer_that_is_warped_over_the_tank_under_water_tears_nothing(void **state)
+static void test_a_pointer_jump_under_water_tears_no_paper(void **state)
 {
     (void)state;
     open_with_pointer();
@@ -221,20 +230,20 @@ static void test_a_pointer_that_is_warped_over_the_tank_under_water_tears_nothin
     rig.lost_frames = 0;
     rig.report.x_px = 1030.0f;
     frames(240);
-    assert_int_equal(rig.lost_frames, 0); /* It goes there gently, and the round goes on. */
+    assert_int_equal(rig.lost_frames, 0); /* The poi moves there slowly, and the round continues. */
     assert_int_equal(rig.kiosk.core.world.poi[0].sheet.paper_cells, cells);
     assert_float_equal(rig.kiosk.core.world.poi[0].position_m.x, seen()->target.position_m.x,
                        0.01f);
 }
 
-/* As fast as a hand throws one, there and back, at the pace of a bell. */
-static void test_a_mouse_that_is_thrown_over_the_window_stays_in_hand(void **state)
+/* The mouse moves there and back as fast as a player can, at the frequency of a bell. */
+static void test_a_fast_mouse_movement_is_not_an_input_loss(void **state)
 {
     (void)state;
     open_with_pointer();
     start_round();
     rig.lost_frames = 0;
-    for (uint32_t frame_count = 6; frame_count < 20; frame_count++) { /* From 100 ms on. */
+    for (uint32_t frame_count = 6; frame_count < 20; frame_count++) { /* From 100 ms. */
         for (uint32_t i = 1; i <= frame_count; i++) {
             const float t = (float)i / (float)frame_count;
             const float share = f_smoothstep(0.0f, 1.0f, frame_count % 2u ? 1.0f - t : t);
@@ -246,7 +255,7 @@ static void test_a_mouse_that_is_thrown_over_the_window_stays_in_hand(void **sta
     assert_int_equal(rig.lost_frames, 0);
 }
 
-static void test_a_pointer_whose_reports_are_any_bits_stays_a_pointer(void **state)
+static void test_random_pointer_reports_are_tolerated(void **state)
 {
     (void)state;
     open_with_pointer();
@@ -261,8 +270,8 @@ static void test_a_pointer_whose_reports_are_any_bits_stays_a_pointer(void **sta
     assert_true(rig.pointer.spoil_count > 500);
 }
 
-/* A mouse that lies still for an hour is no frozen sensor. */
-static void test_a_pointer_at_rest_is_never_old(void **state)
+/* A mouse that is at rest for an hour is not a stuck sensor. */
+static void test_a_pointer_at_rest_never_times_out(void **state)
 {
     (void)state;
     open_with_pointer();
@@ -276,7 +285,7 @@ static void test_a_pointer_at_rest_is_never_old(void **state)
 
 /* ---- Four at one tank ----------------------------------------------------------------------- */
 
-static void test_four_sensors_play_and_all_wait_for_the_one_that_breaks(void **state)
+static void test_one_faulty_sensor_pauses_all_four_players(void **state)
 {
     static struct sensor_sim others[POI_MAX];
     struct kiosk_config four = config;
@@ -286,18 +295,18 @@ static void test_four_sensors_play_and_all_wait_for_the_one_that_breaks(void **s
     const struct core *core = &rig.kiosk.core;
     for (uint32_t i = 1; i < POI_MAX; i++) {
         sensor_sim_init(&others[i], rig.hal.clock, 250);
-        others[i].hand.position_m = v3(0.12f * (float)i - 0.3f, 0.06f, -0.08f);
+        others[i].pose.position_m = v3(0.12f * (float)i - 0.3f, 0.06f, -0.08f);
         rig.hal.poi[i] = sensor_sim_device(&others[i]);
     }
     assert_int_equal(kiosk_init(&rig.kiosk, &rig.hal, &four), CORE_OK);
     start_round();
     for (uint32_t i = 1; i < POI_MAX; i++) {
-        assert_true(v3_length(v3_sub(core->world.poi[i].position_m, others[i].hand.position_m)) <
+        assert_true(v3_length(v3_sub(core->world.poi[i].position_m, others[i].pose.position_m)) <
                     0.01f);
     }
     for (uint32_t step = 0; step < 60; step++) {
         for (uint32_t i = 1; i < POI_MAX; i++) {
-            others[i].hand.position_m.y -= 0.0015f;
+            others[i].pose.position_m.y -= 0.0015f;
         }
         frame();
     }
@@ -311,15 +320,15 @@ static void test_four_sensors_play_and_all_wait_for_the_one_that_breaks(void **s
     for (uint32_t i = 1; i < POI_MAX; i++) {
         const struct sheet *sheet = &core->world.poi[i].sheet;
         assert_int_equal(sheet->paper_cells, sheet->paper_cells_new);
-        assert_true(v3_length(v3_sub(core->world.poi[i].position_m, others[i].hand.position_m)) <
+        assert_true(v3_length(v3_sub(core->world.poi[i].position_m, others[i].pose.position_m)) <
                     0.01f);
-        assert_true(others[i].felt.force_n.y != 0.0f); /* Each feels its own. */
+        assert_true(others[i].felt.force_n.y != 0.0f); /* Each controller receives its own force. */
     }
 }
 
-/* ---- Other tanks, other plays --------------------------------------------------------------- */
+/* ---- View changes and replays --------------------------------------------------------------- */
 
-static void test_who_points_at_the_picture_is_told_when_it_changes(void **state)
+static void test_a_pointer_is_notified_when_the_view_changes(void **state)
 {
     struct kiosk_config championship = config;
     (void)state;
@@ -338,7 +347,7 @@ static struct recorder recorder;
 static struct replayer replayer;
 static char path[] = "/tmp/kingyo-faults-XXXXXX";
 
-/* Faults of every kind, one after the other. */
+/* Plays a session with faults of every kind, one after the other. */
 static uint64_t play_them_all(void)
 {
     start_round();
@@ -350,7 +359,7 @@ static uint64_t play_them_all(void)
     return core_hash(&rig.kiosk.core);
 }
 
-static void test_a_play_with_every_fault_is_replayed_to_the_bit(void **state)
+static void test_a_session_with_every_fault_replays_bit_for_bit(void **state)
 {
     struct kiosk_config recorded = config;
     struct core_config from_file;
@@ -384,7 +393,7 @@ static void test_a_play_with_every_fault_is_replayed_to_the_bit(void **state)
     assert_true(core_hash(&core) == hash);
 }
 
-static void test_the_same_faults_give_the_same_play(void **state)
+static void test_equal_faults_give_equal_sessions(void **state)
 {
     (void)state;
     open_kiosk(&config);
@@ -396,17 +405,17 @@ static void test_the_same_faults_give_the_same_play(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_no_fault_of_a_sensor_tears_paper_and_the_round_waits_for_it),
-        cmocka_unit_test(test_the_age_of_a_hand_is_that_of_its_newest_report),
-        cmocka_unit_test(test_numbers_that_are_none_are_faults_and_reach_the_core_as_they_are),
-        cmocka_unit_test(test_a_pointer_that_is_warped_over_the_tank_under_water_tears_nothing),
-        cmocka_unit_test(test_a_mouse_that_is_thrown_over_the_window_stays_in_hand),
-        cmocka_unit_test(test_a_pointer_whose_reports_are_any_bits_stays_a_pointer),
-        cmocka_unit_test(test_a_pointer_at_rest_is_never_old),
-        cmocka_unit_test(test_four_sensors_play_and_all_wait_for_the_one_that_breaks),
-        cmocka_unit_test(test_who_points_at_the_picture_is_told_when_it_changes),
-        cmocka_unit_test(test_a_play_with_every_fault_is_replayed_to_the_bit),
-        cmocka_unit_test(test_the_same_faults_give_the_same_play),
+        cmocka_unit_test(test_a_sensor_fault_pauses_the_round_and_tears_no_paper),
+        cmocka_unit_test(test_the_pose_age_is_that_of_the_newest_report),
+        cmocka_unit_test(test_non_finite_poses_are_counted_as_faults_and_passed_to_the_core),
+        cmocka_unit_test(test_a_pointer_jump_under_water_tears_no_paper),
+        cmocka_unit_test(test_a_fast_mouse_movement_is_not_an_input_loss),
+        cmocka_unit_test(test_random_pointer_reports_are_tolerated),
+        cmocka_unit_test(test_a_pointer_at_rest_never_times_out),
+        cmocka_unit_test(test_one_faulty_sensor_pauses_all_four_players),
+        cmocka_unit_test(test_a_pointer_is_notified_when_the_view_changes),
+        cmocka_unit_test(test_a_session_with_every_fault_replays_bit_for_bit),
+        cmocka_unit_test(test_equal_faults_give_equal_sessions),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

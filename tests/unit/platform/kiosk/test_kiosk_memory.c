@@ -1,8 +1,8 @@
-/* test_kiosk_memory.c -- the running frame loop allocates nothing: every malloc in it is
- * trapped.
+/* test_kiosk_memory.c -- Tests that the running frame loop allocates no memory by counting every
+ * malloc().
  *
- * The C library lets a program put its own malloc in front; under a sanitizer, which has its
- * own, the test has nothing to say and skips. */
+ * The C library lets a program replace malloc(). A sanitizer has its own malloc(), so the test is
+ * skipped there. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -37,7 +37,7 @@
 static uint32_t allocations;
 
 #if HAS_TRAP
-/* glibc's own names for what we stand in front of. */
+/* glibc's own names of the functions that this file replaces. */
 void *__libc_malloc(size_t size);
 void *__libc_calloc(size_t count, size_t size);
 void *__libc_realloc(void *old, size_t size);
@@ -90,7 +90,7 @@ static void open_rig(const char *record_path)
             .wheel_notches = i % 300u == 0 ? 1.0f : 0.0f,
         };
     }
-    rig.hal = null_hal();
+    rig.hal = null_hal(NULL);
     rig.hal.clock = sim_clock_device(&rig.clock);
     rig.hal.display = sim_display_device(&rig.display);
     rig.buttons = (struct buttons_sim){ .clock = rig.hal.clock, .events = press, .event_count = 1 };
@@ -98,7 +98,7 @@ static void open_rig(const char *record_path)
     pointer_sim_init(&rig.poi, rig.hal.clock, &tank_preset(TANK_PRESET_FESTIVAL)->view);
     rig.poi.reports = reports;
     rig.poi.feed.count = 3000;
-    rig.hal.poi[0] = pointer_sim_device(&rig.poi);
+    rig.hal.poi[0] = pointer_sim_devices(&rig.poi).poi;
     rig.hal.storage = storage_sim_device(&rig.storage);
     rig.hal.audio = sim_audio_device(&rig.audio);
     const struct kiosk_config config = {
@@ -109,7 +109,8 @@ static void open_rig(const char *record_path)
     assert_int_equal(recorder_begin(&rig.recorder, record_path, &rig.kiosk.core), 0);
 }
 
-/* Attract, a whole round with dips, a recording, a lost and found poi, the result. */
+/* The run contains attract mode, a whole round with dips, a recording, a lost and recovered poi,
+ * and the result. */
 static void test_the_running_frame_loop_allocates_nothing(void **state)
 {
     char path[] = "/tmp/kingyo-memory-XXXXXX";
@@ -132,12 +133,13 @@ static void test_the_running_frame_loop_allocates_nothing(void **state)
     assert_int_equal(recorder_end(&rig.recorder), 0);
     unlink(path);
     assert_int_equal(rig.kiosk.core.game.tick, 2400);
-    assert_int_equal(rig.storage.record.id, 2); /* A round began, ended, and another began. */
+    assert_int_equal(rig.storage.record.id, 2); /* One round began and ended, and another round
+                                                   began. */
     assert_int_equal(rig.storage.entry.kind, LEDGER_BEGIN);
     assert_int_equal(during, 0);
 }
 
-static void test_the_trap_sees_an_allocation(void **state)
+static void test_the_allocation_counter_counts_an_allocation(void **state)
 {
     (void)state;
 #if !HAS_TRAP
@@ -152,7 +154,7 @@ static void test_the_trap_sees_an_allocation(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_the_trap_sees_an_allocation),
+        cmocka_unit_test(test_the_allocation_counter_counts_an_allocation),
         cmocka_unit_test(test_the_running_frame_loop_allocates_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

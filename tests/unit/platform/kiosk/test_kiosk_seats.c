@@ -1,5 +1,7 @@
-/* test_kiosk_seats.c -- the frame loop and who sits where: when seats may change, what becomes of a
- * hand that does, and how long its reports wait for a tick. */
+/* test_kiosk_seats.c -- Tests the assignment of controllers to player slots in the frame loop.
+ *
+ * The tests check when the assignment may change, what happens to a controller that changes its
+ * slot, and how long its reports wait for a tick. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -15,20 +17,22 @@
 #define MS 1000000ull
 #define FRAME_NS 16666667ull
 
-/* A seat where two hands may sit. */
+/* A player slot that can be assigned to two controllers. */
 static struct {
     struct clock_sim clock;
     struct buttons_sim buttons;
     struct hal hal;
     struct kiosk kiosk;
-    uint32_t asked_moving, asked_still; /* Arranged so often with and without leave to move. */
-    uint32_t moves;                     /* Answered to the next question that finds it. */
+    uint32_t asked_moving, asked_still; /* Calls of arrange() with and without permission to change
+                                           the assignment. */
+    uint32_t moves;                     /* Result of the next call of arrange(). */
     uint8_t other_sits;
     uint8_t is_gone, is_absent;
-    uint32_t open_count;
-    uint64_t late_ns; /* Reports came so long ago. */
+    uint32_t open_count, view_count;
+    bool scoops;      /* Value that the last set_view() received. */
+    uint64_t late_ns; /* Age of the reports at the poll. */
     uint8_t stamps;
-    uint32_t told; /* Reports each frame. */
+    uint32_t told; /* Number of reports per frame. */
 } rig;
 
 static uint32_t arrange(void *self, int may_move)
@@ -41,14 +45,14 @@ static uint32_t arrange(void *self, int may_move)
     return moves;
 }
 
-static int hand_open(void *self)
+static int controller_open(void *self)
 {
     (void)self;
     rig.open_count++;
     return rig.is_absent ? HAL_ERR_ABSENT : rig.is_gone ? HAL_ERR_GONE : HAL_OK;
 }
 
-static int hand_poll(void *self, struct poi_sample *out, uint32_t max)
+static int controller_poll(void *self, struct poi_sample *out, uint32_t max)
 {
     (void)self;
     assert_true(max >= rig.told);
@@ -73,11 +77,13 @@ static int hand_feel(void *self, const struct poi_force *force)
 }
 
 static void hand_look(void *self, const struct view *view,
-                      const struct display_settings *display_settings)
+                      const struct display_settings *display_settings, bool scoops)
 {
     (void)self;
-    (void)view;
-    (void)display_settings;
+    assert_memory_equal(view, &rig.kiosk.view, sizeof *view);
+    assert_memory_equal(display_settings, &rig.kiosk.display_settings, sizeof *display_settings);
+    rig.scoops = scoops;
+    rig.view_count++;
 }
 
 static const char *hand_describe(void *self)
@@ -90,8 +96,8 @@ static int set_up(void **state)
 {
     static const struct hal_seats_ops seats = { .arrange = arrange };
     static const struct hal_poi_ops hand = {
-        .open = hand_open,
-        .poll = hand_poll,
+        .open = controller_open,
+        .poll = controller_poll,
         .set_force = hand_feel,
         .set_view = hand_look,
         .describe = hand_describe,
@@ -102,7 +108,7 @@ static int set_up(void **state)
     memset(&rig, 0, sizeof rig);
     rig.clock.now_ns = 1000 * MS;
     rig.told = 1;
-    rig.hal = null_hal();
+    rig.hal = null_hal(NULL);
     rig.hal.clock = sim_clock_device(&rig.clock);
     rig.buttons.clock = rig.hal.clock;
     rig.hal.buttons = sim_buttons_device(&rig.buttons);
@@ -128,11 +134,11 @@ static void begin_round(void)
     }
 }
 
-static void test_seats_may_change_while_nobody_plays_and_at_no_other_time(void **state)
+static void test_controllers_are_reassigned_only_while_no_player_is_active(void **state)
 {
     (void)state;
     frames(10);
-    assert_int_equal(rig.asked_moving, 11); /* Once before the first frame. */
+    assert_int_equal(rig.asked_moving, 11); /* One call comes before the first frame. */
     assert_int_equal(rig.asked_still, 0);
     begin_round();
     const uint32_t before = rig.asked_moving;
@@ -141,7 +147,20 @@ static void test_seats_may_change_while_nobody_plays_and_at_no_other_time(void *
     assert_true(rig.asked_still >= 60);
 }
 
-static void test_in_the_operators_menu_they_may_too(void **state)
+static void test_a_dip_scoops_in_a_round_and_presses_on_pages(void **state)
+{
+    (void)state;
+    frames(10);
+    assert_false(rig.scoops);
+    begin_round();
+    frames(1);
+    assert_true(rig.scoops);
+    rig.kiosk.core.game.phase = PHASE_MENU;
+    frames(2);
+    assert_false(rig.scoops);
+}
+
+static void test_controllers_are_reassigned_in_the_operator_menu(void **state)
 {
     (void)state;
     rig.kiosk.core.game.phase = PHASE_MENU;
@@ -150,39 +169,46 @@ static void test_in_the_operators_menu_they_may_too(void **state)
     assert_int_equal(rig.asked_moving, before + 1);
 }
 
-/* The way from the one to the other is nobody's, and no fault. */
-static void test_who_sits_down_is_opened_and_leads_in_the_same_frame(void **state)
+/* During the change from one controller to the other the slot has no controller. This is not
+ * counted as a fault. */
+static void test_a_new_controller_is_opened_and_used_in_the_same_frame(void **state)
 {
     (void)state;
-    frames(10);
-    const uint32_t opened = rig.open_count;
+    frames(9);
+    const uint32_t before = rig.view_count;
+    frames(1);
+    const uint32_t opened = rig.open_count, viewed = rig.view_count, per_frame = viewed - before;
     rig.other_sits = 1;
     rig.moves = 1u;
     frames(1);
     assert_int_equal(rig.open_count, opened + 1);
-    assert_int_equal(rig.kiosk.hands[0].link, POI_SOURCE_LIVE);
+    assert_int_equal(rig.view_count,
+                     viewed + per_frame + 1); /* The new controller gets the view. */
+    assert_int_equal(rig.kiosk.samplers[0].link, POI_SOURCE_LIVE);
     assert_true(rig.kiosk.input.poi[0].target.position_m.x == 0.2f);
     assert_int_equal(rig.kiosk.faults.poi, 0);
 }
 
-static void test_a_seat_that_was_empty_plays_once_somebody_sits_down(void **state)
+static void test_an_empty_player_slot_plays_after_a_controller_is_assigned(void **state)
 {
     (void)state;
     rig.is_absent = 1;
     rig.moves = 1u;
     frames(1);
-    assert_int_equal(rig.kiosk.hands[0].link, POI_SOURCE_ABSENT);
+    assert_int_equal(rig.kiosk.samplers[0].link, POI_SOURCE_ABSENT);
     const uint32_t opened = rig.open_count;
     frames(200);
-    assert_int_equal(rig.open_count, opened); /* Nobody looks for who is not expected. */
+    assert_int_equal(rig.open_count, opened); /* A device that is not expected is not searched
+                                                 for. */
     rig.is_absent = 0;
     rig.moves = 1u;
     frames(1);
     assert_int_equal(rig.kiosk.input.poi[0].link, POI_SOURCE_LIVE);
 }
 
-/* Without the seats' word it would be looked for a second after it was lost. */
-static void test_one_that_comes_back_plays_on_in_the_frame_that_sees_it(void **state)
+/* Without the notification of the input mux, the controller would be searched for one second after
+ * its loss. */
+static void test_a_reconnected_controller_is_used_in_the_frame_that_detects_it(void **state)
 {
     (void)state;
     begin_round();
@@ -196,7 +222,7 @@ static void test_one_that_comes_back_plays_on_in_the_frame_that_sees_it(void **s
     assert_int_equal(rig.kiosk.core.game.phase, PHASE_ROUND);
 }
 
-static void test_a_report_waits_from_its_arrival_to_its_tick(void **state)
+static void test_the_latency_of_a_report_is_measured_from_arrival_to_tick(void **state)
 {
     (void)state;
     rig.stamps = 1;
@@ -209,8 +235,8 @@ static void test_a_report_waits_from_its_arrival_to_its_tick(void **state)
     assert_true(frame_timing_quantile_ns(wait, 0.99) <= 5100000u);
 }
 
-/* A frame without a tick uses nothing: what came in it waits on. */
-static void test_a_report_between_two_ticks_waits_for_the_next(void **state)
+/* A frame without a tick uses no report. The reports of that frame are kept for the next tick. */
+static void test_a_report_between_two_ticks_is_used_by_the_next_tick(void **state)
 {
     (void)state;
     frames(1);
@@ -225,7 +251,7 @@ static void test_a_report_between_two_ticks_waits_for_the_next(void **state)
     assert_int_equal(rig.kiosk.report_wait.max_ns, 20 * MS);
 }
 
-static void test_what_a_driver_makes_up_is_not_timed(void **state)
+static void test_generated_samples_are_excluded_from_the_latency(void **state)
 {
     (void)state;
     rig.late_ns = 5 * MS;
@@ -236,15 +262,19 @@ static void test_what_a_driver_makes_up_is_not_timed(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(test_seats_may_change_while_nobody_plays_and_at_no_other_time,
+        cmocka_unit_test_setup(test_controllers_are_reassigned_only_while_no_player_is_active,
                                set_up),
-        cmocka_unit_test_setup(test_in_the_operators_menu_they_may_too, set_up),
-        cmocka_unit_test_setup(test_who_sits_down_is_opened_and_leads_in_the_same_frame, set_up),
-        cmocka_unit_test_setup(test_a_seat_that_was_empty_plays_once_somebody_sits_down, set_up),
-        cmocka_unit_test_setup(test_one_that_comes_back_plays_on_in_the_frame_that_sees_it, set_up),
-        cmocka_unit_test_setup(test_a_report_waits_from_its_arrival_to_its_tick, set_up),
-        cmocka_unit_test_setup(test_a_report_between_two_ticks_waits_for_the_next, set_up),
-        cmocka_unit_test_setup(test_what_a_driver_makes_up_is_not_timed, set_up),
+        cmocka_unit_test_setup(test_a_dip_scoops_in_a_round_and_presses_on_pages, set_up),
+        cmocka_unit_test_setup(test_controllers_are_reassigned_in_the_operator_menu, set_up),
+        cmocka_unit_test_setup(test_a_new_controller_is_opened_and_used_in_the_same_frame, set_up),
+        cmocka_unit_test_setup(test_an_empty_player_slot_plays_after_a_controller_is_assigned,
+                               set_up),
+        cmocka_unit_test_setup(test_a_reconnected_controller_is_used_in_the_frame_that_detects_it,
+                               set_up),
+        cmocka_unit_test_setup(test_the_latency_of_a_report_is_measured_from_arrival_to_tick,
+                               set_up),
+        cmocka_unit_test_setup(test_a_report_between_two_ticks_is_used_by_the_next_tick, set_up),
+        cmocka_unit_test_setup(test_generated_samples_are_excluded_from_the_latency, set_up),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

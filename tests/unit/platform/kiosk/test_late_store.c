@@ -1,6 +1,7 @@
-/* test_late_store.c -- a stall begins without its store and people pay all the same: when the card
- * comes back each coin is in the books, once, and the stall goes on from it without a hand. The
- * kiosk and the store are the real ones; the devices are simulated, and time is. */
+/* test_late_store.c -- Tests a kiosk that starts without its store while players insert coins.
+ *
+ * When the card returns, each coin is recorded exactly once, and the kiosk continues without
+ * operator action. The kiosk and the store are real. The devices and the time are simulated. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -15,7 +16,7 @@
 #include <sqlite3.h>
 
 #include "drivers/null.h"
-#include "core/game/accounting/ledger_writer.h"
+#include "core/game/accounting/accounts.h"
 #include "drivers/sim/hal_sim.h"
 #include "platform/kiosk/kiosk.h"
 #include "platform/store/storage.h"
@@ -30,8 +31,8 @@ static struct rig {
     struct storage storage;
     struct hal hal;
     struct kiosk kiosk;
-    struct button_sample buttons; /* Of the next frame. */
-    uint32_t locked;              /* The slot, as it was told last. */
+    struct button_sample buttons; /* Button sample of the next frame. */
+    uint32_t locked;              /* The last level of the coin lockout. */
 } rig;
 
 static int poll_buttons(void *self, struct button_sample *out)
@@ -48,8 +49,8 @@ static const char *describe(void *self)
     return "a slot";
 }
 
-/* The hand that a slot wants to see before it opens. */
-static int poll_hand(void *self, struct poi_sample *out, uint32_t max)
+/* Returns a pose, because the coin slot opens only with a working controller. */
+static int poll_pose(void *self, struct poi_sample *out, uint32_t max)
 {
     (void)self;
     (void)max;
@@ -73,11 +74,12 @@ static int feel(void *self, const struct poi_force *force)
 }
 
 static void look(void *self, const struct view *view,
-                 const struct display_settings *display_settings)
+                 const struct display_settings *display_settings, bool scoops)
 {
     (void)self;
     (void)view;
     (void)display_settings;
+    (void)scoops;
 }
 
 static int set_switch(void *self, enum hal_switch which, int active)
@@ -95,7 +97,7 @@ static int pulse_switch(void *self, enum hal_switch which, uint32_t count)
     return HAL_OK;
 }
 
-/* As a start of the program: whatever the store remembers, and nothing else. */
+/* Starts the program with only the state that the store contains. */
 static uint32_t pending(void *self, enum hal_switch which)
 {
     (void)self;
@@ -108,7 +110,7 @@ static void begin(void)
     static const struct hal_buttons_ops buttons = { poll_buttons, describe };
     static const struct hal_switches_ops switches = { set_switch, pulse_switch, describe, pending };
     static const struct hal_poi_ops hand = { .open = open_hand,
-                                             .poll = poll_hand,
+                                             .poll = poll_pose,
                                              .set_force = feel,
                                              .set_view = look,
                                              .describe = describe };
@@ -117,10 +119,10 @@ static void begin(void)
         .core = { .seed = 5, .fish_count = 4, .round_s = 10, .credit_coins = PRICE }
     };
     memset(&rig, 0, sizeof rig);
-    rig.locked = 1; /* As it begins. */
+    rig.locked = 1; /* The initial level. */
     rig.clock.now_ns = FRAME_NS;
     rig.storage = (struct storage){ .dir = dir, .by_hand = 1 };
-    rig.hal = null_hal();
+    rig.hal = null_hal(NULL);
     rig.hal.clock = sim_clock_device(&rig.clock);
     rig.hal.storage = storage_device(&rig.storage);
     rig.hal.buttons = (struct hal_buttons){ .ops = &buttons };
@@ -164,7 +166,7 @@ static const struct balance *balance(void)
     return &rig.kiosk.core.game.accounts.ledger.balance;
 }
 
-/* An evening of one coin, half a credit, and then the card is pulled. */
+/* One coin, half a credit, is inserted in the evening. Then the card is removed. */
 static int set_up(void **state)
 {
     (void)state;
@@ -182,7 +184,7 @@ static int set_up(void **state)
     if (rename(dir, away) != 0 || mkdir(dir, 0755) != 0) {
         return -1;
     }
-    return symlink("/tmp/kingyo-no-such-card/kingyo.db", file); /* Nothing that could be opened. */
+    return symlink("/tmp/kingyo-no-such-card/kingyo.db", file); /* The path cannot be opened. */
 }
 
 static void put_card_back(void)
@@ -201,7 +203,7 @@ static int tear_down(void **state)
     return system(command);
 }
 
-static void test_a_coin_that_fell_without_a_store_is_in_its_books_and_the_slot_opens(void **state)
+static void test_a_coin_inserted_without_a_store_is_recorded_later_and_the_slot_opens(void **state)
 {
     (void)state;
     begin();
@@ -217,13 +219,13 @@ static void test_a_coin_that_fell_without_a_store_is_in_its_books_and_the_slot_o
     assert_int_equal(frames(60), KIOSK_RUNS);
     assert_int_equal(audit(AUDIT_COINS_1), 2);
     assert_int_equal(audit(AUDIT_UNITS), 2);
-    assert_int_equal(audit(AUDIT_BOOTS), 2); /* That one had nobody to count it. */
-    assert_int_equal(balance()->paid, 1);    /* The half of before, and this one. */
+    assert_int_equal(audit(AUDIT_BOOTS), 2); /* The start without a store was not counted. */
+    assert_int_equal(balance()->paid, 1);    /* The half credit from before and this one. */
     assert_int_equal(ledger_committed_credits(&rig.kiosk.core.game.accounts.ledger).paid, 1);
     assert_int_equal(rig.locked, 0);
 }
 
-static void test_credits_and_every_line_come_over_and_nothing_twice(void **state)
+static void test_offline_credits_and_entries_are_merged_exactly_once(void **state)
 {
     (void)state;
     begin();
@@ -251,8 +253,9 @@ static void test_credits_and_every_line_come_over_and_nothing_twice(void **state
     }
 }
 
-/* The card is there and takes nothing: the stall waits with what it owes, however long. */
-static void test_money_waits_for_a_card_that_can_be_written(void **state)
+/* The card is present but rejects writes. The kiosk keeps the offline credits for any length of
+ * time. */
+static void test_offline_credits_are_kept_until_the_card_is_writable(void **state)
 {
     (void)state;
     sqlite3 *other;
@@ -264,12 +267,12 @@ static void test_money_waits_for_a_card_that_can_be_written(void **state)
     assert_int_equal(frames(3), KIOSK_RUNS);
     assert_int_equal(rig.hal.storage.ledger.ops->offline_merged(rig.hal.storage.ledger.self),
                      HAL_ERR_BUSY);
-    drop_coins(0, 1); /* Another one falls while the first is on its way. */
+    drop_coins(0, 1); /* Another coin is inserted while the first one is being written. */
     assert_int_equal(sqlite3_exec(other, "ROLLBACK", NULL, NULL, NULL), SQLITE_OK);
     sqlite3_close(other);
     enum kiosk_end how = KIOSK_RUNS;
     for (uint32_t i = 0; i < 300u && how == KIOSK_RUNS; i++) {
-        rig.storage.look_due_ms = 0; /* As if the wait were over. */
+        rig.storage.look_due_ms = 0; /* The retry delay is skipped. */
         how = frames(1);
     }
     assert_int_equal(how, KIOSK_RESTART);
@@ -278,19 +281,19 @@ static void test_money_waits_for_a_card_that_can_be_written(void **state)
     frames(60);
     assert_int_equal(audit(AUDIT_COINS_1), 3);
     assert_int_equal(PRICE * balance()->paid + balance()->units,
-                     3); /* Though two had become one. */
+                     3); /* The count covers two coins that were merged into one entry. */
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(
-            test_a_coin_that_fell_without_a_store_is_in_its_books_and_the_slot_opens, set_up,
+            test_a_coin_inserted_without_a_store_is_recorded_later_and_the_slot_opens, set_up,
             tear_down),
-        cmocka_unit_test_setup_teardown(test_credits_and_every_line_come_over_and_nothing_twice,
+        cmocka_unit_test_setup_teardown(test_offline_credits_and_entries_are_merged_exactly_once,
                                         set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_money_waits_for_a_card_that_can_be_written, set_up,
-                                        tear_down),
+        cmocka_unit_test_setup_teardown(test_offline_credits_are_kept_until_the_card_is_writable,
+                                        set_up, tear_down),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

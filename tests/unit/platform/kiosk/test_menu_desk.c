@@ -1,6 +1,8 @@
-/* test_menu_desk.c -- an operator with two buttons, a desk, and a controller that he teaches to be
- * a poi: from presses and raw reports to what is shown and who leads the ring. Every part between
- * the wire and the picture is the kiosk's own. */
+/* test_menu_desk.c -- Tests the operator menu with two buttons and a controller whose mapping is
+ * learned.
+ *
+ * The tests follow button presses and raw reports to the picture and to the controller that moves
+ * the ring. All parts between the wire and the picture are those of the kiosk. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -19,6 +21,7 @@
 #include "drivers/sim/storage_sim.h"
 #include "platform/kiosk/kiosk.h"
 #include "tests/unit/support/hid_wire.h"
+#include "tests/unit/support/menu_tag.h"
 
 #define FRAME_NS 16666667ull
 #define ROW 2u
@@ -35,10 +38,10 @@ static struct rig {
     struct storage_sim storage;
     struct hal hal;
     struct kiosk kiosk;
-    struct button_sample buttons; /* Of the next frame. */
-    float x, z;                   /* The stick, [0, 1] each. */
+    struct button_sample buttons; /* Button sample of the next frame. */
+    float x, z;                   /* Stick position, each axis in [0, 1]. */
     uint8_t trigger;
-    uint32_t lockout, input_coin_pulses, ticket_pulses, lamp; /* What the cabinet was told. */
+    uint32_t lockout, input_coin_pulses, ticket_pulses, lamp; /* Last outputs to the cabinet. */
 } rig;
 
 /* ---- A cabinet ------------------------------------------------------------------------------ */
@@ -125,27 +128,27 @@ static int set_up(void **state)
     struct poi_hid *const pois[POI_MAX] = { &rig.poi };
     (void)state;
     memset(&rig, 0, sizeof rig);
-    rig.lockout = 1; /* As it begins. */
+    rig.lockout = 1; /* The initial level. */
     rig.x = rig.z = MIDDLE;
     rig.clock.now_ns = FRAME_NS;
     wire_load(&rig.wire, &rig.clock, "025-ci-xusb-flightstick");
     snprintf(rig.wire.face.identity.name, HID_TEXT_SIZE, "Flight Stick");
-    rig.wire.port.absent = 1; /* It lies there, and sits nowhere yet. */
+    hid_port_sim_plug(&rig.wire.port, NULL); /* The device is plugged in but not assigned to a
+                                                player slot. */
     hid_device_list_sim_init(&rig.device_list, seats);
     hid_device_list_sim_plug(&rig.device_list, ROW, &rig.wire.face);
     hid_mapping_store_open(&rig.book, NULL, NULL, NULL);
-    rig.hal = null_hal();
+    rig.hal = null_hal(NULL);
     rig.hal.clock = sim_clock_device(&rig.clock);
     rig.hal.display = sim_display_device(&rig.display);
     rig.hal.storage = storage_sim_device(&rig.storage);
     rig.hal.buttons = (struct hal_buttons){ .ops = &buttons };
     rig.hal.switches = (struct hal_switches){ .ops = &switches };
-    poi_hid_init(&rig.poi, hid_port_sim_port(&rig.wire.port), rig.hal.clock,
-                 hid_mapping_store_mapper(&rig.book), &tank_preset(TANK_PRESET_FESTIVAL)->view);
-    controller_manager_init(&rig.desk, hid_device_list_sim_device(&rig.device_list), &rig.book,
-                            pois);
-    rig.hal.controllers = controller_manager_device(&rig.desk);
-    rig.hal.poi[0] = poi_hid_device(&rig.poi);
+    poi_hid_init(&rig.poi, &rig.wire.port.port, rig.hal.clock, hid_mapping_store_mapper(&rig.book),
+                 &tank_preset(TANK_PRESET_FESTIVAL)->view);
+    rig.hal.controllers = controller_manager_init(
+        &rig.desk, hid_device_list_sim_device(&rig.device_list), &rig.book, pois);
+    rig.hal.poi[0] = poi_hid_devices(&rig.poi).poi;
     assert_int_equal(kiosk_init(&rig.kiosk, &rig.hal, &config), CORE_OK);
     frames(2);
     return 0;
@@ -174,7 +177,7 @@ static void open_the_row(void)
 
 /* ---- The quit key --------------------------------------------------------------------------- */
 
-static void test_a_desktops_quit_key_leads_back_in_the_menu_and_ends_the_rest(void **state)
+static void test_the_quit_key_goes_back_in_the_menu_and_otherwise_ends_the_program(void **state)
 {
     (void)state;
     static const uint8_t pages[] = { MENU_CONTROLLERS, MENU_DEVICES, MENU_TOP };
@@ -184,7 +187,7 @@ static void test_a_desktops_quit_key_leads_back_in_the_menu_and_ends_the_rest(vo
         push(0);
         assert_int_equal(shown()->page, pages[i]);
     }
-    assert_int_equal(shown()->pressed_count[1], 0); /* LEFT was not. */
+    assert_int_equal(shown()->pressed_count[1], 0); /* LEFT was not reported. */
     rig.buttons.quit = 1;
     push(0);
     assert_int_equal(rig.display.scene.phase, PHASE_ATTRACT);
@@ -194,7 +197,7 @@ static void test_a_desktops_quit_key_leads_back_in_the_menu_and_ends_the_rest(vo
     assert_int_equal(kiosk_frame(&rig.kiosk, &rig.hal), KIOSK_QUIT);
 }
 
-static void test_a_restart_that_is_meant_ends_the_loop_and_is_no_controllers_order(void **state)
+static void test_a_confirmed_restart_ends_the_loop_and_is_not_a_controller_command(void **state)
 {
     (void)state;
     enum kiosk_end end = KIOSK_RUNS;
@@ -203,10 +206,11 @@ static void test_a_restart_that_is_meant_ends_the_loop_and_is_no_controllers_ord
     push(INPUT_TEST);
     point_at(menu_tag_of(MENU_RESTART));
     push(INPUT_TEST);
-    push(INPUT_SERVICE); /* From "back" round to "yes". */
+    push(INPUT_SERVICE); /* Moves the selection from "back" to "yes". */
     assert_int_equal(shown()->tag, CONFIRM_YES);
     rig.buttons.pressed = INPUT_TEST;
-    for (uint32_t i = 0; i < 400u && end == KIOSK_RUNS; i++) { /* 6 s: a store may be slow. */
+    for (uint32_t i = 0; i < 400u && end == KIOSK_RUNS; i++) { /* At most 6 s, because a store may
+                                                                  be slow. */
         rig.clock.now_ns += FRAME_NS;
         end = kiosk_frame(&rig.kiosk, &rig.hal);
     }
@@ -214,9 +218,9 @@ static void test_a_restart_that_is_meant_ends_the_loop_and_is_no_controllers_ord
     assert_int_equal(rig.device_list.choose_count + rig.device_list.release_count, 0);
 }
 
-/* A card that came late is gone on from, but not while somebody plays, and not before it has what
- * was paid: here it takes its time. */
-static void test_a_store_that_came_late_has_the_stall_begin_anew_when_nobody_plays(void **state)
+/* A store that opens late is used only when no player is active and after it has stored the offline
+ * credits. This store is slow. */
+static void test_a_store_that_opens_late_restarts_the_session_when_idle(void **state)
 {
     (void)state;
     struct balance *balance = &rig.kiosk.core.game.accounts.ledger.balance;
@@ -245,7 +249,7 @@ static void test_a_store_that_came_late_has_the_stall_begin_anew_when_nobody_pla
 
 /* ---- Names ---------------------------------------------------------------------------------- */
 
-static void test_controllers_and_lines_have_names_in_the_menu_alone(void **state)
+static void test_controller_and_line_names_are_filled_only_in_the_menu(void **state)
 {
     (void)state;
     assert_string_equal(rig.display.scene.devices.lines, "");
@@ -258,22 +262,22 @@ static void test_controllers_and_lines_have_names_in_the_menu_alone(void **state
 
 /* ---- Choosing ------------------------------------------------------------------------------- */
 
-static void test_what_is_chosen_plays_and_what_is_released_does_not(void **state)
+static void test_a_selected_controller_plays_and_a_released_one_does_not(void **state)
 {
     (void)state;
     open_the_row();
     point_at(ROW_CHOOSE);
     push(INPUT_TEST);
     assert_int_equal(rig.device_list.choose_count, 1);
-    frames(90); /* A seat is looked for once a second. */
+    frames(90); /* An empty player slot is searched once a second. */
     assert_int_equal(shown()->controllers.state[ROW], CONTROLLER_ACTIVE);
-    assert_int_equal(rig.kiosk.hands[0].link, POI_SOURCE_LIVE);
+    assert_int_equal(rig.kiosk.samplers[0].link, POI_SOURCE_LIVE);
     point_at(ROW_RELEASE);
     push(INPUT_TEST);
     assert_int_equal(rig.device_list.release_count, 1);
     frames(90);
     assert_int_equal(rig.device_list.choose_count, 1);
-    assert_int_equal(rig.device_list.release_count, 1); /* Each order was told once. */
+    assert_int_equal(rig.device_list.release_count, 1); /* Each command was sent once. */
 }
 
 /* ---- Learning ------------------------------------------------------------------------------- */
@@ -289,7 +293,8 @@ static void show_step(uint8_t step, float x, float z, uint8_t trigger)
     push(INPUT_TEST);
 }
 
-/* The stick's way is turned round, as on a cabinet that it was built into backwards. */
+/* Learns the stick with its x axis reversed, as in a cabinet with a stick that is mounted
+ * backwards. */
 static void learn_backwards(void)
 {
     open_the_row();
@@ -308,7 +313,7 @@ static void learn_backwards(void)
     assert_int_equal(shown()->controllers.learn_step, LEARN_TRY);
 }
 
-/* Whither the ring goes when the stick goes right. */
+/* Returns the x motion of the ring, in metres, after the stick moves right. */
 static float way_right_m(void)
 {
     rig.x = rig.z = MIDDLE;
@@ -321,11 +326,11 @@ static float way_right_m(void)
     return after_m - before_m;
 }
 
-static void test_a_stick_is_taught_by_two_buttons_and_plays_as_it_was_taught(void **state)
+static void test_a_learned_stick_mapping_is_used_for_play(void **state)
 {
     (void)state;
     learn_backwards();
-    assert_true(way_right_m() < -0.02f); /* Already while it is tried. */
+    assert_true(way_right_m() < -0.02f); /* The mapping is already used during the trial. */
     point_at(LEARNS_KEEP);
     push(INPUT_TEST);
     frames(5);
@@ -335,7 +340,7 @@ static void test_a_stick_is_taught_by_two_buttons_and_plays_as_it_was_taught(voi
     assert_true(way_right_m() < -0.02f);
 }
 
-static void test_what_was_not_kept_is_forgotten(void **state)
+static void test_an_unsaved_mapping_is_discarded(void **state)
 {
     (void)state;
     learn_backwards();
@@ -344,14 +349,15 @@ static void test_what_was_not_kept_is_forgotten(void **state)
     frames(5);
     assert_int_equal(shown()->page, MENU_CONTROLLER);
     assert_null(hid_mapping_store_find(&rig.book, &rig.wire.face.identity));
-    assert_int_equal(shown()->controllers.state[ROW], CONTROLLER_FREE); /* As it was. */
+    assert_int_equal(shown()->controllers.state[ROW], CONTROLLER_FREE); /* The controller is
+                                                                           unassigned as before. */
     point_at(ROW_CHOOSE);
     push(INPUT_TEST);
     frames(90);
     assert_true(way_right_m() > 0.02f);
 }
 
-static void test_a_stick_that_is_pulled_out_while_it_learns_fails_and_the_menu_goes_on(void **state)
+static void test_unplugging_a_stick_while_learning_fails_and_the_menu_continues(void **state)
 {
     (void)state;
     open_the_row();
@@ -366,7 +372,8 @@ static void test_a_stick_that_is_pulled_out_while_it_learns_fails_and_the_menu_g
     push(INPUT_TEST);
     assert_int_equal(shown()->page, MENU_CONTROLLER);
     frames(2);
-    assert_int_equal(shown()->controllers.state[ROW], CONTROLLER_NONE); /* Nobody chose it. */
+    assert_int_equal(shown()->controllers.state[ROW], CONTROLLER_NONE); /* The controller was not
+                                                                           selected. */
     point_at(ROW_BACK);
     push(INPUT_TEST);
     assert_int_equal(shown()->page, MENU_CONTROLLERS);
@@ -386,17 +393,18 @@ static void go_back(void)
     push(INPUT_TEST);
 }
 
-static void test_the_slot_opens_for_a_test_or_for_play_and_the_meter_counts_the_box(void **state)
+static void test_the_coin_slot_opens_for_test_or_play_and_the_meter_counts_all_coins(void **state)
 {
     (void)state;
-    assert_int_equal(rig.lockout, 1); /* There is no poi: what would a coin buy? */
+    assert_int_equal(rig.lockout, 1); /* The slot is locked because there is no controller. */
     push(INPUT_TEST);
-    assert_int_equal(rig.lockout, 1); /* Nothing is sold in the menu. */
+    assert_int_equal(rig.lockout, 1); /* The slot is locked because no credit is sold in the
+                                         menu. */
     point_at(menu_tag_of(MENU_DEVICES));
     push(INPUT_TEST);
     point_at(menu_tag_of(MENU_LINES));
     push(INPUT_TEST);
-    assert_int_equal(rig.lockout, 0); /* The operator tries the mechanism. */
+    assert_int_equal(rig.lockout, 0); /* The operator tests the coin mechanism. */
     drop(7);
     assert_int_equal(shown()->test_coins, 7);
     assert_int_equal(rig.input_coin_pulses, 7);
@@ -409,7 +417,8 @@ static void test_the_slot_opens_for_a_test_or_for_play_and_the_meter_counts_the_
     point_at(ROW_CHOOSE);
     push(INPUT_TEST);
     frames(90);
-    drop(1); /* It was on its way as the slot closed: another test. */
+    drop(1); /* The coin was already in the slot as the slot closed. It is counted as a test
+                coin. */
     for (uint32_t i = 0; i < 4; i++) {
         go_back();
     }
@@ -428,15 +437,15 @@ static void test_the_slot_opens_for_a_test_or_for_play_and_the_meter_counts_the_
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        IN_CABINET(test_controllers_and_lines_have_names_in_the_menu_alone),
-        IN_CABINET(test_a_restart_that_is_meant_ends_the_loop_and_is_no_controllers_order),
-        IN_CABINET(test_a_store_that_came_late_has_the_stall_begin_anew_when_nobody_plays),
-        IN_CABINET(test_a_desktops_quit_key_leads_back_in_the_menu_and_ends_the_rest),
-        IN_CABINET(test_what_is_chosen_plays_and_what_is_released_does_not),
-        IN_CABINET(test_a_stick_is_taught_by_two_buttons_and_plays_as_it_was_taught),
-        IN_CABINET(test_what_was_not_kept_is_forgotten),
-        IN_CABINET(test_a_stick_that_is_pulled_out_while_it_learns_fails_and_the_menu_goes_on),
-        IN_CABINET(test_the_slot_opens_for_a_test_or_for_play_and_the_meter_counts_the_box),
+        IN_CABINET(test_controller_and_line_names_are_filled_only_in_the_menu),
+        IN_CABINET(test_a_confirmed_restart_ends_the_loop_and_is_not_a_controller_command),
+        IN_CABINET(test_a_store_that_opens_late_restarts_the_session_when_idle),
+        IN_CABINET(test_the_quit_key_goes_back_in_the_menu_and_otherwise_ends_the_program),
+        IN_CABINET(test_a_selected_controller_plays_and_a_released_one_does_not),
+        IN_CABINET(test_a_learned_stick_mapping_is_used_for_play),
+        IN_CABINET(test_an_unsaved_mapping_is_discarded),
+        IN_CABINET(test_unplugging_a_stick_while_learning_fails_and_the_menu_continues),
+        IN_CABINET(test_the_coin_slot_opens_for_test_or_play_and_the_meter_counts_all_coins),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

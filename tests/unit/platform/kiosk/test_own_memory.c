@@ -1,9 +1,10 @@
-/* test_own_memory.c -- with the real display, sound and store, no frame of ours allocates.
+/* test_own_memory.c -- Tests that no frame of Kingyo's own code allocates memory with the real
+ * display, sound and store.
  *
- * The linker's --wrap puts __wrap_malloc() and the like (tests.mk lists them) between our objects
- * and the C library. SDL, the renderer and SQLite call the library directly and are not counted:
- * they may allocate, ours may not. Pictures written by --shots are the one exception: that is a
- * tool, which no kiosk in service runs. */
+ * The linker's --wrap puts __wrap_malloc() and similar functions between Kingyo's objects and the C
+ * library (tests.mk lists them). SDL, the renderer and SQLite call the library directly and are not
+ * counted. Pictures written by --shots are the only exception, because no kiosk in service uses
+ * that option. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdatomic.h>
@@ -27,11 +28,14 @@
 #include "platform/os/png.h"
 #include "platform/render/display_gl.h"
 #include "platform/store/storage.h"
+#include "tests/unit/support/newest_record.h"
 
-#define STEP_NS 33333333ull /* A slow machine's frame: half as many to draw here. */
+/* Frame time of a slow machine, so that half as many frames are drawn. */
+#define STEP_NS 33333333ull
 #define REPORT_COUNT 800u
 
-static atomic_uint allocations; /* By the frame loop, the sound's thread and the store's. */
+static atomic_uint allocations; /* Allocations by the frame loop, the sound thread and the store
+                                   thread. */
 
 void *__real_malloc(size_t size);
 void *__real_calloc(size_t count, size_t size);
@@ -88,7 +92,7 @@ static struct {
     struct recorder recorder;
 } rig;
 
-/* A hand that goes to and fro and dips for a second in every two. */
+/* Moves the pose to and fro, with a dip of one second in every two seconds. */
 static void wire_hand(void)
 {
     for (uint32_t i = 0; i < REPORT_COUNT; i++) {
@@ -104,13 +108,13 @@ static void wire_hand(void)
     pointer_sim_init(&rig.poi, rig.hal.clock, &tank_preset(TANK_PRESET_FESTIVAL)->view);
     rig.poi.reports = rig.reports;
     rig.poi.feed.count = REPORT_COUNT;
-    rig.hal.poi[0] = pointer_sim_device(&rig.poi);
+    rig.hal.poi[0] = pointer_sim_devices(&rig.poi).poi;
 }
 
 static void wire_devices(void)
 {
     static const struct button_event press[] = { { .time_ns = 500000000, .pressed = INPUT_START } };
-    rig.hal = null_hal();
+    rig.hal = null_hal(NULL);
     rig.hal.clock = sim_clock_device(&rig.clock);
     rig.display.config =
         (struct display_gl_config){ .width = 320, .height = 180, .off_screen = true };
@@ -167,12 +171,13 @@ static int close_stall(void **state)
 
 static int is_round_saved(void)
 {
-    const uint32_t id = rig.kiosk.output.record.id;
+    const uint32_t id = newest_record(&rig.kiosk.output)->id;
     return id != 0 && rig.hal.storage.ledger.ops->committed_id(rig.hal.storage.ledger.self) >= id;
 }
 
-/* Attract, a round that is drawn, heard and recorded, its result, and its row in the store. */
-static void test_nothing_of_ours_allocates_from_the_first_frame_to_the_saved_round(void **state)
+/* The run contains attract mode, a round with drawing, sound and recording, its result, and its row
+ * in the store. */
+static void test_kingyo_code_allocates_nothing_from_the_first_frame_to_the_saved_round(void **state)
 {
     (void)state;
     const uint32_t before = allocations;
@@ -181,7 +186,7 @@ static void test_nothing_of_ours_allocates_from_the_first_frame_to_the_saved_rou
         kiosk_frame(&rig.kiosk, &rig.hal);
     }
     for (uint32_t i = 0; i < 200 && !is_round_saved(); i++) {
-        usleep(20000); /* The store's thread has a disk to wait for. */
+        usleep(20000); /* The store thread waits for the disk. */
     }
     const uint32_t during = allocations - before;
     assert_true(is_round_saved());
@@ -190,9 +195,9 @@ static void test_nothing_of_ours_allocates_from_the_first_frame_to_the_saved_rou
     assert_int_equal(during, 0);
 }
 
-/* More species than have slots on the GPU, so that each is brought there and painted, with a rival
- * made straight beside it; then the fish of an album. */
-static void test_nothing_of_ours_allocates_while_species_take_turns_in_lab_and_album(void **state)
+/* There are more species than GPU slots, so that each species is uploaded and painted, with its
+ * ordinary morph beside it. The fish of an album follow. */
+static void test_kingyo_code_allocates_nothing_while_the_lab_and_album_change_species(void **state)
 {
     (void)state;
     static struct core core;
@@ -223,8 +228,8 @@ static void test_nothing_of_ours_allocates_while_species_take_turns_in_lab_and_a
     assert_int_equal(allocations - before, 0);
 }
 
-/* The picture of --shots, which is allowed to, shows that the trap closes on our objects. */
-static void test_the_trap_sees_a_picture_being_written(void **state)
+/* The picture of --shots may allocate. The test shows that the counter covers Kingyo's objects. */
+static void test_the_allocation_counter_counts_a_written_screenshot(void **state)
 {
     static const uint8_t rgb[3 * 4 * 4];
     char path[128];
@@ -239,9 +244,10 @@ static void test_the_trap_sees_a_picture_being_written(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_nothing_of_ours_allocates_from_the_first_frame_to_the_saved_round),
-        cmocka_unit_test(test_nothing_of_ours_allocates_while_species_take_turns_in_lab_and_album),
-        cmocka_unit_test(test_the_trap_sees_a_picture_being_written),
+        cmocka_unit_test(
+            test_kingyo_code_allocates_nothing_from_the_first_frame_to_the_saved_round),
+        cmocka_unit_test(test_kingyo_code_allocates_nothing_while_the_lab_and_album_change_species),
+        cmocka_unit_test(test_the_allocation_counter_counts_a_written_screenshot),
     };
     return cmocka_run_group_tests(tests, open_stall, close_stall);
 }

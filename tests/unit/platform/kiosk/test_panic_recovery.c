@@ -1,5 +1,5 @@
-/* test_panic_recovery.c -- a start after panics records what it left out only after it has
- * succeeded. */
+/* test_panic_recovery.c -- Tests that a start after panics records what it omitted only after the
+ * start has succeeded. */
 #include <errno.h>
 #include <fcntl.h>
 #include <poll.h>
@@ -27,9 +27,9 @@
 static char dir[32];
 static char path[64];
 static int folder;
-static int flock_error;      /* errno of every flock(); 0: flock() works. */
-static struct panics during; /* The count on disk while the copy of the database was made. */
-static int copies;           /* Calls of chmod(), one for each copy. */
+static int flock_error;      /* errno of every flock(). 0 means that flock() works. */
+static struct panics during; /* The panic count on disk while the copy of the database was made. */
+static int copies;           /* Number of calls of chmod(). Each copy makes one call. */
 static struct evidence evidence;
 
 int flock(int handle, int operation)
@@ -41,7 +41,7 @@ int flock(int handle, int operation)
     return (int)syscall(SYS_flock, handle, operation);
 }
 
-/* Ten minutes are over as soon as a test says so. */
+/* Semaphore that ends the ten-minute wait when a test posts it. */
 static sem_t ten_minutes;
 
 int clock_nanosleep(clockid_t clock, int flags, const struct timespec *wait, struct timespec *left)
@@ -81,7 +81,7 @@ static int has_volume(void)
     return has;
 }
 
-/* The count that one panic before the first frame leaves. */
+/* Writes the count that one panic before the first frame leaves. */
 static void panic_early(void)
 {
     struct panics panics = { 0 };
@@ -165,7 +165,7 @@ static void test_an_attempt_is_on_disk_while_settings_are_left_out(void **state)
     assert_left_out();
 }
 
-static void test_a_failed_attempt_changes_nothing_and_the_next_start_tries_again(void **state)
+static void test_a_failed_attempt_changes_nothing_and_is_retried_at_the_next_start(void **state)
 {
     (void)state;
     fill();
@@ -177,7 +177,7 @@ static void test_a_failed_attempt_changes_nothing_and_the_next_start_tries_again
     assert_left_out();
 }
 
-/* Lets the ten minutes of each thread end that a start of these tests began. */
+/* Ends the ten-minute wait of each thread that these tests started. */
 static void end_ten_minutes(void)
 {
     for (int i = 0; i < 8; i++) {
@@ -190,7 +190,7 @@ static void end_ten_minutes(void)
     }
 }
 
-static void test_after_a_failed_attempt_and_a_good_run_nothing_is_left_out(void **state)
+static void test_a_good_run_after_a_failed_attempt_clears_the_count(void **state)
 {
     (void)state;
     fill();
@@ -208,7 +208,7 @@ static void test_after_a_failed_attempt_and_a_good_run_nothing_is_left_out(void 
     assert_true(has_volume());
 }
 
-static void test_a_panic_in_that_run_makes_the_next_start_try_again(void **state)
+static void test_a_panic_after_a_failed_attempt_makes_the_next_start_retry(void **state)
 {
     (void)state;
     static struct core core;
@@ -226,7 +226,7 @@ static void test_a_panic_in_that_run_makes_the_next_start_try_again(void **state
     assert_left_out();
 }
 
-static void test_a_start_without_a_database_leaves_nothing_out_later(void **state)
+static void test_a_start_without_a_database_clears_the_count(void **state)
 {
     (void)state;
     start();
@@ -238,7 +238,7 @@ static void test_a_start_without_a_database_leaves_nothing_out_later(void **stat
     assert_true(has_volume());
 }
 
-static void test_a_folder_that_another_process_holds_stays_as_it_is(void **state)
+static void test_a_folder_locked_by_another_process_is_not_changed(void **state)
 {
     (void)state;
     fill();
@@ -251,7 +251,7 @@ static void test_a_folder_that_another_process_holds_stays_as_it_is(void **state
     assert_left_out();
 }
 
-static void test_a_card_without_flock_leaves_settings_out(void **state)
+static void test_recovery_omits_settings_on_a_file_system_without_flock(void **state)
 {
     (void)state;
     fill();
@@ -278,8 +278,9 @@ static void test_a_panic_inside_an_attempt_makes_the_next_start_skip_it(void **s
     assert_false(panics_is_due(&panics));
 }
 
-/* A thread that never ends its tick stands for one that ticks the core while another panics. */
-static void test_a_panic_of_another_thread_reports_a_tick_that_does_not_end(void **state)
+/* A thread that never ends its tick stands for a thread that ticks the core while another thread
+ * panics. */
+static void test_a_panic_of_another_thread_reports_an_unfinished_tick(void **state)
 {
     static struct session_recorder chapters;
     (void)state;
@@ -297,14 +298,14 @@ int main(void)
 #define TEST(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
     const struct CMUnitTest tests[] = {
         TEST(test_an_attempt_is_on_disk_while_settings_are_left_out),
-        TEST(test_a_failed_attempt_changes_nothing_and_the_next_start_tries_again),
-        TEST(test_after_a_failed_attempt_and_a_good_run_nothing_is_left_out),
-        TEST(test_a_panic_in_that_run_makes_the_next_start_try_again),
-        TEST(test_a_start_without_a_database_leaves_nothing_out_later),
-        TEST(test_a_folder_that_another_process_holds_stays_as_it_is),
-        TEST(test_a_card_without_flock_leaves_settings_out),
+        TEST(test_a_failed_attempt_changes_nothing_and_is_retried_at_the_next_start),
+        TEST(test_a_good_run_after_a_failed_attempt_clears_the_count),
+        TEST(test_a_panic_after_a_failed_attempt_makes_the_next_start_retry),
+        TEST(test_a_start_without_a_database_clears_the_count),
+        TEST(test_a_folder_locked_by_another_process_is_not_changed),
+        TEST(test_recovery_omits_settings_on_a_file_system_without_flock),
         TEST(test_a_panic_inside_an_attempt_makes_the_next_start_skip_it),
-        TEST(test_a_panic_of_another_thread_reports_a_tick_that_does_not_end),
+        TEST(test_a_panic_of_another_thread_reports_an_unfinished_tick),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

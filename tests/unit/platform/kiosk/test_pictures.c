@@ -1,4 +1,4 @@
-/* test_pictures.c -- contact sheets, PNG files and frame-time figures. */
+/* test_pictures.c -- Tests contact sheets, PNG files and the statistics of frame times. */
 #include <errno.h>
 #include <fcntl.h>
 #include <setjmp.h>
@@ -16,7 +16,7 @@
 #include "platform/kiosk/frame_pacer.h"
 #include "platform/os/png.h"
 
-/* A picture of one colour per half: left red, right green. */
+/* Paints a picture whose left half is red and whose right half is green. */
 static void paint(uint8_t *rgb, uint32_t width, uint32_t height)
 {
     memset(rgb, 0, (size_t)width * height * 3);
@@ -25,7 +25,7 @@ static void paint(uint8_t *rgb, uint32_t width, uint32_t height)
     }
 }
 
-static void test_a_sheet_holds_each_picture_in_its_place_and_shape(void **state)
+static void test_a_contact_sheet_places_each_picture_with_its_aspect_ratio(void **state)
 {
     static uint8_t picture[640 * 360 * 3];
     struct contact_sheet sheet;
@@ -53,7 +53,7 @@ static void test_a_sheet_holds_each_picture_in_its_place_and_shape(void **state)
     free(sheet.rgb);
 }
 
-static void test_pictures_of_any_size_fill_their_place(void **state)
+static void test_pictures_of_any_size_are_scaled_to_their_cell(void **state)
 {
     static const uint32_t sizes[][2] = {
         { 1, 1 }, { 3, 5 }, { 479, 271 }, { 1920, 1080 }, { 320, 2 },
@@ -76,7 +76,7 @@ static void test_pictures_of_any_size_fill_their_place(void **state)
     }
 }
 
-static void test_a_png_is_written_and_a_bad_path_is_told(void **state)
+static void test_a_png_is_written_and_a_bad_path_is_an_error(void **state)
 {
     static const uint8_t signature[] = { 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n' };
     static uint8_t picture[32 * 16 * 3];
@@ -88,40 +88,41 @@ static void test_a_png_is_written_and_a_bad_path_is_told(void **state)
     close(fd);
     paint(picture, 32, 16);
     assert_int_equal(png_write(path, picture, 32, 16), 0);
-    fd = open(path, O_RDONLY); /* Another file stands there now. */
+    fd = open(path, O_RDONLY); /* The path now names a different file. */
     assert_int_equal(read(fd, head, sizeof head), sizeof head);
     close(fd);
     unlink(path);
     assert_memory_equal(head, signature, sizeof signature);
-    assert_int_equal(head[19], 32); /* IHDR's width and height, big-endian. */
+    assert_int_equal(head[19], 32); /* Width and height in the IHDR chunk, big-endian. */
     assert_int_equal(head[23], 16);
     assert_int_equal(png_write("/nowhere/at/all.png", picture, 32, 16), -ENOENT);
     assert_int_equal(png_write("/dev/full", picture, 32, 16), -ENOSPC);
 }
 
-static void test_quantiles_are_right_to_half_a_bin(void **state)
+static void test_quantiles_are_accurate_to_half_a_bin(void **state)
 {
     static struct frame_timing timing;
     (void)state;
     assert_int_equal(frame_timing_quantile_ns(&timing, 0.5), 0);
     for (uint64_t i = 1; i <= 1000; i++) {
-        frame_timing_add(&timing, i * 100000); /* 0.1 ms .. 100 ms */
+        frame_timing_add(&timing, i * 100000); /* 0.1 ms to 100 ms. */
     }
     assert_in_range(frame_timing_quantile_ns(&timing, 0.5), 49975000, 50050000);
     assert_in_range(frame_timing_quantile_ns(&timing, 0.99), 98975000, 99050000);
     assert_int_equal(timing.count, 1000);
     assert_int_equal(timing.max_ns, 100000000);
     frame_timing_add(&timing, UINT64_MAX / 4);
-    assert_int_equal(frame_timing_quantile_ns(&timing, 1.0), UINT64_MAX / 4); /* Beyond all bins. */
+    assert_int_equal(frame_timing_quantile_ns(&timing, 1.0), UINT64_MAX / 4); /* A value beyond all
+                                                                                 bins. */
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_sheet_holds_each_picture_in_its_place_and_shape),
-        cmocka_unit_test(test_pictures_of_any_size_fill_their_place),
-        cmocka_unit_test(test_a_png_is_written_and_a_bad_path_is_told),
-        cmocka_unit_test(test_quantiles_are_right_to_half_a_bin),
+        cmocka_unit_test(test_a_contact_sheet_places_each_picture_with_its_aspect_ratio),
+        cmocka_unit_test(test_pictures_of_any_size_are_scaled_to_their_cell),
+        cmocka_unit_test(test_a_png_is_written_and_a_bad_path_is_an_error),
+        cmocka_unit_test(test_quantiles_are_accurate_to_half_a_bin),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,7 @@
-/* test_pin_sweep.c -- a replay that an older Kingyo kept with the menu's PIN loses the PIN, stays
- * genuine and leaves no old bytes; a replay that does not verify stays as it is. */
+/* test_pin_sweep.c -- Tests the removal of the menu's PIN from replays that an older Kingyo stored.
+ *
+ * The replay stays genuine and no old bytes remain. A replay that does not verify is not
+ * changed. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -140,7 +142,7 @@ static int tear_down(void **state)
     return rmdir(folder);
 }
 
-static void test_an_old_replay_loses_the_pin_and_stays_genuine(void **state)
+static void test_removing_the_pin_keeps_an_old_replay_genuine(void **state)
 {
     (void)state;
     const uint32_t round_id = keep_as_before();
@@ -157,15 +159,15 @@ static void test_an_old_replay_loses_the_pin_and_stays_genuine(void **state)
     assert_int_equal(config->rules_7, 1);
     assert_int_equal(config->persistent.settings.value[SET_PIN], PIN_WITHHELD);
     assert_false(session_recorder_start_has_pin(config));
-    sweep_all(); /* There is nothing left to do. */
+    sweep_all(); /* No replay is left to process. */
     assert_int_equal(sweep.cleaned + sweep.left, 0);
 }
 
-static void test_no_old_bytes_stay_in_the_file_after_the_next_open(void **state)
+static void test_removed_pin_bytes_are_erased_from_the_file_at_the_next_open(void **state)
 {
     (void)state;
     keep_as_before();
-    /* Sums of the header and of the start: the new recording has others. */
+    /* Checksums of the header and of the initial state. The new recording has different ones. */
     uint8_t old[REPLAY_HEADER_SIZE + 48u];
     memcpy(old, replay, sizeof old);
     ledger_file_close(&file);
@@ -179,7 +181,7 @@ static void test_no_old_bytes_stay_in_the_file_after_the_next_open(void **state)
     assert_false(file_holds(log_path, old, sizeof old));
 }
 
-static void test_a_replay_that_does_not_verify_stays_as_it_is(void **state)
+static void test_an_invalid_replay_is_not_changed(void **state)
 {
     (void)state;
     const uint32_t round_id = keep_as_before();
@@ -203,7 +205,7 @@ static void test_a_replay_that_does_not_verify_stays_as_it_is(void **state)
     assert_memory_equal(found, replay, replay_size);
 }
 
-static void test_a_replay_without_a_pin_is_passed_over(void **state)
+static void test_a_replay_without_a_pin_is_skipped(void **state)
 {
     (void)state;
     const uint32_t round_id = keep_as_before();
@@ -218,7 +220,7 @@ static void test_a_replay_without_a_pin_is_passed_over(void **state)
     assert_memory_equal(found, replay, size);
 }
 
-static void test_the_store_does_the_work_while_no_entry_waits(void **state)
+static void test_the_store_removes_pins_only_while_its_queue_is_empty(void **state)
 {
     (void)state;
     static struct storage storage;
@@ -242,16 +244,14 @@ static void test_the_store_does_the_work_while_no_entry_waits(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(test_an_old_replay_loses_the_pin_and_stays_genuine, set_up,
+        cmocka_unit_test_setup_teardown(test_removing_the_pin_keeps_an_old_replay_genuine, set_up,
                                         tear_down),
-        cmocka_unit_test_setup_teardown(test_no_old_bytes_stay_in_the_file_after_the_next_open,
+        cmocka_unit_test_setup_teardown(
+            test_removed_pin_bytes_are_erased_from_the_file_at_the_next_open, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_an_invalid_replay_is_not_changed, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_a_replay_without_a_pin_is_skipped, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_the_store_removes_pins_only_while_its_queue_is_empty,
                                         set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_a_replay_that_does_not_verify_stays_as_it_is, set_up,
-                                        tear_down),
-        cmocka_unit_test_setup_teardown(test_a_replay_without_a_pin_is_passed_over, set_up,
-                                        tear_down),
-        cmocka_unit_test_setup_teardown(test_the_store_does_the_work_while_no_entry_waits, set_up,
-                                        tear_down),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

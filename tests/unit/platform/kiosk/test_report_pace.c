@@ -1,4 +1,5 @@
-/* test_report_pace.c -- the report rate on the operator's screen, and the number of file rows. */
+/* test_report_pace.c -- Tests the report rate on the operator's screen and the number of file
+ * rows. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -46,7 +47,7 @@ static void frame(uint64_t now_ns, int due)
     rig.now_ns = now_ns;
     rig.due = due;
     assert_int_equal(sampler_poi_sample(&rig.hand, &device, now_ns), 0);
-    sampler_poi_end(&rig.hand);
+    sampler_path_end(&rig.hand.path);
 }
 
 static int setup(void **state)
@@ -59,7 +60,7 @@ static int setup(void **state)
     return 0;
 }
 
-static void test_reports_are_counted_over_exactly_one_second(void **state)
+static void test_the_report_rate_covers_exactly_one_second(void **state)
 {
     (void)state;
     for (uint64_t ms = 10; ms < 1000; ms += 10) {
@@ -72,7 +73,7 @@ static void test_reports_are_counted_over_exactly_one_second(void **state)
     assert_int_equal(rig.hand.pace.shown_gap_ns, 10u * MS_NS);
 }
 
-static void test_each_second_is_counted_from_zero(void **state)
+static void test_the_report_rate_restarts_at_zero_each_second(void **state)
 {
     (void)state;
     for (uint64_t ms = 4; ms <= 1000; ms += 4) {
@@ -82,11 +83,12 @@ static void test_each_second_is_counted_from_zero(void **state)
         frame(BEGIN_NS + ms * MS_NS, 1);
     }
     frame(BEGIN_NS + 2u * SECOND_NS, 0);
-    assert_int_equal(rig.hand.pace.shown_count, 20); /* 19, and the one at the very start. */
+    assert_int_equal(rig.hand.pace.shown_count, 20); /* 19 reports and the report at the start of
+                                                        the second. */
     assert_int_equal(rig.hand.pace.shown_gap_ns, 50u * MS_NS);
 }
 
-static void test_a_silence_that_lasts_is_shown_as_the_longest_gap(void **state)
+static void test_a_lasting_silence_is_shown_as_the_longest_gap(void **state)
 {
     (void)state;
     frame(BEGIN_NS + 100u * MS_NS, 1);
@@ -99,7 +101,7 @@ static void test_a_silence_that_lasts_is_shown_as_the_longest_gap(void **state)
     assert_int_equal(rig.hand.pace.shown_gap_ns, 1890u * MS_NS);
 }
 
-static void test_samples_that_the_driver_made_up_are_no_reports(void **state)
+static void test_generated_samples_are_not_counted_as_reports(void **state)
 {
     (void)state;
     rig.is_stamped = 0;
@@ -123,10 +125,10 @@ static void test_the_files_page_has_a_row_for_the_store_and_one_for_each_note(vo
 static void test_the_files_page_shows_the_store_and_then_the_notes(void **state)
 {
     static struct operator_notes notes;
-    const struct hal hal = null_hal();
+    const struct hal hal = null_hal(NULL);
     static struct scene scene;
     static struct input input;
-    static struct poi_sampler hands[POI_MAX];
+    static struct poi_sampler samplers[POI_MAX];
     static struct operator_view_lines lines;
     static struct scene_machine machine;
     (void)state;
@@ -135,7 +137,7 @@ static void test_the_files_page_shows_the_store_and_then_the_notes(void **state)
     operator_view_fill(&scene, &hal,
                        &(struct operator_view){ .notes = &notes,
                                                 .input = &input,
-                                                .hands = hands,
+                                                .samplers = samplers,
                                                 .lines = &lines,
                                                 .machine = &machine });
     assert_string_equal(scene.devices.file[0].words,
@@ -147,10 +149,10 @@ static void test_the_files_page_shows_the_store_and_then_the_notes(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(test_reports_are_counted_over_exactly_one_second, setup),
-        cmocka_unit_test_setup(test_each_second_is_counted_from_zero, setup),
-        cmocka_unit_test_setup(test_a_silence_that_lasts_is_shown_as_the_longest_gap, setup),
-        cmocka_unit_test_setup(test_samples_that_the_driver_made_up_are_no_reports, setup),
+        cmocka_unit_test_setup(test_the_report_rate_covers_exactly_one_second, setup),
+        cmocka_unit_test_setup(test_the_report_rate_restarts_at_zero_each_second, setup),
+        cmocka_unit_test_setup(test_a_lasting_silence_is_shown_as_the_longest_gap, setup),
+        cmocka_unit_test_setup(test_generated_samples_are_not_counted_as_reports, setup),
         cmocka_unit_test(test_the_files_page_has_a_row_for_the_store_and_one_for_each_note),
         cmocka_unit_test(test_the_files_page_shows_the_store_and_then_the_notes),
     };

@@ -1,4 +1,5 @@
-/* test_resample.c -- one pose a tick, and none used twice. */
+/* test_resample.c -- Tests the resampling of poses: one pose per tick, and no pose is used
+ * twice. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -27,7 +28,7 @@ static struct sampler_path with(const struct poi_sample *samples, uint32_t count
     return resampler;
 }
 
-static void test_the_newest_tick_gets_the_newest_reading_exactly(void **state)
+static void test_the_newest_tick_uses_the_newest_reading_unchanged(void **state)
 {
     (void)state;
     const struct poi_sample samples[] = { at(0, 0.0f), at(7, 0.3f), at(16, 0.1f) };
@@ -35,7 +36,7 @@ static void test_the_newest_tick_gets_the_newest_reading_exactly(void **state)
     assert_true(sampler_path_at(&resampler, 1, 2).position_m.x == 0.1f);
 }
 
-static void test_ticks_between_lie_on_the_path_between_readings(void **state)
+static void test_ticks_between_readings_are_interpolated(void **state)
 {
     (void)state;
     const struct poi_sample samples[] = { at(0, 0.0f), at(8, 0.08f), at(16, 0.0f) };
@@ -45,8 +46,9 @@ static void test_ticks_between_lie_on_the_path_between_readings(void **state)
     assert_float_equal(sampler_path_at(&resampler, 2, 4).position_m.x, 0.04f, 1e-6f);
 }
 
-/* The point of it all: 60 readings a second and 120 ticks a second must not make 2v, 0, 2v. */
-static void test_a_steady_hand_has_a_steady_speed_at_every_tick(void **state)
+/* With 60 readings and 120 ticks a second, the speed per tick must not alternate between 2v and
+ * 0. */
+static void test_a_constant_speed_is_constant_at_every_tick(void **state)
 {
     (void)state;
     struct sampler_path resampler;
@@ -66,7 +68,7 @@ static void test_a_steady_hand_has_a_steady_speed_at_every_tick(void **state)
     }
 }
 
-static void test_readings_of_tickless_frames_wait_for_the_next_tick(void **state)
+static void test_readings_of_frames_without_ticks_are_used_at_the_next_tick(void **state)
 {
     (void)state;
     const struct poi_sample samples[] = { at(0, 0.0f), at(4, 0.1f), at(8, 0.2f) };
@@ -78,7 +80,7 @@ static void test_readings_of_tickless_frames_wait_for_the_next_tick(void **state
     assert_float_equal(sampler_path_at(&resampler, 0, 2).position_m.x, 0.3f, 1e-6f);
 }
 
-static void test_angles_turn_the_short_way_round(void **state)
+static void test_angles_are_interpolated_along_the_shorter_arc(void **state)
 {
     (void)state;
     struct poi_sample samples[] = { at(0, 0.0f), at(10, 0.0f) };
@@ -89,7 +91,7 @@ static void test_angles_turn_the_short_way_round(void **state)
     assert_float_equal(fabsf(middle), 3.14159265f, 1e-5f);
 }
 
-static void test_a_reading_that_is_no_number_is_told_and_passed_on_as_it_is(void **state)
+static void test_a_non_finite_reading_is_reported_and_passed_on_unchanged(void **state)
 {
     (void)state;
     const float wrong[] = { NAN, INFINITY, -INFINITY, 3e38f, 1001.0f };
@@ -100,7 +102,8 @@ static void test_a_reading_that_is_no_number_is_told_and_passed_on_as_it_is(void
         bad.target.angles.roll_rad = wrong[i];
         assert_int_equal(sampler_path_push(&resampler, &bad), 0);
         const struct poi_target before = sampler_path_at(&resampler, 0, 2);
-        assert_memory_equal(&before, &good.target, sizeof before); /* Never a mean with it. */
+        assert_memory_equal(&before, &good.target, sizeof before); /* A non-finite reading is never
+                                                                      used for interpolation. */
         const struct poi_target newest = sampler_path_at(&resampler, 1, 2);
         assert_memory_equal(&newest, &bad.target, sizeof newest);
         sampler_path_end(&resampler);
@@ -113,7 +116,7 @@ static void test_a_reading_that_is_no_number_is_told_and_passed_on_as_it_is(void
     }
 }
 
-static void test_a_leap_is_not_walked(void **state)
+static void test_a_jump_is_not_interpolated(void **state)
 {
     (void)state;
     const struct poi_sample samples[] = { at(0, 0.0f), at(16, 1.0f) };
@@ -123,8 +126,8 @@ static void test_a_leap_is_not_walked(void **state)
     assert_float_equal(sampler_path_at(&resampler, 3, 4).position_m.x, 1.0f, 0.0f);
 }
 
-/* What an arm holds does not go as far in a frame as a pointer on a picture. */
-static void test_what_is_a_leap_depends_on_who_has_a_wrist(void **state)
+/* A controller held by the arm moves a shorter distance in a frame than a pointer on the screen. */
+static void test_the_jump_threshold_depends_on_the_orientation_sensor(void **state)
 {
     (void)state;
     struct poi_sample samples[] = { at(0, 0.0f), at(16, 0.4f) };
@@ -135,7 +138,7 @@ static void test_what_is_a_leap_depends_on_who_has_a_wrist(void **state)
     assert_float_equal(sampler_path_at(&resampler, 0, 2).position_m.x, 0.0f, 0.0f);
 }
 
-static void test_time_that_goes_back_keeps_the_newest_reading(void **state)
+static void test_reversed_reading_times_keep_the_newest_reading(void **state)
 {
     (void)state;
     const struct poi_sample samples[] = { at(0, 0.0f), at(9, 0.9f), at(3, 0.3f), at(3, 0.4f) };
@@ -146,7 +149,7 @@ static void test_time_that_goes_back_keeps_the_newest_reading(void **state)
     }
 }
 
-static void test_a_path_of_no_length_in_time_divides_by_nothing(void **state)
+static void test_readings_with_equal_times_cause_no_division_by_zero(void **state)
 {
     (void)state;
     struct poi_sample samples[] = { at(1, 0.0f), at(1, 0.5f), at(1, 1.0f) };
@@ -158,7 +161,7 @@ static void test_a_path_of_no_length_in_time_divides_by_nothing(void **state)
     }
 }
 
-static void test_too_many_readings_lose_the_oldest_and_keep_both_ends(void **state)
+static void test_a_full_reading_queue_keeps_its_first_and_last_reading(void **state)
 {
     (void)state;
     struct sampler_path resampler;
@@ -173,7 +176,32 @@ static void test_too_many_readings_lose_the_oldest_and_keep_both_ends(void **sta
     assert_float_equal(sampler_path_at(&resampler, 0, 2).position_m.x, 0.5f, 1e-5f);
 }
 
-static void test_asking_before_any_reading_is_a_bug(void **state)
+/* The kiosk was delayed for a second, and one frame of two ticks has all reports of that time. */
+static void test_motion_of_a_delay_is_flagged_and_not_interpolated(void **state)
+{
+    (void)state;
+    struct poi_sampler sampler = { .link = POI_SOURCE_LIVE, .was_seen = 1 };
+    for (uint32_t i = 0; i <= 10; i++) {
+        const struct poi_sample sample = at(100u * i, 0.1f * (float)i);
+        sampler_path_push(&sampler.path, &sample);
+    }
+    for (uint32_t index = 0; index < 2; index++) {
+        struct poi_input input = { 0 };
+        sampler_poi_at(&sampler, index, 2, sampler.newest_ns, &input);
+        assert_int_equal(input.has_gap, index == 0);
+        assert_float_equal(input.target.position_m.x, 1.0f, 1e-6f);
+        assert_int_equal(input.age_ticks, 0);
+    }
+    sampler_path_end(&sampler.path);
+    const struct poi_sample next = at(1016, 1.01f);
+    struct poi_input input = { 0 };
+    sampler_path_push(&sampler.path, &next);
+    sampler_poi_at(&sampler, 0, 2, sampler.newest_ns, &input);
+    assert_int_equal(input.has_gap, 0);
+    assert_float_equal(input.target.position_m.x, 1.005f, 1e-5f);
+}
+
+static void test_resampling_without_a_reading_fails_an_assertion(void **state)
 {
     (void)state;
     struct sampler_path resampler;
@@ -187,18 +215,19 @@ static void test_asking_before_any_reading_is_a_bug(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_the_newest_tick_gets_the_newest_reading_exactly),
-        cmocka_unit_test(test_ticks_between_lie_on_the_path_between_readings),
-        cmocka_unit_test(test_a_steady_hand_has_a_steady_speed_at_every_tick),
-        cmocka_unit_test(test_readings_of_tickless_frames_wait_for_the_next_tick),
-        cmocka_unit_test(test_angles_turn_the_short_way_round),
-        cmocka_unit_test(test_a_reading_that_is_no_number_is_told_and_passed_on_as_it_is),
-        cmocka_unit_test(test_a_leap_is_not_walked),
-        cmocka_unit_test(test_what_is_a_leap_depends_on_who_has_a_wrist),
-        cmocka_unit_test(test_time_that_goes_back_keeps_the_newest_reading),
-        cmocka_unit_test(test_a_path_of_no_length_in_time_divides_by_nothing),
-        cmocka_unit_test(test_too_many_readings_lose_the_oldest_and_keep_both_ends),
-        cmocka_unit_test(test_asking_before_any_reading_is_a_bug),
+        cmocka_unit_test(test_the_newest_tick_uses_the_newest_reading_unchanged),
+        cmocka_unit_test(test_ticks_between_readings_are_interpolated),
+        cmocka_unit_test(test_a_constant_speed_is_constant_at_every_tick),
+        cmocka_unit_test(test_readings_of_frames_without_ticks_are_used_at_the_next_tick),
+        cmocka_unit_test(test_angles_are_interpolated_along_the_shorter_arc),
+        cmocka_unit_test(test_a_non_finite_reading_is_reported_and_passed_on_unchanged),
+        cmocka_unit_test(test_a_jump_is_not_interpolated),
+        cmocka_unit_test(test_the_jump_threshold_depends_on_the_orientation_sensor),
+        cmocka_unit_test(test_reversed_reading_times_keep_the_newest_reading),
+        cmocka_unit_test(test_readings_with_equal_times_cause_no_division_by_zero),
+        cmocka_unit_test(test_a_full_reading_queue_keeps_its_first_and_last_reading),
+        cmocka_unit_test(test_motion_of_a_delay_is_flagged_and_not_interpolated),
+        cmocka_unit_test(test_resampling_without_a_reading_fails_an_assertion),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,6 +1,7 @@
-/* test_sdl_play.c -- rounds played with a game pad and with fingers: SDL's own joystick, made of
- * memory, and SDL's own finger events, through the drivers and the frame loop, until fish lie in
- * the bowl. */
+/* test_sdl_play.c -- Tests rounds that are played with a gamepad and by touch until fish are in the
+ * bowl.
+ *
+ * SDL's virtual joystick and SDL's finger events pass through the drivers and the frame loop. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -24,17 +25,17 @@
 #define WIDTH 1280u
 #define HEIGHT 720u
 
-/* Where whoever plays wants the ring to be. */
+/* The target position of the ring that the simulated player wants to reach. */
 static struct sdl_player {
     struct clock_sim clock;
     struct gamepads gamepads;
     struct mouse_poi pointer;
     struct hal hal;
     struct kiosk kiosk;
-    void (*say)(void); /* Puts the wish into SDL's queue. */
+    void (*say)(void); /* Puts the target position into SDL's event queue. */
     vec3 over_m;
     uint8_t dips;
-    float x, y; /* Of the finger that leads, in the window. */
+    float x, y; /* Window position of the finger that controls the poi. */
     uint8_t second_is_down;
 } player;
 
@@ -64,14 +65,14 @@ static void frames(uint32_t count)
     }
 }
 
-/* ---- Hands ---------------------------------------------------------------------------------- */
+/* ---- Simulated devices ---------------------------------------------------------------------- */
 
 static SDL_Joystick *joystick(void)
 {
     return SDL_GameControllerGetJoystick(player.gamepads.pad[0].controller);
 }
 
-/* A thumb pushes fully from 8 cm on; inside 15 % of the way the stick is dead. */
+/* Returns the stick deflection: full from 8 cm, with a dead zone of 15 % of the range. */
 static Sint16 push_of(float way_m)
 {
     const float push = f_clamp(way_m / 0.08f, -1.0f, 1.0f);
@@ -105,13 +106,13 @@ static void push_finger(uint32_t type, SDL_FingerID id, float x, float y)
     assert_int_equal(SDL_PushEvent(&event), 1);
 }
 
-/* The finger slides to where the wished place shows, slowly under water. */
+/* Slides the finger to the screen position of the target, slowly under water. */
 static void say_fingers(void)
 {
     float x;
     float y;
     const float pace = player.dips ? 0.0035f : 0.0070f;
-    const float plane_m = player.dips ? POINTER_DIP_M : 0.0f;
+    const float plane_m = player.dips ? DIP_DEPTH_M : 0.0f;
     to_window(v3(player.over_m.x, plane_m, player.over_m.z), &x, &y);
     player.x += f_clamp(x - player.x, -pace, pace);
     player.y += f_clamp(y - player.y, -pace, pace);
@@ -127,7 +128,7 @@ static void say_fingers(void)
 static void begin_round(uint32_t seed)
 {
     const struct kiosk_config config = { .core = { .seed = seed, .fish_count = 300 } };
-    player.over_m = v3(0.0f, POINTER_HOVER_M, 0.0f);
+    player.over_m = v3(0.0f, DIP_HOVER_M, 0.0f);
     player.dips = 0;
     assert_int_equal(kiosk_init(&player.kiosk, &player.hal, &config), CORE_OK);
     frames(20);
@@ -140,7 +141,7 @@ static void begin_round(uint32_t seed)
 
 static const struct fish *choose(void)
 {
-    return calmest_fish(&player.kiosk.core.world.tank, ring_m(), POINTER_DIP_M);
+    return calmest_fish(&player.kiosk.core.world.tank, ring_m(), DIP_DEPTH_M);
 }
 
 static void go_to(vec3 over_m, float near_m, uint32_t frames_max)
@@ -155,8 +156,8 @@ static void go_to(vec3 over_m, float near_m, uint32_t frames_max)
     }
 }
 
-/* In beside it, under it, up, and over the bowl: what a person does. While it comes up a stick is
- * let go. */
+/* Dips beside the fish, moves under it, lifts it and carries it over the bowl. The stick is
+ * released while the ring rises. */
 static void try_once(int flies)
 {
     const struct fish *fish = choose();
@@ -179,7 +180,7 @@ static void try_once(int flies)
     }
     if (player.kiosk.core.world.poi[0].carried_count > 0) {
         const vec3 bowl_m = player.kiosk.core.world.bowl[0].position_m;
-        go_to(v3(bowl_m.x, POINTER_HOVER_M, bowl_m.z), 0.012f, 200);
+        go_to(v3(bowl_m.x, DIP_HOVER_M, bowl_m.z), 0.012f, 200);
         frames(100);
     }
 }
@@ -208,7 +209,7 @@ static int begin(void **state)
     setenv("SDL_VIDEODRIVER", "dummy", 1);
     SDL_InitSubSystem(SDL_INIT_VIDEO);
     SDL_FlushEvents(SDL_FIRSTEVENT, SDL_LASTEVENT);
-    player.hal = null_hal();
+    player.hal = null_hal(NULL);
     player.hal.clock = sim_clock_device(&player.clock);
     return 0;
 }
@@ -223,7 +224,7 @@ static int end(void **state)
     return 0;
 }
 
-static void test_a_pad_lands_fish(void **state)
+static void test_a_gamepad_player_lands_fish(void **state)
 {
     (void)state;
     gamepads_init(&player.gamepads, player.hal.clock, stall_view());
@@ -232,17 +233,17 @@ static void test_a_pad_lands_fish(void **state)
                                           SDL_CONTROLLER_BUTTON_DPAD_RIGHT + 1, 0) >= 0);
     gamepads_poll(&player.gamepads);
     assert_non_null(player.gamepads.pad[0].controller);
-    player.hal.poi[0] = gamepad_poi_device(&player.gamepads, 0);
+    player.hal.poi[0] = gamepad_poi_devices(&player.gamepads, 0).poi;
     player.say = say_pad;
     assert_true(landed_in(4, 1, "a pad") >= 4);
 }
 
-static void test_fingers_land_fish(void **state)
+static void test_a_touch_player_lands_fish(void **state)
 {
     (void)state;
     mouse_poi_init(&player.pointer, player.hal.clock, stall_view(), WIDTH, HEIGHT,
                    POINTER_FILTER_TOUCH);
-    player.hal.poi[0] = mouse_poi_device(&player.pointer);
+    player.hal.poi[0] = mouse_poi_devices(&player.pointer).poi;
     player.say = say_fingers;
     player.x = player.y = 0.5f;
     push_finger(SDL_FINGERDOWN, 1, player.x, player.y);
@@ -252,8 +253,8 @@ static void test_fingers_land_fish(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(test_a_pad_lands_fish, begin, end),
-        cmocka_unit_test_setup_teardown(test_fingers_land_fish, begin, end),
+        cmocka_unit_test_setup_teardown(test_a_gamepad_player_lands_fish, begin, end),
+        cmocka_unit_test_setup_teardown(test_a_touch_player_lands_fish, begin, end),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,5 @@
-/* test_session_recorder.c -- each score that is ranked has its replay, the replay is that of its
- * round, and the judge believes nothing else. */
+/* test_session_recorder.c -- Tests that each ranked score has a replay of its round and that the
+ * verifier rejects everything else. */
 #include <fenv.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -28,8 +28,8 @@ static struct hal_storage storage;
 static uint8_t room[SESSION_RECORDER_SIZE];
 static int hand_is_away;
 
-/* A bot plays in a tank of its own; a controller does in ours what its hand did there: a person's
- * play as far as this kiosk can see. */
+/* A bot plays in a separate tank. The simulated controller repeats the bot's poses in the tested
+ * tank, so that the kiosk records a human player. */
 static void tick(uint32_t pressed)
 {
     struct input by_bot = { .pressed = pressed, .poi[0].link = POI_SOURCE_BOT };
@@ -77,7 +77,7 @@ static int set_up(void **state)
     return 0;
 }
 
-/* From attract to the end of a round. Returns the entry of the round. */
+/* Plays from attract mode to the end of a round. Returns the ledger entry of the round. */
 static uint32_t play(void)
 {
     const uint32_t before = sim.record.id;
@@ -91,7 +91,8 @@ static uint32_t play(void)
     return sim.record.id;
 }
 
-/* Nobody stands there, until attract begins anew; the bot's own tank is this one from then on. */
+/* Waits without input until attract mode starts again. The bot's tank is copied from the tested
+ * tank afterwards. */
 static void rest(void)
 {
     hand_is_away = 1;
@@ -103,7 +104,8 @@ static void rest(void)
     bots = core;
 }
 
-/* Where the ledger has dropped the round's entry: replay and ranking alone. */
+/* Verifies a round whose entry was dropped from the ledger, so that only the replay and the ranking
+ * remain. */
 static enum replay_verdict says(uint32_t round_id)
 {
     static const struct ledger_entry dropped;
@@ -119,7 +121,7 @@ static enum replay_verdict judged(const uint8_t *bytes, size_t size, uint32_t ro
     return replay_verifier_result(&judge, &core.game.accounts.ranking, round_id, &sim.round);
 }
 
-static void test_a_ranked_round_has_its_replay_and_is_genuine(void **state)
+static void test_a_ranked_round_has_a_replay_that_verifies(void **state)
 {
     (void)state;
     const uint32_t round_id = play();
@@ -130,7 +132,7 @@ static void test_a_ranked_round_has_its_replay_and_is_genuine(void **state)
     assert_int_equal(judged(room, sim.replay_size, round_id + 1u), REPLAY_VERDICT_OTHER);
 }
 
-/* Settings of the stall that the replay begins with. */
+/* Returns the settings of the kiosk in the initial state of the replay. */
 static const struct settings *settings_of(const uint8_t *bytes, size_t size)
 {
     static struct replay_reader reader;
@@ -149,7 +151,7 @@ static void lock(uint32_t pin)
     session_recorder_begin(&chapters, &core);
 }
 
-static void test_a_kept_replay_holds_no_pin_and_is_genuine(void **state)
+static void test_a_stored_replay_contains_no_pin_and_verifies(void **state)
 {
     (void)state;
     lock(4071);
@@ -157,7 +159,7 @@ static void test_a_kept_replay_holds_no_pin_and_is_genuine(void **state)
     const uint32_t first_id = play();
     assert_int_equal(settings_of(room, sim.replay_size)->value[SET_PIN], PIN_WITHHELD);
     assert_int_equal(judged(room, sim.replay_size, first_id), REPLAY_VERDICT_GENUINE);
-    rest(); /* The next chapter begins with a ledger that knows the PIN. */
+    rest(); /* The next session starts with a ledger that contains the PIN. */
     const uint32_t round_id = play();
     assert_int_equal(sim.replay_id, round_id);
     assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
@@ -170,11 +172,11 @@ static void test_a_kept_replay_holds_no_pin_and_is_genuine(void **state)
     replay_close(&reader);
 }
 
-/* Begins a chapter whose ledger has `told` while the setting is already `kept`. */
+/* Starts a session whose ledger contains the PIN `told` while the setting is already `kept`. */
 static void begin_with_pin(int32_t told, int32_t kept)
 {
     static struct core_config config;
-    rest(); /* The next chapter carries `told` in its configuration. */
+    rest(); /* The configuration of the next session contains `told`. */
     config = core.config;
     config.persistent.settings.value[SET_PIN] = kept;
     config.session.settings_edit.told.value[SET_PIN] = told;
@@ -182,7 +184,7 @@ static void begin_with_pin(int32_t told, int32_t kept)
     session_recorder_begin(&chapters, &core);
 }
 
-static void test_a_replay_after_a_change_of_the_pin_is_genuine(void **state)
+static void test_a_replay_after_a_change_of_the_pin_verifies(void **state)
 {
     const int32_t a = pin_hide(4071, 5), b = pin_hide(1234, 9);
     const int32_t told_kept[][2] = { { a, 0 }, { 0, a }, { a, b } };
@@ -199,7 +201,7 @@ static void test_a_replay_after_a_change_of_the_pin_is_genuine(void **state)
     }
 }
 
-static void test_the_chapter_in_memory_keeps_the_pin_that_a_panic_replays(void **state)
+static void test_the_session_in_memory_keeps_the_pin_for_the_panic_replay(void **state)
 {
     (void)state;
     lock(4071);
@@ -210,19 +212,19 @@ static void test_the_chapter_in_memory_keeps_the_pin_that_a_panic_replays(void *
     assert_int_equal(settings_of(chapters.memory, size)->value[SET_PIN], kept);
 }
 
-static void test_a_chapter_in_which_a_pin_is_typed_holds_it(void **state)
+static void test_a_session_in_which_a_pin_is_typed_contains_the_pin(void **state)
 {
     (void)state;
     lock(4071);
     tick(INPUT_TEST);
-    core.game.menu.pin_count = 1; /* As after the first digit. */
+    core.game.menu.pin_count = 1; /* The state after the first digit. */
     tick(0);
     assert_true(chapters.has_pin);
-    lock(4071); /* Another chapter. */
+    lock(4071); /* A new session starts. */
     assert_false(chapters.has_pin);
 }
 
-static void test_a_chapter_that_holds_a_pin_keeps_no_replay(void **state)
+static void test_a_session_that_contains_a_pin_stores_no_replay(void **state)
 {
     (void)state;
     lock(4071);
@@ -232,7 +234,7 @@ static void test_a_chapter_that_holds_a_pin_keeps_no_replay(void **state)
     assert_int_equal(sim.replay_id, 0);
 }
 
-static void test_a_judge_that_begins_in_a_wrong_float_mode_judges_the_same(void **state)
+static void test_the_replay_verifier_is_independent_of_the_float_mode(void **state)
 {
     (void)state;
     const uint32_t round_id = play();
@@ -242,7 +244,7 @@ static void test_a_judge_that_begins_in_a_wrong_float_mode_judges_the_same(void 
     fesetround(FE_TONEAREST);
 }
 
-static void test_a_judge_whose_core_is_refused_says_that_nothing_was_checked(void **state)
+static void test_the_replay_verifier_reports_unchecked_if_the_core_fails_to_start(void **state)
 {
     (void)state;
     const uint32_t round_id = play();
@@ -254,7 +256,7 @@ static void test_a_judge_whose_core_is_refused_says_that_nothing_was_checked(voi
     assert_int_equal(says(round_id), REPLAY_VERDICT_UNCHECKED);
 }
 
-static void test_a_score_that_was_written_by_hand_is_not_genuine(void **state)
+static void test_an_edited_score_is_not_genuine(void **state)
 {
     (void)state;
     const uint32_t round_id = play();
@@ -271,8 +273,8 @@ static void test_a_score_that_was_written_by_hand_is_not_genuine(void **state)
     assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_OTHER);
 }
 
-/* Each of these alone is another round than the one that was written down when it was played. */
-static void test_a_replay_of_another_round_than_the_ledgers_is_not_genuine(void **state)
+/* Each of these changes alone makes the round different from the stored round. */
+static void test_a_replay_of_a_different_round_is_not_genuine(void **state)
 {
     (void)state;
     const uint32_t round_id = play();
@@ -302,14 +304,16 @@ static void test_a_replay_of_another_round_than_the_ledgers_is_not_genuine(void 
             REPLAY_VERDICT_OTHER);
         sim.round = kept;
     }
-    sim.round = (struct ledger_entry){ 0 }; /* So old that the ledger dropped it. */
+    sim.round = (struct ledger_entry){ 0 }; /* The round is so old that the ledger dropped its
+                                               entry. */
     assert_int_equal(
         replay_verifier_result(&judge, &core.game.accounts.ranking, round_id, &sim.round),
         REPLAY_VERDICT_GENUINE);
 }
 
-/* What the judge found is turned by hand, one thing at a time: each alone is enough. */
-static void test_each_thing_that_does_not_agree_is_enough(void **state)
+/* The test changes one field of the verifier's result at a time. Each change alone must be
+ * rejected. */
+static void test_each_single_mismatch_makes_a_score_not_genuine(void **state)
 {
     (void)state;
     const uint32_t round_id = play();
@@ -319,16 +323,17 @@ static void test_each_thing_that_does_not_agree_is_enough(void **state)
     static struct replay_verifier found;
     found = judge;
 
-    judge.round.round.players = 2; /* The seat did not play, whatever stands beside it. */
+    judge.round.round.players = 2; /* The player slot was not used, although a score is stored for
+                                      it. */
     assert_int_equal(says(round_id), REPLAY_VERDICT_OTHER);
     judge = found;
     memset(&core.game.accounts.ranking, 0, sizeof core.game.accounts.ranking);
     *row = ranked;
-    row->round_id = round_id + 1u; /* The ranking's is another, with the same catch. */
+    row->round_id = round_id + 1u; /* The ranking row is of another round with the same catch. */
     assert_int_equal(says(round_id + 1u), REPLAY_VERDICT_OTHER);
     *row = ranked;
     assert_int_equal(says(round_id), REPLAY_VERDICT_GENUINE);
-    judge.said.ticks++; /* It ended before its end. */
+    judge.said.ticks++; /* The replay ended early. */
     assert_int_equal(says(round_id), REPLAY_VERDICT_OTHER);
     judge = found;
     judge.round.round.by_bot = 1;
@@ -352,7 +357,7 @@ static void test_each_thing_that_does_not_agree_is_enough(void **state)
     assert_int_equal(says(round_id), REPLAY_VERDICT_GENUINE);
 }
 
-static void test_a_replay_that_was_altered_is_damaged(void **state)
+static void test_an_altered_replay_is_reported_as_damaged(void **state)
 {
     (void)state;
     const uint32_t round_id = play();
@@ -365,7 +370,7 @@ static void test_a_replay_that_was_altered_is_damaged(void **state)
     assert_int_equal(judged(room, 0, round_id), REPLAY_VERDICT_DAMAGED);
 }
 
-static void test_the_next_chapters_round_needs_nothing_of_the_first(void **state)
+static void test_a_round_of_the_next_session_verifies_alone(void **state)
 {
     (void)state;
     play();
@@ -377,7 +382,7 @@ static void test_the_next_chapters_round_needs_nothing_of_the_first(void **state
     assert_in_range(judge.said.ticks, 20u * CORE_TICK_HZ, 40u * CORE_TICK_HZ);
 }
 
-static void test_a_replay_waits_until_its_score_is_on_disk(void **state)
+static void test_a_replay_is_stored_only_after_its_score(void **state)
 {
     (void)state;
     sim.delay_polls = 1000;
@@ -387,7 +392,7 @@ static void test_a_replay_waits_until_its_score_is_on_disk(void **state)
     assert_int_equal(sim.replay_id, round_id);
 }
 
-static void test_a_store_without_replays_loses_nothing_else(void **state)
+static void test_a_store_without_replays_keeps_all_other_data(void **state)
 {
     (void)state;
     sim.replay = NULL;
@@ -395,18 +400,19 @@ static void test_a_store_without_replays_loses_nothing_else(void **state)
     assert_int_equal(chapters.round_id, 0);
     assert_int_equal(chapters.missed, 0);
     sim.replay = room;
-    sim.replay_room = 100; /* No replay is so small: the card is full. */
+    sim.replay_room = 100; /* No replay is this small, so the card is full. */
     rest();
     play();
     assert_int_equal(chapters.round_id, 0);
     assert_int_equal(chapters.missed, 1);
 }
 
-/* ---- A score is shown again ----------------------------------------------------------------- */
+/* ---- Playback of a score -------------------------------------------------------------------- */
 
 static struct score_playback playback;
 static struct scene scene;
-static uint64_t watch_ns; /* Each look at the stopwatch takes a third of what a frame may seek. */
+static uint64_t watch_ns; /* Each read of the stopwatch takes a third of the seek time of a
+                             frame. */
 
 static uint64_t look_at_watch(void *self)
 {
@@ -426,7 +432,7 @@ static void frame(void)
     score_playback_show(&playback, &scene, &output);
 }
 
-/* Frames until it is something else; at most a minute and a half of them. */
+/* Returns the number of frames until the state is no longer `what`, at most the frames of 90 s. */
 static uint32_t frames_while(uint8_t what)
 {
     uint32_t count = 0;
@@ -437,26 +443,26 @@ static uint32_t frames_while(uint8_t what)
     return count;
 }
 
-static void test_a_score_is_shown_again_and_told_to_be_genuine(void **state)
+static void test_a_played_back_score_is_shown_as_genuine(void **state)
 {
     (void)state;
     const uint32_t round_id = play();
     ticks(200);
-    sim.replay_polls_left = 30; /* The card takes half a second. */
+    sim.replay_polls_left = 30; /* The card needs half a second. */
     score_playback_request(&playback, round_id);
     frame();
     assert_int_equal(scene.playback, ENCORE_SEEKS);
     assert_in_range(frames_while(ENCORE_SEEKS), 29, 40);
     assert_int_equal(playback.state, ENCORE_PLAYS);
     const uint32_t shown = frames_while(ENCORE_PLAYS);
-    assert_in_range(shown, 10u * 60u, 60u * 60u); /* In its own time. */
+    assert_in_range(shown, 10u * 60u, 60u * 60u); /* The playback runs at normal speed. */
     assert_int_equal(scene.playback, ENCORE_GENUINE);
     assert_int_equal(scene.caught[0], sim.record.caught);
     assert_int_equal(frames_while(ENCORE_GENUINE), SCORE_PLAYBACK_END_TICKS / 2u);
     assert_int_equal(scene.playback, ENCORE_OFF);
 }
 
-static void test_a_long_replay_is_read_in_slices_that_a_frame_can_bear(void **state)
+static void test_a_long_replay_is_read_within_the_time_budget_of_each_frame(void **state)
 {
     (void)state;
     static struct hal hal;
@@ -479,7 +485,7 @@ static void test_a_long_replay_is_read_in_slices_that_a_frame_can_bear(void **st
     score_playback_end(&playback);
 }
 
-static void test_a_button_or_a_dip_ends_it(void **state)
+static void test_a_button_or_a_dip_ends_the_playback(void **state)
 {
     (void)state;
     struct poi_input poi[POI_MAX] = { { .link = POI_SOURCE_LIVE, .target.position_m.y = -0.05f } };
@@ -487,7 +493,7 @@ static void test_a_button_or_a_dip_ends_it(void **state)
     score_playback_request(&playback, round_id);
     frames_while(ENCORE_SEEKS);
     assert_int_equal(score_playback_handle_input(&playback, 0, poi),
-                     0); /* Down since it was asked for. */
+                     0); /* The button has been pressed since the request. */
     poi[0].target.position_m.y = 0.05f;
     assert_int_equal(score_playback_handle_input(&playback, 0, poi), 0);
     poi[0].target.position_m.y = -0.05f;
@@ -499,7 +505,7 @@ static void test_a_button_or_a_dip_ends_it(void **state)
     assert_int_equal(scene.playback, ENCORE_OFF);
 }
 
-static void test_a_score_without_a_replay_says_so(void **state)
+static void test_a_score_without_a_replay_is_reported_as_missing(void **state)
 {
     (void)state;
     const uint32_t round_id = play();
@@ -523,25 +529,25 @@ int main(void)
 {
 #define TEST(name) cmocka_unit_test_setup(name, set_up)
     const struct CMUnitTest tests[] = {
-        TEST(test_a_ranked_round_has_its_replay_and_is_genuine),
-        TEST(test_a_kept_replay_holds_no_pin_and_is_genuine),
-        TEST(test_a_replay_after_a_change_of_the_pin_is_genuine),
-        TEST(test_the_chapter_in_memory_keeps_the_pin_that_a_panic_replays),
-        TEST(test_a_chapter_in_which_a_pin_is_typed_holds_it),
-        TEST(test_a_chapter_that_holds_a_pin_keeps_no_replay),
-        TEST(test_a_judge_that_begins_in_a_wrong_float_mode_judges_the_same),
-        TEST(test_a_judge_whose_core_is_refused_says_that_nothing_was_checked),
-        TEST(test_a_score_that_was_written_by_hand_is_not_genuine),
-        TEST(test_a_replay_of_another_round_than_the_ledgers_is_not_genuine),
-        TEST(test_each_thing_that_does_not_agree_is_enough),
-        TEST(test_a_replay_that_was_altered_is_damaged),
-        TEST(test_the_next_chapters_round_needs_nothing_of_the_first),
-        TEST(test_a_replay_waits_until_its_score_is_on_disk),
-        TEST(test_a_store_without_replays_loses_nothing_else),
-        TEST(test_a_score_is_shown_again_and_told_to_be_genuine),
-        TEST(test_a_long_replay_is_read_in_slices_that_a_frame_can_bear),
-        TEST(test_a_button_or_a_dip_ends_it),
-        TEST(test_a_score_without_a_replay_says_so),
+        TEST(test_a_ranked_round_has_a_replay_that_verifies),
+        TEST(test_a_stored_replay_contains_no_pin_and_verifies),
+        TEST(test_a_replay_after_a_change_of_the_pin_verifies),
+        TEST(test_the_session_in_memory_keeps_the_pin_for_the_panic_replay),
+        TEST(test_a_session_in_which_a_pin_is_typed_contains_the_pin),
+        TEST(test_a_session_that_contains_a_pin_stores_no_replay),
+        TEST(test_the_replay_verifier_is_independent_of_the_float_mode),
+        TEST(test_the_replay_verifier_reports_unchecked_if_the_core_fails_to_start),
+        TEST(test_an_edited_score_is_not_genuine),
+        TEST(test_a_replay_of_a_different_round_is_not_genuine),
+        TEST(test_each_single_mismatch_makes_a_score_not_genuine),
+        TEST(test_an_altered_replay_is_reported_as_damaged),
+        TEST(test_a_round_of_the_next_session_verifies_alone),
+        TEST(test_a_replay_is_stored_only_after_its_score),
+        TEST(test_a_store_without_replays_keeps_all_other_data),
+        TEST(test_a_played_back_score_is_shown_as_genuine),
+        TEST(test_a_long_replay_is_read_within_the_time_budget_of_each_frame),
+        TEST(test_a_button_or_a_dip_ends_the_playback),
+        TEST(test_a_score_without_a_replay_is_reported_as_missing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,5 @@
-/* test_status.c -- the status file: what is in it, that it is whole, that no frame waits for it. */
+/* test_status.c -- Tests the status file: its content, that it is always complete, and that no
+ * frame waits for it. */
 #include <errno.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -47,7 +48,7 @@ static void read_text(char text[STATUS_TEXT_MAX])
     fclose(file);
 }
 
-/* What SQLite's reader finds in it; fails where it is no JSON. */
+/* Parses the status with SQLite's JSON reader. Fails if the text is not valid JSON. */
 static void check_json(const char *text, const char *where, const char *wanted)
 {
     sqlite3 *database;
@@ -66,119 +67,123 @@ static void check_json(const char *text, const char *where, const char *wanted)
     sqlite3_close(database);
 }
 
-static void test_every_figure_is_in_it(void **state)
+/* Status in which every value differs from its default. */
+static const struct status_report full_report = {
+    .written_ms = 5000000000ull,
+    .pid = 1234,
+    .up_s = 60,
+    .boot = 7,
+    .phase = PHASE_ROUND,
+    .players = 2,
+    .balance = { .paid = 3,
+                 .service = 4,
+                 .units = 1,
+                 .unlogged = 2,
+                 .open = PAYMENT_PAID,
+                 .tickets = 6 },
+    .tickets_out = 40,
+    .entry_id = 90,
+    .saved_id = 88,
+    .store_well = 1,
+    .frames = 600,
+    .dropped_ticks = 9,
+    .ticks = 7200,
+    .frame_median_ns = 16700000,
+    .frame_p99_ns = 18000000,
+    .faults = { .poi = 1,
+                .shade = 2,
+                .display = 3,
+                .audio = 4,
+                .storage = 5,
+                .buttons = 6,
+                .switches = 7 },
+    .day = 9000,
+    .minute = 61,
+    .files_refused = 3,
+    .machine = { .has_looked = 1,
+                 .keeps = KEEPS_PROVEN,
+                 .watch = WATCH_FED,
+                 .has_backup = 1,
+                 .backup_min = 12,
+                 .room_mib = 345,
+                 .has_heat = 1,
+                 .heat_margin_c = -2,
+                 .is_clock_back = 1,
+                 .aside = 2,
+                 .missed = 5,
+                 .panics = 8,
+                 .left_out = 2 },
+    .buttons_missing = 5,
+    .float_resets = 11,
+    .device_count = 1,
+    .device = { { "poi", "mouse" } },
+};
+
+/* JSON paths and values of the status file of full_report. */
+static const struct {
+    const char *where, *wanted;
+} expected[] = {
+    { "$.version", KINGYO_VERSION },
+    { "$.pid", "1234" },
+    { "$.written_ms", "5000000000" },
+    { "$.up_s", "60" },
+    { "$.boot", "7" },
+    { "$.phase", "round" },
+    { "$.players", "2" },
+    { "$.credits.paid", "3" },
+    { "$.credits.service", "4" },
+    { "$.credits.units", "1" },
+    { "$.credits.untold", "2" },
+    { "$.credits.round_open", "1" },
+    { "$.tickets.owed", "6" },
+    { "$.tickets.dispensed", "40" },
+    { "$.store.well", "1" },
+    { "$.store.entry_id", "90" },
+    { "$.store.saved_id", "88" },
+    { "$.store.waiting", "2" },
+    { "$.frames.count", "600" },
+    { "$.frames.median_ms", "16.7" },
+    { "$.frames.p99_ms", "18.0" },
+    { "$.ticks.dropped", "9" },
+    { "$.ticks.count", "7200" },
+    { "$.faults.poi", "1" },
+    { "$.faults.fan", "2" },
+    { "$.faults.display", "3" },
+    { "$.faults.sound", "4" },
+    { "$.faults.store", "5" },
+    { "$.faults.buttons", "6" },
+    { "$.faults.switches", "7" },
+    { "$.faults.buttons_missing", "2" },
+    { "$.faults.float", "11" },
+    { "$.machine.data", "proven" },
+    { "$.machine.backup_min", "12" },
+    { "$.machine.free_mib", "345" },
+    { "$.machine.heat_margin_c", "-2" },
+    { "$.machine.watchdog", "fed" },
+    { "$.machine.clock_day", "9000" },
+    { "$.machine.clock_minute", "61" },
+    { "$.machine.clock_went_back", "1" },
+    { "$.files.refused", "3" },
+    { "$.files.set_aside", "2" },
+    { "$.files.replays_missed", "5" },
+    { "$.panics.count", "8" },
+    { "$.panics.left_out", "settings and replays" },
+    { "$.devices[0].part", "poi" },
+    { "$.devices[0].text", "mouse" },
+};
+
+static void test_the_status_file_contains_every_value(void **state)
 {
     static char text[STATUS_TEXT_MAX];
-    static const struct {
-        const char *where, *wanted;
-    } rows[] = {
-        { "$.version", KINGYO_VERSION },
-        { "$.pid", "1234" },
-        { "$.written_ms", "5000000000" },
-        { "$.up_s", "60" },
-        { "$.boot", "7" },
-        { "$.phase", "round" },
-        { "$.players", "2" },
-        { "$.credits.paid", "3" },
-        { "$.credits.service", "4" },
-        { "$.credits.units", "1" },
-        { "$.credits.untold", "2" },
-        { "$.credits.round_open", "1" },
-        { "$.tickets.owed", "6" },
-        { "$.tickets.dispensed", "40" },
-        { "$.store.well", "1" },
-        { "$.store.entry_id", "90" },
-        { "$.store.saved_id", "88" },
-        { "$.store.waiting", "2" },
-        { "$.frames.count", "600" },
-        { "$.frames.median_ms", "16.7" },
-        { "$.frames.p99_ms", "18.0" },
-        { "$.ticks.dropped", "9" },
-        { "$.ticks.count", "7200" },
-        { "$.faults.poi", "1" },
-        { "$.faults.fan", "2" },
-        { "$.faults.display", "3" },
-        { "$.faults.sound", "4" },
-        { "$.faults.store", "5" },
-        { "$.faults.buttons", "6" },
-        { "$.faults.switches", "7" },
-        { "$.faults.buttons_missing", "2" },
-        { "$.faults.float", "11" },
-        { "$.machine.data", "proven" },
-        { "$.machine.backup_min", "12" },
-        { "$.machine.free_mib", "345" },
-        { "$.machine.heat_margin_c", "-2" },
-        { "$.machine.watchdog", "fed" },
-        { "$.machine.clock_day", "9000" },
-        { "$.machine.clock_minute", "61" },
-        { "$.machine.clock_went_back", "1" },
-        { "$.files.refused", "3" },
-        { "$.files.set_aside", "2" },
-        { "$.files.replays_missed", "5" },
-        { "$.panics.count", "8" },
-        { "$.panics.left_out", "settings and replays" },
-        { "$.devices[0].part", "poi" },
-        { "$.devices[0].text", "mouse" },
-    };
-    struct status_report report = {
-        .written_ms = 5000000000ull,
-        .pid = 1234,
-        .up_s = 60,
-        .boot = 7,
-        .phase = PHASE_ROUND,
-        .players = 2,
-        .balance = { .paid = 3,
-                     .service = 4,
-                     .units = 1,
-                     .unlogged = 2,
-                     .open = PAYMENT_PAID,
-                     .tickets = 6 },
-        .tickets_out = 40,
-        .entry_id = 90,
-        .saved_id = 88,
-        .store_well = 1,
-        .frames = 600,
-        .dropped_ticks = 9,
-        .ticks = 7200,
-        .frame_median_ns = 16700000,
-        .frame_p99_ns = 18000000,
-        .faults = { .poi = 1,
-                    .shade = 2,
-                    .display = 3,
-                    .audio = 4,
-                    .storage = 5,
-                    .buttons = 6,
-                    .switches = 7 },
-        .day = 9000,
-        .minute = 61,
-        .files_refused = 3,
-        .machine = { .has_looked = 1,
-                     .keeps = KEEPS_PROVEN,
-                     .watch = WATCH_FED,
-                     .has_backup = 1,
-                     .backup_min = 12,
-                     .room_mib = 345,
-                     .has_heat = 1,
-                     .heat_margin_c = -2,
-                     .is_clock_back = 1,
-                     .aside = 2,
-                     .missed = 5,
-                     .panics = 8,
-                     .left_out = 2 },
-        .buttons_missing = 5,
-        .float_resets = 11,
-        .device_count = 1,
-        .device = { { "poi", "mouse" } },
-    };
     (void)state;
-    const size_t size = status_format(&report, text);
+    const size_t size = status_format(&full_report, text);
     assert_int_equal(size, strlen(text));
-    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
-        check_json(text, rows[i].where, rows[i].wanted);
+    for (size_t i = 0; i < sizeof expected / sizeof expected[0]; i++) {
+        check_json(text, expected[i].where, expected[i].wanted);
     }
 }
 
-static void test_what_nobody_measured_is_null(void **state)
+static void test_an_unmeasured_value_is_null(void **state)
 {
     static char text[STATUS_TEXT_MAX];
     static const struct status_report report;
@@ -195,7 +200,7 @@ static void test_what_nobody_measured_is_null(void **state)
     check_json(text, "$.machine.watchdog", "none");
 }
 
-static void test_a_devices_name_cannot_break_it(void **state)
+static void test_a_device_name_is_escaped(void **state)
 {
     static char text[STATUS_TEXT_MAX];
     struct status_report report = { .device_count = 1, .device = { { "usb", "" } } };
@@ -205,7 +210,7 @@ static void test_a_devices_name_cannot_break_it(void **state)
     check_json(text, "$.devices[0].text", "a\"b\\c\n\x01\x7F 金魚");
 }
 
-static void test_what_is_no_utf8_is_marked(void **state)
+static void test_invalid_utf8_is_replaced(void **state)
 {
     static const char *const rows[][2] = {
         { "a\xFF"
@@ -213,7 +218,7 @@ static void test_what_is_no_utf8_is_marked(void **state)
           "a\uFFFD"
           "b" },
         { "\xC3", "\uFFFD" },
-        { "\xE9\x87", "\uFFFD\uFFFD" }, /* Cut off in a character. */
+        { "\xE9\x87", "\uFFFD\uFFFD" }, /* A character that is cut off. */
         { "\xC0\xAF", "\uFFFD\uFFFD" },
         { "\xED\xA0\x80", "\uFFFD\uFFFD\uFFFD" },
         { "\xF4\x90\x80\x80", "\uFFFD\uFFFD\uFFFD\uFFFD" },
@@ -229,7 +234,7 @@ static void test_what_is_no_utf8_is_marked(void **state)
     }
 }
 
-static void test_the_longest_report_fits(void **state)
+static void test_the_longest_status_report_fits_its_buffer(void **state)
 {
     static char text[STATUS_TEXT_MAX];
     static struct status_report report;
@@ -238,7 +243,8 @@ static void test_the_longest_report_fits(void **state)
     report.device_count = STATUS_DEVICES_MAX;
     for (uint32_t i = 0; i < STATUS_DEVICES_MAX; i++) {
         report.device[i].part = "switches";
-        memset(report.device[i].text, 1, HAL_TEXT_SIZE - 1u); /* Six characters each. */
+        memset(report.device[i].text, 1, HAL_TEXT_SIZE - 1u); /* Each of these characters is escaped
+                                                                 with six characters. */
         report.device[i].text[HAL_TEXT_SIZE - 1u] = '\0';
     }
     assert_in_range(status_format(&report, text), STATUS_DEVICES_MAX * HAL_TEXT_SIZE,
@@ -246,7 +252,7 @@ static void test_the_longest_report_fits(void **state)
     check_json(text, "$.phase", "other");
 }
 
-/* Until the file is there, 5 s at most. */
+/* Waits at most 5 s until the file exists. */
 static int waits_for_file(void)
 {
     const struct timespec rest = { .tv_nsec = 1000000 };
@@ -256,10 +262,10 @@ static int waits_for_file(void)
     return access(path, F_OK) == 0;
 }
 
-static void test_a_running_stall_has_a_file_and_a_closed_one_has_none(void **state)
+static void test_the_status_file_exists_only_while_the_kiosk_runs(void **state)
 {
     static char text[STATUS_TEXT_MAX];
-    const struct hal hal = null_hal();
+    const struct hal hal = null_hal(NULL);
     struct stat about;
     (void)state;
     kiosk.frames = 5;
@@ -271,14 +277,14 @@ static void test_a_running_stall_has_a_file_and_a_closed_one_has_none(void **sta
     read_text(text);
     check_json(text, "$.frames.count", "5");
     assert_int_equal(stat(path, &about), 0);
-    assert_int_equal(about.st_mode & 0777, 0644); /* For everybody to read. */
+    assert_int_equal(about.st_mode & 0777, 0644); /* Every user can read the file. */
     status_end(&status);
     assert_int_equal(access(path, F_OK), -1);
 }
 
-static void test_it_is_told_once_a_second(void **state)
+static void test_the_status_file_is_written_once_a_second(void **state)
 {
-    const struct hal hal = null_hal();
+    const struct hal hal = null_hal(NULL);
     (void)state;
     status_begin(&status, folder);
     status_update(&status, &kiosk, &hal, 5);
@@ -292,10 +298,10 @@ static void test_it_is_told_once_a_second(void **state)
     status_end(&status);
 }
 
-static void test_a_store_that_fails_is_reported_at_once(void **state)
+static void test_a_store_fault_is_written_to_the_status_immediately(void **state)
 {
     static char text[STATUS_TEXT_MAX];
-    const struct hal hal = null_hal();
+    const struct hal hal = null_hal(NULL);
     const uint8_t was_well = kiosk.input.store_well;
     (void)state;
     kiosk.input.store_well = 1;
@@ -304,7 +310,7 @@ static void test_a_store_that_fails_is_reported_at_once(void **state)
     assert_true(waits_for_file());
     assert_int_equal(unlink(path), 0);
     kiosk.input.store_well = 0;
-    pthread_mutex_lock(&status.mutex); /* The report is not lost while the thread writes. */
+    pthread_mutex_lock(&status.mutex); /* A report is not lost while the thread writes. */
     status_update(&status, &kiosk, &hal, 6);
     pthread_mutex_unlock(&status.mutex);
     status_update(&status, &kiosk, &hal, 7);
@@ -315,21 +321,21 @@ static void test_a_store_that_fails_is_reported_at_once(void **state)
     kiosk.input.store_well = was_well;
 }
 
-static void test_no_frame_waits_while_it_is_written(void **state)
+static void test_no_frame_waits_for_the_status_file(void **state)
 {
-    const struct hal hal = null_hal();
+    const struct hal hal = null_hal(NULL);
     (void)state;
     status_begin(&status, folder);
-    pthread_mutex_lock(&status.mutex); /* As the thread holds it. */
+    pthread_mutex_lock(&status.mutex); /* The mutex is locked as the thread locks it. */
     status_update(&status, &kiosk, &hal, 0);
-    assert_int_equal(status.is_fresh, 0); /* Left out; and here we are. */
+    assert_int_equal(status.is_fresh, 0); /* The frame skipped the report and did not block. */
     pthread_mutex_unlock(&status.mutex);
     status_end(&status);
 }
 
-static void test_without_a_folder_nothing_happens(void **state)
+static void test_without_a_folder_no_status_file_is_written(void **state)
 {
-    const struct hal hal = null_hal();
+    const struct hal hal = null_hal(NULL);
     static const char *const none[] = { NULL, "", "run/kingyo" };
     (void)state;
     for (size_t i = 0; i < sizeof none / sizeof none[0]; i++) {
@@ -340,9 +346,9 @@ static void test_without_a_folder_nothing_happens(void **state)
     }
 }
 
-static void test_a_folder_that_went_is_counted_and_survived(void **state)
+static void test_a_deleted_status_folder_is_counted_and_tolerated(void **state)
 {
-    const struct hal hal = null_hal();
+    const struct hal hal = null_hal(NULL);
     (void)state;
     status_begin(&status, "/tmp/kingyo-no-such-folder");
     status_update(&status, &kiosk, &hal, 0);
@@ -357,19 +363,20 @@ static void test_a_folder_that_went_is_counted_and_survived(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_figure_is_in_it),
-        cmocka_unit_test(test_what_nobody_measured_is_null),
-        cmocka_unit_test(test_a_devices_name_cannot_break_it),
-        cmocka_unit_test(test_what_is_no_utf8_is_marked),
-        cmocka_unit_test(test_the_longest_report_fits),
-        cmocka_unit_test_setup_teardown(test_a_running_stall_has_a_file_and_a_closed_one_has_none,
+        cmocka_unit_test(test_the_status_file_contains_every_value),
+        cmocka_unit_test(test_an_unmeasured_value_is_null),
+        cmocka_unit_test(test_a_device_name_is_escaped),
+        cmocka_unit_test(test_invalid_utf8_is_replaced),
+        cmocka_unit_test(test_the_longest_status_report_fits_its_buffer),
+        cmocka_unit_test_setup_teardown(test_the_status_file_exists_only_while_the_kiosk_runs,
                                         set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_it_is_told_once_a_second, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_a_store_that_fails_is_reported_at_once, set_up,
+        cmocka_unit_test_setup_teardown(test_the_status_file_is_written_once_a_second, set_up,
                                         tear_down),
-        cmocka_unit_test_setup_teardown(test_no_frame_waits_while_it_is_written, set_up, tear_down),
-        cmocka_unit_test(test_without_a_folder_nothing_happens),
-        cmocka_unit_test(test_a_folder_that_went_is_counted_and_survived),
+        cmocka_unit_test_setup_teardown(test_a_store_fault_is_written_to_the_status_immediately,
+                                        set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_no_frame_waits_for_the_status_file, set_up, tear_down),
+        cmocka_unit_test(test_without_a_folder_no_status_file_is_written),
+        cmocka_unit_test(test_a_deleted_status_folder_is_counted_and_tolerated),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

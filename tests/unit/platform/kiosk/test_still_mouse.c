@@ -1,5 +1,7 @@
-/* test_still_mouse.c -- a mouse that lies still points at other water once another tank is in the
- * picture: through the real decoder and the real frame loop, that is no motion of a hand's. */
+/* test_still_mouse.c -- Tests that a mouse at rest is not treated as moving when the view changes
+ * to another tank.
+ *
+ * A mouse at rest then points at other water. The real decoder and the real frame loop are used. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -32,18 +34,18 @@ static void frame(uint64_t frame_ns)
     kiosk_frame(&seat.kiosk, &seat.hal);
 }
 
-/* A stall in attract, the pointer a little below the middle of the window. */
-static void sit_down(void)
+/* Starts a kiosk in attract mode with the pointer a little below the middle of the window. */
+static void start_attract(void)
 {
     const struct kiosk_config config = { .core = { .seed = 5, .modes = 1u << MODE_CHAMPIONSHIP } };
     memset(&seat, 0, sizeof seat);
     seat.report = (struct pointer_report){
         .x_px = 640.0f, .y_px = 400.0f, .width_px = 1280, .height_px = 720
     };
-    seat.hal = null_hal();
+    seat.hal = null_hal(NULL);
     seat.hal.clock = sim_clock_device(&seat.clock);
     pointer_sim_init(&seat.poi, seat.hal.clock, &tank_preset(TANK_PRESET_FESTIVAL)->view);
-    seat.hal.poi[0] = pointer_sim_device(&seat.poi);
+    seat.hal.poi[0] = pointer_sim_devices(&seat.poi).poi;
     assert_int_equal(kiosk_init(&seat.kiosk, &seat.hal, &config), CORE_OK);
     for (uint32_t i = 0; i < 10; i++) {
         frame(16666667ull);
@@ -57,7 +59,7 @@ static vec3 hand_m(void)
 
 static void lie_still(uint64_t frame_ns)
 {
-    sit_down();
+    start_attract();
     seat.kiosk.input.pressed = INPUT_START;
     frame(frame_ns);
     const vec3 before_m = hand_m();
@@ -66,26 +68,28 @@ static void lie_still(uint64_t frame_ns)
         frame(frame_ns);
         assert_int_equal(seat.kiosk.core.game.player[0].fouls, 0);
     }
-    assert_true(v3_length(v3_sub(hand_m(), before_m)) > PLAYER_STIR_M); /* As if it had moved. */
+    assert_true(v3_length(v3_sub(hand_m(), before_m)) > PLAYER_STIR_M); /* The position changes
+                                                                           as if the mouse had
+                                                                           moved. */
 }
 
-static void test_a_mouse_that_only_lies_there_commits_no_foul(void **state)
+static void test_a_mouse_at_rest_commits_no_foul(void **state)
 {
     (void)state;
     lie_still(16666667ull);
 }
 
-static void test_nor_does_it_where_pictures_are_slow(void **state)
+static void test_a_mouse_at_rest_commits_no_foul_at_a_low_frame_rate(void **state)
 {
     (void)state;
     lie_still(130000000ull);
     lie_still(900000000ull);
 }
 
-static void test_it_does_once_it_is_moved_and_held_over_fish(void **state)
+static void test_a_mouse_moved_and_held_over_fish_commits_a_foul(void **state)
 {
     (void)state;
-    sit_down();
+    start_attract();
     seat.kiosk.input.pressed = INPUT_START;
     for (uint32_t i = 0; i < 90; i++) {
         frame(16666667ull);
@@ -100,9 +104,9 @@ static void test_it_does_once_it_is_moved_and_held_over_fish(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_mouse_that_only_lies_there_commits_no_foul),
-        cmocka_unit_test(test_nor_does_it_where_pictures_are_slow),
-        cmocka_unit_test(test_it_does_once_it_is_moved_and_held_over_fish),
+        cmocka_unit_test(test_a_mouse_at_rest_commits_no_foul),
+        cmocka_unit_test(test_a_mouse_at_rest_commits_no_foul_at_a_low_frame_rate),
+        cmocka_unit_test(test_a_mouse_moved_and_held_over_fish_commits_a_foul),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,4 @@
-/* test_timing.c -- durations, counted. */
+/* test_timing.c -- Tests the histogram of durations. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -20,13 +20,13 @@ static int clear(void **state)
     return 0;
 }
 
-static void test_nothing_counted_takes_no_time(void **state)
+static void test_an_empty_histogram_has_zero_quantiles(void **state)
 {
     (void)state;
     assert_int_equal(frame_timing_quantile_ns(&timing, 0.5), 0);
 }
 
-static void test_the_median_and_p99_of_a_hundred_are_the_50th_and_the_99th(void **state)
+static void test_the_median_and_p99_of_100_values_are_the_50th_and_99th(void **state)
 {
     (void)state;
     for (uint64_t i = 1; i <= 100; i++) {
@@ -36,7 +36,7 @@ static void test_the_median_and_p99_of_a_hundred_are_the_50th_and_the_99th(void 
     assert_in_range(frame_timing_quantile_ns(&timing, 0.99), 99 * MS, 99 * MS + TIMING_BIN_NS);
 }
 
-static void test_what_no_bin_holds_is_told_as_the_longest(void **state)
+static void test_a_value_beyond_the_bins_is_reported_as_the_maximum(void **state)
 {
     (void)state;
     frame_timing_add(&timing, 5 * MS);
@@ -46,7 +46,7 @@ static void test_what_no_bin_holds_is_told_as_the_longest(void **state)
     assert_in_range(frame_timing_quantile_ns(&timing, 0.3), 5 * MS, 5 * MS + TIMING_BIN_NS);
 }
 
-static void test_slow_frames_are_told_to_20_ms(void **state)
+static void test_slow_frame_times_are_accurate_to_20_ms(void **state)
 {
     (void)state;
     for (uint64_t i = 0; i < 100; i++) {
@@ -59,11 +59,10 @@ static void test_slow_frames_are_told_to_20_ms(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(test_nothing_counted_takes_no_time, clear),
-        cmocka_unit_test_setup(test_the_median_and_p99_of_a_hundred_are_the_50th_and_the_99th,
-                               clear),
-        cmocka_unit_test_setup(test_what_no_bin_holds_is_told_as_the_longest, clear),
-        cmocka_unit_test_setup(test_slow_frames_are_told_to_20_ms, clear),
+        cmocka_unit_test_setup(test_an_empty_histogram_has_zero_quantiles, clear),
+        cmocka_unit_test_setup(test_the_median_and_p99_of_100_values_are_the_50th_and_99th, clear),
+        cmocka_unit_test_setup(test_a_value_beyond_the_bins_is_reported_as_the_maximum, clear),
+        cmocka_unit_test_setup(test_slow_frame_times_are_accurate_to_20_ms, clear),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,4 @@
-/* test_atomic_file.c -- a file is whole or not there, a PNG too. */
+/* test_atomic_file.c -- Tests that a file, or a PNG file, is written completely or not at all. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -41,7 +41,7 @@ static int exists(const char *name)
     return stat(name, &status) == 0;
 }
 
-/* A disk that is full after so many bytes. */
+/* Simulates a disk that is full after `size` bytes. */
 static void limit_files(rlim_t size)
 {
     struct rlimit limit;
@@ -59,7 +59,7 @@ static void write_much(FILE *file)
     }
 }
 
-static void test_what_was_written_is_there(void **state)
+static void test_a_written_file_has_its_content(void **state)
 {
     (void)state;
     struct atomic_file out;
@@ -72,7 +72,7 @@ static void test_what_was_written_is_there(void **state)
     unlink(path);
 }
 
-static void test_half_a_file_is_removed(void **state)
+static void test_an_incomplete_file_is_removed(void **state)
 {
     (void)state;
     struct atomic_file out;
@@ -85,8 +85,8 @@ static void test_half_a_file_is_removed(void **state)
     assert_false(exists(path));
 }
 
-/* All fits into the buffer: only closing finds out. */
-static void test_a_full_device_is_told_and_stays(void **state)
+/* All data fit into the buffer, so that only the close reports the error. */
+static void test_a_full_device_is_reported_and_not_removed(void **state)
 {
     (void)state;
     struct atomic_file out;
@@ -96,7 +96,7 @@ static void test_a_full_device_is_told_and_stays(void **state)
     assert_true(exists("/dev/full"));
 }
 
-static void test_a_file_that_cannot_be_opened_is_left_alone(void **state)
+static void test_a_file_that_cannot_be_opened_is_not_changed(void **state)
 {
     (void)state;
     struct atomic_file out;
@@ -107,12 +107,12 @@ static void test_a_file_that_cannot_be_opened_is_left_alone(void **state)
     assert_int_equal(file_atomic_open(&out, below), -ENOENT);
 }
 
-static void test_half_a_picture_is_removed(void **state)
+static void test_an_incomplete_png_is_removed(void **state)
 {
     (void)state;
     struct canvas canvas;
     assert_true(canvas_open(&canvas, 200, 200));
-    for (uint32_t i = 0; i < 200 * 200; i++) { /* Nothing that packs well. */
+    for (uint32_t i = 0; i < 200 * 200; i++) { /* Random pixels do not compress. */
         canvas.pixels[i].x = (float)(i * 2654435761u >> 8) / 16777216.0f;
     }
     limit_files(1000);
@@ -124,7 +124,7 @@ static void test_half_a_picture_is_removed(void **state)
     canvas_close(&canvas);
 }
 
-/* ---- What is no plain file ------------------------------------------------------------------- */
+/* ---- Non-regular files ---------------------------------------------------------------------- */
 
 static mode_t kind_of(const char *name)
 {
@@ -162,7 +162,7 @@ static int write_new(int (*open_out)(struct atomic_file *, const char *), const 
     return file_atomic_close(&out);
 }
 
-static void test_a_full_disk_leaves_the_file_that_was_there(void **state)
+static void test_a_full_disk_keeps_the_existing_file(void **state)
 {
     (void)state;
     struct atomic_file out;
@@ -184,12 +184,13 @@ static void test_a_full_disk_leaves_the_file_that_was_there(void **state)
     unlink(path);
 }
 
-static void test_a_pipe_takes_what_is_written_and_stays(void **state)
+static void test_a_pipe_receives_the_data_and_is_not_replaced(void **state)
 {
     (void)state;
     char is[8] = "";
     assert_int_equal(mkfifo(path, 0600), 0);
-    assert_int_equal(write_new(file_atomic_open, path), -ENXIO); /* Nobody reads: no waiting. */
+    assert_int_equal(write_new(file_atomic_open, path), -ENXIO); /* Without a reader the open does
+                                                                    not block. */
     const int reader = open(path, O_RDONLY | O_NONBLOCK);
     assert_true(reader >= 0);
     assert_int_equal(write_new(file_atomic_open_durable, path), -ENOTSUP);
@@ -201,15 +202,16 @@ static void test_a_pipe_takes_what_is_written_and_stays(void **state)
     unlink(path);
 }
 
-/* Whoever may make nodes sees whether one is replaced. */
+/* Only a user who can create device nodes can test their replacement. */
 static void test_a_device_is_never_replaced(void **state)
 {
     (void)state;
-    if (mknod(path, S_IFCHR | 0600, makedev(1, 7)) != 0) { /* A /dev/full of our own. */
+    if (mknod(path, S_IFCHR | 0600, makedev(1, 7)) != 0) { /* A private copy of /dev/full. */
         skip();
     }
     const int fd = open(path, O_WRONLY | O_CLOEXEC);
-    const int opens = fd >= 0; /* Not where folders are mounted without devices. */
+    const int opens = fd >= 0; /* The device cannot be opened on a file system that is mounted with
+                                  nodev. */
     if (opens) {
         close(fd);
     }
@@ -217,14 +219,14 @@ static void test_a_device_is_never_replaced(void **state)
     assert_int_equal(write_new(file_atomic_open_durable, path), -ENOTSUP);
     assert_int_equal(kind_of(path), S_IFCHR);
     unlink(path);
-    if (mknod(path, S_IFBLK | 0600, makedev(7, 250)) == 0) { /* A disk takes nothing at all. */
+    if (mknod(path, S_IFBLK | 0600, makedev(7, 250)) == 0) { /* A block device accepts no data. */
         assert_int_equal(write_new(file_atomic_open, path), -ENOTSUP);
         assert_int_equal(kind_of(path), S_IFBLK);
         unlink(path);
     }
 }
 
-static void test_a_link_stays_one_and_leads_nowhere_new(void **state)
+static void test_a_link_keeps_its_target(void **state)
 {
     (void)state;
     char link[80], part[80];
@@ -238,7 +240,7 @@ static void test_a_link_stays_one_and_leads_nowhere_new(void **state)
     assert_int_equal(write_new(file_atomic_open, link), 0);
     assert_int_equal(kind_of(link), S_IFLNK);
     reads(path, "new");
-    /* A link where the part is to be is no way to another's file. */
+    /* A link at the temporary path must not lead to another file. */
     unlink(link);
     write_words(link, "theirs");
     assert_int_equal(symlink(link, part), 0);
@@ -253,15 +255,15 @@ static void test_a_link_stays_one_and_leads_nowhere_new(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_what_was_written_is_there),
-        cmocka_unit_test(test_half_a_file_is_removed),
-        cmocka_unit_test(test_a_full_device_is_told_and_stays),
-        cmocka_unit_test(test_a_file_that_cannot_be_opened_is_left_alone),
-        cmocka_unit_test(test_half_a_picture_is_removed),
-        cmocka_unit_test(test_a_full_disk_leaves_the_file_that_was_there),
-        cmocka_unit_test(test_a_pipe_takes_what_is_written_and_stays),
+        cmocka_unit_test(test_a_written_file_has_its_content),
+        cmocka_unit_test(test_an_incomplete_file_is_removed),
+        cmocka_unit_test(test_a_full_device_is_reported_and_not_removed),
+        cmocka_unit_test(test_a_file_that_cannot_be_opened_is_not_changed),
+        cmocka_unit_test(test_an_incomplete_png_is_removed),
+        cmocka_unit_test(test_a_full_disk_keeps_the_existing_file),
+        cmocka_unit_test(test_a_pipe_receives_the_data_and_is_not_replaced),
         cmocka_unit_test(test_a_device_is_never_replaced),
-        cmocka_unit_test(test_a_link_stays_one_and_leads_nowhere_new),
+        cmocka_unit_test(test_a_link_keeps_its_target),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

@@ -1,5 +1,5 @@
-/* test_clock.c -- what the wall says, as the core is told. */
-#define _DEFAULT_SOURCE /* timegm */
+/* test_clock.c -- Tests the wall clock values that the core receives. */
+#define _DEFAULT_SOURCE /* For timegm(). */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -12,7 +12,7 @@
 #define DAY_S 86400
 #define SECONDS_TO_2000 946684800
 
-static void test_every_day_of_150_years_is_the_c_librarys(void **state)
+static void test_the_date_of_every_day_of_150_years_matches_the_c_library(void **state)
 {
     (void)state;
     const time_t first = SECONDS_TO_2000 + (time_t)DAY_S * 9497; /* 2026-01-01 */
@@ -26,7 +26,7 @@ static void test_every_day_of_150_years_is_the_c_librarys(void **state)
     }
 }
 
-static void test_a_clock_that_was_never_set_says_nothing(void **state)
+static void test_an_unset_clock_gives_no_date(void **state)
 {
     static const int years[] = { 70, 100, 125, 279 };
     (void)state;
@@ -51,11 +51,11 @@ static void test_the_first_and_the_last_day_have_a_number(void **state)
     assert_int_equal(day, 9497);
     assert_int_equal(minute, 0);
     clock_civil(&last, &day, &minute);
-    assert_int_equal(day, 65378); /* In 16 bits. */
+    assert_int_equal(day, 65378); /* The day fits 16 bits. */
     assert_int_equal(minute, 1439);
 }
 
-static void test_the_machines_clock_never_goes_back(void **state)
+static void test_the_monotonic_clock_never_goes_back(void **state)
 {
     (void)state;
     const struct hal_clock clock = clock_device();
@@ -70,10 +70,10 @@ static void test_the_machines_clock_never_goes_back(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_day_of_150_years_is_the_c_librarys),
-        cmocka_unit_test(test_a_clock_that_was_never_set_says_nothing),
+        cmocka_unit_test(test_the_date_of_every_day_of_150_years_matches_the_c_library),
+        cmocka_unit_test(test_an_unset_clock_gives_no_date),
         cmocka_unit_test(test_the_first_and_the_last_day_have_a_number),
-        cmocka_unit_test(test_the_machines_clock_never_goes_back),
+        cmocka_unit_test(test_the_monotonic_clock_never_goes_back),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,5 @@
-/* test_directory.c -- folders are made where they can be, and the reason is told where not. */
+/* test_directory.c -- Tests that folders are created where possible, and that the reason is
+ * reported otherwise. */
 #include <errno.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -36,7 +37,7 @@ static int make_below(const char *name)
     return file_make_folder(path);
 }
 
-static void test_all_folders_on_the_way_are_made_and_twice_is_no_harm(void **state)
+static void test_all_missing_parent_folders_are_created_and_existing_ones_accepted(void **state)
 {
     char path[128];
     struct stat status;
@@ -48,7 +49,7 @@ static void test_all_folders_on_the_way_are_made_and_twice_is_no_harm(void **sta
     assert_true(S_ISDIR(status.st_mode));
 }
 
-static void test_a_file_in_the_way_is_told(void **state)
+static void test_a_file_in_place_of_a_folder_is_reported(void **state)
 {
     char path[128];
     (void)state;
@@ -60,7 +61,7 @@ static void test_a_file_in_the_way_is_told(void **state)
     assert_int_equal(make_below("file/below"), -ENOTDIR);
 }
 
-static void test_a_path_of_no_or_too_many_bytes_is_refused(void **state)
+static void test_an_empty_or_too_long_path_is_rejected(void **state)
 {
     static char path[FILE_FOLDER_MAX + 1];
     (void)state;
@@ -72,9 +73,9 @@ static void test_a_path_of_no_or_too_many_bytes_is_refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_all_folders_on_the_way_are_made_and_twice_is_no_harm),
-        cmocka_unit_test(test_a_file_in_the_way_is_told),
-        cmocka_unit_test(test_a_path_of_no_or_too_many_bytes_is_refused),
+        cmocka_unit_test(test_all_missing_parent_folders_are_created_and_existing_ones_accepted),
+        cmocka_unit_test(test_a_file_in_place_of_a_folder_is_reported),
+        cmocka_unit_test(test_an_empty_or_too_long_path_is_rejected),
     };
     return cmocka_run_group_tests(tests, make_root, remove_root);
 }

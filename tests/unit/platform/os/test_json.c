@@ -1,4 +1,4 @@
-/* test_json.c -- documents written to a buffer: commas, lines, escapes. */
+/* test_json.c -- Tests JSON documents written to a buffer: commas, lines and escapes. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -8,7 +8,7 @@
 
 #include "platform/os/json.h"
 
-static void test_commas_stand_between_elements_of_every_level(void **state)
+static void test_commas_separate_the_elements_of_every_level(void **state)
 {
     char text[256];
     struct json json = { .buffer = text, .size = sizeof text };
@@ -52,7 +52,7 @@ static void test_text_of_any_bytes_is_a_valid_string(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_commas_stand_between_elements_of_every_level),
+        cmocka_unit_test(test_commas_separate_the_elements_of_every_level),
         cmocka_unit_test(test_text_of_any_bytes_is_a_valid_string),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

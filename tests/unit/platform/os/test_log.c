@@ -1,6 +1,7 @@
-/* test_log.c -- a line on standard error, and its priority where a journal listens. */
+/* test_log.c -- Tests log lines on standard error and their priority for a journal. */
 #include <fcntl.h>
 #include <setjmp.h>
+#include <stdbool.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -16,9 +17,10 @@
 
 static char place[] = "/tmp/kingyo-say-XXXXXX";
 static char said[2u * LOG_LINE_MAX];
+static bool has_variable = true;
 
-/* Says a warning with standard error led into a file; what $JOURNAL_STREAM is then, by `shift` off
- * the file's own inode. */
+/* Logs a warning with standard error redirected to a file. $JOURNAL_STREAM differs from the file's
+ * inode by `shift`. */
 static void say_into_file(int shift, const char *words)
 {
     char journal[64];
@@ -29,7 +31,9 @@ static void say_into_file(int shift, const char *words)
     assert_int_equal(fstat(file, &about), 0);
     snprintf(journal, sizeof journal, "%llu:%llu", (unsigned long long)about.st_dev,
              (unsigned long long)about.st_ino + (unsigned long long)shift);
-    setenv("JOURNAL_STREAM", journal, 1);
+    if (has_variable) {
+        setenv("JOURNAL_STREAM", journal, 1);
+    }
     fflush(stderr);
     dup2(file, STDERR_FILENO);
     log_open();
@@ -45,29 +49,29 @@ static void say_into_file(int shift, const char *words)
     log_open();
 }
 
-static void test_a_journal_gets_the_priority(void **state)
+static void test_a_log_line_to_the_journal_has_a_priority(void **state)
 {
     (void)state;
     say_into_file(0, "a.conf:3: unknown key");
     assert_string_equal(said, "<4>kingyo: a.conf:3: unknown key\n");
 }
 
-/* Standard error that was led elsewhere, as in `kingyo 2>log` within a service. */
-static void test_a_file_that_is_no_journal_gets_words_alone(void **state)
+/* Standard error is redirected as in `kingyo 2>log` within a service. */
+static void test_a_log_line_to_a_file_has_no_priority(void **state)
 {
     (void)state;
     say_into_file(1, "a.conf:3: unknown key");
     assert_string_equal(said, "kingyo: a.conf:3: unknown key\n");
 }
 
-static void test_a_line_holds_no_control_character(void **state)
+static void test_a_log_line_contains_no_control_character(void **state)
 {
     (void)state;
     say_into_file(1, "pad '\033[2J\xC2\x9B\xE2\x80\xAE\x9B\nkingyo: forged' is gone");
     assert_string_equal(said, "kingyo: pad '?[2J????kingyo: forged' is gone\n");
 }
 
-static void test_a_long_line_is_cut_and_ends(void **state)
+static void test_a_long_log_line_is_truncated_and_terminated(void **state)
 {
     static char words[2u * LOG_LINE_MAX];
     (void)state;
@@ -77,22 +81,23 @@ static void test_a_long_line_is_cut_and_ends(void **state)
     assert_int_equal(said[strlen(said) - 1u], '\n');
 }
 
-static void test_no_variable_no_journal(void **state)
+static void test_without_the_environment_variable_there_is_no_journal(void **state)
 {
     (void)state;
-    assert_int_equal(log_is_journal(NULL, STDERR_FILENO), 0);
-    assert_int_equal(log_is_journal("", STDERR_FILENO), 0);
-    assert_int_equal(log_is_journal("8:12345", -1), 0);
+    has_variable = false;
+    say_into_file(0, "a");
+    assert_string_equal(said, "kingyo: a\n");
+    has_variable = true;
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_journal_gets_the_priority),
-        cmocka_unit_test(test_a_file_that_is_no_journal_gets_words_alone),
-        cmocka_unit_test(test_a_line_holds_no_control_character),
-        cmocka_unit_test(test_a_long_line_is_cut_and_ends),
-        cmocka_unit_test(test_no_variable_no_journal),
+        cmocka_unit_test(test_a_log_line_to_the_journal_has_a_priority),
+        cmocka_unit_test(test_a_log_line_to_a_file_has_no_priority),
+        cmocka_unit_test(test_a_log_line_contains_no_control_character),
+        cmocka_unit_test(test_a_long_log_line_is_truncated_and_terminated),
+        cmocka_unit_test(test_without_the_environment_variable_there_is_no_journal),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,4 @@
-/* test_number.c -- numbers in and out, whatever the locale. */
+/* test_number.c -- Tests printing and parsing of numbers in any locale. */
 #include <locale.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -18,7 +18,7 @@ static double parse(const char *text)
     return value;
 }
 
-static void test_decimals_are_what_they_say(void **state)
+static void test_decimals_are_parsed(void **state)
 {
     static const struct {
         const char *text;
@@ -34,7 +34,7 @@ static void test_decimals_are_what_they_say(void **state)
     }
 }
 
-static void test_what_is_no_decimal_leaves_the_value_as_it_was(void **state)
+static void test_an_invalid_decimal_does_not_change_the_value(void **state)
 {
     static const char *const wrong[] = {
         "",    "-",     ".",     "e3",  "1e",   "1e+",
@@ -48,7 +48,7 @@ static void test_what_is_no_decimal_leaves_the_value_as_it_was(void **state)
     assert_int_equal(number_parse_decimal(NULL, 0, 1, NULL), 0);
 }
 
-static void test_the_ends_of_a_range_belong_to_it(void **state)
+static void test_the_limits_of_a_range_are_included(void **state)
 {
     double value = 0.0;
     (void)state;
@@ -79,7 +79,7 @@ static void test_fixed_decimals_round_half_away_from_zero(void **state)
     expect_print(0.25, 6, "0.250000");
 }
 
-static void test_a_number_printed_and_read_again_is_the_same(void **state)
+static void test_a_number_is_unchanged_by_printing_and_parsing(void **state)
 {
     (void)state;
     for (int i = -2000; i <= 2000; i++) {
@@ -92,13 +92,13 @@ static void test_a_number_printed_and_read_again_is_the_same(void **state)
 
 int main(void)
 {
-    (void)setlocale(LC_ALL, ""); /* A comma for a point would show. */
+    (void)setlocale(LC_ALL, ""); /* A locale with a decimal comma would show an error. */
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_decimals_are_what_they_say),
-        cmocka_unit_test(test_what_is_no_decimal_leaves_the_value_as_it_was),
-        cmocka_unit_test(test_the_ends_of_a_range_belong_to_it),
+        cmocka_unit_test(test_decimals_are_parsed),
+        cmocka_unit_test(test_an_invalid_decimal_does_not_change_the_value),
+        cmocka_unit_test(test_the_limits_of_a_range_are_included),
         cmocka_unit_test(test_fixed_decimals_round_half_away_from_zero),
-        cmocka_unit_test(test_a_number_printed_and_read_again_is_the_same),
+        cmocka_unit_test(test_a_number_is_unchanged_by_printing_and_parsing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

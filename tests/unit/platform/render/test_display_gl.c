@@ -1,5 +1,5 @@
-/* test_display_gl.c -- the real display without a screen: events, sizes, sockets and limits, and
- * how the picture lies on the screen. */
+/* test_display_gl.c -- Tests the real display without a screen: events, sizes, connectors, limits,
+ * and the rotation of the picture. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -14,11 +14,11 @@
 #include "core/game/lab/lab.h"
 #include "core/game/menu/menu.h"
 #include "platform/render/display_gl.h"
-#include "tests/unit/support/display_stand.h"
+#include "tests/unit/support/display_fixture.h"
 
 static bool is_minimised;
 
-/* In SDL's place: its offscreen driver minimises nothing. */
+/* This function replaces SDL's, because SDL's offscreen driver cannot minimise a window. */
 void SDL_GL_GetDrawableSize(SDL_Window *window, int *width, int *height)
 {
     SDL_GetWindowSize(window, width, height);
@@ -27,14 +27,14 @@ void SDL_GL_GetDrawableSize(SDL_Window *window, int *width, int *height)
     }
 }
 
-static void test_it_says_what_draws_and_how_finely(void **state)
+static void test_the_display_description_names_the_renderer_and_the_quality(void **state)
 {
     (void)state;
     assert_non_null(strstr(device.ops->describe(device.self), "OpenGL ES 3"));
     assert_non_null(strstr(device.ops->describe(device.self), "320x180, scene "));
 }
 
-static void test_the_same_scene_is_the_same_picture(void **state)
+static void test_equal_scenes_give_equal_pictures(void **state)
 {
     (void)state;
     picture(pixels[0]);
@@ -42,7 +42,7 @@ static void test_the_same_scene_is_the_same_picture(void **state)
     assert_memory_equal(pixels[0], pixels[1], PIXELS_SIZE);
 }
 
-static void test_a_picture_needs_a_frame_and_room(void **state)
+static void test_reading_a_picture_needs_a_frame_and_a_buffer(void **state)
 {
     (void)state;
     struct hal_image image = { .rgb = pixels[0], .size = PIXELS_SIZE };
@@ -54,7 +54,7 @@ static void test_a_picture_needs_a_frame_and_room(void **state)
     assert_int_equal(device.ops->capture(device.self, &image), HAL_OK);
 }
 
-static void test_it_takes_quit_and_leaves_other_devices_their_events(void **state)
+static void test_the_display_consumes_quit_events_and_leaves_other_events(void **state)
 {
     (void)state;
     struct display_events events;
@@ -74,7 +74,7 @@ static void test_it_takes_quit_and_leaves_other_devices_their_events(void **stat
     SDL_FlushEvents(SDL_FIRSTEVENT, SDL_LASTEVENT);
 }
 
-static void test_the_picture_follows_the_size_of_the_window(void **state)
+static void test_the_picture_has_the_size_of_the_window(void **state)
 {
     (void)state;
     picture(pixels[0]);
@@ -87,7 +87,7 @@ static void test_the_picture_follows_the_size_of_the_window(void **state)
     assert_non_null(strstr(device.ops->describe(device.self), "200x160"));
 }
 
-/* As a window manager does that ignores the smallest size. */
+/* Some window managers ignore the smallest size of a window. */
 static void test_a_window_of_a_few_pixels_is_drawn_into(void **state)
 {
     (void)state;
@@ -113,7 +113,7 @@ static void count_step(void *context, enum render_step step)
     steps_drawn++;
 }
 
-static void test_on_demand_only_what_becomes_a_picture_is_drawn(void **state)
+static void test_on_demand_drawing_skips_frames_without_a_picture(void **state)
 {
     (void)state;
     picture(pixels[0]);
@@ -128,8 +128,8 @@ static void test_on_demand_only_what_becomes_a_picture_is_drawn(void **state)
     assert_memory_equal(pixels[0], pixels[1], PIXELS_SIZE);
 }
 
-/* A hint is faded in from the frame in which it appeared, drawn or not. */
-static void test_a_picture_on_demand_shows_the_hint_of_the_frames_before(void **state)
+/* A hint fades in from the frame in which it appeared, even if that frame was not drawn. */
+static void test_a_picture_on_demand_shows_the_hint_of_skipped_frames(void **state)
 {
     (void)state;
     scene.phase = PHASE_ROUND;
@@ -145,9 +145,9 @@ static void test_a_picture_on_demand_shows_the_hint_of_the_frames_before(void **
     assert_memory_equal(pixels[0], pixels[1], PIXELS_SIZE);
 }
 
-#define SIDE HEIGHT /* Of a square screen: SDL's offscreen surface keeps its first size. */
+#define SIDE HEIGHT /* The screen is square because SDL's offscreen surface keeps its first size. */
 
-/* A point of a square picture, where it is after that many quarter turns clockwise. */
+/* Returns the index of a point of a square picture after `rotation` clockwise quarter turns. */
 static uint32_t turned_at(uint32_t rotation, uint32_t x, uint32_t y)
 {
     for (uint32_t i = 0; i < rotation; i++) {
@@ -163,14 +163,15 @@ static void square(uint8_t rgb[PIXELS_SIZE], uint32_t rotation)
     struct hal_image image = { .rgb = rgb, .size = PIXELS_SIZE };
     device.ops->set_transform(device.self,
                               &(struct display_settings){ .rotation = rotation, .light = 1.0f });
-    for (uint32_t i = 0; i < 20u; i++) { /* Until the album's paint is fine. */
+    for (uint32_t i = 0; i < 20u; i++) { /* The loop ends when the album's texture is fully
+                                            refined. */
         assert_int_equal(device.ops->present(device.self, &scene), HAL_OK);
     }
     assert_int_equal(device.ops->capture(device.self, &image), HAL_OK);
     assert_int_equal(image.width, SIDE);
 }
 
-/* The whole of what there is: tank, words, a fish on the album's page. */
+/* Draws a full scene with tank, text and a fish on the album page. */
 static void show_turned(uint8_t phase, uint32_t rotation)
 {
     uint64_t sum = 0;
@@ -189,7 +190,7 @@ static void show_turned(uint8_t phase, uint32_t rotation)
     assert_true(mean < 1.5f);
 }
 
-static void test_a_turned_picture_is_the_same_picture_turned(void **state)
+static void test_a_rotated_display_shows_the_same_picture_rotated(void **state)
 {
     (void)state;
     static const uint8_t phases[] = { PHASE_ATTRACT, PHASE_ALBUM };
@@ -200,14 +201,14 @@ static void test_a_turned_picture_is_the_same_picture_turned(void **state)
     core.game.phase = PHASE_ALBUM;
     core_scene(&core, &scene);
     scene.phase_s = 5.0f;
-    memset(scene.slope[RIPPLE_Z / 2], 100, sizeof scene.slope[0]); /* Waves bend the floor. */
+    memset(scene.slope[RIPPLE_Z / 2], 100, sizeof scene.slope[0]); /* Waves distort the floor. */
     SDL_SetWindowSize(display.window, (int)SIDE, (int)SIDE);
     for (uint32_t i = 0; i < 3u * sizeof phases; i++) {
         show_turned(phases[i / 3u], 1u + i % 3u);
     }
 }
 
-static void test_a_screen_is_upright_as_its_picture_is(void **state)
+static void test_a_rotated_screen_is_reported_as_portrait(void **state)
 {
     (void)state;
     struct display_events events;
@@ -219,7 +220,7 @@ static void test_a_screen_is_upright_as_its_picture_is(void **state)
     }
 }
 
-static void test_beside_the_picture_the_screen_is_black(void **state)
+static void test_the_screen_is_black_outside_the_picture(void **state)
 {
     (void)state;
     const struct display_settings inset = { .inset_x = 0.1f, .inset_y = 0.2f, .light = 1.0f };
@@ -237,7 +238,7 @@ static void test_beside_the_picture_the_screen_is_black(void **state)
     assert_true(lit > 256u * 108u * 9u / 10u);
 }
 
-static void test_half_the_light_is_half_of_each_colour_and_none_is_black(void **state)
+static void test_brightness_scales_each_colour_and_zero_is_black(void **state)
 {
     (void)state;
     device.ops->set_transform(device.self, &(struct display_settings){ .light = 1.0f });
@@ -254,13 +255,13 @@ static void test_half_the_light_is_half_of_each_colour_and_none_is_black(void **
     }
 }
 
-static void test_it_takes_every_pixel_of_a_dense_screen(void **state)
+static void test_a_high_density_screen_is_drawn_at_its_full_resolution(void **state)
 {
     (void)state;
     assert_true(SDL_GetWindowFlags(display.window) & SDL_WINDOW_ALLOW_HIGHDPI);
 }
 
-static void test_a_minimised_window_is_asked_again_and_no_fault(void **state)
+static void test_a_minimised_window_is_retried_without_a_fault(void **state)
 {
     (void)state;
     picture(pixels[0]);
@@ -279,7 +280,7 @@ static void count_end(void *context)
     ends++;
 }
 
-static void test_a_driver_that_resets_is_gone_and_opened_again_as_it_was(void **state)
+static void test_a_reset_of_the_graphics_driver_reopens_the_display(void **state)
 {
     (void)state;
     struct display_events events;
@@ -292,7 +293,7 @@ static void test_a_driver_that_resets_is_gone_and_opened_again_as_it_was(void **
     assert_int_equal(device.ops->present(device.self, &scene), HAL_ERR_GONE);
     assert_int_equal(device.ops->present(device.self, &scene), HAL_ERR_GONE);
     assert_int_equal(device.ops->poll(device.self, &events), HAL_ERR_GONE);
-    assert_int_equal(events.lost, 0); /* Not for good. */
+    assert_int_equal(events.lost, 0); /* The loss is not permanent. */
     assert_int_equal(ends, 0);
     assert_non_null(strstr(device.ops->describe(device.self), "as if the driver had reset"));
     assert_int_equal(device.ops->open(device.self), HAL_OK);
@@ -300,7 +301,7 @@ static void test_a_driver_that_resets_is_gone_and_opened_again_as_it_was(void **
     assert_memory_equal(pixels[0], pixels[1], PIXELS_SIZE);
 }
 
-/* A socket of a card that is made of files. */
+/* Creates a connector of a card that is simulated with files. */
 static void plug(const char *folder, const char *socket, const char *status)
 {
     char path[128];
@@ -320,7 +321,7 @@ static void unmake(const char *folder)
     assert_int_equal(system(command), 0);
 }
 
-static void test_only_sockets_with_a_screen_count(void **state)
+static void test_only_connectors_with_a_monitor_are_counted(void **state)
 {
     (void)state;
     char folder[] = "/tmp/kingyo-drm-XXXXXX";
@@ -342,15 +343,15 @@ static void test_only_sockets_with_a_screen_count(void **state)
     unmake(folder);
 }
 
-/* Polls as if a second had passed since it looked. */
+/* Polls as if a second had passed after the last check. */
 static int look(struct display_events *events)
 {
     display.looked_ns -= 2000000000ull;
     return device.ops->poll(device.self, events);
 }
 
-/* As on a card without a window system; what draws is off screen all the same. */
-static void test_a_screen_that_is_pulled_out_is_gone_until_it_is_back(void **state)
+/* The test simulates a card without a window system, although the drawing is off screen. */
+static void test_an_unplugged_screen_is_gone_until_it_returns(void **state)
 {
     (void)state;
     struct display_events events;
@@ -363,19 +364,19 @@ static void test_a_screen_that_is_pulled_out_is_gone_until_it_is_back(void **sta
     picture(pixels[0]);
     assert_int_equal(look(&events), HAL_OK);
     plug(folder, "card0-HDMI-A-1", "disconnected\n");
-    assert_int_equal(look(&events), HAL_OK); /* It may have wobbled. */
+    assert_int_equal(look(&events), HAL_OK); /* The connection may have been interrupted briefly. */
     plug(folder, "card0-HDMI-A-1", "connected\n");
     assert_int_equal(look(&events), HAL_OK);
     plug(folder, "card0-HDMI-A-1", "disconnected\n");
     assert_int_equal(look(&events), HAL_OK);
     assert_int_equal(look(&events), HAL_ERR_GONE);
     assert_int_equal(events.lost, 0);
-    assert_non_null(strstr(device.ops->describe(device.self), "pulled out"));
+    assert_non_null(strstr(device.ops->describe(device.self), "unplugged"));
     assert_int_equal(device.ops->present(device.self, &scene), HAL_ERR_GONE);
     setenv("SDL_VIDEODRIVER", "kmsdrm", 1);
     display.config.off_screen = false;
-    assert_int_equal(device.ops->open(device.self), HAL_ERR_GONE); /* SDL is not even asked. */
-    assert_non_null(strstr(device.ops->describe(device.self), "none is plugged in"));
+    assert_int_equal(device.ops->open(device.self), HAL_ERR_GONE); /* SDL is not called. */
+    assert_non_null(strstr(device.ops->describe(device.self), "no screen is connected"));
     unsetenv("SDL_VIDEODRIVER");
     display.config.off_screen = true;
     plug(folder, "card0-HDMI-A-1", "connected\n");
@@ -388,23 +389,23 @@ static void test_a_screen_that_is_pulled_out_is_gone_until_it_is_back(void **sta
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        WITH_DISPLAY(test_it_says_what_draws_and_how_finely),
-        WITH_DISPLAY(test_the_same_scene_is_the_same_picture),
-        WITH_DISPLAY(test_a_picture_needs_a_frame_and_room),
-        WITH_DISPLAY(test_it_takes_quit_and_leaves_other_devices_their_events),
-        WITH_DISPLAY(test_the_picture_follows_the_size_of_the_window),
+        WITH_DISPLAY(test_the_display_description_names_the_renderer_and_the_quality),
+        WITH_DISPLAY(test_equal_scenes_give_equal_pictures),
+        WITH_DISPLAY(test_reading_a_picture_needs_a_frame_and_a_buffer),
+        WITH_DISPLAY(test_the_display_consumes_quit_events_and_leaves_other_events),
+        WITH_DISPLAY(test_the_picture_has_the_size_of_the_window),
         WITH_DISPLAY(test_a_window_of_a_few_pixels_is_drawn_into),
-        WITH_DISPLAY(test_on_demand_only_what_becomes_a_picture_is_drawn),
-        WITH_DISPLAY(test_a_picture_on_demand_shows_the_hint_of_the_frames_before),
-        WITH_DISPLAY(test_a_turned_picture_is_the_same_picture_turned),
-        WITH_DISPLAY(test_a_screen_is_upright_as_its_picture_is),
-        WITH_DISPLAY(test_beside_the_picture_the_screen_is_black),
-        WITH_DISPLAY(test_half_the_light_is_half_of_each_colour_and_none_is_black),
-        WITH_DISPLAY(test_it_takes_every_pixel_of_a_dense_screen),
-        WITH_DISPLAY(test_a_minimised_window_is_asked_again_and_no_fault),
-        WITH_DISPLAY(test_a_driver_that_resets_is_gone_and_opened_again_as_it_was),
-        cmocka_unit_test(test_only_sockets_with_a_screen_count),
-        WITH_DISPLAY(test_a_screen_that_is_pulled_out_is_gone_until_it_is_back),
+        WITH_DISPLAY(test_on_demand_drawing_skips_frames_without_a_picture),
+        WITH_DISPLAY(test_a_picture_on_demand_shows_the_hint_of_skipped_frames),
+        WITH_DISPLAY(test_a_rotated_display_shows_the_same_picture_rotated),
+        WITH_DISPLAY(test_a_rotated_screen_is_reported_as_portrait),
+        WITH_DISPLAY(test_the_screen_is_black_outside_the_picture),
+        WITH_DISPLAY(test_brightness_scales_each_colour_and_zero_is_black),
+        WITH_DISPLAY(test_a_high_density_screen_is_drawn_at_its_full_resolution),
+        WITH_DISPLAY(test_a_minimised_window_is_retried_without_a_fault),
+        WITH_DISPLAY(test_a_reset_of_the_graphics_driver_reopens_the_display),
+        cmocka_unit_test(test_only_connectors_with_a_monitor_are_counted),
+        WITH_DISPLAY(test_an_unplugged_screen_is_gone_until_it_returns),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

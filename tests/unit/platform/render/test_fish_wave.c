@@ -1,5 +1,6 @@
-/* test_fish_wave.c -- the tail that the screen shows sweeps as far as the scene says: measured in
- * pictures, from straight above. */
+/* test_fish_wave.c -- Tests that the drawn tail amplitude equals the amplitude in the scene.
+ *
+ * The amplitude is measured in pictures taken from above. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -15,8 +16,9 @@
 #define PIXELS_SIZE (SIDE_PX * SIDE_PX * 3u)
 #define PHASES 16u
 #define LENGTH_M 0.08f
-#define EYE_M 0.25f  /* Above the fish. */
-#define FISH_M 0.06f /* Above the water, which would bend the picture. */
+#define EYE_M 0.25f /* Height of the eye above the fish. */
+/* Height of the fish above the water, whose refraction would distort the picture. */
+#define FISH_M 0.06f
 
 static struct core core;
 static struct scene scene;
@@ -24,10 +26,10 @@ static struct display_gl display;
 static struct hal_display device;
 static uint8_t empty[PIXELS_SIZE], pixels[PIXELS_SIZE];
 
-/* The snout is up. */
+/* Outline of a fish whose snout points up in the picture. */
 struct outline {
-    float top, bottom, left, right; /* Pixels. */
-    float tail_x, nose_x; /* Columns of the rearmost and the foremost 3 % of the length. */
+    float top, bottom, left, right; /* Extents in pixels. */
+    float tail_x, nose_x; /* Mean columns of the rearmost and the foremost 3 % of the length. */
 };
 
 static int open_display(void **state)
@@ -66,7 +68,7 @@ static void stage(float phase_rad, float amplitude, float bend_rad)
     scene.view.aspect_min = 1.0f;
     scene.phase = PHASE_ROUND;
     scene.phase_s = 30.0f;
-    scene.veil = 0.0f; /* A stall begins in the dark. */
+    scene.veil = 0.0f; /* The kiosk starts with a black screen. */
     scene.poi[0].present = 0;
     scene.hint = HINT_NONE;
     fish->place = SCENE_ON_POI;
@@ -80,7 +82,7 @@ static void stage(float phase_rad, float amplitude, float bend_rad)
     fish->maturity = 1.0f;
 }
 
-/* Fish are redder than the water that they hide; their shadows are not. */
+/* Fish are redder than the water behind them. Their shadows are not. */
 static int is_fish(uint32_t x, uint32_t y)
 {
     const size_t at = 3u * ((size_t)y * SIDE_PX + x);
@@ -133,7 +135,7 @@ static struct outline drawn(float phase_rad, float amplitude, float bend_rad)
     return outline();
 }
 
-/* Tip to tip, in lengths. */
+/* Measures the tip-to-tip amplitudes of tail and nose, in body lengths. */
 static void sweep(float amplitude, float *tail, float *nose)
 {
     const struct outline straight = drawn(0.0f, 0.0f, 0.0f);
@@ -152,7 +154,7 @@ static void sweep(float amplitude, float *tail, float *nose)
                   (double)length_px, (double)amplitude, (double)*tail, (double)*nose);
 }
 
-static void test_the_full_stroke_sweeps_a_fifth_of_the_length(void **state)
+static void test_a_full_tail_beat_spans_a_fifth_of_the_length(void **state)
 {
     (void)state;
     float tail = 0.0f, nose = 0.0f;
@@ -164,9 +166,9 @@ static void test_the_full_stroke_sweeps_a_fifth_of_the_length(void **state)
     assert_float_equal(half, 0.5f * tail, 0.015f);
 }
 
-/* A half circle of length 1 is 0.64 across and 0.32 deep; 2.5 radians are a little less bent, and
- * the outer lobe of the tail's fork, a third of a length long, stands off the curve. */
-static void test_a_start_bends_the_whole_fish_into_a_c(void **state)
+/* A half circle of length 1 is 0.64 wide and 0.32 deep. A bend of 2.5 radians is a little less, and
+ * the outer lobe of the tail, a third of a length long, extends beyond the curve. */
+static void test_a_startle_bends_the_whole_fish_into_a_c(void **state)
 {
     (void)state;
     const struct outline straight = drawn(0.0f, 0.0f, 0.0f), bent = drawn(0.0f, 0.0f, -2.5f);
@@ -178,14 +180,14 @@ static void test_a_start_bends_the_whole_fish_into_a_c(void **state)
     print_message("a C is %.2f lengths high, %.2f deep\n", (double)high, (double)deep);
     assert_true(high < 0.88f && high > 0.60f);
     assert_true(deep > 0.35f && deep < 0.60f);
-    assert_true(off_left > off_right); /* Head and tail lie to its left. */
+    assert_true(off_left > off_right); /* Head and tail lie to the left of the middle. */
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_the_full_stroke_sweeps_a_fifth_of_the_length),
-        cmocka_unit_test(test_a_start_bends_the_whole_fish_into_a_c),
+        cmocka_unit_test(test_a_full_tail_beat_spans_a_fifth_of_the_length),
+        cmocka_unit_test(test_a_startle_bends_the_whole_fish_into_a_c),
     };
     return cmocka_run_group_tests(tests, open_display, close_display);
 }

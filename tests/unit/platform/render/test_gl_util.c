@@ -1,4 +1,5 @@
-/* test_gl_util.c -- what OpenGL cannot do is refused in one line that says what and how much. */
+/* test_gl_util.c -- Tests that a texture beyond the limits of OpenGL is rejected with a message
+ * that names both sizes. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -24,11 +25,9 @@ static int close_context(void **state)
     return 0;
 }
 
-static const struct gl_texture_desc grey = {
-    .internal_format = GL_R8, .format = GL_RED, .width = 4, .height = 4
-};
+static const struct gl_texture_desc grey = { .internal_format = GL_R8, .width = 4, .height = 4 };
 
-static void test_a_texture_wider_than_the_driver_takes_is_refused_with_both_sizes(void **state)
+static void test_a_too_wide_texture_is_rejected_with_both_sizes(void **state)
 {
     (void)state;
     struct gl_status status = { 0 };
@@ -38,13 +37,14 @@ static void test_a_texture_wider_than_the_driver_takes_is_refused_with_both_size
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &side_max);
     desc.width = (uint32_t)side_max + 1u;
     assert_int_equal(gl_texture(&status, "wall", &desc), 0);
-    snprintf(expected, sizeof expected, "texture wall is %ux4, and this OpenGL driver takes %dx%d",
+    snprintf(expected, sizeof expected,
+             "texture wall is %ux4 texels, but this OpenGL driver supports at most %dx%d",
              desc.width, side_max, side_max);
     assert_string_equal(status.text, expected);
     assert_int_equal(glGetError(), GL_NO_ERROR);
 }
 
-static void test_an_array_of_more_layers_than_the_driver_takes_is_refused_too(void **state)
+static void test_a_texture_array_with_too_many_layers_is_rejected(void **state)
 {
     (void)state;
     struct gl_status status = { 0 };
@@ -55,12 +55,12 @@ static void test_an_array_of_more_layers_than_the_driver_takes_is_refused_too(vo
     desc.layers = (uint32_t)layers_max + 1u;
     assert_int_equal(gl_texture(&status, "book", &desc), 0);
     snprintf(expected, sizeof expected,
-             "texture book has %u layers, and this OpenGL driver takes %d", desc.layers,
+             "texture book has %u layers, but this OpenGL driver supports at most %d", desc.layers,
              layers_max);
     assert_string_equal(status.text, expected);
 }
 
-static void test_one_that_fits_is_made(void **state)
+static void test_a_texture_within_the_limits_is_created(void **state)
 {
     (void)state;
     struct gl_status status = { 0 };
@@ -73,9 +73,9 @@ static void test_one_that_fits_is_made(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_texture_wider_than_the_driver_takes_is_refused_with_both_sizes),
-        cmocka_unit_test(test_an_array_of_more_layers_than_the_driver_takes_is_refused_too),
-        cmocka_unit_test(test_one_that_fits_is_made),
+        cmocka_unit_test(test_a_too_wide_texture_is_rejected_with_both_sizes),
+        cmocka_unit_test(test_a_texture_array_with_too_many_layers_is_rejected),
+        cmocka_unit_test(test_a_texture_within_the_limits_is_created),
     };
     return cmocka_run_group_tests_name("gl_util", tests, open_context, close_context);
 }

@@ -1,5 +1,5 @@
-/* test_governor.c -- a picture that comes late or makes the machine hot gets coarser, never the
- * game slower; and it settles. */
+/* test_governor.c -- Tests that late frames or heat reduce the picture quality and never the game
+ * speed, and that the quality settles. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -12,7 +12,7 @@
 #define S 1000000000ull
 #define MS 1000000ull
 
-/* A machine that needs so long for the best picture, on a screen of so many turns a second. */
+/* A machine with a given time for the best quality and a screen with a given refresh rate. */
 static struct machine {
     struct governor governor;
     uint64_t now_ns, best_ns;
@@ -25,7 +25,7 @@ static void begin(uint64_t best_ns, uint32_t hz)
     quality_governor_begin(&machine.governor, hz);
 }
 
-/* What a step leaves of the cost: a third of it is not the scene's. */
+/* Returns the cost of a quality step. A third of the cost does not depend on the scene. */
 static uint64_t cost_ns(uint32_t step)
 {
     const struct quality best = { .scene_scale = 1.0f, .floor_scale = 1.0f, .samples = 1 };
@@ -33,7 +33,7 @@ static uint64_t cost_ns(uint32_t step)
     return (uint64_t)((float)machine.best_ns * (0.33f + 0.67f * scale * scale));
 }
 
-/* Shown at the screen's next turn. Returns how many of the frames were late. */
+/* Runs frames that are shown at the next refresh. Returns the number of late frames. */
 static uint32_t run(uint32_t seconds, bool may_refine)
 {
     const uint64_t turn_ns = S / machine.hz, end_ns = machine.now_ns + seconds * S;
@@ -49,7 +49,7 @@ static uint32_t run(uint32_t seconds, bool may_refine)
     return late;
 }
 
-static void test_a_machine_that_is_fast_enough_keeps_the_best_picture(void **state)
+static void test_a_fast_machine_keeps_the_best_quality(void **state)
 {
     (void)state;
     begin(14 * MS, 60);
@@ -58,7 +58,7 @@ static void test_a_machine_that_is_fast_enough_keeps_the_best_picture(void **sta
     assert_int_equal(machine.changes, 0);
 }
 
-static void test_a_slow_one_is_on_time_within_ten_seconds(void **state)
+static void test_a_slow_machine_reaches_its_frame_rate_within_ten_seconds(void **state)
 {
     (void)state;
     begin(30 * MS, 60);
@@ -68,18 +68,18 @@ static void test_a_slow_one_is_on_time_within_ten_seconds(void **state)
     print_message("30 ms a frame at best: %u steps\n", machine.step);
 }
 
-static void test_no_machine_is_drawn_for_less_than_the_last_step(void **state)
+static void test_the_quality_never_falls_below_the_last_step(void **state)
 {
     (void)state;
     begin(200 * MS, 60);
     run(600, true);
     assert_int_equal(machine.step, QUALITY_STEP_MAX);
-    begin(900 * MS, 60); /* Each frame as long as a stall. */
+    begin(900 * MS, 60); /* Each frame is as long as a delay of the kiosk. */
     run(60, true);
     assert_int_equal(machine.step, QUALITY_STEP_MAX);
 }
 
-static void test_a_finer_picture_is_tried_between_games_and_ever_more_rarely(void **state)
+static void test_a_higher_quality_is_tried_between_games_with_increasing_delays(void **state)
 {
     (void)state;
     begin(22 * MS, 60);
@@ -87,18 +87,18 @@ static void test_a_finer_picture_is_tried_between_games_and_ever_more_rarely(voi
     const uint32_t settled = machine.step;
     assert_true(settled > 0);
     machine.changes = 0;
-    run(3600, false); /* In a game nothing is tried. */
+    run(3600, false); /* No higher quality is tried during a game. */
     assert_int_equal(machine.changes, 0);
     const uint32_t late = run(3600, true);
     print_message("an hour: %u changes, %u frames late\n", machine.changes, late);
     assert_in_range(machine.changes, 2, 16);
     assert_true(late < 600u);
-    machine.best_ns = 12 * MS; /* What made it slow went. */
+    machine.best_ns = 12 * MS; /* The cause of the slowness has ended. */
     run(2u * GOVERNOR_PATIENCE_MAX_S, true);
     assert_int_equal(machine.step, 0);
 }
 
-static void test_a_slow_screen_is_no_slow_machine(void **state)
+static void test_a_low_refresh_rate_does_not_reduce_the_quality(void **state)
 {
     (void)state;
     begin(14 * MS, 50);
@@ -107,13 +107,13 @@ static void test_a_slow_screen_is_no_slow_machine(void **state)
     begin(14 * MS, 30);
     run(600, true);
     assert_int_equal(machine.step, 0);
-    begin(6 * MS, 144); /* The game has 60; a frame may take two of its turns. */
+    begin(6 * MS, 144); /* The game runs at 60 Hz, so a frame may take two refresh intervals. */
     machine.best_ns = 10 * MS;
     run(600, true);
     assert_int_equal(machine.step, 0);
 }
 
-static void test_a_stall_says_nothing_of_drawing(void **state)
+static void test_a_delayed_frame_does_not_reduce_the_quality(void **state)
 {
     (void)state;
     begin(14 * MS, 60);
@@ -124,7 +124,7 @@ static void test_a_stall_says_nothing_of_drawing(void **state)
     assert_int_equal(machine.step, 0);
 }
 
-static void test_heat_is_answered_at_once_and_forgiven_when_it_is_cool(void **state)
+static void test_heat_reduces_the_quality_immediately_and_cooling_restores_it(void **state)
 {
     (void)state;
     begin(14 * MS, 60);
@@ -137,7 +137,8 @@ static void test_heat_is_answered_at_once_and_forgiven_when_it_is_cool(void **st
     run(1, false);
     assert_int_equal(machine.step, QUALITY_STEP_MAX);
     quality_governor_set_temperature(&machine.governor,
-                                     GOVERNOR_HOT_MDEG); /* Neither hot nor cool: as it is. */
+                                     GOVERNOR_HOT_MDEG); /* A temperature between hot and cool
+                                                            changes nothing. */
     quality_governor_set_temperature(&machine.governor, GOVERNOR_COOL_MDEG);
     run(1, false);
     assert_int_equal(machine.step, QUALITY_STEP_MAX);
@@ -151,13 +152,13 @@ static void test_heat_is_answered_at_once_and_forgiven_when_it_is_cool(void **st
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_machine_that_is_fast_enough_keeps_the_best_picture),
-        cmocka_unit_test(test_a_slow_one_is_on_time_within_ten_seconds),
-        cmocka_unit_test(test_no_machine_is_drawn_for_less_than_the_last_step),
-        cmocka_unit_test(test_a_finer_picture_is_tried_between_games_and_ever_more_rarely),
-        cmocka_unit_test(test_a_slow_screen_is_no_slow_machine),
-        cmocka_unit_test(test_a_stall_says_nothing_of_drawing),
-        cmocka_unit_test(test_heat_is_answered_at_once_and_forgiven_when_it_is_cool),
+        cmocka_unit_test(test_a_fast_machine_keeps_the_best_quality),
+        cmocka_unit_test(test_a_slow_machine_reaches_its_frame_rate_within_ten_seconds),
+        cmocka_unit_test(test_the_quality_never_falls_below_the_last_step),
+        cmocka_unit_test(test_a_higher_quality_is_tried_between_games_with_increasing_delays),
+        cmocka_unit_test(test_a_low_refresh_rate_does_not_reduce_the_quality),
+        cmocka_unit_test(test_a_delayed_frame_does_not_reduce_the_quality),
+        cmocka_unit_test(test_heat_reduces_the_quality_immediately_and_cooling_restores_it),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,8 +1,8 @@
-/* test_morph_gl.c -- the vertex shader against morph_shape(): two programs, one fish.
+/* test_morph_gl.c -- Compares the vertex shader with morph_shape().
  *
- * Every built-in species, both levels of detail, every key and nine in-betweens of each pair, by
- * its own curves, pairwise and simultaneous, and as the thesis has it. The shader's vertices are
- * read back by transform feedback. */
+ * The test covers every built-in species, both levels of detail, every key and nine intermediate
+ * shapes of each pair, with own curves, pairwise and simultaneous graphs, and the thesis morph. The
+ * vertices of the shader are read back by transform feedback. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -20,9 +20,9 @@
 #include "tests/unit/support/gl_context.h"
 
 #define BETWEEN 9u
-#define ERROR_MAX 1e-5f  /* Of a length. */
-#define NORMAL_MAX 1e-3f /* Of unit normals' difference. */
-#define ROW 7u           /* Any but the first: a row that is not looked up shows. */
+#define ERROR_MAX 1e-5f  /* Position error in body lengths. */
+#define NORMAL_MAX 1e-3f /* Length of the difference of two unit normals. */
+#define ROW 7u           /* Any row but the first, so that a missing lookup changes the result. */
 
 struct vertex {
     float position[3], normal[3];
@@ -95,7 +95,8 @@ static GLuint program(const char *defines)
     return made;
 }
 
-/* Runs the bound program over every vertex of the mesh; the answer is mapped until unmapped. */
+/* Runs the bound program over every vertex of the mesh. The result is mapped until it is
+ * unmapped. */
 static const struct vertex *capture(uint32_t vertex_count)
 {
     const GLsizeiptr size = (GLsizeiptr)(vertex_count * sizeof(struct vertex));
@@ -120,7 +121,8 @@ static float distance(const float a[3], vec3 b)
     return v3_length(v3_sub(v3(a[0], a[1], a[2]), b));
 }
 
-/* How far the shader's fish is from morph_shape()'s; `pose` is what both were given. */
+/* Returns the difference between the shape of the shader and that of morph_shape() for the same
+ * `pose`. */
 static struct error compare(const struct species_mesh *source, uint32_t key_count)
 {
     struct error error = { 0.0f, 0.0f };
@@ -156,7 +158,8 @@ static void worse(struct error *worst, struct error error)
     worst->normal = f_max(worst->normal, error.normal);
 }
 
-/* One mesh from its first key to its last; `rows` says where the shader finds the pose. */
+/* Compares one mesh from its first key to its last. `rows` tells where the shader finds the
+ * pose. */
 static struct error follow(const struct species *species, uint32_t lod, GLuint name, bool rows)
 {
     struct error worst = { 0.0f, 0.0f };
@@ -220,20 +223,20 @@ static void follow_all(bool rows)
     assert_true(worst.normal <= NORMAL_MAX);
 }
 
-static void test_a_row_of_texels_a_fish_gives_the_cpu_s_shape(void **state)
+static void test_a_texel_row_per_fish_gives_the_shape_of_the_cpu(void **state)
 {
     (void)state;
     follow_all(true);
 }
 
-static void test_a_block_for_one_fish_gives_the_cpu_s_shape(void **state)
+static void test_a_uniform_block_for_one_fish_gives_the_shape_of_the_cpu(void **state)
 {
     (void)state;
     follow_all(false);
 }
 
-/* No built-in species has more than five keys: wakin's, each taken again and moved by its own way,
- * make eight, so that no attribute may be left out and none taken for another. */
+/* No built-in species has more than five keys. The keys of the wakin, some of them moved, make
+ * eight, so that a missing or exchanged attribute is detected. */
 static void test_eight_keys_are_blended_each_by_its_own_weight(void **state)
 {
     (void)state;
@@ -249,7 +252,7 @@ static void test_eight_keys_are_blended_each_by_its_own_weight(void **state)
         }
         eight.points[key] = moved[key];
     }
-    eight.anchor_count = 0; /* Their keys are five: no vertex may ask for one. */
+    eight.anchor_count = 0; /* The anchors have five keys, so no vertex may use an anchor. */
     static struct species_vertex free[MESH_VERTEX_MAX];
     for (uint32_t i = 0; i < eight.vertex_count; i++) {
         free[i] = eight.vertices[i];
@@ -273,8 +276,8 @@ static void test_eight_keys_are_blended_each_by_its_own_weight(void **state)
     glDeleteProgram(name);
 }
 
-/* What the bound above would not let pass. */
-static void test_weights_of_eight_bits_would_be_seen(void **state)
+/* An error that the bound above must detect. */
+static void test_the_test_detects_weights_of_eight_bits(void **state)
 {
     (void)state;
     const struct species *const species = species_table[0];
@@ -295,7 +298,7 @@ static void test_weights_of_eight_bits_would_be_seen(void **state)
     glDeleteProgram(name);
 }
 
-static void test_an_anchor_that_is_off_by_a_thousandth_would_be_seen(void **state)
+static void test_the_test_detects_an_anchor_error_of_a_thousandth(void **state)
 {
     (void)state;
     const struct species *const species = species_table[0];
@@ -312,7 +315,7 @@ static void test_an_anchor_that_is_off_by_a_thousandth_would_be_seen(void **stat
     glDeleteProgram(name);
 }
 
-static void test_a_fish_that_has_not_grown_is_not_posed_again(void **state)
+static void test_the_pose_of_a_fish_that_has_not_grown_is_not_recomputed(void **state)
 {
     (void)state;
     fish_poses_open(&status, &poses, species_table[0], 0);
@@ -333,12 +336,12 @@ static void test_a_fish_that_has_not_grown_is_not_posed_again(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_row_of_texels_a_fish_gives_the_cpu_s_shape),
-        cmocka_unit_test(test_a_block_for_one_fish_gives_the_cpu_s_shape),
+        cmocka_unit_test(test_a_texel_row_per_fish_gives_the_shape_of_the_cpu),
+        cmocka_unit_test(test_a_uniform_block_for_one_fish_gives_the_shape_of_the_cpu),
         cmocka_unit_test(test_eight_keys_are_blended_each_by_its_own_weight),
-        cmocka_unit_test(test_weights_of_eight_bits_would_be_seen),
-        cmocka_unit_test(test_an_anchor_that_is_off_by_a_thousandth_would_be_seen),
-        cmocka_unit_test(test_a_fish_that_has_not_grown_is_not_posed_again),
+        cmocka_unit_test(test_the_test_detects_weights_of_eight_bits),
+        cmocka_unit_test(test_the_test_detects_an_anchor_error_of_a_thousandth),
+        cmocka_unit_test(test_the_pose_of_a_fish_that_has_not_grown_is_not_recomputed),
     };
     return cmocka_run_group_tests(tests, open_context, NULL);
 }

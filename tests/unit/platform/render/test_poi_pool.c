@@ -1,4 +1,5 @@
-/* The water on a poi, as it is drawn: level, as much as there is, and where it must lie. */
+/* test_poi_pool.c -- Tests the drawn water on a poi: a level surface, the correct volume and the
+ * correct position. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -23,7 +24,8 @@ static struct scene_poi poi_with(float water_m, float pitch_deg, float roll_deg,
     };
 }
 
-/* World height of the paper at a point of its disc, in radii, as the vertex shader bends it. */
+/* Returns the world height of the paper at a point of its disc, in radii, as computed by the vertex
+ * shader. */
 static float height_m(const struct scene_poi *poi, float x, float z)
 {
     const struct basis axes = vec_basis_from_angles(poi->angles);
@@ -31,7 +33,7 @@ static float height_m(const struct scene_poi *poi, float x, float z)
     return v3_add(poi->position_m, vec_basis_to_world(&axes, local)).y;
 }
 
-/* Mean depth over the disc, by a grid that the module does not know. */
+/* Returns the mean depth over the disc, computed on a grid that is independent of the module. */
 static float drawn_m(const struct scene_poi *poi, const struct poi_pool *pool)
 {
     double sum = 0.0;
@@ -47,7 +49,7 @@ static float drawn_m(const struct scene_poi *poi, const struct poi_pool *pool)
     return (float)(sum / (double)count) + pool->film_m;
 }
 
-static void test_a_dry_poi_shows_no_water(void **state)
+static void test_a_dry_poi_has_no_pool(void **state)
 {
     (void)state;
     const struct scene_poi poi = poi_with(0.0f, 0.0f, 0.0f, 0.002f);
@@ -56,7 +58,7 @@ static void test_a_dry_poi_shows_no_water(void **state)
     assert_float_equal(pool.level_m, POI_NO_POOL_M, 0.0f);
 }
 
-static void test_a_little_water_is_a_film_and_no_pool(void **state)
+static void test_a_small_amount_of_water_is_a_film(void **state)
 {
     (void)state;
     const struct scene_poi poi = poi_with(0.5f * POI_FILM_M, 10.0f, 0.0f, 0.002f);
@@ -65,7 +67,7 @@ static void test_a_little_water_is_a_film_and_no_pool(void **state)
     assert_float_equal(pool.level_m, POI_NO_POOL_M, 0.0f);
 }
 
-static void test_as_much_is_drawn_as_there_is_however_it_lies(void **state)
+static void test_the_drawn_volume_equals_the_water_volume_at_any_tilt(void **state)
 {
     (void)state;
     static const float waters_m[] = { 0.0008f, 0.0012f, 0.002f, 0.003f };
@@ -83,16 +85,17 @@ static void test_as_much_is_drawn_as_there_is_however_it_lies(void **state)
     }
 }
 
-static void test_a_tilted_pool_leaves_the_high_side(void **state)
+static void test_a_tilted_pool_moves_to_the_low_side(void **state)
 {
     (void)state;
-    const struct scene_poi poi = poi_with(0.0015f, 20.0f, 0.0f, 0.002f); /* The far edge is up. */
+    const struct scene_poi poi = poi_with(0.0015f, 20.0f, 0.0f, 0.002f); /* The far edge is
+                                                                            raised. */
     const struct poi_pool pool = poi_pool_of(&poi);
     assert_true(height_m(&poi, 0.0f, -0.9f) > pool.level_m);
     assert_true(height_m(&poi, 0.0f, 0.9f) < pool.level_m);
 }
 
-static void test_a_level_belly_holds_it_in_the_middle(void **state)
+static void test_sagging_level_paper_holds_the_pool_in_the_middle(void **state)
 {
     (void)state;
     const struct scene_poi poi = poi_with(0.0012f, 0.0f, 0.0f, 0.004f);
@@ -105,11 +108,11 @@ static void test_a_level_belly_holds_it_in_the_middle(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_dry_poi_shows_no_water),
-        cmocka_unit_test(test_a_little_water_is_a_film_and_no_pool),
-        cmocka_unit_test(test_as_much_is_drawn_as_there_is_however_it_lies),
-        cmocka_unit_test(test_a_tilted_pool_leaves_the_high_side),
-        cmocka_unit_test(test_a_level_belly_holds_it_in_the_middle),
+        cmocka_unit_test(test_a_dry_poi_has_no_pool),
+        cmocka_unit_test(test_a_small_amount_of_water_is_a_film),
+        cmocka_unit_test(test_the_drawn_volume_equals_the_water_volume_at_any_tilt),
+        cmocka_unit_test(test_a_tilted_pool_moves_to_the_low_side),
+        cmocka_unit_test(test_sagging_level_paper_holds_the_pool_in_the_middle),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,4 @@
-/* test_quality.c -- how much work a frame may be. */
+/* test_quality.c -- Tests the render quality chosen for each GPU and screen. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -19,7 +19,7 @@ static struct quality_wish wish(const char *renderer, uint32_t width, uint32_t h
     };
 }
 
-static void test_a_cpu_keeps_every_pixel_up_to_720p_and_no_more_pixels_beyond(void **state)
+static void test_a_software_renderer_draws_at_most_720p(void **state)
 {
     (void)state;
     const struct quality_wish small = wish("llvmpipe (LLVM 15.0.6, 256 bits)", 1280, 720);
@@ -33,7 +33,7 @@ static void test_a_cpu_keeps_every_pixel_up_to_720p_and_no_more_pixels_beyond(vo
     assert_true(at_1080.floor_scale < at_1080.scene_scale);
 }
 
-static void test_a_desktop_gpu_draws_every_pixel_four_times(void **state)
+static void test_a_desktop_gpu_uses_four_samples_per_pixel(void **state)
 {
     (void)state;
     const struct quality_wish desktop = wish("AMD Radeon RX 6600 (radeonsi, navi23)", 3840, 2160);
@@ -44,7 +44,7 @@ static void test_a_desktop_gpu_draws_every_pixel_four_times(void **state)
     assert_int_equal(quality.samples, 4);
 }
 
-static void test_a_screen_larger_than_any_texture_is_drawn_as_large_as_fits(void **state)
+static void test_a_screen_beyond_the_texture_limit_is_drawn_at_the_limit(void **state)
 {
     (void)state;
     struct quality_wish upright = wish("some GPU of OpenGL ES 3.0", 2160, 3840);
@@ -58,7 +58,7 @@ static void test_a_screen_larger_than_any_texture_is_drawn_as_large_as_fits(void
     assert_int_equal(quality_choose(&upright).samples, 4);
 }
 
-static void test_a_board_s_gpu_draws_each_pixel_once_and_a_large_screen_coarser(void **state)
+static void test_a_board_gpu_uses_one_sample_and_a_lower_resolution_on_large_screens(void **state)
 {
     (void)state;
     static const char *const boards[] = {
@@ -76,7 +76,7 @@ static void test_a_board_s_gpu_draws_each_pixel_once_and_a_large_screen_coarser(
     }
 }
 
-static void test_every_software_renderer_is_known_as_one(void **state)
+static void test_every_software_renderer_is_recognized(void **state)
 {
     (void)state;
     static const char *const names[] = { "llvmpipe (LLVM 15.0.6, 256 bits)", "softpipe",
@@ -87,7 +87,7 @@ static void test_every_software_renderer_is_known_as_one(void **state)
     }
 }
 
-static void test_a_wish_is_taken_within_what_the_context_offers(void **state)
+static void test_a_requested_quality_is_limited_by_the_context(void **state)
 {
     (void)state;
     struct quality_wish fine = wish("llvmpipe", 1280, 720);
@@ -101,7 +101,7 @@ static void test_a_wish_is_taken_within_what_the_context_offers(void **state)
     assert_int_equal(quality_choose(&fine).samples, 1);
 }
 
-static void test_each_step_is_cheaper_than_the_one_before(void **state)
+static void test_each_quality_step_costs_less_than_the_previous_one(void **state)
 {
     (void)state;
     const struct quality_wish desktop = wish("AMD Radeon RX 6600 (radeonsi, navi23)", 1920, 1080);
@@ -124,13 +124,13 @@ static void test_each_step_is_cheaper_than_the_one_before(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_cpu_keeps_every_pixel_up_to_720p_and_no_more_pixels_beyond),
-        cmocka_unit_test(test_a_desktop_gpu_draws_every_pixel_four_times),
-        cmocka_unit_test(test_a_screen_larger_than_any_texture_is_drawn_as_large_as_fits),
-        cmocka_unit_test(test_a_board_s_gpu_draws_each_pixel_once_and_a_large_screen_coarser),
-        cmocka_unit_test(test_every_software_renderer_is_known_as_one),
-        cmocka_unit_test(test_each_step_is_cheaper_than_the_one_before),
-        cmocka_unit_test(test_a_wish_is_taken_within_what_the_context_offers),
+        cmocka_unit_test(test_a_software_renderer_draws_at_most_720p),
+        cmocka_unit_test(test_a_desktop_gpu_uses_four_samples_per_pixel),
+        cmocka_unit_test(test_a_screen_beyond_the_texture_limit_is_drawn_at_the_limit),
+        cmocka_unit_test(test_a_board_gpu_uses_one_sample_and_a_lower_resolution_on_large_screens),
+        cmocka_unit_test(test_every_software_renderer_is_recognized),
+        cmocka_unit_test(test_each_quality_step_costs_less_than_the_previous_one),
+        cmocka_unit_test(test_a_requested_quality_is_limited_by_the_context),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,5 @@
-/* test_renderer.c -- what there is to see is seen, above the water and below it, and told apart. */
+/* test_renderer.c -- Tests that every element of a scene changes the picture, above and below the
+ * water, and that similar elements are distinguishable. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -10,9 +11,9 @@
 #include "core/morph/morph.h"
 #include "core/scene_helpers.h"
 #include "platform/render/display_gl.h"
-#include "tests/unit/support/display_stand.h"
+#include "tests/unit/support/display_fixture.h"
 
-static void test_one_fish_a_hole_and_a_wave_each_change_the_picture(void **state)
+static void test_a_fish_a_hole_and_a_wave_each_change_the_picture(void **state)
 {
     (void)state;
     scene.fish_count = 0;
@@ -35,7 +36,7 @@ static void test_one_fish_a_hole_and_a_wave_each_change_the_picture(void **state
     assert_memory_not_equal(pixels[0], pixels[1], PIXELS_SIZE);
 }
 
-/* The sum of one colour over the 5 x 5 pixels in the middle. */
+/* Returns the sum of one colour over the 5 x 5 pixels in the middle. */
 static uint32_t middle(const uint8_t rgb[PIXELS_SIZE], uint32_t colour)
 {
     uint32_t sum = 0;
@@ -47,8 +48,8 @@ static uint32_t middle(const uint8_t rgb[PIXELS_SIZE], uint32_t colour)
     return sum;
 }
 
-/* One fish of 8 cm, tipped up by 45 degrees with its nose at `nose_y_m`; the eye is over it and
- * looks at a point of its head 3 mm behind the tip. */
+/* Draws one fish of 8 cm, pitched up by 45 degrees with its nose at `nose_y_m`. The eye is above
+ * and looks at a point of the head 3 mm behind the tip. */
 static void show_gulper(float nose_y_m, uint8_t place)
 {
     struct scene_fish *fish = &scene.fish[0];
@@ -59,13 +60,13 @@ static void show_gulper(float nose_y_m, uint8_t place)
     fish->angles = (struct angles){ .pitch_rad = 45.0f * F_DEG };
     fish->length_m = 0.08f;
     fish->place = place;
-    fish->maturity = 0.0f; /* Grey: no colour is at the end of its scale. */
+    fish->maturity = 0.0f; /* The fish is grey, so that no colour channel saturates. */
     fish->position_m = v3(0.0f, nose_y_m - 0.0283f, 0.0f);
     scene.view.target_m = v3(0.0f, nose_y_m - 0.0021f, -0.0262f);
     scene.view.eye_m = v3(0.0f, nose_y_m + 0.15f, 0.02f);
 }
 
-static void test_a_snout_above_the_surface_shows_as_in_air_and_below_it_through_water(void **state)
+static void test_a_snout_is_drawn_as_in_air_above_the_surface_and_as_in_water_below(void **state)
 {
     (void)state;
     show_gulper(0.006f, SCENE_IN_TANK);
@@ -74,7 +75,7 @@ static void test_a_snout_above_the_surface_shows_as_in_air_and_below_it_through_
     picture(pixels[1]);
     for (uint32_t colour = 0; colour < 3; colour++) {
         const int32_t off = (int32_t)middle(pixels[0], colour) - (int32_t)middle(pixels[1], colour);
-        assert_in_range(off + 100, 0, 200); /* 4 of 255 a pixel. */
+        assert_in_range(off + 100, 0, 200); /* A difference of 4 of 255 per pixel. */
     }
     show_gulper(-0.03f, SCENE_IN_TANK);
     picture(pixels[1]);
@@ -83,7 +84,7 @@ static void test_a_snout_above_the_surface_shows_as_in_air_and_below_it_through_
     assert_true(middle(pixels[0], 0) > middle(pixels[1], 0) + 25u * 12u);
 }
 
-/* Of the middle column, rows `top` to `bottom`: how much redder than green is the reddest. */
+/* Returns the largest excess of red over green in the middle column, rows `top` to `bottom`. */
 static float reddest(const uint8_t rgb[PIXELS_SIZE], uint32_t top, uint32_t bottom)
 {
     float most = 0.0f;
@@ -94,7 +95,7 @@ static float reddest(const uint8_t rgb[PIXELS_SIZE], uint32_t top, uint32_t bott
     return most;
 }
 
-/* All red, in air, from its left; it fills the middle. */
+/* Returns the redness of a red fish in air, drawn from its left side over the whole middle. */
 static float red_in_hand(float age_days)
 {
     core_scene(&core, &scene);
@@ -113,7 +114,8 @@ static float red_in_hand(float age_days)
     return reddest(pixels[0], HEIGHT / 2u - 3u, HEIGHT / 2u + 3u);
 }
 
-/* Alone on the album's page, noted by the game as it notes a catch, so long into its life. */
+/* Returns the redness of the only fish on the album page, at this age, recorded as the game records
+ * a catch. */
 static float red_in_album(float age_days, float caught_days)
 {
     core.world.tank.fish[0].look = 0;
@@ -128,27 +130,27 @@ static float red_in_album(float age_days, float caught_days)
     scene.album.fish[0].age_days = age_days;
     scene.album.fish[0].maturity = scene_maturity(age_days);
     scene.album.fish[0].progress = life_progress(&species_wakin.card, age_days);
-    scene.album.fish[0].is_caught = 0;  /* Its seal is red, too. */
-    for (uint32_t i = 0; i < 20; i++) { /* Until its paint is fine. */
+    scene.album.fish[0].is_caught = 0;  /* The seal is also red. */
+    for (uint32_t i = 0; i < 20; i++) { /* The loop ends when the texture is refined. */
         picture(pixels[0]);
     }
     return reddest(pixels[0], HEIGHT / 5u, HEIGHT * 3u / 5u);
 }
 
-/* Older than 120 days all are red; younger, each has turned as far as in the tank. */
-static void test_on_the_day_it_was_met_a_fish_of_the_album_looks_as_in_the_tank(void **state)
+/* After 120 days every fish is red. A younger fish has the same share of red as in the tank. */
+static void test_an_album_fish_on_its_catch_day_is_drawn_as_in_the_tank(void **state)
 {
     (void)state;
     for (float days = 56.0f; days < 130.0f; days += 8.0f) {
         const float tank = red_in_hand(days), album = red_in_album(days, days);
-        print_message("%3.0f days: %.2f in the hand, %.2f in the album\n", (double)days,
-                      (double)tank, (double)album);
+        print_message("%3.0f days: %.2f in air, %.2f in the album\n", (double)days, (double)tank,
+                      (double)album);
         assert_true(f_abs(tank - album) < 0.20f);
     }
-    assert_true(red_in_album(60.0f, 100.0f) < 0.35f); /* Before that it is young, and dark. */
+    assert_true(red_in_album(60.0f, 100.0f) < 0.35f); /* A young fish is dark. */
 }
 
-/* A poi that lies level 5 cm over the water; the eye is over its middle. */
+/* Draws a level poi 5 cm above the water with the eye above its middle. */
 static void show_poi(void)
 {
     struct scene_poi *const poi = &scene.poi[0];
@@ -168,10 +170,11 @@ static void show_poi(void)
 
 static uint32_t brightness(const uint8_t rgb[PIXELS_SIZE])
 {
-    return 3u * middle(rgb, 0) + 6u * middle(rgb, 1) + middle(rgb, 2); /* As an eye weighs them. */
+    return 3u * middle(rgb, 0) + 6u * middle(rgb, 1) + middle(rgb, 2); /* Luminance weights of the
+                                                                          human eye. */
 }
 
-static void test_more_stress_is_brighter_for_every_eye_and_only_in_practice(void **state)
+static void test_stress_is_drawn_brighter_only_in_practice(void **state)
 {
     (void)state;
     show_poi();
@@ -189,7 +192,7 @@ static void test_more_stress_is_brighter_for_every_eye_and_only_in_practice(void
     }
 }
 
-static void test_water_on_a_poi_lies_over_its_paper_and_hides_below_the_surface(void **state)
+static void test_water_on_a_poi_is_drawn_over_the_paper_only_above_the_surface(void **state)
 {
     (void)state;
     show_poi();
@@ -197,7 +200,7 @@ static void test_water_on_a_poi_lies_over_its_paper_and_hides_below_the_surface(
     picture(pixels[0]);
     scene.poi[0].water_m = 0.002f;
     picture(pixels[1]);
-    assert_true(middle(pixels[0], 0) > middle(pixels[1], 0)); /* Bluer where it is deep. */
+    assert_true(middle(pixels[0], 0) > middle(pixels[1], 0)); /* Deep water is bluer. */
     scene.poi[0].position_m.y = -0.04f;
     picture(pixels[1]);
     scene.poi[0].water_m = 0.0f;
@@ -205,7 +208,7 @@ static void test_water_on_a_poi_lies_over_its_paper_and_hides_below_the_surface(
     assert_memory_equal(pixels[0], pixels[1], PIXELS_SIZE);
 }
 
-/* How many pixels in the picture are white plastic. */
+/* Returns the number of white plastic pixels in the picture. */
 static uint32_t white_pixels(const uint8_t rgb[PIXELS_SIZE])
 {
     uint32_t count = 0;
@@ -215,14 +218,15 @@ static uint32_t white_pixels(const uint8_t rgb[PIXELS_SIZE])
     return count;
 }
 
-static void test_players_are_told_apart_without_colours(void **state)
+static void test_players_are_distinguishable_without_colours(void **state)
 {
     (void)state;
     uint32_t before = 0;
     for (uint8_t owner = 0; owner < POI_MAX; owner++) {
         show_poi();
         scene.poi[0].owner = owner;
-        memset(scene.poi[0].integrity, 0, sizeof scene.poi[0].integrity); /* The ring alone. */
+        memset(scene.poi[0].integrity, 0, sizeof scene.poi[0].integrity); /* Only the ring
+                                                                             remains. */
         picture(pixels[0]);
         const uint32_t white = white_pixels(pixels[0]);
         print_message("player %d: %u white pixels\n", owner + 1, white);
@@ -231,7 +235,7 @@ static void test_players_are_told_apart_without_colours(void **state)
     }
 }
 
-static void test_a_gulp_opens_the_mouth_and_rings_the_water(void **state)
+static void test_a_gulp_opens_the_mouth_and_makes_a_ripple(void **state)
 {
     (void)state;
     show_gulper(0.004f, SCENE_IN_TANK);
@@ -244,7 +248,7 @@ static void test_a_gulp_opens_the_mouth_and_rings_the_water(void **state)
     assert_memory_not_equal(pixels[0], pixels[1], PIXELS_SIZE);
 }
 
-static void test_a_pump_that_runs_bubbles_and_its_stone_stays(void **state)
+static void test_a_running_pump_shows_bubbles_and_its_stone_is_always_visible(void **state)
 {
     (void)state;
     show_gulper(-0.06f, SCENE_IN_TANK);
@@ -263,7 +267,7 @@ static void test_a_pump_that_runs_bubbles_and_its_stone_stays(void **state)
     assert_memory_equal(pixels[0], pixels[1], PIXELS_SIZE);
 }
 
-static void test_a_tank_can_be_shown_without_a_word(void **state)
+static void test_a_tank_can_be_drawn_without_text(void **state)
 {
     (void)state;
     scene.hint = HINT_START;
@@ -301,15 +305,15 @@ static void test_the_fullest_scene_draws_without_an_error(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        WITH_DISPLAY(test_one_fish_a_hole_and_a_wave_each_change_the_picture),
-        WITH_DISPLAY(test_a_snout_above_the_surface_shows_as_in_air_and_below_it_through_water),
-        WITH_DISPLAY(test_on_the_day_it_was_met_a_fish_of_the_album_looks_as_in_the_tank),
-        WITH_DISPLAY(test_more_stress_is_brighter_for_every_eye_and_only_in_practice),
-        WITH_DISPLAY(test_water_on_a_poi_lies_over_its_paper_and_hides_below_the_surface),
-        WITH_DISPLAY(test_players_are_told_apart_without_colours),
-        WITH_DISPLAY(test_a_gulp_opens_the_mouth_and_rings_the_water),
-        WITH_DISPLAY(test_a_pump_that_runs_bubbles_and_its_stone_stays),
-        WITH_DISPLAY(test_a_tank_can_be_shown_without_a_word),
+        WITH_DISPLAY(test_a_fish_a_hole_and_a_wave_each_change_the_picture),
+        WITH_DISPLAY(test_a_snout_is_drawn_as_in_air_above_the_surface_and_as_in_water_below),
+        WITH_DISPLAY(test_an_album_fish_on_its_catch_day_is_drawn_as_in_the_tank),
+        WITH_DISPLAY(test_stress_is_drawn_brighter_only_in_practice),
+        WITH_DISPLAY(test_water_on_a_poi_is_drawn_over_the_paper_only_above_the_surface),
+        WITH_DISPLAY(test_players_are_distinguishable_without_colours),
+        WITH_DISPLAY(test_a_gulp_opens_the_mouth_and_makes_a_ripple),
+        WITH_DISPLAY(test_a_running_pump_shows_bubbles_and_its_stone_is_always_visible),
+        WITH_DISPLAY(test_a_tank_can_be_drawn_without_text),
         WITH_DISPLAY(test_the_fullest_scene_draws_without_an_error),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

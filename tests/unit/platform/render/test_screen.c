@@ -1,4 +1,5 @@
-/* test_screen.c -- the card with the monitor, whatever its number. */
+/* test_screen.c -- Tests the selection of the graphics card with the monitor, whatever its number
+ * is. */
 #include <SDL.h>
 #include <ftw.h>
 #include <setjmp.h>
@@ -38,7 +39,7 @@ static int tear_down(void **state)
     return nftw(root, remove_one, 8, FTW_DEPTH | FTW_PHYS);
 }
 
-/* A folder of /sys/class/drm; with a status unless it is null. */
+/* Creates an entry of /sys/class/drm, with a status unless `status` is NULL. */
 static void put(const char *name, const char *status)
 {
     char path[256];
@@ -53,7 +54,7 @@ static void put(const char *name, const char *status)
     }
 }
 
-/* As a Raspberry Pi 4 has them: one that computes, one with two sockets. */
+/* Creates the cards of a Raspberry Pi 4: one for computation and one with two connectors. */
 static void put_raspberry(const char *compute, const char *first, const char *first_status,
                           const char *second, const char *second_status)
 {
@@ -64,28 +65,28 @@ static void put_raspberry(const char *compute, const char *first, const char *fi
     put(second, second_status);
 }
 
-static void test_the_card_with_the_monitor_is_taken_whatever_its_number(void **state)
+static void test_the_graphics_card_with_the_monitor_is_selected(void **state)
 {
     (void)state;
     put_raspberry("card0", "card1-HDMI-A-1", "disconnected", "card1-HDMI-A-2", "connected");
     assert_int_equal(screen_card_find(root), 1);
 }
 
-static void test_and_after_a_start_that_numbered_them_the_other_way(void **state)
+static void test_the_card_with_the_monitor_is_selected_at_either_number(void **state)
 {
     (void)state;
     put_raspberry("card1", "card0-HDMI-A-1", "connected", "card0-HDMI-A-2", "disconnected");
     assert_int_equal(screen_card_find(root), 0);
 }
 
-static void test_a_monitor_that_is_off_leaves_the_card_with_sockets(void **state)
+static void test_without_a_monitor_the_card_with_connectors_is_selected(void **state)
 {
     (void)state;
     put_raspberry("card0", "card1-HDMI-A-1", "disconnected", "card1-HDMI-A-2", "unknown");
     assert_int_equal(screen_card_find(root), 1);
 }
 
-static void test_of_two_with_sockets_the_connected_one_is_taken(void **state)
+static void test_the_connected_card_of_two_is_selected(void **state)
 {
     (void)state;
     put("card0-VGA-1", "disconnected");
@@ -93,7 +94,7 @@ static void test_of_two_with_sockets_the_connected_one_is_taken(void **state)
     assert_int_equal(screen_card_find(root), 12);
 }
 
-static void test_of_two_monitors_the_first_cards_is_taken(void **state)
+static void test_the_first_card_with_a_monitor_is_selected(void **state)
 {
     (void)state;
     put("card2-DP-1", "connected");
@@ -101,7 +102,7 @@ static void test_of_two_monitors_the_first_cards_is_taken(void **state)
     assert_int_equal(screen_card_find(root), 1);
 }
 
-static void test_what_leads_into_memory_is_no_monitor(void **state)
+static void test_a_writeback_connector_is_not_a_monitor(void **state)
 {
     (void)state;
     put("card0-Writeback-1", "connected");
@@ -109,12 +110,12 @@ static void test_what_leads_into_memory_is_no_monitor(void **state)
     assert_int_equal(screen_card_find(root), 1);
 }
 
-static void test_without_sockets_there_is_none(void **state)
+static void test_without_connectors_no_card_is_selected(void **state)
 {
     (void)state;
     assert_int_equal(screen_card_find(root), -1);
     put("card0", NULL);
-    put("card0-HDMI-A-1", NULL); /* Its status cannot be read. */
+    put("card0-HDMI-A-1", NULL); /* The status of this connector cannot be read. */
     put("card-HDMI-A-1", "connected");
     put("card64-HDMI-A-1", "connected");
     put("renderD128", "connected");
@@ -124,19 +125,20 @@ static void test_without_sockets_there_is_none(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(test_the_card_with_the_monitor_is_taken_whatever_its_number,
-                                        set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_and_after_a_start_that_numbered_them_the_other_way,
-                                        set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_a_monitor_that_is_off_leaves_the_card_with_sockets,
-                                        set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_of_two_with_sockets_the_connected_one_is_taken, set_up,
+        cmocka_unit_test_setup_teardown(test_the_graphics_card_with_the_monitor_is_selected, set_up,
                                         tear_down),
-        cmocka_unit_test_setup_teardown(test_of_two_monitors_the_first_cards_is_taken, set_up,
+        cmocka_unit_test_setup_teardown(test_the_card_with_the_monitor_is_selected_at_either_number,
+                                        set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_without_a_monitor_the_card_with_connectors_is_selected,
+                                        set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_the_connected_card_of_two_is_selected, set_up,
                                         tear_down),
-        cmocka_unit_test_setup_teardown(test_what_leads_into_memory_is_no_monitor, set_up,
+        cmocka_unit_test_setup_teardown(test_the_first_card_with_a_monitor_is_selected, set_up,
                                         tear_down),
-        cmocka_unit_test_setup_teardown(test_without_sockets_there_is_none, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_a_writeback_connector_is_not_a_monitor, set_up,
+                                        tear_down),
+        cmocka_unit_test_setup_teardown(test_without_connectors_no_card_is_selected, set_up,
+                                        tear_down),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

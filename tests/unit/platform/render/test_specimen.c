@@ -1,4 +1,5 @@
-/* test_specimen.c -- where a specimen is seen, what frame holds it, and where its paint lies. */
+/* test_specimen.c -- Tests the position of a specimen, its bounding frame, and the texture
+ * coordinates of its vertices. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -19,13 +20,13 @@ static struct specimen fish_of(const struct species *species)
 
 static void assert_seen(const struct specimen *fish, vec3 point, float x_px, float y_px)
 {
-    float x, y;
-    specimen_project(fish, point, &x, &y);
-    assert_float_equal(x, x_px, 1e-3f);
-    assert_float_equal(y, y_px, 1e-3f);
+    float at[2];
+    specimen_project(fish, point, at);
+    assert_float_equal(at[0], x_px, 1e-3f);
+    assert_float_equal(at[1], y_px, 1e-3f);
 }
 
-static void test_unturned_it_shows_its_left_side_with_the_nose_to_the_left(void **state)
+static void test_an_unrotated_specimen_shows_its_left_side_with_the_nose_to_the_left(void **state)
 {
     (void)state;
     const struct specimen fish = fish_of(&species_wakin);
@@ -34,7 +35,7 @@ static void test_unturned_it_shows_its_left_side_with_the_nose_to_the_left(void 
     assert_true(specimen_axes(&fish).toward.x < -0.99f);
 }
 
-static void test_yaw_brings_the_nose_nearer_pitch_the_back_and_roll_dips_the_nose(void **state)
+static void test_yaw_pitch_and_roll_rotate_a_specimen_as_documented(void **state)
 {
     (void)state;
     const vec3 nose = v3(0.0f, 0.0f, -0.5f), back = v3(0.0f, 0.5f, 0.0f);
@@ -49,7 +50,7 @@ static void test_yaw_brings_the_nose_nearer_pitch_the_back_and_roll_dips_the_nos
     assert_seen(&fish, nose, 300.0f, 250.0f);
 }
 
-static void test_axes_stay_square_however_it_is_turned(void **state)
+static void test_the_axes_of_a_rotated_specimen_stay_orthogonal(void **state)
 {
     (void)state;
     struct specimen fish = fish_of(&species_wakin);
@@ -59,11 +60,13 @@ static void test_axes_stay_square_however_it_is_turned(void **state)
     const struct specimen_axes axes = specimen_axes(&fish);
     const vec3 square = v3_sub(v3_cross(axes.right, axes.up), axes.toward);
     assert_float_equal(v3_length(axes.right), 1.0f, 1e-5f);
-    assert_float_equal(v3_length(square), 0.0f, 1e-5f); /* And right-handed: no mirror image. */
+    assert_float_equal(v3_length(square), 0.0f, 1e-5f); /* The axes are right-handed, so the
+                                                           specimen is not mirrored. */
 }
 
-/* Every vertex of every species at every key is inside, and one touches each of two sides. */
-static void test_a_fitted_fish_stays_in_its_box_all_its_life_and_fills_it(void **state)
+/* Every vertex of every species at every key is inside, and one vertex touches each of two
+ * sides. */
+static void test_a_fitted_fish_fills_its_box_at_every_age(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < species_table_count; i++) {
@@ -82,7 +85,7 @@ static void test_a_fitted_fish_stays_in_its_box_all_its_life_and_fills_it(void *
             morph_shape(mesh, last + 1u, &pose, points, NULL);
             for (uint32_t k = 0; k < mesh->vertex_count; k++) {
                 float at[2];
-                specimen_project(&fish, points[k], &at[0], &at[1]);
+                specimen_project(&fish, points[k], at);
                 for (uint32_t d = 0; d < 2; d++) {
                     low[d] = f_min(low[d], at[d]);
                     high[d] = f_max(high[d], at[d]);
@@ -94,7 +97,7 @@ static void test_a_fitted_fish_stays_in_its_box_all_its_life_and_fills_it(void *
     }
 }
 
-static void test_every_vertex_finds_its_own_paint(void **state)
+static void test_paint_atlas_at_inverts_paint_atlas_find(void **state)
 {
     (void)state;
     uint32_t count = 0;
@@ -116,7 +119,7 @@ static void test_every_vertex_finds_its_own_paint(void **state)
     assert_true(count > 3000u);
 }
 
-/* What filtering mixes at a part's edge must be the part's own. */
+/* Texture filtering at the edge of a part must read only texels of that part. */
 static void test_no_vertex_lies_within_half_a_texel_of_another_part(void **state)
 {
     (void)state;
@@ -137,11 +140,11 @@ static void test_no_vertex_lies_within_half_a_texel_of_another_part(void **state
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_unturned_it_shows_its_left_side_with_the_nose_to_the_left),
-        cmocka_unit_test(test_yaw_brings_the_nose_nearer_pitch_the_back_and_roll_dips_the_nose),
-        cmocka_unit_test(test_axes_stay_square_however_it_is_turned),
-        cmocka_unit_test(test_a_fitted_fish_stays_in_its_box_all_its_life_and_fills_it),
-        cmocka_unit_test(test_every_vertex_finds_its_own_paint),
+        cmocka_unit_test(test_an_unrotated_specimen_shows_its_left_side_with_the_nose_to_the_left),
+        cmocka_unit_test(test_yaw_pitch_and_roll_rotate_a_specimen_as_documented),
+        cmocka_unit_test(test_the_axes_of_a_rotated_specimen_stay_orthogonal),
+        cmocka_unit_test(test_a_fitted_fish_fills_its_box_at_every_age),
+        cmocka_unit_test(test_paint_atlas_at_inverts_paint_atlas_find),
         cmocka_unit_test(test_no_vertex_lies_within_half_a_texel_of_another_part),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

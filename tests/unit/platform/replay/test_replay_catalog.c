@@ -1,4 +1,5 @@
-/* test_replay_catalog.c -- a recording carries what the growth lab knew: species and graphs. */
+/* test_replay_catalog.c -- Tests the catalog in a recording: the species and graphs of the growth
+ * lab. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -10,6 +11,7 @@
 
 #include <cmocka.h>
 
+#include "core/game/game_fields.h"
 #include "core/base/hash.h"
 #include "core/base/rng.h"
 #include "core/core.h"
@@ -21,7 +23,7 @@ static struct recorder recorder;
 static struct replayer replayer;
 static uint8_t bytes[REPLAY_CATALOG_MAX];
 
-/* All that there may be: eight makers' species, and a graph of each. */
+/* The largest catalog: eight loaded species and a graph of each. */
 static void fill(void)
 {
     memset(&book, 0, sizeof book);
@@ -47,23 +49,24 @@ static int setup(void **state)
     return 0;
 }
 
-static void test_the_fullest_book_comes_back_to_the_last_bit(void **state)
+static void test_the_largest_catalog_is_restored_bit_for_bit(void **state)
 {
     (void)state;
     const size_t size = replay_catalog_encode(&book, bytes);
     assert_in_range(size, 20000, REPLAY_CATALOG_MAX);
     assert_int_equal(replay_catalog_decode(&back, bytes, size), 1);
-    assert_true(lab_book_hash(HASH_START, &back) == lab_book_hash(HASH_START, &book));
+    assert_true(field_hash(HASH_START, &lab_book_fields, &back) ==
+                field_hash(HASH_START, &lab_book_fields, &book));
 }
 
-static void test_an_empty_book_costs_nothing(void **state)
+static void test_an_empty_catalog_takes_no_bytes(void **state)
 {
     (void)state;
     memset(&book, 0, sizeof book);
     assert_int_equal(replay_catalog_encode(&book, bytes), 0);
 }
 
-static void test_no_altered_book_is_believed_unless_it_is_sound(void **state)
+static void test_an_altered_catalog_is_rejected_unless_valid(void **state)
 {
     (void)state;
     static uint8_t altered[REPLAY_CATALOG_MAX];
@@ -76,12 +79,12 @@ static void test_no_altered_book_is_believed_unless_it_is_sound(void **state)
         const size_t cut = i % 4u == 0 ? bits % size : size;
         const int believed = replay_catalog_decode(&back, altered, cut);
         refused += believed == 0;
-        assert_true(lab_book_is_valid(&back)); /* It is empty where it was refused. */
+        assert_true(lab_book_is_valid(&back)); /* A rejected catalog is empty. */
     }
     assert_true(refused > 150);
 }
 
-/* Scrubs, turns pages, presses about, and saves. */
+/* Returns input that scrubs, turns pages, presses and saves. */
 static struct input hands(uint32_t tick)
 {
     const uint32_t bits = rng_u32((struct rng_key){ 9, tick / 20u, 0, RNG_TEST });
@@ -97,7 +100,7 @@ static struct input hands(uint32_t tick)
     };
 }
 
-static void test_a_play_through_the_lab_is_found_true(void **state)
+static void test_a_recording_of_the_lab_verifies(void **state)
 {
     (void)state;
     char path[] = "/tmp/kingyo-book-XXXXXX";
@@ -136,7 +139,7 @@ static void test_a_play_through_the_lab_is_found_true(void **state)
     unlink(path);
 }
 
-static void test_an_altered_book_in_a_recording_is_refused_by_its_sum(void **state)
+static void test_an_altered_catalog_in_a_recording_is_rejected_by_its_checksum(void **state)
 {
     (void)state;
     char path[] = "/tmp/kingyo-book-XXXXXX";
@@ -159,11 +162,11 @@ int main(void)
 {
 #define TEST(name) cmocka_unit_test_setup(name, setup)
     const struct CMUnitTest tests[] = {
-        TEST(test_the_fullest_book_comes_back_to_the_last_bit),
-        TEST(test_an_empty_book_costs_nothing),
-        TEST(test_no_altered_book_is_believed_unless_it_is_sound),
-        TEST(test_a_play_through_the_lab_is_found_true),
-        TEST(test_an_altered_book_in_a_recording_is_refused_by_its_sum),
+        TEST(test_the_largest_catalog_is_restored_bit_for_bit),
+        TEST(test_an_empty_catalog_takes_no_bytes),
+        TEST(test_an_altered_catalog_is_rejected_unless_valid),
+        TEST(test_a_recording_of_the_lab_verifies),
+        TEST(test_an_altered_catalog_in_a_recording_is_rejected_by_its_checksum),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,5 @@
-/* test_replay_codec.c -- one input as its difference from the one before: to the bit, and no longer
- * than it must be. */
+/* test_replay_codec.c -- Tests the difference encoding of inputs: exact to the bit and of minimal
+ * length. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -11,7 +11,7 @@
 #include "core/base/rng.h"
 #include "platform/replay/replay.h"
 
-static void test_a_still_tick_costs_one_byte_beside_its_digest(void **state)
+static void test_an_unchanged_tick_takes_one_byte_besides_its_digest(void **state)
 {
     (void)state;
     uint8_t bytes[REPLAY_TICK_SIZE_MAX];
@@ -44,6 +44,7 @@ static void test_the_largest_difference_fits_the_bound(void **state)
             .link = POI_SOURCE_LIVE,
             .has_wrist = 1,
             .trembles = 1,
+            .has_gap = 1,
             .age_ticks = 300,
             .target = { .position_m = { 1.0f, 2.0f, 3.0f }, .angles = { 4.0f, 5.0f, 6.0f } },
         };
@@ -54,8 +55,9 @@ static void test_the_largest_difference_fits_the_bound(void **state)
     assert_int_equal(replay_encode_input(&before, &all, bytes), REPLAY_TICK_SIZE_MAX - 4u);
 }
 
-/* One mask says what follows, another which hands, a third what of the fan; then a float. */
-static void test_a_fan_that_glides_costs_seven_bytes_a_tick(void **state)
+/* One mask selects the changed groups, a second one the pois and fans, and a third one the fields
+ * of the fan. A float follows. */
+static void test_a_moving_fan_takes_seven_bytes_per_tick(void **state)
 {
     (void)state;
     uint8_t bytes[REPLAY_TICK_SIZE_MAX];
@@ -63,52 +65,52 @@ static void test_a_fan_that_glides_costs_seven_bytes_a_tick(void **state)
     struct input after = before;
     after.shade[3].x_m = 0.101f;
     assert_int_equal(replay_encode_input(&before, &after, bytes), 7);
-    assert_int_equal(replay_decode_input(&before, bytes, 7), 7);
+    assert_int_equal(replay_decode_input(&before, bytes, 7, false), 7);
     assert_memory_equal(&before.shade[3].x_m, &after.shade[3].x_m, sizeof(float));
     for (size_t cut = 0; cut < 7; cut++) {
-        assert_int_equal(replay_decode_input(&before, bytes, cut), 0);
+        assert_int_equal(replay_decode_input(&before, bytes, cut, false), 0);
     }
 }
 
-static void test_a_shade_that_no_recorder_writes_is_refused(void **state)
+static void test_an_invalid_fan_encoding_is_rejected(void **state)
 {
     (void)state;
     enum { HANDS = 1 << 4, SHADE_0 = 1 << 4, BYTE = 1, X = 2, NO_SUCH = 16 };
     static const uint8_t inf[4] = { 0, 0, 0x80, 0x7f };
     const uint8_t refused[][8] = {
-        { HANDS, 0 },                /* Hands changed, but none did. */
-        { HANDS, SHADE_0, 0 },       /* A shade changed in nothing. */
+        { HANDS, 0 },                /* The pois changed, but no poi is selected. */
+        { HANDS, SHADE_0, 0 },       /* A fan is selected without a changed field. */
         { HANDS, SHADE_0, NO_SUCH }, /* A fourth float. */
-        { HANDS, SHADE_0, BYTE, 2 }, /* More than present. */
+        { HANDS, SHADE_0, BYTE, 2 }, /* A value greater than 1 for `present`. */
         { HANDS, SHADE_0, X, inf[0], inf[1], inf[2], inf[3] },
     };
     for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
         struct input input = { 0 };
-        assert_int_equal(replay_decode_input(&input, refused[i], sizeof refused[i]), 0);
+        assert_int_equal(replay_decode_input(&input, refused[i], sizeof refused[i], false), 0);
         assert_int_equal(input.shade[0].present, 0);
     }
     const uint8_t good[8] = { HANDS, SHADE_0, BYTE, 1 };
     struct input input = { 0 };
-    assert_int_equal(replay_decode_input(&input, good, sizeof good), 4);
+    assert_int_equal(replay_decode_input(&input, good, sizeof good, false), 4);
     assert_int_equal(input.shade[0].present, 1);
 }
 
-static void test_a_screen_that_turns_costs_two_bytes_and_turns_back(void **state)
+static void test_a_screen_rotation_takes_two_bytes_and_is_restored(void **state)
 {
     (void)state;
     uint8_t bytes[REPLAY_TICK_SIZE_MAX];
     const struct input lies = { .edit_saved_id = 2 }, stands = { .edit_saved_id = 2, .upright = 1 };
     struct input decoded = lies;
     assert_int_equal(replay_encode_input(&lies, &stands, bytes), 3);
-    assert_int_equal(replay_decode_input(&decoded, bytes, 3), 3);
+    assert_int_equal(replay_decode_input(&decoded, bytes, 3, false), 3);
     assert_int_equal(decoded.upright, 1);
     assert_int_equal(decoded.edit_saved_id, 2);
     assert_int_equal(replay_encode_input(&stands, &lies, bytes), 3);
-    assert_int_equal(replay_decode_input(&decoded, bytes, 3), 3);
+    assert_int_equal(replay_decode_input(&decoded, bytes, 3, false), 3);
     assert_int_equal(decoded.upright, 0);
 }
 
-static void test_a_store_that_keeps_no_graph_costs_two_bytes_and_comes_back(void **state)
+static void test_a_graph_store_failure_takes_two_bytes_and_is_restored(void **state)
 {
     (void)state;
     uint8_t bytes[REPLAY_TICK_SIZE_MAX];
@@ -117,35 +119,35 @@ static void test_a_store_that_keeps_no_graph_costs_two_bytes_and_comes_back(void
     for (uint32_t i = 0; i < 2; i++) {
         const struct input *from = i == 0 ? &keeps : &refuses, *to = i == 0 ? &refuses : &keeps;
         assert_int_equal(replay_encode_input(from, to, bytes), 3);
-        assert_int_equal(replay_decode_input(&decoded, bytes, 3), 3);
+        assert_int_equal(replay_decode_input(&decoded, bytes, 3, false), 3);
         assert_int_equal(decoded.edit_refused, to->edit_refused);
         assert_int_equal(decoded.upright, 1);
     }
 }
 
-static void test_a_machine_that_no_recorder_writes_is_refused(void **state)
+static void test_an_invalid_system_health_encoding_is_rejected(void **state)
 {
     (void)state;
     enum { MACHINE = 1 << 3, BEYOND = 1 << 6, LEVELS = 1 << 2, MINUTE = 1 << 4, NO_SUCH = 1 << 7 };
     const uint8_t refused[][4] = {
-        { MACHINE, 0, 0, 0 },         /* It changed, but nothing of it. */
-        { MACHINE, NO_SUCH, 1, 0 },   /* No such number, */
-        { BEYOND, 1, 0, 0 },          /* no such part, */
-        { MACHINE, LEVELS, 8, 0 },    /* no such level, */
-        { MACHINE, LEVELS, 0, 0 },    /* levels that did not change, */
-        { MACHINE, MINUTE, 0xa0, 5 }, /* and no such minute: 1440. */
+        { MACHINE, 0, 0, 0 },         /* The group changed, but no field is selected. */
+        { MACHINE, NO_SUCH, 1, 0 },   /* The number does not exist. */
+        { BEYOND, 1, 0, 0 },          /* The part does not exist. */
+        { MACHINE, LEVELS, 8, 0 },    /* The level does not exist. */
+        { MACHINE, LEVELS, 0, 0 },    /* The levels did not change. */
+        { MACHINE, MINUTE, 0xa0, 5 }, /* Minute 1440 does not exist. */
     };
     for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
         struct input input = { 0 };
-        assert_int_equal(replay_decode_input(&input, refused[i], 4), 0);
+        assert_int_equal(replay_decode_input(&input, refused[i], 4, false), 0);
     }
     const uint8_t good[4] = { MACHINE, MINUTE, 0x9f, 5 };
     struct input input = { 0 };
-    assert_int_equal(replay_decode_input(&input, good, 4), 4);
+    assert_int_equal(replay_decode_input(&input, good, 4, false), 4);
     assert_int_equal(input.minute, 1439);
 }
 
-static void test_what_the_machine_says_comes_back(void **state)
+static void test_the_system_health_is_restored(void **state)
 {
     (void)state;
     uint8_t bytes[REPLAY_TICK_SIZE_MAX];
@@ -166,9 +168,9 @@ static void test_what_the_machine_says_comes_back(void **state)
         const size_t size = replay_encode_input(from, to, bytes);
         assert_int_equal(size, 1u + REPLAY_MACHINE_BYTES);
         for (size_t cut = 0; cut < size; cut++) {
-            assert_int_equal(replay_decode_input(&decoded, bytes, cut), 0);
+            assert_int_equal(replay_decode_input(&decoded, bytes, cut, false), 0);
         }
-        assert_int_equal(replay_decode_input(&decoded, bytes, size), size);
+        assert_int_equal(replay_decode_input(&decoded, bytes, size, false), size);
         assert_int_equal(decoded.record_saved_id, to->record_saved_id);
         assert_int_equal(decoded.edit_saved_id, to->edit_saved_id);
         assert_int_equal(decoded.edit_refused, to->edit_refused);
@@ -182,7 +184,7 @@ static void test_what_the_machine_says_comes_back(void **state)
     }
 }
 
-static void test_a_controller_that_comes_costs_three_bytes_beside_the_mask(void **state)
+static void test_a_new_controller_takes_three_bytes_besides_the_mask(void **state)
 {
     (void)state;
     uint8_t bytes[REPLAY_TICK_SIZE_MAX];
@@ -192,31 +194,32 @@ static void test_a_controller_that_comes_costs_three_bytes_beside_the_mask(void 
     assert_int_equal(replay_encode_input(&before, &after, bytes), 4);
     for (size_t cut = 0; cut < 4; cut++) {
         struct input untouched = before;
-        assert_int_equal(replay_decode_input(&untouched, bytes, cut), 0);
+        assert_int_equal(replay_decode_input(&untouched, bytes, cut, false), 0);
         assert_memory_equal(&untouched.controllers, &before.controllers, sizeof before.controllers);
     }
-    assert_int_equal(replay_decode_input(&before, bytes, 4), 4);
+    assert_int_equal(replay_decode_input(&before, bytes, 4, false), 4);
     assert_memory_equal(&before.controllers, &after.controllers, sizeof after.controllers);
 }
 
-static void test_a_desk_that_no_recorder_writes_is_refused(void **state)
+static void test_an_invalid_controller_list_encoding_is_rejected(void **state)
 {
     (void)state;
     enum { DESK = 1 << 5, STEP = 1, ROW = 2, BEYOND = 16 };
     const uint8_t refused[][4] = {
-        { DESK, 0, 0, 0 },                      /* The desk changed, but nothing of it. */
-        { DESK, 1, 0, CONTROLLER_STATE_COUNT }, /* No such state, */
-        { DESK, 0, STEP, LEARN_STEP_COUNT },    /* no such step, */
-        { DESK, 0, ROW, CONTROLLER_MAX },       /* no such row, */
-        { DESK, 0, BEYOND, 1 },                 /* no such byte. */
+        { DESK, 0, 0, 0 },                      /* The controller list changed, but no field is
+                                                   selected. */
+        { DESK, 1, 0, CONTROLLER_STATE_COUNT }, /* The state does not exist. */
+        { DESK, 0, STEP, LEARN_STEP_COUNT },    /* The step does not exist. */
+        { DESK, 0, ROW, CONTROLLER_MAX },       /* The row does not exist. */
+        { DESK, 0, BEYOND, 1 },                 /* The byte does not exist. */
     };
     for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
         struct input input = { 0 };
-        assert_int_equal(replay_decode_input(&input, refused[i], 4), 0);
+        assert_int_equal(replay_decode_input(&input, refused[i], 4, false), 0);
     }
     const uint8_t good[4] = { DESK, 0, ROW, CONTROLLER_MAX - 1 };
     struct input input = { 0 };
-    assert_int_equal(replay_decode_input(&input, good, 4), 4);
+    assert_int_equal(replay_decode_input(&input, good, 4, false), 4);
     assert_int_equal(input.controllers.learn_row, CONTROLLER_MAX - 1);
 }
 
@@ -225,8 +228,9 @@ static uint32_t draw(uint32_t tick, uint32_t what)
     return rng_u32((struct rng_key){ 5, tick, what, RNG_TEST });
 }
 
-/* A broken sensor's bits are what the core judged it by: a play must break in the same way. */
-static void test_any_bits_of_a_hand_come_back(void **state)
+/* The core validated exactly these bits of a faulty sensor, so a replay must contain the same
+ * bits. */
+static void test_any_bit_pattern_of_a_pose_is_restored(void **state)
 {
     (void)state;
     uint8_t bytes[REPLAY_TICK_SIZE_MAX];
@@ -236,7 +240,8 @@ static void test_any_bits_of_a_hand_come_back(void **state)
         struct poi_input *poi = &input.poi[draw(tick, 0) % POI_MAX];
         uint32_t bits[6];
         for (uint32_t i = 0; i < 6; i++) {
-            bits[i] = draw(tick, i + 1u) | (draw(tick, 9) % 2u ? 0x7f800000u : 0u); /* Many NaN. */
+            bits[i] = draw(tick, i + 1u) | (draw(tick, 9) % 2u ? 0x7f800000u : 0u); /* Many values
+                                                                                       are NaN. */
         }
         memcpy(&poi->target, bits, sizeof poi->target);
         poi->link = draw(tick, 10) % 4u;
@@ -245,13 +250,13 @@ static void test_any_bits_of_a_hand_come_back(void **state)
         poi->age_ticks = (uint16_t)draw(tick, 13);
         const size_t size = replay_encode_input(&before, &input, bytes);
         assert_true(size <= REPLAY_TICK_SIZE_MAX - 4u);
-        assert_int_equal(replay_decode_input(&decoded, bytes, size), size);
+        assert_int_equal(replay_decode_input(&decoded, bytes, size, false), size);
         assert_memory_equal(decoded.poi, input.poi, sizeof input.poi);
         before = input;
     }
 }
 
-static void test_a_hand_that_only_grows_old_costs_five_bytes(void **state)
+static void test_a_change_of_only_the_pose_age_takes_five_bytes(void **state)
 {
     (void)state;
     uint8_t bytes[REPLAY_TICK_SIZE_MAX];
@@ -259,49 +264,50 @@ static void test_a_hand_that_only_grows_old_costs_five_bytes(void **state)
     struct input after = before;
     for (after.poi[2].age_ticks = 255; after.poi[2].age_ticks < 258; after.poi[2].age_ticks++) {
         assert_int_equal(replay_encode_input(&before, &after, bytes), 5);
-        assert_int_equal(replay_decode_input(&before, bytes, 5), 5);
+        assert_int_equal(replay_decode_input(&before, bytes, 5, false), 5);
         assert_int_equal(before.poi[2].age_ticks, after.poi[2].age_ticks);
         for (size_t cut = 0; cut < 5; cut++) {
-            assert_int_equal(replay_decode_input(&before, bytes, cut), 0);
+            assert_int_equal(replay_decode_input(&before, bytes, cut, false), 0);
         }
     }
 }
 
-static void test_a_poi_that_no_recorder_writes_is_refused(void **state)
+static void test_an_invalid_poi_encoding_is_rejected(void **state)
 {
     (void)state;
-    enum { HANDS = 1 << 4, POI_0 = 1, BYTE = 1, TREMBLES = 8 };
+    enum { HANDS = 1 << 4, POI_0 = 1, BYTE = 1, TREMBLES = 8, GAP = 16 };
     const uint8_t refused[][8] = {
-        { HANDS, POI_0, 0 },        /* A poi changed in nothing. */
-        { HANDS, POI_0, BYTE, 16 }, /* More than link, wrist and trembling. */
+        { HANDS, POI_0, 0 },        /* A poi is selected without a changed field. */
+        { HANDS, POI_0, BYTE, 32 }, /* The fields are only link, wrist and trembling. */
     };
     for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
         struct input input = { 0 };
-        assert_int_equal(replay_decode_input(&input, refused[i], sizeof refused[i]), 0);
+        assert_int_equal(replay_decode_input(&input, refused[i], sizeof refused[i], false), 0);
     }
-    const uint8_t good[8] = { HANDS, POI_0, BYTE, TREMBLES | POI_SOURCE_LIVE };
+    const uint8_t good[8] = { HANDS, POI_0, BYTE, GAP | TREMBLES | POI_SOURCE_LIVE };
     struct input input = { 0 };
-    assert_int_equal(replay_decode_input(&input, good, sizeof good), 4);
+    assert_int_equal(replay_decode_input(&input, good, sizeof good, false), 4);
     assert_int_equal(input.poi[0].trembles, 1);
+    assert_int_equal(input.poi[0].has_gap, 1);
     assert_int_equal(input.poi[0].has_wrist, 0);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_still_tick_costs_one_byte_beside_its_digest),
+        cmocka_unit_test(test_an_unchanged_tick_takes_one_byte_besides_its_digest),
         cmocka_unit_test(test_the_largest_difference_fits_the_bound),
-        cmocka_unit_test(test_a_fan_that_glides_costs_seven_bytes_a_tick),
-        cmocka_unit_test(test_a_shade_that_no_recorder_writes_is_refused),
-        cmocka_unit_test(test_a_screen_that_turns_costs_two_bytes_and_turns_back),
-        cmocka_unit_test(test_a_store_that_keeps_no_graph_costs_two_bytes_and_comes_back),
-        cmocka_unit_test(test_a_machine_that_no_recorder_writes_is_refused),
-        cmocka_unit_test(test_what_the_machine_says_comes_back),
-        cmocka_unit_test(test_a_controller_that_comes_costs_three_bytes_beside_the_mask),
-        cmocka_unit_test(test_a_desk_that_no_recorder_writes_is_refused),
-        cmocka_unit_test(test_any_bits_of_a_hand_come_back),
-        cmocka_unit_test(test_a_hand_that_only_grows_old_costs_five_bytes),
-        cmocka_unit_test(test_a_poi_that_no_recorder_writes_is_refused),
+        cmocka_unit_test(test_a_moving_fan_takes_seven_bytes_per_tick),
+        cmocka_unit_test(test_an_invalid_fan_encoding_is_rejected),
+        cmocka_unit_test(test_a_screen_rotation_takes_two_bytes_and_is_restored),
+        cmocka_unit_test(test_a_graph_store_failure_takes_two_bytes_and_is_restored),
+        cmocka_unit_test(test_an_invalid_system_health_encoding_is_rejected),
+        cmocka_unit_test(test_the_system_health_is_restored),
+        cmocka_unit_test(test_a_new_controller_takes_three_bytes_besides_the_mask),
+        cmocka_unit_test(test_an_invalid_controller_list_encoding_is_rejected),
+        cmocka_unit_test(test_any_bit_pattern_of_a_pose_is_restored),
+        cmocka_unit_test(test_a_change_of_only_the_pose_age_takes_five_bytes),
+        cmocka_unit_test(test_an_invalid_poi_encoding_is_rejected),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,8 +1,9 @@
-/* test_replay_format_7.c -- a recording of the version before still plays as it did.
+/* test_replay_format_7.c -- Tests that a recording of the previous version replays with its
+ * original results.
  *
- * tests/replay/format-7.replay was written by version 7. It begins after a power cut with an open
- * paid round and with units that no entry reported. A hand then wins tickets in one round and
- * loses its controller a second before the end of the next, which refunds the credit. */
+ * tests/replay/format-7.replay was written by version 7. It starts after a power cut with an open
+ * paid round and with units that no entry reported. A player then wins tickets in one round and
+ * loses the controller a second before the end of the next, which refunds the credit. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -40,7 +41,7 @@ static void play(void)
     replayer_end(&replayer);
 }
 
-static void test_a_recording_of_format_7_has_the_hashes_that_it_was_written_with(void **state)
+static void test_a_format_7_recording_reproduces_its_hashes(void **state)
 {
     (void)state;
     begin();
@@ -54,8 +55,8 @@ static void test_a_recording_of_format_7_has_the_hashes_that_it_was_written_with
     assert_int_equal(core.game.accounts.audits.count[AUDIT_REFUNDS], 2);
 }
 
-/* The hashes depend on the rules: the recording is not one that any rule would reproduce. */
-static void test_a_recording_of_format_7_differs_under_the_rules_of_today(void **state)
+/* The hashes depend on the rules, so that no other rules reproduce the recording. */
+static void test_a_format_7_recording_differs_under_the_current_rules(void **state)
 {
     (void)state;
     begin();
@@ -68,8 +69,8 @@ static void test_a_recording_of_format_7_differs_under_the_rules_of_today(void *
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_recording_of_format_7_has_the_hashes_that_it_was_written_with),
-        cmocka_unit_test(test_a_recording_of_format_7_differs_under_the_rules_of_today),
+        cmocka_unit_test(test_a_format_7_recording_reproduces_its_hashes),
+        cmocka_unit_test(test_a_format_7_recording_differs_under_the_current_rules),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,5 @@
-/* test_replay_initial_state.c -- a recording carries what its core began with: to the bit, in few
- * bytes, and nothing that no recorder writes. */
+/* test_replay_initial_state.c -- Tests the initial state in a recording: exact to the bit, compact,
+ * and validated. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -10,7 +10,6 @@
 
 #include "core/base/rng.h"
 #include "platform/replay/replay.h"
-#include "platform/replay/replay_initial_state.h"
 
 static struct core core;
 static struct core_config config, back;
@@ -21,7 +20,7 @@ static uint32_t draw(uint32_t at, uint32_t what)
     return rng_u32((struct rng_key){ 11, at, what, RNG_TEST });
 }
 
-/* Any bytes that a struct of numbers may hold. */
+/* Fills a struct of numbers with random bytes. */
 static void scatter(void *at, size_t size, uint32_t what)
 {
     uint8_t *to = at;
@@ -39,15 +38,15 @@ static void fill_ranking(struct ranking *ranking)
             row->seat %= POI_MAX;
             row->round_id %= LEDGER_ID_MAX;
             for (uint32_t k = 0; k < LEDGER_NAME_SIZE; k++) {
-                row->name[k] |= (char)0x80; /* No control character. */
+                row->name[k] |= (char)0x80; /* No control characters. */
             }
             row->name[LEDGER_NAME_SIZE - 1u] = '\0';
         }
     }
 }
 
-/* The fullest stall there is. */
-static void limit_purse(struct balance *balance)
+/* Limits a balance of random numbers to valid values. */
+static void limit_balance(struct balance *balance)
 {
     uint32_t *const counts[] = { &balance->units, &balance->bonus_units, &balance->paid,
                                  &balance->service, &balance->unlogged };
@@ -67,11 +66,12 @@ static void bring_into_range(struct game_session *session)
     ledger->boot %= LEDGER_BOOTS_MAX;
     ledger->minute %= 24u * 60u;
     ledger->is_healthy &= 1u;
+    ledger->store_came_late &= 1u;
     session->health_log.is_told &= 1u;
-    limit_purse(&ledger->balance);
-    limit_purse(&ledger->committed);
+    limit_balance(&ledger->balance);
+    limit_balance(&ledger->committed);
     for (uint32_t i = 0; i < LEDGER_RING; i++) {
-        limit_purse(&ledger->after[i]);
+        limit_balance(&ledger->after[i]);
     }
     for (uint32_t i = 0; i < COIN_LINE_COUNT; i++) {
         session->credit.pending_coins[i].units %= BALANCE_MAX;
@@ -98,7 +98,7 @@ static void fill(void)
     bring_into_range(&config.session);
     config.persistent.ledger.last_id %= LEDGER_ID_MAX;
     config.persistent.ledger.boots %= LEDGER_BOOTS_MAX;
-    limit_purse(&config.persistent.ledger.balance);
+    limit_balance(&config.persistent.ledger.balance);
     config.persistent.ledger.stand = (struct ledger_stand){ 0x01020304, 0xf0005, 0x60 };
     config.session.language.chosen = LANGUAGE_EN;
     for (uint32_t id = 0; id < SETTING_COUNT; id++) {
@@ -107,8 +107,8 @@ static void fill(void)
     }
 }
 
-/* The hash covers each member of each struct (test_core_hash.c): so does this. */
-static void test_the_fullest_memory_comes_back_to_the_bit(void **state)
+/* The state hash covers each member of each struct (test_core_hash.c), and so does this test. */
+static void test_the_largest_initial_state_is_restored_bit_for_bit(void **state)
 {
     (void)state;
     fill();
@@ -122,18 +122,18 @@ static void test_the_fullest_memory_comes_back_to_the_bit(void **state)
     assert_true(core_hash(&core) == hash);
 }
 
-static void test_a_stall_that_remembers_nothing_costs_few_bytes(void **state)
+static void test_an_empty_initial_state_takes_few_bytes(void **state)
 {
     (void)state;
     const struct core_config fresh = { .seed = 7, .fish_count = 12 };
-    assert_int_equal(core_init(&core, &fresh), CORE_OK); /* Its settings are at their standard. */
+    assert_int_equal(core_init(&core, &fresh), CORE_OK); /* The settings have their defaults. */
     const size_t size = replay_initial_state_encode(&core.config, bytes);
     assert_in_range(size, 10, 80);
     assert_int_equal(replay_initial_state_decode(&back, bytes, size, REPLAY_VERSION), 1);
     assert_memory_equal(&back.persistent, &core.config.persistent, sizeof back.persistent);
 }
 
-static void test_cut_anywhere_or_with_more_behind_it_is_refused(void **state)
+static void test_a_truncated_or_extended_initial_state_is_rejected(void **state)
 {
     (void)state;
     fill();
@@ -141,20 +141,20 @@ static void test_cut_anywhere_or_with_more_behind_it_is_refused(void **state)
     for (size_t cut = 0; cut < size; cut++) {
         assert_int_equal(replay_initial_state_decode(&back, bytes, cut, REPLAY_VERSION), 0);
     }
-    bytes[size] = 128; /* Two zeros more. */
+    bytes[size] = 128; /* Two more zeros. */
     assert_int_equal(replay_initial_state_decode(&back, bytes, size + 1u, REPLAY_VERSION), 0);
 }
 
-static void test_what_no_recorder_writes_is_refused(void **state)
+static void test_an_invalid_initial_state_is_rejected(void **state)
 {
     (void)state;
     fill();
     config.persistent.ranking.row[1][2][9].seat = POI_MAX - 1u;
     size_t size = replay_initial_state_encode(&config, bytes);
     assert_int_equal(replay_initial_state_decode(&back, bytes, size, REPLAY_VERSION), 1);
-    memset(bytes, 0xff, sizeof bytes); /* 129 zeros each: far more than there are fields. */
+    memset(bytes, 0xff, sizeof bytes); /* 129 zeros per byte, many more than there are fields. */
     assert_int_equal(replay_initial_state_decode(&back, bytes, sizeof bytes, REPLAY_VERSION), 0);
-    memset(bytes, 0x41, sizeof bytes); /* A name that does not end. */
+    memset(bytes, 0x41, sizeof bytes); /* A name without a terminator. */
     for (size_t i = 0; i < sizeof bytes; i += 129) {
         bytes[i] = 127;
     }
@@ -166,10 +166,10 @@ static void test_what_no_recorder_writes_is_refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_the_fullest_memory_comes_back_to_the_bit),
-        cmocka_unit_test(test_a_stall_that_remembers_nothing_costs_few_bytes),
-        cmocka_unit_test(test_cut_anywhere_or_with_more_behind_it_is_refused),
-        cmocka_unit_test(test_what_no_recorder_writes_is_refused),
+        cmocka_unit_test(test_the_largest_initial_state_is_restored_bit_for_bit),
+        cmocka_unit_test(test_an_empty_initial_state_takes_few_bytes),
+        cmocka_unit_test(test_a_truncated_or_extended_initial_state_is_rejected),
+        cmocka_unit_test(test_an_invalid_initial_state_is_rejected),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,5 @@
-/* test_library.c -- makers' species in the data folder: loaded in order, refused with a reason. */
+/* test_library.c -- Tests species files in the data folder: they are loaded in order, or rejected
+ * with a reason. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -59,7 +60,7 @@ static int remove_folder(void **state)
     return system(command);
 }
 
-static void test_no_folder_is_an_empty_shelf(void **state)
+static void test_a_missing_folder_is_an_empty_library(void **state)
 {
     (void)state;
     library_fill(&library, NULL);
@@ -70,7 +71,7 @@ static void test_no_folder_is_an_empty_shelf(void **state)
     assert_ptr_equal(library_species(&library, 0), &species_wakin);
 }
 
-static void test_species_stand_behind_the_built_in_ones_in_the_order_of_their_files(void **state)
+static void test_loaded_species_follow_the_built_in_ones_in_file_order(void **state)
 {
     (void)state;
     put_species("c.kfish", "third");
@@ -89,14 +90,15 @@ static void test_species_stand_behind_the_built_in_ones_in_the_order_of_their_fi
     }
 }
 
-static void test_a_bad_file_costs_a_line_and_no_slot(void **state)
+static void test_an_invalid_file_gives_a_message_and_uses_no_slot(void **state)
 {
     (void)state;
     put_text("a.kfish", "");
     put_text("b.kfish", "KFISH");
     put_species("c.kfish", "good");
     assert_int_equal(mkdir(path_of("d.kfish"), 0755), 0);
-    assert_int_equal(mkfifo(path_of("e.kfish"), 0644), 0); /* Nobody waits for a writer. */
+    assert_int_equal(mkfifo(path_of("e.kfish"), 0644), 0); /* The open does not wait for a
+                                                              writer. */
     assert_int_equal(symlink("/dev/zero", path_of("f.kfish")), 0);
     library_fill(&library, data);
     assert_int_equal(library.line_count, 6);
@@ -106,10 +108,10 @@ static void test_a_bad_file_costs_a_line_and_no_slot(void **state)
         assert_true((library.lines[i].why[0] == '\0') == (i == 2));
     }
     assert_string_equal(library.lines[0].file, "a.kfish");
-    assert_string_equal(library.lines[0].why, "magic: this is no packed species");
+    assert_string_equal(library.lines[0].why, "magic: the file is not a packed species");
 }
 
-static void test_what_was_refused_is_told_in_the_order_of_the_shelf(void **state)
+static void test_rejected_files_are_reported_in_order(void **state)
 {
     (void)state;
     put_text("a.kfish", "");
@@ -132,13 +134,13 @@ static void test_what_was_refused_is_told_in_the_order_of_the_shelf(void **state
     assert_int_equal(library_fault_count(&library), 2);
 }
 
-static void test_a_folder_that_is_none_is_told(void **state)
+static void test_a_file_in_place_of_the_species_folder_is_reported(void **state)
 {
     (void)state;
     char place[64];
     snprintf(place, sizeof place, "%s/species", data);
     assert_int_equal(rmdir(place), 0);
-    FILE *out = fopen(place, "w"); /* A file in its place. */
+    FILE *out = fopen(place, "w"); /* A file in place of the folder. */
     assert_non_null(out);
     fclose(out);
     library_fill(&library, data);
@@ -148,17 +150,17 @@ static void test_a_folder_that_is_none_is_told(void **state)
     assert_int_equal(library.lines[0].slot, LIBRARY_SLOT_NONE);
 }
 
-static void test_a_name_that_a_terminal_obeys_is_told_without(void **state)
+static void test_control_characters_are_removed_from_reported_names(void **state)
 {
     (void)state;
     put_text("\033[31m\n.kfish", "");
     library_fill(&library, data);
     assert_int_equal(library.line_count, 1);
     assert_string_equal(library.lines[0].file, "?[31m?.kfish");
-    assert_string_equal(library.lines[0].why, "magic: this is no packed species");
+    assert_string_equal(library.lines[0].why, "magic: the file is not a packed species");
 }
 
-static void test_an_id_is_given_once(void **state)
+static void test_a_duplicate_id_is_rejected(void **state)
 {
     (void)state;
     put_species("a.kfish", "wakin");
@@ -166,11 +168,11 @@ static void test_an_id_is_given_once(void **state)
     put_species("c.kfish", "mine");
     library_fill(&library, data);
     assert_int_equal(library.species_count, 1);
-    assert_string_equal(library.lines[0].why, "id: there is a 'wakin' already");
-    assert_string_equal(library.lines[2].why, "id: there is a 'mine' already");
+    assert_string_equal(library.lines[0].why, "id: the species 'wakin' exists already");
+    assert_string_equal(library.lines[2].why, "id: the species 'mine' exists already");
 }
 
-static void test_more_than_there_are_slots_are_refused_by_name(void **state)
+static void test_species_beyond_the_slots_are_rejected_by_name(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < LIBRARY_LINE_MAX + 5; i++) {
@@ -190,26 +192,27 @@ static void test_more_than_there_are_slots_are_refused_by_name(void **state)
         assert_string_equal(library.lines[i].file, file);
         assert_int_equal(library.lines[i].slot, i < SPECIES_EXTRA_MAX ? i : LIBRARY_SLOT_NONE);
     }
-    assert_string_equal(library.lines[SPECIES_EXTRA_MAX].why, "no room: 8 species are loaded");
+    assert_string_equal(library.lines[SPECIES_EXTRA_MAX].why,
+                        "8 species are loaded, which is the maximum");
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_no_folder_is_an_empty_shelf),
-        cmocka_unit_test_setup_teardown(
-            test_species_stand_behind_the_built_in_ones_in_the_order_of_their_files, make_folder,
-            remove_folder),
-        cmocka_unit_test_setup_teardown(test_a_bad_file_costs_a_line_and_no_slot, make_folder,
-                                        remove_folder),
-        cmocka_unit_test_setup_teardown(test_what_was_refused_is_told_in_the_order_of_the_shelf,
+        cmocka_unit_test(test_a_missing_folder_is_an_empty_library),
+        cmocka_unit_test_setup_teardown(test_loaded_species_follow_the_built_in_ones_in_file_order,
                                         make_folder, remove_folder),
-        cmocka_unit_test_setup_teardown(test_a_folder_that_is_none_is_told, make_folder,
-                                        remove_folder),
-        cmocka_unit_test_setup_teardown(test_a_name_that_a_terminal_obeys_is_told_without,
+        cmocka_unit_test_setup_teardown(test_an_invalid_file_gives_a_message_and_uses_no_slot,
                                         make_folder, remove_folder),
-        cmocka_unit_test_setup_teardown(test_an_id_is_given_once, make_folder, remove_folder),
-        cmocka_unit_test_setup_teardown(test_more_than_there_are_slots_are_refused_by_name,
+        cmocka_unit_test_setup_teardown(test_rejected_files_are_reported_in_order, make_folder,
+                                        remove_folder),
+        cmocka_unit_test_setup_teardown(test_a_file_in_place_of_the_species_folder_is_reported,
+                                        make_folder, remove_folder),
+        cmocka_unit_test_setup_teardown(test_control_characters_are_removed_from_reported_names,
+                                        make_folder, remove_folder),
+        cmocka_unit_test_setup_teardown(test_a_duplicate_id_is_rejected, make_folder,
+                                        remove_folder),
+        cmocka_unit_test_setup_teardown(test_species_beyond_the_slots_are_rejected_by_name,
                                         make_folder, remove_folder),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

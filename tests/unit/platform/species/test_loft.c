@@ -1,4 +1,5 @@
-/* test_loft.c -- from a drawing to a mesh: sizes, rings, anchors, eyes, fins, masks. */
+/* test_loft.c -- Tests the conversion of a drawing to a mesh: sizes, rings, anchors, eyes, fins and
+ * masks. */
 #include "platform/species/shape.h"
 #include "tests/unit/support/species_text.h"
 
@@ -24,7 +25,7 @@ static const struct loft *lofted(const char *head, const char *more, const char 
     return &loft;
 }
 
-/* What the card's measure says of a built-in species' key, from its mesh alone. */
+/* Returns the measure of a key of a built-in species, computed from its mesh alone. */
 static float measured(const struct species *s, const vec3 *at, const struct species_mesh *mesh)
 {
     float front = 9.0f, rear = -9.0f, right = -9.0f, left = 9.0f, fork = -9.0f, root = -9.0f;
@@ -52,7 +53,7 @@ static float measured(const struct species *s, const vec3 *at, const struct spec
     }
 }
 
-static void test_every_key_of_every_species_measures_1(void **state)
+static void test_every_key_of_every_species_has_measure_1(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < species_table_count; i++) {
@@ -62,13 +63,14 @@ static void test_every_key_of_every_species_measures_1(void **state)
             static struct morph_pose pose;
             morph_key_pose(&s->lod[0], s->card.key_count, key, &pose);
             morph_shape(&s->lod[0], s->card.key_count, &pose, at, NULL);
-            assert_float_equal(measured(s, at, &s->lod[0]), 1.0f, 0.01f); /* Between columns. */
+            assert_float_equal(measured(s, at, &s->lod[0]), 1.0f, 0.01f); /* The maximum lies
+                                                                             between two columns. */
         }
     }
 }
 
-/* One lobe is turned one way and one the other: seen from above neither is longer. */
-static void test_every_tail_reaches_as_far_to_either_side(void **state)
+/* The lobes are rotated in opposite directions. Seen from above, both have the same length. */
+static void test_every_tail_is_symmetric(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < species_table_count; i++) {
@@ -97,11 +99,11 @@ static void test_a_tail_root_is_rounded_off(void **state)
     const float there = (round.z - back.z) / (point.z - back.z);
     const float left = (round.y - point.y) / (back.y - point.y);
     assert_in_range((uint32_t)(100.0f * there), 40, 80);
-    assert_true(left > 1.15f * (1.0f - there)); /* Well outside the cone. */
+    assert_true(left > 1.15f * (1.0f - there)); /* The point is clearly outside the cone. */
     assert_float_equal(there * there + left * left, 1.0f, 0.01f);
 }
 
-static void test_rings_rise_to_the_tail_root_and_crowd_where_outlines_turn(void **state)
+static void test_rings_advance_to_the_tail_root_and_are_denser_in_curved_outlines(void **state)
 {
     (void)state;
     const struct loft *l = lofted("", "", "template pairwise\n");
@@ -118,11 +120,11 @@ static void test_rings_rise_to_the_tail_root_and_crowd_where_outlines_turn(void 
     }
     assert_float_equal(before, 1.0f, 0.0f);
     assert_true(at_gill);
-    assert_true(head_gap < 0.25f * widest); /* A snout is rounder than a flank. */
+    assert_true(head_gap < 0.25f * widest); /* The snout is rounder than the flank. */
     assert_true(widest < 0.16f);            /* A swimming body bends everywhere. */
 }
 
-static void test_body_coordinates_keep_the_gill_cover_where_each_key_draws_it(void **state)
+static void test_body_coordinates_keep_the_gill_cover_at_its_drawn_position(void **state)
 {
     (void)state;
     const struct key_text *key = &drawn("", "gill .2\n", "template pairwise\n")->keys[0];
@@ -134,7 +136,7 @@ static void test_body_coordinates_keep_the_gill_cover_where_each_key_draws_it(vo
     }
 }
 
-static void test_fins_and_eyes_ride_and_body_and_tail_do_not(void **state)
+static void test_fins_and_eyes_have_anchors_and_body_and_tail_have_none(void **state)
 {
     (void)state;
     const struct loft *l = lofted("", "finlets upper 3 .82 .96 .03 50\n", "template pairwise\n");
@@ -155,7 +157,7 @@ static void test_fins_and_eyes_ride_and_body_and_tail_do_not(void **state)
     assert_int_equal(turning, 2);
 }
 
-static void test_a_wandering_eye_goes_over_the_back_to_the_other_flank(void **state)
+static void test_a_migrating_eye_moves_over_the_back_to_the_other_flank(void **state)
 {
     (void)state;
     struct species_text *text = drawn("", "", "template smooth\n");
@@ -167,11 +169,12 @@ static void test_a_wandering_eye_goes_over_the_back_to_the_other_flank(void **st
                       left = shape_eye_ball(&text->keys[0], 1);
     assert_true(own.v > 0.1 && own.v < 0.3);
     assert_float_equal((float)top.v, 0.0f, 1e-6f);
-    assert_float_equal((float)(other.v + 1.0), (float)left.v, 1e-6f); /* Round, not through. */
+    assert_float_equal((float)(other.v + 1.0), (float)left.v, 1e-6f); /* The eye moves around the
+                                                                         head and not through it. */
 }
 
-/* The same text with an eye that stands out by half its diameter has its pupil there. */
-static void test_an_eye_stands_out_as_far_as_its_bulge_says(void **state)
+/* If the same text has an eye that protrudes by half its diameter, the pupil lies there. */
+static void test_an_eye_protrudes_by_its_bulge(void **state)
 {
     (void)state;
     struct species_text *text = drawn("", "", "template smooth\n");
@@ -181,18 +184,18 @@ static void test_an_eye_stands_out_as_far_as_its_bulge_says(void **state)
     assert_true(ball.in > 0.0 && ball.sunk > 0.0);
 }
 
-static void test_a_leaf_thin_head_keeps_both_eyes_apart(void **state)
+static void test_eyes_of_a_thin_head_do_not_intersect(void **state)
 {
     (void)state;
     struct species_text *text = drawn("", "", "template smooth\n");
     for (uint32_t i = 0; i < text->keys[0].substep_count; i++) {
-        text->keys[0].stations[i].width = 0.010f; /* As a leptocephalus. */
+        text->keys[0].stations[i].width = 0.010f; /* The shape of a leptocephalus. */
     }
     const struct ball ball = shape_eye_ball(&text->keys[0], 0);
-    assert_true(ball.sunk + ball.in < 0.005); /* Neither reaches the middle. */
+    assert_true(ball.sunk + ball.in < 0.005); /* Neither eye reaches the middle. */
 }
 
-static void test_a_ray_s_second_point_is_out_of_the_body_and_its_root_in(void **state)
+static void test_a_fin_ray_has_its_root_inside_the_body_and_its_second_point_outside(void **state)
 {
     (void)state;
     const struct key_text *key = &drawn("", "", "template smooth\n")->keys[0];
@@ -209,7 +212,7 @@ static void test_a_ray_s_second_point_is_out_of_the_body_and_its_root_in(void **
     }
 }
 
-static void test_confluent_fins_end_in_the_tail_s_edges(void **state)
+static void test_confluent_fins_end_at_the_tail_edges(void **state)
 {
     (void)state;
     const struct key_text *key = &drawn("confluent\n", "", "template smooth\n")->keys[0];
@@ -223,7 +226,7 @@ static void test_confluent_fins_end_in_the_tail_s_edges(void **state)
     }
 }
 
-/* Two curves that both paint all of a piece have half of it each; 128 and 128 are too many. */
+/* Two curves that both cover a whole part get half of it each. 128 and 128 would exceed 255. */
 static void test_masks_that_round_up_together_still_sum_to_255(void **state)
 {
     (void)state;
@@ -240,7 +243,7 @@ static void test_masks_that_round_up_together_still_sum_to_255(void **state)
     assert_true(halved > 100);
 }
 
-static void test_masks_sum_to_255_and_do_not_tear_the_skin(void **state)
+static void test_masks_sum_to_255_and_are_continuous(void **state)
 {
     (void)state;
     const struct loft *l = lofted("", "",
@@ -260,7 +263,7 @@ static void test_masks_sum_to_255_and_do_not_tear_the_skin(void **state)
     }
 }
 
-static void test_an_area_is_painted_softly_where_it_is_told(void **state)
+static void test_a_curve_area_has_a_soft_mask(void **state)
 {
     (void)state;
     const struct loft *l = lofted("", "",
@@ -281,7 +284,7 @@ static void test_an_area_is_painted_softly_where_it_is_told(void **state)
     assert_true(soft);
 }
 
-static void test_a_long_whip_is_told_in_coarser_counts(void **state)
+static void test_a_long_fin_uses_a_coarser_quantization(void **state)
 {
     (void)state;
     assert_float_equal(lofted("", "", "template smooth\n")->reach, 1.0f, 0.0f);
@@ -294,21 +297,21 @@ static void test_a_long_whip_is_told_in_coarser_counts(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_key_of_every_species_measures_1),
-        cmocka_unit_test(test_every_tail_reaches_as_far_to_either_side),
+        cmocka_unit_test(test_every_key_of_every_species_has_measure_1),
+        cmocka_unit_test(test_every_tail_is_symmetric),
         cmocka_unit_test(test_a_tail_root_is_rounded_off),
-        cmocka_unit_test(test_rings_rise_to_the_tail_root_and_crowd_where_outlines_turn),
-        cmocka_unit_test(test_body_coordinates_keep_the_gill_cover_where_each_key_draws_it),
-        cmocka_unit_test(test_fins_and_eyes_ride_and_body_and_tail_do_not),
-        cmocka_unit_test(test_a_wandering_eye_goes_over_the_back_to_the_other_flank),
-        cmocka_unit_test(test_an_eye_stands_out_as_far_as_its_bulge_says),
-        cmocka_unit_test(test_a_leaf_thin_head_keeps_both_eyes_apart),
-        cmocka_unit_test(test_a_ray_s_second_point_is_out_of_the_body_and_its_root_in),
-        cmocka_unit_test(test_confluent_fins_end_in_the_tail_s_edges),
+        cmocka_unit_test(test_rings_advance_to_the_tail_root_and_are_denser_in_curved_outlines),
+        cmocka_unit_test(test_body_coordinates_keep_the_gill_cover_at_its_drawn_position),
+        cmocka_unit_test(test_fins_and_eyes_have_anchors_and_body_and_tail_have_none),
+        cmocka_unit_test(test_a_migrating_eye_moves_over_the_back_to_the_other_flank),
+        cmocka_unit_test(test_an_eye_protrudes_by_its_bulge),
+        cmocka_unit_test(test_eyes_of_a_thin_head_do_not_intersect),
+        cmocka_unit_test(test_a_fin_ray_has_its_root_inside_the_body_and_its_second_point_outside),
+        cmocka_unit_test(test_confluent_fins_end_at_the_tail_edges),
         cmocka_unit_test(test_masks_that_round_up_together_still_sum_to_255),
-        cmocka_unit_test(test_masks_sum_to_255_and_do_not_tear_the_skin),
-        cmocka_unit_test(test_an_area_is_painted_softly_where_it_is_told),
-        cmocka_unit_test(test_a_long_whip_is_told_in_coarser_counts),
+        cmocka_unit_test(test_masks_sum_to_255_and_are_continuous),
+        cmocka_unit_test(test_a_curve_area_has_a_soft_mask),
+        cmocka_unit_test(test_a_long_fin_uses_a_coarser_quantization),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,5 @@
-/* test_pack.c -- packed species: what was written comes back, what was not is refused. */
+/* test_pack.c -- Tests packed species: a written file is read back unchanged, and an invalid file
+ * is rejected. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -13,7 +14,7 @@
 #include <cmocka.h>
 
 #include "core/morph/morph.h"
-/* Compiled in, so that a test can mend the CRC of what it has harmed. */
+/* The source is included so that a test can correct the CRC of a damaged file. */
 #include "platform/species/pack.c"
 
 static struct species_slot slot, other;
@@ -26,7 +27,7 @@ static size_t packed_wakin(void)
     return pack_encode(&slot, bytes);
 }
 
-static void test_every_built_in_species_comes_back_as_it_was(void **state)
+static void test_every_built_in_species_is_unchanged_by_packing(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < species_table_count; i++) {
@@ -45,7 +46,7 @@ static void test_every_built_in_species_comes_back_as_it_was(void **state)
     }
 }
 
-static void test_what_is_read_blends_to_the_same_shape(void **state)
+static void test_an_unpacked_species_blends_to_the_same_shape(void **state)
 {
     (void)state;
     static struct morph_rig rig;
@@ -64,7 +65,7 @@ static void test_what_is_read_blends_to_the_same_shape(void **state)
     }
 }
 
-static void test_the_bytes_are_the_same_on_every_machine(void **state)
+static void test_the_packed_bytes_are_identical_on_every_machine(void **state)
 {
     (void)state;
     static const uint8_t head[] = { 'K', 'F', 'I', 'S', 'H', '\r', '\n', 0x1a, 1, 0, 0, 0 };
@@ -74,7 +75,7 @@ static void test_the_bytes_are_the_same_on_every_machine(void **state)
     assert_string_equal((const char *)bytes + HEAD_SIZE, "wakin");
 }
 
-static void test_a_file_cut_anywhere_is_refused(void **state)
+static void test_a_file_truncated_at_any_byte_is_rejected(void **state)
 {
     (void)state;
     const size_t size = packed_wakin();
@@ -85,7 +86,7 @@ static void test_a_file_cut_anywhere_is_refused(void **state)
     assert_int_equal(pack_decode(bytes, size + 1, &other, why), PACK_BAD);
 }
 
-static void test_a_flipped_bit_anywhere_is_refused(void **state)
+static void test_a_flipped_bit_at_any_position_is_rejected(void **state)
 {
     (void)state;
     const size_t size = packed_wakin();
@@ -97,16 +98,16 @@ static void test_a_flipped_bit_anywhere_is_refused(void **state)
     assert_int_equal(pack_decode(bytes, size, &other, why), PACK_OK);
 }
 
-static void test_another_version_is_named(void **state)
+static void test_a_different_version_is_reported(void **state)
 {
     (void)state;
     const size_t size = packed_wakin();
     bytes[8] = 2;
     assert_int_equal(pack_decode(bytes, size, &other, why), PACK_BAD);
-    assert_string_equal(why, "version: 2, and this program reads 1");
+    assert_string_equal(why, "version: 2, but this program reads version 1");
 }
 
-/* Each changes one thing of a sound species, and says what is wrong with it then. */
+/* Each entry damages one thing of a valid species and contains the expected error. */
 struct harm {
     void (*change)(struct species_slot *slot);
     const char *why;
@@ -195,7 +196,8 @@ static void harm_negative(struct species_slot *s)
 }
 static void harm_solved(struct species_slot *s)
 {
-    struct graph *graph = &card_of(s)->curves[0]; /* The first and the last key at all times. */
+    struct graph *graph = &card_of(s)->curves[0]; /* At all times only the first and the last key
+                                                     have weights. */
     graph_from_template(graph, TEMPLATE_ORDINARY, card_of(s)->key_count, SIMULTANEOUS_PEAK);
     graph->solved = 1;
 }
@@ -258,7 +260,7 @@ static void harm_size(struct species_slot *s)
     }
 }
 
-/* ---- Life: what a key says of age and length is what growth says */
+/* ---- Life: age and length of a key must match the growth curve ------------------------------ */
 
 static void harm_late(struct species_slot *s)
 {
@@ -356,9 +358,9 @@ static void harm_anchor_place(struct species_slot *s)
     s->tables[0].anchors[0].u[2] = NAN;
 }
 
-/* ---- Size: the last key is one measure long, and its snout stays where it is */
+/* ---- Size: the last key has measure 1, and its snout is fixed ------------------------------- */
 
-/* Stretches the last key from the snout on, or across. */
+/* Stretches the last key, starting at the snout, along or across the body. */
 static void stretch(struct species_slot *s, float along, float across)
 {
     const uint32_t key = card_of(s)->key_count - 1u;
@@ -401,10 +403,10 @@ static void harm_narrower(struct species_slot *s)
 
 static const struct harm harms[] = {
     { harm_id, "id: " },
-    { harm_two_keys, "keys: 2, and" },
+    { harm_two_keys, "keys: 2, but" },
     { harm_twin_key, "key 1/name: " },
     { harm_age, "/age_days: nan is outside" },
-    { harm_age_order, "is not above the key before" },
+    { harm_age_order, "is not greater than the age of the previous key" },
     { harm_length, "/length_m: 1e+30 is outside" },
     { harm_measure, "measure: 4 is outside 0 .. 3" },
     { harm_motion, "motion: 255 is outside" },
@@ -412,43 +414,43 @@ static const struct harm harms[] = {
     { harm_template, "thesis template: " },
     { harm_growth, "growth/k_per_year: inf is outside" },
     { harm_fade, "growth/fade_year: 0 is outside" },
-    { harm_points, "growth/points: 0, and" },
+    { harm_points, "growth/points: 0, but" },
     { harm_hatching, "growth/age_days: " },
-    { harm_scale, "scale knots: 1, and" },
-    { harm_curves, "curves: 0, and" },
-    { harm_knots, "knot 0: fewer than 2 knots" },
-    { harm_sum, "knot 0: weights whose sum is not 1 (1.25)" },
-    { harm_negative, "knot 0: a weight that is negative" },
-    { harm_solved, "to be solved, but a key is hardly seen" },
-    { harm_colour, "/coat: a colour beyond ffffff" },
+    { harm_scale, "scale knots: 1, but" },
+    { harm_curves, "curves: 0, but" },
+    { harm_knots, "knot 0: the number of knots" },
+    { harm_sum, "knot 0: the sum of the weights is not 1 (1.25)" },
+    { harm_negative, "knot 0: a weight is negative" },
+    { harm_solved, "unsolvable: a key has too little weight" },
+    { harm_colour, "/coat: a colour is greater than ffffff" },
     { harm_mark, "/mark: 200 is outside" },
     { harm_reach, "near/reach: 3 is not 1, 2 or 4" },
     { harm_faces, "far/indices: " },
-    { harm_no_faces, "near/indices: 0, and" },
+    { harm_no_faces, "near/indices: 0, but" },
     { harm_index, "near/triangle 1: vertex " },
-    { harm_flat, "near/triangle 1: two corners are one" },
-    { harm_mask, "far/vertex 3: the masks' sum is 254" },
-    { harm_rider, "near/vertex 0: rides on anchor " },
+    { harm_flat, "near/triangle 1: two corners are the same vertex" },
+    { harm_mask, "far/vertex 3: the sum of the masks is 254" },
+    { harm_rider, "near/vertex 0: anchor " },
     { harm_u, "near/vertex 9: nan is outside" },
     { harm_part, "near/vertex 9: " },
     { harm_grid, "near/grid: 2 rings of 9" },
     { harm_size, "/near: snout at z" },
-    { harm_late, "koaka/length_m: 0.045 at 200 days, where growth says 0.07" },
-    { harm_long, "adult/length_m: 0.1545 at 545.4 days, where growth says 0.15" },
-    { harm_short, "larva/length_m: 0.00485 at 0 days, where growth says 0.005" },
-    { harm_scale_start, "scale knot/progress: 0.1 does not go from 0 to 1" },
-    { harm_scale_middle, "scale knot/progress: 0 does not go from 0 to 1" },
-    { harm_scale_end, "scale knot/progress: 0.9 does not go from 0 to 1" },
+    { harm_late, "koaka/length_m: 0.045 at 200 days, but the growth curve gives 0.07" },
+    { harm_long, "adult/length_m: 0.1545 at 545.4 days, but the growth curve gives 0.15" },
+    { harm_short, "larva/length_m: 0.00485 at 0 days, but the growth curve gives 0.005" },
+    { harm_scale_start, "scale knot/progress: 0.1 breaks the order" },
+    { harm_scale_middle, "scale knot/progress: 0 breaks the order" },
+    { harm_scale_end, "scale knot/progress: 0.9 breaks the order" },
     { harm_one_ring, "near/grid: 1 rings of " },
     { harm_two_spokes, "near/grid: 2 rings of 3 from vertex " },
-    { harm_no_skin, "near/grid: anchors, and no skin for them" },
-    { harm_skin_part, "near/grid: ring 0, spoke 0 is out of order" },
-    { harm_skin_rides, "near/grid: ring 0, spoke 1 is out of order" },
-    { harm_skin_u, "near/grid: ring 1, spoke 2 is out of order" },
-    { harm_skin_v, "near/grid: ring 0, spoke 2 is out of order" },
-    { harm_skin_start, "near/grid: ring 0, spoke 0 is out of order" },
+    { harm_no_skin, "near/grid: the mesh has anchors, but no grid" },
+    { harm_skin_part, "near/grid: ring 0, spoke 0 is not in order" },
+    { harm_skin_rides, "near/grid: ring 0, spoke 1 is not in order" },
+    { harm_skin_u, "near/grid: ring 1, spoke 2 is not in order" },
+    { harm_skin_v, "near/grid: ring 0, spoke 2 is not in order" },
+    { harm_skin_start, "near/grid: ring 0, spoke 0 is not in order" },
     { harm_skin_end, "near/grid: ring 0, spoke " },
-    { harm_two_parts, "near/triangle 0: its corners are of two parts" },
+    { harm_two_parts, "near/triangle 0: the corners belong to different parts" },
     { harm_anchor_curve, "near/anchor 0: " },
     { harm_anchor_place, "near/anchor 0: nan is outside 0 .. 1" },
 };
@@ -466,7 +468,7 @@ static void expect_refusal(const struct species *species, const struct harm *har
     assert_null(strchr(why, '\n'));
 }
 
-static void test_each_harm_is_found_and_named(void **state)
+static void test_each_kind_of_damage_is_detected_and_reported(void **state)
 {
     (void)state;
     for (size_t i = 0; i < sizeof harms / sizeof harms[0]; i++) {
@@ -474,7 +476,7 @@ static void test_each_harm_is_found_and_named(void **state)
     }
 }
 
-static void test_keys_of_another_size_are_refused_by_each_measure(void **state)
+static void test_keys_of_a_wrong_size_are_rejected_for_each_measure(void **state)
 {
     (void)state;
     static const struct harm total[] = { { harm_longer, "adult/near: size: 1.0" },
@@ -495,28 +497,27 @@ static void test_keys_of_another_size_are_refused_by_each_measure(void **state)
 
 static void mend_crc(size_t size)
 {
-    struct tape head = { .bytes = bytes, .size = HEAD_SIZE, .at = HEAD_SIZE - 4, .writing = true };
-    uint32_t crc = crc32(bytes + HEAD_SIZE, size - HEAD_SIZE);
-    word32(&head, &crc);
+    const uint32_t crc = crc32(bytes + HEAD_SIZE, size - HEAD_SIZE);
+    memcpy(bytes + HEAD_SIZE - sizeof crc, &crc, sizeof crc);
 }
 
-static void test_counts_that_no_table_holds_are_refused_unread(void **state)
+static void test_too_large_counts_are_rejected_before_reading(void **state)
 {
     (void)state;
     const size_t size = packed_wakin();
     assert_int_equal(bytes[HEAD_SIZE + SPECIES_NAME_SIZE], species_wakin.card.key_count);
-    bytes[HEAD_SIZE + SPECIES_NAME_SIZE] = 255; /* The keys' count stands behind the id. */
+    bytes[HEAD_SIZE + SPECIES_NAME_SIZE] = 255; /* The number of keys follows the id. */
     assert_int_equal(pack_decode(bytes, size, &other, why), PACK_BAD);
-    assert_string_equal(why, "crc: the bytes are not those that were written");
+    assert_string_equal(why, "crc: the checksum is wrong, so the file is damaged");
     mend_crc(size);
     assert_int_equal(pack_decode(bytes, size, &other, why), PACK_BAD);
     assert_string_equal(why, "keys: more than a species may have");
-    bytes[HEAD_SIZE + SPECIES_NAME_SIZE] = 3; /* Fewer than there are: all that follows shifts. */
+    bytes[HEAD_SIZE + SPECIES_NAME_SIZE] = 3; /* A smaller number shifts all following data. */
     mend_crc(size);
     assert_int_equal(pack_decode(bytes, size, &other, why), PACK_BAD);
 }
 
-static void test_any_body_under_a_good_head_is_answered(void **state)
+static void test_any_body_after_a_valid_header_gives_a_result(void **state)
 {
     (void)state;
     uint32_t random = 2005;
@@ -534,7 +535,7 @@ static void test_any_body_under_a_good_head_is_answered(void **state)
     }
 }
 
-static void test_a_file_is_written_whole_and_read_back(void **state)
+static void test_a_written_file_is_read_back(void **state)
 {
     (void)state;
     char path[] = "/tmp/kingyo-pack-XXXXXX";
@@ -549,19 +550,20 @@ static void test_a_file_is_written_whole_and_read_back(void **state)
     unlink(path);
 }
 
-static void test_files_that_are_none_are_no_bad_data(void **state)
+static void test_a_non_regular_file_is_an_io_error_and_not_a_data_error(void **state)
 {
     (void)state;
     assert_int_equal(pack_read("/nowhere/x.kfish", &other, why), PACK_IO);
     assert_string_equal(why, "No such file or directory");
     assert_int_equal(pack_read("/tmp", &other, why), PACK_IO);
     assert_string_equal(why, "Is a directory");
-    assert_int_equal(pack_read("/dev/zero", &other, why), PACK_IO); /* Endless, and never read. */
+    assert_int_equal(pack_read("/dev/zero", &other, why), PACK_IO); /* The endless file is never
+                                                                       read. */
     packed_wakin();
     assert_int_equal(pack_write("/nowhere/x.kfish", &slot, why), PACK_IO);
 }
 
-static void test_writing_leaves_devices_and_links_what_they_are(void **state)
+static void test_writing_does_not_replace_devices_and_links(void **state)
 {
     (void)state;
     char folder[] = "/tmp/kingyo-pack-XXXXXX", path[64], link[64];
@@ -570,7 +572,8 @@ static void test_writing_leaves_devices_and_links_what_they_are(void **state)
     snprintf(path, sizeof path, "%s/x.kfish", folder);
     snprintf(link, sizeof link, "%s/link.kfish", folder);
     packed_wakin();
-    assert_int_equal(mkfifo(path, 0600), 0); /* As /dev/full, which a rename would replace. */
+    assert_int_equal(mkfifo(path, 0600), 0); /* The FIFO behaves as /dev/full, which a rename would
+                                                replace. */
     assert_int_equal(pack_write(path, &slot, why), PACK_IO);
     assert_int_equal(lstat(path, &status), 0);
     assert_true(S_ISFIFO(status.st_mode));
@@ -581,7 +584,7 @@ static void test_writing_leaves_devices_and_links_what_they_are(void **state)
     assert_int_equal(pack_write(link, &slot, why), PACK_OK);
     assert_int_equal(lstat(link, &status), 0);
     assert_true(S_ISLNK(status.st_mode));
-    assert_int_equal(pack_read(path, &other, why), PACK_OK); /* What it leads to is new. */
+    assert_int_equal(pack_read(path, &other, why), PACK_OK); /* The target of the link is new. */
     assert_int_equal(pack_read(link, &other, why), PACK_OK);
     assert_int_equal(pack_read_data(path, &other, why), PACK_OK);
     assert_int_equal(pack_read_data(link, &other, why), PACK_IO);
@@ -600,19 +603,19 @@ static void test_writing_leaves_devices_and_links_what_they_are(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_built_in_species_comes_back_as_it_was),
-        cmocka_unit_test(test_what_is_read_blends_to_the_same_shape),
-        cmocka_unit_test(test_the_bytes_are_the_same_on_every_machine),
-        cmocka_unit_test(test_a_file_cut_anywhere_is_refused),
-        cmocka_unit_test(test_a_flipped_bit_anywhere_is_refused),
-        cmocka_unit_test(test_another_version_is_named),
-        cmocka_unit_test(test_each_harm_is_found_and_named),
-        cmocka_unit_test(test_keys_of_another_size_are_refused_by_each_measure),
-        cmocka_unit_test(test_counts_that_no_table_holds_are_refused_unread),
-        cmocka_unit_test(test_any_body_under_a_good_head_is_answered),
-        cmocka_unit_test(test_a_file_is_written_whole_and_read_back),
-        cmocka_unit_test(test_files_that_are_none_are_no_bad_data),
-        cmocka_unit_test(test_writing_leaves_devices_and_links_what_they_are),
+        cmocka_unit_test(test_every_built_in_species_is_unchanged_by_packing),
+        cmocka_unit_test(test_an_unpacked_species_blends_to_the_same_shape),
+        cmocka_unit_test(test_the_packed_bytes_are_identical_on_every_machine),
+        cmocka_unit_test(test_a_file_truncated_at_any_byte_is_rejected),
+        cmocka_unit_test(test_a_flipped_bit_at_any_position_is_rejected),
+        cmocka_unit_test(test_a_different_version_is_reported),
+        cmocka_unit_test(test_each_kind_of_damage_is_detected_and_reported),
+        cmocka_unit_test(test_keys_of_a_wrong_size_are_rejected_for_each_measure),
+        cmocka_unit_test(test_too_large_counts_are_rejected_before_reading),
+        cmocka_unit_test(test_any_body_after_a_valid_header_gives_a_result),
+        cmocka_unit_test(test_a_written_file_is_read_back),
+        cmocka_unit_test(test_a_non_regular_file_is_an_io_error_and_not_a_data_error),
+        cmocka_unit_test(test_writing_does_not_replace_devices_and_links),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,8 +1,9 @@
-/* test_species_words.c -- each word of a species' text: what it sets, and what is wrong of it. */
+/* test_species_words.c -- Tests each keyword of a species text: the value that it sets and its
+ * errors. */
 #include "platform/species/text.h"
 #include "tests/unit/support/species_text.h"
 
-/* The text's head, `more` among it, then keys and graph. */
+/* Returns the head of the text with `more` inserted, then keys and graph. */
 static const char *with_head(const char *more)
 {
     static char text[TEXT_SIZE];
@@ -10,7 +11,7 @@ static const char *with_head(const char *more)
     return text;
 }
 
-/* Keys of which the first has `more`. */
+/* Returns keys whose first key contains `more`. */
 static const char *with_key(const char *more)
 {
     static char text[TEXT_SIZE];
@@ -21,7 +22,7 @@ static const char *with_key(const char *more)
     return text;
 }
 
-/* Lines below the keys, in place of a graph. */
+/* Returns a text with `tail` below the keys in place of a graph. */
 static const char *with_tail(const char *tail)
 {
     static char text[TEXT_SIZE];
@@ -34,43 +35,48 @@ static void assert_read(const char *text)
     assert_string_equal(complaint_of(text), "");
 }
 
-static void test_measure_form_and_motion_are_chosen_by_name(void **state)
+static void test_measure_form_and_motion_are_selected_by_name(void **state)
 {
     (void)state;
     assert_read(with_head("measure fork\nform compressed\nmotion tuna\n"));
-    assert_int_equal(species.measure, MEASURE_FORK);
-    assert_int_equal(species.form, FORM_COMPRESSED);
-    assert_int_equal(species.motion, MOTION_TUNA);
-    assert_refused(with_head("measure weight\n"),
-                   "t.txt:4: 'weight' is no measure: total, standard, fork, disc\n");
+    assert_int_equal(species.card.measure, MEASURE_FORK);
+    assert_int_equal(species.card.form, FORM_COMPRESSED);
+    assert_int_equal(species.card.motion, MOTION_TUNA);
+    assert_refused(
+        with_head("measure weight\n"),
+        "t.txt:4: 'weight' is not a measure; valid words are: total, standard, fork, disc\n");
     assert_refused(with_head("form round\n"), "fusiform, compressed, depressed, eel, puffer");
     assert_refused(with_head("motion\n"), "write: motion motion");
 }
 
-static void test_fins_that_a_fish_never_has_are_named_once_for_all_keys(void **state)
+static void test_absent_fins_are_declared_once_for_all_keys(void **state)
 {
     (void)state;
-    assert_refused(with_head("without pelvic\n"), "a pelvic in a species without");
+    assert_refused(with_head("without pelvic\n"),
+                   "the species has no pelvic ('without' at the top)");
     assert_refused(with_head("without wings\n"),
-                   "'wings' is no fin: tail, dorsal, anal, pectoral, pelvic");
+                   "'wings' is not a fin; valid words are: tail, dorsal, anal, pectoral, pelvic");
     assert_refused(with_head("without\n"), "write: without FIN ..");
     assert_refused(HEAD "key a 10\nstation 0 .1 .1 0 2\nstation .4 .1 .1 0 2\n"
                         "station .7 .1 .1 0 2\nstation 1 .1 .1 0 2\neye .1 0 .05 .1\n"
                         "key b 20\nkey c 30\ntemplate pairwise\n",
-                   "t.txt:4: key a: the tail needs rays from 0 to 1, two or more (or say");
+                   "t.txt:4: key a: the tail needs two or more rays from 0 to 1 (or write");
 }
 
 static void test_points_extend_the_growth_curve_from_hatching(void **state)
 {
     (void)state;
     assert_read(with_head("point 30 9\npoint 60 18\n"));
-    assert_int_equal(species.growth.point_count, 3);
-    assert_float_equal(species.growth.points[1].age_days, 30.0f, 0.0f);
-    assert_float_equal(species.growth.points[2].length_m, 0.018f, 1e-7f);
-    assert_refused(with_head("point 30 9\npoint 30 18\n"), "points go from young to old");
-    assert_refused(with_head("point 0 9\n"), "points go from young to old");
-    assert_refused("species t\npoint 30 9\n", "t.txt:2: points stand below hatch");
-    assert_refused("hatch .01 .1\nhatch .01 .1\n", "one hatch, above the points");
+    assert_int_equal(species.card.growth.point_count, 3);
+    assert_float_equal(species.card.growth.points[1].age_days, 30.0f, 0.0f);
+    assert_float_equal(species.card.growth.points[2].length_m, 0.018f, 1e-7f);
+    assert_refused(with_head("point 30 9\npoint 30 18\n"),
+                   "the age must increase from point to point");
+    assert_refused(with_head("point 0 9\n"), "the age must increase from point to point");
+    assert_refused("species t\npoint 30 9\n",
+                   "t.txt:2: a 'point' line must be below the 'hatch' line");
+    assert_refused("hatch .01 .1\nhatch .01 .1\n",
+                   "only one 'hatch' line is allowed, above the points");
     static char text[TEXT_SIZE];
     int size = snprintf(text, sizeof text, HEAD);
     for (int i = 1; i <= (int)GROWTH_POINT_MAX; i++) {
@@ -79,57 +85,61 @@ static void test_points_extend_the_growth_curve_from_hatching(void **state)
     assert_refused(text, "more than 12 points");
 }
 
-static void test_keys_may_say_their_age_and_then_may_shrink(void **state)
+static void test_keys_with_an_age_may_shrink(void **state)
 {
     (void)state;
     assert_read(HEAD "point 20 10\npoint 40 30\npoint 60.5 20\n"
                      "key a 10 20\n" KEY_BODY "key b 30 40\n" KEY_BODY "key c 20 60.5\n" KEY_BODY
                      "template pairwise\n");
-    assert_float_equal(species.keys[2].age_days, 60.5f, 0.0f);
-    assert_float_equal(species.keys[2].length_m, 0.02f, 1e-7f);
-    assert_refused(HEAD "key a 10 20\nkey b 5\n", "or say their age: key NAME MM AGE_DAYS");
-    assert_refused(HEAD "key a 10\nkey a 20\n", "t.txt:5: a second key called a");
+    assert_float_equal(species.card.key_age_days[2], 60.5f, 0.0f);
+    assert_float_equal(species.card.key_length_m[2], 0.02f, 1e-7f);
+    assert_refused(HEAD "key a 10 20\nkey b 5\n", "otherwise write the age: key NAME MM AGE_DAYS");
+    assert_refused(HEAD "key a 10\nkey a 20\n", "t.txt:5: the key a exists already");
     assert_refused(HEAD "key a 10 1 2\n", "write: key NAME MM [AGE_DAYS]");
     assert_refused(HEAD "point 90 10\nkey a 10 90\n" KEY_BODY "key b 20 80\n" KEY_BODY
                         "key c 40 99\n" KEY_BODY "template pairwise\n",
                    "key b (80 days) is not older than key a (90 days)");
 }
 
-static void test_a_written_age_is_one_at_which_growth_is_as_long(void **state)
+static void test_a_given_age_must_match_the_growth_curve(void **state)
 {
     (void)state;
     assert_refused(HEAD "point 20 10\npoint 40 20\n"
                         "key a 10 20\n" KEY_BODY "key b 20.5 40\n" KEY_BODY "key c 40 90\n" KEY_BODY
                         "template pairwise\n",
-                   "t.txt:28: key b is 20.5 mm at 40 days, and growth says 20 mm: write a point");
+                   "t.txt:28: key b is 20.5 mm long at 40 days, but the growth curve gives 20 mm; "
+                   "write a point");
     assert_read(HEAD "point 20 10\npoint 40 20\npoint 90 40\n"
                      "key a 10 20\n" KEY_BODY "key b 20.3 40\n" KEY_BODY "key c 40 90\n" KEY_BODY
                      "template pairwise\n");
 }
 
-static void test_a_key_that_never_grows_so_long_is_refused_with_its_line(void **state)
+static void test_a_key_beyond_the_maximum_length_is_rejected_with_its_line(void **state)
 {
     (void)state;
-    assert_refused(HEAD "key a 10\n" KEY_BODY "key b 20\n" KEY_BODY "key c 900\n" KEY_BODY
-                        "template pairwise\n",
-                   "t.txt:48: key c is 900 mm and growth gives no age for that: 300 mm at");
+    assert_refused(
+        HEAD "key a 10\n" KEY_BODY "key b 20\n" KEY_BODY "key c 900\n" KEY_BODY
+             "template pairwise\n",
+        "t.txt:48: key c is 900 mm long, but the growth curve never has this length (300 mm at");
 }
 
-static void test_gills_are_in_all_keys_or_in_none(void **state)
+static void test_gills_must_be_in_all_keys_or_none(void **state)
 {
     (void)state;
-    assert_refused(with_key("gill .3\n"),
-                   "key b has no gill and the first has: write it in all keys or in none");
+    assert_refused(
+        with_key("gill .3\n"),
+        "key b has no gill, but the first key has one; write a gill in all keys or in none");
     assert_refused(with_key("gill 0.9\n"), "0.9 is outside 0.02 .. 0.6");
 }
 
-static void test_eyes_are_a_pair_or_each_its_own_and_may_wander(void **state)
+static void test_eyes_are_a_pair_or_separate_and_can_migrate(void **state)
 {
     (void)state;
     assert_read(with_key(""));
     assert_float_equal(species.keys[0].eyes[1].x, 0.1f, 0.0f);
-    assert_refused(with_key("eye left .1 0 .05 .2\n"), "a second left eye");
-    assert_refused(with_key("eye up .1 0 .05 .2\n"), "'up' is no side: right, left");
+    assert_refused(with_key("eye left .1 0 .05 .2\n"), "the left eye exists already");
+    assert_refused(with_key("eye up .1 0 .05 .2\n"),
+                   "'up' is not a side; valid words are: right, left");
     assert_refused(with_key("eye .1 0 .05\n"), "write: eye X Y DIAMETER BULGE, or eye right|left");
     assert_refused(with_key("eye right .1 0 .05 .2 181\n"), "181 is outside 0 .. 180");
     assert_refused(with_key("eye .1 0 .05 .2 90\n"), "write: eye X Y DIAMETER BULGE");
@@ -139,21 +149,21 @@ static void test_eyes_are_a_pair_or_each_its_own_and_may_wander(void **state)
     assert_float_equal(species.keys[1].eyes[1].diameter, 0.0f, 0.0f);
 }
 
-static void test_a_second_dorsal_and_finlets_are_in_every_key_or_none(void **state)
+static void test_second_dorsal_and_finlets_must_be_in_all_keys_or_none(void **state)
 {
     (void)state;
     assert_refused(with_key("finlets upper 9 .6 .95 .03 50\n"),
-                   "key b has 0 upper finlets and key a has 9");
+                   "key b has 0 upper finlets, but key a has 9");
     assert_refused(with_key("fin dorsal2 .6 .7 0 0\nray 0 .1 30 0\nray 1 .1 30 0\n"),
-                   "key b: the dorsal2 needs rays from 0 to 1");
+                   "key b: the dorsal2 needs two or more rays from 0 to 1");
     assert_refused(with_key("finlets upper 11 .6 .95 .03 50\n"), "11 is outside 1 .. 10");
     assert_refused(with_key("finlets upper 2.5 .6 .95 .03 50\n"), "2.5 is not a whole number");
     assert_refused(with_key("finlets upper 2 .8 .7 .03 50\n"), "the row ends before it starts");
     assert_refused(with_key("finlets middle 2 .8 .9 .03 50\n"),
-                   "'middle' is no row of finlets: upper, lower");
+                   "'middle' is not a row of finlets; valid words are: upper, lower");
 }
 
-static void test_confluent_needs_the_fins_that_it_joins(void **state)
+static void test_confluent_requires_the_joined_fins(void **state)
 {
     (void)state;
     assert_read(with_head("confluent\n"));
@@ -161,19 +171,19 @@ static void test_confluent_needs_the_fins_that_it_joins(void **state)
     assert_refused(with_head("confluent 1\n"), "write: confluent");
 }
 
-static void test_coats_are_five_colours_and_two_shares(void **state)
+static void test_a_coat_has_five_colours_and_two_shares(void **state)
 {
     (void)state;
     assert_read(with_key(""));
     assert_int_equal(species.keys[0].coat.iris, 0xc0a040);
     assert_int_equal(species.keys[0].coat.clear, 0);
     assert_int_equal(species.keys[0].coat.shine, 128);
-    assert_refused(with_key("coat 00000g 0 0 0 0 0 0\n"), "'00000g' is no colour");
+    assert_refused(with_key("coat 00000g 0 0 0 0 0 0\n"), "'00000g' is not a colour");
     assert_refused(with_key("coat 000000 000000 000000 000000 000000 2 0\n"), "2 is outside");
     assert_refused(with_key("coat 000000 000000\n"), "write: coat BACK FLANK BELLY FIN IRIS");
 }
 
-static void test_marks_have_a_kind_a_part_a_colour_and_settings(void **state)
+static void test_a_mark_has_a_kind_a_part_a_colour_and_settings(void **state)
 {
     (void)state;
     assert_read(with_key("mark bands body ff0000 count 3 from .2 to .8 slant -.2 width .05\n"
@@ -184,26 +194,30 @@ static void test_marks_have_a_kind_a_part_a_colour_and_settings(void **state)
     assert_int_equal(m[0].count, 3);
     assert_float_equal(m[0].slant, -0.2f, 0.0f);
     assert_int_equal(m[1].part, PART_DORSAL_2);
-    assert_float_equal(m[1].width, 0.15f, 0.0f); /* As usual for a margin. */
+    assert_float_equal(m[1].width, 0.15f, 0.0f); /* The usual width of a margin. */
     assert_int_equal(m[2].count, SIDE_RIGHT);
 }
 
-static void test_marks_that_are_none_are_refused(void **state)
+static void test_invalid_marks_are_rejected(void **state)
 {
     (void)state;
-    assert_refused(with_key("mark dots body ff0000\n"),
-                   "'dots' is no kind of mark: spots, bands, stripes, edge, patch, side, rows, "
-                   "mouth, gill");
-    assert_refused(with_key("mark spots wing ff0000\n"), "'wing' is no part: body, eye, tail");
-    assert_refused(with_key("mark side body ff0000\n"), "'body' is no side: right, left");
-    assert_refused(with_key("mark mouth tail ff0000\n"), "a mouth is on the body");
-    assert_refused(with_key("mark spots body ff0000 size 3\n"), "'size' is no setting of a mark");
-    assert_refused(with_key("mark spots body ff0000 count\n"), "'count' wants a number");
+    assert_refused(
+        with_key("mark dots body ff0000\n"),
+        "'dots' is not a kind of mark; valid words are: spots, bands, stripes, edge, patch, side, "
+        "rows, mouth, gill");
+    assert_refused(with_key("mark spots wing ff0000\n"),
+                   "'wing' is not a part; valid words are: body, eye, tail");
+    assert_refused(with_key("mark side body ff0000\n"),
+                   "'body' is not a side; valid words are: right, left");
+    assert_refused(with_key("mark mouth tail ff0000\n"), "a mouth must be on the body");
+    assert_refused(with_key("mark spots body ff0000 size 3\n"),
+                   "'size' is not a setting of a mark");
+    assert_refused(with_key("mark spots body ff0000 count\n"), "a number is missing after 'count'");
     assert_refused(with_key("mark spots body ff0000 count 121\n"), "121 is outside 1 .. 120");
     assert_refused(with_key("mark spots body ff0000 from .5 to .4\n"),
                    "the mark ends before it starts");
     assert_refused(with_key("mark spots body\n"), "write: mark KIND PART COLOUR");
-    assert_refused("mark spots body ff0000\n", "t.txt:1: 'mark' stands under a key");
+    assert_refused("mark spots body ff0000\n", "t.txt:1: 'mark' must be below a 'key' line");
     static char text[TEXT_SIZE];
     int size = snprintf(text, sizeof text, HEAD "key a 10\n");
     for (uint32_t i = 0; i <= MARK_MAX; i++) {
@@ -212,62 +226,68 @@ static void test_marks_that_are_none_are_refused(void **state)
     assert_refused(text, "more than 8 marks");
 }
 
-static void test_a_template_is_a_whole_graph_in_one_line(void **state)
+static void test_a_template_line_defines_a_whole_graph(void **state)
 {
     (void)state;
     assert_read(with_tail("template simultaneous .8\n"));
-    assert_int_equal(species.curves[0].graph.knot_count, 3);
-    assert_int_equal(species.curves[0].graph.solved, 1);
-    assert_float_equal(species.curves[0].graph.knots[1].weight[1], 0.8f, 1e-6f);
-    assert_refused(with_tail("template round\n"),
-                   "'round' is no template: ordinary, pairwise, simultaneous, smooth");
+    assert_int_equal(species.card.curves[0].knot_count, 3);
+    assert_int_equal(species.card.curves[0].solved, 1);
+    assert_float_equal(species.card.curves[0].knots[1].weight[1], 0.8f, 1e-6f);
+    assert_refused(
+        with_tail("template round\n"),
+        "'round' is not a template; valid words are: ordinary, pairwise, simultaneous, smooth");
     assert_refused(with_tail("template pairwise .8\n"), "only the simultaneous template has");
     assert_refused(with_tail("template simultaneous 1\n"), "1 is outside 0.51 .. 0.99");
-    assert_refused(with_tail("knot 0 1 0 0\ntemplate smooth\n"), "one template, or knots");
-    assert_refused(HEAD "template smooth\n", "'template' stands below the keys");
+    assert_refused(with_tail("knot 0 1 0 0\ntemplate smooth\n"), "either one template or knots");
+    assert_refused(HEAD "template smooth\n", "'template' must be below the keys");
 }
 
-static void test_lines_are_straight_smooth_or_solved(void **state)
+static void test_graph_lines_are_straight_smooth_or_solved(void **state)
 {
     (void)state;
     assert_read(with_tail(KNOTS "line smooth\n"));
-    assert_int_equal(species.curves[0].graph.line, GRAPH_SMOOTH);
-    assert_int_equal(species.curves[0].graph.solved, 0);
+    assert_int_equal(species.card.curves[0].line, GRAPH_SMOOTH);
+    assert_int_equal(species.card.curves[0].solved, 0);
     assert_read(with_tail(KNOTS "line solved\n"));
-    assert_int_equal(species.curves[0].graph.solved, 1);
-    assert_refused(with_tail("line bent\n"), "'bent' is no line: straight, smooth, solved");
+    assert_int_equal(species.card.curves[0].solved, 1);
+    assert_refused(with_tail("line bent\n"),
+                   "'bent' is not a line; valid words are: straight, smooth, solved");
     assert_refused(with_tail("knot 0 1 0 0\nknot 1 0 0 1\nline solved\n"),
-                   "the graph of whole shows too little of key b to be solved for it");
+                   "the graph of whole cannot be solved, because key b has too little weight");
     assert_refused(with_tail("line solved\ntemplate pairwise\n"),
-                   "a line's kind stands below the template that it bends");
-    assert_refused(with_tail("line smooth\ntemplate pairwise\n"), "stands below the template");
+                   "a 'line' line must be below the 'template' line");
+    assert_refused(with_tail("line smooth\ntemplate pairwise\n"),
+                   "must be below the 'template' line");
 }
 
-static void test_parts_may_have_curves_of_their_own(void **state)
+static void test_parts_can_have_their_own_curves(void **state)
 {
     (void)state;
     assert_read(with_tail("template pairwise\ncurve front head eye\ntemplate smooth\n"
                           "curve hump\narea .3 .5 .6 1 .1\n" KNOTS));
-    assert_int_equal(species.curve_count, 3);
-    assert_string_equal(species.curves[1].name, "front");
+    assert_int_equal(species.card.curve_count, 3);
+    assert_string_equal(species.card.curve_names[1], "front");
     assert_int_equal(species.curves[1].parts, 1u << PART_HEAD | 1u << PART_EYE);
     assert_int_equal(species.curves[2].area_count, 1);
     assert_float_equal(species.curves[2].areas[0].soft, 0.1f, 0.0f);
-    assert_int_equal(species.curves[2].graph.knot_count, 3);
+    assert_int_equal(species.card.curves[2].knot_count, 3);
 }
 
-static void test_curves_that_move_nothing_or_twice_are_refused(void **state)
+static void test_empty_and_duplicate_curves_are_rejected(void **state)
 {
     (void)state;
-    assert_refused(with_tail("curve front head\n"), "below the keys and the graph of the whole");
-    assert_refused(with_tail("template smooth\ncurve a wing\n"), "'wing' is no part: eye, tail");
+    assert_refused(with_tail("curve front head\n"),
+                   "must be below the keys and the graph of the whole");
+    assert_refused(with_tail("template smooth\ncurve a wing\n"),
+                   "'wing' is not a part; valid words are: eye, tail");
     assert_refused(with_tail("template smooth\ncurve a eye\ntemplate smooth\ncurve b eye\n"),
                    "the eye already moves by the curve a");
     assert_refused(with_tail("template smooth\ncurve a\ntemplate smooth\n"),
                    "curve a moves no part and no area");
     assert_refused(with_tail("template smooth\ncurve a eye\n"),
                    "the graph of curve a needs knots from progress 0 to 1, or a template");
-    assert_refused(with_tail("template smooth\narea .1 .2 0 1 .1\n"), "stands under a curve");
+    assert_refused(with_tail("template smooth\narea .1 .2 0 1 .1\n"),
+                   "must be below a 'curve' line");
     assert_refused(with_tail("template smooth\ncurve a\narea .3 .2 0 1 .1\n"),
                    "the area ends before it starts");
     assert_refused(with_tail("template smooth\ncurve a eye\ntemplate smooth\ncurve b tail\n"
@@ -275,57 +295,59 @@ static void test_curves_that_move_nothing_or_twice_are_refused(void **state)
                    "more than 3 curves");
 }
 
-static void test_scale_by_hand_runs_from_progress_0_to_1(void **state)
+static void test_manual_scale_knots_cover_progress_0_to_1(void **state)
 {
     (void)state;
     assert_read(with_head("scale 0 10\nscale .5 125.5\nscale 1 56\n"));
-    assert_int_equal(species.scale_knot_count, 3);
-    assert_float_equal(species.scale_knots[1].length_m, 0.1255f, 1e-6f);
-    assert_refused(with_head("scale .1 10\n"), "scale knots go from progress 0 upward");
-    assert_refused(with_head("scale 0 10\nscale .5 20\n"), "scale knots go from progress 0 to 1");
+    assert_int_equal(species.card.scale_knot_count, 3);
+    assert_float_equal(species.card.scale_knots[1].length_m, 0.1255f, 1e-6f);
+    assert_refused(with_head("scale .1 10\n"), "the first scale knot must be at progress 0");
+    assert_refused(with_head("scale 0 10\nscale .5 20\n"),
+                   "the last scale knot must be at progress 1");
 }
 
-static void test_the_thesis_keys_are_three_that_were_drawn(void **state)
+static void test_the_thesis_keys_are_three_drawn_keys(void **state)
 {
     (void)state;
     assert_read(with_tail("template smooth\nthesis a b c simultaneous\n"));
-    assert_int_equal(species.thesis_template, TEMPLATE_SIMULTANEOUS);
-    assert_int_equal(species.thesis_key[2], 2);
-    assert_refused(with_tail("thesis a b d pairwise\n"), "no key above is called 'd'");
-    assert_refused(with_tail("thesis a c b pairwise\n"), "go from young to old");
-    assert_refused(with_tail("thesis a b c smooth\n"),
-                   "'smooth' is no template of the thesis: pairwise, simultaneous");
+    assert_int_equal(species.card.thesis_template, TEMPLATE_SIMULTANEOUS);
+    assert_int_equal(species.card.thesis_key[2], 2);
+    assert_refused(with_tail("thesis a b d pairwise\n"), "no key above has the name 'd'");
+    assert_refused(with_tail("thesis a c b pairwise\n"), "must be in the order of their ages");
+    assert_refused(
+        with_tail("thesis a b c smooth\n"),
+        "'smooth' is not a template of the thesis; valid words are: pairwise, simultaneous");
 }
 
-static void test_what_no_mesh_can_hold_is_refused(void **state)
+static void test_a_drawing_beyond_the_mesh_limits_is_rejected(void **state)
 {
     (void)state;
-    assert_refused(with_head("measure disc\n"), "reaches out to 6 times what is measured");
+    assert_refused(with_head("measure disc\n"), "a point is 6 times the measured length away");
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_measure_form_and_motion_are_chosen_by_name),
-        cmocka_unit_test(test_fins_that_a_fish_never_has_are_named_once_for_all_keys),
+        cmocka_unit_test(test_measure_form_and_motion_are_selected_by_name),
+        cmocka_unit_test(test_absent_fins_are_declared_once_for_all_keys),
         cmocka_unit_test(test_points_extend_the_growth_curve_from_hatching),
-        cmocka_unit_test(test_keys_may_say_their_age_and_then_may_shrink),
-        cmocka_unit_test(test_a_written_age_is_one_at_which_growth_is_as_long),
-        cmocka_unit_test(test_a_key_that_never_grows_so_long_is_refused_with_its_line),
-        cmocka_unit_test(test_gills_are_in_all_keys_or_in_none),
-        cmocka_unit_test(test_eyes_are_a_pair_or_each_its_own_and_may_wander),
-        cmocka_unit_test(test_a_second_dorsal_and_finlets_are_in_every_key_or_none),
-        cmocka_unit_test(test_confluent_needs_the_fins_that_it_joins),
-        cmocka_unit_test(test_coats_are_five_colours_and_two_shares),
-        cmocka_unit_test(test_marks_have_a_kind_a_part_a_colour_and_settings),
-        cmocka_unit_test(test_marks_that_are_none_are_refused),
-        cmocka_unit_test(test_a_template_is_a_whole_graph_in_one_line),
-        cmocka_unit_test(test_lines_are_straight_smooth_or_solved),
-        cmocka_unit_test(test_parts_may_have_curves_of_their_own),
-        cmocka_unit_test(test_curves_that_move_nothing_or_twice_are_refused),
-        cmocka_unit_test(test_scale_by_hand_runs_from_progress_0_to_1),
-        cmocka_unit_test(test_the_thesis_keys_are_three_that_were_drawn),
-        cmocka_unit_test(test_what_no_mesh_can_hold_is_refused),
+        cmocka_unit_test(test_keys_with_an_age_may_shrink),
+        cmocka_unit_test(test_a_given_age_must_match_the_growth_curve),
+        cmocka_unit_test(test_a_key_beyond_the_maximum_length_is_rejected_with_its_line),
+        cmocka_unit_test(test_gills_must_be_in_all_keys_or_none),
+        cmocka_unit_test(test_eyes_are_a_pair_or_separate_and_can_migrate),
+        cmocka_unit_test(test_second_dorsal_and_finlets_must_be_in_all_keys_or_none),
+        cmocka_unit_test(test_confluent_requires_the_joined_fins),
+        cmocka_unit_test(test_a_coat_has_five_colours_and_two_shares),
+        cmocka_unit_test(test_a_mark_has_a_kind_a_part_a_colour_and_settings),
+        cmocka_unit_test(test_invalid_marks_are_rejected),
+        cmocka_unit_test(test_a_template_line_defines_a_whole_graph),
+        cmocka_unit_test(test_graph_lines_are_straight_smooth_or_solved),
+        cmocka_unit_test(test_parts_can_have_their_own_curves),
+        cmocka_unit_test(test_empty_and_duplicate_curves_are_rejected),
+        cmocka_unit_test(test_manual_scale_knots_cover_progress_0_to_1),
+        cmocka_unit_test(test_the_thesis_keys_are_three_drawn_keys),
+        cmocka_unit_test(test_a_drawing_beyond_the_mesh_limits_is_rejected),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

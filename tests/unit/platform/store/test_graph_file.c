@@ -1,5 +1,5 @@
-/* test_graph_file.c -- graphs from the growth lab on the disk: they come back to the last bit, or
- * cost one line. */
+/* test_graph_file.c -- Tests the graph files of the growth lab: a graph is restored bit for bit, or
+ * the error is reported in one line. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -17,7 +17,7 @@
 #include "platform/store/graph_file.h"
 #include "platform/store/storage.h"
 
-static const struct species_card *card; /* The wakin's. */
+static const struct species_card *card; /* Card of the wakin. */
 static char folder[64];
 static struct lab_book book;
 static char told[512];
@@ -52,7 +52,7 @@ static int teardown(void **state)
     return system(command);
 }
 
-/* Odd numbers in every place that has one. */
+/* Returns a graph with irregular numbers in every field. */
 static struct graph_edit_record drawn(void)
 {
     struct graph_edit_record record = { .id = 3, .key_count = card->key_count };
@@ -70,7 +70,7 @@ static int parse(const char *text, struct lab_edit *edit, char why[GRAPH_FILE_WH
     return graph_file_parse(text, strlen(text), card, edit, why);
 }
 
-static void test_a_graph_comes_back_to_the_last_bit(void **state)
+static void test_a_graph_is_read_bit_for_bit(void **state)
 {
     (void)state;
     const struct graph_edit_record record = drawn();
@@ -84,8 +84,8 @@ static void test_a_graph_comes_back_to_the_last_bit(void **state)
     assert_memory_equal(&back, &record.edit, sizeof back);
 }
 
-/* The longest that there may be: every knot of eight keys, each number with all its digits. */
-static void test_the_longest_graph_fits(void **state)
+/* The longest possible text: every knot has eight keys, and each number has all its digits. */
+static void test_the_longest_graph_fits_its_text_buffer(void **state)
 {
     (void)state;
     struct graph_edit_record record = { .key_count = MORPH_KEY_MAX,
@@ -105,7 +105,7 @@ static void test_the_longest_graph_fits(void **state)
     assert_memory_equal(text + size - 4, "end\n", 4);
 }
 
-static void test_what_is_kept_is_there_at_the_next_start(void **state)
+static void test_a_stored_graph_is_loaded_at_the_next_start(void **state)
 {
     (void)state;
     const struct graph_edit_record record = drawn();
@@ -117,14 +117,14 @@ static void test_what_is_kept_is_there_at_the_next_start(void **state)
     assert_true(lab_book_is_valid(&book));
 }
 
-static void test_a_graph_that_is_the_species_own_again_leaves_no_file(void **state)
+static void test_resetting_a_graph_to_the_species_default_deletes_its_file(void **state)
 {
     (void)state;
     struct graph_edit_record record = drawn();
     assert_int_equal(graph_file_write(folder, &record), 0);
     record.is_own = 1;
     assert_int_equal(graph_file_write(folder, &record), 0);
-    assert_int_equal(graph_file_write(folder, &record), 0); /* Nothing to take away. */
+    assert_int_equal(graph_file_write(folder, &record), 0); /* There is no file to delete. */
     graph_file_load(folder, &book, warn);
     assert_int_equal(book.has_edit[0], 0);
     assert_int_equal(told_count, 0);
@@ -142,7 +142,7 @@ static void put_file(const char *text, size_t size)
     fclose(file);
 }
 
-static void test_a_bad_file_costs_one_line_and_the_species_keeps_its_own(void **state)
+static void test_an_invalid_graph_file_is_reported_and_the_species_keeps_its_default(void **state)
 {
     (void)state;
     put_file("kingyo-graph 1\nspecies wakin\nnonsense\n", 39);
@@ -160,7 +160,7 @@ static void test_a_bad_file_costs_one_line_and_the_species_keeps_its_own(void **
 
 #define ENDS "knot 0 1 0 0 0 0\nknot 1 0 0 0 0 1\n"
 
-static void test_each_mistake_is_told_with_its_line(void **state)
+static void test_each_graph_error_is_reported_with_its_line(void **state)
 {
     (void)state;
     char head[160], why[GRAPH_FILE_WHY_SIZE];
@@ -191,20 +191,20 @@ static void test_each_mistake_is_told_with_its_line(void **state)
         snprintf(text, sizeof text, "%s%s", head, mistakes[i].body);
         assert_int_equal(parse(text, &edit, why), 0);
         if (strstr(why, mistakes[i].says) == NULL) {
-            fail_msg("'%s' is told as '%s'", mistakes[i].body, why);
+            fail_msg("'%s' is reported as '%s'", mistakes[i].body, why);
         }
     }
     char text[600];
     snprintf(text, sizeof text, "%s" ENDS "end\n", head);
     char *solved = strstr(text, "solved 0");
     solved[7] = '1';
-    assert_int_equal(parse(text, &edit, why), 0); /* The second key is never seen. */
+    assert_int_equal(parse(text, &edit, why), 0); /* The second key is never visible. */
     snprintf(head, sizeof head, "the key '%s' is hardly seen", card->key_names[1]);
     assert_non_null(strstr(why, head));
     solved[7] = '0';
     const size_t size = strlen(text);
     assert_int_equal(graph_file_parse(text, size, card, &edit, why), 1);
-    text[size - 5u] = 0; /* In place of a line's end. */
+    text[size - 5u] = 0; /* The byte replaces the end of a line. */
     assert_int_equal(graph_file_parse(text, size, card, &edit, why), 0);
     assert_non_null(strstr(why, "8: not a text"));
     assert_int_equal(parse("", &edit, why), 0);
@@ -219,8 +219,9 @@ static void test_each_mistake_is_told_with_its_line(void **state)
     assert_non_null(strstr(why, "2: not of the species wakin"));
 }
 
-/* Whatever a card makes of the bytes: no crash, no half-read graph, and always a reason. */
-static void test_no_altered_byte_is_believed_unless_it_is_a_graph_still(void **state)
+/* After any change of a byte, the parser does not crash, returns no partial graph, and always gives
+ * a reason. */
+static void test_an_altered_graph_file_is_rejected_unless_valid(void **state)
 {
     (void)state;
     const struct graph_edit_record record = drawn();
@@ -245,7 +246,7 @@ static void test_no_altered_byte_is_believed_unless_it_is_a_graph_still(void **s
     assert_in_range(refused, 2000, 4000);
 }
 
-static void test_the_store_keeps_a_graph_on_its_own_thread(void **state)
+static void test_the_store_writes_a_graph_in_its_own_thread(void **state)
 {
     (void)state;
     static struct storage storage;
@@ -256,7 +257,7 @@ static void test_the_store_keeps_a_graph_on_its_own_thread(void **state)
     assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
     assert_int_equal(device.edits.ops->store(device.edits.self, &record), HAL_OK);
     assert_int_equal(device.edits.ops->store(device.edits.self, &record),
-                     HAL_OK); /* Asked twice: one. */
+                     HAL_OK); /* A second request with the same id is merged with the first. */
     for (uint32_t i = 0; i < 500 && device.edits.ops->stored_id(device.edits.self) != record.id;
          i++) {
         usleep(10000);
@@ -267,14 +268,14 @@ static void test_the_store_keeps_a_graph_on_its_own_thread(void **state)
     assert_memory_equal(&book.edits[0], &record.edit, sizeof record.edit);
 }
 
-/* Rounds have no place then; graphs are texts and have theirs. */
-static void test_a_graph_is_kept_where_the_database_cannot_be(void **state)
+/* Rounds cannot be stored without the database. Graphs are text files and need no database. */
+static void test_a_graph_is_stored_without_a_database(void **state)
 {
     (void)state;
     static struct storage storage;
     memset(&storage, 0, sizeof storage);
     storage.dir = folder;
-    const int hold = file_lock_folder(folder); /* As another stall does. */
+    const int hold = file_lock_folder(folder); /* The lock simulates another kiosk. */
     assert_true(hold >= 0);
     const struct hal_storage device = storage_device(&storage);
     const struct graph_edit_record record = drawn();
@@ -297,8 +298,8 @@ static void test_a_graph_is_kept_where_the_database_cannot_be(void **state)
     close(hold);
 }
 
-/* More of them than the queue has places, one after the other as they are taken. */
-static void test_graphs_in_a_queue_are_each_written_in_turn(void **state)
+/* The test stores more graphs than the queue can hold. */
+static void test_queued_graphs_are_written_in_order(void **state)
 {
     (void)state;
     static struct storage storage;
@@ -322,7 +323,7 @@ static void test_graphs_in_a_queue_are_each_written_in_turn(void **state)
     assert_memory_equal(&book.edits[0], &record.edit, sizeof record.edit);
 }
 
-static void test_a_store_that_cannot_write_a_graph_says_so_and_counts_it(void **state)
+static void test_a_failed_graph_write_is_reported_and_counted(void **state)
 {
     (void)state;
     static struct storage storage;
@@ -330,7 +331,7 @@ static void test_a_store_that_cannot_write_a_graph_says_so_and_counts_it(void **
     memset(&storage, 0, sizeof storage);
     storage.dir = folder;
     snprintf(path, sizeof path, "%s/" GRAPH_FILE_FOLDER, folder);
-    FILE *file = fopen(path, "w"); /* A file where the folder should be. */
+    FILE *file = fopen(path, "w"); /* A file in place of the folder. */
     assert_non_null(file);
     fclose(file);
     const struct hal_storage device = storage_device(&storage);
@@ -352,17 +353,17 @@ int main(void)
 {
 #define TEST(name) cmocka_unit_test_setup_teardown(name, setup, teardown)
     const struct CMUnitTest tests[] = {
-        TEST(test_a_graph_comes_back_to_the_last_bit),
-        TEST(test_the_longest_graph_fits),
-        TEST(test_what_is_kept_is_there_at_the_next_start),
-        TEST(test_a_graph_that_is_the_species_own_again_leaves_no_file),
-        TEST(test_a_bad_file_costs_one_line_and_the_species_keeps_its_own),
-        TEST(test_each_mistake_is_told_with_its_line),
-        TEST(test_no_altered_byte_is_believed_unless_it_is_a_graph_still),
-        TEST(test_the_store_keeps_a_graph_on_its_own_thread),
-        TEST(test_a_graph_is_kept_where_the_database_cannot_be),
-        TEST(test_graphs_in_a_queue_are_each_written_in_turn),
-        TEST(test_a_store_that_cannot_write_a_graph_says_so_and_counts_it),
+        TEST(test_a_graph_is_read_bit_for_bit),
+        TEST(test_the_longest_graph_fits_its_text_buffer),
+        TEST(test_a_stored_graph_is_loaded_at_the_next_start),
+        TEST(test_resetting_a_graph_to_the_species_default_deletes_its_file),
+        TEST(test_an_invalid_graph_file_is_reported_and_the_species_keeps_its_default),
+        TEST(test_each_graph_error_is_reported_with_its_line),
+        TEST(test_an_altered_graph_file_is_rejected_unless_valid),
+        TEST(test_the_store_writes_a_graph_in_its_own_thread),
+        TEST(test_a_graph_is_stored_without_a_database),
+        TEST(test_queued_graphs_are_written_in_order),
+        TEST(test_a_failed_graph_write_is_reported_and_counted),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,6 +1,7 @@
-/* test_storage_card.c -- a card that is slow, stuck, full, read-only, away or somebody else's: the
- * store says so, takes what it can, and goes on with it when it can. The moods are made where the
- * store's libraries call the kernel (tests/power/tape.h). */
+/* test_storage_card.c -- Tests a card that is slow, blocked, full, read-only, missing or foreign.
+ *
+ * The store reports the state, stores as much as it can, and continues when the card works again.
+ * The faults are injected into the system calls of the store's libraries (tests/power/tape.h). */
 #include <errno.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -24,7 +25,7 @@ static struct tape tape;
 static struct storage storage;
 static struct hal_storage device;
 
-/* A file system that is mounted read-only says so to root, too. */
+/* A file system that is mounted read-only rejects writes by root as well. */
 static bool is_read_only;
 int __real_access(const char *path, int mode);
 int __wrap_access(const char *path, int mode);
@@ -153,19 +154,19 @@ static void refuses_and_goes_on(int error, const char *words)
     assert_int_equal(count_entries(), STORAGE_QUEUE_MAX + 1);
 }
 
-static void test_a_full_card_takes_what_waited_when_it_has_room_again(void **state)
+static void test_a_full_card_stores_the_queue_when_it_has_room_again(void **state)
 {
     (void)state;
     refuses_and_goes_on(ENOSPC, "free some space");
 }
 
-static void test_a_card_that_fails_takes_what_waited_when_it_works_again(void **state)
+static void test_a_failed_card_stores_the_queue_when_it_works_again(void **state)
 {
     (void)state;
     refuses_and_goes_on(EIO, "64 entries not written: disk I/O error; it is retried each second");
 }
 
-static void test_a_card_that_turned_read_only_takes_what_waited_when_it_is_not(void **state)
+static void test_a_read_only_card_stores_the_queue_when_it_is_writable_again(void **state)
 {
     (void)state;
     refuses_and_goes_on(EROFS, "64 entries not written");
@@ -176,7 +177,7 @@ static void test_no_frame_waits_for_a_slow_card(void **state)
     (void)state;
     storage.by_hand = 0;
     assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
-    pause_ms(300); /* The first backup. */
+    pause_ms(300); /* Wait for the first backup. */
     tape_sync_us(200000);
     int64_t longest_ms = 0;
     for (uint32_t id = 1; id <= 20; id++) {
@@ -188,12 +189,12 @@ static void test_no_frame_waits_for_a_slow_card(void **state)
         longest_ms = took_ms > longest_ms ? took_ms : longest_ms;
         pause_ms(10);
     }
-    assert_true(longest_ms < 100); /* A sync alone is 200. */
+    assert_true(longest_ms < 100); /* A sync alone takes 200 ms. */
     wait_until_saved(20);
-    assert_true(is_well()); /* Slow is no fault. */
+    assert_true(is_well()); /* A slow card is not a fault. */
 }
 
-static void test_a_card_that_does_not_come_back_is_told(void **state)
+static void test_a_card_that_does_not_recover_is_reported(void **state)
 {
     (void)state;
     storage.by_hand = 0;
@@ -203,7 +204,8 @@ static void test_a_card_that_does_not_come_back_is_told(void **state)
     keep(1);
     pause_ms(100);
     assert_true(is_well());
-    atomic_fetch_sub(&storage.busy_since_ms, STORAGE_STUCK_MS); /* As if that were longer ago. */
+    atomic_fetch_sub(&storage.busy_since_ms, STORAGE_STUCK_MS); /* The start of the write is moved
+                                                                   into the past. */
     assert_false(is_well());
     assert_non_null(strstr(text(), "has not answered for 3 s; 1 entries wait"));
     tape_sync_us(0);
@@ -211,13 +213,13 @@ static void test_a_card_that_does_not_come_back_is_told(void **state)
     assert_true(is_well());
 }
 
-/* A name that leads nowhere yet: nothing that could be opened. */
+/* Replaces the folder with a dangling link, so that nothing can be opened. */
 static void take_card_away(void)
 {
     assert_int_equal(symlink("/tmp/kingyo-no-such-card/kingyo.db", file), 0);
 }
 
-/* By another program: nothing of that is on the tape. */
+/* Renames the folder from another program, so that the tape records nothing of it. */
 static void put_away(void)
 {
     char command[128];
@@ -225,7 +227,7 @@ static void put_away(void)
     assert_int_equal(system(command), 0);
 }
 
-static void test_a_card_that_comes_late_and_is_fresh_is_used(void **state)
+static void test_an_empty_card_inserted_late_is_used(void **state)
 {
     (void)state;
     static struct persistent_state memory;
@@ -242,8 +244,8 @@ static void test_a_card_that_comes_late_and_is_fresh_is_used(void **state)
     assert_int_equal(saved_id(), 2);
 }
 
-/* What it holds is no less than what this kiosk knows: it would be written over. */
-static void test_a_card_that_comes_late_and_is_not_empty_waits_for_a_restart(void **state)
+/* The database contains at least as much as the kiosk knows. Writing would overwrite it. */
+static void test_a_card_with_data_inserted_late_is_used_after_a_restart(void **state)
 {
     (void)state;
     static struct persistent_state memory;
@@ -266,8 +268,9 @@ static void test_a_card_that_comes_late_and_is_not_empty_waits_for_a_restart(voi
     assert_int_equal(device.ledger.ops->needs_restart(device.ledger.self), 0);
 }
 
-/* Its credits are there, and coins are taken as soon as it can be written: no start is needed. */
-static void test_a_card_that_is_read_only_at_the_start_is_used_when_it_is_not(void **state)
+/* The stored credits are available, and coins are accepted as soon as the card is writable, without
+ * a restart. */
+static void test_a_card_that_is_read_only_at_the_start_is_used_when_writable(void **state)
 {
     (void)state;
     static struct persistent_state memory;
@@ -291,7 +294,7 @@ static void test_a_card_that_is_read_only_at_the_start_is_used_when_it_is_not(vo
     assert_int_equal(saved_id(), 2);
 }
 
-static void test_somebody_elses_card_is_not_written_on(void **state)
+static void test_a_foreign_card_is_not_written(void **state)
 {
     (void)state;
     char command[256];
@@ -300,7 +303,7 @@ static void test_somebody_elses_card_is_not_written_on(void **state)
     storage_work(&storage);
     tape_refuse(EIO);
     keep(2);
-    storage_work(&storage); /* The card is pulled; another one is put in. */
+    storage_work(&storage); /* The card is removed and another one is inserted. */
     snprintf(command, sizeof command, "rm %s*; cp tests/unit/platform/store/files/version-5.db %s",
              file, file);
     assert_int_equal(system(command), 0);
@@ -311,12 +314,13 @@ static void test_somebody_elses_card_is_not_written_on(void **state)
     assert_int_equal(count_entries(), 9);
     assert_int_equal(saved_id(), 1);
     assert_int_equal(device.ledger.ops->needs_restart(device.ledger.self),
-                     0); /* Here it would change purses. */
+                     0); /* A write here would change the balances of another kiosk. */
 }
 
-/* ---- A card that is full when the kiosk starts ----------------------------------------------- */
+/* ---- A card that is full when the kiosk starts ---------------------------------------------- */
 
-/* As a kill leaves it: five entries, some of them in the log alone, and no index of it. */
+/* Leaves the state after SIGKILL: five entries, some of them only in the log, and no index of the
+ * log. */
 static void leave_five_entries_in_the_log(void)
 {
     char command[400];
@@ -337,7 +341,7 @@ static void leave_five_entries_in_the_log(void)
     storage = (struct storage){ .dir = dir, .by_hand = 1 };
 }
 
-/* `proven`: the newest entry that counts as on disk while the card is full. */
+/* `proven` is the newest entry that counts as stored while the card is full. */
 static void remembers_and_goes_on(uint32_t proven)
 {
     static struct persistent_state memory;
@@ -349,26 +353,27 @@ static void remembers_and_goes_on(uint32_t proven)
     assert_false(is_well());
     assert_non_null(strstr(text(), "full; free some space"));
     assert_int_equal(saved_id(), proven);
-    assert_int_equal(keep(6), HAL_OK); /* It waits. */
+    assert_int_equal(keep(6), HAL_OK); /* The entry is queued. */
     storage_work(&storage);
     assert_false(is_well());
     assert_int_equal(saved_id(), proven);
     tape_refuse(0);
-    storage.look_due_ms = 0; /* As if a second were over; nothing here tells of the room. */
+    storage.look_due_ms = 0; /* The retry delay is skipped, because no event reports the free
+                                space. */
     storage_work(&storage);
     assert_true(is_well());
     assert_int_equal(saved_id(), 6);
     assert_int_equal(count_entries(), 6);
 }
 
-static void test_a_card_that_is_full_at_the_start_is_read_and_written_when_it_has_room(void **state)
+static void test_a_card_that_is_full_at_the_start_is_read_and_later_written(void **state)
 {
     (void)state;
     leave_five_entries_in_the_log();
     remembers_and_goes_on(0); /* A log that cannot be written again may not be on disk. */
 }
 
-static void test_so_is_one_that_was_closed_in_good_order(void **state)
+static void test_a_full_card_that_was_closed_cleanly_is_read_and_later_written(void **state)
 {
     (void)state;
     device.ledger.ops->open(device.ledger.self);
@@ -377,10 +382,10 @@ static void test_so_is_one_that_was_closed_in_good_order(void **state)
     }
     device.ledger.ops->close(device.ledger.self);
     storage = (struct storage){ .dir = dir, .by_hand = 1 };
-    remembers_and_goes_on(5); /* All of it is in the database. */
+    remembers_and_goes_on(5); /* All entries are in the database. */
 }
 
-static void test_others_may_read_a_full_card_meanwhile(void **state)
+static void test_other_programs_can_read_a_full_card(void **state)
 {
     (void)state;
     leave_five_entries_in_the_log();
@@ -390,7 +395,7 @@ static void test_others_may_read_a_full_card_meanwhile(void **state)
     assert_int_equal(count_entries(), 5);
 }
 
-/* ---- A card that is of no use, as long as it lasts ------------------------------------------- */
+/* ---- An unusable card ----------------------------------------------------------------------- */
 
 static void put_a_later_kingyos_file(void)
 {
@@ -403,14 +408,14 @@ static void put_a_later_kingyos_file(void)
     sqlite3_close(db);
 }
 
-/* How often it was looked through. */
+/* Returns how many times the file was examined. */
 static uint32_t looks(void)
 {
     return device.ledger.ops->failed_count(device.ledger.self);
 }
 
-/* Both would give out the same numbers, and each take the other's coins for its own. */
-static void test_a_second_stall_at_one_folder_waits_until_the_first_has_ended(void **state)
+/* Two kiosks would assign the same entry ids and mix their coins. */
+static void test_a_second_kiosk_on_the_same_folder_waits_until_the_first_exits(void **state)
 {
     (void)state;
     static struct storage second;
@@ -429,11 +434,11 @@ static void test_a_second_stall_at_one_folder_waits_until_the_first_has_ended(vo
     device.ledger.ops->close(device.ledger.self);
     storage_work(&second);
     assert_true(other.ledger.ops->needs_restart(
-        other.ledger.self)); /* The first stall's list lies there. */
+        other.ledger.self)); /* The folder contains the ledger of the first kiosk. */
     other.ledger.ops->close(other.ledger.self);
 }
 
-static void test_a_file_that_is_of_no_use_is_looked_at_ever_less_often(void **state)
+static void test_an_unusable_file_is_retried_with_increasing_delays(void **state)
 {
     (void)state;
     put_a_later_kingyos_file();
@@ -442,11 +447,11 @@ static void test_a_file_that_is_of_no_use_is_looked_at_ever_less_often(void **st
     assert_int_equal(looks(), 1);
     for (int64_t wait_ms = STORAGE_RETRY_MS, i = 0; i < 8; i++) {
         storage_work(&storage);
-        assert_int_equal(looks(), 1 + i); /* Not before its time ... */
+        assert_int_equal(looks(), 1 + i); /* No retry comes before the delay has passed. */
         assert_int_equal(storage.look_wait_ms, wait_ms);
         storage.look_due_ms -= wait_ms;
         storage_work(&storage);
-        assert_int_equal(looks(), 2 + i); /* ... and then once. */
+        assert_int_equal(looks(), 2 + i); /* One retry comes after the delay. */
         wait_ms = 2 * wait_ms < STORAGE_RETRY_MS_MAX ? 2 * wait_ms : STORAGE_RETRY_MS_MAX;
     }
     assert_int_equal(storage.look_wait_ms, STORAGE_RETRY_MS_MAX);
@@ -464,13 +469,14 @@ static void keep_eight_and_close(void)
     assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
     for (uint32_t id = 1; id <= 8; id++) {
         assert_int_equal(keep(id), HAL_OK);
-        storage_work(&storage); /* The backup has the first. */
+        storage_work(&storage); /* The backup contains the first entry. */
     }
     device.ledger.ops->close(device.ledger.self);
     storage = (struct storage){ .dir = dir, .by_hand = 1 };
 }
 
-/* All that there is is shown, nothing of it is replaced by less, and the slot stays shut. */
+/* Checks that all available data are shown, no data are replaced by older data, and the coin slot
+ * stays locked. */
 static void is_read_and_left(void)
 {
     static struct persistent_state memory;
@@ -496,7 +502,7 @@ static void is_read_and_left(void)
     assert_int_equal(count_entries(), 9);
 }
 
-static void test_a_damaged_file_on_a_full_card_is_read_and_left(void **state)
+static void test_a_damaged_file_on_a_full_card_is_read_and_not_changed(void **state)
 {
     static const char dirt[4096] = { 1, 2, 3 };
     (void)state;
@@ -510,7 +516,7 @@ static void test_a_damaged_file_on_a_full_card_is_read_and_left(void **state)
     assert_true(is_beside(".damaged-1"));
 }
 
-static void test_so_is_what_is_there_without_the_file(void **state)
+static void test_a_backup_on_a_full_card_without_a_database_is_read_and_not_changed(void **state)
 {
     (void)state;
     keep_eight_and_close();
@@ -519,18 +525,18 @@ static void test_so_is_what_is_there_without_the_file(void **state)
     assert_true(is_beside(".missing-1"));
 }
 
-static void test_room_that_others_take_and_give_is_no_reason_to_look(void **state)
+static void test_a_change_of_free_space_causes_no_retry(void **state)
 {
     (void)state;
     put_a_later_kingyos_file();
     device.ledger.ops->open(device.ledger.self);
     storage_work(&storage);
-    storage.room = 0; /* A gigabyte was freed since. */
+    storage.room = 0; /* One gigabyte was freed after the last attempt. */
     storage_work(&storage);
     assert_int_equal(looks(), 1);
 }
 
-static void test_a_file_that_changes_is_looked_at_at_once(void **state)
+static void test_a_changed_file_is_retried_immediately(void **state)
 {
     (void)state;
     put_a_later_kingyos_file();
@@ -540,7 +546,7 @@ static void test_a_file_that_changes_is_looked_at_at_once(void **state)
         storage_work(&storage);
     }
     assert_int_equal(storage.look_wait_ms, STORAGE_RETRY_MS_MAX);
-    put_away(); /* That card is pulled, and a fresh one put in. */
+    put_away(); /* The card is removed and an empty one is inserted. */
     storage_work(&storage);
     assert_true(is_well());
     assert_int_equal(keep(1), HAL_OK);
@@ -574,12 +580,12 @@ static int fetch(uint32_t round_id, uint8_t *bytes, size_t size)
     return device.replays.ops->fetched(device.replays.self);
 }
 
-static void test_a_ranked_rounds_replay_is_kept_and_comes_back(void **state)
+static void test_the_replay_of_a_ranked_round_is_stored_and_loaded(void **state)
 {
     (void)state;
     uint8_t found[64];
     device.ledger.ops->open(device.ledger.self);
-    play_round(1, 5); /* Written in the same go, before its replay. */
+    play_round(1, 5); /* The round is written in the same pass, before its replay. */
     assert_int_equal(device.replays.ops->store(device.replays.self, 1, replay, sizeof replay),
                      HAL_OK);
     assert_int_equal(device.replays.ops->store(device.replays.self, 2, replay, sizeof replay),
@@ -589,13 +595,13 @@ static void test_a_ranked_rounds_replay_is_kept_and_comes_back(void **state)
     assert_int_equal(device.replays.ops->stored_id(device.replays.self), 1);
     assert_int_equal(fetch(1, found, sizeof found), sizeof replay);
     assert_memory_equal(found, replay, sizeof replay);
-    assert_int_equal(fetched.id, 1); /* And the round's own entry with it. */
+    assert_int_equal(fetched.id, 1); /* The entry of the round itself is returned as well. */
     assert_int_equal(fetched.round.caught, 5);
     assert_int_equal(fetch(1, found, 4), HAL_ERR_ABSENT);
     assert_int_equal(fetch(7, found, sizeof found), HAL_ERR_ABSENT);
 }
 
-static void test_a_round_that_is_not_ranked_keeps_no_replay(void **state)
+static void test_an_unranked_round_stores_no_replay(void **state)
 {
     (void)state;
     uint8_t found[64];
@@ -609,8 +615,8 @@ static void test_a_round_that_is_not_ranked_keeps_no_replay(void **state)
     assert_int_equal(fetch(RANK_ROWS + 1, found, sizeof found), HAL_ERR_ABSENT);
 }
 
-/* A round that is not on disk is not among the best there: its replay would be dropped. */
-static void test_a_replay_is_written_after_its_round_and_never_before(void **state)
+/* A round that is not on disk is not in the ranking there, so its replay would be dropped. */
+static void test_a_replay_is_written_only_after_its_round(void **state)
 {
     (void)state;
     uint8_t found[64];
@@ -631,7 +637,7 @@ static void test_a_replay_is_written_after_its_round_and_never_before(void **sta
     assert_int_equal(fetch(1, found, sizeof found), sizeof replay);
 }
 
-static void test_a_replay_that_the_card_refuses_is_given_back(void **state)
+static void test_a_replay_rejected_by_the_card_is_dropped_after_its_timeout(void **state)
 {
     (void)state;
     device.ledger.ops->open(device.ledger.self);
@@ -641,8 +647,9 @@ static void test_a_replay_that_the_card_refuses_is_given_back(void **state)
     device.replays.ops->store(device.replays.self, 1, replay, sizeof replay);
     storage_work(&storage);
     storage_work(&storage);
-    assert_int_equal(device.replays.ops->stored_id(device.replays.self), 0); /* Tried again, ... */
-    storage.put_since_ms -= STORAGE_REPLAY_MS; /* ... but not for ever. */
+    assert_int_equal(device.replays.ops->stored_id(device.replays.self), 0); /* The write is
+                                                                                retried. */
+    storage.put_since_ms -= STORAGE_REPLAY_MS; /* The write is abandoned after the timeout. */
     storage_work(&storage);
     assert_int_equal(device.replays.ops->stored_id(device.replays.self), 1);
     tape_refuse(0);
@@ -654,28 +661,28 @@ int main(void)
 {
 #define TEST(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
     const struct CMUnitTest tests[] = {
-        TEST(test_a_full_card_takes_what_waited_when_it_has_room_again),
-        TEST(test_a_card_that_fails_takes_what_waited_when_it_works_again),
-        TEST(test_a_card_that_turned_read_only_takes_what_waited_when_it_is_not),
+        TEST(test_a_full_card_stores_the_queue_when_it_has_room_again),
+        TEST(test_a_failed_card_stores_the_queue_when_it_works_again),
+        TEST(test_a_read_only_card_stores_the_queue_when_it_is_writable_again),
         TEST(test_no_frame_waits_for_a_slow_card),
-        TEST(test_a_card_that_does_not_come_back_is_told),
-        TEST(test_a_card_that_comes_late_and_is_fresh_is_used),
-        TEST(test_a_card_that_comes_late_and_is_not_empty_waits_for_a_restart),
-        TEST(test_a_card_that_is_read_only_at_the_start_is_used_when_it_is_not),
-        TEST(test_somebody_elses_card_is_not_written_on),
-        TEST(test_a_card_that_is_full_at_the_start_is_read_and_written_when_it_has_room),
-        TEST(test_so_is_one_that_was_closed_in_good_order),
-        TEST(test_others_may_read_a_full_card_meanwhile),
-        TEST(test_a_second_stall_at_one_folder_waits_until_the_first_has_ended),
-        TEST(test_a_file_that_is_of_no_use_is_looked_at_ever_less_often),
-        TEST(test_a_damaged_file_on_a_full_card_is_read_and_left),
-        TEST(test_so_is_what_is_there_without_the_file),
-        TEST(test_room_that_others_take_and_give_is_no_reason_to_look),
-        TEST(test_a_file_that_changes_is_looked_at_at_once),
-        TEST(test_a_ranked_rounds_replay_is_kept_and_comes_back),
-        TEST(test_a_round_that_is_not_ranked_keeps_no_replay),
-        TEST(test_a_replay_is_written_after_its_round_and_never_before),
-        TEST(test_a_replay_that_the_card_refuses_is_given_back),
+        TEST(test_a_card_that_does_not_recover_is_reported),
+        TEST(test_an_empty_card_inserted_late_is_used),
+        TEST(test_a_card_with_data_inserted_late_is_used_after_a_restart),
+        TEST(test_a_card_that_is_read_only_at_the_start_is_used_when_writable),
+        TEST(test_a_foreign_card_is_not_written),
+        TEST(test_a_card_that_is_full_at_the_start_is_read_and_later_written),
+        TEST(test_a_full_card_that_was_closed_cleanly_is_read_and_later_written),
+        TEST(test_other_programs_can_read_a_full_card),
+        TEST(test_a_second_kiosk_on_the_same_folder_waits_until_the_first_exits),
+        TEST(test_an_unusable_file_is_retried_with_increasing_delays),
+        TEST(test_a_damaged_file_on_a_full_card_is_read_and_not_changed),
+        TEST(test_a_backup_on_a_full_card_without_a_database_is_read_and_not_changed),
+        TEST(test_a_change_of_free_space_causes_no_retry),
+        TEST(test_a_changed_file_is_retried_immediately),
+        TEST(test_the_replay_of_a_ranked_round_is_stored_and_loaded),
+        TEST(test_an_unranked_round_stores_no_replay),
+        TEST(test_a_replay_is_written_only_after_its_round),
+        TEST(test_a_replay_rejected_by_the_card_is_dropped_after_its_timeout),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,6 @@
-/* test_storage_mirror.c -- the newest entries once more: whatever single thing happens to the
- * database, nothing that was acknowledged is lost with it. */
+/* test_storage_mirror.c -- Tests the ledger mirror, a second copy of the newest entries.
+ *
+ * A single fault of the database never loses an acknowledged entry. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -60,8 +61,8 @@ static void reopen(void)
     assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
 }
 
-/* Each round catches as many fish as its id. */
-static void hand_over_rounds(uint32_t first, uint32_t last)
+/* Appends the rounds `first` to `last`. The catch of each round equals its id. */
+static void append_rounds(uint32_t first, uint32_t last)
 {
     for (uint32_t id = first; id <= last; id++) {
         const struct ledger_entry round = {
@@ -79,11 +80,11 @@ static void hand_over_rounds(uint32_t first, uint32_t last)
 
 static void play_rounds(uint32_t first, uint32_t last)
 {
-    hand_over_rounds(first, last);
+    append_rounds(first, last);
     assert_int_equal(device.ledger.ops->committed_id(device.ledger.self), last);
 }
 
-/* The backup has the first four. */
+/* The backup contains the first four rounds. */
 static void play_eight_and_close(void)
 {
     reopen();
@@ -145,9 +146,9 @@ static int mode_beside(const char *suffix)
     return about.st_mode & 0777;
 }
 
-/* ---- What happens to the database ------------------------------------------------------------ */
+/* ---- Damage to the database ----------------------------------------------------------------- */
 
-static void test_whichever_page_is_damaged_nothing_is_lost(void **state)
+static void test_damage_of_any_page_loses_no_entry(void **state)
 {
     (void)state;
     char command[256];
@@ -166,7 +167,7 @@ static void test_whichever_page_is_damaged_nothing_is_lost(void **state)
     }
 }
 
-static void test_of_a_file_that_was_removed_nothing_is_lost(void **state)
+static void test_removal_of_the_database_loses_no_entry(void **state)
 {
     (void)state;
     play_eight_and_close();
@@ -178,7 +179,7 @@ static void test_of_a_file_that_was_removed_nothing_is_lost(void **state)
     assert_int_equal(mode_beside(".missing-1"), 0600);
 }
 
-static void test_without_file_and_tail_nobody_knows_what_is_lost(void **state)
+static void test_without_database_and_mirror_the_loss_is_unknown(void **state)
 {
     (void)state;
     play_eight_and_close();
@@ -189,7 +190,8 @@ static void test_without_file_and_tail_nobody_knows_what_is_lost(void **state)
                            "4 entries from the backup, 0 later ones, unknown how many lost"));
 }
 
-static void test_nor_where_all_of_it_is_dirt(void **state)
+static void
+test_a_damaged_first_page_without_backup_and_mirror_leaves_the_loss_unknown(void **state)
 {
     (void)state;
     play_eight_and_close();
@@ -201,8 +203,8 @@ static void test_nor_where_all_of_it_is_dirt(void **state)
                            "damaged-1: 0 entries from the backup, 0 later ones, unknown how many"));
 }
 
-/* As where an update first reads a card from end to end. */
-static void test_of_one_of_the_third_version_its_rounds_are_read_too(void **state)
+/* The damage is found when an update reads the whole card for the first time. */
+static void test_rounds_of_a_damaged_version_3_database_are_recovered(void **state)
 {
     static const char old[] = "tests/unit/platform/store/files/version-3.db";
     (void)state;
@@ -222,8 +224,8 @@ static void test_of_one_of_the_third_version_its_rounds_are_read_too(void **stat
     }
 }
 
-/* No backup could be made for long. */
-static void test_what_neither_has_is_counted(void **state)
+/* No backup could be made for a long time. */
+static void test_entries_missing_from_backup_and_mirror_are_counted(void **state)
 {
     (void)state;
     play_eight_and_close();
@@ -242,8 +244,9 @@ static void test_what_neither_has_is_counted(void **state)
     assert_int_equal(storage.salvaged.lost, 1400 - 4 - (int)LEDGER_MIRROR_SLOTS);
 }
 
-/* Another stall's card, put in by hand: nothing of the tail that lay there gets into it. */
-static void test_a_database_of_another_list_is_not_followed_by_this_tail(void **state)
+/* A card of another kiosk is inserted. No entry of the existing mirror may be added to its
+ * database. */
+static void test_a_mirror_is_not_merged_into_a_foreign_database(void **state)
 {
     (void)state;
     char other[160], command[400];
@@ -266,7 +269,7 @@ static void test_a_database_of_another_list_is_not_followed_by_this_tail(void **
     play_rounds(4, 4);
 }
 
-static void test_nor_of_one_without_a_byte(void **state)
+static void test_an_empty_database_is_restored_from_backup_and_mirror(void **state)
 {
     (void)state;
     play_eight_and_close();
@@ -274,7 +277,7 @@ static void test_nor_of_one_without_a_byte(void **state)
     has_all_eight();
 }
 
-static void test_without_file_and_backup_the_tail_is_what_there_is(void **state)
+static void test_without_database_and_backup_the_mirror_is_recovered(void **state)
 {
     (void)state;
     play_eight_and_close();
@@ -283,21 +286,22 @@ static void test_without_file_and_backup_the_tail_is_what_there_is(void **state)
     has_all_eight();
 }
 
-static void test_a_file_with_less_than_its_tail_is_damage(void **state)
+static void test_a_database_with_fewer_entries_than_its_mirror_is_damage(void **state)
 {
     (void)state;
     sqlite3 *db;
     play_eight_and_close();
     assert_int_equal(sqlite3_open(file, &db), SQLITE_OK);
-    sqlite3_exec(db, "DELETE FROM entries WHERE id > 6", NULL, NULL, NULL); /* The backup has 4. */
+    sqlite3_exec(db, "DELETE FROM entries WHERE id > 6", NULL, NULL, NULL); /* The backup contains 4
+                                                                               rounds. */
     sqlite3_close(db);
     has_all_eight();
     assert_int_equal(atomic_load(&storage.aside), 1);
 }
 
-/* ---- What happens to the tail ---------------------------------------------------------------- */
+/* ---- Damage to the mirror ------------------------------------------------------------------- */
 
-static void test_a_slot_that_is_not_as_it_was_written_is_no_entry(void **state)
+static void test_a_mirror_slot_with_a_wrong_checksum_is_ignored(void **state)
 {
     (void)state;
     struct ledger_mirror tail;
@@ -328,7 +332,7 @@ static void test_a_slot_that_is_not_as_it_was_written_is_no_entry(void **state)
     }
 }
 
-static void test_a_newer_entry_takes_the_oldest_ones_slot(void **state)
+static void test_the_newest_entry_overwrites_the_oldest_mirror_slot(void **state)
 {
     (void)state;
     struct ledger_mirror tail;
@@ -345,8 +349,8 @@ static void test_a_newer_entry_takes_the_oldest_ones_slot(void **state)
     ledger_mirror_close(&tail);
 }
 
-/* As where a database was copied there by hand: what is not of its list must not get into it. */
-static void test_a_tail_of_another_list_is_begun_anew(void **state)
+/* A database was copied there manually. Entries of another database must not be added to it. */
+static void test_a_mirror_of_a_foreign_database_is_recreated(void **state)
 {
     (void)state;
     struct ledger_mirror tail;
@@ -365,7 +369,7 @@ static void test_a_tail_of_another_list_is_begun_anew(void **state)
     assert_true(is_beside(".tail.other-1"));
 }
 
-static void test_a_copy_that_is_put_back_has_a_tail_of_its_own(void **state)
+static void test_a_restored_copy_gets_a_new_mirror(void **state)
 {
     (void)state;
     char copy[160];
@@ -383,18 +387,18 @@ static void test_a_copy_that_is_put_back_has_a_tail_of_its_own(void **state)
     assert_int_equal(ledger_mirror_last_id(&storage.tail), 3);
 }
 
-static void test_a_card_that_refuses_the_tail_alone_has_nothing_acknowledged(void **state)
+static void test_without_a_writable_mirror_nothing_is_acknowledged(void **state)
 {
     (void)state;
     struct ledger_entry found;
     reopen();
-    assert_int_equal(mkdir(tail_path, 0755), 0); /* At the start it would be set aside. */
-    hand_over_rounds(1, 3);
+    assert_int_equal(mkdir(tail_path, 0755), 0); /* A restart would quarantine this folder. */
+    append_rounds(1, 3);
     assert_int_equal(device.ledger.ops->committed_id(device.ledger.self), 0);
     assert_false(device.ledger.ops->is_healthy(device.ledger.self));
     assert_non_null(
         strstr(device.ledger.ops->describe(device.ledger.self), "second copy is not written"));
-    hand_over_rounds(4, 4);
+    append_rounds(4, 4);
     assert_int_equal(device.ledger.ops->committed_id(device.ledger.self), 0);
     assert_int_equal(rmdir(tail_path), 0);
     play_rounds(5, 5);
@@ -406,17 +410,17 @@ static void test_a_card_that_refuses_the_tail_alone_has_nothing_acknowledged(voi
     }
 }
 
-static void test_entries_that_only_the_tail_lacks_are_not_lost_at_the_end(void **state)
+static void test_entries_missing_only_from_the_mirror_are_not_counted_as_lost(void **state)
 {
     (void)state;
     reopen();
-    assert_int_equal(mkdir(tail_path, 0755), 0); /* At the start it would be set aside. */
-    hand_over_rounds(1, 3);
+    assert_int_equal(mkdir(tail_path, 0755), 0); /* A restart would quarantine this folder. */
+    append_rounds(1, 3);
     assert_int_equal(device.ledger.ops->close(device.ledger.self), 0);
     assert_int_equal(ask(file, "SELECT max(id) FROM entries"), 3);
 }
 
-static void test_a_tail_that_is_removed_is_written_whole_anew(void **state)
+static void test_a_removed_mirror_is_rewritten_completely(void **state)
 {
     (void)state;
     struct ledger_entry found;
@@ -430,7 +434,7 @@ static void test_a_tail_that_is_removed_is_written_whole_anew(void **state)
     ledger_mirror_close(&tail);
 }
 
-static void test_a_name_that_is_taken_back_is_not_left_in_it(void **state)
+static void test_a_withdrawn_name_is_removed_from_the_mirror(void **state)
 {
     (void)state;
     struct ledger_entry found;
@@ -448,7 +452,7 @@ static void test_a_name_that_is_taken_back_is_not_left_in_it(void **state)
     assert_string_equal(found.name, "");
 }
 
-static void test_a_backup_comes_before_the_tail_bites_itself(void **state)
+static void test_a_backup_is_made_before_the_mirror_wraps(void **state)
 {
     (void)state;
     reopen();
@@ -463,25 +467,25 @@ int main(void)
 {
 #define TEST(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
     const struct CMUnitTest tests[] = {
-        TEST(test_whichever_page_is_damaged_nothing_is_lost),
-        TEST(test_of_a_file_that_was_removed_nothing_is_lost),
-        TEST(test_without_file_and_tail_nobody_knows_what_is_lost),
-        TEST(test_nor_where_all_of_it_is_dirt),
-        TEST(test_of_one_of_the_third_version_its_rounds_are_read_too),
-        TEST(test_what_neither_has_is_counted),
-        TEST(test_a_database_of_another_list_is_not_followed_by_this_tail),
-        TEST(test_nor_of_one_without_a_byte),
-        TEST(test_without_file_and_backup_the_tail_is_what_there_is),
-        TEST(test_a_file_with_less_than_its_tail_is_damage),
-        TEST(test_a_slot_that_is_not_as_it_was_written_is_no_entry),
-        TEST(test_a_newer_entry_takes_the_oldest_ones_slot),
-        TEST(test_a_tail_of_another_list_is_begun_anew),
-        TEST(test_a_copy_that_is_put_back_has_a_tail_of_its_own),
-        TEST(test_a_card_that_refuses_the_tail_alone_has_nothing_acknowledged),
-        TEST(test_entries_that_only_the_tail_lacks_are_not_lost_at_the_end),
-        TEST(test_a_tail_that_is_removed_is_written_whole_anew),
-        TEST(test_a_name_that_is_taken_back_is_not_left_in_it),
-        TEST(test_a_backup_comes_before_the_tail_bites_itself),
+        TEST(test_damage_of_any_page_loses_no_entry),
+        TEST(test_removal_of_the_database_loses_no_entry),
+        TEST(test_without_database_and_mirror_the_loss_is_unknown),
+        TEST(test_a_damaged_first_page_without_backup_and_mirror_leaves_the_loss_unknown),
+        TEST(test_rounds_of_a_damaged_version_3_database_are_recovered),
+        TEST(test_entries_missing_from_backup_and_mirror_are_counted),
+        TEST(test_a_mirror_is_not_merged_into_a_foreign_database),
+        TEST(test_an_empty_database_is_restored_from_backup_and_mirror),
+        TEST(test_without_database_and_backup_the_mirror_is_recovered),
+        TEST(test_a_database_with_fewer_entries_than_its_mirror_is_damage),
+        TEST(test_a_mirror_slot_with_a_wrong_checksum_is_ignored),
+        TEST(test_the_newest_entry_overwrites_the_oldest_mirror_slot),
+        TEST(test_a_mirror_of_a_foreign_database_is_recreated),
+        TEST(test_a_restored_copy_gets_a_new_mirror),
+        TEST(test_without_a_writable_mirror_nothing_is_acknowledged),
+        TEST(test_entries_missing_only_from_the_mirror_are_not_counted_as_lost),
+        TEST(test_a_removed_mirror_is_rewritten_completely),
+        TEST(test_a_withdrawn_name_is_removed_from_the_mirror),
+        TEST(test_a_backup_is_made_before_the_mirror_wraps),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,6 +1,8 @@
-/* test_storage_moved.c -- a data folder that is deleted, renamed, replaced or mounted over while
- * the kiosk runs: the store reports it within a second, although nothing is written, and
- * acknowledges nothing until the folder is back. */
+/* test_storage_moved.c -- Tests a data folder that is deleted, renamed, replaced or mounted over
+ * while the kiosk runs.
+ *
+ * The store reports the change within a second without a write, and acknowledges no entry until the
+ * folder is back. */
 #include <sched.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -18,7 +20,7 @@
 
 #include "platform/store/storage.h"
 
-#define WITHIN_MS 1500 /* A second, and what a loaded machine needs. */
+#define WITHIN_MS 1500 /* One second plus a margin for a loaded machine. */
 
 static char top[64], dir[96], path[128];
 static struct storage storage;
@@ -103,11 +105,11 @@ static void save_three(void)
         pause_ms(10);
     }
     assert_int_equal(saved_id(), 3);
-    pause_ms(300); /* The first backup. */
+    pause_ms(300); /* Wait for the first backup. */
     assert_true(is_well());
 }
 
-/* After each way nothing is acknowledged, however long the kiosk goes on. */
+/* Checks that after the change `what` no entry is acknowledged, however long the kiosk runs. */
 static void is_detected_after(const char *what)
 {
     save_three();
@@ -130,13 +132,13 @@ static void test_a_deleted_folder_is_detected_and_saved_at_the_end(void **state)
     assert_int_equal(device.ledger.ops->close(device.ledger.self), 0);
     begin(1);
     assert_int_equal(device.ledger.ops->load(device.ledger.self, &memory), HAL_OK);
-    assert_int_equal(memory.ledger.last_id, 4); /* The one that waited as well. */
+    assert_int_equal(memory.ledger.last_id, 4); /* The queued entry is stored as well. */
     assert_int_equal(memory.audits.count[AUDIT_COINS_1], 4);
     assert_non_null(
         strstr(device.ledger.ops->describe(device.ledger.self), "kingyo.db was missing"));
 }
 
-static void test_a_deleted_and_made_folder_is_detected_and_saved_at_the_end(void **state)
+static void test_a_recreated_folder_is_detected_and_saved_at_the_end(void **state)
 {
     (void)state;
     static struct persistent_state memory;
@@ -147,7 +149,7 @@ static void test_a_deleted_and_made_folder_is_detected_and_saved_at_the_end(void
     assert_int_equal(memory.ledger.last_id, 4);
 }
 
-static void test_a_deleted_folder_in_whose_place_is_another_keeps_the_other_as_it_is(void **state)
+static void test_a_folder_in_place_of_the_deleted_one_is_not_changed(void **state)
 {
     (void)state;
     is_detected_after("rm -rf data && mkdir data && "
@@ -158,7 +160,7 @@ static void test_a_deleted_folder_in_whose_place_is_another_keeps_the_other_as_i
     begin(1);
 }
 
-static void test_a_renamed_folder_is_detected_and_used_again_when_it_is_back(void **state)
+static void test_a_renamed_folder_is_detected_and_used_after_its_return(void **state)
 {
     (void)state;
     is_detected_after("mv data away");
@@ -175,12 +177,12 @@ static void test_a_replaced_folder_is_detected_and_the_old_one_is_used_again(voi
     (void)state;
     struct stat about;
     is_detected_after("mv data away && mkdir data");
-    assert_int_equal(stat(path, &about), -1); /* No new list is begun there. */
+    assert_int_equal(stat(path, &about), -1); /* No new database is created there. */
     do_shell("rmdir data && mv away data");
     wait_until_well(1, WITHIN_MS);
 }
 
-static void test_a_folder_with_another_list_in_its_place_is_detected(void **state)
+static void test_a_foreign_database_folder_in_its_place_is_detected(void **state)
 {
     (void)state;
     save_three();
@@ -193,7 +195,7 @@ static void test_a_folder_with_another_list_in_its_place_is_detected(void **stat
     assert_int_equal(saved_id(), 3);
 }
 
-static void test_a_file_that_is_deleted_or_replaced_is_detected(void **state)
+static void test_a_deleted_or_replaced_file_is_detected(void **state)
 {
     (void)state;
     is_detected_after("rm data/kingyo.db");
@@ -203,7 +205,7 @@ static void test_a_file_that_is_deleted_or_replaced_is_detected(void **state)
                       "rm data/old data/kingyo.db-*");
 }
 
-static void test_a_log_that_is_deleted_is_detected_and_loses_nothing(void **state)
+static void test_a_deleted_log_is_detected_and_loses_nothing(void **state)
 {
     (void)state;
     static struct persistent_state memory;
@@ -223,7 +225,7 @@ static void test_a_log_that_is_deleted_is_detected_and_loses_nothing(void **stat
     assert_int_equal(memory.ledger.last_id, 2);
 }
 
-static void test_a_deleted_log_raises_the_alarm_and_then_the_database_is_opened_again(void **state)
+static void test_a_deleted_log_is_reported_and_the_database_is_reopened(void **state)
 {
     (void)state;
     static struct persistent_state memory;
@@ -245,7 +247,7 @@ static void test_a_deleted_log_raises_the_alarm_and_then_the_database_is_opened_
     assert_int_equal(memory.ledger.last_id, 4);
 }
 
-static void test_a_log_that_is_deleted_right_before_the_end_loses_nothing(void **state)
+static void test_a_log_deleted_right_before_the_end_loses_nothing(void **state)
 {
     (void)state;
     static struct persistent_state memory;
@@ -260,14 +262,14 @@ static void test_a_log_that_is_deleted_right_before_the_end_loses_nothing(void *
     assert_int_equal(memory.ledger.last_id, 2);
 }
 
-static void test_an_entry_is_not_acknowledged_from_a_file_that_went_meanwhile(void **state)
+static void test_an_entry_in_a_deleted_file_is_not_acknowledged(void **state)
 {
     (void)state;
     begin(1);
     keep(1);
     storage_work(&storage);
     assert_int_equal(saved_id(), 1);
-    do_shell("mv data away"); /* With no look in between. */
+    do_shell("mv data away"); /* The store does not check the folder between the two commands. */
     keep(2);
     storage_work(&storage);
     assert_int_equal(saved_id(), 1);
@@ -278,8 +280,8 @@ static void test_an_entry_is_not_acknowledged_from_a_file_that_went_meanwhile(vo
     assert_int_equal(saved_id(), 2);
 }
 
-/* Needs a mount namespace of its own; where there is none the test says so. */
-static void test_a_folder_that_is_mounted_over_is_detected(void **state)
+/* The test needs its own mount namespace. Without one it reports that it was skipped. */
+static void test_a_mount_over_the_folder_is_detected(void **state)
 {
     (void)state;
     if (unshare(CLONE_NEWNS) != 0 || mount("none", "/", NULL, MS_REC | MS_PRIVATE, NULL) != 0) {
@@ -305,17 +307,17 @@ int main(void)
 #define TEST(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
     const struct CMUnitTest tests[] = {
         TEST(test_a_deleted_folder_is_detected_and_saved_at_the_end),
-        TEST(test_a_deleted_and_made_folder_is_detected_and_saved_at_the_end),
-        TEST(test_a_deleted_folder_in_whose_place_is_another_keeps_the_other_as_it_is),
-        TEST(test_a_renamed_folder_is_detected_and_used_again_when_it_is_back),
+        TEST(test_a_recreated_folder_is_detected_and_saved_at_the_end),
+        TEST(test_a_folder_in_place_of_the_deleted_one_is_not_changed),
+        TEST(test_a_renamed_folder_is_detected_and_used_after_its_return),
         TEST(test_a_replaced_folder_is_detected_and_the_old_one_is_used_again),
-        TEST(test_a_folder_with_another_list_in_its_place_is_detected),
-        TEST(test_a_file_that_is_deleted_or_replaced_is_detected),
-        TEST(test_a_log_that_is_deleted_is_detected_and_loses_nothing),
-        TEST(test_a_deleted_log_raises_the_alarm_and_then_the_database_is_opened_again),
-        TEST(test_a_log_that_is_deleted_right_before_the_end_loses_nothing),
-        TEST(test_an_entry_is_not_acknowledged_from_a_file_that_went_meanwhile),
-        TEST(test_a_folder_that_is_mounted_over_is_detected),
+        TEST(test_a_foreign_database_folder_in_its_place_is_detected),
+        TEST(test_a_deleted_or_replaced_file_is_detected),
+        TEST(test_a_deleted_log_is_detected_and_loses_nothing),
+        TEST(test_a_deleted_log_is_reported_and_the_database_is_reopened),
+        TEST(test_a_log_deleted_right_before_the_end_loses_nothing),
+        TEST(test_an_entry_in_a_deleted_file_is_not_acknowledged),
+        TEST(test_a_mount_over_the_folder_is_detected),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,8 @@
-/* test_storage_strange.c -- FIFOs, links, devices and folders in place of the files of the data
- * folder: the start never blocks, writes through none, goes on, and reports it in a line. */
+/* test_storage_strange.c -- Tests FIFOs, links, devices and folders in place of the files of the
+ * data folder.
+ *
+ * The start never blocks, writes through none of these objects, continues, and reports each in one
+ * line. */
 #include <errno.h>
 #include <fcntl.h>
 #include <setjmp.h>
@@ -29,7 +32,7 @@ static struct hal_storage device;
 static int set_up(void **state)
 {
     (void)state;
-    alarm(60); /* Whatever blocks fails. */
+    alarm(60); /* A test that blocks fails. */
     strcpy(dir, "/tmp/kingyo-strange-XXXXXX");
     snprintf(victim, sizeof victim, "/tmp/kingyo-victim-%d", (int)getpid());
     return mkdtemp(dir) ? 0 : -1;
@@ -44,7 +47,7 @@ static int tear_down(void **state)
     return system(command);
 }
 
-/* ---- What is put there ----------------------------------------------------------------------- */
+/* ---- Non-regular files ---------------------------------------------------------------------- */
 
 static void put_fifo(const char *path)
 {
@@ -77,7 +80,8 @@ static void put_socket(const char *path)
 
 static void put_device(const char *path)
 {
-    if (mknod(path, S_IFCHR | 0600, 0x105) != 0) { /* /dev/zero; only root may make one. */
+    if (mknod(path, S_IFCHR | 0600, 0x105) != 0) { /* A node like /dev/zero, which only root can
+                                                      create. */
         put_fifo(path);
     }
 }
@@ -98,7 +102,7 @@ static void victim_is_untouched(void)
     assert_int_equal(access(victim, F_OK), -1);
 }
 
-/* ---- The store ------------------------------------------------------------------------------- */
+/* ---- The store ------------------------------------------------------------------------------ */
 
 static int keep(uint32_t id)
 {
@@ -156,7 +160,7 @@ static void goes_on_after(const char *name, void (*put)(const char *))
     victim_is_untouched();
 }
 
-static void test_what_is_no_regular_file_beside_the_database_is_set_aside(void **state)
+static void test_a_non_regular_file_beside_the_database_is_quarantined(void **state)
 {
     (void)state;
     static const char *const names[] = { STORAGE_FILE STORAGE_BACKUP_SUFFIX,
@@ -169,7 +173,7 @@ static void test_what_is_no_regular_file_beside_the_database_is_set_aside(void *
     }
 }
 
-static void test_what_is_no_file_in_place_of_the_database_gives_way_to_the_backup(void **state)
+static void test_a_non_regular_file_in_place_of_the_database_is_replaced_by_the_backup(void **state)
 {
     (void)state;
     static void (*const others[])(const char *) = { put_fifo, put_folder, put_socket, put_device };
@@ -186,8 +190,8 @@ static void test_what_is_no_file_in_place_of_the_database_gives_way_to_the_backu
     }
 }
 
-/* It may lead to a card that comes later, so it is left as it is. */
-static void test_a_link_in_place_of_the_database_is_not_followed_and_reported(void **state)
+/* The link may point to a card that is inserted later, so the link is not changed. */
+static void test_a_link_in_place_of_the_database_is_reported_and_not_followed(void **state)
 {
     (void)state;
     static void (*const links[])(const char *) = { put_link, put_device_link };
@@ -204,7 +208,7 @@ static void test_a_link_in_place_of_the_database_is_not_followed_and_reported(vo
     }
 }
 
-static void test_what_is_no_file_in_place_of_a_file_in_the_making_is_no_obstacle(void **state)
+static void test_a_non_regular_file_at_a_temporary_path_is_no_obstacle(void **state)
 {
     (void)state;
     static const char *const names[] = { STORAGE_FILE STORAGE_NEW_SUFFIX LEDGER_PART_SUFFIX,
@@ -223,9 +227,9 @@ static void test_what_is_no_file_in_place_of_a_file_in_the_making_is_no_obstacle
     }
 }
 
-/* ---- The other files in the folder ----------------------------------------------------------- */
+/* ---- The other files in the folder ---------------------------------------------------------- */
 
-static void test_the_shared_function_opens_regular_files_alone(void **state)
+static void test_file_handle_opens_only_regular_files(void **state)
 {
     (void)state;
     for (size_t i = 0; i < KIND_COUNT; i++) {
@@ -249,7 +253,7 @@ static void test_the_shared_function_opens_regular_files_alone(void **state)
     victim_is_untouched();
 }
 
-static void test_learned_controllers_and_the_choice_of_usb_are_regular_files_too(void **state)
+static void test_mapping_and_usb_files_must_be_regular_files(void **state)
 {
     (void)state;
     static char text[HID_MAPPING_STORE_TEXT_SIZE];
@@ -264,9 +268,9 @@ static void test_learned_controllers_and_the_choice_of_usb_are_regular_files_too
     char path[160];
     snprintf(path, sizeof path, "%s", in_dir("one"));
     put_fifo(in_dir("one.part"));
-    assert_int_equal(hid_mapping_store_file_replace(path, "text"), 0);
+    assert_int_equal(file_replace(path, "text", 4, FILE_REPLACE_DURABLE), 0);
     put_link(in_dir("one.part"));
-    assert_int_equal(hid_mapping_store_file_replace(path, "text"), 0);
+    assert_int_equal(file_replace(path, "text", 4, FILE_REPLACE_DURABLE), 0);
     put_fifo(in_dir("one.part"));
     assert_int_equal(usb_choice_save(&choice, path), 0);
     put_link(in_dir("one.part"));
@@ -278,12 +282,12 @@ int main(void)
 {
 #define TEST(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
     const struct CMUnitTest tests[] = {
-        TEST(test_what_is_no_regular_file_beside_the_database_is_set_aside),
-        TEST(test_what_is_no_file_in_place_of_the_database_gives_way_to_the_backup),
-        TEST(test_a_link_in_place_of_the_database_is_not_followed_and_reported),
-        TEST(test_what_is_no_file_in_place_of_a_file_in_the_making_is_no_obstacle),
-        TEST(test_the_shared_function_opens_regular_files_alone),
-        TEST(test_learned_controllers_and_the_choice_of_usb_are_regular_files_too),
+        TEST(test_a_non_regular_file_beside_the_database_is_quarantined),
+        TEST(test_a_non_regular_file_in_place_of_the_database_is_replaced_by_the_backup),
+        TEST(test_a_link_in_place_of_the_database_is_reported_and_not_followed),
+        TEST(test_a_non_regular_file_at_a_temporary_path_is_no_obstacle),
+        TEST(test_file_handle_opens_only_regular_files),
+        TEST(test_mapping_and_usb_files_must_be_regular_files),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

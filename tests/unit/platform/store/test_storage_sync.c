@@ -1,5 +1,7 @@
-/* test_storage_sync.c -- a sync that fails: nothing is acknowledged before its bytes were written
- * again and synced. `make test-power` tries the same at places by seed. */
+/* test_storage_sync.c -- Tests failed syncs: no entry is acknowledged before its bytes were written
+ * again and synced.
+ *
+ * `make test-power` tests the same at seeded positions. */
 #include <errno.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -21,11 +23,12 @@ static char dir[64], file[96], wal[96], tail[96];
 static struct storage storage;
 static struct hal_storage device;
 
-/* ---- libc's file functions, of which syncs of one file fail ---------------------------------- */
+/* ---- File functions of libc, with failing syncs of one file --------------------------------- */
 
-static const char *failing; /* Its path; null: no sync fails. "" is every file. */
-static uint32_t fails_left; /* So many syncs of it. */
-static uint64_t written;    /* Bytes into `watched`. */
+static const char *failing; /* Path of the file whose syncs fail. NULL means that no sync fails, and
+                               "" means every file. */
+static uint32_t fails_left; /* Number of syncs that still fail. */
+static uint64_t written;    /* Bytes written to `watched`. */
 static const char *watched;
 
 static int is_of(int fd, const char *path)
@@ -78,7 +81,7 @@ static void fail_syncs(const char *path, uint32_t count)
     fails_left = count;
 }
 
-/* ---- The store ------------------------------------------------------------------------------- */
+/* ---- The store ------------------------------------------------------------------------------ */
 
 static int set_up(void **state)
 {
@@ -129,14 +132,14 @@ static uint64_t size_of(const char *path)
     return stat(path, &about) == 0 ? (uint64_t)about.st_size : 0u;
 }
 
-/* ---- Tests ----------------------------------------------------------------------------------- */
+/* ---- Tests ---------------------------------------------------------------------------------- */
 
-static void test_after_a_failed_sync_of_the_log_its_bytes_are_written_again(void **state)
+static void test_after_a_failed_sync_the_log_is_rewritten(void **state)
 {
     (void)state;
     drop_coins(1, 1);
     watched = wal;
-    fail_syncs(wal, 2); /* At COMMIT, and when the file is closed. */
+    fail_syncs(wal, 2); /* One sync at COMMIT and one when the file is closed. */
     drop_coins(2, 3);
     assert_int_equal(saved(), 1);
     assert_false(device.ledger.ops->is_healthy(device.ledger.self));
@@ -165,7 +168,7 @@ static void test_while_every_sync_fails_nothing_is_acknowledged(void **state)
     assert_true(device.ledger.ops->is_healthy(device.ledger.self));
 }
 
-static void test_a_failed_sync_of_the_tail_alone_is_not_acknowledged(void **state)
+static void test_a_failed_sync_of_the_mirror_is_not_acknowledged(void **state)
 {
     (void)state;
     drop_coins(1, 1);
@@ -201,8 +204,9 @@ static void test_a_failed_checkpoint_closes_the_file_and_loses_nothing(void **st
     assert_true(written >= size);
 }
 
-/* Copies the database and its log as SIGKILL leaves them, and puts the copy in their place. */
-static void be_killed(void)
+/* Copies the database and its log as SIGKILL leaves them, and replaces the database with the
+ * copy. */
+static void simulate_kill(void)
 {
     char command[512];
     snprintf(command, sizeof command, "mkdir %s/copy && cp %s %s %s %s/copy", dir, file, wal, tail,
@@ -214,11 +218,11 @@ static void be_killed(void)
     storage = (struct storage){ .dir = dir, .by_hand = 1 };
 }
 
-static void test_a_log_that_is_found_at_the_start_is_written_again_before_it_counts(void **state)
+static void test_a_log_found_at_the_start_is_rewritten_before_it_is_acknowledged(void **state)
 {
     (void)state;
     drop_coins(1, 5);
-    be_killed();
+    simulate_kill();
     watched = wal;
     written = 0;
     const uint64_t size = size_of(wal);
@@ -232,19 +236,19 @@ static void test_a_log_that_is_found_at_the_start_is_written_again_before_it_cou
     assert_true(written >= 2u * size);
 }
 
-static void test_a_log_that_another_program_locks_at_the_start_is_not_acknowledged(void **state)
+static void test_a_log_locked_by_another_program_at_the_start_is_not_acknowledged(void **state)
 {
     (void)state;
     sqlite3 *other = NULL;
     drop_coins(1, 5);
-    be_killed();
+    simulate_kill();
     assert_int_equal(sqlite3_open(file, &other), SQLITE_OK);
     assert_int_equal(sqlite3_exec(other, "BEGIN IMMEDIATE", NULL, NULL, NULL), SQLITE_OK);
     assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
     for (int i = 0; i < 2; i++) {
         assert_int_equal(saved(), 0);
         assert_false(device.ledger.ops->is_healthy(device.ledger.self));
-        storage_work(&storage); /* The lock still lasts. */
+        storage_work(&storage); /* The lock is still held. */
     }
     assert_non_null(
         strstr(device.ledger.ops->describe(device.ledger.self), "another program holds it"));
@@ -252,7 +256,7 @@ static void test_a_log_that_another_program_locks_at_the_start_is_not_acknowledg
     watched = wal;
     written = 0;
     fail_syncs(wal, 1);
-    storage_work(&storage); /* After the failed sync the file is opened again. */
+    storage_work(&storage); /* The file is reopened after the failed sync. */
     assert_int_equal(fails_left, 0);
     assert_int_equal(saved(), 5);
     assert_true(device.ledger.ops->is_healthy(device.ledger.self));
@@ -260,7 +264,7 @@ static void test_a_log_that_another_program_locks_at_the_start_is_not_acknowledg
     sqlite3_close(other);
 }
 
-static void test_a_name_taken_back_is_written_again_after_a_failed_sync_of_the_tail(void **state)
+static void test_a_withdrawn_name_is_rewritten_after_a_failed_sync_of_the_mirror(void **state)
 {
     (void)state;
     struct ledger_entry name = {
@@ -285,13 +289,13 @@ int main(void)
 {
 #define TEST(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
     const struct CMUnitTest tests[] = {
-        TEST(test_after_a_failed_sync_of_the_log_its_bytes_are_written_again),
+        TEST(test_after_a_failed_sync_the_log_is_rewritten),
         TEST(test_while_every_sync_fails_nothing_is_acknowledged),
-        TEST(test_a_failed_sync_of_the_tail_alone_is_not_acknowledged),
+        TEST(test_a_failed_sync_of_the_mirror_is_not_acknowledged),
         TEST(test_a_failed_checkpoint_closes_the_file_and_loses_nothing),
-        TEST(test_a_log_that_is_found_at_the_start_is_written_again_before_it_counts),
-        TEST(test_a_log_that_another_program_locks_at_the_start_is_not_acknowledged),
-        TEST(test_a_name_taken_back_is_written_again_after_a_failed_sync_of_the_tail),
+        TEST(test_a_log_found_at_the_start_is_rewritten_before_it_is_acknowledged),
+        TEST(test_a_log_locked_by_another_program_at_the_start_is_not_acknowledged),
+        TEST(test_a_withdrawn_name_is_rewritten_after_a_failed_sync_of_the_mirror),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

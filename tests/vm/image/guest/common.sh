@@ -1,5 +1,5 @@
-# common.sh -- what the parts of the test share in a machine that systemd runs.
-# shellcheck shell=dash disable=SC2154,SC2034,SC1091  # who sources it uses them
+# common.sh -- shared functions of the test parts in a machine with systemd.
+# shellcheck shell=dash disable=SC2154,SC2034,SC1091  # the sourcing scripts use these variables
 host=/run/host
 export PATH=/run/host/bin:/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 HOME=/root
 . $host/guest/lib.sh
@@ -7,10 +7,10 @@ export PATH=/run/host/bin:/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 HOME=/roo
 . $host/guest/poi.sh
 poi_udc=dummy_udc.0
 
-# The modules are there before the disk's own first program is (rdinit).
+# guest/rdinit has loaded the modules before the init program of the disk ran.
 modprobe() { :; }
 
-is_held() { # NAME: whether the kiosk has the line in its hand
+is_held() { # NAME: Returns 0 if the kiosk holds the line.
     grep -qE "\($1 +\|kingyo" /sys/kernel/debug/gpio
 }
 
@@ -19,26 +19,26 @@ poi_plug_in() {
     await 20 test -e /dev/hidg0
 }
 
-asked() { # PROPERTY: of the stall's unit
+asked() { # PROPERTY: Prints a property of the kiosk's unit.
     systemctl show -P "$1" kingyo.service
 }
 
-is_open() { # Whether the stall plays: READY=1 comes after its first picture.
+is_open() { # Returns 0 if the kiosk runs. READY=1 is sent after its first picture.
     [ "$(asked ActiveState)" = active ] && [ "$(asked MainPID)" != 0 ]
 }
 
-opened_ms() { # When it did, since power on.
+opened_ms() { # Prints the time from power on until the kiosk opened.
     echo $(($(asked ActiveEnterTimestampMonotonic) / 1000))
 }
 
-# Since the stall began anew, it writes another recording: the machine outside follows that one.
+# A restarted kiosk writes another recording. The host must follow the new recording.
 follow() {
     say "recording play-$(asked MainPID).kgr"
     rm -f $host/seen
     await 60 test -s $host/seen
 }
 
-read_count() { # NAME: what the machine outside says of the recording (look.c), a moment ago
+read_count() { # NAME: Prints a value of the recording as the host computed it a moment ago (look.c).
     sed -n "s/^$1 //p" $host/seen 2>/dev/null
 }
 
@@ -46,7 +46,7 @@ reads() { # NAME OPERATOR NUMBER
     test "$(read_count "$1")" "$2" "$3" 2>/dev/null
 }
 
-keep_shaders() { # For the next machine; whole, or not at all.
+keep_shaders() { # Copies the shaders for the next machine, all of them or none.
     cp -r /var/cache/kingyo/mesa_shader_cache $host/out/mesa.new 2>/dev/null && rm -rf $host/out/mesa &&
         mv $host/out/mesa.new $host/out/mesa
 }

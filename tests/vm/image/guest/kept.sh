@@ -1,5 +1,6 @@
-# kept.sh -- before the stall opens its store: what it kept until now is shown outside, all of it or nothing.
-# shellcheck shell=dash disable=SC2154,SC2034,SC1091  # it sources what it uses
+# kept.sh -- copies the saved data to the host before the kiosk opens its database. The copy is
+# complete or missing.
+# shellcheck shell=dash disable=SC2154,SC2034,SC1091  # the sourced files set these variables
 . /run/host/guest/common.sh
 mkdir -p $host/out/kept.new
 cp /var/lib/kingyo/kingyo.db* $host/out/kept.new/ 2>/dev/null

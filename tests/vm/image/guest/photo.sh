@@ -1,14 +1,14 @@
-# photo.sh -- a machine that is about to look at its data partition waits here; whoever begins from this moment again has
-# another disk in it. What the kernel had read of that partition (its label, for udev) is forgotten first.
-#
-# Its screen is pulled out meanwhile. This runs from /run: while the picture of the machine is taken nothing may be open in
-# the folder shared with it.
+# photo.sh -- waits before the data partition is opened, so that the host can take a snapshot of
+# the machine. A machine that starts from the snapshot has another disk, so the cached data of that
+# partition (its label, for udev) is dropped first.
+# The screen is disconnected. The script runs from /run, because the folder shared with the host
+# must not be in use during the snapshot.
 # shellcheck shell=dash
 udevadm settle --timeout=60
 for socket in /sys/class/drm/card*-*/status; do
     echo off >"$socket"
 done
-# What the stall runs of is in memory already: squashfs unpacks slowly in software.
+# Reads the files of the kiosk into memory, because squashfs unpacks slowly on an emulated machine.
 ldd /usr/bin/kingyo | awk '$3 ~ "^/" { print $3 }' | xargs cat /usr/bin/kingyo >/dev/null
 umount /run/host || echo 'kingyo-test: the shared folder is in use' >/dev/ttyS0
 exec 3</dev/ttyS1

@@ -1,5 +1,6 @@
-# round.sh -- coins, START, a cable that is pulled and put back under the sandbox, the round's end.
-# shellcheck shell=dash disable=SC2154,SC2034,SC1091  # stall.sh sources it
+# round.sh -- coins, START, a poi that is unplugged and replugged in the sandbox, the end of the
+# round.
+# shellcheck shell=dash disable=SC2154,SC2034,SC1091  # stall.sh sources this file
 await 60 is_held START && await 20 is_held COIN
 found $? lines "$(grep -c kingyo /sys/kernel/debug/gpio) lines held by name"
 await 60 is_lit LOCKOUT
@@ -12,12 +13,12 @@ found $? start "round $(read_count rounds)"
 spans=$(read_count lost_spans)
 poi_unplug
 await 30 reads paused -eq 1
-found $? hotplug 'pulled out: the round waits'
+found $? hotplug 'unplugged: the round pauses'
 poi_plug
 plugged=$(now_ms)
 await 30 poi_is_taken
 taken=$(now_ms)
 await 30 reads paused -eq 0
-found $? hotplug "pulled out, the round waits; taken again $((taken - plugged)) ms after the plug"
+found $? hotplug "unplugged: the round pauses; opened again $((taken - plugged)) ms after the plug"
 await 240 reads is_round -eq 0
 found $? round "over; $(read_count caught) caught, $(read_count ticks) ticks"

@@ -1,12 +1,13 @@
-# screen.sh -- the screen is pulled out while the stall is open, and plugged in again: the stall plays on, and shows it.
-# shellcheck shell=dash disable=SC2154,SC2034,SC1091  # stall.sh sources it
+# screen.sh -- the screen is disconnected and connected again while the kiosk runs. The kiosk must
+# continue and draw again.
+# shellcheck shell=dash disable=SC2154,SC2034,SC1091  # stall.sh sources this file
 socket=$(echo /sys/class/drm/card*-*/status)
 
 words_of_the_stall() {
     journalctl --no-pager -o cat -u kingyo.service
 }
 
-has_said() { # WORDS, after the first $before lines
+has_said() { # Searches the log after its first $before lines.
     words_of_the_stall | tail -n "+$((before + 1))" | grep -q "$1"
 }
 
@@ -14,9 +15,9 @@ before=$(words_of_the_stall | wc -l)
 pid=$(asked MainPID)
 coins=$(read_count coins)
 await 60 is_lit LOCKOUT
-echo off >"$socket" # What the kernel says of a socket whose screen is gone.
+echo off >"$socket" # The kernel reports this state for a disconnected screen.
 pulled=$(now_ms)
-await 60 has_said 'goes on without a picture'
+await 60 has_said 'continues without a picture'
 out=$?
 gone=$(($(now_ms) - pulled))
 coins 2 >/dev/null
@@ -31,6 +32,6 @@ took=$(($(now_ms) - plugged))
 ticks=$(read_count ticks)
 await 60 reads ticks -gt $((ticks + 60))
 [ $? -eq 0 ] && [ $back -eq 0 ] && [ "$(asked MainPID)" = "$pid" ]
-found $? screen-in "its picture again $took ms after the plug, and no other process"
-await 90 reads phase -eq 0 # The last round's result lies over the tank until it is attract again.
+found $? screen-in "picture $took ms after the plug, in the same process"
+await 90 reads phase -eq 0 # The result of the last round covers the tank until attract mode begins.
 shot again

@@ -1,21 +1,23 @@
-# stall.sh -- a day of the stall as its operator has it: power on, a round, a crash, a hang, strangers, power off.
-# shellcheck shell=dash disable=SC2154,SC2034,SC1091,SC1090  # it sources what it uses
+# stall.sh -- the test of the disk image in the guest: power on, a round, SIGKILL, a hang, foreign
+# devices, power off.
+# shellcheck shell=dash disable=SC2154,SC2034,SC1091,SC1090  # the sourced files set these variables
 . /run/host/guest/common.sh
 
-# The stall is open again after it ended: how long that took, from WHEN_MS on. 0: never.
+# Prints the time in ms from WHEN_MS until the kiosk is open after a restart, or 0 if it does not
+# open.
 opens_again() { # STARTS WHEN_MS SECONDS
     await "$3" restarted "$1" && await "$3" is_open && echo $(($(opened_ms) - $2)) || echo 0
 }
 
-restarted() { # STARTS: more often than that
+restarted() { # STARTS: Returns 0 if the unit was restarted more often than STARTS.
     [ "$(asked NRestarts)" -gt "$1" ]
 }
 
-writable() { # Mount points that can be written and are a disk's
+writable() { # Prints the writable mount points of the disk.
     awk '$4 ~ /^rw/ && $1 ~ "^/dev/" { printf "%s ", $2 }' /proc/mounts
 }
 
-refuses_writes() { # Also to who is root and says that it is to be written.
+refuses_writes() { # Root cannot write either, even after a remount.
     mount -o remount,rw / 2>/dev/null
     for folder in / /etc /usr/bin /var/lib /root /home /opt /boot; do
         ! touch "$folder/mark" 2>/dev/null || return 1
@@ -34,7 +36,7 @@ follow
 shot attract
 keep_shaders
 refuses_writes && [ "$(writable)" = '/var/lib/kingyo ' ]
-found $? readonly "what can be written of the disk: $(writable)"
+found $? readonly "writable mount points of the disk: $(writable)"
 await 20 grep -q '^kept' /run/kingyo-data
 found $? data "$(cat /run/kingyo-data)"
 systemd-analyze security --no-pager kingyo.service >$host/out/security 2>&1

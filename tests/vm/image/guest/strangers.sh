@@ -1,9 +1,11 @@
-# strangers.sh -- what somebody with a keyboard, or with a device of his own making, can do: nothing. A line each.
-# shellcheck shell=dash disable=SC2154,SC2034,SC1091  # stall.sh sources it
+# strangers.sh -- a person with a keyboard or a malicious USB device must not affect the kiosk. One
+# result for each attack.
+# shellcheck shell=dash disable=SC2154,SC2034,SC1091  # stall.sh sources this file
 usb_gadget=/sys/kernel/config/usb_gadget/stranger
 
-# What the stall's machine has: its process, its console, disks, nets and serial lines. The other end of the cable is
-# this machine's only in the test: a gadget's own net is left out.
+# Prints the state of the machine: the kiosk's process, the active console, disks, network cards
+# and serial lines. A gadget's own network card is omitted, because only this test has the other
+# end of the cable in the same machine.
 belongings() {
     echo "$(asked MainPID) $(cat /sys/class/tty/tty0/active) $(ls /sys/block | tr '\n' ' ')"
     for net in /sys/class/net/*; do
@@ -12,7 +14,7 @@ belongings() {
     ls /dev/ttyACM* /dev/ttyUSB* 2>/dev/null
 }
 
-# The stall as it was: it has what it had, and no coin and no press that was not ours.
+# Returns 0 if the state is unchanged, and no coin and no press were recorded except ours.
 unmoved() {
     [ "$(belongings)" = "$before" ] &&
         reads coins -eq "$coins_before" && reads test -eq "$tests_before" && reads start -eq "$presses_before"
@@ -25,7 +27,7 @@ remember() {
     presses_before=$(read_count start)
 }
 
-# Somebody plugs in a device that the other end of the second cable makes.
+# Plugs in a device that the device side of the second cable simulates.
 stranger_begin() { # VENDOR PRODUCT
     mkdir -p $usb_gadget/configs/c.1/strings/0x409 $usb_gadget/strings/0x409
     echo "$1" >$usb_gadget/idVendor
@@ -53,7 +55,7 @@ stranger_out() {
         "$usb_gadget"/strings/0x409 $usb_gadget 2>/dev/null
 }
 
-hid() { # PROTOCOL SUBCLASS LENGTH; the report's description comes on standard input
+hid() { # PROTOCOL SUBCLASS LENGTH; the report descriptor comes on standard input
     mkdir -p $usb_gadget/functions/hid.stranger
     cat >$usb_gadget/functions/hid.stranger/report_desc
     echo "$1" >$usb_gadget/functions/hid.stranger/protocol
@@ -62,12 +64,13 @@ hid() { # PROTOCOL SUBCLASS LENGTH; the report's description comes on standard i
     stranger_has hid.stranger
 }
 
-keyboard_words() { # The description of HID 1.11, appendix B.1.
+keyboard_words() { # The report descriptor of a keyboard (HID 1.11, appendix B.1).
     printf '\005\001\011\006\241\001\005\007\031\340\051\347\025\000\045\001\165\001\225\010\201\002\225\001\165\010\201\003'
     printf '\225\006\165\010\025\000\045\145\005\007\031\000\051\145\201\000\300'
 }
 
-# Types 5 (a coin at a desk), F2 (the operator's menu) and Escape twice (the end) on the device's other end.
+# Types 5 (a coin of a desktop kiosk), F2 (the operator's menu) and Escape twice (quit) on the
+# simulated device.
 stranger_types() { # DEVICE
     for key in 042 073 051 051; do
         printf '\000\000\'$key'\000\000\000\000\000' >"$1" &
@@ -85,18 +88,18 @@ hidg_of_stranger() {
 }
 
 tried() { # ID WORDS
-    sleep 2 # What it did is in the recording by now.
+    sleep 2 # After this time the recording contains any effect.
     unmoved
     found $? "$1" "$2"
 }
 
 rm -f $host/keys-done
 remember
-say 'keys' # The machine outside types, on a keyboard that was there from the start.
+say 'keys' # The host types on a keyboard that is connected from the start.
 await 60 test -e $host/keys-done
 tried keys "$(cat $host/keys-done)"
 
-for kind in 1:1 0:0; do # As a boot keyboard, and as one that says it is none.
+for kind in 1:1 0:0; do # A boot keyboard, and a keyboard that does not declare itself as one.
     stranger_begin 0x046d 0xc31c
     keyboard_words | hid "${kind%:*}" "${kind#*:}" 8
     stranger_in
@@ -118,13 +121,14 @@ for function in ecm.usb0 acm.0; do
     stranger_begin 0x0525 0xa4a2
     stranger_has $function
     stranger_in
-    tried usb-net "${function%.*}: nets and serial lines as before: $(belongings | tail -n +2 | tr '\n' ' ')"
+    tried usb-net "${function%.*}: network cards and serial lines: $(belongings | tail -n +2 | tr '\n' ' ')"
     stranger_out
 done
 
-# Descriptions that no honest device has: noise, one that never ends its collections, a field of 2^32 bits, 4 KiB of both.
+# Malformed report descriptors: random bytes, unclosed collections, a field of 2^32 bits, and 4,000
+# random bytes.
 for words in noise endless huge long; do
-    stranger_begin 0x1209 0x0001 # It says that it is a poi of ours, so the stall itself reads it.
+    stranger_begin 0x1209 0x0001 # The device has the id of our poi, so that the kiosk itself reads it.
     case $words in
         noise) dd if=/dev/urandom bs=64 count=1 2>/dev/null ;;
         endless) for _ in 1 2 3 4 5 6 7 8 9; do printf '\005\001\011\060\241\001\241\002\241\000'; done ;;
@@ -138,4 +142,4 @@ for words in noise endless huge long; do
     tried usb-lies "$words"
     stranger_out
 done
-found 0 usb-lies 'noise, endless collections, a field of 2^32 bits, 4,000 bytes: the stall plays on'
+found 0 usb-lies 'random bytes, unclosed collections, a field of 2^32 bits, 4,000 bytes: the kiosk continues'

@@ -1,5 +1,6 @@
-# wires.sh -- before the stall opens: its lines, our poi on a cable, and shaders that a machine before this one compiled.
-# shellcheck shell=dash disable=SC2154,SC2034,SC1091  # it sources what it uses
+# wires.sh -- prepares the machine before the kiosk opens: its lines, our poi on a cable, and
+# shaders of an earlier machine.
+# shellcheck shell=dash disable=SC2154,SC2034,SC1091  # the sourced files set these variables
 . /run/host/guest/common.sh
 if [ -d $host/mesa ]; then
     mkdir -p /var/cache/kingyo

@@ -1,10 +1,12 @@
-/* test_credit.c -- money: no coin is lost, none counts twice, and nobody plays for nothing. */
+/* test_credit.c -- checks that no coin is lost or counted twice, and that no round starts without
+ * payment. */
 #include "core/game/phases.h"
-#include "tests/unit/support/paid_stand.h"
+#include "tests/unit/support/paid_fixture.h"
+#include "tests/unit/support/newest_record.h"
 
 /* ---- Coins ---------------------------------------------------------------------------------- */
 
-static void test_without_a_coin_neither_start_nor_a_dip_plays(void **state)
+static void test_start_and_a_dip_begin_no_round_without_a_coin(void **state)
 {
     (void)state;
     press(INPUT_START);
@@ -16,7 +18,7 @@ static void test_without_a_coin_neither_start_nor_a_dip_plays(void **state)
     assert_int_equal(core.game.hints.shown, HINT_COIN);
 }
 
-static void test_who_wants_to_play_in_vain_is_seen(void **state)
+static void test_a_start_without_a_credit_is_shown(void **state)
 {
     (void)state;
     static struct scene scene;
@@ -25,11 +27,11 @@ static void test_who_wants_to_play_in_vain_is_seen(void **state)
     press(INPUT_START);
     core_scene(&core, &scene);
     assert_true(scene.credit.asked_s < 0.1f);
-    assert_int_equal(sounds[SOUND_FOUL], 1); /* Heard, too. */
+    assert_int_equal(sounds[SOUND_FOUL], 1); /* The rejection also plays a sound. */
     assert_true(scene.credit.unpaid);
 }
 
-static void test_coins_become_a_credit_when_the_last_one_falls(void **state)
+static void test_coins_become_a_credit_with_the_last_coin(void **state)
 {
     (void)state;
     for (uint32_t coins = 1; coins < PRICE; coins++) {
@@ -45,19 +47,19 @@ static void test_coins_become_a_credit_when_the_last_one_falls(void **state)
     assert_int_equal(sounds[SOUND_COIN], PRICE);
 }
 
-static void test_a_coin_that_falls_with_start_is_in_time(void **state)
+static void test_a_coin_in_the_tick_of_start_counts(void **state)
 {
     (void)state;
     drop(PRICE - 1u);
     input.coin_count[0] = 1;
     press(INPUT_START);
     input.coin_count[0] = 0;
-    step(); /* It is on disk. */
+    step(); /* The entry is on disk. */
     assert_int_equal(core.game.phase, PHASE_READY);
     assert_int_equal(credits(), 0);
 }
 
-static void test_more_coins_than_a_round_costs_wait_for_the_next(void **state)
+static void test_surplus_coins_count_toward_the_next_round(void **state)
 {
     (void)state;
     drop(2u * PRICE + 1u);
@@ -65,18 +67,18 @@ static void test_more_coins_than_a_round_costs_wait_for_the_next(void **state)
     assert_int_equal(balance()->units, 1);
     press(INPUT_START);
     assert_int_equal(credits(), 1);
-    drop(PRICE - 1u); /* In the round. */
+    drop(PRICE - 1u); /* The coins are inserted during the round. */
     assert_int_equal(credits(), 2);
 }
 
-static void test_a_full_plate_sends_coins_back_and_loses_none_that_falls(void **state)
+static void test_a_full_credit_count_rejects_coins_and_loses_no_inserted_coin(void **state)
 {
     (void)state;
     assert_int_equal(output.coin_lockout, 0);
     drop(CREDITS_MAX * PRICE);
     assert_int_equal(credits(), CREDITS_MAX);
     assert_int_equal(output.coin_lockout, 1);
-    drop(PRICE); /* It was on its way. */
+    drop(PRICE); /* The coin was inserted before the rejection took effect. */
     assert_int_equal(credits(), CREDITS_MAX);
     assert_int_equal(balance()->units, PRICE);
     press(INPUT_START);
@@ -85,7 +87,7 @@ static void test_a_full_plate_sends_coins_back_and_loses_none_that_falls(void **
     assert_int_equal(balance()->units, 0);
 }
 
-static void test_in_free_play_coins_are_sent_back_and_what_falls_is_metered(void **state)
+static void test_free_play_rejects_coins_and_meters_inserted_ones(void **state)
 {
     (void)state;
     setup(state);
@@ -99,7 +101,7 @@ static void test_in_free_play_coins_are_sent_back_and_what_falls_is_metered(void
     assert_int_equal(core.game.phase, PHASE_READY);
 }
 
-static void test_service_gives_one_that_no_coin_is_counted_for(void **state)
+static void test_service_adds_a_credit_without_a_coin(void **state)
 {
     (void)state;
     press(INPUT_SERVICE);
@@ -110,7 +112,7 @@ static void test_service_gives_one_that_no_coin_is_counted_for(void **state)
     assert_int_equal(core.game.phase, PHASE_READY);
 }
 
-static void test_service_in_free_play_gives_nothing(void **state)
+static void test_service_in_free_play_adds_no_credit(void **state)
 {
     (void)state;
     setup(state);
@@ -121,7 +123,7 @@ static void test_service_in_free_play_gives_nothing(void **state)
 
 /* ---- Rounds --------------------------------------------------------------------------------- */
 
-static void test_a_round_takes_one_credit_and_keeps_it(void **state)
+static void test_a_finished_round_costs_one_credit(void **state)
 {
     (void)state;
     play_a_paid_round();
@@ -131,13 +133,13 @@ static void test_a_round_takes_one_credit_and_keeps_it(void **state)
     assert_int_equal(audit(AUDIT_REFUNDS), 0);
     steps(GAME_AGAIN_DIP_TICKS);
     press(INPUT_START);
-    assert_int_equal(core.game.phase, PHASE_RESULT); /* Nobody paid for another. */
+    assert_int_equal(core.game.phase, PHASE_RESULT); /* No credit is left for another round. */
     drop(PRICE);
     press(INPUT_START);
     assert_int_equal(core.game.phase, PHASE_READY);
 }
 
-static void test_who_looks_at_the_choice_and_leaves_has_paid_nothing(void **state)
+static void test_leaving_the_mode_selection_costs_no_credit(void **state)
 {
     (void)state;
     core.config.modes = 1u << MODE_FESTIVAL | 1u << MODE_PRACTICE;
@@ -162,7 +164,7 @@ static void test_the_growth_lab_costs_a_credit_too(void **state)
     assert_int_equal(credits(), 0);
 }
 
-static void test_a_stall_of_the_lab_alone_opens_it_for_nothing_only_when_it_is_free(void **state)
+static void test_a_kiosk_with_only_the_lab_opens_it_by_itself_only_in_free_play(void **state)
 {
     (void)state;
     struct core_config config = { .seed = 7, .modes = 1u << CHOICE_LAB, .credit_coins = 1 };
@@ -173,7 +175,7 @@ static void test_a_stall_of_the_lab_alone_opens_it_for_nothing_only_when_it_is_f
     assert_int_equal(core.game.phase, PHASE_LAB);
 }
 
-static void test_the_credit_comes_back_when_the_poi_is_lost_for_good(void **state)
+static void test_a_permanently_lost_poi_refunds_the_credit(void **state)
 {
     (void)state;
     play_a_paid_round();
@@ -187,10 +189,10 @@ static void test_the_credit_comes_back_when_the_poi_is_lost_for_good(void **stat
     assert_int_equal(audit(AUDIT_REFUNDS), 1);
     assert_int_equal(core.game.hints.shown, HINT_PAID_BACK);
     steps(GAME_RESULT_TICKS);
-    assert_int_equal(credits(), 1); /* Once. */
+    assert_int_equal(credits(), 1); /* The credit is refunded once. */
 }
 
-static void test_a_poi_that_comes_back_brings_no_credit_with_it(void **state)
+static void test_a_restored_poi_refunds_no_credit(void **state)
 {
     (void)state;
     play_a_paid_round();
@@ -203,7 +205,7 @@ static void test_a_poi_that_comes_back_brings_no_credit_with_it(void **state)
     assert_int_equal(audit(AUDIT_REFUNDS), 0);
 }
 
-static void test_a_free_round_has_nothing_to_give_back(void **state)
+static void test_a_free_round_is_not_refunded(void **state)
 {
     (void)state;
     setup(state);
@@ -215,8 +217,9 @@ static void test_a_free_round_has_nothing_to_give_back(void **state)
     assert_int_equal(audit(AUDIT_REFUNDS), 0);
 }
 
-/* A plug that is pulled with a full bowl is worth neither prize nor place. */
-static void test_a_round_that_was_given_back_counts_for_nothing(void **state)
+/* A round that ends by unplugging the controller with a full bowl gives neither tickets nor a
+ * rank. */
+static void test_a_refunded_round_is_not_scored(void **state)
 {
     (void)state;
     static struct scene scene;
@@ -233,7 +236,7 @@ static void test_a_round_that_was_given_back_counts_for_nothing(void **state)
     assert_int_equal(audit(AUDIT_REFUNDS), 1);
     assert_int_equal(audit(AUDIT_TICKETS), 0);
     assert_int_equal(output.tickets, 0);
-    assert_int_equal(output.record.id, 0);
+    assert_int_equal(newest_record(&output)->id, 0);
     assert_int_equal(core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught, 0);
     core_scene(&core, &scene);
     assert_true(scene.credit.came_back);
@@ -241,13 +244,13 @@ static void test_a_round_that_was_given_back_counts_for_nothing(void **state)
     hold_at(ABOVE_M);
     press(INPUT_START);
     steps(GAME_READY_TICKS + ROUND_S * CORE_TICK_HZ);
-    assert_int_equal(core.game.phase, PHASE_RESULT); /* The next is played to its end. */
-    assert_int_equal(purse_entry(&output, output.record.id)->kind, LEDGER_ROUND);
+    assert_int_equal(core.game.phase, PHASE_RESULT); /* The next round is played to its end. */
+    assert_int_equal(purse_entry(&output, newest_record(&output)->id)->kind, LEDGER_ROUND);
     core_scene(&core, &scene);
     assert_false(scene.credit.came_back);
 }
 
-static void test_a_free_round_whose_poi_is_lost_is_a_score(void **state)
+static void test_a_free_round_with_a_lost_poi_is_scored(void **state)
 {
     (void)state;
     setup(state);
@@ -257,11 +260,11 @@ static void test_a_free_round_whose_poi_is_lost_is_a_score(void **state)
     input.poi[0].link = POI_SOURCE_LOST;
     steps(GAME_LOST_TICKS_MAX + 3u);
     assert_int_equal(core.game.phase, PHASE_RESULT);
-    assert_int_equal(output.record.caught, 14);
+    assert_int_equal(newest_record(&output)->caught, 14);
     assert_int_equal(core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught, 14);
 }
 
-static void test_prices_and_tickets_out_of_range_are_refused(void **state)
+static void test_prices_and_tickets_out_of_range_are_rejected(void **state)
 {
     (void)state;
     struct core_config config = { .seed = 7,
@@ -275,8 +278,9 @@ static void test_prices_and_tickets_out_of_range_are_refused(void **state)
     assert_int_equal(core_init(&core, &config), CORE_ERR_RANGE);
 }
 
-/* Whatever falls whenever: each coin is a credit's share, and each credit is a round or waits. */
-static void test_over_a_wild_day_every_coin_is_accounted_for(void **state)
+/* Inserts random coins at random times. Each coin is part of a credit, and each credit is a round
+ * or is still available. */
+static void test_every_coin_is_accounted_for_in_a_random_day(void **state)
 {
     (void)state;
     uint32_t dropped = 0, given = 0, played = 0;
@@ -302,29 +306,27 @@ static void test_over_a_wild_day_every_coin_is_accounted_for(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(test_without_a_coin_neither_start_nor_a_dip_plays, setup_paid),
-        cmocka_unit_test_setup(test_who_wants_to_play_in_vain_is_seen, setup_paid),
-        cmocka_unit_test_setup(test_coins_become_a_credit_when_the_last_one_falls, setup_paid),
-        cmocka_unit_test_setup(test_a_coin_that_falls_with_start_is_in_time, setup_paid),
-        cmocka_unit_test_setup(test_more_coins_than_a_round_costs_wait_for_the_next, setup_paid),
-        cmocka_unit_test_setup(test_a_full_plate_sends_coins_back_and_loses_none_that_falls,
+        cmocka_unit_test_setup(test_start_and_a_dip_begin_no_round_without_a_coin, setup_paid),
+        cmocka_unit_test_setup(test_a_start_without_a_credit_is_shown, setup_paid),
+        cmocka_unit_test_setup(test_coins_become_a_credit_with_the_last_coin, setup_paid),
+        cmocka_unit_test_setup(test_a_coin_in_the_tick_of_start_counts, setup_paid),
+        cmocka_unit_test_setup(test_surplus_coins_count_toward_the_next_round, setup_paid),
+        cmocka_unit_test_setup(test_a_full_credit_count_rejects_coins_and_loses_no_inserted_coin,
                                setup_paid),
-        cmocka_unit_test(test_in_free_play_coins_are_sent_back_and_what_falls_is_metered),
-        cmocka_unit_test_setup(test_service_gives_one_that_no_coin_is_counted_for, setup_paid),
-        cmocka_unit_test(test_service_in_free_play_gives_nothing),
-        cmocka_unit_test_setup(test_a_round_takes_one_credit_and_keeps_it, setup_paid),
-        cmocka_unit_test_setup(test_who_looks_at_the_choice_and_leaves_has_paid_nothing,
-                               setup_paid),
+        cmocka_unit_test(test_free_play_rejects_coins_and_meters_inserted_ones),
+        cmocka_unit_test_setup(test_service_adds_a_credit_without_a_coin, setup_paid),
+        cmocka_unit_test(test_service_in_free_play_adds_no_credit),
+        cmocka_unit_test_setup(test_a_finished_round_costs_one_credit, setup_paid),
+        cmocka_unit_test_setup(test_leaving_the_mode_selection_costs_no_credit, setup_paid),
         cmocka_unit_test_setup(test_the_growth_lab_costs_a_credit_too, setup_paid),
-        cmocka_unit_test(test_a_stall_of_the_lab_alone_opens_it_for_nothing_only_when_it_is_free),
-        cmocka_unit_test_setup(test_the_credit_comes_back_when_the_poi_is_lost_for_good,
-                               setup_paid),
-        cmocka_unit_test_setup(test_a_poi_that_comes_back_brings_no_credit_with_it, setup_paid),
-        cmocka_unit_test(test_a_free_round_has_nothing_to_give_back),
-        cmocka_unit_test_setup(test_a_round_that_was_given_back_counts_for_nothing, setup_paid),
-        cmocka_unit_test(test_a_free_round_whose_poi_is_lost_is_a_score),
-        cmocka_unit_test(test_prices_and_tickets_out_of_range_are_refused),
-        cmocka_unit_test_setup(test_over_a_wild_day_every_coin_is_accounted_for, setup_paid),
+        cmocka_unit_test(test_a_kiosk_with_only_the_lab_opens_it_by_itself_only_in_free_play),
+        cmocka_unit_test_setup(test_a_permanently_lost_poi_refunds_the_credit, setup_paid),
+        cmocka_unit_test_setup(test_a_restored_poi_refunds_no_credit, setup_paid),
+        cmocka_unit_test(test_a_free_round_is_not_refunded),
+        cmocka_unit_test_setup(test_a_refunded_round_is_not_scored, setup_paid),
+        cmocka_unit_test(test_a_free_round_with_a_lost_poi_is_scored),
+        cmocka_unit_test(test_prices_and_tickets_out_of_range_are_rejected),
+        cmocka_unit_test_setup(test_every_coin_is_accounted_for_in_a_random_day, setup_paid),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

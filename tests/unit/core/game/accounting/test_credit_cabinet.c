@@ -1,15 +1,15 @@
-/* test_credit_cabinet.c -- what a paid stall does with its cabinet: tickets, the coin lock, the
- * door, a shake, and the hours that it was on. */
-#include "tests/unit/support/paid_stand.h"
+/* test_credit_cabinet.c -- checks a paid kiosk with its cabinet: tickets, the coin lockout, the
+ * door, a shake and the operating time. */
+#include "tests/unit/support/paid_fixture.h"
 #include "core/game/phases.h"
 
 /* ---- Tickets -------------------------------------------------------------------------------- */
 
-static void test_tickets_are_for_whole_handfuls_of_each_players_own(void **state)
+static void test_tickets_count_only_complete_groups_of_own_fish(void **state)
 {
     (void)state;
     play_a_paid_round();
-    core.game.player[0].caught = 14; /* Two and four fifths of a ticket. */
+    core.game.player[0].caught = 14; /* The catch is worth 2.8 tickets. */
     core.game.player[1].plays = core.game.player[1].out = 1;
     core.game.player[1].caught = 4;
     steps(ROUND_S * CORE_TICK_HZ);
@@ -35,7 +35,7 @@ static void test_a_bot_wins_no_tickets(void **state)
 
 /* ---- The cabinet ---------------------------------------------------------------------------- */
 
-static void test_coins_are_sent_back_while_nobody_could_play(void **state)
+static void test_coins_are_rejected_while_no_player_can_play(void **state)
 {
     (void)state;
     assert_int_equal(output.coin_lockout, 0);
@@ -43,7 +43,7 @@ static void test_coins_are_sent_back_while_nobody_could_play(void **state)
     step();
     assert_int_equal(output.coin_lockout, 1);
     assert_int_equal(core.game.accounts.credit.warnings, WARN_NO_POI);
-    input.poi[1].link = POI_SOURCE_LIVE; /* There is no second seat. */
+    input.poi[1].link = POI_SOURCE_LIVE; /* The kiosk has no second player slot. */
     step();
     assert_int_equal(output.coin_lockout, 1);
     input.poi[0].link = POI_SOURCE_LIVE;
@@ -51,7 +51,7 @@ static void test_coins_are_sent_back_while_nobody_could_play(void **state)
     assert_int_equal(output.coin_lockout, 0);
 }
 
-static void test_an_open_door_warns_and_sends_coins_back_and_ends_no_round(void **state)
+static void test_an_open_door_warns_and_rejects_coins(void **state)
 {
     (void)state;
     play_a_paid_round();
@@ -70,11 +70,11 @@ static void test_an_open_door_warns_and_sends_coins_back_and_ends_no_round(void 
 static void test_a_shake_warns_for_a_while_and_counts_once(void **state)
 {
     (void)state;
-    press(INPUT_TILT); /* An edge shorter than a tick. */
+    press(INPUT_TILT); /* The pulse is shorter than a tick. */
     for (uint32_t i = 0; i < 3; i++) {
         assert_int_equal(core.game.accounts.credit.warnings, WARN_TILT);
         assert_int_equal(output.coin_lockout, 1);
-        press(INPUT_TILT); /* It goes on shaking. */
+        press(INPUT_TILT); /* The cabinet is shaken again. */
     }
     assert_int_equal(core.game.accounts.credit.shakes, 1);
     assert_int_equal(sounds[SOUND_FOUL], 1);
@@ -84,7 +84,7 @@ static void test_a_shake_warns_for_a_while_and_counts_once(void **state)
     assert_int_equal(core.game.accounts.credit.shakes, 2);
 }
 
-static void test_a_shake_loses_no_coin_that_fell(void **state)
+static void test_a_shake_loses_no_inserted_coin(void **state)
 {
     (void)state;
     input.held = INPUT_TILT;
@@ -94,7 +94,7 @@ static void test_a_shake_loses_no_coin_that_fell(void **state)
 
 /* ---- Hours ---------------------------------------------------------------------------------- */
 
-static void test_a_night_by_the_plug_loses_two_minutes_of_its_hours(void **state)
+static void test_the_final_entry_completes_the_operating_time(void **state)
 {
     (void)state;
     struct ledger_entry last;
@@ -103,7 +103,7 @@ static void test_a_night_by_the_plug_loses_two_minutes_of_its_hours(void **state
     assert_in_range(audit(AUDIT_UP_S_MAX), 120, 130);
     assert_int_equal(
         health_log_final(&core.game.accounts, &core.game.health_log, core.game.tick, &input, &last),
-        0); /* It has no store. */
+        0); /* The session has no store. */
     core.game.accounts.ledger.boot = 3;
     const uint64_t hash = core_hash(&core);
     const uint32_t told = audit(AUDIT_UP_S);
@@ -113,7 +113,8 @@ static void test_a_night_by_the_plug_loses_two_minutes_of_its_hours(void **state
     assert_int_equal(last.kind, LEDGER_HEALTH);
     assert_int_equal(last.id, core.game.accounts.ledger.last_id + 1u);
     assert_int_equal(last.boot, 3);
-    assert_int_equal(told + (uint32_t)last.value, 130); /* All of them, in order. */
+    assert_int_equal(told + (uint32_t)last.value, 130); /* The stored and the final entry together
+                                                           cover all seconds. */
     assert_int_equal(last.health.up_s, 130);
     assert_true(core_hash(&core) == hash);
 }
@@ -121,14 +122,13 @@ static void test_a_night_by_the_plug_loses_two_minutes_of_its_hours(void **state
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(test_tickets_are_for_whole_handfuls_of_each_players_own, setup_paid),
+        cmocka_unit_test_setup(test_tickets_count_only_complete_groups_of_own_fish, setup_paid),
         cmocka_unit_test_setup(test_a_bot_wins_no_tickets, setup_paid),
-        cmocka_unit_test_setup(test_coins_are_sent_back_while_nobody_could_play, setup_paid),
-        cmocka_unit_test_setup(test_an_open_door_warns_and_sends_coins_back_and_ends_no_round,
-                               setup_paid),
+        cmocka_unit_test_setup(test_coins_are_rejected_while_no_player_can_play, setup_paid),
+        cmocka_unit_test_setup(test_an_open_door_warns_and_rejects_coins, setup_paid),
         cmocka_unit_test_setup(test_a_shake_warns_for_a_while_and_counts_once, setup_paid),
-        cmocka_unit_test_setup(test_a_shake_loses_no_coin_that_fell, setup_paid),
-        cmocka_unit_test_setup(test_a_night_by_the_plug_loses_two_minutes_of_its_hours, setup_paid),
+        cmocka_unit_test_setup(test_a_shake_loses_no_inserted_coin, setup_paid),
+        cmocka_unit_test_setup(test_the_final_entry_completes_the_operating_time, setup_paid),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,13 +1,15 @@
-/* test_full_ring.c -- a store that is full, dead, late or comes at last: no press of a guest ends
- * the stall, nobody plays for nothing, and what was paid is his when the store is back. */
-#include "tests/unit/support/game_stand.h"
-#include "core/game/accounting/ledger_writer.h"
+/* test_full_ring.c -- checks a store that is full, failed, late or available only after a while. No
+ * button stops the kiosk, no round starts without payment, and paid credits are available after the
+ * store recovers. */
+#include "tests/unit/support/game_fixture.h"
+#include "core/game/accounting/accounts.h"
 #include "core/game/phases.h"
 
 #define PRICE 1u
-#define COINS_FOR_A_FULL_RING 40u /* Each writes two entries while there is room. */
+#define COINS_FOR_A_FULL_RING 40u /* Each coin writes two entries while the ring has room. */
 
-/* A paid stall of three modes, of its `boots`th start; 0: it found no store. */
+/* Opens a paid kiosk with three modes at its start number `boots`. 0 means that no store was
+ * found. */
 static void open_paid(uint32_t boots)
 {
     const struct core_config config = {
@@ -44,7 +46,7 @@ static void drop_each(uint32_t coins)
     }
 }
 
-/* The store answers again, and has written all that it was given. */
+/* Makes the store answer again, with all its entries written. */
 static void revive_store(void)
 {
     store_is_late = 0;
@@ -62,7 +64,7 @@ static void choose_with_a_credit(void)
     steps(GAME_MODE_SELECT_TICKS_MIN + 1u);
 }
 
-static void test_a_ring_that_fills_while_somebody_chooses_lets_him_ask_again(void **state)
+static void test_a_ring_that_fills_during_the_mode_selection_permits_a_retry(void **state)
 {
     (void)state;
     open_paid(1);
@@ -86,7 +88,7 @@ static void test_a_ring_that_fills_while_somebody_chooses_lets_him_ask_again(voi
     assert_int_equal(purse_credits(&core), COINS_FOR_A_FULL_RING);
 }
 
-static void test_a_full_card_is_no_more_than_a_wait_whatever_fills_the_ring(void **state)
+static void test_a_full_store_only_delays_the_game(void **state)
 {
     (void)state;
     for (uint32_t coins = 0; coins < LEDGER_RING; coins++) {
@@ -102,11 +104,12 @@ static void test_a_full_card_is_no_more_than_a_wait_whatever_fills_the_ring(void
         const int plays = core.game.phase == PHASE_READY;
         assert_int_equal(plays, core.game.accounts.ledger.balance.open == PAYMENT_PAID);
         assert_true(plays || core.game.phase == PHASE_MODE_SELECT);
-        steps(GAME_READY_TICKS + GAME_MODE_SELECT_TICKS); /* Into the round, or back to attract. */
+        steps(GAME_READY_TICKS + GAME_MODE_SELECT_TICKS); /* The game reaches the round or returns
+                                                             to attract. */
         drop_each(coins);
         input.poi[0].link = POI_SOURCE_ABSENT;
         steps(GAME_LOST_TICKS_MAX + GAME_AGAIN_TICKS);
-        for (uint32_t i = 0; i < 4; i++) { /* The ends of what was begun have found room. */
+        for (uint32_t i = 0; i < 4; i++) { /* The end entries of the started rounds found room. */
             press(INPUT_START | INPUT_OK);
             steps(CORE_TICK_HZ);
         }
@@ -116,12 +119,13 @@ static void test_a_full_card_is_no_more_than_a_wait_whatever_fills_the_ring(void
 
 static uint32_t draw(uint32_t *seed, uint32_t below)
 {
-    *seed = *seed * 1664525u + 1013904223u; /* Knuth's; its upper half is good enough. */
+    *seed = *seed * 1664525u + 1013904223u; /* Knuth's linear congruential generator; the upper half
+                                               has sufficient quality. */
     return (*seed >> 16) % below;
 }
 
-/* Anybody's presses, in any order, on a card that answers now and then or never. */
-static void press_anything(uint32_t *seed, uint32_t ticks)
+/* Presses random buttons with a store that answers sometimes or never. */
+static void press_random_buttons(uint32_t *seed, uint32_t ticks)
 {
     static const uint32_t buttons[] = { INPUT_START, INPUT_OK,      INPUT_LEFT,    INPUT_RIGHT,
                                         INPUT_DOOR,  INPUT_SERVICE, INPUT_LANGUAGE };
@@ -142,28 +146,28 @@ static void press_anything(uint32_t *seed, uint32_t ticks)
     input.coin_count[0] = 0;
 }
 
-static void test_no_press_on_any_card_ends_the_stall(void **state)
+static void test_no_button_sequence_stops_the_kiosk_with_any_store(void **state)
 {
     (void)state;
     uint32_t seed = 11;
     for (uint32_t boots = 0; boots < 2; boots++) {
         open_paid(boots);
         store_is_late = 1;
-        press_anything(&seed, 30000);
+        press_random_buttons(&seed, 30000);
         print_message("# start %u: %u rounds begun, %u entries, %u of them on disk\n", boots,
                       core.game.round_count, output.entry_id, input.record_saved_id);
         assert_true(core.game.round_count > 2);
     }
 }
 
-static void test_a_card_that_comes_at_last_is_used_however_many_coins_fell_before(void **state)
+static void test_a_store_that_appears_late_is_used_after_any_number_of_coins(void **state)
 {
     (void)state;
     open_paid(0);
     drop_each(COINS_FOR_A_FULL_RING);
     assert_int_equal(core.game.accounts.ledger.balance.paid, COINS_FOR_A_FULL_RING);
     assert_int_equal(ledger_committed_credits(&core.game.accounts.ledger).paid,
-                     0); /* On no disk. */
+                     0); /* The entry is on no disk. */
     assert_int_equal(output.coin_lockout, 1);
     press(INPUT_START);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
@@ -172,7 +176,7 @@ static void test_a_card_that_comes_at_last_is_used_however_many_coins_fell_befor
     input.store_well = 1;
     step();
     assert_int_equal(ledger_committed_credits(&core.game.accounts.ledger).paid, 0);
-    assert_true(output.entry_id > before_id); /* The whole purse is on its way at once. */
+    assert_true(output.entry_id > before_id); /* The whole balance is submitted in one entry. */
     assert_int_equal(purse_entry(&output, output.entry_id)->balance.paid, COINS_FOR_A_FULL_RING);
     revive_store();
     assert_int_equal(output.coin_lockout, 0);
@@ -191,10 +195,10 @@ int main(void)
 {
 #define TEST(name) cmocka_unit_test_teardown(name, close_stand)
     const struct CMUnitTest tests[] = {
-        TEST(test_a_ring_that_fills_while_somebody_chooses_lets_him_ask_again),
-        TEST(test_a_full_card_is_no_more_than_a_wait_whatever_fills_the_ring),
-        TEST(test_no_press_on_any_card_ends_the_stall),
-        TEST(test_a_card_that_comes_at_last_is_used_however_many_coins_fell_before),
+        TEST(test_a_ring_that_fills_during_the_mode_selection_permits_a_retry),
+        TEST(test_a_full_store_only_delays_the_game),
+        TEST(test_no_button_sequence_stops_the_kiosk_with_any_store),
+        TEST(test_a_store_that_appears_late_is_used_after_any_number_of_coins),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

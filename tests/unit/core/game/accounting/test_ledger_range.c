@@ -1,5 +1,5 @@
-/* test_ledger_range.c -- records with a valid checksum and values out of range: the tail, the
- * database, the replay and the core reject them, and no id wraps. */
+/* test_ledger_range.c -- checks records with a valid checksum and values out of range. The mirror,
+ * the database, the replay and the core reject such records, and no id wraps. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -13,9 +13,8 @@
 #include <sqlite3.h>
 
 #include "core/core.h"
-#include "core/game/accounting/ledger_writer.h"
+#include "core/game/accounting/accounts.h"
 #include "platform/replay/replay.h"
-#include "platform/replay/replay_initial_state.h"
 #include "platform/store/sqlite/ledger_recovery.h"
 #include "platform/store/storage.h"
 
@@ -69,9 +68,10 @@ static struct ledger_entry played(uint32_t id)
 
 /* ---- Each range ------------------------------------------------------------------------------ */
 
-static struct ledger_entry bad_entry(uint32_t which)
+/* Returns a coin with one value out of range. `which` is less than BAD_COIN_COUNT. */
+static struct ledger_entry bad_coin(uint32_t which)
 {
-    struct ledger_entry entry = which < 8 ? coin(2) : played(2);
+    struct ledger_entry entry = coin(2);
     switch (which) {
     case 0:
         entry.id = LEDGER_ID_MAX + 1u;
@@ -94,9 +94,20 @@ static struct ledger_entry bad_entry(uint32_t which)
     case 6:
         entry.balance.open = PAYMENT_SERVICE + 1;
         break;
-    case 7:
+    default:
         entry.balance.paid = UINT32_MAX;
         break;
+    }
+    return entry;
+}
+#define BAD_COIN_COUNT 8u
+
+/* Returns a round, or an entry made of a round, with one value out of range. `which` counts from
+ * BAD_COIN_COUNT. */
+static struct ledger_entry bad_round(uint32_t which)
+{
+    struct ledger_entry entry = played(2);
+    switch (which) {
     case 8:
         entry.round.mode = 255;
         break;
@@ -132,6 +143,11 @@ static struct ledger_entry bad_entry(uint32_t which)
     }
     return entry;
 }
+
+static struct ledger_entry bad_entry(uint32_t which)
+{
+    return which < BAD_COIN_COUNT ? bad_coin(which) : bad_round(which);
+}
 #define BAD_COUNT 18u
 
 static void test_every_field_has_its_range(void **state)
@@ -165,16 +181,16 @@ static void test_tickets_refunds_and_open_rounds_have_their_ranges(void **state)
     entry.detail = 0x61;
     entry.value = 0x1f0002;
     assert_true(ledger_entry_is_valid(&entry));
-    entry.detail = 0x6f; /* No such mode. */
+    entry.detail = 0x6f; /* The mode does not exist. */
     assert_false(ledger_entry_is_valid(&entry));
     entry.detail = 0x61;
     entry.value = 0x200000;
     assert_false(ledger_entry_is_valid(&entry));
 }
 
-/* ---- The tail and the database --------------------------------------------------------------- */
+/* ---- The mirror and the database ------------------------------------------------------------ */
 
-static void test_a_start_passes_over_a_tail_entry_that_is_out_of_range(void **state)
+static void test_a_start_skips_a_mirror_entry_out_of_range(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < BAD_COUNT; i++) {
@@ -200,7 +216,7 @@ static void test_a_start_passes_over_a_tail_entry_that_is_out_of_range(void **st
     }
 }
 
-static void test_the_database_does_not_return_an_entry_that_is_out_of_range(void **state)
+static void test_the_database_returns_no_entry_out_of_range(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < BAD_COUNT; i++) {
@@ -209,7 +225,8 @@ static void test_the_database_does_not_return_an_entry_that_is_out_of_range(void
         unlink(path);
         assert_int_equal(ledger_file_open(&file, path, NULL), SQLITE_OK);
         if (entry.kind == LEDGER_ROUND && entry.round.mode >= MODE_COUNT) {
-            entry.round.unscored = 1; /* The ranking asserts: a writer has checked the mode. */
+            entry.round.unscored = 1; /* The ranking asserts a valid mode, because a writer has
+                                         checked it. */
         }
         assert_int_equal(ledger_file_write(&file, &entry, 1), SQLITE_OK);
         const int code = ledger_file_entry(&file, entry.id, &found);
@@ -218,10 +235,10 @@ static void test_the_database_does_not_return_an_entry_that_is_out_of_range(void
     }
 }
 
-/* ---- What the entries add up to ------------------------------------------------------------- */
+/* ---- Aggregates ----------------------------------------------------------------------------- */
 
-/* Every column of the ranking and every state, with a value that Kingyo never writes. `is_read` is
- * set where the value reaches the core as it is; other values are clamped or skipped. */
+/* Each column of the ranking and each state, with a value that Kingyo never writes. `is_read` is
+ * set if the value reaches the core unchanged. Other values are clamped or skipped. */
 static const struct {
     const char *change;
     int is_read;
@@ -244,7 +261,8 @@ static const struct {
     { "UPDATE audits SET count = -1", 0 },
 };
 
-/* A file without tallies passes their check, as one of an earlier Kingyo does. */
+/* Writes a changed database. A file without checksums passes the check of its aggregates, as a file
+ * of an earlier version does. */
 static void write_changed_file(const char *change)
 {
     struct ledger_file file;
@@ -266,7 +284,8 @@ static void write_changed_file(const char *change)
     sqlite3_close(db);
 }
 
-/* With `has_backup`, the backup holds the same values as the database. */
+/* Checks one start for each change. With `has_backup`, the backup holds the same values as the
+ * database. */
 static void expect_a_start_for_each_change(bool has_backup)
 {
     for (size_t i = 0; i < sizeof changes / sizeof changes[0]; i++) {
@@ -289,7 +308,7 @@ static void expect_a_start_for_each_change(bool has_backup)
         const struct core_config config = { .fish_count = 4, .persistent = memory };
         assert_int_equal(core_init(&core, &config), CORE_OK);
         assert_int_equal(memory.ledger.last_id, 1);
-        if (changes[i].is_read) { /* The entries hold the right values. */
+        if (changes[i].is_read) { /* The entries hold valid values. */
             assert_int_equal(memory.ranking.row[MODE_FESTIVAL][RANK_EVER][0].round_id, 1);
             assert_int_equal(memory.ranking.row[MODE_FESTIVAL][RANK_EVER][0].caught, 3);
         }
@@ -302,7 +321,7 @@ static void test_a_start_rebuilds_sums_that_the_core_would_reject(void **state)
     expect_a_start_for_each_change(false);
 }
 
-static void test_a_start_rebuilds_such_sums_when_the_backup_holds_them_too(void **state)
+static void test_a_start_rebuilds_rejected_sums_that_the_backup_also_holds(void **state)
 {
     (void)state;
     expect_a_start_for_each_change(true);
@@ -326,7 +345,8 @@ static void test_a_database_whose_ids_would_wrap_keeps_its_credits_over_a_restar
         assert_int_equal(ledger_file_write(&file, &first, 1), SQLITE_OK);
         assert_int_equal(ledger_file_write(&file, &last, 1), SQLITE_OK);
         ledger_file_close(&file);
-        for (uint32_t start = 0; start < 2; start++) { /* The second reads what the first wrote. */
+        for (uint32_t start = 0; start < 2; start++) { /* The second start reads the entries of the
+                                                          first. */
             storage = (struct storage){ .dir = dir, .by_hand = 1 };
             const struct hal_storage device = storage_device(&storage);
             assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
@@ -359,7 +379,8 @@ static void test_the_core_writes_no_entry_beyond_the_last_id(void **state)
         assert_true(core.game.accounts.ledger.last_id <= LEDGER_ID_MAX);
     }
     assert_int_equal(core.game.accounts.ledger.last_id, LEDGER_ID_MAX);
-    assert_false(ledger_is_safe(&core.game.accounts.ledger)); /* So the coin slot is closed. */
+    assert_false(ledger_is_safe(&core.game.accounts.ledger)); /* The coin slot is therefore
+                                                                 closed. */
 }
 
 /* ---- The core and the replay ----------------------------------------------------------------- */
@@ -392,7 +413,7 @@ static void test_the_core_and_the_replay_reject_a_state_that_is_out_of_range(voi
     bad[11].session.credit.pending_coins[0].owed = UINT32_MAX;
     for (size_t i = 0; i < 12; i++) {
         assert_int_equal(core_init(&core, &bad[i]), CORE_ERR_RANGE);
-        if (i != 4 && i != 5) { /* These two no encoder writes. */
+        if (i != 4 && i != 5) { /* No encoder writes these two values. */
             const size_t size = replay_initial_state_encode(&bad[i], bytes);
             memset(&back, 0, sizeof back);
             assert_int_equal(replay_initial_state_decode(&back, bytes, size, REPLAY_VERSION), 0);
@@ -407,10 +428,10 @@ int main(void)
     const struct CMUnitTest tests[] = {
         TEST(test_every_field_has_its_range),
         TEST(test_tickets_refunds_and_open_rounds_have_their_ranges),
-        TEST(test_a_start_passes_over_a_tail_entry_that_is_out_of_range),
-        TEST(test_the_database_does_not_return_an_entry_that_is_out_of_range),
+        TEST(test_a_start_skips_a_mirror_entry_out_of_range),
+        TEST(test_the_database_returns_no_entry_out_of_range),
         TEST(test_a_start_rebuilds_sums_that_the_core_would_reject),
-        TEST(test_a_start_rebuilds_such_sums_when_the_backup_holds_them_too),
+        TEST(test_a_start_rebuilds_rejected_sums_that_the_backup_also_holds),
         TEST(test_a_database_whose_ids_would_wrap_keeps_its_credits_over_a_restart),
         TEST(test_the_core_writes_no_entry_beyond_the_last_id),
         TEST(test_the_core_and_the_replay_reject_a_state_that_is_out_of_range),

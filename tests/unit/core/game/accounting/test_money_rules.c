@@ -1,9 +1,8 @@
-/* test_money_rules.c -- each small rule of money alone: what ends a bonus, what no coin buys, what
- * waits for the card, what a start finds again. */
+/* test_money_rules.c -- checks each rule of coins, credits and the ledger alone: bonuses, free
+ * play, pending entries and the state restored at a start. */
 #include "core/game/phases.h"
-#include "core/game/accounting/credit.h"
-#include "core/game/accounting/ledger_writer.h"
-#include "tests/unit/support/game_stand.h"
+#include "core/game/accounting/accounts.h"
+#include "tests/unit/support/game_fixture.h"
 
 #define PRICE 3u
 #define EXPIRY_MIN 5u
@@ -64,7 +63,7 @@ static const struct balance *balance(void)
 
 /* ---- Coins and credits ---------------------------------------------------------------------- */
 
-static void test_a_round_between_two_coins_ends_the_way_to_a_bonus(void **state)
+static void test_a_round_between_two_coins_resets_the_bonus_count(void **state)
 {
     (void)state;
     core.config.persistent.settings.value[SET_BONUS_UNITS] = 2 * (int)PRICE;
@@ -75,11 +74,11 @@ static void test_a_round_between_two_coins_ends_the_way_to_a_bonus(void **state)
     assert_int_equal(balance()->bonus_units, 0);
     drop(PRICE);
     assert_int_equal(purse_credits(&core), 1);
-    drop(PRICE); /* The sixth in a row. */
+    drop(PRICE); /* The bonus requires two coins in a row without a round between them. */
     assert_int_equal(purse_credits(&core), 3);
 }
 
-static void test_what_fell_before_there_was_a_bonus_earns_none(void **state)
+static void test_coins_inserted_before_a_bonus_was_configured_earn_none(void **state)
 {
     (void)state;
     core.config.persistent.settings.value[SET_BONUS_UNITS] = 0;
@@ -91,7 +90,7 @@ static void test_what_fell_before_there_was_a_bonus_earns_none(void **state)
     assert_true(purse_credits(&core) > 5);
 }
 
-static void test_a_coin_of_free_play_is_no_credit_when_there_is_a_price_again(void **state)
+static void test_a_coin_in_free_play_gives_no_credit_after_a_price_is_set(void **state)
 {
     (void)state;
     open_at(0, (struct ledger_start){ .boots = 1 });
@@ -103,7 +102,7 @@ static void test_a_coin_of_free_play_is_no_credit_when_there_is_a_price_again(vo
     assert_int_equal(purse_credits(&core), 0);
 }
 
-static void test_nothing_lapses_while_the_card_has_not_all_of_it(void **state)
+static void test_credits_expire_only_after_all_entries_are_stored(void **state)
 {
     (void)state;
     core.config.persistent.settings.value[SET_CREDIT_EXPIRY_MIN] = EXPIRY_MIN;
@@ -117,7 +116,7 @@ static void test_nothing_lapses_while_the_card_has_not_all_of_it(void **state)
     assert_int_equal(purse_count(&output, LEDGER_EXPIRED), 1);
 }
 
-static void test_a_service_credit_that_is_not_on_disk_is_not_the_one_that_is_spent(void **state)
+static void test_an_unstored_service_credit_is_not_spent(void **state)
 {
     (void)state;
     drop(PRICE);
@@ -132,7 +131,7 @@ static void test_a_service_credit_that_is_not_on_disk_is_not_the_one_that_is_spe
     assert_int_equal(balance()->paid, 0);
 }
 
-static void test_a_free_round_whose_poi_went_is_no_refund(void **state)
+static void test_a_free_round_with_a_lost_poi_gives_no_refund(void **state)
 {
     (void)state;
     open_at(0, (struct ledger_start){ .boots = 1 });
@@ -149,9 +148,9 @@ static void test_a_free_round_whose_poi_went_is_no_refund(void **state)
     assert_int_equal(purse_count(&output, LEDGER_BEGIN), 1);
 }
 
-/* ---- The ring and the card ------------------------------------------------------------------ */
+/* ---- The ledger ring and the store ---------------------------------------------------------- */
 
-static void test_nothing_is_sold_whose_end_could_not_be_told(void **state)
+static void test_no_round_is_sold_without_room_for_its_end_entry(void **state)
 {
     (void)state;
     drop(PRICE);
@@ -182,7 +181,7 @@ static void test_coins_leave_room_for_the_end_of_a_round(void **state)
     assert_int_equal(balance()->open, PAYMENT_NONE);
 }
 
-static void test_a_card_that_is_silent_for_two_seconds_closes_the_slot(void **state)
+static void test_a_store_silent_for_two_seconds_closes_the_coin_slot(void **state)
 {
     (void)state;
     store_is_late = 1;
@@ -199,7 +198,7 @@ static void test_a_card_that_is_silent_for_two_seconds_closes_the_slot(void **st
     assert_int_equal(output.coin_lockout, 0);
 }
 
-static void test_an_entry_that_was_never_written_is_never_on_disk(void **state)
+static void test_an_unwritten_entry_never_counts_as_stored(void **state)
 {
     (void)state;
     store_is_late = 1;
@@ -216,9 +215,9 @@ static void test_an_entry_that_was_never_written_is_never_on_disk(void **state)
     assert_int_equal(ledger_committed_credits(&core.game.accounts.ledger).paid, 1);
 }
 
-/* ---- The next start and the next chapter ---------------------------------------------------- */
+/* ---- The next start and the next session ---------------------------------------------------- */
 
-static void test_units_that_found_no_room_before_the_plug_was_pulled_are_there_again(void **state)
+static void test_units_without_room_before_a_power_cut_are_restored(void **state)
 {
     (void)state;
     open_at(PRICE, (struct ledger_start){
@@ -230,7 +229,7 @@ static void test_units_that_found_no_room_before_the_plug_was_pulled_are_there_a
     assert_int_equal(purse_entry(&output, 6)->value, PRICE);
 }
 
-static void open_with_untold(int32_t bonus_units, uint8_t rules_7)
+static void open_with_unlogged(int32_t bonus_units, uint8_t rules_7)
 {
     struct core_config config = {
         .seed = 7,
@@ -252,16 +251,16 @@ static void open_with_untold(int32_t bonus_units, uint8_t rules_7)
 static void test_units_from_before_a_power_cut_count_toward_a_configured_bonus(void **state)
 {
     (void)state;
-    open_with_untold(2 * (int)PRICE, 0);
+    open_with_unlogged(2 * (int)PRICE, 0);
     assert_int_equal(balance()->bonus_units, PRICE);
     drop(PRICE);
     assert_int_equal(purse_credits(&core), 3);
 }
 
-static void test_units_from_before_a_power_cut_count_toward_no_bonus_where_none_is(void **state)
+static void test_units_from_before_a_power_cut_count_toward_no_unconfigured_bonus(void **state)
 {
     (void)state;
-    open_with_untold(0, 0);
+    open_with_unlogged(0, 0);
     assert_int_equal(balance()->bonus_units, 0);
     core.config.persistent.settings.value[SET_BONUS_UNITS] = 2 * (int)PRICE;
     drop(PRICE);
@@ -272,11 +271,11 @@ static void test_units_from_before_a_power_cut_count_toward_no_bonus_where_none_
 static void test_a_recording_of_format_7_keeps_its_count_toward_a_bonus(void **state)
 {
     (void)state;
-    open_with_untold(0, 1);
+    open_with_unlogged(0, 1);
     assert_int_equal(balance()->bonus_units, PRICE);
 }
 
-static void test_a_chapter_begins_with_the_purse_as_it_is(void **state)
+static void test_a_new_session_starts_with_the_present_balance(void **state)
 {
     (void)state;
     drop(PRICE + 1u);
@@ -291,21 +290,21 @@ int main(void)
 {
 #define TEST(test) cmocka_unit_test_setup_teardown(test, open_paid, close_stand)
     const struct CMUnitTest tests[] = {
-        TEST(test_what_fell_before_there_was_a_bonus_earns_none),
-        TEST(test_a_round_between_two_coins_ends_the_way_to_a_bonus),
-        TEST(test_a_coin_of_free_play_is_no_credit_when_there_is_a_price_again),
-        TEST(test_nothing_lapses_while_the_card_has_not_all_of_it),
-        TEST(test_a_service_credit_that_is_not_on_disk_is_not_the_one_that_is_spent),
-        TEST(test_a_free_round_whose_poi_went_is_no_refund),
-        TEST(test_nothing_is_sold_whose_end_could_not_be_told),
+        TEST(test_coins_inserted_before_a_bonus_was_configured_earn_none),
+        TEST(test_a_round_between_two_coins_resets_the_bonus_count),
+        TEST(test_a_coin_in_free_play_gives_no_credit_after_a_price_is_set),
+        TEST(test_credits_expire_only_after_all_entries_are_stored),
+        TEST(test_an_unstored_service_credit_is_not_spent),
+        TEST(test_a_free_round_with_a_lost_poi_gives_no_refund),
+        TEST(test_no_round_is_sold_without_room_for_its_end_entry),
         TEST(test_coins_leave_room_for_the_end_of_a_round),
-        TEST(test_a_card_that_is_silent_for_two_seconds_closes_the_slot),
-        TEST(test_an_entry_that_was_never_written_is_never_on_disk),
-        TEST(test_units_that_found_no_room_before_the_plug_was_pulled_are_there_again),
+        TEST(test_a_store_silent_for_two_seconds_closes_the_coin_slot),
+        TEST(test_an_unwritten_entry_never_counts_as_stored),
+        TEST(test_units_without_room_before_a_power_cut_are_restored),
         TEST(test_units_from_before_a_power_cut_count_toward_a_configured_bonus),
-        TEST(test_units_from_before_a_power_cut_count_toward_no_bonus_where_none_is),
+        TEST(test_units_from_before_a_power_cut_count_toward_no_unconfigured_bonus),
         TEST(test_a_recording_of_format_7_keeps_its_count_toward_a_bonus),
-        TEST(test_a_chapter_begins_with_the_purse_as_it_is),
+        TEST(test_a_new_session_starts_with_the_present_balance),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

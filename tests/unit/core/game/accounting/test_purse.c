@@ -1,23 +1,24 @@
-/* test_purse.c -- whatever falls, is played and fails, and wherever the plug is pulled: what was
- * acknowledged is there again, once. The books are kept here a second time, from the coins that the
- * test itself dropped and the entries that a disk of its own still has. */
-#include "core/game/accounting/credit.h"
-#include "core/game/accounting/ledger_writer.h"
+/* test_purse.c -- checks that every acknowledged entry is present exactly once after a power cut at
+ * any time.
+ *
+ * The test computes the expected balance from the coins that it inserted and from the entries on
+ * its own simulated disk. */
+#include "core/game/accounting/accounts.h"
 #include "core/game/phases.h"
-#include "tests/unit/support/game_stand.h"
+#include "tests/unit/support/game_fixture.h"
 
 #define PRICE 3u
 #define LOG_MAX 60000u
 #define CUTS 400u
 
-static struct ledger_entry journal[LOG_MAX]; /* By id: all that was written and not cut off. */
+static struct ledger_entry journal[LOG_MAX]; /* All written entries that were not cut off, by id. */
 static struct disk {
-    uint32_t id;   /* All up to this is on it; */
-    uint32_t told; /* up to this the kiosk was told so. */
-    uint32_t ill;  /* Ticks for which it fails. */
+    uint32_t id;   /* Id of the last entry on the disk. */
+    uint32_t told; /* Id of the last entry that the kiosk knows to be stored. */
+    uint32_t ill;  /* Remaining ticks of a store failure. */
     uint32_t boots;
 } disk;
-static uint32_t fallen; /* Units dropped since this start. */
+static uint32_t fallen; /* Coin units inserted in this start. */
 static uint32_t drawn;
 
 static uint32_t draw(uint32_t count)
@@ -25,13 +26,14 @@ static uint32_t draw(uint32_t count)
     return (uint32_t)((hash_u32(HASH_START, ++drawn) >> 20) % count);
 }
 
-/* What entries up to `id` say, by their own words and never by their purse. */
+/* Sums of the entries up to `id`, computed from the entries and not from their balance. */
 struct sum {
     uint32_t units, credits, spent, back, service;
-    uint32_t open; /* A round began whose end is not told. */
+    uint32_t open; /* Number of rounds without an end entry. */
 };
 
-/* Each round has one beginning and one end. */
+/* Returns the number of open rounds after an entry. Each round has one begin entry and one end
+ * entry. */
 static uint32_t open_after(uint32_t open, uint8_t kind)
 {
     const int ends = kind == LEDGER_ROUND || kind == LEDGER_REFUND || kind == LEDGER_LEFT;
@@ -63,7 +65,7 @@ static void expect_balance(uint32_t id, const struct balance *balance)
     assert_int_equal(sum.credits + sum.service + sum.back,
                      balance->paid + balance->service + sum.spent);
     assert_int_equal(sum.open, balance->open != PAYMENT_NONE);
-    assert_true(sum.back <= sum.credits + sum.service); /* None comes back twice. */
+    assert_true(sum.back <= sum.credits + sum.service); /* No credit is refunded twice. */
 }
 
 static void start(void)
@@ -89,7 +91,8 @@ static void start(void)
     hold_at(ABOVE_M);
 }
 
-/* What the tick wrote, and whether what was spent in it was on disk and told. */
+/* Reads the entries of the tick. Checks that the credits spent in the tick were on disk and
+ * acknowledged. */
 static void take_entries(uint32_t before)
 {
     for (uint32_t id = before + 1u; id <= output.entry_id; id++) {
@@ -109,7 +112,7 @@ static void serve_disk(void)
     if (disk.ill == 0 && draw(12) == 0 && disk.id < output.entry_id) {
         disk.id += 1u + draw(output.entry_id - disk.id);
     }
-    if (draw(4) == 0) { /* It is told late, or never. */
+    if (draw(4) == 0) { /* The acknowledgement is late or missing. */
         disk.told = disk.id;
     }
     input.record_saved_id = disk.told;
@@ -123,14 +126,15 @@ static void live(void)
     const uint32_t lines = draw(40) == 0;
     input.coin_count[0] = lines * draw(4);
     input.coin_count[2] = lines * (draw(3) == 0);
-    fallen += input.coin_count[0] + 5u * input.coin_count[2]; /* The standard. */
+    fallen += input.coin_count[0] + 5u * input.coin_count[2]; /* The coin values are the
+                                                                 defaults. */
     input.pressed = (draw(60) == 0 ? INPUT_START : 0u) | (draw(500) == 0 ? INPUT_SERVICE : 0u);
     input.poi[0].link = draw(300) == 0 ? POI_SOURCE_LOST : POI_SOURCE_LIVE;
     step();
     take_entries(before);
 }
 
-/* All that fell since the start is written, or waits to be. */
+/* Checks that all units inserted in this start are written or pending. */
 static void expect_no_coin_lost(uint32_t began)
 {
     uint32_t told = 0, waits = 0;
@@ -145,7 +149,7 @@ static void expect_no_coin_lost(uint32_t began)
     expect_balance(output.entry_id, &core.game.accounts.ledger.balance);
 }
 
-static void test_wherever_the_plug_is_pulled_nothing_acknowledged_is_lost_or_doubled(void **state)
+static void test_a_power_cut_at_any_tick_neither_loses_nor_repeats_stored_entries(void **state)
 {
     (void)state;
     uint32_t open = 0, behind = 0, untold = 0, begun = 0;
@@ -162,7 +166,8 @@ static void test_wherever_the_plug_is_pulled_nothing_acknowledged_is_lost_or_dou
         begun += core.game.accounts.ledger.balance.open != PAYMENT_NONE;
         behind += disk.id < output.entry_id;
         assert_true(disk.id >= disk.told);
-        if (disk.id > 0) { /* The plug: what is not on the disk was never said to be. */
+        if (disk.id > 0) { /* After a power cut, entries that are not on the disk were never
+                              acknowledged. */
             const struct balance left = journal[disk.id].balance;
             expect_balance(disk.id, &left);
             open += left.open != PAYMENT_NONE;
@@ -178,16 +183,17 @@ static void test_wherever_the_plug_is_pulled_nothing_acknowledged_is_lost_or_dou
         }
     }
     store_is_late = 0;
-    print_message("# %u cuts: %u with a round open on disk, %u with entries under way, %u with "
-                  "coins untold, %u in a round\n",
-                  CUTS, open, behind, untold, begun);
+    print_message(
+        "# %u power cuts: %u with a round open on disk, %u with entries under way, %u with "
+        "coins untold, %u in a round\n",
+        CUTS, open, behind, untold, begun);
     assert_true(open > CUTS / 20u && behind > CUTS / 20u && untold > 0 && begun > CUTS / 40u);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_wherever_the_plug_is_pulled_nothing_acknowledged_is_lost_or_doubled),
+        cmocka_unit_test(test_a_power_cut_at_any_tick_neither_loses_nor_repeats_stored_entries),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,18 +1,18 @@
-/* test_refunds.c -- when a credit comes back, that it does so once at most, and what a round keeps
- * whose credit does not: by a lost controller, the operator's menu, and a power cut. */
-#include "core/game/accounting/credit.h"
-#include "core/game/accounting/ledger_writer.h"
+/* test_refunds.c -- checks when a credit is refunded, that it is refunded at most once, and what a
+ * round without a refund keeps. The causes are a lost controller, the operator's menu and a power
+ * cut. */
+#include "core/game/accounting/accounts.h"
 #include "core/game/phases.h"
-#include "tests/unit/support/paid_stand.h"
+#include "tests/unit/support/paid_fixture.h"
 
 #define SPENT_TICKS (2u * ROUND_S * CORE_TICK_HZ / 3u)
-#define FISH 14u /* Two tickets, and four fish. */
+#define FISH 14u /* The catch is worth two tickets and four more fish. */
 #define TICKETS 2u
 
-static struct ledger_stand stand; /* Of all entries that were written. */
+static struct ledger_stand stand; /* Aggregates of all written entries. */
 static uint32_t seen_id;
 
-/* As the store adds up what it writes. */
+/* Adds the new entries to the aggregates, as the store does. */
 static void note_entries(void)
 {
     while (seen_id != output.entry_id) {
@@ -28,7 +28,7 @@ static void noted_steps(uint32_t count)
     }
 }
 
-/* The power goes now; everything that was written is on disk. */
+/* Simulates a power cut. All written entries are on disk. */
 static void cut_power(void)
 {
     static uint32_t boots = 1;
@@ -60,7 +60,7 @@ static int setup_refunds(void **state)
     return 0;
 }
 
-/* Into a round on the credit that is there, `ticks` of it played. */
+/* Starts a round with the available credit and plays `ticks` of it. */
 static void play(uint32_t ticks)
 {
     hold_at(ABOVE_M);
@@ -101,7 +101,8 @@ static void expect_refunded(void)
     assert_int_equal(balance()->open, PAYMENT_NONE);
 }
 
-/* The second of two plays of one credit, or one that was nearly over: the round counts. */
+/* Checks that the round is scored: the second of two plays of one credit, or a round that was
+ * nearly over. */
 static void expect_kept(uint32_t refunds)
 {
     assert_int_equal(audit(AUDIT_REFUNDS), refunds);
@@ -117,7 +118,7 @@ typedef void (*cut_round)(void);
 static const cut_round ways[] = { lose_controller, open_menu, cut_power };
 #define WAYS (sizeof ways / sizeof ways[0])
 
-static void test_a_round_that_is_cut_before_two_thirds_is_refunded_and_counts_nothing(void **state)
+static void test_a_round_cut_before_two_thirds_is_refunded_and_not_scored(void **state)
 {
     for (size_t i = 0; i < WAYS; i++) {
         setup_refunds(state);
@@ -128,7 +129,7 @@ static void test_a_round_that_is_cut_before_two_thirds_is_refunded_and_counts_no
     }
 }
 
-static void test_a_round_that_is_cut_after_two_thirds_keeps_score_and_tickets(void **state)
+static void test_a_round_cut_after_two_thirds_keeps_score_and_tickets(void **state)
 {
     for (size_t i = 0; i < WAYS; i++) {
         setup_refunds(state);
@@ -139,7 +140,7 @@ static void test_a_round_that_is_cut_after_two_thirds_keeps_score_and_tickets(vo
     }
 }
 
-static void test_a_credit_that_came_back_once_comes_back_no_second_time(void **state)
+static void test_a_credit_is_refunded_at_most_once(void **state)
 {
     for (size_t i = 0; i < WAYS * WAYS; i++) {
         setup_refunds(state);
@@ -156,7 +157,7 @@ static void test_a_credit_that_came_back_once_comes_back_no_second_time(void **s
     }
 }
 
-static void test_a_credit_that_came_back_is_remembered_over_a_restart(void **state)
+static void test_a_refunded_credit_stays_marked_after_a_restart(void **state)
 {
     (void)state;
     drop(PRICE);
@@ -164,7 +165,7 @@ static void test_a_credit_that_came_back_is_remembered_over_a_restart(void **sta
     lose_controller();
     cut_power();
     assert_int_equal(balance()->returned, PAYMENT_PAID);
-    drop(PRICE); /* A second credit, which may still come back. */
+    drop(PRICE); /* This second credit can still be refunded. */
     assert_int_equal(credits(), 2);
     play(10);
     assert_int_equal(balance()->open, PAYMENT_PAID | PAYMENT_SPENT);
@@ -178,7 +179,7 @@ static void test_a_credit_that_came_back_is_remembered_over_a_restart(void **sta
     assert_int_equal(credits(), 1);
 }
 
-static void test_a_service_credit_comes_back_once_too(void **state)
+static void test_a_service_credit_is_refunded_at_most_once(void **state)
 {
     (void)state;
     press(INPUT_SERVICE);
@@ -193,8 +194,8 @@ static void test_a_service_credit_comes_back_once_too(void **state)
     assert_int_equal(audit(AUDIT_REFUNDS), 1);
 }
 
-/* Whenever the controller goes, its owner plays less than two rounds for one credit. */
-static void test_one_credit_buys_no_endless_play(void **state)
+/* At any time of the loss, the player plays less than two rounds for one credit. */
+static void test_one_credit_pays_for_less_than_two_rounds(void **state)
 {
     for (uint32_t at = 1; at < ROUND_S; at += 3) {
         uint32_t played = 0;
@@ -223,7 +224,7 @@ static void test_a_power_cut_keeps_the_catch_of_the_last_entry_of_the_round(void
     assert_int_equal(audit(AUDIT_REFUNDS), 0);
 }
 
-static void test_a_recording_of_format_7_gives_each_credit_back(void **state)
+static void test_a_recording_of_format_7_refunds_every_credit(void **state)
 {
     (void)state;
     core.config.rules_7 = 1;
@@ -246,12 +247,12 @@ static void lose_for(uint32_t ticks)
     assert_int_equal(core.game.paused, 0);
 }
 
-static void test_a_controller_that_is_lost_again_is_counted(void **state)
+static void test_repeated_losses_of_a_controller_are_counted(void **state)
 {
     (void)state;
     drop(PRICE);
     play(10);
-    lose_for(CORE_TICK_HZ / 2u); /* A glitch. */
+    lose_for(CORE_TICK_HZ / 2u); /* The loss is a short glitch. */
     lose_for(2u * CORE_TICK_HZ);
     assert_int_equal(audit(AUDIT_LOST_AGAIN), 0);
     lose_for(2u * CORE_TICK_HZ);
@@ -261,7 +262,7 @@ static void test_a_controller_that_is_lost_again_is_counted(void **state)
     assert_int_equal(audit(AUDIT_LOST_AGAIN + 1), 0);
 }
 
-static void test_losses_that_lie_far_apart_are_not_repeated_ones(void **state)
+static void test_losses_far_apart_do_not_count_as_repeated(void **state)
 {
     (void)state;
     drop(PRICE);
@@ -276,16 +277,16 @@ int main(void)
 {
 #define TEST(test) cmocka_unit_test_setup(test, setup_refunds)
     const struct CMUnitTest tests[] = {
-        TEST(test_a_round_that_is_cut_before_two_thirds_is_refunded_and_counts_nothing),
-        TEST(test_a_round_that_is_cut_after_two_thirds_keeps_score_and_tickets),
-        TEST(test_a_credit_that_came_back_once_comes_back_no_second_time),
-        TEST(test_a_credit_that_came_back_is_remembered_over_a_restart),
-        TEST(test_a_service_credit_comes_back_once_too),
-        TEST(test_one_credit_buys_no_endless_play),
+        TEST(test_a_round_cut_before_two_thirds_is_refunded_and_not_scored),
+        TEST(test_a_round_cut_after_two_thirds_keeps_score_and_tickets),
+        TEST(test_a_credit_is_refunded_at_most_once),
+        TEST(test_a_refunded_credit_stays_marked_after_a_restart),
+        TEST(test_a_service_credit_is_refunded_at_most_once),
+        TEST(test_one_credit_pays_for_less_than_two_rounds),
         TEST(test_a_power_cut_keeps_the_catch_of_the_last_entry_of_the_round),
-        TEST(test_a_recording_of_format_7_gives_each_credit_back),
-        TEST(test_a_controller_that_is_lost_again_is_counted),
-        TEST(test_losses_that_lie_far_apart_are_not_repeated_ones),
+        TEST(test_a_recording_of_format_7_refunds_every_credit),
+        TEST(test_repeated_losses_of_a_controller_are_counted),
+        TEST(test_losses_far_apart_do_not_count_as_repeated),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,17 +1,17 @@
-/* test_tickets.c -- each ticket leaves the ledger before the dispenser, whenever the power goes. */
-#include "core/game/accounting/credit.h"
-#include "core/game/accounting/ledger_writer.h"
+/* test_tickets.c -- checks that each ticket's entry is stored before the dispenser starts, at any
+ * time of a power cut. */
+#include "core/game/accounting/accounts.h"
 #include "core/game/phases.h"
-#include "tests/unit/support/paid_stand.h"
+#include "tests/unit/support/paid_fixture.h"
 
 #define WON 5u
-#define SYNC_TICKS 7u   /* How late an entry is on disk, ... */
-#define TOLD_TICKS 10u  /* ... and how late the core is told so. */
-#define PULSE_TICKS 30u /* How long the dispenser needs for a ticket. */
+#define SYNC_TICKS 7u   /* Delay in ticks until an entry is on disk. */
+#define TOLD_TICKS 10u  /* Delay in ticks until the core receives the id of the stored entry. */
+#define PULSE_TICKS 30u /* Duration of a ticket in the dispenser, in ticks. */
 #define LOG_MAX 256u
 
 static struct ledger_entry journal[LOG_MAX];
-static uint32_t written_at[LOG_MAX]; /* The tick of each entry. */
+static uint32_t written_at[LOG_MAX]; /* Tick in which each entry was written. */
 static uint32_t saved_id, told_id, pulses, pulse_ticks, cut_pulses;
 
 static void take_entries(uint32_t before)
@@ -23,7 +23,7 @@ static void take_entries(uint32_t before)
     }
 }
 
-/* One tick with a slow card, and with a dispenser that takes its time. */
+/* Runs one tick with a slow store and a slow dispenser. */
 static void slow_step(void)
 {
     const uint32_t before = output.entry_id, asked = output.tickets;
@@ -68,7 +68,7 @@ static int close_tickets(void **state)
     return 0;
 }
 
-/* Into the first tick of the result, with WON tickets. */
+/* Advances to the first tick of the result with WON tickets. */
 static void win(void)
 {
     input.coin_count[0] = PRICE;
@@ -86,7 +86,8 @@ static void win(void)
     assert_int_equal(balance()->tickets, WON);
 }
 
-/* The power goes: what is not saved is lost, and the ticket whose pulse runs stays inside. */
+/* Simulates a power cut. Entries that are not stored are lost, and a ticket whose pulse is running
+ * stays inside. */
 static void cut_power(void)
 {
     struct core_config config = core.config;
@@ -109,7 +110,7 @@ static void cut_power(void)
     hold_at(ABOVE_M);
 }
 
-static void test_a_ticket_waits_for_the_entry_of_its_round_and_for_its_own(void **state)
+static void test_a_ticket_waits_for_its_round_entry_and_its_own_entry(void **state)
 {
     (void)state;
     win();
@@ -137,7 +138,7 @@ static void test_a_ticket_waits_for_the_entry_of_its_round_and_for_its_own(void 
     assert_int_equal(audit(AUDIT_TICKETS_OUT), WON);
 }
 
-static void test_a_disk_that_takes_nothing_dispenses_nothing(void **state)
+static void test_a_disk_that_stores_nothing_dispenses_no_ticket(void **state)
 {
     (void)state;
     input.coin_count[0] = PRICE;
@@ -148,7 +149,7 @@ static void test_a_disk_that_takes_nothing_dispenses_nothing(void **state)
     slow_steps(GAME_READY_TICKS + 1u);
     core.game.player[0].caught = WON;
     store_is_late = 1;
-    input.store_well = 0; /* From here on nothing is saved any more. */
+    input.store_well = 0; /* The store saves no entry from now on. */
     for (uint32_t i = 0; i < (ROUND_S + 60u) * CORE_TICK_HZ; i++) {
         step();
         assert_int_equal(output.tickets, 0);
@@ -156,7 +157,7 @@ static void test_a_disk_that_takes_nothing_dispenses_nothing(void **state)
     assert_int_equal(balance()->tickets, WON);
 }
 
-static void test_no_ticket_begins_before_the_pulse_of_the_last_has_ended(void **state)
+static void test_a_ticket_starts_only_after_the_pulse_of_the_previous_one(void **state)
 {
     (void)state;
     win();
@@ -175,9 +176,9 @@ static void test_no_ticket_begins_before_the_pulse_of_the_last_has_ended(void **
     assert_int_equal(purse_count(&output, LEDGER_TICKET), 1);
 }
 
-/* At every tick while tickets come, and twice in a row: never one too many, and for each cut at
- * most one too few. */
-static void test_a_power_cut_at_any_tick_costs_one_ticket_at_most_and_pays_none_twice(void **state)
+/* Cuts the power at every tick of the ticket output, twice in a row. No ticket is repeated, and
+ * each cut loses at most one. */
+static void test_a_power_cut_at_any_tick_loses_one_ticket_at_most_and_repeats_none(void **state)
 {
     uint32_t missing_cuts = 0;
     for (uint32_t at = 0; at < WON * (PULSE_TICKS + 4u * TOLD_TICKS); at += 3u) {
@@ -201,17 +202,60 @@ static void test_a_power_cut_at_any_tick_costs_one_ticket_at_most_and_pays_none_
         missing_cuts += whole < WON;
     }
     print_message("# in %u of the plays a ticket was missing\n", missing_cuts);
-    assert_true(missing_cuts > 0); /* Else no cut met a pulse. */
+    assert_true(missing_cuts > 0); /* Otherwise no cut hit a pulse. */
+}
+
+/* A kiosk that started without a card has `boot` 0. The card was inserted later. */
+static void test_a_late_card_that_stalls_dispenses_no_ticket_before_its_entry_is_saved(void **state)
+{
+    (void)state;
+    core.game.accounts.ledger.boot = 0;
+    win();
+    while (purse_count(&output, LEDGER_TICKET) == 0 || output.entry_id == saved_id) {
+        slow_step();
+    }
+    const uint32_t dispensed = output.tickets;
+    for (uint32_t i = 0; i < 8u * CORE_TICK_HZ; i++) {
+        input.store_well = i % 100u >= 3u;
+        step();
+        assert_int_equal(output.tickets, dispensed);
+        assert_int_equal(core.game.accounts.ledger.saved_id, told_id);
+    }
+    assert_true(output.coin_lockout); /* Longer than LEDGER_WAIT_TICKS_MAX, so the card counts as
+                                         not responding. */
+}
+
+static void test_credits_expire_only_after_a_late_card_stored_them(void **state)
+{
+    (void)state;
+    core.config.persistent.settings.value[SET_CREDIT_EXPIRY_MIN] = 1;
+    core.game.accounts.ledger.boot = 0;
+    slow_steps(4u * TOLD_TICKS);
+    input.coin_count[0] = PRICE;
+    slow_step();
+    input.coin_count[0] = 0;
+    store_is_late = 1;
+    for (uint32_t i = 0; i < 90u * CORE_TICK_HZ; i++) {
+        step(); /* The card stores nothing. */
+    }
+    assert_int_equal(balance()->paid, 1);
+    for (uint32_t i = 0; i < 4u * TOLD_TICKS; i++) {
+        input.record_saved_id = output.entry_id;
+        step();
+    }
+    assert_int_equal(balance()->paid, 0);
 }
 
 int main(void)
 {
 #define TEST(test) cmocka_unit_test_setup_teardown(test, setup_tickets, close_tickets)
     const struct CMUnitTest tests[] = {
-        TEST(test_a_ticket_waits_for_the_entry_of_its_round_and_for_its_own),
-        TEST(test_a_disk_that_takes_nothing_dispenses_nothing),
-        TEST(test_no_ticket_begins_before_the_pulse_of_the_last_has_ended),
-        TEST(test_a_power_cut_at_any_tick_costs_one_ticket_at_most_and_pays_none_twice),
+        TEST(test_a_ticket_waits_for_its_round_entry_and_its_own_entry),
+        TEST(test_a_disk_that_stores_nothing_dispenses_no_ticket),
+        TEST(test_a_late_card_that_stalls_dispenses_no_ticket_before_its_entry_is_saved),
+        TEST(test_credits_expire_only_after_a_late_card_stored_them),
+        TEST(test_a_ticket_starts_only_after_the_pulse_of_the_previous_one),
+        TEST(test_a_power_cut_at_any_tick_loses_one_ticket_at_most_and_repeats_none),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

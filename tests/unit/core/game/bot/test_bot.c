@@ -1,4 +1,5 @@
-/* test_bot.c -- the bot sees, decides and moves within a person's means; each habit shows. */
+/* test_bot.c -- checks that the bot sees, decides and moves within a person's limits, and that each
+ * technique has its effect. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -7,6 +8,7 @@
 
 #include <cmocka.h>
 
+#include "core/game/game_fields.h"
 #include "core/base/hash.h"
 #include "core/game/bot/bot.h"
 #include "core/game/bot/vision.h"
@@ -26,9 +28,9 @@ static void begin_with(const struct technique *technique, uint32_t seed)
     bot_stall_begin(&stall);
 }
 
-/* ---- Means of a person ---------------------------------------------------------------------- */
+/* ---- Limits of a person --------------------------------------------------------------------- */
 
-/* The arm's own limits, and what a tremor of at most 1.5 mm adds at 9 Hz. */
+/* Checks the limits of an arm, plus the effect of a tremor of at most 1.5 mm at 9 Hz. */
 static void holds_arm_limits(const struct technique *technique)
 {
     begin_with(technique, 5);
@@ -48,14 +50,14 @@ static void holds_arm_limits(const struct technique *technique)
     }
 }
 
-static void test_the_hand_moves_no_faster_than_an_arm(void **state)
+static void test_the_bot_moves_no_faster_than_an_arm(void **state)
 {
     (void)state;
     holds_arm_limits(&technique_expert);
     holds_arm_limits(&technique_novice);
 }
 
-static void test_it_looks_no_oftener_than_a_person(void **state)
+static void test_the_bot_updates_its_vision_no_oftener_than_a_person(void **state)
 {
     (void)state;
     begin_with(&technique_expert, 5);
@@ -64,14 +66,14 @@ static void test_it_looks_no_oftener_than_a_person(void **state)
         const uint32_t taken = stall.bot.seen.tick;
         bot_stall_tick(&stall);
         if (stall.bot.act_tick != last) {
-            assert_in_range(stall.bot.seen.tick - taken, 18, 30); /* 150 to 250 ms */
+            assert_in_range(stall.bot.seen.tick - taken, 18, 30); /* The range is 150 to 250 ms. */
             last = stall.bot.act_tick;
         }
     }
 }
 
-/* What it acts on is never younger than its reaction. */
-static void test_what_it_knows_is_the_past(void **state)
+/* The snapshot is never newer than the reaction time. */
+static void test_the_bot_acts_on_a_delayed_snapshot(void **state)
 {
     (void)state;
     begin_with(&technique_expert, 6);
@@ -81,9 +83,9 @@ static void test_what_it_knows_is_the_past(void **state)
     }
 }
 
-/* Two stalls that are one until, in the second, the prey is gone from one tick to the next: for
- * 150 ms at least the hands go the same way, and soon they do not. */
-static void test_it_answers_a_vanished_fish_after_its_reaction_time(void **state)
+/* Two games are equal until the target fish disappears in the second one. Both bots move
+ * identically for at least 150 ms and differ soon afterwards. */
+static void test_the_bot_reacts_to_a_vanished_fish_after_its_reaction_time(void **state)
 {
     (void)state;
     static struct bot_stall other;
@@ -105,12 +107,12 @@ static void test_it_answers_a_vanished_fish_after_its_reaction_time(void **state
         assert_true(same_ticks >= 18);
         answers += same_ticks <= 60;
     }
-    assert_in_range(answers, 8, 10); /* The others had just turned to another fish. */
+    assert_in_range(answers, 8, 10); /* The other bots had just chosen another fish. */
 }
 
-/* ---- Manners -------------------------------------------------------------------------------- */
+/* ---- Before the start ----------------------------------------------------------------------- */
 
-static void test_before_the_start_poi_and_shadow_stay_off_the_water(void **state)
+static void test_poi_and_shadow_stay_off_the_water_before_the_start(void **state)
 {
     (void)state;
     open_with(&technique_expert, 5);
@@ -120,7 +122,8 @@ static void test_before_the_start_poi_and_shadow_stay_off_the_water(void **state
     const struct core *core = &stall.core;
     for (uint32_t i = 0; stall.core.game.phase == PHASE_READY; i++) {
         bot_stall_tick(&stall);
-        if (i > 3u * CORE_TICK_HZ / 2u) { /* It begins over the middle, and has an arm's pace. */
+        if (i > 3u * CORE_TICK_HZ / 2u) { /* The bot starts over the middle and has the speed of an
+                                             arm. */
             const float edge_m = core->world.poi[0].position_m.z - POI_OUTER_RADIUS_M;
             assert_true(edge_m > 0.5f * core->world.tank.size_m.z);
         }
@@ -128,7 +131,7 @@ static void test_before_the_start_poi_and_shadow_stay_off_the_water(void **state
     }
 }
 
-static void test_with_no_fish_to_take_it_only_hovers(void **state)
+static void test_the_bot_only_hovers_without_fish(void **state)
 {
     (void)state;
     begin_with(&technique_expert, 5);
@@ -145,7 +148,7 @@ static void test_with_no_fish_to_take_it_only_hovers(void **state)
     assert_int_equal(stall.bot.stage, BOT_CHOOSE);
 }
 
-static void test_its_hand_is_a_place_and_a_direction_whatever_it_sees(void **state)
+static void test_the_bots_pose_is_always_valid(void **state)
 {
     (void)state;
     begin_with(&technique_expert, 9);
@@ -170,7 +173,7 @@ static uint64_t play(uint32_t seed, uint32_t seconds)
     for (uint32_t i = 0; i < seconds * CORE_TICK_HZ; i++) {
         bot_stall_tick(&stall);
     }
-    return hash_u64(bot_hash(HASH_START, &stall.bot), core_hash(&stall.core));
+    return hash_u64(field_hash(HASH_START, &bot_fields, &stall.bot), core_hash(&stall.core));
 }
 
 static void test_a_bots_round_is_the_same_each_time(void **state)
@@ -181,7 +184,7 @@ static void test_a_bots_round_is_the_same_each_time(void **state)
     assert_true(play(32, 12) != hash);
 }
 
-/* ---- Habits --------------------------------------------------------------------------------- */
+/* ---- Techniques ----------------------------------------------------------------------------- */
 
 static float wet_share(void)
 {
@@ -202,7 +205,7 @@ static float wet_share_at_the_first_dip(float wet)
     return wet_share();
 }
 
-static void test_wet_is_the_share_that_is_wet_before_the_first_scoop(void **state)
+static void test_wet_sets_the_wet_share_before_the_first_scoop(void **state)
 {
     (void)state;
     const float all = wet_share_at_the_first_dip(1.0f);
@@ -213,7 +216,7 @@ static void test_wet_is_the_share_that_is_wet_before_the_first_scoop(void **stat
     assert_true(wet_share_at_the_first_dip(0.0f) < 0.02f);
 }
 
-/* The poi's true pitch at the first tick under water of the first scoop. */
+/* Returns the poi's true pitch at the first tick under water of the first scoop. */
 static float entry_pitch_deg(float entry_deg)
 {
     struct technique technique = technique_expert;
@@ -226,7 +229,7 @@ static float entry_pitch_deg(float entry_deg)
     return stall.core.world.poi[0].angles.pitch_rad / F_DEG;
 }
 
-static void test_entry_is_the_slant_at_which_it_goes_in(void **state)
+static void test_entry_sets_the_angle_of_entry(void **state)
 {
     (void)state;
     assert_true(f_abs(entry_pitch_deg(40.0f) + 40.0f) < 6.0f);
@@ -234,7 +237,7 @@ static void test_entry_is_the_slant_at_which_it_goes_in(void **state)
     assert_true(f_abs(entry_pitch_deg(0.0f)) < 6.0f);
 }
 
-static void test_glide_is_the_angle_between_paper_and_way(void **state)
+static void test_glide_sets_the_angle_between_paper_and_path(void **state)
 {
     (void)state;
     for (float glide_deg = 5.0f; glide_deg <= 65.0f; glide_deg += 60.0f) {
@@ -247,7 +250,7 @@ static void test_glide_is_the_angle_between_paper_and_way(void **state)
     }
 }
 
-/* The fastest that the poi rises in its first scoops. */
+/* Returns the maximum speed of the rising poi in the first scoops. */
 static float rise_m_s(uint8_t lift)
 {
     struct technique technique = technique_expert;
@@ -263,7 +266,7 @@ static float rise_m_s(uint8_t lift)
     return fastest_m_s;
 }
 
-static void test_a_fast_lift_is_fast(void **state)
+static void test_a_fast_lift_is_faster_than_a_drained_one(void **state)
 {
     (void)state;
     const float drained_m_s = rise_m_s(LIFT_DRAINED), fast_m_s = rise_m_s(LIFT_FAST);
@@ -272,7 +275,7 @@ static void test_a_fast_lift_is_fast(void **state)
     assert_true(fast_m_s > 1.7f * drained_m_s);
 }
 
-static void test_who_chases_never_waits(void **state)
+static void test_a_chasing_bot_never_waits(void **state)
 {
     (void)state;
     struct technique technique = technique_expert;
@@ -286,8 +289,8 @@ static void test_who_chases_never_waits(void **state)
 
 /* ---- Play ----------------------------------------------------------------------------------- */
 
-/* What the thesis blames in an arcade game: one scoop, one paper. */
-static void test_one_paper_survives_many_scoops_in_good_hands(void **state)
+/* The thesis criticizes an arcade game for losing one paper with each scoop. */
+static void test_one_paper_survives_many_careful_scoops(void **state)
 {
     (void)state;
     const struct core_config config = { .seed = 3,
@@ -305,8 +308,8 @@ static void test_one_paper_survives_many_scoops_in_good_hands(void **state)
     assert_true(sheet_left(&stall.core.world.poi[0].sheet) > 0.8f);
 }
 
-/* Twenty seconds each: the tank's size, depth and crowd are the bot's only rules. */
-static void test_it_plays_in_each_tank(void **state)
+/* The bot plays for 20 s in each tank and adapts only to its size, depth and fish count. */
+static void test_the_bot_plays_in_each_tank(void **state)
 {
     (void)state;
     for (uint8_t preset = 0; preset < TANK_PRESET_COUNT; preset++) {
@@ -322,8 +325,8 @@ static void test_it_plays_in_each_tank(void **state)
     }
 }
 
-/* Each has a bowl and a poi; their eyes are seldom on one fish. */
-static void test_two_bots_seldom_go_for_the_same_fish(void **state)
+/* Each bot has a bowl and a poi. The bots rarely choose the same fish. */
+static void test_two_bots_rarely_target_the_same_fish(void **state)
 {
     (void)state;
     static struct bot other;
@@ -354,22 +357,22 @@ static void test_two_bots_seldom_go_for_the_same_fish(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_the_hand_moves_no_faster_than_an_arm),
-        cmocka_unit_test(test_it_looks_no_oftener_than_a_person),
-        cmocka_unit_test(test_what_it_knows_is_the_past),
-        cmocka_unit_test(test_it_answers_a_vanished_fish_after_its_reaction_time),
-        cmocka_unit_test(test_before_the_start_poi_and_shadow_stay_off_the_water),
-        cmocka_unit_test(test_with_no_fish_to_take_it_only_hovers),
-        cmocka_unit_test(test_its_hand_is_a_place_and_a_direction_whatever_it_sees),
+        cmocka_unit_test(test_the_bot_moves_no_faster_than_an_arm),
+        cmocka_unit_test(test_the_bot_updates_its_vision_no_oftener_than_a_person),
+        cmocka_unit_test(test_the_bot_acts_on_a_delayed_snapshot),
+        cmocka_unit_test(test_the_bot_reacts_to_a_vanished_fish_after_its_reaction_time),
+        cmocka_unit_test(test_poi_and_shadow_stay_off_the_water_before_the_start),
+        cmocka_unit_test(test_the_bot_only_hovers_without_fish),
+        cmocka_unit_test(test_the_bots_pose_is_always_valid),
         cmocka_unit_test(test_a_bots_round_is_the_same_each_time),
-        cmocka_unit_test(test_wet_is_the_share_that_is_wet_before_the_first_scoop),
-        cmocka_unit_test(test_entry_is_the_slant_at_which_it_goes_in),
-        cmocka_unit_test(test_glide_is_the_angle_between_paper_and_way),
-        cmocka_unit_test(test_a_fast_lift_is_fast),
-        cmocka_unit_test(test_who_chases_never_waits),
-        cmocka_unit_test(test_one_paper_survives_many_scoops_in_good_hands),
-        cmocka_unit_test(test_it_plays_in_each_tank),
-        cmocka_unit_test(test_two_bots_seldom_go_for_the_same_fish),
+        cmocka_unit_test(test_wet_sets_the_wet_share_before_the_first_scoop),
+        cmocka_unit_test(test_entry_sets_the_angle_of_entry),
+        cmocka_unit_test(test_glide_sets_the_angle_between_paper_and_path),
+        cmocka_unit_test(test_a_fast_lift_is_faster_than_a_drained_one),
+        cmocka_unit_test(test_a_chasing_bot_never_waits),
+        cmocka_unit_test(test_one_paper_survives_many_careful_scoops),
+        cmocka_unit_test(test_the_bot_plays_in_each_tank),
+        cmocka_unit_test(test_two_bots_rarely_target_the_same_fish),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

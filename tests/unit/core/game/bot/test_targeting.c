@@ -1,4 +1,4 @@
-/* test_targeting.c -- which fish, from which side, by which way. */
+/* test_targeting.c -- checks the choice of the fish, the side and the path. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -9,7 +9,7 @@
 
 #include "core/game/bot/bot.h"
 
-/* A tank with the bowl far away, whole paper, and `count` fish that were seen. */
+/* Returns a snapshot with the bowl far away, whole paper and `count` visible fish. */
 static struct snapshot stall_with(uint32_t count, const struct snapshot_fish *fish)
 {
     struct snapshot snapshot = {
@@ -42,7 +42,7 @@ static uint16_t chosen(const struct technique *technique, struct snapshot_fish a
     return best ? best->fish : SNAPSHOT_NO_FISH;
 }
 
-static void test_a_slanted_entry_is_a_way_along_the_paper_a_flat_one_straight_down(void **state)
+static void test_a_slanted_entry_moves_along_the_paper_and_a_flat_one_down(void **state)
 {
     (void)state;
     const struct snapshot snapshot = stall_with(0, NULL);
@@ -51,7 +51,7 @@ static void test_a_slanted_entry_is_a_way_along_the_paper_a_flat_one_straight_do
     assert_true(
         targeting_approach(&technique, &snapshot, v3(0.0f, -0.03f, 0.0f), 0.05f, 0.0f, &way));
     const vec3 slide = v3_sub(way.stop_m, way.entry_m);
-    const float slope_rad = f_atan2(-slide.y, -slide.z); /* Yaw 0 goes toward -z. */
+    const float slope_rad = f_atan2(-slide.y, -slide.z); /* Yaw 0 points toward -z. */
     assert_true(f_abs(slope_rad - technique.entry_deg * F_DEG) < 0.01f);
     technique.entry_deg = 0.0f;
     assert_true(
@@ -59,7 +59,7 @@ static void test_a_slanted_entry_is_a_way_along_the_paper_a_flat_one_straight_do
     assert_true(f_abs(way.stop_m.z - way.entry_m.z) < 1e-4f && way.stop_m.y < way.entry_m.y);
 }
 
-static void test_the_place_of_the_paper_under_a_fish_is_the_middle_or_the_far_rim(void **state)
+static void test_the_target_point_of_the_paper_is_the_middle_or_the_far_edge(void **state)
 {
     (void)state;
     const struct snapshot snapshot = stall_with(0, NULL);
@@ -73,10 +73,10 @@ static void test_the_place_of_the_paper_under_a_fish_is_the_middle_or_the_far_ri
     assert_true(targeting_approach(&technique, &snapshot, fish_m, 0.07f, 0.0f, &way));
     const float tail_m = way.under_m.z - (fish_m.z - 0.42f * 0.07f);
     assert_true(way.under_m.z > 0.01f);
-    assert_true(tail_m > snapshot.poi.radius_m); /* The tail is off the paper. */
+    assert_true(tail_m > snapshot.poi.radius_m); /* The tail is outside the paper. */
 }
 
-static void test_a_hole_in_the_middle_moves_the_place(void **state)
+static void test_a_hole_in_the_middle_moves_the_target_point(void **state)
 {
     (void)state;
     struct snapshot snapshot = stall_with(0, NULL);
@@ -88,7 +88,7 @@ static void test_a_hole_in_the_middle_moves_the_place(void **state)
     assert_true(f_abs(way.under_m.x + 0.02f) < 1e-4f);
 }
 
-static void test_walls_and_the_own_bowl_leave_no_way(void **state)
+static void test_walls_and_the_own_bowl_block_a_path(void **state)
 {
     (void)state;
     const struct snapshot snapshot = stall_with(0, NULL);
@@ -101,7 +101,7 @@ static void test_walls_and_the_own_bowl_leave_no_way(void **state)
         targeting_approach(&technique_expert, &snapshot, under_bowl_m, 0.04f, 0.35f, &way));
 }
 
-static void test_shallow_slow_gulping_fish_are_taken_first(void **state)
+static void test_shallow_slow_gulping_fish_have_priority(void **state)
 {
     (void)state;
     const struct snapshot_fish plain = fish_at(1, 0.0f, -0.03f, -0.05f);
@@ -119,7 +119,7 @@ static void test_shallow_slow_gulping_fish_are_taken_first(void **state)
     assert_int_equal(chosen(&technique_expert, other, plain), 1);
 }
 
-static void test_another_players_poi_is_kept_away_from(void **state)
+static void test_fish_near_another_players_poi_are_avoided(void **state)
 {
     (void)state;
     const struct snapshot_fish two[] = { fish_at(1, 0.0f, -0.03f, -0.05f),
@@ -135,7 +135,7 @@ static void test_another_players_poi_is_kept_away_from(void **state)
                      2);
 }
 
-static void test_head_first_comes_against_the_nose_and_tail_first_from_behind(void **state)
+static void test_head_first_scoops_come_from_ahead_and_tail_first_from_behind(void **state)
 {
     (void)state;
     struct snapshot_fish fish = fish_at(1, 0.0f, -0.03f, 0.0f);
@@ -144,7 +144,7 @@ static void test_head_first_comes_against_the_nose_and_tail_first_from_behind(vo
     assert_true(f_abs(targeting_yaw(&technique, &fish, 9.0f) - (F_PI - 2.6f)) < 1e-4f);
     assert_true(targeting_yaw(&technique_novice, &fish, 0.2f) == 0.2f);
     technique.side = SIDE_TAIL;
-    assert_true(targeting_yaw(&technique, &fish, 0.2f) == 0.2f); /* No wrist turns so far. */
+    assert_true(targeting_yaw(&technique, &fish, 0.2f) == 0.2f); /* No wrist can turn that far. */
     fish.heading_rad = 0.5f;
     assert_true(targeting_yaw(&technique, &fish, 0.2f) == 0.5f);
 }
@@ -152,13 +152,13 @@ static void test_head_first_comes_against_the_nose_and_tail_first_from_behind(vo
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_slanted_entry_is_a_way_along_the_paper_a_flat_one_straight_down),
-        cmocka_unit_test(test_the_place_of_the_paper_under_a_fish_is_the_middle_or_the_far_rim),
-        cmocka_unit_test(test_a_hole_in_the_middle_moves_the_place),
-        cmocka_unit_test(test_walls_and_the_own_bowl_leave_no_way),
-        cmocka_unit_test(test_shallow_slow_gulping_fish_are_taken_first),
-        cmocka_unit_test(test_another_players_poi_is_kept_away_from),
-        cmocka_unit_test(test_head_first_comes_against_the_nose_and_tail_first_from_behind),
+        cmocka_unit_test(test_a_slanted_entry_moves_along_the_paper_and_a_flat_one_down),
+        cmocka_unit_test(test_the_target_point_of_the_paper_is_the_middle_or_the_far_edge),
+        cmocka_unit_test(test_a_hole_in_the_middle_moves_the_target_point),
+        cmocka_unit_test(test_walls_and_the_own_bowl_block_a_path),
+        cmocka_unit_test(test_shallow_slow_gulping_fish_have_priority),
+        cmocka_unit_test(test_fish_near_another_players_poi_are_avoided),
+        cmocka_unit_test(test_head_first_scoops_come_from_ahead_and_tail_first_from_behind),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

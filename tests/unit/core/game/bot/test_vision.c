@@ -1,4 +1,4 @@
-/* test_vision.c -- the bots' eye tells what the scene shows, all through a round. */
+/* test_vision.c -- checks that the bot's vision equals the scene throughout a round. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -14,7 +14,7 @@
 static struct bot_stall stall;
 static struct scene scene;
 
-/* A festival for two: the second hand rests over the water, and somebody holds a fan. */
+/* Starts a festival for two. The second poi rests over the water, and one player holds a fan. */
 static void begin(uint32_t seed)
 {
     const struct core_config config = { .seed = seed, .players = 2 };
@@ -33,7 +33,7 @@ static void begin(uint32_t seed)
 static void game_is_as_shown(const struct vision *vision)
 {
     const struct vision_game game = vision_game(vision);
-    const vec3 tank_m = vision_tank_m(vision);
+    const vec3 tank_m = vision_game(vision).tank_m;
     SAME(game.tick, scene.tick);
     SAME(game.phase, scene.phase);
     SAME(game.mode, scene.mode);
@@ -44,7 +44,7 @@ static void game_is_as_shown(const struct vision *vision)
 
 static void fish_are_as_shown(const struct vision *vision)
 {
-    assert_int_equal(vision_fish_count(vision), scene.fish_count);
+    assert_int_equal(vision_game(vision).fish_count, scene.fish_count);
     for (uint32_t i = 0; i < scene.fish_count; i++) {
         const struct vision_fish fish = vision_fish(vision, i);
         SAME(fish.position_m, scene.fish[i].position_m);
@@ -78,19 +78,7 @@ static void bowl_is_as_shown(const struct vision *vision, uint32_t index)
     }
 }
 
-static void fan_is_as_shown(const struct vision *vision, uint32_t index)
-{
-    const struct vision_fan fan = vision_fan(vision, index);
-    SAME(fan.present, scene.fan[index].present);
-    if (fan.present) {
-        SAME(fan.x_m, scene.fan[index].x_m);
-        SAME(fan.z_m, scene.fan[index].z_m);
-        SAME(fan.radius_m, scene.fan[index].radius_m);
-        SAME(fan.still_s, scene.fan[index].still_s);
-    }
-}
-
-/* Beyond the ring, where there is no paper, the scene goes on with what is beside it. */
+/* Outside the ring, where there is no paper, the scene repeats the nearest paper inside. */
 static void paper_is_as_shown(const struct vision *vision)
 {
     const struct scene_poi *poi = &scene.poi[vision->player];
@@ -116,12 +104,9 @@ static void all_is_as_shown(uint32_t player)
         poi_is_as_shown(&vision, i);
         bowl_is_as_shown(&vision, i);
     }
-    for (uint32_t i = 0; i < SHADE_MAX; i++) {
-        fan_is_as_shown(&vision, i);
-    }
 }
 
-static void test_through_a_round_each_look_tells_what_the_scene_shows(void **state)
+static void test_vision_equals_the_scene_throughout_a_round(void **state)
 {
     (void)state;
     uint32_t wet = 0, carried = 0, caught = 0;
@@ -142,17 +127,16 @@ static void test_through_a_round_each_look_tells_what_the_scene_shows(void **sta
     assert_true(wet > 0 && carried > 0 && caught > 0);
 }
 
-static void test_there_is_nothing_to_see_beyond_the_last(void **state)
+static void test_vision_reads_nothing_beyond_the_last_element(void **state)
 {
     (void)state;
     const struct core_config config = { .seed = 12 };
     bot_stall_open(&stall, &config, &technique_expert);
     const struct vision vision = bot_stall_sight(&stall),
                         nobodys = { &stall.core.game, &stall.core.world, POI_MAX };
-    expect_assert_failure((void)vision_fish(&vision, vision_fish_count(&vision)));
+    expect_assert_failure((void)vision_fish(&vision, vision_game(&vision).fish_count));
     expect_assert_failure((void)vision_poi(&vision, POI_MAX));
     expect_assert_failure((void)vision_bowl(&vision, POI_MAX));
-    expect_assert_failure((void)vision_fan(&vision, SHADE_MAX));
     expect_assert_failure((void)vision_integrity(&vision, SHEET_CELL_COUNT));
     expect_assert_failure((void)vision_wetness(&vision, SHEET_CELL_COUNT));
     expect_assert_failure((void)vision_integrity(&nobodys, 0));
@@ -162,8 +146,8 @@ static void test_there_is_nothing_to_see_beyond_the_last(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_through_a_round_each_look_tells_what_the_scene_shows),
-        cmocka_unit_test(test_there_is_nothing_to_see_beyond_the_last),
+        cmocka_unit_test(test_vision_equals_the_scene_throughout_a_round),
+        cmocka_unit_test(test_vision_reads_nothing_beyond_the_last_element),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

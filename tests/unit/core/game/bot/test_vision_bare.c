@@ -1,5 +1,5 @@
-/* test_vision_bare.c -- the bots' eye tells nothing beside what the scene shows: in a state of
- * which only that is left, a bot goes the very same way. */
+/* test_vision_bare.c -- checks that the bot's vision uses only what the scene shows. In a state
+ * reduced to the visible members, a bot moves identically. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -8,6 +8,7 @@
 
 #include <cmocka.h>
 
+#include "core/game/game_fields.h"
 #include "core/base/hash.h"
 #include "core/game/bot/bot.h"
 #include "core/game/bot/vision.h"
@@ -15,13 +16,13 @@
 #include "core/tank/behavior/surface_breathing.h"
 #include "tests/unit/support/bot_stall.h"
 
-#define NONSENSE 0x41 /* A float of 12, an int of 10^9, a byte of 65. */
+#define NONSENSE 0x41 /* The byte gives a float of 12, an int of 10^9 and a byte of 65. */
 
 static struct bot_stall stall;
 static struct core bare;
 static struct scene scene, other_scene;
 
-/* A festival for two: the second hand rests over the water, and somebody holds a fan. */
+/* Starts a festival for two. The second poi rests over the water, and one player holds a fan. */
 static void begin(uint32_t seed)
 {
     const struct core_config config = { .seed = seed, .players = 2 };
@@ -33,7 +34,7 @@ static void begin(uint32_t seed)
     bot_stall_begin(&stall);
 }
 
-/* Of a struct, what the scene shows as it is. */
+/* Member of a struct that the scene shows unchanged. */
 struct member {
     size_t offset, size;
 };
@@ -75,13 +76,10 @@ static const struct member fish_parts[] = {
 };
 
 static const struct member poi_parts[] = {
-    MEMBER(poi, position_m),
-    MEMBER(poi, angles),
-    MEMBER(poi, sheet.sag_m),
-    MEMBER(poi, sheet.state),
-    MEMBER(poi, sheet.stress),
-    MEMBER(poi, sheet.paper_cells),
-    MEMBER(poi, sheet.paper_cells_new),
+    MEMBER(poi, position_m),        MEMBER(poi, angles),
+    MEMBER(poi, sheet.radius_m),    MEMBER(poi, sheet.sag_m),
+    MEMBER(poi, sheet.state),       MEMBER(poi, sheet.stress),
+    MEMBER(poi, sheet.paper_cells), MEMBER(poi, sheet.paper_cells_new),
 };
 
 static const struct member bowl_parts[] = {
@@ -102,7 +100,7 @@ static void keep(void *to, const void *from, const struct member *parts, size_t 
 }
 #define KEEP(to, from, parts) keep(to, from, parts, COUNT(parts))
 
-/* Of what it does one sees where it is, and whether it gulps. */
+/* Keeps the visible state of a fish: its position, and whether the fish gulps. */
 static void keep_fish(struct fish *fish, const struct fish *from)
 {
     KEEP(fish, from, fish_parts);
@@ -112,8 +110,8 @@ static void keep_fish(struct fish *fish, const struct fish *from)
     fish->air = gulps ? (uint8_t)AIR_GULPS : fish->air;
 }
 
-/* Who holds it does not show, only that somebody does; water on it shows as a depth, wetness and
- * damage as 255 shades each. */
+/* Keeps the visible state of a poi: that a player controls it, but not which one. Its water is
+ * visible as a depth, and wetness and damage as 255 shades each. */
 static void keep_poi(struct poi *poi, const struct poi *from)
 {
     KEEP(poi, from, poi_parts);
@@ -128,7 +126,7 @@ static void keep_poi(struct poi *poi, const struct poi *from)
     }
 }
 
-/* Its own water and its fish show as one level. */
+/* Keeps the visible state of a bowl: its water and its fish appear as one level. */
 static void keep_bowl(struct bowl *bowl, const struct bowl *from)
 {
     KEEP(bowl, from, bowl_parts);
@@ -151,7 +149,7 @@ static void keep_tank(struct tank *tank, const struct tank *from)
            sizeof from->water.height_m[newest]);
 }
 
-/* All but what is shown becomes nonsense. */
+/* Fills all members that the scene does not show with NONSENSE. */
 static void bare_of(struct core *core, const struct core *from)
 {
     memset(core, NONSENSE, sizeof *core);
@@ -164,7 +162,8 @@ static void bare_of(struct core *core, const struct core *from)
     }
 }
 
-/* Field by field where there is padding; a picture of a bare state may differ in nothing. */
+/* Compares field by field where the struct has padding. The scene of the reduced state must be
+ * identical. */
 #define SAME_SCENE(field) (memcmp(&scene.field, &other_scene.field, sizeof scene.field) == 0)
 
 static int bowls_and_fans_look_the_same(void)
@@ -215,7 +214,7 @@ static int look_the_same(const struct core *core, const struct core *other)
            games_look_the_same();
 }
 
-static void test_a_bare_state_looks_like_the_whole_one(void **state)
+static void test_a_reduced_state_gives_the_same_scene(void **state)
 {
     (void)state;
     begin(8);
@@ -228,7 +227,7 @@ static void test_a_bare_state_looks_like_the_whole_one(void **state)
     }
 }
 
-/* Another value, of the same order: bytes are flags and kinds, words are times and lengths. */
+/* Changes a value by its own magnitude: bytes are flags and kinds, words are times and lengths. */
 static void change(void *of, const struct member *part)
 {
     unsigned char *const at = (unsigned char *)of + part->offset;
@@ -241,7 +240,7 @@ static void change(void *of, const struct member *part)
     }
 }
 
-/* Whether the picture is another one when this one thing of a bare state is. */
+/* Returns whether the scene changes when one member of a reduced state changes. */
 static int shows(void *of, const struct member *part)
 {
     change(of, part);
@@ -259,16 +258,17 @@ static void each_shows(void *of, const struct member *parts, size_t count, uint3
 #define EACH_SHOWS(of, parts, seen) each_shows(of, parts, COUNT(parts), seen)
 #define ALL_OF(parts) ((1u << COUNT(parts)) - 1u)
 
-/* Else the state above would not be as bare as it can be. */
-static void test_all_that_is_kept_of_a_bare_state_can_be_seen(void **state)
+/* Otherwise the reduced state would contain a member that is not needed. */
+static void test_every_kept_member_of_a_reduced_state_changes_the_scene(void **state)
 {
     (void)state;
     static const uint8_t phases[] = { PHASE_ROUND, PHASE_MODE_SELECT };
     uint32_t core = 0, player = 0, fish = 0, poi = 0, bowl = 0, shade = 0;
     begin(8);
-    stall.core.world.tank.fish[3].age_days = 80.0f; /* It still reddens. */
+    stall.core.world.tank.fish[3].age_days = 80.0f; /* The colour of this fish still changes. */
     stall.core.config.modes = 1u << MODE_FESTIVAL | 1u << MODE_PRACTICE;
-    /* A sheet asserts that it has no more cells than when it was new, also after change(). */
+    /* A sheet asserts that it has no more cells than when it was new. change() must not break
+     * this. */
     stall.core.world.poi[0].sheet.paper_cells_new = 0x7f0000u;
     for (size_t i = 0; i < sizeof phases; i++) {
         stall.core.game.phase = phases[i];
@@ -289,7 +289,7 @@ static void test_all_that_is_kept_of_a_bare_state_can_be_seen(void **state)
     assert_int_equal(shade, ALL_OF(shade_parts));
 }
 
-static void test_a_bot_that_sees_a_bare_state_goes_the_very_same_way(void **state)
+static void test_a_bot_moves_identically_with_a_reduced_state(void **state)
 {
     (void)state;
     static struct bot twin;
@@ -301,7 +301,8 @@ static void test_a_bot_that_sees_a_bare_state_goes_the_very_same_way(void **stat
         const struct poi_target blind = bot_tick(&twin, &sight);
         bot_stall_tick(&stall);
         assert_memory_equal(&blind, &stall.input.poi[0].target, sizeof blind);
-        assert_true(bot_hash(HASH_START, &twin) == bot_hash(HASH_START, &stall.bot));
+        assert_true(field_hash(HASH_START, &bot_fields, &twin) ==
+                    field_hash(HASH_START, &bot_fields, &stall.bot));
     }
     assert_true(stall.core.world.poi[0].dips > 0);
 }
@@ -309,9 +310,9 @@ static void test_a_bot_that_sees_a_bare_state_goes_the_very_same_way(void **stat
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_bare_state_looks_like_the_whole_one),
-        cmocka_unit_test(test_all_that_is_kept_of_a_bare_state_can_be_seen),
-        cmocka_unit_test(test_a_bot_that_sees_a_bare_state_goes_the_very_same_way),
+        cmocka_unit_test(test_a_reduced_state_gives_the_same_scene),
+        cmocka_unit_test(test_every_kept_member_of_a_reduced_state_changes_the_scene),
+        cmocka_unit_test(test_a_bot_moves_identically_with_a_reduced_state),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

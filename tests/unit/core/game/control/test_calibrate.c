@@ -1,5 +1,5 @@
-/* test_calibrate.c -- what an operator's word makes of a twin of a poi that sees the tank from a
- * frame of its own: within a millimetre over all of the water, and refused where it is nonsense. */
+/* test_calibrate.c -- checks the calibration of a simulated poi with its own coordinate frame. The
+ * error is at most 1 mm over the whole tank, and invalid marks are rejected. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -10,7 +10,7 @@
 #include <cmocka.h>
 
 #include "core/base/rng.h"
-#include "core/game/control/input_validation.h"
+#include "core/game/control/input_pose.h"
 #include "tests/unit/support/skewed_twin.h"
 
 #define FRAMES 400u
@@ -24,7 +24,7 @@ static float draw(uint32_t frame, uint32_t what, float from, float to)
     return rng_range((struct rng_key){ 11, frame, what, RNG_TEST }, from, to);
 }
 
-/* Turned by any angle, stretched to a third or to three times, skewed, shifted by metres, leant. */
+/* Returns a frame with any rotation, scaled by 1/3 to 3, skewed, shifted by metres and tilted. */
 static struct twin twin_of(uint32_t frame)
 {
     const float turn = draw(frame, 0, -F_PI, F_PI), c = f_cos(turn), s = f_sin(turn);
@@ -46,7 +46,7 @@ static struct calibration_said said_by(const struct twin *twin)
 {
     struct calibration_said said = { .has_wrist = 1 };
     for (uint32_t i = 0; i < CALIBRATE_CORNERS; i++) {
-        said.corner_m[i] = seen_point(twin, calibration_mark(tank_m, i));
+        said.corner_m[i] = seen_point(twin, input_calibration_mark(tank_m, i));
     }
     said.water = seen(twin, (struct poi_target){ 0 });
     return said;
@@ -54,7 +54,7 @@ static struct calibration_said said_by(const struct twin *twin)
 
 /* ---- The map -------------------------------------------------------------------------------- */
 
-static void test_any_frame_is_set_right_within_a_millimetre(void **state)
+static void test_calibration_corrects_any_frame_within_1_mm(void **state)
 {
     (void)state;
     float worst_m = 0.0f, worst_rad = 0.0f;
@@ -63,9 +63,9 @@ static void test_any_frame_is_set_right_within_a_millimetre(void **state)
         const struct calibration_said said = said_by(&twin);
         int32_t value[CALIBRATION_VALUES];
         struct settings settings = { { 0 } };
-        assert_int_equal(calibration_solve(&said, tank_m, value), CALIBRATION_GOOD);
+        assert_int_equal(input_calibration_solve(&said, tank_m, value), CALIBRATION_GOOD);
         for (uint32_t i = 0; i < CALIBRATION_VALUES; i++) {
-            assert_true(settings_allows(calibration_setting(2) + i, value[i]));
+            assert_true(settings_allows(input_calibration_setting(2) + i, value[i]));
         }
         set_values(&settings, 2, value);
         for (uint32_t i = 0; i < 25u; i++) {
@@ -77,7 +77,7 @@ static void test_any_frame_is_set_right_within_a_millimetre(void **state)
             struct poi_input poi = { .link = POI_SOURCE_LIVE,
                                      .has_wrist = 1,
                                      .target = seen(&twin, at) };
-            calibration_apply(&settings, 2, &poi);
+            input_calibration_apply(&settings, 2, &poi);
             worst_m = f_max(worst_m, v3_length(v3_sub(poi.target.position_m, at.position_m)));
             worst_rad = f_max(worst_rad, input_turn(poi.target.angles, at.angles));
         }
@@ -88,9 +88,9 @@ static void test_any_frame_is_set_right_within_a_millimetre(void **state)
     assert_true(worst_rad < WITHIN_RAD);
 }
 
-/* A hand misses each mark by up to 5 mm each way: what it made is off by half as much again at
- * most. */
-static void test_a_hand_that_misses_a_little_is_averaged(void **state)
+/* The hand misses each mark by up to 5 mm on each axis. The error of the result is at most half as
+ * much again. */
+static void test_calibration_averages_small_errors_at_the_marks(void **state)
 {
     (void)state;
     for (uint32_t frame = 0; frame < FRAMES; frame++) {
@@ -101,22 +101,22 @@ static void test_a_hand_that_misses_a_little_is_averaged(void **state)
         for (uint32_t i = 0; i < CALIBRATE_CORNERS; i++) {
             const vec3 off_m = v3(draw(frame, 20u + i, -0.005f, 0.005f), 0.0f,
                                   draw(frame, 30u + i, -0.005f, 0.005f));
-            said.corner_m[i] = seen_point(&twin, v3_add(calibration_mark(tank_m, i), off_m));
+            said.corner_m[i] = seen_point(&twin, v3_add(input_calibration_mark(tank_m, i), off_m));
         }
-        assert_int_equal(calibration_solve(&said, tank_m, value), CALIBRATION_GOOD);
+        assert_int_equal(input_calibration_solve(&said, tank_m, value), CALIBRATION_GOOD);
         set_values(&settings, 0, value);
         for (uint32_t i = 0; i < CALIBRATE_CORNERS; i++) {
-            const vec3 mark_m = calibration_mark(tank_m, i);
+            const vec3 mark_m = input_calibration_mark(tank_m, i);
             struct poi_input poi = { .link = POI_SOURCE_LIVE,
                                      .target.position_m = seen_point(&twin, mark_m) };
-            calibration_apply(&settings, 0, &poi);
+            input_calibration_apply(&settings, 0, &poi);
             const vec3 off_m = v3_sub(poi.target.position_m, mark_m);
             assert_true(f_sqrt(off_m.x * off_m.x + off_m.z * off_m.z) < 0.0107f);
         }
     }
 }
 
-static void test_who_is_not_calibrated_is_believed_to_the_bit(void **state)
+static void test_an_uncalibrated_pose_is_not_changed(void **state)
 {
     (void)state;
     static const struct settings none = { { 0 } };
@@ -126,21 +126,21 @@ static void test_who_is_not_calibrated_is_believed_to_the_bit(void **state)
                              .has_wrist = 1,
                              .target = { { 0.1f, -0.0f, 3e-9f }, { 900.1f, -0.2f, 0.3f } } };
     const struct poi_input before = poi;
-    calibration_apply(&none, 0, &poi);
-    calibration_apply(&other, 0, &poi);
+    input_calibration_apply(&none, 0, &poi);
+    input_calibration_apply(&other, 0, &poi);
     assert_memory_equal(&poi, &before, sizeof poi);
-    poi.target.position_m.x = 0.0f / (poi.target.position_m.y * 0.0f); /* What cannot be read. */
+    poi.target.position_m.x = 0.0f / (poi.target.position_m.y * 0.0f); /* The pose contains NaN. */
     const struct poi_input broken = poi;
-    calibration_apply(&other, 1, &poi);
+    input_calibration_apply(&other, 1, &poi);
     assert_memory_equal(&poi, &broken, sizeof poi);
 }
 
-/* ---- What is refused ------------------------------------------------------------------------ */
+/* ---- Rejected marks ------------------------------------------------------------------------- */
 
 static enum calibration_fault judge(const struct calibration_said *said)
 {
     int32_t value[CALIBRATION_VALUES] = { 7, 7, 7, 7, 7, 7, 7, 7, 7 };
-    const enum calibration_fault fault = calibration_solve(said, tank_m, value);
+    const enum calibration_fault fault = input_calibration_solve(said, tank_m, value);
     for (uint32_t i = 0; i < CALIBRATION_VALUES && fault != CALIBRATION_GOOD; i++) {
         assert_int_equal(value[i], 7);
     }
@@ -154,7 +154,7 @@ static void swap_corners(struct calibration_said *said, uint32_t a, uint32_t b)
     said->corner_m[b] = kept_m;
 }
 
-static void test_nonsense_is_refused_and_named(void **state)
+static void test_invalid_marks_are_rejected_with_a_reason(void **state)
 {
     (void)state;
     for (uint32_t frame = 0; frame < FRAMES; frame++) {
@@ -170,7 +170,7 @@ static void test_nonsense_is_refused_and_named(void **state)
         swap_corners(&said, frame % 2u, frame % 2u + 2u);
         assert_int_equal(judge(&said), CALIBRATION_MIRRORED);
         said = good;
-        for (uint32_t i = 0; i < CALIBRATE_CORNERS; i++) { /* All in a line. */
+        for (uint32_t i = 0; i < CALIBRATE_CORNERS; i++) { /* All marks lie on a line. */
             said.corner_m[i] = v3_scale(v3(1.0f, 0.0f, 0.4f), (float)i);
         }
         assert_int_equal(judge(&said), CALIBRATION_CROSSED);
@@ -179,7 +179,7 @@ static void test_nonsense_is_refused_and_named(void **state)
         assert_int_equal(judge(&said), CALIBRATION_FAR);
         said = good;
         said.corner_m[frame % 4u] =
-            seen_point(&twin, v3_scale(calibration_mark(tank_m, frame % 4u), 0.85f));
+            seen_point(&twin, v3_scale(input_calibration_mark(tank_m, frame % 4u), 0.85f));
         assert_int_equal(judge(&said), CALIBRATION_UNEVEN);
         said = good;
         said.water.angles.roll_rad = frame % 2u ? 0.80f : -0.80f;
@@ -192,10 +192,10 @@ static void test_nonsense_is_refused_and_named(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_any_frame_is_set_right_within_a_millimetre),
-        cmocka_unit_test(test_a_hand_that_misses_a_little_is_averaged),
-        cmocka_unit_test(test_who_is_not_calibrated_is_believed_to_the_bit),
-        cmocka_unit_test(test_nonsense_is_refused_and_named),
+        cmocka_unit_test(test_calibration_corrects_any_frame_within_1_mm),
+        cmocka_unit_test(test_calibration_averages_small_errors_at_the_marks),
+        cmocka_unit_test(test_an_uncalibrated_pose_is_not_changed),
+        cmocka_unit_test(test_invalid_marks_are_rejected_with_a_reason),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

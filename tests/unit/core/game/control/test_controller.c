@@ -1,9 +1,10 @@
-/* test_controller.c -- who has the poi in hand, and how far and how fast a hand goes. */
+/* test_controller.c -- checks which source controls the poi, and the limits of position and
+ * speed. */
 #include "core/game/control/controller.h"
 #include "core/game/phases.h"
-#include "tests/unit/support/game_stand.h"
+#include "tests/unit/support/game_fixture.h"
 
-static void test_the_clock_waits_while_the_poi_is_lost(void **state)
+static void test_the_clock_pauses_while_the_poi_is_lost(void **state)
 {
     (void)state;
     play_into_round();
@@ -20,7 +21,7 @@ static void test_the_clock_waits_while_the_poi_is_lost(void **state)
     assert_float_equal(game_seconds_left(&core.game, core.game.tick), before_s - 1.0f, 0.001f);
 }
 
-static void test_a_round_that_nobody_comes_back_to_ends(void **state)
+static void test_a_round_ends_when_the_controller_stays_lost(void **state)
 {
     (void)state;
     play_into_round();
@@ -31,10 +32,10 @@ static void test_a_round_that_nobody_comes_back_to_ends(void **state)
     assert_int_equal(core.game.phase, PHASE_RESULT);
 }
 
-static void test_a_new_hand_draws_the_poi_over_without_a_jump(void **state)
+static void test_a_new_controller_moves_the_poi_without_a_jump(void **state)
 {
     (void)state;
-    steps(200); /* the bot moves it about */
+    steps(200); /* The bot moves the poi. */
     input.poi[0].link = POI_SOURCE_LIVE;
     input.poi[0].target.position_m = v3(0.20f, 0.08f, 0.10f);
     press(INPUT_START);
@@ -42,14 +43,14 @@ static void test_a_new_hand_draws_the_poi_over_without_a_jump(void **state)
     for (uint32_t i = 0; i < 160; i++) {
         step();
         const vec3 now = core.game.hand_pose[0].position_m;
-        assert_true(v3_length(v3_sub(now, last)) < 0.012f); /* 1.4 m/s at most */
+        assert_true(v3_length(v3_sub(now, last)) < 0.012f); /* The speed is 1.4 m/s at most. */
         last = now;
     }
-    assert_float_equal(last.x, 0.20f, 0.0f); /* then it follows at once */
+    assert_float_equal(last.x, 0.20f, 0.0f); /* The poi then follows without delay. */
     assert_float_equal(last.z, 0.10f, 0.0f);
 }
 
-static void test_nothing_can_be_dipped_before_the_round(void **state)
+static void test_no_poi_enters_the_water_before_the_round(void **state)
 {
     (void)state;
     dip();
@@ -59,7 +60,7 @@ static void test_nothing_can_be_dipped_before_the_round(void **state)
     }
     step();
     float last_m = core.game.hand_pose[0].position_m.y;
-    for (uint32_t i = 0; i < 150u; i++) { /* and then it is led down, not dropped */
+    for (uint32_t i = 0; i < 150u; i++) { /* The poi is then lowered gradually and not dropped. */
         step();
         assert_true(last_m - core.game.hand_pose[0].position_m.y < 0.004f);
         last_m = core.game.hand_pose[0].position_m.y;
@@ -67,7 +68,7 @@ static void test_nothing_can_be_dipped_before_the_round(void **state)
     assert_float_equal(last_m, BELOW_M, 0.0f);
 }
 
-static void test_a_hand_beyond_reach_is_brought_back(void **state)
+static void test_a_pose_beyond_the_reach_is_limited(void **state)
 {
     (void)state;
     play_into_round();
@@ -79,7 +80,7 @@ static void test_a_hand_beyond_reach_is_brought_back(void **state)
     assert_true(hand.z > -core.world.tank.size_m.z);
 }
 
-static void test_any_hand_is_brought_within_reach(void **state)
+static void test_any_pose_is_limited_to_the_reach(void **state)
 {
     (void)state;
     static const float wild[] = { 1e9f, -3e38f, 1.0f / 0.0f, 99.0f, -100.0f, 101.0f, 999.0f, 0.0f };
@@ -87,7 +88,8 @@ static void test_any_hand_is_brought_within_reach(void **state)
     for (size_t i = 0; i < sizeof wild / sizeof wild[0]; i++) {
         input.poi[0].target.position_m = v3(wild[i], wild[(i + 1) % 8], wild[(i + 2) % 8]);
         input.poi[0].target.angles = (struct angles){ wild[i], wild[(i + 3) % 8], -wild[i] };
-        for (uint32_t tick = 0; tick < 400; tick++) { /* past the gentle change of hands */
+        for (uint32_t tick = 0; tick < 400; tick++) { /* The gradual change of the controller is
+                                                         over. */
             core_tick(&core, &input, &output);
         }
         const struct angles hand = core.game.hand_pose[0].angles;
@@ -102,7 +104,7 @@ static void test_any_hand_is_brought_within_reach(void **state)
     assert_float_equal(core.game.hand_pose[0].angles.pitch_rad, 0.5f, 1e-5f);
 }
 
-static void test_a_hand_turns_over_the_short_way_round(void **state)
+static void test_a_pose_turns_the_short_way_round(void **state)
 {
     (void)state;
     input.poi[0].target.angles.yaw_rad = -3.1f;
@@ -116,7 +118,7 @@ static void test_a_hand_turns_over_the_short_way_round(void **state)
     assert_float_equal(core.game.hand_pose[0].angles.yaw_rad, -3.1f, 1e-5f);
 }
 
-static void test_only_a_poi_with_a_bowl_is_there(void **state)
+static void test_only_a_poi_with_a_bowl_is_present(void **state)
 {
     (void)state;
     static struct scene scene;
@@ -132,7 +134,7 @@ static void test_only_a_poi_with_a_bowl_is_there(void **state)
     }
 }
 
-static void test_torn_paper_stays_in_sight_also_of_who_puts_the_poi_away(void **state)
+static void test_torn_paper_stays_visible_after_the_controller_is_removed(void **state)
 {
     (void)state;
     play_into_round();
@@ -142,10 +144,11 @@ static void test_torn_paper_stays_in_sight_also_of_who_puts_the_poi_away(void **
     steps(GAME_GONE_TICKS / 2u);
     assert_int_equal(core.game.phase, PHASE_ROUND);
     steps(2);
-    assert_int_equal(core.game.phase, PHASE_RESULT); /* Nobody is waited for who is out. */
+    assert_int_equal(core.game.phase, PHASE_RESULT); /* The game does not wait for a player who is
+                                                        out. */
 }
 
-static void test_a_hand_that_is_no_number_is_a_lost_hand(void **state)
+static void test_a_nan_pose_is_a_lost_controller(void **state)
 {
     (void)state;
     play_into_round();
@@ -160,16 +163,16 @@ int main(void)
 {
 #define TEST(name) cmocka_unit_test_setup(name, setup)
     const struct CMUnitTest tests[] = {
-        TEST(test_the_clock_waits_while_the_poi_is_lost),
-        TEST(test_a_round_that_nobody_comes_back_to_ends),
-        TEST(test_a_new_hand_draws_the_poi_over_without_a_jump),
-        TEST(test_nothing_can_be_dipped_before_the_round),
-        TEST(test_a_hand_beyond_reach_is_brought_back),
-        TEST(test_any_hand_is_brought_within_reach),
-        TEST(test_a_hand_turns_over_the_short_way_round),
-        TEST(test_only_a_poi_with_a_bowl_is_there),
-        TEST(test_torn_paper_stays_in_sight_also_of_who_puts_the_poi_away),
-        TEST(test_a_hand_that_is_no_number_is_a_lost_hand),
+        TEST(test_the_clock_pauses_while_the_poi_is_lost),
+        TEST(test_a_round_ends_when_the_controller_stays_lost),
+        TEST(test_a_new_controller_moves_the_poi_without_a_jump),
+        TEST(test_no_poi_enters_the_water_before_the_round),
+        TEST(test_a_pose_beyond_the_reach_is_limited),
+        TEST(test_any_pose_is_limited_to_the_reach),
+        TEST(test_a_pose_turns_the_short_way_round),
+        TEST(test_only_a_poi_with_a_bowl_is_present),
+        TEST(test_torn_paper_stays_visible_after_the_controller_is_removed),
+        TEST(test_a_nan_pose_is_a_lost_controller),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

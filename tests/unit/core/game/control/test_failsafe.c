@@ -1,10 +1,10 @@
-/* test_failsafe.c -- the ways of a poi that nobody leads: by themselves too slow to tear wet paper
- * of the weakest grade, spared or not. */
-#include "tests/unit/support/poi_stand.h"
+/* test_failsafe.c -- checks that the failsafe motions of a poi are too slow to tear wet paper of
+ * the weakest grade, with and without immunity. */
+#include "tests/unit/support/poi_fixture.h"
 
 #include "core/game/control/controller.h"
 
-static struct stand stand;
+static struct poi_fixture fixture;
 
 static void soak_half(struct sheet *sheet)
 {
@@ -15,38 +15,38 @@ static void soak_half(struct sheet *sheet)
     sheet->soaked = 0;
 }
 
-/* At rest at `at_m`, turned, its paper half wet: the worst there is. */
+/* Starts at rest at `at_m` with an angle and with half-wet paper, which is the worst case. */
 static void begin(vec3 at_m, struct angles angles)
 {
-    stand_init(&stand, SHEET_GRADE_MAX, 9);
-    stand.has_wrist = 1;
-    stand.hand = (struct poi_target){ .position_m = at_m, .angles = angles };
-    poi_init(&stand.poi, SHEET_GRADE_MAX, at_m, 9);
-    stand.poi.angles = angles;
-    stand_wait(&stand, 0.5f);
-    sheet_init(&stand.poi.sheet, SHEET_GRADE_MAX, POI_RADIUS_M, 9);
-    soak_half(&stand.poi.sheet);
+    fixture_init(&fixture, SHEET_GRADE_MAX, 9);
+    fixture.has_wrist = 1;
+    fixture.hand = (struct poi_target){ .position_m = at_m, .angles = angles };
+    poi_init(&fixture.poi, SHEET_GRADE_MAX, at_m, 9);
+    fixture.poi.angles = angles;
+    fixture_wait(&fixture, 0.5f);
+    sheet_init(&fixture.poi.sheet, SHEET_GRADE_MAX, POI_RADIUS_M, 9);
+    soak_half(&fixture.poi.sheet);
 }
 
 static float damage_max(void)
 {
     float most = 0.0f;
     for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
-        most = f_max(most, stand.poi.sheet.damage[cell]);
+        most = f_max(most, fixture.poi.sheet.damage[cell]);
     }
     return most;
 }
 
 static void drift(uint32_t ticks)
 {
-    stand.hand = failsafe_begin(&stand.poi, stand.hand);
+    fixture.hand = controller_failsafe_begin(&fixture.poi, fixture.hand);
     for (uint32_t i = 0; i < ticks; i++) {
-        stand.hand = failsafe_withdraw(&stand.poi, stand.hand);
-        stand_tick(&stand);
+        fixture.hand = controller_failsafe_withdraw(&fixture.poi, fixture.hand);
+        fixture_tick(&fixture);
     }
 }
 
-static void test_from_any_depth_and_tilt_it_leaves_the_water_whole(void **state)
+static void test_a_poi_leaves_the_water_undamaged_from_any_depth_and_tilt(void **state)
 {
     (void)state;
     float worst = 0.0f;
@@ -56,16 +56,16 @@ static void test_from_any_depth_and_tilt_it_leaves_the_water_whole(void **state)
         const float z_m = -0.2f + 0.2f * (float)(i / 15u);
         begin(v3(0.05f, -depth_m, z_m), (struct angles){ 0.0f, pitch_rad, 0.0f });
         drift(480);
-        assert_true(stand.poi.immersed <= 0.0f);
-        assert_float_equal(stand.poi.position_m.y, FAILSAFE_HOVER_M, 0.005f);
-        assert_int_equal(stand.poi.sheet.paper_cells, stand.poi.sheet.paper_cells_new);
+        assert_true(fixture.poi.immersed <= 0.0f);
+        assert_float_equal(fixture.poi.position_m.y, FAILSAFE_HOVER_M, 0.005f);
+        assert_int_equal(fixture.poi.sheet.paper_cells, fixture.poi.sheet.paper_cells_new);
         worst = f_max(worst, damage_max());
     }
     print_message("worst damage of a cell on the way out: %.1e of 1\n", (double)worst);
     assert_true(worst < 0.1f);
 }
 
-static void test_it_goes_back_into_the_deep_whole(void **state)
+static void test_a_poi_returns_into_the_water_undamaged(void **state)
 {
     (void)state;
     float worst = 0.0f;
@@ -77,76 +77,77 @@ static void test_it_goes_back_into_the_deep_whole(void **state)
         uint32_t ticks = 1;
         begin(v3(0.0f, FAILSAFE_HOVER_M, 0.0f), (struct angles){ 0.0f, 0.0f, 0.0f });
         do {
-            stand.hand = failsafe_return(stand.hand, wanted, ticks);
-            stand_tick(&stand);
+            fixture.hand = controller_failsafe_return(fixture.hand, wanted, ticks);
+            fixture_tick(&fixture);
             ticks++;
             assert_true(ticks < 600);
-        } while (!failsafe_is_returned(stand.hand, wanted, ticks));
+        } while (!controller_failsafe_is_returned(fixture.hand, wanted, ticks));
         assert_true(ticks >= FAILSAFE_RETURN_TICKS_MIN);
-        stand.hand = wanted;
-        stand_wait(&stand, 0.5f);
-        assert_int_equal(stand.poi.sheet.paper_cells, stand.poi.sheet.paper_cells_new);
+        fixture.hand = wanted;
+        fixture_wait(&fixture, 0.5f);
+        assert_int_equal(fixture.poi.sheet.paper_cells, fixture.poi.sheet.paper_cells_new);
         worst = f_max(worst, damage_max());
     }
     print_message("worst damage of a cell on the way back: %.1e of 1\n", (double)worst);
     assert_true(worst < 0.1f);
 }
 
-static void test_a_hand_in_motion_is_caught(void **state)
+static void test_a_poi_catches_up_with_a_moving_controller(void **state)
 {
     (void)state;
     struct poi_target hand = { .position_m = v3(0.0f, FAILSAFE_HOVER_M, 0.0f) };
     struct poi_target wanted = { .position_m = v3(0.2f, -0.05f, 0.0f) };
     uint32_t ticks = 1;
-    for (; !failsafe_is_returned(hand, wanted, ticks); ticks++) {
-        wanted.position_m.x += 0.5f * CORE_TICK_S; /* Faster than it sets off. */
-        hand = failsafe_return(hand, wanted, ticks);
+    for (; !controller_failsafe_is_returned(hand, wanted, ticks); ticks++) {
+        wanted.position_m.x += 0.5f * CORE_TICK_S; /* The speed exceeds that of the poi's start. */
+        hand = controller_failsafe_return(hand, wanted, ticks);
         assert_true(ticks < 6u * CORE_TICK_HZ);
     }
     print_message("caught after %u ticks\n", ticks);
 }
 
-static void test_turns_go_the_short_way_round(void **state)
+static void test_turns_take_the_short_way_round(void **state)
 {
     (void)state;
     struct poi_target hand = { .angles = { 3.0f, 0.0f, 0.0f } };
     const struct poi_target wanted = { .angles = { -3.0f, 0.0f, 0.0f } };
-    for (uint32_t ticks = 1; !failsafe_is_returned(hand, wanted, ticks); ticks++) {
-        hand = failsafe_return(hand, wanted, ticks);
+    for (uint32_t ticks = 1; !controller_failsafe_is_returned(hand, wanted, ticks); ticks++) {
+        hand = controller_failsafe_return(hand, wanted, ticks);
         assert_true(f_abs(hand.angles.yaw_rad) > 2.9f);
     }
 }
 
-/* What moved at the loss glides to rest: less than a fish on level paper would slide by. */
-static void test_a_hand_that_is_lost_in_motion_comes_to_rest_softly(void **state)
+/* A moving poi decelerates to rest after the loss. The deceleration is too small to make a fish on
+ * level paper slide. */
+static void test_a_poi_lost_in_motion_comes_to_rest_softly(void **state)
 {
     (void)state;
     begin(v3(-0.3f, 0.08f, 0.0f), (struct angles){ 0.0f, 0.0f, 0.0f });
-    stand_move(&stand, v3(0.0f, 0.08f, 0.0f), 0.6f);
-    vec3 before_m_s = stand.poi.velocity_m_s;
+    fixture_move(&fixture, v3(0.0f, 0.08f, 0.0f), 0.6f);
+    vec3 before_m_s = fixture.poi.velocity_m_s;
     assert_true(v3_length(before_m_s) > 0.5f);
-    stand.hand = failsafe_begin(&stand.poi, stand.hand);
+    fixture.hand = controller_failsafe_begin(&fixture.poi, fixture.hand);
     float hardest_m_s2 = 0.0f;
     for (uint32_t i = 0; i < 120; i++) {
-        stand.hand = failsafe_withdraw(&stand.poi, stand.hand);
-        stand_tick(&stand);
-        const vec3 gain_m_s = v3_sub(stand.poi.velocity_m_s, before_m_s);
+        fixture.hand = controller_failsafe_withdraw(&fixture.poi, fixture.hand);
+        fixture_tick(&fixture);
+        const vec3 gain_m_s = v3_sub(fixture.poi.velocity_m_s, before_m_s);
         hardest_m_s2 = f_max(hardest_m_s2, v3_length(gain_m_s) * (float)CORE_TICK_HZ);
-        before_m_s = stand.poi.velocity_m_s;
+        before_m_s = fixture.poi.velocity_m_s;
     }
     print_message("hardest braking %.1f m/s2\n", (double)hardest_m_s2);
-    assert_true(v3_length(stand.poi.velocity_m_s) < 0.01f);
+    assert_true(v3_length(fixture.poi.velocity_m_s) < 0.01f);
     assert_true(hardest_m_s2 < 12.0f);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_from_any_depth_and_tilt_it_leaves_the_water_whole),
-        cmocka_unit_test(test_it_goes_back_into_the_deep_whole),
-        cmocka_unit_test(test_a_hand_in_motion_is_caught),
-        cmocka_unit_test(test_turns_go_the_short_way_round),
-        cmocka_unit_test(test_a_hand_that_is_lost_in_motion_comes_to_rest_softly),
+        cmocka_unit_test(test_a_poi_leaves_the_water_undamaged_from_any_depth_and_tilt),
+        cmocka_unit_test(test_a_poi_returns_into_the_water_undamaged),
+        cmocka_unit_test(test_a_poi_catches_up_with_a_moving_controller),
+        cmocka_unit_test(test_turns_take_the_short_way_round),
+        cmocka_unit_test(test_a_poi_lost_in_motion_comes_to_rest_softly),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

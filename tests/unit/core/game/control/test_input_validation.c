@@ -1,4 +1,5 @@
-/* test_input_validation.c -- which hands are believed, each limit on both sides. */
+/* test_input_validation.c -- checks which controller poses are valid, on both sides of each
+ * limit. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -10,7 +11,7 @@
 
 #include "core/base/hash.h"
 #include "core/base/rng.h"
-#include "core/game/control/input_validation.h"
+#include "core/game/control/input_pose.h"
 
 static struct input_validation validation;
 static struct poi_input hand;
@@ -36,7 +37,8 @@ static void expect_for(uint32_t ticks, enum input_status verdict)
     }
 }
 
-/* Lost now; then a quarter of a second of what agrees brings it back, and not a tick less. */
+/* Checks that the input is lost now and valid again after exactly a quarter of a second of
+ * consistent poses. */
 static void expect_lost_and_found(void)
 {
     assert_int_equal(validation.verdict, INPUT_LOST);
@@ -45,13 +47,13 @@ static void expect_lost_and_found(void)
     expect_for(50, INPUT_VALID);
 }
 
-static void test_a_fresh_hand_is_believed_at_once(void **state)
+static void test_a_new_controller_is_valid_immediately(void **state)
 {
     (void)state;
     expect_for(500, INPUT_VALID);
 }
 
-static void test_no_controller_and_the_bot_are_not_judged(void **state)
+static void test_an_absent_controller_and_the_bot_are_not_validated(void **state)
 {
     (void)state;
     hand.target.position_m.x = NAN;
@@ -61,7 +63,7 @@ static void test_no_controller_and_the_bot_are_not_judged(void **state)
     expect_for(5, INPUT_ABSENT);
 }
 
-static void test_a_link_that_went_is_lost_until_it_has_been_back_for_a_while(void **state)
+static void test_a_restored_link_is_lost_until_it_was_valid_for_a_while(void **state)
 {
     (void)state;
     expect_for(10, INPUT_VALID);
@@ -83,7 +85,7 @@ static float *field(uint32_t index)
     return fields[index];
 }
 
-static void test_a_number_that_is_none_or_absurd_in_any_field_loses_the_hand(void **state)
+static void test_a_nan_or_absurd_value_in_any_field_invalidates_the_input(void **state)
 {
     const float bad[] = { NAN, -NAN, INFINITY, -INFINITY, 3.4e38f, -3.4e38f, 1001.0f };
     for (uint32_t i = 0; i < 6; i++) {
@@ -113,9 +115,9 @@ static void test_one_bad_report_costs_a_quarter_of_a_second(void **state)
     assert_int_equal(lost, INPUT_AGREE_TICKS);
 }
 
-/* ---- Leaps ---------------------------------------------------------------------------------- */
+/* ---- Jumps ---------------------------------------------------------------------------------- */
 
-static void test_a_metres_jump_loses_the_hand_and_it_is_found_where_it_stays(void **state)
+static void test_a_jump_of_1_m_invalidates_the_input_until_it_stays(void **state)
 {
     (void)state;
     expect_for(10, INPUT_VALID);
@@ -124,8 +126,8 @@ static void test_a_metres_jump_loses_the_hand_and_it_is_found_where_it_stays(voi
     expect_lost_and_found();
 }
 
-/* The frame loop spreads a frame's way over its two ticks. */
-static void test_a_jump_that_a_frame_spreads_over_two_ticks_is_one_too(void **state)
+/* The frame loop spreads the motion of a frame over its two ticks. */
+static void test_a_jump_spread_over_two_ticks_invalidates_the_input(void **state)
 {
     (void)state;
     expect_for(10, INPUT_VALID);
@@ -136,8 +138,8 @@ static void test_a_jump_that_a_frame_spreads_over_two_ticks_is_one_too(void **st
     expect_lost_and_found();
 }
 
-/* It leaves the window at one side and comes back at the other. */
-static void test_a_pointer_may_leap(void **state)
+/* The pointer leaves the window at one side and enters at the opposite side. */
+static void test_a_pointer_may_jump(void **state)
 {
     (void)state;
     hand.has_wrist = 0;
@@ -147,7 +149,7 @@ static void test_a_pointer_may_leap(void **state)
     }
 }
 
-static void test_a_missed_report_is_believed_and_a_hands_breadth_is_not(void **state)
+static void test_a_missed_report_is_valid_and_a_larger_jump_is_not(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < 40; i++) {
@@ -158,8 +160,8 @@ static void test_a_missed_report_is_believed_and_a_hands_breadth_is_not(void **s
     assert_int_equal(tick(), INPUT_LOST);
 }
 
-/* Metres a tick, and whether a hand that goes so for half a second is believed. */
-static int believed_at(float pace_m_s)
+/* Returns whether an input with a speed of `pace_m_s` is valid for half a second. */
+static int is_valid_at(float pace_m_s)
 {
     int believed = 1;
     set_up(NULL);
@@ -170,8 +172,8 @@ static int believed_at(float pace_m_s)
     return believed;
 }
 
-/* 60 reports a second meet 60 frames a second: one frame hears none, the next hears two. */
-static int believed_unevenly_at(float pace_m_s)
+/* With 60 reports and 60 frames a second, one frame may get no report and the next frame two. */
+static int is_valid_with_uneven_reports(float pace_m_s)
 {
     int believed = 1;
     set_up(NULL);
@@ -184,16 +186,16 @@ static int believed_unevenly_at(float pace_m_s)
     return believed;
 }
 
-static void test_an_arm_is_believed_at_four_metres_a_second_and_not_at_six(void **state)
+static void test_a_speed_of_4_m_s_is_valid_and_6_m_s_is_not(void **state)
 {
     (void)state;
-    assert_true(believed_at(3.9f));
-    assert_true(believed_unevenly_at(3.0f));
-    assert_true(believed_at(-3.9f));
-    assert_false(believed_at(6.0f));
+    assert_true(is_valid_at(3.9f));
+    assert_true(is_valid_with_uneven_reports(3.0f));
+    assert_true(is_valid_at(-3.9f));
+    assert_false(is_valid_at(6.0f));
 }
 
-static void test_a_quick_turn_is_believed_and_a_flip_is_not(void **state)
+static void test_a_fast_turn_is_valid_and_a_flip_is_not(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < 60; i++) {
@@ -202,14 +204,14 @@ static void test_a_quick_turn_is_believed_and_a_flip_is_not(void **state)
     }
     hand.target.angles.roll_rad += 0.55f;
     expect_for(5, INPUT_VALID);
-    hand.target.angles.roll_rad += 0.70f; /* 40 degrees. */
+    hand.target.angles.roll_rad += 0.70f; /* The turn has 40 degrees. */
     assert_int_equal(tick(), INPUT_LOST);
     expect_lost_and_found();
-    hand.target.angles.roll_rad += 20.0f * F_TAU; /* The same direction. */
+    hand.target.angles.roll_rad += 20.0f * F_TAU; /* The direction is the same after full turns. */
     assert_int_equal(tick(), INPUT_VALID);
 }
 
-static void test_a_hand_that_leaps_again_and_again_is_never_believed(void **state)
+static void test_a_pose_that_keeps_jumping_stays_invalid(void **state)
 {
     (void)state;
     expect_for(10, INPUT_VALID);
@@ -221,7 +223,7 @@ static void test_a_hand_that_leaps_again_and_again_is_never_believed(void **stat
 
 /* ---- Freezing and silence ------------------------------------------------------------------- */
 
-static void test_a_hand_is_silent_after_half_a_second(void **state)
+static void test_an_input_without_reports_is_lost_after_half_a_second(void **state)
 {
     (void)state;
     for (hand.age_ticks = 0; hand.age_ticks <= INPUT_SILENT_TICKS; hand.age_ticks++) {
@@ -235,7 +237,7 @@ static void test_a_hand_is_silent_after_half_a_second(void **state)
     assert_int_equal(tick(), INPUT_LOST);
 }
 
-static void test_a_trembling_sensor_that_says_the_same_for_a_second_is_frozen(void **state)
+static void test_a_noisy_sensor_with_the_same_value_for_a_second_is_frozen(void **state)
 {
     (void)state;
     hand.trembles = 1;
@@ -249,7 +251,7 @@ static void test_a_trembling_sensor_that_says_the_same_for_a_second_is_frozen(vo
     assert_int_equal(tick(), INPUT_VALID);
 }
 
-static void test_a_trembling_sensor_that_trembles_in_its_last_bit_lives(void **state)
+static void test_a_noisy_sensor_with_noise_in_its_last_bit_is_not_frozen(void **state)
 {
     (void)state;
     hand.trembles = 1;
@@ -259,7 +261,7 @@ static void test_a_trembling_sensor_that_trembles_in_its_last_bit_lives(void **s
     }
 }
 
-static void test_a_pointer_may_rest_for_hours(void **state)
+static void test_a_resting_pointer_stays_valid_for_hours(void **state)
 {
     (void)state;
     hand.has_wrist = 0;
@@ -277,19 +279,34 @@ static void silence(uint32_t ticks)
     hand.age_ticks = 0;
 }
 
-static void test_a_hand_that_went_on_while_it_was_late_is_believed(void **state)
+/* A kiosk that was delayed passes on only the newest pose, with a flag. */
+static void test_motion_that_the_kiosk_did_not_observe_is_followed_slowly(void **state)
+{
+    (void)state;
+    expect_for(10, INPUT_VALID);
+    hand.target.position_m.x += 1.2f;
+    hand.has_gap = 1;
+    assert_int_equal(tick(), INPUT_VALID);
+    assert_true(input_validation_blend(&validation) < 0.05f);
+    hand.has_gap = 0;
+    expect_for(20, INPUT_VALID);
+    hand.target.position_m.x += 1.2f; /* Without the flag, the speed exceeds that of an arm. */
+    assert_int_equal(tick(), INPUT_LOST);
+}
+
+static void test_motion_during_late_reports_is_valid(void **state)
 {
     (void)state;
     expect_for(10, INPUT_VALID);
     silence(50);
-    hand.target.position_m.x += 0.6f; /* In two ticks, as a frame spreads it. */
+    hand.target.position_m.x += 0.6f; /* The motion is spread over two ticks, as in a frame. */
     assert_int_equal(tick(), INPUT_VALID);
     hand.target.position_m.x += 0.6f;
     expect_for(20, INPUT_VALID);
 }
 
-/* So that the poi goes it at the pace of the hand. */
-static void test_the_way_of_a_late_hand_is_gone_in_three_quarters_of_its_time(void **state)
+/* The poi then follows the motion at the speed of the hand. */
+static void test_missed_motion_is_followed_in_three_quarters_of_its_time(void **state)
 {
     for (uint32_t period = 1; period <= INPUT_SILENT_TICKS; period += period < 13 ? 1u : 7u) {
         float said_m = 0.0f, poi_m = 0.0f;
@@ -311,7 +328,7 @@ static void test_the_way_of_a_late_hand_is_gone_in_three_quarters_of_its_time(vo
     }
 }
 
-static void test_who_was_silent_for_too_long_is_not_late_but_lost(void **state)
+static void test_a_long_silence_counts_as_lost_and_not_as_late(void **state)
 {
     (void)state;
     expect_for(10, INPUT_VALID);
@@ -322,17 +339,17 @@ static void test_who_was_silent_for_too_long_is_not_late_but_lost(void **state)
     assert_true(input_validation_blend(&validation) == 1.0f);
 }
 
-static void test_a_late_hand_that_went_farther_than_an_arm_is_lost(void **state)
+static void test_missed_motion_beyond_the_reach_of_an_arm_invalidates_the_input(void **state)
 {
     (void)state;
     expect_for(10, INPUT_VALID);
-    silence(30); /* A quarter of a second: a metre at most. */
+    silence(30); /* A quarter of a second permits at most 1 m. */
     hand.target.position_m.x += 1.5f;
     tick();
     expect_lost_and_found();
 }
 
-static void test_what_a_late_hand_might_have_gone_is_no_credit_for_later(void **state)
+static void test_unused_motion_of_a_late_report_does_not_raise_a_later_limit(void **state)
 {
     (void)state;
     hand.has_wrist = 1;
@@ -343,9 +360,9 @@ static void test_what_a_late_hand_might_have_gone_is_no_credit_for_later(void **
     assert_int_equal(tick(), INPUT_LOST);
 }
 
-/* ---- Any bits ------------------------------------------------------------------------------- */
+/* ---- Random bits ---------------------------------------------------------------------------- */
 
-static void test_any_bits_give_a_verdict_and_what_is_believed_is_readable(void **state)
+static void test_random_bits_give_a_status_and_valid_poses_are_finite(void **state)
 {
     (void)state;
     uint32_t seen[3] = { 0 };
@@ -354,7 +371,8 @@ static void test_any_bits_give_a_verdict_and_what_is_believed_is_readable(void *
         for (uint32_t k = 0; k < 8; k++) {
             words[k] = rng_u32((struct rng_key){ 3, i / 40u, k, RNG_TEST });
         }
-        if (i % 40u == 0 || words[0] % 5u == 0) { /* Held for a while, else nothing is believed. */
+        if (i % 40u == 0 || words[0] % 5u == 0) { /* The bits are held for a while, because
+                                                     otherwise no input would become valid. */
             memcpy(&hand.target, words, sizeof hand.target);
             float *one = field(words[7] % 6u);
             *one = words[6] % 3u ? 0.1f : *one;
@@ -385,28 +403,29 @@ static void test_any_bits_give_a_verdict_and_what_is_believed_is_readable(void *
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        TEST(test_a_fresh_hand_is_believed_at_once),
-        TEST(test_no_controller_and_the_bot_are_not_judged),
-        TEST(test_a_link_that_went_is_lost_until_it_has_been_back_for_a_while),
-        TEST(test_a_number_that_is_none_or_absurd_in_any_field_loses_the_hand),
+        TEST(test_a_new_controller_is_valid_immediately),
+        TEST(test_an_absent_controller_and_the_bot_are_not_validated),
+        TEST(test_a_restored_link_is_lost_until_it_was_valid_for_a_while),
+        TEST(test_a_nan_or_absurd_value_in_any_field_invalidates_the_input),
         TEST(test_one_bad_report_costs_a_quarter_of_a_second),
-        TEST(test_a_metres_jump_loses_the_hand_and_it_is_found_where_it_stays),
-        TEST(test_a_jump_that_a_frame_spreads_over_two_ticks_is_one_too),
-        TEST(test_a_pointer_may_leap),
-        TEST(test_a_missed_report_is_believed_and_a_hands_breadth_is_not),
-        TEST(test_an_arm_is_believed_at_four_metres_a_second_and_not_at_six),
-        TEST(test_a_quick_turn_is_believed_and_a_flip_is_not),
-        TEST(test_a_hand_that_leaps_again_and_again_is_never_believed),
-        TEST(test_a_hand_is_silent_after_half_a_second),
-        TEST(test_a_trembling_sensor_that_says_the_same_for_a_second_is_frozen),
-        TEST(test_a_trembling_sensor_that_trembles_in_its_last_bit_lives),
-        TEST(test_a_pointer_may_rest_for_hours),
-        TEST(test_a_hand_that_went_on_while_it_was_late_is_believed),
-        TEST(test_the_way_of_a_late_hand_is_gone_in_three_quarters_of_its_time),
-        TEST(test_who_was_silent_for_too_long_is_not_late_but_lost),
-        TEST(test_a_late_hand_that_went_farther_than_an_arm_is_lost),
-        TEST(test_what_a_late_hand_might_have_gone_is_no_credit_for_later),
-        TEST(test_any_bits_give_a_verdict_and_what_is_believed_is_readable),
+        TEST(test_a_jump_of_1_m_invalidates_the_input_until_it_stays),
+        TEST(test_a_jump_spread_over_two_ticks_invalidates_the_input),
+        TEST(test_a_pointer_may_jump),
+        TEST(test_a_missed_report_is_valid_and_a_larger_jump_is_not),
+        TEST(test_a_speed_of_4_m_s_is_valid_and_6_m_s_is_not),
+        TEST(test_a_fast_turn_is_valid_and_a_flip_is_not),
+        TEST(test_a_pose_that_keeps_jumping_stays_invalid),
+        TEST(test_an_input_without_reports_is_lost_after_half_a_second),
+        TEST(test_a_noisy_sensor_with_the_same_value_for_a_second_is_frozen),
+        TEST(test_a_noisy_sensor_with_noise_in_its_last_bit_is_not_frozen),
+        TEST(test_a_resting_pointer_stays_valid_for_hours),
+        TEST(test_motion_that_the_kiosk_did_not_observe_is_followed_slowly),
+        TEST(test_motion_during_late_reports_is_valid),
+        TEST(test_missed_motion_is_followed_in_three_quarters_of_its_time),
+        TEST(test_a_long_silence_counts_as_lost_and_not_as_late),
+        TEST(test_missed_motion_beyond_the_reach_of_an_arm_invalidates_the_input),
+        TEST(test_unused_motion_of_a_late_report_does_not_raise_a_later_limit),
+        TEST(test_random_bits_give_a_status_and_valid_poses_are_finite),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

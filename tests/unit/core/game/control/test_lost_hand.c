@@ -1,8 +1,8 @@
-/* test_lost_hand.c -- a controller breaks in the middle of a scoop: what it does costs nobody's
- * paper, and the round waits.
+/* test_lost_hand.c -- checks that a controller fault in the middle of a scoop tears no paper and
+ * pauses the round.
  *
- * A true round in the festival tank with the weakest paper, deep in the water or with a fish on it,
- * dry, wet and half wet; each way to break; a sensor that trembles and a pointer. */
+ * The round uses the festival tank and the weakest paper: deep in the water or with a fish, dry,
+ * wet and half wet, each kind of fault, with a noisy sensor and a pointer. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -46,10 +46,10 @@ struct scene_of {
 static struct core core;
 static struct input input;
 static struct output output;
-static vec3 hand_m;    /* Where the person's hand truly is, ... */
-static float roll_rad; /* ... and how it is turned. */
+static vec3 hand_m;    /* True position of the person's hand. */
+static float roll_rad; /* True roll of the person's hand. */
 static enum device device;
-static uint32_t still_ticks; /* In which the round's clock stood. */
+static uint32_t still_ticks; /* Number of ticks in which the round's clock was paused. */
 
 /* ---- A person ------------------------------------------------------------------------------- */
 
@@ -58,8 +58,8 @@ static float tremble(uint32_t what)
     return rng_range((struct rng_key){ 11, core.game.tick, what, RNG_TEST }, -5e-5f, 5e-5f);
 }
 
-/* What the controller would say, were it whole: a hand that stirs a little, as hands do. */
-static void say_truth(void)
+/* Reports the pose of a working controller: a hand that moves a little. */
+static void report_true_pose(void)
 {
     const float sway_m_s = core.game.tick / 240u % 2u ? 0.04f : -0.04f;
     hand_m.z += sway_m_s * CORE_TICK_S;
@@ -95,7 +95,7 @@ static void move_to(vec3 goal_m, float pace_m_s)
     while (v3_length(v3_sub(goal_m, hand_m)) > 1e-3f) {
         const vec3 way_m = v3_sub(goal_m, hand_m);
         hand_m = v3_add(hand_m, v3_limit(way_m, pace_m_s * CORE_TICK_S));
-        say_truth();
+        report_true_pose();
         run_tick();
     }
 }
@@ -103,7 +103,7 @@ static void move_to(vec3 goal_m, float pace_m_s)
 static void wait(uint32_t ticks)
 {
     for (uint32_t i = 0; i < ticks; i++) {
-        say_truth();
+        report_true_pose();
         run_tick();
     }
 }
@@ -119,7 +119,7 @@ static void soak(struct sheet *sheet, enum wetness wetness)
     sheet->soaked = wetness == WET;
 }
 
-/* A fish that hangs over the ring while it comes up through the surface lies on it afterwards. */
+/* Lifts the ring under a fish, which lies on the ring afterwards. */
 static void take_a_fish(void)
 {
     struct fish *fish = &core.world.tank.fish[0];
@@ -158,19 +158,19 @@ static void begin(const struct scene_of *of)
     soak(&core.world.poi[0].sheet, of->wetness);
 }
 
-/* ---- What breaks ---------------------------------------------------------------------------- */
+/* ---- Faults --------------------------------------------------------------------------------- */
 
-/* The controller's report `tick` ticks after it broke; 0 once it is whole again. */
-static int say_nonsense(enum fault fault, uint32_t tick)
+/* Sets the controller's report `tick` ticks after the fault began. Returns 0 after the fault. */
+static int report_fault(enum fault fault, uint32_t tick)
 {
     struct poi_input *poi = &input.poi[0];
     const uint16_t age = (uint16_t)(tick + 1u);
     const struct poi_input before = *poi;
-    say_truth();
+    report_true_pose();
     switch (fault) {
-    case JUMP: /* And stays: the hand is a metre away from now on. */
+    case JUMP: /* The jump is permanent: the hand stays 1 m away. */
         hand_m.x += tick == 0 ? (hand_m.x > 0.0f ? -1.0f : 1.0f) : 0.0f;
-        say_truth();
+        report_true_pose();
         return tick < 1;
     case JUMP_AND_BACK:
         poi->target.position_m = v3_add(poi->target.position_m, v3(0.7f, 0.3f, -0.7f));
@@ -185,7 +185,8 @@ static int say_nonsense(enum fault fault, uint32_t tick)
         *poi = before;
         poi->age_ticks = age;
         return tick < 200;
-    case STUCK: /* A sensor says so itself; of a pointer nobody can know, and it is no fault. */
+    case STUCK: /* A sensor reports this fault. For a pointer, the fault cannot be detected and
+                   counts as no fault. */
         *poi = before;
         return tick < 300;
     case NOT_A_NUMBER:
@@ -196,14 +197,15 @@ static int say_nonsense(enum fault fault, uint32_t tick)
         poi->target.angles.roll_rad += F_PI;
         poi->target.angles.pitch_rad -= 1.0f;
         return tick < 6;
-    case TURN: /* And stays. */
+    case TURN: /* The turn is permanent. */
         roll_rad += tick == 0 ? 1.2f : 0.0f;
-        say_truth();
+        report_true_pose();
         return tick < 1;
     case TURN_AND_BACK:
         poi->target.angles.pitch_rad += 1.0f;
         return tick < 3;
-    case LATE_BURST: /* Silent for less than it takes to be lost, and 20 cm on when it is back. */
+    case LATE_BURST: /* The reports stop for less than the timeout, and the hand is 20 cm farther
+                        afterwards. */
         *poi = before;
         poi->age_ticks = age;
         hand_m.x += tick == 50 ? 0.20f : 0.0f;
@@ -213,12 +215,12 @@ static int say_nonsense(enum fault fault, uint32_t tick)
     }
 }
 
-/* ---- What must not -------------------------------------------------------------------------- */
+/* ---- Permitted effects ---------------------------------------------------------------------- */
 
 static int loses_the_hand(const struct scene_of *of)
 {
     const int is_away = of->fault == UNPLUG || of->fault == SILENCE || of->fault == NOT_A_NUMBER;
-    return is_away || (of->fault != LATE_BURST && of->device == SENSOR); /* A pointer may leap. */
+    return is_away || (of->fault != LATE_BURST && of->device == SENSOR); /* A pointer may jump. */
 }
 
 static float damage_sum(void)
@@ -230,7 +232,7 @@ static float damage_sum(void)
     return sum;
 }
 
-/* It lies on wet paper for so long that it may wear it through itself, which no fault did. */
+/* The fish lies on wet paper long enough to wear it through without any fault. */
 static int may_slap(const struct scene_of *of)
 {
     const int is_long = of->fault == STUCK || of->fault == LATE_BURST || of->fault == SILENCE ||
@@ -238,7 +240,8 @@ static int may_slap(const struct scene_of *of)
     return of->place == CARRYING && is_long;
 }
 
-/* To the bit, from the tick that breaks until the hand leads again. */
+/* Checks the round bit by bit from the tick of the fault until the player controls the poi
+ * again. */
 static void check_fault(const struct scene_of *of)
 {
     static float damage[SHEET_CELL_COUNT];
@@ -249,9 +252,9 @@ static void check_fault(const struct scene_of *of)
     memcpy(damage, poi->sheet.damage, sizeof damage);
     still_ticks = 0;
     do {
-        broken = broken && say_nonsense(of->fault, tick);
+        broken = broken && report_fault(of->fault, tick);
         if (!broken) {
-            say_truth();
+            report_true_pose();
         }
         run_tick();
         tick++;
@@ -259,39 +262,43 @@ static void check_fault(const struct scene_of *of)
         const int is_led = !controller_is_lost(&core.world, 0) && core.game.return_ticks[0] == 0;
         leads = is_led && !broken;
         if (poi->damage_immune) {
-            assert_true(v3_length(output.poi[0].force_n) == 0.0f); /* It pulls at nobody. */
+            assert_true(v3_length(output.poi[0].force_n) == 0.0f); /* The force feedback is off. */
             assert_memory_equal(poi->sheet.damage, damage, sizeof damage);
         } else {
-            memcpy(damage, poi->sheet.damage, sizeof damage);      /* Led, it wears as ever: ... */
-            cells = may_slap(of) ? poi->sheet.paper_cells : cells; /* a fish slaps. */
+            memcpy(damage, poi->sheet.damage, sizeof damage);      /* A controlled poi wears as
+                                                                      usual. */
+            cells = may_slap(of) ? poi->sheet.paper_cells : cells; /* The fish slaps the paper. */
         }
         assert_true(poi->damage_immune || !loses_the_hand(of) || leads || broken);
         assert_int_equal(poi->sheet.paper_cells, cells);
         assert_true(tick < 1200);
     } while (!leads);
-    assert_int_equal(still_ticks, lost_ticks); /* The round's clock stands just so long. */
+    assert_int_equal(still_ticks, lost_ticks); /* The round's clock is paused for exactly this
+                                                  time. */
     assert_int_equal(lost_ticks > 0, loses_the_hand(of));
-    if (of->fault != TURN) { /* Which holds the ring on its edge in the end. */
-        assert_int_equal(poi->carried_count, of->place == CARRYING); /* It lies there still. */
+    if (of->fault != TURN) { /* The turn finally holds the ring on its edge. */
+        assert_int_equal(poi->carried_count, of->place == CARRYING); /* The fish still lies on the
+                                                                        paper. */
     }
     if (of->fault == SPIKE && of->device == SENSOR) {
         assert_in_range(lost_ticks, INPUT_AGREE_TICKS, INPUT_AGREE_TICKS + 1u);
     }
 }
 
-/* No blow waits in the water or in the spring for the paper to be hit again. */
+/* Checks that neither the water nor the spring stores an impulse that hits the paper later. */
 static void check_aftermath(const struct scene_of *of)
 {
     const uint32_t cells = core.world.poi[0].sheet.paper_cells;
     const float before = damage_sum();
     if (of->place == CARRYING) {
-        return; /* A fish that slaps on wet paper wears it, whoever leads. */
+        return; /* A fish that slaps on wet paper wears it with any source of motion. */
     }
     wait(120);
     assert_int_equal(core.world.poi[0].sheet.paper_cells, cells);
-    assert_true(damage_sum() - before < (of->fault == JUMP ? 0.05f : 1e-3f)); /* At the wall. */
+    assert_true(damage_sum() - before < (of->fault == JUMP ? 0.05f : 1e-3f)); /* The hand is at the
+                                                                                 wall. */
     assert_true(v3_length(v3_sub(core.world.poi[0].position_m, hand_m)) < 0.05f ||
-                of->fault == JUMP); /* That hand is beyond the wall. */
+                of->fault == JUMP); /* The hand is beyond the wall. */
 }
 
 static void check(const struct scene_of *of)
@@ -301,7 +308,7 @@ static void check(const struct scene_of *of)
     check_aftermath(of);
 }
 
-static void test_nothing_tears_by_any_fault_of_any_controller_in_any_place(void **state)
+static void test_no_controller_fault_tears_paper_in_any_place(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < DEVICE_COUNT * WETNESS_COUNT * WHEREABOUTS_COUNT * FAULT_COUNT; i++) {
@@ -315,12 +322,13 @@ static void test_nothing_tears_by_any_fault_of_any_controller_in_any_place(void 
     }
 }
 
-/* ---- What is too small to lose the hand ------------------------------------------------------ */
+/* ---- Pose errors below the limits ----------------------------------------------------------- */
 
-/* Up by some centimetres, or turned by some degrees, for some ticks; then back, or not. */
+/* An upward error of some centimetres, or a turn of some degrees, for some ticks. The error may
+ * stay. */
 struct stray {
     float up_m, aside_m, roll_rad, pitch_rad;
-    int may_stay; /* So little may also be where the hand is from then on. */
+    int may_stay; /* The error is small enough to be the hand's new true position. */
 };
 
 static const struct stray strays[] = {
@@ -334,7 +342,7 @@ static const struct stray strays[] = {
 static void stray_for(const struct stray *stray, uint32_t ticks)
 {
     for (uint32_t i = 0; i < ticks; i++) {
-        say_truth();
+        report_true_pose();
         struct poi_target *target = &input.poi[0].target;
         target->position_m = v3_add(target->position_m, v3(stray->aside_m, stray->up_m, 0.0f));
         target->angles.roll_rad += stray->roll_rad;
@@ -343,7 +351,7 @@ static void stray_for(const struct stray *stray, uint32_t ticks)
     }
 }
 
-/* Each from the same still hand deep in the water. */
+/* Checks each pose error from the same resting hand deep in the water. */
 static void check_strays(const struct core *from, enum wetness wetness, uint8_t grade)
 {
     static const uint32_t lasts[] = { 1, 2, 3, 6, 8, 300 };
@@ -352,7 +360,7 @@ static void check_strays(const struct core *from, enum wetness wetness, uint8_t 
         for (size_t k = 0; k < sizeof lasts / sizeof lasts[0]; k++) {
             const int turns = strays[i].roll_rad != 0.0f || strays[i].pitch_rad != 0.0f;
             if ((lasts[k] > 8u && !strays[i].may_stay) || (turns && device == POINTER)) {
-                continue; /* No sensor of a pointer tells how it is turned. */
+                continue; /* The sensor of a pointer does not report its orientation. */
             }
             core = *from;
             hand_m = there_m;
@@ -369,7 +377,7 @@ static void check_strays(const struct core *from, enum wetness wetness, uint8_t 
     }
 }
 
-static void test_no_stray_of_any_controller_tears_wet_paper_of_any_grade(void **state)
+static void test_no_small_pose_error_tears_wet_paper_of_any_grade(void **state)
 {
     static struct core still;
     (void)state;
@@ -387,7 +395,7 @@ static void test_no_stray_of_any_controller_tears_wet_paper_of_any_grade(void **
     }
 }
 
-static void test_a_fish_that_was_carried_through_a_fault_is_brought_home_and_counts(void **state)
+static void test_a_fish_carried_during_a_fault_can_be_landed_and_counts(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < FAULT_COUNT; i++) {
@@ -410,8 +418,9 @@ static void test_a_fish_that_was_carried_through_a_fault_is_brought_home_and_cou
     }
 }
 
-/* From 20 cm away under water it is back within a second and a half, and no faster than glides. */
-static void test_the_poi_glides_back_and_does_not_leap(void **state)
+/* From a distance of 20 cm under water, the poi returns within 1.5 s and at the speed of a glide at
+ * most. */
+static void test_the_poi_glides_back_without_a_jump(void **state)
 {
     (void)state;
     const struct scene_of of = { .device = SENSOR, .place = DEEP, .fault = UNPLUG };
@@ -433,8 +442,8 @@ static void test_the_poi_glides_back_and_does_not_leap(void **state)
     assert_true(v3_length(v3_sub(core.world.poi[0].position_m, hand_m)) < 0.02f);
 }
 
-/* The poi of who is not there must not be in anyone's way for long. */
-static void test_a_lost_poi_leaves_the_water_by_itself(void **state)
+/* The poi of an absent player must not block other players for long. */
+static void test_a_lost_poi_leaves_the_water(void **state)
 {
     (void)state;
     const struct scene_of of = { .device = SENSOR, .place = DEEP, .fault = UNPLUG };
@@ -457,8 +466,8 @@ static void test_a_lost_poi_leaves_the_water_by_itself(void **state)
     assert_true(core.world.poi[0].immersed <= 0.0f);
 }
 
-/* Corners, walls, the floor, the bowl's side; however it was turned. */
-static void test_it_finds_its_way_out_from_anywhere(void **state)
+/* The cases are corners, walls, the floor and the bowl's side, at any angle. */
+static void test_a_lost_poi_leaves_the_water_from_any_position(void **state)
 {
     (void)state;
     const struct scene_of of = { .device = POINTER, .place = DEEP };
@@ -492,12 +501,12 @@ static void test_it_finds_its_way_out_from_anywhere(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_nothing_tears_by_any_fault_of_any_controller_in_any_place),
-        cmocka_unit_test(test_no_stray_of_any_controller_tears_wet_paper_of_any_grade),
-        cmocka_unit_test(test_a_fish_that_was_carried_through_a_fault_is_brought_home_and_counts),
-        cmocka_unit_test(test_the_poi_glides_back_and_does_not_leap),
-        cmocka_unit_test(test_a_lost_poi_leaves_the_water_by_itself),
-        cmocka_unit_test(test_it_finds_its_way_out_from_anywhere),
+        cmocka_unit_test(test_no_controller_fault_tears_paper_in_any_place),
+        cmocka_unit_test(test_no_small_pose_error_tears_wet_paper_of_any_grade),
+        cmocka_unit_test(test_a_fish_carried_during_a_fault_can_be_landed_and_counts),
+        cmocka_unit_test(test_the_poi_glides_back_without_a_jump),
+        cmocka_unit_test(test_a_lost_poi_leaves_the_water),
+        cmocka_unit_test(test_a_lost_poi_leaves_the_water_from_any_position),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,6 +1,6 @@
-/* test_parking.c -- who is out is put away, and every poi has a place of its own on the rim, in the
- * picture, when nobody plays with it. */
-#include "tests/unit/support/stall_stand.h"
+/* test_parking.c -- checks that the poi of a player who is out is parked, and that every unused poi
+ * has its own visible place on the rim. */
+#include "tests/unit/support/core_fixture.h"
 
 #include "core/game/control/controller.h"
 #include "core/game/rules.h"
@@ -11,13 +11,13 @@
 static void open_for(uint8_t preset, uint32_t players)
 {
     const struct core_config config = { .seed = 4, .preset = preset, .players = (uint8_t)players };
-    open_stall(&config);
+    open_core(&config);
 }
 
 static void hold_all(uint32_t players)
 {
     for (uint32_t i = 0; i < players; i++) {
-        hold(i, v3(i % 2u ? -0.1f : 0.1f, STAND_ABOVE_M, i < 2u ? 0.1f : -0.1f));
+        hold(i, v3(i % 2u ? -0.1f : 0.1f, ABOVE_M, i < 2u ? 0.1f : -0.1f));
     }
 }
 
@@ -30,7 +30,7 @@ static void play(uint32_t players)
     ticks(10);
 }
 
-/* On the picture, from -1 to 1 each way. */
+/* Projects a point to screen coordinates from -1 to 1. */
 static void project(vec3 at_m, float *x, float *y)
 {
     const struct view *view = &tank_preset(core.world.tank.preset)->view;
@@ -41,7 +41,7 @@ static void project(vec3 at_m, float *x, float *y)
     *y = seen.y / (-seen.z * tan_y);
 }
 
-/* The ring all round, and the handle's end. */
+/* Returns the nth point of the ring or the end of the handle. */
 static vec3 sight_of(vec3 ring_m, uint32_t nth)
 {
     const float angle = F_TAU * (float)nth / (float)(SIGHTS - 1u);
@@ -56,8 +56,8 @@ static void expect_in_the_picture(vec3 ring_m)
         float x = 0.0f, y = 0.0f;
         project(sight_of(ring_m, i), &x, &y);
         assert_true(f_abs(x) < 0.995f);
-        assert_true(y > -0.8f); /* The words along the lower edge. */
-        assert_true(y < 0.78f); /* The plates along the upper one. */
+        assert_true(y > -0.8f); /* The text is along the lower edge. */
+        assert_true(y < 0.78f); /* The name plates are along the upper edge. */
     }
 }
 
@@ -81,7 +81,7 @@ static void expect_own_place(uint32_t index, uint32_t players)
     }
 }
 
-static void test_every_poi_has_a_place_of_its_own_in_the_picture(void **state)
+static void test_every_poi_has_its_own_visible_parking_place(void **state)
 {
     (void)state;
     for (uint8_t preset = 0; preset < TANK_PRESET_COUNT; preset++) {
@@ -101,12 +101,12 @@ static void bots(uint32_t players)
     }
 }
 
-static void test_before_the_start_and_after_the_end_the_stalls_own_pois_lie_there(void **state)
+static void test_pois_are_parked_before_the_start_and_after_the_end(void **state)
 {
     (void)state;
     const struct core_config config = { .seed = 4, .players = 4, .round_s = 10 };
-    open_stall(&config);
-    ticks(700); /* The first one plays in attract. */
+    open_core(&config);
+    ticks(700); /* The first poi plays in attract. */
     bots(4);
     press(INPUT_START);
     ticks(GAME_READY_TICKS - 10u);
@@ -122,7 +122,7 @@ static void test_before_the_start_and_after_the_end_the_stalls_own_pois_lie_ther
     }
 }
 
-/* ---- Who is out ----------------------------------------------------------------------------- */
+/* ---- Players who are out -------------------------------------------------------------------- */
 
 static void expect_put_away(uint32_t index, uint32_t players)
 {
@@ -133,47 +133,48 @@ static void expect_put_away(uint32_t index, uint32_t players)
     expect_own_place(index, players);
 }
 
-static void test_whose_paper_is_gone_is_put_away_and_the_others_play_on(void **state)
+static void test_a_poi_without_paper_is_parked_and_the_others_play(void **state)
 {
     (void)state;
     play(2);
-    lead(0, v3(0.1f, STAND_BELOW_M, 0.1f));
+    lead(0, v3(0.1f, BELOW_M, 0.1f));
     tear_all(0);
-    ticks(60); /* To see the hole. */
+    ticks(60); /* The player sees the hole for this time. */
     assert_true(apart_m(core.world.poi[0].position_m, v3(0.1f, 0.0f, 0.1f)) < 0.03f);
     ticks(3u * CORE_TICK_HZ);
     expect_put_away(0, 2);
     assert_false(look()->player[1].out);
     assert_true(apart_m(core.world.poi[1].position_m, v3(-0.1f, 0.0f, 0.1f)) < 0.01f);
-    input.poi[0].target.position_m = v3(-0.1f, STAND_BELOW_M, -0.1f); /* Its hand moves nothing. */
+    input.poi[0].target.position_m = v3(-0.1f, BELOW_M, -0.1f); /* The player's hand does not
+                                                                   move the poi. */
     ticks(200);
     expect_put_away(0, 2);
 }
 
-static void test_after_the_third_foul_what_lay_on_it_swims_again(void **state)
+static void test_carried_fish_are_released_after_the_third_foul(void **state)
 {
     (void)state;
     play(2);
-    lead(0, v3(0.1f, STAND_BELOW_M, 0.1f));
+    lead(0, v3(0.1f, BELOW_M, 0.1f));
     ticks(60);
     const struct tank_stage stage = {
         .position_m = v3(0.1f, -0.038f, 0.1f), .length_m = 0.04f, .stamina = 0.5f, .gait = GAIT_REST
     };
     tank_stage_all(&core.world.tank, &stage, 1);
-    for (uint32_t i = 0; i < 132u; i++) { /* Softly, by 0.1 m/s. */
+    for (uint32_t i = 0; i < 132u; i++) { /* The motion is slow, at 0.1 m/s. */
         input.poi[0].target.position_m.y += 0.1f * CORE_TICK_S;
         tick();
     }
     ticks(30);
     assert_int_equal(core.world.poi[0].carried_count, 1);
-    core.game.player[0].out = 1; /* As the umpire says. */
+    core.game.player[0].out = 1; /* The flag is that of the umpire. */
     ticks(4u * CORE_TICK_HZ);
     expect_put_away(0, 2);
     assert_int_equal(core.world.poi[0].carried_count, 0);
     assert_int_not_equal(core.world.tank.fish[0].gait, GAIT_HELD);
 }
 
-static void test_who_was_waited_for_too_long_is_put_away(void **state)
+static void test_a_poi_lost_for_too_long_is_parked(void **state)
 {
     (void)state;
     play(2);
@@ -186,7 +187,7 @@ static void test_who_was_waited_for_too_long_is_put_away(void **state)
     assert_false(core.game.paused);
 }
 
-static void test_it_goes_there_without_a_jump_and_comes_back_so(void **state)
+static void test_a_poi_parks_and_returns_without_a_jump(void **state)
 {
     (void)state;
     play(2);
@@ -194,7 +195,8 @@ static void test_it_goes_there_without_a_jump_and_comes_back_so(void **state)
     vec3 last_m = core.world.poi[0].position_m;
     for (uint32_t i = 0; i < 600u; i++) {
         tick();
-        assert_true(v3_length(v3_sub(core.world.poi[0].position_m, last_m)) < 0.010f); /* 1.2 m/s */
+        /* The speed is 1.2 m/s. */
+        assert_true(v3_length(v3_sub(core.world.poi[0].position_m, last_m)) < 0.010f);
         last_m = core.world.poi[0].position_m;
     }
     expect_put_away(0, 2);
@@ -216,12 +218,12 @@ static void test_it_goes_there_without_a_jump_and_comes_back_so(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_poi_has_a_place_of_its_own_in_the_picture),
-        cmocka_unit_test(test_before_the_start_and_after_the_end_the_stalls_own_pois_lie_there),
-        cmocka_unit_test(test_whose_paper_is_gone_is_put_away_and_the_others_play_on),
-        cmocka_unit_test(test_after_the_third_foul_what_lay_on_it_swims_again),
-        cmocka_unit_test(test_who_was_waited_for_too_long_is_put_away),
-        cmocka_unit_test(test_it_goes_there_without_a_jump_and_comes_back_so),
+        cmocka_unit_test(test_every_poi_has_its_own_visible_parking_place),
+        cmocka_unit_test(test_pois_are_parked_before_the_start_and_after_the_end),
+        cmocka_unit_test(test_a_poi_without_paper_is_parked_and_the_others_play),
+        cmocka_unit_test(test_carried_fish_are_released_after_the_third_foul),
+        cmocka_unit_test(test_a_poi_lost_for_too_long_is_parked),
+        cmocka_unit_test(test_a_poi_parks_and_returns_without_a_jump),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

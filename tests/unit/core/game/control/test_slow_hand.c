@@ -1,24 +1,25 @@
-/* test_slow_hand.c -- whoever plays with a controller that is slow, late or loose wears paper as
- * everybody does. */
-#include "tests/unit/support/stall_stand.h"
+/* test_slow_hand.c -- checks that paper wears equally with a slow, late or loosely connected
+ * controller. */
+#include "tests/unit/support/core_fixture.h"
 
 #define SWING_M 0.025f
 #define SWING_HZ 1.5f
 #define DEEP_M (-0.05f)
 
 static struct tally {
-    uint32_t torn_tick; /* Of the round: when the first cell went; 0: none did. */
+    uint32_t torn_tick; /* Tick of the round in which the first cell tore. 0 means that no cell
+                           tore. */
     uint32_t damage_immune, paused, spared_in_play;
 } tally;
 
-/* Round of one, whose paper is the weakest and wet. */
+/* Starts a round of one player with wet paper of the weakest grade. */
 static int begin(void **state)
 {
     (void)state;
     const struct core_config config = { .seed = 7, .fish_count = 1, .round_s = 60, .grade = 7 };
-    open_stall(&config);
+    open_core(&config);
     tally = (struct tally){ 0 };
-    hold(0, v3(-0.2f, STAND_ABOVE_M, 0.0f));
+    hold(0, v3(-0.2f, ABOVE_M, 0.0f));
     tick();
     press(INPUT_START);
     wait_for_phase(PHASE_ROUND, 4u * CORE_TICK_HZ);
@@ -31,7 +32,8 @@ static int begin(void **state)
     return 0;
 }
 
-/* Where the hand truly is: it swings up and down under water, paper broadside. */
+/* Returns the true position of the hand, which swings vertically under water with the paper
+ * broadside. */
 static vec3 hand_at(uint32_t tick_of_play)
 {
     const float turns = SWING_HZ * CORE_TICK_S * (float)tick_of_play;
@@ -50,7 +52,8 @@ static void play_tick(uint32_t i)
     }
 }
 
-/* How long paper lasts when a report comes each `period` ticks, or unevenly, each 4 to 50. */
+/* Returns the lifetime of the paper with a report in each `period` ticks, or with uneven periods of
+ * 4 to 50 ticks. */
 static uint32_t lasts_at(uint32_t period)
 {
     uint32_t next = 0, age = 0;
@@ -69,7 +72,7 @@ static uint32_t lasts_at(uint32_t period)
     return tally.torn_tick;
 }
 
-static void test_a_slow_controller_tears_what_a_quick_one_tears(void **state)
+static void test_a_slow_controller_wears_paper_like_a_fast_one(void **state)
 {
     static const uint32_t periods[] = { 1, 3, 4, 5, 6, 8, 9, 10, 11, 12, 13, 16, 20, 24 };
     const float at_60_hz = (float)lasts_at(2);
@@ -83,7 +86,7 @@ static void test_a_slow_controller_tears_what_a_quick_one_tears(void **state)
     }
 }
 
-static void test_reports_that_are_late_again_and_again_spare_nobody(void **state)
+static void test_repeated_late_reports_give_no_protection(void **state)
 {
     (void)state;
     const uint32_t lasts = lasts_at(0);
@@ -91,7 +94,8 @@ static void test_reports_that_are_late_again_and_again_spare_nobody(void **state
     assert_true(lasts > 0);
 }
 
-/* Away for a tick each `period`, so that it is found again and led back, again and again. */
+/* Disconnects the controller for a tick in each `period`, so that the poi returns again and
+ * again. */
 static void play_with_a_loose_plug(uint32_t period, uint32_t ticks_max)
 {
     begin(NULL);
@@ -102,27 +106,28 @@ static void play_with_a_loose_plug(uint32_t period, uint32_t ticks_max)
     }
 }
 
-static void test_a_loose_plug_spares_for_six_seconds_and_an_eighth_of_the_time(void **state)
+static void test_a_loose_plug_protects_for_6_s_and_an_eighth_of_the_time(void **state)
 {
     static const uint32_t periods[] = { 60, 120, 360, 600 };
     (void)state;
     for (size_t i = 0; i < sizeof periods / sizeof periods[0]; i++) {
         const uint32_t ticks_max = 40u * CORE_TICK_HZ;
         play_with_a_loose_plug(periods[i], ticks_max);
-        print_message("away each %u ticks: spared in play for %u of %u, torn at %u\n", periods[i],
-                      tally.spared_in_play, ticks_max - tally.paused, tally.torn_tick);
+        print_message("away each %u ticks: protected in play for %u of %u, torn at %u\n",
+                      periods[i], tally.spared_in_play, ticks_max - tally.paused, tally.torn_tick);
         assert_true(tally.paused > 0);
         assert_in_range(tally.spared_in_play, 1, 720u + (ticks_max - tally.paused) / 8u);
     }
-    assert_true(tally.torn_tick > 0); /* Who is led for most of the time tears it. */
+    assert_true(tally.torn_tick > 0); /* A player who controls the poi most of the time tears the
+                                         paper. */
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_slow_controller_tears_what_a_quick_one_tears),
-        cmocka_unit_test(test_reports_that_are_late_again_and_again_spare_nobody),
-        cmocka_unit_test(test_a_loose_plug_spares_for_six_seconds_and_an_eighth_of_the_time),
+        cmocka_unit_test(test_a_slow_controller_wears_paper_like_a_fast_one),
+        cmocka_unit_test(test_repeated_late_reports_give_no_protection),
+        cmocka_unit_test(test_a_loose_plug_protects_for_6_s_and_an_eighth_of_the_time),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

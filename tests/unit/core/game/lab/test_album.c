@@ -1,11 +1,11 @@
-/* test_album.c -- the catch is noted as it comes, and grows up after the round. */
-#include "tests/unit/support/game_stand.h"
+/* test_album.c -- checks that each catch is recorded and grows up after the round. */
+#include "tests/unit/support/game_fixture.h"
 
 #include "core/game/lab/lab.h"
 #include "core/game/phases.h"
 #include "core/morph/morph.h"
 
-/* As if fish `index` had come into the player's bowl in this tick. */
+/* Simulates the landing of fish `index` in the player's bowl in this tick. */
 static void land(uint32_t fish, uint32_t player)
 {
     struct catch_result caught[POI_MAX] = { 0 };
@@ -40,7 +40,7 @@ static void test_a_round_without_a_catch_has_no_album(void **state)
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
-static void test_the_first_caught_come_first_and_the_rest_are_counted(void **state)
+static void test_the_album_shows_the_first_catches_and_counts_the_rest(void **state)
 {
     (void)state;
     catch_and_end(8);
@@ -53,7 +53,7 @@ static void test_the_first_caught_come_first_and_the_rest_are_counted(void **sta
     }
 }
 
-static void test_whose_fish_it_was_is_remembered(void **state)
+static void test_the_album_stores_the_player_of_each_fish(void **state)
 {
     (void)state;
     play_into_round();
@@ -63,14 +63,15 @@ static void test_whose_fish_it_was_is_remembered(void **state)
     assert_int_equal(core.game.album.fish[1].owner, 0);
 }
 
-/* It is on the page as it was caught, whatever becomes of it in the tank. */
-static void test_a_fish_is_noted_once_and_as_it_was(void **state)
+/* The page shows the fish as it was caught, independently of its later state in the tank. */
+static void test_a_fish_is_recorded_once_in_its_caught_state(void **state)
 {
     (void)state;
     play_into_round();
     const float age_days = core.world.tank.fish[5].age_days;
     land(5, 0);
-    core.world.tank.fish[5].gait = GAIT_SWIM; /* Poured back by the umpire, and caught again. */
+    core.world.tank.fish[5].gait = GAIT_SWIM; /* The umpire poured the fish back, and a player
+                                                 caught it again. */
     core.world.tank.fish[5].age_days = 9999.0f;
     land(5, 0);
     assert_int_equal(core.game.album.fish_count, 1);
@@ -78,7 +79,7 @@ static void test_a_fish_is_noted_once_and_as_it_was(void **state)
     assert_float_equal(core.game.album.fish[0].age_days, age_days, 0.0f);
 }
 
-static void test_each_life_goes_from_hatching_to_the_last_key(void **state)
+static void test_each_life_runs_from_hatching_to_the_last_key(void **state)
 {
     (void)state;
     const struct species_card *card = &species_wakin.card;
@@ -94,17 +95,17 @@ static void test_each_life_goes_from_hatching_to_the_last_key(void **state)
         const struct scene_grown now = page()->fish[0];
         assert_true(now.progress >= before);
         before = now.progress;
-        if (now.is_caught && !met) { /* On that day it is as long as it was. */
+        if (now.is_caught && !met) { /* On that day, the fish has its caught length. */
             assert_float_equal(now.length_m, now.caught_length_m, 0.03f * now.caught_length_m);
             met = 1;
         }
     }
     assert_true(met);
     assert_float_equal(page()->fish[0].progress, 1.0f, 1e-3f);
-    assert_true(page()->fish[1].progress < 1.0f); /* It began later. */
+    assert_true(page()->fish[1].progress < 1.0f); /* The life of this fish began later. */
 }
 
-static void test_a_small_one_stays_small(void **state)
+static void test_a_small_fish_stays_small(void **state)
 {
     (void)state;
     play_into_round();
@@ -117,7 +118,7 @@ static void test_a_small_one_stays_small(void **state)
     assert_float_equal(ratio, 0.8f, 0.02f);
 }
 
-static void test_it_ends_by_itself_and_ok_turns_the_page_sooner(void **state)
+static void test_the_album_ends_after_its_time_and_ok_turns_the_page_sooner(void **state)
 {
     (void)state;
     catch_and_end(3);
@@ -132,7 +133,7 @@ static void test_it_ends_by_itself_and_ok_turns_the_page_sooner(void **state)
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
-static void test_start_and_a_dip_play_again(void **state)
+static void test_start_and_a_dip_begin_another_round(void **state)
 {
     for (uint32_t i = 0; i < 2; i++) {
         setup(state);
@@ -143,7 +144,8 @@ static void test_start_and_a_dip_play_again(void **state)
         } else {
             dip();
         }
-        assert_int_equal(core.game.phase, PHASE_READY); /* One mode: nothing to choose. */
+        assert_int_equal(core.game.phase, PHASE_READY); /* With one mode, the mode selection is
+                                                           skipped. */
         assert_int_equal(core.game.album.fish_count, 0);
     }
 }
@@ -153,13 +155,13 @@ int main(void)
 #define TEST(name) cmocka_unit_test_setup(name, setup)
     const struct CMUnitTest tests[] = {
         TEST(test_a_round_without_a_catch_has_no_album),
-        TEST(test_the_first_caught_come_first_and_the_rest_are_counted),
-        TEST(test_whose_fish_it_was_is_remembered),
-        TEST(test_a_fish_is_noted_once_and_as_it_was),
-        TEST(test_each_life_goes_from_hatching_to_the_last_key),
-        TEST(test_a_small_one_stays_small),
-        TEST(test_it_ends_by_itself_and_ok_turns_the_page_sooner),
-        TEST(test_start_and_a_dip_play_again),
+        TEST(test_the_album_shows_the_first_catches_and_counts_the_rest),
+        TEST(test_the_album_stores_the_player_of_each_fish),
+        TEST(test_a_fish_is_recorded_once_in_its_caught_state),
+        TEST(test_each_life_runs_from_hatching_to_the_last_key),
+        TEST(test_a_small_fish_stays_small),
+        TEST(test_the_album_ends_after_its_time_and_ok_turns_the_page_sooner),
+        TEST(test_start_and_a_dip_begin_another_round),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,5 @@
-/* test_lab_book.c -- the hash of the species book notices each number of a card and of a graph. */
+/* test_lab_book.c -- checks that the hash of the species book depends on each number of a card and
+ * of a graph. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -7,6 +8,7 @@
 
 #include <cmocka.h>
 
+#include "core/game/game_fields.h"
 #include "core/base/hash.h"
 #include "core/game/lab/lab_edit.h"
 
@@ -21,18 +23,18 @@ static int setup(void **state)
     return 0;
 }
 
-/* Whether the hash of the book changes when `value` does. */
+/* Checks that the hash of the book changes with `value`. */
 static void expect_hashed(float *value)
 {
-    const uint64_t before = lab_book_hash(HASH_START, &book);
+    const uint64_t before = field_hash(HASH_START, &lab_book_fields, &book);
     const float kept = *value;
     *value += 0.25f;
-    assert_true(lab_book_hash(HASH_START, &book) != before);
+    assert_true(field_hash(HASH_START, &lab_book_fields, &book) != before);
     *value = kept;
-    assert_true(lab_book_hash(HASH_START, &book) == before);
+    assert_true(field_hash(HASH_START, &lab_book_fields, &book) == before);
 }
 
-static void test_the_hash_notices_each_number_of_a_growth_curve(void **state)
+static void test_the_hash_depends_on_each_number_of_a_growth_curve(void **state)
 {
     (void)state;
     struct growth *growth = &book.cards[0].growth;
@@ -46,7 +48,7 @@ static void test_the_hash_notices_each_number_of_a_growth_curve(void **state)
     }
 }
 
-static void test_the_hash_notices_each_number_of_a_saved_graph(void **state)
+static void test_the_hash_depends_on_each_number_of_a_saved_graph(void **state)
 {
     (void)state;
     struct lab_edit *edit = &book.edits[0];
@@ -65,8 +67,8 @@ static void test_the_hash_notices_each_number_of_a_saved_graph(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(test_the_hash_notices_each_number_of_a_growth_curve, setup),
-        cmocka_unit_test_setup(test_the_hash_notices_each_number_of_a_saved_graph, setup),
+        cmocka_unit_test_setup(test_the_hash_depends_on_each_number_of_a_growth_curve, setup),
+        cmocka_unit_test_setup(test_the_hash_depends_on_each_number_of_a_saved_graph, setup),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,5 @@
-/* test_lab_edit.c -- under any hands a graph stays one: rising knots, weights >= 0, sum 1. */
+/* test_lab_edit.c -- checks that a graph stays valid after any edit: ascending knots, weights >= 0
+ * and a sum of 1. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -31,7 +32,7 @@ static float sum_at(uint32_t knot)
     return sum;
 }
 
-static void test_others_share_the_rest_in_proportion(void **state)
+static void test_the_other_weights_share_the_rest_in_proportion(void **state)
 {
     (void)state;
     float *weight = edit.graph.knots[1].weight;
@@ -46,7 +47,7 @@ static void test_others_share_the_rest_in_proportion(void **state)
     assert_float_equal(sum_at(1), 1.0f, 1e-6f);
 }
 
-static void test_where_the_others_had_nothing_the_neighbours_halve_the_rest(void **state)
+static void test_the_neighbours_share_the_rest_equally_if_the_others_are_zero(void **state)
 {
     (void)state;
     float *weight = edit.graph.knots[1].weight;
@@ -57,12 +58,12 @@ static void test_where_the_others_had_nothing_the_neighbours_halve_the_rest(void
     assert_float_equal(weight[1], 0.4f, 1e-6f);
     assert_float_equal(weight[2], 0.3f, 1e-6f);
     memset(weight, 0, sizeof edit.graph.knots[1].weight);
-    weight[0] = 1.0f; /* The first key has one neighbour. */
+    weight[0] = 1.0f; /* The first key has only one neighbour. */
     lab_edit_weigh(&edit, card->key_count, 1, 0, 0.4f);
     assert_float_equal(weight[1], 0.6f, 1e-6f);
 }
 
-static void test_weights_beyond_their_bounds_stop_there(void **state)
+static void test_weights_are_clamped_to_their_bounds(void **state)
 {
     (void)state;
     lab_edit_weigh(&edit, card->key_count, 1, 0, 7.0f);
@@ -73,7 +74,7 @@ static void test_weights_beyond_their_bounds_stop_there(void **state)
     assert_float_equal(sum_at(1), 1.0f, 1e-6f);
 }
 
-static void test_knots_keep_their_order_and_the_ends_their_places(void **state)
+static void test_knots_keep_their_order_and_end_knots_keep_their_positions(void **state)
 {
     (void)state;
     struct graph_knot *knots = edit.graph.knots;
@@ -87,7 +88,7 @@ static void test_knots_keep_their_order_and_the_ends_their_places(void **state)
     assert_float_equal(knots[edit.graph.knot_count - 1u].progress, 1.0f, 0.0f);
 }
 
-static void test_a_new_knot_bends_no_straight_line(void **state)
+static void test_a_new_knot_does_not_change_a_straight_line(void **state)
 {
     (void)state;
     lab_edit_template(&edit, card, TEMPLATE_PAIRWISE);
@@ -108,7 +109,7 @@ static void test_a_new_knot_bends_no_straight_line(void **state)
         &edit, &(struct lab_edit){ .template_id = TEMPLATE_PAIRWISE, .graph = before }));
 }
 
-static void test_there_are_at_most_twelve_knots_and_at_least_two(void **state)
+static void test_a_curve_has_two_to_twelve_knots(void **state)
 {
     (void)state;
     for (uint32_t i = 1; i < 40; i++) {
@@ -120,10 +121,11 @@ static void test_there_are_at_most_twelve_knots_and_at_least_two(void **state)
     while (lab_edit_remove(&edit, 0.5f)) {
     }
     assert_int_equal(edit.graph.knot_count, 2);
-    assert_int_equal(lab_edit_add(&edit, card->key_count, 0.001f), LAB_NO_KNOT); /* Too near. */
+    assert_int_equal(lab_edit_add(&edit, card->key_count, 0.001f), LAB_NO_KNOT); /* The new knot is
+                                                                                    too near. */
 }
 
-static void test_each_template_is_one_of_the_species(void **state)
+static void test_each_template_of_the_editor_belongs_to_the_species(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < species_table_count; i++) {
@@ -142,8 +144,8 @@ static void test_each_template_is_one_of_the_species(void **state)
     }
 }
 
-/* A child at the knots: whatever it does in ten thousand grips. */
-static void test_ten_thousand_grips_leave_a_graph(void **state)
+/* Makes ten thousand random edits of the knots. */
+static void test_ten_thousand_random_edits_leave_a_valid_graph(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < 10000; i++) {
@@ -159,7 +161,7 @@ static void test_ten_thousand_grips_leave_a_graph(void **state)
         } else if (bits >> 28 == 2u) {
             lab_edit_remove(&edit, b);
         }
-        edit.graph.solved = 0; /* What can be solved for is another question. */
+        edit.graph.solved = 0; /* A solvable graph is not required here. */
         assert_int_equal(graph_check(&edit.graph, card->key_count).fault, GRAPH_GOOD);
         for (uint32_t k = 0; k < edit.graph.knot_count; k++) {
             assert_float_equal(sum_at(k), 1.0f, 1e-6f);
@@ -167,8 +169,9 @@ static void test_ten_thousand_grips_leave_a_graph(void **state)
     }
 }
 
-/* Rounding never adds up: a third of what graph_check() forgives, with as many keys as may be. */
-static void test_weights_sum_to_one_whatever_was_gripped(void **state)
+/* Rounding errors do not accumulate. The bound is a third of the tolerance of graph_check(), with
+ * the maximum number of keys. */
+static void test_weights_sum_to_one_after_any_edit(void **state)
 {
     (void)state;
     struct lab_edit many = { .graph.knot_count = 2 };
@@ -186,7 +189,7 @@ static void test_weights_sum_to_one_whatever_was_gripped(void **state)
     }
 }
 
-static void test_the_first_touch_draws_the_growth_curve_by_hand(void **state)
+static void test_the_first_edit_makes_the_growth_curve_custom(void **state)
 {
     (void)state;
     struct scale_knot knots[GRAPH_KNOT_MAX];
@@ -208,9 +211,9 @@ static void test_the_first_touch_draws_the_growth_curve_by_hand(void **state)
     assert_true(lab_edit_is_valid(&edit, card));
 }
 
-/* The knots are there before anybody takes one: taking one moves nothing, but for the round of the
- * conger's least length, which is up to 3 % flatter between two knots. */
-static void test_a_size_knot_that_is_only_touched_changes_no_length(void **state)
+/* The knots exist before the first edit, so selecting a knot changes no length. The exception is
+ * the conger's least length, which is up to 3 % flatter between two knots. */
+static void test_a_size_knot_that_is_not_moved_changes_no_length(void **state)
 {
     (void)state;
     for (uint32_t s = 0; s < species_table_count; s++) {
@@ -237,8 +240,9 @@ static void test_a_size_knot_that_is_only_touched_changes_no_length(void **state
     }
 }
 
-/* The conger's least length is no key: 56.0 mm, between the shrinking leaf and the young eel. */
-static void test_the_conger_keeps_its_least_length_drawn_by_hand(void **state)
+/* The conger's least length of 56.0 mm is no key. The minimum is between the shrinking
+ * leptocephalus and the young eel. */
+static void test_the_conger_keeps_its_least_length_with_a_custom_curve(void **state)
 {
     (void)state;
     const struct species_card *conger = &species_table[0]->card;
@@ -260,7 +264,7 @@ static void test_the_conger_keeps_its_least_length_drawn_by_hand(void **state)
     assert_float_equal(life_age_days(conger, knots[least].progress), 240.0f, 0.1f);
 }
 
-static void test_the_axis_of_lengths_leads_there_and_back(void **state)
+static void test_the_length_axis_maps_forward_and_back(void **state)
 {
     (void)state;
     for (float length_m = 0.004f; length_m < 0.3f; length_m *= 1.3f) {
@@ -271,25 +275,25 @@ static void test_the_axis_of_lengths_leads_there_and_back(void **state)
     assert_true(lab_length_share(card, card->key_length_m[card->key_count - 1u]) < 1.0f);
 }
 
-static void test_a_book_with_a_strange_card_or_graph_is_refused(void **state)
+static void test_a_book_with_an_invalid_card_or_graph_is_rejected(void **state)
 {
     (void)state;
     static struct lab_book book;
     memset(&book, 0, sizeof book);
     assert_true(lab_book_is_valid(&book));
     book.card_count = 1;
-    assert_false(lab_book_is_valid(&book)); /* An empty card. */
+    assert_false(lab_book_is_valid(&book)); /* The card is empty. */
     book.cards[0] = *card;
     assert_true(lab_book_is_valid(&book));
     assert_int_equal(lab_book_count(&book), species_table_count + 1u);
     book.cards[0].key_length_m[1] = -1.0f;
     assert_false(lab_book_is_valid(&book));
     book.cards[0] = *card;
-    memset(book.cards[0].id, 'x', sizeof book.cards[0].id); /* Without an end. */
+    memset(book.cards[0].id, 'x', sizeof book.cards[0].id); /* The text has no terminator. */
     assert_false(lab_book_is_valid(&book));
     book.cards[0] = *card;
     book.has_edit[0] = 1;
-    assert_false(lab_book_is_valid(&book)); /* An empty graph. */
+    assert_false(lab_book_is_valid(&book)); /* The graph is empty. */
     lab_edit_own(&book.edits[0], card);
     assert_true(lab_book_is_valid(&book));
     book.edits[0].graph.knots[1].weight[0] += 0.25f;
@@ -298,7 +302,7 @@ static void test_a_book_with_a_strange_card_or_graph_is_refused(void **state)
     assert_false(lab_book_is_valid(&book));
 }
 
-/* Each spoils a good card in one place, as a recording on a bad disk, or a bad person, may. */
+/* Each case makes one value of a valid card invalid, as a disk error or manipulation may do. */
 #define SPOIL(name, what)                                                                          \
     static void name(struct species_card *c)                                                       \
     {                                                                                              \
@@ -337,7 +341,7 @@ SPOIL(id_with_slash, c->id[0] = '/')
 SPOIL(id_with_a_tail, c->id[SPECIES_NAME_SIZE - 1u] = 'x')
 SPOIL(two_keys, c->key_count = 2)
 
-static void test_a_card_that_is_odd_in_one_number_is_refused(void **state)
+static void test_a_card_with_one_invalid_number_is_rejected(void **state)
 {
     (void)state;
     /* clang-format off */
@@ -375,21 +379,21 @@ int main(void)
 {
 #define TEST(name) cmocka_unit_test_setup(name, setup)
     const struct CMUnitTest tests[] = {
-        TEST(test_others_share_the_rest_in_proportion),
-        TEST(test_where_the_others_had_nothing_the_neighbours_halve_the_rest),
-        TEST(test_weights_beyond_their_bounds_stop_there),
-        TEST(test_knots_keep_their_order_and_the_ends_their_places),
-        TEST(test_a_new_knot_bends_no_straight_line),
-        TEST(test_there_are_at_most_twelve_knots_and_at_least_two),
-        TEST(test_each_template_is_one_of_the_species),
-        TEST(test_ten_thousand_grips_leave_a_graph),
-        TEST(test_weights_sum_to_one_whatever_was_gripped),
-        TEST(test_the_first_touch_draws_the_growth_curve_by_hand),
-        TEST(test_a_size_knot_that_is_only_touched_changes_no_length),
-        TEST(test_the_conger_keeps_its_least_length_drawn_by_hand),
-        TEST(test_the_axis_of_lengths_leads_there_and_back),
-        TEST(test_a_book_with_a_strange_card_or_graph_is_refused),
-        TEST(test_a_card_that_is_odd_in_one_number_is_refused),
+        TEST(test_the_other_weights_share_the_rest_in_proportion),
+        TEST(test_the_neighbours_share_the_rest_equally_if_the_others_are_zero),
+        TEST(test_weights_are_clamped_to_their_bounds),
+        TEST(test_knots_keep_their_order_and_end_knots_keep_their_positions),
+        TEST(test_a_new_knot_does_not_change_a_straight_line),
+        TEST(test_a_curve_has_two_to_twelve_knots),
+        TEST(test_each_template_of_the_editor_belongs_to_the_species),
+        TEST(test_ten_thousand_random_edits_leave_a_valid_graph),
+        TEST(test_weights_sum_to_one_after_any_edit),
+        TEST(test_the_first_edit_makes_the_growth_curve_custom),
+        TEST(test_a_size_knot_that_is_not_moved_changes_no_length),
+        TEST(test_the_conger_keeps_its_least_length_with_a_custom_curve),
+        TEST(test_the_length_axis_maps_forward_and_back),
+        TEST(test_a_book_with_an_invalid_card_or_graph_is_rejected),
+        TEST(test_a_card_with_one_invalid_number_is_rejected),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,5 @@
-/* test_menu_calibrate.c -- the menu's page that calibrates a poi: led from mark to mark, undone
- * where it was wrong, whole or not at all after a power cut, and worth a catch. */
+/* test_menu_calibrate.c -- checks the menu's page that calibrates a poi: the marks, undo, the
+ * all-or-nothing result after a power cut, and the effect on a catch. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -13,6 +13,8 @@
 #include "core/game/bot/bot.h"
 #include "tests/unit/support/bot_stall.h"
 #include "tests/unit/support/skewed_twin.h"
+#include "tests/unit/support/newest_record.h"
+#include "tests/unit/support/menu_tag.h"
 
 static struct bot_stall stall;
 static const struct twin skewed = {
@@ -73,7 +75,7 @@ static void take(uint32_t tag)
     push(INPUT_TEST);
 }
 
-/* The true pose, through the twin's eyes; a hand trembles by a millimetre. */
+/* Holds the true pose, distorted by the simulated device, with a tremor of 1 mm. */
 static void hold_true(struct poi_target at, uint32_t ticks)
 {
     for (uint32_t i = 0; i < ticks; i++) {
@@ -95,12 +97,12 @@ static void open_page(void)
     assert_int_equal(menu()->page, MENU_CALIBRATION);
 }
 
-/* With the poi alone: no button is pressed from mark to mark. */
+/* Calibrates with the poi alone, without a button between two marks. */
 static void lead_through(struct poi_target water)
 {
     for (uint32_t i = 0; i < CALIBRATE_CORNERS; i++) {
         assert_int_equal(calibrate()->step, CALIBRATE_CORNER + (int)i);
-        const vec3 mark_m = calibration_mark(stall.core.world.tank.size_m, i);
+        const vec3 mark_m = input_calibration_mark(stall.core.world.tank.size_m, i);
         hold_true((struct poi_target){ .position_m = mark_m }, CALIBRATE_STILL_TICKS + 4u);
     }
     assert_int_equal(calibrate()->step, CALIBRATE_WATER);
@@ -109,7 +111,7 @@ static void lead_through(struct poi_target water)
 
 static int is_set(void)
 {
-    return calibration_is_set(&stall.core.config.persistent.settings, 0);
+    return input_calibration_is_set(&stall.core.config.persistent.settings, 0);
 }
 
 static void calibrate_all(void)
@@ -120,7 +122,7 @@ static void calibrate_all(void)
     assert_int_equal(calibrate()->step, CALIBRATE_DONE);
 }
 
-static void test_a_poi_is_led_from_mark_to_mark_and_counts_at_once(void **state)
+static void test_a_calibration_visits_each_mark_and_applies_immediately(void **state)
 {
     (void)state;
     calibrate_all();
@@ -128,10 +130,10 @@ static void test_a_poi_is_led_from_mark_to_mark_and_counts_at_once(void **state)
     const struct poi_target at = { .position_m = v3(0.21f, 0.05f, -0.11f) };
     hold_true(at, 60);
     const vec3 off_m = v3_sub(stall.core.game.validation[0].newest.position_m, at.position_m);
-    assert_true(v3_length(off_m) < 0.004f); /* The hand's own millimetre is in it. */
+    assert_true(v3_length(off_m) < 0.004f); /* The difference includes the tremor of 1 mm. */
 }
 
-static void test_each_value_is_an_entry_of_the_ledger(void **state)
+static void test_each_calibration_value_is_a_ledger_entry(void **state)
 {
     (void)state;
     open_page();
@@ -143,19 +145,21 @@ static void test_each_value_is_an_entry_of_the_ledger(void **state)
     for (uint32_t i = 0; i < CALIBRATION_VALUES; i++) {
         const struct ledger_entry *entry = &stall.output.entries[(before + 1u + i) % LEDGER_RING];
         assert_int_equal(entry->kind, LEDGER_SETTING);
-        assert_int_equal(entry->detail | entry->count << 8, calibration_setting(0) + i);
-        assert_int_equal(entry->value,
-                         stall.core.config.persistent.settings.value[calibration_setting(0) + i]);
+        assert_int_equal(entry->detail | entry->count << 8, input_calibration_setting(0) + i);
+        assert_int_equal(
+            entry->value,
+            stall.core.config.persistent.settings.value[input_calibration_setting(0) + i]);
     }
     const struct ledger_entry *check =
-        &stall.output.entries[stall.output.entry_id % LEDGER_RING]; /* After all of them. */
-    assert_int_equal(check->detail | check->count << 8, calibration_check_setting(0));
+        &stall.output.entries[stall.output.entry_id % LEDGER_RING]; /* The entry follows all
+                                                                       calibration entries. */
+    assert_int_equal(check->detail | check->count << 8, input_calibration_check_setting(0));
     assert_true(settings_edit_is_saved(&stall.core.game.accounts.ledger,
                                        &stall.core.game.settings_edit,
                                        &stall.core.config.persistent.settings));
 }
 
-/* What is on disk after so many of the entries from `before` on. */
+/* Returns the settings on disk after a number of entries since `before`. */
 static struct settings settings_cut_after(const struct settings *before, uint32_t before_id,
                                           uint32_t count)
 {
@@ -169,8 +173,8 @@ static struct settings settings_cut_after(const struct settings *before, uint32_
     return left;
 }
 
-/* With the plug pulled before the first entry, after the last and between each two: all of the old
- * map, all of the new one, or none. */
+/* Cuts the power before the first entry, after the last and between each two. The result is the
+ * whole old calibration, the whole new one or none. */
 static void expect_no_patchwork(const struct settings *before, uint32_t before_id)
 {
     const struct settings now = stall.core.config.persistent.settings;
@@ -184,18 +188,19 @@ static void expect_no_patchwork(const struct settings *before, uint32_t before_i
                                         .has_wrist = 1,
                                         .target = { { 0.1f, 0.2f, 0.3f }, { 0.4f, 0.5f, 0.6f } } };
         struct poi_input poi = said, wanted = said;
-        calibration_apply(&left, 0, &poi);
+        input_calibration_apply(&left, 0, &poi);
         if (i == 0 || i == count) {
-            calibration_apply(whole, 0, &wanted);
+            input_calibration_apply(whole, 0, &wanted);
         }
         assert_memory_equal(&poi, &wanted, sizeof poi);
-        torn += (uint32_t)calibration_is_torn(&left, 0);
-        assert_false(calibration_is_torn(&left, 0) && (i == 0 || i == count));
+        torn += (uint32_t)input_calibration_is_torn(&left, 0);
+        assert_false(input_calibration_is_torn(&left, 0) && (i == 0 || i == count));
     }
-    assert_true(torn >= count - 2u); /* All in between, save where no value is left. */
+    assert_true(torn >= count - 2u); /* Every cut between two entries gives an incomplete
+                                        calibration, except where no value is left. */
 }
 
-static void test_a_map_that_was_cut_off_between_two_entries_is_none(void **state)
+static void test_an_incomplete_calibration_after_a_power_cut_is_not_used(void **state)
 {
     (void)state;
     struct settings before = stall.core.config.persistent.settings;
@@ -205,42 +210,43 @@ static void test_a_map_that_was_cut_off_between_two_entries_is_none(void **state
     take(CALIBRATE_BEGIN);
     lead_through((struct poi_target){ 0 });
     hold_true(aside, CORE_TICK_HZ);
-    expect_no_patchwork(&before, before_id); /* The first one, */
+    expect_no_patchwork(&before, before_id); /* The first calibration. */
 
     before = stall.core.config.persistent.settings;
     before_id = stall.output.entry_id;
     take(CALIBRATE_BEGIN);
     lead_through((struct poi_target){ .position_m.y = 0.01f, .angles = { 0.0f, 0.1f, 0.05f } });
     hold_true(aside, CORE_TICK_HZ);
-    expect_no_patchwork(&before, before_id); /* another after it, */
+    expect_no_patchwork(&before, before_id); /* A second calibration after the first. */
 
     before = stall.core.config.persistent.settings;
     before_id = stall.output.entry_id;
     take(CALIBRATE_NONE);
     hold_true(aside, CORE_TICK_HZ);
-    expect_no_patchwork(&before, before_id); /* and none any more. */
+    expect_no_patchwork(&before, before_id); /* The removal of the calibration. */
 }
 
-/* The page tells of it, and offers to take it away; undone is what was whole. */
-static void test_a_torn_map_is_told_and_taken_away(void **state)
+/* The page shows the incomplete calibration and enables its removal. Undo restores the last
+ * complete one. */
+static void test_an_incomplete_calibration_is_shown_and_can_be_removed(void **state)
 {
     (void)state;
     static struct scene scene;
     calibrate_all();
-    stall.core.config.persistent.settings.value[calibration_setting(0) + CALIBRATION_Z0] += 1;
+    stall.core.config.persistent.settings.value[input_calibration_setting(0) + CALIBRATION_Z0] += 1;
     step();
     core_scene(&stall.core, &scene);
-    assert_true(calibration_is_torn(&scene.menu.settings, 0));
+    assert_true(input_calibration_is_torn(&scene.menu.settings, 0));
     assert_false(is_set());
     assert_true(menu_enabled(menu()) >> CALIBRATE_NONE & 1u);
     take(CALIBRATE_NONE);
-    assert_false(calibration_is_torn(&stall.core.config.persistent.settings, 0));
+    assert_false(input_calibration_is_torn(&stall.core.config.persistent.settings, 0));
     take(CALIBRATE_UNDO);
-    assert_false(calibration_is_torn(&stall.core.config.persistent.settings, 0));
+    assert_false(input_calibration_is_torn(&stall.core.config.persistent.settings, 0));
     assert_false(is_set());
 }
 
-static void test_it_is_undone_redone_and_taken_away(void **state)
+static void test_a_calibration_can_be_undone_redone_and_removed(void **state)
 {
     (void)state;
     calibrate_all();
@@ -256,7 +262,7 @@ static void test_it_is_undone_redone_and_taken_away(void **state)
     assert_memory_equal(&stall.core.config.persistent.settings, &set, sizeof set);
 }
 
-static void test_a_refused_one_changes_nothing(void **state)
+static void test_a_rejected_calibration_changes_nothing(void **state)
 {
     (void)state;
     open_page();
@@ -268,8 +274,8 @@ static void test_a_refused_one_changes_nothing(void **state)
     assert_false(menu_enabled(menu()) >> CALIBRATE_UNDO & 1u);
 }
 
-/* In its holder when it began, on its way, away for a while: none of that is a mark. */
-static void test_only_stillness_after_a_way_is_a_mark(void **state)
+/* A poi in its holder at the start, a moving poi and an absent poi give no mark. */
+static void test_only_a_rest_after_a_movement_counts_as_a_mark(void **state)
 {
     (void)state;
     open_page();
@@ -277,13 +283,13 @@ static void test_only_stillness_after_a_way_is_a_mark(void **state)
     const struct poi_target holder = { .position_m = v3(0.0f, 0.1f, 0.0f) };
     hold_true(holder, 4u * CALIBRATE_STILL_TICKS);
     assert_int_equal(calibrate()->step, CALIBRATE_CORNER);
-    for (uint32_t i = 0; i < 5u * CALIBRATE_STILL_TICKS; i++) { /* 10 cm/s. */
+    for (uint32_t i = 0; i < 5u * CALIBRATE_STILL_TICKS; i++) { /* The speed is 10 cm/s. */
         const float x = 0.001f * (float)(i % 600u) - 0.3f;
         hold_true((struct poi_target){ .position_m = v3(x, 0.1f, 0.0f) }, 1);
     }
     assert_int_equal(calibrate()->step, CALIBRATE_CORNER);
     const struct poi_target mark = { .position_m =
-                                         calibration_mark(stall.core.world.tank.size_m, 0) };
+                                         input_calibration_mark(stall.core.world.tank.size_m, 0) };
     hold_true(mark, CALIBRATE_STILL_TICKS / 2u);
     stall.input.poi[0].link = POI_SOURCE_LOST;
     step();
@@ -291,16 +297,18 @@ static void test_only_stillness_after_a_way_is_a_mark(void **state)
     assert_int_equal(calibrate()->step, CALIBRATE_CORNER);
     hold_true(mark, CALIBRATE_STILL_TICKS / 2u + 2u);
     assert_int_equal(calibrate()->step, CALIBRATE_CORNER + 1);
-    hold_true(mark, 4u * CALIBRATE_STILL_TICKS); /* Nobody goes on: it is one mark, not two. */
+    hold_true(mark, 4u * CALIBRATE_STILL_TICKS); /* The poi stays at the mark, which counts once and
+                                                    not twice. */
     assert_int_equal(calibrate()->step, CALIBRATE_CORNER + 1);
 }
 
-static void test_a_poi_on_its_way_takes_no_tag(void **state)
+static void test_a_moving_poi_activates_no_tag(void **state)
 {
     (void)state;
     open_page();
     take(CALIBRATE_BEGIN);
-    for (uint32_t i = 0; i < 600u; i++) { /* Over and through all of the screen. */
+    for (uint32_t i = 0; i < 600u; i++) { /* The poi moves over the whole screen and through the
+                                             water. */
         const vec3 at_m = v3(0.002f * (float)(i % 300u) - 0.3f, i % 40u < 20u ? 0.06f : -0.05f,
                              0.001f * (float)i - 0.3f);
         hold_true((struct poi_target){ .position_m = at_m }, 1);
@@ -311,7 +319,7 @@ static void test_a_poi_on_its_way_takes_no_tag(void **state)
 
 /* ---- A round -------------------------------------------------------------------------------- */
 
-/* The bot's hand truly moves so; the core is told what the twin sees. */
+/* Plays a round. The bot moves the true pose, and the core gets the distorted one. */
 static uint32_t play_a_round(void)
 {
     uint32_t ticks = 0;
@@ -324,10 +332,10 @@ static uint32_t play_a_round(void)
         hold_true(bot_tick(&stall.bot, &vision), 1);
     }
     assert_int_equal(stall.core.game.phase, PHASE_RESULT);
-    return stall.output.record.caught;
+    return newest_record(&stall.output)->caught;
 }
 
-static void test_a_skewed_poi_catches_fish_only_once_it_is_calibrated(void **state)
+static void test_a_skewed_poi_catches_fish_only_after_calibration(void **state)
 {
     assert_int_equal(play_a_round(), 0);
     setup(state);
@@ -344,15 +352,15 @@ static void test_a_skewed_poi_catches_fish_only_once_it_is_calibrated(void **sta
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(test_a_poi_is_led_from_mark_to_mark_and_counts_at_once, setup),
-        cmocka_unit_test_setup(test_each_value_is_an_entry_of_the_ledger, setup),
-        cmocka_unit_test_setup(test_a_map_that_was_cut_off_between_two_entries_is_none, setup),
-        cmocka_unit_test_setup(test_a_torn_map_is_told_and_taken_away, setup),
-        cmocka_unit_test_setup(test_it_is_undone_redone_and_taken_away, setup),
-        cmocka_unit_test_setup(test_a_refused_one_changes_nothing, setup),
-        cmocka_unit_test_setup(test_only_stillness_after_a_way_is_a_mark, setup),
-        cmocka_unit_test_setup(test_a_poi_on_its_way_takes_no_tag, setup),
-        cmocka_unit_test_setup(test_a_skewed_poi_catches_fish_only_once_it_is_calibrated, setup),
+        cmocka_unit_test_setup(test_a_calibration_visits_each_mark_and_applies_immediately, setup),
+        cmocka_unit_test_setup(test_each_calibration_value_is_a_ledger_entry, setup),
+        cmocka_unit_test_setup(test_an_incomplete_calibration_after_a_power_cut_is_not_used, setup),
+        cmocka_unit_test_setup(test_an_incomplete_calibration_is_shown_and_can_be_removed, setup),
+        cmocka_unit_test_setup(test_a_calibration_can_be_undone_redone_and_removed, setup),
+        cmocka_unit_test_setup(test_a_rejected_calibration_changes_nothing, setup),
+        cmocka_unit_test_setup(test_only_a_rest_after_a_movement_counts_as_a_mark, setup),
+        cmocka_unit_test_setup(test_a_moving_poi_activates_no_tag, setup),
+        cmocka_unit_test_setup(test_a_skewed_poi_catches_fish_only_after_calibration, setup),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

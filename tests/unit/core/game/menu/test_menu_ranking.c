@@ -1,7 +1,9 @@
-/* The ranking's pages of the operator's menu: by two buttons, to each score and back. */
+/* test_menu_ranking.c -- checks the ranking's pages of the operator's menu: two buttons reach each
+ * score and return. */
 #include "core/game/menu/menu_pages.h"
 #include "core/game/phases.h"
-#include "tests/unit/support/game_stand.h"
+#include "tests/unit/support/game_fixture.h"
+#include "tests/unit/support/menu_tag.h"
 
 static int setup_pages(void **state)
 {
@@ -43,18 +45,18 @@ static const char *name_in(enum rank_period period, uint32_t row)
     return core.game.accounts.ranking.row[MODE_FESTIVAL][period][row].name;
 }
 
-static void test_only_rows_that_somebody_is_in_can_be_taken(void **state)
+static void test_only_rows_with_a_score_can_be_activated(void **state)
 {
     (void)state;
     open_ranking();
     assert_int_equal(menu_enabled(&core.game.menu), 7u | 3u << RANKING_NEXT);
-    take(RANKING_NEXT); /* Nobody this week. */
+    take(RANKING_NEXT); /* This week has no score. */
     assert_int_equal(menu_enabled(&core.game.menu), 3u << RANKING_NEXT);
     take(RANKING_BACK);
     assert_int_equal(core.game.menu.page, MENU_BOOKS);
 }
 
-static void test_boards_come_round_and_practice_has_none(void **state)
+static void test_the_leaderboards_cycle_and_practice_has_none(void **state)
 {
     (void)state;
     static struct scene scene;
@@ -63,12 +65,13 @@ static void test_boards_come_round_and_practice_has_none(void **state)
         core_scene(&core, &scene);
         assert_true(scene.leaderboard.shown);
         assert_int_equal(scene.leaderboard.period, i % 3u);
-        assert_int_equal(scene.leaderboard.mode, i / 3u % 2u); /* Festival and championship. */
+        assert_int_equal(scene.leaderboard.mode, i / 3u % 2u); /* The leaderboards are those of
+                                                                  festival and championship. */
         take(RANKING_NEXT);
     }
 }
 
-static void test_a_score_is_asked_for_by_its_round(void **state)
+static void test_a_score_is_identified_by_its_round(void **state)
 {
     (void)state;
     open_ranking();
@@ -82,14 +85,14 @@ static void test_a_score_is_asked_for_by_its_round(void **state)
     assert_int_equal(order->round_id, 41);
 }
 
-static void test_a_name_goes_from_every_board_when_it_was_meant(void **state)
+static void test_a_confirmed_removal_deletes_a_name_from_every_leaderboard(void **state)
 {
     (void)state;
     open_ranking();
     take(2);
     const uint32_t before = output.entry_id;
     take(SCORE_UNNAME);
-    assert_int_equal(output.entry_id, before); /* It asks first. */
+    assert_int_equal(output.entry_id, before); /* The menu asks for a confirmation first. */
     assert_false(menu_enabled(&core.game.menu) >> SCORE_UNNAME & 1u);
     take(SCORE_CONFIRM);
     assert_int_equal(output.entry_id, before + 1u);
@@ -100,11 +103,12 @@ static void test_a_name_goes_from_every_board_when_it_was_meant(void **state)
     assert_string_equal(entry->name, "");
     assert_string_equal(name_in(RANK_DAY, 2), "");
     assert_string_equal(name_in(RANK_EVER, 2), "");
-    assert_string_equal(name_in(RANK_DAY, 0), "さくら"); /* The same round's other seat. */
+    assert_string_equal(name_in(RANK_DAY, 0),
+                        "さくら"); /* The name belongs to another player of the same round. */
     assert_int_equal(core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_DAY][2].caught, 7);
 }
 
-static void test_who_has_second_thoughts_takes_nothing_down(void **state)
+static void test_a_cancelled_removal_deletes_no_name(void **state)
 {
     (void)state;
     open_ranking();
@@ -112,11 +116,12 @@ static void test_who_has_second_thoughts_takes_nothing_down(void **state)
     take(SCORE_UNNAME);
     take(SCORE_BACK);
     take(0);
-    assert_true(menu_enabled(&core.game.menu) >> SCORE_UNNAME & 1u); /* It is asked anew. */
+    assert_true(menu_enabled(&core.game.menu) >> SCORE_UNNAME & 1u); /* The menu asks for a
+                                                                        confirmation again. */
     assert_string_equal(name_in(RANK_DAY, 0), "さくら");
 }
 
-static void test_what_has_no_name_offers_none_to_take_down(void **state)
+static void test_an_unnamed_score_disables_the_removal(void **state)
 {
     (void)state;
     open_ranking();
@@ -124,7 +129,7 @@ static void test_what_has_no_name_offers_none_to_take_down(void **state)
     assert_int_equal(menu_enabled(&core.game.menu), 1u << SCORE_REPLAY | 1u << SCORE_BACK);
 }
 
-static void test_a_day_that_ends_meanwhile_leaves_nothing_to_do(void **state)
+static void test_a_removal_after_the_end_of_the_day_does_nothing(void **state)
 {
     (void)state;
     open_ranking();
@@ -148,13 +153,13 @@ static void test_a_day_that_ends_meanwhile_leaves_nothing_to_do(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        ON_PAGES(test_only_rows_that_somebody_is_in_can_be_taken),
-        ON_PAGES(test_boards_come_round_and_practice_has_none),
-        ON_PAGES(test_a_score_is_asked_for_by_its_round),
-        ON_PAGES(test_a_name_goes_from_every_board_when_it_was_meant),
-        ON_PAGES(test_who_has_second_thoughts_takes_nothing_down),
-        ON_PAGES(test_what_has_no_name_offers_none_to_take_down),
-        ON_PAGES(test_a_day_that_ends_meanwhile_leaves_nothing_to_do),
+        ON_PAGES(test_only_rows_with_a_score_can_be_activated),
+        ON_PAGES(test_the_leaderboards_cycle_and_practice_has_none),
+        ON_PAGES(test_a_score_is_identified_by_its_round),
+        ON_PAGES(test_a_confirmed_removal_deletes_a_name_from_every_leaderboard),
+        ON_PAGES(test_a_cancelled_removal_deletes_no_name),
+        ON_PAGES(test_an_unnamed_score_disables_the_removal),
+        ON_PAGES(test_a_removal_after_the_end_of_the_day_does_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

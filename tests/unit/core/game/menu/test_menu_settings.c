@@ -1,12 +1,13 @@
-/* test_menu_settings.c -- what an operator sets with two buttons or a poi: it counts at once, is in
- * the ledger once, and none of it is lost or done in haste. */
+/* test_menu_settings.c -- checks settings that an operator changes with two buttons or a poi. A
+ * change applies immediately, gives one ledger entry and is never lost. */
 #include "core/pin.h"
-#include "core/game/accounting/ledger_writer.h"
+#include "core/game/accounting/accounts.h"
 #include "core/game/menu/menu_pages.h"
 #include "core/game/phases.h"
-#include "tests/unit/support/game_stand.h"
+#include "tests/unit/support/game_fixture.h"
+#include "tests/unit/support/menu_tag.h"
 
-#define HELD_S 12u /* Longer than the longest range takes. */
+#define HELD_S 12u /* The time exceeds that of the longest range. */
 
 static const struct menu *menu(void)
 {
@@ -49,7 +50,7 @@ static void go_back(void)
     take(menu_tag_count(menu()->page) - 1u);
 }
 
-/* A stall with every setting at its standard, a store that keeps what it is given, and the menu. */
+/* Opens a kiosk with default settings, a store that saves every entry, and the menu. */
 static int setup_menu(void **state)
 {
     setup(state);
@@ -77,22 +78,22 @@ static uint32_t foot(uint32_t index)
     return menu_body_count(menu()->page) + index;
 }
 
-/* The newest entry of the ledger. */
+/* Returns the newest entry of the ledger. */
 static const struct ledger_entry *newest(void)
 {
     return &output.entries[output.entry_id % LEDGER_RING];
 }
 
-/* The store has all that it was given. */
+/* Acknowledges all entries as stored. */
 static void save_all(void)
 {
     input.record_saved_id = output.entry_id;
     step();
 }
 
-/* ---- Turning -------------------------------------------------------------------------------- */
+/* ---- Changing a value ----------------------------------------------------------------------- */
 
-static void test_a_take_turns_a_value_on_and_round(void **state)
+static void test_an_activation_increments_a_value_and_wraps_around(void **state)
 {
     (void)state;
     static const uint8_t way[] = { PLAY_PAID, PLAY_EVENT, PLAY_FREE, PLAY_PAID };
@@ -105,11 +106,13 @@ static void test_a_take_turns_a_value_on_and_round(void **state)
     }
 }
 
-static void test_the_foot_turns_down_and_back_to_the_standard(void **state)
+static void test_the_footer_decrements_a_value_and_restores_the_default(void **state)
 {
     (void)state;
     go_to(MENU_SOUND);
-    assert_false(menu_enabled(menu()) >> foot(SETTINGS_STANDARD) & 1u); /* Of what? */
+    assert_false(menu_enabled(menu()) >> foot(SETTINGS_STANDARD) & 1u); /* No setting is
+                                                                           selected, so the tag
+                                                                           is disabled. */
     take(foot(SETTINGS_DIRECTION));
     take(row_of(MENU_SOUND, SET_VOLUME));
     push(INPUT_TEST);
@@ -121,8 +124,9 @@ static void test_the_foot_turns_down_and_back_to_the_standard(void **state)
     assert_int_equal(value(SET_VOLUME), 85);
 }
 
-/* By the configuration file or the command line: the menu offers its standard at once. */
-static void test_what_was_changed_elsewhere_has_its_standard_offered(void **state)
+/* The configuration file or the command line changed the setting, so the menu enables its default
+ * immediately. */
+static void test_a_setting_changed_elsewhere_enables_its_default(void **state)
 {
     (void)state;
     core.config.persistent.settings.value[SET_CREDIT_MAX] = 5;
@@ -132,7 +136,7 @@ static void test_what_was_changed_elsewhere_has_its_standard_offered(void **stat
     assert_int_equal(value(SET_CREDIT_MAX), settings_entry(SET_CREDIT_MAX)->standard);
 }
 
-static void test_nothing_is_called_saved_that_was_not_turned(void **state)
+static void test_an_unchanged_setting_is_not_shown_as_saved(void **state)
 {
     (void)state;
     static struct scene scene;
@@ -141,7 +145,7 @@ static void test_nothing_is_called_saved_that_was_not_turned(void **state)
     core_scene(&core, &scene);
     assert_true(scene.menu.is_saved && !scene.menu.has_turned);
     push(INPUT_TEST);
-    steps(3u * CORE_TICK_HZ); /* A value that rests is told. */
+    steps(3u * CORE_TICK_HZ); /* The entry is written when the value has not changed for a while. */
     save_all();
     core_scene(&core, &scene);
     assert_true(scene.menu.is_saved && scene.menu.has_turned);
@@ -150,9 +154,9 @@ static void test_nothing_is_called_saved_that_was_not_turned(void **state)
     assert_false(scene.menu.has_turned);
 }
 
-/* Up from its lowest value through the whole range and round, and down again: each value that it
- * may have is met, and no other. */
-static void test_every_setting_can_have_every_value_that_it_may(void **state)
+/* Steps from the lowest value through the whole range, around, and down again. The test meets every
+ * permitted value and no other. */
+static void test_every_setting_reaches_every_value_of_its_range(void **state)
 {
     (void)state;
     for (uint32_t id = 0; id < SET_CALIBRATION; id++) {
@@ -176,7 +180,7 @@ static void test_every_setting_can_have_every_value_that_it_may(void **state)
     }
 }
 
-static void test_every_setting_hangs_on_exactly_one_page(void **state)
+static void test_every_setting_is_on_exactly_one_page(void **state)
 {
     (void)state;
     for (uint32_t id = 0; id < SET_CALIBRATION; id++) {
@@ -186,11 +190,11 @@ static void test_every_setting_hangs_on_exactly_one_page(void **state)
                 rows += menu_setting_at(page, tag) == id;
             }
         }
-        assert_int_equal(rows, id == SET_PIN ? 0 : 1); /* Which has keys instead. */
+        assert_int_equal(rows, id == SET_PIN ? 0 : 1); /* The PIN uses keys instead of a row. */
     }
 }
 
-static void test_held_it_turns_on_in_haste_and_stops_at_the_end(void **state)
+static void test_a_held_button_repeats_fast_and_stops_at_the_end(void **state)
 {
     (void)state;
     go_to(MENU_GAME);
@@ -199,7 +203,7 @@ static void test_held_it_turns_on_in_haste_and_stops_at_the_end(void **state)
     press(INPUT_TEST);
     assert_int_equal(value(SET_FISH), 1);
     steps(CORE_TICK_HZ / 2u - 1u);
-    assert_int_equal(value(SET_FISH), 1); /* A slow finger is none that holds. */
+    assert_int_equal(value(SET_FISH), 1); /* Slow presses do not count as a held button. */
     steps(2);
     assert_int_equal(value(SET_FISH), 2);
     steps(HELD_S * CORE_TICK_HZ);
@@ -207,10 +211,10 @@ static void test_held_it_turns_on_in_haste_and_stops_at_the_end(void **state)
     input.held = 0;
     step();
     push(INPUT_TEST);
-    assert_int_equal(value(SET_FISH), 0); /* Pressed again it goes round. */
+    assert_int_equal(value(SET_FISH), 0); /* Another press wraps around. */
 }
 
-static void test_a_poi_under_water_turns_on_too(void **state)
+static void test_a_poi_under_water_repeats_the_change(void **state)
 {
     (void)state;
     go_to(MENU_SOUND);
@@ -234,7 +238,7 @@ static void test_a_poi_under_water_turns_on_too(void **state)
     assert_int_equal(value(SET_VOLUME), 100);
 }
 
-static void test_of_the_modes_one_is_always_left(void **state)
+static void test_at_least_one_mode_stays_enabled(void **state)
 {
     (void)state;
     go_to(MENU_GAME);
@@ -248,7 +252,7 @@ static void test_of_the_modes_one_is_always_left(void **state)
     assert_int_equal(core.config.modes, value(SET_MODES));
 }
 
-static void test_fish_seats_and_language_are_those_of_the_next_attract(void **state)
+static void test_fish_count_players_and_language_apply_at_the_next_attract(void **state)
 {
     (void)state;
     go_to(MENU_GAME);
@@ -257,7 +261,8 @@ static void test_fish_seats_and_language_are_those_of_the_next_attract(void **st
     take(row_of(MENU_GAME, SET_PLAYERS));
     take(row_of(MENU_GAME, SET_LANGUAGE));
     assert_int_equal(core.world.tank.fish_count, before);
-    assert_int_equal(core.game.language, LANGUAGE_EN); /* At once: the next page is read in it. */
+    assert_int_equal(core.game.language, LANGUAGE_EN); /* The language applies immediately to the
+                                                          next page. */
     go_back();
     go_back();
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
@@ -267,7 +272,7 @@ static void test_fish_seats_and_language_are_those_of_the_next_attract(void **st
 
 /* ---- The ledger ----------------------------------------------------------------------------- */
 
-static void test_a_knob_that_is_turned_far_is_one_entry_once_it_rests(void **state)
+static void test_several_changes_of_a_setting_give_one_entry_at_rest(void **state)
 {
     (void)state;
     const uint32_t before = output.entry_id;
@@ -291,7 +296,7 @@ static void test_a_knob_that_is_turned_far_is_one_entry_once_it_rests(void **sta
                                        &core.config.persistent.settings));
 }
 
-static void test_what_is_turned_there_and_back_is_no_entry(void **state)
+static void test_a_change_that_is_reversed_gives_no_entry(void **state)
 {
     (void)state;
     const uint32_t before = output.entry_id;
@@ -325,16 +330,16 @@ static void test_a_full_ring_and_a_closed_menu_lose_no_setting(void **state)
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
     assert_int_equal(output.entry_id, full);
     assert_int_equal(core.game.accounts.ledger.uncommitted, 0);
-    save_all(); /* The card is back. */
+    save_all(); /* The store works again. */
     step();
     assert_int_equal(output.entry_id, full + 1u);
     assert_int_equal(newest()->kind, LEDGER_SETTING);
     assert_int_equal(newest()->value, 85);
 }
 
-/* ---- What is asked twice -------------------------------------------------------------------- */
+/* ---- Confirmations -------------------------------------------------------------------------- */
 
-static void test_the_first_day_comes_back_only_for_who_means_it(void **state)
+static void test_a_factory_reset_requires_a_confirmation(void **state)
 {
     (void)state;
     go_to(MENU_SOUND);
@@ -345,7 +350,7 @@ static void test_the_first_day_comes_back_only_for_who_means_it(void **state)
     go_to(MENU_UPKEEP);
     go_to(MENU_FACTORY);
     const uint32_t before = output.entry_id;
-    push(INPUT_TEST); /* In haste: back. */
+    push(INPUT_TEST); /* A press before the delay returns to the page. */
     assert_int_equal(menu()->page, MENU_UPKEEP);
     assert_int_equal(output.entry_id, before);
     go_to(MENU_FACTORY);
@@ -353,7 +358,7 @@ static void test_the_first_day_comes_back_only_for_who_means_it(void **state)
     assert_int_equal(menu()->page, MENU_UPKEEP);
     assert_int_equal(newest()->id, before + 1u);
     assert_int_equal(newest()->kind, LEDGER_FACTORY);
-    assert_int_equal(newest()->count, 3); /* The books say what became of them. */
+    assert_int_equal(newest()->count, 3); /* The entry holds the audit counts before the reset. */
     assert_int_equal(core.game.accounts.audits.count[AUDIT_EXPIRED], 3);
     assert_int_equal(output.commands[(output.command_count - 1u) % CONTROLLER_COMMAND_MAX].kind,
                      COMMAND_RESTART);
@@ -361,10 +366,11 @@ static void test_the_first_day_comes_back_only_for_who_means_it(void **state)
     assert_int_equal(core.game.accounts.ledger.balance.paid, 0);
     assert_int_equal(value(SET_VOLUME), 80);
     steps(CORE_TICK_HZ);
-    assert_int_equal(output.entry_id, before + 1u); /* It says all: no setting is told again. */
+    assert_int_equal(output.entry_id, before + 1u); /* One entry covers all settings, so no setting
+                                                       has an entry of its own. */
 }
 
-static void test_where_the_ledger_has_no_room_nothing_is_taken_back(void **state)
+static void test_no_reset_happens_without_room_in_the_ledger(void **state)
 {
     (void)state;
     go_to(MENU_SOUND);
@@ -376,12 +382,12 @@ static void test_where_the_ledger_has_no_room_nothing_is_taken_back(void **state
     go_to(MENU_FACTORY);
     fill_the_ring();
     take(CONFIRM_YES);
-    assert_int_equal(menu()->page, MENU_FACTORY); /* The question stays. */
+    assert_int_equal(menu()->page, MENU_FACTORY); /* The question stays open. */
     assert_int_equal(core.game.accounts.ledger.balance.paid, 3);
     assert_int_equal(value(SET_VOLUME), 85);
 }
 
-static void test_a_reset_of_the_books_is_an_entry_with_what_was_counted(void **state)
+static void test_a_reset_of_the_audits_is_an_entry_with_the_counts(void **state)
 {
     (void)state;
     static const struct {
@@ -400,11 +406,11 @@ static void test_a_reset_of_the_books_is_an_entry_with_what_was_counted(void **s
         core.game.accounts.audits.count[books[i].audit + 1u] = 2;
         go_to(books[i].page);
         const uint32_t before = output.entry_id;
-        push(INPUT_TEST); /* In haste: back. */
+        push(INPUT_TEST); /* A press before the delay returns to the page. */
         go_to(books[i].page);
         take(BOOK_RESET);
         assert_int_equal(menu()->page, MENU_RESET);
-        push(INPUT_TEST); /* In haste once more. */
+        push(INPUT_TEST); /* This press is also before the delay. */
         assert_int_equal(menu()->page, books[i].page);
         assert_int_equal(output.entry_id, before);
         take(BOOK_RESET);
@@ -419,7 +425,7 @@ static void test_a_reset_of_the_books_is_an_entry_with_what_was_counted(void **s
     }
 }
 
-static void test_a_restart_is_ordered_once_and_not_in_haste(void **state)
+static void test_a_restart_is_requested_once_after_a_delay(void **state)
 {
     (void)state;
     go_to(MENU_UPKEEP);
@@ -453,21 +459,21 @@ static int setup_locked(void **state)
     return 0;
 }
 
-static void test_the_menu_opens_for_its_pin_alone(void **state)
+static void test_the_menu_opens_only_with_its_pin(void **state)
 {
     (void)state;
     type(407);
     assert_int_equal(menu()->page, MENU_TOP);
 }
 
-static void test_a_wrong_pin_waits_and_the_next_one_twice_as_long(void **state)
+static void test_each_wrong_pin_doubles_the_delay(void **state)
 {
     (void)state;
     uint32_t wait = 5u * CORE_TICK_HZ;
     for (uint32_t tries = 0; tries < 7u; tries++) {
         type(408);
         assert_int_equal(menu()->page, MENU_PIN);
-        type(407); /* Right, and too early: 40 presses take 4 s at most. */
+        type(407); /* The PIN is correct but too early: 40 presses take at most 4 s. */
         if (menu_pin_wait_ticks(&core.game.settings_edit, core.game.tick) > 0) {
             assert_int_equal(menu()->page, MENU_PIN);
         }
@@ -484,13 +490,13 @@ static void test_a_wrong_pin_waits_and_the_next_one_twice_as_long(void **state)
     assert_int_equal(core.game.settings_edit.pin_wrong, 0);
 }
 
-static void test_who_leaves_and_comes_back_waits_none_the_less(void **state)
+static void test_leaving_the_menu_does_not_shorten_the_delay(void **state)
 {
     (void)state;
     type(1);
     take(PIN_BACK);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
-    for (uint32_t i = 0; i < SESSION_FADE_TICKS + 2u; i++) { /* The stall begins anew. */
+    for (uint32_t i = 0; i < SESSION_FADE_TICKS + 2u; i++) { /* A new session starts. */
         core_tick(&core, &input, &output);
     }
     push(INPUT_TEST);
@@ -498,8 +504,8 @@ static void test_who_leaves_and_comes_back_waits_none_the_less(void **state)
     assert_true(menu_pin_wait_ticks(&core.game.settings_edit, core.game.tick) > 0);
 }
 
-/* What the ledger has is all that the next start knows. */
-static void test_who_pulls_the_plug_waits_as_long(void **state)
+/* The next start knows only the contents of the ledger. */
+static void test_a_power_cut_does_not_shorten_the_delay(void **state)
 {
     (void)state;
     for (uint32_t tries = 0; tries < 3u; tries++) {
@@ -528,8 +534,8 @@ static void test_who_pulls_the_plug_waits_as_long(void **state)
     assert_int_equal(core.game.accounts.audits.count[AUDIT_WRONG_PINS], 0);
 }
 
-/* 160 s, whatever a file says that somebody has written. */
-static void test_no_number_of_wrong_pins_locks_the_menu_for_good(void **state)
+/* The limit is 160 s for any stored number of wrong PINs. */
+static void test_the_delay_after_wrong_pins_is_limited(void **state)
 {
     (void)state;
     static struct core_config config;
@@ -542,7 +548,7 @@ static void test_no_number_of_wrong_pins_locks_the_menu_for_good(void **state)
     assert_int_equal(menu_pin_wait_ticks(&core.game.settings_edit, core.game.tick), 0);
 }
 
-static void test_digits_are_nobodys_to_read_but_where_they_are_chosen(void **state)
+static void test_pin_digits_are_shown_only_where_they_are_entered(void **state)
 {
     (void)state;
     static struct scene scene;
@@ -559,14 +565,14 @@ static void test_digits_are_nobodys_to_read_but_where_they_are_chosen(void **sta
     assert_int_equal(scene.menu.pin, 4);
 }
 
-static void test_a_new_pin_is_asked_for_and_four_zeros_end_that(void **state)
+static void test_a_new_pin_is_required_and_0000_disables_it(void **state)
 {
     (void)state;
     type(407);
     go_to(MENU_UPKEEP);
     go_to(MENU_NEW_PIN);
     type(9051);
-    assert_true(value(SET_PIN) < 0); /* Hidden. */
+    assert_true(value(SET_PIN) < 0); /* The PIN's value is hidden. */
     assert_true(pin_matches(value(SET_PIN), 9051));
     assert_int_equal(menu()->page, MENU_UPKEEP);
     go_to(MENU_NEW_PIN);
@@ -578,7 +584,7 @@ static void test_a_new_pin_is_asked_for_and_four_zeros_end_that(void **state)
     assert_int_equal(menu()->page, MENU_TOP);
 }
 
-static void test_who_does_not_know_it_holds_up_nobody(void **state)
+static void test_an_unfinished_pin_entry_does_not_block_the_kiosk(void **state)
 {
     (void)state;
     steps(MENU_PIN_IDLE_TICKS);
@@ -591,31 +597,31 @@ static void test_who_does_not_know_it_holds_up_nobody(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        IN_MENU(test_a_take_turns_a_value_on_and_round),
-        IN_MENU(test_the_foot_turns_down_and_back_to_the_standard),
-        IN_MENU(test_what_was_changed_elsewhere_has_its_standard_offered),
-        IN_MENU(test_nothing_is_called_saved_that_was_not_turned),
-        IN_MENU(test_every_setting_can_have_every_value_that_it_may),
-        IN_MENU(test_every_setting_hangs_on_exactly_one_page),
-        IN_MENU(test_held_it_turns_on_in_haste_and_stops_at_the_end),
-        IN_MENU(test_a_poi_under_water_turns_on_too),
-        IN_MENU(test_of_the_modes_one_is_always_left),
-        IN_MENU(test_fish_seats_and_language_are_those_of_the_next_attract),
-        IN_MENU(test_a_knob_that_is_turned_far_is_one_entry_once_it_rests),
-        IN_MENU(test_what_is_turned_there_and_back_is_no_entry),
+        IN_MENU(test_an_activation_increments_a_value_and_wraps_around),
+        IN_MENU(test_the_footer_decrements_a_value_and_restores_the_default),
+        IN_MENU(test_a_setting_changed_elsewhere_enables_its_default),
+        IN_MENU(test_an_unchanged_setting_is_not_shown_as_saved),
+        IN_MENU(test_every_setting_reaches_every_value_of_its_range),
+        IN_MENU(test_every_setting_is_on_exactly_one_page),
+        IN_MENU(test_a_held_button_repeats_fast_and_stops_at_the_end),
+        IN_MENU(test_a_poi_under_water_repeats_the_change),
+        IN_MENU(test_at_least_one_mode_stays_enabled),
+        IN_MENU(test_fish_count_players_and_language_apply_at_the_next_attract),
+        IN_MENU(test_several_changes_of_a_setting_give_one_entry_at_rest),
+        IN_MENU(test_a_change_that_is_reversed_gives_no_entry),
         IN_MENU(test_a_full_ring_and_a_closed_menu_lose_no_setting),
-        IN_MENU(test_the_first_day_comes_back_only_for_who_means_it),
-        IN_MENU(test_where_the_ledger_has_no_room_nothing_is_taken_back),
-        IN_MENU(test_a_reset_of_the_books_is_an_entry_with_what_was_counted),
-        IN_MENU(test_a_restart_is_ordered_once_and_not_in_haste),
-        LOCKED(test_the_menu_opens_for_its_pin_alone),
-        LOCKED(test_who_pulls_the_plug_waits_as_long),
-        LOCKED(test_no_number_of_wrong_pins_locks_the_menu_for_good),
-        LOCKED(test_a_wrong_pin_waits_and_the_next_one_twice_as_long),
-        LOCKED(test_who_leaves_and_comes_back_waits_none_the_less),
-        LOCKED(test_digits_are_nobodys_to_read_but_where_they_are_chosen),
-        LOCKED(test_a_new_pin_is_asked_for_and_four_zeros_end_that),
-        LOCKED(test_who_does_not_know_it_holds_up_nobody),
+        IN_MENU(test_a_factory_reset_requires_a_confirmation),
+        IN_MENU(test_no_reset_happens_without_room_in_the_ledger),
+        IN_MENU(test_a_reset_of_the_audits_is_an_entry_with_the_counts),
+        IN_MENU(test_a_restart_is_requested_once_after_a_delay),
+        LOCKED(test_the_menu_opens_only_with_its_pin),
+        LOCKED(test_a_power_cut_does_not_shorten_the_delay),
+        LOCKED(test_the_delay_after_wrong_pins_is_limited),
+        LOCKED(test_each_wrong_pin_doubles_the_delay),
+        LOCKED(test_leaving_the_menu_does_not_shorten_the_delay),
+        LOCKED(test_pin_digits_are_shown_only_where_they_are_entered),
+        LOCKED(test_a_new_pin_is_required_and_0000_disables_it),
+        LOCKED(test_an_unfinished_pin_entry_does_not_block_the_kiosk),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

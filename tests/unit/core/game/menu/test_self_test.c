@@ -1,15 +1,16 @@
-/* test_self_test.c -- ready for opening: nothing is good that was not tried, everything good is
- * ready, and each thing that fails is named. */
+/* test_self_test.c -- checks the self-test: no row is good without a check, the result is ready
+ * when all rows are good, and each failure is named. */
 #include <string.h>
 
 #include "core/game/menu/menu_pages.h"
 #include "core/game/phases.h"
-#include "tests/unit/support/game_stand.h"
+#include "tests/unit/support/game_fixture.h"
+#include "tests/unit/support/menu_tag.h"
 
 static struct scene scene;
 static uint8_t state_of[SELF_CHECKS];
 
-/* A machine that nothing is to be said of. */
+/* A machine without a warning. */
 static const struct scene_machine well = {
     .has_looked = 1,
     .keeps = KEEPS_PROVEN,
@@ -66,7 +67,7 @@ static uint32_t judge(void)
     return self_test_judge(&scene, state_of);
 }
 
-/* All that a card and a pair of hands do. */
+/* Performs all actions of a working store and of an operator. */
 static void save(void)
 {
     input.record_saved_id = output.entry_id;
@@ -110,7 +111,7 @@ static void try_all(void)
     drop_a_coin();
 }
 
-static void test_it_is_ready_when_everything_was_tried(void **state)
+static void test_the_result_is_ready_after_every_check(void **state)
 {
     (void)state;
     assert_true(judge() < SELF_CHECKS);
@@ -123,7 +124,7 @@ static void test_it_is_ready_when_everything_was_tried(void **state)
         core.game.accounts.ledger.balance.units + core.game.accounts.ledger.balance.paid, 0);
 }
 
-static void test_what_a_person_must_do_is_asked_until_it_is_done(void **state)
+static void test_a_manual_check_is_requested_until_it_is_done(void **state)
 {
     (void)state;
     steps(2);
@@ -134,13 +135,13 @@ static void test_what_a_person_must_do_is_asked_until_it_is_done(void **state)
     for (size_t i = 0; i < sizeof asks; i++) {
         assert_int_equal(state_of[asks[i]], SELF_ASKS);
     }
-    assert_int_equal(state_of[SELF_POIS], SELF_BAD); /* There is none. */
+    assert_int_equal(state_of[SELF_POIS], SELF_BAD); /* The kiosk has no such device. */
     wave(0);
     judge();
     assert_int_equal(state_of[SELF_POIS], SELF_GOOD);
 }
 
-static void test_a_card_that_keeps_nothing_is_named_within_twenty_seconds(void **state)
+static void test_a_store_that_saves_nothing_is_named_within_20_s(void **state)
 {
     (void)state;
     store_is_late = 1;
@@ -154,18 +155,18 @@ static void test_a_card_that_keeps_nothing_is_named_within_twenty_seconds(void *
     drop_a_coin();
     assert_int_equal(judge(), SELF_STORE);
     assert_int_equal(state_of[SELF_STORE], SELF_BAD);
-    save(); /* Late, but it came. */
+    save(); /* The entry was stored late but in time. */
     assert_int_equal(judge(), SELF_CHECKS);
 }
 
-static void test_each_thing_that_fails_is_named(void **state)
+static void test_each_failed_check_is_named(void **state)
 {
     (void)state;
     try_all();
     input.day = 0;
     step();
     assert_int_equal(judge(), SELF_CLOCK);
-    assert_int_equal(state_of[SELF_CLOCK], SELF_LOOK); /* Dates are a hint. */
+    assert_int_equal(state_of[SELF_CLOCK], SELF_LOOK); /* A wrong date gives only a hint. */
     input.day = 9000;
     step();
     scene.devices.frames_a_second = 12;
@@ -180,19 +181,19 @@ static void test_each_thing_that_fails_is_named(void **state)
     scene.devices.files_refused = 0;
     assert_int_equal(judge(), SELF_CHECKS);
     steps(2u * CORE_TICK_HZ);
-    input.poi[0].age_ticks = 24; /* Five reports a second. */
+    input.poi[0].age_ticks = 24; /* The controller sends five reports a second. */
     step();
     assert_int_equal(judge(), SELF_POIS);
     assert_int_equal(state_of[SELF_POIS], SELF_BAD);
 }
 
-static void test_the_operator_says_what_he_heard_and_saw(void **state)
+static void test_the_operators_answers_decide_sound_and_lamps(void **state)
 {
     (void)state;
     clear_sounds();
     steps(3u * CORE_TICK_HZ);
     assert_in_range(sounds[SOUND_CALL], 2, 4);
-    assert_false(self_test_shows(&core.game)); /* One thing at a time. */
+    assert_false(self_test_shows(&core.game)); /* The menu shows one check at a time. */
     take(SELF_NO);
     judge();
     assert_int_equal(state_of[SELF_SOUND], SELF_BAD);
@@ -209,51 +210,53 @@ static void test_the_operator_says_what_he_heard_and_saw(void **state)
     assert_int_equal(state_of[SELF_LAMP], SELF_BAD);
     assert_false(menu_enabled(menu()) >> SELF_YES & 1u);
     step();
-    assert_int_equal(output.coin_lockout, 0); /* A coin may be tried. */
+    assert_int_equal(output.coin_lockout, 0); /* A test coin is permitted. */
     take(SELF_AGAIN);
     judge();
     assert_int_equal(state_of[SELF_SOUND], SELF_ASKS);
 }
 
-/* A figure of the machine, what that row is then, and the wrong side of each bound. */
-static void test_every_row_of_the_machine_in_every_state(void **state)
+/* Each case has a health value, the expected state of its row, and a value beyond each bound. */
+static const struct {
+    uint8_t check, wanted;
+    struct scene_machine but;
+} health_rows[] = {
+    { SELF_BACKUP, SELF_LOOK, { .has_backup = 0 } },
+    { SELF_BACKUP, SELF_LOOK, { .has_backup = 1, .backup_min = SELF_BACKUP_OLD_MIN } },
+    { SELF_BACKUP, SELF_GOOD, { .has_backup = 1, .backup_min = SELF_BACKUP_OLD_MIN - 1u } },
+    { SELF_DATA, SELF_WAITS, { .keeps = KEEPS_UNKNOWN } },
+    { SELF_DATA, SELF_GOOD, { .keeps = KEEPS_PROVEN } },
+    { SELF_DATA, SELF_GOOD, { .keeps = KEEPS_FOLDER } },
+    { SELF_DATA, SELF_BAD, { .keeps = KEEPS_MEMORY } },
+    { SELF_DATA, SELF_BAD, { .keeps = KEEPS_NOT } },
+    { SELF_DATA, SELF_BAD, { .keeps = KEEPS_NOWHERE } },
+    { SELF_ROOM, SELF_GOOD, { .room_mib = SELF_ROOM_LOW_MIB } },
+    { SELF_ROOM, SELF_LOOK, { .room_mib = SELF_ROOM_LOW_MIB - 1u } },
+    { SELF_ROOM, SELF_LOOK, { .room_mib = SELF_ROOM_BAD_MIB } },
+    { SELF_ROOM, SELF_BAD, { .room_mib = SELF_ROOM_BAD_MIB - 1u } },
+    { SELF_HEAT, SELF_GOOD, { .has_heat = 0, .heat_margin_c = -5 } }, /* The machine has no
+                                                                         sensor. */
+    { SELF_HEAT, SELF_GOOD, { .has_heat = 1, .heat_margin_c = SELF_HEAT_NEAR_C } },
+    { SELF_HEAT, SELF_LOOK, { .has_heat = 1, .heat_margin_c = SELF_HEAT_NEAR_C - 1 } },
+    { SELF_HEAT, SELF_LOOK, { .has_heat = 1, .heat_margin_c = 1 } },
+    { SELF_HEAT, SELF_BAD, { .has_heat = 1, .heat_margin_c = 0 } },
+    { SELF_WATCHDOG, SELF_GOOD, { .watch = WATCH_FED } },
+    { SELF_WATCHDOG, SELF_LOOK, { .watch = WATCH_NONE } },
+    { SELF_WATCHDOG, SELF_LOOK, { .watch = WATCH_NO_LIMIT } },
+    { SELF_WATCHDOG, SELF_BAD, { .watch = WATCH_DEAF } },
+    { SELF_STORE, SELF_LOOK, { .aside = 1 } },
+    { SELF_CLOCK, SELF_LOOK, { .is_clock_back = 1 } },
+};
+
+static void test_every_system_health_row_has_every_state(void **state)
 {
-    static const struct row {
-        uint8_t check, wanted;
-        struct scene_machine but;
-    } rows[] = {
-        { SELF_BACKUP, SELF_LOOK, { .has_backup = 0 } },
-        { SELF_BACKUP, SELF_LOOK, { .has_backup = 1, .backup_min = SELF_BACKUP_OLD_MIN } },
-        { SELF_BACKUP, SELF_GOOD, { .has_backup = 1, .backup_min = SELF_BACKUP_OLD_MIN - 1u } },
-        { SELF_DATA, SELF_WAITS, { .keeps = KEEPS_UNKNOWN } },
-        { SELF_DATA, SELF_GOOD, { .keeps = KEEPS_PROVEN } },
-        { SELF_DATA, SELF_GOOD, { .keeps = KEEPS_FOLDER } },
-        { SELF_DATA, SELF_BAD, { .keeps = KEEPS_MEMORY } },
-        { SELF_DATA, SELF_BAD, { .keeps = KEEPS_NOT } },
-        { SELF_DATA, SELF_BAD, { .keeps = KEEPS_NOWHERE } },
-        { SELF_ROOM, SELF_GOOD, { .room_mib = SELF_ROOM_LOW_MIB } },
-        { SELF_ROOM, SELF_LOOK, { .room_mib = SELF_ROOM_LOW_MIB - 1u } },
-        { SELF_ROOM, SELF_LOOK, { .room_mib = SELF_ROOM_BAD_MIB } },
-        { SELF_ROOM, SELF_BAD, { .room_mib = SELF_ROOM_BAD_MIB - 1u } },
-        { SELF_HEAT, SELF_GOOD, { .has_heat = 0, .heat_margin_c = -5 } }, /* No sensor. */
-        { SELF_HEAT, SELF_GOOD, { .has_heat = 1, .heat_margin_c = SELF_HEAT_NEAR_C } },
-        { SELF_HEAT, SELF_LOOK, { .has_heat = 1, .heat_margin_c = SELF_HEAT_NEAR_C - 1 } },
-        { SELF_HEAT, SELF_LOOK, { .has_heat = 1, .heat_margin_c = 1 } },
-        { SELF_HEAT, SELF_BAD, { .has_heat = 1, .heat_margin_c = 0 } },
-        { SELF_WATCHDOG, SELF_GOOD, { .watch = WATCH_FED } },
-        { SELF_WATCHDOG, SELF_LOOK, { .watch = WATCH_NONE } },
-        { SELF_WATCHDOG, SELF_LOOK, { .watch = WATCH_NO_LIMIT } },
-        { SELF_WATCHDOG, SELF_BAD, { .watch = WATCH_DEAF } },
-        { SELF_STORE, SELF_LOOK, { .aside = 1 } },
-        { SELF_CLOCK, SELF_LOOK, { .is_clock_back = 1 } },
-    };
     (void)state;
     try_all();
-    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
-        const struct scene_machine *but = &rows[i].but;
+    for (size_t i = 0; i < sizeof health_rows / sizeof health_rows[0]; i++) {
+        const struct scene_machine *but = &health_rows[i].but;
         struct scene_machine *machine = &scene.devices.machine;
         *machine = well;
-        switch (rows[i].check) {
+        switch (health_rows[i].check) {
         case SELF_BACKUP:
             machine->has_backup = but->has_backup;
             machine->backup_min = but->backup_min;
@@ -276,14 +279,15 @@ static void test_every_row_of_the_machine_in_every_state(void **state)
             machine->is_clock_back = but->is_clock_back;
         }
         const uint32_t next = judge();
-        assert_int_equal(state_of[rows[i].check], rows[i].wanted);
-        assert_int_equal(next, rows[i].wanted == SELF_GOOD ? (uint32_t)SELF_CHECKS : rows[i].check);
-        assert_int_equal(self_test_left(state_of), rows[i].wanted != SELF_GOOD);
+        assert_int_equal(state_of[health_rows[i].check], health_rows[i].wanted);
+        assert_int_equal(next, health_rows[i].wanted == SELF_GOOD ? (uint32_t)SELF_CHECKS
+                                                                  : health_rows[i].check);
+        assert_int_equal(self_test_left(state_of), health_rows[i].wanted != SELF_GOOD);
     }
 }
 
-/* A machine that nobody can ask, a card that never answers, a screen that shows nothing. */
-static void test_after_twenty_seconds_nothing_waits_any_more(void **state)
+/* The machine reports no health values, the store never answers, and the screen shows nothing. */
+static void test_no_automatic_check_is_pending_after_20_s(void **state)
 {
     (void)state;
     store_is_late = 1;
@@ -304,11 +308,12 @@ static void test_after_twenty_seconds_nothing_waits_any_more(void **state)
     for (size_t i = 0; i < sizeof silent; i++) {
         assert_int_equal(state_of[silent[i]], SELF_BAD);
     }
-    assert_int_equal(self_test_left(state_of), SELF_CHECKS - 2u); /* But files and clock. */
+    assert_int_equal(self_test_left(state_of), SELF_CHECKS - 2u); /* The rows of files and clock
+                                                                     have a result. */
 }
 
-/* Nobody drops a coin where none is taken, or looks for a lamp that no wire leads to. */
-static void test_what_this_stall_does_not_have_is_not_asked_for(void **state)
+/* The self-test requests no coin where coins are rejected, and no lamp without a line. */
+static void test_absent_hardware_is_not_checked(void **state)
 {
     (void)state;
     judge();
@@ -319,14 +324,14 @@ static void test_what_this_stall_does_not_have_is_not_asked_for(void **state)
     judge();
     assert_int_equal(state_of[SELF_COINS], SELF_GOOD);
     assert_int_equal(state_of[SELF_LAMP], SELF_GOOD);
-    take(SELF_YES); /* The bell. */
-    take(SELF_NO);  /* Somebody misses them all the same. */
+    take(SELF_YES); /* The sound test is heard. */
+    take(SELF_NO);  /* The operator reports the lamps as missing. */
     judge();
     assert_int_equal(state_of[SELF_LAMP], SELF_BAD);
 }
 
-/* What is to be done comes before what is only to be looked at. */
-static void test_the_worst_is_named_first(void **state)
+/* Failures come before hints. */
+static void test_the_worst_result_is_named_first(void **state)
 {
     (void)state;
     scene.devices.machine.aside = 1;
@@ -338,8 +343,8 @@ static void test_the_worst_is_named_first(void **state)
     assert_int_equal(judge(), SELF_STORE);
 }
 
-/* Without a line there is no button to press. */
-static void test_a_button_that_is_not_wired_is_not_asked_for(void **state)
+/* A button without a line cannot be pressed. */
+static void test_a_button_without_a_line_is_not_requested(void **state)
 {
     (void)state;
     take(SELF_YES);
@@ -352,8 +357,8 @@ static void test_a_button_that_is_not_wired_is_not_asked_for(void **state)
     assert_int_equal(state_of[SELF_BUTTONS], SELF_GOOD);
 }
 
-/* What it writes changes nothing, whoever reads it. */
-static void test_the_entry_that_tries_the_store_says_what_was_so(void **state)
+/* The entry that checks the store repeats a stored value, so it changes nothing for any reader. */
+static void test_the_store_check_entry_repeats_an_existing_value(void **state)
 {
     (void)state;
     const struct settings before = core.config.persistent.settings;
@@ -369,18 +374,17 @@ static void test_the_entry_that_tries_the_store_says_what_was_so(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(test_it_is_ready_when_everything_was_tried, setup_page),
-        cmocka_unit_test_setup(test_what_a_person_must_do_is_asked_until_it_is_done, setup_page),
-        cmocka_unit_test_setup(test_a_card_that_keeps_nothing_is_named_within_twenty_seconds,
-                               setup_page),
-        cmocka_unit_test_setup(test_each_thing_that_fails_is_named, setup_page),
-        cmocka_unit_test_setup(test_every_row_of_the_machine_in_every_state, setup_page),
-        cmocka_unit_test_setup(test_after_twenty_seconds_nothing_waits_any_more, setup_page),
-        cmocka_unit_test_setup(test_the_worst_is_named_first, setup_page),
-        cmocka_unit_test_setup(test_what_this_stall_does_not_have_is_not_asked_for, setup_page),
-        cmocka_unit_test_setup(test_the_operator_says_what_he_heard_and_saw, setup_page),
-        cmocka_unit_test_setup(test_a_button_that_is_not_wired_is_not_asked_for, setup_page),
-        cmocka_unit_test_setup(test_the_entry_that_tries_the_store_says_what_was_so, setup_page),
+        cmocka_unit_test_setup(test_the_result_is_ready_after_every_check, setup_page),
+        cmocka_unit_test_setup(test_a_manual_check_is_requested_until_it_is_done, setup_page),
+        cmocka_unit_test_setup(test_a_store_that_saves_nothing_is_named_within_20_s, setup_page),
+        cmocka_unit_test_setup(test_each_failed_check_is_named, setup_page),
+        cmocka_unit_test_setup(test_every_system_health_row_has_every_state, setup_page),
+        cmocka_unit_test_setup(test_no_automatic_check_is_pending_after_20_s, setup_page),
+        cmocka_unit_test_setup(test_the_worst_result_is_named_first, setup_page),
+        cmocka_unit_test_setup(test_absent_hardware_is_not_checked, setup_page),
+        cmocka_unit_test_setup(test_the_operators_answers_decide_sound_and_lamps, setup_page),
+        cmocka_unit_test_setup(test_a_button_without_a_line_is_not_requested, setup_page),
+        cmocka_unit_test_setup(test_the_store_check_entry_repeats_an_existing_value, setup_page),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,11 +1,12 @@
-/* Who is ranked writes a name: by hand, by three buttons, or not at all. */
+/* test_name.c -- checks the name entry of ranked players: by poi, by three buttons, or without a
+ * name. */
 #include "core/game/ranking/name.h"
 #include "core/game/phases.h"
 #include "core/game/ranking/name_filter.h"
 #include "core/game/ranking/name_keyboard.h"
-#include "tests/unit/support/game_stand.h"
+#include "tests/unit/support/game_fixture.h"
 
-/* ---- The stand ------------------------------------------------------------------------------ */
+/* ---- Setup ---------------------------------------------------------------------------------- */
 
 static int setup_names(void **state)
 {
@@ -21,7 +22,7 @@ static int setup_names(void **state)
     return 0;
 }
 
-/* Into the result of a round in which `seats` caught `caught` each. */
+/* Advances to the result of a round in which `seats` players caught `caught` fish each. */
 static void play(uint32_t seats, const uint32_t *caught)
 {
     for (uint32_t i = 0; i < seats; i++) {
@@ -42,7 +43,7 @@ static void play_alone(uint32_t caught)
     play(1, &caught);
 }
 
-/* Into the name of the best, ready to be written. */
+/* Advances to the name entry of the best player. */
 static void ask_for_name(void)
 {
     steps(GAME_AGAIN_TICKS);
@@ -51,7 +52,7 @@ static void ask_for_name(void)
     steps(NAME_SEEN_TICKS);
 }
 
-/* The cell of a letter on the board that is shown. */
+/* Returns the cell of a letter on the visible name keyboard. */
 static uint32_t cell_of(uint16_t letter)
 {
     for (uint32_t cell = 0; cell < NAME_CELLS; cell++) {
@@ -79,7 +80,8 @@ static void write_letters(const uint16_t *letters)
     }
 }
 
-/* The hand of a seat over, or under, the middle of a key: a hand with a wrist has its plan. */
+/* Moves the poi of a player over or under the middle of a key. The poi has orientation, so the plan
+ * of the tank maps to the keyboard. */
 static void lead(uint32_t seat, uint32_t key, float y_m)
 {
     const struct layout_point canvas = pointer_layout_size(0);
@@ -109,9 +111,9 @@ static const char *name_on_board(enum rank_period period, uint32_t place)
     return core.game.accounts.ranking.row[MODE_FESTIVAL][period][place].name;
 }
 
-/* ---- Who is asked --------------------------------------------------------------------------- */
+/* ---- Conditions ----------------------------------------------------------------------------- */
 
-static void test_who_is_ranked_is_asked_when_the_result_was_read(void **state)
+static void test_a_ranked_player_is_asked_after_the_result(void **state)
 {
     (void)state;
     play_alone(3);
@@ -120,7 +122,7 @@ static void test_who_is_ranked_is_asked_when_the_result_was_read(void **state)
     assert_int_equal(core.game.name.seat, 0);
 }
 
-static void test_who_caught_nothing_is_not_asked(void **state)
+static void test_a_player_without_a_catch_is_not_asked(void **state)
 {
     (void)state;
     play_alone(0);
@@ -128,7 +130,7 @@ static void test_who_caught_nothing_is_not_asked(void **state)
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
-static void test_nobody_is_asked_where_the_operator_does_not_want_it(void **state)
+static void test_no_player_is_asked_when_the_setting_is_off(void **state)
 {
     (void)state;
     core.config.persistent.settings.value[SET_NAMES] = 0;
@@ -137,7 +139,7 @@ static void test_nobody_is_asked_where_the_operator_does_not_want_it(void **stat
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
-static void test_where_nothing_is_kept_nobody_is_asked(void **state)
+static void test_no_player_is_asked_without_a_store(void **state)
 {
     (void)state;
     core.game.accounts.ledger.boot = 0;
@@ -146,22 +148,23 @@ static void test_where_nothing_is_kept_nobody_is_asked(void **state)
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
-static void test_a_place_on_no_board_is_not_asked_for(void **state)
+static void test_an_unranked_player_is_not_asked(void **state)
 {
     (void)state;
-    core.game.accounts.ranking.boot = core.game.accounts.ledger.boot; /* All of today. */
+    core.game.accounts.ranking.boot = core.game.accounts.ledger.boot; /* All scores are from
+                                                                         today. */
     for (uint32_t period = 0; period < RANK_PERIOD_COUNT; period++) {
         for (uint32_t i = 0; i < RANK_ROWS; i++) {
             core.game.accounts.ranking.row[MODE_FESTIVAL][period][i].caught = 5;
             core.game.accounts.ranking.row[MODE_FESTIVAL][period][i].round_id = 900u + i;
         }
     }
-    play_alone(5); /* As many, but later. */
+    play_alone(5); /* The count is the same but later. */
     steps(GAME_RESULT_TICKS);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
-static void test_of_several_the_best_is_asked_first_and_everybody_once(void **state)
+static void test_players_are_asked_once_each_with_the_best_first(void **state)
 {
     (void)state;
     const uint32_t caught[3] = { 2, 7, 0 };
@@ -178,9 +181,9 @@ static void test_of_several_the_best_is_asked_first_and_everybody_once(void **st
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
-/* ---- How it is written ---------------------------------------------------------------------- */
+/* ---- Entry ---------------------------------------------------------------------------------- */
 
-static void test_buttons_write_a_name_that_comes_to_every_board(void **state)
+static void test_buttons_enter_a_name_for_every_leaderboard(void **state)
 {
     (void)state;
     play_alone(3);
@@ -201,7 +204,7 @@ static void test_buttons_write_a_name_that_comes_to_every_board(void **state)
     assert_int_equal(core.game.phase, PHASE_LEADERBOARD);
 }
 
-static void test_a_hand_writes_by_dips(void **state)
+static void test_dips_enter_a_name(void **state)
 {
     (void)state;
     play_alone(3);
@@ -219,7 +222,7 @@ static void test_a_hand_writes_by_dips(void **state)
     assert_string_equal(name_on_board(RANK_DAY, 0), "あョq");
 }
 
-static void test_every_cell_and_key_can_be_reached_by_hand_and_by_buttons(void **state)
+static void test_a_poi_and_the_buttons_reach_every_cell_and_key(void **state)
 {
     (void)state;
     play_alone(3);
@@ -240,7 +243,7 @@ static void test_every_cell_and_key_can_be_reached_by_hand_and_by_buttons(void *
     }
 }
 
-static void test_another_players_hand_writes_nothing(void **state)
+static void test_another_players_poi_enters_nothing(void **state)
 {
     (void)state;
     const uint32_t caught[2] = { 5, 0 };
@@ -252,20 +255,20 @@ static void test_another_players_hand_writes_nothing(void **state)
     assert_int_equal(core.game.name.letter_count, 1);
 }
 
-static void test_the_dip_that_ended_the_result_writes_nothing(void **state)
+static void test_the_dip_that_ended_the_result_enters_nothing(void **state)
 {
     (void)state;
     play_alone(3);
     steps(GAME_AGAIN_DIP_TICKS);
     dip();
     assert_int_equal(core.game.phase, PHASE_NAME);
-    steps(NAME_SEEN_TICKS + 10u); /* Still under water, ... */
+    steps(NAME_SEEN_TICKS + 10u); /* The poi is still under water. */
     assert_int_equal(core.game.name.letter_count, 0);
-    dip_at(0, cell_of(u'か')); /* ... then up, and down again. */
+    dip_at(0, cell_of(u'か')); /* The poi rises and dips again. */
     assert_int_equal(core.game.name.letter_count, 1);
 }
 
-static void test_a_held_button_runs_on_and_a_tap_does_not(void **state)
+static void test_a_held_button_repeats_and_a_tap_does_not(void **state)
 {
     (void)state;
     play_alone(3);
@@ -280,7 +283,7 @@ static void test_a_held_button_runs_on_and_a_tap_does_not(void **state)
     input.held = 0;
 }
 
-static void test_a_full_line_takes_no_more_and_points_at_done(void **state)
+static void test_a_full_name_accepts_no_letter_and_selects_done(void **state)
 {
     (void)state;
     play_alone(3);
@@ -292,7 +295,7 @@ static void test_a_full_line_takes_no_more_and_points_at_done(void **state)
     assert_string_equal(name_on_board(RANK_DAY, 0), "あいうえおかきく");
 }
 
-static void test_erasing_nothing_and_changing_nothing_do_nothing(void **state)
+static void test_erase_and_change_do_nothing_on_an_empty_name(void **state)
 {
     (void)state;
     play_alone(3);
@@ -302,11 +305,11 @@ static void test_erasing_nothing_and_changing_nothing_do_nothing(void **state)
     assert_int_equal(core.game.name.letter_count, 0);
     const uint32_t before = output.entry_id;
     press_key(NAME_DONE);
-    assert_int_equal(output.entry_id, before); /* Nobody is a name. */
+    assert_int_equal(output.entry_id, before); /* An empty name writes no entry. */
     assert_int_equal(core.game.phase, PHASE_LEADERBOARD);
 }
 
-static void test_forms_of_a_letter_come_round(void **state)
+static void test_the_forms_of_a_letter_cycle(void **state)
 {
     (void)state;
     static const uint16_t rounds[][5] = { u"かがか",   u"はばぱは", u"つっづつ", u"よょよ",
@@ -319,9 +322,9 @@ static void test_forms_of_a_letter_come_round(void **state)
     }
 }
 
-/* ---- What does not hang on the wall --------------------------------------------------------- */
+/* ---- Rejected names ------------------------------------------------------------------------- */
 
-static void test_a_bad_name_is_asked_for_once_more_and_then_there_is_none(void **state)
+static void test_a_rejected_name_can_be_replaced_once(void **state)
 {
     (void)state;
     play_alone(3);
@@ -339,7 +342,7 @@ static void test_a_bad_name_is_asked_for_once_more_and_then_there_is_none(void *
     assert_string_equal(name_on_board(RANK_DAY, 0), "");
 }
 
-static void test_who_thinks_better_of_it_is_written_down(void **state)
+static void test_an_accepted_second_name_is_stored(void **state)
 {
     (void)state;
     play_alone(3);
@@ -352,7 +355,7 @@ static void test_who_thinks_better_of_it_is_written_down(void **state)
     assert_string_equal(name_on_board(RANK_EVER, 0), "さくら");
 }
 
-static void test_waiting_is_no_way_round_the_list(void **state)
+static void test_a_timeout_does_not_bypass_the_name_filter(void **state)
 {
     (void)state;
     play_alone(3);
@@ -365,7 +368,7 @@ static void test_waiting_is_no_way_round_the_list(void **state)
 
 /* ---- Time ----------------------------------------------------------------------------------- */
 
-static void test_who_goes_away_keeps_what_stands_there(void **state)
+static void test_a_timeout_keeps_the_entered_letters(void **state)
 {
     (void)state;
     play_alone(3);
@@ -380,7 +383,7 @@ static void test_who_goes_away_keeps_what_stands_there(void **state)
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
-static void test_who_never_comes_to_an_end_is_brought_to_one(void **state)
+static void test_the_name_entry_has_a_total_time_limit(void **state)
 {
     (void)state;
     play_alone(3);
@@ -394,7 +397,7 @@ static void test_who_never_comes_to_an_end_is_brought_to_one(void **state)
     assert_int_equal(core.game.phase, PHASE_LEADERBOARD);
 }
 
-static void test_the_operators_key_keeps_what_stands_there(void **state)
+static void test_the_operators_button_keeps_the_entered_letters(void **state)
 {
     (void)state;
     play_alone(3);
@@ -405,20 +408,21 @@ static void test_the_operators_key_keeps_what_stands_there(void **state)
     assert_string_equal(name_on_board(RANK_DAY, 0), "さくら");
 }
 
-static void test_a_round_that_found_no_room_in_the_ledger_is_not_named(void **state)
+static void test_a_round_without_a_ledger_entry_gets_no_name(void **state)
 {
     (void)state;
     input.store_well = 1;
     steps(2);
-    core.game.accounts.ledger.last_id += LEDGER_RING; /* Nothing was saved for long. */
+    core.game.accounts.ledger.last_id += LEDGER_RING; /* The store has not saved an entry for a long
+                                                         time. */
     play_alone(3);
     steps(GAME_RESULT_TICKS);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
-/* Whatever hands and buttons do, a name comes to an end, and what is written is whole letters that
- * may hang on the wall. */
-static void test_any_hand_and_any_buttons_come_to_an_end(void **state)
+/* With any motion and any buttons, the name entry ends. The stored name consists of whole letters
+ * and passes the name filter. */
+static void test_the_name_entry_ends_with_any_input(void **state)
 {
     for (uint32_t seed = 1; seed <= 24; seed++) {
         uint32_t bits = seed * 2654435761u;
@@ -439,21 +443,22 @@ static void test_any_hand_and_any_buttons_come_to_an_end(void **state)
     }
 }
 
-/* ---- The board ------------------------------------------------------------------------------ */
+/* ---- The leaderboard ------------------------------------------------------------------------ */
 
 static struct scene scene;
 
-static void test_the_board_shows_the_proudest_place_and_lights_the_round(void **state)
+static void test_the_leaderboard_shows_the_best_rank_and_highlights_the_round(void **state)
 {
     (void)state;
-    for (uint32_t i = 0; i < 4u; i++) { /* Ever, there were better ones. */
+    for (uint32_t i = 0; i < 4u; i++) { /* The all-time leaderboard has better scores. */
         core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_EVER][i].caught = 50;
         core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_EVER][i].round_id = 900u + i;
     }
     play_alone(3);
     core_scene(&core, &scene);
     assert_int_equal(scene.player[0].place, 1);
-    assert_int_equal(scene.player[0].period, RANK_WEEK); /* Of two firsts, the longer. */
+    assert_int_equal(scene.player[0].period, RANK_WEEK); /* If two periods have rank one, the longer
+                                                            period is shown. */
     ask_for_name();
     press_key(NAME_DONE);
     core_scene(&core, &scene);
@@ -464,7 +469,7 @@ static void test_the_board_shows_the_proudest_place_and_lights_the_round(void **
     assert_false(scene.leaderboard.row[1].is_new);
 }
 
-static void test_attract_shows_every_board_that_somebody_is_on_in_turn(void **state)
+static void test_attract_cycles_through_the_leaderboards_with_scores(void **state)
 {
     (void)state;
     uint32_t shown[MODE_COUNT][RANK_PERIOD_COUNT] = { 0 };
@@ -472,7 +477,7 @@ static void test_attract_shows_every_board_that_somebody_is_on_in_turn(void **st
     core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_WEEK][0].caught = 4;
     core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_EVER][0].caught = 4;
     core.game.accounts.ranking.row[MODE_CHAMPIONSHIP][RANK_EVER][0].caught =
-        4; /* Not offered here. */
+        4; /* The mode is not enabled here. */
     for (uint32_t i = 0; i < 4u * LEADERBOARD_EVERY_TICKS; i++) {
         core.game.tick++;
         core_scene(&core, &scene);
@@ -486,7 +491,7 @@ static void test_attract_shows_every_board_that_somebody_is_on_in_turn(void **st
     assert_int_equal(shown[MODE_CHAMPIONSHIP][RANK_EVER], 0);
 }
 
-static void test_no_board_hangs_where_nobody_was_ever_ranked(void **state)
+static void test_an_empty_leaderboard_is_not_shown(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < 2u * LEADERBOARD_EVERY_TICKS; i++) {
@@ -501,32 +506,32 @@ static void test_no_board_hangs_where_nobody_was_ever_ranked(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        NAMED(test_who_is_ranked_is_asked_when_the_result_was_read),
-        NAMED(test_who_caught_nothing_is_not_asked),
-        NAMED(test_nobody_is_asked_where_the_operator_does_not_want_it),
-        NAMED(test_where_nothing_is_kept_nobody_is_asked),
-        NAMED(test_a_place_on_no_board_is_not_asked_for),
-        NAMED(test_of_several_the_best_is_asked_first_and_everybody_once),
-        NAMED(test_buttons_write_a_name_that_comes_to_every_board),
-        NAMED(test_a_hand_writes_by_dips),
-        NAMED(test_every_cell_and_key_can_be_reached_by_hand_and_by_buttons),
-        NAMED(test_another_players_hand_writes_nothing),
-        NAMED(test_the_dip_that_ended_the_result_writes_nothing),
-        NAMED(test_a_held_button_runs_on_and_a_tap_does_not),
-        NAMED(test_a_full_line_takes_no_more_and_points_at_done),
-        NAMED(test_erasing_nothing_and_changing_nothing_do_nothing),
-        NAMED(test_forms_of_a_letter_come_round),
-        NAMED(test_a_bad_name_is_asked_for_once_more_and_then_there_is_none),
-        NAMED(test_who_thinks_better_of_it_is_written_down),
-        NAMED(test_waiting_is_no_way_round_the_list),
-        NAMED(test_who_goes_away_keeps_what_stands_there),
-        NAMED(test_who_never_comes_to_an_end_is_brought_to_one),
-        NAMED(test_the_operators_key_keeps_what_stands_there),
-        NAMED(test_a_round_that_found_no_room_in_the_ledger_is_not_named),
-        NAMED(test_any_hand_and_any_buttons_come_to_an_end),
-        NAMED(test_the_board_shows_the_proudest_place_and_lights_the_round),
-        NAMED(test_attract_shows_every_board_that_somebody_is_on_in_turn),
-        NAMED(test_no_board_hangs_where_nobody_was_ever_ranked),
+        NAMED(test_a_ranked_player_is_asked_after_the_result),
+        NAMED(test_a_player_without_a_catch_is_not_asked),
+        NAMED(test_no_player_is_asked_when_the_setting_is_off),
+        NAMED(test_no_player_is_asked_without_a_store),
+        NAMED(test_an_unranked_player_is_not_asked),
+        NAMED(test_players_are_asked_once_each_with_the_best_first),
+        NAMED(test_buttons_enter_a_name_for_every_leaderboard),
+        NAMED(test_dips_enter_a_name),
+        NAMED(test_a_poi_and_the_buttons_reach_every_cell_and_key),
+        NAMED(test_another_players_poi_enters_nothing),
+        NAMED(test_the_dip_that_ended_the_result_enters_nothing),
+        NAMED(test_a_held_button_repeats_and_a_tap_does_not),
+        NAMED(test_a_full_name_accepts_no_letter_and_selects_done),
+        NAMED(test_erase_and_change_do_nothing_on_an_empty_name),
+        NAMED(test_the_forms_of_a_letter_cycle),
+        NAMED(test_a_rejected_name_can_be_replaced_once),
+        NAMED(test_an_accepted_second_name_is_stored),
+        NAMED(test_a_timeout_does_not_bypass_the_name_filter),
+        NAMED(test_a_timeout_keeps_the_entered_letters),
+        NAMED(test_the_name_entry_has_a_total_time_limit),
+        NAMED(test_the_operators_button_keeps_the_entered_letters),
+        NAMED(test_a_round_without_a_ledger_entry_gets_no_name),
+        NAMED(test_the_name_entry_ends_with_any_input),
+        NAMED(test_the_leaderboard_shows_the_best_rank_and_highlights_the_round),
+        NAMED(test_attract_cycles_through_the_leaderboards_with_scores),
+        NAMED(test_an_empty_leaderboard_is_not_shown),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

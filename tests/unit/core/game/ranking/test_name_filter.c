@@ -1,4 +1,5 @@
-/* Which names hang on the wall, and which are asked for again. */
+/* test_name_filter.c -- checks which names are accepted for the leaderboard and which are
+ * rejected. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -19,7 +20,7 @@ static void expect_all(const char *const *names, size_t count, int refused)
 }
 #define EXPECT(names, refused) expect_all(names, sizeof names / sizeof *names, refused)
 
-static void test_a_bad_word_is_refused_in_every_disguise(void **state)
+static void test_a_bad_word_is_rejected_in_every_spelling(void **state)
 {
     (void)state;
     static const char *const names[] = {
@@ -30,7 +31,7 @@ static void test_a_bad_word_is_refused_in_every_disguise(void **state)
     EXPECT(names, 1);
 }
 
-static void test_kana_are_heard_not_seen(void **state)
+static void test_kana_are_compared_by_sound(void **state)
 {
     (void)state;
     static const char *const names[] = {
@@ -41,7 +42,7 @@ static void test_kana_are_heard_not_seen(void **state)
     EXPECT(names, 1);
 }
 
-static void test_people_who_sound_like_it_are_welcome(void **state)
+static void test_real_names_that_resemble_bad_words_are_accepted(void **state)
 {
     (void)state;
     static const char *const names[] = {
@@ -54,18 +55,18 @@ static void test_people_who_sound_like_it_are_welcome(void **state)
     EXPECT(names, 0);
 }
 
-static void test_no_name_is_no_bad_name_and_broken_bytes_hide_nothing(void **state)
+static void test_an_empty_name_is_accepted_and_invalid_bytes_hide_no_word(void **state)
 {
     (void)state;
     assert_false(name_is_refused(""));
     assert_false(name_is_refused("\xff\xfe\x80"));
     assert_true(name_is_refused("fu\xff"
                                 "ck"));
-    assert_false(name_is_refused("\xe3\x81")); /* cut in the middle of a letter */
+    assert_false(name_is_refused("\xe3\x81")); /* The bytes end in the middle of a letter. */
     assert_true(name_is_refused("fuck\xe3"));
 }
 
-static void test_every_word_of_the_list_is_refused_as_it_stands(void **state)
+static void test_every_word_of_the_list_is_rejected(void **state)
 {
     (void)state;
     assert_in_range(refused_word_count, 50, 1000);
@@ -86,7 +87,7 @@ static void test_every_word_of_the_list_is_refused_as_it_stands(void **state)
     }
 }
 
-static void test_a_long_name_is_folded_no_further_than_there_is_room(void **state)
+static void test_a_long_name_is_normalized_within_its_buffer(void **state)
 {
     (void)state;
     uint16_t letters[NAME_NORMALIZE_MAX];
@@ -99,12 +100,12 @@ static void test_a_long_name_is_folded_no_further_than_there_is_room(void **stat
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_bad_word_is_refused_in_every_disguise),
-        cmocka_unit_test(test_kana_are_heard_not_seen),
-        cmocka_unit_test(test_people_who_sound_like_it_are_welcome),
-        cmocka_unit_test(test_no_name_is_no_bad_name_and_broken_bytes_hide_nothing),
-        cmocka_unit_test(test_every_word_of_the_list_is_refused_as_it_stands),
-        cmocka_unit_test(test_a_long_name_is_folded_no_further_than_there_is_room),
+        cmocka_unit_test(test_a_bad_word_is_rejected_in_every_spelling),
+        cmocka_unit_test(test_kana_are_compared_by_sound),
+        cmocka_unit_test(test_real_names_that_resemble_bad_words_are_accepted),
+        cmocka_unit_test(test_an_empty_name_is_accepted_and_invalid_bytes_hide_no_word),
+        cmocka_unit_test(test_every_word_of_the_list_is_rejected),
+        cmocka_unit_test(test_a_long_name_is_normalized_within_its_buffer),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,4 @@
-/* Who stands where, and when a day and a week are over. */
+/* test_ranking.c -- checks the order of scores and the ends of a day and a week. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -9,7 +9,7 @@
 
 #include "core/game/ranking/ranking.h"
 
-#define SOME_DAY 9800u /* In 2026. */
+#define SOME_DAY 9800u /* A day in 2026. */
 
 static struct ranking ranking;
 static uint32_t last_id;
@@ -22,7 +22,7 @@ static int clean(void **state)
     return 0;
 }
 
-/* A round of one player; returns its id. */
+/* Plays a round of one player. Returns the id of its entry. */
 static uint32_t play(uint32_t caught, uint32_t boot, uint16_t day)
 {
     const struct ledger_entry entry = {
@@ -54,7 +54,7 @@ static uint32_t place(enum rank_period period, uint32_t id)
     return ranking_place(&ranking, MODE_FESTIVAL, period, id, 0);
 }
 
-static void test_more_fish_stand_higher_and_of_equals_the_earlier(void **state)
+static void test_scores_are_ordered_by_fish_and_then_by_time(void **state)
 {
     (void)state;
     const uint32_t three = play(3, 1, 9000), five = play(5, 1, 9000), late = play(3, 1, 9000);
@@ -63,7 +63,7 @@ static void test_more_fish_stand_higher_and_of_equals_the_earlier(void **state)
     assert_int_equal(place(RANK_EVER, late), 2);
 }
 
-static void test_the_eleventh_is_not_on_the_board_and_nobody_with_no_fish_is(void **state)
+static void test_rank_eleven_and_scores_without_fish_are_not_on_the_leaderboard(void **state)
 {
     (void)state;
     const uint32_t worst = play(1, 1, 9000);
@@ -77,7 +77,7 @@ static void test_the_eleventh_is_not_on_the_board_and_nobody_with_no_fish_is(voi
     assert_int_equal(place(RANK_DAY, play(0, 1, 9000)), RANK_ROWS);
 }
 
-static void test_bots_and_rounds_without_a_score_stand_nowhere(void **state)
+static void test_bots_and_unscored_rounds_are_not_ranked(void **state)
 {
     (void)state;
     struct ledger_entry entry = { .kind = LEDGER_ROUND,
@@ -91,14 +91,14 @@ static void test_bots_and_rounds_without_a_score_stand_nowhere(void **state)
     assert_int_equal(best(RANK_EVER), 0);
 }
 
-static void test_four_players_of_one_round_stand_each_where_they_belong(void **state)
+static void test_four_players_of_one_round_are_ranked_separately(void **state)
 {
     (void)state;
     struct ledger_entry entry = { .kind = LEDGER_ROUND, .id = 7, .round = { .players = 0xf } };
     for (uint32_t seat = 0; seat < POI_MAX; seat++) {
         entry.round.player[seat].caught = 10u + seat;
     }
-    entry.round.players = 0xb; /* The third went home. */
+    entry.round.players = 0xb; /* The third player left. */
     ranking_note(&ranking, &entry);
     assert_int_equal(ranking_place(&ranking, 0, RANK_DAY, 7, 3), 0);
     assert_int_equal(ranking_place(&ranking, 0, RANK_DAY, 7, 1), 1);
@@ -106,7 +106,7 @@ static void test_four_players_of_one_round_stand_each_where_they_belong(void **s
     assert_int_equal(ranking_place(&ranking, 0, RANK_DAY, 7, 2), RANK_ROWS);
 }
 
-static void test_a_name_comes_to_every_board_its_round_is_on_and_goes_again(void **state)
+static void test_a_name_is_set_and_removed_on_every_leaderboard_of_its_round(void **state)
 {
     (void)state;
     struct ledger_entry name = { .kind = LEDGER_NAME, .boot = 1, .day = 9000, .name = "きんぎょ" };
@@ -118,7 +118,7 @@ static void test_a_name_comes_to_every_board_its_round_is_on_and_goes_again(void
     memset(name.name, 0, sizeof name.name);
     ranking_note(&ranking, &name);
     assert_string_equal(ranking.row[0][RANK_EVER][0].name, "");
-    assert_int_equal(best(RANK_EVER), 4); /* what was caught was caught */
+    assert_int_equal(best(RANK_EVER), 4); /* The earlier catch still counts. */
 }
 
 static void test_midnight_ends_the_day_and_sunday_night_the_week(void **state)
@@ -138,7 +138,7 @@ static void test_midnight_ends_the_day_and_sunday_night_the_week(void **state)
     assert_int_equal(best(RANK_EVER), 5);
 }
 
-static void test_any_entry_tells_that_a_new_day_has_begun(void **state)
+static void test_any_entry_of_a_new_day_starts_that_day(void **state)
 {
     (void)state;
     play(5, 1, 9000);
@@ -146,7 +146,7 @@ static void test_any_entry_tells_that_a_new_day_has_begun(void **state)
     assert_int_equal(best(RANK_DAY), 0);
 }
 
-static void test_a_clock_that_is_set_back_over_midnight_takes_nobody_off(void **state)
+static void test_a_clock_set_back_over_midnight_removes_no_score(void **state)
 {
     (void)state;
     play(5, 1, 9000);
@@ -156,11 +156,11 @@ static void test_a_clock_that_is_set_back_over_midnight_takes_nobody_off(void **
     assert_int_equal(best(RANK_DAY), 5);
 }
 
-static void test_a_wild_date_holds_the_board_no_longer_than_it_is_told(void **state)
+static void test_a_wrong_date_affects_the_leaderboard_only_while_it_lasts(void **state)
 {
     (void)state;
     play(5, 1, 9000);
-    play(3, 1, 30000); /* 2082 */
+    play(3, 1, 30000); /* The day is in 2082. */
     assert_int_equal(best(RANK_DAY), 3);
     play(2, 1, 9000);
     assert_int_equal(best(RANK_DAY), 2);
@@ -168,26 +168,27 @@ static void test_a_wild_date_holds_the_board_no_longer_than_it_is_told(void **st
     assert_int_equal(best(RANK_DAY), 1);
 }
 
-static void test_without_a_clock_a_day_is_as_long_as_the_kiosk_runs(void **state)
+static void test_a_day_without_a_clock_lasts_until_the_next_start(void **state)
 {
     (void)state;
     play(5, 1, 0);
     play(3, 1, 0);
     assert_int_equal(best(RANK_DAY), 5);
     pass(LEDGER_BOOT, 2, 0);
-    assert_int_equal(best(RANK_DAY), 5); /* nobody has played today yet */
+    assert_int_equal(best(RANK_DAY), 5); /* No round was played today. */
     play(2, 2, 0);
     assert_int_equal(best(RANK_DAY), 2);
     assert_int_equal(best(RANK_WEEK), 5);
 }
 
-static void test_without_a_clock_seven_starts_are_a_week(void **state)
+static void test_a_week_without_a_clock_has_seven_starts(void **state)
 {
     (void)state;
     for (uint32_t boot = 1; boot <= 7; boot++) {
         play(20u - boot, boot, 0);
     }
-    assert_int_equal(best(RANK_WEEK), 13); /* The seventh start after none began another. */
+    assert_int_equal(best(RANK_WEEK), 13); /* The seventh start without a clock began another
+                                              week. */
     for (uint32_t boot = 8; boot <= 13; boot++) {
         play(1, boot, 0);
         assert_int_equal(best(RANK_WEEK), 13);
@@ -196,24 +197,24 @@ static void test_without_a_clock_seven_starts_are_a_week(void **state)
     assert_int_equal(best(RANK_WEEK), 1);
 }
 
-static void test_a_clock_that_is_set_a_minute_after_the_start_ends_no_day(void **state)
+static void test_a_clock_set_a_minute_after_the_start_ends_no_day(void **state)
 {
     (void)state;
     play(5, 1, 9000);
-    pass(LEDGER_BOOT, 2, 0); /* No battery: the date comes from the network. */
+    pass(LEDGER_BOOT, 2, 0); /* The clock has no battery. The date comes from the network. */
     pass(LEDGER_COINS, 2, 0);
     pass(LEDGER_COINS, 2, 9000);
     assert_int_equal(best(RANK_DAY), 5);
 }
 
-static void test_what_was_played_before_the_clock_was_set_is_of_that_day(void **state)
+static void test_a_round_before_the_clock_was_set_belongs_to_that_day(void **state)
 {
     (void)state;
     play(5, 1, 9000);
     play(4, 2, 0);
     play(3, 2, 9001);
     assert_int_equal(best(RANK_DAY), 4);
-    play(2, 3, 0); /* Another start without one: nothing says that it is the same day. */
+    play(2, 3, 0); /* Another start has no clock, so it may be a different day. */
     assert_int_equal(best(RANK_DAY), 2);
     assert_int_equal(best(RANK_EVER), 5);
 }
@@ -221,22 +222,22 @@ static void test_what_was_played_before_the_clock_was_set_is_of_that_day(void **
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(test_more_fish_stand_higher_and_of_equals_the_earlier, clean),
-        cmocka_unit_test_setup(test_the_eleventh_is_not_on_the_board_and_nobody_with_no_fish_is,
+        cmocka_unit_test_setup(test_scores_are_ordered_by_fish_and_then_by_time, clean),
+        cmocka_unit_test_setup(test_rank_eleven_and_scores_without_fish_are_not_on_the_leaderboard,
                                clean),
-        cmocka_unit_test_setup(test_bots_and_rounds_without_a_score_stand_nowhere, clean),
-        cmocka_unit_test_setup(test_four_players_of_one_round_stand_each_where_they_belong, clean),
-        cmocka_unit_test_setup(test_a_name_comes_to_every_board_its_round_is_on_and_goes_again,
+        cmocka_unit_test_setup(test_bots_and_unscored_rounds_are_not_ranked, clean),
+        cmocka_unit_test_setup(test_four_players_of_one_round_are_ranked_separately, clean),
+        cmocka_unit_test_setup(test_a_name_is_set_and_removed_on_every_leaderboard_of_its_round,
                                clean),
         cmocka_unit_test_setup(test_midnight_ends_the_day_and_sunday_night_the_week, clean),
-        cmocka_unit_test_setup(test_any_entry_tells_that_a_new_day_has_begun, clean),
-        cmocka_unit_test_setup(test_a_clock_that_is_set_back_over_midnight_takes_nobody_off, clean),
-        cmocka_unit_test_setup(test_a_wild_date_holds_the_board_no_longer_than_it_is_told, clean),
-        cmocka_unit_test_setup(test_without_a_clock_a_day_is_as_long_as_the_kiosk_runs, clean),
-        cmocka_unit_test_setup(test_without_a_clock_seven_starts_are_a_week, clean),
-        cmocka_unit_test_setup(test_a_clock_that_is_set_a_minute_after_the_start_ends_no_day,
+        cmocka_unit_test_setup(test_any_entry_of_a_new_day_starts_that_day, clean),
+        cmocka_unit_test_setup(test_a_clock_set_back_over_midnight_removes_no_score, clean),
+        cmocka_unit_test_setup(test_a_wrong_date_affects_the_leaderboard_only_while_it_lasts,
                                clean),
-        cmocka_unit_test_setup(test_what_was_played_before_the_clock_was_set_is_of_that_day, clean),
+        cmocka_unit_test_setup(test_a_day_without_a_clock_lasts_until_the_next_start, clean),
+        cmocka_unit_test_setup(test_a_week_without_a_clock_has_seven_starts, clean),
+        cmocka_unit_test_setup(test_a_clock_set_a_minute_after_the_start_ends_no_day, clean),
+        cmocka_unit_test_setup(test_a_round_before_the_clock_was_set_belongs_to_that_day, clean),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

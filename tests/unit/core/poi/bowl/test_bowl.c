@@ -1,5 +1,5 @@
-/* test_bowl.c -- the bowl keeps its fish until it is poured back. */
-#include "tests/unit/support/poi_stand.h"
+/* test_bowl.c -- checks that the bowl keeps its fish until the fish are poured back. */
+#include "tests/unit/support/poi_fixture.h"
 #include "tests/unit/support/pond.h"
 
 static struct tank tank;
@@ -10,7 +10,7 @@ static void fill(uint32_t count)
     memset(&tank, 0, sizeof tank);
     tank.seed = 4;
     tank.size_m = v3(0.90f, 0.15f, 0.55f);
-    tank.fish_count = count + 1u; /* The last one swims free. */
+    tank.fish_count = count + 1u; /* The last fish swims free in the tank. */
     bowl_init(&bowl, v3(0.33f, 0.02f, 0.17f));
     for (uint32_t i = 0; i < count; i++) {
         tank.fish[i] = (struct fish){ .position_m = bowl.position_m,
@@ -21,7 +21,7 @@ static void fill(uint32_t count)
     bowl.fish_count = count;
 }
 
-/* Snout and tail of a fish, and the hull: half an ellipsoid. */
+/* Returns whether the snout and the tail of a fish are inside the hull, half an ellipsoid. */
 static int inside_hull(const struct fish *fish)
 {
     const struct basis axes = vec_basis_from_angles(fish->angles);
@@ -56,7 +56,7 @@ static void test_fish_in_the_bowl_swim_and_never_leave_it(void **state)
     assert_float_equal(tank.fish[40].position_m.x, -0.2f, 0.0f);
 }
 
-static void test_they_swim_at_different_depths(void **state)
+static void test_bowl_fish_swim_at_different_depths(void **state)
 {
     (void)state;
     fill(20);
@@ -71,7 +71,7 @@ static void test_they_swim_at_different_depths(void **state)
     assert_true(high - low > 0.008f);
 }
 
-static void test_another_bowls_fish_are_not_moved(void **state)
+static void test_a_bowl_does_not_move_the_fish_of_another_bowl(void **state)
 {
     (void)state;
     fill(2);
@@ -92,7 +92,8 @@ static void test_pouring_back_puts_every_fish_under_water_beside_the_bowl(void *
     for (uint32_t i = 0; i < 60; i++) {
         const struct fish *fish = &tank.fish[i];
         const float half = 0.5f * fish->height_m;
-        assert_int_equal(fish->gait, GAIT_HELD); /* By the water, until it is clear of others. */
+        assert_int_equal(fish->gait, GAIT_HELD); /* The water holds the fish until the fish is clear
+                                                    of others. */
         assert_int_equal(fish->holder, FISH_HOLDER_WATER);
         assert_true(fish->position_m.y <= -half);
         assert_true(fish->position_m.y >= half - 0.15f);
@@ -106,7 +107,7 @@ static void test_pouring_back_puts_every_fish_under_water_beside_the_bowl(void *
 
 /* ---- Room ----------------------------------------------------------------------------------- */
 
-/* Drops `count` fish of about 4 cm in, three a second, as at a stall. */
+/* Drops `count` fish of `length_m` into the bowl, three a second, as at a stall. */
 static void drop_in_all(uint32_t count, float length_m)
 {
     const struct stall stall = { &tank, &bowl, 1 };
@@ -128,10 +129,29 @@ static void drop_in_all(uint32_t count, float length_m)
 }
 
 struct tightness {
-    float worst_m;        /* The deepest that two lie in one another ... */
-    float pairs_per_look; /* ... and how many share more than a millimetre. */
+    float worst_m;        /* Deepest overlap of two fish. */
+    float pairs_per_look; /* Mean number of pairs that overlap by more than 1 mm. */
     float fastest_m_s;
 };
+
+/* Returns the overlap of two level fish in metres. A result of 0 or less means that the fish do not
+ * overlap. Each fish is a capsule, measured at 41 points of its axis: the axis is 0.64 body lengths
+ * long, and the radius is 0.40 body widths. A fish is higher than wide, so the vertical distance is
+ * scaled by the ratio of width to height. */
+static float overlap_m(const struct fish *a, const struct fish *b)
+{
+    const vec3 on_a = v3_heading(a->angles.yaw_rad), on_b = v3_heading(b->angles.yaw_rad);
+    float least_m = 1.0f;
+    for (int i = -20; i <= 20; i++) {
+        const vec3 at = v3_muladd(a->position_m, on_a, 0.016f * (float)i * a->length_m);
+        vec3 way = v3_sub(at, b->position_m);
+        const float along = v3_dot(way, on_b), half_m = 0.32f * b->length_m;
+        way = v3_muladd(way, on_b, -f_clamp(along, -half_m, half_m));
+        way.y *= f_min(a->width_m / a->height_m, b->width_m / b->height_m);
+        least_m = f_min(least_m, v3_length(way));
+    }
+    return 0.40f * (a->width_m + b->width_m) - least_m;
+}
 
 static struct tightness look_for(float seconds)
 {
@@ -146,7 +166,7 @@ static struct tightness look_for(float seconds)
             assert_true(inside_hull(&tank.fish[i]));
             sum.fastest_m_s = f_max(sum.fastest_m_s, v3_length(tank.fish[i].velocity_m_s));
             for (uint32_t k = 0; k < i; k++) {
-                const float deep_m = bowl_fish_overlap_m(&tank.fish[i], &tank.fish[k]);
+                const float deep_m = overlap_m(&tank.fish[i], &tank.fish[k]);
                 sum.worst_m = f_max(sum.worst_m, deep_m);
                 sum.pairs_per_look += deep_m > 0.001f;
             }
@@ -156,12 +176,13 @@ static struct tightness look_for(float seconds)
     return sum;
 }
 
-static void test_they_keep_out_of_one_another_up_to_the_record(void **state)
+static void test_bowl_fish_overlap_little_up_to_the_record_count(void **state)
 {
     (void)state;
     const uint32_t counts[] = { 20, 60, 80, 107, BOWL_FISH_MAX };
     const float pairs_max[] = { 0.0f, 0.2f, 1.0f, 4.0f, 5.0f };
-    const float worst_mm[] = { 1.0f, 3.0f, 4.0f, 7.0f, 7.0f }; /* For a moment. */
+    const float worst_mm[] = { 1.0f, 3.0f, 4.0f, 7.0f, 7.0f }; /* The largest overlap lasts only for
+                                                                  a moment. */
     for (int i = 0; i < 5; i++) {
         drop_in_all(counts[i], 0.04f);
         const struct tightness tight = look_for(10.0f);
@@ -174,7 +195,7 @@ static void test_they_keep_out_of_one_another_up_to_the_record(void **state)
     }
 }
 
-static void test_they_mill_the_same_way_round_and_look_where_they_swim(void **state)
+static void test_bowl_fish_circle_the_same_way_and_point_where_they_swim(void **state)
 {
     (void)state;
     drop_in_all(30, 0.04f);
@@ -189,7 +210,7 @@ static void test_they_mill_the_same_way_round_and_look_where_they_swim(void **st
     }
 }
 
-static void test_a_full_bowl_is_poured_back_before_the_next_falls_in(void **state)
+static void test_a_full_bowl_is_poured_back_before_the_next_fish_falls_in(void **state)
 {
     (void)state;
     drop_in_all(BOWL_FISH_MAX, 0.04f);
@@ -201,17 +222,18 @@ static void test_a_full_bowl_is_poured_back_before_the_next_falls_in(void **stat
     assert_int_equal(bowl.fish_count, 1);
     assert_float_equal(bowl.fish_kg, fish_mass_kg(last->length_m), 1e-9f);
     assert_int_equal(last->gait, GAIT_BOWL);
-    for (uint32_t i = 0; i < BOWL_FISH_MAX; i++) { /* The others are in the tank. */
+    for (uint32_t i = 0; i < BOWL_FISH_MAX; i++) { /* The other fish are in the tank. */
         assert_int_equal(tank.fish[i].gait, GAIT_HELD);
         assert_int_equal(tank.fish[i].holder, FISH_HOLDER_WATER);
     }
 }
 
-static void test_of_large_fish_it_holds_fewer(void **state)
+static void test_a_bowl_holds_fewer_large_fish(void **state)
 {
     (void)state;
     drop_in_all(40, 0.06f);
-    assert_true(bowl.fish_count < 40); /* 0.172 kg are 33 of these: it has been emptied once. */
+    assert_true(bowl.fish_count < 40); /* A mass of 0.172 kg equals 33 of these fish, so the bowl
+                                          was emptied once. */
     assert_true(bowl.fish_count > 0);
 }
 
@@ -219,13 +241,13 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_fish_in_the_bowl_swim_and_never_leave_it),
-        cmocka_unit_test(test_they_swim_at_different_depths),
-        cmocka_unit_test(test_another_bowls_fish_are_not_moved),
+        cmocka_unit_test(test_bowl_fish_swim_at_different_depths),
+        cmocka_unit_test(test_a_bowl_does_not_move_the_fish_of_another_bowl),
         cmocka_unit_test(test_pouring_back_puts_every_fish_under_water_beside_the_bowl),
-        cmocka_unit_test(test_they_keep_out_of_one_another_up_to_the_record),
-        cmocka_unit_test(test_they_mill_the_same_way_round_and_look_where_they_swim),
-        cmocka_unit_test(test_a_full_bowl_is_poured_back_before_the_next_falls_in),
-        cmocka_unit_test(test_of_large_fish_it_holds_fewer),
+        cmocka_unit_test(test_bowl_fish_overlap_little_up_to_the_record_count),
+        cmocka_unit_test(test_bowl_fish_circle_the_same_way_and_point_where_they_swim),
+        cmocka_unit_test(test_a_full_bowl_is_poured_back_before_the_next_fish_falls_in),
+        cmocka_unit_test(test_a_bowl_holds_fewer_large_fish),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

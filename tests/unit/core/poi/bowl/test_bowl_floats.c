@@ -1,12 +1,12 @@
-/* test_bowl_floats.c -- how bowls float, drift, are pushed, and what stops them. */
+/* test_bowl_floats.c -- checks how bowls float and drift, what pushes them and what stops them. */
 #include "core/poi/poi.h"
-#include "tests/unit/support/poi_stand.h"
+#include "tests/unit/support/poi_fixture.h"
 
 static struct tank tank;
 static struct bowl bowls[POI_MAX];
 static struct poi poi;
 
-/* `count` bowls in a tank of 0.9 x 0.55 m, still water and no fish. */
+/* Creates `count` bowls in a tank of 0.9 x 0.55 m with still water and no fish. */
 static void float_bowls(uint32_t count)
 {
     memset(&tank, 0, sizeof tank);
@@ -34,7 +34,7 @@ static void drop_in(float length_m, float off_x_m)
     bowl_take(&bowls[0], 0, &tank, fish, v3(0.0f, -0.7f, 0.0f));
 }
 
-static void test_it_floats_where_it_was_put(void **state)
+static void test_a_bowl_floats_at_its_home(void **state)
 {
     (void)state;
     float_bowls(1);
@@ -42,10 +42,11 @@ static void test_it_floats_where_it_was_put(void **state)
     const vec3 off_m = v3_sub(bowls[0].position_m, bowls[0].home_m);
     assert_true(v3_length(off_m) < 1e-5f);
     assert_true(bowls[0].water_kg > 0.4f);
-    assert_float_equal(bowl_level_m(&bowls[0]), 0.0135f, 0.001f); /* Its hull has some weight. */
+    assert_float_equal(bowl_level_m(&bowls[0]), 0.0135f, 0.001f); /* The weight of the hull gives
+                                                                     the empty bowl a draught. */
 }
 
-static void test_room_and_radius_of_the_hull_agree(void **state)
+static void test_the_hulls_volume_and_radius_agree(void **state)
 {
     (void)state;
     assert_float_equal(bowl_room_m3(0.0f),
@@ -58,7 +59,7 @@ static void test_room_and_radius_of_the_hull_agree(void **state)
     }
 }
 
-static void test_it_sinks_a_tenth_of_a_millimetre_with_each_fish(void **state)
+static void test_a_bowl_sinks_a_tenth_of_a_millimetre_for_each_fish(void **state)
 {
     (void)state;
     float_bowls(1);
@@ -72,7 +73,7 @@ static void test_it_sinks_a_tenth_of_a_millimetre_with_each_fish(void **state)
     assert_float_equal(sunk_m / 20.0f, 0.75e-4f, 0.1e-4f);
 }
 
-static void test_its_own_water_rises_with_its_fish_and_spills_before_the_mouth(void **state)
+static void test_the_bowls_water_rises_with_its_fish_and_spills_before_the_mouth(void **state)
 {
     (void)state;
     float_bowls(1);
@@ -85,12 +86,12 @@ static void test_its_own_water_rises_with_its_fish_and_spills_before_the_mouth(v
     }
     wait_for(3.0f);
     assert_int_equal(bowls[0].fish_count, BOWL_FISH_MAX);
-    assert_in_range((uint32_t)(1e4f * before_m), 30, 80); /* 3 to 8 mm. */
+    assert_in_range((uint32_t)(1e4f * before_m), 30, 80); /* The overlap is 3 to 8 mm. */
     assert_float_equal(bowls[0].position_m.y, 0.004f, 5e-4f);
-    assert_true(bowls[0].water_kg < 0.520f); /* Of 0.523. */
+    assert_true(bowls[0].water_kg < 0.520f); /* The bowl held 0.523 kg of water. */
 }
 
-static void test_a_fish_that_drops_in_off_the_middle_rocks_it(void **state)
+static void test_a_fish_that_drops_in_off_centre_rocks_the_bowl(void **state)
 {
     (void)state;
     float_bowls(1);
@@ -104,13 +105,13 @@ static void test_a_fish_that_drops_in_off_the_middle_rocks_it(void **state)
     print_message("a fish of 5 g from 25 mm: %.2f mm down, heel %.2f degrees\n",
                   1e3 * (double)(0.012f - lowest_m), (double)heel_rad * 57.3);
     assert_true(lowest_m < 0.0115f);
-    assert_true(heel_rad > 0.3f * F_DEG); /* To the side where it fell. */
+    assert_true(heel_rad > 0.3f * F_DEG); /* The bowl heels to the side on which the fish fell. */
     assert_true(bowl_angles(&bowls[0]).roll_rad == bowls[0].heel_x);
     wait_for(4.0f);
     assert_true(f_abs(bowls[0].heel_x) < 0.05f * F_DEG);
 }
 
-static void test_it_bobs_and_heels_on_ripples(void **state)
+static void test_a_bowl_heaves_and_heels_on_ripples(void **state)
 {
     (void)state;
     float_bowls(1);
@@ -131,21 +132,21 @@ static void test_it_bobs_and_heels_on_ripples(void **state)
     wait_for(3.0f);
 }
 
-static void test_pushed_away_it_drifts_home_within_some_seconds(void **state)
+static void test_a_displaced_bowl_drifts_home_within_some_seconds(void **state)
 {
     (void)state;
     float_bowls(1);
     bowls[0].position_m.x += 0.10f;
     wait_for(1.0f);
     const float left_m = bowls[0].position_m.x - bowls[0].home_m.x;
-    assert_true(left_m > 0.02f); /* A thread, not a rod. */
+    assert_true(left_m > 0.02f); /* The mooring acts like a thread and not like a rod. */
     wait_for(5.0f);
     assert_true(f_abs(bowls[0].position_m.x - bowls[0].home_m.x) < 0.003f);
 }
 
 /* ---- Pushed --------------------------------------------------------------------------------- */
 
-/* A hand takes the level ring at `depth_m` from 25 cm left of bowl 0 to `to_x_m`. */
+/* Moves the level ring by hand at `depth_m`, from 25 cm left of bowl 0 to `to_x_m`. */
 static void push_with_ring(float depth_m, float to_x_m)
 {
     const struct stall stall = { &tank, bowls, POI_MAX };
@@ -162,7 +163,7 @@ static void push_with_ring(float depth_m, float to_x_m)
         }
         bowl_buoyancy_tick(&stall, &poi, &live, 1);
         poi_apply_reaction(&poi, &(struct obstacle){ .centre_m = poi.position_m });
-        for (uint32_t k = 0; k < POI_MAX; k++) { /* The ring is in no hull. */
+        for (uint32_t k = 0; k < POI_MAX; k++) { /* The ring is outside every hull. */
             const vec3 away = v3(poi.position_m.x - bowls[k].position_m.x, 0.0f,
                                  poi.position_m.z - bowls[k].position_m.z);
             const float hull_m = bowl_hull_radius_m(bowls[k].position_m.y - poi.position_m.y);
@@ -172,7 +173,7 @@ static void push_with_ring(float depth_m, float to_x_m)
     }
 }
 
-static void test_the_ring_of_a_poi_pushes_it_along(void **state)
+static void test_the_ring_of_a_poi_pushes_the_bowl(void **state)
 {
     (void)state;
     float_bowls(1);
@@ -184,7 +185,7 @@ static void test_the_ring_of_a_poi_pushes_it_along(void **state)
     assert_true(bowls[0].heel_x != 0.0f);
 }
 
-static void test_a_ring_over_it_or_far_from_it_pushes_nothing(void **state)
+static void test_a_ring_over_the_bowl_or_far_from_it_does_not_push_it(void **state)
 {
     (void)state;
     float_bowls(1);
@@ -192,7 +193,7 @@ static void test_a_ring_over_it_or_far_from_it_pushes_nothing(void **state)
     assert_true(f_abs(bowls[0].position_m.x - bowls[0].home_m.x) < 1e-4f);
 }
 
-static void test_a_ring_that_rests_on_the_mouth_presses_it_down_a_little(void **state)
+static void test_a_ring_that_rests_on_the_mouth_lowers_the_bowl_a_little(void **state)
 {
     (void)state;
     const struct stall stall = { &tank, bowls, POI_MAX };
@@ -207,13 +208,14 @@ static void test_a_ring_that_rests_on_the_mouth_presses_it_down_a_little(void **
         bowl_buoyancy_tick(&stall, &poi, &live, 1);
         poi_apply_reaction(&poi, &(struct obstacle){ .centre_m = poi.position_m });
         lowest_m = f_min(lowest_m, bowls[0].position_m.y);
-        assert_true(bowls[0].position_m.y >= 0.002f);          /* It never ships water. */
-        assert_true(poi.position_m.y > bowls[0].position_m.y); /* Nor does the ring sink in. */
+        assert_true(bowls[0].position_m.y >= 0.002f);          /* The bowl never takes on water. */
+        assert_true(poi.position_m.y > bowls[0].position_m.y); /* The ring does not sink into the
+                                                                  bowl. */
     }
     assert_true(lowest_m < 0.010f);
 }
 
-static void test_walls_stop_it_and_it_never_goes_over_them(void **state)
+static void test_walls_stop_a_bowl(void **state)
 {
     (void)state;
     float_bowls(1);
@@ -221,7 +223,7 @@ static void test_walls_stop_it_and_it_never_goes_over_them(void **state)
     push_with_ring(0.0f, 0.44f);
     assert_true(bowls[0].position_m.x > 0.36f);
     assert_true(bowls[0].position_m.x <= 0.45f - BOWL_RADIUS_M);
-    for (int i = 0; i < 600; i++) { /* Thrown at each wall and corner. */
+    for (int i = 0; i < 600; i++) { /* The bowl is thrown at each wall and corner. */
         bowls[0].velocity_m_s = v3(2.0f * f_cos((float)i), 0.3f, 2.0f * f_sin((float)i));
         wait_for(0.5f);
         assert_true(f_abs(bowls[0].position_m.x) <= 0.45f - BOWL_RADIUS_M);
@@ -230,7 +232,7 @@ static void test_walls_stop_it_and_it_never_goes_over_them(void **state)
     }
 }
 
-static void test_one_bowl_pushes_the_next_and_none_lies_in_another(void **state)
+static void test_bowls_push_each_other_and_never_overlap(void **state)
 {
     (void)state;
     float_bowls(3);
@@ -248,7 +250,7 @@ static void test_one_bowl_pushes_the_next_and_none_lies_in_another(void **state)
 
 /* ---- Its fish ------------------------------------------------------------------------------- */
 
-static void test_its_fish_go_along_with_it(void **state)
+static void test_the_fish_in_a_bowl_move_with_it(void **state)
 {
     (void)state;
     float_bowls(1);
@@ -256,7 +258,7 @@ static void test_its_fish_go_along_with_it(void **state)
         drop_in(0.04f, 0.004f * (float)i - 0.02f);
     }
     const struct stall stall = { &tank, bowls, POI_MAX };
-    bowls[0].home_m.x = 0.25f; /* As if somebody drew it across the tank. */
+    bowls[0].home_m.x = 0.25f; /* The home moves as if a person drew the bowl across the tank. */
     for (uint32_t tick = 0; tick < 4u * CORE_TICK_HZ; tick++) {
         bowl_buoyancy_tick(&stall, NULL, NULL, 0);
         bowl_fish_tick(&bowls[0], 0, &tank);
@@ -269,53 +271,53 @@ static void test_its_fish_go_along_with_it(void **state)
     assert_true(bowls[0].position_m.x > 0.15f);
 }
 
-static void test_fish_make_way_for_a_hull_that_drifts_through_them(void **state)
+static void test_tank_fish_avoid_a_drifting_hull(void **state)
 {
     (void)state;
-    static struct stand stand;
-    stand_init(&stand, 4, 1);
+    static struct poi_fixture fixture;
+    fixture_init(&fixture, 4, 1);
     for (uint32_t i = 0; i < 60; i++) {
         const uint32_t fish =
-            stand_fish(&stand,
-                       v3(0.02f + 0.04f * (float)(i % 5u), -0.02f - 0.03f * (float)(i / 20u),
-                          0.12f + 0.03f * (float)(i / 5u % 4u)),
-                       0.04f);
-        stand.tank.fish[fish].angles.yaw_rad = (float)i;
+            fixture_add_fish(&fixture,
+                             v3(0.02f + 0.04f * (float)(i % 5u), -0.02f - 0.03f * (float)(i / 20u),
+                                0.12f + 0.03f * (float)(i / 5u % 4u)),
+                             0.04f);
+        fixture.tank.fish[fish].angles.yaw_rad = (float)i;
     }
-    bowl_init(&stand.bowl, v3(0.30f, 0.012f, 0.15f));
-    stand_wait(&stand, 1.0f);
-    stand.bowl.home_m.x = -0.2f;
+    bowl_init(&fixture.bowl, v3(0.30f, 0.012f, 0.15f));
+    fixture_wait(&fixture, 1.0f);
+    fixture.bowl.home_m.x = -0.2f;
     float deepest_m = 0.0f;
     for (uint32_t tick = 0; tick < 6u * CORE_TICK_HZ; tick++) {
-        stand_tick(&stand);
-        const struct obstacle hull = bowl_obstacle(&stand.bowl);
-        for (uint32_t i = 0; i < stand.tank.fish_count; i++) {
-            const struct box box = fish_box(&stand.tank.fish[i]);
+        fixture_tick(&fixture);
+        const struct obstacle hull = bowl_obstacle(&fixture.bowl);
+        for (uint32_t i = 0; i < fixture.tank.fish_count; i++) {
+            const struct box box = fish_box(&fixture.tank.fish[i]);
             deepest_m = f_max(deepest_m, -obstacle_touch(&hull, &box).gap_m);
         }
     }
     print_message("no fish was deeper than %.2f mm in the hull\n", 1e3 * (double)deepest_m);
-    assert_true(stand.bowl.position_m.x < 0.0f);
+    assert_true(fixture.bowl.position_m.x < 0.0f);
     assert_true(deepest_m < 0.0005f);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_it_floats_where_it_was_put),
-        cmocka_unit_test(test_room_and_radius_of_the_hull_agree),
-        cmocka_unit_test(test_it_sinks_a_tenth_of_a_millimetre_with_each_fish),
-        cmocka_unit_test(test_its_own_water_rises_with_its_fish_and_spills_before_the_mouth),
-        cmocka_unit_test(test_a_fish_that_drops_in_off_the_middle_rocks_it),
-        cmocka_unit_test(test_it_bobs_and_heels_on_ripples),
-        cmocka_unit_test(test_pushed_away_it_drifts_home_within_some_seconds),
-        cmocka_unit_test(test_the_ring_of_a_poi_pushes_it_along),
-        cmocka_unit_test(test_a_ring_over_it_or_far_from_it_pushes_nothing),
-        cmocka_unit_test(test_a_ring_that_rests_on_the_mouth_presses_it_down_a_little),
-        cmocka_unit_test(test_walls_stop_it_and_it_never_goes_over_them),
-        cmocka_unit_test(test_one_bowl_pushes_the_next_and_none_lies_in_another),
-        cmocka_unit_test(test_its_fish_go_along_with_it),
-        cmocka_unit_test(test_fish_make_way_for_a_hull_that_drifts_through_them),
+        cmocka_unit_test(test_a_bowl_floats_at_its_home),
+        cmocka_unit_test(test_the_hulls_volume_and_radius_agree),
+        cmocka_unit_test(test_a_bowl_sinks_a_tenth_of_a_millimetre_for_each_fish),
+        cmocka_unit_test(test_the_bowls_water_rises_with_its_fish_and_spills_before_the_mouth),
+        cmocka_unit_test(test_a_fish_that_drops_in_off_centre_rocks_the_bowl),
+        cmocka_unit_test(test_a_bowl_heaves_and_heels_on_ripples),
+        cmocka_unit_test(test_a_displaced_bowl_drifts_home_within_some_seconds),
+        cmocka_unit_test(test_the_ring_of_a_poi_pushes_the_bowl),
+        cmocka_unit_test(test_a_ring_over_the_bowl_or_far_from_it_does_not_push_it),
+        cmocka_unit_test(test_a_ring_that_rests_on_the_mouth_lowers_the_bowl_a_little),
+        cmocka_unit_test(test_walls_stop_a_bowl),
+        cmocka_unit_test(test_bowls_push_each_other_and_never_overlap),
+        cmocka_unit_test(test_the_fish_in_a_bowl_move_with_it),
+        cmocka_unit_test(test_tank_fish_avoid_a_drifting_hull),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,5 @@
-/* test_carried_fish.c -- one fish on a tilted plane. */
-#include "tests/unit/support/poi_stand.h"
+/* test_carried_fish.c -- checks one carried fish on a tilted plane. */
+#include "tests/unit/support/poi_fixture.h"
 #include "tests/unit/support/pond.h"
 
 static struct fish fish;
@@ -13,7 +13,7 @@ static void lay(float heading_rad)
     };
 }
 
-/* A plane whose right side is lowered. */
+/* Returns a plane whose right side is lowered by `roll_rad`. */
 static struct paper_surface tilted(float roll_rad)
 {
     return (struct paper_surface){ .pull_m_s2 = { GRAVITY_M_S2 * f_sin(roll_rad),
@@ -46,7 +46,7 @@ static void test_friction_holds_a_fish_on_a_slight_slope(void **state)
     assert_float_equal(carried.x_m, 0.0f, 0.0f);
 }
 
-static void test_a_steeper_slope_takes_it_to_the_ring_and_no_farther(void **state)
+static void test_a_fish_on_a_steeper_slope_slides_to_the_ring_and_stops(void **state)
 {
     (void)state;
     lay(0.0f);
@@ -55,7 +55,7 @@ static void test_a_steeper_slope_takes_it_to_the_ring_and_no_farther(void **stat
     assert_true(carried.x_m < 0.040f);
 }
 
-static void test_a_wall_of_three_millimetres_is_no_wall_on_a_steep_slope(void **state)
+static void test_a_fish_passes_the_3_mm_ring_wall_on_a_steep_slope(void **state)
 {
     (void)state;
     lay(0.0f);
@@ -63,10 +63,10 @@ static void test_a_wall_of_three_millimetres_is_no_wall_on_a_steep_slope(void **
     assert_true(carried.x_m > 0.0465f);
 }
 
-static void test_head_up_it_calms_down_sooner(void **state)
+static void test_a_head_up_fish_calms_down_sooner(void **state)
 {
     (void)state;
-    lay(0.5f * F_PI); /* Nose to the left, which is up. */
+    lay(0.5f * F_PI); /* The nose points to the left, which is the upper side. */
     carried.vigour = 1.0f;
     ride_for(18.0f * F_DEG, 1.0f);
     const float head_up = carried.vigour;
@@ -76,7 +76,7 @@ static void test_head_up_it_calms_down_sooner(void **state)
     assert_true(head_up < 0.75f * carried.vigour);
 }
 
-static void test_slaps_come_at_five_to_ten_hertz_and_as_hard_as_life(void **state)
+static void test_slaps_have_5_to_10_hz_and_the_measured_force(void **state)
 {
     (void)state;
     const struct paper_surface level = tilted(0.0f);
@@ -105,7 +105,7 @@ static void test_the_tail_is_behind_the_nose(void **state)
     lay(0.0f);
     carried_fish_tail(&carried, 0.05f, &x, &z);
     assert_float_equal(x, 0.0f, 1e-6f);
-    assert_float_equal(z, 0.021f, 1e-6f); /* The nose looks along -z. */
+    assert_float_equal(z, 0.021f, 1e-6f); /* The nose points along -z. */
     const struct basis level = vec_basis_from_angles((struct angles){ 0.0f, 0.0f, 0.0f });
     carried.heading_rad = 1.0f;
     const struct paper_surface flat = tilted(0.0f);
@@ -115,7 +115,7 @@ static void test_the_tail_is_behind_the_nose(void **state)
     assert_float_equal(fish.position_m.y, 0.205f, 1e-5f);
 }
 
-static void test_slaps_shake_it_down_a_slope_that_would_hold_it(void **state)
+static void test_slaps_move_a_fish_down_a_slope_that_friction_would_hold(void **state)
 {
     (void)state;
     const struct paper_surface ride = tilted(12.0f * F_DEG);
@@ -133,10 +133,11 @@ static void test_slaps_shake_it_down_a_slope_that_would_hold_it(void **state)
         shaken += carried.x_m;
     }
     assert_float_equal(still, 0.0f, 0.0f);
-    assert_true(shaken / 20.0f > 0.010f); /* To the low side, the right one. */
+    assert_true(shaken / 20.0f > 0.010f); /* The fish moved to the lower side, on the right. */
 }
 
-/* How far from the middle it lies after `seconds` of slaps, on the mean, from 20 mm off it. */
+/* Returns the mean distance from the middle after `seconds` of slaps. Each fish starts 20 mm off
+ * the middle. */
 static float drawn_in_m(float belly_m, float give_per_n, float seconds)
 {
     struct paper_surface ride = tilted(0.0f);
@@ -156,7 +157,7 @@ static float drawn_in_m(float belly_m, float give_per_n, float seconds)
     return sum_m / 50.0f;
 }
 
-static void test_it_slides_toward_the_middle_of_the_belly(void **state)
+static void test_a_fish_slides_toward_the_middle_of_the_belly(void **state)
 {
     (void)state;
     const float board_m = drawn_in_m(0.0f, 0.0f, 3.0f);
@@ -167,7 +168,7 @@ static void test_it_slides_toward_the_middle_of_the_belly(void **state)
     assert_true(belly_m < 0.014f);
 }
 
-static void test_a_deep_belly_draws_in_even_who_lies_still(void **state)
+static void test_a_fish_that_lies_still_slides_into_a_deep_belly(void **state)
 {
     (void)state;
     struct paper_surface ride = tilted(0.0f);
@@ -193,15 +194,16 @@ static float vigour_after(float belly_m)
     return carried.vigour;
 }
 
-static void test_paper_that_sags_round_it_calms_it(void **state)
+static void test_paper_that_sags_around_a_fish_calms_it(void **state)
 {
     (void)state;
     const float flat = vigour_after(0.0f), cradled = vigour_after(0.003f);
     assert_float_equal(1.0f - cradled, 1.45f * (1.0f - flat), 0.15f * (1.0f - flat));
-    assert_true(vigour_after(-0.003f) >= flat); /* Bulging up, it cradles nobody. */
+    assert_true(vigour_after(-0.003f) >= flat); /* Paper that bulges upward does not calm the
+                                                   fish. */
 }
 
-static void test_it_lies_in_the_belly_not_over_it(void **state)
+static void test_a_fish_lies_in_the_belly_and_not_over_it(void **state)
 {
     (void)state;
     const struct basis level = vec_basis_from_angles((struct angles){ 0.0f, 0.0f, 0.0f });
@@ -210,7 +212,7 @@ static void test_it_lies_in_the_belly_not_over_it(void **state)
     lay(0.0f);
     carried_fish_pose(&carried, &ride, v3(0.0f, 0.0f, 0.0f), &level, &fish);
     assert_float_equal(fish.position_m.y, 0.002f, 1e-6f);
-    carried.x_m = 0.040f; /* At the ring paper does not give. */
+    carried.x_m = 0.040f; /* At the ring, the paper does not sag. */
     carried_fish_pose(&carried, &ride, v3(0.0f, 0.0f, 0.0f), &level, &fish);
     assert_float_equal(fish.position_m.y, 0.005f, 1e-6f);
 }
@@ -220,16 +222,16 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_a_five_centimetre_fish_weighs_nearly_three_grams),
         cmocka_unit_test(test_friction_holds_a_fish_on_a_slight_slope),
-        cmocka_unit_test(test_a_steeper_slope_takes_it_to_the_ring_and_no_farther),
-        cmocka_unit_test(test_a_wall_of_three_millimetres_is_no_wall_on_a_steep_slope),
-        cmocka_unit_test(test_head_up_it_calms_down_sooner),
-        cmocka_unit_test(test_slaps_come_at_five_to_ten_hertz_and_as_hard_as_life),
+        cmocka_unit_test(test_a_fish_on_a_steeper_slope_slides_to_the_ring_and_stops),
+        cmocka_unit_test(test_a_fish_passes_the_3_mm_ring_wall_on_a_steep_slope),
+        cmocka_unit_test(test_a_head_up_fish_calms_down_sooner),
+        cmocka_unit_test(test_slaps_have_5_to_10_hz_and_the_measured_force),
         cmocka_unit_test(test_the_tail_is_behind_the_nose),
-        cmocka_unit_test(test_slaps_shake_it_down_a_slope_that_would_hold_it),
-        cmocka_unit_test(test_it_slides_toward_the_middle_of_the_belly),
-        cmocka_unit_test(test_a_deep_belly_draws_in_even_who_lies_still),
-        cmocka_unit_test(test_paper_that_sags_round_it_calms_it),
-        cmocka_unit_test(test_it_lies_in_the_belly_not_over_it),
+        cmocka_unit_test(test_slaps_move_a_fish_down_a_slope_that_friction_would_hold),
+        cmocka_unit_test(test_a_fish_slides_toward_the_middle_of_the_belly),
+        cmocka_unit_test(test_a_fish_that_lies_still_slides_into_a_deep_belly),
+        cmocka_unit_test(test_paper_that_sags_around_a_fish_calms_it),
+        cmocka_unit_test(test_a_fish_lies_in_the_belly_and_not_over_it),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,8 +1,8 @@
-/* test_gulp_scoop.c -- a gulping fish is easier to scoop than one at mid depth.
+/* test_gulp_scoop.c -- checks that a gulping fish is easier to scoop than a fish at mid depth.
  *
- * Real stalls: fish near the surface, slow or gulping, are the ones to take; the 2013 thesis
- * (section 2.3) says why: they are scooped where it is shallow, which spares the paper. The same
- * hand makes the same scoop at a lone fish: in beside it at a slant, level under it, up. */
+ * At real stalls, players take fish near the surface that are slow or gulp. The 2013 thesis
+ * (section 2.3) gives the reason: a shallow scoop loads the paper less. The test makes the same
+ * scoop at a lone fish: the poi enters beside it at a slant, moves level under it and rises. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -15,9 +15,9 @@
 #include "core/tank/behavior/surface_breathing.h"
 
 #define TRIALS 60u
-#define UNDER_M 0.022f  /* The paper, below the fish's lowest point. */
-#define BESIDE_M 0.085f /* Where it dips. */
-#define HAND_M_S 0.30f  /* Brisk: what swims below mostly flees from it. */
+#define UNDER_M 0.022f  /* Distance of the paper below the fish's lowest point. */
+#define BESIDE_M 0.085f /* Distance from the fish at which the poi enters the water. */
+#define HAND_M_S 0.30f  /* Speed of the hand. Most fish below the surface flee from this speed. */
 #define FISH_M 0.05f
 
 static struct tank tank;
@@ -28,7 +28,7 @@ static uint32_t now;
 
 struct outcome {
     uint32_t caught, fled;
-    float strain_n_s_m; /* The paper's tension over the time it lasted. */
+    float strain_n_s_m; /* Integral of the paper's tension over time. */
 };
 
 static void step(struct poi_target hand, struct outcome *sum)
@@ -46,7 +46,8 @@ static void step(struct poi_target hand, struct outcome *sum)
     now++;
 }
 
-/* To a place beside, below or at the fish's, which it follows: `at_m` is where, seen from it. */
+/* Moves the hand to a position that follows the fish. `at_m` is the position relative to the
+ * fish. */
 static void follow(const struct fish *fish, vec3 at_m, float pitch_rad, float m_s,
                    struct poi_target *hand, struct outcome *sum)
 {
@@ -88,7 +89,8 @@ static void scoop(const struct fish *fish, struct outcome *sum)
     sum->strain_n_s_m += one.strain_n_s_m;
 }
 
-/* A lone fish of 5 cm in a tank with 12 cm of water, at mid depth and calm or gulping. */
+/* Returns a lone fish of 5 cm in a tank with 12 cm of water. The fish is calm at mid depth, or it
+ * gulps. */
 static const struct fish *wait_for_fish(uint32_t seed, int gulps)
 {
     struct tank_config config = tank_config_of(TANK_PRESET_FESTIVAL);
@@ -99,7 +101,7 @@ static const struct fish *wait_for_fish(uint32_t seed, int gulps)
     assert_true(tank_open(&tank, &config));
     struct fish *fish = &tank.fish[0];
     fish_grow(fish, FISH_M, tank_behavior_params(&tank));
-    fish->stamina = 0.6f; /* Whose band is the middle. */
+    fish->stamina = 0.6f; /* At this stamina, the depth band of the fish is the middle. */
     now = 0;
     for (; now < 120u * CORE_TICK_HZ; now++) {
         tank_tick(&tank, now, NULL, 0);
@@ -132,7 +134,7 @@ static struct outcome trials(int gulps)
     return sum;
 }
 
-static void test_the_same_scoop_takes_more_gulpers_and_strains_the_paper_less(void **state)
+static void test_the_same_scoop_catches_more_gulping_fish_with_less_strain(void **state)
 {
     (void)state;
     const struct outcome below = trials(0), above = trials(1);
@@ -144,7 +146,7 @@ static void test_the_same_scoop_takes_more_gulpers_and_strains_the_paper_less(vo
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_the_same_scoop_takes_more_gulpers_and_strains_the_paper_less),
+        cmocka_unit_test(test_the_same_scoop_catches_more_gulping_fish_with_less_strain),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

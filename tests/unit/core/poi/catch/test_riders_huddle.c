@@ -1,19 +1,39 @@
-/* test_riders_huddle.c -- several fish on one paper. */
+/* test_riders_huddle.c -- checks the separation of several fish on one paper. */
 #include "core/poi/catch/carried_fish.h"
-#include "tests/unit/support/poi_stand.h"
+#include "tests/unit/support/poi_fixture.h"
 
-static struct stand stand;
+static struct poi_fixture fixture;
 
-/* The deepest that two riders lie in one another. */
+/* Returns the overlap of two carried fish in the plane of the paper, in metres. A result of 0 or
+ * less means that the fish do not overlap. Each fish is a capsule, measured at 41 points of its
+ * axis: the axis is 0.60 body lengths long, and the radius is 0.36 of the extent in the plane. */
+static float overlap_m(const struct carried_fish *a, const struct carried_fish *b)
+{
+    const struct fish *fish_a = &fixture.tank.fish[a->fish], *fish_b = &fixture.tank.fish[b->fish];
+    const vec3 on_a = v3(f_sin(a->heading_rad), 0.0f, f_cos(a->heading_rad));
+    const vec3 on_b = v3(f_sin(b->heading_rad), 0.0f, f_cos(b->heading_rad));
+    const vec3 between = v3(a->x_m - b->x_m, 0.0f, a->z_m - b->z_m);
+    float least_m = 1.0f;
+    for (int i = -20; i <= 20; i++) {
+        const vec3 way = v3_muladd(between, on_a, 0.015f * (float)i * fish_a->length_m);
+        const float half_m = 0.30f * fish_b->length_m;
+        const float along = f_clamp(v3_dot(way, on_b), -half_m, half_m);
+        least_m = f_min(least_m, v3_length(v3_muladd(way, on_b, -along)));
+    }
+    return 0.36f * (f_lerp(fish_a->width_m, fish_a->height_m, a->lie) +
+                    f_lerp(fish_b->width_m, fish_b->height_m, b->lie)) -
+           least_m;
+}
+
+/* Returns the deepest overlap of two carried fish. */
 static float worst_m(void)
 {
-    const struct poi *poi = &stand.poi;
+    const struct poi *poi = &fixture.poi;
     float worst = -1.0f;
     for (uint32_t i = 1; i < poi->carried_count; i++) {
         for (uint32_t k = 0; k < i; k++) {
             const struct carried_fish *a = &poi->carried_fish[i], *b = &poi->carried_fish[k];
-            worst = f_max(worst, carried_separation_overlap_m(a, &stand.tank.fish[a->fish], b,
-                                                              &stand.tank.fish[b->fish]));
+            worst = f_max(worst, overlap_m(a, b));
         }
     }
     return worst;
@@ -21,93 +41,93 @@ static float worst_m(void)
 
 static void lay_a_heap(uint32_t count, float length_m)
 {
-    stand_init(&stand, 4, 1);
+    fixture_init(&fixture, 4, 1);
     for (uint32_t i = 0; i < count; i++) {
-        stand_lay(&stand, length_m, 0.001f * (float)i, 0.0005f * (float)(i * i % 7u),
-                  0.4f * (float)i);
+        fixture_place_fish(&fixture, length_m, 0.001f * (float)i, 0.0005f * (float)(i * i % 7u),
+                           0.4f * (float)i);
     }
 }
 
-static void test_fish_that_came_up_in_one_another_soon_lie_side_by_side(void **state)
+static void test_overlapping_carried_fish_soon_lie_side_by_side(void **state)
 {
     (void)state;
     for (uint32_t count = 2; count <= 4; count++) {
         lay_a_heap(count, 0.045f);
         assert_true(worst_m() > 0.005f);
-        stand_wait(&stand, 0.4f);
-        assert_int_equal(stand.poi.carried_count, count); /* There is room for them. */
+        fixture_wait(&fixture, 0.4f);
+        assert_int_equal(fixture.poi.carried_count, count); /* The poi has room for these fish. */
         assert_true(worst_m() < 0.0015f);
     }
 }
 
-static void test_two_in_the_same_place_part_too(void **state)
+static void test_two_carried_fish_in_the_same_place_separate(void **state)
 {
     (void)state;
-    stand_init(&stand, 4, 1);
-    stand_lay(&stand, 0.045f, 0.0f, 0.0f, 0.3f);
-    stand_lay(&stand, 0.045f, 0.0f, 0.0f, 0.3f);
-    stand_wait(&stand, 0.4f);
+    fixture_init(&fixture, 4, 1);
+    fixture_place_fish(&fixture, 0.045f, 0.0f, 0.0f, 0.3f);
+    fixture_place_fish(&fixture, 0.045f, 0.0f, 0.0f, 0.3f);
+    fixture_wait(&fixture, 0.4f);
     assert_true(worst_m() < 0.0015f);
-    assert_int_equal(stand.poi.carried_count, 2);
+    assert_int_equal(fixture.poi.carried_count, 2);
 }
 
-static void test_the_lighter_gives_way_the_more(void **state)
+static void test_the_lighter_carried_fish_moves_farther(void **state)
 {
     (void)state;
-    stand_init(&stand, 4, 1);
-    stand_lay(&stand, 0.06f, -0.001f, 0.0f, 0.0f);
-    stand_lay(&stand, 0.035f, 0.001f, 0.0f, 0.0f);
-    stand_wait(&stand, 0.3f);
-    assert_true(stand.poi.carried_fish[1].x_m > 0.004f);
-    assert_true(-stand.poi.carried_fish[0].x_m < 0.4f * stand.poi.carried_fish[1].x_m);
+    fixture_init(&fixture, 4, 1);
+    fixture_place_fish(&fixture, 0.06f, -0.001f, 0.0f, 0.0f);
+    fixture_place_fish(&fixture, 0.035f, 0.001f, 0.0f, 0.0f);
+    fixture_wait(&fixture, 0.3f);
+    assert_true(fixture.poi.carried_fish[1].x_m > 0.004f);
+    assert_true(-fixture.poi.carried_fish[0].x_m < 0.4f * fixture.poi.carried_fish[1].x_m);
 }
 
-static void test_the_ring_holds_who_is_pushed_against_it(void **state)
+static void test_the_ring_stops_a_carried_fish_that_is_pushed_against_it(void **state)
 {
     (void)state;
-    stand_init(&stand, 4, 1);
-    stand_lay(&stand, 0.045f, 0.033f, 0.0f, 0.0f);
-    stand_lay(&stand, 0.045f, 0.027f, 0.0f, 0.0f);
-    stand_wait(&stand, 0.5f);
-    assert_int_equal(stand.poi.carried_count, 2);
-    assert_true(stand.poi.carried_fish[0].x_m <= 0.0365f);
+    fixture_init(&fixture, 4, 1);
+    fixture_place_fish(&fixture, 0.045f, 0.033f, 0.0f, 0.0f);
+    fixture_place_fish(&fixture, 0.045f, 0.027f, 0.0f, 0.0f);
+    fixture_wait(&fixture, 0.5f);
+    assert_int_equal(fixture.poi.carried_count, 2);
+    assert_true(fixture.poi.carried_fish[0].x_m <= 0.0365f);
     assert_true(worst_m() < 0.0015f);
 }
 
-static void test_where_there_is_no_room_left_they_are_squeezed_over_the_ring(void **state)
+static void test_carried_fish_without_room_are_pushed_over_the_ring(void **state)
 {
     (void)state;
-    lay_a_heap(16, 0.06f); /* Twice the paper. */
-    stand_wait(&stand, 2.0f);
-    print_message("of 16 fish of 6 cm %u stay\n", stand.poi.carried_count);
-    assert_in_range(stand.poi.carried_count, 4, 13);
+    lay_a_heap(16, 0.06f); /* The fish cover twice the area of the paper. */
+    fixture_wait(&fixture, 2.0f);
+    print_message("of 16 fish of 6 cm %u stay\n", fixture.poi.carried_count);
+    assert_in_range(fixture.poi.carried_count, 4, 13);
     for (uint32_t i = 0; i < 16; i++) {
-        const struct fish *fish = &stand.tank.fish[i];
+        const struct fish *fish = &fixture.tank.fish[i];
         const int rides = fish->gait == GAIT_HELD && fish->holder == 0;
         assert_true(rides ? fish->position_m.y > 0.04f : fish->position_m.y < 0.0f);
     }
 }
 
-static void test_who_falls_pushes_nobody(void **state)
+static void test_a_falling_fish_pushes_no_other_fish(void **state)
 {
     (void)state;
-    stand_init(&stand, 4, 1);
-    stand_lay(&stand, 0.045f, 0.0f, 0.0f, 0.0f);
-    stand_lay(&stand, 0.045f, 0.001f, 0.0f, 0.0f)->state = CARRIED_FALLING;
-    carried_separation_tick(&stand.poi, stand.tank.fish);
-    assert_float_equal(stand.poi.carried_fish[0].x_m, 0.0f, 0.0f);
-    assert_float_equal(stand.poi.carried_fish[1].x_m, 0.001f, 0.0f);
+    fixture_init(&fixture, 4, 1);
+    fixture_place_fish(&fixture, 0.045f, 0.0f, 0.0f, 0.0f);
+    fixture_place_fish(&fixture, 0.045f, 0.001f, 0.0f, 0.0f)->state = CARRIED_FALLING;
+    carried_separation_tick(&fixture.poi, fixture.tank.fish);
+    assert_float_equal(fixture.poi.carried_fish[0].x_m, 0.0f, 0.0f);
+    assert_float_equal(fixture.poi.carried_fish[1].x_m, 0.001f, 0.0f);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_fish_that_came_up_in_one_another_soon_lie_side_by_side),
-        cmocka_unit_test(test_two_in_the_same_place_part_too),
-        cmocka_unit_test(test_the_lighter_gives_way_the_more),
-        cmocka_unit_test(test_the_ring_holds_who_is_pushed_against_it),
-        cmocka_unit_test(test_where_there_is_no_room_left_they_are_squeezed_over_the_ring),
-        cmocka_unit_test(test_who_falls_pushes_nobody),
+        cmocka_unit_test(test_overlapping_carried_fish_soon_lie_side_by_side),
+        cmocka_unit_test(test_two_carried_fish_in_the_same_place_separate),
+        cmocka_unit_test(test_the_lighter_carried_fish_moves_farther),
+        cmocka_unit_test(test_the_ring_stops_a_carried_fish_that_is_pushed_against_it),
+        cmocka_unit_test(test_carried_fish_without_room_are_pushed_over_the_ring),
+        cmocka_unit_test(test_a_falling_fish_pushes_no_other_fish),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

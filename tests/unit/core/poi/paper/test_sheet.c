@@ -1,9 +1,10 @@
-/* test_sheet.c -- paper: how it tightens, wets, wears and tears. */
-#include "tests/unit/support/poi_stand.h"
+/* test_sheet.c -- checks how paper tightens, wets, wears and tears. */
+#include "core/poi/poi_fields.h"
+#include "tests/unit/support/poi_fixture.h"
 
 #define RADIUS_M 0.040f
-#define STILL_FISH_PA 5.6f /* 2.9 g over 50 cm^2. */
-#define FILM_PA 6.0f       /* The water that wet paper keeps. */
+#define STILL_FISH_PA 5.6f /* Pressure of a fish of 2.9 g on 50 cm^2. */
+#define FILM_PA 6.0f       /* Pressure of the water that wet paper keeps. */
 
 static const struct sheet_wetting in_air = { 0.0f, 0.0f, -1.0f };
 static const struct sheet_wetting under_water = { 0.0f, 0.0f, 1.0f };
@@ -21,7 +22,7 @@ static struct sheet plain(uint8_t grade, float wetness)
 {
     struct sheet sheet;
     sheet_init(&sheet, grade, RADIUS_M, 1);
-    stand_plain_paper(&sheet, wetness);
+    fixture_plain_paper(&sheet, wetness);
     return sheet;
 }
 
@@ -55,8 +56,7 @@ static void test_a_push_from_below_tightens_and_bulges_upward(void **state)
     assert_float_equal(sheet.sag_m, 0.0026f, 0.0002f);
 }
 
-static void
-test_wet_paper_tears_at_once_at_its_ultimate_pressure_and_dry_paper_does_not(void **state)
+static void test_the_ultimate_pressure_tears_wet_paper_and_not_dry_paper(void **state)
 {
     (void)state;
     for (uint8_t number = SHEET_GRADE_MIN; number <= SHEET_GRADE_MAX; number++) {
@@ -138,7 +138,7 @@ static struct sheet half_wet(void)
     return sheet;
 }
 
-static void test_only_what_is_under_the_line_gets_wet_and_water_creeps_a_little(void **state)
+static void test_only_paper_under_the_water_line_gets_wet_and_water_wicks_a_little(void **state)
 {
     (void)state;
     const struct sheet sheet = half_wet();
@@ -190,7 +190,7 @@ static void test_a_tear_grows_from_cell_to_cell_and_leaves_one_hole(void **state
     }
 }
 
-static void test_paper_that_is_counted_is_paper_that_is_there(void **state)
+static void test_paper_cells_equals_the_number_of_paper_cells(void **state)
 {
     (void)state;
     struct sheet sheet = plain(7, 1.0f);
@@ -235,11 +235,13 @@ static void test_the_same_seed_gives_the_same_tears(void **state)
         sheet_tick(&second, 160.0f, under_water, NULL, 0);
         sheet_tick(&other, 160.0f, under_water, NULL, 0);
     }
-    assert_true(sheet_hash(HASH_START, &first) == sheet_hash(HASH_START, &second));
-    assert_true(sheet_hash(HASH_START, &first) != sheet_hash(HASH_START, &other));
+    assert_true(field_hash(HASH_START, &sheet_fields, &first) ==
+                field_hash(HASH_START, &sheet_fields, &second));
+    assert_true(field_hash(HASH_START, &sheet_fields, &first) !=
+                field_hash(HASH_START, &sheet_fields, &other));
 }
 
-static void test_points_outside_the_ring_hold_nothing(void **state)
+static void test_points_outside_the_ring_have_no_paper(void **state)
 {
     (void)state;
     const struct sheet sheet = plain(6, 0.0f);
@@ -249,7 +251,8 @@ static void test_points_outside_the_ring_hold_nothing(void **state)
     assert_false(sheet_holds(&sheet, 0.03f, -0.03f));
 }
 
-/* Over the whole ring on a grid finer than the cells. */
+/* Samples the whole ring on a grid that is finer than the cells. Counts the points and those with
+ * paper. */
 static void count_held(const struct sheet *sheet, uint32_t *held, uint32_t *asked)
 {
     *held = *asked = 0;
@@ -263,7 +266,7 @@ static void count_held(const struct sheet *sheet, uint32_t *held, uint32_t *aske
     }
 }
 
-static void test_whole_paper_holds_up_to_the_ring_and_a_bare_ring_nowhere(void **state)
+static void test_whole_paper_reaches_the_ring_and_a_bare_ring_has_none(void **state)
 {
     (void)state;
     uint32_t held, asked;
@@ -274,7 +277,7 @@ static void test_whole_paper_holds_up_to_the_ring_and_a_bare_ring_nowhere(void *
         sheet.state[cell] = sheet.state[cell] == CELL_PAPER ? CELL_HOLE : sheet.state[cell];
     }
     const uint32_t middle = SHEET_SIDE / 2u * SHEET_SIDE + SHEET_SIDE / 2u;
-    sheet.state[middle] = CELL_PAPER; /* One cell left: slivers at the ring hold nothing. */
+    sheet.state[middle] = CELL_PAPER; /* One cell is left. Slivers at the ring count as no paper. */
     sheet.paper_cells = 1;
     count_held(&sheet, &held, &asked);
     assert_in_range(held, 1, 200);
@@ -289,7 +292,7 @@ static float stress_at(const struct sheet *sheet, uint32_t row, uint32_t column)
     return (float)sheet->stress[row * SHEET_SIDE + column] / 255.0f;
 }
 
-static void test_the_stress_map_shows_load_over_strength_and_where_it_gathers(void **state)
+static void test_the_stress_map_shows_load_over_strength_and_stress_concentration(void **state)
 {
     (void)state;
     const uint32_t middle = SHEET_SIDE / 2u;
@@ -302,7 +305,7 @@ static void test_the_stress_map_shows_load_over_strength_and_where_it_gathers(vo
     const float edge = 1.5f * 0.328f / 0.423f * centre;
     assert_float_equal(stress_at(&sheet, middle, middle), centre, 0.01f);
     assert_float_equal(stress_at(&sheet, middle, 0), edge, 0.03f);
-    assert_float_equal(stress_at(&sheet, 0, 0), 0.0f, 0.0f); /* Beyond the ring. */
+    assert_float_equal(stress_at(&sheet, 0, 0), 0.0f, 0.0f); /* The cell is outside the ring. */
     press(&sheet, 3000.0f, 0.01f);
     for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
         assert_true(sheet.state[cell] == CELL_PAPER || sheet.stress[cell] == 0);
@@ -313,7 +316,7 @@ static void test_the_stress_map_shows_load_over_strength_and_where_it_gathers(vo
     }
 }
 
-static void test_where_the_wet_line_meets_the_ring_each_raises_what_the_other_did(void **state)
+static void test_stress_factors_multiply_where_the_wet_line_meets_the_ring(void **state)
 {
     (void)state;
     struct sheet sheet = plain(5, 0.0f);
@@ -322,22 +325,23 @@ static void test_where_the_wet_line_meets_the_ring_each_raises_what_the_other_di
     }
     sheet.touched = 1;
     press(&sheet, 40.0f, 0.01f);
-    const uint32_t line = SHEET_SIDE / 2u - 1u; /* The last wet column. */
+    const uint32_t line = SHEET_SIDE / 2u - 1u; /* Index of the last wet column. */
     const float off = stress_at(&sheet, SHEET_SIDE / 2u, line - 4u);
     assert_float_equal(stress_at(&sheet, SHEET_SIDE / 2u, line) / off, 2.5f, 0.1f);
-    const float ring = stress_at(&sheet, 0, line - 2u); /* Of the ring's own row, off the line. */
+    const float ring = stress_at(&sheet, 0, line - 2u); /* Stress in the ring's own row, away from
+                                                           the wet line. */
     assert_float_equal(stress_at(&sheet, 0, line) / ring, 2.5f, 0.15f);
     assert_float_equal(ring / stress_at(&sheet, 3, line - 2u), 1.5f, 0.15f);
 }
 
-static void test_a_laboratorys_sheet_is_uniform_and_gathers_no_stress(void **state)
+static void test_a_laboratory_sheet_is_uniform_without_stress_concentration(void **state)
 {
     (void)state;
     struct sheet sheet;
     sheet_init(&sheet, 5, RADIUS_M, 9);
-    const uint64_t hash = sheet_hash(HASH_START, &sheet);
+    const uint64_t hash = field_hash(HASH_START, &sheet_fields, &sheet);
     sheet_idealise(&sheet);
-    assert_true(sheet_hash(HASH_START, &sheet) != hash);
+    assert_true(field_hash(HASH_START, &sheet_fields, &sheet) != hash);
     for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
         const float strength = sheet.state[cell] == CELL_PAPER ? 1.0f : 0.0f;
         assert_float_equal(sheet.strength[cell], strength, 0.0f);
@@ -349,8 +353,9 @@ static void test_a_laboratorys_sheet_is_uniform_and_gathers_no_stress(void **sta
     assert_float_equal(stress_at(&sheet, SHEET_SIDE / 2u, 0) / middle, 0.328f / 0.423f, 0.02f);
 }
 
-/* Over many specimens: thin places, clouds wider than a cell, fibres every way. */
-static void test_specimens_have_weak_spots_clouds_and_fibres_of_their_own(void **state)
+/* Over many specimens, the test finds thin places, clouds wider than a cell and fibres in every
+ * direction. */
+static void test_each_specimen_has_its_own_weak_spots_clouds_and_fibres(void **state)
 {
     (void)state;
     uint32_t with_spot = 0, ways[4] = { 0 };
@@ -376,14 +381,14 @@ static void test_specimens_have_weak_spots_clouds_and_fibres_of_their_own(void *
                            1e-4f);
     }
     assert_true(with_spot > 180);
-    assert_true(together / squares > 0.4f); /* Neighbours are alike, ... */
-    assert_true(apart / squares < 0.2f);    /* ... those 4 cm apart are not. */
+    assert_true(together / squares > 0.4f); /* Neighbouring cells are similar. */
+    assert_true(apart / squares < 0.2f);    /* Cells that are 4 cm apart are not similar. */
     for (uint32_t i = 0; i < 4; i++) {
         assert_in_range(ways[i], 30, 70);
     }
 }
 
-static void test_a_grade_that_is_not_sold_is_a_bug(void **state)
+static void test_an_unknown_grade_fails_an_assertion(void **state)
 {
     (void)state;
     struct sheet sheet;
@@ -396,25 +401,24 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_the_membrane_follows_henckys_table),
         cmocka_unit_test(test_a_push_from_below_tightens_and_bulges_upward),
-        cmocka_unit_test(
-            test_wet_paper_tears_at_once_at_its_ultimate_pressure_and_dry_paper_does_not),
+        cmocka_unit_test(test_the_ultimate_pressure_tears_wet_paper_and_not_dry_paper),
         cmocka_unit_test(test_a_still_fish_in_air_tears_no_grade_in_a_minute),
         cmocka_unit_test(test_a_footprint_strains_by_its_circumference),
         cmocka_unit_test(test_hard_slaps_on_one_spot_wear_through_weak_paper),
         cmocka_unit_test(test_water_softens_with_a_time_constant_of_a_second),
-        cmocka_unit_test(test_only_what_is_under_the_line_gets_wet_and_water_creeps_a_little),
+        cmocka_unit_test(test_only_paper_under_the_water_line_gets_wet_and_water_wicks_a_little),
         cmocka_unit_test(test_the_line_between_wet_and_dry_tears_first),
         cmocka_unit_test(test_a_tear_grows_from_cell_to_cell_and_leaves_one_hole),
-        cmocka_unit_test(test_paper_that_is_counted_is_paper_that_is_there),
+        cmocka_unit_test(test_paper_cells_equals_the_number_of_paper_cells),
         cmocka_unit_test(test_specimens_differ_by_twelve_percent),
         cmocka_unit_test(test_the_same_seed_gives_the_same_tears),
-        cmocka_unit_test(test_points_outside_the_ring_hold_nothing),
-        cmocka_unit_test(test_whole_paper_holds_up_to_the_ring_and_a_bare_ring_nowhere),
-        cmocka_unit_test(test_the_stress_map_shows_load_over_strength_and_where_it_gathers),
-        cmocka_unit_test(test_where_the_wet_line_meets_the_ring_each_raises_what_the_other_did),
-        cmocka_unit_test(test_a_laboratorys_sheet_is_uniform_and_gathers_no_stress),
-        cmocka_unit_test(test_specimens_have_weak_spots_clouds_and_fibres_of_their_own),
-        cmocka_unit_test(test_a_grade_that_is_not_sold_is_a_bug),
+        cmocka_unit_test(test_points_outside_the_ring_have_no_paper),
+        cmocka_unit_test(test_whole_paper_reaches_the_ring_and_a_bare_ring_has_none),
+        cmocka_unit_test(test_the_stress_map_shows_load_over_strength_and_stress_concentration),
+        cmocka_unit_test(test_stress_factors_multiply_where_the_wet_line_meets_the_ring),
+        cmocka_unit_test(test_a_laboratory_sheet_is_uniform_without_stress_concentration),
+        cmocka_unit_test(test_each_specimen_has_its_own_weak_spots_clouds_and_fibres),
+        cmocka_unit_test(test_an_unknown_grade_fails_an_assertion),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

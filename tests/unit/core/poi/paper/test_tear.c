@@ -1,5 +1,6 @@
-/* test_tear.c -- holes: their tips, their shape, and the paper that hangs loose of them. */
-#include "tests/unit/support/poi_stand.h"
+/* test_tear.c -- checks holes in the paper: their tips, their shape and the loose paper around
+ * them. */
+#include "tests/unit/support/poi_fixture.h"
 
 #include "core/base/rng.h"
 #include "core/poi/paper/strain.h"
@@ -13,7 +14,7 @@ static struct sheet sheet;
 static void plain(uint8_t grade)
 {
     sheet_init(&sheet, grade, RADIUS_M, 1);
-    stand_plain_paper(&sheet, 1.0f);
+    fixture_plain_paper(&sheet, 1.0f);
     sheet.soaked = 1;
     sheet.fibre_x = 1.0f;
     sheet.fibre_z = 0.0f;
@@ -41,23 +42,24 @@ static void test_stress_beside_a_hole_rises_with_the_root_of_its_length(void **s
 {
     (void)state;
     plain(5);
-    sheet.fibre_x = sheet.fibre_z = 0.70710678f; /* Favours neither rows nor columns. */
+    sheet.fibre_x = sheet.fibre_z = 0.70710678f; /* The fibres lie diagonally and favour neither
+                                                    rows nor columns. */
     const float factors[] = { 2.5f, 3.5355f, 4.0f, 4.0f, 4.0f };
     for (uint32_t i = 0; i < 5; i++) {
         cut(MIDDLE, 10u + i);
         assert_float_equal(factor_at(MIDDLE, 11u + i), factors[i], 1e-3f);
         assert_float_equal(factor_at(MIDDLE, 9u), factors[i], 1e-3f);
-        assert_float_equal(factor_at(MIDDLE, 16u), 0.0f, 0.0f); /* No hole is beside it. */
+        assert_float_equal(factor_at(MIDDLE, 16u), 0.0f, 0.0f); /* No hole is beside the cell. */
     }
     plain(5);
     sheet.fibre_x = sheet.fibre_z = 0.70710678f;
     cut(MIDDLE, MIDDLE);
-    cut(MIDDLE - 1u, MIDDLE + 1u); /* Corner to corner: 2.8 cells. */
+    cut(MIDDLE - 1u, MIDDLE + 1u); /* The hole reaches from corner to corner: 2.8 cells. */
     assert_float_equal(factor_at(MIDDLE, MIDDLE - 1u), 4.0f, 1e-3f);
     assert_float_equal(factor_at(MIDDLE - 1u, MIDDLE + 2u), 4.0f, 1e-3f);
 }
 
-static void test_what_is_measured_of_holes_is_what_a_look_at_each_gives(void **state)
+static void test_hole_measurements_equal_those_of_a_scan_of_each_hole(void **state)
 {
     (void)state;
     plain(5);
@@ -81,7 +83,9 @@ static void test_what_is_measured_of_holes_is_what_a_look_at_each_gives(void **s
                     c += sign * dc;
                 }
             }
-            const int32_t level = way > 1 && length > 1 ? 3 : length; /* A slant is longer. */
+            const int32_t level = way > 1 && length > 1 ? 3 : length; /* A diagonal slit is
+                                                                         longer than its number
+                                                                         of cells. */
             best = level > best ? level : best;
         }
         assert_int_equal(map.wide[row] >> column & 1u, best >= 3);
@@ -99,7 +103,7 @@ static void test_tears_follow_the_fibres(void **state)
     assert_true(factor_at(MIDDLE + 1u, MIDDLE + 1u) < factor_at(MIDDLE, MIDDLE + 1u));
 }
 
-static void test_the_front_is_what_touches_a_hole(void **state)
+static void test_the_front_is_the_paper_that_touches_a_hole(void **state)
 {
     (void)state;
     plain(5);
@@ -120,7 +124,7 @@ static uint32_t drop(void)
     return dropped;
 }
 
-static void test_whole_paper_and_a_slit_hold(void **state)
+static void test_paper_with_a_slit_detaches_no_cells(void **state)
 {
     (void)state;
     plain(5);
@@ -130,12 +134,13 @@ static void test_whole_paper_and_a_slit_hold(void **state)
     }
     assert_int_equal(drop(), 0);
     for (uint32_t column = 0; column < SHEET_SIDE; column++) {
-        cut(MIDDLE, column); /* From ring to ring: two halves, each held along the slit. */
+        cut(MIDDLE, column); /* The slit reaches from ring to ring and leaves two halves, each held
+                                by the ring. */
     }
     assert_int_equal(drop(), 0);
 }
 
-static void test_an_island_is_gone(void **state)
+static void test_an_island_of_paper_is_removed(void **state)
 {
     (void)state;
     plain(5);
@@ -150,22 +155,22 @@ static void test_an_island_is_gone(void **state)
     assert_int_equal(state_at(14, 9), CELL_PAPER);
 }
 
-static void test_a_flap_bears_nothing(void **state)
+static void test_a_flap_carries_no_load(void **state)
 {
     (void)state;
     plain(5);
-    for (uint32_t i = 0; i < 9; i++) { /* A tongue that hangs by its upper end. */
+    for (uint32_t i = 0; i < 9; i++) { /* The cuts leave a tongue that hangs by its upper end. */
         cut(20, 12u + i);
         cut(12u + i, 12);
         cut(12u + i, 20);
     }
-    assert_true(drop() >= 30); /* Of 7 x 8; its root is held slantwise. */
+    assert_true(drop() >= 30); /* The tongue has 7 x 8 cells. Its root is held diagonally. */
     assert_int_equal(state_at(18, 16), CELL_HOLE);
     assert_int_equal(state_at(10, 16), CELL_PAPER);
     assert_int_equal(state_at(16, 10), CELL_PAPER);
 }
 
-static void test_a_hole_takes_its_area_off_the_load(void **state)
+static void test_a_hole_reduces_the_load_by_its_area(void **state)
 {
     (void)state;
     plain(4);
@@ -176,13 +181,14 @@ static void test_a_hole_takes_its_area_off_the_load(void **state)
     }
     const float left = sheet_left(&sheet);
     assert_float_equal(left, 0.95f, 0.01f);
-    const struct sheet_load foot = { 0.0f, 0.02f, 0.02f, -1e-6f }; /* Or it would be passed over. */
+    const struct sheet_load foot = { 0.0f, 0.02f, 0.02f, -1e-6f }; /* A load of zero would be
+                                                                      skipped. */
     const struct sheet_events events = sheet_tick(&sheet, 20.0f, in_air, &foot, 1);
     const float whole = sheet_tension_centre(sheet_grade(4), 20.0f * left, RADIUS_M);
     assert_float_equal(events.tension_max_n_m, whole, 0.005f * whole);
 }
 
-/* Columns that a tear from the middle reached, of the middle's row. */
+/* Returns the number of columns of the middle's row that a tear from the middle reached. */
 static uint32_t reach(void)
 {
     uint32_t far = 0;
@@ -192,12 +198,13 @@ static uint32_t reach(void)
     return far;
 }
 
-static void test_a_tear_runs_cells_far_in_a_tick_but_no_faster_than_its_steps(void **state)
+static void test_a_tear_grows_several_cells_a_tick_but_no_faster_than_its_steps(void **state)
 {
     (void)state;
     plain(6);
     cut(MIDDLE, MIDDLE);
-    sheet_tick(&sheet, 250.0f, in_air, NULL, 0); /* Nowhere near enough without the hole. */
+    sheet_tick(&sheet, 250.0f, in_air, NULL, 0); /* The pressure is far too low to tear paper
+                                                    without a hole. */
     const uint32_t first = reach();
     assert_in_range(first, 4, SHEET_STEPS_MAX);
     sheet_tick(&sheet, 250.0f, in_air, NULL, 0);
@@ -208,12 +215,12 @@ static void test_a_tear_runs_cells_far_in_a_tick_but_no_faster_than_its_steps(vo
     }
 }
 
-static void test_holes_bear_no_stress_while_they_grow(void **state)
+static void test_holes_carry_no_stress_while_they_grow(void **state)
 {
     (void)state;
     for (uint32_t seed = 0; seed < 12; seed++) {
         sheet_init(&sheet, 7, RADIUS_M, seed);
-        stand_plain_paper(&sheet, 1.0f);
+        fixture_plain_paper(&sheet, 1.0f);
         for (uint32_t t = 0; t < 40; t++) {
             const uint32_t was = sheet.paper_cells;
             const struct sheet_events events = sheet_tick(&sheet, 130.0f, in_air, NULL, 0);
@@ -232,7 +239,8 @@ static void test_holes_bear_no_stress_while_they_grow(void **state)
 static void test_paper_breaks_after_the_same_time_in_small_steps_and_large(void **state)
 {
     (void)state;
-    plain(5); /* At 0.8 of its strength: 0.05 s / 0.8^10 = 0.466 s, where nothing gathers. */
+    plain(5); /* At 0.8 of the strength, without stress concentration, a cell breaks after 0.05 s /
+                 0.8^10 = 0.466 s. */
     sheet_idealise(&sheet);
     const float goal = 0.8f * sheet_grade(5)->wet_n_m;
     float pressure_pa = 50.0f;
@@ -246,7 +254,8 @@ static void test_paper_breaks_after_the_same_time_in_small_steps_and_large(void 
     assert_in_range(ticks, 54, 59);
 }
 
-/* The larger axis of a hole's second moments over the smaller, and its angle to the fibres. */
+/* Computes the ratio of the larger axis of a hole's second moments to the smaller, and the larger
+ * axis's angle to the fibres. */
 static void shape(float *aspect, float *off_rad)
 {
     float n = 0.0f, x = 0.0f, z = 0.0f, xx = 0.0f, xz = 0.0f, zz = 0.0f;
@@ -292,22 +301,22 @@ static void test_holes_are_longer_along_the_fibres(void **state)
     }
     print_message("aspect %.2f, %.0f degrees off\n", (double)aspects, (double)(offs / F_DEG));
     assert_true(aspects > 1.5f);
-    assert_true(offs < 20.0f * F_DEG); /* 45 by chance. */
+    assert_true(offs < 20.0f * F_DEG); /* The expected angle of random holes is 45 degrees. */
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_stress_beside_a_hole_rises_with_the_root_of_its_length),
-        cmocka_unit_test(test_what_is_measured_of_holes_is_what_a_look_at_each_gives),
+        cmocka_unit_test(test_hole_measurements_equal_those_of_a_scan_of_each_hole),
         cmocka_unit_test(test_tears_follow_the_fibres),
-        cmocka_unit_test(test_the_front_is_what_touches_a_hole),
-        cmocka_unit_test(test_whole_paper_and_a_slit_hold),
-        cmocka_unit_test(test_an_island_is_gone),
-        cmocka_unit_test(test_a_flap_bears_nothing),
-        cmocka_unit_test(test_a_hole_takes_its_area_off_the_load),
-        cmocka_unit_test(test_a_tear_runs_cells_far_in_a_tick_but_no_faster_than_its_steps),
-        cmocka_unit_test(test_holes_bear_no_stress_while_they_grow),
+        cmocka_unit_test(test_the_front_is_the_paper_that_touches_a_hole),
+        cmocka_unit_test(test_paper_with_a_slit_detaches_no_cells),
+        cmocka_unit_test(test_an_island_of_paper_is_removed),
+        cmocka_unit_test(test_a_flap_carries_no_load),
+        cmocka_unit_test(test_a_hole_reduces_the_load_by_its_area),
+        cmocka_unit_test(test_a_tear_grows_several_cells_a_tick_but_no_faster_than_its_steps),
+        cmocka_unit_test(test_holes_carry_no_stress_while_they_grow),
         cmocka_unit_test(test_paper_breaks_after_the_same_time_in_small_steps_and_large),
         cmocka_unit_test(test_holes_are_longer_along_the_fibres),
     };

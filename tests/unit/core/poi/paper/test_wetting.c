@@ -1,5 +1,5 @@
-/* test_wetting.c -- water in the paper: wetting, wicking, the line between, softening. */
-#include "tests/unit/support/poi_stand.h"
+/* test_wetting.c -- checks water in the paper: wetting, wicking, the wet line and softening. */
+#include "tests/unit/support/poi_fixture.h"
 
 #include "core/poi/paper/strain.h"
 
@@ -17,7 +17,8 @@ static void soak(struct sheet_wetting wet, float seconds)
     }
 }
 
-/* How far from the line the paper is wet to a third: between cells, as its wetness falls. */
+/* Returns the distance from the water line, in metres, at which the paper is wet to a third. The
+ * value is interpolated between cells. */
 static float front_m(void)
 {
     const float *row = &sheet.wetness[MIDDLE * SHEET_SIDE];
@@ -30,24 +31,25 @@ static float front_m(void)
     return 1.0f;
 }
 
-static void test_the_front_creeps_with_the_root_of_time(void **state)
+static void test_the_wet_front_advances_with_the_root_of_time(void **state)
 {
     (void)state;
     float fronts[4];
     sheet_init(&sheet, 5, RADIUS_M, 1);
     soak(left_half, 16.0f);
-    for (uint32_t i = 0; i < 4; i++) { /* At 16, 64, 144 and 256 s. */
+    for (uint32_t i = 0; i < 4; i++) { /* The samples are taken at 16, 64, 144 and 256 s. */
         const float root = (float)(i + 1u);
         fronts[i] = front_m();
         soak(left_half, 16.0f * (2.0f * root + 1.0f));
     }
-    /* The first is not a cell's width off, and tells little. */
+    /* The first sample is within a cell's width of the line and is not accurate enough. */
     assert_float_equal(fronts[2] / fronts[1], 1.5f, 0.08f);
     assert_float_equal(fronts[3] / fronts[1], 2.0f, 0.12f);
-    assert_float_equal(fronts[3] / 16.0f, 0.0014f, 0.0002f); /* m in the root of a second. */
+    assert_float_equal(fronts[3] / 16.0f, 0.0014f, 0.0002f); /* The wicking coefficient is in metres
+                                                                per square root of a second. */
 }
 
-static void test_water_creeps_in_air_too_and_never_leaves_wet_paper(void **state)
+static void test_water_wicks_in_air_and_never_leaves_wet_paper(void **state)
 {
     (void)state;
     sheet_init(&sheet, 5, RADIUS_M, 1);
@@ -71,20 +73,26 @@ static void test_dry_paper_in_air_stays_dry(void **state)
     }
 }
 
-static void test_wet_paper_loses_a_quarter_more_in_a_minute_and_no_more(void **state)
+/* Returns the fraction of the initial wet strength that a cell still has after softening. */
+static float softened(const struct sheet *paper, uint32_t cell)
+{
+    return 1.0f - SHEET_SOFTENING * (float)paper->soak_ticks[cell] / (float)SHEET_SOAK_TICKS;
+}
+
+static void test_softening_takes_at_most_a_quarter_of_the_wet_strength(void **state)
 {
     (void)state;
     const uint32_t cell = MIDDLE * SHEET_SIDE + MIDDLE;
     sheet_init(&sheet, 5, RADIUS_M, 1);
-    stand_plain_paper(&sheet, 1.0f);
+    fixture_plain_paper(&sheet, 1.0f);
     sheet.soaked = 1;
-    assert_float_equal(paper_wetting_strength(&sheet, cell), 1.0f, 0.0f);
+    assert_float_equal(softened(&sheet, cell), 1.0f, 0.0f);
     soak(in_air, 30.0f);
-    assert_float_equal(paper_wetting_strength(&sheet, cell), 0.875f, 1e-4f);
+    assert_float_equal(softened(&sheet, cell), 0.875f, 1e-4f);
     soak(in_air, 30.0f);
-    assert_float_equal(paper_wetting_strength(&sheet, cell), 0.75f, 1e-4f);
+    assert_float_equal(softened(&sheet, cell), 0.75f, 1e-4f);
     soak(in_air, 30.0f);
-    assert_float_equal(paper_wetting_strength(&sheet, cell), 0.75f, 1e-4f);
+    assert_float_equal(softened(&sheet, cell), 0.75f, 1e-4f);
 }
 
 static void test_softened_paper_tears_at_three_quarters_of_the_tension(void **state)
@@ -98,7 +106,7 @@ static void test_softened_paper_tears_at_three_quarters_of_the_tension(void **st
             pressure_pa *= 1.01f;
             sheet_init(&sheet, 5, RADIUS_M, 1);
             sheet_idealise(&sheet);
-            stand_plain_paper(&sheet, 1.0f);
+            fixture_plain_paper(&sheet, 1.0f);
             sheet.soaked = 1;
             for (uint32_t i = 0; minute && i < SHEET_CELL_COUNT; i++) {
                 sheet.soak_ticks[i] = SHEET_SOAK_TICKS;
@@ -114,32 +122,33 @@ static void test_softened_paper_tears_at_three_quarters_of_the_tension(void **st
     assert_float_equal(share, 0.75f, 0.01f);
 }
 
-static void test_a_line_is_full_where_wet_meets_dry_and_nowhere_else(void **state)
+static void test_the_wet_line_is_full_only_where_wet_meets_dry(void **state)
 {
     (void)state;
     sheet_init(&sheet, 5, RADIUS_M, 1);
     for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
         sheet.wetness[cell] = cell % SHEET_SIDE < MIDDLE ? 1.0f : 0.0f;
     }
-    for (uint32_t row = 0; row < SHEET_SIDE; row++) { /* The ring's own row, too. */
+    for (uint32_t row = 0; row < SHEET_SIDE; row++) { /* The check includes the ring's own row. */
         assert_float_equal(paper_wetting_line(&sheet, row, MIDDLE - 1u), 1.0f, 0.0f);
         assert_float_equal(paper_wetting_line(&sheet, row, MIDDLE), 1.0f, 0.0f);
     }
     assert_float_equal(paper_wetting_line(&sheet, MIDDLE, MIDDLE - 3u), 0.0f, 0.0f);
     assert_float_equal(paper_wetting_line(&sheet, MIDDLE, MIDDLE + 2u), 0.0f, 0.0f);
-    sheet.wetness[MIDDLE * SHEET_SIDE + MIDDLE + 1u] = 0.75f; /* A step of a quarter is half. */
+    sheet.wetness[MIDDLE * SHEET_SIDE + MIDDLE + 1u] = 0.75f; /* A wetness step of a quarter gives
+                                                                 half of the effect. */
     assert_float_equal(paper_wetting_line(&sheet, MIDDLE, MIDDLE), 0.5f, 1e-6f);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_the_front_creeps_with_the_root_of_time),
-        cmocka_unit_test(test_water_creeps_in_air_too_and_never_leaves_wet_paper),
+        cmocka_unit_test(test_the_wet_front_advances_with_the_root_of_time),
+        cmocka_unit_test(test_water_wicks_in_air_and_never_leaves_wet_paper),
         cmocka_unit_test(test_dry_paper_in_air_stays_dry),
-        cmocka_unit_test(test_wet_paper_loses_a_quarter_more_in_a_minute_and_no_more),
+        cmocka_unit_test(test_softening_takes_at_most_a_quarter_of_the_wet_strength),
         cmocka_unit_test(test_softened_paper_tears_at_three_quarters_of_the_tension),
-        cmocka_unit_test(test_a_line_is_full_where_wet_meets_dry_and_nowhere_else),
+        cmocka_unit_test(test_the_wet_line_is_full_only_where_wet_meets_dry),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,4 @@
-/* test_avoid.c -- head-on, side and rear-end meetings, and the ways out of them. */
+/* test_avoid.c -- checks head-on, side and rear-end encounters and the reactions to them. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -10,7 +10,8 @@
 #include "core/tank/behavior/avoid.h"
 #include "tests/unit/support/pond.h"
 
-/* Swims at 5 cm/s toward a compass angle: 0 is away from the player, 90 to the left. */
+/* Returns a fish that swims at 5 cm/s with a compass heading: 0 is away from the player, 90 is to
+ * the left. */
 static struct avoid_party swimmer(float x_cm, float z_cm, float yaw_deg, uint16_t index)
 {
     return (struct avoid_party){ .position_m = v3(0.01f * x_cm, -0.06f, 0.01f * z_cm),
@@ -22,34 +23,35 @@ static struct avoid_party swimmer(float x_cm, float z_cm, float yaw_deg, uint16_
                                  .index = index };
 }
 
-static void test_opposite_courses_meet_head_on_and_share_one_side(void **state)
+static void test_fish_on_opposite_courses_turn_to_the_same_side(void **state)
 {
     (void)state;
     const struct avoid_party a = swimmer(0.0f, 3.0f, 0.0f, 7), b = swimmer(0.0f, -3.0f, 180.0f, 12);
     uint32_t left = 0;
     for (uint32_t second = 0; second < 1000; second++) {
-        const struct avoid_pair pair = avoid_meet(&a, &b, 0.01f, pond_law(), 1, second);
+        const struct avoid_pair pair = avoid_meet(&a, &b, 0.01f, pond_params(), 1, second);
         assert_int_equal(pair.a.kind, MEET_HEAD_ON);
         assert_int_equal(pair.b.kind, MEET_HEAD_ON);
-        assert_true(pair.a.turn == pair.b.turn); /* Both to their own left, or both right. */
+        assert_true(pair.a.turn == pair.b.turn); /* Both fish turn to their own left, or both turn
+                                                    right. */
         left += pair.a.turn > 0.0f;
     }
     assert_in_range(left, 440, 560);
 }
 
-static void test_the_pair_draws_the_same_whoever_is_asked_first(void **state)
+static void test_both_fish_of_a_pair_get_the_same_random_draw(void **state)
 {
     (void)state;
     const struct avoid_party a = swimmer(0.0f, 3.0f, 0.0f, 7), b = swimmer(0.0f, -3.0f, 180.0f, 12);
     for (uint32_t second = 0; second < 100; second++) {
-        const struct avoid_pair one = avoid_meet(&a, &b, 0.01f, pond_law(), 1, second);
-        const struct avoid_pair other = avoid_meet(&b, &a, 0.01f, pond_law(), 1, second);
+        const struct avoid_pair one = avoid_meet(&a, &b, 0.01f, pond_params(), 1, second);
+        const struct avoid_pair other = avoid_meet(&b, &a, 0.01f, pond_params(), 1, second);
         assert_true(one.a.turn == other.b.turn);
         assert_true(one.a.rise == other.b.rise);
     }
 }
 
-/* What a fish that gives way since `tick` shows to its partner. */
+/* Returns the state that a fish shows to its partner while it avoids since `tick`. */
 static struct avoid_party giving_way(struct avoid_party party, const struct avoid_advice *advice)
 {
     struct fish fish = { WAKIN(party.length_m), .position_m = party.position_m };
@@ -61,17 +63,18 @@ static struct avoid_party giving_way(struct avoid_party party, const struct avoi
     return party;
 }
 
-static void test_the_late_one_of_a_pair_turns_to_the_side_that_the_first_took(void **state)
+static void test_the_second_fish_of_a_pair_turns_to_the_side_of_the_first(void **state)
 {
     (void)state;
     const struct avoid_party a = swimmer(0.0f, 3.0f, 0.0f, 7), b = swimmer(0.0f, -3.0f, 180.0f, 12);
     uint32_t left = 0;
     for (uint32_t edge = CORE_TICK_HZ; edge < 1000u * CORE_TICK_HZ; edge += CORE_TICK_HZ) {
-        /* One begins in the last tick of a second, the other in the first of the next, or later. */
-        const struct avoid_pair first = avoid_meet(&a, &b, 0.01f, pond_law(), 1, edge - 1u);
+        /* One fish starts in the last tick of a second, and the other starts in the next second or
+         * later. */
+        const struct avoid_pair first = avoid_meet(&a, &b, 0.01f, pond_params(), 1, edge - 1u);
         const struct avoid_party early = giving_way(a, &first.a);
-        const struct avoid_pair then = avoid_meet(&early, &b, 0.01f, pond_law(), 1, edge);
-        const struct avoid_pair later = avoid_meet(&b, &early, 0.01f, pond_law(), 1, edge + 40u);
+        const struct avoid_pair then = avoid_meet(&early, &b, 0.01f, pond_params(), 1, edge);
+        const struct avoid_pair later = avoid_meet(&b, &early, 0.01f, pond_params(), 1, edge + 40u);
         assert_true(then.b.turn == first.a.turn);
         assert_true(later.a.turn == first.a.turn);
         assert_true(then.a.turn == first.a.turn);
@@ -85,37 +88,37 @@ static void test_another_partner_is_another_encounter(void **state)
     (void)state;
     const struct avoid_party a = swimmer(0.0f, 3.0f, 0.0f, 7), b = swimmer(0.0f, -3.0f, 180.0f, 12),
                              c = swimmer(0.0f, -3.0f, 180.0f, 13);
-    const struct avoid_pair first = avoid_meet(&a, &b, 0.01f, pond_law(), 1, 100);
+    const struct avoid_pair first = avoid_meet(&a, &b, 0.01f, pond_params(), 1, 100);
     const struct avoid_party early = giving_way(a, &first.a);
-    assert_int_equal(avoid_meet(&early, &b, 0.01f, pond_law(), 1, 150).b.since, 100);
-    assert_int_equal(avoid_meet(&early, &c, 0.01f, pond_law(), 1, 150).b.since, 150);
+    assert_int_equal(avoid_meet(&early, &b, 0.01f, pond_params(), 1, 150).b.since, 100);
+    assert_int_equal(avoid_meet(&early, &c, 0.01f, pond_params(), 1, 150).b.since, 150);
 }
 
-static void test_from_the_side_the_hitter_passes_behind_nine_times_in_ten(void **state)
+static void test_the_fish_that_hits_from_the_side_passes_behind_in_90_percent(void **state)
 {
     (void)state;
-    /* a runs to -z into the flank of b, which runs to its left (-x), slowly. */
+    /* Fish a swims toward -z into the flank of fish b, which swims slowly to its left (-x). */
     const struct avoid_party a = swimmer(0.0f, 3.5f, 0.0f, 1);
     struct avoid_party b = swimmer(0.0f, 0.0f, 90.0f, 2);
     b.speed_m_s = 0.01f;
     uint32_t behind = 0, clear = 0;
     for (uint32_t second = 0; second < 2000; second++) {
-        const struct avoid_pair pair = avoid_meet(&a, &b, 0.005f, pond_law(), 1, second);
+        const struct avoid_pair pair = avoid_meet(&a, &b, 0.005f, pond_params(), 1, second);
         assert_int_equal(pair.a.kind, MEET_SIDE);
-        behind += pair.a.turn < 0.0f; /* To the right: where b came from. */
-        clear += pair.b.turn < 0.0f;  /* Hit on its left flank, it turns right. */
+        behind += pair.a.turn < 0.0f; /* Fish a turns right, to where fish b came from. */
+        clear += pair.b.turn < 0.0f;  /* Fish b is hit on its left flank and turns right. */
     }
     assert_in_range(behind, 1720, 1880);
-    assert_int_equal(behind, clear); /* One draw for both. */
+    assert_int_equal(behind, clear); /* Both fish use one draw. */
 }
 
-static void test_only_the_follower_gives_way_to_the_one_ahead(void **state)
+static void test_only_the_follower_avoids_the_fish_ahead(void **state)
 {
     (void)state;
     const struct avoid_party a = swimmer(0.0f, 5.5f, 0.0f, 1);
     struct avoid_party b = swimmer(0.0f, 0.0f, 10.0f, 2);
     b.speed_m_s = 0.01f;
-    const struct avoid_pair pair = avoid_meet(&a, &b, 0.005f, pond_law(), 1, 0);
+    const struct avoid_pair pair = avoid_meet(&a, &b, 0.005f, pond_params(), 1, 0);
     assert_int_equal(pair.a.kind, MEET_REAR_END);
     assert_true(pair.a.turn != 0.0f);
     assert_int_equal(pair.b.kind, MEET_NONE);
@@ -123,16 +126,16 @@ static void test_only_the_follower_gives_way_to_the_one_ahead(void **state)
     assert_true(pair.brake_b == 1.0f);
 }
 
-static void test_fish_that_part_or_pass_clear_do_not_meet(void **state)
+static void test_fish_that_separate_or_pass_clear_do_not_meet(void **state)
 {
     (void)state;
     const struct avoid_party a = swimmer(0.0f, -3.0f, 0.0f, 1), b = swimmer(0.0f, 3.0f, 180.0f, 2);
-    assert_int_equal(avoid_meet(&a, &b, 0.005f, pond_law(), 1, 0).a.kind, MEET_NONE);
+    assert_int_equal(avoid_meet(&a, &b, 0.005f, pond_params(), 1, 0).a.kind, MEET_NONE);
     const struct avoid_party c = swimmer(0.0f, 3.0f, 0.0f, 1), d = swimmer(4.0f, -3.0f, 180.0f, 2);
-    assert_int_equal(avoid_meet(&c, &d, 0.02f, pond_law(), 1, 0).a.kind, MEET_NONE);
+    assert_int_equal(avoid_meet(&c, &d, 0.02f, pond_params(), 1, 0).a.kind, MEET_NONE);
     const struct avoid_party e = swimmer(0.0f, 0.0f, 0.0f, 1), f = swimmer(1.5f, 0.1f, 2.0f, 2);
-    /* Side by side. */
-    assert_int_equal(avoid_meet(&e, &f, 0.005f, pond_law(), 1, 0).a.kind, MEET_NONE);
+    /* The fish swim side by side. */
+    assert_int_equal(avoid_meet(&e, &f, 0.005f, pond_params(), 1, 0).a.kind, MEET_NONE);
 }
 
 static void test_the_class_changes_at_twenty_degrees(void **state)
@@ -140,12 +143,12 @@ static void test_the_class_changes_at_twenty_degrees(void **state)
     (void)state;
     const struct avoid_party a = swimmer(0.0f, 3.0f, 0.0f, 1);
     struct avoid_party b = swimmer(0.0f, -1.0f, 161.0f, 2);
-    assert_int_equal(avoid_meet(&a, &b, 0.005f, pond_law(), 1, 0).a.kind, MEET_HEAD_ON);
+    assert_int_equal(avoid_meet(&a, &b, 0.005f, pond_params(), 1, 0).a.kind, MEET_HEAD_ON);
     b = swimmer(0.0f, -1.0f, 159.0f, 2);
-    assert_int_equal(avoid_meet(&a, &b, 0.005f, pond_law(), 1, 0).a.kind, MEET_SIDE);
+    assert_int_equal(avoid_meet(&a, &b, 0.005f, pond_params(), 1, 0).a.kind, MEET_SIDE);
 }
 
-static void test_after_half_a_second_of_yaw_comes_pitch(void **state)
+static void test_pitch_follows_half_a_second_of_yaw(void **state)
 {
     (void)state;
     struct fish fish = { WAKIN(0.05f), .position_m = { 0.0f, -0.06f, 0.0f }, .brake = 1.0f };
@@ -156,12 +159,12 @@ static void test_after_half_a_second_of_yaw_comes_pitch(void **state)
         yaw += fish.avoiding == AVOID_YAW;
     }
     assert_in_range(yaw, CORE_TICK_HZ / 2u - 2u, CORE_TICK_HZ / 2u + 2u);
-    assert_true(fish.heading_rad > 0.2f); /* To the left, as advised. */
+    assert_true(fish.heading_rad > 0.2f); /* The fish turns left, as advised. */
     assert_true(fish.avoid_turn < 0.0f);
     assert_float_equal(fish.brake, 0.5f, 1e-6f);
 }
 
-static void test_nobody_dives_into_the_floor_or_climbs_into_the_air(void **state)
+static void test_avoidance_pitch_stays_between_floor_and_surface(void **state)
 {
     (void)state;
     struct fish fish = { WAKIN(0.05f), .position_m = { 0.0f, -0.115f, 0.0f } };
@@ -177,7 +180,7 @@ static void test_nobody_dives_into_the_floor_or_climbs_into_the_air(void **state
     assert_true(fish.avoid_turn < 0.0f);
 }
 
-static void test_once_clear_a_fish_forgets_soon(void **state)
+static void test_a_fish_soon_clears_a_finished_encounter(void **state)
 {
     (void)state;
     struct fish fish = { WAKIN(0.05f), .avoiding = AVOID_YAW, .avoid_left_s = 0.5f };
@@ -196,7 +199,7 @@ static void test_depth_is_held_for_half_a_second_after_a_climb_and_not_after_a_t
     const struct avoid_advice advice = { MEET_SIDE, -1, 2, 7, 0.1f, 1.0f }, none = { 0 };
     fish.depth_goal_m = -0.03f;
     avoid_tick(&fish, &advice, 1.0f, pond_at(1, 0));
-    while (fish.avoiding != AVOID_NONE) { /* Clear at once: no climb. */
+    while (fish.avoiding != AVOID_NONE) { /* The fish is clear immediately, so no climb follows. */
         avoid_tick(&fish, &none, 1.0f, pond_at(1, 0));
         assert_false(avoid_holds_depth(&fish));
     }
@@ -212,7 +215,8 @@ static void test_depth_is_held_for_half_a_second_after_a_climb_and_not_after_a_t
         after++;
     }
     assert_in_range(after, CORE_TICK_HZ / 2u - 1u, CORE_TICK_HZ / 2u + 1u);
-    assert_float_equal(fish.depth_goal_m, -0.03f, 0.0f); /* What it wants is its own business. */
+    assert_float_equal(fish.depth_goal_m, -0.03f, 0.0f); /* The depth goal of the fish is not
+                                                            changed. */
 }
 
 static void test_repulsion_is_2_25_cm_a_second_at_touch_and_gone_at_1_cm(void **state)
@@ -227,17 +231,17 @@ static void test_repulsion_is_2_25_cm_a_second_at_touch_and_gone_at_1_cm(void **
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_opposite_courses_meet_head_on_and_share_one_side),
-        cmocka_unit_test(test_the_pair_draws_the_same_whoever_is_asked_first),
-        cmocka_unit_test(test_the_late_one_of_a_pair_turns_to_the_side_that_the_first_took),
+        cmocka_unit_test(test_fish_on_opposite_courses_turn_to_the_same_side),
+        cmocka_unit_test(test_both_fish_of_a_pair_get_the_same_random_draw),
+        cmocka_unit_test(test_the_second_fish_of_a_pair_turns_to_the_side_of_the_first),
         cmocka_unit_test(test_another_partner_is_another_encounter),
-        cmocka_unit_test(test_from_the_side_the_hitter_passes_behind_nine_times_in_ten),
-        cmocka_unit_test(test_only_the_follower_gives_way_to_the_one_ahead),
-        cmocka_unit_test(test_fish_that_part_or_pass_clear_do_not_meet),
+        cmocka_unit_test(test_the_fish_that_hits_from_the_side_passes_behind_in_90_percent),
+        cmocka_unit_test(test_only_the_follower_avoids_the_fish_ahead),
+        cmocka_unit_test(test_fish_that_separate_or_pass_clear_do_not_meet),
         cmocka_unit_test(test_the_class_changes_at_twenty_degrees),
-        cmocka_unit_test(test_after_half_a_second_of_yaw_comes_pitch),
-        cmocka_unit_test(test_nobody_dives_into_the_floor_or_climbs_into_the_air),
-        cmocka_unit_test(test_once_clear_a_fish_forgets_soon),
+        cmocka_unit_test(test_pitch_follows_half_a_second_of_yaw),
+        cmocka_unit_test(test_avoidance_pitch_stays_between_floor_and_surface),
+        cmocka_unit_test(test_a_fish_soon_clears_a_finished_encounter),
         cmocka_unit_test(test_depth_is_held_for_half_a_second_after_a_climb_and_not_after_a_turn),
         cmocka_unit_test(test_repulsion_is_2_25_cm_a_second_at_touch_and_gone_at_1_cm),
     };

@@ -1,4 +1,5 @@
-/* test_burst_coast.c -- beat and coast: drag decides the glide, a kick its turn. */
+/* test_burst_coast.c -- checks burst and coast: drag decelerates a glide, and a kick turns the
+ * fish. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -18,11 +19,11 @@ static void swim(struct fish *fish, uint32_t tick)
     if (tick % FISH_BEHAVIOR_TICKS == 0) {
         swim_resolve(fish, pond_at(1, tick));
     }
-    swim_move(fish, pond_law());
+    swim_move(fish, pond_params());
     swim_settle(fish, v3_sub(fish->position_m, before_m), fish_forward(fish));
 }
 
-/* The first tick of a glide of a fish whose `look` is 0; a cycle is 84 ticks. */
+/* Returns the first tick of a glide of a fish whose `look` is 0. A cycle has 84 ticks. */
 static uint32_t glide_tick(const struct fish *fish)
 {
     uint32_t tick = 0;
@@ -32,7 +33,7 @@ static uint32_t glide_tick(const struct fish *fish)
     return tick;
 }
 
-static void test_a_glide_slows_as_drag_demands(void **state)
+static void test_a_glide_decelerates_by_drag(void **state)
 {
     (void)state;
     for (float length_m = 0.033f; length_m < 0.085f; length_m += 0.0155f) {
@@ -47,7 +48,8 @@ static void test_a_glide_slows_as_drag_demands(void **state)
             const float wanted_m_s = start_m_s / (1.0f + start_m_s * s / way_m);
             assert_float_equal(fish.speed_m_s, wanted_m_s, 0.01f * start_m_s);
         }
-        /* 2 m (1 + added) / (rho S C), by the mass that breathes, too. */
+        /* The formula is 2 m (1 + added) / (rho S C), with the mass that also determines the oxygen
+         * consumption. */
         const float by_mass_m =
             2.0f * 1.1f * fish_mass_kg(length_m) / (1000.0f * 0.65f * length_m * length_m * 0.060f);
         assert_float_equal(way_m, by_mass_m, 0.04f * way_m);
@@ -72,17 +74,18 @@ static void test_a_kick_turns_the_course_once_and_a_glide_never(void **state)
         sum2 += turn_rad * turn_rad;
     }
     assert_int_equal(turns, cycles);
-    assert_float_equal(f_sqrt(sum2 / (float)cycles), pond_law()->kick_rad, 0.02f);
+    assert_float_equal(f_sqrt(sum2 / (float)cycles), pond_params()->kick_rad, 0.02f);
 }
 
-static void test_a_fish_that_thinks_in_every_tick_turns_no_oftener(void **state)
+static void test_a_behavior_update_in_every_tick_adds_no_turns(void **state)
 {
     (void)state;
     struct fish often = pond_fish(0.05f, GAIT_SWIM), seldom = often;
     for (uint32_t tick = 0; tick < 840u; tick++) {
         struct perception around = *pond_at(1, tick);
         gait_cycle_turn(&often, 7, &around);
-        if (tick % FISH_BEHAVIOR_TICKS == 2u) { /* Its turn to think is not the kick's tick. */
+        if (tick % FISH_BEHAVIOR_TICKS == 2u) { /* The fish's behavior update is not in the tick of
+                                                   the kick. */
             around.dt_s = (float)FISH_BEHAVIOR_TICKS * CORE_TICK_S;
             gait_cycle_turn(&seldom, 7, &around);
         }
@@ -90,13 +93,14 @@ static void test_a_fish_that_thinks_in_every_tick_turns_no_oftener(void **state)
     assert_float_equal(often.heading_rad, seldom.heading_rad, 1e-6f);
 }
 
-/* A turn at a kick: how long its middle 80 % take, and its tightest radius in lengths. */
+/* Measures a turn at a kick: the duration of its middle 80 %, and its minimum radius in body
+ * lengths. */
 static void turn(float angle_rad, float *lasts_s, float *radius_lengths)
 {
     struct fish fish = pond_fish(0.05f, GAIT_SWIM);
     float first_s = 0.0f;
     fish.heading_rad = angle_rad;
-    fish.speed_m_s = 0.9f * fish.length_m; /* As after a glide. */
+    fish.speed_m_s = 0.9f * fish.length_m; /* The speed is that after a glide. */
     *lasts_s = 0.0f;
     *radius_lengths = 100.0f;
     for (uint32_t tick = 0; tick < 84u; tick++) {
@@ -109,9 +113,9 @@ static void turn(float angle_rad, float *lasts_s, float *radius_lengths)
     }
 }
 
-/* Wu et al. 2007: the angle of a turn is set by its rate, its time hardly changes; radii of 0.1 to
- * 0.2 lengths at the angles that kicks draw. */
-static void test_a_turn_lasts_as_long_whatever_its_angle(void **state)
+/* In Wu et al. 2007, the rate determines the angle of a turn, and the duration hardly changes. The
+ * radii are 0.1 to 0.2 lengths at the angles of kicks. */
+static void test_the_duration_of_a_turn_is_independent_of_its_angle(void **state)
 {
     (void)state;
     float least_s = 1.0f, most_s = 0.0f;
@@ -127,7 +131,7 @@ static void test_a_turn_lasts_as_long_whatever_its_angle(void **state)
     assert_true(least_s > 0.08f && most_s < 0.17f && most_s < 1.4f * least_s);
 }
 
-static void test_a_law_without_kicks_turns_and_beats_evenly(void **state)
+static void test_parameters_without_kicks_turn_and_beat_evenly(void **state)
 {
     (void)state;
     struct fish fish = pond_fish(0.05f, GAIT_SWIM);
@@ -144,11 +148,11 @@ static void test_a_law_without_kicks_turns_and_beats_evenly(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_glide_slows_as_drag_demands),
+        cmocka_unit_test(test_a_glide_decelerates_by_drag),
         cmocka_unit_test(test_a_kick_turns_the_course_once_and_a_glide_never),
-        cmocka_unit_test(test_a_fish_that_thinks_in_every_tick_turns_no_oftener),
-        cmocka_unit_test(test_a_turn_lasts_as_long_whatever_its_angle),
-        cmocka_unit_test(test_a_law_without_kicks_turns_and_beats_evenly),
+        cmocka_unit_test(test_a_behavior_update_in_every_tick_adds_no_turns),
+        cmocka_unit_test(test_the_duration_of_a_turn_is_independent_of_its_angle),
+        cmocka_unit_test(test_parameters_without_kicks_turn_and_beat_evenly),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

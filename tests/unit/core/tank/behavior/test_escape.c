@@ -1,4 +1,5 @@
-/* test_escape.c -- the C-start in figures: turn, share away, thrust, way, pace over many fish. */
+/* test_escape.c -- measures the C-start over many fish: turn, share away from the stimulus, thrust,
+ * distance and speed. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -16,17 +17,18 @@
 #define TRIALS 4000u
 #define LENGTH_M 0.05f
 
-/* What one start came to. */
+/* Measured values of one start. */
 struct trial {
-    float head_turn_rad; /* Of the snout, + left, when it was farthest round within stage 1. */
-    float away_side;     /* +1 or -1: the turn that leads away. */
-    float way_lengths;   /* From where it was to where it is 100 ms after the start began. */
-    float away_lengths;  /* The part of that which leads away from the stimulus. */
-    float peak_lengths_s, push_m_s2; /* Top speed, and the greatest gain of speed in 17 ms. */
-    float peak_s, slow_s; /* When it was fastest; how long it was above 4 lengths a second. */
-    float bend_rad;       /* The deepest C, by amount. */
-    float back_rad;       /* The deepest bend the other way. */
-    float stage_s;        /* When the C was deepest. */
+    float head_turn_rad; /* Maximum turn of the snout within stage 1, positive to the left. */
+    float away_side;     /* Direction of the turn away from the stimulus: +1 is left and -1 is
+                            right. */
+    float way_lengths;   /* Distance in the first 100 ms after the start. */
+    float away_lengths;  /* Part of that distance that leads away from the stimulus. */
+    float peak_lengths_s, push_m_s2; /* Maximum speed, and the maximum gain of speed in 17 ms. */
+    float peak_s, slow_s; /* Time of the maximum speed, and time above 4 lengths a second. */
+    float bend_rad;       /* Largest magnitude of the bend in the C. */
+    float back_rad;       /* Largest bend in the opposite direction. */
+    float stage_s;        /* Time of the largest bend in the C. */
 };
 
 static struct fish still_fish(uint32_t seed)
@@ -36,7 +38,7 @@ static struct fish still_fish(uint32_t seed)
     return fish;
 }
 
-/* One tick as fish_behavior_tick() and the tank give it, with nobody else about. */
+/* Runs one tick as fish_behavior_tick() and the tank do, without other fish. */
 static void tick_alone(struct fish *fish, uint32_t index, const struct perception *around)
 {
     const vec3 before_m = fish->position_m;
@@ -49,7 +51,7 @@ static void tick_alone(struct fish *fish, uint32_t index, const struct perceptio
     swim_settle(fish, v3_sub(fish->position_m, before_m), fish_forward(fish));
 }
 
-/* The snout's direction: the part of a bend that lies before the pivot turns it. */
+/* Returns the direction of the snout. The part of the bend ahead of the pivot turns the snout. */
 static float head_rad(const struct fish *fish)
 {
     return fish->angles.yaw_rad - 0.38f * fish->bend_rad;
@@ -83,7 +85,7 @@ static struct trial start(struct fish fish, vec3 from_m, uint32_t index, uint32_
             trial.peak_s = s;
         }
         trial.slow_s = speed_m_s[tick % 4u] > 4.0f * LENGTH_M ? s : trial.slow_s;
-        if (tick == 12u) { /* 100 ms. */
+        if (tick == 12u) { /* The tick is 100 ms after the start. */
             const vec3 way = v3_sub(fish.position_m, at_m);
             trial.way_lengths = v3_length(way) / LENGTH_M;
             trial.away_lengths = v3_dot(way, away) / LENGTH_M;
@@ -92,7 +94,7 @@ static struct trial start(struct fish fish, vec3 from_m, uint32_t index, uint32_
     return trial;
 }
 
-/* From any side, in the middle of the tank. */
+/* Runs one start in the middle of the tank, with a stimulus from a random side. */
 static struct trial trial_of(uint32_t i)
 {
     const float around_rad = rng_range((struct rng_key){ 5, i, 0, RNG_TEST }, -F_PI, F_PI);
@@ -100,7 +102,7 @@ static struct trial trial_of(uint32_t i)
     return start(still_fish(i), from_m, i, CORE_TICK_HZ);
 }
 
-static void test_three_starts_in_four_turn_away_from_the_stimulus_and_lead_away(void **state)
+static void test_three_of_four_starts_turn_and_move_away_from_the_stimulus(void **state)
 {
     (void)state;
     uint32_t turned = 0, led = 0;
@@ -111,7 +113,8 @@ static void test_three_starts_in_four_turn_away_from_the_stimulus_and_lead_away(
     }
     print_message("turned away %.3f, led away %.3f\n", (double)turned / TRIALS,
                   (double)led / TRIALS);
-    assert_float_equal((float)turned / TRIALS, 0.77f, 0.02f); /* Mirjany et al. 2011. */
+    assert_float_equal((float)turned / TRIALS, 0.77f, 0.02f); /* The value is from Mirjany et al.
+                                                                 2011. */
     assert_true((float)led / TRIALS > 0.70f && (float)led / TRIALS < 0.90f);
 }
 
@@ -131,10 +134,10 @@ static void test_stage_1_turns_the_head_60_to_120_degrees_within_17_ms(void **st
                   (double)mean, (double)least, (double)most, (double)(1e3f * latest_s));
     assert_true(least > 59.5f && most < 120.5f);
     assert_float_equal(mean, 90.0f, 1.5f);
-    assert_float_equal(latest_s, 2.0f * CORE_TICK_S, 1e-4f); /* "About 20 ms." */
+    assert_float_equal(latest_s, 2.0f * CORE_TICK_S, 1e-4f); /* The source states "about 20 ms". */
 }
 
-static void test_it_bends_into_a_c_and_flips_back_past_straight(void **state)
+static void test_a_start_bends_into_a_c_and_then_beyond_straight(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < TRIALS; i++) {
@@ -144,7 +147,7 @@ static void test_it_bends_into_a_c_and_flips_back_past_straight(void **state)
     }
 }
 
-static void test_it_is_half_to_one_and_a_half_lengths_away_after_100_ms(void **state)
+static void test_a_start_moves_the_fish_0_5_to_1_5_lengths_in_100_ms(void **state)
 {
     (void)state;
     float least = 10.0f, most = 0.0f, mean = 0.0f;
@@ -156,11 +159,11 @@ static void test_it_is_half_to_one_and_a_half_lengths_away_after_100_ms(void **s
     }
     print_message("after 100 ms %.2f lengths (%.2f .. %.2f)\n", (double)mean, (double)least,
                   (double)most);
-    assert_true(least >= 0.45f && most <= 1.5f); /* Eaton et al. 1977: 0.5 to 1.5. */
+    assert_true(least >= 0.45f && most <= 1.5f); /* Eaton et al. 1977 give 0.5 to 1.5. */
     assert_float_equal(mean, 0.70f, 0.05f);
 }
 
-static void test_it_peaks_at_8_to_10_lengths_a_second_with_15_to_40_m_s2(void **state)
+static void test_a_start_reaches_8_to_10_lengths_a_second_at_15_to_40_m_s2(void **state)
 {
     (void)state;
     float least = 100.0f, most = 0.0f, weakest = 100.0f, strongest = 0.0f, latest_s = 0.0f;
@@ -177,10 +180,10 @@ static void test_it_peaks_at_8_to_10_lengths_a_second_with_15_to_40_m_s2(void **
                   (double)latest_s);
     assert_true(least > 7.8f && most < 10.1f);
     assert_true(weakest > 15.0f && strongest < 40.0f);
-    assert_true(latest_s < 1.0f); /* At its fastest for a second at most. */
+    assert_true(latest_s < 1.0f); /* The fish has its maximum speed for at most one second. */
 }
 
-static void test_an_exhausted_fish_starts_at_four_fifths_of_the_speed(void **state)
+static void test_an_exhausted_fish_escapes_at_four_fifths_of_the_speed(void **state)
 {
     (void)state;
     struct fish tired = still_fish(3);
@@ -191,15 +194,15 @@ static void test_an_exhausted_fish_starts_at_four_fifths_of_the_speed(void **sta
                        0.02f * fresh);
 }
 
-static void
-test_a_wall_behind_it_makes_more_turn_toward_the_danger_and_none_into_the_wall(void **state)
+static void test_a_wall_behind_a_fish_gives_more_starts_toward_the_danger(void **state)
 {
     (void)state;
     uint32_t away = 0;
     float into = 0.0f;
     for (uint32_t i = 0; i < TRIALS; i++) {
         struct fish fish = still_fish(i);
-        fish.position_m.x = 0.425f - 0.03f; /* The wall is at x = 0.425 m, the danger opposite. */
+        fish.position_m.x = 0.425f - 0.03f; /* The wall is at x = 0.425 m, and the danger is on the
+                                               opposite side. */
         fish.angles.yaw_rad = fish.heading_rad = i % 2u ? 0.0f : F_PI;
         const vec3 from_m = { fish.position_m.x - 0.06f, -0.06f, 0.0f };
         const struct trial trial = start(fish, from_m, i, 12);
@@ -208,11 +211,11 @@ test_a_wall_behind_it_makes_more_turn_toward_the_danger_and_none_into_the_wall(v
     }
     print_message("turned away at a wall: %.3f, into it by %.2f lengths\n", (double)away / TRIALS,
                   (double)into);
-    assert_true(into < 0.6f); /* It is 0.6 lengths off. */
+    assert_true(into < 0.6f); /* The wall is 0.6 lengths away. */
     assert_true((float)away / TRIALS < 0.62f && (float)away / TRIALS > 0.45f);
 }
 
-static void test_it_lasts_less_than_a_second_costs_stamina_and_swims_on(void **state)
+static void test_an_escape_ends_within_a_second_costs_stamina_and_becomes_a_swim(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < 200; i++) {
@@ -238,7 +241,7 @@ static void test_larger_fish_bend_slower(void **state)
     assert_float_equal(escape_stage_s(0.08f), 3.0f * CORE_TICK_S, 1e-6f);
 }
 
-static void test_one_that_falls_in_dashes_along_its_nose(void **state)
+static void test_a_fish_that_falls_in_escapes_along_its_nose(void **state)
 {
     (void)state;
     struct fish fish = still_fish(1);
@@ -252,7 +255,7 @@ static void test_one_that_falls_in_dashes_along_its_nose(void **state)
     }
 }
 
-static void test_one_that_is_scooped_out_of_its_start_straightens(void **state)
+static void test_a_fish_scooped_during_its_start_straightens(void **state)
 {
     (void)state;
     struct fish fish = still_fish(1);
@@ -260,7 +263,7 @@ static void test_one_that_is_scooped_out_of_its_start_straightens(void **state)
     tick_alone(&fish, 0, pond_at(1, 0));
     tick_alone(&fish, 0, pond_at(1, 1));
     assert_true(f_abs(fish.bend_rad) > 1.0f);
-    fish.gait = GAIT_BURST; /* As one that falls off the paper. */
+    fish.gait = GAIT_BURST; /* The state is that of a fish that falls off the paper. */
     fish.gait_left_s = 1.0f;
     fish.heading_rad = fish.angles.yaw_rad;
     fish.yaw_rate_rad_s = 0.0f;
@@ -270,7 +273,7 @@ static void test_one_that_is_scooped_out_of_its_start_straightens(void **state)
     assert_float_equal(fish.bend_rad, 0.0f, 0.05f);
 }
 
-static void test_a_shade_that_drew_it_does_not_turn_its_start(void **state)
+static void test_a_shade_does_not_turn_an_escape_start(void **state)
 {
     (void)state;
     struct fish fish = still_fish(1), drawn = fish;
@@ -287,19 +290,18 @@ static void test_a_shade_that_drew_it_does_not_turn_its_start(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_three_starts_in_four_turn_away_from_the_stimulus_and_lead_away),
+        cmocka_unit_test(test_three_of_four_starts_turn_and_move_away_from_the_stimulus),
         cmocka_unit_test(test_stage_1_turns_the_head_60_to_120_degrees_within_17_ms),
-        cmocka_unit_test(test_it_bends_into_a_c_and_flips_back_past_straight),
-        cmocka_unit_test(test_it_is_half_to_one_and_a_half_lengths_away_after_100_ms),
-        cmocka_unit_test(test_it_peaks_at_8_to_10_lengths_a_second_with_15_to_40_m_s2),
-        cmocka_unit_test(test_an_exhausted_fish_starts_at_four_fifths_of_the_speed),
-        cmocka_unit_test(
-            test_a_wall_behind_it_makes_more_turn_toward_the_danger_and_none_into_the_wall),
-        cmocka_unit_test(test_it_lasts_less_than_a_second_costs_stamina_and_swims_on),
+        cmocka_unit_test(test_a_start_bends_into_a_c_and_then_beyond_straight),
+        cmocka_unit_test(test_a_start_moves_the_fish_0_5_to_1_5_lengths_in_100_ms),
+        cmocka_unit_test(test_a_start_reaches_8_to_10_lengths_a_second_at_15_to_40_m_s2),
+        cmocka_unit_test(test_an_exhausted_fish_escapes_at_four_fifths_of_the_speed),
+        cmocka_unit_test(test_a_wall_behind_a_fish_gives_more_starts_toward_the_danger),
+        cmocka_unit_test(test_an_escape_ends_within_a_second_costs_stamina_and_becomes_a_swim),
         cmocka_unit_test(test_larger_fish_bend_slower),
-        cmocka_unit_test(test_one_that_falls_in_dashes_along_its_nose),
-        cmocka_unit_test(test_one_that_is_scooped_out_of_its_start_straightens),
-        cmocka_unit_test(test_a_shade_that_drew_it_does_not_turn_its_start),
+        cmocka_unit_test(test_a_fish_that_falls_in_escapes_along_its_nose),
+        cmocka_unit_test(test_a_fish_scooped_during_its_start_straightens),
+        cmocka_unit_test(test_a_shade_does_not_turn_an_escape_start),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,5 @@
-/* test_fish_behavior.c -- when a fish thinks, for how long a time, and what comes of it. */
+/* test_fish_behavior.c -- checks when a fish's behavior updates, the duration that each update
+ * covers, and the effects. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -21,11 +22,11 @@ static struct fish calm(void)
                          .room = 1.0f,
                          .gait_left_s = 1e6f,
                          .depth_goal_m = -0.06f };
-    fish_grow(&fish, 0.05f, pond_law());
+    fish_grow(&fish, 0.05f, pond_params());
     return fish;
 }
 
-/* A poi that rushes along at 40 cm/s, so far beside the fish. */
+/* Returns a poi that moves at 40 cm/s at a distance of `beside_m` from the fish. */
 static struct obstacle rushing(float beside_m)
 {
     return (struct obstacle){ .kind = OBSTACLE_DISC,
@@ -35,7 +36,8 @@ static struct obstacle rushing(float beside_m)
                               .radius_m = 0.0465f };
 }
 
-/* How often a fish thinks in as many ticks, and the time that its thoughts cover. */
+/* Returns the number of updates of a fish in `ticks` ticks, and stores the total time that the
+ * updates cover. */
 static uint32_t thoughts(struct fish *fish, uint32_t index, uint32_t ticks,
                          const struct obstacle *poi, float *covered_s)
 {
@@ -55,7 +57,7 @@ static uint32_t thoughts(struct fish *fish, uint32_t index, uint32_t ticks,
     return count;
 }
 
-static void test_a_calm_fish_thinks_every_fourth_tick_and_fish_do_so_in_turn(void **state)
+static void test_a_calm_fish_updates_in_every_fourth_tick_by_its_index(void **state)
 {
     (void)state;
     for (uint32_t tick = 0; tick < 8; tick++) {
@@ -68,18 +70,19 @@ static void test_a_calm_fish_thinks_every_fourth_tick_and_fish_do_so_in_turn(voi
     }
 }
 
-static void test_thoughts_cover_all_of_the_time(void **state)
+static void test_behavior_updates_cover_the_whole_time(void **state)
 {
     (void)state;
     for (uint32_t index = 0; index < 4; index++) {
         struct fish fish = calm();
         float covered_s = 0.0f;
         assert_int_equal(thoughts(&fish, index, 1200, NULL, &covered_s), 300);
-        assert_float_equal(covered_s, 10.0f, 4.5f * CORE_TICK_S); /* Less what is not over yet. */
+        assert_float_equal(covered_s, 10.0f, 4.5f * CORE_TICK_S); /* The last update may cover time
+                                                                     after the end. */
     }
 }
 
-static void test_beside_a_fast_poi_a_fish_thinks_in_every_tick(void **state)
+static void test_a_fish_beside_a_fast_poi_updates_in_every_tick(void **state)
 {
     (void)state;
     const struct obstacle near = rushing(0.08f), far = rushing(0.30f);
@@ -90,7 +93,7 @@ static void test_beside_a_fast_poi_a_fish_thinks_in_every_tick(void **state)
     assert_int_equal(thoughts(&fish, 1, 120, &far, &covered_s), 30);
 }
 
-static void test_who_flees_falls_or_is_at_the_surface_thinks_in_every_tick(void **state)
+static void test_a_fleeing_falling_or_gulping_fish_updates_in_every_tick(void **state)
 {
     (void)state;
     float covered_s = 0.0f;
@@ -101,11 +104,11 @@ static void test_who_flees_falls_or_is_at_the_surface_thinks_in_every_tick(void 
     fish.falls = 1;
     assert_int_equal(thoughts(&fish, 2, 40, NULL, &covered_s), 40);
     fish = calm();
-    fish.position_m.y = -0.004f; /* Its half width is 5 mm. */
+    fish.position_m.y = -0.004f; /* The half width of the fish is 5 mm. */
     assert_int_equal(thoughts(&fish, 2, 40, NULL, &covered_s), 40);
 }
 
-static void test_a_fish_that_was_held_does_not_make_up_for_lost_thoughts(void **state)
+static void test_a_released_fish_does_not_repeat_skipped_updates(void **state)
 {
     (void)state;
     struct fish fish = calm();
@@ -119,8 +122,8 @@ static void test_a_fish_that_was_held_does_not_make_up_for_lost_thoughts(void **
     }
 }
 
-/* Stamina, whims and the depth come out alike, however often it thinks. */
-static void test_a_fish_is_the_same_at_thirty_thoughts_a_second_as_at_120(void **state)
+/* Stamina, random turns and depth are the same at both update rates. */
+static void test_behavior_is_the_same_at_30_and_120_updates_a_second(void **state)
 {
     (void)state;
     struct fish often = calm(), seldom = calm();
@@ -128,7 +131,7 @@ static void test_a_fish_is_the_same_at_thirty_thoughts_a_second_as_at_120(void *
     often.depth_goal_m = seldom.depth_goal_m = -0.04f;
     for (uint32_t tick = 0; tick < 5u * CORE_TICK_HZ; tick++) {
         struct perception around = *pond_at(3, tick);
-        around.size_m = v3(20.0f, 0.12f, 20.0f); /* No wall is near. */
+        around.size_m = v3(20.0f, 0.12f, 20.0f); /* The walls are far away. */
         fish_behavior_tick(&often, 0, &around);
         if (tick % FISH_BEHAVIOR_TICKS == 0) {
             around.dt_s = fish_behavior_dt_s(&seldom, tick);
@@ -143,9 +146,10 @@ static void test_a_fish_is_the_same_at_thirty_thoughts_a_second_as_at_120(void *
     assert_true(v3_length(v3_sub(seldom.position_m, often.position_m)) < 0.01f);
 }
 
-/* At 120 Hz the steps between thoughts must not show: the turning rate changes by little a tick. In
- * the thesis' tank, for a living fish turns by kicks of its tail. */
-static void test_the_path_between_thoughts_is_a_smooth_arc(void **state)
+/* At 120 Hz, the steps between updates must not be visible: the turning rate changes little in a
+ * tick. The test uses the thesis' tank, because fish of the other presets turn by kicks of the
+ * tail. */
+static void test_the_path_between_updates_is_a_smooth_arc(void **state)
 {
     (void)state;
     float roughest = 0.0f, fastest = 0.0f;
@@ -161,7 +165,8 @@ static void test_the_path_between_thoughts_is_a_smooth_arc(void **state)
             fish_behavior_tick(&fish, 0, &around);
         }
         swim_move(&fish, around.params);
-        fish.position_m.x = f_clamp(fish.position_m.x, -0.175f, 0.175f); /* Walls are hard. */
+        fish.position_m.x = f_clamp(fish.position_m.x, -0.175f, 0.175f); /* The walls stop the
+                                                                            fish. */
         fish.position_m.z = f_clamp(fish.position_m.z, -0.125f, 0.125f);
         roughest = f_max(roughest, f_abs(fish.yaw_rate_rad_s - rate));
         fastest = f_max(fastest, f_abs(fish.yaw_rate_rad_s));
@@ -174,13 +179,13 @@ static void test_the_path_between_thoughts_is_a_smooth_arc(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_calm_fish_thinks_every_fourth_tick_and_fish_do_so_in_turn),
-        cmocka_unit_test(test_thoughts_cover_all_of_the_time),
-        cmocka_unit_test(test_beside_a_fast_poi_a_fish_thinks_in_every_tick),
-        cmocka_unit_test(test_who_flees_falls_or_is_at_the_surface_thinks_in_every_tick),
-        cmocka_unit_test(test_a_fish_that_was_held_does_not_make_up_for_lost_thoughts),
-        cmocka_unit_test(test_a_fish_is_the_same_at_thirty_thoughts_a_second_as_at_120),
-        cmocka_unit_test(test_the_path_between_thoughts_is_a_smooth_arc),
+        cmocka_unit_test(test_a_calm_fish_updates_in_every_fourth_tick_by_its_index),
+        cmocka_unit_test(test_behavior_updates_cover_the_whole_time),
+        cmocka_unit_test(test_a_fish_beside_a_fast_poi_updates_in_every_tick),
+        cmocka_unit_test(test_a_fleeing_falling_or_gulping_fish_updates_in_every_tick),
+        cmocka_unit_test(test_a_released_fish_does_not_repeat_skipped_updates),
+        cmocka_unit_test(test_behavior_is_the_same_at_30_and_120_updates_a_second),
+        cmocka_unit_test(test_the_path_between_updates_is_a_smooth_arc),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,5 @@
-/* test_gait.c -- burst, swim or rest: chances, durations, costs and speeds of the 2013 thesis. */
+/* test_gait.c -- checks burst, swim and rest: probabilities, durations, costs and speeds of the
+ * 2013 thesis. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -17,7 +18,7 @@ static struct fish rested(void)
     return (struct fish){ WAKIN(0.05f), .stamina = 1.0f, .brake = 1.0f, .gait_left_s = 1.0f };
 }
 
-static void test_chances_are_those_of_the_equations_and_lie_between_0_and_1(void **state)
+static void test_gait_probabilities_follow_the_equations_and_lie_between_0_and_1(void **state)
 {
     (void)state;
     const struct gait_chance full = gait_chance(1.0f), half = gait_chance(0.5f);
@@ -41,7 +42,7 @@ static void test_an_exhausted_fish_can_only_rest(void **state)
     assert_float_equal(gait_chance(0.0f).swim, 0.0f, 0.0f);
     for (uint32_t i = 0; i < 200; i++) {
         struct fish fish = rested();
-        fish.gait = GAIT_BURST; /* A burst leaves nothing over. */
+        fish.gait = GAIT_BURST; /* A burst reduces stamina to zero and not below. */
         fish.stamina = 0.0f;
         fish.gait_left_s = 0.0f;
         gait_tick(&fish, i, pond_at(1, i));
@@ -61,7 +62,7 @@ static void check_stamina(uint8_t gait, float from, float per_s)
     assert_float_equal(fish.stamina, from + 10.0f * per_s, 1e-4f);
 }
 
-static void test_stamina_pays_one_and_a_fifth_a_second_and_rest_gains_a_tenth(void **state)
+static void test_burst_and_swim_cost_1_and_0_2_stamina_a_second_and_rest_gains_0_1(void **state)
 {
     (void)state;
     check_stamina(GAIT_BURST, 0.8f, -0.01f);
@@ -69,7 +70,7 @@ static void test_stamina_pays_one_and_a_fifth_a_second_and_rest_gains_a_tenth(vo
     check_stamina(GAIT_REST, 0.5f, 0.001f);
 }
 
-static void test_gaits_last_as_long_as_the_thesis_says(void **state)
+static void test_gaits_have_the_durations_of_the_thesis(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < 2000; i++) {
@@ -82,14 +83,14 @@ static void test_gaits_last_as_long_as_the_thesis_says(void **state)
     }
 }
 
-/* 60 fish, an hour each. */
-static void test_in_the_long_run_a_fish_rests_two_thirds_of_its_time(void **state)
+/* The sample is 60 fish for an hour each. */
+static void test_a_fish_rests_two_thirds_of_its_time_in_the_long_run(void **state)
 {
     (void)state;
     uint32_t ticks[GAIT_COUNT] = { 0 };
     for (uint32_t i = 0; i < 60; i++) {
         struct fish fish = rested();
-        fish.stamina = 0.48f; /* Where the law of 3.2 settles. */
+        fish.stamina = 0.48f; /* The stamina is the equilibrium of section 3.2. */
         for (uint32_t tick = 0; tick < 3600u * CORE_TICK_HZ; tick++) {
             gait_tick(&fish, i, pond_at(9, tick));
             ticks[fish.gait]++;
@@ -103,7 +104,7 @@ static void test_in_the_long_run_a_fish_rests_two_thirds_of_its_time(void **stat
     assert_float_equal((float)ticks[GAIT_REST] / all, 0.68f, 0.02f);
 }
 
-static void test_run_up_of_a_five_centimetre_fish_is_164_ms_to_95_percent(void **state)
+static void test_a_5_cm_fish_reaches_95_percent_of_its_speed_in_164_ms(void **state)
 {
     (void)state;
     assert_float_equal(3.0f * gait_run_up_s(0.05f), 0.1639f, 0.001f);
@@ -118,7 +119,7 @@ static void test_speeds_are_halved_and_scale_with_length_and_stamina(void **stat
     assert_float_equal(gait_speed_m_s(&fish, pond_at(1, 0)), 0.15f, 1e-5f);
     fish.stamina = 0.0f;
     assert_float_equal(gait_speed_m_s(&fish, pond_at(1, 0)), 0.12f, 1e-5f);
-    fish_grow(&fish, 0.04f, pond_law());
+    fish_grow(&fish, 0.04f, pond_params());
     assert_float_equal(gait_speed_m_s(&fish, pond_at(1, 0)), 0.096f, 1e-5f);
     fish.gait = GAIT_REST;
     assert_true(gait_speed_m_s(&fish, pond_at(1, 0)) <= 0.005f);
@@ -136,7 +137,7 @@ static void test_a_swimming_fish_beats_a_little_under_half_its_time(void **state
     assert_in_range(beats, 3600, 4000);
 }
 
-static void test_lively_fish_keep_low_and_tired_ones_high(void **state)
+static void test_fish_with_high_stamina_keep_low_and_tired_fish_keep_high(void **state)
 {
     (void)state;
     assert_float_equal(gait_depth_m(0.9f, 0.2f), -0.18f, 1e-6f);
@@ -148,15 +149,15 @@ static void test_lively_fish_keep_low_and_tired_ones_high(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_chances_are_those_of_the_equations_and_lie_between_0_and_1),
+        cmocka_unit_test(test_gait_probabilities_follow_the_equations_and_lie_between_0_and_1),
         cmocka_unit_test(test_an_exhausted_fish_can_only_rest),
-        cmocka_unit_test(test_stamina_pays_one_and_a_fifth_a_second_and_rest_gains_a_tenth),
-        cmocka_unit_test(test_gaits_last_as_long_as_the_thesis_says),
-        cmocka_unit_test(test_in_the_long_run_a_fish_rests_two_thirds_of_its_time),
-        cmocka_unit_test(test_run_up_of_a_five_centimetre_fish_is_164_ms_to_95_percent),
+        cmocka_unit_test(test_burst_and_swim_cost_1_and_0_2_stamina_a_second_and_rest_gains_0_1),
+        cmocka_unit_test(test_gaits_have_the_durations_of_the_thesis),
+        cmocka_unit_test(test_a_fish_rests_two_thirds_of_its_time_in_the_long_run),
+        cmocka_unit_test(test_a_5_cm_fish_reaches_95_percent_of_its_speed_in_164_ms),
         cmocka_unit_test(test_speeds_are_halved_and_scale_with_length_and_stamina),
         cmocka_unit_test(test_a_swimming_fish_beats_a_little_under_half_its_time),
-        cmocka_unit_test(test_lively_fish_keep_low_and_tired_ones_high),
+        cmocka_unit_test(test_fish_with_high_stamina_keep_low_and_tired_fish_keep_high),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

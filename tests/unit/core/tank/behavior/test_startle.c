@@ -1,4 +1,5 @@
-/* test_startle.c -- what startles a fish: looming, pushed water, habit, and the nerves' latency. */
+/* test_startle.c -- checks what startles a fish: looming, pressure, habituation and the latency of
+ * the nerves. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -14,7 +15,7 @@
 
 #define NEVER 1000u
 
-/* Timid: every bit of `look` is 0. */
+/* Returns a timid fish, because every bit of `look` is 0. */
 static struct fish fish_at(vec3 position_m)
 {
     return (struct fish){ WAKIN(0.05f), .stamina = 1.0f,   .brake = 1.0f,
@@ -30,7 +31,7 @@ static struct obstacle disc_at(vec3 centre_m, vec3 velocity_m_s)
                               .radius_m = 0.0465f };
 }
 
-/* Upright, its face toward +x, coming that way. */
+/* Returns a vertical disc that faces +x and moves that way. */
 static struct obstacle broadside_disc(float speed_m_s)
 {
     struct obstacle disc = disc_at(v3(0.0f, -0.05f, 0.0f), v3(speed_m_s, 0.0f, 0.0f));
@@ -46,7 +47,7 @@ static struct perception beside(const struct obstacle *disc, uint32_t seed, uint
     return around;
 }
 
-/* Ticks until a fish beside a disc begins its C-start, as if both kept their places. */
+/* Returns the ticks until a fish beside a disc begins its C-start, with both at fixed positions. */
 static uint32_t ticks_to_start(struct obstacle disc, struct fish fish, uint32_t seed)
 {
     for (uint32_t tick = 0; tick < NEVER; tick++) {
@@ -65,20 +66,20 @@ static float alarm_per_s(struct obstacle disc, vec3 position_m)
     return startle_of_disc(&disc, &fish).alarm_per_s;
 }
 
-static void test_an_image_is_as_large_as_geometry_says_and_grows_as_it_nears(void **state)
+static void test_the_visual_angle_follows_geometry_and_grows_with_approach(void **state)
 {
     (void)state;
     const struct obstacle disc = broadside_disc(0.3f);
     const struct startle_view view = startle_view(&disc, v3(0.10f, -0.05f, 0.0f));
     assert_float_equal(view.size_rad, 2.0f * f_atan2(0.0465f, 0.10f), 1e-5f);
     struct obstacle later = disc;
-    later.centre_m.x += 0.0003f; /* A thousandth of a second on. */
+    later.centre_m.x += 0.0003f; /* The disc is one millisecond later. */
     const struct startle_view grown = startle_view(&later, v3(0.10f, -0.05f, 0.0f));
     assert_float_equal(1000.0f * (grown.size_rad - view.size_rad), view.growth_rad_s, 0.02f);
     assert_true(startle_view(&disc, v3(-0.10f, -0.05f, 0.0f)).growth_rad_s < 0.0f);
 }
 
-static void test_an_edge_on_disc_is_little_but_a_line(void **state)
+static void test_an_edge_on_disc_has_a_small_visual_angle(void **state)
 {
     (void)state;
     const struct obstacle broad = broadside_disc(0.3f);
@@ -87,22 +88,24 @@ static void test_an_edge_on_disc_is_little_but_a_line(void **state)
     assert_true(startle_view(&edge, eye_m).size_rad < 0.33f * startle_view(&broad, eye_m).size_rad);
 }
 
-static void test_a_small_image_does_not_loom_however_fast_it_comes(void **state)
+static void test_a_small_image_never_looms(void **state)
 {
     (void)state;
     struct obstacle disc = broadside_disc(4.0f);
-    disc.centre_m.y = 0.05f; /* In air, where the ear does not hear it first. */
-    const struct fish near = fish_at(v3(0.14f, -0.01f, 0.0f)); /* 33 degrees. */
-    const struct fish far = fish_at(v3(0.30f, -0.01f, 0.0f));  /* 17; the timid see 20. */
+    disc.centre_m.y = 0.05f; /* The disc is in the air, where the pressure stimulus is zero. */
+    const struct fish near = fish_at(v3(0.14f, -0.01f, 0.0f)); /* The visual angle is 33 degrees. */
+    const struct fish far = fish_at(v3(0.30f, -0.01f, 0.0f));  /* The visual angle is 17 degrees.
+                                                                  The threshold of a timid fish is
+                                                                  20 degrees. */
     assert_int_equal(startle_of_disc(&disc, &near).cause, STARTLE_LOOM);
     assert_int_equal(startle_of_disc(&disc, &far).cause, STARTLE_NONE);
 }
 
-/* A slow disc is let come near. */
-static void test_a_blow_grows_with_the_square_of_speed_and_there_is_none_in_air(void **state)
+/* A slow disc gives no stimulus even at a small distance. */
+static void test_a_pressure_stimulus_grows_with_speed_squared_and_is_zero_in_air(void **state)
 {
     (void)state;
-    const vec3 behind = { -0.04f, -0.05f, 0.0f }; /* Where it does not loom. */
+    const vec3 behind = { -0.04f, -0.05f, 0.0f }; /* The disc does not loom at this position. */
     struct obstacle fast = broadside_disc(0.4f);
     assert_int_equal(ticks_to_start(broadside_disc(0.08f), fish_at(behind), 1), NEVER);
     assert_in_range(ticks_to_start(fast, fish_at(behind), 1), 1, CORE_TICK_HZ / 4u);
@@ -111,7 +114,7 @@ static void test_a_blow_grows_with_the_square_of_speed_and_there_is_none_in_air(
     assert_float_equal(alarm_per_s(fast, v3(-0.04f, -0.01f, 0.0f)), 0.0f, 0.0f);
 }
 
-static void test_a_slow_or_distant_disc_frightens_nobody(void **state)
+static void test_a_slow_or_distant_disc_startles_no_fish(void **state)
 {
     (void)state;
     const struct obstacle slow = disc_at(v3(0.0f, -0.05f, 0.0f), v3(0.14f, 0.0f, 0.0f));
@@ -120,7 +123,7 @@ static void test_a_slow_or_distant_disc_frightens_nobody(void **state)
     assert_int_equal(ticks_to_start(fast, fish_at(v3(0.14f, -0.05f, 0.0f)), 1), NEVER);
 }
 
-static void test_what_looms_frightens_more_than_what_goes_away(void **state)
+static void test_an_approaching_disc_alarms_more_than_a_receding_one(void **state)
 {
     (void)state;
     const struct obstacle disc = broadside_disc(0.3f);
@@ -128,7 +131,7 @@ static void test_what_looms_frightens_more_than_what_goes_away(void **state)
                 1.5f * alarm_per_s(disc, v3(-0.06f, -0.05f, 0.0f)));
 }
 
-static void test_a_disc_that_glides_edge_on_frightens_little(void **state)
+static void test_a_disc_that_glides_edge_on_alarms_little(void **state)
 {
     (void)state;
     const struct obstacle broad = broadside_disc(0.4f);
@@ -141,7 +144,8 @@ static void test_a_disc_that_glides_edge_on_frightens_little(void **state)
     assert_int_equal(ticks_to_start(slow, fish_at(ahead_of_edge), 1), NEVER);
 }
 
-/* The latency alone: from the tick in which a blow or a sight is more than it bears. */
+/* Measures the latency alone: from the tick in which a pressure or visual stimulus exceeds the
+ * threshold. */
 static void latency(enum startle_cause cause, uint8_t gait, float *mean_s, float *least_s,
                     float *most_s)
 {
@@ -167,10 +171,10 @@ static void latency(enum startle_cause cause, uint8_t gait, float *mean_s, float
                   (double)(1e3f * *least_s), (double)(1e3f * *most_s));
 }
 
-static void test_a_blow_is_answered_after_8_to_15_ms_and_a_sight_after_60_to_150(void **state)
+static void test_latency_is_8_to_15_ms_for_pressure_and_60_to_150_ms_for_sight(void **state)
 {
     (void)state;
-    const float half_tick_s = 0.5f * CORE_TICK_S + 1e-5f; /* A start begins with a tick. */
+    const float half_tick_s = 0.5f * CORE_TICK_S + 1e-5f; /* A start begins at a tick boundary. */
     float mean_s, least_s, most_s;
     latency(STARTLE_PRESSURE, GAIT_SWIM, &mean_s, &least_s, &most_s);
     assert_float_equal(mean_s, 0.0115f, 0.0005f);
@@ -179,11 +183,13 @@ static void test_a_blow_is_answered_after_8_to_15_ms_and_a_sight_after_60_to_150
     assert_float_equal(mean_s, 0.105f, 0.002f);
     assert_true(least_s > 0.060f - half_tick_s && least_s < 0.068f);
     assert_true(most_s < 0.150f + half_tick_s && most_s > 0.142f);
-    latency(STARTLE_SHADOW, GAIT_SWIM, &mean_s, &least_s, &most_s); /* Its alarm takes the rest. */
+    latency(STARTLE_SHADOW, GAIT_SWIM, &mean_s, &least_s, &most_s); /* The rest is the time until
+                                                                       the alarm reaches the
+                                                                       threshold. */
     assert_true(least_s >= 0.060f && most_s < 0.115f + half_tick_s);
 }
 
-static void test_who_gulps_answers_later_and_to_louder_alarms(void **state)
+static void test_a_gulping_fish_reacts_later_and_to_stronger_alarms(void **state)
 {
     (void)state;
     float mean_s, least_s, most_s;
@@ -198,7 +204,7 @@ static void test_who_gulps_answers_later_and_to_louder_alarms(void **state)
     assert_int_equal(gulping.startle, STARTLE_NONE);
 }
 
-static void test_a_blow_overtakes_what_the_eye_still_works_on(void **state)
+static void test_a_pressure_stimulus_overtakes_a_pending_visual_stimulus(void **state)
 {
     (void)state;
     struct fish fish = fish_at(v3(0.0f, -0.05f, 0.0f));
@@ -210,19 +216,19 @@ static void test_a_blow_overtakes_what_the_eye_still_works_on(void **state)
     assert_float_equal(fish.startle_from_m.z, 0.05f, 0.0f);
 }
 
-static void test_the_bold_bear_twice_what_the_timid_do_and_small_fish_hear_better(void **state)
+static void test_bold_fish_have_twice_the_threshold_and_small_fish_hear_better(void **state)
 {
     (void)state;
     struct fish timid = fish_at(v3(0.03f, -0.05f, 0.0f)), bold = timid, small = timid;
     bold.look = 31u << 3;
-    fish_grow(&small, 0.033f, pond_law());
+    fish_grow(&small, 0.033f, pond_params());
     assert_float_equal(startle_threshold(&bold), 2.0f * startle_threshold(&timid), 1e-6f);
     const struct obstacle disc = disc_at(v3(-0.03f, -0.05f, 0.0f), v3(0.5f, 0.0f, 0.0f));
     assert_true(startle_of_disc(&disc, &small).alarm_per_s >
                 1.4f * startle_of_disc(&disc, &timid).alarm_per_s);
 }
 
-static void test_frights_grow_stale_and_that_fades(void **state)
+static void test_habituation_grows_with_startles_and_fades(void **state)
 {
     (void)state;
     struct fish fish = fish_at(v3(0.0f, -0.05f, 0.0f));
@@ -244,10 +250,10 @@ static void test_frights_grow_stale_and_that_fades(void **state)
     for (uint32_t tick = 0; tick < 600u * CORE_TICK_HZ; tick++) {
         startle_tick(&fish, 0, pond_at(1, tick));
     }
-    assert_float_equal(fish.habit, 0.0f, 0.0f); /* It ends. */
+    assert_float_equal(fish.habit, 0.0f, 0.0f); /* The habituation reaches zero. */
 }
 
-static void test_a_fish_that_has_just_fled_is_not_startled_again_at_once(void **state)
+static void test_a_fish_that_just_fled_is_not_startled_again_immediately(void **state)
 {
     (void)state;
     struct fish fish = fish_at(v3(0.0f, -0.05f, 0.0f));
@@ -262,7 +268,7 @@ static void test_a_fish_that_has_just_fled_is_not_startled_again_at_once(void **
     assert_int_equal(fish.startle, STARTLE_PRESSURE);
 }
 
-static void test_a_law_without_escapes_knows_no_fright(void **state)
+static void test_parameters_without_escapes_never_startle(void **state)
 {
     (void)state;
     struct obstacle disc = broadside_disc(1.0f);
@@ -276,7 +282,7 @@ static void test_a_law_without_escapes_knows_no_fright(void **state)
     assert_float_equal(fish.alarm, 0.0f, 0.0f);
 }
 
-static void test_a_rushing_disc_is_answered_within_a_quarter_of_a_second(void **state)
+static void test_a_fast_disc_startles_within_a_quarter_of_a_second(void **state)
 {
     (void)state;
     for (uint32_t seed = 1; seed <= 50; seed++) {
@@ -286,7 +292,7 @@ static void test_a_rushing_disc_is_answered_within_a_quarter_of_a_second(void **
     }
 }
 
-static void test_only_the_startled_and_those_by_a_moving_disc_think_in_every_tick(void **state)
+static void test_only_startled_fish_and_fish_near_a_moving_disc_update_in_every_tick(void **state)
 {
     (void)state;
     const struct obstacle moving = broadside_disc(0.3f), still = broadside_disc(0.0f);
@@ -304,7 +310,7 @@ static float drawn(uint32_t trial, uint32_t which, float low, float high)
     return rng_range((struct rng_key){ 9, trial, which, RNG_TEST }, low, high);
 }
 
-static void test_whoever_a_disc_frightens_thinks_in_every_tick(void **state)
+static void test_a_fish_alarmed_by_a_disc_updates_in_every_tick(void **state)
 {
     (void)state;
     uint32_t frightened = 0;
@@ -327,23 +333,23 @@ static void test_whoever_a_disc_frightens_thinks_in_every_tick(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_an_image_is_as_large_as_geometry_says_and_grows_as_it_nears),
-        cmocka_unit_test(test_an_edge_on_disc_is_little_but_a_line),
-        cmocka_unit_test(test_a_small_image_does_not_loom_however_fast_it_comes),
-        cmocka_unit_test(test_a_blow_grows_with_the_square_of_speed_and_there_is_none_in_air),
-        cmocka_unit_test(test_a_slow_or_distant_disc_frightens_nobody),
-        cmocka_unit_test(test_what_looms_frightens_more_than_what_goes_away),
-        cmocka_unit_test(test_a_disc_that_glides_edge_on_frightens_little),
-        cmocka_unit_test(test_a_blow_is_answered_after_8_to_15_ms_and_a_sight_after_60_to_150),
-        cmocka_unit_test(test_who_gulps_answers_later_and_to_louder_alarms),
-        cmocka_unit_test(test_a_blow_overtakes_what_the_eye_still_works_on),
-        cmocka_unit_test(test_the_bold_bear_twice_what_the_timid_do_and_small_fish_hear_better),
-        cmocka_unit_test(test_frights_grow_stale_and_that_fades),
-        cmocka_unit_test(test_a_fish_that_has_just_fled_is_not_startled_again_at_once),
-        cmocka_unit_test(test_a_law_without_escapes_knows_no_fright),
-        cmocka_unit_test(test_a_rushing_disc_is_answered_within_a_quarter_of_a_second),
-        cmocka_unit_test(test_whoever_a_disc_frightens_thinks_in_every_tick),
-        cmocka_unit_test(test_only_the_startled_and_those_by_a_moving_disc_think_in_every_tick),
+        cmocka_unit_test(test_the_visual_angle_follows_geometry_and_grows_with_approach),
+        cmocka_unit_test(test_an_edge_on_disc_has_a_small_visual_angle),
+        cmocka_unit_test(test_a_small_image_never_looms),
+        cmocka_unit_test(test_a_pressure_stimulus_grows_with_speed_squared_and_is_zero_in_air),
+        cmocka_unit_test(test_a_slow_or_distant_disc_startles_no_fish),
+        cmocka_unit_test(test_an_approaching_disc_alarms_more_than_a_receding_one),
+        cmocka_unit_test(test_a_disc_that_glides_edge_on_alarms_little),
+        cmocka_unit_test(test_latency_is_8_to_15_ms_for_pressure_and_60_to_150_ms_for_sight),
+        cmocka_unit_test(test_a_gulping_fish_reacts_later_and_to_stronger_alarms),
+        cmocka_unit_test(test_a_pressure_stimulus_overtakes_a_pending_visual_stimulus),
+        cmocka_unit_test(test_bold_fish_have_twice_the_threshold_and_small_fish_hear_better),
+        cmocka_unit_test(test_habituation_grows_with_startles_and_fades),
+        cmocka_unit_test(test_a_fish_that_just_fled_is_not_startled_again_immediately),
+        cmocka_unit_test(test_parameters_without_escapes_never_startle),
+        cmocka_unit_test(test_a_fast_disc_startles_within_a_quarter_of_a_second),
+        cmocka_unit_test(test_a_fish_alarmed_by_a_disc_updates_in_every_tick),
+        cmocka_unit_test(test_only_startled_fish_and_fish_near_a_moving_disc_update_in_every_tick),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

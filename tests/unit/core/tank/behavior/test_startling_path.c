@@ -1,8 +1,9 @@
-/* test_startling_path.c -- how many of a stall's 300 fish a poi startles on 30 cm, by how it goes.
+/* test_startling_path.c -- measures how many of a stall's 300 fish a poi startles on a path of
+ * 30 cm.
  *
- * Real players enter at a slant and lead with the edge, for fish answer fast broadside water and
- * hardly anything else. */
-#include "tests/unit/support/poi_stand.h"
+ * Real players enter at a slant and lead with the edge, because fish respond to fast broadside
+ * water and to little else. */
+#include "tests/unit/support/poi_fixture.h"
 
 #include "core/tank/behavior/startle.h"
 
@@ -10,20 +11,20 @@
 #define WAY_M 0.30f
 #define CALM_S 1.0f
 
-static struct stand stand; /* Too large for some stacks. */
+static struct poi_fixture fixture; /* Static, because the struct is too large for some stacks. */
 
-/* How a ring goes: tilted so far off its course, which leads down at an angle. */
+/* Motion of a ring: the tilt against its course, and the downward angle of the course. */
 struct manner {
     float tilt_rad, speed_m_s, down_rad;
 };
 
 static void tick_on(void)
 {
-    const struct poi_grip grip = { stand.hand, 1 };
-    poi_tick(&stand.poi, &grip, &stand.tank, &stand.bowl);
-    struct obstacle ring = poi_obstacle(&stand.poi);
-    tank_tick(&stand.tank, stand.tick++, &ring, 1);
-    poi_apply_reaction(&stand.poi, &ring);
+    const struct poi_grip grip = { fixture.hand, 1 };
+    poi_tick(&fixture.poi, &grip, &fixture.tank, &fixture.bowl);
+    struct obstacle ring = poi_obstacle(&fixture.poi);
+    tank_tick(&fixture.tank, fixture.tick++, &ring, 1);
+    poi_apply_reaction(&fixture.poi, &ring);
 }
 
 static int is_startled(const struct fish *fish)
@@ -32,12 +33,12 @@ static int is_startled(const struct fish *fish)
            fish->startle == STARTLE_LOOM;
 }
 
-/* Marks those that are; returns how many were not yet. */
+/* Marks the startled fish. Returns the number of fish that were not marked before. */
 static uint32_t count_startled(uint8_t marks[TANK_FISH_MAX])
 {
     uint32_t count = 0;
-    for (uint32_t i = 0; i < stand.tank.fish_count; i++) {
-        if (is_startled(&stand.tank.fish[i]) && !marks[i]) {
+    for (uint32_t i = 0; i < fixture.tank.fish_count; i++) {
+        if (is_startled(&fixture.tank.fish[i]) && !marks[i]) {
             marks[i] = 1;
             count++;
         }
@@ -45,16 +46,16 @@ static uint32_t count_startled(uint8_t marks[TANK_FISH_MAX])
     return count;
 }
 
-/* Edge first, then turned as told, then held until all is calm. */
+/* Moves the poi in edge first, rolls it by `roll_rad`, and holds it until the fish are calm. */
 static void dip_gently(float to_m, float roll_rad)
 {
     const uint32_t ticks = (uint32_t)(CALM_S * (float)CORE_TICK_HZ);
-    stand.hand.angles.roll_rad = stand.poi.angles.roll_rad = -0.5f * F_PI;
+    fixture.hand.angles.roll_rad = fixture.poi.angles.roll_rad = -0.5f * F_PI;
     for (uint32_t tick = 0; tick < 4u * ticks; tick++) {
         const float down = f_clamp((float)tick / (float)ticks - 1.0f, 0.0f, 1.0f);
         const float turned = f_clamp((float)tick / (float)ticks - 2.0f, 0.0f, 1.0f);
-        stand.hand.position_m.y = f_lerp(0.06f, to_m, down);
-        stand.hand.angles.roll_rad = f_lerp(-0.5f * F_PI, roll_rad, turned);
+        fixture.hand.position_m.y = f_lerp(0.06f, to_m, down);
+        fixture.hand.angles.roll_rad = f_lerp(-0.5f * F_PI, roll_rad, turned);
         tick_on();
     }
 }
@@ -65,21 +66,22 @@ static uint32_t startled_by(struct manner manner, uint32_t seed)
     struct tank_config config = tank_config_of(TANK_PRESET_FESTIVAL);
     config.fish_count = 300;
     config.seed = seed;
-    stand_init(&stand, 6, seed);
-    assert_true(tank_open(&stand.tank, &config));
-    stand.bowl.present = 0;
+    fixture_init(&fixture, 6, seed);
+    assert_true(tank_open(&fixture.tank, &config));
+    fixture.bowl.present = 0;
     const vec3 from_m = v3(-0.5f * WAY_M, manner.down_rad > 0.0f ? 0.03f : -0.05f, 0.0f);
     const vec3 way = v3(f_cos(manner.down_rad), -f_sin(manner.down_rad), 0.0f);
     const float turn_rad = manner.down_rad - manner.tilt_rad;
-    stand.hand.position_m = stand.poi.position_m = stand.poi.hand_m = v3(from_m.x, 0.06f, 0.0f);
-    stand.poi.damage_immune = 1;
+    fixture.hand.position_m = fixture.poi.position_m = fixture.poi.hand_m =
+        v3(from_m.x, 0.06f, 0.0f);
+    fixture.poi.damage_immune = 1;
     dip_gently(from_m.y, turn_rad);
     memset(marks, 0, sizeof marks);
     count_startled(marks);
     uint32_t count = 0;
     for (float gone_m = 0.0f; gone_m < WAY_M; gone_m += manner.speed_m_s * CORE_TICK_S) {
-        stand.hand.position_m = v3_muladd(from_m, way, gone_m);
-        stand.hand.position_m.y = f_max(stand.hand.position_m.y, -0.085f);
+        fixture.hand.position_m = v3_muladd(from_m, way, gone_m);
+        fixture.hand.position_m.y = f_max(fixture.hand.position_m.y, -0.085f);
         tick_on();
         count += count_startled(marks);
     }
@@ -97,7 +99,7 @@ static float mean_startled(const char *name, struct manner manner)
     return mean;
 }
 
-static void test_slanted_and_slow_startles_few_and_broadside_and_fast_many(void **state)
+static void test_a_slow_slanted_poi_startles_few_fish_and_a_fast_broadside_poi_many(void **state)
 {
     (void)state;
     const float slant_rad = 30.0f * F_DEG, broad_rad = 0.5f * F_PI;
@@ -121,7 +123,7 @@ static void test_slanted_and_slow_startles_few_and_broadside_and_fast_many(void 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_slanted_and_slow_startles_few_and_broadside_and_fast_many),
+        cmocka_unit_test(test_a_slow_slanted_poi_startles_few_fish_and_a_fast_broadside_poi_many),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,8 +1,10 @@
-/* test_surface_breathing.c -- who goes up for air, how it gulps, and how it comes down again. */
+/* test_surface_breathing.c -- checks which fish rise for air, how they gulp and how they dive
+ * again. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 
 #include <cmocka.h>
 
@@ -58,9 +60,9 @@ static float top_m(const struct fish *fish)
     return fish->position_m.y + box_extent_m(&box).y;
 }
 
-/* ---- Who goes up ---------------------------------------------------------------------------- */
+/* ---- Rising --------------------------------------------------------------------------------- */
 
-static void test_the_chance_is_a_half_at_1_8_mg_l_and_nothing_in_good_water(void **state)
+static void test_the_gulping_probability_is_half_at_1_8_mg_l_and_0_in_good_water(void **state)
 {
     (void)state;
     assert_float_equal(surface_chance(1.8f, 0.5f), 0.5f, 1e-4f);
@@ -71,7 +73,7 @@ static void test_the_chance_is_a_half_at_1_8_mg_l_and_nothing_in_good_water(void
     assert_true(surface_chance(20.0f, 0.0f) >= 0.0f);
 }
 
-static void test_a_tired_fish_is_a_fifth_of_a_milligram_sooner_up(void **state)
+static void test_a_tired_fish_rises_at_0_2_mg_l_more_oxygen(void **state)
 {
     (void)state;
     assert_float_equal(surface_chance(2.0f, 0.0f), 0.5f, 1e-4f);
@@ -91,45 +93,56 @@ static uint32_t calls_of_1000(float oxygen_mg_l, const struct behavior_params *p
     return calls;
 }
 
-static void test_in_a_living_tank_oxygen_calls_and_in_the_thesis_it_never_does(void **state)
+static void test_oxygen_starts_gulping_except_in_the_thesis_tank(void **state)
 {
     (void)state;
-    assert_in_range(calls_of_1000(1.8f, pond_law()), 450, 550);
-    assert_true(calls_of_1000(0.8f, pond_law()) > 950);
-    assert_int_equal(calls_of_1000(8.0f, pond_law()), 0);
+    assert_in_range(calls_of_1000(1.8f, pond_params()), 450, 550);
+    assert_true(calls_of_1000(0.8f, pond_params()) > 950);
+    assert_int_equal(calls_of_1000(8.0f, pond_params()), 0);
     assert_int_equal(calls_of_1000(0.0f, &tank_preset(TANK_PRESET_THESIS)->params), 0);
 }
 
-/* Stamina below 25 lets the thesis' fish rise and no other: section 3.6. */
-static void test_a_tired_fish_of_the_thesis_rises_and_one_of_a_stall_does_not(void **state)
+/* Returns the number of fish that gulp at the surface. */
+static uint32_t surfacing_count(const struct tank *water)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < water->fish_count; i++) {
+        count += water->fish[i].gait == GAIT_SURFACE;
+    }
+    return count;
+}
+
+/* By section 3.6, a stamina below 25 makes a fish of the thesis rise. Other presets have no such
+ * rule. */
+static void test_low_stamina_starts_gulping_only_in_the_thesis_tank(void **state)
 {
     (void)state;
     struct tank_config config = thesis_43();
     config.stamina_min = config.stamina_max = 0.26f;
     open(&config);
     run(2.0f);
-    assert_int_equal(tank_surfacing_count(&tank), 0);
+    assert_int_equal(surfacing_count(&tank), 0);
     struct tank_config stall = stall_with(TANK_OXYGEN_SATURATED);
     stall.stamina_min = stall.stamina_max = 0.05f;
     open(&stall);
     run(10.0f);
-    assert_int_equal(tank_surfacing_count(&tank), 0);
+    assert_int_equal(surfacing_count(&tank), 0);
 }
 
 /* ---- The thesis' experiment, section 4.3 ---------------------------------------------------- */
 
-static void test_200_fish_of_stamina_20_come_up_within_seconds_and_are_gone_again(void **state)
+static void test_200_fish_of_stamina_20_rise_within_seconds_and_dive_again(void **state)
 {
     (void)state;
     const struct tank_config config = thesis_43();
     open(&config);
-    const uint32_t at_0 = tank_surfacing_count(&tank);
+    const uint32_t at_0 = surfacing_count(&tank);
     run(1.0f);
-    const uint32_t at_1 = tank_surfacing_count(&tank);
+    const uint32_t at_1 = surfacing_count(&tank);
     run(2.0f);
-    const uint32_t at_3 = tank_surfacing_count(&tank);
+    const uint32_t at_3 = surfacing_count(&tank);
     run(7.0f);
-    const uint32_t at_10 = tank_surfacing_count(&tank);
+    const uint32_t at_10 = surfacing_count(&tank);
     print_message("at the surface after 0, 1, 3, 10 s: %u, %u, %u, %u of 200\n", at_0, at_1, at_3,
                   at_10);
     assert_int_equal(at_0, 0);
@@ -138,8 +151,8 @@ static void test_200_fish_of_stamina_20_come_up_within_seconds_and_are_gone_agai
     assert_true(at_10 < at_3 / 4u);
 }
 
-/* "Three seconds of gulping bring stamina to 100, and it dives." */
-static void test_three_seconds_in_the_film_fill_a_fish_and_then_it_dives(void **state)
+/* The thesis states: "Three seconds of gulping bring stamina to 100, and it dives." */
+static void test_three_seconds_of_gulping_restore_stamina_and_the_fish_dives(void **state)
 {
     (void)state;
     struct tank_config config = thesis_43();
@@ -162,19 +175,20 @@ static void test_three_seconds_in_the_film_fill_a_fish_and_then_it_dives(void **
     assert_true(dived >= 190);
     for (uint32_t i = 0; i < tank.fish_count; i++) {
         if (tank.fish[i].air == AIR_ENOUGH) {
-            assert_true(tank.fish[i].depth_goal_m < -0.15f); /* The band of full stamina, 18 cm. */
+            assert_true(tank.fish[i].depth_goal_m < -0.15f); /* The depth band of full stamina is
+                                                                18 cm. */
         }
     }
 }
 
-/* ---- How it gulps --------------------------------------------------------------------------- */
+/* ---- Gulping -------------------------------------------------------------------------------- */
 
 struct watch {
     uint32_t ticks, in_film, steep, emerged;
     float climb_max_m_s, over_max_m;
 };
 
-/* All that surface while `seconds` pass. */
+/* Counts all fish that surface within `seconds`. */
 static struct watch watch(float seconds)
 {
     struct watch seen = { 0 };
@@ -207,7 +221,7 @@ static void test_gulpers_have_their_mouths_at_the_surface_and_their_bodies_below
     const struct tank_config config = stall_with(1.0f);
     open(&config);
     run(25.0f);
-    assert_true(tank_surfacing_count(&tank) > 30);
+    assert_true(surfacing_count(&tank) > 30);
     const struct watch seen = watch(10.0f);
     const float ticks = (float)seen.ticks;
     print_message("of a gulper's time: mouth in the film %.0f %%, 31 to 54 degrees %.0f %%, nose 0 "
@@ -222,7 +236,7 @@ static void test_gulpers_have_their_mouths_at_the_surface_and_their_bodies_below
     assert_true(seen.over_max_m < 0.0001f);
 }
 
-static void test_bad_water_keeps_more_at_the_surface_than_fair_water(void **state)
+static void test_bad_water_keeps_more_fish_at_the_surface_than_fair_water(void **state)
 {
     (void)state;
     static const float oxygens[4] = { 0.8f, 1.6f, 2.2f, 4.0f };
@@ -234,7 +248,7 @@ static void test_bad_water_keeps_more_at_the_surface_than_fair_water(void **stat
         uint32_t count = 0;
         for (int second = 0; second < 30; second++) {
             run(1.0f);
-            count += tank_surfacing_count(&tank);
+            count += surfacing_count(&tank);
         }
         share[i] = (float)count / (30.0f * 120.0f);
         print_message("%.1f mg/L: %.1f %% at the surface\n", (double)oxygens[i],
@@ -279,7 +293,7 @@ static struct fish gulper(void)
     return fish;
 }
 
-static void test_its_mouth_opens_67_to_95_times_a_minute(void **state)
+static void test_a_gulping_mouth_opens_67_to_95_times_a_minute(void **state)
 {
     (void)state;
     for (uint32_t look = 0; look < 32; look++) {
@@ -311,7 +325,7 @@ static void test_a_mouth_below_the_film_stays_shut(void **state)
     }
 }
 
-static void test_gulps_ring_the_water(void **state)
+static void test_gulps_make_ripples(void **state)
 {
     (void)state;
     float stirred[2];
@@ -319,7 +333,7 @@ static void test_gulps_ring_the_water(void **state)
         const struct tank_config config = stall_with(bad ? 1.0f : 8.0f);
         open(&config);
         run(12.0f);
-        water_init(&tank.water);
+        memset(&tank.water, 0, sizeof tank.water);
         run(1.0f);
         stirred[bad] = 0.0f;
         for (uint32_t z = 0; z < RIPPLE_Z; z++) {
@@ -331,9 +345,10 @@ static void test_gulps_ring_the_water(void **state)
     assert_true(stirred[1] > 3.0f * stirred[0]);
 }
 
-/* ---- What it breathes, what it fears -------------------------------------------------------- */
+/* ---- Oxygen and startle --------------------------------------------------------------------- */
 
-/* Of two fish the first is asked when half the second is over; the other is on a poi. */
+/* Returns the oxygen demand of a fish in mg/h. The fish is counted in the middle of each second of
+ * time. The second fish of the array is on a poi. */
 static float asked_mg_h(const struct fish *fish)
 {
     struct oxygen oxygen = { .temperature_c = 25.0f, .pressure_hpa = OXYGEN_PRESSURE_HPA };
@@ -342,7 +357,7 @@ static float asked_mg_h(const struct fish *fish)
     return oxygen.breath_mg_h;
 }
 
-static void test_who_gulps_takes_nothing_from_the_water(void **state)
+static void test_a_gulping_fish_takes_no_oxygen_from_the_water(void **state)
 {
     (void)state;
     struct fish fish = gulper();
@@ -354,7 +369,7 @@ static void test_who_gulps_takes_nothing_from_the_water(void **state)
     assert_float_equal(asked_mg_h(&fish), 0.0f, 0.0f);
 }
 
-static void test_bad_water_tires_and_the_film_refreshes(void **state)
+static void test_bad_water_lowers_stamina_and_gulping_restores_it(void **state)
 {
     (void)state;
     struct perception around = *pond_at(1, 0);
@@ -371,7 +386,7 @@ static void test_bad_water_tires_and_the_film_refreshes(void **state)
     assert_float_equal(below.stamina, 0.5f - 0.002f * 0.75f, 1e-5f);
 }
 
-static void test_a_frightened_gulper_gets_under_before_it_starts(void **state)
+static void test_a_startled_gulping_fish_submerges_before_it_escapes(void **state)
 {
     (void)state;
     const struct tank_config config = stall_with(1.0f);
@@ -395,22 +410,22 @@ static void test_a_frightened_gulper_gets_under_before_it_starts(void **state)
         assert_true(top_m(fish) <= 0.0f);
     }
     assert_int_equal(gulpers, 10);
-    /* A sight takes 60 to 150 ms to start a fish anyway; one upon another takes longer. */
+    /* A visual stimulus takes 60 to 150 ms to start a fish. A second stimulus takes longer. */
     assert_true(soon >= 8);
 }
 
-static void test_a_gulper_that_was_scooped_and_poured_back_does_as_others_do(void **state)
+static void test_a_gulping_fish_behaves_normally_after_scoop_and_return(void **state)
 {
     (void)state;
     struct fish fish = gulper();
-    fish.gait = GAIT_SWIM; /* As a bowl leaves it. */
+    fish.gait = GAIT_SWIM; /* The state is that of a fish that leaves a bowl. */
     fish.position_m.y = -0.05f;
     assert_false(surface_breathes(&fish));
     assert_false(surface_tick(&fish, 0, pond_at(1, 0)));
     assert_int_equal(fish.air, AIR_ENOUGH);
 }
 
-static void test_a_gulper_bears_more_before_it_takes_fright(void **state)
+static void test_a_gulping_fish_has_a_higher_startle_threshold(void **state)
 {
     (void)state;
     struct fish fish = gulper();
@@ -422,23 +437,23 @@ static void test_a_gulper_bears_more_before_it_takes_fright(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_the_chance_is_a_half_at_1_8_mg_l_and_nothing_in_good_water),
-        cmocka_unit_test(test_a_tired_fish_is_a_fifth_of_a_milligram_sooner_up),
-        cmocka_unit_test(test_in_a_living_tank_oxygen_calls_and_in_the_thesis_it_never_does),
-        cmocka_unit_test(test_a_tired_fish_of_the_thesis_rises_and_one_of_a_stall_does_not),
-        cmocka_unit_test(test_200_fish_of_stamina_20_come_up_within_seconds_and_are_gone_again),
-        cmocka_unit_test(test_three_seconds_in_the_film_fill_a_fish_and_then_it_dives),
+        cmocka_unit_test(test_the_gulping_probability_is_half_at_1_8_mg_l_and_0_in_good_water),
+        cmocka_unit_test(test_a_tired_fish_rises_at_0_2_mg_l_more_oxygen),
+        cmocka_unit_test(test_oxygen_starts_gulping_except_in_the_thesis_tank),
+        cmocka_unit_test(test_low_stamina_starts_gulping_only_in_the_thesis_tank),
+        cmocka_unit_test(test_200_fish_of_stamina_20_rise_within_seconds_and_dive_again),
+        cmocka_unit_test(test_three_seconds_of_gulping_restore_stamina_and_the_fish_dives),
         cmocka_unit_test(test_gulpers_have_their_mouths_at_the_surface_and_their_bodies_below),
-        cmocka_unit_test(test_bad_water_keeps_more_at_the_surface_than_fair_water),
+        cmocka_unit_test(test_bad_water_keeps_more_fish_at_the_surface_than_fair_water),
         cmocka_unit_test(test_gulpers_come_back_after_a_dive_while_the_water_is_bad),
-        cmocka_unit_test(test_its_mouth_opens_67_to_95_times_a_minute),
+        cmocka_unit_test(test_a_gulping_mouth_opens_67_to_95_times_a_minute),
         cmocka_unit_test(test_a_mouth_below_the_film_stays_shut),
-        cmocka_unit_test(test_gulps_ring_the_water),
-        cmocka_unit_test(test_who_gulps_takes_nothing_from_the_water),
-        cmocka_unit_test(test_bad_water_tires_and_the_film_refreshes),
-        cmocka_unit_test(test_a_frightened_gulper_gets_under_before_it_starts),
-        cmocka_unit_test(test_a_gulper_that_was_scooped_and_poured_back_does_as_others_do),
-        cmocka_unit_test(test_a_gulper_bears_more_before_it_takes_fright),
+        cmocka_unit_test(test_gulps_make_ripples),
+        cmocka_unit_test(test_a_gulping_fish_takes_no_oxygen_from_the_water),
+        cmocka_unit_test(test_bad_water_lowers_stamina_and_gulping_restores_it),
+        cmocka_unit_test(test_a_startled_gulping_fish_submerges_before_it_escapes),
+        cmocka_unit_test(test_a_gulping_fish_behaves_normally_after_scoop_and_return),
+        cmocka_unit_test(test_a_gulping_fish_has_a_higher_startle_threshold),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

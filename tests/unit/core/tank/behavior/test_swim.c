@@ -1,4 +1,5 @@
-/* test_swim.c -- how one fish moves: bounded turns, glides, depth, falls, and a tail that fits. */
+/* test_swim.c -- checks the motion of one fish: limited turns, glides, depth, falls and the tail
+ * beat. */
 #include <float.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -22,11 +23,11 @@ static struct fish swimmer(void)
 static void swim_one_tick(struct fish *fish)
 {
     const vec3 before = fish->position_m;
-    swim_move(fish, pond_law());
+    swim_move(fish, pond_params());
     swim_settle(fish, v3_sub(fish->position_m, before), fish_forward(fish));
 }
 
-/* At a speed of the test's own choice, beating all the while. */
+/* Swims at a given speed with a continuous tail beat. */
 static void swim_ticks(struct fish *fish, uint32_t ticks, float speed_m_s)
 {
     for (uint32_t tick = 0; tick < ticks; tick++) {
@@ -46,7 +47,7 @@ static void test_a_fish_swims_along_its_nose(void **state)
     assert_float_equal(fish.position_m.x, 0.0f, 1e-4f);
 }
 
-static void test_95_percent_of_the_speed_is_there_after_the_run_up(void **state)
+static void test_a_fish_reaches_95_percent_of_its_speed_after_the_run_up(void **state)
 {
     (void)state;
     struct fish fish = swimmer();
@@ -57,8 +58,8 @@ static void test_95_percent_of_the_speed_is_there_after_the_run_up(void **state)
         swim_ticks(&fish, 1, 0.15f);
         ticks++;
     }
-    assert_int_equal(ticks, 20); /* 0.1639 s is 19.7 ticks. */
-    /* So far brings the law, v (1 - exp(-3 t / T)), a fish: 15 cm/s * (0.167 - 0.052 s). */
+    assert_int_equal(ticks, 20); /* 0.1639 s equals 19.7 ticks. */
+    /* By the law v (1 - exp(-3 t / T)), the fish moves 15 cm/s * (0.167 - 0.052 s). */
     assert_float_equal(v3_length(v3_sub(fish.position_m, start)), 0.0172f, 0.0007f);
 }
 
@@ -71,7 +72,8 @@ static void test_a_glide_loses_speed_slowly(void **state)
     assert_true(fish.speed_m_s > 0.03f && fish.speed_m_s < 0.05f);
 }
 
-/* A minute of the gait's beats and glides; returns the mean over it, in lengths a second. */
+/* Swims for a minute with the gait's beats and glides. Returns the mean speed in lengths a
+ * second. */
 static float swim_a_minute(struct fish *fish, float *fastest)
 {
     const uint32_t ticks = 60u * CORE_TICK_HZ;
@@ -102,7 +104,7 @@ static void test_a_fish_that_swims_a_minute_keeps_the_preferred_speed(void **sta
             float peak = 0.0f;
             struct fish fish = swimmer();
             fish.look = rhythm << 8;
-            fish_grow(&fish, length_m, pond_law());
+            fish_grow(&fish, length_m, pond_params());
             worst = f_max(worst, f_abs(swim_a_minute(&fish, &peak) - 1.05f));
             fastest = f_max(fastest, peak);
         }
@@ -110,7 +112,7 @@ static void test_a_fish_that_swims_a_minute_keeps_the_preferred_speed(void **sta
     print_message("off 1.05 lengths/s by %.3f at most, fastest %.2f\n", (double)worst,
                   (double)fastest);
     assert_true(worst < 0.02f);
-    assert_true(fastest > 1.1f && fastest < 1.5f); /* It does beat and glide. */
+    assert_true(fastest > 1.1f && fastest < 1.5f); /* The fish alternates beats and glides. */
 }
 
 static void test_pushes_do_not_make_a_swimming_fish_faster_than_one_and_a_half_lengths(void **state)
@@ -126,7 +128,7 @@ static void test_pushes_do_not_make_a_swimming_fish_faster_than_one_and_a_half_l
     }
 }
 
-static void test_a_burst_runs_out_smoothly_and_within_half_a_second(void **state)
+static void test_a_burst_slows_smoothly_within_half_a_second(void **state)
 {
     (void)state;
     struct fish fish = swimmer();
@@ -135,13 +137,13 @@ static void test_a_burst_runs_out_smoothly_and_within_half_a_second(void **state
     for (uint32_t tick = 0; tick < CORE_TICK_HZ / 2u; tick++) {
         swim_ticks(&fish, 1, 0.05f);
         const float now_m_s = v3_length(fish.velocity_m_s);
-        assert_true(last_m_s - now_m_s < 0.006f); /* A stop would be 0.075 in one tick. */
+        assert_true(last_m_s - now_m_s < 0.006f); /* A sudden stop would be 0.075 in one tick. */
         last_m_s = now_m_s;
     }
     assert_true(last_m_s < 0.0751f);
 }
 
-/* `look` chooses where in its rhythm the fish is. */
+/* Checks the turn of a gait. `look` sets the phase of the fish's rhythm. */
 static void check_turn(uint8_t gait, uint32_t look, float rate_max_deg_s)
 {
     struct fish fish = swimmer();
@@ -159,12 +161,12 @@ static void check_turn(uint8_t gait, uint32_t look, float rate_max_deg_s)
     assert_float_equal(fish.angles.yaw_rad, fish.heading_rad, 0.02f);
 }
 
-static void test_turns_are_bounded_by_gait_and_arrive(void **state)
+static void test_turns_are_limited_by_the_gait_and_reach_their_goal(void **state)
 {
     (void)state;
     check_turn(GAIT_REST, 0, 45.0f);
-    check_turn(GAIT_SWIM, 40u << 14, 180.0f); /* Ruled, as the last; in a glide ... */
-    check_turn(GAIT_SWIM, 0, 500.0f);         /* ... and in a kick. */
+    check_turn(GAIT_SWIM, 40u << 14, 180.0f); /* The fish is in a glide. */
+    check_turn(GAIT_SWIM, 0, 500.0f);         /* The fish is in a kick. */
     check_turn(GAIT_BURST, 0, 720.0f);
 }
 
@@ -183,7 +185,7 @@ static void test_depth_is_kept_with_the_nose_nearly_level(void **state)
 {
     (void)state;
     struct fish fish = swimmer();
-    fish.gait = GAIT_REST; /* A resting fish changes depth too, by its bladder. */
+    fish.gait = GAIT_REST; /* A resting fish changes depth with its swim bladder. */
     fish.depth_goal_m = -0.09f;
     for (uint32_t tick = 0; tick < 20 * CORE_TICK_HZ; tick++) {
         swim_ticks(&fish, 1, 0.002f);
@@ -206,17 +208,18 @@ static void check_beat(float lengths_per_s, float hz)
     assert_float_equal(fish.tail_beat_hz, hz, 0.01f * hz);
 }
 
-static void test_the_tail_beats_as_the_true_speed_demands(void **state)
+static void test_the_tail_beat_follows_the_true_speed(void **state)
 {
     (void)state;
     check_beat(0.0f, 0.5f);
     check_beat(1.05f, 1.75f);
     check_beat(3.99f, 6.65f);
-    check_beat(4.01f, 6.68f); /* The two laws join. */
+    check_beat(4.01f, 6.68f); /* The two laws join at this speed. */
     check_beat(9.0f, 13.333f);
 }
 
-/* Bainbridge 1958: wider with the beat up to 5 Hz, then constant. 1 is a fifth of the length. */
+/* In Bainbridge 1958, the amplitude grows with the beat up to 5 Hz and is then constant. An
+ * amplitude of 1 is a fifth of the body length. */
 static void test_the_stroke_widens_up_to_five_beats_a_second(void **state)
 {
     (void)state;
@@ -229,21 +232,22 @@ static void test_the_stroke_widens_up_to_five_beats_a_second(void **state)
         swim_settle(&fleeing, v3(0.0f, 0.0f, -0.45f * CORE_TICK_S), v3(0.0f, 0.0f, -1.0f));
     }
     assert_float_equal(still.tail_amplitude, 0.15f, 0.01f);
-    assert_float_equal(cruising.tail_amplitude, 0.61f, 0.01f); /* 2.7 Hz. */
-    assert_float_equal(fast.tail_amplitude, 1.0f, 0.01f);      /* 5 Hz. */
-    assert_float_equal(fleeing.tail_amplitude, 1.0f, 0.01f);   /* 13 Hz. */
+    assert_float_equal(cruising.tail_amplitude, 0.61f, 0.01f); /* The beat is 2.7 Hz. */
+    assert_float_equal(fast.tail_amplitude, 1.0f, 0.01f);      /* The beat is 5 Hz. */
+    assert_float_equal(fleeing.tail_amplitude, 1.0f, 0.01f);   /* The beat is 13 Hz. */
 }
 
 static void test_the_body_bends_along_its_arc(void **state)
 {
     (void)state;
     struct fish fish = swimmer();
-    fish.heading_rad = 90.0f * F_DEG; /* To the left. */
+    fish.heading_rad = 90.0f * F_DEG; /* The goal is to the left. */
     swim_ticks(&fish, CORE_TICK_HZ / 4u, 0.05f);
-    assert_true(fish.bend_rad < -0.1f); /* Positive would lay the tail to its right. */
+    assert_true(fish.bend_rad < -0.1f); /* A positive bend would move the tail to the fish's
+                                           right. */
 }
 
-static void test_a_wall_ahead_is_left_before_it_is_touched(void **state)
+static void test_a_fish_turns_from_a_wall_before_it_touches_the_wall(void **state)
 {
     (void)state;
     for (int degrees = -180; degrees < 180; degrees += 15) {
@@ -254,7 +258,7 @@ static void test_a_wall_ahead_is_left_before_it_is_touched(void **state)
         float nearest = 1.0f;
         for (uint32_t tick = 0; tick < 30 * CORE_TICK_HZ; tick++) {
             struct swim_avoidance avoidance = { 0 };
-            swim_avoid_walls(&avoidance, &fish, pond_law(), size_m);
+            swim_avoid_walls(&avoidance, &fish, pond_params(), size_m);
             swim_avoid_turn(&fish, &avoidance, CORE_TICK_S);
             swim_ticks(&fish, 1, 0.0525f);
             const struct box box = fish_box(&fish);
@@ -277,7 +281,7 @@ static void test_a_dropped_fish_falls_into_the_water_and_stays_there(void **stat
         ticks++;
         assert_true(ticks < CORE_TICK_HZ);
     }
-    assert_true(ticks > 15); /* 9 cm take 0.135 s. */
+    assert_true(ticks > 15); /* A fall of 9 cm takes 0.135 s. */
     assert_true(fish.position_m.y < 0.0f && fish.position_m.y > -0.1f);
     assert_int_equal(swim_fall(&fish), 0);
 }
@@ -287,7 +291,7 @@ static int is_denormal(float x)
     return x != 0.0f && f_abs(x) < FLT_MIN;
 }
 
-static void test_what_fades_comes_to_an_end(void **state)
+static void test_fading_values_reach_zero(void **state)
 {
     (void)state;
     struct fish fish = swimmer();
@@ -308,21 +312,21 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_a_fish_swims_along_its_nose),
-        cmocka_unit_test(test_95_percent_of_the_speed_is_there_after_the_run_up),
+        cmocka_unit_test(test_a_fish_reaches_95_percent_of_its_speed_after_the_run_up),
         cmocka_unit_test(test_a_fish_that_swims_a_minute_keeps_the_preferred_speed),
         cmocka_unit_test(
             test_pushes_do_not_make_a_swimming_fish_faster_than_one_and_a_half_lengths),
-        cmocka_unit_test(test_a_burst_runs_out_smoothly_and_within_half_a_second),
+        cmocka_unit_test(test_a_burst_slows_smoothly_within_half_a_second),
         cmocka_unit_test(test_a_glide_loses_speed_slowly),
-        cmocka_unit_test(test_turns_are_bounded_by_gait_and_arrive),
+        cmocka_unit_test(test_turns_are_limited_by_the_gait_and_reach_their_goal),
         cmocka_unit_test(test_an_escape_turns_a_right_angle_within_a_tenth_of_a_second),
         cmocka_unit_test(test_depth_is_kept_with_the_nose_nearly_level),
-        cmocka_unit_test(test_the_tail_beats_as_the_true_speed_demands),
+        cmocka_unit_test(test_the_tail_beat_follows_the_true_speed),
         cmocka_unit_test(test_the_stroke_widens_up_to_five_beats_a_second),
         cmocka_unit_test(test_the_body_bends_along_its_arc),
-        cmocka_unit_test(test_a_wall_ahead_is_left_before_it_is_touched),
+        cmocka_unit_test(test_a_fish_turns_from_a_wall_before_it_touches_the_wall),
         cmocka_unit_test(test_a_dropped_fish_falls_into_the_water_and_stays_there),
-        cmocka_unit_test(test_what_fades_comes_to_an_end),
+        cmocka_unit_test(test_fading_values_reach_zero),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,5 @@
-/* test_swim_simd.c -- a shoal moves by lanes as each fish alone, bit for bit, and says how far. */
+/* test_swim_simd.c -- checks that the SIMD form equals the scalar form bit for bit, and checks the
+ * reported distances. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -12,7 +13,7 @@
 #include "core/tank/behavior/swim.h"
 #include "tests/unit/support/pond.h"
 
-#define SHOAL 67u /* No multiple of any number of lanes. */
+#define SHOAL 67u /* The number is no multiple of any lane count. */
 #define SHOAL_ROUNDS 3000u
 
 static float drawn(uint32_t round, uint32_t fish, uint32_t *use, float low, float high)
@@ -20,7 +21,7 @@ static float drawn(uint32_t round, uint32_t fish, uint32_t *use, float low, floa
     return rng_range((struct rng_key){ round, fish, (*use)++, RNG_TEST }, low, high);
 }
 
-/* Anything that a tank could ever make of a fish, and a little beyond. */
+/* Returns a random fish in any state that a tank can produce, and slightly beyond. */
 static struct fish any_fish(uint32_t round, uint32_t index)
 {
     uint32_t use = 0;
@@ -52,9 +53,9 @@ static struct fish any_fish(uint32_t round, uint32_t index)
         .tail_amplitude = DRAWN(0.15f, 1.5f),
         .age_days = DRAWN(60.0f, 300.0f),
     };
-    fish_grow(&fish, DRAWN(0.03f, 0.09f), pond_law());
+    fish_grow(&fish, DRAWN(0.03f, 0.09f), pond_params());
     fish.gait = (uint8_t)DRAWN(0.0f, 4.999f);
-    if (DRAWN(0.0f, 1.0f) < 0.02f) { /* Its block is done one by one. */
+    if (DRAWN(0.0f, 1.0f) < 0.02f) { /* The block of such a fish uses the scalar form. */
         fish.gait = DRAWN(0.0f, 1.0f) < 0.5f ? GAIT_HELD : GAIT_BOWL;
     }
     fish.falls = DRAWN(0.0f, 1.0f) < 0.01f;
@@ -62,7 +63,7 @@ static struct fish any_fish(uint32_t round, uint32_t index)
     return fish;
 }
 
-/* The farthest that a corner of the body came. */
+/* Returns the maximum distance that a corner of the body moved. */
 static float corner_way_m(const struct body *from, const struct body *to)
 {
     float farthest_m = 0.0f;
@@ -78,21 +79,21 @@ static float corner_way_m(const struct body *from, const struct body *to)
     return farthest_m;
 }
 
-static void test_no_corner_comes_farther_than_the_fish_says(void **state)
+static void test_no_corner_moves_farther_than_the_reported_distance(void **state)
 {
     (void)state;
     float closest = 1.0f;
     for (uint32_t round = 0; round < 20000u; round++) {
         struct fish fish = any_fish(round, 0);
         const struct box before = fish_box(&fish);
-        const float way_m = swim_move(&fish, pond_law());
+        const float way_m = swim_move(&fish, pond_params());
         const struct box after = fish_box(&fish);
         const struct body from = body_of(&before, 0.0f), to = body_of(&after, 0.0f);
         const float corner_m = corner_way_m(&from, &to);
         assert_true(corner_m <= way_m + 1e-6f);
         closest = f_min(closest, way_m > 1e-3f ? 1.0f - corner_m / way_m : 1.0f);
     }
-    assert_true(closest < 0.1f); /* Nor does it say much more than need be. */
+    assert_true(closest < 0.1f); /* The reported distance is not much larger than necessary. */
 }
 
 struct school {
@@ -119,7 +120,7 @@ static void school_make(struct school *school, uint32_t round)
     }
 }
 
-/* By the scalar form alone. */
+/* Moves the school by the scalar form alone. */
 static void school_swim_one_by_one(struct school *school, uint8_t preset, vec3 shove_m)
 {
     for (uint32_t i = 0; i < SHOAL; i++) {
@@ -169,14 +170,14 @@ static void check_lanes(uint32_t lanes)
     }
 }
 
-static void test_four_fish_at_once_swim_as_each_does_alone(void **state)
+static void test_four_lanes_equal_the_scalar_form(void **state)
 {
     (void)state;
     check_lanes(0);
     check_lanes(4);
 }
 
-static void test_eight_fish_at_once_do_so_too(void **state)
+static void test_eight_lanes_equal_the_scalar_form(void **state)
 {
     (void)state;
 #ifdef __x86_64__
@@ -191,9 +192,9 @@ static void test_eight_fish_at_once_do_so_too(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_no_corner_comes_farther_than_the_fish_says),
-        cmocka_unit_test(test_four_fish_at_once_swim_as_each_does_alone),
-        cmocka_unit_test(test_eight_fish_at_once_do_so_too),
+        cmocka_unit_test(test_no_corner_moves_farther_than_the_reported_distance),
+        cmocka_unit_test(test_four_lanes_equal_the_scalar_form),
+        cmocka_unit_test(test_eight_lanes_equal_the_scalar_form),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,5 @@
-/* test_wall_following.c -- a lone fish keeps to the walls, as figure 2.3 of the 2013 thesis
- * shows. */
+/* test_wall_following.c -- checks that a single fish stays near the walls as in figure 2.3 of the
+ * 2013 thesis. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -12,7 +12,7 @@
 #include "core/tank/tank.h"
 #include "tests/unit/support/pond.h"
 
-#define BINS 15u /* Of 2 cm, from an end wall to the middle of 60 cm. */
+#define BINS 15u /* Number of bins of 2 cm from an end wall to the middle of 60 cm. */
 #define BIN_M 0.02f
 #define FISH 24u
 #define MINUTES 20u
@@ -20,9 +20,9 @@
 static struct tank tank;
 
 struct histogram {
-    float share[BINS]; /* Of the time, by how far from the nearer end wall. */
-    float beside;      /* Within 6 cm of any wall. */
-    float lengths_s;   /* Mean speed while it swims. */
+    float share[BINS]; /* Share of the time by the distance from the nearer end wall. */
+    float beside;      /* Share of the time within 6 cm of any wall. */
+    float lengths_s;   /* Mean speed while the fish swims. */
 };
 
 static struct tank_config aquarium(uint32_t seed, float wall_follow)
@@ -49,7 +49,7 @@ static void watch(struct histogram *histogram, float *swims)
     }
 }
 
-/* Fish after fish, each alone for a while in 60 x 30 cm. */
+/* Returns the histogram of several fish, each alone for a while in a tank of 60 x 30 cm. */
 static struct histogram histogram_of(float wall_follow)
 {
     struct histogram histogram = { 0 };
@@ -76,8 +76,8 @@ static struct histogram histogram_of(float wall_follow)
     return histogram;
 }
 
-/* Least squares of ln(share) over the bins from `first` on, up to the range: the length in m over
- * which the density falls to 1 / e, and how well that describes it (r squared). */
+/* Fits ln(share) by least squares over the bins from `first` up to the range. Returns the length in
+ * metres over which the density falls to 1 / e, and stores r squared. */
 static float fall_off_m(const struct histogram *histogram, uint32_t first, float *r2)
 {
     float n = 0.0f, sx = 0.0f, sy = 0.0f, sxx = 0.0f, sxy = 0.0f, syy = 0.0f;
@@ -95,7 +95,7 @@ static float fall_off_m(const struct histogram *histogram, uint32_t first, float
     return -under / over;
 }
 
-static void test_a_lone_fish_is_found_ever_less_often_the_farther_from_a_wall(void **state)
+static void test_the_density_of_a_lone_fish_falls_with_the_distance_from_a_wall(void **state)
 {
     (void)state;
     const struct histogram drawn = histogram_of(1.0f);
@@ -104,22 +104,23 @@ static void test_a_lone_fish_is_found_ever_less_often_the_farther_from_a_wall(vo
     print_message("falls to 1/e over %.1f cm, r2 %.3f\n", (double)(100.0f * length_m), (double)r2);
     assert_true(length_m > 0.06f && length_m < 0.085f); /* The pull's range is 20 cm. */
     assert_true(r2 > 0.95f);
-    assert_true(drawn.lengths_s > 0.85f); /* It swims on, along them. */
+    assert_true(drawn.lengths_s > 0.85f); /* The fish keeps swimming along the walls. */
     const struct histogram indifferent = histogram_of(0.0f);
     assert_true(drawn.beside > 0.7f);
     assert_true(drawn.beside > 1.3f * indifferent.beside);
 }
 
-static void test_the_pull_falls_off_exponentially_and_ends_at_20_cm(void **state)
+static void test_the_wall_pull_falls_exponentially_and_ends_at_20_cm(void **state)
 {
     (void)state;
-    assert_float_equal(behavior_wall_pull(0.03f, 0.05f), 0.0f, 0.0f); /* Beside it. */
+    assert_float_equal(behavior_wall_pull(0.03f, 0.05f), 0.0f, 0.0f); /* The fish is parallel to the
+                                                                         wall. */
     assert_float_equal(behavior_wall_pull(0.19f, 0.05f) / behavior_wall_pull(0.10f, 0.05f),
                        f_exp(-1.0f), 1e-4f);
     assert_float_equal(behavior_wall_pull(0.201f, 0.05f), 0.0f, 0.0f);
 }
 
-static void test_a_wall_turns_headings_toward_it_by_the_shorter_way(void **state)
+static void test_a_wall_turns_headings_toward_itself_by_the_shorter_way(void **state)
 {
     (void)state;
     struct perception around = *pond_at(1, 0);
@@ -128,7 +129,8 @@ static void test_a_wall_turns_headings_toward_it_by_the_shorter_way(void **state
         struct fish fish = { WAKIN(0.05f), .gait = GAIT_SWIM,
                              .position_m = { 0.425f - 0.10f, -0.06f, 0.0f } };
         fish.heading_rad = (float)degrees * F_DEG;
-        const float off_rad = f_abs(f_wrap_angle(fish.heading_rad + 0.5f * F_PI)); /* +x. */
+        const float off_rad = f_abs(f_wrap_angle(fish.heading_rad + 0.5f * F_PI)); /* The heading is
+                                                                                      +x. */
         behavior_wall_follow(&fish, &around);
         assert_true(f_abs(f_wrap_angle(fish.heading_rad + 0.5f * F_PI)) < off_rad + 1e-6f);
         fish.heading_rad = (float)degrees * F_DEG;
@@ -138,7 +140,7 @@ static void test_a_wall_turns_headings_toward_it_by_the_shorter_way(void **state
     }
 }
 
-static void test_walls_draw_nobody_in_a_preset_as_it_stands(void **state)
+static void test_no_preset_uses_the_wall_pull(void **state)
 {
     (void)state;
     for (uint8_t preset = 0; preset < TANK_PRESET_COUNT; preset++) {
@@ -146,7 +148,7 @@ static void test_walls_draw_nobody_in_a_preset_as_it_stands(void **state)
     }
 }
 
-static void test_a_tank_of_another_size_holds_what_fits_and_odd_sizes_are_refused(void **state)
+static void test_a_custom_tank_size_limits_the_fish_count_and_bad_sizes_are_rejected(void **state)
 {
     (void)state;
     struct tank_config config = aquarium(1, 1.0f);
@@ -154,7 +156,7 @@ static void test_a_tank_of_another_size_holds_what_fits_and_odd_sizes_are_refuse
     assert_float_equal(tank.size_m.x, 0.60f, 1e-6f);
     assert_float_equal(tank.size_m.z, 0.30f, 1e-6f);
     const uint32_t most = tank_config_fish_max(&config);
-    assert_in_range(most, 200, 300); /* 18 of the stall's 47 dm2. */
+    assert_in_range(most, 200, 300); /* The area is 18 of the stall's 47 dm2. */
     config.fish_count = most + 1u;
     assert_false(tank_open(&tank, &config));
     const vec3 odd[] = { { 0.29f, 0, 0 }, { 2.01f, 0, 0 }, { 0, 0.04f, 0 },   { 0, 0.51f, 0 },
@@ -173,11 +175,11 @@ static void test_a_tank_of_another_size_holds_what_fits_and_odd_sizes_are_refuse
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_the_pull_falls_off_exponentially_and_ends_at_20_cm),
-        cmocka_unit_test(test_a_wall_turns_headings_toward_it_by_the_shorter_way),
-        cmocka_unit_test(test_walls_draw_nobody_in_a_preset_as_it_stands),
-        cmocka_unit_test(test_a_tank_of_another_size_holds_what_fits_and_odd_sizes_are_refused),
-        cmocka_unit_test(test_a_lone_fish_is_found_ever_less_often_the_farther_from_a_wall),
+        cmocka_unit_test(test_the_wall_pull_falls_exponentially_and_ends_at_20_cm),
+        cmocka_unit_test(test_a_wall_turns_headings_toward_itself_by_the_shorter_way),
+        cmocka_unit_test(test_no_preset_uses_the_wall_pull),
+        cmocka_unit_test(test_a_custom_tank_size_limits_the_fish_count_and_bad_sizes_are_rejected),
+        cmocka_unit_test(test_the_density_of_a_lone_fish_falls_with_the_distance_from_a_wall),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

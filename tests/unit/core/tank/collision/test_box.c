@@ -1,4 +1,5 @@
-/* test_box.c -- oriented boxes: known distances, and the fast judgement against the full one. */
+/* test_box.c -- checks oriented boxes against known distances, and the fast test against the full
+ * test. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -35,7 +36,7 @@ static struct box any_box(uint32_t who, float pitch_max)
     return box;
 }
 
-static void test_boxes_in_a_row_are_as_far_apart_as_their_faces(void **state)
+static void test_boxes_in_a_row_have_the_distance_of_their_faces(void **state)
 {
     (void)state;
     const struct box a = level_box(v3(0.0f, 0.0f, 0.0f), 0.0f),
@@ -58,7 +59,7 @@ static void test_the_axis_points_from_the_first_to_the_second(void **state)
     assert_float_equal(box_depth_m(&a, &b), 0.002f, NEAR);
 }
 
-static void test_moving_along_the_axis_by_the_depth_parts_two_boxes(void **state)
+static void test_moving_along_the_axis_by_the_depth_separates_two_boxes(void **state)
 {
     (void)state;
     uint32_t parted = 0;
@@ -78,15 +79,15 @@ static void test_moving_along_the_axis_by_the_depth_parts_two_boxes(void **state
     assert_true(parted > 200);
 }
 
-/* A pair that only two edges, one across the other, part. */
-static void test_edges_across_each_other_part_what_no_face_does(void **state)
+/* Only a pair of crossed edges separates these two boxes. */
+static void test_crossed_edges_separate_boxes_that_no_face_separates(void **state)
 {
     (void)state;
     const vec3 half = v3(0.01f, 0.01f, 0.04f);
     const struct angles rolled = { 0.0f, 0.0f, 45.0f * F_DEG },
                         crossed = { 90.0f * F_DEG, 0.0f, 45.0f * F_DEG };
-    /* Two bars lie on an edge each, one across the other: their ridges are 1.414 cm from their
-     * middles. */
+    /* Two bars each lie on an edge, one across the other. Their ridges are 1.414 cm from their
+     * centres. */
     const struct box a = { v3(0.0f, 0.0f, 0.0f), vec_basis_from_angles(rolled), half },
                      b = { v3(0.0f, 0.030f, 0.0f), vec_basis_from_angles(crossed), half };
     const struct box_gap gap = box_gap(&a, 0.01f, &b, 0.01f);
@@ -113,7 +114,7 @@ static void test_a_common_point_means_an_overlap(void **state)
     }
 }
 
-static void test_grown_boxes_meet_before_bodies_do(void **state)
+static void test_enlarged_boxes_meet_before_bodies_do(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < 4000; i += 2) {
@@ -127,7 +128,7 @@ static void test_grown_boxes_meet_before_bodies_do(void **state)
     }
 }
 
-static void test_a_rod_is_cleared_by_the_least_move_across_it(void **state)
+static void test_the_shortest_move_across_a_rod_clears_it(void **state)
 {
     (void)state;
     const struct box box = level_box(v3(0.0f, 0.0f, 0.0f), 0.0f);
@@ -136,13 +137,13 @@ static void test_a_rod_is_cleared_by_the_least_move_across_it(void **state)
     assert_float_equal(beside.x, -0.001f, NEAR);
     assert_float_equal(v3_length(box_clear_rod(&box, v3(0.009f, 0.0f, 0.0f), up, 0.003f)), 0.0f,
                        NEAR);
-    /* A rod right across the fish is left over or under it, not along the rod. */
+    /* A rod across the fish is cleared upward or downward, and not along the rod. */
     const vec3 across = box_clear_rod(&box, v3(0.0f, 0.002f, 0.0f), right, 0.003f);
     assert_float_equal(across.x, 0.0f, NEAR);
     assert_float_equal(across.y, -0.011f, NEAR);
 }
 
-static void test_the_upright_box_holds_every_corner(void **state)
+static void test_the_axis_aligned_box_contains_every_corner(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < 500; i++) {
@@ -163,14 +164,14 @@ static void test_the_upright_box_holds_every_corner(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_boxes_in_a_row_are_as_far_apart_as_their_faces),
+        cmocka_unit_test(test_boxes_in_a_row_have_the_distance_of_their_faces),
         cmocka_unit_test(test_the_axis_points_from_the_first_to_the_second),
-        cmocka_unit_test(test_moving_along_the_axis_by_the_depth_parts_two_boxes),
-        cmocka_unit_test(test_edges_across_each_other_part_what_no_face_does),
+        cmocka_unit_test(test_moving_along_the_axis_by_the_depth_separates_two_boxes),
+        cmocka_unit_test(test_crossed_edges_separate_boxes_that_no_face_separates),
         cmocka_unit_test(test_a_common_point_means_an_overlap),
-        cmocka_unit_test(test_grown_boxes_meet_before_bodies_do),
-        cmocka_unit_test(test_a_rod_is_cleared_by_the_least_move_across_it),
-        cmocka_unit_test(test_the_upright_box_holds_every_corner),
+        cmocka_unit_test(test_enlarged_boxes_meet_before_bodies_do),
+        cmocka_unit_test(test_the_shortest_move_across_a_rod_clears_it),
+        cmocka_unit_test(test_the_axis_aligned_box_contains_every_corner),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,5 @@
-/* test_broad_phase.c -- the pair search against all pairs, and what the look makes of them. */
+/* test_broad_phase.c -- compares the pair search with an exhaustive search, and checks the contact
+ * list. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -10,7 +11,8 @@
 #include "core/tank/behavior/swim.h"
 #include "tests/unit/support/throng.h"
 
-/* Every pair of overlapping bodies that all-pairs finds must be among the crowd's contacts. */
+/* Checks that the contact list contains every pair of overlapping bodies of the exhaustive
+ * search. */
 static uint32_t check_against_all_pairs(uint32_t count)
 {
     static uint8_t listed[600][600];
@@ -24,7 +26,7 @@ static uint32_t check_against_all_pairs(uint32_t count)
     look(0);
     for (uint32_t c = 0; c < broad_phase.contact_count; c++) {
         const uint32_t a = broad_phase.contact[c].a, b = broad_phase.contact[c].b;
-        assert_int_equal(listed[a][b], 0); /* Once each. */
+        assert_int_equal(listed[a][b], 0); /* Each pair is listed once. */
         listed[a][b] = listed[b][a] = 1;
     }
     for (uint32_t i = 0; i < count; i++) {
@@ -39,7 +41,7 @@ static uint32_t check_against_all_pairs(uint32_t count)
     return overlaps;
 }
 
-static void test_the_grid_finds_every_pair_that_all_pairs_find(void **state)
+static void test_the_grid_finds_every_pair_of_the_exhaustive_search(void **state)
 {
     (void)state;
     fill_at_random(600, 0.5f, 0.08f);
@@ -48,10 +50,11 @@ static void test_the_grid_finds_every_pair_that_all_pairs_find(void **state)
     assert_true(check_against_all_pairs(600) > 20);
 }
 
-static void test_the_grid_finds_pairs_that_lie_across_its_lines(void **state)
+static void test_the_grid_finds_pairs_across_cell_borders(void **state)
 {
     (void)state;
-    /* Nose to nose over a fine lattice of offsets, so that every cell line is straddled. */
+    /* The fish are nose to nose on a fine lattice of offsets, so that the pairs straddle every cell
+     * border. */
     for (uint32_t shift = 0; shift < 40; shift++) {
         for (uint32_t i = 0; i < 12; i += 2) {
             const float x = -0.6f + 0.2f * (float)(i / 2u) + 0.005f * (float)shift;
@@ -78,7 +81,7 @@ static void test_all_fish_in_one_corner_are_still_found(void **state)
     assert_true(check_against_all_pairs(120) > 500);
 }
 
-static void test_held_and_bowl_fish_are_not_in_the_crowd(void **state)
+static void test_held_and_bowl_fish_are_not_in_the_broad_phase(void **state)
 {
     (void)state;
     fill_at_random(10, 0.1f, 0.05f);
@@ -93,10 +96,11 @@ static void test_held_and_bowl_fish_are_not_in_the_crowd(void **state)
     }
 }
 
-/* ---- Between looks -------------------------------------------------------------------------- */
+/* ---- Between full updates ------------------------------------------------------------------- */
 
-/* As lively as a tank ever is: some rest, some burst, turn hard and are pushed. */
-static void enliven(uint32_t count)
+/* Sets motions as violent as a tank can have: some fish rest, some burst, turn hard and are
+ * pushed. */
+static void randomize_motion(uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {
         fish[i].speed_m_s = fish[i].speed_goal_m_s = draw(i, 7, 0.0f, 0.3f);
@@ -109,12 +113,12 @@ static void enliven(uint32_t count)
     }
 }
 
-/* A tick in which nothing parts them. */
+/* Runs a tick of `count` fish without the contact solver. */
 static void swim_on(uint32_t count)
 {
     static vec3 before_m[601];
     const struct shoal shoal = {
-        fish, broad_phase.body, broad_phase.way_m, before_m, count, pond_law(), 0.2f
+        fish, broad_phase.body, broad_phase.way_m, before_m, count, pond_params(), 0.2f
     };
     for (uint32_t i = 0; i < count; i++) {
         before_m[i] = fish[i].position_m;
@@ -145,14 +149,14 @@ static uint32_t touching_pairs_all_listed(uint32_t count)
     return touching;
 }
 
-static void test_until_a_look_is_stale_it_knows_every_pair_that_touches(void **state)
+static void test_a_valid_pair_list_contains_every_touching_pair(void **state)
 {
     (void)state;
     enum { COUNT = 300 };
     uint32_t fresh = 0, stale = 0, touching = 0, listed = 0, near = 0;
     for (uint32_t round = 0; round < 12; round++) {
         fill_at_random(COUNT, 0.4f, 0.05f);
-        enliven(COUNT);
+        randomize_motion(COUNT);
         broad_phase_gather(&broad_phase, fish, COUNT, 0.2f);
         look(round);
         for (uint32_t tick = 0; tick < 12; tick++) {
@@ -173,7 +177,7 @@ static void test_until_a_look_is_stale_it_knows_every_pair_that_touches(void **s
     assert_true(touching > 200u && listed < 6u * touching && listed < near);
 }
 
-static void test_who_is_shoved_far_or_put_into_the_water_ends_a_look(void **state)
+static void test_a_large_move_or_a_new_fish_invalidates_the_pair_list(void **state)
 {
     (void)state;
     fill_at_random(20, 0.0f, 0.05f);
@@ -193,14 +197,14 @@ static void test_who_is_shoved_far_or_put_into_the_water_ends_a_look(void **stat
     assert_true(broad_phase_is_stale(&broad_phase));
 }
 
-static void test_who_came_too_far_is_looked_at_alone_and_the_list_is_whole_again(void **state)
+static void test_an_update_of_fish_that_moved_far_makes_the_list_complete(void **state)
 {
     (void)state;
     enum { COUNT = 300 };
     uint32_t again = 0, touching = 0;
     for (uint32_t round = 0; round < 12; round++) {
         fill_at_random(COUNT, 0.4f, 0.05f);
-        enliven(COUNT);
+        randomize_motion(COUNT);
         broad_phase_gather(&broad_phase, fish, COUNT, 0.2f);
         look(round);
         for (uint32_t tick = 0; tick < 12; tick++) {
@@ -222,7 +226,7 @@ static void test_who_came_too_far_is_looked_at_alone_and_the_list_is_whole_again
     assert_true(again >= 40u && touching > 500u);
 }
 
-static void test_too_many_that_came_too_far_are_left_to_a_look_at_all(void **state)
+static void test_too_many_moved_fish_require_a_full_update(void **state)
 {
     (void)state;
     fill_at_random(60, 0.0f, 0.05f);
@@ -239,12 +243,13 @@ static void test_too_many_that_came_too_far_are_left_to_a_look_at_all(void **sta
     assert_true(broad_phase_is_stale(&broad_phase));
 }
 
-static void test_a_list_that_is_full_leaves_out_others_each_tick(void **state)
+static void test_a_full_contact_list_drops_other_pairs_each_tick(void **state)
 {
     (void)state;
     static uint8_t served[200][200];
     enum { COUNT = 200 };
-    for (uint32_t i = 0; i < COUNT; i++) { /* All in all: 19,900 pairs, and room for 8,192. */
+    for (uint32_t i = 0; i < COUNT; i++) { /* All fish overlap: 19,900 pairs, with room for
+                                              8,192. */
         fish[i] = (struct fish){ .position_m = { 0.00004f * (float)i, -0.1f, 0.0f }, WAKIN(0.05f) };
     }
     uint32_t pairs = 0;
@@ -266,23 +271,23 @@ static void test_personal_space_shrinks_only_in_a_crowd(void **state)
 {
     (void)state;
     fill_at_random(600, 0.0f, 0.05f);
-    assert_float_equal(broad_phase_space(fish, 50, tank_m, pond_law()), 0.2f, 1e-6f);
-    const float small_tank = broad_phase_space(fish, 600, v3(0.5f, 0.1f, 0.4f), pond_law());
+    assert_float_equal(broad_phase_space(fish, 50, tank_m, pond_params()), 0.2f, 1e-6f);
+    const float small_tank = broad_phase_space(fish, 600, v3(0.5f, 0.1f, 0.4f), pond_params());
     assert_true(small_tank >= 0.04f && small_tank < 0.18f);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_the_grid_finds_every_pair_that_all_pairs_find),
-        cmocka_unit_test(test_the_grid_finds_pairs_that_lie_across_its_lines),
+        cmocka_unit_test(test_the_grid_finds_every_pair_of_the_exhaustive_search),
+        cmocka_unit_test(test_the_grid_finds_pairs_across_cell_borders),
         cmocka_unit_test(test_all_fish_in_one_corner_are_still_found),
-        cmocka_unit_test(test_held_and_bowl_fish_are_not_in_the_crowd),
-        cmocka_unit_test(test_until_a_look_is_stale_it_knows_every_pair_that_touches),
-        cmocka_unit_test(test_who_is_shoved_far_or_put_into_the_water_ends_a_look),
-        cmocka_unit_test(test_who_came_too_far_is_looked_at_alone_and_the_list_is_whole_again),
-        cmocka_unit_test(test_too_many_that_came_too_far_are_left_to_a_look_at_all),
-        cmocka_unit_test(test_a_list_that_is_full_leaves_out_others_each_tick),
+        cmocka_unit_test(test_held_and_bowl_fish_are_not_in_the_broad_phase),
+        cmocka_unit_test(test_a_valid_pair_list_contains_every_touching_pair),
+        cmocka_unit_test(test_a_large_move_or_a_new_fish_invalidates_the_pair_list),
+        cmocka_unit_test(test_an_update_of_fish_that_moved_far_makes_the_list_complete),
+        cmocka_unit_test(test_too_many_moved_fish_require_a_full_update),
+        cmocka_unit_test(test_a_full_contact_list_drops_other_pairs_each_tick),
         cmocka_unit_test(test_personal_space_shrinks_only_in_a_crowd),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,4 +1,4 @@
-/* test_contact_solver.c -- what parting leaves of a crowd's overlaps. */
+/* test_contact_solver.c -- checks the overlaps that the contact solver leaves in a crowd. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -25,7 +25,8 @@ static void begin_step(uint32_t count, float push_max_m)
     contact_solver_project(&solver, &broad_phase, &place);
 }
 
-/* Fish that came from `before_m`; null: that are where they are, and may be shoved any way. */
+/* Builds the bodies of fish that came from `before_m`. A null pointer means that the fish did not
+ * move and may be pushed in any direction. */
 static void gather(uint32_t count, const vec3 *before_m)
 {
     contact_solver_begin(&solver, fish, count);
@@ -42,7 +43,7 @@ static float depth_m(uint32_t first, uint32_t second)
     return box_depth_m(&a, &b);
 }
 
-static void test_parting_ends_overlaps_and_keeps_walls(void **state)
+static void test_the_solver_removes_overlaps_and_keeps_fish_inside_walls(void **state)
 {
     (void)state;
     fill_at_random(400, 0.3f, 0.06f);
@@ -65,12 +66,12 @@ static void test_parting_ends_overlaps_and_keeps_walls(void **state)
     assert_true(deepest_m < 1e-5f);
 }
 
-static void test_nobody_is_shoved_farther_than_two_millimetres_beyond_its_own_motion(void **state)
+static void test_the_solver_moves_a_fish_at_most_2_mm_beyond_its_own_motion(void **state)
 {
     (void)state;
     static vec3 before_m[300];
     fill_at_random(300, 0.3f, 0.06f);
-    for (uint32_t i = 0; i < 300; i++) { /* Crammed, each after a move of 2 mm. */
+    for (uint32_t i = 0; i < 300; i++) { /* The fish are crowded, and each has moved 2 mm. */
         fish[i].position_m = v3_scale(fish[i].position_m, 0.5f);
         fish[i].position_m.y -= 0.05f;
         before_m[i] = v3_add(fish[i].position_m, v3(0.002f, 0.0f, 0.0f));
@@ -89,10 +90,10 @@ static void test_nobody_is_shoved_farther_than_two_millimetres_beyond_its_own_mo
     assert_true(farthest_m > 0.003f && farthest_m < 0.00401f);
 }
 
-static void test_who_cannot_give_way_leaves_it_to_the_other(void **state)
+static void test_a_blocked_fish_leaves_the_correction_to_the_other(void **state)
 {
     (void)state;
-    /* A small fish stands still; a large one rushed 10 mm into it, and goes back. */
+    /* A small fish is at rest. A large fish moved 10 mm into it and is moved back. */
     const vec3 before_m[2] = { { 0.0f, -0.1f, 0.0f }, { 0.028f, -0.1f, 0.0f } };
     fish[0] = (struct fish){ .position_m = { 0.0f, -0.1f, 0.0f }, WAKIN(0.04f) };
     fish[1] = (struct fish){ .position_m = { 0.004f, -0.1f, 0.0f }, WAKIN(0.08f) };
@@ -103,7 +104,7 @@ static void test_who_cannot_give_way_leaves_it_to_the_other(void **state)
     assert_true(depth_m(0, 1) < 1e-5f);
 }
 
-static void test_the_larger_of_two_gives_way_less(void **state)
+static void test_the_larger_of_two_fish_moves_less(void **state)
 {
     (void)state;
     fish[0] = (struct fish){ .position_m = { 0.0f, -0.1f, 0.0f }, WAKIN(0.08f) };
@@ -114,11 +115,12 @@ static void test_the_larger_of_two_gives_way_less(void **state)
     const float large_m = -broad_phase.body[0].centre_m.x,
                 small_m = broad_phase.body[1].centre_m.x - 0.009f;
     assert_true(large_m > 0.0f);
-    assert_float_equal(small_m / large_m, 8.0f, 0.2f); /* As their masses. */
+    assert_float_equal(small_m / large_m, 8.0f, 0.2f); /* The corrections are inversely proportional
+                                                          to the masses. */
 }
 
-/* Two fish side by side against a wall, and a third that turned its whole length into them. */
-static void test_who_cannot_be_parted_has_its_old_pose_again_to_the_bit(void **state)
+/* Two fish lie side by side at a wall. A third fish turned its whole length into them. */
+static void test_an_unsolved_fish_gets_its_old_pose_bit_for_bit(void **state)
 {
     (void)state;
     struct fish was[3];
@@ -140,7 +142,7 @@ static void test_who_cannot_be_parted_has_its_old_pose_again_to_the_bit(void **s
     assert_true(depth_m(0, 1) <= SOLVER_FREE_M && depth_m(1, 2) <= SOLVER_FREE_M);
 }
 
-/* A disc that turned and went 12 mm to the right in one tick, which takes several steps. */
+/* Moves a disc 12 mm to the right with a turn in one tick, which takes several substeps. */
 static void take_all_steps(struct obstacle *disc, uint8_t gave)
 {
     *disc = (struct obstacle){ .kind = OBSTACLE_DISC,
@@ -168,8 +170,7 @@ static void take_all_steps(struct obstacle *disc, uint8_t gave)
     place.obstacle_count = 0;
 }
 
-static void
-test_at_the_end_of_a_tick_an_obstacle_has_the_step_and_turn_of_the_whole_tick(void **state)
+static void test_an_obstacle_ends_a_tick_with_the_motion_of_the_whole_tick(void **state)
 {
     (void)state;
     struct obstacle disc;
@@ -180,8 +181,7 @@ test_at_the_end_of_a_tick_an_obstacle_has_the_step_and_turn_of_the_whole_tick(vo
     assert_int_equal(disc.turned, 1);
 }
 
-static void
-test_an_obstacle_that_gave_way_loses_the_speed_and_the_turn_that_it_did_not_use(void **state)
+static void test_a_blocked_obstacle_loses_its_unused_speed_and_turn(void **state)
 {
     (void)state;
     struct obstacle disc;
@@ -191,16 +191,18 @@ test_an_obstacle_that_gave_way_loses_the_speed_and_the_turn_that_it_did_not_use(
     assert_int_equal(disc.turned, 0);
 }
 
-enum { MANY = 203 }; /* No multiple of any width. */
+enum { MANY = 203 }; /* The number is no multiple of any lane width. */
 
-/* The crowd of begin_step(), cleared by so many lanes; `alone`: each fish by itself. */
-static void clear_anew(uint8_t lanes, int alone)
+/* Runs the solver on the crowd of begin_step() with `lanes` lanes. `alone` solves each fish
+ * separately. */
+static void clear_crowd(uint8_t lanes, int alone)
 {
     place.lanes = lanes;
     broad_phase_gather(&broad_phase, fish, MANY, 0.2f);
     for (uint32_t i = 0; i < MANY && alone; i++) {
         broad_phase.flags[i] |=
-            BODY_NEAR_OBSTACLE; /* Of a step before: lanes leave such fish alone. */
+            BODY_NEAR_OBSTACLE; /* The flag is from a previous substep. The SIMD form leaves such
+                                   fish to the scalar form. */
     }
     contact_solver_substep_count(&solver, &place);
     contact_solver_substep(&solver, &broad_phase, &place, 0);
@@ -208,7 +210,7 @@ static void clear_anew(uint8_t lanes, int alone)
     place.lanes = 0;
 }
 
-static void test_lanes_clear_walls_and_a_poi_to_the_last_bit_as_one_fish_at_a_time(void **state)
+static void test_simd_lanes_equal_the_scalar_form_at_walls_and_a_poi(void **state)
 {
     (void)state;
     static struct body cleared[MANY];
@@ -221,7 +223,7 @@ static void test_lanes_clear_walls_and_a_poi_to_the_last_bit_as_one_fish_at_a_ti
                              .step_m = { 0.001f, 0.0f, 0.0f } };
     fill_at_random(MANY, 1.2f, 0.06f);
     contact_solver_begin(&solver, fish, MANY);
-    for (uint32_t i = 0; i < MANY; i++) { /* Some into walls, floor and surface. */
+    for (uint32_t i = 0; i < MANY; i++) { /* Some fish overlap walls, the floor and the surface. */
         fish[i].position_m.x *= 1.05f;
         fish[i].position_m.y += draw(i, 8, -0.008f, 0.008f);
         fish[i].angles.yaw_rad += draw(i, 9, -0.2f, 0.2f);
@@ -230,7 +232,7 @@ static void test_lanes_clear_walls_and_a_poi_to_the_last_bit_as_one_fish_at_a_ti
     place.push_max_m = SOLVER_PUSH_M;
     place.obstacles = &disc;
     place.obstacle_count = 1;
-    clear_anew(0, 1);
+    clear_crowd(0, 1);
     MEM_COPY(cleared, broad_phase.body, sizeof cleared);
     MEM_COPY(play_m, broad_phase.play_m, sizeof play_m);
     MEM_COPY(step_max_m, solver.step_max_m, sizeof step_max_m);
@@ -239,7 +241,7 @@ static void test_lanes_clear_walls_and_a_poi_to_the_last_bit_as_one_fish_at_a_ti
     for (uint8_t lanes = 4; lanes <= SIMD_LANES_MAX; lanes *= 2) {
         disc.centre_m = v3(0.1f, -0.05f, 0.0f);
         disc.step_m = v3(0.001f, 0.0f, 0.0f);
-        clear_anew(lanes, 0);
+        clear_crowd(lanes, 0);
         assert_int_equal(solver.beside_count, beside);
         assert_memory_equal(cleared, broad_phase.body, sizeof cleared);
         assert_memory_equal(play_m, broad_phase.play_m, sizeof play_m);
@@ -249,9 +251,10 @@ static void test_lanes_clear_walls_and_a_poi_to_the_last_bit_as_one_fish_at_a_ti
     place.obstacle_count = 0;
 }
 
-/* Everybody moves anywhere and turns by any angle, forty times: what was free stays free. So thick
- * a crowd has a few pairs that no parting parted before: those are watched once they are. */
-static void test_what_was_free_stays_free_whatever_fish_do(void **state)
+/* Every fish moves and turns at random forty times. A pair without an overlap must stay without
+ * one. A dense crowd starts with a few overlapping pairs, which are checked after their first
+ * separation. */
+static void test_fish_without_an_overlap_stay_without_one(void **state)
 {
     (void)state;
     enum { COUNT = 400 };
@@ -259,7 +262,8 @@ static void test_what_was_free_stays_free_whatever_fish_do(void **state)
     uint32_t reverted_count = 0, free_count = 0;
     float deepest_m = 0.0f;
     fill_at_random(COUNT, 0.3f, 0.05f);
-    for (uint32_t i = 0; i < COUNT; i++) { /* As near to each other as 2,000 in all the water. */
+    for (uint32_t i = 0; i < COUNT; i++) { /* The density is that of 2,000 fish in the whole
+                                              tank. */
         fish[i].position_m.x *= 0.4f;
         fish[i].position_m.z *= 0.5f;
     }
@@ -305,8 +309,8 @@ static void test_what_was_free_stays_free_whatever_fish_do(void **state)
     assert_true(deepest_m <= SOLVER_FREE_M + 1e-6f);
 }
 
-/* Fish half a millimetre apart on every side, each of which could touch 26 others. */
-static void test_in_a_crowd_with_more_contacts_than_there_is_room_for_nobody_overlaps(void **state)
+/* Fish are half a millimetre apart on every side. Each fish could touch 26 others. */
+static void test_no_fish_overlap_when_the_contact_list_is_full(void **state)
 {
     (void)state;
     enum { COUNT = 768, ROW = 16, LAYER = ROW * 8 };
@@ -348,18 +352,16 @@ static void test_in_a_crowd_with_more_contacts_than_there_is_room_for_nobody_ove
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_parting_ends_overlaps_and_keeps_walls),
-        cmocka_unit_test(test_nobody_is_shoved_farther_than_two_millimetres_beyond_its_own_motion),
-        cmocka_unit_test(test_who_cannot_give_way_leaves_it_to_the_other),
-        cmocka_unit_test(test_the_larger_of_two_gives_way_less),
-        cmocka_unit_test(test_who_cannot_be_parted_has_its_old_pose_again_to_the_bit),
-        cmocka_unit_test(test_lanes_clear_walls_and_a_poi_to_the_last_bit_as_one_fish_at_a_time),
-        cmocka_unit_test(test_in_a_crowd_with_more_contacts_than_there_is_room_for_nobody_overlaps),
-        cmocka_unit_test(
-            test_at_the_end_of_a_tick_an_obstacle_has_the_step_and_turn_of_the_whole_tick),
-        cmocka_unit_test(
-            test_an_obstacle_that_gave_way_loses_the_speed_and_the_turn_that_it_did_not_use),
-        cmocka_unit_test(test_what_was_free_stays_free_whatever_fish_do),
+        cmocka_unit_test(test_the_solver_removes_overlaps_and_keeps_fish_inside_walls),
+        cmocka_unit_test(test_the_solver_moves_a_fish_at_most_2_mm_beyond_its_own_motion),
+        cmocka_unit_test(test_a_blocked_fish_leaves_the_correction_to_the_other),
+        cmocka_unit_test(test_the_larger_of_two_fish_moves_less),
+        cmocka_unit_test(test_an_unsolved_fish_gets_its_old_pose_bit_for_bit),
+        cmocka_unit_test(test_simd_lanes_equal_the_scalar_form_at_walls_and_a_poi),
+        cmocka_unit_test(test_no_fish_overlap_when_the_contact_list_is_full),
+        cmocka_unit_test(test_an_obstacle_ends_a_tick_with_the_motion_of_the_whole_tick),
+        cmocka_unit_test(test_a_blocked_obstacle_loses_its_unused_speed_and_turn),
+        cmocka_unit_test(test_fish_without_an_overlap_stay_without_one),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,5 @@
-/* test_hull.c -- a bowl's hull against a fish's box, held against the hull point by point. */
+/* test_hull.c -- compares the distance between a bowl's hull and a fish's box with a sampled
+ * hull. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -26,7 +27,7 @@ static double part(vec3 axis, const double p[3])
     return (double)axis.x * p[0] + (double)axis.y * p[1] + (double)axis.z * p[2];
 }
 
-/* From the box to a point; 0 inside. */
+/* Returns the distance from the box to a point. The result is 0 inside the box. */
 static double box_to_point_m(const struct box *box, const double at[3])
 {
     const double p[3] = { at[0] - (double)box->centre_m.x, at[1] - (double)box->centre_m.y,
@@ -37,7 +38,8 @@ static double box_to_point_m(const struct box *box, const double at[3])
     return sqrt(x * x + y * y + z * z);
 }
 
-/* From the box to the nearest of 115,200 points of the hull's skin, under its mouth. */
+/* Returns the distance from the box to the nearest of 115,200 points of the hull's surface below
+ * its mouth. */
 static double sampled_m(const struct box *box)
 {
     double least_m = 1.0;
@@ -67,7 +69,7 @@ static struct box fish_near(uint32_t who)
     return fish_box(&fish);
 }
 
-static void test_a_hull_is_as_far_as_its_nearest_point(void **state)
+static void test_the_distance_to_a_hull_is_that_of_its_nearest_point(void **state)
 {
     (void)state;
     double worst_m = 0.0, worst_share = 0.0;
@@ -94,8 +96,9 @@ static void test_a_hull_is_as_far_as_its_nearest_point(void **state)
     assert_true(worst_share < 0.08);
 }
 
-/* A few moves along what it tells end off the skin: what parting relies on. */
-static void test_its_way_out_leads_off_the_hull(void **state)
+/* A few moves along the separation vector end at the surface. The contact solver relies on this
+ * property. */
+static void test_the_separation_vector_leads_out_of_the_hull(void **state)
 {
     (void)state;
     uint32_t touching = 0;
@@ -115,8 +118,8 @@ static void test_its_way_out_leads_off_the_hull(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_hull_is_as_far_as_its_nearest_point),
-        cmocka_unit_test(test_its_way_out_leads_off_the_hull),
+        cmocka_unit_test(test_the_distance_to_a_hull_is_that_of_its_nearest_point),
+        cmocka_unit_test(test_the_separation_vector_leads_out_of_the_hull),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

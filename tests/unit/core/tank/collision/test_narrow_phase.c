@@ -1,7 +1,6 @@
-/* test_narrow_phase.c -- the search against a slow, plain one of each with each: the same pairs,
- * always.
+/* test_narrow_phase.c -- checks that the search finds the same pairs as an exhaustive search.
  *
- * Boxes of 5 x 2 x 1 cm with spaces of 7 x 4 x 3 cm (2013 thesis, sections 3.1 and 3.4), and of
+ * The boxes have 5 x 2 x 1 cm with spaces of 7 x 4 x 3 cm (2013 thesis, sections 3.1 and 3.4), and
  * other sizes. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -25,7 +24,7 @@ static uint8_t flags[COUNT_MAX];
 static float reach_m[COUNT_MAX];
 static struct narrow_phase_pair found[FOUND_MAX + NARROW_PHASE_BATCH + SIMD_LANES_MAX];
 static struct narrow_phase_pair others[FOUND_MAX + NARROW_PHASE_BATCH + SIMD_LANES_MAX];
-static uint32_t listed[COUNT_MAX][COUNT_MAX]; /* 1 + index into found. */
+static uint32_t listed[COUNT_MAX][COUNT_MAX]; /* Holds 1 + the index into `found`. */
 
 static float draw(uint32_t who, uint32_t purpose, float low, float high)
 {
@@ -48,7 +47,7 @@ static struct angles any_angles(uint32_t who, float pitch_max, float roll_max)
                             draw(who, 6, -roll_max, roll_max) };
 }
 
-/* Anywhere in the thesis' tank. */
+/* Places `count` fish at random in the thesis' tank. */
 static void fill(uint32_t count, float pitch_max, float length_min, float length_max)
 {
     for (uint32_t i = 0; i < count; i++) {
@@ -70,7 +69,7 @@ static uint32_t search(struct narrow_phase_pair *to, uint32_t count, uint8_t how
                                            .width_m = 1.36f,
                                            .breadth_m = 0.65f };
     uint32_t all = 0;
-    memset(&pairs, 0x5a, sizeof pairs); /* Nothing is remembered. */
+    memset(&pairs, 0x5a, sizeof pairs); /* The search must keep no state in the structure. */
     narrow_phase_begin(&pairs, &of);
     for (uint32_t some; narrow_phase_next(&pairs, &of, &to[all], &some); all += some) {
         assert_true(some <= NARROW_PHASE_BATCH);
@@ -85,7 +84,8 @@ static int same(const struct narrow_phase_pair *a, const struct narrow_phase_pai
            a->axis == b->axis && a->spaces == b->spaces;
 }
 
-/* Every lane width and every search finds the same, to the last bit and in the same order. */
+/* Checks that every lane width and every search finds the same pairs, bit for bit and in the same
+ * order. */
 static uint32_t search_every_way(uint32_t count)
 {
     const uint32_t all = search(found, count, PAIR_SEARCH_GRID, 4);
@@ -101,7 +101,7 @@ static uint32_t search_every_way(uint32_t count)
     return all;
 }
 
-/* Against box_gap() of each with each. Returns how many pairs of spaces overlap. */
+/* Compares the search with box_gap() of every pair. Returns the number of overlapping spaces. */
 static uint32_t check(uint32_t count)
 {
     const uint32_t all = search_every_way(count);
@@ -109,14 +109,15 @@ static uint32_t check(uint32_t count)
     memset(listed, 0, sizeof listed);
     for (uint32_t f = 0; f < all; f++) {
         uint32_t *place = &listed[found[f].a][found[f].b];
-        assert_true(*place == 0 && listed[found[f].b][found[f].a] == 0); /* Once each. */
+        assert_true(*place == 0 && listed[found[f].b][found[f].a] == 0); /* Each pair is found
+                                                                            once. */
         *place = listed[found[f].b][found[f].a] = f + 1u;
     }
     for (uint32_t i = 0; i < count; i++) {
         for (uint32_t j = i + 1u; j < count; j++) {
             const struct box a = body_box(&body[i]), b = body_box(&body[j]);
             const struct box_gap gap = box_gap(&a, body[i].margin_m, &b, body[j].margin_m);
-            /* Margins of a metre, so that no axis ends the search. */
+            /* Margins of one metre prevent any axis from ending the search early. */
             const float gap_m = box_gap(&a, 1.0f, &b, 1.0f).body_m;
             const int both = flags[i] & flags[j] & 1;
             const int near =
@@ -135,7 +136,7 @@ static uint32_t check(uint32_t count)
     return overlaps;
 }
 
-static void test_fish_at_random_are_found_however_they_pitch(void **state)
+static void test_random_pairs_are_found_at_every_pitch(void **state)
 {
     (void)state;
     for (int pitch_deg = 0; pitch_deg <= 90; pitch_deg += 30) {
@@ -147,7 +148,7 @@ static void test_fish_at_random_are_found_however_they_pitch(void **state)
     }
 }
 
-static void test_mixed_sizes_are_found(void **state)
+static void test_pairs_of_mixed_sizes_are_found(void **state)
 {
     (void)state;
     fill(600, 0.5f, 0.03f, 0.08f);
@@ -157,7 +158,7 @@ static void test_mixed_sizes_are_found(void **state)
     assert_true(check(600) > 600);
 }
 
-static void test_fish_that_stand_on_nose_or_tail_are_found(void **state)
+static void test_pairs_of_vertical_fish_are_found(void **state)
 {
     (void)state;
     fill(600, 0.5f, 0.05f, 0.05f);
@@ -168,29 +169,30 @@ static void test_fish_that_stand_on_nose_or_tail_are_found(void **state)
     assert_true(check(600) > 500);
 }
 
-static void test_fish_outside_the_plan_are_found(void **state)
+static void test_pairs_outside_the_grid_are_found(void **state)
 {
     (void)state;
     fill(400, 0.5f, 0.05f, 0.05f);
     for (uint32_t i = 0; i < 400; i++) {
         body[i].centre_m = v3(draw(i, 1, 0.5f, 1.2f), draw(i, 2, -0.2f, 0.1f),
-                              draw(i, 3, 0.2f, 0.7f)); /* Most lie beyond the corner. */
+                              draw(i, 3, 0.2f, 0.7f)); /* Most fish lie beyond the corner. */
     }
     assert_true(check(400) > 200);
 }
 
-static void test_all_in_one_cell_are_found(void **state)
+static void test_all_pairs_in_one_cell_are_found(void **state)
 {
     (void)state;
     fill(COUNT_MAX, 0.5f, 0.05f, 0.05f);
-    for (uint32_t i = 0; i < COUNT_MAX; i++) { /* 244,650 pairs: many batches, one fish's in two. */
+    for (uint32_t i = 0; i < COUNT_MAX; i++) { /* The 244,650 pairs fill many batches, and the pairs
+                                                  of one fish may fall in two batches. */
         body[i].centre_m = v3(draw(i, 1, 0.0f, 0.01f), -0.1f, draw(i, 3, 0.0f, 0.01f));
     }
     assert_int_equal(check(COUNT_MAX), COUNT_MAX * (COUNT_MAX - 1u) / 2u);
 }
 
-/* Two by two about every corner of the cells, and across every line between two. */
-static void test_pairs_that_meet_at_the_corners_of_cells_are_found(void **state)
+/* Pairs lie around every corner of the cells and across every border between two cells. */
+static void test_pairs_at_the_corners_of_cells_are_found(void **state)
 {
     (void)state;
     uint32_t count = 0;
@@ -200,7 +202,7 @@ static void test_pairs_that_meet_at_the_corners_of_cells_are_found(void **state)
                                    -0.325f + CELL_EXACT_M * (float)(row + 1u));
             const float yaw = F_PI * 0.25f * (float)(column % 4u);
             const vec3 along = v3(-f_sin(yaw), 0.0f, -f_cos(yaw));
-            /* Nose to nose, spaces a hair in each other. */
+            /* The fish are nose to nose with a tiny overlap of their spaces. */
             for (uint32_t end = 0; end < 2u; end++) {
                 const vec3 at = v3_muladd(corner, along, end == 0 ? 0.0349f : -0.0349f);
                 put(count++, at, (struct angles){ yaw, 0.0f, 0.0f }, 0.05f);
@@ -210,13 +212,13 @@ static void test_pairs_that_meet_at_the_corners_of_cells_are_found(void **state)
     assert_true(check(count) >= 105u);
 }
 
-/* The farthest that two can be apart whose spaces touch: corner to corner along the diagonal. */
+/* The greatest distance of two fish with touching spaces is corner to corner along the diagonal. */
 static void test_the_farthest_pair_that_overlaps_lies_within_one_cell(void **state)
 {
     (void)state;
     uint32_t overlaps = 0;
     for (uint32_t shift = 0; shift < 200; shift++) {
-        /* The diagonal of 3 x 4 x 7 laid level, so that none of it is lost to height. */
+        /* The diagonal of 3 x 4 x 7 is horizontal, so that its whole length counts in the plane. */
         put(0, v3(0.0005f * (float)shift, -0.1f, 0.0f), (struct angles){ 0.5f, 0.3f, 0.2f }, 0.05f);
         body[1] = body[0];
         const struct body *a = &body[0];
@@ -231,7 +233,7 @@ static void test_the_farthest_pair_that_overlaps_lies_within_one_cell(void **sta
     assert_float_equal(v3_length(v3_sub(body[1].centre_m, body[0].centre_m)), CELL_EXACT_M, 1e-4f);
 }
 
-static void test_who_reaches_far_is_found_from_afar(void **state)
+static void test_a_fish_with_a_large_space_is_found_at_a_distance(void **state)
 {
     (void)state;
     fill(600, 0.3f, 0.05f, 0.05f);
@@ -247,7 +249,7 @@ static void test_who_reaches_far_is_found_from_afar(void **state)
     assert_true(far > 10);
 }
 
-static void test_who_is_not_flagged_is_not_found(void **state)
+static void test_a_fish_without_the_flag_is_not_found(void **state)
 {
     (void)state;
     fill(600, 0.3f, 0.05f, 0.05f);
@@ -260,8 +262,8 @@ static void test_who_is_not_flagged_is_not_found(void **state)
     assert_int_equal(search_every_way(0), 0);
 }
 
-/* The vector that goes with a gap: along it, the shadows are just so far apart. */
-static void test_the_axis_of_a_pair_is_where_its_gap_is(void **state)
+/* The projections of both boxes on the returned axis have the returned gap. */
+static void test_the_axis_of_a_pair_has_the_pairs_gap(void **state)
 {
     (void)state;
     uint32_t by_edges = 0;
@@ -286,8 +288,8 @@ static void test_the_axis_of_a_pair_is_where_its_gap_is(void **state)
     assert_true(by_edges > all / 20u);
 }
 
-/* Of the spaces that overlap: the share whose fish are not in neighbouring cells of so many
- * columns and rows over the tank. */
+/* Returns the share of overlapping spaces whose fish are not in neighbouring cells of a grid of
+ * `columns` x `rows`. */
 static float missed_by_cells(float columns, float rows)
 {
     uint32_t overlaps = 0, missed = 0;
@@ -306,7 +308,7 @@ static float missed_by_cells(float columns, float rows)
     return (float)missed / (float)overlaps;
 }
 
-/* Thesis, section 3.7: 40 x 20 cells of about 3.5 cm, and the nine about a fish. */
+/* Section 3.7 of the thesis uses 40 x 20 cells of about 3.5 cm and the nine cells around a fish. */
 static void test_the_thesis_cells_miss_a_quarter_of_the_pairs(void **state)
 {
     (void)state;
@@ -324,16 +326,16 @@ static void test_the_thesis_cells_miss_a_quarter_of_the_pairs(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_fish_at_random_are_found_however_they_pitch),
-        cmocka_unit_test(test_mixed_sizes_are_found),
-        cmocka_unit_test(test_fish_that_stand_on_nose_or_tail_are_found),
-        cmocka_unit_test(test_fish_outside_the_plan_are_found),
-        cmocka_unit_test(test_all_in_one_cell_are_found),
-        cmocka_unit_test(test_pairs_that_meet_at_the_corners_of_cells_are_found),
+        cmocka_unit_test(test_random_pairs_are_found_at_every_pitch),
+        cmocka_unit_test(test_pairs_of_mixed_sizes_are_found),
+        cmocka_unit_test(test_pairs_of_vertical_fish_are_found),
+        cmocka_unit_test(test_pairs_outside_the_grid_are_found),
+        cmocka_unit_test(test_all_pairs_in_one_cell_are_found),
+        cmocka_unit_test(test_pairs_at_the_corners_of_cells_are_found),
         cmocka_unit_test(test_the_farthest_pair_that_overlaps_lies_within_one_cell),
-        cmocka_unit_test(test_who_reaches_far_is_found_from_afar),
-        cmocka_unit_test(test_who_is_not_flagged_is_not_found),
-        cmocka_unit_test(test_the_axis_of_a_pair_is_where_its_gap_is),
+        cmocka_unit_test(test_a_fish_with_a_large_space_is_found_at_a_distance),
+        cmocka_unit_test(test_a_fish_without_the_flag_is_not_found),
+        cmocka_unit_test(test_the_axis_of_a_pair_has_the_pairs_gap),
         cmocka_unit_test(test_the_thesis_cells_miss_a_quarter_of_the_pairs),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

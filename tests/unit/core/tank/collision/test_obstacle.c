@@ -1,4 +1,4 @@
-/* test_obstacle.c -- the poi's ring and the bowl's hull. */
+/* test_obstacle.c -- checks the poi's ring and the bowl's hull as obstacles. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -43,17 +43,18 @@ static float push_m(const struct obstacle *obstacle, vec3 position, float yaw_de
     return v3_length(obstacle_clear(obstacle, &box));
 }
 
-static void test_fish_over_and_under_the_paper_are_left_alone(void **state)
+static void test_fish_over_and_under_the_paper_are_not_moved(void **state)
 {
     (void)state;
     const struct obstacle disc = disc_at(v3(0.0f, -0.05f, 0.0f), v3(0.0f, 0.0f, 0.0f));
     assert_true(push_m(&disc, v3(0.0f, -0.042f, 0.0f), 0.0f) == 0.0f);
     assert_true(push_m(&disc, v3(0.01f, -0.058f, 0.01f), 45.0f) == 0.0f);
     assert_true(push_m(&disc, v3(0.0f, -0.05f, 0.0f), 0.0f) ==
-                0.0f); /* Through it: not the ring's. */
+                0.0f); /* The fish is within the paper's opening, where the ring does not touch
+                          it. */
 }
 
-static void test_the_ring_pushes_what_touches_it_until_it_is_clear(void **state)
+static void test_the_ring_pushes_a_touching_fish_until_it_is_clear(void **state)
 {
     (void)state;
     const struct obstacle disc = disc_at(v3(0.0f, -0.05f, 0.0f), v3(0.0f, 0.0f, 0.0f));
@@ -86,7 +87,7 @@ static void test_a_hull_keeps_fish_out_sideways_and_downward(void **state)
     assert_true(push_m(&hull, v3(0.07f, -0.01f, 0.0f), 0.0f) > 0.0f);
 }
 
-static void test_fish_beside_a_slow_disc_step_aside_and_those_over_it_do_not(void **state)
+static void test_a_slow_disc_moves_fish_beside_it_and_not_those_over_it(void **state)
 {
     (void)state;
     const struct obstacle disc = disc_at(v3(0.0f, -0.05f, 0.0f), v3(0.08f, 0.0f, 0.0f));
@@ -100,10 +101,10 @@ static void test_fish_beside_a_slow_disc_step_aside_and_those_over_it_do_not(voi
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_fish_over_and_under_the_paper_are_left_alone),
-        cmocka_unit_test(test_the_ring_pushes_what_touches_it_until_it_is_clear),
+        cmocka_unit_test(test_fish_over_and_under_the_paper_are_not_moved),
+        cmocka_unit_test(test_the_ring_pushes_a_touching_fish_until_it_is_clear),
         cmocka_unit_test(test_a_hull_keeps_fish_out_sideways_and_downward),
-        cmocka_unit_test(test_fish_beside_a_slow_disc_step_aside_and_those_over_it_do_not),
+        cmocka_unit_test(test_a_slow_disc_moves_fish_beside_it_and_not_those_over_it),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,4 @@
-/* test_reentry.c -- fish that come back into the water among others. */
+/* test_reentry.c -- checks fish that return into the water among other fish. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -10,7 +10,7 @@
 #include "core/input.h"
 #include "core/poi/bowl/bowl.h"
 #include "core/poi/catch/capture.h"
-#include "core/tank/tank.h"
+#include "tests/unit/support/open_tank.h"
 
 #define LOOSE_MAX_S 0.5f
 #define POI_RADIUS 0.0465f
@@ -54,7 +54,8 @@ static float deepest_m(void)
     return deepest;
 }
 
-/* Ticks until nobody is loose; and nobody that swims is in another, in any of them. */
+/* Returns the number of ticks until every dropped fish swims. Checks in each tick that no swimming
+ * fish overlaps another. */
 static uint32_t run_until_all_swim(uint32_t tick, struct obstacle *obstacles, uint32_t count)
 {
     for (uint32_t ticks = 0; ticks < 10u * CORE_TICK_HZ; ticks++) {
@@ -71,7 +72,7 @@ static uint32_t run_until_all_swim(uint32_t tick, struct obstacle *obstacles, ui
 static void expect_all_swim_soon(const char *what, uint32_t worst_ticks)
 {
     const float worst_s = (float)worst_ticks * CORE_TICK_S;
-    print_message("%s: loose for %.2f s at most\n", what, (double)worst_s);
+    print_message("%s: reentry took %.2f s at most\n", what, (double)worst_s);
     assert_true(worst_s < LOOSE_MAX_S);
 }
 
@@ -87,12 +88,12 @@ static void settle(uint32_t *tick, uint32_t ticks)
     }
 }
 
-/* Twenty at a time, each right where another is. */
+/* The test drops 20 fish at a time, each at the position of another fish. */
 static void test_fish_dropped_into_a_full_tank_swim_within_half_a_second(void **state)
 {
     (void)state;
     uint32_t tick = 0, worst = 0;
-    tank_init(&tank, TANK_PRESET_OFFICIAL, 1000, 3);
+    open_tank(&tank, TANK_PRESET_OFFICIAL, 1000, 3);
     for (uint32_t drop = 0; drop < 12; drop++) {
         settle(&tick, 30);
         for (uint32_t k = 0; k < 20; k++) {
@@ -112,7 +113,7 @@ static void test_fish_poured_into_a_full_tank_swim_within_half_a_second(void **s
 {
     (void)state;
     uint32_t tick = 0, worst = 0;
-    tank_init(&tank, TANK_PRESET_OFFICIAL, 1000, 4);
+    open_tank(&tank, TANK_PRESET_OFFICIAL, 1000, 4);
     for (uint32_t pour = 0; pour < 8; pour++) {
         bowl_init(&bowl, v3(draw(pour, 2, -0.4f, 0.4f), 0.012f, draw(pour, 3, -0.2f, 0.2f)));
         settle(&tick, 30);
@@ -130,10 +131,10 @@ static void test_fish_poured_into_a_full_tank_swim_within_half_a_second(void **s
     expect_all_swim_soon("poured", worst);
 }
 
-static void test_fish_dropped_on_one_another_part_too(void **state)
+static void test_fish_dropped_on_each_other_separate(void **state)
 {
     (void)state;
-    tank_init(&tank, TANK_PRESET_FESTIVAL, 12, 6);
+    open_tank(&tank, TANK_PRESET_FESTIVAL, 12, 6);
     for (uint32_t i = 0; i < 12; i++) {
         tank.fish[i].position_m = v3(0.1f, -0.06f, 0.05f);
         tank.fish[i].angles = (struct angles){ 0.3f, 0.0f, 0.0f };
@@ -142,12 +143,12 @@ static void test_fish_dropped_on_one_another_part_too(void **state)
     expect_all_swim_soon("twelve in one place", run_until_all_swim(0, NULL, 0));
 }
 
-/* Two of the very same place and size, in open water: the first may swim at once, the other when
- * it is out of the first. */
-static void test_of_two_in_one_place_one_swims_at_once_and_the_other_never_in_it(void **state)
+/* Two fish of the same size are dropped at the same place in open water. The first fish may swim
+ * immediately, and the second swims after it is clear of the first. */
+static void test_two_dropped_fish_in_one_place_swim_without_an_overlap(void **state)
 {
     (void)state;
-    tank_init(&tank, TANK_PRESET_FESTIVAL, 2, 6);
+    open_tank(&tank, TANK_PRESET_FESTIVAL, 2, 6);
     for (uint32_t i = 0; i < 2; i++) {
         tank.fish[i].position_m = v3(0.0f, -0.06f, 0.0f);
         reentry_begin(&tank, &tank.fish[i], v3(0.0f, 0.0f, 0.0f));
@@ -159,7 +160,7 @@ static void test_of_two_in_one_place_one_swims_at_once_and_the_other_never_in_it
     assert_int_equal(tank.reentry_count, 0);
 }
 
-/* The smallest tank that is offered, as full as it may be. */
+/* The tank is the smallest permitted one with the maximum number of fish. */
 static void test_there_is_a_gap_even_in_the_smallest_tank(void **state)
 {
     (void)state;
@@ -172,8 +173,9 @@ static void test_there_is_a_gap_even_in_the_smallest_tank(void **state)
     expect_all_swim_soon("in a small tank", run_until_all_swim(0, NULL, 0));
 }
 
-/* Paper under it and a crowd on that side: the gap it goes for is on its own side. */
-static void test_nobody_goes_for_a_gap_through_paper(void **state)
+/* Paper is below the fish and other fish are on that side, so the fish takes a gap on its own
+ * side. */
+static void test_a_dropped_fish_takes_no_gap_through_paper(void **state)
 {
     (void)state;
     static uint8_t paper[OBSTACLE_PAPER_SIDE * OBSTACLE_PAPER_SIDE];
@@ -188,8 +190,8 @@ static void test_nobody_goes_for_a_gap_through_paper(void **state)
                              .axes_before = vec_basis_from_angles((struct angles){ 0 }),
                              .paper = paper,
                              .paper_radius_m = 0.9f * POI_RADIUS };
-    /* Three layers of twelve that swim, and twelve more right in the lowest of them. */
-    tank_init(&tank, TANK_PRESET_FESTIVAL, 48, 6);
+    /* Three layers of twelve fish swim, and twelve more are dropped into the lowest layer. */
+    open_tank(&tank, TANK_PRESET_FESTIVAL, 48, 6);
     for (uint32_t i = 0; i < 48; i++) {
         const uint32_t layer = i / 12u % 3u;
         struct fish *fish = &tank.fish[i];
@@ -220,10 +222,10 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_fish_dropped_into_a_full_tank_swim_within_half_a_second),
         cmocka_unit_test(test_fish_poured_into_a_full_tank_swim_within_half_a_second),
-        cmocka_unit_test(test_fish_dropped_on_one_another_part_too),
-        cmocka_unit_test(test_of_two_in_one_place_one_swims_at_once_and_the_other_never_in_it),
+        cmocka_unit_test(test_fish_dropped_on_each_other_separate),
+        cmocka_unit_test(test_two_dropped_fish_in_one_place_swim_without_an_overlap),
         cmocka_unit_test(test_there_is_a_gap_even_in_the_smallest_tank),
-        cmocka_unit_test(test_nobody_goes_for_a_gap_through_paper),
+        cmocka_unit_test(test_a_dropped_fish_takes_no_gap_through_paper),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,5 @@
-/* test_ring_contact.c -- a poi and a fish in one tick: going along, giving way, and the sides of
- * paper. */
+/* test_ring_contact.c -- checks the contact of a poi and a fish in one tick: motion, reaction and
+ * the two sides of the paper. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -27,7 +27,8 @@ static struct angles any_angles(uint32_t who, uint32_t which)
                             draw(who, which + 2u, -0.8f, 0.8f) };
 }
 
-/* A disc anywhere that came here at up to 3 m/s, and turned when it is odd. */
+/* Returns a disc at a random place that arrived with up to 3 m/s. Discs with an odd number also
+ * turned. */
 static struct obstacle disc_of(uint32_t who)
 {
     struct obstacle disc = {
@@ -66,7 +67,7 @@ static int has_paper(void **state)
     return 0;
 }
 
-static void test_who_is_carried_keeps_its_place_beside_the_disc(void **state)
+static void test_a_fish_moved_with_the_disc_keeps_its_relative_position(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < CASES; i++) {
@@ -79,9 +80,10 @@ static void test_who_is_carried_keeps_its_place_beside_the_disc(void **state)
     }
 }
 
-/* Who was clear before is clear again at the latest when the disc stands where it stood; until
- * then each call gives something, and none gives what was not there. */
-static void test_a_disc_gives_way_until_it_is_off_and_never_more_than_its_step(void **state)
+/* A fish that was clear before is clear again at the latest when the disc is at its previous
+ * position. Each call moves the disc back by some of its step, and never by more than the rest of
+ * the step. */
+static void test_a_blocked_disc_moves_back_by_at_most_its_step(void **state)
 {
     (void)state;
     uint32_t met = 0, stood = 0;
@@ -114,7 +116,7 @@ static void test_a_disc_gives_way_until_it_is_off_and_never_more_than_its_step(v
     assert_true(met > CASES / 8u && stood < met);
 }
 
-static void test_a_disc_that_stands_has_nothing_to_give(void **state)
+static void test_a_disc_at_rest_does_not_move_back(void **state)
 {
     (void)state;
     struct obstacle disc = disc_of(2);
@@ -125,7 +127,7 @@ static void test_a_disc_that_stands_has_nothing_to_give(void **state)
     assert_true(v3_length(v3_sub(disc.centre_m, centre_m)) == 0.0f && disc.reaction == 0);
 }
 
-/* At up to 3 m/s the paper comes 25 mm in a tick, farther than a fish is high. */
+/* At up to 3 m/s, the paper moves 25 mm in a tick, which exceeds the height of a fish. */
 static void test_paper_keeps_a_fish_on_its_side_at_any_speed(void **state)
 {
     (void)state;
@@ -150,7 +152,7 @@ static void test_paper_keeps_a_fish_on_its_side_at_any_speed(void **state)
     assert_true(pushed > CASES / 8u);
 }
 
-static void test_torn_paper_holds_nobody(void **state)
+static void test_torn_paper_stops_no_fish(void **state)
 {
     (void)state;
     struct obstacle disc = disc_of(0);
@@ -171,11 +173,11 @@ static void test_torn_paper_holds_nobody(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_who_is_carried_keeps_its_place_beside_the_disc),
-        cmocka_unit_test(test_a_disc_gives_way_until_it_is_off_and_never_more_than_its_step),
-        cmocka_unit_test(test_a_disc_that_stands_has_nothing_to_give),
+        cmocka_unit_test(test_a_fish_moved_with_the_disc_keeps_its_relative_position),
+        cmocka_unit_test(test_a_blocked_disc_moves_back_by_at_most_its_step),
+        cmocka_unit_test(test_a_disc_at_rest_does_not_move_back),
         cmocka_unit_test(test_paper_keeps_a_fish_on_its_side_at_any_speed),
-        cmocka_unit_test(test_torn_paper_holds_nobody),
+        cmocka_unit_test(test_torn_paper_stops_no_fish),
     };
     return cmocka_run_group_tests(tests, has_paper, NULL);
 }

@@ -1,4 +1,5 @@
-/* test_shape_tests.c -- a fish's box against a poi's ring, by a thousand points of the ring. */
+/* test_shape_tests.c -- compares the distance between a fish's box and a poi's ring with 1,000
+ * points of the ring. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -11,7 +12,7 @@
 #include "core/tank/collision/box.h"
 
 #define WALK_POINTS 1024
-#define EXACT_M 0.00006f /* The walk's own steps leave 0.01 mm of it. */
+#define EXACT_M 0.00006f /* The discrete steps of the search leave an error of 0.01 mm. */
 
 static float draw(uint32_t which, uint32_t i, float low, float high)
 {
@@ -28,7 +29,7 @@ static struct ring ring_of(uint32_t i)
                           0.0033f };
 }
 
-/* 3 to 15 cm long, and about the ring rather than anywhere. */
+/* Returns a box 3 to 15 cm long near the ring. */
 static struct box box_by(const struct ring *ring, uint32_t i)
 {
     const float length_m = draw(5, i, 0.03f, 0.15f);
@@ -41,7 +42,8 @@ static struct box box_by(const struct ring *ring, uint32_t i)
                          v3(0.1f * length_m, 0.2f * length_m, 0.5f * length_m) };
 }
 
-/* How near the ring's middle line comes to the box; negative inside. */
+/* Returns the distance of the ring's centre line from the box. The result is negative inside the
+ * box. */
 static float walked_m(const struct ring *ring, const struct box *box)
 {
     const vec3 other = f_abs(ring->normal.y) < 0.7f ? v3(0.0f, 1.0f, 0.0f) : v3(1.0f, 0.0f, 0.0f);
@@ -59,7 +61,7 @@ static float walked_m(const struct ring *ring, const struct box *box)
     return least_m;
 }
 
-static void test_a_ring_is_as_near_as_its_nearest_point(void **state)
+static void test_the_distance_to_a_ring_is_that_of_its_nearest_point(void **state)
 {
     (void)state;
     uint32_t touching = 0, clear = 0, through = 0;
@@ -81,7 +83,7 @@ static void test_a_ring_is_as_near_as_its_nearest_point(void **state)
     assert_true(touching > 150 && clear > 1000 && through > 500);
 }
 
-static void test_its_way_out_leads_off_the_ring(void **state)
+static void test_the_separation_vector_leads_off_the_ring(void **state)
 {
     (void)state;
     uint32_t touching = 0, freed = 0;
@@ -98,10 +100,11 @@ static void test_its_way_out_leads_off_the_ring(void **state)
         }
     }
     assert_true(touching > 700);
-    assert_true(freed * 10u > touching * 8u); /* The rest are between two. */
+    assert_true(freed * 10u > touching * 8u); /* The other boxes are between two parts of the
+                                                 ring. */
 }
 
-static void test_a_fish_over_the_middle_is_clear_wherever_it_looks(void **state)
+static void test_a_fish_over_the_middle_is_clear_of_the_ring_at_every_heading(void **state)
 {
     (void)state;
     const struct ring ring = { { 0.0f, -0.05f, 0.0f }, { 0.0f, 1.0f, 0.0f }, 0.0432f, 0.0033f };
@@ -121,9 +124,9 @@ static void test_a_fish_over_the_middle_is_clear_wherever_it_looks(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_ring_is_as_near_as_its_nearest_point),
-        cmocka_unit_test(test_its_way_out_leads_off_the_ring),
-        cmocka_unit_test(test_a_fish_over_the_middle_is_clear_wherever_it_looks),
+        cmocka_unit_test(test_the_distance_to_a_ring_is_that_of_its_nearest_point),
+        cmocka_unit_test(test_the_separation_vector_leads_off_the_ring),
+        cmocka_unit_test(test_a_fish_over_the_middle_is_clear_of_the_ring_at_every_heading),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,5 @@
-/* test_spatial_grid.c -- the grid holds every point once, and near points in neighbouring cells. */
+/* test_spatial_grid.c -- checks that the grid holds every point once and near points in
+ * neighbouring cells. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -18,11 +19,21 @@ static float draw(uint32_t who, uint32_t purpose, float low, float high)
     return rng_range((struct rng_key){ 5, 0, who, purpose }, low, high);
 }
 
+/* Returns the cell of a point. A point outside the plan belongs to the nearest cell at the
+ * border. */
+static uint32_t cell_at(const struct spatial_grid *plan, vec3 point_m)
+{
+    const float x = (point_m.x - plan->origin_x_m) * plan->cells_per_m;
+    const float z = (point_m.z - plan->origin_z_m) * plan->cells_per_m;
+    return (uint32_t)f_clamp(z, 0.0f, (float)(plan->rows - 1u)) * plan->columns +
+           (uint32_t)f_clamp(x, 0.0f, (float)(plan->columns - 1u));
+}
+
 static void fill(uint32_t count)
 {
     for (uint32_t m = 0; m < count; m++) {
         member[m] = (fish_index)m;
-        grid.cell_of[m] = (fish_index)narrow_grid_cell(&grid, points[m]);
+        grid.cell_of[m] = (fish_index)cell_at(&grid, points[m]);
     }
     narrow_grid_sort(&grid, member, count);
 }
@@ -30,7 +41,7 @@ static void fill(uint32_t count)
 static void fill_at_random(uint32_t count, float width, float breadth)
 {
     for (uint32_t i = 0; i < count; i++) {
-        /* Some lie outside. */
+        /* Some points lie outside the grid. */
         points[i] = v3(draw(i, 1, -0.55f * width, 0.55f * width), 0.0f,
                        draw(i, 2, -0.55f * breadth, 0.55f * breadth));
     }
@@ -48,7 +59,7 @@ static void test_every_point_is_in_its_own_cell_exactly_once(void **state)
     assert_int_equal(grid.start[cells], 1000);
     for (uint32_t cell = 0; cell < cells; cell++) {
         for (uint32_t k = grid.start[cell]; k < grid.start[cell + 1u]; k++) {
-            assert_int_equal(narrow_grid_cell(&grid, points[grid.item[k]]), cell);
+            assert_int_equal(cell_at(&grid, points[grid.item[k]]), cell);
             seen[grid.item[k]]++;
         }
     }
@@ -57,7 +68,7 @@ static void test_every_point_is_in_its_own_cell_exactly_once(void **state)
     }
 }
 
-static void test_points_within_reach_lie_in_neighbouring_cells(void **state)
+static void test_points_within_the_query_radius_lie_in_neighbouring_cells(void **state)
 {
     (void)state;
     const float reach = 0.0861f;
@@ -69,8 +80,8 @@ static void test_points_within_reach_lie_in_neighbouring_cells(void **state)
             if (dx * dx + dz * dz >= reach * reach) {
                 continue;
             }
-            const int32_t a = (int32_t)narrow_grid_cell(&grid, points[i]),
-                          b = (int32_t)narrow_grid_cell(&grid, points[j]);
+            const int32_t a = (int32_t)cell_at(&grid, points[i]),
+                          b = (int32_t)cell_at(&grid, points[j]);
             const int32_t columns = (int32_t)grid.columns;
             assert_in_range((uint64_t)(a % columns - b % columns + 1), 0, 2);
             assert_in_range((uint64_t)(a / columns - b / columns + 1), 0, 2);
@@ -78,7 +89,7 @@ static void test_points_within_reach_lie_in_neighbouring_cells(void **state)
     }
 }
 
-static void test_a_tiny_reach_makes_larger_cells_rather_than_too_many(void **state)
+static void test_a_tiny_query_radius_gives_larger_cells(void **state)
 {
     (void)state;
     narrow_grid_layout(&grid, 2.0f, 2.0f, 0.001f, TANK_FISH_MAX);
@@ -88,7 +99,7 @@ static void test_a_tiny_reach_makes_larger_cells_rather_than_too_many(void **sta
     assert_int_equal(grid.columns * grid.rows, 1);
 }
 
-static void test_no_points_at_all_leave_every_cell_empty(void **state)
+static void test_a_grid_without_points_has_empty_cells(void **state)
 {
     (void)state;
     narrow_grid_layout(&grid, 0.85f, 0.55f, 0.1f, TANK_FISH_MAX);
@@ -108,20 +119,21 @@ static void test_members_of_a_cell_keep_their_order(void **state)
     }
 }
 
-/* Beside and below, from this cell or from the other, are the nine cells about it, each once. */
-static void test_half_the_nine_cells_meet_each_pair_of_cells_once(void **state)
+/* The half neighbourhoods of all cells together cover the nine cells around each cell, each
+ * once. */
+static void test_a_half_neighbourhood_visits_each_pair_of_cells_once(void **state)
 {
     (void)state;
     narrow_grid_layout(&grid, 0.85f, 0.55f, 0.1f, TANK_FISH_MAX);
     fill_at_random(500, 0.85f, 0.55f);
     for (uint32_t i = 0; i < grid.count; i++) {
-        const uint32_t a = narrow_grid_cell(&grid, points[grid.item[i]]);
+        const uint32_t a = cell_at(&grid, points[grid.item[i]]);
         const struct grid_range beside = narrow_grid_beside(&grid, a),
                                 below = narrow_grid_below(&grid, a);
         assert_int_equal(beside.from, grid.start[a]);
         assert_int_equal(narrow_grid_cell_of_item(&grid, i, 0), a);
         for (uint32_t j = i + 1u; j < grid.count; j++) {
-            const uint32_t b = narrow_grid_cell(&grid, points[grid.item[j]]);
+            const uint32_t b = cell_at(&grid, points[grid.item[j]]);
             const int32_t columns = (int32_t)grid.columns;
             const int32_t across = (int32_t)(b % grid.columns) - (int32_t)(a % grid.columns);
             const int32_t down = (int32_t)b / columns - (int32_t)a / columns;
@@ -132,7 +144,7 @@ static void test_half_the_nine_cells_meet_each_pair_of_cells_once(void **state)
     }
 }
 
-static void test_more_points_than_the_grid_holds_are_a_bug(void **state)
+static void test_too_many_points_fail_an_assertion(void **state)
 {
     (void)state;
     narrow_grid_layout(&grid, 0.85f, 0.55f, 0.1f, TANK_FISH_MAX);
@@ -143,12 +155,12 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_every_point_is_in_its_own_cell_exactly_once),
-        cmocka_unit_test(test_points_within_reach_lie_in_neighbouring_cells),
-        cmocka_unit_test(test_a_tiny_reach_makes_larger_cells_rather_than_too_many),
-        cmocka_unit_test(test_no_points_at_all_leave_every_cell_empty),
+        cmocka_unit_test(test_points_within_the_query_radius_lie_in_neighbouring_cells),
+        cmocka_unit_test(test_a_tiny_query_radius_gives_larger_cells),
+        cmocka_unit_test(test_a_grid_without_points_has_empty_cells),
         cmocka_unit_test(test_members_of_a_cell_keep_their_order),
-        cmocka_unit_test(test_half_the_nine_cells_meet_each_pair_of_cells_once),
-        cmocka_unit_test(test_more_points_than_the_grid_holds_are_a_bug),
+        cmocka_unit_test(test_a_half_neighbourhood_visits_each_pair_of_cells_once),
+        cmocka_unit_test(test_too_many_points_fail_an_assertion),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

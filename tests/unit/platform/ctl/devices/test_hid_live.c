@@ -1,4 +1,4 @@
-/* test_hid_live.c -- the picture of a live device, and the list of those that are plugged in. */
+/* test_hid_live.c -- Tests the display of a live HID device and the list of plugged-in devices. */
 #include <errno.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -17,7 +17,7 @@
 
 #define SECOND 1000000000ull
 
-/* A mouse with five buttons and a joystick's hat, under report ids 1 and 2. */
+/* A mouse with five buttons and the hat of a joystick, under report ids 1 and 2. */
 static const uint8_t bytes[] = { 0x05, 0x01, 0x09, 0x02, 0xa1, 0x01, 0x85, 0x01, 0x05, 0x09, 0x19,
                                  0x01, 0x29, 0x05, 0x15, 0x00, 0x25, 0x01, 0x75, 0x01, 0x95, 0x05,
                                  0x81, 0x02, 0x75, 0x03, 0x95, 0x01, 0x81, 0x01, 0x05, 0x01, 0x09,
@@ -53,7 +53,7 @@ static const char *picture(uint32_t width, uint32_t height)
     return text;
 }
 
-static void test_before_the_first_report_every_row_is_there_without_a_value(void **state)
+static void test_every_row_exists_without_a_value_before_the_first_report(void **state)
 {
     (void)state;
     assert_string_equal(picture(44, 24), "/dev/hidraw0\n"
@@ -65,7 +65,7 @@ static void test_before_the_first_report_every_row_is_there_without_a_value(void
                                          "  2 key 00 .. key 65: \n");
 }
 
-static void test_a_report_changes_its_own_rows_alone(void **state)
+static void test_a_report_changes_only_its_own_rows(void **state)
 {
     (void)state;
     SEND(SECOND, 1, 0x12, 0xff, 0x05);
@@ -74,7 +74,7 @@ static void test_a_report_changes_its_own_rows_alone(void **state)
     assert_non_null(strstr(text, "  1 X                              -1           -1 in all\n"));
 }
 
-static void test_ways_of_a_mouse_add_up(void **state)
+static void test_relative_mouse_motion_is_accumulated(void **state)
 {
     (void)state;
     for (int i = 0; i < 3; i++) {
@@ -84,7 +84,7 @@ static void test_ways_of_a_mouse_add_up(void **state)
     assert_non_null(strstr(text, "16           48 in all\n"));
 }
 
-static void test_a_bar_shows_where_a_value_lies_and_gapes_where_it_is_beyond(void **state)
+static void test_a_bar_shows_its_value_and_has_a_gap_out_of_range(void **state)
 {
     (void)state;
     SEND(SECOND, 2, 7, 0x04, 0);
@@ -97,14 +97,14 @@ static void test_a_bar_shows_where_a_value_lies_and_gapes_where_it_is_beyond(voi
     assert_non_null(strstr(picture(61, 24), "0  [#...................]\n"));
 }
 
-static void test_a_hat_at_rest_says_nothing(void **state)
+static void test_a_hat_at_rest_has_no_value(void **state)
 {
     (void)state;
     SEND(SECOND, 2, 8, 0, 0);
     assert_non_null(strstr(picture(80, 24), "8  nothing\n"));
 }
 
-static void test_a_usage_of_a_maker_s_own_is_called_so(void **state)
+static void test_a_vendor_usage_is_labelled_as_such(void **state)
 {
     (void)state;
     char name[HID_NAME_SIZE];
@@ -112,7 +112,7 @@ static void test_a_usage_of_a_maker_s_own_is_called_so(void **state)
     assert_string_equal(hid_usage_name(0x00840001, name), "0084:0001");
 }
 
-static void test_what_is_short_or_of_no_known_id_is_counted_and_changes_nothing(void **state)
+static void test_short_reports_and_unknown_ids_are_only_counted(void **state)
 {
     (void)state;
     SEND(SECOND, 1, 0x1f, 3);
@@ -123,7 +123,7 @@ static void test_what_is_short_or_of_no_known_id_is_counted_and_changes_nothing(
     assert_non_null(strstr(text, "button 5: button 1\n"));
 }
 
-static void test_reports_of_the_last_second_are_counted_and_forgotten(void **state)
+static void test_the_report_rate_covers_the_last_second(void **state)
 {
     (void)state;
     hid_live_time(&live, 10 * SECOND);
@@ -155,7 +155,7 @@ static void test_the_picture_fits_a_window_of_any_size(void **state)
     assert_non_null(strstr(picture(80, 4), "3 more rows are below this window"));
 }
 
-/* ---- Nodes ---------------------------------------------------------------------------------- */
+/* ---- Device nodes --------------------------------------------------------------------------- */
 
 static char root[64];
 
@@ -199,7 +199,7 @@ static int remove_root(void **state)
     return system(command);
 }
 
-static void test_nodes_come_by_number_with_what_the_kernel_says_of_them(void **state)
+static void test_nodes_are_sorted_by_number_with_their_kernel_attributes(void **state)
 {
     (void)state;
     static struct hid_node nodes[HID_NODES_MAX];
@@ -215,7 +215,7 @@ static void test_nodes_come_by_number_with_what_the_kernel_says_of_them(void **s
     assert_string_equal(hid_node_bus(&nodes[1]), "USB");
 }
 
-static void test_a_name_cannot_break_a_row_or_command_a_terminal(void **state)
+static void test_control_characters_of_a_device_name_are_removed(void **state)
 {
     (void)state;
     static struct hid_node nodes[HID_NODES_MAX];
@@ -223,22 +223,7 @@ static void test_a_name_cannot_break_a_row_or_command_a_terminal(void **state)
     assert_string_equal(nodes[1].name, "Sony?Dual?Sense");
 }
 
-static void test_a_nodes_descriptor_is_read_or_said_to_be_none(void **state)
-{
-    (void)state;
-    static struct hid_node nodes[HID_NODES_MAX];
-    int said_errno = -1;
-    hid_nodes_list(root, nodes);
-    assert_true(hid_node_descriptor(root, &nodes[1], &descriptor, &said_errno));
-    assert_int_equal(descriptor.group_count, 4);
-    assert_false(hid_node_descriptor(root, &nodes[0], &descriptor, &said_errno));
-    assert_int_equal(said_errno, 0);
-    nodes[0].number = 11;
-    assert_false(hid_node_descriptor(root, &nodes[0], &descriptor, &said_errno));
-    assert_int_equal(said_errno, ENOENT);
-}
-
-static void test_a_machine_without_such_devices_has_an_empty_list(void **state)
+static void test_a_machine_without_hid_devices_has_an_empty_list(void **state)
 {
     (void)state;
     static struct hid_node nodes[HID_NODES_MAX];
@@ -248,22 +233,19 @@ static void test_a_machine_without_such_devices_has_an_empty_list(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(test_before_the_first_report_every_row_is_there_without_a_value,
+        cmocka_unit_test_setup(test_every_row_exists_without_a_value_before_the_first_report,
                                begin),
-        cmocka_unit_test_setup(test_a_report_changes_its_own_rows_alone, begin),
-        cmocka_unit_test_setup(test_ways_of_a_mouse_add_up, begin),
-        cmocka_unit_test_setup(test_a_bar_shows_where_a_value_lies_and_gapes_where_it_is_beyond,
-                               begin),
-        cmocka_unit_test_setup(test_a_hat_at_rest_says_nothing, begin),
-        cmocka_unit_test(test_a_usage_of_a_maker_s_own_is_called_so),
-        cmocka_unit_test_setup(test_what_is_short_or_of_no_known_id_is_counted_and_changes_nothing,
-                               begin),
-        cmocka_unit_test_setup(test_reports_of_the_last_second_are_counted_and_forgotten, begin),
+        cmocka_unit_test_setup(test_a_report_changes_only_its_own_rows, begin),
+        cmocka_unit_test_setup(test_relative_mouse_motion_is_accumulated, begin),
+        cmocka_unit_test_setup(test_a_bar_shows_its_value_and_has_a_gap_out_of_range, begin),
+        cmocka_unit_test_setup(test_a_hat_at_rest_has_no_value, begin),
+        cmocka_unit_test(test_a_vendor_usage_is_labelled_as_such),
+        cmocka_unit_test_setup(test_short_reports_and_unknown_ids_are_only_counted, begin),
+        cmocka_unit_test_setup(test_the_report_rate_covers_the_last_second, begin),
         cmocka_unit_test_setup(test_the_picture_fits_a_window_of_any_size, begin),
-        cmocka_unit_test(test_nodes_come_by_number_with_what_the_kernel_says_of_them),
-        cmocka_unit_test(test_a_name_cannot_break_a_row_or_command_a_terminal),
-        cmocka_unit_test(test_a_nodes_descriptor_is_read_or_said_to_be_none),
-        cmocka_unit_test(test_a_machine_without_such_devices_has_an_empty_list),
+        cmocka_unit_test(test_nodes_are_sorted_by_number_with_their_kernel_attributes),
+        cmocka_unit_test(test_control_characters_of_a_device_name_are_removed),
+        cmocka_unit_test(test_a_machine_without_hid_devices_has_an_empty_list),
     };
     return cmocka_run_group_tests_name("hid_live", tests, make_root, remove_root);
 }

@@ -1,6 +1,7 @@
-/* test_hid_source.c -- a live device: its node is asked for its descriptor, gives a report a read,
- * and may be pulled out. The kernel is a socket here, which keeps reports apart as a node does, and
- * what it is asked goes through this file (-Wl,--wrap). */
+/* test_hid_source.c -- Tests a live HID device: its descriptor, one report per read, and an unplug.
+ *
+ * A socket simulates the kernel and keeps report boundaries as a device node does. The system calls
+ * are redirected to this file (-Wl,--wrap). */
 #include <errno.h>
 #include <fcntl.h>
 #include <linux/hidraw.h>
@@ -17,7 +18,7 @@
 
 #include "platform/ctl/devices/hid_source.h"
 
-/* X and Y of a byte each, under report id 3. */
+/* X and Y, one byte each, under report id 3. */
 static const uint8_t joystick[] = { 0x05, 0x01, 0x09, 0x04, 0xa1, 0x01, 0x85, 0x03,
                                     0x09, 0x30, 0x09, 0x31, 0x26, 0xff, 0x00, 0x75,
                                     0x08, 0x95, 0x02, 0x81, 0x02, 0xc0 };
@@ -25,8 +26,8 @@ static const uint8_t joystick[] = { 0x05, 0x01, 0x09, 0x04, 0xa1, 0x01, 0x85, 0x
 static struct {
     const uint8_t *descriptor;
     uint32_t size;
-    int open_errno, ioctl_errno, read_errno; /* 0: it goes well. */
-    int device;                              /* The kernel's end of the socket. */
+    int open_errno, ioctl_errno, read_errno; /* Injected errors. 0 means success. */
+    int device;                              /* The simulated kernel's end of the socket. */
     int ours;
 } kernel;
 
@@ -54,7 +55,8 @@ int __wrap_ioctl(int file, unsigned long request, void *out)
         *(int *)out = (int)kernel.size;
     } else if (request == HIDIOCGRDESC) {
         struct hidraw_report_descriptor *said = out;
-        assert_int_equal(said->size, kernel.size); /* The kernel copies as much as is asked for. */
+        assert_int_equal(said->size, kernel.size); /* The kernel copies as many bytes as
+                                                      requested. */
         memcpy(said->value, kernel.descriptor, kernel.size);
     }
     return 0;
@@ -100,7 +102,7 @@ static enum hid_pull pull(struct hid_report *out, enum exit_code *code)
     return hid_source_pull(&source, 0, out, code);
 }
 
-static void test_a_node_brings_its_own_descriptor(void **state)
+static void test_a_device_node_provides_its_descriptor(void **state)
 {
     (void)state;
     assert_int_equal(hid_source_open(&source, "/dev/hidraw0", &descriptor, NULL), EXIT_OK);
@@ -108,7 +110,7 @@ static void test_a_node_brings_its_own_descriptor(void **state)
     assert_int_equal(descriptor.group_count, 1);
 }
 
-static void test_a_read_is_a_report_also_where_it_is_short_or_long(void **state)
+static void test_each_read_is_one_report_of_any_length(void **state)
 {
     (void)state;
     struct hid_report report = { 0 };
@@ -129,7 +131,7 @@ static void test_a_read_is_a_report_also_where_it_is_short_or_long(void **state)
     assert_int_equal(pull(&report, &code), HID_PULL_NOTHING);
 }
 
-static void test_one_that_is_pulled_out_is_an_io_error(void **state)
+static void test_an_unplugged_device_is_an_io_error(void **state)
 {
     (void)state;
     static const int errors[] = { ENODEV, EIO };
@@ -145,7 +147,7 @@ static void test_one_that_is_pulled_out_is_an_io_error(void **state)
     }
 }
 
-static void test_a_signal_is_no_end(void **state)
+static void test_a_signal_does_not_end_the_input(void **state)
 {
     (void)state;
     struct hid_report report = { 0 };
@@ -158,16 +160,16 @@ static void test_a_signal_is_no_end(void **state)
     assert_int_equal(pull(&report, &code), HID_PULL_REPORT);
 }
 
-static void test_what_is_no_node_needs_a_descriptor(void **state)
+static void test_a_path_that_is_not_a_node_needs_a_descriptor(void **state)
 {
     (void)state;
     kernel.ioctl_errno = ENOTTY;
     assert_int_equal(hid_source_open(&source, "/dev/null", &descriptor, NULL), EXIT_USAGE);
     assert_int_equal(source.file, -1);
-    kernel.ours = kernel.device; /* The other end was closed by it. */
+    kernel.ours = kernel.device; /* The source closed the other end. */
 }
 
-static void test_one_that_may_not_be_opened_is_an_io_error(void **state)
+static void test_a_device_without_permission_is_an_io_error(void **state)
 {
     (void)state;
     kernel.open_errno = EACCES;
@@ -175,7 +177,7 @@ static void test_one_that_may_not_be_opened_is_an_io_error(void **state)
     close(kernel.ours);
 }
 
-static void test_a_device_whose_descriptor_is_none_is_bad_data(void **state)
+static void test_an_invalid_descriptor_is_a_data_error(void **state)
 {
     (void)state;
     kernel.size = sizeof joystick - 1u;
@@ -186,16 +188,17 @@ static void test_a_device_whose_descriptor_is_none_is_bad_data(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(test_a_node_brings_its_own_descriptor, plug_in, pull_out),
-        cmocka_unit_test_setup_teardown(test_a_read_is_a_report_also_where_it_is_short_or_long,
-                                        plug_in, pull_out),
-        cmocka_unit_test_setup_teardown(test_one_that_is_pulled_out_is_an_io_error, plug_in,
+        cmocka_unit_test_setup_teardown(test_a_device_node_provides_its_descriptor, plug_in,
                                         pull_out),
-        cmocka_unit_test_setup_teardown(test_a_signal_is_no_end, plug_in, pull_out),
-        cmocka_unit_test_setup_teardown(test_what_is_no_node_needs_a_descriptor, plug_in, pull_out),
-        cmocka_unit_test_setup_teardown(test_one_that_may_not_be_opened_is_an_io_error, plug_in,
+        cmocka_unit_test_setup_teardown(test_each_read_is_one_report_of_any_length, plug_in,
                                         pull_out),
-        cmocka_unit_test_setup_teardown(test_a_device_whose_descriptor_is_none_is_bad_data, plug_in,
+        cmocka_unit_test_setup_teardown(test_an_unplugged_device_is_an_io_error, plug_in, pull_out),
+        cmocka_unit_test_setup_teardown(test_a_signal_does_not_end_the_input, plug_in, pull_out),
+        cmocka_unit_test_setup_teardown(test_a_path_that_is_not_a_node_needs_a_descriptor, plug_in,
+                                        pull_out),
+        cmocka_unit_test_setup_teardown(test_a_device_without_permission_is_an_io_error, plug_in,
+                                        pull_out),
+        cmocka_unit_test_setup_teardown(test_an_invalid_descriptor_is_a_data_error, plug_in,
                                         pull_out),
     };
     return cmocka_run_group_tests_name("hid_source", tests, NULL, NULL);

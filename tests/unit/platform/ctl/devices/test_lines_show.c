@@ -1,4 +1,4 @@
-/* test_lines_show.c -- what kingyoctl lines tells of lines, told of lines of memory. */
+/* test_lines_show.c -- Tests the output of kingyoctl lines with simulated GPIO lines. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -9,15 +9,15 @@
 
 #include "drivers/gpio/gpio_config.h"
 #include "drivers/sim/gpio_lines_sim.h"
-#include "platform/ctl/devices/lines_show.h"
+#include "platform/ctl/devices/lines.h"
 
 #define MS 1000000ull
 #define LEVEL(ms, which, level) { .time_ns = (ms) * MS, .role = (which), .active = (level) }
 
 static struct gpio_lines_sim sim;
-static struct buttons_gpio gpio;
+static struct gpio_thread gpio;
 
-/* Steps lines until `time_ms` and returns what was shown; the caller frees it. */
+/* Steps the lines until `time_ms`. Returns the output, which the caller frees. */
 static char *shown(const struct gpio_sim_event *events, uint32_t count, uint64_t time_ms)
 {
     struct gpio_sim_events script = { .events = events, .count = count };
@@ -28,18 +28,18 @@ static char *shown(const struct gpio_sim_event *events, uint32_t count, uint64_t
     assert_true(gpio_wire_read("start=S", wires, why));
     assert_true(gpio_wire_read("coin=C", wires, why));
     gpio_lines_sim_init(&sim, gpio_lines_sim_events_script(&script), 1);
-    gpio_thread_open(&gpio.reader, gpio_lines_sim_device(&sim), wires, gpio_lines_sim_clock(&sim));
-    struct lines_show show = lines_show_begin(&gpio.reader);
+    gpio_thread_open(&gpio, gpio_lines_sim_device(&sim), wires, gpio_lines_sim_clock(&sim));
+    struct lines_show show = lines_show_begin(&gpio);
     while (sim.now_ns < time_ms * MS) {
-        gpio_thread_step(&gpio.reader);
+        gpio_thread_step(&gpio);
         lines_show_rows(&show, out);
     }
-    gpio_thread_close(&gpio.reader);
+    gpio_thread_close(&gpio);
     fclose(out);
     return text;
 }
 
-static void test_presses_and_coins_have_a_row_each_when_they_count(void **state)
+static void test_each_accepted_press_and_coin_has_a_row(void **state)
 {
     (void)state;
     static const struct gpio_sim_event events[] = {
@@ -50,11 +50,11 @@ static void test_presses_and_coins_have_a_row_each_when_they_count(void **state)
     assert_string_equal(text, "0.105\tstart\tpressed\n"
                               "0.305\tstart\treleased\n"
                               "0.458\tcoin\tcoin 1, its pulse 48.0 ms\n"
-                              "0.618\tcoin\ttoo short for a coin: 1 so far\n");
+                              "0.618\tcoin\tpulses too short for a coin: 1 so far\n");
     free(text);
 }
 
-static void test_jams_and_chips_that_go_are_told_when_they_do(void **state)
+static void test_jams_and_removed_chips_are_reported(void **state)
 {
     (void)state;
     static const struct gpio_sim_event events[] = {
@@ -64,13 +64,13 @@ static void test_jams_and_chips_that_go_are_told_when_they_do(void **state)
         { .time_ns = 1030 * MS, .what = GPIO_SIM_GONE },
     };
     char *text = shown(events, 4, 1500);
-    assert_string_equal(text, "0.351\tcoin\ta coin sticks: 1 so far\n"
-                              "1.030\tcoin\tits line went in mid-pulse: 1 so far\n"
-                              "1.030\t-\ta chip went away; it is looked for\n");
+    assert_string_equal(text, "0.351\tcoin\tcoins stuck in the slot: 1 so far\n"
+                              "1.030\tcoin\tpulses cut off because the line was removed: 1 so far\n"
+                              "1.030\t-\tchips removed: 1 so far\n");
     free(text);
 }
 
-static void test_a_coin_s_width_is_its_own_where_the_next_one_has_begun(void **state)
+static void test_a_coin_has_its_own_width_although_the_next_one_has_begun(void **state)
 {
     (void)state;
     static const struct gpio_sim_event events[] = {
@@ -85,19 +85,19 @@ static void test_a_coin_s_width_is_its_own_where_the_next_one_has_begun(void **s
     size_t size = 0;
     assert_true(gpio_wire_read("coin=C", wires, why));
     gpio_lines_sim_init(&sim, gpio_lines_sim_events_script(&script), 1);
-    gpio_thread_open(&gpio.reader, gpio_lines_sim_device(&sim), wires, gpio_lines_sim_clock(&sim));
-    struct lines_show show = lines_show_begin(&gpio.reader);
+    gpio_thread_open(&gpio, gpio_lines_sim_device(&sim), wires, gpio_lines_sim_clock(&sim));
+    struct lines_show show = lines_show_begin(&gpio);
     gpio_lines_sim_pass(&sim, 190 * MS);
-    gpio_thread_step(&gpio.reader);
+    gpio_thread_step(&gpio);
     FILE *out = open_memstream(&text, &size);
     lines_show_rows(&show, out);
     fclose(out);
     assert_string_equal(text, "0.190\tcoin\tcoin 1, its pulse 48.0 ms\n");
-    gpio_thread_close(&gpio.reader);
+    gpio_thread_close(&gpio);
     free(text);
 }
 
-static void test_every_line_has_a_row_that_says_who_holds_it(void **state)
+static void test_every_line_has_a_row_with_its_consumer(void **state)
 {
     (void)state;
     char *text = NULL;
@@ -116,10 +116,10 @@ static void test_every_line_has_a_row_that_says_who_holds_it(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_presses_and_coins_have_a_row_each_when_they_count),
-        cmocka_unit_test(test_jams_and_chips_that_go_are_told_when_they_do),
-        cmocka_unit_test(test_a_coin_s_width_is_its_own_where_the_next_one_has_begun),
-        cmocka_unit_test(test_every_line_has_a_row_that_says_who_holds_it),
+        cmocka_unit_test(test_each_accepted_press_and_coin_has_a_row),
+        cmocka_unit_test(test_jams_and_removed_chips_are_reported),
+        cmocka_unit_test(test_a_coin_has_its_own_width_although_the_next_one_has_begun),
+        cmocka_unit_test(test_every_line_has_a_row_with_its_consumer),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,4 @@
-/* test_doctor_gpio.c -- what the doctor says of a wired line. */
+/* test_doctor_gpio.c -- Tests the findings of the doctor about a configured GPIO line. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -8,7 +8,7 @@
 #include <cmocka.h>
 
 #include "drivers/gpio/gpio_config.h"
-#include "platform/ctl/doctor/doctor_gpio.h"
+#include "platform/ctl/doctor/doctor.h"
 
 static struct doctor doctor;
 static struct gpio_census census;
@@ -45,7 +45,7 @@ static int two_chips(void **state)
     return 0;
 }
 
-static void test_a_free_line_is_fine_and_found_on_its_chip(void **state)
+static void test_a_free_line_is_ok_and_found_on_its_chip(void **state)
 {
     (void)state;
     const struct doctor_finding *finding = ask("ok=pinctrl-bcm2711:17");
@@ -54,7 +54,7 @@ static void test_a_free_line_is_fine_and_found_on_its_chip(void **state)
     assert_string_equal(finding->todo, "");
 }
 
-static void test_a_line_that_a_driver_holds_is_wrong_and_says_who(void **state)
+static void test_a_line_used_by_a_driver_is_an_error_that_names_the_driver(void **state)
 {
     (void)state;
     const struct doctor_finding *finding = ask("coin=COIN");
@@ -64,34 +64,34 @@ static void test_a_line_that_a_driver_holds_is_wrong_and_says_who(void **state)
     assert_non_null(strstr(finding->todo, "remove the overlay"));
 }
 
-static void test_a_line_that_the_kiosk_itself_holds_is_fine(void **state)
+static void test_a_line_used_by_the_kiosk_is_ok(void **state)
 {
     (void)state;
     assert_int_equal(ask("start-lamp=LAMP")->level, DOCTOR_FINE);
     assert_non_null(strstr(doctor.finding[0].state, "held by the running kiosk"));
 }
 
-static void test_a_name_on_two_lines_is_wrong_and_the_chip_is_offered(void **state)
+static void test_an_ambiguous_line_name_is_an_error_that_suggests_the_chip(void **state)
 {
     (void)state;
     const struct doctor_finding *finding = ask("start=BTN_START");
     assert_int_equal(finding->level, DOCTOR_WRONG);
-    assert_string_equal(finding->state, "2 lines are called so");
-    assert_string_equal(finding->todo, "name it by its chip: pinctrl-bcm2711:17");
+    assert_string_equal(finding->state, "2 lines have this name");
+    assert_string_equal(finding->todo, "use the chip and the offset: pinctrl-bcm2711:17");
 }
 
-static void test_two_chips_of_one_label_are_told_apart_by_names_alone(void **state)
+static void test_chips_with_equal_labels_are_distinguished_by_name(void **state)
 {
     (void)state;
     memcpy(census.line[2].chip, "pinctrl-bcm2711", sizeof "pinctrl-bcm2711");
     census.line[2].offset = 17;
     const struct doctor_finding *finding = ask("ok=pinctrl-bcm2711:17");
     assert_int_equal(finding->level, DOCTOR_WRONG);
-    assert_string_equal(finding->state, "2 chips have that label");
-    assert_non_null(strstr(finding->todo, "by its line's name"));
+    assert_string_equal(finding->state, "2 chips have this label");
+    assert_non_null(strstr(finding->todo, "the name of the line"));
 }
 
-static void test_a_line_that_no_chip_has_is_wrong(void **state)
+static void test_a_line_on_no_chip_is_an_error(void **state)
 {
     (void)state;
     assert_int_equal(ask("door=DOOR")->level, DOCTOR_WRONG);
@@ -99,7 +99,7 @@ static void test_a_line_that_no_chip_has_is_wrong(void **state)
     assert_int_equal(ask("door=gpio-sim.1:4")->level, DOCTOR_WRONG);
 }
 
-static void test_findings_beyond_the_room_are_counted_and_change_nothing(void **state)
+static void test_findings_beyond_the_buffer_are_counted_only(void **state)
 {
     (void)state;
     doctor.count = DOCTOR_FINDINGS_MAX - 1u;
@@ -114,16 +114,15 @@ static void test_findings_beyond_the_room_are_counted_and_change_nothing(void **
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(test_a_free_line_is_fine_and_found_on_its_chip, two_chips),
-        cmocka_unit_test_setup(test_a_line_that_a_driver_holds_is_wrong_and_says_who, two_chips),
-        cmocka_unit_test_setup(test_a_line_that_the_kiosk_itself_holds_is_fine, two_chips),
-        cmocka_unit_test_setup(test_two_chips_of_one_label_are_told_apart_by_names_alone,
+        cmocka_unit_test_setup(test_a_free_line_is_ok_and_found_on_its_chip, two_chips),
+        cmocka_unit_test_setup(test_a_line_used_by_a_driver_is_an_error_that_names_the_driver,
                                two_chips),
-        cmocka_unit_test_setup(test_a_name_on_two_lines_is_wrong_and_the_chip_is_offered,
+        cmocka_unit_test_setup(test_a_line_used_by_the_kiosk_is_ok, two_chips),
+        cmocka_unit_test_setup(test_chips_with_equal_labels_are_distinguished_by_name, two_chips),
+        cmocka_unit_test_setup(test_an_ambiguous_line_name_is_an_error_that_suggests_the_chip,
                                two_chips),
-        cmocka_unit_test_setup(test_a_line_that_no_chip_has_is_wrong, two_chips),
-        cmocka_unit_test_setup(test_findings_beyond_the_room_are_counted_and_change_nothing,
-                               two_chips),
+        cmocka_unit_test_setup(test_a_line_on_no_chip_is_an_error, two_chips),
+        cmocka_unit_test_setup(test_findings_beyond_the_buffer_are_counted_only, two_chips),
     };
     return cmocka_run_group_tests_name("doctor_gpio", tests, NULL, NULL);
 }

@@ -1,4 +1,4 @@
-/* test_refit.c -- a template bent onto meshes of another topology, whose truth is known. */
+/* test_refit.c -- Tests the fit of a template to meshes of another topology with a known result. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -30,14 +30,15 @@ static const char *const mark_names[] = {
 static struct species_text text;
 static struct loft loft;
 static struct mesh_tables tables;
-static struct species_mesh other; /* The same fish in another tessellation. */
+static struct species_mesh other; /* The same fish with a different tessellation. */
 static struct species_slot slot;
 static struct import_mesh mesh;
 static struct refit_marks marks;
 static vec3 truth[MESH_VERTEX_MAX], positions[MESH_VERTEX_MAX];
 static char why[IMPORT_WHY_SIZE];
 
-/* Other rings, spokes and rays than the kiosk's two: no vertex but the snout's is where it was. */
+/* Uses different numbers of rings, spokes and rays from the kiosk's two meshes, so that no vertex
+ * except the snout keeps its position. */
 static void loft_otherwise(const char *path)
 {
     struct detail detail = species_detail[0];
@@ -53,7 +54,7 @@ static void loft_otherwise(const char *path)
     assert_true(species_read(in, path, stderr, &text));
     fclose(in);
     species_loft(&text, &detail, &loft);
-    species_pack(&loft, text.key_count, &tables, &other);
+    species_pack(&loft, text.card.key_count, &tables, &other);
 }
 
 static void shape_of(const struct species_mesh *body, uint32_t key_count, uint32_t key, vec3 *out)
@@ -63,12 +64,12 @@ static void shape_of(const struct species_mesh *body, uint32_t key_count, uint32
     morph_shape(body, key_count, &pose, out, NULL);
 }
 
-/* The other tessellation of `key` as a mesh from elsewhere; every third vertex is a little off its
- * surface, by `noise` lengths, as scans are. */
+/* Writes the other tessellation of `key` as a foreign mesh. Every third vertex is off its surface
+ * by `noise` lengths, as in a scan. */
 static void make_mesh(uint32_t key, float noise)
 {
     memset(&mesh, 0, sizeof mesh);
-    shape_of(&other, text.key_count, key, mesh.positions[0]);
+    shape_of(&other, text.card.key_count, key, mesh.positions[0]);
     mesh.key_count = 1;
     mesh.vertex_count = other.vertex_count;
     mesh.triangle_count = other.index_count / 3;
@@ -104,8 +105,9 @@ static void tell(const char *what, const struct refit_error *e)
                   100.0 * (double)e->rms, 100.0 * (double)e->max);
 }
 
-/* The young fish's body bent to the grown one: each vertex must find its own place again. */
-static void test_a_larva_bent_onto_the_adult_finds_each_vertex(void **state)
+/* The body of the young fish is fitted to that of the adult. Each vertex must find its own
+ * position. */
+static void test_fitting_a_larva_to_the_adult_finds_each_vertex(void **state)
 {
     (void)state;
     struct refit_result result;
@@ -134,7 +136,7 @@ static void test_a_larva_bent_onto_the_adult_finds_each_vertex(void **state)
     assert_true(rms < 0.02);
 }
 
-static void test_one_species_is_bent_onto_another(void **state)
+static void test_one_species_is_fitted_to_another(void **state)
 {
     (void)state;
     struct refit_result result;
@@ -162,8 +164,8 @@ static void test_one_species_is_bent_onto_another(void **state)
     }
 }
 
-/* A hair on the snout: no surface that would draw the skin. */
-static void test_the_error_is_of_every_vertex(void **state)
+/* A hair on the snout has no surface that could attract the skin. */
+static void test_the_fit_error_covers_every_vertex(void **state)
 {
     (void)state;
     struct refit_result result;
@@ -181,12 +183,12 @@ static void test_the_error_is_of_every_vertex(void **state)
         mesh.groups[hair] = mesh.groups[0];
         pack_copy(&species_wakin, &slot);
         refit_key(&slot, 0, &mesh, &marks, &result);
-        /* One corner of three draws the skin to it. */
+        /* One of the three corners attracts the skin. */
         assert_true(corner == hair % 3 || result.from_mesh.max > 0.1f);
     }
 }
 
-static void test_a_landmark_off_the_mesh_is_told(void **state)
+static void test_a_landmark_off_the_mesh_is_reported(void **state)
 {
     (void)state;
     struct refit_result result;
@@ -203,7 +205,7 @@ static void test_a_landmark_off_the_mesh_is_told(void **state)
     assert_true(result.stray_gap > 0.1f && result.stray_gap <= 0.42f);
 }
 
-static void test_noise_of_a_scan_is_averaged_and_not_followed(void **state)
+static void test_scan_noise_is_averaged(void **state)
 {
     (void)state;
     struct refit_result clean, noisy;
@@ -222,7 +224,7 @@ static void test_noise_of_a_scan_is_averaged_and_not_followed(void **state)
     assert_true(noisy.to_mesh.mean < clean.to_mesh.mean + 0.002f);
 }
 
-static void test_meshes_without_parts_are_fitted_too(void **state)
+static void test_meshes_without_parts_are_fitted(void **state)
 {
     (void)state;
     struct refit_result result;
@@ -241,7 +243,7 @@ static void test_meshes_without_parts_are_fitted_too(void **state)
     assert_true(result.to_mesh.mean < 0.003f && result.from_mesh.mean < 0.006f);
 }
 
-static void test_the_warp_carries_landmarks_and_leaves_what_is_there(void **state)
+static void test_the_warp_moves_landmarks_to_their_targets(void **state)
 {
     (void)state;
     const vec3 from[5] = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 1, 1 } };
@@ -258,7 +260,7 @@ static void test_the_warp_carries_landmarks_and_leaves_what_is_there(void **stat
     }
 }
 
-static void test_the_tree_finds_what_trying_all_finds(void **state)
+static void test_the_tree_finds_the_same_point_as_brute_force(void **state)
 {
     (void)state;
     static struct refit_tree tree, one;
@@ -289,20 +291,20 @@ static void test_the_tree_finds_what_trying_all_finds(void **state)
     }
 }
 
-static void test_bad_landmarks_are_named_with_their_line(void **state)
+static void test_invalid_landmarks_are_reported_with_their_line(void **state)
 {
     (void)state;
     static const struct {
         const char *text, *complaint;
     } cases[] = {
-        { "", ":0: four landmarks or more" },
-        { "snout 0 0\n", ":1: write: NAME X Y Z" },
-        { "snout 0 0 nan\n", ":1: write: NAME X Y Z" },
-        { "snout 0 0 1 2\n", ":1: write: NAME X Y Z" },
-        { "# head\nnose 0 0 1\n", ":2: no landmark of that name" },
-        { "_\n", ":1: no landmark of that name" },
-        { "dorsal 0 0 1\n", ":1: no landmark of that name" },
-        { "snout 0 0 1\ntail_root 0 0 1\nback 0 0 1\n", ":3: four landmarks or more" },
+        { "", ":0: at least four landmarks" },
+        { "snout 0 0\n", ":1: expected NAME X Y Z" },
+        { "snout 0 0 nan\n", ":1: expected NAME X Y Z" },
+        { "snout 0 0 1 2\n", ":1: expected NAME X Y Z" },
+        { "# head\nnose 0 0 1\n", ":2: unknown landmark" },
+        { "_\n", ":1: unknown landmark" },
+        { "dorsal 0 0 1\n", ":1: unknown landmark" },
+        { "snout 0 0 1\ntail_root 0 0 1\nback 0 0 1\n", ":3: at least four landmarks" },
     };
     char path[] = "/tmp/kingyo-marks-XXXXXX";
     const int fd = mkstemp(path);
@@ -329,10 +331,10 @@ static void test_bad_landmarks_are_named_with_their_line(void **state)
         assert_float_equal(marks.marks[i].place.x, (float)i, 0.0f);
     }
     out = fopen(path, "w");
-    fprintf(out, "snout 0 0 %0300d\n", 1); /* A line is not cut in two. */
+    fprintf(out, "snout 0 0 %0300d\n", 1); /* A too long line is not split. */
     fclose(out);
     assert_int_equal(refit_marks_read(path, &marks, why), EXIT_BAD_DATA);
-    assert_non_null(strstr(why, ":1: the line is longer than 254"));
+    assert_non_null(strstr(why, ":1: the line is longer than 255 characters"));
     assert_int_equal(truncate(path, 0) | truncate(path, 65537), 0);
     assert_int_equal(refit_marks_read(path, &marks, why), EXIT_BAD_DATA);
     assert_non_null(strstr(why, ": larger than 64 KiB"));
@@ -344,15 +346,15 @@ static void test_bad_landmarks_are_named_with_their_line(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_larva_bent_onto_the_adult_finds_each_vertex),
-        cmocka_unit_test(test_one_species_is_bent_onto_another),
-        cmocka_unit_test(test_the_error_is_of_every_vertex),
-        cmocka_unit_test(test_a_landmark_off_the_mesh_is_told),
-        cmocka_unit_test(test_noise_of_a_scan_is_averaged_and_not_followed),
-        cmocka_unit_test(test_meshes_without_parts_are_fitted_too),
-        cmocka_unit_test(test_the_warp_carries_landmarks_and_leaves_what_is_there),
-        cmocka_unit_test(test_the_tree_finds_what_trying_all_finds),
-        cmocka_unit_test(test_bad_landmarks_are_named_with_their_line),
+        cmocka_unit_test(test_fitting_a_larva_to_the_adult_finds_each_vertex),
+        cmocka_unit_test(test_one_species_is_fitted_to_another),
+        cmocka_unit_test(test_the_fit_error_covers_every_vertex),
+        cmocka_unit_test(test_a_landmark_off_the_mesh_is_reported),
+        cmocka_unit_test(test_scan_noise_is_averaged),
+        cmocka_unit_test(test_meshes_without_parts_are_fitted),
+        cmocka_unit_test(test_the_warp_moves_landmarks_to_their_targets),
+        cmocka_unit_test(test_the_tree_finds_the_same_point_as_brute_force),
+        cmocka_unit_test(test_invalid_landmarks_are_reported_with_their_line),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,5 @@
-/* test_caption.c -- canvas and plate: what is covered, written and measured on a picture. */
+/* test_caption.c -- Tests the canvas and the captions: coverage, text and scale bars of a
+ * picture. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -23,7 +24,7 @@ static struct canvas white_canvas(void)
     return canvas;
 }
 
-/* How many pixels' worth of the light is gone in the columns from `left` to `right`. */
+/* Returns the amount of ink in the columns from `left` to `right`, in full pixels. */
 static float ink(const struct canvas *canvas, uint32_t left, uint32_t right)
 {
     float sum = 0.0f;
@@ -35,7 +36,7 @@ static float ink(const struct canvas *canvas, uint32_t left, uint32_t right)
     return sum;
 }
 
-static void test_edges_between_pixels_cover_them_in_part(void **state)
+static void test_edges_between_pixels_have_partial_coverage(void **state)
 {
     (void)state;
     struct canvas canvas = white_canvas();
@@ -45,7 +46,7 @@ static void test_edges_between_pixels_cover_them_in_part(void **state)
     canvas_close(&canvas);
 }
 
-static void test_what_lies_outside_is_cut_off(void **state)
+static void test_drawing_outside_the_canvas_is_clipped(void **state)
 {
     (void)state;
     struct canvas canvas = white_canvas();
@@ -53,21 +54,20 @@ static void test_what_lies_outside_is_cut_off(void **state)
     canvas_fill(&canvas, (struct canvas_box){ 500.0f, 500.0f, 60.0f, 60.0f }, 0, 0);
     assert_true(f_abs(ink(&canvas, 0, WIDTH) - 100.0f) < 1e-3f);
     canvas_words(&canvas, -20.0f, 300.0f, 40.0f, ALIGN_LEFT, 0, "far below");
-    canvas_shade(&canvas, (struct canvas_box){ 190.0f, 70.0f, 40.0f, 40.0f }, 0.5f);
     canvas_close(&canvas);
 }
 
-static void test_colours_come_back_from_linear_light(void **state)
+static void test_srgb_colours_are_converted_to_linear_light(void **state)
 {
     (void)state;
-    for (uint32_t i = 0; i <= 255; i++) {
-        const float c = (float)i / 255.0f;
-        const vec3 back = canvas_srgb(canvas_linear(v3(c, c, c)));
-        assert_true(f_abs(back.x - c) < 1e-5f);
-    }
+    const vec3 dark = canvas_linear(v3(0.0f, 0.04f, 0.25f));
+    const vec3 light = canvas_linear(v3(0.5f, 0.75f, 1.0f));
+    assert_true(dark.x == 0.0f && f_abs(dark.y - 0.0030960f) < 1e-6f);
+    assert_true(f_abs(dark.z - 0.0508761f) < 1e-5f && f_abs(light.x - 0.2140411f) < 1e-5f);
+    assert_true(f_abs(light.y - 0.5225216f) < 1e-5f && f_abs(light.z - 1.0f) < 1e-5f);
 }
 
-static void test_words_stand_where_they_are_aligned(void **state)
+static void test_text_is_drawn_at_its_alignment(void **state)
 {
     (void)state;
     const enum canvas_align aligns[3] = { ALIGN_RIGHT, ALIGN_CENTRE, ALIGN_LEFT };
@@ -81,14 +81,14 @@ static void test_words_stand_where_they_are_aligned(void **state)
     }
 }
 
-static void test_larger_words_have_more_ink_in_proportion(void **state)
+static void test_larger_text_has_proportionally_more_ink(void **state)
 {
     (void)state;
     struct canvas small = white_canvas(), large = white_canvas();
     canvas_words(&small, 100.0f, 60.0f, 16.0f, ALIGN_CENTRE, 0, "mm");
     canvas_words(&large, 100.0f, 60.0f, 48.0f, ALIGN_CENTRE, 0, "mm");
     const float ratio = ink(&large, 0, WIDTH) / ink(&small, 0, WIDTH);
-    assert_true(ratio > 8.0f && ratio < 10.0f); /* 3 x 3 */
+    assert_true(ratio > 8.0f && ratio < 10.0f); /* 3 x 3. */
     canvas_close(&small);
     canvas_close(&large);
 }
@@ -107,7 +107,7 @@ static void says_length(float length_m, const char *wanted)
     assert_string_equal(words, wanted);
 }
 
-static void test_ages_and_lengths_are_said_in_their_own_units(void **state)
+static void test_ages_and_lengths_have_suitable_units(void **state)
 {
     (void)state;
     says_age(0.0f, "hatching");
@@ -120,7 +120,7 @@ static void test_ages_and_lengths_are_said_in_their_own_units(void **state)
     says_length(2.083f, "2.08 m");
 }
 
-static void test_names_are_written_as_people_write_them(void **state)
+static void test_names_are_capitalized_and_spaced(void **state)
 {
     (void)state;
     char words[CAPTION_WORDS_SIZE];
@@ -130,7 +130,7 @@ static void test_names_are_written_as_people_write_them(void **state)
     assert_int_equal(strlen(words), CAPTION_WORDS_SIZE - 1);
 }
 
-static void test_bars_are_one_two_or_five_of_a_unit(void **state)
+static void test_scale_bars_are_one_two_or_five_units(void **state)
 {
     (void)state;
     static const float wanted[][2] = { { 0.0019f, 0.001f }, { 0.002f, 0.002f }, { 0.0049f, 0.002f },
@@ -142,11 +142,12 @@ static void test_bars_are_one_two_or_five_of_a_unit(void **state)
     }
 }
 
-static void test_a_bar_is_as_long_as_it_says(void **state)
+static void test_a_scale_bar_has_its_stated_length(void **state)
 {
     (void)state;
     struct canvas canvas = white_canvas();
-    /* 3 px a millimetre, at most 100 px: 20 mm, so 60 px, from 70 to 130. */
+    /* With 3 px per millimetre and at most 100 px, the bar is 20 mm or 60 px long, from 70 to
+     * 130. */
     caption_bar(&canvas, 100.0f, 30.0f, 100.0f, 3000.0f, 10.0f);
     assert_true(canvas.pixels[30 * WIDTH + 71].y < 0.5f);
     assert_true(canvas.pixels[30 * WIDTH + 128].y < 0.5f);
@@ -154,7 +155,7 @@ static void test_a_bar_is_as_long_as_it_says(void **state)
     canvas_close(&canvas);
 }
 
-static void test_weights_fill_their_bar_in_their_shares(void **state)
+static void test_weights_fill_their_bar_proportionally(void **state)
 {
     (void)state;
     struct canvas canvas = white_canvas();
@@ -177,8 +178,9 @@ static void test_three_keys_are_red_green_and_blue(void **state)
     }
 }
 
-/* By position from the youngest to the oldest: the lab, sheets and graphs ask the same table. */
-static void test_keys_begin_red_and_each_has_a_colour_of_its_own(void **state)
+/* The colour depends on the position from the youngest to the oldest key. The lab, sheets and
+ * graphs use the same table. */
+static void test_the_first_key_is_red_and_each_key_has_its_own_colour(void **state)
 {
     (void)state;
     for (uint32_t count = 2; count <= MORPH_KEY_MAX; count++) {
@@ -199,17 +201,17 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_three_keys_are_red_green_and_blue),
-        cmocka_unit_test(test_keys_begin_red_and_each_has_a_colour_of_its_own),
-        cmocka_unit_test(test_edges_between_pixels_cover_them_in_part),
-        cmocka_unit_test(test_what_lies_outside_is_cut_off),
-        cmocka_unit_test(test_colours_come_back_from_linear_light),
-        cmocka_unit_test(test_words_stand_where_they_are_aligned),
-        cmocka_unit_test(test_larger_words_have_more_ink_in_proportion),
-        cmocka_unit_test(test_ages_and_lengths_are_said_in_their_own_units),
-        cmocka_unit_test(test_names_are_written_as_people_write_them),
-        cmocka_unit_test(test_bars_are_one_two_or_five_of_a_unit),
-        cmocka_unit_test(test_a_bar_is_as_long_as_it_says),
-        cmocka_unit_test(test_weights_fill_their_bar_in_their_shares),
+        cmocka_unit_test(test_the_first_key_is_red_and_each_key_has_its_own_colour),
+        cmocka_unit_test(test_edges_between_pixels_have_partial_coverage),
+        cmocka_unit_test(test_drawing_outside_the_canvas_is_clipped),
+        cmocka_unit_test(test_srgb_colours_are_converted_to_linear_light),
+        cmocka_unit_test(test_text_is_drawn_at_its_alignment),
+        cmocka_unit_test(test_larger_text_has_proportionally_more_ink),
+        cmocka_unit_test(test_ages_and_lengths_have_suitable_units),
+        cmocka_unit_test(test_names_are_capitalized_and_spaced),
+        cmocka_unit_test(test_scale_bars_are_one_two_or_five_units),
+        cmocka_unit_test(test_a_scale_bar_has_its_stated_length),
+        cmocka_unit_test(test_weights_fill_their_bar_proportionally),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,4 @@
-/* test_fish_preview.c -- a species as pictures and as pieces: every built-in one. */
+/* test_fish_preview.c -- Tests the pictures and the exported pieces of every built-in species. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -33,15 +33,15 @@ static void test_every_fish_fits_its_bounds_with_its_nose_left(void **state)
         struct fish_preview_bounds side = fish_preview_nowhere, above = fish_preview_nowhere;
         fish_preview_measure(&portrait, VIEW_SIDE, &side);
         fish_preview_measure(&portrait, VIEW_ABOVE, &above);
-        assert_true(f_abs(side.left + 0.5f) < 0.02f); /* The snout at z = -0.5. */
+        assert_true(f_abs(side.left + 0.5f) < 0.02f); /* The snout is at z = -0.5. */
         assert_true(side.right > side.left + 0.9f);
         assert_true(above.left == side.left && above.right == side.right);
         assert_true(side.high > side.low && above.high > above.low);
     }
 }
 
-/* What is drawn, by columns: a fish has ink from its nose to its tail and none beyond. */
-static void test_every_fish_is_drawn_in_every_view_and_stays_within(void **state)
+/* Checks the columns of the picture. A fish has ink from its nose to its tail and none beyond. */
+static void test_every_fish_is_drawn_within_bounds_in_every_view(void **state)
 {
     (void)state;
     struct canvas canvas;
@@ -70,7 +70,7 @@ static void test_every_fish_is_drawn_in_every_view_and_stays_within(void **state
     }
 }
 
-static void test_every_triangle_is_in_one_piece_and_every_sheet_there_once(void **state)
+static void test_every_triangle_is_in_one_piece_and_each_sheet_is_included_once(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < species_table_count; i++) {
@@ -89,7 +89,7 @@ static void test_every_triangle_is_in_one_piece_and_every_sheet_there_once(void 
     }
 }
 
-static void test_a_piece_is_of_one_part_and_one_side_and_has_a_name_of_its_own(void **state)
+static void test_a_piece_has_one_part_one_side_and_a_unique_name(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < species_table_count; i++) {
@@ -110,8 +110,8 @@ static void test_a_piece_is_of_one_part_and_one_side_and_has_a_name_of_its_own(v
     }
 }
 
-/* Colours of vertices are of the coat: with a key alone they lie where its colours lie. */
-static void test_vertices_are_painted_as_the_skin_around_them(void **state)
+/* Vertex colours come from the coat. At a single key they match the colours of its texture. */
+static void test_vertex_colours_match_the_surrounding_texture(void **state)
 {
     (void)state;
     static struct paint paints[MESH_VERTEX_MAX];
@@ -135,8 +135,8 @@ static void test_vertices_are_painted_as_the_skin_around_them(void **state)
     }
 }
 
-/* A maker may draw what he likes, eight times, taller than long: the page stays one that can be. */
-static void test_the_sheet_has_room_for_a_tower_of_a_fish(void **state)
+/* A species may have eight keys that are taller than long. The picture must have a valid size. */
+static void test_the_sheet_size_is_limited_for_a_very_tall_fish(void **state)
 {
     (void)state;
     static struct species tower;
@@ -164,11 +164,11 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_every_fish_fits_its_bounds_with_its_nose_left),
-        cmocka_unit_test(test_every_fish_is_drawn_in_every_view_and_stays_within),
-        cmocka_unit_test(test_every_triangle_is_in_one_piece_and_every_sheet_there_once),
-        cmocka_unit_test(test_a_piece_is_of_one_part_and_one_side_and_has_a_name_of_its_own),
-        cmocka_unit_test(test_the_sheet_has_room_for_a_tower_of_a_fish),
-        cmocka_unit_test(test_vertices_are_painted_as_the_skin_around_them),
+        cmocka_unit_test(test_every_fish_is_drawn_within_bounds_in_every_view),
+        cmocka_unit_test(test_every_triangle_is_in_one_piece_and_each_sheet_is_included_once),
+        cmocka_unit_test(test_a_piece_has_one_part_one_side_and_a_unique_name),
+        cmocka_unit_test(test_the_sheet_size_is_limited_for_a_very_tall_fish),
+        cmocka_unit_test(test_vertex_colours_match_the_surrounding_texture),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

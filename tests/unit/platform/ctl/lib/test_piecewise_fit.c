@@ -1,4 +1,5 @@
-/* test_piecewise_fit.c -- curves as tables: as dense as they bend, and no denser. */
+/* test_piecewise_fit.c -- Tests the conversion of curves to tables with as many samples as the
+ * curvature needs. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -30,14 +31,14 @@ static void ask_parabola(const void *self, float progress, float *values)
     values[0] = progress * progress;
 }
 
-/* Flat, then steep from `*self` on. */
+/* The curve is flat, then steep from `*self`. */
 static void ask_corner(const void *self, float progress, float *values)
 {
     const float at = *(const float *)self;
     values[0] = f_max(progress - at, 0.0f);
 }
 
-/* Straight lines between the samples, as whoever reads the file has them. */
+/* Interpolates linearly between the samples, as a reader of the file does. */
 static float read_back(const struct piecewise_fit *track, float progress)
 {
     uint32_t i = 1;
@@ -59,7 +60,7 @@ static float worst(const struct piecewise_fit *track, const struct piecewise_fit
     return far;
 }
 
-static void test_a_straight_line_needs_its_ends_alone(void **state)
+static void test_a_straight_line_is_fitted_by_two_samples(void **state)
 {
     (void)state;
     struct piecewise_fit track;
@@ -70,8 +71,9 @@ static void test_a_straight_line_needs_its_ends_alone(void **state)
     piecewise_fit_free(&track);
 }
 
-/* A line over a step h misses x^2 by h^2 / 4: 2^-8 is the first step within 1e-5. */
-static void test_a_parabola_gets_the_steps_that_its_bend_asks_for(void **state)
+/* A line over a step h misses x^2 by h^2 / 4, so 2^-8 is the first step with an error below
+ * 1e-5. */
+static void test_the_step_of_a_parabola_follows_from_its_curvature(void **state)
 {
     (void)state;
     struct piecewise_fit track;
@@ -82,7 +84,7 @@ static void test_a_parabola_gets_the_steps_that_its_bend_asks_for(void **state)
     piecewise_fit_free(&track);
 }
 
-static void test_samples_gather_where_a_corner_is(void **state)
+static void test_samples_concentrate_at_a_corner(void **state)
 {
     (void)state;
     struct piecewise_fit track;
@@ -90,14 +92,15 @@ static void test_samples_gather_where_a_corner_is(void **state)
     const struct piecewise_fit_function f = { 1, ask_corner, error, &corner };
     assert_true(piecewise_fit_fit(&track, &f, ends, 2, TOLERANCE));
     assert_true(track.count < 40);
-    assert_true(worst(&track, &f) <= 4.0f * TOLERANCE); /* The corner may lie off the middle. */
+    assert_true(worst(&track, &f) <= 4.0f * TOLERANCE); /* The corner may be off the middle of a
+                                                           step. */
     for (uint32_t i = 1; i < track.count; i++) {
         assert_true(track.progress[i] > track.progress[i - 1]);
     }
     piecewise_fit_free(&track);
 }
 
-static void test_a_mark_on_the_corner_is_enough(void **state)
+static void test_a_mark_on_the_corner_needs_no_further_samples(void **state)
 {
     (void)state;
     struct piecewise_fit track;
@@ -108,14 +111,14 @@ static void test_a_mark_on_the_corner_is_enough(void **state)
     piecewise_fit_free(&track);
 }
 
-/* A step can never be met: it must end all the same. */
+/* A step function can never be fitted, but the fit must terminate. */
 static void ask_step(const void *self, float progress, float *values)
 {
     (void)self;
     values[0] = progress < 0.3f ? 0.0f : 1.0f;
 }
 
-static void test_a_jump_ends_at_the_finest_step(void **state)
+static void test_a_discontinuity_stops_at_the_finest_step(void **state)
 {
     (void)state;
     struct piecewise_fit track;
@@ -128,11 +131,11 @@ static void test_a_jump_ends_at_the_finest_step(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_straight_line_needs_its_ends_alone),
-        cmocka_unit_test(test_a_parabola_gets_the_steps_that_its_bend_asks_for),
-        cmocka_unit_test(test_samples_gather_where_a_corner_is),
-        cmocka_unit_test(test_a_mark_on_the_corner_is_enough),
-        cmocka_unit_test(test_a_jump_ends_at_the_finest_step),
+        cmocka_unit_test(test_a_straight_line_is_fitted_by_two_samples),
+        cmocka_unit_test(test_the_step_of_a_parabola_follows_from_its_curvature),
+        cmocka_unit_test(test_samples_concentrate_at_a_corner),
+        cmocka_unit_test(test_a_mark_on_the_corner_needs_no_further_samples),
+        cmocka_unit_test(test_a_discontinuity_stops_at_the_finest_step),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

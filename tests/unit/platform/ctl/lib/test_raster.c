@@ -1,4 +1,4 @@
-/* test_raster.c -- the tool's own rasteriser: coverage, order and clearness. */
+/* test_raster.c -- Tests the software rasterizer of the tool: coverage, order and transparency. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -65,7 +65,7 @@ static const struct flat red = { { 1.0f, 0.0f, 0.0f }, 1.0f };
 static const struct flat green = { { 0.0f, 1.0f, 0.0f }, 1.0f };
 static const struct flat glass = { { 1.0f, 0.0f, 0.0f }, 0.5f };
 
-static void test_a_triangle_covers_its_area(void **state)
+static void test_a_triangle_covers_its_pixel_area(void **state)
 {
     (void)state;
     struct stand s = set_up();
@@ -76,7 +76,7 @@ static void test_a_triangle_covers_its_area(void **state)
     tear_down(&s);
 }
 
-static void test_a_triangle_seen_from_behind_is_not_drawn(void **state)
+static void test_a_back_facing_triangle_is_not_drawn(void **state)
 {
     (void)state;
     struct stand s = set_up();
@@ -87,7 +87,8 @@ static void test_a_triangle_seen_from_behind_is_not_drawn(void **state)
     tear_down(&s);
 }
 
-/* Glass shows a sample that was covered twice as too red, one that was not at all as too dark. */
+/* With a transparent colour, a sample covered twice is too red, and an uncovered sample is too
+ * dark. */
 static void test_triangles_around_a_point_cover_every_sample_once(void **state)
 {
     (void)state;
@@ -118,7 +119,7 @@ static vec3 centre_of_three(const uint32_t order[3])
                                           { { 0.0f, 0.0f, 1.0f }, 1.0f } };
     struct stand s = set_up();
     for (uint32_t i = 0; i < 3; i++) {
-        const float depth = (float)(3 - order[i]); /* Red nearest, blue farthest. */
+        const float depth = (float)(3 - order[i]); /* Red is nearest and blue is farthest. */
         draw(&s, v3(-9.0f, -9.0f, depth), v3(-9.0f, 90.0f, depth), v3(90.0f, -9.0f, depth),
              &flats[order[i]]);
     }
@@ -128,7 +129,7 @@ static vec3 centre_of_three(const uint32_t order[3])
     return centre;
 }
 
-static void test_layers_are_seen_by_depth_in_whatever_order_they_were_drawn(void **state)
+static void test_layers_are_sorted_by_depth_in_any_drawing_order(void **state)
 {
     (void)state;
     static const uint32_t commands[6][3] = { { 0, 1, 2 }, { 0, 2, 1 }, { 1, 0, 2 },
@@ -141,8 +142,9 @@ static void test_layers_are_seen_by_depth_in_whatever_order_they_were_drawn(void
     }
 }
 
-/* Two sheets that cross along x = 16.25: inside that pixel a quarter of the samples see the one. */
-static void test_sheets_that_cross_meet_in_a_line_finer_than_a_pixel(void **state)
+/* Two sheets cross along x = 16.25. Inside that pixel a quarter of the samples show the first
+ * sheet. */
+static void test_crossing_sheets_are_resolved_below_a_pixel(void **state)
 {
     (void)state;
     struct stand s = set_up();
@@ -157,7 +159,7 @@ static void test_sheets_that_cross_meet_in_a_line_finer_than_a_pixel(void **stat
     tear_down(&s);
 }
 
-static void test_more_layers_than_a_pile_holds_keep_the_nearest(void **state)
+static void test_too_many_layers_keep_the_nearest(void **state)
 {
     (void)state;
     struct stand s = set_up();
@@ -171,7 +173,7 @@ static void test_more_layers_than_a_pile_holds_keep_the_nearest(void **state)
     tear_down(&s);
 }
 
-static void test_what_is_finished_is_empty_again(void **state)
+static void test_a_finished_raster_is_empty(void **state)
 {
     (void)state;
     struct stand s = set_up();
@@ -186,13 +188,13 @@ static void test_what_is_finished_is_empty_again(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_triangle_covers_its_area),
-        cmocka_unit_test(test_a_triangle_seen_from_behind_is_not_drawn),
+        cmocka_unit_test(test_a_triangle_covers_its_pixel_area),
+        cmocka_unit_test(test_a_back_facing_triangle_is_not_drawn),
         cmocka_unit_test(test_triangles_around_a_point_cover_every_sample_once),
-        cmocka_unit_test(test_layers_are_seen_by_depth_in_whatever_order_they_were_drawn),
-        cmocka_unit_test(test_sheets_that_cross_meet_in_a_line_finer_than_a_pixel),
-        cmocka_unit_test(test_more_layers_than_a_pile_holds_keep_the_nearest),
-        cmocka_unit_test(test_what_is_finished_is_empty_again),
+        cmocka_unit_test(test_layers_are_sorted_by_depth_in_any_drawing_order),
+        cmocka_unit_test(test_crossing_sheets_are_resolved_below_a_pixel),
+        cmocka_unit_test(test_too_many_layers_keep_the_nearest),
+        cmocka_unit_test(test_a_finished_raster_is_empty),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

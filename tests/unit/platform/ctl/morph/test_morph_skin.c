@@ -1,4 +1,5 @@
-/* test_morph_skin.c -- inside and outside of closed surfaces, against shapes with known answers. */
+/* test_morph_skin.c -- Tests the inside and outside of closed surfaces with shapes whose answers
+ * are known. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -6,9 +7,9 @@
 
 #include <cmocka.h>
 
-#include "platform/ctl/morph/morph_skin.h"
+#include "platform/ctl/morph/morph_survey.h"
 
-/* A box from -1 to 1 in x, -0.5 to 0.5 in y, -2 to 2 in z: 8 corners, 12 triangles. */
+/* A box from -1 to 1 in x, -0.5 to 0.5 in y, and -2 to 2 in z, with 8 corners and 12 triangles. */
 static const uint16_t box_indices[36] = {
     0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,
     2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5,
@@ -32,7 +33,7 @@ static int new_box(void **state)
     return 0;
 }
 
-static void test_a_box_has_its_volume_and_no_hole(void **state)
+static void test_the_volume_of_a_closed_box_is_correct(void **state)
 {
     (void)state;
     assert_float_equal(morph_skin_volume(&skin), 16.0f / 2.0f, 1e-5f);
@@ -45,9 +46,9 @@ static void test_a_box_has_its_volume_and_no_hole(void **state)
     assert_false(morph_skin_has(&skin, v3(0.0f, 0.0f, 0.0f)));
 }
 
-/* On a lattice whose lines run through corners, edges and diagonals, where a careless ray counts
- * twice or never. */
-static void test_every_point_of_a_lattice_is_told_in_from_out(void **state)
+/* The lines of the lattice pass through corners, edges and diagonals, where a wrong ray test counts
+ * a crossing twice or not at all. */
+static void test_every_lattice_point_is_classified_as_inside_or_outside(void **state)
 {
     (void)state;
     for (int x = -5; x <= 5; x++) {
@@ -62,7 +63,7 @@ static void test_every_point_of_a_lattice_is_told_in_from_out(void **state)
     }
 }
 
-static void test_distances_are_to_faces_edges_and_corners(void **state)
+static void test_distances_to_faces_edges_and_corners_are_correct(void **state)
 {
     (void)state;
     assert_float_equal(morph_skin_distance(&skin, v3(0.0f, 0.0f, 0.0f)), 0.5f, 1e-6f);
@@ -71,7 +72,7 @@ static void test_distances_are_to_faces_edges_and_corners(void **state)
     assert_float_equal(morph_skin_distance(&skin, v3(2.0f, 2.5f, 4.0f)), 3.0f, 1e-6f);
 }
 
-static void test_the_way_out_is_along_the_way_asked(void **state)
+static void test_the_exit_distance_is_measured_along_the_given_direction(void **state)
 {
     (void)state;
     const vec3 p = v3(0.1f, 0.2f, 0.3f);
@@ -81,7 +82,7 @@ static void test_the_way_out_is_along_the_way_asked(void **state)
                        0.0f);
 }
 
-static void test_only_the_asked_part_and_side_count(void **state)
+static void test_only_the_given_part_and_side_are_used(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < 8; i++) {
@@ -99,11 +100,13 @@ static void test_only_the_asked_part_and_side_count(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(test_a_box_has_its_volume_and_no_hole, new_box),
-        cmocka_unit_test_setup(test_every_point_of_a_lattice_is_told_in_from_out, new_box),
-        cmocka_unit_test_setup(test_distances_are_to_faces_edges_and_corners, new_box),
-        cmocka_unit_test_setup(test_the_way_out_is_along_the_way_asked, new_box),
-        cmocka_unit_test_setup(test_only_the_asked_part_and_side_count, new_box),
+        cmocka_unit_test_setup(test_the_volume_of_a_closed_box_is_correct, new_box),
+        cmocka_unit_test_setup(test_every_lattice_point_is_classified_as_inside_or_outside,
+                               new_box),
+        cmocka_unit_test_setup(test_distances_to_faces_edges_and_corners_are_correct, new_box),
+        cmocka_unit_test_setup(test_the_exit_distance_is_measured_along_the_given_direction,
+                               new_box),
+        cmocka_unit_test_setup(test_only_the_given_part_and_side_are_used, new_box),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,4 @@
-/* test_morph_survey.c -- that a flaw put into a fish is found, each by its own figure. */
+/* test_morph_survey.c -- Tests that each flaw added to a fish is detected by its own value. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -13,7 +13,7 @@
 
 #define STEPS 20
 
-/* A wakin whose tables can be spoiled. */
+/* A wakin whose tables can be changed. */
 static struct species fish;
 static struct species_vertex vertices[MESH_VERTEX_MAX];
 static struct species_point points[MORPH_KEY_MAX][MESH_VERTEX_MAX];
@@ -57,7 +57,7 @@ static int16_t counts(float lengths)
     return (int16_t)(lengths / fish.lod[0].reach * 32767.0f);
 }
 
-static void test_a_good_fish_has_no_flaw(void **state)
+static void test_a_valid_fish_has_no_flaw(void **state)
 {
     (void)state;
     measure();
@@ -68,10 +68,16 @@ static void test_a_good_fish_has_no_flaw(void **state)
     assert_true(survey.body_in_body.value == 0.0f && survey.eye_in_body.value == 0.0f);
     assert_true(survey.pupil_in_body.value == 0.0f && survey.eye_in_eye.value == 0.0f);
     assert_true(survey.fin_in_body.value < 0.0005f && survey.volume_dip.value < 0.02f);
-    assert_true(survey.volume_last > 0.0f);
+    static struct morph_pose pose;
+    static struct morph_skin body;
+    static vec3 positions[MESH_VERTEX_MAX];
+    morph_pose(&rig, &fish.lod[0], 1.0f, &pose);
+    morph_shape(&fish.lod[0], fish.card.key_count, &pose, positions, NULL);
+    morph_skin_build(&body, &fish.lod[0], positions, PART_BODY, SIDE_MIDDLE);
+    assert_true(morph_skin_volume(&body) > 0.0f);
 }
 
-static void test_a_graph_off_its_sum_or_below_nothing_is_seen(void **state)
+static void test_a_graph_with_a_wrong_sum_or_a_negative_weight_is_detected(void **state)
 {
     (void)state;
     rig.curves[0].knots[1].weight[0] += 0.01f;
@@ -82,18 +88,19 @@ static void test_a_graph_off_its_sum_or_below_nothing_is_seen(void **state)
     assert_float_equal(survey.weight_min, -0.03f, 1e-5f);
 }
 
-static void test_a_key_that_is_not_quite_alone_is_seen(void **state)
+static void test_a_key_with_a_remaining_second_weight_is_detected(void **state)
 {
     (void)state;
     struct graph *graph = &rig.curves[0];
     const uint32_t last = graph->knot_count - 1u;
-    graph->knots[last].weight[0] = 1e-3f; /* The last key is at 1 and another in it. */
+    graph->knots[last].weight[0] = 1e-3f; /* The last key has weight 1 and another key has a weight,
+                                             too. */
     measure();
     assert_true(survey.key_error.value > 1e-5f);
     assert_true(survey.key_error.progress == 1.0f);
 }
 
-static void test_a_key_that_is_never_alone_is_not_counted(void **state)
+static void test_a_key_that_never_has_full_weight_is_not_counted(void **state)
 {
     (void)state;
     graph_from_template(&rig.curves[0], TEMPLATE_ORDINARY, rig.key_count, SIMULTANEOUS_PEAK);
@@ -101,7 +108,7 @@ static void test_a_key_that_is_never_alone_is_not_counted(void **state)
     assert_int_equal(survey.keys_alone, 2);
 }
 
-static void test_a_triangle_wound_the_wrong_way_is_seen(void **state)
+static void test_a_triangle_with_reversed_winding_is_detected(void **state)
 {
     (void)state;
     const uint16_t kept = indices[300];
@@ -113,8 +120,8 @@ static void test_a_triangle_wound_the_wrong_way_is_seen(void **state)
     assert_true(survey.flipped_at == 0.0f);
 }
 
-/* A fin that is drawn to the left in one key and to the right in the next turns over between. */
-static void test_a_fin_that_turns_over_is_seen(void **state)
+/* A fin that is drawn to the left in one key and to the right in the next key flips in between. */
+static void test_a_fin_that_flips_is_detected(void **state)
 {
     (void)state;
     const uint32_t first = first_of(PART_DORSAL);
@@ -127,14 +134,16 @@ static void test_a_fin_that_turns_over_is_seen(void **state)
     const uint32_t seen = survey.flipped_fins;
     assert_true(seen > 0);
     assert_true(survey.flipped_at > 0.5f);
-    morph_survey(&fish, &rig, 0, 4 * STEPS, &survey); /* However often it is looked at. */
+    morph_survey(&fish, &rig, 0, 4 * STEPS, &survey); /* The number of samples does not change the
+                                                         result. */
     assert_int_equal(survey.flipped_fins, seen);
     morph_survey(&fish, &rig, 0, 5, &survey);
     assert_int_equal(survey.flipped_fins, seen);
 }
 
-/* A hatchling's fin lies otherwise than a larva's: it unfolds in a few hundredths of a life. */
-static void test_a_fin_that_turns_far_in_a_moment_is_not_turned_over(void **state)
+/* A hatchling's fin has a different direction from a larva's. The fin unfolds in a few hundredths
+ * of the life. */
+static void test_a_fast_fin_rotation_is_not_a_flip(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < species_table_count; i++) {
@@ -146,26 +155,28 @@ static void test_a_fin_that_turns_far_in_a_moment_is_not_turned_over(void **stat
     }
 }
 
-static void test_a_skin_that_folds_is_seen(void **state)
+static void test_a_folded_surface_is_detected(void **state)
 {
     (void)state;
     const struct species_mesh *mesh = &fish.lod[0];
     const uint32_t i = mesh->grid_first + mesh->grid_rings / 2u * (mesh->grid_spokes + 1u) +
                        mesh->grid_spokes / 4u;
     for (uint32_t key = 0; key < fish.card.key_count; key++) {
-        points[key][i].x = (int16_t)(-2 * points[key][i].x); /* Right through the left flank. */
+        points[key][i].x = (int16_t)(-2 * points[key][i].x); /* The vertex moves through the left
+                                                                flank. */
     }
     measure();
     assert_true(survey.body_in_body.value > 0.02f);
     assert_int_equal(survey.body_in_body.vertex, i);
 }
 
-static void test_an_eye_in_the_head_is_seen(void **state)
+static void test_an_eye_inside_the_head_is_detected(void **state)
 {
     (void)state;
     for (uint32_t i = first_of(PART_EYE); vertices[i].part == PART_EYE; i++) {
         for (uint32_t key = 0; key < fish.card.key_count; key++) {
-            points[key][i].x = (int16_t)(points[key][i].x - counts(0.05f)); /* Along the anchor. */
+            points[key][i].x = (int16_t)(points[key][i].x - counts(0.05f)); /* The vertex moves
+                                                                               along the anchor. */
         }
     }
     measure();
@@ -174,7 +185,7 @@ static void test_an_eye_in_the_head_is_seen(void **state)
     assert_int_equal(vertices[survey.pupil_in_body.vertex].part, PART_EYE);
 }
 
-static void test_a_fin_tip_in_the_body_is_seen(void **state)
+static void test_a_fin_tip_inside_the_body_is_detected(void **state)
 {
     (void)state;
     uint32_t tip = first_of(PART_PECTORAL);
@@ -190,8 +201,8 @@ static void test_a_fin_tip_in_the_body_is_seen(void **state)
     assert_int_equal(survey.fin_in_body.vertex, tip);
 }
 
-/* A young wakin is far slimmer than the mean of a larva with its yolk and an adult. */
-static void test_a_lean_stage_between_two_keys_is_seen(void **state)
+/* A young wakin is much thinner than the mean of a larva with its yolk and an adult. */
+static void test_a_stage_thinner_than_both_keys_is_detected(void **state)
 {
     (void)state;
     const uint32_t middle = fish.card.key_count / 2u;
@@ -209,12 +220,12 @@ static void test_a_lean_stage_between_two_keys_is_seen(void **state)
     assert_true(survey.volume_dip.value > 0.02f);
 }
 
-static void test_a_hole_in_the_body_is_seen(void **state)
+static void test_a_hole_in_the_body_is_detected(void **state)
 {
     (void)state;
     measure();
     assert_int_equal(survey.moments_open, 0);
-    for (uint32_t i = 300; i < 390; i++) { /* Thirty triangles shrink to a point. */
+    for (uint32_t i = 300; i < 390; i++) { /* Thirty triangles collapse to a point. */
         assert_int_equal(vertices[indices[i]].part, PART_BODY);
         indices[i] = indices[300];
     }
@@ -222,7 +233,7 @@ static void test_a_hole_in_the_body_is_seen(void **state)
     assert_true(survey.moments_open > STEPS);
 }
 
-static void test_a_key_of_another_size_is_seen(void **state)
+static void test_a_key_of_a_different_size_is_detected(void **state)
 {
     (void)state;
     measure();
@@ -235,68 +246,73 @@ static void test_a_key_of_another_size_is_seen(void **state)
     assert_float_equal(survey.size_error.progress, 1.0f / (float)(rig.key_count - 1u), 1e-6f);
 }
 
-static void test_a_life_out_of_order_is_seen(void **state)
+static void test_key_ages_out_of_order_are_detected(void **state)
 {
     (void)state;
     measure();
     assert_int_equal(survey.moments_not_older, 0);
     assert_true(survey.off_growth.value < 0.02f);
     assert_true(survey.progress_lost.value < 1e-3f && survey.length_lost.value < 1e-3f);
-    fish.card.key_age_days[3] = nextafterf(fish.card.key_age_days[2], 1e6f); /* No time between. */
+    fish.card.key_age_days[3] = nextafterf(fish.card.key_age_days[2], 1e6f); /* There is no time
+                                                                                between the two
+                                                                                keys. */
     measure();
-    assert_int_equal(survey.moments_not_older, 4); /* Of the five up to the next key. */
+    assert_int_equal(survey.moments_not_older, 4); /* Four of the five moments up to the next
+                                                      key. */
     assert_float_equal(survey.age_stands_at, 0.55f, 1e-6f);
     assert_true(survey.progress_lost.value > 0.1f);
 }
 
-/* Told to be 45 mm at day 200, where its growth makes 74 of it. */
-static void test_a_key_off_the_growth_curve_is_seen(void **state)
+/* The key has 45 mm at day 200, where its growth curve gives 74 mm. */
+static void test_a_key_off_the_growth_curve_is_detected(void **state)
 {
     (void)state;
     fish.card.key_age_days[3] = 200.0f;
     measure();
     assert_float_equal(survey.off_growth.value, 1.0f - 45.0f / 73.6f, 1e-3f);
     assert_float_equal(survey.off_growth.progress, 0.75f, 1e-6f);
-    fish.card.scale_knot_count = 2; /* A size drawn by hand need not be that of growth. */
+    fish.card.scale_knot_count = 2; /* A manual scale need not match the growth curve. */
     fish.card.scale_knots[0] = (struct scale_knot){ 0.0f, 0.005f };
     fish.card.scale_knots[1] = (struct scale_knot){ 1.0f, 0.150f };
     measure();
     assert_true(survey.off_growth.value == 0.0f);
 }
 
-static void test_only_a_straight_morph_keeps_to_the_chord(void **state)
+static void test_only_a_linear_morph_follows_the_chord(void **state)
 {
     (void)state;
     static struct straight_memory memory;
     static struct species straight;
     measure();
-    assert_true(survey.dorsal_root.from_chord > 0.001f);
+    assert_true(survey.dorsal_root > 0.001f);
     straight_species(&fish, &memory, &straight);
     morph_rig_init(&rig, &straight.card, TEMPLATE_ORDINARY);
     morph_survey(&straight, &rig, 0, STEPS, &survey);
-    assert_true(survey.dorsal_root.from_chord < 1e-6f && survey.eye_right.from_chord < 1e-6f);
-    assert_true(survey.eye_left.vertex != survey.eye_right.vertex);
+    assert_true(survey.dorsal_root < 1e-6f && survey.eye_right < 1e-6f);
+    assert_true(part_vertex_range(&straight.lod[0], PART_EYE, SIDE_LEFT) !=
+                part_vertex_range(&straight.lod[0], PART_EYE, SIDE_RIGHT));
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(test_a_good_fish_has_no_flaw, new_fish),
-        cmocka_unit_test_setup(test_a_graph_off_its_sum_or_below_nothing_is_seen, new_fish),
-        cmocka_unit_test_setup(test_a_key_that_is_not_quite_alone_is_seen, new_fish),
-        cmocka_unit_test_setup(test_a_key_that_is_never_alone_is_not_counted, new_fish),
-        cmocka_unit_test_setup(test_a_triangle_wound_the_wrong_way_is_seen, new_fish),
-        cmocka_unit_test_setup(test_a_fin_that_turns_over_is_seen, new_fish),
-        cmocka_unit_test(test_a_fin_that_turns_far_in_a_moment_is_not_turned_over),
-        cmocka_unit_test_setup(test_a_skin_that_folds_is_seen, new_fish),
-        cmocka_unit_test_setup(test_an_eye_in_the_head_is_seen, new_fish),
-        cmocka_unit_test_setup(test_a_fin_tip_in_the_body_is_seen, new_fish),
-        cmocka_unit_test_setup(test_a_lean_stage_between_two_keys_is_seen, new_fish),
-        cmocka_unit_test_setup(test_a_hole_in_the_body_is_seen, new_fish),
-        cmocka_unit_test_setup(test_a_key_of_another_size_is_seen, new_fish),
-        cmocka_unit_test_setup(test_a_life_out_of_order_is_seen, new_fish),
-        cmocka_unit_test_setup(test_a_key_off_the_growth_curve_is_seen, new_fish),
-        cmocka_unit_test_setup(test_only_a_straight_morph_keeps_to_the_chord, new_fish),
+        cmocka_unit_test_setup(test_a_valid_fish_has_no_flaw, new_fish),
+        cmocka_unit_test_setup(test_a_graph_with_a_wrong_sum_or_a_negative_weight_is_detected,
+                               new_fish),
+        cmocka_unit_test_setup(test_a_key_with_a_remaining_second_weight_is_detected, new_fish),
+        cmocka_unit_test_setup(test_a_key_that_never_has_full_weight_is_not_counted, new_fish),
+        cmocka_unit_test_setup(test_a_triangle_with_reversed_winding_is_detected, new_fish),
+        cmocka_unit_test_setup(test_a_fin_that_flips_is_detected, new_fish),
+        cmocka_unit_test(test_a_fast_fin_rotation_is_not_a_flip),
+        cmocka_unit_test_setup(test_a_folded_surface_is_detected, new_fish),
+        cmocka_unit_test_setup(test_an_eye_inside_the_head_is_detected, new_fish),
+        cmocka_unit_test_setup(test_a_fin_tip_inside_the_body_is_detected, new_fish),
+        cmocka_unit_test_setup(test_a_stage_thinner_than_both_keys_is_detected, new_fish),
+        cmocka_unit_test_setup(test_a_hole_in_the_body_is_detected, new_fish),
+        cmocka_unit_test_setup(test_a_key_of_a_different_size_is_detected, new_fish),
+        cmocka_unit_test_setup(test_key_ages_out_of_order_are_detected, new_fish),
+        cmocka_unit_test_setup(test_a_key_off_the_growth_curve_is_detected, new_fish),
+        cmocka_unit_test_setup(test_only_a_linear_morph_follows_the_chord, new_fish),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

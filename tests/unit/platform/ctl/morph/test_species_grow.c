@@ -1,5 +1,5 @@
-/* test_species_grow.c -- every built-in species grows without a flaw, over 1,001 moments and in
- * both levels of detail; and what the ordinary morph of a flatfish would do. */
+/* test_species_grow.c -- Tests that every built-in species grows without a flaw over 1001 moments
+ * in both levels of detail, and compares a flatfish with its ordinary morph. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -27,7 +27,8 @@ static int measure_all(void **state)
     return 0;
 }
 
-/* The most of one figure over all species and levels of detail; says whose it is. */
+/* Prints the maximum of one value over all species and levels of detail, with the species that has
+ * the maximum. */
 #define MOST(figure, most)                                                                         \
     for (uint32_t i = 0; i < 2 * species_table_count; i++) {                                       \
         const struct morph_survey *s = &surveys[i / 2][i % 2];                                     \
@@ -48,7 +49,7 @@ static uint32_t index_of(const char *id)
     return i;
 }
 
-static void test_weights_are_a_blend_at_every_moment(void **state)
+static void test_weights_sum_to_one_at_every_moment(void **state)
 {
     (void)state;
     MOST(sum_error, 1e-6f)
@@ -59,7 +60,7 @@ static void test_weights_are_a_blend_at_every_moment(void **state)
     }
 }
 
-static void test_every_key_is_reached_and_is_its_drawing(void **state)
+static void test_every_key_is_reached_with_its_drawn_shape(void **state)
 {
     (void)state;
     MOST(key_error.value, 0.0f)
@@ -69,7 +70,7 @@ static void test_every_key_is_reached_and_is_its_drawing(void **state)
     }
 }
 
-static void test_age_progress_and_length_lead_to_each_other(void **state)
+static void test_age_progress_and_length_are_inverse_functions(void **state)
 {
     (void)state;
     MOST(moments_not_older, 0u)
@@ -85,7 +86,7 @@ static void test_no_triangle_turns_over(void **state)
     MOST(flipped_fins, 0u)
 }
 
-static void test_nothing_is_deeper_in_the_fish_than_it_should_be(void **state)
+static void test_no_part_penetrates_the_body_beyond_its_limit(void **state)
 {
     (void)state;
     MOST(moments_open, 0u)
@@ -96,22 +97,23 @@ static void test_nothing_is_deeper_in_the_fish_than_it_should_be(void **state)
     MOST(root_off_skin.value, 0.001f)
 }
 
-static void test_no_pupil_is_in_a_head_and_no_eye_in_the_other(void **state)
+static void test_no_pupil_is_inside_the_head_or_the_other_eye(void **state)
 {
     (void)state;
     MOST(pupil_in_body.value, 0.0f)
     MOST(eye_in_eye.value, 0.0f)
 }
 
-static void test_no_stage_is_leaner_than_both_keys_around(void **state)
+static void test_no_stage_is_thinner_than_both_neighbouring_keys(void **state)
 {
     (void)state;
     MOST(volume_dip.value, 0.02f)
 }
 
-/* Row 1 of what the thesis sets out to do: points move on curves, where the ordinary morph's move
- * straight; and its eye goes through the head. */
-static void test_a_flatfish_eye_goes_round_where_the_ordinary_one_goes_through(void **state)
+/* The first aim of the thesis: points move on curves, while the ordinary morph moves them in
+ * straight lines, so that its eye passes through the head. */
+static void
+test_the_migrating_eye_moves_around_the_head_but_through_it_in_the_ordinary_morph(void **state)
 {
     (void)state;
     static struct straight_memory memory;
@@ -123,31 +125,32 @@ static void test_a_flatfish_eye_goes_round_where_the_ordinary_one_goes_through(v
     morph_rig_init(&rig, &straight.card, TEMPLATE_ORDINARY);
     morph_survey(&straight, &rig, 0, STEPS, &ordinary);
     assert_true(ordinary.pupil_in_body.value > 0.02f);
-    assert_true(ordinary.eye_right.from_chord < 1e-6f);
+    assert_true(ordinary.eye_right < 1e-6f);
     assert_true(surveys[hirame][0].pupil_in_body.value == 0.0f);
-    assert_true(surveys[hirame][0].eye_right.from_chord > 0.05f);
+    assert_true(surveys[hirame][0].eye_right > 0.05f);
 }
 
-static void test_the_congers_dorsal_root_moves_on_a_curve(void **state)
+static void test_the_dorsal_root_of_the_conger_moves_on_a_curve(void **state)
 {
     (void)state;
     const struct morph_survey *conger = surveys[index_of("kuroanago")];
-    assert_true(conger[0].dorsal_root.from_chord > 0.005f);
-    assert_true(conger[1].dorsal_root.from_chord > 0.005f);
+    assert_true(conger[0].dorsal_root > 0.005f);
+    assert_true(conger[1].dorsal_root > 0.005f);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_weights_are_a_blend_at_every_moment),
-        cmocka_unit_test(test_every_key_is_reached_and_is_its_drawing),
-        cmocka_unit_test(test_age_progress_and_length_lead_to_each_other),
+        cmocka_unit_test(test_weights_sum_to_one_at_every_moment),
+        cmocka_unit_test(test_every_key_is_reached_with_its_drawn_shape),
+        cmocka_unit_test(test_age_progress_and_length_are_inverse_functions),
         cmocka_unit_test(test_no_triangle_turns_over),
-        cmocka_unit_test(test_nothing_is_deeper_in_the_fish_than_it_should_be),
-        cmocka_unit_test(test_no_pupil_is_in_a_head_and_no_eye_in_the_other),
-        cmocka_unit_test(test_no_stage_is_leaner_than_both_keys_around),
-        cmocka_unit_test(test_a_flatfish_eye_goes_round_where_the_ordinary_one_goes_through),
-        cmocka_unit_test(test_the_congers_dorsal_root_moves_on_a_curve),
+        cmocka_unit_test(test_no_part_penetrates_the_body_beyond_its_limit),
+        cmocka_unit_test(test_no_pupil_is_inside_the_head_or_the_other_eye),
+        cmocka_unit_test(test_no_stage_is_thinner_than_both_neighbouring_keys),
+        cmocka_unit_test(
+            test_the_migrating_eye_moves_around_the_head_but_through_it_in_the_ordinary_morph),
+        cmocka_unit_test(test_the_dorsal_root_of_the_conger_moves_on_a_curve),
     };
     return cmocka_run_group_tests(tests, measure_all, NULL);
 }

@@ -1,4 +1,5 @@
-/* test_bot_file.c -- a bot's text becomes its technique, and every mistake in it is named. */
+/* test_bot_file.c -- Tests that a bot file sets the technique of the bot and that every error is
+ * reported. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -8,9 +9,13 @@
 #include <cmocka.h>
 
 #include "platform/ctl/play/bot_file.h"
-#include "platform/ctl/play/bot_keys.h"
 
 static const struct technique untouched = { .wet = 0.123f };
+
+static int is(const struct technique *technique, const struct technique *other)
+{
+    return memcmp(technique, other, sizeof *technique) == 0;
+}
 
 static struct technique technique_of(const char *text)
 {
@@ -22,26 +27,22 @@ static struct technique technique_of(const char *text)
     return technique;
 }
 
-/* `text` is refused at `line`, with `needle` in what is said, and changes nothing. */
+/* Expects that `text` is rejected at `line` with `needle` in the message, and that nothing
+ * changes. */
 static void expect_refused(const char *text, uint32_t line, const char *needle)
 {
     struct technique technique = untouched;
     struct bot_file_problem problem = { 0 };
     assert_int_equal(bot_file_parse(text, strlen(text), &technique, &problem), -1);
-    assert_true(bot_keys_same(&technique, &untouched));
+    assert_true(is(&technique, &untouched));
     assert_int_equal(problem.line, line);
     if (!strstr(problem.text, needle)) {
-        fail_msg("'%s' does not tell of '%s'", problem.text, needle);
+        fail_msg("'%s' does not mention '%s'", problem.text, needle);
     }
     assert_null(strchr(problem.text, '\n'));
 }
 
-static int is(const struct technique *technique, const struct technique *other)
-{
-    return bot_keys_same(technique, other);
-}
-
-static void test_a_base_alone_is_that_bot(void **state)
+static void test_a_file_with_only_a_base_gives_that_bot(void **state)
 {
     (void)state;
     const struct technique novice = technique_of("base=novice\n");
@@ -68,11 +69,11 @@ static void test_one_key_changes_one_field_and_no_other(void **state)
     assert_true(is(&read, &expected));
 }
 
-/* All twenty at once, none at its place by luck: each value is its own. */
+/* All twenty keys have different values, so that an exchanged field is detected. */
 static void test_every_key_reaches_its_field(void **state)
 {
     (void)state;
-    const struct technique expected = {
+    static const struct technique expected = {
         .wet = 0.25f,
         .entry_deg = 31.0f,
         .glide_deg = 32.0f,
@@ -103,7 +104,7 @@ static void test_every_key_reaches_its_field(void **state)
     assert_true(is(&read, &expected));
 }
 
-static void test_every_word_has_its_meaning(void **state)
+static void test_every_keyword_sets_its_value(void **state)
 {
     (void)state;
     assert_int_equal(technique_of("side=any").side, SIDE_ANY);
@@ -113,7 +114,7 @@ static void test_every_word_has_its_meaning(void **state)
     assert_int_equal(technique_of("hunt=shade").hunt, HUNT_SHADE);
 }
 
-static void test_blanks_comments_and_other_systems_line_ends_are_nothing(void **state)
+static void test_blanks_comments_and_crlf_are_ignored(void **state)
 {
     (void)state;
     struct technique expected = technique_novice;
@@ -124,7 +125,7 @@ static void test_blanks_comments_and_other_systems_line_ends_are_nothing(void **
     assert_true(is(&read, &expected));
 }
 
-static void test_the_ends_of_each_range_are_right_and_what_is_beyond_is_not(void **state)
+static void test_the_limits_of_each_range_are_accepted_and_values_beyond_rejected(void **state)
 {
     (void)state;
     assert_true(technique_of("wet=0").wet <= 0.0f);
@@ -142,7 +143,7 @@ static void test_the_ends_of_each_range_are_right_and_what_is_beyond_is_not(void
     expect_refused("reaction_min_s=0.149", 1, "0.15 to 1");
 }
 
-static void test_no_word_is_a_number_and_no_number_a_word(void **state)
+static void test_keywords_and_numbers_are_not_interchangeable(void **state)
 {
     (void)state;
     expect_refused("wet=half", 1, "'half'");
@@ -155,7 +156,7 @@ static void test_no_word_is_a_number_and_no_number_a_word(void **state)
     expect_refused("side=heads", 1, "any|head|tail");
 }
 
-static void test_a_key_that_is_none_is_named_with_its_line(void **state)
+static void test_an_unknown_key_is_reported_with_its_line(void **state)
 {
     (void)state;
     expect_refused("base=novice\n\nwett=0.5\n", 3, "'wett' is no key");
@@ -165,35 +166,35 @@ static void test_a_key_that_is_none_is_named_with_its_line(void **state)
     expect_refused("wet:0.5", 1, "no '='");
 }
 
-static void test_a_key_twice_is_refused_even_with_the_same_value(void **state)
+static void test_a_duplicate_key_is_rejected_even_with_an_equal_value(void **state)
 {
     (void)state;
     expect_refused("wet=0.5\nlift=fast\nwet=0.5\n", 3, "line 1");
     expect_refused("base=novice\nbase=novice\n", 2, "line 1");
 }
 
-static void test_a_base_comes_first_and_is_one_of_two(void **state)
+static void test_the_base_must_come_first_and_be_one_of_two(void **state)
 {
     (void)state;
     expect_refused("wet=0.5\nbase=novice\n", 2, "line 1");
     expect_refused("base=master\n", 1, "novice|expert");
 }
 
-static void test_reactions_that_end_before_they_begin_are_refused(void **state)
+static void test_a_reversed_reaction_range_is_rejected(void **state)
 {
     (void)state;
     expect_refused("reaction_max_s=0.3\nreaction_min_s=0.4\nwet=1\n", 2, "0.4");
     assert_true(technique_of("reaction_min_s=0.4\nreaction_max_s=0.4").reaction_max_s > 0.39f);
 }
 
-static void test_a_file_that_says_nothing_is_no_bot(void **state)
+static void test_an_empty_bot_file_is_rejected(void **state)
 {
     (void)state;
     expect_refused("", 0, "no key");
     expect_refused("\n# wet=1\n", 0, "no key");
 }
 
-static void test_what_is_no_text_is_refused_where_it_stops_being_one(void **state)
+static void test_a_binary_bot_file_is_rejected_at_its_first_invalid_line(void **state)
 {
     (void)state;
     static const char bytes[] = "wet=1\nlift\0=fast\n";
@@ -212,19 +213,19 @@ static void test_what_is_no_text_is_refused_where_it_stops_being_one(void **stat
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_base_alone_is_that_bot),
+        cmocka_unit_test(test_a_file_with_only_a_base_gives_that_bot),
         cmocka_unit_test(test_one_key_changes_one_field_and_no_other),
         cmocka_unit_test(test_every_key_reaches_its_field),
-        cmocka_unit_test(test_every_word_has_its_meaning),
-        cmocka_unit_test(test_blanks_comments_and_other_systems_line_ends_are_nothing),
-        cmocka_unit_test(test_the_ends_of_each_range_are_right_and_what_is_beyond_is_not),
-        cmocka_unit_test(test_no_word_is_a_number_and_no_number_a_word),
-        cmocka_unit_test(test_a_key_that_is_none_is_named_with_its_line),
-        cmocka_unit_test(test_a_key_twice_is_refused_even_with_the_same_value),
-        cmocka_unit_test(test_a_base_comes_first_and_is_one_of_two),
-        cmocka_unit_test(test_reactions_that_end_before_they_begin_are_refused),
-        cmocka_unit_test(test_a_file_that_says_nothing_is_no_bot),
-        cmocka_unit_test(test_what_is_no_text_is_refused_where_it_stops_being_one),
+        cmocka_unit_test(test_every_keyword_sets_its_value),
+        cmocka_unit_test(test_blanks_comments_and_crlf_are_ignored),
+        cmocka_unit_test(test_the_limits_of_each_range_are_accepted_and_values_beyond_rejected),
+        cmocka_unit_test(test_keywords_and_numbers_are_not_interchangeable),
+        cmocka_unit_test(test_an_unknown_key_is_reported_with_its_line),
+        cmocka_unit_test(test_a_duplicate_key_is_rejected_even_with_an_equal_value),
+        cmocka_unit_test(test_the_base_must_come_first_and_be_one_of_two),
+        cmocka_unit_test(test_a_reversed_reaction_range_is_rejected),
+        cmocka_unit_test(test_an_empty_bot_file_is_rejected),
+        cmocka_unit_test(test_a_binary_bot_file_is_rejected_at_its_first_invalid_line),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

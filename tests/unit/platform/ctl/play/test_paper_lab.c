@@ -1,5 +1,6 @@
-/* test_paper_lab.c -- the figures that `kingyoctl paper` is held to, on its own carriage. */
-#include "tests/unit/support/poi_stand.h"
+/* test_paper_lab.c -- Tests the physical reference values of `kingyoctl paper` with its own
+ * carriage. */
+#include "tests/unit/support/poi_fixture.h"
 
 #include "core/base/fmath.h"
 #include "platform/ctl/play/paper_lab.h"
@@ -29,7 +30,7 @@ static void run(const struct paper_options *plan)
     }
 }
 
-/* The least speed at which it tears within 0.05 s, to a thousandth of itself. */
+/* Returns the lowest speed that tears the paper within 0.05 s, with a relative error of 0.001. */
 static float instant_m_s(struct paper_options plan)
 {
     float low = 0.05f, high = 4.0f;
@@ -46,7 +47,7 @@ static float instant_m_s(struct paper_options plan)
     return high;
 }
 
-static void test_broadside_at_0_3_m_s_presses_with_a_quarter_of_a_newton(void **state)
+static void test_the_broadside_force_at_0_3_m_s_is_a_quarter_newton(void **state)
 {
     (void)state;
     for (uint8_t grade = SHEET_GRADE_MIN; grade <= SHEET_GRADE_MAX; grade++) {
@@ -60,7 +61,7 @@ static void test_broadside_at_0_3_m_s_presses_with_a_quarter_of_a_newton(void **
     }
 }
 
-static void test_edge_on_it_only_rubs(void **state)
+static void test_an_edge_on_motion_has_only_friction(void **state)
 {
     (void)state;
     struct paper_options plan = wet(5);
@@ -71,7 +72,7 @@ static void test_edge_on_it_only_rubs(void **state)
     assert_true(lab.force_n < 0.01f);
 }
 
-static void test_at_twenty_degrees_it_lifts_like_a_wing(void **state)
+static void test_an_angle_of_twenty_degrees_gives_lift(void **state)
 {
     (void)state;
     struct paper_options plan = wet(5);
@@ -81,7 +82,7 @@ static void test_at_twenty_degrees_it_lifts_like_a_wing(void **state)
     assert_float_equal(lab.force_n, 0.68f * 0.5f * 1000.0f * 5.03e-3f * 0.09f, 0.008f);
 }
 
-static void test_a_still_fish_in_air_tears_no_grade_in_a_minute(void **state)
+static void test_a_still_fish_in_air_tears_no_paper_grade_in_a_minute(void **state)
 {
     (void)state;
     for (uint8_t grade = SHEET_GRADE_MIN; grade <= SHEET_GRADE_MAX; grade++) {
@@ -99,7 +100,7 @@ static void test_a_still_fish_in_air_tears_no_grade_in_a_minute(void **state)
     }
 }
 
-static void test_fish_that_slap_strain_it_more(void **state)
+static void test_slapping_fish_increase_the_paper_stress(void **state)
 {
     (void)state;
     struct paper_options plan = wet(5);
@@ -114,7 +115,7 @@ static void test_fish_that_slap_strain_it_more(void **state)
     assert_true(lab.tension_n_m > 1.5f * still_n_m);
 }
 
-static void test_it_tears_at_once_at_the_speed_of_the_membranes_formula(void **state)
+static void test_paper_tears_at_the_speed_of_the_membrane_formula(void **state)
 {
     (void)state;
     for (uint8_t number = SHEET_GRADE_MIN; number <= SHEET_GRADE_MAX; number++) {
@@ -133,7 +134,7 @@ static void test_it_tears_at_once_at_the_speed_of_the_membranes_formula(void **s
     }
 }
 
-static void test_half_wet_paper_tears_at_about_half_the_speed(void **state)
+static void test_half_wet_paper_tears_at_the_expected_speed(void **state)
 {
     (void)state;
     for (uint8_t grade = SHEET_GRADE_MIN; grade <= SHEET_GRADE_MAX; grade++) {
@@ -148,7 +149,7 @@ static void test_half_wet_paper_tears_at_about_half_the_speed(void **state)
     }
 }
 
-static void test_upside_down_it_holds_fifteen_grams(void **state)
+static void test_an_inverted_poi_holds_fifteen_grams(void **state)
 {
     (void)state;
     struct paper_options plan = wet(5);
@@ -160,7 +161,8 @@ static void test_upside_down_it_holds_fifteen_grams(void **state)
     assert_true(lab.water_kg < 0.004f);
 }
 
-static void test_dry_paper_carries_no_water_and_stands_what_tears_wet_paper(void **state)
+static void
+test_dry_paper_carries_no_water_and_survives_the_speed_that_tears_wet_paper(void **state)
 {
     (void)state;
     struct paper_options plan = wet(6);
@@ -172,7 +174,7 @@ static void test_dry_paper_carries_no_water_and_stands_what_tears_wet_paper(void
     assert_true(instant_m_s(plan) > 3.0f * instant_m_s(wet(6)));
 }
 
-static void test_the_wetness_is_held_and_the_line_stays_where_it_was(void **state)
+static void test_the_wetness_is_constant_and_the_water_line_does_not_move(void **state)
 {
     (void)state;
     struct paper_options plan = wet(5);
@@ -190,16 +192,17 @@ static void test_the_wetness_is_held_and_the_line_stays_where_it_was(void **stat
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_broadside_at_0_3_m_s_presses_with_a_quarter_of_a_newton),
-        cmocka_unit_test(test_edge_on_it_only_rubs),
-        cmocka_unit_test(test_at_twenty_degrees_it_lifts_like_a_wing),
-        cmocka_unit_test(test_a_still_fish_in_air_tears_no_grade_in_a_minute),
-        cmocka_unit_test(test_fish_that_slap_strain_it_more),
-        cmocka_unit_test(test_it_tears_at_once_at_the_speed_of_the_membranes_formula),
-        cmocka_unit_test(test_half_wet_paper_tears_at_about_half_the_speed),
-        cmocka_unit_test(test_upside_down_it_holds_fifteen_grams),
-        cmocka_unit_test(test_dry_paper_carries_no_water_and_stands_what_tears_wet_paper),
-        cmocka_unit_test(test_the_wetness_is_held_and_the_line_stays_where_it_was),
+        cmocka_unit_test(test_the_broadside_force_at_0_3_m_s_is_a_quarter_newton),
+        cmocka_unit_test(test_an_edge_on_motion_has_only_friction),
+        cmocka_unit_test(test_an_angle_of_twenty_degrees_gives_lift),
+        cmocka_unit_test(test_a_still_fish_in_air_tears_no_paper_grade_in_a_minute),
+        cmocka_unit_test(test_slapping_fish_increase_the_paper_stress),
+        cmocka_unit_test(test_paper_tears_at_the_speed_of_the_membrane_formula),
+        cmocka_unit_test(test_half_wet_paper_tears_at_the_expected_speed),
+        cmocka_unit_test(test_an_inverted_poi_holds_fifteen_grams),
+        cmocka_unit_test(
+            test_dry_paper_carries_no_water_and_survives_the_speed_that_tears_wet_paper),
+        cmocka_unit_test(test_the_wetness_is_constant_and_the_water_line_does_not_move),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

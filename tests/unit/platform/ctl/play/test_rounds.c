@@ -1,5 +1,5 @@
-/* test_rounds.c -- a round is the same alone, among others, and on whichever core; and its figures
- * are those that the stall keeps. */
+/* test_rounds.c -- Tests that a round is identical alone, in parallel and on any CPU core, and that
+ * its statistics match those of the kiosk. */
 #include <errno.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -50,7 +50,7 @@ static struct round_result alone(struct round_plan plan)
     return results[0];
 }
 
-static void test_a_round_is_the_same_alone_and_among_others(void **state)
+static void test_a_round_is_identical_alone_and_in_parallel(void **state)
 {
     (void)state;
     uint64_t hash[COUNT];
@@ -69,7 +69,7 @@ static void test_a_round_is_the_same_alone_and_among_others(void **state)
     }
 }
 
-static void test_each_round_is_told_once(void **state)
+static void test_each_round_is_reported_once(void **state)
 {
     (void)state;
     uint32_t seen = 0;
@@ -84,26 +84,27 @@ static void test_each_round_is_told_once(void **state)
     assert_int_equal(seen, (1u << COUNT) - 1u);
 }
 
-static void test_a_round_is_as_long_as_it_was_told_to_be(void **state)
+static void test_a_round_has_the_configured_length(void **state)
 {
     (void)state;
     struct round_plan plan = plan_of(1);
     plan.grade = 4;
     plan.technique = technique_expert;
     const struct round_result result = alone(plan);
-    assert_true(result.length_s >= 10.0 && result.length_s < 13.1); /* Carrying is allowed for. */
+    assert_true(result.length_s >= 10.0 && result.length_s < 13.1); /* The time to carry a fish is
+                                                                       included. */
     assert_false(result.torn);
 }
 
-/* It waits three seconds before each scoop and moves no hair's breadth. */
-static void test_a_hand_without_a_tremor_is_not_taken_for_a_stuck_sensor(void **state)
+/* The bot waits three seconds before each scoop without any motion. */
+static void test_a_bot_without_tremor_is_not_a_stuck_sensor(void **state)
 {
     (void)state;
     struct round_plan plan = plan_of(2);
     plan.grade = 4;
     plan.technique.tremor_m = 0.0f;
     plan.technique.reaction_min_s = plan.technique.reaction_max_s = 3.0f;
-    assert_true(alone(plan).length_s < 13.1); /* A round waits for a hand that is lost. */
+    assert_true(alone(plan).length_s < 13.1); /* A round pauses during an input loss. */
 }
 
 static struct technique slapping(void)
@@ -115,9 +116,9 @@ static struct technique slapping(void)
     return technique;
 }
 
-/* Slapped through the water all round long, with nobody called out: the paper goes, the round with
- * it, and what is left of the paper agrees. */
-static void test_torn_paper_ends_a_festival_and_is_told(void **state)
+/* The bot slaps the water during the whole round without a disqualification. The paper tears, the
+ * round ends, and the remaining paper area agrees. */
+static void test_torn_paper_ends_a_festival_round_and_is_reported(void **state)
 {
     (void)state;
     struct round_plan plan = plan_of(3);
@@ -133,7 +134,7 @@ static void test_torn_paper_ends_a_festival_and_is_told(void **state)
     assert_true(result.hole_area_mm2 > 100 && result.hole_area_mm2 <= 5027);
 }
 
-static void test_practice_has_figures_though_it_leaves_no_record(void **state)
+static void test_a_practice_round_has_statistics_but_no_record(void **state)
 {
     (void)state;
     struct round_plan plan = plan_of(4);
@@ -144,8 +145,9 @@ static void test_practice_has_figures_though_it_leaves_no_record(void **state)
     assert_true(result.sheets > 0);
 }
 
-/* The same slaps as in the festival: the first sheet goes, and others after it. */
-static void test_practice_tells_its_first_tear_though_the_paper_is_renewed(void **state)
+/* The bot slaps as in the festival round. The first sheet tears, and later sheets tear as well. */
+static void
+test_a_practice_round_reports_its_first_tear_although_the_paper_is_replaced(void **state)
 {
     (void)state;
     struct round_plan plan = plan_of(3);
@@ -159,7 +161,7 @@ static void test_practice_tells_its_first_tear_though_the_paper_is_renewed(void 
     assert_true(result.torn_at_s > 0.0 && result.torn_at_s < 30.0);
 }
 
-static void test_a_mode_is_played_in_its_own_tank_with_its_own_paper(void **state)
+static void test_each_mode_uses_its_own_tank_and_paper(void **state)
 {
     (void)state;
     struct round_plan plan = plan_of(5);
@@ -176,13 +178,27 @@ static void test_a_mode_is_played_in_its_own_tank_with_its_own_paper(void **stat
     assert_true(festival != championship);
 }
 
-static void test_a_recording_that_cannot_begin_stops_the_others(void **state)
+static void test_a_round_is_played_at_its_level_and_the_championship_has_none(void **state)
+{
+    (void)state;
+    struct round_plan plan = plan_of(6);
+    const uint64_t master = alone(plan).state_hash;
+    plan.level = LEVEL_EASY;
+    assert_int_not_equal(alone(plan).state_hash, master);
+    plan.mode = MODE_CHAMPIONSHIP;
+    const struct round_result easy = alone(plan);
+    plan.level = LEVEL_MASTER;
+    assert_int_equal(alone(plan).caught, easy.caught);
+    assert_int_equal(alone(plan).scoops, easy.scoops);
+}
+
+static void test_a_recording_that_fails_to_start_stops_all_rounds(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < COUNT; i++) {
         plans[i] = plan_of(i);
     }
-    plans[0].record = "/dev/null/round.kgr";
+    plans[0].record = "/dev/null";
     const struct rounds rounds = {
         .plans = plans, .results = results, .count = COUNT, .workers = 1
     };
@@ -192,9 +208,9 @@ static void test_a_recording_that_cannot_begin_stops_the_others(void **state)
     assert_int_equal(results[COUNT - 1].code, EXIT_NOT_SO);
 }
 
-/* ---- Figures of many ------------------------------------------------------------------------ */
+/* ---- Statistics of several rounds ----------------------------------------------------------- */
 
-static void test_quantiles_fall_between_values_in_proportion(void **state)
+static void test_quantiles_are_interpolated_between_values(void **state)
 {
     (void)state;
     uint32_t values[] = { 9, 1, 5, 7, 3 }, even[] = { 4, 1, 3, 2 };
@@ -207,7 +223,7 @@ static void test_quantiles_fall_between_values_in_proportion(void **state)
     assert_true(found.p90 > 3.69 && found.p90 < 3.71);
 }
 
-static void test_one_value_is_all_its_quantiles(void **state)
+static void test_all_quantiles_of_one_value_equal_the_value(void **state)
 {
     (void)state;
     uint32_t value = 42;
@@ -219,17 +235,19 @@ static void test_one_value_is_all_its_quantiles(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_round_is_the_same_alone_and_among_others),
-        cmocka_unit_test(test_each_round_is_told_once),
-        cmocka_unit_test(test_a_round_is_as_long_as_it_was_told_to_be),
-        cmocka_unit_test(test_a_hand_without_a_tremor_is_not_taken_for_a_stuck_sensor),
-        cmocka_unit_test(test_torn_paper_ends_a_festival_and_is_told),
-        cmocka_unit_test(test_practice_has_figures_though_it_leaves_no_record),
-        cmocka_unit_test(test_practice_tells_its_first_tear_though_the_paper_is_renewed),
-        cmocka_unit_test(test_a_mode_is_played_in_its_own_tank_with_its_own_paper),
-        cmocka_unit_test(test_a_recording_that_cannot_begin_stops_the_others),
-        cmocka_unit_test(test_quantiles_fall_between_values_in_proportion),
-        cmocka_unit_test(test_one_value_is_all_its_quantiles),
+        cmocka_unit_test(test_a_round_is_identical_alone_and_in_parallel),
+        cmocka_unit_test(test_each_round_is_reported_once),
+        cmocka_unit_test(test_a_round_has_the_configured_length),
+        cmocka_unit_test(test_a_bot_without_tremor_is_not_a_stuck_sensor),
+        cmocka_unit_test(test_torn_paper_ends_a_festival_round_and_is_reported),
+        cmocka_unit_test(test_a_practice_round_has_statistics_but_no_record),
+        cmocka_unit_test(
+            test_a_practice_round_reports_its_first_tear_although_the_paper_is_replaced),
+        cmocka_unit_test(test_each_mode_uses_its_own_tank_and_paper),
+        cmocka_unit_test(test_a_round_is_played_at_its_level_and_the_championship_has_none),
+        cmocka_unit_test(test_a_recording_that_fails_to_start_stops_all_rounds),
+        cmocka_unit_test(test_quantiles_are_interpolated_between_values),
+        cmocka_unit_test(test_all_quantiles_of_one_value_equal_the_value),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

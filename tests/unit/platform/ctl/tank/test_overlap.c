@@ -1,5 +1,5 @@
-/* test_overlap.c -- the judge of overlaps is judged: depths known by geometry, counts by brute
- * force. */
+/* test_overlap.c -- Tests the overlap measurement with depths known from geometry and counts by
+ * brute force. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -37,7 +37,7 @@ static void expect_depth(const struct fish *a, const struct fish *b, double expe
     assert_true(fabs(depth_mm(b, a) - expected_mm) < 1e-3);
 }
 
-static void test_upright_boxes_overlap_by_the_least_of_their_faces(void **state)
+static void test_the_overlap_of_upright_boxes_is_the_smallest_face_depth(void **state)
 {
     const struct fish a = fish_at(0, 0, 0);
     (void)state;
@@ -49,37 +49,40 @@ static void test_upright_boxes_overlap_by_the_least_of_their_faces(void **state)
     expect_depth(&a, &touching, 0.0);
 }
 
-/* A quarter turn lays length across: 2.5 + 0.5 cm reach. */
-static void test_a_turned_box_reaches_by_its_length(void **state)
+/* A quarter turn puts the length across: an extent of 2.5 + 0.5 cm. */
+static void test_the_extent_of_a_rotated_box_is_its_length(void **state)
 {
     const struct fish a = fish_at(0, 0, 0);
     struct fish b = fish_at(2.7, 0, 0);
     (void)state;
     b.angles.yaw_rad = 0.5f * F_PI;
     expect_depth(&a, &b, 3.0);
-    b = fish_at(0, 2.2, 0); /* Nose up, length is height: 2.5 + 1 cm; 1 cm wide is the way out. */
+    b = fish_at(0, 2.2, 0); /* With the nose up the length is the height, 2.5 + 1 cm. The smallest
+                               depth is along the width of 1 cm. */
     b.angles.pitch_rad = 0.5f * F_PI;
     expect_depth(&a, &b, 10.0);
-    b = fish_at(0, 1.3, 0); /* On its side, 0.5 + 1 cm high. */
+    b = fish_at(0, 1.3, 0); /* A fish on its side is 0.5 + 1 cm high. */
     b.angles.roll_rad = 0.5f * F_PI;
     expect_depth(&a, &b, 2.0);
 }
 
-/* Two crossed edges: every face normal shows them overlapping, only an edge's cross parts them. */
-static void test_crossed_edges_are_told_apart_by_the_ninth_to_fifteenth_axis(void **state)
+/* Two crossed edges: every face normal shows an overlap, and only the cross product of two edges
+ * separates the boxes. */
+static void test_crossed_edges_are_separated_by_an_edge_edge_axis(void **state)
 {
     struct fish a = fish_at(0, 0, 0), b = fish_at(0, 0, 0);
     (void)state;
     a.height_m = a.width_m = b.height_m = b.width_m = 0.02f;
-    a.angles.roll_rad = b.angles.roll_rad = 0.25f * F_PI; /* On their edges: sqrt 2 cm high. */
+    a.angles.roll_rad = b.angles.roll_rad = 0.25f * F_PI; /* Boxes on their edges are sqrt(2) cm
+                                                             high. */
     b.angles.yaw_rad = 0.5f * F_PI;
-    b.position_m.y = 0.0285f; /* Edge over edge at 28.28 mm. */
+    b.position_m.y = 0.0285f; /* The edges touch at 28.28 mm. */
     expect_depth(&a, &b, 0.0);
     b.position_m.y = 0.0273f;
     assert_true(depth_mm(&a, &b) > 0.95 && depth_mm(&a, &b) < 1.0);
 }
 
-static void test_held_fish_and_those_in_a_bowl_do_not_count(void **state)
+static void test_held_fish_and_fish_in_a_bowl_are_not_counted(void **state)
 {
     struct overlap_count total = { 0 };
     (void)state;
@@ -108,7 +111,8 @@ static void scatter(uint32_t seed, uint32_t count)
         struct fish *fish = &tank.fish[i];
         *fish = fish_at(0, 0, 0);
         fish->position_m = v3(draw(seed, i, 1, -0.7f, 0.7f), draw(seed, i, 2, -0.2f, 0.0f),
-                              draw(seed, i, 3, -0.34f, 0.34f)); /* A few beyond the walls, too. */
+                              draw(seed, i, 3, -0.34f, 0.34f)); /* A few fish are beyond the
+                                                                   walls. */
         fish->angles.yaw_rad = draw(seed, i, 4, -3.1f, 3.1f);
         fish->angles.pitch_rad = draw(seed, i, 5, -1.5f, 1.5f);
         fish->angles.roll_rad = draw(seed, i, 6, -3.1f, 3.1f);
@@ -116,7 +120,7 @@ static void scatter(uint32_t seed, uint32_t count)
     }
 }
 
-static void test_cells_find_what_all_pairs_find(void **state)
+static void test_the_grid_finds_the_same_overlaps_as_all_pairs(void **state)
 {
     (void)state;
     for (uint32_t seed = 1; seed <= 5; seed++) {
@@ -141,11 +145,11 @@ static void test_cells_find_what_all_pairs_find(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_upright_boxes_overlap_by_the_least_of_their_faces),
-        cmocka_unit_test(test_a_turned_box_reaches_by_its_length),
-        cmocka_unit_test(test_crossed_edges_are_told_apart_by_the_ninth_to_fifteenth_axis),
-        cmocka_unit_test(test_held_fish_and_those_in_a_bowl_do_not_count),
-        cmocka_unit_test(test_cells_find_what_all_pairs_find),
+        cmocka_unit_test(test_the_overlap_of_upright_boxes_is_the_smallest_face_depth),
+        cmocka_unit_test(test_the_extent_of_a_rotated_box_is_its_length),
+        cmocka_unit_test(test_crossed_edges_are_separated_by_an_edge_edge_axis),
+        cmocka_unit_test(test_held_fish_and_fish_in_a_bowl_are_not_counted),
+        cmocka_unit_test(test_the_grid_finds_the_same_overlaps_as_all_pairs),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

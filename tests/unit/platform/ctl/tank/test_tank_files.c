@@ -1,4 +1,5 @@
-/* test_tank_files.c -- the files that a run reads: a poi's path and fish in their places. */
+/* test_tank_files.c -- Tests the input files of a tank run: the path of a poi and the positions of
+ * fish. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -28,7 +29,7 @@ static void write_file(const char *text)
     fclose(file);
 }
 
-/* Runs `read` on a file of `text`; what it says on standard error goes to `said`. */
+/* Calls `read` on a file with `text`. Standard error is redirected to `said`. */
 static enum exit_code read_text(const char *text, enum exit_code (*read)(void))
 {
     char log_name[80];
@@ -71,7 +72,7 @@ static enum exit_code stage_place(void)
     return tank_place_stage(&place, &tank, "test", file_name);
 }
 
-/* One line, which names the file, the line and the column. */
+/* Expects one message with the file, the line and the column. */
 static void expect_said(const char *line_and_column)
 {
     assert_non_null(strstr(said, file_name));
@@ -79,7 +80,7 @@ static void expect_said(const char *line_and_column)
     assert_ptr_equal(strchr(said, '\n'), said + strlen(said) - 1);
 }
 
-static void test_a_path_is_linear_between_rows_and_held_after_the_last(void **state)
+static void test_a_path_is_interpolated_between_rows_and_constant_after_the_last(void **state)
 {
     (void)state;
     assert_int_equal(read_text(HEAD "1,0,5,0,0,0,0\n3,10,-5,4,90,-20,10\n", read_path), EXIT_OK);
@@ -94,7 +95,7 @@ static void test_a_path_is_linear_between_rows_and_held_after_the_last(void **st
     assert_true(after.position_m.x == 0.1f && fabsf(after.angles.roll_rad - 10.0f * F_DEG) < 1e-6f);
 }
 
-static void test_columns_may_stand_in_any_order_behind_a_byte_order_mark(void **state)
+static void test_columns_are_accepted_in_any_order_after_a_byte_order_mark(void **state)
 {
     (void)state;
     assert_int_equal(read_text("\xEF\xBB\xBF yaw_deg ,t_s,x_cm,y_cm,z_cm,pitch_deg,roll_deg\r\n\r\n"
@@ -105,7 +106,7 @@ static void test_columns_may_stand_in_any_order_behind_a_byte_order_mark(void **
     assert_true(pose.position_m.x == 0.01f && fabsf(pose.angles.yaw_rad - 30.0f * F_DEG) < 1e-6f);
 }
 
-static void test_a_bad_path_is_told_by_line_and_column(void **state)
+static void test_a_path_error_is_reported_with_line_and_column(void **state)
 {
     static const struct {
         const char *text, *where;
@@ -138,7 +139,7 @@ static void test_a_bad_path_is_told_by_line_and_column(void **state)
     }
 }
 
-static void test_a_file_that_is_not_there_is_no_bad_data(void **state)
+static void test_a_missing_file_is_not_a_data_error(void **state)
 {
     (void)state;
     unlink(file_name);
@@ -147,7 +148,7 @@ static void test_a_file_that_is_not_there_is_no_bad_data(void **state)
     assert_int_equal(read_path(), EXIT_IO);
 }
 
-static void test_placed_fish_stand_where_they_are_wanted(void **state)
+static void test_placed_fish_have_the_given_positions(void **state)
 {
     (void)state;
     assert_int_equal(read_text("x_cm,y_cm,z_cm,yaw_deg,length_cm,speed_cm_s,gait,stamina\n"
@@ -160,11 +161,12 @@ static void test_placed_fish_stand_where_they_are_wanted(void **state)
     assert_true(fabsf(fish->angles.yaw_rad + 90.0f * F_DEG) < 1e-6f);
     assert_int_equal(fish->gait, GAIT_SWIM);
     assert_true(fabsf(fish->stamina - 0.8f) < 1e-6f);
-    assert_true(fabsf(fish->velocity_m_s.x - 0.0525f) < 1e-6f); /* Yaw -90: to the right. */
+    assert_true(fabsf(fish->velocity_m_s.x - 0.0525f) < 1e-6f); /* Yaw -90 degrees points to the
+                                                                   right. */
     assert_int_equal(tank.fish[1].gait, GAIT_REST);
 }
 
-static void test_a_fish_that_has_speed_and_no_gait_swims(void **state)
+static void test_a_placed_fish_with_a_speed_and_no_gait_swims(void **state)
 {
     (void)state;
     assert_int_equal(
@@ -179,7 +181,7 @@ static void test_a_fish_that_has_speed_and_no_gait_swims(void **state)
     "tick,fish,x_cm,y_cm,z_cm,yaw_deg,pitch_deg,roll_deg,length_cm,height_cm,width_cm,"            \
     "speed_cm_s,tail_hz,gait,stamina,avoiding\n"
 
-static void test_a_trace_is_placed_by_its_first_tick(void **state)
+static void test_fish_are_placed_from_the_first_tick_of_a_trace(void **state)
 {
     (void)state;
     assert_int_equal(read_text(TRACE_HEAD "12,0,-20,-5,0,-90,0,0,5,2,1,40,9,escape,60,none\n"
@@ -189,18 +191,18 @@ static void test_a_trace_is_placed_by_its_first_tick(void **state)
                                           "24,1,20,-0.9,0,0,40,0,5,2,1,0.5,2,surface,10,none\n",
                                stage_place),
                      EXIT_OK);
-    expect_said("the 3 fish of the first tick, 12, are placed; 2 rows of others are left out");
+    expect_said("the 3 fish of the first tick, 12, are placed; 2 rows of other ticks are skipped");
     const struct fish *fish = tank.fish;
     assert_int_equal(tank.fish_count, 3);
     assert_int_equal(fish[0].gait, GAIT_BURST);
     assert_true(fabsf(fish[0].velocity_m_s.x - 0.4f) < 1e-6f);
     assert_int_equal(fish[1].gait, GAIT_SURFACE);
     assert_int_equal(fish[1].air, AIR_GULPS);
-    assert_int_equal(fish[2].air, AIR_RISES); /* It lies deep. */
+    assert_int_equal(fish[2].air, AIR_RISES); /* The fish is deep in the water. */
     assert_int_equal(fish[2].gait, GAIT_SWIM);
 }
 
-static void test_one_tick_is_placed_without_a_word(void **state)
+static void test_a_trace_of_one_tick_is_placed_without_a_message(void **state)
 {
     (void)state;
     assert_int_equal(
@@ -209,8 +211,8 @@ static void test_one_tick_is_placed_without_a_word(void **state)
     assert_string_equal(said, "");
 }
 
-/* Section 3.6: it gulps for 3 s and is fully recovered; then it dives. */
-static void test_a_placed_gulper_gulps_and_dives(void **state)
+/* Section 3.6: the fish gulps for 3 s, recovers completely, and dives. */
+static void test_a_placed_gulping_fish_gulps_and_dives(void **state)
 {
     uint32_t tick = 0;
     (void)state;
@@ -226,24 +228,24 @@ static void test_a_placed_gulper_gulps_and_dives(void **state)
     assert_true(tank.fish[0].stamina > 0.95f);
 }
 
-static void test_fish_that_cannot_be_placed_are_told(void **state)
+static void test_fish_that_cannot_be_placed_are_reported(void **state)
 {
     static const struct {
         const char *text, *where;
     } bad[] = {
-        { "x_cm,y_cm,z_cm,yaw_deg\n0,-5,0,0\n0,-5,4.9,0\n", "fish 0 and 1 are 1.0 mm" },
-        { "x_cm,y_cm,z_cm,yaw_deg\n66,-5,0,90\n", "fish 0 is not all in the water" },
-        { "x_cm,y_cm,z_cm,yaw_deg\n0,-0.9,0,0\n", "fish 0 is not all in the water" },
-        { "x_cm,y_cm,z_cm,yaw_deg\n0,-19.1,0,0\n", "fish 0 is not all in the water" },
+        { "x_cm,y_cm,z_cm,yaw_deg\n0,-5,0,0\n0,-5,4.9,0\n", "fish 0 and 1 overlap by 1.0 mm" },
+        { "x_cm,y_cm,z_cm,yaw_deg\n66,-5,0,90\n", "fish 0 is not completely in the water" },
+        { "x_cm,y_cm,z_cm,yaw_deg\n0,-0.9,0,0\n", "fish 0 is not completely in the water" },
+        { "x_cm,y_cm,z_cm,yaw_deg\n0,-19.1,0,0\n", "fish 0 is not completely in the water" },
         { "x_cm,y_cm,z_cm,yaw_deg,gait\n0,-5,0,0,hop\n", "line 2, column 5 (gait)" },
         { "x_cm,y_cm,z_cm,yaw_deg,gait\n0,-5,0,0,held\n",
           "line 2, column 5 (gait): no poi holds this fish" },
         { "x_cm,y_cm,z_cm,yaw_deg,gait\n0,1.4,0,0,surface\n",
-          "line 2: fish 0 is not all in the water" },
+          "line 2: fish 0 is not completely in the water" },
         { "x_cm,y_cm,z_cm,yaw_deg,stamina\n0,-5,0,0,101\n", "line 2, column 5 (stamina)" },
         { "x_cm,y_cm,z_cm,yaw_deg,stamnia\n0,-5,0,0,50\n", "line 1, column 5: 'stamnia'" },
         { "x_cm,y_cm,z_cm,yaw_deg\n0,-5,0,0\n9,-5,0,0,7,8\n", "line 3, column 5: '7'" },
-        { "x_cm,y_cm,z_cm,yaw_deg\n0,5,0,0\n", "line 2: fish 0 is not all in the water" },
+        { "x_cm,y_cm,z_cm,yaw_deg\n0,5,0,0\n", "line 2: fish 0 is not completely in the water" },
         { "x_cm,y_cm,z_cm,yaw_deg\n0,101,0,0\n", "line 2, column 2 (y_cm)" },
         { "tick,x_cm,y_cm,z_cm,yaw_deg\n5,0,-5,0,0\n6,nan,-5,0,0\n", "line 3, column 2 (x_cm)" },
     };
@@ -258,16 +260,16 @@ int main(void)
 {
     snprintf(file_name, sizeof file_name, "/tmp/kingyo-test-path.%d", (int)getpid());
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_path_is_linear_between_rows_and_held_after_the_last),
-        cmocka_unit_test(test_columns_may_stand_in_any_order_behind_a_byte_order_mark),
-        cmocka_unit_test(test_a_bad_path_is_told_by_line_and_column),
-        cmocka_unit_test(test_placed_fish_stand_where_they_are_wanted),
-        cmocka_unit_test(test_a_fish_that_has_speed_and_no_gait_swims),
-        cmocka_unit_test(test_a_trace_is_placed_by_its_first_tick),
-        cmocka_unit_test(test_one_tick_is_placed_without_a_word),
-        cmocka_unit_test(test_a_placed_gulper_gulps_and_dives),
-        cmocka_unit_test(test_fish_that_cannot_be_placed_are_told),
-        cmocka_unit_test(test_a_file_that_is_not_there_is_no_bad_data),
+        cmocka_unit_test(test_a_path_is_interpolated_between_rows_and_constant_after_the_last),
+        cmocka_unit_test(test_columns_are_accepted_in_any_order_after_a_byte_order_mark),
+        cmocka_unit_test(test_a_path_error_is_reported_with_line_and_column),
+        cmocka_unit_test(test_placed_fish_have_the_given_positions),
+        cmocka_unit_test(test_a_placed_fish_with_a_speed_and_no_gait_swims),
+        cmocka_unit_test(test_fish_are_placed_from_the_first_tick_of_a_trace),
+        cmocka_unit_test(test_a_trace_of_one_tick_is_placed_without_a_message),
+        cmocka_unit_test(test_a_placed_gulping_fish_gulps_and_dives),
+        cmocka_unit_test(test_fish_that_cannot_be_placed_are_reported),
+        cmocka_unit_test(test_a_missing_file_is_not_a_data_error),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     unlink(file_name);

@@ -1,4 +1,4 @@
-/* test_tank_meetings.c -- encounters are counted as they begin, each once. */
+/* test_tank_meetings.c -- Tests that each encounter is counted once, at its start. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -33,7 +33,7 @@ static void watch_stage(const struct tank_stage *stages, uint32_t count, uint32_
     }
 }
 
-static void test_one_meeting_is_one_meeting_of_its_kind(void **state)
+static void test_one_encounter_is_counted_once_in_its_class(void **state)
 {
     (void)state;
     const struct tank_stage head_on[] = { swimmer(0.0f, 6.0f, 0.0f), swimmer(0.0f, -6.0f, 180.0f) };
@@ -45,7 +45,7 @@ static void test_one_meeting_is_one_meeting_of_its_kind(void **state)
         watch_stage(head_on, 2, seed);
         assert_int_equal(meetings.head_on, 1);
         assert_int_equal(meetings.side + meetings.rear_end, 0);
-        assert_int_equal(meetings.by_yaw, 2); /* Both turn. */
+        assert_int_equal(meetings.by_yaw, 2); /* Both fish turn. */
         assert_int_equal(meetings.by_pitch, 0);
         watch_stage(side, 2, seed);
         assert_int_equal(meetings.side, 1);
@@ -53,11 +53,11 @@ static void test_one_meeting_is_one_meeting_of_its_kind(void **state)
         watch_stage(rear_end, 2, seed);
         assert_int_equal(meetings.rear_end, 1);
         assert_int_equal(meetings.head_on + meetings.side, 0);
-        assert_in_range(meetings.by_yaw, 1, 2); /* The follower alone, if twice. */
+        assert_in_range(meetings.by_yaw, 1, 2); /* Only the follower turns, possibly twice. */
     }
 }
 
-static void test_who_meets_nobody_is_not_counted(void **state)
+static void test_a_fish_without_an_encounter_is_not_counted(void **state)
 {
     (void)state;
     const struct tank_stage apart[] = { swimmer(-20.0f, 6.0f, 0.0f), swimmer(20.0f, 6.0f, 0.0f) };
@@ -73,13 +73,13 @@ static void give_way(struct fish *fish, fish_index with)
     fish->avoid_kind = MEET_HEAD_ON;
 }
 
-static void test_a_pair_counts_again_only_when_it_has_parted(void **state)
+static void test_a_pair_is_counted_again_only_after_it_separated(void **state)
 {
     (void)state;
     const struct tank_stage near[] = { swimmer(0.0f, 3.0f, 0.0f), swimmer(0.0f, -3.0f, 180.0f) };
     struct tank *tank = thesis_stage(near, 2, 1);
     meetings = (struct tank_meetings){ 0 };
-    for (uint32_t turn = 0; turn < 3; turn++) { /* In turns, without parting. */
+    for (uint32_t turn = 0; turn < 3; turn++) { /* The fish turn alternately and do not separate. */
         give_way(&tank->fish[turn % 2u], (fish_index)(1u - turn % 2u));
         tank_meetings_update(&meetings, tank, 1);
         tank->fish[turn % 2u].avoiding = AVOID_NONE;
@@ -88,7 +88,8 @@ static void test_a_pair_counts_again_only_when_it_has_parted(void **state)
     assert_int_equal(meetings.head_on, 1);
     assert_int_equal(meetings.by_yaw, 3);
     const vec3 here = tank->fish[0].position_m;
-    tank->fish[0].position_m.z += 0.02f; /* 8 cm between the middles: spaces of 7 are apart. */
+    tank->fish[0].position_m.z += 0.02f; /* The centres are 8 cm apart, so the fish are separated by
+                                            7 cm limits. */
     for (uint32_t tick = 0; tick < CORE_TICK_HZ / 2u - TANK_MEETINGS_LOOK_TICKS; tick++) {
         assert_int_equal(meetings.open_count, 1);
         tank_meetings_update(&meetings, tank, 1);
@@ -103,8 +104,8 @@ static void test_a_pair_counts_again_only_when_it_has_parted(void **state)
     assert_int_equal(meetings.head_on, 2);
 }
 
-/* Observed every 24 ticks, a pair is one encounter, and it parts after half a second as well. */
-static void test_a_pair_that_is_watched_in_steps_parts_in_time(void **state)
+/* A pair observed every 24 ticks is one encounter and also separates after half a second. */
+static void test_a_pair_observed_at_intervals_separates_after_the_timeout(void **state)
 {
     (void)state;
     const struct tank_stage near[] = { swimmer(0.0f, 3.0f, 0.0f), swimmer(0.0f, -3.0f, 180.0f) };
@@ -117,7 +118,7 @@ static void test_a_pair_that_is_watched_in_steps_parts_in_time(void **state)
     tank->fish[0].position_m.z += 0.02f;
     tank_meetings_update(&meetings, tank, 24);
     tank_meetings_update(&meetings, tank, 24);
-    assert_int_equal(meetings.open_count, 1); /* Apart for 48 ticks. */
+    assert_int_equal(meetings.open_count, 1); /* The fish are apart for 48 ticks. */
     tank_meetings_update(&meetings, tank, 24);
     assert_int_equal(meetings.open_count, 0);
 }
@@ -125,10 +126,10 @@ static void test_a_pair_that_is_watched_in_steps_parts_in_time(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_one_meeting_is_one_meeting_of_its_kind),
-        cmocka_unit_test(test_who_meets_nobody_is_not_counted),
-        cmocka_unit_test(test_a_pair_counts_again_only_when_it_has_parted),
-        cmocka_unit_test(test_a_pair_that_is_watched_in_steps_parts_in_time),
+        cmocka_unit_test(test_one_encounter_is_counted_once_in_its_class),
+        cmocka_unit_test(test_a_fish_without_an_encounter_is_not_counted),
+        cmocka_unit_test(test_a_pair_is_counted_again_only_after_it_separated),
+        cmocka_unit_test(test_a_pair_observed_at_intervals_separates_after_the_timeout),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

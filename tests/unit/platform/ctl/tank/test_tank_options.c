@@ -1,4 +1,4 @@
-/* test_tank_options.c -- what may be asked of `kingyoctl tank`, and the ends of each range. */
+/* test_tank_options.c -- Tests the options of `kingyoctl tank` and the limits of each range. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -15,7 +15,7 @@
 
 static struct tank_options plan;
 
-/* Words apart by blanks; what is said on standard error is not shown. */
+/* Parses options separated by blanks. Standard error is not shown. */
 static enum exit_code read_plan(const char *line)
 {
     static char text[512];
@@ -35,7 +35,7 @@ static enum exit_code read_plan(const char *line)
     return code;
 }
 
-static void test_nothing_asked_is_the_thesis_for_ten_seconds(void **state)
+static void test_the_default_options_are_the_thesis_tank_for_ten_seconds(void **state)
 {
     (void)state;
     assert_int_equal(read_plan(""), EXIT_OK);
@@ -47,7 +47,7 @@ static void test_nothing_asked_is_the_thesis_for_ten_seconds(void **state)
     assert_true(plan.config.stamina_min == 0.30f && plan.config.stamina_max == 1.0f);
 }
 
-static void test_every_option_reaches_the_plan(void **state)
+static void test_every_tank_option_is_stored(void **state)
 {
     (void)state;
     assert_int_equal(
@@ -77,7 +77,7 @@ static void test_every_option_reaches_the_plan(void **state)
     assert_int_equal(plan.as_json, 1);
 }
 
-static void test_more_floor_holds_more_fish_at_the_same_density(void **state)
+static void test_a_larger_tank_allows_more_fish_at_equal_density(void **state)
 {
     (void)state;
     assert_int_equal(read_plan("--area-scale 0.5"), EXIT_OK);
@@ -89,7 +89,7 @@ static void test_more_floor_holds_more_fish_at_the_same_density(void **state)
     assert_int_equal(plan.config.fish_count, 100);
 }
 
-static void test_the_ends_of_each_range_and_what_lies_beyond(void **state)
+static void test_limits_of_tank_options_are_accepted_and_values_beyond_rejected(void **state)
 {
     static const struct {
         const char *low, *high, *below, *above;
@@ -122,7 +122,7 @@ static void test_the_ends_of_each_range_and_what_lies_beyond(void **state)
     }
 }
 
-static void test_what_is_no_value_is_refused(void **state)
+static void test_an_invalid_tank_option_value_is_rejected(void **state)
 {
     /* clang-format off */
     static const char *const wrong[] = {
@@ -142,7 +142,7 @@ static void test_what_is_no_value_is_refused(void **state)
     }
 }
 
-static void test_there_is_room_for_four_shades(void **state)
+static void test_at_most_four_fans_are_accepted(void **state)
 {
     (void)state;
     assert_int_equal(read_plan("--shade 0,0,5,0,1 --shade 0,0,5,0,1 --shade 0,0,5,0,1 "
@@ -156,12 +156,12 @@ static void test_there_is_room_for_four_shades(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_nothing_asked_is_the_thesis_for_ten_seconds),
-        cmocka_unit_test(test_every_option_reaches_the_plan),
-        cmocka_unit_test(test_more_floor_holds_more_fish_at_the_same_density),
-        cmocka_unit_test(test_the_ends_of_each_range_and_what_lies_beyond),
-        cmocka_unit_test(test_what_is_no_value_is_refused),
-        cmocka_unit_test(test_there_is_room_for_four_shades),
+        cmocka_unit_test(test_the_default_options_are_the_thesis_tank_for_ten_seconds),
+        cmocka_unit_test(test_every_tank_option_is_stored),
+        cmocka_unit_test(test_a_larger_tank_allows_more_fish_at_equal_density),
+        cmocka_unit_test(test_limits_of_tank_options_are_accepted_and_values_beyond_rejected),
+        cmocka_unit_test(test_an_invalid_tank_option_value_is_rejected),
+        cmocka_unit_test(test_at_most_four_fans_are_accepted),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

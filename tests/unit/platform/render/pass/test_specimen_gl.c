@@ -1,4 +1,5 @@
-/* test_specimen_gl.c -- specimens as they are drawn: all species, their paint, and its slots. */
+/* test_specimen_gl.c -- Tests drawn specimens: all species, their textures and the texture
+ * slots. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -15,7 +16,7 @@
 #define WIDTH 320u
 #define HEIGHT 200u
 #define SIZE (WIDTH * HEIGHT * 4u)
-#define BOX_PX 20.0f /* Free around a fitted fish; its swimming stays in it. */
+#define BOX_PX 20.0f /* Margin around a fitted fish. Its swimming motion stays within the margin. */
 
 static struct gl_status status;
 static struct specimen_pass pass;
@@ -30,7 +31,8 @@ static int open_pass(void **state)
 {
     (void)state;
     open_gl_context("specimen");
-    whole = display_transform_identity((float)WIDTH, (float)HEIGHT);
+    whole = display_transform_of(&(struct display_settings){ .light = 1.0f }, (float)WIDTH,
+                                 (float)HEIGHT);
     textures_open(&status, &textures);
     specimen_pass_open(&status, &pass, &textures);
     gl_target_open(
@@ -75,12 +77,12 @@ static bool is_ground(const uint8_t *pixel, uint8_t grey)
     return pixel[0] == grey && pixel[1] == grey && pixel[2] == grey;
 }
 
-/* The colour in the middle of what a point of the body is seen at. */
+/* Returns the pixel at which a point of the body is drawn. */
 static const uint8_t *pixel_at(const uint8_t pixels[SIZE], const struct specimen *fish, vec3 point)
 {
-    float x, y;
-    specimen_project(fish, point, &x, &y);
-    return pixels + ((HEIGHT - 1u - (uint32_t)y) * WIDTH + (uint32_t)x) * 4u;
+    float at[2];
+    specimen_project(fish, point, at);
+    return pixels + ((HEIGHT - 1u - (uint32_t)at[1]) * WIDTH + (uint32_t)at[0]) * 4u;
 }
 
 static void test_every_species_is_drawn_inside_its_box_at_every_age(void **state)
@@ -99,12 +101,12 @@ static void test_every_species_is_drawn_inside_its_box_at_every_age(void **state
                 drawn += !is_ground(pictures[0] + p * 4u, 0);
                 assert_true(!edge || is_ground(pictures[0] + p * 4u, 0));
             }
-            assert_true(drawn > 500u); /* The slimmest is an eel of 280 x 10 pixels. */
+            assert_true(drawn > 500u); /* The thinnest fish is an eel of 280 x 10 pixels. */
         }
     }
 }
 
-static void test_the_same_fish_is_the_same_picture_and_an_older_one_is_not(void **state)
+static void test_equal_specimens_give_equal_pictures_and_an_older_one_differs(void **state)
 {
     (void)state;
     struct specimen fish = fish_of(&species_wakin, 0.5f);
@@ -128,25 +130,25 @@ static void test_a_grown_goldfish_is_red_and_a_tint_covers_it(void **state)
     assert_true(pixel[2] > 120 && pixel[2] > pixel[0]);
 }
 
-/* The tank's pattern, its red and its white: an album must show the very fish that was caught. */
-static void test_a_ripe_goldfish_wears_its_look_and_a_young_one_its_coat(void **state)
+/* The album must show the pattern, red and white, of the fish that was caught in the tank. */
+static void test_a_mature_goldfish_has_its_pattern_and_a_young_one_its_coat(void **state)
 {
     (void)state;
     struct specimen fish = fish_of(&species_wakin, 1.0f);
     const vec3 flank = v3(0.0f, 0.05f, -0.02f);
-    fish.look = 15u << 8u; /* The design that is white but for its tail root. */
+    fish.look = 15u << 8u; /* The design that is white except for its tail root. */
     picture(pictures[0], &fish, 0.0f);
     const uint8_t *pixel = pixel_at(pictures[0], &fish, flank);
-    assert_true(pixel[0] > 2 * pixel[1]); /* Not ripe: red as the species is. */
+    assert_true(pixel[0] > 2 * pixel[1]); /* The fish is not mature, so it is red as its species. */
     fish.ripe = fish.maturity = 1.0f;
     picture(pictures[0], &fish, 0.0f);
     assert_true(pixel[1] > 140 && pixel[2] > 120);
-    fish.look = 0; /* Red all over. */
+    fish.look = 0; /* The design that is completely red. */
     picture(pictures[0], &fish, 0.0f);
     assert_true(pixel[0] > 2 * pixel[1]);
 }
 
-static void test_a_larva_of_glass_lets_the_ground_through_and_an_adult_does_not(void **state)
+static void test_a_transparent_larva_shows_the_background_and_an_adult_does_not(void **state)
 {
     (void)state;
     struct specimen fish = fish_of(&species_wakin, 0.0f);
@@ -163,7 +165,7 @@ static void test_a_larva_of_glass_lets_the_ground_through_and_an_adult_does_not(
     }
 }
 
-static void test_faded_out_it_leaves_no_trace(void **state)
+static void test_a_faded_out_specimen_is_invisible(void **state)
 {
     (void)state;
     struct specimen fish = fish_of(&species_wakin, 1.0f);
@@ -175,13 +177,13 @@ static void test_faded_out_it_leaves_no_trace(void **state)
     }
 }
 
-static void test_whatever_depth_was_there_a_specimen_is_drawn_over_it(void **state)
+static void test_a_specimen_is_drawn_over_any_previous_depth(void **state)
 {
     (void)state;
     struct specimen fish = fish_of(&species_wakin, 1.0f);
     picture(pictures[0], &fish, 0.0f);
     gl_target_bind(&target);
-    glClearDepthf(0.0f); /* Nearer than anything. */
+    glClearDepthf(0.0f); /* The depth buffer is cleared to the nearest depth. */
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glClearDepthf(1.0f);
     specimen_pass_draw(&pass, &fish, &whole);
@@ -189,7 +191,7 @@ static void test_whatever_depth_was_there_a_specimen_is_drawn_over_it(void **sta
     assert_memory_equal(pictures[0], pictures[1], SIZE);
 }
 
-static void test_a_species_that_lost_its_slot_comes_back_the_same(void **state)
+static void test_a_species_reloaded_into_a_slot_looks_the_same(void **state)
 {
     (void)state;
     straight_thesis(species_table[1], &memory, &changed);
@@ -207,7 +209,7 @@ static void test_a_species_that_lost_its_slot_comes_back_the_same(void **state)
     assert_memory_equal(pictures[0], pictures[1], SIZE);
 }
 
-static void test_another_edition_in_the_same_memory_is_drawn_anew(void **state)
+static void test_a_changed_species_in_the_same_memory_is_repainted(void **state)
 {
     (void)state;
     straight_thesis(species_table[1], &memory, &changed);
@@ -222,7 +224,7 @@ static void test_another_edition_in_the_same_memory_is_drawn_anew(void **state)
     straight.edition = 0;
     straight.progress = (float)species_table[2]->card.thesis_key[2] /
                         (float)(species_table[2]->card.key_count - 1u);
-    picture(pictures[0], &straight, 0.3f); /* At a key both are as it was drawn. */
+    picture(pictures[0], &straight, 0.3f); /* At a key both species have their drawn shape. */
     uint32_t off = 0;
     for (uint32_t i = 0; i < SIZE; i++) {
         const int32_t d = (int32_t)pictures[0][i] - (int32_t)pictures[1][i];
@@ -232,8 +234,8 @@ static void test_another_edition_in_the_same_memory_is_drawn_anew(void **state)
     assert_true(off < SIZE / 200u);
 }
 
-/* Reads a key's sheet back and holds it to paint_at(). */
-static void test_a_key_s_sheet_is_what_paint_at_says(void **state)
+/* Reads back the texture of a key and compares it with paint_at(). */
+static void test_the_texture_of_a_key_matches_paint_at(void **state)
 {
     (void)state;
     static uint8_t sheet[PAINT_SIZE * PAINT_SIZE][4];
@@ -270,7 +272,7 @@ static void test_a_key_s_sheet_is_what_paint_at_says(void **state)
     }
     glDeleteFramebuffers(1, &framebuffer);
     print_message("%u of %u texels are means of four points\n", off, count);
-    assert_true(off < count / 8u); /* Rims. */
+    assert_true(off < count / 8u); /* Texels at the rims of parts. */
 }
 
 static uint32_t empty_slots(void)
@@ -317,7 +319,7 @@ static const struct fish_texture *skin_of(const struct species *species)
     return NULL;
 }
 
-/* Thumbnails of all keys and one large fish in between, as the lab's page has them. */
+/* Draws thumbnails of all keys with one large fish in the middle, as the lab page does. */
 static void draw_page(const struct species *species)
 {
     const struct specimen fish = fish_of(species, 0.37f);
@@ -330,8 +332,8 @@ static void draw_page(const struct species *species)
     }
 }
 
-/* How many bands of all skins are painted until the large fish is seen finely, but for the frame in
- * which it comes to that: there may be time for others in it. */
+/* Returns the number of painted texture bands until the large fish is refined. Bands of the frame
+ * in which it is refined are not counted, because other textures may be painted in that frame. */
 static uint32_t bands_to_fine(const struct species *species)
 {
     draw_page(species);
@@ -346,8 +348,8 @@ static uint32_t bands_to_fine(const struct species *species)
     return painted - begun;
 }
 
-/* Two sheets, however fast the machine is: the others' paint waits meanwhile. */
-static void test_what_is_shown_is_painted_finely_before_anything_else(void **state)
+/* At most two textures are refined first on a machine of any speed. The other textures wait. */
+static void test_the_visible_texture_is_refined_first(void **state)
 {
     (void)state;
     uint32_t most = 0;
@@ -361,7 +363,7 @@ static void test_what_is_shown_is_painted_finely_before_anything_else(void **sta
     assert_true(most > FISH_TEXTURE_BANDS / 2u);
 }
 
-static void test_when_there_is_time_all_built_in_species_are_painted_ahead(void **state)
+static void test_all_built_in_species_are_painted_in_idle_time(void **state)
 {
     (void)state;
     open_anew();
@@ -382,7 +384,7 @@ static void test_when_there_is_time_all_built_in_species_are_painted_ahead(void 
     assert_int_equal(done, SPECIES_BUILT_IN);
 }
 
-static void test_the_ordinary_morph_wears_the_skin_of_its_species(void **state)
+static void test_the_ordinary_morph_has_the_texture_of_its_species(void **state)
 {
     (void)state;
     struct specimen fish = fish_of(species_table[3], 0.5f);
@@ -398,8 +400,9 @@ static void test_the_ordinary_morph_wears_the_skin_of_its_species(void **state)
     assert_ptr_equal(worn, &pass.slots[3].skin);
 }
 
-/* Neighbouring texels of the coarse painting: where they are equal, squares are seen. */
-static void test_the_first_coarse_painting_has_no_squares(void **state)
+/* Compares neighbouring texels of the coarse texture. Equal neighbours would be visible as
+ * blocks. */
+static void test_the_coarse_texture_shows_no_blocks(void **state)
 {
     (void)state;
     static uint8_t sheet[PAINT_SIZE * PAINT_SIZE][4];
@@ -422,12 +425,12 @@ static void test_the_first_coarse_painting_has_no_squares(void **state)
         steepest = step > steepest ? step : -step > steepest ? -step : steepest;
     }
     print_message("steepest step from texel to texel: %d of 255\n", steepest);
-    assert_true(steepest <= 64); /* A quarter of the whole, for four texels from point to point. */
+    assert_true(steepest <= 64); /* A quarter of the range, for four texels between two samples. */
 }
 
-/* A solved graph's weights may be negative: paint takes them as none (paint_at), and so must the
- * choice of the sheets. */
-static void test_a_negative_weight_chooses_no_sheet(void **state)
+/* Weights of a solved graph may be negative. paint_at() treats them as 0, and the selection of
+ * textures must do the same. */
+static void test_a_negative_weight_selects_no_texture(void **state)
 {
     (void)state;
     const float weights[MORPH_KEY_MAX] = { -0.2f, 1.0f, 0.0f, 0.2f };
@@ -442,9 +445,9 @@ static void test_a_negative_weight_chooses_no_sheet(void **state)
     }
 }
 
-/* A leaf larva from so near that a line is 5 px broad and the sheet's texels 9: its muscles' lines,
- * 60 on 0.9 of its length, are sharp all the same. */
-static void test_a_leaf_larva_s_muscles_are_sharp_lines(void **state)
+/* A leptocephalus is drawn so near that a line is 5 px wide and a texel 9 px. Its 60 muscle lines
+ * on 0.9 of its length are still sharp. */
+static void test_the_muscle_lines_of_a_leptocephalus_are_sharp(void **state)
 {
     (void)state;
     const float length_px = 2400.0f;
@@ -463,10 +466,11 @@ static void test_a_leaf_larva_s_muscles_are_sharp_lines(void **state)
     }
     const float expected = (float)WIDTH / length_px * 60.0f / 0.9f;
     print_message("%u lines, %.1f expected\n", lines, (double)expected);
-    assert_true(f_abs((float)lines - expected) <= 2.5f); /* u is not quite even along the body. */
+    assert_true(f_abs((float)lines - expected) <= 2.5f); /* u is not exactly uniform along the
+                                                            body. */
 }
 
-static void test_a_finished_skin_wants_no_more_work(void **state)
+static void test_a_finished_texture_needs_no_more_work(void **state)
 {
     (void)state;
     struct specimen fish = fish_of(&species_wakin, 1.0f);
@@ -482,22 +486,22 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_every_species_is_drawn_inside_its_box_at_every_age),
-        cmocka_unit_test(test_the_same_fish_is_the_same_picture_and_an_older_one_is_not),
+        cmocka_unit_test(test_equal_specimens_give_equal_pictures_and_an_older_one_differs),
         cmocka_unit_test(test_a_grown_goldfish_is_red_and_a_tint_covers_it),
-        cmocka_unit_test(test_a_ripe_goldfish_wears_its_look_and_a_young_one_its_coat),
-        cmocka_unit_test(test_a_larva_of_glass_lets_the_ground_through_and_an_adult_does_not),
-        cmocka_unit_test(test_faded_out_it_leaves_no_trace),
-        cmocka_unit_test(test_whatever_depth_was_there_a_specimen_is_drawn_over_it),
-        cmocka_unit_test(test_a_species_that_lost_its_slot_comes_back_the_same),
-        cmocka_unit_test(test_another_edition_in_the_same_memory_is_drawn_anew),
-        cmocka_unit_test(test_a_key_s_sheet_is_what_paint_at_says),
-        cmocka_unit_test(test_a_finished_skin_wants_no_more_work),
-        cmocka_unit_test(test_a_leaf_larva_s_muscles_are_sharp_lines),
-        cmocka_unit_test(test_what_is_shown_is_painted_finely_before_anything_else),
-        cmocka_unit_test(test_when_there_is_time_all_built_in_species_are_painted_ahead),
-        cmocka_unit_test(test_the_ordinary_morph_wears_the_skin_of_its_species),
-        cmocka_unit_test(test_the_first_coarse_painting_has_no_squares),
-        cmocka_unit_test(test_a_negative_weight_chooses_no_sheet),
+        cmocka_unit_test(test_a_mature_goldfish_has_its_pattern_and_a_young_one_its_coat),
+        cmocka_unit_test(test_a_transparent_larva_shows_the_background_and_an_adult_does_not),
+        cmocka_unit_test(test_a_faded_out_specimen_is_invisible),
+        cmocka_unit_test(test_a_specimen_is_drawn_over_any_previous_depth),
+        cmocka_unit_test(test_a_species_reloaded_into_a_slot_looks_the_same),
+        cmocka_unit_test(test_a_changed_species_in_the_same_memory_is_repainted),
+        cmocka_unit_test(test_the_texture_of_a_key_matches_paint_at),
+        cmocka_unit_test(test_a_finished_texture_needs_no_more_work),
+        cmocka_unit_test(test_the_muscle_lines_of_a_leptocephalus_are_sharp),
+        cmocka_unit_test(test_the_visible_texture_is_refined_first),
+        cmocka_unit_test(test_all_built_in_species_are_painted_in_idle_time),
+        cmocka_unit_test(test_the_ordinary_morph_has_the_texture_of_its_species),
+        cmocka_unit_test(test_the_coarse_texture_shows_no_blocks),
+        cmocka_unit_test(test_a_negative_weight_selects_no_texture),
     };
     return cmocka_run_group_tests(tests, open_pass, close_pass);
 }

@@ -1,4 +1,5 @@
-/* The stall's words: decoding, numbers, and that every letter was baked. */
+/* test_text.c -- Tests the texts of the kiosk: UTF-8 decoding, numbers, and a baked glyph for every
+ * character. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -25,10 +26,10 @@ static void test_utf8_of_every_length_is_decoded(void **state)
     assert_int_equal(printable_next(&at), 0x91d1);
     assert_int_equal(printable_next(&at), 0x1f41f);
     assert_int_equal(printable_next(&at), 0);
-    assert_int_equal(printable_next(&at), 0); /* The end stays the end. */
+    assert_int_equal(printable_next(&at), 0); /* A read at the end returns the end again. */
 }
 
-static void test_malformed_bytes_are_marked_and_skipped_one_by_one(void **state)
+static void test_malformed_bytes_are_replaced_one_by_one(void **state)
 {
     (void)state;
     static const char *const malformed[] = {
@@ -51,7 +52,7 @@ static void test_malformed_bytes_are_marked_and_skipped_one_by_one(void **state)
     assert_int_equal(printable_next(&at), 'A');
 }
 
-static void test_every_byte_string_comes_to_its_end(void **state)
+static void test_decoding_of_any_bytes_terminates(void **state)
 {
     (void)state;
     uint32_t random = 1;
@@ -85,7 +86,7 @@ static void test_every_word_has_its_glyphs_in_the_font_for_small_text(void **sta
     }
 }
 
-static void test_the_title_can_be_brushed(void **state)
+static void test_the_title_has_its_glyphs_in_the_brush_font(void **state)
 {
     (void)state;
     const char *at = text_words(LANGUAGE_JA, TEXT_TITLE);
@@ -94,7 +95,7 @@ static void test_the_title_can_be_brushed(void **state)
     }
 }
 
-static void test_no_page_of_glyphs_is_larger_than_every_driver_takes(void **state)
+static void test_every_glyph_page_fits_the_smallest_texture_limit(void **state)
 {
     (void)state;
     assert_in_range(ASSET_FONT_WIDTH, 1, GL_TEXTURE_SURE);
@@ -102,7 +103,7 @@ static void test_no_page_of_glyphs_is_larger_than_every_driver_takes(void **stat
     assert_in_range(ASSET_FONT_PAGES, 1, GL_LAYERS_SURE);
 }
 
-static void test_glyphs_are_in_order_and_each_on_one_page(void **state)
+static void test_glyphs_are_sorted_and_each_lies_on_one_page(void **state)
 {
     (void)state;
     for (uint32_t font = 0; font < FONT_COUNT; font++) {
@@ -128,7 +129,7 @@ static void test_a_missing_character_is_shown_as_a_question_mark(void **state)
                        text_width_em(FONT_BODY, "?", 0.0f), 1e-6f);
 }
 
-static void test_spacing_stands_between_letters_only(void **state)
+static void test_letter_spacing_is_added_only_between_letters(void **state)
 {
     (void)state;
     const float one = text_width_em(FONT_BODY, "A", 0.5f);
@@ -138,7 +139,7 @@ static void test_spacing_stands_between_letters_only(void **state)
     assert_float_equal(text_width_em(FONT_BODY, "", 0.5f), 0.0f, 1e-6f);
 }
 
-static void test_a_number_takes_the_place_of_the_braces(void **state)
+static void test_a_number_replaces_the_braces(void **state)
 {
     (void)state;
     char out[32];
@@ -154,18 +155,21 @@ static void test_a_number_takes_the_place_of_the_braces(void **state)
     assert_string_equal(out, "7{}");
 }
 
-static void test_a_line_that_is_too_long_is_cut_at_a_whole_character(void **state)
+static void test_a_too_long_line_is_truncated_at_a_whole_character(void **state)
 {
     (void)state;
     char out[6];
     memset(out, 'x', sizeof out);
-    text_number(out, sizeof out, "\xe9\x87\x91\xe9\xad\x9a", 0); /* Two of three bytes; five fit. */
+    text_number(out, sizeof out, "\xe9\x87\x91\xe9\xad\x9a", 0); /* The buffer has room for five
+                                                                    bytes, so two of the three bytes
+                                                                    of the second character do not
+                                                                    fit. */
     assert_string_equal(out, "\xe9\x87\x91");
     text_number(out, 3, "{}", 123);
-    assert_string_equal(out, ""); /* Half a number would be another number. */
+    assert_string_equal(out, ""); /* A truncated number would be a different number. */
 }
 
-static void test_an_unknown_language_speaks_japanese(void **state)
+static void test_an_unknown_language_falls_back_to_japanese(void **state)
 {
     (void)state;
     assert_string_equal(text_words(200, TEXT_TITLE), text_words(LANGUAGE_JA, TEXT_TITLE));
@@ -177,17 +181,17 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_utf8_of_every_length_is_decoded),
-        cmocka_unit_test(test_malformed_bytes_are_marked_and_skipped_one_by_one),
-        cmocka_unit_test(test_every_byte_string_comes_to_its_end),
+        cmocka_unit_test(test_malformed_bytes_are_replaced_one_by_one),
+        cmocka_unit_test(test_decoding_of_any_bytes_terminates),
         cmocka_unit_test(test_every_word_has_its_glyphs_in_the_font_for_small_text),
-        cmocka_unit_test(test_the_title_can_be_brushed),
-        cmocka_unit_test(test_no_page_of_glyphs_is_larger_than_every_driver_takes),
-        cmocka_unit_test(test_glyphs_are_in_order_and_each_on_one_page),
+        cmocka_unit_test(test_the_title_has_its_glyphs_in_the_brush_font),
+        cmocka_unit_test(test_every_glyph_page_fits_the_smallest_texture_limit),
+        cmocka_unit_test(test_glyphs_are_sorted_and_each_lies_on_one_page),
         cmocka_unit_test(test_a_missing_character_is_shown_as_a_question_mark),
-        cmocka_unit_test(test_spacing_stands_between_letters_only),
-        cmocka_unit_test(test_a_number_takes_the_place_of_the_braces),
-        cmocka_unit_test(test_a_line_that_is_too_long_is_cut_at_a_whole_character),
-        cmocka_unit_test(test_an_unknown_language_speaks_japanese),
+        cmocka_unit_test(test_letter_spacing_is_added_only_between_letters),
+        cmocka_unit_test(test_a_number_replaces_the_braces),
+        cmocka_unit_test(test_a_too_long_line_is_truncated_at_a_whole_character),
+        cmocka_unit_test(test_an_unknown_language_falls_back_to_japanese),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,5 @@
-/* test_text_translate.c -- every line of a device is known in Japanese, with its names and
- * figures in it; and nothing is lost of one that is not. */
+/* test_text_translate.c -- Tests that every message of a device is translated into Japanese with
+ * its names and numbers, and that an unknown message is kept unchanged. */
 #include <errno.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -25,8 +25,8 @@ static const char *in_japanese(const char *line)
     return out;
 }
 
-/* Each pattern, filled with something, is found again, and in Japanese all of that is there. */
-static void test_every_pattern_is_its_own(void **state)
+/* Each pattern is filled with values and translated. The Japanese text must contain all values. */
+static void test_every_message_pattern_is_unique(void **state)
 {
     (void)state;
     for (uint32_t key = TEXT_SAYS_NO_PICTURE; key <= TEXT_SAYS_NO_ROOM; key++) {
@@ -51,27 +51,27 @@ static void test_every_pattern_is_its_own(void **state)
     }
 }
 
-/* As devices really say them, reasons in reasons and remarks side by side. */
-static void test_lines_as_they_are_said(void **state)
+/* These are real messages of devices, with nested reasons and several remarks. */
+static void test_messages_of_devices_are_translated(void **state)
 {
     static const char *const lines[][2] = {
         { "OpenGL ES 3.2 llvmpipe (LLVM 15.0.6, 256 bits), 1280x720, scene 1x, floor 0.6x, "
           "4 samples",
           "OpenGL ES 3.2 llvmpipe (LLVM 15.0.6, 256 bits), 1280x720、場面1倍、底0.6倍、なめらかさ4" },
-        { "no picture: screen: it was pulled out", "映りません：画面：抜かれました" },
+        { "no picture: screen: the screen was unplugged", "映りません：画面：抜かれました" },
         { "store: 3 entries not written: database or disk is full; free some space; it is retried",
           "帳簿：3件を書けていません：ディスクがいっぱいです。空きを作ってください。もう一度試します" },
         { "no store: /var/lib/kingyo/kingyo.db: disk I/O error; nothing is kept",
           "帳簿がありません：/var/lib/kingyo/kingyo.db：ディスクの読み書きに失敗。何も残りません" },
-        { "libgpiod 1.6.3: 6 of 8 lines; no start, coin (BTN_START is held by 'x': end that, or "
-          "take it off the line)",
+        { "libgpiod 1.6.3: 6 of 8 lines; no start, coin (BTN_START is in use by 'x': stop that "
+          "program or driver)",
           "libgpiod 1.6.3：6本（全部で8本）; start, coinがありません（BTN_STARTは「x」が使っています："
           "それを終えるか、線から外してください）" },
         { "libgpiod 2.2: 7 of 8 lines; no coin (COIN: no chip has that line; kingyoctl lines list "
           "shows them)",
           "libgpiod 2.2：7本（全部で8本）; coinがありません（COIN：どのチップにもない線です。"
           "kingyoctl lines list で見られます）" },
-        { "libusb: 5 controllers, 2 of them play; no hot-plug, looked for once a second",
+        { "libusb: 5 controllers, 2 of them play; no hot-plug, searched once per second",
           "libusb：コントローラー5台、うち2台で遊べます; 抜き差しは毎秒調べます" },
         { "three fingers start; ...", "三本の指でスタート; ..." },
         { "/var/lib/kingyo/kingyo.db", "/var/lib/kingyo/kingyo.db" },
@@ -85,8 +85,8 @@ static void test_lines_as_they_are_said(void **state)
     }
 }
 
-/* Not what a test remembers of them, but what they say today. */
-static void test_the_drivers_own_words_are_known(void **state)
+/* The messages are produced by the current drivers, not copied into the test. */
+static void test_the_current_messages_of_the_drivers_are_translated(void **state)
 {
     struct buttons_keyboard keyboard = { 0 };
     struct storage storage = { 0 };
@@ -105,7 +105,7 @@ static void test_the_drivers_own_words_are_known(void **state)
     assert_null(strstr(out, "folder"));
 }
 
-/* English is left where two words of it stand side by side. */
+/* Two adjacent English words mean that a part was not translated. */
 static void expect_japanese(const char *line)
 {
     in_japanese(line);
@@ -116,7 +116,7 @@ static void expect_japanese(const char *line)
     }
 }
 
-static void test_what_is_no_regular_file_is_known(void **state)
+static void test_messages_about_non_regular_files_are_translated(void **state)
 {
     static const int errors[] = { ELOOP, ENOTSUP, EFBIG };
     (void)state;
@@ -128,8 +128,8 @@ static void test_what_is_no_regular_file_is_known(void **state)
     expect_japanese("was not a regular file, and was set aside");
 }
 
-/* All that a store can be like, in the words that it has for it today. */
-static void test_whatever_the_store_says_is_known(void **state)
+/* The test creates every state of a store and uses its current message. */
+static void test_all_messages_of_the_store_are_translated(void **state)
 {
     static const int errors[] = { SQLITE_BUSY,       SQLITE_LOCKED,      SQLITE_FULL,
                                   SQLITE_READONLY,   SQLITE_IOERR,       SQLITE_CORRUPT,
@@ -159,7 +159,7 @@ static void test_whatever_the_store_says_is_known(void **state)
     expect_japanese(store.ledger.ops->describe(store.ledger.self));
 }
 
-static void test_what_is_too_long_ends_after_a_whole_character(void **state)
+static void test_a_too_long_message_is_truncated_at_a_whole_character(void **state)
 {
     (void)state;
     for (size_t size = 1; size < 40u; size++) {
@@ -169,7 +169,7 @@ static void test_what_is_too_long_ends_after_a_whole_character(void **state)
         assert_memory_equal(out, "三本の指でスタート", length);
     }
     char line[2048];
-    for (size_t i = 0; i + 1u < sizeof line; i++) { /* Remarks without end, and none of ours. */
+    for (size_t i = 0; i + 1u < sizeof line; i++) { /* A very long list of unknown remarks. */
         line[i] = i % 2u ? ' ' : ';';
     }
     line[sizeof line - 1u] = '\0';
@@ -180,12 +180,12 @@ static void test_what_is_too_long_ends_after_a_whole_character(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_pattern_is_its_own),
-        cmocka_unit_test(test_lines_as_they_are_said),
-        cmocka_unit_test(test_the_drivers_own_words_are_known),
-        cmocka_unit_test(test_what_is_no_regular_file_is_known),
-        cmocka_unit_test(test_whatever_the_store_says_is_known),
-        cmocka_unit_test(test_what_is_too_long_ends_after_a_whole_character),
+        cmocka_unit_test(test_every_message_pattern_is_unique),
+        cmocka_unit_test(test_messages_of_devices_are_translated),
+        cmocka_unit_test(test_the_current_messages_of_the_drivers_are_translated),
+        cmocka_unit_test(test_messages_about_non_regular_files_are_translated),
+        cmocka_unit_test(test_all_messages_of_the_store_are_translated),
+        cmocka_unit_test(test_a_too_long_message_is_truncated_at_a_whole_character),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,102 +1,17 @@
-/* The layout of every screen, measured from its vertices: nothing needs a display. */
+/* test_ui.c -- Tests the layout of every screen by its vertices, without a display. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
-#include <string.h>
 
 #include <cmocka.h>
 
-#include "core/game/accounting/credit.h"
-#include "core/game/ranking/name_keyboard.h"
-#include "core/game/ranking/ranking.h"
 #include "platform/render/ui/ui_screens.h"
-#include "tests/unit/support/glyphs.h"
+#include "tests/unit/support/ui_fixture.h"
 
 #define ROUNDING_PX 0.6f
-#define SETTLED_TICK 100000u
 
-struct size {
-    float width, height;
-};
-
-static const struct size sizes[] = {
-    { 1280, 720 }, { 1920, 1080 }, { 3840, 2160 }, { 720, 1280 },  { 1080, 1920 }, { 640, 480 },
-    { 1024, 768 }, { 3440, 1440 }, { 480, 800 },   { 1280, 1280 }, { 640, 360 },
-};
-#define SIZE_COUNT (sizeof sizes / sizeof *sizes)
-
-static struct scene scene;
-static struct ui_batch batch;
-static struct ui_memory memory;
-
-struct bounds {
-    float left, top, right, bottom;
-};
-
-/* Where a quad lies. */
-static struct bounds bounds_of(uint32_t quad)
-{
-    const struct ui_vertex *v = &batch.vertices[quad * 4u];
-    struct bounds bounds = { v[0].x, v[0].y, v[0].x, v[0].y };
-    for (uint32_t i = 1; i < 4u; i++) {
-        bounds.left = v[i].x < bounds.left ? v[i].x : bounds.left;
-        bounds.right = v[i].x > bounds.right ? v[i].x : bounds.right;
-        bounds.top = v[i].y < bounds.top ? v[i].y : bounds.top;
-        bounds.bottom = v[i].y > bounds.bottom ? v[i].y : bounds.bottom;
-    }
-    return bounds;
-}
-
-static void set_scene(uint8_t phase, uint8_t language, uint8_t hint, float phase_s)
-{
-    memset(&scene, 0, sizeof scene);
-    scene.tick = SETTLED_TICK + (uint32_t)(phase_s * 120.0f);
-    scene.phase = phase;
-    scene.language = language;
-    scene.hint = hint;
-    scene.phase_s = phase_s;
-    scene.seconds_left = phase == PHASE_READY ? 3.0f - phase_s : 600.0f - phase_s;
-    scene.best_today = 9999;
-    scene.modes = (1u << CHOICE_COUNT) - 1u;
-    scene.grade = 7;
-    for (uint32_t i = 0; i < MODE_COUNT; i++) {
-        scene.offer[i] = (struct scene_offer){ .round_s = 90, .grade = 7 };
-    }
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        scene.poi[i].present = scene.player[i].plays = 1;
-        scene.poi[i].paper_left = 0.5f;
-        scene.caught[i] = 1000u + i;
-        scene.player[i].foul_s = 60.0f;
-    }
-    scene.call_s = 60.0f;
-}
-
-/* A mode, so many players, and what the umpire has to say to each. */
-static void set_match(uint8_t mode, uint32_t players, uint8_t variant)
-{
-    scene.mode = mode;
-    scene.call = variant % (CALL_TIME + 1u);
-    scene.call_s = 0.15f * (float)(variant % 11u);
-    scene.paused = variant % 5u == 4u;
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        scene.poi[i].present = scene.player[i].plays = i < players;
-        scene.poi[i].shows_stress = mode == MODE_PRACTICE;
-        scene.player[i].fouls = (uint8_t)((variant + i) % (FOUL_MAX + 1u));
-        scene.player[i].foul = (uint8_t)((variant + i) % FOUL_COUNT);
-        scene.player[i].foul_s = 0.3f * (float)(variant % 10u);
-        scene.player[i].lost = (variant + i) % 3u == 0;
-        scene.player[i].out = (variant + i) % 4u == 1;
-    }
-}
-
-static void lay_out(struct size size)
-{
-    ui_screens(&batch, &memory, &scene, size.width, size.height);
-    assert_int_equal(batch.unbaked_count, 0); /* Its font has every letter that it draws. */
-}
-
-/* The curtain is outside while it is raised or lowered; lights may spill over the edge. */
+/* The curtain is outside while it moves, and lights may extend beyond the edge. */
 static int may_leave(uint32_t quad, const struct bounds *bounds)
 {
     const int curtain =
@@ -105,7 +20,7 @@ static int may_leave(uint32_t quad, const struct bounds *bounds)
     return batch.kinds[quad] == UI_GLOW || curtain;
 }
 
-static uint32_t longest; /* The most quads of any screen so far. */
+static uint32_t longest; /* Largest number of quads of any screen tested so far. */
 
 static void check_inside(struct size size)
 {
@@ -129,7 +44,7 @@ static void check_inside(struct size size)
     }
 }
 
-static void test_nothing_leaves_the_screen_in_any_phase_language_size_or_moment(void **state)
+static void test_every_screen_fits_in_any_phase_language_size_and_moment(void **state)
 {
     (void)state;
     static const float moments_s[] = {
@@ -150,7 +65,7 @@ static void test_nothing_leaves_the_screen_in_any_phase_language_size_or_moment(
     }
 }
 
-static void test_every_mode_fits_with_one_to_four_players_and_all_that_is_called(void **state)
+static void test_every_mode_fits_with_one_to_four_players_and_every_announcement(void **state)
 {
     (void)state;
     static const uint8_t phases[] = { PHASE_MODE_SELECT, PHASE_READY, PHASE_ROUND, PHASE_RESULT };
@@ -170,7 +85,7 @@ static void test_every_mode_fits_with_one_to_four_players_and_all_that_is_called
     }
 }
 
-static void test_every_count_of_fish_fits(void **state)
+static void test_every_fish_count_fits(void **state)
 {
     (void)state;
     static const uint32_t counts[] = { 0, 1, 3, 6, 10, 15, 128, 4294967295u };
@@ -191,7 +106,7 @@ static void test_every_count_of_fish_fits(void **state)
     }
 }
 
-static void test_what_is_paid_and_what_is_wrong_fits_in_every_phase(void **state)
+static void test_credits_and_warnings_fit_in_every_phase(void **state)
 {
     (void)state;
     static const uint8_t phases[] = { PHASE_ATTRACT, PHASE_MODE_SELECT, PHASE_READY,
@@ -217,136 +132,7 @@ static void test_what_is_paid_and_what_is_wrong_fits_in_every_phase(void **state
     }
 }
 
-static uint32_t glyph_quads(void);
-
-static void test_each_warning_is_a_line_and_nothing_of_money_is_said_in_free_play(void **state)
-{
-    (void)state;
-    uint32_t before = 0;
-    for (uint32_t warned = 0; warned < 4u; warned++) {
-        set_scene(PHASE_RESULT, LANGUAGE_EN, HINT_START, 6.0f);
-        scene.credit.warnings = (uint8_t)((1u << warned) - 1u);
-        lay_out(sizes[0]);
-        assert_true(glyph_quads() > before);
-        before = glyph_quads();
-    }
-    set_scene(PHASE_ATTRACT, LANGUAGE_EN, HINT_START, 6.0f);
-    lay_out(sizes[0]);
-    const uint32_t free_play = glyph_quads();
-    scene.credit.price = 1;
-    lay_out(sizes[0]);
-    assert_true(glyph_quads() > free_play + 6u); /* "Credits 0" */
-}
-
-/* Over "coins are not taken just now" no ribbon calls for one; whoever has paid may still begin. */
-static void test_while_coins_come_back_none_is_asked_for(void **state)
-{
-    static const uint8_t why[] = { WARN_STORE, WARN_DOOR, WARN_TILT };
-    static const uint8_t phases[] = { PHASE_ATTRACT, PHASE_RESULT, PHASE_ALBUM };
-    (void)state;
-    for (uint32_t k = 0; k < sizeof why * sizeof phases; k++) {
-        uint32_t letters[2];
-        for (uint8_t unpaid = 0; unpaid < 2u; unpaid++) {
-            set_scene(phases[k % sizeof phases], LANGUAGE_EN, unpaid ? HINT_COIN : HINT_START,
-                      6.0f);
-            scene.credit.price = 1;
-            scene.credit.unpaid = unpaid;
-            scene.credit.asked_s = 1e6f;
-            scene.credit.warnings = why[k / sizeof phases];
-            lay_out(sizes[0]);
-            letters[unpaid] = glyph_quads();
-        }
-        assert_true(letters[1] + 10u < letters[0]);
-    }
-}
-
-/* Without a poi the slot is shut as well: a result's foot does not ask for what comes back. */
-static void test_without_a_poi_no_hint_calls_for_a_coin(void **state)
-{
-    static const uint8_t with[] = { 0, WARN_STORE, WARN_DOOR, WARN_TILT };
-    (void)state;
-    for (uint32_t k = 0; k < sizeof with; k++) {
-        uint32_t letters[2];
-        for (uint32_t asks = 0; asks < 2u; asks++) {
-            set_scene(PHASE_RESULT, LANGUAGE_EN, asks ? HINT_COIN : HINT_NONE, 6.0f);
-            scene.credit.price = 1;
-            scene.credit.unpaid = 1;
-            scene.credit.asked_s = 1e6f;
-            scene.credit.warnings = (uint8_t)(WARN_NO_POI | with[k]);
-            lay_out(sizes[0]);
-            scene.tick += CORE_TICK_HZ; /* A new hint fades in. */
-            lay_out(sizes[0]);
-            letters[asks] = glyph_quads();
-        }
-        assert_int_equal(letters[1], letters[0]);
-    }
-}
-
-static void test_without_a_poi_nobody_is_told_to_dip_one_or_to_move_a_mouse(void **state)
-{
-    (void)state;
-    for (uint8_t unpaid = 0; unpaid < 2u; unpaid++) {
-        set_scene(PHASE_ATTRACT, LANGUAGE_EN, HINT_START, 6.0f);
-        scene.credit.unpaid = unpaid;
-        scene.credit.asked_s = 1e6f;
-        scene.credit.warnings = WARN_DOOR;
-        lay_out(sizes[0]);
-        const uint32_t with = glyph_quads();
-        scene.credit.warnings = WARN_NO_POI;
-        lay_out(sizes[0]);
-        assert_true(glyph_quads() + 40u < with); /* The mouse's line has more. */
-    }
-    static struct ui_vertex paid[sizeof batch.vertices / sizeof *batch.vertices];
-    lay_out(sizes[0]);
-    const uint32_t quads = batch.quad_count;
-    memcpy(paid, batch.vertices, sizeof paid);
-    scene.credit.unpaid = 0; /* Whoever paid or not: the slot is locked, no coin is asked for. */
-    lay_out(sizes[0]);
-    assert_int_equal(batch.quad_count, quads);
-    assert_memory_equal(batch.vertices, paid, 4u * quads * sizeof *paid);
-}
-
-static void test_a_credit_that_is_paid_in_part_is_seen_beside_those_that_are_whole(void **state)
-{
-    (void)state;
-    for (uint8_t language = 0; language < LANGUAGE_COUNT; language++) {
-        set_scene(PHASE_ATTRACT, language, HINT_START, 6.0f);
-        scene.credit = (struct scene_credit){ .price = 3, .credits = 1, .coin_s = 6.0f };
-        lay_out(sizes[0]);
-        const uint32_t whole = glyph_quads();
-        scene.credit.units = 2;
-        lay_out(sizes[0]);
-        assert_int_equal(glyph_quads(), whole + 4u); /* "+ 2/3" */
-        scene.credit.units = 3; /* They wait: there are as many credits as there may be. */
-        lay_out(sizes[0]);
-        assert_int_equal(glyph_quads(), whole);
-    }
-}
-
-/* Neither figure, nor praise, nor place, nor seal: the card is the same whatever was caught. */
-static void test_a_round_that_was_given_back_is_told_without_a_count(void **state)
-{
-    (void)state;
-    static struct ui_vertex none_caught[sizeof batch.vertices / sizeof *batch.vertices];
-    for (uint8_t players = 1; players <= POI_MAX; players++) {
-        for (uint32_t caught = 0; caught < 60u; caught += 47u) {
-            set_scene(PHASE_RESULT, LANGUAGE_EN, HINT_PAID_BACK, 6.0f);
-            set_match(MODE_CHAMPIONSHIP, players, 0);
-            scene.credit.came_back = 1;
-            for (uint32_t i = 0; i < POI_MAX; i++) {
-                scene.caught[i] = caught;
-            }
-            lay_out(sizes[0]);
-            if (caught == 0) {
-                memcpy(none_caught, batch.vertices, sizeof none_caught);
-            }
-            assert_memory_equal(batch.vertices, none_caught,
-                                4u * batch.quad_count * sizeof *none_caught);
-        }
-    }
-}
-
-static void test_the_tanks_middle_is_free_while_a_round_is_played(void **state)
+static void test_the_middle_of_the_tank_is_uncovered_during_a_round(void **state)
 {
     (void)state;
     for (size_t s = 0; s < SIZE_COUNT; s++) {
@@ -364,8 +150,8 @@ static void test_the_tanks_middle_is_free_while_a_round_is_played(void **state)
     }
 }
 
-/* A letter of 3 % of a 40 cm high screen is 12 mm: 20 minutes of arc from 2 m. */
-static void test_what_a_player_must_read_is_readable_from_two_metres(void **state)
+/* A letter of 3 % of a 40 cm high screen is 12 mm: 20 arc minutes from 2 m. */
+static void test_important_text_is_readable_from_two_metres(void **state)
 {
     (void)state;
     static const uint8_t phases[] = { PHASE_MODE_SELECT, PHASE_READY, PHASE_ROUND, PHASE_RESULT };
@@ -387,88 +173,6 @@ static void test_what_a_player_must_read_is_readable_from_two_metres(void **stat
     }
 }
 
-static uint32_t glyph_quads(void)
-{
-    uint32_t count = 0;
-    for (uint32_t i = 0; i < batch.quad_count; i++) {
-        count += batch.kinds[i] == UI_GLYPH;
-    }
-    return count;
-}
-
-static void test_no_hint_means_no_ribbon(void **state)
-{
-    (void)state;
-    set_scene(PHASE_ROUND, LANGUAGE_EN, HINT_DIP, 20.0f);
-    memory = (struct ui_memory){ .hint = HINT_DIP };
-    lay_out(sizes[0]);
-    const uint32_t with = glyph_quads();
-    set_scene(PHASE_ROUND, LANGUAGE_EN, HINT_NONE, 20.0f);
-    lay_out(sizes[0]);
-    assert_true(glyph_quads() < with);
-    set_scene(PHASE_ROUND, LANGUAGE_EN, HINT_COUNT, 20.0f); /* Newer core, older words. */
-    lay_out(sizes[0]);
-    assert_true(glyph_quads() < with);
-}
-
-static uint8_t last_opacity(void)
-{
-    return batch.vertices[(batch.quad_count - 1u) * 4u].fill[3];
-}
-
-static void test_a_new_hint_fades_in(void **state)
-{
-    (void)state;
-    memory = (struct ui_memory){ 0 };
-    set_scene(PHASE_ROUND, LANGUAGE_EN, HINT_DIP, 20.0f);
-    lay_out(sizes[0]);
-    scene.tick += 12; /* 0.1 s */
-    lay_out(sizes[0]);
-    const uint8_t early = last_opacity();
-    scene.tick += 120;
-    lay_out(sizes[0]);
-    assert_true(early > 0);
-    assert_true(last_opacity() > early);
-    assert_int_equal(last_opacity(), 255);
-}
-
-static uint32_t seals(void)
-{
-    uint32_t count = 0;
-    for (uint32_t i = 0; i < batch.quad_count; i++) {
-        count += batch.kinds[i] == UI_WASHI;
-    }
-    return count;
-}
-
-static void test_whoever_is_ranked_earns_the_seal(void **state)
-{
-    (void)state;
-    for (uint8_t place = 0; place <= 10; place++) {
-        for (uint8_t period = 0; period < RANK_PERIOD_COUNT; period++) {
-            set_scene(PHASE_RESULT, LANGUAGE_EN, HINT_NONE, 4.0f);
-            set_match(MODE_FESTIVAL, 1, 0);
-            scene.player[0].place = place;
-            scene.player[0].period = period;
-            lay_out(sizes[0]);
-            assert_int_equal(seals(), place > 0 ? 2 : 1); /* The card is one. */
-        }
-    }
-}
-
-static void test_the_one_of_several_who_is_ranked_earns_the_seal(void **state)
-{
-    (void)state;
-    set_scene(PHASE_RESULT, LANGUAGE_JA, HINT_NONE, 4.0f);
-    set_match(MODE_FESTIVAL, 2, 0);
-    scene.player[1].place = 3;
-    lay_out(sizes[0]);
-    assert_int_equal(seals(), 2);
-    scene.player[1].place = 0;
-    lay_out(sizes[0]);
-    assert_int_equal(seals(), 1);
-}
-
 static uint32_t quads_of(enum ui_kind kind)
 {
     uint32_t count = 0;
@@ -478,7 +182,7 @@ static uint32_t quads_of(enum ui_kind kind)
     return count;
 }
 
-static void test_a_tag_hangs_for_each_mode_offered_and_the_one_pointed_at_hangs_higher(void **state)
+static void test_each_offered_mode_has_a_tag_and_the_selected_tag_is_raised(void **state)
 {
     (void)state;
     for (uint8_t modes = 1; modes < 1u << CHOICE_COUNT; modes++) {
@@ -490,7 +194,7 @@ static void test_a_tag_hangs_for_each_mode_offered_and_the_one_pointed_at_hangs_
         }
         scene.mode = scene.choice < MODE_COUNT ? scene.choice : MODE_FESTIVAL;
         lay_out(sizes[0]);
-        scene.tick += 60; /* It is drawn up meanwhile. */
+        scene.tick += 60; /* The curtain is raised in this time. */
         lay_out(sizes[0]);
         const uint32_t offered =
             (modes & 1u) + (modes >> 1 & 1u) + (modes >> 2 & 1u) + (modes >> 3);
@@ -499,7 +203,7 @@ static void test_a_tag_hangs_for_each_mode_offered_and_the_one_pointed_at_hangs_
         for (uint32_t i = 0; i < batch.quad_count; i++) {
             const float top = bounds_of(i).top;
             if (batch.kinds[i] == UI_WOOD && first_top == 0.0f) {
-                first_top = top; /* The lowest mode that is offered: the one pointed at. */
+                first_top = top; /* The lowest offered mode, which is the selected one. */
             } else if (batch.kinds[i] == UI_WOOD) {
                 other_top = top < other_top ? top : other_top;
             }
@@ -513,7 +217,7 @@ static int overlap(const struct bounds *a, const struct bounds *b)
     return a->left < b->right && b->left < a->right && a->top < b->bottom && b->top < a->bottom;
 }
 
-static void test_no_plate_lies_on_another_while_a_round_is_played(void **state)
+static void test_no_plates_overlap_during_a_round(void **state)
 {
     (void)state;
     for (uint32_t k = 0; k < SIZE_COUNT * MODE_COUNT * POI_MAX * LANGUAGE_COUNT; k++) {
@@ -531,7 +235,7 @@ static void test_no_plate_lies_on_another_while_a_round_is_played(void **state)
     }
 }
 
-/* The top of the `nth` wooden tag. */
+/* Returns the top of the `nth` wooden tag. */
 static float tag_top(uint32_t nth)
 {
     for (uint32_t i = 0; i < batch.quad_count; i++) {
@@ -543,7 +247,7 @@ static float tag_top(uint32_t nth)
     return 0.0f;
 }
 
-static void test_as_one_tag_rises_the_last_one_sinks(void **state)
+static void test_a_rising_tag_and_a_sinking_tag_move_together(void **state)
 {
     (void)state;
     set_scene(PHASE_MODE_SELECT, LANGUAGE_JA, HINT_CHOOSE, 3.0f);
@@ -553,7 +257,7 @@ static void test_as_one_tag_rises_the_last_one_sinks(void **state)
     assert_true(high < low - 10.0f);
     scene.mode = scene.choice = MODE_CHAMPIONSHIP;
     lay_out(sizes[0]);
-    assert_float_equal(tag_top(0), high, 0.1f); /* No jump. */
+    assert_float_equal(tag_top(0), high, 0.1f); /* The position is continuous. */
     scene.tick += 10;
     lay_out(sizes[0]);
     assert_true(tag_top(0) > high + 1.0f && tag_top(0) < low - 1.0f);
@@ -566,7 +270,7 @@ static void test_as_one_tag_rises_the_last_one_sinks(void **state)
 
 #define LINES_MAX 128u
 
-/* A line of letters: those that follow one another in the batch, in one size, to the right. */
+/* A line of letters: consecutive glyphs of the batch in one size, from left to right. */
 struct line {
     struct bounds bounds;
     float size;
@@ -604,7 +308,8 @@ static float area(const struct bounds *bounds)
     return width > 0.0f && height > 0.0f ? width * height : 0.0f;
 }
 
-/* What two lines share, of the smaller one; 0 for a line and its own outline. */
+/* Returns the overlap of two lines as a share of the smaller one, or 0 for a line and its own
+ * outline. */
 static float shared(const struct line *a, const struct line *b)
 {
     const struct bounds both = {
@@ -640,7 +345,7 @@ static void check_no_line_on_another(struct size size)
     }
 }
 
-static void test_no_words_lie_on_others_on_any_screen_at_rest(void **state)
+static void test_no_texts_overlap_on_any_screen_at_rest(void **state)
 {
     (void)state;
     static const uint8_t phases[] = { PHASE_ATTRACT, PHASE_MODE_SELECT, PHASE_READY, PHASE_ROUND,
@@ -665,7 +370,7 @@ static void test_no_words_lie_on_others_on_any_screen_at_rest(void **state)
     }
 }
 
-/* The longest name, the largest catch, and a place in every row. */
+/* Shows a leaderboard with the longest name, the largest catch, and an entry in every row. */
 static void hang_board(uint8_t period, uint32_t rows, float shown_s, float left_s)
 {
     scene.leaderboard = (struct scene_leaderboard){ .shown = 1,
@@ -683,7 +388,7 @@ static void hang_board(uint8_t period, uint32_t rows, float shown_s, float left_
     }
 }
 
-static void test_no_board_leaves_the_screen(void **state)
+static void test_every_leaderboard_fits_the_screen(void **state)
 {
     (void)state;
     static const float moments_s[] = { 0.0f, 0.1f, 0.4f, 0.9f, 4.0f, 8.7f, 9.0f };
@@ -700,7 +405,8 @@ static void test_no_board_leaves_the_screen(void **state)
                    9.0f - moment_s);
         memory = (struct ui_memory){ 0 };
         lay_out(sizes[k % SIZE_COUNT]);
-        if (moment_s > 0.2f && moment_s < 8.7f) { /* The curtain is under way before and after. */
+        if (moment_s > 0.2f && moment_s < 8.7f) { /* The curtain moves before and after this
+                                                     interval. */
             check_inside(sizes[k % SIZE_COUNT]);
         }
         assert_int_equal(batch.dropped_count, 0);
@@ -725,7 +431,7 @@ static void set_name(uint8_t alphabet, uint8_t key, uint8_t letter_count, int up
     }
 }
 
-static void test_writing_a_name_leaves_no_screen(void **state)
+static void test_the_name_entry_fits_every_screen(void **state)
 {
     (void)state;
     for (uint32_t k = 0; k < SIZE_COUNT * LANGUAGE_COUNT * ALPHABET_COUNT * NAME_KEY_COUNT; k++) {
@@ -743,72 +449,8 @@ static void test_writing_a_name_leaves_no_screen(void **state)
     }
 }
 
-static uint32_t vermilion_lamps(void)
-{
-    uint32_t count = 0;
-    for (uint32_t i = 0; i < batch.quad_count; i++) {
-        const uint8_t *fill = batch.vertices[i * 4u].fill;
-        count += batch.kinds[i] == UI_PANEL && fill[0] == 0xff && fill[1] == 0x52;
-    }
-    return count;
-}
-
-static void test_each_foul_lights_a_lamp_where_fouls_are_called(void **state)
-{
-    (void)state;
-    for (uint8_t mode = 0; mode < MODE_COUNT; mode++) {
-        for (uint8_t fouls = 0; fouls <= FOUL_MAX; fouls++) {
-            for (uint32_t players = 1; players <= 2u; players++) {
-                set_scene(PHASE_ROUND, LANGUAGE_JA, HINT_NONE, 20.0f);
-                set_match(mode, players, 0);
-                scene.player[0].fouls = fouls;
-                scene.player[0].lost = scene.player[1].lost = 0;
-                scene.player[1].fouls = 0;
-                scene.player[0].foul_s = 60.0f;
-                scene.player[1].foul_s = 60.0f;
-                lay_out(sizes[0]);
-                assert_int_equal(vermilion_lamps(), mode == MODE_CHAMPIONSHIP ? fouls : 0);
-            }
-        }
-    }
-}
-
-static void test_a_call_is_seen_once_and_leaves_the_water_free(void **state)
-{
-    (void)state;
-    for (uint8_t call = CALL_ONE_MINUTE; call <= CALL_TIME; call++) {
-        set_scene(PHASE_ROUND, LANGUAGE_JA, HINT_NONE, 20.0f);
-        set_match(MODE_CHAMPIONSHIP, 1, 0);
-        scene.seconds_left = call == CALL_COUNTDOWN ? 3.5f : 60.0f;
-        scene.player[0].foul_s = 60.0f;
-        lay_out(sizes[0]);
-        const uint32_t without = glyph_quads();
-        scene.call = call;
-        scene.call_s = 0.5f;
-        lay_out(sizes[0]);
-        assert_true(glyph_quads() > without);
-        scene.call_s = 3.0f;
-        scene.seconds_left -= call == CALL_COUNTDOWN ? 0.48f : 0.0f; /* Each digit goes, too. */
-        lay_out(sizes[0]);
-        assert_int_equal(glyph_quads(), without);
-    }
-}
-
-static void test_a_pause_is_told_over_the_water(void **state)
-{
-    (void)state;
-    set_scene(PHASE_ROUND, LANGUAGE_EN, HINT_NONE, 20.0f);
-    set_match(MODE_CHAMPIONSHIP, 1, 0);
-    scene.player[0].foul_s = 60.0f;
-    lay_out(sizes[0]);
-    const uint32_t without = glyph_quads();
-    scene.paused = scene.player[0].lost = 1;
-    lay_out(sizes[0]);
-    assert_true(glyph_quads() > without + 20u);
-}
-
-/* After the tests that lay out everything there is. */
-static void test_the_longest_screen_leaves_room_for_a_language_with_longer_words(void **state)
+/* This test follows the tests that lay out all screens. */
+static void test_the_largest_screen_leaves_quads_for_longer_languages(void **state)
 {
     (void)state;
     print_message("the longest screen has %u quads of %u\n", longest, UI_QUADS_MAX);
@@ -818,33 +460,19 @@ static void test_the_longest_screen_leaves_room_for_a_language_with_longer_words
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_nothing_leaves_the_screen_in_any_phase_language_size_or_moment),
-        cmocka_unit_test(test_every_mode_fits_with_one_to_four_players_and_all_that_is_called),
-        cmocka_unit_test(test_every_count_of_fish_fits),
-        cmocka_unit_test(test_what_is_paid_and_what_is_wrong_fits_in_every_phase),
-        cmocka_unit_test(test_a_round_that_was_given_back_is_told_without_a_count),
-        cmocka_unit_test(test_while_coins_come_back_none_is_asked_for),
-        cmocka_unit_test(test_without_a_poi_no_hint_calls_for_a_coin),
-        cmocka_unit_test(test_without_a_poi_nobody_is_told_to_dip_one_or_to_move_a_mouse),
-        cmocka_unit_test(test_a_credit_that_is_paid_in_part_is_seen_beside_those_that_are_whole),
-        cmocka_unit_test(test_each_warning_is_a_line_and_nothing_of_money_is_said_in_free_play),
-        cmocka_unit_test(test_the_tanks_middle_is_free_while_a_round_is_played),
-        cmocka_unit_test(test_what_a_player_must_read_is_readable_from_two_metres),
-        cmocka_unit_test(test_no_hint_means_no_ribbon),
-        cmocka_unit_test(test_a_new_hint_fades_in),
-        cmocka_unit_test(test_no_board_leaves_the_screen),
-        cmocka_unit_test(test_writing_a_name_leaves_no_screen),
-        cmocka_unit_test(test_whoever_is_ranked_earns_the_seal),
-        cmocka_unit_test(test_the_one_of_several_who_is_ranked_earns_the_seal),
-        cmocka_unit_test(
-            test_a_tag_hangs_for_each_mode_offered_and_the_one_pointed_at_hangs_higher),
-        cmocka_unit_test(test_as_one_tag_rises_the_last_one_sinks),
-        cmocka_unit_test(test_no_plate_lies_on_another_while_a_round_is_played),
-        cmocka_unit_test(test_no_words_lie_on_others_on_any_screen_at_rest),
-        cmocka_unit_test(test_each_foul_lights_a_lamp_where_fouls_are_called),
-        cmocka_unit_test(test_a_call_is_seen_once_and_leaves_the_water_free),
-        cmocka_unit_test(test_a_pause_is_told_over_the_water),
-        cmocka_unit_test(test_the_longest_screen_leaves_room_for_a_language_with_longer_words),
+        cmocka_unit_test(test_every_screen_fits_in_any_phase_language_size_and_moment),
+        cmocka_unit_test(test_every_mode_fits_with_one_to_four_players_and_every_announcement),
+        cmocka_unit_test(test_every_fish_count_fits),
+        cmocka_unit_test(test_credits_and_warnings_fit_in_every_phase),
+        cmocka_unit_test(test_the_middle_of_the_tank_is_uncovered_during_a_round),
+        cmocka_unit_test(test_important_text_is_readable_from_two_metres),
+        cmocka_unit_test(test_every_leaderboard_fits_the_screen),
+        cmocka_unit_test(test_the_name_entry_fits_every_screen),
+        cmocka_unit_test(test_each_offered_mode_has_a_tag_and_the_selected_tag_is_raised),
+        cmocka_unit_test(test_a_rising_tag_and_a_sinking_tag_move_together),
+        cmocka_unit_test(test_no_plates_overlap_during_a_round),
+        cmocka_unit_test(test_no_texts_overlap_on_any_screen_at_rest),
+        cmocka_unit_test(test_the_largest_screen_leaves_quads_for_longer_languages),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,5 @@
-/* test_ui_batch.c -- the list of quads: full, aligned, and each letter cut from its own place. */
+/* test_ui_batch.c -- Tests the list of quads: a full list, text alignment, and the texture
+ * rectangle of each letter. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -10,7 +11,7 @@
 
 static struct ui_batch batch;
 
-static void test_a_full_batch_drops_and_counts_instead_of_overrunning(void **state)
+static void test_a_full_quad_batch_drops_and_counts_further_quads(void **state)
 {
     (void)state;
     ui_batch_clear(&batch);
@@ -22,21 +23,21 @@ static void test_a_full_batch_drops_and_counts_instead_of_overrunning(void **sta
     assert_int_equal(batch.dropped_count, 5);
 }
 
-static void test_text_shrinks_to_its_room_and_aligns(void **state)
+static void test_text_is_shrunk_to_its_width_and_aligned(void **state)
 {
     (void)state;
     const struct ui_text style = {
         .font = FONT_BODY, .size_px = 40.0f, .align = 0.5f, .fill = 0xffffffffu, .fit_px = 100.0f
     };
     ui_batch_clear(&batch);
-    assert_float_equal(ui_text(&batch, &style, 200.0f, 50.0f, "WWWWWWWW"), 100.0f, 0.01f);
-    assert_true(ui_text_size(&style, "WWWWWWWW") < 40.0f);
-    assert_float_equal(ui_text_size(&style, "W"), 40.0f, 0.001f);
+    assert_float_equal(ui_text(&batch, style, 200.0f, 50.0f, "WWWWWWWW"), 100.0f, 0.01f);
+    assert_true(ui_text_size(style, "WWWWWWWW") < 40.0f);
+    assert_float_equal(ui_text_size(style, "W"), 40.0f, 0.001f);
     assert_true(batch.vertices[0].x >= 148.0f);
     assert_true(batch.vertices[batch.quad_count * 4u - 1u].x <= 252.0f);
 }
 
-static void test_a_letter_as_wide_as_it_can_be_takes_nothing_of_the_letter_beside_it(void **state)
+static void test_the_widest_letter_contains_no_texel_of_its_neighbour(void **state)
 {
     (void)state;
     const struct font_glyph *glyph = text_glyph(FONT_BRUSH, '8');
@@ -46,9 +47,10 @@ static void test_a_letter_as_wide_as_it_can_be_takes_nothing_of_the_letter_besid
                                     .line = 0xffffffffu,
                                     .outline_em = 1.0f };
     ui_batch_clear(&batch);
-    ui_text(&batch, &widest, 0.0f, 300.0f, "8");
-    assert_int_equal(batch.quad_count, 2); /* The outline, and the letter on it. */
-    for (uint32_t i = 0; i < 4u; i++) {    /* A filter reaches half a texel around a point. */
+    ui_text(&batch, widest, 0.0f, 300.0f, "8");
+    assert_int_equal(batch.quad_count, 2); /* The outline and the letter on it. */
+    for (uint32_t i = 0; i < 4u; i++) {    /* A texture filter reads up to half a texel around a
+                                              point. */
         const float right = batch.vertices[i].u - (float)glyph->x;
         const float down = batch.vertices[i].v - (float)glyph->y;
         assert_true(right >= 0.5f && right <= (float)glyph->width - 0.5f);
@@ -59,9 +61,9 @@ static void test_a_letter_as_wide_as_it_can_be_takes_nothing_of_the_letter_besid
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_full_batch_drops_and_counts_instead_of_overrunning),
-        cmocka_unit_test(test_text_shrinks_to_its_room_and_aligns),
-        cmocka_unit_test(test_a_letter_as_wide_as_it_can_be_takes_nothing_of_the_letter_beside_it),
+        cmocka_unit_test(test_a_full_quad_batch_drops_and_counts_further_quads),
+        cmocka_unit_test(test_text_is_shrunk_to_its_width_and_aligned),
+        cmocka_unit_test(test_the_widest_letter_contains_no_texel_of_its_neighbour),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

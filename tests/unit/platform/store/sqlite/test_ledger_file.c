@@ -1,6 +1,7 @@
-/* test_ledger_file.c -- what the file of the ledger holds, that it is written whole or not at all,
- * and that a file of yesterday's Kingyo keeps its rounds. The old files were written by the
- * versions of that time: tests/unit/platform/store/files/. */
+/* test_ledger_file.c -- Tests the content of the ledger file, its atomic writes, and the migration
+ * of files of older versions.
+ *
+ * The old files in store/files/ were written by the older versions. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -12,10 +13,11 @@
 #include <cmocka.h>
 
 #include "platform/store/sqlite/ledger_file.h"
-#include "tests/unit/support/ledger_stand.h"
+#include "core/game/game_fields.h"
+#include "tests/unit/support/ledger_fixture.h"
 
-/* The one number that a query yields, to another program. */
-static int ask(const char *query)
+/* Returns the only number of a query result, read as another program would read it. */
+static int query_number(const char *query)
 {
     sqlite3 *db;
     sqlite3_stmt *statement;
@@ -44,7 +46,7 @@ static void write_entry(const struct ledger_entry *entry)
     assert_int_equal(ledger_file_write(&file, entry, 1), SQLITE_OK);
 }
 
-/* Every field another number, and none that another kind would have. */
+/* Returns an entry with a different number in every field and no field of another kind. */
 static struct ledger_entry full_entry(uint32_t id, uint8_t kind)
 {
     return (struct ledger_entry){
@@ -108,7 +110,7 @@ static struct ledger_entry setting_entry(uint32_t id, uint32_t setting, int32_t 
 
 /* ---- Entries -------------------------------------------------------------------------------- */
 
-static void test_an_entry_comes_back_with_every_field(void **state)
+static void test_an_entry_is_read_with_every_field(void **state)
 {
     (void)state;
     struct ledger_entry entry = full_entry(1, LEDGER_COINS), found;
@@ -125,7 +127,7 @@ static void test_an_entry_comes_back_with_every_field(void **state)
     assert_memory_equal(&found, &entry, sizeof entry);
 }
 
-static void test_a_round_comes_back_with_every_player(void **state)
+static void test_a_round_is_read_with_every_player(void **state)
 {
     (void)state;
     const struct ledger_entry entry = round_entry(1, MODE_CHAMPIONSHIP, 30, 4);
@@ -137,7 +139,7 @@ static void test_a_round_comes_back_with_every_player(void **state)
     assert_memory_equal(&found, &entry, sizeof entry);
 }
 
-static void test_the_newest_entry_says_what_is_in_the_purse(void **state)
+static void test_the_balance_is_that_of_the_newest_entry(void **state)
 {
     (void)state;
     struct ledger_entry entry = full_entry(1, LEDGER_COINS);
@@ -154,7 +156,7 @@ static void test_the_newest_entry_says_what_is_in_the_purse(void **state)
     assert_int_equal(memory.ledger.boots, 3);
 }
 
-static void test_entries_that_are_there_already_are_passed_over(void **state)
+static void test_existing_entries_are_skipped(void **state)
 {
     (void)state;
     struct ledger_entry entries[3];
@@ -164,11 +166,11 @@ static void test_entries_that_are_there_already_are_passed_over(void **state)
     open_file();
     assert_int_equal(ledger_file_write(&file, entries, 2), SQLITE_OK);
     assert_int_equal(ledger_file_write(&file, entries, 3), SQLITE_OK);
-    assert_int_equal(ask("SELECT count(*) FROM rounds"), 3);
-    assert_int_equal(ask("SELECT count FROM audits WHERE name = 'caught'"), 6);
+    assert_int_equal(query_number("SELECT count(*) FROM rounds"), 3);
+    assert_int_equal(query_number("SELECT count FROM audits WHERE name = 'caught'"), 6);
 }
 
-static void test_a_batch_is_written_whole_or_not_at_all(void **state)
+static void test_a_batch_is_written_atomically(void **state)
 {
     (void)state;
     struct ledger_entry entries[2] = { full_entry(1, LEDGER_COINS),
@@ -176,15 +178,15 @@ static void test_a_batch_is_written_whole_or_not_at_all(void **state)
     open_file();
     do_sql("INSERT INTO round_players VALUES (2, 2, 0, 0, 0, 0, 0, 0, '')");
     assert_int_not_equal(ledger_file_write(&file, entries, 2), SQLITE_OK);
-    assert_int_equal(ask("SELECT count(*) FROM entries"), 0);
+    assert_int_equal(query_number("SELECT count(*) FROM entries"), 0);
     assert_int_equal(file.content.memory.ledger.last_id, 0);
     do_sql("DELETE FROM round_players");
     assert_int_equal(ledger_file_write(&file, entries, 2), SQLITE_OK);
-    assert_int_equal(ask("SELECT count(*) FROM entries"), 2);
-    assert_int_equal(ask("SELECT count(*) FROM round_players"), 2);
+    assert_int_equal(query_number("SELECT count(*) FROM entries"), 2);
+    assert_int_equal(query_number("SELECT count(*) FROM round_players"), 2);
 }
 
-static void test_a_flipped_bit_in_the_purse_is_found(void **state)
+static void test_a_flipped_bit_in_the_balance_is_detected(void **state)
 {
     (void)state;
     const struct ledger_entry entry = full_entry(1, LEDGER_COINS);
@@ -195,9 +197,9 @@ static void test_a_flipped_bit_in_the_purse_is_found(void **state)
     assert_int_equal(ledger_file_open(&file, path, NULL), SQLITE_CORRUPT);
 }
 
-/* ---- What they add up to -------------------------------------------------------------------- */
+/* ---- Aggregates ----------------------------------------------------------------------------- */
 
-static void test_a_flipped_bit_in_what_entries_add_up_to_is_found(void **state)
+static void test_a_flipped_bit_in_the_aggregates_is_detected(void **state)
 {
     (void)state;
     static const char *const flips[] = {
@@ -224,7 +226,7 @@ static void test_a_flipped_bit_in_what_entries_add_up_to_is_found(void **state)
     }
 }
 
-static void test_a_file_from_before_there_were_tallies_is_read(void **state)
+static void test_a_file_without_checksums_is_read(void **state)
 {
     (void)state;
     const struct ledger_entry first = round_entry(1, MODE_FESTIVAL, 5, 6);
@@ -241,7 +243,7 @@ static void test_a_file_from_before_there_were_tallies_is_read(void **state)
     assert_int_equal(ledger_file_open(&file, path, NULL), SQLITE_CORRUPT);
 }
 
-static void test_the_sums_on_disk_are_those_of_the_core(void **state)
+static void test_the_aggregates_on_disk_match_those_of_the_core(void **state)
 {
     (void)state;
     static struct persistent_state sums, found;
@@ -258,10 +260,11 @@ static void test_the_sums_on_disk_are_those_of_the_core(void **state)
     reopen();
     ledger_content_load(&file.content, &found);
     assert_memory_equal(&found.audits, &sums.audits, sizeof sums.audits);
-    assert_true(ranking_hash(0, &found.ranking) == ranking_hash(0, &sums.ranking));
+    assert_true(field_hash(0, &ranking_fields, &found.ranking) ==
+                field_hash(0, &ranking_fields, &sums.ranking));
 }
 
-static void test_a_name_is_kept_with_the_round_and_can_be_taken_back(void **state)
+static void test_a_name_is_stored_with_its_round_and_can_be_withdrawn(void **state)
 {
     (void)state;
     const struct ledger_entry round = round_entry(1, MODE_FESTIVAL, 5, 6);
@@ -271,8 +274,8 @@ static void test_a_name_is_kept_with_the_round_and_can_be_taken_back(void **stat
     open_file();
     write_entry(&round);
     write_entry(&name);
-    assert_int_equal(ask("SELECT count(*) FROM round_players WHERE seat = 2 AND"
-                         " name = 'らんちゅう'"),
+    assert_int_equal(query_number("SELECT count(*) FROM round_players WHERE seat = 2 AND"
+                                  " name = 'らんちゅう'"),
                      1);
     assert_string_equal(file.content.memory.ranking.row[MODE_FESTIVAL][RANK_EVER][0].name,
                         "らんちゅう");
@@ -282,19 +285,19 @@ static void test_a_name_is_kept_with_the_round_and_can_be_taken_back(void **stat
     name =
         (struct ledger_entry){ .id = 3, .boot = 3, .kind = LEDGER_NAME, .detail = 2, .count = 1 };
     write_entry(&name);
-    assert_int_equal(ask("SELECT count(*) FROM entries WHERE name <> ''"), 0);
-    assert_int_equal(ask("SELECT count(*) FROM round_players WHERE name <> ''"), 0);
-    assert_int_equal(ask("SELECT count(*) FROM ranking WHERE name <> ''"), 0);
+    assert_int_equal(query_number("SELECT count(*) FROM entries WHERE name <> ''"), 0);
+    assert_int_equal(query_number("SELECT count(*) FROM round_players WHERE name <> ''"), 0);
+    assert_int_equal(query_number("SELECT count(*) FROM ranking WHERE name <> ''"), 0);
 }
 
-static void test_only_settings_that_were_turned_are_kept(void **state)
+static void test_only_changed_settings_are_stored(void **state)
 {
     (void)state;
     struct persistent_state memory = { 0 };
     const struct ledger_entry volume = setting_entry(1, SET_VOLUME, 35);
     const struct ledger_entry seat = setting_entry(2, SET_CALIBRATION_END - 1, -12345);
     settings_reset(&memory.settings);
-    memory.settings.value[SET_PRICE] = 3; /* As a configuration file may say. */
+    memory.settings.value[SET_PRICE] = 3; /* A configuration file can contain this value. */
     open_file();
     write_entry(&volume);
     write_entry(&seat);
@@ -303,10 +306,10 @@ static void test_only_settings_that_were_turned_are_kept(void **state)
     assert_int_equal(memory.settings.value[SET_VOLUME], 35);
     assert_int_equal(memory.settings.value[SET_CALIBRATION_END - 1], -12345);
     assert_int_equal(memory.settings.value[SET_PRICE], 3);
-    assert_int_equal(ask("SELECT count(*) FROM settings"), 2);
+    assert_int_equal(query_number("SELECT count(*) FROM settings"), 2);
 }
 
-static void test_a_factory_reset_forgets_every_setting(void **state)
+static void test_a_factory_reset_deletes_every_setting(void **state)
 {
     (void)state;
     struct ledger_entry entries[3] = { setting_entry(1, SET_VOLUME, 35),
@@ -318,10 +321,10 @@ static void test_a_factory_reset_forgets_every_setting(void **state)
     reopen();
     assert_int_equal(file.content.has_setting[SET_VOLUME], 0);
     assert_int_equal(file.content.has_setting[SET_PRICE], 1);
-    assert_int_equal(ask("SELECT count(*) FROM settings"), 1);
+    assert_int_equal(query_number("SELECT count(*) FROM settings"), 1);
 }
 
-static void test_what_is_no_setting_of_ours_does_no_harm(void **state)
+static void test_an_unknown_setting_is_ignored(void **state)
 {
     (void)state;
     open_file();
@@ -333,12 +336,12 @@ static void test_what_is_no_setting_of_ours_does_no_harm(void **state)
     open_file();
     assert_int_equal(file.content.has_setting[SET_VOLUME], 0);
     assert_int_equal(file.content.memory.settings.value[SET_PRICE], 2);
-    assert_int_equal(ask("SELECT count(*) FROM settings WHERE name = 'of-tomorrow'"), 1);
+    assert_int_equal(query_number("SELECT count(*) FROM settings WHERE name = 'of-tomorrow'"), 1);
 }
 
-/* ---- Replays, and what falls out ------------------------------------------------------------ */
+/* ---- Replays and deletion of old rows ------------------------------------------------------- */
 
-static void test_a_replay_comes_back_byte_for_byte(void **state)
+static void test_a_replay_is_read_byte_for_byte(void **state)
 {
     (void)state;
     static uint8_t bytes[300000], found[300000];
@@ -356,23 +359,24 @@ static void test_a_replay_comes_back_byte_for_byte(void **state)
     assert_int_equal(ledger_file_get_replay(&file, 8, found, sizeof found, &size), SQLITE_NOTFOUND);
 }
 
-static void test_replays_go_when_their_rounds_fall_out_of_the_ranking(void **state)
+static void test_replays_of_rounds_that_leave_the_ranking_are_deleted(void **state)
 {
     (void)state;
     open_file();
-    for (uint32_t id = 1; id <= RANK_ROWS + 1; id++) { /* Each better than the one before. */
+    for (uint32_t id = 1; id <= RANK_ROWS + 1; id++) { /* Each round is better than the one
+                                                          before. */
         struct ledger_entry entry = round_entry(id, MODE_FESTIVAL, id, 0);
         entry.round.players = 1;
         write_entry(&entry);
         assert_int_equal(ledger_file_put_replay(&file, id, "replay", 6), SQLITE_OK);
         assert_int_equal(ledger_file_prune(&file), SQLITE_OK);
     }
-    assert_int_equal(ask("SELECT count(*) FROM replays"), RANK_ROWS);
-    assert_int_equal(ask("SELECT count(*) FROM replays WHERE round = 1"), 0);
-    assert_int_equal(ask("SELECT count(*) FROM rounds"), RANK_ROWS + 1);
+    assert_int_equal(query_number("SELECT count(*) FROM replays"), RANK_ROWS);
+    assert_int_equal(query_number("SELECT count(*) FROM replays WHERE round = 1"), 0);
+    assert_int_equal(query_number("SELECT count(*) FROM rounds"), RANK_ROWS + 1);
 }
 
-static void test_old_entries_go_and_the_newest_stay(void **state)
+static void test_old_entries_are_deleted_and_the_newest_kept(void **state)
 {
     (void)state;
     static struct ledger_entry entries[1000];
@@ -383,48 +387,51 @@ static void test_old_entries_go_and_the_newest_stay(void **state)
         }
         assert_int_equal(ledger_file_write(&file, entries, 1000), SQLITE_OK);
     }
-    const int last = ask("SELECT max(id) FROM entries");
+    const int last = query_number("SELECT max(id) FROM entries");
     assert_int_equal(ledger_file_prune(&file), SQLITE_OK);
-    assert_int_equal(ask("SELECT count(*) FROM entries"), LEDGER_FILE_ENTRIES);
-    assert_int_equal(ask("SELECT max(id) FROM entries"), last);
+    assert_int_equal(query_number("SELECT count(*) FROM entries"), LEDGER_FILE_ENTRIES);
+    assert_int_equal(query_number("SELECT max(id) FROM entries"), last);
     reopen();
     assert_int_equal(file.content.memory.ledger.last_id, last);
 }
 
 /* ---- Old files ------------------------------------------------------------------------------ */
 
-static void test_a_file_of_the_first_version_keeps_its_rounds(void **state)
+static void test_migrating_a_version_1_file_keeps_its_rounds(void **state)
 {
     (void)state;
     take_version(1);
-    assert_int_equal(ask("PRAGMA user_version"), 0);
+    assert_int_equal(query_number("PRAGMA user_version"), 0);
     open_file();
-    assert_int_equal(ask("PRAGMA user_version"), LEDGER_FILE_VERSION);
-    assert_int_equal(ask("SELECT count(*) FROM rounds WHERE mode = 0 AND grade = 6 AND players = 1"
-                         " AND (entry, seed, start_tick, end_tick, caught, by_bot) IN"
-                         " (VALUES (1, 7, 360, 7560, 3, 0), (2, 7, 8000, 9000, 9, 1),"
-                         " (3, 8, 9500, 9900, 2, 0))"),
-                     3);
-    assert_int_equal(ask("SELECT count(*) FROM round_players JOIN rounds ON round = entry WHERE"
-                         " seat = 0 AND round_players.caught = rounds.caught AND fouls = 0 AND"
-                         " scoops IS NULL AND hole_area_mm2 IS NULL AND torn_tick IS NULL"),
-                     3);
+    assert_int_equal(query_number("PRAGMA user_version"), LEDGER_FILE_VERSION);
+    assert_int_equal(
+        query_number("SELECT count(*) FROM rounds WHERE mode = 0 AND grade = 6 AND players = 1"
+                     " AND (entry, seed, start_tick, end_tick, caught, by_bot) IN"
+                     " (VALUES (1, 7, 360, 7560, 3, 0), (2, 7, 8000, 9000, 9, 1),"
+                     " (3, 8, 9500, 9900, 2, 0))"),
+        3);
+    assert_int_equal(
+        query_number("SELECT count(*) FROM round_players JOIN rounds ON round = entry WHERE"
+                     " seat = 0 AND round_players.caught = rounds.caught AND fouls = 0 AND"
+                     " scoops IS NULL AND hole_area_mm2 IS NULL AND torn_tick IS NULL"),
+        3);
     const struct rank_row *best = file.content.memory.ranking.row[MODE_FESTIVAL][RANK_EVER];
-    assert_int_equal(best[0].caught, 3); /* A bot's nine are none. */
+    assert_int_equal(best[0].caught, 3); /* The nine fish of a bot are not counted. */
     assert_int_equal(best[1].caught, 2);
     assert_int_equal(best[2].caught, 0);
-    const struct ledger_entry next = round_entry(4, MODE_FESTIVAL, 6, 0); /* And goes on. */
+    const struct ledger_entry next = round_entry(4, MODE_FESTIVAL, 6, 0); /* The migrated file
+                                                                             accepts new entries. */
     write_entry(&next);
     reopen();
     assert_int_equal(file.content.memory.ledger.last_id, 4);
 }
 
-static void test_a_file_of_the_second_version_keeps_rounds_and_players(void **state)
+static void test_migrating_a_version_2_file_keeps_rounds_and_players(void **state)
 {
     (void)state;
     struct ledger_entry first;
     take_version(2);
-    assert_int_equal(ask("PRAGMA user_version"), 2);
+    assert_int_equal(query_number("PRAGMA user_version"), 2);
     open_file();
     assert_int_equal(ledger_file_entry(&file, 1, &first), SQLITE_OK);
     assert_int_equal(first.kind, LEDGER_ROUND);
@@ -435,19 +442,23 @@ static void test_a_file_of_the_second_version_keeps_rounds_and_players(void **st
     assert_int_equal(first.round.player[0].scoops, 41);
     assert_int_equal(first.round.player[2].torn_tick, 1234);
     assert_int_equal(first.round.player[2].fouls, 1);
-    assert_int_equal(ask("SELECT count(*) FROM rounds"), 4);
-    assert_int_equal(ask("SELECT count(*) FROM round_players"), 6);
-    assert_int_equal(ask("SELECT count(*) FROM sqlite_schema WHERE name LIKE 'old%'"), 0);
+    assert_int_equal(query_number("SELECT count(*) FROM rounds"), 4);
+    assert_int_equal(query_number("SELECT count(*) FROM round_players"), 6);
+    assert_int_equal(query_number("SELECT count(*) FROM sqlite_schema WHERE name LIKE 'old%'"), 0);
     const struct ranking *ranking = &file.content.memory.ranking;
     assert_int_equal(ranking->row[MODE_CHAMPIONSHIP][RANK_EVER][0].caught, 30);
     assert_int_equal(ranking->row[MODE_FESTIVAL][RANK_EVER][0].caught, 3);
     assert_int_equal(ranking->row[MODE_FESTIVAL][RANK_EVER][1].round_id, 4);
     assert_int_equal(ranking->row[MODE_FESTIVAL][RANK_EVER][2].caught, 2);
-    assert_in_range(first.day, 9460, 9461); /* 2025-11-25, wherever on Earth. */
-    assert_int_equal(file.content.memory.audits.count[AUDIT_CAUGHT], 34 + 3 + 5); /* 9: a bot's. */
+    assert_in_range(first.day, 9460, 9461); /* 2025-11-25 in any time zone. */
+    assert_int_equal(file.content.memory.audits.count[AUDIT_CAUGHT], 34 + 3 + 5); /* The catch of 9
+                                                                                     belongs to a
+                                                                                     bot and is not
+                                                                                     counted. */
 }
 
-/* What version-3.db holds, and version-4.db and version-5.db: the same file, brought up to date. */
+/* Checks the content of version-3.db. version-4.db and version-5.db are migrated copies of the same
+ * file. */
 static void holds_nine_entries_and_a_replay(void)
 {
     struct ledger_entry round;
@@ -464,18 +475,20 @@ static void holds_nine_entries_and_a_replay(void)
     assert_int_equal(round.round.player[1].torn_tick, 7000);
     assert_int_equal(ledger_file_get_replay(&file, 6, replay, sizeof replay, &size), SQLITE_OK);
     assert_string_equal(replay, "replay");
-    assert_int_equal(round.round.fish_count, 0); /* What it was played in was not kept. */
+    assert_int_equal(round.round.fish_count, 0); /* The number of fish was not stored in that
+                                                    version. */
     for (uint32_t id = 1; id <= 9; id++) {
-        assert_int_equal(ledger_file_entry(&file, id, &round), SQLITE_OK); /* Its sum is right. */
+        assert_int_equal(ledger_file_entry(&file, id, &round), SQLITE_OK); /* The checksum of the
+                                                                              entry is valid. */
     }
 }
 
-static void test_a_file_of_the_third_version_keeps_all_and_goes_on(void **state)
+static void test_migrating_a_version_3_file_keeps_everything(void **state)
 {
     (void)state;
     struct ledger_entry found, next = round_entry(10, MODE_FESTIVAL, 6, 0);
     take_version(3);
-    assert_int_equal(ask("PRAGMA user_version"), 3);
+    assert_int_equal(query_number("PRAGMA user_version"), 3);
     open_file();
     holds_nine_entries_and_a_replay();
     write_entry(&next);
@@ -484,86 +497,88 @@ static void test_a_file_of_the_third_version_keeps_all_and_goes_on(void **state)
     assert_int_equal(found.round.fish_count, 70);
     assert_int_equal(found.round.round_s, 180);
     assert_int_equal(found.round.preset, 2);
-    assert_int_equal(ask("PRAGMA user_version"), LEDGER_FILE_VERSION);
-    assert_int_equal(ask("SELECT count(*) FROM sqlite_schema WHERE name LIKE 'old%'"), 0);
+    assert_int_equal(query_number("PRAGMA user_version"), LEDGER_FILE_VERSION);
+    assert_int_equal(query_number("SELECT count(*) FROM sqlite_schema WHERE name LIKE 'old%'"), 0);
 }
 
-/* The tables are the same, but an older Kingyo would misread rows that this one writes. */
-static void test_a_file_of_the_fourth_version_keeps_all_and_gets_the_version_of_today(void **state)
+/* The tables are unchanged, but an older version would misread rows that this version writes. */
+static void test_migrating_a_version_4_file_keeps_everything(void **state)
 {
     (void)state;
     take_version(4);
-    assert_int_equal(ask("PRAGMA user_version"), 4);
+    assert_int_equal(query_number("PRAGMA user_version"), 4);
     assert_int_equal(ledger_file_inspect(&file, path), SQLITE_SCHEMA);
     open_file();
     holds_nine_entries_and_a_replay();
-    assert_int_equal(ask("PRAGMA user_version"), LEDGER_FILE_VERSION);
+    assert_int_equal(query_number("PRAGMA user_version"), LEDGER_FILE_VERSION);
     reopen();
     holds_nine_entries_and_a_replay();
 }
 
-static void test_a_flipped_bit_in_a_file_of_the_fourth_version_is_found(void **state)
+static void test_a_flipped_bit_in_a_version_4_file_is_detected(void **state)
 {
     (void)state;
     take_version(4);
     open_file();
     const struct ledger_entry next = round_entry(10, MODE_FESTIVAL, 6, 0);
-    write_entry(&next); /* The file of the fourth version had no tallies yet. */
+    write_entry(&next); /* A version 4 file had no checksums. */
     ledger_file_close(&file);
     do_sql("PRAGMA user_version = 4; UPDATE ranking SET caught = caught + 1");
     assert_int_equal(ledger_file_open(&file, path, NULL), SQLITE_CORRUPT);
-    assert_int_equal(ask("PRAGMA user_version"), 4);
+    assert_int_equal(query_number("PRAGMA user_version"), 4);
 }
 
-static void test_a_file_of_this_version_is_read_as_it_is(void **state)
+static void test_a_file_of_the_current_version_is_not_migrated(void **state)
 {
     (void)state;
     take_version(5);
-    assert_int_equal(ask("PRAGMA user_version"), LEDGER_FILE_VERSION);
+    assert_int_equal(query_number("PRAGMA user_version"), LEDGER_FILE_VERSION);
     open_file();
     holds_nine_entries_and_a_replay();
 }
 
-static void test_a_file_is_brought_up_to_date_once(void **state)
+static void test_a_file_is_migrated_once(void **state)
 {
     (void)state;
     take_version(2);
     open_file();
     reopen();
-    assert_int_equal(ask("SELECT count(*) FROM entries"), 4);
+    assert_int_equal(query_number("SELECT count(*) FROM entries"), 4);
 }
 
-static void test_what_cannot_be_brought_up_to_date_stays_as_it_was(void **state)
+static void test_a_failed_migration_changes_nothing(void **state)
 {
     (void)state;
     take_version(1);
-    do_sql("CREATE TABLE ranking (of_somebody_else)"); /* A late step will fail. */
+    do_sql("CREATE TABLE ranking (of_somebody_else)"); /* This table makes a late step of the
+                                                          migration fail. */
     assert_int_not_equal(ledger_file_open(&file, path, NULL), SQLITE_OK);
     assert_null(file.db);
-    assert_int_equal(ask("PRAGMA user_version"), 0);
-    assert_int_equal(ask("SELECT count(*) FROM pragma_table_info('rounds')"), 8);
-    assert_int_equal(ask("SELECT count(*) FROM rounds"), 3);
+    assert_int_equal(query_number("PRAGMA user_version"), 0);
+    assert_int_equal(query_number("SELECT count(*) FROM pragma_table_info('rounds')"), 8);
+    assert_int_equal(query_number("SELECT count(*) FROM rounds"), 3);
 }
 
-static void test_a_file_of_a_later_version_is_left_alone(void **state)
+static void test_a_file_of_a_later_version_is_not_changed(void **state)
 {
     (void)state;
     take_version(2);
-    do_sql("PRAGMA user_version = 6; PRAGMA journal_mode = WAL"); /* As that one likes it. */
+    do_sql("PRAGMA user_version = 6; PRAGMA journal_mode = WAL"); /* The settings of the later
+                                                                     version. */
     assert_int_equal(ledger_file_open(&file, path, NULL), LEDGER_FILE_NEWER);
     assert_null(file.db);
     assert_string_equal(ledger_file_error(LEDGER_FILE_NEWER), "a later Kingyo wrote it");
-    assert_int_equal(ask("PRAGMA user_version"), 6);
-    assert_int_equal(ask("SELECT journal_mode = 'wal' FROM pragma_journal_mode"), 1);
+    assert_int_equal(query_number("PRAGMA user_version"), 6);
+    assert_int_equal(query_number("SELECT journal_mode = 'wal' FROM pragma_journal_mode"), 1);
 }
 
-static void test_who_only_looks_changes_nothing(void **state)
+static void test_a_read_only_open_changes_nothing(void **state)
 {
     (void)state;
     const struct ledger_entry round = round_entry(1, MODE_FESTIVAL, 5, 6);
     take_version(2);
     assert_int_equal(ledger_file_inspect(&file, path), SQLITE_SCHEMA);
-    assert_int_equal(ask("PRAGMA user_version"), 2);
+    assert_int_equal(query_number("PRAGMA user_version"), 2);
     unlink(path);
     open_file();
     write_entry(&round);
@@ -578,32 +593,32 @@ int main(void)
 {
 #define TEST(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
     const struct CMUnitTest tests[] = {
-        TEST(test_an_entry_comes_back_with_every_field),
-        TEST(test_a_round_comes_back_with_every_player),
-        TEST(test_the_newest_entry_says_what_is_in_the_purse),
-        TEST(test_entries_that_are_there_already_are_passed_over),
-        TEST(test_a_batch_is_written_whole_or_not_at_all),
-        TEST(test_a_flipped_bit_in_the_purse_is_found),
-        TEST(test_a_flipped_bit_in_what_entries_add_up_to_is_found),
-        TEST(test_a_file_from_before_there_were_tallies_is_read),
-        TEST(test_the_sums_on_disk_are_those_of_the_core),
-        TEST(test_a_name_is_kept_with_the_round_and_can_be_taken_back),
-        TEST(test_only_settings_that_were_turned_are_kept),
-        TEST(test_a_factory_reset_forgets_every_setting),
-        TEST(test_what_is_no_setting_of_ours_does_no_harm),
-        TEST(test_a_replay_comes_back_byte_for_byte),
-        TEST(test_replays_go_when_their_rounds_fall_out_of_the_ranking),
-        TEST(test_old_entries_go_and_the_newest_stay),
-        TEST(test_a_file_of_the_first_version_keeps_its_rounds),
-        TEST(test_a_file_of_the_second_version_keeps_rounds_and_players),
-        TEST(test_a_file_of_the_third_version_keeps_all_and_goes_on),
-        TEST(test_a_file_of_the_fourth_version_keeps_all_and_gets_the_version_of_today),
-        TEST(test_a_flipped_bit_in_a_file_of_the_fourth_version_is_found),
-        TEST(test_a_file_of_this_version_is_read_as_it_is),
-        TEST(test_a_file_is_brought_up_to_date_once),
-        TEST(test_what_cannot_be_brought_up_to_date_stays_as_it_was),
-        TEST(test_a_file_of_a_later_version_is_left_alone),
-        TEST(test_who_only_looks_changes_nothing),
+        TEST(test_an_entry_is_read_with_every_field),
+        TEST(test_a_round_is_read_with_every_player),
+        TEST(test_the_balance_is_that_of_the_newest_entry),
+        TEST(test_existing_entries_are_skipped),
+        TEST(test_a_batch_is_written_atomically),
+        TEST(test_a_flipped_bit_in_the_balance_is_detected),
+        TEST(test_a_flipped_bit_in_the_aggregates_is_detected),
+        TEST(test_a_file_without_checksums_is_read),
+        TEST(test_the_aggregates_on_disk_match_those_of_the_core),
+        TEST(test_a_name_is_stored_with_its_round_and_can_be_withdrawn),
+        TEST(test_only_changed_settings_are_stored),
+        TEST(test_a_factory_reset_deletes_every_setting),
+        TEST(test_an_unknown_setting_is_ignored),
+        TEST(test_a_replay_is_read_byte_for_byte),
+        TEST(test_replays_of_rounds_that_leave_the_ranking_are_deleted),
+        TEST(test_old_entries_are_deleted_and_the_newest_kept),
+        TEST(test_migrating_a_version_1_file_keeps_its_rounds),
+        TEST(test_migrating_a_version_2_file_keeps_rounds_and_players),
+        TEST(test_migrating_a_version_3_file_keeps_everything),
+        TEST(test_migrating_a_version_4_file_keeps_everything),
+        TEST(test_a_flipped_bit_in_a_version_4_file_is_detected),
+        TEST(test_a_file_of_the_current_version_is_not_migrated),
+        TEST(test_a_file_is_migrated_once),
+        TEST(test_a_failed_migration_changes_nothing),
+        TEST(test_a_file_of_a_later_version_is_not_changed),
+        TEST(test_a_read_only_open_changes_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

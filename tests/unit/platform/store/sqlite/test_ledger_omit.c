@@ -1,5 +1,7 @@
-/* test_ledger_omit.c -- after panics settings, replays and names leave the database one part after
- * the other; the money, the PIN and the scores stay, and a copy has all of it. */
+/* test_ledger_omit.c -- Tests the removal of settings, replays and names from the database after
+ * panics, one part per start.
+ *
+ * The money, the PIN and the scores stay, and a copy keeps all parts. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -12,7 +14,7 @@
 #include <cmocka.h>
 
 #include "platform/store/sqlite/ledger_backup.h"
-#include "tests/unit/support/ledger_stand.h"
+#include "tests/unit/support/ledger_fixture.h"
 
 static char words[LEDGER_LEAVE_WORDS];
 
@@ -62,7 +64,7 @@ static const struct rank_row *best(void)
     return &file.content.memory.ranking.row[0][RANK_EVER][0];
 }
 
-/* Of all that must stay, whatever was left out. */
+/* Checks the data that must stay, whatever was removed. */
 static void assert_money_and_score(void)
 {
     assert_int_equal(file.content.memory.ledger.last_id, 5);
@@ -83,7 +85,7 @@ static void assert_holds(const char *suffix, int has_volume, int has_replay, con
     ledger_file_close(&file);
 }
 
-static void test_parts_leave_in_their_order_and_the_money_never(void **state)
+static void test_settings_replays_and_names_are_removed_in_order_and_money_is_kept(void **state)
 {
     (void)state;
     struct stat about;
@@ -105,7 +107,7 @@ static void test_parts_leave_in_their_order_and_the_money_never(void **state)
     assert_non_null(strstr(words, "kingyo.db.left-out-3"));
 }
 
-static void test_without_a_database_nothing_is_made(void **state)
+static void test_without_a_database_no_file_is_created(void **state)
 {
     (void)state;
     assert_int_equal(ledger_leave_out(folder, LEFT_NAMES, words), LEDGER_LEAVE_NONE);
@@ -113,7 +115,7 @@ static void test_without_a_database_nothing_is_made(void **state)
     assert_int_not_equal(access(path, F_OK), 0);
 }
 
-static void test_nothing_is_left_out_where_no_copy_can_be_made(void **state)
+static void test_nothing_is_removed_if_no_copy_can_be_made(void **state)
 {
     (void)state;
     char name[96];
@@ -131,9 +133,9 @@ int main(void)
 {
 #define TEST(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
     const struct CMUnitTest tests[] = {
-        TEST(test_parts_leave_in_their_order_and_the_money_never),
-        TEST(test_without_a_database_nothing_is_made),
-        TEST(test_nothing_is_left_out_where_no_copy_can_be_made),
+        TEST(test_settings_replays_and_names_are_removed_in_order_and_money_is_kept),
+        TEST(test_without_a_database_no_file_is_created),
+        TEST(test_nothing_is_removed_if_no_copy_can_be_made),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,7 @@
-/* test_ledger_pin.c -- a PIN that an older Kingyo stored in plain digits leaves the database, its
- * log, a backup and the tail, byte for byte, and still opens the menu. */
+/* test_ledger_pin.c -- Tests that a PIN stored in plain digits by an older version is erased from
+ * the database, its log, a backup and the mirror.
+ *
+ * No byte of the PIN remains, and the PIN still opens the menu. */
 #include <errno.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -21,10 +23,10 @@
 #define PIN 4071
 #define ENTRIES 400u /* More than four pages of rows. */
 
-/* ---- libc's syncs, of which one fails -------------------------------------------------------- */
+/* ---- Syncs of libc, of which one fails ------------------------------------------------------ */
 
-static uint32_t syncs;         /* Calls so far. */
-static uint32_t failing = ~0u; /* The number of the call that fails. */
+static uint32_t syncs;         /* Number of calls. */
+static uint32_t failing = ~0u; /* Number of the call that fails. */
 
 static int sync_or_fail(void)
 {
@@ -54,7 +56,7 @@ static void fail_sync(uint32_t number)
     failing = number;
 }
 
-/* ---- The files ------------------------------------------------------------------------------- */
+/* ---- The files ------------------------------------------------------------------------------ */
 
 static char folder[] = "/tmp/kingyo-pin-XXXXXX";
 static char path[64], other[80];
@@ -85,7 +87,7 @@ static int teardown(void **state)
     return rmdir(folder);
 }
 
-/* Every second entry tells of the PIN; the others change the volume. */
+/* Returns an entry. Every second entry contains the PIN, and the others change the volume. */
 static struct ledger_entry entry_of(uint32_t id)
 {
     return (struct ledger_entry){ .id = id,
@@ -105,7 +107,7 @@ static void write_as_before(struct ledger_file *file)
     assert_int_equal(ledger_file_write(file, entries, ENTRIES), 0);
 }
 
-/* How often the bytes of `file` hold `wanted`; a file that is not there holds nothing. */
+/* Returns how many times `file` contains `wanted`. A missing file contains nothing. */
 static unsigned count_in(const char *file, const void *wanted, size_t size)
 {
     static uint8_t bytes[4u * 1024u * 1024u];
@@ -161,10 +163,10 @@ static void make_old_database(void)
     ledger_file_close(&file);
     do_sql("DELETE FROM entries WHERE id BETWEEN 101 AND 300");
     assert_int_equal(plain_settings_in(""), 1);
-    assert_true(plain_entries_in("") > 100); /* Rows alone are 100. */
+    assert_true(plain_entries_in("") > 100); /* The rows alone contain the PIN 100 times. */
 }
 
-static void test_an_old_database_is_migrated_byte_for_byte(void **state)
+static void test_the_plain_pin_is_erased_from_every_byte_of_an_old_database(void **state)
 {
     (void)state;
     struct ledger_file file;
@@ -175,7 +177,8 @@ static void test_an_old_database_is_migrated_byte_for_byte(void **state)
     for (uint32_t id = 1; id <= ENTRIES; id += id == 100u ? 201u : 1u) {
         struct ledger_entry entry, wanted = entry_of(id);
         wanted.value = id % 2u ? kept : wanted.value;
-        assert_int_equal(ledger_file_entry(&file, id, &entry), 0); /* Its sum is right, too. */
+        assert_int_equal(ledger_file_entry(&file, id, &entry), 0); /* The checksum of the entry is
+                                                                      also valid. */
         assert_memory_equal(&entry, &wanted, sizeof entry);
     }
     assert_int_equal(plain_in("") + plain_in("-wal"), 0);
@@ -183,13 +186,14 @@ static void test_an_old_database_is_migrated_byte_for_byte(void **state)
     assert_int_equal(plain_in(".copy"), 0);
     ledger_file_close(&file);
     assert_int_equal(plain_in("") + plain_in("-wal"), 0);
-    assert_int_equal(ledger_file_open(&file, path, NULL), 0); /* Its tallies are right. */
+    assert_int_equal(ledger_file_open(&file, path, NULL), 0); /* The checksums of the tables are
+                                                                 valid. */
     assert_int_equal(file.content.memory.settings.value[SET_PIN], kept);
     ledger_file_close(&file);
 }
 
-/* The number of the sync that fails runs through all of those in an open. */
-static void test_a_migration_that_fails_is_finished_at_the_next_start(void **state)
+/* The test repeats the open and makes each of its syncs fail in turn. */
+static void test_a_failed_migration_is_completed_at_the_next_start(void **state)
 {
     (void)state;
     struct ledger_file file;
@@ -198,7 +202,8 @@ static void test_a_migration_that_fails_is_finished_at_the_next_start(void **sta
     for (; !is_over; number++) {
         make_old_database();
         fail_sync(number);
-        ledger_file_open(&file, path, NULL); /* An error is possible and leaves it closed. */
+        ledger_file_open(&file, path, NULL); /* The open may fail. In that case it leaves the file
+                                                closed. */
         ledger_file_close(&file);
         is_over = syncs <= number;
         fail_sync(~0u);
@@ -212,7 +217,7 @@ static void test_a_migration_that_fails_is_finished_at_the_next_start(void **sta
     assert_true(number > 3 && unfinished > 1);
 }
 
-static void test_a_migration_beside_a_reader_is_finished_at_the_next_start(void **state)
+static void test_a_migration_blocked_by_a_reader_is_completed_at_the_next_start(void **state)
 {
     (void)state;
     struct ledger_file file;
@@ -230,7 +235,7 @@ static void test_a_migration_beside_a_reader_is_finished_at_the_next_start(void 
     assert_int_equal(plain_in("") + plain_in("-wal"), 0);
 }
 
-static void test_a_setting_that_is_no_pin_is_not_migrated_at_every_start(void **state)
+static void test_an_invalid_pin_setting_is_not_migrated_at_every_start(void **state)
 {
     (void)state;
     struct ledger_file file;
@@ -260,7 +265,7 @@ static void test_a_database_without_a_pin_is_not_written(void **state)
     ledger_file_close(&file);
 }
 
-static void test_the_tail_is_migrated_byte_for_byte(void **state)
+static void test_the_plain_pin_is_erased_from_every_byte_of_the_mirror(void **state)
 {
     (void)state;
     struct ledger_mirror tail;
@@ -270,8 +275,7 @@ static void test_the_tail_is_migrated_byte_for_byte(void **state)
     assert_int_equal(ledger_mirror_write(&tail, &entry, 1), 0);
     ledger_mirror_close(&tail);
     assert_int_equal(count_in(beside(".tail"), &entry, size), 1);
-    tail =
-        ledger_mirror_inspect(beside(".tail")); /* Who only reads is given the hidden one, too. */
+    tail = ledger_mirror_inspect(beside(".tail")); /* A reader also sees the erased PIN value. */
     assert_true(ledger_mirror_entry(&tail, 7, &found) && pin_matches(found.value, PIN));
     ledger_mirror_close(&tail);
     assert_int_equal(ledger_mirror_open(&tail, beside(".tail")), 0);
@@ -284,17 +288,18 @@ static void test_the_tail_is_migrated_byte_for_byte(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(test_an_old_database_is_migrated_byte_for_byte, setup,
-                                        teardown),
-        cmocka_unit_test_setup_teardown(test_a_migration_that_fails_is_finished_at_the_next_start,
+        cmocka_unit_test_setup_teardown(
+            test_the_plain_pin_is_erased_from_every_byte_of_an_old_database, setup, teardown),
+        cmocka_unit_test_setup_teardown(test_a_failed_migration_is_completed_at_the_next_start,
                                         setup, teardown),
         cmocka_unit_test_setup_teardown(
-            test_a_migration_beside_a_reader_is_finished_at_the_next_start, setup, teardown),
-        cmocka_unit_test_setup_teardown(
-            test_a_setting_that_is_no_pin_is_not_migrated_at_every_start, setup, teardown),
+            test_a_migration_blocked_by_a_reader_is_completed_at_the_next_start, setup, teardown),
+        cmocka_unit_test_setup_teardown(test_an_invalid_pin_setting_is_not_migrated_at_every_start,
+                                        setup, teardown),
         cmocka_unit_test_setup_teardown(test_a_database_without_a_pin_is_not_written, setup,
                                         teardown),
-        cmocka_unit_test_setup_teardown(test_the_tail_is_migrated_byte_for_byte, setup, teardown),
+        cmocka_unit_test_setup_teardown(test_the_plain_pin_is_erased_from_every_byte_of_the_mirror,
+                                        setup, teardown),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

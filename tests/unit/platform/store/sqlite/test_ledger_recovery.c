@@ -1,4 +1,5 @@
-/* test_ledger_recovery.c -- what a damaged file and the tail add to a new list of entries. */
+/* test_ledger_recovery.c -- Tests the entries that a damaged file and the mirror add to a new
+ * database. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -8,7 +9,7 @@
 #include <cmocka.h>
 
 #include "platform/store/sqlite/ledger_recovery.h"
-#include "tests/unit/support/ledger_stand.h"
+#include "tests/unit/support/ledger_fixture.h"
 
 static char from_path[96], to_path[96], tail_path[96];
 
@@ -54,7 +55,7 @@ static void put_tail(uint32_t first, uint32_t last)
     ledger_mirror_close(&tail);
 }
 
-/* Salvages into the new file and expects entries 1 to `last` in it. */
+/* Recovers entries into the new file and expects the entries 1 to `last` in it. */
 static void expect_salvaged(const char *from, uint32_t last, uint32_t entries)
 {
     struct ledger_file to;
@@ -75,7 +76,7 @@ static void expect_salvaged(const char *from, uint32_t last, uint32_t entries)
     ledger_mirror_close(&tail);
 }
 
-static void test_entries_beyond_the_new_list_come_from_the_damaged_file(void **state)
+static void test_entries_missing_from_the_backup_come_from_the_damaged_file(void **state)
 {
     (void)state;
     put_file(from_path, 5);
@@ -83,7 +84,7 @@ static void test_entries_beyond_the_new_list_come_from_the_damaged_file(void **s
     expect_salvaged(from_path, 5, 3);
 }
 
-static void test_entries_beyond_the_damaged_file_come_from_the_tail(void **state)
+static void test_entries_missing_from_the_damaged_file_come_from_the_mirror(void **state)
 {
     (void)state;
     put_file(from_path, 3);
@@ -92,7 +93,7 @@ static void test_entries_beyond_the_damaged_file_come_from_the_tail(void **state
     expect_salvaged(from_path, 6, 5);
 }
 
-static void test_without_a_file_the_tail_alone_is_read(void **state)
+static void test_without_a_database_entries_come_from_the_mirror(void **state)
 {
     (void)state;
     put_file(to_path, 2);
@@ -104,9 +105,9 @@ int main(void)
 {
 #define TEST(name) cmocka_unit_test_setup_teardown(name, set_up_paths, tear_down)
     const struct CMUnitTest tests[] = {
-        TEST(test_entries_beyond_the_new_list_come_from_the_damaged_file),
-        TEST(test_entries_beyond_the_damaged_file_come_from_the_tail),
-        TEST(test_without_a_file_the_tail_alone_is_read),
+        TEST(test_entries_missing_from_the_backup_come_from_the_damaged_file),
+        TEST(test_entries_missing_from_the_damaged_file_come_from_the_mirror),
+        TEST(test_without_a_database_entries_come_from_the_mirror),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,5 @@
-/* test_ledger_schema.c -- a database that somebody else prepared is refused, whatever it adds to
- * the tables of any version, and an insert that stores nothing is an error. */
+/* test_ledger_schema.c -- Tests that a database with foreign schema objects is rejected in every
+ * version, and that an insert that stores nothing is an error. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -12,7 +12,7 @@
 
 #include "platform/store/sqlite/ledger_backup.h"
 #include "platform/store/sqlite/sql.h"
-#include "tests/unit/support/ledger_stand.h"
+#include "tests/unit/support/ledger_fixture.h"
 
 static const char *const additions[] = {
     "CREATE TRIGGER t BEFORE INSERT ON rounds BEGIN SELECT RAISE(IGNORE); END",
@@ -33,14 +33,14 @@ static const char *const additions[] = {
 };
 #define ADDITION_COUNT (sizeof additions / sizeof additions[0])
 
-static void test_every_version_is_refused_with_any_object_that_is_not_ours(void **state)
+static void test_a_foreign_schema_object_is_rejected_in_every_version(void **state)
 {
     (void)state;
     for (int version = 1; version <= LEDGER_FILE_VERSION; version++) {
         for (size_t i = 0; i < ADDITION_COUNT; i++) {
             take_version(version);
             if (i + 1u == ADDITION_COUNT && version == 1) {
-                continue; /* Without its only table it is a new file. */
+                continue; /* A database without its only table counts as a new file. */
             }
             do_sql(additions[i]);
             assert_int_equal(ledger_file_open(&file, path, NULL), SQLITE_CORRUPT);
@@ -51,7 +51,7 @@ static void test_every_version_is_refused_with_any_object_that_is_not_ours(void 
     }
 }
 
-static void test_every_version_opens_without_additions_and_is_then_exact(void **state)
+static void test_every_version_opens_and_is_migrated_to_the_exact_schema(void **state)
 {
     (void)state;
     for (int version = 1; version <= LEDGER_FILE_VERSION; version++) {
@@ -66,7 +66,7 @@ static void test_every_version_opens_without_additions_and_is_then_exact(void **
     }
 }
 
-static void test_the_first_object_that_is_not_ours_is_named(void **state)
+static void test_the_first_foreign_schema_object_is_named(void **state)
 {
     (void)state;
     static const struct {
@@ -95,7 +95,7 @@ static void test_the_first_object_that_is_not_ours_is_named(void **state)
     }
 }
 
-static void test_a_version_that_never_was_is_refused(void **state)
+static void test_an_unknown_schema_version_is_rejected(void **state)
 {
     (void)state;
     static const char *const versions[] = { "PRAGMA user_version = -1", "PRAGMA user_version = 2",
@@ -116,7 +116,7 @@ static void test_an_insert_that_stores_nothing_is_an_error(void **state)
     sqlite3_stmt *put;
     do_sql("CREATE TABLE numbers (number); CREATE TRIGGER t BEFORE INSERT ON numbers"
            " BEGIN SELECT RAISE(IGNORE); END");
-    assert_int_equal(sqlite3_open(path, &db), SQLITE_OK); /* Here the trigger runs. */
+    assert_int_equal(sqlite3_open(path, &db), SQLITE_OK); /* The trigger runs in this connection. */
     sqlite3_prepare_v2(db, "INSERT INTO numbers VALUES (?)", -1, &put, NULL);
     assert_int_equal(sql_put_one(put, &number, 1), SQLITE_CORRUPT);
     assert_int_equal(sql_put(put, &number, 1), SQLITE_OK);
@@ -124,15 +124,16 @@ static void test_an_insert_that_stores_nothing_is_an_error(void **state)
     sqlite3_close(db);
     assert_int_equal(sql_open(path, SQLITE_OPEN_READWRITE, NULL, &db), SQLITE_OK);
     sqlite3_prepare_v2(db, "INSERT INTO numbers VALUES (?)", -1, &put, NULL);
-    assert_int_equal(sql_put_one(put, &number, 1), SQLITE_OK); /* Here it does not. */
+    assert_int_equal(sql_put_one(put, &number, 1), SQLITE_OK); /* The trigger does not run in this
+                                                                  connection. */
     sqlite3_finalize(put);
     assert_int_equal(sql_number(db, "SELECT count(*) FROM numbers", &count), SQLITE_OK);
     assert_int_equal(count, 1);
     sqlite3_close(db);
 }
 
-/* A trigger that another program adds while the file is open takes no effect either. */
-static void test_a_trigger_that_is_added_later_drops_no_entry(void **state)
+/* A trigger that another program adds while the file is open has no effect. */
+static void test_a_trigger_added_while_open_drops_no_entry(void **state)
 {
     (void)state;
     const struct ledger_entry coin = { .id = 1, .boot = 1, .kind = LEDGER_COINS, .count = 1 };
@@ -147,7 +148,7 @@ static void test_a_trigger_that_is_added_later_drops_no_entry(void **state)
     assert_int_equal(access(copy, F_OK), -1);
 }
 
-static void test_the_defensive_options_are_on(void **state)
+static void test_the_defensive_options_of_sqlite_are_enabled(void **state)
 {
     (void)state;
     static const struct {
@@ -171,11 +172,11 @@ static void test_the_defensive_options_are_on(void **state)
     assert_int_not_equal(sql_run(file.db, "ATTACH '/tmp/kingyo-never.db' AS other"), SQLITE_OK);
 }
 
-/* ---- Files of another type ------------------------------------------------------------------ */
+/* ---- Non-regular files ---------------------------------------------------------------------- */
 
 static void is_refused(const char *name)
 {
-    alarm(10); /* A FIFO that is opened with waiting would hold the test for ever. */
+    alarm(10); /* A blocking open of a FIFO would block the test forever. */
     assert_int_not_equal(ledger_file_open(&file, path, NULL), SQLITE_OK);
     ledger_file_close(&file);
     assert_int_not_equal(ledger_file_inspect(&file, path), SQLITE_OK);
@@ -196,7 +197,7 @@ static void test_only_regular_files_are_opened_as_a_database(void **state)
     take_version(LEDGER_FILE_VERSION);
 }
 
-/* Without a usable log the file can at most be read as it stands. */
+/* Without a usable log, the file is at most readable. */
 static void cannot_be_written(const char *name)
 {
     alarm(10);
@@ -209,7 +210,7 @@ static void cannot_be_written(const char *name)
     assert_int_equal(unlink(name), 0);
 }
 
-static void test_only_regular_files_are_opened_beside_it(void **state)
+static void test_only_regular_files_are_opened_beside_the_database(void **state)
 {
     (void)state;
     static const char *const suffixes[] = { "-wal", "-journal", "-shm" };
@@ -224,7 +225,7 @@ static void test_only_regular_files_are_opened_beside_it(void **state)
         take_version(LEDGER_FILE_VERSION);
         assert_int_equal(symlink(target, name), 0);
         cannot_be_written(name);
-        assert_int_equal(stat(target, &about), -1); /* Nothing was made through the link. */
+        assert_int_equal(stat(target, &about), -1); /* No file was created through the link. */
     }
 }
 
@@ -232,15 +233,15 @@ int main(void)
 {
 #define TEST(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
     const struct CMUnitTest tests[] = {
-        TEST(test_every_version_is_refused_with_any_object_that_is_not_ours),
-        TEST(test_every_version_opens_without_additions_and_is_then_exact),
-        TEST(test_a_version_that_never_was_is_refused),
-        TEST(test_the_first_object_that_is_not_ours_is_named),
+        TEST(test_a_foreign_schema_object_is_rejected_in_every_version),
+        TEST(test_every_version_opens_and_is_migrated_to_the_exact_schema),
+        TEST(test_an_unknown_schema_version_is_rejected),
+        TEST(test_the_first_foreign_schema_object_is_named),
         TEST(test_an_insert_that_stores_nothing_is_an_error),
-        TEST(test_a_trigger_that_is_added_later_drops_no_entry),
-        TEST(test_the_defensive_options_are_on),
+        TEST(test_a_trigger_added_while_open_drops_no_entry),
+        TEST(test_the_defensive_options_of_sqlite_are_enabled),
         TEST(test_only_regular_files_are_opened_as_a_database),
-        TEST(test_only_regular_files_are_opened_beside_it),
+        TEST(test_only_regular_files_are_opened_beside_the_database),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

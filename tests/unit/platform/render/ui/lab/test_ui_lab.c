@@ -1,6 +1,8 @@
-/* test_ui_lab.c -- the growth lab's and the album's screens, measured from their vertices: what is
- * shown lies on the screen, and where the hand will find it. */
-#include "tests/unit/support/stall_stand.h"
+/* test_ui_lab.c -- Tests the screens of the growth lab and the album by their vertices.
+ *
+ * Everything drawn is on the screen, and every control is at the position where a press selects
+ * it. */
+#include "tests/unit/support/core_fixture.h"
 
 #include <stdio.h>
 
@@ -23,7 +25,7 @@ static int open_lab(void **state)
 {
     (void)state;
     const struct core_config config = { .seed = 5, .fish_count = 12, .modes = 1u << CHOICE_LAB };
-    open_stall(&config);
+    open_core(&config);
     memset(&memory, 0, sizeof memory);
     return 0;
 }
@@ -60,7 +62,7 @@ static void check_inside(float width, float height)
     }
 }
 
-static void test_the_lab_stays_on_every_screen_with_every_species(void **state)
+static void test_the_lab_fits_every_screen_with_every_species(void **state)
 {
     (void)state;
     for (uint32_t k = 0; k < SIZE_COUNT * species_table_count; k++) {
@@ -73,7 +75,8 @@ static void test_the_lab_stays_on_every_screen_with_every_species(void **state)
             core.game.lab.layer = variant & 4u ? LAB_LAYER_SIZE : 1;
             core.game.language = (uint8_t)(variant % LANGUAGE_COUNT);
             core.game.lab.has_hand = 1;
-            core.game.lab.x = core.game.lab.y = 400.0f; /* A poi at the rim may hang over it. */
+            core.game.lab.x = core.game.lab.y = 400.0f; /* A poi at the rim may extend beyond the
+                                                           screen. */
             lay_out(size[0], size[1]);
             check_inside(size[0], size[1]);
             const uint32_t keys = scene.lab.card.key_count;
@@ -81,10 +84,11 @@ static void test_the_lab_stays_on_every_screen_with_every_species(void **state)
         }
     }
     print_message("the longest screen has %u quads of %u\n", longest, UI_QUADS_MAX);
-    assert_in_range(longest, 1, UI_QUADS_MAX - 200u); /* Twelve knots and longer words. */
+    assert_in_range(longest, 1, UI_QUADS_MAX - 200u); /* The margin is for twelve knots and longer
+                                                         words. */
 }
 
-/* Whether a round dot of that colour is drawn with its middle there. */
+/* Returns whether a round dot of that colour is drawn with its centre at the point. */
 static int is_dot(float x, float y, uint32_t colour)
 {
     for (uint32_t i = 0; i < batch.quad_count; i++) {
@@ -100,7 +104,7 @@ static int is_dot(float x, float y, uint32_t colour)
     return 0;
 }
 
-/* A hand with a wrist over that point of the canvas; down when it shall press. */
+/* Places a pose with wrist sensor over a point of the canvas, lowered if `down` is set. */
 static void point_at(struct layout_point at, int down)
 {
     const struct layout_point canvas = pointer_layout_size(core.game.lab.upright);
@@ -110,9 +114,9 @@ static void point_at(struct layout_point at, int down)
     tick();
 }
 
-/* The picture and the press agree: each knot of the curve in hand is a dot, and pressing the middle
- * of the dot takes that knot. */
-static void test_every_knot_is_taken_where_it_is_drawn(void **state)
+/* Each knot of the selected curve is drawn as a dot, and a press on the centre of the dot selects
+ * that knot. */
+static void test_every_knot_is_selected_at_its_drawn_position(void **state)
 {
     (void)state;
     static const uint32_t red = 0xd23a2cffu;
@@ -142,14 +146,14 @@ static void test_every_knot_is_taken_where_it_is_drawn(void **state)
     }
 }
 
-static void test_the_fish_stays_between_stage_and_ruler(void **state)
+static void test_the_lab_fish_stays_between_stage_and_ruler(void **state)
 {
     (void)state;
     for (uint32_t k = 0; k < SIZE_COUNT * species_table_count; k++) {
         const float *size = sizes[k % SIZE_COUNT];
         take((uint32_t)(k / SIZE_COUNT));
         core.game.lab.progress = 1.0f;
-        core.game.lab.path = 1; /* It holds still. */
+        core.game.lab.path = 1; /* The fish stops moving. */
         core.game.lab.compare = k % 2u == 1u;
         lay_out(size[0], size[1]);
         const struct specimen *fish = &batch.specimens[0];
@@ -178,7 +182,7 @@ static void test_the_fish_stays_between_stage_and_ruler(void **state)
     }
 }
 
-/* A maker's species of a recording, in a kiosk that has not got it. */
+/* A loaded species of a recording that the kiosk does not have. */
 static void test_an_unknown_species_has_a_graph_and_no_fish(void **state)
 {
     (void)state;
@@ -187,15 +191,15 @@ static void test_an_unknown_species_has_a_graph_and_no_fish(void **state)
     config.book.card_count = 1;
     config.book.cards[0] = species_table[0]->card;
     config.book.cards[0].id[0] = 'x';
-    open_stall(&config);
+    open_core(&config);
     take(species_table_count);
     lay_out(1280, 720);
     check_inside(1280, 720);
     assert_int_equal(batch.specimen_count, 0);
 }
 
-/* What this kiosk has in its place is another fish, or one of other keys. */
-static void test_only_the_recorded_species_itself_is_shown(void **state)
+/* The species in its slot is another fish or has a different number of keys. */
+static void test_only_the_recorded_species_is_shown(void **state)
 {
     (void)state;
     static struct core_config config;
@@ -205,7 +209,7 @@ static void test_only_the_recorded_species_itself_is_shown(void **state)
     library.species_count = library.line_count = 1;
     config.book.cards[0] = species_table[0]->card;
     config.book.cards[0].id[0] = 'x';
-    open_stall(&config);
+    open_core(&config);
     take(species_table_count);
     memory.library = &library;
     for (uint32_t other = 0; other < 3; other++) {
@@ -239,8 +243,9 @@ static uint32_t letters_in(const char *words)
     return count;
 }
 
-/* In turn, each long enough to be read: how a hand works, how many were refused, each and why. */
-static void test_each_refused_file_is_told_with_its_reason(void **state)
+/* The lab shows in turn how to use a controller, the number of rejected files, and each file with
+ * its reason. Each text is shown long enough to be read. */
+static void test_each_rejected_file_is_shown_with_its_reason(void **state)
 {
     (void)state;
     static struct library library;
@@ -270,13 +275,13 @@ static void test_each_refused_file_is_told_with_its_reason(void **state)
                 seen |= letters == letters_in(fault.file) + letters_in(fault.why) ? 1u << i : 0u;
             }
         }
-        /* On an upright screen of just the canvas' height there is no room for lines. */
+        /* A portrait screen of exactly the canvas height has no room for lines. */
         assert_true(seen == 7u || (seen == 0u && width < height));
     }
     core.game.tick = start;
 }
 
-static void test_the_ordinary_morph_beside_it_is_straight(void **state)
+static void test_the_ordinary_morph_in_the_lab_is_linear(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < species_table_count; i++) {
@@ -297,7 +302,7 @@ static void test_the_ordinary_morph_beside_it_is_straight(void **state)
     }
 }
 
-static void test_an_edited_knot_moves_the_way_of_a_point(void **state)
+static void test_an_edited_knot_changes_the_path_of_a_point(void **state)
 {
     (void)state;
     core.game.lab.path = 1;
@@ -309,8 +314,9 @@ static void test_an_edited_knot_moves_the_way_of_a_point(void **state)
     assert_true(v3_length(v3_sub(before, after)) > 1e-3f);
 }
 
-/* As `kingyoctl morph path` measures it: from the endless line through both ends. */
-static void test_a_bow_is_told_from_the_endless_line(void **state)
+/* `kingyoctl morph path` measures the bow in the same way, from the infinite line through both
+ * ends. */
+static void test_the_bow_is_measured_from_the_infinite_line(void **state)
 {
     (void)state;
     for (uint32_t s = 0; s < species_table_count; s++) {
@@ -343,7 +349,7 @@ static void catch_fish(uint32_t count)
     core.game.phase = PHASE_ALBUM;
 }
 
-static void test_the_album_stays_on_every_screen_with_one_to_six_fish(void **state)
+static void test_the_album_fits_every_screen_with_one_to_six_fish(void **state)
 {
     (void)state;
     ticks(3000);
@@ -361,7 +367,7 @@ static void test_the_album_stays_on_every_screen_with_one_to_six_fish(void **sta
     }
 }
 
-static void test_each_fish_wears_the_pattern_that_it_wore_in_the_tank(void **state)
+static void test_each_album_fish_has_its_pattern_from_the_tank(void **state)
 {
     (void)state;
     ticks(300);
@@ -375,8 +381,8 @@ static void test_each_fish_wears_the_pattern_that_it_wore_in_the_tank(void **sta
     assert_int_not_equal(batch.specimens[0].look, batch.specimens[1].look);
 }
 
-/* However young: from the day on which it was met it has the pattern that it was met with. */
-static void test_a_fish_looks_on_the_day_it_was_met_as_it_did_in_the_tank(void **state)
+/* At any age from its catch day, the fish has the pattern of that day. */
+static void test_an_album_fish_looks_on_its_catch_day_as_in_the_tank(void **state)
 {
     (void)state;
     uint32_t met = 0, hatched = 0;
@@ -405,18 +411,18 @@ int main(void)
 {
 #define TEST(name) cmocka_unit_test_setup(name, open_lab)
     const struct CMUnitTest tests[] = {
-        TEST(test_the_lab_stays_on_every_screen_with_every_species),
-        TEST(test_every_knot_is_taken_where_it_is_drawn),
-        TEST(test_the_fish_stays_between_stage_and_ruler),
+        TEST(test_the_lab_fits_every_screen_with_every_species),
+        TEST(test_every_knot_is_selected_at_its_drawn_position),
+        TEST(test_the_lab_fish_stays_between_stage_and_ruler),
         TEST(test_an_unknown_species_has_a_graph_and_no_fish),
-        TEST(test_only_the_recorded_species_itself_is_shown),
-        TEST(test_each_refused_file_is_told_with_its_reason),
-        TEST(test_the_ordinary_morph_beside_it_is_straight),
-        TEST(test_an_edited_knot_moves_the_way_of_a_point),
-        TEST(test_the_album_stays_on_every_screen_with_one_to_six_fish),
-        TEST(test_a_bow_is_told_from_the_endless_line),
-        TEST(test_a_fish_looks_on_the_day_it_was_met_as_it_did_in_the_tank),
-        TEST(test_each_fish_wears_the_pattern_that_it_wore_in_the_tank),
+        TEST(test_only_the_recorded_species_is_shown),
+        TEST(test_each_rejected_file_is_shown_with_its_reason),
+        TEST(test_the_ordinary_morph_in_the_lab_is_linear),
+        TEST(test_an_edited_knot_changes_the_path_of_a_point),
+        TEST(test_the_album_fits_every_screen_with_one_to_six_fish),
+        TEST(test_the_bow_is_measured_from_the_infinite_line),
+        TEST(test_an_album_fish_looks_on_its_catch_day_as_in_the_tank),
+        TEST(test_each_album_fish_has_its_pattern_from_the_tank),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

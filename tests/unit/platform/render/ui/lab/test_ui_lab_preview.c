@@ -1,5 +1,5 @@
-/* test_ui_lab_preview.c -- what the lab says of a part's way is what `kingyoctl morph check`
- * says. */
+/* test_ui_lab_preview.c -- Tests that the lab reports the same path values of a part as `kingyoctl
+ * morph check`. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -9,13 +9,14 @@
 
 #include "platform/ctl/morph/morph_survey.h"
 #include "platform/render/ui/lab/ui_lab_preview.h"
+#include "platform/species/part.h"
 
-#define SAME 1e-5f /* Body lengths: rounding of two ways to the same point. */
+#define SAME 1e-5f /* Rounding error of two computations of the same point, in body lengths. */
 
 static struct ui_lab_preview bench;
 static struct morph_survey survey;
 
-static void test_the_lab_and_check_tell_the_same_bow(void **state)
+static void test_the_lab_and_morph_check_report_the_same_bow(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < species_table_count; i++) {
@@ -26,16 +27,18 @@ static void test_the_lab_and_check_tell_the_same_bow(void **state)
         ui_lab_preview_set(&bench, species, &species->card);
         const struct lab_preview_path *dorsal = &bench.ways[LAB_PREVIEW_DORSAL],
                                       *eye = &bench.ways[LAB_PREVIEW_EYE];
-        assert_int_equal(dorsal->is_there, survey.dorsal_root.vertex != MORPH_SURVEY_NOWHERE);
-        assert_float_equal(dorsal->bow, survey.dorsal_root.from_chord, SAME);
+        assert_int_equal(dorsal->is_there,
+                         part_vertex_range(&species->lod[0], PART_DORSAL, SIDE_MIDDLE) !=
+                             species->lod[0].vertex_count);
+        assert_float_equal(dorsal->bow, survey.dorsal_root, SAME);
         assert_true(eye->is_there);
-        assert_true(f_abs(eye->bow - survey.eye_left.from_chord) < SAME ||
-                    f_abs(eye->bow - survey.eye_right.from_chord) < SAME);
+        assert_true(f_abs(eye->bow - survey.eye_left) < SAME ||
+                    f_abs(eye->bow - survey.eye_right) < SAME);
     }
 }
 
-/* The line has no ends: a way that overshoots its last place does not bow for that. */
-static void test_a_line_has_no_ends_and_a_point_is_one(void **state)
+/* The line is infinite, so a path beyond its last point does not count as a bow. */
+static void test_the_bow_is_measured_from_an_infinite_line_or_a_point(void **state)
 {
     (void)state;
     const vec3 from = { 0.0f, 0.0f, 0.0f }, to = { 0.0f, 0.0f, 2.0f };
@@ -46,8 +49,8 @@ static void test_a_line_has_no_ends_and_a_point_is_one(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_the_lab_and_check_tell_the_same_bow),
-        cmocka_unit_test(test_a_line_has_no_ends_and_a_point_is_one),
+        cmocka_unit_test(test_the_lab_and_morph_check_report_the_same_bow),
+        cmocka_unit_test(test_the_bow_is_measured_from_an_infinite_line_or_a_point),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

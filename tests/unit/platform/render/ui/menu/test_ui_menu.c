@@ -1,5 +1,5 @@
-/* test_ui_menu.c -- the operator's menu as it is drawn: all of it on the screen and read from a
- * metre, in both languages, whatever the screen. */
+/* test_ui_menu.c -- Tests the drawn operator menu: it fits every screen and is readable from one
+ * metre in both languages. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -30,7 +30,35 @@ static struct scene scene;
 static struct ui_batch batch;
 static struct ui_memory memory;
 
-/* A page with everything on it that there can be, the longest names first. */
+/* Fills the devices with the longest names and the largest values. */
+static void fill_devices(struct scene_devices *devices)
+{
+    memset(devices->about, 'W', sizeof devices->about);
+    for (uint32_t i = 0; i < ABOUT_COUNT; i++) {
+        devices->about[i][SCENE_LINE_SIZE - 1u] = 0;
+    }
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        devices->axes[i] = (struct scene_axes){ POI_SOURCE_LIVE,
+                                                { -99.0f, 99.0f, NAN },
+                                                { 1000.0f, -1000.0f, INFINITY },
+                                                4294967295u,
+                                                INFINITY };
+    }
+    for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
+        memset(devices->controller[i], 'W', SCENE_NAME_SIZE - 1u);
+    }
+    memset(devices->lines, 'm', SCENE_LINE_SIZE - 1u);
+    memset(devices->controllers, 'm', SCENE_LINE_SIZE - 1u);
+    devices->button_faults = 4294967295u;
+    memset(devices->line, 0xff, sizeof devices->line);
+    for (uint32_t i = 0; i < SCENE_FILE_MAX; i++) {
+        devices->file[i].state = (uint8_t)(i % FILE_STATE_COUNT);
+        memset(devices->file[i].name, 'W', SCENE_FILE_SIZE - 1u);
+        memset(devices->file[i].words, 'W', SCENE_LINE_SIZE - 1u);
+    }
+}
+
+/* Fills a page with every possible element and the longest names first. */
 static void set_page(uint8_t page, uint16_t tags, uint8_t language, int upright)
 {
     memset(&scene, 0, sizeof scene);
@@ -60,38 +88,18 @@ static void set_page(uint8_t page, uint16_t tags, uint8_t language, int upright)
     menu->boot = 9999u;
     menu->last_id = menu->saved_id = 999999u;
     for (uint32_t i = 0; i < SCENE_AUDIT_MAX; i++) {
-        menu->audit[i] = 99999u; /* Nine years of thirty plays a day. */
-    }
-    memset(scene.devices.about, 'W', sizeof scene.devices.about);
-    for (uint32_t i = 0; i < ABOUT_COUNT; i++) {
-        scene.devices.about[i][SCENE_LINE_SIZE - 1u] = 0;
-    }
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        scene.devices.axes[i] = (struct scene_axes){ POI_SOURCE_LIVE,
-                                                     { -99.0f, 99.0f, NAN },
-                                                     { 1000.0f, -1000.0f, INFINITY },
-                                                     4294967295u,
-                                                     INFINITY };
+        menu->audit[i] = 99999u; /* Nine years with thirty plays a day. */
     }
     scene.credit = (struct scene_credit){ .price = 20, .credits = 4294967295u, .coin_s = 0.1f };
     for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
         menu->controllers.state[i] = (uint8_t)(i % CONTROLLER_STATE_COUNT);
-        memset(scene.devices.controller[i], 'W', SCENE_NAME_SIZE - 1u);
     }
     for (uint32_t i = 0; i < INPUT_BUTTON_COUNT; i++) {
         menu->pressed_count[i] = MENU_COUNT_MAX;
     }
-    memset(scene.devices.lines, 'm', SCENE_LINE_SIZE - 1u);
-    memset(scene.devices.controllers, 'm', SCENE_LINE_SIZE - 1u);
-    scene.devices.button_faults = 4294967295u;
-    memset(scene.devices.line, 0xff, sizeof scene.devices.line);
     menu->controllers.file_count = UINT8_MAX;
     menu->file_first = 160;
-    for (uint32_t i = 0; i < SCENE_FILE_MAX; i++) {
-        scene.devices.file[i].state = (uint8_t)(i % FILE_STATE_COUNT);
-        memset(scene.devices.file[i].name, 'W', SCENE_FILE_SIZE - 1u);
-        memset(scene.devices.file[i].words, 'W', SCENE_LINE_SIZE - 1u);
-    }
+    fill_devices(&scene.devices);
 }
 
 static void lay_out(uint32_t size)
@@ -123,7 +131,7 @@ static int is_upright(uint32_t size)
     return sizes[size].width < POINTER_UPRIGHT_ASPECT * sizes[size].height;
 }
 
-static void test_nothing_leaves_the_screen_on_any_page(void **state)
+static void test_every_menu_page_fits_the_screen(void **state)
 {
     (void)state;
     for (uint32_t k = 0; k < SIZE_COUNT * MENU_PAGE_COUNT * LANGUAGE_COUNT; k++) {
@@ -137,7 +145,7 @@ static void test_nothing_leaves_the_screen_on_any_page(void **state)
                          (uint8_t)(k / (SIZE_COUNT * MENU_PAGE_COUNT)), is_upright(size));
                 scene.menu.controllers.learn_step = step;
                 memset(scene.menu.audit, 0xff, sizeof scene.menu.audit);
-                scene.tick += 37u * step; /* Another moment of what moves. */
+                scene.tick += 37u * step; /* Advances the animations. */
                 lay_out(size);
                 expect_inside(size);
             }
@@ -145,10 +153,10 @@ static void test_nothing_leaves_the_screen_on_any_page(void **state)
     }
 }
 
-/* A 24 inch screen is 30 cm high: 2.4 % of it is a letter of 7 mm, 25 minutes of arc from a metre.
- * The lines that name devices shrink to their room, and are for who stands before it; the letters
- * of the test card are looked at from near, and not read. */
-static void test_every_word_is_read_from_a_metre(void **state)
+/* A 24-inch screen is 30 cm high, so 2.4 % of it is a letter of 7 mm or 25 arc minutes from 1 m.
+ * Lines with device names shrink to their width and are read from nearer. The letters of the test
+ * card are not text. */
+static void test_every_menu_word_is_readable_from_one_metre(void **state)
 {
     (void)state;
     for (uint32_t k = 0; k < MENU_PAGE_COUNT * LANGUAGE_COUNT * LEARN_STEP_COUNT; k++) {
@@ -178,7 +186,7 @@ static uint32_t count_kind(enum ui_kind kind)
     return count;
 }
 
-static void test_a_board_is_drawn_for_each_controller_that_is_there(void **state)
+static void test_a_board_is_drawn_for_each_present_controller(void **state)
 {
     (void)state;
     uint32_t before = 0;
@@ -186,13 +194,13 @@ static void test_a_board_is_drawn_for_each_controller_that_is_there(void **state
         set_page(MENU_CONTROLLERS, (uint16_t)(1u << ROWS_BACK | ((1u << there) - 1u)), 0, 0);
         lay_out(0);
         const uint32_t boards = count_kind(UI_WOOD);
-        assert_int_equal(boards, there + 1u); /* And the way back. */
+        assert_int_equal(boards, there + 1u); /* One board is the way back. */
         assert_true(there == 0 || boards > before);
         before = boards;
     }
 }
 
-static void test_with_none_plugged_in_the_reason_is_shown(void **state)
+static void test_the_reason_is_shown_if_no_controller_is_plugged_in(void **state)
 {
     (void)state;
     set_page(MENU_CONTROLLERS, 1u << ROWS_BACK, LANGUAGE_EN, 0);
@@ -201,10 +209,11 @@ static void test_with_none_plugged_in_the_reason_is_shown(void **state)
     const uint32_t without = count_kind(UI_GLYPH);
     snprintf(scene.devices.controllers, SCENE_LINE_SIZE, "no libusb in this build");
     lay_out(0);
-    assert_int_equal(count_kind(UI_GLYPH), without + 19u); /* Its letters; spaces are no quads. */
+    assert_int_equal(count_kind(UI_GLYPH), without + 19u); /* Letters of the text. Spaces have no
+                                                              quads. */
 }
 
-/* As long as a writer of reasons can make one, in letters and gaps as words have them. */
+/* Sets the longest possible reason, with letters and spaces as in normal text. */
 static uint32_t set_reason(const char *name)
 {
     static const char words[] = "curve 2: knot 5: its weights sum to 1.250000; ";
@@ -219,7 +228,7 @@ static uint32_t set_reason(const char *name)
     return letters;
 }
 
-static void test_the_longest_reason_is_read_whole_however_the_screen_stands(void **state)
+static void test_the_longest_reason_is_complete_in_portrait_and_landscape(void **state)
 {
     (void)state;
     for (uint32_t size = 0; size < SIZE_COUNT; size++) {
@@ -248,7 +257,7 @@ static void test_the_longest_reason_is_read_whole_however_the_screen_stands(void
     }
 }
 
-static void test_a_slip_is_drawn_for_each_row_that_there_is(void **state)
+static void test_a_slip_is_drawn_for_each_existing_row(void **state)
 {
     (void)state;
     for (uint32_t count = 0; count <= 2u * SCENE_FILE_MAX; count++) {
@@ -264,7 +273,7 @@ static void test_a_slip_is_drawn_for_each_row_that_there_is(void **state)
     }
 }
 
-/* Brightness of a button's lamp: that of the round panel. */
+/* Returns the number of lit button lamps. Their brightness is that of the round panel. */
 static uint32_t lit_lamps(void)
 {
     uint32_t lit = 0;
@@ -275,7 +284,7 @@ static uint32_t lit_lamps(void)
     return lit;
 }
 
-static void test_a_lamp_is_lit_for_each_button_that_is_held(void **state)
+static void test_a_lamp_is_lit_for_each_pressed_button(void **state)
 {
     (void)state;
     uint32_t held = 0;
@@ -287,7 +296,7 @@ static void test_a_lamp_is_lit_for_each_button_that_is_held(void **state)
         assert_int_equal(lit_lamps(), i);
         held = held << 1 | 1u;
     }
-    scene.menu.coin_s = 0.0f; /* One falls just now. */
+    scene.menu.coin_s = 0.0f; /* A coin is inserted now. */
     lay_out(0);
     assert_int_equal(lit_lamps(), INPUT_BUTTON_COUNT + 1u);
 }
@@ -302,7 +311,7 @@ static uint32_t count_fill(uint8_t red, uint8_t green)
     return count;
 }
 
-static void test_a_wired_line_that_is_not_there_has_a_red_slip_and_no_lamp(void **state)
+static void test_a_missing_gpio_line_has_a_red_slip_and_no_lamp(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i <= INPUT_BUTTON_COUNT; i++) {
@@ -319,7 +328,7 @@ static void test_a_wired_line_that_is_not_there_has_a_red_slip_and_no_lamp(void 
     }
 }
 
-static void test_the_state_of_the_lines_is_read_whole_from_a_metre(void **state)
+static void test_the_state_of_the_lines_is_complete_and_readable_from_one_metre(void **state)
 {
     (void)state;
     for (int upright = 0; upright < 2; upright++) {
@@ -333,7 +342,7 @@ static void test_the_state_of_the_lines_is_read_whole_from_a_metre(void **state)
                  "libgpiod 1.6.3: 0 of 3 lines; no start, coin, start-lamp (BTN_START: there is no "
                  "GPIO chip in /dev)");
         lay_out(upright ? 4 : 0);
-        assert_int_equal(count_kind(UI_GLYPH), without + 82u); /* Spaces are no quads. */
+        assert_int_equal(count_kind(UI_GLYPH), without + 82u); /* Spaces have no quads. */
         for (uint32_t i = 0; i < batch.quad_count; i++) {
             if (batch.kinds[i] == UI_GLYPH && glyph_em_px(&batch, i) < 21.0f * unit) {
                 fail_msg("letter %u is %.1f units", i, (double)(glyph_em_px(&batch, i) / unit));
@@ -342,13 +351,13 @@ static void test_the_state_of_the_lines_is_read_whole_from_a_metre(void **state)
     }
 }
 
-/* A window manager may ignore the smallest window. Its size may be no multiple of anything. */
+/* A window manager may ignore the minimum size, and the window size can be any number. */
 static void test_every_page_is_laid_out_in_a_window_of_any_size(void **state)
 {
     (void)state;
     static const float sides[] = { 1.0f, 2.0f, 8.0f, 17.0f, 240.0f, 8192.0f };
     const uint32_t count = sizeof sides / sizeof sides[0];
-    alarm(30); /* A step of 0 never ends. */
+    alarm(30); /* A step of 0 would loop forever. */
     for (uint32_t k = 0; k < count * count * MENU_PAGE_COUNT; k++) {
         const float width = sides[k % count], height = sides[k / count % count];
         set_page((uint8_t)(k / (count * count)), 0xffffu, LANGUAGE_EN, width < height);
@@ -356,7 +365,7 @@ static void test_every_page_is_laid_out_in_a_window_of_any_size(void **state)
         assert_int_equal(batch.dropped_count, 0);
     }
     for (uint8_t phase = 0; phase <= PHASE_LEADERBOARD; phase++) {
-        /* The lab is left out because its screen needs a fish. */
+        /* The lab is omitted because its screen needs a fish. */
         for (uint32_t k = 0; k < count * count && phase != PHASE_LAB; k++) {
             scene.phase = phase;
             ui_screens(&batch, &memory, &scene, sides[k % count], sides[k / count]);
@@ -366,7 +375,7 @@ static void test_every_page_is_laid_out_in_a_window_of_any_size(void **state)
     alarm(0);
 }
 
-static void test_in_a_round_the_question_is_read_over_the_tank(void **state)
+static void test_the_quit_confirmation_is_readable_over_the_tank(void **state)
 {
     (void)state;
     memset(&scene, 0, sizeof scene);
@@ -384,9 +393,9 @@ static void test_in_a_round_the_question_is_read_over_the_tank(void **state)
     assert_true(count_kind(UI_GLYPH) > without + 15u);
 }
 
-/* The plate of what colours on the paper mean is 256 units wide and 18 from the right edge, and
- * reaches 204 units down. */
-static void test_the_question_lies_beside_what_hangs_in_a_practice_round(void **state)
+/* The legend of the paper colours is 256 units wide, 18 units from the right edge, and extends 204
+ * units down. */
+static void test_the_quit_confirmation_does_not_overlap_the_practice_plates(void **state)
 {
     (void)state;
     for (uint32_t k = 0; k < SIZE_COUNT * LANGUAGE_COUNT; k++) {
@@ -395,7 +404,7 @@ static void test_the_question_lies_beside_what_hangs_in_a_practice_round(void **
         const float unit = fminf(sizes[size].height / 720.0f, width / 860.0f);
         const float left = width - 274.0f * unit, y = 0.215f * sizes[size].height;
         if (y > 240.0f * unit) {
-            continue; /* An upright screen: it lies below the plates. */
+            continue; /* On a portrait screen it lies below the plates. */
         }
         memset(&scene, 0, sizeof scene);
         scene.phase = PHASE_ROUND;
@@ -416,15 +425,12 @@ static void test_the_question_lies_beside_what_hangs_in_a_practice_round(void **
 static void expect_range(uint32_t id, const char *expected)
 {
     char words[TEXT_LINE_MAX];
-    const struct menu_view view = { .frame = { .language = LANGUAGE_EN },
-                                    .scene = &scene,
-                                    .menu = &scene.menu,
-                                    .devices = &scene.devices };
-    menu_range_words(&view, id, words, sizeof words);
+    const struct ui_frame frame = { .language = LANGUAGE_EN, .scene = &scene };
+    menu_range_words(&frame, id, words, sizeof words);
     assert_string_equal(words, expected);
 }
 
-static void test_a_range_says_what_there_is_to_choose_and_its_unit(void **state)
+static void test_a_setting_shows_its_range_and_unit(void **state)
 {
     (void)state;
     set_page(MENU_MONEY, 0x7ffu, LANGUAGE_EN, 0);
@@ -445,8 +451,8 @@ static uint32_t quads_of(uint8_t page)
     return batch.quad_count;
 }
 
-/* From the first page on, whoever opens the menu. */
-static void test_what_is_to_be_looked_at_marks_the_way_to_it(void **state)
+/* The mark is shown from the first page for every user of the menu. */
+static void test_an_open_warning_marks_the_path_to_its_page(void **state)
 {
     static const uint8_t pages[] = { MENU_TOP, MENU_UPKEEP };
     (void)state;
@@ -454,7 +460,7 @@ static void test_what_is_to_be_looked_at_marks_the_way_to_it(void **state)
         set_page(pages[i], 0, LANGUAGE_EN, 0);
         const uint32_t bare = quads_of(pages[i]);
         scene.devices.files_refused = 1;
-        assert_int_equal(quads_of(pages[i]), bare + 2u); /* A disc, and its "!". */
+        assert_int_equal(quads_of(pages[i]), bare + 2u); /* A disc and its "!". */
         scene.devices.files_refused = 0;
         scene.devices.machine.aside = 1;
         assert_int_equal(quads_of(pages[i]), bare + 2u);
@@ -464,8 +470,8 @@ static void test_what_is_to_be_looked_at_marks_the_way_to_it(void **state)
     }
 }
 
-/* Scores that nobody will see again are told of where the store is. */
-static void test_replays_that_could_not_be_kept_are_told_on_the_stores_slip(void **state)
+/* The page of the store reports the scores whose replay was lost. */
+static void test_unstored_replays_are_shown_on_the_slip_of_the_store(void **state)
 {
     (void)state;
     for (uint8_t language = 0; language < LANGUAGE_COUNT; language++) {
@@ -480,14 +486,14 @@ static void test_replays_that_could_not_be_kept_are_told_on_the_stores_slip(void
     }
 }
 
-static void test_what_is_not_as_it_came_has_a_seal_on_pages_of_their_own_too(void **state)
+static void test_a_changed_setting_has_a_seal_on_its_own_page_too(void **state)
 {
     (void)state;
     set_page(MENU_MODES, 0, LANGUAGE_JA, 0);
     const int32_t standard = settings_entry(SET_MODES)->standard;
     const uint32_t bare = quads_of(MENU_MODES);
     scene.menu.settings.value[SET_MODES] = standard ^ 1;
-    /* Its seal, and 出さない has two letters more than 出す. */
+    /* The seal, and 出さない has two more letters than 出す. */
     assert_int_equal(standard & 1, 1);
     assert_int_equal(quads_of(MENU_MODES), bare + 1u + 2u);
     set_page(MENU_UPKEEP, 0, LANGUAGE_EN, 0);
@@ -496,8 +502,8 @@ static void test_what_is_not_as_it_came_has_a_seal_on_pages_of_their_own_too(voi
     assert_int_equal(quads_of(MENU_UPKEEP), without + 1u);
 }
 
-/* Every row in every state that it can be in, with the longest figures, on every screen. */
-static void test_ready_for_opening_stays_on_its_page_whatever_it_says(void **state)
+/* Every row is drawn in every state with the largest values on every screen. */
+static void test_the_opening_checklist_fits_its_page_in_every_state(void **state)
 {
     /* clang-format off */
     /* clang-format off */
@@ -542,23 +548,23 @@ static void test_ready_for_opening_stays_on_its_page_whatever_it_says(void **sta
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_what_is_to_be_looked_at_marks_the_way_to_it),
-        cmocka_unit_test(test_replays_that_could_not_be_kept_are_told_on_the_stores_slip),
-        cmocka_unit_test(test_what_is_not_as_it_came_has_a_seal_on_pages_of_their_own_too),
-        cmocka_unit_test(test_ready_for_opening_stays_on_its_page_whatever_it_says),
-        cmocka_unit_test(test_nothing_leaves_the_screen_on_any_page),
-        cmocka_unit_test(test_every_word_is_read_from_a_metre),
-        cmocka_unit_test(test_a_range_says_what_there_is_to_choose_and_its_unit),
-        cmocka_unit_test(test_a_board_is_drawn_for_each_controller_that_is_there),
-        cmocka_unit_test(test_with_none_plugged_in_the_reason_is_shown),
-        cmocka_unit_test(test_the_longest_reason_is_read_whole_however_the_screen_stands),
-        cmocka_unit_test(test_a_slip_is_drawn_for_each_row_that_there_is),
-        cmocka_unit_test(test_a_lamp_is_lit_for_each_button_that_is_held),
-        cmocka_unit_test(test_a_wired_line_that_is_not_there_has_a_red_slip_and_no_lamp),
-        cmocka_unit_test(test_the_state_of_the_lines_is_read_whole_from_a_metre),
-        cmocka_unit_test(test_the_question_lies_beside_what_hangs_in_a_practice_round),
+        cmocka_unit_test(test_an_open_warning_marks_the_path_to_its_page),
+        cmocka_unit_test(test_unstored_replays_are_shown_on_the_slip_of_the_store),
+        cmocka_unit_test(test_a_changed_setting_has_a_seal_on_its_own_page_too),
+        cmocka_unit_test(test_the_opening_checklist_fits_its_page_in_every_state),
+        cmocka_unit_test(test_every_menu_page_fits_the_screen),
+        cmocka_unit_test(test_every_menu_word_is_readable_from_one_metre),
+        cmocka_unit_test(test_a_setting_shows_its_range_and_unit),
+        cmocka_unit_test(test_a_board_is_drawn_for_each_present_controller),
+        cmocka_unit_test(test_the_reason_is_shown_if_no_controller_is_plugged_in),
+        cmocka_unit_test(test_the_longest_reason_is_complete_in_portrait_and_landscape),
+        cmocka_unit_test(test_a_slip_is_drawn_for_each_existing_row),
+        cmocka_unit_test(test_a_lamp_is_lit_for_each_pressed_button),
+        cmocka_unit_test(test_a_missing_gpio_line_has_a_red_slip_and_no_lamp),
+        cmocka_unit_test(test_the_state_of_the_lines_is_complete_and_readable_from_one_metre),
+        cmocka_unit_test(test_the_quit_confirmation_does_not_overlap_the_practice_plates),
         cmocka_unit_test(test_every_page_is_laid_out_in_a_window_of_any_size),
-        cmocka_unit_test(test_in_a_round_the_question_is_read_over_the_tank),
+        cmocka_unit_test(test_the_quit_confirmation_is_readable_over_the_tank),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

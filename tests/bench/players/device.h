@@ -1,0 +1,51 @@
+/* device.h -- the input device of a simulated player: turns what the player does into raw reports,
+ * which pass through the real decoder of the device (drivers/sim).
+ *
+ * Mouse, finger and game pad report once per frame. Kingyo's poi controller reports twice per
+ * frame. The speed of the hand and the acceleration of its motion are limited. */
+#ifndef KINGYO_TESTS_BENCH_PLAYERS_DEVICE_H
+#define KINGYO_TESTS_BENCH_PLAYERS_DEVICE_H
+
+#include "drivers/hid/poi_hid.h"
+#include "drivers/sim/gamepad_sim.h"
+#include "drivers/sim/hal_sim.h"
+#include "drivers/sim/hid_sim.h"
+#include "drivers/sim/pointer_sim.h"
+#include "tests/bench/players/sim_player.h"
+
+/* Largest number of reports or finger events in one frame. */
+#define DEVICE_REPORTS_MAX 4u
+
+struct device {
+    const struct habits *habits;
+    struct clock_sim *clock;
+    struct view view;
+    uint32_t seed;
+    uint32_t report_count;          /* Number of reports sent so far. */
+    float x_px, y_px;               /* Place of the hand on the screen. */
+    float pace_x_px_s, pace_y_px_s; /* Velocity of the hand. */
+    float notches;                  /* Notches by which the wheel was turned so far. */
+    bool finger_down, dips;         /* Fingers on the touch screen: the first and the second one. */
+    float height_m, climb_m_s;      /* Height and vertical speed of a physical poi. */
+    float pitch_rad, roll_rad;      /* Angles of a physical poi. */
+
+    struct pointer_report pointer_reports[DEVICE_REPORTS_MAX];
+    struct touch_event touch_events[DEVICE_REPORTS_MAX];
+    struct gamepad_report gamepad_reports[DEVICE_REPORTS_MAX];
+    struct pointer_sim pointer;
+    struct gamepad_sim gamepad;
+    struct hid_port_sim port;
+    struct poi_hid poi;
+};
+
+/* Initializes the input device of `habits`. `habits` and `clock` are kept. */
+void device_init(struct device *device, const struct habits *habits, struct clock_sim *clock,
+                 const struct view *view, uint32_t seed);
+
+/* Returns the poi device for struct hal. */
+struct hal_poi device_poi(struct device *device);
+
+/* Advances the clock by one frame and sends the reports of the frame. */
+void device_frame(struct device *device, const struct player_wish *wish);
+
+#endif

@@ -1,0 +1,323 @@
+/* players.c -- checks what visitors of the stall catch, with simulated players of different habits
+ * and input devices.
+ *
+ * Usage: players SEEDS OUT [--level LEVEL] [--first SEED] [--only PLAYER]
+ *
+ * OUT is the folder of players.tsv. All players play the same seeds in the festival tank with 300
+ * fish, No. 6 paper and at most 60 s, through the decoders of their input devices and the frame
+ * loop of the kiosk. Returns exit status 0 if all targets are met (goals.c), and 1 if one is
+ * missed. With less than SEEDS_ENOUGH seeds, missed targets are printed, but do not change the exit
+ * status, because the medians of few rounds vary too much. */
+#include <errno.h>
+#include <pthread.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "platform/cpu.h"
+#include "platform/ctl/play/rounds.h"
+#include "platform/os/exit_code.h"
+#include "platform/os/number.h"
+#include "core/game/rules.h"
+#include "tests/bench/players/goals.h"
+#include "tests/bench/progress.h"
+
+#define SEEDS_MAX 2000u
+#define SEEDS_ENOUGH 30u
+#define PLAYERS_MAX 32u
+#define PATH_CHARS 1200u
+
+static const char speaker[] = "players";
+
+struct player_options {
+    uint32_t seeds, first;
+    uint8_t level;
+    const char *folder, *only; /* `only` is null if all players play. */
+};
+
+/* ---- Rounds on all cores --------------------------------------------------------------------- */
+
+struct league_hall {
+    const struct player_options *options;
+    const struct habits *players[PLAYERS_MAX];
+    uint32_t player_count;
+    struct player_round *rounds; /* One row of `options->seeds` rounds for each player. */
+    struct progress progress;
+    pthread_mutex_t lock;
+    uint32_t next; /* Index of the next round, seed by seed through all players. */
+    bool failed;
+};
+
+static void *work(void *self)
+{
+    struct league_hall *hall = self;
+    const uint32_t count = hall->player_count * hall->options->seeds;
+    struct round_seat *seat = malloc(sizeof *seat);
+    cpu_set_float();
+    pthread_mutex_lock(&hall->lock);
+    hall->failed |= seat == NULL;
+    while (!hall->failed && hall->next < count) {
+        const uint32_t index = hall->next++, player = index % hall->player_count;
+        const uint32_t seed = index / hall->player_count;
+        struct player_round *round = &hall->rounds[player * hall->options->seeds + seed];
+        pthread_mutex_unlock(&hall->lock);
+        const bool is_played = round_play(seat, hall->players[player], hall->options->level,
+                                          hall->options->first + seed, round);
+        pthread_mutex_lock(&hall->lock);
+        hall->failed |= !is_played;
+        progress_add(&hall->progress);
+    }
+    pthread_mutex_unlock(&hall->lock);
+    free(seat);
+    return NULL;
+}
+
+/* Plays all rounds. Returns false if a round did not come to its end. */
+static bool play_all(struct league_hall *hall)
+{
+    pthread_t threads[ROUNDS_WORKERS_MAX];
+    uint32_t helpers = 0;
+    while (helpers + 1u < rounds_workers() &&
+           pthread_create(&threads[helpers], NULL, work, hall) == 0) {
+        helpers++;
+    }
+    work(hall);
+    for (uint32_t i = 0; i < helpers; i++) {
+        pthread_join(threads[i], NULL);
+    }
+    return !hall->failed;
+}
+
+/* ---- Report ---------------------------------------------------------------------------------- */
+
+/* Sums of the rounds of one player. */
+struct tally {
+    uint32_t torn, scoops, attempts, flights, sight, pressure;
+    uint32_t first[TEAR_CAUSE_COUNT]; /* Number of rounds by the cause of their first tear. */
+    uint32_t cells[TEAR_CAUSE_COUNT], ends[ATTEMPT_END_COUNT];
+    double torn_s, first_s, flight_s, flight_m, flight_above_m, flight_m_s;
+    uint32_t first_count;
+};
+
+static struct tally tally_of(const struct player_round *rounds, uint32_t count)
+{
+    struct tally sum = { 0 };
+    for (uint32_t i = 0; i < count; i++) {
+        const struct player_round *round = &rounds[i];
+        sum.torn += round->torn;
+        sum.torn_s += round->torn_s;
+        sum.scoops += round->scoops;
+        sum.flights += round->flights;
+        sum.sight += round->flights_by_sight;
+        sum.pressure += round->flights_by_pressure;
+        sum.flight_s += round->flight_s;
+        sum.flight_m += round->flight_m;
+        sum.flight_above_m += round->flight_above_m;
+        sum.flight_m_s += round->flight_m_s;
+        if (round->first_s > 0.0) {
+            sum.first[round->first_cause]++;
+            sum.first_s += round->first_s;
+            sum.first_count++;
+        }
+        for (uint32_t k = 0; k < TEAR_CAUSE_COUNT; k++) {
+            sum.cells[k] += round->cells[k];
+        }
+        for (uint32_t k = 0; k < ATTEMPT_END_COUNT; k++) {
+            sum.ends[k] += round->attempts[k];
+            sum.attempts += round->attempts[k];
+        }
+    }
+    return sum;
+}
+
+static double per(double sum, uint32_t count)
+{
+    return count > 0 ? sum / (double)count : 0.0;
+}
+
+static void print_catches(const struct league_hall *hall, const struct score *scores)
+{
+    const uint32_t seeds = hall->options->seeds;
+    printf("  %-14s %6s %6s %7s %6s %6s %7s  %s\n", "caught", "mean", "median", "empty", "dips",
+           "torn", "after", "rounds by the load of the first tear");
+    for (uint32_t i = 0; i < hall->player_count; i++) {
+        const struct tally sum = tally_of(hall->rounds + i * seeds, seeds);
+        printf("  %-14s %6.2f %6.1f %5.0f %% %6.1f %4.0f %% %5.0f s ", scores[i].player,
+               scores[i].mean, scores[i].median, 100.0 * scores[i].empty_share,
+               per(sum.scoops, seeds), 100.0 * per(sum.torn, seeds), per(sum.torn_s, sum.torn));
+        for (uint32_t k = 0; k < TEAR_CAUSE_COUNT; k++) {
+            if (sum.first[k] > 0) {
+                printf(" %s %u", round_tear_names[k], sum.first[k]);
+            }
+        }
+        printf("\n");
+    }
+}
+
+static void print_attempts(const struct league_hall *hall)
+{
+    const uint32_t seeds = hall->options->seeds;
+    printf("\n  %-14s %6s", "attempts in %", "number");
+    for (uint32_t k = 0; k < ATTEMPT_END_COUNT; k++) {
+        printf(" %11s", round_attempt_names[k]);
+    }
+    printf("  %6s %6s %6s %6s %8s %6s\n", "s", "mm", "mm up", "m/s", "pressure", "sight");
+    for (uint32_t i = 0; i < hall->player_count; i++) {
+        const struct tally sum = tally_of(hall->rounds + i * seeds, seeds);
+        if (hall->players[i]->device == PLAYER_BOT) {
+            continue;
+        }
+        printf("  %-14s %6u", hall->players[i]->name, sum.attempts);
+        for (uint32_t k = 0; k < ATTEMPT_END_COUNT; k++) {
+            printf(" %11.0f", 100.0 * per(sum.ends[k], sum.attempts));
+        }
+        printf("  %6.2f %6.0f %6.0f %6.2f %8.0f %6.0f\n", per(sum.flight_s, sum.flights),
+               1000.0 * per(sum.flight_m, sum.flights),
+               1000.0 * per(sum.flight_above_m, sum.flights), per(sum.flight_m_s, sum.flights),
+               100.0 * per(sum.pressure, sum.flights), 100.0 * per(sum.sight, sum.flights));
+    }
+}
+
+static void write_round(FILE *file, const char *player, const char *level, uint32_t seed,
+                        const struct player_round *round)
+{
+    fprintf(file, "%s\t%s\t%u\t%u\t%u\t%.3f\t%.3f\t%.3f\t%s", player, level, seed, round->caught,
+            round->scoops, round->torn_s, round->first_s, round->wet_s,
+            round->first_s > 0.0 ? round_tear_names[round->first_cause] : "");
+    for (uint32_t k = 0; k < TEAR_CAUSE_COUNT; k++) {
+        fprintf(file, "\t%u", round->cells[k]);
+    }
+    for (uint32_t k = 0; k < ATTEMPT_END_COUNT; k++) {
+        fprintf(file, "\t%u", round->attempts[k]);
+    }
+    fprintf(file, "\n");
+}
+
+/* Writes each round into players.tsv. Returns EXIT_OK, or EXIT_IO after an error message. */
+static enum exit_code write_rounds(const struct league_hall *hall)
+{
+    const struct player_options *options = hall->options;
+    char path[PATH_CHARS];
+    snprintf(path, sizeof path, "%s/players.tsv", options->folder);
+    FILE *file = fopen(path, "w");
+    if (!file) {
+        fprintf(stderr, "%s: %s: %s\n", speaker, path, strerror(errno));
+        return EXIT_IO;
+    }
+    fputs("player\tlevel\tseed\tcaught\tdips\ttorn_s\tfirst_tear_s\twet_s\tfirst_cause", file);
+    for (uint32_t k = 0; k < TEAR_CAUSE_COUNT; k++) {
+        fprintf(file, "\tcells_%s", round_tear_names[k]);
+    }
+    for (uint32_t k = 0; k < ATTEMPT_END_COUNT; k++) {
+        fprintf(file, "\t%s", round_attempt_names[k]);
+    }
+    fprintf(file, "\n");
+    for (uint32_t i = 0; i < hall->player_count * options->seeds; i++) {
+        write_round(file, hall->players[i / options->seeds]->name,
+                    rules_of_level(options->level)->name, options->first + i % options->seeds,
+                    &hall->rounds[i]);
+    }
+    const bool failed = ferror(file) != 0;
+    if (fclose(file) != 0 || failed) {
+        fprintf(stderr, "%s: %s: cannot be written\n", speaker, path);
+        return EXIT_IO;
+    }
+    return EXIT_OK;
+}
+
+/* Prints the tables and checks the targets. Returns the exit code of the program. */
+static enum exit_code report(struct league_hall *hall)
+{
+    const uint32_t seeds = hall->options->seeds;
+    uint32_t caught[PLAYERS_MAX][SEEDS_MAX], sorted[SEEDS_MAX];
+    struct score scores[PLAYERS_MAX];
+    for (uint32_t i = 0; i < hall->player_count; i++) {
+        for (uint32_t k = 0; k < seeds; k++) {
+            caught[i][k] = hall->rounds[i * seeds + k].caught;
+        }
+        scores[i] = goals_score(hall->players[i]->name, caught[i], sorted, seeds);
+    }
+    print_catches(hall, scores);
+    print_attempts(hall);
+    printf("\n");
+    const enum exit_code code = write_rounds(hall);
+    const uint32_t missed = goals_check(scores, hall->player_count, seeds, hall->options->level);
+    const bool is_enough = seeds >= SEEDS_ENOUGH;
+    printf("%s: %u targets of level %s are missed%s\n", missed == 0 ? "so" : "NOT SO", missed,
+           rules_of_level(hall->options->level)->name,
+           is_enough ? "" : "; too few seeds for the exit status");
+    return code != EXIT_OK ? code : missed == 0 || !is_enough ? EXIT_OK : EXIT_NOT_SO;
+}
+
+/* ---- Command line ---------------------------------------------------------------------------- */
+
+static bool read_option(const char *name, const char *value, struct player_options *options)
+{
+    if (strcmp(name, "--first") == 0) {
+        return number_parse(value, 0, UINT32_MAX - SEEDS_MAX, &options->first);
+    }
+    if (strcmp(name, "--only") == 0) {
+        options->only = value;
+        return true;
+    }
+    for (uint8_t level = 0; level < LEVEL_COUNT; level++) {
+        if (strcmp(name, "--level") == 0 && strcmp(value, rules_of_level(level)->name) == 0) {
+            options->level = level;
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool read_options(int argc, char **argv, struct player_options *options)
+{
+    if (argc < 3 || argc % 2 == 0 || !number_parse(argv[1], 1, SEEDS_MAX, &options->seeds)) {
+        return false;
+    }
+    options->folder = argv[2];
+    for (int i = 3; i < argc; i += 2) {
+        if (!read_option(argv[i], argv[i + 1], options)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+int main(int argc, char **argv)
+{
+    struct player_options options = { .level = LEVEL_MASTER };
+    struct league_hall hall = { .options = &options, .lock = PTHREAD_MUTEX_INITIALIZER };
+    if (read_options(argc, argv, &options)) {
+        for (uint32_t i = 0; i < sim_player_table_count && i < PLAYERS_MAX; i++) {
+            if (!options.only || strcmp(options.only, sim_player_table[i].name) == 0) {
+                hall.players[hall.player_count++] = &sim_player_table[i];
+            }
+        }
+    }
+    if (hall.player_count == 0) {
+        fprintf(stderr,
+                "usage: players SEEDS OUT [--level LEVEL] [--first SEED] [--only PLAYER]; "
+                "SEEDS is 1 to %u\n",
+                SEEDS_MAX);
+        return EXIT_USAGE;
+    }
+    const uint32_t count = hall.player_count * options.seeds;
+    hall.rounds = calloc(count, sizeof *hall.rounds);
+    hall.progress = progress_begin(speaker, count);
+    const bool is_played = hall.rounds && play_all(&hall);
+    const double took_s = progress_end(&hall.progress);
+    if (!is_played) {
+        fprintf(stderr, "%s: a round did not come to its end\n", speaker);
+        free(hall.rounds);
+        return EXIT_NOT_SO;
+    }
+    printf("festival, %u fish, No. %u paper, at most %u s, level %s, seeds %u to %u; %.0f s on %u "
+           "cores, %.2f s of processor time a round\n\n",
+           ROUND_FISH_COUNT, ROUND_GRADE, ROUND_LENGTH_S, rules_of_level(options.level)->name,
+           options.first, options.first + options.seeds - 1u, took_s, rounds_workers(),
+           (double)clock() / CLOCKS_PER_SEC / (double)count);
+    const enum exit_code code = report(&hall);
+    free(hall.rounds);
+    return (int)code;
+}

@@ -1,0 +1,249 @@
+/* round.c -- one round of a simulated player, through the kiosk's own frame loop. */
+#include "tests/bench/players/round.h"
+
+#include <string.h>
+
+#include "core/base/panic.h"
+#include "core/game/phases.h"
+#include "core/poi/paper/sheet.h"
+#include "core/tank/behavior/startle.h"
+#include "core/tank/preset.h"
+#include "drivers/null.h"
+#include "platform/cpu.h"
+
+/* Longest round with its countdown and a margin. */
+#define ROUND_FRAMES_MAX ((ROUND_LENGTH_S + 60u) * PLAYER_HZ)
+#define START_FRAMES PLAYER_HZ /* START is pressed once per second until a round begins. */
+#define DRY_SHARE 0.02f        /* Immersed share of the disc below which the ring is in air. */
+
+const char *const round_tear_names[TEAR_CAUSE_COUNT] = {
+    "dip", "glide", "lift", "air", "slap", "body",
+};
+const char *const round_attempt_names[ATTEMPT_END_COUNT] = {
+    "fled before", "fled dip", "fled follow", "fled lift", "below", "away", "slipped", "held",
+};
+
+/* ---- Tears ----------------------------------------------------------------------------------- */
+
+/* Returns the highest tension that a range of loads causes beside its patches. */
+static float patch_tension_n_m(const struct poi *poi, uint32_t from, uint32_t to)
+{
+    float most = 0.0f;
+    for (uint32_t i = from; i < to; i++) {
+        const struct sheet_load *load = &poi->loads[i];
+        most = f_max(most, f_abs(load->force_n) / (F_PI * load->diameter_m));
+    }
+    return most;
+}
+
+static uint8_t tear_cause_of(const struct poi *poi)
+{
+    const struct paper_grade *grade = sheet_grade(poi->sheet.grade);
+    const float even_pa = poi->pressure_pa * sheet_left(&poi->sheet);
+    const float even = sheet_tension_edge(grade, even_pa, poi->sheet.radius_m);
+    CORE_ASSERT(poi->slap_count <= poi->load_count);
+    const float slap = patch_tension_n_m(poi, 0, poi->slap_count);
+    const float body = patch_tension_n_m(poi, poi->slap_count, poi->load_count);
+    if (slap > even || body > even) {
+        return slap > body ? TEAR_SLAP : TEAR_BODY;
+    }
+    const vec3 v = poi->velocity_m_s;
+    const bool is_level = v.x * v.x + v.z * v.z > 4.0f * v.y * v.y;
+    return poi->immersed < DRY_SHARE ? TEAR_AIR
+           : is_level                ? TEAR_GLIDE
+           : v.y < 0.0f              ? TEAR_DIP
+                                     : TEAR_LIFT;
+}
+
+static double mean_wet_s(const struct sheet *sheet)
+{
+    double ticks = 0.0;
+    for (uint32_t i = 0; i < SHEET_CELL_COUNT; i++) {
+        ticks += sheet->state[i] != CELL_OUTSIDE ? (double)sheet->soak_ticks[i] : 0.0;
+    }
+    return ticks / (double)sheet->paper_cells_new / CORE_TICK_HZ;
+}
+
+static void observe_paper(struct player_round *result, const struct core *core)
+{
+    const struct poi *poi = &core->world.poi[0];
+    if (core->game.phase != PHASE_ROUND || poi->strain.cells_torn == 0) {
+        return;
+    }
+    const uint8_t cause = tear_cause_of(poi);
+    if (result->first_s <= 0.0) {
+        result->first_s = (double)(core->game.tick - core->game.phase_tick) / CORE_TICK_HZ;
+        result->first_cause = cause;
+        result->wet_s = mean_wet_s(&poi->sheet);
+    }
+    result->cells[cause] += poi->strain.cells_torn;
+}
+
+/* ---- Flights --------------------------------------------------------------------------------- */
+
+/* Returns the outcome if the lift fails that begins now. */
+static uint8_t outcome_at_lift(const struct core *core, uint32_t fish)
+{
+    const vec3 at_m = core->world.tank.fish[fish].position_m;
+    const vec3 off = v3_sub(at_m, core->world.poi[0].position_m);
+    const bool is_over = off.x * off.x + off.z * off.z < POI_RADIUS_M * POI_RADIUS_M;
+    return !is_over ? ATTEMPT_AWAY : off.y > 0.0f ? ATTEMPT_SLIPPED : ATTEMPT_BELOW;
+}
+
+/* Records that the chosen fish began an escape. */
+static void observe_flight(struct round_seat *seat, const struct core *core,
+                           const struct fish *prey)
+{
+    static const uint8_t ends[PLAYER_STATE_COUNT] = {
+        [PLAYER_CHOOSE] = ATTEMPT_FLED_BEFORE, [PLAYER_REACH] = ATTEMPT_FLED_BEFORE,
+        [PLAYER_STILL] = ATTEMPT_FLED_DIP,     [PLAYER_FOLLOW] = ATTEMPT_FLED_FOLLOW,
+        [PLAYER_RISE] = ATTEMPT_FLED_LIFT,     [PLAYER_CARRY] = ATTEMPT_FLED_LIFT,
+    };
+    struct player_round *result = seat->result;
+    seat->prey_fled = true;
+    seat->attempt_end = ends[seat->player.state];
+    if (seat->player.state < PLAYER_STILL) {
+        return;
+    }
+    const struct poi *poi = &core->world.poi[0];
+    const vec3 off = v3_sub(prey->position_m, poi->position_m);
+    const vec3 normal = vec_basis_from_angles(poi->angles).up;
+    result->flights++;
+    result->flights_by_sight += seat->prey_startle == STARTLE_LOOM;
+    result->flights_by_pressure += seat->prey_startle == STARTLE_PRESSURE;
+    result->flight_m += (double)v3_length(v3(off.x, 0.0f, off.z));
+    result->flight_above_m -= (double)off.y;
+    result->flight_m_s += (double)f_abs(v3_dot(poi->velocity_m_s, normal));
+    result->flight_s += (double)(core->game.tick - seat->dip_tick) / CORE_TICK_HZ;
+}
+
+/* Follows the chosen fish and the player's state from tick to tick. */
+static void observe_attempt(struct round_seat *seat, const struct core *core)
+{
+    const struct sim_player *player = &seat->player;
+    if (seat->is_bot || player->prey == PLAYER_NO_FISH || core->game.phase != PHASE_ROUND) {
+        return;
+    }
+    const struct fish *prey = &core->world.tank.fish[player->prey];
+    const uint8_t before = seat->state;
+    seat->state = player->state;
+    if (before != player->state) {
+        if (player->state == PLAYER_REACH) {
+            seat->prey_fled = false;
+            seat->prey_startle = STARTLE_NONE;
+        } else if (player->state == PLAYER_STILL) {
+            seat->dip_tick = core->game.tick;
+        } else if (player->state == PLAYER_RISE && !seat->prey_fled) {
+            seat->attempt_end = outcome_at_lift(core, player->prey);
+        } else if (before == PLAYER_RISE) {
+            const bool is_held = player->state == PLAYER_CARRY;
+            seat->result->attempts[is_held ? (uint8_t)ATTEMPT_HELD : seat->attempt_end]++;
+        }
+    }
+    seat->prey_startle = prey->startle != STARTLE_NONE ? prey->startle : seat->prey_startle;
+    if (!seat->prey_fled && prey->gait == GAIT_ESCAPE) {
+        observe_flight(seat, core, prey);
+    }
+}
+
+static void observe_tick(void *self, const struct input *input, const struct core *core)
+{
+    struct round_seat *seat = self;
+    (void)input;
+    observe_paper(seat->result, core);
+    observe_attempt(seat, core);
+}
+
+/* ---- Round ----------------------------------------------------------------------------------- */
+
+/* Writes the input of one tick of the bot, as kingyoctl play does. */
+static int bot_input(void *self, struct input *out)
+{
+    struct round_seat *seat = self;
+    const struct core *core = &seat->kiosk.core;
+    out->poi[0].link = POI_SOURCE_LIVE;
+    out->poi[0].has_wrist = 1;
+    out->poi[0].trembles = seat->bot.technique.tremor_m > 0.0f;
+    out->poi[0].target = bot_tick(
+        &seat->bot, &(struct vision){ .game = &core->game, .world = &core->world, .player = 0 });
+    return 1;
+}
+
+static bool open_seat(struct round_seat *seat, const struct habits *habits, uint8_t level,
+                      uint32_t seed)
+{
+    const struct view *view = &tank_preset(TANK_PRESET_FESTIVAL)->view;
+    struct kiosk_config config = {
+        .core = { .seed = seed,
+                  .preset = TANK_PRESET_FESTIVAL,
+                  .fish_count = ROUND_FISH_COUNT,
+                  .round_s = ROUND_LENGTH_S,
+                  .modes = 1u << MODE_FESTIVAL,
+                  .grade = ROUND_GRADE,
+                  .lanes = cpu_lanes() },
+        .tap = { .tick = observe_tick, .self = seat },
+    };
+    config.core.level = level;
+    seat->clock = (struct clock_sim){ 0 };
+    seat->is_bot = habits->device == PLAYER_BOT;
+    seat->prey_fled = false;
+    seat->state = PLAYER_CHOOSE;
+    seat->hal = null_hal(NULL);
+    seat->hal.clock = config.stopwatch = sim_clock_device(&seat->clock);
+    if (seat->is_bot) {
+        config.source = (struct kiosk_source){ .next = bot_input, .self = seat };
+        bot_init(&seat->bot, &technique_expert, seed);
+    }
+    device_init(&seat->device, habits, &seat->clock, view, seed);
+    sim_player_init(&seat->player, habits, view, seed);
+    if (!seat->is_bot) {
+        seat->hal.poi[0] = device_poi(&seat->device);
+    }
+    if (kiosk_init(&seat->kiosk, &seat->hal, &config) != CORE_OK) {
+        return false;
+    }
+    seat->bot.hand.pose = seat->kiosk.core.game.hand_pose[0];
+    return true;
+}
+
+static void read_round(const struct core *core, struct player_round *result)
+{
+    const struct round_record record = game_record(&core->game, &core->world, &core->config);
+    const struct player_record *player = &record.player[0];
+    result->is_played = true;
+    result->caught = player->caught;
+    result->scoops = player->scoops;
+    result->torn = player->torn_tick != 0;
+    result->torn_s =
+        result->torn ? (double)(player->torn_tick - record.start_tick) / CORE_TICK_HZ : 0.0;
+}
+
+bool round_play(struct round_seat *seat, const struct habits *habits, uint8_t level, uint32_t seed,
+                struct player_round *result)
+{
+    *result = (struct player_round){ 0 };
+    seat->result = result;
+    if (!open_seat(seat, habits, level, seed)) {
+        return false;
+    }
+    struct kiosk *kiosk = &seat->kiosk;
+    struct player_wish wish = seat->player.wish;
+    for (uint32_t i = 0; i < ROUND_FRAMES_MAX; i++) {
+        const uint8_t before = kiosk->core.game.phase;
+        const bool is_idle = before == PHASE_ATTRACT || before == PHASE_MODE_SELECT;
+        kiosk->input.pressed = is_idle && i % START_FRAMES == START_FRAMES / 2u ? INPUT_START : 0;
+        device_frame(&seat->device, &wish);
+        if (kiosk_frame(kiosk, &seat->hal) != KIOSK_RUNS) {
+            return false;
+        }
+        if (before == PHASE_ROUND && kiosk->core.game.phase != PHASE_ROUND) {
+            read_round(&kiosk->core, result);
+            return true;
+        }
+        if (!seat->is_bot) {
+            sim_player_see(&kiosk->scene, &seat->sight);
+            wish = sim_player_frame(&seat->player, &seat->sight);
+        }
+    }
+    return false;
+}

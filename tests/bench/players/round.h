@@ -1,0 +1,84 @@
+/* round.h -- plays one round of a simulated player with the frame loop of the kiosk, and measures
+ * the catch, the tears of the paper and the flight of the fish. */
+#ifndef KINGYO_TESTS_BENCH_PLAYERS_ROUND_H
+#define KINGYO_TESTS_BENCH_PLAYERS_ROUND_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "core/game/bot/bot.h"
+#include "platform/kiosk/kiosk.h"
+#include "tests/bench/players/device.h"
+#include "tests/bench/players/sim_player.h"
+
+#define ROUND_FISH_COUNT 300u
+#define ROUND_LENGTH_S 60u
+#define ROUND_GRADE 6u
+
+/* Load on the paper at the moment of a tear. The load with the highest tension counts. */
+enum tear_cause {
+    TEAR_DIP = 0, /* Pressure of the water while the ring goes down. */
+    TEAR_GLIDE,   /* Pressure of the water while the ring moves sideways under water. */
+    TEAR_LIFT,    /* Pressure of the water while the ring goes up. */
+    TEAR_AIR,     /* Weight and inertia of water and fish while the ring is above the water. */
+    TEAR_SLAP,    /* Slap of a fish's tail. */
+    TEAR_BODY,    /* Weight of a fish at one place of the paper. */
+    TEAR_CAUSE_COUNT,
+};
+extern const char *const round_tear_names[TEAR_CAUSE_COUNT];
+
+/* Outcome of one attempt to catch the chosen fish. */
+enum attempt_end {
+    ATTEMPT_FLED_BEFORE = 0, /* The fish fled before the dip. */
+    ATTEMPT_FLED_DIP,        /* The fish fled during the dip or the hold. */
+    ATTEMPT_FLED_FOLLOW,     /* The fish fled while the ring followed it. */
+    ATTEMPT_FLED_LIFT,       /* The fish fled during the lift. */
+    ATTEMPT_BELOW,           /* The fish did not flee, but was below the ring at the lift. */
+    ATTEMPT_AWAY,            /* The fish did not flee, but was beside the ring at the lift. */
+    ATTEMPT_SLIPPED,         /* The fish was above the ring at the lift, but not on the paper. */
+    ATTEMPT_HELD,            /* A fish lay on the paper after the lift. */
+    ATTEMPT_END_COUNT,
+};
+extern const char *const round_attempt_names[ATTEMPT_END_COUNT];
+
+struct player_round {
+    bool is_played; /* True if the round came to its end. */
+    uint32_t caught, scoops;
+    bool torn;           /* True if the paper tore so far that it could no longer hold a fish. */
+    double torn_s;       /* Time of that tear in the round, in seconds. */
+    double first_s;      /* Time of the first torn cell. 0 if no cell tore. */
+    double wet_s;        /* Mean time for which the paper was wet at the first torn cell. */
+    uint8_t first_cause; /* Cause of the first torn cell. */
+    uint32_t cells[TEAR_CAUSE_COUNT]; /* Number of torn cells for each cause. */
+    uint32_t attempts[ATTEMPT_END_COUNT];
+    /* Flights of the chosen fish from a ring that was dipped: number, and sums of the time since
+     * the dip, of the horizontal distance between fish and ring, of the height of the ring over the
+     * fish, and of the ring's speed along its normal. */
+    uint32_t flights, flights_by_sight, flights_by_pressure;
+    double flight_s, flight_m, flight_above_m, flight_m_s;
+};
+
+/* State of one worker. The structure is too large for a stack. */
+struct round_seat {
+    struct kiosk kiosk;
+    struct clock_sim clock;
+    struct hal hal;
+    struct device device;
+    struct sim_player player;
+    struct sight sight;
+    struct bot bot;
+    bool is_bot;
+    uint8_t prey_startle; /* Last startle cause of the chosen fish whose escape has not begun. */
+    bool prey_fled;       /* True after the chosen fish fled in this attempt. */
+    uint8_t attempt_end;  /* Outcome of the present attempt as far as known. */
+    uint8_t state;        /* State of the player in the previous tick. */
+    uint64_t dip_tick;    /* Tick of the last dip. */
+    struct player_round *result;
+};
+
+/* Plays one round at the level `level` (enum level). Returns false if the kiosk refused to
+ * start or the round did not end. */
+bool round_play(struct round_seat *seat, const struct habits *habits, uint8_t level, uint32_t seed,
+                struct player_round *result);
+
+#endif

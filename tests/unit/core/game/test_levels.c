@@ -1,0 +1,128 @@
+/* test_levels.c -- checks what a level changes in a round: the ring, the paper, the motion of the
+ * poi in water and the temper of the fish. */
+#include "tests/unit/support/core_fixture.h"
+
+#include "core/game/rules.h"
+#include "core/poi/poi.h"
+
+/* Plays a kiosk with one mode until the round runs. The poi stands above the water. */
+static void play_into_round(uint8_t mode, uint8_t level)
+{
+    open_core(&(struct core_config){ .seed = 7,
+                                     .fish_count = mode == MODE_CHAMPIONSHIP ? 0u : 40u,
+                                     .modes = (uint8_t)(1u << mode),
+                                     .level = level });
+    input.poi[0].link = POI_SOURCE_LIVE;
+    input.poi[0].target.position_m = v3(0.0f, ABOVE_M, 0.0f);
+    press(INPUT_START);
+    for (uint32_t i = 0; i < 10u * CORE_TICK_HZ && core.game.phase != PHASE_ROUND; i++) {
+        tick();
+    }
+    assert_int_equal(core.game.phase, PHASE_ROUND);
+}
+
+static void test_the_master_level_changes_nothing(void **state)
+{
+    (void)state;
+    const struct level_rules *master = rules_of_level(LEVEL_MASTER);
+    const struct temper none = { 0 };
+    assert_float_equal(master->ring_radius_m, POI_RADIUS_M, 0.0f);
+    assert_int_equal(master->grade_step, 0);
+    assert_float_equal(master->stroke_s, 0.0f, 0.0f);
+    assert_memory_equal(&master->temper, &none, sizeof none);
+    play_into_round(MODE_FESTIVAL, LEVEL_MASTER);
+    assert_float_equal(core.world.poi[0].sheet.radius_m, POI_RADIUS_M, 0.0f);
+    assert_int_equal(core.world.poi[0].sheet.grade, GAME_POI_GRADE);
+}
+
+static void test_each_easier_level_has_a_larger_ring_and_calmer_fish(void **state)
+{
+    (void)state;
+    for (uint8_t level = LEVEL_NORMAL; level < LEVEL_COUNT; level++) {
+        const struct level_rules *here = rules_of_level(level);
+        const struct level_rules *harder = rules_of_level((uint8_t)(level - 1u));
+        assert_true(here->ring_radius_m > harder->ring_radius_m);
+        assert_true(here->ring_radius_m <= POI_RADIUS_MAX_M);
+        assert_true(here->grade_step >= harder->grade_step);
+        assert_true(here->temper.threshold_gain > harder->temper.threshold_gain);
+        assert_true(here->temper.latency_gain > harder->temper.latency_gain);
+        assert_true(here->temper.reach_loss > harder->temper.reach_loss);
+        assert_true(here->temper.calm_share > harder->temper.calm_share);
+    }
+}
+
+static void test_a_round_uses_the_ring_the_paper_and_the_fish_of_its_level(void **state)
+{
+    (void)state;
+    static const uint8_t modes[] = { MODE_FESTIVAL, MODE_PRACTICE };
+    for (size_t i = 0; i < sizeof modes; i++) {
+        const struct level_rules *easy = rules_of_level(LEVEL_EASY);
+        play_into_round(modes[i], LEVEL_EASY);
+        assert_int_equal(core.game.player[0].level, LEVEL_EASY);
+        assert_float_equal(core.world.poi[0].sheet.radius_m, easy->ring_radius_m, 0.0f);
+        assert_int_equal(core.world.poi[0].sheet.grade, GAME_POI_GRADE - easy->grade_step);
+        assert_memory_equal(&core.world.tank.temper, &easy->temper, sizeof easy->temper);
+        core_scene(&core, &scene);
+        assert_float_equal(scene.poi[0].ring_radius_m, easy->ring_radius_m, 0.0f);
+    }
+}
+
+static void test_the_championship_is_always_played_at_the_master_level(void **state)
+{
+    (void)state;
+    const struct temper none = { 0 };
+    play_into_round(MODE_CHAMPIONSHIP, LEVEL_EASY);
+    assert_int_equal(core.game.player[0].level, LEVEL_MASTER);
+    assert_float_equal(core.world.poi[0].sheet.radius_m, POI_RADIUS_M, 0.0f);
+    assert_memory_equal(&core.world.tank.temper, &none, sizeof none);
+}
+
+/* Returns the largest distance that the poi's goal moves in one tick after its controller has moved
+ * by 5 cm in one tick under water. */
+static float step_in_water_m(uint8_t level)
+{
+    play_into_round(MODE_FESTIVAL, level);
+    for (uint32_t i = 0; i < 3u * CORE_TICK_HZ; i++) {
+        input.poi[0].target.position_m.y = f_max(BELOW_M, ABOVE_M - 0.001f * (float)i);
+        tick();
+    }
+    const vec3 from_m = core.game.hand_pose[0].position_m;
+    float most_m = 0.0f, last_m = 0.0f;
+    for (uint32_t i = 0; i < CORE_TICK_HZ; i++) {
+        input.poi[0].target.position_m.x = f_min(0.05f, 0.01f * (float)i);
+        tick();
+        const float way_m = v3_length(v3_sub(core.game.hand_pose[0].position_m, from_m));
+        most_m = f_max(most_m, way_m - last_m);
+        last_m = way_m;
+    }
+    assert_float_equal(last_m, 0.05f, 0.001f);
+    return most_m;
+}
+
+static void test_the_easy_level_limits_the_speed_of_a_poi_in_water(void **state)
+{
+    (void)state;
+    const float most_m = rules_of_level(LEVEL_EASY)->stroke_m_s * CORE_TICK_S;
+    assert_true(step_in_water_m(LEVEL_MASTER) > most_m);
+    assert_true(step_in_water_m(LEVEL_EASY) <= 1.01f * most_m);
+}
+
+static void test_a_level_out_of_range_is_refused(void **state)
+{
+    (void)state;
+    const struct core_config config = { .level = LEVEL_COUNT };
+    assert_int_equal(core_init(&core, &config), CORE_ERR_RANGE);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_the_master_level_changes_nothing),
+        cmocka_unit_test(test_each_easier_level_has_a_larger_ring_and_calmer_fish),
+        cmocka_unit_test(test_a_round_uses_the_ring_the_paper_and_the_fish_of_its_level),
+        cmocka_unit_test(test_the_championship_is_always_played_at_the_master_level),
+        cmocka_unit_test(test_the_easy_level_limits_the_speed_of_a_poi_in_water),
+        cmocka_unit_test(test_a_level_out_of_range_is_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

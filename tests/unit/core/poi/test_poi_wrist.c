@@ -1,0 +1,138 @@
+/* test_poi_wrist.c -- Tests how the poi turns over the bowl, and that the ring does not enter the
+ * bowl. */
+#include "tests/unit/support/poi_fixture.h"
+
+static struct poi_fixture fixture; /* Static, because the struct is too large for some stacks. */
+
+static void test_over_the_bowl_the_poi_turns_toward_it_by_55_degrees_and_back(void **state)
+{
+    (void)state;
+    fixture_init(&fixture, 6, 1);
+    fixture.laden = 1;
+    fixture_move(&fixture, v3(0.18f, 0.05f, 0.15f), 0.5f);
+    fixture_wait(&fixture, 0.2f);
+    assert_true(vec_basis_from_angles(fixture.poi.angles).up.y > 0.999f);
+    fixture_move(&fixture, v3(0.27f, 0.05f, 0.15f), 0.3f);
+    fixture_wait(&fixture, 1.0f);
+    const struct basis over = vec_basis_from_angles(fixture.poi.angles);
+    assert_float_equal(f_acos(over.up.y), 55.0f * F_DEG, 0.02f);
+    assert_true(over.up.x > 0.8f); /* The poi lowers its right edge, because the bowl is on the
+                                      right. */
+    const float low_m = fixture.poi.position_m.y - POI_OUTER_RADIUS_M * f_sin(55.0f * F_DEG);
+    assert_true(low_m > fixture.bowl.position_m.y);
+    fixture_move(&fixture, v3(0.10f, 0.05f, 0.0f), 0.5f);
+    fixture_wait(&fixture, 1.0f);
+    assert_true(vec_basis_from_angles(fixture.poi.angles).up.y > 0.999f);
+}
+
+static float tilt_rad(void)
+{
+    return f_acos(vec_basis_from_angles(fixture.poi.angles).up.y);
+}
+
+static void test_an_empty_poi_does_not_turn_over_the_bowl(void **state)
+{
+    (void)state;
+    fixture_init(&fixture, 6, 1);
+    fixture_move(&fixture, v3(0.27f, 0.05f, 0.15f), 0.3f);
+    fixture_wait(&fixture, 1.0f);
+    assert_true(tilt_rad() < 2.0f * F_DEG);
+    fixture.laden = 1;
+    fixture_wait(&fixture, 1.0f);
+    assert_float_equal(tilt_rad(), 55.0f * F_DEG, 0.02f);
+    fixture.laden = 0;
+    fixture.poi.laden_ticks = 0; /* The poi is empty, so its paper can be examined again. */
+    fixture_wait(&fixture, 0.6f);
+    assert_true(tilt_rad() < 2.0f * F_DEG);
+}
+
+static void test_the_wrist_never_lowers_the_handle_into_the_bowl(void **state)
+{
+    (void)state;
+    for (uint32_t i = 0; i < 16; i++) {
+        const float angle = F_TAU * (float)i / 16.0f;
+        fixture_init(&fixture, 6, 1);
+        fixture.laden = 1;
+        bowl_init(&fixture.bowl, v3(0.15f * f_cos(angle), 0.02f, 0.15f * f_sin(angle)));
+        fixture_move(&fixture, v3(fixture.bowl.position_m.x, 0.035f, fixture.bowl.position_m.z),
+                     0.3f);
+        float steepest = 1.0f;
+        for (uint32_t tick = 0; tick < CORE_TICK_HZ; tick++) {
+            fixture_tick(&fixture);
+            const struct basis axes = vec_basis_from_angles(fixture.poi.angles);
+            assert_true(axes.back.y > -0.01f); /* The handle is level or rises toward the hand. */
+            steepest = f_min(steepest, axes.up.y);
+        }
+        assert_float_equal(steepest, f_cos(55.0f * F_DEG), 0.02f); /* The poi still tips the fish
+                                                                      into the bowl. */
+    }
+}
+
+static void test_controller_orientation_disables_the_automatic_turn(void **state)
+{
+    (void)state;
+    fixture_init(&fixture, 6, 1);
+    fixture.has_wrist = 1;
+    fixture.laden = 1;
+    fixture_move(&fixture, v3(0.30f, 0.05f, 0.15f), 0.5f);
+    fixture_wait(&fixture, 1.0f);
+    assert_true(vec_basis_from_angles(fixture.poi.angles).up.y > 0.999f);
+}
+
+/* Returns whether the ring's whole centre line is outside the bowl's hull. */
+static int clear_of_bowl(void)
+{
+    const struct basis axes = vec_basis_from_angles(fixture.poi.angles);
+    for (uint32_t i = 0; i < 32; i++) {
+        const float a = F_TAU * (float)i / 32.0f;
+        const vec3 rim = v3_scale(v3(f_cos(a), 0.0f, f_sin(a)), 0.043f);
+        const vec3 at = v3_sub(v3_add(fixture.poi.position_m, vec_basis_to_world(&axes, rim)),
+                               fixture.bowl.position_m);
+        const float wide = (at.x * at.x + at.z * at.z) / (BOWL_RADIUS_M * BOWL_RADIUS_M);
+        if (at.y < 0.0f && wide + at.y * at.y / (BOWL_DEPTH_M * BOWL_DEPTH_M) < 0.9f) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static void test_the_ring_does_not_pass_through_the_bowl(void **state)
+{
+    (void)state;
+    const vec3 bowl = v3(0.30f, 0.0f, 0.15f);
+    fixture_init(&fixture, 4, 1); /* The ring moves onto the bowl, then sideways under water,
+                                     then upward from below it. */
+    fixture_move(&fixture, v3(bowl.x, 0.10f, bowl.z), 0.5f);
+    fixture.hand.position_m.y = -0.10f;
+    for (uint32_t i = 0; i < CORE_TICK_HZ; i++) {
+        fixture_tick(&fixture);
+        assert_true(clear_of_bowl());
+    }
+    fixture_init(&fixture, 4, 1);
+    fixture_dip(&fixture);
+    fixture.hand.position_m = v3(bowl.x, -0.02f, bowl.z);
+    for (uint32_t i = 0; i < 2u * CORE_TICK_HZ; i++) {
+        fixture_tick(&fixture);
+        assert_true(clear_of_bowl());
+    }
+    fixture_init(&fixture, 4, 1);
+    fixture_move(&fixture, v3(0.0f, -0.12f, 0.0f), 0.2f);
+    fixture_move(&fixture, v3(bowl.x, -0.12f, bowl.z), 0.3f);
+    fixture.hand.position_m = v3(bowl.x, 0.08f, bowl.z);
+    for (uint32_t i = 0; i < CORE_TICK_HZ; i++) {
+        fixture_tick(&fixture);
+        assert_true(clear_of_bowl());
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_over_the_bowl_the_poi_turns_toward_it_by_55_degrees_and_back),
+        cmocka_unit_test(test_an_empty_poi_does_not_turn_over_the_bowl),
+        cmocka_unit_test(test_the_wrist_never_lowers_the_handle_into_the_bowl),
+        cmocka_unit_test(test_controller_orientation_disables_the_automatic_turn),
+        cmocka_unit_test(test_the_ring_does_not_pass_through_the_bowl),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
