@@ -1,7 +1,7 @@
-# Kingyo -- a goldfish-scooping stall in a box.
+# Kingyo: a goldfish-scooping kiosk.
 #
-# Two commands do everything on a fresh machine: `make run` and `make test`. `make help` lists the rest.
-# V=1 shows whole commands; BUILD=dir builds elsewhere (one folder per compiler and option set).
+# On a fresh machine, `make run` and `make test` do everything. `make help` lists all targets. V=1 prints whole commands.
+# BUILD=dir builds in another folder; each compiler and each set of options needs a folder of its own.
 
 BOARD ?= desktop
 BUILD ?= build
@@ -22,7 +22,7 @@ else
 say = @printf '  %-5s %s\n'
 Q := @
 endif
-# $(call step,CC,what): one quiet line per step; V=1 shows the command instead.
+# $(call step,CC,what) prints one line for each step. With V=1, make prints the command instead.
 step = $(if $(say),$(say) '$(1)' '$(2)',@:)
 
 WARN := -Wall -Wextra -Wconversion -Wshadow -Werror -Wmissing-prototypes -Wstrict-prototypes -Wvla
@@ -31,33 +31,37 @@ BASE_CFLAGS := -std=c17 $(OPT) -g $(WARN) -ffp-contract=off -I. -I$(BUILD)/gener
 DEP_FLAGS = -MMD -MP
 CORE_CFLAGS := $(BASE_CFLAGS) -ffreestanding -fno-math-errno -fno-stack-protector -fstack-usage \
     -Wno-psabi
-# What the programs around the core are hardened with; the core calls nothing that this could check.
+# Hardening flags of the programs around the core. The core calls no function that these flags could check.
 HARDEN_CFLAGS = $(if $(filter -O0,$(OPT)),,-D_FORTIFY_SOURCE=2) -fstack-protector-strong
-HOST_CFLAGS = $(BASE_CFLAGS) $(HARDEN_CFLAGS) -D_GNU_SOURCE $(LIB_CFLAGS) $(ASSIMP) -DKINGYO_BOARD=\"$(BOARD)\"
+# Programs for a 32-bit machine count time and file sizes in 64 bits, so that they show dates after 2038. Machines of 64
+# bits do so without these flags, and there the flags would only rename the functions of the C library.
+WORD = $(eval WORD := $$(shell echo __SIZEOF_LONG__ | $$(CC) -E -P -x c - 2>/dev/null))$(WORD)
+TIME_CFLAGS = $(if $(filter 4,$(WORD)),-D_TIME_BITS=64 -D_FILE_OFFSET_BITS=64)
+HOST_CFLAGS = $(BASE_CFLAGS) $(HARDEN_CFLAGS) -D_GNU_SOURCE $(TIME_CFLAGS) $(LIB_CFLAGS) $(ASSIMP) -DKINGYO_BOARD=\"$(BOARD)\"
 HOST_LIBS = $(LIB_LIBS) -lm -lpthread -Wl,-z,now
 TEST_CFLAGS = $(HOST_CFLAGS)
 
-# Asked for once, and only when something is compiled, so that `make help` and the set-up work on a
-# machine that has no pkg-config yet. Libraries' headers are the system's: our warnings are for us.
+# Evaluated once, and only when something is compiled, so that `make help` and the set-up also work on a machine without
+# pkg-config. The headers of libraries count as system headers, because our warnings apply to our own code only.
 PACKAGES = sdl2 glesv2 egl sqlite3 libusb-1.0 $(if $(filter-out 0,$(GPIOD)),libgpiod)
-# Lines of buttons and coins: libgpiod 1.x or 2.x as the machine has it, or none (0).
+# Major version of libgpiod (1 or 2) for the lines of buttons and coins; 0 means that libgpiod is not installed.
 GPIOD = $(eval GPIOD := $$(or $$(firstword $$(subst ., ,$$(shell pkg-config --modversion libgpiod 2>/dev/null))),0))$(GPIOD)
 LIB_CFLAGS = $(eval LIB_CFLAGS := $$(patsubst -I%,-isystem %,$$(shell pkg-config --cflags $(PACKAGES))))$(LIB_CFLAGS)
-# Scenes are read by assimp where its headers are. A macro, because a compiler cache does not notice a
-# header that __has_include finds later.
+# 1 if the headers of assimp, which reads scene files, are installed. The value is a macro, because a compiler cache does
+# not detect that a header becomes available to __has_include.
 ASSIMP = $(eval ASSIMP := $$(shell printf '\043include <assimp/cimport.h>\n' | $$(CC) -E -x c - >/dev/null 2>&1 && echo -DHAS_ASSIMP))$(ASSIMP)
 LIB_LIBS = $(eval LIB_LIBS := $$(shell pkg-config --libs $(PACKAGES)))$(LIB_LIBS)
 
-# What the build finds on this machine. Objects depend on these files, which are rewritten only when
-# their text changes: commands may come in any order, and packages may come and go between them.
-# FOUND has all of it; what links no library (core, kingyo-poi) depends on the compilers and flags.
+# What the build finds on this machine. Objects depend on these files, which are rewritten only when their text changes.
+# Commands may therefore run in any order, and packages may be installed or removed between them. FOUND lists everything.
+# Programs that link no library (core, kingyo-poi) depend only on the compilers and flags.
 FOUND := $(BUILD)/found.txt
 FOUND_TOOLS := $(BUILD)/found-tools.txt
-# Taken here, because a target of its own flags passes them to what it depends on.
+# Evaluated here, because a target with flags of its own passes these flags to its prerequisites.
 FOUND_FLAGS := $(CORE_CFLAGS)
 replace_if_other = { cmp -s $@.new $@ && rm $@.new || mv $@.new $@; }
 
-# $(call sources,FOLDER): every C file in FOLDER and below.
+# $(call sources,FOLDER) lists every C file in FOLDER and its subfolders.
 sources = $(sort $(shell find $(1) -name '*.c'))
 
 CORE_SRC := $(call sources,core)
@@ -68,12 +72,15 @@ GPIOD_SRC := $(wildcard drivers/gpio/gpio_lines[0-9].c)
 DRIVER_SRC = $(filter-out $(GPIOD_SRC),$(call sources,drivers)) $(filter %$(GPIOD).c,$(GPIOD_SRC))
 BOARD_SRC := $(wildcard board/*.c board/$(BOARD)/*.c)
 
-# Kernels (core/base/simd.h) are compiled once for four lanes and, where the compiler makes code for
-# x86-64, once more for eight; the platform says at the start which of the two run.
+# SIMD kernels (core/base/simd.h) are compiled for four lanes. If the compiler targets x86-64, they are also compiled for
+# eight lanes. The platform selects one of the two at program start.
 KERNEL_SRC := $(filter %_simd.c,$(CORE_SRC))
 WIDE_CFLAGS := -mavx2 -DSIMD_WIDE
 MACHINE = $(eval MACHINE := $$(shell $(CC) -dumpmachine))$(MACHINE)
 WIDE_SRC = $(if $(filter x86_64%,$(MACHINE)),$(KERNEL_SRC))
+
+# The time stamps of libgpiod 1 have the size that the library was built with. Debian 12 built it with 32-bit times.
+$(BUILD)/drivers/gpio/gpio_lines1.o: TIME_CFLAGS :=
 
 CORE_OBJ = $(CORE_SRC:%.c=$(BUILD)/%.o) $(WIDE_SRC:%.c=$(BUILD)/%_8.o) $(GENERATED_CORE_OBJ)
 PLATFORM_OBJ = $(PLATFORM_SRC:%.c=$(BUILD)/%.o) $(GENERATED_OBJ)
@@ -81,10 +88,10 @@ KIOSK_OBJ = $(KIOSK_SRC:%.c=$(BUILD)/%.o)
 CTL_OBJ = $(CTL_SRC:%.c=$(BUILD)/%.o)
 DRIVER_OBJ = $(DRIVER_SRC:%.c=$(BUILD)/%.o)
 BOARD_OBJ = $(BOARD_SRC:%.c=$(BUILD)/%.o)
-# Everything around the core but the two main()s: programs and tests take from it what they call.
+# All objects around the core except the two main() files. Programs and tests link what they call.
 SHELL_OBJ = $(filter-out %/main.o,$(PLATFORM_OBJ) $(KIOSK_OBJ) $(DRIVER_OBJ) $(BOARD_OBJ))
 
-# What each part adds of its own: board files and set-up, baked assets, tests, figures.
+# Each part of the tree adds its own rules: board files and set-up, baked assets, tests, figures.
 -include board/board.mk
 -include $(wildcard assets/bake/*.mk)
 -include platform/ctl/tank/tank.mk
@@ -123,7 +130,7 @@ $(BUILD)/kingyoctl: $(BUILD)/platform/ctl/main.o $(BUILD)/many/tank.o $(BUILD)/c
 $(BUILD)/core.a: $(CORE_OBJ)
 $(BUILD)/shell.a: $(SHELL_OBJ)
 $(BUILD)/ctl.a: $(filter-out %/main.o,$(CTL_OBJ))
-# P: objects of one name in two folders are two members.
+# The flag P keeps two objects that have the same name in different folders as two members.
 $(BUILD)/%.a:
 	$(call step,AR,$@)
 	@rm -f $@
@@ -159,10 +166,10 @@ $(BUILD)/%.o: %.c $(FOUND) | generated
 	$(call step,CC,$<)
 	$(Q)$(CC) $(HOST_CFLAGS) $(DEP_FLAGS) -c -o $@ $<
 
-# Filled by assets/bake/bake.mk: what must exist before anything that includes it compiles.
+# Filled by assets/bake/bake.mk: files that must exist before any file that includes them is compiled.
 generated:
 
-# A board links only with a board.c of its own. The boards of `make image` (board/NAME/image.conf) do not.
+# A board links only if it has its own board.c. The boards of `make image` (board/NAME/image.conf) have none.
 generated: | linkable-board
 linkable-board:
 	@test -f board/$(BOARD)/board.c || { \
