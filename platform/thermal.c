@@ -102,7 +102,7 @@ void thermal_start(struct thermal *thermal)
     atomic_store(&thermal->margin_mdeg, THERMAL_UNKNOWN_MDEG);
     thermal->end_fd = eventfd(0, EFD_CLOEXEC);
     if (thermal->end_fd >= 0) {
-        thermal->runs = pthread_create(&thermal->thread, NULL, thermal_thread, thermal) == 0;
+        thermal->runs = thread_start(&thermal->thread, thermal_thread, thermal) == 0;
         if (!thermal->runs) {
             close(thermal->end_fd);
         }

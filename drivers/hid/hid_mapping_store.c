@@ -13,6 +13,7 @@
 #include "core/base/panic.h"
 #include "drivers/hid/hid_mapping.h"
 #include "platform/os/file.h"
+#include "platform/os/thread.h"
 
 /* ---- Files ----------------------------------------------------------------------------------- */
 
@@ -222,7 +223,7 @@ uint32_t hid_mapping_store_open(struct hid_mapping_store *store, const char *dat
         return to.count;
     }
     read_folder(store, &to);
-    store->has_thread = pthread_create(&store->thread, NULL, write_jobs, store) == 0;
+    store->has_thread = thread_start(&store->thread, write_jobs, store) == 0;
     if (!store->has_thread) {
         report_complaint(&to, store->folder, 0,
                          "the writer thread cannot start: learned controllers are not stored");

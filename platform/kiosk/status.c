@@ -2,7 +2,6 @@
  * see status.h. */
 #include "platform/kiosk/status.h"
 
-#include <assert.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <stdarg.h>
@@ -17,6 +16,7 @@
 #include "platform/os/file.h"
 #include "platform/os/json.h"
 #include "platform/os/log.h"
+#include "platform/os/thread.h"
 #include "platform/panics.h"
 
 /* ---- Making the report --------------------------------------------------------------------- */
@@ -126,7 +126,7 @@ void status_begin(struct status *status, const char *folder)
     snprintf(status->path, sizeof status->path, "%.*s/" STATUS_FILE, PATH_MAX - 32, folder);
     pthread_mutex_init(&status->mutex, NULL);
     pthread_cond_init(&status->changed, NULL);
-    status->runs = pthread_create(&status->thread, NULL, status_thread, status) == 0;
+    status->runs = thread_start(&status->thread, status_thread, status) == 0;
 }
 
 void status_update(struct status *status, const struct kiosk *kiosk, const struct hal *hal,

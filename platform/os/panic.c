@@ -2,19 +2,16 @@
  * without stdio, because a signal may arrive while a thread holds the stdio lock. */
 #include "platform/os/panic.h"
 
-#include <assert.h>
 #include <poll.h>
 #include <signal.h>
 #include <stdatomic.h>
 #include <string.h>
 #include <unistd.h>
 
+#include "core/base/panic.h"
 #include "core/base/printable.h"
 #include "platform/os/log.h"
 
-/* Size of the signal stack in bytes. core_hash() and the replay writer need less than 4 KiB, but a
- * signal handler of a library may also run on this stack. */
-#define STACK_SIZE (64u * 1024u)
 /* Maximum time in milliseconds that a second panicking thread waits for the first thread's report.
  * The sync of a slow card may take seconds. */
 #define OTHER_WAIT_MS 5000
@@ -31,7 +28,7 @@ static const struct {
               { SIGABRT, "SIGABRT" } };
 #define FATAL_COUNT (sizeof fatal / sizeof fatal[0])
 
-static uint8_t stack[STACK_SIZE];
+static uint8_t stack[PANIC_STACK_SIZE];
 static wish_function wish;
 static void *wish_self;
 static atomic_int panicking; /* Id of the thread that panicked first. 0 means no panic. */
@@ -40,7 +37,7 @@ static atomic_int panicking; /* Id of the thread that panicked first. 0 means no
 
 void panic_put(struct panic_text *text, const char *words)
 {
-    assert(text->used < PANIC_TEXT_MAX);
+    CORE_ASSERT(text->used < PANIC_TEXT_MAX);
     while (*words && text->used + 1u < PANIC_TEXT_MAX) {
         text->out[text->used++] = *words++;
     }

@@ -9,8 +9,9 @@
 
 /* Starts a thread that calls `run` with `self`. The thread blocks all signals except the fatal
  * signals of panic.h, because the main thread handles the signals that end the kiosk. A blocked
- * fatal signal would end the process without a report. Returns 0 or the error of
- * pthread_create(). */
+ * fatal signal would end the process without a report. The thread has a signal stack of
+ * PANIC_STACK_SIZE bytes, so that its stack overflow is reported too. The thread must end by
+ * returning from `run`. Returns 0 or the error of pthread_create(). */
 int thread_start(pthread_t *thread, void *(*run)(void *self), void *self);
 
 /* Waits until the eventfd `fd` has an event, at most `seconds` seconds. Returns true if there is an

@@ -14,6 +14,7 @@
 #include "core/game/table_setup.h"
 #include "platform/cpu.h"
 #include "platform/kiosk/recorder/replayer.h"
+#include "platform/os/thread.h"
 
 /* Maximum number of ticks of a round. The longest round, its countdown and a margin are
  * included. */
@@ -196,7 +197,7 @@ enum exit_code rounds_play(const struct rounds *rounds)
         rounds->results[i] = (struct round_result){ .code = EXIT_NOT_SO };
     }
     while (helpers + 1u < rounds->workers && helpers + 1u < rounds->count &&
-           pthread_create(&threads[helpers], NULL, work, &hall) == 0) {
+           thread_start(&threads[helpers], work, &hall) == 0) {
         helpers++;
     }
     work(&hall);
