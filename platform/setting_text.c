@@ -2,11 +2,11 @@
  * setting. */
 #include "platform/setting_text.h"
 
-#include <assert.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "core/base/panic.h"
 #include "core/game/rules.h"
 #include "platform/os/number.h"
 
@@ -35,7 +35,7 @@ static struct words words_of(uint32_t id)
         [SET_GRADE] = { 8, { "own", "", "", "", "4", "5", "6", "7" } },
     };
     struct words words = { .count = CHOICE_COUNT, .word = { [CHOICE_LAB] = "lab" } };
-    assert(id < SETTING_COUNT);
+    CORE_ASSERT(id < SETTING_COUNT);
     if (id != SET_MODES) {
         return names[id].count > 0 ? names[id] : (struct words){ 2, { "off", "on" } };
     }
@@ -48,7 +48,7 @@ static struct words words_of(uint32_t id)
 /* Returns the index of the matching word, or -1 if no word matches. */
 static int32_t find_word(const struct words *words, const char *text, size_t length)
 {
-    assert(words->count <= 8);
+    CORE_ASSERT(words->count <= 8);
     for (uint32_t i = 0; i < words->count; i++) {
         if (length > 0 && strlen(words->word[i]) == length &&
             memcmp(words->word[i], text, length) == 0) {
@@ -102,7 +102,7 @@ bool setting_parse(uint32_t id, const char *text, int32_t *out)
     const struct words words = words_of(id);
     uint32_t number;
     int32_t value = -1; /* A negative value is invalid, because no setting in a file is negative. */
-    assert(setting_section(setting->group));
+    CORE_ASSERT(setting_section(setting->group));
     if (setting->kind == KIND_CHOICE) {
         value = find_word(&words, text, strlen(text));
     } else if (setting->kind == KIND_BITS) {
@@ -124,7 +124,7 @@ bool setting_parse(uint32_t id, const char *text, int32_t *out)
 __attribute__((format(printf, 3, 4))) static void setting_text_put(char *out, size_t size,
                                                                    const char *format, ...)
 {
-    assert(strlen(out) < size);
+    CORE_ASSERT(strlen(out) < size);
     const size_t length = strlen(out);
     va_list arguments;
     va_start(arguments, format);
@@ -136,7 +136,7 @@ void setting_print(uint32_t id, int32_t value, char out[SETTING_TEXT_MAX])
 {
     const struct words words = words_of(id);
     out[0] = '\0';
-    assert(settings_allows(id, value));
+    CORE_ASSERT(settings_allows(id, value));
     switch (settings_entry(id)->kind) {
     case KIND_CHOICE:
         setting_text_put(out, SETTING_TEXT_MAX, "%s", words.word[value]);
@@ -251,7 +251,7 @@ static const char *const help[SETTING_COUNT] = {
 
 const char *setting_section(uint32_t group)
 {
-    assert(group < SETTING_GROUP_COUNT);
+    CORE_ASSERT(group < SETTING_GROUP_COUNT);
     return sections[group];
 }
 
@@ -269,6 +269,6 @@ uint32_t setting_find(const char *name, size_t length)
 
 const char *setting_help(uint32_t id)
 {
-    assert(id < SETTING_COUNT);
+    CORE_ASSERT(id < SETTING_COUNT);
     return help[id] ? help[id] : "";
 }

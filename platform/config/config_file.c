@@ -1,11 +1,11 @@
 /* config_file.c -- parses the sections and keys of kingyo.conf and reports errors. */
 #include "platform/config/config_file.h"
 
-#include <assert.h>
 #include <errno.h>
 #include <stdarg.h>
 #include <string.h>
 
+#include "core/base/panic.h"
 #include "core/base/printable.h"
 #include "platform/os/file.h"
 #include "platform/setting_text.h"
@@ -74,7 +74,7 @@ static void begin_section(struct reading *reading, char *text)
  * section every key is accepted. Otherwise reports the line and returns false. */
 static bool is_here(struct reading *reading, const char *key, const char *section)
 {
-    assert(key && section);
+    CORE_ASSERT(key && section);
     if (reading->section[0] == '\0' || strcmp(reading->section, section) == 0) {
         return true;
     }
@@ -93,7 +93,7 @@ static bool is_here(struct reading *reading, const char *key, const char *sectio
 
 static void read_setting(struct reading *reading, uint32_t id, const char *key, const char *value)
 {
-    assert(id < SETTING_COUNT);
+    CORE_ASSERT(id < SETTING_COUNT);
     char range[SETTING_RANGE_MAX];
     struct options_query_result *file = &reading->options->file;
     if (!is_here(reading, key, setting_section(settings_entry(id)->group))) {

@@ -1,8 +1,9 @@
 /* clock.c -- reads CLOCK_MONOTONIC and the local date and time; see clock.h. */
 #include "platform/os/clock.h"
 
-#include <assert.h>
 #include <time.h>
+
+#include "core/base/panic.h"
 
 /* Days from 1970-01-01 to 2000-01-01. */
 #define DAYS_TO_2000 10957
@@ -23,7 +24,7 @@ static uint64_t clock_now_ns(void *self)
 
 void clock_civil(const struct tm *date, uint16_t *day, uint16_t *minute)
 {
-    assert(day && minute);
+    CORE_ASSERT(day && minute);
     *day = *minute = 0;
     if (date->tm_year + 1900 >= CLOCK_FIRST_YEAR && date->tm_year + 1900 <= CLOCK_LAST_YEAR) {
         /* The date is read as UTC, so that the zone of the local time does not change the day. */

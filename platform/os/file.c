@@ -1,7 +1,6 @@
 /* file.c -- opens, reads, replaces and locks files and folders; see file.h. */
 #include "platform/os/file.h"
 
-#include <assert.h>
 #include <ctype.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -11,6 +10,8 @@
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include "core/base/panic.h"
 
 /* ---- Regular files --------------------------------------------------------------------------- */
 
@@ -152,7 +153,7 @@ const char *file_error(int error)
 
 enum file_line file_read_line(FILE *file, char *line, size_t size)
 {
-    assert(file && size >= 2);
+    CORE_ASSERT(file && size >= 2);
     enum file_line result = FILE_LINE_READ;
     size_t length = 0, skipped = 0;
     int c = getc(file);
@@ -239,7 +240,7 @@ int file_write(int fd, const void *bytes, size_t size)
 
 int file_sync_parent(const char *path)
 {
-    assert(path);
+    CORE_ASSERT(path);
     char folder[PATH_MAX];
     const size_t size = strlen(path) + 1u;
     if (size > sizeof folder) {
@@ -278,7 +279,7 @@ static int open_part(const char *path, char part[PATH_MAX], mode_t mode)
  * Returns 0 or a negative errno. */
 static int finish_part(const char *part, const char *path, int error, bool is_durable)
 {
-    assert(error <= 0);
+    CORE_ASSERT(error <= 0);
     if (error == 0 && rename(part, path) != 0) {
         error = -errno;
     }
@@ -291,7 +292,7 @@ static int finish_part(const char *part, const char *path, int error, bool is_du
 
 int file_replace(const char *path, const void *bytes, size_t size, int flags)
 {
-    assert((flags & ~(FILE_REPLACE_DURABLE | FILE_REPLACE_PUBLIC)) == 0);
+    CORE_ASSERT((flags & ~(FILE_REPLACE_DURABLE | FILE_REPLACE_PUBLIC)) == 0);
     char part[PATH_MAX];
     const int fd = open_part(path, part, 0644);
     if (fd < 0) {
@@ -383,7 +384,7 @@ int file_atomic_open_durable(struct atomic_file *out, const char *path)
  * is stored and returned at the close, because a disk may be full at any byte. */
 int file_atomic_close(struct atomic_file *out)
 {
-    assert(out->file);
+    CORE_ASSERT(out->file);
     /* If the write failed, errno is still set, because successful calls do not change errno. */
     int why = ferror(out->file) ? (errno ? errno : EIO) : 0;
     if (fflush(out->file) != 0 && why == 0) {

@@ -2,7 +2,6 @@
  * see log.h. */
 #include "platform/os/log.h"
 
-#include <assert.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,6 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "core/base/panic.h"
 #include "platform/os/file.h"
 #include "platform/os/panic.h"
 
@@ -45,7 +45,7 @@ void log_print_raw(enum log_level level, const char *words)
 
 void log_print(enum log_level level, const char *format, ...)
 {
-    assert(format);
+    CORE_ASSERT(format);
     char words[LOG_LINE_MAX - 32u];
     va_list arguments;
     va_start(arguments, format);

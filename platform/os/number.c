@@ -1,17 +1,18 @@
 /* number.c -- parses and prints numbers; see number.h. A leading zero does not mean octal. */
 #include "platform/os/number.h"
 
-#include <assert.h>
 #include <errno.h>
 #include <locale.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/base/panic.h"
+
 #define DECIMAL_MAX 40u
 
 bool number_parse(const char *text, uint32_t min, uint32_t max, uint32_t *out)
 {
-    assert(out || !text);
+    CORE_ASSERT(out || !text);
     if (!text || text[0] == '\0' || text[strspn(text, "0123456789")] != '\0') {
         return false;
     }
@@ -28,7 +29,7 @@ bool number_parse(const char *text, uint32_t min, uint32_t max, uint32_t *out)
 
 bool number_parse_decimal(const char *text, double min, double max, double *out)
 {
-    assert(out || !text);
+    CORE_ASSERT(out || !text);
     static locale_t plain; /* The locale "C", whose decimal point is a point. */
     char *end;
     /* The set of characters excludes blanks, hexadecimal numbers, infinity and NaN. */
@@ -50,7 +51,7 @@ bool number_parse_decimal(const char *text, double min, double max, double *out)
 
 uint32_t number_print_fixed(char out[NUMBER_FIXED_MAX], double value, uint32_t decimals)
 {
-    assert(decimals <= 6 && value > -1e12 && value < 1e12);
+    CORE_ASSERT(decimals <= 6 && value > -1e12 && value < 1e12);
     char digits[NUMBER_FIXED_MAX];
     static const double powers[] = { 1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6 };
     const double scaled = (value < 0.0 ? -value : value) * powers[decimals] + 0.5;

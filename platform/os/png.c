@@ -2,10 +2,10 @@
  * file, so that a full disk is reported with its errno. */
 #include "platform/os/png.h"
 
-#include <assert.h>
 #include <errno.h>
 #include <stdlib.h>
 
+#include "core/base/panic.h"
 #include "platform/os/file.h"
 
 #define STB_IMAGE_WRITE_IMPLEMENTATION
@@ -14,7 +14,7 @@
 
 int png_write(const char *path, const uint8_t *rgb, uint32_t width, uint32_t height)
 {
-    assert(rgb && width > 0 && height > 0 && width <= INT32_MAX / 3u);
+    CORE_ASSERT(rgb && width > 0 && height > 0 && width <= INT32_MAX / 3u);
     int size = 0;
     uint8_t *packed =
         stbi_write_png_to_mem(rgb, (int)(width * 3u), (int)width, (int)height, 3, &size);

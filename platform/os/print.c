@@ -2,13 +2,13 @@
  * see print.h. */
 #include "platform/os/print.h"
 
-#include <assert.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <stdarg.h>
 #include <string.h>
 #include <unistd.h>
 
+#include "core/base/panic.h"
 #include "core/base/printable.h"
 
 __attribute__((format(printf, 3, 0))) static void print_put(FILE *file, const char *end,
@@ -17,7 +17,7 @@ __attribute__((format(printf, 3, 0))) static void print_put(FILE *file, const ch
     char line[PRINT_LINE_MAX];
     vsnprintf(line, sizeof line - 1u, format, arguments);
     printable(line);
-    assert(strlen(end) <= 1);
+    CORE_ASSERT(strlen(end) <= 1);
     memcpy(line + strlen(line), end, strlen(end) + 1u); /* `line` has space for one more byte. */
     fputs(line, file);
 }
