@@ -287,19 +287,6 @@ enum core_error core_tick(struct core *core, const struct input *input, struct o
     return CORE_OK;
 }
 
-const struct ranking *core_ranking(const struct core *core)
-{
-    CORE_ASSERT(core);
-    return &core->game.accounts.ranking;
-}
-
-bool core_final_entry(const struct core *core, const struct input *input, struct ledger_entry *out)
-{
-    CORE_ASSERT(core && input && out);
-    return health_log_final(&core->game.accounts, &core->game.health_log, core->game.tick, input,
-                            out);
-}
-
 bool core_is_fresh(const struct core *core)
 {
     return core->game.tick == core->config.session.tick;

@@ -19,6 +19,8 @@
 
 #define KINGYO_VERSION "0.1.0"
 
+struct vision;
+
 enum core_error {
     CORE_OK = 0,
     CORE_ERR_RANGE = -1, /* A config field lies outside its documented range. */
@@ -47,6 +49,44 @@ enum core_error core_tick(struct core *core, const struct input *input, struct o
 /* Returns true if a session starts at the current tick. At the start of a session core_init() with
  * `core->config` produces exactly the state in `core`. */
 bool core_is_fresh(const struct core *core);
+
+/* Progress of one player in the running round. */
+struct core_player_status {
+    uint8_t plays; /* 1 if the player has had a poi in use in this round, otherwise 0. */
+    uint8_t fouls; /* Number of the player's counted fouls. */
+    uint32_t caught;
+    struct poi_target hand_pose; /* Target pose of the player's poi in the last tick. */
+};
+
+/* Copy of the values that recordings, the store and the status file read after a tick. */
+struct core_status {
+    uint32_t tick;        /* Number of ticks that the core has run. */
+    uint32_t entry_id;    /* Id of the newest ledger entry. */
+    uint32_t round_count; /* Number of started rounds. */
+    uint32_t round_s;     /* Length of the running round in seconds. */
+    uint32_t fish_count;  /* Number of fish in the tank. */
+    uint16_t day, minute; /* Calendar of the newest input, as in struct input. */
+    uint8_t phase;        /* Phase of the game (enum scene_phase). */
+    uint8_t mode;         /* Mode of the running round (enum game_mode). */
+    bool types_pin;       /* True while the operator's menu holds typed digits of a PIN. */
+    struct balance balance;
+    struct core_player_status player[POI_MAX];
+};
+
+/* Returns the present status of `core`. The function asserts nothing, so a panic handler may call
+ * it. */
+struct core_status core_status(const struct core *core);
+
+/* Returns the audit counters. The counters change with each tick. */
+const struct audits *core_audits(const struct core *core);
+
+/* Returns the record of the running round, or of the last round if no round runs. The member `id`
+ * of the record is 0. */
+struct round_record core_round_record(const struct core *core);
+
+/* Returns what a bot that controls player `player` can see (core/game/bot/vision.h). The result
+ * refers to `core`. */
+struct vision core_vision(const struct core *core, uint32_t player);
 
 /* Returns the ranking of all modes and periods. The ranking changes with each tick. */
 const struct ranking *core_ranking(const struct core *core);

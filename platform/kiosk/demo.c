@@ -157,7 +157,7 @@ static void print_summary(const struct demo *demo)
     printf("Kingyo %s: %.0f s %s, seed %u, %u fish\n", KINGYO_VERSION,
            (double)demo->now_ns / (double)NS_PER_S,
            session->options.replay[0] ? "of a recording" : "played by the bot",
-           kiosk->core.config.seed, kiosk->core.world.tank.fish_count);
+           kiosk->core.config.seed, core_status(&kiosk->core).fish_count);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (kiosk->scene.bowl[i].present) {
             printf("  player %u      %u fish caught, %.0f %% of the paper left\n", i + 1u,

@@ -6,7 +6,6 @@
 
 #include "core/base/panic.h"
 #include "core/game/menu/menu_pages.h"
-#include "core/game/phases.h"
 #include "platform/cpu.h"
 #include "platform/kiosk/recorder/score_playback.h"
 #include "platform/kiosk/recorder/session_recorder.h"

@@ -9,8 +9,9 @@
 #define BATCH_MAX 16u
 
 struct batch {
-    const struct core *core;
-    const struct audits *told; /* Audit counts that the store has already written to disk. */
+    struct core_status status;
+    const struct audits *audits; /* Audit counts of the core. */
+    const struct audits *told;   /* Audit counts that the store has already written to disk. */
     struct ledger_entry entries[BATCH_MAX];
     uint32_t count;
 };
@@ -19,7 +20,7 @@ struct batch {
 static uint32_t unflushed_count(const struct batch *batch, uint32_t audit)
 {
     CORE_ASSERT(audit < AUDIT_COUNT);
-    const uint32_t count = batch->core->game.accounts.audits.count[audit];
+    const uint32_t count = batch->audits->count[audit];
     const uint32_t told = batch->told->count[audit];
     return count > told ? count - told : 0u;
 }
@@ -28,12 +29,11 @@ static void add_entry(struct batch *batch, uint8_t kind, uint32_t detail, uint32
                       uint32_t value)
 {
     CORE_ASSERT(batch->count <= BATCH_MAX);
-    const struct ledger *ledger = &batch->core->game.accounts.ledger;
     if (batch->count < BATCH_MAX) {
         batch->entries[batch->count++] = (struct ledger_entry){
-            .tick = batch->core->game.tick,
-            .day = ledger->day,
-            .minute = ledger->minute,
+            .tick = batch->status.tick,
+            .day = batch->status.day,
+            .minute = batch->status.minute,
             .kind = kind,
             .detail = (uint8_t)detail,
             .count = count,
@@ -69,7 +69,9 @@ static void add_credits(struct batch *batch)
 bool offline_flush_step(struct offline_flush *flush, const struct hal_ledger *store,
                         const struct core *core)
 {
-    struct batch batch = { .core = core, .told = &flush->told };
+    struct batch batch = { .status = core_status(core),
+                           .audits = core_audits(core),
+                           .told = &flush->told };
     /* Record the amounts of a transfer as transferred after the store has written the transfer. */
     if (flush->is_asked && store->ops->offline_merged(store->self) == HAL_OK) {
         flush->told = flush->asked;
@@ -79,7 +81,7 @@ bool offline_flush_step(struct offline_flush *flush, const struct hal_ledger *st
     if (flush->is_asked) {
         return false;
     }
-    const struct balance_change step = { flush->told_balance, core->game.accounts.ledger.balance };
+    const struct balance_change step = { flush->told_balance, batch.status.balance };
     /* Add one entry for each coin line that received coins. The audits contain only the total value
      * of all coins, not the value of each coin line. Therefore the first entry gets the total
      * value, and the other entries get 0. */

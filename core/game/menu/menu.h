@@ -49,6 +49,9 @@ bool menu_is_asking(const struct game *game);
  * is open, and a coin counts as a test. */
 bool menu_tries_lines(const struct game *game);
 
+/* Returns true while digits of a PIN are typed in the menu. */
+bool menu_types_pin(const struct game *game);
+
 /* Returns the ticks until a PIN can be typed; 0 means immediately. A wrong PIN locks the entry for
  * 5 s. Each further wrong PIN doubles the time, up to 160 s. */
 uint32_t menu_pin_wait_ticks(const struct settings_edit *settings_edit, uint32_t tick);

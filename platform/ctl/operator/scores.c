@@ -70,13 +70,14 @@ static struct finding look_into(struct ledger_file *file, uint32_t round_id)
 static void finding_text(const struct finding *found)
 {
     const struct replay_problem *problem = &judge.replayer.reader.problem;
+    const struct core_status status = core_status(&judge.core);
     if (!found->has_replay) {
         printf("round %u: no replay\n", found->round_id);
     } else if (found->verdict == REPLAY_VERDICT_GENUINE) {
         printf("round %u: genuine: %.1f s in %.0f kB, played again in %.1f s; a round of %u s "
                "among %u fish\n",
                found->round_id, found->play_s, 1e-3 * (double)found->size, found->took_s,
-               judge.core.game.round_s, judge.core.world.tank.fish_count);
+               status.round_s, status.fish_count);
     } else if (found->verdict == REPLAY_VERDICT_UNCHECKED) {
         printf("round %u: not checked: " CPU_FLOAT_WRONG "\n", found->round_id);
     } else if (found->verdict == REPLAY_VERDICT_DAMAGED) {

@@ -135,7 +135,7 @@ static void tell_panic(void *self, const char *reason)
     (void)self;
     panic_put(&text, verified.path);
     panic_put(&text, ": panic in tick ");
-    panic_put_number(&text, verified.core->game.tick - verified.first_tick);
+    panic_put_number(&text, core_status(verified.core).tick - verified.first_tick);
     panic_put(&text, " of ");
     panic_put_number(&text, verified.total);
     panic_put(&text, ": ");
@@ -204,7 +204,7 @@ static enum exit_code verify(const char *path)
     }
     verified.path = path;
     verified.core = &core;
-    verified.first_tick = core.game.tick;
+    verified.first_tick = core_status(&core).tick;
     verified.total = totals.ticks;
     panic_prepare(tell_panic, NULL);
     const enum core_error refused =

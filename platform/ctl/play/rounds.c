@@ -10,7 +10,6 @@
 #include "core/base/panic.h"
 #include "core/core.h"
 #include "core/game/bot/bot.h"
-#include "core/game/phases.h"
 #include "core/game/table_setup.h"
 #include "platform/cpu.h"
 #include "platform/kiosk/recorder/replayer.h"
@@ -58,7 +57,7 @@ static struct core_config config_of(const struct round_plan *plan)
 static enum exit_code play_through(struct seat *seat, struct round_result *result)
 {
     for (uint32_t i = 0; i < ROUND_TICKS_MAX; i++) {
-        const uint8_t before = seat->core.game.phase;
+        const uint8_t before = seat->output.phase;
         seat->output.sound_count = 0;
         /* Write the controller input of one tick. START is pressed once per second while no round
          * is played. The controller is always connected and has a wrist sensor. `trembles` is 1
@@ -66,13 +65,12 @@ static enum exit_code play_through(struct seat *seat, struct round_result *resul
          * as a stuck sensor. */
         const bool idle = before == PHASE_ATTRACT || before == PHASE_MODE_SELECT;
         struct poi_input *poi = &seat->input.poi[0];
-        seat->input.pressed = idle && seat->core.game.tick % CORE_TICK_HZ == 0 ? INPUT_START : 0;
+        seat->input.pressed = idle && seat->output.tick % CORE_TICK_HZ == 0 ? INPUT_START : 0;
         poi->link = POI_SOURCE_LIVE;
         poi->has_wrist = 1;
         poi->trembles = seat->bot.technique.tremor_m > 0.0f;
-        poi->target = bot_tick(
-            &seat->bot,
-            &(struct vision){ .game = &seat->core.game, .world = &seat->core.world, .player = 0 });
+        const struct vision vision = core_vision(&seat->core, 0);
+        poi->target = bot_tick(&seat->bot, &vision);
         if (core_tick(&seat->core, &seat->input, &seat->output) != CORE_OK) {
             result->is_refused = true;
             return EXIT_NOT_SO;
@@ -80,11 +78,10 @@ static enum exit_code play_through(struct seat *seat, struct round_result *resul
         if (seat->tap.tick) {
             seat->tap.tick(seat->tap.self, &seat->input, &seat->core);
         }
-        if (before == PHASE_ROUND && seat->core.game.phase != PHASE_ROUND) {
+        if (before == PHASE_ROUND && seat->output.phase != PHASE_ROUND) {
             /* The values come from the game state, because the core outputs no record of a practice
              * round. */
-            const struct round_record record =
-                game_record(&seat->core.game, &seat->core.world, &seat->core.config);
+            const struct round_record record = core_round_record(&seat->core);
             const struct player_record *player = &record.player[0];
             const bool torn = player->torn_tick != 0;
             const uint32_t torn_ticks = torn ? player->torn_tick - record.start_tick : 0;
@@ -121,7 +118,7 @@ static struct round_result play_one(struct seat *seat, const struct round_plan *
     seat->output = (struct output){ 0 };
     seat->tap = (struct kiosk_tap){ 0 };
     bot_init(&seat->bot, &plan->technique, plan->seed);
-    seat->bot.hand.pose = seat->core.game.hand_pose[0];
+    seat->bot.hand.pose = core_status(&seat->core).player[0].hand_pose;
     if (plan->record) {
         rounds_record_path(path, plan->record, index);
         result.error = -recorder_begin(&seat->recorder, path, &seat->core);

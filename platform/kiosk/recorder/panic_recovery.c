@@ -175,7 +175,7 @@ static void evidence_log_error(const struct evidence *evidence, const char *reas
     panic_put(&text, reason);
     if (!error) {
         panic_put(&text, ": the game before tick ");
-        panic_put_number(&text, evidence->core->game.tick);
+        panic_put_number(&text, core_status(evidence->core).tick);
         panic_put(&text, " is in ");
         panic_put(&text, evidence->data);
         panic_put(&text, "/");

@@ -56,7 +56,7 @@ int replay_verifier_read(struct replay_verifier *verifier)
             }
             return -1;
         }
-        verifier->seen_id = verifier->core.game.accounts.ledger.last_id;
+        verifier->seen_id = core_status(&verifier->core).entry_id;
         verifier->is_read = true;
         return 0;
     }
@@ -89,7 +89,8 @@ bool replay_verifier_tick(struct replay_verifier *verifier)
         return false;
     }
     tap.tick(tap.self, &verifier->input, &verifier->core);
-    while (verifier->seen_id != verifier->core.game.accounts.ledger.last_id) {
+    const uint32_t entry_id = core_status(&verifier->core).entry_id;
+    while (verifier->seen_id != entry_id) {
         const struct ledger_entry *entry =
             &verifier->output.entries[++verifier->seen_id % LEDGER_RING];
         if (entry->id == verifier->seen_id && entry->kind == LEDGER_ROUND) {

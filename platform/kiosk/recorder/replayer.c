@@ -21,14 +21,14 @@ static uint32_t risen(uint32_t *before, uint32_t now)
 void recorder_count(struct replay_totals *totals, struct recorder_tally *tally,
                     const struct core *core)
 {
-    const struct game *game = &core->game;
+    const struct core_status status = core_status(core);
     totals->ticks++;
-    totals->rounds += risen(&tally->rounds, game->round_count);
+    totals->rounds += risen(&tally->rounds, status.round_count);
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        totals->caught += risen(&tally->caught[i], game->player[i].caught);
-        totals->fouls += risen(&tally->fouls[i], game->player[i].fouls);
-        if (game->phase == PHASE_ROUND && game->player[i].plays) {
-            totals->modes |= (uint16_t)(1u << game->mode);
+        totals->caught += risen(&tally->caught[i], status.player[i].caught);
+        totals->fouls += risen(&tally->fouls[i], status.player[i].fouls);
+        if (status.phase == PHASE_ROUND && status.player[i].plays) {
+            totals->modes |= (uint16_t)(1u << status.mode);
             totals->players |= (uint16_t)(1u << i);
         }
     }

@@ -38,9 +38,7 @@ bool session_recorder_start_has_pin(const struct core_config *config)
 
 bool session_recorder_types_pin(const struct core *core)
 {
-    const struct menu *menu = &core->game.menu;
-    return core->game.phase == PHASE_MENU &&
-           (menu->page == MENU_PIN || menu->page == MENU_NEW_PIN) && menu->pin_count > 0;
+    return core_status(core).types_pin;
 }
 
 void session_recorder_begin(struct session_recorder *chapters, const struct core *core)
@@ -49,7 +47,7 @@ void session_recorder_begin(struct session_recorder *chapters, const struct core
     memset(&chapters->totals, 0, sizeof chapters->totals);
     memset(&chapters->tally, 0, sizeof chapters->tally);
     chapters->totals.hash = core_hash(core);
-    chapters->seen_id = core->game.accounts.ledger.last_id;
+    chapters->seen_id = core_status(core).entry_id;
     chapters->has_pin = false;
     chapters->start = core->config;
     session_recorder_withhold_pin(&chapters->start, NULL);
@@ -65,8 +63,8 @@ static bool is_ranked(const struct core *core, const struct ledger_entry *entry)
         return false;
     }
     for (uint32_t i = 0; i < RANK_PERIOD_COUNT * POI_MAX && place == RANK_ROWS; i++) {
-        place = ranking_place(&core->game.accounts.ranking, round->mode,
-                              (enum rank_period)(i / POI_MAX), entry->id, (uint8_t)(i % POI_MAX));
+        place = ranking_place(core_ranking(core), round->mode, (enum rank_period)(i / POI_MAX),
+                              entry->id, (uint8_t)(i % POI_MAX));
     }
     return place < RANK_ROWS;
 }
@@ -106,15 +104,16 @@ void session_recorder_before(struct session_recorder *chapters, const struct inp
 void session_recorder_tick(struct session_recorder *chapters, const struct input *input,
                            const struct core *core, const struct output *output)
 {
+    const struct core_status status = core_status(core);
     atomic_store(&chapters->is_in_tick, false);
     if (core_is_fresh(core)) { /* The new session's initial configuration already includes the
                                   effect of the current tick. */
         session_recorder_begin(chapters, core);
     } else {
-        chapters->has_pin = chapters->has_pin || session_recorder_types_pin(core);
+        chapters->has_pin = chapters->has_pin || status.types_pin;
         recorder_add_tick(&chapters->writer, &chapters->totals, &chapters->tally, input, core);
     }
-    while (chapters->seen_id != core->game.accounts.ledger.last_id) {
+    while (chapters->seen_id != status.entry_id) {
         const struct ledger_entry *entry = &output->entries[++chapters->seen_id % LEDGER_RING];
         if (entry->id == chapters->seen_id && is_ranked(core, entry)) {
             keep_round(chapters, entry->id, core);
