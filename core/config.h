@@ -6,6 +6,7 @@
 #ifndef KINGYO_CORE_CONFIG_H
 #define KINGYO_CORE_CONFIG_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "core/game/lab/lab_edit.h"
@@ -29,10 +30,11 @@ struct core_config {
     uint8_t players;     /* Number of bowls at the tank, 1 .. POI_MAX; 0 counts as 1. */
     uint8_t credit_coins; /* Price of a round in units, 1 .. CREDIT_COINS_MAX; 0 means free play. */
     uint8_t ticket_fish;  /* Fish per ticket, 1 .. CREDIT_TICKET_FISH_MAX; 0 means no tickets. */
-    uint8_t rules_7;      /* 1 if the configuration comes from a recording of format 7 and the core
-                             uses the rules of that format (replay_initial_state_decode()). Hashes
-                             exclude this field because hashes of format 7 did not contain it. */
-    uint8_t lanes;        /* Number of floats in a SIMD vector: 4, or 8 on x86-64 with AVX2; 0
+    uint8_t rules; /* 0 for the current rules. In the replay of an older recording, the format
+                             version of the recording, whose rules the core then uses
+                             (config_has_rules()). Hashes exclude this field because the recordings
+                             have hashes without the field. */
+    uint8_t lanes; /* Number of floats in a SIMD vector: 4, or 8 on x86-64 with AVX2; 0
                              counts as 4. The number changes no result, so hashes and recordings
                              exclude it. */
     struct persistent_state
@@ -44,6 +46,14 @@ struct core_config {
     struct lab_book book;        /* Custom species and saved growth graphs, as loaded from the
                                     data folder. */
 };
+
+/* Returns true if the core uses rules that were introduced with the recording format `version`.
+ * Returns false only in the replay of an older recording. replay.h lists what each format
+ * introduced. */
+static inline bool config_has_rules(const struct core_config *config, uint32_t version)
+{
+    return config->rules == 0 || config->rules >= version;
+}
 
 /* Copies the settings to the fields of `config`. The fish count is limited to the capacity of the
  * preset's tank. */

@@ -303,9 +303,9 @@ uint64_t core_hash_quick(const struct core *core)
     return field_hash(hash, &tank_quick_fields, &core->world.tank);
 }
 
-static uint64_t settings_edit_hash(uint64_t hash, const struct settings_edit *edit, bool rules_7)
+static uint64_t settings_edit_hash(uint64_t hash, const struct settings_edit *edit, bool hashes_pin)
 {
-    return field_hash(settings_hash(hash, &edit->told, rules_7), &settings_edit_fields, edit);
+    return field_hash(settings_hash(hash, &edit->told, hashes_pin), &settings_edit_fields, edit);
 }
 
 uint64_t core_hash(const struct core *core)
@@ -318,16 +318,16 @@ uint64_t core_hash(const struct core *core)
     hash = field_hash(hash, &ledger_start_fields, &persistent->ledger);
     hash = field_hash(hash, &audits_fields, &persistent->audits);
     hash = field_hash(hash, &ranking_fields, &persistent->ranking);
-    hash = settings_hash(hash, &persistent->settings, config->rules_7);
+    hash = settings_hash(hash, &persistent->settings, !config_has_rules(config, 8));
     hash = field_hash(hash, &game_session_fields, session);
-    hash = settings_edit_hash(hash, &session->settings_edit, config->rules_7);
+    hash = settings_edit_hash(hash, &session->settings_edit, !config_has_rules(config, 8));
     if (language->chosen != 0 || language->until_tick != 0) {
         hash = hash_u32(hash_u32(hash, language->chosen), language->until_tick);
     }
     hash = field_hash(hash, &lab_book_fields, &config->book);
     hash = field_hash(hash, &audits_fields, &core->game.accounts.audits);
     hash = field_hash(hash, &ranking_fields, &core->game.accounts.ranking);
-    hash = settings_edit_hash(hash, &core->game.settings_edit, config->rules_7);
+    hash = settings_edit_hash(hash, &core->game.settings_edit, !config_has_rules(config, 8));
     for (uint32_t i = 0; i < POI_MAX; i++) {
         hash = field_hash(hash, &poi_fields, &core->world.poi[i]);
         hash = field_hash(hash, &bowl_fields, &core->world.bowl[i]);

@@ -103,10 +103,10 @@ void settings_sanitize(struct settings *settings)
 const struct field_table settings_fields = FIELD_TABLE(settings, FIELD(value));
 #undef STRUCT
 
-uint64_t settings_hash(uint64_t hash, const struct settings *settings, bool rules_7)
+uint64_t settings_hash(uint64_t hash, const struct settings *settings, bool hashes_pin)
 {
     struct settings hashed = *settings;
-    if (!rules_7) {
+    if (!hashes_pin) {
         hashed.value[SET_PIN] = 0;
     }
     return field_hash(hash, &settings_fields, &hashed);

@@ -119,9 +119,9 @@ void settings_sanitize(struct settings *settings);
 /* Table of the members of struct settings (core/base/field.h). */
 extern const struct field_table settings_fields;
 
-/* Returns `hash` continued over the settings. The PIN counts as 0 unless `rules_7` (core/config.h)
- * is 1. The replay of a score can therefore be verified without the PIN. */
-uint64_t settings_hash(uint64_t hash, const struct settings *settings, bool rules_7);
+/* Returns `hash` continued over the settings. The PIN counts as 0 unless `hashes_pin` is true,
+ * which only recordings of format 7 require. The replay of a score can therefore be verified without the PIN. */
+uint64_t settings_hash(uint64_t hash, const struct settings *settings, bool hashes_pin);
 
 /* Replaces a PIN in plain digits by its hashed form (core/pin.h). */
 void settings_hide_pin(struct settings *settings, uint32_t salt);

@@ -17,8 +17,9 @@ enum field_form {
     FORM_RAW,       /* The hash reads the bytes of the member (hash_bytes()). */
     FORM_HIGH,      /* The number, shifted left by `tag` bits, is the high part of the next word. */
     FORM_SIGN,      /* The number is an int8_t from -1 to 1, and the hash adds 1 to the number. */
-    FORM_LATER,     /* The number is missing in recordings of format 7. The hash reads the number
-                        and its tag only if the number is not 0. */
+    FORM_LATER,     /* Recordings of older formats lack the number (`since`). The hash reads the
+                        number and its tag only if the number is not 0, so that the hashes of older
+                        recordings stay the same. */
     FORM_STRUCTS,   /* The elements are structs with the members in `table`. */
     FORM_SKIPPED,   /* The hash does not read the member. */
     FORM_AGAIN,     /* The hash reads each number as one word. Another entry of the table describes
@@ -47,6 +48,8 @@ struct field {
     uint8_t unit;                    /* Size of one number in bytes: 1, 2 or 4. */
     uint8_t align;                   /* Alignment of the member in bytes. */
     uint8_t form;                    /* Form of the member (enum field_form). */
+    uint8_t since;                   /* First format of recordings that has a FORM_LATER member;
+                                        otherwise 0. */
 };
 
 #define FIELD_ALL_USED UINT32_MAX
@@ -70,9 +73,9 @@ struct field {
         uint16_t *: 2,                                                                             \
         default: 4)
 #define FIELD_ENTRY(member, member_form, first_tag, members, used)                                 \
-    FIELD_PART(member, sizeof FIELD_MEMBER(member), member_form, first_tag, members, used)
+    FIELD_PART(member, sizeof FIELD_MEMBER(member), member_form, first_tag, members, used, 0)
 /* Describes only `bytes` bytes from the beginning of `member`, which may continue an array. */
-#define FIELD_PART(member, bytes, member_form, first_tag, members, used)                           \
+#define FIELD_PART(member, bytes, member_form, first_tag, members, used, first_format)             \
     { .name = #member,                                                                             \
       .table = (members),                                                                          \
       .offset = offsetof(struct STRUCT, member),                                                   \
@@ -82,13 +85,17 @@ struct field {
       .tag = (first_tag),                                                                          \
       .unit = FIELD_UNIT(FIELD_MEMBER(member)),                                                    \
       .align = __alignof__(FIELD_MEMBER(member)),                                                  \
-      .form = (member_form) }
+      .form = (member_form),                                                                       \
+      .since = (first_format) }
 
 #define FIELD(member) FIELD_ENTRY(member, FORM_WORDS, 0, NULL, FIELD_ALL_USED)
 #define FIELD_BYTES(member) FIELD_ENTRY(member, FORM_RAW, 0, NULL, FIELD_ALL_USED)
 #define FIELD_HIGH(member, shift) FIELD_ENTRY(member, FORM_HIGH, shift, NULL, FIELD_ALL_USED)
 #define FIELD_SIGN(member) FIELD_ENTRY(member, FORM_SIGN, 0, NULL, FIELD_ALL_USED)
-#define FIELD_LATER(member, tag) FIELD_ENTRY(member, FORM_LATER, tag, NULL, FIELD_ALL_USED)
+/* A member that recordings have since format 8, or since format `format`. */
+#define FIELD_LATER(member, tag) FIELD_SINCE(8, member, tag)
+#define FIELD_SINCE(format, member, tag)                                                           \
+    FIELD_PART(member, sizeof FIELD_MEMBER(member), FORM_LATER, tag, NULL, FIELD_ALL_USED, format)
 #define FIELD_AGAIN(member) FIELD_ENTRY(member, FORM_AGAIN, 0, NULL, FIELD_ALL_USED)
 #define FIELD_SKIP(member) FIELD_ENTRY(member, FORM_SKIPPED, 0, NULL, FIELD_ALL_USED)
 #define FIELD_STRUCT(member, table) FIELD_ENTRY(member, FORM_STRUCTS, 0, table, FIELD_ALL_USED)
@@ -99,10 +106,11 @@ struct field {
     FIELD_ENTRY(member, FORM_STRUCTS, 0, table, offsetof(struct STRUCT, used))
 /* `numbers` elements of an array. `member` is the first of them, such as array[3]. */
 #define FIELD_RANGE(member, numbers)                                                               \
-    FIELD_PART(member, (numbers) * sizeof FIELD_MEMBER(member), FORM_WORDS, 0, NULL, FIELD_ALL_USED)
+    FIELD_PART(member, (numbers) * sizeof FIELD_MEMBER(member), FORM_WORDS, 0, NULL,               \
+               FIELD_ALL_USED, 0)
 #define FIELD_RANGE_LATER(member, numbers, tag)                                                    \
     FIELD_PART(member, (numbers) * sizeof FIELD_MEMBER(member), FORM_LATER, tag, NULL,             \
-               FIELD_ALL_USED)
+               FIELD_ALL_USED, 8)
 
 /* Defines the table of struct `type` with these entries. */
 #define FIELD_TABLE(type, ...)                                                                     \

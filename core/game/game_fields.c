@@ -33,7 +33,7 @@ const struct field_table ledger_fields = FIELD_TABLE(ledger,
     FIELD(last_id), FIELD(saved_id), FIELD(boot), FIELD(uncommitted), FIELD(wait_ticks),
     FIELD(day), FIELD(minute), FIELD(is_healthy), FIELD_STRUCT(after, &balance_fields),
     FIELD_STRUCT(committed, &balance_fields), FIELD_STRUCT(balance, &balance_fields),
-    FIELD_LATER(store_came_late, 0x61));
+    FIELD_SINCE(9, store_came_late, 0x61));
 #undef STRUCT
 
 #define STRUCT pending_coins
@@ -141,13 +141,13 @@ const struct field_table lab_saved_fields = FIELD_TABLE(lab,
 #undef STRUCT
 
 /* Members of struct core_config. core_hash() hashes `persistent`, `session` and `book` separately,
- * and no hash contains `rules_7` and `lanes`. */
+ * and no hash contains `rules` and `lanes`. */
 #define STRUCT core_config
 const struct field_table core_config_fields = FIELD_TABLE(core_config,
     FIELD(seed), FIELD(preset), FIELD(fish_count), FIELD(language), FIELD(round_s),
     FIELD(modes), FIELD(grade), FIELD(players), FIELD(credit_coins), FIELD(ticket_fish),
-    FIELD_LATER(level, 1),
-    FIELD_SKIP(rules_7), FIELD_SKIP(lanes), FIELD_SKIP(persistent), FIELD_SKIP(session),
+    FIELD_SINCE(9, level, 1),
+    FIELD_SKIP(rules), FIELD_SKIP(lanes), FIELD_SKIP(persistent), FIELD_SKIP(session),
     FIELD_SKIP(book));
 #undef STRUCT
 

@@ -87,7 +87,7 @@ void health_log_note_losses(struct game *game, const struct world *world,
 {
     struct health_log *health_log = &game->health_log;
     CORE_ASSERT(game->phase == PHASE_ROUND);
-    for (uint32_t i = 0; i < POI_MAX && !config->rules_7; i++) {
+    for (uint32_t i = 0; i < POI_MAX && config_has_rules(config, 8); i++) {
         const struct player *player = &game->player[i];
         const uint32_t last_tick = health_log->loss_tick[i];
         const bool is_away = player->plays && !player->out && !player_has_poi(world, i);

@@ -82,7 +82,7 @@ float session_fade(const struct game *game, const struct core_config *config)
 void session_language_reset(struct game *game, const struct core_config *config)
 {
     CORE_ASSERT(config->language < LANGUAGE_COUNT);
-    if (!config->rules_7) {
+    if (config_has_rules(config, 8)) {
         game->language = config->language;
         game->language_until = 0;
     }
@@ -98,6 +98,6 @@ void session_language_tick(struct game *game, const struct core_config *config,
     }
     if (input->pressed & INPUT_LANGUAGE) {
         game->language = (uint8_t)((game->language + 1u) % LANGUAGE_COUNT);
-        game->language_until = config->rules_7 ? 0u : game->tick + LANGUAGE_TICKS;
+        game->language_until = !config_has_rules(config, 8) ? 0u : game->tick + LANGUAGE_TICKS;
     }
 }

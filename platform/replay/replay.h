@@ -47,12 +47,14 @@
 /* Maximum size of a catalog in bytes. Eight species and fifteen graphs take 25 KB. */
 #define REPLAY_CATALOG_MAX (32u * 1024u)
 
-/* Format version that the writer writes. Version 8 added the rules of tickets and refunds. */
-#define REPLAY_VERSION 8u
-/* Oldest format version that the reader accepts. A recording of version 7 is simulated under the
- * rules of version 7. Older versions are rejected because their recordings lack data. Version 1
- * lacks shadows, version 2 game modes, version 3 the growth lab, version 4 credits and the
- * operator's controllers, version 5 the ledger, and version 6 wrong PINs. */
+/* Format version that the writer writes. Version 8 added the rules of tickets and refunds, and
+ * version 9 the levels. */
+#define REPLAY_VERSION 9u
+/* Oldest format version that the reader accepts. A recording of an older version is simulated under
+ * the rules of that version (config_has_rules() in core/config.h). Versions below 7 are rejected
+ * because their recordings lack data. Version 1 lacks shadows, version 2 game modes, version 3 the
+ * growth lab, version 4 credits and the operator's controllers, version 5 the ledger, and version 6
+ * wrong PINs. */
 #define REPLAY_VERSION_MIN 7u
 
 /* Sizes in bytes of the header, the head of a chunk, the end mark and a checksum. */
@@ -130,7 +132,7 @@ size_t replay_initial_state_encode(const struct core_config *config,
 
 /* Parses exactly `size` bytes, which may have any content, in format `version` (REPLAY_VERSION_MIN
  * .. REPLAY_VERSION). Leaves the catalog and the lanes of `config` unchanged. Sets fields that
- * `version` lacks to 0. For version 7, sets rules_7 to 1. Returns true on success. Returns false
+ * `version` lacks to 0. Sets the rules of an older format. Returns true on success. Returns false
  * and leaves an invalid `config` if no recorder writes these bytes. */
 bool replay_initial_state_decode(struct core_config *config, const uint8_t *bytes, size_t size,
                                  uint32_t version);

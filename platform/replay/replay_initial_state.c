@@ -26,14 +26,14 @@ _Static_assert(sizeof(struct persistent_state) + sizeof(struct game_session) + 2
 /* ---- Fields of the initial state ------------------------------------------------------------- */
 
 /* Serializes the members of `object` in their order in memory. Members that are listed with
- * FIELD_LATER() do not exist in recordings of format 7. */
+ * FIELD_LATER() or FIELD_SINCE() do not exist in recordings of older formats. */
 static void walk_fields(struct replay_serializer *walk, const struct field_table *table,
                         void *object)
 {
     struct field_cursor cursor = field_begin(table, object, true);
     const uint8_t *at = NULL;
     for (const struct field *field; (field = field_next(&cursor, &at)) != NULL;) {
-        if (field->form != FORM_SKIPPED && (field->form != FORM_LATER || walk->version != 7u)) {
+        if (field->form != FORM_SKIPPED && field->since <= walk->version) {
             const size_t offset = (size_t)(at - (const uint8_t *)object);
             replay_serialize_bytes(walk, (uint8_t *)object + offset, field->size);
         }
@@ -55,11 +55,14 @@ static void walk_memory(struct replay_serializer *walk, struct persistent_state 
     walk_fields(walk, &ranking_fields, &memory->ranking);
 }
 
-/* Clears the fields of the ledger and of its balances that did not exist in format 7. The bytes of
- * these fields were padding in format 7. */
-static void clear_later_fields(struct ledger *ledger)
+/* Clears the fields of the ledger and of its balances that did not exist in format `version`. The
+ * bytes of these fields were padding in that format. */
+static void clear_later_fields(struct ledger *ledger, uint32_t version)
 {
-    ledger->store_came_late = 0;
+    ledger->store_came_late = version < 9u ? 0u : ledger->store_came_late;
+    if (version > 7u) {
+        return;
+    }
     struct balance *const purses[] = { &ledger->balance, &ledger->committed };
     for (uint32_t i = 0; i < LEDGER_RING + 2u; i++) {
         struct balance *balance = i < LEDGER_RING ? &ledger->after[i] : purses[i - LEDGER_RING];
@@ -80,13 +83,28 @@ static void walk_chapter(struct replay_serializer *walk, struct game_session *se
     replay_serialize_bytes(walk, &session->health_log,
                            is_7 ? offsetof(struct health_log, away_ticks)
                                 : sizeof session->health_log);
-    if (is_7) {
-        clear_later_fields(&session->ledger);
-    }
+    clear_later_fields(&session->ledger, walk->version);
     replay_serialize_bytes(walk, &session->settings_edit, sizeof session->settings_edit);
     if (!is_7) {
         replay_serialize_bytes(walk, &session->language, sizeof session->language);
     }
+}
+
+/* Serializes the rules of the recorded game. The rules of an older recording are those of its
+ * format. A recording may also have the rules of a format older than its own, because the PIN was
+ * removed from an older recording (platform/kiosk/recorder/pin_sweep.h). */
+static void walk_rules(struct replay_serializer *walk, struct core_config *config)
+{
+    if (walk->version == 7u) {
+        config->rules = 7u;
+        return;
+    }
+    replay_serialize_u8(walk, &config->rules);
+    if (walk->version == 8u) { /* The byte is 1 for the rules of format 7, otherwise 0. */
+        walk->bad |= config->rules > 1u;
+        config->rules = config->rules == 1u ? 7u : 8u;
+    }
+    walk->bad |= config->rules != 0 && config->rules != 7u && config->rules != 8u;
 }
 
 static void walk_config(struct replay_serializer *walk, struct core_config *config)
@@ -94,14 +112,7 @@ static void walk_config(struct replay_serializer *walk, struct core_config *conf
     walk_fields(walk, &core_config_fields, config);
     walk_memory(walk, &config->persistent);
     walk_chapter(walk, &config->session);
-    if (walk->version == 7u) {
-        /* A recording of format 7 was played under the rules of format 7. Therefore the replay uses
-         * the same rules. */
-        config->rules_7 = 1;
-        return;
-    }
-    replay_serialize_u8(walk, &config->rules_7);
-    walk->bad |= config->rules_7 > 1u;
+    walk_rules(walk, config);
 }
 
 /* ---- Compression --------------------------------------------------------------------------- */

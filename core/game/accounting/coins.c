@@ -75,7 +75,7 @@ void coins_convert_pending(struct ledger *ledger, const struct core_config *conf
     const uint32_t units = balance->unlogged;
     balance->unlogged = 0;
     add_saturated(&balance->units, units);
-    if (config->rules_7) {
+    if (!config_has_rules(config, 8)) {
         add_saturated(&balance->bonus_units, units);
     } else {
         note_for_bonus(balance, &config->persistent.settings, units);
@@ -173,8 +173,8 @@ static void tick_tickets(struct accounts *accounts, const struct core_config *co
             credit->tickets++;
             credit->ticket_id = 0;
         }
-    } else if (!config->rules_7 && is_owed_on_disk && input->tickets_done == credit->tickets &&
-               ledger_may_write(ledger, LEDGER_TICKET)) {
+    } else if (config_has_rules(config, 8) && is_owed_on_disk &&
+               input->tickets_done == credit->tickets && ledger_may_write(ledger, LEDGER_TICKET)) {
         ledger->balance.tickets--;
         credit->ticket_id = ledger_write(accounts, tick, &entry, output);
     }

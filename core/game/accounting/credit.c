@@ -131,7 +131,7 @@ void credit_refund(struct game *game, const struct core_config *config, enum ref
     };
     balance->paid += kind == PAYMENT_PAID ? count : 0u;
     balance->service += kind == PAYMENT_SERVICE ? count : 0u;
-    balance->returned = count > 0 && !config->rules_7 ? kind : balance->returned;
+    balance->returned = count > 0 && config_has_rules(config, 8) ? kind : balance->returned;
     balance->open = PAYMENT_NONE;
     ledger_write(&game->accounts, game->tick, &entry, output);
 }
@@ -154,7 +154,7 @@ void credit_owe_tickets(struct accounts *accounts, const struct core_config *con
 {
     CORE_ASSERT(accounts->ledger.balance.tickets <= BALANCE_TICKETS_MAX);
     struct balance *balance = &accounts->ledger.balance;
-    if (config->rules_7) {
+    if (!config_has_rules(config, 8)) {
         accounts->credit.tickets += count;
         return;
     }

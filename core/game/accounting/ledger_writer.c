@@ -29,7 +29,7 @@ static uint32_t unsaved_entry_count(const struct ledger *ledger)
 }
 
 /* Returns true if the kiosk started without a store and has had no store since. In recordings of
- * the older format 7, `store_came_late` is always 0. */
+ * formats before 9, `store_came_late` is always 0. */
 static bool has_no_store(const struct ledger *ledger)
 {
     return ledger->boot == 0 && !ledger->store_came_late;
@@ -38,7 +38,7 @@ static bool has_no_store(const struct ledger *ledger)
 /* Reads from `input` which entries are on disk. Entries written without a store are lost. If a
  * store becomes available after the start, the function therefore stops waiting for the lost
  * entries, but only once: later entries are kept in the ring buffer while the store is not healthy.
- * In recordings of the older format 7 the function does this each time the store becomes healthy.
+ * In recordings of formats before 9 the function does this each time the store becomes healthy.
  * health_log.c then logs the current balance, which becomes `committed` when that entry is on disk.
  * If `input` reports an older saved id, the report is ignored, because saved entries stay saved. */
 void ledger_tick(struct ledger *ledger, const struct core_config *config, const struct input *input)
@@ -47,7 +47,7 @@ void ledger_tick(struct ledger *ledger, const struct core_config *config, const 
     if (has_no_store(ledger) && is_well && !ledger->is_healthy) {
         ledger->saved_id = ledger->last_id;
         ledger->wait_ticks = 0;
-        ledger->store_came_late = !config->rules_7;
+        ledger->store_came_late = config_has_rules(config, 9);
     }
     ledger->is_healthy = (uint8_t)is_well;
     const uint32_t ahead = input->record_saved_id - ledger->saved_id;

@@ -30,7 +30,7 @@ bool round_standing_is_spent(const struct game *game, const struct core_config *
     const bool is_mostly_played =
         game->phase == PHASE_ROUND &&
         STAND_SHARE_DENOMINATOR * (game->tick - game->phase_tick) >= STAND_SHARE_NUMERATOR * total;
-    return !config->rules_7 &&
+    return config_has_rules(config, 8) &&
            ((game->accounts.ledger.balance.open & PAYMENT_SPENT) || is_mostly_played);
 }
 

@@ -160,7 +160,7 @@ void menu_new_pin_activate(struct game *game, struct core_config *config, uint32
         const uint32_t salt = rng_u32((struct rng_key){ config->seed, game->tick, 0, RNG_PIN });
         const uint32_t pin = game->menu.pin;
         settings_edit_set(game, config, SET_PIN,
-                          config->rules_7 ? (int32_t)pin : pin_hide(pin, salt));
+                          !config_has_rules(config, 8) ? (int32_t)pin : pin_hide(pin, salt));
         menu_turn(game, &config->persistent.settings, MENU_UPKEEP);
     }
 }

@@ -1,6 +1,6 @@
 /* pin_sweep.h -- removes the operator menu's PIN from replays that an older version stored.
  *
- * The state hashes in a recording of an older version include the PIN (`rules_7`, core/config.h).
+ * The state hashes in a recording of an older version include the PIN (settings_hash()).
  * Replacing only the initial state would therefore make the hashes wrong. Instead the replay is
  * simulated without a picture and verified (replay_verifier.h). During the simulation the inputs
  * are recorded again, with the PIN withheld and with new state hashes. The new recording is

@@ -292,7 +292,7 @@ static void test_attract_returns_to_the_operators_language(void **state)
 static void test_a_chosen_language_stays_under_the_rules_of_format_7(void **state)
 {
     (void)state;
-    core.config.rules_7 = 1;
+    core.config.rules = 7;
     const uint32_t until = core.game.language_until;
     press(INPUT_LANGUAGE);
     steps(3u * LANGUAGE_TICKS);

@@ -60,7 +60,7 @@ static uint32_t tick(uint32_t pressed)
  * as that version did. Returns the round. */
 static uint32_t keep_as_before(void)
 {
-    struct core_config config = { .seed = 11, .round_s = 20, .lanes = cpu_lanes(), .rules_7 = 1 };
+    struct core_config config = { .seed = 11, .round_s = 20, .lanes = cpu_lanes(), .rules = 7 };
     settings_reset(&config.persistent.settings);
     config.persistent.settings.value[SET_PIN] = PIN;
     assert_int_equal(core_init(&core, &config), CORE_OK);
@@ -156,7 +156,7 @@ static void test_removing_the_pin_keeps_an_old_replay_genuine(void **state)
     assert_int_equal(judge.replayer.totals.ticks, ticks);
     assert_memory_equal(&judge.round.round, &round, sizeof round);
     const struct core_config *config = &judge.replayer.reader.header.config;
-    assert_int_equal(config->rules_7, 1);
+    assert_int_equal(config->rules, 7);
     assert_int_equal(config->persistent.settings.value[SET_PIN], PIN_WITHHELD);
     assert_false(session_recorder_start_has_pin(config));
     sweep_all(); /* No replay is left to process. */

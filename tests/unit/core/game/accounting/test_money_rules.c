@@ -229,14 +229,14 @@ static void test_units_without_room_before_a_power_cut_are_restored(void **state
     assert_int_equal(purse_entry(&output, 6)->value, PRICE);
 }
 
-static void open_with_unlogged(int32_t bonus_units, uint8_t rules_7)
+static void open_with_unlogged(int32_t bonus_units, uint8_t rules)
 {
     struct core_config config = {
         .seed = 7,
         .fish_count = 12,
         .round_s = ROUND_S,
         .credit_coins = PRICE,
-        .rules_7 = rules_7,
+        .rules = rules,
         .persistent.ledger = { .last_id = 5, .boots = 2, .balance = { .unlogged = PRICE } },
     };
     settings_reset(&config.persistent.settings);
@@ -271,7 +271,7 @@ static void test_units_from_before_a_power_cut_count_toward_no_unconfigured_bonu
 static void test_a_recording_of_format_7_keeps_its_count_toward_a_bonus(void **state)
 {
     (void)state;
-    open_with_unlogged(0, 1);
+    open_with_unlogged(0, 7);
     assert_int_equal(balance()->bonus_units, PRICE);
 }
 

@@ -227,7 +227,7 @@ static void test_a_power_cut_keeps_the_catch_of_the_last_entry_of_the_round(void
 static void test_a_recording_of_format_7_refunds_every_credit(void **state)
 {
     (void)state;
-    core.config.rules_7 = 1;
+    core.config.rules = 7;
     drop(PRICE);
     play(ROUND_S * CORE_TICK_HZ - CORE_TICK_HZ);
     lose_controller();

@@ -1,0 +1,101 @@
+/* test_replay_formats.c -- tests that recordings of older formats replay with their original
+ * results, and only under the rules of their format.
+ *
+ * Earlier programs wrote the recordings:
+ * - tests/replay/format-7.replay starts after a power cut with an open paid round and with units
+ *   that no entry reported. A player then wins tickets in one round and loses the controller a
+ *   second before the end of the next round, which refunds the credit.
+ * - tests/replay/format-8.replay starts without a store and with owed tickets. The store becomes
+ *   healthy, fails and becomes healthy again. A visitor chooses a language, pays, and wins a
+ *   ticket. The controller is lost in the next round, which refunds the credit. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "platform/kiosk/recorder/replayer.h"
+
+#define FORMAT_7 "tests/replay/format-7.replay"
+#define FORMAT_8 "tests/replay/format-8.replay"
+
+static struct replayer replayer;
+static struct core core;
+static struct input input;
+static struct output output;
+
+static void begin(const char *path)
+{
+    struct core_config config;
+    memset(&output, 0, sizeof output);
+    assert_int_equal(replayer_begin(&replayer, path, &config), 0);
+    assert_int_equal(core_init(&core, &config), CORE_OK);
+}
+
+static void play(void)
+{
+    const struct kiosk_source source = replayer_source(&replayer);
+    const struct kiosk_tap tap = replayer_tap(&replayer);
+    while (!replayer.difference.found && source.next(source.self, &input)) {
+        output.sound_count = 0;
+        core_tick(&core, &input, &output);
+        tap.tick(tap.self, &input, &core);
+    }
+    replayer_end(&replayer);
+}
+
+static void test_a_format_7_recording_reproduces_its_hashes(void **state)
+{
+    (void)state;
+    begin(FORMAT_7);
+    assert_int_equal(replayer.reader.header.version, 7);
+    play();
+    assert_false(replayer.damaged);
+    assert_false(replayer.difference.found);
+    assert_int_equal(replayer.totals.ticks, 17455);
+    assert_int_equal(replayer.totals.rounds, 2);
+    assert_int_equal(output.tickets, 2);
+    assert_int_equal(core.game.accounts.audits.count[AUDIT_REFUNDS], 2);
+}
+
+static void test_a_format_8_recording_reproduces_its_hashes(void **state)
+{
+    (void)state;
+    begin(FORMAT_8);
+    assert_int_equal(replayer.reader.header.version, 8);
+    play();
+    assert_false(replayer.damaged);
+    assert_false(replayer.difference.found);
+    assert_int_equal(replayer.totals.ticks, 13843);
+    assert_int_equal(replayer.totals.rounds, 2);
+    assert_int_equal(core.game.accounts.audits.count[AUDIT_REFUNDS], 1);
+}
+
+/* The hashes depend on the rules, so that no other rules reproduce the recordings. */
+static void test_an_older_recording_differs_under_the_rules_of_another_format(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *path;
+        uint8_t rules;
+    } wrong[] = { { FORMAT_7, 0 }, { FORMAT_7, 8 }, { FORMAT_8, 0 }, { FORMAT_8, 7 } };
+    for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
+        begin(wrong[i].path);
+        core.config.rules = wrong[i].rules;
+        play();
+        assert_false(replayer.damaged);
+        assert_true(replayer.difference.found);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_a_format_7_recording_reproduces_its_hashes),
+        cmocka_unit_test(test_a_format_8_recording_reproduces_its_hashes),
+        cmocka_unit_test(test_an_older_recording_differs_under_the_rules_of_another_format),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
