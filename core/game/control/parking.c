@@ -153,7 +153,7 @@ void parking_release_all(struct poi *poi, const struct tank *tank)
         carried->state = CARRIED_RELEASED;
     }
     poi->carried_kg = 0.0f;
-    poi->load_count = 0;
+    poi->load_count = poi->slap_count = 0;
 }
 
 static bool is_fish_held_by(const struct fish *fish, uint32_t poi_index)

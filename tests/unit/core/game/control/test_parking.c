@@ -151,9 +151,9 @@ static void test_a_poi_without_paper_is_parked_and_the_others_play(void **state)
     expect_put_away(0, 2);
 }
 
-static void test_carried_fish_are_released_after_the_third_foul(void **state)
+/* Starts a game of two players and lifts a fish on the poi of the first player. */
+static void lift_fish(void)
 {
-    (void)state;
     play(2);
     lead(0, v3(0.1f, BELOW_M, 0.1f));
     ticks(60);
@@ -167,11 +167,37 @@ static void test_carried_fish_are_released_after_the_third_foul(void **state)
     }
     ticks(30);
     assert_int_equal(core.world.poi[0].carried_count, 1);
+}
+
+static void test_carried_fish_are_released_after_the_third_foul(void **state)
+{
+    (void)state;
+    lift_fish();
     core.game.player[0].out = 1; /* The flag is that of the umpire. */
     ticks(4u * CORE_TICK_HZ);
     expect_put_away(0, 2);
     assert_int_equal(core.world.poi[0].carried_count, 0);
     assert_int_not_equal(core.world.tank.fish[0].gait, GAIT_HELD);
+}
+
+static void test_a_slap_ends_when_its_fish_is_released(void **state)
+{
+    (void)state;
+    lift_fish();
+    core.game.player[0].out = 1;
+    bool slapped = false;
+    for (uint32_t i = 0; i < 4u * CORE_TICK_HZ; i++) {
+        struct carried_fish *carried = &core.world.poi[0].carried_fish[0];
+        if (core.world.poi[0].carried_count > 0 && carried->state == CARRIED_LYING) {
+            carried->slap_s = 0.02f; /* The fish slaps in every tick until it is released. */
+            carried->slap_n = 0.02f;
+        }
+        tick(); /* A slap that outlives the load of its fish would stop the program here. */
+        slapped = slapped || core.world.poi[0].slap_count > 0;
+    }
+    assert_true(slapped);
+    assert_int_equal(core.world.poi[0].slap_count, 0);
+    expect_put_away(0, 2);
 }
 
 static void test_a_poi_lost_for_too_long_is_parked(void **state)
@@ -222,6 +248,7 @@ int main(void)
         cmocka_unit_test(test_pois_are_parked_before_the_start_and_after_the_end),
         cmocka_unit_test(test_a_poi_without_paper_is_parked_and_the_others_play),
         cmocka_unit_test(test_carried_fish_are_released_after_the_third_foul),
+        cmocka_unit_test(test_a_slap_ends_when_its_fish_is_released),
         cmocka_unit_test(test_a_poi_lost_for_too_long_is_parked),
         cmocka_unit_test(test_a_poi_parks_and_returns_without_a_jump),
     };
