@@ -120,7 +120,8 @@ void settings_sanitize(struct settings *settings);
 extern const struct field_table settings_fields;
 
 /* Returns `hash` continued over the settings. The PIN counts as 0 unless `hashes_pin` is true,
- * which only recordings of format 7 require. The replay of a score can therefore be verified without the PIN. */
+ * which only recordings of format 7 require. The replay of a score can therefore be verified
+ * without the PIN. */
 uint64_t settings_hash(uint64_t hash, const struct settings *settings, bool hashes_pin);
 
 /* Replaces a PIN in plain digits by its hashed form (core/pin.h). */
