@@ -191,8 +191,10 @@ static int backend_wait(void *self, struct gpio_edge *out, uint32_t max, uint32_
         polled[i] = (struct pollfd){ .fd = backend->fds[i], .events = POLLIN };
     }
     if (poll(polled, GPIO_INPUT_COUNT, backend->went ? 0 : (int)longest_ms) < 0) {
-        /* A signal interrupted poll(). No descriptor counts as readable, because poll() has set no
-         * `revents`. */
+        if (errno != EINTR) { /* The pause keeps the caller's loop from running without a wait. */
+            poll(NULL, 0, (int)longest_ms);
+        }
+        /* No descriptor counts as readable, because poll() has set no `revents`. */
         memset(polled, 0, sizeof polled);
     }
     for (enum gpio_role role = 0; role < GPIO_INPUT_COUNT; role++) {

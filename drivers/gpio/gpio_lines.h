@@ -130,6 +130,8 @@ struct gpio_lines_ops {
                 char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZE]);
     /* Waits at most `timeout_ms` for edges, even if no line is held. Returns the number of edges,
      * ordered by time for each line. A return value of `max` means that more edges may be pending.
+     * If the system call that waits for edges fails, returns no edges after `timeout_ms`. level()
+     * then still reads the lines.
      * Returns HAL_ERR_GONE after a chip was removed. The lines of the removed chip are then closed,
      * and all other lines remain held. */
     int (*wait)(void *self, struct gpio_edge *out, uint32_t max, uint32_t timeout_ms);

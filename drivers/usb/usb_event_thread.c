@@ -17,6 +17,9 @@
 #define IDLE_MS 1000
 /* Longest wait of the event thread in ms while an output report is being sent. */
 #define BUSY_MS 50
+/* Pause of the event thread in ms after a failed wait. With 100 iterations per second a controller
+ * stays playable, and the thread leaves the processor to the frame loop. */
+#define FAILED_MS 10
 /* Longest time in ns to wait for cancelled transfers when the event thread ends. */
 #define LAST_WAIT_NS 2000000000ull
 
@@ -73,13 +76,18 @@ static void wait_and_handle(struct usb_event_thread *usb_thread)
                    now_ns = hal_now_ns(usb_thread->clock);
     const uint64_t left_ms = due_ns <= now_ns ? 0 : (due_ns - now_ns) / NS_PER_MS + 1u;
     const uint64_t most_ms = is_sending ? BUSY_MS : IDLE_MS;
-    if (poll(usb_thread->fd, usb_thread->fd_count, (int)(left_ms < most_ms ? left_ms : most_ms)) >
-            0 &&
-        (usb_thread->fd[0].revents & POLLIN)) {
+    const int ready =
+        poll(usb_thread->fd, usb_thread->fd_count, (int)(left_ms < most_ms ? left_ms : most_ms));
+    bool has_failed = ready < 0 && errno != EINTR;
+    if (ready > 0 && (usb_thread->fd[0].revents & POLLIN)) {
         const ssize_t got = read(usb_thread->wake_fd, &count, sizeof count);
         (void)got;
     }
-    libusb_handle_events_timeout_completed(usb_thread->context, &at_once, NULL);
+    const int error = libusb_handle_events_timeout_completed(usb_thread->context, &at_once, NULL);
+    has_failed |= error != LIBUSB_SUCCESS && error != LIBUSB_ERROR_INTERRUPTED;
+    if (has_failed) {
+        poll(NULL, 0, FAILED_MS);
+    }
 }
 
 /* ---- Main loop of the thread ---------------------------------------------------------------- */

@@ -6,6 +6,8 @@
 #include <stddef.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/resource.h>
+#include <time.h>
 
 #include <cmocka.h>
 
@@ -289,6 +291,37 @@ static void test_the_loss_of_a_chip_with_only_outputs_is_reported_by_a_write(voi
     end(&lines);
 }
 
+static uint64_t now_ns(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (uint64_t)now.tv_sec * 1000u * MS + (uint64_t)now.tv_nsec;
+}
+
+/* poll() fails if it is given more files than the process may open. */
+static void test_a_failed_wait_pauses_and_levels_are_still_read(void **state)
+{
+    (void)state;
+    struct gpio_edge edges[GPIO_EDGES_MAX];
+    struct rlimit before;
+    const struct gpio_lines lines = fresh();
+    wire("coin=COIN");
+    request(&lines);
+    assert_int_equal(getrlimit(RLIMIT_NOFILE, &before), 0);
+    const struct rlimit none = { .rlim_cur = 0, .rlim_max = before.rlim_max };
+    fake_line_edge(&fake_chips[1].lines[2], 5000 * MS, true, 0);
+    assert_int_equal(setrlimit(RLIMIT_NOFILE, &none), 0);
+    const uint64_t begin_ns = now_ns();
+    const int count = lines.ops->wait(lines.self, edges, GPIO_EDGES_MAX, 20);
+    const uint64_t waited_ns = now_ns() - begin_ns;
+    assert_int_equal(setrlimit(RLIMIT_NOFILE, &before), 0);
+    assert_int_equal(count, 0);
+    assert_true(waited_ns >= 20 * MS);
+    assert_int_equal(lines.ops->level(lines.self, GPIO_COIN), 1);
+    assert_int_equal(wait(&lines, edges), 1); /* The edge stays queued until poll() works again. */
+    end(&lines);
+}
+
 struct listed {
     uint32_t count;
     char text[512];
@@ -336,6 +369,7 @@ int main(void)
         cmocka_unit_test(test_a_line_without_interrupts_is_polled),
         cmocka_unit_test(test_a_removed_chip_is_reported_after_the_edges_of_the_others),
         cmocka_unit_test(test_the_loss_of_a_chip_with_only_outputs_is_reported_by_a_write),
+        cmocka_unit_test(test_a_failed_wait_pauses_and_levels_are_still_read),
         cmocka_unit_test(test_all_lines_of_accessible_chips_are_listed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

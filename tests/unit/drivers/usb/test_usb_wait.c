@@ -1,5 +1,5 @@
 /* test_usb_wait.c -- Tests the retry and reservation times of the USB thread with a clock that the
- * test advances, and a choice file that cannot be read. */
+ * test advances, a failing poll(), and a choice file that cannot be read. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -8,6 +8,7 @@
 #include <cmocka.h>
 
 #include <stdatomic.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 
 #include "core/game/phases.h"
@@ -128,6 +129,32 @@ static void test_a_slot_is_reserved_for_the_longest_pause_of_a_round(void **stat
     assert_int_equal(face.identity.product, 4);
 }
 
+/* poll() fails if it is given more files than the process may open. */
+static void test_a_failed_wait_pauses_and_reports_still_arrive(void **state)
+{
+    (void)state;
+    struct rlimit before;
+    struct hid_raw raw;
+    begin();
+    const uint32_t poi = usb_sim_plug(&own_poi, 1);
+    assert_true(fixture_open(&fixture, 0, &face));
+    assert_int_equal(getrlimit(RLIMIT_NOFILE, &before), 0);
+    const struct rlimit none = { .rlim_cur = 0, .rlim_max = before.rlim_max };
+    assert_int_equal(setrlimit(RLIMIT_NOFILE, &none), 0);
+    fixture_send(poi, 1); /* Ends the call of poll() that began before the limit was set. */
+    const int first = fixture_take(&fixture, 0, &raw);
+    const uint32_t calls = usb_sim_calls();
+    usleep(500000);
+    const uint32_t made = usb_sim_calls() - calls;
+    fixture_send(poi, 2);
+    const int second = fixture_take(&fixture, 0, &raw);
+    assert_int_equal(setrlimit(RLIMIT_NOFILE, &before), 0);
+    assert_int_equal(first, 1);
+    assert_in_range(made, 1, 100);
+    assert_int_equal(second, 1);
+    assert_int_equal(fixture_number(&raw), 2);
+}
+
 /* ---- The file ------------------------------------------------------------------------------- */
 
 static void choose_the_joystick(void)
@@ -176,6 +203,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         BENCH(test_retries_of_a_device_without_a_descriptor_become_less_frequent),
         BENCH(test_a_slot_is_reserved_for_the_longest_pause_of_a_round),
+        BENCH(test_a_failed_wait_pauses_and_reports_still_arrive),
         BENCH(test_a_file_that_cannot_be_opened_is_reported_and_not_overwritten),
         BENCH(test_a_partly_unreadable_file_is_reported_and_not_overwritten),
     };
