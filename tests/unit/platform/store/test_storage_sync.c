@@ -1,5 +1,5 @@
 /* test_storage_sync.c -- Tests failed syncs: no entry is acknowledged before its bytes were written
- * again and synced.
+ * again and synced. Also tests a database that is moved away during a write.
  *
  * `make test-power` tests the same at seeded positions. */
 #include <errno.h>
@@ -28,6 +28,7 @@ static struct hal_storage device;
 static const char *failing; /* Path of the file whose syncs fail. NULL means that no sync fails, and
                                "" means every file. */
 static uint32_t fails_left; /* Number of syncs that still fail. */
+static const char *moving;  /* Path to which the database is renamed at the next sync of its log. */
 static uint64_t written;    /* Bytes written to `watched`. */
 static const char *watched;
 
@@ -40,6 +41,10 @@ static int is_of(int fd, const char *path)
 
 static int sync_or_fail(int fd)
 {
+    if (moving && is_of(fd, wal)) {
+        assert_int_equal(rename(file, moving), 0);
+        moving = NULL;
+    }
     if (fails_left > 0 && is_of(fd, failing)) {
         fails_left--;
         errno = EIO;
@@ -96,6 +101,7 @@ static int set_up(void **state)
     storage = (struct storage){ .dir = dir, .by_hand = 1 };
     device = storage_device(&storage);
     fail_syncs(NULL, 0);
+    moving = NULL;
     watched = NULL;
     written = 0;
     return device.ledger.ops->open(device.ledger.self) == HAL_OK ? 0 : -1;
@@ -264,6 +270,50 @@ static void test_a_log_locked_by_another_program_at_the_start_is_not_acknowledge
     sqlite3_close(other);
 }
 
+static void test_an_entry_is_written_only_after_a_suspect_log_is_rewritten(void **state)
+{
+    (void)state;
+    sqlite3 *other = NULL;
+    struct ledger_file suspect;
+    const struct ledger_entry coin = {
+        .id = 6, .boot = 1, .tick = 6, .kind = LEDGER_COINS, .count = 1
+    };
+    drop_coins(1, 5);
+    simulate_kill();
+    assert_int_equal(sqlite3_open(file, &other), SQLITE_OK);
+    assert_int_equal(sqlite3_exec(other, "BEGIN IMMEDIATE", NULL, NULL, NULL), SQLITE_OK);
+    assert_int_equal(ledger_file_open(&suspect, file, NULL), SQLITE_OK);
+    assert_true(suspect.is_suspect); /* The lock prevented the rewrite. */
+    assert_int_equal(sqlite3_exec(other, "ROLLBACK", NULL, NULL, NULL), SQLITE_OK);
+    watched = wal;
+    written = 0;
+    const uint64_t size = size_of(wal);
+    assert_int_equal(ledger_file_write(&suspect, &coin, 1), SQLITE_OK);
+    assert_true(written > size);
+    assert_false(suspect.is_suspect);
+    assert_int_equal(suspect.content.memory.ledger.last_id, 6);
+    ledger_file_close(&suspect);
+    sqlite3_close(other);
+}
+
+static void test_a_database_that_moves_during_a_write_acknowledges_nothing(void **state)
+{
+    (void)state;
+    char away[96];
+    snprintf(away, sizeof away, "%s/away", dir);
+    drop_coins(1, 1);
+    moving = away;
+    drop_coins(2, 3);
+    assert_null(moving); /* The database has moved during the write. */
+    assert_int_equal(saved(), 1);
+    assert_false(device.ledger.ops->is_healthy(device.ledger.self));
+    assert_non_null(strstr(device.ledger.ops->describe(device.ledger.self), "removed or replaced"));
+    assert_int_equal(rename(away, file), 0);
+    storage_work(&storage);
+    assert_int_equal(saved(), 3);
+    assert_true(device.ledger.ops->is_healthy(device.ledger.self));
+}
+
 static void test_a_withdrawn_name_is_rewritten_after_a_failed_sync_of_the_mirror(void **state)
 {
     (void)state;
@@ -295,6 +345,8 @@ int main(void)
         TEST(test_a_failed_checkpoint_closes_the_file_and_loses_nothing),
         TEST(test_a_log_found_at_the_start_is_rewritten_before_it_is_acknowledged),
         TEST(test_a_log_locked_by_another_program_at_the_start_is_not_acknowledged),
+        TEST(test_an_entry_is_written_only_after_a_suspect_log_is_rewritten),
+        TEST(test_a_database_that_moves_during_a_write_acknowledges_nothing),
         TEST(test_a_withdrawn_name_is_rewritten_after_a_failed_sync_of_the_mirror),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
