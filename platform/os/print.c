@@ -10,6 +10,7 @@
 
 #include "core/base/panic.h"
 #include "core/base/printable.h"
+#include "platform/os/file.h"
 
 __attribute__((format(printf, 3, 0))) static void print_put(FILE *file, const char *end,
                                                             const char *format, va_list arguments)
@@ -40,6 +41,20 @@ void print_line(FILE *file, const char *format, ...)
 
 /* ---- Standard streams ----------------------------------------------------------------------- */
 
+static int output_error; /* errno of the first failed write to standard output, or 0 if no write
+                            failed. */
+
+/* Write function of `stdout`, which stores the reason of a failed write. The C library writes a
+ * full buffer within any printf() call, drops the buffer if the write fails, and does not store the
+ * reason. */
+static ssize_t write_output(void *cookie, const char *bytes, size_t size)
+{
+    (void)cookie;
+    const int error = file_write(STDOUT_FILENO, bytes, size);
+    output_error = output_error ? output_error : -error;
+    return error == 0 ? (ssize_t)size : 0;
+}
+
 int print_open_streams(void)
 {
     for (int fd = STDIN_FILENO; fd <= STDERR_FILENO; fd++) {
@@ -54,30 +69,21 @@ int print_open_streams(void)
             return opened < 0 ? -errno : -EIO;
         }
     }
+    FILE *out = fopencookie(NULL, "w", (cookie_io_functions_t){ .write = write_output });
+    if (!out) {
+        return -ENOMEM;
+    }
+    setvbuf(out, NULL, isatty(STDOUT_FILENO) ? _IOLBF : _IOFBF, BUFSIZ);
+    stdout = out;
     return 0;
 }
 
-static int flush_error; /* errno of the first failed print_flush(), or 0 if no call
-                           failed. */
-
 int print_flush(FILE *out)
 {
-    const int error = fflush(out) == 0 ? 0 : errno;
-    if (error == 0 && !ferror(out)) {
-        return 0;
-    }
-    flush_error = flush_error ? flush_error : error;
-    return -1;
+    return fflush(out) == 0 && !ferror(out) ? 0 : -1;
 }
 
 int print_finish(void)
 {
-    const int has_failed = ferror(stdout) != 0;
-    /* After a failed write the C library keeps the bytes in its buffer, so that fflush() fails
-     * again for the same reason. */
-    const int error = fflush(stdout) == 0 ? 0 : errno;
-    if (error == 0 && !has_failed) {
-        return 0;
-    }
-    return flush_error != 0 ? -flush_error : error != 0 ? -error : -EIO;
+    return print_flush(stdout) == 0 ? 0 : output_error != 0 ? -output_error : -EIO;
 }

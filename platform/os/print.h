@@ -27,16 +27,17 @@ __attribute__((format(printf, 2, 3))) void print_line(FILE *file, const char *fo
 
 /* Opens each of the descriptors 0, 1 and 2 that the parent process left closed. A data file that is
  * opened later can then not get one of these numbers. Reads and writes on a descriptor that the
- * function has opened fail with EBADF. Must be called before any other file is opened. Returns 0 or
- * a negative errno. */
+ * function has opened fail with EBADF. Also replaces `stdout` by a stream that stores the reason of
+ * its first failed write. fileno() of this stream fails. Must be called before any other file is
+ * opened. Returns 0 or a negative errno. */
 int print_open_streams(void);
 
 /* Flushes standard output. Returns 0, or the negative errno of the first failed write since program
  * start. */
 int print_finish(void);
 
-/* Flushes `out` before program end. Returns 0. On an error stores errno and returns -1.
- * print_finish() reports the stored error, therefore the caller must not report it. */
+/* Flushes `out` before program end. Returns 0, or -1 after an error. For standard output,
+ * print_finish() reports the error, therefore the caller must not report it. */
 int print_flush(FILE *out);
 
 #endif

@@ -122,7 +122,7 @@ is_reason() { # WORDS FULL|CLOSED PROGRAM...
     is_told "$@" && [ "$(wc -l <"$work/err")" -eq 1 ] && grep -q "standard output: $wanted" "$work/err"
 }
 
-echo 1..15
+echo 1..16
 check 'the table of this test contains every command and subcommand' covers
 check 'every command reports a full standard output' all_told full "$commands"
 check 'every command reports a closed standard output' all_told closed "$commands"
@@ -131,6 +131,7 @@ check 'every --help reports a full standard output' all_told full "$helps"
 check 'every --help reports a closed standard output' all_told closed "$helps"
 check 'at most ten commands of the table print nothing' few_silent
 check 'a full disk is reported with its cause' is_reason 'No space left' full "$ctl" audits --data "$data"
+check 'a full disk is reported with its cause after more than one buffer' is_reason 'No space left' full "$ctl" tank --help
 check 'a closed descriptor is reported with its cause' is_reason 'Bad file descriptor' closed "$ctl" audits --data "$data"
 check 'a command with an error of its own reports the lost output in one line' is_reason 'No space left' full "$ctl" lines list
 for how in full closed; do
