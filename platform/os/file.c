@@ -58,10 +58,10 @@ int file_user_handle(const char *path, int flags, mode_t mode)
     return open_regular(AT_FDCWD, path, flags, mode);
 }
 
-int file_give(const char *path, uid_t owner, gid_t group, mode_t mode)
+int file_give_at(int folder, const char *path, uid_t owner, gid_t group, mode_t mode)
 {
     struct stat about;
-    const int handle = file_handle(path, O_RDONLY, 0);
+    const int handle = file_handle_at(folder, path, O_RDONLY, 0);
     if (handle < 0) {
         return -1;
     }

@@ -62,6 +62,27 @@ follows_a_named_link() {
     mkdir -p "$work/linked"
     ends 0 '9 entries' backup --restore "$work/link.db" --data "$work/linked" && [ ! -L "$work/linked/kingyo.db" ]
 }
+# The link itself becomes kingyo.db.before-1. The database to which the link leads is unchanged.
+replaces_a_link() {
+    mkdir -p "$work/target" "$work/links" && cp $old/version-5.db "$work/target/kingyo.db" &&
+        ln -s ../target/kingyo.db "$work/links/kingyo.db" && cp "$work/target/kingyo.db" "$work/target/same" &&
+        ln -s nowhere "$work/links/kingyo.db.before-1" || return 1
+    ends 0 'before-2' backup --restore $old/version-5.db --data "$work/links" &&
+        [ -f "$work/links/kingyo.db" ] && [ ! -L "$work/links/kingyo.db" ] && [ -L "$work/links/kingyo.db.before-1" ] &&
+        [ "$(readlink "$work/links/kingyo.db.before-2")" = ../target/kingyo.db ] &&
+        cmp "$work/target/kingyo.db" "$work/target/same" && [ "$(cd "$work/target" && echo *)" = 'kingyo.db same' ]
+}
+# Another user replaces the data folder by a symbolic link while the copy is written.
+stays_in_its_folder() {
+    mkdir -p "$work/victim" "$work/swapped" && cp $old/version-5.db "$work/swapped/kingyo.db" &&
+        echo precious | tee "$work/victim/kingyo.db" >"$work/victim/kingyo.db.new" &&
+        ${CC:-gcc} -shared -fPIC -o "$work/swap.so" tests/ctl/swap_folder.c || return 1
+    SWAP_FOLDER=$work/swapped SWAP_TARGET=$work/victim LD_PRELOAD=$work/swap.so \
+        "$ctl" backup --restore $old/version-5.db --data "$work/swapped"
+    ls "$work/victim" "$work/swapped.moved"
+    [ -L "$work/swapped" ] && [ "$(cd "$work/victim" && echo * && cat ./*)" = $'kingyo.db kingyo.db.new\nprecious\nprecious' ] &&
+        [ "$(cd "$work/swapped.moved" && echo *)" = 'kingyo.db kingyo.db.before-1' ]
+}
 is_copy() {
     "$ctl" backup "$work/copy.db" --data "$data" && [ "$(echo "$work/copy.db"*)" = "$work/copy.db" ] &&
         [ "$(sqlite3 "$work/copy.db" 'pragma integrity_check; select count(*) from entries')" = $'ok\n9' ]
@@ -189,7 +210,7 @@ done
 check 'a backup does not overwrite a file of another kind' keeps "$work/precious" 'not a copy'
 sqlite3 "$work/foreign.db" 'create table rounds (number)'
 check 'a backup does not overwrite the database of another program'"'"'s database' ends 2 'not a copy' backup "$work/foreign.db" --data "$data"
-check 'a backup onto a folder is refused' ends 2 'is a folder' backup "$work" --data "$data"
+check 'a backup onto a folder is refused' ends 74 'is a folder' backup "$work" --data "$data"
 check 'a restore replaces the database and keeps the previous files' goes_back
 check 'a second restore keeps the files of the first restore' goes_back_again
 check 'a restore is refused while the database is in use' refuses_while_it_runs
@@ -227,4 +248,11 @@ check 'a backup that replaces a public copy is private' private_again
 check 'a copy with a trigger is refused, and the error names the trigger' refuses_a_trigger
 check 'the error for a foreign object gives its type and name' names_what_is_not_ours
 check 'backup --restore follows a symbolic link' follows_a_named_link
+check 'backup --restore replaces a symbolic link, not its target' replaces_a_link
+check 'backup --restore renames no file in a folder that a link leads to' stays_in_its_folder
+check 'backup --restore into a missing folder names the folder and the option' ends 74 \
+    'missing/data: does not exist; create it, or name the data folder with --data' \
+    backup --restore $old/version-5.db --data "$work/missing/data"
+mkfifo "$work/pipe"
+check 'a backup onto a FIFO exits with 74' ends 74 'pipe: cannot be written: is not a regular file' backup "$work/pipe" --data "$data"
 echo "1..$count"

@@ -30,20 +30,25 @@
 /* Maximum length of the database's path in bytes. The kiosk has the same limit. */
 #define PATH_MAX_BYTES 520u
 #define BEFORE_MAX 1000u /* Maximum number of replaced databases that stay in the folder. */
+#define NAME_SIZE 40u    /* Size of a file name in the data folder, in bytes. */
 
 static const char name[] = "backup";
 static const char command[] = "backup --restore";
+static const char in_use[] = "the kiosk runs, or another program reads the database: stop it first";
 
-/* State of the replacement of the database: the paths of the files, and the start record of the
- * copy. */
+/* State of the replacement of the database. All files are in one folder, which another user may
+ * own. The folder stays open, and the files are renamed by their names in the open folder. A
+ * symbolic link that takes the place of the folder therefore has no effect. */
 struct swap {
-    char own[BOOKS_PATH_SIZE];     /* Path of the kiosk's ledger database. */
-    char folder[BOOKS_PATH_SIZE];  /* Path of the folder of the ledger database. */
-    char fresh[LEDGER_PATH_SIZE];  /* Path of the copy that will replace the database. */
-    char before[LEDGER_PATH_SIZE]; /* Path to which the replaced database is renamed. */
+    char own[BOOKS_PATH_SIZE]; /* Path of the kiosk's ledger database. */
+    int folder;                /* Descriptor of the folder of the ledger database. */
+    char before[NAME_SIZE];    /* Name to which the replaced database is renamed. */
     /* Start record of the copy. All fields are 0 if an earlier version of Kingyo wrote the copy. */
     struct ledger_start copied;
 };
+
+static const char fresh[] = STORAGE_FILE STORAGE_NEW_SUFFIX; /* Name of the copy that will replace
+                                                                the database. */
 
 static enum exit_code fails(const char *path, const char *why)
 {
@@ -57,32 +62,43 @@ static void join_path_suffix(char out[LEDGER_PATH_SIZE], const char *path, const
     snprintf(out, LEDGER_PATH_SIZE, "%.560s%.39s", path, suffix);
 }
 
-/* Returns true if a process has the database at `path` open. SQLite locks parts of the database
- * file or of its shared-memory file while the database is open. */
-static bool is_locked(const char *path)
+/* Opens the folder of the database and locks it. A kiosk locks its data folder for its whole run,
+ * even while its database is closed. A file system without locks is used without a lock. Prints an
+ * error. */
+static enum exit_code open_folder(struct swap *swap)
 {
-    struct flock lock = { .l_type = F_WRLCK, .l_whence = SEEK_SET };
-    const int handle = file_handle(path, O_RDONLY, 0);
-    const bool is_held =
-        handle >= 0 && fcntl(handle, F_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
-    if (handle >= 0) {
-        close(handle);
+    char path[BOOKS_PATH_SIZE];
+    snprintf(path, sizeof path, "%.*s", (int)(strrchr(swap->own, '/') - swap->own), swap->own);
+    swap->folder = file_lock_folder(path[0] ? path : "/");
+    if (swap->folder == -EWOULDBLOCK) {
+        return fails(swap->own, in_use);
     }
-    return is_held;
+    if (swap->folder < 0) {
+        swap->folder = open(path[0] ? path : "/", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    }
+    return swap->folder >= 0 ? EXIT_OK
+                             : fails(path, errno == ENOENT   ? "does not exist; create it, or name "
+                                                               "the data folder with --data"
+                                           : errno == EACCES ? "you have no access; use sudo"
+                                                             : strerror(errno));
 }
 
-/* Returns true if a kiosk runs with the data folder of the database, or if a process has the
- * database open. A kiosk locks its data folder for its whole run, even while its database is
- * closed. */
+/* Returns true if a process has the database open. SQLite locks parts of the database file or of
+ * its shared-memory file while the database is open. */
 static bool is_database_held(const struct swap *swap)
 {
-    char shared[LEDGER_PATH_SIZE];
-    const int handle = file_lock_folder(swap->folder[0] ? swap->folder : "/");
-    if (handle >= 0) {
-        close(handle);
+    static const char *const names[] = { STORAGE_FILE, STORAGE_FILE "-shm" };
+    bool is_held = false;
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        struct flock lock = { .l_type = F_WRLCK, .l_whence = SEEK_SET };
+        const int handle = file_handle_at(swap->folder, names[i], O_RDONLY, 0);
+        is_held = is_held ||
+                  (handle >= 0 && fcntl(handle, F_GETLK, &lock) == 0 && lock.l_type != F_UNLCK);
+        if (handle >= 0) {
+            close(handle);
+        }
     }
-    join_path_suffix(shared, swap->own, "-shm");
-    return handle == -EWOULDBLOCK || is_locked(swap->own) || is_locked(shared);
+    return is_held;
 }
 
 /* ---- Writing the copy ------------------------------------------------------------------------ */
@@ -94,18 +110,20 @@ static bool is_database_held(const struct swap *swap)
 static int copy_owner_and_mode(const struct swap *swap)
 {
     struct stat about;
-    const bool has_file = lstat(swap->own, &about) == 0 && S_ISREG(about.st_mode);
-    if (!has_file && stat(swap->folder, &about) != 0) {
+    const bool has_file = fstatat(swap->folder, STORAGE_FILE, &about, AT_SYMLINK_NOFOLLOW) == 0 &&
+                          S_ISREG(about.st_mode);
+    if (!has_file && fstat(swap->folder, &about) != 0) {
         return -1;
     }
     const mode_t mode = has_file ? about.st_mode & 0660 : S_IRUSR | S_IWUSR;
-    return file_give(swap->fresh, about.st_uid, about.st_gid, mode);
+    return file_give_at(swap->folder, fresh, about.st_uid, about.st_gid, mode);
 }
 
 static enum exit_code make_copy(struct swap *swap, const char *from)
 {
     struct ledger_file file = { .refusal = SQLITE_READONLY };
     struct stat about;
+    char path[LEDGER_PATH_SIZE];
     if (stat(from, &about) != 0) {
         return fails(from, strerror(errno));
     }
@@ -123,11 +141,12 @@ static enum exit_code make_copy(struct swap *swap, const char *from)
         }
         return code == SQLITE_CANTOPEN ? EXIT_IO : EXIT_BAD_DATA;
     }
-    code = ledger_backup_make(&file, swap->fresh, false);
+    join_path_suffix(path, swap->own, STORAGE_NEW_SUFFIX);
+    code = ledger_backup_make(&file, path, false);
     ledger_file_close(&file);
     if (code != SQLITE_OK || copy_owner_and_mode(swap) != 0) {
-        fails(swap->fresh, code != SQLITE_OK ? ledger_file_error(code) : strerror(errno));
-        unlink(swap->fresh);
+        fails(path, code != SQLITE_OK ? ledger_file_error(code) : strerror(errno));
+        unlinkat(swap->folder, fresh, 0);
         return EXIT_IO;
     }
     return EXIT_OK;
@@ -135,14 +154,20 @@ static enum exit_code make_copy(struct swap *swap, const char *from)
 
 /* ---- Replacing the database ------------------------------------------------------------------ */
 
+static bool has_name(const struct swap *swap, const char *suffix)
+{
+    char whole[2u * NAME_SIZE];
+    struct stat about;
+    snprintf(whole, sizeof whole, "%s%s", swap->before, suffix);
+    return fstatat(swap->folder, whole, &about, AT_SYMLINK_NOFOLLOW) == 0;
+}
+
 static bool name_before(struct swap *swap)
 {
-    char suffix[40], backup[LEDGER_PATH_SIZE];
     for (unsigned number = 1; number <= BEFORE_MAX; number++) {
-        snprintf(suffix, sizeof suffix, STORAGE_REPLACED_SUFFIX "%u", number);
-        join_path_suffix(swap->before, swap->own, suffix);
-        join_path_suffix(backup, swap->before, STORAGE_BACKUP_SUFFIX);
-        if (access(swap->before, F_OK) != 0 && access(backup, F_OK) != 0) {
+        snprintf(swap->before, sizeof swap->before, STORAGE_FILE STORAGE_REPLACED_SUFFIX "%u",
+                 number);
+        if (!has_name(swap, "") && !has_name(swap, STORAGE_BACKUP_SUFFIX)) {
             return true;
         }
     }
@@ -157,19 +182,20 @@ static int put_in_place(const struct swap *swap)
     static const char *const suffixes[] = {
         STORAGE_BACKUP_SUFFIX, STORAGE_MIRROR_SUFFIX, "", "-wal", "-journal", "-shm"
     };
+    const int folder = swap->folder;
     for (size_t i = 0; i < sizeof suffixes / sizeof suffixes[0]; i++) {
         const bool is_database = suffixes[i][0] == '\0';
-        char from[LEDGER_PATH_SIZE], to[LEDGER_PATH_SIZE];
-        join_path_suffix(from, swap->own, suffixes[i]);
-        join_path_suffix(to, swap->before, suffixes[i]);
+        char from[NAME_SIZE], to[2u * NAME_SIZE];
+        snprintf(from, sizeof from, STORAGE_FILE "%s", suffixes[i]);
+        snprintf(to, sizeof to, "%s%s", swap->before, suffixes[i]);
         /* A file that does not exist need not be renamed. */
-        if ((is_database && file_sync_parent(swap->own) != 0) ||
-            (rename(from, to) != 0 && errno != ENOENT) ||
-            (is_database && file_sync_parent(swap->own) != 0)) {
+        if ((is_database && fsync(folder) != 0) ||
+            (renameat(folder, from, folder, to) != 0 && errno != ENOENT) ||
+            (is_database && fsync(folder) != 0)) {
             return -1;
         }
     }
-    return rename(swap->fresh, swap->own) == 0 ? file_sync_parent(swap->own) : -1;
+    return renameat(folder, fresh, folder, STORAGE_FILE) == 0 ? fsync(folder) : -1;
 }
 
 /* Prints the copy `path` and its start record. `before` is the path of the replaced database, "" if
@@ -188,6 +214,23 @@ static void print_json(const char *path, const char *before, const struct ledger
     json_end(&json);
 }
 
+static enum exit_code replace_database(struct swap *swap, const char *from)
+{
+    if (is_database_held(swap)) {
+        return fails(swap->own, in_use);
+    }
+    const enum exit_code code = make_copy(swap, from);
+    if (code != EXIT_OK) {
+        return code;
+    }
+    if (is_database_held(swap) || !name_before(swap)) {
+        unlinkat(swap->folder, fresh, 0);
+        return fails(swap->own,
+                     "the kiosk was started, or the folder has too many replaced databases");
+    }
+    return put_in_place(swap) == 0 ? EXIT_OK : fails(swap->own, strerror(errno));
+}
+
 static enum exit_code restore_backup(const struct books_words *words, const char *named)
 {
     struct swap swap = { 0 };
@@ -200,42 +243,34 @@ static enum exit_code restore_backup(const struct books_words *words, const char
     if (books_is_same(from, swap.own)) {
         return ctl_usage(name, "%.200s: is the kiosk's own database", from);
     }
-    snprintf(swap.folder, sizeof swap.folder, "%.*s", (int)(strrchr(swap.own, '/') - swap.own),
-             swap.own);
-    join_path_suffix(swap.fresh, swap.own, STORAGE_NEW_SUFFIX);
-    if (is_database_held(&swap)) {
-        return fails(swap.own,
-                     "the kiosk runs, or another program reads the database: stop it first");
-    }
-    const enum exit_code code = make_copy(&swap, from);
+    enum exit_code code = open_folder(&swap);
     if (code != EXIT_OK) {
         return code;
     }
-    if (is_database_held(&swap) || !name_before(&swap)) {
-        unlink(swap.fresh);
-        return fails(swap.own,
-                     "the kiosk was started, or the folder has too many replaced databases");
+    code = replace_database(&swap, from);
+    const bool has_before = code == EXIT_OK && has_name(&swap, "");
+    close(swap.folder);
+    if (code != EXIT_OK) {
+        return code;
     }
-    if (put_in_place(&swap) != 0) {
-        return fails(swap.own, strerror(errno));
-    }
-    const bool has_before = access(swap.before, F_OK) == 0;
+    char before[LEDGER_PATH_SIZE];
+    join_path_suffix(before, swap.own, swap.before + sizeof STORAGE_FILE - 1u);
     if (words->as_json) {
-        print_json(named, has_before ? swap.before : "", &swap.copied);
+        print_json(named, has_before ? before : "", &swap.copied);
         return EXIT_OK;
     }
     print_line(stdout, "%s: is now %s, %u entries", named, swap.own, swap.copied.last_id);
     if (has_before) {
-        print_line(stdout, "replaced database: %s", swap.before);
+        print_line(stdout, "replaced database: %s", before);
     }
     return EXIT_OK;
 }
 
-/* Returns the reason why a copy must not be written to `path`, or null if the copy may be written.
- * A copy may replace only an older copy or an empty file, or create a new file. A copy onto the
- * kiosk's database would empty the database, and a copy onto the write-ahead log would destroy the
- * log. Therefore no file in the data folder whose name begins with STORAGE_FILE is replaced. */
-static const char *why_not(const struct books_words *words, const char *path)
+/* Returns EXIT_OK if a copy may be written to `path`, otherwise prints an error. A copy may replace
+ * only an older copy or an empty file, or create a new file. A copy onto the kiosk's database would
+ * empty the database, and a copy onto the write-ahead log would destroy the log. Therefore no file
+ * in the data folder whose name begins with STORAGE_FILE is replaced. */
+static enum exit_code check_target(const struct books_words *words, const char *path)
 {
     char own[BOOKS_PATH_SIZE], folder[BOOKS_PATH_SIZE];
     struct ledger_start older;
@@ -247,25 +282,27 @@ static const char *why_not(const struct books_words *words, const char *path)
     *(strrchr(own, '/') + 1) = '\0';
     if (is_database ||
         (strncmp(last, STORAGE_FILE, strlen(STORAGE_FILE)) == 0 && books_is_same(own, folder))) {
-        return "is the kiosk's own database";
+        return ctl_usage(name, "%.200s: is the kiosk's own database", path);
     }
     if (stat(path, &about) != 0 || (S_ISREG(about.st_mode) && about.st_size == 0)) {
-        return NULL;
+        return EXIT_OK;
     }
     if (!S_ISREG(about.st_mode)) {
-        return S_ISDIR(about.st_mode) ? "is a folder" : "is not a regular file";
+        print_error("kingyoctl backup: %s: cannot be written: %s", path,
+                    S_ISDIR(about.st_mode) ? "is a folder" : "is not a regular file");
+        return EXIT_IO;
     }
     return books_check_copy(path, &older) == SQLITE_OK
-               ? NULL
-               : "exists, and is not a copy of a kiosk's database";
+               ? EXIT_OK
+               : ctl_usage(name, "%.200s: exists, and is not a copy of a kiosk's database", path);
 }
 
 static enum exit_code write_backup_copy(struct ledger_file *file, const char *path,
                                         const struct books_words *words)
 {
-    const char *why = why_not(words, path);
-    if (why) {
-        return ctl_usage(name, "%.200s: %s", path, why);
+    const enum exit_code target = check_target(words, path);
+    if (target != EXIT_OK) {
+        return target;
     }
     const int code = ledger_backup_make(file, path, true);
     if (code != SQLITE_OK) {

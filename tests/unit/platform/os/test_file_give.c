@@ -48,7 +48,7 @@ static void check_refused(int error)
     struct stat before, after;
     assert_int_equal(stat(victim, &before), 0);
     errno = 0;
-    assert_int_equal(file_give(path, geteuid(), getegid(), 0660), -1);
+    assert_int_equal(file_give_at(AT_FDCWD, path, geteuid(), getegid(), 0660), -1);
     assert_int_equal(errno, error);
     assert_int_equal(stat(victim, &after), 0);
     assert_int_equal(after.st_mode, before.st_mode);
@@ -59,7 +59,7 @@ static void test_a_regular_file_gets_the_mode(void **state)
 {
     (void)state;
     struct stat about;
-    assert_int_equal(file_give(victim, geteuid(), getegid(), 0640), 0);
+    assert_int_equal(file_give_at(AT_FDCWD, victim, geteuid(), getegid(), 0640), 0);
     assert_int_equal(stat(victim, &about), 0);
     assert_int_equal(about.st_mode & 07777, 0640);
 }
