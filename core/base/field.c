@@ -1,4 +1,5 @@
-/* field.c -- visits the members of a struct by its table, and hashes them. */
+/* field.c -- visits the members of a struct in the order of its table or in memory order, and
+ * hashes them. */
 #include "core/base/field.h"
 
 #include "core/base/hash.h"
@@ -16,7 +17,8 @@ struct field_cursor field_begin(const struct field_table *table, const void *obj
     };
 }
 
-/* Returns the member of `level` after its current member, or NULL after the last member. */
+/* Returns the member that the visit reaches after the current member of `level`. Returns the first
+ * member if there is no current member, and NULL after the last member. */
 static const struct field *next_member(const struct field_level *level, bool in_memory_order)
 {
     const struct field_table *table = level->table;
@@ -35,7 +37,8 @@ static const struct field *next_member(const struct field_level *level, bool in_
     return next;
 }
 
-/* Returns the number of elements in use in a member of `object` that has room for `most`. */
+/* Returns how many elements of a member of `object` are in use. `most` is the number of elements
+ * that the member has room for. */
 static inline uint32_t used_count(const struct field *field, const uint8_t *object, uint32_t most)
 {
     uint32_t used = most;
@@ -89,7 +92,8 @@ static inline uint32_t number_at(const uint8_t *at, uint32_t size)
     return middle;
 }
 
-/* Returns `hash` continued over a member of `object` that has no table. */
+/* Returns `hash` extended by a member of `object`. The member is not a struct, so it has no
+ * table. */
 static inline uint64_t hash_member(uint64_t hash, const struct field *field, const uint8_t *object)
 {
     const uint8_t *at = object + field->offset;
@@ -105,7 +109,8 @@ static inline uint64_t hash_member(uint64_t hash, const struct field *field, con
     case FORM_RAW:
         hash = hash_bytes(hash, at, field->size);
         break;
-    case FORM_HIGH: /* The next word has 0 in the bits of the shifted number. */
+    case FORM_HIGH: /* The number becomes the high bits of the next word, in which these bits are
+                       0. */
         hash ^= (uint64_t)number_at(at, unit) << field->tag;
         break;
     case FORM_SIGN:

@@ -15,15 +15,17 @@
 enum field_form {
     FORM_WORDS = 0, /* The hash reads each number as one word. */
     FORM_RAW,       /* The hash reads the bytes of the member (hash_bytes()). */
-    FORM_HIGH,      /* The number, shifted left by `tag` bits, is the high part of the next word. */
+    FORM_HIGH,      /* The hash reads the number and the next member as one word. The number,
+                       shifted left by `tag` bits, supplies the high bits of the word, and the next
+                       member the low bits. */
     FORM_SIGN,      /* The number is an int8_t from -1 to 1, and the hash adds 1 to the number. */
-    FORM_LATER,     /* Recordings of older formats lack the number (`since`). The hash reads the
-                        number and its tag only if the number is not 0, so that the hashes of older
-                        recordings stay the same. */
-    FORM_STRUCTS,   /* The elements are structs with the members in `table`. */
+    FORM_LATER,     /* Recordings of formats older than `since` lack the number. The hash reads the
+                       number and its tag only if the number is not 0, so that the hashes of older
+                       recordings stay the same. */
+    FORM_STRUCTS,   /* The member is an array of structs, whose members are listed in `table`. */
     FORM_SKIPPED,   /* The hash does not read the member. */
-    FORM_AGAIN,     /* The hash reads each number as one word. Another entry of the table describes
-                        the member too, so a visit in memory order leaves this entry out. */
+    FORM_AGAIN,     /* The hash reads each number as one word. The table has another entry for the
+                       same member, so a visit in memory order skips this entry. */
 };
 
 struct field_table {
@@ -35,16 +37,18 @@ struct field_table {
 
 struct field {
     const char *name;                /* Name of the member in its struct. */
-    const struct field_table *table; /* Members of each element for FORM_STRUCTS, otherwise
-                                        null. */
+    const struct field_table *table; /* For FORM_STRUCTS: table of the struct of each element.
+                                        Otherwise null. */
     uint32_t offset;                 /* Offset of the member in its struct, in bytes. */
     uint32_t size;                   /* Size of the member in bytes. */
-    uint32_t count;                  /* Number of numbers in the member. */
-    uint32_t count_offset;           /* Offset of the uint32_t that has the number of elements in
-                                        use. FIELD_ALL_USED means that all elements are in use. */
-    uint16_t tag;                    /* Tag of the first element for FORM_LATER. Each further
-                                        element has the next tag, which is unique in the struct.
-                                        Number of bits of the shift for FORM_HIGH. */
+    uint32_t count;                  /* Length of the member as an array of numbers. */
+    uint32_t count_offset;           /* Offset in the struct, in bytes, of the uint32_t that counts
+                                        the elements in use. FIELD_ALL_USED means that all elements
+                                        are in use. */
+    uint16_t tag;                    /* For FORM_LATER: tag that the hash reads before the first
+                                        element. Each further element has the next tag, and all tags
+                                        of a struct differ. For FORM_HIGH: number of bits of the
+                                        shift. */
     uint8_t unit;                    /* Size of one number in bytes: 1, 2 or 4. */
     uint8_t align;                   /* Alignment of the member in bytes. */
     uint8_t form;                    /* Form of the member (enum field_form). */
@@ -56,11 +60,13 @@ struct field {
 
 /* ---- Entries of a table ------------------------------------------------------------------------
  *
- * Before a table, a file defines STRUCT as the name of the struct without the keyword. A member may
- * be an element of an array, or a member of a nested struct without padding. */
+ * Before a table, a source file defines the macro STRUCT as the name of the struct, without the
+ * keyword. In the macros below, `member` names a member, an element of an array member, or a member
+ * of a nested struct that has no padding. */
 
 #define FIELD_MEMBER(member) (((struct STRUCT *)0)->member)
-/* Size of the numbers of a member. Every type that is not listed consists of 4-byte numbers. */
+/* Size in bytes of each number of a member. A type that is not listed, such as float or vec3,
+ * consists of 4-byte numbers. */
 #define FIELD_UNIT(value)                                                                          \
     _Generic((value),                                                                              \
         bool: 1,                                                                                   \
@@ -74,7 +80,8 @@ struct field {
         default: 4)
 #define FIELD_ENTRY(member, member_form, first_tag, members, used)                                 \
     FIELD_PART(member, sizeof FIELD_MEMBER(member), member_form, first_tag, members, used, 0)
-/* Describes only `bytes` bytes from the beginning of `member`, which may continue an array. */
+/* Describes the `bytes` bytes that begin with `member`. They may be a part of `member`, or an array
+ * element together with the elements after it. */
 #define FIELD_PART(member, bytes, member_form, first_tag, members, used, first_format)             \
     { .name = #member,                                                                             \
       .table = (members),                                                                          \
@@ -99,12 +106,14 @@ struct field {
 #define FIELD_AGAIN(member) FIELD_ENTRY(member, FORM_AGAIN, 0, NULL, FIELD_ALL_USED)
 #define FIELD_SKIP(member) FIELD_ENTRY(member, FORM_SKIPPED, 0, NULL, FIELD_ALL_USED)
 #define FIELD_STRUCT(member, table) FIELD_ENTRY(member, FORM_STRUCTS, 0, table, FIELD_ALL_USED)
-/* Only the first elements of the array `member` are in use. The member `used` has their number. */
+/* Describes an array of which only the first elements are in use. The member `used` counts these
+ * elements. */
 #define FIELD_USED(member, used)                                                                   \
     FIELD_ENTRY(member, FORM_WORDS, 0, NULL, offsetof(struct STRUCT, used))
 #define FIELD_STRUCT_USED(member, table, used)                                                     \
     FIELD_ENTRY(member, FORM_STRUCTS, 0, table, offsetof(struct STRUCT, used))
-/* `numbers` elements of an array. `member` is the first of them, such as array[3]. */
+/* Describes `numbers` consecutive elements of an array. `member` is the first of these elements,
+ * for example array[3]. */
 #define FIELD_RANGE(member, numbers)                                                               \
     FIELD_PART(member, (numbers) * sizeof FIELD_MEMBER(member), FORM_WORDS, 0, NULL,               \
                FIELD_ALL_USED, 0)
@@ -112,7 +121,7 @@ struct field {
     FIELD_PART(member, (numbers) * sizeof FIELD_MEMBER(member), FORM_LATER, tag, NULL,             \
                FIELD_ALL_USED, 8)
 
-/* Defines the table of struct `type` with these entries. */
+/* Initializer of the table of struct `type`. The further arguments are the entries. */
 #define FIELD_TABLE(type, ...)                                                                     \
     { .name = #type,                                                                               \
       .fields = (const struct field[]){ __VA_ARGS__ },                                             \
@@ -128,25 +137,28 @@ struct field {
 struct field_cursor {
     bool in_memory_order; /* True to visit the members in their order in memory. False to visit the
                              members in the order of the tables. */
-    uint32_t depth;       /* Number of entries in use in `level`. 0 means that the visit is over. */
+    uint32_t depth;       /* Number of entries of `level` in use, one for each nested struct that
+                             the visit is in. 0 means that the visit has ended. */
     struct field_level {
         const struct field_table *table;
         const uint8_t *object;
         const struct field *field; /* Current member of `object`. */
         const uint8_t *element;    /* Next element of the current member if it has a table. */
-        uint32_t element_count;    /* Number of elements from `element` on. */
+        uint32_t element_count;    /* Number of elements that the visit has not yet entered,
+                                      beginning with `element`. */
     } level[FIELD_DEPTH_MAX];
 };
 
-/* Returns a cursor before the first member of `object`, whose members are in `table`. */
+/* Begins a visit of all members of `object`, which `table` describes. Returns a cursor that stands
+ * before the first member. */
 struct field_cursor field_begin(const struct field_table *table, const void *object,
                                 bool in_memory_order);
 
-/* Advances the cursor to the next member that has numbers, or that the hash skips. Returns the
- * member and writes its address to `*at`, or returns NULL at the end. */
+/* Advances the cursor to the next member that is not a struct. Returns the member's entry in its
+ * table and writes the address of the member to `*at`. Returns NULL after the last member. */
 const struct field *field_next(struct field_cursor *cursor, const uint8_t **at);
 
-/* Returns `hash` continued over all members of `object`. */
+/* Returns `hash` extended by all members of `object`, which `table` describes. */
 uint64_t field_hash(uint64_t hash, const struct field_table *table, const void *object);
 
 #endif

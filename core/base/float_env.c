@@ -1,5 +1,6 @@
-/* float_env.c -- checks the float environment by eight sums of products. The operands are volatile,
- * so that no compiler computes the sums in advance. */
+/* float_env.c -- checks the float environment: computes eight sums of products, and compares their
+ * bits with the required bits. The operands are volatile, so that the compiler cannot compute the
+ * sums in advance. */
 #include "core/base/float_env.h"
 
 #include <stdint.h>
@@ -45,8 +46,8 @@ static uint32_t bits_of(float value)
     return bits;
 }
 
-/* Returns true if the four tests from `first` on give the required bits in a vector of four
- * floats. */
+/* Computes four tests, beginning with test `first`, in a vector of four floats. Returns true if all
+ * results have the required bits. */
 static bool quad_is_standard(uint32_t first)
 {
     fquad x, y, z;

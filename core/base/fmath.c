@@ -1,5 +1,6 @@
-/* fmath.c -- the functions of fmath.h as polynomials after range reduction. fmath.h gives the
- * largest errors, which the tests check. */
+/* fmath.c -- implements the functions of fmath.h by polynomials. Each function first reduces its
+ * argument to a small range, in which the polynomial is accurate. fmath.h gives the largest errors,
+ * which the tests check. */
 #include "core/base/fmath.h"
 
 #include <stdint.h>
@@ -38,7 +39,8 @@ float f_floor(float x)
 
 float f_wrap_angle(float x)
 {
-    if (f_abs(x) < 3.0f) { /* A fast path: the formula below would return the same value. */
+    if (f_abs(x) < 3.0f) { /* The result of the formula below would be the same. Returning `x` is
+                              faster. */
         return x;
     }
     return x - F_TAU * f_floor((x + F_PI) / F_TAU);
@@ -137,7 +139,8 @@ float f_log(float x)
         m *= 0.5f;
         exponent++;
     }
-    const float t = (m - 1.0f) / (m + 1.0f); /* ln m = 2 atanh t, |t| < 0.172. */
+    const float t = (m - 1.0f) / (m + 1.0f); /* ln(m) equals 2 * atanh(t). The series of atanh(t)
+                                                converges fast, because |t| is below 0.172. */
     const float s = t * t;
     const float high = 0.2f + s * (1.0f / 7.0f + s / 9.0f);
     const float p = 2.0f * t * (1.0f + s * (1.0f / 3.0f + s * high));

@@ -15,7 +15,7 @@
 uint64_t hash_bytes(uint64_t hash, const void *bytes, size_t size);
 uint64_t hash_u64(uint64_t hash, uint64_t value);
 
-/* Returns `hash` continued over a word. The function rotates the hash after the multiplication.
+/* Returns `hash` extended by a 32-bit word. The function rotates the hash after the multiplication.
  * Without the rotation, the high bits of a word would never affect the low bits of the hash. */
 static inline uint64_t hash_u32(uint64_t hash, uint32_t value)
 {

@@ -1,9 +1,11 @@
-/* panic.h -- handling of a broken invariant of the core.
+/* panic.h -- assertions of the core.
  *
- * The core asserts on programming errors and returns an error for bad data or a failed device. A
- * failed assertion calls core_panic(). Besides core_panic(), the core's object files leave only
- * memcpy, memmove, memset and memcmp undefined. The kiosk writes its last inputs and stops, a unit
- * test catches the call, and a bare board resets. */
+ * The core asserts on programming errors, and returns an error for bad data or a failed device. A
+ * failed assertion calls core_panic(), which the program defines: the kiosk writes its last inputs
+ * and stops, a unit test catches the call, and a bare board resets.
+ *
+ * The core calls only five external functions: core_panic(), memcpy(), memmove(), memset() and
+ * memcmp(). */
 #ifndef KINGYO_CORE_BASE_PANIC_H
 #define KINGYO_CORE_BASE_PANIC_H
 
@@ -11,7 +13,7 @@
  * not return. `condition` and `file` are static strings. */
 _Noreturn void core_panic(const char *condition, const char *file, int line);
 
-/* Calls core_panic() if the condition is 0, also in release builds. */
+/* Calls core_panic() if the condition is false, also in release builds. */
 #define CORE_ASSERT(condition) ((condition) ? (void)0 : core_panic(#condition, __FILE__, __LINE__))
 
 #endif

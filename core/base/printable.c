@@ -6,7 +6,8 @@ struct span {
     uint32_t first, last;
 };
 
-/* Ranges of rejected code points, which printable.h lists. `first` and `last` are rejected too. */
+/* Ranges of code points that must not be displayed; printable.h gives the reasons. Each range
+ * includes `first` and `last`. */
 static const struct span refused[] = {
     { 0x0000, 0x001F }, { 0x007F, 0x009F }, { 0x061C, 0x061C },
     { 0x200E, 0x200F }, { 0x2028, 0x202E }, { 0x2066, 0x2069 },
@@ -48,7 +49,7 @@ uint32_t printable_next(const char **at)
 {
     const uint32_t size = printable_utf8_size(*at);
     const uint32_t point = size > 0 ? printable_code_point(*at) : PRINTABLE_MALFORMED;
-    *at += size > 0 ? size * (point > 0) : 1u; /* The end of the text stays the end. */
+    *at += size > 0 ? size * (point > 0) : 1u; /* At the end of the text, `*at` does not advance. */
     return point;
 }
 

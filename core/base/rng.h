@@ -13,13 +13,18 @@ struct rng_key {
 };
 
 uint32_t rng_u32(struct rng_key key);
-float rng_unit(struct rng_key key);                         /* Uniform in [0, 1). */
-float rng_range(struct rng_key key, float low, float high); /* Uniform in [low, high). */
-float rng_normal(struct rng_key key);                       /* Mean 0, standard deviation 1, always
-                                                               within [-6, 6]. */
+float rng_unit(struct rng_key key);                         /* Returns a number from a uniform
+                                                               distribution in [0, 1). */
+float rng_range(struct rng_key key, float low, float high); /* Returns a number from a uniform
+                                                               distribution in [low, high). */
+float rng_normal(struct rng_key key);                       /* Returns a number from a nearly normal
+                                                               distribution with mean 0 and standard
+                                                               deviation 1, always within [-6,
+                                                               6]. */
 
-/* Purpose of a random number. The list covers the whole core, so that no two uses share a purpose
- * by accident. */
+/* Purpose of a random number, which is a part of its key. Two uses with different purposes get
+ * independent numbers. The list covers the whole core, so that no two uses share a purpose by
+ * accident. */
 enum rng_purpose {
     RNG_FISH_PLACE_X = 1,
     RNG_FISH_PLACE_Y,
@@ -34,8 +39,8 @@ enum rng_purpose {
     RNG_FISH_AVOID_SIDE,
     RNG_FISH_ESCAPE,
     RNG_FISH_DEPTH,
-    RNG_SHEET_STRENGTH = 15, /* Value 14 is unused. All later purposes keep their values and
-                                therefore their random numbers. */
+    RNG_SHEET_STRENGTH = 15, /* No purpose has the value 14 any more. The later purposes keep their
+                                values, because otherwise their random numbers would change. */
     RNG_SHEET_SLAP,
     RNG_SHEET_SPOT,
     RNG_BOT_REACTION,
@@ -46,7 +51,8 @@ enum rng_purpose {
     RNG_SOUND,
     RNG_TEST,
     RNG_FISH_START_GAIT,
-    RNG_FISH_START_LEFT, /* Share of the first gait's duration that is left at the start. */
+    RNG_FISH_START_LEFT, /* Fraction of its first gait's duration that a fish still has at the
+                            start. */
     RNG_FISH_SHARP_TURN, /* Sharp turn of a fish at the start of a burst. */
     RNG_ESCAPE_STRAY,
     RNG_ESCAPE_DURATION,

@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Largest message in bytes; a block has 64 bytes, of which the padding takes 9. */
+/* Largest message in bytes. A block has 64 bytes, and the padding takes 9 of them. */
 #define SHA256_MESSAGE_MAX 55u
 #define SHA256_WORDS 8u
 

@@ -35,8 +35,8 @@
 #define SIMD_BEGIN _Pragma("GCC visibility push(hidden)")
 #define SIMD_END _Pragma("GCC visibility pop")
 
-/* Names the build of a kernel for `lanes`, which is 0, 4 or 8. 0 means 4. Example: SIMD_PICK(lanes,
- * swim_move_block)(shoal, first). */
+/* Gives the name of the build of kernel `name` for the number of lanes `lanes`, which is 0, 4 or 8.
+ * 0 means 4. Example: SIMD_PICK(lanes, swim_move_block)(shoal, first). */
 #ifdef __x86_64__
 #define SIMD_LANES_MAX 8u
 #define SIMD_PICK(lanes, name) ((lanes) == 8u ? name##_8 : name##_4)
@@ -45,8 +45,7 @@
 #define SIMD_PICK(lanes, name) ((void)(lanes), name##_4)
 #endif
 
-/* Returns 1 if kernels with this number of lanes were built, otherwise 0. A `lanes` of 0 means
- * 4. */
+/* Returns true if the kernels were built for this number of lanes. 0 means 4 lanes. */
 static inline int simd_is_built(uint32_t lanes)
 {
     return lanes == 0u || lanes == 4u || lanes == SIMD_LANES_MAX;
@@ -59,7 +58,7 @@ typedef float fquad __attribute__((vector_size(16)));
 
 static inline flanes simd_splat(float x)
 {
-    return x - (flanes){ 0 }; /* Subtracts 0, because x + 0 would change -0 to 0. */
+    return x - (flanes){ 0 }; /* Every lane is x - 0. The form x + 0 would change -0 to 0. */
 }
 
 static inline flanes simd_load(const float *from)
@@ -166,9 +165,9 @@ static inline flanes simd_abs(flanes a)
     return (flanes)((ilanes)a & 0x7fffffff);
 }
 
-/* Minimum and maximum with the results of f_min() and f_max(): the second operand is returned if
- * the operands are equal or one is NaN. The x86 instructions behave this way. gcc does not generate
- * the instructions from the plain form, but clang does. */
+/* Minimum and maximum, which equal those of f_min() and f_max() in every case. If the operands are
+ * equal or one operand is NaN, the result is the second operand, as of the x86 instructions. clang
+ * compiles the plain form to these instructions, but gcc does not. */
 #if defined(__SSE2__) && defined(SIMD_WIDE) && !defined(__clang__)
 #define SIMD_MIN_OP(a, b) __builtin_ia32_minps256(a, b)
 #define SIMD_MAX_OP(a, b) __builtin_ia32_maxps256(a, b)
@@ -258,7 +257,8 @@ static inline struct simd_sin_cos simd_sin_cos(flanes x)
         1.0f - s * (0.5f - s * (1.0f / 24.0f - s * (1.0f / 720.0f - s * (1.0f / 40320.0f))));
     const ilanes quadrant = __builtin_convertvector(turns, ilanes);
     const ilanes odd = (quadrant & 1) != 0;
-    /* Bit 1 of the quadrant is the sign and is moved to the float's sign bit. */
+    /* Bit 1 of `quadrant` determines the sign. The shift by 30 moves this bit to bit 31, the sign
+     * bit of a float. */
     const ilanes sine_sign = (quadrant & 2) << 30, cosine_sign = ((quadrant + 1) & 2) << 30;
     return (struct simd_sin_cos){
         .sin = (flanes)((ilanes)simd_select(odd, cosine, sine) ^ sine_sign),

@@ -20,8 +20,8 @@ struct angles {
     float yaw_rad, pitch_rad, roll_rad;
 };
 
-/* Orthonormal axes of a body in world coordinates. `back` is the body's +z, so the body faces along
- * -back. */
+/* Axes of a body in world coordinates: unit vectors that are perpendicular to each other. `back` is
+ * the body's +z, so the body faces along -back. */
 struct basis {
     vec3 right, up, back;
 };
@@ -102,7 +102,8 @@ static inline vec3 v3_lerp(vec3 a, vec3 b, float t)
     return v3_muladd(a, v3_sub(b, a), t);
 }
 
-/* Returns `a`, shortened to `length_max` >= 0 if `a` is longer. The direction is kept. */
+/* Returns `a` if its length is at most `length_max` >= 0. Otherwise returns the vector of length
+ * `length_max` in the same direction. */
 static inline vec3 v3_limit(vec3 a, float length_max)
 {
     const float length = v3_length(a);
@@ -116,8 +117,8 @@ static inline bool v3_is_finite(vec3 a)
 
 struct basis vec_basis_from_angles(struct angles angles);
 
-/* Convert a vector: vec_basis_to_world() from body to world coordinates, vec_basis_to_body() from
- * world to body coordinates. */
+/* Convert the components of a vector. vec_basis_to_world() converts body coordinates to world
+ * coordinates, and vec_basis_to_body() converts world coordinates to body coordinates. */
 vec3 vec_basis_to_world(const struct basis *basis, vec3 body);
 vec3 vec_basis_to_body(const struct basis *basis, vec3 world);
 

@@ -24,7 +24,7 @@ struct layer_recipe {
     float glide_ms;       /* Time constant of the glide from hz_from to hz_to; 0 means that the
                              frequency stays at hz_from. */
     float damping;        /* Damping 1 / Q of the band-pass filter of a noise layer, in (0, 2]. */
-    float roughness;      /* Random variation of the level of a noise layer, in [0, 1]. */
+    float roughness;      /* Strength [0, 1] of the random changes of a noise layer's level. */
 };
 
 struct sound_recipe {
@@ -33,8 +33,8 @@ struct sound_recipe {
                         no string. */
     float string_gain;
     float string_delay_ms;
-    float string_keep; /* Fraction of the string's wave that remains after one pass through its
-                          delay line, in (0, 1). */
+    float string_keep; /* Factor (0, 1) by which the string's wave is weakened in each pass through
+                          its delay line. */
     float length_ms;   /* Duration of the sound, after which its voice is free. All layers and the
                           string must be inaudible when the duration ends. */
 };

@@ -1,8 +1,9 @@
-/* synth.c -- implements the synthesiser: each voice has a few gliding sine waves and filtered noise
- * bursts, and at most one plucked string.
+/* synth.c -- implements the synthesiser. A voice plays one sound, which consists of sine waves,
+ * filtered noise and at most one plucked string.
  *
- * The pitch, the filter and the roughness of a voice change every CONTROL_FRAMES frames of the
- * voice's own age. The output therefore does not depend on the number of frames per call. */
+ * A control step of a voice is CONTROL_FRAMES frames, counted from the start of its sound. The
+ * pitch, the filter and the roughness change only between control steps. Therefore the output does
+ * not depend on the number of frames per call. */
 #include "core/sound/synth.h"
 
 #include "core/base/fmath.h"
@@ -10,7 +11,7 @@
 #include "core/base/panic.h"
 #include "core/sound/recipe.h"
 
-/* Number of frames (0.67 ms) between two updates of the control values. Steps at this rate are
+/* Length of a control step in frames (0.67 ms). Changes of the pitch in such small steps are
  * inaudible. */
 #define CONTROL_FRAMES 32u
 #define FRAMES_PER_MS ((float)SYNTH_RATE_HZ / 1000.0f)
@@ -82,8 +83,8 @@ static void string_pluck(struct synth_voice *voice, float hz)
     CORE_ASSERT(hz > 0.0f);
     float mean = 0.0f;
     float smooth = 0.0f;
-    /* The averaging of two adjacent samples in string_next() adds a delay of half a frame. The
-     * length of the delay line is therefore rounded down. */
+    /* string_next() averages two adjacent samples, which adds a delay of half a frame. To
+     * compensate for this delay, the length of the delay line is rounded down. */
     voice->string_count = (uint32_t)(int32_t)((float)SYNTH_RATE_HZ / hz);
     CORE_ASSERT(voice->string_count <= SYNTH_PLUCK_MAX);
     for (uint32_t i = 0; i < voice->string_count; i++) {
@@ -98,8 +99,8 @@ static void string_pluck(struct synth_voice *voice, float hz)
 
 /* ---- Rendering of voices -------------------------------------------------------------------- */
 
-/* Starts a control step of a layer: advances the glide of the frequency, and computes the decay,
- * the cutoff and the gate of the step. */
+/* Begins a control step (CONTROL_FRAMES frames) of a layer: advances the glide of the frequency,
+ * and computes the values `decay`, `cutoff` and `gate` of the step. */
 static void layer_control(struct synth_layer *state, const struct layer_recipe *layer,
                           uint32_t *noise)
 {
@@ -113,8 +114,9 @@ static void layer_control(struct synth_layer *state, const struct layer_recipe *
     state->gate = 1.0f - layer->roughness * f_abs(noise_next(noise));
 }
 
-/* Adds the next frames of a voice to `mix`, up to the end of the voice's present control step.
- * Returns the number of frames that this step contains, at most `frame_count`. */
+/* Adds the next part of a voice to `mix`: the frames up to the end of the present control step, but
+ * at most `frame_count`. Returns the number of frames of that part, even if the sound ends
+ * earlier. */
 static uint32_t voice_step(struct synth_voice *voice, float *mix, uint32_t frame_count)
 {
     CORE_ASSERT(voice->sound != SOUND_NONE && voice->sound < SOUND_COUNT);
@@ -122,8 +124,8 @@ static uint32_t voice_step(struct synth_voice *voice, float *mix, uint32_t frame
     const uint32_t length = frames_of(recipe->length_ms);
     const uint32_t step = CONTROL_FRAMES - voice->age_frames % CONTROL_FRAMES;
     const uint32_t count = step < frame_count ? step : frame_count;
-    uint32_t layer_count = 0; /* The layers of a sound are the first elements of both
-                                 arrays. */
+    uint32_t layer_count = 0; /* Counts the layers of the sound. The first layer of the kind
+                                 LAYER_NONE ends the list. */
     while (layer_count < SYNTH_LAYER_MAX && recipe->layer[layer_count].kind != LAYER_NONE) {
         if (step == CONTROL_FRAMES) {
             layer_control(&voice->layer[layer_count], &recipe->layer[layer_count], &voice->noise);

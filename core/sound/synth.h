@@ -30,9 +30,10 @@ struct synth_layer {
     float hz;                  /* Present frequency in Hz, which changes during the glide. */
     float level;               /* Present level, which decreases over time. */
     float low, band;           /* State variables of the band-pass filter for noise. */
-    float decay, cutoff, gate; /* Values for the present control step: `decay` is the factor of the
-                                  level per frame, `cutoff` is the cutoff coefficient of the noise
-                                  filter, and `gate` is the random gain due to `roughness`. */
+    float decay, cutoff, gate; /* Values for the present control step. `decay` is the factor by
+                                  which the level falls per frame, `cutoff` is the cutoff
+                                  coefficient of the noise filter, and `gate` is a random gain that
+                                  makes the noise rough. */
 };
 
 struct synth_voice {

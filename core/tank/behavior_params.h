@@ -34,15 +34,16 @@ struct behavior_params {
     /* Standard deviation of the change of heading when a fish begins to swim (`turn_swim_rad`) or
      * to rest (`turn_rest_rad`). Section 3.3 of the 2013 thesis describes the change. */
     float turn_swim_rad, turn_rest_rad;
-    float depth_stray; /* Standard deviation of the depths of fish with equal stamina, as a fraction
-                          of the water depth. */
+    float depth_stray; /* Random spread of the depths that fish prefer: the standard deviation of
+                          the depths of fish with equal stamina, as a fraction of the water
+                          depth. */
 
     /* The next four parameters control how a fish avoids other fish (2013 thesis, section 3.4). */
     float meet_within_s; /* Time to contact below which a fish begins to avoid another fish. 0 means
                             no limit. */
-    float meet_miss;     /* Distance within which the courses of two fish must pass each other, so
-                            that the fish avoid each other. The unit is the sum of the two lengths.
-                            0 means any distance. */
+    float meet_miss;     /* Two fish avoid each other only if their courses pass each other at less
+                            than this distance, in units of the sum of the two body lengths. 0 means
+                            any distance. */
     float brake_s;       /* Time to contact with another fish below which a fish slows down. */
     float swerve_haste;  /* Value >= 1 of `haste` (fish.h) while a fish turns to avoid another fish.
                             A larger value makes the turn begin faster. */
@@ -52,9 +53,9 @@ struct behavior_params {
      * that the fish swims in the time `wall_within_s`. */
     float wall_per_length; /* Constant part, in body lengths, of the distance to a wall below which
                               a fish turns away. */
-    float wall_within_s;   /* Time that determines the second part of the distance to a wall below
-                              which a fish turns away. The second part is the distance that the fish
-                              swims in this time. */
+    float wall_within_s;   /* Second part of the distance to a wall below which a fish turns away,
+                              as a time. The distance is the path that the fish swims in this
+                              time. */
 
     /* The next parameters add the behavior of living fish to the rules of the 2013 thesis. */
     float kick_rad;          /* Standard deviation of the random turn at each kick of the tail
@@ -89,8 +90,8 @@ struct behavior_params {
  * stimulus. */
 struct temper {
     float threshold_gain; /* The alarm that starts an escape is higher by this fraction. */
-    float latency_gain;   /* The latency between alarm and escape is longer by this fraction. */
-    float reach_loss;     /* Fraction [0, 1] by which the distance is smaller at which a moving poi
+    float latency_gain;   /* The time between alarm and escape is longer by this fraction. */
+    float reach_loss;     /* Fraction [0, 1] by which the distance shrinks at which a moving poi
                              (paper scoop) startles fish. */
     float calm_share;     /* Fraction [0, 1] of the small fish that stay near the surface and have a
                              higher threshold (fish_is_calm()). */
@@ -111,7 +112,7 @@ struct perception {
     bool ball_spaces;  /* True if personal spaces are balls instead of boxes; see struct
                             tank_config. */
     uint32_t seed, tick;
-    float dt_s;        /* Time since the last decision of the deciding fish. */
+    float dt_s;        /* Time between this decision of the fish and its previous decision. */
     float oxygen_mg_l; /* Oxygen dissolved in the water. */
     const struct obstacle *obstacles;
     uint32_t obstacle_count;

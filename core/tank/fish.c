@@ -9,8 +9,8 @@ void fish_grow(struct fish *fish, float length_m, const struct behavior_params *
     fish->length_m = length_m;
     fish->height_m = params->height_per_length * length_m;
     fish->width_m = params->width_per_length * length_m;
-    fish->speed_up_keep = 0.0f; /* The acceleration depends on the length. The value 0 makes the
-                                   next call of swim_resolve() compute the acceleration again. */
+    fish->speed_up_keep = 0.0f; /* The next call of swim_resolve() computes the factor again,
+                                   because the acceleration depends on the length. */
 }
 
 struct box fish_box(const struct fish *fish)
@@ -35,7 +35,8 @@ vec3 fish_forward(const struct fish *fish)
               -f_cos(fish->angles.yaw_rad) * cos_pitch);
 }
 
-/* Length up to which a fish may be calm. Half of the fish in the festival tank are shorter. */
+/* Greatest length of a calm fish (fish_is_calm()). Half of the fish in the festival tank are
+ * shorter than this length. */
 #define CALM_LENGTH_M 0.045f
 
 bool fish_is_calm(const struct fish *fish, const struct temper *temper)

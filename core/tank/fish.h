@@ -12,8 +12,8 @@
 /* Largest number of fish in a tank of the kiosk program. A tank preset can have a lower limit
  * (tank_preset_fish_max()). */
 #define TANK_FISH_KIOSK 2048u
-/* Number of fish for which struct tank has memory. The program `kingyoctl tank` and the benchmark
- * are compiled with a larger number (platform/ctl/tank/tank.mk). */
+/* Capacity of struct tank in fish. The program `kingyoctl tank` and the benchmark are compiled with
+ * a larger capacity (platform/ctl/tank/tank.mk). */
 #ifndef TANK_FISH_MAX
 #define TANK_FISH_MAX TANK_FISH_KIOSK
 #endif
@@ -24,17 +24,16 @@ typedef uint16_t fish_index; /* Index of a fish or number of fish, 0 .. TANK_FIS
 typedef uint32_t fish_index;
 #endif
 
-/* Returns the number of fish for which a tank with `fish_count` fish sizes its lists, for example
- * its contact list. Up to TANK_FISH_KIOSK fish, the result does not depend on TANK_FISH_MAX.
- * Therefore programs with different values of TANK_FISH_MAX compute equal state hashes. */
+/* Returns the capacity, in fish, of the lists of a tank with `fish_count` fish. The contact list is
+ * such a list. Up to TANK_FISH_KIOSK fish, the result does not depend on TANK_FISH_MAX. Therefore
+ * programs that were compiled with different values of TANK_FISH_MAX compute equal state hashes. */
 static inline uint32_t fish_capacity(uint32_t fish_count)
 {
     return fish_count <= TANK_FISH_KIOSK ? TANK_FISH_KIOSK : TANK_FISH_MAX;
 }
 
-/* Height above the still water surface from which a fish counts as in the air. The top of the
- * fish's body must be higher than this height. Ripples of the surface are lower than this
- * height. */
+/* A fish counts as in the air if the top of its body is higher than this height above the still
+ * water surface. Ripples are lower, so a ripple alone never puts a fish into the air. */
 #define FISH_AIRBORNE_M 0.003f
 
 enum fish_gait {
@@ -93,17 +92,17 @@ struct fish {
     float room;        /* Factor [0, 1] by which the largest turning rate of the fish is multiplied.
                           The factor is below 1 if other fish are close beside the fish. */
 
-    /* Goals of the fish: `heading_rad` and the members from here to `beats`. Each decision of the
-     * fish sets the goals. In every tick the present values, for example `speed_m_s`, approach the
-     * goals. */
+    /* The goals of the fish are `heading_rad` and the members from here to `beats`. Each decision
+     * of the fish sets new goals. In every tick, the present values approach the goals. For
+     * example, `speed_m_s` approaches `speed_goal_m_s`. */
     float speed_goal_m_s; /* Speed that the fish approaches. `brake` multiplies this speed while
                              another fish is close ahead. */
-    float speed_up_keep;  /* Slowness of acceleration: fraction [0, 1) of the difference between the
-                             speed and a higher speed goal that remains after one tick. 0 means that
-                             the fraction is not yet computed. */
-    float slow_keep;      /* Slowness of deceleration without braking: fraction [0, 1) of the
-                             difference between the speed and a lower speed goal that remains after
-                             one tick. */
+    float speed_up_keep;  /* Acceleration: while the speed is below its goal, each tick multiplies
+                             the difference by this factor [0, 1). A larger factor means slower
+                             acceleration. 0 means that the factor is not yet computed. */
+    float slow_keep;      /* Deceleration without braking: while the speed is above its goal, each
+                             tick multiplies the difference by this factor [0, 1). A larger factor
+                             means slower deceleration. */
     float turn_rate_max_rad_s;
     float haste; /* Factor >= 1 by which the fish turns, pitches, bends and changes its tail beat
                     faster than normal. */
@@ -129,8 +128,9 @@ struct fish {
     uint8_t thought_tick; /* Low 8 bits of the tick in which the fish last decided. */
     float gait_left_s;    /* Time until the fish chooses its next gait. For a fish in reentry: time
                              since the fish came back into the water. */
-    float avoid_left_s;   /* Time left in which the fish avoids another fish. If `avoiding` is
-                             AVOID_NONE, time left in which the fish keeps its depth. */
+    float avoid_left_s;   /* Remaining time of the present avoidance of another fish. After an
+                             avoidance, when `avoiding` is AVOID_NONE: remaining time in which the
+                             fish keeps its depth. */
     float avoid_turn;     /* Direction of the avoidance. In AVOID_YAW the value is -1 (sharp
                              right) to +1 (sharp left). In AVOID_PITCH the value is -1 (down) or
                              +1 (up). */
@@ -166,8 +166,9 @@ struct fish {
                                 > 0 means to the left. */
 };
 
-/* Returns the height above the still water surface, m, up to which the top of the fish's box may
- * rise before the fish counts as in the air. A gulping fish may rise by its own height. */
+/* Returns a height above the still water surface, m. The fish counts as in the air if the top of
+ * its body is above this height. The height is FISH_AIRBORNE_M. For a gulping fish the height is
+ * greater by the height of its body, because a gulping fish puts its head out of the water. */
 static inline float fish_emerges_m(const struct fish *fish)
 {
     return (fish->gait == GAIT_SURFACE ? fish->height_m : 0.0f) + FISH_AIRBORNE_M;

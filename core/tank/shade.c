@@ -9,11 +9,12 @@
 /* Strength with which a still shade attracts fish. The value is the factor S in eq. 3.5 of the 2013
  * thesis on goldfish behavior, converted to 1/s: 0.01 per frame at 60 frames per second. */
 #define PULL_PER_S 0.60f
-/* Speed below which a fish that a shade attracts hardly moves and keeps its yaw. The speed is the
- * length of the sum of two velocities: the fish's own velocity and the attraction of shades. */
+/* A fish that a shade attracts keeps its yaw if its intended velocity is slower than this limit,
+ * because the direction of a very slow velocity is nearly random. The intended velocity is the sum
+ * of the fish's own velocity and the attraction of shades. */
 #define HARDLY_M_S 0.005f
-/* Speed, in body lengths per second, at which nearby fish must push a fish out of a shade to cancel
- * the attraction of the shade completely. */
+/* Nearby fish may push a fish out of a shade. A push of this speed, in body lengths per second,
+ * cancels the attraction of the shade completely. A weaker push reduces the attraction. */
 #define FULL_LENGTHS_PER_S 0.1f
 /* Width of the rim around a shade in which the shade already startles fish (design value). */
 #define FRIGHT_RIM_M 0.02f

@@ -21,10 +21,13 @@
  * the light that the object takes. */
 #define SHADE_FAN_DARK 0.62f
 
-/* Limits of the attraction of a shade, in radii of the shade. In section 3.5 of the 2013 thesis the
- * radius is 10 cm. There the attraction reaches to 20 cm from the centre of the shade, and falls
- * abruptly from 9 cm/s to zero at 5 cm. In this code the attraction falls gradually to zero between
- * SHADE_DEAD_RADII (5 cm) and SHADE_CALM_RADII (3 cm). */
+/* Distances from the centre of a shade, in radii of the shade. Fish nearer than SHADE_FIELD_RADII
+ * are attracted. Nearer than SHADE_DEAD_RADII the attraction decreases. At SHADE_CALM_RADII and
+ * nearer the attraction is zero, so that the fish in the shade come to rest.
+ *
+ * In section 3.5 of the 2013 thesis the radius is 10 cm, and the attraction reaches to 20 cm from
+ * the centre. At 5 cm from the centre the attraction falls abruptly from 9 cm/s to zero. In this
+ * code the attraction falls gradually between 5 cm and 3 cm. */
 #define SHADE_FIELD_RADII 2.0f
 #define SHADE_DEAD_RADII 0.5f
 #define SHADE_CALM_RADII 0.3f

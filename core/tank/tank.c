@@ -8,8 +8,9 @@
 #include "core/tank/behavior/surface_breathing.h"
 #include "core/tank/behavior/swim.h"
 
-/* Motion per tick above which an obstacle stirs the water and counts as a poi (paper scoop) in use.
- * The limit equals 12 mm/s, because a tick lasts 1/120 s. */
+/* If an obstacle (a poi or a bowl) moves farther than this distance in a tick, it counts as a poi
+ * (paper scoop) that a player moves. The distance per tick corresponds to 12 mm/s, because a tick
+ * lasts 1/120 s. */
 #define STIRS_M 0.0001f
 #define BUBBLE_TICKS 6u /* Ticks between two bubbles of the pump: 20 bubbles per second. */
 /* Radius of the circle above the air stone within which bubbles reach the surface. */
@@ -19,13 +20,15 @@
 #define BUBBLE_M 0.0011f /* Height by which a bubble lifts the surface. */
 #define GULP_RADIUS_M 0.010f
 #define GULP_DEPTH_M 0.0004f
-/* Smoothing of the push that nearby fish give to a fish. Each broad-phase query changes the present
- * push by this fraction of its difference to the new push. A query runs every 33 ms, and 1 -
- * exp(-33 / 79) is 0.344, so pushes rise and decay with a time constant of 79 ms. */
+/* Smoothing factor of `push_m_s`, the velocity with which nearby fish push a fish. Every full
+ * broad-phase query computes a new value. The query then moves `push_m_s` toward the new value by
+ * this fraction of the difference. Queries are 33 ms apart and the fraction is 1 - exp(-33 / 79),
+ * so `push_m_s` changes with a time constant of 79 ms. */
 #define PUSH_SHARE 0.344f
 #define BORNE_M_S 0.05f
-/* Increase per second of a fish's `room`, the factor on its turning rate. A fish that turned slowly
- * because of other fish beside it regains its full turning rate in half a second. */
+/* Largest increase per second of `room`, the factor [0, 1] on the largest turning rate of a fish. A
+ * fish that turned slowly because of other fish beside it can turn at the full rate again after
+ * half a second. */
 #define ROOM_PER_S 2.0f
 
 struct tank_bounds tank_bounds(const struct tank *tank)
@@ -45,9 +48,10 @@ struct perception tank_perception(const struct tank *tank, uint32_t tick,
 {
     CORE_ASSERT(obstacle_count <= TANK_OBSTACLE_MAX);
     CORE_ASSERT(obstacles || obstacle_count == 0);
-    uint32_t shade_count = TANK_SHADE_MAX; /* Number of entries of `shade` that the fish test. The
-                                              loop below removes absent shades from the end, so the
-                                              number is 0 if no shade is present. */
+    uint32_t shade_count = TANK_SHADE_MAX; /* Number of entries of tank->shade that each fish must
+                                              test. The loop below leaves out the absent shades at
+                                              the end of the array, which saves time. The number is
+                                              0 if no shade is present. */
     while (shade_count > 0 && !tank->shade[shade_count - 1u].cast.present) {
         shade_count--;
     }
@@ -79,9 +83,9 @@ static void think_in_turn(struct tank *tank, struct perception around)
     for (uint32_t i = 0; i < tank->fish_count; i++) {
         struct fish *fish = &tank->fish[i];
         if (fish_swims(fish) && fish_behavior_is_due(fish, i, &around)) {
-            /* True if the fish fell onto other fish, which carry it. A falling fish in the water
-             * counts as carried if it sinks more slowly than BORNE_M_S. Without support, a fish
-             * sinks at 12 cm/s or faster. */
+            /* True if a falling fish landed on other fish, which now carry it. Such a fish sinks
+             * more slowly than BORNE_M_S. A fish that falls freely into the water sinks at 12 cm/s
+             * or faster. */
             const bool fell =
                 fish->falls && (fish->position_m.y < 0.0f && fish->velocity_m_s.y > -BORNE_M_S);
             around.dt_s = fish_behavior_dt_s(fish, around.tick);
@@ -92,8 +96,8 @@ static void think_in_turn(struct tank *tank, struct perception around)
                     v3_muladd(fish->position_m, fish_forward(fish), 0.5f * fish->length_m);
                 water_press(&tank->water, tank->size_m, nose_m, GULP_RADIUS_M, GULP_DEPTH_M);
             }
-            if (fell && fish->falls) { /* Reentry (reentry.c) separates the fallen fish from the
-                                          fish that carry it. */
+            if (fell && fish->falls) { /* The fallen fish overlaps the fish that carry it. Reentry
+                                          (reentry.c) separates them. */
                 fish->alarm = 1.0f;
                 reentry_begin(tank, fish, fish->velocity_m_s);
             }
@@ -101,14 +105,17 @@ static void think_in_turn(struct tank *tank, struct perception around)
     }
 }
 
-/* Runs a full broad-phase query every BROAD_PHASE_UPDATE_TICKS ticks. In other ticks, runs a query
- * only if the results of the last query are stale. Such a query finds only contacts, which are
- * pairs of fish that could touch. */
-static void update_broad_phase(struct tank *tank, uint32_t station, const struct perception *around)
+/* Updates the list of contacts, which are the pairs of fish that could touch.
+ *
+ * In the first substep of every fourth tick (BROAD_PHASE_UPDATE_TICKS), the function runs a full
+ * broad-phase query, which also computes how each fish avoids its neighbours. At other times, the
+ * function reuses the results of the last query if they still contain every pair that could touch.
+ * Otherwise the function runs a query that finds only contacts. */
+static void update_broad_phase(struct tank *tank, uint32_t substep, const struct perception *around)
 {
-    CORE_ASSERT(station < tank->solver.substep_count);
+    CORE_ASSERT(substep < tank->solver.substep_count);
     struct broad_phase *broad_phase = &tank->broad_phase;
-    const bool is_time = station == 0 && around->tick % BROAD_PHASE_UPDATE_TICKS == 0;
+    const bool is_time = substep == 0 && around->tick % BROAD_PHASE_UPDATE_TICKS == 0;
     broad_phase_sync(broad_phase, tank->fish);
     if (!is_time && !broad_phase_is_stale(broad_phase)) {
         broad_phase_select_contacts(broad_phase);
@@ -180,8 +187,9 @@ void tank_tick(struct tank *tank, uint32_t tick, struct obstacle *obstacles,
     const struct perception around = tank_perception(tank, tick, obstacles, obstacle_count);
     /* While a poi (paper scoop) moves in the water, the contact solver may push fish farther per
      * tick, so that the fish make way for the poi. */
-    bool stirs = false; /* True if an obstacle moves faster than STIRS_M per tick. A bowl that rocks
-                           on ripples is slower. */
+    bool stirs = false; /* True if a player moves a poi in the water: an obstacle in the water moves
+                           by more than STIRS_M per tick. A bowl that rocks on ripples moves by
+                           less. */
     for (uint32_t o = 0; o < obstacle_count; o++) {
         const vec3 step_m = obstacles[o].step_m;
         stirs |= obstacles[o].centre_m.y < obstacles[o].radius_m &&
@@ -206,14 +214,14 @@ void tank_tick(struct tank *tank, uint32_t tick, struct obstacle *obstacles,
         .space = tank->space,
     };
     swim_move_all(&shoal, tank->lanes);
-    const uint32_t stations = contact_solver_substep_count(&tank->solver, &place);
-    for (uint32_t station = 0; station < stations; station++) {
-        contact_solver_substep(&tank->solver, &tank->broad_phase, &place, station);
-        if (station == 0) {
+    const uint32_t substeps = contact_solver_substep_count(&tank->solver, &place);
+    for (uint32_t substep = 0; substep < substeps; substep++) {
+        contact_solver_substep(&tank->solver, &tank->broad_phase, &place, substep);
+        if (substep == 0) {
             broad_phase_mark(&tank->broad_phase, tank->fish, tank->fish_count);
         }
         contact_solver_project(&tank->solver, &tank->broad_phase, &place);
-        update_broad_phase(tank, station, &around);
+        update_broad_phase(tank, substep, &around);
         contact_solver_finish(&tank->solver, &tank->broad_phase, &place);
     }
     contact_solver_end(&tank->solver, &tank->broad_phase, &place);

@@ -122,8 +122,8 @@ static struct plot plot_of(const struct tank *tank, uint32_t index)
 }
 
 /* Returns a random start position of a fish in its own rectangle of the floor (plot_of()). If a
- * bowl covers the position, tries random positions in the whole tank. `draw` is the number of
- * earlier placements, less than START_DRAWS_MAX. */
+ * bowl covers the position, tries random positions in the whole tank. `draw` counts the earlier
+ * attempts to place all fish; each attempt uses other random numbers. */
 static vec3 start_place(const struct tank *tank, const struct fish *fish, uint32_t index,
                         const struct tank_config *config, uint32_t draw)
 {

@@ -193,12 +193,11 @@ struct place {
     float along, off;
 };
 
-/* Returns the velocity of the water around a disc of radius 1 that moves with speed 1 along its
- * normal. zeta and mu are the oblate spheroidal coordinates of the point: along = zeta * mu, and
- * off = sqrt((1 + zeta^2) * (1 - mu^2)). The member `along` of the result is (2 / pi) *
- * (acot(zeta) - zeta / (zeta^2 + mu^2)). The member `off` is (2 / pi) * mu * sqrt(1 - mu^2) /
- * ((zeta^2 + mu^2) * sqrt(1 + zeta^2)). A lower limit for zeta^2 + mu^2 keeps the velocity at
- * the disc's sharp edge finite. */
+/* Returns the velocity of the water at the point `at`, around a disc of radius 1 that moves with
+ * speed 1 along its normal. The flow is the potential flow around a thin disc (Lamb,
+ * Hydrodynamics). The formulas use the oblate spheroidal coordinates zeta and mu of the point.
+ * These coordinates are defined by along = zeta * mu and off = sqrt((1 + zeta^2) * (1 - mu^2)). A
+ * lower limit for zeta^2 + mu^2 keeps the velocity at the disc's sharp edge finite. */
 static struct place broadside(struct place at)
 {
     const float square = at.along * at.along + at.off * at.off - 1.0f;

@@ -27,8 +27,8 @@
  * in a burst (the fastest gait) would lose more than half of its speed in a dense tank, where fish
  * brake often. */
 #define BRAKE_MIN 0.4f
-/* Angle by which the intended heading of a fish leads its present yaw while the fish avoids another
- * fish by yaw, a turn to the left or right. */
+/* While a fish avoids another fish by yaw, a turn to the left or right, its intended heading stays
+ * this angle ahead of its present yaw. */
 #define LEAD_RAD (75.0f * F_DEG)
 /* Factor on LEAD_RAD for a struck fish, into whose side another fish swims. A struck fish turns
  * slowly, because a fast turn would swing its tail into the other fish. */

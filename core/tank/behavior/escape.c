@@ -93,8 +93,10 @@ bool escape_on_path(const struct fish *fish)
     return fish->gait == GAIT_ESCAPE && is_escape_before(fish, end_s);
 }
 
-/* Returns the distance along a course from the fish to the wall, m, computed on one horizontal
- * axis. `course` is the component of the course on that axis. */
+/* Returns how far a fish can swim along its course until it reaches a wall, m. The function handles
+ * one horizontal axis and the two walls perpendicular to that axis. `at_m` is the coordinate of the
+ * fish on the axis, `course` the component of the course's unit vector, and `half_m` the distance
+ * of both walls from the origin. */
 static float room_m(float at_m, float course, float half_m)
 {
     CORE_ASSERT(half_m > 0.0f);

@@ -15,9 +15,9 @@
 #define FRIGHT_S 0.12f
 #define STRENGTH_MAX 12.0f
 
-/* Visual angle from which the image of an approaching object counts as seen and is a stimulus: 20
- * degrees for the most timid fish, 30 degrees for the boldest fish. The visual angle must also grow
- * by more than GROWTH_RAD_S. */
+/* An approaching object startles a fish only if its visual angle exceeds a limit and grows faster
+ * than GROWTH_RAD_S. The limit is SEEN_RAD (20 degrees) for the most timid fish. The limit grows
+ * with the boldness of the fish by up to SEEN_SPREAD_RAD (10 degrees). */
 #define SEEN_RAD (20.0f * F_DEG)
 #define SEEN_SPREAD_RAD (10.0f * F_DEG)
 #define GROWTH_RAD_S 4.5f

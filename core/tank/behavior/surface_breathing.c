@@ -12,9 +12,8 @@
  * which equals 1.2 to 2 mg/L. */
 #define CHANCE_HALF_MG_L 1.8f
 #define CHANCE_WIDTH_MG_L 0.25f
-/* Effect of exhaustion on the rise to the surface. An exhausted fish rises at an oxygen
- * concentration that is higher by this difference than the concentration at which a rested fish
- * rises with the same probability. */
+/* An exhausted fish (stamina 0) rises to the surface as often as a rested fish (stamina 1) rises in
+ * water whose oxygen concentration is lower by this difference. */
 #define TIRED_MG_L 0.4f
 /* Oxygen concentration below which a fish stifles: it loses stamina at a rate that grows up to
  * `stifle_per_s` (struct behavior_params) as the concentration falls to 0. */

@@ -10,9 +10,9 @@
 /* Time constant with which a fish that glides (does not beat its tail) loses speed. */
 #define SWIM_GLIDE_TAU_S 0.55f
 
-/* Walls and bowls near a fish, combined into one direction from which the fish turns away. In a
- * corner the fish therefore turns away from both walls at once, not from one wall toward the other.
- * All zeros mean that no wall or bowl is near. */
+/* Walls and bowls near a fish, combined into one direction from which the fish turns away.
+ * Therefore a fish in a corner turns away from both walls at once, instead of from one wall toward
+ * the other. All zeros mean that no wall or bowl is near. */
 struct swim_avoidance {
     vec3 into;    /* Sum of the horizontal unit vectors that point into the walls and bowls, each
                      multiplied by a weight [0, 1] that grows as the distance of the wall or bowl

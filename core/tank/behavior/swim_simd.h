@@ -22,9 +22,9 @@
 
 #define CLIMB_TAU_S 0.35f
 #define PITCH_TAU_S 0.30f
-/* Slowness of braking with spread pectoral fins: fraction of the difference between the speed and a
- * lower speed goal that remains after one tick. The value is exp(-8.33 ms / 80 ms), because a tick
- * lasts 8.33 ms and the time constant of braking is 80 ms. */
+/* Deceleration of a fish that brakes with spread pectoral fins: each tick multiplies the difference
+ * between the speed and a lower speed goal by this factor. The value is exp(-8.33 ms / 80 ms),
+ * because a tick lasts 8.33 ms and the time constant of braking is 80 ms. */
 #define BRAKE_KEEP 0.9010756f
 
 /* Fraction by which a blocked fish loses speed in one tick. If an obstacle blocks a fish, its real

@@ -8,20 +8,20 @@
 /* Squared length of a cross product of unit vectors below which two edges count as parallel. */
 #define PARALLEL 1e-6f
 
-/* Result of the separating-axis test after some of its axes. `gap_m` is the largest gap between the
- * projections of the two boxes on one axis. `space_m` is the same for the boxes enlarged by their
- * margins. */
-struct verdict {
+/* Intermediate result of the separating-axis test, which tests one axis after the other. `gap_m` is
+ * the largest gap between the projections of the two boxes on any axis so far. `space_m` is the
+ * same for the boxes enlarged by their margins. */
+struct separation {
     float gap_m, space_m;
     int axis; /* Index of the axis with the largest `gap_m`, as in box_axis(). */
 };
 
-static inline void try_axis(struct verdict *verdict, float gap_m, float margins_m, int axis)
+static inline void try_axis(struct separation *separation, float gap_m, float margins_m, int axis)
 {
-    verdict->space_m = f_max(verdict->space_m, gap_m - margins_m);
-    if (gap_m > verdict->gap_m) {
-        verdict->gap_m = gap_m;
-        verdict->axis = axis;
+    separation->space_m = f_max(separation->space_m, gap_m - margins_m);
+    if (gap_m > separation->gap_m) {
+        separation->gap_m = gap_m;
+        separation->axis = axis;
     }
 }
 
@@ -42,7 +42,7 @@ static inline vec3 axis_of(const struct basis *axes, int index)
     return index == 0 ? axes->right : index == 1 ? axes->up : axes->back;
 }
 
-static inline bool try_face_of_a(struct verdict *verdict, struct view_of_b *view, int i)
+static inline bool try_face_of_a(struct separation *separation, struct view_of_b *view, int i)
 {
     const vec3 axis = axis_of(&view->a->axes, i);
     float *c = view->cosine[i], *m = view->size[i];
@@ -55,27 +55,28 @@ static inline bool try_face_of_a(struct verdict *verdict, struct view_of_b *view
     m[1] = f_abs(c[1]);
     m[2] = f_abs(c[2]);
     const float halves_m = view->half_a[i] + (m[0] * hb[0] + m[1] * hb[1] + m[2] * hb[2]);
-    try_axis(verdict, f_abs(view->d[i]) - halves_m,
+    try_axis(separation, f_abs(view->d[i]) - halves_m,
              view->margin_a_m + view->margin_b_m * (m[0] + m[1] + m[2]), i);
-    return verdict->space_m > 0.0f;
+    return separation->space_m > 0.0f;
 }
 
-static inline bool try_face_of_b(struct verdict *verdict, const struct view_of_b *view, int j)
+static inline bool try_face_of_b(struct separation *separation, const struct view_of_b *view, int j)
 {
     const float m[3] = { view->size[0][j], view->size[1][j], view->size[2][j] };
     const float *ha = view->half_a, *d = view->d;
     const float offset_m =
         d[0] * view->cosine[0][j] + d[1] * view->cosine[1][j] + d[2] * view->cosine[2][j];
     const float halves_m = view->half_b[j] + (m[0] * ha[0] + m[1] * ha[1] + m[2] * ha[2]);
-    try_axis(verdict, f_abs(offset_m) - halves_m,
+    try_axis(separation, f_abs(offset_m) - halves_m,
              view->margin_b_m + view->margin_a_m * (m[0] + m[1] + m[2]), 3 + j);
-    return verdict->space_m > 0.0f;
+    return separation->space_m > 0.0f;
 }
 
 /* Tests the cross product of edge i of box a and edge j of box b as a separating axis. Dividing by
  * the length of the cross product gives true distances. Nearly parallel edges are skipped, because
  * their cross product is too short, and the face normals already cover parallel edges. */
-static inline bool try_edges(struct verdict *verdict, const struct view_of_b *view, int i, int j)
+static inline bool try_edges(struct separation *separation, const struct view_of_b *view, int i,
+                             int j)
 {
     static const int after[3] = { 1, 2, 0 }, before[3] = { 2, 0, 1 };
     const int p = after[i], q = before[i], r = after[j], s = before[j];
@@ -90,8 +91,8 @@ static inline bool try_edges(struct verdict *verdict, const struct view_of_b *vi
     const float margins_m =
         view->margin_a_m * (m[q][j] + m[p][j]) + view->margin_b_m * (m[i][s] + m[i][r]);
     const float length = f_sqrt(square);
-    try_axis(verdict, (offset_m - halves_m) / length, margins_m / length, 6 + 3 * i + j);
-    return verdict->space_m > 0.0f;
+    try_axis(separation, (offset_m - halves_m) / length, margins_m / length, 6 + 3 * i + j);
+    return separation->space_m > 0.0f;
 }
 
 vec3 box_axis(const struct basis *a, const struct basis *b, vec3 way, uint8_t which)
@@ -109,7 +110,7 @@ vec3 box_axis(const struct basis *a, const struct basis *b, vec3 way, uint8_t wh
 struct box_gap box_gap(const struct box *a, float margin_a_m, const struct box *b, float margin_b_m)
 {
     struct view_of_b view;
-    struct verdict verdict = { -1e9f, -1e9f, 0 };
+    struct separation separation = { -1e9f, -1e9f, 0 };
     view.a = a;
     view.b = b;
     view.way = v3_sub(b->centre_m, a->centre_m);
@@ -122,19 +123,19 @@ struct box_gap box_gap(const struct box *a, float margin_a_m, const struct box *
     static const int order[3] = { 0, 2, 1 };
     bool apart = false;
     for (int k = 0; k < 3 && !apart; k++) {
-        apart = try_face_of_a(&verdict, &view, order[k]);
+        apart = try_face_of_a(&separation, &view, order[k]);
     }
     for (int k = 0; k < 3 && !apart; k++) {
-        apart = try_face_of_b(&verdict, &view, order[k]);
+        apart = try_face_of_b(&separation, &view, order[k]);
     }
     for (int k = 0; k < 9 && !apart; k++) {
-        apart = try_edges(&verdict, &view, k / 3, k % 3);
+        apart = try_edges(&separation, &view, k / 3, k % 3);
     }
-    const uint8_t which = (uint8_t)verdict.axis;
+    const uint8_t which = (uint8_t)separation.axis;
     const vec3 none = { 0.0f, 0.0f, 0.0f };
     return (struct box_gap){
-        verdict.gap_m,
-        verdict.space_m,
+        separation.gap_m,
+        separation.space_m,
         apart ? none : box_axis(&a->axes, &b->axes, view.way, which),
         which,
     };

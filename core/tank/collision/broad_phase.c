@@ -1,5 +1,5 @@
-/* broad_phase.c -- the bodies of all fish, and the time for which the contacts of a broad-phase
- * query stay valid. */
+/* broad_phase.c -- keeps the bodies of all fish up to date, and determines how long the results of
+ * a broad-phase query stay valid. */
 #include "core/tank/collision/broad_phase.h"
 
 #include "core/base/mem.h"

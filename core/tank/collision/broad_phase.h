@@ -1,5 +1,5 @@
-/* broad_phase.h -- the broad phase: finds nearby fish, advises fish that meet, and lists the fish
- * that could touch.
+/* broad_phase.h -- the broad phase: finds nearby fish, computes how two fish that meet avoid each
+ * other, and lists the pairs of fish that could touch (the contacts).
  *
  * A query is one search for nearby pairs among all swimming fish. Every array is indexed by fish. A
  * fish that does not swim has an element in each array but takes no part in a query. Such a fish is
@@ -41,8 +41,8 @@ struct neighbours {
 /* Ticks between full broad-phase queries: 33 ms, which is also the time between two decisions of a
  * fish. A fish that moves farther than expected causes an earlier query. */
 #define BROAD_PHASE_UPDATE_TICKS 4u
-/* Gap between two fish that the contact solver could close in one tick by moving their bodies. By
- * default the solver may move each body by half of this gap. */
+/* Two fish could touch within one tick if the gap between them is at most this wide, because the
+ * contact solver may by default move each body by half of this distance. */
 #define BROAD_PHASE_CONTACT_M 0.002f
 
 /* Two fish whose bodies could touch before the next query. */
@@ -60,8 +60,8 @@ struct broad_phase {
     /* Results of a broad-phase query: the members from here to `touch_count`. The results stay
      * valid until the next query, so the state hash includes the results that later ticks use. */
     uint32_t near_count;    /* Number of contacts in the list `contact`. */
-    uint32_t contact_count; /* Number of contacts that could touch in this tick. These contacts are
-                               at the front of the list. */
+    uint32_t contact_count; /* Number of contacts whose fish could touch in this tick. These
+                               contacts are at the front of the list. */
     struct contact contact[BROAD_PHASE_CONTACT_MAX];
     float way_m[TANK_FISH_MAX];   /* Distance that a body may have moved since the query: the sum,
                                      over the ticks, of the largest distance that any point of the
@@ -113,10 +113,10 @@ float broad_phase_reach_m(const struct fish *fish);
  * fish that moved beyond its reach, a fish that began to swim, and a full contact list. */
 bool broad_phase_is_stale(const struct broad_phase *broad_phase);
 
-/* Moves the contacts that could touch in this tick to the front of the list. The gap of a contact
- * shrinks at most by the distances that its two fish moved. The front of the list contains every
- * pair that the contact solver could bring together. Fish that left the water since the query are
- * excluded. */
+/* Moves the contacts whose fish could touch in this tick to the front of the list, and stores their
+ * number in `contact_count`. The gap of such a contact, minus the distances that its fish moved
+ * since the query, is smaller than the distance that the contact solver may move them. Contacts
+ * with a fish that left the water since the query are excluded. */
 void broad_phase_select_contacts(struct broad_phase *broad_phase);
 
 /* Searches the neighbours of only those fish that moved farther than the last query covers, at a

@@ -1,5 +1,5 @@
-/* broad_phase_query.c -- one broad-phase query: avoidance advice for each fish about its
- * neighbours, and the contact list. */
+/* broad_phase_query.c -- one broad-phase query: finds the pairs of nearby fish, computes how the
+ * two fish of each pair avoid each other, and makes the contact list. */
 #include "core/tank/collision/broad_phase.h"
 
 #include "core/base/panic.h"
@@ -68,22 +68,22 @@ static void list_contact(struct broad_phase *broad_phase, struct contact contact
 }
 
 /* Data that the functions of one broad-phase query share. */
-struct snapshot {
+struct query {
     struct broad_phase *broad_phase;
     const struct fish *fish;
     const struct perception *around;
     bool contacts_only;
 };
 
-static void meet_pair(const struct snapshot *look, const struct narrow_phase_pair *found)
+static void advise_pair(const struct query *query, const struct narrow_phase_pair *found)
 {
-    struct broad_phase *broad_phase = look->broad_phase;
-    const struct perception *around = look->around;
+    struct broad_phase *broad_phase = query->broad_phase;
+    const struct perception *around = query->around;
     const struct body *a = &broad_phase->body[found->a], *b = &broad_phase->body[found->b];
     struct neighbours *ca = &broad_phase->neighbours[found->a];
     struct neighbours *cb = &broad_phase->neighbours[found->b];
-    const struct avoid_party pa = party_of(a, &look->fish[found->a], found->a);
-    const struct avoid_party pb = party_of(b, &look->fish[found->b], found->b);
+    const struct avoid_party pa = party_of(a, &query->fish[found->a], found->a);
+    const struct avoid_party pb = party_of(b, &query->fish[found->b], found->b);
     const struct avoid_pair advice =
         avoid_meet(&pa, &pb, found->gap_m, around->params, around->seed, around->tick);
     take_advice(&ca->advice, &advice.a);
@@ -102,43 +102,43 @@ static void meet_pair(const struct snapshot *look, const struct narrow_phase_pai
     }
 }
 
-static void take_found(const struct snapshot *look, const struct narrow_phase_pair *found)
+static void take_found(const struct query *query, const struct narrow_phase_pair *found)
 {
-    struct broad_phase *broad_phase = look->broad_phase;
-    if (found->spaces && !look->contacts_only && !look->around->ball_spaces) {
-        meet_pair(look, found);
+    struct broad_phase *broad_phase = query->broad_phase;
+    if (found->spaces && !query->contacts_only && !query->around->ball_spaces) {
+        advise_pair(query, found);
     }
     broad_phase->overlap_count += found->gap_m < 0.0f;
     if (found->gap_m < broad_phase->reach_m[found->a] + broad_phase->reach_m[found->b]) {
         const struct contact contact = { (fish_index)found->a, (fish_index)found->b, found->gap_m };
-        list_contact(broad_phase, contact, look->around->seed, look->around->tick);
+        list_contact(broad_phase, contact, query->around->seed, query->around->tick);
     }
 }
 
 /* Prefetches the data of a fish. In a large tank, neighbours are far apart in memory and outside
  * every cache. */
-static void fetch_fish(const struct snapshot *look, uint32_t index)
+static void fetch_fish(const struct query *query, uint32_t index)
 {
-    __builtin_prefetch(&look->fish[index].speed_m_s);
-    __builtin_prefetch(&look->fish[index].avoid_since);
-    __builtin_prefetch(&look->broad_phase->body[index]);
-    __builtin_prefetch(&look->broad_phase->neighbours[index], 1);
+    __builtin_prefetch(&query->fish[index].speed_m_s);
+    __builtin_prefetch(&query->fish[index].avoid_since);
+    __builtin_prefetch(&query->broad_phase->body[index]);
+    __builtin_prefetch(&query->broad_phase->neighbours[index], 1);
 }
 
-static void seek(const struct snapshot *look, const struct narrow_phase_query *of, bool ahead)
+static void run_query(const struct query *query, const struct narrow_phase_query *of, bool ahead)
 {
-    CORE_ASSERT(look->broad_phase->count <= TANK_FISH_MAX);
-    struct broad_phase *broad_phase = look->broad_phase;
+    CORE_ASSERT(query->broad_phase->count <= TANK_FISH_MAX);
+    struct broad_phase *broad_phase = query->broad_phase;
     broad_phase->touch_count = 0;
     broad_phase->near_count = 0;
     broad_phase->overlap_count = 0;
     for (uint32_t i = 0; i < broad_phase->count; i++) {
         broad_phase->flags[i] &= (uint8_t)~BODY_UNLISTED;
-        if (!look->contacts_only) {
+        if (!query->contacts_only) {
             broad_phase->neighbours[i] = (struct neighbours){ .brake = 1.0f, .room = 1.0f };
         }
         broad_phase->reach_m[i] =
-            broad_phase->play_m[i] + (ahead ? broad_phase_reach_m(&look->fish[i]) : 0.0f);
+            broad_phase->play_m[i] + (ahead ? broad_phase_reach_m(&query->fish[i]) : 0.0f);
         broad_phase->way_m[i] = broad_phase->flags[i] & BODY_SWIMMING ? 0.0f : SWIM_FAR_M;
     }
     narrow_phase_begin(&broad_phase->narrow_phase, of);
@@ -146,10 +146,10 @@ static void seek(const struct snapshot *look, const struct narrow_phase_query *o
          narrow_phase_next(&broad_phase->narrow_phase, of, broad_phase->found, &count);) {
         for (uint32_t f = 0; f < count; f++) {
             if (f + FETCH_AHEAD < count) {
-                fetch_fish(look, broad_phase->found[f + FETCH_AHEAD].a);
-                fetch_fish(look, broad_phase->found[f + FETCH_AHEAD].b);
+                fetch_fish(query, broad_phase->found[f + FETCH_AHEAD].a);
+                fetch_fish(query, broad_phase->found[f + FETCH_AHEAD].b);
             }
-            take_found(look, &broad_phase->found[f]);
+            take_found(query, &broad_phase->found[f]);
         }
     }
 }
@@ -163,9 +163,9 @@ static float bounding_radius_m(const struct body *body)
 /* Finds the pairs whose personal spaces overlap if each space is a ball. Section 3.4 of the 2013
  * thesis on goldfish behavior rejected such balls, so the function serves only for comparison and
  * is not used in a kiosk. The function tests each fish against each other fish. */
-static void meet_balls(const struct snapshot *look)
+static void advise_all_balls(const struct query *query)
 {
-    const struct broad_phase *broad_phase = look->broad_phase;
+    const struct broad_phase *broad_phase = query->broad_phase;
     for (uint32_t i = 0; i < broad_phase->count; i++) {
         for (uint32_t j = 0; j < i; j++) {
             const struct body *a = &broad_phase->body[j], *b = &broad_phase->body[i];
@@ -180,7 +180,7 @@ static void meet_balls(const struct snapshot *look)
                     .gap_m = gap.body_m,
                     .axis = gap.which,
                 };
-                meet_pair(look, &found);
+                advise_pair(query, &found);
             }
         }
     }
@@ -191,7 +191,7 @@ void broad_phase_update(struct broad_phase *broad_phase, const struct fish *fish
 {
     CORE_ASSERT(around->size_m.x > 0.0f && around->size_m.z > 0.0f);
     CORE_ASSERT(simd_is_built(how.lanes));
-    const struct snapshot look = { broad_phase, fish, around, how.contacts_only };
+    const struct query query = { broad_phase, fish, around, how.contacts_only };
     const struct narrow_phase_query of = {
         .body = broad_phase->body,
         .flags = broad_phase->flags,
@@ -204,14 +204,14 @@ void broad_phase_update(struct broad_phase *broad_phase, const struct fish *fish
         .width_m = around->size_m.x,
         .breadth_m = around->size_m.z,
     };
-    seek(&look, &of, true);
+    run_query(&query, &of, true);
     /* If the contact list overflowed, a second search lists only the pairs that could touch in this
      * tick. A new query is then due soon. */
     if (broad_phase->touch_count > broad_phase_contact_max(broad_phase)) {
-        seek(&look, &of, false);
+        run_query(&query, &of, false);
     }
     if (around->ball_spaces && !how.contacts_only) {
-        meet_balls(&look);
+        advise_all_balls(&query);
     }
     broad_phase_select_contacts(broad_phase);
 }

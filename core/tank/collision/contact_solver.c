@@ -66,9 +66,9 @@ static void note_moved_body(const struct solver_step *all, uint32_t index)
     fish->position_m = centre_m;
 }
 
-/* Moves a body by `move`, but at most so far that its distance from its previous position stays
- * within the limit of the substep. Returns the part of `move` that was not possible. A body may
- * always move back toward its previous position. */
+/* Moves a body by `move`. If the body would then be farther than `step_max_m` from its position at
+ * the start of the substep, the function shortens the move. Returns the part of `move` by which the
+ * body could not move. */
 static vec3 move_body_limited(const struct solver_step *all, uint32_t index, vec3 move)
 {
     struct body *body = &all->broad_phase->body[index];
@@ -87,8 +87,8 @@ static float mass_of(const struct body *body)
     return body->half_z_m * body->half_z_m * body->half_z_m;
 }
 
-/* Stores the measured gap of a contact, so that the gap is not measured again until the bodies come
- * nearer. */
+/* Stores the measured gap `apart_m` of a contact. The gap need not be measured again until the two
+ * bodies have moved so far that they could touch. */
 static void contact_store_gap(const struct solver_step *all, struct contact *contact, float apart_m)
 {
     const float *way_m = all->broad_phase->way_m;
@@ -293,7 +293,7 @@ void contact_solver_project(struct contact_solver *solver, struct broad_phase *b
                                                processed. */
         /* SIMD code processes a block of fish if all of them swim, none gulps and none is in the
          * air. */
-        bool is_block = solver->station == 0 && count == width;
+        bool is_block = solver->substep == 0 && count == width;
         for (uint32_t k = i; k < i + width && is_block; k++) {
             is_block = broad_phase->flags[k] == BODY_SWIMMING;
         }

@@ -1,21 +1,28 @@
 /* contact_solver.h -- the contact solver: separates the bodies of fish, and reverts bodies that
  * cannot be separated.
  *
+ * A body is the oriented box of a fish. A contact is a pair of bodies that could touch in this
+ * tick. An obstacle is a poi (the paper scoop) or a bowl. To revert a body means to put the body
+ * back to its pose at the start of the tick.
+ *
  * Every tick has two steps.
  *
  * First, rounds of small pushes separate the bodies that the motion of the fish brought together.
  * Pushes resolve nearly all contacts and look natural.
  *
- * Second, the penetration check tests every pair that could touch. A fish that is still deeper than
- * SOLVER_FREE_M in another fish, a wall, a ring or a hull reverts: it returns to its pose of the
- * previous tick. If a fish cannot move out of the way of a poi (the paper scoop), the check undoes
- * a part of the poi's motion.
+ * Second, the penetration check tests every contact. A fish that is still deeper than SOLVER_FREE_M
+ * in another fish, a wall, a ring or a hull is reverted. If a fish cannot move out of the way of a
+ * poi, the check undoes a part of the poi's motion.
  *
- * The check repeats until no penetration is too deep. The check ends, because the poses of the
- * previous tick did not overlap: in the worst case all bodies revert.
+ * The check repeats until no penetration is too deep. The check ends, because the poses at the
+ * start of the tick did not overlap: in the worst case all bodies are reverted.
  *
- * If more pairs could touch than the contact list holds, the fish with unlisted contacts keep their
- * pose for the tick.
+ * A tick in which a poi moves fast is divided into substeps, so that the poi cannot jump over a
+ * fish. Each substep does both steps, and a reverted body returns to its pose at the start of the
+ * substep.
+ *
+ * If there are more contacts than the contact list holds, the fish with unlisted contacts keep
+ * their pose for the tick.
  *
  * If fish overlap at the start (a staged scene), the solver separates them over the first ticks.
  * Until then a pair may stay as deep as in the previous tick, but not deeper. */
@@ -28,7 +35,9 @@
 /* Largest number of obstacles: a poi and a bowl for each of four players. */
 #define TANK_OBSTACLE_MAX 8u
 
-#define SOLVER_FREE_M 0.0003f /* Largest penetration of two bodies that counts as no penetration. */
+#define SOLVER_FREE_M                                                                              \
+    0.0003f /* Two bodies that penetrate each other by at most this depth count as
+                                 separate. */
 /* Usual value of `push_max_m`, the largest push of a body in a tick. A larger push would look like
  * a jump of the fish. */
 #define SOLVER_PUSH_M 0.002f
@@ -48,8 +57,8 @@ struct solver_context {
     struct obstacle *obstacles; /* Pois and bowls (obstacle.h). The solver may undo a part of their
                                    motion. */
     uint32_t obstacle_count;
-    float push_max_m; /* Largest distance in a tick by which other bodies push a body, in addition
-                         to its own motion. */
+    float push_max_m; /* Largest distance in a tick by which the solver may push a body. The body's
+                         own motion does not count. */
     uint8_t lanes;    /* Number of SIMD lanes: 0, 4 or 8, as in simd_is_built(). The number affects
                          only speed. */
 };
@@ -59,38 +68,40 @@ enum solver_result {
     SOLVER_MOVED = 0,
     /* The fish is back at its pose at the start of the substep. */
     SOLVER_REVERTED = 1,
-    /* The fish moved and obstacle 0 was in its way. SOLVER_PRESSED + k means obstacle k. */
+    /* An obstacle pushed the fish out of its way. SOLVER_PRESSED + k stands for obstacle k, so
+     * SOLVER_PRESSED itself stands for obstacle 0. */
     SOLVER_PRESSED = 2,
-    /* The fish moves along with obstacle 0, which carries it. SOLVER_CARRIED + k means obstacle
-     * k. */
+    /* An obstacle carries the fish, so the fish moves along with the obstacle. SOLVER_CARRIED + k
+     * stands for obstacle k. */
     SOLVER_CARRIED = SOLVER_PRESSED + TANK_OBSTACLE_MAX,
 };
 
 /* Scratch memory of the contact solver for one tick. The arrays are indexed by fish or by
  * obstacle. */
 struct contact_solver {
-    vec3 began_m[TANK_FISH_MAX + 1u]; /* Positions of the fish at the start of the tick. SIMD code
+    vec3 began_m[TANK_FISH_MAX + 1u]; /* Position of each fish at the start of the tick. SIMD code
                                          reads one float beyond the last element. */
-    vec3 step_began_m[TANK_FISH_MAX]; /* Positions of the fish at the start of the present substep,
-                                         from the second substep on. */
+    vec3 step_began_m[TANK_FISH_MAX]; /* Position of each fish at the start of the present substep.
+                                         The first substep uses `began_m` instead. */
     struct angles began_angles[TANK_FISH_MAX + 1u];
-    float step_max_m[TANK_FISH_MAX];     /* Largest distance between a body's positions at the start
-                                            and at the end of the substep. */
-    uint8_t result[TANK_FISH_MAX];       /* Result of the penetration check for each fish (enum
+    float step_max_m[TANK_FISH_MAX];     /* Limit for each body: the greatest distance from its
+                                            position at the start of the substep to which the solver
+                                            may move it. */
+    uint8_t result[TANK_FISH_MAX];       /* Result of the substep for each fish (enum
                                             solver_result). */
-    uint16_t fresh_round[TANK_FISH_MAX]; /* Number of the last round of the penetration check that
-                                            moved the fish, plus 1. 0 means that no round moved the
+    uint16_t fresh_round[TANK_FISH_MAX]; /* Round of the penetration check that moved each fish
+                                            last, counted from 1. 0 means that no round moved the
                                             fish. */
-    uint16_t reaction_round[TANK_OBSTACLE_MAX]; /* Number of the last round of the penetration check
-                                                   that undid motion of the obstacle, plus 1. 0
-                                                   means that no round undid motion. */
+    uint16_t reaction_round[TANK_OBSTACLE_MAX]; /* Round of the penetration check that last undid
+                                                   motion of each obstacle, counted from 1. 0 means
+                                                   that no round undid motion. */
     uint32_t beside_count;
     fish_index beside[TANK_FISH_MAX]; /* Fish that could touch an obstacle in this substep. */
     struct course {                   /* Intended motion of an obstacle in the whole tick. */
         vec3 from_m, step_m;
         bool turned;
     } course[TANK_OBSTACLE_MAX];
-    uint32_t station, substep_count;
+    uint32_t substep, substep_count;
     bool reverts_angles;     /* True if a fish must return to its previous angles at the end of the
                                 tick. */
     uint32_t reverted_count; /* Number of times that a fish reverted to its previous pose in this
@@ -108,10 +119,10 @@ void contact_solver_begin(struct contact_solver *solver, const struct fish *fish
 uint32_t contact_solver_substep_count(struct contact_solver *solver,
                                       const struct solver_context *place);
 
-/* Begins substep number `station`, counted from 0: advances the obstacles, and stores the positions
- * of the fish at the end of the previous substep. */
+/* Begins the substep with the number `substep`, counted from 0: advances the obstacles, and stores
+ * the positions of the fish at the end of the previous substep. */
 void contact_solver_substep(struct contact_solver *solver, struct broad_phase *broad_phase,
-                            const struct solver_context *place, uint32_t station);
+                            const struct solver_context *place, uint32_t substep);
 
 /* Moves bodies out of obstacles and into the tank before the broad-phase query, so that the query
  * uses the corrected positions. */

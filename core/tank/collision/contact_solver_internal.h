@@ -22,17 +22,17 @@ struct solver_step {
 static inline vec3 contact_before_m(const struct solver_step *all, uint32_t index)
 {
     const struct contact_solver *solver = all->solver;
-    return solver->station == 0 ? solver->began_m[index] : solver->step_began_m[index];
+    return solver->substep == 0 ? solver->began_m[index] : solver->step_began_m[index];
 }
 
 /* Returns the body of a fish in its pose at the start of the substep, to which the fish may revert.
- * Bodies rotate only in the first substep (station 0). */
+ * Bodies rotate only in the first substep (number 0). */
 static inline struct body contact_body_before(const struct solver_step *all, uint32_t index)
 {
     const struct contact_solver *solver = all->solver;
     struct body body = all->broad_phase->body[index];
     body.centre_m = contact_before_m(all, index);
-    if (solver->station == 0) {
+    if (solver->substep == 0) {
         const struct basis axes = vec_basis_from_angles(solver->began_angles[index]);
         body.right = axes.right;
         body.up = axes.up;
@@ -41,8 +41,9 @@ static inline struct body contact_body_before(const struct solver_step *all, uin
     return body;
 }
 
-/* Returns true if the gap of a contact is certainly larger than `apart_m`. The stored gap minus
- * the motion of the two bodies since the query is a lower bound, so the gap is not measured. */
+/* Returns true if the gap between the two bodies of a contact is certainly larger than `apart_m`.
+ * Measuring the gap would take long, so the function uses a lower bound: the gap at the last query
+ * minus the distances that the two bodies moved since then. */
 static inline bool contact_is_apart(const struct solver_step *all, const struct contact *contact,
                                     float apart_m)
 {
@@ -67,7 +68,7 @@ static inline float contact_sweep_m(const struct solver_step *all, uint32_t inde
     const float turn_rad = f_min(yaw_rad, F_TAU - yaw_rad) + f_abs(now.pitch_rad - was.pitch_rad) +
                            f_abs(now.roll_rad - was.roll_rad);
     const struct body *body = &all->broad_phase->body[index];
-    return all->solver->station == 0 ? turn_rad * (body->half_z_m + body->half_y_m) : 0.0f;
+    return all->solver->substep == 0 ? turn_rad * (body->half_z_m + body->half_y_m) : 0.0f;
 }
 
 /* Returns the nearest centre at which the body of fish `index` is within walls, floor and surface.
@@ -80,11 +81,13 @@ vec3 contact_kept_inside_m(const struct solver_step *all, uint32_t index, const 
  * pushes. Defined in penetration_check.c. */
 void penetration_check(const struct solver_step *all, bool is_parted);
 
-/* Keeps the bodies of the block that begins at fish `first` within the tank, and sets their
- * `step_max_m` and `play_m`. The caller guarantees that all fish of the block swim and that none
- * gulps or is in the air. The substep must be the first of the tick. Returns one bit for each fish
- * that an obstacle could touch. The bodies of these fish are unchanged and need the full
- * contact_solver_project(). */
+/* SIMD form of a part of contact_solver_project(), for a block of consecutive fish that begins with
+ * fish `first`. Moves the bodies into the tank, and sets their `step_max_m` and `play_m`.
+ *
+ * The caller guarantees that all fish of the block swim and that none gulps or is in the air, and
+ * that the substep is the first of the tick. Returns one bit for each fish that an obstacle could
+ * touch. The function does not move the bodies of these fish, for which the caller must run the
+ * complete contact_solver_project(). */
 #define CONTACT_SOLVER_PROJECT(name)                                                               \
     uint32_t name(struct contact_solver *solver, struct broad_phase *broad_phase,                  \
                   const struct solver_context *place, uint32_t first)

@@ -34,7 +34,7 @@ static inline flanes sweep_m(const struct body_simd *all, const struct fish *fis
 
 CONTACT_SOLVER_PROJECT(SIMD_NAME(contact_solver_project_block))
 {
-    CORE_ASSERT(solver->station == 0);
+    CORE_ASSERT(solver->substep == 0);
     CORE_ASSERT(first + SIMD_LANES <= broad_phase->count);
     const vec3 low = place->bounds.low_m, high = place->bounds.high_m;
     struct body_simd all;

@@ -4,14 +4,14 @@
 #include "core/input.h"
 #include "core/tank/collision/contact_solver.h"
 
-/* Largest motion of an obstacle in a substep (the code numbers the substeps as stations). The ring
- * of a poi (the paper scoop) and a fish are together four times as thick, so the ring cannot pass
- * the fish within one substep. */
-#define STATION_M 0.003f
-/* Largest number of substeps (stations) in a tick of 1/120 s. A poi (paper scoop) at 2.1 m/s moves
- * by 6 * STATION_M in a tick. If a poi is faster, its motion in each substep is longer than
- * STATION_M. */
-#define STATIONS_MAX 6u
+/* Largest motion of an obstacle in a substep. The ring of a poi (the paper scoop) and a fish
+ * together are four times as thick as this distance. Therefore the ring cannot jump over the fish
+ * within one substep. */
+#define SUBSTEP_M 0.003f
+/* Largest number of substeps in a tick of 1/120 s. A poi (paper scoop) that moves at 2.1 m/s needs
+ * this number of substeps. In the substeps of a faster poi, the poi moves farther than
+ * SUBSTEP_M. */
+#define SUBSTEPS_MAX 6u
 
 void contact_solver_begin(struct contact_solver *solver, const struct fish *fish,
                           uint32_t fish_count)
@@ -37,20 +37,20 @@ uint32_t contact_solver_substep_count(struct contact_solver *solver,
     }
     solver->reverted_count = 0;
     solver->reverts_angles = false;
-    solver->substep_count = 1u + (uint32_t)f_min(longest_m / STATION_M, (float)(STATIONS_MAX - 1u));
+    solver->substep_count = 1u + (uint32_t)f_min(longest_m / SUBSTEP_M, (float)(SUBSTEPS_MAX - 1u));
     return solver->substep_count;
 }
 
 /* Begins a substep: each obstacle moves by its part of the tick's motion. Obstacles rotate only in
- * the first substep (station 0). */
+ * the first substep (number 0). */
 void contact_solver_substep(struct contact_solver *solver, struct broad_phase *broad_phase,
-                            const struct solver_context *place, uint32_t station)
+                            const struct solver_context *place, uint32_t substep)
 {
-    CORE_ASSERT(station < solver->substep_count);
-    solver->station = station;
+    CORE_ASSERT(substep < solver->substep_count);
+    solver->substep = substep;
     for (uint32_t o = 0; o < place->obstacle_count; o++) {
         struct obstacle *obstacle = &place->obstacles[o];
-        if (station == 0) {
+        if (substep == 0) {
             obstacle->centre_m = solver->course[o].from_m;
         } else {
             obstacle->turned = false;
@@ -59,7 +59,7 @@ void contact_solver_substep(struct contact_solver *solver, struct broad_phase *b
         obstacle->centre_m = v3_add(obstacle->centre_m, obstacle->step_m);
         obstacle->reaction_count = 0;
     }
-    if (station > 0) {
+    if (substep > 0) {
         broad_phase_sync(broad_phase, place->fish);
         for (uint32_t i = 0; i < broad_phase->count; i++) {
             solver->step_began_m[i] = place->fish[i].position_m;

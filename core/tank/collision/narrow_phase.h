@@ -1,24 +1,23 @@
-/* narrow_phase.h -- the search for pairs of nearby bodies. The search is exact and takes a time
- * proportional to the number of bodies.
+/* narrow_phase.h -- the pair search, which finds every pair of bodies that are near each other.
  *
- * Bodies are sorted into square cells of the floor plan. The reach of a body is the distance beyond
- * its skin at which the search still finds the body. The side of a cell is twice the radius of the
- * largest ball that contains a body with its reach and its personal space. Therefore a near body
- * lies in the same cell or in one of the eight cells around it.
+ * A body is the oriented box of a fish. The reach of a body is a distance that the caller chooses.
+ * Two bodies are a pair if the gap between them is smaller than the sum of their reaches, or if
+ * their personal spaces overlap. A personal space is the body's box enlarged on every side.
  *
- * The side is 8.602 cm for pitching fish of 5 cm with personal spaces of 7 x 4 x 3 cm. The cells of
- * 3.5 cm in the 2013 thesis on goldfish behavior lose a quarter of the pairs.
+ * To avoid testing all pairs, the search sorts the bodies into the square cells of a grid on the
+ * floor plan. The side of a cell is twice the radius of the largest ball that contains a body with
+ * its reach and its personal space. Therefore the two bodies of a pair lie in the same cell or in
+ * cells that touch. For each body, the search tests the bodies of its own cell and of four of the
+ * eight cells around it. The other four cells need no test, because the search finds those pairs
+ * from the other body. The time of the search is proportional to the number of bodies.
  *
- * Searching half of these nine cells finds every pair, because each pair needs to be found from
- * only one of its two fish.
+ * The side of a cell is 8.602 cm for pitching fish of 5 cm with personal spaces of 7 x 4 x 3 cm.
+ * The cells of 3.5 cm in the 2013 thesis on goldfish behavior lose a quarter of the pairs.
  *
  * The search has two steps, both with SIMD. At the density of the 2013 thesis, a fish has 22
- * candidates in the cells. The first step tests balls, heights and sides and leaves 2.9 pairs per
- * fish. The second step tests fifteen axes (separating-axis theorem) and leaves 1.5 pairs per fish.
- * The pairs and their order do not depend on the number of SIMD lanes.
- *
- * The spatial grid holds the cells and the fish in each cell. If the side of a cell is at least the
- * reach of the search, the 3 x 3 cells around a fish hold all its neighbours. */
+ * candidates in the cells. The first step compares balls, heights and sides, and leaves 2.9 pairs
+ * per fish. The second step is the separating-axis test of the boxes, and leaves 1.5 pairs per
+ * fish. The pairs and their order do not depend on the number of SIMD lanes. */
 #ifndef KINGYO_CORE_TANK_COLLISION_NARROW_PHASE_H
 #define KINGYO_CORE_TANK_COLLISION_NARROW_PHASE_H
 
@@ -33,6 +32,7 @@ _Static_assert((fish_index)TANK_FISH_MAX == TANK_FISH_MAX, "all may be before a 
 /* Largest number of cells: one cell for every two fish. Tanks with fewer fish have larger cells. */
 #define SPATIAL_GRID_CELL_MAX (TANK_FISH_MAX / 2u)
 
+/* Grid of square cells on the floor plan, and the fish in each cell. */
 struct spatial_grid {
     float cell_m;      /* Length of the sides of the square cells. */
     float cells_per_m; /* Inverse of `cell_m`. */
@@ -44,9 +44,9 @@ struct spatial_grid {
      * item[start[c + 1] - 1]. */
     fish_index start[SPATIAL_GRID_CELL_MAX + 1u];
     fish_index item[TANK_FISH_MAX + SIMD_LANES_MAX];
-    fish_index cell_of[TANK_FISH_MAX + SIMD_LANES_MAX]; /* Grid cell of each fish in the array
-                                                           `member`. The caller sets the cells
-                                                           before narrow_grid_sort(). */
+    fish_index cell_of[TANK_FISH_MAX + SIMD_LANES_MAX]; /* Cell of each fish in the array `member`.
+                                                           The caller of narrow_grid_sort() sets
+                                                           this array first. */
 };
 
 /* Divides a floor plan for `fish_count` fish into cells whose side is at least `reach_m`. The cells
@@ -77,9 +77,10 @@ static inline uint32_t narrow_grid_cell_of_item(const struct spatial_grid *grid,
     return cell;
 }
 
-/* Returns the items (fish) in `cell` and in the next cell to the right. For an item of `cell`, only
- * the later items of this range and the items of narrow_grid_below() are tested. The search finds
- * all other nearby pairs from earlier items. */
+/* Returns the range of items (fish) in `cell` and in the next cell to the right. The search tests
+ * an item of `cell` only against the later items of this range, and against the items of
+ * narrow_grid_below(). All other nearby items come earlier in the order of the cells, so the search
+ * has already tested those pairs. */
 static inline struct grid_range narrow_grid_beside(const struct spatial_grid *grid, uint32_t cell)
 {
     const uint32_t last = (cell + 1u) % grid->columns > 0 ? cell + 1u : cell;
@@ -141,19 +142,22 @@ struct narrow_phase {
     struct spatial_grid grid;
     fish_index member[TANK_FISH_MAX + SIMD_LANES_MAX]; /* Indices of the fish that the search
                                                           includes. */
-    uint32_t cell, item, other; /* Cell and pair of items (fish) at which the next call of
-                                   narrow_phase_next() continues. */
+    uint32_t cell, item, other; /* Place at which the next call of narrow_phase_next() continues: a
+                                   cell, and a pair of items (fish). */
     uint8_t search;
-    /* Search volumes of the bodies, sorted by cell. A body is found within the ball of radius
-     * `ball_m` around its centre, and within the height `slab_m` above and below the centre. SIMD
-     * code reads SIMD_LANES_MAX elements beyond the last item. */
+    /* Search volume of each body, sorted by cell. The volume is the part of a ball around the
+     * body's centre that is at most `slab_m` above or below the centre. `ball_m` is the radius of
+     * the ball. Only bodies whose search volumes overlap can be a pair. SIMD code reads
+     * SIMD_LANES_MAX elements beyond the last item. */
     float x_m[TANK_FISH_MAX + SIMD_LANES_MAX], y_m[TANK_FISH_MAX + SIMD_LANES_MAX],
         z_m[TANK_FISH_MAX + SIMD_LANES_MAX], ball_m[TANK_FISH_MAX + SIMD_LANES_MAX],
         slab_m[TANK_FISH_MAX + SIMD_LANES_MAX];
     uint32_t near_count;
     uint32_t near_a[NARROW_PHASE_BATCH + SIMD_LANES_MAX],
-        near_b[NARROW_PHASE_BATCH + SIMD_LANES_MAX]; /* Near pairs. Each pair is two items: indices
-                                                        of fish in the order of the cells. */
+        near_b[NARROW_PHASE_BATCH + SIMD_LANES_MAX]; /* Pairs that the first step of the search
+                                                        found. near_a[k] and near_b[k] are the two
+                                                        items of pair k. An item is the place of a
+                                                        fish in the order of the cells. */
 };
 
 /* Sorts the bodies into cells and prepares the first call of narrow_phase_next(). */

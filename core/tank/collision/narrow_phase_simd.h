@@ -1,18 +1,20 @@
-/* narrow_phase_simd.h -- the SIMD kernels of the pair search, compiled for four lanes and for eight
- * lanes, and the bodies of several fish as columns.
+/* narrow_phase_simd.h -- the SIMD kernels of the pair search, and struct body_simd, which holds
+ * several bodies for SIMD code. Each kernel is compiled for four lanes and for eight lanes.
  *
- * Only narrow_phase.c calls the kernels. The lists that SIMD code reads have SIMD_LANES_MAX extra
- * entries with valid values. */
+ * Only narrow_phase.c calls the kernels. SIMD code reads whole blocks, so each list has
+ * SIMD_LANES_MAX extra entries with valid values at its end. */
 #ifndef KINGYO_CORE_TANK_COLLISION_NARROW_PHASE_SIMD_H
 #define KINGYO_CORE_TANK_COLLISION_NARROW_PHASE_SIMD_H
 
 #include "core/tank/collision/narrow_phase.h"
 
-/* SIMD_LANES bodies in SIMD vectors (columns). A column holds the same number of each body, for
- * example its x coordinate. The fields have the names of the fields of struct body. */
+/* Four or eight bodies (SIMD_LANES) for SIMD code. Each SIMD vector holds one float of every body,
+ * for example the x coordinates of all centres. Such a vector is called a column. The members have
+ * the same names as in struct body. */
 struct body_simd {
-    /* Columns 0 to 2 are x, y and z of the vector. Column 3 is the float that follows the vector in
-     * struct body: half_x_m, half_y_m, half_z_m or margin_m. */
+    /* Columns 0 to 2 of each array are the x, y and z coordinates. Column 3 is the float that
+     * follows the vec3 in struct body: `half_x_m` in centre[3], `half_y_m` in right[3], `half_z_m`
+     * in up[3] and `margin_m` in back[3]. */
     flanes centre[4], right[4], up[4], back[4];
 };
 
@@ -53,8 +55,8 @@ static inline void body_simd_load(struct body_simd *all, const struct body *body
     body_simd_quads(all->back, body, fish, 3);
 }
 
-/* Number of items or pairs by which a prefetch precedes the computation that uses the data. The
- * number covers the latency of the memory. */
+/* The pair search prefetches the data of an item or a pair this many items or pairs before it uses
+ * the data. During that time the memory delivers the data. */
 #define NARROW_PHASE_PREFETCH (2u * SIMD_LANES)
 
 /* Writes the horizontal positions of the `count` > 0 fish whose indices are in `member` to
@@ -78,8 +80,9 @@ static inline void body_simd_load(struct body_simd *all, const struct body *body
 #define NARROW_PHASE_NEAR(name)                                                                    \
     void name(struct narrow_phase *narrow_phase, const struct narrow_phase_query *of)
 
-/* Tests the nearby pairs by all fifteen axes of the separating-axis test, and writes the pairs that
- * are really near to `found`. Returns the number of written pairs. */
+/* Second step of the pair search: tests the pairs of the first step by the fifteen axes of the
+ * separating-axis test. Writes the pairs that are really near to `found`. Returns the number of
+ * written pairs. */
 #define NARROW_PHASE_BOXES(name)                                                                   \
     uint32_t name(struct narrow_phase *narrow_phase, const struct narrow_phase_query *of,          \
                   struct narrow_phase_pair *found)

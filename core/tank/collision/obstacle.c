@@ -68,9 +68,9 @@ vec3 obstacle_sidestep_m_s(const struct obstacle *disc, vec3 position_m)
 /* Distance per tick by which the paper of a poi pushes out a fish that got into the paper from the
  * side, over the ring. */
 #define PAPER_PUSH_M 0.0025f
-/* Speed at which a moving paper pins a fish in front of it by half: friction gives the fish half of
- * the paper's sideways speed. At higher speeds the fraction is larger, because the flow presses the
- * fish onto the paper. */
+/* Speed of a poi's paper, along its normal, at which friction gives a fish in front of the paper
+ * half of the paper's sideways speed. A faster paper gives the fish more of its sideways speed,
+ * because the flow presses the fish more strongly onto the paper. */
 #define PIN_M_S 0.12f
 /* Strength of the push that makes a fish glide over the ring of a poi. The value is the largest
  * move along the ring's normal, as a multiple of the fish's penetration into the ring. */
@@ -123,7 +123,7 @@ struct side {
                        near. */
     float height_m; /* Distance of the fish's centre from the paper, positive on the side `side`; <
                        0 if the fish passed through. */
-    float clear_m;  /* Distance of the fish's centre from the paper at which its body would not
+    float clear_m;  /* Distance of the fish's centre from the paper at which the body just does not
                        touch the paper. */
     float was_m;    /* Distance of the fish's centre from the paper at the start of the substep, as
                        in `height_m`. */

@@ -104,10 +104,11 @@ vec3 obstacle_sidestep_m_s(const struct obstacle *disc, vec3 position_m);
  * motion in this tick. */
 struct obstacle obstacle_before(const struct obstacle *obstacle);
 
-/* Returns how much deeper than allowed a fish is in a ring, a hull or paper, m. A result <= 0 is
- * allowed. `before` is the body of the fish in the previous tick. The allowed penetration is
- * `free_m`, or the penetration in the previous tick if that is larger. Paper keeps a fish on the
- * side on which `before` is. `out` receives the direction in which the fish must move. */
+/* Returns by how much a fish penetrates a ring, a hull or paper more deeply than allowed, m. A
+ * result <= 0 means that the penetration is allowed. The allowed depth is `free_m`, or the depth in
+ * the previous tick if that was larger. `before` is the body of the fish in the previous tick;
+ * paper keeps a fish on the side on which `before` is. `out` receives the direction in which the
+ * fish must move. */
 float obstacle_excess_m(const struct obstacle *obstacle, const struct body *now,
                         const struct body *before, float free_m, vec3 *out);
 

@@ -3,9 +3,11 @@
 #include "core/base/panic.h"
 #include "core/tank/collision/contact_solver_internal.h"
 
-/* Mean number of overlaps per fish above which the fish count as a pile. In a pile, a fish whose
- * contact is missing in a full contact list does not revert, and the solver only separates the
- * fish. A pile occurs only if tank_stage_all() placed fish that overlap. */
+/* The fish count as a pile if there are more than this number of overlaps per fish on average. A
+ * pile occurs only if tank_stage_all() placed many fish at the same place.
+ *
+ * Normally a fish whose contact is missing in a full contact list is reverted to its previous pose.
+ * In a pile such a fish is only pushed, because a reverted fish would stay in the pile forever. */
 #define PILE 2u
 /* Upper limit of the rounds in which the check only undoes motion of obstacles. The check changes
  * each of eight obstacles at most nine times: eight times a part of the motion, then the rest.
@@ -22,7 +24,7 @@ static float pair_depth_m(const struct body *a, const struct body *b)
  * fish; in a later substep a revert undoes only a push. */
 static void note_turned_back(const struct solver_step *all, uint32_t index)
 {
-    if (all->solver->station == 0) {
+    if (all->solver->substep == 0) {
         all->broad_phase->flags[index] |= BODY_REVERTED;
         all->solver->reverts_angles = true;
         all->broad_phase->way_m[index] += contact_sweep_m(all, index);
@@ -138,7 +140,7 @@ static uint32_t check_contact_pairs(const struct solver_step *all, uint32_t roun
     CORE_ASSERT(all->broad_phase->contact_count <= all->broad_phase->near_count);
     const struct broad_phase *broad_phase = all->broad_phase;
     const struct contact_solver *solver = all->solver;
-    uint32_t guilty = 0;
+    uint32_t unresolved = 0;
     for (uint32_t c = 0; c < broad_phase->contact_count; c++) {
         const uint32_t a = broad_phase->contact[c].a, b = broad_phase->contact[c].b;
         const bool as_parted = solver->fresh_round[a] == 0 && solver->fresh_round[b] == 0;
@@ -154,11 +156,11 @@ static uint32_t check_contact_pairs(const struct solver_step *all, uint32_t roun
             const float allowed_m = f_max(SOLVER_FREE_M, pair_depth_m(&was_a, &was_b));
             if (depth_m > allowed_m) {
                 choose_reverted(all, a, b, allowed_m, round);
-                guilty++;
+                unresolved++;
             }
         }
     }
-    return guilty;
+    return unresolved;
 }
 
 /* Resolves the penetration of a fish and an obstacle. A fish that ran into the obstacle reverts. If
@@ -237,10 +239,10 @@ void penetration_check(const struct solver_step *all, bool is_parted)
         }
     }
     const bool is_known = held == 0 && is_parted;
-    uint32_t guilty = 1;
-    for (uint32_t round = 0; guilty > 0; round++) {
+    uint32_t unresolved = 1;
+    for (uint32_t round = 0; unresolved > 0; round++) {
         CORE_ASSERT(round <= 2u * all->broad_phase->count + ROUNDS_SPARE);
-        guilty = round == 0 && is_known ? 0 : check_contact_pairs(all, round);
-        guilty += check_obstacles(all, round);
+        unresolved = round == 0 && is_known ? 0 : check_contact_pairs(all, round);
+        unresolved += check_obstacles(all, round);
     }
 }

@@ -216,10 +216,13 @@ struct touch shape_touch_ring(const struct ring *ring, const struct box *box)
 
 /* ---- Contact of a box with a hull ------------------------------------------------------------ */
 
-/* Returns the point of the box that lies deepest in an ellipsoid. At that point |S * (c + R * u)|
- * is least. S is the diagonal matrix of the ellipsoid's inverse half axes, c is the centre of the
- * box, and R is the matrix of the box's axes. u is a point in the coordinates of the box. The
- * function optimises the three coordinates of u in turn. */
+/* Returns the point of the box that lies deepest in an ellipsoid, relative to the ellipsoid's
+ * centre. `centre` is the centre of the box relative to the ellipsoid's centre. `inverse` holds the
+ * inverses of the ellipsoid's half axes.
+ *
+ * Multiplied by `inverse`, the ellipsoid becomes a ball of radius 1. The deepest point is the point
+ * of the scaled box that is nearest to the centre of the ball. The function finds that point by
+ * optimising its three box coordinates `u` in turn. */
 static vec3 deepest_point(const struct box *box, vec3 centre, vec3 inverse)
 {
     const vec3 axis[3] = { box->axes.right, box->axes.up, box->axes.back };
@@ -240,9 +243,10 @@ static vec3 deepest_point(const struct box *box, vec3 centre, vec3 inverse)
     return v3_muladd(v3_muladd(v3_muladd(centre, axis[0], u[0]), axis[1], u[1]), axis[2], u[2]);
 }
 
-/* Computes the distance of the box from the hull by the first-order formula for an ellipsoid, (k -
- * 1) * k / |gradient|, where k is 1 on the skin of the ellipsoid. The result is accurate near the
- * skin. */
+/* Computes the distance of the box from the hull by a first-order approximation. Scaled so that the
+ * ellipsoid becomes a ball of radius 1, the deepest point of the box is at the distance `k` from
+ * the centre. The skin of the ellipsoid is at 1. k - 1, divided by the change of `k` per metre, is
+ * the distance from the skin. The result is accurate near the skin. */
 struct touch shape_touch_hull(const struct hull *hull, const struct box *box)
 {
     CORE_ASSERT(hull->radius_m > 0.0f && hull->depth_m > 0.0f);
