@@ -42,8 +42,6 @@ struct core_config;
  * starts the next game. The time for dips is longer than the time for START, because a dip happens
  * more easily by accident. */
 #define GAME_AGAIN_DIP_TICKS (5u * CORE_TICK_HZ / 2u)
-/* Time without input after which the mode selection ends and attract mode begins. */
-#define GAME_MODE_SELECT_TICKS (15u * CORE_TICK_HZ)
 /* Longest duration of the mode selection, even if a poi moves all the time. Such long motion comes
  * from a poi that swings on its cord. */
 #define GAME_MODE_SELECT_TICKS_MAX (120u * CORE_TICK_HZ)
@@ -57,7 +55,6 @@ struct core_config;
 #define GAME_AIR_TICKS (45u * CORE_TICK_HZ)
 /* Default grade (strength) of the paper, which real stalls use most. */
 #define GAME_POI_GRADE 6u
-#define GAME_DIP_Y_M (-0.010f) /* Height that a pose must cross downward to count as a dip. */
 
 /* Distance from the rest position within which a controller counts as resting. */
 #define PLAYER_STIR_M 0.03f
@@ -218,7 +215,7 @@ struct game {
     struct poi_target hand_pose[POI_MAX]; /* Target pose of each poi in the last tick, after
                                              smoothing and failsafe. */
     float live_y_m[POI_MAX]; /* Height of each controller's pose in the last tick, or -1 if the
-                                input was invalid. A dip is a downward crossing of GAME_DIP_Y_M. */
+                                input was invalid. A dip is a downward crossing of RULES_DIP_Y_M. */
     struct input_validation validation[POI_MAX]; /* State of the input validation of each
                                                     controller. */
     uint32_t return_ticks[POI_MAX];   /* Ticks since each poi began to return to its controller's

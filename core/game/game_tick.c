@@ -51,7 +51,7 @@ float game_seconds_left(const struct game *game, uint32_t tick)
     uint32_t start = game->phase_tick, total = 0;
     switch (game->phase) {
     case PHASE_MODE_SELECT:
-        total = min_ticks(game->point_tick - start + GAME_MODE_SELECT_TICKS,
+        total = min_ticks(game->point_tick - start + RULES_MODE_SELECT_TICKS,
                           GAME_MODE_SELECT_TICKS_MAX);
         break;
     case PHASE_READY:

@@ -19,6 +19,10 @@
 /* Length of READY in seconds in modes without an umpire. In READY the player takes the poi and
  * finds the bowl. */
 #define RULES_READY_S 3u
+/* Time without input after which the mode selection ends and attract mode begins. */
+#define RULES_MODE_SELECT_TICKS (15u * CORE_TICK_HZ)
+/* Height that a pose must cross downward to count as a dip. */
+#define RULES_DIP_Y_M (-0.010f)
 
 struct rules {
     const char *name; /* Name of the mode on the command line. */

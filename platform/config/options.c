@@ -8,7 +8,7 @@
 #include "core/base/panic.h"
 #include "core/game/rules.h"
 #include "core/scene.h"
-#include "core/tank/tank.h"
+#include "core/tank/preset.h"
 #include "platform/os/number.h"
 #include "platform/setting_text.h"
 

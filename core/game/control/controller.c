@@ -188,7 +188,8 @@ uint32_t controller_dipped_player(const struct game *game, const struct world *w
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (world->bowl[i].present && game->validation[i].verdict == INPUT_VALID &&
-            game->live_y_m[i] >= GAME_DIP_Y_M && input->poi[i].target.position_m.y < GAME_DIP_Y_M) {
+            game->live_y_m[i] >= RULES_DIP_Y_M &&
+            input->poi[i].target.position_m.y < RULES_DIP_Y_M) {
             return i;
         }
     }

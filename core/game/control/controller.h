@@ -19,7 +19,7 @@ bool controller_is_active(const struct world *world, uint32_t index);
  * waits. */
 bool controller_is_lost(const struct world *world, uint32_t index);
 
-/* Returns the player whose poi moves down through GAME_DIP_Y_M in this tick, or POI_MAX if no poi
+/* Returns the player whose poi moves down through RULES_DIP_Y_M in this tick, or POI_MAX if no poi
  * does. Such a dip is a request to play. Only a poi with a bowl and a connected controller
  * counts. */
 uint32_t controller_dipped_player(const struct game *game, const struct world *world,

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "core/base/panic.h"
-#include "core/game/game.h"
+#include "core/game/rules.h"
 
 void score_playback_request(struct score_playback *playback, uint32_t round_id)
 {
@@ -18,7 +18,7 @@ void score_playback_request(struct score_playback *playback, uint32_t round_id)
     playback->round_id = round_id;
     playback->end_ticks = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        playback->hand_y_m[i] = GAME_DIP_Y_M; /* A poi that is already below the water does not
+        playback->hand_y_m[i] = RULES_DIP_Y_M; /* A poi that is already below the water does not
                                                  count as a dip. */
     }
 }
@@ -36,7 +36,7 @@ bool score_playback_handle_input(struct score_playback *playback, uint32_t press
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (poi[i].link == POI_SOURCE_LIVE) {
             const float y_m = poi[i].target.position_m.y;
-            dips |= y_m < GAME_DIP_Y_M && playback->hand_y_m[i] > GAME_DIP_Y_M;
+            dips |= y_m < RULES_DIP_Y_M && playback->hand_y_m[i] > RULES_DIP_Y_M;
             playback->hand_y_m[i] = y_m;
         }
     }

@@ -6,7 +6,7 @@
 
 #include "core/base/panic.h"
 #include "core/game/accounting/accounts.h"
-#include "core/game/game.h"
+#include "core/game/rules.h"
 #include "platform/render/ui/ui_widgets.h"
 
 #define SHADE 0x0a0c24e0u /* Colour of the shadow around large words. */
@@ -144,7 +144,7 @@ static void seconds_ring(const struct ui_frame *frame, float x, float y)
 {
     const float u = frame->unit, radius = 36.0f * u;
     const float left = fminf(fmaxf(frame->scene->seconds_left, 0.0f), SECONDS_SHOWN);
-    const float part = left / ((float)GAME_MODE_SELECT_TICKS * CORE_TICK_S);
+    const float part = left / ((float)RULES_MODE_SELECT_TICKS * CORE_TICK_S);
     ui_disc(frame, x, y, radius, 0.0f, UI_NIGHT, 0);
     ui_ring(frame, x, y, radius, 6.0f * u, f_clamp(part, 0.0f, 1.0f), UI_GOLD, 0xffffff28u);
     ui_number_at(frame, ui_style(frame, FONT_STALL, 34.0f, 0.5f, 0xfff8eaffu, 52.0f * u), x, y,

@@ -124,7 +124,7 @@ static void test_fifteen_seconds_without_input_end_the_selection(void **state)
     choose();
     press(INPUT_RIGHT);
     assert_float_equal(look()->seconds_left, 15.0f, 0.02f);
-    ticks(GAME_MODE_SELECT_TICKS - 2u);
+    ticks(RULES_MODE_SELECT_TICKS - 2u);
     assert_int_equal(core.game.phase, PHASE_MODE_SELECT);
     assert_float_equal(look()->seconds_left, 0.0f, 0.02f);
     ticks(2);
@@ -137,11 +137,11 @@ static void test_a_moving_poi_keeps_the_selection_open(void **state)
     hold(0, v3(LEFT_M, ABOVE_M, 0.0f));
     choose();
     for (uint32_t i = 0; i < 5; i++) {
-        ticks(GAME_MODE_SELECT_TICKS - CORE_TICK_HZ);
+        ticks(RULES_MODE_SELECT_TICKS - CORE_TICK_HZ);
         lead(0, v3(LEFT_M, ABOVE_M, i % 2u ? 0.0f : 0.1f));
         assert_int_equal(core.game.phase, PHASE_MODE_SELECT);
     }
-    ticks(GAME_MODE_SELECT_TICKS + 1u); /* A resting poi counts as unused. */
+    ticks(RULES_MODE_SELECT_TICKS + 1u); /* A resting poi counts as unused. */
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 

@@ -58,10 +58,10 @@ static void test_a_poi_just_above_the_dip_line_does_not_dip(void **state)
     (void)state;
     hold_at(ABOVE_M);
     step();
-    hold_at(GAME_DIP_Y_M + 0.0001f);
+    hold_at(RULES_DIP_Y_M + 0.0001f);
     step();
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
-    hold_at(GAME_DIP_Y_M - 0.0001f);
+    hold_at(RULES_DIP_Y_M - 0.0001f);
     step();
     assert_int_equal(core.game.phase, PHASE_READY);
 }

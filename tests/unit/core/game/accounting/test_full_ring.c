@@ -104,7 +104,7 @@ static void test_a_full_store_only_delays_the_game(void **state)
         const int plays = core.game.phase == PHASE_READY;
         assert_int_equal(plays, core.game.accounts.ledger.balance.open == PAYMENT_PAID);
         assert_true(plays || core.game.phase == PHASE_MODE_SELECT);
-        steps(GAME_READY_TICKS + GAME_MODE_SELECT_TICKS); /* The game reaches the round or returns
+        steps(GAME_READY_TICKS + RULES_MODE_SELECT_TICKS); /* The game reaches the round or returns
                                                              to attract. */
         drop_each(coins);
         input.poi[0].link = POI_SOURCE_ABSENT;
