@@ -3,13 +3,19 @@
 #
 # `make boundaries` runs the script and passes BUILD, CC, CORE_CFLAGS and HOST_CFLAGS. The compiler lists every file
 # that each source and each header pulls in, directly or through other headers. FILEs narrow the check to them.
-# PAIRS=FILE replaces the compiler: each line of that file is `file included`, as the tests make up.
+# The script also reads each `#include "..."` (kind `direct`), and each use of a member of the core's state outside the
+# core (kind `state`).
+# PAIRS=FILE replaces both: each line of that file is `file included [kind]`, as the tests make up.
 # exceptions.txt beside the script names the breaches that exist today; EXCEPTIONS=FILE is another list.
+# public_headers.txt lists the headers that folders of the core offer; PUBLIC=FILE is another list. The table in
+# platform/README.md states which folder of the platform includes which; TABLE=FILE is another page.
 # The script prints one line for each breach. The exit status is 1 if there is any.
 set -u
 here=$(dirname "$0")
 build=${BUILD:-build}
 exceptions=${EXCEPTIONS:-$here/exceptions.txt}
+public=${PUBLIC:-$here/public_headers.txt}
+table=${TABLE:-$here/../../platform/README.md}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
@@ -31,17 +37,46 @@ files() { # FOLDER: its sources and headers, or those of them that were asked fo
     if [ ${#only[@]} -eq 0 ]; then find "$1" -name '*.[ch]'; else printf '%s\n' "${only[@]}" | grep "^$1/"; fi
 }
 
+# Prints `file included direct` for each #include of a file of the tree.
+direct() { # FILE...
+    grep -HoE '^[ \t]*#[ \t]*include[ \t]*"(core|drivers|platform|board|assets)/[^"]+"' "$@" /dev/null |
+        sed -E 's/:[^"]*"/ /; s/"$/ direct/'
+}
+
+# Prints `file core.NAME state` for each use of a member or a type that holds the state of the game or of the world, which
+# only the core may know. Comments and strings do not count.
+state() { # FILE...
+    awk 'FNR == 1 { open = 0 }
+        {
+            gsub(/"([^"\\]|\\.)*"/, "")
+            if (open && !sub(/^([^*]|\*+[^*\/])*\*+\//, "")) next
+            open = 0
+            gsub(/\/\*([^*]|\*+[^*\/])*\*+\//, "")
+            if (sub(/\/\*.*/, "")) open = 1
+            while (match($0, /(->|\.|struct )(game|world)([^A-Za-z0-9_]|$)/)) {
+                name = substr($0, RSTART, RLENGTH)
+                gsub(/struct|[^a-z]/, "", name)
+                print FILENAME, "core." name, "state"
+                $0 = substr($0, RSTART + RLENGTH)
+            }
+        }' "$@" /dev/null | sort -u
+}
+
 only=("$@")
 if [ -n "${PAIRS:-}" ]; then cat "$PAIRS" >"$work/all"; else
     {
         # shellcheck disable=SC2086
         files core | pairs $CORE_CFLAGS
         # shellcheck disable=SC2086
-        { files drivers; files platform; files board; } | pairs $HOST_CFLAGS
+        { files drivers; files platform; files board; files assets; } | tee "$work/outside" | pairs $HOST_CFLAGS
+        mapfile -t outside <"$work/outside"
+        mapfile -t core < <(files core)
+        direct "${core[@]}" "${outside[@]}"
+        state "${outside[@]}"
     } >"$work/all"
 fi
 
-awk -v build="$build" -v own="$own_include" -v list="$exceptions" -v whole=$((${#only[@]} == 0)) \
+awk -v build="$build" -v own="$own_include" -v list="$exceptions" -v public="$public" -v table="$table" -v whole=$((${#only[@]} == 0)) \
     -v made_up="${PAIRS:+1}" '
 # ---- What a rule compares ----
 function folder(path) { sub(/\/[^\/]*$/, "", path); return path }
@@ -61,9 +96,17 @@ function is_baked(path) { return index(path, build "/generated/") == 1 }
 function is_decoder(path) {
     return path ~ /^drivers\/(hid\/hid_(descriptor|port|mapping)|usb\/usb_(choice|sysfs)|gpio\/[a-z_0-9]+)\.h$/
 }
+# The folder of the platform that a rule names: the first one below platform/, or "." for its own files.
+function platform_folder(path,   name) {
+    return split(path, name, "/") == 2 ? "." : name[2]
+}
+# The class of a header in public_headers.txt must include the user: a folder of the core, kingyoctl, or the platform.
+function may_use(who, path) {
+    return path ~ /^core\// || who == "all" || who == "ctl" && path ~ /^(platform\/ctl|board|assets)\//
+}
 function breach(rule, text) {
     if ((rule, $1, $2) in excepted) { used[rule, $1, $2] = 1; return }
-    print $1 ": includes " $2 " -- " rule ": " text
+    print $1 ": " ($3 == "state" ? "names " : "includes ") $2 " -- " rule ": " text
     failed = 1
 }
 
@@ -78,6 +121,20 @@ BEGIN {
         if (word[1] == "contract") contract_data[word[3]] = 1
     }
     close(list)
+    while ((getline line < public) > 0) {
+        sub(/#.*/, "", line)
+        if (split(line, word, " ") == 2) offered[word[2]] = word[1]
+    }
+    close(public)
+    # Rows of the table: | `folder` | text | `allowed`, `allowed` |
+    while ((getline line < table) > 0) {
+        if (split(line, cell, "|") != 5 || cell[2] !~ /`/) continue
+        gsub(/[` ]/, "", cell[2])
+        gsub(/[` ]/, "", cell[4])
+        row[cell[2]] = "," cell[4] ","
+    }
+    close(table)
+    if (length(row) == 0) { print table ": no table of folders"; failed = 1 }
     if (count + 0 > limit + 0) {
         print list ": " count " exceptions, and the limit is " limit " -- the list may only shrink"
         failed = 1
@@ -86,6 +143,26 @@ BEGIN {
         failed = 1
     }
 }
+
+# ---- Direct includes ----
+$3 == "state" {
+    breach("state", "code around the core calls functions of core/core.h, and does not read the game or the world")
+    next
+}
+$3 == "direct" && $2 ~ /^core\// && !is_base($2) && index($1, folder($2) "/") != 1 {
+    if ($2 in offered) seen_outside[$2] = 1
+    if (!($2 in offered) || !may_use(offered[$2], $1)) {
+        breach("private", "public_headers.txt does not offer this header to this folder")
+    }
+}
+$3 == "direct" && $1 ~ /^platform\// && $2 ~ /^platform\// && platform_folder($1) != platform_folder($2) {
+    allowed = row[platform_folder($1)]
+    if (!index(allowed, "," platform_folder($2) ",") && !(platform_folder($2) == "." && \
+        (index(allowed, ",*.h,") || index(allowed, "," substr($2, 10) ",")))) {
+        breach("platform", "platform/README.md does not let " platform_folder($1) " include this")
+    }
+}
+$3 == "direct" { next }
 
 $2 ~ /^\(/ { print $1 ": " $2 " " $3 " " $4 " " $5 " " $6; failed = 1; next }
 { seen[$1] = 1 }
@@ -142,7 +219,21 @@ $1 ~ /^platform\// && $1 !~ /^platform\/(kiosk|ctl)\// && $2 ~ /^platform\/kiosk
     breach("kiosk", "only platform/ctl and board/ include the frame loop")
 }
 
+# ---- Build tools ----
+$1 ~ /^assets\// && !($2 ~ /^(assets|platform\/os|platform\/species)\// || is_base($2) || $2 == "core/morph/morph.h" || is_system($2) || is_baked($2)) {
+    breach("assets", "a build tool includes only assets, platform/os, platform/species, contracts and libraries")
+}
+$1 !~ /^assets\// && $2 ~ /^assets\// && !($1 ~ /^(platform\/(render|ctl)|board)\// && $2 == "assets/font.h") {
+    breach("assets", "only the format of the fonts leaves assets/, for the renderer and its users")
+}
+
 END {
+    for (header in offered) {
+        if (!(header in seen_outside) && whole && !made_up) {
+            print public ": " header " is not included from outside its folder any more: remove the line"
+            failed = 1
+        }
+    }
     for (key in excepted) {
         split(key, part, SUBSEP)
         if (!(key in used) && !made_up && (whole || part[2] in seen)) {

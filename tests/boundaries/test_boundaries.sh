@@ -63,4 +63,15 @@ refuses "${driver:-drivers/a.c}" '#include "platform/board.h"' 'a driver include
 refuses drivers/unused.h '#include "platform/render/renderer.h"' 'a driver includes only' 'an unused header of a driver may not include the renderer'
 refuses "$render" "#include \"$(any_of drivers '*.h')\"" 'only board/ and main' \
     'the platform may not include a driver'
+refuses "$render" '#include "platform/config/options.h"' 'does not let render' \
+    'the renderer may not include a folder that its row of the table does not name'
+refuses "$render" '#include "core/game/phases.h"' 'public_headers.txt does not offer' \
+    'the platform may not include a private header of the core'
+refuses assets/bake/wood.c '#include "core/tank/tank.h"' 'a build tool includes only' 'a build tool may not include the tank'
+reads='uint32_t now(const struct core *core); uint32_t now(const struct core *core) { return core->game.tick; }'
+refuses platform/kiosk/run_common.c "$reads" 'does not read the game' "the platform may not read the core's state"
+refuses platform/kiosk/run_common.c 'struct world; /* of a tank */' 'names core.world' "the platform may not name the core's state"
+printf '%s\n' '/* core->game.tick in a comment' ' * core->world. */ const char *in_a_text = "a.game";' >>"$copy/platform/kiosk/run_common.c"
+make -C "$copy" --no-print-directory BUILD="$BUILD" ONLY=platform/kiosk/run_common.c includes >/dev/null 2>&1
+ok $? 'comments and strings may name the state'
 echo "1..$count"

@@ -15,12 +15,13 @@ ok() { # STATUS TEXT
     count=$((count + 1))
     [ "$1" -eq 0 ] && echo "ok $count - $2" || { echo "not ok $count - $2"; sed 's/^/# /' "$work/said"; }
 }
+kind= # Kind of the made-up include: empty for what the compiler lists, otherwise `direct` or `state`.
 check() { # FILE INCLUDED: Returns the exit status of includes.sh for this one include.
-    echo "$1 $2" >"$PAIRS"
+    echo "$1 $2 $kind" >"$PAIRS"
     "$here/includes.sh" >"$work/said" 2>&1
 }
 refuses() { # RULE FILE INCLUDED TEXT
-    ! check "$2" "$3" && grep -qF "$2: includes $3 -- $1: " "$work/said"
+    ! check "$2" "$3" && grep -qE "^$2: (includes|names) $3 -- $1: " "$work/said"
     ok $? "$4"
 }
 allows() { # FILE INCLUDED TEXT
@@ -86,6 +87,66 @@ for file in platform/kiosk/kiosk.c drivers/null.c board/desktop/board.c platform
 done
 refuses kiosk platform/store/storage.c platform/kiosk/kiosk.h 'the store may not include the frame loop'
 allows platform/ctl/play/replay.c platform/kiosk/recorder/replayer.h 'kingyoctl may include the replayer of the kiosk'
+
+# ---- Build tools ----
+refuses assets assets/bake/text.c core/tank/tank.h 'a build tool may not include the tank'
+refuses assets assets/bake/text.c platform/render/renderer.h 'a build tool may not include the renderer'
+refuses assets assets/bake/species.c platform/store/storage.h 'a build tool may not include the store'
+refuses assets assets/bake/species.c drivers/null.h 'a build tool may not include a driver'
+allows assets/bake/species.c platform/species/pack.h 'a build tool may include the readers of species'
+allows assets/bake/text.c /usr/include/stdio.h 'a build tool may include a library'
+refuses assets platform/render/renderer.c assets/bake/bake.h 'the renderer may not include a build tool'
+refuses assets core/view.c assets/font.h 'the core may not include the format of the fonts'
+refuses assets platform/store/storage.c assets/font.h 'the store may not include the format of the fonts'
+allows platform/render/text_draw.c assets/font.h 'the renderer may include the format of the fonts'
+
+# ---- The table of the platform's folders: direct includes ----
+kind=direct
+refuses platform platform/os/log.c platform/watchdog.h 'platform/os may include only hal.h of the headers in platform/'
+allows platform/os/clock.c platform/hal.h 'platform/os may include hal.h'
+refuses platform platform/config/options.c platform/store/storage.h 'the options may not include the store'
+refuses platform platform/config/options.c platform/hal.h 'the options may not include hal.h'
+allows platform/config/options.c platform/board.h 'the options may include board.h'
+refuses platform platform/species/text.c platform/render/paint.h 'the species may not include the renderer'
+refuses platform platform/replay/replay.h platform/store/storage.h 'the format of recordings may not include the store'
+refuses platform platform/store/storage.c platform/replay/replay.h 'the store may not include the format of recordings'
+allows platform/store/sqlite/ledger_backup.h platform/panics.h 'the store may include panics.h'
+refuses platform platform/render/renderer.c platform/config/options.h 'the renderer may not include the options'
+allows platform/render/ui/lab/ui_lab.c platform/species/library.h 'the renderer may include the species'
+refuses platform platform/kiosk/kiosk.c platform/render/renderer.h 'the frame loop may not include the renderer'
+allows platform/kiosk/kiosk.c platform/watchdog.h 'the frame loop may include each header in platform/'
+refuses platform platform/watchdog.c platform/kiosk/kiosk.h 'a file in platform/ may not include the frame loop'
+refuses platform platform/audio.c platform/render/renderer.h 'a file in platform/ may not include the renderer'
+allows platform/panics.c platform/replay/replay_format.h 'a file in platform/ may include the format of recordings'
+allows platform/ctl/doctor/doctor.c platform/store/storage.h 'kingyoctl may include the store'
+allows platform/render/pass/bloom.c platform/render/renderer.h 'a subfolder may include its folder'
+TABLE=/dev/null check core/view.c core/view.h
+grep -q 'no table of folders' "$work/said"
+ok $? 'a page without the table is rejected'
+
+# ---- Headers that the core offers: direct includes ----
+refuses private core/poi/poi.c core/tank/collision/narrow_phase.h 'the poi may not include a private header of the tank'
+refuses private core/game/round.c core/game/bot/vision.h 'the game may not include a private header of the bots'
+refuses private core/game/menu/menu.c core/game/ranking/name_filter_x.h 'the menu may not include a private header of the ranking'
+refuses private core/tank/tank.c core/tank/behavior/startle.h 'the tank may not include a private header of its subfolder'
+allows core/tank/behavior/startle.c core/tank/shade.h 'a subfolder may include a private header of its folder'
+allows core/game/bot/bot.c core/game/bot/vision.h 'a folder may include its private header'
+allows core/game/round.c core/game/control/controller.h 'the game may include a header that the controllers offer to the core'
+refuses private platform/kiosk/kiosk.c core/game/game.h 'the platform may not include the state of the game'
+refuses private platform/kiosk/kiosk.c core/game/control/controller.h 'the platform may not include a header for the core'
+refuses private platform/kiosk/kiosk.c core/tank/tank.h 'the platform may not include the tank'
+refuses private drivers/null.c core/game/bot/bot.h 'a driver may not include the bots'
+allows platform/ctl/tank/tank.c core/tank/tank.h 'kingyoctl may include the tank'
+refuses private platform/ctl/tank/tank.c core/tank/collision/box.h 'kingyoctl may not include a private header of the tank'
+allows platform/kiosk/kiosk.c core/core.h 'the platform may include core.h'
+allows platform/render/renderer.c core/scene.h 'the platform may include a contract'
+
+# ---- Reads of the core's state ----
+kind=state
+refuses state platform/kiosk/kiosk.c core.game 'the platform may not read the game'
+refuses state platform/ctl/play/rounds.c core.world 'kingyoctl may not read the world of the kiosk'
+refuses state board/desktop/board.c core.game 'a board may not read the game'
+kind=
 
 # ---- The list of exceptions ----
 printf 'limit 1\nlayer core/tank/tank.c core/poi/poi.h # why\n' >"$EXCEPTIONS"
