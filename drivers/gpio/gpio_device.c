@@ -96,7 +96,7 @@ void gpio_thread_lose(struct gpio_thread *reader)
 }
 
 /* Writes a text such as "; no start, coin (BTN_START: there is no GPIO chip in /dev)". The text
- * lists all missing lines and gives the reason for the first missing line. */
+ * lists all lines of `missing` and gives the reason for the first of these lines. */
 static void say_missing(uint32_t missing, char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZE],
                         char out[HAL_TEXT_SIZE])
 {
@@ -118,9 +118,30 @@ static void say_missing(uint32_t missing, char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZ
     }
 }
 
+void gpio_thread_describe(struct gpio_thread *reader)
+{
+    char text[HAL_TEXT_SIZE], line[GPIO_WIRE_TEXT_SIZE];
+    const uint32_t failing = reader->failing & reader->had, missing = publish_lines(reader);
+    pthread_mutex_lock(&reader->mutex);
+    for (enum gpio_role role = GPIO_INPUT_COUNT; role < GPIO_ROLE_COUNT; role++) {
+        if (failing & gpio_role_bit(role)) {
+            gpio_wire_text(&reader->wires[role], line);
+            snprintf(reader->why[role], HAL_TEXT_SIZE,
+                     "%s does not switch: check the cable and power of its chip", line);
+        } else if (reader->had & gpio_role_bit(role)) {
+            reader->why[role][0] = '\0';
+        }
+    }
+    say_missing(missing | failing, reader->why, text);
+    snprintf(reader->text, sizeof reader->text, "%.30s: %u of %u lines%.110s",
+             reader->lines.ops->describe(reader->lines.self),
+             (uint32_t)__builtin_popcount(reader->had), gpio_config_count(reader->wires), text);
+    pthread_mutex_unlock(&reader->mutex);
+}
+
 int gpio_thread_request(struct gpio_thread *reader)
 {
-    char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZE] = { { 0 } }, text[HAL_TEXT_SIZE];
+    char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZE] = { { 0 } };
     const int result = reader->lines.ops->open(reader->lines.self, reader->wires, why);
     CORE_ASSERT(result < 1 << GPIO_ROLE_COUNT);
     const uint32_t fresh = result > 0 ? (uint32_t)result & ~reader->had : 0u;
@@ -135,13 +156,10 @@ int gpio_thread_request(struct gpio_thread *reader)
     }
     reader->had |= fresh;
     reader->retry_ns = hal_now_ns(reader->clock) + RETRY_NS;
-    say_missing(publish_lines(reader), why, text);
     pthread_mutex_lock(&reader->mutex);
     memcpy(reader->why, why, sizeof reader->why);
-    snprintf(reader->text, sizeof reader->text, "%.30s: %u of %u lines%.110s",
-             reader->lines.ops->describe(reader->lines.self),
-             (uint32_t)__builtin_popcount(reader->had), gpio_config_count(reader->wires), text);
     pthread_mutex_unlock(&reader->mutex);
+    gpio_thread_describe(reader);
     return result;
 }
 

@@ -3,6 +3,8 @@
 #include "drivers/gpio/gpio_thread.h"
 
 #include "core/base/panic.h"
+#include "drivers/gpio/gpio_config.h"
+#include "platform/os/log.h"
 
 /* Interval at which the levels of all input lines are read, in addition to edge events. */
 #define WATCH_NS 100000000u
@@ -180,14 +182,17 @@ static void settle_inputs(struct gpio_thread *reader, uint32_t touched)
 }
 
 /* Sets the level of an output. Returns true if the line switched. A line that does not switch
- * counts as one fault until it switches again. */
+ * counts as one fault until it switches again. The log and describe() name such a line. */
 static bool switch_line(struct gpio_thread *reader, enum gpio_role role, bool active)
 {
     const uint32_t bit = gpio_role_bit(role);
     const int result = reader->lines.ops->set(reader->lines.self, role, active);
     if (result == HAL_OK) {
         reader->lit ^= bit;
-        reader->failing &= ~bit;
+        if (reader->failing & bit) {
+            reader->failing &= ~bit;
+            gpio_thread_describe(reader);
+        }
         return true;
     }
     if (result == HAL_ERR_GONE) {
@@ -195,6 +200,8 @@ static bool switch_line(struct gpio_thread *reader, enum gpio_role role, bool ac
     } else if (!(reader->failing & bit)) {
         reader->failing |= bit;
         atomic_fetch_add(&reader->faults, 1);
+        gpio_thread_describe(reader);
+        log_print(LOG_LEVEL_ERROR, "line %s: %s", gpio_role_name(role), reader->why[role]);
     }
     return false;
 }

@@ -340,14 +340,17 @@ struct hal_buttons gpio_thread_buttons(struct gpio_thread *reader);
  * not wired. Lamps and locks change within GPIO_WAIT_MS_MAX. */
 struct hal_switches gpio_thread_switches(struct gpio_thread *reader);
 
-/* Copies the reason why the line of `role` is missing to `out`. Writes "" if the line is held
- * (requested successfully) or not wired. */
+/* Copies the reason why the line of `role` is missing or does not switch to `out`. Writes "" if the
+ * line works or is not wired. */
 void gpio_thread_why(struct gpio_thread *reader, enum gpio_role role, char out[HAL_TEXT_SIZE]);
 
 /* ---- Functions that gpio_thread.c and gpio_device.c share ------------------------------------ */
 
 /* gpio_device.c: requests the missing lines. Returns the result of gpio_lines_ops.open. */
 int gpio_thread_request(struct gpio_thread *reader);
+/* gpio_device.c: writes the text of describe(), which names the missing lines and the outputs that
+ * do not switch. */
+void gpio_thread_describe(struct gpio_thread *reader);
 /* gpio_device.c: marks the lines of removed chips as missing. Counts one fault if at least one line
  * is newly missing. */
 void gpio_thread_lose(struct gpio_thread *reader);

@@ -10,7 +10,8 @@ cc=${CC:-gcc}
 gpiod=${GPIOD:-0}
 mkdir -p "$home"
 drivers=(drivers/gpio/{gpio_device,gpio_signal,gpio_thread,gpio_config}.c
-    drivers/sim/gpio_lines_sim.c platform/os/thread.c tests/unit/support/panic.c)
+    drivers/sim/gpio_lines_sim.c platform/os/{file,log,panic,thread}.c core/base/printable.c
+    tests/unit/support/panic.c)
 
 try() { # NAME SANITIZERS SOURCES...
     local name=$1 sanitizers=$2

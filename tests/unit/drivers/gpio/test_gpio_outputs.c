@@ -84,8 +84,12 @@ static void test_pulses_wait_until_a_failing_line_switches_on(void **state)
     assert_int_equal(switches.ops->pending(switches.self, HAL_TICKET), 3);
     assert_int_equal(fixture.sum.faults, faults + 1u); /* One fault, however often the line is
                                                           retried. */
+    assert_string_equal(switches.ops->describe(switches.self),
+                        "lines of memory: 12 of 12 lines; no ticket (TICKETS does not switch: "
+                        "check the cable and power of its chip)");
     fixture.sim.failing_outputs = 0;
     run_until(&fixture, 2000);
+    assert_string_equal(switches.ops->describe(switches.self), "lines of memory: 12 of 12 lines");
     assert_int_equal(switches.ops->pending(switches.self, HAL_TICKET), 0);
     assert_int_equal(count_pulses(&fixture.sim, GPIO_TICKET, &shortest_ns), 3);
     assert_in_range(shortest_ns, 50 * MS, 52 * MS);
@@ -93,6 +97,28 @@ static void test_pulses_wait_until_a_failing_line_switches_on(void **state)
     assert_int_equal(switches.ops->pulse(switches.self, HAL_TICKET, 1), HAL_OK);
     run_until(&fixture, 2500);
     assert_int_equal(fixture.sum.faults, faults + 2u); /* The line failed a second time. */
+    end(&fixture);
+}
+
+/* Missing lines are requested again each second, which writes the reasons again. */
+static void test_a_failing_output_is_reported_beside_a_missing_line(void **state)
+{
+    (void)state;
+    static const struct gpio_sim_event events[] = { LEVEL(9000, GPIO_START, 1) };
+    static struct fixture fixture;
+    char why[HAL_TEXT_SIZE];
+    plug_in(&fixture, events, 1);
+    fixture.sim.held_by_others = gpio_role_bit(GPIO_COIN);
+    begin(&fixture);
+    const struct hal_switches switches = gpio_thread_switches(&fixture.gpio);
+    fixture.sim.failing_outputs = gpio_role_bit(GPIO_TICKET);
+    assert_int_equal(switches.ops->pulse(switches.self, HAL_TICKET, 1), HAL_OK);
+    run_until(&fixture, 3500);
+    assert_string_equal(switches.ops->describe(switches.self),
+                        "lines of memory: 11 of 12 lines; no coin, ticket (7 is in use by "
+                        "'another')");
+    gpio_thread_why(&fixture.gpio, GPIO_TICKET, why);
+    assert_string_equal(why, "TICKETS does not switch: check the cable and power of its chip");
     end(&fixture);
 }
 
@@ -225,6 +251,7 @@ int main(void)
         cmocka_unit_test(test_meter_and_dispenser_pulses_run_in_parallel),
         cmocka_unit_test(test_pending_pulses_wait_until_an_absent_chip_returns),
         cmocka_unit_test(test_pulses_wait_until_a_failing_line_switches_on),
+        cmocka_unit_test(test_a_failing_output_is_reported_beside_a_missing_line),
         cmocka_unit_test(test_a_pulse_lasts_until_a_failing_line_switches_off),
         cmocka_unit_test(test_a_pulse_cut_by_the_loss_of_its_line_is_not_repeated),
         cmocka_unit_test(test_lamps_are_set_and_unwired_outputs_return_absent),

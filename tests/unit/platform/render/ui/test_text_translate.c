@@ -71,6 +71,10 @@ static void test_messages_of_devices_are_translated(void **state)
           "shows them)",
           "libgpiod 2.2：7本（全部で8本）; coinがありません（COIN：どのチップにもない線です。"
           "kingyoctl lines list で見られます）" },
+        { "libgpiod 2.2: 8 of 8 lines; no ticket (TICKETS does not switch: check the cable and "
+          "power of its chip)",
+          "libgpiod 2.2：8本（全部で8本）; ticketがありません（TICKETSが切り替わりません："
+          "チップの線と電源を調べてください）" },
         { "libusb: 5 controllers, 2 of them play; no hot-plug, searched once per second",
           "libusb：コントローラー5台、うち2台で遊べます; 抜き差しは毎秒調べます" },
         { "three fingers start; ...", "三本の指でスタート; ..." },
