@@ -79,6 +79,42 @@ check 'backup --restore: both paths are masked' speaks 0 kingyoctl backup --rest
 check 'doctor: the path of the data folder is masked' speaks 0 kingyoctl doctor --data "$here/x"
 check 'doctor --json: the path of the data folder is masked' speaks 0 kingyoctl doctor --json --data "$here/x"
 
+# ---- Names in species files, meshes and landmarks, and lines of GPIO
+raw=$'w\e[31m\xc2\x9b2Jn'
+wakin=assets/species/wakin.txt
+mkdir "$here/names"
+printf 'mtllib %s\no %s\ng %s\nusemtl %s\nv 0 0 0\nv 0 1 0\nv 1 0 0\nf 1 2 3\n' "$raw" "$raw" "$raw" "$raw" >"$here/names/mesh.obj"
+printf '%s 0 0 0\n' "$raw" >"$here/names/mesh.marks"
+is_no_name() { # WORDS...: The invalid name is reported.
+    speaks 1 kingyoctl morph "$@" && grep -q "'w?\[31m?2Jn' is not a name" "$work/err"
+}
+for line in 'species wakin' 'key larva'; do
+    RAW=$raw awk -v line="$line" 'index($0, line) == 1 { $2 = ENVIRON["RAW"] } { print }' $wakin >"$here/names/${line%% *}.txt"
+    for command in check weights growth export; do
+        check "morph $command: the name of a ${line%% *} is one line" is_no_name $command "$here/names/${line%% *}.txt"
+    done
+    check "morph graph: the name of a ${line%% *} is one line" is_no_name graph "$here/names/${line%% *}.txt" --svg "$here/graph.svg"
+    check "morph import: the name of a ${line%% *} is one line" is_no_name import "$here/out.kfish" "$here/names/${line%% *}.txt"
+done
+check 'morph import: the paths of a species are masked' speaks 0 kingyoctl morph import "$here/out.kfish" $wakin
+for command in 'check --steps 2' 'weights --steps 2' 'growth --steps 2'; do
+    # shellcheck disable=SC2086  # several arguments
+    check "morph $command: a packed species is printed" speaks 0 kingyoctl morph $command "$here/out.kfish"
+done
+check 'morph weights: the name of a curve is one line' speaks 1 kingyoctl morph weights "$here/out.kfish" --curve "$raw"
+mesh=$here/names/mesh.obj
+check 'morph import: the names in a mesh are one line' speaks 1 kingyoctl morph import "$here/mesh.kfish" "$mesh" "$mesh" "$mesh"
+check 'morph import --names: names are one line' speaks 1 kingyoctl morph import "$here/mesh.kfish" "$mesh" "$mesh" "$mesh" --names "$raw,b,c"
+check 'morph refit: the names in a mesh are one line' speaks 1 kingyoctl morph refit "$here/refit.kfish" wakin "$mesh" "$mesh" "$mesh" "$mesh" "$mesh"
+check 'morph export: the path of a mesh is masked' speaks 0 kingyoctl morph export wakin --age-days 90 --obj "$here/wakin.obj"
+check 'tank --trace: the path of a trace is masked' speaks 0 kingyoctl tank --fish 1 --seconds 1 --trace "$here/trace.csv"
+check 'paper: a value is one line' speaks 1 kingyoctl paper --grade "$raw"
+check 'play --bot: a bot is one line' speaks 1 kingyoctl play --bot "$raw"
+printf 'base=expert\n' >"$here/bot"
+check 'play --bot: the path of a bot is masked' speaks 0 kingyoctl play --bot "$here/bot" --rounds 1 --round-s 10 --record "$here/rounds"
+check 'lines watch: the name of a line is one line' speaks 1 kingyoctl lines watch "start=$raw"
+check 'audits: the path of a damaged database is one line' speaks 1 kingyoctl audits --data "$here/none"
+
 # ---- The status file, which another user may write
 now=$(awk '{ printf "%.0f", $1 * 1000 }' /proc/uptime)
 raw=$'\xc2\x9b2J\xe2\x80\xae\x7f'

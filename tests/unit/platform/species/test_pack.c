@@ -122,6 +122,19 @@ static void harm_id(struct species_slot *s)
 {
     card_of(s)->id[0] = '/';
 }
+/* Names are printed in tables and pictures, so a control character must not pass. */
+static void harm_id_escape(struct species_slot *s)
+{
+    card_of(s)->id[1] = '\x1b';
+}
+static void harm_key_control(struct species_slot *s)
+{
+    memcpy(card_of(s)->key_names[1], "a\xc2\x9b", sizeof "a\xc2\x9b");
+}
+static void harm_curve_control(struct species_slot *s)
+{
+    memcpy(card_of(s)->curve_names[0], "a\xc2\x9b", sizeof "a\xc2\x9b");
+}
 static void harm_two_keys(struct species_slot *s)
 {
     card_of(s)->key_count = 2;
@@ -403,6 +416,9 @@ static void harm_narrower(struct species_slot *s)
 
 static const struct harm harms[] = {
     { harm_id, "id: " },
+    { harm_id_escape, "id: " },
+    { harm_key_control, "key 1/name: " },
+    { harm_curve_control, "curve 0/name: " },
     { harm_two_keys, "keys: 2, but" },
     { harm_twin_key, "key 1/name: " },
     { harm_age, "/age_days: nan is outside" },
