@@ -6,6 +6,9 @@
  * finally the replacement gets the name of the database. After a power cut at any point, the next
  * start repeats or completes these steps. A card without enough space is left unchanged.
  *
+ * A damaged backup is renamed and not read. No credit is lost, because each entry contains the
+ * balance and the mirror contains the newest entries.
+ *
  * If the id of the newest lost entry is unknown, a later entry may get the same id, because ids
  * rise by one (core/ledger.h). The two entries then differ in their boot numbers. */
 #include <dirent.h>

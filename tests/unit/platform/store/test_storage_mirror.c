@@ -286,6 +286,22 @@ static void test_without_database_and_backup_the_mirror_is_recovered(void **stat
     has_all_eight();
 }
 
+/* A damaged backup is not read. The credits are in the newest entry, which the mirror contains. */
+static void test_without_database_a_damaged_backup_loses_no_credit(void **state)
+{
+    (void)state;
+    static const char damage[] = "no database";
+    play_eight_and_close();
+    assert_int_equal(unlink(file), 0);
+    FILE *out = fopen(backup, "wb");
+    assert_non_null(out);
+    assert_int_equal(fwrite(damage, 1, sizeof damage, out), sizeof damage);
+    assert_int_equal(fclose(out), 0);
+    has_all_eight();
+    /* The number 1 is the number of the note about the missing database. */
+    assert_true(is_beside(STORAGE_BACKUP_SUFFIX STORAGE_OTHER_SUFFIX "2"));
+}
+
 static void test_a_database_with_fewer_entries_than_its_mirror_is_damage(void **state)
 {
     (void)state;
@@ -476,6 +492,7 @@ int main(void)
         TEST(test_a_mirror_is_not_merged_into_a_foreign_database),
         TEST(test_an_empty_database_is_restored_from_backup_and_mirror),
         TEST(test_without_database_and_backup_the_mirror_is_recovered),
+        TEST(test_without_database_a_damaged_backup_loses_no_credit),
         TEST(test_a_database_with_fewer_entries_than_its_mirror_is_damage),
         TEST(test_a_mirror_slot_with_a_wrong_checksum_is_ignored),
         TEST(test_the_newest_entry_overwrites_the_oldest_mirror_slot),
