@@ -135,7 +135,7 @@ const struct ctl_command ctl_status = {
     .usage = "  kingyoctl status [--json] [--file FILE]\n",
     .options = &table,
     .notes = "Prints the status that the service writes each second. 'machine' and 'files' show\n"
-             "the same as the page Ready? of the operator's menu.\n"
+             "the same as the page Self-test of the operator's menu.\n"
              "Exit code: 0 the kiosk runs and saves what it earns; 1 the kiosk has ended, hangs\n"
              "or cannot save; 65 FILE is not a status file; 74 FILE is missing.\n",
     .run = status_run,
