@@ -68,7 +68,8 @@ struct core_status {
     uint16_t day, minute; /* Calendar of the newest input, as in struct input. */
     uint8_t phase;        /* Phase of the game (enum scene_phase). */
     uint8_t mode;         /* Mode of the running round (enum game_mode). */
-    bool types_pin;       /* True while the operator's menu holds typed digits of a PIN. */
+    bool takes_pin;       /* True while the operator's menu shows a page on which a PIN is typed.
+                             Inputs of this time may contain digits of the PIN. */
     struct balance balance;
     struct core_player_status player[POI_MAX];
 };

@@ -20,7 +20,7 @@ struct core_status core_status(const struct core *core)
         .minute = ledger->minute,
         .phase = game->phase,
         .mode = game->mode,
-        .types_pin = menu_types_pin(game),
+        .takes_pin = menu_takes_pin(game),
         .balance = ledger->balance,
     };
     for (uint32_t i = 0; i < POI_MAX; i++) {

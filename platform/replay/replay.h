@@ -98,7 +98,9 @@
 struct replay_header {
     struct core_config config;
     uint32_t version;                  /* Format version of the file: REPLAY_VERSION_MIN ..
-                                          REPLAY_VERSION. */
+                                          REPLAY_VERSION. If the reader rejects the version,
+                                          `version` is the rejected number. 0 if the file is not
+                                          a recording. */
     char program[REPLAY_PROGRAM_SIZE]; /* KINGYO_VERSION of the program that wrote the recording.
                                           Zero-terminated. */
 };
@@ -222,22 +224,6 @@ int replay_dump(struct replay_writer *writer, const uint8_t *memory, uint64_t ha
  * recording continues. `hash` is core_hash() of the current state. Returns the size in bytes.
  * Returns 0 if the recording is not open or `size` is too small. */
 size_t replay_copy(const struct replay_writer *writer, uint64_t hash, uint8_t *out, size_t size);
-
-/* Progress of replay_seal_next(), which recomputes the checksums of a recording in memory. */
-struct replay_seal {
-    uint8_t *part; /* Next chunk of the recording, or the end mark of the recording. */
-    uint64_t sum;  /* Checksum of the part that precedes `part`. */
-};
-
-/* Replaces the initial state of a complete recording made by replay_copy(). Afterwards the
- * checksums of the chunks and of the end mark are wrong until replay_seal_next() returns true.
- * Returns the new size. Returns 0 and changes nothing if the new size is more than `size_max`. */
-size_t replay_replace_start(uint8_t *recording, size_t size, size_t size_max,
-                            const struct core_config *config, struct replay_seal *seal);
-
-/* Recomputes the checksums of the next chunks of `seal`. Stops when at least `size` bytes are done.
- * Returns true if the whole recording is done. */
-bool replay_seal_next(struct replay_seal *seal, size_t size);
 
 /* ---- Reader (replay_reader.c) -------------------------------------------------------------- */
 

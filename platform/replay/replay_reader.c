@@ -154,12 +154,12 @@ static int read_header(struct replay_reader *reader)
         return replay_reader_error(reader, 0, 0, "not a recording of Kingyo");
     }
     const uint32_t version = replay_get_u32(bytes + HEADER_VERSION) & 0xffffu;
+    reader->header.version = version;
     if (version < REPLAY_VERSION_MIN || version > REPLAY_VERSION) {
         return replay_reader_error(reader, 0, HEADER_VERSION,
                                    "format version %u; this program reads versions %u to %u",
                                    version, REPLAY_VERSION_MIN, REPLAY_VERSION);
     }
-    reader->header.version = version;
     reader->sum = hash_bytes(HASH_START, bytes, HEADER_SUM);
     if (reader->sum != replay_get_u64(bytes + HEADER_SUM)) {
         return replay_reader_error(reader, 0, HEADER_SUM, "the header was altered");

@@ -316,39 +316,3 @@ size_t replay_copy(const struct replay_writer *writer, uint64_t hash, uint8_t *o
     memcpy(chunk, writer->bytes, begun);
     return whole + close_chunk(chunk, writer->payload_size, writer->chunk_ticks, &totals, &sum);
 }
-
-size_t replay_replace_start(uint8_t *recording, size_t size, size_t size_max,
-                            const struct core_config *config, struct replay_seal *seal)
-{
-    uint8_t start[REPLAY_INITIAL_STATE_MAX];
-    const size_t old_size = replay_get_u32(recording + HEADER_START);
-    const size_t book_size = replay_get_u32(recording + HEADER_BOOK);
-    const size_t new_size = replay_initial_state_encode(config, start);
-    const size_t behind = REPLAY_HEADER_SIZE + old_size; /* `behind` is the offset of the first byte
-                                                            after the initial state, in bytes. */
-    if (size - old_size + new_size > size_max) {
-        return 0;
-    }
-    memmove(recording + REPLAY_HEADER_SIZE + new_size, recording + behind, size - behind);
-    memcpy(recording + REPLAY_HEADER_SIZE, start, new_size);
-    replay_put_u32(recording + HEADER_START, (uint32_t)new_size);
-    *seal = (struct replay_seal){ recording, HASH_START };
-    seal->part += put_sum(seal->part, HEADER_SUM, &seal->sum);
-    seal->part += put_sum(seal->part, new_size, &seal->sum);
-    seal->part += put_sum(seal->part, book_size, &seal->sum);
-    return size - old_size + new_size;
-}
-
-bool replay_seal_next(struct replay_seal *seal, size_t size)
-{
-    const uint8_t *replay_writer_begin = seal->part;
-    while (memcmp(seal->part, REPLAY_CHUNK_TAG, 4) == 0) {
-        if ((size_t)(seal->part - replay_writer_begin) >= size) {
-            return false;
-        }
-        const size_t payload_size = replay_get_u32(seal->part + CHUNK_PAYLOAD_SIZE);
-        seal->part += put_sum(seal->part, REPLAY_CHUNK_HEAD_SIZE + payload_size, &seal->sum);
-    }
-    replay_put_u64(seal->part + END_SUM, hash_bytes(seal->sum, seal->part, END_SUM));
-    return true;
-}

@@ -309,6 +309,7 @@ static void do_chore(struct storage *storage)
     }
     if (code == SQLITE_DONE) {
         storage->chore.step = NULL;
+        storage_update_sealed(storage); /* The background work may have deleted replays. */
     } else if (storage_needs_reopening(code)) {
         storage_note_write(storage, code);
     }

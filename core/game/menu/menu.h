@@ -49,8 +49,8 @@ bool menu_is_asking(const struct game *game);
  * is open, and a coin counts as a test. */
 bool menu_tries_lines(const struct game *game);
 
-/* Returns true while digits of a PIN are typed in the menu. */
-bool menu_types_pin(const struct game *game);
+/* Returns true while the menu shows a page on which a PIN is typed. */
+bool menu_takes_pin(const struct game *game);
 
 /* Returns the ticks until a PIN can be typed; 0 means immediately. A wrong PIN locks the entry for
  * 5 s. Each further wrong PIN doubles the time, up to 160 s. */

@@ -95,11 +95,10 @@ uint32_t menu_pin_wait_ticks(const struct settings_edit *settings_edit, uint32_t
     return gone < wait ? wait - gone : 0u;
 }
 
-bool menu_types_pin(const struct game *game)
+bool menu_takes_pin(const struct game *game)
 {
-    const struct menu *menu = &game->menu;
-    return game->phase == PHASE_MENU && (menu->page == MENU_PIN || menu->page == MENU_NEW_PIN) &&
-           menu->pin_count > 0;
+    const uint8_t page = game->menu.page;
+    return game->phase == PHASE_MENU && (page == MENU_PIN || page == MENU_NEW_PIN);
 }
 
 void menu_pin_open(struct game *game, const struct settings *settings)

@@ -170,17 +170,13 @@ static enum exit_code write_replay(const struct scores_request *request, struct 
         print_error("kingyoctl scores: round %u has no replay", request->round_id);
         return EXIT_NOT_SO;
     }
-    /* A replay begins with a copy of the settings. Earlier versions of Kingyo included the PIN of
-     * the operator's menu in the copy and in the hashes of the replay, so the PIN cannot be
-     * removed. */
-    bool has_pin = false;
-    if (replay_open_in(&reader, bytes, size) == 0) {
-        has_pin = session_recorder_start_has_pin(&reader.header.config);
-        replay_close(&reader);
-    }
-    if (!request->with_pin && has_pin) {
-        print_error("kingyoctl scores: the replay of round %u holds the PIN of the menu: "
-                    "--with-pin takes it out all the same; change the PIN then",
+    /* A running kiosk clears or deletes each replay that may contain a PIN, in idle time
+     * (platform/kiosk/recorder/pin_sweep.h). */
+    replay_open_in(&reader, bytes, size);
+    if (!request->with_pin && session_recorder_may_contain_pin(&reader)) {
+        print_error("kingyoctl scores: the replay of round %u is damaged or of an older version, "
+                    "and may hold the PIN of the menu: the kiosk removes the PIN while it runs; "
+                    "--with-pin takes the replay out now; change the PIN then",
                     request->round_id);
         return EXIT_NOT_SO;
     }
@@ -304,7 +300,7 @@ static const struct option options[] = {
       .groups = GROUP_RANKING },
     { "all", NULL, "verify all ranked rounds", OPTION_FLAG, AT(is_all), .groups = GROUP_VERIFY },
     { "o", "FILE", "output file of replay", OPTION_TEXT, AT(out), .groups = GROUP_REPLAY },
-    { "with-pin", NULL, "write a replay even if it contains the PIN of the operator's menu",
+    { "with-pin", NULL, "write a replay even if it may contain the PIN of the operator's menu",
       OPTION_FLAG, AT(with_pin), .groups = GROUP_REPLAY },
 };
 

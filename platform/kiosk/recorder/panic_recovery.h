@@ -5,8 +5,9 @@
  * (session_recorder.h), up to the newest input, to panic-N.kgr with N from 0 to 9. The tenth panic
  * after a file was written replaces that file. `kingyoctl replay verify` replays the file. If the
  * panic occurred inside the core, the replay panics at the same tick. After any other panic, the
- * replay ends in the state that the core had at the panic. The file's mode is 0600 because inputs
- * and settings may contain the operator's PIN. panics.h counts the panics. */
+ * replay ends in the state that the core had at the panic. If a page for the operator's PIN was
+ * open in the session, the replay ends when that page opened. The file contains no PIN. Its mode is
+ * 0600 because it contains settings and audits. panics.h counts the panics. */
 #ifndef KINGYO_PLATFORM_KIOSK_RECORDER_PANIC_RECOVERY_H
 #define KINGYO_PLATFORM_KIOSK_RECORDER_PANIC_RECOVERY_H
 

@@ -1,104 +1,158 @@
-/* pin_sweep.c -- replays, verifies and replaces recordings that contain a PIN; see pin_sweep.h. */
+/* pin_sweep.c -- replays, verifies and replaces recordings that may contain a PIN; see
+ * pin_sweep.h. */
 #include "platform/kiosk/recorder/pin_sweep.h"
 
 #include <sqlite3.h>
 
 #include "core/base/panic.h"
+#include "platform/cpu.h"
 #include "platform/os/log.h"
 
-static void end_replay(struct pin_sweep *sweep, bool is_cleaned)
+static void report(const struct pin_sweep *sweep)
 {
-    sweep->cleaned += is_cleaned;
-    sweep->left += !is_cleaned;
+    if (sweep->cleaned + sweep->deleted + sweep->left > 0) {
+        log_print(LOG_LEVEL_WARNING,
+                  "kept replays of an older version: %u have no PIN any more; %u were deleted, "
+                  "because they could not be cleared of a PIN; %u could not be examined (their "
+                  "scores stay in any case)",
+                  sweep->cleaned, sweep->deleted, sweep->left);
+    }
+}
+
+/* Replaces the stored replay by the new recording, or deletes the stored replay if `size` is 0.
+ * Returns an SQLite result code. */
+static int settle(struct pin_sweep *sweep, struct ledger_file *file, size_t size)
+{
+    const int code =
+        ledger_file_renew_replay(file, sweep->round_id, size > 0 ? sweep->made : NULL, size);
+    sweep->cleaned += code == SQLITE_OK && size > 0;
+    sweep->deleted += code == SQLITE_OK && size == 0;
+    sweep->left += code != SQLITE_OK;
     sweep->stage = PIN_SWEEP_SEEK;
+    return code;
 }
 
-/* Reads the next stored replay and selects the replay if its initial state contains a PIN. A replay
- * that cannot be read is skipped. */
-static void seek(struct pin_sweep *sweep, struct ledger_file *file)
+/* Ends the examination of a replay that cannot be cleared of a PIN. The replay stays until the next
+ * start if the core refused to run, because the replay may then be valid. */
+static int give_up(struct pin_sweep *sweep, struct ledger_file *file)
 {
-    if (ledger_file_next_replay(file, sweep->round_id, &sweep->round_id) != SQLITE_OK) {
+    if (sweep->judge.is_refused) {
+        sweep->left++;
+        sweep->stage = PIN_SWEEP_SEEK;
+        return SQLITE_OK;
+    }
+    return settle(sweep, file, 0);
+}
+
+/* Reads the next stored replay and selects the replay if it may contain a PIN. */
+static int seek(struct pin_sweep *sweep, struct ledger_file *file)
+{
+    int code = ledger_file_next_replay(file, sweep->round_id, &sweep->round_id);
+    if (code != SQLITE_OK) {
+        sweep->left += code != SQLITE_NOTFOUND;
         sweep->stage = PIN_SWEEP_DONE;
-        if (sweep->cleaned + sweep->left > 0) {
-            log_print(LOG_LEVEL_WARNING,
-                      "kept replays of an older version: the PIN was removed from %u; %u still "
-                      "hold one, because they do not verify or a PIN is typed in them",
-                      sweep->cleaned, sweep->left);
-        }
-        return;
+        report(sweep);
+        return SQLITE_OK;
     }
-    if (ledger_file_get_replay(file, sweep->round_id, sweep->replay, sizeof sweep->replay,
-                               &sweep->size) == SQLITE_OK &&
-        replay_verifier_open(&sweep->judge, sweep->replay, sweep->size) == 0 &&
-        session_recorder_start_has_pin(&sweep->judge.replayer.reader.header.config)) {
-        ledger_file_round(file, sweep->round_id, &sweep->kept);
-        sweep->is_check = false;
-        sweep->stage = PIN_SWEEP_READ;
+    struct replay_verifier *judge = &sweep->judge;
+    judge->is_refused = false;
+    code = ledger_file_get_replay(file, sweep->round_id, sweep->replay, sizeof sweep->replay,
+                                  &sweep->size);
+    if (code == SQLITE_TOOBIG) {
+        return give_up(sweep, file);
     }
+    if (code != SQLITE_OK) {
+        sweep->left++;
+        return SQLITE_OK;
+    }
+    const bool is_open = replay_verifier_open(judge, sweep->replay, sweep->size) == 0;
+    if (!session_recorder_may_contain_pin(&judge->replayer.reader)) {
+        return SQLITE_OK;
+    }
+    if (judge->replayer.reader.header.version > REPLAY_VERSION) {
+        sweep->left++; /* A newer program has written the replay and can read it. */
+        return SQLITE_OK;
+    }
+    if (!is_open) {
+        return give_up(sweep, file);
+    }
+    ledger_file_round(file, sweep->round_id, &sweep->kept);
+    sweep->is_check = false;
+    sweep->stage = PIN_SWEEP_READ;
+    return SQLITE_OK;
 }
 
-/* Returns the hash that the core would have if the initial configuration had contained PIN_WITHHELD
- * instead of the PIN (core/pin.h). Replaces the PIN, calls `hash`, and restores the PIN. The
- * replacement is sufficient because the PIN affects no other part of the state until digits of a
- * PIN are typed. */
-static uint64_t hash_without_pin(struct core *core, uint64_t (*hash)(const struct core *core))
+/* Starts the second core and the new recording from the recorded configuration without its PIN. The
+ * verifier has already accepted this configuration. */
+static int begin_recording(struct pin_sweep *sweep)
 {
-    int32_t *kept = &core->config.persistent.settings.value[SET_PIN];
-    int32_t *begun = &core->config.session.settings_edit.told.value[SET_PIN];
-    int32_t *told = &core->game.settings_edit.told.value[SET_PIN];
-    const int32_t before[] = { *kept, *begun, *told };
-    session_recorder_withhold_pin(&core->config, told);
-    const uint64_t result = hash(core);
-    *kept = before[0];
-    *begun = before[1];
-    *told = before[2];
-    return result;
+    struct core_config *config = &sweep->judge.replayer.reader.header.config;
+    session_recorder_withhold_pin(config);
+    config->lanes = cpu_lanes();
+    sweep->output = (struct output){ 0 };
+    sweep->totals = (struct replay_totals){ 0 };
+    sweep->tally = (struct recorder_tally){ 0 };
+    return core_init(&sweep->core, config) != CORE_OK ||
+           replay_create_in(&sweep->writer, sweep->made, sizeof sweep->made, config,
+                            core_hash(&sweep->core)) != 0;
 }
 
-/* Handles the end of a simulation. The first simulation replays the stored recording and creates a
- * new recording. The second simulation verifies the new recording. If both simulations succeed, the
- * new recording replaces the stored recording. Returns an SQLite result code. */
+/* Parses one second of the recording. Starts the simulation after the last second. */
+static int read_on(struct pin_sweep *sweep, struct ledger_file *file)
+{
+    const int more = replay_verifier_read(&sweep->judge);
+    if (more < 0 || (more == 0 && !sweep->is_check && begin_recording(sweep) != 0)) {
+        return give_up(sweep, file);
+    }
+    sweep->stage = more == 0 ? PIN_SWEEP_PLAY : PIN_SWEEP_READ;
+    return SQLITE_OK;
+}
+
+/* Handles the end of a simulation. The first simulation verifies the stored recording and creates
+ * the new recording. The second simulation verifies the new recording, which must give the same
+ * result. */
 static int end_play(struct pin_sweep *sweep, struct ledger_file *file)
 {
     struct replay_verifier *judge = &sweep->judge;
-    int code = SQLITE_OK;
-    if (replay_verifier_result(judge, &file->content.memory.ranking, sweep->round_id,
-                               &sweep->kept) != REPLAY_VERDICT_GENUINE) {
-        end_replay(sweep, false);
-    } else if (sweep->is_check) {
-        code = ledger_file_renew_replay(file, sweep->round_id, sweep->made, judge->size);
-        end_replay(sweep, code == SQLITE_OK);
-    } else if (replay_finish(&sweep->writer, hash_without_pin(&judge->core, core_hash)) != 0 ||
-               replay_verifier_open(judge, sweep->made,
-                                    (size_t)sweep->writer.offset + REPLAY_END_SIZE) != 0) {
-        end_replay(sweep, false);
-    } else {
-        sweep->is_check = true;
-        sweep->stage = PIN_SWEEP_READ;
+    const struct replayer *replayer = &judge->replayer;
+    const enum replay_verdict verdict =
+        replay_verifier_result(judge, &file->content.memory.ranking, sweep->round_id, &sweep->kept);
+    if (judge->is_refused || replayer->damaged || replayer->difference.found ||
+        replayer->totals.ticks != judge->said.ticks) {
+        return give_up(sweep, file);
     }
-    return code;
+    if (sweep->is_check) {
+        return settle(sweep, file, verdict == sweep->verdict ? judge->size : 0);
+    }
+    if (replay_finish(&sweep->writer, core_hash(&sweep->core)) != 0 ||
+        replay_verifier_open(judge, sweep->made, (size_t)sweep->writer.offset + REPLAY_END_SIZE) !=
+            0) {
+        return give_up(sweep, file);
+    }
+    sweep->verdict = verdict;
+    sweep->is_check = true;
+    sweep->stage = PIN_SWEEP_READ;
+    return SQLITE_OK;
 }
 
 static int play_on(struct pin_sweep *sweep, struct ledger_file *file)
 {
-    if (!replay_verifier_tick(&sweep->judge)) {
+    struct replay_verifier *judge = &sweep->judge;
+    if (!replay_verifier_tick(judge)) {
         return end_play(sweep, file);
     }
-    if (!sweep->is_check && session_recorder_types_pin(&sweep->judge.core)) {
-        end_replay(sweep, false);
-    } else if (!sweep->is_check) {
-        struct core *core = &sweep->judge.core;
-        struct replay_writer *writer = &sweep->writer;
-        struct replay_totals totals = sweep->judge.replayer.totals;
-        uint32_t digest = 0;
-        if (replay_wants_hash(writer)) {
-            totals.hash = hash_without_pin(core, core_hash);
-        }
-        if (replay_wants_digest(writer)) {
-            digest = (uint32_t)hash_without_pin(core, core_hash_quick);
-        }
-        replay_add(writer, &sweep->judge.input, digest, &totals);
+    if (sweep->is_check) {
+        return SQLITE_OK;
     }
+    if (core_status(&judge->core).takes_pin) {
+        return give_up(sweep, file);
+    }
+    sweep->output.sound_count = 0;
+    judge->is_refused = core_tick(&sweep->core, &judge->input, &sweep->output) != CORE_OK;
+    if (judge->is_refused) {
+        return give_up(sweep, file);
+    }
+    recorder_add_tick(&sweep->writer, &sweep->totals, &sweep->tally, &judge->input, &sweep->core);
     return SQLITE_OK;
 }
 
@@ -108,24 +162,9 @@ static int do_step(void *self, struct ledger_file *file)
     CORE_ASSERT(sweep->stage <= PIN_SWEEP_DONE);
     switch ((enum pin_sweep_stage)sweep->stage) {
     case PIN_SWEEP_SEEK:
-        seek(sweep, file);
-        return SQLITE_OK;
-    case PIN_SWEEP_READ: {
-        struct core_config *config = &sweep->judge.replayer.reader.header.config;
-        const int more = replay_verifier_read(&sweep->judge);
-        int error = more < 0;
-        if (more == 0 && !sweep->is_check) {
-            session_recorder_withhold_pin(config, NULL);
-            error = replay_create_in(&sweep->writer, sweep->made, sizeof sweep->made, config,
-                                     hash_without_pin(&sweep->judge.core, core_hash));
-        }
-        if (error) {
-            end_replay(sweep, false);
-        } else if (more == 0) {
-            sweep->stage = PIN_SWEEP_PLAY;
-        }
-        return SQLITE_OK;
-    }
+        return seek(sweep, file);
+    case PIN_SWEEP_READ:
+        return read_on(sweep, file);
     case PIN_SWEEP_PLAY:
         return play_on(sweep, file);
     default:

@@ -1,14 +1,19 @@
 /* pin_sweep.h -- removes the operator menu's PIN from replays that an older version stored.
  *
- * The state hashes in a recording of an older version include the PIN (settings_hash()).
- * Replacing only the initial state would therefore make the hashes wrong. Instead the replay is
- * simulated without a picture and verified (replay_verifier.h). During the simulation the inputs
- * are recorded again, with the PIN withheld and with new state hashes. The new recording is
- * verified too, and replaces the old recording in one transaction.
+ * The sweep examines each stored replay that may contain a PIN
+ * (session_recorder_may_contain_pin()). The state hashes of format 7 include the PIN
+ * (settings_hash()), so replacing only the initial state would make the hashes wrong. Instead, two
+ * cores simulate the replay without a picture. The first core starts with the PIN, and the replay
+ * verifier (replay_verifier.h) compares its states with the recording. The second core starts with
+ * the PIN withheld, gets the same inputs, and is recorded. A third simulation verifies the new
+ * recording, which then replaces the old recording in one transaction.
  *
- * A replay remains unchanged and is counted if a verification fails, or if digits of a PIN are
- * typed in the replay. The caller owns `struct pin_sweep` (8 MiB: static storage) and initializes
- * it to zero. */
+ * The sweep deletes a replay that cannot be cleared of a PIN: the recording is damaged or too old,
+ * its simulation differs, or a page for a PIN opens in it, so that its inputs may contain the
+ * digits. The score, the ranking and the ledger never change. A replay whose score does not agree
+ * with the ranking is cleared and stays, so that the verifier still reports the disagreement.
+ *
+ * The caller owns `struct pin_sweep` (9 MiB: static storage) and initializes it to zero. */
 #ifndef KINGYO_PLATFORM_KIOSK_RECORDER_PIN_SWEEP_H
 #define KINGYO_PLATFORM_KIOSK_RECORDER_PIN_SWEEP_H
 
@@ -17,7 +22,7 @@
 #include "platform/store/storage.h"
 
 enum pin_sweep_stage {
-    PIN_SWEEP_SEEK = 0, /* Searches for the next stored replay with a PIN. */
+    PIN_SWEEP_SEEK = 0, /* Searches for the next stored replay that may contain a PIN. */
     PIN_SWEEP_READ,     /* Parses a recording. */
     PIN_SWEEP_PLAY,     /* Simulates the parsed recording. */
     PIN_SWEEP_DONE,     /* Every stored replay was examined. */
@@ -28,10 +33,19 @@ struct pin_sweep {
     bool is_check;     /* False while the stored recording is parsed and simulated; true while the
                           new recording is verified. */
     uint32_t round_id; /* Round id of the newest examined replay. 0 means none yet. */
-    uint32_t cleaned;  /* Number of replays whose PIN was removed. */
-    uint32_t left;     /* Number of replays that still contain a PIN. */
+    uint32_t cleaned;  /* Number of replays that were replaced by a recording without a PIN. */
+    uint32_t deleted;  /* Number of replays that were deleted. */
+    uint32_t left;     /* Number of replays that stay unexamined, because a newer version wrote the
+                          replay, the database could not be read or written, or the core refused to
+                          run. The next start tries again. */
+    enum replay_verdict verdict; /* Result of the stored recording's verification. */
     struct replay_verifier judge;
+    struct core core; /* Simulates the stored recording with the PIN withheld. The states and the
+                         inputs of this core are the new recording. */
+    struct output output;
     struct replay_writer writer;
+    struct replay_totals totals;
+    struct recorder_tally tally;
     struct ledger_entry kept;              /* Ledger entry of the round whose replay is being
                                               examined. */
     size_t size;                           /* Size of `replay` in bytes. */

@@ -9,19 +9,11 @@
 #include "core/base/panic.h"
 #include "core/pin.h"
 
-static int32_t withheld_told(int32_t told, int32_t kept)
-{
-    return told == kept ? (kept != 0 ? PIN_WITHHELD : 0) : kept == 0 ? PIN_WITHHELD : 0;
-}
-
-void session_recorder_withhold_pin(struct core_config *config, int32_t *told)
+void session_recorder_withhold_pin(struct core_config *config)
 {
     int32_t *kept = &config->persistent.settings.value[SET_PIN];
-    int32_t *begun = &config->session.settings_edit.told.value[SET_PIN];
-    *begun = withheld_told(*begun, *kept);
-    if (told) {
-        *told = withheld_told(*told, *kept);
-    }
+    int32_t *told = &config->session.settings_edit.told.value[SET_PIN];
+    *told = *told == *kept ? (*kept != 0 ? PIN_WITHHELD : 0) : *kept == 0 ? PIN_WITHHELD : 0;
     *kept = *kept != 0 ? PIN_WITHHELD : 0;
 }
 
@@ -30,15 +22,12 @@ static bool is_pin(int32_t value)
     return value != 0 && value != PIN_WITHHELD;
 }
 
-bool session_recorder_start_has_pin(const struct core_config *config)
+bool session_recorder_may_contain_pin(const struct replay_reader *reader)
 {
-    return is_pin(config->persistent.settings.value[SET_PIN]) ||
+    const struct core_config *config = &reader->header.config;
+    return reader->memory == NULL || reader->header.version <= 7u ||
+           is_pin(config->persistent.settings.value[SET_PIN]) ||
            is_pin(config->session.settings_edit.told.value[SET_PIN]);
-}
-
-bool session_recorder_types_pin(const struct core *core)
-{
-    return core_status(core).types_pin;
 }
 
 void session_recorder_begin(struct session_recorder *chapters, const struct core *core)
@@ -48,10 +37,9 @@ void session_recorder_begin(struct session_recorder *chapters, const struct core
     memset(&chapters->tally, 0, sizeof chapters->tally);
     chapters->totals.hash = core_hash(core);
     chapters->seen_id = core_status(core).entry_id;
-    chapters->has_pin = false;
     chapters->start = core->config;
-    session_recorder_withhold_pin(&chapters->start, NULL);
-    replay_create_in(&chapters->writer, chapters->memory, sizeof chapters->memory, &core->config,
+    session_recorder_withhold_pin(&chapters->start);
+    replay_create_in(&chapters->writer, chapters->memory, sizeof chapters->memory, &chapters->start,
                      chapters->totals.hash);
 }
 
@@ -73,18 +61,12 @@ static void keep_round(struct session_recorder *chapters, uint32_t round_id,
                        const struct core *core)
 {
     CORE_ASSERT(round_id != 0);
-    if (chapters->round_id != 0 || chapters->has_pin) {
+    if (chapters->round_id != 0) {
         chapters->missed++;
         return;
     }
     chapters->replay_size =
         replay_copy(&chapters->writer, core_hash(core), chapters->replay, sizeof chapters->replay);
-    if (chapters->replay_size > 0) {
-        chapters->replay_size =
-            replay_replace_start(chapters->replay, chapters->replay_size, sizeof chapters->replay,
-                                 &chapters->start, &chapters->seal);
-    }
-    chapters->is_sealed = false;
     chapters->round_id = chapters->replay_size > 0 ? round_id : 0;
     chapters->missed += chapters->replay_size == 0;
 }
@@ -110,8 +92,10 @@ void session_recorder_tick(struct session_recorder *chapters, const struct input
                                   effect of the current tick. */
         session_recorder_begin(chapters, core);
     } else {
-        chapters->has_pin = chapters->has_pin || status.types_pin;
         recorder_add_tick(&chapters->writer, &chapters->totals, &chapters->tally, input, core);
+        if (status.takes_pin && replay_is_open(&chapters->writer)) {
+            replay_finish(&chapters->writer, core_hash(core));
+        }
     }
     while (chapters->seen_id != status.entry_id) {
         const struct ledger_entry *entry = &output->entries[++chapters->seen_id % LEDGER_RING];
@@ -159,10 +143,7 @@ bool session_recorder_offer(struct session_recorder *chapters, const struct hal_
 {
     CORE_ASSERT(storage->ledger.ops && storage->replays.ops);
     const struct hal_replay_store *store = &storage->replays;
-    if (chapters->round_id != 0 && !chapters->is_sealed) {
-        chapters->is_sealed = replay_seal_next(&chapters->seal, SESSION_RECORDER_SEAL_SIZE);
-    }
-    if (chapters->round_id == 0 || !chapters->is_sealed ||
+    if (chapters->round_id == 0 ||
         storage->ledger.ops->committed_id(storage->ledger.self) < chapters->round_id) {
         return false;
     }

@@ -7,10 +7,12 @@
  * zero.
  *
  * Ranked rounds without a replay are counted. A round has no replay if the session is larger than
- * SESSION_RECORDER_SIZE or if the store is still writing an earlier replay. A round also has no
- * replay if digits of the PIN were typed during the session. The recording of a session ends when
- * it exceeds SESSION_RECORDER_MEMORY. A later panic then writes only the session's part before this
- * end. */
+ * SESSION_RECORDER_SIZE or if the store is still writing an earlier replay.
+ *
+ * No recording contains the operator's PIN. The PIN is withheld in the snapshot. The recording of a
+ * session ends in the tick in which a page for a PIN opens, before a digit can be typed. The
+ * recording also ends when it exceeds SESSION_RECORDER_MEMORY. After this end, a ranked round of
+ * the session has no replay, and a panic writes only the session's part before this end. */
 #ifndef KINGYO_PLATFORM_KIOSK_RECORDER_SESSION_RECORDER_H
 #define KINGYO_PLATFORM_KIOSK_RECORDER_SESSION_RECORDER_H
 
@@ -39,18 +41,13 @@ _Static_assert(REPLAY_HEADER_MAX + 600u * SESSION_RECORDER_SECOND_MAX + REPLAY_E
 
 struct session_recorder {
     struct core_config start; /* Configuration at the start of the session, with the PIN withheld
-                                 (core/pin.h). Each replay that the store gets starts with this
-                                 configuration. */
+                                 (core/pin.h). The recording starts with this configuration. */
     struct replay_writer writer;
     struct replay_totals totals;
     struct recorder_tally tally;
     uint32_t seen_id;  /* Id of the newest ledger entry that was examined. */
     uint32_t round_id; /* Id of the round whose replay is in `replay`. 0 means no replay. */
     bool is_lent;      /* True while the store uses `replay`. */
-    bool is_sealed;    /* True if the checksums of `replay` are complete. */
-    struct replay_seal seal;
-    bool has_pin; /* True if digits of a PIN were typed in the session. The store then gets no
-                     replay of the session. */
     size_t replay_size;
     uint32_t missed;        /* Number of ranked rounds whose replay could not be stored. */
     struct input begun;     /* Input of the current tick. Valid while is_in_tick is true. */
@@ -74,30 +71,22 @@ void session_recorder_before(struct session_recorder *chapters, const struct inp
 void session_recorder_tick(struct session_recorder *chapters, const struct input *input,
                            const struct core *core, const struct output *output);
 
-/* Number of bytes whose checksums are computed in one frame. The computation takes 0.2 ms. The
- * checksums of a replay of SESSION_RECORDER_SIZE bytes take 4 ms in total, spread over 24
- * frames. */
-#define SESSION_RECORDER_SEAL_SIZE (128u * 1024u)
-
-/* Computes checksums of the finished replay, SESSION_RECORDER_SEAL_SIZE bytes per call. Passes the
- * replay to the store after its round is on disk. Call once per frame. Returns true if the
- * store failed. */
+/* Passes the finished replay to the store after its round is on disk. Call once per frame. Returns
+ * true if the store failed. */
 bool session_recorder_offer(struct session_recorder *chapters, const struct hal_storage *storage);
 
 /* ---- PIN in a recording -------------------------------------------------------------------- */
 
-/* Withholds the PIN (core/pin.h) in the initial configuration of a recording. `told` is the last
- * logged PIN of a running core, or null. The core writes a ledger entry if the PIN and its logged
- * value differ. The function therefore keeps equal values equal and different values different, so
- * that the simulated game stays the same. */
-void session_recorder_withhold_pin(struct core_config *config, int32_t *told);
+/* Withholds the PIN (core/pin.h) in the initial configuration of a recording. The core writes a
+ * ledger entry if the PIN and its last logged value differ. The function therefore keeps equal
+ * values equal and different values different, so that the simulated game stays the same. */
+void session_recorder_withhold_pin(struct core_config *config);
 
-/* Returns true if the initial configuration of a recording contains a PIN. */
-bool session_recorder_start_has_pin(const struct core_config *config);
-
-/* Returns true while digits of a PIN are typed. Inputs that are recorded during this time contain
- * the digits. */
-bool session_recorder_types_pin(const struct core *core);
+/* Returns true if a stored recording may contain a PIN. `reader` is the result of opening the
+ * recording in memory, successful or not. A recording may contain a PIN if it cannot be opened, if
+ * its initial state contains a PIN, or if its format is 7 or older: programs of that time stored
+ * the PIN in the initial state, and recorded the digits that were typed. */
+bool session_recorder_may_contain_pin(const struct replay_reader *reader);
 
 /* ---- Async-signal-safe functions for the panic handler ------------------------------------- */
 

@@ -190,7 +190,13 @@ int ledger_file_renew_replay(struct ledger_file *file, uint32_t round_id, const 
         return code;
     }
     code = ledger_pin_mark(file);
-    code = code == SQLITE_OK ? ledger_file_put_replay(file, round_id, bytes, size) : code;
+    if (code == SQLITE_OK && bytes) {
+        code = ledger_file_put_replay(file, round_id, bytes, size);
+    } else if (code == SQLITE_OK) {
+        char text[64];
+        snprintf(text, sizeof text, "DELETE FROM replays WHERE round = %u", round_id);
+        code = sql_run(file->db, text);
+    }
     code = code == SQLITE_OK ? ledger_checksum_put(file->db) : code;
     return ledger_log_result(file, sql_commit(file->db, code));
 }

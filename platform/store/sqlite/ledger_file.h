@@ -157,9 +157,9 @@ int ledger_file_get_replay(struct ledger_file *file, uint32_t round_id, void *by
  * SQLITE_NOTFOUND if no later round has a replay. */
 int ledger_file_next_replay(struct ledger_file *file, uint32_t round_id, uint32_t *out);
 
-/* Replaces a replay that contains a PIN by a replay without the PIN, in one transaction, and
- * overwrites the old bytes. The next open also rewrites the whole file, to remove old bytes of the
- * PIN. */
+/* Replaces a replay that may contain a PIN by a replay without the PIN, in one transaction, and
+ * overwrites the old bytes. If `bytes` is null, deletes the replay instead. The next open also
+ * rewrites the whole file, to remove old bytes of the PIN. Returns an SQLite code. */
 int ledger_file_renew_replay(struct ledger_file *file, uint32_t round_id, const void *bytes,
                              size_t size);
 

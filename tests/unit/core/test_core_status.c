@@ -107,22 +107,23 @@ static void test_a_round_shows_its_phase_its_length_and_its_players(void **state
 }
 
 /* The menu opens on the page for the PIN. SERVICE moves the highlight, and TEST types the digit. */
-static void test_typed_digits_of_a_pin_show_until_the_pin_is_complete(void **state)
+static void test_a_page_for_a_pin_shows_until_the_pin_is_complete(void **state)
 {
     (void)state;
     struct core_config config = { .seed = 3, .fish_count = 12 };
     settings_reset(&config.persistent.settings);
     config.persistent.settings.value[SET_PIN] = pin_hide(1111, 5);
     open_with(&config);
+    assert_false(core_status(&core).takes_pin);
     input.pressed = INPUT_TEST;
     ticks(1);
     assert_int_equal(core_status(&core).phase, PHASE_MENU);
-    assert_false(core_status(&core).types_pin);
+    assert_true(core_status(&core).takes_pin);
     for (uint32_t digit = 0; digit < 4; digit++) {
         ticks(CORE_TICK_HZ / 2u);
         input.pressed = INPUT_TEST;
         ticks(1);
-        assert_int_equal(core_status(&core).types_pin, digit < 3);
+        assert_int_equal(core_status(&core).takes_pin, digit < 3);
     }
 }
 
@@ -132,7 +133,7 @@ int main(void)
         cmocka_unit_test(test_status_of_a_fresh_kiosk_comes_from_its_configuration),
         cmocka_unit_test(test_a_coin_shows_in_balance_audits_and_newest_entry),
         cmocka_unit_test(test_a_round_shows_its_phase_its_length_and_its_players),
-        cmocka_unit_test(test_typed_digits_of_a_pin_show_until_the_pin_is_complete),
+        cmocka_unit_test(test_a_page_for_a_pin_shows_until_the_pin_is_complete),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

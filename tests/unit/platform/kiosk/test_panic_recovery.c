@@ -19,6 +19,7 @@
 
 #include <cmocka.h>
 
+#include "platform/cpu.h"
 #include "platform/kiosk/recorder/panic_recovery.h"
 #include "platform/os/file.h"
 #include "platform/store/sqlite/ledger_file.h"
@@ -293,6 +294,27 @@ static void test_a_panic_of_another_thread_reports_an_unfinished_tick(void **sta
     assert_int_equal(panic_evidence_write(&evidence, "test"), 1);
 }
 
+static void test_only_the_owner_may_read_a_panic_replay(void **state)
+{
+    static struct session_recorder chapters;
+    static struct core core;
+    struct core_config config = { .seed = 3, .lanes = cpu_lanes() };
+    struct stat about;
+    (void)state;
+    settings_reset(&config.persistent.settings);
+    assert_int_equal(core_init(&core, &config), CORE_OK);
+    session_recorder_begin(&chapters, &core);
+    panic_evidence_open(&evidence, dir, &chapters, &core);
+    const mode_t before = umask(0);
+    panic_evidence_write(&evidence, "a test");
+    umask(before);
+    char name[] = "panic-0.kgr";
+    name[6] = (char)('0' + (evidence.panics.total - 1u) % PANICS_FILES);
+    assert_int_equal(fstatat(folder, name, &about, 0), 0);
+    assert_int_equal(about.st_mode & 07777, 0600);
+    assert_int_equal(unlinkat(folder, name, 0), 0);
+}
+
 int main(void)
 {
 #define TEST(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
@@ -306,6 +328,7 @@ int main(void)
         TEST(test_recovery_omits_settings_on_a_file_system_without_flock),
         TEST(test_a_panic_inside_an_attempt_makes_the_next_start_skip_it),
         TEST(test_a_panic_of_another_thread_reports_an_unfinished_tick),
+        TEST(test_only_the_owner_may_read_a_panic_replay),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

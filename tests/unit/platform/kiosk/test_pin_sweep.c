@@ -1,7 +1,7 @@
 /* test_pin_sweep.c -- Tests the removal of the menu's PIN from replays that an older Kingyo stored.
  *
- * The replay stays genuine and no old bytes remain. A replay that does not verify is not
- * changed. */
+ * The replay stays genuine and no old bytes remain. A replay that cannot be cleared of a PIN is
+ * deleted. Scores and money never change. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -26,12 +26,17 @@ static char path[64], log_path[72];
 static struct core core, bots;
 static struct output output, unheard;
 static struct input input;
-static struct session_recorder chapters;
+static struct replay_writer writer;
+static struct replay_totals totals;
+static struct recorder_tally tally;
 static struct pin_sweep sweep;
 static struct replay_verifier judge;
 static struct ledger_file file;
 static uint8_t replay[SESSION_RECORDER_SIZE], found[SESSION_RECORDER_SIZE];
 static size_t replay_size, found_size;
+static uint8_t memory[SESSION_RECORDER_SIZE];
+static bool hand_is_away; /* True while the tested tank has no controller. */
+static bool types_pin;    /* True if keep_as_before() opens the menu and types the PIN. */
 
 static uint32_t tick(uint32_t pressed)
 {
@@ -45,6 +50,7 @@ static uint32_t tick(uint32_t pressed)
     input.poi[0] = (struct poi_input){ .link = POI_SOURCE_LIVE,
                                        .has_wrist = 1,
                                        .target = bots.game.hand_pose[0] };
+    input.poi[0].link = hand_is_away ? POI_SOURCE_ABSENT : POI_SOURCE_LIVE;
     const uint32_t before = output.entry_id;
     core_tick(&core, &input, &output);
     for (uint32_t id = before + 1u; id <= output.entry_id; id++) {
@@ -52,8 +58,44 @@ static uint32_t tick(uint32_t pressed)
         assert_int_equal(ledger_file_write(&file, entry, 1), SQLITE_OK);
         round_id = entry->kind == LEDGER_ROUND ? id : round_id;
     }
-    session_recorder_tick(&chapters, &input, &core, &output);
+    recorder_add_tick(&writer, &totals, &tally, &input, &core);
     return round_id;
+}
+
+static void press(uint32_t buttons, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        tick(buttons);
+        for (uint32_t wait = 0; wait < MENU_TAKE_TICKS; wait++) {
+            tick(0);
+        }
+    }
+}
+
+/* Opens the menu in attract mode, types the PIN, and closes the menu. Each step moves the highlight
+ * to the next digit. */
+static void type_the_pin(void)
+{
+    hand_is_away = true; /* The poi would point at other keys. */
+    for (uint32_t i = 0; i < 2u && !core_status(&core).takes_pin; i++) {
+        press(INPUT_TEST, 1); /* During a game, the first press asks for confirmation. */
+    }
+    assert_true(core_status(&core).takes_pin);
+    press(INPUT_RIGHT, 3); /* From 1 to 4. */
+    press(INPUT_OK, 1);
+    press(INPUT_RIGHT, 6); /* From 4 to 0. */
+    press(INPUT_OK, 1);
+    press(INPUT_LEFT, 3); /* From 0 to 7. */
+    press(INPUT_OK, 1);
+    press(INPUT_LEFT, 6); /* From 7 to 1. */
+    press(INPUT_OK, 1);
+    assert_int_equal(core.game.phase, PHASE_MENU);
+    assert_int_equal(core.game.menu.page, MENU_TOP);
+    tick(INPUT_LEFT | INPUT_RIGHT | INPUT_OK | INPUT_TEST);
+    assert_int_equal(core.game.phase, PHASE_ATTRACT);
+    hand_is_away = false;
+    tick(INPUT_START);
+    assert_int_not_equal(core.game.phase, PHASE_ATTRACT);
 }
 
 /* Plays a round under the rules of format 7 while a PIN is set, and keeps its replay with the PIN,
@@ -65,13 +107,18 @@ static uint32_t keep_as_before(void)
     config.persistent.settings.value[SET_PIN] = PIN;
     assert_int_equal(core_init(&core, &config), CORE_OK);
     assert_int_equal(core_init(&bots, &config), CORE_OK);
-    session_recorder_begin(&chapters, &core);
+    totals = (struct replay_totals){ .hash = core_hash(&core) };
+    tally = (struct recorder_tally){ 0 };
+    assert_int_equal(replay_create_in(&writer, memory, sizeof memory, &config, totals.hash), 0);
     uint32_t round_id = 0;
     for (uint32_t i = 0; i < 90u * CORE_TICK_HZ && round_id == 0; i++) {
+        if (i == CORE_TICK_HZ && types_pin) {
+            type_the_pin();
+        }
         round_id = tick(i == 2u * CORE_TICK_HZ ? INPUT_START : 0);
     }
     assert_true(round_id != 0);
-    replay_size = replay_copy(&chapters.writer, core_hash(&core), replay, sizeof replay);
+    replay_size = replay_copy(&writer, core_hash(&core), replay, sizeof replay);
     assert_true(replay_size > 0);
     assert_int_equal(ledger_file_put_replay(&file, round_id, replay, replay_size), SQLITE_OK);
     return round_id;
@@ -123,6 +170,7 @@ static int set_up(void **state)
     assert_non_null(mkdtemp(folder));
     snprintf(path, sizeof path, "%s/kingyo.db", folder);
     snprintf(log_path, sizeof log_path, "%s-wal", path);
+    types_pin = hand_is_away = false;
     memset(&input, 0, sizeof input);
     memset(&output, 0, sizeof output);
     assert_int_equal(ledger_file_open(&file, path, NULL), SQLITE_OK);
@@ -158,7 +206,7 @@ static void test_removing_the_pin_keeps_an_old_replay_genuine(void **state)
     const struct core_config *config = &judge.replayer.reader.header.config;
     assert_int_equal(config->rules, 7);
     assert_int_equal(config->persistent.settings.value[SET_PIN], PIN_WITHHELD);
-    assert_false(session_recorder_start_has_pin(config));
+    assert_false(session_recorder_may_contain_pin(&judge.replayer.reader));
     sweep_all(); /* No replay is left to process. */
     assert_int_equal(sweep.cleaned + sweep.left, 0);
 }
@@ -181,28 +229,171 @@ static void test_removed_pin_bytes_are_erased_from_the_file_at_the_next_open(voi
     assert_false(file_holds(log_path, old, sizeof old));
 }
 
-static void test_an_invalid_replay_is_not_changed(void **state)
+/* ---- Replays that cannot be cleared of a PIN -------------------------------------------- */
+
+static void put(uint32_t round_id, const void *bytes, size_t size)
+{
+    assert_int_equal(ledger_file_put_replay(&file, round_id, bytes, size), SQLITE_OK);
+}
+
+/* Sweeps the replays and asserts that the replay of `round_id` was deleted, and that the sweep did
+ * not change the ranking, the settings, the audits or the balance. */
+static void assert_sweep_deletes(uint32_t round_id)
+{
+    static struct persistent_state before, after;
+    struct ledger_entry round, same;
+    size_t size;
+    ledger_content_load(&file.content, &before);
+    ledger_file_round(&file, round_id, &round);
+    sweep_all();
+    assert_int_equal(sweep.deleted, 1);
+    assert_int_equal(sweep.cleaned + sweep.left, 0);
+    assert_int_equal(ledger_file_get_replay(&file, round_id, found, sizeof found, &size),
+                     SQLITE_NOTFOUND);
+    ledger_file_close(&file);
+    assert_int_equal(ledger_file_open(&file, path, NULL), SQLITE_OK);
+    ledger_content_load(&file.content, &after);
+    ledger_file_round(&file, round_id, &same);
+    assert_true(round.id == round_id);
+    assert_memory_equal(&round, &same, sizeof round);
+    assert_memory_equal(&before.ranking, &after.ranking, sizeof before.ranking);
+    assert_memory_equal(&before.settings, &after.settings, sizeof before.settings);
+    assert_memory_equal(&before.audits, &after.audits, sizeof before.audits);
+    assert_memory_equal(&before.ledger.balance, &after.ledger.balance,
+                        sizeof before.ledger.balance);
+    sweep_all(); /* The next start finds no replay. */
+    assert_int_equal(sweep.cleaned + sweep.deleted + sweep.left, 0);
+}
+
+static void test_a_replay_that_differs_is_deleted(void **state)
+{
+    (void)state;
+    static struct core_config config;
+    static struct replay_reader reader;
+    struct input recorded;
+    const uint32_t round_id = keep_as_before();
+    assert_int_equal(replay_open_in(&reader, replay, replay_size), 0);
+    config = reader.header.config;
+    config.seed++;
+    assert_int_equal(replay_create_in(&writer, found, sizeof found, &config, 1), 0);
+    while (replay_next(&reader, &recorded) == 1) {
+        totals = reader.totals;
+        totals.ticks = reader.tick;
+        replay_add(&writer, &recorded, reader.digest, &totals);
+    }
+    assert_int_equal(replay_finish(&writer, reader.totals.hash), 0);
+    put(round_id, found, (size_t)writer.offset + REPLAY_END_SIZE);
+    assert_int_equal(judged(round_id), REPLAY_VERDICT_OTHER);
+    assert_sweep_deletes(round_id);
+}
+
+static void test_a_replay_that_cannot_be_read_is_deleted(void **state)
 {
     (void)state;
     const uint32_t round_id = keep_as_before();
-    static struct core_config config;
-    static struct replay_reader reader;
-    assert_int_equal(replay_open_in(&reader, replay, replay_size), 0);
-    config = reader.header.config;
-    replay_close(&reader);
-    config.seed++;
-    struct replay_seal seal;
-    replay_size = replay_replace_start(replay, replay_size, sizeof replay, &config, &seal);
-    while (!replay_seal_next(&seal, sizeof replay)) {
+    const size_t places[] = { 0, 12, 40, REPLAY_HEADER_SIZE + 5u, replay_size / 2u };
+    for (size_t i = 0; i < sizeof places / sizeof places[0]; i++) {
+        memcpy(found, replay, replay_size);
+        found[places[i]] ^= 0x10u;
+        put(round_id, found, replay_size);
+        assert_sweep_deletes(round_id);
     }
-    assert_int_equal(ledger_file_put_replay(&file, round_id, replay, replay_size), SQLITE_OK);
-    assert_int_not_equal(judged(round_id), REPLAY_VERDICT_GENUINE);
+    put(round_id, replay, replay_size - 1u);
+    assert_sweep_deletes(round_id);
+    static uint8_t large[sizeof found + 1u];
+    memcpy(large, replay, replay_size);
+    put(round_id, large, sizeof large);
+    assert_sweep_deletes(round_id);
+}
+
+static void test_a_replay_of_a_format_that_is_too_old_is_deleted(void **state)
+{
+    (void)state;
+    const uint32_t round_id = keep_as_before();
+    replay[8] = (uint8_t)(REPLAY_VERSION_MIN - 1u);
+    put(round_id, replay, replay_size);
+    assert_sweep_deletes(round_id);
+}
+
+static void test_a_replay_of_a_newer_format_is_not_changed(void **state)
+{
+    (void)state;
+    const uint32_t round_id = keep_as_before();
+    replay[8] = (uint8_t)(REPLAY_VERSION + 1u);
+    put(round_id, replay, replay_size);
     sweep_all();
-    assert_int_equal(sweep.cleaned, 0);
-    assert_int_equal(sweep.left, 1);
-    judged(round_id);
+    assert_int_equal(sweep.cleaned + sweep.deleted, 0);
+    assert_int_equal(sweep.left, 1); /* The log reports the replay. */
+    assert_int_equal(ledger_file_get_replay(&file, round_id, found, sizeof found, &found_size),
+                     SQLITE_OK);
     assert_int_equal(found_size, replay_size);
     assert_memory_equal(found, replay, replay_size);
+}
+
+static void test_a_replay_in_which_a_pin_is_typed_is_deleted(void **state)
+{
+    (void)state;
+    types_pin = true;
+    const uint32_t round_id = keep_as_before();
+    assert_int_equal(judged(round_id), REPLAY_VERDICT_GENUINE);
+    assert_sweep_deletes(round_id);
+}
+
+static void test_the_kiosk_shows_no_seal_for_a_deleted_replay(void **state)
+{
+    (void)state;
+    static struct storage storage;
+    const uint32_t round_id = keep_as_before();
+    put(round_id, replay, replay_size - 1u);
+    ledger_file_close(&file);
+    memset(&sweep, 0, sizeof sweep);
+    storage = (struct storage){ .dir = folder, .by_hand = 1, .chore = pin_sweep_chore(&sweep) };
+    const struct hal_storage device = storage_device(&storage);
+    assert_int_equal(device.ledger.ops->open(device.ledger.self), 0);
+    assert_int_equal(device.replays.ops->has(device.replays.self, round_id), 1);
+    for (uint32_t i = 0; i < 1000u && storage.chore.step; i++) {
+        storage_work(&storage);
+    }
+    assert_int_equal(sweep.deleted, 1);
+    assert_int_equal(device.replays.ops->has(device.replays.self, round_id), 0);
+    assert_int_equal(device.ledger.ops->close(device.ledger.self), 0);
+    assert_int_equal(ledger_file_open(&file, path, NULL), SQLITE_OK);
+}
+
+/* ---- Replays that can be cleared of a PIN ----------------------------------------------- */
+
+static void test_a_replay_of_another_score_is_cleared_and_still_reported(void **state)
+{
+    (void)state;
+    const uint32_t round_id = keep_as_before();
+    put(round_id + 1u, replay, replay_size); /* No round of the ranking has this id. */
+    sweep_all();
+    assert_int_equal(sweep.cleaned, 2);
+    assert_int_equal(sweep.deleted + sweep.left, 0);
+    assert_int_equal(judged(round_id), REPLAY_VERDICT_GENUINE);
+    assert_int_equal(judged(round_id + 1u), REPLAY_VERDICT_OTHER);
+    assert_int_equal(judge.replayer.reader.header.config.persistent.settings.value[SET_PIN],
+                     PIN_WITHHELD);
+    assert_false(judge.replayer.difference.found);
+}
+
+/* A recording of format 7 may contain a PIN that was typed later, even if none was set. */
+static void test_a_replay_of_format_7_is_simulated_and_stored_in_the_current_format(void **state)
+{
+    (void)state;
+    FILE *in = fopen("tests/replay/format-7.replay", "rb");
+    assert_non_null(in);
+    const size_t size = fread(replay, 1, sizeof replay, in);
+    fclose(in);
+    put(1, replay, size);
+    sweep_all();
+    assert_int_equal(sweep.cleaned, 1);
+    assert_int_equal(sweep.deleted + sweep.left, 0);
+    judged(1);
+    assert_false(judge.replayer.difference.found);
+    assert_int_equal(judge.replayer.totals.ticks, 17455);
+    assert_int_equal(judge.replayer.reader.header.version, REPLAY_VERSION);
+    assert_int_equal(judge.replayer.reader.header.config.rules, 7);
 }
 
 static void test_a_replay_without_a_pin_is_skipped(void **state)
@@ -238,20 +429,26 @@ static void test_the_store_removes_pins_only_while_its_queue_is_empty(void **sta
     assert_int_equal(device.ledger.ops->close(device.ledger.self), 0);
     assert_int_equal(ledger_file_open(&file, path, NULL), SQLITE_OK);
     assert_int_equal(judged(round_id), REPLAY_VERDICT_GENUINE);
-    assert_false(session_recorder_start_has_pin(&judge.replayer.reader.header.config));
+    assert_int_equal(judge.replayer.reader.header.config.persistent.settings.value[SET_PIN],
+                     PIN_WITHHELD);
 }
 
 int main(void)
 {
+#define TEST(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(test_removing_the_pin_keeps_an_old_replay_genuine, set_up,
-                                        tear_down),
-        cmocka_unit_test_setup_teardown(
-            test_removed_pin_bytes_are_erased_from_the_file_at_the_next_open, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_an_invalid_replay_is_not_changed, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_a_replay_without_a_pin_is_skipped, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_the_store_removes_pins_only_while_its_queue_is_empty,
-                                        set_up, tear_down),
+        TEST(test_removing_the_pin_keeps_an_old_replay_genuine),
+        TEST(test_removed_pin_bytes_are_erased_from_the_file_at_the_next_open),
+        TEST(test_a_replay_that_differs_is_deleted),
+        TEST(test_a_replay_that_cannot_be_read_is_deleted),
+        TEST(test_a_replay_of_a_format_that_is_too_old_is_deleted),
+        TEST(test_a_replay_of_a_newer_format_is_not_changed),
+        TEST(test_a_replay_in_which_a_pin_is_typed_is_deleted),
+        TEST(test_the_kiosk_shows_no_seal_for_a_deleted_replay),
+        TEST(test_a_replay_of_another_score_is_cleared_and_still_reported),
+        TEST(test_a_replay_of_format_7_is_simulated_and_stored_in_the_current_format),
+        TEST(test_a_replay_without_a_pin_is_skipped),
+        TEST(test_the_store_removes_pins_only_while_its_queue_is_empty),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

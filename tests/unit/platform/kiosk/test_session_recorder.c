@@ -6,7 +6,9 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include <cmocka.h>
 
@@ -201,34 +203,85 @@ static void test_a_replay_after_a_change_of_the_pin_verifies(void **state)
     }
 }
 
-static void test_the_session_in_memory_keeps_the_pin_for_the_panic_replay(void **state)
+/* Writes the session as a panic does, and simulates the written replay. Asserts that the replay
+ * contains no PIN and that its end is the state with `hash`. */
+static void assert_panic_replay_ends_in(uint64_t hash)
+{
+    static struct replayer replayer;
+    static struct core played;
+    static struct output shown;
+    struct core_config config;
+    char path[] = "/tmp/kingyo-panic-XXXXXX";
+    const int fd = mkstemp(path);
+    assert_true(fd >= 0);
+    assert_int_equal(session_recorder_dump(&chapters, &core, true, fd), 0);
+    close(fd);
+    assert_int_equal(replayer_begin(&replayer, path, &config), 0);
+    unlink(path);
+    assert_int_equal(config.persistent.settings.value[SET_PIN], PIN_WITHHELD);
+    assert_int_equal(config.session.settings_edit.told.value[SET_PIN], 0);
+    const struct kiosk_source source = replayer_source(&replayer);
+    const struct kiosk_tap tap = replayer_tap(&replayer);
+    struct input recorded = { 0 };
+    config.lanes = cpu_lanes();
+    memset(&shown, 0, sizeof shown);
+    assert_int_equal(core_init(&played, &config), CORE_OK);
+    while (source.next(source.self, &recorded)) {
+        shown.sound_count = 0;
+        assert_int_equal(core_tick(&played, &recorded, &shown), CORE_OK);
+        tap.tick(tap.self, &recorded, &played);
+    }
+    assert_false(replayer.damaged);
+    assert_false(replayer.difference.found);
+    assert_true(core_hash(&played) == hash);
+}
+
+static void test_a_panic_replay_contains_no_pin_and_reproduces_the_game(void **state)
 {
     (void)state;
     lock(4071);
-    const int32_t kept = core.config.persistent.settings.value[SET_PIN];
     play();
-    assert_int_not_equal(kept, PIN_WITHHELD);
-    const size_t size = (size_t)chapters.writer.offset + REPLAY_END_SIZE;
-    assert_int_equal(settings_of(chapters.memory, size)->value[SET_PIN], kept);
+    ticks(50); /* The last second of the recording is incomplete. */
+    assert_panic_replay_ends_in(core_hash(&core));
 }
 
-static void test_a_session_in_which_a_pin_is_typed_contains_the_pin(void **state)
+static void test_the_recording_ends_when_a_page_for_the_pin_opens(void **state)
 {
     (void)state;
     lock(4071);
+    ticks(CORE_TICK_HZ / 2u);
     tick(INPUT_TEST);
-    core.game.menu.pin_count = 1; /* The state after the first digit. */
-    tick(0);
-    assert_true(chapters.has_pin);
+    assert_true(core_status(&core).takes_pin);
+    assert_false(replay_is_open(&chapters.writer));
+    const uint64_t hash = core_hash(&core);
+    ticks(CORE_TICK_HZ);
+    for (uint32_t i = 0; i < 4u; i++) { /* The PIN 1111 is wrong. */
+        tick(INPUT_OK);
+        ticks(CORE_TICK_HZ / 2u);
+    }
+    assert_int_equal(core.game.settings_edit.pin_wrong, 1);
+    assert_panic_replay_ends_in(hash);
     lock(4071); /* A new session starts. */
-    assert_false(chapters.has_pin);
+    assert_true(replay_is_open(&chapters.writer));
 }
 
-static void test_a_session_that_contains_a_pin_stores_no_replay(void **state)
+static void test_the_recording_ends_when_the_page_for_a_new_pin_opens(void **state)
+{
+    (void)state;
+    tick(INPUT_TEST);
+    ticks(10);
+    assert_int_equal(core.game.phase, PHASE_MENU);
+    assert_true(replay_is_open(&chapters.writer));
+    core.game.menu.page = MENU_NEW_PIN;
+    tick(0);
+    assert_false(replay_is_open(&chapters.writer));
+}
+
+static void test_a_round_after_the_end_of_the_recording_has_no_replay(void **state)
 {
     (void)state;
     lock(4071);
-    chapters.has_pin = 1;
+    replay_finish(&chapters.writer, core_hash(&core));
     play();
     assert_int_equal(chapters.missed, 1);
     assert_int_equal(sim.replay_id, 0);
@@ -532,9 +585,10 @@ int main(void)
         TEST(test_a_ranked_round_has_a_replay_that_verifies),
         TEST(test_a_stored_replay_contains_no_pin_and_verifies),
         TEST(test_a_replay_after_a_change_of_the_pin_verifies),
-        TEST(test_the_session_in_memory_keeps_the_pin_for_the_panic_replay),
-        TEST(test_a_session_in_which_a_pin_is_typed_contains_the_pin),
-        TEST(test_a_session_that_contains_a_pin_stores_no_replay),
+        TEST(test_a_panic_replay_contains_no_pin_and_reproduces_the_game),
+        TEST(test_the_recording_ends_when_a_page_for_the_pin_opens),
+        TEST(test_the_recording_ends_when_the_page_for_a_new_pin_opens),
+        TEST(test_a_round_after_the_end_of_the_recording_has_no_replay),
         TEST(test_the_replay_verifier_is_independent_of_the_float_mode),
         TEST(test_the_replay_verifier_reports_unchecked_if_the_core_fails_to_start),
         TEST(test_an_edited_score_is_not_genuine),

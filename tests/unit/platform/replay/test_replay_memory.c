@@ -28,21 +28,16 @@ static struct replay_totals totals_of(uint32_t ticks)
     return (struct replay_totals){ .ticks = ticks, .caught = ticks / 50u, .hash = 500u + ticks };
 }
 
-/* Records `count` ticks that begin with `start` into `size` bytes of memory. */
-static void write_memory_from(const struct core_config *start, uint32_t count, size_t size)
+/* Records `count` ticks into `size` bytes of memory. */
+static void write_memory(uint32_t count, size_t size)
 {
-    assert_int_equal(replay_create_in(&writer, memory, size, start, 99), 0);
+    assert_int_equal(replay_create_in(&writer, memory, size, &config, 99), 0);
     for (uint32_t tick = 0; tick < count; tick++) {
         const struct input input = input_of(tick);
         const struct replay_totals totals = totals_of(tick + 1u);
         assert_true(replay_wants_digest(&writer) == (tick % CORE_TICK_HZ == CORE_TICK_HZ - 1u));
         replay_add(&writer, &input, tick, &totals);
     }
-}
-
-static void write_memory(uint32_t count, size_t size)
-{
-    write_memory_from(&config, count, size);
 }
 
 static void test_a_copy_is_a_complete_recording_and_the_recording_continues(void **state)
@@ -68,31 +63,6 @@ static void test_a_copy_is_a_complete_recording_and_the_recording_continues(void
         assert_int_equal(replay_open_in(&reader, copied, longer), 0);
         assert_int_equal(replay_scan_on(&reader, &totals), 0);
         assert_int_equal(totals.ticks, counts[i] + 1u);
-    }
-}
-
-/* The number of bytes that a step renews has no effect on the result. */
-static void test_a_replaced_initial_state_gives_the_bytes_of_a_recording_with_it(void **state)
-{
-    static const size_t steps[] = { 1, 2000, sizeof copied };
-    static uint8_t wanted[sizeof copied];
-    (void)state;
-    struct core_config other = config;
-    other.persistent.ledger.boots = 12345678;
-    write_memory_from(&other, 500, sizeof memory);
-    const size_t size = replay_copy(&writer, 1, wanted, sizeof wanted);
-    write_memory(500, sizeof memory);
-    for (size_t i = 0; i < sizeof steps / sizeof steps[0]; i++) {
-        struct replay_seal seal;
-        uint32_t count = 1;
-        const size_t old_size = replay_copy(&writer, 1, copied, sizeof copied);
-        assert_int_equal(replay_replace_start(copied, old_size, size - 1u, &other, &seal), 0);
-        assert_int_equal(replay_replace_start(copied, old_size, size, &other, &seal), size);
-        while (!replay_seal_next(&seal, steps[i])) {
-            count++;
-        }
-        assert_memory_equal(copied, wanted, size);
-        assert_true(i == 0 ? count == 5 : i == 1 ? count > 1 : count == 1);
     }
 }
 
@@ -149,7 +119,6 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_a_copy_is_a_complete_recording_and_the_recording_continues),
-        cmocka_unit_test(test_a_replaced_initial_state_gives_the_bytes_of_a_recording_with_it),
         cmocka_unit_test(test_full_memory_ends_a_recording_that_stays_complete),
         cmocka_unit_test(test_the_digest_of_each_second_is_restored),
         cmocka_unit_test(test_a_truncated_recording_in_memory_is_rejected),
