@@ -232,10 +232,10 @@ static void test_a_recording_of_a_different_version_is_reported(void **state)
     struct replay_totals totals;
     write_ticks(3);
     const size_t size = read_file(bytes);
-    bytes[8] = 9;
+    bytes[8] = REPLAY_VERSION + 1u;
     write_file(bytes, size);
     assert_int_equal(scan(&totals), -1);
-    assert_non_null(strstr(reader.problem.text, "version 9"));
+    assert_non_null(strstr(reader.problem.text, "version 10"));
     for (uint8_t old = 1; old < REPLAY_VERSION_MIN; old++) { /* replay.h lists the differences of
                                                                 each old version. */
         char says[REPLAY_PROBLEM_SIZE];
