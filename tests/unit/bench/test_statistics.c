@@ -128,7 +128,7 @@ static void test_the_probability_of_two_hundred_equal_signs_is_exact(void **stat
     expect_near(statistics_compare(b, a, 200).p, statistics_compare(a, b, 200).p, 0.0);
 }
 
-/* The same catches with the two samples exchanged. */
+/* Compares the same catches, but with the two samples exchanged. */
 static void test_exchanging_the_samples_reverses_the_difference(void **state)
 {
     (void)state;

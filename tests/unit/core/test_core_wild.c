@@ -42,7 +42,7 @@ static struct wild_hand {
     struct poi_target at, goal;
     float pace_m_s, turn_rad_s;
     uint32_t broken_ticks; /* Remaining ticks of a faulty report. */
-    uint32_t breaks;       /* Kind of the fault. */
+    uint32_t breaks;       /* Kind of the fault of the simulated controller. */
     struct poi_target stuck;
 } hands[POI_MAX];
 

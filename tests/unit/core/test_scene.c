@@ -194,8 +194,8 @@ static void test_every_mode_shows_its_time_and_paper(void **state)
     core.config.round_s = 90;
     core_scene(&core, &scene);
     assert_int_equal(scene.offer[MODE_FESTIVAL].grade, 4);
-    assert_int_equal(scene.offer[MODE_CHAMPIONSHIP].grade, 5); /* The championship's rules set the
-                                                                  grade. */
+    /* The rules of the championship prescribe grade 5, whatever the setting is. */
+    assert_int_equal(scene.offer[MODE_CHAMPIONSHIP].grade, 5);
     assert_int_equal(scene.offer[MODE_PRACTICE].round_s, 90);
 }
 

@@ -68,7 +68,8 @@ static struct scene_machine look(struct system_health *machine)
     struct scene_machine says = { .watch = WATCH_DEAF, .missed = 3 };
     system_health_sample(machine, &says);
     assert_int_equal(says.has_looked, 1);
-    assert_int_equal(says.watch, WATCH_DEAF); /* The frame loop sets this value. */
+    /* The frame loop sets `watch` and `missed`, so the thread must not change them. */
+    assert_int_equal(says.watch, WATCH_DEAF);
     assert_int_equal(says.missed, 3);
     return says;
 }
@@ -110,7 +111,8 @@ static void test_the_backup_age_uses_the_monotonic_clock(void **state)
     char from[160], to[160];
     snprintf(from, sizeof from, "%s/kingyo.db.backup.new", root);
     snprintf(to, sizeof to, "%s/kingyo.db.backup", root);
-    assert_int_equal(rename(from, to), 0); /* The backup of the next hour. */
+    /* An hour later, the next backup replaces the old one. */
+    assert_int_equal(rename(from, to), 0);
     assert_int_equal(look(&machine).backup_min, 0);
 }
 
@@ -162,7 +164,8 @@ static void test_a_quarantined_file_is_counted_until_acknowledged(void **state)
     write_file("kingyo.db.damaged-1", "x");
     write_file("kingyo.db.damaged-1-wal", "x"); /* The journal of the quarantined file. */
     write_file("kingyo.db.damaged-2", "x");
-    write_file("kingyo.db.damaged-", "x"); /* A name that Kingyo does not write. */
+    /* Kingyo never writes a file of this name, so the file does not count. */
+    write_file("kingyo.db.damaged-", "x");
     assert_int_equal(look(&machine).aside, 2);
     assert_int_equal(system_health_mark_seen(&machine), 0);
     assert_int_equal(look(&machine).aside, 0);

@@ -78,7 +78,8 @@ static struct errors scoop_for_a_minute(uint8_t fuses, float noise_steps, vec3 b
         sensor_twin_step(&twin, &hand, DT_S, &readings);
         board_pose_step(&pose, &readings, DT_S, &out);
         const float off_m = v3_length(v3_sub(out.target.position_m, hand.target.position_m));
-        const int rests = n < 225; /* The first stroke moves from end to end. */
+        /* The poi moves over its whole range in the first stroke and rests afterwards. */
+        const int rests = n < 225;
         if (rests && n > 25) {
             const vec3 step_m = v3_sub(out.target.position_m, before.target.position_m);
             worst.rest_m = f_max(worst.rest_m, off_m);

@@ -93,8 +93,8 @@ static void test_impossible_lengths_are_rejected_and_the_position_is_kept(void *
         { { 0.30f, 0.30f, 0.8f }, DRAW_WIRES_APART }, /* Two wires cannot meet if their spools
                                                          are 90 cm apart. */
         { { 0.40f, 0.40f, 0.40f }, DRAW_WIRES_APART },
-        { { 0.5431f, 0.5431f, 0.3536f }, DRAW_WIRES_HIGH }, /* The position is 5 cm below the
-                                                               spools. */
+        /* These wire lengths would put the poi 5 cm below the spools, which counts as too high. */
+        { { 0.5431f, 0.5431f, 0.3536f }, DRAW_WIRES_HIGH },
     };
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         vec3 kept_m = { 7, 7, 7 };

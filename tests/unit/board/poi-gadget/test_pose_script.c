@@ -33,7 +33,7 @@ static void test_a_line_contains_position_angles_time_and_keys(void **state)
     assert_float_equal(line.target.position_m.y, -0.05f, 1e-6f);
     assert_float_equal(line.target.position_m.z, 0.0305f, 1e-6f);
     assert_float_equal(line.target.angles.pitch_rad, -25.0f * F_DEG, 1e-5f);
-    /* The angle is the same rotation. */
+    /* The script gives 190 degrees, which is the same rotation as -170 degrees. */
     assert_float_equal(line.target.angles.roll_rad, -170.0f * F_DEG, 1e-5f);
     assert_int_equal(line.buttons, POI_BUTTON_OK | POI_BUTTON_FAN);
     assert_int_equal(pose_line_read(&line, "lost START", &why), 1);
@@ -197,7 +197,7 @@ static void test_missed_periods_skip_lines_and_keep_their_keys(void **state)
     assert_int_equal(source.step(source.self, 0.01f, &out), POSE_NEW);
     assert_float_equal(out.target.position_m.x, 0.040f, 2e-5f);
     assert_int_equal(out.buttons, 0);
-    /* Half of the interpolation time has passed. */
+    /* After half of the interpolation time, the pose is half way. */
     assert_int_equal(source.step(source.self, 0.02f, &out), POSE_NEW);
     assert_float_equal(out.target.position_m.x, 0.060f, 2e-5f);
     assert_int_equal(source.step(source.self, 0.50f, &out), POSE_NEW); /* The interpolation time

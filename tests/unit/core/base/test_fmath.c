@@ -90,7 +90,7 @@ static void test_floor_rounds_toward_minus_infinity(void **state)
     assert_true(f_floor(0.0f) == 0.0f);
     assert_true(f_floor(8388607.5f) == 8388607.0f);
     assert_true(f_floor(-8388607.5f) == -8388608.0f);
-    assert_true(f_floor(3e9f) == 3e9f); /* The value exceeds the range of int32_t. */
+    assert_true(f_floor(3e9f) == 3e9f); /* 3e9 exceeds the range of int32_t. */
     assert_true(f_floor(-3e38f) == -3e38f);
 }
 

@@ -73,15 +73,16 @@ static void test_bidirectional_controls_are_replaced(void **state)
 static void test_each_byte_that_is_not_utf8_becomes_one_question_mark(void **state)
 {
     (void)state;
+    /* 0x9B is a C1 control character in Latin 1, but no valid UTF-8 character. */
     expect("a\x9B"
            "b",
-           "a?b");            /* The byte is a single C1 byte as in Latin 1. */
-    expect("\xC0\xAF", "??"); /* The sequence is overlong. */
+           "a?b");
+    expect("\xC0\xAF", "??"); /* An overlong form: two bytes for '/', which needs one byte. */
     expect("\xE0\x80\xAF", "???");
-    expect("\xED\xA0\x80", "???");      /* The sequence is a surrogate. */
-    expect("\xF4\x90\x80\x80", "????"); /* The code point is above U+10FFFF. */
+    expect("\xED\xA0\x80", "???");      /* The surrogate U+D800, which UTF-8 does not permit. */
+    expect("\xF4\x90\x80\x80", "????"); /* U+110000, which is above the last code point U+10FFFF. */
     expect("\xF8\x88\x80\x80\x80", "?????");
-    expect("a\xE9\x87", "a??"); /* The end of the text cuts off the sequence. */
+    expect("a\xE9\x87", "a??"); /* A character of three bytes, of which the text has only two. */
     expect("\xE9\x87\033", "???");
     expect("\xC3", "?");
 }

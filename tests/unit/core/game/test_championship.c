@@ -121,8 +121,8 @@ static void test_the_catch_is_shown_and_stored(void **state)
     assert_int_equal(newest_record(&output)->mode, MODE_CHAMPIONSHIP);
     assert_int_equal(newest_record(&output)->grade, 5);
     assert_int_equal(newest_record(&output)->players, 1);
-    assert_int_equal(newest_record(&output)->by_bot, 0); /* The core counts the input as a
-                                                            person's. */
+    /* The bot plays through controller input, so the core counts it as a person. */
+    assert_int_equal(newest_record(&output)->by_bot, 0);
     assert_true(record->caught > 0);
     assert_int_equal(record->caught, look()->caught[0]);
     assert_true(record->scoops >= record->caught / 8u);

@@ -5,8 +5,8 @@
 
 #define READY_TICKS (5u * CORE_TICK_HZ)
 
-static const vec3 aside_m = { 0.0f, ABOVE_M, 0.45f }; /* The position is outside the tank's near
-                                                         wall. */
+static const vec3 aside_m = { 0.0f, ABOVE_M, 0.45f }; /* Position in front of the tank, beyond its
+                                                         near wall. */
 
 static void begin(uint8_t mode, uint32_t fish_count)
 {
@@ -152,7 +152,7 @@ static void test_fish_pressed_against_the_wall_are_a_foul_and_do_not_count(void 
         const uint32_t in_bowl = core.world.bowl[0].fish_count;
         assert_true(in_bowl > 0);
         fouls += look()->player[0].fouls;
-        assert_true(scene.player[0].fouls <= 1); /* One scoop is one incident. */
+        assert_true(scene.player[0].fouls <= 1); /* One scoop counts as one foul at most. */
         if (scene.player[0].fouls > 0) {
             assert_int_equal(scene.player[0].foul, FOUL_WALL);
             assert_true(scene.caught[0] < in_bowl);

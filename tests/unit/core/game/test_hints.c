@@ -234,7 +234,7 @@ static void test_only_a_player_with_a_controller_gets_hints(void **state)
     const struct core_config config = { .seed = 3, .fish_count = 2, .players = 2 };
     assert_int_equal(core_init(&core, &config), CORE_OK);
     core.game.phase = PHASE_ROUND;
-    core.world.poi[1].link = POI_SOURCE_LIVE; /* The first player slot is empty. */
+    core.world.poi[1].link = POI_SOURCE_LIVE; /* Only the second player has a poi. */
     core.world.poi[1].position_m = v3(0.0f, 0.06f, 0.0f);
     core.game.tick = 5000;
     assert_int_equal(hint_after(300), HINT_MOVE);

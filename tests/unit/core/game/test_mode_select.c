@@ -207,7 +207,7 @@ static void test_the_championship_has_its_own_tank_and_attract_the_festivals(voi
     assert_float_equal(core.world.bowl[0].position_m.x, official->bowl_m[0].x, 0.02f);
     assert_int_equal(scene.grade, 5);
     assert_float_equal(scene.seconds_left, 5.0f, 0.02f);
-    core.game.phase = PHASE_RESULT; /* The state is that after a played round. */
+    core.game.phase = PHASE_RESULT; /* The test sets the state as after a round. */
     core.game.phase_tick = core.game.tick;
     ticks(GAME_RESULT_TICKS + 1u);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);

@@ -94,11 +94,12 @@ static void test_both_pois_leave_the_water_during_the_pause(void **state)
     assert_true(fastest_m_s < 0.25f);
     assert_int_equal(core.world.poi[MINE].sheet.paper_cells,
                      core.world.poi[MINE].sheet.paper_cells_new);
-    lead(MINE, v3(0.0f, BELOW_M, 0.0f)); /* The poi does not follow. */
+    /* During the pause the poi does not follow the player's motion. */
+    lead(MINE, v3(0.0f, BELOW_M, 0.0f));
     ticks(CORE_TICK_HZ);
     assert_true(core.world.poi[MINE].immersed <= 0.0f);
     return_hand(OTHER);
-    ticks(3u * CORE_TICK_HZ); /* The poi follows now. */
+    ticks(3u * CORE_TICK_HZ); /* After three seconds the poi follows the player again. */
     assert_true(core.world.poi[MINE].immersed > 0.9f);
     assert_float_equal(core.world.poi[MINE].position_m.x, 0.0f, 0.01f);
 }

@@ -212,7 +212,7 @@ static void test_any_player_can_start_by_a_dip(void **state)
     dip(2, 0.1f, 0.0f);
     assert_int_equal(core.game.phase, PHASE_READY);
     open_core(&config);
-    dip(3, 0.1f, 0.0f); /* The position belongs to no player. */
+    dip(3, 0.1f, 0.0f); /* The kiosk has three players, so the fourth poi cannot start a round. */
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
@@ -231,7 +231,7 @@ static void test_a_late_player_joins_the_round(void **state)
     assert_int_equal(core.game.phase, PHASE_ROUND);
 }
 
-/* The fish was washed in, because its ring was never above the water. */
+/* The ring was never above the water, so the fish counts as poured in with the water. */
 static void test_a_fish_counts_for_the_bowl_it_lies_in_in_a_festival(void **state)
 {
     (void)state;

@@ -70,7 +70,7 @@ static void test_a_torn_poi_is_replaced_above_the_water(void **state)
     ticks(120);
     assert_int_equal(core.world.poi[0].sheet.paper_cells, core.world.poi[0].sheet.paper_cells_new);
     assert_int_equal(game_record(&core.game, &core.world, &core.config).player[0].scoops,
-                     1); /* The fish of the torn poi counts. */
+                     1); /* The fish that was caught with the torn poi counts too. */
 }
 
 static void test_only_time_ends_a_practice(void **state)

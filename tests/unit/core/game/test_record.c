@@ -157,7 +157,7 @@ static void test_the_fish_of_a_removed_poi_falls_into_the_water(void **state)
 static void test_a_round_without_a_player_ends_without_a_record(void **state)
 {
     (void)state;
-    press(INPUT_START); /* No controller is present. */
+    press(INPUT_START); /* No controller is connected. */
     steps(GAME_READY_TICKS);
     assert_int_equal(core.game.phase, PHASE_ROUND);
     const float before_s = game_seconds_left(&core.game, core.game.tick);

@@ -6,8 +6,8 @@
 
 #define READY_TICKS (5u * CORE_TICK_HZ)
 
-static const vec3 aside_m = { 0.0f, ABOVE_M, 0.45f }; /* The position is outside the tank's near
-                                                         wall. */
+static const vec3 aside_m = { 0.0f, ABOVE_M, 0.45f }; /* Position in front of the tank, beyond its
+                                                         near wall. */
 
 static void begin(uint8_t mode, uint32_t fish_count)
 {
@@ -53,7 +53,7 @@ static void test_a_fan_held_over_fish_before_the_start_is_one_foul(void **state)
     fan(1, 0.1f);
     ticks(170);
     assert_int_equal(look()->player[0].fouls, 0);
-    ticks(20); /* The time of 1.5 s is over. */
+    ticks(20); /* A shadow of 1.5 s is a foul, and this time is now over. */
     assert_int_equal(look()->player[0].fouls, 1);
     assert_int_equal(scene.player[0].foul, FOUL_SHADE);
     assert_true(scene.player[0].foul_s < 0.2f);
@@ -144,9 +144,10 @@ static void test_a_poi_at_rest_since_ready_is_no_foul(void **state)
                                         .preset = TANK_PRESET_OFFICIAL,
                                         .modes = 1u << MODE_CHAMPIONSHIP };
     open_core(&config);
-    hold(0, v3(0.05f, ABOVE_M, 0.05f)); /* The poi is at its position of START. */
+    /* The poi stays at the place at which it was when START was pressed. */
+    hold(0, v3(0.05f, ABOVE_M, 0.05f));
     press(INPUT_START);
-    for (uint32_t i = 0; i < READY_TICKS - 10u; i++) { /* The poi trembles. */
+    for (uint32_t i = 0; i < READY_TICKS - 10u; i++) { /* The poi trembles by 1 mm. */
         input.poi[0].target.position_m.x = 0.05f + (i % 2u ? 0.001f : 0.0f);
         tick();
     }

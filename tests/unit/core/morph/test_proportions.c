@@ -191,8 +191,9 @@ static void measure_tail(const struct specimen *fish, float of[FIELD_COUNT])
         }
     }
     of[F_tail] = tip - root;
-    of[F_fork] = (tip - notch) / (tip - root) * fish->unit; /* The value is a share of the tail and
-                                                               not a length. */
+    /* All values are divided by `unit` later. This value is a fraction of the tail, so the
+     * multiplication cancels the division. */
+    of[F_fork] = (tip - notch) / (tip - root) * fish->unit;
     of[F_span] = top - bottom;
 }
 
@@ -222,8 +223,9 @@ static void measure_disc(const struct specimen *fish, float of[FIELD_COUNT])
     of[F_disc] = narrows_at(fish, DISC_END * of[F_width]);
     of[F_whip] = grid(fish, fish->mesh->grid_rings - 1u, 0).z - of[F_disc];
     if (of[F_whip] > 0.0f) {
-        of[F_sting] = (of[F_dorsal_start] - of[F_disc]) / of[F_whip] * fish->unit; /* The value is a
-                                                                                      share. */
+        /* All values are divided by `unit` later. This value is a ratio, so the multiplication
+         * cancels the division. */
+        of[F_sting] = (of[F_dorsal_start] - of[F_disc]) / of[F_whip] * fish->unit;
     }
 }
 

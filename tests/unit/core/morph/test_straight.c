@@ -81,8 +81,8 @@ static void test_distant_points_on_anchors_widen_the_bounds(void **state)
         barrel.species.lod[lod].reach = 0.5f;
     }
     for (uint32_t key = 0; key < 3; key++) {
-        for (uint32_t i = 0; i < BARREL_VERTICES; i++) { /* The same lengths have half as many
-                                                            steps. */
+        /* The bounds of the mesh are halved, so the same length is twice as many steps. */
+        for (uint32_t i = 0; i < BARREL_VERTICES; i++) {
             struct species_point *p = &barrel.points[key][i];
             p->x = (int16_t)(p->x * 2);
             p->y = (int16_t)(p->y * 2);
@@ -149,8 +149,8 @@ static void test_the_thesis_method_uses_its_three_keys_and_its_template(void **s
     }
 }
 
-/* By section 3.2, the fish hatches with its true length on eq. 3.3 itself, independently of later
- * measurements. */
+/* In section 3.2 of the 2005 thesis, the shifted curve (eq. 3.3) gives the true length at hatching.
+ * The method ignores later measured lengths. */
 static void test_the_thesis_method_uses_the_lengths_of_its_shifted_curve(void **state)
 {
     (void)state;

@@ -57,7 +57,8 @@ static void test_an_acceleration_under_water_adds_the_force_of_the_added_mass(vo
     fixture.hand.angles.roll_rad = fixture.poi.angles.roll_rad = 0.5f * F_PI;
     fixture_wait(&fixture, 0.5f);
     float most_n = 0.0f;
-    for (uint32_t tick = 1; tick <= 12; tick++) { /* The hand reaches 0.2 m/s in 0.1 s. */
+    /* The player's hand accelerates to 0.2 m/s within 0.1 s. */
+    for (uint32_t tick = 1; tick <= 12; tick++) {
         const float t = (float)tick * CORE_TICK_S;
         fixture.hand.position_m.x = t * t;
         fixture_tick(&fixture);
@@ -137,7 +138,7 @@ static void test_a_carried_fish_adds_its_weight_and_its_slaps_to_the_force(void 
     fixture_dip(&fixture);
     fixture_add_fish(&fixture, v3(0.0f, fixture.poi.position_m.y + 0.03f, 0.0f), 0.05f);
     fixture_move(&fixture, v3(0.0f, 0.06f, 0.0f), 0.08f);
-    fixture_wait(&fixture, 0.15f); /* The hand is at rest. */
+    fixture_wait(&fixture, 0.15f); /* The player holds the poi still. */
     assert_int_equal(fixture.poi.carried_count, 1);
     uint32_t blows = 0, felt = 0;
     for (uint32_t tick = 0; tick < 3u * CORE_TICK_HZ && fixture.poi.carried_count; tick++) {

@@ -121,7 +121,8 @@ static uint32_t swing_at_fish(uint32_t trial, vec3 velocity_m_s, struct angles a
         fixture.tank.fish[fish].angles.yaw_rad = drawn(trial, 30 + i, -3.0f, 3.0f);
     }
     vec3 began[3];
-    fixture.poi.damage_immune = 1; /* A fish could pass through a hole. */
+    /* The paper cannot tear in this test, because a fish could pass through a hole. */
+    fixture.poi.damage_immune = 1;
     swing_from(start_m, angles, velocity_m_s);
     for (uint32_t i = 0; i < 3; i++) {
         began[i] = fixture.tank.fish[i].position_m;

@@ -57,8 +57,10 @@ static void test_each_sound_starts_immediately_does_not_clip_and_ends(void **sta
         synth_init(&synth);
         play(sound, 1.0f, 0.0f);
         synth_render(&synth, heard, FRAMES_MAX);
-        assert_in_range(peak(heard, FRAMES_MAX, 0), 3000, 24000); /* The peak is -21 to -3 dBFS. */
-        assert_true(peak(heard, SYNTH_RATE_HZ / 20u, 0) > 1000);  /* The time is within 50 ms. */
+        /* 3000 and 24000 are -21 and -3 dB of full scale. */
+        assert_in_range(peak(heard, FRAMES_MAX, 0), 3000, 24000);
+        /* The sound is clearly audible within its first 50 ms. */
+        assert_true(peak(heard, SYNTH_RATE_HZ / 20u, 0) > 1000);
         assert_int_equal(active_voices(), 0);
     }
 }
@@ -75,7 +77,8 @@ static void test_each_sound_fades_before_its_voice_is_freed(void **state)
         synth_render(&synth, heard, FRAMES_MAX);
         const int whole = peak(heard, FRAMES_MAX, 0);
         const int last_20_ms = peak(heard + 2u * (length - 960u), 960u, 0);
-        assert_true(last_20_ms * 50 < whole); /* The ratio is -34 dB. */
+        /* The last 20 ms are quieter than the whole sound by 34 dB or more. */
+        assert_true(last_20_ms * 50 < whole);
     }
 }
 
@@ -130,7 +133,7 @@ static void test_many_loud_sounds_stay_inside_the_format(void **state)
     (void)state;
     synth_init(&synth);
     for (uint32_t i = 0; i < 3u * SYNTH_VOICE_MAX; i++) {
-        play(SOUND_START, 9.0f, 0.0f); /* A gain above 1 counts as 1. */
+        play(SOUND_START, 9.0f, 0.0f); /* The gain 9 counts as 1. */
     }
     assert_int_equal(active_voices(), SYNTH_VOICE_MAX);
     synth_render(&synth, heard, SYNTH_RATE_HZ / 10u);
@@ -191,8 +194,8 @@ static void test_the_umpires_whistle_flutters(void **state)
     uint32_t flutters = 0;
     int loud = 0;
     for (uint32_t ms = 200; ms < 480u; ms++) {
-        const int most = loudest(ms - 15u, ms + 15u), now = loudest(ms, ms + 1u); /* The interval is
-                                                                                     one period. */
+        /* 30 ms contain one period of the flutter. */
+        const int most = loudest(ms - 15u, ms + 15u), now = loudest(ms, ms + 1u);
         const int was_loud = loud;
         loud = now * 10 > most * 8 || (loud && now * 10 > most * 5);
         flutters += loud && !was_loud;

@@ -204,9 +204,9 @@ static vec3 carried_m_s(const struct behavior_params *params)
         around.obstacles = &moving;
         around.obstacle_count = 1;
         fish_behavior_tick(&fish, 0, &around);
-        fish.push_m_s = v3_scale(fish.push_m_s, tick % 4u == 0 ? 0.656f : 1.0f); /* The factor is
-                                                                                    that of
-                                                                                    tank.c. */
+        /* In the tank, each full broad-phase query (every fourth tick) reduces the push to 1 -
+         * PUSH_SHARE. */
+        fish.push_m_s = v3_scale(fish.push_m_s, tick % 4u == 0 ? 0.656f : 1.0f);
         fish.gait = GAIT_REST;
     }
     return fish.push_m_s;

@@ -135,7 +135,7 @@ static void test_every_fish_stays_valid_separate_and_inside_for_minutes(void **s
             const struct fish *fish = &tank.fish[i];
             check_inside(fish, tank.size_m);
             assert_true(f_abs(fish->angles.pitch_rad) <
-                        26.0f * F_DEG); /* No fish is near vertical. */
+                        26.0f * F_DEG); /* No fish pitches more than 26 degrees. */
             assert_true(f_abs(fish->yaw_rate_rad_s) < 540.0f * F_DEG); /* No fish spins. */
             assert_true(fish->tail_phase_rad >= 0.0f && fish->tail_phase_rad < F_TAU);
             const float gap =

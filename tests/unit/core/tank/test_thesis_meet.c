@@ -105,9 +105,10 @@ static void test_3_4_head_on_fish_both_turn_left_or_both_right_equally_often(voi
     uint32_t left = 0;
     for (uint32_t tick = 0; tick < 4000; tick++) {
         const struct avoid_pair ab = meet(&a, &b, tick), ba = meet(&b, &a, tick);
-        assert_true(ab.a.turn == ab.b.turn && f_abs(ab.a.turn) == 1.0f); /* Each fish turns to its
-                                                                            own side. */
-        assert_true(ba.a.turn == ab.a.turn); /* Both fish get the same draw. */
+        /* Both fish turn to their own left, or both to their own right. */
+        assert_true(ab.a.turn == ab.b.turn && f_abs(ab.a.turn) == 1.0f);
+        /* The result does not change if the two fish are exchanged. */
+        assert_true(ba.a.turn == ab.a.turn);
         left += ab.a.turn > 0.0f;
     }
     assert_in_range(left, 1880, 2120);
@@ -125,8 +126,8 @@ static void check_side(float struck_yaw_deg, float behind, float away)
     for (uint32_t tick = 0; tick < 4000; tick++) {
         const struct avoid_pair pair = meet(&a, &b, tick);
         assert_true(f_abs(pair.a.turn) == 1.0f && pair.b.turn != 0.0f);
-        assert_int_equal(pair.a.turn == behind, pair.b.turn * away > 0.0f); /* Both fish use one
-                                                                               draw. */
+        /* Both fish derive their side from the same random number, so their choices agree. */
+        assert_int_equal(pair.a.turn == behind, pair.b.turn * away > 0.0f);
         sensible += pair.a.turn == behind;
     }
     assert_in_range(sensible, 3540, 3660);

@@ -20,11 +20,12 @@ static void test_3_1_the_tank_is_136_by_65_cm_with_walls_of_23_and_water_of_20(v
     (void)state;
     open_tank(&tank, TANK_PRESET_THESIS, FISH, 1);
     assert_float_equal(tank.size_m.x, 1.36f, 1e-6f);
-    assert_float_equal(tank.size_m.y, 0.20f, 1e-6f); /* The value is from section 3.6. */
+    /* Section 3.6 of the thesis gives a water depth of 20 cm. */
+    assert_float_equal(tank.size_m.y, 0.20f, 1e-6f);
     assert_float_equal(tank.size_m.z, 0.65f, 1e-6f);
     assert_float_equal(tank.wall_height_m, 0.23f, 1e-6f);
-    assert_int_equal(tank_preset(TANK_PRESET_THESIS)->fish_count, FISH); /* The value is from
-                                                                            section 4.1. */
+    /* Section 4.1 of the thesis gives the number of fish. */
+    assert_int_equal(tank_preset(TANK_PRESET_THESIS)->fish_count, FISH);
 }
 
 static void test_3_1_every_fish_is_a_box_of_5_by_2_by_1_cm(void **state)
@@ -307,7 +308,8 @@ static struct bustle bustle_of(uint8_t preset, uint32_t fish_count)
 static void check_bustle(uint8_t preset, uint32_t fish_count)
 {
     const struct bustle bustle = bustle_of(preset, fish_count);
-    assert_true(bustle.pace[GAIT_SWIM] > 0.5f); /* The fish are not in a gridlock. */
+    /* The fish do not block each other: swimming fish reach half of their speed or more. */
+    assert_true(bustle.pace[GAIT_SWIM] > 0.5f);
     assert_true(bustle.pace[GAIT_BURST] > 0.5f);
     assert_true(bustle.reversals_per_s < 1.0f); /* The fish do not jitter. */
     assert_true(bustle.yaw_rate_max_rad_s < 721.0f * F_DEG);

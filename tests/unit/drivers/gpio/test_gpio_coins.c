@@ -21,7 +21,8 @@ static void test_a_stalled_frame_loop_loses_no_coin(void **state)
     static struct fixture fixture;
     PLAY(&fixture, events);
     while (fixture.sim.now_ns < 3000 * MS) {
-        gpio_thread_step(&fixture.gpio); /* The frame loop does not poll. */
+        /* The GPIO thread runs, but the frame loop does not poll yet. */
+        gpio_thread_step(&fixture.gpio);
     }
     poll(&fixture);
     assert_int_equal(fixture.sum.coin_count[0], 40);

@@ -82,8 +82,8 @@ static void test_pulses_wait_until_a_failing_line_switches_on(void **state)
     assert_int_equal(switches.ops->pulse(switches.self, HAL_TICKET, 3), HAL_OK);
     run_until(&fixture, 1000);
     assert_int_equal(switches.ops->pending(switches.self, HAL_TICKET), 3);
-    assert_int_equal(fixture.sum.faults, faults + 1u); /* One fault, however often the line is
-                                                          retried. */
+    /* The failed line is one fault, however often the thread retries to set it. */
+    assert_int_equal(fixture.sum.faults, faults + 1u);
     assert_string_equal(switches.ops->describe(switches.self),
                         "lines of memory: 12 of 12 lines; no ticket (TICKETS does not switch: "
                         "check the cable and power of its chip)");
@@ -96,7 +96,8 @@ static void test_pulses_wait_until_a_failing_line_switches_on(void **state)
     fixture.sim.failing_outputs = gpio_role_bit(GPIO_TICKET);
     assert_int_equal(switches.ops->pulse(switches.self, HAL_TICKET, 1), HAL_OK);
     run_until(&fixture, 2500);
-    assert_int_equal(fixture.sum.faults, faults + 2u); /* The line failed a second time. */
+    /* A second failure after a success is a second fault. */
+    assert_int_equal(fixture.sum.faults, faults + 2u);
     end(&fixture);
 }
 
@@ -206,8 +207,9 @@ static void test_coins_are_locked_out_until_the_lockout_is_released(void **state
     switches.ops->set(switches.self, HAL_COIN_LOCKOUT, 0);
     run_until(&fixture, 900);
     assert_int_equal(fixture.sim.outputs[GPIO_COIN_LOCKOUT], 0);
-    run_until(&fixture, 4000); /* The chip returned in the locked state and is set to the
-                                  requested state again. */
+    /* The chip came back with the coin slot locked, and the thread sets the line to the requested
+     * level again. */
+    run_until(&fixture, 4000);
     assert_int_equal(fixture.sim.outputs[GPIO_COIN_LOCKOUT], 0);
     assert_int_equal(fixture.sim.set_count, 2);
     end(&fixture);

@@ -18,7 +18,8 @@
 #include "tests/unit/support/pointer.h"
 
 static struct clock_sim clock_now;
-static struct hid_wire wire[2]; /* A DualSense and a pen tablet. */
+/* The two simulated controllers: a DualSense gamepad and a pen tablet. */
+static struct hid_wire wire[2];
 static struct hid_port_sim port[2];
 static struct hid_device_list_sim device_list;
 static struct hid_mapping_store store;
@@ -276,8 +277,8 @@ static void test_an_unwritable_mapping_is_reported_and_stays_in_use(void **state
     (void)state;
     assert_non_null(mkdtemp(data));
     snprintf(pois, sizeof pois, "%s/pois", data);
-    assert_int_equal(close(open(pois, O_CREAT | O_WRONLY, 0644)), 0); /* A file is in place of
-                                                                         the folder. */
+    /* A regular file has the name of the folder for mappings. */
+    assert_int_equal(close(open(pois, O_CREAT | O_WRONLY, 0644)), 0);
     hid_mapping_store_close(&store);
     hid_mapping_store_open(&store, data, NULL, NULL);
     hid_mapping_store_set_error_sink(&store, count_line, line);
@@ -302,7 +303,8 @@ static void test_an_unwritable_mapping_is_reported_and_stays_in_use(void **state
 static void test_a_device_with_an_accepted_unwritable_mapping_stays_active(void **state)
 {
     (void)state;
-    snprintf(store.folder, sizeof store.folder, "/nowhere/pois"); /* The store has no thread. */
+    /* In this test the mapping store has no thread, so the write fails at once. */
+    snprintf(store.folder, sizeof store.folder, "/nowhere/pois");
     frame();
     teach();
     assert_int_equal(order(COMMAND_LEARN_KEEP, 0), HAL_ERR_IO);

@@ -203,7 +203,7 @@ static void test_a_playstation_gamepad_is_recognized_by_its_usb_ids(void **state
     assert_int_equal(known.source, HID_MAPPING_KNOWN);
     assert_int_equal(edge.source, HID_MAPPING_KNOWN);
     assert_int_equal(other.source, HID_MAPPING_AUTO);
-    /* The button OPTIONS is at this bit. */
+    /* In the reports of this gamepad the button OPTIONS is bit 69. */
     assert_int_equal(binding_of(&known, HID_ROLE_START)->bit_offset, 69);
     const struct hid_mapping fourth = map_of(KNOWN "054c-05c4-dualshock4", 0x054c, 0x05c4);
     assert_int_equal(fourth.source, HID_MAPPING_KNOWN);

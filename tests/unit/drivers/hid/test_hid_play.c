@@ -41,7 +41,7 @@ static struct hid_player {
     uint32_t report_count;
     vec3 arm_m; /* Position of the simulated arm, for a controller that reports its pose. */
     float tip_rad;
-    struct dip dip; /* Stroke of the simulated arm. */
+    struct dip dip; /* Dip of the simulated player: the downward and upward motion of its arm. */
     uint8_t dipped;
     float x_px, y_px; /* Fractions of a mouse count that were not sent yet. */
 } player;

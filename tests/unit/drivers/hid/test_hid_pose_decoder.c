@@ -138,7 +138,7 @@ static void test_sticks_move_the_fan_while_its_button_is_held(void **state)
     (void)state;
     rest_dualsense();
     assert_false(hid_pose_decoder_fan(&decoder, now_ms * MS).present);
-    wire_put(&wire, 1, USAGE_BUTTON + 4u, 1); /* The button is TRIANGLE. */
+    wire_put(&wire, 1, USAGE_BUTTON + 4u, 1); /* Button 4 of the gamepad is TRIANGLE. */
     send(1);
     now_ms += 500;
     const vec3 poi = sample_after(0).target.position_m;

@@ -48,7 +48,7 @@ static void test_an_invalid_key_is_rejected_and_changes_nothing(void **state)
     }
     assert_int_equal(usb_key_read(&key, longest), -1);
     assert_int_equal(key.vendor, 7);
-    longest[10 + HID_TEXT_SIZE - 1] = '\0'; /* One byte less fits. */
+    longest[10 + HID_TEXT_SIZE - 1] = '\0'; /* A text that is one byte shorter fits. */
     assert_int_equal(usb_key_read(&key, longest), 0);
 }
 

@@ -70,7 +70,7 @@ static void test_four_devices_get_slots_and_a_fifth_waits(void **state)
     assert_int_equal(fixture_row(&fixture, 4).state, CONTROLLER_FREE);
     usb_sim_plug(&kinds[2], 9);
     assert_true(sits(2, "S2"));
-    /* Now a slot is free. */
+    /* A player's slot becomes free, and a waiting poi gets it. */
     assert_int_equal(device_list.ops->release(device_list.self, 1), HAL_OK);
     assert_true(sits(1, "S4"));
     assert_true(fixture_wait_state(&fixture, 4, CONTROLLER_ACTIVE));

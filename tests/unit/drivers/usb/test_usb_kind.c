@@ -167,7 +167,7 @@ static void test_the_kingyo_descriptor_is_compared_in_every_byte(void **state)
     memcpy(bytes, poi_descriptor, sizeof bytes);
     assert_int_equal(kind_of_bytes(bytes, sizeof bytes), USB_KIND_OWN);
     assert_int_equal(kind_of_bytes(bytes, 0), USB_KIND_UNKNOWN);
-    bytes[1] ^= 1u; /* The usage page differs. */
+    bytes[1] ^= 1u; /* With another usage page, the descriptor is not that of a Kingyo poi. */
     assert_int_not_equal(kind_of_bytes(bytes, sizeof bytes), USB_KIND_OWN);
     static const uint8_t cut_off[] = { 0x05 };
     assert_int_equal(kind_of_bytes(cut_off, sizeof cut_off), USB_KIND_NOTHING);

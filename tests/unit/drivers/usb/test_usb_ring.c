@@ -96,7 +96,8 @@ static void test_reports_pass_complete_and_in_order_and_the_last_is_never_lost(v
             continue;
         }
         assert_int_equal(result, 1);
-        assert_true(raw.time_ns >= next); /* The time is the number of the report. */
+        /* The test uses the number of the report as its time stamp. */
+        assert_true(raw.time_ns >= next);
         next = (uint32_t)raw.time_ns + 1u;
         fill_bytes(bytes, size_of(next - 1u), next - 1u);
         assert_int_equal(raw.size, size_of(next - 1u));
@@ -156,7 +157,8 @@ static void test_the_report_beside_a_full_queue_stays_in_order_over_a_wrap(void 
     (void)state;
     begin();
     port.next_number = UINT32_MAX - HID_REPORTS_MAX - 1u;
-    for (uint32_t i = 0; i < HID_REPORTS_MAX + 2u; i++) { /* The last is number UINT32_MAX. */
+    /* The counter of the reports wraps around: the last report has the number UINT32_MAX. */
+    for (uint32_t i = 0; i < HID_REPORTS_MAX + 2u; i++) {
         report(i);
     }
     for (uint32_t i = 0; i < HID_REPORTS_MAX - 1u; i++) {

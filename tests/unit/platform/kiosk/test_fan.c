@@ -38,7 +38,8 @@ static int open_mouse(void **state)
                    POINTER_FILTER_MOUSE);
     const struct hal_poi device = mouse_poi_devices(&mouse).poi;
     const int opened = device.ops->open(device.self);
-    return opened != HAL_OK ? -1 : device.ops->open(device.self); /* The state after a loss. */
+    /* Opens the device again, as the kiosk does after a loss. */
+    return opened != HAL_OK ? -1 : device.ops->open(device.self);
 }
 
 static int close_mouse(void **state)
@@ -237,7 +238,8 @@ static void test_a_non_finite_fan_pose_is_rejected_and_counted(void **state)
         frames(1);
     }
     assert_int_equal(rig.kiosk.faults.shade, 12);
-    assert_float_equal(rig.kiosk.scene.fan[1].x_m, 0.1f, 0.0f); /* The last valid position. */
+    /* The fan stays at its last valid position. */
+    assert_float_equal(rig.kiosk.scene.fan[1].x_m, 0.1f, 0.0f);
 }
 
 int main(void)

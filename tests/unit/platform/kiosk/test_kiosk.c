@@ -168,7 +168,7 @@ static void test_the_quit_confirmation_times_out_after_five_seconds(void **state
                                                   { .time_ns = 6200 * MS, .quit = 1 } };
     (void)state;
     script(events, 2);
-    frames(305); /* The time is now 6.1 s. */
+    frames(305); /* 6.1 s have passed, so the question has disappeared. */
     assert_int_equal(rig.display.scene.asks_quit, 0);
     frames(20);
     assert_int_equal(rig.kiosk.end, KIOSK_RUNS);

@@ -307,7 +307,7 @@ static void test_a_failing_switch_is_retried_each_second(void **state)
     rig.answer = HAL_ERR_IO;
     push(INPUT_TEST); /* The coin slot is closed while the menu is open. */
     drop(1);
-    frames(190); /* Three and a half seconds in total. */
+    frames(190); /* After 3.5 s in total. */
     assert_int_equal(rig.asked[HAL_COIN_LOCKOUT], 4);
     assert_int_equal(rig.asked[HAL_COIN_COUNTER], 4);
     assert_true(rig.kiosk.faults.switches >= 8);

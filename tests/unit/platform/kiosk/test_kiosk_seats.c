@@ -25,7 +25,8 @@ static struct {
     struct kiosk kiosk;
     uint32_t asked_moving, asked_still; /* Calls of arrange() with and without permission to change
                                            the assignment. */
-    uint32_t moves;                     /* Result of the next call of arrange(). */
+    /* Result that the simulated arrange() returns at its next call. */
+    uint32_t moves;
     uint8_t other_sits;
     uint8_t is_gone, is_absent;
     uint32_t open_count, view_count;

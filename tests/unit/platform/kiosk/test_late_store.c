@@ -32,7 +32,7 @@ static struct rig {
     struct hal hal;
     struct kiosk kiosk;
     struct button_sample buttons; /* Button sample of the next frame. */
-    uint32_t locked;              /* The last level of the coin lockout. */
+    uint32_t locked;              /* Level to which the kiosk set the coin lockout last. */
 } rig;
 
 static int poll_buttons(void *self, struct button_sample *out)

@@ -112,8 +112,8 @@ static void test_quantiles_are_accurate_to_half_a_bin(void **state)
     assert_int_equal(timing.count, 1000);
     assert_int_equal(timing.max_ns, 100000000);
     frame_timing_add(&timing, UINT64_MAX / 4);
-    assert_int_equal(frame_timing_quantile_ns(&timing, 1.0), UINT64_MAX / 4); /* A value beyond all
-                                                                                 bins. */
+    /* A frame time that exceeds the last bin of the histogram. */
+    assert_int_equal(frame_timing_quantile_ns(&timing, 1.0), UINT64_MAX / 4);
 }
 
 int main(void)

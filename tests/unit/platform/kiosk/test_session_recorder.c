@@ -464,8 +464,9 @@ static void test_a_store_without_replays_keeps_all_other_data(void **state)
 
 static struct score_playback playback;
 static struct scene scene;
-static uint64_t watch_ns; /* Each read of the stopwatch takes a third of the seek time of a
-                             frame. */
+/* Time of the simulated stopwatch. Each reading advances it by a third of the time that a frame may
+ * spend on seeking. */
+static uint64_t watch_ns;
 
 static uint64_t look_at_watch(void *self)
 {

@@ -206,7 +206,8 @@ static void test_a_pipe_receives_the_data_and_is_not_replaced(void **state)
 static void test_a_device_is_never_replaced(void **state)
 {
     (void)state;
-    if (mknod(path, S_IFCHR | 0600, makedev(1, 7)) != 0) { /* A private copy of /dev/full. */
+    /* A device node with the numbers of /dev/full, in the folder of the test. */
+    if (mknod(path, S_IFCHR | 0600, makedev(1, 7)) != 0) {
         skip();
     }
     const int fd = open(path, O_WRONLY | O_CLOEXEC);

@@ -74,7 +74,7 @@ static void test_the_quality_never_falls_below_the_last_step(void **state)
     begin(200 * MS, 60);
     run(600, true);
     assert_int_equal(machine.step, QUALITY_STEP_MAX);
-    begin(900 * MS, 60); /* Each frame is as long as a delay of the kiosk. */
+    begin(900 * MS, 60); /* Each frame takes 900 ms, as a long delay of the machine does. */
     run(60, true);
     assert_int_equal(machine.step, QUALITY_STEP_MAX);
 }

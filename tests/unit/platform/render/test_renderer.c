@@ -75,7 +75,8 @@ static void test_a_snout_is_drawn_as_in_air_above_the_surface_and_as_in_water_be
     picture(pixels[1]);
     for (uint32_t colour = 0; colour < 3; colour++) {
         const int32_t off = (int32_t)middle(pixels[0], colour) - (int32_t)middle(pixels[1], colour);
-        assert_in_range(off + 100, 0, 200); /* A difference of 4 of 255 per pixel. */
+        /* The limit allows a mean difference of 4 of 255 per pixel. */
+        assert_in_range(off + 100, 0, 200);
     }
     show_gulper(-0.03f, SCENE_IN_TANK);
     picture(pixels[1]);
@@ -130,7 +131,8 @@ static float red_in_album(float age_days, float caught_days)
     scene.album.fish[0].age_days = age_days;
     scene.album.fish[0].maturity = scene_maturity(age_days);
     scene.album.fish[0].progress = life_progress(&species_wakin.card, age_days);
-    scene.album.fish[0].is_caught = 0;  /* The seal is also red. */
+    /* The seal would also count as red, so it is switched off. */
+    scene.album.fish[0].is_caught = 0;
     for (uint32_t i = 0; i < 20; i++) { /* The loop ends when the texture is refined. */
         picture(pixels[0]);
     }
@@ -147,7 +149,8 @@ static void test_an_album_fish_on_its_catch_day_is_drawn_as_in_the_tank(void **s
                       (double)album);
         assert_true(f_abs(tank - album) < 0.20f);
     }
-    assert_true(red_in_album(60.0f, 100.0f) < 0.35f); /* A young fish is dark. */
+    /* A goldfish of 60 days is still dark, so the picture has little red. */
+    assert_true(red_in_album(60.0f, 100.0f) < 0.35f);
 }
 
 /* Draws a level poi 5 cm above the water with the eye above its middle. */

@@ -78,10 +78,11 @@ static void test_an_invalid_fan_encoding_is_rejected(void **state)
     enum { HANDS = 1 << 4, SHADE_0 = 1 << 4, BYTE = 1, X = 2, NO_SUCH = 16 };
     static const uint8_t inf[4] = { 0, 0, 0x80, 0x7f };
     const uint8_t refused[][8] = {
-        { HANDS, 0 },                /* The pois changed, but no poi is selected. */
-        { HANDS, SHADE_0, 0 },       /* A fan is selected without a changed field. */
-        { HANDS, SHADE_0, NO_SUCH }, /* A fourth float. */
-        { HANDS, SHADE_0, BYTE, 2 }, /* A value greater than 1 for `present`. */
+        { HANDS, 0 },          /* The pois changed, but no poi is selected. */
+        { HANDS, SHADE_0, 0 }, /* The tick names the first fan, but changes no field of it. */
+        /* A fan has three floats, so the bit of a fourth is invalid. */
+        { HANDS, SHADE_0, NO_SUCH },
+        { HANDS, SHADE_0, BYTE, 2 }, /* `present` may only be 0 or 1. */
         { HANDS, SHADE_0, X, inf[0], inf[1], inf[2], inf[3] },
     };
     for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
@@ -131,8 +132,8 @@ static void test_an_invalid_system_health_encoding_is_rejected(void **state)
     enum { MACHINE = 1 << 3, BEYOND = 1 << 6, LEVELS = 1 << 2, MINUTE = 1 << 4, NO_SUCH = 1 << 7 };
     const uint8_t refused[][4] = {
         { MACHINE, 0, 0, 0 },         /* The group changed, but no field is selected. */
-        { MACHINE, NO_SUCH, 1, 0 },   /* The number does not exist. */
-        { BEYOND, 1, 0, 0 },          /* The part does not exist. */
+        { MACHINE, NO_SUCH, 1, 0 },   /* The machine has no number with this index. */
+        { BEYOND, 1, 0, 0 },          /* The input has no part with this index. */
         { MACHINE, LEVELS, 8, 0 },    /* The level does not exist. */
         { MACHINE, LEVELS, 0, 0 },    /* The levels did not change. */
         { MACHINE, MINUTE, 0xa0, 5 }, /* Minute 1440 does not exist. */
@@ -206,12 +207,13 @@ static void test_an_invalid_controller_list_encoding_is_rejected(void **state)
     (void)state;
     enum { DESK = 1 << 5, STEP = 1, ROW = 2, BEYOND = 16 };
     const uint8_t refused[][4] = {
-        { DESK, 0, 0, 0 },                      /* The controller list changed, but no field is
+        { DESK, 0, 0, 0 }, /* The controller list changed, but no field is
                                                    selected. */
-        { DESK, 1, 0, CONTROLLER_STATE_COUNT }, /* The state does not exist. */
-        { DESK, 0, STEP, LEARN_STEP_COUNT },    /* The step does not exist. */
-        { DESK, 0, ROW, CONTROLLER_MAX },       /* The row does not exist. */
-        { DESK, 0, BEYOND, 1 },                 /* The byte does not exist. */
+        /* CONTROLLER_STATE_COUNT is no state of a controller. */
+        { DESK, 1, 0, CONTROLLER_STATE_COUNT },
+        { DESK, 0, STEP, LEARN_STEP_COUNT }, /* The step does not exist. */
+        { DESK, 0, ROW, CONTROLLER_MAX },    /* The row does not exist. */
+        { DESK, 0, BEYOND, 1 },              /* The part has no byte with this index. */
     };
     for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
         struct input input = { 0 };
@@ -277,8 +279,10 @@ static void test_an_invalid_poi_encoding_is_rejected(void **state)
     (void)state;
     enum { HANDS = 1 << 4, POI_0 = 1, BYTE = 1, TREMBLES = 8, GAP = 16 };
     const uint8_t refused[][8] = {
-        { HANDS, POI_0, 0 },        /* A poi is selected without a changed field. */
-        { HANDS, POI_0, BYTE, 32 }, /* The fields are only link, wrist and trembling. */
+        { HANDS, POI_0, 0 }, /* The tick names the first poi, but changes no field of it. */
+        /* A poi has only three byte fields (link, wrist, trembling), so the bits of this value are
+         * invalid. */
+        { HANDS, POI_0, BYTE, 32 },
     };
     for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
         struct input input = { 0 };

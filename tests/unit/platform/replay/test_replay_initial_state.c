@@ -141,7 +141,7 @@ static void test_a_truncated_or_extended_initial_state_is_rejected(void **state)
     for (size_t cut = 0; cut < size; cut++) {
         assert_int_equal(replay_initial_state_decode(&back, bytes, cut, REPLAY_VERSION), 0);
     }
-    bytes[size] = 128; /* Two more zeros. */
+    bytes[size] = 128; /* This byte encodes two more zero bytes than the state has. */
     assert_int_equal(replay_initial_state_decode(&back, bytes, size + 1u, REPLAY_VERSION), 0);
 }
 

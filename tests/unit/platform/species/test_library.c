@@ -140,7 +140,7 @@ static void test_a_file_in_place_of_the_species_folder_is_reported(void **state)
     char place[64];
     snprintf(place, sizeof place, "%s/species", data);
     assert_int_equal(rmdir(place), 0);
-    FILE *out = fopen(place, "w"); /* A file in place of the folder. */
+    FILE *out = fopen(place, "w"); /* A regular file has the name of the folder for species. */
     assert_non_null(out);
     fclose(out);
     library_fill(&library, data);

@@ -198,7 +198,8 @@ static void test_each_graph_error_is_reported_with_its_line(void **state)
     snprintf(text, sizeof text, "%s" ENDS "end\n", head);
     char *solved = strstr(text, "solved 0");
     solved[7] = '1';
-    assert_int_equal(parse(text, &edit, why), 0); /* The second key is never visible. */
+    /* In this graph the second key has nearly no weight at any age. */
+    assert_int_equal(parse(text, &edit, why), 0);
     snprintf(head, sizeof head, "the key '%s' is hardly seen", card->key_names[1]);
     assert_non_null(strstr(why, head));
     solved[7] = '0';
@@ -331,7 +332,7 @@ static void test_a_failed_graph_write_is_reported_and_counted(void **state)
     memset(&storage, 0, sizeof storage);
     storage.dir = folder;
     snprintf(path, sizeof path, "%s/" GRAPH_FILE_FOLDER, folder);
-    FILE *file = fopen(path, "w"); /* A file in place of the folder. */
+    FILE *file = fopen(path, "w"); /* A regular file has the name of the folder for graphs. */
     assert_non_null(file);
     fclose(file);
     const struct hal_storage device = storage_device(&storage);

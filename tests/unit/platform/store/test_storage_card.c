@@ -204,8 +204,8 @@ static void test_a_card_that_does_not_recover_is_reported(void **state)
     keep(1);
     pause_ms(100);
     assert_true(is_well());
-    atomic_fetch_sub(&storage.busy_since_ms, STORAGE_STUCK_MS); /* The start of the write is moved
-                                                                   into the past. */
+    /* The test moves the start of the write into the past, instead of waiting. */
+    atomic_fetch_sub(&storage.busy_since_ms, STORAGE_STUCK_MS);
     assert_false(is_well());
     assert_non_null(strstr(text(), "has not answered for 3 s; 1 entries wait"));
     tape_sync_us(0);
@@ -353,7 +353,7 @@ static void remembers_and_goes_on(uint32_t proven)
     assert_false(is_well());
     assert_non_null(strstr(text(), "full; free some space"));
     assert_int_equal(saved_id(), proven);
-    assert_int_equal(keep(6), HAL_OK); /* The entry is queued. */
+    assert_int_equal(keep(6), HAL_OK); /* The store queues the entry until the card works again. */
     storage_work(&storage);
     assert_false(is_well());
     assert_int_equal(saved_id(), proven);

@@ -177,7 +177,8 @@ static void test_a_replaced_folder_is_detected_and_the_old_one_is_used_again(voi
     (void)state;
     struct stat about;
     is_detected_after("mv data away && mkdir data");
-    assert_int_equal(stat(path, &about), -1); /* No new database is created there. */
+    /* The store creates no new database at the old path. */
+    assert_int_equal(stat(path, &about), -1);
     do_shell("rmdir data && mv away data");
     wait_until_well(1, WITHIN_MS);
 }

@@ -54,7 +54,7 @@ static void test_a_coin_in_the_tick_of_start_counts(void **state)
     input.coin_count[0] = 1;
     press(INPUT_START);
     input.coin_count[0] = 0;
-    step(); /* The entry is on disk. */
+    step(); /* This step() reports the ledger entry as saved, so the round begins. */
     assert_int_equal(core.game.phase, PHASE_READY);
     assert_int_equal(credits(), 0);
 }
@@ -189,7 +189,7 @@ static void test_a_permanently_lost_poi_refunds_the_credit(void **state)
     assert_int_equal(audit(AUDIT_REFUNDS), 1);
     assert_int_equal(core.game.hints.shown, HINT_PAID_BACK);
     steps(GAME_RESULT_TICKS);
-    assert_int_equal(credits(), 1); /* The credit is refunded once. */
+    assert_int_equal(credits(), 1); /* The credit was refunded exactly once. */
 }
 
 static void test_a_restored_poi_refunds_no_credit(void **state)

@@ -43,7 +43,8 @@ static void test_coins_are_rejected_while_no_player_can_play(void **state)
     step();
     assert_int_equal(output.coin_lockout, 1);
     assert_int_equal(core.game.accounts.credit.warnings, WARN_NO_POI);
-    input.poi[1].link = POI_SOURCE_LIVE; /* The kiosk has no second player slot. */
+    /* A second poi is present, but the kiosk is set to one player. */
+    input.poi[1].link = POI_SOURCE_LIVE;
     step();
     assert_int_equal(output.coin_lockout, 1);
     input.poi[0].link = POI_SOURCE_LIVE;
@@ -70,7 +71,8 @@ static void test_an_open_door_warns_and_rejects_coins(void **state)
 static void test_a_shake_warns_for_a_while_and_counts_once(void **state)
 {
     (void)state;
-    press(INPUT_TILT); /* The pulse is shorter than a tick. */
+    /* The pulse of the tilt switch is shorter than a tick, but the warning lasts. */
+    press(INPUT_TILT);
     for (uint32_t i = 0; i < 3; i++) {
         assert_int_equal(core.game.accounts.credit.warnings, WARN_TILT);
         assert_int_equal(output.coin_lockout, 1);

@@ -167,7 +167,7 @@ static void test_a_store_that_appears_late_is_used_after_any_number_of_coins(voi
     drop_each(COINS_FOR_A_FULL_RING);
     assert_int_equal(core.game.accounts.ledger.balance.paid, COINS_FOR_A_FULL_RING);
     assert_int_equal(ledger_committed_credits(&core.game.accounts.ledger).paid,
-                     0); /* The entry is on no disk. */
+                     0); /* The store has not saved the newest entry. */
     assert_int_equal(output.coin_lockout, 1);
     press(INPUT_START);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);

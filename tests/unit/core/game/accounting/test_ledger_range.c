@@ -308,7 +308,8 @@ static void expect_a_start_for_each_change(bool has_backup)
         const struct core_config config = { .fish_count = 4, .persistent = memory };
         assert_int_equal(core_init(&core, &config), CORE_OK);
         assert_int_equal(memory.ledger.last_id, 1);
-        if (changes[i].is_read) { /* The entries hold valid values. */
+        /* The entries themselves are valid, so their values are still loaded. */
+        if (changes[i].is_read) {
             assert_int_equal(memory.ranking.row[MODE_FESTIVAL][RANK_EVER][0].round_id, 1);
             assert_int_equal(memory.ranking.row[MODE_FESTIVAL][RANK_EVER][0].caught, 3);
         }
@@ -413,7 +414,7 @@ static void test_the_core_and_the_replay_reject_a_state_that_is_out_of_range(voi
     bad[11].session.credit.pending_coins[0].owed = UINT32_MAX;
     for (size_t i = 0; i < 12; i++) {
         assert_int_equal(core_init(&core, &bad[i]), CORE_ERR_RANGE);
-        if (i != 4 && i != 5) { /* No encoder writes these two values. */
+        if (i != 4 && i != 5) { /* The encoder cannot write the values of cases 4 and 5. */
             const size_t size = replay_initial_state_encode(&bad[i], bytes);
             memset(&back, 0, sizeof back);
             assert_int_equal(replay_initial_state_decode(&back, bytes, size, REPLAY_VERSION), 0);

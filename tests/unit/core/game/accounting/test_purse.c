@@ -65,7 +65,8 @@ static void expect_balance(uint32_t id, const struct balance *balance)
     assert_int_equal(sum.credits + sum.service + sum.back,
                      balance->paid + balance->service + sum.spent);
     assert_int_equal(sum.open, balance->open != PAYMENT_NONE);
-    assert_true(sum.back <= sum.credits + sum.service); /* No credit is refunded twice. */
+    /* The refunds never exceed the credits that players bought or that SERVICE gave. */
+    assert_true(sum.back <= sum.credits + sum.service);
 }
 
 static void start(void)
@@ -126,8 +127,8 @@ static void live(void)
     const uint32_t lines = draw(40) == 0;
     input.coin_count[0] = lines * draw(4);
     input.coin_count[2] = lines * (draw(3) == 0);
-    fallen += input.coin_count[0] + 5u * input.coin_count[2]; /* The coin values are the
-                                                                 defaults. */
+    /* By default a coin of input 1 is worth one unit and a coin of input 3 five units. */
+    fallen += input.coin_count[0] + 5u * input.coin_count[2];
     input.pressed = (draw(60) == 0 ? INPUT_START : 0u) | (draw(500) == 0 ? INPUT_SERVICE : 0u);
     input.poi[0].link = draw(300) == 0 ? POI_SOURCE_LOST : POI_SOURCE_LIVE;
     step();

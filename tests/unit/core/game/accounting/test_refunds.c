@@ -252,7 +252,7 @@ static void test_repeated_losses_of_a_controller_are_counted(void **state)
     (void)state;
     drop(PRICE);
     play(10);
-    lose_for(CORE_TICK_HZ / 2u); /* The loss is a short glitch. */
+    lose_for(CORE_TICK_HZ / 2u); /* A loss of half a second is too short to be counted. */
     lose_for(2u * CORE_TICK_HZ);
     assert_int_equal(audit(AUDIT_LOST_AGAIN), 0);
     lose_for(2u * CORE_TICK_HZ);

@@ -202,7 +202,9 @@ static void test_a_power_cut_at_any_tick_loses_one_ticket_at_most_and_repeats_no
         missing_cuts += whole < WON;
     }
     print_message("# in %u of the plays a ticket was missing\n", missing_cuts);
-    assert_true(missing_cuts > 0); /* Otherwise no cut hit a pulse. */
+    /* At least one simulated power cut fell into a ticket pulse; otherwise the test proves
+     * nothing. */
+    assert_true(missing_cuts > 0);
 }
 
 /* A kiosk that started without a card has `boot` 0. The card was inserted later. */

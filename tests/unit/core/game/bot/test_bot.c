@@ -107,7 +107,8 @@ static void test_the_bot_reacts_to_a_vanished_fish_after_its_reaction_time(void 
         assert_true(same_ticks >= 18);
         answers += same_ticks <= 60;
     }
-    assert_in_range(answers, 8, 10); /* The other bots had just chosen another fish. */
+    /* The other bots had chosen another fish just before this fish vanished. */
+    assert_in_range(answers, 8, 10);
 }
 
 /* ---- Before the start ----------------------------------------------------------------------- */

@@ -73,7 +73,8 @@ static void test_the_target_point_of_the_paper_is_the_middle_or_the_far_edge(voi
     assert_true(targeting_approach(&technique, &snapshot, fish_m, 0.07f, 0.0f, &way));
     const float tail_m = way.under_m.z - (fish_m.z - 0.42f * 0.07f);
     assert_true(way.under_m.z > 0.01f);
-    assert_true(tail_m > snapshot.poi.radius_m); /* The tail is outside the paper. */
+    /* The fish's tail lies outside the ring, so that its tail cannot slap the paper. */
+    assert_true(tail_m > snapshot.poi.radius_m);
 }
 
 static void test_a_hole_in_the_middle_moves_the_target_point(void **state)
@@ -144,7 +145,8 @@ static void test_head_first_scoops_come_from_ahead_and_tail_first_from_behind(vo
     assert_true(f_abs(targeting_yaw(&technique, &fish, 9.0f) - (F_PI - 2.6f)) < 1e-4f);
     assert_true(targeting_yaw(&technique_novice, &fish, 0.2f) == 0.2f);
     technique.side = SIDE_TAIL;
-    assert_true(targeting_yaw(&technique, &fish, 0.2f) == 0.2f); /* No wrist can turn that far. */
+    /* A human wrist cannot turn that far, so the yaw stays as it is. */
+    assert_true(targeting_yaw(&technique, &fish, 0.2f) == 0.2f);
     fish.heading_rad = 0.5f;
     assert_true(targeting_yaw(&technique, &fish, 0.2f) == 0.5f);
 }

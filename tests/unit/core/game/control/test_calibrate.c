@@ -170,7 +170,8 @@ static void test_invalid_marks_are_rejected_with_a_reason(void **state)
         swap_corners(&said, frame % 2u, frame % 2u + 2u);
         assert_int_equal(judge(&said), CALIBRATION_MIRRORED);
         said = good;
-        for (uint32_t i = 0; i < CALIBRATE_CORNERS; i++) { /* All marks lie on a line. */
+        /* All four marks lie on one line, so that no rotation can be computed. */
+        for (uint32_t i = 0; i < CALIBRATE_CORNERS; i++) {
             said.corner_m[i] = v3_scale(v3(1.0f, 0.0f, 0.4f), (float)i);
         }
         assert_int_equal(judge(&said), CALIBRATION_CROSSED);

@@ -35,7 +35,7 @@ static void test_a_round_ends_when_the_controller_stays_lost(void **state)
 static void test_a_new_controller_moves_the_poi_without_a_jump(void **state)
 {
     (void)state;
-    steps(200); /* The bot moves the poi. */
+    steps(200); /* During these ticks a bot moves the poi, because no player is present. */
     input.poi[0].link = POI_SOURCE_LIVE;
     input.poi[0].target.position_m = v3(0.20f, 0.08f, 0.10f);
     press(INPUT_START);
@@ -43,10 +43,12 @@ static void test_a_new_controller_moves_the_poi_without_a_jump(void **state)
     for (uint32_t i = 0; i < 160; i++) {
         step();
         const vec3 now = core.game.hand_pose[0].position_m;
-        assert_true(v3_length(v3_sub(now, last)) < 0.012f); /* The speed is 1.4 m/s at most. */
+        /* 12 mm per tick of 1/120 s is 1.4 m/s. */
+        assert_true(v3_length(v3_sub(now, last)) < 0.012f);
         last = now;
     }
-    assert_float_equal(last.x, 0.20f, 0.0f); /* The poi then follows without delay. */
+    /* The poi has reached the player's position and follows it without delay. */
+    assert_float_equal(last.x, 0.20f, 0.0f);
     assert_float_equal(last.z, 0.10f, 0.0f);
 }
 

@@ -99,7 +99,8 @@ static void test_a_poi_catches_up_with_a_moving_controller(void **state)
     struct poi_target wanted = { .position_m = v3(0.2f, -0.05f, 0.0f) };
     uint32_t ticks = 1;
     for (; !controller_failsafe_is_returned(hand, wanted, ticks); ticks++) {
-        wanted.position_m.x += 0.5f * CORE_TICK_S; /* The speed exceeds that of the poi's start. */
+        /* The target moves at 0.5 m/s, faster than the poi at the beginning of its return. */
+        wanted.position_m.x += 0.5f * CORE_TICK_S;
         hand = controller_failsafe_return(hand, wanted, ticks);
         assert_true(ticks < 6u * CORE_TICK_HZ);
     }

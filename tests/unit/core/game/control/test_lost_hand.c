@@ -220,7 +220,8 @@ static int report_fault(enum fault fault, uint32_t tick)
 static int loses_the_hand(const struct scene_of *of)
 {
     const int is_away = of->fault == UNPLUG || of->fault == SILENCE || of->fault == NOT_A_NUMBER;
-    return is_away || (of->fault != LATE_BURST && of->device == SENSOR); /* A pointer may jump. */
+    /* A mouse may jump to any place, so only the jump of a sensor counts as a fault. */
+    return is_away || (of->fault != LATE_BURST && of->device == SENSOR);
 }
 
 static float damage_sum(void)
@@ -265,9 +266,10 @@ static void check_fault(const struct scene_of *of)
             assert_true(v3_length(output.poi[0].force_n) == 0.0f); /* The force feedback is off. */
             assert_memory_equal(poi->sheet.damage, damage, sizeof damage);
         } else {
-            memcpy(damage, poi->sheet.damage, sizeof damage);      /* A controlled poi wears as
-                                                                      usual. */
-            cells = may_slap(of) ? poi->sheet.paper_cells : cells; /* The fish slaps the paper. */
+            /* While a player controls the poi, the paper wears as usual. */
+            memcpy(damage, poi->sheet.damage, sizeof damage);
+            /* A fish on the paper may slap holes into it, whoever moves the poi. */
+            cells = may_slap(of) ? poi->sheet.paper_cells : cells;
         }
         assert_true(poi->damage_immune || !loses_the_hand(of) || leads || broken);
         assert_int_equal(poi->sheet.paper_cells, cells);
@@ -291,14 +293,17 @@ static void check_aftermath(const struct scene_of *of)
     const uint32_t cells = core.world.poi[0].sheet.paper_cells;
     const float before = damage_sum();
     if (of->place == CARRYING) {
-        return; /* A fish that slaps on wet paper wears it with any source of motion. */
+        /* A fish that slaps may tear wet paper during any kind of fault, so the cells are not
+         * compared. */
+        return;
     }
     wait(120);
     assert_int_equal(core.world.poi[0].sheet.paper_cells, cells);
-    assert_true(damage_sum() - before < (of->fault == JUMP ? 0.05f : 1e-3f)); /* The hand is at the
-                                                                                 wall. */
+    /* After a jump the poi is allowed to wear more, because the new position is at the wall. */
+    assert_true(damage_sum() - before < (of->fault == JUMP ? 0.05f : 1e-3f));
     assert_true(v3_length(v3_sub(core.world.poi[0].position_m, hand_m)) < 0.05f ||
-                of->fault == JUMP); /* The hand is beyond the wall. */
+                of->fault == JUMP); /* Only after a jump is the player's position beyond the
+                                       wall. */
 }
 
 static void check(const struct scene_of *of)

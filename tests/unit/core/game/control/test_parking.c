@@ -56,8 +56,10 @@ static void expect_in_the_picture(vec3 ring_m)
         float x = 0.0f, y = 0.0f;
         project(sight_of(ring_m, i), &x, &y);
         assert_true(f_abs(x) < 0.995f);
-        assert_true(y > -0.8f); /* The text is along the lower edge. */
-        assert_true(y < 0.78f); /* The name plates are along the upper edge. */
+        /* Below this line of the screen is the text along the lower edge. */
+        assert_true(y > -0.8f);
+        /* Above this line of the screen are the name plates along the upper edge. */
+        assert_true(y < 0.78f);
     }
 }
 
@@ -106,7 +108,7 @@ static void test_pois_are_parked_before_the_start_and_after_the_end(void **state
     (void)state;
     const struct core_config config = { .seed = 4, .players = 4, .round_s = 10 };
     open_core(&config);
-    ticks(700); /* The first poi plays in attract. */
+    ticks(700); /* In attract mode a bot plays with the first poi. */
     bots(4);
     press(INPUT_START);
     ticks(GAME_READY_TICKS - 10u);
@@ -139,14 +141,15 @@ static void test_a_poi_without_paper_is_parked_and_the_others_play(void **state)
     play(2);
     lead(0, v3(0.1f, BELOW_M, 0.1f));
     tear_all(0);
-    ticks(60); /* The player sees the hole for this time. */
+    /* For half a second the torn poi stays in place, so that the player sees the hole. */
+    ticks(60);
     assert_true(apart_m(core.world.poi[0].position_m, v3(0.1f, 0.0f, 0.1f)) < 0.03f);
     ticks(3u * CORE_TICK_HZ);
     expect_put_away(0, 2);
     assert_false(look()->player[1].out);
     assert_true(apart_m(core.world.poi[1].position_m, v3(-0.1f, 0.0f, 0.1f)) < 0.01f);
-    input.poi[0].target.position_m = v3(-0.1f, BELOW_M, -0.1f); /* The player's hand does not
-                                                                   move the poi. */
+    /* A parked poi ignores the player's new position. */
+    input.poi[0].target.position_m = v3(-0.1f, BELOW_M, -0.1f);
     ticks(200);
     expect_put_away(0, 2);
 }
@@ -221,7 +224,7 @@ static void test_a_poi_parks_and_returns_without_a_jump(void **state)
     vec3 last_m = core.world.poi[0].position_m;
     for (uint32_t i = 0; i < 600u; i++) {
         tick();
-        /* The speed is 1.2 m/s. */
+        /* 10 mm per tick of 1/120 s is 1.2 m/s. */
         assert_true(v3_length(v3_sub(core.world.poi[0].position_m, last_m)) < 0.010f);
         last_m = core.world.poi[0].position_m;
     }

@@ -102,7 +102,8 @@ static void test_each_life_runs_from_hatching_to_the_last_key(void **state)
     }
     assert_true(met);
     assert_float_equal(page()->fish[0].progress, 1.0f, 1e-3f);
-    assert_true(page()->fish[1].progress < 1.0f); /* The life of this fish began later. */
+    /* A fish that is caught small begins to grow later in the film. */
+    assert_true(page()->fish[1].progress < 1.0f);
 }
 
 static void test_a_small_fish_stays_small(void **state)

@@ -63,7 +63,8 @@ static void test_parts_do_not_overlap_and_lie_on_the_canvas(void **state)
             }
             assert_true(box.x >= 0.0f && box.x + box.width <= canvas.x);
             assert_true(box.y >= 0.0f && box.y + box.height <= canvas.y);
-            assert_true(box.height >= 40.0f); /* The height is sufficient for a wet finger. */
+            /* Each button is so high that a wet finger on a touch screen can hit it. */
+            assert_true(box.height >= 40.0f);
             for (uint32_t b = a + 1u; b < LAB_PRESSED_COUNT; b++) {
                 const struct layout_box other = lab_box(upright, keys, (enum lab_part)b);
                 const int apart = box.x + box.width <= other.x || other.x + other.width <= box.x ||

@@ -289,7 +289,8 @@ static void test_a_book_with_an_invalid_card_or_graph_is_rejected(void **state)
     book.cards[0].key_length_m[1] = -1.0f;
     assert_false(lab_book_is_valid(&book));
     book.cards[0] = *card;
-    memset(book.cards[0].id, 'x', sizeof book.cards[0].id); /* The text has no terminator. */
+    /* The id fills its whole array, so that its terminating zero byte is missing. */
+    memset(book.cards[0].id, 'x', sizeof book.cards[0].id);
     assert_false(lab_book_is_valid(&book));
     book.cards[0] = *card;
     book.has_edit[0] = 1;

@@ -157,7 +157,8 @@ static void test_a_saved_graph_is_stored_acknowledged_and_present_on_return(void
     assert_int_equal(look()->lab.keeping, LAB_SAVED);
     assert_int_equal(scene.lab.is_kept, 1);
     tap(LAB_NEXT);
-    assert_int_equal(look()->lab.keeping, LAB_NOT_SAVED); /* The state belongs to this species. */
+    /* LAB_NOT_SAVED is the state of the selected species alone. */
+    assert_int_equal(look()->lab.keeping, LAB_NOT_SAVED);
     tap(LAB_BACK);
     assert_memory_equal(&core.game.lab.edit, &made, sizeof made);
     tap(LAB_RESET);

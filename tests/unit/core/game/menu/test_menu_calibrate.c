@@ -150,9 +150,8 @@ static void test_each_calibration_value_is_a_ledger_entry(void **state)
             entry->value,
             stall.core.config.persistent.settings.value[input_calibration_setting(0) + i]);
     }
-    const struct ledger_entry *check =
-        &stall.output.entries[stall.output.entry_id % LEDGER_RING]; /* The entry follows all
-                                                                       calibration entries. */
+    /* The entry with the check value comes after the entries of all calibration values. */
+    const struct ledger_entry *check = &stall.output.entries[stall.output.entry_id % LEDGER_RING];
     assert_int_equal(check->detail | check->count << 8, input_calibration_check_setting(0));
     assert_true(settings_edit_is_saved(&stall.core.game.accounts.ledger,
                                        &stall.core.game.settings_edit,
@@ -210,14 +209,16 @@ static void test_an_incomplete_calibration_after_a_power_cut_is_not_used(void **
     take(CALIBRATE_BEGIN);
     lead_through((struct poi_target){ 0 });
     hold_true(aside, CORE_TICK_HZ);
-    expect_no_patchwork(&before, before_id); /* The first calibration. */
+    /* Here the power cuts fall into the first calibration of the poi. */
+    expect_no_patchwork(&before, before_id);
 
     before = stall.core.config.persistent.settings;
     before_id = stall.output.entry_id;
     take(CALIBRATE_BEGIN);
     lead_through((struct poi_target){ .position_m.y = 0.01f, .angles = { 0.0f, 0.1f, 0.05f } });
     hold_true(aside, CORE_TICK_HZ);
-    expect_no_patchwork(&before, before_id); /* A second calibration after the first. */
+    /* Here the power cuts fall into a second calibration, which replaces the first. */
+    expect_no_patchwork(&before, before_id);
 
     before = stall.core.config.persistent.settings;
     before_id = stall.output.entry_id;
@@ -283,7 +284,8 @@ static void test_only_a_rest_after_a_movement_counts_as_a_mark(void **state)
     const struct poi_target holder = { .position_m = v3(0.0f, 0.1f, 0.0f) };
     hold_true(holder, 4u * CALIBRATE_STILL_TICKS);
     assert_int_equal(calibrate()->step, CALIBRATE_CORNER);
-    for (uint32_t i = 0; i < 5u * CALIBRATE_STILL_TICKS; i++) { /* The speed is 10 cm/s. */
+    /* The poi moves at 10 cm/s and never rests. */
+    for (uint32_t i = 0; i < 5u * CALIBRATE_STILL_TICKS; i++) {
         const float x = 0.001f * (float)(i % 600u) - 0.3f;
         hold_true((struct poi_target){ .position_m = v3(x, 0.1f, 0.0f) }, 1);
     }

@@ -69,7 +69,7 @@ static void test_a_controller_mapping_is_learned_step_by_step_and_stored(void **
         input.controllers.learn_step = learn;
         input.controllers.learn_row = 3;
         step();
-        push(INPUT_LEFT); /* The result does not depend on the selection. */
+        push(INPUT_LEFT); /* The dips work with any tag selected. */
         while (pointed() != LEARNS_NEXT) {
             push(INPUT_SERVICE);
         }

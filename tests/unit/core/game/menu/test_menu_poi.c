@@ -70,8 +70,8 @@ static void test_a_dip_outside_the_tags_activates_none(void **state)
     (void)state;
     hold_over(0, ABOVE_M);
     steps(MENU_TAKE_TICKS);
-    input.poi[0].target.position_m.z = -0.49f * core.world.tank.size_m.z; /* The position is over
-                                                                             the title. */
+    /* The poi points at the title of the page, where there is no tag. */
+    input.poi[0].target.position_m.z = -0.49f * core.world.tank.size_m.z;
     step();
     input.poi[0].target.position_m.y = BELOW_M;
     steps(MENU_TAKE_TICKS);

@@ -7,7 +7,8 @@
 #include "tests/unit/support/game_fixture.h"
 #include "tests/unit/support/menu_tag.h"
 
-#define HELD_S 12u /* The time exceeds that of the longest range. */
+/* Seconds for which TEST is held, enough for all values of the longest range. */
+#define HELD_S 12u
 
 static const struct menu *menu(void)
 {

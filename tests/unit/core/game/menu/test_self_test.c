@@ -10,7 +10,7 @@
 static struct scene scene;
 static uint8_t state_of[SELF_CHECKS];
 
-/* A machine without a warning. */
+/* State of a machine that has nothing to report. */
 static const struct scene_machine well = {
     .has_looked = 1,
     .keeps = KEEPS_PROVEN,
@@ -67,7 +67,7 @@ static uint32_t judge(void)
     return self_test_judge(&scene, state_of);
 }
 
-/* Performs all actions of a working store and of an operator. */
+/* Reports the newest ledger entry as saved, as a working store does. */
 static void save(void)
 {
     input.record_saved_id = output.entry_id;
@@ -135,7 +135,8 @@ static void test_a_manual_check_is_requested_until_it_is_done(void **state)
     for (size_t i = 0; i < sizeof asks; i++) {
         assert_int_equal(state_of[asks[i]], SELF_ASKS);
     }
-    assert_int_equal(state_of[SELF_POIS], SELF_BAD); /* The kiosk has no such device. */
+    /* The poi check fails while no poi is connected. */
+    assert_int_equal(state_of[SELF_POIS], SELF_BAD);
     wave(0);
     judge();
     assert_int_equal(state_of[SELF_POIS], SELF_GOOD);
@@ -155,7 +156,7 @@ static void test_a_store_that_saves_nothing_is_named_within_20_s(void **state)
     drop_a_coin();
     assert_int_equal(judge(), SELF_STORE);
     assert_int_equal(state_of[SELF_STORE], SELF_BAD);
-    save(); /* The entry was stored late but in time. */
+    save(); /* The store saved the test entry late, but before the time limit. */
     assert_int_equal(judge(), SELF_CHECKS);
 }
 
@@ -166,7 +167,8 @@ static void test_each_failed_check_is_named(void **state)
     input.day = 0;
     step();
     assert_int_equal(judge(), SELF_CLOCK);
-    assert_int_equal(state_of[SELF_CLOCK], SELF_LOOK); /* A wrong date gives only a hint. */
+    /* A clock that is not set gives an exclamation mark and no cross. */
+    assert_int_equal(state_of[SELF_CLOCK], SELF_LOOK);
     input.day = 9000;
     step();
     scene.devices.frames_a_second = 12;
@@ -210,7 +212,8 @@ static void test_the_operators_answers_decide_sound_and_lamps(void **state)
     assert_int_equal(state_of[SELF_LAMP], SELF_BAD);
     assert_false(menu_enabled(menu()) >> SELF_YES & 1u);
     step();
-    assert_int_equal(output.coin_lockout, 0); /* A test coin is permitted. */
+    /* The coin slot is open, because the operator must insert a test coin. */
+    assert_int_equal(output.coin_lockout, 0);
     take(SELF_AGAIN);
     judge();
     assert_int_equal(state_of[SELF_SOUND], SELF_ASKS);

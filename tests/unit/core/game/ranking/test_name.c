@@ -159,7 +159,9 @@ static void test_an_unranked_player_is_not_asked(void **state)
             core.game.accounts.ranking.row[MODE_FESTIVAL][period][i].round_id = 900u + i;
         }
     }
-    play_alone(5); /* The count is the same but later. */
+    /* The player catches the same number of fish as the earlier scores, which therefore keep their
+     * places. */
+    play_alone(5);
     steps(GAME_RESULT_TICKS);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }

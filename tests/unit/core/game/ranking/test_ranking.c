@@ -9,7 +9,7 @@
 
 #include "core/game/ranking/ranking.h"
 
-#define SOME_DAY 9800u /* A day in 2026. */
+#define SOME_DAY 9800u /* Day number of a day in 2026, counted from 1970. */
 
 static struct ranking ranking;
 static uint32_t last_id;
@@ -98,7 +98,7 @@ static void test_four_players_of_one_round_are_ranked_separately(void **state)
     for (uint32_t seat = 0; seat < POI_MAX; seat++) {
         entry.round.player[seat].caught = 10u + seat;
     }
-    entry.round.players = 0xb; /* The third player left. */
+    entry.round.players = 0xb; /* The bits are the players 0, 1 and 3, because player 2 left. */
     ranking_note(&ranking, &entry);
     assert_int_equal(ranking_place(&ranking, 0, RANK_DAY, 7, 3), 0);
     assert_int_equal(ranking_place(&ranking, 0, RANK_DAY, 7, 1), 1);
@@ -175,7 +175,8 @@ static void test_a_day_without_a_clock_lasts_until_the_next_start(void **state)
     play(3, 1, 0);
     assert_int_equal(best(RANK_DAY), 5);
     pass(LEDGER_BOOT, 2, 0);
-    assert_int_equal(best(RANK_DAY), 5); /* No round was played today. */
+    /* Without a round today, the score to beat is that of the earlier day. */
+    assert_int_equal(best(RANK_DAY), 5);
     play(2, 2, 0);
     assert_int_equal(best(RANK_DAY), 2);
     assert_int_equal(best(RANK_WEEK), 5);

@@ -29,7 +29,8 @@ static void test_a_fish_tipped_over_the_bowl_lands_and_counts_once(void **state)
         assert_int_equal(fixture.bowl.fish_count, fixture.landed);
         assert_int_equal(fixture.poi.carried_count, 0);
     }
-    assert_in_range(landed, 57, 60); /* A fish that thrashes may leave early. */
+    /* Up to three of the 60 fish may slip off before, because they thrash. */
+    assert_in_range(landed, 57, 60);
 }
 
 static void test_a_fish_lands_in_the_bowl_from_every_side(void **state)
@@ -134,8 +135,10 @@ static void test_a_fish_between_a_wall_and_a_pressing_ring_is_walled(void **stat
     (void)state;
     assert_true(is_walled(0.005f, 0.010f, 0.0f, 0.005f)); /* The ring is blocked, but the hand still
                                                              pushes. */
-    assert_true(is_walled(0.012f, 0.0f, 0.10f, 0.005f));  /* The ring has not reached the wall. */
-    assert_false(is_walled(0.005f, 0.0f, 0.0f, 0.005f));  /* The hand does not push. */
+    /* The ring is still 12 mm from the wall. */
+    assert_true(is_walled(0.012f, 0.0f, 0.10f, 0.005f));
+    /* The player does not push the ring against the wall. */
+    assert_false(is_walled(0.005f, 0.0f, 0.0f, 0.005f));
     assert_false(is_walled(0.005f, -0.02f, -0.1f, 0.005f));
     assert_false(is_walled(0.025f, 0.010f, 0.10f, 0.005f)); /* The ring is far from the wall. */
     assert_false(is_walled(0.005f, 0.010f, 0.10f, 0.030f)); /* The fish is far from the wall. */

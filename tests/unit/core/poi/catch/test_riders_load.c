@@ -34,7 +34,8 @@ static void test_a_surprised_fish_slaps_with_half_the_force(void **state)
     const float wild = fixture.poi.carried_fish[0].vigour;
     fixture_init(&fixture, 4, 1);
     fixture_dip(&fixture);
-    fixture_add_fish(&fixture, v3(0.0f, -0.045f, 0.005f), 0.045f); /* The fish rests. */
+    /* This fish rests, so the lift surprises it. */
+    fixture_add_fish(&fixture, v3(0.0f, -0.045f, 0.005f), 0.045f);
     fixture_move(&fixture, v3(0.0f, 0.06f, 0.0f), 0.18f);
     assert_int_equal(fixture.poi.carried_count, 1);
     assert_float_equal(fixture.poi.carried_fish[0].vigour, 0.55f * wild, 0.02f);

@@ -49,7 +49,8 @@ static void test_stress_beside_a_hole_rises_with_the_root_of_its_length(void **s
         cut(MIDDLE, 10u + i);
         assert_float_equal(factor_at(MIDDLE, 11u + i), factors[i], 1e-3f);
         assert_float_equal(factor_at(MIDDLE, 9u), factors[i], 1e-3f);
-        assert_float_equal(factor_at(MIDDLE, 16u), 0.0f, 0.0f); /* No hole is beside the cell. */
+        /* Without a neighbouring hole, the stress factor is 0. */
+        assert_float_equal(factor_at(MIDDLE, 16u), 0.0f, 0.0f);
     }
     plain(5);
     sheet.fibre_x = sheet.fibre_z = 0.70710678f;

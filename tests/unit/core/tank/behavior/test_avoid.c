@@ -51,7 +51,7 @@ static void test_both_fish_of_a_pair_get_the_same_random_draw(void **state)
     }
 }
 
-/* Returns the state that a fish shows to its partner while it avoids since `tick`. */
+/* Returns `party` with the avoidance state that the fish has after it followed `advice`. */
 static struct avoid_party giving_way(struct avoid_party party, const struct avoid_advice *advice)
 {
     struct fish fish = { WAKIN(party.length_m), .position_m = party.position_m };
@@ -109,7 +109,8 @@ static void test_the_fish_that_hits_from_the_side_passes_behind_in_90_percent(vo
         clear += pair.b.turn < 0.0f;  /* Fish b is hit on its left flank and turns right. */
     }
     assert_in_range(behind, 1720, 1880);
-    assert_int_equal(behind, clear); /* Both fish use one draw. */
+    /* Both fish derive their side from the same random number, so their choices agree. */
+    assert_int_equal(behind, clear);
 }
 
 static void test_only_the_follower_avoids_the_fish_ahead(void **state)

@@ -44,7 +44,7 @@ static void test_a_glide_decelerates_by_drag(void **state)
         for (uint32_t tick = from; tick < 84u; tick++) {
             swim(&fish, tick);
             const float s = (float)(tick + 1u - from) * CORE_TICK_S;
-            /* dv/dt = -v^2 / way */
+            /* Solution of dv/dt = -v^2 / way, the law by which drag slows the fish down. */
             const float wanted_m_s = start_m_s / (1.0f + start_m_s * s / way_m);
             assert_float_equal(fish.speed_m_s, wanted_m_s, 0.01f * start_m_s);
         }
@@ -100,7 +100,8 @@ static void turn(float angle_rad, float *lasts_s, float *radius_lengths)
     struct fish fish = pond_fish(0.05f, GAIT_SWIM);
     float first_s = 0.0f;
     fish.heading_rad = angle_rad;
-    fish.speed_m_s = 0.9f * fish.length_m; /* The speed is that after a glide. */
+    /* At the end of a glide a fish swims at 0.9 lengths per second. */
+    fish.speed_m_s = 0.9f * fish.length_m;
     *lasts_s = 0.0f;
     *radius_lengths = 100.0f;
     for (uint32_t tick = 0; tick < 84u; tick++) {

@@ -85,7 +85,7 @@ static struct trial start(struct fish fish, vec3 from_m, uint32_t index, uint32_
             trial.peak_s = s;
         }
         trial.slow_s = speed_m_s[tick % 4u] > 4.0f * LENGTH_M ? s : trial.slow_s;
-        if (tick == 12u) { /* The tick is 100 ms after the start. */
+        if (tick == 12u) { /* Tick 12 is 100 ms after the start. */
             const vec3 way = v3_sub(fish.position_m, at_m);
             trial.way_lengths = v3_length(way) / LENGTH_M;
             trial.away_lengths = v3_dot(way, away) / LENGTH_M;
@@ -113,8 +113,8 @@ static void test_three_of_four_starts_turn_and_move_away_from_the_stimulus(void 
     }
     print_message("turned away %.3f, led away %.3f\n", (double)turned / TRIALS,
                   (double)led / TRIALS);
-    assert_float_equal((float)turned / TRIALS, 0.77f, 0.02f); /* The value is from Mirjany et al.
-                                                                 2011. */
+    /* 77 % of the fish turn away from the stimulus (Mirjany et al. 2011). */
+    assert_float_equal((float)turned / TRIALS, 0.77f, 0.02f);
     assert_true((float)led / TRIALS > 0.70f && (float)led / TRIALS < 0.90f);
 }
 
@@ -134,7 +134,8 @@ static void test_stage_1_turns_the_head_60_to_120_degrees_within_17_ms(void **st
                   (double)mean, (double)least, (double)most, (double)(1e3f * latest_s));
     assert_true(least > 59.5f && most < 120.5f);
     assert_float_equal(mean, 90.0f, 1.5f);
-    assert_float_equal(latest_s, 2.0f * CORE_TICK_S, 1e-4f); /* The source states "about 20 ms". */
+    /* Eaton et al. 1977 give "about 20 ms" for the first stage. */
+    assert_float_equal(latest_s, 2.0f * CORE_TICK_S, 1e-4f);
 }
 
 static void test_a_start_bends_into_a_c_and_then_beyond_straight(void **state)

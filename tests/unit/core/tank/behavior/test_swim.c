@@ -165,8 +165,8 @@ static void test_turns_are_limited_by_the_gait_and_reach_their_goal(void **state
 {
     (void)state;
     check_turn(GAIT_REST, 0, 45.0f);
-    check_turn(GAIT_SWIM, 40u << 14, 180.0f); /* The fish is in a glide. */
-    check_turn(GAIT_SWIM, 0, 500.0f);         /* The fish is in a kick. */
+    check_turn(GAIT_SWIM, 40u << 14, 180.0f); /* These bits of `look` put the fish into a glide. */
+    check_turn(GAIT_SWIM, 0, 500.0f);         /* With `look` 0 the fish is in a kick. */
     check_turn(GAIT_BURST, 0, 720.0f);
 }
 
@@ -214,7 +214,8 @@ static void test_the_tail_beat_follows_the_true_speed(void **state)
     check_beat(0.0f, 0.5f);
     check_beat(1.05f, 1.75f);
     check_beat(3.99f, 6.65f);
-    check_beat(4.01f, 6.68f); /* The two laws join at this speed. */
+    /* At four lengths per second the law for slow fish meets the law for fast fish. */
+    check_beat(4.01f, 6.68f);
     check_beat(9.0f, 13.333f);
 }
 

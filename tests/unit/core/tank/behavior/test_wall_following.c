@@ -113,8 +113,8 @@ static void test_the_density_of_a_lone_fish_falls_with_the_distance_from_a_wall(
 static void test_the_wall_pull_falls_exponentially_and_ends_at_20_cm(void **state)
 {
     (void)state;
-    assert_float_equal(behavior_wall_pull(0.03f, 0.05f), 0.0f, 0.0f); /* The fish is parallel to the
-                                                                         wall. */
+    /* The fish is already beside the wall, so the wall attracts it no more. */
+    assert_float_equal(behavior_wall_pull(0.03f, 0.05f), 0.0f, 0.0f);
     assert_float_equal(behavior_wall_pull(0.19f, 0.05f) / behavior_wall_pull(0.10f, 0.05f),
                        f_exp(-1.0f), 1e-4f);
     assert_float_equal(behavior_wall_pull(0.201f, 0.05f), 0.0f, 0.0f);
@@ -129,8 +129,8 @@ static void test_a_wall_turns_headings_toward_itself_by_the_shorter_way(void **s
         struct fish fish = { WAKIN(0.05f), .gait = GAIT_SWIM,
                              .position_m = { 0.425f - 0.10f, -0.06f, 0.0f } };
         fish.heading_rad = (float)degrees * F_DEG;
-        const float off_rad = f_abs(f_wrap_angle(fish.heading_rad + 0.5f * F_PI)); /* The heading is
-                                                                                      +x. */
+        /* Angle between the heading and the direction +x, which has the yaw -90 degrees. */
+        const float off_rad = f_abs(f_wrap_angle(fish.heading_rad + 0.5f * F_PI));
         behavior_wall_follow(&fish, &around);
         assert_true(f_abs(f_wrap_angle(fish.heading_rad + 0.5f * F_PI)) < off_rad + 1e-6f);
         fish.heading_rad = (float)degrees * F_DEG;

@@ -395,7 +395,8 @@ static void test_a_sheet_gets_two_sides(void **state)
     snprintf(text, sizeof text, TETRA "g dorsal\n%sf 5 6 7\nf 7 6 5\n", fin);
     read_three(text); /* A sheet that is drawn with two sides keeps two sides. */
     assert_int_equal(near->index_count, 3 * (4 + 2));
-    snprintf(text, sizeof text, TETRA "%s", "f 1 3 2\n"); /* A body is not a sheet. */
+    /* A fin is a thin sheet with two sides, but the body of a fish has one side. */
+    snprintf(text, sizeof text, TETRA "%s", "f 1 3 2\n");
     read_three(text);
     assert_int_equal(near->index_count, 3 * 5);
 }

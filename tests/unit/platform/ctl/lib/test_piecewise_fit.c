@@ -31,7 +31,7 @@ static void ask_parabola(const void *self, float progress, float *values)
     values[0] = progress * progress;
 }
 
-/* The curve is flat, then steep from `*self`. */
+/* Curve for the test: flat up to the progress `*self`, and steep after it. */
 static void ask_corner(const void *self, float progress, float *values)
 {
     const float at = *(const float *)self;

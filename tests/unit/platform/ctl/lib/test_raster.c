@@ -9,7 +9,7 @@
 
 #define SIDE 32u
 
-/* A triangle of one colour. */
+/* Data of a triangle whose pixels all have the same colour. */
 struct flat {
     vec3 colour;
     float hides;

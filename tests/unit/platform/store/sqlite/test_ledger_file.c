@@ -297,7 +297,8 @@ static void test_only_changed_settings_are_stored(void **state)
     const struct ledger_entry volume = setting_entry(1, SET_VOLUME, 35);
     const struct ledger_entry seat = setting_entry(2, SET_CALIBRATION_END - 1, -12345);
     settings_reset(&memory.settings);
-    memory.settings.value[SET_PRICE] = 3; /* A configuration file can contain this value. */
+    /* The price 3 comes from a configuration file, not from the ledger. */
+    memory.settings.value[SET_PRICE] = 3;
     open_file();
     write_entry(&volume);
     write_entry(&seat);

@@ -153,7 +153,7 @@ static void test_the_lab_fish_stays_between_stage_and_ruler(void **state)
         const float *size = sizes[k % SIZE_COUNT];
         take((uint32_t)(k / SIZE_COUNT));
         core.game.lab.progress = 1.0f;
-        core.game.lab.path = 1; /* The fish stops moving. */
+        core.game.lab.path = 1; /* While the paths of points are shown, the fish does not swim. */
         core.game.lab.compare = k % 2u == 1u;
         lay_out(size[0], size[1]);
         const struct specimen *fish = &batch.specimens[0];
