@@ -24,10 +24,11 @@
 #include "core/morph/blend_lanes.h"
 
 #define VERTICES 1000u /* Number of vertices of one fish. */
-/* Number of vertices that have an anchor. The near fish have about as many in fins and eyes. */
+/* Number of vertices that are attached to an anchor, as those of fins and eyes are. The detailed
+ * meshes of the fish have about as many. */
 #define ANCHORED 400u
-/* Size of the arena in bytes, which is six times the last-level cache of the reference machine.
- * See `copied`. */
+/* Size of the arena, the memory for all fish, in bytes. The arena is six times as large as the
+ * last-level cache of the reference machine, so that the fish do not fit into the cache. */
 #define ARENA_SIZE ((size_t)192 << 20)
 #define ROUNDS 15u
 #define GOAL 0.5
@@ -93,8 +94,8 @@ static void pose_of(uint32_t key_count)
     }
 }
 
-/* Returns the seconds for `count` blends, which use the first `among` fish of the arena
- * repeatedly. If `single` is true, the vertices are blended one at a time, without SIMD. */
+/* Returns the time in seconds for `count` blends. The blends use the first `among` fish of the
+ * arena in turn. If `single` is true, the function blends one vertex at a time, without SIMD. */
 static double blend_s(uint32_t key_count, bool single, size_t count, size_t among)
 {
     const double begin = now_s();
@@ -140,8 +141,8 @@ static void keep_least(double *least, double ns)
     *least = ns < *least ? ns : *least;
 }
 
-/* Returns the least time of all rounds for each case, because other processes disturbed that round
- * least. */
+/* Returns the shortest time of all rounds for each case. In that round other processes disturbed
+ * the measurement least. */
 static struct measured measure(uint32_t key_count)
 {
     struct measured least = { 1e9, 1e9, 1e9, 1e9 };

@@ -51,8 +51,8 @@ static double tick_ms(uint32_t pressed)
     return now_ms() - began_ms;
 }
 
-/* Measures both ticks of one stall. START opens the championship immediately. Attract mode opens
- * the stall's own tank after a result. */
+/* Measures both ticks of one stall: the tick in which START opens the tank of the championship, and
+ * the tick in which attract mode opens the stall's own tank after the result. */
 static int measure(uint32_t seed, double *open_ms, double *back_ms)
 {
     const struct core_config config = { .seed = seed,

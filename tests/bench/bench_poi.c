@@ -70,7 +70,7 @@ struct state {
     float slap_n, body_n; /* Forces of each fish on the sheet, in N. 0 means that no fish lies
                              there. */
     uint8_t half_wet;
-    uint8_t only_tearing; /* 1 excludes the ticks in which no cell tears. */
+    uint8_t only_tearing; /* 1 if only the ticks count in which a cell tears. */
 };
 
 static void lay(const struct state *state, uint32_t seed, struct sheet *sheet)
@@ -98,8 +98,8 @@ static uint32_t load(const struct state *state, struct sheet_load loads[2u * FIS
     return 2u * FISH;
 }
 
-/* Measures one state on several sheet specimens in sequence. A new specimen replaces a specimen of
- * which little paper is left. */
+/* Measures one state of the paper. Whenever little paper is left, the measurement continues with a
+ * new sheet. */
 static double measure(const struct state *state)
 {
     static struct sheet sheet;

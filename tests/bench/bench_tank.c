@@ -27,8 +27,8 @@
 #define SAMPLES_MIN 8u
 #define MEASURE_NS 0.9e9 /* Measuring time for each number of fish. */
 #define WARM_NS 0.4e9
-/* Ticks of warm-up before a measurement. In these five seconds the order of the start
- * disappears. */
+/* Ticks of warm-up before a measurement. After these five seconds, the fish have left the regular
+ * order in which they start. */
 #define WARM_TICKS 600u
 /* Ticks between two clock readings. One of these ticks updates the broad phase. */
 #define BLOCK BROAD_PHASE_UPDATE_TICKS
@@ -75,7 +75,8 @@ static void row(const char *what, const char *name, uint32_t fish, uint32_t lane
     }
 }
 
-/* ---- Where a tick's time goes --------------------------------------------------------------- */
+/* ---- Time of the stages of a tick
+ * -------------------------------------------------------------- */
 
 enum stage { THINK, MOVE, WATCH, GRID, PAIRS, MEET, PART, SETTLE, AIR, STAGE_COUNT };
 static const char *const stage_name[STAGE_COUNT] = {
@@ -86,7 +87,8 @@ static double spent_ns[STAGE_COUNT], since_ns;
 static enum stage stage_now;
 static int is_timed;
 
-/* Starts to count time for `stage`. Returns the stage that time was counted for before. */
+/* Assigns the time from now on to `stage`. Returns the stage to which the time was assigned
+ * before. */
 static enum stage enter(enum stage stage)
 {
     const enum stage before = stage_now;
@@ -119,7 +121,7 @@ static enum stage enter(enum stage stage)
         return result;                                                                             \
     }
 
-/* bench.mk also names each wrapped function. */
+/* The list of wrapped functions in bench.mk must contain the same names. */
 WRAP(MOVE, swim_move_all, (const struct shoal *shoal, uint32_t lanes), (shoal, lanes))
 WRAP(WATCH, broad_phase_mark,
      (struct broad_phase * broad_phase, const struct fish *fish, uint32_t count),
@@ -541,8 +543,8 @@ static void print_table_4_2(void)
     }
 }
 
-/* Times measured on a machine of this kind at the density of the thesis with one thread. Each of
- * these programs only finds contacts or only steers. */
+/* Comparison values of other programs, measured on a similar machine with one thread at the fish
+ * density of the thesis. Each of these programs either only finds contacts or only steers. */
 static const struct {
     const char *name;
     double ns[3];

@@ -1,5 +1,5 @@
-/* league.c -- plans rounds from arms and seeds, plays them and prints the progress on standard
- * error. */
+/* league.c -- plans the rounds of a benchmark, plays them on all processor cores, and prints the
+ * progress on standard error. */
 #include "tests/bench/league.h"
 
 #include <errno.h>
@@ -34,14 +34,14 @@ uint32_t league_arm(struct league *league, const char *name, const struct round_
     }
     if (league->arm_count == LEAGUE_ARMS_MAX) {
         fprintf(stderr, "%s: more than %u arms\n", league->speaker, LEAGUE_ARMS_MAX);
-        abort(); /* The tables of the benchmarks have fewer arms. */
+        abort(); /* A benchmark never adds more than LEAGUE_ARMS_MAX arms. */
     }
     league->arms[league->arm_count] = (struct arm){ .name = name, .plan = *plan };
     return league->arm_count++;
 }
 
-/* Plans the rounds seed by seed through all arms, so that the remaining time can be estimated from
- * the rounds played. */
+/* Plans the rounds: first all arms with the first seed, then all arms with the second seed, and so
+ * on. With this order the remaining time can be estimated from the rounds played so far. */
 static struct round_plan *plan_all(const struct league *league)
 {
     struct round_plan *plans = calloc((size_t)league->seeds * league->arm_count, sizeof *plans);
@@ -52,7 +52,8 @@ static struct round_plan *plan_all(const struct league *league)
     return plans;
 }
 
-/* Reorders the results from seed order to arm order. */
+/* Sorts the results: first all seeds of the first arm, then all seeds of the second arm, and so
+ * on. */
 static struct round_result *sort_results(const struct league *league,
                                          const struct round_result *played)
 {

@@ -1,4 +1,5 @@
-/* league.h -- plays many rounds for a benchmark on all processor cores and reports the progress. */
+/* league.h -- plays many rounds for a benchmark on all processor cores, and reports the progress. A
+ * league has several arms, which are ways to play, and plays each arm with the same seeds. */
 #ifndef KINGYO_TESTS_BENCH_LEAGUE_H
 #define KINGYO_TESTS_BENCH_LEAGUE_H
 
@@ -10,7 +11,8 @@
 #define LEAGUE_SEEDS_MAX 2000u
 #define LEAGUE_ARMS_MAX 16u
 
-/* One way to play, which is played with each of the league's seeds. The league owns `results`. */
+/* An arm of a benchmark: one way to play, which is played with each seed of the league. The league
+ * owns `results`. */
 struct arm {
     const char *name;
     struct round_plan plan; /* Plan of the rounds. The league sets its seed. */

@@ -1,4 +1,5 @@
-/* statistics.c -- signed ranks, their exact distribution, and Student's t. */
+/* statistics.c -- computes Wilcoxon's signed-rank test with its exact distribution, and Student's t
+ * distribution. */
 #include "tests/bench/statistics.h"
 
 #include <math.h>
@@ -11,7 +12,9 @@
 struct ranked {
     double size; /* |difference| */
     int positive;
-    uint32_t twice; /* Rank of the difference, doubled, because a mean rank can be a half. */
+    /* Twice the rank of the difference. The rank is doubled because the mean of two ranks may end
+     * in one half. */
+    uint32_t twice;
 };
 
 static int by_size(const void *left, const void *right)
@@ -34,15 +37,17 @@ static uint32_t rank(const double *differences, uint32_t count, struct ranked *o
         for (end = first; end < kept && out[end].size <= out[first].size; end++) {
         }
         for (uint32_t i = first; i < end; i++) {
-            out[i].twice = first + 1u + end; /* The doubled rank is twice the mean of the ranks
-                                                first + 1 .. end. */
+            /* Equal differences share the mean of the ranks first + 1 .. end. The doubled mean is
+             * first + 1 + end. */
+            out[i].twice = first + 1u + end;
         }
     }
     return kept;
 }
 
-/* Computes share[s], the share of all sign assignments whose positive doubled ranks sum to s. Each
- * rank splits the assignments equally between those with it and those without it. */
+/* Computes the distribution of the rank sum if every sign of a difference is equally probable.
+ * share[s] is the fraction of all sign assignments whose positive doubled ranks sum to s. Each rank
+ * is positive in half of the assignments. */
 static void count_ways(const struct ranked *ranked, uint32_t count, double *share)
 {
     uint32_t sum = 0;

@@ -1,9 +1,9 @@
 /* statistics.h -- tests whether two ways to play differ in their catches with the same seeds.
  *
- * All functions are pure. Two methods that share no assumption answer two questions. The paired t
- * interval gives the size of the difference, because the mean of 200 differences is close to normal
- * for any distribution of the catches. Wilcoxon's signed-rank test shows whether any difference
- * exists. Its distribution is computed exactly and not approximated. */
+ * Two methods answer two questions. The paired t interval gives the size of the difference; the
+ * mean of 200 differences is close to normal for any distribution of the catches. Wilcoxon's
+ * signed-rank test shows whether there is any difference, and needs no normal distribution. Its
+ * distribution is computed exactly. The functions have no side effects. */
 #ifndef KINGYO_TESTS_BENCH_STATISTICS_H
 #define KINGYO_TESTS_BENCH_STATISTICS_H
 
@@ -26,8 +26,8 @@ struct comparison statistics_compare(const uint32_t *a, const uint32_t *b, uint3
 
 enum verdict { VERDICT_PAYS, VERDICT_NOT_SHOWN, VERDICT_WRONG_WAY, REPLAY_VERDICT_COUNT };
 
-/* Returns whether `a` caught more than `b`. The verdict is VERDICT_PAYS only if both the interval
- * and the ranks show it. The verdict is VERDICT_WRONG_WAY only if both show the opposite. */
+/* Returns whether `a` caught more than `b`. The result is VERDICT_PAYS only if the t interval and
+ * the signed ranks both show it, and VERDICT_WRONG_WAY only if both show the opposite. */
 enum verdict statistics_verdict(const struct comparison *found);
 
 /* Returns the two-sided p of the signed ranks of `count` differences, at most STATISTICS_PAIRS_MAX.
@@ -35,8 +35,8 @@ enum verdict statistics_verdict(const struct comparison *found);
  * the same weight. */
 double statistics_signed_rank_p(const double *differences, uint32_t count);
 
-/* Returns the value that |t| with `freedom` degrees of freedom does not exceed with probability
- * 0.95. `freedom` must be at least 1. */
+/* Returns the limit that the magnitude of Student's t, with `freedom` degrees of freedom, does not
+ * exceed with a probability of 0.95. `freedom` must be at least 1. */
 double statistics_t_95(uint32_t freedom);
 
 #endif

@@ -1,16 +1,17 @@
-/* technique.c -- checks that good technique catches more fish, in seven experiments with one habit
- * each.
+/* technique.c -- checks that good technique catches more fish. In each of seven experiments, two
+ * bots that differ in one habit play the same rounds.
  *
  * Usage: technique SEEDS BOTS OUT [FIRST]
  *
  * BOTS is the folder of the *.bot files. OUT is the folder of technique.tsv. FIRST is the first
  * seed, by default 0.
  *
- * All rounds are played in the festival with 300 fish, No. 6 paper and at most 60 s. Both arms of
- * an experiment play the same seeds, and so the same fish and the same paper. The advice of stall
- * keepers must show in the catches (tests/FIGURES.md lists the results). Returns exit
- * status 0 if all habits pay. With less than SEEDS_ENOUGH seeds, at least PAYS_MIN habits must pay
- * and none may be plainly wrong. Returns exit status 1 otherwise. */
+ * All rounds are played in the festival with 300 fish, No. 6 paper and at most 60 s. Both bots
+ * (arms) of an experiment play the same seeds, and so the same fish and the same paper. The habits
+ * are the advice of stall keepers (tests/FIGURES.md lists the results).
+ *
+ * Returns exit status 0 if all habits pay. With less than SEEDS_ENOUGH seeds, at least PAYS_MIN
+ * habits must pay, and no habit may be clearly worse. Returns exit status 1 otherwise. */
 #include <stdio.h>
 #include <string.h>
 
@@ -21,8 +22,8 @@
 #include "tests/bench/statistics.h"
 
 #define SEEDS_ENOUGH 200u
-/* Number of habits that must pay when only a tenth of the seeds is played. These effects are
- * large enough to show with few seeds. */
+/* Number of habits that must pay if only a tenth of the seeds is played. The effects of these
+ * habits are so large that few seeds show them. */
 #define PAYS_MIN 2u
 /* Significance level for a wrong result: 5 % for all seven experiments together, a seventh of that
  * for each. Without this correction one run in three with few seeds would report a wrong result by
@@ -36,7 +37,8 @@
 static const char speaker[] = "technique";
 
 static const struct experiment {
-    const char *better, *worse; /* Names of the two bot files. */
+    /* Names of the files of the two bots, of which the first must catch more. */
+    const char *better, *worse;
     const char *title;
 } experiments[] = {
     { "all-wet", "half-wet", "all wet over half wet" },
@@ -89,7 +91,8 @@ static enum exit_code add_experiment(struct league *league, const char *folder,
     return code;
 }
 
-/* ---- Judgement ------------------------------------------------------------------------------ */
+/* ---- Evaluation
+ * ------------------------------------------------------------------------------- */
 
 static void evaluate(const struct league *league, struct trial *trial)
 {

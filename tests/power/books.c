@@ -1,4 +1,5 @@
-/* books.c -- adds up ledger entries independently of the store and compares the sums. */
+/* books.c -- adds up ledger entries without any code of the store, and compares the sums with those
+ * of the store. */
 #include "tests/power/books.h"
 
 #include <stdio.h>

@@ -13,10 +13,10 @@
 
 #define BOOKS_WHY_SIZE 200u
 
-/* All sums of the entries 1 .. n. The sums are made entry by entry, and each struct starts as a
- * copy of the previous one. */
+/* All sums of the entries 1 to n. The sums for n + 1 begin as a copy of the sums for n, to which
+ * entry n + 1 is added. */
 struct books {
-    /* Totals that only this module counts. */
+    /* Totals of which the store has no counter. */
     uint32_t coins, services, rounds, caught, refunds;
     struct balance balance;
     struct ledger_stand stand; /* State of the open round. */

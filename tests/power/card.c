@@ -50,8 +50,8 @@ static struct buttons_sim buttons;
 static struct pointer_sim poi;
 static struct button_event events[EVENTS_MAX];
 
-/* Fills the script with coins for as long as the slot is open, and with START from time to time, as
- * a crowd does. */
+/* Fills the script with coins while the coin slot is open, and with START from time to time, as
+ * many visitors would. */
 static void fill_script(uint64_t begin_ns, uint64_t length_ns)
 {
     uint32_t count = 0;
@@ -93,8 +93,9 @@ static int open_stall(const char *folder, uint32_t mood_s)
 
 struct seen {
     uint64_t longest_ns, dropped;
-    double closed_s, open_s; /* Times at which the slot first closed and first opened again. A
-                                negative value means never. */
+    /* Times in seconds at which the coin slot closed for the first time and opened again. A
+     * negative value means never. */
+    double closed_s, open_s;
     uint32_t waiting_max, coins;
 };
 

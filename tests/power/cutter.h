@@ -1,5 +1,6 @@
-/* cutter.h -- cuts the power after each file operation of a tape in several ways. The store is
- * opened on the remaining files, and its loaded state is compared with the books. */
+/* cutter.h -- simulates a power cut after each file operation of a tape, in several ways. A tape is
+ * the recorded list of the file operations of a run (tape.h). After each cut the store opens the
+ * remaining files, and the test compares the loaded state with sums of its own (books.h). */
 #ifndef KINGYO_TESTS_POWER_CUTTER_H
 #define KINGYO_TESTS_POWER_CUTTER_H
 
@@ -13,7 +14,7 @@ struct tally {
     uint64_t cuts, second_cuts;
     uint64_t by_luck[DISK_LUCK_COUNT];
     uint64_t unopenable, lost, ghosts, differing, replays_lost, edits_lost;
-    uint64_t mornings;        /* Number of cuts after which the stall was played on (go_on.h). */
+    uint64_t mornings;        /* Number of cuts after which the test continued to play (go_on.h). */
     uint64_t tickets_missing; /* Number of tickets that the ledger had removed and whose pulse had
                                  not begun. */
     uint64_t ahead; /* Number of cuts after which more entries were on the disk than were reported
@@ -31,14 +32,16 @@ struct cutter {
     uint32_t seed, jobs;
 };
 
-/* State of the frame loop at the power cut: the newest numbers that were passed to the store, and
- * the newest numbers that were reported as committed. */
+/* What the kiosk had promised when the power was cut: the ids of the newest entry, replay and graph
+ * that were passed to the store (`kept`), and of the newest that the store had reported as
+ * committed (`acked`). */
 struct promise {
     uint32_t acked, kept, replay, edit_acked, edit_kept;
     uint32_t tickets; /* Number of tickets whose pulse had begun. */
 };
 
-/* Updates the promise if `op` is a mark. */
+/* Updates the promise if `op` is a mark, a note of the test between two file operations of the
+ * tape. */
 void cutter_update_promise(struct promise *promise, const struct tape_op *op);
 
 /* Opens the files that a cut left in `folder`, as the kiosk does at its next start, and counts each

@@ -189,7 +189,7 @@ static void lose(struct disk *disk, size_t index)
     disk->pending_count = left;
 }
 
-/* Removes the operations that a sync makes durable from the pending list. */
+/* A sync makes operations durable. Removes them from the list of pending operations. */
 static void make_safe(struct disk *disk, const struct tape_op *sync)
 {
     size_t left = 0;

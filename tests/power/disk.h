@@ -44,7 +44,9 @@ struct disk {
         char name[TAPE_NAME_SIZE];
         uint32_t file;
     } names[DISK_NAMES_MAX];
-    size_t *pending; /* Operations in time order that no sync has made durable. */
+    /* Operations that may be lost in a power cut, because no sync has made them durable. They are
+     * in time order. */
+    size_t *pending;
     size_t pending_count, pending_room;
 };
 

@@ -18,8 +18,8 @@ enum fault_call {
 #define FAULT_PLANS_MAX 4u
 #define FAULT_FOR_EVER UINT32_MAX
 
-/* One plan. All calls of the kinds in `calls` are counted together from 0, and `count` of them fail
- * from number `first` on. */
+/* Plan of failing calls. The plan counts all calls of the kinds in `calls` together, from 0. The
+ * calls number `first` to `first` + `count` - 1 fail. */
 struct fault_plan {
     uint32_t calls; /* Kinds of calls as a bit set of `1u << enum fault_call`. */
     uint32_t first, count;

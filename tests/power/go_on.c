@@ -1,4 +1,4 @@
-/* go_on.c -- plays on in a stall that was opened after a power cut. */
+/* go_on.c -- opens a stall after a power cut, continues to play, and checks the new entries. */
 #include "tests/power/go_on.h"
 
 #include <stdio.h>
@@ -46,8 +46,8 @@ static int is_kept(const struct books *before, const struct ledger_entry *entry)
            credits(&entry->balance) == credits(&before->balance);
 }
 
-/* Checks the first entries after the cut. The first entry is the start. The second entry ends the
- * round that was open, if a round was open. */
+/* Checks the first ledger entries after the cut. The first entry records the start of the kiosk. If
+ * a round was open at the cut, the second entry ends that round. */
 static int opens_well(const struct books *before, uint32_t last_id, char why[BOOKS_WHY_SIZE])
 {
     const struct ledger_entry *boot = &morning.entries[last_id + 1u], *end = boot + 1;
@@ -98,9 +98,10 @@ static int pays_tickets(const struct books *before, uint32_t last_id, char why[B
     return refuse(why, text);
 }
 
-/* Plays half a minute, which is long enough for the owed tickets. A ticket comes out only after the
- * store's thread has saved its entry. Frames take no time here. The thread may therefore be late on
- * a slow disk. The stall then plays on, with a pause in each frame, until the tickets are out. */
+/* Plays half a minute, which is long enough to dispense the owed tickets. A ticket comes out only
+ * after the store has saved its entry. The frames run without delay, so on a slow disk the store's
+ * thread may need more time. The function then pauses after each frame until the tickets are
+ * out. */
 static int play(const char *folder, const struct books *before, uint32_t last_id,
                 char why[BOOKS_WHY_SIZE])
 {

@@ -1,4 +1,4 @@
-/* hour.c -- draws the inputs of a crowd in front of the stall. */
+/* hour.c -- generates the random inputs of many visitors at a stall. */
 #include "tests/power/hour.h"
 
 #include <stdio.h>
@@ -103,7 +103,8 @@ static void land_fish(struct hour *hour)
     }
 }
 
-/* Writes the same entries as the menu and the name keyboard, without their pages. */
+/* Writes a ledger entry as the operator's menu does when the volume changes, without opening the
+ * menu. */
 static void turn_volume(struct hour *hour)
 {
     const int32_t value = 5 * (int32_t)(draw(hour, DRAW_VOLUME) / 7919u % 21u);

@@ -28,13 +28,13 @@ struct hour {
     uint32_t coins, services, rounds;    /* Coins, SERVICE presses and rounds that were
                                             generated, for comparison with the store. */
     uint32_t replay_taken_id;            /* Newest round whose replay the store has accepted. */
-    uint32_t haste;                      /* Factor of the rates of coins, SERVICE and START; 0
-                                            means 1. */
-    uint32_t edit_each_s;                /* Mean number of seconds between two saved graphs; 0
+    /* Factor by which coins, SERVICE and START come more often; 0 means 1. */
+    uint32_t haste;
+    uint32_t edit_each_s;             /* Mean number of seconds between two saved graphs; 0
                                             means that no graph is saved. */
-    uint32_t edit_number, edit_acked;    /* Newest graph that was passed to the store, and newest
+    uint32_t edit_number, edit_acked; /* Newest graph that was passed to the store, and newest
                                             committed graph. Graphs count from 1. */
-    uint32_t edit_first;                 /* Number of the graph before the store's graph 1. */
+    uint32_t edit_first;              /* Number of the graph before the store's graph 1. */
     uint8_t replay[HOUR_REPLAY_MAX];
     struct ledger_entry entries[HOUR_ENTRIES_MAX]; /* Entries indexed by their id. */
 };

@@ -1,4 +1,4 @@
-/* lives.c -- plays stalls with failing file calls and cuts their power. */
+/* lives.c -- plays stalls whose file calls fail, and cuts their power at random places. */
 #include "tests/power/lives.h"
 
 #include <stdio.h>
@@ -19,7 +19,7 @@
 #define PARTS_MAX 3u
 #define FRAMES 600u   /* Frames in a part, which are ten seconds. */
 #define HASTE 16u     /* Factor of the event rates, so that many entries fall into a part. */
-#define STARTS_MAX 3u /* Number of retries of a start that was refused. */
+#define STARTS_MAX 3u /* Number of times that a refused start of the store is retried. */
 #define CUTS_A_PART 6u
 #define BOOKS_MAX 1024u /* Largest number of entries in a life. */
 
@@ -36,8 +36,9 @@ struct life {
     uint32_t draws;
     char folder[PATH_SIZE], cut[PATH_SIZE];
     struct disk disk;
-    size_t stepped;         /* Number of tape operations that were applied to the disk. */
-    struct promise promise; /* Promises at the place `stepped`. */
+    size_t stepped; /* Number of tape operations that were applied to the disk. */
+    /* What the kiosk had promised after the first `stepped` operations (struct promise). */
+    struct promise promise;
     uint32_t edit_number;
 };
 
@@ -60,8 +61,8 @@ static void plan_faults(struct life *life)
     fault_begin(plans, count);
 }
 
-/* Adds up the entries after `known`, because the entries up to `known` were added up before. An id
- * that is used again continues from there. */
+/* Adds up the entries after `known`; the entries up to `known` are already in the sums. If the
+ * stall restarted and reused ids, the new entries replace the old ones. */
 static void add_up(uint32_t known)
 {
     for (uint32_t id = known + 1u; id <= hour.kept_id && id < BOOKS_MAX; id++) {

@@ -1,8 +1,8 @@
-/* lives.h -- plays short lives of a stall whose file calls fail as planned (fault.h).
- *
- * The stall plays, is killed or closed, and continues from the content of the page cache. After
- * each part the power is cut at several places. The remaining files are compared with the data that
- * was reported as committed. */
+/* lives.h -- plays short lives of a stall whose file calls fail as planned (fault.h). A life
+ * consists of several parts. A part ends with SIGKILL or with a close, and the next part continues
+ * with the files that the system's page cache holds. After each part, the test simulates power cuts
+ * at several places, and compares the remaining files with the data that was reported as
+ * committed. */
 #ifndef KINGYO_TESTS_POWER_LIVES_H
 #define KINGYO_TESTS_POWER_LIVES_H
 

@@ -21,7 +21,7 @@
 #include "tests/power/kiosk_tape.h"
 
 #define PLANS 3u
-/* Number of renames that a kiosk makes in some seconds, which are those of its backup. */
+/* Number of renames in the first seconds of a kiosk, which come from its backup. */
 #define RENAMES 2u
 #define STATUS_MAX 65536u
 

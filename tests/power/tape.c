@@ -32,9 +32,9 @@ static uint32_t file_of_fd[FD_MAX]; /* File number of each descriptor; 0 means a
                                        watched folder. */
 static uint8_t is_folder[FD_MAX]; /* 1 means the watched folder, and 2 means a folder within it. */
 static char folder_name[FD_MAX][TAPE_NAME_SIZE];
-static uint8_t is_index[FD_MAX]; /* 1 means the index of a write-ahead log. Writes to the index are
-                                    not recorded because no power cut preserves them, but the index
-                                    uses space. */
+/* 1 if the file is the index (-shm file) of SQLite's write-ahead log. The tape does not record
+ * writes to the index, because no power cut preserves it. The index still uses disk space. */
+static uint8_t is_index[FD_MAX];
 
 /* ---- The tape ------------------------------------------------------------------------------- */
 
@@ -276,7 +276,7 @@ static ssize_t write_at(int fd, const void *bytes, size_t size, off_t offset)
     if (is_refused(fd)) {
         return -1;
     }
-    /* The first sectors of a write that fails may be on the disk. */
+    /* If a write fails, a part of its data may still be on the disk. */
     const int error = file_of(fd) || is_ours(fd) ? tape_strikes(FAULT_PWRITE) : 0;
     const size_t reached = !error ? size : atomic_load(&is_dead) ? 0u : size / 1024u * 512u;
     pthread_mutex_lock(&pencil);

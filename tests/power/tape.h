@@ -84,8 +84,8 @@ extern int (*tape_other_write)(const void *bytes, size_t size);
 /* Returns the errno with which a call must fail now (fault.h), or 0. */
 int tape_strikes(enum fault_call call);
 
-/* Makes each call that would change the watched folder fail with EIO while `is_dead` is 1. The
- * files stay as SIGKILL would leave them, although the program closes its handles. */
+/* If `is_dead` is 1, each later call that would change the watched folder fails with EIO. The files
+ * then stay as SIGKILL would leave them, although the program still runs and closes its handles. */
 void tape_be_dead(int is_dead);
 
 /* Stops the recording of syncs, as with a card that ignores syncs or a store that never syncs. */

@@ -17,25 +17,28 @@
 #include "tests/vm/twin.h"
 
 #define PLAN_TICKS_MAX (20u * CORE_TICK_HZ)
-#define HOME_TICKS (CORE_TICK_HZ) /* Ticks for the way back to the rest place. */
+#define HOME_TICKS (CORE_TICK_HZ) /* Ticks in which the poi moves back to its rest place. */
 /* Ticks for which the poi stays after a fish has fallen into the bowl. */
 #define AFTER_TICKS (CORE_TICK_HZ / 2u)
-/* Time from the newest known tick to the first tick of the plan. */
+/* Time in seconds from the newest known tick to the first tick of the planned motion. The plan is
+ * computed in this time. */
 #define THINK_S 4.0
-#define DELIVERY_S 0.10 /* Part of THINK_S until the poi receives the plan. */
-#define TRIES_MAX 40u   /* Number of random trials for one moment of the stall. */
-/* Number of additional delays with which a path is simulated. */
+#define DELIVERY_S 0.10 /* Part of THINK_S that passes until the poi has received the plan, s. */
+/* Largest number of random scoops that are tried for one state of the stall. */
+#define TRIES_MAX 40u
+/* Each path is simulated once as planned and with this number of additional delays. */
 #define JITTERS 4u
 /* Time over which the speed of the stall's clock is measured. */
 #define PACE_S 4.0
 #define PACE_MIN 0.2
-/* Delay of a recording, which is at most a second and a frame. */
+/* Largest age of the newest recorded tick, s. A recording is written once a second, so its age is a
+ * second and a frame at most. */
 #define LATE_S 3.0
 
 struct plan {
     struct poi_target way[PLAN_TICKS_MAX + HOME_TICKS];
     uint32_t count;
-    uint32_t lands; /* Number of the JITTERS + 1 simulations that landed a fish. */
+    uint32_t lands; /* Number of simulations, of JITTERS + 1, in which the path landed a fish. */
 };
 
 /* Speed of the stall's clock. A guest that draws slowly drops ticks, and its fish are slow. */
@@ -48,7 +51,7 @@ struct pace {
 static struct twin twin;
 static struct pace pace = { .rate = 1.0 };
 static struct core copy;     /* The copy has a size of megabytes and does not fit on the stack. */
-static struct plan plans[2]; /* The best plan so far, and the plan in work. */
+static struct plan plans[2]; /* The best plan so far, and the plan that is being computed. */
 
 static double now_s(void)
 {

@@ -10,17 +10,19 @@
 #include "tests/vm/twin.h"
 #include "tests/unit/support/menu_tag.h"
 
-#define LOOK_NS 100000000 /* Poll period in ns. A recording grows once a second. */
+#define LOOK_NS                                                                                    \
+    100000000 /* Time between two readings of the recording, ns. A recording grows once a
+                             second. */
 
-static volatile sig_atomic_t told_to_end;
+static volatile sig_atomic_t must_end;
 
 static void on_signal(int number)
 {
     (void)number;
-    told_to_end = 1;
+    must_end = 1;
 }
 
-static void tell(FILE *file, const struct twin *twin)
+static void print_state(FILE *file, const struct twin *twin)
 {
     static const char *const buttons[] = { "start", "left",    "right", "ok",  "language",
                                            "test",  "service", "tilt",  "door" };
@@ -58,7 +60,7 @@ static void tell(FILE *file, const struct twin *twin)
 
 /* Writes the file under a temporary name and renames it, so that the reader gets a complete
  * file. */
-static int tell_to(const char *path, const struct twin *twin)
+static int write_state(const char *path, const struct twin *twin)
 {
     char part[512];
     snprintf(part, sizeof part, "%s.new", path);
@@ -66,7 +68,7 @@ static int tell_to(const char *path, const struct twin *twin)
     if (!file) {
         return 0;
     }
-    tell(file, twin);
+    print_state(file, twin);
     return fclose(file) == 0 && rename(part, path) == 0;
 }
 
@@ -83,11 +85,11 @@ int main(int argc, char **argv)
     twin.path = argv[1];
     for (;;) {
         const int more = twin_follow(&twin);
-        if (more != 0 && !tell_to(argv[2], &twin)) {
+        if (more != 0 && !write_state(argv[2], &twin)) {
             perror(argv[2]);
             return 74;
         }
-        if (more < 0 || (more == 0 && told_to_end)) {
+        if (more < 0 || (more == 0 && must_end)) {
             return more < 0 ? 65 : 0;
         }
         nanosleep(&rest, NULL);

@@ -24,13 +24,14 @@
 
 #define PATH_SIZE 256
 #define LOOK_MS 10.0
-/* Limit of pulses on a machine that never generates the required length. */
+/* Largest number of generated pulses. The limit ends the program on a machine that never produces
+ * the required pulse length. */
 #define PULSES_MAX 100000u
 
 struct pulses {
     double width_ms, rest_ms, min_ms, max_ms;
     uint32_t count, shorter, longer;
-    double narrowest_ms, widest_ms; /* Shortest and longest of the pulses that count. */
+    double narrowest_ms, widest_ms; /* Lengths of the shortest and of the longest accepted pulse. */
 };
 
 static double now_ms(void)
@@ -100,7 +101,7 @@ static int is_high(const char *path)
 
 /* Writes the file under a temporary name and renames it, so that the reader gets a complete
  * file. */
-static void tell(const char *path, uint32_t count)
+static void write_count(const char *path, uint32_t count)
 {
     char part[PATH_SIZE];
     snprintf(part, sizeof part, "%s.new", path);
@@ -115,23 +116,23 @@ static void tell(const char *path, uint32_t count)
 static struct {
     char path[PATH_SIZE];
     pthread_mutex_t lock;
-    double looked_ms; /* Start time of the last accepted poll. */
+    double polled_ms; /* Time at which the last processed poll began. */
     int was_high;
     _Atomic uint32_t rises;
 } seen = { .lock = PTHREAD_MUTEX_INITIALIZER, .was_high = 1 };
 
-/* Accepts the level of a poll. A thread whose processor stood still reports an outdated level. A
- * poll that began before a newer accepted poll is therefore ignored, because otherwise one pulse
- * would be counted twice. */
-static void believe(double looked_ms, int high)
+/* Processes the level that a thread has polled. A thread whose processor stood still reports an old
+ * level. Therefore the function ignores a poll that began before a newer poll that was already
+ * processed. Otherwise one pulse could be counted twice. */
+static void process_level(double polled_ms, int high)
 {
     pthread_mutex_lock(&seen.lock);
-    if (looked_ms >= seen.looked_ms) {
+    if (polled_ms >= seen.polled_ms) {
         if (high && !seen.was_high) {
             atomic_fetch_add(&seen.rises, 1);
         }
         seen.was_high = high;
-        seen.looked_ms = looked_ms;
+        seen.polled_ms = polled_ms;
     }
     pthread_mutex_unlock(&seen.lock);
 }
@@ -144,8 +145,8 @@ static void *look(void *self)
     CPU_SET((size_t)processor, &only);
     sched_setaffinity(0, sizeof only, &only);
     for (;; wait_ms(LOOK_MS)) {
-        const double looked_ms = now_ms();
-        believe(looked_ms, is_high(seen.path));
+        const double polled_ms = now_ms();
+        process_level(polled_ms, is_high(seen.path));
     }
     return NULL;
 }
@@ -164,7 +165,7 @@ __attribute__((noreturn)) static void count_rises(const char *wire, const char *
     for (uint32_t told = UINT32_MAX;; wait_ms(10.0 * LOOK_MS)) {
         const uint32_t rises = atomic_load(&seen.rises);
         if (rises != told) {
-            tell(out, told = rises);
+            write_count(out, told = rises);
         }
     }
 }

@@ -55,8 +55,8 @@ int twin_follow(struct twin *twin)
     struct input input = { 0 };
     const uint32_t before = twin->ticks;
     if (twin->differs_at || replay_open(&twin->reader, twin->path)) {
-        return twin->differs_at ? -1 : 0; /* The recording does not exist or is being written. It
-                                             will be complete at a later call. */
+        /* The recording does not exist yet, or the kiosk is writing it. A later call reads it. */
+        return twin->differs_at ? -1 : 0;
     }
     if (!begin(twin) || !skip_known(twin, &input)) {
         replay_close(&twin->reader);

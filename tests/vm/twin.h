@@ -31,9 +31,10 @@ struct twin {
     uint8_t was_live, begun;
 };
 
-/* Takes the new ticks of the recording. Returns 1 if new ticks were taken, and 0 if the recording
- * has nothing new or is incomplete. Returns -1 if the recording differs from this core (differs_at)
- * or is invalid. The caller starts with a zeroed twin that has a path. */
+/* Runs the new ticks of the recording on the twin's core. Returns 1 if there were new ticks, and 0
+ * if the recording has nothing new or is incomplete. Returns -1 if the recording is invalid or its
+ * ticks differ from those of this core (differs_at). The caller passes a twin whose members are 0
+ * except `path`. */
 int twin_follow(struct twin *twin);
 
 /* Runs one tick of any core with the caller's input, to simulate a possible future. */

@@ -1,4 +1,5 @@
-/* device.c -- the hand on each input device, and its reports. */
+/* device.c -- moves the hand of a simulated player, and makes the reports of the input device in
+ * that hand. */
 #include "tests/bench/players/device.h"
 
 #include <string.h>
@@ -13,22 +14,25 @@
 /* Time in which the hand reaches its speed. The hand slows down within the same time. */
 #define EASE_S 0.10f
 #define HEIGHT_EASE_S 0.08f
-/* Speed on the screen that the thumb wants for each pixel of distance from the goal. */
+/* Gain of the thumb on a stick: intended speed of the ring on the screen, in pixels per second, per
+ * pixel of distance from the goal. */
 #define STICK_PER_S 3.0f
 #define PX_PER_M 1800.0f /* Mean size of a metre of the tank on the screen. */
 #define STICK_FULL 32767.0f
 #define TIP_RAD (60.0f * F_DEG) /* Roll of a physical poi over the bowl. */
 #define TIP_RAD_S (150.0f * F_DEG)
-#define TIP_RISE_M 0.075f  /* Height that the poi gains while it is tipped. */
-#define TREMOR_HZ 8u       /* Random points of a tremor per second, joined by lines. */
+#define TIP_RISE_M 0.075f /* Height that the poi gains while it is tipped. */
+/* A tremor moves along straight lines between random points. This is the number of points per
+ * second. */
+#define TREMOR_HZ 8u
 #define POI_HOVER_M 0.045f /* Height of a physical poi above the water. */
 
-/* Moves the hand toward the wish, with limited speed and without jerks. */
-static void move_hand(struct device *device, const struct player_wish *wish)
+/* Moves the hand toward the place in `command`, with limited speed and acceleration. */
+static void move_hand(struct device *device, const struct player_command *command)
 {
-    const float dx = wish->x_px - device->x_px, dy = wish->y_px - device->y_px;
+    const float dx = command->x_px - device->x_px, dy = command->y_px - device->y_px;
     const float gap_px = f_sqrt(dx * dx + dy * dy);
-    const float pace_px_s = f_min(wish->speed_px_s, gap_px / EASE_S);
+    const float pace_px_s = f_min(command->speed_px_s, gap_px / EASE_S);
     const float share = FRAME_S / (FRAME_S + 0.5f * EASE_S);
     const float unit = gap_px > 1e-3f ? pace_px_s / gap_px : 0.0f;
     device->pace_x_px_s += (unit * dx - device->pace_x_px_s) * share;
@@ -41,9 +45,9 @@ static void move_hand(struct device *device, const struct player_wish *wish)
 
 /* Sends the state of the mouse. The wheel turns by whole notches, one per frame. Pixels are whole
  * numbers. */
-static void send_mouse(struct device *device, const struct player_wish *wish)
+static void send_mouse(struct device *device, const struct player_command *command)
 {
-    const float turn = f_clamp(wish->tilt_notches - device->notches, -1.0f, 1.0f);
+    const float turn = f_clamp(command->tilt_notches - device->notches, -1.0f, 1.0f);
     device->notches += turn;
     device->pointer_reports[0] = (struct pointer_report){
         .time_ns = device->clock->now_ns,
@@ -51,7 +55,7 @@ static void send_mouse(struct device *device, const struct player_wish *wish)
         .y_px = f_floor(device->y_px + 0.5f),
         .width_px = (uint32_t)PLAYER_WIDTH_PX,
         .height_px = (uint32_t)PLAYER_HEIGHT_PX,
-        .buttons = wish->dips ? (uint32_t)POINTER_DIP : 0u,
+        .buttons = command->dips ? (uint32_t)POINTER_DIP : 0u,
         .wheel_notches = turn,
     };
     device->pointer.feed.count = 1;
@@ -69,14 +73,14 @@ static void add_touch(struct device *device, uint8_t kind, int64_t finger)
     };
 }
 
-static void send_touch(struct device *device, const struct player_wish *wish)
+static void send_touch(struct device *device, const struct player_command *command)
 {
     device->pointer.feed.count = 0;
     add_touch(device, device->finger_down ? TOUCH_MOVE : TOUCH_DOWN, 1);
     device->finger_down = true;
-    if (wish->dips != device->dips) {
-        add_touch(device, wish->dips ? TOUCH_DOWN : TOUCH_UP, 2);
-        device->dips = wish->dips;
+    if (command->dips != device->dips) {
+        add_touch(device, command->dips ? TOUCH_DOWN : TOUCH_UP, 2);
+        device->dips = command->dips;
     }
 }
 
@@ -96,19 +100,19 @@ static float deflection_of(float share)
     return share > 1e-3f ? f_clamp(dead + (1.0f - dead) * push, 0.0f, 1.0f) : 0.0f;
 }
 
-/* The thumb pushes the stick toward the goal, with a speed in proportion to the distance that the
- * player sees. */
-static void send_gamepad(struct device *device, const struct player_wish *wish)
+/* The thumb pushes the stick toward the goal. The farther the ring is from the goal on the screen,
+ * the harder is the push. */
+static void send_gamepad(struct device *device, const struct player_command *command)
 {
     struct gamepad_report *report = &device->gamepad_reports[0];
-    const float full_m_s = wish->dips ? STICK_MOTION_WATER_M_S : STICK_MOTION_AIR_M_S;
-    const float dx = wish->x_px - wish->ring_x_px, dy = wish->y_px - wish->ring_y_px;
+    const float full_m_s = command->dips ? STICK_MOTION_WATER_M_S : STICK_MOTION_AIR_M_S;
+    const float dx = command->x_px - command->ring_x_px, dy = command->y_px - command->ring_y_px;
     const float gap_px = f_sqrt(dx * dx + dy * dy);
-    const float pace_px_s = f_min(wish->speed_px_s, STICK_PER_S * gap_px);
+    const float pace_px_s = f_min(command->speed_px_s, STICK_PER_S * gap_px);
     const float push = deflection_of(f_min(pace_px_s / (PX_PER_M * full_m_s), 1.0f));
     *report = (struct gamepad_report){
         .time_ns = device->clock->now_ns,
-        .buttons = wish->dips ? (uint32_t)GAMEPAD_SOUTH : 0u,
+        .buttons = command->dips ? (uint32_t)GAMEPAD_SOUTH : 0u,
     };
     if (gap_px > 1.0f) {
         report->axis[GAMEPAD_LEAD_X] = (int16_t)(STICK_FULL * push * dx / gap_px);
@@ -121,7 +125,8 @@ static void send_gamepad(struct device *device, const struct player_wish *wish)
 
 static float tremor_m(const struct device *device, uint32_t axis)
 {
-    const uint32_t span = 2u * PLAYER_HZ / TREMOR_HZ; /* Reports between two random points. */
+    /* Number of reports between two random points of the tremor. */
+    const uint32_t span = 2u * PLAYER_HZ / TREMOR_HZ;
     const struct rng_key from = { device->seed, device->report_count / span, axis, RNG_BOT_TREMOR };
     const struct rng_key to = { from.seed, from.tick + 1u, axis, RNG_BOT_TREMOR };
     const float share = (float)(device->report_count % span) / (float)span;
@@ -136,20 +141,20 @@ static float approach(float from, float to, float step)
 
 /* The ring stays on the line of sight through the hand's place on the screen, as the ring of a
  * mouse does, but the player sets its height and its angles. */
-static void send_poi(struct device *device, const struct player_wish *wish)
+static void send_poi(struct device *device, const struct player_command *command)
 {
     const struct habits *habits = device->habits;
     const float dt_s = 0.5f * FRAME_S;
-    const float goal_m = wish->dips ? DIP_DEPTH_M : POI_HOVER_M;
-    const float most_m_s = wish->dips ? habits->dip_m_s : habits->lift_m_s;
+    const float goal_m = command->dips ? DIP_DEPTH_M : POI_HOVER_M;
+    const float most_m_s = command->dips ? habits->dip_m_s : habits->lift_m_s;
     const float pace_m_s =
         f_clamp((goal_m - device->height_m) / HEIGHT_EASE_S, -most_m_s, most_m_s);
-    const bool goes_down = wish->dips && device->height_m > 0.6f * DIP_DEPTH_M;
+    const bool goes_down = command->dips && device->height_m > 0.6f * DIP_DEPTH_M;
     device->climb_m_s += (pace_m_s - device->climb_m_s) * (dt_s / (dt_s + 0.5f * HEIGHT_EASE_S));
     device->height_m += device->climb_m_s * dt_s;
     device->pitch_rad =
         approach(device->pitch_rad, goes_down ? -habits->entry_rad : 0.0f, TIP_RAD_S * dt_s);
-    device->roll_rad = approach(device->roll_rad, wish->tips ? TIP_RAD : 0.0f, TIP_RAD_S * dt_s);
+    device->roll_rad = approach(device->roll_rad, command->tips ? TIP_RAD : 0.0f, TIP_RAD_S * dt_s);
     const float height_m = device->height_m + TIP_RISE_M * f_sin(device->roll_rad);
     const vec3 place_m =
         view_point_on_plane(&device->view, PLAYER_WIDTH_PX / PLAYER_HEIGHT_PX,
@@ -209,24 +214,24 @@ struct hal_poi device_poi(struct device *device)
     }
 }
 
-void device_frame(struct device *device, const struct player_wish *wish)
+void device_frame(struct device *device, const struct player_command *command)
 {
     const uint64_t end_ns = device->clock->now_ns + FRAME_NS;
-    move_hand(device, wish);
+    move_hand(device, command);
     if (device->habits->device == PLAYER_POI) {
-        send_poi(device, wish);
+        send_poi(device, command);
         device->clock->now_ns += FRAME_NS / 2u;
-        send_poi(device, wish);
+        send_poi(device, command);
         device->clock->now_ns = end_ns;
         return;
     }
     device->clock->now_ns = end_ns;
     device->pointer.feed.next = device->gamepad.feed.next = 0;
     if (device->habits->device == PLAYER_MOUSE) {
-        send_mouse(device, wish);
+        send_mouse(device, command);
     } else if (device->habits->device == PLAYER_FINGER) {
-        send_touch(device, wish);
+        send_touch(device, command);
     } else if (device->habits->device == PLAYER_GAMEPAD) {
-        send_gamepad(device, wish);
+        send_gamepad(device, command);
     }
 }

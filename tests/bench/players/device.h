@@ -1,8 +1,8 @@
-/* device.h -- the input device of a simulated player: turns what the player does into raw reports,
- * which pass through the real decoder of the device (drivers/sim).
+/* device.h -- the input device of a simulated player: converts the actions of the player to raw
+ * reports, which pass through the real decoder of the device (drivers/sim).
  *
  * Mouse, finger and game pad report once per frame. Kingyo's poi controller reports twice per
- * frame. The speed of the hand and the acceleration of its motion are limited. */
+ * frame. The speed and the acceleration of the hand are limited. */
 #ifndef KINGYO_TESTS_BENCH_PLAYERS_DEVICE_H
 #define KINGYO_TESTS_BENCH_PLAYERS_DEVICE_H
 
@@ -46,6 +46,6 @@ void device_init(struct device *device, const struct habits *habits, struct cloc
 struct hal_poi device_poi(struct device *device);
 
 /* Advances the clock by one frame and sends the reports of the frame. */
-void device_frame(struct device *device, const struct player_wish *wish);
+void device_frame(struct device *device, const struct player_command *command);
 
 #endif

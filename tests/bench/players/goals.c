@@ -1,4 +1,5 @@
-/* goals.c -- the table of the targets, and their check. */
+/* goals.c -- the table of the targets that the catches of the simulated players must reach, and the
+ * comparison with the catches. */
 #include "tests/bench/players/goals.h"
 
 #include <stdio.h>
@@ -6,8 +7,8 @@
 
 #include "platform/ctl/play/rounds.h"
 
-/* Relation to the player `careful` with the same seeds. A difference counts only if the paired
- * statistics show it. */
+/* Required relation of a player's catches to those of the player `careful` with the same seeds.
+ * Only statistically significant differences of the pairs count. */
 enum relation { RELATION_NONE = 0, RELATION_NOT_WORSE, RELATION_BETTER };
 #define REFERENCE "careful"
 
@@ -68,7 +69,7 @@ static const struct score *find_score(const struct score *scores, uint32_t count
     return NULL;
 }
 
-/* Prints a missed target. Returns 1 if the target is missed. */
+/* If `is_missed` is true, prints the target that was missed and returns 1. Otherwise returns 0. */
 static uint32_t miss(bool is_missed, const char *player, const char *what, double found,
                      double wanted)
 {

@@ -1,4 +1,5 @@
-/* habits.c -- the table of the simulated players, one row each. */
+/* habits.c -- the table of the simulated players. Each row holds the habits of one player as
+ * numbers. */
 #include "tests/bench/players/sim_player.h"
 
 /* Habits of a person who has learned the technique: dips beside a slow small fish near the surface,
@@ -39,11 +40,11 @@ const struct habits sim_player_table[] = {
         .rise_s = 0.75f, .carry_px_s = 800.0f,
     },
     { .name = "careful", CAREFUL },
-    /* Follows the hint on the screen and turns the wheel away from the body, which raises the far
-     * edge. This tilt reduces the slant of the dip. */
+    /* A player who follows the hint on the screen: turns the wheel away from the body, which raises
+     * the far edge of the ring. This tilt makes the dip less slanted. */
     { .name = "careful-tilt", CAREFUL, .tilt_notches = 1.0f },
-    /* Knows the direction in which the tilt adds to the slant of the dip, and levels the ring under
-     * water. */
+    /* A player who tilts the ring in the direction that makes the dip more slanted, and levels the
+     * ring under water. */
     { .name = "careful-slant", CAREFUL, .tilt_notches = -3.0f, .levels = true },
     {
         .name = "plunges",

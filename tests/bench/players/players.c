@@ -42,10 +42,12 @@ struct league_hall {
     const struct player_options *options;
     const struct habits *players[PLAYERS_MAX];
     uint32_t player_count;
-    struct player_round *rounds; /* One row of `options->seeds` rounds for each player. */
+    struct player_round *rounds; /* Results: for each player, `options->seeds` rounds in a row. */
     struct progress progress;
     pthread_mutex_t lock;
-    uint32_t next; /* Index of the next round, seed by seed through all players. */
+    /* Index of the next round to be played. All players play the first seed, then all play the
+     * second seed, and so on. */
+    uint32_t next;
     bool failed;
 };
 

@@ -11,10 +11,11 @@
 #include "drivers/null.h"
 #include "platform/cpu.h"
 
-/* Longest round with its countdown and a margin. */
+/* Upper limit for the frames of a round, including the countdown and a reserve. */
 #define ROUND_FRAMES_MAX ((ROUND_LENGTH_S + 60u) * PLAYER_HZ)
 #define START_FRAMES PLAYER_HZ /* START is pressed once per second until a round begins. */
-#define DRY_SHARE 0.02f        /* Immersed share of the disc below which the ring is in air. */
+/* If a smaller fraction of the ring is under water, the ring counts as in the air. */
+#define DRY_SHARE 0.02f
 
 const char *const round_tear_names[TEAR_CAUSE_COUNT] = {
     "dip", "glide", "lift", "air", "slap", "body",
@@ -25,7 +26,8 @@ const char *const round_attempt_names[ATTEMPT_END_COUNT] = {
 
 /* ---- Tears ----------------------------------------------------------------------------------- */
 
-/* Returns the highest tension that a range of loads causes beside its patches. */
+/* Returns the highest tension, N/m, that the loads number `from` to `to` - 1 cause in the paper
+ * around the places where they act. */
 static float patch_tension_n_m(const struct poi *poi, uint32_t from, uint32_t to)
 {
     float most = 0.0f;
@@ -81,7 +83,7 @@ static void observe_paper(struct player_round *result, const struct core *core)
 
 /* ---- Flights --------------------------------------------------------------------------------- */
 
-/* Returns the outcome if the lift fails that begins now. */
+/* Returns the outcome of the attempt if the lift that begins now does not bring up the fish. */
 static uint8_t outcome_at_lift(const struct core *core, uint32_t fish)
 {
     const vec3 at_m = core->world.tank.fish[fish].position_m;
@@ -90,7 +92,8 @@ static uint8_t outcome_at_lift(const struct core *core, uint32_t fish)
     return !is_over ? ATTEMPT_AWAY : off.y > 0.0f ? ATTEMPT_SLIPPED : ATTEMPT_BELOW;
 }
 
-/* Records that the chosen fish began an escape. */
+/* Records that the chosen fish began to escape, with the cause and with the distance and speed of
+ * the ring. */
 static void observe_flight(struct round_seat *seat, const struct core *core,
                            const struct fish *prey)
 {
@@ -227,12 +230,12 @@ bool round_play(struct round_seat *seat, const struct habits *habits, uint8_t le
         return false;
     }
     struct kiosk *kiosk = &seat->kiosk;
-    struct player_wish wish = seat->player.wish;
+    struct player_command command = seat->player.command;
     for (uint32_t i = 0; i < ROUND_FRAMES_MAX; i++) {
         const uint8_t before = kiosk->core.game.phase;
         const bool is_idle = before == PHASE_ATTRACT || before == PHASE_MODE_SELECT;
         kiosk->input.pressed = is_idle && i % START_FRAMES == START_FRAMES / 2u ? INPUT_START : 0;
-        device_frame(&seat->device, &wish);
+        device_frame(&seat->device, &command);
         if (kiosk_frame(kiosk, &seat->hal) != KIOSK_RUNS) {
             return false;
         }
@@ -242,7 +245,7 @@ bool round_play(struct round_seat *seat, const struct habits *habits, uint8_t le
         }
         if (!seat->is_bot) {
             sim_player_see(&kiosk->scene, &seat->sight);
-            wish = sim_player_frame(&seat->player, &seat->sight);
+            command = sim_player_frame(&seat->player, &seat->sight);
         }
     }
     return false;

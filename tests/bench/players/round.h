@@ -58,7 +58,8 @@ struct player_round {
     double flight_s, flight_m, flight_above_m, flight_m_s;
 };
 
-/* State of one worker. The structure is too large for a stack. */
+/* State of one worker thread, which plays one round at a time. The struct is too large for a
+ * stack. */
 struct round_seat {
     struct kiosk kiosk;
     struct clock_sim clock;

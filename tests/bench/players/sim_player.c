@@ -1,5 +1,5 @@
 /* sim_player.c -- the state machine of a simulated player. Each state has one function, which sets
- * the wish and returns the next state. */
+ * the command to the input device and returns the next state. */
 #include "tests/bench/players/sim_player.h"
 
 #include "core/base/panic.h"
@@ -7,7 +7,8 @@
 #include "core/view.h"
 #include "drivers/pointer/pointer_poi.h"
 
-/* Frames between the two sights from which the speed of a fish is estimated. */
+/* The player estimates the speed of a fish from two pictures that are this number of frames
+ * apart. */
 #define SPEED_FRAMES 6u
 /* Smallest distance of a chosen fish from a wall and from the rim of the bowl. */
 #define WALL_ROOM_M 0.05f
@@ -50,7 +51,7 @@ void sim_player_see(const struct scene *scene, struct sight *sight)
     }
 }
 
-/* Returns the sight of `frames` frames ago, or the oldest one. */
+/* Returns what the screen showed `frames` frames ago, or the oldest picture in the buffer. */
 static const struct sight *sight_before(const struct sim_player *player, uint32_t frames)
 {
     const uint32_t seen = player->frame - 1u;
@@ -64,7 +65,8 @@ static uint32_t reaction_frames(const struct sim_player *player)
     return (uint32_t)(player->habits->reaction_s * (float)PLAYER_HZ + 0.5f);
 }
 
-/* Returns the picture on which the player acts. */
+/* Returns the picture on which the player acts, which is older than the present picture by the
+ * player's reaction time. */
 static const struct sight *seen_by(const struct sim_player *player)
 {
     return sight_before(player, reaction_frames(player));
@@ -153,8 +155,8 @@ static uint16_t choose_fish(const struct sim_player *player)
 static uint8_t tick_choose(struct sim_player *player)
 {
     const struct habits *habits = player->habits;
-    player->wish.dips = player->wish.tips = false;
-    player->wish.speed_px_s = 0.0f;
+    player->command.dips = player->command.tips = false;
+    player->command.speed_px_s = 0.0f;
     if (state_s(player) < habits->pause_s) {
         return PLAYER_CHOOSE;
     }
@@ -175,12 +177,12 @@ static uint8_t tick_choose(struct sim_player *player)
 /* Aims at the chosen fish, `beside_px` beside it. */
 static void aim_at_prey(struct sim_player *player, float beside_px, float speed_px_s)
 {
-    struct player_wish *wish = &player->wish;
+    struct player_command *command = &player->command;
     const vec3 goal_m = fish_now_m(player, player->prey);
-    sim_player_to_screen(&player->view, goal_m, &wish->x_px, &wish->y_px);
-    wish->x_px += player->error_x_px + player->side * beside_px;
-    wish->y_px += player->error_y_px;
-    wish->speed_px_s = speed_px_s;
+    sim_player_to_screen(&player->view, goal_m, &command->x_px, &command->y_px);
+    command->x_px += player->error_x_px + player->side * beside_px;
+    command->y_px += player->error_y_px;
+    command->speed_px_s = speed_px_s;
 }
 
 static uint8_t tick_reach(struct sim_player *player)
@@ -191,10 +193,10 @@ static uint8_t tick_reach(struct sim_player *player)
         return PLAYER_CHOOSE;
     }
     aim_at_prey(player, habits->beside_px, habits->arm_px_s);
-    player->wish.tilt_notches = habits->tilt_notches;
+    player->command.tilt_notches = habits->tilt_notches;
     float x_px, y_px;
     sim_player_to_screen(&player->view, seen->ring_m, &x_px, &y_px);
-    const float dx = x_px - player->wish.x_px, dy = y_px - player->wish.y_px;
+    const float dx = x_px - player->command.x_px, dy = y_px - player->command.y_px;
     const bool is_there = dx * dx + dy * dy < habits->reach_px * habits->reach_px;
     const bool is_calm = habits->calm_m_s <= 0.0f ||
                          v3_length(fish_velocity_m_s(player, player->prey)) < habits->calm_m_s;
@@ -228,8 +230,8 @@ static uint8_t tick_still(struct sim_player *player)
 {
     const struct habits *habits = player->habits;
     float gap_px = 0.0f;
-    player->wish.dips = true;
-    player->wish.speed_px_s = 0.0f;
+    player->command.dips = true;
+    player->command.speed_px_s = 0.0f;
     const bool is_down = state_s(player) > DIP_DOWN_S + habits->reaction_s;
     if (habits->until_px > 0.0f && is_down && nearest_fish(player, &gap_px) != PLAYER_NO_FISH &&
         gap_px < habits->until_px) {
@@ -245,7 +247,7 @@ static uint8_t tick_follow(struct sim_player *player)
 {
     const struct habits *habits = player->habits;
     const struct sight *seen = seen_by(player);
-    player->wish.tilt_notches = habits->levels ? 0.0f : habits->tilt_notches;
+    player->command.tilt_notches = habits->levels ? 0.0f : habits->tilt_notches;
     float gap_px = seen->fish[player->prey].swims
                        ? screen_gap_px(player, fish_now_m(player, player->prey), seen->ring_m)
                        : 1e6f;
@@ -263,9 +265,9 @@ static uint8_t tick_follow(struct sim_player *player)
 
 static uint8_t tick_rise(struct sim_player *player)
 {
-    player->wish.dips = false;
-    player->wish.tilt_notches = 0.0f;
-    player->wish.speed_px_s = 0.0f;
+    player->command.dips = false;
+    player->command.tilt_notches = 0.0f;
+    player->command.speed_px_s = 0.0f;
     if (state_s(player) < player->habits->rise_s) {
         return PLAYER_RISE;
     }
@@ -275,11 +277,11 @@ static uint8_t tick_rise(struct sim_player *player)
 static uint8_t tick_carry(struct sim_player *player)
 {
     const struct sight *seen = seen_by(player);
-    struct player_wish *wish = &player->wish;
+    struct player_command *command = &player->command;
     const vec3 bowl_m = v3(seen->bowl_m.x, DIP_HOVER_M, seen->bowl_m.z);
-    sim_player_to_screen(&player->view, bowl_m, &wish->x_px, &wish->y_px);
-    wish->speed_px_s = player->habits->carry_px_s;
-    wish->tips = screen_gap_px(player, seen->ring_m, bowl_m) < TIP_PX;
+    sim_player_to_screen(&player->view, bowl_m, &command->x_px, &command->y_px);
+    command->speed_px_s = player->habits->carry_px_s;
+    command->tips = screen_gap_px(player, seen->ring_m, bowl_m) < TIP_PX;
     const bool is_done = !seen->has_catch || state_s(player) > CARRY_S;
     return is_done ? PLAYER_CHOOSE : PLAYER_CARRY;
 }
@@ -295,11 +297,11 @@ void sim_player_init(struct sim_player *player, const struct habits *habits,
                                    .view = *view,
                                    .seed = seed,
                                    .prey = PLAYER_NO_FISH,
-                                   .wish = { .x_px = 0.5f * PLAYER_WIDTH_PX,
-                                             .y_px = 0.5f * PLAYER_HEIGHT_PX } };
+                                   .command = { .x_px = 0.5f * PLAYER_WIDTH_PX,
+                                                .y_px = 0.5f * PLAYER_HEIGHT_PX } };
 }
 
-struct player_wish sim_player_frame(struct sim_player *player, const struct sight *now)
+struct player_command sim_player_frame(struct sim_player *player, const struct sight *now)
 {
     static uint8_t (*const states[PLAYER_STATE_COUNT])(struct sim_player *) = {
         [PLAYER_CHOOSE] = tick_choose, [PLAYER_REACH] = tick_reach, [PLAYER_STILL] = tick_still,
@@ -311,13 +313,13 @@ struct player_wish sim_player_frame(struct sim_player *player, const struct sigh
     const bool plays = seen_by(player)->in_round;
     const uint8_t next = plays ? states[player->state](player) : (uint8_t)PLAYER_CHOOSE;
     if (!plays) {
-        player->wish.dips = player->wish.tips = false;
+        player->command.dips = player->command.tips = false;
     }
     if (next != player->state || !plays) {
         player->state = next;
         player->state_frame = player->frame;
     }
-    sim_player_to_screen(&player->view, seen_by(player)->ring_m, &player->wish.ring_x_px,
-                         &player->wish.ring_y_px);
-    return player->wish;
+    sim_player_to_screen(&player->view, seen_by(player)->ring_m, &player->command.ring_x_px,
+                         &player->command.ring_y_px);
+    return player->command;
 }

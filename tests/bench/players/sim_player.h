@@ -35,22 +35,28 @@ struct habits {
     uint8_t device; /* Input device (enum player_device). */
 
     float reaction_s; /* Delay between the screen and the player's action. */
-    float lead;       /* Share of the reaction time for which the player predicts the fish, [0, 1].
-                         A beginner aims at the place where the fish was seen (0). */
-    float aim_px;     /* Largest aiming error in each direction, drawn for each attempt. */
+    /* Prediction of the fish's motion, as a fraction [0, 1] of the reaction time. 1 aims at the
+     * place where the fish is now. 0, the value of a beginner, aims at the place where the player
+     * saw the fish. */
+    float lead;
+    /* Largest aiming error in pixels, to the left or right and up or down. Each attempt has a
+     * random error. */
+    float aim_px;
 
     float pause_s; /* Pause before the choice of a fish. */
 
-    /* Choice of a fish, as a cost in pixels. `cost_random_px` is a random part of the cost. */
+    /* The player chooses the fish with the least cost. The cost is in pixels and is the sum of the
+     * terms below. `cost_random_px` is the largest random term. */
     float cost_distance; /* Cost for each pixel of distance from the ring. */
-    float cost_speed_s;  /* Cost for each m/s of the fish's speed, in 1,000 pixels. */
-    float cost_depth;    /* Cost for each metre of the fish's depth, in 1,000 pixels. */
-    float cost_length;   /* Cost for each metre of the fish's length, in 1,000 pixels. */
+    float cost_speed_s;  /* Cost of the fish's speed, in 1,000 pixels per m/s. */
+    float cost_depth;    /* Cost of the fish's depth, in 1,000 pixels per metre. */
+    float cost_length;   /* Cost of the fish's length, in 1,000 pixels per metre. */
     float cost_random_px;
 
-    float arm_px_s;   /* Highest speed of the pointer above the water. */
-    float beside_px;  /* Distance from the fish at which the player dips. */
-    float reach_px;   /* Distance from the goal at which the player dips. */
+    float arm_px_s;  /* Highest speed of the pointer above the water. */
+    float beside_px; /* Distance from the fish at which the player dips. */
+    /* The player dips when the ring is within this distance of its goal, in pixels. */
+    float reach_px;
     float calm_m_s;   /* The player dips only if the fish is slower. 0 means no limit. */
     float patience_s; /* Longest time from the choice of a fish until the player dips anyway (no
                           `calm_m_s`) or chooses another fish. */
@@ -63,8 +69,9 @@ struct habits {
     float glide_px_s; /* Highest speed of the pointer while the ring is under water. */
     float over_px;    /* Distance between fish and ring at which the player lifts. 0: only the time
                          ends the pursuit. */
-    float lost_px;    /* Distance between fish and ring from which the player follows the fish
-                         nearest to the ring instead. 0 means never. */
+    /* If the fish is farther from the ring than this distance, the player follows the fish nearest
+     * to the ring instead. 0 means never. */
+    float lost_px;
     float rise_s; /* Time from the lift until the player looks whether a fish is on the paper. */
     float carry_px_s; /* Highest speed of the pointer on the way to the bowl. */
 
@@ -97,8 +104,8 @@ enum player_state {
 
 #define PLAYER_NO_FISH 0xffffu
 #define PLAYER_FISH_MAX 512u
-/* Frames of the ring buffer: the longest reaction time, and the distance of two sights from which
- * the player estimates the speed of a fish. */
+/* Capacity of the ring buffer of pictures, in frames. It covers the longest reaction time plus
+ * SPEED_FRAMES. */
 #define PLAYER_SIGHT_MAX 48u
 
 struct sight_fish {
@@ -118,8 +125,8 @@ struct sight {
     struct sight_fish fish[PLAYER_FISH_MAX];
 };
 
-/* What the player does with the device in one frame. */
-struct player_wish {
+/* Command of a player to its input device in one frame. */
+struct player_command {
     float x_px, y_px;   /* Place on the screen where the ring should be. */
     float speed_px_s;   /* Highest speed on the way there. */
     bool dips;          /* True while the ring should be under water. */
@@ -139,8 +146,10 @@ struct sim_player {
     uint16_t prey;        /* Chosen fish, or PLAYER_NO_FISH. */
     float side;           /* Side of the fish at which the player dips: -1 is left, 1 is right. */
     float error_x_px, error_y_px; /* Aiming error of the present attempt. */
-    float hold_s, follow_s;       /* Durations drawn for the present attempt. */
-    struct player_wish wish;
+    /* Random durations of the present attempt, s: how long the player holds the ring still, and how
+     * long it follows the fish. */
+    float hold_s, follow_s;
+    struct player_command command;
     struct sight sights[PLAYER_SIGHT_MAX];
 };
 
@@ -153,7 +162,7 @@ void sim_player_see(const struct scene *scene, struct sight *sight);
 
 /* Advances the player by one frame, with the picture that the screen shows now. Returns what the
  * player does. */
-struct player_wish sim_player_frame(struct sim_player *player, const struct sight *now);
+struct player_command sim_player_frame(struct sim_player *player, const struct sight *now);
 
 /* Writes the place of `point_m` on the screen to `x_px` and `y_px`. */
 void sim_player_to_screen(const struct view *view, vec3 point_m, float *x_px, float *y_px);

@@ -30,7 +30,7 @@ static const struct habits clicks = {
 static struct stand {
     struct sim_player player;
     struct sight sight;
-    struct player_wish wish;
+    struct player_command command;
 } stand;
 
 /* Begins a round with one fish of 4 cm in the middle of the tank. */
@@ -53,7 +53,7 @@ static void begin(const struct habits *habits)
 static void show(uint32_t frames)
 {
     for (uint32_t i = 0; i < frames; i++) {
-        stand.wish = sim_player_frame(&stand.player, &stand.sight);
+        stand.command = sim_player_frame(&stand.player, &stand.sight);
     }
 }
 
@@ -69,7 +69,7 @@ static uint32_t show_until(uint8_t state)
 }
 
 /* Puts the ring where the player wants the ring to be. */
-static void follow_wish(void)
+static void follow_command(void)
 {
     const vec3 at_m = stand.sight.fish[stand.player.prey].position_m;
     stand.sight.ring_m = v3(at_m.x, 0.0f, at_m.z);
@@ -85,12 +85,12 @@ static void test_player_acts_on_the_picture_of_its_reaction_time_ago(void **stat
     show(REACTION_FRAMES);
     assert_int_equal(stand.player.tries, 0);
     assert_in_range(show_until(PLAYER_REACH), 1, 10);
-    const float x_px = stand.wish.x_px;
+    const float x_px = stand.command.x_px;
     stand.sight.fish[0].position_m.x = 0.1f;
     show(REACTION_FRAMES);
-    assert_float_equal(stand.wish.x_px, x_px, 0.01);
+    assert_float_equal(stand.command.x_px, x_px, 0.01);
     show(1);
-    assert_true(stand.wish.x_px > x_px + 50.0f);
+    assert_true(stand.command.x_px > x_px + 50.0f);
 }
 
 static void test_player_prefers_a_shallow_fish_if_depth_has_a_cost(void **state)
@@ -129,12 +129,12 @@ static void test_click_holds_the_ring_down_for_the_time_of_its_habit(void **stat
     (void)state;
     begin(&clicks);
     show_until(PLAYER_REACH);
-    follow_wish();
+    follow_command();
     show_until(PLAYER_STILL);
     const uint32_t frames = show_until(PLAYER_RISE);
     assert_in_range(frames, 6, 13);
     show(1);
-    assert_false(stand.wish.dips);
+    assert_false(stand.command.dips);
     show_until(PLAYER_CHOOSE);
 }
 
@@ -146,12 +146,12 @@ static void test_waiting_player_lifts_when_a_fish_is_over_the_ring(void **state)
     waits.until_px = 30.0f;
     begin(&waits);
     show_until(PLAYER_REACH);
-    follow_wish();
+    follow_command();
     show_until(PLAYER_STILL);
     stand.sight.ring_m = v3(0.2f, -0.05f, 0.0f);
     show(90);
     assert_int_equal(stand.player.state, PLAYER_STILL);
-    assert_true(stand.wish.dips);
+    assert_true(stand.command.dips);
     stand.sight.fish[0].position_m = v3(0.2f, -0.04f, 0.0f);
     assert_in_range(show_until(PLAYER_RISE), REACTION_FRAMES, REACTION_FRAMES + 2u);
 }
@@ -161,7 +161,7 @@ static void test_catch_is_carried_to_the_bowl(void **state)
     (void)state;
     begin(&clicks);
     show_until(PLAYER_REACH);
-    follow_wish();
+    follow_command();
     show_until(PLAYER_RISE);
     stand.sight.has_catch = true;
     show_until(PLAYER_CARRY);
@@ -169,12 +169,12 @@ static void test_catch_is_carried_to_the_bowl(void **state)
     show(REACTION_FRAMES + 2u);
     float x_px, y_px;
     sim_player_to_screen(&stand.player.view, stand.sight.bowl_m, &x_px, &y_px);
-    assert_float_equal(stand.wish.x_px, x_px, 30.0);
-    assert_true(stand.wish.tips);
+    assert_float_equal(stand.command.x_px, x_px, 30.0);
+    assert_true(stand.command.tips);
     stand.sight.has_catch = false;
     show_until(PLAYER_CHOOSE);
     show(1);
-    assert_false(stand.wish.tips);
+    assert_false(stand.command.tips);
 }
 
 static void test_end_of_the_round_lifts_the_ring(void **state)
@@ -182,12 +182,12 @@ static void test_end_of_the_round_lifts_the_ring(void **state)
     (void)state;
     begin(&clicks);
     show_until(PLAYER_REACH);
-    follow_wish();
+    follow_command();
     show_until(PLAYER_STILL);
     stand.sight.in_round = false;
     show(REACTION_FRAMES + 1u);
     assert_int_equal(stand.player.state, PLAYER_CHOOSE);
-    assert_false(stand.wish.dips);
+    assert_false(stand.command.dips);
 }
 
 static void test_each_row_of_the_table_has_a_name_and_a_valid_reaction_time(void **state)

@@ -20,19 +20,19 @@ static struct core core;
 static struct output output; /* The three structs have a size of megabytes and do not fit on the
                                 stack. */
 
-static void tell_purse(const struct balance *balance)
+static void print_balance(const struct balance *balance)
 {
     printf(" %u %u %u %u %u %u\n", balance->units, balance->bonus_units, balance->paid,
            balance->service, balance->unlogged, balance->open);
 }
 
-static void tell_entries(uint32_t from_id)
+static void print_entries(uint32_t from_id)
 {
     for (uint32_t id = from_id + 1; id <= output.entry_id; id++) {
         const struct ledger_entry *entry = &output.entries[id % LEDGER_RING];
         printf("entry %u %u %u %u %u %u %d", entry->id, entry->boot, entry->tick, entry->kind,
                entry->detail, entry->count, entry->value);
-        tell_purse(&entry->balance);
+        print_balance(&entry->balance);
     }
 }
 
@@ -59,7 +59,7 @@ int main(int argc, char **argv)
     }
     const struct ledger_start *start = &reader.header.config.persistent.ledger;
     printf("start %u %u", start->last_id, start->boots);
-    tell_purse(&start->balance);
+    print_balance(&start->balance);
     output.entry_id = start->last_id;
     while (replay_next(&reader, &input) == 1) {
         const uint32_t before = output.entry_id;
@@ -68,7 +68,7 @@ int main(int argc, char **argv)
             fprintf(stderr, "witness: tick %u is not the kiosk's\n", reader.tick);
             return 65;
         }
-        tell_entries(before);
+        print_entries(before);
         coins += sum_of_coins(&input);
     }
     printf("end %u %u %u %u\n", reader.tick, core.game.accounts.ledger.saved_id, output.entry_id,
