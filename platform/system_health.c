@@ -133,7 +133,7 @@ bool system_health_is_seen(const char *folder, const char *file)
 /* Returns the number of quarantined files that are not acknowledged. If `marks` is true, also
  * creates an empty marker for each of these files. The markers are not synced. If a power cut loses
  * a marker, the operator is asked to acknowledge the file again. */
-static uint32_t walk_aside(const struct system_health *machine, bool marks, int *error)
+static uint32_t count_quarantined(const struct system_health *machine, bool marks, int *error)
 {
     char path[PATH_SIZE];
     DIR *const folder = has_folder(machine) ? opendir(machine->data) : NULL;
@@ -161,7 +161,7 @@ static uint32_t walk_aside(const struct system_health *machine, bool marks, int 
 int system_health_mark_seen(const struct system_health *machine)
 {
     int error = 0;
-    walk_aside(machine, true, &error);
+    count_quarantined(machine, true, &error);
     return error;
 }
 
@@ -193,7 +193,7 @@ void system_health_sample(struct system_health *machine, struct scene_machine *o
     const int32_t margin_mdeg = thermal_read(machine->heat ? machine->heat : THERMAL_ROOT);
     out->has_heat = margin_mdeg != THERMAL_UNKNOWN_MDEG;
     out->heat_margin_c = out->has_heat ? margin_mdeg / 1000 : 0;
-    out->aside = walk_aside(machine, false, &ignored);
+    out->aside = count_quarantined(machine, false, &ignored);
     struct panics panics = { 0 };
     const int folder =
         has_folder(machine) ? open(machine->data, O_RDONLY | O_DIRECTORY | O_CLOEXEC) : -1;

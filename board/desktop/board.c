@@ -57,7 +57,7 @@ int board_check_lines(const char (*line)[BOARD_LINE_SIZE], uint32_t count, char 
 }
 
 /* Logs each GPIO line that is missing. Missing lines are requested again while the kiosk runs. */
-static void tell_missing(const struct gpio_wire wires[GPIO_ROLE_COUNT])
+static void log_missing_lines(const struct gpio_wire wires[GPIO_ROLE_COUNT])
 {
     char why[HAL_TEXT_SIZE];
     for (uint32_t role = 0; role < GPIO_ROLE_COUNT; role++) {
@@ -86,7 +86,7 @@ static void open_lines(struct hal *hal, const struct board_options *options)
         hal->switches = null_hal("no GPIO lines: the GPIO thread cannot be started").switches;
         return;
     }
-    tell_missing(wires);
+    log_missing_lines(wires);
     buttons_mux_add(&devices.join, gpio_thread_buttons(&devices.gpio));
     hal->switches = gpio_thread_switches(&devices.gpio);
 }

@@ -198,7 +198,7 @@ __attribute__((format(printf, 3, 4))) static void print_verdict(bool good, const
 
 /* ---- Sensors at rest ------------------------------------------------------------------------- */
 
-static void judge_readings(const struct poi_config *config, const struct looks *looks)
+static void check_readings(const struct poi_config *config, const struct looks *looks)
 {
     const double each_ms = looks->seconds * 1000.0 / (double)LOOKS;
     assert(looks->missed <= LOOKS);
@@ -221,7 +221,7 @@ static void judge_readings(const struct poi_config *config, const struct looks *
     }
 }
 
-static void judge_turn(const struct poi_config *config, const struct looks *looks)
+static void check_turn(const struct poi_config *config, const struct looks *looks)
 {
     const struct quaternion q = looks->last.turn;
     if (looks->last.fuses) {
@@ -240,7 +240,7 @@ static void judge_turn(const struct poi_config *config, const struct looks *look
                   looks->spin_rad_s < SPIN_REST_MAX ? "" : "; lay the poi down");
 }
 
-static void judge_place(const struct poi_config *config, const struct looks *looks)
+static void check_place(const struct poi_config *config, const struct looks *looks)
 {
     struct board_pose pose;
     struct poi_report report = { 0 };
@@ -259,7 +259,7 @@ static void judge_place(const struct poi_config *config, const struct looks *loo
                   (double)(at_m.y * 1000.0f), (double)(at_m.z * 1000.0f));
 }
 
-static void judge_sensors(const struct poi_config *config, const char *root)
+static void check_sensors(const struct poi_config *config, const char *root)
 {
     struct sensors sensors;
     struct looks looks;
@@ -268,9 +268,9 @@ static void judge_sensors(const struct poi_config *config, const char *root)
         print_verdict(false, "sensors", "%s; check dtoverlay in config.txt and the wiring", why);
     } else {
         observe_sensors(&sensors, 0, &looks);
-        judge_readings(config, &looks);
-        judge_turn(config, &looks);
-        judge_place(config, &looks);
+        check_readings(config, &looks);
+        check_turn(config, &looks);
+        check_place(config, &looks);
         print_verdict(true, "keys", "%u device%s of gpio-keys; pressed keys: %02x",
                       sensors.keys.count, sensors.keys.count == 1 ? "" : "s", looks.last.buttons);
     }
@@ -279,7 +279,7 @@ static void judge_sensors(const struct poi_config *config, const char *root)
 
 /* ---- Motor, light and USB -------------------------------------------------------------------- */
 
-static void judge_motor(const struct poi_config *config, const char *root)
+static void check_motor(const struct poi_config *config, const char *root)
 {
     struct motor motor;
     char why[MOTOR_WHY_SIZE];
@@ -299,8 +299,8 @@ static void judge_motor(const struct poi_config *config, const char *root)
 enum exit_code commands_self_test(const struct poi_config *config, const char *root,
                                   const char *device)
 {
-    judge_sensors(config, root);
-    judge_motor(config, root);
+    check_sensors(config, root);
+    check_motor(config, root);
     const bool can = access(device, R_OK | W_OK) == 0;
     print_verdict(can, "cable", "%s%s%s", device, can ? "" : ": ", can ? "" : strerror(errno));
     printf("%u ok, %u failed\n", passed_count, failed_count);

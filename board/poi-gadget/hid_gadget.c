@@ -86,7 +86,7 @@ bool hid_gadget_feel(struct hid_gadget *gadget, struct poi_force *out)
         if (size == 0) {
             break;
         }
-        if (poi_feel_decode(bytes, (uint32_t)size, out, NULL)) {
+        if (poi_force_decode(bytes, (uint32_t)size, out, NULL)) {
             gadget->felt_count++;
             felt = true;
         } else {

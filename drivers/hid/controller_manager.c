@@ -46,13 +46,13 @@ static bool is_same_device(const struct hid_identity *one, const struct hid_iden
 }
 
 /* Releases a controller that was selected only for learning and whose mapping was not kept. If the
- * device list is busy, `gives_back` stays true and the next poll retries. */
+ * device list is busy, `releases_at_end` stays true and the next poll retries. */
 static void release_learned_controller(struct controller_manager *manager)
 {
     const struct hid_row *row = &manager->row[manager->learn_row];
     CORE_ASSERT(manager->learn_row < CONTROLLER_MAX);
-    manager->gives_back =
-        manager->gives_back && is_same_device(&row->identity, &manager->learn_identity) &&
+    manager->releases_at_end =
+        manager->releases_at_end && is_same_device(&row->identity, &manager->learn_identity) &&
         manager->device_list.ops->release(manager->device_list.self, manager->learn_row) ==
             HAL_ERR_BUSY;
 }
@@ -79,7 +79,7 @@ static void end_learning(struct controller_manager *manager)
 static int begin_learning(struct controller_manager *manager, uint32_t row)
 {
     /* A learning procedure that is in progress ends. If learning restarts with the same row,
-     * `gives_back` keeps its value. */
+     * `releases_at_end` keeps its value. */
     const bool again = manager->learn.step != LEARN_NONE && manager->learn_row == row;
     if (again) {
         stop_learning(manager, NULL);
@@ -87,15 +87,15 @@ static int begin_learning(struct controller_manager *manager, uint32_t row)
         end_learning(manager);
     }
     CORE_ASSERT(row < CONTROLLER_MAX);
-    manager->gives_back =
-        manager->row[row].state == CONTROLLER_FREE || (again && manager->gives_back);
+    manager->releases_at_end =
+        manager->row[row].state == CONTROLLER_FREE || (again && manager->releases_at_end);
     manager->learn_row = (uint8_t)row;
     manager->learn_identity = manager->row[row].identity;
     const int result = manager->row[row].state == CONTROLLER_ACTIVE
                            ? HAL_OK
                            : manager->device_list.ops->choose(manager->device_list.self, row);
     if (result != HAL_OK) {
-        manager->gives_back = false;
+        manager->releases_at_end = false;
         fail_learning(manager);
         return result;
     }
@@ -179,7 +179,7 @@ static int controller_manager_save_mapping(struct controller_manager *manager)
     const int result =
         hid_mapping_store_put(manager->store, &poi->face.identity, &manager->learn.map);
     manager->learn.step = result == HAL_OK || result == HAL_ERR_BUSY ? LEARN_TRY : LEARN_NOT_SAVED;
-    manager->gives_back = false;
+    manager->releases_at_end = false;
     manager->keeps = result == HAL_ERR_BUSY;
     manager->writes = result == HAL_OK;
     if (manager->writes) {
@@ -195,7 +195,7 @@ static int controller_manager_release(struct controller_manager *manager, uint32
     CORE_ASSERT(row < CONTROLLER_MAX);
     if (manager->learn.step != LEARN_NONE && manager->learn_row == row) {
         stop_learning(manager, NULL);
-        manager->gives_back =
+        manager->releases_at_end =
             false; /* A release of the previously learned controller is not needed, because this
                       function releases the row below. */
     }
@@ -215,7 +215,7 @@ static int execute_command(void *self, const struct controller_command *order)
     }
     switch (order->kind) {
     case COMMAND_CHOOSE:
-        manager->gives_back &= order->row != manager->learn_row;
+        manager->releases_at_end &= order->row != manager->learn_row;
         return manager->device_list.ops->choose(manager->device_list.self, order->row);
     case COMMAND_RELEASE:
         return controller_manager_release(manager, order->row);
@@ -252,7 +252,7 @@ static void watch_learning(struct controller_manager *manager)
     } else if (manager->writes) {
         watch_writing(manager);
     }
-    if (manager->gives_back && manager->learn.step == LEARN_NONE) {
+    if (manager->releases_at_end && manager->learn.step == LEARN_NONE) {
         release_learned_controller(manager);
     }
 }

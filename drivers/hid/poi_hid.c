@@ -142,7 +142,7 @@ static int poi_hid_poll(void *self, struct poi_sample *out, uint32_t max)
 static int poi_hid_set_force(void *self, const struct poi_force *force)
 {
     struct poi_hid *poi = self;
-    uint8_t bytes[POI_FEEL_SIZE];
+    uint8_t bytes[POI_FORCE_SIZE];
     if (!poi->plays || !poi->decoder.map.feels) {
         return HAL_ERR_ABSENT;
     }

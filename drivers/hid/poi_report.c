@@ -38,9 +38,10 @@ static uint8_t level_of(float share)
     return f_is_finite(share) ? (uint8_t)(int32_t)(f_clamp(share, 0.0f, 1.0f) * 255.0f + 0.5f) : 0;
 }
 
-void poi_force_encode(const struct poi_force *force, uint8_t sequence, uint8_t bytes[POI_FEEL_SIZE])
+void poi_force_encode(const struct poi_force *force, uint8_t sequence,
+                      uint8_t bytes[POI_FORCE_SIZE])
 {
-    bytes[0] = POI_FEEL_ID;
+    bytes[0] = POI_FORCE_ID;
     bytes[1] = sequence;
     put_vec3(bytes + 2, force->force_n, POI_FORCE_N_MAX, 0);
     put_vec3(bytes + 8, force->torque_n_m, POI_TORQUE_N_M_MAX, 0);
@@ -49,10 +50,10 @@ void poi_force_encode(const struct poi_force *force, uint8_t sequence, uint8_t b
     bytes[16] = level_of(force->tear);
 }
 
-bool poi_feel_decode(const uint8_t *bytes, uint32_t size, struct poi_force *out, uint8_t *sequence)
+bool poi_force_decode(const uint8_t *bytes, uint32_t size, struct poi_force *out, uint8_t *sequence)
 {
     vec3 force_n, torque_n_m;
-    if (size != POI_FEEL_SIZE || bytes[0] != POI_FEEL_ID ||
+    if (size != POI_FORCE_SIZE || bytes[0] != POI_FORCE_ID ||
         !poi_report_get_vec3(bytes + 2, POI_FORCE_N_MAX, &force_n) ||
         !poi_report_get_vec3(bytes + 8, POI_TORQUE_N_M_MAX, &torque_n_m)) {
         return false;

@@ -31,8 +31,8 @@
 #define POI_REPORT_ID 1u
 #define POI_REPORT_SIZE 15u
 #define POI_REPORT_REACH_M 1.0f /* Range of a position: +-1 m, in steps of 31 um. */
-#define POI_FEEL_ID 2u
-#define POI_FEEL_SIZE 17u
+#define POI_FORCE_ID 2u
+#define POI_FORCE_SIZE 17u
 
 /* Keys on the handle of Kingyo's poi controller. Bit 0 is HID Button 1. Bits 5 to 7 are free for
  * vendors. */
@@ -101,12 +101,13 @@ void poi_report_encode(const struct poi_report *report, uint8_t bytes[POI_REPORT
 /* Writes a force feedback report. Values out of range are clamped. A value that is not finite is
  * encoded as 0, so that it drives no motor. Halves are rounded away from 0. */
 void poi_force_encode(const struct poi_force *force, uint8_t sequence,
-                      uint8_t bytes[POI_FEEL_SIZE]);
+                      uint8_t bytes[POI_FORCE_SIZE]);
 
 /* Parses a force feedback report. The device and its simulation call this function. Returns true.
  * Returns false if the id or the length is wrong or if a component has no value. After a failure
  * `out` is unchanged. `sequence` may be null. */
-bool poi_feel_decode(const uint8_t *bytes, uint32_t size, struct poi_force *out, uint8_t *sequence);
+bool poi_force_decode(const uint8_t *bytes, uint32_t size, struct poi_force *out,
+                      uint8_t *sequence);
 
 /* ---- Report descriptor ----------------------------------------------------------------------- */
 

@@ -55,18 +55,18 @@ struct usb_key usb_key_of(const struct hid_identity *identity)
 
 static void rule_remove(struct usb_choice *choice, uint32_t index)
 {
-    CORE_ASSERT(choice->wish_count > 0);
-    CORE_ASSERT(index < choice->wish_count);
-    choice->wish_count--;
-    memmove(&choice->wish[index], &choice->wish[index + 1u],
-            (choice->wish_count - index) * sizeof choice->wish[0]);
+    CORE_ASSERT(choice->request_count > 0);
+    CORE_ASSERT(index < choice->request_count);
+    choice->request_count--;
+    memmove(&choice->request[index], &choice->request[index + 1u],
+            (choice->request_count - index) * sizeof choice->request[0]);
 }
 
 void usb_choice_request(struct usb_choice *choice, const struct usb_key *key, bool plays, bool kept)
 {
-    CORE_ASSERT(choice->wish_count <= USB_REQUEST_MAX);
-    for (uint32_t i = 0; i < choice->wish_count; i++) {
-        const struct usb_request *old = &choice->wish[i];
+    CORE_ASSERT(choice->request_count <= USB_REQUEST_MAX);
+    for (uint32_t i = 0; i < choice->request_count; i++) {
+        const struct usb_request *old = &choice->request[i];
         if (old->key.vendor == key->vendor && old->key.product == key->product &&
             !strcmp(old->key.serial, key->serial)) {
             kept |= old->kept && old->plays == plays;
@@ -74,10 +74,10 @@ void usb_choice_request(struct usb_choice *choice, const struct usb_key *key, bo
             break;
         }
     }
-    if (choice->wish_count == USB_REQUEST_MAX) {
+    if (choice->request_count == USB_REQUEST_MAX) {
         rule_remove(choice, 0u);
     }
-    choice->wish[choice->wish_count++] =
+    choice->request[choice->request_count++] =
         (struct usb_request){ .key = *key, .plays = plays, .kept = kept };
 }
 
@@ -111,13 +111,13 @@ int usb_choice_read_line(struct usb_choice *choice, const char *line, char error
 bool usb_choice_line(const struct usb_choice *choice, uint32_t index,
                      char line[USB_CHOICE_LINE_SIZE])
 {
-    CORE_ASSERT(choice->wish_count <= USB_REQUEST_MAX);
+    CORE_ASSERT(choice->request_count <= USB_REQUEST_MAX);
     char text[USB_KEY_TEXT_SIZE];
-    for (uint32_t i = 0; i < choice->wish_count; i++) {
-        const struct usb_request *wish = &choice->wish[i];
-        if (wish->kept && index-- == 0u) {
-            usb_key_write(&wish->key, text);
-            snprintf(line, USB_CHOICE_LINE_SIZE, "%s %s", wish->plays ? "plays" : "rests", text);
+    for (uint32_t i = 0; i < choice->request_count; i++) {
+        const struct usb_request *request = &choice->request[i];
+        if (request->kept && index-- == 0u) {
+            usb_key_write(&request->key, text);
+            snprintf(line, USB_CHOICE_LINE_SIZE, "%s %s", request->plays ? "plays" : "rests", text);
             return true;
         }
     }
@@ -126,11 +126,11 @@ bool usb_choice_line(const struct usb_choice *choice, uint32_t index,
 
 uint32_t usb_choice_wanted(const struct usb_choice *choice, struct usb_key out[USB_REQUEST_MAX])
 {
-    CORE_ASSERT(choice->wish_count <= USB_REQUEST_MAX);
+    CORE_ASSERT(choice->request_count <= USB_REQUEST_MAX);
     uint32_t count = 0;
-    for (uint32_t i = 0; i < choice->wish_count; i++) {
-        if (choice->wish[i].plays) {
-            out[count++] = choice->wish[i].key;
+    for (uint32_t i = 0; i < choice->request_count; i++) {
+        if (choice->request[i].plays) {
+            out[count++] = choice->request[i].key;
         }
     }
     return count;
@@ -140,17 +140,17 @@ uint32_t usb_choice_wanted(const struct usb_choice *choice, struct usb_key out[U
 static const struct usb_request *rule_find(const struct usb_choice *choice,
                                            const struct hid_identity *identity)
 {
-    CORE_ASSERT(choice->wish_count <= USB_REQUEST_MAX);
+    CORE_ASSERT(choice->request_count <= USB_REQUEST_MAX);
     const struct usb_request *found = NULL;
-    for (uint32_t i = 0; i < choice->wish_count; i++) {
-        const struct usb_request *wish = &choice->wish[i];
-        if (wish->key.vendor != identity->vendor || wish->key.product != identity->product) {
+    for (uint32_t i = 0; i < choice->request_count; i++) {
+        const struct usb_request *request = &choice->request[i];
+        if (request->key.vendor != identity->vendor || request->key.product != identity->product) {
             continue;
         }
-        if (!wish->key.serial[0]) {
-            found = found ? found : wish;
-        } else if (!strcmp(wish->key.serial, identity->serial)) {
-            return wish;
+        if (!request->key.serial[0]) {
+            found = found ? found : request;
+        } else if (!strcmp(request->key.serial, identity->serial)) {
+            return request;
         }
     }
     return found;
@@ -206,16 +206,16 @@ enum usb_verdict usb_choice_evaluate(const struct usb_choice *choice,
         subject->kind == USB_KIND_KEYS) {
         return USB_BARRED;
     }
-    const struct usb_request *wish = rule_find(choice, subject->identity);
-    if (wish && !wish->plays) {
+    const struct usb_request *request = rule_find(choice, subject->identity);
+    if (request && !request->plays) {
         return USB_FREE;
     }
     if (subject->kind == USB_KIND_UNKNOWN) {
         const bool is_bench = subject->identity->vendor == USB_BENCH_VENDOR &&
                               subject->identity->product == USB_BENCH_PRODUCT;
-        return wish || is_bench ? USB_ASK : USB_FREE;
+        return request || is_bench ? USB_ASK : USB_FREE;
     }
-    return wish || subject->kind == USB_KIND_OWN ? USB_PLAYS : USB_FREE;
+    return request || subject->kind == USB_KIND_OWN ? USB_PLAYS : USB_FREE;
 }
 
 static uint32_t rank_of(const struct usb_choice *choice, const struct usb_candidate *subject)

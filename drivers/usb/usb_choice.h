@@ -60,8 +60,8 @@ struct usb_request {
 /* List of rules (struct usb_request), which allow or forbid controllers to play. The all-zero list
  * accepts only Kingyo's poi controller. */
 struct usb_choice {
-    uint32_t wish_count;
-    struct usb_request wish[USB_REQUEST_MAX];
+    uint32_t request_count;
+    struct usb_request request[USB_REQUEST_MAX];
 };
 
 /* Adds a rule and removes an older rule for the same key. If the list is full, the oldest rule is

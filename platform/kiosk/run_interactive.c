@@ -24,7 +24,7 @@ static double quantile_ms(const struct frame_timing *timing, double share)
 
 /* Closes the store, then prints the statistics, which include entries that could not be written.
  * Returns EXIT_IO if entries or edits are lost, otherwise EXIT_OK. */
-static enum exit_code tell_end(struct run_common *session, enum kiosk_end end)
+static enum exit_code print_end(struct run_common *session, enum kiosk_end end)
 {
     struct kiosk *kiosk = &session->kiosk;
     const uint32_t lost = kiosk_close_store(kiosk, &session->hal);
@@ -62,7 +62,7 @@ static enum exit_code tell_end(struct run_common *session, enum kiosk_end end)
  * EXIT_OK if all exit codes are EXIT_OK. */
 static enum exit_code end_play(struct run_common *session, enum kiosk_end end)
 {
-    const enum exit_code told = tell_end(session, end);
+    const enum exit_code told = print_end(session, end);
     const enum exit_code code = run_common_end(session);
     const enum exit_code ended = end == KIOSK_FLOAT          ? run_common_print_float()
                                  : end == KIOSK_DISPLAY_LOST ? EXIT_NOT_SO

@@ -141,7 +141,7 @@ static int create_context(struct display_gl *display)
 
 /* Reports the frame time and the temperature to the quality governor, which may lower or raise the
  * picture's quality. Called after each frame. */
-static int govern(struct display_gl *display, const struct scene *scene)
+static int report_to_governor(struct display_gl *display, const struct scene *scene)
 {
     const uint32_t looks = atomic_load(&display->thermal.looks);
     if (!display->is_governed || display->renderer.transform.light <= 0.0f) {
@@ -306,7 +306,7 @@ static int display_present(void *self, const struct scene *scene)
         display_gl_fail(display, "frame", display->renderer.status.text);
         display->lost = true;
     }
-    if (!display->lost && govern(display, scene) != HAL_OK) {
+    if (!display->lost && report_to_governor(display, scene) != HAL_OK) {
         display->lost = true;
     }
     return display->lost ? HAL_ERR_GONE : HAL_OK;

@@ -43,39 +43,39 @@ static const struct {
     { "Panfrost", &board }, { "Lima", &board },
 };
 
-struct quality quality_choose(const struct quality_wish *wish)
+struct quality quality_choose(const struct quality_request *request)
 {
-    CORE_ASSERT(wish->width > 0 && wish->height > 0 && wish->side_max > 0);
+    CORE_ASSERT(request->width > 0 && request->height > 0 && request->side_max > 0);
     const struct machine *machine = NULL;
     for (size_t i = 0; i < sizeof known / sizeof *known && !machine; i++) {
-        machine = strstr(wish->renderer, known[i].name) ? known[i].machine : NULL;
+        machine = strstr(request->renderer, known[i].name) ? known[i].machine : NULL;
     }
     machine = machine ? machine : &desktop;
-    const float share = machine->pixels / ((float)wish->width * (float)wish->height);
+    const float share = machine->pixels / ((float)request->width * (float)request->height);
     struct quality quality = {
         .software = machine->software,
         .scene_scale = f_clamp(f_sqrt(share), SCALE_MIN, 1.0f),
         .samples = machine->samples,
         .lod_near_px = machine->lod_near_px,
     };
-    if (wish->scene_scale > 0.0f) {
-        quality.scene_scale = f_clamp(wish->scene_scale, 0.25f, 2.0f);
+    if (request->scene_scale > 0.0f) {
+        quality.scene_scale = f_clamp(request->scene_scale, 0.25f, 2.0f);
     }
     quality.floor_scale = quality.scene_scale * machine->floor_scale;
-    if (wish->samples > 0) {
-        quality.samples = wish->samples;
+    if (request->samples > 0) {
+        quality.samples = request->samples;
     }
-    if (quality.samples > wish->samples_max) {
-        quality.samples = wish->samples_max ? wish->samples_max : 1u;
+    if (quality.samples > request->samples_max) {
+        quality.samples = request->samples_max ? request->samples_max : 1u;
     }
     /* The largest texture size of the driver limits the sizes of the render targets. If the screen
      * is larger than this limit, the scene is drawn with this limit as its size. The screen is then
      * drawn without multisampling. */
-    const uint32_t side = wish->width > wish->height ? wish->width : wish->height;
-    const float scale_max = (float)wish->side_max / (float)side;
+    const uint32_t side = request->width > request->height ? request->width : request->height;
+    const float scale_max = (float)request->side_max / (float)side;
     quality.scene_scale = f_min(quality.scene_scale, scale_max);
     quality.floor_scale = f_min(quality.floor_scale, scale_max);
-    if (side > wish->side_max) {
+    if (side > request->side_max) {
         quality.samples = 1;
     }
     CORE_ASSERT(quality.scene_scale > 0.0f && quality.samples >= 1u);

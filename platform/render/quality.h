@@ -28,7 +28,7 @@ struct quality {
                           target. Shorter fish are drawn with the far mesh. */
 };
 
-struct quality_wish {
+struct quality_request {
     const char *renderer;   /* Name of the graphics hardware (GL_RENDERER). */
     uint32_t width, height; /* Screen size in pixels, > 0. */
     float scene_scale;      /* Requested value of quality.scene_scale, clamped to [0.25, 2]. 0 means
@@ -41,9 +41,9 @@ struct quality_wish {
                                0. */
 };
 
-/* Returns the best quality for the hardware and the screen size, within the limits that `wish`
+/* Returns the best quality for the hardware and the screen size, within the limits that `request`
  * requests. */
-struct quality quality_choose(const struct quality_wish *wish);
+struct quality quality_choose(const struct quality_request *request);
 
 /* Maximum number of quality steps below the best quality. The last step draws the scene with a
  * sixth of its pixels, which is the lowest usable resolution. */

@@ -29,7 +29,7 @@ static void open_targets(struct renderer *renderer)
     CORE_ASSERT(renderer->samples_max > 0 && renderer->side_max > 0);
     const uint32_t width = renderer->config.width;
     const uint32_t height = renderer->config.height;
-    const struct quality best = quality_choose(&(struct quality_wish){
+    const struct quality best = quality_choose(&(struct quality_request){
         .renderer = gl_string(GL_RENDERER),
         .width = width,
         .height = height,

@@ -43,7 +43,7 @@ static int write_at(const struct replay_writer *writer, const uint8_t *bytes, si
     return 0;
 }
 
-static uint32_t who_played(const struct replay_totals *totals)
+static uint32_t modes_and_players(const struct replay_totals *totals)
 {
     return (uint32_t)totals->modes | (uint32_t)totals->players << 16;
 }
@@ -55,7 +55,7 @@ static void put_end(uint8_t *out, const struct replay_totals *totals, uint64_t s
     replay_put_u32(out + END_ROUNDS, totals->rounds);
     replay_put_u32(out + END_CAUGHT, totals->caught);
     replay_put_u32(out + END_FOULS, totals->fouls);
-    replay_put_u32(out + END_WHO, who_played(totals));
+    replay_put_u32(out + END_WHO, modes_and_players(totals));
     replay_put_u64(out + END_HASH, totals->hash);
     replay_put_u64(out + END_SUM, hash_bytes(sum, out, END_SUM));
 }
@@ -202,7 +202,7 @@ static size_t close_chunk(uint8_t *chunk, size_t payload_size, uint32_t ticks,
     replay_put_u32(chunk + CHUNK_ROUNDS, totals->rounds);
     replay_put_u32(chunk + CHUNK_CAUGHT, totals->caught);
     replay_put_u32(chunk + CHUNK_FOULS, totals->fouls);
-    replay_put_u32(chunk + CHUNK_WHO, who_played(totals));
+    replay_put_u32(chunk + CHUNK_WHO, modes_and_players(totals));
     replay_put_u64(chunk + CHUNK_HASH, totals->hash);
     const size_t size = put_sum(chunk, REPLAY_CHUNK_HEAD_SIZE + payload_size, sum);
     put_end(chunk + size, totals, *sum);

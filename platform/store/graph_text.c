@@ -235,7 +235,7 @@ static bool read_scale(struct reading *reading, const char *rest, struct lab_edi
 
 /* Returns true if the graph is valid. Otherwise reports the number of the invalid knot with the
  * reason, and returns false. */
-static bool judge_graph(struct reading *reading, const struct species_card *card,
+static bool check_graph(struct reading *reading, const struct species_card *card,
                         const struct graph *graph)
 {
     static const char *const faults[] = {
@@ -260,7 +260,7 @@ static bool judge_graph(struct reading *reading, const struct species_card *card
     }
 }
 
-static bool judge_scale(struct reading *reading, const struct lab_edit *edit)
+static bool check_scale(struct reading *reading, const struct lab_edit *edit)
 {
     const uint32_t count = edit->scale_knot_count;
     for (uint32_t i = 0; i < count; i++) {
@@ -292,7 +292,7 @@ bool graph_file_parse(const char *text, size_t size, const struct species_card *
         const char *knot = text_after_word(&reading, "knot"),
                    *scale = text_after_word(&reading, "scale");
         if (strcmp(reading.words, "end") == 0) {
-            if (!judge_graph(&reading, card, &read.graph) || !judge_scale(&reading, &read)) {
+            if (!check_graph(&reading, card, &read.graph) || !check_scale(&reading, &read)) {
                 return false;
             }
             if (!lab_edit_is_valid(&read, card)) {

@@ -24,9 +24,9 @@
 static float turn_wrist(float now_rad, float goal_rad, float *rate_rad_s)
 {
     CORE_ASSERT(f_is_finite(goal_rad));
-    const float wish = f_clamp(WRIST_PULL_PER_S * f_wrap_angle(goal_rad - now_rad),
-                               -BOT_WRIST_RAD_S_MAX, BOT_WRIST_RAD_S_MAX);
-    *rate_rad_s += (wish - *rate_rad_s) * (CORE_TICK_S / (WRIST_EASE_S + CORE_TICK_S));
+    const float wanted_rad_s = f_clamp(WRIST_PULL_PER_S * f_wrap_angle(goal_rad - now_rad),
+                                       -BOT_WRIST_RAD_S_MAX, BOT_WRIST_RAD_S_MAX);
+    *rate_rad_s += (wanted_rad_s - *rate_rad_s) * (CORE_TICK_S / (WRIST_EASE_S + CORE_TICK_S));
     return f_wrap_angle(now_rad + *rate_rad_s * CORE_TICK_S);
 }
 

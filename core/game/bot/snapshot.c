@@ -34,7 +34,8 @@ static struct snapshot_fish see_fish(const struct vision *vision, uint32_t index
 
 /* Sets the velocity of `now` from the fish's position in the snapshot `before`, if `before`
  * contains the fish. */
-static void judge_speed(struct snapshot_fish *now, const struct snapshot *before, uint32_t tick)
+static void estimate_velocity(struct snapshot_fish *now, const struct snapshot *before,
+                              uint32_t tick)
 {
     const struct snapshot_fish *then = before->prey.fish == now->fish ? &before->prey : NULL;
     CORE_ASSERT(before->near_count <= SNAPSHOT_NEAR_MAX);
@@ -171,11 +172,11 @@ void snapshot_take(struct snapshot *snapshot, const struct snapshot *before,
     }
     see_all(snapshot, vision, attention_m);
     for (uint32_t i = 0; i < snapshot->near_count; i++) {
-        judge_speed(&snapshot->near[i], before, game.tick);
+        estimate_velocity(&snapshot->near[i], before, game.tick);
     }
     if (prey != SNAPSHOT_NO_FISH) {
         snapshot->prey = see_fish(vision, prey);
-        judge_speed(&snapshot->prey, before, game.tick);
+        estimate_velocity(&snapshot->prey, before, game.tick);
     }
 }
 

@@ -219,8 +219,8 @@ void controller_forget_path(struct game *game, uint32_t index)
     game->was_lost[index] = 0;
 }
 
-static void take_hold(struct game *game, const struct world *world,
-                      const struct core_config *config, uint32_t index, uint8_t link)
+static void change_holder(struct game *game, const struct world *world,
+                          const struct core_config *config, uint32_t index, uint8_t link)
 {
     CORE_ASSERT(index < POI_MAX);
     if (game->holder[index] == link) {
@@ -398,7 +398,7 @@ void controller_tick_all(struct game *game, struct world *world, const struct co
     for (uint32_t i = 0; i < POI_MAX; i++) {
         live[i] = (uint8_t)controller_is_active(world, i);
         if (live[i]) {
-            take_hold(game, world, config, i, world->poi[i].link);
+            change_holder(game, world, config, i, world->poi[i].link);
             tick_hand(game, world, input, i);
         } else {
             game->holder[i] = POI_SOURCE_ABSENT;

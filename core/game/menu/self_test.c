@@ -142,7 +142,7 @@ static uint8_t state_from_answer(uint8_t answer)
 
 /* Evaluates the self-test's checks of the machine. A check without data waits for its data, and is
  * bad after the timeout. */
-static void judge_machine(const struct scene_machine *machine, uint8_t state[SELF_CHECKS])
+static void evaluate_machine(const struct scene_machine *machine, uint8_t state[SELF_CHECKS])
 {
     const bool is_fresh = machine->has_backup && machine->backup_min < SELF_BACKUP_OLD_MIN;
     const bool is_kept = machine->keeps == KEEPS_PROVEN || machine->keeps == KEEPS_FOLDER;
@@ -169,7 +169,7 @@ static void judge_machine(const struct scene_machine *machine, uint8_t state[SEL
  * a slot in play has no controller or has late reports. A kiosk without input lines has neither a
  * lamp nor a coin slot, so the check of the lamp is then good unless the operator reports a fault.
  * In free play coins are returned, so the check of the coins requires no coin. */
-static void judge_parts(const struct scene *scene, uint8_t state[SELF_CHECKS])
+static void evaluate_parts(const struct scene *scene, uint8_t state[SELF_CHECKS])
 {
     const struct scene_self_test *self = &scene->menu.self;
     const uint32_t frames = scene->devices.frames_a_second;
@@ -203,8 +203,8 @@ uint32_t self_test_judge(const struct scene *scene, uint8_t state[SELF_CHECKS])
     static const uint8_t order[] = { SELF_ASKS, SELF_BAD, SELF_LOOK, SELF_WAITS };
     const struct scene_self_test *self = &scene->menu.self;
     const struct scene_machine *machine = &scene->devices.machine;
-    judge_machine(machine, state);
-    judge_parts(scene, state);
+    evaluate_machine(machine, state);
+    evaluate_parts(scene, state);
     state[SELF_STORE] = self->store == SELF_GOOD && machine->aside > 0 ? SELF_LOOK : self->store;
     state[SELF_CLOCK] = machine->is_clock_back ? SELF_LOOK : self->clock;
     state[SELF_FILES] = scene->devices.files_refused == 0 ? SELF_GOOD : SELF_BAD;

@@ -155,7 +155,7 @@ static void slide(struct carried_fish *carried, const struct fish *fish,
 }
 
 /* Stops a fish at the ring, unless the poi is steep or the fish is fast. */
-static void meet_wall(struct carried_fish *carried, const struct paper_surface *ride)
+static void stop_at_ring(struct carried_fish *carried, const struct paper_surface *ride)
 {
     const float r = f_sqrt(carried->x_m * carried->x_m + carried->z_m * carried->z_m);
     const float wall = ride->radius_m - WALL_MARGIN_M;
@@ -189,7 +189,7 @@ float carried_fish_tick(struct carried_fish *carried, const struct fish *fish,
     carried->slide_z_m_s = carried->slide_z_m_s * keep - gain_m_s * f_cos(carried->heading_rad);
     slide(carried, fish, ride, dry);
     if (dry > AGROUND) {
-        meet_wall(carried, ride);
+        stop_at_ring(carried, ride);
     }
     /* The roll and the height of the fish approach their rest values. The centre of a fish on its
      * side is half the fish's width above the paper. The centre of an upright fish is half the

@@ -201,7 +201,7 @@ static void free_jam(struct scoop *scoop)
     }
 }
 
-static void meet_all(struct scoop *scoop)
+static void update_all_fish(struct scoop *scoop)
 {
     for (uint32_t i = 0; i < scoop->tank->fish_count; i++) {
         struct fish *fish = &scoop->tank->fish[i];
@@ -290,7 +290,7 @@ void catch_tick(struct poi *poi, uint32_t poi_index, const struct stall *stall, 
     }
     sound_ring(&scoop);
     ride_all(&scoop);
-    meet_all(&scoop);
+    update_all_fish(&scoop);
     free_jam(&scoop);
     carried_load_gather(poi, &axes, scoop.ride.pull_m_s2.y, stall->tank->fish);
 }

@@ -75,7 +75,7 @@ static const char *or_dash(const char *text)
     return text[0] ? text : "-";
 }
 
-static void tell_line(void *context, const struct gpio_line_info *line)
+static void print_line_info(void *context, const struct gpio_line_info *line)
 {
     FILE *out = context;
     struct gpio_line_info shown = *line; /* Copy of the line's description, in which all texts are
@@ -95,7 +95,7 @@ static void tell_line(void *context, const struct gpio_line_info *line)
 enum exit_code lines_list(struct gpio_lines lines, FILE *out)
 {
     fputs("device\tchip\toffset\tname\tdirection\tactive\theld_by\n", out);
-    const int count = lines.ops->list(lines.self, tell_line, out);
+    const int count = lines.ops->list(lines.self, print_line_info, out);
     if (print_flush(out) != 0) {
         return EXIT_NOT_SO; /* A write to standard output failed. main() prints the error
                                message. */

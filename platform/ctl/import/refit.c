@@ -101,8 +101,8 @@ static void refit_relax(float stiff)
             const float each = stiff / (float)edges;
             for (uint32_t e = fit.first[i]; e < fit.first[i + 1]; e++) {
                 const uint32_t j = fit.other[e];
-                const vec3 wish = v3_add(fit.now[j], v3_sub(fit.rest[i], fit.rest[j]));
-                sum = v3_muladd(sum, wish, each);
+                const vec3 goal = v3_add(fit.now[j], v3_sub(fit.rest[i], fit.rest[j]));
+                sum = v3_muladd(sum, goal, each);
             }
             fit.now[i] = v3_scale(sum, 1.0f / (fit.weight[i] + stiff));
         }

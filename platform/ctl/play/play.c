@@ -102,7 +102,7 @@ static void report_json(uint32_t count, const struct summary *summary)
 
 /* Prints each round as soon as all rounds with lower numbers have finished. JSON is printed only
  * after all rounds have finished, so that a program receives complete JSON or no output. */
-static void tell_round(void *self, uint32_t index)
+static void print_round(void *self, uint32_t index)
 {
     struct evening *evening = self;
     CORE_ASSERT(index < evening->options->rounds && evening->played < evening->options->rounds);
@@ -137,7 +137,7 @@ static void report_all(const struct play_options *options)
                options->rounds, rules_of(options->mode)->name);
 }
 
-static enum exit_code tell_failure(const struct play_options *options)
+static enum exit_code print_failure(const struct play_options *options)
 {
     for (uint32_t i = 0; i < options->rounds; i++) {
         if (results[i].code == EXIT_IO) {
@@ -179,12 +179,12 @@ static enum exit_code play_rounds(const struct play_options *options,
         .results = results,
         .count = options->rounds,
         .workers = options->jobs ? options->jobs : rounds_workers(),
-        .done = tell_round,
+        .done = print_round,
         .self = &evening,
     };
     const enum exit_code code = rounds_play(&rounds);
     if (code != EXIT_OK) {
-        return tell_failure(options);
+        return print_failure(options);
     }
     report_all(options);
     return EXIT_OK;

@@ -129,7 +129,7 @@ static struct {
 
 /* Panic handler for the verification. The recording of a panic reproduces the panic, and the
  * handler prints the reason. Async-signal-safe. */
-static void tell_panic(void *self, const char *reason)
+static void print_panic(void *self, const char *reason)
 {
     struct panic_text text = { 0 };
     (void)self;
@@ -145,7 +145,7 @@ static void tell_panic(void *self, const char *reason)
     _exit(EXIT_NOT_SO);
 }
 
-static enum exit_code tell_verdict(const char *path, const struct replayer *replayer, double took_s)
+static enum exit_code print_result(const char *path, const struct replayer *replayer, double took_s)
 {
     const struct replay_difference *difference = &replayer->difference;
     const struct replay_totals *totals = &replayer->totals;
@@ -206,14 +206,14 @@ static enum exit_code verify(const char *path)
     verified.core = &core;
     verified.first_tick = core_status(&core).tick;
     verified.total = totals.ticks;
-    panic_prepare(tell_panic, NULL);
+    panic_prepare(print_panic, NULL);
     const enum core_error refused =
         error == CORE_OK ? recompute(&replayer, &core, totals.ticks) : error;
     replayer_end(&replayer);
     if (refused != CORE_OK) {
         return ctl_float(name);
     }
-    return tell_verdict(path, &replayer, 1e-9 * (double)(ctl_now_ns() - begin_ns));
+    return print_result(path, &replayer, 1e-9 * (double)(ctl_now_ns() - begin_ns));
 }
 
 struct request {

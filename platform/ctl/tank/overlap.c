@@ -124,8 +124,8 @@ static void sort_by_cell(struct overlap *overlap, const struct floor_grid *grid)
 
 /* Tests box `i` against the boxes of its own cell and of the neighbouring cells. Over all calls,
  * each pair of boxes is tested once. */
-static void judge_around(const struct overlap *overlap, const struct floor_grid *grid, uint32_t i,
-                         struct overlap_count *total)
+static void test_neighbours(const struct overlap *overlap, const struct floor_grid *grid,
+                            uint32_t i, struct overlap_count *total)
 {
     const uint32_t column = overlap->cell[i] % grid->columns;
     const uint32_t row = overlap->cell[i] / grid->columns;
@@ -170,7 +170,7 @@ void overlap_add(struct overlap *overlap, const struct tank *tank, struct overla
     CORE_ASSERT(grid.columns <= OVERLAP_CELL_MAX && grid.rows <= OVERLAP_CELL_MAX);
     sort_by_cell(overlap, &grid);
     for (uint32_t i = 0; i < overlap->count; i++) {
-        judge_around(overlap, &grid, i, total);
+        test_neighbours(overlap, &grid, i, total);
     }
 }
 
@@ -200,8 +200,8 @@ static void open_pair(struct tank_meetings *meetings, const struct tank_meeting 
     meetings->newest[pair->low] = meetings->open_count;
 }
 
-static void forget_the_parted(struct tank_meetings *meetings, const struct tank *tank,
-                              uint32_t ticks)
+static void remove_separated_pairs(struct tank_meetings *meetings, const struct tank *tank,
+                                   uint32_t ticks)
 {
     const uint32_t count = meetings->open_count;
     meetings->open_count = 0;
@@ -251,7 +251,7 @@ void tank_meetings_update(struct tank_meetings *meetings, const struct tank *tan
     }
     meetings->unlooked_ticks += ticks;
     if (meetings->unlooked_ticks >= TANK_MEETINGS_LOOK_TICKS) {
-        forget_the_parted(meetings, tank, meetings->unlooked_ticks);
+        remove_separated_pairs(meetings, tank, meetings->unlooked_ticks);
         meetings->unlooked_ticks = 0;
     }
 }

@@ -26,11 +26,11 @@ static void hold_pose(const uint8_t *bytes, uint32_t size)
 static void hold_feel(const uint8_t *bytes, uint32_t size)
 {
     struct poi_force force;
-    uint8_t written[POI_FEEL_SIZE], sequence = 0;
-    if (!poi_feel_decode(bytes, size, &force, &sequence)) {
+    uint8_t written[POI_FORCE_SIZE], sequence = 0;
+    if (!poi_force_decode(bytes, size, &force, &sequence)) {
         return;
     }
-    HOLD(size == POI_FEEL_SIZE && sequence == bytes[1]);
+    HOLD(size == POI_FORCE_SIZE && sequence == bytes[1]);
     poi_force_encode(&force, sequence, written);
     HOLD(memcmp(written, bytes, sizeof written) == 0);
 }
@@ -39,10 +39,10 @@ static void hold_feel(const uint8_t *bytes, uint32_t size)
 static void hold_wild(const uint8_t *bytes, size_t size)
 {
     struct poi_force force = { 0 }, again;
-    uint8_t written[POI_FEEL_SIZE];
+    uint8_t written[POI_FORCE_SIZE];
     memcpy(&force, bytes, size < sizeof force ? size : sizeof force);
     poi_force_encode(&force, 7u, written);
-    HOLD(poi_feel_decode(written, sizeof written, &again, NULL));
+    HOLD(poi_force_decode(written, sizeof written, &again, NULL));
     HOLD(fabsf(again.force_n.x) <= POI_FORCE_N_MAX);
     HOLD(fabsf(again.torque_n_m.z) <= POI_TORQUE_N_M_MAX);
 }

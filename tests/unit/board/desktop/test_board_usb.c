@@ -184,8 +184,8 @@ static void test_a_usb_poi_gets_force_output(void **state)
     }
     const struct usb_sim_seen seen = usb_sim_seen(stall.poi);
     assert_true(seen.outs > 0);
-    assert_int_equal(seen.out_size, POI_FEEL_SIZE);
-    assert_int_equal(seen.out[0], POI_FEEL_ID);
+    assert_int_equal(seen.out_size, POI_FORCE_SIZE);
+    assert_int_equal(seen.out[0], POI_FORCE_ID);
 }
 
 /* Prints the time from the plug to the frame whose input has the poi again. */

@@ -64,7 +64,7 @@ static void test_only_reports_that_were_sent_get_a_sequence_number(void **state)
 static void test_the_newest_output_report_is_used_and_invalid_ones_are_rejected(void **state)
 {
     (void)state;
-    uint8_t bytes[POI_FEEL_SIZE];
+    uint8_t bytes[POI_FORCE_SIZE];
     struct poi_force force = { 0 };
     assert_false(hid_gadget_feel(&gadget, &force));
     for (uint32_t i = 1; i <= 3; i++) {

@@ -97,10 +97,10 @@ static void test_each_report_has_the_declared_length_and_fields(void **state)
 {
     (void)state;
     assert_int_equal(inputs.report_bits[POI_REPORT_ID], 8 * (POI_REPORT_SIZE - 1));
-    assert_int_equal(outputs.report_bits[POI_FEEL_ID], 8 * (POI_FEEL_SIZE - 1));
+    assert_int_equal(outputs.report_bits[POI_FORCE_ID], 8 * (POI_FORCE_SIZE - 1));
     for (uint32_t id = 0; id < 256; id++) {
         assert_true(id == POI_REPORT_ID || inputs.report_bits[id] == 0);
-        assert_true(id == POI_FEEL_ID || outputs.report_bits[id] == 0);
+        assert_true(id == POI_FORCE_ID || outputs.report_bits[id] == 0);
     }
     assert_int_equal(inputs.field_count, 1 + 6 + 8);
     assert_int_equal(outputs.field_count, 1 + 6 + 3);
@@ -171,7 +171,7 @@ static void test_a_force_can_be_read_by_the_descriptor_alone(void **state)
             .slap = drawn[7],
             .tear = drawn[8],
         };
-        uint8_t bytes[POI_FEEL_SIZE];
+        uint8_t bytes[POI_FORCE_SIZE];
         poi_force_encode(&sent, (uint8_t)i, bytes);
         for (uint32_t k = 0; k < 3; k++) {
             /* One newton is 10^5 g cm/s^2, and one newton metre is 10^7 g cm^2/s^2. */

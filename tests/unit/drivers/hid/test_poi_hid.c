@@ -110,7 +110,7 @@ static void test_force_is_sent_to_a_device_that_supports_it(void **state)
     reopen();
     assert_int_equal(device.ops->set_force(device.self, &pull), HAL_OK);
     assert_true(
-        poi_feel_decode(fixture.wire.port.sent, fixture.wire.port.sent_size, &felt, &sequence));
+        poi_force_decode(fixture.wire.port.sent, fixture.wire.port.sent_size, &felt, &sequence));
     assert_int_equal(sequence, 0);
     assert_float_equal(felt.force_n.y, -1.5f, 1e-3f);
     fixture.wire.port.busy = true;
@@ -118,10 +118,10 @@ static void test_force_is_sent_to_a_device_that_supports_it(void **state)
     assert_int_equal(device.ops->set_force(device.self, &pull), HAL_ERR_BUSY);
     fixture.wire.port.busy = false;
     fixture.wire.port.port.wake(fixture.wire.port.port.wake_self);
-    poi_feel_decode(fixture.wire.port.sent, fixture.wire.port.sent_size, &felt, &sequence);
+    poi_force_decode(fixture.wire.port.sent, fixture.wire.port.sent_size, &felt, &sequence);
     assert_int_equal(sequence, 1);
     device.ops->set_force(device.self, &pull);
-    poi_feel_decode(fixture.wire.port.sent, fixture.wire.port.sent_size, &felt, &sequence);
+    poi_force_decode(fixture.wire.port.sent, fixture.wire.port.sent_size, &felt, &sequence);
     assert_int_equal(sequence, 2); /* An unsent output report does not use a sequence number. */
 }
 

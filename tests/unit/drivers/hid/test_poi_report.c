@@ -102,13 +102,13 @@ static void test_an_output_report_contains_six_forces_and_three_levels(void **st
         .drag = 1.0f,
         .slap = 0.5f,
     };
-    const uint8_t expected[POI_FEEL_SIZE] = {
+    const uint8_t expected[POI_FORCE_SIZE] = {
         2,    9,    0x00, 0xc0, 0xff, 0x7f,
         0x00, 0x00,                         /* -16384 (-16383.5, away from 0), 32767, 0 */
         0xff, 0x7f, 0x01, 0x80, 0x00, 0x20, /* 32767, -32767, 8192 (8191.75) */
         255,  128,  0,
     };
-    uint8_t bytes[POI_FEEL_SIZE];
+    uint8_t bytes[POI_FORCE_SIZE];
     poi_force_encode(&force, 9, bytes);
     assert_memory_equal(bytes, expected, sizeof expected);
 }
@@ -121,9 +121,9 @@ static void test_forces_are_symmetric_and_exact_to_half_a_step(void **state)
         const float n = rng_range(key, -POI_FORCE_N_MAX, POI_FORCE_N_MAX);
         const struct poi_force there = { .force_n = { n, -n, 0.0f } };
         struct poi_force back;
-        uint8_t bytes[POI_FEEL_SIZE], sequence = 0;
+        uint8_t bytes[POI_FORCE_SIZE], sequence = 0;
         poi_force_encode(&there, (uint8_t)i, bytes);
-        assert_true(poi_feel_decode(bytes, sizeof bytes, &back, &sequence));
+        assert_true(poi_force_decode(bytes, sizeof bytes, &back, &sequence));
         assert_int_equal(sequence, (uint8_t)i);
         assert_float_equal(back.force_n.x, -back.force_n.y, 0.0f);
         assert_float_equal(back.force_n.x, n, 0.501f * POI_FORCE_N_MAX / 32767.0f);
@@ -141,18 +141,18 @@ static void test_a_force_is_clamped_and_a_force_that_is_not_finite_is_zero(void 
         .tear = __builtin_nanf(""),
     };
     struct poi_force back;
-    uint8_t bytes[POI_FEEL_SIZE];
+    uint8_t bytes[POI_FORCE_SIZE];
     poi_force_encode(&wild, 0, bytes);
-    assert_true(poi_feel_decode(bytes, sizeof bytes, &back, NULL));
+    assert_true(poi_force_decode(bytes, sizeof bytes, &back, NULL));
     assert_float_equal(back.force_n.x, POI_FORCE_N_MAX, 1e-4f);
     assert_float_equal(back.force_n.y, -POI_FORCE_N_MAX, 1e-4f);
     assert_float_equal(back.force_n.z, 0.0f, 0.0f);
     assert_float_equal(v3_length(back.torque_n_m), POI_TORQUE_N_M_MAX, 1e-4f);
     assert_float_equal(back.drag, 1.0f, 0.0f);
     assert_float_equal(back.slap + back.tear, 0.0f, 0.0f);
-    assert_false(poi_feel_decode(bytes, POI_FEEL_SIZE - 1, &back, NULL));
+    assert_false(poi_force_decode(bytes, POI_FORCE_SIZE - 1, &back, NULL));
     bytes[0] = 1;
-    assert_false(poi_feel_decode(bytes, POI_FEEL_SIZE, &back, NULL));
+    assert_false(poi_force_decode(bytes, POI_FORCE_SIZE, &back, NULL));
 }
 
 int main(void)

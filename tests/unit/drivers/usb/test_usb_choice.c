@@ -120,7 +120,7 @@ static void test_a_choice_with_a_serial_number_has_priority(void **state)
     assert_int_equal(evaluate(&choice, &a, USB_KIND_OWN), USB_FREE);
     request(&choice, "0001:0002:a", 1, 1);
     assert_int_equal(evaluate(&choice, &a, USB_KIND_MAPPED), USB_PLAYS);
-    assert_int_equal(choice.wish_count, 2); /* The new choice replaces the older one of the same
+    assert_int_equal(choice.request_count, 2); /* The new choice replaces the older one of the same
                                                key. */
 }
 
@@ -134,7 +134,7 @@ static void test_a_full_list_drops_its_oldest_choice(void **state)
         request(&choice, text, 1, 1);
     }
     const struct hid_identity first = identity_of(1, 0, "", ""), second = identity_of(1, 1, "", "");
-    assert_int_equal(choice.wish_count, USB_REQUEST_MAX);
+    assert_int_equal(choice.request_count, USB_REQUEST_MAX);
     assert_int_equal(evaluate(&choice, &first, USB_KIND_MAPPED), USB_FREE);
     assert_int_equal(evaluate(&choice, &second, USB_KIND_MAPPED), USB_PLAYS);
 }
@@ -249,11 +249,11 @@ static void test_choices_are_stored_completely_or_the_old_file_is_kept(void **st
     request(&written, "1111:2222", 1, 0); /* A choice of the command line is not stored. */
     assert_int_equal(usb_choice_save(&written, path), 0);
     assert_int_equal(usb_choice_load(&read, path, why), 0);
-    assert_int_equal(read.wish_count, 2);
-    assert_string_equal(read.wish[0].key.serial, "with space");
-    assert_int_equal(read.wish[0].plays, 1);
-    assert_int_equal(read.wish[1].key.product, 0x2009);
-    assert_int_equal(read.wish[1].plays, 0);
+    assert_int_equal(read.request_count, 2);
+    assert_string_equal(read.request[0].key.serial, "with space");
+    assert_int_equal(read.request[0].plays, 1);
+    assert_int_equal(read.request[1].key.product, 0x2009);
+    assert_int_equal(read.request[1].plays, 0);
     assert_int_equal(mkdir(part, 0755), 0); /* The temporary file cannot be created now. */
     assert_true(usb_choice_save(&written, path) < 0);
     assert_int_equal(usb_choice_load(&read, path, why), 0);
@@ -280,7 +280,7 @@ static void test_bad_lines_are_counted_and_named(void **state)
     fputs("rests 1209:0003", file);
     fclose(file);
     assert_int_equal(usb_choice_load(&choice, path, why), 4);
-    assert_int_equal(choice.wish_count, 2);
+    assert_int_equal(choice.request_count, 2);
     assert_non_null(strstr(why, path));
     unlink(path);
 }

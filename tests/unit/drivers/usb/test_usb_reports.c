@@ -163,7 +163,7 @@ static void test_a_device_whose_transfers_all_fail_is_reopened(void **state)
 
 /* ---- Output --------------------------------------------------------------------------------- */
 
-static const uint8_t force_report[POI_FEEL_SIZE] = { POI_FEEL_ID, 9, 1, 2, 3 };
+static const uint8_t force_report[POI_FORCE_SIZE] = { POI_FORCE_ID, 9, 1, 2, 3 };
 
 static int send_force(void)
 {
@@ -219,7 +219,7 @@ static void test_without_an_out_endpoint_output_is_sent_by_set_report(void **sta
         usleep(200);
     }
     const struct usb_sim_seen seen = usb_sim_seen(poi);
-    assert_int_equal(seen.set_report_value, 0x0200 | POI_FEEL_ID); /* Type of an output report,
+    assert_int_equal(seen.set_report_value, 0x0200 | POI_FORCE_ID); /* Type of an output report,
                                                                       and its report id. */
     assert_memory_equal(seen.out, force_report, sizeof force_report);
 }

@@ -175,7 +175,7 @@ static void test_the_thread_waits_for_all_transfers_before_it_ends(void **state)
     const uint32_t poi = usb_sim_plug(&own_poi, 1);
     const uint32_t other = usb_sim_plug(&second_poi, 2);
     struct hid_port *const port = usb_transport_port(fixture.thread, 0);
-    const uint8_t blow[] = { POI_FEEL_ID, 1 };
+    const uint8_t blow[] = { POI_FORCE_ID, 1 };
     assert_true(fixture_open(&fixture, 0, &face));
     assert_true(fixture_open(&fixture, 1, &face));
     assert_true(fixture_open(&fixture, 0, &face));

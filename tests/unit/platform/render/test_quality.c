@@ -8,9 +8,9 @@
 
 #include "platform/render/quality.h"
 
-static struct quality_wish wish(const char *renderer, uint32_t width, uint32_t height)
+static struct quality_request request_of(const char *renderer, uint32_t width, uint32_t height)
 {
-    return (struct quality_wish){
+    return (struct quality_request){
         .renderer = renderer,
         .width = width,
         .height = height,
@@ -22,8 +22,8 @@ static struct quality_wish wish(const char *renderer, uint32_t width, uint32_t h
 static void test_a_software_renderer_draws_at_most_720p(void **state)
 {
     (void)state;
-    const struct quality_wish small = wish("llvmpipe (LLVM 15.0.6, 256 bits)", 1280, 720);
-    const struct quality_wish large = wish("llvmpipe (LLVM 15.0.6, 256 bits)", 1920, 1080);
+    const struct quality_request small = request_of("llvmpipe (LLVM 15.0.6, 256 bits)", 1280, 720);
+    const struct quality_request large = request_of("llvmpipe (LLVM 15.0.6, 256 bits)", 1920, 1080);
     const struct quality at_720 = quality_choose(&small);
     const struct quality at_1080 = quality_choose(&large);
     assert_true(at_720.software);
@@ -36,7 +36,8 @@ static void test_a_software_renderer_draws_at_most_720p(void **state)
 static void test_a_desktop_gpu_uses_four_samples_per_pixel(void **state)
 {
     (void)state;
-    const struct quality_wish desktop = wish("AMD Radeon RX 6600 (radeonsi, navi23)", 3840, 2160);
+    const struct quality_request desktop =
+        request_of("AMD Radeon RX 6600 (radeonsi, navi23)", 3840, 2160);
     const struct quality quality = quality_choose(&desktop);
     assert_false(quality.software);
     assert_float_equal(quality.scene_scale, 1.0f, 1e-6f);
@@ -47,7 +48,7 @@ static void test_a_desktop_gpu_uses_four_samples_per_pixel(void **state)
 static void test_a_screen_beyond_the_texture_limit_is_drawn_at_the_limit(void **state)
 {
     (void)state;
-    struct quality_wish upright = wish("some GPU of OpenGL ES 3.0", 2160, 3840);
+    struct quality_request upright = request_of("some GPU of OpenGL ES 3.0", 2160, 3840);
     upright.side_max = 2048;
     upright.scene_scale = 2.0f;
     const struct quality quality = quality_choose(&upright);
@@ -66,8 +67,8 @@ static void test_a_board_gpu_uses_one_sample_and_a_lower_resolution_on_large_scr
         "Panfrost", "Mali-G52",    "Lima",
     };
     for (size_t i = 0; i < sizeof boards / sizeof *boards; i++) {
-        const struct quality_wish small = wish(boards[i], 1280, 720);
-        const struct quality_wish large = wish(boards[i], 1920, 1080);
+        const struct quality_request small = request_of(boards[i], 1280, 720);
+        const struct quality_request large = request_of(boards[i], 1920, 1080);
         assert_false(quality_choose(&small).software);
         assert_int_equal(quality_choose(&small).samples, 1);
         assert_float_equal(quality_choose(&small).scene_scale, 1.0f, 1e-6f);
@@ -82,7 +83,7 @@ static void test_every_software_renderer_is_recognized(void **state)
     static const char *const names[] = { "llvmpipe (LLVM 15.0.6, 256 bits)", "softpipe",
                                          "Google SwiftShader", "Software Rasterizer" };
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-        const struct quality_wish any = wish(names[i], 1280, 720);
+        const struct quality_request any = request_of(names[i], 1280, 720);
         assert_true(quality_choose(&any).software);
     }
 }
@@ -90,7 +91,7 @@ static void test_every_software_renderer_is_recognized(void **state)
 static void test_a_requested_quality_is_limited_by_the_context(void **state)
 {
     (void)state;
-    struct quality_wish fine = wish("llvmpipe", 1280, 720);
+    struct quality_request fine = request_of("llvmpipe", 1280, 720);
     fine.scene_scale = 0.5f;
     fine.samples = 16;
     assert_float_equal(quality_choose(&fine).scene_scale, 0.5f, 1e-6f);
@@ -104,7 +105,8 @@ static void test_a_requested_quality_is_limited_by_the_context(void **state)
 static void test_each_quality_step_costs_less_than_the_previous_one(void **state)
 {
     (void)state;
-    const struct quality_wish desktop = wish("AMD Radeon RX 6600 (radeonsi, navi23)", 1920, 1080);
+    const struct quality_request desktop =
+        request_of("AMD Radeon RX 6600 (radeonsi, navi23)", 1920, 1080);
     const struct quality best = quality_choose(&desktop);
     struct quality before = quality_lower(&best, 0);
     assert_float_equal(before.scene_scale, best.scene_scale, 0.0f);
