@@ -18,7 +18,7 @@ enum field_form {
     FORM_HIGH,      /* The hash reads the number and the next member as one word. The number,
                        shifted left by `tag` bits, supplies the high bits of the word, and the next
                        member the low bits. */
-    FORM_SIGN,      /* The number is an int8_t from -1 to 1, and the hash adds 1 to the number. */
+    FORM_SIGN,      /* The member is an int8_t from -1 to 1. The hash reads the number plus 1. */
     FORM_LATER,     /* Recordings of formats older than `since` lack the number. The hash reads the
                        number and its tag only if the number is not 0, so that the hashes of older
                        recordings stay the same. */
@@ -133,7 +133,8 @@ struct field {
 /* Largest depth of structs within structs. */
 #define FIELD_DEPTH_MAX 6u
 
-/* Position of a visit of all members of an object, including the members of nested structs. */
+/* State of a visit, which reaches all members of an object one after another, including the members
+ * of nested structs. */
 struct field_cursor {
     bool in_memory_order; /* True to visit the members in their order in memory. False to visit the
                              members in the order of the tables. */

@@ -18,17 +18,16 @@ static const volatile struct {
                                                            and must not be treated as 0. */
     { 0x00800000, 0x3f000000, 0x00000000, 0x00400000 }, /* The product x * y is a denormal number
                                                            and must not become 0. */
-    { 0x80000001, 0x4b800000, 0x80000000, 0x81000000 }, /* Negative numbers: the smallest denormal
-                                                           operand, and in the next line a denormal
-                                                           product. */
+    /* The two tests above with negative numbers, in this line and the next. */
+    { 0x80000001, 0x4b800000, 0x80000000, 0x81000000 },
     { 0x80800000, 0x3f000000, 0x80000000, 0x80400000 },
-    { 0x3f800000, 0x3f800000, 0x33800000, 0x3f800000 }, /* 1 plus half a unit in the last place: the
-                                                           tie must round to the even 1. */
+    /* 1 plus half a unit in the last place. The sum is half way between two floats and must be
+     * rounded to 1, whose last bit is 0. */
+    { 0x3f800000, 0x3f800000, 0x33800000, 0x3f800000 },
     { 0x3f800000, 0x3f800000, 0x33c00000, 0x3f800001 }, /* 1 plus three quarters of a unit in the
                                                            last place must round up. */
-    { 0xbf800000, 0x3f800000, 0xb3800000, 0xbf800000 }, /* Negative numbers: -1 minus half a unit in
-                                                           the last place, and in the next line -1
-                                                           minus three quarters of a unit. */
+    /* The two rounding tests above with negative numbers, in this line and the next. */
+    { 0xbf800000, 0x3f800000, 0xb3800000, 0xbf800000 },
     { 0xbf800000, 0x3f800000, 0xb3c00000, 0xbf800001 },
 };
 
@@ -46,8 +45,8 @@ static uint32_t bits_of(float value)
     return bits;
 }
 
-/* Computes four tests, beginning with test `first`, in a vector of four floats. Returns true if all
- * results have the required bits. */
+/* Computes the test `first` and the next three tests as one vector of four floats. Returns true if
+ * all four results have the required bits. */
 static bool quad_is_standard(uint32_t first)
 {
     fquad x, y, z;

@@ -60,8 +60,8 @@ static float cos_core(float x)
     return 1.0f - s * (0.5f - s * (1.0f / 24.0f - s * (1.0f / 720.0f - s * (1.0f / 40320.0f))));
 }
 
-/* Returns the sine of x + shift * pi/2. pi/2 is split into two parts, which keeps the range
- * reduction accurate for |x| < 1000. */
+/* Returns the sine of x + shift * pi/2. The range reduction subtracts multiples of pi/2, which is
+ * split into a high and a low part. This split keeps the reduction accurate for |x| < 1000. */
 static float sin_quadrant(float x, int32_t shift)
 {
     const float half_pi_high = 1.5703125f;
@@ -90,7 +90,8 @@ float f_cos(float x)
     return sin_quadrant(x, 1);
 }
 
-/* Returns the arctangent for `x` in [0, 1]. One reduction by pi/4 leaves an odd polynomial on [0,
+/* Returns the arctangent for `x` in [0, 1]. For `x` above tan(pi/8), the function computes the
+ * arctangent of a smaller number and adds pi/4. Therefore the polynomial is needed only in [0,
  * tan(pi/8)]. */
 static float atan_unit(float x)
 {

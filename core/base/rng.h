@@ -67,7 +67,7 @@ enum rng_purpose {
     RNG_STARTLE_LATENCY,
     RNG_WATER_BUBBLE, /* Position where a bubble of the air pump bursts. */
     RNG_FISH_KICK,    /* Turn of a fish at a kick of its tail. */
-    RNG_CONTACT_LOT,  /* Selection of the contacts that a full list keeps. */
+    RNG_CONTACT_LOT,  /* Random choice of the contacts that a full contact list keeps. */
     RNG_TANK_SEED,    /* Seed of a tank that a game mode opens. */
     RNG_SESSION,      /* Seed of the next session. */
     RNG_PIN,          /* Salt of a new PIN. */

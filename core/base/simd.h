@@ -108,8 +108,8 @@ static inline void simd_store_row(void *first, size_t stride, flanes row)
 #endif
 }
 
-/* LOW interleaves the first two elements of `a` and `b` within each group of four lanes; HIGH
- * interleaves the last two. */
+/* In each group of four lanes, LOW(a, b) is a[0], b[0], a[1], b[1], and HIGH(a, b) is a[2], b[2],
+ * a[3], b[3]. */
 #ifdef SIMD_WIDE
 #define LOW(a, b) __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13)
 #define HIGH(a, b) __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15)
@@ -118,8 +118,8 @@ static inline void simd_store_row(void *first, size_t stride, flanes row)
 #define HIGH(a, b) __builtin_shufflevector(a, b, 2, 6, 3, 7)
 #endif
 
-/* Transposes four rows into four columns: column[m] holds element m of every row. Applied to
- * columns, the function returns rows. */
+/* Transposes four rows into four columns: column[m] holds element m of every row. The transpose of
+ * the columns is the rows again. */
 static inline void simd_turn(flanes column[4], flanes row0, flanes row1, flanes row2, flanes row3)
 {
     const flanes a = LOW(row0, row2), b = LOW(row1, row3);

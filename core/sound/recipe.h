@@ -23,8 +23,10 @@ struct layer_recipe {
                              start and `hz_to` after the glide, each in (0, 8000]. */
     float glide_ms;       /* Time constant of the glide from hz_from to hz_to; 0 means that the
                              frequency stays at hz_from. */
-    float damping;        /* Damping 1 / Q of the band-pass filter of a noise layer, in (0, 2]. */
-    float roughness;      /* Strength [0, 1] of the random changes of a noise layer's level. */
+    /* Damping of a noise layer's band-pass filter, (0, 2]: the inverse of its quality factor Q. A
+     * larger value passes a wider band. */
+    float damping;
+    float roughness; /* Strength [0, 1] of the random changes of a noise layer's level. */
 };
 
 struct sound_recipe {

@@ -19,8 +19,9 @@
 /* Fraction of the surface's height that remains after one step of STEP_S. The value is less than 1,
  * so that the surface returns to height 0. */
 #define LEVEL_KEEP 0.9985f
-/* Limit of (c * dt / dx)^2 along each axis, where c is the wave speed, dt is STEP_S and dx is the
- * cell size. The explicit scheme diverges if the sum over both axes reaches 1. */
+/* Limit of the squared Courant number (c * dt / dx)^2 along each axis, where c is the wave speed,
+ * dt is STEP_S and dx is the cell size. The explicit scheme diverges if the sum over both axes
+ * reaches 1. */
 #define COURANT_MAX 0.45f
 /* Largest height of a wave above the still water surface. The limit keeps waves below the rim of
  * the tank, which is at least 3 cm above the surface in every preset. */

@@ -10,9 +10,8 @@
 #include "tests/vm/twin.h"
 #include "tests/unit/support/menu_tag.h"
 
-#define LOOK_NS                                                                                    \
-    100000000 /* Time between two readings of the recording, ns. A recording grows once a
-                             second. */
+/* Time between two readings of the recording, ns. A recording grows once a second. */
+#define LOOK_NS 100000000
 
 static volatile sig_atomic_t must_end;
 

@@ -73,7 +73,7 @@ void startle_tick(struct fish *fish, uint32_t index, const struct perception *ar
 bool startle_alert(const struct fish *fish, const struct perception *around);
 
 enum escape_stage {
-    ESCAPE_NONE = 0, /* The gait is not GAIT_ESCAPE. */
+    ESCAPE_NONE = 0, /* The fish does not escape: its gait is not GAIT_ESCAPE. */
     ESCAPE_BEND,     /* Stage 1: the fish bends into a C. */
     ESCAPE_FLIP,     /* Stage 2: the tail flips back. */
     ESCAPE_DASH,

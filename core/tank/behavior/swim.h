@@ -61,8 +61,8 @@ bool swim_fall(struct fish *fish);
  * and the bend to the velocity. `forward` is the unit vector along the fish's forward axis. */
 void swim_settle(struct fish *fish, vec3 moved_m, vec3 forward);
 
-/* A distance longer than any tank. Added to `way_m`, this distance makes the next broad-phase query
- * search the neighbours of the fish again. */
+/* A distance longer than any tank. A fish whose `way_m` (distance moved since the last broad-phase
+ * query) grows by this distance makes a new query necessary. */
 #define SWIM_FAR_M 1000.0f
 
 /* All fish of a tank as arrays that are indexed by fish. */
@@ -82,7 +82,7 @@ struct shoal {
 
 /* Calls swim_move() for all swimming fish and updates their bodies. `lanes` is 0, 4 or 8. SIMD code
  * processes a block of `lanes` fish if the whole block swims. For a falling fish the function only
- * updates the body and adds SWIM_FAR_M to `way_m`. */
+ * updates the body, and adds SWIM_FAR_M to `way_m` so that a new query follows. */
 void swim_move_all(const struct shoal *shoal, uint32_t lanes);
 
 /* Moves every swimming fish to the position of its body, adds the distance to `way_m`, and calls

@@ -14,8 +14,8 @@
 
 #define TURN_GAIN_PER_S 3.0f
 #define TURN_TAU_S 0.12f
-/* Roll angle in radians per rad/s of yaw rate. The negative value rolls the fish into its turn, as
- * fish with a high back do. */
+/* Roll angle of a turning fish in radians, divided by its yaw rate in rad/s. The value is negative,
+ * so the fish leans into its turn, as fish with a high back do. */
 #define BANK_PER_RAD_S (-0.07f)
 #define BANK_MAX_RAD 0.2f
 #define BANK_TAU_S 0.20f
@@ -32,8 +32,8 @@
 #define BLOCKED_SHARE 0.25f
 #define TAIL_TAU_S 0.15f
 #define STROKE_TAU_S 0.20f
-/* Bend of the body in radians per rad/s of yaw rate. The body bends along the arc of the turn: in a
- * left turn the tail lies to the left. */
+/* Bend of a turning fish's body in radians, divided by its yaw rate in rad/s. The body bends along
+ * the arc of the turn: in a left turn the tail lies to the left. */
 #define BEND_PER_RAD_S (-0.20f)
 #define BEND_TAU_S 0.08f
 

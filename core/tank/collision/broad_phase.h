@@ -102,7 +102,7 @@ struct broad_phase_search {
 };
 
 /* Moves each fish to the position of its body, which the contact solver moved. Adds the distance to
- * `way_m`. */
+ * `way_m`, the distance that the body moved since the last query. */
 void broad_phase_sync(struct broad_phase *broad_phase, struct fish *fish);
 
 /* Returns the distance that the fish is expected to move before the next query, computed from its

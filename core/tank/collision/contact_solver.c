@@ -56,7 +56,8 @@ static void keep_inside(const struct solver_step *all, uint32_t index)
 }
 
 /* Moves a fish to the position of its body after a push of that body. Adds the distance to `way_m`,
- * so that contact_is_apart() takes the push into account. */
+ * the distance that the body moved since the last query, so that contact_is_apart() takes the push
+ * into account. */
 static void note_moved_body(const struct solver_step *all, uint32_t index)
 {
     CORE_ASSERT(all->broad_phase->flags[index] & BODY_SWIMMING);

@@ -35,9 +35,8 @@
 /* Largest number of obstacles: a poi and a bowl for each of four players. */
 #define TANK_OBSTACLE_MAX 8u
 
-#define SOLVER_FREE_M                                                                              \
-    0.0003f /* Two bodies that penetrate each other by at most this depth count as
-                                 separate. */
+/* Two bodies that penetrate each other by at most this depth count as separate. */
+#define SOLVER_FREE_M 0.0003f
 /* Usual value of `push_max_m`, the largest push of a body in a tick. A larger push would look like
  * a jump of the fish. */
 #define SOLVER_PUSH_M 0.002f

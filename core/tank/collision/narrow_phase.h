@@ -112,8 +112,9 @@ enum pair_search {
 /* Input of a search for pairs of nearby bodies. Arrays are indexed by fish. */
 struct narrow_phase_query {
     const struct body *body;
-    const uint8_t *flags; /* Flags of each fish. The search includes a fish if its flags contain at
-                             least one bit of `which`. */
+    /* Flags of each fish (enum body_flag). The search includes a fish if its flags contain at least
+     * one bit of `which`. */
+    const uint8_t *flags;
     const float *reach_m; /* Reach of each body: distance beyond its skin at which the search still
                              finds the body. */
     uint32_t count;

@@ -40,10 +40,11 @@ struct obstacle {
     vec3 normal;       /* Unit normal of the plane of a disc (poi). The normal points to the upper
                           side of the disc. */
     vec3 velocity_m_s; /* Velocity that the obstacle has if no fish blocks its motion. */
-    float stalled;     /* Fraction [0, 1] of the intended motion that fish blocked when the obstacle
-                          last tried to move. */
-    float radius_m;    /* Outer radius of the ring or of the bowl's mouth. */
-    float depth_m;     /* Depth of a bowl's hull below its mouth. */
+    /* Fraction [0, 1] of its intended motion that the obstacle could not make when it moved last,
+     * because fish blocked it. */
+    float stalled;
+    float radius_m; /* Outer radius of the ring or of the bowl's mouth. */
+    float depth_m;  /* Depth of a bowl's hull below its mouth. */
 
     /* Motion of the obstacle in this tick; zero if the obstacle did not move. */
     vec3 step_m;
