@@ -50,8 +50,8 @@ static void test_a_short_round_has_only_the_announcements_within_its_time(void *
 {
     (void)state;
     assert_int_equal(count_calls(CALL_ONE_MINUTE, 60), 0);
-    assert_int_equal(count_calls(CALL_ONE_MINUTE, 70), 0); /* At ten seconds, the other announcement
-                                                              is made. */
+    /* A round of 70 s has no announcement of one minute so soon after its start. */
+    assert_int_equal(count_calls(CALL_ONE_MINUTE, 70), 0);
     assert_int_equal(count_calls(CALL_ONE_MINUTE, 71), 1);
     assert_int_equal(count_calls(CALL_TEN_SECONDS, 70), 1);
     assert_int_equal(count_calls(CALL_TWO_MINUTES, 120), 0);

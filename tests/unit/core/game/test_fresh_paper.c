@@ -98,8 +98,8 @@ static void test_paper_with_a_hole_in_the_middle_is_usable_beside_it(void **stat
     assert_true(paper_can_hold(sheet));
     punch(sheet, 0.0f, 0.0f, 0.012f);
     assert_true(paper_can_hold(sheet));
-    punch(sheet, 0.0f, 0.0f, 0.026f); /* A strip of 14 mm at the ring is narrower than a fish
-                                         needs. */
+    /* The remaining paper is a strip of 14 mm at the ring, on which no fish can lie. */
+    punch(sheet, 0.0f, 0.0f, 0.026f);
     assert_true(sheet_left(sheet) > PAPER_LEFT_MIN);
     assert_false(paper_can_hold(sheet));
 }

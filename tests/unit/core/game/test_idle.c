@@ -8,7 +8,7 @@
 #include "tests/unit/support/game_fixture.h"
 
 #define LONGEST_TICKS (MENU_SWING_SPANS * MENU_IDLE_TICKS + CORE_TICK_HZ)
-#define SWING_TICKS 170u /* Period of a cord of half a metre. */
+#define SWING_TICKS 170u /* Period in ticks of a poi that swings on a cord of half a metre. */
 #define PLUG_TICKS 1200u
 
 /* ---- Abandoned input ------------------------------------------------------------------------ */

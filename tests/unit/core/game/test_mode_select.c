@@ -145,7 +145,7 @@ static void test_a_moving_poi_keeps_the_selection_open(void **state)
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
-/* A poi on its cord swings across the kiosk's edge forever. */
+/* Simulates a poi that hangs on its cord and swings at the kiosk's edge without end. */
 static void test_the_selection_lasts_at_most_two_minutes(void **state)
 {
     (void)state;
@@ -226,8 +226,8 @@ static void test_each_championship_has_a_new_random_tank(void **state)
     assert_int_not_equal(core.world.tank.seed, first);
 }
 
-/* Fish count the ticks since their last update in a byte. Fish of a tank that opens late must not
- * have an update pending for seconds. */
+/* Each fish stores the tick of its last decision in one byte. Therefore the fish of a tank that
+ * opens late must count as having decided just now. */
 static void test_fish_of_a_tank_that_opens_late_were_just_updated(void **state)
 {
     (void)state;

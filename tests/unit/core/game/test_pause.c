@@ -115,7 +115,7 @@ static void test_the_other_players_continue_after_ten_seconds(void **state)
     ticks(1);
     assert_true(look()->player[OTHER].out);
     assert_false(scene.paused);
-    return_hand(OTHER); /* The return is too late. */
+    return_hand(OTHER); /* The player returns after the end of the waiting time. */
     ticks(CORE_TICK_HZ);
     assert_true(look()->player[OTHER].out);
     assert_float_equal(scene.seconds_left, before_s - 1.0f, 0.02f);
@@ -228,7 +228,7 @@ static void test_no_loss_pauses_the_game_after_the_call_of_time(void **state)
         tick();
     }
     core.world.poi[MINE].carried_count =
-        1; /* The state is that of a fish on the poi, for which the round waits. */
+        1; /* A fish lies on the poi, so the round waits until the fish is in the bowl. */
     core.world.poi[MINE].carried_fish[0].fish = 0;
     core.world.tank.fish[0].gait = GAIT_HELD;
     ticks(1);

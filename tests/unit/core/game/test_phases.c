@@ -170,7 +170,7 @@ static void test_a_dip_in_the_result_counts_from_two_and_a_half_seconds(void **s
     (void)state;
     play_into_result();
     steps(GAME_AGAIN_DIP_TICKS - 3u);
-    dip(); /* The dip is one tick too early. */
+    dip(); /* The dip comes one tick before the result accepts dips. */
     assert_int_equal(core.game.phase, PHASE_RESULT);
     dip();
     assert_int_equal(core.game.phase, PHASE_READY);

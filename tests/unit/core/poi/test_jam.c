@@ -17,7 +17,8 @@
 
 #define PULL_M 0.03f
 #define STILL_M (0.02f * CORE_TICK_S)
-#define JAM_TICKS_MAX CORE_TICK_HZ /* The bound. The longest measured jam lasted 12 ticks. */
+/* Longest permitted jam in ticks. The longest jam that was ever measured lasted 12 ticks. */
+#define JAM_TICKS_MAX CORE_TICK_HZ
 
 static struct core core;
 static struct input input;

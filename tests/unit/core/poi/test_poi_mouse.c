@@ -75,9 +75,9 @@ static void test_whole_pixel_mouse_motion_loads_the_paper_like_the_smooth_path(v
     assert_grain(0.30f, 0.05f);
 }
 
-/* The slower the hand, the larger a pixel is in relation: 3 pixels a frame vary between 3 and 4.
- * The remaining difference is drag, which grows with the square of the ring's true speed. A filter
- * against it would add lag. */
+/* At a low speed, a pixel is a large part of the motion in a frame: 3.5 pixels per frame become 3
+ * and 4 in turn. The remaining difference is drag, which grows with the square of the ring's true
+ * speed. A filter against it would add lag. */
 static void test_slower_mouse_motion_adds_at_most_an_eighth_of_the_strain(void **state)
 {
     (void)state;

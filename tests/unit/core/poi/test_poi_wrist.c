@@ -41,7 +41,8 @@ static void test_an_empty_poi_does_not_turn_over_the_bowl(void **state)
     fixture_wait(&fixture, 1.0f);
     assert_float_equal(tilt_rad(), 55.0f * F_DEG, 0.02f);
     fixture.laden = 0;
-    fixture.poi.laden_ticks = 0; /* The poi is empty, so its paper can be examined again. */
+    /* The poi carries no fish any more, so it turns back and shows its paper. */
+    fixture.poi.laden_ticks = 0;
     fixture_wait(&fixture, 0.6f);
     assert_true(tilt_rad() < 2.0f * F_DEG);
 }

@@ -31,7 +31,7 @@ static void test_the_tilt_is_the_angular_rate_times_the_time(void **state)
 {
     (void)state;
     struct gamepad_imu_filter tilt = level_pad();
-    for (uint64_t ms = 0; ms <= 100; ms += 10) { /* The rotation takes 0.1 s at 3 rad/s. */
+    for (uint64_t ms = 0; ms <= 100; ms += 10) { /* The gamepad turns for 0.1 s at 3 rad/s. */
         gamepad_imu_filter_add_rotation(&tilt, BEGIN_NS + ms * MS_NS, v3(3.0f, 0.0f, 0.0f));
     }
     const struct angles angles = gamepad_imu_filter_at(&tilt, BEGIN_NS + 100u * MS_NS, 0);

@@ -109,7 +109,8 @@ static void test_a_stuck_coin_is_reported_once_and_while_it_is_stuck(void **stat
     assert_counts(&mech, 0, 0, 1, 0);
     gpio_coin_settle(&mech, 60000 * MS);
     gpio_coin_edge(&mech, 61000 * MS, false);
-    gpio_coin_edge(&mech, 61005 * MS, true); /* The coin becomes loose with bounces. */
+    /* The coin that was stuck falls, and the contact bounces. */
+    gpio_coin_edge(&mech, 61005 * MS, true);
     gpio_coin_edge(&mech, 61030 * MS, false);
     gpio_coin_settle(&mech, 62000 * MS);
     assert_counts(&mech, 0, 0, 1, 0);

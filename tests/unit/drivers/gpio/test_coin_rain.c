@@ -6,7 +6,7 @@
 
 #include <cmocka.h>
 
-#include "drivers/gpio/gpio_thread.h" /* Selects the link with shell.a (tests.mk). */
+#include "drivers/gpio/gpio_thread.h" /* This header makes tests.mk link the test with shell.a. */
 #include "tests/gpio/coin_rain.h"
 
 #define COINS 20000u

@@ -12,8 +12,9 @@
 #define PERIOD_NS (3 * MS)
 
 static struct debounce_edge_time change;
-static uint64_t taken_ns; /* Time at which edges are read from the kernel; 0 if each edge is read
-                             at its own time. */
+/* Time at which the thread reads the edges from the kernel. 0 means that each edge is read when it
+ * occurs. */
+static uint64_t taken_ns;
 
 static bool edge(struct gpio_edge_filter *input, uint64_t time_ms, bool active,
                  uint32_t lost_before)
@@ -95,7 +96,8 @@ static void test_a_pulse_that_ended_before_its_edges_were_reported_is_a_pulse(vo
     taken_ns = 118 * MS;
     assert_false(edge(&input, 100, false, 0)); /* The edges are reported after the end of the
                                                   pulse. */
-    assert_true(edge(&input, 118, false, 0));  /* The masked end has the time of the read. */
+    /* The kernel gives the end of the pulse the time at which the first edge was read. */
+    assert_true(edge(&input, 118, false, 0));
     taken_ns = 0;
     assert_change(100, true);
     assert_true(level(&input, 122, false));
@@ -140,7 +142,8 @@ static void test_a_pulse_in_the_level_without_edges_is_counted_as_lost(void **st
     assert_false(level(&input, 102, true));
     assert_false(level(&input, 107, true));
     assert_false(level(&input, 112, false));
-    assert_int_equal(input.lost, 0); /* The edges may still arrive. */
+    /* The missing edges may still arrive, so none counts as lost. */
+    assert_int_equal(input.lost, 0);
     assert_false(edge(&input, 500, true, 0));
     assert_int_equal(input.lost, 1);
 }

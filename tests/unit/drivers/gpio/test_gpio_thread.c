@@ -84,8 +84,8 @@ static void test_edges_that_the_queue_dropped_are_faults_and_the_level_is_correc
         assert_int_equal(fixture.sim.dropped, 25);
         assert_int_equal(fixture.sum.held, INPUT_START);
         assert_int_equal(fixture.presses, 1);
-        /* Without numbers the level proves only one lost edge; with numbers all lost edges are
-         * known. */
+        /* If the kernel does not number its edges, the level shows only that one edge is missing.
+         * With numbers, the count of all missing edges is known. */
         assert_int_equal(fixture.sum.faults, numbered ? 25 : 1);
         end(&fixture);
     }

@@ -89,7 +89,7 @@ static const char *name(uint32_t row)
     return device.ops->name(device.self, row);
 }
 
-/* Pushes the right stick of the gamepad instead of the left one, and presses L1. */
+/* Sends a report in which the right stick, not the left one, is deflected and L1 is pressed. */
 static void push(uint32_t at, int64_t across, int64_t along, int64_t squeezed)
 {
     struct hid_wire *pad = &wire[0];
@@ -205,8 +205,8 @@ static void test_a_mapping_that_is_not_stored_is_discarded(void **state)
     assert_int_equal(frame().learn_step, LEARN_NONE);
     assert_null(hid_mapping_store_find(&store, &wire[0].face.identity));
     assert_int_equal(slot[0].decoder.map.source, HID_MAPPING_KNOWN);
-    assert_int_equal(frame().state[0], CONTROLLER_ACTIVE); /* The state is the same as before the
-                                                              learning. */
+    /* After the learning the controller plays again, as before. */
+    assert_int_equal(frame().state[0], CONTROLLER_ACTIVE);
 }
 
 static void test_an_unused_device_is_free_again_after_a_discarded_mapping(void **state)
@@ -227,7 +227,7 @@ static void test_an_unused_device_is_free_again_after_a_discarded_mapping(void *
     assert_int_equal(frame().state[0], CONTROLLER_FREE);
     assert_int_equal(frame().state[3], CONTROLLER_ACTIVE);
     order(COMMAND_LEARN_END, 3);
-    order(COMMAND_LEARN, 0); /* The gamepad is unplugged while it is absent from the trial. */
+    order(COMMAND_LEARN, 0); /* The gamepad is already unplugged when the trial ends. */
     frame();
     frame();
     hid_device_list_sim_plug(&device_list, 0, NULL);

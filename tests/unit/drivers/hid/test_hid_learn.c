@@ -14,12 +14,12 @@
 #include "tests/unit/support/hid_wire.h"
 #include "tests/unit/support/pointer.h"
 
-/* Fields by which a demonstration controls the device. */
+/* Fields of a device's report that a simulated person moves in a demonstration. */
 struct demo_device {
     const char *name;
     hid_usage x, z, dip;
     int report_id;  /* Report that contains all three fields. */
-    uint8_t manner; /* Binding kind that should be learned for the axes. */
+    uint8_t manner; /* Kind of binding that the learning should find for the axes. */
     uint8_t says_in_range;
     int8_t turned; /* 1 if the device is rotated by 180 degrees, so that its left is the player's
                       right. */
@@ -52,7 +52,7 @@ static void send(uint8_t id)
     now_ms += 8;
 }
 
-/* Writes the share `share` of an axis' range, with an error of at most one step. */
+/* Writes a position of an axis, as a fraction of its range, with an error of at most one step. */
 static void put_axis(const struct demo_device *demo_device, hid_usage usage, float share)
 {
     const struct hid_field_location spot =
@@ -79,8 +79,8 @@ static void send_motion(const struct demo_device *demo_device, float x, float z,
     send((uint8_t)demo_device->report_id);
 }
 
-/* Demonstrates a motion to (x, z) and, except for a device of positions, back, in realistic
- * time. */
+/* Simulates a person who moves the device to (x, z) in a realistic time. The device then returns to
+ * its middle, unless it reports positions. */
 static void show(const struct demo_device *demo_device, float x, float z, int dips)
 {
     for (uint32_t i = 1; i <= 40; i++) {
@@ -145,7 +145,8 @@ static void hold_pose(const struct demo_device *demo_device)
     assert_float_equal(motion_of(&hand, demo_device, 0.5f, 0.5f, 1).y, DIP_DEPTH_M, 1e-3f);
 }
 
-/* The payload already contains these values. */
+/* The first report does not count, because the payload already contains the values of the rest
+ * position. */
 static void learns_this(const struct demo_device *demo_device)
 {
     teach(demo_device);

@@ -41,7 +41,7 @@ static const struct hid_binding *binding_of(const struct hid_mapping *map, enum 
 struct expected {
     const char *name;
     uint8_t style;
-    uint8_t manner, x_report; /* Kind and report id of the binding of X. */
+    uint8_t manner, x_report; /* Expected binding of the axis X: its kind and its report id. */
     uint32_t x_offset;
 };
 
@@ -190,8 +190,8 @@ static void test_a_kingyo_poi_of_any_vendor_is_recognized_by_its_descriptor(void
     assert_int_equal(map.style, HID_STYLE_POSE);
     assert_true(map.feels);
     map = map_of("002-3dconnexion-spacemouse-wireless", 0x1209, 0x0001);
-    assert_int_equal(map.source, HID_MAPPING_AUTO); /* A device is not a Kingyo poi only because
-                                                       it has six axes. */
+    /* A device with six axes is not yet a Kingyo poi. */
+    assert_int_equal(map.source, HID_MAPPING_AUTO);
 }
 
 static void test_a_playstation_gamepad_is_recognized_by_its_usb_ids(void **state)

@@ -21,7 +21,7 @@
 #define WIDTH 1920.0f
 #define HEIGHT 1080.0f
 
-/* Position at which the simulated player wants the ring. */
+/* Position and state that the simulated player intends for the ring. */
 struct target {
     vec3 over_m; /* Point on the still water above which the ring should be. */
     uint8_t dips;
@@ -79,7 +79,8 @@ static void to_screen(vec3 point, float *x_px, float *y_px)
     *y_px = 0.5f * (1.0f - body.y / -body.z / tan_y) * HEIGHT;
 }
 
-/* Returns the deflection of a stick for a distance to the target. It is full from 8 cm on. */
+/* Returns the deflection of a stick for a distance to the target. From 8 cm on, the deflection is
+ * full. */
 static float push_of(float way_m)
 {
     return f_clamp(way_m / 0.08f, -1.0f, 1.0f);
@@ -144,7 +145,7 @@ static void send_mouse(const struct target *target)
 static void send_pen(const struct target *target)
 {
     const int id = player.wire.descriptor.report_bits[9] && !player.wire.descriptor.report_bits[7]
-                       ? 9 /* Device 157 has its pen in the report of a mouse. */
+                       ? 9 /* Device 157 sends its pen in report 9, which also has the mouse. */
                        : (int)player.poi.decoder.map.binding[0].report_id;
     float x_px, y_px;
     to_screen(target->over_m, &x_px, &y_px);
@@ -275,7 +276,7 @@ static void try_once(void)
     }
 }
 
-/* Prints the number of fish that are caught. The tests require half of the usual number. */
+/* Plays rounds and prints the number of caught fish. The tests require half of the usual number. */
 static uint32_t landed_in(uint32_t rounds, const char *what)
 {
     uint32_t landed = 0;

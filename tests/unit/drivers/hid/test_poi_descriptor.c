@@ -129,8 +129,8 @@ static void test_a_pose_can_be_read_by_the_descriptor_alone(void **state)
                 physical(&inputs, GENERIC(0x30u + k), UNIT_CM, bytes, sizeof bytes);
             const double turn_deg =
                 physical(&inputs, GENERIC(0x33u + k), UNIT_DEGREE, bytes, sizeof bytes);
-            assert_float_equal(place_cm, 100.0f * drawn[k], 0.0016); /* The tolerance is half a
-                                                                        step, which is 15 um. */
+            /* The tolerance is half a step of the encoding, which is 15 um. */
+            assert_float_equal(place_cm, 100.0f * drawn[k], 0.0016);
             assert_float_equal(turn_deg, 180.0f * drawn[3 + k], 0.0028);
         }
         assert_int_equal(physical(&inputs, OURS(POI_USAGE_SEQUENCE), 0, bytes, sizeof bytes),

@@ -9,7 +9,8 @@ static void test_tickets_count_only_complete_groups_of_own_fish(void **state)
 {
     (void)state;
     play_a_paid_round();
-    core.game.player[0].caught = 14; /* The catch is worth 2.8 tickets. */
+    /* One ticket is given for five fish, so 14 fish are worth 2.8 tickets. */
+    core.game.player[0].caught = 14;
     core.game.player[1].plays = core.game.player[1].out = 1;
     core.game.player[1].caught = 4;
     steps(ROUND_S * CORE_TICK_HZ);
@@ -105,7 +106,7 @@ static void test_the_final_entry_completes_the_operating_time(void **state)
     assert_in_range(audit(AUDIT_UP_S_MAX), 120, 130);
     assert_int_equal(
         health_log_final(&core.game.accounts, &core.game.health_log, core.game.tick, &input, &last),
-        0); /* The session has no store. */
+        0); /* Start number 0 means that the kiosk found no store. */
     core.game.accounts.ledger.boot = 3;
     const uint64_t hash = core_hash(&core);
     const uint32_t told = audit(AUDIT_UP_S);

@@ -109,7 +109,8 @@ static void test_a_full_store_only_delays_the_game(void **state)
         drop_each(coins);
         input.poi[0].link = POI_SOURCE_ABSENT;
         steps(GAME_LOST_TICKS_MAX + GAME_AGAIN_TICKS);
-        for (uint32_t i = 0; i < 4; i++) { /* The end entries of the started rounds found room. */
+        /* The ring had room for the entries that end the started rounds. */
+        for (uint32_t i = 0; i < 4; i++) {
             press(INPUT_START | INPUT_OK);
             steps(CORE_TICK_HZ);
         }
@@ -119,8 +120,9 @@ static void test_a_full_store_only_delays_the_game(void **state)
 
 static uint32_t draw(uint32_t *seed, uint32_t below)
 {
-    *seed = *seed * 1664525u + 1013904223u; /* Knuth's linear congruential generator; the upper half
-                                               has sufficient quality. */
+    /* A linear congruential generator by Knuth. Only its upper 16 bits, which are sufficiently
+     * random, are used. */
+    *seed = *seed * 1664525u + 1013904223u;
     return (*seed >> 16) % below;
 }
 

@@ -181,7 +181,7 @@ static void test_tickets_refunds_and_open_rounds_have_their_ranges(void **state)
     entry.detail = 0x61;
     entry.value = 0x1f0002;
     assert_true(ledger_entry_is_valid(&entry));
-    entry.detail = 0x6f; /* The mode does not exist. */
+    entry.detail = 0x6f; /* 0x6f contains the number of a mode that does not exist. */
     assert_false(ledger_entry_is_valid(&entry));
     entry.detail = 0x61;
     entry.value = 0x200000;
@@ -380,8 +380,8 @@ static void test_the_core_writes_no_entry_beyond_the_last_id(void **state)
         assert_true(core.game.accounts.ledger.last_id <= LEDGER_ID_MAX);
     }
     assert_int_equal(core.game.accounts.ledger.last_id, LEDGER_ID_MAX);
-    assert_false(ledger_is_safe(&core.game.accounts.ledger)); /* The coin slot is therefore
-                                                                 closed. */
+    /* A ledger that is not safe closes the coin slot. */
+    assert_false(ledger_is_safe(&core.game.accounts.ledger));
 }
 
 /* ---- The core and the replay ----------------------------------------------------------------- */

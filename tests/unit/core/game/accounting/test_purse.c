@@ -11,14 +11,16 @@
 #define LOG_MAX 60000u
 #define CUTS 400u
 
-static struct ledger_entry journal[LOG_MAX]; /* All written entries that were not cut off, by id. */
+static struct ledger_entry journal[LOG_MAX]; /* Every ledger entry so far, by id. A power cut
+                                                removes the entries that were not on the disk. */
 static struct disk {
     uint32_t id;   /* Id of the last entry on the disk. */
     uint32_t told; /* Id of the last entry that the kiosk knows to be stored. */
     uint32_t ill;  /* Remaining ticks of a store failure. */
     uint32_t boots;
 } disk;
-static uint32_t fallen; /* Coin units inserted in this start. */
+/* Value, in coin units, of all coins that were inserted since the last start. */
+static uint32_t fallen;
 static uint32_t drawn;
 
 static uint32_t draw(uint32_t count)
@@ -113,7 +115,7 @@ static void serve_disk(void)
     if (disk.ill == 0 && draw(12) == 0 && disk.id < output.entry_id) {
         disk.id += 1u + draw(output.entry_id - disk.id);
     }
-    if (draw(4) == 0) { /* The acknowledgement is late or missing. */
+    if (draw(4) == 0) { /* The store reports the saved entries only in one of four ticks. */
         disk.told = disk.id;
     }
     input.record_saved_id = disk.told;
@@ -135,7 +137,8 @@ static void live(void)
     take_entries(before);
 }
 
-/* Checks that all units inserted in this start are written or pending. */
+/* Checks that all coin units inserted since the last start are in a ledger entry or wait for
+ * one. */
 static void expect_no_coin_lost(uint32_t began)
 {
     uint32_t told = 0, waits = 0;

@@ -6,10 +6,11 @@
 #include "tests/unit/support/paid_fixture.h"
 
 #define SPENT_TICKS (2u * ROUND_S * CORE_TICK_HZ / 3u)
-#define FISH 14u /* The catch is worth two tickets and four more fish. */
+/* Fish that the player catches: enough for two tickets, with four fish left over. */
+#define FISH 14u
 #define TICKETS 2u
 
-static struct ledger_stand stand; /* Aggregates of all written entries. */
+static struct ledger_stand stand; /* Sums that the store would compute from all entries. */
 static uint32_t seen_id;
 
 /* Adds the new entries to the aggregates, as the store does. */
@@ -101,8 +102,8 @@ static void expect_refunded(void)
     assert_int_equal(balance()->open, PAYMENT_NONE);
 }
 
-/* Checks that the round is scored: the second of two plays of one credit, or a round that was
- * nearly over. */
+/* Checks that the round is scored and its credit not refunded. Such a round is the second one of
+ * the same credit, or it was nearly over. */
 static void expect_kept(uint32_t refunds)
 {
     assert_int_equal(audit(AUDIT_REFUNDS), refunds);
@@ -194,7 +195,7 @@ static void test_a_service_credit_is_refunded_at_most_once(void **state)
     assert_int_equal(audit(AUDIT_REFUNDS), 1);
 }
 
-/* At any time of the loss, the player plays less than two rounds for one credit. */
+/* Whenever the controller is lost, the player plays less than two whole rounds for one credit. */
 static void test_one_credit_pays_for_less_than_two_rounds(void **state)
 {
     for (uint32_t at = 1; at < ROUND_S; at += 3) {

@@ -68,7 +68,7 @@ static int close_tickets(void **state)
     return 0;
 }
 
-/* Advances to the first tick of the result with WON tickets. */
+/* Plays a round that wins WON tickets, up to the first tick of its result. */
 static void win(void)
 {
     input.coin_count[0] = PRICE;
@@ -223,8 +223,8 @@ static void test_a_late_card_that_stalls_dispenses_no_ticket_before_its_entry_is
         assert_int_equal(output.tickets, dispensed);
         assert_int_equal(core.game.accounts.ledger.saved_id, told_id);
     }
-    assert_true(output.coin_lockout); /* Longer than LEDGER_WAIT_TICKS_MAX, so the card counts as
-                                         not responding. */
+    /* The store has not answered for longer than LEDGER_WAIT_TICKS_MAX, so it counts as failed. */
+    assert_true(output.coin_lockout);
 }
 
 static void test_credits_expire_only_after_a_late_card_stored_them(void **state)

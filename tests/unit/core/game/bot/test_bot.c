@@ -30,7 +30,8 @@ static void begin_with(const struct technique *technique, uint32_t seed)
 
 /* ---- Limits of a person --------------------------------------------------------------------- */
 
-/* Checks the limits of an arm, plus the effect of a tremor of at most 1.5 mm at 9 Hz. */
+/* Checks that the bot's poi never moves faster than an arm can, plus a tremor of at most 1.5 mm at
+ * 9 Hz. */
 static void holds_arm_limits(const struct technique *technique)
 {
     begin_with(technique, 5);
@@ -66,7 +67,8 @@ static void test_the_bot_updates_its_vision_no_oftener_than_a_person(void **stat
         const uint32_t taken = stall.bot.seen.tick;
         bot_stall_tick(&stall);
         if (stall.bot.act_tick != last) {
-            assert_in_range(stall.bot.seen.tick - taken, 18, 30); /* The range is 150 to 250 ms. */
+            /* 18 to 30 ticks are 150 to 250 ms, the reaction time of a person. */
+            assert_in_range(stall.bot.seen.tick - taken, 18, 30);
             last = stall.bot.act_tick;
         }
     }
@@ -123,8 +125,8 @@ static void test_poi_and_shadow_stay_off_the_water_before_the_start(void **state
     const struct core *core = &stall.core;
     for (uint32_t i = 0; stall.core.game.phase == PHASE_READY; i++) {
         bot_stall_tick(&stall);
-        if (i > 3u * CORE_TICK_HZ / 2u) { /* The bot starts over the middle and has the speed of an
-                                             arm. */
+        /* In the first 1.5 s the bot moves from the middle of the tank, at the speed of an arm. */
+        if (i > 3u * CORE_TICK_HZ / 2u) {
             const float edge_m = core->world.poi[0].position_m.z - POI_OUTER_RADIUS_M;
             assert_true(edge_m > 0.5f * core->world.tank.size_m.z);
         }

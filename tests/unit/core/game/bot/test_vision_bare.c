@@ -16,7 +16,9 @@
 #include "core/tank/behavior/surface_breathing.h"
 #include "tests/unit/support/bot_stall.h"
 
-#define NONSENSE 0x41 /* The byte gives a float of 12, an int of 10^9 and a byte of 65. */
+/* Byte with which the test fills memory. A float of these bytes is 12, an int is 10^9, and a byte
+ * is 65. */
+#define NONSENSE 0x41
 
 static struct bot_stall stall;
 static struct core bare;
@@ -110,8 +112,8 @@ static void keep_fish(struct fish *fish, const struct fish *from)
     fish->air = gulps ? (uint8_t)AIR_GULPS : fish->air;
 }
 
-/* Keeps the visible state of a poi: that a player controls it, but not which one. Its water is
- * visible as a depth, and wetness and damage as 255 shades each. */
+/* Keeps only the visible state of a poi. The scene shows that a player controls the poi, but not
+ * which player. It shows the water as a depth, and wetness and damage in 255 steps each. */
 static void keep_poi(struct poi *poi, const struct poi *from)
 {
     KEEP(poi, from, poi_parts);
@@ -126,7 +128,8 @@ static void keep_poi(struct poi *poi, const struct poi *from)
     }
 }
 
-/* Keeps the visible state of a bowl: its water and its fish appear as one level. */
+/* Keeps only the visible state of a bowl. The scene shows its water and its fish together as one
+ * level. */
 static void keep_bowl(struct bowl *bowl, const struct bowl *from)
 {
     KEEP(bowl, from, bowl_parts);
@@ -227,7 +230,8 @@ static void test_a_reduced_state_gives_the_same_scene(void **state)
     }
 }
 
-/* Changes a value by its own magnitude: bytes are flags and kinds, words are times and lengths. */
+/* Changes a member so much that the change must be visible: a byte, which is a flag or a kind, or a
+ * word, which is a time or a length. */
 static void change(void *of, const struct member *part)
 {
     unsigned char *const at = (unsigned char *)of + part->offset;

@@ -24,7 +24,8 @@ static float draw(uint32_t frame, uint32_t what, float from, float to)
     return rng_range((struct rng_key){ 11, frame, what, RNG_TEST }, from, to);
 }
 
-/* Returns a frame with any rotation, scaled by 1/3 to 3, skewed, shifted by metres and tilted. */
+/* Returns a random coordinate frame of a sensor: rotated by any angle, scaled by 1/3 to 3, skewed,
+ * shifted by metres and tilted. */
 static struct twin twin_of(uint32_t frame)
 {
     const float turn = draw(frame, 0, -F_PI, F_PI), c = f_cos(turn), s = f_sin(turn);
@@ -88,8 +89,8 @@ static void test_calibration_corrects_any_frame_within_1_mm(void **state)
     assert_true(worst_rad < WITHIN_RAD);
 }
 
-/* The hand misses each mark by up to 5 mm on each axis. The error of the result is at most half as
- * much again. */
+/* The person holds the poi up to 5 mm beside each mark, on each axis. The error of the calibration
+ * is at most 1.5 times as large. */
 static void test_calibration_averages_small_errors_at_the_marks(void **state)
 {
     (void)state;

@@ -160,7 +160,7 @@ static void test_a_missed_report_is_valid_and_a_larger_jump_is_not(void **state)
     assert_int_equal(tick(), INPUT_LOST);
 }
 
-/* Returns whether an input with a speed of `pace_m_s` is valid for half a second. */
+/* Returns 1 if the input stays valid for half a second while it moves at `pace_m_s`. */
 static int is_valid_at(float pace_m_s)
 {
     int believed = 1;
@@ -204,10 +204,10 @@ static void test_a_fast_turn_is_valid_and_a_flip_is_not(void **state)
     }
     hand.target.angles.roll_rad += 0.55f;
     expect_for(5, INPUT_VALID);
-    hand.target.angles.roll_rad += 0.70f; /* The turn has 40 degrees. */
+    hand.target.angles.roll_rad += 0.70f; /* 0.70 rad are 40 degrees. */
     assert_int_equal(tick(), INPUT_LOST);
     expect_lost_and_found();
-    hand.target.angles.roll_rad += 20.0f * F_TAU; /* The direction is the same after full turns. */
+    hand.target.angles.roll_rad += 20.0f * F_TAU; /* 20 full turns give the same direction. */
     assert_int_equal(tick(), INPUT_VALID);
 }
 
@@ -290,7 +290,8 @@ static void test_motion_that_the_kiosk_did_not_observe_is_followed_slowly(void *
     assert_true(input_validation_blend(&validation) < 0.05f);
     hand.has_gap = 0;
     expect_for(20, INPUT_VALID);
-    hand.target.position_m.x += 1.2f; /* Without the flag, the speed exceeds that of an arm. */
+    /* Without the flag, this motion is faster than an arm can move. */
+    hand.target.position_m.x += 1.2f;
     assert_int_equal(tick(), INPUT_LOST);
 }
 
@@ -343,7 +344,7 @@ static void test_missed_motion_beyond_the_reach_of_an_arm_invalidates_the_input(
 {
     (void)state;
     expect_for(10, INPUT_VALID);
-    silence(30); /* A quarter of a second permits at most 1 m. */
+    silence(30); /* In a quarter of a second an arm can move by 1 m at most. */
     hand.target.position_m.x += 1.5f;
     tick();
     expect_lost_and_found();
@@ -371,8 +372,9 @@ static void test_random_bits_give_a_status_and_valid_poses_are_finite(void **sta
         for (uint32_t k = 0; k < 8; k++) {
             words[k] = rng_u32((struct rng_key){ 3, i / 40u, k, RNG_TEST });
         }
-        if (i % 40u == 0 || words[0] % 5u == 0) { /* The bits are held for a while, because
-                                                     otherwise no input would become valid. */
+        /* The random bits stay the same for some ticks, because otherwise no input would become
+         * valid. */
+        if (i % 40u == 0 || words[0] % 5u == 0) {
             memcpy(&hand.target, words, sizeof hand.target);
             float *one = field(words[7] % 6u);
             *one = words[6] % 3u ? 0.1f : *one;

@@ -204,8 +204,9 @@ static int report_fault(enum fault fault, uint32_t tick)
     case TURN_AND_BACK:
         poi->target.angles.pitch_rad += 1.0f;
         return tick < 3;
-    case LATE_BURST: /* The reports stop for less than the timeout, and the hand is 20 cm farther
-                        afterwards. */
+    /* The reports stop for less than the timeout. When they continue, the controller is 20 cm
+     * farther. */
+    case LATE_BURST:
         *poi = before;
         poi->age_ticks = age;
         hand_m.x += tick == 50 ? 0.20f : 0.0f;
@@ -278,7 +279,8 @@ static void check_fault(const struct scene_of *of)
     assert_int_equal(still_ticks, lost_ticks); /* The round's clock is paused for exactly this
                                                   time. */
     assert_int_equal(lost_ticks > 0, loses_the_hand(of));
-    if (of->fault != TURN) { /* The turn finally holds the ring on its edge. */
+    /* The fault TURN ends with the ring on its edge, from which a fish slides off. */
+    if (of->fault != TURN) {
         assert_int_equal(poi->carried_count, of->place == CARRYING); /* The fish still lies on the
                                                                         paper. */
     }
@@ -287,7 +289,8 @@ static void check_fault(const struct scene_of *of)
     }
 }
 
-/* Checks that neither the water nor the spring stores an impulse that hits the paper later. */
+/* Checks that the paper is not strained after the fault: neither the moving water nor the spring of
+ * the poi hits it later. */
 static void check_aftermath(const struct scene_of *of)
 {
     const uint32_t cells = core.world.poi[0].sheet.paper_cells;
@@ -329,11 +332,13 @@ static void test_no_controller_fault_tears_paper_in_any_place(void **state)
 
 /* ---- Pose errors below the limits ----------------------------------------------------------- */
 
-/* An upward error of some centimetres, or a turn of some degrees, for some ticks. The error may
- * stay. */
+/* A faulty pose that is too high by some centimetres, or turned by some degrees, for some ticks.
+ * The error may also stay. */
 struct stray {
     float up_m, aside_m, roll_rad, pitch_rad;
-    int may_stay; /* The error is small enough to be the hand's new true position. */
+    /* True if the error is so small that the core must accept the wrong pose as the new true
+     * pose. */
+    int may_stay;
 };
 
 static const struct stray strays[] = {
@@ -356,7 +361,7 @@ static void stray_for(const struct stray *stray, uint32_t ticks)
     }
 }
 
-/* Checks each pose error from the same resting hand deep in the water. */
+/* Checks each faulty pose. Each check begins with the poi at rest deep in the water. */
 static void check_strays(const struct core *from, enum wetness wetness, uint8_t grade)
 {
     static const uint32_t lasts[] = { 1, 2, 3, 6, 8, 300 };

@@ -176,7 +176,7 @@ static void test_carried_fish_are_released_after_the_third_foul(void **state)
 {
     (void)state;
     lift_fish();
-    core.game.player[0].out = 1; /* The flag is that of the umpire. */
+    core.game.player[0].out = 1; /* The umpire has excluded the player. */
     ticks(4u * CORE_TICK_HZ);
     expect_put_away(0, 2);
     assert_int_equal(core.world.poi[0].carried_count, 0);
@@ -195,7 +195,9 @@ static void test_a_slap_ends_when_its_fish_is_released(void **state)
             carried->slap_s = 0.02f; /* The fish slaps in every tick until it is released. */
             carried->slap_n = 0.02f;
         }
-        tick(); /* A slap that outlives the load of its fish would stop the program here. */
+        /* If a slap still acted after its fish was released, an assertion would fail in this
+         * tick. */
+        tick();
         slapped = slapped || core.world.poi[0].slap_count > 0;
     }
     assert_true(slapped);

@@ -52,8 +52,8 @@ static void play_tick(uint32_t i)
     }
 }
 
-/* Returns the lifetime of the paper with a report in each `period` ticks, or with uneven periods of
- * 4 to 50 ticks. */
+/* Returns the number of ticks until the paper tears. The controller sends a report every `period`
+ * ticks, or at uneven intervals of 4 to 50 ticks. */
 static uint32_t lasts_at(uint32_t period)
 {
     uint32_t next = 0, age = 0;

@@ -95,7 +95,8 @@ static void test_each_life_runs_from_hatching_to_the_last_key(void **state)
         const struct scene_grown now = page()->fish[0];
         assert_true(now.progress >= before);
         before = now.progress;
-        if (now.is_caught && !met) { /* On that day, the fish has its caught length. */
+        /* On the day of the catch, the shown length is the length at which the fish was caught. */
+        if (now.is_caught && !met) {
             assert_float_equal(now.length_m, now.caught_length_m, 0.03f * now.caught_length_m);
             met = 1;
         }

@@ -17,8 +17,8 @@ static void test_a_kiosk_with_only_the_lab_opens_the_lab(void **state)
     assert_int_equal(core.game.phase, PHASE_LAB);
 }
 
-/* A downward motion takes time. The rest of the motion must not count as a dip that opens the lab
- * again. */
+/* The poi continues to move down for some ticks after the lab has closed. This motion must not
+ * count as a dip that opens the lab again. */
 static void test_a_poi_that_keeps_sinking_after_leaving_opens_nothing(void **state)
 {
     (void)state;

@@ -121,8 +121,8 @@ static void test_a_curve_has_two_to_twelve_knots(void **state)
     while (lab_edit_remove(&edit, 0.5f)) {
     }
     assert_int_equal(edit.graph.knot_count, 2);
-    assert_int_equal(lab_edit_add(&edit, card->key_count, 0.001f), LAB_NO_KNOT); /* The new knot is
-                                                                                    too near. */
+    /* The new knot would be too near to the first knot. */
+    assert_int_equal(lab_edit_add(&edit, card->key_count, 0.001f), LAB_NO_KNOT);
 }
 
 static void test_each_template_of_the_editor_belongs_to_the_species(void **state)

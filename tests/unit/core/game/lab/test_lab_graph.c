@@ -107,8 +107,8 @@ static void test_the_selected_curve_has_priority_among_knots_in_one_place(void *
     (void)state;
     tap(LAB_PAIRWISE);
     for (uint32_t key = 0; key < card()->key_count; key++) {
-        const uint32_t knot = key == 2 ? 3u : 2u; /* The knot belongs to another key, because this
-                                                     key has no knot there. */
+        /* Key 2 uses knot 3, because it has no knot of its own at the place of knot 2. */
+        const uint32_t knot = key == 2 ? 3u : 2u;
         tap((enum lab_part)(LAB_KEY + key));
         struct layout_point at = knot_at(knot, key);
         at.x += 5.0f;

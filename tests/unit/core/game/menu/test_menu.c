@@ -130,7 +130,7 @@ static void test_two_buttons_reach_every_page_and_return(void **state)
             seen |= 1u << way[i - 1u];
         }
         for (uint32_t i = 0; i <= depth && core.game.phase == PHASE_MENU; i++) {
-            push(INPUT_LEFT); /* The last tag is the one before the first enabled tag. */
+            push(INPUT_LEFT); /* LEFT wraps from the first enabled tag to the last one. */
             while (pointed() != menu_tag_count(menu()->page) - 1u) {
                 push(INPUT_SERVICE);
             }
@@ -167,7 +167,8 @@ static void test_a_coin_on_the_lines_page_is_a_test_coin_and_only_metered(void *
     core.config.credit_coins = 1;
     static struct scene scene;
     go_to_lines();
-    assert_int_equal(output.coin_lockout, 0); /* Otherwise no coin would reach the mechanism. */
+    /* The coin slot is open, because otherwise no coin would reach the coin mechanism. */
+    assert_int_equal(output.coin_lockout, 0);
     for (uint32_t i = 0; i < 5; i++) {
         drop(1);
     }
@@ -228,8 +229,8 @@ static void test_the_lines_page_shows_inputs_and_only_test_leaves_it(void **stat
     static struct scene scene;
     uint16_t before[INPUT_BUTTON_COUNT];
     go_to_lines();
-    memcpy(before, menu()->pressed_count, sizeof before); /* Counts of the presses that opened the
-                                                             page. */
+    /* Presses that were counted before the page opened, so that they do not count as a test. */
+    memcpy(before, menu()->pressed_count, sizeof before);
     const uint32_t shown = INPUT_START | INPUT_OK | INPUT_LEFT | INPUT_RIGHT | INPUT_TILT;
     input.held = shown;
     push(shown);

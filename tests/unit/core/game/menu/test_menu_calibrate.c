@@ -158,7 +158,8 @@ static void test_each_calibration_value_is_a_ledger_entry(void **state)
                                        &stall.core.config.persistent.settings));
 }
 
-/* Returns the settings on disk after a number of entries since `before`. */
+/* Returns the settings that are on the disk if the power is cut after a number of entries since
+ * `before`. */
 static struct settings settings_cut_after(const struct settings *before, uint32_t before_id,
                                           uint32_t count)
 {
@@ -224,7 +225,8 @@ static void test_an_incomplete_calibration_after_a_power_cut_is_not_used(void **
     before_id = stall.output.entry_id;
     take(CALIBRATE_NONE);
     hold_true(aside, CORE_TICK_HZ);
-    expect_no_patchwork(&before, before_id); /* The removal of the calibration. */
+    /* Here the power cuts fall into the removal of the calibration. */
+    expect_no_patchwork(&before, before_id);
 }
 
 /* The page shows the incomplete calibration and enables its removal. Undo restores the last

@@ -113,7 +113,8 @@ static void test_a_moving_controller_without_a_bowl_selects_tags(void **state)
     (void)state;
     hold_over(0, ABOVE_M);
     steps(2);
-    input.poi[2] = input.poi[0]; /* The kiosk has one bowl and a third controller. */
+    /* A third controller is connected, although the kiosk has only one bowl. */
+    input.poi[2] = input.poi[0];
     steps(2);
     hold_over(1, ABOVE_M);
     steps(2);

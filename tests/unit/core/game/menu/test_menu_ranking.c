@@ -103,8 +103,9 @@ static void test_a_confirmed_removal_deletes_a_name_from_every_leaderboard(void 
     assert_string_equal(entry->name, "");
     assert_string_equal(name_in(RANK_DAY, 2), "");
     assert_string_equal(name_in(RANK_EVER, 2), "");
-    assert_string_equal(name_in(RANK_DAY, 0),
-                        "さくら"); /* The name belongs to another player of the same round. */
+    assert_string_equal(
+        name_in(RANK_DAY, 0),
+        "さくら"); /* Another player of the same round has a name, which must stay. */
     assert_int_equal(core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_DAY][2].caught, 7);
 }
 

@@ -191,7 +191,9 @@ static void test_every_setting_is_on_exactly_one_page(void **state)
                 rows += menu_setting_at(page, tag) == id;
             }
         }
-        assert_int_equal(rows, id == SET_PIN ? 0 : 1); /* The PIN uses keys instead of a row. */
+        /* Every setting has one row. Only the PIN has none, because it is entered on a page with
+         * digits. */
+        assert_int_equal(rows, id == SET_PIN ? 0 : 1);
     }
 }
 
@@ -411,7 +413,7 @@ static void test_a_reset_of_the_audits_is_an_entry_with_the_counts(void **state)
         go_to(books[i].page);
         take(BOOK_RESET);
         assert_int_equal(menu()->page, MENU_RESET);
-        push(INPUT_TEST); /* This press is also before the delay. */
+        push(INPUT_TEST); /* This press also comes before the tag accepts a press. */
         assert_int_equal(menu()->page, books[i].page);
         assert_int_equal(output.entry_id, before);
         take(BOOK_RESET);

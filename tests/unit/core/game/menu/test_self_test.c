@@ -237,8 +237,8 @@ static const struct {
     { SELF_ROOM, SELF_LOOK, { .room_mib = SELF_ROOM_LOW_MIB - 1u } },
     { SELF_ROOM, SELF_LOOK, { .room_mib = SELF_ROOM_BAD_MIB } },
     { SELF_ROOM, SELF_BAD, { .room_mib = SELF_ROOM_BAD_MIB - 1u } },
-    { SELF_HEAT, SELF_GOOD, { .has_heat = 0, .heat_margin_c = -5 } }, /* The machine has no
-                                                                         sensor. */
+    /* A machine without a temperature sensor passes. */
+    { SELF_HEAT, SELF_GOOD, { .has_heat = 0, .heat_margin_c = -5 } },
     { SELF_HEAT, SELF_GOOD, { .has_heat = 1, .heat_margin_c = SELF_HEAT_NEAR_C } },
     { SELF_HEAT, SELF_LOOK, { .has_heat = 1, .heat_margin_c = SELF_HEAT_NEAR_C - 1 } },
     { SELF_HEAT, SELF_LOOK, { .has_heat = 1, .heat_margin_c = 1 } },
@@ -311,8 +311,8 @@ static void test_no_automatic_check_is_pending_after_20_s(void **state)
     for (size_t i = 0; i < sizeof silent; i++) {
         assert_int_equal(state_of[silent[i]], SELF_BAD);
     }
-    assert_int_equal(self_test_left(state_of), SELF_CHECKS - 2u); /* The rows of files and clock
-                                                                     have a result. */
+    /* Only the checks of the files and of the clock have passed. */
+    assert_int_equal(self_test_left(state_of), SELF_CHECKS - 2u);
 }
 
 /* The self-test requests no coin where coins are rejected, and no lamp without a line. */

@@ -118,7 +118,8 @@ static void test_a_name_is_set_and_removed_on_every_leaderboard_of_its_round(voi
     memset(name.name, 0, sizeof name.name);
     ranking_note(&ranking, &name);
     assert_string_equal(ranking.row[0][RANK_EVER][0].name, "");
-    assert_int_equal(best(RANK_EVER), 4); /* The earlier catch still counts. */
+    /* The best catch of an earlier day still counts for all time. */
+    assert_int_equal(best(RANK_EVER), 4);
 }
 
 static void test_midnight_ends_the_day_and_sunday_night_the_week(void **state)
@@ -160,7 +161,7 @@ static void test_a_wrong_date_affects_the_leaderboard_only_while_it_lasts(void *
 {
     (void)state;
     play(5, 1, 9000);
-    play(3, 1, 30000); /* The day is in 2082. */
+    play(3, 1, 30000); /* Day 30000 is in 2082. */
     assert_int_equal(best(RANK_DAY), 3);
     play(2, 1, 9000);
     assert_int_equal(best(RANK_DAY), 2);

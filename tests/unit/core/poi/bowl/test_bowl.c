@@ -92,8 +92,9 @@ static void test_pouring_back_puts_every_fish_under_water_beside_the_bowl(void *
     for (uint32_t i = 0; i < 60; i++) {
         const struct fish *fish = &tank.fish[i];
         const float half = 0.5f * fish->height_m;
-        assert_int_equal(fish->gait, GAIT_HELD); /* The water holds the fish until the fish is clear
-                                                    of others. */
+        /* The poured fish is in reentry: the fish is in the water, but does not swim until it
+         * overlaps no other fish. */
+        assert_int_equal(fish->gait, GAIT_HELD);
         assert_int_equal(fish->holder, FISH_HOLDER_WATER);
         assert_true(fish->position_m.y <= -half);
         assert_true(fish->position_m.y >= half - 0.15f);
@@ -232,8 +233,8 @@ static void test_a_bowl_holds_fewer_large_fish(void **state)
 {
     (void)state;
     drop_in_all(40, 0.06f);
-    assert_true(bowl.fish_count < 40); /* A mass of 0.172 kg equals 33 of these fish, so the bowl
-                                          was emptied once. */
+    /* The bowl holds 0.172 kg, which is 33 of these fish, so it was emptied once. */
+    assert_true(bowl.fish_count < 40);
     assert_true(bowl.fish_count > 0);
 }
 

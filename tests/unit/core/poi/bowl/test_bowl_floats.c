@@ -42,8 +42,8 @@ static void test_a_bowl_floats_at_its_home(void **state)
     const vec3 off_m = v3_sub(bowls[0].position_m, bowls[0].home_m);
     assert_true(v3_length(off_m) < 1e-5f);
     assert_true(bowls[0].water_kg > 0.4f);
-    assert_float_equal(bowl_level_m(&bowls[0]), 0.0135f, 0.001f); /* The weight of the hull gives
-                                                                     the empty bowl a draught. */
+    /* The empty bowl sinks in by 13.5 mm under its own weight. */
+    assert_float_equal(bowl_level_m(&bowls[0]), 0.0135f, 0.001f);
 }
 
 static void test_the_hulls_volume_and_radius_agree(void **state)
@@ -140,7 +140,8 @@ static void test_a_displaced_bowl_drifts_home_within_some_seconds(void **state)
     bowls[0].position_m.x += 0.10f;
     wait_for(1.0f);
     const float left_m = bowls[0].position_m.x - bowls[0].home_m.x;
-    assert_true(left_m > 0.02f); /* The mooring acts like a thread and not like a rod. */
+    /* The mooring only pulls, like a thread, and does not push, so the bowl drifts back slowly. */
+    assert_true(left_m > 0.02f);
     wait_for(5.0f);
     assert_true(f_abs(bowls[0].position_m.x - bowls[0].home_m.x) < 0.003f);
 }

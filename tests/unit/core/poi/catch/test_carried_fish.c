@@ -136,8 +136,8 @@ static void test_slaps_move_a_fish_down_a_slope_that_friction_would_hold(void **
     assert_true(shaken / 20.0f > 0.010f); /* The fish moved to the lower side, on the right. */
 }
 
-/* Returns the mean distance from the middle after `seconds` of slaps. Each fish starts 20 mm off
- * the middle. */
+/* Returns the mean distance of the fish from the middle of the paper after `seconds` of slaps. Each
+ * fish starts 20 mm from the middle. */
 static float drawn_in_m(float belly_m, float give_per_n, float seconds)
 {
     struct paper_surface ride = tilted(0.0f);

@@ -151,7 +151,8 @@ static void test_a_careless_scooper_loses_it_after_a_few(void **state)
     for (uint32_t seed = 0; seed < 40; seed++) {
         total += careless_scoops(seed);
     }
-    assert_in_range(total, 40u * 3u / 2u, 40u * 3u); /* The range is that of a festival. */
+    /* Visitors of a festival catch one and a half to three fish with a poi. */
+    assert_in_range(total, 40u * 3u / 2u, 40u * 3u);
 }
 
 static void test_a_carried_fish_lowered_into_the_water_swims_off(void **state)
@@ -320,8 +321,8 @@ static void test_a_fish_over_the_edge_of_the_ring_stays_on_its_side(void **state
     const struct box box = fish_box(&fixture.tank.fish[fish]);
     struct body body = body_of(&box, 0.0f);
     const vec3 before_m = body.centre_m;
-    body.centre_m.y -= 0.06f; /* In one tick, the fish is 64 mm from the centre and then passes the
-                                 paper's plane. */
+    /* The fish starts 64 mm from the centre of the paper and crosses its plane within one tick. */
+    body.centre_m.y -= 0.06f;
     assert_true(obstacle_paper_push(&ring, &body, before_m).y > 0.01f);
 }
 

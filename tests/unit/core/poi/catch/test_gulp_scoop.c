@@ -101,7 +101,7 @@ static const struct fish *wait_for_fish(uint32_t seed, int gulps)
     assert_true(tank_open(&tank, &config));
     struct fish *fish = &tank.fish[0];
     fish_grow(fish, FISH_M, tank_behavior_params(&tank));
-    fish->stamina = 0.6f; /* At this stamina, the depth band of the fish is the middle. */
+    fish->stamina = 0.6f; /* A fish with this stamina prefers mid depth. */
     now = 0;
     for (; now < 120u * CORE_TICK_HZ; now++) {
         tank_tick(&tank, now, NULL, 0);

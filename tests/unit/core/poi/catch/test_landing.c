@@ -19,7 +19,8 @@ static void test_a_fish_tipped_over_the_bowl_lands_and_counts_once(void **state)
         fixture_move(&fixture, v3(0.20f, 0.05f, 0.10f), 0.3f);
         assert_int_equal(fixture.landed, 0);
         fixture_move(&fixture, v3(0.30f, 0.035f, 0.15f),
-                     0.3f); /* The height is that of a pointer, low over the mouth. */
+                     /* A mouse holds the poi at this low height over the mouth of the bowl. */
+                     0.3f);
         fixture_wait(&fixture, 1.5f);
         assert_int_equal(fixture.poured + fixture.walled, 0);
         assert_int_equal(fixture.bowl.fish_count, fixture.landed);
@@ -115,8 +116,9 @@ static void test_a_fish_from_a_ring_in_the_water_is_poured(void **state)
     assert_int_equal(fixture.bowl.fish_count, 1); /* The fish still lies in the bowl. */
 }
 
-/* Returns whether a fish is walled. The edge of a level ring is `gap_m` from the right wall, the
- * hand is `press_m` beyond the ring, and the fish is `fish_gap_m` from that wall. */
+/* Returns whether a fish counts as walled, which means pressed against a wall. The edge of a level
+ * ring is `gap_m` from the right wall, the player's target is `press_m` beyond the ring, and the
+ * fish is `fish_gap_m` from that wall. */
 static int is_walled(float gap_m, float press_m, float speed_m_s, float fish_gap_m)
 {
     fixture_init(&fixture, 4, 1);
@@ -133,8 +135,8 @@ static int is_walled(float gap_m, float press_m, float speed_m_s, float fish_gap
 static void test_a_fish_between_a_wall_and_a_pressing_ring_is_walled(void **state)
 {
     (void)state;
-    assert_true(is_walled(0.005f, 0.010f, 0.0f, 0.005f)); /* The ring is blocked, but the hand still
-                                                             pushes. */
+    /* The wall blocks the ring, but the player still pushes. */
+    assert_true(is_walled(0.005f, 0.010f, 0.0f, 0.005f));
     /* The ring is still 12 mm from the wall. */
     assert_true(is_walled(0.012f, 0.0f, 0.10f, 0.005f));
     /* The player does not push the ring against the wall. */

@@ -251,8 +251,8 @@ static void test_points_outside_the_ring_have_no_paper(void **state)
     assert_false(sheet_holds(&sheet, 0.03f, -0.03f));
 }
 
-/* Samples the whole ring on a grid that is finer than the cells. Counts the points and those with
- * paper. */
+/* Samples the area inside the ring on a grid that is finer than the cells. Counts all points
+ * (`asked`) and the points on paper (`held`). */
 static void count_held(const struct sheet *sheet, uint32_t *held, uint32_t *asked)
 {
     *held = *asked = 0;

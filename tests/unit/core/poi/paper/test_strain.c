@@ -45,7 +45,7 @@ static float softened(const struct sheet *paper, uint32_t cell)
     return 1.0f - SHEET_SOFTENING * (float)paper->soak_ticks[cell] / (float)SHEET_SOAK_TICKS;
 }
 
-/* Computes the load of one cell as strain.h defines it. */
+/* Computes the load of one cell directly from the definition in strain.h. */
 static float plain_load(uint32_t cell, float *tension_max_n_m)
 {
     const float x = sheet_line_m(&sheet, cell % SHEET_SIDE);
