@@ -61,7 +61,8 @@ static void test_three_panics_in_more_than_ten_minutes_omit_nothing(void **state
     panics_add(&panics, BOOT, 701, 50, 1);
     assert_false(panics_is_due(&panics));
     panics_add(&panics, BOOT, 702, 50, 1);
-    assert_true(panics_is_due(&panics)); /* Panics at 300, 701 and 702. */
+    /* Three panics, at the times 300, 701 and 702, are enough. */
+    assert_true(panics_is_due(&panics));
 }
 
 static void test_panics_of_an_earlier_boot_omit_nothing(void **state)

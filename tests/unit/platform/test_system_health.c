@@ -83,8 +83,8 @@ static void test_the_board_check_reports_whether_data_persist(void **state)
     assert_int_equal(look(&machine).keeps, KEEPS_FOLDER);
     write_file("checked", "kept: /dev/mmcblk0p3, ext4; start 7 of this disk, ...\n");
     assert_int_equal(look(&machine).keeps, KEEPS_PROVEN);
-    assert_int_equal(look(&memory).keeps, KEEPS_MEMORY); /* The result does not depend on other
-                                                            folders. */
+    /* The result concerns only the kiosk's own data folder. */
+    assert_int_equal(look(&memory).keeps, KEEPS_MEMORY);
     write_file("checked", "not kept: /dev/loop0 is memory\n");
     assert_int_equal(look(&machine).keeps, KEEPS_NOT);
     write_file("checked", "");
@@ -135,7 +135,8 @@ static void test_a_clock_older_than_the_files_was_set_back(void **state)
     assert_int_equal(look(&machine).is_clock_back, 0);
     calendar_ahead_s = -86400;
     assert_int_equal(look(&later).is_clock_back, 1);
-    write_file("kingyo.db", "xx"); /* The time of a file that is written now is not evidence. */
+    /* The time of a file that is being written now does not show that the clock went back. */
+    write_file("kingyo.db", "xx");
     assert_int_equal(look(&later).is_clock_back, 1);
     calendar_ahead_s = 0;
     assert_int_equal(look(&later).is_clock_back, 0);
@@ -185,7 +186,8 @@ static void test_a_quarantined_file_is_counted_until_acknowledged(void **state)
 static int is_told(struct system_health *machine, uint32_t aside)
 {
     struct scene_machine says = { .watch = WATCH_FED };
-    for (uint32_t i = 0; i < 500u; i++) { /* 5 s, which is less than the interval of the check. */
+    /* The loop waits 5 s at most, which is less than the interval of the checks. */
+    for (uint32_t i = 0; i < 500u; i++) {
         system_health_read(machine, &says);
         if (says.has_looked && says.aside == aside) {
             return says.watch == WATCH_FED;

@@ -50,7 +50,8 @@ static void test_ready_is_sent_once_and_kicks_several_times_per_deadline(void **
     assert_string_equal(heard(fd), "READY=1");
     assert_int_equal(device.ops->watches(device.self), WATCH_FED);
     uint32_t kicks = 0;
-    for (uint32_t i = 0; i < 600; i++) { /* Ten seconds of frames with a deadline of two seconds. */
+    /* Runs frames for ten seconds; the service manager expects a message every two seconds. */
+    for (uint32_t i = 0; i < 600; i++) {
         clock.now_ns += 16666667;
         device.ops->kick(device.self);
         kicks += strcmp(heard(fd), "WATCHDOG=1") == 0;
@@ -75,8 +76,8 @@ static void test_ready_is_sent_again_if_the_service_manager_was_busy(void **stat
     const int fd = listen_as(name);
     assert_int_equal(watchdog_init(&watchdog, sim_clock_device(&clock), name, 2000000), HAL_OK);
     const struct hal_watchdog device = watchdog_device(&watchdog);
-    while (send(watchdog.socket_fd, "x", 1, MSG_NOSIGNAL) == 1) { /* The loop fills the queue of the
-                                                                     manager. */
+    /* The loop sends until the queue of the service manager is full. */
+    while (send(watchdog.socket_fd, "x", 1, MSG_NOSIGNAL) == 1) {
     }
     device.ops->kick(device.self);
     while (strcmp(heard(fd), "x") == 0) {

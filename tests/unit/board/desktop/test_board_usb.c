@@ -28,7 +28,7 @@
 static struct {
     struct storage_sim storage;
     struct hal hal;
-    struct hal real; /* The original devices, with the display and the store of the board. */
+    struct hal real; /* Copy of the board's devices, with its display and its store. */
     struct kiosk kiosk;
     uint32_t poi;     /* Index of the poi on the simulated bus. */
     uint8_t is_in;    /* 1 while the poi is plugged in. */
@@ -241,7 +241,8 @@ static void test_the_mouse_gets_the_slot_of_an_absent_poi_in_the_next_game(void 
         frame();
         assert_true(is_lost());
     }
-    stall.kiosk.core.game.phase = PHASE_ATTRACT; /* The phase is that of one minute later. */
+    /* The test sets the phase that the kiosk reaches one minute later. */
+    stall.kiosk.core.game.phase = PHASE_ATTRACT;
     stall.kiosk.output.phase = PHASE_ATTRACT;
     until(mouse_sits);
 }

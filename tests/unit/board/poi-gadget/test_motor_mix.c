@@ -45,7 +45,7 @@ static void test_a_tear_gives_a_rattle(void **state)
     struct motor_mix mix = { 0 };
     const struct poi_force tear = { .tear = 1.0f };
     uint32_t turns = 0, on = motor_mix_step(&mix, &tear, DT_S).motor > 0.0f;
-    for (uint32_t n = 1; n < 100; n++) { /* The loop runs 0.4 s. */
+    for (uint32_t n = 1; n < 100; n++) { /* The loop simulates 0.4 s. */
         const uint32_t now = motor_mix_step(&mix, &tear, DT_S).motor > 0.0f;
         turns += now != on;
         on = now;

@@ -66,7 +66,8 @@ static void test_invalid_lines_are_rejected(void **state)
         "wire1 = nan 1",
         "ring = 1 2",
         "ring = 1 2 4000",
-        "imu_axes = +x +y -z", /* The axes are a mirror image. */
+        /* These axes form a mirror image, which no mounting of the sensor gives. */
+        "imu_axes = +x +y -z",
         "imu_axes = +x +x +y",
         "imu_axes = x y z",
         "imu_axes = +x +y +z +x",

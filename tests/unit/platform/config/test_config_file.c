@@ -324,7 +324,8 @@ static void test_the_fish_count_of_a_file_is_limited_by_its_tank(void **state)
     assert_int_equal(read_text("fish = 1000\n"), 0);
     assert_int_equal(warning_count, 1);
     assert_non_null(strstr(warnings[0], ":1: fish: 1000 is too many; the festival tank holds 1 "));
-    assert_int_equal(options.file.is_set[SET_FISH], 0); /* The kiosk starts with its own value. */
+    /* The invalid line is ignored, so the kiosk keeps its default value. */
+    assert_int_equal(options.file.is_set[SET_FISH], 0);
 }
 
 static void test_a_file_cannot_start_the_demo(void **state)

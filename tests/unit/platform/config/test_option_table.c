@@ -66,7 +66,7 @@ static void test_each_type_of_option_is_stored_in_its_target(void **state)
     assert_int_equal(PARSE(0, "--decimal", "-0.5", "--choice", "blue"), 0);
     assert_true(target.decimal == -0.5);
     assert_int_equal(target.choice, 2);
-    assert_int_equal(target.whole, 3); /* The default of the table. */
+    assert_int_equal(target.whole, 3); /* 3 is the default value in the table. */
     assert_int_equal(PARSE(2, "--path", "p", "-o", "b"), 0);
     assert_string_equal(target.path, "p");
     assert_string_equal(target.text, "b");

@@ -263,7 +263,7 @@ static void test_the_mode_option_accepts_three_modes_and_ask(void **state)
 
 static struct settings settings;
 
-/* Applies the settings saved by the operator menu, if any. */
+/* Applies the settings that the operator saved in the menu, if there are any. */
 static void settle(uint32_t saved_id, int32_t saved)
 {
     options_first(&options, &settings);

@@ -96,7 +96,7 @@ static void test_the_demo_starts_in_the_round_and_catches_a_fish(void **state)
     assert_int_equal(demo_run(&session), EXIT_OK);
     const struct core *played = &session.kiosk.core;
     assert_int_equal(played->game.phase, PHASE_ROUND);
-    /* The pose needs half a second to move over the water before the first picture. */
+    /* The first picture is taken half a second later, when the poi has moved over the water. */
     assert_in_range(played->game.tick - played->game.round_tick, 31u * CORE_TICK_HZ / 2u,
                     16u * CORE_TICK_HZ);
     assert_true(played->game.player[0].caught > 0);

@@ -21,7 +21,7 @@ static void expect_in_tick(void *self, const struct input *input)
     rig.seen_count++;
 }
 
-/* A panic of another thread stops the frame thread in session_recorder_before(). */
+/* If another thread panics, session_recorder_before() stops the frame thread. */
 static void test_a_stopped_thread_stops_before_its_tap_records_the_tick(void **state)
 {
     static struct session_recorder chapters;

@@ -33,7 +33,7 @@ static struct rig {
     uint64_t frame_ns;
     struct controller_command commands[ORDERS_MAX];
     uint32_t command_count;
-    int answer; /* Return value of every switch call. */
+    int answer; /* Value that every call of the simulated switches returns. */
     uint32_t asked[HAL_SWITCH_COUNT], level[HAL_SWITCH_COUNT], pulses[HAL_SWITCH_COUNT];
 } rig;
 
@@ -156,7 +156,7 @@ static int set_up(void **state)
     memset(&rig, 0, sizeof rig);
     rig.clock.now_ns = 1000 * MS;
     rig.frame_ns = FRAME_NS;
-    rig.level[HAL_COIN_LOCKOUT] = 1;       /* Initial level of a driver. */
+    rig.level[HAL_COIN_LOCKOUT] = 1;       /* At its start the driver holds the coin slot locked. */
     hold_pose_at(v3(-0.4f, 0.06f, -0.3f)); /* The pose is over no menu tag. */
     rig.hal = null_hal(NULL);
     rig.hal.clock = sim_clock_device(&rig.clock);

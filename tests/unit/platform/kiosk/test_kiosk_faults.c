@@ -30,7 +30,7 @@ static struct rig {
     struct clock_sim clock;
     struct sensor_sim sensor;
     struct pointer_sim pointer;
-    struct pointer_report report; /* The only report of each frame. */
+    struct pointer_report report; /* Report of the next frame, in which there is no other. */
     struct hal hal;
     struct kiosk kiosk;
     uint32_t lost_frames, age_max;
@@ -128,7 +128,9 @@ static void test_a_sensor_fault_pauses_the_round_and_tears_no_paper(void **state
         uint32_t ms, lost_min, lost_max; /* Duration of the fault in ms, and limits of the number of
                                             frames with a lost input. */
     } cases[] = {
-        { SENSOR_GONE, 700, 40, 160 },   /* The device is searched once a second. */
+        /* The kiosk searches for a missing device once a second, so the input is lost for up to a
+         * second longer. */
+        { SENSOR_GONE, 700, 40, 160 },
         { SENSOR_SILENT, 1200, 50, 70 }, /* The loss begins after half a second and lasts a quarter
                                             of a second longer than the fault. */
         { SENSOR_SILENT, 300, 0, 0 },
@@ -236,7 +238,7 @@ static void test_a_pointer_jump_under_water_tears_no_paper(void **state)
                        0.01f);
 }
 
-/* The mouse moves there and back as fast as a player can, at the frequency of a bell. */
+/* Simulates a player who shakes the mouse as fast as possible. */
 static void test_a_fast_mouse_movement_is_not_an_input_loss(void **state)
 {
     (void)state;

@@ -30,7 +30,7 @@ static struct {
     uint8_t other_sits;
     uint8_t is_gone, is_absent;
     uint32_t open_count, view_count;
-    bool scoops;      /* Value that the last set_view() received. */
+    bool scoops;      /* `scoops` as passed to the last call of set_view(). */
     uint64_t late_ns; /* Age of the reports at the poll. */
     uint8_t stamps;
     uint32_t told; /* Number of reports per frame. */

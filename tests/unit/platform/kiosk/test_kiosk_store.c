@@ -164,8 +164,9 @@ static void test_a_removed_sound_card_is_one_fault_and_is_retried_each_second(vo
     rig.audio.gone = 1;
     play_a_round();
     assert_int_equal(rig.kiosk.faults.audio, 1);
-    assert_in_range(rig.audio.open_count, 8, 20); /* One attempt per second in the round of ten
-                                                     seconds and a few seconds around it. */
+    /* The kiosk tries to open the sound device once a second, for the ten seconds of the round and
+     * a few seconds around it. */
+    assert_in_range(rig.audio.open_count, 8, 20);
     rig.audio.gone = 0;
     frames(70);
     play_another_round();

@@ -97,7 +97,7 @@ static int pulse_switch(void *self, enum hal_switch which, uint32_t count)
     return HAL_OK;
 }
 
-/* Starts the program with only the state that the store contains. */
+/* Returns the number of tickets that the dispenser still has to give: always 0. */
 static uint32_t pending(void *self, enum hal_switch which)
 {
     (void)self;
@@ -105,6 +105,7 @@ static uint32_t pending(void *self, enum hal_switch which)
     return 0;
 }
 
+/* Starts the program with only the state that the store contains. */
 static void begin(void)
 {
     static const struct hal_buttons_ops buttons = { poll_buttons, describe };
@@ -184,7 +185,8 @@ static int set_up(void **state)
     if (rename(dir, away) != 0 || mkdir(dir, 0755) != 0) {
         return -1;
     }
-    return symlink("/tmp/kingyo-no-such-card/kingyo.db", file); /* The path cannot be opened. */
+    /* The link points to a file that does not exist, so the database cannot be opened. */
+    return symlink("/tmp/kingyo-no-such-card/kingyo.db", file);
 }
 
 static void put_card_back(void)
@@ -220,7 +222,8 @@ static void test_a_coin_inserted_without_a_store_is_recorded_later_and_the_slot_
     assert_int_equal(audit(AUDIT_COINS_1), 2);
     assert_int_equal(audit(AUDIT_UNITS), 2);
     assert_int_equal(audit(AUDIT_BOOTS), 2); /* The start without a store was not counted. */
-    assert_int_equal(balance()->paid, 1);    /* The half credit from before and this one. */
+    /* The half credit from the evening and the half credit from this coin make one credit. */
+    assert_int_equal(balance()->paid, 1);
     assert_int_equal(ledger_committed_credits(&rig.kiosk.core.game.accounts.ledger).paid, 1);
     assert_int_equal(rig.locked, 0);
 }
@@ -272,7 +275,7 @@ static void test_offline_credits_are_kept_until_the_card_is_writable(void **stat
     sqlite3_close(other);
     enum kiosk_end how = KIOSK_RUNS;
     for (uint32_t i = 0; i < 300u && how == KIOSK_RUNS; i++) {
-        rig.storage.look_due_ms = 0; /* The retry delay is skipped. */
+        rig.storage.look_due_ms = 0; /* The test ends the delay before the next retry. */
         how = frames(1);
     }
     assert_int_equal(how, KIOSK_RESTART);

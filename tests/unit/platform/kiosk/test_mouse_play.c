@@ -18,8 +18,10 @@
 #include "drivers/sim/pointer_sim.h"
 #include "platform/kiosk/kiosk.h"
 
-#define MOMENT_NS 16666667ull /* Interval between two mouse reports. */
-#define MOMENTS_MAX 60u       /* Reports in one second. */
+/* Time between two reports of the mouse, a sixtieth of a second. The test calls this time a
+ * moment. */
+#define MOMENT_NS 16666667ull
+#define MOMENTS_MAX 60u /* Reports in one second. */
 #define WIDTH 1280u
 #define HEIGHT 720u
 
@@ -44,8 +46,8 @@ static void frame(void)
     kiosk_frame(&player.kiosk, &player.hal);
     player.report_count = player.moment_count = 0;
     assert_false(
-        controller_is_lost(&player.kiosk.core.world, 0)); /* No mouse movement is treated as an
-                                                             input loss. */
+        controller_is_lost(&player.kiosk.core.world, 0)); /* A mouse may move in any way without
+                                                             counting as lost. */
 }
 
 /* Advances by one mouse report. A mouse at rest sends no report, and positions are whole pixels. */
@@ -323,7 +325,7 @@ static void test_fast_sweeps_through_the_water_tear_the_paper(void **state)
     (void)state;
     for (uint32_t seed = 1; seed <= 5; seed++) {
         begin_round(seed, 1);
-        sweep(25.0f, 12); /* About 1.2 m/s for three seconds. */
+        sweep(25.0f, 12); /* 25 pixels per report are about 1.2 m/s, for three seconds. */
         assert_true(paper_left() < 0.9f);
     }
 }

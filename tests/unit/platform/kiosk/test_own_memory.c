@@ -30,7 +30,8 @@
 #include "platform/store/storage.h"
 #include "tests/unit/support/newest_record.h"
 
-/* Frame time of a slow machine, so that half as many frames are drawn. */
+/* Duration of a frame. A slow machine with 30 frames per second is simulated, so that fewer frames
+ * need to be drawn. */
 #define STEP_NS 33333333ull
 #define REPORT_COUNT 800u
 

@@ -46,8 +46,8 @@ static void test_ticks_between_readings_are_interpolated(void **state)
     assert_float_equal(sampler_path_at(&resampler, 2, 4).position_m.x, 0.04f, 1e-6f);
 }
 
-/* With 60 readings and 120 ticks a second, the speed per tick must not alternate between 2v and
- * 0. */
+/* A device with 60 reports per second has a new position only in every second tick. The speed of
+ * the poi must not alternate between twice the true speed and 0. */
 static void test_a_constant_speed_is_constant_at_every_tick(void **state)
 {
     (void)state;

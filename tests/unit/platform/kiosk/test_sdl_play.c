@@ -25,7 +25,7 @@
 #define WIDTH 1280u
 #define HEIGHT 720u
 
-/* The target position of the ring that the simulated player wants to reach. */
+/* Simulated player: the position that the ring should reach, and the device that moves the ring. */
 static struct sdl_player {
     struct clock_sim clock;
     struct gamepads gamepads;

@@ -218,7 +218,8 @@ static void test_invalid_utf8_is_replaced(void **state)
           "a\uFFFD"
           "b" },
         { "\xC3", "\uFFFD" },
-        { "\xE9\x87", "\uFFFD\uFFFD" }, /* A character that is cut off. */
+        /* A UTF-8 character of three bytes whose last byte is missing. */
+        { "\xE9\x87", "\uFFFD\uFFFD" },
         { "\xC0\xAF", "\uFFFD\uFFFD" },
         { "\xED\xA0\x80", "\uFFFD\uFFFD\uFFFD" },
         { "\xF4\x90\x80\x80", "\uFFFD\uFFFD\uFFFD\uFFFD" },
@@ -326,7 +327,8 @@ static void test_no_frame_waits_for_the_status_file(void **state)
     const struct hal hal = null_hal(NULL);
     (void)state;
     status_begin(&status, folder);
-    pthread_mutex_lock(&status.mutex); /* The mutex is locked as the thread locks it. */
+    /* The test locks the mutex, as the thread does while it copies a report. */
+    pthread_mutex_lock(&status.mutex);
     status_update(&status, &kiosk, &hal, 0);
     assert_int_equal(status.is_fresh, 0); /* The frame skipped the report and did not block. */
     pthread_mutex_unlock(&status.mutex);

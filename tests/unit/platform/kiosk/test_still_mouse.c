@@ -68,9 +68,8 @@ static void lie_still(uint64_t frame_ns)
         frame(frame_ns);
         assert_int_equal(seat.kiosk.core.game.player[0].fouls, 0);
     }
-    assert_true(v3_length(v3_sub(hand_m(), before_m)) > PLAYER_STIR_M); /* The position changes
-                                                                           as if the mouse had
-                                                                           moved. */
+    /* The position that the kiosk computes changes as much as if the mouse had moved. */
+    assert_true(v3_length(v3_sub(hand_m(), before_m)) > PLAYER_STIR_M);
 }
 
 static void test_a_mouse_at_rest_commits_no_foul(void **state)

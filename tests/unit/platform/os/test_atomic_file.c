@@ -85,7 +85,8 @@ static void test_an_incomplete_file_is_removed(void **state)
     assert_false(exists(path));
 }
 
-/* All data fit into the buffer, so that only the close reports the error. */
+/* The data fits into the buffer of the C library. Therefore the write succeeds, and only the close
+ * reports the full device. */
 static void test_a_full_device_is_reported_and_not_removed(void **state)
 {
     (void)state;

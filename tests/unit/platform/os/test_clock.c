@@ -51,7 +51,7 @@ static void test_the_first_and_the_last_day_have_a_number(void **state)
     assert_int_equal(day, 9497);
     assert_int_equal(minute, 0);
     clock_civil(&last, &day, &minute);
-    assert_int_equal(day, 65378); /* The day fits 16 bits. */
+    assert_int_equal(day, 65378); /* The number of the day fits into 16 bits. */
     assert_int_equal(minute, 1439);
 }
 

@@ -92,7 +92,8 @@ static void test_a_number_is_unchanged_by_printing_and_parsing(void **state)
 
 int main(void)
 {
-    (void)setlocale(LC_ALL, ""); /* A locale with a decimal comma would show an error. */
+    /* If the code depended on the locale, a locale with a decimal comma would make a test fail. */
+    (void)setlocale(LC_ALL, "");
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_decimals_are_parsed),
         cmocka_unit_test(test_an_invalid_decimal_does_not_change_the_value),

@@ -159,7 +159,8 @@ static void test_a_full_tail_beat_spans_a_fifth_of_the_length(void **state)
     (void)state;
     float tail = 0.0f, nose = 0.0f;
     sweep(1.0f, &tail, &nose);
-    assert_float_equal(tail, 0.20f, 0.02f); /* Bainbridge 1958: L / 5 from tip to tip. */
+    /* The tail sweeps a fifth of the body length from tip to tip (Bainbridge 1958). */
+    assert_float_equal(tail, 0.20f, 0.02f);
     assert_float_equal(nose, 0.04f, 0.015f);
     float half = 0.0f;
     sweep(0.5f, &half, &nose);

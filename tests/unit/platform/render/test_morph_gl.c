@@ -22,7 +22,9 @@
 #define BETWEEN 9u
 #define ERROR_MAX 1e-5f  /* Position error in body lengths. */
 #define NORMAL_MAX 1e-3f /* Length of the difference of two unit normals. */
-#define ROW 7u           /* Any row but the first, so that a missing lookup changes the result. */
+/* Row of the table that the test uses. In the first row, a missing lookup would give the same
+ * result. */
+#define ROW 7u
 
 struct vertex {
     float position[3], normal[3];
@@ -276,7 +278,7 @@ static void test_eight_keys_are_blended_each_by_its_own_weight(void **state)
     glDeleteProgram(name);
 }
 
-/* An error that the bound above must detect. */
+/* With weights of eight bits, the shape must differ by more than the bound above. */
 static void test_the_test_detects_weights_of_eight_bits(void **state)
 {
     (void)state;

@@ -173,8 +173,9 @@ static void show_poi(void)
 
 static uint32_t brightness(const uint8_t rgb[PIXELS_SIZE])
 {
-    return 3u * middle(rgb, 0) + 6u * middle(rgb, 1) + middle(rgb, 2); /* Luminance weights of the
-                                                                          human eye. */
+    /* The weights 3, 6 and 1 for red, green and blue approximate the sensitivity of the human
+     * eye. */
+    return 3u * middle(rgb, 0) + 6u * middle(rgb, 1) + middle(rgb, 2);
 }
 
 static void test_stress_is_drawn_brighter_only_in_practice(void **state)

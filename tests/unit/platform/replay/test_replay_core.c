@@ -250,7 +250,8 @@ static void test_a_signal_during_a_write_leaves_a_recording_of_whole_seconds(voi
     (void)state;
     record_into_a_tick(150);
     recorder.is_in_tick = 0;
-    recorder.is_adding = 1; /* The state within the call of the tap after the tick. */
+    /* Sets the state in which the panic falls into the recorder's call after the tick. */
+    recorder.is_adding = 1;
     assert_int_equal(recorder_end_in_panic(&recorder), -EINTR);
     assert_int_equal(scan(&totals), 0);
     assert_int_equal(totals.ticks, CORE_TICK_HZ);

@@ -126,7 +126,8 @@ static void test_an_empty_initial_state_takes_few_bytes(void **state)
 {
     (void)state;
     const struct core_config fresh = { .seed = 7, .fish_count = 12 };
-    assert_int_equal(core_init(&core, &fresh), CORE_OK); /* The settings have their defaults. */
+    /* All settings have their default values. */
+    assert_int_equal(core_init(&core, &fresh), CORE_OK);
     const size_t size = replay_initial_state_encode(&core.config, bytes);
     assert_in_range(size, 10, 80);
     assert_int_equal(replay_initial_state_decode(&back, bytes, size, REPLAY_VERSION), 1);
@@ -152,7 +153,8 @@ static void test_an_invalid_initial_state_is_rejected(void **state)
     config.persistent.ranking.row[1][2][9].seat = POI_MAX - 1u;
     size_t size = replay_initial_state_encode(&config, bytes);
     assert_int_equal(replay_initial_state_decode(&back, bytes, size, REPLAY_VERSION), 1);
-    memset(bytes, 0xff, sizeof bytes); /* 129 zeros per byte, many more than there are fields. */
+    /* Each byte 0xff encodes 129 zeros, together many more than there are fields. */
+    memset(bytes, 0xff, sizeof bytes);
     assert_int_equal(replay_initial_state_decode(&back, bytes, sizeof bytes, REPLAY_VERSION), 0);
     memset(bytes, 0x41, sizeof bytes); /* A name without a terminator. */
     for (size_t i = 0; i < sizeof bytes; i += 129) {

@@ -71,8 +71,8 @@ static void test_full_memory_ends_a_recording_that_stays_complete(void **state)
     (void)state;
     struct replay_totals totals;
     write_memory(500, sizeof memory);
-    const size_t whole = (size_t)writer.offset + REPLAY_END_SIZE; /* The recording has four
-                                                                     seconds. */
+    /* Size of a recording of four seconds. */
+    const size_t whole = (size_t)writer.offset + REPLAY_END_SIZE;
     write_memory(500, whole);
     assert_true(replay_is_open(&writer));
     write_memory(500, whole - 1u);

@@ -189,10 +189,12 @@ static void test_eyes_of_a_thin_head_do_not_intersect(void **state)
     (void)state;
     struct species_text *text = drawn("", "", "template smooth\n");
     for (uint32_t i = 0; i < text->keys[0].substep_count; i++) {
-        text->keys[0].stations[i].width = 0.010f; /* The shape of a leptocephalus. */
+        /* The thin shape of a leptocephalus, an eel larva. */
+        text->keys[0].stations[i].width = 0.010f;
     }
     const struct ball ball = shape_eye_ball(&text->keys[0], 0);
-    assert_true(ball.sunk + ball.in < 0.005); /* Neither eye reaches the middle. */
+    /* The eyes of this thin body do not reach its middle plane. */
+    assert_true(ball.sunk + ball.in < 0.005);
 }
 
 static void test_a_fin_ray_has_its_root_inside_the_body_and_its_second_point_outside(void **state)

@@ -573,8 +573,8 @@ static void test_a_non_regular_file_is_an_io_error_and_not_a_data_error(void **s
     assert_string_equal(why, "No such file or directory");
     assert_int_equal(pack_read("/tmp", &other, why), PACK_IO);
     assert_string_equal(why, "Is a directory");
-    assert_int_equal(pack_read("/dev/zero", &other, why), PACK_IO); /* The endless file is never
-                                                                       read. */
+    /* /dev/zero never ends, so the reader must refuse it without reading it. */
+    assert_int_equal(pack_read("/dev/zero", &other, why), PACK_IO);
     packed_wakin();
     assert_int_equal(pack_write("/nowhere/x.kfish", &slot, why), PACK_IO);
 }
@@ -600,7 +600,8 @@ static void test_writing_does_not_replace_devices_and_links(void **state)
     assert_int_equal(pack_write(link, &slot, why), PACK_OK);
     assert_int_equal(lstat(link, &status), 0);
     assert_true(S_ISLNK(status.st_mode));
-    assert_int_equal(pack_read(path, &other, why), PACK_OK); /* The target of the link is new. */
+    /* The file behind the link was replaced. */
+    assert_int_equal(pack_read(path, &other, why), PACK_OK);
     assert_int_equal(pack_read(link, &other, why), PACK_OK);
     assert_int_equal(pack_read_data(path, &other, why), PACK_OK);
     assert_int_equal(pack_read_data(link, &other, why), PACK_IO);

@@ -205,7 +205,7 @@ static void test_each_graph_error_is_reported_with_its_line(void **state)
     solved[7] = '0';
     const size_t size = strlen(text);
     assert_int_equal(graph_file_parse(text, size, card, &edit, why), 1);
-    text[size - 5u] = 0; /* The byte replaces the end of a line. */
+    text[size - 5u] = 0; /* A zero byte replaces the end of a line. */
     assert_int_equal(graph_file_parse(text, size, card, &edit, why), 0);
     assert_non_null(strstr(why, "8: not a text"));
     assert_int_equal(parse("", &edit, why), 0);

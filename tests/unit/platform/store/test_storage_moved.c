@@ -20,7 +20,9 @@
 
 #include "platform/store/storage.h"
 
-#define WITHIN_MS 1500 /* One second plus a margin for a loaded machine. */
+/* Time within which the store must detect a change: one second, plus a reserve for a busy
+ * machine. */
+#define WITHIN_MS 1500
 
 static char top[64], dir[96], path[128];
 static struct storage storage;

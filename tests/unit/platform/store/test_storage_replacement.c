@@ -87,7 +87,8 @@ static void test_a_restored_copy_is_used(void **state)
     fixture->storage.backup_due_s = 0;
     storage_work(&fixture->storage);
     fixture->device.ledger.ops->close(fixture->device.ledger.self);
-    do_sql(fixture, "DELETE FROM entries WHERE id > 3"); /* The file is no longer an exact copy. */
+    /* After this change the file is no exact copy of the backup. */
+    do_sql(fixture, "DELETE FROM entries WHERE id > 3");
     open_without_thread(fixture);
     assert_non_null(strstr(text(fixture), "damaged-1"));
     assert_int_equal(load_state(fixture)->ledger.last_id, 5);
@@ -113,8 +114,8 @@ static void test_a_backup_is_not_overwritten_by_a_file_with_fewer_entries(void *
     fill_and_close(fixture);
     path_beside(fixture, STORAGE_BACKUP_SUFFIX, backup);
     open_without_thread(fixture);
-    fixture->storage.file.content.memory.ledger.last_id = 3; /* The state in memory looks as if the
-                                                              file had been swapped. */
+    /* Changes the state in memory, as if another file had taken the place of the database. */
+    fixture->storage.file.content.memory.ledger.last_id = 3;
     storage_work(&fixture->storage);
     assert_int_equal(last_id_of(backup), 4);
     assert_int_equal(fixture->device.ledger.ops->failed_count(fixture->device.ledger.self), 1);

@@ -145,7 +145,7 @@ static void test_after_a_failed_sync_the_log_is_rewritten(void **state)
     (void)state;
     drop_coins(1, 1);
     watched = wal;
-    fail_syncs(wal, 2); /* One sync at COMMIT and one when the file is closed. */
+    fail_syncs(wal, 2); /* Two syncs fail: one at COMMIT and one when the file is closed. */
     drop_coins(2, 3);
     assert_int_equal(saved(), 1);
     assert_false(device.ledger.ops->is_healthy(device.ledger.self));
@@ -283,7 +283,8 @@ static void test_an_entry_is_written_only_after_a_suspect_log_is_rewritten(void 
     assert_int_equal(sqlite3_open(file, &other), SQLITE_OK);
     assert_int_equal(sqlite3_exec(other, "BEGIN IMMEDIATE", NULL, NULL, NULL), SQLITE_OK);
     assert_int_equal(ledger_file_open(&suspect, file, NULL), SQLITE_OK);
-    assert_true(suspect.is_suspect); /* The lock prevented the rewrite. */
+    /* The log is still suspect, because the lock of the other program prevented its rewrite. */
+    assert_true(suspect.is_suspect);
     assert_int_equal(sqlite3_exec(other, "ROLLBACK", NULL, NULL, NULL), SQLITE_OK);
     watched = wal;
     written = 0;

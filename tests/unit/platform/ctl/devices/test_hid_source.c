@@ -26,8 +26,9 @@ static const uint8_t joystick[] = { 0x05, 0x01, 0x09, 0x04, 0xa1, 0x01, 0x85, 0x
 static struct {
     const uint8_t *descriptor;
     uint32_t size;
-    int open_errno, ioctl_errno, read_errno; /* Injected errors. 0 means success. */
-    int device;                              /* The simulated kernel's end of the socket. */
+    /* errno values with which the calls of the simulated kernel fail. 0 means success. */
+    int open_errno, ioctl_errno, read_errno;
+    int device; /* The simulated kernel's end of the socket. */
     int ours;
 } kernel;
 

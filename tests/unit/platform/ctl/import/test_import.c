@@ -18,7 +18,8 @@
 #include "platform/ctl/morph/morph_options.h"
 #include "platform/species/text.h"
 
-#define COUNTS 2.5f /* Rounding error of export and import in quantization steps. */
+/* Largest rounding error of an export followed by an import, in quantization steps. */
+#define COUNTS 2.5f
 
 static struct import_mesh mesh;
 static struct import_report report;
@@ -298,7 +299,8 @@ static void test_given_lengths_define_a_matching_growth_curve(void **state)
     (void)state;
     static struct species drawn;
     drawn = species_wakin;
-    drawn.card.scale_knot_count = 2; /* A manual scale for the lengths of this species. */
+    /* A table of lengths that is edited by hand for this species. */
+    drawn.card.scale_knot_count = 2;
     drawn.card.scale_knots[0] = (struct scale_knot){ 0.0f, 0.005f };
     drawn.card.scale_knots[1] = (struct scale_knot){ 1.0f, 0.15f };
     read_objs(&species_wakin, 0, 1.0f);
@@ -316,7 +318,8 @@ static void test_given_lengths_define_a_matching_growth_curve(void **state)
     assert_float_equal(growth_length_m(&card.growth, card.key_age_days[4]), 2.5f, 1e-4f);
     assert_float_equal(life_length_m(&card, life_progress(&card, card.key_age_days[2])), 1.5f,
                        1e-4f);
-    plan.length_count = 0; /* Without given lengths the values of that species are used. */
+    /* Without a list of lengths, the importer uses the lengths of the model species. */
+    plan.length_count = 0;
     assert_int_equal(build_from(&plan), EXIT_OK);
     assert_memory_equal(&slot.species.card.growth, &drawn.card.growth, sizeof drawn.card.growth);
     assert_int_equal(slot.species.card.scale_knot_count, 2);
@@ -389,8 +392,10 @@ static void test_a_sheet_gets_two_sides(void **state)
     read_three(text);
     const struct species_mesh *near = &slot.species.lod[0];
     assert_int_equal(near->index_count, 3 * (4 + 2));
-    assert_int_equal(near->indices[12], near->indices[15]); /* The triangle has the same corners. */
-    assert_int_equal(near->indices[13], near->indices[17]); /* The corners are in reverse order. */
+    /* Both sides of the sheet have the same corners. */
+    assert_int_equal(near->indices[12], near->indices[15]);
+    /* The second side has its corners in reverse order, so that it faces the other way. */
+    assert_int_equal(near->indices[13], near->indices[17]);
     assert_int_equal(near->indices[14], near->indices[16]);
     snprintf(text, sizeof text, TETRA "g dorsal\n%sf 5 6 7\nf 7 6 5\n", fin);
     read_three(text); /* A sheet that is drawn with two sides keeps two sides. */

@@ -183,7 +183,8 @@ static void test_the_fit_error_covers_every_vertex(void **state)
         mesh.groups[hair] = mesh.groups[0];
         pack_copy(&species_wakin, &slot);
         refit_key(&slot, 0, &mesh, &marks, &result);
-        /* One of the three corners attracts the skin. */
+        /* The skin is attracted by one corner of the hair, corner hair % 3. If the tip is another
+         * corner, the result must show its distance as an error. */
         assert_true(corner == hair % 3 || result.from_mesh.max > 0.1f);
     }
 }

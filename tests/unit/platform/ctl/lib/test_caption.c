@@ -194,7 +194,9 @@ static void test_the_first_key_is_red_and_each_key_has_its_own_colour(void **sta
             assert_int_equal(key_colour(count, count - 1u), key_colour(3, 2));
         }
     }
-    assert_int_equal(key_colour(5, 2), key_colour(3, 1)); /* Red, orange, GREEN, teal, blue. */
+    /* The middle one of five colours (red, orange, green, teal, blue) is also the middle one of
+     * three. */
+    assert_int_equal(key_colour(5, 2), key_colour(3, 1));
 }
 
 int main(void)

@@ -92,8 +92,8 @@ static void test_samples_concentrate_at_a_corner(void **state)
     const struct piecewise_fit_function f = { 1, ask_corner, error, &corner };
     assert_true(piecewise_fit_fit(&track, &f, ends, 2, TOLERANCE));
     assert_true(track.count < 40);
-    assert_true(worst(&track, &f) <= 4.0f * TOLERANCE); /* The corner may be off the middle of a
-                                                           step. */
+    /* The error may be larger at the corner, because the corner need not lie on a step. */
+    assert_true(worst(&track, &f) <= 4.0f * TOLERANCE);
     for (uint32_t i = 1; i < track.count; i++) {
         assert_true(track.progress[i] > track.progress[i - 1]);
     }
@@ -111,7 +111,7 @@ static void test_a_mark_on_the_corner_needs_no_further_samples(void **state)
     piecewise_fit_free(&track);
 }
 
-/* A step function can never be fitted, but the fit must terminate. */
+/* A function with a jump, which no polyline fits. The fit must end nevertheless. */
 static void ask_step(const void *self, float progress, float *values)
 {
     (void)self;

@@ -87,8 +87,8 @@ static void test_a_back_facing_triangle_is_not_drawn(void **state)
     tear_down(&s);
 }
 
-/* With a transparent colour, a sample covered twice is too red, and an uncovered sample is too
- * dark. */
+/* The triangles are half transparent. A sample that two triangles cover would be too red, and a
+ * sample that none covers would be too dark. */
 static void test_triangles_around_a_point_cover_every_sample_once(void **state)
 {
     (void)state;

@@ -257,8 +257,8 @@ static void test_key_ages_out_of_order_are_detected(void **state)
                                                                                 between the two
                                                                                 keys. */
     measure();
-    assert_int_equal(survey.moments_not_older, 4); /* Four of the five moments up to the next
-                                                      key. */
+    /* The age does not rise at four of the five sampled moments before the next key. */
+    assert_int_equal(survey.moments_not_older, 4);
     assert_float_equal(survey.age_stands_at, 0.55f, 1e-6f);
     assert_true(survey.progress_lost.value > 0.1f);
 }

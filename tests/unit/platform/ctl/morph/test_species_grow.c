@@ -110,8 +110,8 @@ static void test_no_stage_is_thinner_than_both_neighbouring_keys(void **state)
     MOST(volume_dip.value, 0.02f)
 }
 
-/* The first aim of the thesis: points move on curves, while the ordinary morph moves them in
- * straight lines, so that its eye passes through the head. */
+/* Checks the first aim of the thesis: points move on curves. In the ordinary morph, points move in
+ * straight lines, so that the eye passes through the head. */
 static void
 test_the_migrating_eye_moves_around_the_head_but_through_it_in_the_ordinary_morph(void **state)
 {

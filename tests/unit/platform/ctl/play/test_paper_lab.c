@@ -122,7 +122,9 @@ static void test_paper_tears_at_the_speed_of_the_membrane_formula(void **state)
         const struct paper_grade *grade = sheet_grade(number);
         struct paper_options plan = wet(number);
         plan.ideal = 1;
-        /* 0.423 (Y p^2 a^2)^(1/3) = T, and p = 1.17 rho v^2 / 2. */
+        /* The tension T of a round membrane under the pressure p is 0.423 (Y p^2 a^2)^(1/3), and
+         * the pressure of a flow is p = 1.17 rho v^2 / 2. The formulas give the speed v at which
+         * the tension reaches the strength. */
         const float stretch = grade->wet_n_m / 0.423f;
         const float pressure_pa =
             f_sqrt(stretch * stretch * stretch / grade->stiffness_n_m) / POI_RADIUS_M;

@@ -49,7 +49,8 @@ static void test_the_overlap_of_upright_boxes_is_the_smallest_face_depth(void **
     expect_depth(&a, &touching, 0.0);
 }
 
-/* A quarter turn puts the length across: an extent of 2.5 + 0.5 cm. */
+/* After a quarter turn, the length of the fish lies across. Half its length and half the other
+ * fish's width are 2.5 + 0.5 cm. */
 static void test_the_extent_of_a_rotated_box_is_its_length(void **state)
 {
     const struct fish a = fish_at(0, 0, 0);

@@ -88,8 +88,9 @@ static void test_a_pair_is_counted_again_only_after_it_separated(void **state)
     assert_int_equal(meetings.head_on, 1);
     assert_int_equal(meetings.by_yaw, 3);
     const vec3 here = tank->fish[0].position_m;
-    tank->fish[0].position_m.z += 0.02f; /* The centres are 8 cm apart, so the fish are separated by
-                                            7 cm limits. */
+    /* The centres are now 8 cm apart. The personal spaces end at 7 cm, so the fish are
+     * separated. */
+    tank->fish[0].position_m.z += 0.02f;
     for (uint32_t tick = 0; tick < CORE_TICK_HZ / 2u - TANK_MEETINGS_LOOK_TICKS; tick++) {
         assert_int_equal(meetings.open_count, 1);
         tank_meetings_update(&meetings, tank, 1);

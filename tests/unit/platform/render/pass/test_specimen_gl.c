@@ -272,7 +272,7 @@ static void test_the_texture_of_a_key_matches_paint_at(void **state)
     }
     glDeleteFramebuffers(1, &framebuffer);
     print_message("%u of %u texels are means of four points\n", off, count);
-    assert_true(off < count / 8u); /* Texels at the rims of parts. */
+    assert_true(off < count / 8u); /* Only texels at the rims of parts may differ. */
 }
 
 static uint32_t empty_slots(void)
@@ -425,7 +425,9 @@ static void test_the_coarse_texture_shows_no_blocks(void **state)
         steepest = step > steepest ? step : -step > steepest ? -step : steepest;
     }
     print_message("steepest step from texel to texel: %d of 255\n", steepest);
-    assert_true(steepest <= 64); /* A quarter of the range, for four texels between two samples. */
+    /* 64 is a quarter of the range of a texel. The coarse texture has a sample in every fourth
+     * texel. */
+    assert_true(steepest <= 64);
 }
 
 /* Weights of a solved graph may be negative. paint_at() treats them as 0, and the selection of
@@ -466,8 +468,8 @@ static void test_the_muscle_lines_of_a_leptocephalus_are_sharp(void **state)
     }
     const float expected = (float)WIDTH / length_px * 60.0f / 0.9f;
     print_message("%u lines, %.1f expected\n", lines, (double)expected);
-    assert_true(f_abs((float)lines - expected) <= 2.5f); /* u is not exactly uniform along the
-                                                            body. */
+    /* The tolerance is needed because the coordinate u is not exactly uniform along the body. */
+    assert_true(f_abs((float)lines - expected) <= 2.5f);
 }
 
 static void test_a_finished_texture_needs_no_more_work(void **state)

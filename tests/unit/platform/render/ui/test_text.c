@@ -20,28 +20,30 @@ static uint32_t first(const char *bytes)
 static void test_utf8_of_every_length_is_decoded(void **state)
 {
     (void)state;
-    const char *at = "A\xc3\xa9\xe9\x87\x91\xf0\x9f\x90\x9f"; /* A, e acute, gold, fish */
+    /* The text is A, e with acute accent, and the Japanese characters for gold and fish. */
+    const char *at = "A\xc3\xa9\xe9\x87\x91\xf0\x9f\x90\x9f";
     assert_int_equal(printable_next(&at), 'A');
     assert_int_equal(printable_next(&at), 0xe9);
     assert_int_equal(printable_next(&at), 0x91d1);
     assert_int_equal(printable_next(&at), 0x1f41f);
     assert_int_equal(printable_next(&at), 0);
-    assert_int_equal(printable_next(&at), 0); /* A read at the end returns the end again. */
+    /* A second call at the end of the text returns 0 again. */
+    assert_int_equal(printable_next(&at), 0);
 }
 
 static void test_malformed_bytes_are_replaced_one_by_one(void **state)
 {
     (void)state;
     static const char *const malformed[] = {
-        "\x80",             /* a tail with no head */
-        "\xc0\xaf",         /* overlong slash */
-        "\xe0\x80\xaf",     /* the same in three bytes */
-        "\xf0\x80\x80\xaf", /* and in four */
-        "\xed\xa0\x80",     /* half of a surrogate pair */
-        "\xf4\x90\x80\x80", /* beyond the last code point */
+        "\x80",             /* A continuation byte without a first byte. */
+        "\xc0\xaf",         /* A slash in two bytes, which is an overlong form. */
+        "\xe0\x80\xaf",     /* The same slash in three bytes. */
+        "\xf0\x80\x80\xaf", /* The same slash in four bytes. */
+        "\xed\xa0\x80",     /* Half of a surrogate pair. */
+        "\xf4\x90\x80\x80", /* A code point above U+10FFFF. */
         "\xff",
-        "\xe9\x87", /* cut short by the end */
-        "\xe9\x41", /* cut short by another letter */
+        "\xe9\x87", /* A character of three bytes, of which the text has two. */
+        "\xe9\x41", /* A character of three bytes that another letter interrupts. */
     };
     for (size_t i = 0; i < sizeof malformed / sizeof *malformed; i++) {
         assert_int_equal(first(malformed[i]), PRINTABLE_MALFORMED);

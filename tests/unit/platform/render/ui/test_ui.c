@@ -194,7 +194,7 @@ static void test_each_offered_mode_has_a_tag_and_the_selected_tag_is_raised(void
         }
         scene.mode = scene.choice < MODE_COUNT ? scene.choice : MODE_FESTIVAL;
         lay_out(sizes[0]);
-        scene.tick += 60; /* The curtain is raised in this time. */
+        scene.tick += 60; /* The curtain rises within these 60 ticks. */
         lay_out(sizes[0]);
         const uint32_t offered =
             (modes & 1u) + (modes >> 1 & 1u) + (modes >> 2 & 1u) + (modes >> 3);
@@ -203,7 +203,7 @@ static void test_each_offered_mode_has_a_tag_and_the_selected_tag_is_raised(void
         for (uint32_t i = 0; i < batch.quad_count; i++) {
             const float top = bounds_of(i).top;
             if (batch.kinds[i] == UI_WOOD && first_top == 0.0f) {
-                first_top = top; /* The lowest offered mode, which is the selected one. */
+                first_top = top; /* The selected mode, whose tag is the lowest. */
             } else if (batch.kinds[i] == UI_WOOD) {
                 other_top = top < other_top ? top : other_top;
             }

@@ -48,7 +48,7 @@ static void test_the_widest_letter_contains_no_texel_of_its_neighbour(void **sta
                                     .outline_em = 1.0f };
     ui_batch_clear(&batch);
     ui_text(&batch, widest, 0.0f, 300.0f, "8");
-    assert_int_equal(batch.quad_count, 2); /* The outline and the letter on it. */
+    assert_int_equal(batch.quad_count, 2); /* A letter with an outline consists of two quads. */
     for (uint32_t i = 0; i < 4u; i++) {    /* A texture filter reads up to half a texel around a
                                               point. */
         const float right = batch.vertices[i].u - (float)glyph->x;

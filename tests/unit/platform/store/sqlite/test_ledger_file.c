@@ -564,8 +564,8 @@ static void test_a_file_of_a_later_version_is_not_changed(void **state)
 {
     (void)state;
     take_version(2);
-    do_sql("PRAGMA user_version = 6; PRAGMA journal_mode = WAL"); /* The settings of the later
-                                                                     version. */
+    /* Settings of a later version of Kingyo, which must not change. */
+    do_sql("PRAGMA user_version = 6; PRAGMA journal_mode = WAL");
     assert_int_equal(ledger_file_open(&file, path, NULL), LEDGER_FILE_NEWER);
     assert_null(file.db);
     assert_string_equal(ledger_file_error(LEDGER_FILE_NEWER), "a later Kingyo wrote it");

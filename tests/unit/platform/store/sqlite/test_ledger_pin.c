@@ -21,12 +21,12 @@
 #include "platform/store/sqlite/ledger_recovery.h"
 
 #define PIN 4071
-#define ENTRIES 400u /* More than four pages of rows. */
+#define ENTRIES 400u /* Number of entries, which fill more than four pages of the database. */
 
 /* ---- Syncs of libc, of which one fails ------------------------------------------------------ */
 
 static uint32_t syncs;         /* Number of calls. */
-static uint32_t failing = ~0u; /* Number of the call that fails. */
+static uint32_t failing = ~0u; /* Number of the sync call that fails. */
 
 static int sync_or_fail(void)
 {
@@ -198,7 +198,8 @@ static void test_a_failed_migration_is_completed_at_the_next_start(void **state)
     (void)state;
     struct ledger_file file;
     uint32_t number = 0, unfinished = 0;
-    bool is_over = false; /* Set when the open made fewer syncs than `number`. */
+    /* True when the open made fewer syncs than `number`, so that no sync is left to fail. */
+    bool is_over = false;
     for (; !is_over; number++) {
         make_old_database();
         fail_sync(number);
@@ -227,7 +228,8 @@ static void test_a_migration_blocked_by_a_reader_is_completed_at_the_next_start(
     assert_int_equal(sqlite3_exec(reader, "BEGIN; SELECT * FROM entries", NULL, NULL, NULL), 0);
     assert_int_equal(ledger_file_open(&file, path, NULL), 0);
     assert_true(pin_matches(file.content.memory.settings.value[SET_PIN], PIN));
-    assert_true(plain_in("") > 0); /* The reader needs the old pages. */
+    /* A reader still uses the old pages, so the PIN cannot be erased yet. */
+    assert_true(plain_in("") > 0);
     sqlite3_close(reader);
     ledger_file_close(&file);
     assert_int_equal(ledger_file_open(&file, path, NULL), 0);

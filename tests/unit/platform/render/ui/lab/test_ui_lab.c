@@ -84,8 +84,9 @@ static void test_the_lab_fits_every_screen_with_every_species(void **state)
         }
     }
     print_message("the longest screen has %u quads of %u\n", longest, UI_QUADS_MAX);
-    assert_in_range(longest, 1, UI_QUADS_MAX - 200u); /* The margin is for twelve knots and longer
-                                                         words. */
+    /* A margin of 200 quads is left for curves with twelve knots and for languages with longer
+     * words. */
+    assert_in_range(longest, 1, UI_QUADS_MAX - 200u);
 }
 
 /* Returns whether a round dot of that colour is drawn with its centre at the point. */

@@ -88,7 +88,8 @@ static void set_page(uint8_t page, uint16_t tags, uint8_t language, int upright)
     menu->boot = 9999u;
     menu->last_id = menu->saved_id = 999999u;
     for (uint32_t i = 0; i < SCENE_AUDIT_MAX; i++) {
-        menu->audit[i] = 99999u; /* Nine years with thirty plays a day. */
+        /* 99999 is the count of plays after nine years with thirty plays a day. */
+        menu->audit[i] = 99999u;
     }
     scene.credit = (struct scene_credit){ .price = 20, .credits = 4294967295u, .coin_s = 0.1f };
     for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
@@ -405,7 +406,7 @@ static void test_the_quit_confirmation_does_not_overlap_the_practice_plates(void
         const float unit = fminf(sizes[size].height / 720.0f, width / 860.0f);
         const float left = width - 274.0f * unit, y = 0.215f * sizes[size].height;
         if (y > 240.0f * unit) {
-            continue; /* On a portrait screen it lies below the plates. */
+            continue; /* On a portrait screen the confirmation lies below the plates. */
         }
         memset(&scene, 0, sizeof scene);
         scene.phase = PHASE_ROUND;
@@ -495,7 +496,7 @@ static void test_a_changed_setting_has_a_seal_on_its_own_page_too(void **state)
     const int32_t standard = settings_entry(SET_MODES)->standard;
     const uint32_t bare = quads_of(MENU_MODES);
     scene.menu.settings.value[SET_MODES] = standard ^ 1;
-    /* The seal, and 出さない has two more letters than 出す. */
+    /* The changed row has a seal, and its value 出さない has two letters more than 出す. */
     assert_int_equal(standard & 1, 1);
     assert_int_equal(quads_of(MENU_MODES), bare + 1u + 2u);
     set_page(MENU_UPKEEP, 0, LANGUAGE_EN, 0);
