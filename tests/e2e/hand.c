@@ -23,7 +23,8 @@
 /* Number of pictures in which fish are observed before one is chosen. */
 #define CALM_LOOKS 12
 #define CHOICE_MAX 40
-/* Largest accepted rise of blue. A fish too deep for the ring is 10 to 20 of 255 bluer. */
+/* Largest rise of a fish's blue value, per second, with which the fish is chosen. A fish that is
+ * too deep for the ring is 10 to 20 of 255 bluer. */
 #define BLUE_PX_S 4.0f
 /* Limit of blue for a fish on the paper. A fish on the paper has about 4, a fish under it 80 to
  * 150, and 25 where the paper is torn. */
@@ -142,8 +143,8 @@ static int follow(struct track *track)
         return 0;
     }
     const struct point at = { blob.x, blob.y };
-    const float trust = fminf(1.0f, passed_s / 0.25f); /* Weight of the new speed, which gives a
-                                                          mean over a quarter of a second. */
+    /* Weight of the new speed in the mean speed, which covers a quarter of a second. */
+    const float trust = fminf(1.0f, passed_s / 0.25f);
     track->speed.x += trust * ((at.x - track->at.x) / passed_s - track->speed.x);
     track->speed.y += trust * ((at.y - track->at.y) / passed_s - track->speed.y);
     track->at = at;

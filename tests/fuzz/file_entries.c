@@ -24,7 +24,8 @@
 #define IDS_MAX 1024u /* Largest entry id. The recovery queries each id up to the newest one. */
 #define TICKS 3u
 
-/* Selects one row of a table without row ids by its position in the order of the names. */
+/* SQL that selects one row of a table that has no row ids: the row at a given position in the order
+ * of `column`. */
 #define ROW_OF(table, column)                                                                      \
     table " SET " column " = ?1 WHERE name = (SELECT name FROM " table " LIMIT 1 OFFSET ?2)"
 #define SETTING_OF(column) ROW_OF("settings", column)
@@ -57,7 +58,7 @@ static void put_cell(sqlite3 *db, const uint8_t *cell)
     snprintf(text, sizeof text, "UPDATE OR IGNORE %s",
              places[cell[0] % (sizeof places / sizeof places[0])]);
     if (sqlite3_prepare_v2(db, text, -1, &put, NULL) != SQLITE_OK) {
-        return; /* A later schema has no such column. */
+        return; /* The cell does not exist, because the present schema has no such column. */
     }
     switch (cell[2] % 4u) {
     case 0:

@@ -18,8 +18,8 @@
 static uint8_t file[FILE_MAX];
 static size_t file_size;
 
-/* Writes the checksum of `size` bytes at `at` after these bytes. Returns the place of the next
- * part, or 0 if the file ends before it. */
+/* Writes the checksum of the `size` bytes that begin at `at` behind these bytes. Returns the
+ * position after the checksum, or 0 if the file ends before it. */
 static size_t put_sum(size_t at, size_t size, uint64_t *sum)
 {
     if (size > file_size || at + size + REPLAY_SUM_SIZE > file_size) {
@@ -30,7 +30,7 @@ static size_t put_sum(size_t at, size_t size, uint64_t *sum)
     return at + size + REPLAY_SUM_SIZE;
 }
 
-/* Makes the end mark consistent with the last second of the recording. */
+/* Corrects the end mark, so that it agrees with the last second of the recording. */
 static void mend_end(size_t at, const uint8_t *last, uint32_t tick, uint64_t sum)
 {
     replay_put_u32(file + at + END_TICKS, tick);

@@ -97,7 +97,8 @@ static bool next_edge(void *self, struct gpio_sim_event *out)
 {
     struct coin_rain *rain = self;
     if (rain->edge_next == rain->edge_count) {
-        rain->coins += rain->falls; /* The last edge of the pulse has passed. */
+        /* The last edge of the pulse has been delivered, so the coin counts as fallen. */
+        rain->coins += rain->falls;
         rain->falls = 0;
         if (rain->left == 0) {
             return false;

@@ -21,7 +21,7 @@ struct coin_rain {
     uint64_t seed;
     struct gpio_sim_event pulse[RAIN_EDGES_MAX];
     uint32_t edge_count, edge_next;
-    uint8_t falls; /* 1 if the pulse in `pulse` is a coin. */
+    uint8_t falls; /* 1 if the present pulse comes from a coin. */
 };
 
 /* Result of a simulation. */

@@ -131,7 +131,8 @@ void fake_chip_pull(struct fake_chip *chip)
     for (uint32_t i = 0; i < FAKE_LINES; i++) {
         struct fake_line *line = &chip->lines[i];
         if (line->requested && !line->is_output && !line->is_looked_at) {
-            close(line->pipe[1]); /* The reader of the pipe gets a hang-up. */
+            /* Closing this end makes the thread that waits for the line get a hang-up. */
+            close(line->pipe[1]);
             line->pipe[1] = -1;
         }
     }

@@ -196,8 +196,8 @@ static void test_edges_that_the_queue_dropped_are_counted_or_inferred(void **sta
     fake_line_edge(start, 200 * MS, false, 3);
     assert_int_equal(wait(&lines, edges), 1);
     assert_int_equal(edges[0].lost_before, is_second(&lines) ? 3 : 1);
-    fake_line_edge(start, 300 * MS, false, 0); /* No edge was lost. The kernel only read the level
-                                                  late. */
+    /* No edge was lost. The kernel only read the level too late. */
+    fake_line_edge(start, 300 * MS, false, 0);
     assert_int_equal(wait(&lines, edges), 1);
     assert_int_equal(edges[0].lost_before, 0);
     end(&lines);

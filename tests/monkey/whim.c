@@ -4,7 +4,9 @@
 #include "core/base/rng.h"
 
 #define MOOD_STEPS 360u
-#define PLAYER_WEIGHTS 83u /* Sums of the two columns of the table below. */
+/* Sums of the two columns of the table below: the weights of all keys for a player, and for an
+ * operator. */
+#define PLAYER_WEIGHTS 83u
 #define OPERATOR_WEIGHTS 94u
 
 /* Relative frequency of each key for a player and for an operator. */
@@ -51,8 +53,8 @@ static int repeats_escape(const struct rng_key *from)
 
 struct whim whim_at(uint32_t seed, uint32_t step)
 {
-    /* The list includes sizes below the kiosk's minimum, because a window manager may ignore that
-     * minimum. */
+    /* Sides of the window in pixels. Some are below the kiosk's minimum, because a window manager
+     * may ignore the minimum. */
     static const int sides[] = { 1, 2, 7, 16, 60, 120, 240, 320, 480 };
     const uint32_t side_count = sizeof sides / sizeof sides[0];
     const struct rng_key from = { seed, step, 0, RNG_TEST };

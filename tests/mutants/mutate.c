@@ -15,10 +15,12 @@
 
 /* Largest size of a source file in bytes. The largest file has 16 KiB. */
 #define TEXT_MAX (1u << 20)
-/* Largest number of sites of all files together. A draw from more sites is refused. */
+/* Largest number of sites in all files together. A site is a place in the code that a mutation can
+ * change. The program refuses to draw from more sites. */
 #define SITES_MAX 65536u
 
-/* A mutation. Replaces text[begin, end) by `before`, the old text if `keep` is set, and `after`. */
+/* A mutation of the code. It replaces the text from `begin` to `end` by the string `before`, by the
+ * old text if `keep` is set, and by the string `after`. */
 struct site {
     size_t begin, end;
     const char *kind, *before, *after;
@@ -31,7 +33,7 @@ struct scan {
     char code[TEXT_MAX];
     size_t size;
     uint32_t site_count;
-    uint32_t wanted; /* Index of the site that is copied to `found`. */
+    uint32_t wanted; /* Number of the site that the scan copies to `found`. */
     struct site found;
 };
 
@@ -177,7 +179,8 @@ static int try_operator(size_t at)
     return 0;
 }
 
-/* Adds a site that adds 1 to the constant at `at`, or subtracts 1 for every second constant. */
+/* Adds a mutation of the constant at `at`. Every second constant becomes smaller by 1, and the
+ * others become larger by 1. */
 static size_t try_constant(size_t at)
 {
     size_t end = at;

@@ -129,8 +129,8 @@ static int put_sheet(const char *folder, uint32_t specimen, uint32_t moment)
  * does. */
 static int put_hole(const char *folder, uint32_t specimen)
 {
-    const uint32_t after[MOMENTS] = { 0, 12, 48, 120 }; /* Times of the pictures in ticks after the
-                                                           tear. */
+    /* Ticks after the tear at which the pictures are taken. */
+    const uint32_t after[MOMENTS] = { 0, 12, 48, 120 };
     const int is_half_wet = specimen == HOLES;
     struct paper_options plan = wet(6);
     plan.wet_fraction = is_half_wet ? 0.5f : 1.0f;

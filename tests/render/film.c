@@ -14,7 +14,8 @@
 
 #define SIDE_PX 960u
 #define LENGTH_M 0.07f
-#define MIDDLE_X_M 0.015f /* Middle of the distance that the fish covers in twelve ticks. */
+/* Middle of the path that the fish swims in twelve ticks. The camera points there. */
+#define MIDDLE_X_M 0.015f
 #define MIDDLE_Z_M 0.027f
 #define EYE_M 0.30f /* Height of the camera above the water. */
 /* Tangent of half the view angle. The picture shows 11 cm at the depth of the fish. */
@@ -31,8 +32,8 @@ static void tick(void)
     static struct output output;
     const struct input input = { 0 };
     output.sound_count = 0;
-    cpu_set_float(); /* The display library ran before and may have changed the floating-point
-                        mode. */
+    /* Restores the floating-point mode, which the display library may have changed. */
+    cpu_set_float();
     if (core_tick(&core, &input, &output) != CORE_OK) {
         fputs("film: " CPU_FLOAT_WRONG "\n", stderr);
         exit(70);

@@ -81,7 +81,7 @@ static void adjust_some(struct core *core)
     settings_edit_set(&core->game, &core->config, SET_NIGHT_FROM_MIN, 22 * 60 + 30);
 }
 
-/* Fills the audits with the values of a summer. */
+/* Fills the audit counters with values as after a summer of use. */
 static void keep_books(struct core *core)
 {
     uint32_t *count = core->game.accounts.audits.count;

@@ -4,7 +4,7 @@
 
 #include "core/core.h"
 
-/* Returns 1 if the page exists and has this step. */
+/* Returns 1 if the menu has the page and the page has this step. */
 int shot_menu_exists(const char *page, uint8_t step);
 
 /* Opens the menu on `page` (top, controllers, controller, learn, lines or files). On the learn page

@@ -48,7 +48,8 @@ static const struct plain_option {
     const char *name;
     enum kind kind;
     size_t offset;
-    float unit; /* Unit of a float option. */
+    /* Factor by which the number on the command line is multiplied, for a float option. */
+    float unit;
 } plain_options[] = {
     { "--start", OPTION_FLAG, offsetof(struct shot_options, start), 0.0f },
     { "--compare", OPTION_FLAG, offsetof(struct shot_options, compare), 0.0f },

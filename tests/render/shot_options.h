@@ -35,7 +35,9 @@ struct shot_options {
     uint8_t rotation;                       /* Rotation of the picture on the screen. */
     float inset, light, shift; /* Geometry of the picture, as in struct display_settings. */
     uint32_t species;
-    float progress;         /* Progress of the growth lab's species in its life. */
+    /* Progress [0, 1] of the species that the growth lab shows, from its first key shape to its
+     * last. */
+    float progress;
     struct shade_input fan; /* Place of a fan. The command line gives X_CM,Z_CM. */
     const char *out;
 };

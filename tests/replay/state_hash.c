@@ -28,7 +28,8 @@ _Noreturn void core_panic(const char *condition, const char *file, int line)
     exit(70);
 }
 
-/* Returns a tilted dip every two seconds while the poi sweeps back and forth through the tank. */
+/* Returns the pose of a scripted player: the poi sweeps back and forth through the tank, and makes
+ * a tilted dip every two seconds. */
 static struct poi_target pose_at(uint32_t tick)
 {
     const float s = (float)(tick - HAND_TICK) * CORE_TICK_S;

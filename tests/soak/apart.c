@@ -14,8 +14,9 @@
 
 struct cells {
     uint32_t columns, rows;
-    uint16_t first[CELLS_MAX], next[TANK_FISH_MAX]; /* Linked lists of fish indices plus 1; 0 ends a
-                                                       list. */
+    /* Linked lists of the fish in each cell. The lists hold the index of a fish plus 1, and 0 ends
+     * a list. */
+    uint16_t first[CELLS_MAX], next[TANK_FISH_MAX];
 };
 
 static float half_diagonal_m(const struct fish *fish)
@@ -242,8 +243,8 @@ static void check_pace(struct apart *apart, const struct tank *tank, const struc
     }
     if (fish->gait == GAIT_SWIM) {
         const vec3 v = fish->velocity_m_s;
-        const float able = fish->length_m * (0.8f + 0.2f * fish->stamina); /* Speed by section 3.3
-                                                                              of the thesis. */
+        /* Basic speed of the fish for its length and stamina, by section 3.3 of the thesis. */
+        const float able = fish->length_m * (0.8f + 0.2f * fish->stamina);
         apart->speed_sum += (double)f_sqrt(v.x * v.x + v.z * v.z);
         apart->free_sum += (double)(able * tank_behavior_params(tank)->swim_speed);
         const float stuck_s = (float)(now - apart->spot_tick[i]) * CORE_TICK_S;

@@ -20,11 +20,14 @@
 struct apart {
     /* Greatest depth of each kind of overlap in m. */
     float pair_m, wall_m, floor_m, surface_m, ring_m, hull_m;
-    uint32_t pair_count, other_count; /* Number of pairs of fish, and of single fish, deeper than
-                                         APART_DEEP_M, summed over the ticks. */
+    /* Number of pairs of fish (`pair_count`), and of fish in walls, floor, surface, rings or hulls
+     * (`other_count`), that overlap by more than APART_DEEP_M. The numbers are summed over the
+     * ticks. */
+    uint32_t pair_count, other_count;
     uint64_t ticks, fish_ticks;
 
-    /* Motion of the fish. A calm fish is not startled. */
+    /* The members below describe the motion of the fish. A calm fish is a fish that is not
+     * startled. */
     double speed_sum, free_sum; /* Sums of the speeds of swimming fish in m/s: the true speed and
                                    the speed of the gait alone. */
     float yaw_rate_max_rad_s;   /* Greatest yaw rate of a calm fish. */
@@ -32,8 +35,8 @@ struct apart {
                                    their direction. */
     uint64_t by_wall;           /* Number of fish within 3 cm of a wall, summed over the ticks. */
     float stuck_s;              /* Longest time for which a swimming fish stayed in one place. */
-    float loose_s;              /* Longest time for which a returned fish was in the water and not
-                                   yet free of overlaps. */
+    /* Longest time for which a fish in reentry was in the water and still overlapped others. */
+    float loose_s;
 
     /* State of each fish: the place from which its motion is measured, the time of this place, and
      * its last turn. */

@@ -52,7 +52,8 @@ static void next_stroke(struct drag *drag)
         to.y = 0.06f;
     }
     drag->to_m = to;
-    /* The speed is uniform in its logarithm, so that slow strokes are as frequent as fast ones. */
+    /* The logarithm of the speed has a uniform distribution, so that slow strokes are as frequent
+     * as fast ones. */
     drag->speed_m_s = 0.1f * f_exp(draw(drag, 4, 0.0f, 2.708f));
     const float tilt = kind > 0.6f ? 90.0f : 50.0f;
     drag->angles =

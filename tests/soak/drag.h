@@ -15,9 +15,9 @@ struct drag {
     vec3 to_m;       /* Target of the current stroke. */
     float speed_m_s; /* Speed of the current stroke. */
     struct angles angles;
-    uint32_t stroke;          /* Number of the current stroke. */
-    double lag_sum_m, hand_m; /* Lag of the ring behind the hand, summed over the ticks, and the
-                                 path length of the hand. */
+    uint32_t stroke; /* Number of the current stroke. */
+    /* Sums over the ticks: the distance of the ring from the hand, and the path of the hand. */
+    double lag_sum_m, hand_m;
     uint32_t ticks;
 };
 

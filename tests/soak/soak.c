@@ -38,7 +38,8 @@ static struct apart apart;
 #define LOOSE_MAX_S 0.5f
 
 static uint64_t reverted_count; /* Number of fish that were put back, summed over the ticks. */
-static int cells_missed; /* 1 if the check of all pairs found a deeper overlap than the grid. */
+/* 1 if the check of all pairs found an overlap that the check with the grid missed. */
+static int cells_missed;
 
 static void run(const struct density *density, int dragged, uint32_t seconds, uint32_t seed)
 {

@@ -34,7 +34,8 @@
 #define LINE_HOURS 6u
 #define OPEN_HOUR 10u
 #define CLOSE_HOUR 21u
-/* Allowed growth in bytes, for lines that a library is still reading. */
+/* Allowed growth of the memory in bytes, because a library may still hold a line of text that it is
+ * reading. */
 #define GROWTH_MAX (4 * 1024)
 /* Limit of SQLite's memory in bytes: the store's page cache (1,024 KiB, which fills as pages are
  * read), the backup's page cache (256 KiB), statements and schema. */

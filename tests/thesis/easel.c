@@ -30,8 +30,9 @@ int easel_open(uint32_t times)
         .width = fine_width,
         .height = fine_height,
         .off_screen = true,
-        .scene_scale = finer > 1u ? 1.0f : 0.0f, /* 0 selects the scale automatically, as in the
-                                                    kiosk, for measurements. */
+        /* With the scale 0, the renderer selects the scale itself, as in the kiosk. The
+         * measurements need this. */
+        .scene_scale = finer > 1u ? 1.0f : 0.0f,
     };
     const struct hal_display device = display_gl_device(&display);
     if (core_init(&core, &config) != CORE_OK || device.ops->open(device.self) != HAL_OK) {
@@ -185,7 +186,7 @@ static void draw_side(struct renderer *renderer)
     glDisable(GL_DEPTH_TEST);
 }
 
-/* Computes each pixel as the mean of its smaller pixels. */
+/* Shrinks the picture: each pixel becomes the mean of the smaller pixels that were drawn for it. */
 static void shrink(void)
 {
     const uint32_t area = finer * finer;

@@ -47,8 +47,8 @@ static void stage(float aside_m, uint8_t balls, uint32_t seed)
 static double gap_mm(void)
 {
     const struct box a = fish_box(&tank.fish[0]), b = fish_box(&tank.fish[1]);
-    return 1000.0 * (double)box_gap(&a, 1.0f, &b, 1.0f).body_m; /* A gap without a margin ends the
-                                                                   search. */
+    /* The margins of 1 m prevent box_gap() from stopping before it has found the true gap. */
+    return 1000.0 * (double)box_gap(&a, 1.0f, &b, 1.0f).body_m;
 }
 
 static struct passage pass(float aside_m, uint8_t balls, uint32_t seed)

@@ -68,8 +68,8 @@ static void shoot(const char *number, const struct easel_shot *shot, const char 
 
 /* ---- 4.1 to 4.12: two fish meet ------------------------------------------------------------- */
 
-/* Meetings in section 4.1 of the thesis. The side of the evasion is random, so that the first seed
- * with the side of the thesis is used. */
+/* The encounters of two fish in section 4.1 of the thesis. The side to which a fish turns is
+ * random. Therefore the program uses the first seed with which the fish turns as in the thesis. */
 struct encounter {
     int first; /* Number of the first picture. */
     const char *name, *what;
@@ -121,9 +121,9 @@ static int both_go_on(const struct fish from[2])
     return 1;
 }
 
-/* Finds the moments at which the fish begin to give way, are nearest, end the evasion and continue.
- * The moments depend on the motion and not on a clock. Returns 1 if the meeting is as in the
- * thesis. */
+/* Finds four moments of an encounter: the fish begin to give way, are nearest to each other, end
+ * the avoidance, and continue. The moments follow from the motion. Returns 1 if the encounter is as
+ * in the thesis. */
 static int find_moments(const char *words, const struct encounter *wanted, struct moments *found)
 {
     struct fish from[2] = { 0 };
@@ -228,7 +228,8 @@ static void shoot_meeting(const struct encounter *wanted)
     char words[WORDS_LENGTH], number[8], seen[160];
     const struct moments found = stage_meeting(wanted, words);
     struct easel_shot shot = { .camera = CAMERA_MEETING };
-    /* Between the begin and the end the fish are nearest, unless they do not approach further. */
+    /* The fish are nearest between the beginning and the end of the avoidance, unless they do not
+     * come nearer any more. */
     const uint32_t during = found.nearest > found.begins && found.nearest < found.done
                                 ? found.nearest
                                 : (found.begins + found.done) / 2u;

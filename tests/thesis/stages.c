@@ -139,8 +139,8 @@ static enum exit_code draw_growth(const struct morph_options *pick)
 
 /* ---- Input models ---------------------------------------------------------------------------- */
 
-/* Takes the shape that is blended. For a solved curve this shape is not the drawing but an
- * extrapolation beyond the drawing. */
+/* Uses the shape that is blended instead of the shape that was drawn. With a solved curve, the
+ * blended shape is an extrapolation of the drawn one. */
 static void take_model(const struct morph_options *pick, uint32_t key)
 {
     const struct species_mesh *mesh = &pick->fish->lod[0];

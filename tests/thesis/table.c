@@ -13,7 +13,8 @@
 #include "tests/thesis/easel.h"
 
 #define SECONDS 10u
-#define FRAMES 15u /* Updates of each tank. The number is odd so that a median exists. */
+/* Number of measured updates of each tank. The number is odd so that one of them is the median. */
+#define FRAMES 15u
 
 /* Values of section 4.4 of the thesis; -1 means that the thesis could not measure the value. */
 static const struct {

@@ -68,8 +68,8 @@ static struct tally count_all(const struct slot *slot)
     struct tally tally = { 0 };
     bool falls = slot->active, is_first = true;
     uint64_t begin_ns = slot->begin_ns, fell_ns = 0;
-    bool waits = false; /* True after a pulse ended at `fell_ns` while it can still continue within
-                           the gap. */
+    /* True if a pulse ended at `fell_ns`, but may still continue after a short gap. */
+    bool waits = false;
     for (uint32_t i = 0; i < count; i++) {
         if (!turn[i].active) {
             fell_ns = turn[i].time_ns;

@@ -11,7 +11,7 @@
 #define TIME_NS 50000u
 
 static struct debounce_edge_time last;
-static uint64_t dated_ns; /* Time of the newest edge. */
+static uint64_t dated_ns; /* Time stamp of the newest edge that the filter received. */
 
 static void take(bool turned, const struct debounce_edge_time *turn)
 {

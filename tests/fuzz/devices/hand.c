@@ -10,7 +10,8 @@
 #include "drivers/hid/poi_hid.h"
 #include "tests/fuzz/trap.h"
 
-/* Unit of the byte of time. The byte gives up to 128 ms, and 255 means eight seconds. */
+/* Unit of the time byte of an input record. Values below 255 are up to 128 ms, and 255 means eight
+ * seconds. */
 #define TIME_STEP_NS 500000u
 
 /* Time limit for one report on the clock of its thread. The sanitizers make the decoder about 20
@@ -97,7 +98,7 @@ static void play(const uint8_t *bytes, size_t size)
     }
 }
 
-/* Takes the line of text. Returns the number of bytes taken. */
+/* Reads one line of text from the input. Returns the number of bytes read. */
 static size_t take_map(const uint8_t *bytes, size_t size)
 {
     static char text[HID_MAPPING_TEXT_SIZE];

@@ -10,7 +10,8 @@
 #include "drivers/pointer/touch_fingers.h"
 #include "tests/fuzz/trap.h"
 
-/* Unit of the byte of time. The byte gives up to 128 ms, and 255 means eight seconds. */
+/* Unit of the time byte of an input record. Values below 255 are up to 128 ms, and 255 means eight
+ * seconds. */
 #define TIME_STEP_NS 500000u
 
 static const struct view view = { .eye_m = { 0.0f, 0.9f, 0.7f },
