@@ -188,7 +188,8 @@ static void test_a_usb_poi_gets_force_output(void **state)
     assert_int_equal(seen.out[0], POI_FORCE_ID);
 }
 
-/* Prints the time from the plug to the frame whose input has the poi again. */
+/* Unplugs the poi in a round and plugs it in again. Prints the time from plugging in to the first
+ * frame whose input contains the poi. */
 static void lose_and_find(enum usb_sim_unplug_order how)
 {
     const uint32_t credits = purse_credits(&stall.kiosk.core);

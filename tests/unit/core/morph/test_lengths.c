@@ -14,7 +14,7 @@
 #define FITTED                                                                                     \
     0.10f                /* Relative tolerance of a length that a fitted or published curve
                             approximates. */
-#define DRAWN_M 0.00005f /* Half the last digit of a plate's caption. */
+#define DRAWN_M 0.00005f /* Half a unit of the last digit in the captions of the figures. */
 
 static const struct species_card *card_of(const char *id)
 {

@@ -62,8 +62,9 @@ static void test_the_flow_on_the_axis_equals_lambs_solution(void **state)
     assert_float_equal(broadside_flow(0.0f, 1.0f, 0.0f).x, 0.0f, 1e-6f);
 }
 
-/* The dipole is (8/3) a^3 / 4 pi r^3: twice that along the axis and once, in reverse, beside the
- * disc. */
+/* Far from a disc of radius a, the flow is that of a dipole. Let v = (8 / 3) a^3 / (4 pi r^3) at
+ * the distance r. On the axis the flow is 2 v along the motion. In the plane of the disc it is v
+ * against the motion. */
 static void test_the_far_flow_is_the_dipole_of_the_added_mass(void **state)
 {
     (void)state;

@@ -125,8 +125,9 @@ static void test_swimmers_in_a_shade_keep_to_7_5_cm_s(void **state)
     assert_true(drawn > 100u); /* The pull acts on resting fish too. */
 }
 
-/* Returns the reversals of turns faster than 20 degrees a second, per second and per fish within a
- * circle, from second 6 to second 14. */
+/* A reversal is a change of the turning direction in which both turns are faster than 20 degrees a
+ * second. Returns the number of reversals per second and per fish within a circle, from second 6 to
+ * second 14. */
 static float reversals_per_s(uint32_t fish_count, uint32_t seed, const struct shade_cast *fan,
                              const struct shade_cast *circle, float *within)
 {

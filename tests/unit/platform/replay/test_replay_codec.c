@@ -211,8 +211,8 @@ static void test_an_invalid_controller_list_encoding_is_rejected(void **state)
                                                    selected. */
         /* CONTROLLER_STATE_COUNT is no state of a controller. */
         { DESK, 1, 0, CONTROLLER_STATE_COUNT },
-        { DESK, 0, STEP, LEARN_STEP_COUNT }, /* The step does not exist. */
-        { DESK, 0, ROW, CONTROLLER_MAX },    /* The row does not exist. */
+        { DESK, 0, STEP, LEARN_STEP_COUNT }, /* No step has this number. */
+        { DESK, 0, ROW, CONTROLLER_MAX },    /* No row has this number. */
         { DESK, 0, BEYOND, 1 },              /* The part has no byte with this index. */
     };
     for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {

@@ -183,7 +183,7 @@ static void test_a_failed_save_is_reported(void **state)
     tap(LAB_SAVE);
     assert_int_equal(output.edit.id, 2);
     input.edit_saved_id = 2;
-    input.edit_refused = 1; /* A later save is rejected. This save is on the disk. */
+    input.edit_refused = 1; /* A later save was rejected, but this one was written. */
     tick();
     assert_int_equal(look()->lab.keeping, LAB_SAVED);
 }

@@ -113,7 +113,8 @@ static void test_service_adds_no_credit_in_the_menu(void **state)
 /* Opens each page that a tag opens with TEST and SERVICE alone, and leaves it by its last tag. */
 static void test_two_buttons_reach_every_page_and_return(void **state)
 {
-    uint32_t seen = 1u << MENU_TOP; /* Pages without a tag have tests of their own. */
+    /* A bit for each page that was reached. Other tests open the pages that no item leads to. */
+    uint32_t seen = 1u << MENU_TOP;
     for (uint8_t page = 1; page < MENU_PAGE_COUNT; page++) {
         seen |= menu_tag_of(page) == MENU_TAG_MAX ? 1u << page : 0u;
     }
