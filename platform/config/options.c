@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "core/base/panic.h"
-#include "core/game/rules.h"
 #include "core/scene.h"
 #include "core/tank/preset.h"
 #include "platform/os/number.h"

@@ -3,7 +3,6 @@
 #include "platform/kiosk/kiosk.h"
 
 #include "core/base/panic.h"
-#include "core/game/menu/menu_pages.h"
 #include "platform/kiosk/recorder/session_recorder.h"
 
 /* Maximum time that a restart waits for the store. If the store needs longer, the memory card is

@@ -15,7 +15,6 @@
 #include "platform/os/png.h"
 #include "platform/os/print.h"
 #include "platform/store/graph_file.h"
-#include "platform/store/storage.h"
 
 enum exit_code run_common_check(struct run_common *session)
 {

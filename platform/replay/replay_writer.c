@@ -10,7 +10,6 @@
 #include "core/base/hash.h"
 #include "core/base/panic.h"
 #include "platform/os/file.h"
-#include "platform/os/panic.h"
 #include "platform/replay/replay_format.h"
 
 static int write_file(int fd, const uint8_t *bytes, size_t size, uint64_t offset)

@@ -5,7 +5,6 @@
 #include <semaphore.h>
 #include <sys/stat.h>
 #include <time.h>
-#include <unistd.h>
 
 #include <sqlite3.h>
 

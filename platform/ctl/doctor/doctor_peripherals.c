@@ -5,7 +5,6 @@
  * /dev/input/eventN. */
 #include "platform/ctl/doctor/doctor.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "core/base/panic.h"
-#include "core/morph/morph.h"
 #include "platform/ctl/morph/morph_import_words.h"
 #include "platform/ctl/morph/morph_options.h"
 #include "platform/os/print.h"

@@ -5,7 +5,6 @@
 #include "platform/config/config_file.h"
 
 #include <errno.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "platform/ctl/lib/ctl.h"

@@ -3,7 +3,6 @@
  * paper tore. */
 #include "platform/ctl/play/paper_lab.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

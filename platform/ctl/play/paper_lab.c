@@ -2,7 +2,6 @@
  * paper and the fish on the paper in the order of core_tick(). */
 #include "platform/ctl/play/paper_lab.h"
 
-#include <math.h>
 #include <string.h>
 
 #include "core/base/panic.h"

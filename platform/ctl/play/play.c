@@ -7,7 +7,6 @@
 #include <unistd.h>
 
 #include "core/base/panic.h"
-#include "core/core.h"
 #include "core/game/table_setup.h"
 #include "platform/ctl/lib/ctl.h"
 #include "platform/ctl/play/bot_file.h"

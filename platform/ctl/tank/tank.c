@@ -1,8 +1,6 @@
 /* tank.c -- `kingyoctl tank`, which simulates and measures a tank of fish without a screen. */
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
 #include "core/base/float_env.h"

@@ -12,7 +12,6 @@
 #include "core/poi/catch/catch.h"
 #include "core/poi/poi.h"
 #include "core/poi/poi_fields.h"
-#include "core/tank/behavior/avoid.h"
 #include "core/tank/tank_fields.h"
 #include "platform/cpu.h"
 #include "platform/ctl/lib/ctl.h"

@@ -1,8 +1,6 @@
 /* tank_report.c -- writes the trace, and computes and prints the results of a tank simulation. */
 #include "platform/ctl/tank/tank_report.h"
 
-#include <errno.h>
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

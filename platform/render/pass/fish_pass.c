@@ -4,7 +4,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "assets.h"
 #include "core/base/panic.h"
 #include "platform/render/gl_util.h"
 #include "shaders.h"

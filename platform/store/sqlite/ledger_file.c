@@ -10,7 +10,6 @@
 
 #include "core/base/panic.h"
 #include "platform/os/file.h"
-#include "platform/store/sqlite/ledger_backup.h"
 #include "platform/store/sqlite/sql.h"
 #include "sql_texts.h"
 

@@ -14,7 +14,6 @@
 #include "core/pin.h"
 #include "core/settings.h"
 #include "platform/os/file.h"
-#include "platform/store/sqlite/ledger_backup.h"
 
 #define FILE_SIZE ((off_t)LEDGER_MIRROR_SLOTS * LEDGER_MIRROR_SLOT_SIZE)
 

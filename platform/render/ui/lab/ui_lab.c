@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "core/base/panic.h"
-#include "core/game/lab/lab.h"
 #include "platform/key_colour.h"
 #include "platform/render/ui/ui_widgets.h"
 

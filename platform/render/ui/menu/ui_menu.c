@@ -4,8 +4,6 @@
 
 #include <math.h>
 
-#include "core/base/panic.h"
-
 /* ---- Functions that all pages share --------------------------------------------------------- */
 
 struct ui_box menu_tag_place(const struct ui_frame *frame, uint32_t tag)

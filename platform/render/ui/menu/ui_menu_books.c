@@ -6,7 +6,6 @@
 
 #include "core/base/panic.h"
 #include "core/game/accounting/audits.h"
-#include "core/game/ranking/ranking.h"
 #include "platform/render/ui/menu/ui_menu.h"
 #include "platform/render/ui/ui_widgets.h"
 

@@ -5,10 +5,8 @@
  * water. On the learning page, the operator teaches the program the axes of a controller. An
  * animated poi in a basin demonstrates the motion that the operator must make. */
 #include <math.h>
-#include <stdio.h>
 
 #include "core/base/panic.h"
-#include "core/game/menu/menu.h"
 #include "platform/render/ui/menu/ui_menu.h"
 
 /* Boxes of the parts of the calibration page, on the canvas. */

@@ -3,7 +3,6 @@
  * of each cell show the input line before debouncing: its level, its number of changes and its
  * number of faults. */
 #include <stdio.h>
-#include <string.h>
 
 #include "core/base/panic.h"
 #include "platform/render/ui/menu/ui_menu.h"
