@@ -88,8 +88,8 @@ static enum exit_code play_sensors(const struct poi_config *config,
     static struct sensor_source own;
     char why[SENSORS_WHY_SIZE];
     if (!poi_config_is_calibrated(config)) {
-        print_error("kingyo-poi: the wires are not calibrated; run 'kingyo-poi calibrate'");
-        return EXIT_NOT_SO;
+        return print_fail(EXIT_NOT_SO,
+                          "kingyo-poi: the wires are not calibrated; run 'kingyo-poi calibrate'");
     }
     if (!sensors_open(&own.sensors, config, arguments->root, why)) {
         print_error("kingyo-poi: %s; 'kingyo-poi test' checks all parts", why);
@@ -151,8 +151,8 @@ static enum exit_code run_poi_command(const char *name, struct arguments *argume
         return write_descriptor(arguments->hex);
     }
     if (arguments->simulate && arguments->script) {
-        print_error("kingyo-poi %s: --simulate and --script exclude each other", name);
-        return EXIT_USAGE;
+        return print_fail(EXIT_USAGE, "kingyo-poi %s: --simulate and --script exclude each other",
+                          name);
     }
     if (!arguments->config && !arguments->simulate && !arguments->script) {
         arguments->config = CONFIG_DEFAULT;
@@ -194,12 +194,11 @@ static enum exit_code run_words(int argc, const char *const *argv)
         known++;
     }
     if (known == sizeof commands / sizeof commands[0]) {
-        print_error("kingyo-poi: unknown command '%.100s'; --help lists the commands", argv[1]);
-        return EXIT_USAGE;
+        return print_fail(
+            EXIT_USAGE, "kingyo-poi: unknown command '%.100s'; --help lists the commands", argv[1]);
     }
     if (option_table_parse(&table, UINT32_MAX, &arguments, argc - 2, argv + 2, error)) {
-        print_error("kingyo-poi %s: %s", argv[1], error);
-        return EXIT_USAGE;
+        return print_fail(EXIT_USAGE, "kingyo-poi %s: %s", argv[1], error);
     }
     return run_poi_command(argv[1], &arguments);
 }
@@ -208,14 +207,12 @@ int main(int argc, char **argv)
 {
     const int closed = print_open_streams();
     if (closed) {
-        print_error("kingyo-poi: /dev/null: %s", strerror(-closed));
-        return EXIT_IO;
+        return print_fail(EXIT_IO, "kingyo-poi: /dev/null: %s", strerror(-closed));
     }
     const enum exit_code code = run_words(argc, (const char *const *)argv);
     const int lost = print_finish();
     if (lost && (code == EXIT_OK || code == EXIT_NOT_SO)) {
-        print_error("kingyo-poi: standard output: %s", strerror(-lost));
-        return EXIT_IO;
+        return print_fail(EXIT_IO, "kingyo-poi: standard output: %s", strerror(-lost));
     }
     return (int)code;
 }

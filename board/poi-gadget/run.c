@@ -78,10 +78,11 @@ enum exit_code run(const struct run_options *options, struct pose_source source,
     enum pose_result result = POSE_NONE;
     hid_gadget_init(&gadget, options->device);
     if (!options->prints && !hid_gadget_open(&gadget)) {
-        print_error("kingyo-poi: %s: %s; 'kingyo-poi-gadget start' creates the device, or name "
-                    "another device with --device",
-                    options->device, strerror(errno));
-        return EXIT_IO;
+        return print_fail(
+            EXIT_IO,
+            "kingyo-poi: %s: %s; 'kingyo-poi-gadget start' creates the device, or name "
+            "another device with --device",
+            options->device, strerror(errno));
     }
     const struct sigaction action = { .sa_handler = on_signal };
     told_to_end = 0;

@@ -64,8 +64,7 @@ static enum exit_code run_command(const struct ctl_command *command, int argc,
 static enum exit_code run_words(int argc, char **argv)
 {
     if (argc < 2) {
-        print_error("kingyoctl: a command is missing; --help lists them");
-        return EXIT_USAGE;
+        return print_fail(EXIT_USAGE, "kingyoctl: a command is missing; --help lists them");
     }
     if (is_help(argv[1])) {
         print_help();
@@ -80,8 +79,8 @@ static enum exit_code run_words(int argc, char **argv)
             return run_command(commands[i], argc - 2, (const char *const *)argv + 2);
         }
     }
-    print_error("kingyoctl: unknown command '%.100s'; --help lists them", argv[1]);
-    return EXIT_USAGE;
+    return print_fail(EXIT_USAGE, "kingyoctl: unknown command '%.100s'; --help lists them",
+                      argv[1]);
 }
 
 /* Runs the command that the first argument names. A command prints without checking for write
@@ -91,15 +90,14 @@ int main(int argc, char **argv)
 {
     const int closed = print_open_streams();
     if (closed) {
-        print_error("kingyoctl: /dev/null: %s", strerror(-closed));
-        return EXIT_IO;
+        return print_fail(EXIT_IO, "kingyoctl: /dev/null: %s", strerror(-closed));
     }
     const enum exit_code code = run_words(argc, argv);
     const int lost = print_finish();
     if (lost && (code == EXIT_OK || code == EXIT_NOT_SO)) {
-        print_error("kingyoctl%s%s: standard output: %s", argv[1][0] == '-' ? "" : " ",
-                    argv[1][0] == '-' ? "" : argv[1], strerror(-lost));
-        return EXIT_IO;
+        return print_fail(EXIT_IO, "kingyoctl%s%s: standard output: %s",
+                          argv[1][0] == '-' ? "" : " ", argv[1][0] == '-' ? "" : argv[1],
+                          strerror(-lost));
     }
     return (int)code;
 }

@@ -137,6 +137,12 @@ bool file_is_other(const char *path)
     return lstat(path, &about) == 0 && !S_ISREG(about.st_mode);
 }
 
+bool file_has_suffix(const char *name, const char *suffix)
+{
+    const size_t length = strlen(name), tail = strlen(suffix);
+    return length >= tail && strcmp(name + length - tail, suffix) == 0;
+}
+
 const char *file_error(int error)
 {
     return error == ELOOP     ? "is a symbolic link"

@@ -51,6 +51,9 @@ int file_give_at(int folder, const char *path, uid_t owner, gid_t group, mode_t 
  * a regular file, and for a path that does not exist or cannot be examined. */
 bool file_is_other(const char *path);
 
+/* Returns true if the file name `name` ends with `suffix`, for example ".obj". */
+bool file_has_suffix(const char *name, const char *suffix);
+
 /* Returns strerror(`error`), or a more specific text for ELOOP, ENOTSUP and EFBIG. */
 const char *file_error(int error);
 

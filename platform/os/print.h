@@ -23,6 +23,10 @@ __attribute__((format(printf, 2, 3))) void print_line(FILE *file, const char *fo
 /* Writes one line and a line end to standard error. */
 #define print_error(...) print_line(stderr, __VA_ARGS__)
 
+/* Writes one line and a line end to standard error, and evaluates to `code`, the exit code that the
+ * caller returns. */
+#define print_fail(code, ...) (print_error(__VA_ARGS__), (code))
+
 /* ---- Standard streams ------------------------------------------------------------------------ */
 
 /* Opens each of the descriptors 0, 1 and 2 that the parent process left closed. A data file that is

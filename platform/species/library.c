@@ -10,14 +10,13 @@
 
 #include "core/base/panic.h"
 #include "core/base/printable.h"
+#include "platform/os/file.h"
 
 #define PATH_SIZE 1024u
 
 static int is_pack_file(const struct dirent *entry)
 {
-    const size_t length = strlen(entry->d_name), suffix = strlen(PACK_SUFFIX);
-    return length > suffix && entry->d_name[0] != '.' &&
-           strcmp(entry->d_name + length - suffix, PACK_SUFFIX) == 0;
+    return entry->d_name[0] != '.' && file_has_suffix(entry->d_name, PACK_SUFFIX);
 }
 
 /* Compares two entries by their bytes, so that their order does not depend on the locale. */

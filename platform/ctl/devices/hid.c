@@ -186,9 +186,9 @@ static enum exit_code print_hid_mapping(const char *path, const char *ids)
     const struct hid_identity who = { .vendor = key.vendor, .product = key.product };
     hid_mapping_choose(&chosen, &who, &descriptor);
     if (chosen.source == HID_MAPPING_NONE || hid_mapping_write(&chosen, text) != 0) {
-        print_error("kingyoctl hid: %s: the kiosk has no mapping for this device: %s", path,
-                    hid_mapping_absence_reason(&descriptor));
-        return EXIT_NOT_SO;
+        return print_fail(EXIT_NOT_SO,
+                          "kingyoctl hid: %s: the kiosk has no mapping for this device: %s", path,
+                          hid_mapping_absence_reason(&descriptor));
     }
     puts(text);
     return EXIT_OK;

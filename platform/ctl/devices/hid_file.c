@@ -46,8 +46,7 @@ long hid_from_hex(uint8_t *bytes, size_t size, size_t *wrong)
 
 enum exit_code hid_file_print_error(const char *path)
 {
-    print_error("kingyoctl hid: %s: %s", path, file_error(errno));
-    return EXIT_IO;
+    return print_fail(EXIT_IO, "kingyoctl hid: %s: %s", path, file_error(errno));
 }
 
 static bool is_text(const uint8_t *bytes, size_t size)
@@ -67,14 +66,13 @@ enum exit_code hid_file_take(struct hid_descriptor *out, uint8_t *bytes, size_t 
     size_t wrong;
     const long count = hid_from_hex(bytes, size, &wrong);
     if (count == HID_HALF_HEX) {
-        print_error("kingyoctl hid: %s: hex text in which a byte has one digit: letter %zu", path,
-                    wrong + 1u);
-        return EXIT_BAD_DATA;
+        return print_fail(EXIT_BAD_DATA,
+                          "kingyoctl hid: %s: hex text in which a byte has one digit: letter %zu",
+                          path, wrong + 1u);
     }
     const size_t byte_count = count >= 0 ? (size_t)count : size;
     if (byte_count == 0) {
-        print_error("kingyoctl hid: %s: byte 0: empty", path);
-        return EXIT_BAD_DATA;
+        return print_fail(EXIT_BAD_DATA, "kingyoctl hid: %s: byte 0: empty", path);
     }
     const enum hid_error error = hid_descriptor_read(out, bytes, byte_count);
     if (error || out->group_count == 0) {
@@ -84,10 +82,10 @@ enum exit_code hid_file_take(struct hid_descriptor *out, uint8_t *bytes, size_t 
                      " (read as binary, because letter %zu, '%c', is not hex)", wrong + 1u,
                      bytes[wrong]);
         }
-        print_error(
-            "kingyoctl hid: %s: byte %zu: %s%s", path, error ? out->error_offset : byte_count,
+        return print_fail(
+            EXIT_BAD_DATA, "kingyoctl hid: %s: byte %zu: %s%s", path,
+            error ? out->error_offset : byte_count,
             error ? hid_error_text(error) : "no input field that is used for anything", binary);
-        return EXIT_BAD_DATA;
     }
     return EXIT_OK;
 }

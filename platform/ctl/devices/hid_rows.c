@@ -165,8 +165,7 @@ void hid_rows_values(const struct hid_descriptor *descriptor, const char *id, co
 
 static enum exit_code hid_rows_error(const char *path, unsigned row, const char *what)
 {
-    print_error("kingyoctl hid: %s: line %u: %s", path, row, what);
-    return EXIT_BAD_DATA;
+    return print_fail(EXIT_BAD_DATA, "kingyoctl hid: %s: line %u: %s", path, row, what);
 }
 
 /* State of the decoding of a report file. A row of the file starts with an id. Only rows whose id
@@ -230,15 +229,17 @@ enum exit_code hid_rows_decode(const struct hid_descriptor *descriptor, const ch
         /* The id is the descriptor's file name, so a file without a matching report most likely
          * belongs to another descriptor. */
         puts(HID_VALUE_HEADER);
-        print_error("kingyoctl hid: %s: no report of id '%s', which is the descriptor's file name",
-                    path, id);
-        return EXIT_NOT_SO;
+        return print_fail(
+            EXIT_NOT_SO,
+            "kingyoctl hid: %s: no report of id '%s', which is the descriptor's file name", path,
+            id);
     }
     if (code == EXIT_OK && of.whole == 0) {
-        print_error("kingyoctl hid: %s: reports of id '%s': %u, none as long as the descriptor "
-                    "declares",
-                    path, id, of.reports);
-        return EXIT_NOT_SO;
+        return print_fail(
+            EXIT_NOT_SO,
+            "kingyoctl hid: %s: reports of id '%s': %u, none as long as the descriptor "
+            "declares",
+            path, id, of.reports);
     }
     return code;
 }

@@ -111,9 +111,8 @@ static enum exit_code ask_node(int file, struct hid_descriptor *descriptor, cons
     }
     const enum hid_error error = hid_descriptor_read(descriptor, said.value, said.size);
     if (error) {
-        print_error("kingyoctl hid: %s: byte %zu of its report descriptor: %s", path,
-                    descriptor->error_offset, hid_error_text(error));
-        return EXIT_BAD_DATA;
+        return print_fail(EXIT_BAD_DATA, "kingyoctl hid: %s: byte %zu of its report descriptor: %s",
+                          path, descriptor->error_offset, hid_error_text(error));
     }
     return EXIT_OK;
 }
@@ -146,13 +145,13 @@ static enum exit_code check_type(struct hid_source *source)
         return ctl_file_error("kingyoctl hid", source->path, HID_REPORTS_SIZE_MAX, EFBIG);
     }
     if (S_ISFIFO(about.st_mode) && !wait_for_writer(source)) {
-        print_error("kingyoctl hid: %s: no process writes into this pipe", source->path);
-        return EXIT_IO;
+        return print_fail(EXIT_IO, "kingyoctl hid: %s: no process writes into this pipe",
+                          source->path);
     }
     if (!S_ISREG(about.st_mode) && !S_ISFIFO(about.st_mode)) {
-        print_error("kingyoctl hid: %s: is not a HID device, a regular file or a pipe",
-                    source->path);
-        return EXIT_IO;
+        return print_fail(EXIT_IO,
+                          "kingyoctl hid: %s: is not a HID device, a regular file or a pipe",
+                          source->path);
     }
     return EXIT_OK;
 }
@@ -164,11 +163,11 @@ enum exit_code hid_source_open(struct hid_source *source, const char *path,
     *source = (struct hid_source){ .path = path, .descriptor = descriptor };
     source->file = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
     if (source->file < 0 && (errno == EACCES || errno == EPERM)) {
-        print_error(
+        return print_fail(
+            EXIT_IO,
             "kingyoctl hid: %s: %s; a udev rule as in board/udev gives your group access, and "
             "'kingyoctl doctor' prints the rule",
             path, strerror(errno));
-        return EXIT_IO;
     }
     if (source->file < 0) {
         return hid_file_print_error(path);

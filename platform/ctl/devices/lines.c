@@ -101,14 +101,14 @@ enum exit_code lines_list(struct gpio_lines lines, FILE *out)
                                message. */
     }
     if (count == HAL_ERR_ABSENT) {
-        print_error("kingyoctl lines: this machine has no GPIO chip in /dev (%s)",
-                    lines.ops->describe(lines.self));
-        return EXIT_NOT_SO;
+        return print_fail(EXIT_NOT_SO,
+                          "kingyoctl lines: this machine has no GPIO chip in /dev (%s)",
+                          lines.ops->describe(lines.self));
     }
     if (count == 0) {
-        print_error("kingyoctl lines: you may open none of the GPIO chips; join the group of "
-                    "/dev/gpiochip*");
-        return EXIT_NOT_SO;
+        return print_fail(EXIT_NOT_SO,
+                          "kingyoctl lines: you may open none of the GPIO chips; join the group of "
+                          "/dev/gpiochip*");
     }
     return EXIT_OK;
 }

@@ -34,10 +34,11 @@ static enum exit_code take_user(struct doctor_user *user, const char *wanted)
     const struct passwd *entry = wanted ? getpwnam(wanted) : getpwuid(geteuid());
     int count = DOCTOR_GROUPS_MAX;
     if (!entry && wanted) {
-        print_error("kingyoctl doctor: --user %s: there is no such user; board/sysusers makes "
-                    "'kingyo'",
-                    wanted);
-        return EXIT_BAD_DATA;
+        return print_fail(
+            EXIT_BAD_DATA,
+            "kingyoctl doctor: --user %s: there is no such user; board/sysusers makes "
+            "'kingyo'",
+            wanted);
     }
     user->id = entry ? entry->pw_uid : geteuid();
     user->data[0] = '\0';
@@ -141,8 +142,8 @@ static enum exit_code doctor_run(int argc, const char *const *argv)
         struct stat about;
         const int failed = stat(words.root, &about) ? errno : S_ISDIR(about.st_mode) ? 0 : ENOTDIR;
         if (failed) {
-            print_error("kingyoctl doctor: --root %s: %s", words.root, strerror(failed));
-            return EXIT_IO;
+            return print_fail(EXIT_IO, "kingyoctl doctor: --root %s: %s", words.root,
+                              strerror(failed));
         }
     }
     doctor.root = words.root ? words.root : "";

@@ -146,16 +146,13 @@ static enum exit_code refit_run(int argc, const char *const *argv)
     }
     code = fit_files(&slot, &words, why);
     if (code != EXIT_OK) {
-        print_error("%s", why);
-        return code;
+        return print_fail(code, "%s", why);
     }
     if (!import_fitted_life(&words.plan, &slot.species.card, why)) {
-        print_error("%s: %s", words.files[0], why);
-        return EXIT_BAD_DATA;
+        return print_fail(EXIT_BAD_DATA, "%s: %s", words.files[0], why);
     }
     if (!species_validate(&slot.species, fault)) {
-        print_error("%s: %s", words.files[0], fault);
-        return EXIT_BAD_DATA;
+        return print_fail(EXIT_BAD_DATA, "%s: %s", words.files[0], fault);
     }
     return pack_write(words.out, &slot, fault) == PACK_OK
                ? EXIT_OK

@@ -25,8 +25,8 @@ static const char byte_order_mark[] = "\xEF\xBB\xBF"; /* Byte-order mark U+FEFF 
 
 static enum exit_code refuse_line(const struct csv *csv, const char *what)
 {
-    print_error("%s: %s: line %u: %s", csv->speaker, csv->path, csv->line, what);
-    return EXIT_BAD_DATA;
+    return print_fail(EXIT_BAD_DATA, "%s: %s: line %u: %s", csv->speaker, csv->path, csv->line,
+                      what);
 }
 
 enum exit_code csv_error(const struct csv *csv, uint32_t index, const char *format, ...)
@@ -37,9 +37,8 @@ enum exit_code csv_error(const struct csv *csv, uint32_t index, const char *form
     va_start(arguments, format);
     vsnprintf(words, sizeof words, format, arguments);
     va_end(arguments);
-    print_error("%s: %s: line %u, column %u (%s): %s", csv->speaker, csv->path, csv->line,
-                csv->field_of[index], csv->columns[index].name, words);
-    return EXIT_BAD_DATA;
+    return print_fail(EXIT_BAD_DATA, "%s: %s: line %u, column %u (%s): %s", csv->speaker, csv->path,
+                      csv->line, csv->field_of[index], csv->columns[index].name, words);
 }
 
 /* Reads the next line that is not empty into csv->text. Sets `*is_end` to true at the end of the
@@ -95,9 +94,8 @@ static enum exit_code take_name(struct csv *csv, const char *name, uint32_t numb
         }
         ctl_list_word(list, sizeof list, csv->columns[i].name);
     }
-    print_error("%s: %s: line %u, column %u: '%.*s' is none of %s", csv->speaker, csv->path,
-                csv->line, number, FIELD_SHOWN, name, list);
-    return EXIT_BAD_DATA;
+    return print_fail(EXIT_BAD_DATA, "%s: %s: line %u, column %u: '%.*s' is none of %s",
+                      csv->speaker, csv->path, csv->line, number, FIELD_SHOWN, name, list);
 }
 
 static enum exit_code read_head(struct csv *csv)
@@ -113,9 +111,8 @@ static enum exit_code read_head(struct csv *csv)
     }
     for (uint32_t i = 0; code == EXIT_OK && i < csv->column_count; i++) {
         if (!csv->field_of[i] && !csv->columns[i].may_miss) {
-            print_error("%s: %s: line %u: the column %s is missing", csv->speaker, csv->path,
-                        csv->line, csv->columns[i].name);
-            return EXIT_BAD_DATA;
+            return print_fail(EXIT_BAD_DATA, "%s: %s: line %u: the column %s is missing",
+                              csv->speaker, csv->path, csv->line, csv->columns[i].name);
         }
     }
     return code;
@@ -176,10 +173,10 @@ static enum exit_code read_row(struct csv *csv, double *values, bool *is_end)
     }
     const char *surplus = cut_field(&rest);
     if (surplus) {
-        print_error("%s: %s: line %u, column %u: '%.*s' is beyond the head's %u columns",
-                    csv->speaker, csv->path, csv->line, csv->field_count + 1u, FIELD_SHOWN, surplus,
-                    csv->field_count);
-        return EXIT_BAD_DATA;
+        return print_fail(EXIT_BAD_DATA,
+                          "%s: %s: line %u, column %u: '%.*s' is beyond the head's %u columns",
+                          csv->speaker, csv->path, csv->line, csv->field_count + 1u, FIELD_SHOWN,
+                          surplus, csv->field_count);
     }
     return EXIT_OK;
 }

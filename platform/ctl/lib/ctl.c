@@ -21,8 +21,7 @@ enum exit_code ctl_usage(const char *command, const char *format, ...)
     va_start(arguments, format);
     vsnprintf(words, sizeof words, format, arguments);
     va_end(arguments);
-    print_error("kingyoctl %s: %s", command, words);
-    return EXIT_USAGE;
+    return print_fail(EXIT_USAGE, "kingyoctl %s: %s", command, words);
 }
 
 enum exit_code ctl_options(const char *command, const struct option_table *table, uint32_t groups,
@@ -61,8 +60,7 @@ uint64_t ctl_now_ns(void)
 
 enum exit_code ctl_float(const char *command)
 {
-    print_error("kingyoctl %s: " CPU_FLOAT_WRONG, command);
-    return EXIT_NOT_SO;
+    return print_fail(EXIT_NOT_SO, "kingyoctl %s: " CPU_FLOAT_WRONG, command);
 }
 
 void ctl_list_word(char *list, size_t size, const char *word)
@@ -76,12 +74,10 @@ enum exit_code ctl_file_error(const char *speaker, const char *path, uint32_t si
 {
     if (error == EFBIG) {
         const bool in_kib = size_max < 1u << 20;
-        print_error("%s: %s: is larger than %u %s", speaker, path, size_max >> (in_kib ? 10 : 20),
-                    in_kib ? "KiB" : "MiB");
-        return EXIT_BAD_DATA;
+        return print_fail(EXIT_BAD_DATA, "%s: %s: is larger than %u %s", speaker, path,
+                          size_max >> (in_kib ? 10 : 20), in_kib ? "KiB" : "MiB");
     }
-    print_error("%s: %s: %s", speaker, path, file_error(error));
-    return EXIT_IO;
+    return print_fail(EXIT_IO, "%s: %s: %s", speaker, path, file_error(error));
 }
 
 enum exit_code ctl_file_open(const char *speaker, const char *path, uint32_t size_max, FILE **out)

@@ -18,7 +18,7 @@
  * surface reflects light there. */
 #define GLASS_RIM 0.55f
 
-const char *const fish_preview_view_names[VIEW_COUNT] = { "side", "above", "aslant" };
+const char *const fish_preview_view_names[] = { "side", "above", "aslant", NULL };
 
 const struct fish_preview_bounds fish_preview_nowhere = { 1e9f, -1e9f, 1e9f, -1e9f };
 

@@ -18,7 +18,8 @@ enum fish_preview_view {
     VIEW_COUNT,
 };
 
-extern const char *const fish_preview_view_names[VIEW_COUNT];
+/* Names of the views, as --view accepts them. The list ends with null. */
+extern const char *const fish_preview_view_names[VIEW_COUNT + 1];
 
 /* Returns the opacity of a painted point, in [0, 1]. Fins are partly transparent. The opacity is
  * least at the fin tips, which consist only of rays and thin skin. */

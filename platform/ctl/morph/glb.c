@@ -232,11 +232,11 @@ static void print_life(FILE *out)
  * glTF. */
 static void inverse_bind(const struct anchor_pose *at, float out[16])
 {
-    const vec3 axes[3] = { v3(1.0f, 0.0f, 0.0f), v3(0.0f, 1.0f, 0.0f), v3(0.0f, 0.0f, 1.0f) };
+    const vec3 columns[4] = { v3(1.0f, 0.0f, 0.0f), v3(0.0f, 1.0f, 0.0f), v3(0.0f, 0.0f, 1.0f),
+                              v3_scale(at->position, -1.0f) };
     memset(out, 0, 16 * sizeof *out);
     for (uint32_t column = 0; column < 4; column++) {
-        const vec3 to = column < 3 ? pose_rotate_inverse(at->turn, axes[column])
-                                   : pose_rotate_inverse(at->turn, v3_scale(at->position, -1.0f));
+        const vec3 to = pose_rotate_inverse(at->turn, columns[column]);
         memcpy(&out[4 * column], &to, sizeof to);
     }
     out[15] = 1.0f;
@@ -281,15 +281,11 @@ static void add_nodes(char scene[NAME_SIZE])
     fprintf(out, "{\"name\":\"%s\",\"rotation\":[0,1,0,0],\"scale\":[%.9g,%.9g,%.9g],",
             fish.pick->fish->card.id, size, size, size);
     const char *comma = "\"children\":[";
-    for (uint32_t i = 0; i < piece_count; i++) {
-        if (!fish.skinned[i]) {
+    for (uint32_t i = 0; i < piece_count + fish.mesh->anchor_count; i++) {
+        if (i >= piece_count || !fish.skinned[i]) {
             fprintf(out, "%s%u", comma, GLB_PIECE_NODE + i);
             comma = ",";
         }
-    }
-    for (uint32_t i = 0; i < fish.mesh->anchor_count; i++) {
-        fprintf(out, "%s%u", comma, GLB_PIECE_NODE + piece_count + i);
-        comma = ",";
     }
     fprintf(out, "],");
     print_life(out);

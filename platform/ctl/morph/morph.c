@@ -29,8 +29,7 @@ enum exit_code morph_fail(enum exit_code code, const char *command, const char *
     va_start(arguments, format);
     vsnprintf(words, sizeof words, format, arguments);
     va_end(arguments);
-    print_error("kingyoctl %s %s: %s", name, command, words);
-    return code;
+    return print_fail(code, "kingyoctl %s %s: %s", name, command, words);
 }
 
 enum exit_code morph_written(const char *command, const char *path, int error)

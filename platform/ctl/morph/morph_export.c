@@ -15,9 +15,10 @@ static const char name[] = "export";
 
 static struct export_plan {
     struct morph_options pick;
-    const char *sheet, *obj, *glb, *folder, *view;
+    const char *sheet, *obj, *glb, *folder;
+    uint8_t view; /* View of the frames, or VIEW_COUNT if --view is absent. */
     uint32_t frame_count;
-} plan;
+} plan = { .view = VIEW_COUNT };
 
 static enum exit_code check_options(void)
 {
@@ -30,7 +31,7 @@ static enum exit_code check_options(void)
     if (frames != (plan.folder != NULL)) {
         return morph_usage(name, "--frames N and --dir D must be used together");
     }
-    if (plan.view && !frames) {
+    if (plan.view != VIEW_COUNT && !frames) {
         return morph_usage(name, "--view needs --frames");
     }
     if (plan.obj && !plan.pick.has_place) {
@@ -52,8 +53,8 @@ static const struct option options[] = {
     { "frames", "N", "number of pictures at equal steps of progress", OPTION_WHOLE, AT(frame_count),
       2, FRAMES_MAX },
     { "dir", "D", "folder of the pictures D/SPECIES_0000.png and so on", OPTION_TEXT, AT(folder) },
-    { "view", "VIEW", "view of the pictures: side (the default), above or aslant", OPTION_TEXT,
-      AT(view), .expects = "side, above or aslant" },
+    { "view", "VIEW", "view of the pictures; the default is side", OPTION_CHOICE, AT(view),
+      .choices = fish_preview_view_names },
     { "obj", "FILE.obj",
       "mesh at the moment that --progress, --age-days or --length-mm selects: metres, coloured "
       "vertices, one group for each part. If the fish has a length more than once, as a conger "
@@ -78,14 +79,9 @@ static enum exit_code export_fish(void)
                : plan.obj ? morph_obj_write(pick, plan.obj)
                           : morph_glb_write(pick, plan.glb);
     }
-    enum fish_preview_view view = VIEW_SIDE;
-    while (plan.view && view < VIEW_COUNT &&
-           strcmp(plan.view, fish_preview_view_names[view]) != 0) {
-        view++;
-    }
-    return view < VIEW_COUNT
-               ? morph_frames_write(pick, view, plan.frame_count, plan.folder)
-               : morph_usage(name, "--view: '%.40s' is not side, above or aslant", plan.view);
+    const enum fish_preview_view view =
+        plan.view == VIEW_COUNT ? VIEW_SIDE : (enum fish_preview_view)plan.view;
+    return morph_frames_write(pick, view, plan.frame_count, plan.folder);
 }
 
 const struct morph_command ctl_morph_export = {

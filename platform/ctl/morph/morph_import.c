@@ -6,24 +6,19 @@
 #include "core/base/panic.h"
 #include "platform/ctl/morph/morph_import_words.h"
 #include "platform/ctl/morph/morph_options.h"
+#include "platform/os/file.h"
 #include "platform/os/print.h"
 
 static const char name[] = "import";
 
 /* ---- Input files ----------------------------------------------------------------------------- */
 
-static bool ends_with(const char *word, const char *suffix)
-{
-    const size_t length = strlen(word), tail = strlen(suffix);
-    return length >= tail && strcmp(word + length - tail, suffix) == 0;
-}
-
 static enum exit_code read_meshes(const struct morph_import_words *words, struct import_mesh *mesh)
 {
     CORE_ASSERT(words->file_count >= 1 && words->file_count <= MORPH_KEY_MAX);
     char why[IMPORT_WHY_SIZE];
     enum exit_code code = EXIT_OK;
-    const bool is_obj = ends_with(words->files[0], ".obj");
+    const bool is_obj = file_has_suffix(words->files[0], ".obj");
     if (!is_obj && words->file_count > 1) {
         return morph_usage(name, "several files must be .obj files, one for each key shape");
     }
@@ -41,12 +36,6 @@ static enum exit_code read_meshes(const struct morph_import_words *words, struct
     return code;
 }
 
-static enum exit_code morph_import_error(const char *path, const char *why)
-{
-    print_error("%s: %s", path, why);
-    return EXIT_BAD_DATA;
-}
-
 static enum exit_code make_of_meshes(struct morph_import_words *words, struct species_slot *slot)
 {
     static struct import_mesh mesh;
@@ -59,7 +48,7 @@ static enum exit_code make_of_meshes(struct morph_import_words *words, struct sp
     if (mesh.key_count < 3) {
         snprintf(why, sizeof why, "has %u key shapes; a species has 3 to %u", mesh.key_count,
                  MORPH_KEY_MAX);
-        return morph_import_error(words->files[0], why);
+        return print_fail(EXIT_BAD_DATA, "%s: %s", words->files[0], why);
     }
     if (words->plan.measure == IMPORT_UNSET) {
         words->plan.measure = mesh.has_life      ? mesh.measure
@@ -69,7 +58,7 @@ static enum exit_code make_of_meshes(struct morph_import_words *words, struct sp
     if (!import_orient(&mesh, &words->plan, &report, why) ||
         !import_build(&mesh, slot, &report, why) ||
         !import_life(&mesh, &words->plan, slot, &report, why)) {
-        return morph_import_error(words->files[0], why);
+        return print_fail(EXIT_BAD_DATA, "%s: %s", words->files[0], why);
     }
     /* The far mesh is a copy of the near mesh, because a packed species needs both. A small
      * imported model is used at every distance. */
@@ -78,7 +67,7 @@ static enum exit_code make_of_meshes(struct morph_import_words *words, struct sp
     pack_point(slot);
     char fault[VALIDATE_WHY_SIZE];
     if (!species_validate(&slot->species, fault)) {
-        return morph_import_error(words->files[0], fault);
+        return print_fail(EXIT_BAD_DATA, "%s: %s", words->files[0], fault);
     }
     const struct species_card *card = &slot->species.card;
     print_line(stdout, "%s: %s, %u shapes, %u vertices (%u joined), %u triangles; front was %s",
@@ -100,7 +89,8 @@ static enum exit_code make_of_meshes(struct morph_import_words *words, struct sp
 
 static enum exit_code make(struct morph_import_words *words, struct species_slot *slot)
 {
-    if (!ends_with(words->files[0], ".txt") && !ends_with(words->files[0], PACK_SUFFIX)) {
+    if (!file_has_suffix(words->files[0], ".txt") &&
+        !file_has_suffix(words->files[0], PACK_SUFFIX)) {
         const enum exit_code code = morph_import_words_open_like(words, IMPORT_MESHES);
         return code == EXIT_OK ? make_of_meshes(words, slot) : code;
     }

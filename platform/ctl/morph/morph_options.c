@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "core/base/panic.h"
+#include "platform/os/file.h"
 #include "platform/os/print.h"
 
 #define LENGTH_SAMPLES 1000u
@@ -180,8 +181,7 @@ static enum exit_code read_text(const char *path, const char *command, struct sp
     }
     pack_text(&text, slot);
     if (!species_validate(&slot->species, why)) {
-        print_error("%s: %s", path, why);
-        return EXIT_BAD_DATA;
+        return print_fail(EXIT_BAD_DATA, "%s: %s", path, why);
     }
     return EXIT_OK;
 }
@@ -189,8 +189,7 @@ static enum exit_code read_text(const char *path, const char *command, struct sp
 enum exit_code morph_options_file(const char *path, const char *command, struct species_slot *slot)
 {
     char why[VALIDATE_WHY_SIZE];
-    const size_t length = strlen(path), tail = strlen(PACK_SUFFIX);
-    if (length < tail || strcmp(path + length - tail, PACK_SUFFIX) != 0) {
+    if (!file_has_suffix(path, PACK_SUFFIX)) {
         return read_text(path, command, slot);
     }
     const enum pack_result result = pack_read(path, slot, why);

@@ -39,11 +39,17 @@ static vec3 point_in_view_axes(enum morph_outline_view view, vec3 p)
     }
 }
 
-void morph_outline_project(const struct morph_outline *outline, vec3 p, double *x, double *y)
+struct outline_point morph_outline_project(const struct morph_outline *outline, vec3 p)
 {
     const vec3 s = point_in_view_axes(outline->view, p);
-    *x = outline->x + outline->length_px * (double)s.x;
-    *y = outline->y - outline->length_px * (double)s.y;
+    return (struct outline_point){ outline->x + outline->length_px * (double)s.x,
+                                   outline->y - outline->length_px * (double)s.y };
+}
+
+void morph_outline_point(struct svg *svg, const struct morph_outline *outline, vec3 p)
+{
+    const struct outline_point at = morph_outline_project(outline, p);
+    svg_point(svg, at.x, at.y);
 }
 
 static enum layer layer_of(uint8_t part, float toward)
@@ -83,9 +89,8 @@ static bool is_triangle_visible(const struct morph_outline *outline, const vec3 
 
 static void put_point(struct svg *svg, const struct morph_outline *outline, char verb, vec3 p)
 {
-    double x, y;
-    morph_outline_project(outline, p, &x, &y);
-    svg_put(svg, "%c%.1f %.1f", verb, x, y);
+    const struct outline_point at = morph_outline_project(outline, p);
+    svg_put(svg, "%c%.1f %.1f", verb, at.x, at.y);
 }
 
 /* Draws the contour: each edge of a visible triangle that has no visible triangle on its other
@@ -131,12 +136,11 @@ void morph_outline_measure(const struct morph_outline *outline, double low[2], d
     static vec3 positions[MESH_VERTEX_MAX];
     blend(outline, positions);
     for (uint32_t i = 0; i < outline->species->lod[0].vertex_count; i++) {
-        double at[2];
-        morph_outline_project(outline, positions[i], &at[0], &at[1]);
-        for (int axis = 0; axis < 2; axis++) {
-            low[axis] = fmin(low[axis], at[axis]);
-            high[axis] = fmax(high[axis], at[axis]);
-        }
+        const struct outline_point at = morph_outline_project(outline, positions[i]);
+        low[0] = fmin(low[0], at.x);
+        low[1] = fmin(low[1], at.y);
+        high[0] = fmax(high[0], at.x);
+        high[1] = fmax(high[1], at.y);
     }
 }
 

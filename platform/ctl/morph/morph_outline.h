@@ -17,6 +17,7 @@ enum morph_outline_view {
     MORPH_OUTLINE_SIDE,  /* View from the fish's left side. The head points left. */
     MORPH_OUTLINE_FRONT, /* View of the fish's head from the front. The back is at the top. */
     MORPH_OUTLINE_TOP,   /* View from above the fish. The head points left. */
+    MORPH_OUTLINE_COUNT,
 };
 
 struct morph_outline {
@@ -32,8 +33,16 @@ struct morph_outline {
     double line_px; /* Width of the contour line in pixels. 0 means that no contour is drawn. */
 };
 
-/* Converts a point of the body frame to pixels of the picture. */
-void morph_outline_project(const struct morph_outline *outline, vec3 p, double *x, double *y);
+/* A point of the picture, in pixels. */
+struct outline_point {
+    double x, y;
+};
+
+/* Converts a point of the body frame to a point of the picture. */
+struct outline_point morph_outline_project(const struct morph_outline *outline, vec3 p);
+
+/* Adds a point of the body frame to the polyline that svg_begin_line() has begun. */
+void morph_outline_point(struct svg *svg, const struct morph_outline *outline, vec3 p);
 
 /* Extends the box from `low` to `high`, in pixels, so that the box contains the fish. */
 void morph_outline_measure(const struct morph_outline *outline, double low[2], double high[2]);
@@ -50,7 +59,9 @@ struct chord {
 
 struct morph_path_plan {
     struct morph_options pick;
-    const char *part, *side, *svg, *view;
+    const char *part, *svg;
+    uint8_t side; /* Index of "right" or "left". */
+    uint8_t view; /* View of the picture, or MORPH_OUTLINE_COUNT if --view is absent. */
     uint32_t vertex, steps;
     struct chord chord;
 };

@@ -101,14 +101,12 @@ static void sample_path(void)
 static double way_in(enum morph_outline_view view)
 {
     const struct morph_outline flat = { .length_px = 1.0, .view = view };
-    double x0, y0, length = 0.0;
-    morph_outline_project(&flat, picture.way[0], &x0, &y0);
+    struct outline_point before = morph_outline_project(&flat, picture.way[0]);
+    double length = 0.0;
     for (uint32_t i = 1; i <= SAMPLES; i++) {
-        double x, y;
-        morph_outline_project(&flat, picture.way[i], &x, &y);
-        length += hypot(x - x0, y - y0);
-        x0 = x;
-        y0 = y;
+        const struct outline_point at = morph_outline_project(&flat, picture.way[i]);
+        length += hypot(at.x - before.x, at.y - before.y);
+        before = at;
     }
     return length;
 }
@@ -118,28 +116,26 @@ static struct window enlarged_window(enum morph_outline_view view)
 {
     const struct morph_outline flat = { .length_px = 1.0, .view = view };
     const uint32_t keys = picture.keys.key_count;
-    double low[2] = { 1e9, 1e9 }, high[2] = { -1e9, -1e9 }, at[2];
+    struct outline_point low = { 1e9, 1e9 }, high = { -1e9, -1e9 }, at;
     vec3 least = { 1e9f, 1e9f, 1e9f }, most = { -1e9f, -1e9f, -1e9f };
     for (uint32_t i = 0; i <= SAMPLES + 2u * keys; i++) {
         const vec3 p = i <= SAMPLES          ? picture.way[i]
                        : i <= SAMPLES + keys ? picture.key[i - SAMPLES - 1u]
                                              : picture.solved[i - SAMPLES - keys - 1u];
-        morph_outline_project(&flat, p, &at[0], &at[1]);
-        for (int axis = 0; axis < 2; axis++) {
-            low[axis] = fmin(low[axis], at[axis]);
-            high[axis] = fmax(high[axis], at[axis]);
-        }
+        at = morph_outline_project(&flat, p);
+        low = (struct outline_point){ fmin(low.x, at.x), fmin(low.y, at.y) };
+        high = (struct outline_point){ fmax(high.x, at.x), fmax(high.y, at.y) };
         least = v3(f_min(least.x, p.x), f_min(least.y, p.y), f_min(least.z, p.z));
         most = v3(f_max(most.x, p.x), f_max(most.y, p.y), f_max(most.z, p.z));
     }
-    const double span = fmax(fmax(high[0] - low[0], high[1] - low[1]), 0.01);
+    const double span = fmax(fmax(high.x - low.x, high.y - low.y), 0.01);
     struct window window = {
         WIDTH - LENS - 50.0, 90.0, LENS, LENS, { .length_px = LENS / (1.45 * span), .view = view }
     };
     /* The middle of the path is at the middle of the window. */
-    morph_outline_project(&window.outline, v3_scale(v3_add(least, most), 0.5f), &at[0], &at[1]);
-    window.outline.x = window.x + 0.5 * window.width - at[0];
-    window.outline.y = window.y + 0.5 * window.height - at[1];
+    at = morph_outline_project(&window.outline, v3_scale(v3_add(least, most), 0.5f));
+    window.outline.x = window.x + 0.5 * window.width - at.x;
+    window.outline.y = window.y + 0.5 * window.height - at.y;
     return window;
 }
 
@@ -173,9 +169,7 @@ static void draw_way(const struct window *window, const vec3 *way, const char *c
 {
     svg_begin_line(svg);
     for (uint32_t i = 0; i <= SAMPLES; i++) {
-        double x, y;
-        morph_outline_project(&window->outline, way[i], &x, &y);
-        svg_point(svg, x, y);
+        morph_outline_point(svg, &window->outline, way[i]);
     }
     svg_end_line(svg, colour, width, dashes);
 }
@@ -193,9 +187,7 @@ static void draw_reach(const struct window *window)
             "points=\"",
             SVG_GREY);
     for (uint32_t key = 0; key < picture.keys.key_count; key++) {
-        double x, y;
-        morph_outline_project(&window->outline, picture.solved[key], &x, &y);
-        svg_point(svg, x, y);
+        morph_outline_point(svg, &window->outline, picture.solved[key]);
     }
     svg_put(svg, "\"/>\n");
 }
@@ -206,9 +198,9 @@ struct label {
     double x, y, width;
 };
 
-/* Returns a position for a label beside a dot at (`x`, `y`), where the label overlaps no other
- * label. Positions to the right of the dot are tried before positions to the left. */
-static struct label free_label(const struct label *taken, uint32_t count, double x, double y,
+/* Returns a position for a label beside `dot`, where the label overlaps no other label. Positions
+ * to the right of the dot are tried before positions to the left. */
+static struct label free_label(const struct label *taken, uint32_t count, struct outline_point dot,
                                double width)
 {
     CORE_ASSERT(count < MORPH_KEY_MAX);
@@ -218,7 +210,8 @@ static struct label free_label(const struct label *taken, uint32_t count, double
     for (uint32_t i = 0; i < 6; i++) {
         bool is_free = true;
         const bool to_left = i == 2 || i == 3;
-        label = (struct label){ to_left ? x - 12.0 - width : x + 12.0, y + above[i], width };
+        label = (struct label){ to_left ? dot.x - 12.0 - width : dot.x + 12.0, dot.y + above[i],
+                                width };
         for (uint32_t j = 0; j < count; j++) {
             is_free = is_free && !(fabs(label.y - taken[j].y) < 17.0 &&
                                    label.x < taken[j].x + taken[j].width + 6.0 &&
@@ -241,11 +234,11 @@ static void draw_bend(const struct window *window)
     const float length = v3_dot(along, along);
     const vec3 there = v3_sub(picture.farthest, plan->chord.from);
     const float share = length > 0.0f ? v3_dot(there, along) / length : 0.0f;
-    double x0, y0, x1, y1;
-    morph_outline_project(&window->outline, picture.farthest, &x0, &y0);
-    morph_outline_project(&window->outline, v3_muladd(plan->chord.from, along, share), &x1, &y1);
-    svg_line(svg, x0, y0, x1, y1, SVG_INK, 1.2, NULL);
-    svg_text(svg, x1 + 10.0, y1 + 5.0, 14.0, "start", SVG_INK, "%.4f",
+    const struct outline_point from = morph_outline_project(&window->outline, picture.farthest);
+    const struct outline_point to =
+        morph_outline_project(&window->outline, v3_muladd(plan->chord.from, along, share));
+    svg_line(svg, from.x, from.y, to.x, to.y, SVG_INK, 1.2, NULL);
+    svg_text(svg, to.x + 10.0, to.y + 5.0, 14.0, "start", SVG_INK, "%.4f",
              (double)picture.farthest_lengths);
 }
 
@@ -284,27 +277,27 @@ static void draw_window(const struct window *window, bool enlarged)
         morph_outline_draw(svg, &outline);
     }
     draw_reach(window);
-    double x0, y0, x1, y1;
-    morph_outline_project(&window->outline, picture.plan->chord.from, &x0, &y0);
-    morph_outline_project(&window->outline, picture.plan->chord.to, &x1, &y1);
-    svg_line(svg, x0, y0, x1, y1, SVG_GREY, 2.0, "7 6");
+    svg_begin_line(svg);
+    morph_outline_point(svg, &window->outline, picture.plan->chord.from);
+    morph_outline_point(svg, &window->outline, picture.plan->chord.to);
+    svg_end_line(svg, SVG_GREY, 2.0, "7 6");
     if (picture.plan->pick.thesis) {
         draw_way(window, picture.drawn, SVG_INK, 2.0, "1 6");
     }
     draw_way(window, picture.way, SVG_WAY, enlarged ? 4.5 : 2.8, NULL);
     for (uint32_t key = 0; key < picture.keys.key_count; key++) {
-        double x, y;
-        morph_outline_project(&window->outline, picture.key[key], &x, &y);
-        svg_dot(svg, x, y, enlarged ? 7.0 : 4.0, morph_outline_key_colour(card, key), SVG_PAPER);
+        const struct outline_point at = morph_outline_project(&window->outline, picture.key[key]);
+        svg_dot(svg, at.x, at.y, enlarged ? 7.0 : 4.0, morph_outline_key_colour(card, key),
+                SVG_PAPER);
     }
     if (enlarged) {
         struct label taken[MORPH_KEY_MAX];
         char words[CAPTION_WORDS_SIZE];
         for (uint32_t key = 0; key < card->key_count; key++) {
-            double x, y;
-            morph_outline_project(&window->outline, picture.key[key], &x, &y);
             caption_name(words, card->key_names[key]);
-            taken[key] = free_label(taken, key, x, y, 8.4 * (double)strlen(words));
+            taken[key] =
+                free_label(taken, key, morph_outline_project(&window->outline, picture.key[key]),
+                           8.4 * (double)strlen(words));
             svg_text(svg, taken[key].x, taken[key].y, 14.0, "start",
                      morph_outline_key_colour(card, key), "%s", words);
         }
@@ -342,21 +335,14 @@ static void draw_words(enum morph_outline_view view)
 
 enum exit_code morph_path_picture(const struct morph_path_plan *plan, const char *command)
 {
-    static const char *const views[] = { "side", "front", "top" };
     picture = (struct picture){ .plan = plan };
-    enum morph_outline_view view = MORPH_OUTLINE_SIDE;
-    while (plan->view && view <= MORPH_OUTLINE_TOP && strcmp(plan->view, views[view]) != 0) {
-        view++;
-    }
-    if (view > MORPH_OUTLINE_TOP) {
-        return morph_usage(command, "--view: '%.40s' is not side, front or top", plan->view);
-    }
+    enum morph_outline_view view = (enum morph_outline_view)plan->view;
     morph_rig_init(&picture.keys, &plan->pick.fish->card, TEMPLATE_PAIRWISE);
     sample_path();
     if (!svg_open(svg, plan->svg, WIDTH, HEIGHT, "The way of a part")) {
         return morph_written(command, plan->svg, -errno);
     }
-    if (!plan->view) {
+    if (view == MORPH_OUTLINE_COUNT) {
         /* Select the view in which the path is longest. The side view has preference. */
         const double front = way_in(MORPH_OUTLINE_FRONT), top = way_in(MORPH_OUTLINE_TOP);
         view = way_in(MORPH_OUTLINE_SIDE) >= 0.9 * fmax(front, top) ? MORPH_OUTLINE_SIDE

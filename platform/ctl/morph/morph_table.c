@@ -168,16 +168,12 @@ const struct morph_command ctl_morph_weights = {
 
 static const char path_name[] = "path";
 
-static struct morph_path_plan path_plan;
+static struct morph_path_plan path_plan = { .view = MORPH_OUTLINE_COUNT };
 
 static enum exit_code find_vertex(void)
 {
     const struct species_mesh *mesh = &path_plan.pick.fish->lod[0];
     const enum species_part part = path_plan.part ? part_of_vertex(path_plan.part) : PART_COUNT;
-    const bool left = path_plan.side && strcmp(path_plan.side, "left") == 0;
-    if (path_plan.side && !left && strcmp(path_plan.side, "right") != 0) {
-        return morph_usage(path_name, "--side: '%.40s' is not right or left", path_plan.side);
-    }
     if (!path_plan.part) {
         return morph_usage(path_name, "--part is missing; --help lists the parts");
     }
@@ -185,7 +181,7 @@ static enum exit_code find_vertex(void)
         return morph_usage(path_name, "--part: '%.40s' is not a part; --help lists the parts",
                            path_plan.part);
     }
-    path_plan.vertex = part_vertex_range(mesh, part, left ? SIDE_LEFT : SIDE_RIGHT);
+    path_plan.vertex = part_vertex_range(mesh, part, path_plan.side == 0 ? SIDE_RIGHT : SIDE_LEFT);
     if (path_plan.vertex == mesh->vertex_count) {
         return morph_usage(path_name, "--part: %s has no %s", path_plan.pick.fish->card.id,
                            path_plan.part);
@@ -202,22 +198,25 @@ static struct chord chord_of(const struct species *fish, const struct morph_rig 
 
 #define AT(member) .offset = offsetof(struct morph_path_plan, member)
 
+static const char *const side_names[] = { "right", "left", NULL };
+static const char *const view_names[] = { "side", "front", "top", NULL };
+
 static const struct option path_options[] = {
     { "part", "PART",
       "body (its back at the deepest point), eye (the pupil), tail (the tip of the upper lobe), or "
       "the root of the leading ray of dorsal, anal, pectoral, pelvic, dorsal2, finlets_upper or "
       "finlets_lower",
       OPTION_TEXT, AT(part), .expects = "the name of a part" },
-    { "side", "right|left", "side of a paired part; the default is right", OPTION_TEXT, AT(side),
-      .expects = "right or left" },
+    { "side", "right|left", "side of a paired part", OPTION_CHOICE, AT(side), .choices = side_names,
+      .initial = "right" },
     { "steps", "N", "number of rows minus one", OPTION_WHOLE, AT(steps), 1, 100000,
       .initial = "100" },
     { "svg", "FILE",
       "write a picture instead of the table: the outlines of the keys with the path across them, "
       "and the straight line dashed",
       OPTION_TEXT, AT(svg) },
-    { "view", "VIEW", "view of the picture: side, front or top", OPTION_TEXT, AT(view),
-      .expects = "side, front or top" },
+    { "view", "VIEW", "view of the picture; the default shows the longest path", OPTION_CHOICE,
+      AT(view), .choices = view_names },
 };
 
 static enum exit_code print_path(void)
@@ -227,7 +226,7 @@ static enum exit_code print_path(void)
         return code;
     }
     path_plan.chord = chord_of(path_plan.pick.fish, &path_plan.pick.rig, path_plan.vertex);
-    if (path_plan.view && !path_plan.svg) {
+    if (path_plan.view != MORPH_OUTLINE_COUNT && !path_plan.svg) {
         return morph_usage(path_name, "--view needs --svg");
     }
     if (path_plan.svg) {

@@ -52,8 +52,7 @@ static const char fresh[] = STORAGE_FILE STORAGE_NEW_SUFFIX; /* Name of the copy
 
 static enum exit_code fails(const char *path, const char *why)
 {
-    print_error("kingyoctl %s: %s: %s", command, path, why);
-    return EXIT_IO;
+    return print_fail(EXIT_IO, "kingyoctl %s: %s: %s", command, path, why);
 }
 
 static void join_path_suffix(char out[LEDGER_PATH_SIZE], const char *path, const char *suffix)

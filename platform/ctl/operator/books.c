@@ -102,11 +102,10 @@ enum exit_code books_open(const char *command, const struct books_words *words,
     books_path(words, path);
     const int error = look_for(path);
     if (error) {
-        print_error("kingyoctl %s: %s: %s", command, path,
-                    error == ENOENT   ? "does not exist; name the data folder with --data"
-                    : error == EACCES ? "you have no access; use sudo"
-                                      : strerror(error));
-        return EXIT_IO;
+        return print_fail(EXIT_IO, "kingyoctl %s: %s: %s", command, path,
+                          error == ENOENT   ? "does not exist; name the data folder with --data"
+                          : error == EACCES ? "you have no access; use sudo"
+                                            : strerror(error));
     }
     const int code = ledger_file_inspect(out, path);
     if (code == SQLITE_OK) {

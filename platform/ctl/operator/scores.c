@@ -167,18 +167,19 @@ static enum exit_code write_replay(const struct scores_request *request, struct 
     size_t size;
     CORE_ASSERT(request->out && request->round_id != 0);
     if (ledger_file_get_replay(file, request->round_id, bytes, sizeof bytes, &size) != 0) {
-        print_error("kingyoctl scores: round %u has no replay", request->round_id);
-        return EXIT_NOT_SO;
+        return print_fail(EXIT_NOT_SO, "kingyoctl scores: round %u has no replay",
+                          request->round_id);
     }
     /* A running kiosk clears or deletes each replay that may contain a PIN, in idle time
      * (platform/kiosk/recorder/pin_sweep.h). */
     replay_open_in(&reader, bytes, size);
     if (!request->with_pin && session_recorder_may_contain_pin(&reader)) {
-        print_error("kingyoctl scores: the replay of round %u is damaged or of an older version, "
-                    "and may hold the PIN of the menu: the kiosk removes the PIN while it runs; "
-                    "--with-pin takes the replay out now; change the PIN then",
-                    request->round_id);
-        return EXIT_NOT_SO;
+        return print_fail(
+            EXIT_NOT_SO,
+            "kingyoctl scores: the replay of round %u is damaged or of an older version, "
+            "and may hold the PIN of the menu: the kiosk removes the PIN while it runs; "
+            "--with-pin takes the replay out now; change the PIN then",
+            request->round_id);
     }
     int error = file_atomic_open(&out, request->out);
     if (error == 0) {
@@ -191,8 +192,8 @@ static enum exit_code write_replay(const struct scores_request *request, struct 
         error = file_atomic_close(&out);
     }
     if (error) {
-        print_error("kingyoctl scores: %s: cannot be written: %s", request->out, strerror(-error));
-        return EXIT_IO;
+        return print_fail(EXIT_IO, "kingyoctl scores: %s: cannot be written: %s", request->out,
+                          strerror(-error));
     }
     return EXIT_OK;
 }

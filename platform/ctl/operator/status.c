@@ -41,9 +41,8 @@ static enum exit_code status_read_file(const char *path, char text[STATUS_TEXT_M
 {
     size_t size = 0;
     if (access(path, F_OK) != 0 && errno == ENOENT) {
-        print_error("kingyoctl status: %s: %s; no kiosk runs as a service here", path,
-                    strerror(ENOENT));
-        return EXIT_IO;
+        return print_fail(EXIT_IO, "kingyoctl status: %s: %s; no kiosk runs as a service here",
+                          path, strerror(ENOENT));
     }
     const enum exit_code code =
         ctl_file_read("kingyoctl status", path, text, STATUS_TEXT_MAX - 1u, &size);
@@ -69,15 +68,17 @@ static enum exit_code status_exit_code(sqlite3_stmt *head)
     const int64_t age_ms =
         (int64_t)(clock_ns(CLOCK_BOOTTIME) / NS_PER_MS) - sqlite3_column_int64(head, 0);
     if (age_ms > STALE_MS || age_ms < 0) {
-        print_error("kingyoctl status: the kiosk has written no status for %.1f s: the kiosk has "
-                    "ended or hangs",
-                    (double)(age_ms < 0 ? STALE_MS : age_ms) * 1e-3);
-        return EXIT_NOT_SO;
+        return print_fail(
+            EXIT_NOT_SO,
+            "kingyoctl status: the kiosk has written no status for %.1f s: the kiosk has "
+            "ended or hangs",
+            (double)(age_ms < 0 ? STALE_MS : age_ms) * 1e-3);
     }
     if (!sqlite3_column_int(head, 1)) {
-        print_error("kingyoctl status: the kiosk cannot save what it earns; see the lines 'ledger' "
-                    "and 'store'");
-        return EXIT_NOT_SO;
+        return print_fail(
+            EXIT_NOT_SO,
+            "kingyoctl status: the kiosk cannot save what it earns; see the lines 'ledger' "
+            "and 'store'");
     }
     return EXIT_OK;
 }

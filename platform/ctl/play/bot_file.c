@@ -331,8 +331,8 @@ enum exit_code bot_file_read(const char *speaker, const char *bot, struct techni
     if (access(bot, F_OK) != 0 && errno == ENOENT) { /* A file that does not exist is most likely a
                                                         misspelt bot name, so the message lists the
                                                         bot names. */
-        print_error("%s: %s: %s; a bot is novice, expert or a FILE", speaker, bot, strerror(errno));
-        return EXIT_IO;
+        return print_fail(EXIT_IO, "%s: %s: %s; a bot is novice, expert or a FILE", speaker, bot,
+                          strerror(errno));
     }
     const enum exit_code code = ctl_file_read(speaker, bot, text, sizeof text, &size);
     if (code != EXIT_OK || bot_file_parse(text, size, out, &problem) == 0) {

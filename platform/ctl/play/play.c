@@ -142,15 +142,14 @@ static enum exit_code print_failure(const struct play_options *options)
         if (results[i].code == EXIT_IO) {
             char path[ROUNDS_PATH_MAX];
             rounds_record_path(path, options->record, i);
-            print_error("%s: %s: cannot record: %s", speaker, path, strerror(results[i].error));
-            return EXIT_IO;
+            return print_fail(EXIT_IO, "%s: %s: cannot record: %s", speaker, path,
+                              strerror(results[i].error));
         }
         if (results[i].is_refused) {
             return ctl_float(name);
         }
     }
-    print_error("%s: a round did not end", speaker);
-    return EXIT_NOT_SO;
+    return print_fail(EXIT_NOT_SO, "%s: a round did not end", speaker);
 }
 
 static enum exit_code play_rounds(const struct play_options *options,
@@ -251,8 +250,8 @@ static enum exit_code play_command_run(int argc, const char *const *argv)
     code = code == EXIT_OK ? bot_file_read(speaker, options.bot, &technique) : code;
     const int error = code == EXIT_OK && options.record ? file_make_folder(options.record) : 0;
     if (error) {
-        print_error("%s: %s: cannot record: %s", speaker, options.record, strerror(-error));
-        return EXIT_IO;
+        return print_fail(EXIT_IO, "%s: %s: cannot record: %s", speaker, options.record,
+                          strerror(-error));
     }
     return code == EXIT_OK ? play_rounds(&options, &technique) : code;
 }

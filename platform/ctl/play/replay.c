@@ -194,9 +194,9 @@ static enum exit_code verify(const char *path)
     config.lanes = cpu_lanes();
     const enum core_error error = core_init(&core, &config);
     if (error == CORE_ERR_RANGE) {
-        print_error("kingyoctl replay: %s: byte 32: this version has no such tank or game mode",
-                    path);
-        return EXIT_BAD_DATA;
+        return print_fail(
+            EXIT_BAD_DATA,
+            "kingyoctl replay: %s: byte 32: this version has no such tank or game mode", path);
     }
     if (strcmp(replayer.reader.header.program, KINGYO_VERSION) != 0) {
         print_error("kingyoctl replay: %s: recorded by version %s, recomputed by %s", path,

@@ -47,8 +47,7 @@ static enum exit_code tank_run(int argc, const char *const *argv)
     }
     struct tank_lab *lab = huge_pages_alloc(sizeof *lab);
     if (!lab) {
-        print_error("kingyoctl tank: out of memory");
-        return EXIT_IO;
+        return print_fail(EXIT_IO, "kingyoctl tank: out of memory");
     }
     code = tank_lab_open(lab, &plan);
     if (code == EXIT_OK) {

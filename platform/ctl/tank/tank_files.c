@@ -215,20 +215,20 @@ enum exit_code tank_place_stage(const struct tank_place *place, struct tank *tan
         const double emerges_m =
             place->stage[i].gait == GAIT_SURFACE ? (double)fish_emerges_m(fish) : 0.0;
         if (!is_in_water(&box, tank->size_m, emerges_m)) {
-            print_error(
+            return print_fail(
+                EXIT_BAD_DATA,
                 "%s: %s: line %u: fish %u is not completely in the water of %g x %g cm, %g cm "
                 "deep",
                 speaker, file, place->line[i], i, 100.0 * (double)tank->size_m.x,
                 100.0 * (double)tank->size_m.z, 100.0 * (double)tank->size_m.y);
-            return EXIT_BAD_DATA;
         }
         for (uint32_t j = 0; j < i; j++) {
             const struct overlap_box other = overlap_box_of(&tank->fish[j]);
             const double depth_mm = 1000.0 * overlap_depth_m(&box, &other);
             if (depth_mm > OVERLAP_DEEP_MM) {
-                print_error("%s: %s: line %u: fish %u and %u overlap by %.1f mm", speaker, file,
-                            place->line[i], j, i, depth_mm);
-                return EXIT_BAD_DATA;
+                return print_fail(EXIT_BAD_DATA,
+                                  "%s: %s: line %u: fish %u and %u overlap by %.1f mm", speaker,
+                                  file, place->line[i], j, i, depth_mm);
             }
         }
     }

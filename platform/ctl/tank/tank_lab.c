@@ -189,16 +189,15 @@ static enum exit_code open_tank(struct tank_lab *lab)
                              place.count);
         }
         if (place.count > most) {
-            print_error("%s: %s: %u fish; this tank holds 1 to %u", place_speaker, plan->place,
-                        place.count, most);
-            return EXIT_BAD_DATA;
+            return print_fail(EXIT_BAD_DATA, "%s: %s: %u fish; this tank holds 1 to %u",
+                              place_speaker, plan->place, place.count, most);
         }
         config.fish_count = place.count;
     }
     if (!tank_open(&lab->tank, &config)) {
-        print_error("kingyoctl tank: %u fish do not fit in this tank with the seed %u",
-                    config.fish_count, config.seed);
-        return EXIT_NOT_SO;
+        return print_fail(EXIT_NOT_SO,
+                          "kingyoctl tank: %u fish do not fit in this tank with the seed %u",
+                          config.fish_count, config.seed);
     }
     return plan->place ? tank_place_stage(&place, &lab->tank, place_speaker, plan->place) : EXIT_OK;
 }

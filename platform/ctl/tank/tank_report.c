@@ -26,8 +26,7 @@ static const char *const avoiding_names[] = { "none", "yaw", "pitch" };
 
 static enum exit_code tank_trace_print_error(const struct tank_trace *trace, int error)
 {
-    print_error("kingyoctl tank: --trace: %s: %s", trace->path, strerror(error));
-    return EXIT_IO;
+    return print_fail(EXIT_IO, "kingyoctl tank: --trace: %s: %s", trace->path, strerror(error));
 }
 
 enum exit_code tank_trace_open(struct tank_trace *trace, const char *path)
