@@ -142,10 +142,10 @@ void ui_name(const struct ui_frame *frame)
     draw_name_title(&canvas);
     draw_letter_places(&canvas);
     draw_name_keys(&canvas);
-    ui_words_in(
+    ui_label_in(
         &canvas,
         ui_place_either(&canvas, canvas_box(60, 678, 1160, 34), canvas_box(27, 1190, 800, 40)),
-        ui_body(&canvas, 24.0f, 0xc9d2eeffu), ui_words(frame, TEXT_NAME_KEYS));
+        24.0f, 0xc9d2eeffu, TEXT_NAME_KEYS);
     if (name->has_hand) {
         ui_poi_sign(&canvas, canvas.x + name->x * canvas.unit, canvas.y + name->y * canvas.unit,
                     (name->presses ? 15.0f : 20.0f) * canvas.unit, 1.0f, colour_of(name));

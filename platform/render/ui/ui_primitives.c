@@ -177,6 +177,18 @@ void ui_words_in(const struct ui_frame *frame, struct ui_box box, struct ui_text
                 words);
 }
 
+void ui_label_in(const struct ui_frame *frame, struct ui_box box, float size, uint32_t fill,
+                 enum text_key key)
+{
+    ui_words_in(frame, box, ui_body(frame, size, fill), ui_words(frame, key));
+}
+
+void ui_label_at(const struct ui_frame *frame, float x, float y, float room, float size,
+                 uint32_t fill, enum text_key key)
+{
+    ui_words_at(frame, x, y, room, 0.0f, ui_body(frame, size, fill), ui_words(frame, key));
+}
+
 /* Draws a paper lantern that hangs from (x, y). `size` is the height of its body in pixels, and
  * `phase` is the phase of its sway in radians. */
 static void hang_lantern(const struct ui_frame *frame, float x, float y, float size, float phase)

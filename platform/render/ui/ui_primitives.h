@@ -125,6 +125,16 @@ void ui_words_at(const struct ui_frame *frame, float x, float y, float room, flo
 void ui_words_in(const struct ui_frame *frame, struct ui_box box, struct ui_text style,
                  const char *words);
 
+/* Draws the text `key` in the common font (ui_body()), centred in a box and shrunk to the width of
+ * the box. */
+void ui_label_in(const struct ui_frame *frame, struct ui_box box, float size, uint32_t fill,
+                 enum text_key key);
+
+/* Draws the text `key` in the common font (ui_body()). The text begins at `x` and is shrunk to the
+ * width `room`. */
+void ui_label_at(const struct ui_frame *frame, float x, float y, float room, float size,
+                 uint32_t fill, enum text_key key);
+
 /* Draws the shop curtain: a pole, strips of dyed cloth, the title, and two paper lanterns. `lift`
  * in [0, 1] states how far the curtain is raised. At 1 the curtain is outside the picture. */
 void ui_noren(const struct ui_frame *frame, float lift);

@@ -66,15 +66,13 @@ static void word_button(const struct ui_frame *frame, enum lab_part part, enum t
 {
     const bool is_small = part >= LAB_OWN && part <= LAB_SMOOTH;
     const struct ui_box box = draw_lab_tag(frame, part, is_on, is_idle);
-    ui_words_in(
-        frame, ui_inset(box, (is_small ? 3.0f : 10.0f) * frame->unit),
-        ui_body(frame, is_small ? 20.0f : 23.0f, is_idle ? ui_fade(BUTTON_INK, 0.45f) : BUTTON_INK),
-        ui_words(frame, key));
+    ui_label_in(frame, ui_inset(box, (is_small ? 3.0f : 10.0f) * frame->unit),
+                is_small ? 20.0f : 23.0f, is_idle ? ui_fade(BUTTON_INK, 0.45f) : BUTTON_INK, key);
 }
 
 static void draw_lab_sign(const struct ui_frame *frame, struct ui_box box, enum text_key key)
 {
-    ui_words_in(frame, box, ui_body(frame, 30.0f, BUTTON_INK), ui_words(frame, key));
+    ui_label_in(frame, box, 30.0f, BUTTON_INK, key);
 }
 
 static void draw_lab_buttons(const struct ui_frame *frame)
@@ -107,10 +105,9 @@ static void draw_lab_buttons(const struct ui_frame *frame)
         draw_lab_sign(frame, (struct ui_box){ x - 20.0f * u, box.y, 40.0f * u, box.height },
                       TEXT_SIGN_ON);
     }
-    ui_words_in(frame,
+    ui_label_in(frame,
                 (struct ui_box){ box.x + 64.0f * u, box.y, box.width - 76.0f * u, box.height },
-                ui_body(frame, 23.0f, BUTTON_INK),
-                ui_words(frame, lab->playing ? TEXT_LAB_STOP : TEXT_LAB_PLAY));
+                23.0f, BUTTON_INK, lab->playing ? TEXT_LAB_STOP : TEXT_LAB_PLAY);
     word_button(frame, LAB_SAVE, lab->is_kept ? saves[lab->keeping & 3u] : TEXT_LAB_SAVE, false,
                 lab->is_kept && lab->keeping != LAB_UNSAVED);
 }
@@ -154,8 +151,7 @@ static void help_line(const struct ui_frame *frame)
         return;
     }
     if (turn == 0) {
-        ui_words_in(frame, room, ui_body(frame, 20.0f, 0xc9d2eeffu),
-                    ui_words(frame, TEXT_LAB_HELP));
+        ui_label_in(frame, room, 20.0f, 0xc9d2eeffu, TEXT_LAB_HELP);
     } else if (turn <= counted) {
         char words[TEXT_LINE_MAX];
         text_number(words, sizeof words, ui_words(frame, TEXT_LAB_REFUSED), refused);

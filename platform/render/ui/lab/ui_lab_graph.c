@@ -183,8 +183,7 @@ static void tool(const struct ui_frame *frame, enum lab_part part, enum text_key
              : is_pointed ? 0xffffffffu
                           : 0xf0e2c4ffu,
              colour);
-    ui_words_in(frame, ui_inset(box, 6.0f * u), ui_body(frame, 19.5f, is_on ? 0xffffffffu : colour),
-                ui_words(frame, key));
+    ui_label_in(frame, ui_inset(box, 6.0f * u), 19.5f, is_on ? 0xffffffffu : colour, key);
 }
 
 void lab_graph(const struct ui_frame *frame)
@@ -195,7 +194,7 @@ void lab_graph(const struct ui_frame *frame)
     draw_graph_paper(frame, LAB_CARD);
     const struct ui_box title = { card.x + 16.0f * u, card.y + 4.0f * u, card.width - 32.0f * u,
                                   field.y - card.y - 8.0f * u };
-    ui_words_in(frame, title, ui_body(frame, 22.0f, LAB_INK), ui_words(frame, TEXT_LAB_TITLE));
+    ui_label_in(frame, title, 22.0f, LAB_INK, TEXT_LAB_TITLE);
     for (uint32_t key = 0; key < lab->card.key_count; key++) {
         const float key_x = (float)key / (float)(lab->card.key_count - 1u);
         line_in(frame, field, (struct moment){ key_x, 0.0f }, (struct moment){ key_x, 1.0f }, 1.0f,

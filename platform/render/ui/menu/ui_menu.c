@@ -57,9 +57,8 @@ static void hung_tag(const struct ui_frame *frame, uint32_t tag)
     ui_words_in(frame, (struct ui_box){ x, box.y, width, 0.62f * box.height },
                 menu_brush(frame, 88.0f, MENU_INK),
                 ui_words(frame, is_page ? menu_words_of(page)->title : words->names[tag]));
-    ui_words_in(frame, (struct ui_box){ x, box.y + 0.64f * box.height, width, 0.28f * box.height },
-                ui_body(frame, 24.0f, MENU_INK_SOFT),
-                ui_words(frame, is_page ? menu_words_of(page)->about : words->lines[tag]));
+    ui_label_in(frame, (struct ui_box){ x, box.y + 0.64f * box.height, width, 0.28f * box.height },
+                24.0f, MENU_INK_SOFT, is_page ? menu_words_of(page)->about : words->lines[tag]);
     /* The sign in the upper corner of a tag is an exclamation mark on red for a page that the
      * operator should check, or the seal for a changed setting. */
     const float sign_x = box.x + box.width - 26.0f * u, sign_y = box.y + 26.0f * u, r = 17.0f * u;
@@ -156,7 +155,7 @@ void ui_menu(const struct ui_frame *frame)
         draw_menu_tags(&canvas);
         draw_menu_body(&canvas);
         menu_note(&canvas, canvas_box(60, 684, 1160, 32), canvas_box(27, 1366, 800, 34),
-                  ui_body(&canvas, 22.0f, MENU_NOTE), ui_words(frame, keys));
+                  ui_body(&canvas, 22.0f, MENU_NOTE), ui_words(&canvas, keys));
     }
     if (menu->has_hand) {
         ui_poi_sign(&canvas, canvas.x + menu->x * canvas.unit, canvas.y + menu->y * canvas.unit,
@@ -180,21 +179,20 @@ void menu_confirm(const struct ui_frame *frame)
         /* The page also shows the name of the account book that would be reset. */
         line.y = box.y + 0.06f * box.height;
         line.height = 0.2f * box.height;
-        ui_words_in(frame, line, ui_body(frame, 26.0f, 0xc23a22ffu),
-                    ui_words(frame, menu_words_of(menu->from)->title));
+        ui_label_in(frame, line, 26.0f, 0xc23a22ffu, menu_words_of(menu->from)->title);
     }
     line.y = box.y + 0.26f * box.height;
     line.height = 0.32f * box.height;
-    ui_words_in(frame, line, ui_body(frame, 38.0f, UI_INK),
-                ui_words(frame, is_reset     ? TEXT_SURE_RESET
-                                : is_restart ? TEXT_SURE_RESTART
-                                             : TEXT_SURE_FACTORY));
+    ui_label_in(frame, line, 38.0f, UI_INK,
+                is_reset     ? TEXT_SURE_RESET
+                : is_restart ? TEXT_SURE_RESTART
+                             : TEXT_SURE_FACTORY);
     line.y = box.y + 0.64f * box.height;
     line.height = 0.2f * box.height;
-    ui_words_in(frame, line, ui_body(frame, 24.0f, UI_INK_SOFT),
-                ui_words(frame, is_reset     ? TEXT_SURE_RESET_WORDS
-                                : is_restart ? TEXT_SURE_RESTART_WORDS
-                                             : TEXT_SURE_FACTORY_WORDS));
+    ui_label_in(frame, line, 24.0f, UI_INK_SOFT,
+                is_reset     ? TEXT_SURE_RESET_WORDS
+                : is_restart ? TEXT_SURE_RESTART_WORDS
+                             : TEXT_SURE_FACTORY_WORDS);
 }
 
 /* ---- PIN page: ten number keys, and a place for each digit ----------------------------------- */

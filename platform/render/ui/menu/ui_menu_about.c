@@ -40,9 +40,9 @@ static void draw_device_row(const struct ui_frame *frame, const struct places *p
     char row[TEXT_TRANSLATE_SIZE], said[TEXT_TRANSLATE_SIZE];
     text_translate(said, sizeof said, frame->language, frame->scene->devices.about[index]);
     const char *words = *said ? said : ui_words(frame, TEXT_DEVICE_NONE);
-    ui_words_at(frame, box.x + 22.0f * u, top + 0.5f * places->line * u,
-                is_beside ? (places->name_width - 12.0f) * u : room, 0.0f,
-                ui_body(frame, 24.0f, 0xa85a12ffu), ui_words(frame, names[index]));
+    ui_label_at(frame, box.x + 22.0f * u, top + 0.5f * places->line * u,
+                is_beside ? (places->name_width - 12.0f) * u : room, 24.0f, 0xa85a12ffu,
+                names[index]);
     const uint32_t first = is_beside ? 0u : 1u, end = first + places->line_count;
     for (uint32_t i = first; i < end && *words; i++) {
         menu_take_line(style, &words, room, i + 1u == end, row, sizeof row);
@@ -194,8 +194,7 @@ static void draw_file_slip(const struct ui_frame *frame, const struct file_place
         const struct ui_box tag = { box.x + box.width - slip_width - 10.0f * u, box.y + 5.0f * u,
                                     slip_width, slip_height };
         ui_panel(frame, UI_PANEL, tag, 7.0f * u, 0.0f, looks[file->state].paint, 0);
-        ui_words_in(frame, ui_inset(tag, 6.0f * u), ui_body(frame, 22.0f, UI_CREAM),
-                    ui_words(frame, looks[file->state].name));
+        ui_label_in(frame, ui_inset(tag, 6.0f * u), 22.0f, UI_CREAM, looks[file->state].name);
     }
 }
 

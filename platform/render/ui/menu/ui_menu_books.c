@@ -81,8 +81,7 @@ static void draw_book_lines(const struct ui_frame *frame, struct ui_box box, uin
         } else {
             write_count(words, audit[line[i].audit]);
         }
-        ui_words_at(frame, x, y, 0.62f * width, 0.0f, ui_body(frame, 25.0f, UI_INK_SOFT),
-                    ui_words(frame, line[i].name));
+        ui_label_at(frame, x, y, 0.62f * width, 25.0f, UI_INK_SOFT, line[i].name);
         ui_words_at(frame, x + width, y, 0.36f * width, 1.0f, ui_body(frame, 30.0f, UI_INK), words);
         if (i % rows + 1u < rows && i + 1u < count) {
             /* The last line of a column needs no separating rule, because the border of the paper
@@ -219,8 +218,7 @@ static void bars(const struct ui_frame *frame, struct ui_box box, enum text_key 
     for (uint32_t i = 0; i < count; i++) {
         most = audit[i] > most ? audit[i] : most;
     }
-    ui_words_at(frame, left, box.y + 28.0f * u, 0.6f * box.width, 0.0f,
-                ui_body(frame, 24.0f, UI_INK_SOFT), ui_words(frame, title));
+    ui_label_at(frame, left, box.y + 28.0f * u, 0.6f * box.width, 24.0f, UI_INK_SOFT, title);
     for (uint32_t i = 0; i < count; i++) {
         const float x = left + ((float)i + 0.5f) * pitch;
         const float height = room * (float)audit[i] / (float)most;

@@ -158,11 +158,10 @@ void menu_calibration(const struct ui_frame *frame)
     const bool is_torn = input_calibration_is_torn(&menu->settings, menu->seat);
     const bool is_set = menu->calibrated >> menu->seat & 1u;
     ui_player_mark(frame, line.x + 24.0f * u, line_y, 16.0f * u, menu->seat);
-    ui_words_at(frame, line.x + 56.0f * u, line_y, line.width - 60.0f * u, 0.0f,
-                ui_body(frame, 24.0f, UI_CREAM),
-                ui_words(frame, is_torn  ? TEXT_CALIBRATE_IS_TORN
-                                : is_set ? TEXT_CALIBRATE_IS_SET
-                                         : TEXT_CALIBRATE_IS_NOT_SET));
+    ui_label_at(frame, line.x + 56.0f * u, line_y, line.width - 60.0f * u, 24.0f, UI_CREAM,
+                is_torn  ? TEXT_CALIBRATE_IS_TORN
+                : is_set ? TEXT_CALIBRATE_IS_SET
+                         : TEXT_CALIBRATE_IS_NOT_SET);
     ui_words_in(frame, ui_place(frame, places->name), menu_brush(frame, 130.0f, UI_CREAM),
                 ui_words(frame, names[step < CALIBRATE_STEPS ? step : 0u]));
     /* The explanation has as many lines as needed, from the top of its box downward. */
@@ -284,8 +283,7 @@ void menu_learning(const struct ui_frame *frame)
     draw_motion_demo(frame, box, step);
     ui_words_in(frame, ui_place(frame, places->name), menu_brush(frame, 150.0f, UI_CREAM),
                 ui_words(frame, steps[step].name));
-    ui_words_in(frame, ui_place(frame, places->words), ui_body(frame, 30.0f, UI_CREAM),
-                ui_words(frame, steps[step].words));
+    ui_label_in(frame, ui_place(frame, places->words), 30.0f, UI_CREAM, steps[step].words);
     /* A row of signs has a fish for each finished step and a ring for each later step. */
     const struct ui_box dots = ui_place(frame, places->dots);
     const float pitch = 62.0f * u, y = dots.y + 0.5f * dots.height;

@@ -43,8 +43,7 @@ static void state_slip(const struct ui_frame *frame, struct ui_box box, uint8_t 
     CORE_ASSERT(state < CONTROLLER_STATE_COUNT);
     const float u = frame->unit;
     ui_panel(frame, UI_PANEL, box, 8.0f * u, 1.5f * u, states[state].paint, 0xffe7b0a0u);
-    ui_words_in(frame, ui_inset(box, 8.0f * u), ui_body(frame, 24.0f, UI_CREAM),
-                ui_words(frame, states[state].name));
+    ui_label_in(frame, ui_inset(box, 8.0f * u), 24.0f, UI_CREAM, states[state].name);
 }
 
 /* Draws an intact poi if the controller is in use or available, otherwise a torn poi. */
@@ -173,11 +172,11 @@ static void axes_heading(const struct ui_frame *frame, const struct scene_axes *
     const float u = frame->unit, y = box.y + 30.0f * u;
     char words[TEXT_LINE_MAX];
     ui_player_mark(frame, box.x + 34.0f * u, y, 18.0f * u, index);
-    ui_words_at(frame, box.x + 64.0f * u, y, 0.24f * box.width, 0.0f, ui_body(frame, 24.0f, UI_INK),
-                ui_words(frame, seat->link == POI_SOURCE_LIVE   ? TEXT_AXIS_LIVE
-                                : seat->link == POI_SOURCE_BOT  ? TEXT_AXIS_BOT
-                                : seat->link == POI_SOURCE_LOST ? TEXT_AXIS_LOST
-                                                                : TEXT_AXIS_ABSENT));
+    ui_label_at(frame, box.x + 64.0f * u, y, 0.24f * box.width, 24.0f, UI_INK,
+                seat->link == POI_SOURCE_LIVE   ? TEXT_AXIS_LIVE
+                : seat->link == POI_SOURCE_BOT  ? TEXT_AXIS_BOT
+                : seat->link == POI_SOURCE_LOST ? TEXT_AXIS_LOST
+                                                : TEXT_AXIS_ABSENT);
     if (seat->link != POI_SOURCE_LIVE) {
         return;
     }

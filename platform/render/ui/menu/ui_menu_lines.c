@@ -73,8 +73,7 @@ static void draw_input_line(const struct ui_frame *frame, uint32_t index, float 
                                      box.y + (is_upright ? 54.0f : 26.0f) * u,
                                      is_upright ? 134.0f * u : box.width - 48.0f * u, 42.0f * u };
         ui_panel(frame, UI_PANEL, slip, 8.0f * u, 1.5f * u, MENU_BAD, 0xffe7b0a0u);
-        ui_words_in(frame, ui_inset(slip, 6.0f * u), ui_body(frame, 22.0f, UI_CREAM),
-                    ui_words(frame, TEXT_LINE_MISSING));
+        ui_label_in(frame, ui_inset(slip, 6.0f * u), 22.0f, UI_CREAM, TEXT_LINE_MISSING);
     } else {
         const float x = box.x + (is_upright ? 74.0f * u : 0.5f * box.width);
         const float y = box.y + (is_upright ? 0.5f * box.height : 46.0f * u);
@@ -89,8 +88,8 @@ static void draw_input_line(const struct ui_frame *frame, uint32_t index, float 
     const float left = box.x + (is_upright ? (is_missing ? 152.0f : 130.0f) : 10.0f) * u;
     const float width = box.x + box.width - 12.0f * u - left;
     const float top = box.y + (is_upright ? 12.0f : 76.0f) * u;
-    ui_words_in(frame, (struct ui_box){ left, top, width, 40.0f * u },
-                ui_body(frame, 27.0f, MENU_INK), ui_words(frame, names[index]));
+    ui_label_in(frame, (struct ui_box){ left, top, width, 40.0f * u }, 27.0f, MENU_INK,
+                names[index]);
     ui_words_in(frame, (struct ui_box){ left, top + 40.0f * u, width, 46.0f * u },
                 ui_style(frame, FONT_STALL, 36.0f, 0.0f, MENU_INK_SOFT, 0.0f), digits);
     raw_line(frame, index, box);

@@ -237,8 +237,8 @@ static void draw_check_row(const struct ui_frame *frame, const struct places *pl
     row_words(frame, index, state, words, sizeof words);
     draw_check_sheet(frame, box, state);
     draw_mark(frame, box.x + 28.0f * u, middle, state);
-    ui_words_at(frame, box.x + 52.0f * u, middle, (places->name_width - 8.0f) * u, 0.0f,
-                ui_body(frame, 26.0f, UI_INK), ui_words(frame, names[index]));
+    ui_label_at(frame, box.x + 52.0f * u, middle, (places->name_width - 8.0f) * u, 26.0f, UI_INK,
+                names[index]);
     draw_wrapped_text(frame,
                       (struct ui_box){ left, box.y + 4.0f * u, box.x + box.width - 10.0f * u - left,
                                        box.height - 8.0f * u },

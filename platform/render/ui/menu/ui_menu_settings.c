@@ -177,8 +177,8 @@ static void draw_setting_notes(const struct ui_frame *frame, const struct places
                     style, line);
     }
     if (!menu->is_saved || menu->has_turned) {
-        ui_words_in(frame, ui_place(frame, places->saved), ui_body(frame, 22.0f, MENU_NOTE),
-                    ui_words(frame, menu->is_saved ? TEXT_SET_SAVED : TEXT_SET_SAVING));
+        ui_label_in(frame, ui_place(frame, places->saved), 22.0f, MENU_NOTE,
+                    menu->is_saved ? TEXT_SET_SAVED : TEXT_SET_SAVING);
     }
 }
 
