@@ -2,6 +2,7 @@
  * see status.h. */
 #include "platform/kiosk/status.h"
 
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -185,120 +186,75 @@ static const char *name_of(const char *const *names, size_t count, uint8_t value
     return value < count && names[value] ? names[value] : other;
 }
 
-/* Begins a new line for the next member of the report. Returns `json`. */
-static struct json *member(struct json *json)
-{
-    json_line(json, 2);
-    return json;
-}
-
 static void put_stall(struct json *json, const struct status_report *report)
 {
     const struct balance *balance = &report->balance;
-    json_text(member(json), "version", KINGYO_VERSION);
-    json_value(member(json), "pid", "%u", report->pid);
-    json_value(member(json), "written_ms", "%llu", (unsigned long long)report->written_ms);
-    json_value(member(json), "up_s", "%u", report->up_s);
-    json_value(member(json), "boot", "%u", report->boot);
-    json_text(member(json), "phase", NAME_OF(phase_names, report->phase, "other"));
-    json_value(member(json), "players", "%u", report->players);
-    json_open(member(json), "credits", '{');
-    json_value(json, "paid", "%u", balance->paid);
-    json_value(json, "service", "%u", balance->service);
-    json_value(json, "units", "%u", balance->units);
-    json_value(json, "untold", "%u", balance->unlogged);
-    json_bool(json, "round_open", balance->open != PAYMENT_NONE);
-    json_close(json, '}');
-    json_open(member(json), "tickets", '{');
-    json_value(json, "owed", "%u", balance->tickets);
-    json_value(json, "dispensed", "%u", report->tickets_out);
-    json_close(json, '}');
-    json_open(member(json), "store", '{');
-    json_bool(json, "well", report->store_well);
-    json_value(json, "entry_id", "%u", report->entry_id);
-    json_value(json, "saved_id", "%u", report->saved_id);
-    json_value(json, "waiting", "%u", report->entry_id - report->saved_id);
-    json_close(json, '}');
+    json_print(json,
+               "{\n  version: %s,\n  pid: %u,\n  written_ms: %llu,\n  up_s: %u,\n  boot: %u,"
+               "\n  phase: %s,\n  players: %u,",
+               KINGYO_VERSION, report->pid, (unsigned long long)report->written_ms, report->up_s,
+               report->boot, NAME_OF(phase_names, report->phase, "other"), report->players);
+    json_print(json,
+               "\n  credits: {paid: %u, service: %u, units: %u, untold: %u, round_open: %hhd},"
+               "\n  tickets: {owed: %u, dispensed: %u},"
+               "\n  store: {well: %hhd, entry_id: %u, saved_id: %u, waiting: %u},",
+               balance->paid, balance->service, balance->units, balance->unlogged,
+               balance->open != PAYMENT_NONE, balance->tickets, report->tickets_out,
+               report->store_well, report->entry_id, report->saved_id,
+               report->entry_id - report->saved_id);
 }
 
 static void put_figures(struct json *json, const struct status_report *report)
 {
     const struct kiosk_faults *faults = &report->faults;
-    json_open(member(json), "frames", '{');
-    json_value(json, "count", "%llu", (unsigned long long)report->frames);
-    json_value(json, "median_ms", "%.1f", (double)report->frame_median_ns * 1e-6);
-    json_value(json, "p99_ms", "%.1f", (double)report->frame_p99_ns * 1e-6);
-    json_close(json, '}');
-    json_open(member(json), "ticks", '{');
-    json_value(json, "count", "%u", report->ticks);
-    json_value(json, "dropped", "%llu", (unsigned long long)report->dropped_ticks);
-    json_close(json, '}');
-    json_open(member(json), "faults", '{');
-    json_value(json, "poi", "%u", faults->poi);
-    json_value(json, "fan", "%u", faults->shade);
-    json_value(json, "display", "%u", faults->display);
-    json_value(json, "sound", "%u", faults->audio);
-    json_value(json, "store", "%u", faults->storage);
-    json_value(json, "buttons", "%u", faults->buttons);
-    json_value(json, "switches", "%u", faults->switches);
-    json_value(json, "buttons_missing", "%d", __builtin_popcount(report->buttons_missing));
-    json_value(json, "float", "%u", report->float_resets);
-    json_close(json, '}');
+    json_print(json,
+               "\n  frames: {count: %llu, median_ms: %.1f, p99_ms: %.1f},"
+               "\n  ticks: {count: %u, dropped: %llu},",
+               (unsigned long long)report->frames, (double)report->frame_median_ns * 1e-6,
+               (double)report->frame_p99_ns * 1e-6, report->ticks,
+               (unsigned long long)report->dropped_ticks);
+    json_print(json,
+               "\n  faults: {poi: %u, fan: %u, display: %u, sound: %u, store: %u, buttons: %u,"
+               " switches: %u, buttons_missing: %d, float: %u},",
+               faults->poi, faults->shade, faults->display, faults->audio, faults->storage,
+               faults->buttons, faults->switches, __builtin_popcount(report->buttons_missing),
+               report->float_resets);
 }
 
-/* Writes the JSON member `name` with a number, or with null if the number is not known. */
-static void put_known(struct json *json, const char *name, bool is_known, int64_t value)
-{
-    if (is_known) {
-        json_value(json, name, "%lld", (long long)value);
-    } else {
-        json_value(json, name, "null");
-    }
-}
-
-/* Writes the values that the operator's menu shows on the page "ready for opening". */
+/* Writes the values that the operator's menu shows on the page "ready for opening". Unknown numbers
+ * are written as null. */
 static void put_machine(struct json *json, const struct status_report *report)
 {
     const struct scene_machine *machine = &report->machine;
-    json_open(member(json), "machine", '{');
-    json_text(json, "data", NAME_OF(keeps_names, machine->keeps, "unknown"));
-    put_known(json, "backup_min", machine->has_backup, machine->backup_min);
-    put_known(json, "free_mib", machine->has_looked, machine->room_mib);
-    put_known(json, "heat_margin_c", machine->has_heat, machine->heat_margin_c);
-    json_text(json, "watchdog", NAME_OF(watch_names, machine->watch, "none"));
-    put_known(json, "clock_day", report->day != 0, report->day);
-    put_known(json, "clock_minute", report->day != 0, report->minute);
-    json_bool(json, "clock_went_back", machine->is_clock_back);
-    json_close(json, '}');
-    json_open(member(json), "files", '{');
-    json_value(json, "refused", "%u", report->files_refused);
-    json_value(json, "set_aside", "%u", machine->aside);
-    json_value(json, "replays_missed", "%u", machine->missed);
-    json_close(json, '}');
-    json_open(member(json), "panics", '{');
-    json_value(json, "count", "%u", machine->panics);
-    json_text(json, "left_out", panics_left_name(machine->left_out));
-    json_close(json, '}');
+    json_print(json,
+               "\n  machine: {data: %s, backup_min: %.0f, free_mib: %.0f, heat_margin_c: %.0f,"
+               " watchdog: %s, clock_day: %.0f, clock_minute: %.0f, clock_went_back: %hhd},",
+               NAME_OF(keeps_names, machine->keeps, "unknown"),
+               machine->has_backup ? (double)machine->backup_min : (double)NAN,
+               machine->has_looked ? (double)machine->room_mib : (double)NAN,
+               machine->has_heat ? (double)machine->heat_margin_c : (double)NAN,
+               NAME_OF(watch_names, machine->watch, "none"),
+               report->day != 0 ? (double)report->day : (double)NAN,
+               report->day != 0 ? (double)report->minute : (double)NAN, machine->is_clock_back);
+    json_print(json,
+               "\n  files: {refused: %u, set_aside: %u, replays_missed: %u},"
+               "\n  panics: {count: %u, left_out: %s},",
+               report->files_refused, machine->aside, machine->missed, machine->panics,
+               panics_left_name(machine->left_out));
 }
 
 size_t status_format(const struct status_report *report, char out[STATUS_TEXT_MAX])
 {
     struct json json = { .buffer = out, .size = STATUS_TEXT_MAX };
-    json_open(&json, NULL, '{');
     put_stall(&json, report);
     put_figures(&json, report);
     put_machine(&json, report);
-    json_open(member(&json), "devices", '[');
+    json_print(&json, "\n  devices: [");
     for (uint32_t i = 0; i < report->device_count; i++) {
-        json_line(&json, 4);
-        json_open(&json, NULL, '{');
-        json_text(&json, "part", report->device[i].part);
-        json_text(&json, "text", report->device[i].text);
-        json_close(&json, '}');
+        json_print(&json, "\n    {part: %s, text: %s}", report->device[i].part,
+                   report->device[i].text);
     }
-    json_close(member(&json), ']');
-    json_line(&json, 0);
-    json_close(&json, '}');
+    json_print(&json, "\n  ]\n}");
     json_end(&json);
     return json.used;
 }

@@ -1,16 +1,17 @@
 /* json.c -- writes the tokens and the escape sequences of RFC 8259; see json.h. */
 #include "platform/os/json.h"
 
+#include <math.h>
 #include <stdarg.h>
 #include <string.h>
 
 #include "core/base/panic.h"
 #include "core/base/printable.h"
-#include "platform/os/number.h"
 
 #define MALFORMED "\xEF\xBF\xBD" /* U+FFFD, the replacement character. */
 /* Size of one escaped character: at most six bytes and a terminating zero. */
 #define CHAR_SIZE 7u
+#define NAME_SIZE 32u /* Maximum size of a key in the format of json_print(). */
 
 /* Writes the first character of `words` in escaped form to `out`. A quote or a backslash is copied,
  * and the caller writes the backslash before it. Returns the size of the unescaped character in
@@ -113,13 +114,6 @@ void json_value(struct json *json, const char *key, const char *format, ...)
     va_end(arguments);
 }
 
-void json_number(struct json *json, const char *key, double value, uint32_t decimals)
-{
-    char digits[NUMBER_FIXED_MAX];
-    const uint32_t length = number_print_fixed(digits, value, decimals);
-    json_value(json, key, "%.*s", (int)length, digits);
-}
-
 void json_bool(struct json *json, const char *key, bool value)
 {
     json_value(json, key, "%s", value ? "true" : "false");
@@ -130,6 +124,70 @@ void json_text(struct json *json, const char *key, const char *words)
     CORE_ASSERT(words);
     begin_json_element(json, key);
     put_words(json, words);
+}
+
+/* Writes the value of the conversion at the start of `format`. Returns the end of the
+ * conversion. */
+static const char *put_conversion(struct json *json, const char *key, const char *format,
+                                  va_list *arguments)
+{
+    const size_t length = strcspn(format, "dfsux") + 1u;
+    const char type = format[length - 1u];
+    if (type == 's') {
+        json_text(json, key, va_arg(*arguments, const char *));
+    } else if (type == 'f') {
+        const double value = va_arg(*arguments, double);
+        if (isnan(value)) {
+            json_value(json, key, "null");
+        } else {
+            json_value(json, key, "%.*f", format[2] - '0', value);
+        }
+    } else if (type == 'x') {
+        json_value(json, key, "\"%016llx\"", va_arg(*arguments, unsigned long long));
+    } else if (format[1] == 'h') {
+        json_bool(json, key, va_arg(*arguments, int) != 0);
+    } else if (format[1] == 'l') {
+        json_value(json, key, "%llu", va_arg(*arguments, unsigned long long));
+    } else if (format[1] == 'z') {
+        json_value(json, key, "%zu", va_arg(*arguments, size_t));
+    } else if (type == 'd') {
+        json_value(json, key, "%d", va_arg(*arguments, int));
+    } else {
+        json_value(json, key, "%u", va_arg(*arguments, unsigned));
+    }
+    return format + length;
+}
+
+void json_print(struct json *json, const char *format, ...)
+{
+    char name[NAME_SIZE] = "";
+    va_list arguments;
+    va_start(arguments, format);
+    while (*format) {
+        const char *key = name[0] ? name : NULL;
+        const size_t length = strspn(format, "abcdefghijklmnopqrstuvwxyz0123456789_");
+        if (length > 0) {
+            CORE_ASSERT(length < sizeof name && format[length] == ':');
+            snprintf(name, sizeof name, "%.*s", (int)length, format);
+            format += length + 1u;
+            continue;
+        }
+        const char *next = format + 1;
+        if (*format == '%') {
+            next = put_conversion(json, key, format, &arguments);
+        } else if (*format == '{' || *format == '[') {
+            json_open(json, key, *format);
+        } else if (*format == '}' || *format == ']') {
+            json_close(json, *format);
+        } else if (*format == '\n') {
+            json_line(json, (uint8_t)strspn(next, " "));
+        }
+        if (!strchr(" ,\n", *format)) {
+            name[0] = '\0';
+        }
+        format = next;
+    }
+    va_end(arguments);
 }
 
 void json_end(struct json *json)

@@ -39,8 +39,15 @@ void json_line(struct json *json, uint8_t indent);
 __attribute__((format(printf, 3, 4))) void json_value(struct json *json, const char *key,
                                                       const char *format, ...);
 
-/* Writes a number with `decimals` digits after the decimal point, as number_print_fixed() does. */
-void json_number(struct json *json, const char *key, double value, uint32_t decimals);
+/* Writes several elements. `format` has the form of the written JSON text without its quotes, for
+ * example "{entries: %u, name: %s, hash: %016llx}". The format may end inside an object or array,
+ * and further calls then write the rest.
+ *
+ * The conversions are those of printf(): %u, %d, %llu, %zu and %.Nf write a number, %s writes a
+ * string, %016llx writes a string of 16 hexadecimal digits, and %hhd writes true or false. A %.Nf
+ * that is NaN writes null. A line break, followed by blanks, places the next element or closing
+ * bracket on a line of its own after as many blanks. Commas and other blanks have no effect. */
+__attribute__((format(printf, 2, 3))) void json_print(struct json *json, const char *format, ...);
 
 /* Writes true or false. */
 void json_bool(struct json *json, const char *key, bool value);

@@ -88,22 +88,13 @@ void doctor_report_json(const struct doctor *doctor)
 {
     static const char *const keys[] = { "fine", "look", "wrong" };
     struct json json = { .file = stdout };
-    json_open(&json, NULL, '{');
-    json_open(&json, "findings", '[');
+    json_print(&json, "{findings: [");
     for (uint32_t i = 0; i < doctor->count; i++) {
         const struct doctor_finding *finding = &doctor->finding[i];
-        json_line(&json, 0);
-        json_open(&json, NULL, '{');
-        json_text(&json, "part", finding->part);
-        json_text(&json, "level", keys[finding->level]);
-        json_text(&json, "what", finding->what);
-        json_text(&json, "state", finding->state);
-        json_text(&json, "todo", finding->todo);
-        json_close(&json, '}');
+        json_print(&json, "\n{part: %s, level: %s, what: %s, state: %s, todo: %s}", finding->part,
+                   keys[finding->level], finding->what, finding->state, finding->todo);
     }
-    json_line(&json, 0);
-    json_close(&json, ']');
-    json_value(&json, "more", "%u", doctor->more);
+    json_print(&json, "\n], more: %u", doctor->more);
     for (enum doctor_level level = DOCTOR_FINE; level <= DOCTOR_WRONG; level++) {
         json_value(&json, keys[level], "%u", doctor_count(doctor, level));
     }

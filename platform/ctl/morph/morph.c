@@ -109,37 +109,24 @@ static void list_json(struct json *json, const struct species *species)
 {
     CORE_ASSERT(species->card.key_count <= MORPH_KEY_MAX);
     const struct species_card *card = &species->card;
-    json_open(json, NULL, '{');
-    json_text(json, "id", card->id);
-    json_text(json, "form", species_form_names[card->form]);
-    json_text(json, "motion", species_motion_names[card->motion]);
-    json_text(json, "measure", species_measure_names[card->measure]);
-    json_value(json, "vertices", "[%u, %u]", species->lod[0].vertex_count,
-               species->lod[1].vertex_count);
-    json_value(json, "anchors", "%u", species->lod[0].anchor_count);
-    json_open(json, "keys", '[');
+    json_print(json,
+               "{id: %s, form: %s, motion: %s, measure: %s, vertices: [%u, %u], anchors: %u,"
+               " keys: [",
+               card->id, species_form_names[card->form], species_motion_names[card->motion],
+               species_measure_names[card->measure], species->lod[0].vertex_count,
+               species->lod[1].vertex_count, species->lod[0].anchor_count);
     for (uint32_t i = 0; i < card->key_count; i++) {
-        json_open(json, NULL, '{');
-        json_text(json, "name", card->key_names[i]);
-        json_value(json, "age_days", "%.2f", (double)card->key_age_days[i]);
-        json_value(json, "length_mm", "%.3f", 1e3 * (double)card->key_length_m[i]);
-        json_close(json, '}');
+        json_print(json, "{name: %s, age_days: %.2f, length_mm: %.3f}", card->key_names[i],
+                   (double)card->key_age_days[i], 1e3 * (double)card->key_length_m[i]);
     }
-    json_close(json, ']');
-    json_open(json, "curves", '[');
+    json_print(json, "], curves: [");
     for (uint32_t i = 0; i < card->curve_count; i++) {
         json_text(json, NULL, card->curve_names[i]);
     }
-    json_close(json, ']');
-    json_open(json, "thesis", '{');
-    json_text(json, "template", morph_template_name((enum graph_template)card->thesis_template));
-    json_open(json, "keys", '[');
-    for (uint32_t i = 0; i < 3; i++) {
-        json_text(json, NULL, card->key_names[card->thesis_key[i]]);
-    }
-    json_close(json, ']');
-    json_close(json, '}');
-    json_close(json, '}');
+    const uint8_t *keys = card->thesis_key;
+    json_print(json, "], thesis: {template: %s, keys: [%s, %s, %s]}}",
+               morph_template_name((enum graph_template)card->thesis_template),
+               card->key_names[keys[0]], card->key_names[keys[1]], card->key_names[keys[2]]);
 }
 
 static const struct option list_options[] = {

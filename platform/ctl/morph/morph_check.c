@@ -162,10 +162,8 @@ static void print_text(void)
 static void print_json(bool good)
 {
     struct json json = { .file = stdout };
-    json_open(&json, NULL, '{');
-    json_text(&json, "species", plan.pick.fish->card.id);
-    json_value(&json, "moments", "%u", plan.steps + 1u);
-    json_bool(&json, "good", good);
+    json_print(&json, "{species: %s, moments: %u, good: %hhd", plan.pick.fish->card.id,
+               plan.steps + 1u, good);
     for (int column = 0; column < COLUMNS; column++) {
         const struct morph_survey *survey = &plan.survey[column];
         json_line(&json, 1);

@@ -90,23 +90,17 @@ static void print_json(const struct persistent_state *memory)
     const struct ledger_start *ledger = &memory->ledger;
     struct json json = { .file = stdout };
     char key[AUDIT_NAME_SIZE];
-    json_open(&json, NULL, '{');
-    json_value(&json, "entries", "%u", ledger->last_id);
-    json_value(&json, "start", "%u", ledger->boots);
-    json_value(&json, "paid", "%u", ledger->balance.paid);
-    json_value(&json, "service", "%u", ledger->balance.service);
-    json_value(&json, "units", "%u", ledger->balance.units);
-    json_value(&json, "tickets_owed", "%u", ledger->balance.tickets);
-    json_line(&json, 1);
-    json_open(&json, "audits", '{');
+    json_print(&json,
+               "{entries: %u, start: %u, paid: %u, service: %u, units: %u, tickets_owed: %u,"
+               "\n audits: {",
+               ledger->last_id, ledger->boots, ledger->balance.paid, ledger->balance.service,
+               ledger->balance.units, ledger->balance.tickets);
     for (uint32_t id = 0; id < AUDIT_COUNT; id++) {
         audits_name(id, key);
         json_line(&json, 2);
         json_value(&json, key, "%u", memory->audits.count[id]);
     }
-    json_line(&json, 1);
-    json_close(&json, '}');
-    json_close(&json, '}');
+    json_print(&json, "\n }}");
     json_end(&json);
 }
 

@@ -202,14 +202,11 @@ static int put_in_place(const struct swap *swap)
 static void print_json(const char *path, const char *before, const struct ledger_start *ledger)
 {
     struct json json = { .file = stdout };
-    json_open(&json, NULL, '{');
-    json_text(&json, "file", path);
+    json_print(&json, "{file: %s", path);
     if (before) {
         json_text(&json, "before", before);
     }
-    json_value(&json, "entries", "%u", ledger->last_id);
-    json_value(&json, "start", "%u", ledger->boots);
-    json_close(&json, '}');
+    json_print(&json, "entries: %u, start: %u}", ledger->last_id, ledger->boots);
     json_end(&json);
 }
 

@@ -95,14 +95,9 @@ static void finding_json(const struct finding *found, struct json *json)
 {
     static const char *const verdicts[REPLAY_VERDICT_COUNT] = { "genuine", "not-genuine", "damaged",
                                                                 "not-checked" };
-    json_line(json, 2);
-    json_open(json, NULL, '{');
-    json_value(json, "round", "%u", found->round_id);
-    json_text(json, "verdict", found->has_replay ? verdicts[found->verdict] : "no-replay");
-    json_value(json, "seconds", "%.3f", found->play_s);
-    json_value(json, "bytes", "%zu", found->size);
-    json_value(json, "took_s", "%.3f", found->took_s);
-    json_close(json, '}');
+    json_print(json, "\n  {round: %u, verdict: %s, seconds: %.3f, bytes: %zu, took_s: %.3f}",
+               found->round_id, found->has_replay ? verdicts[found->verdict] : "no-replay",
+               found->play_s, found->size, found->took_s);
 }
 
 /* Writes the number of each ranked round to `out` once, because a round may be in several rankings.
@@ -151,8 +146,7 @@ static enum exit_code verify(const struct scores_request *request, struct ledger
         bad += found.has_replay ? found.verdict != REPLAY_VERDICT_GENUINE : !is_all;
     }
     if (as_json) {
-        json_line(&json, 0);
-        json_close(&json, ']');
+        json_print(&json, "\n]");
         json_end(&json);
     }
     return bad > 0 ? EXIT_NOT_SO : EXIT_OK;
@@ -225,18 +219,12 @@ static void place_json(const struct place *at, struct json *json)
 {
     char day[SQL_DAY_TEXT_SIZE];
     sql_day_text(at->row->day, day);
-    json_line(json, 2);
-    json_open(json, NULL, '{');
-    json_text(json, "mode", rules_of((uint8_t)at->mode)->name);
-    json_text(json, "period", periods[at->period]);
-    json_value(json, "place", "%u", at->place + 1u);
-    json_value(json, "caught", "%u", at->row->caught);
-    json_value(json, "round", "%u", at->row->round_id);
-    json_value(json, "seat", "%u", at->row->seat + 1u);
-    json_text(json, "day", at->row->day ? day : "");
-    json_bool(json, "replay", at->has_replay);
-    json_text(json, "name", at->row->name);
-    json_close(json, '}');
+    json_print(json,
+               "\n  {mode: %s, period: %s, place: %u, caught: %u, round: %u, seat: %u, day: %s,"
+               " replay: %hhd, name: %s}",
+               rules_of((uint8_t)at->mode)->name, periods[at->period], at->place + 1u,
+               at->row->caught, at->row->round_id, at->row->seat + 1u, at->row->day ? day : "",
+               at->has_replay, at->row->name);
 }
 
 static enum exit_code print_ranking(const struct scores_request *request, struct ledger_file *file)
@@ -269,8 +257,7 @@ static enum exit_code print_ranking(const struct scores_request *request, struct
         count++;
     }
     if (as_json) {
-        json_line(&json, 0);
-        json_close(&json, ']');
+        json_print(&json, "\n]");
         json_end(&json);
     } else if (count == 0) {
         puts("no player has caught a fish yet");

@@ -116,17 +116,11 @@ static void report_json(const struct paper_lab *lab)
 {
     const double tore_s = paper_lab_tore_s(lab);
     struct json json = { .file = stdout };
-    json_open(&json, NULL, '{');
-    json_value(&json, "force_n", "%.6f", (double)lab->force_n);
-    json_value(&json, "tension_n_m_max", "%.4f", (double)lab->tension_n_m);
-    if (tore_s < 0.0) {
-        json_value(&json, "time_to_tear_s", "null");
-    } else {
-        json_value(&json, "time_to_tear_s", "%.4f", tore_s);
-    }
-    json_value(&json, "hole_area_mm2", "%.2f", paper_lab_hole_mm2(lab));
-    json_value(&json, "water_g", "%.3f", 1e3 * (double)lab->water_kg);
-    json_close(&json, '}');
+    json_print(&json,
+               "{force_n: %.6f, tension_n_m_max: %.4f, time_to_tear_s: %.4f, hole_area_mm2: %.2f,"
+               " water_g: %.3f}",
+               (double)lab->force_n, (double)lab->tension_n_m, tore_s < 0.0 ? (double)NAN : tore_s,
+               paper_lab_hole_mm2(lab), 1e3 * (double)lab->water_kg);
     json_end(&json);
 }
 
@@ -203,12 +197,8 @@ static void print_paper_calibration(const struct paper_options *plan)
         count > 1.0 ? sqrt(fmax(0.0, (squares - count * mean * mean) / (count - 1.0))) : 0.0;
     if (plan->as_json) {
         struct json json = { .file = stdout };
-        json_open(&json, NULL, '{');
-        json_value(&json, "grade", "%u", plan->grade);
-        json_value(&json, "specimens", "%u", plan->weight_count);
-        json_value(&json, "wet_n_m", "%.3f", mean);
-        json_value(&json, "spread", "%.4f", spread / mean);
-        json_close(&json, '}');
+        json_print(&json, "{grade: %u, specimens: %u, wet_n_m: %.3f, spread: %.4f}", plan->grade,
+                   plan->weight_count, mean, spread / mean);
         json_end(&json);
         return;
     }

@@ -1,5 +1,6 @@
 /* play.c -- `kingyoctl play`, which plays rounds with bots (simulated players) at full speed and
  * without a screen. */
+#include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
@@ -73,29 +74,20 @@ static void report_round(uint32_t number, uint32_t seed, const struct round_resu
 static void report_json(uint32_t count, const struct summary *summary)
 {
     struct json json = { .file = stdout };
-    json_open(&json, NULL, '{');
-    json_open(&json, "rounds", '[');
+    json_print(&json, "{rounds: [");
     for (uint32_t i = 0; i < count; i++) {
         const struct round_result *result = &results[i];
-        json_open(&json, NULL, '{');
-        json_value(&json, "caught", "%u", result->caught);
-        json_value(&json, "scoops", "%u", result->scoops);
-        json_value(&json, "fouls", "%u", result->fouls);
-        if (result->torn) {
-            json_number(&json, "torn_at_s", result->torn_at_s, 3);
-        } else {
-            json_value(&json, "torn_at_s", "null");
-        }
-        json_value(&json, "sheets", "%u", result->sheets);
-        json_value(&json, "hole_area_mm2", "%u", result->hole_area_mm2);
-        json_value(&json, "state_hash", "\"%016llx\"", (unsigned long long)result->state_hash);
-        json_close(&json, '}');
+        json_print(&json,
+                   "{caught: %u, scoops: %u, fouls: %u, torn_at_s: %.3f, sheets: %u,"
+                   " hole_area_mm2: %u, state_hash: %016llx}",
+                   result->caught, result->scoops, result->fouls,
+                   result->torn ? result->torn_at_s : (double)NAN, result->sheets,
+                   result->hole_area_mm2, (unsigned long long)result->state_hash);
     }
-    json_close(&json, ']');
-    json_number(&json, "caught_median", summary->median, decimals_of(summary->median));
-    json_number(&json, "caught_p90", summary->p90, decimals_of(summary->p90));
-    json_value(&json, "caught_max", "%u", summary->max);
-    json_close(&json, '}');
+    json_print(&json, "]");
+    json_value(&json, "caught_median", "%.*f", (int)decimals_of(summary->median), summary->median);
+    json_value(&json, "caught_p90", "%.*f", (int)decimals_of(summary->p90), summary->p90);
+    json_print(&json, "caught_max: %u}", summary->max);
     json_end(&json);
 }
 

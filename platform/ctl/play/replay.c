@@ -37,30 +37,20 @@ static void info_json(const struct replay_header *header, const struct replay_to
 {
     const struct core_config *config = &header->config;
     struct json json = { .file = stdout };
-    json_open(&json, NULL, '{');
-    json_value(&json, "format", "%u", header->version);
-    json_text(&json, "program", header->program);
-    json_value(&json, "seed", "%u", config->seed);
-    json_value(&json, "fish", "%u", config->fish_count);
-    json_value(&json, "round_s", "%u", config->round_s);
-    json_value(&json, "ticks", "%u", totals->ticks);
-    json_value(&json, "seconds", "%.3f", (double)totals->ticks / CORE_TICK_HZ);
-    json_open(&json, "modes", '[');
+    json_print(&json,
+               "{format: %u, program: %s, seed: %u, fish: %u, round_s: %u, ticks: %u,"
+               " seconds: %.3f, modes: [",
+               header->version, header->program, config->seed, config->fish_count, config->round_s,
+               totals->ticks, (double)totals->ticks / CORE_TICK_HZ);
     for (uint32_t mode = 0; mode < MODE_COUNT; mode++) {
         if (totals->modes >> mode & 1u) {
-            json_open(&json, NULL, '{');
-            json_text(&json, "mode", rules_of((uint8_t)mode)->name);
-            json_value(&json, "grade", "%u", table_setup_grade(config, (uint8_t)mode));
-            json_close(&json, '}');
+            json_print(&json, "{mode: %s, grade: %u}", rules_of((uint8_t)mode)->name,
+                       table_setup_grade(config, (uint8_t)mode));
         }
     }
-    json_close(&json, ']');
-    json_value(&json, "players", "%d", __builtin_popcount(totals->players));
-    json_value(&json, "rounds", "%u", totals->rounds);
-    json_value(&json, "caught", "%u", totals->caught);
-    json_value(&json, "fouls", "%u", totals->fouls);
-    json_value(&json, "hash", "\"%016llx\"", (unsigned long long)totals->hash);
-    json_close(&json, '}');
+    json_print(&json, "], players: %d, rounds: %u, caught: %u, fouls: %u, hash: %016llx}",
+               __builtin_popcount(totals->players), totals->rounds, totals->caught, totals->fouls,
+               (unsigned long long)totals->hash);
     json_end(&json);
 }
 

@@ -138,42 +138,31 @@ void tank_report_json(const struct tank_lab *lab, const struct tank_figures *fig
     const struct tank_meetings *meetings = &lab->meetings;
     const uint32_t seconds = tank_lab_seconds(lab->plan);
     struct json json = { .file = stdout };
-    json_open(&json, NULL, '{');
-    json_text(&json, "preset", tank_preset(lab->tank.preset)->name);
-    json_value(&json, "fish", "%u", lab->tank.fish_count);
-    json_number(&json, "seconds", lab->plan->seconds, 3);
-    json_value(&json, "seed", "%u", lab->tank.seed);
-    json_value(&json, "ticks", "%u", lab->tick);
-    json_value(&json, "observe_every", "%u", lab->observe_every);
-    json_value(&json, "state_hash", "\"%016llx\"", (unsigned long long)tank_lab_hash(lab));
-    json_number(&json, "ns_per_fish_tick", figures->ns_per_fish_tick, 1);
-    json_number(&json, "tick_ms_median", figures->tick_ms_median, 6);
-    json_number(&json, "tick_ms_p99", figures->tick_ms_p99, 6);
-    json_value(&json, "body_overlaps", "%llu", (unsigned long long)lab->overlaps.pairs);
-    json_number(&json, "deepest_overlap_mm", lab->overlaps.deepest_mm, 4);
-    json_open(&json, "encounters", '{');
-    json_value(&json, "head_on", "%llu", (unsigned long long)meetings->head_on);
-    json_value(&json, "side", "%llu", (unsigned long long)meetings->side);
-    json_value(&json, "rear_end", "%llu", (unsigned long long)meetings->rear_end);
-    json_value(&json, "by_yaw", "%llu", (unsigned long long)meetings->by_yaw);
-    json_value(&json, "by_pitch", "%llu", (unsigned long long)meetings->by_pitch);
-    json_close(&json, '}');
-    json_open(&json, "gait_share", '{');
-    json_number(&json, "burst", figures->share[GAIT_BURST], 6);
-    json_number(&json, "swim", figures->share[GAIT_SWIM], 6);
-    json_number(&json, "rest", figures->share[GAIT_REST], 6);
-    json_number(&json, "other", figures->other_share, 6);
-    json_close(&json, '}');
-    json_open(&json, "speed_cm_s", '{');
-    json_number(&json, "mean", figures->speed_mean_cm_s, 4);
-    json_number(&json, "max", figures->speed_max_cm_s, 4);
-    json_close(&json, '}');
-    json_number(&json, "stamina_mean", figures->stamina_mean, 4);
-    json_number(&json, "surfacing_share", figures->surfacing_share, 6);
-    json_open(&json, "oxygen_mg_l", '{');
-    json_number(&json, "start", (double)lab->oxygen_start_mg_l, 4);
-    json_number(&json, "end", (double)lab->tank.oxygen.dissolved_mg_l, 4);
-    json_close(&json, '}');
+    json_print(&json,
+               "{preset: %s, fish: %u, seconds: %.3f, seed: %u, ticks: %u, observe_every: %u,"
+               " state_hash: %016llx,",
+               tank_preset(lab->tank.preset)->name, lab->tank.fish_count, lab->plan->seconds,
+               lab->tank.seed, lab->tick, lab->observe_every,
+               (unsigned long long)tank_lab_hash(lab));
+    json_print(&json,
+               "ns_per_fish_tick: %.1f, tick_ms_median: %.6f, tick_ms_p99: %.6f,"
+               " body_overlaps: %llu, deepest_overlap_mm: %.4f,",
+               figures->ns_per_fish_tick, figures->tick_ms_median, figures->tick_ms_p99,
+               (unsigned long long)lab->overlaps.pairs, lab->overlaps.deepest_mm);
+    json_print(&json,
+               "encounters: {head_on: %llu, side: %llu, rear_end: %llu, by_yaw: %llu,"
+               " by_pitch: %llu},",
+               (unsigned long long)meetings->head_on, (unsigned long long)meetings->side,
+               (unsigned long long)meetings->rear_end, (unsigned long long)meetings->by_yaw,
+               (unsigned long long)meetings->by_pitch);
+    json_print(&json,
+               "gait_share: {burst: %.6f, swim: %.6f, rest: %.6f, other: %.6f},"
+               " speed_cm_s: {mean: %.4f, max: %.4f}, stamina_mean: %.4f, surfacing_share: %.6f,"
+               " oxygen_mg_l: {start: %.4f, end: %.4f},",
+               figures->share[GAIT_BURST], figures->share[GAIT_SWIM], figures->share[GAIT_REST],
+               figures->other_share, figures->speed_mean_cm_s, figures->speed_max_cm_s,
+               figures->stamina_mean, figures->surfacing_share, (double)lab->oxygen_start_mg_l,
+               (double)lab->tank.oxygen.dissolved_mg_l);
     put_counts(&json, "shade_count", lab->shade_count, seconds);
     put_counts(&json, "surfacing_count", lab->surfacing_count, seconds);
     json_close(&json, '}');

@@ -1,4 +1,5 @@
 /* test_json.c -- Tests JSON documents written to a buffer: commas, lines and escapes. */
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -26,7 +27,7 @@ static void test_commas_separate_the_elements_of_every_level(void **state)
     }
     json_line(&json, 0);
     json_close(&json, ']');
-    json_number(&json, "half", 0.5, 2);
+    json_value(&json, "half", "%.2f", 0.5);
     json_close(&json, '}');
     json_end(&json);
     assert_string_equal(text, "{\"none\": [], \"rows\": [\n  {\"i\": 0, \"odd\": false},\n"
@@ -49,11 +50,28 @@ static void test_text_of_any_bytes_is_a_valid_string(void **state)
                         "[\"a\\\"b\\\\c\\u000a\\u001b\xEF\xBF\xBD\xe3\x81\x82\\u009b\", \"\"]");
 }
 
+static void test_a_format_writes_the_same_document_as_single_calls(void **state)
+{
+    char text[256];
+    struct json json = { .buffer = text, .size = sizeof text };
+    (void)state;
+    json_print(&json, "{count: %u, less: %d, bytes: %zu, sum: %llu, half: %.2f, gone: %.1f,", 3u,
+               -1, (size_t)7, 1ull << 40, 0.5, (double)NAN);
+    json_print(&json, "hash: %016llx, name: %s, yes: %hhd,\n  list: [%s, {}, []]\n}", 0xabcull,
+               "a\"b, c: {", true, "x");
+    json_end(&json);
+    assert_string_equal(text, "{\"count\": 3, \"less\": -1, \"bytes\": 7, \"sum\": 1099511627776, "
+                              "\"half\": 0.50, \"gone\": null, \"hash\": \"0000000000000abc\", "
+                              "\"name\": \"a\\\"b, c: {\", \"yes\": true,\n"
+                              "  \"list\": [\"x\", {}, []]\n}\n");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_commas_separate_the_elements_of_every_level),
         cmocka_unit_test(test_text_of_any_bytes_is_a_valid_string),
+        cmocka_unit_test(test_a_format_writes_the_same_document_as_single_calls),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
