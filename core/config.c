@@ -2,7 +2,15 @@
 #include "core/config.h"
 
 #include "core/base/panic.h"
+#include "core/scene.h"
 #include "core/tank/preset.h"
+
+/* Level of each value of SET_LEVEL. */
+static const uint8_t level_of_choice[LEVEL_CHOICE_COUNT] = {
+    [LEVEL_CHOICE_NORMAL] = LEVEL_NORMAL,
+    [LEVEL_CHOICE_EASY] = LEVEL_EASY,
+    [LEVEL_CHOICE_MASTER] = LEVEL_MASTER,
+};
 
 void config_apply_settings(struct core_config *config, const struct settings *settings)
 {
@@ -21,5 +29,7 @@ void config_apply_settings(struct core_config *config, const struct settings *se
     config->fish_count =
         (uint32_t)value[SET_FISH] < fish_max ? (uint32_t)value[SET_FISH] : fish_max;
     config->players = (uint8_t)value[SET_PLAYERS];
+    config->level =
+        config_has_rules(config, 9) ? level_of_choice[value[SET_LEVEL]] : (uint8_t)LEVEL_MASTER;
     config->language = (uint8_t)value[SET_LANGUAGE];
 }

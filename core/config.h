@@ -56,7 +56,7 @@ static inline bool config_has_rules(const struct core_config *config, uint32_t v
 }
 
 /* Copies the settings to the fields of `config`. The fish count is limited to the capacity of the
- * preset's tank. */
+ * preset's tank. The level is LEVEL_MASTER in the replay of a recording without levels. */
 void config_apply_settings(struct core_config *config, const struct settings *settings);
 
 #endif

@@ -52,6 +52,8 @@ static const struct setting table[SETTING_COUNT] = {
     [SET_CALIBRATION] = SEAT(1), SEAT(2), SEAT(3), SEAT(4),
     [SET_CALIBRATION_CHECK] = CALIBRATION(1, "check"), CALIBRATION(2, "check"),
     CALIBRATION(3, "check"), CALIBRATION(4, "check"),
+    [SET_LEVEL] = { "level", GROUP_GAME, KIND_CHOICE, 0, LEVEL_CHOICE_COUNT - 1, 1,
+                    LEVEL_CHOICE_NORMAL },
 };
 /* clang-format on */
 
@@ -100,7 +102,8 @@ void settings_sanitize(struct settings *settings)
 }
 
 #define STRUCT settings
-const struct field_table settings_fields = FIELD_TABLE(settings, FIELD(value));
+const struct field_table settings_fields =
+    FIELD_TABLE(settings, FIELD_RANGE(value[0], SET_LEVEL), FIELD_SINCE(9, value[SET_LEVEL], 1));
 #undef STRUCT
 
 uint64_t settings_hash(uint64_t hash, const struct settings *settings, bool hashes_pin)

@@ -59,7 +59,18 @@ enum setting_id {
     /* First of the check values, one for each slot, written after the slot's nine calibration
      * values. The calibration values are valid only if the check value matches. */
     SET_CALIBRATION_CHECK = SET_CALIBRATION_END,
-    SETTING_COUNT = SET_CALIBRATION_CHECK + (int)POI_MAX,
+    /* Level that players have until they choose another level (enum level_choice). The setting
+     * belongs to the game settings. Recordings have the setting since format 9. */
+    SET_LEVEL = SET_CALIBRATION_CHECK + (int)POI_MAX,
+    SETTING_COUNT,
+};
+
+/* Values of SET_LEVEL. The default is 0, so that hashes without the setting stay the same. */
+enum level_choice {
+    LEVEL_CHOICE_NORMAL = 0,
+    LEVEL_CHOICE_EASY,
+    LEVEL_CHOICE_MASTER,
+    LEVEL_CHOICE_COUNT,
 };
 
 enum play_kind {

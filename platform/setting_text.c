@@ -29,6 +29,7 @@ static struct words words_of(uint32_t id)
     static const struct words names[SETTING_COUNT] = {
         [SET_PLAY] = { 3, { "free", "paid", "event" } },
         [SET_LANGUAGE] = { 2, { "ja", "en" } },
+        [SET_LEVEL] = { LEVEL_CHOICE_COUNT, { "normal", "easy", "master" } },
         [SET_ROTATION] = { 4, { "0", "90", "180", "270" } },
         /* Values 1 to 3 have no name because they are not valid. Value 0 is the paper grade of the
          * game mode. */
@@ -246,6 +247,10 @@ static const char *const help[SETTING_COUNT] = {
                            "correct clock.",
     [SET_NIGHT_TO_MIN] = "Time of day until which the picture stays dark. The time of night-from "
                          "means never.",
+    [SET_LEVEL] =
+        "Level that players have until they choose another one: easy for children and "
+        "beginners, or master, which is as hard as a real stall. A championship is always "
+        "played at master.",
     [SET_PIN] = "Four digits that open the operator's menu. 0 means that the menu needs no PIN.",
 };
 

@@ -44,7 +44,8 @@ _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "numbers of a board ar
 static void walk_memory(struct replay_serializer *walk, struct persistent_state *memory)
 {
     walk_fields(walk, &ledger_start_fields, &memory->ledger);
-    for (uint32_t id = 0; id < SETTING_COUNT; id++) { /* A setting is stored as the difference from
+    const uint32_t setting_count = walk->version < 9u ? (uint32_t)SET_LEVEL : SETTING_COUNT;
+    for (uint32_t id = 0; id < setting_count; id++) { /* A setting is stored as the difference from
                                                          its default. */
         const uint32_t standard = (uint32_t)settings_entry(id)->standard;
         uint32_t away = (uint32_t)memory->settings.value[id] - standard;
@@ -71,6 +72,17 @@ static void clear_later_fields(struct ledger *ledger, uint32_t version)
     }
 }
 
+/* Serializes the logged settings. Formats before 9 lack SET_LEVEL, which is the last setting. */
+static void walk_settings_edit(struct replay_serializer *walk, struct settings_edit *edit)
+{
+    const size_t last = sizeof edit->told.value[SET_LEVEL];
+    replay_serialize_bytes(walk, &edit->told, sizeof edit->told - (walk->version < 9u ? last : 0u));
+    replay_serialize_bytes(walk, &edit->turn_tick, sizeof *edit - sizeof edit->told);
+}
+_Static_assert(offsetof(struct settings_edit, turn_tick) == sizeof(struct settings) &&
+                   SET_LEVEL + 1 == SETTING_COUNT,
+               "the last logged setting precedes the other members");
+
 /* Serializes the session. Ledger, credit and settings are copied as they are in memory, because
  * they contain only integers and have the same layout on every supported board. */
 static void walk_chapter(struct replay_serializer *walk, struct game_session *session)
@@ -84,7 +96,7 @@ static void walk_chapter(struct replay_serializer *walk, struct game_session *se
                            is_7 ? offsetof(struct health_log, away_ticks)
                                 : sizeof session->health_log);
     clear_later_fields(&session->ledger, walk->version);
-    replay_serialize_bytes(walk, &session->settings_edit, sizeof session->settings_edit);
+    walk_settings_edit(walk, &session->settings_edit);
     if (!is_7) {
         replay_serialize_bytes(walk, &session->language, sizeof session->language);
     }

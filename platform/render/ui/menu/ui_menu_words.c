@@ -83,7 +83,7 @@ static const struct menu_words pages[MENU_PAGE_COUNT] = {
                    .draw = menu_pin },
 };
 
-static const struct setting_words settings[SET_CALIBRATION] = {
+static const struct setting_words settings[SETTING_COUNT] = {
     [SET_PLAY] = { TEXT_SET_PLAY, TEXT_HELP_PLAY,
                    .choices = { TEXT_OPT_FREE, TEXT_OPT_PAID, TEXT_OPT_EVENT } },
     [SET_PRICE] = { TEXT_SET_PRICE, TEXT_HELP_PRICE, .unit = TEXT_VAL_WORTH },
@@ -125,6 +125,8 @@ static const struct setting_words settings[SET_CALIBRATION] = {
                             .zero = TEXT_VAL_NEVER },
     [SET_NIGHT_FROM_MIN] = { TEXT_SET_NIGHT_FROM, TEXT_HELP_NIGHT_FROM, .choices = { 0 } },
     [SET_NIGHT_TO_MIN] = { TEXT_SET_NIGHT_TO, TEXT_HELP_NIGHT_TO, .choices = { 0 } },
+    [SET_LEVEL] = { TEXT_SET_LEVEL, TEXT_HELP_LEVEL,
+                    .choices = { TEXT_LEVEL_NORMAL, TEXT_LEVEL_EASY, TEXT_LEVEL_MASTER } },
 };
 
 const struct menu_words *menu_words_of(uint8_t page)
@@ -132,9 +134,9 @@ const struct menu_words *menu_words_of(uint8_t page)
     return &pages[page < MENU_PAGE_COUNT ? page : (uint8_t)MENU_TOP];
 }
 
-/* Returns the texts of a setting. Calibration settings are never shown as numbers. For these
- * settings, returns the texts of setting 0. */
+/* Returns the texts of a setting. Calibration settings and the PIN are never shown as numbers and
+ * have no texts. For these settings, returns the texts of setting 0. */
 const struct setting_words *menu_setting_words_of(uint32_t id)
 {
-    return &settings[id < SET_CALIBRATION ? id : 0u];
+    return &settings[id < SETTING_COUNT && settings[id].name ? id : 0u];
 }

@@ -363,6 +363,29 @@ static void test_saved_fish_counts_are_clamped_to_the_tank(void **state)
     assert_int_equal(core.fish_count, tank_preset_fish_max(tank_preset(core.preset), 1.0f));
 }
 
+static void test_a_kiosk_starts_at_the_normal_level_unless_the_level_is_set(void **state)
+{
+    static const struct {
+        const char *set;
+        uint8_t level;
+    } cases[] = { { "language=en", LEVEL_NORMAL },
+                  { "level=normal", LEVEL_NORMAL },
+                  { "level=easy", LEVEL_EASY },
+                  { "level=master", LEVEL_MASTER } };
+    (void)state;
+    for (size_t i = 0; i < COUNT(cases); i++) {
+        const char *const argv[] = { "kingyo", "--set", cases[i].set };
+        struct core_config core = { .level = LEVEL_COUNT };
+        assert_int_equal(parse(COUNT(argv), argv), 0);
+        settle(SETTING_COUNT, 0);
+        config_apply_settings(&core, &settings);
+        assert_int_equal(core.level, cases[i].level);
+        core.rules = 8; /* The recorded game has no levels. */
+        config_apply_settings(&core, &settings);
+        assert_int_equal(core.level, LEVEL_MASTER);
+    }
+}
+
 static void test_recording_during_a_replay_is_an_error(void **state)
 {
     static const char *const argv[] = { "kingyo", "--record", "a", "--replay", "b" };
@@ -409,6 +432,7 @@ int main(void)
         cmocka_unit_test(test_each_later_configuration_source_overrides_the_earlier_one),
         cmocka_unit_test(test_an_out_of_range_setting_is_reported_with_its_range),
         cmocka_unit_test(test_saved_fish_counts_are_clamped_to_the_tank),
+        cmocka_unit_test(test_a_kiosk_starts_at_the_normal_level_unless_the_level_is_set),
         cmocka_unit_test(test_recording_during_a_replay_is_an_error),
         cmocka_unit_test(test_a_too_long_path_is_an_error),
         cmocka_unit_test(test_a_number_with_leading_zeros_is_decimal),

@@ -107,6 +107,19 @@ static void test_an_activation_increments_a_value_and_wraps_around(void **state)
     }
 }
 
+static void test_the_level_of_the_menu_is_the_level_of_the_next_round(void **state)
+{
+    (void)state;
+    static const uint8_t way[] = { LEVEL_EASY, LEVEL_MASTER, LEVEL_NORMAL };
+    assert_int_equal(core.config.level, LEVEL_NORMAL);
+    go_to(MENU_GAME);
+    point_at(row_of(MENU_GAME, SET_LEVEL));
+    for (size_t i = 0; i < sizeof way; i++) {
+        push(INPUT_TEST);
+        assert_int_equal(core.config.level, way[i]);
+    }
+}
+
 static void test_the_footer_decrements_a_value_and_restores_the_default(void **state)
 {
     (void)state;
@@ -601,6 +614,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         IN_MENU(test_an_activation_increments_a_value_and_wraps_around),
+        IN_MENU(test_the_level_of_the_menu_is_the_level_of_the_next_round),
         IN_MENU(test_the_footer_decrements_a_value_and_restores_the_default),
         IN_MENU(test_a_setting_changed_elsewhere_enables_its_default),
         IN_MENU(test_an_unchanged_setting_is_not_shown_as_saved),
