@@ -25,7 +25,8 @@ static bool is_pin(int32_t value)
 bool session_recorder_may_contain_pin(const struct replay_reader *reader)
 {
     const struct core_config *config = &reader->header.config;
-    return reader->memory == NULL || reader->header.version <= 7u ||
+    const bool has_initial_state = reader->offset > REPLAY_HEADER_SIZE;
+    return !has_initial_state || reader->header.version <= 7u ||
            is_pin(config->persistent.settings.value[SET_PIN]) ||
            is_pin(config->session.settings_edit.told.value[SET_PIN]);
 }

@@ -83,9 +83,10 @@ bool session_recorder_offer(struct session_recorder *chapters, const struct hal_
 void session_recorder_withhold_pin(struct core_config *config);
 
 /* Returns true if a stored recording may contain a PIN. `reader` is the result of opening the
- * recording in memory, successful or not. A recording may contain a PIN if it cannot be opened, if
- * its initial state contains a PIN, or if its format is 7 or older: programs of that time stored
- * the PIN in the initial state, and recorded the digits that were typed. */
+ * recording in memory, successful or not. A recording may contain a PIN if its header or its
+ * initial state is invalid, if its initial state contains a PIN, or if its format is 7 or older:
+ * programs of that time stored the PIN in the initial state, and recorded the digits that were
+ * typed. If only the catalog of species is invalid, the recording contains no PIN. */
 bool session_recorder_may_contain_pin(const struct replay_reader *reader);
 
 /* ---- Async-signal-safe functions for the panic handler ------------------------------------- */

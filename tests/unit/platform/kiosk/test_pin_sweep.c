@@ -396,6 +396,27 @@ static void test_a_replay_of_format_7_is_simulated_and_stored_in_the_current_for
     assert_int_equal(judge.replayer.reader.header.config.rules, 7);
 }
 
+/* The PIN is in the initial state, which is intact here. An update can also make the species of a
+ * catalog invalid. */
+static void test_a_replay_without_a_pin_stays_if_only_its_catalog_cannot_be_read(void **state)
+{
+    (void)state;
+    struct core_config config = { .seed = 11, .lanes = cpu_lanes(), .book.refused = 1 };
+    settings_reset(&config.persistent.settings);
+    assert_int_equal(replay_create_in(&writer, memory, sizeof memory, &config, 1), 0);
+    replay_size = replay_copy(&writer, 1, replay, sizeof replay);
+    assert_int_equal(replay_open_in(&judge.replayer.reader, replay, replay_size), 0);
+    /* Change the last byte of the catalog. */
+    replay[judge.replayer.reader.offset - REPLAY_SUM_SIZE - 1u] ^= 1u;
+    assert_int_equal(replay_open_in(&judge.replayer.reader, replay, replay_size), -1);
+    put(1, replay, replay_size);
+    sweep_all();
+    assert_int_equal(sweep.cleaned + sweep.deleted + sweep.left, 0);
+    assert_int_equal(ledger_file_get_replay(&file, 1, found, sizeof found, &found_size), SQLITE_OK);
+    assert_int_equal(found_size, replay_size);
+    assert_memory_equal(found, replay, replay_size);
+}
+
 static void test_a_replay_without_a_pin_is_skipped(void **state)
 {
     (void)state;
@@ -447,6 +468,7 @@ int main(void)
         TEST(test_the_kiosk_shows_no_seal_for_a_deleted_replay),
         TEST(test_a_replay_of_another_score_is_cleared_and_still_reported),
         TEST(test_a_replay_of_format_7_is_simulated_and_stored_in_the_current_format),
+        TEST(test_a_replay_without_a_pin_stays_if_only_its_catalog_cannot_be_read),
         TEST(test_a_replay_without_a_pin_is_skipped),
         TEST(test_the_store_removes_pins_only_while_its_queue_is_empty),
     };
