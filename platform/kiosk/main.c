@@ -96,8 +96,7 @@ static enum exit_code read_options(struct options *options, int argc, char **arg
         failed = options_parse(options, argc, words, error);
     }
     if (failed) {
-        log_print(LOG_LEVEL_WARNING, "%s", error);
-        return EXIT_USAGE;
+        return log_fail(EXIT_USAGE, LOG_LEVEL_WARNING, "%s", error);
     }
     return EXIT_OK;
 }
@@ -200,16 +199,14 @@ int main(int argc, char **argv)
     const int closed = print_open_streams();
     log_open();
     if (closed) {
-        log_print(LOG_LEVEL_WARNING, "/dev/null: %s", strerror(-closed));
-        return EXIT_IO;
+        return log_fail(EXIT_IO, LOG_LEVEL_WARNING, "/dev/null: %s", strerror(-closed));
     }
     evening.stop = &stop;
     evening.recorder.writer.fd = -1;
     const enum exit_code code = run_words(argc, argv);
     const int lost = print_finish();
     if (lost && code == EXIT_OK) {
-        log_print(LOG_LEVEL_WARNING, "standard output: %s", strerror(-lost));
-        return EXIT_IO;
+        return log_fail(EXIT_IO, LOG_LEVEL_WARNING, "standard output: %s", strerror(-lost));
     }
     return (int)code;
 }

@@ -160,8 +160,8 @@ enum exit_code run_common_begin(struct run_common *session, struct kiosk_config 
     const int error =
         record[0] ? recorder_begin(&session->recorder, record, &session->kiosk.core) : 0;
     if (error) {
-        log_print(LOG_LEVEL_ERROR, "%s: cannot record: %s", record, strerror(-error));
-        return EXIT_IO;
+        return log_fail(EXIT_IO, LOG_LEVEL_ERROR, "%s: cannot record: %s", record,
+                        strerror(-error));
     }
     session->machine.data = session->options.data;
     system_health_start(&session->machine);
@@ -170,8 +170,7 @@ enum exit_code run_common_begin(struct run_common *session, struct kiosk_config 
 
 enum exit_code run_common_print_float(void)
 {
-    log_print(LOG_LEVEL_CRITICAL, "the kiosk stops: " CPU_FLOAT_WRONG);
-    return EXIT_NOT_SO;
+    return log_fail(EXIT_NOT_SO, LOG_LEVEL_CRITICAL, "the kiosk stops: " CPU_FLOAT_WRONG);
 }
 
 void run_common_print_library(const struct run_common *session)
@@ -204,9 +203,8 @@ enum exit_code run_common_end(struct run_common *session)
         const int error = recorder_end(&session->recorder);
         const uint32_t ticks = session->recorder.writer.saved.ticks;
         if (error) {
-            log_print(LOG_LEVEL_ERROR, "%s: recording stopped after %u s: %s", record,
-                      ticks / CORE_TICK_HZ, strerror(-error));
-            return EXIT_IO;
+            return log_fail(EXIT_IO, LOG_LEVEL_ERROR, "%s: recording stopped after %u s: %s",
+                            record, ticks / CORE_TICK_HZ, strerror(-error));
         }
         print_line(stdout, "recorded %.1f s to %s", (double)ticks / CORE_TICK_HZ, record);
     } else if (replay[0]) {
@@ -217,11 +215,10 @@ enum exit_code run_common_end(struct run_common *session)
             return replayer_print_problem("kingyo", replay, &replayer->reader.problem);
         }
         if (replayer->difference.found) {
-            log_print(LOG_LEVEL_ERROR,
-                      "%s: the simulation differs from the recording from tick %u on; "
-                      "'kingyoctl replay verify' shows the difference",
-                      replay, replayer->difference.tick);
-            return EXIT_NOT_SO;
+            return log_fail(EXIT_NOT_SO, LOG_LEVEL_ERROR,
+                            "%s: the simulation differs from the recording from tick %u on; "
+                            "'kingyoctl replay verify' shows the difference",
+                            replay, replayer->difference.tick);
         }
         print_line(stdout, "replayed %u of %u ticks (%.1f s) of %s, each as recorded", ticks,
                    session->replayed.ticks, (double)ticks / CORE_TICK_HZ, replay);
@@ -235,8 +232,8 @@ enum exit_code run_common_make_folder(const char *path)
 {
     const int error = file_make_folder(path);
     if (error) {
-        log_print(LOG_LEVEL_ERROR, "%s: cannot write to the folder: %s", path, strerror(-error));
-        return EXIT_IO;
+        return log_fail(EXIT_IO, LOG_LEVEL_ERROR, "%s: cannot write to the folder: %s", path,
+                        strerror(-error));
     }
     return EXIT_OK;
 }
@@ -249,8 +246,8 @@ enum exit_code run_common_make_room(struct run_common *session, uint32_t width, 
     session->rgb = malloc(session->rgb_size);
     if (!session->rgb) {
         session->rgb_size = 0;
-        log_print(LOG_LEVEL_ERROR, "no memory for pictures of %ux%u", width, height);
-        return EXIT_NOT_SO;
+        return log_fail(EXIT_NOT_SO, LOG_LEVEL_ERROR, "no memory for pictures of %ux%u", width,
+                        height);
     }
     return EXIT_OK;
 }

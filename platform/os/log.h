@@ -24,6 +24,10 @@ void log_open(void);
  * May be called on any thread. */
 __attribute__((format(printf, 2, 3))) void log_print(enum log_level level, const char *format, ...);
 
+/* Writes one line as log_print() does, and evaluates to `code`, the exit code that the caller
+ * returns. */
+#define log_fail(code, ...) (log_print(__VA_ARGS__), (code))
+
 /* Writes the text `words` as one line, without formatting. Async-signal-safe. */
 void log_print_raw(enum log_level level, const char *words);
 

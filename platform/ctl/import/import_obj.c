@@ -2,7 +2,11 @@
  * coordinates, faces and group names.
  *
  * Normals are skipped because they are computed from the positions. Materials, smoothing groups,
- * lines and points are skipped because they do not change the shape. */
+ * lines and points are skipped because they do not change the shape.
+ *
+ * The library assimp reads OBJ files too, but it keeps neither the number nor the order of the
+ * vertices: a file with five vertices becomes a mesh of four or six. The key shapes of a fish
+ * correspond by the vertex numbers of their files, so this parser is needed. */
 #include "platform/ctl/import/import.h"
 
 #include <errno.h>

@@ -4,7 +4,11 @@
  * Each pixel stores a list of layers, one for each triangle that covers a part of the pixel. A
  * layer has a colour, an opacity, a depth plane and the mask of covered samples. raster_finish()
  * sorts the layers of each sample by depth. Therefore transparent parts are blended correctly,
- * edges are smooth, and the caller does not have to sort triangles. */
+ * edges are smooth, and the caller does not have to sort triangles.
+ *
+ * The kiosk draws the same fish with OpenGL ES (platform/render/pass/specimen_pass.c). `kingyoctl`
+ * does not use that pass for two reasons. The rasterizer needs neither a screen nor an OpenGL
+ * driver. The pass draws another picture, because it does not sort transparent parts by depth. */
 #ifndef KINGYO_PLATFORM_CTL_LIB_RASTER_H
 #define KINGYO_PLATFORM_CTL_LIB_RASTER_H
 
