@@ -75,8 +75,7 @@ static void row(const char *what, const char *name, uint32_t fish, uint32_t lane
     }
 }
 
-/* ---- Time of the stages of a tick
- * -------------------------------------------------------------- */
+/* ---- Time of the stages of a tick ------------------------------------------------------------ */
 
 enum stage { THINK, MOVE, WATCH, GRID, PAIRS, MEET, PART, SETTLE, AIR, STAGE_COUNT };
 static const char *const stage_name[STAGE_COUNT] = {

@@ -24,7 +24,7 @@ struct comparison statistics_compare(const uint32_t *a, const uint32_t *b, uint3
 
 #define STATISTICS_SIGNIFICANT 0.05
 
-enum verdict { VERDICT_PAYS, VERDICT_NOT_SHOWN, VERDICT_WRONG_WAY, REPLAY_VERDICT_COUNT };
+enum verdict { VERDICT_PAYS, VERDICT_NOT_SHOWN, VERDICT_WRONG_WAY, VERDICT_COUNT };
 
 /* Returns whether `a` caught more than `b`. The result is VERDICT_PAYS only if the t interval and
  * the signed ranks both show it, and VERDICT_WRONG_WAY only if both show the opposite. */

@@ -10,8 +10,10 @@
  * (arms) of an experiment play the same seeds, and so the same fish and the same paper. The habits
  * are the advice of stall keepers (tests/FIGURES.md lists the results).
  *
- * Returns exit status 0 if all habits pay. With less than SEEDS_ENOUGH seeds, at least PAYS_MIN
- * habits must pay, and no habit may be clearly worse. Returns exit status 1 otherwise. */
+ * Returns exit status 0 if all habits pay that must pay. With less than SEEDS_ENOUGH seeds, at least
+ * PAYS_MIN of these habits must pay. No habit may be clearly worse. Returns exit status 1
+ * otherwise. */
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -40,18 +42,20 @@ static const struct experiment {
     /* Names of the files of the two bots, of which the first must catch more. */
     const char *better, *worse;
     const char *title;
+    bool must_pay; /* True if the habit must pay. False if the result is only reported. */
 } experiments[] = {
-    { "all-wet", "half-wet", "all wet over half wet" },
-    { "slanted", "flat", "slanted over flat entry" },
-    { "edge-leading", "broadside", "edge-leading over broadside glide" },
-    { "head-first", "tail-first", "head first over tail on" },
-    { "near-rim", "centre", "near the rim over the centre" },
-    { "drained-lift", "fast-lift", "level drained over fast flat lift" },
-    { "still-shade", "chase", "still shade over chasing" },
+    { "all-wet", "half-wet", "all wet over half wet", true },
+    { "slanted", "flat", "slanted over flat entry", true },
+    { "edge-leading", "broadside", "edge-leading over broadside glide", true },
+    { "head-first", "tail-first", "head first over tail on", true },
+    /* The habit cannot pay for this player (tests/FIGURES.md, "Why the rim does not pay"). */
+    { "near-rim", "centre", "near the rim over the centre", false },
+    { "drained-lift", "fast-lift", "level drained over fast flat lift", true },
+    { "still-shade", "chase", "still shade over chasing", true },
 };
 #define EXPERIMENT_COUNT (sizeof experiments / sizeof experiments[0])
 
-static const char *const verdict_names[REPLAY_VERDICT_COUNT] = { "pays", "not shown", "WRONG WAY" };
+static const char *const verdict_names[VERDICT_COUNT] = { "pays", "not shown", "WRONG WAY" };
 
 struct trial {
     uint32_t better, worse; /* Indices of the two arms. */
@@ -91,8 +95,7 @@ static enum exit_code add_experiment(struct league *league, const char *folder,
     return code;
 }
 
-/* ---- Evaluation
- * ------------------------------------------------------------------------------- */
+/* ---- Evaluation ------------------------------------------------------------------------------ */
 
 static void evaluate(const struct league *league, struct trial *trial)
 {
@@ -103,22 +106,24 @@ static void evaluate(const struct league *league, struct trial *trial)
     trial->verdict = statistics_verdict(&trial->found);
 }
 
-/* Returns 1 if the experiments pass. All seven must hold at 5 % each, so that no stricter level is
- * necessary. With few seeds a real but small effect may not show, so that not all must hold. */
+/* Returns 1 if the experiments pass. All habits that must pay do so at 5 % each, so that no stricter
+ * level is necessary. With few seeds a real but small effect may not show, so that not all must. */
 static int all_is_well(const struct trial *trials, uint32_t seeds)
 {
-    uint32_t count[REPLAY_VERDICT_COUNT] = { 0 }, plainly_wrong = 0;
+    uint32_t required = 0, paid = 0, wrong_way = 0, plainly_wrong = 0;
     for (size_t i = 0; i < EXPERIMENT_COUNT; i++) {
-        count[trials[i].verdict]++;
+        required += experiments[i].must_pay;
+        paid += experiments[i].must_pay && trials[i].verdict == VERDICT_PAYS;
+        wrong_way += trials[i].verdict == VERDICT_WRONG_WAY;
         plainly_wrong +=
             trials[i].verdict == VERDICT_WRONG_WAY && trials[i].found.p < PLAINLY_WRONG_P;
     }
-    const uint32_t needed = seeds >= SEEDS_ENOUGH ? (uint32_t)EXPERIMENT_COUNT : PAYS_MIN;
-    const int well = count[VERDICT_PAYS] >= needed && plainly_wrong == 0;
-    printf("\n%s: %u of %zu pay, %u the wrong way, %u of these plainly (p < %.4f); "
-           "with %u seeds %u must pay and none go plainly wrong\n",
-           well ? "so" : "NOT SO", count[VERDICT_PAYS], EXPERIMENT_COUNT, count[VERDICT_WRONG_WAY],
-           plainly_wrong, PLAINLY_WRONG_P, seeds, needed);
+    const uint32_t needed = seeds >= SEEDS_ENOUGH ? required : PAYS_MIN;
+    const int well = paid >= needed && plainly_wrong == 0;
+    printf("\n%s: %u of %u required habits pay; %u of %zu go the wrong way, %u of these plainly "
+           "(p < %.4f). With %u seeds %u must pay and none may go plainly wrong\n",
+           well ? "so" : "NOT SO", paid, required, wrong_way, EXPERIMENT_COUNT, plainly_wrong,
+           PLAINLY_WRONG_P, seeds, needed);
     return well;
 }
 
