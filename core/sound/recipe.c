@@ -95,9 +95,9 @@ const struct sound_recipe sound_recipes[SOUND_COUNT] = {
         TONE(0.13f, 64.0f, 0.4f, 13.0f, 1180.0f, 1160.0f, 14.0f),
         NOISE(0.10f, 64.0f, 0.3f, 3.0f, 2900.0f, 2900.0f, 0.0f, 0.9f, 0.0f),
     }, .length_ms = 260.0f },
-    /* A coin is accepted ("chirin"): a coin hits the rim of a brass bowl. Two modes of a small
-     * bell, slightly more than a musical fourth apart, are struck twice because the coin tips
-     * over. */
+    /* A coin is accepted ("chirin"): a coin hits the rim of a brass bowl, tips over and hits the
+     * rim again. The first hit has two modes, about a musical fourth apart, and the second hit has
+     * one higher mode. */
     [SOUND_COIN] = { .layer = {
         TONE(0.30f, 0.0f, 0.4f, 90.0f, 2349.3f, 2349.3f, 0.0f),
         TONE(0.18f, 0.0f, 0.4f, 60.0f, 3135.0f, 3135.0f, 0.0f),

@@ -53,9 +53,8 @@ struct behavior_params {
      * that the fish swims in the time `wall_within_s`. */
     float wall_per_length; /* Constant part, in body lengths, of the distance to a wall below which
                               a fish turns away. */
-    float wall_within_s;   /* Second part of the distance to a wall below which a fish turns away,
-                              as a time. The distance is the path that the fish swims in this
-                              time. */
+    float wall_within_s;   /* Time that defines the other part of the distance to a wall below which
+                              a fish turns away: the path that the fish swims in this time. */
 
     /* The next parameters add the behavior of living fish to the rules of the 2013 thesis. */
     float kick_rad;          /* Standard deviation of the random turn at each kick of the tail

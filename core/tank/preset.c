@@ -83,7 +83,8 @@ static const struct tank_preset presets[TANK_PRESET_COUNT] = {
         .size_m = { 0.85f, 0.12f, 0.55f },
         .wall_height_m = 0.15f,
         .fish_count = 300,
-        /* The growth curve of the wakin gives 3.3 cm at ten weeks and 8 cm at seven months. */
+        /* The growth curve of the wakin (a goldfish variety) gives a length of 3.3 cm at
+         * `age_days_min` and of 8 cm at `age_days_max`. */
         .age_days_min = 74.0f,
         .age_days_max = 222.0f,
         .stamina_min = 0.30f, /* Section 3.2 of the 2013 thesis gives this range of the stamina. */

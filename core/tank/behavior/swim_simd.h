@@ -37,9 +37,10 @@
 #define BEND_PER_RAD_S (-0.20f)
 #define BEND_TAU_S 0.08f
 
-/* Value of `haste` (fish.h) in a C-start, the escape of a startled fish. With this value, turn and
- * bend reach their goals within one tick, so that the fish follows the prescribed path exactly. The
- * body also does not bend along the arc of the turn. */
+/* Value of `haste` (fish.h) in a C-start, the escape of a startled fish. With this value, the yaw
+ * and the bend of the body reach their goals within one tick, so that the fish follows the
+ * prescribed path exactly. The prescribed bend is the whole bend: the bend along the arc of a turn
+ * (BEND_PER_RAD_S) is not added. */
 #define HASTE_START (1.0f / (TURN_GAIN_PER_S * DT))
 
 /* The next three constants define the frequency f of the tail beat at speed U and length L

@@ -5,8 +5,8 @@
 #include "core/base/panic.h"
 
 /* Number of coarse points on a ring: equally spaced points at which the search for the nearest
- * point of the ring begins. The points are 4 mm apart on the ring of a poi, so that no corner of a
- * fish fits between two points. */
+ * point of the ring begins. The points are about 4 mm apart on the ring of a poi. Therefore each
+ * place where a fish touches the ring is at most about 2 mm away from a coarse point. */
 #define RING_POINTS 64
 /* Number of times that the search for the nearest point of the ring halves its step along the ring.
  * The search begins with a step of 4 mm, so the last step is 4 mm / 2^7, a thirtieth of a
