@@ -205,8 +205,7 @@ enum pack_result pack_decode(const uint8_t *bytes, size_t size, struct species_s
                              char why[VALIDATE_WHY_SIZE])
 {
     if (size > PACK_SIZE_MAX) {
-        validate_refuse(why, "size: more than %u bytes", PACK_SIZE_MAX);
-        return PACK_BAD;
+        return validate_fail(PACK_BAD, why, "size: more than %u bytes", PACK_SIZE_MAX);
     }
     if (!check_head(bytes, size, why)) {
         return PACK_BAD;
@@ -217,13 +216,11 @@ enum pack_result pack_decode(const uint8_t *bytes, size_t size, struct species_s
     memset(slot, 0, sizeof *slot);
     walk_species(&tape, slot);
     if (tape.too_many) {
-        validate_refuse(why, "%s: more than a species may have", tape.too_many);
-        return PACK_BAD;
+        return validate_fail(PACK_BAD, why, "%s: more than a species may have", tape.too_many);
     }
     if (tape.at != size) {
-        validate_refuse(why, "size: the tables end %s the end of the file",
-                        tape.at > size ? "after" : "before");
-        return PACK_BAD;
+        return validate_fail(PACK_BAD, why, "size: the tables end %s the end of the file",
+                             tape.at > size ? "after" : "before");
     }
     pack_point(slot);
     return species_validate(&slot->species, why) ? PACK_OK : PACK_BAD;
@@ -342,8 +339,7 @@ static enum pack_result read_descriptor(int handle, struct species_slot *slot,
         close(handle);
     }
     if (error != 0) {
-        validate_refuse(why, "%s", file_error(error));
-        return error == EFBIG ? PACK_BAD : PACK_IO;
+        return validate_fail(error == EFBIG ? PACK_BAD : PACK_IO, why, "%s", file_error(error));
     }
     return pack_decode(bytes, size, slot, why);
 }
@@ -372,8 +368,7 @@ enum pack_result pack_write(const char *path, struct species_slot *slot,
         error = file_atomic_close(&out);
     }
     if (error != 0) {
-        validate_refuse(why, "%s", strerror(-error));
-        return PACK_IO;
+        return validate_fail(PACK_IO, why, "%s", strerror(-error));
     }
     return PACK_OK;
 }

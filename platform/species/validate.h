@@ -34,6 +34,9 @@ bool species_name_is_good(const char name[SPECIES_NAME_SIZE]);
 __attribute__((format(printf, 2, 3))) bool validate_refuse(char why[VALIDATE_WHY_SIZE],
                                                            const char *format, ...);
 
+/* Writes the reason as validate_refuse() does, and evaluates to `result`. */
+#define validate_fail(result, ...) (validate_refuse(__VA_ARGS__), (result))
+
 /* Returns true if `low` <= x <= `high`. If x is outside this range or NaN, writes the reason to
  * `why` and returns false. `format` and its arguments produce the name of the value in the
  * reason. */

@@ -62,6 +62,9 @@ struct import_mesh {
 __attribute__((format(printf, 2, 3))) bool import_error(char why[IMPORT_WHY_SIZE],
                                                         const char *format, ...);
 
+/* Formats a message as import_error() does, and evaluates to the exit code `code`. */
+#define import_fail(code, ...) (import_error(__VA_ARGS__), (code))
+
 /* Opens a regular file of at most `size_max` bytes. Returns EXIT_OK, and the caller closes `*file`.
  * After an error, writes "FILE: MESSAGE" to `why` and returns EXIT_BAD_DATA for a file that is too
  * large, otherwise EXIT_IO. */

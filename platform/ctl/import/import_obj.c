@@ -264,12 +264,10 @@ enum exit_code import_open(const char *path, uint32_t size_max, FILE **file,
     }
     if (errno == EFBIG) {
         const bool in_kib = size_max < 1u << 20;
-        import_error(why, "%.80s: larger than %u %s", path, size_max >> (in_kib ? 10 : 20),
-                     in_kib ? "KiB" : "MiB");
-        return EXIT_BAD_DATA;
+        return import_fail(EXIT_BAD_DATA, why, "%.80s: larger than %u %s", path,
+                           size_max >> (in_kib ? 10 : 20), in_kib ? "KiB" : "MiB");
     }
-    import_error(why, "%.80s: %s", path, file_error(errno));
-    return EXIT_IO;
+    return import_fail(EXIT_IO, why, "%.80s: %s", path, file_error(errno));
 }
 
 enum exit_code import_obj(struct import_mesh *mesh, uint32_t key, const char *path,

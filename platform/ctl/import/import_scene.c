@@ -158,24 +158,23 @@ static enum exit_code import_scene_read_file(struct import_mesh *mesh, struct sh
     char room[IMPORT_WHY_SIZE / 2];
     int status = 0;
     if (!wait_for(child, &status)) {
-        import_error(why, "%.80s: not read within %d s", path, WAIT_MAX_MS / 1000);
-        return EXIT_BAD_DATA;
+        return import_fail(EXIT_BAD_DATA, why, "%.80s: not read within %d s", path,
+                           WAIT_MAX_MS / 1000);
     }
     shared->why[IMPORT_WHY_SIZE - 1] = '\0';
     printable(shared->why);
     if (!WIFEXITED(status) || !shared->done) {
         const bool has_reason = WIFEXITED(status) && shared->why[0];
-        import_error(why, "%.80s: %.110s", path,
-                     has_reason ? shared->why : "damaged; the importer crashed while reading it");
-        return EXIT_BAD_DATA;
+        return import_fail(EXIT_BAD_DATA, why, "%.80s: %.110s", path,
+                           has_reason ? shared->why
+                                      : "damaged; the importer crashed while reading it");
     }
     memcpy(mesh, &shared->mesh, sizeof *mesh); /* The mesh is copied before the validation, so that
                                                   the child process cannot change the validated
                                                   data. */
     const char *fault = import_validate(mesh, room);
     if (fault) {
-        import_error(why, "%.80s: %s", path, fault);
-        return EXIT_BAD_DATA;
+        return import_fail(EXIT_BAD_DATA, why, "%.80s: %s", path, fault);
     }
     for (uint32_t key = 0; key < mesh->key_count; key++) {
         printable(mesh->key_names[key]); /* Unprintable characters in the names of key shapes are
@@ -195,8 +194,7 @@ enum exit_code import_scene(struct import_mesh *mesh, const char *path, char why
     }
     fclose(file);
     if (!import_can_flatten(missing)) {
-        import_error(why, "%.60s: %.130s", path, missing);
-        return EXIT_NOT_SO;
+        return import_fail(EXIT_NOT_SO, why, "%.60s: %.130s", path, missing);
     }
     struct shared *shared =
         mmap(NULL, sizeof *shared, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);

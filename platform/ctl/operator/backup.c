@@ -284,9 +284,8 @@ static enum exit_code check_target(const struct books_words *words, const char *
         return EXIT_OK;
     }
     if (!S_ISREG(about.st_mode)) {
-        print_error("kingyoctl backup: %s: cannot be written: %s", path,
-                    S_ISDIR(about.st_mode) ? "is a folder" : "is not a regular file");
-        return EXIT_IO;
+        return print_fail(EXIT_IO, "kingyoctl backup: %s: cannot be written: %s", path,
+                          S_ISDIR(about.st_mode) ? "is a folder" : "is not a regular file");
     }
     return books_check_copy(path, &older) == SQLITE_OK
                ? EXIT_OK
@@ -302,10 +301,10 @@ static enum exit_code write_backup_copy(struct ledger_file *file, const char *pa
     }
     const int code = ledger_backup_make(file, path, true);
     if (code != SQLITE_OK) {
-        print_error("kingyoctl backup: %s: cannot be written: %s", path,
-                    code == SQLITE_CORRUPT ? "the kiosk's own database is damaged"
-                                           : ledger_file_error(code));
-        return code == SQLITE_CORRUPT ? EXIT_BAD_DATA : EXIT_IO;
+        return print_fail(code == SQLITE_CORRUPT ? EXIT_BAD_DATA : EXIT_IO,
+                          "kingyoctl backup: %s: cannot be written: %s", path,
+                          code == SQLITE_CORRUPT ? "the kiosk's own database is damaged"
+                                                 : ledger_file_error(code));
     }
     const struct ledger_start *ledger = &file->content.memory.ledger;
     if (words->as_json) {

@@ -124,9 +124,8 @@ void replayer_end(struct replayer *replayer)
 enum exit_code replayer_print_problem(const char *speaker, const char *path,
                                       const struct replay_problem *problem)
 {
-    print_error("%s: %s: byte %llu: %s", speaker, path, (unsigned long long)problem->offset,
-                problem->text);
-    return problem->is_io ? EXIT_IO : EXIT_BAD_DATA;
+    return print_fail(problem->is_io ? EXIT_IO : EXIT_BAD_DATA, "%s: %s: byte %llu: %s", speaker,
+                      path, (unsigned long long)problem->offset, problem->text);
 }
 
 /* ---- Recording to a file ------------------------------------------------------------------- */
