@@ -41,7 +41,7 @@ static void open_world(struct core *core)
     memset(&core->game, 0, sizeof core->game);
     memset(&core->world, 0, sizeof core->world);
     game_init(&core->game, &core->config);
-    table_setup_open(&core->game, &core->world, &core->config);
+    table_setup_open(core->game.control, &core->game, &core->world, &core->config);
     if (table_setup_modes(&core->config) == 1u << CHOICE_LAB && core->config.credit_coins == 0 &&
         core->config.session.tick == 0) {
         struct output unheard = { 0 };

@@ -33,7 +33,7 @@ void attract_begin(struct game *game, struct world *world, const struct core_con
     session_language_reset(game, config);
     game_enter_phase(game, PHASE_ATTRACT);
     table_setup_empty_bowls(world);
-    table_setup_prepare(game, world, config, config->preset);
+    table_setup_prepare(game->control, game, world, config, config->preset);
     game->turn_tick = 0;
     session_request(game);
 }
@@ -114,7 +114,7 @@ static void point_by_pois(struct game *game, const struct world *world,
             continue;
         }
         /* A poi outside the tank selects the section nearest to the poi. */
-        const vec3 hand_m = game->validation[i].newest.position_m;
+        const vec3 hand_m = game->control[i].validation.newest.position_m;
         const float share = hand_m.x / world->tank.size_m.x + 0.5f;
         const uint32_t section = (uint32_t)f_clamp(share * count, 0.0f, count - 0.5f);
         if (player->points != section + 1u) {
@@ -139,7 +139,7 @@ static void activate_mode(struct game *game, struct world *world, const struct c
     }
     const bool is_lab = game->lab_chosen || table_setup_modes(config) == 1u << CHOICE_LAB;
     game->lab_chosen = 0;
-    credit_take(game, config, is_lab ? CHOICE_LAB : game->mode, output);
+    credit_take(&game->accounts, game, config, is_lab ? CHOICE_LAB : game->mode, output);
     if (is_lab) {
         lab_begin(game, world, config, output);
     } else {

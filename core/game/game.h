@@ -12,7 +12,7 @@
 
 #include "core/game/accounting/accounts.h"
 #include "core/game/bot/bot_state.h"
-#include "core/game/control/input_pose.h"
+#include "core/game/control/control_state.h"
 #include "core/game/lab/lab_state.h"
 #include "core/game/menu/menu_state.h"
 #include "core/game/ranking/name_keyboard.h"
@@ -209,26 +209,7 @@ struct game {
     struct settings_edit settings_edit;
     struct name name;
     struct player player[POI_MAX];
-    uint8_t holder[POI_MAX];     /* Source that controlled each poi in the last tick (enum
-                                    poi_source). */
-    uint32_t grip_tick[POI_MAX]; /* Tick at which the current source took control of each poi. */
-    struct poi_target hand_pose[POI_MAX]; /* Target pose of each poi in the last tick, after
-                                             smoothing and failsafe. */
-    float live_y_m[POI_MAX]; /* Height of each controller's pose in the last tick, or -1 if the
-                                input was invalid. A dip is a downward crossing of RULES_DIP_Y_M. */
-    struct input_validation validation[POI_MAX]; /* State of the input validation of each
-                                                    controller. */
-    uint32_t return_ticks[POI_MAX];   /* Ticks since each poi began to return to its controller's
-                                         pose; 0 means that the poi follows the controller. */
-    uint8_t was_lost[POI_MAX];        /* 1 while the poi returns after an input loss, otherwise 0.
-                                         The paper cannot be damaged until the poi arrives. */
-    uint32_t immunity_ticks[POI_MAX]; /* Ticks of damage immunity that each poi has used while it
-                                         returned to its controller's pose. The number decreases
-                                         while the player controls the poi. */
-    uint32_t outlier_ticks[POI_MAX];  /* Number of ticks for which the reported pose has required a
-                                         motion that no arm can make (an outlier). */
-    uint32_t rest_ticks[POI_MAX];     /* Number of consecutive ticks in which the player has not
-                                         used the poi. */
+    struct control control[POI_MAX];
     struct hints hints;
     struct bot bot[POI_MAX];
     struct health_log health_log;

@@ -248,12 +248,16 @@ static const struct field_table input_validation_fields = FIELD_TABLE(input_vali
     FIELD(late_ticks), FIELD(excess_m), FIELD(spin), FIELD(newest));
 #undef STRUCT
 
+#define STRUCT control
+static const struct field_table control_fields = FIELD_TABLE(control,
+    FIELD(holder), FIELD(grip_tick), FIELD(hand_pose), FIELD(live_y_m),
+    FIELD_STRUCT(validation, &input_validation_fields), FIELD(return_ticks), FIELD(was_lost),
+    FIELD(immunity_ticks), FIELD(outlier_ticks), FIELD(rest_ticks));
+#undef STRUCT
+
 /* Table entries for the members of struct game that belong to player slot `i`. */
 #define GAME_SLOT(i) \
-    FIELD_STRUCT(player[i], &player_fields), FIELD(holder[i]), FIELD(grip_tick[i]), \
-    FIELD(hand_pose[i]), FIELD(live_y_m[i]), \
-    FIELD_STRUCT(validation[i], &input_validation_fields), FIELD(return_ticks[i]), \
-    FIELD(was_lost[i]), FIELD(immunity_ticks[i]), FIELD(outlier_ticks[i]), FIELD(rest_ticks[i]), \
+    FIELD_STRUCT(player[i], &player_fields), FIELD_STRUCT(control[i], &control_fields), \
     FIELD_STRUCT(bot[i], &bot_fields)
 
 /* Members of struct game. core_hash() hashes the members in FIELD_SKIP() separately. */

@@ -89,7 +89,7 @@ void game_init(struct game *game, const struct core_config *config)
     memcpy(game->lab.has_edit, config->book.has_edit, sizeof game->lab.has_edit);
     memcpy(game->lab.edits, config->book.edits, sizeof game->lab.edits);
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        game->live_y_m[i] = -1.0f;
+        game->control[i].live_y_m = -1.0f;
         bot_init(&game->bot[i], &technique_expert, config->seed + i);
     }
     session_restore(game, &config->session);
@@ -143,13 +143,14 @@ void game_tick(struct game *game, struct world *world, struct core_config *confi
 {
     CORE_ASSERT(game->mode < MODE_COUNT && game->language < LANGUAGE_COUNT);
     CORE_ASSERT(game->phase <= PHASE_LEADERBOARD);
+    const struct menu_scope scope = menu_scope_of(game, config, output);
     struct input own = *said;
     const struct input *input = &own;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         input_calibration_apply(&config->persistent.settings, i, &own.poi[i]);
-        input_validation_tick(&game->validation[i], &own.poi[i]);
+        input_validation_tick(&game->control[i].validation, &own.poi[i]);
     }
-    menu_calibrate_tick(game, world, config, said, output);
+    menu_calibrate_tick(&scope, world, said);
     session_language_tick(game, config, input);
     ledger_tick(&game->accounts.ledger, config, input);
     health_log_tick(game, config, input, output);
@@ -161,8 +162,8 @@ void game_tick(struct game *game, struct world *world, struct core_config *confi
     } else if (phase == PHASE_NAME) {
         name_keep(&game->accounts, &game->name, game->tick, output);
     }
-    self_test_tick(game, said, output);
-    settings_edit_tick(game, &config->persistent.settings, output);
+    self_test_tick(&scope, said);
+    settings_edit_tick(&scope);
     controller_assign(game, world,
                       input); /* Assign the source of each poi again, because a new phase may use
                                  a different source. */

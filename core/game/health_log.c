@@ -68,7 +68,7 @@ void health_log_tick(struct game *game, const struct core_config *config, const 
         const bool counts = (ledger->balance.open & PAYMENT_SPENT) &&
                             round_standing_finish(&game->accounts, config, game->tick, output);
         if (!counts && ledger->balance.open != PAYMENT_NONE) {
-            credit_refund(game, config, REFUND_RESTART, output);
+            credit_refund(&game->accounts, game, config, REFUND_RESTART, output);
             game->accounts.credit.came_back = 0; /* Show no message about the refund, because the
                                                     refunded round is from an earlier run of the
                                                     kiosk. */
@@ -82,12 +82,12 @@ void health_log_tick(struct game *game, const struct core_config *config, const 
 
 /* ---- Repeated losses of controllers --------------------------------------------------------- */
 
-void health_log_note_losses(struct game *game, const struct world *world,
-                            const struct core_config *config, struct output *output)
+void health_log_note_losses(struct accounts *accounts, struct health_log *health_log,
+                            const struct game *game, const struct world *world,
+                            struct output *output)
 {
-    struct health_log *health_log = &game->health_log;
     CORE_ASSERT(game->phase == PHASE_ROUND);
-    for (uint32_t i = 0; i < POI_MAX && config_has_rules(config, 8); i++) {
+    for (uint32_t i = 0; i < POI_MAX; i++) {
         const struct player *player = &game->player[i];
         const uint32_t last_tick = health_log->loss_tick[i];
         const bool is_away = player->plays && !player->out && !player_has_poi(world, i);
@@ -100,7 +100,7 @@ void health_log_note_losses(struct game *game, const struct world *world,
             const struct ledger_entry entry = { .kind = LEDGER_LOSS,
                                                 .detail = (uint8_t)i,
                                                 .count = 1 };
-            ledger_write(&game->accounts, game->tick, &entry, output);
+            ledger_write(accounts, game->tick, &entry, output);
         }
     }
 }

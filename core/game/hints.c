@@ -75,8 +75,9 @@ static void observe(struct hints *hints, const struct game *game, const struct w
     hints->learned |= poi->immersed > 0.5f ? BIT(HINT_MOVE) | BIT(HINT_DIP) : 0u;
     hints->learned |= fish.held && poi->immersed <= 0.0f ? BIT(HINT_LIFT) : 0u;
     hints->learned |= caught > 0 ? BIT(HINT_LIFT) | BIT(HINT_BOWL) : 0u;
-    hints->learned |=
-        f_abs(game->hand_pose[hints->pupil].angles.pitch_rad) > TILT_RAD ? BIT(HINT_TILT) : 0u;
+    hints->learned |= f_abs(game->control[hints->pupil].hand_pose.angles.pitch_rad) > TILT_RAD
+                          ? BIT(HINT_TILT)
+                          : 0u;
     hints->haste_tick = hints->haste_cells >= HASTE_CELLS ? game->tick : hints->haste_tick;
     hints->haste_cells = 0;
     if (caught != hints->caught) {

@@ -112,7 +112,8 @@ bool player_has_poi(const struct world *world, uint32_t index);
 /* Detects shadows that are held over fish before the start of a round, and records them as fouls. A
  * fan's shadow is always a foul. A poi's shadow is a foul only if its controller has moved since
  * READY began. */
-void score_fouls_before_start(struct game *game, const struct world *world, struct output *output);
+void score_fouls_before_start(struct player player[POI_MAX], const struct game *game,
+                              const struct world *world, struct output *output);
 
 /* Runs the last step of a tick: counts the fish that reached the bowls, as the mode's rules
  * require. */
@@ -157,8 +158,9 @@ void hints_tick(struct hints *hints, const struct game *game, const struct world
 
 /* Logs repeated losses of the controller of each player slot. Call once per tick of the round,
  * after player_tick_pause(). */
-void health_log_note_losses(struct game *game, const struct world *world,
-                            const struct core_config *config, struct output *output);
+void health_log_note_losses(struct accounts *accounts, struct health_log *health_log,
+                            const struct game *game, const struct world *world,
+                            struct output *output);
 
 /* Logs the start of the kiosk, and logs uptime and faults at regular intervals. Call once per tick,
  * before any other entry of the tick. */

@@ -38,7 +38,7 @@ void round_ready_begin(struct game *game, struct world *world, const struct core
     }
     game->album = (struct album){ 0 };
     table_setup_empty_bowls(world);
-    table_setup_prepare(game, world, config, table_setup_preset(config, game->mode));
+    table_setup_prepare(game->control, game, world, config, table_setup_preset(config, game->mode));
     world->tank.temper = rules_of_level(easiest)->temper;
     game_enter_phase(game, PHASE_READY);
     output_sound(output, SOUND_START, 1.0f, 0.0f);
@@ -60,7 +60,7 @@ void round_ready_tick(struct game *game, struct world *world, struct core_config
             game->player[i].handed = 1;
         }
     }
-    score_fouls_before_start(game, world, output);
+    score_fouls_before_start(game->player, game, world, output);
     if (elapsed >= total) {
         round_begin(game, world, output);
     }
@@ -110,13 +110,14 @@ void round_begin(struct game *game, struct world *world, struct output *output)
 
 /* Handles paper that cannot hold a fish any more. The paper is replaced when the poi is out of the
  * water, because a replacement under water would make the poi jump. */
-static void watch_paper(struct game *game, struct world *world, const struct core_config *config,
+static void watch_paper(struct player players[POI_MAX], const struct game *game,
+                        struct world *world, const struct core_config *config,
                         struct output *output)
 {
     CORE_ASSERT(game->mode < MODE_COUNT);
     const bool renews = rules_of(game->mode)->renews_paper;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        struct player *player = &game->player[i];
+        struct player *player = &players[i];
         const struct poi *poi = &world->poi[i];
         if (!player->plays || paper_can_hold(&poi->sheet)) {
             continue;
@@ -173,10 +174,12 @@ void round_tick(struct game *game, struct world *world, struct core_config *conf
         game->bot_played |= (uint8_t)(is_active && world->poi[i].link == POI_SOURCE_BOT);
         carried_fish += is_active ? world->poi[i].carried_count : 0;
     }
-    health_log_note_losses(game, world, config, output);
-    round_standing_tick(game, config, output);
+    if (config_has_rules(config, 8)) {
+        health_log_note_losses(&game->accounts, &game->health_log, game, world, output);
+    }
+    round_standing_tick(&game->accounts, game, config, output);
     if (game->lost_ticks > GAME_LOST_TICKS_MAX || game->waited_ticks > GAME_WAIT_TICKS_MAX) {
-        credit_refund(game, config, REFUND_NO_POI, output);
+        credit_refund(&game->accounts, game, config, REFUND_NO_POI, output);
         round_result_begin(game, world, config, output);
         return;
     }
@@ -185,7 +188,7 @@ void round_tick(struct game *game, struct world *world, struct core_config *conf
     }
     const uint32_t total = game->round_s * CORE_TICK_HZ;
     const uint32_t elapsed = game->tick - game->phase_tick;
-    watch_paper(game, world, config, output);
+    watch_paper(game->player, game, world, config, output);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         in_round += game->player[i].plays && !game->player[i].out;
     }
@@ -212,9 +215,10 @@ void round_result_begin(struct game *game, struct world *world, const struct cor
                                             to the water. */
     }
     game_enter_phase(game, PHASE_RESULT);
-    name_note_round(game, &config->persistent.settings, 0);
+    name_note_round(&game->name, &game->accounts, &config->persistent.settings, game->mode, 0);
     if (!game->accounts.credit.came_back) {
-        score_keep(game, world, config, credit_award_tickets(game, config), output);
+        score_keep(game, world, config, credit_award_tickets(&game->accounts, game, config),
+                   output);
     }
     output_sound(output, SOUND_RESULT, 1.0f, 0.0f);
 }
@@ -224,8 +228,8 @@ void round_result_skip(struct game *game, const struct world *world,
 {
     CORE_ASSERT(game->phase == PHASE_ROUND);
     game->accounts.credit.came_back = 0;
-    score_keep(game, world, config, credit_award_tickets(game, config), output);
-    name_note_round(game, &config->persistent.settings, 0);
+    score_keep(game, world, config, credit_award_tickets(&game->accounts, game, config), output);
+    name_note_round(&game->name, &game->accounts, &config->persistent.settings, game->mode, 0);
 }
 
 /* Runs one tick of the result screen. If a player starts another game or the result has been shown

@@ -11,12 +11,12 @@
 #include "core/game/table_setup.h"
 #include "core/poi/world.h"
 
-/* Records a foul of kind `kind` by player `index`. Counts the foul if the mode's rules judge
+/* Records a foul of kind `kind` by `player`. Counts the foul if the mode's rules judge
  * fouls. */
-static void commit_foul(struct game *game, uint32_t index, enum foul kind, struct output *output)
+static void commit_foul(struct player *player, const struct game *game, enum foul kind,
+                        struct output *output)
 {
-    CORE_ASSERT(index < POI_MAX && kind < FOUL_COUNT);
-    struct player *player = &game->player[index];
+    CORE_ASSERT(kind < FOUL_COUNT);
     const uint32_t last_tick = player->offence_tick[kind];
     player->offence_tick[kind] = game->tick;
     if (!rules_of(game->mode)->judges || player->fouls >= FOUL_MAX ||
@@ -37,17 +37,18 @@ static void commit_foul(struct game *game, uint32_t index, enum foul kind, struc
  * poi without the player. After the view changes, a pointer refers to a different point of the
  * water, and its pose jumps in the next frames. The rest position is therefore updated until
  * FOUL_SETTLE_TICKS. */
-static void watch_stance(struct game *game, const struct world *world, uint32_t index)
+static void watch_stance(struct player *player, const struct game *game, const struct world *world,
+                         uint32_t index)
 {
     CORE_ASSERT(index < POI_MAX);
-    struct player *player = &game->player[index];
     const uint8_t link = world->poi[index].link;
     if (!player_has_poi(world, index)) {
         player->stance = STANCE_UNSEEN; /* Forget the motion of a player without a controller,
                                            because a broken cable is no foul. */
     } else if (link == POI_SOURCE_LIVE || link == POI_SOURCE_BOT) {
-        const vec3 hand_m = link == POI_SOURCE_LIVE ? game->validation[index].newest.position_m
-                                                    : game->hand_pose[index].position_m;
+        const vec3 hand_m = link == POI_SOURCE_LIVE
+                                ? game->control[index].validation.newest.position_m
+                                : game->control[index].hand_pose.position_m;
         if (player->stance == STANCE_UNSEEN || game->tick - game->phase_tick < FOUL_SETTLE_TICKS) {
             player->stance = STANCE_RESTS;
             player_rests(player, hand_m);
@@ -59,7 +60,8 @@ static void watch_stance(struct game *game, const struct world *world, uint32_t 
 
 /* Records a foul by each player whose shadow has rested over fish for FOUL_SHADE_S. The time of a
  * shadow counts only from the start of READY, even if the shadow was already present before. */
-void score_fouls_before_start(struct game *game, const struct world *world, struct output *output)
+void score_fouls_before_start(struct player player[POI_MAX], const struct game *game,
+                              const struct world *world, struct output *output)
 {
     const float ready_s = (float)(game->tick - game->phase_tick) * CORE_TICK_S;
     const struct tank *tank = &world->tank;
@@ -67,16 +69,16 @@ void score_fouls_before_start(struct game *game, const struct world *world, stru
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const struct shade *const shades[] = { &tank->shade[i], &tank->shade[SHADE_MAX + i] };
         bool is_foul = false;
-        watch_stance(game, world, i);
+        watch_stance(&player[i], game, world, i);
         /* A shadow of a fan is always a foul. A shadow of a poi is a foul only if the player moved
          * the controller. */
-        for (uint32_t k = 0; k < (game->player[i].stance == STANCE_MOVED ? 2u : 1u); k++) {
+        for (uint32_t k = 0; k < (player[i].stance == STANCE_MOVED ? 2u : 1u); k++) {
             is_foul |= shades[k]->cast.present &&
                        f_min(shades[k]->still_s, ready_s) >= FOUL_SHADE_S &&
                        tank_shade_count(tank, &shades[k]->cast) > 0;
         }
         if (world->bowl[i].present && is_foul) {
-            commit_foul(game, i, FOUL_SHADE, output);
+            commit_foul(&player[i], game, FOUL_SHADE, output);
         }
     }
 }
@@ -104,10 +106,10 @@ void game_score(struct game *game, const struct world *world,
             continue; /* Fish that fall off a poi without valid input count for no player. */
         }
         if (caught[i].poured > 0) {
-            commit_foul(game, i, FOUL_POURED, output);
+            commit_foul(&game->player[i], game, FOUL_POURED, output);
         }
         if (caught[i].walled > 0) {
-            commit_foul(game, i, FOUL_WALL, output);
+            commit_foul(&game->player[i], game, FOUL_WALL, output);
         }
     }
 }
@@ -161,5 +163,6 @@ void score_keep(struct game *game, const struct world *world, const struct core_
     entry.round.unscored = (uint8_t)!is_scored;
     game->accounts.ledger.balance.open = PAYMENT_NONE;
     const uint32_t id = ledger_write(&game->accounts, game->tick, &entry, output);
-    name_note_round(game, &config->persistent.settings, is_scored ? id : 0u);
+    name_note_round(&game->name, &game->accounts, &config->persistent.settings, game->mode,
+                    is_scored ? id : 0u);
 }

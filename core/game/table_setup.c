@@ -83,8 +83,8 @@ static uint32_t preset_fish_count(const struct core_config *config, uint8_t pres
     return is_own ? config->fish_count : tank_preset(preset)->fish_count;
 }
 
-static void place_all(struct game *game, struct world *world, const struct core_config *config,
-                      const struct tank_preset *preset)
+static void place_all(struct control control[POI_MAX], const struct game *game, struct world *world,
+                      const struct core_config *config, const struct tank_preset *preset)
 {
     CORE_ASSERT(game->mode < MODE_COUNT);
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -92,10 +92,10 @@ static void place_all(struct game *game, struct world *world, const struct core_
         const uint8_t link = world->poi[i].link;
         init_poi(game, config, i, &world->poi[i], parking_place(world, i).position_m, seed);
         world->poi[i].link = link;
-        game->hand_pose[i] = parking_place(world, i);
-        game->holder[i] = POI_SOURCE_ABSENT; /* The next controller of the poi takes control at
-                                                the poi's rest position. */
-        controller_forget_path(game, i);
+        control[i].hand_pose = parking_place(world, i);
+        control[i].holder = POI_SOURCE_ABSENT; /* The next controller of the poi takes control at
+                                                  the poi's rest position. */
+        controller_forget_path(&control[i]);
         world->bowl[i] = (struct bowl){ 0 };
         if (i < player_count(config)) {
             bowl_init(&world->bowl[i], preset->bowl_m[i]);
@@ -119,17 +119,18 @@ static void open_tank(struct world *world, const struct core_config *config, uin
     }
 }
 
-void table_setup_open(struct game *game, struct world *world, const struct core_config *config)
+void table_setup_open(struct control control[POI_MAX], const struct game *game, struct world *world,
+                      const struct core_config *config)
 {
     CORE_ASSERT(config->preset < TANK_PRESET_COUNT);
     open_tank(world, config, game->tick, config->preset, config->seed);
-    place_all(game, world, config, tank_preset(config->preset));
+    place_all(control, game, world, config, tank_preset(config->preset));
 }
 
 /* Prepares the tank for a game. A new tank is opened only if the present tank does not match, for
  * example because the operator changed the number of fish or players in the menu. */
-void table_setup_prepare(struct game *game, struct world *world, const struct core_config *config,
-                         uint8_t preset)
+void table_setup_prepare(struct control control[POI_MAX], const struct game *game,
+                         struct world *world, const struct core_config *config, uint8_t preset)
 {
     CORE_ASSERT(preset < TANK_PRESET_COUNT);
     bool is_set_up =
@@ -140,7 +141,7 @@ void table_setup_prepare(struct game *game, struct world *world, const struct co
     if (!is_set_up) {
         const struct rng_key key = { config->seed, game->round_count, preset, RNG_TANK_SEED };
         open_tank(world, config, game->tick, preset, rng_u32(key));
-        place_all(game, world, config, tank_preset(preset));
+        place_all(control, game, world, config, tank_preset(preset));
     }
 }
 

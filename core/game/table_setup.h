@@ -5,6 +5,8 @@
 
 #include <stdint.h>
 
+#include "core/game/control/control_state.h"
+
 struct game;
 struct world;
 struct core_config;
@@ -31,14 +33,15 @@ uint8_t table_setup_grade(const struct core_config *config, uint8_t mode);
 uint32_t table_setup_round_s(const struct core_config *config, uint8_t mode);
 
 /* Sets up the configured tank, bowls and pois at the start of a session. */
-void table_setup_open(struct game *game, struct world *world, const struct core_config *config);
+void table_setup_open(struct control control[POI_MAX], const struct game *game, struct world *world,
+                      const struct core_config *config);
 
 /* Ensures that the tank of `preset` is open with the configured number of fish and players. If a
  * different tank is open, the new tank replaces the open tank, the bowls are empty, and each poi
  * starts from its rest position. The seed of the new fish depends on the configuration and on the
  * number of rounds. */
-void table_setup_prepare(struct game *game, struct world *world, const struct core_config *config,
-                         uint8_t preset);
+void table_setup_prepare(struct control control[POI_MAX], const struct game *game,
+                         struct world *world, const struct core_config *config, uint8_t preset);
 
 /* Replaces the paper of poi `index` while the poi stays in place. Fish on the old paper fall. The
  * new paper has the grade of the current mode. */

@@ -69,16 +69,15 @@ int shot_menu_exists(const char *page, uint8_t step)
 }
 
 /* Sets some settings to values other than their defaults. */
-static void adjust_some(struct core *core)
+static void adjust_some(const struct menu_scope *scope)
 {
-    settings_edit_set(&core->game, &core->config, SET_PLAY, PLAY_PAID);
-    settings_edit_set(&core->game, &core->config, SET_PRICE, 2);
-    settings_edit_set(&core->game, &core->config, SET_BONUS_UNITS, 5);
-    settings_edit_set(&core->game, &core->config, SET_MODES,
-                      1 << MODE_FESTIVAL | 1 << MODE_PRACTICE | 1 << CHOICE_LAB);
-    settings_edit_set(&core->game, &core->config, SET_ROUND_S, 90);
-    settings_edit_set(&core->game, &core->config, SET_VOLUME, 65);
-    settings_edit_set(&core->game, &core->config, SET_NIGHT_FROM_MIN, 22 * 60 + 30);
+    settings_edit_set(scope, SET_PLAY, PLAY_PAID);
+    settings_edit_set(scope, SET_PRICE, 2);
+    settings_edit_set(scope, SET_BONUS_UNITS, 5);
+    settings_edit_set(scope, SET_MODES, 1 << MODE_FESTIVAL | 1 << MODE_PRACTICE | 1 << CHOICE_LAB);
+    settings_edit_set(scope, SET_ROUND_S, 90);
+    settings_edit_set(scope, SET_VOLUME, 65);
+    settings_edit_set(scope, SET_NIGHT_FROM_MIN, 22 * 60 + 30);
 }
 
 /* Fills the audit counters with values as after a summer of use. */
@@ -135,18 +134,18 @@ void shot_menu_open(struct core *core, const char *page, uint8_t step, int uprig
     rank_some(&core->game.accounts.ranking);
     for (uint8_t i = 0; i < MENU_PAGE_COUNT; i++) {
         if (names[i] && strcmp(names[i], page) == 0) {
-            menu_turn(&core->game, &core->config.persistent.settings, (enum menu_page)i);
+            menu_turn(menu, &core->game, &core->config.persistent.settings, (enum menu_page)i);
         }
     }
     if (menu_page_desc_of(menu->page)->body == MENU_BODY_SETTINGS) {
         menu->tag[menu->page] = (uint8_t)(step % menu_body_count(menu->page));
     }
-    adjust_some(core);
+    const struct menu_scope scope = menu_scope_of(&core->game, &core->config, &output);
+    adjust_some(&scope);
     keep_books(core);
     if (menu->page == MENU_CALIBRATION) {
         calibrate_some(&menu->calibrate, step);
-        settings_edit_set(&core->game, &core->config, input_calibration_setting(0),
-                          step > CALIBRATE_WATER ? 1 : 0);
+        settings_edit_set(&scope, input_calibration_setting(0), step > CALIBRATE_WATER ? 1 : 0);
     }
     menu->from = MENU_EARNINGS;
     menu->pin = 407;

@@ -246,18 +246,19 @@ bool credit_is_awaited(const struct accounts *accounts, const struct core_config
 
 /* Closes the balance of a game that ended without a result: a visit to the growth lab, or a round
  * that no player joined. */
-void credit_close_ended(struct game *game, struct output *output);
+void credit_close_ended(struct accounts *accounts, const struct game *game, struct output *output);
 
 /* Takes one credit from the balance for the game `what` (enum game_mode, or CHOICE_LAB), which
  * starts in this tick. The caller must check credit_can_play() before. */
-void credit_take(struct game *game, const struct core_config *config, uint8_t what,
-                 struct output *output);
+void credit_take(struct accounts *accounts, const struct game *game,
+                 const struct core_config *config, uint8_t what, struct output *output);
 
 /* Ends the running round early. The credit is refunded if one was taken and
  * round_standing_is_spent() returns false. Otherwise `balance.open` stays set, and the caller must
  * close the round. `balance.open` also stays set if a free round ends because all controllers were
  * lost, so that the round is logged with its result. */
-void credit_refund(struct game *game, const struct core_config *config, enum refund_cause cause,
+void credit_refund(struct accounts *accounts, const struct game *game,
+                   const struct core_config *config, enum refund_cause cause,
                    struct output *output);
 
 /* Returns the number of tickets that the round has won so far, computed from each player's catch.
@@ -272,7 +273,8 @@ void credit_owe_tickets(struct accounts *accounts, const struct core_config *con
 
 /* Adds tickets to the balance: the tickets that the players won in a finished round that was not
  * refunded. Returns the number of tickets. */
-uint32_t credit_award_tickets(struct game *game, const struct core_config *config);
+uint32_t credit_award_tickets(struct accounts *accounts, const struct game *game,
+                              const struct core_config *config);
 
 /* Fills `out` with the visible state of the credits. */
 void credit_show(const struct accounts *accounts, const struct core_config *config, uint32_t tick,
@@ -301,8 +303,8 @@ bool round_standing_is_spent(const struct game *game, const struct core_config *
 
 /* Logs the state of the open round (LEDGER_STAND) if the state changed, the previous entry is on
  * disk, and the ledger has room. Call once per tick of the round. */
-void round_standing_tick(struct game *game, const struct core_config *config,
-                         struct output *output);
+void round_standing_tick(struct accounts *accounts, const struct game *game,
+                         const struct core_config *config, struct output *output);
 
 /* Finishes a round that was open at startup and whose credit is not refundable. Writes the round's
  * LEDGER_ROUND from config->persistent.ledger.stand and closes the balance. Returns false without

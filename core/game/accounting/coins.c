@@ -135,24 +135,24 @@ static void buy_credits(struct accounts *accounts, const struct core_config *con
 
 /* Removes unused credits and units after SET_CREDIT_EXPIRY_MIN without activity. Credits expire
  * only in attract mode, and only when every entry of the ledger is on disk. */
-static void expire_credits(struct game *game, const struct settings *settings,
-                           struct output *output)
+static void expire_credits(struct accounts *accounts, const struct game *game,
+                           const struct settings *settings, struct output *output)
 {
-    const struct ledger *ledger = &game->accounts.ledger;
-    struct balance *balance = &game->accounts.ledger.balance;
+    const struct ledger *ledger = &accounts->ledger;
+    struct balance *balance = &accounts->ledger.balance;
     const uint32_t minutes = unsigned_setting(settings, SET_CREDIT_EXPIRY_MIN);
     const uint32_t credits = balance->paid + balance->service;
     if (game->phase != PHASE_ATTRACT) {
-        game->accounts.credit.act_tick = game->tick;
+        accounts->credit.act_tick = game->tick;
     }
-    if (minutes == 0 || game->tick - game->accounts.credit.act_tick < minutes * TICKS_PER_MIN ||
+    if (minutes == 0 || game->tick - accounts->credit.act_tick < minutes * TICKS_PER_MIN ||
         credits + balance->units == 0 || !ledger_is_flushed(ledger) || balance->unlogged > 0 ||
         !ledger_may_write(ledger, LEDGER_COINS)) {
         return;
     }
     const struct ledger_entry entry = { .kind = LEDGER_EXPIRED, .count = credits };
     *balance = (struct balance){ .open = balance->open, .tickets = balance->tickets };
-    ledger_write(&game->accounts, game->tick, &entry, output);
+    ledger_write(accounts, game->tick, &entry, output);
 }
 
 /* ---- Tickets, cabinet buttons and the tick of the money inputs ------------------------------- */
@@ -238,7 +238,7 @@ void coins_tick(struct game *game, const struct world *world, const struct core_
     struct accounts *accounts = &game->accounts;
     const struct settings *settings = &config->persistent.settings;
     CORE_ASSERT(accounts->ledger.saved_id <= accounts->ledger.last_id);
-    credit_close_ended(game, output);
+    credit_close_ended(accounts, game, output);
     if (game->phase == PHASE_MENU) { /* Coins inserted in the operator's menu are tests. The coin
                                         meter counts the coins, but the balance does not change. */
         for (uint8_t line = 0; line < COIN_LINE_COUNT; line++) {
@@ -258,7 +258,7 @@ void coins_tick(struct game *game, const struct world *world, const struct core_
     if (config->credit_coins > 0 && ledger_may_write(&accounts->ledger, LEDGER_COINS)) {
         buy_credits(accounts, config, game->tick, output);
     }
-    expire_credits(game, settings, output);
+    expire_credits(accounts, game, settings, output);
     tick_tickets(accounts, config, game->tick, input, output);
     accounts->credit.warnings = current_warnings(game, world, config, input);
 }

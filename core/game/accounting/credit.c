@@ -65,26 +65,26 @@ bool credit_is_awaited(const struct accounts *accounts, const struct core_config
            credit_can_play(&accounts->ledger, config);
 }
 
-void credit_close_ended(struct game *game, struct output *output)
+void credit_close_ended(struct accounts *accounts, const struct game *game, struct output *output)
 {
     CORE_ASSERT(game->phase <= PHASE_LEADERBOARD);
     const bool runs =
         game->phase == PHASE_READY || game->phase == PHASE_ROUND || game->phase == PHASE_LAB;
-    if (game->accounts.ledger.balance.open != PAYMENT_NONE && !runs) {
+    if (accounts->ledger.balance.open != PAYMENT_NONE && !runs) {
         const struct ledger_entry entry = { .kind = LEDGER_LEFT };
-        game->accounts.ledger.balance.open = PAYMENT_NONE;
-        ledger_write(&game->accounts, game->tick, &entry, output);
+        accounts->ledger.balance.open = PAYMENT_NONE;
+        ledger_write(accounts, game->tick, &entry, output);
     }
 }
 
-void credit_take(struct game *game, const struct core_config *config, uint8_t what,
-                 struct output *output)
+void credit_take(struct accounts *accounts, const struct game *game,
+                 const struct core_config *config, uint8_t what, struct output *output)
 {
-    struct credit *credit = &game->accounts.credit;
-    struct balance *balance = &game->accounts.ledger.balance;
-    CORE_ASSERT(credit_can_play(&game->accounts.ledger, config));
+    struct credit *credit = &accounts->credit;
+    struct balance *balance = &accounts->ledger.balance;
+    CORE_ASSERT(credit_can_play(&accounts->ledger, config));
     CORE_ASSERT(what < CHOICE_COUNT);
-    credit_close_ended(game, output);
+    credit_close_ended(accounts, game, output);
     const struct ledger_entry entry = {
         .kind = LEDGER_BEGIN,
         .detail = what,
@@ -97,7 +97,7 @@ void credit_take(struct game *game, const struct core_config *config, uint8_t wh
     credit->stand = (struct ledger_stand){ 0 };
     balance->open = PAYMENT_FREE;
     if (config->credit_coins > 0) {
-        const uint8_t kind = next_credit(&game->accounts.ledger);
+        const uint8_t kind = next_credit(&accounts->ledger);
         CORE_ASSERT(kind == PAYMENT_PAID || kind == PAYMENT_SERVICE);
         balance->open = kind | (balance->returned != PAYMENT_NONE ? PAYMENT_SPENT : 0u);
         balance->bonus_units = 0;
@@ -105,23 +105,23 @@ void credit_take(struct game *game, const struct core_config *config, uint8_t wh
         balance->paid -= kind == PAYMENT_PAID;
         balance->returned = PAYMENT_NONE;
     }
-    ledger_write(&game->accounts, game->tick, &entry, output);
+    ledger_write(accounts, game->tick, &entry, output);
 }
 
 /* Ends the open round in the balance and refunds its credit if the credit is refundable. The
  * balance may then exceed SET_CREDIT_MAX by one, because the credit belongs to a player. After a
  * restart, an open round may have a non-refundable credit if no player had joined. The
  * LEDGER_REFUND of that round has `count` 0. */
-void credit_refund(struct game *game, const struct core_config *config, enum refund_cause cause,
-                   struct output *output)
+void credit_refund(struct accounts *accounts, const struct game *game,
+                   const struct core_config *config, enum refund_cause cause, struct output *output)
 {
     CORE_ASSERT(cause < REFUND_CAUSE_COUNT);
-    struct balance *balance = &game->accounts.ledger.balance;
+    struct balance *balance = &accounts->ledger.balance;
     const uint8_t open = balance->open, kind = open & PAYMENT_KIND_MASK;
     const bool is_spent = round_standing_is_spent(game, config);
     const bool is_credit = kind == PAYMENT_PAID || kind == PAYMENT_SERVICE;
     const uint32_t count = is_credit && !is_spent;
-    game->accounts.credit.came_back = (uint8_t)count;
+    accounts->credit.came_back = (uint8_t)count;
     if (kind == PAYMENT_NONE || (kind == PAYMENT_FREE && cause == REFUND_NO_POI) ||
         (is_spent && cause != REFUND_RESTART)) {
         return;
@@ -133,7 +133,7 @@ void credit_refund(struct game *game, const struct core_config *config, enum ref
     balance->service += kind == PAYMENT_SERVICE ? count : 0u;
     balance->returned = count > 0 && config_has_rules(config, 8) ? kind : balance->returned;
     balance->open = PAYMENT_NONE;
-    ledger_write(&game->accounts, game->tick, &entry, output);
+    ledger_write(accounts, game->tick, &entry, output);
 }
 
 uint32_t credit_tickets_won(const struct game *game, const struct core_config *config)
@@ -162,11 +162,12 @@ void credit_owe_tickets(struct accounts *accounts, const struct core_config *con
     balance->tickets = (uint16_t)(balance->tickets + (count < room ? count : room));
 }
 
-uint32_t credit_award_tickets(struct game *game, const struct core_config *config)
+uint32_t credit_award_tickets(struct accounts *accounts, const struct game *game,
+                              const struct core_config *config)
 {
     CORE_ASSERT(game->phase == PHASE_RESULT || game->phase == PHASE_ROUND);
     const uint32_t won = credit_tickets_won(game, config);
-    credit_owe_tickets(&game->accounts, config, won);
+    credit_owe_tickets(accounts, config, won);
     return won;
 }
 

@@ -58,10 +58,11 @@ static struct ledger_stand stand_of(const struct game *game, const struct core_c
 /* Logs the state of the open round whenever the state changes, after the credit is no longer
  * refundable. A free round without tickets is not logged, because a power cut could not remove
  * anything of value. */
-void round_standing_tick(struct game *game, const struct core_config *config, struct output *output)
+void round_standing_tick(struct accounts *accounts, const struct game *game,
+                         const struct core_config *config, struct output *output)
 {
-    struct ledger *ledger = &game->accounts.ledger;
-    struct credit *credit = &game->accounts.credit;
+    struct ledger *ledger = &accounts->ledger;
+    struct credit *credit = &accounts->credit;
     const struct ledger_stand now = stand_of(game, config), *last = &credit->stand;
     const uint8_t kind = ledger->balance.open & PAYMENT_KIND_MASK;
     const bool has_value = kind == PAYMENT_PAID || kind == PAYMENT_SERVICE ||
@@ -78,7 +79,7 @@ void round_standing_tick(struct game *game, const struct core_config *config, st
     };
     ledger->balance.open |= PAYMENT_SPENT;
     credit->stand = now;
-    credit->stand_id = ledger_write(&game->accounts, game->tick, &entry, output);
+    credit->stand_id = ledger_write(accounts, game->tick, &entry, output);
 }
 
 /* ---- Finishing an interrupted round at the next start ---------------------------------------- */

@@ -187,8 +187,8 @@ uint32_t controller_dipped_player(const struct game *game, const struct world *w
                                   const struct input *input)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        if (world->bowl[i].present && game->validation[i].verdict == INPUT_VALID &&
-            game->live_y_m[i] >= RULES_DIP_Y_M &&
+        if (world->bowl[i].present && game->control[i].validation.verdict == INPUT_VALID &&
+            game->control[i].live_y_m >= RULES_DIP_Y_M &&
             input->poi[i].target.position_m.y < RULES_DIP_Y_M) {
             return i;
         }
@@ -212,64 +212,65 @@ static struct poi_target within_reach(const struct world *world, struct poi_targ
     return target;
 }
 
-void controller_forget_path(struct game *game, uint32_t index)
+void controller_forget_path(struct control *control)
 {
-    CORE_ASSERT(index < POI_MAX);
-    game->return_ticks[index] = game->outlier_ticks[index] = 0;
-    game->was_lost[index] = 0;
+    control->return_ticks = control->outlier_ticks = 0;
+    control->was_lost = 0;
 }
 
-static void change_holder(struct game *game, const struct world *world,
-                          const struct core_config *config, uint32_t index, uint8_t link)
+/* Begins the control of `poi` by its source if the source has changed since the last tick. `seed`
+ * is the seed of the slot's bot. */
+static void change_holder(struct control *control, struct bot *bot, const struct poi *poi,
+                          uint32_t tick, uint32_t seed)
 {
-    CORE_ASSERT(index < POI_MAX);
-    if (game->holder[index] == link) {
+    CORE_ASSERT(poi->link != POI_SOURCE_ABSENT);
+    if (control->holder == poi->link) {
         return;
     }
-    if (link == POI_SOURCE_BOT) {
-        bot_init(&game->bot[index], &technique_expert, config->seed + index);
-        game->bot[index].hand.pose = game->hand_pose[index];
-        controller_forget_path(game, index); /* The bot has no controller to whose pose the poi
-                                                would return. */
+    if (poi->link == POI_SOURCE_BOT) {
+        bot_init(bot, &technique_expert, seed);
+        bot->hand.pose = control->hand_pose;
+        controller_forget_path(control); /* The bot has no controller to whose pose the poi would
+                                            return. */
     }
-    if (link == POI_SOURCE_LIVE && game->holder[index] == POI_SOURCE_LOST) {
-        game->return_ticks[index] = game->was_lost[index] = 1;
-    } else if (link == POI_SOURCE_LOST) {
-        game->hand_pose[index] =
-            controller_failsafe_begin(&world->poi[index], game->hand_pose[index]);
+    if (poi->link == POI_SOURCE_LIVE && control->holder == POI_SOURCE_LOST) {
+        control->return_ticks = control->was_lost = 1;
+    } else if (poi->link == POI_SOURCE_LOST) {
+        control->hand_pose = controller_failsafe_begin(poi, control->hand_pose);
     } else {
-        game->grip_tick[index] = game->tick;
+        control->grip_tick = tick;
     }
-    game->holder[index] = link;
+    control->holder = poi->link;
 }
 
 /* Blends from the old target pose to the new pose after a change of the source. The weight of the
  * new pose grows from 0 to 1 during GRIP_TICKS. */
-static struct poi_target blend_to_holder(struct game *game, const struct world *world,
-                                         uint32_t index, struct poi_target wanted)
+static struct poi_target blend_to_holder(struct control *control, const struct game *game,
+                                         const struct world *world, uint32_t index,
+                                         struct poi_target wanted)
 {
-    CORE_ASSERT(game->holder[index] != POI_SOURCE_ABSENT);
+    CORE_ASSERT(control->holder != POI_SOURCE_ABSENT);
     const bool begins = game->phase == PHASE_ROUND && game->tick == game->phase_tick;
     if (begins && wanted.position_m.y < CLEAR_Y_M) {
         /* Restarts the blending if the pose is already at the water when the round begins, for
          * example because the player holds the button of the controller. The poi then dips
          * slowly. */
-        game->grip_tick[index] = game->tick;
+        control->grip_tick = game->tick;
     }
-    const float age = (float)(game->tick - game->grip_tick[index]) / (float)GRIP_TICKS;
+    const float age = (float)(game->tick - control->grip_tick) / (float)GRIP_TICKS;
     wanted = within_reach(world, wanted,
                           game_may_scoop(game, index) ? -world->tank.size_m.y : CLEAR_Y_M);
-    return age < 1.0f ? pose_between(game->hand_pose[index], wanted, age * age * age) : wanted;
+    return age < 1.0f ? pose_between(control->hand_pose, wanted, age * age * age) : wanted;
 }
 
 /* Filters outliers. A pose that is farther away than an arm can move in one tick may be a sensor
  * error. The target then stays unchanged until the error ends or has lasted for DOUBT_TICKS. Above
- * the water a fast motion of a mouse is accepted. */
-static struct poi_target steady(struct game *game, const struct world *world, uint32_t index,
-                                struct poi_target next, bool has_wrist)
+ * the water a fast motion of a mouse is accepted. `may_scoop` is true while the player may dip the
+ * poi. */
+static struct poi_target steady(struct control *control, const struct poi *poi,
+                                struct poi_target next, bool has_wrist, bool may_scoop)
 {
-    const struct poi *poi = &world->poi[index];
-    const struct poi_target hand = game->hand_pose[index];
+    const struct poi_target hand = control->hand_pose;
     const float low_m = f_min(f_min(hand.position_m.y, poi->position_m.y), next.position_m.y);
     /* True if a wrong pose could damage the paper or lose a fish. */
     const bool at_stake = low_m < WET_BELOW_M || poi->carried_count > 0;
@@ -282,15 +283,15 @@ static struct poi_target steady(struct game *game, const struct world *world, ui
     /* Share of the motion to the new pose that the speed limits permit in one tick. */
     const float share = f_min(way_m > pace_m ? pace_m / way_m : 1.0f,
                               turn_rad > pace_rad ? pace_rad / turn_rad : 1.0f);
-    const bool is_doubted = share < 1.0f && is_arm && game_may_scoop(game, index);
+    const bool is_doubted = share < 1.0f && is_arm && may_scoop;
     const bool is_far = way_m > FAR_M || turn_rad > (has_wrist ? FAR_TURN : FAR_LEAN);
     CORE_ASSERT(share >= 0.0f && share <= 1.0f);
-    game->outlier_ticks[index] = is_doubted ? game->outlier_ticks[index] + 1u : 0u;
-    if (is_doubted && game->outlier_ticks[index] <= DOUBT_TICKS) {
+    control->outlier_ticks = is_doubted ? control->outlier_ticks + 1u : 0u;
+    if (is_doubted && control->outlier_ticks <= DOUBT_TICKS) {
         return hand;
     }
     if (is_doubted && at_stake && is_far) {
-        game->return_ticks[index] = 1;
+        control->return_ticks = 1;
         return hand;
     }
     return share < 1.0f ? pose_between(hand, next, share) : next;
@@ -299,23 +300,22 @@ static struct poi_target steady(struct game *game, const struct world *world, ui
 /* Moves the poi by one tick toward the controller's pose after an input loss. The paper cannot be
  * damaged until the poi arrives or the damage immunity is used up. The immunity is limited for a
  * single return and for several returns together. */
-static struct poi_target return_to_hand(struct game *game, struct world *world, uint32_t index,
+static struct poi_target return_to_hand(struct control *control, const struct game *game,
+                                        struct world *world, uint32_t index,
                                         struct poi_target wanted)
 {
-    CORE_ASSERT(game->return_ticks[index] > 0);
-    const uint32_t ticks = game->return_ticks[index];
+    CORE_ASSERT(control->return_ticks > 0);
+    const uint32_t ticks = control->return_ticks;
     wanted = within_reach(world, wanted,
                           game_may_scoop(game, index) ? -world->tank.size_m.y : CLEAR_Y_M);
-    const struct poi_target hand =
-        controller_failsafe_return(game->hand_pose[index], wanted, ticks);
+    const struct poi_target hand = controller_failsafe_return(control->hand_pose, wanted, ticks);
     const bool is_back = controller_failsafe_is_returned(hand, wanted, ticks);
-    world->poi[index].damage_immune = game->was_lost[index] &&
-                                      ticks < FAILSAFE_IMMUNITY_TICKS_MAX &&
-                                      game->immunity_ticks[index] < SPARE_TICKS_ALL;
-    game->immunity_ticks[index] += world->poi[index].damage_immune;
-    game->return_ticks[index] = is_back ? 0u : ticks + 1u;
-    game->was_lost[index] &= !is_back;
-    game->outlier_ticks[index] = 0;
+    world->poi[index].damage_immune = control->was_lost && ticks < FAILSAFE_IMMUNITY_TICKS_MAX &&
+                                      control->immunity_ticks < SPARE_TICKS_ALL;
+    control->immunity_ticks += world->poi[index].damage_immune;
+    control->return_ticks = is_back ? 0u : ticks + 1u;
+    control->was_lost &= !is_back;
+    control->outlier_ticks = 0;
     return hand;
 }
 
@@ -336,18 +336,18 @@ static struct poi_target soften(const struct player *player, struct poi_target f
 
 /* Parks a poi that is not in use. A bot continues to take snapshots. When a person uses the poi
  * again, its pose is blended gently. */
-static void tick_parked(struct game *game, struct world *world, uint32_t index)
+static void tick_parked(struct control *control, struct bot *bot, const struct game *game,
+                        struct world *world, uint32_t index)
 {
-    struct bot *bot = &game->bot[index];
     world->poi[index].damage_immune = 1;
-    game->hand_pose[index] = parking_path(game, world, index, game->hand_pose[index]);
+    control->hand_pose = parking_path(game, world, index, control->hand_pose);
     if (world->poi[index].link == POI_SOURCE_BOT) {
         const struct vision vision = { game, world, index };
         (void)bot_tick(bot, &vision);
-        bot->hand = (struct bot_hand){ .pose = game->hand_pose[index] };
+        bot->hand = (struct bot_hand){ .pose = control->hand_pose };
     } else {
-        game->grip_tick[index] = game->tick;
-        controller_forget_path(game, index);
+        control->grip_tick = game->tick;
+        controller_forget_path(control);
     }
 }
 
@@ -356,11 +356,12 @@ static void tick_hand(struct game *game, struct world *world, const struct input
                       uint32_t index)
 {
     const struct poi_input *says = &input->poi[index];
-    struct poi_target *hand = &game->hand_pose[index];
+    struct control *control = &game->control[index];
+    struct poi_target *hand = &control->hand_pose;
     struct poi *poi = &world->poi[index];
     CORE_ASSERT(poi->link != POI_SOURCE_ABSENT);
-    if (parking_tick(game, world, index)) {
-        tick_parked(game, world, index);
+    if (parking_tick(control, game, world, index)) {
+        tick_parked(control, &game->bot[index], game, world, index);
         return;
     }
     poi->damage_immune = poi->link == POI_SOURCE_LOST || game->paused;
@@ -372,21 +373,21 @@ static void tick_hand(struct game *game, struct world *world, const struct input
         if (poi->link == POI_SOURCE_BOT) {
             game->bot[index].hand.pose = *hand;
         } else {
-            game->return_ticks[index] = game->was_lost[index] = 1;
+            control->return_ticks = control->was_lost = 1;
         }
     } else if (poi->link == POI_SOURCE_BOT) {
         const struct vision vision = { game, world, index };
-        *hand = blend_to_holder(game, world, index, bot_tick(&game->bot[index], &vision));
-    } else if (game->return_ticks[index] > 0) {
-        *hand = return_to_hand(game, world, index, says->target);
+        *hand = blend_to_holder(control, game, world, index, bot_tick(&game->bot[index], &vision));
+    } else if (control->return_ticks > 0) {
+        *hand = return_to_hand(control, game, world, index, says->target);
     } else {
-        if (game->tick % REFILL_TICKS == 0 && game->immunity_ticks[index] > 0) {
-            game->immunity_ticks[index]--;
+        if (game->tick % REFILL_TICKS == 0 && control->immunity_ticks > 0) {
+            control->immunity_ticks--;
         }
-        const float share = input_validation_blend(&game->validation[index]);
-        struct poi_target next = blend_to_holder(game, world, index, says->target);
+        const float share = input_validation_blend(&control->validation);
+        struct poi_target next = blend_to_holder(control, game, world, index, says->target);
         next = share < 1.0f ? pose_between(*hand, next, share) : next;
-        next = steady(game, world, index, next, says->has_wrist);
+        next = steady(control, poi, next, says->has_wrist, game_may_scoop(game, index));
         *hand = soften(&game->player[index], *hand, next);
     }
 }
@@ -396,21 +397,21 @@ void controller_tick_all(struct game *game, struct world *world, const struct co
                          uint8_t live[POI_MAX])
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
+        struct control *control = &game->control[i];
         live[i] = (uint8_t)controller_is_active(world, i);
         if (live[i]) {
-            change_holder(game, world, config, i, world->poi[i].link);
+            change_holder(control, &game->bot[i], &world->poi[i], game->tick, config->seed + i);
             tick_hand(game, world, input, i);
         } else {
-            game->holder[i] = POI_SOURCE_ABSENT;
-            game->rest_ticks[i] = 0;
-            controller_forget_path(game, i);
+            control->holder = POI_SOURCE_ABSENT;
+            control->rest_ticks = 0;
+            controller_forget_path(control);
         }
-        targets[i] = game->hand_pose[i];
-        game->live_y_m[i] = game->validation[i].verdict == INPUT_VALID
-                                ? input->poi[i].target.position_m.y
-                                : -1.0f; /* The height -1 marks invalid input, so that the next
-                                            valid pose does not count as a dip (downward
-                                            crossing). */
+        targets[i] = control->hand_pose;
+        /* The height -1 marks invalid input, so that the next valid pose does not count as a dip
+         * (downward crossing). */
+        control->live_y_m =
+            control->validation.verdict == INPUT_VALID ? input->poi[i].target.position_m.y : -1.0f;
     }
 }
 
@@ -418,7 +419,7 @@ void controller_tick_all(struct game *game, struct world *world, const struct co
 void controller_assign(const struct game *game, struct world *world, const struct input *input)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        const bool is_lost = game->validation[i].verdict == INPUT_LOST;
+        const bool is_lost = game->control[i].validation.verdict == INPUT_LOST;
         uint8_t link = is_lost ? (uint8_t)POI_SOURCE_LOST : input->poi[i].link;
         if (game->phase == PHASE_ATTRACT) {
             link = i == 0 ? POI_SOURCE_BOT : POI_SOURCE_ABSENT;

@@ -40,7 +40,7 @@ void controller_tick_all(struct game *game, struct world *world, const struct co
 
 /* Cancels the slow motion of a poi back to the pose of its controller after an input loss. Call
  * when the poi has a new source or a new position. */
-void controller_forget_path(struct game *game, uint32_t index);
+void controller_forget_path(struct control *control);
 
 /* ---- Failsafe motion after an input loss ----------------------------------------------------- */
 
@@ -97,9 +97,10 @@ bool controller_failsafe_is_returned(struct poi_target hand, struct poi_target w
  * player has a different rest position. */
 struct poi_target parking_place(const struct world *world, uint32_t index);
 
-/* Counts the ticks for which player `index` has not used the poi. Returns true if the poi is now
- * parked. */
-bool parking_tick(struct game *game, const struct world *world, uint32_t index);
+/* Counts in `control` the ticks for which player `index` has not used the poi. Returns true if the
+ * poi is now parked. */
+bool parking_tick(struct control *control, const struct game *game, const struct world *world,
+                  uint32_t index);
 
 /* Returns true if the poi is parked. No controller moves a parked poi. */
 bool parking_is_parked(const struct game *game, uint32_t index);

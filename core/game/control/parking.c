@@ -48,7 +48,7 @@ static uint32_t held_ticks(const struct game *game, uint32_t index)
 {
     CORE_ASSERT(index < POI_MAX);
     const uint32_t linger = game->player[index].out ? PARKING_LINGER_TICKS : 0u;
-    const uint32_t ticks = game->rest_ticks[index];
+    const uint32_t ticks = game->control[index].rest_ticks;
     return ticks > linger ? ticks - linger : 0u;
 }
 
@@ -60,10 +60,11 @@ bool parking_is_parked(const struct game *game, uint32_t index)
 /* Counts the ticks for which the poi of player `index` has not been used. Returns true if the poi
  * is parked. A bot uses its poi only during a game. A person uses the poi, also as a pointer, until
  * the person is out. */
-bool parking_tick(struct game *game, const struct world *world, uint32_t index)
+bool parking_tick(struct control *control, const struct game *game, const struct world *world,
+                  uint32_t index)
 {
     CORE_ASSERT(index < POI_MAX);
-    uint32_t *ticks = &game->rest_ticks[index];
+    uint32_t *ticks = &control->rest_ticks;
     const bool in_play = game->phase == PHASE_ATTRACT || game->phase == PHASE_ROUND;
     const bool is_out =
         game->player[index].out && game->phase >= PHASE_READY && game->phase <= PHASE_RESULT;

@@ -17,7 +17,7 @@ void lab_begin(struct game *game, struct world *world, const struct core_config 
     CORE_ASSERT(game->lab.species < lab_book_count(&config->book));
     struct lab *lab = &game->lab;
     table_setup_empty_bowls(world);
-    table_setup_prepare(game, world, config, config->preset);
+    table_setup_prepare(game->control, game, world, config, config->preset);
     game_enter_phase(game, PHASE_LAB);
     lab->stir_tick = lab->act_tick = game->tick;
     lab->start_ticks = 0;
@@ -30,24 +30,28 @@ void lab_begin(struct game *game, struct world *world, const struct core_config 
 
 /* ---- Pointer of the growth lab --------------------------------------------------------------- */
 
-/* Updates the position of the lab's pointer and whether it is pressed. The pointer belongs to the
- * first player who has a bowl at the tank and a valid pose. After a switch to a different player's
- * pointer, nothing is pressed until the new pointer has been above the water. A drag by the
- * previous player therefore does not continue. */
-static void track_lab_hand(struct game *game, struct world *world, const struct core_config *config,
-                           const struct input *input, struct output *output)
+/* Returns the pointer of the first player who has a bowl at the tank and a valid pose. */
+static struct pointer_state first_pointer(const struct lab *lab, const struct world *world,
+                                          const struct input *input)
 {
-    struct lab *lab = &game->lab;
     struct pointer_state hand = { 0 };
     for (uint32_t i = 0; i < POI_MAX && !hand.present; i++) {
         if (world->bowl[i].present) {
             hand = pointer_of_player(world, input, lab->upright, i);
         }
     }
+    return hand;
+}
+
+/* Moves the lab's pointer to `hand` and updates whether it is pressed. After a switch to a
+ * different player's pointer, nothing is pressed until the new pointer has been above the water. A
+ * drag by the previous player therefore does not continue. Returns true if the player leaves the lab. */
+static bool track_lab_hand(struct lab *lab, const struct lab_book *book, uint32_t tick,
+                           struct pointer_state hand, struct output *output)
+{
     if (!hand.present) {
         lab->has_hand = lab->presses = 0;
-        lab_release(game, world, config);
-        return;
+        return lab_release(lab, book);
     }
     if (lab->has_hand && hand.player != lab->hand) {
         lab->presses = 1;
@@ -62,17 +66,19 @@ static void track_lab_hand(struct game *game, struct world *world, const struct 
     if (x * x + y * y > POINTER_MOVE_MIN * POINTER_MOVE_MIN) {
         lab->stir_x = lab->x;
         lab->stir_y = lab->y;
-        lab->stir_tick = game->tick;
+        lab->stir_tick = tick;
     }
     const bool was_down = lab->presses;
     lab->presses = hand.height_m < (was_down ? POINTER_RELEASE_Y_M : POINTER_PRESS_Y_M);
-    if (lab->presses && !was_down) {
-        lab_press(lab, &config->book, game->tick, output);
-    } else if (lab->presses) {
-        lab_drag(lab, &config->book);
-    } else {
-        lab_release(game, world, config);
+    if (!lab->presses) {
+        return lab_release(lab, book);
     }
+    if (!was_down) {
+        lab_press(lab, book, tick, output);
+    } else {
+        lab_drag(lab, book);
+    }
+    return false;
 }
 
 /* ---- Motion through the life by buttons ------------------------------------------------------ */
@@ -122,7 +128,9 @@ void lab_tick(struct game *game, struct world *world, struct core_config *config
     lab->edit_refused = input->edit_refused != 0;
     lab->saved_id = input->edit_saved_id > lab->saved_id ? input->edit_saved_id : lab->saved_id;
     take_lab_buttons(lab, &config->book, game->tick, input, output);
-    track_lab_hand(game, world, config, input, output);
+    if (track_lab_hand(lab, &config->book, game->tick, first_pointer(lab, world, input), output)) {
+        attract_begin(game, world, config);
+    }
     if (lab->playing && lab->holds == HOLD_NOTHING) {
         lab->progress = f_min(lab->progress + 1.0f / (float)LAB_LIFE_TICKS, 1.0f);
         lab->rest_ticks = lab->progress < 1.0f ? 0u : lab->rest_ticks + 1u;

@@ -37,10 +37,11 @@ void lab_use(struct lab *lab, const struct lab_book *book, enum lab_part part,
 
 /* Handle the press of the pointer on a part of the page (lab_press), its motion while pressed
  * (lab_drag), and its release (lab_release). The button LAB_LEAVE acts when it is released, because
- * a pose that still moves down would count as a dip and open the lab again. */
+ * a pose that still moves down would count as a dip and open the lab again. lab_release() returns
+ * true if the player leaves the lab. */
 void lab_press(struct lab *lab, const struct lab_book *book, uint32_t tick, struct output *output);
 void lab_drag(struct lab *lab, const struct lab_book *book);
-void lab_release(struct game *game, struct world *world, const struct core_config *config);
+bool lab_release(struct lab *lab, const struct lab_book *book);
 
 /* Returns true if the displayed curves equal the species' original curves, which means that nothing
  * was edited. */

@@ -5,7 +5,6 @@
 #include "core/base/panic.h"
 #include "core/config.h"
 #include "core/game/game.h"
-#include "core/game/phases.h"
 #include "core/poi/world.h"
 
 static const struct species_card *edited_card(const struct lab *lab, const struct lab_book *book)
@@ -300,19 +299,15 @@ void lab_press(struct lab *lab, const struct lab_book *book, uint32_t tick, stru
     lab_drag(lab, book);
 }
 
-void lab_release(struct game *game, struct world *world, const struct core_config *config)
+bool lab_release(struct lab *lab, const struct lab_book *book)
 {
-    CORE_ASSERT(game->phase == PHASE_LAB);
-    struct lab *lab = &game->lab;
     const bool leaves = lab->holds == HOLD_LEAVE && lab->has_hand;
     lab->holds = HOLD_NOTHING;
     lab->held_knot = LAB_NO_KNOT;
     if (lab->has_hand) {
-        point_at_lab_part(lab, edited_card(&game->lab, &config->book));
+        point_at_lab_part(lab, edited_card(lab, book));
     } else {
         lab->points = LAB_NOTHING;
     }
-    if (leaves) {
-        attract_begin(game, world, config);
-    }
+    return leaves;
 }

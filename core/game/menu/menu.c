@@ -11,6 +11,20 @@
 #include "core/game/table_setup.h"
 #include "core/poi/world.h"
 
+struct menu_scope menu_scope_of(struct game *game, struct core_config *config,
+                                struct output *output)
+{
+    return (struct menu_scope){
+        .game = game,
+        .menu = &game->menu,
+        .settings_edit = &game->settings_edit,
+        .accounts = &game->accounts,
+        .language = &game->language,
+        .config = config,
+        .output = output,
+    };
+}
+
 /* Asserts that every value of the controller state is in range. The state comes from the shell, the
  * program around the core. */
 static void check_controllers(const struct controller_status *desk)
@@ -58,7 +72,7 @@ static void open_menu(struct game *game, struct world *world, const struct core_
     if (game->phase == PHASE_ROUND && round_standing_is_spent(game, config)) {
         round_result_skip(game, world, config, output);
     } else {
-        credit_refund(game, config, REFUND_OPERATOR, output);
+        credit_refund(&game->accounts, game, config, REFUND_OPERATOR, output);
     }
     health_log_write(&game->accounts, &game->health_log, game->tick, input,
                      output); /* Log uptime and faults, so that the statistics in the menu are up
@@ -69,7 +83,7 @@ static void open_menu(struct game *game, struct world *world, const struct core_
     }
     table_setup_empty_bowls(world);
     game_enter_phase(game, PHASE_MENU);
-    menu_turn(game, &config->persistent.settings,
+    menu_turn(menu, game, &config->persistent.settings,
               config->persistent.settings.value[SET_PIN] != 0 ? MENU_PIN : MENU_TOP);
 }
 
@@ -106,17 +120,22 @@ static void point_at_something(struct menu *menu)
     menu->tag[menu->page] = tag;
 }
 
-void menu_turn(struct game *game, const struct settings *settings, enum menu_page page)
+void menu_turn(struct menu *menu, const struct game *game, const struct settings *settings,
+               enum menu_page page)
 {
     CORE_ASSERT(page < MENU_PAGE_COUNT);
-    struct menu *menu = &game->menu;
     menu->page = (uint8_t)page;
     menu->points = 0; /* Treat the pointer as if no item were under it, so that a pointer at rest
                          highlights no item of the new page. */
     if (menu_page_desc_of(menu->page)->enter) {
-        menu_page_desc_of(menu->page)->enter(game, settings);
+        menu_page_desc_of(menu->page)->enter(menu, game, settings);
     }
     point_at_something(menu);
+}
+
+void menu_go(const struct menu_scope *scope, enum menu_page page)
+{
+    menu_turn(scope->menu, scope->game, &scope->config->persistent.settings, page);
 }
 
 static void point_at_tag(struct menu *menu, uint32_t tag, struct output *output)
@@ -141,17 +160,19 @@ static void point_on(struct menu *menu, bool forward, struct output *output)
     point_at_tag(menu, tag, output);
 }
 
-static void activate_pointed_tag(struct game *game, struct world *world, struct core_config *config,
-                                 struct output *output)
+/* Runs the action of the highlighted item, unless another item was selected just before. Returns
+ * true if the action closes the menu. */
+static bool activate_pointed_tag(const struct menu_scope *scope)
 {
-    CORE_ASSERT(game->phase == PHASE_MENU);
-    struct menu *menu = &game->menu;
-    if (game->tick - menu->take_tick < MENU_TAKE_TICKS) {
-        return;
+    CORE_ASSERT(scope->game->phase == PHASE_MENU);
+    struct menu *menu = scope->menu;
+    const uint32_t tick = scope->game->tick;
+    if (tick - menu->take_tick < MENU_TAKE_TICKS) {
+        return false;
     }
-    menu->take_tick = menu->use_tick = game->tick;
-    output_sound(output, SOUND_TICK, 0.7f, 0.0f);
-    menu_activate(game, world, config, output);
+    menu->take_tick = menu->use_tick = tick;
+    output_sound(scope->output, SOUND_TICK, 0.7f, 0.0f);
+    return menu_activate(scope);
 }
 
 static bool is_way_back(const struct input *input)
@@ -159,28 +180,25 @@ static bool is_way_back(const struct input *input)
     return (input->pressed & MENU_WAY_BACK) == MENU_WAY_BACK;
 }
 
-static void take_menu_buttons(struct game *game, struct world *world, struct core_config *config,
-                              const struct input *input, struct output *output)
+/* Handles the buttons. Returns true if a button closes the menu. */
+static bool take_menu_buttons(const struct menu_scope *scope, const struct input *input)
 {
-    struct menu *menu = &game->menu;
+    struct menu *menu = scope->menu;
     const uint32_t inside = INPUT_TEST | INPUT_SERVICE;
     if (is_way_back(input)) {
         menu->tag[menu->page] = (uint8_t)(menu_tag_count(menu->page) - 1u);
         CORE_ASSERT(menu_enabled(menu) >> menu->tag[menu->page] & 1u);
-        activate_pointed_tag(game, world, config, output);
-        return;
+        return activate_pointed_tag(scope);
     }
     const uint32_t pressed =
         input->pressed &
         (menu_page_desc_of(menu->page)->watches ? inside : (uint32_t)INPUT_BUTTON_ALL);
     if (pressed & (INPUT_SERVICE | INPUT_RIGHT)) {
-        point_on(menu, 1, output);
+        point_on(menu, 1, scope->output);
     } else if (pressed & INPUT_LEFT) {
-        point_on(menu, 0, output);
+        point_on(menu, 0, scope->output);
     }
-    if (pressed & (INPUT_TEST | INPUT_START | INPUT_OK)) {
-        activate_pointed_tag(game, world, config, output);
-    }
+    return (pressed & (INPUT_TEST | INPUT_START | INPUT_OK)) && activate_pointed_tag(scope);
 }
 
 /* ---- Selection of items by a pointer -------------------------------------------------------- */
@@ -205,11 +223,11 @@ static bool uses_motion(const struct menu *menu)
 /* Moves the highlight when a pointer enters an item. While the pointer is at rest, even after a
  * page change, the buttons move the highlight. If several controllers are connected, the pointer of
  * the controller that moved last counts. Its slot need not have a bowl, because the operator may
- * test a controller that was never used in a game. */
-static void point_at_tag_by_hand(struct game *game, struct world *world, struct core_config *config,
-                                 const struct input *input, struct output *output)
+ * test a controller that was never used in a game. Returns true if the pointer closes the menu. */
+static bool point_at_tag_by_hand(const struct menu_scope *scope, const struct world *world,
+                                 const struct input *input)
 {
-    struct menu *menu = &game->menu;
+    struct menu *menu = scope->menu;
     struct pointer_state hand = pointer_of_player(world, input, menu->upright, menu->hand);
     bool stirs = false;
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -217,7 +235,7 @@ static void point_at_tag_by_hand(struct game *game, struct world *world, struct 
         const float x = other.at.x - menu->rest[i].x, y = other.at.y - menu->rest[i].y;
         if (other.present && x * x + y * y > POINTER_MOVE_MIN * POINTER_MOVE_MIN) {
             menu->rest[i] = other.at;
-            menu->act_tick = game->tick;
+            menu->act_tick = scope->game->tick;
             hand = other;
             stirs = true;
         }
@@ -226,7 +244,7 @@ static void point_at_tag_by_hand(struct game *game, struct world *world, struct 
         menu->has_hand = menu->points = 0;
         menu->presses = 1; /* No pointer is present. A pointer that appears later selects nothing
                               until its pose has been above the water. */
-        return;
+        return false;
     }
     const bool was_down = menu->presses || hand.player != menu->hand;
     menu->has_hand = 1;
@@ -240,17 +258,18 @@ static void point_at_tag_by_hand(struct game *game, struct world *world, struct 
         points = pointer_is_inside(box, 0.0f, hand.at) ? (uint8_t)(tag + 1u) : 0u;
     }
     if (stirs && points != menu->points && points > 0) {
-        point_at_tag(menu, points - 1u, output);
+        point_at_tag(menu, points - 1u, scope->output);
     }
     menu->points = stirs ? points : menu->points;
     menu->presses = hand.height_m < (was_down ? POINTER_RELEASE_Y_M : POINTER_PRESS_Y_M);
     if (menu->presses && !was_down && points > 0) {
         menu->points = points;
-        point_at_tag(menu, points - 1u, output); /* A dip of the poi selects the item under the
-                                                    pointer, even if a button has moved the
-                                                    highlight. */
-        activate_pointed_tag(game, world, config, output);
+        /* A dip of the poi selects the item under the pointer, even if a button has moved the
+         * highlight. */
+        point_at_tag(menu, points - 1u, scope->output);
+        return activate_pointed_tag(scope);
     }
+    return false;
 }
 
 /* ---- Tick of the operator's menu ------------------------------------------------------------- */
@@ -276,10 +295,10 @@ static void count_inputs(struct menu *menu, uint32_t tick, const struct input *i
 
 /* Copies the state of the controllers and of the buttons from `input` to the menu, which displays
  * this state. */
-static void watch_input_test(struct game *game, const struct settings *settings,
-                             const struct input *input, struct output *output)
+static void watch_input_test(struct menu *menu, const struct game *game,
+                             const struct settings *settings, const struct input *input,
+                             struct output *output)
 {
-    struct menu *menu = &game->menu;
     check_controllers(&input->controllers);
     const bool is_unkept = input->controllers.learn_step == LEARN_NOT_SAVED &&
                            menu->controllers.learn_step != LEARN_NOT_SAVED;
@@ -296,7 +315,7 @@ static void watch_input_test(struct game *game, const struct settings *settings,
                                                   a controller, so the menu opens the page of the
                                                   learn wizard. */
         menu->row = input->controllers.learn_row;
-        menu_turn(game, settings, MENU_LEARN);
+        menu_turn(menu, game, settings, MENU_LEARN);
     }
     point_at_something(menu);
 }
@@ -309,21 +328,20 @@ void menu_tick(struct game *game, struct world *world, struct core_config *confi
 {
     struct menu *menu = &game->menu;
     CORE_ASSERT(game->phase == PHASE_MENU && menu->page < MENU_PAGE_COUNT);
-    watch_input_test(game, &config->persistent.settings, input, output);
-    take_menu_buttons(game, world, config, input, output);
-    if (game->phase == PHASE_MENU) {
-        point_at_tag_by_hand(game, world, config, input, output);
-    }
-    if (game->phase == PHASE_MENU) {
+    const struct menu_scope scope = menu_scope_of(game, config, output);
+    watch_input_test(menu, game, &config->persistent.settings, input, output);
+    bool closes = take_menu_buttons(&scope, input) || point_at_tag_by_hand(&scope, world, input);
+    if (!closes) {
         const bool is_taking =
             (menu->held & (INPUT_TEST | INPUT_START | INPUT_OK)) != 0 ||
             (menu->has_hand && menu->presses && menu->points == menu->tag[menu->page] + 1u);
-        menu_settings_tick(game, config, is_taking, output);
+        menu_settings_tick(&scope, is_taking);
         const uint32_t span = menu->page == MENU_PIN ? MENU_PIN_IDLE_TICKS : MENU_IDLE_TICKS;
-        if (game->tick - menu->act_tick >= span ||
-            game->tick - menu->use_tick >= MENU_SWING_SPANS * span) {
-            menu_close(game, world, config, output);
-        }
+        closes = game->tick - menu->act_tick >= span ||
+                 game->tick - menu->use_tick >= MENU_SWING_SPANS * span;
+    }
+    if (closes) {
+        menu_close(game, world, config, output);
     }
 }
 

@@ -28,11 +28,28 @@
 #include "core/output.h"
 #include "core/settings.h"
 
+struct accounts;
 struct game;
 struct ledger;
 struct settings_edit;
 struct world;
 struct core_config;
+
+/* Parts of the state that the pages of the menu work on. An action of a page changes no other
+ * part. */
+struct menu_scope {
+    const struct game *game; /* State that the pages read. */
+    struct menu *menu;
+    struct settings_edit *settings_edit;
+    struct accounts *accounts;
+    uint8_t *language; /* Display language, which a change of SET_LANGUAGE changes too. */
+    struct core_config *config;
+    struct output *output;
+};
+
+/* Returns the scope of the menu's pages for the current tick. */
+struct menu_scope menu_scope_of(struct game *game, struct core_config *config,
+                                struct output *output);
 
 /* Returns true if TEST opens the menu in this tick. During a round the first press only requests
  * confirmation. */
@@ -83,8 +100,8 @@ float menu_calibrate_progress(const struct calibrate *calibrate);
 
 /* Evaluates the uncorrected poses of the controllers. Call once per tick. The function has an
  * effect only while the calibration page of the menu is open. */
-void menu_calibrate_tick(struct game *game, const struct world *world, struct core_config *config,
-                         const struct input *said, struct output *output);
+void menu_calibrate_tick(const struct menu_scope *scope, const struct world *world,
+                         const struct input *said);
 
 /* ---- Self-test page -------------------------------------------------------------------------- */
 
@@ -103,7 +120,7 @@ void menu_calibrate_tick(struct game *game, const struct world *world, struct co
  * lines does not use the lamp and the coin slot. A kiosk in free play does not use coins. */
 
 /* Runs the checks while the self-test page of the menu is open. Call once per tick. */
-void self_test_tick(struct game *game, const struct input *input, struct output *output);
+void self_test_tick(const struct menu_scope *scope, const struct input *input);
 
 /* Writes the results of the automatic checks to `out`, for self_test_judge(). */
 void self_test_show(const struct game *game, const struct core_config *config,
@@ -143,21 +160,20 @@ int32_t settings_edit_max(const struct core_config *config, uint32_t id);
 /* Sets setting `id` to `value`. settings_allows() must permit the value, which must not exceed
  * settings_edit_max(). A new number of fish or players takes effect when attract mode next
  * begins. */
-void settings_edit_set(struct game *game, struct core_config *config, uint32_t id, int32_t value);
+void settings_edit_set(const struct menu_scope *scope, uint32_t id, int32_t value);
 
 /* Moves setting `id` up or down by `step_count` steps, at most to the end of its range. A step
  * beyond the end continues at the opposite end. Returns true if the new value is at the end. */
-bool settings_edit_step(struct game *game, struct core_config *config, uint32_t id, bool is_down,
+bool settings_edit_step(const struct menu_scope *scope, uint32_t id, bool is_down,
                         uint32_t step_count);
 
 /* Resets every setting to its default, empties the balance, and logs both changes in one entry.
  * Returns true, or changes nothing and returns false if the ledger's ring buffer has no room. */
-bool settings_edit_factory_reset(struct game *game, struct core_config *config,
-                                 struct output *output);
+bool settings_edit_factory_reset(const struct menu_scope *scope);
 
 /* Logs changed settings after SETTINGS_EDIT_REST_TICKS without a further change. Call once per tick
  * in every phase. */
-void settings_edit_tick(struct game *game, struct settings *settings, struct output *output);
+void settings_edit_tick(const struct menu_scope *scope);
 
 /* Returns true if every change of a setting is on disk. */
 bool settings_edit_is_saved(const struct ledger *ledger, const struct settings_edit *settings_edit,

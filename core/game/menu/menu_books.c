@@ -7,24 +7,21 @@
 #include "core/game/accounting/accounts.h"
 #include "core/game/game.h"
 
-void menu_book_activate(struct game *game, struct core_config *config, uint32_t tag,
-                        struct output *output)
+void menu_book_activate(const struct menu_scope *scope, uint32_t tag)
 {
     CORE_ASSERT(tag == BOOK_RESET);
     (void)tag;
-    (void)output;
-    game->menu.from = game->menu.page;
-    menu_turn(game, &config->persistent.settings, MENU_RESET);
+    scope->menu->from = scope->menu->page;
+    menu_go(scope, MENU_RESET);
 }
 
 /* Resets the group of counters that the operator selected. If the ledger has no room, the page that
  * requests confirmation stays open. The ledger entry stores the sum of the group's counters, so
  * that later reports can show the amount that was removed. */
-void menu_reset_activate(struct game *game, struct core_config *config, uint32_t tag,
-                         struct output *output)
+void menu_reset_activate(const struct menu_scope *scope, uint32_t tag)
 {
-    const uint8_t from = game->menu.from, group = menu_page_desc_of(from)->about;
-    const struct audits *audits = &game->accounts.audits;
+    const uint8_t from = scope->menu->from, group = menu_page_desc_of(from)->about;
+    const struct audits *audits = &scope->accounts->audits;
     uint32_t sum = 0;
     CORE_ASSERT(group < AUDIT_GROUP_COUNT);
     for (uint32_t id = 0; id < AUDIT_COUNT; id++) {
@@ -35,22 +32,23 @@ void menu_reset_activate(struct game *game, struct core_config *config, uint32_t
                                         .detail = group,
                                         .value = (int32_t)sum };
     (void)tag;
-    if (ledger_write(&game->accounts, game->tick, &entry, output) != 0) {
-        menu_turn(game, &config->persistent.settings, (enum menu_page)from);
+    if (ledger_write(scope->accounts, scope->game->tick, &entry, scope->output) != 0) {
+        menu_go(scope, (enum menu_page)from);
     }
 }
 
 /* Number of leaderboards: each mode has one for the day, one for the week, and one for all time. */
 #define BOARD_COUNT (MODE_COUNT * RANK_PERIOD_COUNT)
 
-static struct rank_row *rows_of(struct ranking *ranking, const struct menu *menu)
+static const struct rank_row *rows_of(const struct ranking *ranking, const struct menu *menu)
 {
     CORE_ASSERT(menu->board < BOARD_COUNT);
     const uint8_t board = menu->board;
     return ranking->row[board / RANK_PERIOD_COUNT][board % RANK_PERIOD_COUNT];
 }
 
-static struct rank_row *selected_score_row(struct ranking *ranking, const struct menu *menu)
+static const struct rank_row *selected_score_row(const struct ranking *ranking,
+                                                 const struct menu *menu)
 {
     CORE_ASSERT(menu->score < RANK_ROWS);
     return &rows_of(ranking, menu)[menu->score];
@@ -58,7 +56,7 @@ static struct rank_row *selected_score_row(struct ranking *ranking, const struct
 
 /* ---- Page of a leaderboard ------------------------------------------------------------------ */
 
-static void note_rows(struct ranking *ranking, struct menu *menu)
+static void note_rows(const struct ranking *ranking, struct menu *menu)
 {
     CORE_ASSERT(menu->board < BOARD_COUNT);
     menu->scores = 0;
@@ -72,21 +70,19 @@ uint16_t menu_ranking_enabled(const struct menu *menu)
     return (uint16_t)(menu->scores | MENU_TAG(RANKING_NEXT) | MENU_TAG(RANKING_BACK));
 }
 
-void menu_ranking_open(struct game *game, const struct settings *settings)
+void menu_ranking_open(struct menu *menu, const struct game *game, const struct settings *settings)
 {
     (void)settings;
-    note_rows(&game->accounts.ranking, &game->menu);
+    note_rows(&game->accounts.ranking, menu);
 }
 
 /* Runs the action of an item on the leaderboard page: shows the next leaderboard, or opens the page
  * of the selected score. Modes without a score, such as practice, are skipped. Nothing happens if a
  * new day has removed the selected score. */
-void menu_ranking_activate(struct game *game, struct core_config *config, uint32_t tag,
-                           struct output *output)
+void menu_ranking_activate(const struct menu_scope *scope, uint32_t tag)
 {
-    struct ranking *ranking = &game->accounts.ranking;
-    struct menu *menu = &game->menu;
-    (void)output;
+    const struct ranking *ranking = &scope->accounts->ranking;
+    struct menu *menu = scope->menu;
     if (tag == RANKING_NEXT) {
         do {
             menu->board = (uint8_t)((menu->board + 1u) % BOARD_COUNT);
@@ -98,7 +94,7 @@ void menu_ranking_activate(struct game *game, struct core_config *config, uint32
     menu->score = (uint8_t)tag;
     note_rows(ranking, menu);
     if (selected_score_row(ranking, menu)->caught > 0) {
-        menu_turn(game, &config->persistent.settings, MENU_SCORE);
+        menu_go(scope, MENU_SCORE);
     }
 }
 
@@ -111,34 +107,33 @@ uint16_t menu_score_enabled(const struct menu *menu)
                       MENU_TAG(SCORE_BACK));
 }
 
-void menu_score_open(struct game *game, const struct settings *settings)
+void menu_score_open(struct menu *menu, const struct game *game, const struct settings *settings)
 {
     (void)settings;
-    struct menu *menu = &game->menu;
-    menu->score_is_named = selected_score_row(&game->accounts.ranking, &game->menu)->name[0] != 0;
+    menu->score_is_named = selected_score_row(&game->accounts.ranking, menu)->name[0] != 0;
     menu->score_asks = 0;
 }
 
 /* Removes the name of a score; the score stays. If the ledger has no room, nothing changes and the
  * operator must try again. */
-static void unname(struct game *game, const struct settings *settings, struct output *output)
+static void unname(const struct menu_scope *scope)
 {
-    const struct rank_row *row = selected_score_row(&game->accounts.ranking, &game->menu);
+    const struct rank_row *row = selected_score_row(&scope->accounts->ranking, scope->menu);
     const struct ledger_entry entry = { .kind = LEDGER_NAME,
                                         .detail = row->seat,
                                         .count = row->round_id };
     CORE_ASSERT(row->seat < POI_MAX);
-    ledger_write(&game->accounts, game->tick, &entry, output);
-    menu_score_open(game, settings);
+    ledger_write(scope->accounts, scope->game->tick, &entry, scope->output);
+    menu_score_open(scope->menu, scope->game, &scope->config->persistent.settings);
 }
 
-void menu_score_activate(struct game *game, struct core_config *config, uint32_t tag,
-                         struct output *output)
+void menu_score_activate(const struct menu_scope *scope, uint32_t tag)
 {
-    struct menu *menu = &game->menu;
-    const struct rank_row *row = selected_score_row(&game->accounts.ranking, menu);
+    struct menu *menu = scope->menu;
+    struct output *output = scope->output;
+    const struct rank_row *row = selected_score_row(&scope->accounts->ranking, menu);
     if (row->caught == 0) {
-        menu_turn(game, &config->persistent.settings, MENU_RANKING);
+        menu_go(scope, MENU_RANKING);
     } else if (tag == SCORE_REPLAY) {
         output->commands[menu->command_count % CONTROLLER_COMMAND_MAX] =
             (struct controller_command){ .kind = COMMAND_REPLAY, .round_id = row->round_id };
@@ -146,6 +141,6 @@ void menu_score_activate(struct game *game, struct core_config *config, uint32_t
     } else if (tag == SCORE_UNNAME) {
         menu->score_asks = 1;
     } else {
-        unname(game, &config->persistent.settings, output);
+        unname(scope);
     }
 }

@@ -19,22 +19,21 @@ uint16_t menu_rows_enabled(const struct menu *menu)
     return offers;
 }
 
-void menu_rows_activate(struct game *game, struct core_config *config, uint32_t tag,
-                        struct output *output)
+void menu_rows_activate(const struct menu_scope *scope, uint32_t tag)
 {
     CORE_ASSERT(tag < CONTROLLER_MAX);
-    (void)output;
-    game->menu.row = (uint8_t)tag;
-    menu_turn(game, &config->persistent.settings, MENU_CONTROLLER);
+    scope->menu->row = (uint8_t)tag;
+    menu_go(scope, MENU_CONTROLLER);
 }
 
 /* ---- Page of one controller ----------------------------------------------------------------- */
 
 /* Highlights the first item of the open page. Called when the page shows a different controller. */
-void menu_reopen(struct game *game, const struct settings *settings)
+void menu_reopen(struct menu *menu, const struct game *game, const struct settings *settings)
 {
+    (void)game;
     (void)settings;
-    game->menu.tag[game->menu.page] = 0;
+    menu->tag[menu->page] = 0;
 }
 
 uint16_t menu_row_enabled(const struct menu *menu)
@@ -53,16 +52,15 @@ uint16_t menu_row_enabled(const struct menu *menu)
     return by_state[menu->controllers.state[menu->row]] | MENU_TAG(ROW_BACK);
 }
 
-void menu_row_activate(struct game *game, struct core_config *config, uint32_t tag,
-                       struct output *output)
+void menu_row_activate(const struct menu_scope *scope, uint32_t tag)
 {
     CORE_ASSERT(tag < ROW_BACK);
     if (tag == ROW_LEARN) {
-        menu_command(&game->menu, output, COMMAND_LEARN);
-        menu_turn(game, &config->persistent.settings, MENU_LEARN);
+        menu_command(scope->menu, scope->output, COMMAND_LEARN);
+        menu_go(scope, MENU_LEARN);
         return;
     }
-    menu_command(&game->menu, output, tag == ROW_CHOOSE ? COMMAND_CHOOSE : COMMAND_RELEASE);
+    menu_command(scope->menu, scope->output, tag == ROW_CHOOSE ? COMMAND_CHOOSE : COMMAND_RELEASE);
 }
 
 /* ---- Page of the learn wizard --------------------------------------------------------------- */
@@ -85,20 +83,19 @@ uint16_t menu_learn_enabled(const struct menu *menu)
     }
 }
 
-void menu_learn_activate(struct game *game, struct core_config *config, uint32_t tag,
-                         struct output *output)
+void menu_learn_activate(const struct menu_scope *scope, uint32_t tag)
 {
     CORE_ASSERT(tag < LEARNS_END);
     switch (tag) {
     case LEARNS_NEXT:
-        menu_command(&game->menu, output, COMMAND_LEARN_NEXT);
+        menu_command(scope->menu, scope->output, COMMAND_LEARN_NEXT);
         break;
     case LEARNS_KEEP:
-        menu_command(&game->menu, output, COMMAND_LEARN_KEEP);
-        menu_turn(game, &config->persistent.settings, MENU_CONTROLLERS);
+        menu_command(scope->menu, scope->output, COMMAND_LEARN_KEEP);
+        menu_go(scope, MENU_CONTROLLERS);
         break;
     default:
-        menu_command(&game->menu, output, COMMAND_LEARN);
+        menu_command(scope->menu, scope->output, COMMAND_LEARN);
         break;
     }
 }
@@ -137,11 +134,13 @@ static void next_seat(struct calibrate *calibrate)
     } while (!(calibrate->present >> calibrate->seat & 1u));
 }
 
-void menu_calibrate_open(struct game *game, const struct settings *settings)
+void menu_calibrate_open(struct menu *menu, const struct game *game,
+                         const struct settings *settings)
 {
-    CORE_ASSERT(game->menu.page == MENU_CALIBRATION);
+    CORE_ASSERT(menu->page == MENU_CALIBRATION);
+    (void)game;
     (void)settings;
-    struct calibrate *calibrate = &game->menu.calibrate;
+    struct calibrate *calibrate = &menu->calibrate;
     begin_anew(calibrate);
     if (calibrate->present != 0 && !(calibrate->present >> calibrate->seat & 1u)) {
         next_seat(calibrate);
@@ -150,33 +149,30 @@ void menu_calibrate_open(struct game *game, const struct settings *settings)
 
 /* Stores `value` as the slot's calibration. A complete previous calibration is kept, so that the
  * operator can restore it. */
-static void swap_with(struct game *game, struct core_config *config,
-                      int32_t value[CALIBRATION_VALUES])
+static void swap_with(const struct menu_scope *scope, int32_t value[CALIBRATION_VALUES])
 {
-    CORE_ASSERT(game->menu.calibrate.seat < POI_MAX);
-    struct calibrate *calibrate = &game->menu.calibrate;
+    struct calibrate *calibrate = &scope->menu->calibrate;
+    CORE_ASSERT(calibrate->seat < POI_MAX);
     const uint32_t first = input_calibration_setting(calibrate->seat);
-    const struct settings *settings = &config->persistent.settings;
+    const struct settings *settings = &scope->config->persistent.settings;
     int32_t before[CALIBRATION_VALUES] = { 0 };
     if (input_calibration_is_set(settings, calibrate->seat)) {
         memcpy(before, &settings->value[first], sizeof before);
     }
     for (uint32_t i = 0; i < CALIBRATION_VALUES; i++) {
-        settings_edit_set(game, config, first + i, value[i]);
+        settings_edit_set(scope, first + i, value[i]);
     }
-    settings_edit_set(game, config, input_calibration_check_setting(calibrate->seat),
+    settings_edit_set(scope, input_calibration_check_setting(calibrate->seat),
                       input_calibration_check(value));
     memcpy(calibrate->before[calibrate->seat], before, sizeof before);
     calibrate->has_before |= (uint8_t)(1u << calibrate->seat);
 }
 
-void menu_calibrate_activate(struct game *game, struct core_config *config, uint32_t tag,
-                             struct output *output)
+void menu_calibrate_activate(const struct menu_scope *scope, uint32_t tag)
 {
     CORE_ASSERT(tag < CALIBRATE_BACK);
-    struct calibrate *calibrate = &game->menu.calibrate;
+    struct calibrate *calibrate = &scope->menu->calibrate;
     int32_t value[CALIBRATION_VALUES] = { 0 };
-    (void)output;
     begin_anew(calibrate);
     if (tag == CALIBRATE_NEXT) {
         next_seat(calibrate);
@@ -186,9 +182,9 @@ void menu_calibrate_activate(struct game *game, struct core_config *config, uint
                                      first pose counts. */
     } else if (tag == CALIBRATE_UNDO) {
         memcpy(value, calibrate->before[calibrate->seat], sizeof value);
-        swap_with(game, config, value);
+        swap_with(scope, value);
     } else {
-        swap_with(game, config, value);
+        swap_with(scope, value);
     }
 }
 
@@ -245,10 +241,10 @@ static bool watch_still(struct calibrate *calibrate, const struct poi_input *poi
 
 /* Stores the mean of the still poses for the current calibration step. After the last calibration
  * step, computes the calibration. */
-static void take_pose(struct game *game, const struct world *world, struct core_config *config,
-                      const struct poi_input *poi, struct output *output)
+static void take_pose(const struct menu_scope *scope, const struct world *world,
+                      const struct poi_input *poi)
 {
-    struct calibrate *calibrate = &game->menu.calibrate;
+    struct calibrate *calibrate = &scope->menu->calibrate;
     const float share = 1.0f / (float)CALIBRATE_STILL_TICKS;
     struct poi_target at = calibrate->anchor;
     int32_t value[CALIBRATION_VALUES];
@@ -258,11 +254,11 @@ static void take_pose(struct game *game, const struct world *world, struct core_
     at.angles.roll_rad += share * calibrate->sum.angles.roll_rad;
     rest_at(calibrate, &poi->target);
     calibrate->must_move = 1;
-    game->menu.act_tick = game->tick;
+    scope->menu->act_tick = scope->game->tick;
     if (calibrate->step != CALIBRATE_WATER) {
         calibrate->said.corner_m[calibrate->step - CALIBRATE_CORNER] = at.position_m;
         calibrate->step++;
-        output_sound(output, SOUND_CATCH, 0.7f, 0.0f);
+        output_sound(scope->output, SOUND_CATCH, 0.7f, 0.0f);
         return;
     }
     calibrate->said.water = at;
@@ -271,18 +267,18 @@ static void take_pose(struct game *game, const struct world *world, struct core_
         (uint8_t)input_calibration_solve(&calibrate->said, world->tank.size_m, value);
     const bool is_good = calibrate->fault == CALIBRATION_GOOD;
     if (is_good) {
-        swap_with(game, config, value);
+        swap_with(scope, value);
     }
     calibrate->step = is_good ? CALIBRATE_DONE : CALIBRATE_REFUSED;
-    output_sound(output, is_good ? SOUND_RESULT : SOUND_FOUL, 0.7f, 0.0f);
+    output_sound(scope->output, is_good ? SOUND_RESULT : SOUND_FOUL, 0.7f, 0.0f);
 }
 
-void menu_calibrate_tick(struct game *game, const struct world *world, struct core_config *config,
-                         const struct input *said, struct output *output)
+void menu_calibrate_tick(const struct menu_scope *scope, const struct world *world,
+                         const struct input *said)
 {
-    const struct settings *settings = &config->persistent.settings;
-    struct calibrate *calibrate = &game->menu.calibrate;
-    if (game->phase != PHASE_MENU) {
+    const struct settings *settings = &scope->config->persistent.settings;
+    struct calibrate *calibrate = &scope->menu->calibrate;
+    if (scope->game->phase != PHASE_MENU) {
         return;
     }
     calibrate->present = calibrate->is_set = 0;
@@ -295,13 +291,13 @@ void menu_calibrate_tick(struct game *game, const struct world *world, struct co
     }
     CORE_ASSERT(calibrate->seat < POI_MAX && calibrate->step < CALIBRATE_STEPS);
     const struct poi_input *poi = &said->poi[calibrate->seat];
-    if (game->menu.page != MENU_CALIBRATION || !menu_calibrate_is_running(calibrate)) {
+    if (scope->menu->page != MENU_CALIBRATION || !menu_calibrate_is_running(calibrate)) {
         return;
     }
     if (poi->link != POI_SOURCE_LIVE || !input_pose_is_finite(&poi->target)) {
         calibrate->has_anchor = 0;
         calibrate->still_ticks = 0;
     } else if (watch_still(calibrate, poi)) {
-        take_pose(game, world, config, poi, output);
+        take_pose(scope, world, poi);
     }
 }

@@ -203,28 +203,28 @@ void menu_command(struct menu *menu, struct output *output, enum controller_comm
     output->command_count = ++menu->command_count;
 }
 
-void menu_activate(struct game *game, struct world *world, struct core_config *config,
-                   struct output *output)
+bool menu_activate(const struct menu_scope *scope)
 {
-    struct menu *menu = &game->menu;
-    const struct settings *settings = &config->persistent.settings;
+    struct menu *menu = scope->menu;
     const struct menu_page_desc *sheet = menu_page_desc_of(menu->page);
     const uint32_t tag = menu->tag[menu->page], count = menu_tag_count(menu->page);
     const uint8_t page = menu_page_at(menu->page, tag);
     CORE_ASSERT(tag < count);
     if (tag + 1u == count && sheet->parent == MENU_PAGE_COUNT) {
-        menu_close(game, world, config, output);
-    } else if (tag + 1u == count) {
+        return true;
+    }
+    if (tag + 1u == count) {
         if (sheet->leave) {
-            sheet->leave(menu, output);
+            sheet->leave(menu, scope->output);
         }
-        menu_turn(game, settings, (enum menu_page)(sheet->returns ? menu->from : sheet->parent));
+        menu_go(scope, (enum menu_page)(sheet->returns ? menu->from : sheet->parent));
     } else if (page < MENU_PAGE_COUNT) {
-        menu_turn(game, settings, (enum menu_page)page);
+        menu_go(scope, (enum menu_page)page);
     } else {
         CORE_ASSERT(sheet->take);
-        sheet->take(game, config, tag, output);
+        sheet->take(scope, tag);
     }
+    return false;
 }
 
 void menu_close(struct game *game, struct world *world, const struct core_config *config,

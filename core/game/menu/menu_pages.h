@@ -27,11 +27,10 @@ enum menu_body {
 /* Returns a bit mask of the items of the open page that can be selected. */
 typedef uint16_t menu_offers(const struct menu *menu);
 /* Action of a page when it opens, such as selecting its first item. */
-typedef void menu_enter(struct game *game, const struct settings *settings);
-/* Runs the action of the selected item `tag`, which is not the last item of the page. An action may
- * change settings, which are part of `config`. */
-typedef void menu_take(struct game *game, struct core_config *config, uint32_t tag,
-                       struct output *output);
+typedef void menu_enter(struct menu *menu, const struct game *game,
+                        const struct settings *settings);
+/* Runs the action of the selected item `tag`, which is not the last item of the page. */
+typedef void menu_take(const struct menu_scope *scope, uint32_t tag);
 
 struct menu_page_desc {
     uint8_t parent;      /* Parent page (enum menu_page). MENU_PAGE_COUNT means that the last item
@@ -77,12 +76,15 @@ uint16_t menu_enabled(const struct menu *menu);
 
 /* Opens a page. Highlights the item that was highlighted on the last visit, or the first available
  * item. */
-void menu_turn(struct game *game, const struct settings *settings, enum menu_page page);
+void menu_turn(struct menu *menu, const struct game *game, const struct settings *settings,
+               enum menu_page page);
 
-/* Runs the action of the highlighted item. The last item opens the parent page or closes the
- * menu. */
-void menu_activate(struct game *game, struct world *world, struct core_config *config,
-                   struct output *output);
+/* Opens a page as menu_turn() does, for an action of the open page. */
+void menu_go(const struct menu_scope *scope, enum menu_page page);
+
+/* Runs the action of the highlighted item. The last item opens the parent page. Returns true if the
+ * last item closes the menu; the caller must then call menu_close(). */
+bool menu_activate(const struct menu_scope *scope);
 
 /* Closes the menu and starts attract mode. A learn wizard in progress is cancelled. */
 void menu_close(struct game *game, struct world *world, const struct core_config *config,
@@ -136,7 +138,6 @@ menu_enter menu_settings_open;
 menu_take menu_settings_activate, menu_bits_activate;
 
 /* Continues to change a value while the button or poi that selected the value is still pressed. */
-void menu_settings_tick(struct game *game, struct core_config *config, bool is_pressed,
-                        struct output *output);
+void menu_settings_tick(const struct menu_scope *scope, bool is_pressed);
 
 #endif

@@ -180,7 +180,7 @@ void menu_show(const struct game *game, const struct core_config *config, struct
     out->calibrate_fault = menu->calibrate.fault;
     out->calibrated = menu->calibrate.is_set;
     out->menu_calibrate_progress = menu_calibrate_progress(&menu->calibrate);
-    out->calibrated_m = game->validation[menu->calibrate.seat].newest.position_m;
+    out->calibrated_m = game->control[menu->calibrate.seat].validation.newest.position_m;
     out->coin_s =
         menu->test_coins > 0 ? (float)(game->tick - menu->coin_tick) * CORE_TICK_S : NEVER_S;
 }

@@ -11,32 +11,31 @@
 
 _Static_assert((int)CONFIRM_BACK == (int)BOOK_BACK, "pages of the books begin there, too");
 
-void menu_confirm_open(struct game *game, const struct settings *settings)
+void menu_confirm_open(struct menu *menu, const struct game *game, const struct settings *settings)
 {
+    (void)game;
     (void)settings;
-    game->menu.tag[game->menu.page] = CONFIRM_BACK;
+    menu->tag[menu->page] = CONFIRM_BACK;
 }
 
 /* Requests a restart of the kiosk. When the store has saved everything, the shell ends the frame
  * loop and starts the kiosk again. */
-void menu_restart_activate(struct game *game, struct core_config *config, uint32_t tag,
-                           struct output *output)
-{
-    CORE_ASSERT(tag == CONFIRM_YES);
-    (void)config;
-    menu_command(&game->menu, output, COMMAND_RESTART);
-}
-
-void menu_factory_activate(struct game *game, struct core_config *config, uint32_t tag,
-                           struct output *output)
+void menu_restart_activate(const struct menu_scope *scope, uint32_t tag)
 {
     CORE_ASSERT(tag == CONFIRM_YES);
     (void)tag;
-    if (settings_edit_factory_reset(game, config, output)) {
+    menu_command(scope->menu, scope->output, COMMAND_RESTART);
+}
+
+void menu_factory_activate(const struct menu_scope *scope, uint32_t tag)
+{
+    CORE_ASSERT(tag == CONFIRM_YES);
+    (void)tag;
+    if (settings_edit_factory_reset(scope)) {
         /* Request a restart, which applies the machine's configuration and the configuration files
          * again. */
-        menu_command(&game->menu, output, COMMAND_RESTART);
-        menu_turn(game, &config->persistent.settings, MENU_UPKEEP);
+        menu_command(scope->menu, scope->output, COMMAND_RESTART);
+        menu_go(scope, MENU_UPKEEP);
     }
 }
 
@@ -56,10 +55,10 @@ uint16_t menu_files_enabled(const struct menu *menu)
 
 /* Opens the page of files. The highlighted item is harmless if the operator selects it by
  * accident. */
-void menu_files_open(struct game *game, const struct settings *settings)
+void menu_files_open(struct menu *menu, const struct game *game, const struct settings *settings)
 {
+    (void)game;
     (void)settings;
-    struct menu *menu = &game->menu;
     menu->file_first = 0;
     menu->tag[MENU_FILES] =
         menu_files_enabled(menu) & MENU_TAG(FILES_MORE) ? FILES_MORE : FILES_BACK;
@@ -67,14 +66,12 @@ void menu_files_open(struct game *game, const struct settings *settings)
 
 /* Shows the next rows of the list of files; after the last rows, the first rows follow. The item
  * FILES_SEEN sends a command to the shell, which acknowledges the quarantined databases. */
-void menu_files_activate(struct game *game, struct core_config *config, uint32_t tag,
-                         struct output *output)
+void menu_files_activate(const struct menu_scope *scope, uint32_t tag)
 {
     CORE_ASSERT(tag < FILES_BACK);
-    (void)config;
-    struct menu *menu = &game->menu;
+    struct menu *menu = scope->menu;
     if (tag == FILES_SEEN) {
-        menu_command(&game->menu, output, COMMAND_SEEN);
+        menu_command(menu, scope->output, COMMAND_SEEN);
         return;
     }
     const uint32_t next = menu->file_first + menu_files_shown(menu->upright);
@@ -101,10 +98,10 @@ bool menu_takes_pin(const struct game *game)
     return game->phase == PHASE_MENU && (page == MENU_PIN || page == MENU_NEW_PIN);
 }
 
-void menu_pin_open(struct game *game, const struct settings *settings)
+void menu_pin_open(struct menu *menu, const struct game *game, const struct settings *settings)
 {
+    (void)game;
     (void)settings;
-    struct menu *menu = &game->menu;
     menu->pin = 0;
     menu->pin_count = 0;
     menu->tag[menu->page] = 0;
@@ -127,39 +124,39 @@ static bool type_pin_key(struct menu *menu, uint32_t tag)
 /* Checks the PIN after its last digit, and opens the menu or starts the lockout time. The ledger
  * contains each wrong PIN, so that the lockout time continues after a power cut. If the ledger has
  * no room, the lockout ends when the kiosk is switched off. */
-void menu_pin_activate(struct game *game, struct core_config *config, uint32_t tag,
-                       struct output *output)
+void menu_pin_activate(const struct menu_scope *scope, uint32_t tag)
 {
-    struct settings_edit *edit = &game->settings_edit;
-    if (menu_pin_wait_ticks(edit, game->tick) > 0 || !type_pin_key(&game->menu, tag)) {
+    struct settings_edit *edit = scope->settings_edit;
+    const struct settings *settings = &scope->config->persistent.settings;
+    const uint32_t tick = scope->game->tick;
+    if (menu_pin_wait_ticks(edit, tick) > 0 || !type_pin_key(scope->menu, tag)) {
         return;
     }
-    const bool is_right = pin_matches(config->persistent.settings.value[SET_PIN], game->menu.pin);
+    const bool is_right = pin_matches(settings->value[SET_PIN], scope->menu->pin);
     if (!is_right || edit->pin_wrong > 0) {
         const struct ledger_entry entry = { .kind = LEDGER_PIN, .detail = (uint8_t)is_right };
-        ledger_write(&game->accounts, game->tick, &entry, output);
+        ledger_write(scope->accounts, tick, &entry, scope->output);
     }
     edit->pin_wrong = is_right ? 0u : edit->pin_wrong + (edit->pin_wrong < UINT8_MAX);
-    edit->pin_tick = game->tick;
+    edit->pin_tick = tick;
     if (is_right) {
-        menu_turn(game, &config->persistent.settings, MENU_TOP);
+        menu_go(scope, MENU_TOP);
         return;
     }
-    output_sound(output, SOUND_FOUL, 0.5f, 0.0f);
-    menu_pin_open(game, &config->persistent.settings);
+    output_sound(scope->output, SOUND_FOUL, 0.5f, 0.0f);
+    menu_pin_open(scope->menu, scope->game, settings);
 }
 
 /* Sets a new PIN when its last digit has been typed. The PIN 0000 means that no PIN is required.
  * Recordings of the older format 7 stored plain digits. */
-void menu_new_pin_activate(struct game *game, struct core_config *config, uint32_t tag,
-                           struct output *output)
+void menu_new_pin_activate(const struct menu_scope *scope, uint32_t tag)
 {
-    (void)output;
-    if (type_pin_key(&game->menu, tag)) {
-        const uint32_t salt = rng_u32((struct rng_key){ config->seed, game->tick, 0, RNG_PIN });
-        const uint32_t pin = game->menu.pin;
-        settings_edit_set(game, config, SET_PIN,
+    const struct core_config *config = scope->config;
+    if (type_pin_key(scope->menu, tag)) {
+        const struct rng_key key = { config->seed, scope->game->tick, 0, RNG_PIN };
+        const uint32_t pin = scope->menu->pin, salt = rng_u32(key);
+        settings_edit_set(scope, SET_PIN,
                           !config_has_rules(config, 8) ? (int32_t)pin : pin_hide(pin, salt));
-        menu_turn(game, &config->persistent.settings, MENU_UPKEEP);
+        menu_go(scope, MENU_UPKEEP);
     }
 }

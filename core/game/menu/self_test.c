@@ -16,28 +16,26 @@ uint16_t menu_self_enabled(const struct menu *menu)
                       MENU_TAG(SELF_BACK));
 }
 
-void menu_self_open(struct game *game, const struct settings *settings)
+void menu_self_open(struct menu *menu, const struct game *game, const struct settings *settings)
 {
     (void)settings;
-    game->menu.self = (struct self_test){ .begin_tick = game->tick };
-    game->menu.tag[MENU_SELF_TEST] = SELF_YES;
-    game->menu.test_coins = 0;
+    menu->self = (struct self_test){ .begin_tick = game->tick };
+    menu->tag[MENU_SELF_TEST] = SELF_YES;
+    menu->test_coins = 0;
     for (uint32_t i = 0; i < INPUT_BUTTON_COUNT; i++) {
-        game->menu.pressed_count[i] = 0;
+        menu->pressed_count[i] = 0;
     }
 }
 
 /* Restarts the self-test, or stores YES or NO as the answer to the first open question. The
  * question about the sound comes before the question about the lamp and the coin slot. */
-void menu_self_activate(struct game *game, struct core_config *config, uint32_t tag,
-                        struct output *output)
+void menu_self_activate(const struct menu_scope *scope, uint32_t tag)
 {
-    struct self_test *self = &game->menu.self;
+    struct self_test *self = &scope->menu->self;
     const uint8_t answer = tag == SELF_YES ? SELF_SAYS_YES : SELF_SAYS_NO;
     CORE_ASSERT(tag < SELF_BACK);
-    (void)output;
     if (tag == SELF_AGAIN) {
-        menu_self_open(game, &config->persistent.settings);
+        menu_self_open(scope->menu, scope->game, &scope->config->persistent.settings);
     } else if (self->heard == SELF_UNSAID) {
         self->heard = answer;
     } else if (self->moved == SELF_UNSAID) {
@@ -54,9 +52,10 @@ static bool self_test_is_open(const struct game *game)
 
 /* Runs the checks of the self-test. In its second tick, the self-test logs the present volume
  * setting as a test entry. A program that reads the ledger sees no changed setting. */
-void self_test_tick(struct game *game, const struct input *input, struct output *output)
+void self_test_tick(const struct menu_scope *scope, const struct input *input)
 {
-    struct self_test *self = &game->menu.self;
+    const struct game *game = scope->game;
+    struct self_test *self = &scope->menu->self;
     const uint32_t age = game->tick - self->begin_tick;
     if (!self_test_is_open(game)) {
         return;
@@ -65,12 +64,12 @@ void self_test_tick(struct game *game, const struct input *input, struct output 
         const struct ledger_entry entry = {
             .kind = LEDGER_SETTING,
             .detail = SET_VOLUME,
-            .value = game->settings_edit.told.value[SET_VOLUME],
+            .value = scope->settings_edit->told.value[SET_VOLUME],
         };
-        self->entry_id = ledger_write(&game->accounts, game->tick, &entry, output);
+        self->entry_id = ledger_write(scope->accounts, game->tick, &entry, scope->output);
     }
     if (age % CORE_TICK_HZ == 1u && self->heard == SELF_UNSAID) {
-        output_sound(output, SOUND_CALL, 1.0f, 0.0f);
+        output_sound(scope->output, SOUND_CALL, 1.0f, 0.0f);
     }
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const struct poi_input *poi = &input->poi[i];

@@ -33,20 +33,20 @@ int32_t settings_edit_max(const struct core_config *config, uint32_t id)
     return room < setting->max ? room : setting->max;
 }
 
-static void apply(struct settings_edit *settings_edit, struct core_config *config, uint32_t tick)
+static void apply(const struct menu_scope *scope)
 {
-    config_apply_settings(config, &config->persistent.settings);
-    settings_edit->turn_tick = tick;
+    config_apply_settings(scope->config, &scope->config->persistent.settings);
+    scope->settings_edit->turn_tick = scope->game->tick;
 }
 
-void settings_edit_set(struct game *game, struct core_config *config, uint32_t id, int32_t value)
+void settings_edit_set(const struct menu_scope *scope, uint32_t id, int32_t value)
 {
     CORE_ASSERT(settings_allows(id, value));
-    CORE_ASSERT(value <= settings_edit_max(config, id));
-    config->persistent.settings.value[id] = value;
-    apply(&game->settings_edit, config, game->tick);
+    CORE_ASSERT(value <= settings_edit_max(scope->config, id));
+    scope->config->persistent.settings.value[id] = value;
+    apply(scope);
     if (id == SET_LANGUAGE) {
-        game->language = (uint8_t)value;
+        *scope->language = (uint8_t)value;
     }
 }
 
@@ -71,44 +71,46 @@ static bool is_setting_at_limit(const struct core_config *config, uint32_t id, i
     return is_down ? next > value : next < value;
 }
 
-bool settings_edit_step(struct game *game, struct core_config *config, uint32_t id, bool is_down,
+bool settings_edit_step(const struct menu_scope *scope, uint32_t id, bool is_down,
                         uint32_t step_count)
 {
     CORE_ASSERT(id < SETTING_COUNT && step_count > 0);
+    const struct core_config *config = scope->config;
     int32_t value = step_from(config, id, config->persistent.settings.value[id], is_down);
     for (uint32_t i = 1; i < step_count && !is_setting_at_limit(config, id, value, is_down); i++) {
         value = step_from(config, id, value, is_down);
     }
-    settings_edit_set(game, config, id, value);
+    settings_edit_set(scope, id, value);
     return is_setting_at_limit(config, id, value, is_down);
 }
 
-bool settings_edit_factory_reset(struct game *game, struct core_config *config,
-                                 struct output *output)
+bool settings_edit_factory_reset(const struct menu_scope *scope)
 {
-    struct ledger *ledger = &game->accounts.ledger;
-    struct settings *settings = &config->persistent.settings;
+    struct ledger *ledger = &scope->accounts->ledger;
+    struct settings *settings = &scope->config->persistent.settings;
     const struct balance balance = ledger->balance;
     const struct ledger_entry entry = { .kind = LEDGER_FACTORY,
                                         .count = balance.paid + balance.service,
                                         .value = balance.tickets };
     ledger->balance = (struct balance){ 0 };
-    if (!ledger_write(&game->accounts, game->tick, &entry, output)) {
+    if (!ledger_write(scope->accounts, scope->game->tick, &entry, scope->output)) {
         ledger->balance = balance;
         return false;
     }
     settings_reset(settings);
-    game->settings_edit.told = *settings;
-    game->settings_edit.entry_id = ledger->last_id;
-    game->language = (uint8_t)settings->value[SET_LANGUAGE];
-    apply(&game->settings_edit, config, game->tick);
+    scope->settings_edit->told = *settings;
+    scope->settings_edit->entry_id = ledger->last_id;
+    *scope->language = (uint8_t)settings->value[SET_LANGUAGE];
+    apply(scope);
     return true;
 }
 
-void settings_edit_tick(struct game *game, struct settings *settings, struct output *output)
+void settings_edit_tick(const struct menu_scope *scope)
 {
-    struct settings_edit *settings_edit = &game->settings_edit;
-    if (game->tick - settings_edit->turn_tick < SETTINGS_EDIT_REST_TICKS) {
+    struct settings_edit *settings_edit = scope->settings_edit;
+    const struct settings *settings = &scope->config->persistent.settings;
+    const uint32_t tick = scope->game->tick;
+    if (tick - settings_edit->turn_tick < SETTINGS_EDIT_REST_TICKS) {
         return;
     }
     for (uint32_t id = 0; id < SETTING_COUNT; id++) {
@@ -116,7 +118,7 @@ void settings_edit_tick(struct game *game, struct settings *settings, struct out
         if (value == settings_edit->told.value[id]) {
             continue;
         }
-        if (!ledger_may_write(&game->accounts.ledger, LEDGER_SETTING)) {
+        if (!ledger_may_write(&scope->accounts->ledger, LEDGER_SETTING)) {
             return; /* The ledger has no room. The next tick tries again, because every change of
                        a setting must be logged. */
         }
@@ -124,7 +126,7 @@ void settings_edit_tick(struct game *game, struct settings *settings, struct out
                                             .detail = (uint8_t)(id & 0xffu),
                                             .count = id >> 8,
                                             .value = value };
-        settings_edit->entry_id = ledger_write(&game->accounts, game->tick, &entry, output);
+        settings_edit->entry_id = ledger_write(scope->accounts, tick, &entry, scope->output);
         settings_edit->told.value[id] = value;
     }
 }
@@ -156,9 +158,9 @@ static bool is_settings(const struct menu *menu)
 
 /* Opens a settings page. Until the operator changes a value, the item "restore the default" applies
  * to the first row whose value differs from its default. */
-void menu_settings_open(struct game *game, const struct settings *settings)
+void menu_settings_open(struct menu *menu, const struct game *game, const struct settings *settings)
 {
-    struct menu *menu = &game->menu;
+    (void)game;
     menu->chosen = MENU_TAG_MAX;
     menu->turns_down = menu->turning = 0;
     menu->tag[menu->page] = 0;
@@ -175,17 +177,17 @@ void menu_settings_open(struct game *game, const struct settings *settings)
 
 /* Changes the value of setting `id` by one or more steps. While a button is held, the value stops
  * at the end of its range. A new press continues at the opposite end. */
-static void step_setting(struct game *game, struct core_config *config, uint32_t id)
+static void step_setting(const struct menu_scope *scope, uint32_t id)
 {
-    struct menu *menu = &game->menu;
+    struct menu *menu = scope->menu;
     CORE_ASSERT(id < SETTING_COUNT);
     const struct setting *setting = settings_entry(id);
-    const int32_t steps = (settings_edit_max(config, id) - setting->min) / setting->step;
+    const int32_t steps = (settings_edit_max(scope->config, id) - setting->min) / setting->step;
     const uint32_t stride = menu->turn_count >= RUSH_COUNT && steps >= RUSH_STEPS_MIN     ? 100u
                             : menu->turn_count >= HURRY_COUNT && steps >= HURRY_STEPS_MIN ? 10u
                                                                                           : 1u;
-    menu->turning = !settings_edit_step(game, config, id, menu->turns_down, stride);
-    menu->turn_tick = game->tick;
+    menu->turning = !settings_edit_step(scope, id, menu->turns_down, stride);
+    menu->turn_tick = scope->game->tick;
 }
 
 /* Returns the items of a settings page that can be selected. The item "restore the default" applies
@@ -200,45 +202,41 @@ uint16_t menu_settings_enabled(const struct menu *menu)
     return (uint16_t)(menu->chosen < MENU_TAG_MAX ? all : all & ~(1u << standard));
 }
 
-void menu_settings_activate(struct game *game, struct core_config *config, uint32_t tag,
-                            struct output *output)
+void menu_settings_activate(const struct menu_scope *scope, uint32_t tag)
 {
-    CORE_ASSERT(is_settings(&game->menu) && tag < menu_tag_count(game->menu.page));
-    struct menu *menu = &game->menu;
+    struct menu *menu = scope->menu;
+    CORE_ASSERT(is_settings(menu) && tag < menu_tag_count(menu->page));
     const uint32_t body_count = menu_body_count(menu->page);
-    (void)output;
     if (tag < body_count) {
         menu->turn_count = 0;
         menu->chosen = (uint8_t)tag;
-        step_setting(game, config, menu_setting_at(menu->page, tag));
+        step_setting(scope, menu_setting_at(menu->page, tag));
     } else if (tag == body_count + SETTINGS_DIRECTION) {
         menu->turns_down = !menu->turns_down;
     } else {
         const uint32_t id = menu_setting_at(menu->page, menu->chosen);
-        settings_edit_set(game, config, id, settings_entry(id)->standard);
-        menu->turn_tick = game->tick;
+        settings_edit_set(scope, id, settings_entry(id)->standard);
+        menu->turn_tick = scope->game->tick;
     }
 }
 
 /* Toggles one bit of the page's setting. A bit that is the only set bit cannot be cleared. */
-void menu_bits_activate(struct game *game, struct core_config *config, uint32_t tag,
-                        struct output *output)
+void menu_bits_activate(const struct menu_scope *scope, uint32_t tag)
 {
-    CORE_ASSERT(menu_page_desc_of(game->menu.page)->body == MENU_BODY_BITS);
-    const uint32_t id = menu_page_desc_of(game->menu.page)->about;
-    const int32_t value = config->persistent.settings.value[id] ^ (1 << tag);
-    (void)output;
+    struct menu *menu = scope->menu;
+    CORE_ASSERT(menu_page_desc_of(menu->page)->body == MENU_BODY_BITS);
+    const uint32_t id = menu_page_desc_of(menu->page)->about;
+    const int32_t value = scope->config->persistent.settings.value[id] ^ (1 << tag);
     if (settings_allows(id, value)) {
-        settings_edit_set(game, config, id, value);
-        game->menu.turn_tick = game->tick;
+        settings_edit_set(scope, id, value);
+        menu->turn_tick = scope->game->tick;
     }
 }
 
-void menu_settings_tick(struct game *game, struct core_config *config, bool is_pressed,
-                        struct output *output)
+void menu_settings_tick(const struct menu_scope *scope, bool is_pressed)
 {
-    CORE_ASSERT(game->phase == PHASE_MENU && game->menu.page < MENU_PAGE_COUNT);
-    struct menu *menu = &game->menu;
+    struct menu *menu = scope->menu;
+    CORE_ASSERT(scope->game->phase == PHASE_MENU && menu->page < MENU_PAGE_COUNT);
     const uint8_t tag = menu->tag[menu->page];
     if (!is_settings(menu)) {
         menu->turning = 0;
@@ -246,9 +244,9 @@ void menu_settings_tick(struct game *game, struct core_config *config, bool is_p
     }
     const uint32_t wait = menu->turn_count == 0 ? HOLD_TICKS : AGAIN_TICKS;
     menu->turning = menu->turning && is_pressed && tag == menu->chosen;
-    if (menu->turning && game->tick - menu->turn_tick >= wait) {
+    if (menu->turning && scope->game->tick - menu->turn_tick >= wait) {
         menu->turn_count = (uint8_t)(menu->turn_count + (menu->turn_count < UINT8_MAX));
-        step_setting(game, config, menu_setting_at(menu->page, tag));
-        output_sound(output, SOUND_TICK, 0.4f, 0.0f);
+        step_setting(scope, menu_setting_at(menu->page, tag));
+        output_sound(scope->output, SOUND_TICK, 0.4f, 0.0f);
     }
 }

@@ -11,17 +11,17 @@
 
 /* ---- Players who enter a name --------------------------------------------------------------- */
 
-void name_note_round(struct game *game, const struct settings *settings, uint32_t round_id)
+void name_note_round(struct name *name, const struct accounts *accounts,
+                     const struct settings *settings, uint8_t mode, uint32_t round_id)
 {
-    CORE_ASSERT(game->mode < MODE_COUNT);
-    struct name *name = &game->name;
-    const bool is_kept = game->accounts.ledger.boot != 0;
+    CORE_ASSERT(mode < MODE_COUNT);
+    const bool is_kept = accounts->ledger.boot != 0;
     const bool is_wanted = settings->value[SET_NAMES] != 0;
     *name = (struct name){ .round_id = round_id };
     for (uint8_t seat = 0; seat < POI_MAX && round_id != 0; seat++) {
         for (uint32_t period = 0; period < RANK_PERIOD_COUNT; period++) {
-            const uint32_t place = ranking_place(&game->accounts.ranking, game->mode,
-                                                 (enum rank_period)period, round_id, seat);
+            const uint32_t place =
+                ranking_place(&accounts->ranking, mode, (enum rank_period)period, round_id, seat);
             name->ranked |= (uint8_t)(place < RANK_ROWS ? 1u << seat : 0u);
         }
     }
@@ -43,9 +43,8 @@ static void ask_for_name(struct name *name, uint32_t tick)
 
 /* Starts the name entry of the next player, who has the best score of the players who still need a
  * name. Returns true, or false if no player still needs a name. */
-static bool begin_next_turn(struct game *game)
+static bool begin_next_turn(struct name *name, const struct game *game)
 {
-    struct name *name = &game->name;
     uint8_t best = POI_MAX;
     for (uint8_t seat = 0; seat < POI_MAX; seat++) {
         const bool waits = name->waits >> seat & 1;
@@ -68,7 +67,7 @@ static bool begin_next_turn(struct game *game)
 bool name_begin(struct game *game, struct output *output)
 {
     CORE_ASSERT(game->name.letter_count <= NAME_LETTERS_MAX);
-    if (!begin_next_turn(game)) {
+    if (!begin_next_turn(&game->name, game)) {
         return false;
     }
     game_enter_phase(game, PHASE_NAME);
@@ -103,17 +102,18 @@ void name_keep(struct accounts *accounts, const struct name *name, uint32_t tick
 static void finish(struct game *game, struct output *output)
 {
     name_keep(&game->accounts, &game->name, game->tick, output);
-    if (!begin_next_turn(game)) {
+    if (!begin_next_turn(&game->name, game)) {
         game_enter_phase(game, PHASE_LEADERBOARD);
     }
     output_sound(output, SOUND_CALL, 0.8f, 0.0f);
 }
 
-static void activate_key(struct game *game, struct output *output)
+/* Presses the highlighted key. Returns true if the key completes the name. The caller must then
+ * call finish(). */
+static bool activate_key(struct name *name, uint32_t tick, struct output *output)
 {
-    struct name *name = &game->name;
     CORE_ASSERT(name->key < NAME_KEY_COUNT && name->letter_count <= NAME_LETTERS_MAX);
-    name->act_tick = game->tick;
+    name->act_tick = tick;
     output_sound(output, SOUND_TICK, 0.7f, 0.0f);
     switch (name->key) {
     case NAME_ALPHABET:
@@ -132,11 +132,10 @@ static void activate_key(struct game *game, struct output *output)
         if (stands_refused(name) && name->refusals < NAME_REFUSALS_MAX) {
             name->refusals++;
             output_sound(output, SOUND_FOUL, 0.4f, 0.0f);
-            ask_for_name(name, game->tick);
-        } else {
-            finish(game, output);
+            ask_for_name(name, tick);
+            break;
         }
-        break;
+        return true;
     default: /* The key is a letter, which is added to the name. When the name is full, the Done
                 key is highlighted. */
         if (name->letter_count < NAME_LETTERS_MAX) {
@@ -145,6 +144,7 @@ static void activate_key(struct game *game, struct output *output)
         name->key = name->letter_count == NAME_LETTERS_MAX ? (uint8_t)NAME_DONE : name->key;
         break;
     }
+    return false;
 }
 
 /* ---- Highlight of a key by buttons or pointer ------------------------------------------------ */
@@ -177,38 +177,36 @@ static void point_on(struct name *name, uint32_t tick, bool forward, struct outp
 }
 
 /* Handles the buttons during the name entry. LEFT and RIGHT move the highlight from key to key, and
- * repeat while they are held. OK and START press the highlighted key. */
-static void take_name_buttons(struct game *game, const struct input *input, struct output *output)
+ * repeat while they are held. OK and START press the highlighted key. Returns true if the name is
+ * complete. */
+static bool take_name_buttons(struct name *name, uint32_t tick, const struct input *input,
+                              struct output *output)
 {
-    struct name *name = &game->name;
     name->held_ticks = input->held & (INPUT_LEFT | INPUT_RIGHT) ? name->held_ticks + 1u : 0u;
     const bool repeats =
         name->held_ticks >= NAME_RUN_TICKS && name->held_ticks % NAME_STEP_TICKS == 0;
     const uint32_t pressed = input->pressed | (repeats ? input->held : 0u);
     if (pressed & INPUT_RIGHT) {
-        point_on(name, game->tick, 1, output);
+        point_on(name, tick, 1, output);
     } else if (pressed & INPUT_LEFT) {
-        point_on(name, game->tick, 0, output);
+        point_on(name, tick, 0, output);
     }
-    if (input->pressed & (INPUT_OK | INPUT_START)) {
-        activate_key(game, output);
-    }
+    return (input->pressed & (INPUT_OK | INPUT_START)) && activate_key(name, tick, output);
 }
 
 /* Moves the highlight when the player's pointer enters a key. Motion of the pointer restarts the
  * timeout, because the player is searching for a letter. While the pointer is at rest, the buttons
- * move the highlight. */
-static void point_at_key_by_hand(struct game *game, const struct world *world,
+ * move the highlight. Returns true if the name is complete. */
+static bool point_at_key_by_hand(struct name *name, uint32_t tick, const struct world *world,
                                  const struct input *input, struct output *output)
 {
-    struct name *name = &game->name;
     const struct pointer_state hand = pointer_of_player(world, input, name->upright, name->seat);
     const bool was_down = name->presses || !name->has_hand;
     uint8_t points = 0; /* Key under the pointer, counted from 1. 0 means no key. */
     name->has_hand = hand.present;
     if (!hand.present) {
         name->points = 0;
-        return;
+        return false;
     }
     name->x = hand.at.x;
     name->y = hand.at.y;
@@ -216,23 +214,24 @@ static void point_at_key_by_hand(struct game *game, const struct world *world,
     if (x * x + y * y > POINTER_MOVE_MIN * POINTER_MOVE_MIN) {
         name->rest_x = hand.at.x;
         name->rest_y = hand.at.y;
-        name->act_tick = game->tick;
+        name->act_tick = tick;
     }
     for (uint32_t key = 0; key < NAME_KEY_COUNT && points == 0; key++) {
         const struct layout_box box = name_box(name->upright, name->alphabet, key);
         points = pointer_is_inside(box, 0.0f, hand.at) ? (uint8_t)(key + 1u) : 0u;
     }
     if (points != name->points && points > 0) {
-        point_at_key(name, game->tick, points - 1u, output);
+        point_at_key(name, tick, points - 1u, output);
     }
     name->points = points;
     name->presses = hand.height_m < (was_down ? POINTER_RELEASE_Y_M : POINTER_PRESS_Y_M);
     if (name->presses && !was_down && points > 0) {
         /* A dip of the poi presses the key under the pointer, even if a button has moved the
          * highlight. */
-        point_at_key(name, game->tick, points - 1u, output);
-        activate_key(game, output);
+        point_at_key(name, tick, points - 1u, output);
+        return activate_key(name, tick, output);
     }
+    return false;
 }
 
 /* ---- Tick of the name entry ----------------------------------------------------------------- */
@@ -242,15 +241,14 @@ void name_tick(struct game *game, struct world *world, struct core_config *confi
 {
     (void)config;
     struct name *name = &game->name;
-    const uint8_t seat = name->seat;
-    CORE_ASSERT(game->phase == PHASE_NAME && seat < POI_MAX);
+    CORE_ASSERT(game->phase == PHASE_NAME && name->seat < POI_MAX);
     name->upright = input->upright != 0;
     if (game_seconds_left(game, game->tick) <= 0.0f) {
         finish(game, output);
     } else if (game->tick - name->seat_tick >= NAME_SEEN_TICKS) {
-        take_name_buttons(game, input, output);
-        if (game->phase == PHASE_NAME && name->seat == seat) {
-            point_at_key_by_hand(game, world, input, output);
+        if (take_name_buttons(name, game->tick, input, output) ||
+            point_at_key_by_hand(name, game->tick, world, input, output)) {
+            finish(game, output);
         }
     }
     /* If the cell of the highlighted letter is empty in a new alphabet, highlight the key

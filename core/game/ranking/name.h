@@ -19,9 +19,11 @@
 
 #include "core/game/game.h"
 
-/* Stores which players of a finished round are ranked and therefore may enter a name. `round_id` is
- * the ledger id of the round, or 0 if the round has no ledger entry. */
-void name_note_round(struct game *game, const struct settings *settings, uint32_t round_id);
+/* Stores which players of a finished round are ranked and therefore may enter a name. `mode` is the
+ * mode of the round (enum game_mode). `round_id` is the ledger id of the round, or 0 if the round
+ * has no ledger entry. */
+void name_note_round(struct name *name, const struct accounts *accounts,
+                     const struct settings *settings, uint8_t mode, uint32_t round_id);
 
 /* Starts the name entry of the next ranked player. Returns true, or false if no player still needs
  * a name. */

@@ -205,7 +205,7 @@ static bool open_seat(struct round_seat *seat, const struct habits *habits, uint
     if (kiosk_init(&seat->kiosk, &seat->hal, &config) != CORE_OK) {
         return false;
     }
-    seat->bot.hand.pose = seat->kiosk.core.game.hand_pose[0];
+    seat->bot.hand.pose = seat->kiosk.core.game.control[0].hand_pose;
     return true;
 }
 

@@ -25,7 +25,8 @@ static inline void bot_stall_open(struct bot_stall *stall, const struct core_con
     memset(&stall->output, 0, sizeof stall->output);
     bot_init(&stall->bot, technique, config->seed);
     stall->bot.hand.pose = (struct poi_target){ .position_m = v3(0.0f, 0.10f, 0.0f) };
-    stall->core.game.hand_pose[0] = stall->bot.hand.pose; /* The pose starts over the middle of the
+    stall->core.game.control[0].hand_pose =
+        stall->bot.hand.pose; /* The pose starts over the middle of the
                                                              tank. */
     stall->core.world.poi[0].position_m = v3(0.0f, 0.05f, 0.0f);
 }

@@ -149,7 +149,8 @@ static void test_every_page_of_the_menu_times_out(void **state)
             open_stall();
             press(INPUT_TEST);
             assert_int_equal(core.game.phase, PHASE_MENU);
-            menu_turn(&core.game, &core.config.persistent.settings, (enum menu_page)page);
+            menu_turn(&core.game.menu, &core.game, &core.config.persistent.settings,
+                      (enum menu_page)page);
             seen = 0;
             expect_attract_by_itself(what, "a page of the menu");
             assert_int_equal(seen, 1u << PHASE_MENU);

@@ -173,14 +173,14 @@ static void test_a_newly_opened_tank_has_no_returning_poi(void **state)
     input.poi[0].link = POI_SOURCE_LOST;
     ticks(60);
     hold(0, v3(0.0f, ABOVE_M, 0.2f));
-    for (uint32_t i = 0; i < 120 && core.game.return_ticks[0] < 2u; i++) {
+    for (uint32_t i = 0; i < 120 && core.game.control[0].return_ticks < 2u; i++) {
         tick();
     }
-    assert_true(core.game.return_ticks[0] > 0);
+    assert_true(core.game.control[0].return_ticks > 0);
     assert_int_equal(core.game.mode, MODE_CHAMPIONSHIP); /* The selection follows the poi. */
     press(INPUT_START);
     assert_int_equal(core.world.tank.preset, TANK_PRESET_OFFICIAL);
-    assert_int_equal(core.game.return_ticks[0], 0);
+    assert_int_equal(core.game.control[0].return_ticks, 0);
     assert_int_equal(core.world.poi[0].damage_immune, 0);
 }
 

@@ -219,12 +219,12 @@ static void test_a_poi_that_the_bot_takes_over_does_not_return_to_the_player(voi
     start_with_a_poi();
     input.poi[0].link = POI_SOURCE_LOST;
     steps(60);
-    assert_true(core.game.return_ticks[0] > 0);
+    assert_true(core.game.control[0].return_ticks > 0);
     core.game.phase = PHASE_RESULT;
     core.game.phase_tick = core.game.tick;
     steps(GAME_RESULT_TICKS + 2u);
-    assert_int_equal(core.game.holder[0], POI_SOURCE_BOT);
-    assert_int_equal(core.game.return_ticks[0], 0);
+    assert_int_equal(core.game.control[0].holder, POI_SOURCE_BOT);
+    assert_int_equal(core.game.control[0].return_ticks, 0);
 }
 
 static void test_language_changes_with_each_press_in_any_phase(void **state)
@@ -282,7 +282,8 @@ static void test_a_language_chosen_in_attract_lasts_for_one_cycle(void **state)
 static void test_attract_returns_to_the_operators_language(void **state)
 {
     (void)state;
-    settings_edit_set(&core.game, &core.config, SET_LANGUAGE, LANGUAGE_EN);
+    const struct menu_scope scope = menu_scope_of(&core.game, &core.config, &output);
+    settings_edit_set(&scope, SET_LANGUAGE, LANGUAGE_EN);
     press(INPUT_LANGUAGE);
     assert_int_equal(core.game.language, LANGUAGE_JA);
     steps(LANGUAGE_TICKS);

@@ -49,7 +49,7 @@ static uint32_t tick(uint32_t pressed)
     input.record_saved_id = output.entry_id;
     input.poi[0] = (struct poi_input){ .link = POI_SOURCE_LIVE,
                                        .has_wrist = 1,
-                                       .target = bots.game.hand_pose[0] };
+                                       .target = bots.game.control[0].hand_pose };
     input.poi[0].link = hand_is_away ? POI_SOURCE_ABSENT : POI_SOURCE_LIVE;
     const uint32_t before = output.entry_id;
     core_tick(&core, &input, &output);

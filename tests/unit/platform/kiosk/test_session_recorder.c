@@ -42,7 +42,7 @@ static void tick(uint32_t pressed)
     input.record_saved_id = storage.ledger.ops->committed_id(storage.ledger.self);
     input.poi[0] = (struct poi_input){ .link = POI_SOURCE_LIVE,
                                        .has_wrist = 1,
-                                       .target = bots.game.hand_pose[0] };
+                                       .target = bots.game.control[0].hand_pose };
     input.poi[0].link = hand_is_away ? POI_SOURCE_ABSENT : POI_SOURCE_LIVE;
     const uint32_t before = output.entry_id;
     core_tick(&core, &input, &output);

@@ -54,7 +54,7 @@ static void start_attract(void)
 
 static vec3 hand_m(void)
 {
-    return seat.kiosk.core.game.validation[0].newest.position_m;
+    return seat.kiosk.core.game.control[0].validation.newest.position_m;
 }
 
 static void lie_still(uint64_t frame_ns)

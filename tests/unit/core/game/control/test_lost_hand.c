@@ -261,7 +261,8 @@ static void check_fault(const struct scene_of *of)
         run_tick();
         tick++;
         lost_ticks += (uint32_t)controller_is_lost(&core.world, 0);
-        const int is_led = !controller_is_lost(&core.world, 0) && core.game.return_ticks[0] == 0;
+        const int is_led =
+            !controller_is_lost(&core.world, 0) && core.game.control[0].return_ticks == 0;
         leads = is_led && !broken;
         if (poi->damage_immune) {
             assert_true(v3_length(output.poi[0].force_n) == 0.0f); /* The force feedback is off. */
@@ -495,7 +496,7 @@ static void test_a_lost_poi_leaves_the_water_from_any_position(void **state)
         poi->angles.pitch_rad = -1.2f + 0.6f * (float)(i / 30u);
         poi->angles.roll_rad = 0.4f - 0.2f * (float)(i / 30u);
         poi->velocity_m_s = v3(0.0f, 0.0f, 0.0f);
-        core.game.hand_pose[0] = (struct poi_target){ poi->position_m, poi->angles };
+        core.game.control[0].hand_pose = (struct poi_target){ poi->position_m, poi->angles };
         input.poi[0].link = POI_SOURCE_LOST;
         uint32_t ticks = 0;
         while (poi->immersed > 0.0f || poi->position_m.y < 0.9f * FAILSAFE_HOVER_M) {

@@ -193,7 +193,8 @@ static void test_other_pages_reject_coins_and_an_inserted_one_is_a_test_coin(voi
             continue;
         }
         const uint32_t before = output.coins_counted;
-        menu_turn(&core.game, &core.config.persistent.settings, (enum menu_page)page);
+        menu_turn(&core.game.menu, &core.game, &core.config.persistent.settings,
+                  (enum menu_page)page);
         step();
         assert_int_equal(output.coin_lockout, 1);
         drop(1);
@@ -210,7 +211,7 @@ static void test_a_test_coin_in_the_tick_of_a_page_change_counts_once(void **sta
     (void)state;
     core.config.credit_coins = 1;
     for (uint32_t i = 1; i <= 60u; i++) {
-        menu_turn(&core.game, &core.config.persistent.settings,
+        menu_turn(&core.game.menu, &core.game, &core.config.persistent.settings,
                   i % 20u < 10u ? MENU_DEVICES : MENU_LINES);
         if (i % 10u == 0) { /* The test leaves LINES and opens the page again. */
             core.game.menu.tag[MENU_DEVICES] = (uint8_t)menu_tag_of(MENU_LINES);

@@ -129,7 +129,8 @@ static void test_a_calibration_visits_each_mark_and_applies_immediately(void **s
     assert_true(is_set());
     const struct poi_target at = { .position_m = v3(0.21f, 0.05f, -0.11f) };
     hold_true(at, 60);
-    const vec3 off_m = v3_sub(stall.core.game.validation[0].newest.position_m, at.position_m);
+    const vec3 off_m =
+        v3_sub(stall.core.game.control[0].validation.newest.position_m, at.position_m);
     assert_true(v3_length(off_m) < 0.004f); /* The difference includes the tremor of 1 mm. */
 }
 

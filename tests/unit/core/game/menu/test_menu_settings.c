@@ -173,22 +173,23 @@ static void test_an_unchanged_setting_is_not_shown_as_saved(void **state)
 static void test_every_setting_reaches_every_value_of_its_range(void **state)
 {
     (void)state;
+    const struct menu_scope scope = menu_scope_of(&core.game, &core.config, &output);
     for (uint32_t id = 0; id < SET_CALIBRATION; id++) {
         const struct setting *setting = settings_entry(id);
         uint32_t allowed = 0, met = 0;
         for (int32_t v = setting->min; v <= settings_edit_max(&core.config, id); v++) {
             allowed += settings_allows(id, v) != 0;
         }
-        settings_edit_set(&core.game, &core.config, id, setting->min);
+        settings_edit_set(&scope, id, setting->min);
         do {
-            settings_edit_step(&core.game, &core.config, id, 0, 1);
+            settings_edit_step(&scope, id, 0, 1);
             assert_true(settings_allows(id, value(id)) &&
                         value(id) <= settings_edit_max(&core.config, id));
             met++;
         } while (value(id) != setting->min && met <= allowed);
         assert_int_equal(met, allowed);
         for (uint32_t i = 0; i < allowed; i++) {
-            settings_edit_step(&core.game, &core.config, id, 1, 1);
+            settings_edit_step(&scope, id, 1, 1);
         }
         assert_int_equal(value(id), setting->min);
     }
