@@ -141,21 +141,20 @@ static void watch_paper(struct player players[POI_MAX], const struct game *game,
 
 /* ---- Time announcements --------------------------------------------------------------------- */
 
-static void call_time(struct game *game, uint32_t elapsed, uint32_t total, struct output *output)
+/* Plays the sound of the time announcement that is due in this tick. The sound of the countdown is
+ * played in every mode. Returns the announcement if the mode `mode` shows announcements, otherwise
+ * CALL_NONE. */
+static enum time_call call_time(uint8_t mode, uint32_t elapsed, uint32_t total,
+                                struct output *output)
 {
     const enum time_call call = round_call_at(elapsed, total);
+    const bool is_shown = call != CALL_NONE && rules_of(mode)->calls;
     if (call == CALL_COUNTDOWN) {
-        output_sound(output, SOUND_TICK, 1.0f, 0.0f); /* The sound of the countdown is played in
-                                                         every mode. */
-    }
-    if (call == CALL_NONE || !rules_of(game->mode)->calls) {
-        return;
-    }
-    game->call = (uint8_t)call;
-    game->call_tick = game->tick;
-    if (call != CALL_COUNTDOWN) {
+        output_sound(output, SOUND_TICK, 1.0f, 0.0f);
+    } else if (is_shown) {
         output_sound(output, SOUND_CALL, 1.0f, 0.0f);
     }
+    return is_shown ? call : CALL_NONE;
 }
 
 /* ---- Tick of the round, and its result ------------------------------------------------------ */
@@ -195,7 +194,11 @@ void round_tick(struct game *game, struct world *world, struct core_config *conf
     if (game->gone_tick == 0 && game->played && in_round == 0) {
         game->gone_tick = game->tick;
     }
-    call_time(game, elapsed, total, output);
+    const enum time_call call = call_time(game->mode, elapsed, total, output);
+    if (call != CALL_NONE) {
+        game->call = (uint8_t)call;
+        game->call_tick = game->tick;
+    }
     /* After the time of the round is up, no fish can be scooped, but fish on the paper may still be
      * carried to the bowl for a few seconds. */
     const bool is_gone = game->gone_tick != 0 && game->tick - game->gone_tick >= GAME_GONE_TICKS;

@@ -23,7 +23,7 @@ How each measure is defined:
   cycle              A module is a header and the source of the same path. An edge is an #include. The measure is
                      the number of modules in the largest strongly connected component. If --build names a folder
                      of dependency files (.d), each file's includes are compared with the compiler's own list.
-  mutable core       Functions below core/game with a parameter `struct core *` that is not const.
+  mutable state      Functions below core/game with a parameter `struct core *` or `struct game *` that is not const.
   static names       Names of static functions of .c files that occur as an identifier in more than three files,
                      because a search for such a name leads to the wrong places.
   module's name      An external function is named after its module if its name is, or begins with, the first word
@@ -471,10 +471,11 @@ def measure_cycles(table, root, build, sources, product):
 
 
 def measure_names(table, product, functions):
-    mutable = [f for f in functions if f.path.startswith('core/game/')
-               and re.search(r'(?<!const )\bstruct core\s*\*', f.signature)]
-    table.add('functions in core/game that take a mutable struct core *', len(mutable), (None, 10),
-              ranked(collections.Counter(f.path for f in mutable)))
+    for name, high in (('core', 10), ('game', 41)):
+        mutable = [f for f in functions if f.path.startswith('core/game/')
+                   and re.search(r'(?<!const )\bstruct %s\s*\*' % name, f.signature)]
+        table.add(f'functions in core/game that take a mutable struct {name} *', len(mutable), (None, high),
+                  ranked(collections.Counter(f.path for f in mutable)))
     static = {f.name for f in functions if f.static and f.path.endswith('.c')}
     where = collections.defaultdict(list)
     for path, source in product.items():

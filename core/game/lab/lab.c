@@ -45,7 +45,8 @@ static struct pointer_state first_pointer(const struct lab *lab, const struct wo
 
 /* Moves the lab's pointer to `hand` and updates whether it is pressed. After a switch to a
  * different player's pointer, nothing is pressed until the new pointer has been above the water. A
- * drag by the previous player therefore does not continue. Returns true if the player leaves the lab. */
+ * drag by the previous player therefore does not continue. Returns true if the player leaves the
+ * lab. */
 static bool track_lab_hand(struct lab *lab, const struct lab_book *book, uint32_t tick,
                            struct pointer_state hand, struct output *output)
 {

@@ -99,17 +99,7 @@ void name_keep(struct accounts *accounts, const struct name *name, uint32_t tick
     ledger_write(accounts, tick, &entry, output);
 }
 
-static void finish(struct game *game, struct output *output)
-{
-    name_keep(&game->accounts, &game->name, game->tick, output);
-    if (!begin_next_turn(&game->name, game)) {
-        game_enter_phase(game, PHASE_LEADERBOARD);
-    }
-    output_sound(output, SOUND_CALL, 0.8f, 0.0f);
-}
-
-/* Presses the highlighted key. Returns true if the key completes the name. The caller must then
- * call finish(). */
+/* Presses the highlighted key. Returns true if the key completes the name. */
 static bool activate_key(struct name *name, uint32_t tick, struct output *output)
 {
     CORE_ASSERT(name->key < NAME_KEY_COUNT && name->letter_count <= NAME_LETTERS_MAX);
@@ -243,13 +233,15 @@ void name_tick(struct game *game, struct world *world, struct core_config *confi
     struct name *name = &game->name;
     CORE_ASSERT(game->phase == PHASE_NAME && name->seat < POI_MAX);
     name->upright = input->upright != 0;
-    if (game_seconds_left(game, game->tick) <= 0.0f) {
-        finish(game, output);
-    } else if (game->tick - name->seat_tick >= NAME_SEEN_TICKS) {
-        if (take_name_buttons(name, game->tick, input, output) ||
-            point_at_key_by_hand(name, game->tick, world, input, output)) {
-            finish(game, output);
+    const bool is_seen = game->tick - name->seat_tick >= NAME_SEEN_TICKS;
+    if (game_seconds_left(game, game->tick) <= 0.0f ||
+        (is_seen && (take_name_buttons(name, game->tick, input, output) ||
+                     point_at_key_by_hand(name, game->tick, world, input, output)))) {
+        name_keep(&game->accounts, name, game->tick, output);
+        if (!begin_next_turn(name, game)) {
+            game_enter_phase(game, PHASE_LEADERBOARD);
         }
+        output_sound(output, SOUND_CALL, 0.8f, 0.0f);
     }
     /* If the cell of the highlighted letter is empty in a new alphabet, highlight the key
      * NAME_ALPHABET instead. */
