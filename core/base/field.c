@@ -109,8 +109,9 @@ static inline uint64_t hash_member(uint64_t hash, const struct field *field, con
     case FORM_RAW:
         hash = hash_bytes(hash, at, field->size);
         break;
-    case FORM_HIGH: /* The number becomes the high bits of the next word, in which these bits are
-                       0. */
+    case FORM_HIGH:
+        /* XORs the high bits of a word into `hash` without mixing. The call for the next member
+         * XORs the low bits and then mixes the whole word. */
         hash ^= (uint64_t)number_at(at, unit) << field->tag;
         break;
     case FORM_SIGN:
@@ -133,8 +134,8 @@ uint64_t field_hash(uint64_t hash, const struct field_table *table, const void *
     struct field_cursor cursor = field_begin(table, object, false);
     const uint8_t *at = NULL;
     while (field_next(&cursor, &at)) {
-        /* The loop hashes all members up to the next nested struct, because field_next() takes
-         * three times as long as the hash of a member. */
+        /* Hashes the members up to the next nested struct without calls of field_next(), because
+         * such a call takes three times as long as the hash of a member. */
         struct field_level *level = &cursor.level[cursor.depth - 1u];
         const struct field *end = level->table->fields + level->table->count;
         const struct field *field = level->field;

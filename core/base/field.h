@@ -52,8 +52,8 @@ struct field {
     uint8_t unit;                    /* Size of one number in bytes: 1, 2 or 4. */
     uint8_t align;                   /* Alignment of the member in bytes. */
     uint8_t form;                    /* Form of the member (enum field_form). */
-    uint8_t since;                   /* First format of recordings that has a FORM_LATER member;
-                                        otherwise 0. */
+    uint8_t since;                   /* For FORM_LATER: first format of recordings that contains the
+                                        member. Otherwise 0. */
 };
 
 #define FIELD_ALL_USED UINT32_MAX

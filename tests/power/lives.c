@@ -198,7 +198,8 @@ static void empty(const char *folder)
     disk_close(&none);
 }
 
-/* Runs one life. Nothing is recorded on the tape while the cuts are checked. */
+/* Simulates one life of a stall, in 1 to PARTS_MAX parts. After each part, the tape stops recording
+ * while cut_part() simulates power cuts and checks the resulting files. */
 static void live(struct life *life)
 {
     struct tape *const own = &tape;

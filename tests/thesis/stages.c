@@ -139,8 +139,9 @@ static enum exit_code draw_growth(const struct morph_options *pick)
 
 /* ---- Input models ---------------------------------------------------------------------------- */
 
-/* Uses the shape that is blended instead of the shape that was drawn. With a solved curve, the
- * blended shape is an extrapolation of the drawn one. */
+/* Sets `portrait` to the shape of `key` that the game blends with the shapes of the other keys. If
+ * the graph is solved, this shape exaggerates the drawn shape (graph_solve()). Otherwise both
+ * shapes are equal. */
 static void take_model(const struct morph_options *pick, uint32_t key)
 {
     const struct species_mesh *mesh = &pick->fish->lod[0];

@@ -38,7 +38,7 @@
 struct plan {
     struct poi_target way[PLAN_TICKS_MAX + HOME_TICKS];
     uint32_t count;
-    uint32_t lands; /* Number of simulations, of JITTERS + 1, in which the path landed a fish. */
+    uint32_t lands; /* Number of the JITTERS + 1 simulations in which the path landed a fish. */
 };
 
 /* Speed of the stall's clock. A guest that draws slowly drops ticks, and its fish are slow. */

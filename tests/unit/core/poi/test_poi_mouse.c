@@ -39,7 +39,9 @@ static void glide(float speed_m_s, float course_rad, float roll_rad, int by_mous
                 tick % 2u == 0 ? v3_lerp(reports[0], reports[1], 0.5f) : reports[1];
         }
         fixture_tick(&fixture);
-        if (tick == ticks / 3u) { /* The motion starts at the hand's position and not at a pixel. */
+        if (tick == ticks / 3u) {
+            /* The measurement begins here and leaves out the first step of the mouse, because this
+             * step goes from the exact start position to a whole pixel. */
             fixture.tension_max_n_m = fixture.tension_sum_n_m = 0.0f;
         }
     }

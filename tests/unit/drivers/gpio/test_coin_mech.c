@@ -114,7 +114,7 @@ static void test_a_stuck_coin_is_reported_once_and_while_it_is_stuck(void **stat
     gpio_coin_edge(&mech, 61030 * MS, false);
     gpio_coin_settle(&mech, 62000 * MS);
     assert_counts(&mech, 0, 0, 1, 0);
-    pulse(&mech, 63000 * MS, 50 * MS); /* The next coin is counted again. */
+    pulse(&mech, 63000 * MS, 50 * MS); /* The coin after the stuck coin is counted. */
     gpio_coin_settle(&mech, 64000 * MS);
     assert_counts(&mech, 1, 0, 1, 0);
 }

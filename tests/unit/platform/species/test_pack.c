@@ -371,7 +371,10 @@ static void harm_anchor_place(struct species_slot *s)
     s->tables[0].anchors[0].u[2] = NAN;
 }
 
-/* ---- Size: the last key has measure 1, and its snout is fixed ------------------------------- */
+/* ---- Size: the size of each key must be 1 ------------------------------------------------------
+ *
+ * The species defines how the size of a key is measured (enum species_measure). The functions below
+ * change the size of the last key and keep its snout in place. */
 
 /* Stretches the last key, starting at the snout, along or across the body. */
 static void stretch(struct species_slot *s, float along, float across)

@@ -41,7 +41,8 @@ static void project(vec3 at_m, float *x, float *y)
     *y = seen.y / (-seen.z * tan_y);
 }
 
-/* Returns the nth point of the ring or the end of the handle. */
+/* Returns point `nth` of a poi. The last of the SIGHTS points is the end of the handle, and all
+ * other points lie on the outer edge of the ring. */
 static vec3 sight_of(vec3 ring_m, uint32_t nth)
 {
     const float angle = F_TAU * (float)nth / (float)(SIGHTS - 1u);

@@ -231,7 +231,8 @@ static void test_the_lines_page_shows_inputs_and_only_test_leaves_it(void **stat
     static struct scene scene;
     uint16_t before[INPUT_BUTTON_COUNT];
     go_to_lines();
-    /* Presses that were counted before the page opened, so that they do not count as a test. */
+    /* The counters may include presses from before the page opened. The test checks only by how
+     * much each counter grows. */
     memcpy(before, menu()->pressed_count, sizeof before);
     const uint32_t shown = INPUT_START | INPUT_OK | INPUT_LEFT | INPUT_RIGHT | INPUT_TILT;
     input.held = shown;

@@ -80,8 +80,9 @@ static void write_letters(const uint16_t *letters)
     }
 }
 
-/* Moves the poi of a player over or under the middle of a key. The poi has orientation, so the plan
- * of the tank maps to the keyboard. */
+/* Moves a player's poi to the middle of a key of the keyboard, at the height `y_m` above the water.
+ * A controller that measures angles (`has_wrist`) points by its x and z in the tank: the whole tank
+ * maps to the whole canvas. */
 static void lead(uint32_t seat, uint32_t key, float y_m)
 {
     const struct layout_point canvas = pointer_layout_size(0);

@@ -449,7 +449,7 @@ static void test_the_name_entry_fits_every_screen(void **state)
     }
 }
 
-/* This test follows the tests that lay out all screens. */
+/* Must run after the tests that lay out all screens, because these tests update `longest`. */
 static void test_the_largest_screen_leaves_quads_for_longer_languages(void **state)
 {
     (void)state;
