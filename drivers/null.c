@@ -14,166 +14,67 @@ static const char *null_describe(void *self)
     return self;
 }
 
-static int null_open(void *self)
-{
-    return HAL_ERR_ABSENT;
-}
+/* Defines the function `name`, which ignores its parameters and returns `result`. */
+#define RETURNS(type, name, result, parameters)                                                    \
+    static type name parameters                                                                    \
+    {                                                                                              \
+        return result;                                                                             \
+    }
+#define ABSENT(name, parameters) RETURNS(int, name, HAL_ERR_ABSENT, parameters)
+/* Defines the function `name`, which sets `*out` to zero and returns HAL_ERR_ABSENT. */
+#define ABSENT_SAMPLE(name, type)                                                                  \
+    static int name(void *self, struct type *out)                                                  \
+    {                                                                                              \
+        CORE_ASSERT(out);                                                                          \
+        *out = (struct type){ 0 };                                                                 \
+        return HAL_ERR_ABSENT;                                                                     \
+    }
+
+/* clang-format off */
+ABSENT(null_open, (void *self))
+ABSENT_SAMPLE(null_display_poll, display_events)
+ABSENT(null_present, (void *self, const struct scene *scene))
+ABSENT(null_capture, (void *self, struct hal_image *image))
+ABSENT(null_poi_poll, (void *self, struct poi_sample *out, uint32_t max))
+ABSENT(null_set_force, (void *self, const struct poi_force *force))
+ABSENT(null_shade_poll, (void *self, struct shade_input *out))
+ABSENT_SAMPLE(null_buttons_poll, button_sample)
+ABSENT(null_set, (void *self, enum hal_switch which, int active))
+ABSENT(null_pulse, (void *self, enum hal_switch which, uint32_t count))
+ABSENT_SAMPLE(null_controllers_poll, controller_status)
+ABSENT(null_command, (void *self, const struct controller_command *order))
+ABSENT(null_play, (void *self, const struct sound_event *event))
+ABSENT(null_load, (void *self, struct persistent_state *out))
+ABSENT(null_append, (void *self, const struct ledger_entry *entry))
+ABSENT(null_store_replay, (void *self, uint32_t round_id, const uint8_t *bytes, size_t size))
+ABSENT(null_fetch_replay, (void *self, uint32_t round_id, uint8_t *bytes, size_t size,
+                           struct ledger_entry *round))
+ABSENT(null_store_edit, (void *self, const struct graph_edit_record *edit))
+ABSENT(null_merge_offline, (void *self, const struct balance_change *step,
+                            const struct ledger_entry *entries, uint32_t count))
+RETURNS(uint32_t, null_arrange, 0, (void *self, int may_move))
+RETURNS(uint32_t, null_pending, 0, (void *self, enum hal_switch which))
+RETURNS(const char *, null_name, "", (void *self, uint32_t row))
+RETURNS(int, null_has_replay, 0, (void *self, uint32_t round_id))
+RETURNS(int, null_edits_failed, 1, (void *self))
+RETURNS(int, null_is_healthy, 0, (void *self))
+/* A null storage never saved, refused or queued an entry. */
+RETURNS(uint32_t, null_none, 0, (void *self))
+RETURNS(uint8_t, null_watches, WATCH_NONE, (void *self))
+RETURNS(uint64_t, null_now_ns, 0, (void *self))
+/* clang-format on */
 
 static void null_close(void *self)
 {
-}
-
-static int null_display_poll(void *self, struct display_events *out)
-{
-    CORE_ASSERT(out);
-    *out = (struct display_events){ 0 };
-    return HAL_ERR_ABSENT;
-}
-
-static int null_present(void *self, const struct scene *scene)
-{
-    return HAL_ERR_ABSENT;
-}
-
-static int null_capture(void *self, struct hal_image *image)
-{
-    return HAL_ERR_ABSENT;
 }
 
 static void null_set_transform(void *self, const struct display_settings *display_settings)
 {
 }
 
-static int null_poi_poll(void *self, struct poi_sample *out, uint32_t max)
-{
-    return HAL_ERR_ABSENT;
-}
-
 static void null_set_view(void *self, const struct view *view,
                           const struct display_settings *display_settings, bool scoops)
 {
-}
-
-static int null_set_force(void *self, const struct poi_force *force)
-{
-    return HAL_ERR_ABSENT;
-}
-
-static int null_shade_poll(void *self, struct shade_input *out)
-{
-    return HAL_ERR_ABSENT;
-}
-
-static uint32_t null_arrange(void *self, int may_move)
-{
-    return 0;
-}
-
-static int null_buttons_poll(void *self, struct button_sample *out)
-{
-    CORE_ASSERT(out);
-    *out = (struct button_sample){ 0 };
-    return HAL_ERR_ABSENT;
-}
-
-static int null_set(void *self, enum hal_switch which, int active)
-{
-    return HAL_ERR_ABSENT;
-}
-
-static int null_pulse(void *self, enum hal_switch which, uint32_t count)
-{
-    return HAL_ERR_ABSENT;
-}
-
-static uint32_t null_pending(void *self, enum hal_switch which)
-{
-    return 0;
-}
-
-static int null_controllers_poll(void *self, struct controller_status *out)
-{
-    CORE_ASSERT(out);
-    *out = (struct controller_status){ 0 };
-    return HAL_ERR_ABSENT;
-}
-
-static const char *null_name(void *self, uint32_t row)
-{
-    return "";
-}
-
-static int null_command(void *self, const struct controller_command *order)
-{
-    return HAL_ERR_ABSENT;
-}
-
-static int null_play(void *self, const struct sound_event *event)
-{
-    return HAL_ERR_ABSENT;
-}
-
-static int null_load(void *self, struct persistent_state *out)
-{
-    return HAL_ERR_ABSENT;
-}
-
-static int null_append(void *self, const struct ledger_entry *entry)
-{
-    return HAL_ERR_ABSENT;
-}
-
-static int null_store_replay(void *self, uint32_t round_id, const uint8_t *bytes, size_t size)
-{
-    return HAL_ERR_ABSENT;
-}
-
-static int null_fetch_replay(void *self, uint32_t round_id, uint8_t *bytes, size_t size,
-                             struct ledger_entry *round)
-{
-    return HAL_ERR_ABSENT;
-}
-
-static int null_has_replay(void *self, uint32_t round_id)
-{
-    return 0;
-}
-
-static int null_store_edit(void *self, const struct graph_edit_record *edit)
-{
-    return HAL_ERR_ABSENT;
-}
-
-static int null_edits_failed(void *self)
-{
-    return 1;
-}
-
-static int null_is_healthy(void *self)
-{
-    return 0;
-}
-
-/* Returns 0, because a null storage never saved, refused or queued an entry. */
-static uint32_t null_none(void *self)
-{
-    return 0;
-}
-
-static int null_merge_offline(void *self, const struct balance_change *step,
-                              const struct ledger_entry *entries, uint32_t count)
-{
-    return HAL_ERR_ABSENT;
-}
-
-static uint8_t null_watches(void *self)
-{
-    return WATCH_NONE;
-}
-
-static uint64_t null_now_ns(void *self)
-{
-    return 0;
 }
 
 static const struct hal_display_ops display_ops = {

@@ -140,6 +140,21 @@ static struct {
     bool has_pointer;
 } devices;
 
+/* Adds a poi and its fan to the input multiplexer. `kind` is an enum input_kind. */
+static void add_source(struct hal_controller_devices parts, bool (*is_present)(void *self),
+                       void *self, uint8_t kind, bool stands_in)
+{
+    const struct input_source source = {
+        .poi = parts.poi,
+        .fan = parts.fan,
+        .is_present = is_present,
+        .self = self,
+        .kind = kind,
+        .stands_in = stands_in,
+    };
+    input_mux_add(&devices.mux, &source);
+}
+
 static bool wants(const struct board_options *options, enum board_poi kind)
 {
     return options->poi == BOARD_POI_AUTO || options->poi == kind;
@@ -152,15 +167,8 @@ static void add_pointer(struct hal *hal, const struct board_options *options, ui
     const uint32_t height = options->height ? options->height : 720;
     mouse_poi_init(&devices.mouse, hal->clock, &options->view, width, height, heeds);
     devices.has_pointer = true;
-    const struct input_source mouse = {
-        .poi = mouse_poi_devices(&devices.mouse).poi,
-        .fan = mouse_poi_devices(&devices.mouse).fan,
-        .is_present = mouse_poi_is_used,
-        .self = &devices.mouse,
-        .kind = INPUT_KIND_POINTER,
-        .stands_in = true,
-    };
-    input_mux_add(&devices.mux, &mouse);
+    add_source(mouse_poi_devices(&devices.mouse), mouse_poi_is_used, &devices.mouse,
+               INPUT_KIND_POINTER, true);
 }
 
 /* Excludes the devices of the USB driver from SDL, so that each device has one owner. */
@@ -193,14 +201,8 @@ static void add_pads(struct hal *hal, const struct board_options *options)
     bar_pads();
     gamepads_open(&devices.gamepads, database[0] ? database : NULL);
     for (uint32_t i = 0; i < GAMEPADS_MAX; i++) {
-        const struct input_source pad = {
-            .poi = gamepad_poi_devices(&devices.gamepads, i).poi,
-            .fan = gamepad_poi_devices(&devices.gamepads, i).fan,
-            .is_present = pad_is_present,
-            .self = &devices.gamepads.pad[i],
-            .kind = INPUT_KIND_GAMEPAD,
-        };
-        input_mux_add(&devices.mux, &pad);
+        add_source(gamepad_poi_devices(&devices.gamepads, i), pad_is_present,
+                   &devices.gamepads.pad[i], INPUT_KIND_GAMEPAD, false);
     }
 }
 
@@ -232,14 +234,8 @@ void controllers_open(struct hal *hal, const struct board_options *options)
     }
     hal->seats = input_mux_init(&devices.mux, hal, missing_poi(options->poi));
     for (uint32_t i = 0; usb.transport && i < POI_MAX; i++) {
-        const struct input_source source = {
-            .poi = poi_hid_devices(&usb.poi[i]).poi,
-            .fan = poi_hid_devices(&usb.poi[i]).fan,
-            .is_present = is_controller_ready,
-            .self = &usb.poi[i],
-            .kind = INPUT_KIND_USB,
-        };
-        input_mux_add(&devices.mux, &source);
+        add_source(poi_hid_devices(&usb.poi[i]), is_controller_ready, &usb.poi[i], INPUT_KIND_USB,
+                   false);
     }
     if (wants(options, BOARD_POI_PAD)) {
         add_pads(hal, options);

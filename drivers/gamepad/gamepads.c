@@ -90,15 +90,14 @@ static void begin_pad(struct gamepad *pad)
     }
 }
 
-bool gamepads_is_excluded(const struct gamepads *gamepads, uint16_t vendor, uint16_t product,
-                          const char *serial)
+bool gamepads_is_excluded(const struct gamepads *gamepads, const struct usb_key *key)
 {
     CORE_ASSERT(gamepads->bar_count <= GAMEPADS_EXCLUSION_MAX);
-    CORE_ASSERT(serial);
+    CORE_ASSERT(key);
     for (uint32_t i = 0; i < gamepads->bar_count; i++) {
         const struct usb_key *bar = &gamepads->bar[i];
-        if (bar->vendor == vendor && bar->product == product &&
-            (!bar->serial[0] || !serial[0] || !strcmp(bar->serial, serial))) {
+        if (bar->vendor == key->vendor && bar->product == key->product &&
+            (!bar->serial[0] || !key->serial[0] || !strcmp(bar->serial, key->serial))) {
             return true;
         }
     }
@@ -112,16 +111,15 @@ static void plug_in(struct gamepads *gamepads, int32_t device_index)
     CORE_ASSERT(gamepads->is_open);
     char guid[GAMEPAD_GUID_SIZE];
     char serial[sizeof gamepads->pad[0].serial] = "";
-    char usb_serial[HID_TEXT_SIZE] = "";
     if (!SDL_IsGameController(device_index) ||
         pad_of(gamepads, SDL_JoystickGetDeviceInstanceID(device_index))) {
         return;
     }
     const char *node = SDL_JoystickPathForIndex(device_index);
-    const uint16_t vendor = SDL_JoystickGetDeviceVendor(device_index);
-    const uint16_t product = SDL_JoystickGetDeviceProduct(device_index);
-    usb_sysfs_node_serial("/sys", node ? node : "", usb_serial);
-    if (gamepads_is_excluded(gamepads, vendor, product, usb_serial)) {
+    struct usb_key usb = { .vendor = SDL_JoystickGetDeviceVendor(device_index),
+                           .product = SDL_JoystickGetDeviceProduct(device_index) };
+    usb_sysfs_node_serial("/sys", node ? node : "", usb.serial);
+    if (gamepads_is_excluded(gamepads, &usb)) {
         return;
     }
     SDL_GameController *controller = SDL_GameControllerOpen(device_index);
@@ -139,9 +137,7 @@ static void plug_in(struct gamepads *gamepads, int32_t device_index)
     }
     memcpy(pad->guid, guid, sizeof guid);
     memcpy(pad->serial, serial, sizeof serial);
-    memcpy(pad->usb_serial, usb_serial, sizeof usb_serial);
-    pad->vendor = vendor;
-    pad->product = product;
+    pad->usb = usb;
     pad->controller = controller;
     pad->instance = SDL_JoystickInstanceID(joystick);
     begin_pad(pad);
@@ -269,7 +265,7 @@ void gamepads_exclude(struct gamepads *gamepads, const struct usb_key *bar, uint
     hint_at_bars(gamepads);
     for (uint32_t i = 0; i < GAMEPADS_MAX; i++) {
         struct gamepad *pad = &gamepads->pad[i];
-        if (gamepads_is_excluded(gamepads, pad->vendor, pad->product, pad->usb_serial)) {
+        if (gamepads_is_excluded(gamepads, &pad->usb)) {
             pull_out(pad);
         }
     }

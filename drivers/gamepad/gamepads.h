@@ -34,8 +34,8 @@ struct gamepad {
     int32_t instance;               /* SDL's instance id, which is new at each connection. */
     char guid[GAMEPAD_GUID_SIZE];   /* SDL's GUID of the game pad that used this element last. */
     char serial[32];                /* Serial number from SDL, or "" if unknown. */
-    uint16_t vendor, product;       /* USB vendor id and product id. */
-    char usb_serial[HID_TEXT_SIZE]; /* Serial number from /sys, or "" if unknown. */
+    struct usb_key usb;             /* USB ids, and the serial number from /sys, or "" if
+                                       unknown. */
     bool was_here;                  /* True if a game pad used this element before. */
     struct gamepad_report now;      /* State of the pad after the newest event. */
     struct gamepad_queue track;     /* Reports that are not decoded yet. */
@@ -70,10 +70,9 @@ void gamepads_init(struct gamepads *gamepads, struct hal_clock clock, const stru
  * 0. A call with an unchanged list has no effect. */
 void gamepads_exclude(struct gamepads *gamepads, const struct usb_key *bar, uint32_t count);
 
-/* Returns true if the game pad is excluded. An unknown serial number ("") matches every serial
+/* Returns true if the game pad `key` is excluded. An unknown serial number ("") matches every serial
  * number of the product. */
-bool gamepads_is_excluded(const struct gamepads *gamepads, uint16_t vendor, uint16_t product,
-                          const char *serial);
+bool gamepads_is_excluded(const struct gamepads *gamepads, const struct usb_key *key);
 
 /* Starts SDL's game controllers. `database` is the path of a file with further mappings. `database`
  * may be null, and the file may be missing. Returns HAL_OK. Returns HAL_ERR_ABSENT with the reason

@@ -39,6 +39,12 @@ static void fail_learning(struct controller_manager *manager)
     manager->learn.step = LEARN_FAILED;
 }
 
+/* Selects the controller of `row` to play, or releases it. Returns the result of the device list. */
+static int choose_row(struct controller_manager *manager, uint32_t row, bool plays)
+{
+    return manager->device_list.ops->choose(manager->device_list.self, row, plays);
+}
+
 static bool is_same_device(const struct hid_identity *one, const struct hid_identity *other)
 {
     return one->vendor == other->vendor && one->product == other->product &&
@@ -51,10 +57,9 @@ static void release_learned_controller(struct controller_manager *manager)
 {
     const struct hid_row *row = &manager->row[manager->learn_row];
     CORE_ASSERT(manager->learn_row < CONTROLLER_MAX);
-    manager->releases_at_end =
-        manager->releases_at_end && is_same_device(&row->identity, &manager->learn_identity) &&
-        manager->device_list.ops->release(manager->device_list.self, manager->learn_row) ==
-            HAL_ERR_BUSY;
+    manager->releases_at_end = manager->releases_at_end &&
+                               is_same_device(&row->identity, &manager->learn_identity) &&
+                               choose_row(manager, manager->learn_row, false) == HAL_ERR_BUSY;
 }
 
 /* Ends learning. The controller continues to play with `map`. If `map` is null, the controller
@@ -91,9 +96,8 @@ static int begin_learning(struct controller_manager *manager, uint32_t row)
         manager->row[row].state == CONTROLLER_FREE || (again && manager->releases_at_end);
     manager->learn_row = (uint8_t)row;
     manager->learn_identity = manager->row[row].identity;
-    const int result = manager->row[row].state == CONTROLLER_ACTIVE
-                           ? HAL_OK
-                           : manager->device_list.ops->choose(manager->device_list.self, row);
+    const int result =
+        manager->row[row].state == CONTROLLER_ACTIVE ? HAL_OK : choose_row(manager, row, true);
     if (result != HAL_OK) {
         manager->releases_at_end = false;
         fail_learning(manager);
@@ -204,7 +208,7 @@ static int controller_manager_release(struct controller_manager *manager, uint32
         manager->forgets =
             hid_mapping_store_forget(manager->store, &manager->forget_identity) == HAL_ERR_BUSY;
     }
-    return manager->device_list.ops->release(manager->device_list.self, row);
+    return choose_row(manager, row, false);
 }
 
 static int execute_command(void *self, const struct controller_command *order)
@@ -216,7 +220,7 @@ static int execute_command(void *self, const struct controller_command *order)
     switch (order->kind) {
     case COMMAND_CHOOSE:
         manager->releases_at_end &= order->row != manager->learn_row;
-        return manager->device_list.ops->choose(manager->device_list.self, order->row);
+        return choose_row(manager, order->row, true);
     case COMMAND_RELEASE:
         return controller_manager_release(manager, order->row);
     case COMMAND_LEARN:

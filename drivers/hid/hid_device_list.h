@@ -20,12 +20,11 @@ struct hid_device_list_ops {
     /* Copies the list to `out`. A controller keeps its row while it is connected, and while its
      * state is CONTROLLER_LOST after it was unplugged. */
     void (*rows)(void *self, struct hid_row out[CONTROLLER_MAX]);
-    /* Selects the controller of `row` to play. The controller also plays after each reconnection.
-     * Returns HAL_OK if the command was accepted. The result appears later in the row. Returns
-     * HAL_ERR_BUSY if POI_MAX controllers play already. Returns HAL_ERR_ABSENT if the row is empty
-     * or the controller may not be used. */
-    int (*choose)(void *self, uint32_t row);
-    int (*release)(void *self, uint32_t row);
+    /* Selects the controller of `row` to play if `plays` is true, otherwise releases it. A selected
+     * controller also plays after each reconnection. Returns HAL_OK if the command was accepted.
+     * The result appears later in the row. Returns HAL_ERR_BUSY if POI_MAX other controllers play
+     * already. Returns HAL_ERR_ABSENT if the row is empty or the controller may not be used. */
+    int (*choose)(void *self, uint32_t row, bool plays);
     /* Returns one line with the number of controllers, or with a problem and the remedy for the
      * problem. */
     const char *(*describe)(void *self);

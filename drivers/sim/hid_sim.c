@@ -185,32 +185,23 @@ static void write_sim_rows(void *self, struct hid_row out[CONTROLLER_MAX])
     }
 }
 
-static int hid_device_list_sim_select(void *self, uint32_t row)
+static int hid_device_list_sim_choose(void *self, uint32_t row, bool plays)
 {
     struct hid_device_list_sim *sim = self;
-    sim->choose_count++;
-    if (row >= CONTROLLER_MAX || !sim->face[row] || sim->barred[row]) {
+    sim->choose_count += plays;
+    sim->release_count += !plays;
+    if (row >= CONTROLLER_MAX ||
+        (plays ? !sim->face[row] || sim->barred[row] : !sim->chosen[row])) {
         return HAL_ERR_ABSENT;
     }
-    if (!sim->denied[row] && !attach_to_slot(sim, row)) {
+    if (plays && !sim->denied[row] && !attach_to_slot(sim, row)) {
         return HAL_ERR_BUSY;
     }
-    sim->chosen[row] = true;
-    return HAL_OK;
-}
-
-static int hid_device_list_sim_release(void *self, uint32_t row)
-{
-    struct hid_device_list_sim *sim = self;
-    sim->release_count++;
-    if (row >= CONTROLLER_MAX || !sim->chosen[row]) {
-        return HAL_ERR_ABSENT;
-    }
-    if (sim->taken[row]) {
+    if (!plays && sim->taken[row]) {
         hid_port_sim_plug(sim->port[sim->taken[row] - 1u], NULL);
+        sim->taken[row] = 0;
     }
-    sim->taken[row] = 0;
-    sim->chosen[row] = false;
+    sim->chosen[row] = plays;
     return HAL_OK;
 }
 
@@ -224,8 +215,7 @@ struct hid_device_list hid_device_list_sim_device(struct hid_device_list_sim *si
 {
     CORE_ASSERT(sim);
     static const struct hid_device_list_ops ops = { .rows = write_sim_rows,
-                                                    .choose = hid_device_list_sim_select,
-                                                    .release = hid_device_list_sim_release,
+                                                    .choose = hid_device_list_sim_choose,
                                                     .describe = describe_sim_list };
     return (struct hid_device_list){ .ops = &ops, .self = sim };
 }

@@ -137,8 +137,9 @@ static void copy_rows(void *self, struct hid_row out[CONTROLLER_MAX])
  * Returns HAL_OK, HAL_ERR_ABSENT if the operator cannot give a command for the row, or HAL_ERR_BUSY
  * if the queue is full. Also returns HAL_ERR_BUSY if a controller is selected and POI_MAX other
  * controllers play. */
-static int send_command(struct usb_device_list *device_list, uint32_t index, bool plays)
+static int choose(void *self, uint32_t index, bool plays)
 {
+    struct usb_device_list *device_list = self;
     const struct hid_row *rows = newest_device_table(device_list)->row;
     if (index >= CONTROLLER_MAX || rows[index].state == CONTROLLER_NONE ||
         rows[index].state == CONTROLLER_UNSUPPORTED) {
@@ -160,16 +161,6 @@ static int send_command(struct usb_device_list *device_list, uint32_t index, boo
     return HAL_OK;
 }
 
-static int choose(void *self, uint32_t index)
-{
-    return send_command(self, index, true);
-}
-
-static int release(void *self, uint32_t index)
-{
-    return send_command(self, index, false);
-}
-
 static const char *describe(void *self)
 {
     return newest_device_table(self)->text;
@@ -180,7 +171,6 @@ struct hid_device_list usb_device_list_device(struct usb_device_list *device_lis
     static const struct hid_device_list_ops ops = {
         .rows = copy_rows,
         .choose = choose,
-        .release = release,
         .describe = describe,
     };
     return (struct hid_device_list){ .ops = &ops, .self = device_list };

@@ -246,11 +246,11 @@ static void test_one_of_two_equal_gamepads_is_excluded_by_its_serial_number(void
     static const struct usb_key bars[] = { { 0x054c, 0x09cc, "A1" }, { 0x046d, 0xc216, "" } };
     gamepads_exclude(&gamepads, bars, 2);
     assert_string_equal(SDL_GetHint(SDL_HINT_GAMECONTROLLER_IGNORE_DEVICES), "0x046d/0xc216,");
-    assert_true(gamepads_is_excluded(&gamepads, 0x054c, 0x09cc, "A1"));
-    assert_false(gamepads_is_excluded(&gamepads, 0x054c, 0x09cc, "A2"));
-    assert_true(gamepads_is_excluded(&gamepads, 0x054c, 0x09cc, ""));
-    assert_true(gamepads_is_excluded(&gamepads, 0x046d, 0xc216, "A2"));
-    assert_false(gamepads_is_excluded(&gamepads, 0x046d, 0x09cc, "A1"));
+    assert_true(gamepads_is_excluded(&gamepads, &(struct usb_key){ 0x054c, 0x09cc, "A1" }));
+    assert_false(gamepads_is_excluded(&gamepads, &(struct usb_key){ 0x054c, 0x09cc, "A2" }));
+    assert_true(gamepads_is_excluded(&gamepads, &(struct usb_key){ 0x054c, 0x09cc, "" }));
+    assert_true(gamepads_is_excluded(&gamepads, &(struct usb_key){ 0x046d, 0xc216, "A2" }));
+    assert_false(gamepads_is_excluded(&gamepads, &(struct usb_key){ 0x046d, 0x09cc, "A1" }));
 }
 
 /* The operator assigned this gamepad to the HID driver, so SDL must close the gamepad at once. */

@@ -62,7 +62,7 @@ static void test_four_devices_get_slots_and_a_fifth_waits(void **state)
     assert_true(fixture_wait_state(&fixture, 4, CONTROLLER_FREE));
     assert_int_equal(usb_sim_seen(device[4]).opens, 0);
     const struct hid_device_list device_list = usb_transport_list(fixture.thread);
-    assert_int_equal(device_list.ops->choose(device_list.self, 4), HAL_ERR_BUSY);
+    assert_int_equal(device_list.ops->choose(device_list.self, 4, true), HAL_ERR_BUSY);
     usb_sim_unplug(device[2], USB_SIM_GONE); /* The device is absent for a moment, so its slot is
                                                 reserved. */
     assert_true(fixture_wait_state(&fixture, 2, CONTROLLER_LOST));
@@ -71,7 +71,7 @@ static void test_four_devices_get_slots_and_a_fifth_waits(void **state)
     usb_sim_plug(&kinds[2], 9);
     assert_true(sits(2, "S2"));
     /* A player's slot becomes free, and a waiting poi gets it. */
-    assert_int_equal(device_list.ops->release(device_list.self, 1), HAL_OK);
+    assert_int_equal(device_list.ops->choose(device_list.self, 1, false), HAL_OK);
     assert_true(sits(1, "S4"));
     assert_true(fixture_wait_state(&fixture, 4, CONTROLLER_ACTIVE));
     assert_int_equal(fixture_row(&fixture, 4).slot, 1);
@@ -208,7 +208,7 @@ static void test_all_devices_have_slots_after_a_hot_plug_storm(void **state)
             hid_port_send(port, (const uint8_t *)"\2\1", 2);
         }
         device_list.ops->rows(device_list.self, rows);
-        device_list.ops->choose(device_list.self, order++ % CONTROLLER_MAX);
+        device_list.ops->choose(device_list.self, order++ % CONTROLLER_MAX, true);
         usleep(500);
     }
     pthread_join(thread, NULL);

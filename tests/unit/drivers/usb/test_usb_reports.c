@@ -266,8 +266,8 @@ static void make_calls_of_a_frame(struct hid_device_list device_list, uint32_t f
         hid_port_send(port, force_report, sizeof force_report);
     }
     device_list.ops->rows(device_list.self, rows);
-    device_list.ops->release(device_list.self, frame % 2u);
-    device_list.ops->choose(device_list.self, frame % 2u);
+    device_list.ops->choose(device_list.self, frame % 2u, false);
+    device_list.ops->choose(device_list.self, frame % 2u, true);
 }
 
 /* The event thread stays in libusb_close() until the test releases the call. A frame that waited

@@ -31,13 +31,13 @@ static int tear_down(void **state)
 static int choose(uint32_t row)
 {
     const struct hid_device_list device_list = usb_transport_list(fixture.thread);
-    return device_list.ops->choose(device_list.self, row);
+    return device_list.ops->choose(device_list.self, row, true);
 }
 
 static int release(uint32_t row)
 {
     const struct hid_device_list device_list = usb_transport_list(fixture.thread);
-    return device_list.ops->release(device_list.self, row);
+    return device_list.ops->choose(device_list.self, row, false);
 }
 
 static const char *described(void)

@@ -162,7 +162,7 @@ static void choose_the_joystick(void)
     const struct hid_device_list device_list = usb_transport_list(fixture.thread);
     usb_sim_plug(&joystick, 1);
     assert_true(fixture_wait_state(&fixture, 0, CONTROLLER_FREE));
-    assert_int_equal(device_list.ops->choose(device_list.self, 0), HAL_OK);
+    assert_int_equal(device_list.ops->choose(device_list.self, 0, true), HAL_OK);
     assert_true(fixture_wait_state(&fixture, 0, CONTROLLER_ACTIVE));
 }
 
