@@ -131,7 +131,7 @@ static void poll_idle(struct input_mux *mux, uint32_t sources)
     }
 }
 
-static uint32_t arrange(void *self, int may_move)
+static uint32_t arrange(void *self, bool may_move)
 {
     struct input_mux *mux = self;
     uint8_t kind[INPUT_SOURCE_MAX], slot[POI_MAX];

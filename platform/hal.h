@@ -175,12 +175,12 @@ struct hal_buttons_ops {
  * controllers than slots, or if a better controller is connected. */
 struct hal_seats_ops {
     /* Assigns controllers to slots. The kiosk calls arrange() once per frame, before it polls the
-     * pois. The kiosk passes 1 as `may_move` between two games and 0 during a game. If `may_move`
-     * is 0, a slot with a connected controller keeps that controller. Returns a bit (1 << slot) for
+     * pois. The kiosk passes true as `may_move` between two games and false during a game. If
+     * `may_move` is false, a slot with a connected controller keeps that controller. Returns a bit (1 << slot) for
      * each slot whose controller changed or was reconnected. arrange() also replaces the poi and
      * the fan of each changed slot in struct hal. The caller must reopen the poi and the fan of
      * each returned slot, and set the view of the poi. */
-    uint32_t (*arrange)(void *self, int may_move);
+    uint32_t (*arrange)(void *self, bool may_move);
 };
 
 /* Outputs that the kiosk switches on and off. */
@@ -196,8 +196,8 @@ enum hal_switch {
  * in the next frame after HAL_ERR_BUSY, after one second on a fault, and never after
  * HAL_ERR_ABSENT. */
 struct hal_switches_ops {
-    /* Sets the level of a lamp or of the coin lockout: `active` is 1 for on, 0 for off. */
-    int (*set)(void *self, enum hal_switch which, int active);
+    /* Switches a lamp or the coin lockout on if `active` is true, otherwise off. */
+    int (*set)(void *self, enum hal_switch which, bool active);
     /* Queues `count` additional pulses. The driver sends all queued pulses one after another at the
      * rate of the driver. */
     int (*pulse)(void *self, enum hal_switch which, uint32_t count);
@@ -255,11 +255,11 @@ struct hal_ledger_ops {
     uint32_t (*committed_id)(void *self);
     /* Returns the number of writes of entries, replays and edits that failed since open(). */
     uint32_t (*failed_count)(void *self);
-    /* Returns 1 if entries are stored and the last write succeeded, otherwise 0. */
-    int (*is_healthy)(void *self);
-    /* Returns 1 if there was no store at program start and a store is available now, otherwise 0.
-     * The program must restart to use the new store. */
-    int (*needs_restart)(void *self);
+    /* Returns true if entries are stored and the last write succeeded. */
+    bool (*is_healthy)(void *self);
+    /* Returns true if there was no store at program start and a store is available now. The program
+     * must restart to use the new store. */
+    bool (*needs_restart)(void *self);
     /* Adds offline credits to the store that needs_restart() reported. `entries` has 1 .. 16 ledger
      * entries for coins that were inserted while there was no store. `step` is the change of the
      * balance. The store sets the ids, boot numbers and balances of the entries. Copies all
@@ -293,8 +293,8 @@ struct hal_replay_store_ops {
     /* Returns the size in bytes of the loaded replay, HAL_ERR_BUSY while the replay is being
      * loaded, or HAL_ERR_ABSENT if there is no such replay. */
     int (*fetched)(void *self);
-    /* Returns 1 if the replay of the ranked round `round_id` is on disk, otherwise 0. */
-    int (*has)(void *self, uint32_t round_id);
+    /* Returns true if the replay of the ranked round `round_id` is on disk. */
+    bool (*has)(void *self, uint32_t round_id);
 };
 
 /* Functions of the store of the growth lab's edits. */
@@ -304,8 +304,8 @@ struct hal_edit_store_ops {
     int (*store)(void *self, const struct graph_edit_record *edit);
     /* Returns the id of the newest edit that is on disk. */
     uint32_t (*stored_id)(void *self);
-    /* Returns 1 if edits cannot be stored, or if the last write of an edit failed, otherwise 0. */
-    int (*has_failed)(void *self);
+    /* Returns true if edits cannot be stored, or if the last write of an edit failed. */
+    bool (*has_failed)(void *self);
 };
 
 struct hal_watchdog_ops {

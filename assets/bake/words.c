@@ -7,6 +7,7 @@
 #include "assets/bake/bake.h"
 
 #include <assert.h>
+#include <stdbool.h>
 
 #include "core/game/ranking/name_filter.h"
 
@@ -20,7 +21,7 @@ static void write_word(void *self, const char *path, char *word, uint32_t line)
 {
     struct word_table *table = self;
     uint16_t letters[NAME_NORMALIZE_MAX];
-    const int is_whole = word[0] == '=';
+    const bool is_whole = word[0] == '=';
     const uint32_t count = name_normalize(word + is_whole, NAME_ENDS_KEPT, letters);
     if (count == 0 || count > REFUSED_LETTERS_MAX) {
         bake_fail("%s:%u: a word has 1 to 16 letters, of kana or the Latin alphabet", path, line);

@@ -49,10 +49,10 @@ static int pad_set_force(void *self, const struct poi_force *force)
     }
     const struct gamepad_rumble rumble = gamepad_decoder_rumble(force);
     const uint64_t now = hal_now_ns(pad->gamepads->clock);
-    const int hums = rumble.slow > 0 || rumble.fast > 0;
-    const int is_other = abs(rumble.slow - pad->rumble.slow) >= RUMBLE_STEP ||
-                         abs(rumble.fast - pad->rumble.fast) >= RUMBLE_STEP ||
-                         (!hums && (pad->rumble.slow > 0 || pad->rumble.fast > 0));
+    const bool hums = rumble.slow > 0 || rumble.fast > 0;
+    const bool is_other = abs(rumble.slow - pad->rumble.slow) >= RUMBLE_STEP ||
+                          abs(rumble.fast - pad->rumble.fast) >= RUMBLE_STEP ||
+                          (!hums && (pad->rumble.slow > 0 || pad->rumble.fast > 0));
     if (!is_other && !(hums && now - pad->rumble_ns >= RUMBLE_AGAIN_NS)) {
         return HAL_OK;
     }

@@ -141,7 +141,7 @@ static int backend_level(void *self, enum gpio_role role)
     return level < 0 ? failure(backend, role) : level;
 }
 
-static int backend_set(void *self, enum gpio_role role, int active)
+static int backend_set(void *self, enum gpio_role role, bool active)
 {
     struct gpio_backend *backend = self;
     CORE_ASSERT(!gpio_role_is_input(role));
@@ -151,7 +151,7 @@ static int backend_set(void *self, enum gpio_role role, int active)
     return backend->ops->set(role, active) == 0 ? HAL_OK : failure(backend, role);
 }
 
-static int backend_debounces(void *self, enum gpio_role role)
+static bool backend_debounces(void *self, enum gpio_role role)
 {
     const struct gpio_backend *backend = self;
     return (backend->debounced & gpio_role_bit(role)) != 0;

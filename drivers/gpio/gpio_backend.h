@@ -74,7 +74,7 @@ struct gpio_backend_ops {
     int (*read_edges)(enum gpio_role role, struct gpio_edge *out, uint32_t max);
     int (*get)(enum gpio_role role); /* Returns the level, 0 or 1, or -1 with errno on an error. */
     /* Sets an output. Returns 0, or -1 with errno on an error. */
-    int (*set)(enum gpio_role role, int active);
+    int (*set)(enum gpio_role role, bool active);
     /* Releases the line if it was requested, and closes its chip. */
     void (*release)(enum gpio_role role);
     /* Calls `tell` for each line of the chip at `path`. Returns the number of lines, or 0 if the

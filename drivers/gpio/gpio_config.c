@@ -240,7 +240,7 @@ bool gpio_wire_read(const char *text, struct gpio_wire wires[GPIO_ROLE_COUNT],
             name);
     }
     const bool rests = gpio_role_is_input(role) || gpio_role_begins_active(role);
-    struct gpio_wire wire = { .wired = 1, .active_low = rests };
+    struct gpio_wire wire = { .wired = true, .active_low = rests };
     bool has_bias = !rests;
     if (!reads_line(strsep(&rest, ","), &wire)) {
         return gpio_config_error(why,
@@ -255,7 +255,7 @@ bool gpio_wire_read(const char *text, struct gpio_wire wires[GPIO_ROLE_COUNT],
     }
     if (!has_bias) { /* The default bias sets a button whose wire is disconnected to "released", and
                         a disconnected coin lock to "locked". */
-        const bool is_up = gpio_role_is_input(role) == (wire.active_low != 0);
+        const bool is_up = gpio_role_is_input(role) == wire.active_low;
         wire.bias = is_up ? GPIO_BIAS_UP : GPIO_BIAS_DOWN;
     }
     CORE_ASSERT(wire.bias <= GPIO_BIAS_OFF && (wire.name[0] || wire.chip[0]));
@@ -289,7 +289,7 @@ uint32_t gpio_config_count(const struct gpio_wire wires[GPIO_ROLE_COUNT])
 {
     uint32_t count = 0;
     for (uint32_t i = 0; i < GPIO_ROLE_COUNT; i++) {
-        count += wires[i].wired != 0;
+        count += wires[i].wired;
     }
     return count;
 }

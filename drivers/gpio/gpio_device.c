@@ -42,8 +42,7 @@ static void begin_input(struct gpio_thread *reader, enum gpio_role role)
     CORE_ASSERT(gpio_role_is_input(role) && wire->wired);
     const bool active = lines->ops->level(lines->self, role) == 1;
     const uint64_t now = hal_now_ns(reader->clock);
-    const uint32_t period_us =
-        lines->ops->debounces(lines->self, role) == 1 ? 0u : wire->debounce_us;
+    const uint32_t period_us = lines->ops->debounces(lines->self, role) ? 0u : wire->debounce_us;
     reader->inputs[role] = gpio_edge_filter_begin(period_us * 1000ull, active, now);
     if (gpio_role_is_coin(role)) {
         reader->coin[role - GPIO_COIN] = gpio_coin_begin(wire->pulse_min_us * 1000ull,
@@ -270,7 +269,7 @@ static bool is_wired(const struct gpio_thread *reader, enum hal_switch which)
     return reader->wires[GPIO_INPUT_COUNT + which].wired;
 }
 
-static int switch_set(void *self, enum hal_switch which, int active)
+static int switch_set(void *self, enum hal_switch which, bool active)
 {
     struct gpio_thread *reader = self;
     const uint32_t bit = gpio_role_bit(GPIO_INPUT_COUNT + which);

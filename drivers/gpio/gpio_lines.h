@@ -77,12 +77,12 @@ enum gpio_bias {
 /* Wiring of one role. An all-zero value means that the role is not wired. A time of 0 selects the
  * default of the role (gpio_config.h). */
 struct gpio_wire {
-    uint8_t wired;
+    bool wired;
     char name[GPIO_TEXT_SIZE]; /* Name of the line. "" means that `chip` and `offset` identify the
                                   line. */
     char chip[GPIO_TEXT_SIZE]; /* Label of the chip. "" together with a line name means any chip. */
     uint32_t offset;
-    uint8_t active_low;
+    bool active_low;
     uint8_t bias;          /* Pull resistor of the line (enum gpio_bias). */
     uint32_t debounce_us;  /* Debounce time of an input. Outputs do not use this field. */
     uint32_t pulse_min_us; /* Shortest (`pulse_min_us`) and longest (`pulse_max_us`) valid pulse of
@@ -97,9 +97,9 @@ struct gpio_wire {
 struct gpio_edge {
     uint64_t time_ns; /* Time of the interrupt on CLOCK_MONOTONIC. */
     uint8_t role;     /* Role of the line (enum gpio_role). */
-    /* Level after the edge. 1 means active (see active_low). The kernel reads the level some time
-     * after the interrupt, so the level can be wrong. */
-    uint8_t active;
+    /* True if the level after the edge is active (see active_low). The kernel reads the level some
+     * time after the interrupt, so the level can be wrong. */
+    bool active;
     uint32_t lost_before; /* Number of edges of the line that the kernel dropped directly before
                              this edge, because its queue was full. */
     /* Time at which the GPIO thread received the edge. The GPIO thread sets this field. The backend
@@ -118,7 +118,7 @@ struct gpio_line_info {
     char name[GPIO_TEXT_SIZE];     /* Name of the line, or "" if the board gives no name. */
     char consumer[GPIO_TEXT_SIZE]; /* Name of the program that uses the line, or "" if the line is
                                       unused or the name is unknown. */
-    uint8_t used, is_output, active_low;
+    bool used, is_output, active_low;
 };
 
 struct gpio_lines_ops {
@@ -140,9 +140,9 @@ struct gpio_lines_ops {
     int (*level)(void *self, enum gpio_role role);
     /* Sets the level of an output. Returns HAL_OK, HAL_ERR_GONE if the line is not held, or
      * HAL_ERR_IO on another error. */
-    int (*set)(void *self, enum gpio_role role, int active);
-    /* Returns 1 if the kernel debounces the line, otherwise 0. */
-    int (*debounces)(void *self, enum gpio_role role);
+    int (*set)(void *self, enum gpio_role role, bool active);
+    /* Returns true if the kernel debounces the line. */
+    bool (*debounces)(void *self, enum gpio_role role);
     /* Calls `tell` for every line of every accessible chip. Returns the number of lines, or
      * HAL_ERR_ABSENT if there is no chip. */
     int (*list)(void *self, void (*tell)(void *context, const struct gpio_line_info *line),

@@ -18,8 +18,8 @@ static struct held {
     /* Handle of the chip, or null if the line is not held. Each line opens its chip separately. */
     struct gpiod_chip *chip;
     struct gpiod_line *line;
-    uint8_t active;   /* Level after the last edge. */
-    uint8_t was_full; /* 1 if the last read found a full queue, otherwise 0. */
+    bool active;   /* True if the level after the last edge is active. */
+    bool was_full; /* True if the last read found a full queue. */
 } lines[GPIO_ROLE_COUNT];
 
 /* ---- Requesting lines ----------------------------------------------------------------------- */
@@ -93,7 +93,7 @@ static int read_edges_v1(enum gpio_role role, struct gpio_edge *out, uint32_t ma
     const int count =
         gpiod_line_event_read_fd_multiple(gpiod_line_event_get_fd(held->line), events, wanted);
     for (int i = 0; i < count; i++) {
-        const uint8_t active = events[i].event_type == GPIOD_LINE_EVENT_RISING_EDGE;
+        const bool active = events[i].event_type == GPIOD_LINE_EVENT_RISING_EDGE;
         out[i] = (struct gpio_edge){
             .time_ns = (uint64_t)events[i].ts.tv_sec * NS_PER_S + (uint64_t)events[i].ts.tv_nsec,
             .role = (uint8_t)role,
@@ -101,7 +101,7 @@ static int read_edges_v1(enum gpio_role role, struct gpio_edge *out, uint32_t ma
             .lost_before = held->was_full && active == held->active,
         };
         held->active = active;
-        held->was_full = 0;
+        held->was_full = false;
     }
     held->was_full |= count == (int)QUEUE_SIZE;
     return count;
@@ -147,10 +147,10 @@ static int get_v1(enum gpio_role role)
     return gpiod_line_get_value(lines[role].line);
 }
 
-static int set_v1(enum gpio_role role, int active)
+static int set_v1(enum gpio_role role, bool active)
 {
     CORE_ASSERT(!gpio_role_is_input(role));
-    return gpiod_line_set_value(lines[role].line, active != 0);
+    return gpiod_line_set_value(lines[role].line, active);
 }
 
 struct gpio_lines gpio_lines_device(void)

@@ -76,7 +76,7 @@ static int set_up(struct gpiod_line_settings *settings, const struct gpio_wire *
     };
     const bool is_input = gpio_role_is_input(role);
     CORE_ASSERT(wire->bias <= GPIO_BIAS_OFF && (is_input || !has_edges));
-    gpiod_line_settings_set_active_low(settings, wire->active_low != 0);
+    gpiod_line_settings_set_active_low(settings, wire->active_low);
     int failed = gpiod_line_settings_set_bias(settings, biases[wire->bias]);
     failed |= gpiod_line_settings_set_direction(settings, is_input ? GPIOD_LINE_DIRECTION_INPUT
                                                                    : GPIOD_LINE_DIRECTION_OUTPUT);
@@ -196,7 +196,7 @@ static int get_v2(enum gpio_role role)
     return value == GPIOD_LINE_VALUE_ERROR ? -1 : value == GPIOD_LINE_VALUE_ACTIVE;
 }
 
-static int set_v2(enum gpio_role role, int active)
+static int set_v2(enum gpio_role role, bool active)
 {
     CORE_ASSERT(!gpio_role_is_input(role) && lines[role].request);
     return gpiod_line_request_set_value(lines[role].request, lines[role].offset,

@@ -120,7 +120,7 @@ static bool take_blink(struct gpio_edge_filter *input, const struct gpio_edge *e
          * then not a sign of a pulse and is ignored. */
         return false;
     }
-    CORE_ASSERT((edge->active != 0) == debounce->raw);
+    CORE_ASSERT(edge->active == debounce->raw);
     input->blinks++;
     const bool is_pair = input->blinked_ns != NEVER &&
                          edge->time_ns <= input->told_ns + GPIO_PAIR_NS &&
@@ -143,9 +143,8 @@ bool gpio_edge_filter_edge(struct gpio_edge_filter *input, const struct gpio_edg
                            struct debounce_edge_time *out)
 {
     const struct gpio_poll_edges *other = &input->other;
-    CORE_ASSERT(edge->active <= 1u);
-    const bool active = edge->active != 0;
-    const bool changes = active != input->debounce.raw;
+    const bool changes = edge->active != input->debounce.raw;
+    CORE_ASSERT(input->believed_ns != NEVER);
     input->lost += edge->lost_before;
     if (edge->time_ns <= input->believed_ns) {
         /* An accepted polled level already includes every edge up to `believed_ns`. Therefore the
@@ -161,7 +160,7 @@ bool gpio_edge_filter_edge(struct gpio_edge_filter *input, const struct gpio_edg
         return take_blink(input, edge, out);
     }
     input->blinked_ns = NEVER;
-    return gpio_debounce_edge(&input->debounce, edge->time_ns, active, out);
+    return gpio_debounce_edge(&input->debounce, edge->time_ns, edge->active, out);
 }
 
 /* ---- Edge filter: levels that were read ------------------------------------------------------ */

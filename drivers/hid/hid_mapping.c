@@ -34,7 +34,7 @@ static bool is_own(const struct hid_descriptor *descriptor)
     }
     for (uint32_t i = 0; i < sizeof own_axes / sizeof own_axes[0]; i++) {
         const struct hid_field_location spot =
-            hid_mapping_auto_find(descriptor, 0, POI_REPORT_ID, 1, own_axes[i]);
+            hid_mapping_auto_find(descriptor, 0, POI_REPORT_ID, true, own_axes[i]);
         const struct hid_group *group = spot.group;
         if (!group || group->bit_size != OWN_AXIS_BITS || group->logical_min != -32767 ||
             group->logical_max != 32767 || (group->flags & HID_RELATIVE) ||
@@ -64,7 +64,7 @@ _Static_assert(POI_REPORT_ID == 1u, "the poi has the report id of the other cont
          -32767, 32767, 0)
 
 static const struct hid_mapping own_mapping = {
-    .source = HID_MAPPING_OWN, .style = HID_STYLE_POSE, .feels = 1, .count = 10, .binding = {
+    .source = HID_MAPPING_OWN, .style = HID_STYLE_POSE, .feels = true, .count = 10, .binding = {
         OWN_AXIS(HID_ROLE_X, 0),     OWN_AXIS(HID_ROLE_Y, 1),   OWN_AXIS(HID_ROLE_Z, 2),
         OWN_AXIS(HID_ROLE_PITCH, 3), OWN_AXIS(HID_ROLE_YAW, 4), OWN_AXIS(HID_ROLE_ROLL, 5),
         /* The buttons have the order of enum poi_button. */
@@ -177,8 +177,8 @@ uint32_t hid_mapping_score(const struct hid_identity *identity,
 
 const char *hid_mapping_absence_reason(const struct hid_descriptor *of)
 {
-    const bool has_x = hid_mapping_auto_find(of, 0, -1, 0, USAGE_X).group != NULL;
-    const bool has_y = hid_mapping_auto_find(of, 0, -1, 0, USAGE_Y).group != NULL;
+    const bool has_x = hid_mapping_auto_find(of, 0, -1, false, USAGE_X).group != NULL;
+    const bool has_y = hid_mapping_auto_find(of, 0, -1, false, USAGE_Y).group != NULL;
     if (hid_mapping_has_keyboard(of)) {
         return "it has the keys of a keyboard, and the kiosk never uses a keyboard";
     }
@@ -239,8 +239,8 @@ static bool binding_is_sound(const struct hid_binding *binding,
     }
     return binding->role > HID_ROLE_NONE && binding->role < HID_ROLE_COUNT &&
            manner_fits(binding) && binding->bit_size >= 1 && binding->bit_size <= 32 &&
-           binding->is_signed <= 1 && end <= descriptor->report_bits[binding->report_id] &&
-           span != 0 && binding->dead >= 0 && binding->dead < width &&
+           end <= descriptor->report_bits[binding->report_id] && span != 0 && binding->dead >= 0 &&
+           binding->dead < width &&
            (binding->usage == 0 ||
             (binding->manner == HID_BINDING_PRESS && array < descriptor->group_count));
 }
@@ -282,8 +282,7 @@ static bool style_is_sound(const struct hid_mapping *map, const struct hid_descr
 bool hid_mapping_is_sound(const struct hid_mapping *map, const struct hid_descriptor *descriptor)
 {
     if (descriptor->error != HID_OK || map->source == HID_MAPPING_NONE ||
-        map->source > HID_MAPPING_LEARNED || map->count > HID_BINDING_MAX || map->trembles > 1 ||
-        map->feels > 1) {
+        map->source > HID_MAPPING_LEARNED || map->count > HID_BINDING_MAX) {
         return false;
     }
     for (uint32_t i = 0; i < map->count; i++) {

@@ -78,7 +78,7 @@ struct hid_binding {
     uint8_t report_id;
     uint32_t bit_offset; /* Bit offset in the payload, counted from the end of the report id. */
     uint8_t bit_size;    /* Number of bits, 1 to 32. */
-    uint8_t is_signed;   /* 1 if the value is two's complement, otherwise 0. Stored here because
+    bool is_signed;      /* True if the value is two's complement. Stored here because
                             vendor-defined fields may not declare the sign. */
     hid_usage usage;     /* Usage of a key in an array. The key is pressed while an element selects
                             this usage. 0 means that the field is no array. */
@@ -112,10 +112,9 @@ enum hid_mapping_source {
 struct hid_mapping {
     uint8_t source, style; /* `source` is the origin of the mapping (enum hid_mapping_source).
                               `style` is the kind of control (enum hid_style). */
-    uint8_t trembles;      /* 1 if the position sensor is noisy (see struct poi_input), otherwise
-                              0. */
-    uint8_t feels;         /* 1 if the device accepts the force feedback report that poi_report.h
-                              defines, otherwise 0. */
+    bool trembles;         /* True if the position sensor is noisy (see struct poi_input). */
+    bool feels;            /* True if the device accepts the force feedback report that
+                              poi_report.h defines. */
     uint32_t count;        /* Number of bindings, at most HID_BINDING_MAX. */
     struct hid_binding binding[HID_BINDING_MAX];
 };

@@ -176,9 +176,9 @@ int hid_mapping_read(struct hid_mapping *out, const char *text, char error[HAL_T
     while ((more = next_word(&text, word)) > 0) {
         memcpy(kept, word, sizeof kept);
         if (strcmp(word, "trembles") == 0) {
-            out->trembles = 1;
+            out->trembles = true;
         } else if (strcmp(word, "feels") == 0) {
-            out->feels = 1;
+            out->feels = true;
         } else if (out->count == HID_BINDING_MAX) {
             return fail(error, "a mapping has too many bindings", kept);
         } else if (!read_binding(word, &out->binding[out->count])) {

@@ -12,7 +12,7 @@ struct key {
     uint32_t button; /* Cabinet button of the key (enum input_button). 0 means that the key is no
                         cabinet button. */
     uint8_t coin;    /* Coin line of the key plus 1. 0 means that the key inserts no coin. */
-    uint8_t quit, full_screen;
+    bool quit, full_screen;
 };
 
 static const struct key keys[] = {
@@ -31,9 +31,9 @@ static const struct key keys[] = {
                                       5 for coins. */
     { .code = SDLK_6, .coin = 2 },
     { .code = SDLK_7, .coin = 3 },
-    { .code = SDLK_F11, .full_screen = 1 },
-    { .code = SDLK_ESCAPE, .quit = 1 },
-    { .code = SDLK_q, .quit = 1 },
+    { .code = SDLK_F11, .full_screen = true },
+    { .code = SDLK_ESCAPE, .quit = true },
+    { .code = SDLK_q, .quit = true },
 };
 
 static void buttons_keyboard_take_event(struct buttons_keyboard *keyboard, const SDL_Event *event,

@@ -166,7 +166,7 @@ static void open_line(struct gpio_lines_sim *sim, const struct gpio_wire *wire, 
     } else {
         sim->held |= 1u << role;
         sim->outputs[role] = gpio_role_begins_active(role);
-        sim->rests[role] = (wire->bias == GPIO_BIAS_UP) != (wire->active_low != 0);
+        sim->rests[role] = (wire->bias == GPIO_BIAS_UP) != (wire->active_low);
     }
     if (gpio_role_is_input(role)) {
         sim->lines[role].last = sim->lines[role].level;
@@ -194,7 +194,7 @@ static struct gpio_edge take_edge(struct gpio_lines_sim *sim, enum gpio_role rol
     const uint32_t at = line->first++ % GPIO_SIM_QUEUE_MAX;
     line->count--;
     const uint32_t number = line->queue[at].number;
-    const uint8_t active = line->queue[at].active;
+    const bool active = line->queue[at].active;
     const struct gpio_edge edge = {
         .time_ns = line->queue[at].time_ns,
         .role = (uint8_t)role,
@@ -257,7 +257,7 @@ static int sim_level(void *self, enum gpio_role role)
     return gpio_role_is_input(role) ? sim->lines[role].level : sim->outputs[role];
 }
 
-static int sim_set(void *self, enum gpio_role role, int active)
+static int sim_set(void *self, enum gpio_role role, bool active)
 {
     struct gpio_lines_sim *sim = self;
     CORE_ASSERT(!gpio_role_is_input(role));
@@ -267,16 +267,16 @@ static int sim_set(void *self, enum gpio_role role, int active)
     if (sim->failing_outputs & 1u << role) {
         return HAL_ERR_IO;
     }
-    sim->outputs[role] = active != 0;
+    sim->outputs[role] = active;
     sim->sets[sim->set_count++ % GPIO_SIM_SETS_MAX] = (struct gpio_sim_set){
         .time_ns = sim->now_ns,
         .role = (uint8_t)role,
-        .active = active != 0,
+        .active = active,
     };
     return HAL_OK;
 }
 
-static int sim_debounces(void *self, enum gpio_role role)
+static bool sim_debounces(void *self, enum gpio_role role)
 {
     const struct gpio_lines_sim *sim = self;
     (void)role;

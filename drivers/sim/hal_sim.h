@@ -27,7 +27,7 @@ struct button_event {
     uint32_t pressed;  /* Buttons that the event presses, as bits of enum input_button. */
     uint32_t released; /* Buttons that the event releases, as bits of enum input_button. */
     uint32_t coin_count[COIN_LINE_COUNT];
-    uint8_t quit, full_screen;
+    bool quit, full_screen;
 };
 
 struct buttons_sim {

@@ -126,13 +126,13 @@ static uint32_t storage_sim_stored_edit_id(void *self)
     return sim->edit.id;
 }
 
-static int storage_sim_edits_failed(void *self)
+static bool storage_sim_edits_failed(void *self)
 {
     const struct storage_sim *sim = self;
     return sim->edit_failed;
 }
 
-static int storage_sim_is_healthy(void *self)
+static bool storage_sim_is_healthy(void *self)
 {
     return !storage_sim_edits_failed(self);
 }
@@ -149,11 +149,11 @@ static uint32_t storage_sim_failed_count(void *self)
     return sim->write_refused_count;
 }
 
-static int storage_sim_has_replay(void *self, uint32_t round_id)
+static bool storage_sim_has_replay(void *self, uint32_t round_id)
 {
     (void)self;
     (void)round_id;
-    return 0;
+    return false;
 }
 
 static uint32_t storage_sim_close(void *self)
@@ -162,7 +162,7 @@ static uint32_t storage_sim_close(void *self)
     return 0;
 }
 
-static int storage_sim_needs_restart(void *self)
+static bool storage_sim_needs_restart(void *self)
 {
     const struct storage_sim *sim = self;
     return sim->needs_restart;

@@ -34,8 +34,8 @@ struct storage_sim {
     uint32_t replay_polls_left;
     uint32_t replay_asked_id;       /* Round id in the last call of fetch(). */
     struct persistent_state memory; /* Result of load(): the state at the program start. */
-    int needs_restart;              /* Result of needs_restart(): 1 if a store became available
-                                       after the program start, otherwise 0. */
+    bool needs_restart;             /* Result of needs_restart(): true if a store became available
+                                       after the program start. */
     struct audits late;             /* Sums of the ledger entries that merge_offline() received. */
     struct balance late_balance;    /* Sum of the balance changes that merge_offline() received. */
     uint32_t late_polls;            /* Value for `late_polls_left` at each merge_offline(): the

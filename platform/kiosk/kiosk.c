@@ -73,7 +73,7 @@ enum core_error kiosk_init(struct kiosk *kiosk, const struct hal *hal,
     output_audio_open(&kiosk->voice, &hal->audio, hal_now_ns(hal->clock));
     read_wall(kiosk, hal); /* The first call reads the time zone in the C library, which allocates
                               memory. */
-    hal->seats.ops->arrange(hal->seats.self, 1);
+    hal->seats.ops->arrange(hal->seats.self, true);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         open_seat(kiosk, hal, i);
     }
@@ -174,8 +174,8 @@ static void sample_devices(struct kiosk *kiosk, const struct hal *hal)
     const struct hal_storage *storage = &hal->storage;
     input->record_saved_id = storage->ledger.ops->committed_id(storage->ledger.self);
     input->edit_saved_id = storage->edits.ops->stored_id(storage->edits.self);
-    input->edit_refused = storage->edits.ops->has_failed(storage->edits.self) != 0;
-    input->store_well = storage->ledger.ops->is_healthy(storage->ledger.self) != 0;
+    input->edit_refused = storage->edits.ops->has_failed(storage->edits.self);
+    input->store_well = storage->ledger.ops->is_healthy(storage->ledger.self);
     kiosk_count_refused(kiosk, hal);
     input->tickets_done = output_lines_are_done(&kiosk->switches, &hal->switches, HAL_TICKET);
     read_wall(kiosk, hal);

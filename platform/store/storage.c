@@ -222,7 +222,7 @@ static uint32_t storage_stored_edit_id(void *self)
 
 /* Returns 1 if the last write of an edit failed, or if the store is not open. Otherwise returns
  * 0. */
-static int storage_edits_failed(void *self)
+static bool storage_edits_failed(void *self)
 {
     struct storage *storage = self;
     return !storage->running || atomic_load(&storage->edit_error) != 0;
@@ -230,7 +230,7 @@ static int storage_edits_failed(void *self)
 
 /* ---- Status -------------------------------------------------------------------------------- */
 
-static int storage_is_healthy(void *self)
+static bool storage_is_healthy(void *self)
 {
     struct storage *storage = self;
     return atomic_load(&storage->has_file) && atomic_load(&storage->error) == SQLITE_OK &&
@@ -238,7 +238,7 @@ static int storage_is_healthy(void *self)
            stuck_ms(storage) == 0;
 }
 
-static int storage_needs_restart(void *self)
+static bool storage_needs_restart(void *self)
 {
     struct storage *storage = self;
     return !storage->start.has_read && atomic_load(&storage->error) == LEDGER_FILE_FOREIGN;

@@ -104,7 +104,7 @@ uint32_t storage_stored_replay_id(void *storage);
 int storage_fetch_replay(void *storage, uint32_t round_id, uint8_t *bytes, size_t size,
                          struct ledger_entry *round);
 int storage_replay_fetched(void *storage);
-int storage_has_replay(void *storage, uint32_t round_id);
+bool storage_has_replay(void *storage, uint32_t round_id);
 /* storage_put_replay() writes and storage_get_replay() reads the requested replay. The store's
  * thread calls both functions. */
 void storage_put_replay(struct storage *storage);

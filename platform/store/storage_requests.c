@@ -60,15 +60,15 @@ int storage_replay_fetched(void *self)
                                                                    : atomic_load(&storage->got);
 }
 
-int storage_has_replay(void *self, uint32_t round_id)
+bool storage_has_replay(void *self, uint32_t round_id)
 {
     struct storage *storage = self;
     for (uint32_t i = 0; i < LEDGER_RANKS && round_id != 0; i++) {
         if (atomic_load_explicit(&storage->sealed[i], memory_order_relaxed) == round_id) {
-            return 1;
+            return true;
         }
     }
-    return 0;
+    return false;
 }
 
 /* ---- Functions for the store's thread ------------------------------------------------------ */

@@ -244,7 +244,7 @@ static void ask(struct hour *hour, struct hal_storage store)
         tape_mark(TAPE_EDIT_ACKED, edit);
     }
     hour->input.record_saved_id = hour->acked_id;
-    hour->input.store_well = store.ledger.ops->is_healthy(store.ledger.self) != 0;
+    hour->input.store_well = store.ledger.ops->is_healthy(store.ledger.self);
 }
 
 void hour_frame(struct hour *hour, struct hal_storage store)

@@ -246,7 +246,6 @@ static void test_each_invalid_value_makes_a_mapping_invalid(void **state)
     SPOIL(map.style = HID_STYLE_POINTER); /* The axes of the device are velocities. */
     SPOIL(map.count = HID_BINDING_MAX + 1u);
     SPOIL(map.count = 1); /* The mapping has no axis Z. */
-    SPOIL(map.trembles = 2);
     SPOIL(map.binding[0].role = HID_ROLE_NONE);
     SPOIL(map.binding[0].role = HID_ROLE_COUNT);
     SPOIL(map.binding[0].manner = HID_BINDING_PRESS);

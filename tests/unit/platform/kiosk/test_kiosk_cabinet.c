@@ -110,7 +110,7 @@ static int accept_command(void *self, const struct controller_command *order)
     return HAL_OK;
 }
 
-static int set(void *self, enum hal_switch which, int active)
+static int set(void *self, enum hal_switch which, bool active)
 {
     (void)self;
     rig.asked[which]++;

@@ -36,7 +36,7 @@ static struct {
     uint32_t told; /* Number of reports per frame. */
 } rig;
 
-static uint32_t arrange(void *self, int may_move)
+static uint32_t arrange(void *self, bool may_move)
 {
     (void)self;
     rig.asked_moving += may_move != 0;

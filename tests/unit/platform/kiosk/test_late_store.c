@@ -82,7 +82,7 @@ static void look(void *self, const struct view *view,
     (void)scoops;
 }
 
-static int set_switch(void *self, enum hal_switch which, int active)
+static int set_switch(void *self, enum hal_switch which, bool active)
 {
     (void)self;
     rig.locked = which == HAL_COIN_LOCKOUT ? (uint32_t)active : rig.locked;

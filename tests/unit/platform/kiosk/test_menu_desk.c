@@ -60,7 +60,7 @@ static const char *describe_buttons(void *self)
     return "two buttons and a slot";
 }
 
-static int set_switch(void *self, enum hal_switch which, int active)
+static int set_switch(void *self, enum hal_switch which, bool active)
 {
     (void)self;
     *(which == HAL_START_LAMP ? &rig.lamp : &rig.lockout) = (uint32_t)active;
@@ -226,7 +226,7 @@ static void test_a_store_that_opens_late_restarts_the_session_when_idle(void **s
     struct balance *balance = &rig.kiosk.core.game.accounts.ledger.balance;
     push(INPUT_TEST);
     assert_int_equal(rig.display.scene.phase, PHASE_MENU);
-    rig.storage.needs_restart = 1;
+    rig.storage.needs_restart = true;
     rig.storage.late_polls = 30;
     balance->paid = 1;
     balance->unlogged = 3;
