@@ -121,7 +121,6 @@ int hid_pose_decoder_init(struct hid_pose_decoder *decoder, const struct hid_dev
         decoder->value[i] = map->binding[i].manner == HID_BINDING_HAT ? -1.0f : 0.0f;
     }
     pointer_poi_init(&decoder->pointer, view);
-    pointer_fan_init(&decoder->fan, view);
     stick_motion_init(&decoder->fly, view);
     decoder->own.back = 1.0f;
     return 0;
@@ -129,7 +128,7 @@ int hid_pose_decoder_init(struct hid_pose_decoder *decoder, const struct hid_dev
 
 void hid_pose_decoder_set_view(struct hid_pose_decoder *decoder, const struct view *view)
 {
-    decoder->pointer.view = decoder->fan.view = *view;
+    decoder->pointer.view = *view;
     stick_motion_set_view(&decoder->fly, view);
 }
 
@@ -199,7 +198,6 @@ static void update_pointer(struct hid_pose_decoder *decoder)
     report->y_px += sum_of(decoder, HID_ROLE_Z, HID_BINDING_STEP);
     report->x_px = f_clamp(report->x_px, 0.0f, WINDOW_WIDTH);
     report->y_px = f_clamp(report->y_px, 0.0f, WINDOW_HEIGHT);
-    pointer_fan_report(&decoder->fan, report);
     pointer_poi_report(&decoder->pointer, report);
     if (in_range) {
         decoder->range_ns = decoder->time_ns;
@@ -336,7 +334,7 @@ struct shade_input hid_pose_decoder_fan(struct hid_pose_decoder *decoder, uint64
     vec3 rest_m = own->pose.position_m;
     switch (decoder->map.style) {
     case HID_STYLE_POINTER:
-        return pointer_fan_shade(&decoder->fan, time_ns);
+        return pointer_fan_shade(&decoder->pointer, time_ns);
     case HID_STYLE_FLY:
         return stick_motion_fan(&decoder->fly, time_ns);
     case HID_STYLE_POSE:

@@ -44,7 +44,6 @@ struct hid_pose_decoder {
     struct hid_descriptor descriptor;
     struct hid_mapping map;
     struct pointer_poi pointer;   /* Pointer decoder, used by HID_STYLE_POINTER. */
-    struct pointer_fan fan;       /* Fan of the pointer decoder, used by HID_STYLE_POINTER. */
     struct pointer_report report; /* Last report to the pointer decoder, used by
                                      HID_STYLE_POINTER. */
     struct stick_motion fly;      /* Stick decoder, used by HID_STYLE_FLY. */

@@ -28,7 +28,6 @@ void mouse_poi_init(struct mouse_poi *mouse, struct hal_clock clock, const struc
         },
     };
     pointer_poi_init(&mouse->pointer, view);
-    pointer_fan_init(&mouse->fan, view);
     snprintf(mouse->text, sizeof mouse->text, "mouse not opened yet");
 }
 
@@ -162,12 +161,10 @@ static void mouse_poi_take_event(struct mouse_poi *mouse, const SDL_Event *event
                             (mouse->fingers.dips ? (uint32_t)POINTER_DIP : 0u);
 }
 
-/* Passes the pointer report to the fan and to the poi. Returns true if the poi accepted the
- * report. */
+/* Passes the report to the pointer decoder. Returns true if the decoder accepted the report. */
 static bool report_pointer(struct mouse_poi *mouse)
 {
     const struct pointer_report seen = pointer_report_on(&mouse->report, &mouse->display_settings);
-    pointer_fan_report(&mouse->fan, &seen);
     return pointer_poi_report(&mouse->pointer, &seen);
 }
 
@@ -236,7 +233,7 @@ static void mouse_poi_set_view(void *self, const struct view *view,
 {
     CORE_ASSERT(view && display_settings);
     struct mouse_poi *mouse = self;
-    mouse->pointer.view = mouse->fan.view = *view;
+    mouse->pointer.view = *view;
     mouse->pointer.dip.scoops = scoops;
     mouse->display_settings = *display_settings;
 }
@@ -267,7 +264,7 @@ static int mouse_poi_fan_open(void *self)
 static int mouse_poi_fan_poll(void *self, struct shade_input *out)
 {
     struct mouse_poi *mouse = self;
-    *out = pointer_fan_shade(&mouse->fan, hal_now_ns(mouse->clock));
+    *out = pointer_fan_shade(&mouse->pointer, hal_now_ns(mouse->clock));
     return HAL_OK;
 }
 

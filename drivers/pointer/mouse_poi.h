@@ -23,7 +23,6 @@ enum pointer_filter {
 struct mouse_poi {
     struct hal_clock clock;
     struct pointer_poi pointer;
-    struct pointer_fan fan;
     bool fan_key;           /* True while the F key is pressed. */
     uint8_t heeds;          /* Enabled devices, as bits of enum pointer_filter. */
     uint32_t mouse_buttons; /* Pressed mouse buttons, as bits of enum pointer_button. */

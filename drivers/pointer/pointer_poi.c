@@ -175,6 +175,7 @@ void pointer_poi_init(struct pointer_poi *pointer, const struct view *view)
     *pointer = (struct pointer_poi){
         .view = *view,
         .aspect = 16.0f / 9.0f,
+        .fan_aspect = 16.0f / 9.0f,
     };
     pointer_dip_init(&pointer->dip);
 }
@@ -219,6 +220,22 @@ static float lag_left(const struct pointer_poi *pointer)
                                   : 0.0f;
 }
 
+/* Gives the pointer's position (`x`, `y`) to the fan if the FAN key is pressed, otherwise to the
+ * poi. */
+static void lead(struct pointer_poi *pointer, const struct pointer_report *report, float x, float y)
+{
+    pointer_fan_swing(&pointer->fan_swing, report->time_ns);
+    pointer->fan_swing.held = (report->buttons & POINTER_FAN) != 0;
+    if (pointer->fan_swing.held) {
+        pointer->fan_ndc_x = x;
+        pointer->fan_ndc_y = y;
+        pointer->fan_aspect = pointer->aspect;
+    } else {
+        pointer->ndc_x = x;
+        pointer->ndc_y = y;
+    }
+}
+
 bool pointer_poi_report(struct pointer_poi *pointer, const struct pointer_report *report)
 {
     if (!is_usable(report)) {
@@ -245,10 +262,7 @@ bool pointer_poi_report(struct pointer_poi *pointer, const struct pointer_report
         const float lag = f_sqrt(pointer->lag_x * pointer->lag_x + pointer->lag_y * pointer->lag_y);
         pointer->back_s = BACK_S + BACK_S_PER_WIDTH * 0.5f * lag;
     }
-    if (!(report->buttons & POINTER_FAN)) {
-        pointer->ndc_x = x;
-        pointer->ndc_y = y;
-    }
+    lead(pointer, report, x, y);
     pointer->buttons = report->buttons;
     if (changed & POINTER_DIP) {
         pointer_dip_begin(&pointer->dip, pointer->time_ns, (report->buttons & POINTER_DIP) != 0);
@@ -291,11 +305,6 @@ struct poi_target pointer_poi_target(struct pointer_poi *pointer, uint64_t time_
  * edge, in front of the player. */
 #define REST_NDC_Y (-2.2f)
 
-void pointer_fan_init(struct pointer_fan *fan, const struct view *view)
-{
-    *fan = (struct pointer_fan){ .view = *view, .aspect = 16.0f / 9.0f };
-}
-
 float pointer_fan_swing(struct fan_swing *swing, uint64_t time_ns)
 {
     CORE_ASSERT(swing->share >= 0.0f && swing->share <= 1.0f);
@@ -318,26 +327,13 @@ struct shade_input pointer_fan_between(float share, vec3 rest_m, vec3 there_m)
     };
 }
 
-bool pointer_fan_report(struct pointer_fan *fan, const struct pointer_report *report)
+struct shade_input pointer_fan_shade(struct pointer_poi *pointer, uint64_t time_ns)
 {
-    if (!is_usable(report)) {
-        return false;
-    }
-    pointer_fan_swing(&fan->swing, report->time_ns);
-    fan->swing.held = (report->buttons & POINTER_FAN) != 0;
-    if (fan->swing.held) {
-        fan->aspect = (float)report->width_px / (float)report->height_px;
-        window_position(report, &fan->ndc_x, &fan->ndc_y);
-    }
-    return true;
-}
-
-struct shade_input pointer_fan_shade(struct pointer_fan *fan, uint64_t time_ns)
-{
-    CORE_ASSERT(fan->aspect > 0.0f);
-    pointer_fan_swing(&fan->swing, time_ns);
+    const float x = pointer->fan_ndc_x, y = pointer->fan_ndc_y, aspect = pointer->fan_aspect;
+    CORE_ASSERT(aspect > 0.0f);
+    pointer_fan_swing(&pointer->fan_swing, time_ns);
     return pointer_fan_between(
-        fan->swing.share,
-        view_point_on_plane(&fan->view, fan->aspect, 0.6f * fan->ndc_x, REST_NDC_Y, 0.0f),
-        view_point_on_plane(&fan->view, fan->aspect, fan->ndc_x, fan->ndc_y, 0.0f));
+        pointer->fan_swing.share,
+        view_point_on_plane(&pointer->view, aspect, 0.6f * x, REST_NDC_Y, 0.0f),
+        view_point_on_plane(&pointer->view, aspect, x, y, 0.0f));
 }

@@ -138,6 +138,15 @@ struct pointer_report {
 #define POINTER_LEAN_RAD_PER_M_S (28.0f * F_DEG)
 #define POINTER_LEAN_MAX_RAD (20.0f * F_DEG)
 
+/* Progress of a fan's entry. The fan enters while the player holds the fan, and otherwise
+ * leaves. */
+struct fan_swing {
+    bool held;   /* True while the player holds the fan over the water. */
+    float share; /* Progress of the entry: 0 means that the fan is out of sight, 1 means that the
+                    fan has reached its position over the water. */
+    uint64_t time_ns; /* Time for which `share` was computed last. */
+};
+
 struct pointer_poi {
     struct view view;
 
@@ -160,10 +169,14 @@ struct pointer_poi {
      * is the velocity of this position. */
     vec3 water_m, water_m_s;
     uint64_t water_ns; /* Time of `water_m`. 0 means that there was no sample yet. */
+
+    /* Position in the window and aspect ratio at the last report that had POINTER_FAN pressed. */
+    float fan_ndc_x, fan_ndc_y, fan_aspect;
+    struct fan_swing fan_swing; /* Movement of the fan to the pointer. */
 };
 
-/* Initializes the pointer in the middle of the window. The ring is level and hovers. `view` is
- * copied. */
+/* Initializes the pointer in the middle of the window. The ring is level and hovers, and the fan is
+ * out of sight. `view` is copied. */
 void pointer_poi_init(struct pointer_poi *pointer, const struct view *view);
 
 /* Returns the report converted from window coordinates to image coordinates. The image may be
@@ -188,15 +201,6 @@ struct poi_target pointer_poi_target(struct pointer_poi *pointer, uint64_t time_
 /* Time in which the fan moves from beyond the tank's near edge to the pointer, or back. */
 #define POINTER_FAN_SWING_S 0.40f
 
-/* Progress of a fan's entry. The fan enters while the player holds the fan, and otherwise
- * leaves. */
-struct fan_swing {
-    bool held;   /* True while the player holds the fan over the water. */
-    float share; /* Progress of the entry: 0 means that the fan is out of sight, 1 means that the
-                    fan has reached its position over the water. */
-    uint64_t time_ns; /* Time for which `share` was computed last. */
-};
-
 /* Advances `swing` to `time_ns`. Returns the time that has passed in seconds, or 0 if `time_ns` is
  * not later than the previous time. */
 float pointer_fan_swing(struct fan_swing *swing, uint64_t time_ns);
@@ -205,22 +209,8 @@ float pointer_fan_swing(struct fan_swing *swing, uint64_t time_ns);
  * 1. The height of the two positions is not used. */
 struct shade_input pointer_fan_between(float share, vec3 rest_m, vec3 there_m);
 
-struct pointer_fan {
-    struct view view;
-    float ndc_x, ndc_y, aspect; /* Pointer position (-1 to 1 across the window) and aspect ratio of
-                                   the window at the last report that had POINTER_FAN pressed. */
-    struct fan_swing swing;     /* Movement of the fan to the pointer. */
-};
-
-/* Initializes a fan that is out of sight. `view` is copied. */
-void pointer_fan_init(struct pointer_fan *fan, const struct view *view);
-
-/* Processes one report. Returns true, or false if a number of the report is not finite or if the
- * window has no size. After a failure the state is unchanged. */
-bool pointer_fan_report(struct pointer_fan *fan, const struct pointer_report *report);
-
 /* Returns the fan's shadow on the water at `time_ns`, which must not decrease from call to call.
  * The position is finite. */
-struct shade_input pointer_fan_shade(struct pointer_fan *fan, uint64_t time_ns);
+struct shade_input pointer_fan_shade(struct pointer_poi *pointer, uint64_t time_ns);
 
 #endif

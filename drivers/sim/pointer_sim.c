@@ -11,7 +11,6 @@ void pointer_sim_init(struct pointer_sim *sim, struct hal_clock clock, const str
     CORE_ASSERT(view);
     *sim = (struct pointer_sim){ .feed = report_feed_begin(clock) };
     pointer_poi_init(&sim->pointer, view);
-    pointer_fan_init(&sim->fan, view);
 }
 
 void pointer_sim_init_touch(struct pointer_sim *sim, struct hal_clock clock,
@@ -100,7 +99,6 @@ static int pointer_sim_poll(void *self, struct poi_sample *out, uint32_t max)
         const struct pointer_report report =
             sim->is_touch ? touch_report(sim, &fault) : mouse_report(sim, &fault);
         for (uint32_t i = 0; i < (sim->is_touch ? 1u : fault.copies); i++) {
-            pointer_fan_report(&sim->fan, &report);
             if (pointer_poi_report(&sim->pointer, &report) && count + 1 < max) {
                 out[count++] = (struct poi_sample){
                     .time_ns = report.time_ns,
@@ -126,7 +124,7 @@ static void pointer_sim_set_view(void *self, const struct view *view,
     struct pointer_sim *sim = self;
     CORE_ASSERT(view);
     (void)display_settings; /* Unused, because the simulated image fills the window. */
-    sim->pointer.view = sim->fan.view = *view;
+    sim->pointer.view = *view;
     sim->pointer.dip.scoops = scoops;
 }
 
@@ -151,7 +149,7 @@ static int fan_poll(void *self, struct shade_input *out)
     if (sim->feed.gone) {
         return HAL_ERR_GONE;
     }
-    *out = pointer_fan_shade(&sim->fan, hal_now_ns(sim->feed.clock));
+    *out = pointer_fan_shade(&sim->pointer, hal_now_ns(sim->feed.clock));
     return HAL_OK;
 }
 

@@ -24,7 +24,6 @@ struct pointer_sim {
     uint32_t spoil_count;         /* Number of mouse reports with random numbers so far. */
     struct poi_force felt;        /* Force feedback that was set last. */
     struct pointer_poi pointer;
-    struct pointer_fan fan;
 };
 
 /* Initializes a mouse without reports and faults. */

@@ -13,26 +13,24 @@
 
 #define SWING_MS ((uint64_t)(POINTER_FAN_SWING_S * 1000.0f))
 
-static struct pointer_fan fan;
 static struct pointer_poi poi;
 
 static int fresh(void **state)
 {
     (void)state;
-    pointer_fan_init(&fan, stall_view());
     pointer_poi_init(&poi, stall_view());
     return 0;
 }
 
-/* Gives the report to the poi and the fan of one player. */
+/* Gives the report to the pointer of one player. */
 static void send_report(struct pointer_report given)
 {
-    assert_int_equal(pointer_fan_report(&fan, &given), pointer_poi_report(&poi, &given));
+    pointer_poi_report(&poi, &given);
 }
 
 static struct shade_input fan_after(uint64_t ms)
 {
-    return pointer_fan_shade(&fan, ms * MS);
+    return pointer_fan_shade(&poi, ms * MS);
 }
 
 static vec3 poi_after(uint64_t ms)
