@@ -176,10 +176,10 @@ struct hal_buttons_ops {
 struct hal_seats_ops {
     /* Assigns controllers to slots. The kiosk calls arrange() once per frame, before it polls the
      * pois. The kiosk passes true as `may_move` between two games and false during a game. If
-     * `may_move` is false, a slot with a connected controller keeps that controller. Returns a bit (1 << slot) for
-     * each slot whose controller changed or was reconnected. arrange() also replaces the poi and
-     * the fan of each changed slot in struct hal. The caller must reopen the poi and the fan of
-     * each returned slot, and set the view of the poi. */
+     * `may_move` is false, a slot with a connected controller keeps that controller. Returns a bit
+     * (1 << slot) for each slot whose controller changed or was reconnected. arrange() also
+     * replaces the poi and the fan of each changed slot in struct hal. The caller must reopen the
+     * poi and the fan of each returned slot, and set the view of the poi. */
     uint32_t (*arrange)(void *self, bool may_move);
 };
 

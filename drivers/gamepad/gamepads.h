@@ -70,8 +70,8 @@ void gamepads_init(struct gamepads *gamepads, struct hal_clock clock, const stru
  * 0. A call with an unchanged list has no effect. */
 void gamepads_exclude(struct gamepads *gamepads, const struct usb_key *bar, uint32_t count);
 
-/* Returns true if the game pad `key` is excluded. An unknown serial number ("") matches every serial
- * number of the product. */
+/* Returns true if the game pad `key` is excluded. An unknown serial number ("") matches every
+ * serial number of the product. */
 bool gamepads_is_excluded(const struct gamepads *gamepads, const struct usb_key *key);
 
 /* Starts SDL's game controllers. `database` is the path of a file with further mappings. `database`

@@ -39,7 +39,7 @@ static void fail_learning(struct controller_manager *manager)
     manager->learn.step = LEARN_FAILED;
 }
 
-/* Selects the controller of `row` to play, or releases it. Returns the result of the device list. */
+/* Selects the controller of `row` to play, or releases it. Returns the result of choose(). */
 static int choose_row(struct controller_manager *manager, uint32_t row, bool plays)
 {
     return manager->device_list.ops->choose(manager->device_list.self, row, plays);
