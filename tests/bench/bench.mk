@@ -26,6 +26,15 @@ bench-tank:
 	+@$(MAKE) --no-print-directory -j$(JOBS) $(BENCH_TANK) $(BUILD)/tests/sizes
 	@tests/bench/bench_tank.sh $(BUILD)
 
+UNCHECKED := $(BUILD)/without-assertions
+
+## measure/bench-assertions: Count the instructions that assertions add to a tick of the tank
+bench-assertions:
+	+@$(MAKE) --no-print-directory -j$(JOBS) $(BENCH_TANK)
+	+@$(MAKE) --no-print-directory -j$(JOBS) BUILD=$(UNCHECKED) OPT='$(OPT) -DCORE_WITHOUT_ASSERTIONS' \
+	    $(UNCHECKED)/tests/bench/bench_tank
+	@tests/bench/bench_assertions.sh $(BENCH_TANK) $(UNCHECKED)/tests/bench/bench_tank
+
 $(BENCH_TANK): $(MANY)/bench_tank.o $(MANY_OBJ) $(BUILD)/platform/cpu.o $(BUILD)/platform/huge_pages.o $(GENERATED_CORE_OBJ)
 	@mkdir -p $(@D)
 	$(call step,LINK,$@)
@@ -73,7 +82,7 @@ $(BENCH_HID): %: %.o $(BUILD)/ctl.a $(BUILD)/shell.a $(BUILD)/core.a
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
 
-.PHONY: bench bench-tank bench-poi bench-morph bench-hid
+.PHONY: bench bench-tank bench-assertions bench-poi bench-morph bench-hid
 
 # Rounds of the bots on all cores, which take minutes. gnuplot draws pictures if it is installed
 # (board/setup.sh dev).
