@@ -106,8 +106,9 @@ static void evaluate(const struct league *league, struct trial *trial)
     trial->verdict = statistics_verdict(&trial->found);
 }
 
-/* Returns 1 if the experiments pass. All habits that must pay do so at 5 % each, so that no stricter
- * level is necessary. With few seeds a real but small effect may not show, so that not all must. */
+/* Returns 1 if the experiments pass. All habits that must pay do so at 5 % each, so that no
+ * stricter level is necessary. With few seeds a real but small effect may not show, so that not
+ * all must. */
 static int all_is_well(const struct trial *trials, uint32_t seeds)
 {
     uint32_t required = 0, paid = 0, wrong_way = 0, plainly_wrong = 0;
