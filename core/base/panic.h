@@ -13,8 +13,8 @@
  * not return. `condition` and `file` are static strings. */
 _Noreturn void core_panic(const char *condition, const char *file, int line);
 
-/* Calls core_panic() if the condition is false, also in release builds. Only `make bench-assertions`
- * defines CORE_WITHOUT_ASSERTIONS, to measure what the assertions cost. */
+/* Calls core_panic() if the condition is false, also in release builds. Only the command `make
+ * bench-assertions` defines CORE_WITHOUT_ASSERTIONS, to measure what the assertions cost. */
 #ifdef CORE_WITHOUT_ASSERTIONS
 #define CORE_ASSERT(condition) ((void)sizeof(condition))
 #else

@@ -10,8 +10,8 @@
  * (arms) of an experiment play the same seeds, and so the same fish and the same paper. The habits
  * are the advice of stall keepers (tests/FIGURES.md lists the results).
  *
- * Returns exit status 0 if all habits pay that must pay. With less than SEEDS_ENOUGH seeds, at least
- * PAYS_MIN of these habits must pay. No habit may be clearly worse. Returns exit status 1
+ * Returns exit status 0 if all habits pay that must pay. With less than SEEDS_ENOUGH seeds, at
+ * least PAYS_MIN of these habits must pay. No habit may be clearly worse. Returns exit status 1
  * otherwise. */
 #include <stdbool.h>
 #include <stdio.h>
