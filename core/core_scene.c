@@ -123,8 +123,7 @@ static void show_players(const struct core *core, struct scene *scene)
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const struct player *player = &core->game.player[i];
         const bool in_round = core->game.phase == PHASE_ROUND;
-        const struct leaderboard_place place = leaderboard_best_place(
-            &core->game.accounts.ranking, core->game.mode, core->game.name.round_id, (uint8_t)i);
+        const struct leaderboard_place place = leaderboard_best_place(&core->game, (uint8_t)i);
         scene->caught[i] = player->caught;
         scene->player[i] = (struct scene_player){
             .plays = player->plays,
@@ -135,6 +134,7 @@ static void show_players(const struct core *core, struct scene *scene)
             .out = player->out,
             .place = place.place,
             .period = place.period,
+            .level = player->level,
         };
     }
 }
@@ -150,9 +150,10 @@ static void show_game(const struct core *core, struct scene *scene)
     scene->phase_s = (float)(core->game.tick - game->phase_tick) * CORE_TICK_S;
     scene->veil = session_fade(&core->game, &core->config);
     scene->seconds_left = game_seconds_left(game, core->game.tick);
-    scene->best_today = game->accounts.ranking.row[game->mode][RANK_DAY][0].caught;
+    scene->best_today = game->accounts.ranking.row[leaderboard_board(game)][RANK_DAY][0].caught;
     scene->by_bot = game->bot_played;
     scene->mode = game->mode;
+    scene->level = game_level(game);
     scene->choice = game->lab_chosen ? CHOICE_LAB : game->mode;
     scene->modes = table_setup_modes(&core->config);
     scene->grade = table_setup_grade(&core->config, game->mode);

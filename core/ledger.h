@@ -145,6 +145,8 @@ struct round_record {
     uint8_t players;     /* Bit mask of the slots that took part. */
     uint8_t unscored; /* 1 if the mode keeps no score, so the record counts only as a played round;
                          otherwise 0. */
+    uint8_t level;    /* Easiest level of the players (enum level). LEVEL_MASTER in records of an
+                         earlier version. */
     struct player_record {
         uint32_t caught;
         uint32_t scoops;        /* Number of times the ring entered the water. */

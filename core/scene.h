@@ -259,12 +259,13 @@ struct scene {
                            mode selection and name entry: seconds until the timeout. In other phases
                            0. */
     uint32_t caught[POI_MAX];
-    uint32_t best_today; /* Best score today in this mode. */
+    uint32_t best_today; /* Best score today in this mode, at the level of the round. */
     uint8_t by_bot;      /* 1 if the bot played in this round, so the result is no person's score;
                             otherwise 0. */
 
     uint8_t mode;   /* Mode of this round (enum game_mode); in PHASE_MODE_SELECT, the selected
                        mode. */
+    uint8_t level;  /* Easiest level of the players in this round (enum level). */
     uint8_t choice; /* In PHASE_MODE_SELECT: the selected mode, or CHOICE_LAB. */
     uint8_t modes;  /* Bit mask of the modes that can be selected (1 << enum game_mode, or 1 <<
                        CHOICE_LAB). */
@@ -289,6 +290,7 @@ struct scene {
         uint8_t place;  /* In RESULT: the player's best place on the leaderboards, from 1; 0 means
                            not ranked. */
         uint8_t period; /* Period of the leaderboard with the best place (enum rank_period). */
+        uint8_t level;  /* Level of the player in this round (enum level). */
     } player[POI_MAX];
 
     struct scene_credit credit;

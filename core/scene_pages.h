@@ -83,6 +83,7 @@ struct scene_name {
 struct scene_leaderboard {
     uint8_t shown;
     uint8_t mode;          /* enum game_mode */
+    uint8_t level;         /* enum level */
     uint8_t period;        /* enum rank_period */
     float shown_s, left_s; /* `shown_s` is the time since the leaderboard appeared, and `left_s` the
                               time until it disappears, in seconds. */

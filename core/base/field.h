@@ -117,9 +117,9 @@ struct field {
 #define FIELD_RANGE(member, numbers)                                                               \
     FIELD_PART(member, (numbers) * sizeof FIELD_MEMBER(member), FORM_WORDS, 0, NULL,               \
                FIELD_ALL_USED, 0)
-#define FIELD_RANGE_LATER(member, numbers, tag)                                                    \
+#define FIELD_RANGE_SINCE(format, member, numbers, tag)                                            \
     FIELD_PART(member, (numbers) * sizeof FIELD_MEMBER(member), FORM_LATER, tag, NULL,             \
-               FIELD_ALL_USED, 8)
+               FIELD_ALL_USED, format)
 
 /* Initializer of the table of struct `type`. The further arguments are the entries. */
 #define FIELD_TABLE(type, ...)                                                                     \

@@ -5,6 +5,7 @@
  * of the older format 7 lack is listed with FIELD_LATER(). */
 #include "core/game/game_fields.h"
 
+#include "core/base/hash.h"
 #include "core/config.h"
 #include "core/game/game.h"
 
@@ -50,20 +51,26 @@ const struct field_table credit_fields = FIELD_TABLE(credit,
 #undef STRUCT
 
 #define STRUCT rank_row
-static const struct field_table rank_row_fields = FIELD_TABLE(rank_row,
+const struct field_table rank_row_fields = FIELD_TABLE(rank_row,
     FIELD(caught), FIELD(round_id), FIELD_HIGH(day, 8), FIELD(seat), FIELD(name));
 #undef STRUCT
 
 #define STRUCT ranking
 const struct field_table ranking_fields = FIELD_TABLE(ranking,
-    FIELD(boot), FIELD(day), FIELD(week), FIELD(week_boot), FIELD_STRUCT(row, &rank_row_fields));
+    FIELD(boot), FIELD(day), FIELD(week), FIELD(week_boot),
+    FIELD_PART(row[0], MODE_COUNT * sizeof FIELD_MEMBER(row[0]), FORM_STRUCTS, 0,
+               &rank_row_fields, FIELD_ALL_USED, 0),
+    FIELD_PART(row[MODE_COUNT], RANK_EASIER_ROWS * sizeof(struct rank_row), FORM_SKIPPED, 0, NULL,
+               FIELD_ALL_USED, 0));
 #undef STRUCT
 
 #define STRUCT audits
 const struct field_table audits_fields = FIELD_TABLE(audits,
     FIELD_RANGE(count[0], AUDIT_FORMAT_7_COUNT),
-    FIELD_RANGE_LATER(count[AUDIT_FORMAT_7_COUNT], AUDIT_COUNT - AUDIT_FORMAT_7_COUNT,
-                      AUDIT_FORMAT_7_COUNT));
+    FIELD_RANGE_SINCE(8, count[AUDIT_FORMAT_7_COUNT], AUDIT_FORMAT_8_COUNT - AUDIT_FORMAT_7_COUNT,
+                      AUDIT_FORMAT_7_COUNT),
+    FIELD_RANGE_SINCE(9, count[AUDIT_FORMAT_8_COUNT], AUDIT_COUNT - AUDIT_FORMAT_8_COUNT,
+                      AUDIT_FORMAT_8_COUNT));
 #undef STRUCT
 
 #define STRUCT health_log
@@ -276,3 +283,15 @@ const struct field_table game_fields = FIELD_TABLE(game,
     FIELD_SKIP(accounts.audits), FIELD_SKIP(accounts.ranking), FIELD_SKIP(settings_edit));
 #undef STRUCT
 /* clang-format on */
+
+uint64_t ranking_hash(uint64_t hash, const struct ranking *ranking)
+{
+    const struct rank_row none = { 0 }, *rows = &ranking->row[MODE_COUNT][0][0];
+    const uint64_t empty = field_hash(HASH_START, &rank_row_fields, &none);
+    hash = field_hash(hash, &ranking_fields, ranking);
+    for (uint32_t i = 0; i < RANK_EASIER_ROWS; i++) {
+        const uint64_t row = field_hash(HASH_START, &rank_row_fields, &rows[i]);
+        hash = row != empty ? hash_u64(hash_u32(hash, i), row) : hash;
+    }
+    return hash;
+}

@@ -5,6 +5,7 @@
 #define KINGYO_CORE_GAME_GAME_FIELDS_H
 
 #include "core/base/field.h"
+#include "core/game/ranking/ranking.h"
 
 /* Members of struct game, including all nested structs. core_hash() hashes the skipped members of
  * the table separately. */
@@ -23,6 +24,16 @@ extern const struct field_table ranking_fields;
 extern const struct field_table game_session_fields;
 extern const struct field_table settings_edit_fields;
 extern const struct field_table lab_book_fields;
+
+/* Row of a leaderboard. `ranking_fields` skips the rows of the boards of easier levels, which
+ * recordings have since format 9. */
+extern const struct field_table rank_row_fields;
+/* Number of rows of all boards of easier levels. These rows begin with row[MODE_COUNT]. */
+#define RANK_EASIER_ROWS ((RANK_BOARD_COUNT - MODE_COUNT) * RANK_PERIOD_COUNT * RANK_ROWS)
+
+/* Returns `hash` continued over the leaderboards. Empty rows of easier levels do not change the
+ * hash, so that the hashes of older recordings stay the same. */
+uint64_t ranking_hash(uint64_t hash, const struct ranking *ranking);
 
 /* Tables of the parts of struct game that a test hashes separately. */
 extern const struct field_table bot_fields;

@@ -120,6 +120,10 @@ void score_fouls_before_start(struct player player[POI_MAX], const struct game *
 void game_score(struct game *game, const struct world *world,
                 const struct catch_result caught[POI_MAX], struct output *output);
 
+/* Returns the easiest level of the players in the current round, or in the last round until attract
+ * mode begins. All fish follow this level, and all scores of the round rank at this level. */
+uint8_t game_level(const struct game *game);
+
 /* Returns the record (scores and statistics) of the current round, or of the last round if no round
  * runs. The member `id` of the record is 0. */
 struct round_record game_record(const struct game *game, const struct world *world,

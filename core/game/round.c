@@ -30,16 +30,14 @@ void round_ready_begin(struct game *game, struct world *world, const struct core
     game->gone_tick = 0;
     game->lost_ticks = game->waited_ticks = 0;
     game->call = CALL_NONE;
-    uint8_t easiest = LEVEL_MASTER;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         game->player[i] = (struct player){ 0 };
         game->player[i].level = rules_of(game->mode)->has_levels ? config->level : LEVEL_MASTER;
-        easiest = game->player[i].level > easiest ? game->player[i].level : easiest;
     }
     game->album = (struct album){ 0 };
     table_setup_empty_bowls(world);
     table_setup_prepare(game->control, game, world, config, table_setup_preset(config, game->mode));
-    world->tank.temper = rules_of_level(easiest)->temper;
+    world->tank.temper = rules_of_level(game_level(game))->temper;
     game_enter_phase(game, PHASE_READY);
     output_sound(output, SOUND_START, 1.0f, 0.0f);
 }
@@ -218,7 +216,8 @@ void round_result_begin(struct game *game, struct world *world, const struct cor
                                             to the water. */
     }
     game_enter_phase(game, PHASE_RESULT);
-    name_note_round(&game->name, &game->accounts, &config->persistent.settings, game->mode, 0);
+    name_note_round(&game->name, &game->accounts, &config->persistent.settings,
+                    leaderboard_board(game), 0);
     if (!game->accounts.credit.came_back) {
         score_keep(game, world, config, credit_award_tickets(&game->accounts, game, config),
                    output);
@@ -232,7 +231,8 @@ void round_result_skip(struct game *game, const struct world *world,
     CORE_ASSERT(game->phase == PHASE_ROUND);
     game->accounts.credit.came_back = 0;
     score_keep(game, world, config, credit_award_tickets(&game->accounts, game, config), output);
-    name_note_round(&game->name, &game->accounts, &config->persistent.settings, game->mode, 0);
+    name_note_round(&game->name, &game->accounts, &config->persistent.settings,
+                    leaderboard_board(game), 0);
 }
 
 /* Runs one tick of the result screen. If a player starts another game or the result has been shown

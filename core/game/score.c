@@ -114,6 +114,16 @@ void game_score(struct game *game, const struct world *world,
     }
 }
 
+uint8_t game_level(const struct game *game)
+{
+    uint8_t easiest = LEVEL_MASTER;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        easiest = game->player[i].level > easiest ? game->player[i].level : easiest;
+    }
+    CORE_ASSERT(easiest < LEVEL_COUNT);
+    return easiest;
+}
+
 struct round_record game_record(const struct game *game, const struct world *world,
                                 const struct core_config *config)
 {
@@ -129,6 +139,7 @@ struct round_record game_record(const struct game *game, const struct world *wor
         .by_bot = game->bot_played,
         .mode = game->mode,
         .grade = table_setup_grade(config, game->mode),
+        .level = game_level(game),
     };
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const struct player *player = &game->player[i];
@@ -163,6 +174,6 @@ void score_keep(struct game *game, const struct world *world, const struct core_
     entry.round.unscored = (uint8_t)!is_scored;
     game->accounts.ledger.balance.open = PAYMENT_NONE;
     const uint32_t id = ledger_write(&game->accounts, game->tick, &entry, output);
-    name_note_round(&game->name, &game->accounts, &config->persistent.settings, game->mode,
-                    is_scored ? id : 0u);
+    name_note_round(&game->name, &game->accounts, &config->persistent.settings,
+                    leaderboard_board(game), is_scored ? id : 0u);
 }

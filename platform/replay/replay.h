@@ -40,8 +40,8 @@
 #include "core/input.h"
 #include "core/game/lab/lab_edit.h"
 
-/* Maximum size of the serialized initial state in bytes. A full leaderboard with all audits takes
- * half of this size. */
+/* Maximum size of the serialized initial state in bytes. Full leaderboards with all audits take
+ * two thirds of this size. */
 #define REPLAY_INITIAL_STATE_MAX (16u * 1024u)
 
 /* Maximum size of a catalog in bytes. Eight species and fifteen graphs take 25 KB. */

@@ -19,7 +19,7 @@
 
 /* Maximum size of all serialized fields in bytes. Compression adds at most one byte for each
  * PLAIN_MAX bytes. */
-#define FIELDS_MAX (REPLAY_INITIAL_STATE_MAX / 2u)
+#define FIELDS_MAX (REPLAY_INITIAL_STATE_MAX / 4u * 3u)
 _Static_assert(sizeof(struct persistent_state) + sizeof(struct game_session) + 256u <= FIELDS_MAX,
                "the fields are no more than they hold");
 
@@ -54,6 +54,10 @@ static void walk_memory(struct replay_serializer *walk, struct persistent_state 
     }
     walk_fields(walk, &audits_fields, &memory->audits);
     walk_fields(walk, &ranking_fields, &memory->ranking);
+    struct rank_row *easier = &memory->ranking.row[MODE_COUNT][0][0];
+    for (uint32_t i = 0; i < RANK_EASIER_ROWS && walk->version >= 9u; i++) {
+        walk_fields(walk, &rank_row_fields, &easier[i]);
+    }
 }
 
 /* Clears the fields of the ledger and of its balances that did not exist in format `version`. The

@@ -6,7 +6,7 @@
 old=tests/unit/platform/store/files
 data=$work/data
 mkdir "$data"
-cp $old/version-5.db "$data/kingyo.db"
+cp $old/version-6.db "$data/kingyo.db"
 
 says() { # PATTERN WORDS...
     local pattern=$1
@@ -30,7 +30,7 @@ query() { # EXPRESSION WORDS...: SQL over the JSON output, which is the column j
 }
 # A copy that contains an object of another program is not a copy of a kiosk's database.
 refuses_a_trigger() {
-    cp $old/version-5.db "$work/trap.db"
+    cp $old/version-6.db "$work/trap.db"
     sqlite3 "$work/trap.db" 'create trigger t before insert on entries begin select raise(ignore); end'
     mkdir -p "$work/trapped"
     ends 65 "trap.db: holds the trigger 't', which is not Kingyo's; use another copy" \
@@ -44,7 +44,7 @@ names_what_is_not_ours() {
     local sql said
     mkdir -p "$work/named"
     while IFS='|' read -r sql said; do
-        cp $old/version-5.db "$work/trap.db"
+        cp $old/version-6.db "$work/trap.db"
         sqlite3 "$work/trap.db" "$(printf '%b' "$sql")" || return 1
         ends 65 "trap.db: holds the $said; use another copy" \
             backup --restore "$work/trap.db" --data "$work/named" || return 1
@@ -58,27 +58,27 @@ END
     [ ! -e "$work/named/kingyo.db" ]
 }
 follows_a_named_link() {
-    ln -s "$PWD/$old/version-5.db" "$work/link.db"
+    ln -s "$PWD/$old/version-6.db" "$work/link.db"
     mkdir -p "$work/linked"
     ends 0 '9 entries' backup --restore "$work/link.db" --data "$work/linked" && [ ! -L "$work/linked/kingyo.db" ]
 }
 # The link itself becomes kingyo.db.before-1. The database to which the link leads is unchanged.
 replaces_a_link() {
-    mkdir -p "$work/target" "$work/links" && cp $old/version-5.db "$work/target/kingyo.db" &&
+    mkdir -p "$work/target" "$work/links" && cp $old/version-6.db "$work/target/kingyo.db" &&
         ln -s ../target/kingyo.db "$work/links/kingyo.db" && cp "$work/target/kingyo.db" "$work/target/same" &&
         ln -s nowhere "$work/links/kingyo.db.before-1" || return 1
-    ends 0 'before-2' backup --restore $old/version-5.db --data "$work/links" &&
+    ends 0 'before-2' backup --restore $old/version-6.db --data "$work/links" &&
         [ -f "$work/links/kingyo.db" ] && [ ! -L "$work/links/kingyo.db" ] && [ -L "$work/links/kingyo.db.before-1" ] &&
         [ "$(readlink "$work/links/kingyo.db.before-2")" = ../target/kingyo.db ] &&
         cmp "$work/target/kingyo.db" "$work/target/same" && [ "$(cd "$work/target" && echo *)" = 'kingyo.db same' ]
 }
 # Another user replaces the data folder by a symbolic link while the copy is written.
 stays_in_its_folder() {
-    mkdir -p "$work/victim" "$work/swapped" && cp $old/version-5.db "$work/swapped/kingyo.db" &&
+    mkdir -p "$work/victim" "$work/swapped" && cp $old/version-6.db "$work/swapped/kingyo.db" &&
         echo precious | tee "$work/victim/kingyo.db" >"$work/victim/kingyo.db.new" &&
         ${CC:-gcc} -shared -fPIC -o "$work/swap.so" tests/ctl/swap_folder.c || return 1
     SWAP_FOLDER=$work/swapped SWAP_TARGET=$work/victim LD_PRELOAD=$work/swap.so \
-        "$ctl" backup --restore $old/version-5.db --data "$work/swapped"
+        "$ctl" backup --restore $old/version-6.db --data "$work/swapped"
     ls "$work/victim" "$work/swapped.moved"
     [ -L "$work/swapped" ] && [ "$(cd "$work/victim" && echo * && cat ./*)" = $'kingyo.db kingyo.db.new\nprecious\nprecious' ] &&
         [ "$(cd "$work/swapped.moved" && echo *)" = 'kingyo.db kingyo.db.before-1' ]
@@ -113,7 +113,7 @@ last_id() { # FILE
 # have reached entry 10 as well. If a restore left either file in place, the next start would take
 # the restored copy for a file that lost entries, and would undo the restore.
 goes_back() {
-    mkdir "$work/back" && cp $old/version-5.db "$work/copy-9.db" && cp "$work/copy-9.db" "$work/back/kingyo.db" &&
+    mkdir "$work/back" && cp $old/version-6.db "$work/copy-9.db" && cp "$work/copy-9.db" "$work/back/kingyo.db" &&
         chmod 640 "$work/back/kingyo.db" &&
         sqlite3 "$work/back/kingyo.db" 'update entries set id = 10 where id = 9' &&
         cp "$work/back/kingyo.db" "$work/back/kingyo.db.backup" && echo log >"$work/back/kingyo.db-wal" &&
@@ -192,6 +192,12 @@ check 'scores replay without -o is wrong usage' ends 2 'ROUND and -o' scores rep
 check 'scores --mode and --period select one leaderboard' query \
     "json_array_length(j) = 2 and json_extract(j, '\$[0].name') = 'きんぎょ' and json_extract(j, '\$[1].seat') = 2" \
     scores --period week
+check 'scores --level selects the leaderboards of a level' query \
+    "json_array_length(j) > 0 and json_extract(j, '\$[0].level') = 'master'" scores --level master
+check 'a level without scores has empty leaderboards' query "json_array_length(j) = 0" scores --level easy
+check 'scores --level refuses an unknown level' ends 2 'master, normal or easy' scores --level hard
+check 'audits counts the rounds at each level' query \
+    "json_extract(j, '\$.audits.\"rounds-master\"') + json_extract(j, '\$.audits.\"rounds-easy\"') = json_extract(j, '\$.audits.rounds')" audits
 check 'a leaderboard without entries is empty' query "json_array_length(j) = 0" scores --mode championship
 check 'audits prints a table' says '^  caught +7$' audits
 check 'the table of audits shows the credits in the machine' says '^9 entries, start 2; in the machine: paid credits 2, service credits 1, units' audits
@@ -231,7 +237,7 @@ cp $old/version-2.db "$work/old/kingyo.db"
 check 'audits refuses a database of an earlier version' ends 65 'start the kiosk once' audits \
     --data "$work/old"
 check 'audits leaves a database of an earlier version unchanged' cmp $old/version-2.db "$work/old/kingyo.db"
-cp $old/version-5.db "$work/broken/kingyo.db"
+cp $old/version-6.db "$work/broken/kingyo.db"
 printf 'x%.0s' {1..4000} | dd of="$work/broken/kingyo.db" bs=1 seek=4096 conv=notrunc status=none
 check 'a damaged database gives no backup' leaves_no_half_copy
 check 'an unknown option is wrong usage' ends 2 "unknown option '--nonesuch'" audits --nonesuch
@@ -252,7 +258,7 @@ check 'backup --restore replaces a symbolic link, not its target' replaces_a_lin
 check 'backup --restore renames no file in a folder that a link leads to' stays_in_its_folder
 check 'backup --restore into a missing folder names the folder and the option' ends 74 \
     'missing/data: does not exist; create it, or name the data folder with --data' \
-    backup --restore $old/version-5.db --data "$work/missing/data"
+    backup --restore $old/version-6.db --data "$work/missing/data"
 mkfifo "$work/pipe"
 check 'a backup onto a FIFO exits with 74' ends 74 'pipe: cannot be written: is not a regular file' backup "$work/pipe" --data "$data"
 echo "1..$count"

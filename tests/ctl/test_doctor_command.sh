@@ -182,8 +182,8 @@ chmod 777 "$root/data"
 check 'a writable data folder is fine' finds fine store /data 'nobody may write there'
 check 'the free space is reported' finds '(fine|look)' store room '[0-9]+ MiB are free'
 check 'a missing database is fine' finds fine database kingyo.db 'has saved nothing'
-cp tests/unit/platform/store/files/version-5.db "$root/data/kingyo.db"
-check 'a database is checked and summarized' finds fine database kingyo.db 'whole, version 5: 9 entries of 2 starts, 1 rounds'
+cp tests/unit/platform/store/files/version-6.db "$root/data/kingyo.db"
+check 'a database is checked and summarized' finds fine database kingyo.db 'whole, version 6: 9 entries of 2 starts, 1 rounds'
 cp tests/unit/platform/store/files/version-2.db "$root/data/kingyo.db"
 check 'a database of an earlier version is fine' finds fine database kingyo.db 'of an earlier version'
 touch "$root/data/kingyo.db.damaged-1" "$root/data/kingyo.db.damaged-1-wal"

@@ -6,7 +6,7 @@
 . "$(dirname "$0")/../lib.sh"
 data=$work/data
 mkdir "$data" "$work/other" "$work/rounds" "$work/full" "$work/closed" "$work/loud"
-cp tests/unit/platform/store/files/version-5.db "$data/kingyo.db"
+cp tests/unit/platform/store/files/version-6.db "$data/kingyo.db"
 "$ctl" play --bot novice --rounds 1 --round-s 10 --record "$work/rounds" >/dev/null
 "$ctl" backup "$work/copy.db" --data "$data" >/dev/null
 "$ctl" config defaults >"$work/kingyo.conf"

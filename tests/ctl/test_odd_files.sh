@@ -84,7 +84,7 @@ database() { # A FIFO, a folder or a device in place of kingyo.db.
         timeout $limit_s "$ctl" doctor --data "$work/data" >/dev/null 2>&1 </dev/null
         [ $? -le 1 ] || bad=1
         # A restore renames the odd file and writes the database.
-        timeout $limit_s "$ctl" backup --restore tests/unit/platform/store/files/version-5.db --data "$work/data" && [ -f "$work/data/kingyo.db" ] || bad=1
+        timeout $limit_s "$ctl" backup --restore tests/unit/platform/store/files/version-6.db --data "$work/data" && [ -f "$work/data/kingyo.db" ] || bad=1
     done
     return $bad
 }

@@ -61,7 +61,7 @@ for command in scores audits 'backup x'; do
 done
 
 # ---- Names
-mkdir "$work/data" && cp tests/unit/platform/store/files/version-5.db "$work/data/kingyo.db"
+mkdir "$work/data" && cp tests/unit/platform/store/files/version-6.db "$work/data/kingyo.db"
 name_all() { # NAME: gives it to every player and to every row of the ranking.
     printf "update round_players set name = cast(x'%s' as text)" "$(printf '%s' "$1" | basenc --base16)" |
         sqlite3 "$work/data/kingyo.db"

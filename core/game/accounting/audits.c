@@ -44,8 +44,11 @@ static const char *const names[AUDIT_COUNT] = {
     [AUDIT_LOST_AGAIN + 2] = "lost-again-3",
     [AUDIT_LOST_AGAIN + 3] = "lost-again-4",
     [AUDIT_TICKETS_OUT] = "tickets-dispensed",
+    [AUDIT_ROUNDS_EASIER] = "rounds-normal",
+    [AUDIT_ROUNDS_EASIER + 1] = "rounds-easy",
 };
 _Static_assert(POI_MAX == 4u, "each seat has its counter of losses");
+_Static_assert(LEVEL_NORMAL == 1 && LEVEL_EASY == 2 && LEVEL_COUNT == 3, "each level has a name");
 
 static void append_audit_text(char out[AUDIT_NAME_SIZE], const char *text)
 {
@@ -90,8 +93,21 @@ enum audit_group audits_group_of(uint32_t id)
 {
     CORE_ASSERT(id < AUDIT_COUNT);
     return id < AUDIT_PLAYS_PAID || id == AUDIT_TICKETS_OUT ? AUDIT_GROUP_MONEY
-           : id < AUDIT_BOOTS                               ? AUDIT_GROUP_PLAY
+           : id < AUDIT_BOOTS || id >= AUDIT_ROUNDS_EASIER  ? AUDIT_GROUP_PLAY
                                                             : AUDIT_GROUP_MACHINE;
+}
+
+uint32_t audits_rounds_at(const uint32_t count[AUDIT_COUNT], uint8_t level)
+{
+    CORE_ASSERT(level < LEVEL_COUNT);
+    uint32_t easier = 0;
+    for (uint32_t i = AUDIT_ROUNDS_EASIER; i < AUDIT_COUNT; i++) {
+        easier += count[i];
+    }
+    if (level != LEVEL_MASTER) {
+        return count[AUDIT_ROUNDS_EASIER + level - LEVEL_NORMAL];
+    }
+    return count[AUDIT_ROUNDS] > easier ? count[AUDIT_ROUNDS] - easier : 0u;
 }
 
 static void add_to_audit(struct audits *audits, uint32_t id, uint32_t count)
@@ -141,6 +157,9 @@ static void note_round(struct audits *audits, const struct ledger_entry *entry)
         return;
     }
     add_to_audit(audits, AUDIT_ROUNDS, 1);
+    if (round->level != LEVEL_MASTER && round->level < LEVEL_COUNT) {
+        add_to_audit(audits, AUDIT_ROUNDS_EASIER + round->level - LEVEL_NORMAL, 1);
+    }
     add_to_audit(audits, AUDIT_CAUGHT, round->caught);
     add_to_audit(audits, AUDIT_PLAY_S, rounded_seconds(round->end_tick - round->start_tick));
     for (uint32_t seat = 0; seat < POI_MAX; seat++) {

@@ -68,7 +68,11 @@ enum audit_id {
     /* Number of tickets sent to the ticket dispenser. AUDIT_TICKETS includes these tickets. The
      * counter belongs to group 0. */
     AUDIT_TICKETS_OUT = AUDIT_LOST_AGAIN + (int)POI_MAX,
-    AUDIT_COUNT,
+    AUDIT_FORMAT_8_COUNT, /* Number of counters in recordings of the older format 8. */
+    /* First of the counters of rounds at easier levels, one for each level from LEVEL_NORMAL on.
+     * AUDIT_ROUNDS includes these rounds. The counters belong to group 1. */
+    AUDIT_ROUNDS_EASIER = AUDIT_FORMAT_8_COUNT,
+    AUDIT_COUNT = AUDIT_ROUNDS_EASIER + (int)LEVEL_COUNT - 1,
 };
 
 enum audit_group {
@@ -90,6 +94,10 @@ void audits_name(uint32_t id, char out[AUDIT_NAME_SIZE]);
 
 /* Returns the group of counter `id`. Asserts that `id` < AUDIT_COUNT. */
 enum audit_group audits_group_of(uint32_t id);
+
+/* Returns the number of rounds in AUDIT_ROUNDS that were played at `level`. Rounds of an earlier
+ * version count as LEVEL_MASTER. `count` holds the values of all counters. */
+uint32_t audits_rounds_at(const uint32_t count[AUDIT_COUNT], uint8_t level);
 
 /* Increases the counters to which the ledger entry `entry` belongs. */
 void audits_note(struct audits *audits, const struct ledger_entry *entry);

@@ -223,7 +223,8 @@ bool ledger_entry_is_valid(const struct ledger_entry *entry)
         (entry->value >= 0 && (entry->kind != LEDGER_REFUND || open_is_good(entry->value)));
     const bool round_is_good = round->mode < MODE_COUNT && round->grade <= SHEET_GRADE_MAX &&
                                round->players < 1u << POI_MAX && round->by_bot <= 1u &&
-                               round->unscored <= 1u && round->preset < TANK_PRESET_COUNT;
+                               round->unscored <= 1u && round->level < LEVEL_COUNT &&
+                               round->preset < TANK_PRESET_COUNT;
     return entry->id > 0 && entry->id <= LEDGER_ID_MAX && entry->boot <= LEDGER_BOOTS_MAX &&
            entry->minute < DAY_MINUTES && entry->kind > LEDGER_NOTHING &&
            entry->kind < LEDGER_KIND_COUNT &&
@@ -239,7 +240,7 @@ bool ledger_state_is_valid(const struct persistent_state *memory)
     const struct rank_row *rows = &memory->ranking.row[0][0][0];
     bool is_good = start->last_id <= LEDGER_ID_MAX && start->boots <= LEDGER_BOOTS_MAX &&
                    purse_is_good(&start->balance) && round_standing_is_good(&start->stand);
-    for (uint32_t i = 0; i < MODE_COUNT * RANK_PERIOD_COUNT * RANK_ROWS; i++) {
+    for (uint32_t i = 0; i < RANK_BOARD_COUNT * RANK_PERIOD_COUNT * RANK_ROWS; i++) {
         is_good = is_good && rows[i].seat < POI_MAX && rows[i].round_id <= LEDGER_ID_MAX &&
                   name_is_good(rows[i].name);
     }

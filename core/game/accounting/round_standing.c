@@ -4,6 +4,7 @@
 #include "core/config.h"
 #include "core/game/accounting/accounts.h"
 #include "core/game/game.h"
+#include "core/game/phases.h"
 #include "core/game/rules.h"
 #include "core/game/table_setup.h"
 
@@ -12,11 +13,13 @@
 #define SEAT_BITS 8u
 #define SEAT_MAX 255u
 /* Mask of the bits of the member `value` that hold the number of tickets. The higher bits hold the
- * players and the bot. */
+ * players, the bot and the level of the round. */
 #define TICKETS_MASK 0xffffu
 #define PLAYERS_SHIFT 16u
 #define PLAYERS_MASK 15u
 #define BOT_SHIFT 20u
+#define LEVEL_SHIFT 21u
+#define LEVEL_MASK 3u
 /* Number of the lowest bit of the paper grade in the member `detail`. The lower bits of `detail`
  * hold the mode. */
 #define GRADE_SHIFT 4u
@@ -47,6 +50,7 @@ static struct ledger_stand stand_of(const struct game *game, const struct core_c
         }
     }
     value |= (uint32_t)(game->bot_played != 0) << BOT_SHIFT;
+    value |= (uint32_t)game_level(game) << LEVEL_SHIFT;
     return (struct ledger_stand){
         .count = count,
         .value = (int32_t)value,
@@ -96,6 +100,7 @@ static struct round_record record_of(const struct ledger_stand *stand)
         .grade = stand->detail >> GRADE_SHIFT,
         .players = (uint8_t)(value >> PLAYERS_SHIFT & PLAYERS_MASK),
         .by_bot = (uint8_t)(value >> BOT_SHIFT & 1u),
+        .level = (uint8_t)(value >> LEVEL_SHIFT & LEVEL_MASK),
     };
     record.unscored = (uint8_t)!rules_of(record.mode)->keeps_score;
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -142,6 +147,6 @@ bool round_standing_is_good(const struct ledger_stand *stand)
 {
     const uint32_t value = (uint32_t)stand->value;
     return (stand->detail & MODE_MASK) < MODE_COUNT &&
-           stand->detail >> GRADE_SHIFT <= SHEET_GRADE_MAX && value >> (BOT_SHIFT + 1u) == 0 &&
+           stand->detail >> GRADE_SHIFT <= SHEET_GRADE_MAX && value >> LEVEL_SHIFT < LEVEL_COUNT &&
            (value & TICKETS_MASK) <= BALANCE_TICKETS_MAX;
 }

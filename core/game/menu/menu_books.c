@@ -37,8 +37,8 @@ void menu_reset_activate(const struct menu_scope *scope, uint32_t tag)
     }
 }
 
-/* Number of leaderboards: each mode has one for the day, one for the week, and one for all time. */
-#define BOARD_COUNT (MODE_COUNT * RANK_PERIOD_COUNT)
+/* Number of leaderboards: each board has one for the day, one for the week and one for ever. */
+#define BOARD_COUNT (RANK_BOARD_COUNT * RANK_PERIOD_COUNT)
 
 static const struct rank_row *rows_of(const struct ranking *ranking, const struct menu *menu)
 {
@@ -52,6 +52,15 @@ static const struct rank_row *selected_score_row(const struct ranking *ranking,
 {
     CORE_ASSERT(menu->score < RANK_ROWS);
     return &rows_of(ranking, menu)[menu->score];
+}
+
+/* Returns true if the page shows the selected leaderboard. Modes without a score, such as practice,
+ * are skipped, and so are empty leaderboards of the easier levels. */
+static bool is_listed(const struct ranking *ranking, const struct menu *menu)
+{
+    const struct rank_board board = ranking_board_at(menu->board / RANK_PERIOD_COUNT);
+    return rules_of(board.mode)->keeps_score &&
+           (board.level == LEVEL_MASTER || rows_of(ranking, menu)->caught > 0);
 }
 
 /* ---- Page of a leaderboard ------------------------------------------------------------------ */
@@ -77,8 +86,7 @@ void menu_ranking_open(struct menu *menu, const struct game *game, const struct 
 }
 
 /* Runs the action of an item on the leaderboard page: shows the next leaderboard, or opens the page
- * of the selected score. Modes without a score, such as practice, are skipped. Nothing happens if a
- * new day has removed the selected score. */
+ * of the selected score. Nothing happens if a new day has removed the selected score. */
 void menu_ranking_activate(const struct menu_scope *scope, uint32_t tag)
 {
     const struct ranking *ranking = &scope->accounts->ranking;
@@ -86,7 +94,7 @@ void menu_ranking_activate(const struct menu_scope *scope, uint32_t tag)
     if (tag == RANKING_NEXT) {
         do {
             menu->board = (uint8_t)((menu->board + 1u) % BOARD_COUNT);
-        } while (!rules_of(menu->board / RANK_PERIOD_COUNT)->keeps_score);
+        } while (!is_listed(ranking, menu));
         note_rows(ranking, menu);
         return;
     }

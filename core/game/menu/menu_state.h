@@ -232,8 +232,8 @@ struct menu {
     uint8_t row;        /* Row of the selected controller in the list of controllers. */
     uint8_t upright;    /* 1 if the last input reported a portrait screen, otherwise 0. */
     uint8_t file_first; /* First row that the file page shows. */
-    uint8_t board;      /* Selected leaderboard: the mode's number * RANK_PERIOD_COUNT + the
-                           period's number. */
+    uint8_t board;      /* Selected leaderboard: the number of the board (ranking_board()) *
+                           RANK_PERIOD_COUNT + the period's number. */
     uint8_t score;      /* Selected row of the leaderboard. */
     uint8_t score_is_named, score_asks; /* `score_is_named` is 1 if the selected row has a name.
                                            `score_asks` is 1 while the removal of the name waits

@@ -13,14 +13,20 @@
 
 _Static_assert(SCENE_LEADERBOARD_ROWS == RANK_ROWS, "every row can be shown");
 
-struct leaderboard_place leaderboard_best_place(const struct ranking *ranking, uint8_t mode,
-                                                uint32_t round_id, uint8_t seat)
+uint32_t leaderboard_board(const struct game *game)
 {
-    CORE_ASSERT(mode < MODE_COUNT && seat < POI_MAX);
+    return ranking_board(game->mode, game_level(game));
+}
+
+struct leaderboard_place leaderboard_best_place(const struct game *game, uint8_t seat)
+{
+    CORE_ASSERT(seat < POI_MAX);
+    const uint32_t board = leaderboard_board(game), round_id = game->name.round_id;
     struct leaderboard_place best = { 0, 0 };
     for (uint8_t period = 0; period < RANK_PERIOD_COUNT && round_id != 0; period++) {
-        const uint32_t place =
-            ranking_place(ranking, mode, (enum rank_period)period, round_id, seat) + 1u;
+        const uint32_t place = ranking_place(&game->accounts.ranking, board,
+                                             (enum rank_period)period, round_id, seat) +
+                               1u;
         if (place <= RANK_ROWS && (best.place == 0 || place <= best.place)) {
             best = (struct leaderboard_place){ period, (uint8_t)place };
         }
@@ -31,7 +37,7 @@ struct leaderboard_place leaderboard_best_place(const struct ranking *ranking, u
 /* ---- Selection of the displayed leaderboard ------------------------------------------------- */
 
 struct pick {
-    uint8_t shown, mode, period;
+    uint8_t shown, board, period;
     uint32_t ticks; /* Number of ticks since the leaderboard appeared on the screen. */
 };
 
@@ -45,13 +51,13 @@ static struct pick in_attract(const struct game *game, const struct core_config 
     const uint32_t turn = elapsed / LEADERBOARD_EVERY_TICKS;
     const uint32_t within = elapsed % LEADERBOARD_EVERY_TICKS;
     const uint8_t modes = table_setup_modes(config);
-    uint8_t filled[MODE_COUNT * RANK_PERIOD_COUNT];
+    uint8_t filled[RANK_BOARD_COUNT * RANK_PERIOD_COUNT];
     uint32_t count = 0;
-    for (uint32_t i = 0; i < MODE_COUNT * RANK_PERIOD_COUNT; i++) {
-        const uint8_t mode = (uint8_t)(i / RANK_PERIOD_COUNT);
-        const uint32_t period = i % RANK_PERIOD_COUNT;
+    for (uint32_t i = 0; i < RANK_BOARD_COUNT * RANK_PERIOD_COUNT; i++) {
+        const uint32_t board = i / RANK_PERIOD_COUNT, period = i % RANK_PERIOD_COUNT;
+        const uint8_t mode = ranking_board_at(board).mode;
         if ((modes >> mode & 1u) && rules_of(mode)->keeps_score &&
-            game->accounts.ranking.row[mode][period][0].caught != 0) {
+            game->accounts.ranking.row[board][period][0].caught != 0) {
             filled[count++] = (uint8_t)i;
         }
     }
@@ -78,13 +84,12 @@ static struct pick shown_ranking(const struct game *game, const struct core_conf
                               menu->board / RANK_PERIOD_COUNT, menu->board % RANK_PERIOD_COUNT, 0 };
     case PHASE_LEADERBOARD:
         for (uint8_t seat = 0; seat < POI_MAX; seat++) {
-            const struct leaderboard_place place = leaderboard_best_place(
-                &game->accounts.ranking, game->mode, game->name.round_id, seat);
+            const struct leaderboard_place place = leaderboard_best_place(game, seat);
             if (place.place != 0 && (best.place == 0 || place.place < best.place)) {
                 best = place;
             }
         }
-        return (struct pick){ best.place != 0, game->mode, best.period,
+        return (struct pick){ best.place != 0, (uint8_t)leaderboard_board(game), best.period,
                               game->tick - game->phase_tick };
     default:
         return (struct pick){ 0 };
@@ -116,14 +121,15 @@ void leaderboard_show(const struct game *game, const struct core_config *config,
     if (!pick.shown) {
         return;
     }
-    out->mode = pick.mode;
+    out->mode = ranking_board_at(pick.board).mode;
+    out->level = ranking_board_at(pick.board).level;
     out->period = pick.period;
     out->shown_s = (float)pick.ticks * CORE_TICK_S;
     out->left_s = pick.ticks < LEADERBOARD_TICKS
                       ? (float)(LEADERBOARD_TICKS - pick.ticks) * CORE_TICK_S
                       : 0.0f;
     for (uint32_t i = 0; i < RANK_ROWS; i++) {
-        const struct rank_row *row = &game->accounts.ranking.row[pick.mode][pick.period][i];
+        const struct rank_row *row = &game->accounts.ranking.row[pick.board][pick.period][i];
         out->row[i].caught = row->caught;
         out->row[i].is_new =
             game->phase == PHASE_LEADERBOARD && row->round_id == game->name.round_id;

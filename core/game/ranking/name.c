@@ -12,16 +12,16 @@
 /* ---- Players who enter a name --------------------------------------------------------------- */
 
 void name_note_round(struct name *name, const struct accounts *accounts,
-                     const struct settings *settings, uint8_t mode, uint32_t round_id)
+                     const struct settings *settings, uint32_t board, uint32_t round_id)
 {
-    CORE_ASSERT(mode < MODE_COUNT);
+    CORE_ASSERT(board < RANK_BOARD_COUNT);
     const bool is_kept = accounts->ledger.boot != 0;
     const bool is_wanted = settings->value[SET_NAMES] != 0;
     *name = (struct name){ .round_id = round_id };
     for (uint8_t seat = 0; seat < POI_MAX && round_id != 0; seat++) {
         for (uint32_t period = 0; period < RANK_PERIOD_COUNT; period++) {
             const uint32_t place =
-                ranking_place(&accounts->ranking, mode, (enum rank_period)period, round_id, seat);
+                ranking_place(&accounts->ranking, board, (enum rank_period)period, round_id, seat);
             name->ranked |= (uint8_t)(place < RANK_ROWS ? 1u << seat : 0u);
         }
     }

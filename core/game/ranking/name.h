@@ -19,11 +19,11 @@
 
 #include "core/game/game.h"
 
-/* Stores which players of a finished round are ranked and therefore may enter a name. `mode` is the
- * mode of the round (enum game_mode). `round_id` is the ledger id of the round, or 0 if the round
- * has no ledger entry. */
+/* Stores which players of a finished round are ranked and therefore may enter a name. `board` is
+ * the board of the round (ranking_board()). `round_id` is the ledger id of the round, or 0 if the
+ * round has no ledger entry. */
 void name_note_round(struct name *name, const struct accounts *accounts,
-                     const struct settings *settings, uint8_t mode, uint32_t round_id);
+                     const struct settings *settings, uint32_t board, uint32_t round_id);
 
 /* Starts the name entry of the next ranked player. Returns true, or false if no player still needs
  * a name. */
@@ -55,10 +55,12 @@ struct leaderboard_place {
     uint8_t place;  /* Best place on that leaderboard, counted from 1; 0 means not ranked. */
 };
 
-/* Returns the best place of slot `seat` in the round with ledger id `round_id`. The place is 0 if
- * the slot is not ranked or `round_id` is 0. */
-struct leaderboard_place leaderboard_best_place(const struct ranking *ranking, uint8_t mode,
-                                                uint32_t round_id, uint8_t seat);
+/* Returns the board of the mode and level of the current or last round (ranking_board()). */
+uint32_t leaderboard_board(const struct game *game);
+
+/* Returns the best place of slot `seat` in the last ranked round, on that round's board. The place
+ * is 0 if the slot is not ranked. */
+struct leaderboard_place leaderboard_best_place(const struct game *game, uint8_t seat);
 
 /* Runs one tick of the leaderboard phase, which follows the name entry. START or a dip starts a
  * game; OK turns the page. */

@@ -6,11 +6,35 @@
 
 #define WEEK_DAYS 7u
 
+static const struct rank_board boards[RANK_BOARD_COUNT] = {
+    [MODE_FESTIVAL] = { MODE_FESTIVAL, LEVEL_MASTER },
+    [MODE_CHAMPIONSHIP] = { MODE_CHAMPIONSHIP, LEVEL_MASTER },
+    [MODE_PRACTICE] = { MODE_PRACTICE, LEVEL_MASTER },
+    { MODE_FESTIVAL, LEVEL_NORMAL },
+    { MODE_FESTIVAL, LEVEL_EASY },
+};
+
+struct rank_board ranking_board_at(uint32_t board)
+{
+    CORE_ASSERT(board < RANK_BOARD_COUNT);
+    return boards[board];
+}
+
+uint32_t ranking_board(uint8_t mode, uint8_t level)
+{
+    CORE_ASSERT(mode < MODE_COUNT);
+    uint32_t board = RANK_BOARD_COUNT - 1u;
+    while (board >= MODE_COUNT && (boards[board].mode != mode || boards[board].level != level)) {
+        board--;
+    }
+    return board >= MODE_COUNT ? board : mode;
+}
+
 static void clear_ranking_period(struct ranking *ranking, enum rank_period period)
 {
     CORE_ASSERT(period < RANK_EVER);
-    for (uint32_t mode = 0; mode < MODE_COUNT; mode++) {
-        memset(ranking->row[mode][period], 0, sizeof ranking->row[mode][period]);
+    for (uint32_t board = 0; board < RANK_BOARD_COUNT; board++) {
+        memset(ranking->row[board][period], 0, sizeof ranking->row[board][period]);
     }
 }
 
@@ -63,10 +87,10 @@ static void turn_days(struct ranking *ranking, const struct ledger_entry *entry)
 static void note_round(struct ranking *ranking, const struct ledger_entry *entry)
 {
     const struct round_record *round = &entry->round;
-    CORE_ASSERT(round->mode < MODE_COUNT);
+    const uint32_t board = ranking_board(round->mode, round->level);
     for (uint32_t k = 0; k < POI_MAX * RANK_PERIOD_COUNT; k++) {
         const uint32_t seat = k / RANK_PERIOD_COUNT;
-        struct rank_row *rows = ranking->row[round->mode][k % RANK_PERIOD_COUNT];
+        struct rank_row *rows = ranking->row[board][k % RANK_PERIOD_COUNT];
         const uint32_t caught = round->player[seat].caught;
         if (!(round->players & 1u << seat) || caught <= rows[RANK_ROWS - 1u].caught) {
             continue;
@@ -88,7 +112,7 @@ void ranking_note(struct ranking *ranking, const struct ledger_entry *entry)
         note_round(ranking, entry);
     } else if (entry->kind == LEDGER_NAME) {
         struct rank_row *rows = &ranking->row[0][0][0];
-        for (uint32_t i = 0; i < MODE_COUNT * RANK_PERIOD_COUNT * RANK_ROWS; i++) {
+        for (uint32_t i = 0; i < RANK_BOARD_COUNT * RANK_PERIOD_COUNT * RANK_ROWS; i++) {
             if (rows[i].round_id == entry->count && rows[i].seat == entry->detail) {
                 memcpy(rows[i].name, entry->name, sizeof rows[i].name);
             }
@@ -96,12 +120,12 @@ void ranking_note(struct ranking *ranking, const struct ledger_entry *entry)
     }
 }
 
-uint32_t ranking_place(const struct ranking *ranking, uint8_t mode, enum rank_period period,
+uint32_t ranking_place(const struct ranking *ranking, uint32_t board, enum rank_period period,
                        uint32_t round_id, uint8_t seat)
 {
     CORE_ASSERT(seat < POI_MAX);
-    CORE_ASSERT(mode < MODE_COUNT && period < RANK_PERIOD_COUNT);
-    const struct rank_row *rows = ranking->row[mode][period];
+    CORE_ASSERT(board < RANK_BOARD_COUNT && period < RANK_PERIOD_COUNT);
+    const struct rank_row *rows = ranking->row[board][period];
     uint32_t place = 0;
     while (place < RANK_ROWS && (rows[place].caught == 0 || rows[place].round_id != round_id ||
                                  rows[place].seat != seat)) {

@@ -1,4 +1,4 @@
-/* ranking.h -- the leaderboards of each mode: today, this week, all time.
+/* ranking.h -- the leaderboards of each mode and level: today, this week, all time.
  *
  * Like the audits, the leaderboards are computed only from the ledger's entries. The core and the
  * store add entries with the same function.
@@ -16,6 +16,15 @@
 #include "core/scene.h"
 
 #define RANK_ROWS 10u
+
+/* Number of boards: each mode has a board for LEVEL_MASTER, and the festival also has one for each
+ * easier level. Each board has a leaderboard for each period. */
+#define RANK_BOARD_COUNT (MODE_COUNT + LEVEL_COUNT - 1u)
+
+struct rank_board {
+    uint8_t mode;  /* enum game_mode */
+    uint8_t level; /* enum level */
+};
 
 enum rank_period { RANK_DAY = 0, RANK_WEEK, RANK_EVER, RANK_PERIOD_COUNT };
 
@@ -36,15 +45,24 @@ struct ranking {
     uint16_t week;      /* Current week, counted from 1999-12-27; 0 means that the week began
                            without a clock. */
     uint32_t week_boot; /* Number of the kiosk start in which the current week began. */
-    struct rank_row row[MODE_COUNT][RANK_PERIOD_COUNT][RANK_ROWS];
+    struct rank_row row[RANK_BOARD_COUNT][RANK_PERIOD_COUNT][RANK_ROWS];
 };
+
+/* Returns mode and level of board `board`. Asserts that `board` < RANK_BOARD_COUNT. The number of a
+ * board at LEVEL_MASTER is the number of its mode. */
+struct rank_board ranking_board_at(uint32_t board);
+
+/* Returns the number of the board of `mode` and `level`. A mode without a board at `level` has only
+ * the board at LEVEL_MASTER, whose number is then returned. */
+uint32_t ranking_board(uint8_t mode, uint8_t level);
 
 /* Adds an entry to the leaderboards. A finished round without bots adds its players, and a
  * LEDGER_NAME adds a name to an earlier round. */
 void ranking_note(struct ranking *ranking, const struct ledger_entry *entry);
 
-/* Returns the place of slot `seat` of round `round_id`, from 0; RANK_ROWS means not ranked. */
-uint32_t ranking_place(const struct ranking *ranking, uint8_t mode, enum rank_period period,
+/* Returns the place of slot `seat` of round `round_id` on board `board`, from 0. RANK_ROWS means
+ * that the slot is not ranked. */
+uint32_t ranking_place(const struct ranking *ranking, uint32_t board, enum rank_period period,
                        uint32_t round_id, uint8_t seat);
 
 #endif

@@ -48,6 +48,8 @@ static void audits_print_text(const struct persistent_state *memory)
     print_named(audits, AUDIT_TICKETS_OUT, AUDIT_TICKETS_OUT + 1u);
     puts("\nplay");
     print_named(audits, AUDIT_PLAYS_PAID, AUDIT_PLAYS);
+    print_named(audits, AUDIT_ROUNDS_EASIER, AUDIT_COUNT);
+    printf("  %-20s %10u\n", "rounds-master", audits_rounds_at(audits->count, LEVEL_MASTER));
     uint32_t plays = 0;
     for (uint32_t i = 0; i < MODE_COUNT * AUDIT_GRADES; i++) {
         plays += audits->count[AUDIT_PLAYS + i];
@@ -100,6 +102,8 @@ static void print_json(const struct persistent_state *memory)
         json_line(&json, 2);
         json_value(&json, key, "%u", memory->audits.count[id]);
     }
+    json_line(&json, 2);
+    json_value(&json, "rounds-master", "%u", audits_rounds_at(memory->audits.count, LEVEL_MASTER));
     json_print(&json, "\n }}");
     json_end(&json);
 }

@@ -1,5 +1,5 @@
-/* scores.c -- `kingyoctl scores`, which prints the kiosk's leaderboard of each game mode, verifies
- * the replays of ranked rounds without a screen, and writes a replay to a file. */
+/* scores.c -- `kingyoctl scores`, which prints the leaderboards of each game mode and level,
+ * verifies the replays of ranked rounds without a screen, and writes a replay to a file. */
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
@@ -18,14 +18,15 @@
 #include "platform/os/print.h"
 #include "platform/store/sqlite/sql.h"
 
-#define ROUNDS_MAX (MODE_COUNT * RANK_PERIOD_COUNT * RANK_ROWS)
+#define ROUNDS_MAX (RANK_BOARD_COUNT * RANK_PERIOD_COUNT * RANK_ROWS)
 
 /* Options of `kingyoctl scores` and of its subcommands. */
 struct scores_request {
     struct books_words books;
-    /* `mode` is the selected game mode, or MODE_COUNT for all modes. `period` is the selected
-     * ranking period, or RANK_PERIOD_COUNT for all periods. */
-    uint8_t mode, period;
+    /* `mode` is the selected game mode, or MODE_COUNT for all modes. `level` is the selected level,
+     * or LEVEL_COUNT for all levels. `period` is the selected ranking period, or RANK_PERIOD_COUNT
+     * for all periods. */
+    uint8_t mode, level, period;
     bool is_all;       /* True if all ranked rounds are verified. */
     bool with_pin;     /* True if the output file may contain the PIN of the operator's menu. */
     uint32_t round_id; /* Number of the selected round, or 0 if no round is selected. */
@@ -198,7 +199,8 @@ static const char *const periods[RANK_PERIOD_COUNT + 1] = { "day", "week", "ever
 /* ---- Output of the leaderboards -------------------------------------------------------------- */
 
 struct place {
-    uint32_t mode, period, place;
+    struct rank_board board;
+    uint32_t period, place;
     const struct rank_row *row;
     bool has_replay;
 };
@@ -208,7 +210,8 @@ static void place_text(const struct place *at)
     char day[SQL_DAY_TEXT_SIZE];
     sql_day_text(at->row->day, day);
     if (at->place == 0) {
-        printf("%s, %s\n", rules_of((uint8_t)at->mode)->name, periods[at->period]);
+        printf("%s, %s, %s\n", rules_of(at->board.mode)->name,
+               rules_of_level(at->board.level)->name, periods[at->period]);
     }
     print_line(stdout, "  %2u  %4u fish  %-10s  round %-7u seat %u  %-6s  %s", at->place + 1u,
                at->row->caught, day, at->row->round_id, at->row->seat + 1u,
@@ -220,11 +223,11 @@ static void place_json(const struct place *at, struct json *json)
     char day[SQL_DAY_TEXT_SIZE];
     sql_day_text(at->row->day, day);
     json_print(json,
-               "\n  {mode: %s, period: %s, place: %u, caught: %u, round: %u, seat: %u, day: %s,"
-               " replay: %hhd, name: %s}",
-               rules_of((uint8_t)at->mode)->name, periods[at->period], at->place + 1u,
-               at->row->caught, at->row->round_id, at->row->seat + 1u, at->row->day ? day : "",
-               at->has_replay, at->row->name);
+               "\n  {mode: %s, level: %s, period: %s, place: %u, caught: %u, round: %u, seat: %u,"
+               " day: %s, replay: %hhd, name: %s}",
+               rules_of(at->board.mode)->name, rules_of_level(at->board.level)->name,
+               periods[at->period], at->place + 1u, at->row->caught, at->row->round_id,
+               at->row->seat + 1u, at->row->day ? day : "", at->has_replay, at->row->name);
 }
 
 static enum exit_code print_ranking(const struct scores_request *request, struct ledger_file *file)
@@ -238,12 +241,13 @@ static enum exit_code print_ranking(const struct scores_request *request, struct
     }
     for (uint32_t i = 0; i < ROUNDS_MAX; i++) {
         const uint32_t board = i / RANK_ROWS;
-        struct place at = { .mode = board / RANK_PERIOD_COUNT,
+        struct place at = { .board = ranking_board_at(board / RANK_PERIOD_COUNT),
+                            .row = &file->content.memory.ranking.row[0][0][0] + i,
                             .period = board % RANK_PERIOD_COUNT,
                             .place = i % RANK_ROWS };
-        at.row = &file->content.memory.ranking.row[at.mode][at.period][at.place];
         const bool is_asked =
-            (request->mode == MODE_COUNT || request->mode == at.mode) &&
+            (request->mode == MODE_COUNT || request->mode == at.board.mode) &&
+            (request->level == LEVEL_COUNT || request->level == at.board.level) &&
             (request->period == RANK_PERIOD_COUNT || request->period == at.period);
         if (!is_asked || at.row->caught == 0) {
             continue;
@@ -284,6 +288,8 @@ static const struct option options[] = {
       .set = take_round, .groups = GROUP_VERIFY | GROUP_REPLAY },
     { "mode", "MODE", "game mode", OPTION_CHOICE, AT(mode), .choices = options_mode_names,
       .groups = GROUP_RANKING },
+    { "level", "LEVEL", "level of the rounds; without this option, all levels", OPTION_CHOICE,
+      AT(level), .choices = options_level_names, .groups = GROUP_RANKING },
     { "period", "PERIOD", "ranking period", OPTION_CHOICE, AT(period), .choices = periods,
       .groups = GROUP_RANKING },
     { "all", NULL, "verify all ranked rounds", OPTION_FLAG, AT(is_all), .groups = GROUP_VERIFY },
@@ -297,7 +303,9 @@ static const struct option_table table = { options, sizeof options / sizeof opti
 
 static enum exit_code scores_run(int argc, const char *const *argv)
 {
-    struct scores_request request = { .mode = MODE_COUNT, .period = RANK_PERIOD_COUNT };
+    struct scores_request request = { .mode = MODE_COUNT,
+                                      .level = LEVEL_COUNT,
+                                      .period = RANK_PERIOD_COUNT };
     struct ledger_file file;
     const enum group group = argc > 0 && strcmp(argv[0], "verify") == 0   ? GROUP_VERIFY
                              : argc > 0 && strcmp(argv[0], "replay") == 0 ? GROUP_REPLAY
@@ -323,12 +331,13 @@ static enum exit_code scores_run(int argc, const char *const *argv)
 
 const struct ctl_command ctl_scores = {
     .name = name,
-    .summary = "the leaderboard of each mode: today, this week, ever",
-    .usage = "  kingyoctl scores [--mode MODE] [--period PERIOD] [--data DIR] [--json]\n"
-             "  kingyoctl scores verify ROUND|--all [--data DIR] [--json]\n"
-             "                   recomputes the replays; exit code 1: one is not genuine\n"
-             "  kingyoctl scores replay ROUND -o FILE [--with-pin] [--data DIR]\n"
-             "                   writes a replay for 'kingyoctl replay' and 'kingyo --replay'\n",
+    .summary = "the leaderboard of each mode and level: today, this week, ever",
+    .usage =
+        "  kingyoctl scores [--mode MODE] [--level LEVEL] [--period PERIOD] [--data DIR] [--json]\n"
+        "  kingyoctl scores verify ROUND|--all [--data DIR] [--json]\n"
+        "                   recomputes the replays; exit code 1: one is not genuine\n"
+        "  kingyoctl scores replay ROUND -o FILE [--with-pin] [--data DIR]\n"
+        "                   writes a replay for 'kingyoctl replay' and 'kingyo --replay'\n",
     .options = &table,
     .run = scores_run,
 };

@@ -112,13 +112,14 @@ static bool agrees_with(const struct replay_verifier *verifier, const struct ran
 {
     const struct round_record *round = &verifier->round.round;
     const struct rank_row *rows = &ranking->row[0][0][0];
+    const uint32_t board = ranking_board(round->mode, round->level);
     bool is_found = false;
-    for (uint32_t i = 0; i < MODE_COUNT * RANK_PERIOD_COUNT * RANK_ROWS; i++) {
+    for (uint32_t i = 0; i < RANK_BOARD_COUNT * RANK_PERIOD_COUNT * RANK_ROWS; i++) {
         const struct rank_row *row = &rows[i];
         if (row->caught == 0 || row->round_id != round_id) {
             continue;
         }
-        if (row->seat >= POI_MAX || round->mode != i / (RANK_PERIOD_COUNT * RANK_ROWS) ||
+        if (row->seat >= POI_MAX || board != i / (RANK_PERIOD_COUNT * RANK_ROWS) ||
             !(round->players & 1u << row->seat) || round->player[row->seat].caught != row->caught) {
             return false;
         }
@@ -148,7 +149,8 @@ static bool is_entry(const struct ledger_entry *played, const struct ledger_entr
            played->tick == kept->tick && played->value == kept->value && a->seed == b->seed &&
            a->start_tick == b->start_tick && a->end_tick == b->end_tick && a->caught == b->caught &&
            a->by_bot == b->by_bot && a->mode == b->mode && a->grade == b->grade &&
-           a->players == b->players && a->unscored == b->unscored && same_players(a, b) &&
+           a->players == b->players && a->unscored == b->unscored && a->level == b->level &&
+           same_players(a, b) &&
            (b->fish_count == 0 ||
             (a->fish_count == b->fish_count && a->round_s == b->round_s && a->preset == b->preset));
 }

@@ -52,8 +52,8 @@ static bool is_ranked(const struct core *core, const struct ledger_entry *entry)
         return false;
     }
     for (uint32_t i = 0; i < RANK_PERIOD_COUNT * POI_MAX && place == RANK_ROWS; i++) {
-        place = ranking_place(core_ranking(core), round->mode, (enum rank_period)(i / POI_MAX),
-                              entry->id, (uint8_t)(i % POI_MAX));
+        place = ranking_place(core_ranking(core), ranking_board(round->mode, round->level),
+                              (enum rank_period)(i / POI_MAX), entry->id, (uint8_t)(i % POI_MAX));
     }
     return place < RANK_ROWS;
 }

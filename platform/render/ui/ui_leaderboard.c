@@ -4,8 +4,10 @@
 #include "platform/render/ui/ui_widgets.h"
 
 #include <math.h>
+#include <stdio.h>
 
 #include "core/game/ranking/ranking.h"
+#include "core/game/rules.h"
 
 /* Minimum number of rows on the sheet, because a sheet with a single row would look empty. */
 #define ROWS_MIN 5u
@@ -22,6 +24,23 @@ const struct ui_period *ui_leaderboard_period(uint8_t period)
         { TEXT_BOARD_EVER, TEXT_PLACE_EVER },
     };
     return &periods[period < RANK_PERIOD_COUNT ? period : RANK_EVER];
+}
+
+const char *ui_leaderboard_name(const struct ui_frame *frame, char out[TEXT_LINE_MAX])
+{
+    static const enum text_key levels[LEVEL_COUNT] = {
+        [LEVEL_MASTER] = TEXT_LEVEL_MASTER,
+        [LEVEL_NORMAL] = TEXT_LEVEL_NORMAL,
+        [LEVEL_EASY] = TEXT_LEVEL_EASY,
+    };
+    const struct scene_leaderboard *const board = &frame->scene->leaderboard;
+    const char *mode = ui_mode_name(frame->language, board->mode);
+    CORE_ASSERT(board->level < LEVEL_COUNT);
+    if (board->mode >= MODE_COUNT || !rules_of(board->mode)->has_levels) {
+        return mode;
+    }
+    snprintf(out, TEXT_LINE_MAX, "%s %s", mode, ui_words(frame, levels[board->level]));
+    return out;
 }
 
 float ui_leaderboard_in(const struct scene_leaderboard *board)
@@ -93,6 +112,7 @@ void ui_leaderboard(const struct ui_frame *frame, float top, float bottom)
 {
     const struct scene_leaderboard *const board = &frame->scene->leaderboard;
     const float u = frame->unit, in = ui_leaderboard_in(board);
+    char words[TEXT_LINE_MAX];
     if (in <= 0.0f) {
         return;
     }
@@ -117,7 +137,7 @@ void ui_leaderboard(const struct ui_frame *frame, float top, float bottom)
     const float y = band.y + 0.5f * band.height;
     ui_panel(frame, UI_WAVES, band, 9.0f * u, 1.5f * u, UI_INDIGO, 0x0b1030ffu);
     ui_text_at(frame, ui_style(frame, FONT_STALL, 27.0f, 0.0f, UI_GOLD, 0.38f * band.width),
-               band.x + 20.0f * u, y, ui_mode_name(frame->language, board->mode));
+               band.x + 20.0f * u, y, ui_leaderboard_name(frame, words));
     ui_text_at(frame, ui_style(frame, FONT_STALL, 36.0f, 1.0f, UI_CREAM, 0.52f * band.width),
                band.x + band.width - 20.0f * u, y,
                ui_words(frame, ui_leaderboard_period(board->period)->title));

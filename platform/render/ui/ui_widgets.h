@@ -118,6 +118,10 @@ struct ui_period {
     enum text_key title; /* Text such as "Today's best". */
     enum text_key place; /* Text such as "No. {} today". */
 };
+/* Returns the name of the shown leaderboard's mode, followed by its level if the mode has levels.
+ * The text may be in `out`. */
+const char *ui_leaderboard_name(const struct ui_frame *frame, char out[TEXT_LINE_MAX]);
+
 /* Returns the texts of a leaderboard period. Returns the texts of the period without end if
  * `period` is unknown. */
 const struct ui_period *ui_leaderboard_period(uint8_t period);

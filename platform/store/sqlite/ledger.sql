@@ -55,7 +55,7 @@ mode INTEGER NOT NULL, grade INTEGER NOT NULL,
 players INTEGER NOT NULL, -- Bit set of the players of the round.
 unscored INTEGER NOT NULL)
 
---- rounds
+--- rounds_4
 CREATE TABLE rounds (
 entry INTEGER PRIMARY KEY, boot INTEGER NOT NULL, day INTEGER NOT NULL,
 minute INTEGER NOT NULL, seed INTEGER NOT NULL, start_tick INTEGER NOT NULL,
@@ -65,6 +65,18 @@ players INTEGER NOT NULL, -- Bit set of the players of the round.
 unscored INTEGER NOT NULL,
 fish_count INTEGER NOT NULL, -- Number of fish. 0 means that fish_count, round_s and preset are unknown.
 round_s INTEGER NOT NULL, preset INTEGER NOT NULL)
+
+--- rounds
+CREATE TABLE rounds (
+entry INTEGER PRIMARY KEY, boot INTEGER NOT NULL, day INTEGER NOT NULL,
+minute INTEGER NOT NULL, seed INTEGER NOT NULL, start_tick INTEGER NOT NULL,
+end_tick INTEGER NOT NULL, caught INTEGER NOT NULL, by_bot INTEGER NOT NULL,
+mode INTEGER NOT NULL, grade INTEGER NOT NULL,
+players INTEGER NOT NULL, -- Bit set of the players of the round.
+unscored INTEGER NOT NULL,
+fish_count INTEGER NOT NULL, -- Number of fish. 0 means that fish_count, round_s and preset are unknown.
+round_s INTEGER NOT NULL, preset INTEGER NOT NULL,
+level INTEGER NOT NULL)
 
 --- round_players
 CREATE TABLE round_players (
@@ -79,12 +91,20 @@ CREATE TABLE settings (name TEXT PRIMARY KEY, value INTEGER NOT NULL) WITHOUT RO
 --- audits
 CREATE TABLE audits (name TEXT PRIMARY KEY, count INTEGER NOT NULL) WITHOUT ROWID
 
---- ranking
+--- ranking_3
 CREATE TABLE ranking (
 mode INTEGER NOT NULL, period INTEGER NOT NULL, place INTEGER NOT NULL,
 caught INTEGER NOT NULL, round INTEGER NOT NULL, day INTEGER NOT NULL,
 seat INTEGER NOT NULL, name TEXT NOT NULL,
 PRIMARY KEY (mode, period, place)) WITHOUT ROWID
+
+--- ranking
+CREATE TABLE ranking (
+level INTEGER NOT NULL,
+mode INTEGER NOT NULL, period INTEGER NOT NULL, place INTEGER NOT NULL,
+caught INTEGER NOT NULL, round INTEGER NOT NULL, day INTEGER NOT NULL,
+seat INTEGER NOT NULL, name TEXT NOT NULL,
+PRIMARY KEY (level, mode, period, place)) WITHOUT ROWID
 
 --- state
 CREATE TABLE state (name TEXT PRIMARY KEY, value INTEGER NOT NULL) WITHOUT ROWID
@@ -104,14 +124,26 @@ ALTER TABLE rounds ADD COLUMN players INTEGER NOT NULL DEFAULT 1; -- Number of p
 INSERT INTO round_players (round, player, caught, fouls)
 SELECT number, 0, caught, 0 FROM rounds;
 
--- Migration of the rounds of version 3, which did not record the tank.
+-- Migration of the rounds and of the ranking to version 6. Rounds of older versions were played at the level 0, which
+-- is the level master. Version 3 did not record the tank.
 
 --- set_rounds_aside
 ALTER TABLE rounds RENAME TO old_rounds;
 
---- fill_4
-INSERT INTO rounds SELECT *, 0, 0, 0 FROM old_rounds;
+--- fill_rounds_3
+INSERT INTO rounds SELECT *, 0, 0, 0, 0 FROM old_rounds;
 DROP TABLE old_rounds;
+
+--- fill_rounds_4
+INSERT INTO rounds SELECT *, 0 FROM old_rounds;
+DROP TABLE old_rounds;
+
+--- set_ranking_aside
+ALTER TABLE ranking RENAME TO old_ranking;
+
+--- fill_ranking
+INSERT INTO ranking SELECT 0, * FROM old_ranking;
+DROP TABLE old_ranking;
 
 -- Migration from versions 1 and 2, in which rounds become entries.
 

@@ -22,8 +22,9 @@ struct sqlite3_stmt;
  * modes, grades and players. Version 3 added the ledger. Version 4 added the tank of each round.
  * Version 5 has the same tables with additional values. In version 5 the column `open` also
  * contains a returned credit and tickets, entries have the kinds 17 to 19, and a PIN is a negative
- * number. A program that supports only version 4 would report such rows as damage. */
-#define LEDGER_FILE_VERSION 5
+ * number. A program that supports only version 4 would report such rows as damage. Version 6 added
+ * the level of each round and of each leaderboard. */
+#define LEDGER_FILE_VERSION 6
 
 /* Maximum number of stored entries, about 60 bytes each. The number is enough for a month with
  * 500 coins and 300 rounds per day. When older entries are deleted, their aggregates and rounds
@@ -43,7 +44,7 @@ struct sqlite3_stmt;
 #define LEDGER_FILE_LINK (-5)   /* The path of the file is a symbolic link. */
 
 /* Number of rows of all leaderboards. */
-#define LEDGER_RANKS (MODE_COUNT * RANK_PERIOD_COUNT * RANK_ROWS)
+#define LEDGER_RANKS (RANK_BOARD_COUNT * RANK_PERIOD_COUNT * RANK_ROWS)
 
 enum ledger_statement {
     PUT_ENTRY = 0,

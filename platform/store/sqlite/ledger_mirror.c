@@ -17,10 +17,12 @@
 
 #define FILE_SIZE ((off_t)LEDGER_MIRROR_SLOTS * LEDGER_MIRROR_SLOT_SIZE)
 
-/* Version of the layout of a slot. A slot of version 4 has padding in place of the balance's fields
- * `returned` and `tickets`, which are then read as 0. The number 100 is higher than any schema
- * version of the database. */
-#define SLOT_VERSION 100u
+/* Version of the layout of a slot. Slots of older versions have padding in place of fields that
+ * were added later. These fields are read as 0. A slot of version 100 or 4 lacks the round's
+ * `level`. A slot of version 4 also lacks the balance's `returned` and `tickets`. The number 100 is
+ * higher than any schema version of the database. */
+#define SLOT_VERSION 101u
+#define SLOT_VERSION_100 100u
 #define SLOT_VERSION_4 4u
 
 /* Content of a slot. The field `entry` is written as it is in memory, because only this machine
@@ -51,10 +53,14 @@ static bool read_slot(const struct ledger_mirror *tail, uint32_t index, struct s
     CORE_ASSERT(index < LEDGER_MIRROR_SLOTS);
     struct ledger_entry *entry = &slot->entry;
     if (pread(tail->handle, slot, sizeof *slot, offset_of(index)) != (ssize_t)sizeof *slot ||
-        (slot->version != SLOT_VERSION && slot->version != SLOT_VERSION_4) ||
+        (slot->version != SLOT_VERSION && slot->version != SLOT_VERSION_100 &&
+         slot->version != SLOT_VERSION_4) ||
         slot->size != sizeof slot->entry || slot->sum != sum_of(slot) ||
         entry->id % LEDGER_MIRROR_SLOTS != index) {
         return false;
+    }
+    if (slot->version != SLOT_VERSION) {
+        entry->round.level = LEVEL_MASTER;
     }
     if (slot->version == SLOT_VERSION_4) {
         entry->balance.returned = 0;

@@ -32,15 +32,19 @@ static uint8_t column_u8(sqlite3_stmt *row, int column)
     "SELECT seed, start_tick, end_tick, caught, by_bot, mode, grade, players, unscored, "
 #define ROUND_OF " FROM rounds WHERE entry = ?"
 
-/* Reads a round. A recovered file may have version 3, which lacks the columns fish_count, round_s
- * and preset. */
+/* Reads a round. A recovered file may have an older version. Versions 4 and 5 lack the column
+ * level, and version 3 also lacks the columns fish_count, round_s and preset. */
 static int read_round(struct ledger_file *file, uint32_t id, struct round_record *round)
 {
+    static const char *const texts[] = {
+        ROUND_COLUMNS "fish_count, round_s, preset, level" ROUND_OF,
+        ROUND_COLUMNS "fish_count, round_s, preset, 0" ROUND_OF,
+        ROUND_COLUMNS "0, 0, 0, 0" ROUND_OF,
+    };
     sqlite3_stmt *row = NULL;
-    int code = sqlite3_prepare_v2(file->db, ROUND_COLUMNS "fish_count, round_s, preset" ROUND_OF,
-                                  -1, &row, NULL);
-    if (code == SQLITE_ERROR) {
-        code = sqlite3_prepare_v2(file->db, ROUND_COLUMNS "0, 0, 0" ROUND_OF, -1, &row, NULL);
+    int code = SQLITE_ERROR;
+    for (size_t i = 0; code == SQLITE_ERROR && i < sizeof texts / sizeof texts[0]; i++) {
+        code = sqlite3_prepare_v2(file->db, texts[i], -1, &row, NULL);
     }
     sqlite3_bind_int64(row, 1, id);
     if (sql_row(row, &code)) {
@@ -58,6 +62,7 @@ static int read_round(struct ledger_file *file, uint32_t id, struct round_record
             .fish_count = column_u16(row, 9),
             .round_s = column_u16(row, 10),
             .preset = column_u8(row, 11),
+            .level = column_u8(row, 12),
         };
         code = SQLITE_DONE;
     }
@@ -188,15 +193,18 @@ static void take_audit(struct ledger_content *content, sqlite3_stmt *row)
 
 static void take_rank(struct ledger_content *content, sqlite3_stmt *row)
 {
-    const uint32_t mode = column_u32(row, 0), period = column_u32(row, 1);
-    const uint32_t place = column_u32(row, 2);
-    if (mode < MODE_COUNT && period < RANK_PERIOD_COUNT && place < RANK_ROWS) {
-        struct rank_row *rank = &content->memory.ranking.row[mode][period][place];
-        rank->caught = column_u32(row, 3);
-        rank->round_id = column_u32(row, 4);
-        rank->day = column_u16(row, 5);
-        rank->seat = (uint8_t)sql_uint(row, 6, POI_MAX - 1u);
-        sql_text(row, 7, rank->name, sizeof rank->name);
+    const uint32_t level = column_u32(row, 0), mode = column_u32(row, 1);
+    const uint32_t period = column_u32(row, 2), place = column_u32(row, 3);
+    const uint32_t board =
+        mode < MODE_COUNT && level < LEVEL_COUNT ? ranking_board((uint8_t)mode, (uint8_t)level) : 0;
+    if (ranking_board_at(board).mode == mode && ranking_board_at(board).level == level &&
+        period < RANK_PERIOD_COUNT && place < RANK_ROWS) {
+        struct rank_row *rank = &content->memory.ranking.row[board][period][place];
+        rank->caught = column_u32(row, 4);
+        rank->round_id = column_u32(row, 5);
+        rank->day = column_u16(row, 6);
+        rank->seat = (uint8_t)sql_uint(row, 7, POI_MAX - 1u);
+        sql_text(row, 8, rank->name, sizeof rank->name);
     }
 }
 
@@ -226,7 +234,8 @@ int ledger_aggregates_read(struct ledger_file *file, struct ledger_content *out)
     } tables[] = {
         { "SELECT name, value FROM settings", take_setting },
         { "SELECT name, count FROM audits", take_audit },
-        { "SELECT mode, period, place, caught, round, day, seat, name FROM ranking", take_rank },
+        { "SELECT level, mode, period, place, caught, round, day, seat, name FROM ranking",
+          take_rank },
         { "SELECT name, value FROM state", take_state },
     };
     *out = (struct ledger_content){ .has_read = true };
@@ -284,7 +293,7 @@ static const struct tally {
       .rows = { "SELECT * FROM audits WHERE name <> 'tally' ORDER BY name" } },
     { .get = STATE_TALLY "'tally-ranking'",
       .put = "INSERT OR REPLACE INTO state (name, value) VALUES ('tally-ranking', ?1)",
-      .rows = { "SELECT * FROM ranking ORDER BY mode, period, place",
+      .rows = { "SELECT * FROM ranking ORDER BY 1, 2, 3, 4",
                 "SELECT * FROM state WHERE name NOT LIKE 'tally-%' ORDER BY name" } },
 };
 #define TALLY_COUNT (sizeof tallies / sizeof tallies[0])

@@ -34,11 +34,13 @@ static const struct table {
     { 2, 2, "round_players", sql_round_players_2 },
     { 3, NOW, "entries", sql_entries },
     { 3, 3, "rounds", sql_rounds_3 },
-    { 4, NOW, "rounds", sql_rounds },
+    { 4, 5, "rounds", sql_rounds_4 },
+    { 6, NOW, "rounds", sql_rounds },
     { 3, NOW, "round_players", sql_round_players },
     { 3, NOW, "settings", sql_settings },
     { 3, NOW, "audits", sql_audits },
-    { 3, NOW, "ranking", sql_ranking },
+    { 3, 5, "ranking", sql_ranking_3 },
+    { 6, NOW, "ranking", sql_ranking },
     { 3, NOW, "state", sql_state },
     { 3, NOW, "replays", sql_replays },
 };
@@ -231,8 +233,13 @@ int ledger_schema_raise(struct ledger_file *file, int version)
     int code = SQLITE_OK;
     if (version < 3) {
         code = raise_to_now(file, version);
-    } else if (version == 3) { /* The tables are the same in versions 4 and 5. */
-        code = renew_table(file->db, sql_set_rounds_aside, 4, "rounds", sql_fill_4);
+    } else { /* The tables are the same in versions 4 and 5. */
+        code = renew_table(file->db, sql_set_rounds_aside, NOW, "rounds",
+                           version == 3 ? sql_fill_rounds_3 : sql_fill_rounds_4);
+        code = code == SQLITE_OK
+                   ? renew_table(file->db, sql_set_ranking_aside, NOW, "ranking", sql_fill_ranking)
+                   : code;
+        code = code == SQLITE_OK ? ledger_checksum_put(file->db) : code;
     }
     snprintf(text, sizeof text, "PRAGMA user_version = %d", LEDGER_FILE_VERSION);
     return code == SQLITE_OK ? sql_run(file->db, text) : code;

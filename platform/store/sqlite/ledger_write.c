@@ -87,6 +87,7 @@ int64_t ledger_entry_sum(const struct ledger_entry *entry)
     }
     sum = hash_values(sum, game, COUNT(game));
     sum = round->fish_count > 0 ? hash_values(sum, tank, COUNT(tank)) : sum;
+    sum = round->level != LEVEL_MASTER ? hash_u32(sum, round->level) : sum;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         /* The first two values, the entry's id and the player's slot, are not part of the
          * checksum. */
@@ -102,7 +103,7 @@ static const char *const texts[LEDGER_STATEMENT_COUNT] = {
     [PUT_ENTRY] = "INSERT INTO entries VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12,"
                   " ?13, ?14, ?15, ?16, ?17, ?18, ?20, ?19)",
     [PUT_ROUND] = "INSERT INTO rounds VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?,"
-                  " ?, ?)",
+                  " ?, ?, ?)",
     [PUT_PLAYER] = "INSERT INTO round_players (round, seat, caught, scoops, hole_area_mm2,"
                    " torn_tick, sheets, fouls) VALUES (?, ?, ?, ?, ?, nullif(?, 0), ?, ?)",
     [PUT_NAME] = "UPDATE round_players SET name = ?3 WHERE round = ?1 AND seat = ?2",
@@ -112,7 +113,7 @@ static const char *const texts[LEDGER_STATEMENT_COUNT] = {
     [FORGET_SETTINGS] = "DELETE FROM settings",
     [PUT_AUDIT] = "INSERT INTO audits (count, name) VALUES (?1, ?2)"
                   " ON CONFLICT (name) DO UPDATE SET count = ?1",
-    [PUT_RANK] = "INSERT OR REPLACE INTO ranking VALUES (?, ?, ?, ?, ?, ?, ?, ?)",
+    [PUT_RANK] = "INSERT OR REPLACE INTO ranking VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)",
     [PUT_STATE] = "INSERT INTO state (value, name) VALUES (?1, ?2)"
                   " ON CONFLICT (name) DO UPDATE SET value = ?1",
     [PUT_REPLAY] = "INSERT OR REPLACE INTO replays (round, bytes) VALUES (?1, ?2)",
@@ -159,7 +160,8 @@ static int put_round(struct ledger_file *file, const struct ledger_entry *entry)
     const int64_t values[] = { entry->id,       entry->boot,       entry->day,      entry->minute,
                                round->seed,     round->start_tick, round->end_tick, round->caught,
                                round->by_bot,   round->mode,       round->grade,    round->players,
-                               round->unscored, round->fish_count, round->round_s,  round->preset };
+                               round->unscored, round->fish_count, round->round_s,  round->preset,
+                               round->level };
     int code = put(file, PUT_ROUND, values, COUNT(values), NULL, 0);
     for (uint32_t i = 0; code == SQLITE_OK && i < POI_MAX; i++) {
         int64_t columns[PLAYER_VALUES];
@@ -258,13 +260,10 @@ static int put_ranking(struct ledger_file *file, const struct ranking *before,
     int code = SQLITE_OK;
     for (uint32_t i = 0; code == SQLITE_OK && i < LEDGER_RANKS; i++) {
         const struct rank_row *row = &after->row[0][0][0] + i;
-        const int64_t values[] = { i / RANK_ROWS / RANK_PERIOD_COUNT,
-                                   i / RANK_ROWS % RANK_PERIOD_COUNT,
-                                   i % RANK_ROWS,
-                                   row->caught,
-                                   row->round_id,
-                                   row->day,
-                                   row->seat };
+        const struct rank_board board = ranking_board_at(i / RANK_ROWS / RANK_PERIOD_COUNT);
+        const int64_t values[] = { board.level,   board.mode,  i / RANK_ROWS % RANK_PERIOD_COUNT,
+                                   i % RANK_ROWS, row->caught, row->round_id,
+                                   row->day,      row->seat };
         if (memcmp(row, &before->row[0][0][0] + i, sizeof *row) != 0) {
             code = put(file, PUT_RANK, values, COUNT(values), row->name, sizeof row->name);
         }

@@ -57,6 +57,8 @@ static const struct part {
     PART(config.session.settings_edit.told),
     PART(config.session.language.chosen),
     PART(config.session.language.until_tick),
+    PART(config.persistent.ranking.row[MODE_COUNT][0][0].caught),
+    PART(game.accounts.ranking.row[RANK_BOARD_COUNT - 1u][2][9].name),
 };
 
 static int setup(void **state)

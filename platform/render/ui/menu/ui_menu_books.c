@@ -16,10 +16,12 @@
 /* A line of an account book shows a name, and a counter or the quotient of two counters. */
 struct book_line {
     enum text_key name;
-    uint8_t audit, by; /* `audit` is the index of the shown counter. `by` is the index of the
+    uint8_t audit,
+        by;        /* `audit` is the index of the shown counter, or AUDIT_COUNT + a level for the
+                          number of rounds at this level. `by` is the index of the
                           counter by which the shown counter is divided. A `by` of 0 means no
                           division, because counter 0 is never a divisor. */
-    uint16_t over;     /* Additional constant divisor, for example 3600 to convert seconds to hours.
+    uint16_t over; /* Additional constant divisor, for example 3600 to convert seconds to hours.
                           0 means no division. */
 };
 
@@ -79,7 +81,9 @@ static void draw_book_lines(const struct ui_frame *frame, struct ui_box box, uin
                      (double)audit[line[i].audit] / by /
                          (line[i].over != 0 ? (double)line[i].over : 1.0));
         } else {
-            write_count(words, audit[line[i].audit]);
+            write_count(words, line[i].audit < AUDIT_COUNT
+                                   ? audit[line[i].audit]
+                                   : audits_rounds_at(audit, line[i].audit - AUDIT_COUNT));
         }
         ui_label_at(frame, x, y, 0.62f * width, 25.0f, UI_INK_SOFT, line[i].name);
         ui_words_at(frame, x + width, y, 0.36f * width, 1.0f, ui_body(frame, 30.0f, UI_INK), words);
@@ -183,6 +187,9 @@ void menu_plays(const struct ui_frame *frame)
         { TEXT_AUD_PLAYS_PAID, AUDIT_PLAYS_PAID, 0, 0 },
         { TEXT_AUD_PLAYS_SERVICE, AUDIT_PLAYS_SERVICE, 0, 0 },
         { TEXT_AUD_PLAYS_FREE, AUDIT_PLAYS_FREE, 0, 0 },
+        { TEXT_AUD_ROUNDS_EASY, AUDIT_COUNT + LEVEL_EASY, 0, 0 },
+        { TEXT_AUD_ROUNDS_NORMAL, AUDIT_COUNT + LEVEL_NORMAL, 0, 0 },
+        { TEXT_AUD_ROUNDS_MASTER, AUDIT_COUNT + LEVEL_MASTER, 0, 0 },
         { TEXT_AUD_PLAYERS, AUDIT_PLAYERS, 0, 0 },
         { TEXT_AUD_CAUGHT, AUDIT_CAUGHT, 0, 0 },
         { TEXT_AUD_CATCH_MEAN, AUDIT_CAUGHT, AUDIT_PLAYERS, 0 },
@@ -263,9 +270,10 @@ void menu_hours(const struct ui_frame *frame)
 static void board_words(const struct ui_frame *frame)
 {
     const struct scene_leaderboard *const board = &frame->scene->leaderboard;
+    char words[TEXT_LINE_MAX];
     menu_note(frame, canvas_box(60, 30, 250, 36), canvas_box(127, 152, 250, 44),
               ui_style(frame, FONT_STALL, 27.0f, 0.0f, UI_GOLD, 0.0f),
-              ui_mode_name(frame->language, board->mode));
+              ui_leaderboard_name(frame, words));
     menu_note(frame, canvas_box(60, 68, 250, 40), canvas_box(397, 152, 330, 44),
               ui_style(frame, FONT_STALL, 31.0f, 0.0f, UI_CREAM, 0.0f),
               ui_words(frame, ui_leaderboard_period(board->period)->title));

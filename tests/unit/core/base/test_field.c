@@ -37,7 +37,7 @@ static const struct field_table leaf_fields = FIELD_TABLE(leaf,
 static const struct field_table tree_fields = FIELD_TABLE(tree,
     FIELD(number), FIELD_LATER(later, 7), FIELD_STRUCT_USED(leaf, &leaf_fields, count),
     FIELD(count), FIELD_AGAIN(number), FIELD_USED(used, count), FIELD_RANGE(parts[0], 1),
-    FIELD_RANGE_LATER(parts[1], 2, 20), FIELD_SKIP(scratch));
+    FIELD_RANGE_SINCE(8, parts[1], 2, 20), FIELD_SKIP(scratch));
 #undef STRUCT
 /* clang-format on */
 

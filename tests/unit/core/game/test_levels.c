@@ -114,6 +114,79 @@ static void test_a_level_out_of_range_is_refused(void **state)
     assert_int_equal(core_init(&core, &config), CORE_ERR_RANGE);
 }
 
+static void test_the_record_and_the_scene_have_the_easiest_level_of_the_players(void **state)
+{
+    (void)state;
+    play_into_round(MODE_FESTIVAL, LEVEL_NORMAL);
+    assert_int_equal(core_round_record(&core).level, LEVEL_NORMAL);
+    core.game.player[0].level = LEVEL_MASTER;
+    core.game.player[1].level = LEVEL_EASY;
+    assert_int_equal(core_round_record(&core).level, LEVEL_EASY);
+    core_scene(&core, &scene);
+    assert_int_equal(scene.level, LEVEL_EASY);
+    assert_int_equal(scene.player[0].level, LEVEL_MASTER);
+    assert_int_equal(scene.player[1].level, LEVEL_EASY);
+    play_into_round(MODE_CHAMPIONSHIP, LEVEL_EASY);
+    assert_int_equal(core_round_record(&core).level, LEVEL_MASTER);
+}
+
+/* Returns the newest entry of kind `kind` in the ring buffer of the output. */
+static const struct ledger_entry *newest(uint8_t kind)
+{
+    uint32_t id = output.entry_id;
+    while (output.entries[id % LEDGER_RING].kind != kind) {
+        assert_true(--id > 0);
+    }
+    return &output.entries[id % LEDGER_RING];
+}
+
+static void test_a_round_that_a_power_cut_ends_keeps_its_level(void **state)
+{
+    (void)state;
+    play_into_round(MODE_FESTIVAL, LEVEL_EASY);
+    core.config.ticket_fish = 1; /* The round has a value, so that its state is logged. */
+    ticks(core.game.round_s * CORE_TICK_HZ * 5u / 6u);
+    assert_int_equal(core.game.phase, PHASE_ROUND);
+    const struct ledger_entry *last = newest(LEDGER_STAND);
+    struct core_config config = { .seed = 7, .fish_count = 40, .level = LEVEL_NORMAL };
+    config.persistent.ledger = (struct ledger_start){
+        .last_id = last->id,
+        .boots = 2,
+        .balance = last->balance,
+        .stand = round_standing_after((struct ledger_stand){ 0 }, last),
+    };
+    open_core(&config);
+    tick();
+    const struct ledger_entry *round = newest(LEDGER_ROUND);
+    assert_int_equal(round->detail, ROUND_CUT_OFF);
+    assert_int_equal(round->round.level, LEVEL_EASY);
+    config.persistent.ledger.stand.value |= 3 << 21; /* No level has this number. */
+    assert_int_equal(core_init(&core, &config), CORE_ERR_RANGE);
+}
+
+static void test_finished_rounds_are_counted_at_their_level(void **state)
+{
+    (void)state;
+    struct audits audits = { .count[AUDIT_ROUNDS] = 4 }; /* Rounds before the levels. */
+    struct ledger_entry entry = { .kind = LEDGER_ROUND, .id = 1, .round.players = 1 };
+    static const uint8_t levels[] = { LEVEL_EASY, LEVEL_NORMAL, LEVEL_EASY, LEVEL_MASTER };
+    for (size_t i = 0; i < sizeof levels; i++) {
+        entry.round.level = levels[i];
+        audits_note(&audits, &entry);
+    }
+    entry.round.by_bot = 1;
+    audits_note(&audits, &entry);
+    assert_int_equal(audits.count[AUDIT_ROUNDS], 8);
+    assert_int_equal(audits_rounds_at(audits.count, LEVEL_MASTER), 5);
+    assert_int_equal(audits_rounds_at(audits.count, LEVEL_NORMAL), 1);
+    assert_int_equal(audits_rounds_at(audits.count, LEVEL_EASY), 2);
+    entry = (struct ledger_entry){ .kind = LEDGER_RESET, .detail = AUDIT_GROUP_PLAY };
+    audits_note(&audits, &entry);
+    for (uint8_t level = 0; level < LEVEL_COUNT; level++) {
+        assert_int_equal(audits_rounds_at(audits.count, level), 0);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -123,6 +196,9 @@ int main(void)
         cmocka_unit_test(test_the_championship_is_always_played_at_the_master_level),
         cmocka_unit_test(test_the_easy_level_limits_the_speed_of_a_poi_in_water),
         cmocka_unit_test(test_a_level_out_of_range_is_refused),
+        cmocka_unit_test(test_the_record_and_the_scene_have_the_easiest_level_of_the_players),
+        cmocka_unit_test(test_a_round_that_a_power_cut_ends_keeps_its_level),
+        cmocka_unit_test(test_finished_rounds_are_counted_at_their_level),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -60,10 +60,12 @@ static void ticks(uint32_t count)
     }
 }
 
+static uint8_t level; /* Level of the players (enum level). */
+
 static int set_up(void **state)
 {
     (void)state;
-    struct core_config config = { .seed = 11, .round_s = 20, .lanes = cpu_lanes() };
+    struct core_config config = { .seed = 11, .round_s = 20, .level = level, .lanes = cpu_lanes() };
     settings_reset(&config.persistent.settings);
     memset(&sim, 0, sizeof sim);
     memset(&input, 0, sizeof input);
@@ -307,6 +309,23 @@ static void test_the_replay_verifier_reports_unchecked_if_the_core_fails_to_star
     }
     fesetround(FE_TONEAREST);
     assert_int_equal(says(round_id), REPLAY_VERDICT_UNCHECKED);
+}
+
+static void test_a_score_is_genuine_only_on_the_board_of_its_level(void **state)
+{
+    (void)state;
+    for (level = LEVEL_NORMAL; level < LEVEL_COUNT; level++) {
+        set_up(NULL);
+        const uint32_t round_id = play();
+        struct ranking *ranking = &core.game.accounts.ranking;
+        struct rank_row *row = &ranking->row[ranking_board(MODE_FESTIVAL, level)][RANK_EVER][0];
+        assert_int_equal(row->round_id, round_id);
+        assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
+        assert_int_equal(judge.round.round.level, level);
+        ranking->row[MODE_FESTIVAL][RANK_EVER][0] = *row;
+        assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_OTHER);
+    }
+    level = LEVEL_MASTER;
 }
 
 static void test_an_edited_score_is_not_genuine(void **state)
@@ -592,6 +611,7 @@ int main(void)
         TEST(test_a_round_after_the_end_of_the_recording_has_no_replay),
         TEST(test_the_replay_verifier_is_independent_of_the_float_mode),
         TEST(test_the_replay_verifier_reports_unchecked_if_the_core_fails_to_start),
+        TEST(test_a_score_is_genuine_only_on_the_board_of_its_level),
         TEST(test_an_edited_score_is_not_genuine),
         TEST(test_a_replay_of_a_different_round_is_not_genuine),
         TEST(test_each_single_mismatch_makes_a_score_not_genuine),

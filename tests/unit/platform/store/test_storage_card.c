@@ -253,7 +253,7 @@ static void test_a_card_with_data_inserted_late_is_used_after_a_restart(void **s
     take_card_away();
     assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_ERR_IO);
     put_away();
-    snprintf(command, sizeof command, "cp tests/unit/platform/store/files/version-5.db %s", file);
+    snprintf(command, sizeof command, "cp tests/unit/platform/store/files/version-6.db %s", file);
     assert_int_equal(system(command), 0);
     storage_work(&storage);
     assert_int_equal(keep(1), HAL_ERR_ABSENT);
@@ -304,7 +304,7 @@ static void test_a_foreign_card_is_not_written(void **state)
     tape_refuse(EIO);
     keep(2);
     storage_work(&storage); /* The card is removed and another one is inserted. */
-    snprintf(command, sizeof command, "rm %s*; cp tests/unit/platform/store/files/version-5.db %s",
+    snprintf(command, sizeof command, "rm %s*; cp tests/unit/platform/store/files/version-6.db %s",
              file, file);
     assert_int_equal(system(command), 0);
     tape_refuse(0);
@@ -400,7 +400,7 @@ static void test_other_programs_can_read_a_full_card(void **state)
 static void put_a_later_kingyos_file(void)
 {
     char command[256];
-    snprintf(command, sizeof command, "cp tests/unit/platform/store/files/version-5.db %s", file);
+    snprintf(command, sizeof command, "cp tests/unit/platform/store/files/version-6.db %s", file);
     assert_int_equal(system(command), 0);
     sqlite3 *db;
     assert_int_equal(sqlite3_open(file, &db), SQLITE_OK);

@@ -155,10 +155,10 @@ static void test_a_folder_in_place_of_the_deleted_one_is_not_changed(void **stat
 {
     (void)state;
     is_detected_after("rm -rf data && mkdir data && "
-                      "cp $OLDPWD/tests/unit/platform/store/files/version-5.db data/kingyo.db");
+                      "cp $OLDPWD/tests/unit/platform/store/files/version-6.db data/kingyo.db");
     assert_int_equal(device.ledger.ops->close(device.ledger.self),
                      1); /* Entry 4 was never acknowledged. */
-    do_shell("cmp -s $OLDPWD/tests/unit/platform/store/files/version-5.db data/kingyo.db");
+    do_shell("cmp -s $OLDPWD/tests/unit/platform/store/files/version-6.db data/kingyo.db");
     begin(1);
 }
 
@@ -190,7 +190,7 @@ static void test_a_foreign_database_folder_in_its_place_is_detected(void **state
     (void)state;
     save_three();
     do_shell("mv data away && mkdir data && "
-             "cp $OLDPWD/tests/unit/platform/store/files/version-5.db data/kingyo.db");
+             "cp $OLDPWD/tests/unit/platform/store/files/version-6.db data/kingyo.db");
     wait_until_well(0, WITHIN_MS);
     keep(4);
     pause_ms(1100);

@@ -184,7 +184,9 @@ static void test_tickets_refunds_and_open_rounds_have_their_ranges(void **state)
     entry.detail = 0x6f; /* 0x6f contains the number of a mode that does not exist. */
     assert_false(ledger_entry_is_valid(&entry));
     entry.detail = 0x61;
-    entry.value = 0x200000;
+    entry.value = 0x400000; /* The bits of the level hold LEVEL_EASY. */
+    assert_true(ledger_entry_is_valid(&entry));
+    entry.value = 0x600000; /* No level has the number 3. */
     assert_false(ledger_entry_is_valid(&entry));
 }
 

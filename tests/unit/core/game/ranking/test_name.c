@@ -475,17 +475,22 @@ static void test_the_leaderboard_shows_the_best_rank_and_highlights_the_round(vo
 static void test_attract_cycles_through_the_leaderboards_with_scores(void **state)
 {
     (void)state;
-    uint32_t shown[MODE_COUNT][RANK_PERIOD_COUNT] = { 0 };
+    uint32_t shown[MODE_COUNT][RANK_PERIOD_COUNT] = { 0 }, easy = 0;
     core.config.modes = 1u << MODE_FESTIVAL | 1u << MODE_PRACTICE;
     core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_WEEK][0].caught = 4;
     core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_EVER][0].caught = 4;
     core.game.accounts.ranking.row[MODE_CHAMPIONSHIP][RANK_EVER][0].caught =
         4; /* The mode is not enabled here. */
-    for (uint32_t i = 0; i < 4u * LEADERBOARD_EVERY_TICKS; i++) {
+    core.game.accounts.ranking.row[ranking_board(MODE_FESTIVAL, LEVEL_EASY)][RANK_DAY][0].caught =
+        2;
+    for (uint32_t i = 0; i < 6u * LEADERBOARD_EVERY_TICKS; i++) {
         core.game.tick++;
         core_scene(&core, &scene);
-        shown[scene.leaderboard.mode][scene.leaderboard.period] += scene.leaderboard.shown;
+        const struct scene_leaderboard *board = &scene.leaderboard;
+        easy += board->shown && board->level == LEVEL_EASY;
+        shown[board->mode][board->period] += board->shown && board->level == LEVEL_MASTER;
     }
+    assert_in_range(easy, 2u * LEADERBOARD_TICKS - 2u, 2u * LEADERBOARD_TICKS);
     assert_in_range(shown[MODE_FESTIVAL][RANK_WEEK], 2u * LEADERBOARD_TICKS - 2u,
                     2u * LEADERBOARD_TICKS);
     assert_in_range(shown[MODE_FESTIVAL][RANK_EVER], 2u * LEADERBOARD_TICKS - 2u,

@@ -8,6 +8,7 @@
 #include <cmocka.h>
 
 #include "core/game/ranking/ranking.h"
+#include "core/game/rules.h"
 
 #define SOME_DAY 9800u /* Day number of a day in 2026, counted from 1970. */
 
@@ -221,6 +222,42 @@ static void test_a_round_before_the_clock_was_set_belongs_to_that_day(void **sta
     assert_int_equal(best(RANK_EVER), 5);
 }
 
+static void test_each_level_of_a_mode_has_its_own_leaderboard(void **state)
+{
+    (void)state;
+    for (uint8_t level = 0; level < LEVEL_COUNT; level++) {
+        const struct ledger_entry entry = {
+            .kind = LEDGER_ROUND,
+            .id = ++last_id,
+            .round = { .level = level, .players = 1, .player[0].caught = 5u + level }
+        };
+        ranking_note(&ranking, &entry);
+    }
+    for (uint8_t level = 0; level < LEVEL_COUNT; level++) {
+        const uint32_t board = ranking_board(MODE_FESTIVAL, level);
+        for (uint32_t period = 0; period < RANK_PERIOD_COUNT; period++) {
+            assert_int_equal(ranking.row[board][period][0].caught, 5u + level);
+            assert_int_equal(ranking.row[board][period][1].caught, 0);
+        }
+    }
+    pass(LEDGER_BOOT, 2, 9001); /* A new day empties the leaderboard of the day at each level. */
+    assert_int_equal(ranking.row[ranking_board(MODE_FESTIVAL, LEVEL_EASY)][RANK_DAY][0].caught, 0);
+}
+
+static void test_every_scored_mode_has_a_leaderboard_at_each_of_its_levels(void **state)
+{
+    (void)state;
+    for (uint8_t mode = 0; mode < MODE_COUNT; mode++) {
+        assert_int_equal(ranking_board(mode, LEVEL_MASTER), mode);
+        for (uint8_t level = 0; level < LEVEL_COUNT; level++) {
+            const struct rank_board board = ranking_board_at(ranking_board(mode, level));
+            const bool is_own = rules_of(mode)->keeps_score && rules_of(mode)->has_levels;
+            assert_int_equal(board.mode, mode);
+            assert_int_equal(board.level, is_own ? level : LEVEL_MASTER);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -240,6 +277,9 @@ int main(void)
         cmocka_unit_test_setup(test_a_week_without_a_clock_has_seven_starts, clean),
         cmocka_unit_test_setup(test_a_clock_set_a_minute_after_the_start_ends_no_day, clean),
         cmocka_unit_test_setup(test_a_round_before_the_clock_was_set_belongs_to_that_day, clean),
+        cmocka_unit_test_setup(test_each_level_of_a_mode_has_its_own_leaderboard, clean),
+        cmocka_unit_test_setup(test_every_scored_mode_has_a_leaderboard_at_each_of_its_levels,
+                               clean),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

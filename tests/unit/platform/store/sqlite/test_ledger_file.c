@@ -333,7 +333,9 @@ static void test_an_unknown_setting_is_ignored(void **state)
     do_sql("DELETE FROM state; DELETE FROM audits;"
            "INSERT INTO settings VALUES ('volume', 1000), ('of-tomorrow', 1), ('price', 2);"
            "INSERT INTO audits VALUES ('of-tomorrow', 7);"
-           "INSERT INTO ranking VALUES (0, 0, 999, 1, 1, 1, 1, ''), (9, 0, 0, 1, 1, 1, 1, '')");
+           "INSERT INTO ranking VALUES (0, 0, 0, 999, 1, 1, 1, 1, ''),"
+           " (0, 9, 0, 0, 1, 1, 1, 1, ''), (9, 0, 0, 0, 1, 1, 1, 1, ''),"
+           " (1, 1, 0, 0, 1, 1, 1, 1, '')");
     open_file();
     assert_int_equal(file.content.has_setting[SET_VOLUME], 0);
     assert_int_equal(file.content.memory.settings.value[SET_PRICE], 2);
@@ -458,7 +460,7 @@ static void test_migrating_a_version_2_file_keeps_rounds_and_players(void **stat
                                                                                      counted. */
 }
 
-/* Checks the content of version-3.db. version-4.db and version-5.db are migrated copies of the same
+/* Checks the content of version-3.db. version-4.db to version-6.db are migrated copies of the same
  * file. */
 static void holds_nine_entries_and_a_replay(void)
 {
@@ -516,6 +518,28 @@ static void test_migrating_a_version_4_file_keeps_everything(void **state)
     holds_nine_entries_and_a_replay();
 }
 
+static void test_migrating_a_version_5_file_counts_its_rounds_as_master(void **state)
+{
+    (void)state;
+    struct ledger_entry found, next = round_entry(10, MODE_FESTIVAL, 200, 0);
+    next.round.level = LEVEL_EASY;
+    take_version(5);
+    open_file();
+    holds_nine_entries_and_a_replay();
+    reopen();
+    holds_nine_entries_and_a_replay();
+    write_entry(&next);
+    reopen();
+    const uint32_t easy = ranking_board(MODE_FESTIVAL, LEVEL_EASY);
+    assert_int_equal(file.content.memory.ranking.row[easy][RANK_EVER][0].caught, 200);
+    assert_int_equal(file.content.memory.audits.count[AUDIT_ROUNDS_EASIER + 1], 1);
+    assert_int_equal(ledger_file_entry(&file, 10, &found), SQLITE_OK);
+    assert_int_equal(found.round.level, LEVEL_EASY);
+    assert_int_equal(query_number("SELECT count(*) FROM rounds WHERE level <> 0"), 1);
+    do_sql("UPDATE rounds SET level = 1 WHERE entry = 10");
+    assert_int_equal(ledger_file_entry(&file, 10, &found), SQLITE_CORRUPT);
+}
+
 static void test_a_flipped_bit_in_a_version_4_file_is_detected(void **state)
 {
     (void)state;
@@ -532,7 +556,7 @@ static void test_a_flipped_bit_in_a_version_4_file_is_detected(void **state)
 static void test_a_file_of_the_current_version_is_not_migrated(void **state)
 {
     (void)state;
-    take_version(5);
+    take_version(6);
     assert_int_equal(query_number("PRAGMA user_version"), LEDGER_FILE_VERSION);
     open_file();
     holds_nine_entries_and_a_replay();
@@ -565,11 +589,11 @@ static void test_a_file_of_a_later_version_is_not_changed(void **state)
     (void)state;
     take_version(2);
     /* Settings of a later version of Kingyo, which must not change. */
-    do_sql("PRAGMA user_version = 6; PRAGMA journal_mode = WAL");
+    do_sql("PRAGMA user_version = 99; PRAGMA journal_mode = WAL");
     assert_int_equal(ledger_file_open(&file, path, NULL), LEDGER_FILE_NEWER);
     assert_null(file.db);
     assert_string_equal(ledger_file_error(LEDGER_FILE_NEWER), "a later Kingyo wrote it");
-    assert_int_equal(query_number("PRAGMA user_version"), 6);
+    assert_int_equal(query_number("PRAGMA user_version"), 99);
     assert_int_equal(query_number("SELECT journal_mode = 'wal' FROM pragma_journal_mode"), 1);
 }
 
@@ -614,6 +638,7 @@ int main(void)
         TEST(test_migrating_a_version_2_file_keeps_rounds_and_players),
         TEST(test_migrating_a_version_3_file_keeps_everything),
         TEST(test_migrating_a_version_4_file_keeps_everything),
+        TEST(test_migrating_a_version_5_file_counts_its_rounds_as_master),
         TEST(test_a_flipped_bit_in_a_version_4_file_is_detected),
         TEST(test_a_file_of_the_current_version_is_not_migrated),
         TEST(test_a_file_is_migrated_once),

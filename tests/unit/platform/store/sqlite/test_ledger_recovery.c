@@ -5,9 +5,11 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
+#include <unistd.h>
 
 #include <cmocka.h>
 
+#include "core/base/hash.h"
 #include "platform/store/sqlite/ledger_recovery.h"
 #include "tests/unit/support/ledger_fixture.h"
 
@@ -101,6 +103,37 @@ static void test_without_a_database_entries_come_from_the_mirror(void **state)
     expect_salvaged(NULL, 4, 2);
 }
 
+/* Slot of the mirror, as in ledger_mirror.c. */
+struct slot {
+    uint32_t version, size;
+    struct ledger_entry entry;
+    uint64_t sum;
+};
+
+/* In version 100, the byte of the level was padding, whose value may be any. */
+static void test_a_round_in_a_mirror_of_version_100_counts_as_master(void **state)
+{
+    (void)state;
+    struct ledger_entry found, round = coin(3);
+    struct slot slot;
+    round.kind = LEDGER_ROUND;
+    round.round = (struct round_record){ .level = LEVEL_EASY, .players = 1 };
+    struct ledger_mirror tail;
+    assert_int_equal(ledger_mirror_open(&tail, tail_path), 0);
+    assert_int_equal(ledger_mirror_write(&tail, &round, 1), 0);
+    assert_true(ledger_mirror_entry(&tail, 3, &found));
+    assert_int_equal(found.round.level, LEVEL_EASY);
+    const off_t at = 3 * LEDGER_MIRROR_SLOT_SIZE;
+    assert_int_equal(pread(tail.handle, &slot, sizeof slot, at), sizeof slot);
+    slot.version = 100;
+    slot.entry.round.level = 0xa5;
+    slot.sum = hash_bytes(HASH_START, &slot, offsetof(struct slot, sum));
+    assert_int_equal(pwrite(tail.handle, &slot, sizeof slot, at), sizeof slot);
+    assert_true(ledger_mirror_entry(&tail, 3, &found));
+    assert_int_equal(found.round.level, LEVEL_MASTER);
+    ledger_mirror_close(&tail);
+}
+
 int main(void)
 {
 #define TEST(name) cmocka_unit_test_setup_teardown(name, set_up_paths, tear_down)
@@ -108,6 +141,7 @@ int main(void)
         TEST(test_entries_missing_from_the_backup_come_from_the_damaged_file),
         TEST(test_entries_missing_from_the_damaged_file_come_from_the_mirror),
         TEST(test_without_a_database_entries_come_from_the_mirror),
+        TEST(test_a_round_in_a_mirror_of_version_100_counts_as_master),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

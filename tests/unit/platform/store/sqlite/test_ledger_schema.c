@@ -192,7 +192,7 @@ static void test_only_regular_files_are_opened_as_a_database(void **state)
     is_refused(path);
     assert_int_equal(symlink("/dev/zero", path), 0);
     is_refused(path);
-    assert_int_equal(symlink("tests/unit/platform/store/files/version-5.db", path), 0);
+    assert_int_equal(symlink("tests/unit/platform/store/files/version-6.db", path), 0);
     is_refused(path);
     take_version(LEDGER_FILE_VERSION);
 }
