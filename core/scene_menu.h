@@ -115,7 +115,7 @@ struct scene_machine {
                               none, 1 settings, 2 settings and replays, 3 settings, replays and
                               names. */
     uint32_t missed;       /* Number of ranked rounds since the start whose replay could not be
-                              saved. */
+                              saved. Excludes rounds after a page for a PIN. */
 };
 
 /* ---- Devices --------------------------------------------------------------------------------- */

@@ -242,7 +242,11 @@ struct replay_reader {
     const uint8_t *memory; /* Buffer of `memory_size` bytes that contains the recording in place of
                               a file. Null if the recording comes from a file. */
     size_t memory_size;
-    uint64_t offset; /* Offset of the next part from the start of the recording, in bytes. */
+    uint64_t offset; /* Offset of the next part from the start of the recording, in bytes. If
+                        replay_open() or replay_open_in() fails, 0 means that the header's checksum
+                        was not verified, and REPLAY_HEADER_SIZE means that the checksum is
+                        correct but the header or the initial state is invalid. A larger value
+                        means that only the catalog is invalid. */
     uint64_t sum;
     struct replay_header header;
     struct replay_totals totals; /* Totals of the current chunk or of the end mark. */

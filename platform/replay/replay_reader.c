@@ -164,6 +164,7 @@ static int read_header(struct replay_reader *reader)
     if (reader->sum != replay_get_u64(bytes + HEADER_SUM)) {
         return replay_reader_error(reader, 0, HEADER_SUM, "the header was altered");
     }
+    reader->offset = REPLAY_HEADER_SIZE;
     if (!is_possible(bytes)) {
         return replay_reader_error(reader, 0, HEADER_SIZE_FIELD,
                                    "the header says what this program never writes");
@@ -171,7 +172,6 @@ static int read_header(struct replay_reader *reader)
     const uint32_t book_size = replay_get_u32(bytes + HEADER_BOOK);
     reader->digest_ticks = replay_get_u32(bytes + HEADER_DIGEST_TICKS);
     memcpy(reader->header.program, bytes + HEADER_PROGRAM, REPLAY_PROGRAM_SIZE);
-    reader->offset = REPLAY_HEADER_SIZE;
     return read_start(reader, replay_get_u32(bytes + HEADER_START)) ? -1
                                                                     : read_book(reader, book_size);
 }

@@ -165,13 +165,13 @@ static enum exit_code write_replay(const struct scores_request *request, struct 
         return print_fail(EXIT_NOT_SO, "kingyoctl scores: round %u has no replay",
                           request->round_id);
     }
-    /* A running kiosk clears or deletes each replay that may contain a PIN, in idle time
-     * (platform/kiosk/recorder/pin_sweep.h). */
+    /* A running kiosk clears or deletes each replay that may contain a PIN, in idle time, except
+     * replays of a newer version (platform/kiosk/recorder/pin_sweep.h). */
     replay_open_in(&reader, bytes, size);
     if (!request->with_pin && session_recorder_may_contain_pin(&reader)) {
         return print_fail(
             EXIT_NOT_SO,
-            "kingyoctl scores: the replay of round %u is damaged or of an older version, "
+            "kingyoctl scores: the replay of round %u is damaged or of another version, "
             "and may hold the PIN of the menu: the kiosk removes the PIN while it runs; "
             "--with-pin takes the replay out now; change the PIN then",
             request->round_id);

@@ -12,9 +12,9 @@ static void report(const struct pin_sweep *sweep)
 {
     if (sweep->cleaned + sweep->deleted + sweep->left > 0) {
         log_print(LOG_LEVEL_WARNING,
-                  "kept replays of an older version: %u have no PIN any more; %u were deleted, "
-                  "because they could not be cleared of a PIN; %u could not be examined (their "
-                  "scores stay in any case)",
+                  "kept replays that may contain a PIN: %u were cleared of the PIN; %u were "
+                  "deleted, because they could not be cleared; %u could not be examined and stay "
+                  "until the next start (all scores stay)",
                   sweep->cleaned, sweep->deleted, sweep->left);
     }
 }
@@ -54,26 +54,20 @@ static int seek(struct pin_sweep *sweep, struct ledger_file *file)
         report(sweep);
         return SQLITE_OK;
     }
-    struct replay_verifier *judge = &sweep->judge;
-    judge->is_refused = false;
     code = ledger_file_get_replay(file, sweep->round_id, sweep->replay, sizeof sweep->replay,
                                   &sweep->size);
-    if (code == SQLITE_TOOBIG) {
-        return give_up(sweep, file);
-    }
-    if (code != SQLITE_OK) {
+    const bool is_cut = code == SQLITE_TOOBIG;
+    if (code != SQLITE_OK && !is_cut) {
         sweep->left++;
         return SQLITE_OK;
     }
-    const bool is_open = replay_verifier_open(judge, sweep->replay, sweep->size) == 0;
-    if (!session_recorder_may_contain_pin(&judge->replayer.reader)) {
+    const size_t size = is_cut ? sizeof sweep->replay : sweep->size;
+    const bool is_open = replay_verifier_open(&sweep->judge, sweep->replay, size) == 0;
+    const struct replay_reader *reader = &sweep->judge.replayer.reader;
+    if (reader->header.version > REPLAY_VERSION || !session_recorder_may_contain_pin(reader)) {
         return SQLITE_OK;
     }
-    if (judge->replayer.reader.header.version > REPLAY_VERSION) {
-        sweep->left++; /* A newer program has written the replay and can read it. */
-        return SQLITE_OK;
-    }
-    if (!is_open) {
+    if (is_cut || !is_open) {
         return give_up(sweep, file);
     }
     ledger_file_round(file, sweep->round_id, &sweep->kept);
@@ -92,9 +86,10 @@ static int begin_recording(struct pin_sweep *sweep)
     sweep->output = (struct output){ 0 };
     sweep->totals = (struct replay_totals){ 0 };
     sweep->tally = (struct recorder_tally){ 0 };
-    return core_init(&sweep->core, config) != CORE_OK ||
-           replay_create_in(&sweep->writer, sweep->made, sizeof sweep->made, config,
-                            core_hash(&sweep->core)) != 0;
+    const enum core_error error = core_init(&sweep->core, config);
+    sweep->judge.is_refused = error == CORE_ERR_FLOAT;
+    return error != CORE_OK || replay_create_in(&sweep->writer, sweep->made, sizeof sweep->made,
+                                                config, core_hash(&sweep->core)) != 0;
 }
 
 /* Parses one second of the recording. Starts the simulation after the last second. */

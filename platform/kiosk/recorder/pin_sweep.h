@@ -8,10 +8,17 @@
  * the PIN withheld, gets the same inputs, and is recorded. A third simulation verifies the new
  * recording, which then replaces the old recording in one transaction.
  *
- * The sweep deletes a replay that cannot be cleared of a PIN: the recording is damaged or too old,
- * its simulation differs, or a page for a PIN opens in it, so that its inputs may contain the
- * digits. The score, the ranking and the ledger never change. A replay whose score does not agree
- * with the ranking is cleared and stays, so that the verifier still reports the disagreement.
+ * The sweep deletes a replay only if the replay may contain a PIN and cannot be cleared of the PIN.
+ * A replay may contain a PIN if its format is 7 or older, if its initial state contains a PIN, or
+ * if its header is damaged, so that its format is unknown. Such a replay cannot be cleared if the
+ * recording is damaged, larger than SESSION_RECORDER_SIZE or too old, if its simulation differs, or
+ * if a page for a PIN opens in it, so that its inputs may contain the digits.
+ *
+ * Any other replay stays unchanged, even if it is damaged: a replay of format 8 or newer whose
+ * header is valid and whose initial state is damaged or contains no PIN, and a replay of a newer
+ * format than REPLAY_VERSION. The score, the ranking and the ledger never change. A replay whose
+ * score does not agree with the ranking is cleared and stays, so that the verifier still reports
+ * the disagreement.
  *
  * The caller owns `struct pin_sweep` (9 MiB: static storage) and initializes it to zero. */
 #ifndef KINGYO_PLATFORM_KIOSK_RECORDER_PIN_SWEEP_H
@@ -35,9 +42,9 @@ struct pin_sweep {
     uint32_t round_id; /* Round id of the newest examined replay. 0 means none yet. */
     uint32_t cleaned;  /* Number of replays that were replaced by a recording without a PIN. */
     uint32_t deleted;  /* Number of replays that were deleted. */
-    uint32_t left;     /* Number of replays that stay unexamined, because a newer version wrote the
-                          replay, the database could not be read or written, or the core refused to
-                          run. The next start tries again. */
+    uint32_t left;     /* Number of replays that stay unexamined, because the database could not be
+                          read or written, or the core refused to run. The next start tries
+                          again. */
     enum replay_verdict verdict; /* Result of the stored recording's verification. */
     struct replay_verifier judge;
     struct core core; /* Simulates the stored recording with the PIN withheld. The states and the

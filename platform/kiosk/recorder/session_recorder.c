@@ -25,10 +25,11 @@ static bool is_pin(int32_t value)
 bool session_recorder_may_contain_pin(const struct replay_reader *reader)
 {
     const struct core_config *config = &reader->header.config;
+    const bool has_header = reader->offset >= REPLAY_HEADER_SIZE;
     const bool has_initial_state = reader->offset > REPLAY_HEADER_SIZE;
-    return !has_initial_state || reader->header.version <= 7u ||
-           is_pin(config->persistent.settings.value[SET_PIN]) ||
-           is_pin(config->session.settings_edit.told.value[SET_PIN]);
+    return !has_header || reader->header.version <= 7u ||
+           (has_initial_state && (is_pin(config->persistent.settings.value[SET_PIN]) ||
+                                  is_pin(config->session.settings_edit.told.value[SET_PIN])));
 }
 
 void session_recorder_begin(struct session_recorder *chapters, const struct core *core)
@@ -62,6 +63,11 @@ static void keep_round(struct session_recorder *chapters, uint32_t round_id,
                        const struct core *core)
 {
     CORE_ASSERT(round_id != 0);
+    const bool has_ended_for_pin =
+        !replay_is_open(&chapters->writer) && chapters->writer.error == 0;
+    if (has_ended_for_pin) {
+        return;
+    }
     if (chapters->round_id != 0) {
         chapters->missed++;
         return;

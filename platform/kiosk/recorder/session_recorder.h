@@ -7,7 +7,8 @@
  * zero.
  *
  * Ranked rounds without a replay are counted. A round has no replay if the session is larger than
- * SESSION_RECORDER_SIZE or if the store is still writing an earlier replay.
+ * SESSION_RECORDER_SIZE or if the store is still writing an earlier replay. A round after a page
+ * for a PIN has no replay either, but is not counted, because this is not a fault.
  *
  * No recording contains the operator's PIN. The PIN is withheld in the snapshot. The recording of a
  * session ends in the tick in which a page for a PIN opens, before a digit can be typed. The
@@ -49,7 +50,8 @@ struct session_recorder {
     uint32_t round_id; /* Id of the round whose replay is in `replay`. 0 means no replay. */
     bool is_lent;      /* True while the store uses `replay`. */
     size_t replay_size;
-    uint32_t missed;        /* Number of ranked rounds whose replay could not be stored. */
+    uint32_t missed;        /* Number of ranked rounds whose replay could not be stored. Excludes
+                               rounds after a page for a PIN. */
     struct input begun;     /* Input of the current tick. Valid while is_in_tick is true. */
     atomic_bool is_in_tick; /* True while core_tick() runs. */
     /* True between the start of session_recorder_before() and the end of
@@ -83,10 +85,15 @@ bool session_recorder_offer(struct session_recorder *chapters, const struct hal_
 void session_recorder_withhold_pin(struct core_config *config);
 
 /* Returns true if a stored recording may contain a PIN. `reader` is the result of opening the
- * recording in memory, successful or not. A recording may contain a PIN if its header or its
- * initial state is invalid, if its initial state contains a PIN, or if its format is 7 or older:
- * programs of that time stored the PIN in the initial state, and recorded the digits that were
- * typed. If only the catalog of species is invalid, the recording contains no PIN. */
+ * recording in memory, successful or not. A recording may contain a PIN in three cases:
+ * - The format is 7 or older. Programs of that time stored the PIN in the initial state, and
+ *   recorded the digits that were typed.
+ * - The initial state is valid and contains a PIN.
+ * - The header's checksum was not verified, because the header is damaged or a newer program has
+ *   written the recording. The format is then unknown.
+ * Each program that writes format 8 or newer withholds the PIN and records no digit of a PIN.
+ * Therefore a recording of such a format whose initial state or later part is damaged contains no
+ * PIN. */
 bool session_recorder_may_contain_pin(const struct replay_reader *reader);
 
 /* ---- Async-signal-safe functions for the panic handler ------------------------------------- */

@@ -158,9 +158,9 @@ int ledger_file_get_replay(struct ledger_file *file, uint32_t round_id, void *by
     if (code == SQLITE_ROW) {
         const void *blob = sqlite3_column_blob(get, 0);
         *size_out = (size_t)sqlite3_column_bytes(get, 0);
-        code = *size_out > size ? SQLITE_TOOBIG : blob ? SQLITE_OK : SQLITE_NOMEM;
-        if (code == SQLITE_OK) {
-            memcpy(bytes, blob, *size_out);
+        code = !blob ? SQLITE_NOMEM : *size_out > size ? SQLITE_TOOBIG : SQLITE_OK;
+        if (blob) {
+            memcpy(bytes, blob, *size_out < size ? *size_out : size);
         }
     } else if (code == SQLITE_DONE) {
         code = SQLITE_NOTFOUND;

@@ -149,8 +149,9 @@ void ledger_content_load(const struct ledger_content *content, struct persistent
 int ledger_file_put_replay(struct ledger_file *file, uint32_t round_id, const void *bytes,
                            size_t size);
 
-/* Copies the replay of a round to `bytes` and sets `*size_out`. Returns SQLITE_NOTFOUND if there is
- * no replay, or SQLITE_TOOBIG if the replay is larger than `size`. */
+/* Copies the replay of a round to `bytes` and sets `*size_out` to the size of the replay. If the
+ * replay is larger than `size`, copies the first `size` bytes and returns SQLITE_TOOBIG. Returns
+ * SQLITE_NOTFOUND if there is no replay. */
 int ledger_file_get_replay(struct ledger_file *file, uint32_t round_id, void *bytes, size_t size,
                            size_t *size_out);
 

@@ -1,7 +1,7 @@
 /* test_pin_sweep.c -- Tests the removal of the menu's PIN from replays that an older Kingyo stored.
  *
- * The replay stays genuine and no old bytes remain. A replay that cannot be cleared of a PIN is
- * deleted. Scores and money never change. */
+ * The replay stays genuine and no old bytes remain. A replay that may contain a PIN and cannot be
+ * cleared of the PIN is deleted. Any other replay stays. Scores and money never change. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -14,9 +14,12 @@
 #include <cmocka.h>
 #include <sqlite3.h>
 
+#include "core/base/hash.h"
 #include "core/pin.h"
 #include "platform/cpu.h"
 #include "platform/kiosk/recorder/pin_sweep.h"
+#include "platform/os/log.h"
+#include "platform/replay/replay_format.h"
 #include "platform/store/sqlite/ledger_file.h"
 
 #define PIN 4071
@@ -37,6 +40,18 @@ static size_t replay_size, found_size;
 static uint8_t memory[SESSION_RECORDER_SIZE];
 static bool hand_is_away; /* True while the tested tank has no controller. */
 static bool types_pin;    /* True if keep_as_before() opens the menu and types the PIN. */
+static bool refuses_core; /* True if core_init() refuses the core that gets no PIN. */
+static char logged[400];  /* Log of the last sweep_all(). */
+static uint8_t large[SESSION_RECORDER_SIZE + 1u]; /* Larger than any replay that the sweep reads. */
+
+enum core_error __real_core_init(struct core *to, const struct core_config *config);
+enum core_error __wrap_core_init(struct core *to, const struct core_config *config);
+
+/* Replaces core_init() in this test program (linker option --wrap). */
+enum core_error __wrap_core_init(struct core *to, const struct core_config *config)
+{
+    return refuses_core && to == &sweep.core ? CORE_ERR_FLOAT : __real_core_init(to, config);
+}
 
 static uint32_t tick(uint32_t pressed)
 {
@@ -124,14 +139,28 @@ static uint32_t keep_as_before(void)
     return round_id;
 }
 
+/* Sweeps all replays. Copies the log of the sweep to `logged`. */
 static void sweep_all(void)
 {
     const struct storage_chore chore = pin_sweep_chore(&sweep);
+    FILE *log = tmpfile();
+    const int before = dup(STDERR_FILENO);
+    assert_true(log != NULL && before >= 0);
+    dup2(fileno(log), STDERR_FILENO);
+    log_open();
     memset(&sweep, 0, sizeof sweep);
-    for (uint32_t i = 0; i < 10000000u && sweep.stage != PIN_SWEEP_DONE; i++) {
-        assert_int_equal(chore.step(chore.self, &file), SQLITE_OK);
+    int code = SQLITE_OK;
+    for (uint32_t i = 0; i < 10000000u && code == SQLITE_OK; i++) {
+        code = chore.step(chore.self, &file);
     }
-    assert_int_equal(chore.step(chore.self, &file), SQLITE_DONE);
+    dup2(before, STDERR_FILENO);
+    close(before);
+    log_open();
+    memset(logged, 0, sizeof logged);
+    assert_true(pread(fileno(log), logged, sizeof logged - 1u, 0) >= 0);
+    fclose(log);
+    assert_int_equal(code, SQLITE_DONE);
+    assert_int_equal(sweep.stage, PIN_SWEEP_DONE);
 }
 
 static enum replay_verdict judged(uint32_t round_id)
@@ -170,7 +199,7 @@ static int set_up(void **state)
     assert_non_null(mkdtemp(folder));
     snprintf(path, sizeof path, "%s/kingyo.db", folder);
     snprintf(log_path, sizeof log_path, "%s-wal", path);
-    types_pin = hand_is_away = false;
+    types_pin = hand_is_away = refuses_core = false;
     memset(&input, 0, sizeof input);
     memset(&output, 0, sizeof output);
     assert_int_equal(ledger_file_open(&file, path, NULL), SQLITE_OK);
@@ -248,6 +277,8 @@ static void assert_sweep_deletes(uint32_t round_id)
     sweep_all();
     assert_int_equal(sweep.deleted, 1);
     assert_int_equal(sweep.cleaned + sweep.left, 0);
+    assert_non_null(strstr(logged, " 1 were deleted"));
+    assert_null(strstr(logged, "version")); /* A damaged replay may be of the current version. */
     assert_int_equal(ledger_file_get_replay(&file, round_id, found, sizeof found, &size),
                      SQLITE_NOTFOUND);
     ledger_file_close(&file);
@@ -291,7 +322,7 @@ static void test_a_replay_that_cannot_be_read_is_deleted(void **state)
 {
     (void)state;
     const uint32_t round_id = keep_as_before();
-    const size_t places[] = { 0, 12, 40, REPLAY_HEADER_SIZE + 5u, replay_size / 2u };
+    const size_t places[] = { 0, 12, 40, replay_size / 2u };
     for (size_t i = 0; i < sizeof places / sizeof places[0]; i++) {
         memcpy(found, replay, replay_size);
         found[places[i]] ^= 0x10u;
@@ -300,9 +331,27 @@ static void test_a_replay_that_cannot_be_read_is_deleted(void **state)
     }
     put(round_id, replay, replay_size - 1u);
     assert_sweep_deletes(round_id);
-    static uint8_t large[sizeof found + 1u];
+    memset(large, 0, sizeof large);
     memcpy(large, replay, replay_size);
     put(round_id, large, sizeof large);
+    assert_sweep_deletes(round_id);
+}
+
+static void read_format_7(void)
+{
+    FILE *in = fopen("tests/replay/format-7.replay", "rb");
+    assert_non_null(in);
+    replay_size = fread(replay, 1, sizeof replay, in);
+    fclose(in);
+}
+
+static void test_a_replay_of_format_7_with_a_damaged_initial_state_is_deleted(void **state)
+{
+    (void)state;
+    const uint32_t round_id = keep_as_before();
+    read_format_7();
+    replay[REPLAY_HEADER_SIZE + 5u] ^= 0x10u;
+    put(round_id, replay, replay_size);
     assert_sweep_deletes(round_id);
 }
 
@@ -313,21 +362,6 @@ static void test_a_replay_of_a_format_that_is_too_old_is_deleted(void **state)
     replay[8] = (uint8_t)(REPLAY_VERSION_MIN - 1u);
     put(round_id, replay, replay_size);
     assert_sweep_deletes(round_id);
-}
-
-static void test_a_replay_of_a_newer_format_is_not_changed(void **state)
-{
-    (void)state;
-    const uint32_t round_id = keep_as_before();
-    replay[8] = (uint8_t)(REPLAY_VERSION + 1u);
-    put(round_id, replay, replay_size);
-    sweep_all();
-    assert_int_equal(sweep.cleaned + sweep.deleted, 0);
-    assert_int_equal(sweep.left, 1); /* The log reports the replay. */
-    assert_int_equal(ledger_file_get_replay(&file, round_id, found, sizeof found, &found_size),
-                     SQLITE_OK);
-    assert_int_equal(found_size, replay_size);
-    assert_memory_equal(found, replay, replay_size);
 }
 
 static void test_a_replay_in_which_a_pin_is_typed_is_deleted(void **state)
@@ -381,11 +415,8 @@ static void test_a_replay_of_another_score_is_cleared_and_still_reported(void **
 static void test_a_replay_of_format_7_is_simulated_and_stored_in_the_current_format(void **state)
 {
     (void)state;
-    FILE *in = fopen("tests/replay/format-7.replay", "rb");
-    assert_non_null(in);
-    const size_t size = fread(replay, 1, sizeof replay, in);
-    fclose(in);
-    put(1, replay, size);
+    read_format_7();
+    put(1, replay, replay_size);
     sweep_all();
     assert_int_equal(sweep.cleaned, 1);
     assert_int_equal(sweep.deleted + sweep.left, 0);
@@ -394,6 +425,70 @@ static void test_a_replay_of_format_7_is_simulated_and_stored_in_the_current_for
     assert_int_equal(judge.replayer.totals.ticks, 17455);
     assert_int_equal(judge.replayer.reader.header.version, REPLAY_VERSION);
     assert_int_equal(judge.replayer.reader.header.config.rules, 7);
+}
+
+/* ---- Replays that stay ------------------------------------------------------------------ */
+
+/* Stores these bytes as the replay of a round. Asserts that the sweep neither changes nor reports
+ * the replay. */
+static void assert_sweep_keeps(uint32_t round_id, const uint8_t *bytes, size_t size)
+{
+    static uint8_t kept[sizeof large];
+    size_t kept_size;
+    put(round_id, bytes, size);
+    sweep_all();
+    assert_int_equal(sweep.cleaned + sweep.deleted + sweep.left, 0);
+    assert_string_equal(logged, "");
+    assert_int_equal(ledger_file_get_replay(&file, round_id, kept, sizeof kept, &kept_size),
+                     SQLITE_OK);
+    assert_int_equal(kept_size, size);
+    assert_memory_equal(kept, bytes, size);
+}
+
+/* The large replay is a replay that this program could not have stored. A newer program may have
+ * stored the replay before an operator installed this program again. */
+static void test_a_replay_of_a_newer_format_is_not_changed(void **state)
+{
+    (void)state;
+    const uint32_t round_id = keep_as_before();
+    replay[8] = (uint8_t)(REPLAY_VERSION + 1u);
+    assert_sweep_keeps(round_id, replay, replay_size);
+    memset(large, 0, sizeof large);
+    memcpy(large, replay, replay_size);
+    assert_sweep_keeps(round_id, large, sizeof large);
+}
+
+/* Programs that write format 8 or newer store no PIN. Therefore a valid header proves that the
+ * damaged rest contains no PIN. */
+static void test_a_damaged_replay_whose_recorder_stored_no_pin_stays(void **state)
+{
+    (void)state;
+    const uint32_t round_id = keep_as_before();
+    memcpy(found, replay, replay_size);
+    found[REPLAY_HEADER_SIZE + 5u] ^= 0x10u;
+    assert_sweep_keeps(round_id, found, replay_size);
+    for (uint32_t version = 8; version <= REPLAY_VERSION; version++) {
+        memcpy(found, replay, replay_size);
+        found[HEADER_VERSION] = (uint8_t)version;
+        found[HEADER_DIGEST_TICKS] = 0; /* No recorder writes this value. */
+        replay_put_u64(found + HEADER_SUM, hash_bytes(HASH_START, found, HEADER_SUM));
+        assert_sweep_keeps(round_id, found, replay_size);
+    }
+}
+
+static void test_a_replay_stays_until_the_next_start_if_the_core_refuses_to_run(void **state)
+{
+    (void)state;
+    const uint32_t round_id = keep_as_before();
+    refuses_core = true;
+    sweep_all();
+    assert_int_equal(sweep.left, 1);
+    assert_int_equal(sweep.cleaned + sweep.deleted, 0);
+    assert_non_null(strstr(logged, " 1 could not be examined"));
+    assert_int_equal(judged(round_id), REPLAY_VERDICT_GENUINE);
+    refuses_core = false;
+    sweep_all();
+    assert_int_equal(sweep.cleaned, 1);
 }
 
 /* The PIN is in the initial state, which is intact here. An update can also make the species of a
@@ -409,12 +504,7 @@ static void test_a_replay_without_a_pin_stays_if_only_its_catalog_cannot_be_read
     /* Change the last byte of the catalog. */
     replay[judge.replayer.reader.offset - REPLAY_SUM_SIZE - 1u] ^= 1u;
     assert_int_equal(replay_open_in(&judge.replayer.reader, replay, replay_size), -1);
-    put(1, replay, replay_size);
-    sweep_all();
-    assert_int_equal(sweep.cleaned + sweep.deleted + sweep.left, 0);
-    assert_int_equal(ledger_file_get_replay(&file, 1, found, sizeof found, &found_size), SQLITE_OK);
-    assert_int_equal(found_size, replay_size);
-    assert_memory_equal(found, replay, replay_size);
+    assert_sweep_keeps(1, replay, replay_size);
 }
 
 static void test_a_replay_without_a_pin_is_skipped(void **state)
@@ -462,12 +552,15 @@ int main(void)
         TEST(test_removed_pin_bytes_are_erased_from_the_file_at_the_next_open),
         TEST(test_a_replay_that_differs_is_deleted),
         TEST(test_a_replay_that_cannot_be_read_is_deleted),
+        TEST(test_a_replay_of_format_7_with_a_damaged_initial_state_is_deleted),
         TEST(test_a_replay_of_a_format_that_is_too_old_is_deleted),
-        TEST(test_a_replay_of_a_newer_format_is_not_changed),
         TEST(test_a_replay_in_which_a_pin_is_typed_is_deleted),
         TEST(test_the_kiosk_shows_no_seal_for_a_deleted_replay),
         TEST(test_a_replay_of_another_score_is_cleared_and_still_reported),
         TEST(test_a_replay_of_format_7_is_simulated_and_stored_in_the_current_format),
+        TEST(test_a_replay_of_a_newer_format_is_not_changed),
+        TEST(test_a_damaged_replay_whose_recorder_stored_no_pin_stays),
+        TEST(test_a_replay_stays_until_the_next_start_if_the_core_refuses_to_run),
         TEST(test_a_replay_without_a_pin_stays_if_only_its_catalog_cannot_be_read),
         TEST(test_a_replay_without_a_pin_is_skipped),
         TEST(test_the_store_removes_pins_only_while_its_queue_is_empty),

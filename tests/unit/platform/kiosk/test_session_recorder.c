@@ -81,11 +81,10 @@ static int set_up(void **state)
     return 0;
 }
 
-/* Plays from attract mode to the end of a round. Returns the ledger entry of the round. */
-static uint32_t play(void)
+/* Starts a round in attract mode and plays to its end. Returns the ledger entry of the round. */
+static uint32_t play_at_once(void)
 {
     const uint32_t before = sim.record.id;
-    ticks(2u * CORE_TICK_HZ);
     tick(INPUT_START);
     for (uint32_t i = 0; i < 90u * CORE_TICK_HZ && sim.record.id == before; i++) {
         tick(0);
@@ -93,6 +92,14 @@ static uint32_t play(void)
     assert_true(sim.record.id != before && sim.record.caught > 0 && !sim.record.by_bot);
     ticks(2);
     return sim.record.id;
+}
+
+/* Waits for two seconds in attract mode, and plays a round. Returns the ledger entry of the
+ * round. */
+static uint32_t play(void)
+{
+    ticks(2u * CORE_TICK_HZ);
+    return play_at_once();
 }
 
 /* Waits without input until attract mode starts again. The bot's tank is copied from the tested
@@ -279,12 +286,32 @@ static void test_the_recording_ends_when_the_page_for_a_new_pin_opens(void **sta
     assert_false(replay_is_open(&chapters.writer));
 }
 
-static void test_a_round_after_the_end_of_the_recording_has_no_replay(void **state)
+/* The menu shows a warning if `missed` is not 0. An operator who opens and closes the menu has
+ * caused no fault. */
+static void test_a_round_after_a_page_for_the_pin_has_no_replay_and_is_not_missed(void **state)
 {
     (void)state;
     lock(4071);
-    replay_finish(&chapters.writer, core_hash(&core));
+    hand_is_away = 1; /* The poi would point at the keys. */
+    tick(INPUT_TEST);
+    assert_true(core_status(&core).takes_pin);
+    for (uint32_t i = 0; i <= MENU_PIN_IDLE_TICKS && core.game.phase == PHASE_MENU; i++) {
+        tick(0); /* The menu closes by itself. */
+    }
+    hand_is_away = 0;
+    assert_int_equal(core.game.phase, PHASE_ATTRACT);
+    bots = core;    /* The menu of the bot's core is still open. */
+    play_at_once(); /* The next session has not started yet. */
+    assert_int_equal(chapters.missed, 0);
+    assert_int_equal(sim.replay_id, 0);
+}
+
+static void test_a_round_after_the_memory_is_full_is_missed(void **state)
+{
+    (void)state;
+    chapters.writer.memory_size = (size_t)chapters.writer.offset + REPLAY_END_SIZE;
     play();
+    assert_false(replay_is_open(&chapters.writer));
     assert_int_equal(chapters.missed, 1);
     assert_int_equal(sim.replay_id, 0);
 }
@@ -608,7 +635,8 @@ int main(void)
         TEST(test_a_panic_replay_contains_no_pin_and_reproduces_the_game),
         TEST(test_the_recording_ends_when_a_page_for_the_pin_opens),
         TEST(test_the_recording_ends_when_the_page_for_a_new_pin_opens),
-        TEST(test_a_round_after_the_end_of_the_recording_has_no_replay),
+        TEST(test_a_round_after_a_page_for_the_pin_has_no_replay_and_is_not_missed),
+        TEST(test_a_round_after_the_memory_is_full_is_missed),
         TEST(test_the_replay_verifier_is_independent_of_the_float_mode),
         TEST(test_the_replay_verifier_reports_unchecked_if_the_core_fails_to_start),
         TEST(test_a_score_is_genuine_only_on_the_board_of_its_level),

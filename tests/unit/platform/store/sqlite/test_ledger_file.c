@@ -358,7 +358,11 @@ static void test_a_replay_is_read_byte_for_byte(void **state)
     assert_int_equal(ledger_file_get_replay(&file, 7, found, sizeof found, &size), SQLITE_OK);
     assert_int_equal(size, sizeof bytes);
     assert_memory_equal(found, bytes, sizeof bytes);
+    memset(found, 0, sizeof found);
     assert_int_equal(ledger_file_get_replay(&file, 7, found, 1000, &size), SQLITE_TOOBIG);
+    assert_int_equal(size, sizeof bytes);
+    assert_memory_equal(found, bytes, 1000);
+    assert_int_equal(found[1000], 0);
     assert_int_equal(ledger_file_get_replay(&file, 8, found, sizeof found, &size), SQLITE_NOTFOUND);
 }
 
