@@ -120,7 +120,6 @@ uint8_t game_level(const struct game *game)
     for (uint32_t i = 0; i < POI_MAX; i++) {
         easiest = game->player[i].level > easiest ? game->player[i].level : easiest;
     }
-    CORE_ASSERT(easiest < LEVEL_COUNT);
     return easiest;
 }
 
