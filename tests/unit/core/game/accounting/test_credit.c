@@ -27,7 +27,7 @@ static void test_a_start_without_a_credit_is_shown(void **state)
     press(INPUT_START);
     core_scene(&core, &scene);
     assert_true(scene.credit.asked_s < 0.1f);
-    assert_int_equal(sounds[SOUND_FOUL], 1); /* The rejection also plays a sound. */
+    assert_int_equal(sounds[SOUND_FOUL], 1); /* The rejected start also plays a sound. */
     assert_true(scene.credit.unpaid);
 }
 
@@ -67,7 +67,8 @@ static void test_surplus_coins_count_toward_the_next_round(void **state)
     assert_int_equal(balance()->units, 1);
     press(INPUT_START);
     assert_int_equal(credits(), 1);
-    drop(PRICE - 1u); /* The coins are inserted during the round. */
+    /* This credit is completed during the round that the first credit paid for. */
+    drop(PRICE - 1u);
     assert_int_equal(credits(), 2);
 }
 
@@ -78,7 +79,8 @@ static void test_a_full_credit_count_rejects_coins_and_loses_no_inserted_coin(vo
     drop(CREDITS_MAX * PRICE);
     assert_int_equal(credits(), CREDITS_MAX);
     assert_int_equal(output.coin_lockout, 1);
-    drop(PRICE); /* The coin was inserted before the rejection took effect. */
+    /* The lockout was too late for these coins, so they stay in the balance as units. */
+    drop(PRICE);
     assert_int_equal(credits(), CREDITS_MAX);
     assert_int_equal(balance()->units, PRICE);
     press(INPUT_START);
@@ -133,7 +135,8 @@ static void test_a_finished_round_costs_one_credit(void **state)
     assert_int_equal(audit(AUDIT_REFUNDS), 0);
     steps(GAME_AGAIN_DIP_TICKS);
     press(INPUT_START);
-    assert_int_equal(core.game.phase, PHASE_RESULT); /* No credit is left for another round. */
+    /* START is ignored, because no credit is left for another round. */
+    assert_int_equal(core.game.phase, PHASE_RESULT);
     drop(PRICE);
     press(INPUT_START);
     assert_int_equal(core.game.phase, PHASE_READY);
@@ -189,7 +192,8 @@ static void test_a_permanently_lost_poi_refunds_the_credit(void **state)
     assert_int_equal(audit(AUDIT_REFUNDS), 1);
     assert_int_equal(core.game.hints.shown, HINT_PAID_BACK);
     steps(GAME_RESULT_TICKS);
-    assert_int_equal(credits(), 1); /* The credit was refunded exactly once. */
+    /* The way back to attract must not refund the credit a second time. */
+    assert_int_equal(credits(), 1);
 }
 
 static void test_a_restored_poi_refunds_no_credit(void **state)
@@ -244,7 +248,8 @@ static void test_a_refunded_round_is_not_scored(void **state)
     hold_at(ABOVE_M);
     press(INPUT_START);
     steps(GAME_READY_TICKS + ROUND_S * CORE_TICK_HZ);
-    assert_int_equal(core.game.phase, PHASE_RESULT); /* The next round is played to its end. */
+    /* No new loss occurs, so the next round is played to its end and is not refunded. */
+    assert_int_equal(core.game.phase, PHASE_RESULT);
     assert_int_equal(purse_entry(&output, newest_record(&output)->id)->kind, LEDGER_ROUND);
     core_scene(&core, &scene);
     assert_false(scene.credit.came_back);

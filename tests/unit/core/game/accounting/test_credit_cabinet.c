@@ -9,7 +9,7 @@ static void test_tickets_count_only_complete_groups_of_own_fish(void **state)
 {
     (void)state;
     play_a_paid_round();
-    /* One ticket is given for five fish, so 14 fish are worth 2.8 tickets. */
+    /* Five fish give one ticket. 14 fish give two tickets, and the other four fish give none. */
     core.game.player[0].caught = 14;
     core.game.player[1].plays = core.game.player[1].out = 1;
     core.game.player[1].caught = 4;
@@ -72,12 +72,14 @@ static void test_an_open_door_warns_and_rejects_coins(void **state)
 static void test_a_shake_warns_for_a_while_and_counts_once(void **state)
 {
     (void)state;
-    /* The pulse of the tilt switch is shorter than a tick, but the warning lasts. */
+    /* The tilt switch reports one press, which is gone in the next tick, but the warning must
+     * last. */
     press(INPUT_TILT);
     for (uint32_t i = 0; i < 3; i++) {
         assert_int_equal(core.game.accounts.credit.warnings, WARN_TILT);
         assert_int_equal(output.coin_lockout, 1);
-        press(INPUT_TILT); /* The cabinet is shaken again. */
+        /* Shakes during the warning belong to the same shake, so `shakes` stays 1. */
+        press(INPUT_TILT);
     }
     assert_int_equal(core.game.accounts.credit.shakes, 1);
     assert_int_equal(sounds[SOUND_FOUL], 1);
@@ -106,7 +108,7 @@ static void test_the_final_entry_completes_the_operating_time(void **state)
     assert_in_range(audit(AUDIT_UP_S_MAX), 120, 130);
     assert_int_equal(
         health_log_final(&core.game.accounts, &core.game.health_log, core.game.tick, &input, &last),
-        0); /* Start number 0 means that the kiosk found no store. */
+        0); /* Start number 0 means that no store was found, so no final entry is written. */
     core.game.accounts.ledger.boot = 3;
     const uint64_t hash = core_hash(&core);
     const uint32_t told = audit(AUDIT_UP_S);
@@ -116,8 +118,8 @@ static void test_the_final_entry_completes_the_operating_time(void **state)
     assert_int_equal(last.kind, LEDGER_HEALTH);
     assert_int_equal(last.id, core.game.accounts.ledger.last_id + 1u);
     assert_int_equal(last.boot, 3);
-    assert_int_equal(told + (uint32_t)last.value, 130); /* The stored and the final entry together
-                                                           cover all seconds. */
+    /* The audit's seconds and those of the final entry add up to the 130 s since the start. */
+    assert_int_equal(told + (uint32_t)last.value, 130);
     assert_int_equal(last.health.up_s, 130);
     assert_true(core_hash(&core) == hash);
 }

@@ -104,12 +104,13 @@ static void test_a_full_store_only_delays_the_game(void **state)
         const int plays = core.game.phase == PHASE_READY;
         assert_int_equal(plays, core.game.accounts.ledger.balance.open == PAYMENT_PAID);
         assert_true(plays || core.game.phase == PHASE_MODE_SELECT);
-        steps(GAME_READY_TICKS + RULES_MODE_SELECT_TICKS); /* The game reaches the round or returns
-                                                             to attract. */
+        /* Long enough for the countdown of a started round, or for the mode selection to time
+         * out. */
+        steps(GAME_READY_TICKS + RULES_MODE_SELECT_TICKS);
         drop_each(coins);
         input.poi[0].link = POI_SOURCE_ABSENT;
         steps(GAME_LOST_TICKS_MAX + GAME_AGAIN_TICKS);
-        /* The ring had room for the entries that end the started rounds. */
+        /* The presses leave the result. Then no entry may still wait for room in the ring. */
         for (uint32_t i = 0; i < 4; i++) {
             press(INPUT_START | INPUT_OK);
             steps(CORE_TICK_HZ);
@@ -168,8 +169,8 @@ static void test_a_store_that_appears_late_is_used_after_any_number_of_coins(voi
     open_paid(0);
     drop_each(COINS_FOR_A_FULL_RING);
     assert_int_equal(core.game.accounts.ledger.balance.paid, COINS_FOR_A_FULL_RING);
-    assert_int_equal(ledger_committed_credits(&core.game.accounts.ledger).paid,
-                     0); /* The store has not saved the newest entry. */
+    /* No credit is committed, because the store has not saved the newest entry. */
+    assert_int_equal(ledger_committed_credits(&core.game.accounts.ledger).paid, 0);
     assert_int_equal(output.coin_lockout, 1);
     press(INPUT_START);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
@@ -178,7 +179,8 @@ static void test_a_store_that_appears_late_is_used_after_any_number_of_coins(voi
     input.store_well = 1;
     step();
     assert_int_equal(ledger_committed_credits(&core.game.accounts.ledger).paid, 0);
-    assert_true(output.entry_id > before_id); /* The whole balance is submitted in one entry. */
+    /* One new entry carries the balance of all coins that were inserted before. */
+    assert_true(output.entry_id > before_id);
     assert_int_equal(purse_entry(&output, output.entry_id)->balance.paid, COINS_FOR_A_FULL_RING);
     revive_store();
     assert_int_equal(output.coin_lockout, 0);

@@ -181,7 +181,7 @@ static void test_tickets_refunds_and_open_rounds_have_their_ranges(void **state)
     entry.detail = 0x61;
     entry.value = 0x1f0002;
     assert_true(ledger_entry_is_valid(&entry));
-    entry.detail = 0x6f; /* 0x6f contains the number of a mode that does not exist. */
+    entry.detail = 0x6f; /* The low digit of `detail` is the mode, and no mode has the number 15. */
     assert_false(ledger_entry_is_valid(&entry));
     entry.detail = 0x61;
     entry.value = 0x400000; /* The bits of the level hold LEVEL_EASY. */

@@ -94,8 +94,8 @@ static void start(void)
     hold_at(ABOVE_M);
 }
 
-/* Reads the entries of the tick. Checks that the credits spent in the tick were on disk and
- * acknowledged. */
+/* Reads the entries of one tick. Checks that a credit is spent only after its entry was saved
+ * and the game was informed. */
 static void take_entries(uint32_t before)
 {
     for (uint32_t id = before + 1u; id <= output.entry_id; id++) {

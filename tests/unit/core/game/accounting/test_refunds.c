@@ -6,7 +6,7 @@
 #include "tests/unit/support/paid_fixture.h"
 
 #define SPENT_TICKS (2u * ROUND_S * CORE_TICK_HZ / 3u)
-/* Fish that the player catches: enough for two tickets, with four fish left over. */
+/* Number of fish that the player catches. At five fish a ticket, the player wins two tickets. */
 #define FISH 14u
 #define TICKETS 2u
 
@@ -166,7 +166,8 @@ static void test_a_refunded_credit_stays_marked_after_a_restart(void **state)
     lose_controller();
     cut_power();
     assert_int_equal(balance()->returned, PAYMENT_PAID);
-    drop(PRICE); /* This second credit can still be refunded. */
+    /* This second credit is not the refunded one, so it can itself be refunded later. */
+    drop(PRICE);
     assert_int_equal(credits(), 2);
     play(10);
     assert_int_equal(balance()->open, PAYMENT_PAID | PAYMENT_SPENT);
@@ -253,7 +254,8 @@ static void test_repeated_losses_of_a_controller_are_counted(void **state)
     (void)state;
     drop(PRICE);
     play(10);
-    lose_for(CORE_TICK_HZ / 2u); /* A loss of half a second is too short to be counted. */
+    /* A loss of half a second is too short, so the loss after it is still the first one. */
+    lose_for(CORE_TICK_HZ / 2u);
     lose_for(2u * CORE_TICK_HZ);
     assert_int_equal(audit(AUDIT_LOST_AGAIN), 0);
     lose_for(2u * CORE_TICK_HZ);

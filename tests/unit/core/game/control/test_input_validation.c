@@ -126,7 +126,8 @@ static void test_a_jump_of_1_m_invalidates_the_input_until_it_stays(void **state
     expect_lost_and_found();
 }
 
-/* The frame loop spreads the motion of a frame over its two ticks. */
+/* At 60 frames a second the kiosk divides the motion of a frame between two ticks, so a jump of
+ * 1 m may arrive as two steps. */
 static void test_a_jump_spread_over_two_ticks_invalidates_the_input(void **state)
 {
     (void)state;
@@ -138,7 +139,7 @@ static void test_a_jump_spread_over_two_ticks_invalidates_the_input(void **state
     expect_lost_and_found();
 }
 
-/* The pointer leaves the window at one side and enters at the opposite side. */
+/* The mouse pointer may leave the window at one side and return at the opposite side. */
 static void test_a_pointer_may_jump(void **state)
 {
     (void)state;
@@ -172,7 +173,8 @@ static int is_valid_at(float pace_m_s)
     return believed;
 }
 
-/* With 60 reports and 60 frames a second, one frame may get no report and the next frame two. */
+/* Returns 1 if the input stays valid although some frames get no report and the next frame gets
+ * two, as happens with 60 reports and 60 frames a second. */
 static int is_valid_with_uneven_reports(float pace_m_s)
 {
     int believed = 1;
@@ -204,10 +206,12 @@ static void test_a_fast_turn_is_valid_and_a_flip_is_not(void **state)
     }
     hand.target.angles.roll_rad += 0.55f;
     expect_for(5, INPUT_VALID);
-    hand.target.angles.roll_rad += 0.70f; /* 0.70 rad are 40 degrees. */
+    /* A sudden turn of 0.70 rad (40 degrees) is over the limit, but 0.55 rad above was not. */
+    hand.target.angles.roll_rad += 0.70f;
     assert_int_equal(tick(), INPUT_LOST);
     expect_lost_and_found();
-    hand.target.angles.roll_rad += 20.0f * F_TAU; /* 20 full turns give the same direction. */
+    /* Whole turns give the same orientation, so this is no jump. */
+    hand.target.angles.roll_rad += 20.0f * F_TAU;
     assert_int_equal(tick(), INPUT_VALID);
 }
 
@@ -279,7 +283,8 @@ static void silence(uint32_t ticks)
     hand.age_ticks = 0;
 }
 
-/* A kiosk that was delayed passes on only the newest pose, with a flag. */
+/* After a delay, the kiosk passes only the newest pose and sets `has_gap`, because the poses in
+ * between are unknown. */
 static void test_motion_that_the_kiosk_did_not_observe_is_followed_slowly(void **state)
 {
     (void)state;
@@ -290,7 +295,7 @@ static void test_motion_that_the_kiosk_did_not_observe_is_followed_slowly(void *
     assert_true(input_validation_blend(&validation) < 0.05f);
     hand.has_gap = 0;
     expect_for(20, INPUT_VALID);
-    /* Without the flag, this motion is faster than an arm can move. */
+    /* The same motion without `has_gap` is faster than an arm can move. */
     hand.target.position_m.x += 1.2f;
     assert_int_equal(tick(), INPUT_LOST);
 }
@@ -300,13 +305,15 @@ static void test_motion_during_late_reports_is_valid(void **state)
     (void)state;
     expect_for(10, INPUT_VALID);
     silence(50);
-    hand.target.position_m.x += 0.6f; /* The motion is spread over two ticks, as in a frame. */
+    /* The 1.2 m that the hand moved meanwhile arrive in two steps, as a frame has two ticks. */
+    hand.target.position_m.x += 0.6f;
     assert_int_equal(tick(), INPUT_VALID);
     hand.target.position_m.x += 0.6f;
     expect_for(20, INPUT_VALID);
 }
 
-/* The poi then follows the motion at the speed of the hand. */
+/* After a gap, the poi follows the missed motion as fast as the hand moved, so it catches up in
+ * three quarters of the gap's duration. */
 static void test_missed_motion_is_followed_in_three_quarters_of_its_time(void **state)
 {
     for (uint32_t period = 1; period <= INPUT_SILENT_TICKS; period += period < 13 ? 1u : 7u) {
@@ -344,7 +351,9 @@ static void test_missed_motion_beyond_the_reach_of_an_arm_invalidates_the_input(
 {
     (void)state;
     expect_for(10, INPUT_VALID);
-    silence(30); /* In a quarter of a second an arm can move by 1 m at most. */
+    /* An arm can move at most 1 m in these 30 ticks (0.25 s), so the following 1.5 m are an
+     * error. */
+    silence(30);
     hand.target.position_m.x += 1.5f;
     tick();
     expect_lost_and_found();

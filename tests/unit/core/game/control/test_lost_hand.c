@@ -204,8 +204,8 @@ static int report_fault(enum fault fault, uint32_t tick)
     case TURN_AND_BACK:
         poi->target.angles.pitch_rad += 1.0f;
         return tick < 3;
-    /* The reports stop for less than the timeout. When they continue, the controller is 20 cm
-     * farther. */
+    /* The reports stop, but for less than the timeout. The next report is 20 cm from the last
+     * one. */
     case LATE_BURST:
         *poi = before;
         poi->age_ticks = age;
@@ -234,7 +234,8 @@ static float damage_sum(void)
     return sum;
 }
 
-/* The fish lies on wet paper long enough to wear it through without any fault. */
+/* Returns 1 if the scene keeps the fish so long on wet paper that its slaps may tear the paper
+ * without any fault. */
 static int may_slap(const struct scene_of *of)
 {
     const int is_long = of->fault == STUCK || of->fault == LATE_BURST || of->fault == SILENCE ||
@@ -242,8 +243,8 @@ static int may_slap(const struct scene_of *of)
     return of->place == CARRYING && is_long;
 }
 
-/* Checks the round bit by bit from the tick of the fault until the player controls the poi
- * again. */
+/* Checks every tick from the fault until the player controls the poi again. While damage is
+ * disabled, the paper must not change by a single bit. */
 static void check_fault(const struct scene_of *of)
 {
     static float damage[SHEET_CELL_COUNT];
@@ -268,22 +269,22 @@ static void check_fault(const struct scene_of *of)
             assert_true(v3_length(output.poi[0].force_n) == 0.0f); /* The force feedback is off. */
             assert_memory_equal(poi->sheet.damage, damage, sizeof damage);
         } else {
-            /* While a player controls the poi, the paper wears as usual. */
+            /* While the player controls the poi, wear is permitted. */
             memcpy(damage, poi->sheet.damage, sizeof damage);
-            /* A fish on the paper may slap holes into it, whoever moves the poi. */
+            /* If slaps may tear the paper in this scene, the number of cells is not compared. */
             cells = may_slap(of) ? poi->sheet.paper_cells : cells;
         }
         assert_true(poi->damage_immune || !loses_the_hand(of) || leads || broken);
         assert_int_equal(poi->sheet.paper_cells, cells);
         assert_true(tick < 1200);
     } while (!leads);
-    assert_int_equal(still_ticks, lost_ticks); /* The round's clock is paused for exactly this
-                                                  time. */
+    /* The round's clock was paused in exactly the ticks in which the controller was lost. */
+    assert_int_equal(still_ticks, lost_ticks);
     assert_int_equal(lost_ticks > 0, loses_the_hand(of));
-    /* The fault TURN ends with the ring on its edge, from which a fish slides off. */
+    /* After the fault TURN the ring stands on its edge, so the fish may slide off. */
     if (of->fault != TURN) {
-        assert_int_equal(poi->carried_count, of->place == CARRYING); /* The fish still lies on the
-                                                                        paper. */
+        /* A fish that was carried before the fault is still on the paper, and no fish was added. */
+        assert_int_equal(poi->carried_count, of->place == CARRYING);
     }
     if (of->fault == SPIKE && of->device == SENSOR) {
         assert_in_range(lost_ticks, INPUT_AGREE_TICKS, INPUT_AGREE_TICKS + 1u);
@@ -297,17 +298,17 @@ static void check_aftermath(const struct scene_of *of)
     const uint32_t cells = core.world.poi[0].sheet.paper_cells;
     const float before = damage_sum();
     if (of->place == CARRYING) {
-        /* A fish that slaps may tear wet paper during any kind of fault, so the cells are not
-         * compared. */
+        /* After any fault, the slaps of a carried fish may tear the wet paper, so neither cells
+         * nor wear are compared. */
         return;
     }
     wait(120);
     assert_int_equal(core.world.poi[0].sheet.paper_cells, cells);
-    /* After a jump the poi is allowed to wear more, because the new position is at the wall. */
+    /* After a jump, the poi moves to a position at the wall, where more wear is permitted. */
     assert_true(damage_sum() - before < (of->fault == JUMP ? 0.05f : 1e-3f));
+    /* After a jump, the hand is beyond the wall, where the poi cannot follow. */
     assert_true(v3_length(v3_sub(core.world.poi[0].position_m, hand_m)) < 0.05f ||
-                of->fault == JUMP); /* Only after a jump is the player's position beyond the
-                                       wall. */
+                of->fault == JUMP);
 }
 
 static void check(const struct scene_of *of)
@@ -371,7 +372,8 @@ static void check_strays(const struct core *from, enum wetness wetness, uint8_t 
         for (size_t k = 0; k < sizeof lasts / sizeof lasts[0]; k++) {
             const int turns = strays[i].roll_rad != 0.0f || strays[i].pitch_rad != 0.0f;
             if ((lasts[k] > 8u && !strays[i].may_stay) || (turns && device == POINTER)) {
-                continue; /* The sensor of a pointer does not report its orientation. */
+                /* A pointer reports no orientation, so an error of its angles has no effect. */
+                continue;
             }
             core = *from;
             hand_m = there_m;

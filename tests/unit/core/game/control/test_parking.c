@@ -57,9 +57,9 @@ static void expect_in_the_picture(vec3 ring_m)
         float x = 0.0f, y = 0.0f;
         project(sight_of(ring_m, i), &x, &y);
         assert_true(f_abs(x) < 0.995f);
-        /* Below this line of the screen is the text along the lower edge. */
+        /* The text along the screen's lower edge ends at y = -0.8. */
         assert_true(y > -0.8f);
-        /* Above this line of the screen are the name plates along the upper edge. */
+        /* The name plates along the screen's upper edge begin at y = 0.78. */
         assert_true(y < 0.78f);
     }
 }
@@ -142,7 +142,8 @@ static void test_a_poi_without_paper_is_parked_and_the_others_play(void **state)
     play(2);
     lead(0, v3(0.1f, BELOW_M, 0.1f));
     tear_all(0);
-    /* For half a second the torn poi stays in place, so that the player sees the hole. */
+    /* The torn poi stays in place for half a second (60 ticks), so that the player sees the
+     * hole. */
     ticks(60);
     assert_true(apart_m(core.world.poi[0].position_m, v3(0.1f, 0.0f, 0.1f)) < 0.03f);
     ticks(3u * CORE_TICK_HZ);
@@ -177,7 +178,8 @@ static void test_carried_fish_are_released_after_the_third_foul(void **state)
 {
     (void)state;
     lift_fish();
-    core.game.player[0].out = 1; /* The umpire has excluded the player. */
+    /* The game sets `out` at the third foul. The test sets it directly. */
+    core.game.player[0].out = 1;
     ticks(4u * CORE_TICK_HZ);
     expect_put_away(0, 2);
     assert_int_equal(core.world.poi[0].carried_count, 0);
@@ -196,8 +198,7 @@ static void test_a_slap_ends_when_its_fish_is_released(void **state)
             carried->slap_s = 0.02f; /* The fish slaps in every tick until it is released. */
             carried->slap_n = 0.02f;
         }
-        /* If a slap still acted after its fish was released, an assertion would fail in this
-         * tick. */
+        /* The slap of a fish that was already released would fail an assertion in this tick. */
         tick();
         slapped = slapped || core.world.poi[0].slap_count > 0;
     }
@@ -227,7 +228,7 @@ static void test_a_poi_parks_and_returns_without_a_jump(void **state)
     vec3 last_m = core.world.poi[0].position_m;
     for (uint32_t i = 0; i < 600u; i++) {
         tick();
-        /* 10 mm per tick of 1/120 s is 1.2 m/s. */
+        /* The poi is not moved faster than 1.2 m/s, which is 10 mm in a tick of 1/120 s. */
         assert_true(v3_length(v3_sub(core.world.poi[0].position_m, last_m)) < 0.010f);
         last_m = core.world.poi[0].position_m;
     }

@@ -118,8 +118,8 @@ static void test_a_loose_plug_protects_for_6_s_and_an_eighth_of_the_time(void **
         assert_true(tally.paused > 0);
         assert_in_range(tally.spared_in_play, 1, 720u + (ticks_max - tally.paused) / 8u);
     }
-    assert_true(tally.torn_tick > 0); /* A player who controls the poi most of the time tears the
-                                         paper. */
+    /* In the last case the controller is lost for one tick in 5 s, so the paper tears as usual. */
+    assert_true(tally.torn_tick > 0);
 }
 
 int main(void)

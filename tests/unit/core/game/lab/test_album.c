@@ -63,15 +63,15 @@ static void test_the_album_stores_the_player_of_each_fish(void **state)
     assert_int_equal(core.game.album.fish[1].owner, 0);
 }
 
-/* The page shows the fish as it was caught, independently of its later state in the tank. */
+/* The album keeps the state in which the fish was caught first. */
 static void test_a_fish_is_recorded_once_in_its_caught_state(void **state)
 {
     (void)state;
     play_into_round();
     const float age_days = core.world.tank.fish[5].age_days;
     land(5, 0);
-    core.world.tank.fish[5].gait = GAIT_SWIM; /* The umpire poured the fish back, and a player
-                                                 caught it again. */
+    /* The fish was poured back and is caught again at another age, which the album must ignore. */
+    core.world.tank.fish[5].gait = GAIT_SWIM;
     core.world.tank.fish[5].age_days = 9999.0f;
     land(5, 0);
     assert_int_equal(core.game.album.fish_count, 1);
@@ -95,7 +95,7 @@ static void test_each_life_runs_from_hatching_to_the_last_key(void **state)
         const struct scene_grown now = page()->fish[0];
         assert_true(now.progress >= before);
         before = now.progress;
-        /* On the day of the catch, the shown length is the length at which the fish was caught. */
+        /* The first frame in which `is_caught` is set shows the length at the catch. */
         if (now.is_caught && !met) {
             assert_float_equal(now.length_m, now.caught_length_m, 0.03f * now.caught_length_m);
             met = 1;
@@ -103,7 +103,7 @@ static void test_each_life_runs_from_hatching_to_the_last_key(void **state)
     }
     assert_true(met);
     assert_float_equal(page()->fish[0].progress, 1.0f, 1e-3f);
-    /* A fish that is caught small begins to grow later in the film. */
+    /* The smaller fish begins to grow later in the film, so its life is not complete yet. */
     assert_true(page()->fish[1].progress < 1.0f);
 }
 
@@ -146,8 +146,8 @@ static void test_start_and_a_dip_begin_another_round(void **state)
         } else {
             dip();
         }
-        assert_int_equal(core.game.phase, PHASE_READY); /* With one mode, the mode selection is
-                                                           skipped. */
+        /* A kiosk with one mode skips the mode selection. */
+        assert_int_equal(core.game.phase, PHASE_READY);
         assert_int_equal(core.game.album.fish_count, 0);
     }
 }

@@ -13,7 +13,7 @@ static void test_a_kiosk_with_only_the_lab_opens_the_lab(void **state)
     assert_int_equal(scene.lab.species_count, species_table_count);
     tap(LAB_LEAVE);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
-    press(INPUT_START); /* START opens the lab again, because there is no other mode. */
+    press(INPUT_START); /* The lab is the kiosk's only mode, so START opens it again. */
     assert_int_equal(core.game.phase, PHASE_LAB);
 }
 
@@ -47,11 +47,14 @@ static void test_a_dip_in_the_mode_selection_opens_the_lab(void **state)
         press(INPUT_RIGHT);
     }
     assert_int_equal(look()->choice, CHOICE_LAB);
-    assert_int_equal(scene.mode, MODE_PRACTICE); /* The lab has no mode of its own, because scores
-                                                    are stored by mode. */
+    /* Scores are stored by mode, so the lab is a choice without a mode and shows the tank of
+     * practice. */
+    assert_int_equal(scene.mode, MODE_PRACTICE);
     press(INPUT_RIGHT);
     assert_int_equal(look()->choice, MODE_FESTIVAL);
-    dip(0, 0.40f, 0.0f); /* The position is in the last quarter of the tank. */
+    /* x = 0.40 m lies in the rightmost quarter of the tank, which selects the fourth choice:
+     * the lab. */
+    dip(0, 0.40f, 0.0f);
     assert_int_equal(core.game.phase, PHASE_LAB);
 }
 
@@ -71,7 +74,7 @@ static void test_the_dip_that_opens_the_lab_presses_no_part(void **state)
     assert_int_equal(look()->lab.template_id, TEMPLATE_OWN);
     assert_int_equal(scene.lab.playing, 1);
     come_up();
-    go_down(); /* This dip is intended. */
+    go_down(); /* The next dip is a new one, so this time the part under the poi is pressed. */
     assert_int_equal(look()->lab.template_id, TEMPLATE_SMOOTH);
 }
 
@@ -99,7 +102,8 @@ static void test_a_minute_without_input_closes_the_lab(void **state)
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
-/* The poi moves on its cord and never presses. */
+/* A poi that swings on its cord moves but never presses, so the lab closes after
+ * LAB_SWING_TICKS. */
 static void test_a_swinging_poi_does_not_keep_the_lab_open(void **state)
 {
     (void)state;

@@ -63,7 +63,7 @@ static void test_parts_do_not_overlap_and_lie_on_the_canvas(void **state)
             }
             assert_true(box.x >= 0.0f && box.x + box.width <= canvas.x);
             assert_true(box.y >= 0.0f && box.y + box.height <= canvas.y);
-            /* Each button is so high that a wet finger on a touch screen can hit it. */
+            /* 40 units of the canvas are high enough for a wet finger on a touch screen. */
             assert_true(box.height >= 40.0f);
             for (uint32_t b = a + 1u; b < LAB_PRESSED_COUNT; b++) {
                 const struct layout_box other = lab_box(upright, keys, (enum lab_part)b);
@@ -97,7 +97,8 @@ static void test_a_lost_controller_releases_its_part(void **state)
     assert_int_equal(look()->lab.has_hand, 0);
 }
 
-/* Both controllers press when the first is lost and when it returns. */
+/* Both controllers press their buttons when the first one is lost and when it returns, but the
+ * part stays with the controller that holds it. */
 static void test_a_held_part_never_jumps_to_another_controller(void **state)
 {
     (void)state;

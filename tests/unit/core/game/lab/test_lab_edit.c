@@ -58,7 +58,8 @@ static void test_the_neighbours_share_the_rest_equally_if_the_others_are_zero(vo
     assert_float_equal(weight[1], 0.4f, 1e-6f);
     assert_float_equal(weight[2], 0.3f, 1e-6f);
     memset(weight, 0, sizeof edit.graph.knots[1].weight);
-    weight[0] = 1.0f; /* The first key has only one neighbour. */
+    /* The first key has only one neighbour, so that neighbour gets the whole remaining weight. */
+    weight[0] = 1.0f;
     lab_edit_weigh(&edit, card->key_count, 1, 0, 0.4f);
     assert_float_equal(weight[1], 0.6f, 1e-6f);
 }
@@ -121,7 +122,7 @@ static void test_a_curve_has_two_to_twelve_knots(void **state)
     while (lab_edit_remove(&edit, 0.5f)) {
     }
     assert_int_equal(edit.graph.knot_count, 2);
-    /* The new knot would be too near to the first knot. */
+    /* 0.001 is too near to the first knot at 0, so no knot is added. */
     assert_int_equal(lab_edit_add(&edit, card->key_count, 0.001f), LAB_NO_KNOT);
 }
 
@@ -161,7 +162,9 @@ static void test_ten_thousand_random_edits_leave_a_valid_graph(void **state)
         } else if (bits >> 28 == 2u) {
             lab_edit_remove(&edit, b);
         }
-        edit.graph.solved = 0; /* A solvable graph is not required here. */
+        /* Otherwise graph_check() would also require that the graph solves the card's
+         * constraint. */
+        edit.graph.solved = 0;
         assert_int_equal(graph_check(&edit.graph, card->key_count).fault, GRAPH_GOOD);
         for (uint32_t k = 0; k < edit.graph.knot_count; k++) {
             assert_float_equal(sum_at(k), 1.0f, 1e-6f);
@@ -169,8 +172,8 @@ static void test_ten_thousand_random_edits_leave_a_valid_graph(void **state)
     }
 }
 
-/* Rounding errors do not accumulate. The bound is a third of the tolerance of graph_check(), with
- * the maximum number of keys. */
+/* Checks that rounding errors do not accumulate. The bound is a third of the tolerance of
+ * graph_check(), and the card has the maximum number of keys. */
 static void test_weights_sum_to_one_after_any_edit(void **state)
 {
     (void)state;

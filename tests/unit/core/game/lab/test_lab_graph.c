@@ -31,7 +31,8 @@ static void test_a_dragged_knot_always_keeps_the_constraint(void **state)
     assert_int_equal(scene.lab.is_kept, 0);
 }
 
-/* A different controller presses the button, so the holding controller keeps its knot. */
+/* OK selects the next species while the poi holds a knot. From then on the poi holds no knot,
+ * so its motion edits no graph. */
 static void test_a_page_change_does_not_move_a_held_knot(void **state)
 {
     (void)state;
@@ -183,7 +184,9 @@ static void test_a_failed_save_is_reported(void **state)
     tap(LAB_SAVE);
     assert_int_equal(output.edit.id, 2);
     input.edit_saved_id = 2;
-    input.edit_refused = 1; /* A later save was rejected, but this one was written. */
+    /* `edit_refused` belongs to a later save. Save 2 itself was written, so the page shows
+     * success. */
+    input.edit_refused = 1;
     tick();
     assert_int_equal(look()->lab.keeping, LAB_SAVED);
 }
@@ -202,7 +205,7 @@ static void test_the_lab_starts_with_the_graphs_of_the_book(void **state)
     open_core(&config);
     assert_int_equal(look()->lab.template_id, TEMPLATE_ORDINARY);
     assert_int_equal(scene.lab.species_count, species_table_count + 1u);
-    tap(LAB_BACK); /* The built-in graph is the last one. */
+    tap(LAB_BACK); /* LAB_BACK wraps from the first species to the last one, the custom card 'x'. */
     assert_int_equal(look()->lab.card.id[0], 'x');
     config.book.edits[0].graph.knots[0].weight[0] = 0.5f;
     assert_int_equal(core_init(&core, &config), CORE_ERR_RANGE);

@@ -10,7 +10,8 @@ static void test_test_opens_the_menu_immediately_outside_a_round(void **state)
     (void)state;
     press(INPUT_TEST);
     assert_int_equal(core.game.phase, PHASE_MENU);
-    assert_int_equal(menu()->page, MENU_TOP); /* The press that opened the menu activates no tag. */
+    /* The press that opens the menu must not also activate the first tag. */
+    assert_int_equal(menu()->page, MENU_TOP);
     setup(state);
     play_into_result();
     press(INPUT_TEST);
@@ -26,7 +27,8 @@ static void test_test_in_a_round_asks_first_and_one_press_ends_nothing(void **st
     assert_true(menu_is_asking(&core.game));
     steps(MENU_ASK_TICKS);
     assert_false(menu_is_asking(&core.game));
-    press(INPUT_TEST); /* The first press has timed out, so the game asks again. */
+    /* The question of the first press has timed out, so the second press asks again. */
+    press(INPUT_TEST);
     assert_int_equal(core.game.phase, PHASE_ROUND);
     assert_true(menu_is_asking(&core.game));
 }
@@ -113,7 +115,8 @@ static void test_service_adds_no_credit_in_the_menu(void **state)
 /* Opens each page that a tag opens with TEST and SERVICE alone, and leaves it by its last tag. */
 static void test_two_buttons_reach_every_page_and_return(void **state)
 {
-    /* A bit for each page that was reached. Other tests open the pages that no item leads to. */
+    /* Bit mask of the reached pages. Pages to which no tag leads are set at once, because other
+     * tests open them. */
     uint32_t seen = 1u << MENU_TOP;
     for (uint8_t page = 1; page < MENU_PAGE_COUNT; page++) {
         seen |= menu_tag_of(page) == MENU_TAG_MAX ? 1u << page : 0u;
@@ -168,7 +171,7 @@ static void test_a_coin_on_the_lines_page_is_a_test_coin_and_only_metered(void *
     core.config.credit_coins = 1;
     static struct scene scene;
     go_to_lines();
-    /* The coin slot is open, because otherwise no coin would reach the coin mechanism. */
+    /* With a closed slot no coin would reach the coin mechanism, and it could not be tested. */
     assert_int_equal(output.coin_lockout, 0);
     for (uint32_t i = 0; i < 5; i++) {
         drop(1);
@@ -176,7 +179,8 @@ static void test_a_coin_on_the_lines_page_is_a_test_coin_and_only_metered(void *
     core_scene(&core, &scene);
     assert_int_equal(scene.menu.test_coins, 5);
     assert_int_equal(core.game.accounts.ledger.balance.units + purse_credits(&core), 0);
-    assert_int_equal(output.coins_counted, 5); /* The coins are in the cash box. */
+    /* The meter counts the test coins, because they fall into the cash box. */
+    assert_int_equal(output.coins_counted, 5);
     push(INPUT_TEST);
     assert_int_equal(menu()->page, MENU_DEVICES);
     assert_int_equal(output.coin_lockout, 1);
@@ -205,7 +209,7 @@ static void test_other_pages_reject_coins_and_an_inserted_one_is_a_test_coin(voi
     }
 }
 
-/* The meter and the audits count each coin once, also in the tick of a page change. */
+/* A coin in the tick in which the page changes is counted once by the meter and the audits. */
 static void test_a_test_coin_in_the_tick_of_a_page_change_counts_once(void **state)
 {
     (void)state;
@@ -213,7 +217,8 @@ static void test_a_test_coin_in_the_tick_of_a_page_change_counts_once(void **sta
     for (uint32_t i = 1; i <= 60u; i++) {
         menu_turn(&core.game.menu, &core.game, &core.config.persistent.settings,
                   i % 20u < 10u ? MENU_DEVICES : MENU_LINES);
-        if (i % 10u == 0) { /* The test leaves LINES and opens the page again. */
+        /* In every tenth tick TEST opens or leaves the page LINES while a coin falls. */
+        if (i % 10u == 0) {
             core.game.menu.tag[MENU_DEVICES] = (uint8_t)menu_tag_of(MENU_LINES);
             input.pressed = INPUT_TEST;
         }
