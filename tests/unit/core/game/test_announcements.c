@@ -50,13 +50,13 @@ static void test_a_short_round_has_only_the_announcements_within_its_time(void *
 {
     (void)state;
     assert_int_equal(count_calls(CALL_ONE_MINUTE, 60), 0);
-    /* A round of 70 s has no announcement of one minute so soon after its start. */
+    /* In a round of 70 s, "one minute left" would follow the start by only 10 s. */
     assert_int_equal(count_calls(CALL_ONE_MINUTE, 70), 0);
     assert_int_equal(count_calls(CALL_ONE_MINUTE, 71), 1);
     assert_int_equal(count_calls(CALL_TEN_SECONDS, 70), 1);
     assert_int_equal(count_calls(CALL_TWO_MINUTES, 120), 0);
-    assert_int_equal(count_calls(CALL_TEN_SECONDS, 10), 1); /* The announcement comes at the
-                                                               start. */
+    /* In a round of 10 s, "ten seconds left" is announced at the start. */
+    assert_int_equal(count_calls(CALL_TEN_SECONDS, 10), 1);
     assert_int_equal(count_calls(CALL_COUNTDOWN, 10), 5);
 }
 

@@ -81,7 +81,8 @@ static void test_a_championship_has_the_federations_tank_paper_and_time(void **s
     assert_true(lasted >= ROUND_TICKS || scene.player[0].out);
 }
 
-/* The player only holds the poi above the water, so the paper lasts. */
+/* The player holds the poi above the water and never tears the paper, so the round lasts its
+ * whole time. */
 static void test_the_time_announcements_come_at_their_ticks(void **state)
 {
     (void)state;

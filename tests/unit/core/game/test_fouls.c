@@ -152,7 +152,8 @@ static void test_fish_pressed_against_the_wall_are_a_foul_and_do_not_count(void 
         const uint32_t in_bowl = core.world.bowl[0].fish_count;
         assert_true(in_bowl > 0);
         fouls += look()->player[0].fouls;
-        assert_true(scene.player[0].fouls <= 1); /* One scoop counts as one foul at most. */
+        /* A scoop that meets the wall in several ticks is still one foul. */
+        assert_true(scene.player[0].fouls <= 1);
         if (scene.player[0].fouls > 0) {
             assert_int_equal(scene.player[0].foul, FOUL_WALL);
             assert_true(scene.caught[0] < in_bowl);
@@ -198,7 +199,9 @@ static void test_fish_swept_in_count_in_a_festival(void **state)
 {
     (void)state;
     const struct sweeps sum = sweep_often(MODE_FESTIVAL, 0.004f);
-    assert_true(sum.poured > 0); /* The motions are the same, but the mode has no fouls. */
+    /* The fish were swept into the bowl, which is a foul in a championship but not in a
+     * festival. */
+    assert_true(sum.poured > 0);
     assert_int_equal(sum.caught, sum.in_bowl);
 }
 
@@ -263,7 +266,7 @@ static void test_no_fish_counts_after_the_third_foul(void **state)
     }
 }
 
-/* Two scoops along the wall are two fouls. With one before the start, there are three. */
+/* Two scoops along the wall are two fouls. The foul before the start makes three. */
 static void test_the_third_foul_ends_the_players_round(void **state)
 {
     (void)state;
@@ -278,7 +281,8 @@ static void test_the_third_foul_ends_the_players_round(void **state)
     }
     assert_int_equal(scene.player[0].fouls, FOUL_MAX);
     assert_true(scene.player[0].out);
-    wait_for_phase(PHASE_RESULT, GAME_GONE_TICKS + 1u); /* No active player is left. */
+    /* The only player is out, so the round ends. */
+    wait_for_phase(PHASE_RESULT, GAME_GONE_TICKS + 1u);
     assert_int_equal(newest_record(&output)->player[0].fouls, FOUL_MAX);
 }
 

@@ -89,7 +89,8 @@ static void test_a_moved_poi_gets_the_dip_hint(void **state)
     (void)state;
     hint_after(300);
     core.world.poi[0].velocity_m_s = v3(0.3f, 0.0f, 0.0f);
-    assert_int_equal(hint_after(24), HINT_MOVE); /* A motion of 6 cm is too small to count. */
+    /* In 24 ticks at 0.3 m/s the poi moves 6 cm, which is too little to count as moved. */
+    assert_int_equal(hint_after(24), HINT_MOVE);
     assert_int_equal(hint_after(120), HINT_DIP);
 }
 
@@ -98,8 +99,8 @@ static void test_a_fish_over_the_dipped_poi_gives_the_lift_hint(void **state)
     (void)state;
     hint_after(300);
     dip_poi();
-    assert_int_equal(hint_after(200), HINT_NONE); /* A poi under water without fish nearby gives no
-                                                     hint. */
+    /* HINT_LIFT needs a fish over the poi. Without a fish the player gets no hint. */
+    assert_int_equal(hint_after(200), HINT_NONE);
     put_fish_over_the_poi();
     assert_int_equal(hint_after(200), HINT_LIFT);
 }
@@ -123,7 +124,7 @@ static void test_a_fish_on_the_lifted_poi_gives_the_bowl_hint(void **state)
     learn(HINT_TILT);
     learn(HINT_MOVE);
     learn(HINT_DIP);
-    assert_int_equal(hint_after(300), HINT_NONE); /* The hint is not repeated. */
+    assert_int_equal(hint_after(300), HINT_NONE); /* The player has already learned every hint. */
     put_fish_on_the_poi();
     assert_int_equal(hint_after(300), HINT_NONE);
 }
@@ -204,7 +205,9 @@ static void test_an_urgent_hint_is_shown_immediately(void **state)
     (void)state;
     hint_after(300);
     learn(HINT_MOVE);
-    hint_after(13); /* HINT_DIP is now new. */
+    /* HINT_DIP has just appeared, and other hints would wait until it has been shown for a
+     * while. */
+    hint_after(13);
     core.world.poi[0].link = POI_SOURCE_LOST;
     assert_int_equal(hint_after(13), HINT_LOST_POI);
     core.world.poi[0].link = POI_SOURCE_LIVE;

@@ -63,7 +63,8 @@ static void expect_attract_by_itself(enum left_behind what, const char *where)
     input = (struct input){ 0 };
     leave(what);
     steps(60u * CORE_TICK_HZ);
-    assert_int_equal(core.game.phase, PHASE_ATTRACT); /* The game stays in attract. */
+    /* The input that was left behind starts nothing within a minute. */
+    assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
 /* Opens a kiosk with all modes and with a store for names. */

@@ -58,8 +58,8 @@ static void test_left_and_right_cycle_and_start_chooses_a_mode(void **state)
     assert_int_equal(look()->mode, MODE_FESTIVAL);
     press(INPUT_LEFT);
     assert_int_equal(look()->mode, MODE_PRACTICE);
-    assert_int_equal(sounds[SOUND_CHOOSE], 5); /* One sound plays at the opening and one for each
-                                                  mode. */
+    /* The selection plays one sound when it opens and one for each of the four changes. */
+    assert_int_equal(sounds[SOUND_CHOOSE], 5);
     press(INPUT_OK);
     assert_int_equal(core.game.phase, PHASE_READY);
     assert_int_equal(look()->mode, MODE_PRACTICE);
@@ -88,7 +88,9 @@ static void test_a_poi_selects_the_mode_of_its_part_of_the_tank(void **state)
     assert_int_equal(look()->mode, MODE_CHAMPIONSHIP);
     lead(0, v3(-0.6f, ABOVE_M, 0.0f));
     assert_int_equal(look()->mode, MODE_FESTIVAL);
-    press(INPUT_RIGHT); /* A resting poi does not override the buttons. */
+    /* The poi rests at the left, over the festival, but a button has priority over a resting
+     * poi. */
+    press(INPUT_RIGHT);
     ticks(60);
     assert_int_equal(look()->mode, MODE_CHAMPIONSHIP);
 }
@@ -141,7 +143,8 @@ static void test_a_moving_poi_keeps_the_selection_open(void **state)
         lead(0, v3(LEFT_M, ABOVE_M, i % 2u ? 0.0f : 0.1f));
         assert_int_equal(core.game.phase, PHASE_MODE_SELECT);
     }
-    ticks(RULES_MODE_SELECT_TICKS + 1u); /* A resting poi counts as unused. */
+    /* A resting poi counts as an absent player, so the selection times out. */
+    ticks(RULES_MODE_SELECT_TICKS + 1u);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
@@ -177,7 +180,8 @@ static void test_a_newly_opened_tank_has_no_returning_poi(void **state)
         tick();
     }
     assert_true(core.game.control[0].return_ticks > 0);
-    assert_int_equal(core.game.mode, MODE_CHAMPIONSHIP); /* The selection follows the poi. */
+    /* The selection follows the poi even while the poi still returns to the hand. */
+    assert_int_equal(core.game.mode, MODE_CHAMPIONSHIP);
     press(INPUT_START);
     assert_int_equal(core.world.tank.preset, TANK_PRESET_OFFICIAL);
     assert_int_equal(core.game.control[0].return_ticks, 0);
@@ -188,8 +192,9 @@ static void test_a_poi_stays_above_the_water_during_the_selection(void **state)
 {
     (void)state;
     choose();
-    hold(0, v3(RIGHT_M, BELOW_M, 0.0f)); /* The controller appears below the water, which is no
-                                            dip. */
+    /* The controller first appears below the water. That is no dip, because the poi was never
+     * above it. */
+    hold(0, v3(RIGHT_M, BELOW_M, 0.0f));
     ticks(300);
     assert_int_equal(core.game.phase, PHASE_MODE_SELECT);
     assert_true(core.world.poi[0].position_m.y > 0.0f);
@@ -207,7 +212,8 @@ static void test_the_championship_has_its_own_tank_and_attract_the_festivals(voi
     assert_float_equal(core.world.bowl[0].position_m.x, official->bowl_m[0].x, 0.02f);
     assert_int_equal(scene.grade, 5);
     assert_float_equal(scene.seconds_left, 5.0f, 0.02f);
-    core.game.phase = PHASE_RESULT; /* The test sets the state as after a round. */
+    /* Simulates the result after a round, which returns to attract and the festival's tank. */
+    core.game.phase = PHASE_RESULT;
     core.game.phase_tick = core.game.tick;
     ticks(GAME_RESULT_TICKS + 1u);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
@@ -307,7 +313,7 @@ static void test_start_in_the_result_reopens_the_selection(void **state)
     ticks(GAME_AGAIN_TICKS);
     press(INPUT_START);
     assert_int_equal(core.game.phase, PHASE_MODE_SELECT);
-    assert_int_equal(look()->mode, MODE_PRACTICE); /* The last played mode is selected. */
+    assert_int_equal(look()->mode, MODE_PRACTICE); /* The mode of the last round is preselected. */
 }
 
 int main(void)

@@ -70,7 +70,7 @@ static void test_the_round_continues_when_the_controller_returns(void **state)
     lose(OTHER);
     ticks(5u * CORE_TICK_HZ);
     return_hand(OTHER);
-    ticks(60); /* The input becomes valid after a quarter of a second. */
+    ticks(60); /* An input that returns becomes valid only after a quarter of a second. */
     const float before_s = look()->seconds_left;
     assert_false(scene.paused);
     assert_false(scene.player[OTHER].out);
@@ -99,7 +99,8 @@ static void test_both_pois_leave_the_water_during_the_pause(void **state)
     ticks(CORE_TICK_HZ);
     assert_true(core.world.poi[MINE].immersed <= 0.0f);
     return_hand(OTHER);
-    ticks(3u * CORE_TICK_HZ); /* After three seconds the poi follows the player again. */
+    /* The round continues, and the poi returns to the player's pose within these three seconds. */
+    ticks(3u * CORE_TICK_HZ);
     assert_true(core.world.poi[MINE].immersed > 0.9f);
     assert_float_equal(core.world.poi[MINE].position_m.x, 0.0f, 0.01f);
 }
@@ -115,13 +116,16 @@ static void test_the_other_players_continue_after_ten_seconds(void **state)
     ticks(1);
     assert_true(look()->player[OTHER].out);
     assert_false(scene.paused);
-    return_hand(OTHER); /* The player returns after the end of the waiting time. */
+    /* The player was removed from the round one tick ago. The returning controller changes
+     * nothing. */
+    return_hand(OTHER);
     ticks(CORE_TICK_HZ);
     assert_true(look()->player[OTHER].out);
     assert_float_equal(scene.seconds_left, before_s - 1.0f, 0.02f);
     lead(OTHER, v3(other_m.x, BELOW_M, other_m.z));
     ticks(2u * CORE_TICK_HZ);
-    assert_true(core.world.poi[OTHER].immersed <= 0.0f); /* A player who is out cannot scoop. */
+    /* The poi does not follow a player who is out. */
+    assert_true(core.world.poi[OTHER].immersed <= 0.0f);
     assert_int_equal(core.game.phase, PHASE_ROUND);
 }
 
@@ -155,7 +159,8 @@ static void test_repeated_losses_pause_the_round_for_a_limited_time(void **state
 {
     (void)state;
     const uint32_t passed = play_with_a_flaky_plug(OTHER);
-    const uint32_t round = (ROUND_S - 1u) * CORE_TICK_HZ; /* One second of the round is over. */
+    /* One second of the round passed before the first loss. */
+    const uint32_t round = (ROUND_S - 1u) * CORE_TICK_HZ;
     assert_true(core.game.player[OTHER].out && !core.game.player[MINE].out);
     assert_in_range(passed, round + GAME_WAIT_TICKS_OTHERS, round + GAME_WAIT_TICKS_OTHERS + 5u);
 }
@@ -228,12 +233,13 @@ static void test_no_loss_pauses_the_game_after_the_call_of_time(void **state)
         tick();
     }
     core.world.poi[MINE].carried_count =
-        1; /* A fish lies on the poi, so the round waits until the fish is in the bowl. */
+        1; /* A fish on the poi delays the end of the round, for at most GAME_CARRY_TICKS. */
     core.world.poi[MINE].carried_fish[0].fish = 0;
     core.world.tank.fish[0].gait = GAIT_HELD;
     ticks(1);
     assert_true(game_seconds_left(&core.game, core.game.tick) == 0.0f);
-    lose(MINE); /* The round does not wait for the controller. */
+    /* The playing time is over, so a lost controller must not pause the round any more. */
+    lose(MINE);
     uint32_t passed = 0;
     for (; core.game.phase == PHASE_ROUND; passed++) {
         tick();
@@ -250,7 +256,8 @@ static void test_a_player_who_never_had_a_controller_pauses_nothing(void **state
     open_core(&config);
     hold(MINE, mine_m);
     hold(OTHER, other_m);
-    lose(OTHER); /* The controller is absent from the start. */
+    /* The second controller is absent before the round starts, so its player never takes part. */
+    lose(OTHER);
     press(INPUT_START);
     wait_for_phase(PHASE_ROUND, 4u * CORE_TICK_HZ);
     ticks(CORE_TICK_HZ);
@@ -277,7 +284,9 @@ static void test_separate_losses_do_not_add_up_to_the_minute(void **state)
     lose(MINE);
     ticks(GAME_LOST_TICKS_MAX - 60u);
     return_hand(MINE);
-    ticks(50); /* The input becomes valid after a quarter of a second. */
+    /* 50 ticks are enough for the returned input to become valid, which takes a quarter of a
+     * second. */
+    ticks(50);
     lose(MINE);
     ticks(60);
     assert_int_equal(core.game.phase, PHASE_ROUND);

@@ -170,7 +170,7 @@ static void test_a_dip_in_the_result_counts_from_two_and_a_half_seconds(void **s
     (void)state;
     play_into_result();
     steps(GAME_AGAIN_DIP_TICKS - 3u);
-    dip(); /* The dip comes one tick before the result accepts dips. */
+    dip(); /* dip() ends one tick before the result accepts dips, so this dip is ignored. */
     assert_int_equal(core.game.phase, PHASE_RESULT);
     dip();
     assert_int_equal(core.game.phase, PHASE_READY);
@@ -273,7 +273,9 @@ static void test_a_language_chosen_in_attract_lasts_for_one_cycle(void **state)
     press(INPUT_LANGUAGE);
     assert_int_equal(core.game.language, LANGUAGE_EN);
     steps(LANGUAGE_TICKS / 2u);
-    press(INPUT_LANGUAGE); /* Choosing the operator's language also ends the visitor's choice. */
+    /* The second press selects the operator's language, Japanese. No timeout follows, because
+     * nothing is left to restore. */
+    press(INPUT_LANGUAGE);
     assert_int_equal(core.game.language, LANGUAGE_JA);
     steps(2u * LANGUAGE_TICKS);
     assert_int_equal(core.game.language, LANGUAGE_JA);

@@ -106,8 +106,9 @@ static void test_a_player_without_paper_is_out_and_the_others_continue(void **st
     assert_int_equal(core.game.phase, PHASE_ROUND);
     tear_all(2);
     ticks(GAME_GONE_TICKS);
-    assert_int_equal(core.game.phase, PHASE_ROUND); /* The round continues for a while so that the
-                                                       last hole is visible. */
+    /* After the last poi tore, the round continues for GAME_GONE_TICKS, so that the hole is
+     * visible. */
+    assert_int_equal(core.game.phase, PHASE_ROUND);
     ticks(2);
     assert_int_equal(core.game.phase, PHASE_RESULT);
     assert_int_equal(sounds[SOUND_GONE], 3);
@@ -131,7 +132,8 @@ static void test_a_torn_poi_may_be_used_while_it_can_hold_a_fish(void **state)
     (void)state;
     play(1, 0x1u);
     struct sheet *sheet = &core.world.poi[0].sheet;
-    for (uint32_t i = 0; i < 10u * SHEET_SIDE; i++) { /* The far third of the paper is torn. */
+    /* Tears the first ten rows of cells, which are the far third of the paper. */
+    for (uint32_t i = 0; i < 10u * SHEET_SIDE; i++) {
         if (sheet->state[i] == CELL_PAPER) {
             sheet->state[i] = CELL_HOLE;
             sheet->paper_cells--;
@@ -169,8 +171,8 @@ static void test_the_record_lists_the_players_and_their_results(void **state)
     assert_int_equal(record->player[0].torn_tick, torn_tick);
     assert_int_equal(record->player[2].caught, 2);
     assert_int_equal(record->player[2].scoops, 1);
-    assert_int_equal(record->player[2].hole_area_mm2, 5027); /* The hole is the whole area of an
-                                                                80 mm disc. */
+    /* 5,027 mm^2 is the area of a disc of 80 mm: the whole paper is torn. */
+    assert_int_equal(record->player[2].hole_area_mm2, 5027);
     assert_int_equal(record->player[2].sheets, 1);
     assert_int_equal(record->player[1].caught, 0);
     assert_int_equal(record->by_bot, 0);
@@ -212,7 +214,8 @@ static void test_any_player_can_start_by_a_dip(void **state)
     dip(2, 0.1f, 0.0f);
     assert_int_equal(core.game.phase, PHASE_READY);
     open_core(&config);
-    dip(3, 0.1f, 0.0f); /* The kiosk has three players, so the fourth poi cannot start a round. */
+    /* The kiosk has three players, so the fourth poi (index 3) cannot start a round. */
+    dip(3, 0.1f, 0.0f);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
@@ -256,7 +259,8 @@ static void test_a_scoop_counts_only_while_a_player_controls_the_poi(void **stat
     lead(0, v3(0.0f, BELOW_M, 0.0f));
     ticks(60);
     assert_int_equal(core.world.poi[0].dips, 1);
-    for (uint32_t i = 0; i < 3; i++) { /* The poi is lost and returns three times. */
+    /* Three losses and returns must not count as further dips. */
+    for (uint32_t i = 0; i < 3; i++) {
         input.poi[0].link = POI_SOURCE_LOST;
         ticks(4u * CORE_TICK_HZ);
         assert_true(core.world.poi[0].immersed <= 0.0f);

@@ -43,8 +43,8 @@ static void test_a_torn_poi_is_replaced_by_a_new_one(void **state)
     first = core.world.poi[0].sheet;
     tear_all(0);
     ticks(CORE_TICK_HZ);
-    assert_int_equal(core.world.poi[0].sheet.paper_cells, 0); /* The hole is visible for a
-                                                                 second. */
+    /* The torn paper is shown for a second before it is replaced. */
+    assert_int_equal(core.world.poi[0].sheet.paper_cells, 0);
     ticks(2);
     second = core.world.poi[0].sheet;
     assert_int_equal(second.paper_cells, second.paper_cells_new);
@@ -70,7 +70,7 @@ static void test_a_torn_poi_is_replaced_above_the_water(void **state)
     ticks(120);
     assert_int_equal(core.world.poi[0].sheet.paper_cells, core.world.poi[0].sheet.paper_cells_new);
     assert_int_equal(game_record(&core.game, &core.world, &core.config).player[0].scoops,
-                     1); /* The fish that was caught with the torn poi counts too. */
+                     1); /* `scoops` includes the scoop with the poi that tore and was replaced. */
 }
 
 static void test_only_time_ends_a_practice(void **state)
@@ -92,7 +92,7 @@ static void test_a_practice_stores_no_score(void **state)
     assert_int_equal(newest_record(&output)->id, 0);
     assert_int_equal(core.game.accounts.ranking.row[MODE_PRACTICE][RANK_DAY][0].caught, 0);
     assert_int_equal(game_record(&core.game, &core.world, &core.config).caught,
-                     50); /* game_record() returns the catch. */
+                     50); /* The catch appears only in the record of the round and in no ranking. */
 }
 
 /* Dips a slanted ring until the surface cuts it in half, and lifts it. */
@@ -143,8 +143,8 @@ static void test_a_poured_fish_gives_the_clear_rim_hint(void **state)
     core.world.poi[0].carried_fish[core.world.poi[0].carried_count++] = washed;
     ticks(240);
     assert_int_equal(look()->hint, HINT_CLEAR_RIM);
-    assert_int_equal(scene.player[0].fouls, 0); /* The fish counts, and the player gets a hint and
-                                                   no foul. */
+    /* In practice a foul gives only a hint, and the fish still counts. */
+    assert_int_equal(scene.player[0].fouls, 0);
     assert_int_equal(scene.caught[0], 1);
     ticks(600);
     assert_int_not_equal(look()->hint, HINT_CLEAR_RIM);

@@ -46,7 +46,7 @@ static void test_a_round_leaves_a_record_with_the_id_of_its_entry(void **state)
     assert_true(purse_keeps_record(&output));
     assert_int_equal(purse_count(&output, LEDGER_ROUND), 2);
     assert_int_equal(newest_record(&output)->caught, 0);
-    /* A worse round changes no score. */
+    /* The second round caught no fish, so the best score of the day is still 4. */
     assert_int_equal(core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught, 4);
 }
 
@@ -61,7 +61,8 @@ static void test_record_ids_continue_after_those_of_the_store(void **state)
     assert_true(newest_record(&output)->id > 41);
     assert_true(purse_keeps_record(&output));
     assert_int_equal(purse_count(&output, LEDGER_ROUND), 1);
-    assert_int_equal(purse_entry(&output, 42)->id, 42); /* No id is skipped. */
+    /* The new round gets id 42, the id after the last stored one. */
+    assert_int_equal(purse_entry(&output, 42)->id, 42);
 }
 
 static void test_a_bots_round_is_marked_and_never_the_best(void **state)
@@ -102,7 +103,9 @@ static void test_a_start_empties_the_bowl_and_releases_carried_fish(void **state
     input.pressed = 0;
     float last_m = core.world.tank.fish[1].position_m.y;
     assert_true(last_m > 0.03f);
-    for (uint32_t i = 0; i < 60; i++) { /* The fish falls and is not under water immediately. */
+    /* The fish falls back in steps of less than 15 mm. A jump into the water would be a larger
+     * step. */
+    for (uint32_t i = 0; i < 60; i++) {
         core_tick(&core, &input, &output);
         assert_true(f_abs(core.world.tank.fish[1].position_m.y - last_m) < 0.015f);
         last_m = core.world.tank.fish[1].position_m.y;
@@ -141,7 +144,8 @@ static void test_the_fish_of_a_removed_poi_falls_into_the_water(void **state)
     hold_a_fish(1, 0.05f);
     core.world.poi[0].carried_fish[0] = (struct carried_fish){ .fish = 1 };
     core.world.poi[0].carried_count = 1;
-    hold_a_fish(2, 0.05f); /* The fish is held but not carried by a poi. */
+    /* This fish has GAIT_HELD, but no poi carries it. It must also be released. */
+    hold_a_fish(2, 0.05f);
     input.poi[0].link = POI_SOURCE_ABSENT;
     core_tick(&core, &input, &output);
     assert_true(core.world.tank.fish[1].position_m.y > 0.045f);
@@ -157,7 +161,8 @@ static void test_the_fish_of_a_removed_poi_falls_into_the_water(void **state)
 static void test_a_round_without_a_player_ends_without_a_record(void **state)
 {
     (void)state;
-    press(INPUT_START); /* No controller is connected. */
+    /* No controller is connected, so the round that START begins has no player. */
+    press(INPUT_START);
     steps(GAME_READY_TICKS);
     assert_int_equal(core.game.phase, PHASE_ROUND);
     const float before_s = game_seconds_left(&core.game, core.game.tick);

@@ -53,11 +53,13 @@ static void test_a_fan_held_over_fish_before_the_start_is_one_foul(void **state)
     fan(1, 0.1f);
     ticks(170);
     assert_int_equal(look()->player[0].fouls, 0);
-    ticks(20); /* A shadow of 1.5 s is a foul, and this time is now over. */
+    /* The fan has now been held for 190 ticks, longer than the 1.5 s (180 ticks) that make a
+     * foul. */
+    ticks(20);
     assert_int_equal(look()->player[0].fouls, 1);
     assert_int_equal(scene.player[0].foul, FOUL_SHADE);
     assert_true(scene.player[0].foul_s < 0.2f);
-    ticks(READY_TICKS - 200u); /* A held fan is one foul for any duration. */
+    ticks(READY_TICKS - 200u); /* A fan that stays in place is one foul, however long it is held. */
     assert_int_equal(look()->player[0].fouls, 1);
     assert_int_equal(sounds[SOUND_FOUL], 1);
 }
@@ -151,8 +153,9 @@ static void test_a_poi_at_rest_since_ready_is_no_foul(void **state)
         input.poi[0].target.position_m.x = 0.05f + (i % 2u ? 0.001f : 0.0f);
         tick();
     }
-    assert_true(core.world.tank.shade[SHADE_MAX].still_s > FOUL_SHADE_S); /* The shadow is
-                                                                             present. */
+    /* The shadow lay still over fish for longer than FOUL_SHADE_S, but the player did not move
+     * it there. */
+    assert_true(core.world.tank.shade[SHADE_MAX].still_s > FOUL_SHADE_S);
     assert_true(tank_shade_count(&core.world.tank, &core.world.tank.shade[SHADE_MAX].cast) > 0);
     assert_int_equal(look()->player[0].fouls, 0);
 }
@@ -177,7 +180,8 @@ static void test_a_fan_is_a_foul_of_its_player(void **state)
     ticks(200);
     assert_int_equal(look()->player[0].fouls, 0);
     assert_int_equal(scene.player[1].fouls, 1);
-    assert_int_equal(scene.player[2].fouls, 0); /* A poi without a bowl has no player. */
+    /* The poi of index 2 has no bowl, so its shadow belongs to no player. */
+    assert_int_equal(scene.player[2].fouls, 0);
 }
 
 static void test_shade_is_no_foul_in_a_festival(void **state)
@@ -202,7 +206,8 @@ static void test_shade_is_no_foul_during_the_round(void **state)
 static void test_the_shadow_of_a_lost_controller_is_no_foul(void **state)
 {
     (void)state;
-    lead(0, v3(0.1f, ABOVE_M, 0.0f)); /* The poi comes over fish shortly after READY began. */
+    /* The poi moves over fish shortly after READY began and is then lost. */
+    lead(0, v3(0.1f, ABOVE_M, 0.0f));
     input.poi[0].link = POI_SOURCE_LOST;
     ticks(READY_TICKS - 180u);
     assert_int_equal(core.game.phase, PHASE_READY);

@@ -46,8 +46,8 @@ static void test_the_drag_on_the_paper_opposes_a_pull_through_water(void **state
     }
 }
 
-/* The disc accelerates 0.171 kg of water. At 2 m/s^2 the force is 0.34 N before any drag builds
- * up. */
+/* The disc accelerates 0.171 kg of water with it. At 2 m/s^2 this takes 0.34 N, before drag
+ * becomes noticeable. */
 static void test_an_acceleration_under_water_adds_the_force_of_the_added_mass(void **state)
 {
     (void)state;
@@ -57,7 +57,7 @@ static void test_an_acceleration_under_water_adds_the_force_of_the_added_mass(vo
     fixture.hand.angles.roll_rad = fixture.poi.angles.roll_rad = 0.5f * F_PI;
     fixture_wait(&fixture, 0.5f);
     float most_n = 0.0f;
-    /* The player's hand accelerates to 0.2 m/s within 0.1 s. */
+    /* x = t^2 is an acceleration of 2 m/s^2. After these 0.1 s the hand moves at 0.2 m/s. */
     for (uint32_t tick = 1; tick <= 12; tick++) {
         const float t = (float)tick * CORE_TICK_S;
         fixture.hand.position_m.x = t * t;
@@ -138,7 +138,8 @@ static void test_a_carried_fish_adds_its_weight_and_its_slaps_to_the_force(void 
     fixture_dip(&fixture);
     fixture_add_fish(&fixture, v3(0.0f, fixture.poi.position_m.y + 0.03f, 0.0f), 0.05f);
     fixture_move(&fixture, v3(0.0f, 0.06f, 0.0f), 0.08f);
-    fixture_wait(&fixture, 0.15f); /* The player holds the poi still. */
+    /* Lets the water that the lift moved come to rest, so that only the fish causes forces. */
+    fixture_wait(&fixture, 0.15f);
     assert_int_equal(fixture.poi.carried_count, 1);
     uint32_t blows = 0, felt = 0;
     for (uint32_t tick = 0; tick < 3u * CORE_TICK_HZ && fixture.poi.carried_count; tick++) {
@@ -161,21 +162,24 @@ static void test_the_floor_pushes_back_at_the_edge_that_touches(void **state)
     fixture_init(&fixture, 4, 1);
     fixture.has_wrist = 1;
     fixture_move(&fixture, v3(0.0f, -0.07f, 0.0f), 0.2f);
-    fixture.hand.position_m.y = -0.155f; /* The target is 1 cm below the floor. */
+    /* The target is 1 cm below the lowest possible position of the ring. */
+    fixture.hand.position_m.y = -0.155f;
     fixture_wait(&fixture, 1.0f);
     assert_true(fixture.force.force_n.y > 1.0f);
     assert_true(fixture.force.force_n.y < 3.0f);
-    fixture.hand.position_m.y = -3.0f; /* The force does not grow beyond this depth. */
+    /* A target far below the floor must not exceed the maximum force. */
+    fixture.hand.position_m.y = -3.0f;
     fixture_wait(&fixture, 0.5f);
     assert_float_equal(fixture.force.force_n.y, POI_FORCE_N_MAX, 0.5f);
     fixture_init(&fixture, 4, 1);
     fixture.has_wrist = 1;
     fixture_move(&fixture, v3(0.0f, -0.07f, 0.0f), 0.2f);
-    fixture_turn(&fixture, 0.0f, 0.5f, 0.3f); /* The right side points downward. */
+    /* Rolls the poi so that its right side is the lower one. */
+    fixture_turn(&fixture, 0.0f, 0.5f, 0.3f);
     fixture.hand.position_m.y = -0.150f;
     fixture_wait(&fixture, 1.0f);
-    assert_true(fixture.force.torque_n_m.z >
-                0.02f); /* The floor pushes the right side upward, so the hand rolls to the left. */
+    /* The floor pushes the right side up, which is a positive torque about z. */
+    assert_true(fixture.force.torque_n_m.z > 0.02f);
 }
 
 static void test_a_wall_pushes_back(void **state)
@@ -185,7 +189,9 @@ static void test_a_wall_pushes_back(void **state)
     fixture_move(&fixture, v3(0.0f, -0.07f, 0.0f), 0.2f);
     fixture_move(&fixture, v3(0.43f, -0.07f, 0.0f), 0.2f);
     fixture_wait(&fixture, 0.5f);
-    assert_true(fixture.force.force_n.x < -2.0f); /* A spring deflection of 26 mm gives 5.7 N. */
+    /* The wall stops the ring 26 mm before the hand. Stretched by 26 mm, the spring pulls with
+     * 5.7 N. */
+    assert_true(fixture.force.force_n.x < -2.0f);
     assert_true(fixture.force.force_n.x > -7.0f);
 }
 

@@ -17,7 +17,7 @@
 
 #define PULL_M 0.03f
 #define STILL_M (0.02f * CORE_TICK_S)
-/* Longest permitted jam in ticks. The longest jam that was ever measured lasted 12 ticks. */
+/* Longest permitted jam in ticks: one second. The longest measured jam had 12 ticks. */
 #define JAM_TICKS_MAX CORE_TICK_HZ
 
 static struct core core;
@@ -193,7 +193,8 @@ static void test_two_pois_at_one_place_separate_sideways_or_vertically(void **st
         const float flat_m = v3_length(v3(apart_m.x, 0.0f, apart_m.z));
         assert_true(flat_m > 2.0f * POI_OUTER_RADIUS_M - 0.006f ||
                     f_abs(apart_m.y) > 0.5f * POI_THICKNESS_M);
-        assert_true(apart_m.x > 0.0f); /* The pois did not pass through each other. */
+        /* Poi 1 stays to the right of poi 0, so they did not pass through each other. */
+        assert_true(apart_m.x > 0.0f);
     }
 }
 

@@ -99,7 +99,7 @@ static void test_water_slows_a_ring_that_rolls_and_not_one_that_spins_in_its_pla
     (void)state;
     const float air_s = turn_lag_s(0.10f, 0), water_s = turn_lag_s(-0.075f, 0);
     assert_true(water_s > 1.1f * air_s);
-    /* In the water the ring follows the wrist nearly as fast as in air. */
+    /* In water the ring lags the wrist by at most 1.4 times the lag in air. */
     assert_true(water_s < 1.4f * air_s);
     assert_float_equal(turn_lag_s(-0.075f, 1), air_s, 1e-4f);
 }
@@ -113,11 +113,11 @@ static void test_the_force_of_a_poi_at_rest_in_air_is_its_weight(void **state)
     fixture_dip(&fixture);
     fixture_move(&fixture, v3(0.0f, 0.06f, 0.0f), 0.2f);
     fixture_wait(&fixture, 0.1f);
-    /* The paper is wet, so its water adds to the weight. */
+    /* Besides the poi, the hand holds the water in and on the wet paper, at least 3 g. */
     assert_true(fixture.force.force_n.y < -(POI_MASS_KG + 0.003f) * GRAVITY_M_S2);
 }
 
-/* The load lies 13 cm from the hand. A load to the right of the handle also rolls the handle. */
+/* The centre of the poi is 13 cm from the hand. A load on the right side also rolls the handle. */
 static void test_the_load_of_the_fish_adds_a_torque_about_the_grip(void **state)
 {
     (void)state;
@@ -165,7 +165,9 @@ static void test_a_ring_outside_the_tank_lands_on_the_rim_of_the_wall(void **sta
     fixture_move(&fixture, v3(0.50f, -0.10f, 0.0f), 0.5f);
     fixture_wait(&fixture, 1.0f);
     assert_true(fixture.poi.position_m.x > 0.45f);
-    assert_true(fixture.poi.position_m.y > 0.05f); /* The tank's rim is 5 cm above the water. */
+    /* The tank's rim is 5 cm above the water and the target outside is lower, so the poi rests
+     * on the rim. */
+    assert_true(fixture.poi.position_m.y > 0.05f);
 }
 
 /* A spring force of 20 N against the damping of a hand gives 3.5 m/s, 29 mm a tick. The rest is the
@@ -256,7 +258,7 @@ static void test_only_the_submerged_part_of_the_paper_gets_wet(void **state)
     (void)state;
     fixture_init(&fixture, 6, 1);
     fixture.hand.angles.roll_rad = fixture.poi.angles.roll_rad =
-        0.5f * F_PI; /* The right edge points downward. */
+        0.5f * F_PI; /* Rolls the poi so that its right edge is the lowest. */
     fixture_move(&fixture, v3(0.0f, 0.0f, 0.0f), 0.2f);
     fixture_wait(&fixture, 3.0f);
     const uint32_t row = SHEET_SIDE / 2u * SHEET_SIDE;
@@ -330,7 +332,8 @@ static void test_a_level_poi_keeps_its_pool_and_a_tilted_one_spills_it(void **st
     fixture_init(&fixture, 4, 1);
     fixture_dip(&fixture);
     fixture_move(&fixture, v3(0.0f, 0.06f, 0.0f), 0.3f);
-    /* During the lift, drag pressed the paper into a deep belly, which held more water. */
+    /* Right after the lift, the sag of the paper is still deep from the drag and holds more
+     * water than at rest. */
     const float carried = fixture.poi.water_kg;
     fixture_wait(&fixture, 1.0f);
     const float level = fixture.poi.water_kg, pool = fixture.poi.pool_kg;

@@ -24,7 +24,8 @@ static void test_a_released_ring_follows_the_hand_without_overspeed(void **state
         const float hand_m_s = hands_m_s[i / 2u];
         fixture_init(&fixture, 5, 1);
         fixture.has_wrist = 1;
-        if (i % 2u == 1u) { /* A torn poi is a bare ring with almost no drag. */
+        /* In every second trial the poi is a bare ring, which has almost no drag. */
+        if (i % 2u == 1u) {
             memset(fixture.poi.sheet.state, CELL_HOLE, sizeof fixture.poi.sheet.state);
             fixture.poi.sheet.paper_cells = 0;
         }
@@ -63,7 +64,7 @@ static void test_a_pull_at_a_blocked_ring_does_not_load_the_paper(void **state)
         assert_true(f_abs(fixture.poi.pressure_pa) < 1.0f);
         assert_float_equal(sheet_left(&fixture.poi.sheet), 1.0f, 0.0f);
         fixture_move(&fixture, v3(0.0f, 0.06f, 0.0f),
-                     0.22f); /* The fish release the ring, and the ring follows the hand. */
+                     0.22f); /* From here on the ring is free and follows the hand upward. */
         fixture_wait(&fixture, 0.2f);
         assert_true(fixture.poi.position_m.y > 0.01f);
         assert_true(sheet_left(&fixture.poi.sheet) > 0.9f);
@@ -96,8 +97,9 @@ static void test_a_blocked_ring_moves_no_water(void **state)
         if (tick == 23) {
             assert_true(flow_m_s > 0.1f);
         } else if (tick > 24) {
-            assert_true(v3_length(ring.velocity_m_s) > 0.1f); /* The blocked ring still has a
-                                                                 velocity. */
+            /* The ring has a velocity in its obstacle, but while it is blocked it must move no
+             * water. */
+            assert_true(v3_length(ring.velocity_m_s) > 0.1f);
             assert_float_equal(flow_m_s, 0.0f, 0.001f);
         }
     }

@@ -16,8 +16,7 @@ static void test_over_the_bowl_the_poi_turns_toward_it_by_55_degrees_and_back(vo
     fixture_wait(&fixture, 1.0f);
     const struct basis over = vec_basis_from_angles(fixture.poi.angles);
     assert_float_equal(f_acos(over.up.y), 55.0f * F_DEG, 0.02f);
-    assert_true(over.up.x > 0.8f); /* The poi lowers its right edge, because the bowl is on the
-                                      right. */
+    assert_true(over.up.x > 0.8f); /* The bowl is to the right, so the poi lowers its right edge. */
     const float low_m = fixture.poi.position_m.y - POI_OUTER_RADIUS_M * f_sin(55.0f * F_DEG);
     assert_true(low_m > fixture.bowl.position_m.y);
     fixture_move(&fixture, v3(0.10f, 0.05f, 0.0f), 0.5f);
@@ -41,7 +40,7 @@ static void test_an_empty_poi_does_not_turn_over_the_bowl(void **state)
     fixture_wait(&fixture, 1.0f);
     assert_float_equal(tilt_rad(), 55.0f * F_DEG, 0.02f);
     fixture.laden = 0;
-    /* The poi carries no fish any more, so it turns back and shows its paper. */
+    /* Without a fish the poi turns back to level. */
     fixture.poi.laden_ticks = 0;
     fixture_wait(&fixture, 0.6f);
     assert_true(tilt_rad() < 2.0f * F_DEG);
@@ -61,11 +60,13 @@ static void test_the_wrist_never_lowers_the_handle_into_the_bowl(void **state)
         for (uint32_t tick = 0; tick < CORE_TICK_HZ; tick++) {
             fixture_tick(&fixture);
             const struct basis axes = vec_basis_from_angles(fixture.poi.angles);
-            assert_true(axes.back.y > -0.01f); /* The handle is level or rises toward the hand. */
+            /* The back axis points along the handle to the hand, so the handle is level or
+             * rises to the hand. */
+            assert_true(axes.back.y > -0.01f);
             steepest = f_min(steepest, axes.up.y);
         }
-        assert_float_equal(steepest, f_cos(55.0f * F_DEG), 0.02f); /* The poi still tips the fish
-                                                                      into the bowl. */
+        /* The tilt still reaches 55 degrees, so that the fish slides into the bowl. */
+        assert_float_equal(steepest, f_cos(55.0f * F_DEG), 0.02f);
     }
 }
 
@@ -101,8 +102,8 @@ static void test_the_ring_does_not_pass_through_the_bowl(void **state)
 {
     (void)state;
     const vec3 bowl = v3(0.30f, 0.0f, 0.15f);
-    fixture_init(&fixture, 4, 1); /* The ring moves onto the bowl, then sideways under water,
-                                     then upward from below it. */
+    /* The hand presses the ring onto the bowl, then sideways into it, then upward from below. */
+    fixture_init(&fixture, 4, 1);
     fixture_move(&fixture, v3(bowl.x, 0.10f, bowl.z), 0.5f);
     fixture.hand.position_m.y = -0.10f;
     for (uint32_t i = 0; i < CORE_TICK_HZ; i++) {

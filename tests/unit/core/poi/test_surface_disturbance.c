@@ -58,10 +58,12 @@ static void test_a_ring_faster_than_its_ripples_leaves_them_behind(void **state)
     const float aside = stir_mm2(0.10f, 0.30f, 0.15f, 0.25f);
     assert_true(behind > 0.05f);
     assert_true(ahead < 0.05f * behind);
-    assert_true(aside < 0.2f * behind); /* The waves form a wedge behind the ring. */
+    /* The waves form a wedge behind the ring, so there are few beside it. */
+    assert_true(aside < 0.2f * behind);
 }
 
-/* The ring's centre does not press the surface as far away as its own edge. */
+/* The standing ring crosses the surface at two points and presses it there. 6 cm beside these
+ * points the surface is flat. */
 static void test_a_ring_presses_the_surface_at_both_intersection_points(void **state)
 {
     (void)state;
@@ -105,7 +107,8 @@ static void test_a_wet_poi_drips_at_its_lowest_point_and_then_stops(void **state
     fixture_dip(&fixture);
     fixture.has_wrist = 1;
     fixture_move(&fixture, v3(0.0f, 0.10f, 0.0f), 0.2f);
-    fixture_turn(&fixture, 0.0f, 0.7f, 0.1f); /* The right side points downward. */
+    /* Rolls the poi so that its right side is the lower one. */
+    fixture_turn(&fixture, 0.0f, 0.7f, 0.1f);
     memset(&fixture.tank.water, 0, sizeof fixture.tank.water);
     uint32_t drops = 0, late = 0;
     for (uint32_t tick = 0; tick < 24; tick++) {

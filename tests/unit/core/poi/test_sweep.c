@@ -53,15 +53,15 @@ static void test_a_plunge_at_4_m_s_counts_as_a_dip_and_pushes_back(void **state)
         }
         fixture_wait(&fixture, 0.3f);
         assert_int_equal(fixture.poi.dips, 1);
-        assert_true(slam_n > 5.0f); /* The disc accelerates 0.1 kg of water to up to 4 m/s in a
-                                       tick, which takes tens of newtons. */
+        /* To accelerate 0.1 kg of water to 4 m/s within a tick, the disc needs tens of newtons. */
+        assert_true(slam_n > 5.0f);
         assert_true(felt_n > 5.0f);
         assert_true(fixture.poi.water_kg > 0.001f);
     }
 }
 
-/* The poi enters and leaves the water within 50 ms, so some cells must be wet at every tick
- * phase. */
+/* The poi is in the water for less than 50 ms. Whatever the phase of the ticks, some cells must
+ * get wet. */
 static void test_a_50_ms_movement_through_the_surface_counts_as_a_dip(void **state)
 {
     (void)state;

@@ -35,7 +35,8 @@ static int gives_way(float aside_m, uint8_t ball_spaces)
     return 0;
 }
 
-/* In section 3.4, spaces are 3 cm wide, so spaces on courses 2.5 cm apart overlap. */
+/* By section 3.4 a space is 3 cm wide. At an offset of 2.5 cm two spaces overlap, at 3.5 cm
+ * they do not. */
 static void test_fish_with_box_spaces_avoid_a_course_2_5_cm_aside(void **state)
 {
     (void)state;
@@ -43,7 +44,7 @@ static void test_fish_with_box_spaces_avoid_a_course_2_5_cm_aside(void **state)
     assert_false(gives_way(0.035f, 0));
 }
 
-/* A ball around 7 x 4 x 3 cm is 8.6 cm wide. */
+/* The ball around a space of 7 x 4 x 3 cm is 8.6 cm wide, so fish 3.5 cm apart still react. */
 static void test_fish_with_ball_spaces_avoid_a_course_that_would_be_clear(void **state)
 {
     (void)state;

@@ -81,8 +81,8 @@ static void test_the_flow_diverges_ahead_of_the_disc_and_converges_behind(void *
     (void)state;
     assert_true(broadside_flow(0.7f, 0.4f, 0.0f).x > 0.2f);
     assert_true(broadside_flow(0.7f, -0.4f, 0.0f).x < -0.2f);
-    assert_true(broadside_flow(1.4f, 0.0f, 0.0f).y < -0.1f); /* The water flows back around the
-                                                                edge. */
+    /* Beside the disc's edge the water flows back, against the disc's motion. */
+    assert_true(broadside_flow(1.4f, 0.0f, 0.0f).y < -0.1f);
 }
 
 static void test_the_flow_conserves_volume(void **state)
@@ -94,7 +94,9 @@ static void test_the_flow_conserves_volume(void **state)
         const float z = drawn(i, 2, -3.0f, 3.0f);
         const float off = f_sqrt(x * x + z * z) - 1.0f;
         if (f_abs(y) < 0.1f || y * y + off * off < 0.16f) {
-            continue; /* The path passes the disc or its edge, where the flow is limited. */
+            /* Skips samples whose neighbours lie across the disc or near its edge, where the
+             * flow is limited. */
+            continue;
         }
         const float divergence =
             broadside_flow(x + step, y, z).x - broadside_flow(x - step, y, z).x +
@@ -129,7 +131,8 @@ static void test_a_disc_in_air_or_at_rest_makes_no_flow(void **state)
     assert_float_equal(v3_length(water_flow_m_s(&still, near_disc(0.0f, 0.5f, 0.0f))), 0.0f, 0.0f);
     moving.centre_m.y = 0.01f;
     assert_float_equal(v3_length(water_flow_m_s(&moving, v3(0.0f, -0.01f, 0.0f))), 0.0f, 0.0f);
-    moving.centre_m.y = 0.0f; /* The disc is half submerged. */
+    /* At a centre height of 0 the disc is half submerged and moves half of the water. */
+    moving.centre_m.y = 0.0f;
     const float half = water_flow_m_s(&moving, v3(0.0f, -0.02f, 0.0f)).y;
     moving.centre_m.y = -0.5f;
     const float whole = water_flow_m_s(&moving, v3(0.0f, -0.52f, 0.0f)).y;
@@ -141,7 +144,8 @@ static void test_torn_paper_reduces_the_flow(void **state)
     (void)state;
     struct obstacle torn = disc(v3(0.0f, 0.3f, 0.0f));
     const float whole_m_s = water_flow_m_s(&torn, near_disc(0.0f, 0.6f, 0.0f)).y;
-    torn.open = 0.85f; /* The disc is a ring without paper. */
+    /* The ring without paper leaves 85 % of its area open, so it moves 15 % of the water. */
+    torn.open = 0.85f;
     assert_float_equal(water_flow_m_s(&torn, near_disc(0.0f, 0.6f, 0.0f)).y, 0.15f * whole_m_s,
                        1e-5f);
 }
@@ -205,8 +209,8 @@ static vec3 carried_m_s(const struct behavior_params *params)
         around.obstacles = &moving;
         around.obstacle_count = 1;
         fish_behavior_tick(&fish, 0, &around);
-        /* In the tank, each full broad-phase query (every fourth tick) reduces the push to 1 -
-         * PUSH_SHARE. */
+        /* The tank reduces the push in every fourth tick, at each full broad-phase query. 0.656
+         * is 1 - PUSH_SHARE. */
         fish.push_m_s = v3_scale(fish.push_m_s, tick % 4u == 0 ? 0.656f : 1.0f);
         fish.gait = GAIT_REST;
     }

@@ -9,7 +9,8 @@
 
 #include <cmocka.h>
 
-/* The source is included, because the library is built for the shipped maximum. */
+/* The library is compiled for the shipped maximum of fish, so this test compiles the source
+ * again for more fish. */
 #include "core/tank/behavior/avoid.c"
 #include "core/tank/preset.h"
 

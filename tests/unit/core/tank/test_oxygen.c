@@ -35,8 +35,8 @@ static void test_saturation_equals_the_tables_at_three_pressures(void **state)
     for (size_t r = 0; r < sizeof rows / sizeof rows[0]; r++) {
         for (size_t i = 0; i < 9; i++) {
             const float mg_l = oxygen_saturation_mg_l(row_c[i], rows[r].pressure_hpa);
-            assert_float_equal(mg_l, rows[r].mg_l[i], 0.0011f); /* The tables have a resolution of
-                                                                   one thousandth. */
+            /* The tables are rounded to 0.001 mg/L. */
+            assert_float_equal(mg_l, rows[r].mg_l[i], 0.0011f);
         }
     }
 }
@@ -206,7 +206,8 @@ static struct tank_config official_config(void)
     struct tank_config config = tank_config_of(TANK_PRESET_OFFICIAL);
     config.fish_count = 100;
     config.area_scale = 0.1f;
-    config.time_compression = 360.0f; /* One hour passes in ten seconds. */
+    /* At this compression one hour of water chemistry passes in ten seconds. */
+    config.time_compression = 360.0f;
     return config;
 }
 
@@ -218,7 +219,8 @@ static void run(const struct tank_config *config, uint32_t seconds)
     }
 }
 
-/* The fish consume 4.2 mg/L/h at rest. A third of them swim, which costs half as much again. */
+/* At rest the fish consume 4.2 mg/L in an hour. A third of them swim, which costs 1.5 times as
+ * much. */
 static void test_a_tank_consumes_the_sum_of_its_fish_at_the_compressed_time(void **state)
 {
     (void)state;

@@ -38,17 +38,19 @@ static void test_four_bowls_float_inside_each_tank_and_apart(void **state)
     for (uint8_t id = 0; id < TANK_PRESET_COUNT; id++) {
         const struct tank_preset *preset = tank_preset(id);
         const float radius_m = preset->bowl_radius_m;
-        assert_float_equal(radius_m, BOWL_RADIUS_M, 0.0f); /* The radius is that of the floating
-                                                              bowl. */
+        /* The preset places its bowls with the radius of the simulated bowl. */
+        assert_float_equal(radius_m, BOWL_RADIUS_M, 0.0f);
         for (uint32_t i = 0; i < POI_MAX; i++) {
             assert_true(f_abs(preset->bowl_m[i].x) + radius_m < 0.5f * preset->size_m.x);
             assert_true(f_abs(preset->bowl_m[i].z) + radius_m < 0.5f * preset->size_m.z);
-            for (uint32_t k = 0; k < i; k++) { /* A fish can pass between any two bowls. */
+            /* A gap of 4 cm is left between any two bowls, so that a fish can pass. */
+            for (uint32_t k = 0; k < i; k++) {
                 const vec3 apart_m = v3_sub(preset->bowl_m[i], preset->bowl_m[k]);
                 assert_true(v3_length(apart_m) > 2.0f * radius_m + 0.04f);
             }
         }
-        assert_true(BOWL_DEPTH_M < 0.6f * preset->size_m.y); /* Fish can pass below the bowl. */
+        /* At least 40 % of the depth is free below a bowl, so that fish can pass. */
+        assert_true(BOWL_DEPTH_M < 0.6f * preset->size_m.y);
     }
 }
 
@@ -76,7 +78,8 @@ static void check_fits(uint8_t id, float aspect)
         widest = f_max(widest, f_abs(rim.x));
     }
     if (aspect > 1.7f && aspect < 1.8f) {
-        assert_true(widest > 0.85f); /* The tank fills the screen. */
+        /* On a 16:9 screen the tank fills most of the width, of which 1 is the edge. */
+        assert_true(widest > 0.85f);
     }
 }
 
@@ -124,8 +127,7 @@ static void test_the_maximum_fish_count_follows_the_water_volume(void **state)
     (void)state;
     struct tank_preset preset = *tank_preset(TANK_PRESET_FESTIVAL);
     const uint32_t max = tank_preset_fish_max(&preset, 1.0f);
-    assert_in_range(max, 600, 700); /* The maximum is twice the stall's own number of fish and not
-                                       four times. */
+    assert_in_range(max, 600, 700); /* The limit is twice the stall's own 300 fish. */
     preset.size_m.y *= 2.0f;
     assert_in_range(tank_preset_fish_max(&preset, 1.0f), 2u * max, 2u * max + 1u);
     preset.size_m.y *= 100.0f;

@@ -68,7 +68,8 @@ static void test_a_shade_has_no_pull_beyond_twice_its_radius(void **state)
     }
 }
 
-/* Area A of figure 3.7 has no pull. The fade replaces a step at its border. */
+/* In area A of figure 3.7 the fan has no pull. The thesis has a step at the border of that
+ * area. This code fades the pull from 5 to 3 cm instead. */
 static void test_the_pull_fades_to_none_between_5_and_3_cm(void **state)
 {
     (void)state;
@@ -79,7 +80,7 @@ static void test_the_pull_fades_to_none_between_5_and_3_cm(void **state)
     }
 }
 
-/* In three dimensions, the formula would pull a fish 18 cm below the fan upward. */
+/* A formula with three-dimensional distances would pull a fish 18 cm below the fan upward. */
 static void test_the_pull_ignores_depth(void **state)
 {
     (void)state;
@@ -117,7 +118,7 @@ static int draw(struct shade_course *course, vec3 at_m, float yaw_rad)
     return shade_draw(&shade, 1, law_of(TANK_PRESET_THESIS), &fish, course);
 }
 
-/* Section 3.3 limits forces added to swimming to a speed of 7.5 cm/s. */
+/* By section 3.3, a swimming fish does not exceed 7.5 cm/s, whatever forces act on it. */
 static void test_a_fish_with_the_pull_keeps_to_7_5_cm_s(void **state)
 {
     (void)state;
@@ -129,15 +130,17 @@ static void test_a_fish_with_the_pull_keeps_to_7_5_cm_s(void **state)
         }
     }
     struct shade_course inward = { .heading_rad = 0.5f * F_PI, .speed_m_s = 0.0525f };
-    assert_true(draw(&inward, v3(0.10f, -0.1f, 0.0f), 0.5f * F_PI)); /* The uncapped speed is 5.25 +
-                                                                        6 = 11.25 cm/s. */
+    /* Swimming at 5.25 cm/s plus a pull of 6 cm/s would be 11.25 cm/s, but the limit is 7.5
+     * cm/s. */
+    assert_true(draw(&inward, v3(0.10f, -0.1f, 0.0f), 0.5f * F_PI));
     assert_true(near(inward.speed_m_s, 0.075f, 1e-5f));
 }
 
 static void test_course_and_pull_add_up_as_velocities(void **state)
 {
     (void)state;
-    /* At r = 13 cm, the pull is 4.2 cm/s toward -x. The fish swims at 3 cm/s toward -z. */
+    /* At 13 cm the pull is 4.2 cm/s toward -x. The fish swims at 3 cm/s toward -z, so the sum
+     * has this direction. */
     const float want_rad = f_atan2(0.042f, 0.03f);
     struct shade_course course = { .heading_rad = 0.0f, .speed_m_s = 0.03f };
     assert_true(draw(&course, v3(0.13f, -0.1f, 0.0f), want_rad));
@@ -149,8 +152,8 @@ static void test_a_fish_turns_toward_the_shade_before_it_swims_there(void **stat
 {
     (void)state;
     struct shade_course course = { .heading_rad = 0.0f, .speed_m_s = 0.0f };
-    assert_true(draw(&course, v3(0.10f, -0.1f, 0.0f), -0.5f * F_PI)); /* The tail points to the
-                                                                         shade. */
+    /* The fish faces away from the shade, so it first turns and does not swim. */
+    assert_true(draw(&course, v3(0.10f, -0.1f, 0.0f), -0.5f * F_PI));
     assert_true(near(course.heading_rad, 0.5f * F_PI, 1e-3f));
     assert_true(course.speed_m_s == 0.0f);
 }
@@ -197,7 +200,8 @@ static void test_a_slowly_moving_shadow_keeps_its_fish(void **state)
                             DT) == 0.0f);
 }
 
-/* A mouse at 5 cm/s moves one pixel, 0.85 mm, in 1/60 s and rests between two steps. */
+/* A mouse at 5 cm/s reports steps of one pixel (0.85 mm). Between two steps the shade rests, so
+ * its mean speed must count. */
 static void test_the_steps_of_a_slow_mouse_do_not_restart_the_dwell(void **state)
 {
     (void)state;
@@ -277,7 +281,7 @@ static void test_an_edge_faster_than_5_cm_s_startles(void **state)
     assert_true(alarm(&fast, TANK_PRESET_FESTIVAL, 0.05f) > 0.0f);
 }
 
-/* Section 3.5 models only the still shadow. */
+/* Section 3.5 describes a shadow that stands still. A moving shadow has no effect in the thesis. */
 static void test_shadows_do_not_startle_thesis_fish(void **state)
 {
     (void)state;
@@ -288,7 +292,7 @@ static void test_shadows_do_not_startle_thesis_fish(void **state)
     assert_true(pull_cm_s(&shade, TANK_PRESET_THESIS, 10.0f) > 5.9f);
 }
 
-/* A weak contrast acts slowly: the alarm takes seconds where a fan takes 0.1 s. */
+/* Compares how fast the alarm rises. Thin paper takes seconds for what a fan does in 0.1 s. */
 static void test_thin_paper_alarms_a_twentieth_as_much_as_a_fan(void **state)
 {
     (void)state;

@@ -86,22 +86,25 @@ static void test_a_shade_turns_a_bursting_fish_only_in_the_thesis(void **state)
         const struct shade_cast fan = fan_at(0.0f, 0.0f);
         uint32_t tick = 0;
         open_tank(&tank, presets[p], 1, 3);
-        hold_fan(&tick, &fan, 3); /* The shadow is held for the dwell of the stall. */
+        /* The fan rests for 3 s, which includes the stall's dwell time, so that it pulls at
+         * full strength. */
+        hold_fan(&tick, &fan, 3);
         tank_stage_all(&tank, &stage, 1);
-        tank.fish[0].drawn_rad = tank.fish[0].yaw_rate_rad_s = 0.0f; /* The shade acted on the fish
-                                                                        before. */
+        /* Clears what the shade did to the fish before the fish was staged. */
+        tank.fish[0].drawn_rad = tank.fish[0].yaw_rate_rad_s = 0.0f;
         tank.fish[0].push_m_s = v3(0.0f, 0.0f, 0.0f);
         const struct shade_cast casts[TANK_SHADE_MAX] = { [0] = fan };
         for (uint32_t i = 0; i < 3u * CORE_TICK_HZ / 4u; i++, tick++) {
             tank_cast(&tank, casts);
             tank_tick(&tank, tick, NULL, 0);
         }
-        const float turned_rad = tank.fish[0].angles.yaw_rad; /* The middle is to the fish's
-                                                                 left. */
+        /* A pull turns the fish to its left, because the fan is in the middle of the tank on
+         * that side. */
+        const float turned_rad = tank.fish[0].angles.yaw_rad;
         assert_true(presets[p] == TANK_PRESET_THESIS ? turned_rad > 10.0f * F_DEG
                                                      : f_abs(turned_rad) < 1.0f * F_DEG);
-        assert_true(tank.fish[0].speed_goal_m_s > 0.10f); /* The limit of swimming fish is 0.075
-                                                             m/s. */
+        /* A fleeing fish is not limited to the 7.5 cm/s of swimming fish. */
+        assert_true(tank.fish[0].speed_goal_m_s > 0.10f);
     }
 }
 
@@ -122,7 +125,8 @@ static void test_swimmers_in_a_shade_keep_to_7_5_cm_s(void **state)
             }
         }
     }
-    assert_true(drawn > 100u); /* The pull acts on resting fish too. */
+    /* A goal of more than 4 cm/s shows that the pull moves resting fish too. */
+    assert_true(drawn > 100u);
 }
 
 /* A reversal is a change of the turning direction in which both turns are faster than 20 degrees a
@@ -191,7 +195,8 @@ static void test_a_new_fan_scatters_fish_and_a_still_one_gathers_them(void **sta
         hold_fan(&tick, &fan, 1);
         const uint32_t scattered = tank_shade_count(&tank, &fan);
         hold_fan(&tick, &fan, 1);
-        assert_true(2u * tank_shade_count(&tank, &fan) < before); /* The fish flee for a while. */
+        /* Two seconds after the fan came, more than half of the fish under it have fled. */
+        assert_true(2u * tank_shade_count(&tank, &fan) < before);
         hold_fan(&tick, &fan, 8);
         const uint32_t gathered = tank_shade_count(&tank, &fan);
         print_message("seed %u: %u before, %u after 1 s, %u after 10 s\n", seed, before, scattered,
@@ -219,7 +224,9 @@ static void test_fish_react_to_a_new_fan_after_60_to_150_ms(void **state)
     uint32_t started[TANK_FISH_MAX], after[32] = { 0 }, starts = 0, soon = 0, late = 0;
     (void)state;
     for (uint32_t seed = 1; seed <= 40; seed++) {
-        uint32_t tick = seed; /* Fish update by turns, so the seeds cover every phase. */
+        /* Each fish updates in every fourth tick, so different start ticks cover all four
+         * phases. */
+        uint32_t tick = seed;
         open_tank(&tank, TANK_PRESET_FESTIVAL, 300, seed);
         hold_fan(&tick, &none, 1);
         memset(started, 0, sizeof started);
@@ -247,7 +254,8 @@ static void test_fish_react_to_a_new_fan_after_60_to_150_ms(void **state)
     print_message("%u starts, %u before 60 ms, %u after 150\n", starts, soon, late);
     assert_true(starts > 1000u);
     assert_int_equal(soon, 0);
-    assert_true(100u * late < starts); /* These fish swam under the fan after its arrival. */
+    /* A late start is that of a fish that swam under the fan after its arrival. */
+    assert_true(100u * late < starts);
 }
 
 static uint32_t escapes_under(uint8_t preset, float fan_m_s, float dark)
@@ -260,7 +268,8 @@ static uint32_t escapes_under(uint8_t preset, float fan_m_s, float dark)
         casts[0].x_m += tick > CORE_TICK_HZ ? fan_m_s * CORE_TICK_S : 0.0f;
         tank_cast(&tank, casts);
         tank_tick(&tank, tick, NULL, 0);
-        if (tick > CORE_TICK_HZ) { /* The startle response to the arrival is over. */
+        /* Skips the first second, so that the startle by the fan's arrival is over. */
+        if (tick > CORE_TICK_HZ) {
             const uint32_t now = escaping();
             most = now > most ? now : most;
         }
@@ -309,9 +318,8 @@ static void test_the_position_of_a_fan_is_limited_to_the_tank(void **state)
     input.shade[2].radius_m = -1.0f;
     core_tick(&core, &input, &output);
     assert_true(cast->radius_m == SHADE_RADIUS_MIN_M);
-    input.shade[2] = (struct shade_input){ 0, 1.0f / 0.0f, 0.0f, 0.0f }; /* The fan is absent, so
-                                                                            its values are not
-                                                                            read. */
+    /* The fan is absent, so an infinite coordinate is not read. */
+    input.shade[2] = (struct shade_input){ 0, 1.0f / 0.0f, 0.0f, 0.0f };
     core_tick(&core, &input, &output);
     assert_int_equal(cast->present, 0);
 }
@@ -340,7 +348,9 @@ static void test_a_dry_poi_casts_a_shadow_and_a_submerged_poi_casts_none(void **
     assert_true(level.present && level.x_m == 0.1f && level.z_m == -0.1f);
     assert_float_equal(level.radius_m, POI_OUTER_RADIUS_M, 1e-4f);
     assert_float_equal(level.dark, POI_PAPER_DARK, 1e-4f);
-    poi.angles.pitch_rad = 60.0f * F_DEG; /* The shadow is an ellipse of half the area. */
+    /* Tilted by 60 degrees, the shadow is an ellipse of half the area. A disc of that area has
+     * a radius of 0.7071. */
+    poi.angles.pitch_rad = 60.0f * F_DEG;
     assert_float_equal(poi_shade(&poi).radius_m, 0.7071f * POI_OUTER_RADIUS_M, 1e-4f);
     poi.immersed = 0.01f;
     assert_int_equal(poi_shade(&poi).present, 0);

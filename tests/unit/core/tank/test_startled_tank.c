@@ -77,7 +77,7 @@ static void check_panic(uint8_t preset, uint32_t fish_count, uint32_t seed, floa
         tank_tick(&tank, 3u * CORE_TICK_HZ + tick, NULL, 0);
         deepest = f_max(deepest, deepest_m(&over));
         start = tick == 10u ? escaping() : start;
-        /* Tick 13 is 100 ms after the start of the escape. */
+        /* The escape starts in tick 1, so tick 13 is 100 ms (12 ticks) later. */
         way = tick == 13u ? mean_way_lengths() : way;
     }
     print_message("%u fish, %u start: deepest %.2f mm, %u pair-ticks over 0.5 mm, %.2f lengths "

@@ -63,7 +63,8 @@ static void test_a_tank_accepts_exactly_the_maximum_fish_count(void **state)
     struct core_config config = { .seed = 3 };
     config.fish_count = tank_preset_fish_max(tank_preset(0), 1.0f) + 1u;
     assert_int_equal(core_init(&core, &config), CORE_ERR_RANGE);
-    assert_int_equal(core.world.tank.fish_count, 0); /* The tank was not changed. */
+    /* The rejected configuration opened no tank. */
+    assert_int_equal(core.world.tank.fish_count, 0);
     expect_assert_failure(open_tank(&tank, 0, config.fish_count, 3));
     config.fish_count--;
     assert_int_equal(core_init(&core, &config), CORE_OK);
@@ -134,9 +135,9 @@ static void test_every_fish_stays_valid_separate_and_inside_for_minutes(void **s
         for (uint32_t i = 0; i < tank.fish_count; i++) {
             const struct fish *fish = &tank.fish[i];
             check_inside(fish, tank.size_m);
-            assert_true(f_abs(fish->angles.pitch_rad) <
-                        26.0f * F_DEG); /* No fish pitches more than 26 degrees. */
-            assert_true(f_abs(fish->yaw_rate_rad_s) < 540.0f * F_DEG); /* No fish spins. */
+            assert_true(f_abs(fish->angles.pitch_rad) < 26.0f * F_DEG);
+            /* A normal turn stays below 540 degrees a second, so no fish spins. */
+            assert_true(f_abs(fish->yaw_rate_rad_s) < 540.0f * F_DEG);
             assert_true(fish->tail_phase_rad >= 0.0f && fish->tail_phase_rad < F_TAU);
             const float gap =
                 f_min(0.425f - f_abs(fish->position_m.x), 0.275f - f_abs(fish->position_m.z));
@@ -158,11 +159,12 @@ static void test_every_fish_stays_valid_separate_and_inside_for_minutes(void **s
         (double)((float)near_wall / all), (double)((float)jolts / all));
     assert_true(deepest < 0.004f);
     assert_true(over < 6u);
-    assert_true(swim_lengths / (float)gaits[GAIT_SWIM] >
-                0.5f);                                        /* The fish are not in a gridlock: the
-                                                                 mean is over half of 1.05. */
-    assert_float_equal((float)near_wall / all, 0.28f, 0.12f); /* A uniform distribution gives 0.28,
-                                                                 so the fish do not pile up. */
+    /* A single fish swims at 1.05 lengths a second. A mean above half of it shows that the fish
+     * do not block each other. */
+    assert_true(swim_lengths / (float)gaits[GAIT_SWIM] > 0.5f);
+    /* A uniform distribution puts 28 % of the fish within 5 cm of a wall, so the fish do not
+     * pile up there. */
+    assert_float_equal((float)near_wall / all, 0.28f, 0.12f);
     assert_float_equal((float)gaits[GAIT_REST] / all, 0.65f, 0.08f);
     assert_true((float)jolts / all < 0.001f);
 }
@@ -190,8 +192,8 @@ static void test_a_copy_of_a_tank_continues_identically(void **state)
     open_tank(&tank, TANK_PRESET_FESTIVAL, 80, 3);
     run(&tank, 0, 500, 0, 0);
     twin = tank;
-    memset(&twin.broad_phase, 0x5a, sizeof twin.broad_phase); /* In tick 500, every fish updates its
-                                                                 neighbours. */
+    /* In tick 500 the broad phase is computed anew, so its old contents must not matter. */
+    memset(&twin.broad_phase, 0x5a, sizeof twin.broad_phase);
     run(&tank, 500, 500, 0, 0);
     run(&twin, 500, 500, 0, 0);
     assert_true(field_hash(HASH_START, &tank_fields, &tank) ==
@@ -258,8 +260,8 @@ static struct dragged drag(float speed_m_s, vec3 normal)
             dragged.escapes += tank.fish[i].gait == GAIT_ESCAPE && was[i] != GAIT_ESCAPE;
             dragged.near_samples += disc_distance_m(&disc, tank.fish[i].position_m) < 0.02f;
         }
-        if (tick > CORE_TICK_HZ / 10u) { /* The disc appeared inside fish, so the first ticks are
-                                            skipped. */
+        /* The disc appears in the middle of fish, so the first 0.1 s are not measured. */
+        if (tick > CORE_TICK_HZ / 10u) {
             look_at_the_ring(&dragged, &disc);
         }
     }
@@ -325,7 +327,8 @@ static void test_a_tank_without_room_is_rejected(void **state)
     assert_in_range(refused, 1, 20);
 }
 
-/* Otherwise the fish would keep its initial motion for up to three ticks. */
+/* Without the staging, a fish would keep its initial motion until its next update, up to three
+ * ticks later. */
 static void test_a_staged_fish_has_its_staged_motion_from_the_first_tick(void **state)
 {
     (void)state;
@@ -361,8 +364,8 @@ static void test_a_fast_disc_scatters_fish_and_a_slow_one_does_not(void **state)
     const struct dragged fast = drag(0.40f, slant_30_deg);
     assert_int_equal(slow.escapes, 0);
     assert_true(fast.escapes >= 10);
-    /* The slow ring leaves almost no overlap. The fast ring pushes fish at its own speed at
-     * most. */
+    /* The overlaps with both rings stay below 0.5 mm, and the slow ring moves no fish by 4 mm
+     * in a tick. */
     assert_true(slow.body_m < 0.0005f && slow.ring_m < 0.0005f && slow.jump_m < 0.004f);
     assert_true(fast.body_m < 0.0005f && fast.ring_m < 0.0005f && fast.over == 0);
     assert_true(slow.lag_m < 0.005f && fast.lag_m < 0.01f);
@@ -397,8 +400,8 @@ static void test_held_and_bowl_fish_are_not_changed(void **state)
     open_tank(&tank, TANK_PRESET_FESTIVAL, 60, 8);
     tank.fish[3].gait = GAIT_HELD;
     tank.fish[4].gait = GAIT_BOWL;
-    tank.fish[3].position_m = tank.fish[5].position_m; /* The held fish is on top of another fish
-                                                          and must not push it. */
+    /* The held fish shares its place with a swimming fish, but neither may push the other. */
+    tank.fish[3].position_m = tank.fish[5].position_m;
     const uint64_t held = field_hash(HASH_START, &fish_fields, &tank.fish[3]),
                    bowl = field_hash(HASH_START, &fish_fields, &tank.fish[4]);
     run(&tank, 0, 600, 0, 0);
@@ -422,8 +425,8 @@ static void test_a_fish_that_a_poi_releases_falls_in_and_flees(void **state)
     open_tank(&tank, TANK_PRESET_FESTIVAL, 1, 8);
     const struct fish *fish = drop(v3(0.1f, 0.0f, 0.0f));
     run(&tank, 0, 10, 0, 0);
-    assert_true(fish->position_m.y < 0.08f &&
-                fish->position_m.y > 0.0f); /* The fish falls without a jump. */
+    /* After 10 ticks the fish is still in the air, so it falls and does not jump into the water. */
+    assert_true(fish->position_m.y < 0.08f && fish->position_m.y > 0.0f);
     run(&tank, 10, 40, 0, 0);
     assert_int_equal(fish->gait, GAIT_ESCAPE);
     run(&tank, 50, 2u * CORE_TICK_HZ, 0, 0);

@@ -30,8 +30,8 @@ static const struct perception *at(uint32_t tick)
     static struct behavior_params params;
     static struct perception around;
     params = *thesis_params();
-    params.air_by_oxygen = 1; /* The oxygen is sufficient. This switch disables gulping by low
-                                 stamina. */
+    /* With this switch only a lack of oxygen causes gulping, and the oxygen is sufficient. */
+    params.air_by_oxygen = 1;
     around = *thesis_at(7, tick);
     around.params = &params;
     around.oxygen_mg_l = 8.0f;
@@ -41,7 +41,7 @@ static const struct perception *at(uint32_t tick)
 static void test_3_3_speeds_are_half_of_the_value_of_eq_2_1(void **state)
 {
     (void)state;
-    const float stride = 0.6f, length_m = 0.05f; /* The stride is that of eq. 2.2. */
+    const float stride = 0.6f, length_m = 0.05f; /* Stride of eq. 2.2: lengths per tail beat. */
     const struct fish burst = rested(GAIT_BURST), swim = rested(GAIT_SWIM);
     assert_float_equal(gait_speed_m_s(&burst, at(0)), 0.5f * stride * 10.0f * length_m, 1e-6f);
     assert_float_equal(gait_speed_m_s(&swim, at(0)), 0.5f * stride * 3.5f * length_m, 1e-6f);
@@ -49,7 +49,8 @@ static void test_3_3_speeds_are_half_of_the_value_of_eq_2_1(void **state)
                        1e-6f);
 }
 
-/* The printed formula s = d (0.8 + H / 5), with H up to 100, would give 20.8 d. */
+/* The printed formula s = d (0.8 + H / 5) would give 20.8 d at H = 100, so H is read as a
+ * fraction. */
 static void test_3_3_both_speeds_fall_to_four_fifths_with_stamina(void **state)
 {
     (void)state;
@@ -200,7 +201,7 @@ static void test_3_2_of_100_a_burst_takes_1_a_second_a_swim_0_2_and_rest_gives_0
 static void test_3_2_the_long_run_has_0_8_percent_burst_31_swim_68_rest_and_h_48(void **state)
 {
     (void)state;
-    const uint32_t hz = 30; /* The rate is that of the behavior updates. */
+    const uint32_t hz = 30; /* Updates per second, as in the tank. */
     float spent[GAIT_COUNT] = { 0.0f }, stamina = 0.0f;
     for (uint32_t i = 0; i < 200; i++) {
         struct fish fish = rested(GAIT_REST);

@@ -65,7 +65,8 @@ static void test_eq_3_4_uses_the_horizontal_plane(void **state)
     assert_int_equal(kind_at(0.0f, 45.0f, -30.0f), MEET_REAR_END);
 }
 
-/* The arccos of 1.0000001 is NaN. A vertical fish has no heading. */
+/* Rounding can give arccos an argument above 1, and a vertical fish has no heading. Both would
+ * give NaN. */
 static void test_eq_3_4_never_gives_a_nan_angle(void **state)
 {
     (void)state;
@@ -138,7 +139,7 @@ static void test_3_4_the_fish_that_hits_from_the_side_passes_behind_in_90_percen
     (void)state;
     check_side(90.0f, -1.0f, -1.0f); /* The struck fish moves to the left. Its rear is on the right,
                                         and it is struck on its left side. */
-    check_side(-90.0f, 1.0f, 1.0f);  /* The case is the mirror image. */
+    check_side(-90.0f, 1.0f, 1.0f);  /* Mirror image of the first case. */
 }
 
 static void test_3_4_the_fish_that_faces_the_other_more_is_the_one_that_hits(void **state)
@@ -146,7 +147,8 @@ static void test_3_4_the_fish_that_faces_the_other_more_is_the_one_that_hits(voi
     (void)state;
     const struct avoid_party a = party(0.0f, 5.0f, 0.0f, 0.0f, 1);
     const struct avoid_party b = party(4.0f, 1.0f, 90.0f, 0.0f, 2);
-    /* If both fish are equal, the lower index decides in either order. */
+    /* Both fish face each other equally, so the lower index decides, whatever the order of the
+     * arguments. */
     for (uint32_t tick = 0; tick < 200; tick++) {
         const struct avoid_pair ab = meet(&a, &b, tick), ba = meet(&b, &a, tick);
         assert_true(ab.a.turn == ba.b.turn && ab.b.turn == ba.a.turn);

@@ -14,10 +14,11 @@
 static struct tank_stage swimmer(float x_cm, float y_cm, float z_cm, float yaw_deg)
 {
     return (struct tank_stage){
+        /* A fish with this stamina keeps a depth of 13 cm, the depth of the stages below. */
         .position_m = { 0.01f * x_cm, 0.01f * y_cm, 0.01f * z_cm },
         .angles = { .yaw_rad = yaw_deg * F_DEG },
         .speed_m_s = 0.0525f * 0.92f,
-        .stamina = 0.60f, /* The depth of this stamina is 13 cm. */
+        .stamina = 0.60f,
         .gait = GAIT_SWIM,
     };
 }
@@ -67,7 +68,8 @@ static void test_3_4_personal_space_never_shrinks_in_the_thesis(void **state)
         open_tank(&tank, TANK_PRESET_THESIS, counts[i], 1);
         assert_float_equal(0.05f * tank.space, 0.01f, 1e-7f);
     }
-    /* 1,000 boxes of 7 x 4 x 3 cm would fill 95 % of the championship's water. */
+    /* In the championship, 1,000 spaces of 7 x 4 x 3 cm would fill 95 % of the water, so the
+     * spaces are smaller there. */
     open_tank(&tank, TANK_PRESET_OFFICIAL, 1000, 1);
     assert_true(tank.space < 0.19f && tank.space > 0.15f);
     open_tank(&tank, TANK_PRESET_OFFICIAL, 2000, 1);
@@ -110,7 +112,9 @@ static void test_3_4_repulsion_separates_resting_fish(void **state)
     for (uint32_t tick = 0; tick < 5u * CORE_TICK_HZ; tick++) {
         tank_tick(tank, tick, NULL, 0);
         for (uint32_t i = 0; i < 2; i++) {
-            assert_int_equal(tank->fish[i].avoiding, AVOID_NONE); /* No fish approaches another. */
+            /* The fish do not approach each other, so neither reacts. Only the repulsion
+             * separates them. */
+            assert_int_equal(tank->fish[i].avoiding, AVOID_NONE);
             pushed_m_s = f_max(pushed_m_s, v3_length(tank->fish[i].push_m_s));
         }
     }
@@ -122,10 +126,11 @@ static void test_3_4_repulsion_separates_resting_fish(void **state)
 /* ---- Figures 4.1 to 4.12 ------------------------------------------------------------------ */
 
 struct encounter {
-    uint32_t start_tick, done_tick; /* First and last tick of the reaction. 0 means never. */
-    float turned_rad[2];            /* Turns of both fish since the start. */
-    float gap_m, depth_m;           /* Minimum gap and deepest overlap. */
-    float apart_m, before_m;        /* Distances of the centres at the end and one second before. */
+    /* First and last tick of the reaction, or 0 if the fish did not react. */
+    uint32_t start_tick, done_tick;
+    float turned_rad[2];     /* Turns of both fish since the start. */
+    float gap_m, depth_m;    /* Minimum gap and deepest overlap. */
+    float apart_m, before_m; /* Distances of the centres at the end and one second before. */
     uint8_t pitched, still_avoiding;
 };
 
@@ -180,8 +185,9 @@ static void test_figs_4_1_to_4_4_head_on_fish_pass_without_a_touch(void **state)
     for (uint32_t seed = 1; seed <= SEEDS; seed++) {
         const struct encounter e = play(stage, seed);
         check_phases(&e);
-        assert_true(e.turned_rad[0] * e.turned_rad[1] > 0.0f); /* Both fish turn in the same
-                                                                  direction. */
+        /* The product is positive if both fish turn to their own left or both to their own
+         * right. */
+        assert_true(e.turned_rad[0] * e.turned_rad[1] > 0.0f);
         assert_false(e.pitched);
         left += e.turned_rad[0] > 0.0f;
         gap_m = f_min(gap_m, e.gap_m);
@@ -261,8 +267,9 @@ static void test_3_4_the_leader_never_turns_for_a_follower(void **state)
         stage[0].speed_m_s = 0.138f;
         stage[1].stamina = 0.26f + 0.01f * (float)(seed % 70u);
         check_leader(stage, seed, &met);
-        stage[0].gait = GAIT_SWIM; /* The follower is only slightly faster, so the reaction takes
-                                      seconds and continues in pitch. */
+        /* This follower is only slightly faster than the leader, so the reaction takes seconds
+         * and continues in pitch. */
+        stage[0].gait = GAIT_SWIM;
         stage[0].position_m.z = 0.10f;
         stage[0].speed_m_s = 0.0525f;
         stage[0].stamina = 1.0f;

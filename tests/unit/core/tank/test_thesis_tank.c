@@ -51,7 +51,8 @@ static void test_3_2_initial_stamina_is_uniform_from_30_to_100(void **state)
         }
     }
     assert_true(uniform_misfit(drawn, 5u * FISH, 30.0f, 100.0f) < UNIFORM_MISFIT_MAX(5u * FISH));
-    assert_true(drawn[0] >= 30.0f && drawn[5u * FISH - 1u] < 100.0f); /* The values are sorted. */
+    /* uniform_misfit() sorted the values, so the first is the lowest and the last the highest. */
+    assert_true(drawn[0] >= 30.0f && drawn[5u * FISH - 1u] < 100.0f);
 }
 
 /* The shares follow from eqs. 3.1 to 3.3 with 2 s for a burst, 12.5 s for a swim or a rest, and a
@@ -82,7 +83,8 @@ static void test_3_3_initial_headings_are_uniform_from_0_to_360_degrees(void **s
             const float yaw_rad = tank.fish[i].angles.yaw_rad;
             drawn[seed * FISH + i] = yaw_rad < 0.0f ? yaw_rad + F_TAU : yaw_rad;
             assert_float_equal(tank.fish[i].angles.pitch_rad, 0.0f, 0.0f);
-            assert_true(tank.fish[i].heading_rad == yaw_rad); /* No turn has started. */
+            /* The fish starts without a turn: its goal is its present heading. */
+            assert_true(tank.fish[i].heading_rad == yaw_rad);
         }
     }
     assert_true(uniform_misfit(drawn, 5u * FISH, 0.0f, F_TAU) < UNIFORM_MISFIT_MAX(5u * FISH));
@@ -119,12 +121,14 @@ static void test_3_1_a_fish_yaws_away_from_a_wall_when_it_hits_the_wall(void **s
             assert_true(fish->position_m.z - box_extent_m(&box).z > -0.325f - 1e-5f);
             tank_tick(t, tick, NULL, 0);
         }
-        assert_true(f_cos(fish->angles.yaw_rad) < 0.0f); /* The nose points away from the wall. */
+        /* After 3 s at the wall (-z), the nose points away from the wall. */
+        assert_true(f_cos(fish->angles.yaw_rad) < 0.0f);
         const float z_m = fish->position_m.z;
         for (const uint32_t end = tick + CORE_TICK_HZ; tick < end; tick++) {
             tank_tick(t, tick, NULL, 0);
         }
-        assert_true(fish->position_m.z > z_m); /* The fish leaves the wall. */
+        /* In the following second the fish swims away from the wall. */
+        assert_true(fish->position_m.z > z_m);
     }
 }
 
@@ -160,7 +164,8 @@ static void check_depth(float stamina, uint8_t gait, float from_m, float depth_m
     }
     assert_float_equal(t->fish[0].position_m.y, -depth_m, 0.005f);
     assert_true(climb_max_m_s <= 0.0301f);
-    assert_true(pitch_max_rad > 5.0f * F_DEG); /* The fish pitches to change depth. */
+    /* The fish pitches on its way to another depth and does not only rise or sink. */
+    assert_true(pitch_max_rad > 5.0f * F_DEG);
 }
 
 static void test_3_6_depth_follows_stamina_at_rest_too_and_climbs_at_3_cm_s_at_most(void **state)
@@ -254,7 +259,8 @@ static void watch(struct bustle_sums *sums, struct bustle *bustle, uint32_t tick
     struct perception around = { .params = tank_behavior_params(&tank),
                                  .size_m = tank.size_m,
                                  .tick = tick };
-    struct behavior_params even = *around.params; /* The mean of a beat and a glide is used. */
+    /* Without the alternation of beats and glides, gait_speed_m_s() returns the mean speed. */
+    struct behavior_params even = *around.params;
     even.glides = 0;
     around.params = &even;
     for (uint32_t i = 0; i < tank.fish_count; i++) {
@@ -308,13 +314,16 @@ static struct bustle bustle_of(uint8_t preset, uint32_t fish_count)
 static void check_bustle(uint8_t preset, uint32_t fish_count)
 {
     const struct bustle bustle = bustle_of(preset, fish_count);
-    /* The fish do not block each other: swimming fish reach half of their speed or more. */
+    /* A pace of 1 is the speed of a fish that is alone. Above 0.5, the fish do not block each
+     * other. */
     assert_true(bustle.pace[GAIT_SWIM] > 0.5f);
     assert_true(bustle.pace[GAIT_BURST] > 0.5f);
-    assert_true(bustle.reversals_per_s < 1.0f); /* The fish do not jitter. */
+    /* Less than one reversal of the turn per second shows that the fish do not jitter. */
+    assert_true(bustle.reversals_per_s < 1.0f);
     assert_true(bustle.yaw_rate_max_rad_s < 721.0f * F_DEG);
-    assert_true(bustle.at_walls < 1.5f * bustle.at_walls_if_even); /* The fish do not pile up at the
-                                                                      walls. */
+    /* The fish do not pile up at the walls: their share is below 1.5 times that of a uniform
+     * distribution. */
+    assert_true(bustle.at_walls < 1.5f * bustle.at_walls_if_even);
 }
 
 static void test_4_1_six_hundred_fish_keep_moving_naturally(void **state)

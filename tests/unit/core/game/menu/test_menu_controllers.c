@@ -23,8 +23,8 @@ static void test_the_actions_of_a_controller_depend_on_its_state(void **state)
         step();
         core_scene(&core, &scene);
         assert_int_equal(scene.menu.tags, offers[i].tags | 1u << ROW_BACK);
-        assert_true(scene.menu.tags >> scene.menu.tag & 1u); /* The selection is one of the enabled
-                                                                tags. */
+        /* The selection moves to an enabled tag if the new state disables the selected one. */
+        assert_true(scene.menu.tags >> scene.menu.tag & 1u);
     }
 }
 
@@ -38,7 +38,8 @@ static void test_each_command_is_sent_once_with_its_row(void **state)
     expect_order(1, COMMAND_CHOOSE, 3);
     input.controllers.state[3] = CONTROLLER_ACTIVE;
     step();
-    assert_int_equal(pointed(), ROW_RELEASE); /* The selected tag is gone. */
+    /* The tag CHOOSE is disabled now, so the selection moved to RELEASE. */
+    assert_int_equal(pointed(), ROW_RELEASE);
     push(INPUT_TEST);
     expect_order(2, COMMAND_RELEASE, 3);
 }
@@ -62,14 +63,15 @@ static void test_a_controller_mapping_is_learned_step_by_step_and_stored(void **
     push(INPUT_SERVICE);
     push(INPUT_TEST);
     expect_order(1, COMMAND_LEARN, 3);
-    assert_int_equal(pointed(), LEARNS_END); /* The tag stays disabled until the controller manager
-                                                has started. */
+    /* LEARNS_NEXT stays disabled until the controller manager has started to learn. */
+    assert_int_equal(pointed(), LEARNS_END);
     uint32_t id = 1;
     for (uint8_t learn = LEARN_REST; learn <= LEARN_DIP; learn++) {
         input.controllers.learn_step = learn;
         input.controllers.learn_row = 3;
         step();
-        push(INPUT_LEFT); /* The dips work with any tag selected. */
+        /* Selects another tag first, because LEARNS_NEXT must be reachable in every step. */
+        push(INPUT_LEFT);
         while (pointed() != LEARNS_NEXT) {
             push(INPUT_SERVICE);
         }
@@ -81,7 +83,8 @@ static void test_a_controller_mapping_is_learned_step_by_step_and_stored(void **
     assert_int_equal(pointed(), LEARNS_KEEP);
     push(INPUT_SERVICE);
     push(INPUT_TEST);
-    expect_order(++id, COMMAND_LEARN, 3); /* The command is sent again. */
+    /* The tag after LEARNS_KEEP repeats the learning, so the same command is sent again. */
+    expect_order(++id, COMMAND_LEARN, 3);
     while (pointed() != LEARNS_KEEP) {
         push(INPUT_SERVICE);
     }
@@ -113,7 +116,8 @@ static void test_a_failed_write_of_a_mapping_is_reported_on_every_page(void **st
     push(INPUT_TEST);
     expect_order(3, COMMAND_LEARN_KEEP, 3);
     steps(10);
-    assert_int_equal(menu()->page, MENU_CONTROLLERS); /* The failure is shown once. */
+    /* LEARN_NOT_SAVED is still reported, but the menu opens its page only once for each failure. */
+    assert_int_equal(menu()->page, MENU_CONTROLLERS);
 }
 
 static void test_a_failed_command_can_be_retried_or_left(void **state)

@@ -24,8 +24,8 @@ static void hold_over(uint32_t tag, float y_m)
 static void tap(uint32_t tag)
 {
     hold_over(tag, ABOVE_M);
-    input.poi[0].target.position_m.x += 0.02f; /* The poi comes from another position, because a
-                                                  resting poi selects no tag. */
+    /* First holds the poi 2 cm aside, because only a moving poi selects a tag. */
+    input.poi[0].target.position_m.x += 0.02f;
     step();
     hold_over(tag, ABOVE_M);
     steps(MENU_TAKE_TICKS);
@@ -113,7 +113,8 @@ static void test_a_moving_controller_without_a_bowl_selects_tags(void **state)
     (void)state;
     hold_over(0, ABOVE_M);
     steps(2);
-    /* A third controller is connected, although the kiosk has only one bowl. */
+    /* This poi is in slot 2. It selects tags although the kiosk has only one bowl, that of slot
+     * 0. */
     input.poi[2] = input.poi[0];
     steps(2);
     hold_over(1, ABOVE_M);
@@ -131,7 +132,7 @@ static void test_a_moving_controller_without_a_bowl_selects_tags(void **state)
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
-/* A page opens under the poi, so the tag under the poi was not chosen. */
+/* A tag under a resting poi was not chosen by the player, because the page opened under the poi. */
 static void test_a_resting_poi_selects_no_tag_as_a_page_opens(void **state)
 {
     (void)state;
@@ -140,7 +141,9 @@ static void test_a_resting_poi_selects_no_tag_as_a_page_opens(void **state)
     go_to(MENU_DEVICES);
     hold_over(0, ABOVE_M);
     steps(2);
-    for (uint32_t i = 0; i < 2u; i++) { /* The poi also returns to its position. */
+    /* A page must keep its selection when it opens above the resting poi and when the menu
+     * returns to it. */
+    for (uint32_t i = 0; i < 2u; i++) {
         go_to(MENU_AXES);
         const uint8_t left = (uint8_t)menu_tag_of(MENU_AXES);
         push(INPUT_TEST);

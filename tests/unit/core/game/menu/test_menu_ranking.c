@@ -50,7 +50,8 @@ static void test_only_rows_with_a_score_can_be_activated(void **state)
     (void)state;
     open_ranking();
     assert_int_equal(menu_enabled(&core.game.menu), 7u | 3u << RANKING_NEXT);
-    take(RANKING_NEXT); /* This week has no score. */
+    /* The next leaderboard is that of the week, which has no score, so no row is enabled. */
+    take(RANKING_NEXT);
     assert_int_equal(menu_enabled(&core.game.menu), 3u << RANKING_NEXT);
     take(RANKING_BACK);
     assert_int_equal(core.game.menu.page, MENU_BOOKS);
@@ -65,8 +66,9 @@ static void test_the_leaderboards_cycle_and_practice_has_none(void **state)
         core_scene(&core, &scene);
         assert_true(scene.leaderboard.shown);
         assert_int_equal(scene.leaderboard.period, i % 3u);
-        assert_int_equal(scene.leaderboard.mode, i / 3u % 2u); /* The leaderboards are those of
-                                                                  festival and championship. */
+        /* NEXT cycles through the three periods of the festival and then through those of the
+         * championship. */
+        assert_int_equal(scene.leaderboard.mode, i / 3u % 2u);
         take(RANKING_NEXT);
     }
 }
@@ -92,7 +94,8 @@ static void test_a_confirmed_removal_deletes_a_name_from_every_leaderboard(void 
     take(2);
     const uint32_t before = output.entry_id;
     take(SCORE_UNNAME);
-    assert_int_equal(output.entry_id, before); /* The menu asks for a confirmation first. */
+    /* Nothing is written yet, because the menu asks for a confirmation first. */
+    assert_int_equal(output.entry_id, before);
     assert_false(menu_enabled(&core.game.menu) >> SCORE_UNNAME & 1u);
     take(SCORE_CONFIRM);
     assert_int_equal(output.entry_id, before + 1u);
@@ -117,8 +120,8 @@ static void test_a_cancelled_removal_deletes_no_name(void **state)
     take(SCORE_UNNAME);
     take(SCORE_BACK);
     take(0);
-    assert_true(menu_enabled(&core.game.menu) >> SCORE_UNNAME & 1u); /* The menu asks for a
-                                                                        confirmation again. */
+    /* After the cancellation, the page offers SCORE_UNNAME again and not the confirmation. */
+    assert_true(menu_enabled(&core.game.menu) >> SCORE_UNNAME & 1u);
     assert_string_equal(name_in(RANK_DAY, 0), "さくら");
 }
 

@@ -124,9 +124,8 @@ static void test_the_footer_decrements_a_value_and_restores_the_default(void **s
 {
     (void)state;
     go_to(MENU_SOUND);
-    assert_false(menu_enabled(menu()) >> foot(SETTINGS_STANDARD) & 1u); /* No setting is
-                                                                           selected, so the tag
-                                                                           is disabled. */
+    /* While no setting is selected, the tag that restores its default is disabled. */
+    assert_false(menu_enabled(menu()) >> foot(SETTINGS_STANDARD) & 1u);
     take(foot(SETTINGS_DIRECTION));
     take(row_of(MENU_SOUND, SET_VOLUME));
     push(INPUT_TEST);
@@ -159,7 +158,8 @@ static void test_an_unchanged_setting_is_not_shown_as_saved(void **state)
     core_scene(&core, &scene);
     assert_true(scene.menu.is_saved && !scene.menu.has_turned);
     push(INPUT_TEST);
-    steps(3u * CORE_TICK_HZ); /* The entry is written when the value has not changed for a while. */
+    /* An entry is written only after its value has not changed for some seconds. */
+    steps(3u * CORE_TICK_HZ);
     save_all();
     core_scene(&core, &scene);
     assert_true(scene.menu.is_saved && scene.menu.has_turned);
@@ -220,7 +220,8 @@ static void test_a_held_button_repeats_fast_and_stops_at_the_end(void **state)
     press(INPUT_TEST);
     assert_int_equal(value(SET_FISH), 1);
     steps(CORE_TICK_HZ / 2u - 1u);
-    assert_int_equal(value(SET_FISH), 1); /* Slow presses do not count as a held button. */
+    /* A button counts as held only after half a second, so the value has changed once. */
+    assert_int_equal(value(SET_FISH), 1);
     steps(2);
     assert_int_equal(value(SET_FISH), 2);
     steps(HELD_S * CORE_TICK_HZ);
@@ -228,7 +229,8 @@ static void test_a_held_button_repeats_fast_and_stops_at_the_end(void **state)
     input.held = 0;
     step();
     push(INPUT_TEST);
-    assert_int_equal(value(SET_FISH), 0); /* Another press wraps around. */
+    /* A held button stops at the maximum. Only another press wraps around to 0. */
+    assert_int_equal(value(SET_FISH), 0);
 }
 
 static void test_a_poi_under_water_repeats_the_change(void **state)
@@ -347,7 +349,8 @@ static void test_a_full_ring_and_a_closed_menu_lose_no_setting(void **state)
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
     assert_int_equal(output.entry_id, full);
     assert_int_equal(core.game.accounts.ledger.uncommitted, 0);
-    save_all(); /* The store works again. */
+    /* The store has saved all entries, so the ring has room for the entry of the setting. */
+    save_all();
     step();
     assert_int_equal(output.entry_id, full + 1u);
     assert_int_equal(newest()->kind, LEDGER_SETTING);
@@ -367,7 +370,8 @@ static void test_a_factory_reset_requires_a_confirmation(void **state)
     go_to(MENU_UPKEEP);
     go_to(MENU_FACTORY);
     const uint32_t before = output.entry_id;
-    push(INPUT_TEST); /* A press before the delay returns to the page. */
+    /* The page opens with CONFIRM_BACK selected, so an accidental press resets nothing. */
+    push(INPUT_TEST);
     assert_int_equal(menu()->page, MENU_UPKEEP);
     assert_int_equal(output.entry_id, before);
     go_to(MENU_FACTORY);
@@ -383,8 +387,9 @@ static void test_a_factory_reset_requires_a_confirmation(void **state)
     assert_int_equal(core.game.accounts.ledger.balance.paid, 0);
     assert_int_equal(value(SET_VOLUME), 80);
     steps(CORE_TICK_HZ);
-    assert_int_equal(output.entry_id, before + 1u); /* One entry covers all settings, so no setting
-                                                       has an entry of its own. */
+    /* One entry covers all settings. In the following second no entry of a single setting is
+     * added. */
+    assert_int_equal(output.entry_id, before + 1u);
 }
 
 static void test_no_reset_happens_without_room_in_the_ledger(void **state)
@@ -399,7 +404,8 @@ static void test_no_reset_happens_without_room_in_the_ledger(void **state)
     go_to(MENU_FACTORY);
     fill_the_ring();
     take(CONFIRM_YES);
-    assert_int_equal(menu()->page, MENU_FACTORY); /* The question stays open. */
+    /* Without room for the entry, the confirmation stays open and nothing is reset. */
+    assert_int_equal(menu()->page, MENU_FACTORY);
     assert_int_equal(core.game.accounts.ledger.balance.paid, 3);
     assert_int_equal(value(SET_VOLUME), 85);
 }
@@ -423,11 +429,12 @@ static void test_a_reset_of_the_audits_is_an_entry_with_the_counts(void **state)
         core.game.accounts.audits.count[books[i].audit + 1u] = 2;
         go_to(books[i].page);
         const uint32_t before = output.entry_id;
-        push(INPUT_TEST); /* A press before the delay returns to the page. */
+        /* The page opens with BOOK_BACK selected, so this press leaves the page. */
+        push(INPUT_TEST);
         go_to(books[i].page);
         take(BOOK_RESET);
         assert_int_equal(menu()->page, MENU_RESET);
-        push(INPUT_TEST); /* This press also comes before the tag accepts a press. */
+        push(INPUT_TEST); /* CONFIRM_BACK is selected, so this press resets nothing. */
         assert_int_equal(menu()->page, books[i].page);
         assert_int_equal(output.entry_id, before);
         take(BOOK_RESET);
@@ -513,7 +520,8 @@ static void test_leaving_the_menu_does_not_shorten_the_delay(void **state)
     type(1);
     take(PIN_BACK);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
-    for (uint32_t i = 0; i < SESSION_FADE_TICKS + 2u; i++) { /* A new session starts. */
+    /* Waits until a new session has started, because the delay must outlive the session. */
+    for (uint32_t i = 0; i < SESSION_FADE_TICKS + 2u; i++) {
         core_tick(&core, &input, &output);
     }
     push(INPUT_TEST);
@@ -589,7 +597,8 @@ static void test_a_new_pin_is_required_and_0000_disables_it(void **state)
     go_to(MENU_UPKEEP);
     go_to(MENU_NEW_PIN);
     type(9051);
-    assert_true(value(SET_PIN) < 0); /* The PIN's value is hidden. */
+    /* A value below 0 is a hash, so the stored setting does not reveal the digits. */
+    assert_true(value(SET_PIN) < 0);
     assert_true(pin_matches(value(SET_PIN), 9051));
     assert_int_equal(menu()->page, MENU_UPKEEP);
     go_to(MENU_NEW_PIN);

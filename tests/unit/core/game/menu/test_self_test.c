@@ -183,7 +183,8 @@ static void test_each_failed_check_is_named(void **state)
     scene.devices.files_refused = 0;
     assert_int_equal(judge(), SELF_CHECKS);
     steps(2u * CORE_TICK_HZ);
-    input.poi[0].age_ticks = 24; /* The controller sends five reports a second. */
+    /* A pose that is 24 ticks old means five reports a second, which is too slow for play. */
+    input.poi[0].age_ticks = 24;
     step();
     assert_int_equal(judge(), SELF_POIS);
     assert_int_equal(state_of[SELF_POIS], SELF_BAD);
@@ -195,7 +196,9 @@ static void test_the_operators_answers_decide_sound_and_lamps(void **state)
     clear_sounds();
     steps(3u * CORE_TICK_HZ);
     assert_in_range(sounds[SOUND_CALL], 2, 4);
-    assert_false(self_test_shows(&core.game)); /* The menu shows one check at a time. */
+    /* The question about the lamp is not open yet, because the question about the sound comes
+     * first. */
+    assert_false(self_test_shows(&core.game));
     take(SELF_NO);
     judge();
     assert_int_equal(state_of[SELF_SOUND], SELF_BAD);
@@ -311,7 +314,7 @@ static void test_no_automatic_check_is_pending_after_20_s(void **state)
     for (size_t i = 0; i < sizeof silent; i++) {
         assert_int_equal(state_of[silent[i]], SELF_BAD);
     }
-    /* Only the checks of the files and of the clock have passed. */
+    /* Two checks have passed, those of the files and of the clock. */
     assert_int_equal(self_test_left(state_of), SELF_CHECKS - 2u);
 }
 
@@ -327,13 +330,13 @@ static void test_absent_hardware_is_not_checked(void **state)
     judge();
     assert_int_equal(state_of[SELF_COINS], SELF_GOOD);
     assert_int_equal(state_of[SELF_LAMP], SELF_GOOD);
-    take(SELF_YES); /* The sound test is heard. */
-    take(SELF_NO);  /* The operator reports the lamps as missing. */
+    take(SELF_YES); /* Answers YES to the check of the sound. */
+    take(SELF_NO);  /* Answers NO to the check of the lamps, as if the line had no lamp. */
     judge();
     assert_int_equal(state_of[SELF_LAMP], SELF_BAD);
 }
 
-/* Failures come before hints. */
+/* A failed check is shown before a check that only gives a hint. */
 static void test_the_worst_result_is_named_first(void **state)
 {
     (void)state;

@@ -152,8 +152,8 @@ static void test_no_player_is_asked_without_a_store(void **state)
 static void test_an_unranked_player_is_not_asked(void **state)
 {
     (void)state;
-    core.game.accounts.ranking.boot = core.game.accounts.ledger.boot; /* All scores are from
-                                                                         today. */
+    /* Marks all stored scores as scores of this start, so that no leaderboard is cleared. */
+    core.game.accounts.ranking.boot = core.game.accounts.ledger.boot;
     for (uint32_t period = 0; period < RANK_PERIOD_COUNT; period++) {
         for (uint32_t i = 0; i < RANK_ROWS; i++) {
             core.game.accounts.ranking.row[MODE_FESTIVAL][period][i].caught = 5;
@@ -265,9 +265,12 @@ static void test_the_dip_that_ended_the_result_enters_nothing(void **state)
     steps(GAME_AGAIN_DIP_TICKS);
     dip();
     assert_int_equal(core.game.phase, PHASE_NAME);
-    steps(NAME_SEEN_TICKS + 10u); /* The poi is still under water. */
+    /* The poi stays under water after the dip that opened the name entry, which selects no
+     * letter. */
+    steps(NAME_SEEN_TICKS + 10u);
     assert_int_equal(core.game.name.letter_count, 0);
-    dip_at(0, cell_of(u'か')); /* The poi rises and dips again. */
+    /* Only a new dip, after the poi rose above the water, selects a letter. */
+    dip_at(0, cell_of(u'か'));
     assert_int_equal(core.game.name.letter_count, 1);
 }
 
@@ -416,8 +419,9 @@ static void test_a_round_without_a_ledger_entry_gets_no_name(void **state)
     (void)state;
     input.store_well = 1;
     steps(2);
-    core.game.accounts.ledger.last_id += LEDGER_RING; /* The store has not saved an entry for a long
-                                                         time. */
+    /* Simulates a store that is a whole ring of entries behind, so the round gets no entry of
+     * its own. */
+    core.game.accounts.ledger.last_id += LEDGER_RING;
     play_alone(3);
     steps(GAME_RESULT_TICKS);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
@@ -453,15 +457,17 @@ static struct scene scene;
 static void test_the_leaderboard_shows_the_best_rank_and_highlights_the_round(void **state)
 {
     (void)state;
-    for (uint32_t i = 0; i < 4u; i++) { /* The all-time leaderboard has better scores. */
+    /* Four better scores of all time leave the round only rank 5 in that period. */
+    for (uint32_t i = 0; i < 4u; i++) {
         core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_EVER][i].caught = 50;
         core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_EVER][i].round_id = 900u + i;
     }
     play_alone(3);
     core_scene(&core, &scene);
     assert_int_equal(scene.player[0].place, 1);
-    assert_int_equal(scene.player[0].period, RANK_WEEK); /* If two periods have rank one, the longer
-                                                            period is shown. */
+    /* The round has rank 1 of the day and of the week, so the longer of the two periods is
+     * shown. */
+    assert_int_equal(scene.player[0].period, RANK_WEEK);
     ask_for_name();
     press_key(NAME_DONE);
     core_scene(&core, &scene);
@@ -479,8 +485,8 @@ static void test_attract_cycles_through_the_leaderboards_with_scores(void **stat
     core.config.modes = 1u << MODE_FESTIVAL | 1u << MODE_PRACTICE;
     core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_WEEK][0].caught = 4;
     core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_EVER][0].caught = 4;
-    core.game.accounts.ranking.row[MODE_CHAMPIONSHIP][RANK_EVER][0].caught =
-        4; /* The mode is not enabled here. */
+    /* The championship has a score but is not enabled, so its leaderboard must not be shown. */
+    core.game.accounts.ranking.row[MODE_CHAMPIONSHIP][RANK_EVER][0].caught = 4;
     core.game.accounts.ranking.row[ranking_board(MODE_FESTIVAL, LEVEL_EASY)][RANK_DAY][0].caught =
         2;
     for (uint32_t i = 0; i < 6u * LEADERBOARD_EVERY_TICKS; i++) {

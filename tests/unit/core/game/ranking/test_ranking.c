@@ -99,7 +99,7 @@ static void test_four_players_of_one_round_are_ranked_separately(void **state)
     for (uint32_t seat = 0; seat < POI_MAX; seat++) {
         entry.round.player[seat].caught = 10u + seat;
     }
-    entry.round.players = 0xb; /* The bits are the players 0, 1 and 3, because player 2 left. */
+    entry.round.players = 0xb; /* Player 2 left, so the bits 0, 1 and 3 are set. */
     ranking_note(&ranking, &entry);
     assert_int_equal(ranking_place(&ranking, 0, RANK_DAY, 7, 3), 0);
     assert_int_equal(ranking_place(&ranking, 0, RANK_DAY, 7, 1), 1);
@@ -119,7 +119,7 @@ static void test_a_name_is_set_and_removed_on_every_leaderboard_of_its_round(voi
     memset(name.name, 0, sizeof name.name);
     ranking_note(&ranking, &name);
     assert_string_equal(ranking.row[0][RANK_EVER][0].name, "");
-    /* The best catch of an earlier day still counts for all time. */
+    /* The catch of 4 on an earlier day still counts for all time. */
     assert_int_equal(best(RANK_EVER), 4);
 }
 
@@ -162,7 +162,7 @@ static void test_a_wrong_date_affects_the_leaderboard_only_while_it_lasts(void *
 {
     (void)state;
     play(5, 1, 9000);
-    play(3, 1, 30000); /* Day 30000 is in 2082. */
+    play(3, 1, 30000); /* Day 30000 is in the year 2082. The clock is wrong in this entry. */
     assert_int_equal(best(RANK_DAY), 3);
     play(2, 1, 9000);
     assert_int_equal(best(RANK_DAY), 2);
@@ -177,7 +177,8 @@ static void test_a_day_without_a_clock_lasts_until_the_next_start(void **state)
     play(3, 1, 0);
     assert_int_equal(best(RANK_DAY), 5);
     pass(LEDGER_BOOT, 2, 0);
-    /* Without a round today, the score to beat is that of the earlier day. */
+    /* Start 2 has no clock and may be another day. Without a round of its own, the score of
+     * start 1 remains. */
     assert_int_equal(best(RANK_DAY), 5);
     play(2, 2, 0);
     assert_int_equal(best(RANK_DAY), 2);
@@ -190,8 +191,9 @@ static void test_a_week_without_a_clock_has_seven_starts(void **state)
     for (uint32_t boot = 1; boot <= 7; boot++) {
         play(20u - boot, boot, 0);
     }
-    assert_int_equal(best(RANK_WEEK), 13); /* The seventh start without a clock began another
-                                              week. */
+    /* Starts without a clock count as days. The seventh one began a new week, so its 13 fish
+     * lead. */
+    assert_int_equal(best(RANK_WEEK), 13);
     for (uint32_t boot = 8; boot <= 13; boot++) {
         play(1, boot, 0);
         assert_int_equal(best(RANK_WEEK), 13);
@@ -204,7 +206,9 @@ static void test_a_clock_set_a_minute_after_the_start_ends_no_day(void **state)
 {
     (void)state;
     play(5, 1, 9000);
-    pass(LEDGER_BOOT, 2, 0); /* The clock has no battery. The date comes from the network. */
+    /* The kiosk starts without a date, because its clock has no battery and the network sets it
+     * later. */
+    pass(LEDGER_BOOT, 2, 0);
     pass(LEDGER_COINS, 2, 0);
     pass(LEDGER_COINS, 2, 9000);
     assert_int_equal(best(RANK_DAY), 5);
@@ -217,7 +221,7 @@ static void test_a_round_before_the_clock_was_set_belongs_to_that_day(void **sta
     play(4, 2, 0);
     play(3, 2, 9001);
     assert_int_equal(best(RANK_DAY), 4);
-    play(2, 3, 0); /* Another start has no clock, so it may be a different day. */
+    play(2, 3, 0); /* Start 3 has no clock, so it may be another day than that of start 2. */
     assert_int_equal(best(RANK_DAY), 2);
     assert_int_equal(best(RANK_EVER), 5);
 }

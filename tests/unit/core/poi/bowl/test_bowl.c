@@ -10,7 +10,8 @@ static void fill(uint32_t count)
     memset(&tank, 0, sizeof tank);
     tank.seed = 4;
     tank.size_m = v3(0.90f, 0.15f, 0.55f);
-    tank.fish_count = count + 1u; /* The last fish swims free in the tank. */
+    /* `count` fish are in the bowl, and the last fish swims in the tank. */
+    tank.fish_count = count + 1u;
     bowl_init(&bowl, v3(0.33f, 0.02f, 0.17f));
     for (uint32_t i = 0; i < count; i++) {
         tank.fish[i] = (struct fish){ .position_m = bowl.position_m,
@@ -182,8 +183,8 @@ static void test_bowl_fish_overlap_little_up_to_the_record_count(void **state)
     (void)state;
     const uint32_t counts[] = { 20, 60, 80, 107, BOWL_FISH_MAX };
     const float pairs_max[] = { 0.0f, 0.2f, 1.0f, 4.0f, 5.0f };
-    const float worst_mm[] = { 1.0f, 3.0f, 4.0f, 7.0f, 7.0f }; /* The largest overlap lasts only for
-                                                                  a moment. */
+    /* Deepest permitted overlap. It occurs only for a moment, while the fish rearrange. */
+    const float worst_mm[] = { 1.0f, 3.0f, 4.0f, 7.0f, 7.0f };
     for (int i = 0; i < 5; i++) {
         drop_in_all(counts[i], 0.04f);
         const struct tightness tight = look_for(10.0f);
@@ -223,7 +224,8 @@ static void test_a_full_bowl_is_poured_back_before_the_next_fish_falls_in(void *
     assert_int_equal(bowl.fish_count, 1);
     assert_float_equal(bowl.fish_kg, fish_mass_kg(last->length_m), 1e-9f);
     assert_int_equal(last->gait, GAIT_BOWL);
-    for (uint32_t i = 0; i < BOWL_FISH_MAX; i++) { /* The other fish are in the tank. */
+    /* The full bowl was emptied, so its fish are on their way back into the tank. */
+    for (uint32_t i = 0; i < BOWL_FISH_MAX; i++) {
         assert_int_equal(tank.fish[i].gait, GAIT_HELD);
         assert_int_equal(tank.fish[i].holder, FISH_HOLDER_WATER);
     }
@@ -233,7 +235,7 @@ static void test_a_bowl_holds_fewer_large_fish(void **state)
 {
     (void)state;
     drop_in_all(40, 0.06f);
-    /* The bowl holds 0.172 kg, which is 33 of these fish, so it was emptied once. */
+    /* The bowl holds 0.172 kg, the mass of 33 such fish, so it was emptied before the next fish. */
     assert_true(bowl.fish_count < 40);
     assert_true(bowl.fish_count > 0);
 }

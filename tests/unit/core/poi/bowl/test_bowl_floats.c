@@ -42,7 +42,7 @@ static void test_a_bowl_floats_at_its_home(void **state)
     const vec3 off_m = v3_sub(bowls[0].position_m, bowls[0].home_m);
     assert_true(v3_length(off_m) < 1e-5f);
     assert_true(bowls[0].water_kg > 0.4f);
-    /* The empty bowl sinks in by 13.5 mm under its own weight. */
+    /* The empty hull alone displaces its weight in water when it is 13.5 mm deep. */
     assert_float_equal(bowl_level_m(&bowls[0]), 0.0135f, 0.001f);
 }
 
@@ -86,9 +86,10 @@ static void test_the_bowls_water_rises_with_its_fish_and_spills_before_the_mouth
     }
     wait_for(3.0f);
     assert_int_equal(bowls[0].fish_count, BOWL_FISH_MAX);
-    assert_in_range((uint32_t)(1e4f * before_m), 30, 80); /* The overlap is 3 to 8 mm. */
+    /* The rim of the full bowl is still 3 to 8 mm above the water, in units of 0.1 mm here. */
+    assert_in_range((uint32_t)(1e4f * before_m), 30, 80);
     assert_float_equal(bowls[0].position_m.y, 0.004f, 5e-4f);
-    /* Some of the 0.523 kg of water has flowed over the rim. */
+    /* The fish displaced some of the bowl's 0.523 kg of water over the rim. */
     assert_true(bowls[0].water_kg < 0.520f);
 }
 
@@ -106,7 +107,8 @@ static void test_a_fish_that_drops_in_off_centre_rocks_the_bowl(void **state)
     print_message("a fish of 5 g from 25 mm: %.2f mm down, heel %.2f degrees\n",
                   1e3 * (double)(0.012f - lowest_m), (double)heel_rad * 57.3);
     assert_true(lowest_m < 0.0115f);
-    assert_true(heel_rad > 0.3f * F_DEG); /* The bowl heels to the side on which the fish fell. */
+    /* The bowl heels toward the side on which the fish dropped in. */
+    assert_true(heel_rad > 0.3f * F_DEG);
     assert_true(bowl_angles(&bowls[0]).roll_rad == bowls[0].heel_x);
     wait_for(4.0f);
     assert_true(f_abs(bowls[0].heel_x) < 0.05f * F_DEG);
@@ -140,7 +142,7 @@ static void test_a_displaced_bowl_drifts_home_within_some_seconds(void **state)
     bowls[0].position_m.x += 0.10f;
     wait_for(1.0f);
     const float left_m = bowls[0].position_m.x - bowls[0].home_m.x;
-    /* The mooring only pulls, like a thread, and does not push, so the bowl drifts back slowly. */
+    /* After a second the bowl is not back yet, because the mooring only pulls, like a thread. */
     assert_true(left_m > 0.02f);
     wait_for(5.0f);
     assert_true(f_abs(bowls[0].position_m.x - bowls[0].home_m.x) < 0.003f);
@@ -165,7 +167,7 @@ static void push_with_ring(float depth_m, float to_x_m)
         }
         bowl_buoyancy_tick(&stall, &poi, &live, 1);
         poi_apply_reaction(&poi, &(struct obstacle){ .centre_m = poi.position_m });
-        for (uint32_t k = 0; k < POI_MAX; k++) { /* The ring is outside every hull. */
+        for (uint32_t k = 0; k < POI_MAX; k++) { /* The ring must stay outside every hull. */
             const vec3 away = v3(poi.position_m.x - bowls[k].position_m.x, 0.0f,
                                  poi.position_m.z - bowls[k].position_m.z);
             const float hull_m = bowl_hull_radius_m(bowls[k].position_m.y - poi.position_m.y);
@@ -210,9 +212,9 @@ static void test_a_ring_that_rests_on_the_mouth_lowers_the_bowl_a_little(void **
         bowl_buoyancy_tick(&stall, &poi, &live, 1);
         poi_apply_reaction(&poi, &(struct obstacle){ .centre_m = poi.position_m });
         lowest_m = f_min(lowest_m, bowls[0].position_m.y);
-        assert_true(bowls[0].position_m.y >= 0.002f);          /* The bowl never takes on water. */
-        assert_true(poi.position_m.y > bowls[0].position_m.y); /* The ring does not sink into the
-                                                                  bowl. */
+        assert_true(bowls[0].position_m.y >= 0.002f); /* The rim stays above the water. */
+        /* The ring lies on the rim and does not sink into the bowl. */
+        assert_true(poi.position_m.y > bowls[0].position_m.y);
     }
     assert_true(lowest_m < 0.010f);
 }
@@ -225,7 +227,8 @@ static void test_walls_stop_a_bowl(void **state)
     push_with_ring(0.0f, 0.44f);
     assert_true(bowls[0].position_m.x > 0.36f);
     assert_true(bowls[0].position_m.x <= 0.45f - BOWL_RADIUS_M);
-    for (int i = 0; i < 600; i++) { /* The bowl is thrown at each wall and corner. */
+    /* Throws the bowl at 2 m/s in 600 directions, so that it hits every wall and corner. */
+    for (int i = 0; i < 600; i++) {
         bowls[0].velocity_m_s = v3(2.0f * f_cos((float)i), 0.3f, 2.0f * f_sin((float)i));
         wait_for(0.5f);
         assert_true(f_abs(bowls[0].position_m.x) <= 0.45f - BOWL_RADIUS_M);
@@ -260,7 +263,7 @@ static void test_the_fish_in_a_bowl_move_with_it(void **state)
         drop_in(0.04f, 0.004f * (float)i - 0.02f);
     }
     const struct stall stall = { &tank, bowls, POI_MAX };
-    /* The anchor point of the bowl moves, as if a person pulled the bowl across the tank. */
+    /* Moves the mooring of the bowl, as if a person pulled the bowl across the tank. */
     bowls[0].home_m.x = 0.25f;
     for (uint32_t tick = 0; tick < 4u * CORE_TICK_HZ; tick++) {
         bowl_buoyancy_tick(&stall, NULL, NULL, 0);

@@ -66,7 +66,8 @@ static void test_a_fish_passes_the_3_mm_ring_wall_on_a_steep_slope(void **state)
 static void test_a_head_up_fish_calms_down_sooner(void **state)
 {
     (void)state;
-    lay(0.5f * F_PI); /* The nose points to the left, which is the upper side. */
+    /* The head points to the left, which is the upper side when the paper rolls to the right. */
+    lay(0.5f * F_PI);
     carried.vigour = 1.0f;
     ride_for(18.0f * F_DEG, 1.0f);
     const float head_up = carried.vigour;
@@ -105,7 +106,8 @@ static void test_the_tail_is_behind_the_nose(void **state)
     lay(0.0f);
     carried_fish_tail(&carried, 0.05f, &x, &z);
     assert_float_equal(x, 0.0f, 1e-6f);
-    assert_float_equal(z, 0.021f, 1e-6f); /* The nose points along -z. */
+    /* The head points along -z, so the tail is 21 mm toward +z. */
+    assert_float_equal(z, 0.021f, 1e-6f);
     const struct basis level = vec_basis_from_angles((struct angles){ 0.0f, 0.0f, 0.0f });
     carried.heading_rad = 1.0f;
     const struct paper_surface flat = tilted(0.0f);
@@ -133,7 +135,8 @@ static void test_slaps_move_a_fish_down_a_slope_that_friction_would_hold(void **
         shaken += carried.x_m;
     }
     assert_float_equal(still, 0.0f, 0.0f);
-    assert_true(shaken / 20.0f > 0.010f); /* The fish moved to the lower side, on the right. */
+    /* Slaps let the fish slide at least 10 mm toward the lower side, which is on the right. */
+    assert_true(shaken / 20.0f > 0.010f);
 }
 
 /* Returns the mean distance of the fish from the middle of the paper after `seconds` of slaps. Each
@@ -199,8 +202,8 @@ static void test_paper_that_sags_around_a_fish_calms_it(void **state)
     (void)state;
     const float flat = vigour_after(0.0f), cradled = vigour_after(0.003f);
     assert_float_equal(1.0f - cradled, 1.45f * (1.0f - flat), 0.15f * (1.0f - flat));
-    assert_true(vigour_after(-0.003f) >= flat); /* Paper that bulges upward does not calm the
-                                                   fish. */
+    /* Paper that bulges upward does not cradle the fish, so it must not calm the fish. */
+    assert_true(vigour_after(-0.003f) >= flat);
 }
 
 static void test_a_fish_lies_in_the_belly_and_not_over_it(void **state)
@@ -212,7 +215,8 @@ static void test_a_fish_lies_in_the_belly_and_not_over_it(void **state)
     lay(0.0f);
     carried_fish_pose(&carried, &ride, v3(0.0f, 0.0f, 0.0f), &level, &fish);
     assert_float_equal(fish.position_m.y, 0.002f, 1e-6f);
-    carried.x_m = 0.040f; /* At the ring, the paper does not sag. */
+    /* Near the ring the paper sags by nothing, so the fish lies 3 mm higher than in the middle. */
+    carried.x_m = 0.040f;
     carried_fish_pose(&carried, &ride, v3(0.0f, 0.0f, 0.0f), &level, &fish);
     assert_float_equal(fish.position_m.y, 0.005f, 1e-6f);
 }

@@ -24,8 +24,8 @@ static void test_a_level_poi_carries_a_film_and_a_pool(void **state)
     (void)state;
     fixture_init(&fixture, 6, 1);
     lift_out(0.0f, 0.15f, 0.3f);
-    assert_float_equal(fixture.poi.film_kg, 0.003f, 0.0005f); /* The film is 0.3 mm thick on each
-                                                                 face. */
+    /* A film of 0.3 mm on both faces of the paper (50 cm^2 each) weighs 3 g. */
+    assert_float_equal(fixture.poi.film_kg, 0.003f, 0.0005f);
     const float belly_kg = 0.5f * F_PI * 0.04f * 0.04f * fixture.poi.sheet.sag_m * WATER_KG_M3;
     assert_true(fixture.poi.pool_kg > 0.9f * belly_kg);
     assert_true(fixture.poi.pool_kg > 0.002f);
@@ -41,8 +41,8 @@ static void test_a_tilted_poi_drains_in_0_15_s_over_the_sine(void **state)
     for (uint32_t i = 0; i < 3; i++) {
         fixture_init(&fixture, 6, 1);
         fixture.poi.angles.pitch_rad = fixture.hand.angles.pitch_rad = tilts_rad[i];
-        fixture.poi.pool_kg = 0.005f; /* The poi gets a pool in the air, as if it had come from
-                                         the water. */
+        /* Gives the poi in the air 5 g of water, as if it had just been lifted. */
+        fixture.poi.pool_kg = 0.005f;
         const float tau_s = 0.15f / f_sin(tilts_rad[i]);
         for (float s = 0.0f; s < tau_s; s += CORE_TICK_S) {
             carried_water_tick(&fixture.poi, f_cos(tilts_rad[i]));
@@ -61,8 +61,9 @@ static void test_an_inverted_ring_holds_15_g_and_spills_them_when_it_turns(void 
     assert_true(sheet_left(&fixture.poi.sheet) == 1.0f);
     assert_float_equal(fixture.force.force_n.y,
                        -(POI_MASS_KG + fixture.poi.water_kg) * GRAVITY_M_S2, 0.01f);
-    assert_true(fixture.poi.pressure_pa > 25.0f); /* The pool loads the paper and leaves through
-                                                     its front. */
+    /* The upside-down poi holds the pool on its back, where the pool's weight presses on the
+     * paper. */
+    assert_true(fixture.poi.pressure_pa > 25.0f);
     fixture_turn(&fixture, F_PI - 1.0f, 0.0f, 0.2f);
     fixture_wait(&fixture, 0.5f);
     assert_true(fixture.poi.water_kg < 0.003f);
@@ -129,7 +130,7 @@ static float most_meniscus_n(float pitch_rad, float *hand_n)
     float most_n = 0.0f;
     *hand_n = 0.0f;
     for (uint32_t tick = 0; tick < ticks; tick++) {
-        fixture.hand.position_m.y += 0.0003f; /* 0.3 mm per tick are 36 mm/s. */
+        fixture.hand.position_m.y += 0.0003f; /* 36 mm/s: 0.3 mm in each tick. */
         fixture_tick(&fixture);
         const float weight_n =
             (POI_MASS_KG + fixture.poi.water_kg) * GRAVITY_M_S2 * (1.0f - fixture.poi.immersed);
@@ -139,7 +140,8 @@ static float most_meniscus_n(float pitch_rad, float *hand_n)
         }
     }
     assert_true(fixture.poi.position_m.y > 0.05f);
-    assert_float_equal(fixture.poi.meniscus_n, 0.0f, 0.0f); /* The meniscus has broken. */
+    /* The ring is 5 cm above the water, so the meniscus has broken. */
+    assert_float_equal(fixture.poi.meniscus_n, 0.0f, 0.0f);
     return most_n;
 }
 
@@ -149,8 +151,8 @@ static void test_the_meniscus_pulls_a_level_ring_more_than_a_slanted_one(void **
     float level_n, slanted_n;
     const float level = most_meniscus_n(0.0f, &level_n);
     const float slanted = most_meniscus_n(0.6f, &slanted_n);
-    assert_float_equal(level, 2.0f * F_TAU * 0.04f * 0.072f, 1e-4f); /* The expected force is 18 mN
-                                                                        for each face. */
+    /* The surface pulls at both faces of the ring, with 18 mN each. */
+    assert_float_equal(level, 2.0f * F_TAU * 0.04f * 0.072f, 1e-4f);
     assert_true(slanted < 0.35f * level);
     assert_float_equal(level_n, level, 0.4f * level);
     assert_true(slanted_n < level_n);

@@ -87,7 +87,8 @@ static void test_a_fish_above_is_never_left_below(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < 6; i++) {
-        fixture_init(&fixture, 4, i); /* The paper is strong and dry, so it does not tear. */
+        /* Strong, dry paper does not tear, so the fish cannot pass through a hole. */
+        fixture_init(&fixture, 4, i);
         fixture.hand.position_m = fixture.poi.position_m = v3(0.0f, -0.13f, 0.0f);
         fixture.hand.angles.roll_rad = 0.15f * (float)i;
         fixture_wait(&fixture, 0.3f);
@@ -151,7 +152,7 @@ static void test_a_careless_scooper_loses_it_after_a_few(void **state)
     for (uint32_t seed = 0; seed < 40; seed++) {
         total += careless_scoops(seed);
     }
-    /* Visitors of a festival catch one and a half to three fish with a poi. */
+    /* Real visitors catch one and a half to three fish with one poi. */
     assert_in_range(total, 40u * 3u / 2u, 40u * 3u);
 }
 
@@ -173,7 +174,7 @@ static void test_a_replaced_poi_releases_its_fish(void **state)
     poi_init(&fixture.poi, 6, fixture.poi.position_m, 9);
     fixture_tick(&fixture);
     assert_int_equal(fixture.tank.fish[fish].holder, FISH_HOLDER_WATER);
-    fixture_wait(&fixture, 0.2f); /* The fish is clear of the ring and swims. */
+    fixture_wait(&fixture, 0.2f); /* After 0.2 s the fish is clear of the ring and swims. */
     assert_int_not_equal(fixture.tank.fish[fish].gait, GAIT_HELD);
     assert_true(fixture.tank.fish[fish].position_m.y < 0.0f);
 }
@@ -225,7 +226,8 @@ static void test_fish_for_which_the_paper_has_no_room_do_not_pass_through_it(voi
         }
         assert_true(most >= POI_CARRIED_MAX - 1u || sheet_left(&fixture.poi.sheet) < 1.0f);
         full += most == POI_CARRIED_MAX;
-        for (uint32_t k = 0; k < fixture.tank.fish_count; k++) { /* No fish stays on the ring. */
+        /* A fish that is not carried must be under water and not on top of the ring. */
+        for (uint32_t k = 0; k < fixture.tank.fish_count; k++) {
             const struct fish *fish = &fixture.tank.fish[k];
             assert_true(rides(k) || fish->position_m.y < 0.0f);
         }
@@ -246,7 +248,9 @@ static void test_more_fish_than_the_poi_can_carry_spill_over_the_ring(void **sta
     uint8_t rode[POI_CARRIED_MAX + 8u], swam[POI_CARRIED_MAX + 8u] = { 0 };
     for (uint32_t i = 0; i < fixture.tank.fish_count; i++) {
         rode[i] = rides(i);
-        if (!rode[i]) { /* No fish lies on the ring or hangs in the air. */
+        /* A fish that is not carried must be under water, neither on top of the ring nor in the
+         * air. */
+        if (!rode[i]) {
             assert_true(fixture.tank.fish[i].position_m.y < 0.0f);
         }
     }
@@ -257,7 +261,8 @@ static void test_more_fish_than_the_poi_can_carry_spill_over_the_ring(void **sta
         }
     }
     for (uint32_t i = 0; i < fixture.tank.fish_count; i++) {
-        assert_true(rode[i] || swam[i]); /* Within half a second, each fish is carried or swims. */
+        /* Half a second later, each fish is carried or swims. None is stuck in between. */
+        assert_true(rode[i] || swam[i]);
     }
 }
 
@@ -321,7 +326,8 @@ static void test_a_fish_over_the_edge_of_the_ring_stays_on_its_side(void **state
     const struct box box = fish_box(&fixture.tank.fish[fish]);
     struct body body = body_of(&box, 0.0f);
     const vec3 before_m = body.centre_m;
-    /* The fish starts 64 mm from the centre of the paper and crosses its plane within one tick. */
+    /* The fish moves 6 cm in one tick, from above the paper to below it. The push must still be
+     * upward. */
     body.centre_m.y -= 0.06f;
     assert_true(obstacle_paper_push(&ring, &body, before_m).y > 0.01f);
 }
@@ -334,9 +340,8 @@ static void test_sounds_follow_the_events_without_repetition(void **state)
     fixture_add_fish(&fixture, v3(0.0f, -0.10f, 0.0f), FISH_M);
     for (uint32_t tick = 0; tick < 8u * CORE_TICK_HZ; tick++) {
         fixture.hand.position_m.y = tick < 2u * CORE_TICK_HZ ? -0.13f : 0.06f;
-        fixture.hand.position_m.x =
-            tick < CORE_TICK_HZ ? 0.2f : 0.0f; /* The poi enters beside the fish and then moves
-                                                  under it. */
+        /* The poi enters the water 20 cm beside the fish and moves under it only after a second. */
+        fixture.hand.position_m.x = tick < CORE_TICK_HZ ? 0.2f : 0.0f;
         fixture_tick(&fixture);
         for (uint32_t i = 0; i < fixture.output.sound_count; i++) {
             assert_true(fixture.output.sounds[i].gain > 0.0f);

@@ -17,7 +17,7 @@
 #define TRIALS 60u
 #define UNDER_M 0.022f  /* Distance of the paper below the fish's lowest point. */
 #define BESIDE_M 0.085f /* Distance from the fish at which the poi enters the water. */
-#define HAND_M_S 0.30f  /* Speed of the hand. Most fish below the surface flee from this speed. */
+#define HAND_M_S 0.30f  /* Speed of the hand. At this speed, most fish that do not gulp flee. */
 #define FISH_M 0.05f
 
 static struct tank tank;
@@ -101,7 +101,7 @@ static const struct fish *wait_for_fish(uint32_t seed, int gulps)
     assert_true(tank_open(&tank, &config));
     struct fish *fish = &tank.fish[0];
     fish_grow(fish, FISH_M, tank_behavior_params(&tank));
-    fish->stamina = 0.6f; /* A fish with this stamina prefers mid depth. */
+    fish->stamina = 0.6f; /* With this stamina a fish that does not gulp swims at mid depth. */
     now = 0;
     for (; now < 120u * CORE_TICK_HZ; now++) {
         tank_tick(&tank, now, NULL, 0);

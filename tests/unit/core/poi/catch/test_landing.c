@@ -19,7 +19,8 @@ static void test_a_fish_tipped_over_the_bowl_lands_and_counts_once(void **state)
         fixture_move(&fixture, v3(0.20f, 0.05f, 0.10f), 0.3f);
         assert_int_equal(fixture.landed, 0);
         fixture_move(&fixture, v3(0.30f, 0.035f, 0.15f),
-                     /* A mouse holds the poi at this low height over the mouth of the bowl. */
+                     /* At y = 0.035 m, the height at which a mouse holds the poi, the ring is
+                      * just above the bowl. */
                      0.3f);
         fixture_wait(&fixture, 1.5f);
         assert_int_equal(fixture.poured + fixture.walled, 0);
@@ -30,7 +31,7 @@ static void test_a_fish_tipped_over_the_bowl_lands_and_counts_once(void **state)
         assert_int_equal(fixture.bowl.fish_count, fixture.landed);
         assert_int_equal(fixture.poi.carried_count, 0);
     }
-    /* Up to three of the 60 fish may slip off before, because they thrash. */
+    /* Up to three of the 60 fish may thrash and slip off before they reach the bowl. */
     assert_in_range(landed, 57, 60);
 }
 
@@ -80,17 +81,18 @@ static void test_a_landing_requires_the_ring_wholly_above_the_water(void **state
     lifted(4, 1, 0.0f);
     assert_int_equal(fixture.poi.carried_fish[0].clear_ticks, CARRIED_CLEAR_TICKS);
     fixture.has_wrist = 1;
-    fixture_turn(&fixture, 0.0f, 25.0f * F_DEG, 0.3f); /* The ring's lower edge is 20 mm below
-                                                          its centre. */
+    /* At this tilt the ring's lower edge is 20 mm below its centre. */
+    fixture_turn(&fixture, 0.0f, 25.0f * F_DEG, 0.3f);
     fixture_move(&fixture, v3(0.0f, 0.028f, 0.0f), 0.2f);
     fixture_wait(&fixture, 0.2f);
     assert_int_equal(fixture.poi.carried_fish[0].clear_ticks, CARRIED_CLEAR_TICKS);
-    fixture_move(&fixture, v3(0.0f, 0.016f, 0.0f), 0.2f); /* The edge is now in the water. */
+    /* At a centre height of 16 mm, the lower edge is 4 mm under water. */
+    fixture_move(&fixture, v3(0.0f, 0.016f, 0.0f), 0.2f);
     fixture_wait(&fixture, 0.2f);
     assert_int_equal(fixture.poi.carried_count, 1);
     assert_int_equal(fixture.poi.carried_fish[0].clear_ticks, 0);
-    fixture.hand.position_m.y = 0.030f; /* The edge is above the water again, long enough to be
-                                           detected. */
+    /* Lifts the lower edge out of the water again, to 10 mm above the surface. */
+    fixture.hand.position_m.y = 0.030f;
     uint32_t ticks = 0;
     while (fixture.poi.carried_fish[0].clear_ticks < CARRIED_CLEAR_TICKS &&
            ticks++ < CORE_TICK_HZ) {
@@ -109,11 +111,13 @@ static void test_a_fish_from_a_ring_in_the_water_is_poured(void **state)
     fixture.hand = (struct poi_target){ fixture.poi.position_m, fixture.poi.angles };
     fixture.has_wrist = 1;
     struct carried_fish *carried = fixture_place_fish(&fixture, 0.03f, 0.035f, 0.0f, 0.0f);
-    carried->slide_x_m_s = 0.8f; /* The fish jumps up the slope and over the edge. */
+    /* The fish slides up the slope at 0.8 m/s, fast enough to fly over the edge. */
+    carried->slide_x_m_s = 0.8f;
     fixture_wait(&fixture, 0.5f);
     assert_int_equal(fixture.poured, 1);
     assert_int_equal(fixture.landed, 0);
-    assert_int_equal(fixture.bowl.fish_count, 1); /* The fish still lies in the bowl. */
+    /* The fish lies in the bowl, although it does not count as landed. */
+    assert_int_equal(fixture.bowl.fish_count, 1);
 }
 
 /* Returns whether a fish counts as walled, which means pressed against a wall. The edge of a level
@@ -135,15 +139,17 @@ static int is_walled(float gap_m, float press_m, float speed_m_s, float fish_gap
 static void test_a_fish_between_a_wall_and_a_pressing_ring_is_walled(void **state)
 {
     (void)state;
-    /* The wall blocks the ring, but the player still pushes. */
+    /* Walled: the ring is 5 mm from the wall, does not move, and the player pushes it by 10 mm. */
     assert_true(is_walled(0.005f, 0.010f, 0.0f, 0.005f));
-    /* The ring is still 12 mm from the wall. */
+    /* Walled: the ring is 12 mm from the wall but moves toward it at 0.10 m/s. */
     assert_true(is_walled(0.012f, 0.0f, 0.10f, 0.005f));
-    /* The player does not push the ring against the wall. */
+    /* Not walled: the player does not push the ring against the wall. */
     assert_false(is_walled(0.005f, 0.0f, 0.0f, 0.005f));
     assert_false(is_walled(0.005f, -0.02f, -0.1f, 0.005f));
-    assert_false(is_walled(0.025f, 0.010f, 0.10f, 0.005f)); /* The ring is far from the wall. */
-    assert_false(is_walled(0.005f, 0.010f, 0.10f, 0.030f)); /* The fish is far from the wall. */
+    /* Not walled: the ring is 25 mm from the wall, which is too far. */
+    assert_false(is_walled(0.025f, 0.010f, 0.10f, 0.005f));
+    /* Not walled: the fish is 30 mm from the wall, which is too far. */
+    assert_false(is_walled(0.005f, 0.010f, 0.10f, 0.030f));
 }
 
 /* Returns 0 if the fish is not captured, 1 if it is captured and 2 if it is walled. The fish swims
@@ -205,7 +211,8 @@ static void test_a_fish_belongs_to_the_bowl_it_lies_in(void **state)
     struct catch_result results[POI_MAX];
     struct bowl bowls[2];
     assert_int_equal(fell_at(v3(0.2f, 0.06f, 0.02f), results, bowls), GAIT_BOWL);
-    assert_int_equal(results[1].landed, 1); /* The fish landed in the neighbour's bowl. */
+    /* The fish fell from the poi of player 0 into the bowl of player 1, so player 1 gets it. */
+    assert_int_equal(results[1].landed, 1);
     assert_int_equal(results[0].landed + results[0].poured + results[0].walled, 0);
     assert_int_equal(bowls[1].fish_count, 1);
     assert_int_equal(fixture.tank.fish[0].holder, 1);
@@ -222,8 +229,8 @@ static void test_a_foul_counts_for_the_player_who_caused_it(void **state)
     catch_count(&carried, 2, 3, results);
     assert_int_equal(results[2].poured, 1);
     assert_int_equal(results[3].poured + results[3].landed, 0);
-    assert_int_equal(results[3].bowled, 1); /* The fish counts for the bowl in which it lies,
-                                               whichever player dropped it. */
+    /* The fish lies in bowl 3 and is counted there, although player 2 poured it in. */
+    assert_int_equal(results[3].bowled, 1);
     assert_int_equal(results[2].bowled, 0);
 }
 

@@ -18,8 +18,8 @@ static void test_a_fish_tipped_over_the_tank_slides_off_and_swims(void **state)
     assert_int_equal(fixture.poi.carried_count, 0);
     assert_int_equal(fixture.landed, 0);
     assert_true(fixture.tank.fish[fish].position_m.y < 0.0f);
-    assert_true(fixture.tank.fish[fish].position_m.x > 0.0f); /* The fish slid off the lowered
-                                                                 right side. */
+    /* The right side was lowered, so the fish slid off to the right (x > 0). */
+    assert_true(fixture.tank.fish[fish].position_m.x > 0.0f);
 }
 
 static void test_a_slight_tilt_keeps_the_fish_behind_the_ring(void **state)
@@ -43,8 +43,8 @@ static void test_a_fish_near_the_ring_flops_out_more_often_than_one_in_the_middl
         fixture_lift(&fixture, 4, seed, 0.0f, -0.5f * F_PI);
         fixture_wait(&fixture, 2.0f);
         middle += fixture.poi.carried_count;
-        fixture_lift(&fixture, 4, seed, 0.034f, -0.5f * F_PI); /* The nose points outward over
-                                                                  the ring. */
+        /* The fish lies near the ring with its head outward. */
+        fixture_lift(&fixture, 4, seed, 0.034f, -0.5f * F_PI);
         fixture_wait(&fixture, 2.0f);
         rim += fixture.poi.carried_count;
     }
@@ -60,7 +60,8 @@ static uint32_t kept_at(float tilt_rad)
     for (uint32_t seed = 0; seed < 20; seed++) {
         fixture_init(&fixture, 4, seed);
         fixture_dip(&fixture);
-        fixture_add_fish(&fixture, v3(0.0f, -0.045f, 0.005f), 0.045f); /* The fish is calm. */
+        /* This fish rests in the water, so it is calm when it is lifted. */
+        fixture_add_fish(&fixture, v3(0.0f, -0.045f, 0.005f), 0.045f);
         fixture_move(&fixture, v3(0.0f, 0.06f, 0.0f), 0.18f);
         fixture.has_wrist = 1;
         fixture_move(&fixture, v3(0.26f, 0.08f, 0.15f), 0.3f);
@@ -81,7 +82,7 @@ static void test_a_poi_with_controller_orientation_tips_fish_only_at_a_steep_ang
     assert_int_equal(level, 20);
     assert_true(slight >= 17);
     assert_true(steep <= 1);
-    assert_true(fixture.landed == 1); /* The fish falls into the bowl. */
+    assert_true(fixture.landed == 1); /* The fish of the last trial fell into the bowl. */
 }
 
 /* Returns how many of 24 fish a lift at `lift_m_s` brings up. */

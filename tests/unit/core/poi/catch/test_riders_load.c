@@ -34,7 +34,7 @@ static void test_a_surprised_fish_slaps_with_half_the_force(void **state)
     const float wild = fixture.poi.carried_fish[0].vigour;
     fixture_init(&fixture, 4, 1);
     fixture_dip(&fixture);
-    /* This fish rests, so the lift surprises it. */
+    /* A resting fish is surprised by the lift and has only 55 % of the vigour. */
     fixture_add_fish(&fixture, v3(0.0f, -0.045f, 0.005f), 0.045f);
     fixture_move(&fixture, v3(0.0f, 0.06f, 0.0f), 0.18f);
     assert_int_equal(fixture.poi.carried_count, 1);
@@ -93,16 +93,16 @@ static void lay_slapping(float x_m, float heading_rad, float left_s)
 static void test_a_slap_loads_the_paper_at_the_tail(void **state)
 {
     (void)state;
-    lay_slapping(0.0f, 0.5f * F_PI, 0.02f); /* The nose points to the left and the tail to the
-                                               right. */
+    /* The head points to the left, so the tail slaps 21 mm to the right of the middle. */
+    lay_slapping(0.0f, 0.5f * F_PI, 0.02f);
     assert_int_equal(fixture.poi.load_count, 2);
     assert_int_equal(fixture.poi.slap_count, 1);
     assert_float_equal(fixture.poi.loads[0].x_m, 0.021f, 1e-5f);
     assert_float_equal(fixture.poi.loads[0].z_m, 0.0f, 1e-5f);
     assert_float_equal(fixture.poi.loads[0].diameter_m, 0.003f, 0.0f);
     assert_float_equal(fixture.poi.loads[0].force_n, -0.05f, 0.0f);
-    assert_float_equal(fixture.poi.loads[1].x_m, 0.0f, 0.0f); /* The weight acts on a radius of
-                                                                 20 mm. */
+    /* Load 1 is the weight of the fish at the middle of its body. The load spreads over 20 mm. */
+    assert_float_equal(fixture.poi.loads[1].x_m, 0.0f, 0.0f);
     assert_float_equal(fixture.poi.loads[1].diameter_m, 0.020f, 0.0f);
     assert_float_equal(fixture.poi.loads[1].force_n, -0.0285f, 0.001f);
 }
@@ -121,8 +121,9 @@ static void test_a_slap_lasts_20_ms_with_subtick_precision(void **state)
 static void test_a_tail_beyond_the_ring_slaps_no_paper_but_kicks_the_body(void **state)
 {
     (void)state;
-    lay_slapping(0.025f, 0.5f * F_PI, 0.02f); /* The tail is 46 mm from the centre and the body is
-                                                 on the paper. */
+    /* The body lies 25 mm and the tail 46 mm from the middle of the paper, whose radius is 40
+     * mm. */
+    lay_slapping(0.025f, 0.5f * F_PI, 0.02f);
     assert_int_equal(fixture.poi.load_count, 2);
     assert_float_equal(fixture.poi.loads[0].x_m, 0.025f, 0.0f);
     assert_float_equal(fixture.poi.loads[0].diameter_m, 0.020f, 0.0f);
@@ -173,8 +174,9 @@ static void test_a_fish_captured_near_the_ring_has_its_tail_beyond_it(void **sta
         fixture_init(&fixture, 4, seed);
         fixture_dip(&fixture);
         const uint32_t fish = fixture_add_fish(&fixture, v3(0.030f, -0.045f, 0.0f), 0.045f);
-        fixture.tank.fish[fish].angles.yaw_rad = 0.5f * F_PI; /* The fish points inward over the
-                                                                 paper. */
+        /* The head points to the middle of the paper, so the tail points outward beyond the
+         * ring. */
+        fixture.tank.fish[fish].angles.yaw_rad = 0.5f * F_PI;
         fixture_move(&fixture, v3(0.0f, 0.01f, 0.0f), 0.18f);
         assert_int_equal(fixture.poi.carried_count, 1);
         carried_fish_tail(&fixture.poi.carried_fish[0], 0.045f, &x_m, &z_m);
@@ -254,8 +256,8 @@ static void test_a_hole_as_wide_as_the_fish_drops_it_and_a_pinhole_does_not(void
     assert_true(stays(0.0f, 0.0f));
     fixture_tear_hole(&fixture, 0.0f, 0.0f, 0.009f);
     assert_false(stays(0.0f, 0.0f));
-    assert_true(stays(-0.018f, 0.0f)); /* Only the tail is over the hole. */
-    assert_true(stays(0.0f, 0.017f));  /* The fish lies beside the hole. */
+    assert_true(stays(-0.018f, 0.0f)); /* The hole of 9 mm is only under the tail. */
+    assert_true(stays(0.0f, 0.017f));  /* The hole is beside the fish. */
 }
 
 static void test_a_strip_under_the_middle_alone_supports_no_fish(void **state)
@@ -263,7 +265,8 @@ static void test_a_strip_under_the_middle_alone_supports_no_fish(void **state)
     (void)state;
     fixture_init(&fixture, 4, 1);
     fixture_tear_hole(&fixture, -0.016f, 0.0f, 0.013f);
-    assert_true(stays(0.0f, 0.0f)); /* The rear half still lies on paper. */
+    /* The hole is under the front half, and the rear half still lies on paper. */
+    assert_true(stays(0.0f, 0.0f));
     fixture_tear_hole(&fixture, 0.016f, 0.0f, 0.013f);
     assert_true(sheet_holds(&fixture.poi.sheet, 0.0f, 0.0f));
     assert_false(stays(0.0f, 0.0f));
@@ -273,14 +276,14 @@ static void test_the_ring_supports_a_fish_without_paper(void **state)
 {
     (void)state;
     fixture_init(&fixture, 4, 1);
-    fixture_tear_hole(&fixture, 0.0f, 0.0f,
-                      0.036f);         /* A narrow strip of paper is left at the ring. */
-    assert_true(stays(0.0f, 0.043f));  /* The fish lies along the ring. */
-    assert_false(stays(0.043f, 0.0f)); /* The fish lies across the ring with half of its body in
-                                          the air, so it tips over. */
+    /* Of the paper, which has a radius of 40 mm, a strip of 4 mm is left at the ring. */
+    fixture_tear_hole(&fixture, 0.0f, 0.0f, 0.036f);
+    assert_true(stays(0.0f, 0.043f)); /* The fish lies lengthwise on the ring, which supports it. */
+    /* The fish lies across the ring with half of its body in the air, so it tips over. */
+    assert_false(stays(0.043f, 0.0f));
     assert_false(stays(0.0f, 0.0f));
-    assert_false(stays(0.048f, 0.0f)); /* The middle of the fish is outside the ring, so the fish
-                                          slips off. */
+    /* The middle of the fish is outside the ring, so the fish slips off. */
+    assert_false(stays(0.048f, 0.0f));
 }
 
 int main(void)

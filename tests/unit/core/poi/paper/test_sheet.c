@@ -3,7 +3,7 @@
 #include "tests/unit/support/poi_fixture.h"
 
 #define RADIUS_M 0.040f
-#define STILL_FISH_PA 5.6f /* Pressure of a fish of 2.9 g on 50 cm^2. */
+#define STILL_FISH_PA 5.6f /* Pressure of a resting fish: 2.9 g on the 50 cm^2 of the paper. */
 #define FILM_PA 6.0f       /* Pressure of the water that wet paper keeps. */
 
 static const struct sheet_wetting in_air = { 0.0f, 0.0f, -1.0f };
@@ -31,7 +31,7 @@ static void test_the_membrane_follows_henckys_table(void **state)
     (void)state;
     const struct paper_grade *grade = sheet_grade(6);
     const float rows[][3] = {
-        /* Pa, N/m, mm */
+        /* Columns: pressure in Pa, tension in N/m, sag in mm. */
         { 2.8f, 1.3f, 1.0f },    { 5.6f, 2.0f, 1.3f },    { 50.0f, 8.4f, 2.6f },
         { 140.0f, 17.0f, 3.7f }, { 560.0f, 42.0f, 6.0f },
     };
@@ -277,7 +277,9 @@ static void test_whole_paper_reaches_the_ring_and_a_bare_ring_has_none(void **st
         sheet.state[cell] = sheet.state[cell] == CELL_PAPER ? CELL_HOLE : sheet.state[cell];
     }
     const uint32_t middle = SHEET_SIDE / 2u * SHEET_SIDE + SHEET_SIDE / 2u;
-    sheet.state[middle] = CELL_PAPER; /* One cell is left. Slivers at the ring count as no paper. */
+    /* Leaves one cell of paper in the middle. Fragments of cells at the ring do not count as
+     * paper. */
+    sheet.state[middle] = CELL_PAPER;
     sheet.paper_cells = 1;
     count_held(&sheet, &held, &asked);
     assert_in_range(held, 1, 200);
@@ -305,7 +307,8 @@ static void test_the_stress_map_shows_load_over_strength_and_stress_concentratio
     const float edge = 1.5f * 0.328f / 0.423f * centre;
     assert_float_equal(stress_at(&sheet, middle, middle), centre, 0.01f);
     assert_float_equal(stress_at(&sheet, middle, 0), edge, 0.03f);
-    assert_float_equal(stress_at(&sheet, 0, 0), 0.0f, 0.0f); /* The cell is outside the ring. */
+    /* The corner of the grid is outside the round paper. */
+    assert_float_equal(stress_at(&sheet, 0, 0), 0.0f, 0.0f);
     press(&sheet, 3000.0f, 0.01f);
     for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
         assert_true(sheet.state[cell] == CELL_PAPER || sheet.stress[cell] == 0);
@@ -328,8 +331,8 @@ static void test_stress_factors_multiply_where_the_wet_line_meets_the_ring(void 
     const uint32_t line = SHEET_SIDE / 2u - 1u; /* Index of the last wet column. */
     const float off = stress_at(&sheet, SHEET_SIDE / 2u, line - 4u);
     assert_float_equal(stress_at(&sheet, SHEET_SIDE / 2u, line) / off, 2.5f, 0.1f);
-    const float ring = stress_at(&sheet, 0, line - 2u); /* Stress in the ring's own row, away from
-                                                           the wet line. */
+    /* Stress in row 0, at the ring, two columns away from the wet line. */
+    const float ring = stress_at(&sheet, 0, line - 2u);
     assert_float_equal(stress_at(&sheet, 0, line) / ring, 2.5f, 0.15f);
     assert_float_equal(ring / stress_at(&sheet, 3, line - 2u), 1.5f, 0.15f);
 }
@@ -381,8 +384,10 @@ static void test_each_specimen_has_its_own_weak_spots_clouds_and_fibres(void **s
                            1e-4f);
     }
     assert_true(with_spot > 180);
-    assert_true(together / squares > 0.4f); /* Neighbouring cells are similar. */
-    assert_true(apart / squares < 0.2f);    /* Cells that are 4 cm apart are not similar. */
+    /* The correlation of neighbouring cells is over 0.4, so weak spots are wider than a cell. */
+    assert_true(together / squares > 0.4f);
+    /* The correlation of cells 4 cm apart is below 0.2, so the weak spots have a limited size. */
+    assert_true(apart / squares < 0.2f);
     for (uint32_t i = 0; i < 4; i++) {
         assert_in_range(ways[i], 30, 70);
     }

@@ -42,20 +42,21 @@ static void test_stress_beside_a_hole_rises_with_the_root_of_its_length(void **s
 {
     (void)state;
     plain(5);
-    sheet.fibre_x = sheet.fibre_z = 0.70710678f; /* The fibres lie diagonally and favour neither
-                                                    rows nor columns. */
+    /* Diagonal fibres favour neither rows nor columns, so the factors depend on length alone. */
+    sheet.fibre_x = sheet.fibre_z = 0.70710678f;
     const float factors[] = { 2.5f, 3.5355f, 4.0f, 4.0f, 4.0f };
     for (uint32_t i = 0; i < 5; i++) {
         cut(MIDDLE, 10u + i);
         assert_float_equal(factor_at(MIDDLE, 11u + i), factors[i], 1e-3f);
         assert_float_equal(factor_at(MIDDLE, 9u), factors[i], 1e-3f);
-        /* Without a neighbouring hole, the stress factor is 0. */
+        /* A cell that has no hole beside it has no stress concentration, which is stored as 0. */
         assert_float_equal(factor_at(MIDDLE, 16u), 0.0f, 0.0f);
     }
     plain(5);
     sheet.fibre_x = sheet.fibre_z = 0.70710678f;
     cut(MIDDLE, MIDDLE);
-    cut(MIDDLE - 1u, MIDDLE + 1u); /* The hole reaches from corner to corner: 2.8 cells. */
+    /* The two cells touch at a corner, so they are one slit of 2.8 cells. */
+    cut(MIDDLE - 1u, MIDDLE + 1u);
     assert_float_equal(factor_at(MIDDLE, MIDDLE - 1u), 4.0f, 1e-3f);
     assert_float_equal(factor_at(MIDDLE - 1u, MIDDLE + 2u), 4.0f, 1e-3f);
 }
@@ -84,9 +85,9 @@ static void test_hole_measurements_equal_those_of_a_scan_of_each_hole(void **sta
                     c += sign * dc;
                 }
             }
-            const int32_t level = way > 1 && length > 1 ? 3 : length; /* A diagonal slit is
-                                                                         longer than its number
-                                                                         of cells. */
+            /* The cells of a diagonal slit are farther apart, so a slit of two cells already
+             * has the highest level, 3. */
+            const int32_t level = way > 1 && length > 1 ? 3 : length;
             best = level > best ? level : best;
         }
         assert_int_equal(map.wide[row] >> column & 1u, best >= 3);
@@ -135,8 +136,9 @@ static void test_paper_with_a_slit_detaches_no_cells(void **state)
     }
     assert_int_equal(drop(), 0);
     for (uint32_t column = 0; column < SHEET_SIDE; column++) {
-        cut(MIDDLE, column); /* The slit reaches from ring to ring and leaves two halves, each held
-                                by the ring. */
+        /* The slit reaches from ring to ring. Each half still hangs at the ring, so nothing
+         * drops. */
+        cut(MIDDLE, column);
     }
     assert_int_equal(drop(), 0);
 }
@@ -160,12 +162,14 @@ static void test_a_flap_carries_no_load(void **state)
 {
     (void)state;
     plain(5);
-    for (uint32_t i = 0; i < 9; i++) { /* The cuts leave a tongue that hangs by its upper end. */
+    /* Cuts three sides of a tongue, which then hangs only by its upper end. */
+    for (uint32_t i = 0; i < 9; i++) {
         cut(20, 12u + i);
         cut(12u + i, 12);
         cut(12u + i, 20);
     }
-    assert_true(drop() >= 30); /* The tongue has 7 x 8 cells. Its root is held diagonally. */
+    /* Most of the tongue's 7 x 8 cells drop. The cells at its root are held diagonally. */
+    assert_true(drop() >= 30);
     assert_int_equal(state_at(18, 16), CELL_HOLE);
     assert_int_equal(state_at(10, 16), CELL_PAPER);
     assert_int_equal(state_at(16, 10), CELL_PAPER);
@@ -182,7 +186,7 @@ static void test_a_hole_reduces_the_load_by_its_area(void **state)
     }
     const float left = sheet_left(&sheet);
     assert_float_equal(left, 0.95f, 0.01f);
-    /* The force is nearly zero but not zero, because the sheet skips loads of zero. */
+    /* sheet_tick() skips a load of exactly zero, so this load is nearly zero. */
     const struct sheet_load foot = { 0.0f, 0.02f, 0.02f, -1e-6f };
     const struct sheet_events events = sheet_tick(&sheet, 20.0f, in_air, &foot, 1);
     const float whole = sheet_tension_centre(sheet_grade(4), 20.0f * left, RADIUS_M);
@@ -204,8 +208,8 @@ static void test_a_tear_grows_several_cells_a_tick_but_no_faster_than_its_steps(
     (void)state;
     plain(6);
     cut(MIDDLE, MIDDLE);
-    sheet_tick(&sheet, 250.0f, in_air, NULL, 0); /* The pressure is far too low to tear paper
-                                                    without a hole. */
+    /* 250 Pa tear only paper that already has a hole. */
+    sheet_tick(&sheet, 250.0f, in_air, NULL, 0);
     const uint32_t first = reach();
     assert_in_range(first, 4, SHEET_STEPS_MAX);
     sheet_tick(&sheet, 250.0f, in_air, NULL, 0);
@@ -240,8 +244,9 @@ static void test_holes_carry_no_stress_while_they_grow(void **state)
 static void test_paper_breaks_after_the_same_time_in_small_steps_and_large(void **state)
 {
     (void)state;
-    plain(5); /* At 0.8 of the strength, without stress concentration, a cell breaks after 0.05 s /
-                 0.8^10 = 0.466 s. */
+    /* At 0.8 of the strength, a cell without a hole beside it breaks after 0.05 s / 0.8^10 =
+     * 0.466 s. */
+    plain(5);
     sheet_idealise(&sheet);
     const float goal = 0.8f * sheet_grade(5)->wet_n_m;
     float pressure_pa = 50.0f;
@@ -302,7 +307,8 @@ static void test_holes_are_longer_along_the_fibres(void **state)
     }
     print_message("aspect %.2f, %.0f degrees off\n", (double)aspects, (double)(offs / F_DEG));
     assert_true(aspects > 1.5f);
-    assert_true(offs < 20.0f * F_DEG); /* The expected angle of random holes is 45 degrees. */
+    /* Holes in random directions would be 45 degrees off the fibres on average. */
+    assert_true(offs < 20.0f * F_DEG);
 }
 
 int main(void)

@@ -37,7 +37,8 @@ static void test_the_wet_front_advances_with_the_root_of_time(void **state)
     float fronts[4];
     sheet_init(&sheet, 5, RADIUS_M, 1);
     soak(left_half, 16.0f);
-    for (uint32_t i = 0; i < 4; i++) { /* The samples are taken at 16, 64, 144 and 256 s. */
+    /* Measures the front after 16, 64, 144 and 256 s, at the roots 4, 8, 12 and 16. */
+    for (uint32_t i = 0; i < 4; i++) {
         const float root = (float)(i + 1u);
         fronts[i] = front_m();
         soak(left_half, 16.0f * (2.0f * root + 1.0f));
@@ -46,8 +47,8 @@ static void test_the_wet_front_advances_with_the_root_of_time(void **state)
      * line and is inaccurate. */
     assert_float_equal(fronts[2] / fronts[1], 1.5f, 0.08f);
     assert_float_equal(fronts[3] / fronts[1], 2.0f, 0.12f);
-    assert_float_equal(fronts[3] / 16.0f, 0.0014f, 0.0002f); /* The wicking coefficient is in metres
-                                                                per square root of a second. */
+    /* 16 is the root of 256 s. The wicking coefficient is 0.0014 m per square root of a second. */
+    assert_float_equal(fronts[3] / 16.0f, 0.0014f, 0.0002f);
 }
 
 static void test_water_wicks_in_air_and_never_leaves_wet_paper(void **state)
@@ -130,14 +131,14 @@ static void test_the_wet_line_is_full_only_where_wet_meets_dry(void **state)
     for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
         sheet.wetness[cell] = cell % SHEET_SIDE < MIDDLE ? 1.0f : 0.0f;
     }
-    for (uint32_t row = 0; row < SHEET_SIDE; row++) { /* The check includes the ring's own row. */
+    for (uint32_t row = 0; row < SHEET_SIDE; row++) { /* Row 0, the row at the ring, is included. */
         assert_float_equal(paper_wetting_line(&sheet, row, MIDDLE - 1u), 1.0f, 0.0f);
         assert_float_equal(paper_wetting_line(&sheet, row, MIDDLE), 1.0f, 0.0f);
     }
     assert_float_equal(paper_wetting_line(&sheet, MIDDLE, MIDDLE - 3u), 0.0f, 0.0f);
     assert_float_equal(paper_wetting_line(&sheet, MIDDLE, MIDDLE + 2u), 0.0f, 0.0f);
-    sheet.wetness[MIDDLE * SHEET_SIDE + MIDDLE + 1u] = 0.75f; /* A wetness step of a quarter gives
-                                                                 half of the effect. */
+    /* A step of wetness by 0.25 gives half of the full effect of 1. */
+    sheet.wetness[MIDDLE * SHEET_SIDE + MIDDLE + 1u] = 0.75f;
     assert_float_equal(paper_wetting_line(&sheet, MIDDLE, MIDDLE), 0.5f, 1e-6f);
 }
 

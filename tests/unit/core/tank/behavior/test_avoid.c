@@ -32,8 +32,9 @@ static void test_fish_on_opposite_courses_turn_to_the_same_side(void **state)
         const struct avoid_pair pair = avoid_meet(&a, &b, 0.01f, pond_params(), 1, second);
         assert_int_equal(pair.a.kind, MEET_HEAD_ON);
         assert_int_equal(pair.b.kind, MEET_HEAD_ON);
-        assert_true(pair.a.turn == pair.b.turn); /* Both fish turn to their own left, or both turn
-                                                    right. */
+        /* Equal signs mean that both fish turn to their own left or both to their own right, so
+         * they part. */
+        assert_true(pair.a.turn == pair.b.turn);
         left += pair.a.turn > 0.0f;
     }
     assert_in_range(left, 440, 560);
@@ -109,7 +110,8 @@ static void test_the_fish_that_hits_from_the_side_passes_behind_in_90_percent(vo
         clear += pair.b.turn < 0.0f;  /* Fish b is hit on its left flank and turns right. */
     }
     assert_in_range(behind, 1720, 1880);
-    /* Both fish derive their side from the same random number, so their choices agree. */
+    /* Both fish use the same random number, so fish a passes behind exactly if fish b clears
+     * the way. */
     assert_int_equal(behind, clear);
 }
 
@@ -135,7 +137,7 @@ static void test_fish_that_separate_or_pass_clear_do_not_meet(void **state)
     const struct avoid_party c = swimmer(0.0f, 3.0f, 0.0f, 1), d = swimmer(4.0f, -3.0f, 180.0f, 2);
     assert_int_equal(avoid_meet(&c, &d, 0.02f, pond_params(), 1, 0).a.kind, MEET_NONE);
     const struct avoid_party e = swimmer(0.0f, 0.0f, 0.0f, 1), f = swimmer(1.5f, 0.1f, 2.0f, 2);
-    /* The fish swim side by side. */
+    /* Fish f is beside fish e and not ahead of it, so neither has to react. */
     assert_int_equal(avoid_meet(&e, &f, 0.005f, pond_params(), 1, 0).a.kind, MEET_NONE);
 }
 
@@ -200,7 +202,9 @@ static void test_depth_is_held_for_half_a_second_after_a_climb_and_not_after_a_t
     const struct avoid_advice advice = { MEET_SIDE, -1, 2, 7, 0.1f, 1.0f }, none = { 0 };
     fish.depth_goal_m = -0.03f;
     avoid_tick(&fish, &advice, 1.0f, pond_at(1, 0));
-    while (fish.avoiding != AVOID_NONE) { /* The fish is clear immediately, so no climb follows. */
+    /* The path is clear after the first tick, so the fish stops turning and does not hold its
+     * depth. */
+    while (fish.avoiding != AVOID_NONE) {
         avoid_tick(&fish, &none, 1.0f, pond_at(1, 0));
         assert_false(avoid_holds_depth(&fish));
     }
@@ -216,8 +220,8 @@ static void test_depth_is_held_for_half_a_second_after_a_climb_and_not_after_a_t
         after++;
     }
     assert_in_range(after, CORE_TICK_HZ / 2u - 1u, CORE_TICK_HZ / 2u + 1u);
-    assert_float_equal(fish.depth_goal_m, -0.03f, 0.0f); /* The depth goal of the fish is not
-                                                            changed. */
+    /* Avoidance by pitch must not change the depth to which the fish returns afterwards. */
+    assert_float_equal(fish.depth_goal_m, -0.03f, 0.0f);
 }
 
 static void test_repulsion_is_2_25_cm_a_second_at_touch_and_gone_at_1_cm(void **state)

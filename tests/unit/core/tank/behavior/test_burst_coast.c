@@ -44,7 +44,7 @@ static void test_a_glide_decelerates_by_drag(void **state)
         for (uint32_t tick = from; tick < 84u; tick++) {
             swim(&fish, tick);
             const float s = (float)(tick + 1u - from) * CORE_TICK_S;
-            /* Solution of dv/dt = -v^2 / way, the law by which drag slows the fish down. */
+            /* The expected speed solves dv/dt = -v^2 / way_m, where drag slows the fish. */
             const float wanted_m_s = start_m_s / (1.0f + start_m_s * s / way_m);
             assert_float_equal(fish.speed_m_s, wanted_m_s, 0.01f * start_m_s);
         }
@@ -84,8 +84,9 @@ static void test_a_behavior_update_in_every_tick_adds_no_turns(void **state)
     for (uint32_t tick = 0; tick < 840u; tick++) {
         struct perception around = *pond_at(1, tick);
         gait_cycle_turn(&often, 7, &around);
-        if (tick % FISH_BEHAVIOR_TICKS == 2u) { /* The fish's behavior update is not in the tick of
-                                                   the kick. */
+        /* Updates `seldom` in every fourth tick, and never in the tick of a kick, so that a
+         * kick could be missed. */
+        if (tick % FISH_BEHAVIOR_TICKS == 2u) {
             around.dt_s = (float)FISH_BEHAVIOR_TICKS * CORE_TICK_S;
             gait_cycle_turn(&seldom, 7, &around);
         }
@@ -100,7 +101,7 @@ static void turn(float angle_rad, float *lasts_s, float *radius_lengths)
     struct fish fish = pond_fish(0.05f, GAIT_SWIM);
     float first_s = 0.0f;
     fish.heading_rad = angle_rad;
-    /* At the end of a glide a fish swims at 0.9 lengths per second. */
+    /* 0.9 lengths per second is the speed at the end of a glide. */
     fish.speed_m_s = 0.9f * fish.length_m;
     *lasts_s = 0.0f;
     *radius_lengths = 100.0f;

@@ -25,10 +25,11 @@ struct trial {
     float way_lengths;   /* Distance in the first 100 ms after the start. */
     float away_lengths;  /* Part of that distance that leads away from the stimulus. */
     float peak_lengths_s, push_m_s2; /* Maximum speed, and the maximum gain of speed in 17 ms. */
-    float peak_s, slow_s; /* Time of the maximum speed, and time above 4 lengths a second. */
-    float bend_rad;       /* Largest magnitude of the bend in the C. */
-    float back_rad;       /* Largest bend in the opposite direction. */
-    float stage_s;        /* Time of the largest bend in the C. */
+    /* Time of the maximum speed, and time of the last tick with more than 4 lengths a second. */
+    float peak_s, slow_s;
+    float bend_rad; /* Largest magnitude of the bend in the C. */
+    float back_rad; /* Largest bend in the opposite direction. */
+    float stage_s;  /* Time of the largest bend in the C. */
 };
 
 static struct fish still_fish(uint32_t seed)
@@ -85,7 +86,7 @@ static struct trial start(struct fish fish, vec3 from_m, uint32_t index, uint32_
             trial.peak_s = s;
         }
         trial.slow_s = speed_m_s[tick % 4u] > 4.0f * LENGTH_M ? s : trial.slow_s;
-        if (tick == 12u) { /* Tick 12 is 100 ms after the start. */
+        if (tick == 12u) { /* 12 ticks of 1/120 s are the 100 ms of `way_lengths`. */
             const vec3 way = v3_sub(fish.position_m, at_m);
             trial.way_lengths = v3_length(way) / LENGTH_M;
             trial.away_lengths = v3_dot(way, away) / LENGTH_M;
@@ -113,7 +114,7 @@ static void test_three_of_four_starts_turn_and_move_away_from_the_stimulus(void 
     }
     print_message("turned away %.3f, led away %.3f\n", (double)turned / TRIALS,
                   (double)led / TRIALS);
-    /* 77 % of the fish turn away from the stimulus (Mirjany et al. 2011). */
+    /* Mirjany et al. 2011 measured that 77 % of the fish turn away from the stimulus. */
     assert_float_equal((float)turned / TRIALS, 0.77f, 0.02f);
     assert_true((float)led / TRIALS > 0.70f && (float)led / TRIALS < 0.90f);
 }
@@ -134,7 +135,7 @@ static void test_stage_1_turns_the_head_60_to_120_degrees_within_17_ms(void **st
                   (double)mean, (double)least, (double)most, (double)(1e3f * latest_s));
     assert_true(least > 59.5f && most < 120.5f);
     assert_float_equal(mean, 90.0f, 1.5f);
-    /* Eaton et al. 1977 give "about 20 ms" for the first stage. */
+    /* Two ticks are 17 ms. Eaton et al. 1977 give "about 20 ms" for stage 1. */
     assert_float_equal(latest_s, 2.0f * CORE_TICK_S, 1e-4f);
 }
 
@@ -160,7 +161,8 @@ static void test_a_start_moves_the_fish_0_5_to_1_5_lengths_in_100_ms(void **stat
     }
     print_message("after 100 ms %.2f lengths (%.2f .. %.2f)\n", (double)mean, (double)least,
                   (double)most);
-    assert_true(least >= 0.45f && most <= 1.5f); /* Eaton et al. 1977 give 0.5 to 1.5. */
+    /* Eaton et al. 1977 measured 0.5 to 1.5 lengths. */
+    assert_true(least >= 0.45f && most <= 1.5f);
     assert_float_equal(mean, 0.70f, 0.05f);
 }
 
@@ -202,8 +204,8 @@ static void test_a_wall_behind_a_fish_gives_more_starts_toward_the_danger(void *
     float into = 0.0f;
     for (uint32_t i = 0; i < TRIALS; i++) {
         struct fish fish = still_fish(i);
-        fish.position_m.x = 0.425f - 0.03f; /* The wall is at x = 0.425 m, and the danger is on the
-                                               opposite side. */
+        /* The wall is 3 cm to the right, at x = 0.425 m, and the stimulus comes from the left. */
+        fish.position_m.x = 0.425f - 0.03f;
         fish.angles.yaw_rad = fish.heading_rad = i % 2u ? 0.0f : F_PI;
         const vec3 from_m = { fish.position_m.x - 0.06f, -0.06f, 0.0f };
         const struct trial trial = start(fish, from_m, i, 12);
@@ -212,7 +214,8 @@ static void test_a_wall_behind_a_fish_gives_more_starts_toward_the_danger(void *
     }
     print_message("turned away at a wall: %.3f, into it by %.2f lengths\n", (double)away / TRIALS,
                   (double)into);
-    assert_true(into < 0.6f); /* The wall is 0.6 lengths away. */
+    /* The wall is 0.6 lengths (3 cm) away, so no fish reaches it within the 100 ms. */
+    assert_true(into < 0.6f);
     assert_true((float)away / TRIALS < 0.62f && (float)away / TRIALS > 0.45f);
 }
 
@@ -264,7 +267,8 @@ static void test_a_fish_scooped_during_its_start_straightens(void **state)
     tick_alone(&fish, 0, pond_at(1, 0));
     tick_alone(&fish, 0, pond_at(1, 1));
     assert_true(f_abs(fish.bend_rad) > 1.0f);
-    fish.gait = GAIT_BURST; /* The state is that of a fish that falls off the paper. */
+    /* A fish that falls off the paper gets GAIT_BURST in the middle of its bend. */
+    fish.gait = GAIT_BURST;
     fish.gait_left_s = 1.0f;
     fish.heading_rad = fish.angles.yaw_rad;
     fish.yaw_rate_rad_s = 0.0f;

@@ -77,8 +77,8 @@ static void test_behavior_updates_cover_the_whole_time(void **state)
         struct fish fish = calm();
         float covered_s = 0.0f;
         assert_int_equal(thoughts(&fish, index, 1200, NULL, &covered_s), 300);
-        assert_float_equal(covered_s, 10.0f, 4.5f * CORE_TICK_S); /* The last update may cover time
-                                                                     after the end. */
+        /* The last update may cover up to four ticks after the 10 s. */
+        assert_float_equal(covered_s, 10.0f, 4.5f * CORE_TICK_S);
     }
 }
 
@@ -104,7 +104,9 @@ static void test_a_fleeing_falling_or_gulping_fish_updates_in_every_tick(void **
     fish.falls = 1;
     assert_int_equal(thoughts(&fish, 2, 40, NULL, &covered_s), 40);
     fish = calm();
-    fish.position_m.y = -0.004f; /* The half width of the fish is 5 mm. */
+    /* The fish is 5 mm wide on each side, so at a depth of 4 mm it touches the surface and
+     * updates in every tick. */
+    fish.position_m.y = -0.004f;
     assert_int_equal(thoughts(&fish, 2, 40, NULL, &covered_s), 40);
 }
 
@@ -122,7 +124,7 @@ static void test_a_released_fish_does_not_repeat_skipped_updates(void **state)
     }
 }
 
-/* Stamina, random turns and depth are the same at both update rates. */
+/* Checks that stamina, random turns and depth do not depend on the update rate. */
 static void test_behavior_is_the_same_at_30_and_120_updates_a_second(void **state)
 {
     (void)state;
@@ -131,7 +133,8 @@ static void test_behavior_is_the_same_at_30_and_120_updates_a_second(void **stat
     often.depth_goal_m = seldom.depth_goal_m = -0.04f;
     for (uint32_t tick = 0; tick < 5u * CORE_TICK_HZ; tick++) {
         struct perception around = *pond_at(3, tick);
-        around.size_m = v3(20.0f, 0.12f, 20.0f); /* The walls are far away. */
+        /* In a tank of 20 m, no wall influences the fish. */
+        around.size_m = v3(20.0f, 0.12f, 20.0f);
         fish_behavior_tick(&often, 0, &around);
         if (tick % FISH_BEHAVIOR_TICKS == 0) {
             around.dt_s = fish_behavior_dt_s(&seldom, tick);
@@ -165,8 +168,8 @@ static void test_the_path_between_updates_is_a_smooth_arc(void **state)
             fish_behavior_tick(&fish, 0, &around);
         }
         swim_move(&fish, around.params);
-        fish.position_m.x = f_clamp(fish.position_m.x, -0.175f, 0.175f); /* The walls stop the
-                                                                            fish. */
+        /* Simulates the walls, because swim_move() alone does not stop the fish. */
+        fish.position_m.x = f_clamp(fish.position_m.x, -0.175f, 0.175f);
         fish.position_m.z = f_clamp(fish.position_m.z, -0.125f, 0.125f);
         roughest = f_max(roughest, f_abs(fish.yaw_rate_rad_s - rate));
         fastest = f_max(fastest, f_abs(fish.yaw_rate_rad_s));

@@ -73,7 +73,9 @@ static void test_the_visual_angle_follows_geometry_and_grows_with_approach(void 
     const struct startle_view view = startle_view(&disc, v3(0.10f, -0.05f, 0.0f));
     assert_float_equal(view.size_rad, 2.0f * f_atan2(0.0465f, 0.10f), 1e-5f);
     struct obstacle later = disc;
-    later.centre_m.x += 0.0003f; /* The disc is one millisecond later. */
+    /* At 0.3 m/s the disc moves 0.3 mm in one millisecond. The image's growth in that time
+     * gives its rate. */
+    later.centre_m.x += 0.0003f;
     const struct startle_view grown = startle_view(&later, v3(0.10f, -0.05f, 0.0f));
     assert_float_equal(1000.0f * (grown.size_rad - view.size_rad), view.growth_rad_s, 0.02f);
     assert_true(startle_view(&disc, v3(-0.10f, -0.05f, 0.0f)).growth_rad_s < 0.0f);
@@ -92,11 +94,12 @@ static void test_a_small_image_never_looms(void **state)
 {
     (void)state;
     struct obstacle disc = broadside_disc(4.0f);
-    disc.centre_m.y = 0.05f; /* The disc is in the air, where the pressure stimulus is zero. */
-    const struct fish near = fish_at(v3(0.14f, -0.01f, 0.0f)); /* The visual angle is 33 degrees. */
-    const struct fish far = fish_at(v3(0.30f, -0.01f, 0.0f));  /* The visual angle is 17 degrees.
-                                                                  The threshold of a timid fish is
-                                                                  20 degrees. */
+    /* A disc in the air causes no pressure, so only its image can startle the fish. */
+    disc.centre_m.y = 0.05f;
+    /* The disc has a visual angle of 33 degrees, above the timid fish's threshold of 20 degrees. */
+    const struct fish near = fish_at(v3(0.14f, -0.01f, 0.0f));
+    /* The disc has a visual angle of 17 degrees, below the threshold. */
+    const struct fish far = fish_at(v3(0.30f, -0.01f, 0.0f));
     assert_int_equal(startle_of_disc(&disc, &near).cause, STARTLE_LOOM);
     assert_int_equal(startle_of_disc(&disc, &far).cause, STARTLE_NONE);
 }
@@ -105,7 +108,8 @@ static void test_a_small_image_never_looms(void **state)
 static void test_a_pressure_stimulus_grows_with_speed_squared_and_is_zero_in_air(void **state)
 {
     (void)state;
-    const vec3 behind = { -0.04f, -0.05f, 0.0f }; /* The disc does not loom at this position. */
+    /* The disc moves away from this position, so its image does not loom. */
+    const vec3 behind = { -0.04f, -0.05f, 0.0f };
     struct obstacle fast = broadside_disc(0.4f);
     assert_int_equal(ticks_to_start(broadside_disc(0.08f), fish_at(behind), 1), NEVER);
     assert_in_range(ticks_to_start(fast, fish_at(behind), 1), 1, CORE_TICK_HZ / 4u);
@@ -174,7 +178,8 @@ static void latency(enum startle_cause cause, uint8_t gait, float *mean_s, float
 static void test_latency_is_8_to_15_ms_for_pressure_and_60_to_150_ms_for_sight(void **state)
 {
     (void)state;
-    const float half_tick_s = 0.5f * CORE_TICK_S + 1e-5f; /* A start begins at a tick boundary. */
+    /* A start happens in a whole tick, so a latency may be off by half a tick. */
+    const float half_tick_s = 0.5f * CORE_TICK_S + 1e-5f;
     float mean_s, least_s, most_s;
     latency(STARTLE_PRESSURE, GAIT_SWIM, &mean_s, &least_s, &most_s);
     assert_float_equal(mean_s, 0.0115f, 0.0005f);
@@ -183,9 +188,9 @@ static void test_latency_is_8_to_15_ms_for_pressure_and_60_to_150_ms_for_sight(v
     assert_float_equal(mean_s, 0.105f, 0.002f);
     assert_true(least_s > 0.060f - half_tick_s && least_s < 0.068f);
     assert_true(most_s < 0.150f + half_tick_s && most_s > 0.142f);
-    latency(STARTLE_SHADOW, GAIT_SWIM, &mean_s, &least_s, &most_s); /* The rest is the time until
-                                                                       the alarm reaches the
-                                                                       threshold. */
+    /* The limit is below 150 ms, because the time until the alarm reaches the threshold is not
+     * included. */
+    latency(STARTLE_SHADOW, GAIT_SWIM, &mean_s, &least_s, &most_s);
     assert_true(least_s >= 0.060f && most_s < 0.115f + half_tick_s);
 }
 

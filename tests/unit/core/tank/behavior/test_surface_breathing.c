@@ -175,8 +175,8 @@ static void test_three_seconds_of_gulping_restore_stamina_and_the_fish_dives(voi
     assert_true(dived >= 190);
     for (uint32_t i = 0; i < tank.fish_count; i++) {
         if (tank.fish[i].air == AIR_ENOUGH) {
-            /* The preferred depth is 18 cm if the stamina is at least 0.75, otherwise at most
-             * 13 cm. */
+            /* A fish with a stamina of at least 0.75 prefers a depth of 18 cm, others at most
+             * 13 cm. A goal below 15 cm shows that gulping restored the stamina. */
             assert_true(tank.fish[i].depth_goal_m < -0.15f);
         }
     }
@@ -411,7 +411,8 @@ static void test_a_startled_gulping_fish_submerges_before_it_escapes(void **stat
         assert_true(top_m(fish) <= 0.0f);
     }
     assert_int_equal(gulpers, 10);
-    /* A visual stimulus takes 60 to 150 ms to start a fish. A second stimulus takes longer. */
+    /* Most fish start within 10 ticks, because the latency of sight is 60 to 150 ms. A fish
+     * that needs a second stimulus takes longer. */
     assert_true(soon >= 8);
 }
 
@@ -419,7 +420,8 @@ static void test_a_gulping_fish_behaves_normally_after_scoop_and_return(void **s
 {
     (void)state;
     struct fish fish = gulper();
-    fish.gait = GAIT_SWIM; /* The state is that of a fish that leaves a bowl. */
+    /* A fish that leaves a bowl has GAIT_SWIM, but its `air` still has the state of the gulper. */
+    fish.gait = GAIT_SWIM;
     fish.position_m.y = -0.05f;
     assert_false(surface_breathes(&fish));
     assert_false(surface_tick(&fish, 0, pond_at(1, 0)));

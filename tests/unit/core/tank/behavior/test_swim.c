@@ -43,7 +43,8 @@ static void test_a_fish_swims_along_its_nose(void **state)
     (void)state;
     struct fish fish = swimmer();
     swim_ticks(&fish, 5 * CORE_TICK_HZ, 0.05f);
-    assert_float_equal(fish.position_m.z, -0.25f, 0.01f); /* Yaw 0 faces -z. */
+    /* In 5 s at 5 cm/s the fish swims 25 cm. Yaw 0 faces -z. */
+    assert_float_equal(fish.position_m.z, -0.25f, 0.01f);
     assert_float_equal(fish.position_m.x, 0.0f, 1e-4f);
 }
 
@@ -58,8 +59,10 @@ static void test_a_fish_reaches_95_percent_of_its_speed_after_the_run_up(void **
         swim_ticks(&fish, 1, 0.15f);
         ticks++;
     }
-    assert_int_equal(ticks, 20); /* 0.1639 s equals 19.7 ticks. */
-    /* By the law v (1 - exp(-3 t / T)), the fish moves 15 cm/s * (0.167 - 0.052 s). */
+    /* The run-up takes 0.1639 s, which is 19.7 ticks, so the speed is reached in tick 20. */
+    assert_int_equal(ticks, 20);
+    /* The speed follows v (1 - exp(-3 t / T)), so after 0.167 s the fish is 0.052 s behind a
+     * fish of constant 15 cm/s, at 1.72 cm. */
     assert_float_equal(v3_length(v3_sub(fish.position_m, start)), 0.0172f, 0.0007f);
 }
 
@@ -137,7 +140,8 @@ static void test_a_burst_slows_smoothly_within_half_a_second(void **state)
     for (uint32_t tick = 0; tick < CORE_TICK_HZ / 2u; tick++) {
         swim_ticks(&fish, 1, 0.05f);
         const float now_m_s = v3_length(fish.velocity_m_s);
-        assert_true(last_m_s - now_m_s < 0.006f); /* A sudden stop would be 0.075 in one tick. */
+        /* A fish that stopped at once would lose 7.5 cm/s in one tick. */
+        assert_true(last_m_s - now_m_s < 0.006f);
         last_m_s = now_m_s;
     }
     assert_true(last_m_s < 0.0751f);
@@ -165,8 +169,10 @@ static void test_turns_are_limited_by_the_gait_and_reach_their_goal(void **state
 {
     (void)state;
     check_turn(GAIT_REST, 0, 45.0f);
-    check_turn(GAIT_SWIM, 40u << 14, 180.0f); /* These bits of `look` put the fish into a glide. */
-    check_turn(GAIT_SWIM, 0, 500.0f);         /* With `look` 0 the fish is in a kick. */
+    /* The bits of `look` set the phase of the fish's cycle. With this phase the fish glides. */
+    check_turn(GAIT_SWIM, 40u << 14, 180.0f);
+    /* With phase 0 the fish is in a kick, in which it turns faster. */
+    check_turn(GAIT_SWIM, 0, 500.0f);
     check_turn(GAIT_BURST, 0, 720.0f);
 }
 
@@ -185,7 +191,8 @@ static void test_depth_is_kept_with_the_nose_nearly_level(void **state)
 {
     (void)state;
     struct fish fish = swimmer();
-    fish.gait = GAIT_REST; /* A resting fish changes depth with its swim bladder. */
+    /* A resting fish changes depth by its swim bladder, with the nose nearly level. */
+    fish.gait = GAIT_REST;
     fish.depth_goal_m = -0.09f;
     for (uint32_t tick = 0; tick < 20 * CORE_TICK_HZ; tick++) {
         swim_ticks(&fish, 1, 0.002f);
@@ -214,7 +221,8 @@ static void test_the_tail_beat_follows_the_true_speed(void **state)
     check_beat(0.0f, 0.5f);
     check_beat(1.05f, 1.75f);
     check_beat(3.99f, 6.65f);
-    /* At four lengths per second the law for slow fish meets the law for fast fish. */
+    /* The laws for slow and for fast fish meet at four lengths a second, between these two
+     * speeds. */
     check_beat(4.01f, 6.68f);
     check_beat(9.0f, 13.333f);
 }
@@ -233,19 +241,22 @@ static void test_the_stroke_widens_up_to_five_beats_a_second(void **state)
         swim_settle(&fleeing, v3(0.0f, 0.0f, -0.45f * CORE_TICK_S), v3(0.0f, 0.0f, -1.0f));
     }
     assert_float_equal(still.tail_amplitude, 0.15f, 0.01f);
-    assert_float_equal(cruising.tail_amplitude, 0.61f, 0.01f); /* The beat is 2.7 Hz. */
-    assert_float_equal(fast.tail_amplitude, 1.0f, 0.01f);      /* The beat is 5 Hz. */
-    assert_float_equal(fleeing.tail_amplitude, 1.0f, 0.01f);   /* The beat is 13 Hz. */
+    /* At 2.7 beats a second the amplitude is still below its maximum. */
+    assert_float_equal(cruising.tail_amplitude, 0.61f, 0.01f);
+    /* At 5 beats a second the amplitude has its maximum of 1. */
+    assert_float_equal(fast.tail_amplitude, 1.0f, 0.01f);
+    /* At 13 beats a second only the frequency is higher, not the amplitude. */
+    assert_float_equal(fleeing.tail_amplitude, 1.0f, 0.01f);
 }
 
 static void test_the_body_bends_along_its_arc(void **state)
 {
     (void)state;
     struct fish fish = swimmer();
-    fish.heading_rad = 90.0f * F_DEG; /* The goal is to the left. */
+    fish.heading_rad = 90.0f * F_DEG; /* The fish turns 90 degrees to its left. */
     swim_ticks(&fish, CORE_TICK_HZ / 4u, 0.05f);
-    assert_true(fish.bend_rad < -0.1f); /* A positive bend would move the tail to the fish's
-                                           right. */
+    /* In a left turn the tail bends to the fish's left, which is negative. */
+    assert_true(fish.bend_rad < -0.1f);
 }
 
 static void test_a_fish_turns_from_a_wall_before_it_touches_the_wall(void **state)
@@ -282,7 +293,7 @@ static void test_a_dropped_fish_falls_into_the_water_and_stays_there(void **stat
         ticks++;
         assert_true(ticks < CORE_TICK_HZ);
     }
-    assert_true(ticks > 15); /* A fall of 9 cm takes 0.135 s. */
+    assert_true(ticks > 15); /* A fall of 9 cm takes 0.135 s, which is 16 ticks. */
     assert_true(fish.position_m.y < 0.0f && fish.position_m.y > -0.1f);
     assert_int_equal(swim_fall(&fish), 0);
 }

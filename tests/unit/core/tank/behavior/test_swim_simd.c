@@ -13,7 +13,7 @@
 #include "core/tank/behavior/swim.h"
 #include "tests/unit/support/pond.h"
 
-#define SHOAL 67u /* The number is no multiple of any lane count. */
+#define SHOAL 67u /* A number that no lane count divides, so that the last block is incomplete. */
 #define SHOAL_ROUNDS 3000u
 
 static float drawn(uint32_t round, uint32_t fish, uint32_t *use, float low, float high)
@@ -55,7 +55,8 @@ static struct fish any_fish(uint32_t round, uint32_t index)
     };
     fish_grow(&fish, DRAWN(0.03f, 0.09f), pond_params());
     fish.gait = (uint8_t)DRAWN(0.0f, 4.999f);
-    if (DRAWN(0.0f, 1.0f) < 0.02f) { /* The block of such a fish uses the scalar form. */
+    /* Fish with these gaits are rare, because their whole block falls back to the scalar form. */
+    if (DRAWN(0.0f, 1.0f) < 0.02f) {
         fish.gait = DRAWN(0.0f, 1.0f) < 0.5f ? GAIT_HELD : GAIT_BOWL;
     }
     fish.falls = DRAWN(0.0f, 1.0f) < 0.01f;
@@ -93,7 +94,9 @@ static void test_no_corner_moves_farther_than_the_reported_distance(void **state
         assert_true(corner_m <= way_m + 1e-6f);
         closest = f_min(closest, way_m > 1e-3f ? 1.0f - corner_m / way_m : 1.0f);
     }
-    assert_true(closest < 0.1f); /* The reported distance is not much larger than necessary. */
+    /* The reported distance may be larger than the true one, but in the closest case by less
+     * than 10 %. */
+    assert_true(closest < 0.1f);
 }
 
 struct school {

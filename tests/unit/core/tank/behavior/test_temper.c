@@ -60,7 +60,8 @@ static void test_the_share_of_calm_fish_is_that_of_the_temper(void **state)
 {
     (void)state;
     static struct tank tank;
-    open_tank(&tank, TANK_PRESET_OFFICIAL, 1000, 5); /* All fish are shorter than 4.5 cm. */
+    /* All fish of this tank are shorter than 4.5 cm, so none is too long to be calm. */
+    open_tank(&tank, TANK_PRESET_OFFICIAL, 1000, 5);
     for (uint32_t percent = 0; percent <= 100; percent += 25) {
         const struct temper temper = { .calm_share = 0.01f * (float)percent };
         uint32_t count = 0;

@@ -12,7 +12,7 @@
 #include "core/tank/tank.h"
 #include "tests/unit/support/pond.h"
 
-#define BINS 15u /* Number of bins of 2 cm from an end wall to the middle of 60 cm. */
+#define BINS 15u /* Number of 2 cm bins from an end wall to the middle of the 60 cm tank. */
 #define BIN_M 0.02f
 #define FISH 24u
 #define MINUTES 20u
@@ -102,9 +102,13 @@ static void test_the_density_of_a_lone_fish_falls_with_the_distance_from_a_wall(
     float r2 = 0.0f;
     const float length_m = fall_off_m(&drawn, 1, &r2);
     print_message("falls to 1/e over %.1f cm, r2 %.3f\n", (double)(100.0f * length_m), (double)r2);
-    assert_true(length_m > 0.06f && length_m < 0.085f); /* The pull's range is 20 cm. */
+    /* The time near the wall falls to 1/e over about 7 cm, much less than the pull's range of
+     * 20 cm. */
+    assert_true(length_m > 0.06f && length_m < 0.085f);
     assert_true(r2 > 0.95f);
-    assert_true(drawn.lengths_s > 0.85f); /* The fish keeps swimming along the walls. */
+    /* The pull must not stop the fish: along the walls it still swims 0.85 lengths a second or
+     * more. */
+    assert_true(drawn.lengths_s > 0.85f);
     const struct histogram indifferent = histogram_of(0.0f);
     assert_true(drawn.beside > 0.7f);
     assert_true(drawn.beside > 1.3f * indifferent.beside);
@@ -113,7 +117,7 @@ static void test_the_density_of_a_lone_fish_falls_with_the_distance_from_a_wall(
 static void test_the_wall_pull_falls_exponentially_and_ends_at_20_cm(void **state)
 {
     (void)state;
-    /* The fish is already beside the wall, so the wall attracts it no more. */
+    /* At 3 cm the fish is already beside the wall, so the wall attracts it no more. */
     assert_float_equal(behavior_wall_pull(0.03f, 0.05f), 0.0f, 0.0f);
     assert_float_equal(behavior_wall_pull(0.19f, 0.05f) / behavior_wall_pull(0.10f, 0.05f),
                        f_exp(-1.0f), 1e-4f);
@@ -129,7 +133,8 @@ static void test_a_wall_turns_headings_toward_itself_by_the_shorter_way(void **s
         struct fish fish = { WAKIN(0.05f), .gait = GAIT_SWIM,
                              .position_m = { 0.425f - 0.10f, -0.06f, 0.0f } };
         fish.heading_rad = (float)degrees * F_DEG;
-        /* Angle between the heading and the direction +x, which has the yaw -90 degrees. */
+        /* Angle between the heading and the wall. The wall lies toward +x, at a yaw of -90
+         * degrees. */
         const float off_rad = f_abs(f_wrap_angle(fish.heading_rad + 0.5f * F_PI));
         behavior_wall_follow(&fish, &around);
         assert_true(f_abs(f_wrap_angle(fish.heading_rad + 0.5f * F_PI)) < off_rad + 1e-6f);
@@ -156,7 +161,9 @@ static void test_a_custom_tank_size_limits_the_fish_count_and_bad_sizes_are_reje
     assert_float_equal(tank.size_m.x, 0.60f, 1e-6f);
     assert_float_equal(tank.size_m.z, 0.30f, 1e-6f);
     const uint32_t most = tank_config_fish_max(&config);
-    assert_in_range(most, 200, 300); /* The area is 18 of the stall's 47 dm2. */
+    /* This tank has 18 dm^2 of water surface and the stall 47, so the limit is 18/47 of the
+     * stall's. */
+    assert_in_range(most, 200, 300);
     config.fish_count = most + 1u;
     assert_false(tank_open(&tank, &config));
     const vec3 odd[] = { { 0.29f, 0, 0 }, { 2.01f, 0, 0 }, { 0, 0.04f, 0 },   { 0, 0.51f, 0 },

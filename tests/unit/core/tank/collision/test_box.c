@@ -79,15 +79,15 @@ static void test_moving_along_the_axis_by_the_depth_separates_two_boxes(void **s
     assert_true(parted > 200);
 }
 
-/* Only a pair of crossed edges separates these two boxes. */
+/* In this pair, no face normal is a separating axis. Only the cross product of two edges is. */
 static void test_crossed_edges_separate_boxes_that_no_face_separates(void **state)
 {
     (void)state;
     const vec3 half = v3(0.01f, 0.01f, 0.04f);
     const struct angles rolled = { 0.0f, 0.0f, 45.0f * F_DEG },
                         crossed = { 90.0f * F_DEG, 0.0f, 45.0f * F_DEG };
-    /* Two bars each lie on an edge, one across the other. Their ridges are 1.414 cm from their
-     * centres. */
+    /* Each bar is turned by 45 degrees so that it rests on an edge. Its upper ridge is 1.414 cm
+     * from its centre, and the centres are 3 cm apart. */
     const struct box a = { v3(0.0f, 0.0f, 0.0f), vec_basis_from_angles(rolled), half },
                      b = { v3(0.0f, 0.030f, 0.0f), vec_basis_from_angles(crossed), half };
     const struct box_gap gap = box_gap(&a, 0.01f, &b, 0.01f);
@@ -137,7 +137,7 @@ static void test_the_shortest_move_across_a_rod_clears_it(void **state)
     assert_float_equal(beside.x, -0.001f, NEAR);
     assert_float_equal(v3_length(box_clear_rod(&box, v3(0.009f, 0.0f, 0.0f), up, 0.003f)), 0.0f,
                        NEAR);
-    /* A rod across the fish is cleared upward or downward, and not along the rod. */
+    /* The shortest way out from a rod across the fish is up or down, never along the rod. */
     const vec3 across = box_clear_rod(&box, v3(0.0f, 0.002f, 0.0f), right, 0.003f);
     assert_float_equal(across.x, 0.0f, NEAR);
     assert_float_equal(across.y, -0.011f, NEAR);

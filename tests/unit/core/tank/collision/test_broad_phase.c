@@ -53,8 +53,8 @@ static void test_the_grid_finds_every_pair_of_the_exhaustive_search(void **state
 static void test_the_grid_finds_pairs_across_cell_borders(void **state)
 {
     (void)state;
-    /* The fish are nose to nose on a fine lattice of offsets, so that the pairs straddle every cell
-     * border. */
+    /* Moves nose-to-nose pairs in steps of 5 mm, so that every cell border falls between some
+     * pair. */
     for (uint32_t shift = 0; shift < 40; shift++) {
         for (uint32_t i = 0; i < 12; i += 2) {
             const float x = -0.6f + 0.2f * (float)(i / 2u) + 0.005f * (float)shift;
@@ -248,8 +248,8 @@ static void test_a_full_contact_list_drops_other_pairs_each_tick(void **state)
     (void)state;
     static uint8_t served[200][200];
     enum { COUNT = 200 };
-    for (uint32_t i = 0; i < COUNT; i++) { /* All fish overlap: 19,900 pairs, with room for
-                                              8,192. */
+    /* All fish overlap each other, which gives 19,900 pairs, but the list has room for 8,192. */
+    for (uint32_t i = 0; i < COUNT; i++) {
         fish[i] = (struct fish){ .position_m = { 0.00004f * (float)i, -0.1f, 0.0f }, WAKIN(0.05f) };
     }
     uint32_t pairs = 0;

@@ -71,7 +71,8 @@ static void test_the_solver_moves_a_fish_at_most_2_mm_beyond_its_own_motion(void
     (void)state;
     static vec3 before_m[300];
     fill_at_random(300, 0.3f, 0.06f);
-    for (uint32_t i = 0; i < 300; i++) { /* The fish are crowded, and each has moved 2 mm. */
+    /* Crowds the fish into a quarter of the area. Each fish moved 2 mm in this tick. */
+    for (uint32_t i = 0; i < 300; i++) {
         fish[i].position_m = v3_scale(fish[i].position_m, 0.5f);
         fish[i].position_m.y -= 0.05f;
         before_m[i] = v3_add(fish[i].position_m, v3(0.002f, 0.0f, 0.0f));
@@ -93,7 +94,7 @@ static void test_the_solver_moves_a_fish_at_most_2_mm_beyond_its_own_motion(void
 static void test_a_blocked_fish_leaves_the_correction_to_the_other(void **state)
 {
     (void)state;
-    /* A small fish is at rest. A large fish moved 10 mm into it and is moved back. */
+    /* The large fish moved 10 mm into the small resting fish. The solver takes back its motion. */
     const vec3 before_m[2] = { { 0.0f, -0.1f, 0.0f }, { 0.028f, -0.1f, 0.0f } };
     fish[0] = (struct fish){ .position_m = { 0.0f, -0.1f, 0.0f }, WAKIN(0.04f) };
     fish[1] = (struct fish){ .position_m = { 0.004f, -0.1f, 0.0f }, WAKIN(0.08f) };
@@ -115,11 +116,13 @@ static void test_the_larger_of_two_fish_moves_less(void **state)
     const float large_m = -broad_phase.body[0].centre_m.x,
                 small_m = broad_phase.body[1].centre_m.x - 0.009f;
     assert_true(large_m > 0.0f);
-    assert_float_equal(small_m / large_m, 8.0f, 0.2f); /* The corrections are inversely proportional
-                                                          to the masses. */
+    /* The large fish is twice as long and has eight times the mass, so it moves an eighth as
+     * far. */
+    assert_float_equal(small_m / large_m, 8.0f, 0.2f);
 }
 
-/* Two fish lie side by side at a wall. A third fish turned its whole length into them. */
+/* Two fish lie side by side at a wall, and a third one turns its side into them. No correction
+ * can free it, so it must get its old pose back. */
 static void test_an_unsolved_fish_gets_its_old_pose_bit_for_bit(void **state)
 {
     (void)state;
@@ -191,7 +194,8 @@ static void test_a_blocked_obstacle_loses_its_unused_speed_and_turn(void **state
     assert_int_equal(disc.turned, 0);
 }
 
-enum { MANY = 203 }; /* The number is no multiple of any lane width. */
+/* A number that no lane width divides, so that the last block is incomplete. */
+enum { MANY = 203 };
 
 /* Runs the solver on the crowd of begin_step() with `lanes` lanes. `alone` solves each fish
  * separately. */
@@ -200,9 +204,8 @@ static void clear_crowd(uint8_t lanes, int alone)
     place.lanes = lanes;
     broad_phase_gather(&broad_phase, fish, MANY, 0.2f);
     for (uint32_t i = 0; i < MANY && alone; i++) {
-        broad_phase.flags[i] |=
-            BODY_NEAR_OBSTACLE; /* The flag is from a previous substep. The SIMD form leaves such
-                                   fish to the scalar form. */
+        /* The flag of a previous substep makes the solver leave this fish to the scalar form. */
+        broad_phase.flags[i] |= BODY_NEAR_OBSTACLE;
     }
     contact_solver_substep_count(&solver, &place);
     contact_solver_substep(&solver, &broad_phase, &place, 0);
@@ -223,7 +226,8 @@ static void test_simd_lanes_equal_the_scalar_form_at_walls_and_a_poi(void **stat
                              .step_m = { 0.001f, 0.0f, 0.0f } };
     fill_at_random(MANY, 1.2f, 0.06f);
     contact_solver_begin(&solver, fish, MANY);
-    for (uint32_t i = 0; i < MANY; i++) { /* Some fish overlap walls, the floor and the surface. */
+    /* Pushes some fish beyond the walls, the floor and the surface. */
+    for (uint32_t i = 0; i < MANY; i++) {
         fish[i].position_m.x *= 1.05f;
         fish[i].position_m.y += draw(i, 8, -0.008f, 0.008f);
         fish[i].angles.yaw_rad += draw(i, 9, -0.2f, 0.2f);
@@ -262,8 +266,8 @@ static void test_fish_without_an_overlap_stay_without_one(void **state)
     uint32_t reverted_count = 0, free_count = 0;
     float deepest_m = 0.0f;
     fill_at_random(COUNT, 0.3f, 0.05f);
-    for (uint32_t i = 0; i < COUNT; i++) { /* The density is that of 2,000 fish in the whole
-                                              tank. */
+    /* Shrinks the area, so that these 400 fish are as dense as 2,000 fish in the whole tank. */
+    for (uint32_t i = 0; i < COUNT; i++) {
         fish[i].position_m.x *= 0.4f;
         fish[i].position_m.z *= 0.5f;
     }
@@ -309,7 +313,8 @@ static void test_fish_without_an_overlap_stay_without_one(void **state)
     assert_true(deepest_m <= SOLVER_FREE_M + 1e-6f);
 }
 
-/* Fish are half a millimetre apart on every side. Each fish could touch 26 others. */
+/* Every fish is 0.5 mm from its neighbours and may touch 26 of them. All pairs together are
+ * more than the list can hold. */
 static void test_no_fish_overlap_when_the_contact_list_is_full(void **state)
 {
     (void)state;

@@ -25,7 +25,8 @@ static uint8_t flags[COUNT_MAX];
 static float reach_m[COUNT_MAX];
 static struct narrow_phase_pair found[FOUND_MAX + NARROW_PHASE_BATCH + SIMD_LANES_MAX];
 static struct narrow_phase_pair others[FOUND_MAX + NARROW_PHASE_BATCH + SIMD_LANES_MAX];
-static uint32_t listed[COUNT_MAX][COUNT_MAX]; /* Holds 1 + the index into `found`. */
+/* 1 + the index of the pair in `found`, or 0 if the pair was not found. */
+static uint32_t listed[COUNT_MAX][COUNT_MAX];
 
 static float draw(uint32_t who, uint32_t purpose, float low, float high)
 {
@@ -70,7 +71,8 @@ static uint32_t search(struct narrow_phase_pair *to, uint32_t count, uint8_t how
                                            .width_m = 1.36f,
                                            .breadth_m = 0.65f };
     uint32_t all = 0;
-    memset(&pairs, 0x5a, sizeof pairs); /* The search must keep no state in the structure. */
+    /* Fills the structure with garbage, because a search must not depend on its old contents. */
+    memset(&pairs, 0x5a, sizeof pairs);
     narrow_phase_begin(&pairs, &of);
     for (uint32_t some; narrow_phase_next(&pairs, &of, &to[all], &some); all += some) {
         assert_true(some <= NARROW_PHASE_BATCH);
@@ -118,7 +120,8 @@ static uint32_t check(uint32_t count)
         for (uint32_t j = i + 1u; j < count; j++) {
             const struct box a = body_box(&body[i]), b = body_box(&body[j]);
             const struct box_gap gap = box_gap(&a, body[i].margin_m, &b, body[j].margin_m);
-            /* Margins of one metre prevent any axis from ending the search early. */
+            /* With margins of one metre no axis separates the boxes, so box_gap() computes the
+             * exact gap. */
             const float gap_m = box_gap(&a, 1.0f, &b, 1.0f).body_m;
             const int both = flags[i] & flags[j] & 1;
             const int near =
@@ -175,8 +178,9 @@ static void test_pairs_outside_the_grid_are_found(void **state)
     (void)state;
     fill(400, 0.5f, 0.05f, 0.05f);
     for (uint32_t i = 0; i < 400; i++) {
-        body[i].centre_m = v3(draw(i, 1, 0.5f, 1.2f), draw(i, 2, -0.2f, 0.1f),
-                              draw(i, 3, 0.2f, 0.7f)); /* Most fish lie beyond the corner. */
+        /* The grid ends at x = 0.68 m and z = 0.325 m, so most of these fish lie outside. */
+        body[i].centre_m =
+            v3(draw(i, 1, 0.5f, 1.2f), draw(i, 2, -0.2f, 0.1f), draw(i, 3, 0.2f, 0.7f));
     }
     assert_true(check(400) > 200);
 }
@@ -185,8 +189,9 @@ static void test_all_pairs_in_one_cell_are_found(void **state)
 {
     (void)state;
     fill(COUNT_MAX, 0.5f, 0.05f, 0.05f);
-    for (uint32_t i = 0; i < COUNT_MAX; i++) { /* The 244,650 pairs fill many batches, and the pairs
-                                                  of one fish may fall in two batches. */
+    /* All fish are within one cell. Their 244,650 pairs fill many batches, and the pairs of one
+     * fish may be split between two batches. */
+    for (uint32_t i = 0; i < COUNT_MAX; i++) {
         body[i].centre_m = v3(draw(i, 1, 0.0f, 0.01f), -0.1f, draw(i, 3, 0.0f, 0.01f));
     }
     assert_int_equal(check(COUNT_MAX), COUNT_MAX * (COUNT_MAX - 1u) / 2u);
@@ -203,7 +208,7 @@ static void test_pairs_at_the_corners_of_cells_are_found(void **state)
                                    -0.325f + CELL_EXACT_M * (float)(row + 1u));
             const float yaw = F_PI * 0.25f * (float)(column % 4u);
             const vec3 along = v3(-f_sin(yaw), 0.0f, -f_cos(yaw));
-            /* The fish are nose to nose with a tiny overlap of their spaces. */
+            /* The fish are nose to nose across the corner. Their spaces overlap by 0.2 mm. */
             for (uint32_t end = 0; end < 2u; end++) {
                 const vec3 at = v3_muladd(corner, along, end == 0 ? 0.0349f : -0.0349f);
                 put(count++, at, (struct angles){ yaw, 0.0f, 0.0f }, 0.05f);
@@ -219,7 +224,8 @@ static void test_the_farthest_pair_that_overlaps_lies_within_one_cell(void **sta
     (void)state;
     uint32_t overlaps = 0;
     for (uint32_t shift = 0; shift < 200; shift++) {
-        /* The diagonal of 3 x 4 x 7 is horizontal, so that its whole length counts in the plane. */
+        /* Turns the box so that its longest diagonal is horizontal and counts fully in the
+         * grid's plane. */
         put(0, v3(0.0005f * (float)shift, -0.1f, 0.0f), (struct angles){ 0.5f, 0.3f, 0.2f }, 0.05f);
         body[1] = body[0];
         const struct body *a = &body[0];

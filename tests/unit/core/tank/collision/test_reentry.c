@@ -190,7 +190,8 @@ static void test_a_dropped_fish_takes_no_gap_through_paper(void **state)
                              .axes_before = vec_basis_from_angles((struct angles){ 0 }),
                              .paper = paper,
                              .paper_radius_m = 0.9f * POI_RADIUS };
-    /* Three layers of twelve fish swim, and twelve more are dropped into the lowest layer. */
+    /* 36 fish swim in three layers of twelve. Another twelve are dropped onto those of the
+     * lowest layer. */
     open_tank(&tank, TANK_PRESET_FESTIVAL, 48, 6);
     for (uint32_t i = 0; i < 48; i++) {
         const uint32_t layer = i / 12u % 3u;

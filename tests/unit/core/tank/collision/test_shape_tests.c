@@ -12,7 +12,8 @@
 #include "core/tank/collision/box.h"
 
 #define WALK_POINTS 1024
-#define EXACT_M 0.00006f /* The discrete steps of the search leave an error of 0.01 mm. */
+/* Tolerance of 0.06 mm. The sampled points of the ring alone leave an error of 0.01 mm. */
+#define EXACT_M 0.00006f
 
 static float draw(uint32_t which, uint32_t i, float low, float high)
 {
@@ -100,8 +101,9 @@ static void test_the_separation_vector_leads_off_the_ring(void **state)
         }
     }
     assert_true(touching > 700);
-    assert_true(freed * 10u > touching * 8u); /* The other boxes are between two parts of the
-                                                 ring. */
+    /* A box between two parts of the ring cannot be freed in one step, so only 80 % are
+     * required. */
+    assert_true(freed * 10u > touching * 8u);
 }
 
 static void test_a_fish_over_the_middle_is_clear_of_the_ring_at_every_heading(void **state)
