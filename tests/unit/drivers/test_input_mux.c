@@ -193,7 +193,7 @@ static void test_a_better_controller_gets_the_slot_only_between_games(void **sta
     pad.there = 1;
     assert_int_equal(arrange(0), 0u);
     assert_int_equal(arrange(0), 0u);
-    assert_true(pad.asked >= 2); /* The source is polled nevertheless. */
+    assert_true(pad.asked >= 2); /* A source without a slot is still asked whether it is ready. */
     assert_int_equal(arrange(1), 3u);
     assert_int_equal(arrange(1), 0u);
     usb.there = 1;

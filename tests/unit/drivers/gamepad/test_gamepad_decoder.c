@@ -192,13 +192,16 @@ static void test_gamepad_rotation_tilts_the_ring_without_drift(void **state)
     after_ms(100);
     set_buttons(GAMEPAD_SOUTH);
     after_ms(500);
-    turn(v3(0.0f, 0.0f, -2.0f)); /* The right edge goes down for a quarter of a second. */
+    /* Rolls the right side down at 2 rad/s for the following 250 ms. */
+    turn(v3(0.0f, 0.0f, -2.0f));
     after_ms(250);
-    turn(v3(0.0f, 0.0f, 0.02f)); /* The gyroscope has a bias of one degree per second. */
+    /* From here on, the gyroscope reports only its bias of one degree per second. */
+    turn(v3(0.0f, 0.0f, 0.02f));
     const float at_once = after_ms(200).angles.roll_rad;
     assert_true(at_once > 0.30f && at_once < 0.50f);
     const vec3 up = hand.tilt.up;
-    for (uint32_t i = 0; i < 2000; i++) { /* The dip lasts 20 s. */
+    /* Holds the dip for 20 s, in which the bias must not turn the ring. */
+    for (uint32_t i = 0; i < 2000; i++) {
         turn(v3(0.0f, 0.0f, 0.02f));
         weigh(up);
         after_ms(10);
@@ -283,8 +286,8 @@ static void test_there_is_one_sample_per_tick_at_every_frame_rate(void **state)
         begin_sim(state);
         const uint32_t count = play_ms(3200, frame_ms);
         const uint32_t ticks = 3200u * CORE_TICK_HZ / 1000u;
-        assert_true(count + 3200u / frame_ms >= ticks); /* Each frame may lose one tick to
-                                                           rounding. */
+        /* Rounding may cost one tick in each frame. */
+        assert_true(count + 3200u / frame_ms >= ticks);
     }
 }
 

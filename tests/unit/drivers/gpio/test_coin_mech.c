@@ -109,12 +109,13 @@ static void test_a_stuck_coin_is_reported_once_and_while_it_is_stuck(void **stat
     assert_counts(&mech, 0, 0, 1, 0);
     gpio_coin_settle(&mech, 60000 * MS);
     gpio_coin_edge(&mech, 61000 * MS, false);
-    /* The coin that was stuck falls, and the contact bounces. */
+    /* The stuck coin falls at last, and its contact bounces, which must count neither as a coin
+     * nor as a fault. */
     gpio_coin_edge(&mech, 61005 * MS, true);
     gpio_coin_edge(&mech, 61030 * MS, false);
     gpio_coin_settle(&mech, 62000 * MS);
     assert_counts(&mech, 0, 0, 1, 0);
-    pulse(&mech, 63000 * MS, 50 * MS); /* The coin after the stuck coin is counted. */
+    pulse(&mech, 63000 * MS, 50 * MS); /* The next coin is counted as usual. */
     gpio_coin_settle(&mech, 64000 * MS);
     assert_counts(&mech, 1, 0, 1, 0);
 }

@@ -21,7 +21,7 @@ static void test_a_stalled_frame_loop_loses_no_coin(void **state)
     static struct fixture fixture;
     PLAY(&fixture, events);
     while (fixture.sim.now_ns < 3000 * MS) {
-        /* The GPIO thread runs, but the frame loop does not poll yet. */
+        /* Runs only the GPIO thread, so that all edges wait until the frame loop polls. */
         gpio_thread_step(&fixture.gpio);
     }
     poll(&fixture);
@@ -58,7 +58,7 @@ static void test_each_coin_line_is_counted_separately(void **state)
     (void)state;
     static const struct gpio_sim_event events[] = {
         LEVEL(100, GPIO_COIN, 1),  LEVEL(110, GPIO_COIN2, 1), LEVEL(120, GPIO_COIN3, 1),
-        LEVEL(128, GPIO_COIN3, 0), /* A short pulse from a knock. */
+        LEVEL(128, GPIO_COIN3, 0), /* A pulse of 8 ms, as from a knock, is too short for a coin. */
         LEVEL(150, GPIO_COIN, 0),  LEVEL(160, GPIO_COIN2, 0), LEVEL(300, GPIO_COIN2, 1),
         LEVEL(350, GPIO_COIN2, 0), LEVEL(400, GPIO_COIN3, 1), LEVEL(440, GPIO_COIN3, 0),
         LEVEL(500, GPIO_COIN3, 1), LEVEL(540, GPIO_COIN3, 0), LEVEL(600, GPIO_COIN3, 1),
@@ -79,12 +79,10 @@ static void test_too_long_and_too_short_pulses_are_faults_and_no_coins(void **st
 {
     (void)state;
     static const struct gpio_sim_event events[] = {
-        LEVEL(100, GPIO_COIN, 1),
-        LEVEL(108, GPIO_COIN, 0), /* A short pulse from a knock. */
-        LEVEL(200, GPIO_COIN, 1),
+        /* A pulse of 8 ms, as from a knock, is too short for a coin and counts as a fault. */
+        LEVEL(100, GPIO_COIN, 1), LEVEL(108, GPIO_COIN, 0),  LEVEL(200, GPIO_COIN, 1),
         LEVEL(201, GPIO_COIN, 0), /* A glitch below the debounce period. */
-        LEVEL(300, GPIO_COIN, 1),
-        LEVEL(2000, GPIO_COIN, 0), /* A coin sticks. */
+        LEVEL(300, GPIO_COIN, 1), LEVEL(2000, GPIO_COIN, 0), /* A coin sticks. */
     };
     static struct fixture fixture;
     PLAY(&fixture, events);

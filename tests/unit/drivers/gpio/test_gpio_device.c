@@ -33,11 +33,13 @@ static bool next_of_day(void *self, struct gpio_sim_event *out)
     }
     day->step++;
     day->time_ns += edge == 0 ? 60 * MS : 30 * MS;
-    if (coin % (COINS / CYCLES) == 0 && edge >= 2) { /* The chip is absent for 1.5 s. */
+    /* Unplugs the chip after the coin (edge 2) and plugs it in again 1.5 s later (edge 3). */
+    if (coin % (COINS / CYCLES) == 0 && edge >= 2) {
         day->time_ns += edge == 3 ? 1500 * MS : 0;
         *out = (struct gpio_sim_event){ day->time_ns, edge == 2 ? GPIO_SIM_GONE : GPIO_SIM_BACK, 0,
                                         0 };
-        day->time_ns += edge == 3 ? 2000 * MS : 0; /* The thread finds the chip within a second. */
+        /* The thread looks for the chip once a second, so it is open before the next coin. */
+        day->time_ns += edge == 3 ? 2000 * MS : 0;
         return true;
     }
     *out = (struct gpio_sim_event){

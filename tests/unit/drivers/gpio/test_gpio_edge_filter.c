@@ -70,8 +70,8 @@ static void test_two_glitches_that_are_read_late_are_no_pulse(void **state)
 {
     (void)state;
     struct gpio_edge_filter input = gpio_edge_filter_begin(PERIOD_NS, false, 0);
-    taken_ns = 130 * MS; /* The kernel queued each edge at once, but the reader thread was not
-                            scheduled. */
+    /* The thread reads both edges only at 130 ms, although they occurred at 100 and 125 ms. */
+    taken_ns = 130 * MS;
     assert_false(edge(&input, 100, false, 0));
     assert_false(edge(&input, 125, false, 0));
     assert_false(level(&input, 130, false));
@@ -113,7 +113,7 @@ static void test_a_pulse_ends_at_the_level_that_was_read_before_its_edges(void *
     assert_false(level(&input, 102, true));
     assert_false(level(&input, 107, true));
     assert_false(level(&input, 117, false));
-    assert_true(edge(&input, 100, false, 0)); /* This edge is reported at 170 ms. */
+    assert_true(edge(&input, 100, false, 0)); /* This edge of 100 ms is read only at 170 ms. */
     assert_change(100, true);
     assert_true(edge(&input, 170, false, 0));
     assert_change(117, false);
@@ -156,8 +156,9 @@ static void test_an_edge_older_than_an_accepted_level_changes_nothing(void **sta
     level(&input, 112, true);
     assert_true(level(&input, 122, true));
     assert_change(102, true);
-    assert_false(edge(&input, 100, false, 0)); /* The missing edge is read when its pulse is
-                                                  over. */
+    /* The edge at 100 ms was missing. It is read when its pulse is over, so it must not end the
+     * pulse again. */
+    assert_false(edge(&input, 100, false, 0));
     assert_true(input.debounce.stable);
     assert_false(edge(&input, 160, false, 0));
     assert_true(level(&input, 163, false));
@@ -171,8 +172,10 @@ static void test_blinks_within_a_bounce_are_no_doubtful_pair(void **state)
     struct gpio_edge_filter input = gpio_edge_filter_begin(PERIOD_NS, false, 0);
     taken_ns = 200 * MS;
     assert_false(edge(&input, 100, true, 0));
-    assert_false(edge(&input, 101, true, 0)); /* The contact bounced while it closed. */
-    assert_true(edge(&input, 140, true, 0));  /* The contact bounced while it opened. */
+    /* A second closing edge means that the contact bounced while it closed. */
+    assert_false(edge(&input, 101, true, 0));
+    /* Another closing edge at 140 ms means that the contact bounced while it opened. */
+    assert_true(edge(&input, 140, true, 0));
     assert_change(101, true);
     assert_false(edge(&input, 141, false, 0));
     taken_ns = 0;
@@ -187,7 +190,8 @@ static void test_a_pulse_whose_first_edge_is_read_late_keeps_its_width(void **st
     struct gpio_edge_filter input = gpio_edge_filter_begin(PERIOD_NS, false, 0);
     assert_false(level(&input, 99, false));
     assert_false(edge(&input, 100, true, 0)); /* This edge is reported at 106 ms. */
-    assert_false(level(&input, 101, false));  /* The level does not show the edge yet. */
+    /* The level was read before the edge took effect, so it still shows an open contact. */
+    assert_false(level(&input, 101, false));
     assert_true(edge(&input, 120, false, 0));
     assert_change(100, true);
     assert_true(level(&input, 126, false));
@@ -234,7 +238,8 @@ static void test_a_level_without_an_edge_is_accepted_after_the_timeout(void **st
     assert_true(level(&input, 120, true));
     assert_int_equal(input.lost, 1);
     assert_change(100, true);
-    assert_false(edge(&input, 99, true, 0)); /* The late edge changes nothing any more. */
+    /* The level was already accepted, so an edge from before it changes nothing. */
+    assert_false(edge(&input, 99, true, 0));
     assert_false(level(&input, 200, true));
     assert_int_equal(input.lost, 1);
 }

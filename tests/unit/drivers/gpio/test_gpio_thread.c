@@ -70,7 +70,8 @@ static void test_edges_that_the_queue_dropped_are_faults_and_the_level_is_correc
     (void)state;
     for (uint8_t numbered = 0; numbered < 2; numbered++) {
         static struct gpio_sim_event events[41];
-        for (uint32_t i = 0; i < 41; i++) { /* The last event is a press. */
+        /* The last of the 41 edges is a press, so the button is held afterwards. */
+        for (uint32_t i = 0; i < 41; i++) {
             events[i] = (struct gpio_sim_event)LEVEL(100 + i, GPIO_START, i % 2 == 0);
         }
         static struct fixture fixture;
@@ -134,8 +135,8 @@ static void test_a_chip_that_disappears_is_one_fault_and_is_reopened(void **stat
     const uint32_t opened = fixture.sim.open_count;
     assert_in_range(opened, 4, 6); /* The thread retries once a second, not in every step. */
     run_until(&fixture, 5100);
-    assert_int_equal(fixture.sim.outputs[GPIO_START_LAMP], 1); /* The lamp has the requested
-                                                                  level again. */
+    /* After the chip came back, the lamp is set again. */
+    assert_int_equal(fixture.sim.outputs[GPIO_START_LAMP], 1);
     run_until(&fixture, 7000);
     assert_int_equal(fixture.presses, 2);
     assert_int_equal(fixture.sum.coin_count[0], 1);

@@ -170,7 +170,8 @@ static void test_a_device_is_active_while_it_is_chosen(void **state)
     assert_int_equal(order(COMMAND_RELEASE, 0), HAL_OK);
     assert_int_equal(frame().state[0], CONTROLLER_FREE);
     assert_false(slot[0].is_open);
-    assert_int_equal(order(COMMAND_CHOOSE, 1), HAL_ERR_ABSENT); /* The row is empty. */
+    /* Row 1 is empty, so there is no device to choose. */
+    assert_int_equal(order(COMMAND_CHOOSE, 1), HAL_ERR_ABSENT);
     assert_int_equal(order(COMMAND_CHOOSE, CONTROLLER_MAX), HAL_ERR_ABSENT);
 }
 
@@ -184,13 +185,13 @@ static void test_a_mapping_is_learned_tried_and_stored(void **state)
     assert_int_equal(tried.learn_row, 0);
     assert_true(slot[0].plays);
     assert_int_equal(slot[0].decoder.map.source, HID_MAPPING_LEARNED);
-    assert_int_equal(slot[0].decoder.map.binding[0].bit_offset, 16); /* The binding of the right
-                                                                        stick. */
+    /* Bit 16 is the right stick, which the operator used, and not the left one. */
+    assert_int_equal(slot[0].decoder.map.binding[0].bit_offset, 16);
     assert_int_equal(order(COMMAND_LEARN_KEEP, 0), HAL_OK);
     assert_int_equal(frame().learn_step, LEARN_NONE);
     assert_non_null(hid_mapping_store_find(&store, &wire[0].face.identity));
-    assert_int_equal(slot[0].decoder.map.source, HID_MAPPING_LEARNED); /* The mapping stays in
-                                                                          use. */
+    /* The learned mapping stays in use after it is stored. */
+    assert_int_equal(slot[0].decoder.map.source, HID_MAPPING_LEARNED);
 }
 
 static void test_a_mapping_that_is_not_stored_is_discarded(void **state)
@@ -289,7 +290,8 @@ static void test_an_unwritable_mapping_is_reported_and_stays_in_use(void **state
     assert_int_equal(written().learn_step, LEARN_NOT_SAVED);
     assert_int_equal(told_count, 1);
     assert_true(slot[0].plays);
-    assert_int_equal(unlink(pois), 0); /* The operator removes the file. */
+    /* Simulates an operator who removes the file that is in the way. */
+    assert_int_equal(unlink(pois), 0);
     assert_int_equal(order(COMMAND_LEARN_KEEP, 0), HAL_OK);
     assert_int_equal(written().learn_step, LEARN_NONE);
     assert_int_equal(store.written_count, 1);
@@ -339,7 +341,8 @@ static void test_learning_fails_if_the_device_is_unplugged(void **state)
     hid_device_list_sim_plug(&device_list, 0, NULL);
     frame();
     assert_int_equal(frame().learn_step, LEARN_FAILED);
-    order(COMMAND_LEARN_NEXT, 0); /* No learning is in progress. */
+    /* The learning has failed and is over, so there is no next step. */
+    order(COMMAND_LEARN_NEXT, 0);
     assert_int_equal(frame().learn_step, LEARN_FAILED);
     hid_device_list_sim_plug(&device_list, 0, &wire[0].face);
     frame();
@@ -367,11 +370,12 @@ static void test_an_unsuccessful_learning_is_reported(void **state)
     order(COMMAND_LEARN, 0);
     for (uint32_t i = LEARN_REST; i <= LEARN_DIP; i++) {
         frame();
-        step(128, 128, 0); /* The stick does not move. */
+        step(128, 128, 0); /* A stick at rest in every step teaches nothing. */
         order(COMMAND_LEARN_NEXT, 0);
     }
     assert_int_equal(frame().learn_step, LEARN_FAILED);
-    assert_true(slot[0].plays); /* The previous mapping is in use. */
+    /* After the failure the gamepad still plays with its previous mapping. */
+    assert_true(slot[0].plays);
     assert_int_equal(slot[0].decoder.map.source, HID_MAPPING_KNOWN);
     assert_int_equal(order(COMMAND_LEARN_KEEP, 0), HAL_ERR_IO);
 }

@@ -69,8 +69,8 @@ static void test_each_report_id_has_its_own_bit_offsets(void **state)
                           END),
                      HID_OK);
     assert_int_equal(read_in.group[1].bit_offset, 0);
-    assert_int_equal(read_in.group[2].bit_offset, 8); /* The fields of report 1 continue at its
-                                                         own bit offset. */
+    /* Field 2 belongs to report 1 again, so it follows the 8 bits of that report's first field. */
+    assert_int_equal(read_in.group[2].bit_offset, 8);
     assert_int_equal(hid_report_id(&read_in, REPORT(2, 7)), 2);
     assert_true(hid_report_is_whole(&read_in, REPORT(2, 7)));
     assert_false(hid_report_is_whole(&read_in, REPORT(1, 7)));
@@ -130,7 +130,8 @@ static void test_push_saves_the_global_items_and_pop_restores_them(void **state)
                      HID_OK);
     assert_int_equal(read_in.group[0].unit, 0);
     assert_int_equal(read_in.group[1].unit, 0x11);
-    assert_int_equal(read_in.group[1].unit_exponent, -2); /* The nibble 14 is the exponent -2. */
+    /* The exponent is a signed nibble: 14 means -2. */
+    assert_int_equal(read_in.group[1].unit_exponent, -2);
 }
 
 static void test_only_the_first_usage_of_a_delimited_set_is_used(void **state)

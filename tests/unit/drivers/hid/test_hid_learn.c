@@ -285,7 +285,8 @@ static void test_without_a_motion_nothing_is_learned(void **state)
         hid_learn_next(&learn);
     }
     assert_int_equal(learn.step, LEARN_FAILED);
-    hid_learn_next(&learn); /* The learning does not reach the next step. */
+    /* After a failure, another call does not continue with the next step. */
+    hid_learn_next(&learn);
     assert_int_equal(learn.step, LEARN_FAILED);
 }
 
@@ -329,7 +330,8 @@ static void test_invalid_reports_are_ignored(void **state)
     hid_learn_report(&learn, &raw);
     raw.size = 12;
     raw.bytes[0] = 1;
-    hid_learn_report(&learn, &raw); /* The report is too short. */
+    /* The declared report 1 has 64 bytes, so 12 bytes are too few. */
+    hid_learn_report(&learn, &raw);
     raw.size = HID_REPORT_MAX + 9u;
     hid_learn_report(&learn, &raw);
     raw.size = 64;

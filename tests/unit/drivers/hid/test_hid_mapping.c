@@ -190,7 +190,7 @@ static void test_a_kingyo_poi_of_any_vendor_is_recognized_by_its_descriptor(void
     assert_int_equal(map.style, HID_STYLE_POSE);
     assert_true(map.feels);
     map = map_of("002-3dconnexion-spacemouse-wireless", 0x1209, 0x0001);
-    /* A device with six axes is not yet a Kingyo poi. */
+    /* With another vendor and product id, a device with six axes is not taken for a Kingyo poi. */
     assert_int_equal(map.source, HID_MAPPING_AUTO);
 }
 
@@ -214,7 +214,8 @@ static void test_a_known_mapping_that_does_not_match_the_descriptor_is_unused(vo
 {
     (void)state;
     const struct hid_mapping map = map_of("187-hr-0003-045e-0040-0004", 0x054c, 0x0ce6);
-    assert_int_equal(map.source, HID_MAPPING_AUTO); /* This clone of a gamepad is a mouse. */
+    /* The device has the ids of a known gamepad but the descriptor of a mouse. */
+    assert_int_equal(map.source, HID_MAPPING_AUTO);
     assert_int_equal(map.style, HID_STYLE_POINTER);
 }
 
@@ -242,8 +243,9 @@ static void test_each_invalid_value_makes_a_mapping_invalid(void **state)
     SPOIL(map.source = HID_MAPPING_NONE);
     SPOIL(map.source = HID_MAPPING_LEARNED + 1);
     SPOIL(map.style = HID_STYLE_NONE);
-    SPOIL(map.style = HID_STYLE_POSE);    /* The device is not a Kingyo poi. */
-    SPOIL(map.style = HID_STYLE_POINTER); /* The axes of the device are velocities. */
+    SPOIL(map.style = HID_STYLE_POSE); /* The device is not a Kingyo poi. */
+    /* A pointer needs positions, but the axes of this device are velocities. */
+    SPOIL(map.style = HID_STYLE_POINTER);
     SPOIL(map.count = HID_BINDING_MAX + 1u);
     SPOIL(map.count = 1); /* The mapping has no axis Z. */
     SPOIL(map.binding[0].role = HID_ROLE_NONE);
@@ -379,7 +381,8 @@ static void test_an_array_with_many_elements_is_not_bound(void **state)
     assert_false(hid_mapping_is_sound(&map, &wire.descriptor)); /* A mapping file may contain
                                                                    such a binding. */
     hid_mapping_choose(&map, &wire.face.identity, &wire.descriptor);
-    assert_int_equal(map.source, HID_MAPPING_NONE); /* There is no button for the dip. */
+    /* Without the array, no button is left for the dip. */
+    assert_int_equal(map.source, HID_MAPPING_NONE);
 }
 
 static void test_a_touchpad_with_a_mouse_report_is_mapped_as_a_mouse(void **state)

@@ -83,13 +83,15 @@ static void test_a_trigger_dips_with_hysteresis(void **state)
     (void)state;
     rest_dualsense();
     assert_float_equal(sample_after(600).target.position_m.y, DIP_HOVER_M, 1e-4f);
-    wire_put(&wire, 1, USAGE_RY, 126); /* The trigger is less than half pressed. */
+    /* Just below the threshold of half the travel, so the ring does not dip. */
+    wire_put(&wire, 1, USAGE_RY, 126);
     send(1);
     assert_float_equal(sample_after(600).target.position_m.y, DIP_HOVER_M, 1e-4f);
     wire_put(&wire, 1, USAGE_RY, 130);
     send(1);
     assert_float_equal(sample_after(600).target.position_m.y, DIP_DEPTH_M, 1e-4f);
-    wire_put(&wire, 1, USAGE_RY, 110); /* The finger trembles at the threshold. */
+    /* A finger that trembles below the threshold does not end the dip. */
+    wire_put(&wire, 1, USAGE_RY, 110);
     send(1);
     assert_float_equal(sample_after(600).target.position_m.y, DIP_DEPTH_M, 1e-4f);
     wire_put(&wire, 1, USAGE_RY, 90);
@@ -124,7 +126,7 @@ static void test_the_hat_and_the_middle_buttons_are_cabinet_buttons(void **state
         send(1);
         assert_int_equal(pressed(), of_direction[i]);
         send(1);
-        assert_int_equal(pressed(), 0); /* A held button is not pressed again. */
+        assert_int_equal(pressed(), 0); /* The hat is still held, which is no second press. */
         wire_put(&wire, 1, USAGE_HAT, 8);
         send(1);
     }
@@ -159,7 +161,7 @@ static void test_an_arcade_stick_gives_full_deflection(void **state)
     assert_true(send(0));
     const vec3 before = sample_after(300).target.position_m;
     assert_float_equal(before.x, 0.0f, 1e-6f);
-    wire_put(&wire, 0, USAGE_HAT, 2); /* The direction is up and right. */
+    wire_put(&wire, 0, USAGE_HAT, 2); /* Direction 2 of this hat is up and right. */
     send(0);
     const vec3 after = sample_after(300).target.position_m;
     assert_true(after.x > 0.08f && after.z < before.z - 0.08f);

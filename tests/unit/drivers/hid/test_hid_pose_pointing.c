@@ -62,7 +62,7 @@ static void test_an_old_3d_mouse_sends_translation_and_rotation_separately(void 
     wire_put(&wire, 1, USAGE_X, -350);
     send(1);
     wire_put(&wire, 2, USAGE_RX, 350);
-    send(2); /* The motion continues. */
+    send(2); /* Report 2 repeats the rotation and must not stop the translation of report 1. */
     const struct poi_target target = sample_after(400).target;
     assert_true(target.position_m.x < -0.1f);
     assert_true(target.angles.pitch_rad > 0.9f);
@@ -114,7 +114,7 @@ static void test_a_pen_gives_its_position_and_out_of_range_none(void **state)
     (void)state;
     connect("137-dg-huion-h610-if0", 0x256c, 0x006e);
     send_pen(0.0f, 0.0f, 0, 0);
-    /* The pen was never in range. */
+    /* No pose yet, because the pen was never in range. */
     assert_false(hid_pose_decoder_sample(&decoder, now_ms * MS, &sample));
     send_pen(0.25f, 0.5f, 1, 0);
     const vec3 left = sample_after(0).target.position_m;
@@ -124,7 +124,7 @@ static void test_a_pen_gives_its_position_and_out_of_range_none(void **state)
     send_pen(0.0f, 0.0f, 0, 0); /* The pen is lifted, so the zeros are not a position. */
     assert_float_equal(sample_after(100).target.position_m.x, right.x, 1e-4f);
     now_ms += HID_PEN_AWAY_NS / MS;
-    /* The pen is out of range. */
+    /* No pose, because the pen has been out of range for HID_PEN_AWAY_NS. */
     assert_false(hid_pose_decoder_sample(&decoder, now_ms * MS, &sample));
     send_pen(0.5f, 0.5f, 1, 1);
     assert_float_equal(sample_after(600).target.position_m.y, DIP_DEPTH_M, 1e-3f);

@@ -189,7 +189,7 @@ static void test_a_script_of_touches_moves_and_dips_the_ring(void **state)
         dips += before_m >= 0.0f && height_m < 0.0f;
         before_m = height_m;
     }
-    assert_int_equal(dips, 8); /* Every other one of 16 changes is a dip. */
+    assert_int_equal(dips, 8); /* Each dip needs two of the 16 changes: one down and one up. */
 }
 
 /* Doubled, jumping, invalid and delayed events still give possible motion, and afterwards the panel

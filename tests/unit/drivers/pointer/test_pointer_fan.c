@@ -77,7 +77,8 @@ static void test_the_fan_enters_and_leaves_without_a_jump(void **state)
         const struct shade_input now = fan_after(ms);
         const float near_edge_m = 0.35f + POINTER_FAN_RADIUS_M;
         if (now.present && before.present) {
-            assert_true(fabsf(now.z_m - before.z_m) < 0.003f); /* The speed is at most 3 m/s. */
+            /* 3 mm in 1 ms is the maximum speed of 3 m/s. */
+            assert_true(fabsf(now.z_m - before.z_m) < 0.003f);
         } else if (now.present != before.present) {
             assert_true((now.present ? now.z_m : before.z_m) > near_edge_m);
         }
@@ -151,8 +152,8 @@ static void test_the_poi_returns_under_the_pointer_at_limited_speed(void **state
             send_report(report(ms, 1000.0f, 500.0f, 0));
         }
         const vec3 now = poi_after(ms);
-        assert_true(v3_length(v3_sub(now, before)) < 0.0015f); /* The speed is at most 1.5 m/s in
-                                                                  air. */
+        /* 1.5 mm in 1 ms is the maximum speed in air, 1.5 m/s. */
+        assert_true(v3_length(v3_sub(now, before)) < 0.0015f);
         before = now;
     }
     const vec3 home = view_point_on_plane(stall_view(), (float)WIDTH / (float)HEIGHT,
@@ -178,9 +179,10 @@ static void test_under_water_the_poi_returns_at_a_speed_safe_for_the_paper(void 
         }
         const vec3 now = poi_after(ms);
         const vec3 step = v3(now.x - before.x, 0.0f, now.z - before.z);
-        const int is_down = now.y < DIP_DEPTH_M + 0.002f;    /* A stroke moves along the view
+        const int is_down = now.y < DIP_DEPTH_M + 0.002f; /* A stroke moves along the view
                                                                 ray. */
-        assert_true(!is_down || v3_length(step) < 0.00015f); /* The speed is at most 0.15 m/s. */
+        /* 0.15 mm in 1 ms is the maximum speed under water, 0.15 m/s. */
+        assert_true(!is_down || v3_length(step) < 0.00015f);
         before = now;
     }
     assert_float_equal(before.y, DIP_HOVER_M, 1e-4f);

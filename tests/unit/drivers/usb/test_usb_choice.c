@@ -186,8 +186,8 @@ static void test_a_device_in_a_new_port_is_identified_if_it_is_the_only_one(void
     };
     const struct hid_identity device = identity_of(1, 2, "", "1-7");
     assert_int_equal(usb_choice_slot(place, &device), 1);
-    place[0] = place_of(identity_of(1, 2, "", "1-8"), 0, 1); /* Two such devices are absent, so
-                                                                the device cannot be identified. */
+    /* Two devices of this kind are absent, so it is unknown which of them came back. */
+    place[0] = place_of(identity_of(1, 2, "", "1-8"), 0, 1);
     assert_int_equal(usb_choice_slot(place, &device), 2);
 }
 

@@ -101,7 +101,7 @@ static void test_a_foreign_device_with_the_test_id_is_released(void **state)
     assert_true(fixture_wait_state(&fixture, 0, CONTROLLER_FREE));
     assert_int_equal(usb_sim_seen(device).releases, 1);
     assert_int_equal(usb_sim_seen(device).closes, 1);
-    usleep(300000); /* The transport does not open the device again. */
+    usleep(300000); /* Waits to see that the transport does not open the device again. */
     assert_int_equal(usb_sim_seen(device).opens, 1);
 }
 
@@ -302,7 +302,7 @@ static void test_without_hot_plug_events_the_bus_is_polled(void **state)
     (void)state;
     usb_sim_set_faults(&(struct usb_sim_faults){ .no_hotplug = 1 });
     fixture_start(&fixture, NULL, 0);
-    usleep(2100000); /* The start-up phase of the transport has ended. */
+    usleep(2100000); /* Waits until the start-up phase of the transport is over. */
     usb_sim_plug(&own_poi, 1);
     assert_true(fixture_open(&fixture, 0, &face));
     assert_non_null(strstr(described(), "no hot-plug"));
