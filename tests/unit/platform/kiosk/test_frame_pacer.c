@@ -85,9 +85,9 @@ static void test_a_frame_far_from_60_hz_is_not_rounded(void **state)
 {
     (void)state;
     struct frame_pacer pace = running();
-    assert_int_equal(frame_pacer_ticks_due(&pace, S + 12 * MS), 1);           /* 1.44 ticks. */
-    assert_int_equal(frame_pacer_ticks_due(&pace, S + 12 * MS + 22 * MS), 3); /* 0.44 + 2.64
-                                                                                 ticks. */
+    assert_int_equal(frame_pacer_ticks_due(&pace, S + 12 * MS), 1); /* 1.44 ticks. */
+    /* A remainder of 0.44 ticks plus 22 ms (2.64 ticks) gives three whole ticks. */
+    assert_int_equal(frame_pacer_ticks_due(&pace, S + 12 * MS + 22 * MS), 3);
 }
 
 /* ---- Sleep ---------------------------------------------------------------------------------- */

@@ -168,7 +168,8 @@ static void test_the_quit_confirmation_times_out_after_five_seconds(void **state
                                                   { .time_ns = 6200 * MS, .quit = 1 } };
     (void)state;
     script(events, 2);
-    frames(305); /* 6.1 s have passed, so the question has disappeared. */
+    /* The clock is at 6.1 s, five seconds after the first QUIT, so the question has disappeared. */
+    frames(305);
     assert_int_equal(rig.display.scene.asks_quit, 0);
     frames(20);
     assert_int_equal(rig.kiosk.end, KIOSK_RUNS);

@@ -269,7 +269,7 @@ static void drop(uint32_t coins)
 static void test_an_accepted_switch_level_is_sent_once(void **state)
 {
     (void)state;
-    rig.buttons.held = INPUT_DOOR; /* The open door keeps the coin slot closed. */
+    rig.buttons.held = INPUT_DOOR; /* While the door is open, the coin slot is closed. */
     drop(3);
     assert_int_equal(rig.level[HAL_COIN_LOCKOUT], 1);
     assert_int_equal(rig.asked[HAL_COIN_LOCKOUT], 0);

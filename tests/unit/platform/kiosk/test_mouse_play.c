@@ -208,19 +208,20 @@ static uint32_t landed_in(uint32_t rounds, uint32_t picture_moments)
 static void test_a_careful_mouse_player_lands_fish(void **state)
 {
     (void)state;
-    assert_true(landed_in(12, 1) >= 36); /* Measured value: 51. */
+    /* 36 is well below the measured 51, so that small changes of the game do not fail the test. */
+    assert_true(landed_in(12, 1) >= 36);
 }
 
 static void test_a_careful_mouse_player_lands_fish_at_20_fps(void **state)
 {
     (void)state;
-    assert_true(landed_in(8, 3) >= 24); /* Measured value: 35. */
+    assert_true(landed_in(8, 3) >= 24); /* The measured value is 35 fish. */
 }
 
 static void test_a_careful_mouse_player_lands_fish_at_10_fps(void **state)
 {
     (void)state;
-    assert_true(landed_in(8, 6) >= 24); /* Measured value: 44. */
+    assert_true(landed_in(8, 6) >= 24); /* The measured value is 44 fish. */
 }
 
 static void glide(float px_per_moment, uint32_t count)
@@ -301,7 +302,7 @@ static void test_repeated_dips_without_a_pause_tear_the_paper(void **state)
 static void test_dips_with_a_fast_pointer_tear_the_paper(void **state)
 {
     (void)state;
-    assert_true(paper_after_dips(20.0f, 24) < 0.9f); /* About 1 m/s. */
+    assert_true(paper_after_dips(20.0f, 24) < 0.9f); /* The mouse moves at about 1 m/s. */
 }
 
 /* Moves under water from side to side between x = 400 and 800, `step_px` per mouse report. */
@@ -335,7 +336,7 @@ static void test_slow_sweeps_through_the_water_do_not_tear_the_paper(void **stat
     (void)state;
     for (uint32_t seed = 1; seed <= 5; seed++) {
         begin_round(seed, 1);
-        sweep(4.0f, 2); /* About 0.2 m/s. */
+        sweep(4.0f, 2); /* The mouse moves at about 0.2 m/s. */
         assert_true(paper_left() > 0.99f);
     }
 }

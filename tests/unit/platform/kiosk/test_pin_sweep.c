@@ -91,18 +91,18 @@ static void press(uint32_t buttons, uint32_t count)
  * to the next digit. */
 static void type_the_pin(void)
 {
-    hand_is_away = true; /* The poi would point at other keys. */
+    hand_is_away = true; /* Disconnects the controller, whose poi would point at other keys. */
     for (uint32_t i = 0; i < 2u && !core_status(&core).takes_pin; i++) {
         press(INPUT_TEST, 1); /* During a game, the first press asks for confirmation. */
     }
     assert_true(core_status(&core).takes_pin);
-    press(INPUT_RIGHT, 3); /* From 1 to 4. */
+    press(INPUT_RIGHT, 3); /* Moves the selection from digit 1 to digit 4. */
     press(INPUT_OK, 1);
-    press(INPUT_RIGHT, 6); /* From 4 to 0. */
+    press(INPUT_RIGHT, 6); /* Moves the selection from digit 4 to digit 0. */
     press(INPUT_OK, 1);
-    press(INPUT_LEFT, 3); /* From 0 to 7. */
+    press(INPUT_LEFT, 3); /* Moves the selection from digit 0 to digit 7. */
     press(INPUT_OK, 1);
-    press(INPUT_LEFT, 6); /* From 7 to 1. */
+    press(INPUT_LEFT, 6); /* Moves the selection from digit 7 to digit 1. */
     press(INPUT_OK, 1);
     assert_int_equal(core.game.phase, PHASE_MENU);
     assert_int_equal(core.game.menu.page, MENU_TOP);
@@ -501,7 +501,7 @@ static void test_a_replay_without_a_pin_stays_if_only_its_catalog_cannot_be_read
     assert_int_equal(replay_create_in(&writer, memory, sizeof memory, &config, 1), 0);
     replay_size = replay_copy(&writer, 1, replay, sizeof replay);
     assert_int_equal(replay_open_in(&judge.replayer.reader, replay, replay_size), 0);
-    /* Change the last byte of the catalog. */
+    /* Changes the last byte of the catalog. */
     replay[judge.replayer.reader.offset - REPLAY_SUM_SIZE - 1u] ^= 1u;
     assert_int_equal(replay_open_in(&judge.replayer.reader, replay, replay_size), -1);
     assert_sweep_keeps(1, replay, replay_size);

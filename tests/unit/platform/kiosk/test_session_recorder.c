@@ -292,7 +292,7 @@ static void test_a_round_after_a_page_for_the_pin_has_no_replay_and_is_not_misse
 {
     (void)state;
     lock(4071);
-    hand_is_away = 1; /* The poi would point at the keys. */
+    hand_is_away = 1; /* Disconnects the controller, whose poi would point at the keys. */
     tick(INPUT_TEST);
     assert_true(core_status(&core).takes_pin);
     for (uint32_t i = 0; i <= MENU_PIN_IDLE_TICKS && core.game.phase == PHASE_MENU; i++) {

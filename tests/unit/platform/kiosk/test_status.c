@@ -244,8 +244,8 @@ static void test_the_longest_status_report_fits_its_buffer(void **state)
     report.device_count = STATUS_DEVICES_MAX;
     for (uint32_t i = 0; i < STATUS_DEVICES_MAX; i++) {
         report.device[i].part = "switches";
-        memset(report.device[i].text, 1, HAL_TEXT_SIZE - 1u); /* Each of these characters is escaped
-                                                                 with six characters. */
+        /* Each character 1 is escaped with six characters, so the text gets its maximum length. */
+        memset(report.device[i].text, 1, HAL_TEXT_SIZE - 1u);
         report.device[i].text[HAL_TEXT_SIZE - 1u] = '\0';
     }
     assert_in_range(status_format(&report, text), STATUS_DEVICES_MAX * HAL_TEXT_SIZE,
