@@ -238,8 +238,8 @@ static void bench_slow_decoder(void)
         exit(1);
     }
     raw.size = (descriptor.report_bits[0] + 7u) / 8u;
-    memset(raw.bytes + 2, 0xff, sizeof raw.bytes - 2u); /* Each array element selects a bound
-                                                           usage. */
+    /* Sets every bit, so that each array element selects a bound usage. */
+    memset(raw.bytes + 2, 0xff, sizeof raw.bytes - 2u);
     if (raw.size > HID_REPORT_MAX || !hid_pose_decoder_report(&hand, &raw)) {
         fputs("bench_hid: the slow controller's report is refused\n", stderr);
         exit(1);

@@ -17,7 +17,7 @@
 
 #define PATH_SIZE 300u
 #define PARTS_MAX 3u
-#define FRAMES 600u   /* Frames in a part, which are ten seconds. */
+#define FRAMES 600u   /* Frames in a part of a life: ten seconds. */
 #define HASTE 16u     /* Factor of the event rates, so that many entries fall into a part. */
 #define STARTS_MAX 3u /* Number of times that a refused start of the store is retried. */
 #define CUTS_A_PART 6u

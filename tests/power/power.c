@@ -44,7 +44,7 @@ struct plan {
 
 static struct hour hour;
 static struct tape tape;
-static struct books *books; /* Sums indexed by entry id. */
+static struct books *books; /* Sums of the entries up to an id, indexed by that id. */
 static struct storage store;
 
 /* ---- Playing the hour ----------------------------------------------------------------------- */

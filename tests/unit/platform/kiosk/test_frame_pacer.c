@@ -85,7 +85,8 @@ static void test_a_frame_far_from_60_hz_is_not_rounded(void **state)
 {
     (void)state;
     struct frame_pacer pace = running();
-    assert_int_equal(frame_pacer_ticks_due(&pace, S + 12 * MS), 1); /* 1.44 ticks. */
+    /* 12 ms are 1.44 ticks, so one tick is due and 0.44 remain. */
+    assert_int_equal(frame_pacer_ticks_due(&pace, S + 12 * MS), 1);
     /* A remainder of 0.44 ticks plus 22 ms (2.64 ticks) gives three whole ticks. */
     assert_int_equal(frame_pacer_ticks_due(&pace, S + 12 * MS + 22 * MS), 3);
 }

@@ -28,7 +28,7 @@ static uint8_t empty[PIXELS_SIZE], pixels[PIXELS_SIZE];
 
 /* Outline of a fish whose snout points up in the picture. */
 struct outline {
-    float top, bottom, left, right; /* Extents in pixels. */
+    float top, bottom, left, right; /* Extents of the drawn fish in pixels. */
     float tail_x, nose_x; /* Mean columns of the rearmost and the foremost 3 % of the length. */
 };
 

@@ -204,7 +204,8 @@ static void test_water_on_a_poi_is_drawn_over_the_paper_only_above_the_surface(v
     picture(pixels[0]);
     scene.poi[0].water_m = 0.002f;
     picture(pixels[1]);
-    assert_true(middle(pixels[0], 0) > middle(pixels[1], 0)); /* Deep water is bluer. */
+    /* The deeper water on the paper in picture 1 is bluer, so it has less red (channel 0). */
+    assert_true(middle(pixels[0], 0) > middle(pixels[1], 0));
     scene.poi[0].position_m.y = -0.04f;
     picture(pixels[1]);
     scene.poi[0].water_m = 0.0f;
@@ -229,8 +230,8 @@ static void test_players_are_distinguishable_without_colours(void **state)
     for (uint8_t owner = 0; owner < POI_MAX; owner++) {
         show_poi();
         scene.poi[0].owner = owner;
-        memset(scene.poi[0].integrity, 0, sizeof scene.poi[0].integrity); /* Only the ring
-                                                                             remains. */
+        /* Removes all paper, so that only the ring remains. */
+        memset(scene.poi[0].integrity, 0, sizeof scene.poi[0].integrity);
         picture(pixels[0]);
         const uint32_t white = white_pixels(pixels[0]);
         print_message("player %d: %u white pixels\n", owner + 1, white);

@@ -156,7 +156,7 @@ static void test_the_data_folder_is_created_if_possible(void **state)
 static void test_an_unwritable_folder_gives_a_one_line_message(void **state)
 {
     struct fixture *fixture = *state;
-    fixture->storage.dir = "/proc"; /* /proc rejects writes by root as well. */
+    fixture->storage.dir = "/proc"; /* /proc rejects writes even by root. */
     assert_int_equal(open_store(fixture), HAL_ERR_IO);
     assert_non_null(strstr(text(fixture), "/proc"));
     assert_null(strchr(text(fixture), '\n'));

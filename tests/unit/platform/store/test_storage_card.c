@@ -177,7 +177,7 @@ static void test_no_frame_waits_for_a_slow_card(void **state)
     (void)state;
     storage.by_hand = 0;
     assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
-    pause_ms(300); /* Wait for the first backup. */
+    pause_ms(300); /* Waits for the first backup. */
     tape_sync_us(200000);
     int64_t longest_ms = 0;
     for (uint32_t id = 1; id <= 20; id++) {
@@ -189,7 +189,9 @@ static void test_no_frame_waits_for_a_slow_card(void **state)
         longest_ms = took_ms > longest_ms ? took_ms : longest_ms;
         pause_ms(10);
     }
-    assert_true(longest_ms < 100); /* A sync alone takes 200 ms. */
+    /* 100 ms is less than one sync on the slow card, which takes 200 ms, so no call waited for
+     * a sync. */
+    assert_true(longest_ms < 100);
     wait_until_saved(20);
     assert_true(is_well()); /* A slow card is not a fault. */
 }
@@ -647,9 +649,10 @@ static void test_a_replay_rejected_by_the_card_is_dropped_after_its_timeout(void
     device.replays.ops->store(device.replays.self, 1, replay, sizeof replay);
     storage_work(&storage);
     storage_work(&storage);
-    assert_int_equal(device.replays.ops->stored_id(device.replays.self), 0); /* The write is
-                                                                                retried. */
-    storage.put_since_ms -= STORAGE_REPLAY_MS; /* The write is abandoned after the timeout. */
+    /* Nothing is stored yet, but the write is retried. */
+    assert_int_equal(device.replays.ops->stored_id(device.replays.self), 0);
+    /* Sets the clock back by the timeout, after which the write is abandoned. */
+    storage.put_since_ms -= STORAGE_REPLAY_MS;
     storage_work(&storage);
     assert_int_equal(device.replays.ops->stored_id(device.replays.self), 1);
     tape_refuse(0);

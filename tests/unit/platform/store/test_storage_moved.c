@@ -107,7 +107,7 @@ static void save_three(void)
         pause_ms(10);
     }
     assert_int_equal(saved_id(), 3);
-    pause_ms(300); /* Wait for the first backup. */
+    pause_ms(300); /* Waits for the first backup. */
     assert_true(is_well());
 }
 

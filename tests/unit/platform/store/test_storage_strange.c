@@ -32,7 +32,7 @@ static struct hal_storage device;
 static int set_up(void **state)
 {
     (void)state;
-    alarm(60); /* The alarm ends a test that blocks. */
+    alarm(60); /* Ends the process if a test blocks for a minute. */
     strcpy(dir, "/tmp/kingyo-strange-XXXXXX");
     snprintf(victim, sizeof victim, "/tmp/kingyo-victim-%d", (int)getpid());
     return mkdtemp(dir) ? 0 : -1;

@@ -257,7 +257,8 @@ static void test_a_rising_tag_and_a_sinking_tag_move_together(void **state)
     assert_true(high < low - 10.0f);
     scene.mode = scene.choice = MODE_CHAMPIONSHIP;
     lay_out(sizes[0]);
-    assert_float_equal(tag_top(0), high, 0.1f); /* The position is continuous. */
+    /* The position has no step between the two times. */
+    assert_float_equal(tag_top(0), high, 0.1f);
     scene.tick += 10;
     lay_out(sizes[0]);
     assert_true(tag_top(0) > high + 1.0f && tag_top(0) < low - 1.0f);

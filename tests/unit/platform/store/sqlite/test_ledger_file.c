@@ -423,7 +423,8 @@ static void test_migrating_a_version_1_file_keeps_its_rounds(void **state)
                      " scoops IS NULL AND hole_area_mm2 IS NULL AND torn_tick IS NULL"),
         3);
     const struct rank_row *best = file.content.memory.ranking.row[MODE_FESTIVAL][RANK_EVER];
-    assert_int_equal(best[0].caught, 3); /* The nine fish of a bot are not counted. */
+    /* The bot caught nine fish, but a bot's round is not ranked. */
+    assert_int_equal(best[0].caught, 3);
     assert_int_equal(best[1].caught, 2);
     assert_int_equal(best[2].caught, 0);
     const struct ledger_entry next = round_entry(4, MODE_FESTIVAL, 6, 0); /* The migrated file

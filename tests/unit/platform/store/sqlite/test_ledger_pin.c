@@ -25,8 +25,8 @@
 
 /* ---- Syncs of libc, of which one fails ------------------------------------------------------ */
 
-static uint32_t syncs;         /* Number of calls. */
-static uint32_t failing = ~0u; /* Number of the sync call that fails. */
+static uint32_t syncs;         /* Number of sync calls so far. */
+static uint32_t failing = ~0u; /* Number of the sync call that fails. No call fails by default. */
 
 static int sync_or_fail(void)
 {
@@ -177,8 +177,8 @@ static void test_the_plain_pin_is_erased_from_every_byte_of_an_old_database(void
     for (uint32_t id = 1; id <= ENTRIES; id += id == 100u ? 201u : 1u) {
         struct ledger_entry entry, wanted = entry_of(id);
         wanted.value = id % 2u ? kept : wanted.value;
-        assert_int_equal(ledger_file_entry(&file, id, &entry), 0); /* The checksum of the entry is
-                                                                      also valid. */
+        /* The rewritten entry has a valid checksum. */
+        assert_int_equal(ledger_file_entry(&file, id, &entry), 0);
         assert_memory_equal(&entry, &wanted, sizeof entry);
     }
     assert_int_equal(plain_in("") + plain_in("-wal"), 0);
@@ -186,8 +186,8 @@ static void test_the_plain_pin_is_erased_from_every_byte_of_an_old_database(void
     assert_int_equal(plain_in(".copy"), 0);
     ledger_file_close(&file);
     assert_int_equal(plain_in("") + plain_in("-wal"), 0);
-    assert_int_equal(ledger_file_open(&file, path, NULL), 0); /* The checksums of the tables are
-                                                                 valid. */
+    /* Opening the file checks the sums of all tables, which are still valid. */
+    assert_int_equal(ledger_file_open(&file, path, NULL), 0);
     assert_int_equal(file.content.memory.settings.value[SET_PIN], kept);
     ledger_file_close(&file);
 }
@@ -247,7 +247,8 @@ static void test_an_invalid_pin_setting_is_not_migrated_at_every_start(void **st
     ledger_file_close(&file);
     do_sql("DELETE FROM state; INSERT INTO settings VALUES ('pin', 10000)");
     assert_int_equal(ledger_file_open(&file, path, NULL), 0);
-    assert_int_equal(sqlite3_total_changes(file.db), 0); /* VACUUM is not run either. */
+    /* Nothing was changed, not even by VACUUM. */
+    assert_int_equal(sqlite3_total_changes(file.db), 0);
     ledger_file_close(&file);
 }
 

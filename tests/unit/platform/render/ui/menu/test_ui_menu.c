@@ -211,8 +211,8 @@ static void test_the_reason_is_shown_if_no_controller_is_plugged_in(void **state
     const uint32_t without = count_kind(UI_GLYPH);
     snprintf(scene.devices.controllers, SCENE_LINE_SIZE, "no libusb in this build");
     lay_out(0);
-    assert_int_equal(count_kind(UI_GLYPH), without + 19u); /* Letters of the text. Spaces have no
-                                                              quads. */
+    /* The text has 19 letters. Spaces have no quads. */
+    assert_int_equal(count_kind(UI_GLYPH), without + 19u);
 }
 
 /* Sets the longest possible reason, with letters and spaces as in normal text. */
@@ -344,7 +344,8 @@ static void test_the_state_of_the_lines_is_complete_and_readable_from_one_metre(
                  "libgpiod 1.6.3: 0 of 3 lines; no start, coin, start-lamp (BTN_START: there is no "
                  "GPIO chip in /dev)");
         lay_out(upright ? 4 : 0);
-        assert_int_equal(count_kind(UI_GLYPH), without + 82u); /* Spaces have no quads. */
+        /* The text has 82 letters. Spaces have no quads. */
+        assert_int_equal(count_kind(UI_GLYPH), without + 82u);
         for (uint32_t i = 0; i < batch.quad_count; i++) {
             if (batch.kinds[i] == UI_GLYPH && glyph_em_px(&batch, i) < 21.0f * unit) {
                 fail_msg("letter %u is %.1f units", i, (double)(glyph_em_px(&batch, i) / unit));
@@ -359,7 +360,7 @@ static void test_every_page_is_laid_out_in_a_window_of_any_size(void **state)
     (void)state;
     static const float sides[] = { 1.0f, 2.0f, 8.0f, 17.0f, 240.0f, 8192.0f };
     const uint32_t count = sizeof sides / sizeof sides[0];
-    alarm(30); /* A step of 0 would loop forever. */
+    alarm(30); /* Ends the process if a step of 0 makes the loop endless. */
     for (uint32_t k = 0; k < count * count * MENU_PAGE_COUNT; k++) {
         const float width = sides[k % count], height = sides[k / count % count];
         set_page((uint8_t)(k / (count * count)), 0xffffu, LANGUAGE_EN, width < height);
