@@ -8,8 +8,7 @@
  * rows of texels, and each glyph lies completely on one page. All lengths of a glyph that end in
  * _em are in ems, so that a caller only multiplies them by the font size in pixels. The y axis
  * points down from the baseline. */
-#ifndef KINGYO_ASSETS_FONT_H
-#define KINGYO_ASSETS_FONT_H
+#pragma once
 
 #include <stdint.h>
 
@@ -31,5 +30,3 @@ struct font {
     float cap_em; /* Height of a capital letter or a digit in ems, used to centre text
                      vertically. */
 };
-
-#endif

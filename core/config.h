@@ -3,8 +3,7 @@
  * During a session the game reads the configuration. Only two functions of the game change it.
  * settings_edit_set() changes the settings for a page of the operator's menu. session_restart()
  * writes the configuration of the next session at the end of a session. */
-#ifndef KINGYO_CORE_CONFIG_H
-#define KINGYO_CORE_CONFIG_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -58,5 +57,3 @@ static inline bool config_has_rules(const struct core_config *config, uint32_t v
 /* Copies the settings to the fields of `config`. The fish count is limited to the capacity of the
  * preset's tank. The level is LEVEL_MASTER in the replay of a recording without levels. */
 void config_apply_settings(struct core_config *config, const struct settings *settings);
-
-#endif

@@ -4,8 +4,7 @@
  * Equal seeds and equal inputs give equal hashes on every board. The core calls no code outside
  * core/: core_tick() reads one `struct input`, changes `struct core` and appends to `struct
  * output`. */
-#ifndef KINGYO_CORE_CORE_H
-#define KINGYO_CORE_CORE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -106,5 +105,3 @@ uint64_t core_hash(const struct core *core);
  * paper cells and the ripples. The function takes a tenth of the time of core_hash(), so recordings
  * can store one hash per tick. */
 uint64_t core_hash_quick(const struct core *core);
-
-#endif

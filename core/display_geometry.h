@@ -5,8 +5,7 @@
  * display draws with the transform, and pointer devices use its inverse. The core itself does not
  * use the transform. Screen and picture are measured in pixels from their top left corners, x to
  * the right, y down. */
-#ifndef KINGYO_CORE_DISPLAY_GEOMETRY_H
-#define KINGYO_CORE_DISPLAY_GEOMETRY_H
+#pragma once
 
 #include <stdint.h>
 
@@ -114,5 +113,3 @@ static inline struct display_rect display_picture_rect(const struct display_tran
     const float y = p->y + p->yx * p->width + p->yy * p->height;
     return (struct display_rect){ f_min(p->x, x), f_min(p->y, y), f_max(p->x, x), f_max(p->y, y) };
 }
-
-#endif

@@ -4,8 +4,7 @@
  * these structs. Events of devices, such as a ledger entry that reached the disk or an unplugged
  * poi, arrive in `struct input` as data, never as a call. A struct with all fields 0 is a valid
  * input: no button is pressed, and no poi is connected. */
-#ifndef KINGYO_CORE_INPUT_H
-#define KINGYO_CORE_INPUT_H
+#pragma once
 
 #include <stdint.h>
 
@@ -174,5 +173,3 @@ static inline uint32_t input_coin_pulses(const struct input *input)
     }
     return sum;
 }
-
-#endif

@@ -6,8 +6,7 @@
  * holds the list up to some id, which is input.record_saved_id. Every entry up to that id is
  * committed, so no power cut removes or duplicates it. Each entry contains the balance after the
  * entry, so the newest entry on disk defines the balance at the next start. */
-#ifndef KINGYO_CORE_LEDGER_H
-#define KINGYO_CORE_LEDGER_H
+#pragma once
 
 #include <stdint.h>
 
@@ -194,5 +193,3 @@ struct ledger_start {
     struct ledger_stand stand; /* State of the open round if `balance.open` has the flag
                                   PAYMENT_SPENT. */
 };
-
-#endif

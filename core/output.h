@@ -3,8 +3,7 @@
  *
  * The frame loop clears the sounds once per frame, runs the ticks, and then passes the output to
  * the devices. */
-#ifndef KINGYO_CORE_OUTPUT_H
-#define KINGYO_CORE_OUTPUT_H
+#pragma once
 
 #include <stdint.h>
 
@@ -165,5 +164,3 @@ static inline void output_sound(struct output *output, enum sound sound, float g
             (struct sound_event){ .sound = (uint8_t)sound, .gain = gain, .pan = pan };
     }
 }
-
-#endif

@@ -1,7 +1,6 @@
 /* persistent_state.h -- the persistent state, which the store loads at startup and the core then
  * updates. All fields are 0 if nothing was stored. */
-#ifndef KINGYO_CORE_PERSISTENT_STATE_H
-#define KINGYO_CORE_PERSISTENT_STATE_H
+#pragma once
 
 #include "core/game/accounting/audits.h"
 #include "core/game/ranking/ranking.h"
@@ -15,5 +14,3 @@ struct persistent_state {
     struct audits audits;
     struct ranking ranking;
 };
-
-#endif

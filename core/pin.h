@@ -10,8 +10,7 @@
  * Any hash of four digits can be guessed quickly, so the hash protects only against a casual
  * reader. File modes and the lockout time protect against other readers. With a probability of 1 %
  * one of the other 9,998 PINs has the same hash, which does not help a guesser. */
-#ifndef KINGYO_CORE_PIN_H
-#define KINGYO_CORE_PIN_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -31,5 +30,3 @@ bool pin_is_plain(int32_t kept);
 
 /* Returns true if `pin` matches the stored value `kept`. */
 bool pin_matches(int32_t kept, uint32_t pin);
-
-#endif

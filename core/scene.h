@@ -5,8 +5,7 @@
  * - scene.h: objects and fish in the water, phases, announcements, hints and credits,
  * - scene_pages.h: lab, album, name entry and leaderboard,
  * - scene_menu.h: the operator's menu. */
-#ifndef KINGYO_CORE_SCENE_H
-#define KINGYO_CORE_SCENE_H
+#pragma once
 
 #include <stdint.h>
 
@@ -309,5 +308,3 @@ struct scene {
     float encore_progress; /* Progress of the fast playback before the round of the score, [0,
                               1]. */
 };
-
-#endif

@@ -1,7 +1,6 @@
 /* scene_helpers.h -- conversions of state values to scene values, shared by the scene and by the
  * vision of the bot (core/game/bot/vision.h). */
-#ifndef KINGYO_CORE_SCENE_HELPERS_H
-#define KINGYO_CORE_SCENE_HELPERS_H
+#pragma once
 
 #include "core/base/fmath.h"
 #include "core/poi/paper/sheet.h"
@@ -43,5 +42,3 @@ static inline uint8_t scene_wetness(const struct sheet *sheet, uint32_t cell)
     const float wet = f_clamp(sheet->wetness[cell], 0.0f, 1.0f);
     return sheet->state[cell] == CELL_OUTSIDE ? 0 : (uint8_t)(int32_t)(wet * 255.0f);
 }
-
-#endif

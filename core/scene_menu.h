@@ -1,7 +1,6 @@
 /* scene_menu.h -- the scene's part for the operator's menu, and the status of the devices on its
  * pages. */
-#ifndef KINGYO_CORE_SCENE_MENU_H
-#define KINGYO_CORE_SCENE_MENU_H
+#pragma once
 
 #include <stdint.h>
 
@@ -191,5 +190,3 @@ struct scene_devices {
                                         rejected. */
     } file[SCENE_FILE_MAX];
 };
-
-#endif

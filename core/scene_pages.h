@@ -1,7 +1,6 @@
 /* scene_pages.h -- the pages shown over the tank between two rounds: growth lab, album, name entry
  * and leaderboard. */
-#ifndef KINGYO_CORE_SCENE_PAGES_H
-#define KINGYO_CORE_SCENE_PAGES_H
+#pragma once
 
 #include <stdint.h>
 
@@ -98,5 +97,3 @@ struct scene_leaderboard {
         char name[LEDGER_NAME_SIZE]; /* Name in UTF-8; "" means that no name was entered. */
     } row[SCENE_LEADERBOARD_ROWS];
 };
-
-#endif

@@ -4,8 +4,7 @@
  * configuration file, the store and the manual therefore always agree. A value comes from four
  * sources: the table's default, the configuration file, the value saved by the menu, and the
  * command line. Each later source overrides the earlier sources. */
-#ifndef KINGYO_CORE_SETTINGS_H
-#define KINGYO_CORE_SETTINGS_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -137,5 +136,3 @@ uint64_t settings_hash(uint64_t hash, const struct settings *settings, bool hash
 
 /* Replaces a PIN in plain digits by its hashed form (core/pin.h). */
 void settings_hide_pin(struct settings *settings, uint32_t salt);
-
-#endif

@@ -2,8 +2,7 @@
  *
  * The camera is part of the core's contracts because two sides must agree on it. The renderer draws
  * the tank with the camera, and pointer devices find the point of the water under the pointer. */
-#ifndef KINGYO_CORE_VIEW_H
-#define KINGYO_CORE_VIEW_H
+#pragma once
 
 #include "core/base/vec.h"
 
@@ -28,5 +27,3 @@ float view_half_height_tan(const struct view *view, float aspect);
  * (right), and `y` from -1 (bottom) to 1 (top). If the camera ray misses the plane, because the
  * screen point is above the horizon, the returned point is 4 m away. */
 vec3 view_point_on_plane(const struct view *view, float aspect, float x, float y, float height_m);
-
-#endif

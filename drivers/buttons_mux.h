@@ -3,8 +3,7 @@
  *
  * A button is held while at least one part (merged device) holds it. The counts of edges, coins and
  * faults are the sums over all parts. */
-#ifndef KINGYO_DRIVERS_BUTTONS_MUX_H
-#define KINGYO_DRIVERS_BUTTONS_MUX_H
+#pragma once
 
 #include "platform/hal.h"
 
@@ -24,5 +23,3 @@ int buttons_mux_add(struct buttons_mux *join, struct hal_buttons part);
 
 /* Returns the merged button device. */
 struct hal_buttons buttons_mux_device(struct buttons_mux *join);
-
-#endif

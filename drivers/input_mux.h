@@ -11,8 +11,7 @@
  *
  * Sources without a slot are polled too, so that their reports do not accumulate. The buttons of
  * these sources are used, and the controller manager can learn the mappings of these sources. */
-#ifndef KINGYO_DRIVERS_INPUT_MUX_H
-#define KINGYO_DRIVERS_INPUT_MUX_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -70,5 +69,3 @@ int input_mux_add(struct input_mux *mux, const struct input_source *source);
  * SLOT_NONE, and is updated. `kind` holds the kinds of the `count` sources. `present` has one bit
  * for each available source. */
 void input_mux_assign(uint8_t slot[POI_MAX], const uint8_t *kind, uint32_t count, uint32_t present);
-
-#endif

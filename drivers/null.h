@@ -1,7 +1,6 @@
 /* null.h -- provides a null driver for each missing device, so that no pointer in struct hal is
  * null. The drivers do nothing, report HAL_ERR_ABSENT and have no state. */
-#ifndef KINGYO_DRIVERS_NULL_H
-#define KINGYO_DRIVERS_NULL_H
+#pragma once
 
 #include "platform/hal.h"
 
@@ -10,5 +9,3 @@
  * The text is not copied and must stay valid. If `line` is null the description is "", which suits
  * a device that this kiosk never has. */
 struct hal null_hal(const char *line);
-
-#endif

@@ -5,8 +5,7 @@
  * only describe() reports the missing device. open() may be called repeatedly. open() searches for
  * a device only if a sound card appeared or disappeared since the last call, or if AUDIO_TRY_S has
  * passed. */
-#ifndef KINGYO_PLATFORM_AUDIO_H
-#define KINGYO_PLATFORM_AUDIO_H
+#pragma once
 
 #include <stdatomic.h>
 #include <stdint.h>
@@ -40,5 +39,3 @@ struct audio {
 
 /* Returns the HAL device that uses `audio`. `audio` must outlive the returned device. */
 struct hal_audio audio_device(struct audio *audio);
-
-#endif

@@ -1,7 +1,6 @@
 /* board.h -- the interface between main() and the board, which is the set of drivers selected at
  * build time (make BOARD=name). */
-#ifndef KINGYO_PLATFORM_BOARD_H
-#define KINGYO_PLATFORM_BOARD_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -101,5 +100,3 @@ void board_rehearsal_advance(uint64_t ns);
 /* Returns true if a screen can be opened. Otherwise returns false and writes one line with the
  * reason to `why` (`why_size` bytes). */
 bool board_has_screen(char *why, size_t why_size);
-
-#endif

@@ -1,6 +1,5 @@
 /* cpu.h -- detects SIMD instructions and sets the floating-point mode for the core. */
-#ifndef KINGYO_PLATFORM_CPU_H
-#define KINGYO_PLATFORM_CPU_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -21,5 +20,3 @@ bool cpu_set_float(void);
 #define CPU_FLOAT_WRONG                                                                            \
     "this machine's floating point is not IEEE 754's default (denormal numbers become zero, or "   \
     "rounding is not to nearest), so results would be wrong"
-
-#endif

@@ -10,8 +10,7 @@
  * A poi is the paper scoop and the controller that moves it. A slot is the place of one of up to
  * four controllers. A tick is 1/120 s. The ledger is the append-only list of money events and
  * rounds. */
-#ifndef KINGYO_PLATFORM_HAL_H
-#define KINGYO_PLATFORM_HAL_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -366,5 +365,3 @@ struct hal {
     struct hal_storage storage;
     struct hal_watchdog watchdog;
 };
-
-#endif

@@ -1,7 +1,6 @@
 /* huge_pages.h -- allocates large arrays on memory pages of 2 MiB. The arrays are accessed at
  * random. */
-#ifndef KINGYO_PLATFORM_HUGE_PAGES_H
-#define KINGYO_PLATFORM_HUGE_PAGES_H
+#pragma once
 
 #include <stddef.h>
 
@@ -9,5 +8,3 @@
  * reduce the processor's time for address translation. The kernel may use ordinary pages instead.
  * The caller releases the memory with free(). */
 void *huge_pages_alloc(size_t size);
-
-#endif

@@ -1,7 +1,6 @@
 /* key_colour.h -- returns the colours of key shapes for all graphs, contact sheets and
  * documentation pages. A key shape is one modelled growth stage of a fish. */
-#ifndef KINGYO_PLATFORM_KEY_COLOUR_H
-#define KINGYO_PLATFORM_KEY_COLOUR_H
+#pragma once
 
 #include <stdint.h>
 
@@ -10,5 +9,3 @@
  * thesis. Other counts use intermediate colours. The youngest is always red, and the oldest is blue
  * or navy. */
 uint32_t key_colour(uint32_t key_count, uint32_t key);
-
-#endif

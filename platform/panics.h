@@ -11,8 +11,7 @@
  * only if it came before the first frame.
  *
  * The module has no side effects except that it reads and writes the file. */
-#ifndef KINGYO_PLATFORM_PANICS_H
-#define KINGYO_PLATFORM_PANICS_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -89,5 +88,3 @@ int panics_write(const struct panics *panics, int folder);
 
 /* Returns the text for an error of panics_read() or panics_write(). */
 const char *panics_error(int error);
-
-#endif

@@ -3,8 +3,7 @@
  *
  * The module adds section names, value names and help texts to the setting table of
  * core/settings.h. Pure functions. */
-#ifndef KINGYO_PLATFORM_SETTING_TEXT_H
-#define KINGYO_PLATFORM_SETTING_TEXT_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -40,5 +39,3 @@ void setting_range(uint32_t id, char out[SETTING_RANGE_MAX]);
 /* Returns one or two English sentences that describe the setting, without a line break. Returns ""
  * for a setting that no file may set. */
 const char *setting_help(uint32_t id);
-
-#endif

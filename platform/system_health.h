@@ -5,8 +5,7 @@
  * A separate thread checks every SYSTEM_HEALTH_PERIOD_S seconds, because a card or a sensor may
  * block for a long time and the frame loop must not block. The thread's only output files are the
  * markers of acknowledged quarantined files. */
-#ifndef KINGYO_PLATFORM_SYSTEM_HEALTH_H
-#define KINGYO_PLATFORM_SYSTEM_HEALTH_H
+#pragma once
 
 #include <pthread.h>
 #include <stdatomic.h>
@@ -95,5 +94,3 @@ void system_health_read(struct system_health *machine, struct scene_machine *out
 /* Requests that the health monitor's thread marks all quarantined files as acknowledged. Never
  * blocks. */
 void system_health_acknowledge(struct system_health *machine);
-
-#endif

@@ -3,8 +3,7 @@
  *
  * A separate thread reads the kernel's sensors every THERMAL_LOOK_S seconds, because some sensors
  * take milliseconds and the frame loop must not block. */
-#ifndef KINGYO_PLATFORM_THERMAL_H
-#define KINGYO_PLATFORM_THERMAL_H
+#pragma once
 
 #include <pthread.h>
 #include <stdatomic.h>
@@ -42,5 +41,3 @@ void thermal_start(struct thermal *thermal);
 
 /* Stops the temperature monitor's thread and waits until the thread has ended. */
 void thermal_stop(struct thermal *thermal);
-
-#endif

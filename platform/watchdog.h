@@ -3,8 +3,7 @@
  * The kiosk implements systemd's notification protocol: it sends each notification as one datagram
  * to the socket in $NOTIFY_SOCKET. Without a service manager that uses this protocol, the board
  * uses the null watchdog. */
-#ifndef KINGYO_PLATFORM_WATCHDOG_H
-#define KINGYO_PLATFORM_WATCHDOG_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -30,5 +29,3 @@ int watchdog_init(struct watchdog *watchdog, struct hal_clock clock, const char 
 
 /* Returns the HAL device that uses `watchdog`. `watchdog` must outlive the returned device. */
 struct hal_watchdog watchdog_device(struct watchdog *watchdog);
-
-#endif

@@ -5,8 +5,7 @@
  * the sources, the fonts and the constants in this header, so that the same sources give the same
  * bytes. The tool never runs on the kiosk. For that reason the tool may allocate memory, use libm
  * and exit at the first error. */
-#ifndef KINGYO_ASSETS_BAKE_BAKE_H
-#define KINGYO_ASSETS_BAKE_BAKE_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -135,5 +134,3 @@ float noise_mix(float a, float b, float t);
  * `from` is greater than `to`, the direction is reversed. */
 float noise_ramp(float from, float to, float x);
 uint8_t noise_to_u8(float x01);
-
-#endif

@@ -2,8 +2,7 @@
  *
  * Each source file owns the devices of one part and connects them to struct hal. board.c calls the
  * open functions in the order of this file. */
-#ifndef KINGYO_BOARD_DESKTOP_PARTS_H
-#define KINGYO_BOARD_DESKTOP_PARTS_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -31,5 +30,3 @@ void controllers_add_buttons(struct buttons_mux *join);
 /* Closes the devices of controllers_open(): returns the USB devices to the kernel drivers and ends
  * the event thread. */
 void controllers_close(void);
-
-#endif

@@ -15,8 +15,7 @@
  * Vogel 2012) is a first-order low-pass filter whose corner frequency increases with the speed. At
  * rest, one step of a 12-bit converter (0.3 mm) must not appear as a hand tremor of 75 mm/s. During
  * a fast dip, the delay of the filter must stay below one tick of the game (1/120 s). */
-#ifndef KINGYO_BOARD_POI_GADGET_ATTITUDE_H
-#define KINGYO_BOARD_POI_GADGET_ATTITUDE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -116,5 +115,3 @@ void board_pose_step(struct board_pose *pose, const struct readings *readings, f
 
 /* Converts a rotation matrix with the rows `row` to a quaternion. */
 struct quaternion board_pose_quaternion_of_rows(const vec3 row[3]);
-
-#endif

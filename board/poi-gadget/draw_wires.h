@@ -9,8 +9,7 @@
  * A drum that winds the wire in one layer makes the length a linear function of the converter
  * steps. The two coefficients of the function are found by least squares from all marks. A mark is
  * a known position at which the user holds the wire's end. */
-#ifndef KINGYO_BOARD_POI_GADGET_DRAW_WIRES_H
-#define KINGYO_BOARD_POI_GADGET_DRAW_WIRES_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -83,5 +82,3 @@ void draw_wires_fit_add(struct wire_fit *fit, float step, float length_m);
 /* Computes the coefficients from all marks. Returns true. If the marks are too few, too close
  * together or inconsistent, sets `why` to a static text and returns false. */
 bool draw_wires_fit_solve(struct wire_fit *fit, const char **why);
-
-#endif

@@ -3,8 +3,7 @@
  *
  * No call blocks. If the host does not read, reports are dropped. If the USB function was removed
  * and created again, the device is opened again. */
-#ifndef KINGYO_BOARD_POI_GADGET_HID_GADGET_H
-#define KINGYO_BOARD_POI_GADGET_HID_GADGET_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -45,5 +44,3 @@ bool hid_gadget_feel(struct hid_gadget *gadget, struct poi_force *out);
 
 /* Closes the device /dev/hidgN. */
 void hid_gadget_close(struct hid_gadget *gadget);
-
-#endif

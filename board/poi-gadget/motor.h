@@ -5,8 +5,7 @@
  * used, and the force and the torque are ignored. Drag in the water gives a hum. A slap of a fish's
  * tail gives a pulse that decays. A tear of the paper gives a rattle. The motor stops if the host
  * sends no more reports. */
-#ifndef KINGYO_BOARD_POI_GADGET_MOTOR_H
-#define KINGYO_BOARD_POI_GADGET_MOTOR_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -65,5 +64,3 @@ struct feel_sink motor_sink(struct motor *motor);
 
 /* Sets the outputs of the motor and the light immediately. */
 void motor_set(struct motor *motor, struct feel_levels levels);
-
-#endif

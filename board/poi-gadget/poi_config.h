@@ -3,8 +3,7 @@
  *
  * The configuration file has lines of the form `name = value`, and # starts a comment. poi.conf is
  * an example that describes each line. The functions are pure, except poi_config_load(). */
-#ifndef KINGYO_BOARD_POI_GADGET_POI_CONFIG_H
-#define KINGYO_BOARD_POI_GADGET_POI_CONFIG_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -75,5 +74,3 @@ vec3 poi_config_from_chip(const struct poi_config *config, vec3 chip);
 /* Reads the configuration file at `path`. Returns true. If the file is not readable or invalid,
  * prints one line to standard error and returns false. */
 bool poi_config_load(struct poi_config *config, const char *path);
-
-#endif

@@ -15,8 +15,7 @@
  * A line is used when the motion of the previous line has ended. The whole text of a round can
  * therefore be written to the text buffer as fast as there is room. A line without a duration lasts
  * one step. All functions are pure, except the step of the source. */
-#ifndef KINGYO_BOARD_POI_GADGET_POSE_SCRIPT_H
-#define KINGYO_BOARD_POI_GADGET_POSE_SCRIPT_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -103,5 +102,3 @@ struct pose_script_source {
  * in a skipped line is reported in the next report. */
 struct pose_source pose_script_source(struct pose_script_source *script, int fd, const char *name,
                                       uint32_t rate_hz);
-
-#endif

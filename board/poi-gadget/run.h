@@ -5,8 +5,7 @@
  * In each cycle, the loop reads a pose from the pose source, sends the pose to the host, and
  * forwards the host's force feedback to the motor. A pose source is either the real sensors, the
  * simulated sensors, or a script. */
-#ifndef KINGYO_BOARD_POI_GADGET_RUN_H
-#define KINGYO_BOARD_POI_GADGET_RUN_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -73,5 +72,3 @@ enum exit_code commands_calibrate(const struct poi_config *config, const char *r
  * commands_calibrate(). Returns EXIT_OK, or EXIT_NOT_SO if a check failed. */
 enum exit_code commands_self_test(const struct poi_config *config, const char *root,
                                   const char *device);
-
-#endif

@@ -10,8 +10,7 @@
  * paper's plane, glides under the fish, and is lifted level so that the water drains. Finally the
  * poi moves to the bowl of the first player in the festival tank and tips. The scoops enter the
  * water at different positions that cover the whole tank. */
-#ifndef KINGYO_BOARD_POI_GADGET_SENSOR_TWIN_H
-#define KINGYO_BOARD_POI_GADGET_SENSOR_TWIN_H
+#pragma once
 
 #include "board/poi-gadget/attitude.h"
 #include "board/poi-gadget/pose_script.h"
@@ -67,5 +66,3 @@ struct sensor_twin_source {
  * outlive the source. */
 struct pose_source sensor_twin_source(struct sensor_twin_source *source,
                                       const struct poi_config *config);
-
-#endif

@@ -4,8 +4,7 @@
  * The converter and the chip are devices of Linux's industrial I/O subsystem (IIO) and are found by
  * their names. Their sysfs files stay open between readings. The keys on the poi's handle are GPIO
  * lines that the kernel's gpio-keys driver debounces. */
-#ifndef KINGYO_BOARD_POI_GADGET_SENSORS_H
-#define KINGYO_BOARD_POI_GADGET_SENSORS_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -92,5 +91,3 @@ struct pose_source sensors_source(struct sensor_source *source, const struct poi
 
 /* Closes all sensors. */
 void sensors_close(struct sensors *sensors);
-
-#endif

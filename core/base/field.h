@@ -5,8 +5,7 @@
  * A table lists every member of its struct. The order of the table is the order in which the hash
  * reads the members. Each member is an array of numbers of 1, 2 or 4 bytes, or an array of structs
  * that have a table of their own. A single number is an array with one element. */
-#ifndef KINGYO_CORE_BASE_FIELD_H
-#define KINGYO_CORE_BASE_FIELD_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -161,5 +160,3 @@ const struct field *field_next(struct field_cursor *cursor, const uint8_t **at);
 
 /* Returns `hash` extended by all members of `object`, which `table` describes. */
 uint64_t field_hash(uint64_t hash, const struct field_table *table, const void *object);
-
-#endif

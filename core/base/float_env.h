@@ -4,8 +4,7 @@
  * nearest float, ties to even. A library may leave a thread in another mode, such as flush-to-zero.
  * The platform sets the control word of the processor (platform/cpu.h). The core only checks the
  * results. */
-#ifndef KINGYO_CORE_BASE_FLOAT_ENV_H
-#define KINGYO_CORE_BASE_FLOAT_ENV_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -13,5 +12,3 @@
  * computed as a scalar and in a vector of four floats, because 32-bit Arm has a separate unit for
  * vectors. Returns true if all bits are as IEEE 754 requires in its default mode. */
 bool float_env_is_standard(void);
-
-#endif

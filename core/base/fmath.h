@@ -4,8 +4,7 @@
  * multiplications, divisions and square roots. Therefore gcc, clang, every optimisation level and
  * every CPU agree to the last bit (with -ffp-contract=off). Angles are in radians. The caller
  * guarantees finite arguments. */
-#ifndef KINGYO_CORE_BASE_FMATH_H
-#define KINGYO_CORE_BASE_FMATH_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -67,5 +66,3 @@ float f_log(float x);            /* Returns the natural logarithm. The caller gu
 float f_wrap_angle(float x);     /* Returns the angle in [-pi, pi) that points in the same direction
                                     as x, for |x| < 1000. */
 bool f_is_finite(float x);
-
-#endif

@@ -3,8 +3,7 @@
  * Bytes use plain FNV-1a. A 32-bit word is hashed in one step and a rotation, which is four times
  * as fast as byte by byte. States are hashed field by field (core/base/field.h), so padding and
  * byte order have no influence. */
-#ifndef KINGYO_CORE_BASE_HASH_H
-#define KINGYO_CORE_BASE_HASH_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -22,5 +21,3 @@ static inline uint64_t hash_u32(uint64_t hash, uint32_t value)
     hash = (hash ^ value) * HASH_FNV_PRIME;
     return (hash << 29) | (hash >> 35);
 }
-
-#endif

@@ -1,8 +1,7 @@
 /* mem.h -- the four memory functions that a compiler may call in a freestanding program.
  *
  * <string.h> is not a freestanding header, so this header declares the four functions. */
-#ifndef KINGYO_CORE_BASE_MEM_H
-#define KINGYO_CORE_BASE_MEM_H
+#pragma once
 
 #include <stddef.h>
 
@@ -14,5 +13,3 @@ int memcmp(const void *left, const void *right, size_t size);
 /* Copies `size` bytes. `size` is a constant, so the compiler replaces the copy by loads and stores.
  * A direct memcpy() would remain a call, because the core is compiled as freestanding code. */
 #define MEM_COPY(to, from, size) ((void)__builtin_memcpy(to, from, size))
-
-#endif

@@ -6,8 +6,7 @@
  *
  * The core calls only five external functions: core_panic(), memcpy(), memmove(), memset() and
  * memcmp(). */
-#ifndef KINGYO_CORE_BASE_PANIC_H
-#define KINGYO_CORE_BASE_PANIC_H
+#pragma once
 
 /* Handles a failed assertion. The program that links the core must define core_panic(), which must
  * not return. `condition` and `file` are static strings. */
@@ -19,6 +18,4 @@ _Noreturn void core_panic(const char *condition, const char *file, int line);
 #define CORE_ASSERT(condition) ((void)sizeof(condition))
 #else
 #define CORE_ASSERT(condition) ((condition) ? (void)0 : core_panic(#condition, __FILE__, __LINE__))
-#endif
-
 #endif

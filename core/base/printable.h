@@ -9,8 +9,7 @@
  * (U+0080..U+009F), line and paragraph separators (U+2028, U+2029), and bidirectional controls
  * (U+061C, U+200E, U+200F, U+202A..U+202E, U+2066..U+2069). Every byte that is not UTF-8 as RFC
  * 3629 defines it is also rejected. */
-#ifndef KINGYO_CORE_BASE_PRINTABLE_H
-#define KINGYO_CORE_BASE_PRINTABLE_H
+#pragma once
 
 #include <stdint.h>
 
@@ -41,5 +40,3 @@ uint32_t printable_size(const char *text);
 /* Replaces each rejected character of `text`, and each byte that is not UTF-8, by PRINTABLE_MARK in
  * place. The text never becomes longer. Returns `text`. */
 char *printable(char *text);
-
-#endif

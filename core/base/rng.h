@@ -3,8 +3,7 @@
  * A random number depends only on (seed, tick, who, purpose), never on the number of earlier calls.
  * Therefore the order of calls cannot change the game. `who` is the index of the fish, player or
  * other object that uses the number. Each use has its own enum rng_purpose. */
-#ifndef KINGYO_CORE_BASE_RNG_H
-#define KINGYO_CORE_BASE_RNG_H
+#pragma once
 
 #include <stdint.h>
 
@@ -72,5 +71,3 @@ enum rng_purpose {
     RNG_SESSION,      /* Seed of the next session. */
     RNG_PIN,          /* Salt of a new PIN. */
 };
-
-#endif

@@ -1,6 +1,5 @@
 /* sha256.h -- SHA-256 of a short message, as FIPS 180-4 defines it. */
-#ifndef KINGYO_CORE_BASE_SHA256_H
-#define KINGYO_CORE_BASE_SHA256_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -12,5 +11,3 @@
 /* Writes the SHA-256 digest of `size` bytes at `message` as big-endian words: the first word holds
  * the first four bytes of the digest. Asserts that `size` is at most SHA256_MESSAGE_MAX. */
 void sha256_short(const uint8_t *message, size_t size, uint32_t digest[SHA256_WORDS]);
-
-#endif

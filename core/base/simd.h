@@ -13,8 +13,7 @@
  *
  * The vectors are extensions of the compilers (gcc from version 12, clang), so a kernel is plain C
  * on every target. */
-#ifndef KINGYO_CORE_BASE_SIMD_H
-#define KINGYO_CORE_BASE_SIMD_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -265,5 +264,3 @@ static inline struct simd_sin_cos simd_sin_cos(flanes x)
         .cos = (flanes)((ilanes)simd_select(odd, sine, cosine) ^ cosine_sign),
     };
 }
-
-#endif

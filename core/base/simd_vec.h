@@ -1,7 +1,6 @@
 /* simd_vec.h -- SIMD form of vec.h: computes SIMD_LANES vectors at once, each with the bits of the
  * scalar result. */
-#ifndef KINGYO_CORE_BASE_SIMD_VEC_H
-#define KINGYO_CORE_BASE_SIMD_VEC_H
+#pragma once
 
 #include "core/base/simd.h"
 
@@ -72,5 +71,3 @@ static inline struct simd_basis simd_basis(struct simd_sin_cos yaw, struct simd_
         .back = back,
     };
 }
-
-#endif

@@ -5,8 +5,7 @@
  * along its own -z, with +x to its right and +y up. An orientation is a yaw about +y (0 faces -z,
  * positive turns left), followed by a pitch (positive lifts the front) and a roll (positive lowers
  * the right side). */
-#ifndef KINGYO_CORE_BASE_VEC_H
-#define KINGYO_CORE_BASE_VEC_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -121,5 +120,3 @@ struct basis vec_basis_from_angles(struct angles angles);
  * coordinates, and vec_basis_to_body() converts world coordinates to body coordinates. */
 vec3 vec_basis_to_world(const struct basis *basis, vec3 body);
 vec3 vec_basis_to_body(const struct basis *basis, vec3 world);
-
-#endif

@@ -5,8 +5,7 @@
  * functions of the phases. game_tick.c runs the steps of a tick and includes every phase, and no
  * phase includes a header that belongs to game_tick.c alone. Differences between modes are data
  * (rules.h). */
-#ifndef KINGYO_CORE_GAME_GAME_H
-#define KINGYO_CORE_GAME_GAME_H
+#pragma once
 
 #include <stdint.h>
 
@@ -227,5 +226,3 @@ void game_init(struct game *game, const struct core_config *config);
 void game_tick(struct game *game, struct world *world, struct core_config *config,
                const struct input *input, struct output *output, struct poi_target targets[POI_MAX],
                uint8_t live[POI_MAX]);
-
-#endif

@@ -1,8 +1,7 @@
 /* game_fields.h -- the tables of the members of the game's state and of the configuration
  * (core/base/field.h). The state hash, the start state of a recording and the tests read the
  * tables. */
-#ifndef KINGYO_CORE_GAME_GAME_FIELDS_H
-#define KINGYO_CORE_GAME_GAME_FIELDS_H
+#pragma once
 
 #include "core/base/field.h"
 #include "core/game/ranking/ranking.h"
@@ -44,5 +43,3 @@ extern const struct field_table ledger_fields;
  * card only for each species that exists, so struct lab_book is not written as a whole. */
 extern const struct field_table lab_edit_fields;
 extern const struct field_table species_card_fields;
-
-#endif

@@ -4,8 +4,7 @@
  * new phase has its first tick in the following tick. core.c calls the functions of the score and
  * of the sessions. lab/lab.h, menu/menu.h and ranking/name.h declare the functions of the other
  * phases. */
-#ifndef KINGYO_CORE_GAME_PHASES_H
-#define KINGYO_CORE_GAME_PHASES_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -230,5 +229,3 @@ void session_language_tick(struct game *game, const struct core_config *config,
 
 /* Resets the display to the operator's language at the start of attract mode. */
 void session_language_reset(struct game *game, const struct core_config *config);
-
-#endif

@@ -5,8 +5,7 @@
  * the top left corner, with x to the right and y down. Each canvas is centred and as large as the
  * screen permits. The mapping uses the tank's camera. A point on the water surface maps to the
  * canvas point that is drawn over the point, independent of the screen's size. */
-#ifndef KINGYO_CORE_GAME_POINTER_MAPPING_H
-#define KINGYO_CORE_GAME_POINTER_MAPPING_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -62,5 +61,3 @@ struct world;
  * pointer is at the canvas point at which the camera shows the pose. */
 struct pointer_state pointer_of_player(const struct world *world, const struct input *input,
                                        bool upright, uint32_t player);
-
-#endif

@@ -6,8 +6,7 @@
  * - The time is announced at one and two minutes, at ten seconds left, and for the last five
  * seconds.
  * - Three fouls end the round, and a torn poi may be used while it can hold a fish. */
-#ifndef KINGYO_CORE_GAME_RULES_H
-#define KINGYO_CORE_GAME_RULES_H
+#pragma once
 
 #include <stdint.h>
 
@@ -63,5 +62,3 @@ const struct level_rules *rules_of_level(uint8_t level);
 
 /* Returns the rules of `mode`. Asserts that `mode` < MODE_COUNT. */
 const struct rules *rules_of(uint8_t mode);
-
-#endif

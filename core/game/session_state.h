@@ -1,7 +1,6 @@
 /* session_state.h -- the state that one session passes to the next session. The functions are in
  * session.c, health_log.c and menu/settings_edit.c. */
-#ifndef KINGYO_CORE_GAME_SESSION_STATE_H
-#define KINGYO_CORE_GAME_SESSION_STATE_H
+#pragma once
 
 #include <stdint.h>
 
@@ -77,5 +76,3 @@ struct game_session {
     struct settings_edit settings_edit;
     struct language_choice language;
 };
-
-#endif

@@ -1,7 +1,6 @@
 /* table_setup.h -- functions that prepare the table for a game: open the tank, place a bowl for
  * each player, and supply fresh paper. */
-#ifndef KINGYO_CORE_GAME_TABLE_SETUP_H
-#define KINGYO_CORE_GAME_TABLE_SETUP_H
+#pragma once
 
 #include <stdint.h>
 
@@ -51,5 +50,3 @@ void table_setup_replace_poi(const struct game *game, struct world *world,
 
 /* Moves the fish of every bowl back into the tank. */
 void table_setup_empty_bowls(struct world *world);
-
-#endif

@@ -1,7 +1,6 @@
 /* blend_lanes.h -- blends four vertices at a time for morph_shape() (core/base/simd.h).
  * Internal to core/morph. */
-#ifndef KINGYO_CORE_MORPH_BLEND_LANES_H
-#define KINGYO_CORE_MORPH_BLEND_LANES_H
+#pragma once
 
 #include "core/base/simd.h"
 #include "core/morph/morph.h"
@@ -14,5 +13,3 @@ uint32_t blend_blocks(const struct species_mesh *mesh, uint32_t key_count,
 /* Blends the vertices from index `first` to the end, one at a time. */
 void blend_each(const struct species_mesh *mesh, uint32_t key_count, const struct morph_pose *pose,
                 uint32_t first, vec3 *positions, vec3 *normals);
-
-#endif

@@ -4,8 +4,7 @@
  * The curve passes through every point, has no corner, and stays between the values of adjacent
  * points. An interpolated weight is therefore never below 0, and a fish never shrinks where its
  * growth table increases. The slopes are computed by the method of Fritsch and Butland (1984). */
-#ifndef KINGYO_CORE_MORPH_CUBIC_H
-#define KINGYO_CORE_MORPH_CUBIC_H
+#pragma once
 
 #include <stdint.h>
 
@@ -21,5 +20,3 @@ float cubic_slope(const struct cubic_point *points, uint32_t count, uint32_t ind
  * last point. Null selects the slope that cubic_slope() returns. */
 float cubic_curve(const struct cubic_point *points, uint32_t count, float at,
                   const float *last_slope);
-
-#endif

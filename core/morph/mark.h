@@ -1,7 +1,6 @@
 /* mark.h -- computes how strongly a painted mark covers a point of the fish. Internal to paint.c
  * and mark.c. */
-#ifndef KINGYO_CORE_MORPH_MARK_H
-#define KINGYO_CORE_MORPH_MARK_H
+#pragma once
 
 #include "core/morph/species.h"
 
@@ -25,5 +24,3 @@ struct mark_point mark_point_of(const struct species_vertex *at, enum body_form 
 
 /* Returns the opacity of the mark at the point, from 0 (not covered) to 1 (completely covered). */
 float mark_cover(const struct species_mark *mark, const struct mark_point *at);
-
-#endif

@@ -7,8 +7,7 @@
  *
  * Progress is in [0, 1], and key i of n keys is at progress i / (n - 1). All functions are pure,
  * and the caller owns all memory. */
-#ifndef KINGYO_CORE_MORPH_MORPH_H
-#define KINGYO_CORE_MORPH_MORPH_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -284,5 +283,3 @@ struct paint {
  * count as 0, and the function divides the weights by their sum. */
 struct paint paint_at(const struct species *species, const float weights[MORPH_KEY_MAX],
                       const struct species_vertex *at);
-
-#endif

@@ -9,8 +9,7 @@
  *
  * The build generates the built-in species from assets/species/NAME.txt, and other species are read
  * from packed files. */
-#ifndef KINGYO_CORE_MORPH_SPECIES_H
-#define KINGYO_CORE_MORPH_SPECIES_H
+#pragma once
 
 #include <stdint.h>
 
@@ -249,5 +248,3 @@ extern const struct species species_wakin;
  * entries. */
 extern const struct species *const species_table[];
 extern const uint32_t species_table_count;
-
-#endif

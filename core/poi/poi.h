@@ -2,8 +2,7 @@
  *
  * A spring (ring.h) pulls the ring toward the hand of the player. y points up, and the still water
  * surface is at y = 0. One tick is 1/120 s. */
-#ifndef KINGYO_CORE_POI_POI_H
-#define KINGYO_CORE_POI_POI_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -226,5 +225,3 @@ void surface_disturbance_tick(const struct poi *poi, struct water *water, vec3 t
  * The values of `force` are limited to the ranges in output.h. The caller must have called
  * poi_apply_reaction() in this tick. */
 void poi_haptics(const struct poi *poi, struct poi_force *force);
-
-#endif

@@ -1,7 +1,6 @@
 /* poi_fields.h -- the tables of the members of the poi and of the bowl (core/base/field.h). The
  * state hash and the tests read the tables. */
-#ifndef KINGYO_CORE_POI_POI_FIELDS_H
-#define KINGYO_CORE_POI_POI_FIELDS_H
+#pragma once
 
 #include "core/base/field.h"
 
@@ -15,5 +14,3 @@ extern const struct field_table bowl_fields;
 
 /* Part of struct poi that tests hash separately. */
 extern const struct field_table sheet_fields;
-
-#endif

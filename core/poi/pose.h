@@ -1,6 +1,5 @@
 /* pose.h -- rotates rigid bodies: converts between axes and angles, and interpolates poses. */
-#ifndef KINGYO_CORE_POI_POSE_H
-#define KINGYO_CORE_POI_POSE_H
+#pragma once
 
 #include "core/base/vec.h"
 #include "core/input.h"
@@ -26,5 +25,3 @@ struct angles pose_toward(struct angles from, struct angles to, float share, flo
 /* Returns the pose that is interpolated between the poses `from` and `to`. `share` is 0 at `from`
  * and 1 at `to`. */
 struct poi_target pose_between(struct poi_target from, struct poi_target to, float share);
-
-#endif

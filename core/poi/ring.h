@@ -8,8 +8,7 @@
  *
  * The hand spring pulls the ring toward the hand of the player. Forces are in newtons and in
  * world axes unless a comment names other axes. */
-#ifndef KINGYO_CORE_POI_RING_H
-#define KINGYO_CORE_POI_RING_H
+#pragma once
 
 #include "core/base/panic.h"
 #include "core/poi/poi.h"
@@ -84,5 +83,3 @@ float poi_kick_n(const struct poi *poi);
 /* Updates the low-pass filtered acceleration of the ring. Returns the pressure of all loads on the
  * paper, positive toward the poi's up axis. */
 float poi_paper_pa(struct poi *poi, const struct basis *axes);
-
-#endif

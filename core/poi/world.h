@@ -4,8 +4,7 @@
  * A poi is the paper scoop with its sheet of paper. Element i of `poi` and element i of `bowl`
  * belong to player i. The game changes the world, but the physics does not depend on the phases or
  * the players of the game. */
-#ifndef KINGYO_CORE_POI_WORLD_H
-#define KINGYO_CORE_POI_WORLD_H
+#pragma once
 
 #include "core/poi/bowl/bowl.h"
 #include "core/poi/poi.h"
@@ -16,5 +15,3 @@ struct world {
     struct poi poi[POI_MAX];
     struct bowl bowl[POI_MAX];
 };
-
-#endif

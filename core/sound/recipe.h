@@ -2,8 +2,7 @@
  * (synth.h).
  *
  * A sound consists of layers (tones and noise) and at most one plucked string. */
-#ifndef KINGYO_CORE_SOUND_RECIPE_H
-#define KINGYO_CORE_SOUND_RECIPE_H
+#pragma once
 
 #include "core/sound/synth.h"
 
@@ -42,5 +41,3 @@ struct sound_recipe {
 };
 
 extern const struct sound_recipe sound_recipes[SOUND_COUNT];
-
-#endif

@@ -5,8 +5,7 @@
  * Therefore a board without a file system also has sound. The state of the synthesiser is not part
  * of the game's state. The platform's audio thread calls the synthesiser, and two threads must not
  * call it at the same time. */
-#ifndef KINGYO_CORE_SOUND_SYNTH_H
-#define KINGYO_CORE_SOUND_SYNTH_H
+#pragma once
 
 #include <stdint.h>
 
@@ -63,5 +62,3 @@ void synth_play(struct synth *synth, const struct sound_event *event);
 /* Writes `frame_count` frames, each with a left and a right sample, to `stereo`. The levels are
  * limited to the range of int16_t. */
 void synth_render(struct synth *synth, int16_t *stereo, uint32_t frame_count);
-
-#endif

@@ -5,8 +5,7 @@
  * preset is in use. Lengths and speeds are in body lengths, so that one set is valid for fish of
  * every size. Stamina is in [0, 1]; the 2013 thesis on goldfish behavior uses 0 to 100. A parameter
  * of 0 disables its feature, unless the comment on the parameter gives another meaning. */
-#ifndef KINGYO_CORE_TANK_BEHAVIOR_PARAMS_H
-#define KINGYO_CORE_TANK_BEHAVIOR_PARAMS_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -127,5 +126,3 @@ static inline struct rng_key perception_key(const struct perception *around, uin
 {
     return (struct rng_key){ around->seed, around->tick, index, purpose };
 }
-
-#endif

@@ -1,7 +1,6 @@
 /* fish.h -- the state of one goldfish: size, pose, stamina and current goals. A poi is the paper
  * scoop with which a player catches fish. A tick is one step of the simulation, 1/120 s. */
-#ifndef KINGYO_CORE_TANK_FISH_H
-#define KINGYO_CORE_TANK_FISH_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -198,5 +197,3 @@ vec3 fish_forward(const struct fish *fish);
 /* Returns true if the fish is one of the calm fish of `temper`: a small fish that stays near the
  * surface. */
 bool fish_is_calm(const struct fish *fish, const struct temper *temper);
-
-#endif

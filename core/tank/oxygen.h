@@ -8,8 +8,7 @@
  * During a round of three minutes the concentration hardly changes. Therefore the oxygen balance
  * can run faster than real time: `time_compression` hours of the balance pass in one hour. All
  * other parts of the simulation run in real time. */
-#ifndef KINGYO_CORE_TANK_OXYGEN_H
-#define KINGYO_CORE_TANK_OXYGEN_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -78,5 +77,3 @@ float oxygen_after(float dissolved_mg_l, const struct oxygen_balance *balance, f
  * near saturation. */
 void oxygen_tick(struct oxygen *oxygen, const struct fish *fish, uint32_t fish_count, vec3 size_m,
                  uint32_t tick);
-
-#endif

@@ -1,8 +1,7 @@
 /* preset.h -- the tank presets: size, fish, bowls, water and view of each tank.
  *
  * The presets are data. The code reads the values and never tests which preset is in use. */
-#ifndef KINGYO_CORE_TANK_PRESET_H
-#define KINGYO_CORE_TANK_PRESET_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -61,5 +60,3 @@ float tank_preset_age_days(const struct tank_preset *preset, float draw);
  * `area_scale` times the floor area of the preset. This number of fish of mean size fills 12 % of
  * the water with their body boxes. More fish would take too much computing time. */
 uint32_t tank_preset_fish_max(const struct tank_preset *preset, float area_scale);
-
-#endif

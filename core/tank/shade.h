@@ -6,8 +6,7 @@
  * to the floor. All distances from a shade are horizontal. The 2013 thesis on goldfish behavior
  * uses distances in three dimensions, with which the fan's shade would pull a fish below the fan
  * upward and hardly sideways. */
-#ifndef KINGYO_CORE_TANK_SHADE_H
-#define KINGYO_CORE_TANK_SHADE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -113,5 +112,3 @@ bool shade_draw(const struct shade *shades, uint32_t count, const struct behavio
  * Returns 0 if `params->shade_frights` is false. */
 float shade_alarm(const struct shade *shade, const struct behavior_params *params, vec3 position_m,
                   float dt_s);
-
-#endif

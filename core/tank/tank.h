@@ -2,8 +2,7 @@
  *
  * The origin is the centre of the still water surface; +x is to the right, +y up and +z toward the
  * player. A poi is the paper scoop of a player. A tick is 1/120 s. */
-#ifndef KINGYO_CORE_TANK_TANK_H
-#define KINGYO_CORE_TANK_TANK_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -178,5 +177,3 @@ void reentry_begin(struct tank *tank, struct fish *fish, vec3 velocity_m_s);
 
 /* Advances all fish in reentry by one tick; called after the contact solver. */
 void reentry_tick(struct tank *tank, const struct obstacle *obstacles, uint32_t obstacle_count);
-
-#endif

@@ -1,7 +1,6 @@
 /* tank_fields.h -- the tables of the members of the tank (core/base/field.h). The state hash and
  * the tests read the tables. */
-#ifndef KINGYO_CORE_TANK_TANK_FIELDS_H
-#define KINGYO_CORE_TANK_TANK_FIELDS_H
+#pragma once
 
 #include "core/base/field.h"
 
@@ -15,5 +14,3 @@ extern const struct field_table tank_quick_fields;
 /* Tables of struct fish and struct water, which tests hash separately. */
 extern const struct field_table fish_fields;
 extern const struct field_table water_fields;
-
-#endif

@@ -14,8 +14,7 @@
  * With the water density rho and the disc radius a, the added mass is (8/3) rho a^3.
  *
  * For motion along the plane of the disc, only the water near the ring of the disc moves. */
-#ifndef KINGYO_CORE_TANK_WATER_H
-#define KINGYO_CORE_TANK_WATER_H
+#pragma once
 
 #include <stdint.h>
 
@@ -57,5 +56,3 @@ vec3 water_flow_m_s(const struct obstacle *disc, vec3 point_m);
  * the speed of the disc times the speed of the water at the point. The pressure grows with the
  * square of the disc's speed, so fish hardly feel a slow disc. */
 float water_push_m2_s2(const struct obstacle *disc, vec3 point_m);
-
-#endif

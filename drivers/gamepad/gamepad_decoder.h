@@ -16,8 +16,7 @@
  *
  * A stick sets a velocity, so the poi moves between reports too. The queue of reports samples the
  * motion once for each tick (1/120 s), however rarely the kiosk polls. */
-#ifndef KINGYO_DRIVERS_GAMEPAD_GAMEPAD_DECODER_H
-#define KINGYO_DRIVERS_GAMEPAD_GAMEPAD_DECODER_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -186,5 +185,3 @@ uint32_t gamepad_queue_pop(struct gamepad_queue *track, uint64_t now_ns, struct 
 
 /* Decodes all pending reports and writes the pressed buttons to `out`. */
 void gamepad_queue_buttons(struct gamepad_queue *track, struct button_sample *out);
-
-#endif

@@ -12,8 +12,7 @@
  *
  * Devices that other drivers use must be excluded (gamepads_exclude()), so that each device has one
  * owner. */
-#ifndef KINGYO_DRIVERS_GAMEPAD_GAMEPADS_H
-#define KINGYO_DRIVERS_GAMEPAD_GAMEPADS_H
+#pragma once
 
 #include <SDL_gamecontroller.h>
 #include <stdbool.h>
@@ -95,5 +94,3 @@ struct hal_controller_devices gamepad_poi_devices(struct gamepads *gamepads, uin
 /* Returns true if the game pad `pad` (a struct gamepad) is plugged in. Processes pending events
  * first. */
 bool gamepad_poi_is_present(void *pad);
-
-#endif

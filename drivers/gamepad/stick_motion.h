@@ -8,8 +8,7 @@
  * The tilt of the ring follows the angle of the stick or puck and returns to level on release.
  * Holding LEVEL returns a puck's ring to the hover height. The ring is slower under water, so that
  * wet paper survives unless the player also shakes the ring. */
-#ifndef KINGYO_DRIVERS_GAMEPAD_STICK_MOTION_H
-#define KINGYO_DRIVERS_GAMEPAD_STICK_MOTION_H
+#pragma once
 
 #include <stdint.h>
 
@@ -74,5 +73,3 @@ struct poi_target stick_motion_target(struct stick_motion *fly, uint64_t time_ns
 /* Returns the fan at `time_ns`. While POINTER_FAN is pressed, the sticks move the fan and the poi
  * stands still. */
 struct shade_input stick_motion_fan(struct stick_motion *fly, uint64_t time_ns);
-
-#endif

@@ -3,8 +3,7 @@
  * gpio_backend.c requests lines, waits for edges, detects removed chips and releases lines.
  * gpio_dev.c finds chips in /dev and writes error messages. gpio_lines1.c and gpio_lines2.c
  * implement the operations that differ. */
-#ifndef KINGYO_DRIVERS_GPIO_GPIO_BACKEND_H
-#define KINGYO_DRIVERS_GPIO_GPIO_BACKEND_H
+#pragma once
 
 #include <dirent.h>
 
@@ -102,5 +101,3 @@ struct gpio_backend {
  * `backend`. */
 struct gpio_lines gpio_backend_device(struct gpio_backend *backend,
                                       const struct gpio_backend_ops *ops);
-
-#endif

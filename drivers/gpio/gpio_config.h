@@ -25,8 +25,7 @@
  * counts coins while the program is not running.
  *
  * Pure: uses no device and no clock. */
-#ifndef KINGYO_DRIVERS_GPIO_GPIO_CONFIG_H
-#define KINGYO_DRIVERS_GPIO_GPIO_CONFIG_H
+#pragma once
 
 #include "drivers/gpio/gpio_lines.h"
 
@@ -61,5 +60,3 @@ void gpio_wire_text(const struct gpio_wire *wire, char out[GPIO_WIRE_TEXT_SIZE])
 
 /* Returns a copy of `wire` in which the default of `role` replaces each time of 0. */
 struct gpio_wire gpio_wire_filled(const struct gpio_wire *wire, enum gpio_role role);
-
-#endif

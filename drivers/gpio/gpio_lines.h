@@ -8,8 +8,7 @@
  * A line is found by its name, or by the label of its chip and an offset. Chip numbers are not
  * used, because they can change when the machine boots. All calls come from one thread, the GPIO
  * thread (gpio_thread.h). A line is held while the backend has requested it from the kernel. */
-#ifndef KINGYO_DRIVERS_GPIO_GPIO_LINES_H
-#define KINGYO_DRIVERS_GPIO_GPIO_LINES_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -160,5 +159,3 @@ struct gpio_lines {
 /* Returns the backend of this build. The state of the backend is static, because a kiosk has one
  * cabinet. */
 struct gpio_lines gpio_lines_device(void);
-
-#endif

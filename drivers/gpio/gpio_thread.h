@@ -10,8 +10,7 @@
  * edges of the kernel, coin detection, and pulses of an output (gpio_signal.c). These functions are
  * pure: they use no device and no clock. Times are in ns on CLOCK_MONOTONIC, and the caller passes
  * them in non-decreasing order. */
-#ifndef KINGYO_DRIVERS_GPIO_GPIO_THREAD_H
-#define KINGYO_DRIVERS_GPIO_GPIO_THREAD_H
+#pragma once
 
 #include <pthread.h>
 #include <stdatomic.h>
@@ -356,5 +355,3 @@ void gpio_thread_describe(struct gpio_thread *reader);
 void gpio_thread_lose(struct gpio_thread *reader);
 /* gpio_thread.c: the function poll() of the input device. */
 int gpio_thread_poll(void *reader, struct button_sample *out);
-
-#endif

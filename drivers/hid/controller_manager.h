@@ -4,8 +4,7 @@
  * Implements hal_controllers for the operator's menu. The manager uses the device list of a
  * transport (hid_device_list.h), the players' slots and the mapping store. A slot is the place of
  * one of up to POI_MAX controllers. All calls come from one thread, and no call blocks. */
-#ifndef KINGYO_DRIVERS_HID_CONTROLLER_MANAGER_H
-#define KINGYO_DRIVERS_HID_CONTROLLER_MANAGER_H
+#pragma once
 
 #include "drivers/hid/hid_device_list.h"
 #include "drivers/hid/hid_learn.h"
@@ -43,5 +42,3 @@ struct hal_controllers controller_manager_init(struct controller_manager *manage
                                                struct hid_device_list device_list,
                                                struct hid_mapping_store *store,
                                                struct poi_hid *const pois[POI_MAX]);
-
-#endif

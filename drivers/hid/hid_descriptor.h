@@ -4,8 +4,7 @@
  * group is the list of fields that one Input item declares. The parser reads bytes and fills lists
  * in the caller's memory. The time is linear in the size of the descriptor. Each limit below has
  * its own error code. Pure: uses no device and no clock. */
-#ifndef KINGYO_DRIVERS_HID_HID_DESCRIPTOR_H
-#define KINGYO_DRIVERS_HID_HID_DESCRIPTOR_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -165,5 +164,3 @@ static inline int64_t hid_signed_bits(uint32_t bits, uint32_t size)
     const int64_t half = (int64_t)1 << (size - 1u);
     return bits >= half ? (int64_t)bits - 2 * half : (int64_t)bits;
 }
-
-#endif

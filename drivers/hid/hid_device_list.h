@@ -4,8 +4,7 @@
  * The list contains all connected controllers, and lost controllers that were selected to play. A
  * controller plays while it has a slot and moves a poi. The controller manager
  * (controller_manager.h) calls the functions from one thread, and no call blocks. */
-#ifndef KINGYO_DRIVERS_HID_HID_DEVICE_LIST_H
-#define KINGYO_DRIVERS_HID_HID_DEVICE_LIST_H
+#pragma once
 
 #include "core/input.h"
 #include "drivers/hid/hid_port.h"
@@ -34,5 +33,3 @@ struct hid_device_list {
     const struct hid_device_list_ops *ops;
     void *self;
 };
-
-#endif

@@ -2,8 +2,7 @@
  * that Global items set, with the stack of Push and Pop (section 6.2.2.7).
  *
  * A private part of hid_descriptor.c. Pure: uses no device and no clock. */
-#ifndef KINGYO_DRIVERS_HID_HID_ITEM_H
-#define KINGYO_DRIVERS_HID_HID_ITEM_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -58,5 +57,3 @@ enum hid_error hid_globals_take(struct hid_global_stack *stack, const struct hid
 /* Returns the value of a limit. A minimum is always signed, and a maximum is signed only if its
  * minimum is negative. */
 int64_t hid_limit_value(struct hid_limit limit, bool is_signed);
-
-#endif

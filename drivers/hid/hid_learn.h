@@ -6,8 +6,7 @@
  * in the opposite direction in the next step is selected. A field that varies while the controller
  * is at rest is excluded. The operator confirms each step, which calls hid_learn_next(). Pure: all
  * state is in the caller's memory. */
-#ifndef KINGYO_DRIVERS_HID_HID_LEARN_H
-#define KINGYO_DRIVERS_HID_HID_LEARN_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -86,5 +85,3 @@ float hid_mapping_infer_clarity(const struct hid_learn *learn);
 /* Fills learn->map from the recording of all steps. Returns true, or false if no usable
  * mapping results. */
 bool hid_mapping_infer_map(struct hid_learn *learn);
-
-#endif

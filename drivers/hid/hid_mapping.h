@@ -6,8 +6,7 @@
  * (hid_mapping_text.c). A poi is a paper scoop, and also the controller that moves it. This project
  * defines its own poi controller (poi_report.h), which the comments name Kingyo's poi controller.
  * Pure: uses no device and no clock. */
-#ifndef KINGYO_DRIVERS_HID_HID_MAPPING_H
-#define KINGYO_DRIVERS_HID_HID_MAPPING_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -199,5 +198,3 @@ int hid_mapping_store_write(const struct hid_mapping_store_entry *entry,
  * line and describes the error in `error`. */
 int hid_mapping_store_read(struct hid_mapping_store_entry *out, const char *text,
                            char error[HAL_TEXT_SIZE]);
-
-#endif

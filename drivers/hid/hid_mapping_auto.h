@@ -1,7 +1,6 @@
 /* hid_mapping_auto.h -- finds fields of a HID descriptor by their usage, and makes bindings and
  * mappings from them. Pure: uses no device and no clock. */
-#ifndef KINGYO_DRIVERS_HID_HID_MAPPING_AUTO_H
-#define KINGYO_DRIVERS_HID_HID_MAPPING_AUTO_H
+#pragma once
 
 #include "drivers/hid/hid_mapping.h"
 
@@ -70,5 +69,3 @@ void hid_mapping_auto_build(struct hid_mapping *out, const struct hid_descriptor
 /* Returns how well the mapping of hid_mapping_auto_build() controls the poi, 0 to 60. 0 means that
  * there is no mapping. */
 uint32_t hid_mapping_auto_score(const struct hid_descriptor *descriptor);
-
-#endif

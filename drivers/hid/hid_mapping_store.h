@@ -6,8 +6,7 @@
  * immediately, before its file is written. A file that cannot be read causes one error line and
  * never prevents the start of the program. All functions except hid_mapping_store_open() and
  * hid_mapping_store_close() return without waiting for the memory card. */
-#ifndef KINGYO_DRIVERS_HID_HID_MAPPING_STORE_H
-#define KINGYO_DRIVERS_HID_HID_MAPPING_STORE_H
+#pragma once
 
 #include <pthread.h>
 #include <stdbool.h>
@@ -94,5 +93,3 @@ void hid_mapping_store_close(struct hid_mapping_store *store);
  * `path` is a pipe, but may block on the memory card. Therefore only the program start calls this
  * function. */
 int hid_mapping_store_file_read(const char *path, char text[HID_MAPPING_STORE_TEXT_SIZE]);
-
-#endif

@@ -6,8 +6,7 @@
  * thread of libusb (usb_transport.h) or a simulation (hid_sim.h). Each attachment has a generation
  * number, so that a report of one controller is never taken for a report of the next controller. No
  * call blocks. */
-#ifndef KINGYO_DRIVERS_HID_HID_PORT_H
-#define KINGYO_DRIVERS_HID_HID_PORT_H
+#pragma once
 
 #include <stdatomic.h>
 #include <stdbool.h>
@@ -210,5 +209,3 @@ int hid_port_take(struct hid_port *port, struct hid_raw *out);
  * previous report is being sent. After HAL_ERR_BUSY the new report is dropped. Returns HAL_ERR_GONE
  * if the opened controller was unplugged, or HAL_ERR_IO if `size` is not 1 to HID_REPORT_MAX. */
 int hid_port_send(struct hid_port *port, const uint8_t *bytes, uint32_t size);
-
-#endif

@@ -8,8 +8,7 @@
  *
  * The device implements the poi, fan and button devices of struct hal for one port. The port may be
  * USB or simulated. The frame loop is the only caller. */
-#ifndef KINGYO_DRIVERS_HID_POI_HID_H
-#define KINGYO_DRIVERS_HID_POI_HID_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -139,5 +138,3 @@ bool poi_hid_remap(struct poi_hid *poi, const struct hid_mapping *map);
 /* Returns the devices of the port. The buttons are START, LEFT, RIGHT and OK of the controller. The
  * poi must be polled before the fan and the buttons. */
 struct hal_controller_devices poi_hid_devices(struct poi_hid *poi_hid);
-
-#endif

@@ -19,8 +19,7 @@
  * inside the controller (board/poi-gadget/, whose README explains the bytes). A test compares the
  * bytes with the reports field by field. After a change of the descriptor, controllers with the
  * previous descriptor are no longer recognized. */
-#ifndef KINGYO_DRIVERS_HID_POI_REPORT_H
-#define KINGYO_DRIVERS_HID_POI_REPORT_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -134,5 +133,3 @@ extern const uint8_t poi_descriptor[POI_DESCRIPTOR_SIZE];
 
 /* Returns true if the bytes are exactly `poi_descriptor`. */
 bool poi_descriptor_is(const uint8_t *bytes, uint32_t size);
-
-#endif

@@ -4,8 +4,7 @@
  * LANGUAGE, F2 is TEST, F3 is SERVICE and F4 is TILT. 5, 6 and 7 insert coins, F11 toggles full
  * screen, Esc and Q quit. The owner of the window pumps SDL's queue before each poll. This driver
  * removes key and text events from the queue and leaves all other events. */
-#ifndef KINGYO_DRIVERS_POINTER_BUTTONS_KEYBOARD_H
-#define KINGYO_DRIVERS_POINTER_BUTTONS_KEYBOARD_H
+#pragma once
 
 #include "platform/hal.h"
 
@@ -15,5 +14,3 @@ struct buttons_keyboard {
 
 /* Returns the button device of the keyboard. */
 struct hal_buttons buttons_keyboard_device(struct buttons_keyboard *keyboard);
-
-#endif

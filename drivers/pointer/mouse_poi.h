@@ -8,8 +8,7 @@
  * If mouse and fingers are enabled, the device that moved last sets the position, and the buttons
  * of mouse and fingers are combined. If fingers are disabled, SDL converts them to mouse events, so
  * a touch dips the poi. The poi must be polled before the fan and the buttons. */
-#ifndef KINGYO_DRIVERS_POINTER_MOUSE_POI_H
-#define KINGYO_DRIVERS_POINTER_MOUSE_POI_H
+#pragma once
 
 #include "drivers/pointer/pointer_poi.h"
 #include "drivers/pointer/touch_fingers.h"
@@ -51,5 +50,3 @@ struct hal_controller_devices mouse_poi_devices(struct mouse_poi *mouse);
 /* Returns true if a person moved, pressed or touched the device within POINTER_USED_NS. The motion
  * event of a window that opens under the pointer does not count. `mouse` is a struct mouse_poi. */
 bool mouse_poi_is_used(void *mouse);
-
-#endif

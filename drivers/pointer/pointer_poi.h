@@ -14,8 +14,7 @@
  * pointer. The buttons and the wheel still control the poi, so one player can fan and scoop. The
  * fan enters from the player's side and leaves in the same direction along a smooth path, so that
  * the fan never appears suddenly and never jumps. */
-#ifndef KINGYO_DRIVERS_POINTER_POINTER_POI_H
-#define KINGYO_DRIVERS_POINTER_POINTER_POI_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -212,5 +211,3 @@ struct shade_input pointer_fan_between(float share, vec3 rest_m, vec3 there_m);
 /* Returns the fan's shadow on the water at `time_ns`, which must not decrease from call to call.
  * The position is finite. */
 struct shade_input pointer_fan_shade(struct pointer_poi *pointer, uint64_t time_ns);
-
-#endif

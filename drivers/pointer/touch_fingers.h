@@ -4,8 +4,7 @@
  * leader: the leader moves the ring over the water until the leader is lifted. A second finger
  * lowers the ring, and a third finger presses START. Fingers other than the leader never move the
  * ring. Pure: uses no device and no clock. */
-#ifndef KINGYO_DRIVERS_POINTER_TOUCH_FINGERS_H
-#define KINGYO_DRIVERS_POINTER_TOUCH_FINGERS_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -53,5 +52,3 @@ void touch_fingers_point(const struct touch_fingers *fingers, struct pointer_rep
 
 /* Returns true if a third finger touched the screen since the last call. */
 bool touch_fingers_start(struct touch_fingers *fingers);
-
-#endif

@@ -2,8 +2,7 @@
  *
  * report_feed.h defines the faults: unplugging, doubled reports, sticks that jump to a corner,
  * random bits, and silence followed by a burst. The caller owns the state and the reports. */
-#ifndef KINGYO_DRIVERS_SIM_GAMEPAD_SIM_H
-#define KINGYO_DRIVERS_SIM_GAMEPAD_SIM_H
+#pragma once
 
 #include "drivers/gamepad/gamepad_decoder.h"
 #include "drivers/sim/report_feed.h"
@@ -20,5 +19,3 @@ void gamepad_sim_init(struct gamepad_sim *sim, struct hal_clock clock, const str
 
 /* Returns the devices of the simulated game pad. */
 struct hal_controller_devices gamepad_sim_devices(struct gamepad_sim *sim);
-
-#endif

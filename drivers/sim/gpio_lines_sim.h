@@ -7,8 +7,7 @@
  *
  * Chips can be removed and return, and lines can be held by other programs. Time advances only in
  * wait() and gpio_lines_sim_pass(). The caller owns the state. All calls come from one thread. */
-#ifndef KINGYO_DRIVERS_SIM_GPIO_LINES_SIM_H
-#define KINGYO_DRIVERS_SIM_GPIO_LINES_SIM_H
+#pragma once
 
 #include "drivers/gpio/gpio_lines.h"
 
@@ -121,5 +120,3 @@ struct gpio_lines gpio_lines_sim_device(struct gpio_lines_sim *sim);
 
 /* Returns the simulated clock. */
 struct hal_clock gpio_lines_sim_clock(struct gpio_lines_sim *sim);
-
-#endif

@@ -3,8 +3,7 @@
  *
  * The caller owns each state, initializes it with zero, and sets the faults. The state must not
  * move while its device is used. */
-#ifndef KINGYO_DRIVERS_SIM_HAL_SIM_H
-#define KINGYO_DRIVERS_SIM_HAL_SIM_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -76,5 +75,3 @@ struct audio_sim {
 
 /* Returns the simulated audio device. */
 struct hal_audio sim_audio_device(struct audio_sim *sim);
-
-#endif

@@ -4,8 +4,7 @@
  * A test sends reports with hid_port_sim_report(). Faults are selected by report number:
  * unplugging, garbage, duplicates, jumps, silence, and reports that are short, long, empty or of an
  * undeclared id. The caller owns the state. */
-#ifndef KINGYO_DRIVERS_SIM_HID_SIM_H
-#define KINGYO_DRIVERS_SIM_HID_SIM_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -101,5 +100,3 @@ void hid_device_list_sim_plug(struct hid_device_list_sim *sim, uint32_t row,
 
 /* Returns the simulated device list. */
 struct hid_device_list hid_device_list_sim_device(struct hid_device_list_sim *sim);
-
-#endif

@@ -4,8 +4,7 @@
  * report_feed.h defines the faults: unplugging, doubled reports, jumps, random numbers, and silence
  * followed by a burst. The caller owns the state and the reports, and sets the reports after the
  * initialization. */
-#ifndef KINGYO_DRIVERS_SIM_POINTER_SIM_H
-#define KINGYO_DRIVERS_SIM_POINTER_SIM_H
+#pragma once
 
 #include "drivers/pointer/pointer_poi.h"
 #include "drivers/pointer/touch_fingers.h"
@@ -37,5 +36,3 @@ void pointer_sim_init_touch(struct pointer_sim *sim, struct hal_clock clock,
 /* Returns the poi of the simulated mouse or touch screen, and the fan that the simulated mouse
  * controls. The fan is unplugged together with the mouse. There is no button device. */
 struct hal_controller_devices pointer_sim_devices(struct pointer_sim *sim);
-
-#endif

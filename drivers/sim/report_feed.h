@@ -3,8 +3,7 @@
  * A device plays an array of reports (for the touch screen: finger events) that is sorted by time.
  * The faults change the input of the real decoder. The caller owns the state and the reports, which
  * must outlive the device. */
-#ifndef KINGYO_DRIVERS_SIM_REPORT_FEED_H
-#define KINGYO_DRIVERS_SIM_REPORT_FEED_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -67,5 +66,3 @@ float report_feed_random_float(uint32_t stream, uint32_t index, uint32_t what);
 /* Opens the fan of a mouse or of a game pad (hal_fan_ops.open). `self` starts with the struct
  * report_feed of the device. */
 int report_feed_fan_open(void *self);
-
-#endif

@@ -3,8 +3,7 @@
  * Reports have a fixed rate, and each report contains the pose `pose` plus noise. At most one fault
  * is active at a time, in an interval that the caller sets. The faults are those of cables, radio
  * links and sensors, and not those of the player. The caller owns the state and moves the pose. */
-#ifndef KINGYO_DRIVERS_SIM_SENSOR_SIM_H
-#define KINGYO_DRIVERS_SIM_SENSOR_SIM_H
+#pragma once
 
 #include "platform/hal.h"
 
@@ -52,5 +51,3 @@ void sensor_sim_init(struct sensor_sim *sim, struct hal_clock clock, uint32_t ra
 
 /* Returns the poi device of the simulated sensor. */
 struct hal_poi sensor_sim_device(struct sensor_sim *sim);
-
-#endif

@@ -2,8 +2,7 @@
  *
  * A test selects how many writes return HAL_ERR_BUSY or HAL_ERR_IO, and how many polls pass until
  * an entry counts as written to disk. */
-#ifndef KINGYO_DRIVERS_SIM_STORAGE_SIM_H
-#define KINGYO_DRIVERS_SIM_STORAGE_SIM_H
+#pragma once
 
 #include "core/persistent_state.h"
 #include "platform/hal.h"
@@ -47,5 +46,3 @@ struct storage_sim {
 
 /* Returns the simulated store. */
 struct hal_storage storage_sim_device(struct storage_sim *sim);
-
-#endif

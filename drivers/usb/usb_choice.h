@@ -11,8 +11,7 @@
  * keyboard is never claimed, even if it was selected. All functions are pure, except
  * usb_choice_load() and usb_choice_save(), which use the file of rules. The file is replaced
  * atomically. */
-#ifndef KINGYO_DRIVERS_USB_USB_CHOICE_H
-#define KINGYO_DRIVERS_USB_USB_CHOICE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -163,5 +162,3 @@ int usb_choice_load(struct usb_choice *choice, const char *path, char why[HAL_TE
  * value. After an error the old file is unchanged, unless only flushing the folder failed. If
  * `path` is "" nothing is stored and the result is 0. */
 int usb_choice_save(const struct usb_choice *choice, const char *path);
-
-#endif

@@ -2,8 +2,7 @@
  * opens it.
  *
  * Used only by the event thread. usb_device_open() can block on the device for a few seconds. */
-#ifndef KINGYO_DRIVERS_USB_USB_DEVICE_H
-#define KINGYO_DRIVERS_USB_USB_DEVICE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -69,5 +68,3 @@ enum usb_device_fault usb_device_open(struct usb_device *device, struct usb_eval
 
 /* Releases the reference to the libusb device. */
 void usb_device_remove(struct usb_device *device);
-
-#endif

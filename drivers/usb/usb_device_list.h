@@ -4,8 +4,7 @@
  *
  * The event thread publishes rows. The frame loop reads the newest rows and sends commands. Neither
  * thread blocks. */
-#ifndef KINGYO_DRIVERS_USB_USB_DEVICE_LIST_H
-#define KINGYO_DRIVERS_USB_USB_DEVICE_LIST_H
+#pragma once
 
 #include <stdatomic.h>
 #include <stdbool.h>
@@ -85,5 +84,3 @@ uint32_t usb_device_list_wanted(struct usb_device_list *device_list,
                                 struct usb_key out[USB_REQUEST_MAX]);
 /* Returns the device list interface for the controller manager. Called only by the frame loop. */
 struct hid_device_list usb_device_list_device(struct usb_device_list *device_list);
-
-#endif

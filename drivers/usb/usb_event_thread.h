@@ -6,8 +6,7 @@
  * closes those that are missing (usb_event_thread_slots.c). A link is the set of transfers of one
  * open controller (usb_transfers.h). Only the usb_event_thread*.c files use this header. All other
  * code uses usb_transport.h. */
-#ifndef KINGYO_DRIVERS_USB_USB_EVENT_THREAD_H
-#define KINGYO_DRIVERS_USB_USB_EVENT_THREAD_H
+#pragma once
 
 #include <poll.h>
 #include <pthread.h>
@@ -120,5 +119,3 @@ void usb_event_thread_report_fault(struct usb_event_thread *usb_thread,
 /* If the rows of the device list or the keys of the selected controllers changed, publishes these
  * rows and keys. */
 void usb_event_thread_publish(struct usb_event_thread *usb_thread);
-
-#endif

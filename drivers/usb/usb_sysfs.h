@@ -4,8 +4,7 @@
  * The menu shows the name of the device, and the report descriptor determines the kind of the
  * device. Both are available even while a kernel driver uses the device. `root` is "/sys", or a
  * folder of a test. */
-#ifndef KINGYO_DRIVERS_USB_USB_SYSFS_H
-#define KINGYO_DRIVERS_USB_USB_SYSFS_H
+#pragma once
 
 #include <stdint.h>
 
@@ -31,5 +30,3 @@ void usb_sysfs_node_serial(const char *root, const char *node, char out[HID_TEXT
 /* Cleans a text of a device in place: removes trailing spaces and newlines, removes an incomplete
  * character at the end, and replaces bytes that are not printable UTF-8. */
 void usb_sysfs_clean_text(char text[HID_TEXT_SIZE]);
-
-#endif

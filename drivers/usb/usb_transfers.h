@@ -4,8 +4,7 @@
  * again. usb_transfers_service() sends all requests to the device and closes it, outside of the
  * callbacks. Closing has a fixed order: cancel all transfers, wait until each has returned, release
  * the interface, close the handle. */
-#ifndef KINGYO_DRIVERS_USB_USB_TRANSFERS_H
-#define KINGYO_DRIVERS_USB_USB_TRANSFERS_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -111,5 +110,3 @@ bool usb_transfers_service(struct usb_transfers *link);
 /* Returns the time at which usb_transfers_service() must be called next, or UINT64_MAX if only an
  * event requires a call. */
 uint64_t usb_transfers_due_ns(const struct usb_transfers *link);
-
-#endif

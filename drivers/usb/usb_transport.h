@@ -4,8 +4,7 @@
  * An event thread waits for transfers and hot-plug events (usb_event_thread.h). Only Kingyo's poi
  * controller (poi_report.h) and selected controllers are claimed (usb_choice.h). A boot keyboard or
  * a second interface of the same device is never claimed. The frame loop calls all functions. */
-#ifndef KINGYO_DRIVERS_USB_USB_TRANSPORT_H
-#define KINGYO_DRIVERS_USB_USB_TRANSPORT_H
+#pragma once
 
 #include <stdint.h>
 
@@ -59,5 +58,3 @@ uint32_t usb_transport_wanted(struct usb_event_thread *usb_thread,
 /* Stops the event thread: cancels all transfers, closes all devices and attaches the kernel drivers
  * again. Waits at most two seconds for transfers. */
 void usb_transport_stop(struct usb_event_thread *usb_thread);
-
-#endif

@@ -6,8 +6,7 @@
  * first section every key is accepted, including options that a setting has replaced. Old files
  * without sections therefore remain valid. An invalid line is reported and skipped, because a
  * typing mistake must not prevent the start of the kiosk. */
-#ifndef KINGYO_PLATFORM_CONFIG_CONFIG_FILE_H
-#define KINGYO_PLATFORM_CONFIG_CONFIG_FILE_H
+#pragma once
 
 #include <stdio.h>
 
@@ -30,5 +29,3 @@ int config_file_read(struct options *options, const char *path, void (*warn)(con
 /* Writes an example file that contains only comments: each key with its purpose, range and
  * default. */
 void config_file_print_defaults(FILE *out);
-
-#endif

@@ -5,8 +5,7 @@
  * a structure that receives the value, and the text of --help. The functions below parse a command
  * line with a table, parse one value for config_file.c, and print a table. Only
  * option_table_print() writes to a file; all other functions are pure. */
-#ifndef KINGYO_PLATFORM_CONFIG_OPTION_TABLE_H
-#define KINGYO_PLATFORM_CONFIG_OPTION_TABLE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -102,5 +101,3 @@ int option_table_parse(const struct option_table *table, uint32_t groups, void *
  * only options whose `groups` is 0 or has a bit in common with the parameter `groups`. Lines have
  * at most 80 columns. */
 void option_table_print(const struct option_table *table, uint32_t groups);
-
-#endif

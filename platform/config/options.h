@@ -1,8 +1,7 @@
 /* options.h -- defines the options of `kingyo`: their table, the structure that receives their
  * values, and the settings that they select. config_file.h reads the same options from a file. Pure
  * functions, except for options_print_help(). */
-#ifndef KINGYO_PLATFORM_CONFIG_OPTIONS_H
-#define KINGYO_PLATFORM_CONFIG_OPTIONS_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -96,5 +95,3 @@ bool options_query(const struct options *options, uint32_t id);
 
 /* Prints the text of --help. */
 void options_print_help(void);
-
-#endif

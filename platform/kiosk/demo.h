@@ -3,8 +3,7 @@
  * contact sheet. The first picture is taken when the pois (paper scoops) are over the water. The
  * time from the press of START to the first picture is simulated without pictures. Equal options
  * give identical games. */
-#ifndef KINGYO_PLATFORM_KIOSK_DEMO_H
-#define KINGYO_PLATFORM_KIOSK_DEMO_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -47,5 +46,3 @@ void demo_sheet_clear(struct contact_sheet *sheet);
  * Positions count row by row from the top left; `index` must be less than SHEET_PICTURES. */
 void demo_sheet_put(struct contact_sheet *sheet, uint32_t index, const uint8_t *rgb, uint32_t width,
                     uint32_t height);
-
-#endif

@@ -1,7 +1,6 @@
 /* frame_pacer.h -- computes how many ticks (1/120 s) the frame loop must run in each frame, and
  * counts the durations of frames in a histogram. Pure functions. */
-#ifndef KINGYO_PLATFORM_KIOSK_FRAME_PACER_H
-#define KINGYO_PLATFORM_KIOSK_FRAME_PACER_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -70,5 +69,3 @@ void frame_timing_add(struct frame_timing *timing, uint64_t duration_ns);
  * half the width of a histogram bin. Returns max_ns if the result is in the last bin, and 0 if no
  * duration was added. */
 uint64_t frame_timing_quantile_ns(const struct frame_timing *timing, double share);
-
-#endif

@@ -8,8 +8,7 @@
  * A poi is the paper scoop and the controller that moves it. A slot is the place of one of up to
  * four controllers. A tick is 1/120 s. The scene is the data that the renderer draws. The ledger is
  * the append-only list of money events and rounds. */
-#ifndef KINGYO_PLATFORM_KIOSK_KIOSK_H
-#define KINGYO_PLATFORM_KIOSK_KIOSK_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -157,5 +156,3 @@ void kiosk_send_results(struct kiosk *kiosk, const struct hal *hal);
 /* Adds the number of writes that failed in the store's thread since the last call to the faults of
  * the store. Defined in kiosk_outputs.c. */
 void kiosk_count_refused(struct kiosk *kiosk, const struct hal *hal);
-
-#endif

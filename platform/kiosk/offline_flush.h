@@ -6,8 +6,7 @@
  * credits. Therefore the kiosk first transfers these data to the store. Each transfer contains only
  * amounts that no earlier transfer contained. Coins that are inserted during a transfer wait for
  * the next transfer. Each coin is therefore stored exactly once. */
-#ifndef KINGYO_PLATFORM_KIOSK_OFFLINE_FLUSH_H
-#define KINGYO_PLATFORM_KIOSK_OFFLINE_FLUSH_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -30,5 +29,3 @@ struct offline_flush {
  * frame. */
 bool offline_flush_step(struct offline_flush *flush, const struct hal_ledger *store,
                         const struct core *core);
-
-#endif

@@ -1,7 +1,6 @@
 /* operator_view.h -- fills the operator's menu with device names and texts, and with messages about
  * the files that were read at program start. The core does not have these data. */
-#ifndef KINGYO_PLATFORM_KIOSK_OPERATOR_VIEW_H
-#define KINGYO_PLATFORM_KIOSK_OPERATOR_VIEW_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -76,5 +75,3 @@ struct operator_view {
  * scene->devices; otherwise leaves scene->devices unchanged. */
 void operator_view_fill(struct scene *scene, const struct hal *hal,
                         const struct operator_view *operator_view);
-
-#endif

@@ -2,8 +2,7 @@
  * lockout, the coin counter and the ticket dispenser. The module also computes the brightness and
  * the position of the picture. The sound card may be connected and disconnected while the kiosk
  * runs. In attract mode (the demonstration between rounds) sounds are played only at intervals. */
-#ifndef KINGYO_PLATFORM_KIOSK_OUTPUT_DEVICES_H
-#define KINGYO_PLATFORM_KIOSK_OUTPUT_DEVICES_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -102,5 +101,3 @@ struct display_settings output_dimmer_step(struct output_dimmer *dimmer,
                                            const struct settings *settings,
                                            const struct input *input, bool is_attract,
                                            uint64_t now_ns);
-
-#endif

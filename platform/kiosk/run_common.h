@@ -1,7 +1,6 @@
 /* run_common.h -- state and functions that the program uses around the frame loop, with or without
  * a screen. */
-#ifndef KINGYO_PLATFORM_KIOSK_RUN_COMMON_H
-#define KINGYO_PLATFORM_KIOSK_RUN_COMMON_H
+#pragma once
 
 #include <signal.h>
 #include <stdbool.h>
@@ -85,5 +84,3 @@ bool run_interactive_open(struct run_common *session);
 
 /* Runs frames until the end. Returns an exit code. Reports all errors before it returns. */
 enum exit_code run_interactive_run(struct run_common *session);
-
-#endif

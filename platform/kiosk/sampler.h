@@ -4,8 +4,7 @@
  * Devices are polled once per frame, but a frame may run several ticks. Each tick of the frame gets
  * its own pose on the path between the reports. Device values are passed on without validation
  * because the core validates them. */
-#ifndef KINGYO_PLATFORM_KIOSK_SAMPLER_H
-#define KINGYO_PLATFORM_KIOSK_SAMPLER_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -134,5 +133,3 @@ uint32_t sampler_fan_sample(struct fan_sampler *sampler, const struct hal_fan *d
  * that was absent before appears at its position without interpolation. */
 struct shade_input sampler_fan_at(const struct fan_sampler *sampler, uint32_t index,
                                   uint32_t tick_count);
-
-#endif

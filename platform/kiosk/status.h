@@ -3,8 +3,7 @@
  * The frame loop makes a report once per second, and immediately when the store fails or recovers.
  * The frame loop copies the report and never blocks. A separate thread writes the file atomically,
  * by renaming a temporary file. If no folder is configured, there is no file and no thread. */
-#ifndef KINGYO_PLATFORM_KIOSK_STATUS_H
-#define KINGYO_PLATFORM_KIOSK_STATUS_H
+#pragma once
 
 #include <limits.h>
 #include <pthread.h>
@@ -105,5 +104,3 @@ void status_update(struct status *status, const struct kiosk *kiosk, const struc
 
 /* Stops the status file's thread and deletes the file, because a closed kiosk has no status. */
 void status_end(struct status *status);
-
-#endif

@@ -1,7 +1,6 @@
 /* clock.h -- provides the HAL device of the machine's monotonic clock and of its local date and
  * time. */
-#ifndef KINGYO_PLATFORM_OS_CLOCK_H
-#define KINGYO_PLATFORM_OS_CLOCK_H
+#pragma once
 
 #include <time.h>
 
@@ -25,5 +24,3 @@ void clock_civil(const struct tm *date, uint16_t *day, uint16_t *minute);
 
 /* Sleeps until the time `time_ns` of clock_device(). Returns early if a signal arrives. */
 void clock_sleep_until(uint64_t time_ns);
-
-#endif

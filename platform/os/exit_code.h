@@ -1,6 +1,5 @@
 /* exit_code.h -- exit codes of `kingyo`, `kingyoctl`, `kingyo-poi` and the tools of assets/bake. */
-#ifndef KINGYO_PLATFORM_OS_EXIT_CODE_H
-#define KINGYO_PLATFORM_OS_EXIT_CODE_H
+#pragma once
 
 enum exit_code {
     EXIT_OK = 0,
@@ -9,5 +8,3 @@ enum exit_code {
     EXIT_BAD_DATA = 65, /* Invalid input data; the value of EX_DATAERR in sysexits.h. */
     EXIT_IO = 74,       /* Failed input or output; the value of EX_IOERR in sysexits.h. */
 };
-
-#endif

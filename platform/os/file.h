@@ -3,8 +3,7 @@
  * atomically: a reader gets either the old content or the complete new content. Functions with an
  * int result return 0 or a positive value on success and a negative errno on an error, unless the
  * comment of a function says otherwise. */
-#ifndef KINGYO_PLATFORM_OS_FILE_H
-#define KINGYO_PLATFORM_OS_FILE_H
+#pragma once
 
 #include <limits.h>
 #include <stdbool.h>
@@ -156,5 +155,3 @@ int file_lock_folder(const char *path);
 /* Writes the default path of the store, which is in the user's data folder. Writes "" if the user
  * has no data folder. */
 void file_default_data(char out[FILE_FOLDER_MAX]);
-
-#endif

@@ -4,8 +4,7 @@
  * name of a file or a device, may contain any byte: quotes, backslashes and all characters that
  * core/base/printable.h rejects are escaped, and U+FFFD replaces each byte that is not valid UTF-8.
  * A null `key` is passed for the elements of an array and for the document itself. */
-#ifndef KINGYO_PLATFORM_OS_JSON_H
-#define KINGYO_PLATFORM_OS_JSON_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -62,5 +61,3 @@ void json_end(struct json *json);
  * escaped, because valid JSON has them only inside strings. Line breaks and tabs between tokens are
  * kept. */
 void json_copy(const char *document);
-
-#endif

@@ -2,8 +2,7 @@
  *
  * If systemd's journal reads standard error, each line begins with a priority such as "<4>" (see
  * sd-daemon(3)). On a terminal and in a file there is no priority. */
-#ifndef KINGYO_PLATFORM_OS_LOG_H
-#define KINGYO_PLATFORM_OS_LOG_H
+#pragma once
 
 /* Size of a log line in bytes, enough for a path and a reason. Longer lines are cut. */
 #define LOG_LINE_MAX 1536u
@@ -30,5 +29,3 @@ __attribute__((format(printf, 2, 3))) void log_print(enum log_level level, const
 
 /* Writes the text `words` as one line, without formatting. Async-signal-safe. */
 void log_print_raw(enum log_level level, const char *words);
-
-#endif

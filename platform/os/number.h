@@ -1,7 +1,6 @@
 /* number.h -- parses and prints numbers in options and files, independent of the locale. Pure
  * functions. */
-#ifndef KINGYO_PLATFORM_OS_NUMBER_H
-#define KINGYO_PLATFORM_OS_NUMBER_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -20,5 +19,3 @@ bool number_parse_decimal(const char *text, double min, double max, double *out)
  * no terminating zero. */
 #define NUMBER_FIXED_MAX 24u
 uint32_t number_print_fixed(char out[NUMBER_FIXED_MAX], double value, uint32_t decimals);
-
-#endif

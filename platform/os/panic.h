@@ -3,8 +3,7 @@
  *
  * core_panic(), SIGSEGV, SIGBUS, SIGFPE, SIGILL and SIGABRT call the panic handler once. Afterwards
  * the signal ends the process. */
-#ifndef KINGYO_PLATFORM_OS_PANIC_H
-#define KINGYO_PLATFORM_OS_PANIC_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -43,5 +42,3 @@ void panic_put_number(struct panic_text *text, uint32_t number);
 /* Replaces unprintable characters (core/base/printable.h) and appends a line end. The line end is
  * written even if the line is full. */
 void panic_put_end(struct panic_text *text);
-
-#endif

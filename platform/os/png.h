@@ -1,6 +1,5 @@
 /* png.h -- writes a PNG file. */
-#ifndef KINGYO_PLATFORM_OS_PNG_H
-#define KINGYO_PLATFORM_OS_PNG_H
+#pragma once
 
 #include <stdint.h>
 
@@ -8,5 +7,3 @@
  * Returns 0 or a negative errno. After an error no new file exists. The function allocates memory,
  * therefore only demonstrations and command-line tools call it; the running kiosk does not. */
 int png_write(const char *path, const uint8_t *rgb, uint32_t width, uint32_t height);
-
-#endif

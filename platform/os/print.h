@@ -5,8 +5,7 @@
  * printable() (core/base/printable.h). A line break or an escape sequence in an argument therefore
  * cannot break the line or reach the terminal. `format` must not contain control characters,
  * including tabs. */
-#ifndef KINGYO_PLATFORM_OS_PRINT_H
-#define KINGYO_PLATFORM_OS_PRINT_H
+#pragma once
 
 #include <stdio.h>
 
@@ -43,5 +42,3 @@ int print_finish(void);
 /* Flushes `out` before program end. Returns 0, or -1 after an error. For standard output,
  * print_finish() reports the error, therefore the caller must not report it. */
 int print_flush(FILE *out);
-
-#endif

@@ -1,7 +1,6 @@
 /* thread.h -- starts threads that leave the handling of signals to the main thread, and lets a
  * thread wait for an event. */
-#ifndef KINGYO_PLATFORM_OS_THREAD_H
-#define KINGYO_PLATFORM_OS_THREAD_H
+#pragma once
 
 #include <pthread.h>
 #include <stdbool.h>
@@ -22,5 +21,3 @@ bool thread_wait(int fd, uint32_t seconds);
 
 /* Time in ms that thread_wait() waits if poll() fails. */
 #define THREAD_RETRY_MS 1000u
-
-#endif

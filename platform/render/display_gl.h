@@ -4,8 +4,7 @@
  * sets all other fields to zero. open() creates all OpenGL objects, so that drawing a frame
  * allocates no memory in this program's code. Mouse and key events stay in SDL's queue for the
  * drivers that read them. */
-#ifndef KINGYO_PLATFORM_RENDER_DISPLAY_GL_H
-#define KINGYO_PLATFORM_RENDER_DISPLAY_GL_H
+#pragma once
 
 #include <SDL.h>
 #include <stdbool.h>
@@ -78,5 +77,3 @@ struct hal_display display_gl_device(struct display_gl *display);
  * In contrast, an unplugged screen or a reset of the graphics driver causes HAL_ERR_GONE. A later
  * open() succeeds when the screen is available again. */
 void display_gl_on_lost(struct display_gl *display, void (*hook)(void *context), void *context);
-
-#endif

@@ -6,8 +6,7 @@
  * fractions of the mesh's reach, and the normal as a 16-bit octahedral code. OpenGL ES 3.0
  * guarantees sixteen attributes, which is enough for eight key shapes and the attributes of an
  * instance. */
-#ifndef KINGYO_PLATFORM_RENDER_FISH_MESH_H
-#define KINGYO_PLATFORM_RENDER_FISH_MESH_H
+#pragma once
 
 #include "core/morph/morph.h"
 #include "core/morph/species.h"
@@ -107,5 +106,3 @@ void fish_poses_set(struct fish_poses *poses, const struct morph_rig *rig, uint3
                     float progress);
 /* Uploads the written rows that have not been uploaded yet. */
 void fish_poses_end(struct fish_poses *poses);
-
-#endif

@@ -7,8 +7,7 @@
  * painted, and two neighbouring sheets are blended. A sheet is first painted coarsely, with
  * interpolation between points. The following frames paint the sheets finely, beginning with the
  * sheet nearest to the visible one. */
-#ifndef KINGYO_PLATFORM_RENDER_FISH_TEXTURE_H
-#define KINGYO_PLATFORM_RENDER_FISH_TEXTURE_H
+#pragma once
 
 #include "core/morph/morph.h"
 #include "platform/render/gl_util.h"
@@ -81,5 +80,3 @@ void fish_texture_lines(const struct fish_texture *skin, const float weights[MOR
 float fish_texture_opacity(const struct fish_texture *skin, const float weights[MORPH_KEY_MAX]);
 /* Returns the number of fish scales from head to tail. 0 means that no scales are visible. */
 float fish_texture_scales(const struct fish_texture *skin);
-
-#endif

@@ -2,8 +2,7 @@
  * every shader may read.
  *
  * The layout is identical to the block in assets/shaders/common.glsl (std140). */
-#ifndef KINGYO_PLATFORM_RENDER_FRAME_BLOCK_H
-#define KINGYO_PLATFORM_RENDER_FRAME_BLOCK_H
+#pragma once
 
 #include "core/scene.h"
 #include "platform/render/gl_util.h"
@@ -40,5 +39,3 @@ struct frame {
  * block. */
 void frame_begin(struct frame *frame, const struct scene *scene,
                  const struct display_transform *transform);
-
-#endif

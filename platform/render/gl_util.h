@@ -4,8 +4,7 @@
  * Functions that create objects never stop at an error. They store the first failure in `struct
  * gl_status` and return the name 0, which OpenGL ignores. The caller checks the status once, after
  * all objects are created. */
-#ifndef KINGYO_PLATFORM_RENDER_GL_UTIL_H
-#define KINGYO_PLATFORM_RENDER_GL_UTIL_H
+#pragma once
 
 #include <GLES3/gl3.h>
 #include <stdbool.h>
@@ -130,5 +129,3 @@ GLuint gl_program(struct gl_status *status, const char *name, const char *define
 
 /* Binds the uniform blocks and samplers of a linked program as gl_program() does. */
 void gl_program_bind(GLuint program, const char *samplers);
-
-#endif

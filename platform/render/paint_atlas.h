@@ -5,8 +5,7 @@
  * downward. Below the body are cells of PAINT_CELL_WIDTH x PAINT_CELL_HEIGHT texels, four in a row.
  * Each fin in the midplane has one cell, and each pair of fins has two cells. The ends of u and v
  * are at texel centres, so that texture filtering never reads texels of another body part. */
-#ifndef KINGYO_PLATFORM_RENDER_PAINT_ATLAS_H
-#define KINGYO_PLATFORM_RENDER_PAINT_ATLAS_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -57,5 +56,3 @@ void paint_atlas_coarse_band(const struct painting *painting, uint32_t first);
 /* Paints PAINT_BAND texel rows of the sheet, with the paint computed for each texel. `first` is the
  * first row and a multiple of PAINT_BAND. */
 void paint_atlas_fine_band(const struct painting *painting, uint32_t first);
-
-#endif

@@ -9,8 +9,7 @@
  * shows whether drawing was too slow, but not how much time was left. For that reason the governor
  * tries a finer quality step between two games. After each failed trial the governor waits longer
  * before the next trial. */
-#ifndef KINGYO_PLATFORM_RENDER_QUALITY_H
-#define KINGYO_PLATFORM_RENDER_QUALITY_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -99,5 +98,3 @@ uint32_t quality_governor_frame(struct governor *governor, uint64_t now_ns, bool
  * temperature margin in m°C: the difference between the temperature at which the machine throttles
  * itself and its current temperature. */
 void quality_governor_set_temperature(struct governor *governor, int32_t margin_mdeg);
-
-#endif

@@ -4,8 +4,7 @@
  * The renderer requires a current OpenGL ES 3.0 context and does not use SDL. The picture depends
  * only on the scene and the size. Drawing a scene twice on one machine therefore produces the same
  * pixels. */
-#ifndef KINGYO_PLATFORM_RENDER_RENDERER_H
-#define KINGYO_PLATFORM_RENDER_RENDERER_H
+#pragma once
 
 #include "core/scene.h"
 #include "platform/hal.h"
@@ -112,5 +111,3 @@ bool renderer_is_alive(struct renderer *renderer);
 
 /* Writes a description such as "OpenGL ES 3.2 llvmpipe, 1280x720, scene 0.75x, floor 0.5x". */
 void renderer_describe(const struct renderer *renderer, char *out, size_t size);
-
-#endif

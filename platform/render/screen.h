@@ -4,8 +4,7 @@
  * lists the graphics cards and the state of each connector in /sys/class/drm. Reading this
  * directory causes no traffic to the screen. With a window system, only the connection to the X
  * server can break. */
-#ifndef KINGYO_PLATFORM_RENDER_SCREEN_H
-#define KINGYO_PLATFORM_RENDER_SCREEN_H
+#pragma once
 
 #include <SDL.h>
 #include <stdint.h>
@@ -51,5 +50,3 @@ void screen_card_prefer(void);
  * window systems need no X11. After the break every further Xlib call on the connection fails
  * without a message. */
 void screen_guard_x11(SDL_Window *window, void (*on_broken)(void *context), void *context);
-
-#endif

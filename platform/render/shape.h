@@ -1,7 +1,6 @@
 /* shape.h -- builds small solids, such as the bowl, as meshes. The vertices are computed from
  * formulas when the renderer opens. */
-#ifndef KINGYO_PLATFORM_RENDER_SHAPE_H
-#define KINGYO_PLATFORM_RENDER_SHAPE_H
+#pragma once
 
 #include "core/base/vec.h"
 #include "platform/render/gl_util.h"
@@ -43,5 +42,3 @@ void shape_upload(const struct shape *shape, struct shape_buffers *buffers);
 void shape_close(struct shape_buffers *buffers);
 /* Draws the mesh from index number `first` to the last index. */
 void shape_draw(const struct shape_buffers *buffers, uint32_t first);
-
-#endif

@@ -5,8 +5,7 @@
  * A screen adds specimens to its batch (ui_batch.h) between its quads. Coordinates are pixels with
  * the origin at the top left and +y downward. The projection has no perspective, so that
  * `length_px` is the fish's length everywhere on the screen. */
-#ifndef KINGYO_PLATFORM_RENDER_SPECIMEN_H
-#define KINGYO_PLATFORM_RENDER_SPECIMEN_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -75,5 +74,3 @@ void specimen_fit(struct specimen *specimen, float x_px, float y_px, float width
  * eel from slightly above so that its wave is visible, and a stingray from high above. Leaves all
  * other fields unchanged. */
 void specimen_portrait(struct specimen *specimen);
-
-#endif

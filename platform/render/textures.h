@@ -1,7 +1,6 @@
 /* textures.h -- uploads the OpenGL textures of the pictures that the build generates. Each texture
  * is uploaded once. */
-#ifndef KINGYO_PLATFORM_RENDER_TEXTURES_H
-#define KINGYO_PLATFORM_RENDER_TEXTURES_H
+#pragma once
 
 #include "platform/render/gl_util.h"
 
@@ -23,5 +22,3 @@ float textures_pattern(uint32_t look);
 float textures_hue(uint32_t look);
 
 void textures_close(struct textures *textures);
-
-#endif

@@ -29,8 +29,7 @@
  * cut may lose data that the operating system had not written yet. A card that does not respond
  * blocks the frame loop. The reader rejects a truncated file with a message that states how many
  * seconds are valid. */
-#ifndef KINGYO_PLATFORM_REPLAY_REPLAY_H
-#define KINGYO_PLATFORM_REPLAY_REPLAY_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -286,5 +285,3 @@ void replay_close(struct replay_reader *reader);
  * -1 and sets reader->problem. Afterwards `reader` is closed, but its header remains valid. */
 int replay_scan(struct replay_reader *reader, const char *path, struct replay_totals *totals);
 int replay_scan_on(struct replay_reader *reader, struct replay_totals *totals);
-
-#endif

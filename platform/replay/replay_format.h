@@ -1,7 +1,6 @@
 /* replay_format.h -- the parts of a recording, used by the writer and the reader: byte offsets,
  * little-endian numbers, and the serializer. */
-#ifndef KINGYO_PLATFORM_REPLAY_REPLAY_FORMAT_H
-#define KINGYO_PLATFORM_REPLAY_REPLAY_FORMAT_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -75,5 +74,3 @@ void replay_serialize_bytes(struct replay_serializer *walk, void *bytes, size_t 
 void replay_serialize_u8(struct replay_serializer *walk, uint8_t *value);
 void replay_serialize_u16(struct replay_serializer *walk, uint16_t *value);
 void replay_serialize_u32(struct replay_serializer *walk, uint32_t *value);
-
-#endif

@@ -7,8 +7,7 @@
  * with its own drawing. All lengths of a drawing are fractions of the distance from the snout to
  * the tail root. The x axis points from the snout backward, and the y axis from the body's axis
  * upward. assets/species/README.md explains every keyword to makers. */
-#ifndef KINGYO_PLATFORM_SPECIES_DRAWING_H
-#define KINGYO_PLATFORM_SPECIES_DRAWING_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -171,5 +170,3 @@ struct mesh_tables {
  * then points to `tables`. */
 void species_pack(const struct loft *loft, uint32_t key_count, struct mesh_tables *tables,
                   struct species_mesh *mesh);
-
-#endif

@@ -5,8 +5,7 @@
  * invalid file causes an error line for the operator and never prevents the program start. The
  * operator's screens show rejected species files and rejected deformation graphs (graph_file.h).
  * The game uses only valid species. */
-#ifndef KINGYO_PLATFORM_SPECIES_LIBRARY_H
-#define KINGYO_PLATFORM_SPECIES_LIBRARY_H
+#pragma once
 
 #include "platform/species/pack.h"
 
@@ -59,5 +58,3 @@ uint32_t library_count(const struct library *library);
 /* Returns species number `index`. The built-in species come first, then the library's species.
  * `index` must be below library_count(). */
 const struct species *library_species(const struct library *library, uint32_t index);
-
-#endif

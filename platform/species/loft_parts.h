@@ -1,7 +1,6 @@
 /* loft_parts.h -- functions that the lofting (building a mesh from cross sections) of the body, the
  * fins and the eyes share. Only the files loft*.c may include this header. */
-#ifndef KINGYO_PLATFORM_SPECIES_LOFT_PARTS_H
-#define KINGYO_PLATFORM_SPECIES_LOFT_PARTS_H
+#pragma once
 
 #include "platform/species/shape.h"
 
@@ -37,5 +36,3 @@ struct species_anchor *loft_next_anchor(struct lofting *l, enum species_part par
 /* Adds the ball of an eye. `side` is 0 for the right eye, 1 for the left eye. */
 void loft_add_eye(struct lofting *l, uint32_t side);
 void loft_add_fins(struct lofting *l);
-
-#endif

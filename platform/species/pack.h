@@ -10,8 +10,7 @@
  *
  * The fields have the order of core/morph/species.h. The counts of a structure come first, then its
  * tables. */
-#ifndef KINGYO_PLATFORM_SPECIES_PACK_H
-#define KINGYO_PLATFORM_SPECIES_PACK_H
+#pragma once
 
 #include <stddef.h>
 
@@ -71,5 +70,3 @@ void pack_point(struct species_slot *slot);
 /* Copies `species` to `slot` and its tables to `slot->tables`. The counts of `species` must not
  * exceed the sizes of these tables. */
 void pack_copy(const struct species *species, struct species_slot *slot);
-
-#endif

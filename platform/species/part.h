@@ -1,8 +1,7 @@
 /* part.h -- names of body parts. Functions find the vertex that represents a body part, and
  * compute the position of this vertex at any time of the fish's life. The functions have no side
  * effects. */
-#ifndef KINGYO_PLATFORM_SPECIES_PART_H
-#define KINGYO_PLATFORM_SPECIES_PART_H
+#pragma once
 
 #include "core/morph/morph.h"
 #include "platform/species/drawing.h"
@@ -33,5 +32,3 @@ uint32_t part_vertex_range(const struct species_mesh *mesh, enum species_part pa
  * as the species' length measure (enum species_measure) defines it. */
 vec3 part_of_place(const struct species *species, const struct morph_rig *rig, uint32_t vertex,
                    float progress);
-
-#endif

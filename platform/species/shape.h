@@ -5,8 +5,7 @@
  * 1. x points to the right, y upward from the body's axis, and z from the snout backward. For
  * paired fins, the functions return the right fin, and the left fin is its mirror image. Normals
  * point outward, but a fin's normal may point to either side. */
-#ifndef KINGYO_PLATFORM_SPECIES_SHAPE_H
-#define KINGYO_PLATFORM_SPECIES_SHAPE_H
+#pragma once
 
 #include <math.h>
 
@@ -125,5 +124,3 @@ double shape_unit_length(const struct key_text *key, enum species_measure measur
 /* Returns an upper limit of the absolute values of the x, y and z coordinates of all points of the
  * fish, in the drawing's units. */
 double shape_farthest(const struct key_text *key);
-
-#endif

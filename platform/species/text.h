@@ -2,8 +2,7 @@
  *
  * Each line of a species text is split into words. A function that returns bool returns true on
  * success. On an error the function writes one line with the error message and returns false. */
-#ifndef KINGYO_PLATFORM_SPECIES_TEXT_H
-#define KINGYO_PLATFORM_SPECIES_TEXT_H
+#pragma once
 
 #include "platform/species/drawing.h"
 #include "platform/species/part.h"
@@ -86,5 +85,3 @@ bool species_reader_choice(const struct species_reader *r, uint32_t index, const
  * error message with the name `what` of the entries, and returns false. */
 bool species_reader_room(const struct species_reader *r, uint32_t count, uint32_t count_max,
                          const char *what);
-
-#endif

@@ -3,8 +3,7 @@
  * core/morph/species.h states conditions that the core asserts. A species from a file may violate
  * these conditions. A species that passes the validation triggers no assertion of core/morph and
  * causes no read beyond the end of a table. */
-#ifndef KINGYO_PLATFORM_SPECIES_VALIDATE_H
-#define KINGYO_PLATFORM_SPECIES_VALIDATE_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -52,5 +51,3 @@ __attribute__((format(printf, 5, 6))) bool validate_number(char why[VALIDATE_WHY
 /* Validates the meshes of both levels of detail. The caller guarantees that the card has been
  * validated successfully. */
 bool validate_meshes(const struct species *species, char why[VALIDATE_WHY_SIZE]);
-
-#endif

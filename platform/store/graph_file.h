@@ -16,8 +16,7 @@
  * written under a temporary name and then renamed, so that a power cut leaves either the old file
  * or the new file. A file that does not fit its species is rejected with one message that names the
  * line. */
-#ifndef KINGYO_PLATFORM_STORE_GRAPH_FILE_H
-#define KINGYO_PLATFORM_STORE_GRAPH_FILE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -60,5 +59,3 @@ struct graph_file_warn {
 /* Loads the saved graphs of all species into `book`. A file that cannot be used is reported through
  * `warn`, and the graph of its species stays unchanged. */
 void graph_file_load(const char *data, struct lab_book *book, struct graph_file_warn warn);
-
-#endif

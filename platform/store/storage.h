@@ -33,8 +33,7 @@
  *
  * Edits of the growth lab become text files in the same folder. Edits are stored even if the
  * database cannot be opened. */
-#ifndef KINGYO_PLATFORM_STORE_STORAGE_H
-#define KINGYO_PLATFORM_STORE_STORAGE_H
+#pragma once
 
 #include <pthread.h>
 #include <semaphore.h>
@@ -268,5 +267,3 @@ struct hal_storage storage_device(struct storage *storage);
 /* Does all pending work of the store's thread on the calling thread. The caller must have set
  * `by_hand`. */
 void storage_work(struct storage *storage);
-
-#endif

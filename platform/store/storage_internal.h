@@ -1,7 +1,6 @@
 /* storage_internal.h -- the interface between the source files of the store, not for other
  * modules. */
-#ifndef KINGYO_PLATFORM_STORE_STORAGE_INTERNAL_H
-#define KINGYO_PLATFORM_STORE_STORAGE_INTERNAL_H
+#pragma once
 
 #include "platform/store/storage.h"
 
@@ -120,5 +119,3 @@ int storage_merge_offline(void *storage, const struct balance_change *step,
                           const struct ledger_entry *entries, uint32_t count);
 int storage_offline_merged(void *storage);
 void storage_apply_offline(struct storage *storage);
-
-#endif

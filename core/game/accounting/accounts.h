@@ -5,8 +5,7 @@
  * audits (audits.h), which are the operator's statistics, and to the leaderboards (ranking.h). A
  * function that writes an entry therefore takes `struct accounts`. A function that works on one
  * account takes only that account. */
-#ifndef KINGYO_CORE_GAME_ACCOUNTING_ACCOUNTS_H
-#define KINGYO_CORE_GAME_ACCOUNTING_ACCOUNTS_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -320,5 +319,3 @@ struct ledger_stand round_standing_after(struct ledger_stand before,
 
 /* Returns true if every value that is packed into the fields of `stand` is in its range. */
 bool round_standing_is_good(const struct ledger_stand *stand);
-
-#endif

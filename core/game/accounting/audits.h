@@ -3,8 +3,7 @@
  * The audits are counters, each with a fixed name. Each counter is computed from ledger entries.
  * The core and the store add entries with the same function, so the menu and the database always
  * agree. Hours and weekdays come from the clock, if the clock was set. */
-#ifndef KINGYO_CORE_GAME_ACCOUNTING_AUDITS_H
-#define KINGYO_CORE_GAME_ACCOUNTING_AUDITS_H
+#pragma once
 
 #include <stdint.h>
 
@@ -101,5 +100,3 @@ uint32_t audits_rounds_at(const uint32_t count[AUDIT_COUNT], uint8_t level);
 
 /* Increases the counters to which the ledger entry `entry` belongs. */
 void audits_note(struct audits *audits, const struct ledger_entry *entry);
-
-#endif

@@ -3,8 +3,7 @@
  * The bot perceives the game only through snapshots (snapshot.c), one every 150 to 250 ms. A
  * snapshot becomes usable when the next snapshot is taken, so the bot always acts on the past. The
  * bot's poi moves like a poi in a human hand. */
-#ifndef KINGYO_CORE_GAME_BOT_BOT_H
-#define KINGYO_CORE_GAME_BOT_BOT_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -88,5 +87,3 @@ float targeting_yaw(const struct technique *technique, const struct snapshot_fis
  * fish above the ring and within `reach_m` are considered. */
 const struct snapshot_fish *targeting_nearest(const struct snapshot *snapshot, vec3 ring_m,
                                               float reach_m);
-
-#endif

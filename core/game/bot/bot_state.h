@@ -5,8 +5,7 @@
  * outdated as soon as it is taken. A fish's velocity is its change of position between two
  * snapshots, divided by the time between the snapshots. A fish that is missing in the previous
  * snapshot gets velocity 0. */
-#ifndef KINGYO_CORE_GAME_BOT_BOT_STATE_H
-#define KINGYO_CORE_GAME_BOT_BOT_STATE_H
+#pragma once
 
 #include <stdint.h>
 
@@ -114,5 +113,3 @@ struct bot {
     struct snapshot known; /* Snapshot on which the bot acts at present. */
     struct snapshot seen;  /* Newest snapshot; becomes `known` at `act_tick`. */
 };
-
-#endif

@@ -1,8 +1,7 @@
 /* paper_patch.h -- searches the paper for an undamaged patch that can hold a fish, and decides
  * whether torn paper is still usable. Patches lie in the middle of the ring and on two circles
  * around the middle. */
-#ifndef KINGYO_CORE_GAME_BOT_PAPER_PATCH_H
-#define KINGYO_CORE_GAME_BOT_PAPER_PATCH_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -35,5 +34,3 @@ bool paper_patch_find(paper_patch_holds *holds, const void *paper, float radius_
  * (paper_patch.h). A hole alone, even in the middle, does not end a round, because a partly torn
  * poi may be used. */
 bool paper_can_hold(const struct sheet *sheet);
-
-#endif

@@ -4,8 +4,7 @@
  * Two techniques that differ in one field are an experiment on that field (make bench-technique).
  * The physics code is independent of the technique. A struct with all fields 0 is invalid; start
  * from technique_novice or technique_expert. */
-#ifndef KINGYO_CORE_GAME_BOT_TECHNIQUE_H
-#define KINGYO_CORE_GAME_BOT_TECHNIQUE_H
+#pragma once
 
 #include <stdint.h>
 
@@ -63,5 +62,3 @@ extern const struct technique technique_novice;
 /* Technique that wets the whole paper, tilts the paper on entry, and moves the paper edge first
  * under water. The poi waits as a still shadow and scoops the fish head first, near the rim. */
 extern const struct technique technique_expert;
-
-#endif

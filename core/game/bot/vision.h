@@ -4,8 +4,7 @@
  * core_scene() shows (tests/unit/core/game/bot/test_vision.c). A bot sees where fish are, but not
  * their plans. A bot also sees the picture of the paper, but not its strength. struct vision refers
  * to the game and the world for the duration of a call and stores nothing. */
-#ifndef KINGYO_CORE_GAME_BOT_VISION_H
-#define KINGYO_CORE_GAME_BOT_VISION_H
+#pragma once
 
 #include <stdint.h>
 
@@ -57,5 +56,3 @@ struct vision_bowl vision_bowl(const struct vision *vision, uint32_t index);
  * Wetness is from 0 (dry) to 255 (wet). */
 uint8_t vision_integrity(const struct vision *vision, uint32_t cell);
 uint8_t vision_wetness(const struct vision *vision, uint32_t cell);
-
-#endif

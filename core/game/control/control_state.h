@@ -1,7 +1,6 @@
 /* control_state.h -- the state that the control of a poi keeps from one tick to the next. The
  * functions are in controller.c, parking.c and input_pose.c. */
-#ifndef KINGYO_CORE_GAME_CONTROL_CONTROL_STATE_H
-#define KINGYO_CORE_GAME_CONTROL_CONTROL_STATE_H
+#pragma once
 
 #include <stdint.h>
 
@@ -31,5 +30,3 @@ struct control {
     uint32_t rest_ticks;     /* Number of consecutive ticks in which the player has not used the
                                 poi. */
 };
-
-#endif

@@ -1,7 +1,6 @@
 /* controller.h -- the sources of the pois' poses: a person's controller, the bot, or none. Computes
  * the target pose of each poi from the pose of its source. */
-#ifndef KINGYO_CORE_GAME_CONTROL_CONTROLLER_H
-#define KINGYO_CORE_GAME_CONTROL_CONTROLLER_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -129,5 +128,3 @@ void parking_release_all(struct poi *poi, const struct tank *tank);
  * soon reaches the water or a bowl. Fish that land in a bowl are added to `results`. */
 void parking_release_tick(struct poi *poi, uint32_t poi_index, const struct stall *stall,
                           struct catch_result results[POI_MAX]);
-
-#endif

@@ -4,8 +4,7 @@
  * Calibration corrects the position over the tank and the tilt. Input validation detects lost,
  * frozen, late and implausible input. All state is in struct input_validation; the functions have
  * no other side effects. */
-#ifndef KINGYO_CORE_GAME_CONTROL_INPUT_POSE_H
-#define KINGYO_CORE_GAME_CONTROL_INPUT_POSE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -204,5 +203,3 @@ bool input_calibration_is_torn(const struct settings *settings, uint32_t seat);
 /* Corrects the pose of a live controller in place. An invalid pose stays unchanged. Without a
  * calibration of the slot, every pose stays unchanged bit for bit. */
 void input_calibration_apply(const struct settings *settings, uint32_t seat, struct poi_input *poi);
-
-#endif

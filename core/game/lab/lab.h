@@ -6,8 +6,7 @@
  * species.
  *
  * The lab has no score. In the lab, a key is a modelled growth stage of the species (key shape). */
-#ifndef KINGYO_CORE_GAME_LAB_LAB_H
-#define KINGYO_CORE_GAME_LAB_LAB_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -68,5 +67,3 @@ uint32_t album_ticks(uint32_t fish_count);
 
 /* Fills `out` with the visible state of the album. In other phases all fields of `out` are 0. */
 void album_show(const struct game *game, struct scene_album *out);
-
-#endif

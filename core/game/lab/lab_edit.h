@@ -4,8 +4,7 @@
  * graph valid. The progress of the knots rises from 0 to 1. At each knot the weights are >= 0 and
  * sum to 1 (2005 thesis, eq. 3.2 and figure 3.7). The functions have no side effects outside their
  * arguments. */
-#ifndef KINGYO_CORE_GAME_LAB_LAB_EDIT_H
-#define KINGYO_CORE_GAME_LAB_LAB_EDIT_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -114,5 +113,3 @@ const struct species_card *lab_book_card(const struct lab_book *book, uint32_t s
 /* Returns true if all data is valid (lab_book.c). Each number of a custom card must be in the
  * range that packed species files permit. Each saved graph must match its species. */
 bool lab_book_is_valid(const struct lab_book *book);
-
-#endif

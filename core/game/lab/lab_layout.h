@@ -1,7 +1,6 @@
 /* lab_layout.h -- the positions of all parts of the growth lab on its canvas (pointer_mapping.h).
  * The pointer code and the renderer share the positions. */
-#ifndef KINGYO_CORE_GAME_LAB_LAB_LAYOUT_H
-#define KINGYO_CORE_GAME_LAB_LAB_LAYOUT_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -58,5 +57,3 @@ enum lab_part lab_part_at(bool upright, uint32_t key_count, struct layout_point 
 float lab_age_x(bool upright, uint32_t key_count, float progress);
 float lab_age_progress(bool upright, uint32_t key_count,
                        float x); /* The returned progress is clamped to [0, 1]. */
-
-#endif

@@ -1,6 +1,5 @@
 /* lab_state.h -- the state of the growth lab, and of the album that is shown after a round. */
-#ifndef KINGYO_CORE_GAME_LAB_LAB_STATE_H
-#define KINGYO_CORE_GAME_LAB_LAB_STATE_H
+#pragma once
 
 #include <stdint.h>
 
@@ -92,5 +91,3 @@ struct lab {
                              request. */
     struct lab_edit edits[SPECIES_MAX];
 };
-
-#endif

@@ -18,8 +18,7 @@
  * To add a page, add a name to enum menu_page, a row in menu_pages.c with its parent and actions,
  * and a row of texts in platform/render/ui/menu/ui_menu_words.c. A page that only lists other
  * pages, or a group of settings, needs no code. */
-#ifndef KINGYO_CORE_GAME_MENU_MENU_H
-#define KINGYO_CORE_GAME_MENU_MENU_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -178,5 +177,3 @@ void settings_edit_tick(const struct menu_scope *scope);
 /* Returns true if every change of a setting is on disk. */
 bool settings_edit_is_saved(const struct ledger *ledger, const struct settings_edit *settings_edit,
                             const struct settings *settings);
-
-#endif

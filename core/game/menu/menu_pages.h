@@ -3,8 +3,7 @@
  *
  * The items in a page's body have the first numbers, from 0. The items at the page's foot follow.
  * The last item is always available and leads back to the page's parent. */
-#ifndef KINGYO_CORE_GAME_MENU_MENU_PAGES_H
-#define KINGYO_CORE_GAME_MENU_MENU_PAGES_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -139,5 +138,3 @@ menu_take menu_settings_activate, menu_bits_activate;
 
 /* Continues to change a value while the button or poi that selected the value is still pressed. */
 void menu_settings_tick(const struct menu_scope *scope, bool is_pressed);
-
-#endif

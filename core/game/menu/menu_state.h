@@ -1,7 +1,6 @@
 /* menu_state.h -- the state of the operator's menu, of its calibration page and of its self-test
  * page. The functions are in menu.h. */
-#ifndef KINGYO_CORE_GAME_MENU_MENU_STATE_H
-#define KINGYO_CORE_GAME_MENU_MENU_STATE_H
+#pragma once
 
 #include <stdint.h>
 
@@ -261,5 +260,3 @@ struct menu {
     struct layout_point rest[POI_MAX]; /* Position of each slot's pointer when the pointer last
                                           moved. */
 };
-
-#endif

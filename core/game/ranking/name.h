@@ -11,8 +11,7 @@
  * the score has no name.
  *
  * Names are requested only if the operator enabled them (SET_NAMES) and a store exists. */
-#ifndef KINGYO_CORE_GAME_RANKING_NAME_H
-#define KINGYO_CORE_GAME_RANKING_NAME_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -70,5 +69,3 @@ game_phase_tick leaderboard_tick;
  * operator's menu. */
 void leaderboard_show(const struct game *game, const struct core_config *config,
                       struct scene_leaderboard *out);
-
-#endif

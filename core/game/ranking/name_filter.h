@@ -3,8 +3,7 @@
  * The list of words is assets/words/refused.txt. The build converts the list to a table of
  * normalized words (name_normalize()). The list covers words that are obviously offensive. The
  * operator's menu can remove any other name. */
-#ifndef KINGYO_CORE_GAME_RANKING_NAME_FILTER_H
-#define KINGYO_CORE_GAME_RANKING_NAME_FILTER_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -50,5 +49,3 @@ uint32_t name_normalize(const char *utf8, enum name_ends ends, uint16_t out[NAME
 /* Shortens each series of equal letters to one letter, in place. Returns the number of letters
  * left. */
 uint32_t name_normalize_spaces(uint16_t *letters, uint32_t count);
-
-#endif

@@ -2,8 +2,7 @@
  * and four function keys.
  *
  * A letter is a Unicode code point below U+10000. */
-#ifndef KINGYO_CORE_GAME_RANKING_NAME_KEYBOARD_H
-#define KINGYO_CORE_GAME_RANKING_NAME_KEYBOARD_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -52,5 +51,3 @@ struct layout_box name_box(bool upright, uint8_t alphabet, uint32_t key);
 
 /* Writes the letters as UTF-8, padded with zeros. Asserts that `count` <= NAME_LETTERS_MAX. */
 void name_spell(const uint16_t *letters, uint32_t count, char out[LEDGER_NAME_SIZE]);
-
-#endif

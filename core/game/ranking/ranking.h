@@ -7,8 +7,7 @@
  * is ignored, because the clock was probably set around midnight. Without a clock, entries have day
  * 0, and a day lasts from one start of the kiosk to the next. The first round after a start then
  * begins a new day, and the seventh such start begins a new week. */
-#ifndef KINGYO_CORE_GAME_RANKING_RANKING_H
-#define KINGYO_CORE_GAME_RANKING_RANKING_H
+#pragma once
 
 #include <stdint.h>
 
@@ -64,5 +63,3 @@ void ranking_note(struct ranking *ranking, const struct ledger_entry *entry);
  * that the slot is not ranked. */
 uint32_t ranking_place(const struct ranking *ranking, uint32_t board, enum rank_period period,
                        uint32_t round_id, uint8_t seat);
-
-#endif

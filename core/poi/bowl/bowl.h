@@ -11,8 +11,7 @@
  *
  * Each fish in a bowl circles at its own depth, radius and angular speed, and the fish do not
  * overlap. */
-#ifndef KINGYO_CORE_POI_BOWL_BOWL_H
-#define KINGYO_CORE_POI_BOWL_BOWL_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -118,5 +117,3 @@ void bowl_buoyancy_tick(const struct stall *stall, const struct poi *pois, const
  * keep clear of each other and of the hull. Updates `fish_kg` of the bowl. Does nothing if the bowl
  * is absent or empty. */
 void bowl_fish_tick(struct bowl *bowl, uint32_t bowl_index, struct tank *tank);
-
-#endif

@@ -4,8 +4,7 @@
  * A swimming fish over the paper becomes a carried fish if the water is too shallow for the fish to
  * stand upright. A fish that slips off the ring or falls through the paper falls into a bowl or
  * into the water. */
-#ifndef KINGYO_CORE_POI_CATCH_CAPTURE_H
-#define KINGYO_CORE_POI_CATCH_CAPTURE_H
+#pragma once
 
 #include "core/poi/bowl/bowl.h"
 #include "core/poi/catch/carried_fish.h"
@@ -73,5 +72,3 @@ bool capture_is_jammed(const struct poi *poi);
  * lasts, the more fish leave. After 0.1 s, all fish that touch the ring leave. `axes` are the
  * poi's axes. */
 bool capture_releases(const struct poi *poi, const struct basis *axes, const struct fish *fish);
-
-#endif

@@ -11,8 +11,7 @@
  * The carried water is a film on both faces of the paper and a pool in the sag of the paper. On an
  * upside-down poi, the pool lies in the ring, which is 3 mm high. Only the tank supplies water.
  * Therefore the mass of the carried water never increases in air. */
-#ifndef KINGYO_CORE_POI_CATCH_CARRIED_FISH_H
-#define KINGYO_CORE_POI_CATCH_CARRIED_FISH_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -132,5 +131,3 @@ void carried_load_gather(struct poi *poi, const struct basis *axes, float pull_m
  *
  * `up_y` is the vertical component of the poi's unit normal. */
 void carried_water_tick(struct poi *poi, float up_y);
-
-#endif

@@ -2,8 +2,7 @@
  *
  * Under water, the paper is a wall for fish. A fish over the paper without enough water to stand
  * upright becomes a carried fish. */
-#ifndef KINGYO_CORE_POI_CATCH_CATCH_H
-#define KINGYO_CORE_POI_CATCH_CATCH_H
+#pragma once
 
 #include "core/output.h"
 #include "core/poi/bowl/bowl.h"
@@ -41,5 +40,3 @@ void catch_count(const struct carried_fish *carried, uint32_t poi, uint32_t bowl
  * bowl are added to `results`. Asserts that `poi_index` < POI_MAX. */
 void catch_tick(struct poi *poi, uint32_t poi_index, const struct stall *stall, uint32_t tick,
                 struct output *output, struct catch_result results[POI_MAX]);
-
-#endif

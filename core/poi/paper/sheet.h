@@ -5,8 +5,7 @@
  * stress is concentrated along the ring, beside holes, and along the line between wet and dry
  * paper. A tear starts where the stress exceeds the strength of the paper for long enough. A tear
  * grows from cell to cell, by up to SHEET_STEPS_MAX cells in one tick (1/120 s). */
-#ifndef KINGYO_CORE_POI_PAPER_SHEET_H
-#define KINGYO_CORE_POI_PAPER_SHEET_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -143,5 +142,3 @@ float sheet_left(const struct sheet *sheet); /* Returns the fraction [0, 1] of t
 /* Returns the area of the holes, from 0 to the area of the disc. The area is computed as a fraction
  * of the disc's area, because the total area of the square cells is larger than the disc. */
 float sheet_hole_m2(const struct sheet *sheet);
-
-#endif

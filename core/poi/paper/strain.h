@@ -8,8 +8,7 @@
  * The functions strain_*() on rows use SIMD code (core/base/simd.h). A row has 32 cells. The
  * functions are compiled only for four lanes, because four lanes are fast enough on every
  * machine. */
-#ifndef KINGYO_CORE_POI_PAPER_STRAIN_H
-#define KINGYO_CORE_POI_PAPER_STRAIN_H
+#pragma once
 
 #include "core/base/simd.h"
 #include "core/poi/paper/sheet.h"
@@ -115,5 +114,3 @@ void paper_wetting_tick(struct sheet *sheet, struct sheet_wetting wet);
 /* Returns how strongly a cell lies on the line between wet and dry paper, from 0 (not on the line)
  * to 1 (on a fully developed line). */
 float paper_wetting_line(const struct sheet *sheet, uint32_t row, uint32_t column);
-
-#endif

@@ -44,8 +44,7 @@
  *
  * - Sections 1.1 and 4.5 name a repulsion but never define the repulsion. The comment on
  *   avoid_repulsion_m_s() describes the repulsion in this code. */
-#ifndef KINGYO_CORE_TANK_BEHAVIOR_AVOID_H
-#define KINGYO_CORE_TANK_BEHAVIOR_AVOID_H
+#pragma once
 
 #include "core/tank/behavior_params.h"
 #include "core/tank/fish.h"
@@ -116,5 +115,3 @@ void avoid_tick(struct fish *fish, const struct avoid_advice *advice, float brak
  * 5 cm is the difference between 5.25 and 7.5 cm/s. Section 3.3 of the 2013 thesis gives that
  * difference as the limit of all "other forces". */
 float avoid_repulsion_m_s(float gap_m, float length_m);
-
-#endif

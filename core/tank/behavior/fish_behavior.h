@@ -9,8 +9,7 @@
  * goldfish behavior describe for a single goldfish. The strength of the attraction is
  * `wall_follow`. Its value is 0 in every preset, because the attraction is not visible in a tank
  * with many fish. */
-#ifndef KINGYO_CORE_TANK_BEHAVIOR_FISH_BEHAVIOR_H
-#define KINGYO_CORE_TANK_BEHAVIOR_FISH_BEHAVIOR_H
+#pragma once
 
 #include "core/tank/behavior_params.h"
 #include "core/tank/fish.h"
@@ -39,5 +38,3 @@ float behavior_wall_pull(float gap_m, float length_m);
 /* Turns the heading of a swimming or bursting fish by the attraction of walls during
  * `around->dt_s`. */
 void behavior_wall_follow(struct fish *fish, const struct perception *around);
-
-#endif

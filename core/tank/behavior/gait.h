@@ -36,8 +36,7 @@
  * - Section 3.6 gives depths in 20 cm of water. In the code the depths are fractions of the water
  *   depth. In section 3.6 a fish reaches its depth by pitching, but a tired fish rests nine tenths
  *   of its time. In the code a fish therefore climbs and dives in every gait (swim.h). */
-#ifndef KINGYO_CORE_TANK_BEHAVIOR_GAIT_H
-#define KINGYO_CORE_TANK_BEHAVIOR_GAIT_H
+#pragma once
 
 #include "core/tank/behavior_params.h"
 #include "core/tank/fish.h"
@@ -109,5 +108,3 @@ float gait_cycle_share(const struct fish *fish, float mean_m_s);
  * mass of the water, rho the density of the water, S the wetted surface and C = 0.060 the drag
  * coefficient. */
 float gait_glide_m(float length_m);
-
-#endif

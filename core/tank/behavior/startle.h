@@ -18,8 +18,7 @@
  * the body hardly moves. In stage 2, equally long, the tail flips back and the body turns to its
  * final course. The body accelerates forward at 15 to 40 m/s^2 up to 8 to 10 lengths per second. A
  * dash follows, which decays within a second (Eaton et al. 1977; Mirjany et al. 2011). */
-#ifndef KINGYO_CORE_TANK_BEHAVIOR_STARTLE_H
-#define KINGYO_CORE_TANK_BEHAVIOR_STARTLE_H
+#pragma once
 
 #include "core/tank/behavior_params.h"
 #include "core/tank/fish.h"
@@ -109,5 +108,3 @@ float escape_speed_m_s(const struct fish *fish);
 
 /* Returns true while the tail of an escaping fish beats and drives the fish. */
 bool escape_beats(const struct fish *fish);
-
-#endif

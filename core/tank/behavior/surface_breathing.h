@@ -10,8 +10,7 @@
  * The behavior parameters select the cause of a rise to the surface. Living fish rise because of
  * low oxygen. The fish of the 2013 thesis on goldfish behavior (section 3.6) rise because of low
  * stamina. */
-#ifndef KINGYO_CORE_TANK_BEHAVIOR_SURFACE_BREATHING_H
-#define KINGYO_CORE_TANK_BEHAVIOR_SURFACE_BREATHING_H
+#pragma once
 
 #include "core/tank/behavior_params.h"
 #include "core/tank/fish.h"
@@ -70,5 +69,3 @@ bool surface_ducks(struct fish *fish);
 /* Returns the factor by which the startle threshold of the fish is multiplied. The factor is above
  * 1 for a gulping fish, which notices a stimulus late, and 1 for any other fish. */
 float surface_nerve(const struct fish *fish);
-
-#endif

@@ -1,7 +1,6 @@
 /* swim.h -- the motion of a fish, which turns at a bounded rate, beats its tail, glides and keeps
  * its depth. */
-#ifndef KINGYO_CORE_TANK_BEHAVIOR_SWIM_H
-#define KINGYO_CORE_TANK_BEHAVIOR_SWIM_H
+#pragma once
 
 #include "core/tank/behavior_params.h"
 #include "core/tank/collision/box.h"
@@ -88,5 +87,3 @@ void swim_move_all(const struct shoal *shoal, uint32_t lanes);
 /* Moves every swimming fish to the position of its body, adds the distance to `way_m`, and calls
  * swim_settle(). */
 void swim_settle_all(const struct shoal *shoal, uint32_t lanes);
-
-#endif

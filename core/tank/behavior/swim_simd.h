@@ -3,8 +3,7 @@
  *
  * Only swim.c, swim_move.c and swim_simd.c include this file. core/base/simd.h describes SIMD
  * kernels. */
-#ifndef KINGYO_CORE_TANK_BEHAVIOR_SWIM_SIMD_H
-#define KINGYO_CORE_TANK_BEHAVIOR_SWIM_SIMD_H
+#pragma once
 
 #include "core/base/simd.h"
 #include "core/input.h"
@@ -71,5 +70,3 @@ void swim_move_block_8(const struct shoal *shoal, uint32_t first);
 void swim_settle_block_4(const struct shoal *shoal, uint32_t first);
 void swim_settle_block_8(const struct shoal *shoal, uint32_t first);
 SIMD_END
-
-#endif

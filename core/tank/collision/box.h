@@ -9,8 +9,7 @@
  * The contact tests (shape_tests.c) return the gap and the direction in which the box must move. A
  * body (struct body) is the box of a fish in one cache line, for the broad phase and the contact
  * solver. */
-#ifndef KINGYO_CORE_TANK_COLLISION_BOX_H
-#define KINGYO_CORE_TANK_COLLISION_BOX_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -143,5 +142,3 @@ static inline vec3 body_extent_m(const struct body *body)
     return box_upright_m(body->right, body->up, body->back,
                          v3(body->half_x_m, body->half_y_m, body->half_z_m));
 }
-
-#endif

@@ -4,8 +4,7 @@
  * A query is one search for nearby pairs among all swimming fish. Every array is indexed by fish. A
  * fish that does not swim has an element in each array but takes no part in a query. Such a fish is
  * on a poi (the paper scoop), in a bowl or in reentry (reentry.c). */
-#ifndef KINGYO_CORE_TANK_COLLISION_BROAD_PHASE_H
-#define KINGYO_CORE_TANK_COLLISION_BROAD_PHASE_H
+#pragma once
 
 #include "core/tank/behavior/avoid.h"
 #include "core/tank/collision/box.h"
@@ -137,5 +136,3 @@ void broad_phase_update(struct broad_phase *broad_phase, const struct fish *fish
  * fifth of params->space_per_length. */
 float broad_phase_space(const struct fish *fish, uint32_t fish_count, vec3 tank_size_m,
                         const struct behavior_params *params);
-
-#endif

@@ -26,8 +26,7 @@
  *
  * If fish overlap at the start (a staged scene), the solver separates them over the first ticks.
  * Until then a pair may stay as deep as in the previous tick, but not deeper. */
-#ifndef KINGYO_CORE_TANK_COLLISION_CONTACT_SOLVER_H
-#define KINGYO_CORE_TANK_COLLISION_CONTACT_SOLVER_H
+#pragma once
 
 #include "core/tank/collision/broad_phase.h"
 #include "core/tank/collision/obstacle.h"
@@ -146,5 +145,3 @@ void contact_solver_end(struct contact_solver *solver, const struct broad_phase 
 
 /* Moves all swimming fish to the positions of their bodies. */
 void contact_solver_write_back(const struct broad_phase *broad_phase, struct fish *fish);
-
-#endif

@@ -1,7 +1,6 @@
 /* contact_solver_internal.h -- declarations that contact_solver.c, contact_solver_simd.c and
  * penetration_check.c share. */
-#ifndef KINGYO_CORE_TANK_COLLISION_CONTACT_SOLVER_INTERNAL_H
-#define KINGYO_CORE_TANK_COLLISION_CONTACT_SOLVER_INTERNAL_H
+#pragma once
 
 #include "core/base/simd.h"
 #include "core/tank/collision/contact_solver.h"
@@ -96,5 +95,3 @@ SIMD_BEGIN
 CONTACT_SOLVER_PROJECT(contact_solver_project_block_4);
 CONTACT_SOLVER_PROJECT(contact_solver_project_block_8);
 SIMD_END
-
-#endif

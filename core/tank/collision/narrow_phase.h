@@ -18,8 +18,7 @@
  * candidates in the cells. The first step compares balls, heights and sides, and leaves 2.9 pairs
  * per fish. The second step is the separating-axis test of the boxes, and leaves 1.5 pairs per
  * fish. The pairs and their order do not depend on the number of SIMD lanes. */
-#ifndef KINGYO_CORE_TANK_COLLISION_NARROW_PHASE_H
-#define KINGYO_CORE_TANK_COLLISION_NARROW_PHASE_H
+#pragma once
 
 #include <stdint.h>
 
@@ -180,5 +179,3 @@ void narrow_phase_gaps(const struct body *body, const fish_index *a, const fish_
 /* Returns the unit vector from a toward b along which the gap of a found pair is measured. `axis`
  * is the pair's member `axis`. */
 vec3 narrow_phase_axis(const struct body *a, const struct body *b, uint8_t axis);
-
-#endif

@@ -3,8 +3,7 @@
  *
  * Only narrow_phase.c calls the kernels. SIMD code reads whole blocks, so each list has
  * SIMD_LANES_MAX extra entries with valid values at its end. */
-#ifndef KINGYO_CORE_TANK_COLLISION_NARROW_PHASE_SIMD_H
-#define KINGYO_CORE_TANK_COLLISION_NARROW_PHASE_SIMD_H
+#pragma once
 
 #include "core/tank/collision/narrow_phase.h"
 
@@ -107,5 +106,3 @@ NARROW_PHASE_NEAR(narrow_phase_near_8);
 NARROW_PHASE_BOXES(narrow_phase_boxes_8);
 NARROW_PHASE_GAPS(narrow_phase_gaps_8);
 SIMD_END
-
-#endif

@@ -5,8 +5,7 @@
  * other fish, a wall or the floor, the contact solver undoes as much of the poi's motion in this
  * tick as needed. Undoing the whole motion always suffices, because poi and fish did not touch in
  * the previous tick. */
-#ifndef KINGYO_CORE_TANK_COLLISION_OBSTACLE_H
-#define KINGYO_CORE_TANK_COLLISION_OBSTACLE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -138,5 +137,3 @@ vec3 obstacle_carry_m(const struct obstacle *obstacle, vec3 before_m);
  * possibility, the whole motion in this tick. Returns true if the obstacle changed, or false if the
  * obstacle has no motion left in this tick. */
 bool obstacle_apply_reaction(struct obstacle *obstacle, vec3 out, float excess_m);
-
-#endif

@@ -1,7 +1,6 @@
 /* hid_file.h -- reads report descriptors and reports from files that contain hex text or binary
  * data. */
-#ifndef KINGYO_PLATFORM_CTL_DEVICES_HID_FILE_H
-#define KINGYO_PLATFORM_CTL_DEVICES_HID_FILE_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -49,5 +48,3 @@ void hid_file_id(const char *path, char id[HID_ID_SIZE]);
 
 /* Prints a line on standard error with `path` and the meaning of `errno`. Returns EXIT_IO. */
 enum exit_code hid_file_print_error(const char *path);
-
-#endif

@@ -2,8 +2,7 @@
  * of the values for a terminal.
  *
  * The functions are pure. Their inputs are reports and times, and their output is text. */
-#ifndef KINGYO_PLATFORM_CTL_DEVICES_HID_LIVE_H
-#define KINGYO_PLATFORM_CTL_DEVICES_HID_LIVE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -63,5 +62,3 @@ void hid_live_time(struct hid_live *live, uint64_t time_ns);
  * "\n", and `text` is zero-terminated. Returns the length of the text in bytes. */
 size_t hid_live_picture(const struct hid_live *live, uint32_t width, uint32_t height,
                         char text[HID_LIVE_TEXT]);
-
-#endif

@@ -1,6 +1,5 @@
 /* hid_rows.h -- prints descriptors and decoded reports as tab-separated rows on standard output. */
-#ifndef KINGYO_PLATFORM_CTL_DEVICES_HID_ROWS_H
-#define KINGYO_PLATFORM_CTL_DEVICES_HID_ROWS_H
+#pragma once
 
 #include <stdio.h>
 
@@ -35,5 +34,3 @@ enum exit_code hid_rows_decode(const struct hid_descriptor *descriptor, const ch
 /* Writes the name of a usage, for example "X", "hat", "button 3" or "tip". A usage that is not in
  * the table is written as page:id in hex. Returns `out`. */
 const char *hid_usage_name(hid_usage usage, char out[HID_NAME_SIZE]);
-
-#endif

@@ -3,8 +3,7 @@
  * Each read from a device node (for example /dev/hidraw3) returns one report, and the node provides
  * the report descriptor. A file or a pipe contains a stream of bytes, as `cat /dev/hidraw3` writes
  * it. The descriptor then determines where each report ends. */
-#ifndef KINGYO_PLATFORM_CTL_DEVICES_HID_SOURCE_H
-#define KINGYO_PLATFORM_CTL_DEVICES_HID_SOURCE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -83,5 +82,3 @@ enum hid_pull hid_source_pull(struct hid_source *source, int timeout_ms, struct 
 
 /* Closes the file or the device node of the source. */
 void hid_source_close(struct hid_source *source);
-
-#endif

@@ -1,7 +1,6 @@
 /* lines.h -- prints the output of `kingyoctl lines`, which is either the list of all GPIO
  * lines or the events on the configured lines. */
-#ifndef KINGYO_PLATFORM_CTL_DEVICES_LINES_H
-#define KINGYO_PLATFORM_CTL_DEVICES_LINES_H
+#pragma once
 
 #include <stdio.h>
 
@@ -28,5 +27,3 @@ struct lines_show lines_show_begin(struct gpio_thread *reader);
 /* Prints a row for each press, release, coin and fault since the last call. A row contains the
  * seconds since the start of the display, the role of the line and the event, separated by tabs. */
 void lines_show_rows(struct lines_show *show, FILE *out);
-
-#endif

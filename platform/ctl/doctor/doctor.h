@@ -3,8 +3,7 @@
  *
  * Each finding names a component, its state and the action that the operator should take. The
  * checks are passive. No check claims a device, requests a GPIO line or creates a file. */
-#ifndef KINGYO_PLATFORM_CTL_DOCTOR_DOCTOR_H
-#define KINGYO_PLATFORM_CTL_DOCTOR_DOCTOR_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -175,5 +174,3 @@ void doctor_report_json(const struct doctor *doctor);
 
 /* Returns the number of stored findings whose severity is `level`. */
 uint32_t doctor_count(const struct doctor *doctor, enum doctor_level level);
-
-#endif

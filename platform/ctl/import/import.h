@@ -6,8 +6,7 @@
  * Wavefront OBJ files are read by a parser of Kingyo, because key shapes correspond by vertex
  * numbers, which general importers do not preserve. assimp reads glTF and all other formats in a
  * child process with resource limits (import_scene.c). */
-#ifndef KINGYO_PLATFORM_CTL_IMPORT_IMPORT_H
-#define KINGYO_PLATFORM_CTL_IMPORT_IMPORT_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdio.h>
@@ -185,5 +184,3 @@ static inline enum species_part import_part_of(const struct import_mesh *mesh, u
 }
 
 extern const char *const import_axis_names[AXIS_NONE];
-
-#endif

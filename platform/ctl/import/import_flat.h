@@ -3,8 +3,7 @@
  *
  * Included only if assimp is available. A key shape of the result is the base shape, one morph
  * target alone, or the scene at one time of its animation. */
-#ifndef KINGYO_PLATFORM_CTL_IMPORT_IMPORT_FLAT_H
-#define KINGYO_PLATFORM_CTL_IMPORT_IMPORT_FLAT_H
+#pragma once
 
 /* <assimp/types.h> must precede the other headers of assimp, because they need its types. */
 #include <assimp/types.h>
@@ -104,5 +103,3 @@ void import_keys_weights_at(const struct flattening *f, const struct aiMeshMorph
 /* Adds the meshes of every node to the result, in every key shape. After an error returns false,
  * and import_error() has written the reason. Defined in import_shapes.c. */
 bool import_shapes_add_meshes(struct flattening *f);
-
-#endif

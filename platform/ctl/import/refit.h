@@ -9,8 +9,7 @@
  *
  * The result has the triangles, the body coordinates, the anchors, the curves and the paint of the
  * template. The distance between the result and the mesh is measured and printed. */
-#ifndef KINGYO_PLATFORM_CTL_IMPORT_REFIT_H
-#define KINGYO_PLATFORM_CTL_IMPORT_REFIT_H
+#pragma once
 
 #include "platform/ctl/import/import.h"
 #include "platform/species/pack.h"
@@ -99,5 +98,3 @@ void refit_tree_build(struct refit_tree *tree);
 /* Finds the point nearest to `from` on the triangles of `part`, or on all triangles if `part` is
  * REFIT_TREE_ANY_PART. Returns the squared distance, or infinity if there are no such triangles. */
 float refit_tree_nearest(const struct refit_tree *tree, vec3 from, uint8_t part, vec3 *place);
-
-#endif

@@ -4,8 +4,7 @@
  * Pixels are stored as linear RGB, so that partial coverage is blended correctly. Colour parameters
  * are 0xRRGGBB in sRGB. Positions are in pixels from the top left corner, with x to the right and y
  * downward. Drawing is clipped to the canvas. */
-#ifndef KINGYO_PLATFORM_CTL_LIB_CANVAS_H
-#define KINGYO_PLATFORM_CTL_LIB_CANVAS_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -51,5 +50,3 @@ void canvas_words(struct canvas *canvas, float x, float y, float size_px, enum c
 /* Writes the canvas as a PNG file. Returns 0, or a negative errno. After an error, no new file
  * exists, and an existing file at `path` is unchanged. */
 int canvas_write_png(const struct canvas *canvas, const char *path);
-
-#endif

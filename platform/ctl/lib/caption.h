@@ -1,6 +1,5 @@
 /* caption.h -- writes and draws the caption of a fish: its age, its length and a scale bar. */
-#ifndef KINGYO_PLATFORM_CTL_LIB_CAPTION_H
-#define KINGYO_PLATFORM_CTL_LIB_CAPTION_H
+#pragma once
 
 #include "core/morph/morph.h"
 #include "platform/ctl/lib/canvas.h"
@@ -38,5 +37,3 @@ void caption_bar(struct canvas *canvas, float x, float y, float width_max_px, fl
  * weight, and its colour is the key's colour (platform/key_colour.h). */
 void caption_weights(struct canvas *canvas, struct canvas_box box, uint32_t key_count,
                      const float weights[MORPH_KEY_MAX]);
-
-#endif

@@ -4,8 +4,7 @@
  * otherwise silently select a default. Every row must have as many fields as the header. Lines end
  * in LF or CRLF. Empty lines and a byte-order mark are skipped. Each error is printed as one line
  * that names the file, the line and the column. */
-#ifndef KINGYO_PLATFORM_CTL_LIB_CSV_H
-#define KINGYO_PLATFORM_CTL_LIB_CSV_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -64,5 +63,3 @@ enum exit_code csv_read(struct csv *csv,
  * Returns EXIT_BAD_DATA. */
 __attribute__((format(printf, 3, 4))) enum exit_code
 csv_error(const struct csv *csv, uint32_t index, const char *format, ...);
-
-#endif

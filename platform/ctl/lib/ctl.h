@@ -3,8 +3,7 @@
  *
  * `kingyoctl` is the command-line tool of Kingyo. Each command is implemented in its own source
  * file. */
-#ifndef KINGYO_PLATFORM_CTL_LIB_CTL_H
-#define KINGYO_PLATFORM_CTL_LIB_CTL_H
+#pragma once
 
 #include <signal.h>
 #include <stdbool.h>
@@ -71,5 +70,3 @@ void ctl_list_word(char *list, size_t size, const char *word);
 /* Prints the error line for a read that failed with the errno `error`. Returns the exit code that
  * ctl_file_open() returns for this error. */
 enum exit_code ctl_file_error(const char *speaker, const char *path, uint32_t size_max, int error);
-
-#endif

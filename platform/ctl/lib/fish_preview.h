@@ -4,8 +4,7 @@
  * The fish's nose points to the left of the picture in every view. paint_at() gives the colour at
  * every pixel, and the light is soft and comes from the upper left. Transparent parts show the
  * parts behind them. */
-#ifndef KINGYO_PLATFORM_CTL_LIB_FISH_PREVIEW_H
-#define KINGYO_PLATFORM_CTL_LIB_FISH_PREVIEW_H
+#pragma once
 
 #include "core/morph/morph.h"
 #include "platform/ctl/lib/raster.h"
@@ -55,5 +54,3 @@ void fish_preview_measure(const struct fish_preview *preview, enum fish_preview_
  * copy the picture to a canvas. */
 void fish_preview_draw(const struct fish_preview *preview, enum fish_preview_view view, float x,
                        float y, float scale_px, struct raster *raster);
-
-#endif

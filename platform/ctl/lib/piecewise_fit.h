@@ -3,8 +3,7 @@
  *
  * An animation in a glTF file is a table of samples. Samples are added only where the straight line
  * between two samples is not accurate enough. */
-#ifndef KINGYO_PLATFORM_CTL_LIB_PIECEWISE_FIT_H
-#define KINGYO_PLATFORM_CTL_LIB_PIECEWISE_FIT_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -40,5 +39,3 @@ bool piecewise_fit_fit(struct piecewise_fit *track, const struct piecewise_fit_f
 
 /* Frees the arrays of the samples. */
 void piecewise_fit_free(struct piecewise_fit *track);
-
-#endif

@@ -9,8 +9,7 @@
  * The kiosk draws the same fish with OpenGL ES (platform/render/pass/specimen_pass.c). `kingyoctl`
  * does not use that pass for two reasons. The rasterizer needs neither a screen nor an OpenGL
  * driver. The pass draws another picture, because it does not sort transparent parts by depth. */
-#ifndef KINGYO_PLATFORM_CTL_LIB_RASTER_H
-#define KINGYO_PLATFORM_CTL_LIB_RASTER_H
+#pragma once
 
 #include <stddef.h>
 
@@ -64,5 +63,3 @@ void raster_triangle(struct raster *raster, const vec3 corner[3], struct raster_
  * pixels, and clears the raster. Returns false if the picture is incomplete because an earlier
  * memory allocation failed. */
 bool raster_finish(struct raster *raster, struct canvas *canvas, uint32_t left, uint32_t top);
-
-#endif

@@ -1,8 +1,7 @@
 /* svg.h -- writes pictures as Scalable Vector Graphics (SVG), which drawing programs can edit.
  *
  * Coordinates are in pixels with y downward. A write error is reported by svg_close(). */
-#ifndef KINGYO_PLATFORM_CTL_LIB_SVG_H
-#define KINGYO_PLATFORM_CTL_LIB_SVG_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdio.h>
@@ -48,5 +47,3 @@ void svg_end_line(struct svg *svg, const char *colour, double width, const char 
 /* Completes the picture and closes the file. Returns true if all data was written. Otherwise sets
  * errno, leaves the target file unchanged and returns false. */
 bool svg_close(struct svg *svg);
-
-#endif

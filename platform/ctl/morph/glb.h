@@ -9,8 +9,7 @@
  * glb.c writes the file and its nodes, morph_glb_mesh.c the meshes and their shapes, and
  * morph_glb_life.c the animation. A piece is a mesh of one part of the fish on one side. A key is a
  * modelled growth stage. */
-#ifndef KINGYO_PLATFORM_CTL_MORPH_GLB_H
-#define KINGYO_PLATFORM_CTL_MORPH_GLB_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -113,5 +112,3 @@ uint32_t morph_glb_add_mesh(struct morph_glb *fish, uint32_t piece);
 /* Adds the animation of all nodes to the file. Must be called after all meshes were added. Returns
  * false if memory allocation fails. */
 bool morph_glb_animate(struct morph_glb *fish);
-
-#endif

@@ -1,8 +1,7 @@
 /* morph.h -- the subcommands of `kingyoctl morph`, which show and convert fish of any age.
  *
  * Each subcommand has one row in the table of morph.c. */
-#ifndef KINGYO_PLATFORM_CTL_MORPH_MORPH_H
-#define KINGYO_PLATFORM_CTL_MORPH_MORPH_H
+#pragma once
 
 #include "platform/ctl/lib/ctl.h"
 
@@ -41,5 +40,3 @@ morph_fail(enum exit_code code, const char *command, const char *format, ...);
 /* Reports that `path` was written. `error` is 0 or a negative errno. Returns EXIT_OK if `error` is
  * 0. Otherwise prints one line with the path and the reason, and returns EXIT_IO. */
 enum exit_code morph_written(const char *command, const char *path, int error);
-
-#endif

@@ -5,8 +5,7 @@
  * as two sheets, one for each side, but other programs get only the sheet whose front faces in the
  * direction of its normals. Each writer returns EXIT_OK, or prints one line to standard error and
  * returns EXIT_IO. */
-#ifndef KINGYO_PLATFORM_CTL_MORPH_MORPH_EXPORT_H
-#define KINGYO_PLATFORM_CTL_MORPH_MORPH_EXPORT_H
+#pragma once
 
 #include "platform/ctl/lib/fish_preview.h"
 #include "platform/ctl/morph/morph_options.h"
@@ -70,5 +69,3 @@ enum exit_code morph_obj_write(const struct morph_options *pick, const char *pat
 /* Writes the whole life of the fish that `pick` selects as a glTF 2.0 file (see glb.c).
  * Returns EXIT_OK, or prints one line to standard error and returns EXIT_IO. */
 enum exit_code morph_glb_write(const struct morph_options *pick, const char *path);
-
-#endif

@@ -1,7 +1,6 @@
 /* morph_import_words.h -- parses the command lines of `kingyoctl morph import` and `kingyoctl morph
  * refit`, which convert meshes to a species. */
-#ifndef KINGYO_PLATFORM_CTL_MORPH_MORPH_IMPORT_WORDS_H
-#define KINGYO_PLATFORM_CTL_MORPH_MORPH_IMPORT_WORDS_H
+#pragma once
 
 #include <stdint.h>
 
@@ -49,5 +48,3 @@ void morph_import_words_name(const char *path, char out[SPECIES_NAME_SIZE]);
  * static, so only one is open at a time. */
 enum exit_code morph_import_words_open_like(struct morph_import_words *words,
                                             enum import_command command);
-
-#endif

@@ -4,8 +4,7 @@
  * Every subcommand of `kingyoctl morph` uses this parser. Therefore SPECIES|FILE, --template,
  * --thesis, --progress, --age-days and --length-mm have the same meaning and the same error
  * messages in all subcommands. */
-#ifndef KINGYO_PLATFORM_CTL_MORPH_MORPH_OPTIONS_H
-#define KINGYO_PLATFORM_CTL_MORPH_MORPH_OPTIONS_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -91,5 +90,3 @@ void morph_options_lengths(const struct species_card *card, float *min, float *m
  * one line and returns EXIT_USAGE. */
 enum exit_code morph_curve_find(const struct species_card *card, const char *command,
                                 const char *curve_name, uint32_t *curve);
-
-#endif

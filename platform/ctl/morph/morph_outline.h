@@ -1,7 +1,6 @@
 /* morph_outline.h -- draws a fish as an outline of one colour in an SVG picture, and draws the path
  * of one point of a part during the growth of the fish. */
-#ifndef KINGYO_PLATFORM_CTL_MORPH_MORPH_OUTLINE_H
-#define KINGYO_PLATFORM_CTL_MORPH_MORPH_OUTLINE_H
+#pragma once
 
 #include "platform/ctl/lib/svg.h"
 #include "platform/ctl/morph/morph_options.h"
@@ -69,5 +68,3 @@ struct morph_path_plan {
 /* Draws the path into the SVG file `plan->svg`. Returns EXIT_OK, or prints one line to standard
  * error and returns another exit code. */
 enum exit_code morph_path_picture(const struct morph_path_plan *plan, const char *command);
-
-#endif

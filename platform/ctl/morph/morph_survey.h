@@ -4,8 +4,7 @@
  * The growth is examined at many moments from progress 0 to progress 1. Lengths are in units of the
  * fish's measured length, at every age of the fish. A key is a growth stage that the author of the
  * species drew. */
-#ifndef KINGYO_PLATFORM_CTL_MORPH_MORPH_SURVEY_H
-#define KINGYO_PLATFORM_CTL_MORPH_MORPH_SURVEY_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -170,5 +169,3 @@ void morph_inside_measure(struct morph_walk *w);
 /* morph_flips_measure() is called at every moment for which a shape is computed. Progress must
  * increase from call to call. */
 void morph_flips_measure(struct morph_walk *w);
-
-#endif

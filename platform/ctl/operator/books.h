@@ -3,8 +3,7 @@
  *
  * The functions find the database file, open it and report errors. The ledger is the append-only
  * list of money events. */
-#ifndef KINGYO_PLATFORM_CTL_OPERATOR_BOOKS_H
-#define KINGYO_PLATFORM_CTL_OPERATOR_BOOKS_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -53,5 +52,3 @@ bool books_tell_foreign(const char *command, const char *path, const char *advic
  * the prefix `command`. The caller closes `out` with ledger_file_close(). */
 enum exit_code books_open(const char *command, const struct books_words *words,
                           struct ledger_file *out);
-
-#endif

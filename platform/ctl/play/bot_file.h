@@ -7,8 +7,7 @@
  *
  * Every error is reported. An ignored misspelt key would silently leave the bot unchanged, and a
  * comparison of two bots would be wrong. */
-#ifndef KINGYO_PLATFORM_CTL_PLAY_BOT_FILE_H
-#define KINGYO_PLATFORM_CTL_PLAY_BOT_FILE_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -41,5 +40,3 @@ enum exit_code bot_file_read(const char *speaker, const char *bot, struct techni
 /* Prints a table of all keys on standard output, with the allowed values, the values of the novice
  * and the expert, and the descriptions. */
 void bot_file_print_keys(void);
-
-#endif

@@ -4,8 +4,7 @@
  * The poi, its paper sheet, the water on the sheet and the fish are simulated by the core. The
  * carriage replaces the player's hand, because a hand cannot have a constant speed from the first
  * tick. A tick is 1/120 s. */
-#ifndef KINGYO_PLATFORM_CTL_PLAY_PAPER_LAB_H
-#define KINGYO_PLATFORM_CTL_PLAY_PAPER_LAB_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -80,5 +79,3 @@ bool paper_lab_is_instant(const struct paper_lab *lab);
 
 /* Returns the present area of all holes in the paper, in mm^2. */
 double paper_lab_hole_mm2(const struct paper_lab *lab);
-
-#endif

@@ -6,8 +6,7 @@
  * its fish, its paper and its bot, come from the seed of the round. The result of a round is
  * therefore independent of the other rounds. Two techniques with the same seed get the same fish
  * and the same paper. */
-#ifndef KINGYO_PLATFORM_CTL_PLAY_ROUNDS_H
-#define KINGYO_PLATFORM_CTL_PLAY_ROUNDS_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -94,5 +93,3 @@ struct summary rounds_summary(uint32_t *values, uint32_t count);
  * The k-th of n values is the quantile (k - 1) / (n - 1), as in most statistics programs (type
  * 7). */
 double rounds_quantile(const uint32_t *sorted, uint32_t count, double share);
-
-#endif

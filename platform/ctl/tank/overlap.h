@@ -9,8 +9,7 @@
  * The simulation itself does not use the number of encounters, so the number is not part of the
  * core's state. Each fish has a personal space, and an encounter begins when a fish starts to avoid
  * another fish. */
-#ifndef KINGYO_PLATFORM_CTL_TANK_OVERLAP_H
-#define KINGYO_PLATFORM_CTL_TANK_OVERLAP_H
+#pragma once
 
 #include <stdint.h>
 
@@ -95,5 +94,3 @@ struct tank_meetings {
 /* Counts the encounters that began since the last call. `ticks` is the number of ticks since that
  * call. All fields of `meetings` must be 0 before the first call. */
 void tank_meetings_update(struct tank_meetings *meetings, const struct tank *tank, uint32_t ticks);
-
-#endif

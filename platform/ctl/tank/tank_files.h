@@ -1,8 +1,7 @@
 /* tank_files.h -- the two CSV files that a tank simulation reads: the path of a hand that moves a
  * poi (a paper scoop), and the start positions of fish, with which an encounter can be
  * reproduced. */
-#ifndef KINGYO_PLATFORM_CTL_TANK_TANK_FILES_H
-#define KINGYO_PLATFORM_CTL_TANK_TANK_FILES_H
+#pragma once
 
 #include <stdint.h>
 
@@ -59,5 +58,3 @@ enum exit_code tank_place_read(struct tank_place *place, const char *speaker, co
  * the water. */
 enum exit_code tank_place_stage(const struct tank_place *place, struct tank *tank,
                                 const char *speaker, const char *file);
-
-#endif

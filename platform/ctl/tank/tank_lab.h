@@ -3,8 +3,7 @@
  * A poi (a paper scoop) that follows a path is simulated by core/poi: the spring to the hand, the
  * water, the paper and the carried fish. The steps of a tick (1/120 s) have the same order as in
  * core_tick(). The rules of the game, the bot and the bowl are not simulated. */
-#ifndef KINGYO_PLATFORM_CTL_TANK_TANK_LAB_H
-#define KINGYO_PLATFORM_CTL_TANK_TANK_LAB_H
+#pragma once
 
 #include <stdint.h>
 
@@ -76,5 +75,3 @@ uint64_t tank_lab_hash(const struct tank_lab *lab);
 
 /* Frees the arrays of the laboratory. */
 void tank_lab_close(struct tank_lab *lab);
-
-#endif

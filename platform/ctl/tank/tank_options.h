@@ -1,6 +1,5 @@
 /* tank_options.h -- the options of `kingyoctl tank`, which describe a simulation of a tank. */
-#ifndef KINGYO_PLATFORM_CTL_TANK_TANK_OPTIONS_H
-#define KINGYO_PLATFORM_CTL_TANK_TANK_OPTIONS_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -42,5 +41,3 @@ enum exit_code tank_options_read(struct tank_options *plan, int argc, const char
 /* Options and further text that `kingyoctl tank --help` prints. */
 extern const struct option_table tank_options_table;
 extern const char tank_options_notes[];
-
-#endif

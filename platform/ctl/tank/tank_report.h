@@ -2,8 +2,7 @@
  * fish, and the results as JSON or as text with bar charts.
  *
  * With the trace, published results of the tank can be checked independently. */
-#ifndef KINGYO_PLATFORM_CTL_TANK_TANK_REPORT_H
-#define KINGYO_PLATFORM_CTL_TANK_TANK_REPORT_H
+#pragma once
 
 #include <stdint.h>
 #include <stdio.h>
@@ -48,5 +47,3 @@ void tank_report_json(const struct tank_lab *lab, const struct tank_figures *fig
 
 /* Prints the results as text with bar charts on standard output. */
 void tank_report_text(const struct tank_lab *lab, const struct tank_figures *figures);
-
-#endif

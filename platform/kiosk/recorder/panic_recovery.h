@@ -8,8 +8,7 @@
  * replay ends in the state that the core had at the panic. If a page for the operator's PIN was
  * open in the session, the replay ends when that page opened. The file contains no PIN. Its mode is
  * 0600 because it contains settings and audits. panics.h counts the panics. */
-#ifndef KINGYO_PLATFORM_KIOSK_RECORDER_PANIC_RECOVERY_H
-#define KINGYO_PLATFORM_KIOSK_RECORDER_PANIC_RECOVERY_H
+#pragma once
 
 #include <stdatomic.h>
 #include <stdbool.h>
@@ -59,5 +58,3 @@ void panic_evidence_note_frame(struct evidence *evidence);
  * may still change the core and its recordings, or if the panic interrupted a change; otherwise
  * returns true. Async-signal-safe. */
 bool panic_evidence_write(struct evidence *evidence, const char *reason);
-
-#endif

@@ -21,8 +21,7 @@
  * the disagreement.
  *
  * The caller owns `struct pin_sweep` (9 MiB: static storage) and initializes it to zero. */
-#ifndef KINGYO_PLATFORM_KIOSK_RECORDER_PIN_SWEEP_H
-#define KINGYO_PLATFORM_KIOSK_RECORDER_PIN_SWEEP_H
+#pragma once
 
 #include "platform/kiosk/recorder/replay_verifier.h"
 #include "platform/kiosk/recorder/session_recorder.h"
@@ -63,5 +62,3 @@ struct pin_sweep {
 /* Returns the sweep as background work that the store's writer thread runs in short steps. Each
  * step reads one stored replay, parses one second of a replay, or simulates one tick. */
 struct storage_chore pin_sweep_chore(struct pin_sweep *sweep);
-
-#endif

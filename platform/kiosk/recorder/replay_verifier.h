@@ -13,8 +13,7 @@
  * If the ledger no longer contains the round, only the ranking is compared. If the stored entry has
  * a wrong checksum, the score is not genuine. The caller owns the verifier (1.3 MB: static
  * storage). */
-#ifndef KINGYO_PLATFORM_KIOSK_RECORDER_REPLAY_VERIFIER_H
-#define KINGYO_PLATFORM_KIOSK_RECORDER_REPLAY_VERIFIER_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -79,5 +78,3 @@ bool replay_verifier_is_at_round(const struct replay_verifier *verifier);
 enum replay_verdict replay_verifier_result(const struct replay_verifier *verifier,
                                            const struct ranking *ranking, uint32_t round_id,
                                            const struct ledger_entry *kept);
-
-#endif

@@ -2,8 +2,7 @@
  * core, and compares the states with the recorded checksums.
  *
  * The frame loop (kiosk.h) calls the recorder and the replayer through two callbacks. */
-#ifndef KINGYO_PLATFORM_KIOSK_RECORDER_REPLAYER_H
-#define KINGYO_PLATFORM_KIOSK_RECORDER_REPLAYER_H
+#pragma once
 
 #include <stdatomic.h>
 #include <stdbool.h>
@@ -129,5 +128,3 @@ void replayer_end(struct replayer *replayer);
  * problem. */
 enum exit_code replayer_print_problem(const char *speaker, const char *path,
                                       const struct replay_problem *problem);
-
-#endif

@@ -4,8 +4,7 @@
  * end, shows the result of the replay verifier. The kiosk itself continues in the background. Any
  * button, or a dip of a poi, ends the playback. The caller owns `struct score_playback` (4.5 MB:
  * static storage) and initializes it to zero. */
-#ifndef KINGYO_PLATFORM_KIOSK_RECORDER_SCORE_PLAYBACK_H
-#define KINGYO_PLATFORM_KIOSK_RECORDER_SCORE_PLAYBACK_H
+#pragma once
 
 #include "core/scene.h"
 #include "platform/hal.h"
@@ -55,5 +54,3 @@ void score_playback_show(const struct score_playback *playback, struct scene *sc
 
 /* Ends the playback immediately. */
 void score_playback_end(struct score_playback *playback);
-
-#endif

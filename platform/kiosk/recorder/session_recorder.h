@@ -14,8 +14,7 @@
  * session ends in the tick in which a page for a PIN opens, before a digit can be typed. The
  * recording also ends when it exceeds SESSION_RECORDER_MEMORY. After this end, a ranked round of
  * the session has no replay, and a panic writes only the session's part before this end. */
-#ifndef KINGYO_PLATFORM_KIOSK_RECORDER_SESSION_RECORDER_H
-#define KINGYO_PLATFORM_KIOSK_RECORDER_SESSION_RECORDER_H
+#pragma once
 
 #include <stdatomic.h>
 #include <stdbool.h>
@@ -114,5 +113,3 @@ bool session_recorder_has_begun(const struct session_recorder *chapters);
  * REPLAY_HASH_NONE. Returns 0 or a negative errno. */
 int session_recorder_dump(struct session_recorder *chapters, const struct core *core, bool is_sound,
                           int fd);
-
-#endif

@@ -1,7 +1,6 @@
 /* basin_pass.h -- draws the tank: the floor and the walls below the water surface, the water
  * surface, and the rim and the counter above the surface. */
-#ifndef KINGYO_PLATFORM_RENDER_PASS_BASIN_PASS_H
-#define KINGYO_PLATFORM_RENDER_PASS_BASIN_PASS_H
+#pragma once
 
 #include "core/scene.h"
 #include "platform/render/textures.h"
@@ -37,5 +36,3 @@ void basin_pass_deck(const struct basin_pass *pass, const struct textures *textu
  * walls. `life` is the texture with all other objects under water. */
 void basin_pass_water(const struct basin_pass *pass, const struct textures *textures, GLuint ground,
                       GLuint life);
-
-#endif

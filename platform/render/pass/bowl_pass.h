@@ -1,7 +1,6 @@
 /* bowl_pass.h -- draws the floating bowls and their water. fish_pass.h draws the fish in the
  * bowls. */
-#ifndef KINGYO_PLATFORM_RENDER_PASS_BOWL_PASS_H
-#define KINGYO_PLATFORM_RENDER_PASS_BOWL_PASS_H
+#pragma once
 
 #include "core/scene.h"
 #include "platform/render/shape.h"
@@ -30,5 +29,3 @@ void bowl_pass_shell(const struct bowl_pass *pass, const struct scene_bowl *bowl
                      bool is_hull);
 /* Draws the surface of the water in the bowl. */
 void bowl_pass_water(const struct bowl_pass *pass, const struct scene_bowl *bowl);
-
-#endif

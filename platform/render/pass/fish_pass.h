@@ -1,8 +1,7 @@
 /* fish_pass.h -- draws every goldfish of the scene as an instance of one species' meshes.
  *
  * Bodies are opaque. Fins are translucent and are drawn from the lowest fish to the highest. */
-#ifndef KINGYO_PLATFORM_RENDER_PASS_FISH_PASS_H
-#define KINGYO_PLATFORM_RENDER_PASS_FISH_PASS_H
+#pragma once
 
 #include "core/scene.h"
 #include "platform/render/fish_mesh.h"
@@ -75,5 +74,3 @@ void fish_pass_rings(const struct fish_pass *pass);
  * bound vertex array. Fish in the tank and fish on a poi (paper scoop) cast shadows. Returns the
  * number of these instances. */
 GLsizei fish_pass_shadow_casters(const struct fish_pass *pass);
-
-#endif

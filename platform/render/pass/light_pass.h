@@ -1,7 +1,6 @@
 /* light_pass.h -- draws two textures of the light on the floor: the caustics at the current time,
  * and the shadows of all objects. */
-#ifndef KINGYO_PLATFORM_RENDER_PASS_LIGHT_PASS_H
-#define KINGYO_PLATFORM_RENDER_PASS_LIGHT_PASS_H
+#pragma once
 
 #include "core/scene.h"
 #include "platform/render/pass/fish_pass.h"
@@ -28,5 +27,3 @@ void light_pass_caustics(const struct light_pass *pass, const struct textures *t
 /* Draws the shadow map. Must be called after fish_pass_prepare() and poi_pass_prepare(). */
 void light_pass_shadows(const struct light_pass *pass, const struct scene *scene,
                         const struct fish_pass *fish, const struct poi_pass *poi);
-
-#endif

@@ -1,8 +1,7 @@
 /* poi_pass.h -- draws the pois (paper scoops): the ring, the handle, and the paper with the wet
  * cells and holes that the simulation computes. Also computes the place and the level of the water
  * that a poi carries. */
-#ifndef KINGYO_PLATFORM_RENDER_PASS_POI_PASS_H
-#define KINGYO_PLATFORM_RENDER_PASS_POI_PASS_H
+#pragma once
 
 #include "core/scene.h"
 #include "platform/render/shape.h"
@@ -60,5 +59,3 @@ void poi_pass_frame(const struct poi_pass *pass, const struct scene_poi *poi);
  * depth buffer. The paper is darker where fish lie on it. */
 void poi_pass_paper(const struct poi_pass *pass, const struct scene *scene, uint32_t index,
                     const struct textures *textures);
-
-#endif

@@ -1,8 +1,7 @@
 /* quad_pass.h -- draws the objects that need no mesh, because their shaders compute each object
  * from a few quads. These objects are the air stone (the outlet of the air pump) with its bubbles,
  * the drops that fall from a wet poi, the hand-held fans, and the black edge of the picture. */
-#ifndef KINGYO_PLATFORM_RENDER_PASS_QUAD_PASS_H
-#define KINGYO_PLATFORM_RENDER_PASS_QUAD_PASS_H
+#pragma once
 
 #include "core/scene.h"
 #include "platform/render/textures.h"
@@ -37,5 +36,3 @@ void quad_pass_fans(const struct quad_pass *pass, const struct scene *scene,
  * bound framebuffer must be the screen size of `transform`. Afterwards blending is on and the
  * scissor test is off. */
 void quad_pass_edge(const struct quad_pass *pass, const struct display_transform *transform);
-
-#endif

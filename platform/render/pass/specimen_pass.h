@@ -6,8 +6,7 @@
  * remaining cache slots. A fish texture is first painted coarsely. The following frames paint the
  * texture finely, for a limited time in each frame. All memory is reserved when the pass opens:
  * about 0.2 MiB in struct specimen_pass and 37 MiB of textures. */
-#ifndef KINGYO_PLATFORM_RENDER_PASS_SPECIMEN_PASS_H
-#define KINGYO_PLATFORM_RENDER_PASS_SPECIMEN_PASS_H
+#pragma once
 
 #include "platform/render/fish_mesh.h"
 #include "platform/render/fish_texture.h"
@@ -82,5 +81,3 @@ void specimen_pass_finish(struct specimen_pass *pass, const struct specimen *spe
  * test are off. The vertex array is 0. */
 void specimen_pass_draw(struct specimen_pass *pass, const struct specimen *specimen,
                         const struct display_transform *transform);
-
-#endif

@@ -3,8 +3,7 @@
  *
  * The texts are in assets/text and are selected by key and language. A new text in assets/text
  * needs no change in this module. */
-#ifndef KINGYO_PLATFORM_RENDER_UI_TEXT_H
-#define KINGYO_PLATFORM_RENDER_UI_TEXT_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -50,5 +49,3 @@ float text_width_em(enum font_id font, const char *words, float spacing_em);
  * the translation is cut after a whole character. Parts of `line` that "; " separates are
  * translated separately. */
 void text_translate(char *out, size_t out_size, uint8_t language, const char *line);
-
-#endif

@@ -8,8 +8,7 @@
  *
  * The caller owns `struct ui` (about 85 KB, no pointers) and provides a current OpenGL ES 3.0
  * context. This program's code allocates no memory after ui_init(). */
-#ifndef KINGYO_PLATFORM_RENDER_UI_UI_H
-#define KINGYO_PLATFORM_RENDER_UI_UI_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -58,5 +57,3 @@ void ui_show(struct ui *ui, struct specimen_pass *specimens,
 
 /* Deletes the OpenGL objects. The context of ui_init() must be current. */
 void ui_close(struct ui *ui);
-
-#endif

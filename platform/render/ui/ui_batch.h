@@ -3,8 +3,7 @@
  *
  * Coordinates are pixels with the origin at the top left and +y downward. Colours are 0xRRGGBBAA
  * with straight alpha. The batch uses no OpenGL, so that layouts can be tested without a screen. */
-#ifndef KINGYO_PLATFORM_RENDER_UI_UI_BATCH_H
-#define KINGYO_PLATFORM_RENDER_UI_UI_BATCH_H
+#pragma once
 
 #include <stdint.h>
 
@@ -126,5 +125,3 @@ float ui_text_size(struct ui_text style, const char *words);
 
 /* Returns the y of the baseline at which capitals and digits are vertically centred on `y`. */
 float ui_text_middle(struct ui_text style, float y);
-
-#endif

@@ -1,7 +1,6 @@
 /* ui_primitives.h -- drawing primitives of the user interface: colours, boxes, texts, shop curtain,
  * lanterns, ribbons and wooden tags. */
-#ifndef KINGYO_PLATFORM_RENDER_UI_UI_PRIMITIVES_H
-#define KINGYO_PLATFORM_RENDER_UI_UI_PRIMITIVES_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -163,5 +162,3 @@ float ui_ribbon_at(const struct ui_frame *frame, struct ui_ribbon ribbon, float 
 /* Draws a ribbon as ui_ribbon_at() does, in the horizontal middle of the screen. */
 void ui_ribbon(const struct ui_frame *frame, struct ui_ribbon ribbon, float y, float size_px,
                const char *words);
-
-#endif

@@ -1,7 +1,6 @@
 /* ui_screens.h -- fills the batch of quads with the screen of each phase of the game. Uses no
  * OpenGL. */
-#ifndef KINGYO_PLATFORM_RENDER_UI_UI_SCREENS_H
-#define KINGYO_PLATFORM_RENDER_UI_UI_SCREENS_H
+#pragma once
 
 #include <stdint.h>
 
@@ -34,5 +33,3 @@ void ui_screens_notice(struct ui_memory *memory, const struct scene *scene);
  * screen size, > 0. */
 void ui_screens(struct ui_batch *batch, struct ui_memory *memory, const struct scene *scene,
                 float width_px, float height_px);
-
-#endif

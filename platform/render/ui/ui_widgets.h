@@ -1,7 +1,6 @@
 /* ui_widgets.h -- drawing functions that several screens share, such as plates, hints, signs and
  * player marks, the leaderboard, and one function for each whole screen. */
-#ifndef KINGYO_PLATFORM_RENDER_UI_UI_WIDGETS_H
-#define KINGYO_PLATFORM_RENDER_UI_UI_WIDGETS_H
+#pragma once
 
 #include "core/game/rules.h"
 #include "core/scene.h"
@@ -125,5 +124,3 @@ const char *ui_leaderboard_name(const struct ui_frame *frame, char out[TEXT_LINE
 /* Returns the texts of a leaderboard period. Returns the texts of the period without end if
  * `period` is unknown. */
 const struct ui_period *ui_leaderboard_period(uint8_t period);
-
-#endif

@@ -2,8 +2,7 @@
  *
  * The copy is written under a temporary name and validated. Then the copy is renamed and replaces
  * the previous copy. A complete copy therefore exists at every moment. */
-#ifndef KINGYO_PLATFORM_STORE_SQLITE_LEDGER_BACKUP_H
-#define KINGYO_PLATFORM_STORE_SQLITE_LEDGER_BACKUP_H
+#pragma once
 
 #include "platform/panics.h"
 #include "platform/store/sqlite/ledger_file.h"
@@ -81,5 +80,3 @@ int ledger_mark(struct sqlite3 *db, bool is_marked);
  * about the result to `words`. Returns 0 on success, or LEDGER_LEAVE_NONE if there is no database.
  * Returns -1 and changes nothing if the database cannot be copied or written. */
 int ledger_leave_out(const char *data, enum panics_left left, char words[LEDGER_LEAVE_WORDS]);
-
-#endif

@@ -5,8 +5,7 @@
  * power cut the file therefore contains either the whole transaction or no part of it. The current
  * balance is the balance of the newest entry. A file of an older version is migrated in one
  * transaction when it is opened. Only one thread at a time may use a file. */
-#ifndef KINGYO_PLATFORM_STORE_SQLITE_LEDGER_FILE_H
-#define KINGYO_PLATFORM_STORE_SQLITE_LEDGER_FILE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -244,5 +243,3 @@ int ledger_checksum_put(struct sqlite3 *db);
 /* Verifies the table checksums. Returns SQLITE_CORRUPT if settings, audits or ranking differ from
  * the written values. */
 int ledger_checksum_check(struct sqlite3 *db);
-
-#endif

@@ -1,7 +1,6 @@
 /* ledger_recovery.h -- accesses the ledger mirror, and recovers entries that are newer than the
  * backup. The entries are recovered from a damaged database and from the mirror. */
-#ifndef KINGYO_PLATFORM_STORE_SQLITE_LEDGER_RECOVERY_H
-#define KINGYO_PLATFORM_STORE_SQLITE_LEDGER_RECOVERY_H
+#pragma once
 
 #include "platform/store/sqlite/ledger_file.h"
 
@@ -91,5 +90,3 @@ struct ledger_recovered {
  * An error means that writing failed and `to` is incomplete. */
 int ledger_recover(const char *path, const struct ledger_mirror *tail, struct ledger_file *to,
                    struct ledger_recovered *out);
-
-#endif

@@ -1,7 +1,6 @@
 /* sql.h -- SQL helper functions for the store. All functions that return int return SQLite result
  * codes. */
-#ifndef KINGYO_PLATFORM_STORE_SQLITE_SQL_H
-#define KINGYO_PLATFORM_STORE_SQLITE_SQL_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -71,5 +70,3 @@ struct sql_day sql_day_of(int64_t unix_s);
 
 /* Writes the date as "2026-11-21". Writes "-" if `day` is 0 (unknown). */
 void sql_day_text(uint16_t day, char out[SQL_DAY_TEXT_SIZE]);
-
-#endif

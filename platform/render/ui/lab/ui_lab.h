@@ -3,8 +3,7 @@
  * All coordinates are on the core's canvas (core/game/lab/lab_layout.h), which is the layout area
  * in which the pointer also moves. The drawing context of each function is the canvas
  * (ui_canvas()). */
-#ifndef KINGYO_PLATFORM_RENDER_UI_LAB_UI_LAB_H
-#define KINGYO_PLATFORM_RENDER_UI_LAB_UI_LAB_H
+#pragma once
 
 #include "core/game/lab/lab_layout.h"
 #include "platform/render/ui/ui_primitives.h"
@@ -54,5 +53,3 @@ void lab_keys(const struct ui_frame *frame);
 void lab_graph(const struct ui_frame *frame);
 /* Draws the growth curve, which shows the fish's length over its age. */
 void lab_chart(const struct ui_frame *frame);
-
-#endif

@@ -2,8 +2,7 @@
  * trajectories of two points of the fish. Each trajectory is computed twice: with the deformation
  * graphs of the growth lab, and with the ordinary morph (linear interpolation between two keys,
  * 2005 thesis, eq. 3.1). */
-#ifndef KINGYO_PLATFORM_RENDER_UI_LAB_UI_LAB_PREVIEW_H
-#define KINGYO_PLATFORM_RENDER_UI_LAB_UI_LAB_PREVIEW_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -52,5 +51,3 @@ struct ui_lab_preview {
  * changed. `card` must have as many keys as the species. */
 void ui_lab_preview_set(struct ui_lab_preview *bench, const struct species *species,
                         const struct species_card *card);
-
-#endif

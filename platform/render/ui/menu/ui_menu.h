@@ -3,8 +3,7 @@
  * All coordinates are on the core's canvas (core/game/pointer_mapping.h), which is the layout area
  * in which the pointer also moves. The drawing context of each function is the canvas
  * (ui_canvas()). */
-#ifndef KINGYO_PLATFORM_RENDER_UI_MENU_UI_MENU_H
-#define KINGYO_PLATFORM_RENDER_UI_MENU_UI_MENU_H
+#pragma once
 
 #include "core/game/menu/menu_pages.h"
 #include "platform/render/ui/ui_primitives.h"
@@ -102,5 +101,3 @@ void menu_card(const struct ui_frame *frame);
 void menu_pin(const struct ui_frame *frame);
 void menu_ranking(const struct ui_frame *frame);
 void menu_score(const struct ui_frame *frame);
-
-#endif
