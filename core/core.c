@@ -317,7 +317,7 @@ uint64_t core_hash(const struct core *core)
     uint64_t hash = field_hash(core_hash_quick(core), &core_config_fields, config);
     hash = field_hash(hash, &ledger_start_fields, &persistent->ledger);
     hash = field_hash(hash, &audits_fields, &persistent->audits);
-    hash = ranking_hash(hash, &persistent->ranking);
+    hash = game_fields_hash_ranking(hash, &persistent->ranking);
     hash = settings_hash(hash, &persistent->settings, !config_has_rules(config, 8));
     hash = field_hash(hash, &game_session_fields, session);
     hash = settings_edit_hash(hash, &session->settings_edit, !config_has_rules(config, 8));
@@ -326,7 +326,7 @@ uint64_t core_hash(const struct core *core)
     }
     hash = field_hash(hash, &lab_book_fields, &config->book);
     hash = field_hash(hash, &audits_fields, &core->game.accounts.audits);
-    hash = ranking_hash(hash, &core->game.accounts.ranking);
+    hash = game_fields_hash_ranking(hash, &core->game.accounts.ranking);
     hash = settings_edit_hash(hash, &core->game.settings_edit, !config_has_rules(config, 8));
     for (uint32_t i = 0; i < POI_MAX; i++) {
         hash = field_hash(hash, &poi_fields, &core->world.poi[i]);

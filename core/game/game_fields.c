@@ -284,7 +284,7 @@ const struct field_table game_fields = FIELD_TABLE(game,
 #undef STRUCT
 /* clang-format on */
 
-uint64_t ranking_hash(uint64_t hash, const struct ranking *ranking)
+uint64_t game_fields_hash_ranking(uint64_t hash, const struct ranking *ranking)
 {
     const struct rank_row none = { 0 }, *rows = &ranking->row[MODE_COUNT][0][0];
     const uint64_t empty = field_hash(HASH_START, &rank_row_fields, &none);

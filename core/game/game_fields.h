@@ -32,7 +32,7 @@ extern const struct field_table rank_row_fields;
 
 /* Returns `hash` continued over the leaderboards. Empty rows of easier levels do not change the
  * hash, so that the hashes of older recordings stay the same. */
-uint64_t ranking_hash(uint64_t hash, const struct ranking *ranking);
+uint64_t game_fields_hash_ranking(uint64_t hash, const struct ranking *ranking);
 
 /* Tables of the parts of struct game that a test hashes separately. */
 extern const struct field_table bot_fields;
