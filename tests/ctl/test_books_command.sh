@@ -171,7 +171,7 @@ is_told_damaged() {
     [ $? -eq 1 ] && [ "$(sqlite3 :memory: "select json_extract(cast(readfile('$work/json') as text), '\$[0].verdict')")" = damaged ]
 }
 takes_out() {
-    "$ctl" scores replay 6 -o "$work/6.kgr" --data "$data" &&
+    "$ctl" scores replay 6 -o "$work/6.kgr" --with-pin --data "$data" &&
         [ "$(sqlite3 "$data/kingyo.db" 'select hex(bytes) from replays where round = 6')" = \
             "$(od -An -v -tx1 "$work/6.kgr" | tr -d ' \n' | tr a-f A-F)" ]
 }
@@ -181,10 +181,12 @@ check 'scores lists each entry with day, round, name and replay' \
 check 'scores verify reports an invalid replay with its round' ends 1 '^round 6: damaged: byte 6: ' scores verify 6 --data "$data"
 check 'scores verify --all checks all replays' ends 1 '^round 6: damaged' scores verify --all --data "$data"
 check 'scores verify --json reports the verdict' is_told_damaged
-check 'scores replay extracts a replay unchanged' takes_out
+check 'scores replay refuses a damaged replay, which may contain a PIN' ends 1 'may hold the PIN' \
+    scores replay 6 -o "$work/none" --data "$data"
+check 'scores replay --with-pin extracts a replay unchanged' takes_out
 check 'scores verify of a round without a replay exits with 1' ends 1 '^round 5: no replay' scores verify 5 --data "$data"
 check 'scores replay of a round without a replay exits with 1' ends 1 'no replay' scores replay 5 -o "$work/none" --data "$data"
-check 'scores replay to a file that cannot be written exits with 74' ends 74 'cannot be written' scores replay 6 -o /proc/none --data "$data"
+check 'scores replay to a file that cannot be written exits with 74' ends 74 'cannot be written' scores replay 6 -o /proc/none --with-pin --data "$data"
 check 'scores verify without a round is wrong usage' ends 2 'ROUND or --all' scores verify
 check 'scores verify with both a round and --all is wrong usage' ends 2 'ROUND or --all' scores verify 6 --all
 check 'scores verify with a surplus argument is wrong usage' ends 2 'not understood' scores verify 6 7
