@@ -57,7 +57,7 @@ status --file $work/status.json
 status --json --file $work/status.json
 scores --data $data
 scores verify 6 --data $data
-scores replay 6 -o DIR/6.kgr --data $data
+scores replay 6 --with-pin -o DIR/6.kgr --data $data
 audits --data $data
 backup DIR/copy.db --data $data
 backup --restore $work/copy.db --data $work/other
