@@ -24,7 +24,7 @@ done
 "$bench" 1 "$bots" "$work" >"$work/text" 2>"$work/err"
 status=$?
 check 'the bench with one seed exits with 1' test $status -eq 1
-check 'the bench reports seven experiments' eval '[ "$(grep -c "not shown$" "$work/text")" = 7 ] && grep -q "^NOT SO: 0 of 7 pay" "$work/text"'
+check 'the bench reports seven experiments' eval '[ "$(grep -c "not shown$" "$work/text")" = 7 ] && grep -q "^NOT SO: 0 of 6 required habits pay" "$work/text"'
 check 'the table has one row for each experiment' awk -F'\t' 'NR > 1 && (NF != 9 || $2 != 1 || $8 != 1) { bad = 1 } END { exit bad || NR != 8 }' \
     "$work/technique.tsv"
 check 'the difference is that of the means' awk -F'\t' \

@@ -73,8 +73,10 @@ name_all $'\xc2\x9b2J\x9b\xe2\x80\xae'
 check 'scores: a control character in a name is masked in the table' speaks 0 kingyoctl scores --data "$work/data"
 check 'scores --json: a control character in a name is masked' speaks 0 kingyoctl scores --json --data "$work/data"
 check 'scores --json: the output is valid JSON' test "$(sqlite3 :memory: "select json_valid(cast(readfile('$work/out') as text))")" = 1
-check 'backup: the path of the copy is masked' speaks 0 kingyoctl backup "$here/copy.db" --data "$work/data"
-check 'backup --json: the path of the copy is masked' speaks 0 kingyoctl backup "$here/copy.db" --json --data "$work/data"
+# A name with control characters damages a database, and no copy of a damaged database is made.
+mkdir "$work/whole" && cp tests/unit/platform/store/files/version-6.db "$work/whole/kingyo.db"
+check 'backup: the path of the copy is masked' speaks 0 kingyoctl backup "$here/copy.db" --data "$work/whole"
+check 'backup --json: the path of the copy is masked' speaks 0 kingyoctl backup "$here/copy.db" --json --data "$work/whole"
 check 'backup --restore: both paths are masked' speaks 0 kingyoctl backup --restore "$here/copy.db" --data "$here"
 check 'doctor: the path of the data folder is masked' speaks 0 kingyoctl doctor --data "$here/x"
 check 'doctor --json: the path of the data folder is masked' speaks 0 kingyoctl doctor --json --data "$here/x"
