@@ -199,7 +199,7 @@ static void put_stall(struct json *json, const struct status_report *report)
                "\n  tickets: {owed: %u, dispensed: %u},"
                "\n  store: {well: %hhd, entry_id: %u, saved_id: %u, waiting: %u},",
                balance->paid, balance->service, balance->units, balance->unlogged,
-               balance->open != PAYMENT_NONE, balance->tickets, report->tickets_out,
+               (bool)(balance->open != PAYMENT_NONE), balance->tickets, report->tickets_out,
                report->store_well, report->entry_id, report->saved_id,
                report->entry_id - report->saved_id);
 }
