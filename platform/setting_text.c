@@ -204,53 +204,54 @@ static const char *const sections[SETTING_GROUP_COUNT] = {
 
 static const char *const help[SETTING_COUNT] = {
     [SET_PLAY] = "Payment: free play, paid play, or an event, which is free and returns all coins.",
-    [SET_PRICE] = "Units that a round costs in paid play. One unit is the value of the smallest "
-                  "coin.",
+    [SET_PRICE] = ("Units that a round costs in paid play. One unit is the value of the smallest "
+                   "coin."),
     [SET_COIN_1] = "Units that a pulse of the first coin line is worth.",
     [SET_COIN_2] = "Units that a pulse of the second coin line is worth.",
     [SET_COIN_3] = "Units that a pulse of the third coin line is worth.",
     [SET_BONUS_UNITS] =
-        "Units that a player must insert before a round to get the bonus credits. 0 "
-        "means no bonus.",
+        ("Units that a player must insert before a round to get the bonus credits. 0 "
+         "means no bonus."),
     [SET_BONUS_CREDITS] = "Number of bonus credits.",
     [SET_CREDIT_MAX] = "Maximum number of unused credits. Coins beyond the maximum are returned.",
     [SET_CREDIT_EXPIRY_MIN] = "Minutes after which unused credits are deleted. 0 means never.",
-    [SET_TICKET_FISH] = "Number of caught fish for which a player gets a ticket. 0 means no "
-                        "tickets.",
+    [SET_TICKET_FISH] = ("Number of caught fish for which a player gets a ticket. 0 means no "
+                         "tickets."),
     [SET_MODES] = "Game modes that a player can choose after START.",
     [SET_GRADE] =
-        "Grade of the paper, from 4 (strong) to 7 (weak). own means the grade of the game "
-        "mode.",
-    [SET_ROUND_S] = "Length of a round in seconds, at least 10. 0 means the length of the game "
-                    "mode.",
+        ("Grade of the paper, from 4 (strong) to 7 (weak). own means the grade of the game "
+         "mode."),
+    [SET_ROUND_S] = ("Length of a round in seconds, at least 10. 0 means the length of the game "
+                     "mode."),
     [SET_FISH] =
-        "Number of fish, at most the number that the tank can hold. 0 means the default of "
-        "the tank.",
+        ("Number of fish, at most the number that the tank can hold. 0 means the default of "
+         "the tank."),
     [SET_PLAYERS] = "Number of bowls at the tank. A bowl without a controller stays empty.",
     [SET_LANGUAGE] =
-        "Default language, to which a visitor's choice returns. Without this setting it is the "
-        "language of the machine's locale.",
+        ("Default language, to which a visitor's choice returns. Without this setting it is the "
+         "language of the machine's locale."),
     [SET_NAMES] = "Whether a player who is ranked can enter a name.",
     [SET_VOLUME] = "Volume in per cent of the full volume.",
-    [SET_ATTRACT_SOUND] = "Every n-th loop of the demonstration has sound, where n is the value. 0 "
-                          "means no sound.",
+    [SET_ATTRACT_SOUND] =
+        ("Every n-th loop of the demonstration has sound, where n is the value. 0 "
+         "means no sound."),
     [SET_ROTATION] = "Clockwise rotation of the screen in degrees.",
     [SET_OVERSCAN_X] = "Thousandths of the picture's width that the screen hides at each side.",
     [SET_OVERSCAN_Y] =
-        "Thousandths of the picture's height that the screen hides at the top and at "
-        "the bottom.",
+        ("Thousandths of the picture's height that the screen hides at the top and at "
+         "the bottom."),
     [SET_BRIGHTNESS] = "Brightness in per cent of the picture's full brightness.",
     [SET_DIM] = "Per cent of the brightness to which the picture is dimmed without players.",
-    [SET_DIM_AFTER_MIN] = "Minutes without a player after which the picture is dimmed. 0 means "
-                          "never.",
-    [SET_NIGHT_FROM_MIN] = "Time of day at which the picture becomes dark. The machine needs a "
-                           "correct clock.",
-    [SET_NIGHT_TO_MIN] = "Time of day until which the picture stays dark. The time of night-from "
-                         "means never.",
+    [SET_DIM_AFTER_MIN] = ("Minutes without a player after which the picture is dimmed. 0 means "
+                           "never."),
+    [SET_NIGHT_FROM_MIN] = ("Time of day at which the picture becomes dark. The machine needs a "
+                            "correct clock."),
+    [SET_NIGHT_TO_MIN] = ("Time of day until which the picture stays dark. The time of night-from "
+                          "means never."),
     [SET_LEVEL] =
-        "Level that players have until they choose another one: easy for children and "
-        "beginners, or master, which is as hard as a real stall. A championship is always "
-        "played at master.",
+        ("Level that players have until they choose another one: easy for children and "
+         "beginners, or master, which is as hard as a real stall. A championship is always "
+         "played at master."),
     [SET_PIN] = "Four digits that open the operator's menu. 0 means that the menu needs no PIN.",
 };
 
