@@ -13,7 +13,8 @@
 #include "tests/power/disk.h"
 #include "tests/power/go_on.h"
 
-#define SECOND_EACH 40u
+/* A prime number, so that the openings that are cut again follow all ways of the first cut. */
+#define SECOND_EACH 149u
 #define GO_ON_EACH 100u
 #define PATH_SIZE 300u
 

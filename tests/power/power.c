@@ -8,7 +8,7 @@
  * recorded (tape.h). The power is cut after each operation in several ways, N cuts in total
  * (disk.h). The store opens the remaining files. Its loaded state must be the sum of all entries up
  * to one entry that was passed to it, which is not older than the newest committed entry (books.h).
- * One opening in forty is also cut at each of its file operations. After one cut in a hundred the
+ * One opening in 149 is also cut at each of its file operations. After one cut in a hundred the
  * stall plays on (go_on.h). Then N lives (lives.h) are played in which file calls fail by seed, and
  * are cut in the same way.
  *
