@@ -1,5 +1,5 @@
-/* books.c -- adds up ledger entries without any code of the store, and compares the sums with those
- * of the store. */
+/* books.c -- computes the sums of ledger entries without using the store's code, and compares them
+ * with the sums that the store loads. */
 #include "tests/power/books.h"
 
 #include <stdio.h>

@@ -1,9 +1,9 @@
 /* books.h -- computes the state that a store must load after a power cut.
  *
- * The inputs are the entries that were passed to the store and the entries that the store reported
- * as committed. The store may have written any number of entries between the newest committed one
- * and the newest one that was passed. Whatever that number is, every other value must be exactly
- * the sum of those entries. */
+ * The test knows which ledger entries were passed to the store, and which of them the store
+ * reported as committed. After a cut the store may load any entry between the newest committed one
+ * and the newest passed one as its last entry. All loaded totals must then be exactly the sums of
+ * the entries up to that last entry. */
 #ifndef KINGYO_TESTS_POWER_BOOKS_H
 #define KINGYO_TESTS_POWER_BOOKS_H
 
@@ -16,7 +16,7 @@
 /* All sums of the entries 1 to n. The sums for n + 1 begin as a copy of the sums for n, to which
  * entry n + 1 is added. */
 struct books {
-    /* Totals of which the store has no counter. */
+    /* Totals of which struct persistent_state has no counter. */
     uint32_t coins, services, rounds, caught, refunds;
     struct balance balance;
     struct ledger_stand stand; /* State of the open round. */
@@ -30,14 +30,15 @@ void books_open(struct books *books);
 /* Adds one ledger entry to the sums. */
 void books_add(struct books *books, const struct ledger_entry *entry);
 
-/* Values that books_read() reads directly from the database, for comparison with the result of
- * remember(). */
+/* Values that books_read() reads from the database by its own SQL queries. They are compared with
+ * the state that the store loaded. */
 struct books_file {
-    int64_t rounds, caught, doubled; /* Number of rows of rounds, total of their fish, and number of
-                                        ids that occur twice. */
-    int64_t replays, bad_replays;    /* Number of replay rows, and of those whose bytes do not
-                                        belong to their round. */
-    int has_replay;                  /* 1 if the requested round has a replay. */
+    /* Number of rows in the table of rounds, total of the fish caught in them, and number of round
+     * ids that occur twice. */
+    int64_t rounds, caught, doubled;
+    /* Number of replay rows, and number of replay rows whose bytes belong to another round. */
+    int64_t replays, bad_replays;
+    int has_replay; /* 1 if the requested round has a replay. */
     char integrity[64];
 };
 

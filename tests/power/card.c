@@ -2,11 +2,11 @@
  *
  * Usage: card [SECONDS]
  *
- * Runs the real frame loop, core and store in real time at 60 frames per second. Coins fall and
- * rounds begin while the card below the store passes through several fault modes of SECONDS each
- * (default 6). Prints a line for each mode: the longest frame, the dropped ticks, when the coin
- * slot closed and opened again, and what is still queued. Returns exit status 1 if a tick was
- * dropped, or if an accepted coin is not in the store at the end. */
+ * Runs the real frame loop, core and store in real time at 60 frames per second. Coins are inserted
+ * and rounds begin while the simulated card goes through several fault modes of SECONDS each
+ * (default 6). For each mode, prints the longest frame, the dropped ticks, the times at which the
+ * coin slot closed and opened again, and the number of entries that are still queued. Returns exit
+ * status 1 if a tick was dropped, or if an accepted coin is not in the store at the end. */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -50,8 +50,8 @@ static struct buttons_sim buttons;
 static struct pointer_sim poi;
 static struct button_event events[EVENTS_MAX];
 
-/* Fills the script with coins while the coin slot is open, and with START from time to time, as
- * many visitors would. */
+/* Fills the script of button events: a coin every 0.7 s, and START from time to time. Coins are
+ * inserted only while the coin slot is open. */
 static void fill_script(uint64_t begin_ns, uint64_t length_ns)
 {
     uint32_t count = 0;
@@ -93,8 +93,8 @@ static int open_stall(const char *folder, uint32_t mood_s)
 
 struct seen {
     uint64_t longest_ns, dropped;
-    /* Times in seconds at which the coin slot closed for the first time and opened again. A
-     * negative value means never. */
+    /* Seconds from the start of the mode until the coin slot first closed, and until it opened
+     * again. A negative value means that this did not happen. */
     double closed_s, open_s;
     uint32_t waiting_max, coins;
 };
@@ -156,7 +156,8 @@ static void print_row(const struct mood *mood, const struct seen *seen)
     fflush(stdout);
 }
 
-/* Opens the store again, as after a restart. Returns 1 if the store contains all coins. */
+/* Opens the store again, as a restarted kiosk does. Returns 1 if the loaded state contains all
+ * coins. */
 static int holds_all(const char *folder)
 {
     static struct persistent_state memory;

@@ -1,4 +1,5 @@
-/* cutter.c -- simulates power cuts, opens the store and checks it. */
+/* cutter.c -- simulates power cuts, opens the store on the remaining files and checks the loaded
+ * state. */
 #include "tests/power/cutter.h"
 
 #include <stdio.h>
@@ -47,8 +48,8 @@ static int wake(const char *folder, struct persistent_state *memory, char why[BO
     return result == HAL_OK && !is_fresh ? 0 : -1;
 }
 
-/* Returns 1 if the round is on the leaderboard. The store may delete the replay of a round that
- * left the leaderboard. */
+/* Returns 1 if the round is on a leaderboard. Only ranked rounds must have a replay, because the
+ * store may delete the replay of any other round. */
 static int is_ranked(const struct ranking *ranking, uint32_t round_id)
 {
     for (uint32_t period = 0; period < RANK_PERIOD_COUNT; period++) {
@@ -60,8 +61,8 @@ static int is_ranked(const struct ranking *ranking, uint32_t round_id)
     return 0;
 }
 
-/* Compares the tickets. The ledger must have each ticket whose pulse began, and at most one ticket
- * whose pulse did not begin. */
+/* Compares the ticket counts. The ledger must have removed each ticket whose dispenser pulse began,
+ * and at most one ticket more. */
 static int tickets_differ(const struct persistent_state *memory, const struct promise *promise,
                           struct tally *tally, char why[BOOKS_WHY_SIZE])
 {
@@ -109,7 +110,8 @@ void cutter_check(const struct cutter *cutter, struct tally *tally, const char *
     }
 }
 
-/* Cuts the power during the opening of the store, once at each of its file operations. */
+/* Simulates a second power cut while the store opens the files that the first cut left. Repeats
+ * this for each file operation of the opening. */
 static void cut_again(const struct cutter *cutter, struct tally *tally, const char *folder,
                       const char *folder_2, const struct promise *promise, const char *where)
 {
@@ -158,7 +160,8 @@ void cutter_update_promise(struct promise *promise, const struct tape_op *op)
     }
 }
 
-/* Two private folders of a job. */
+/* Two working folders of one worker process: for the first cut, and for a second cut during
+ * recovery. */
 struct bench {
     char folder[PATH_SIZE], folder_2[PATH_SIZE];
 };
@@ -179,7 +182,8 @@ static void cut_once(const struct cutter *cutter, const struct disk *disk, size_
     cutter_check(cutter, tally, bench->folder, promise, where);
 }
 
-/* Runs one job. Every job applies the whole tape and makes its share of the cuts. */
+/* Runs one of the parallel jobs. Every job applies all operations of the tape, but makes only its
+ * own part of the cuts. */
 static void work(const struct cutter *cutter, uint32_t job, struct tally *tally)
 {
     struct disk disk;

@@ -1,4 +1,4 @@
-/* disk.c -- applies a tape to a simulated disk and tracks which operations are not synced. */
+/* disk.c -- applies a tape to a simulated disk and tracks which operations are not yet durable. */
 #include "tests/power/disk.h"
 
 #include <dirent.h>
@@ -170,8 +170,8 @@ static int is_in(const struct tape_op *op, const char *folder)
     return strlen(folder) == length && strncmp(op->name, folder, length) == 0;
 }
 
-/* A failed sync writes a random part of its data to the disk. No operation of the file stays
- * pending. */
+/* Applies a failed sync: none, a random half, or all of the file's unsynced writes reach the disk.
+ * The other writes are lost, because Linux then treats their pages as clean. */
 static void lose(struct disk *disk, size_t index)
 {
     const struct tape_op *sync = &disk->tape->ops[index];
@@ -189,7 +189,8 @@ static void lose(struct disk *disk, size_t index)
     disk->pending_count = left;
 }
 
-/* A sync makes operations durable. Removes them from the list of pending operations. */
+/* Applies a successful sync: makes the pending operations of its file or folder durable and removes
+ * them from the pending list. */
 static void make_safe(struct disk *disk, const struct tape_op *sync)
 {
     size_t left = 0;

@@ -1,15 +1,15 @@
-/* disk.h -- simulates the possible contents of a disk after a power cut: all synced data, and any
- * part of the rest.
+/* disk.h -- simulates the possible contents of a disk after a power cut: all synced data and any
+ * part of the unsynced data.
  *
- * The bytes of a file are durable once the file was synced after they were written. Before that
- * sync each sector of 512 bytes is on the disk or not, independent of the order of the writes. If a
- * file grew, a missing sector contains zeros or old data. Names (new, changed or deleted) are
- * durable once the folder was synced. Before that sync the name operations up to some moment are on
- * the disk, because journaling file systems keep their order.
+ * Bytes of a file are durable when the file is synced after the write. Until then each sector of
+ * 512 bytes is on the disk or not, independent of the order of the writes. If a file grew, a
+ * missing sector contains zeros or old data. A new, changed or deleted name is durable when its
+ * folder is synced. Until then the disk has all name operations up to a random moment, because
+ * journaling file systems keep their order.
  *
- * A sync that fails behaves as the page cache of Linux does. The data written after the last sync
- * counts as clean, can be read as long as the system runs, and is not written by any later sync.
- * None, half or all of its sectors have reached the disk. */
+ * A failed sync behaves as in the page cache of Linux. None, half or all of the unsynced writes
+ * reach the disk. The other data can be read until the system stops, but no later sync writes
+ * it. */
 #ifndef KINGYO_TESTS_POWER_DISK_H
 #define KINGYO_TESTS_POWER_DISK_H
 
@@ -53,7 +53,8 @@ struct disk {
 /* Opens a disk with an empty folder. disk_step() reads `tape`, which the caller must keep. */
 void disk_open(struct disk *disk, const struct tape *tape);
 
-/* Adds a file that exists at the start. Files are numbered in the order of these calls. */
+/* Adds a file that exists before the first operation. Files are numbered in the order of these
+ * calls. */
 void disk_put(struct disk *disk, const char *name, const uint8_t *bytes, size_t size);
 
 /* Adds all files in `folder`. Writes their names to `names` for a tape that continues in this

@@ -49,8 +49,8 @@ static int survives(struct cut *cut, size_t op)
     }
 }
 
-/* Applies a write sector by sector of the disk. A write that begins within a sector changes only a
- * part of that sector. */
+/* Applies a write to those sectors that survive the power cut. A write that begins within a sector
+ * changes only a part of that sector. */
 static void cut_write(struct cut *cut, size_t index, struct disk_file *file)
 {
     const struct tape_op *op = &cut->disk->tape->ops[index];
@@ -93,7 +93,7 @@ static void cut_file(struct cut *cut, uint32_t number, struct disk_file *out)
     }
 }
 
-/* Applies the durable names and a random number of the first pending name operations. */
+/* Applies the durable names and a random number of the oldest pending name operations. */
 static void cut_names(struct cut *cut, struct disk *names)
 {
     const struct disk *disk = cut->disk;
@@ -133,7 +133,7 @@ static int empty(const char *folder)
     return 1;
 }
 
-/* Creates the folder in `name` if the name contains one. */
+/* Creates the subfolder of `name` if the name contains a slash. */
 static void make_folder(const char *folder, const char *name)
 {
     char path[512];

@@ -13,7 +13,7 @@ const char *const fault_names[FAULT_CALL_COUNT] = {
 };
 
 /* Approximate number of calls that a store makes in ten busy seconds. The first failing call is
- * drawn below these numbers. */
+ * drawn between 0 and this number, so that most plans take effect within ten seconds. */
 static const uint32_t calls_usual[FAULT_CALL_COUNT] = {
     [FAULT_FSYNC] = 24,   [FAULT_FDATASYNC] = 60, [FAULT_WRITE] = 8,
     [FAULT_PWRITE] = 320, [FAULT_FTRUNCATE] = 2,  [FAULT_RENAME] = 8,

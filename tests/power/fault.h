@@ -1,5 +1,5 @@
-/* fault.h -- makes file calls of libc fail as planned: single calls, bursts, or all calls from a
- * certain call on. tape.c checks the plans before each call. */
+/* fault.h -- makes file calls of libc fail according to plans: single calls, bursts, or all calls
+ * from a certain call on. tape.c checks the plans before each call. */
 #ifndef KINGYO_TESTS_POWER_FAULT_H
 #define KINGYO_TESTS_POWER_FAULT_H
 
@@ -26,9 +26,9 @@ struct fault_plan {
     int error; /* errno of the failing calls: EIO or ENOSPC. */
 };
 
-/* Draws a plan. In six of eight cases one kind of call fails, in one case both kinds of sync, in
- * one case all kinds. The plan is a single call, a burst of 1 to 8 calls, or permanent. The error
- * is EIO or ENOSPC. Equal `seed` and `index` give an equal plan. */
+/* Draws a random plan. The failing calls are one kind of call (6 of 8 plans), both kinds of sync (1
+ * of 8) or all kinds (1 of 8). The plan is a single call, a burst of 1 to 8 calls, or permanent.
+ * Equal `seed` and `index` give an equal plan. */
 struct fault_plan fault_draw(uint64_t seed, uint32_t index);
 
 /* Replaces all plans and restarts the count of calls at 0. `count` is at most FAULT_PLANS_MAX; 0
@@ -39,8 +39,8 @@ void fault_begin(const struct fault_plan *plans, uint32_t count);
  * caller must hold a lock. */
 int fault_strikes(enum fault_call call);
 
-/* `fault_failed` counts the failed calls by kind. A program may set it to other FAULT_CALL_COUNT
- * counters. `fault_names` has the names of the kinds. */
+/* Number of failed calls of each kind (`fault_failed`), and the names of the kinds (`fault_names`).
+ * A program may set `fault_failed` to an array of its own, for example in shared memory. */
 extern uint64_t *fault_failed;
 extern const char *const fault_names[FAULT_CALL_COUNT];
 

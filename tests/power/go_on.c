@@ -1,4 +1,4 @@
-/* go_on.c -- opens a stall after a power cut, continues to play, and checks the new entries. */
+/* go_on.c -- opens the store after a power cut, continues to play, and checks the new entries. */
 #include "tests/power/go_on.h"
 
 #include <stdio.h>
@@ -34,8 +34,8 @@ static int is_told_back(const struct books *before, const struct ledger_entry *e
            entry->count == count && credits(&entry->balance) == credits(&before->balance) + count;
 }
 
-/* Returns 1 if `entry` ends the open round without a refund. A round that counts keeps its credit
- * spent, and its catch and tickets are those of the stored state. */
+/* Returns 1 if `entry` ends the interrupted round without a refund. This is right if the credit was
+ * already spent (PAYMENT_SPENT). The entry must then have the stored catch and tickets. */
 static int is_kept(const struct books *before, const struct ledger_entry *entry)
 {
     return (before->balance.open & PAYMENT_SPENT) && before->stand.value >> 16 != 0 &&
@@ -46,8 +46,8 @@ static int is_kept(const struct books *before, const struct ledger_entry *entry)
            credits(&entry->balance) == credits(&before->balance);
 }
 
-/* Checks the first ledger entries after the cut. The first entry records the start of the kiosk. If
- * a round was open at the cut, the second entry ends that round. */
+/* Checks the first ledger entries after the power cut. The first entry records the start of the
+ * kiosk. If a round was open at the cut, the second entry ends or refunds that round. */
 static int opens_well(const struct books *before, uint32_t last_id, char why[BOOKS_WHY_SIZE])
 {
     const struct ledger_entry *boot = &morning.entries[last_id + 1u], *end = boot + 1;
@@ -78,7 +78,8 @@ static uint32_t tickets_out(uint32_t last_id)
     return out;
 }
 
-/* Checks that the owed tickets come out. New rounds add further tickets. */
+/* Checks that the tickets that were owed before the cut are dispensed. New rounds may add further
+ * tickets. */
 static int pays_tickets(const struct books *before, uint32_t last_id, char why[BOOKS_WHY_SIZE])
 {
     const uint32_t out = tickets_out(last_id);
@@ -87,7 +88,8 @@ static int pays_tickets(const struct books *before, uint32_t last_id, char why[B
         const struct ledger_entry *entry = &morning.entries[id];
         owed += entry->kind == LEDGER_ROUND ? (uint32_t)entry->value : 0u;
     }
-    /* The balance of the last entry that the store has taken. The core may have newer entries. */
+    /* Balance in the last entry that the store accepted. The core may already have newer
+     * entries. */
     const uint32_t left = morning.entries[morning.kept_id].balance.tickets;
     if (out >= before->balance.tickets && out + left == owed) {
         return 0;
@@ -98,10 +100,10 @@ static int pays_tickets(const struct books *before, uint32_t last_id, char why[B
     return refuse(why, text);
 }
 
-/* Plays half a minute, which is long enough to dispense the owed tickets. A ticket comes out only
- * after the store has saved its entry. The frames run without delay, so on a slow disk the store's
- * thread may need more time. The function then pauses after each frame until the tickets are
- * out. */
+/* Plays for half a minute of game time, which is long enough to dispense the owed tickets. A ticket
+ * is dispensed only after the store has committed its entry. The frames run without delay, so the
+ * store's thread may be too slow. The function then sleeps after each frame until the tickets are
+ * dispensed. */
 static int play(const char *folder, const struct books *before, uint32_t last_id,
                 char why[BOOKS_WHY_SIZE])
 {

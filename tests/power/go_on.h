@@ -1,6 +1,7 @@
-/* go_on.h -- opens the stall again after a power cut and plays on.
+/* go_on.h -- continues to play after a power cut.
  *
- * The open round must be restored once, and ids and sums must continue without a gap. */
+ * Checks that the open round is refunded or ended exactly once, and that entry ids and sums
+ * continue without a gap. */
 #ifndef KINGYO_TESTS_POWER_GO_ON_H
 #define KINGYO_TESTS_POWER_GO_ON_H
 

@@ -1,4 +1,4 @@
-/* hour.c -- generates the random inputs of many visitors at a stall. */
+/* hour.c -- generates random inputs of many players at one kiosk. */
 #include "tests/power/hour.h"
 
 #include <stdio.h>
@@ -13,7 +13,7 @@
 #include "tests/power/tape.h"
 #include "tests/unit/support/newest_record.h"
 
-/* Length of a round in seconds. Rounds are short so that many of them are played. */
+/* Length of a round in seconds, short so that many rounds are played. */
 #define ROUND_S 20u
 #define TICKS_A_FRAME 2u
 
@@ -40,8 +40,8 @@ int hour_open(struct hour *hour, uint32_t seed, struct hal_storage store)
     config.persistent.settings.value[SET_PRICE] = 2;
     config.persistent.settings.value[SET_MODES] = 1 << MODE_FESTIVAL;
     config.persistent.settings.value[SET_ROUND_S] = (int32_t)ROUND_S;
-    config.persistent.settings.value[SET_FISH] = 1; /* One fish is enough because swimming is not
-                                                       under test. */
+    /* One fish is enough because these tests do not examine the swimming. */
+    config.persistent.settings.value[SET_FISH] = 1;
     config.persistent.settings.value[SET_TICKET_FISH] = 1;
     config_apply_settings(&config, &config.persistent.settings);
     hour->kept_id = hour->acked_id = config.persistent.ledger.last_id;
@@ -103,7 +103,7 @@ static void land_fish(struct hour *hour)
     }
 }
 
-/* Writes a ledger entry as the operator's menu does when the volume changes, without opening the
+/* Writes the ledger entry of a volume change, as the operator's menu does, without opening the
  * menu. */
 static void turn_volume(struct hour *hour)
 {
@@ -166,8 +166,8 @@ static void note(struct hour *hour, const struct ledger_entry *entry)
     }
 }
 
-/* Runs the ticket dispenser. The pulse begins in this tick, so that a power cut after the mark
- * finds the pulse begun. */
+/* Simulates the ticket dispenser. The pulse begins in the same tick as the mark, so that after the
+ * mark a power cut always finds a started pulse. */
 static void dispense(struct hour *hour, uint32_t asked_before)
 {
     hour->pulse_ticks -= hour->pulse_ticks > 0;
@@ -192,8 +192,8 @@ static void pass_to_store(struct hour *hour, struct hal_storage store)
     }
 }
 
-/* Passes the newest replay to the store. The store's thread reads the buffer until the replay is
- * stored, so the buffer must not change before. */
+/* Passes the newest replay to the store. The buffer must not change until the store has stored the
+ * previous replay, because the store's thread reads from it. */
 static void pass_replay(struct hour *hour, struct hal_storage store)
 {
     const int is_buffer_free = hour->replay_acked_id == hour->replay_taken_id;
@@ -215,7 +215,9 @@ struct graph_edit_record hour_edit(uint32_t number)
     return edit;
 }
 
-/* Saves a graph at random. The store counts graphs from 1 after each opening. */
+/* Saves an edited morph graph at random times, on average once in `edit_each_s` seconds. The test
+ * numbers all graphs of the run. The store numbers them from 1 after each opening, so `edit_first`
+ * is subtracted. */
 static void save_graph(struct hour *hour, struct hal_storage store)
 {
     if (hour->edit_each_s > 0 && draw(hour, DRAW_EDIT) % (hour->edit_each_s * 60u) == 0) {

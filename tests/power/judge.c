@@ -2,12 +2,11 @@
  *
  * Usage: judge TAPE FOLDER SEED
  *
- * Applies the tape of a kiosk run (kiosk_tape.h) and cuts the power at random places drawn by SEED
- * and at the end. Opens each state in FOLDER with the store and compares it with the newest entry
- * that the kiosk's status had reported. Prints the numbers of cuts, acknowledged entries, entries
- * found at the end, lost entries, doubled entries, states that cannot be opened, dropped coins,
- * statuses with a store fault, and failed calls of each kind. Returns exit status 1 if an entry was
- * lost or doubled, or if a state cannot be opened. */
+ * Applies the tape of a kiosk run (kiosk_tape.h). Cuts the power at random operations drawn from
+ * SEED and at the end. After each cut, opens the files in FOLDER with the store. The loaded state
+ * must contain the newest entry that the kiosk's status file had reported as saved. Prints the
+ * counts of cuts, entries, losses, duplicates, coins and failed calls. Returns exit status 1 if an
+ * entry was lost or duplicated, or if a state cannot be opened. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -28,7 +27,7 @@
 static struct storage store;
 static struct persistent_state memory;
 static struct disk disk;
-static uint32_t found; /* Id of the newest entry that was found after the last cut. */
+static uint32_t found; /* Id of the newest ledger entry after the last cut. */
 
 static int64_t query_number(sqlite3 *db, const char *query)
 {
@@ -42,10 +41,9 @@ static int64_t query_number(sqlite3 *db, const char *query)
     return answer;
 }
 
-/* Returns 1 if the ledger is consistent. The entries have no gap, each entry exists once, and
- * their sums match the audits. Coins and credits are not more than the dropped coins, because
- * each coin is one credit. A kiosk that started without a store may begin with a later entry
- * than the first. */
+/* Returns 1 if the ledger is consistent: no entry is missing or duplicated, and the sums match the
+ * audits. Each coin is one credit, so neither may exceed `coins`, the number of inserted coins. The
+ * first id may be above 1 if the kiosk started without a store. */
 static int is_sound(const char *folder, uint32_t coins)
 {
     char path[600], query[200];

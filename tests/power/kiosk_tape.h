@@ -8,17 +8,17 @@
 #include "tests/power/fault.h"
 #include "tests/power/tape.h"
 
-/* Largest number of operations and of bytes of one kiosk run. The file is sparse, so that only
- * written parts use disk space. */
+/* Largest number of operations and bytes that one kiosk run may record. The file is sparse, so that
+ * only written parts use disk space. */
 #define KIOSK_OPS_MAX 65536u
 #define KIOSK_BYTES_MAX (192u << 20)
 
 struct kiosk_tape {
-    struct tape tape; /* The recorded tape. Its two pointers are valid only in the process that set
-                         them. */
+    /* The recorded tape. Its two pointers are valid only in the process that set them. */
+    struct tape tape;
     uint64_t failed[FAULT_CALL_COUNT];
-    uint32_t coins;    /* Number of dropped coins. */
-    uint32_t refusals; /* Number of statuses that reported a store fault. */
+    uint32_t coins;    /* Number of coins that preload.c inserted. */
+    uint32_t refusals; /* Number of status files that reported a store fault. */
     struct tape_op ops[KIOSK_OPS_MAX];
     uint8_t bytes[KIOSK_BYTES_MAX];
 };

@@ -1,4 +1,5 @@
-/* lives.c -- plays stalls whose file calls fail, and cuts their power at random places. */
+/* lives.c -- simulates runs of a kiosk whose file calls fail, and cuts their power at random
+ * operations. */
 #include "tests/power/lives.h"
 
 #include <stdio.h>
@@ -17,18 +18,20 @@
 
 #define PATH_SIZE 300u
 #define PARTS_MAX 3u
-#define FRAMES 600u   /* Frames in a part of a life: ten seconds. */
-#define HASTE 16u     /* Factor of the event rates, so that many entries fall into a part. */
-#define STARTS_MAX 3u /* Number of times that a refused start of the store is retried. */
+#define FRAMES 600u /* Frames from one start of the kiosk to its end: ten seconds. */
+/* Factor of the event rates, so that many entries are written between two starts. */
+#define HASTE 16u
+#define STARTS_MAX 3u /* Largest number of attempts to start if the store cannot be opened. */
 #define CUTS_A_PART 6u
-#define BOOKS_MAX 1024u /* Largest number of entries in a life. */
+#define BOOKS_MAX 1024u /* Largest number of ledger entries in a life. */
 
 static struct hour hour;
 static struct tape tape;
 static struct storage store;
 static struct books books[BOOKS_MAX];
 
-/* One life of a stall and the state of its worker. */
+/* One life: a sequence of kiosk runs (parts) on the same files. Also contains the state of its
+ * worker process. */
 struct life {
     const struct lives *lives;
     struct lives_tally *tally;
@@ -37,7 +40,7 @@ struct life {
     char folder[PATH_SIZE], cut[PATH_SIZE];
     struct disk disk;
     size_t stepped; /* Number of tape operations that were applied to the disk. */
-    /* What the kiosk had promised after the first `stepped` operations (struct promise). */
+    /* What the store had promised after the first `stepped` operations (struct promise). */
     struct promise promise;
     uint32_t edit_number;
 };
@@ -61,8 +64,8 @@ static void plan_faults(struct life *life)
     fault_begin(plans, count);
 }
 
-/* Adds up the entries after `known`; the entries up to `known` are already in the sums. If the
- * stall restarted and reused ids, the new entries replace the old ones. */
+/* Adds the entries after `known` to the sums, which already contain the entries up to `known`.
+ * After a restart the kiosk may reuse ids. The new entries then replace the old ones. */
 static void add_up(uint32_t known)
 {
     for (uint32_t id = known + 1u; id <= hour.kept_id && id < BOOKS_MAX; id++) {
@@ -71,8 +74,8 @@ static void add_up(uint32_t known)
     }
 }
 
-/* Starts a part. The state loaded at a start counts as reported, because the player sees those
- * credits. */
+/* Starts a part: opens the store and the game. The loaded entries count as reported, because the
+ * kiosk shows their credits to the player. */
 static int begin_part(struct life *life, struct hal_storage device)
 {
     if (device.ledger.ops->open(device.ledger.self) != HAL_OK ||
@@ -89,7 +92,8 @@ static int begin_part(struct life *life, struct hal_storage device)
     return 0;
 }
 
-/* Plays one part. Without a thread the store works when new data arrives, and once a second. */
+/* Plays one part. The store has no thread here (`by_hand`), so storage_work() is called when new
+ * data arrives, and once a second. */
 static void play(struct life *life, struct hal_storage device)
 {
     for (uint32_t i = 0; i < FRAMES && hour.kept_id < BOOKS_MAX - 64u; i++) {
@@ -103,8 +107,8 @@ static void play(struct life *life, struct hal_storage device)
     life->edit_number = hour.edit_number;
 }
 
-/* Runs a part from its start to a simulated SIGKILL or to a close. File calls also fail during the
- * close. */
+/* Runs a part until a simulated SIGKILL or until the store is closed. File calls may also fail
+ * during the close. */
 static void live_part(struct life *life)
 {
     int plays = -1;
@@ -127,8 +131,8 @@ static void live_part(struct life *life)
 
 /* ---- Cutting -------------------------------------------------------------------------------- */
 
-/* Checks that a graph that was reported as committed exists, or a later graph that was passed to
- * the store. */
+/* Checks that the newest committed morph graph exists, or a later graph that was passed to the
+ * store. */
 static void check_graph(struct life *life, const char *where)
 {
     char path[PATH_SIZE + 40u], text[GRAPH_FILE_TEXT_MAX], why[80];
@@ -171,8 +175,8 @@ static void cut_at(struct life *life, size_t op)
     cutter_check(&cutter, tally, life->cut, &life->promise, where);
 }
 
-/* Cuts the power at random places among the operations after the last part, in time order, and at
- * the end. */
+/* Cuts the power at random operations of the last part, in time order, and after its last
+ * operation. */
 static void cut_part(struct life *life)
 {
     const size_t begin = life->stepped, count = tape.count - begin;

@@ -1,8 +1,7 @@
-/* lives.h -- plays short lives of a stall whose file calls fail as planned (fault.h). A life
- * consists of several parts. A part ends with SIGKILL or with a close, and the next part continues
- * with the files that the system's page cache holds. After each part, the test simulates power cuts
- * at several places, and compares the remaining files with the data that was reported as
- * committed. */
+/* lives.h -- simulates lives of a kiosk whose file calls fail as planned (fault.h). A life consists
+ * of several parts. A part is one run of the kiosk that ends with SIGKILL or with a close. The next
+ * part continues with the files as the page cache has them. After each part, the test simulates
+ * several power cuts and compares the remaining files with the committed data. */
 #ifndef KINGYO_TESTS_POWER_LIVES_H
 #define KINGYO_TESTS_POWER_LIVES_H
 

@@ -1,16 +1,15 @@
-/* power.c -- cuts the power after every write and sync of a busy hour, and checks the remaining
- * files.
+/* power.c -- cuts the power after every write and sync of a simulated hour, and checks the
+ * remaining files.
  *
  * Usage: power [--cuts N] [--lives N] [--seed N] [--frames N] [--folder DIR] [--jobs N] [--deaf 1]
  * [--journal "MODE SYNC"]
  *
- * The hour is played once with the real core and the real store, and its file operations are
- * recorded (tape.h). The power is cut after each operation in several ways, N cuts in total
- * (disk.h). The store opens the remaining files. Its loaded state must be the sum of all entries up
- * to one entry that was passed to it, which is not older than the newest committed entry (books.h).
- * One opening in 149 is also cut at each of its file operations. After one cut in a hundred the
- * stall plays on (go_on.h). Then N lives (lives.h) are played in which file calls fail by seed, and
- * are cut in the same way.
+ * The hour (hour.h) is played once with the real core and store, and its file operations are
+ * recorded (tape.h). The power is then cut after each operation in several ways (disk.h), N cuts in
+ * total. The store opens the remaining files, and its state must be the sum of all entries up to a
+ * valid last entry (books.h). One opening in 149 is also cut at each of its own file operations.
+ * After one cut in 100 the test continues to play (go_on.h). Finally N lives with failing file
+ * calls are played (lives.h).
  *
  * With --deaf no sync reaches the disk, so that the test must find losses. Returns exit status 1 if
  * any check fails. */
@@ -30,8 +29,8 @@
 #include "tests/power/tape.h"
 
 #define FRAMES_AN_HOUR (3600u * 60u)
-/* Time of a sync in us. At the speed of this simulated hour this time stands for some tenths of
- * a second, as on a slow card. */
+/* Duration of a simulated sync in us. The hour runs much faster than real time, so this time
+ * corresponds to some tenths of a second on a slow card. */
 #define SYNC_US 200u
 #define JOBS_MAX 16u
 #define PATH_SIZE 300u
@@ -44,7 +43,7 @@ struct plan {
 
 static struct hour hour;
 static struct tape tape;
-static struct books *books; /* Sums of the entries up to an id, indexed by that id. */
+static struct books *books; /* Sums of the entries 1 to n, indexed by n. */
 static struct storage store;
 
 /* ---- Playing the hour ----------------------------------------------------------------------- */
@@ -85,9 +84,8 @@ static int add_up(void)
     return 0;
 }
 
-/* Checks that the tape is complete. When all operations of the tape are applied, the files must
- * equal the real files. Otherwise the tape missed an operation and the later checks would prove
- * nothing. */
+/* Checks that the tape is complete: its operations, applied to an empty disk, must give the same
+ * files as the run. If the tape missed an operation, the later checks would be meaningless. */
 static int tape_is_whole(const char *folder, const char *copy)
 {
     struct disk disk, is, should;

@@ -1,10 +1,10 @@
-/* preload.c -- a library that is loaded before libc into a real kiosk (LD_PRELOAD).
+/* preload.c -- a library that is loaded into a real kiosk before libc (LD_PRELOAD).
  *
- * The library makes file calls fail by seed, records the operations in the data folder, drops
- * coins, and ends the kiosk by SIGKILL. KINGYO_FAULT_DIR is the data folder. KINGYO_FAULT_TAPE is
- * the tape file (kiosk_tape.h). KINGYO_FAULT_SEED is the seed of the plans, the coins and the end.
- * If KINGYO_FAULT_SYNCS is set, every sync fails permanently instead. The kiosk's status reports
- * which data is committed. */
+ * The library makes file calls fail, records the operations in the data folder, inserts coins, and
+ * ends the kiosk by SIGKILL. KINGYO_FAULT_DIR is the data folder, and KINGYO_FAULT_TAPE is the tape
+ * file (kiosk_tape.h). KINGYO_FAULT_SEED is the seed of the faults, the coins and the time of the
+ * end. If KINGYO_FAULT_SYNCS is set, every sync fails permanently instead. The library reads from
+ * the kiosk's status file which data is committed. */
 #include <SDL2/SDL.h>
 #include <dlfcn.h>
 #include <errno.h>
@@ -21,14 +21,14 @@
 #include "tests/power/kiosk_tape.h"
 
 #define PLANS 3u
-/* Number of renames in the first seconds of a kiosk, which come from its backup. */
+/* Number of rename() calls in the first seconds of a kiosk, all made by its database backup. */
 #define RENAMES 2u
 #define STATUS_MAX 65536u
 
 static struct kiosk_tape *map;
 static uint64_t seed;
 static uint32_t draws;
-static atomic_int runs; /* 1 after the kiosk has written a status. */
+static atomic_int runs; /* 1 after the kiosk has written a status file. */
 
 static uint32_t draw(uint32_t below)
 {
@@ -37,8 +37,8 @@ static uint32_t draw(uint32_t below)
 
 /* ---- What the kiosk reports ----------------------------------------------------------------- */
 
-/* Reads the kiosk's status, which is a text in another folder. The kiosk writes the status by one
- * call, which may fail as well. */
+/* Reads the text that the kiosk writes to its status file, which is outside the data folder.
+ * Returns the errno with which this write must fail, or 0. */
 static int read_status(const void *bytes, size_t size)
 {
     static const char saved[] = "\"saved_id\": ", refused[] = "\"store\": {\"well\": false";

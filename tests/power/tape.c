@@ -1,7 +1,7 @@
 /* tape.c -- replaces the file functions of libc by functions that record their calls.
  *
- * The functions are defined in the program, so that the libraries it is linked with call them and
- * not those of libc. The functions call the kernel directly. */
+ * The functions are defined in the program, so the dynamic linker resolves the calls of shared
+ * libraries to them. The functions pass each call directly to the kernel. */
 #include "tests/power/tape.h"
 
 #include <errno.h>
@@ -28,12 +28,13 @@ static int is_deaf;
 static atomic_int is_dead;
 int (*tape_other_write)(const void *bytes, size_t size);
 static atomic_int refusal;
-static uint32_t file_of_fd[FD_MAX]; /* File number of each descriptor; 0 means a file outside the
-                                       watched folder. */
-static uint8_t is_folder[FD_MAX]; /* 1 means the watched folder, and 2 means a folder within it. */
+/* File number of each descriptor; 0 means a file outside the watched folder. */
+static uint32_t file_of_fd[FD_MAX];
+static uint8_t is_folder[FD_MAX]; /* 1 for the watched folder, and 2 for a subfolder. */
 static char folder_name[FD_MAX][TAPE_NAME_SIZE];
-/* 1 if the file is the index (-shm file) of SQLite's write-ahead log. The tape does not record
- * writes to the index, because no power cut preserves it. The index still uses disk space. */
+/* 1 if the descriptor is the index (-shm file) of SQLite's write-ahead log. Writes to this file
+ * are not recorded, because SQLite rebuilds the file after a power cut. The file still uses disk
+ * space. */
 static uint8_t is_index[FD_MAX];
 
 /* ---- The tape ------------------------------------------------------------------------------- */
@@ -73,7 +74,8 @@ static size_t add_bytes(const void *bytes, size_t size)
 
 /* ---- Names ---------------------------------------------------------------------------------- */
 
-/* Returns the name of a path relative to the watched folder, or null if the path is outside. */
+/* Returns the name of `path` relative to the watched folder, or null if `path` is outside that
+ * folder. */
 static const char *own_name(const char *path)
 {
     if (!running || strncmp(path, watched, watched_size) != 0 || path[watched_size] != '/') {
@@ -176,8 +178,8 @@ static uint32_t file_of(int fd)
     return running && fd >= 0 && fd < FD_MAX ? file_of_fd[fd] : 0;
 }
 
-/* Returns 1 for the index of a write-ahead log, which belongs to the watched folder although it is
- * not recorded. */
+/* Returns 1 for the index of a write-ahead log. The tape does not record this file, but its writes
+ * may fail as planned. */
 static int is_ours(int fd)
 {
     return running && fd >= 0 && fd < FD_MAX && is_index[fd];
@@ -223,8 +225,8 @@ static int open_file(const char *path, int flags, mode_t mode)
 OPEN_AS(open)
 OPEN_AS(open64)
 
-/* Records files that are opened by a path, as open() does. Paths relative to another folder are
- * passed to the kernel. */
+/* Defines openat() and its variants. Absolute paths are recorded as by open(). Paths relative to an
+ * open folder are only passed to the kernel. */
 #define OPENAT_AS(name)                                                                            \
     int name(int folder, const char *path, int flags, ...);                                        \
     int name(int folder, const char *path, int flags, ...)                                         \
@@ -251,8 +253,8 @@ static void note_write(int fd, const void *bytes, ssize_t done, uint64_t offset)
     }
 }
 
-/* Returns the errno with which a call must fail, or 0. A call fails if the program is dead or if a
- * plan requires it. */
+/* Returns the errno with which a call must fail, or 0. A call fails after a simulated SIGKILL
+ * (tape_be_dead()) or if a plan requires it. */
 int tape_strikes(enum fault_call call)
 {
     pthread_mutex_lock(&pencil);
@@ -276,7 +278,8 @@ static ssize_t write_at(int fd, const void *bytes, size_t size, off_t offset)
     if (is_refused(fd)) {
         return -1;
     }
-    /* If a write fails, a part of its data may still be on the disk. */
+    /* A failing write may still have written a part of its data, here half of it in units of 512
+     * bytes. */
     const int error = file_of(fd) || is_ours(fd) ? tape_strikes(FAULT_PWRITE) : 0;
     const size_t reached = !error ? size : atomic_load(&is_dead) ? 0u : size / 1024u * 512u;
     pthread_mutex_lock(&pencil);
@@ -354,8 +357,8 @@ void tape_be_dead(int is_dead_now)
     atomic_store(&is_dead, is_dead_now);
 }
 
-/* Records a sync and its failure. A failed sync of a folder leaves the names pending, because file
- * systems keep names in a journal. */
+/* Records a sync that succeeded, or a failed sync of a file. A failed sync of a folder is not
+ * recorded: its name operations stay pending and a later sync can still make them durable. */
 static int note_sync(int fd, enum fault_call call)
 {
     int error = 0;

@@ -1,10 +1,10 @@
-/* tape.h -- records the operations of a program in one folder: each write, truncation, sync and
- * name change.
+/* tape.h -- records the file operations of a program in one folder: each write, truncation, sync
+ * and name change.
  *
- * The test program defines the file functions of libc itself (tape.c), so that the default file
- * system layer of SQLite and the project's code both call them. The functions execute and record
- * each call. Syncs are only recorded and not executed. Marks between the operations record which
- * entries the frame loop passed to the store, and which of them the store reported as committed. */
+ * The test program defines the file functions of libc itself (tape.c), so that SQLite and the
+ * project's code call these functions. Each call is executed and recorded, except that syncs are
+ * only recorded. Marks between the operations record which entries were passed to the store, and
+ * which of them the store reported as committed. */
 #ifndef KINGYO_TESTS_POWER_TAPE_H
 #define KINGYO_TESTS_POWER_TAPE_H
 
@@ -17,12 +17,12 @@
 #define TAPE_NAMES_MAX 64u
 
 enum tape_kind {
-    TAPE_CREATE,       /* Creates the empty file `name`. */
-    TAPE_WRITE,        /* Writes `size` bytes from tape byte `at` into `file` at `offset`. */
-    TAPE_TRUNCATE,     /* Truncates or extends `file` to `offset` bytes. */
-    TAPE_SYNC,         /* Syncs `file`. */
-    TAPE_SYNC_FAILED,  /* Failed sync of `file`. Its dirty pages count as clean afterwards
-                          (disk.h). */
+    TAPE_CREATE,   /* Creates the empty file `name`. */
+    TAPE_WRITE,    /* Writes `size` bytes from tape byte `at` into `file` at `offset`. */
+    TAPE_TRUNCATE, /* Truncates or extends `file` to `offset` bytes. */
+    TAPE_SYNC,     /* Syncs `file`. */
+    /* Failed sync of `file`. Unsynced data of the file may be lost for ever (disk.h). */
+    TAPE_SYNC_FAILED,
     TAPE_SYNC_FOLDER,  /* Syncs the names in folder `name`; "" is the watched folder itself. */
     TAPE_RENAME,       /* Renames `name` to `to`. */
     TAPE_UNLINK,       /* Deletes `name`. */
@@ -36,11 +36,11 @@ enum tape_kind {
 };
 
 struct tape_op {
-    uint8_t kind;  /* Kind of the operation, an enum tape_kind. */
-    uint32_t file; /* File number from 1, in the order of creation. */
+    uint8_t kind;  /* Kind of the operation (enum tape_kind). */
+    uint32_t file; /* Number of the file. Files are numbered from 1 in the order of creation. */
     uint32_t size;
     uint64_t offset;
-    size_t at; /* Position in the tape's bytes. */
+    size_t at; /* Position of the written bytes in the tape's `bytes`. */
     char name[TAPE_NAME_SIZE], to[TAPE_NAME_SIZE];
 };
 
@@ -52,19 +52,20 @@ struct tape {
     struct {
         char name[TAPE_NAME_SIZE];
         uint32_t file;
-    } names[TAPE_NAMES_MAX]; /* Names that exist at this moment, with their file numbers. */
+    } names[TAPE_NAMES_MAX]; /* Existing names and their file numbers. */
 };
 
 /* Starts to record the operations in `folder` and its subfolders on `tape`, which must be zeroed or
- * ended. Files that already exist are numbered first, in the order of `first`. Only one tape can
- * run. */
+ * ended. Existing files get the first numbers, in the order of the names in `first`. Only one tape
+ * can run at a time. */
 void tape_begin(struct tape *tape, const char *folder, const char (*first)[TAPE_NAME_SIZE],
                 uint32_t first_count);
-/* Records a mark. Does nothing if no tape runs. */
+/* Records a mark on the running tape. Does nothing if no tape runs. */
 void tape_mark(enum tape_kind kind, uint32_t id);
 /* Ends the recording. The tape keeps its operations. */
 void tape_end(void);
-/* Continues a tape that another process began. The content of `folder` must match the tape. */
+/* Continues a tape that another process began. The content of `folder` must be the result of the
+ * operations on the tape. */
 void tape_go_on(struct tape *tape, const char *folder);
 /* Frees the memory of the tape. */
 void tape_free(struct tape *tape);
@@ -74,21 +75,23 @@ void tape_free(struct tape *tape);
 void tape_sync_us(uint32_t us);
 
 /* Makes each write in the watched folder fail with `error` (ENOSPC or EROFS) while a tape runs; 0
- * means none. The index of a write-ahead log is in memory, so that only ENOSPC affects it. */
+ * means no failure. Writes to SQLite's -shm file fail only with ENOSPC, because that file is mapped
+ * into memory. */
 void tape_refuse(int error);
 
-/* Callback for each write to a file outside the watched folder; initially null. Returns 0, or the
- * errno with which the write fails. */
+/* Callback for each write to a file outside the watched folder; initially null. The callback
+ * returns 0, or the errno with which the write must fail. */
 extern int (*tape_other_write)(const void *bytes, size_t size);
 
-/* Returns the errno with which a call must fail now (fault.h), or 0. */
+/* Returns the errno with which a call of this kind must fail now (fault.h), or 0. */
 int tape_strikes(enum fault_call call);
 
 /* If `is_dead` is 1, each later call that would change the watched folder fails with EIO. The files
- * then stay as SIGKILL would leave them, although the program still runs and closes its handles. */
+ * stay as after SIGKILL, although the program continues and closes its handles. */
 void tape_be_dead(int is_dead);
 
-/* Stops the recording of syncs, as with a card that ignores syncs or a store that never syncs. */
+/* Stops the recording of syncs. This simulates a card that ignores syncs, or a store that never
+ * syncs. */
 void tape_be_deaf(void);
 
 #endif

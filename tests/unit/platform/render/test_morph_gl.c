@@ -237,8 +237,9 @@ static void test_a_uniform_block_for_one_fish_gives_the_shape_of_the_cpu(void **
     follow_all(false);
 }
 
-/* No built-in species has more than five keys. The keys of the wakin, some of them moved, make
- * eight, so that a missing or exchanged attribute is detected. */
+/* The shader supports eight shape keys, but no built-in species has more than five. This test
+ * builds eight keys from those of the wakin and shifts each by a different amount. An error in any
+ * key's attribute thus changes the shape. */
 static void test_eight_keys_are_blended_each_by_its_own_weight(void **state)
 {
     (void)state;

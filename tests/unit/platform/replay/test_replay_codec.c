@@ -280,8 +280,7 @@ static void test_an_invalid_poi_encoding_is_rejected(void **state)
     enum { HANDS = 1 << 4, POI_0 = 1, BYTE = 1, TREMBLES = 8, GAP = 16 };
     const uint8_t refused[][8] = {
         { HANDS, POI_0, 0 }, /* The tick names the first poi, but changes no field of it. */
-        /* A poi has only three byte fields (link, wrist, trembling), so the bits of this value are
-         * invalid. */
+        /* The status byte of a poi uses only the bits 0 to 4, so bit 5 (32) is invalid. */
         { HANDS, POI_0, BYTE, 32 },
     };
     for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {

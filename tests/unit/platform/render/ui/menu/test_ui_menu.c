@@ -58,7 +58,8 @@ static void fill_devices(struct scene_devices *devices)
     }
 }
 
-/* Fills a page with every possible element and the longest names first. */
+/* Fills the scene of a menu page so that every optional element is visible and each text and number
+ * has its greatest length. */
 static void set_page(uint8_t page, uint16_t tags, uint8_t language, int upright)
 {
     memset(&scene, 0, sizeof scene);
