@@ -1,4 +1,4 @@
-/* exercise.c -- calls every function of core/morph on a species from any source. */
+/* exercise.c -- calls every function of core/morph on a species that was read from any source. */
 #include "tests/fuzz/exercise.h"
 
 #include <math.h>
@@ -14,8 +14,7 @@ _Noreturn void core_panic(const char *condition, const char *file, int line)
     abort();
 }
 
-/* Ends the process unless `holds` is true. `what` names a result that an accepted species must
- * never give. */
+/* Ends the process unless `holds` is true. `what` describes the invalid result. */
 static void demand(int holds, const char *what)
 {
     if (!holds) {

@@ -1,7 +1,7 @@
-/* exercise.h -- uses an accepted species as the kiosk and kingyoctl do.
+/* exercise.h -- uses a species as the kiosk and kingyoctl do.
  *
- * If an assertion fails or a table is read beyond its end here, species_validate() accepted an
- * invalid species. */
+ * The species must have passed species_validate(). If an assertion fails or a read goes beyond the
+ * end of a table, species_validate() accepted an invalid species. */
 #ifndef KINGYO_TESTS_FUZZ_EXERCISE_H
 #define KINGYO_TESTS_FUZZ_EXERCISE_H
 

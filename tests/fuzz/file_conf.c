@@ -1,5 +1,6 @@
-/* file_conf.c -- fuzz target: any bytes as kingyo.conf. Each warning is one printable line, the
- * number of warnings is limited, and every accepted value is within the range of its setting. */
+/* file_conf.c -- fuzz target: arbitrary bytes as kingyo.conf. Checks that each warning is one
+ * printable line, that the number of warnings is limited, and that every accepted value is within
+ * the range of its setting. */
 #include <string.h>
 
 #include "drivers/gpio/gpio_config.h"
@@ -9,8 +10,8 @@
 #include "tests/fuzz/scratch.h"
 #include "tests/fuzz/trap.h"
 
-/* Validates lines as board/desktop does. The real file is not linked because it needs SDL and
- * threads. */
+/* Validates GPIO lines as board/desktop does. The real function is not linked because its file
+ * needs SDL and threads. */
 int board_check_lines(const char (*line)[BOARD_LINE_SIZE], uint32_t count, char why[HAL_TEXT_SIZE])
 {
     struct gpio_wire wires[GPIO_ROLE_COUNT] = { 0 };

@@ -1,8 +1,8 @@
-/* file_entries.c -- fuzz target: any rows in the tables of the ledger. The checksums of the entries
- * and of the aggregates are recomputed.
+/* file_entries.c -- fuzz target: a ledger database whose rows have arbitrary values and correct
+ * checksums.
  *
- * The store refuses the database, or each entry reads back, and a stall starts with the sums of the
- * rows. All readable entries are also recovered into an empty database.
+ * The store must either reject the database, or read each entry back and start a game with the sums
+ * of the rows. In both cases all readable entries are also recovered into an empty database.
  *
  * Input: a count of cells, the cells of 12 bytes each (column, row, type, unused, value), and
  * images of struct ledger_entry. */
@@ -21,11 +21,13 @@
 #define ENTRIES_MAX 12u
 #define CELLS_MAX 8u
 #define CELL_SIZE 12u
-#define IDS_MAX 1024u /* Largest entry id. The recovery queries each id up to the newest one. */
+/* Largest entry id. The limit keeps the recovery fast, which queries each id up to the newest
+ * one. */
+#define IDS_MAX 1024u
 #define TICKS 3u
 
-/* SQL that selects one row of a table that has no row ids: the row at a given position in the order
- * of `column`. */
+/* SQL to update one row of a table by its position in the order of `column`. The tables have no row
+ * ids. */
 #define ROW_OF(table, column)                                                                      \
     table " SET " column " = ?1 WHERE name = (SELECT name FROM " table " LIMIT 1 OFFSET ?2)"
 #define SETTING_OF(column) ROW_OF("settings", column)
@@ -35,7 +37,7 @@
 static const struct ledger_file_options how = { .journal = "MEMORY OFF" };
 static char path[SCRATCH_PATH_SIZE], salvaged_path[SCRATCH_PATH_SIZE];
 
-/* Overwrites one cell with a value of any type. */
+/* Overwrites one cell of a table with a value of any SQL type. */
 static void put_cell(sqlite3 *db, const uint8_t *cell)
 {
     /* clang-format off */
@@ -58,7 +60,7 @@ static void put_cell(sqlite3 *db, const uint8_t *cell)
     snprintf(text, sizeof text, "UPDATE OR IGNORE %s",
              places[cell[0] % (sizeof places / sizeof places[0])]);
     if (sqlite3_prepare_v2(db, text, -1, &put, NULL) != SQLITE_OK) {
-        return; /* The cell does not exist, because the present schema has no such column. */
+        return; /* The current schema has no such column. */
     }
     switch (cell[2] % 4u) {
     case 0:
@@ -88,8 +90,9 @@ static void put_rows(struct ledger_file *file, const uint8_t *bytes, size_t size
         struct ledger_entry entry;
         memcpy(&entry, bytes + at, sizeof entry);
         at += sizeof entry;
-        entry.id = 1u + entry.id % IDS_MAX; /* The writer asserts that ids begin at 1. */
-        ledger_rows_put(file, &entry); /* The database refuses a second entry with the same id. */
+        /* The store asserts that ids begin at 1, so other ids are mapped to 1 .. IDS_MAX. */
+        entry.id = 1u + entry.id % IDS_MAX;
+        ledger_rows_put(file, &entry); /* The database rejects a second entry with the same id. */
     }
     for (uint32_t i = 0; i < cell_count && 1u + (i + 1u) * CELL_SIZE <= size; i++) {
         put_cell(file->db, bytes + 1 + i * CELL_SIZE);
@@ -105,8 +108,8 @@ static void start_stall(const struct ledger_content *content)
     stall_try_memory(&memory, TICKS);
 }
 
-/* Recovers all readable entries of the damaged file into a new file, and checks that the new file
- * opens. */
+/* Recovers all readable entries of the damaged database into a new one, and checks that the store
+ * opens the new database. */
 static void hold_salvage(void)
 {
     static const struct ledger_mirror none;

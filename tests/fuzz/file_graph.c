@@ -1,6 +1,7 @@
-/* file_graph.c -- fuzz target: any text as a saved graph (DATA/graphs/SPECIES.graph). The parser
- * refuses the text with one line that begins with a line number. Otherwise the graph blends to
- * finite weights and is equal to the last bit after it was written and read again.
+/* file_graph.c -- fuzz target: arbitrary text as a saved morph graph (DATA/graphs/SPECIES.graph).
+ * The parser must either reject the text with one line that begins with a line number, or accept
+ * it. An accepted graph must give finite blend weights, and must be bit-identical after it was
+ * written and read again.
  *
  * Input: a byte that selects the species, and the text. */
 #include <string.h>

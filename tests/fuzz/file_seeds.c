@@ -1,7 +1,7 @@
 /* file_seeds.c -- writes valid files of this version as the seed corpus of the fuzz targets file_*.
  *
- * Usage: file_seeds FOLDER. The folders replay, graph, conf, usb, tail and entries must exist in
- * FOLDER. */
+ * Usage: file_seeds FOLDER. FOLDER must contain the folders replay, graph, conf, usb, tail and
+ * entries. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -34,7 +34,7 @@ static void put(const char *name, const void *bytes, size_t size)
     }
 }
 
-/* Returns the input of a tick: a coin, START, and a poi over the water. */
+/* Returns the input of a tick: a coin at tick 20, START at tick 40, and a poi over the water. */
 static struct input play_of(uint32_t tick)
 {
     struct input input = { .day = 9000, .minute = 600, .store_well = 1 };
@@ -127,7 +127,8 @@ static void put_usb(void)
     put("usb/three", text, sizeof text - 1u);
 }
 
-/* Writes entries for a coin, a spent credit, its round and a name. */
+/* Writes ledger entries for a coin, a spent credit, the round paid with it, and the player's
+ * name. */
 static void put_entries(const char *name, const uint8_t *head, size_t head_size)
 {
     struct ledger_entry entry[5];

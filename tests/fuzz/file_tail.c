@@ -1,9 +1,9 @@
-/* file_tail.c -- fuzz target: any bytes as the ledger mirror file, either as entries with
- * recomputed checksums or as raw slots. The accepted entries are recovered into an empty database,
- * and a stall starts with the content of that database.
+/* file_tail.c -- fuzz target: arbitrary bytes as the ledger mirror file. The accepted entries are
+ * recovered into an empty database, and a game starts with the content of that database.
  *
- * Input: a byte. If the byte is odd, the rest is raw slots. Otherwise the rest is images of struct
- * ledger_entry. */
+ * Input: a byte, and the data. If the byte is odd, the data is the raw content of the file.
+ * Otherwise the data is images of struct ledger_entry, which the store's own code writes to the
+ * file with correct checksums. */
 #include <fcntl.h>
 #include <string.h>
 #include <unistd.h>
@@ -35,7 +35,8 @@ static void put_entries(const uint8_t *bytes, size_t size)
     uint32_t count = 0;
     for (; count < ENTRIES_MAX && (count + 1u) * sizeof entries[0] <= size; count++) {
         memcpy(&entries[count], bytes + count * sizeof entries[0], sizeof entries[0]);
-        entries[count].id += entries[count].id == 0; /* The writer asserts that ids begin at 1. */
+        /* The store asserts that ids begin at 1, so id 0 becomes 1. */
+        entries[count].id += entries[count].id == 0;
     }
     HOLD(ledger_mirror_open(&tail, path) == 0);
     HOLD(ledger_mirror_write(&tail, entries, count) == 0);

@@ -1,5 +1,6 @@
-/* file_usb.c -- fuzz target: any bytes as usb.txt. Bad lines are counted, and the last bad line is
- * named in one line. The accepted choices must be equal after they were saved and loaded again. */
+/* file_usb.c -- fuzz target: arbitrary bytes as usb.txt, the operator's choices of controllers. The
+ * parser must count the invalid lines and describe the last of them in one line. The accepted
+ * choices must be equal after they were saved and loaded again. */
 #include <stdio.h>
 #include <string.h>
 

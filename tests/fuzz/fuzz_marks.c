@@ -1,5 +1,5 @@
-/* fuzz_marks.c -- fuzz target: any text as landmarks. The landmarks are parsed and their warp is
- * computed. */
+/* fuzz_marks.c -- fuzz target: arbitrary text as a file of landmarks for mesh import. Accepted
+ * landmarks are also used to compute the warp of a mesh. */
 #include <math.h>
 #include <unistd.h>
 

@@ -1,5 +1,5 @@
-/* fuzz_obj.c -- fuzz target: any text as an OBJ file. The mesh is used as every shape of a species,
- * with the last shape stretched slightly. */
+/* fuzz_obj.c -- fuzz target: arbitrary text as an OBJ file. An accepted mesh becomes a species: it
+ * is used for every shape key, with the last one stretched slightly. */
 #include <unistd.h>
 
 #include "platform/ctl/import/refit.h"

@@ -1,5 +1,5 @@
-/* fuzz_pack.c -- fuzz target: any bytes as a packed species. Each input is used twice: unchanged,
- * and with a header that fits its body, so that the fuzzer passes the CRC. */
+/* fuzz_pack.c -- fuzz target: arbitrary bytes as a packed species file. Each input is used twice:
+ * unchanged, and with a corrected header, so that the body passes the CRC check and is parsed. */
 #include "platform/species/pack.c"
 
 #include "tests/fuzz/exercise.h"
@@ -14,7 +14,7 @@ static void try(const uint8_t *bytes, size_t size)
     if (pack_decode(bytes, size, &slot, why) == PACK_OK) {
         exercise(&slot.species);
         if (pack_encode(&slot, again) != size || memcmp(bytes, again, size) != 0) {
-            __builtin_trap(); /* A species that was read must be written with the same bytes. */
+            __builtin_trap(); /* An accepted species must be written again with the same bytes. */
         }
     }
 }

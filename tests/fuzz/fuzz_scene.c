@@ -1,8 +1,8 @@
-/* fuzz_scene.c -- fuzz target: a glTF file that passes through assimp, is flattened, is checked
- * against the mesh limits and becomes a species.
+/* fuzz_scene.c -- fuzz target: arbitrary bytes as a glTF file. The file is read by assimp,
+ * flattened to one mesh, checked against the mesh limits, and converted to a species.
  *
- * The import runs in this process, so that the fuzzer measures its coverage. kingyoctl imports in a
- * child process. */
+ * kingyoctl imports in a child process. This target imports in its own process, so that the fuzzer
+ * measures the coverage. */
 #include <string.h>
 #include <unistd.h>
 

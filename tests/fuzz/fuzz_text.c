@@ -1,5 +1,5 @@
-/* fuzz_text.c -- fuzz target: any text as a species text. The text is parsed, lofted, validated and
- * grown. */
+/* fuzz_text.c -- fuzz target: arbitrary text as a species description. Accepted text is lofted to a
+ * mesh, validated and grown. */
 #include <stdio.h>
 
 #include "platform/species/pack.h"

@@ -9,8 +9,8 @@
 #include "platform/ctl/import/import.h"
 #include "tests/fuzz/exercise.h"
 
-/* Creates a real file in a file system in memory, because the scene importer uses the suffix of the
- * file name. */
+/* Creates a file in /dev/shm (memory). A real file with the right suffix is needed, because the
+ * scene importer selects the format by the suffix. */
 const char *file_of(const uint8_t *bytes, size_t size, const char *suffix)
 {
     static char path[64];

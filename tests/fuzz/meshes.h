@@ -1,5 +1,5 @@
-/* meshes.h -- shared functions of the mesh fuzz targets: bytes as a file, and a species from a
- * mesh. */
+/* meshes.h -- shared functions of the mesh fuzz targets: write the input to a file, and make a
+ * species from a mesh. */
 #ifndef KINGYO_TESTS_FUZZ_MESHES_H
 #define KINGYO_TESTS_FUZZ_MESHES_H
 
@@ -11,7 +11,8 @@
  * next call. */
 const char *file_of(const uint8_t *bytes, size_t size, const char *suffix);
 
-/* Orients, builds, names, validates and grows a species from `mesh`. */
+/* Makes a species from `mesh` as the importer does: orients the mesh, builds and names the species,
+ * validates it and runs its growth. */
 void make_species(struct import_mesh *mesh);
 
 #endif

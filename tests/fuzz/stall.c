@@ -1,4 +1,4 @@
-/* stall.c -- implementation of stall.h: starts a stall for a fuzz target. */
+/* stall.c -- implementation of stall.h: starts a game for a fuzz target. */
 #include "tests/fuzz/stall.h"
 
 #include "core/base/panic.h"
@@ -9,7 +9,7 @@
 
 struct core stall_core;
 
-/* Reports a failed assertion of the core, which is a finding, and ends the process. */
+/* Ends the process after a failed assertion of the core, so that the fuzzer reports a crash. */
 _Noreturn void core_panic(const char *condition, const char *file, int line)
 {
     fprintf(stderr, "panic: %s:%d: %s\n", file, line, condition);
@@ -38,8 +38,9 @@ void stall_try_memory(const struct persistent_state *memory, uint32_t ticks)
     static struct core_config config;
     memset(&config, 0, sizeof config);
     config.persistent = *memory;
-    config.fish_count = 1; /* One fish is enough because the stored data is under test, and fish
-                              cost time. */
+    /* One fish is enough, because these targets test stored data. Simulating more fish would take
+     * longer. */
+    config.fish_count = 1;
     settings_sanitize(&config.persistent.settings);
     HOLD(stall_try(&config, ticks));
 }

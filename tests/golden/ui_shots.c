@@ -87,7 +87,8 @@ static const struct shot shots[] = {
     { "latin", PHASE_NAME, HINT_NONE, 4.0f, 40.0f, 13, 13, 0.4f, 1, 0, 0, 0, 0, 0, 0 },
 };
 
-/* Fills a leaderboard with an empty name in one row, and a partly typed name. */
+/* Fills a leaderboard with test names of different scripts. One row has an empty name, and one name
+ * is only partly typed. */
 static void fill_ranking(struct scene *scene, const struct shot *shot)
 {
     static const char *const names[SCENE_LEADERBOARD_ROWS] = {
@@ -109,7 +110,7 @@ static void fill_ranking(struct scene *scene, const struct shot *shot)
     }
 }
 
-/* Fills the places. Two of the screens after a round show a ranked player. */
+/* Sets the player's place on the leaderboards for the screens that are shown after a round. */
 static void fill_places(struct scene *scene, const struct shot *shot)
 {
     const int is_first = strcmp(shot->name, "result") == 0;
@@ -157,7 +158,7 @@ static void fill_player(struct scene *scene, const struct shot *shot, uint8_t pl
     out->lost = player == 1 && shot->paused;
 }
 
-/* Sets the credits and the faults in the pictures that show them. */
+/* Sets the credits and the hardware faults for the screens that show them. */
 static void fill_cabinet(struct scene *scene, const char *name)
 {
     static const struct {
@@ -299,7 +300,8 @@ static void say_cost(struct ui *ui, const struct scene *scene, const char *name,
      * use. */
     ui_draw(ui, &specimens, scene, &transform);
     glFinish();
-    const clock_t start = clock(); /* CPU time includes all threads of a software renderer. */
+    /* Start of the CPU time of the process, which includes all threads of a software renderer. */
+    const clock_t start = clock();
     for (int i = 0; i < COST_DRAWS; i++) {
         ui_draw(ui, &specimens, scene, &transform);
     }

@@ -1,7 +1,8 @@
-/* float_mode.c -- a library to preload that sets flush-to-zero and denormals-are-zero.
+/* float_mode.c -- a library for LD_PRELOAD that makes the processor flush denormal numbers to zero.
  *
- * The library sets both modes in the first thread when it is loaded, and in each new thread. If
- * FLOAT_MODE_IN is "pread", it also sets them in every pread(). It works only on x86-64. */
+ * The library sets the modes flush-to-zero and denormals-are-zero in the first thread and in each
+ * new thread. If FLOAT_MODE_IN is "pread", it also sets them in every pread(). A correct core still
+ * gives the same digests. Works only on x86-64. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <pthread.h>

@@ -1,4 +1,5 @@
-/* growth_hash.h -- prints one line for each species with the hash of its whole growth. */
+/* growth_hash.h -- prints one line for each species with the hash of its shapes at all stages of
+ * growth. */
 #ifndef KINGYO_TESTS_REPLAY_GROWTH_HASH_H
 #define KINGYO_TESTS_REPLAY_GROWTH_HASH_H
 
@@ -39,7 +40,8 @@ static uint64_t hash_pose(uint64_t hash, const struct morph_pose *pose, uint32_t
     return hash;
 }
 
-/* Adds the shape of the species at one progress to the hash, in all levels of detail. */
+/* Adds the shape of the species at one growth progress (0 .. 1) to the hash, in all levels of
+ * detail. */
 static uint64_t hash_moment(uint64_t hash, const struct species *species,
                             const struct morph_rig *rig, float progress)
 {
@@ -61,8 +63,8 @@ static uint64_t hash_moment(uint64_t hash, const struct species *species,
     return hash_floats(hash, life, 4);
 }
 
-/* Prints the hashes of the growth by the species' own curves, by the smooth template, and by the
- * method of the thesis. */
+/* Prints the hashes of each species' growth for three sets of blend curves: the species' own, the
+ * smooth template, and the method of the thesis. */
 static void print_growth_hashes(void)
 {
     static struct straight_memory memory;

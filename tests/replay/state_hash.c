@@ -18,7 +18,7 @@
 
 #define SEED 20130213u
 #define START_TICK (2u * CORE_TICK_HZ) /* Attract mode runs until this tick. */
-/* The bot plays until this tick, and scripted input plays from this tick on. */
+/* End of the bot's play. From this tick on, scripted input moves the poi. */
 #define HAND_TICK (20u * CORE_TICK_HZ)
 #define END_TICK (30u * CORE_TICK_HZ)
 

@@ -14,14 +14,14 @@
 
 #define GROUPS_MAX 32
 
-/* Reads the files directly, because a static program has no name service. */
+/* Reads /etc/passwd directly, because getpwnam() does not work in a statically linked program. */
 static struct passwd *find_user(const char *name)
 {
     FILE *file = fopen("/etc/passwd", "r");
     struct passwd *user = NULL;
     while (file && (user = fgetpwent(file)) && strcmp(user->pw_name, name) != 0) {
     }
-    return user; /* The file stays open until this process executes the command. */
+    return user; /* The file is not closed, because this process soon executes the command. */
 }
 
 static int find_groups(const struct passwd *user, gid_t groups[GROUPS_MAX])

@@ -1,11 +1,11 @@
 /* hand.c -- plays on the kiosk in the guest through its USB poi until a fish is landed.
  *
- * Usage: hand RECORDING PLANS SECONDS. The program follows the recording (twin.h). It simulates a
- * complete scoop on a copy of the stall with the core's own bot, and starts only if the simulated
- * scoop lands a fish. Then it writes the path to PLANS/plan, as one pose for each of the poi's 120
- * reports per second, in the script format of `kingyo-poi run --script`. The poi rests until the
- * scoop, so that the copy and the stall stay equal. Exit code 0 means that a fish was landed, 1 a
- * timeout, and 65 that the recording is not from this core. */
+ * Usage: hand RECORDING PLANS SECONDS. The program recomputes the game from the kiosk's recording
+ * (twin.h). It simulates a complete scoop by the core's own bot on a copy of the game, and plays
+ * the scoop only if the simulation landed a fish. For this it writes the path to PLANS/plan, one
+ * pose for each of the poi's 120 reports per second, in the format of `kingyo-poi run --script`.
+ * Exit code 0 means that a fish was landed, 1 a timeout, and 65 that another core wrote the
+ * recording. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -17,22 +17,24 @@
 #include "tests/vm/twin.h"
 
 #define PLAN_TICKS_MAX (20u * CORE_TICK_HZ)
-#define HOME_TICKS (CORE_TICK_HZ) /* Ticks in which the poi moves back to its rest place. */
-/* Ticks for which the poi stays after a fish has fallen into the bowl. */
+#define HOME_TICKS (CORE_TICK_HZ) /* Ticks in which the poi moves back to its start position. */
+/* Ticks for which the poi stays above the bowl after a fish has fallen into it. */
 #define AFTER_TICKS (CORE_TICK_HZ / 2u)
-/* Time in seconds from the newest known tick to the first tick of the planned motion. The plan is
- * computed in this time. */
+/* Time in seconds from the newest recorded tick to the first tick of the planned motion. The
+ * program computes the plan during this time. */
 #define THINK_S 4.0
-#define DELIVERY_S 0.10 /* Part of THINK_S that passes until the poi has received the plan, s. */
-/* Largest number of random scoops that are tried for one state of the stall. */
+/* Time in seconds at the end of THINK_S in which the plan is sent to the poi. */
+#define DELIVERY_S 0.10
+/* Largest number of random scoops that are simulated for one state of the game. */
 #define TRIES_MAX 40u
-/* Each path is simulated once as planned and with this number of additional delays. */
+/* Number of additional simulations of each path, each with another start time. The delay until the
+ * poi starts varies, so a good path lands a fish in all of them. */
 #define JITTERS 4u
-/* Time over which the speed of the stall's clock is measured. */
+/* Time in seconds over which the speed of the game's clock in the guest is measured. */
 #define PACE_S 4.0
 #define PACE_MIN 0.2
-/* Largest age of the newest recorded tick, s. A recording is written once a second, so its age is a
- * second and a frame at most. */
+/* Largest age of the newest recorded tick, s. The kiosk writes the recording once a second, so the
+ * age is normally at most a second and a frame. */
 #define LATE_S 3.0
 
 struct plan {
@@ -41,16 +43,18 @@ struct plan {
     uint32_t lands; /* Number of the JITTERS + 1 simulations in which the path landed a fish. */
 };
 
-/* Speed of the stall's clock. A guest that draws slowly drops ticks, and its fish are slow. */
+/* Measured speed of the game's clock in the guest. A slow emulated machine drops ticks, and its
+ * game then runs slower than real time. */
 struct pace {
     double since_s;
     uint32_t since_ticks;
-    double rate; /* Fraction of CORE_TICK_HZ in (0, 1]. */
+    double rate; /* Ticks per second of real time, as a fraction of CORE_TICK_HZ, in (0, 1]. */
 };
 
 static struct twin twin;
 static struct pace pace = { .rate = 1.0 };
-static struct core copy;     /* The copy has a size of megabytes and does not fit on the stack. */
+/* Copy of the game for simulations. Static because it has a size of megabytes. */
+static struct core copy;
 static struct plan plans[2]; /* The best plan so far, and the plan that is being computed. */
 
 static double now_s(void)
@@ -88,7 +92,8 @@ static uint32_t caught(const struct core *core)
     return core->game.player[0].caught;
 }
 
-/* Appends the way back to the rest place, so that the next plan begins where this plan began. */
+/* Appends the path back to the start position, so that the next plan begins where this plan
+ * began. */
 static void go_home(struct plan *out, struct poi_target home)
 {
     const struct poi_target last = out->way[out->count - 1];
@@ -103,7 +108,8 @@ static void go_home(struct plan *out, struct poi_target home)
     }
 }
 
-/* Advances the copy by `lead` ticks with the poi at rest. Returns the input of that tick. */
+/* Copies the game and advances the copy by `lead` ticks with the poi at rest. Returns the input of
+ * the last tick. */
 static struct input wait_on_copy(uint32_t lead, struct output *ignored)
 {
     struct input input = twin.input;
@@ -116,8 +122,8 @@ static struct input wait_on_copy(uint32_t lead, struct output *ignored)
     return input;
 }
 
-/* Returns 1 if a path that begins after `lead` ticks lands a fish. Several leads are tested because
- * the cable delay varies. */
+/* Returns 1 if a path that begins after `lead` ticks lands a fish in the simulation. Several leads
+ * are tested, because the delay until the poi starts varies. */
 static int lands(uint32_t lead, const struct plan *way)
 {
     static struct output ignored;
@@ -130,9 +136,9 @@ static int lands(uint32_t lead, const struct plan *way)
     return caught(&copy) > before;
 }
 
-/* Computes the path of an expert bot that begins after `lead` ticks. Returns 1 and the path if the
- * path lands a fish. */
-static int fish_behavior_tick(uint32_t lead, uint32_t seed, struct plan *out)
+/* Simulates a scoop of an expert bot that begins after `lead` ticks. If the scoop lands a fish,
+ * stores its path in `out` and returns 1. */
+static int plan_scoop(uint32_t lead, uint32_t seed, struct plan *out)
 {
     static struct output ignored;
     struct bot bot;
@@ -167,8 +173,8 @@ static void write_pose(FILE *file, const struct poi_target *target)
             (double)target->angles.yaw_rad * degrees, (double)target->angles.roll_rad * degrees);
 }
 
-/* Writes the plan under a temporary name and renames it, so that the reader gets a complete
- * file. */
+/* Writes the plan to a temporary file and renames the file, so that its reader never gets an
+ * incomplete plan. */
 static int send(const struct plan *way, const char *folder)
 {
     char path[512], part[520];
@@ -192,15 +198,14 @@ static int can_play(void)
     return game->phase == PHASE_ROUND && !game->paused && twin.input.poi[0].link == POI_SOURCE_LIVE;
 }
 
-/* Computes one more plan. The plan replaces the best plan if it lands fish in more simulations, or
- * in as many simulations but earlier. */
+/* Computes one more plan. The plan replaces the best plan if it landed a fish in more simulations,
+ * or in as many simulations and takes less time. */
 static void think_once(uint32_t seed)
 {
     static const int32_t jitter_ticks[JITTERS] = { -12, 8, 18, 32 };
     const uint32_t lead = (uint32_t)(THINK_S * CORE_TICK_HZ * pace.rate);
     struct plan *best = &plans[0], *idea = &plans[1];
-    if (!fish_behavior_tick(lead, seed, idea) ||
-        (best->lands > JITTERS && best->count <= idea->count)) {
+    if (!plan_scoop(lead, seed, idea) || (best->lands > JITTERS && best->count <= idea->count)) {
         return;
     }
     idea->lands = 1;
@@ -212,8 +217,8 @@ static void think_once(uint32_t seed)
     }
 }
 
-/* Computes plans until the start time and sends the best one. Returns the remaining duration of the
- * plan in seconds, or 0 if no plan was found. */
+/* Computes plans until the start time and sends the best one. Returns the duration of that plan in
+ * seconds, or 0 if no simulated scoop landed a fish. */
 static double try_once(double seen_s, const char *folder, uint32_t *luck)
 {
     const double start_s = seen_s + THINK_S, enough_s = start_s - 3.0 * DELIVERY_S;

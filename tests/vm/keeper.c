@@ -1,11 +1,11 @@
-/* keeper.c -- acts as systemd for the kiosk in the guest: starts it and feeds the hardware watchdog
- * while the kiosk reports that it runs.
+/* keeper.c -- replaces systemd for the kiosk in the guest: starts the kiosk and resets the hardware
+ * watchdog's timer while the kiosk reports that it runs.
  *
- * Usage: keeper DEVICE SECONDS COMMAND [WORD...]. The program opens the watchdog at READY=1 and
- * feeds it at each WATCHDOG=1. If the kiosk hangs, the watchdog resets the machine. When the
- * command exits, the program disarms the watchdog and returns the exit code of the command. At
- * its end it prints on standard error the number of feeds and the longest interval between two
- * feeds. */
+ * Usage: keeper DEVICE SECONDS COMMAND [WORD...]. The program opens the watchdog DEVICE when the
+ * command sends READY=1 and resets the timer at each WATCHDOG=1. If the kiosk hangs, the watchdog
+ * resets the machine. When the command exits, the program disarms the watchdog and returns the
+ * command's exit code. It then prints on standard error the number of timer resets and the longest
+ * interval between two of them. */
 #include <fcntl.h>
 #include <linux/watchdog.h>
 #include <poll.h>

@@ -1,12 +1,10 @@
-/* lag.c -- measures how long a report of a USB poi waits for its tick, without the load of drawing
- * and of the core.
+/* lag.c -- measures the delay from a report of a USB poi to the tick that uses it.
  *
- * Usage: lag VVVV:PPPP SECONDS. Runs the kiosk's report path at 60 frames per second: the libusb
- * thread, its ring buffer, the decoder, the missing ticks of a frame and the pose of each tick. An
- * emulated machine takes ten milliseconds for a tick of the core and half a second for a picture,
- * and these times would dominate the figure. Prints the figures in one line. Exit code 0 means that
- * at least half of the reports that the poi sends were used, and that half of these were used
- * within a frame and a half. Exit code 1 means that this failed or that no such poi exists. */
+ * Usage: lag VVVV:PPPP SECONDS. Runs the kiosk's code from the libusb thread to the pose of each
+ * tick, at 60 frames per second. Drawing and the core are left out, because they take so long on an
+ * emulated machine that they would dominate the result. Prints the figures in one line. Exit code 0
+ * means that at least half of the sent reports were used, and that the median delay was at most a
+ * frame and a half. Exit code 1 means that this failed or that no such poi exists. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -19,8 +17,8 @@
 #include "platform/os/clock.h"
 
 #define FRAME_NS 16666667u
-#define FIND_NS 10000000000u /* Timeout until the device of a slow machine has its slot. */
-#define REPORTS_MIN 125u     /* Least number of reports per second. */
+#define FIND_NS 10000000000u /* Timeout for the device to get a slot on a slow machine. */
+#define REPORTS_MIN 125u     /* Least number of used reports per second. The poi sends 250. */
 #define MEDIAN_MAX_NS (FRAME_NS + FRAME_NS / 2u)
 
 static struct poi_hid poi[POI_MAX];
@@ -55,8 +53,8 @@ static struct usb_event_thread *start(struct hal *hal, const struct usb_key *key
     return usb;
 }
 
-/* Waits until the device has a slot. The kiosk also reads a slot only after a device has taken
- * it. */
+/* Waits until the device has a slot. The kiosk also reads from a slot only after a device was
+ * assigned to it. */
 static int is_found(const struct hal *hal)
 {
     const uint64_t end_ns = hal->clock.ops->now_ns(hal->clock.self) + FIND_NS;
@@ -85,8 +83,8 @@ static void frame(const struct hal *hal)
     sampler_path_end(&hand.path);
 }
 
-/* Runs frames until `long_ns` have passed. A late frame is not repeated. Returns the number of
- * frames. */
+/* Runs frames until `long_ns` have passed. After a frame that took too long, the next frame starts
+ * at once, and missed frames are not made up. Returns the number of frames. */
 static uint32_t play(const struct hal *hal, uint64_t long_ns)
 {
     const uint64_t begin_ns = hal->clock.ops->now_ns(hal->clock.self);

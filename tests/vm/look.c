@@ -1,7 +1,7 @@
-/* look.c -- writes the state of the guest's stall from its recording as "name value" lines.
+/* look.c -- writes the state of the game in the guest as "name value" lines.
  *
- * Usage: look RECORDING FILE. The program rewrites FILE whenever the recording has grown, until a
- * signal ends the program. */
+ * Usage: look RECORDING FILE. The program recomputes the state from the kiosk's recording (twin.h).
+ * It rewrites FILE whenever the recording has grown, until a signal ends the program. */
 #include <signal.h>
 #include <stdio.h>
 #include <time.h>
@@ -57,8 +57,8 @@ static void print_state(FILE *file, const struct twin *twin)
             (double)at.z * 1e3);
 }
 
-/* Writes the file under a temporary name and renames it, so that the reader gets a complete
- * file. */
+/* Writes the state to a temporary file and renames the file, so that its reader never gets an
+ * incomplete state. */
 static int write_state(const char *path, const struct twin *twin)
 {
     char part[512];

@@ -1,16 +1,14 @@
 /* panel.c -- generates pulses on lines of gpio-sim and counts pulses, with better timing than a
  * shell script.
  *
- * Usage: panel pulse WIRE WIDTH_MS REST_MS COUNT [MIN_MS MAX_MS]. WIRE is the folder of a line that
- * is pulled low COUNT times. An emulated machine stops from time to time, so that the true length
- * of each pulse is measured. With MIN_MS and MAX_MS only pulses of such a length count toward
- * COUNT. At the end the program prints "COUNT pulses of A to B ms, S shorter, L longer" on standard
- * output.
+ * Usage: panel pulse WIRE WIDTH_MS REST_MS COUNT [MIN_MS MAX_MS]. Pulls the line of folder WIRE low
+ * COUNT times. The true length of each pulse is measured, because an emulated machine stops from
+ * time to time. With MIN_MS and MAX_MS, only pulses within these lengths count toward COUNT.
+ * Finally prints "COUNT pulses of A to B ms, S shorter, L longer".
  *
  * Usage: panel count WIRE FILE. Writes to FILE how often the line's value rose, until a signal ends
- * the program. A meter pulse lasts 100 ms. Each processor polls the line ten times in that time,
- * because the program that drives the line runs on one of the processors, which therefore does not
- * stand still at that moment. */
+ * the program. One thread for each processor polls the line every 10 ms, so that a 100 ms pulse is
+ * seen even if a processor stops. */
 #include <fcntl.h>
 #include <pthread.h>
 #include <sched.h>
@@ -31,7 +29,7 @@
 struct pulses {
     double width_ms, rest_ms, min_ms, max_ms;
     uint32_t count, shorter, longer;
-    double narrowest_ms, widest_ms; /* Lengths of the shortest and of the longest accepted pulse. */
+    double narrowest_ms, widest_ms; /* Lengths of the shortest and the longest accepted pulse. */
 };
 
 static double now_ms(void)
@@ -87,7 +85,7 @@ static void pulse(struct pulses *pulses, const char *wire, uint32_t count)
            pulses->narrowest_ms, pulses->widest_ms, pulses->shorter, pulses->longer);
 }
 
-/* Returns 1 if the line is high. A line without a chip is low. */
+/* Returns 1 if the line is high. Returns 0 if it is low or its chip does not exist. */
 static int is_high(const char *path)
 {
     char value = '0';
@@ -99,8 +97,8 @@ static int is_high(const char *path)
     return value == '1';
 }
 
-/* Writes the file under a temporary name and renames it, so that the reader gets a complete
- * file. */
+/* Writes the count to a temporary file and renames the file, so that its reader never gets an
+ * incomplete count. */
 static void write_count(const char *path, uint32_t count)
 {
     char part[PATH_SIZE];
@@ -116,14 +114,14 @@ static void write_count(const char *path, uint32_t count)
 static struct {
     char path[PATH_SIZE];
     pthread_mutex_t lock;
-    double polled_ms; /* Time at which the last processed poll began. */
+    double polled_ms; /* Start time of the newest poll that was processed. */
     int was_high;
     _Atomic uint32_t rises;
 } seen = { .lock = PTHREAD_MUTEX_INITIALIZER, .was_high = 1 };
 
-/* Processes the level that a thread has polled. A thread whose processor stood still reports an old
- * level. Therefore the function ignores a poll that began before a newer poll that was already
- * processed. Otherwise one pulse could be counted twice. */
+/* Processes the level that a thread has polled. A thread on a stopped processor may report an old
+ * level late. Therefore the function ignores a poll that began before the newest processed poll.
+ * Otherwise one pulse could be counted twice. */
 static void process_level(double polled_ms, int high)
 {
     pthread_mutex_lock(&seen.lock);
@@ -172,8 +170,8 @@ __attribute__((noreturn)) static void count_rises(const char *wire, const char *
 
 int main(int argc, char **argv)
 {
-    const struct sched_param hand = { .sched_priority = 10 }; /* Kernel threads of interrupts have
-                                                                 priority 50. */
+    /* Priority below that of the kernel's interrupt threads (50). */
+    const struct sched_param hand = { .sched_priority = 10 };
     sched_setscheduler(0, SCHED_FIFO, &hand);
     if (argc == 4 && strcmp(argv[1], "count") == 0) {
         count_rises(argv[2], argv[3]);

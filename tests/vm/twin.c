@@ -1,4 +1,4 @@
-/* twin.c -- reads new ticks of a recording, runs them and compares every digest. */
+/* twin.c -- recomputes new ticks of a recording and compares the digest of each tick. */
 #include "tests/vm/twin.h"
 
 #include <string.h>
@@ -30,7 +30,7 @@ static void count(struct twin *twin)
     twin->paused_ticks += twin->core.game.phase == PHASE_ROUND && twin->core.game.paused;
 }
 
-/* Skips the ticks that were taken before. They are decoded but not run again. */
+/* Decodes the ticks that were already run, to reach the first new tick. */
 static int skip_known(struct twin *twin, struct input *input)
 {
     for (uint32_t i = 0; i < twin->ticks; i++) {

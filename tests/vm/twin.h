@@ -1,9 +1,9 @@
-/* twin.h -- recomputes the stall of the guest outside the guest from the recording that the kiosk
- * writes.
+/* twin.h -- recomputes the game of a kiosk in the guest, outside the guest, from the recording that
+ * the kiosk writes.
  *
- * The core is a pure function of its inputs. Recorded inputs that are ticked again give exactly the
- * stall in the guest, and the digest of each tick proves it. A test thus has the complete state of
- * the kiosk, at most a second late, without test code in the kiosk. */
+ * The core is a pure function of its inputs, so the recorded inputs give exactly the same game. The
+ * digests in the recording prove this for each tick. A test thus has the complete state of the
+ * kiosk, at most a second late, without test code in the kiosk. */
 #ifndef KINGYO_TESTS_VM_TWIN_H
 #define KINGYO_TESTS_VM_TWIN_H
 
@@ -13,16 +13,16 @@
 #include "platform/replay/replay.h"
 
 struct twin {
-    const char *path; /* Path of the recording, which may still grow. */
+    const char *path; /* Path of the recording, which the kiosk may still extend. */
     struct replay_reader reader;
     struct core core;
     struct input input; /* Input of the newest tick. */
     struct output output;
-    uint32_t ticks;        /* Number of ticks taken so far. */
-    uint32_t coins;        /* Total number of coins in all inputs. */
-    uint32_t presses[9];   /* Number of presses of each button, indexed by the bit of enum
+    uint32_t ticks;      /* Number of ticks that were run so far. */
+    uint32_t coins;      /* Total number of coins in all inputs. */
+    uint32_t presses[9]; /* Number of presses of each button, indexed by the bit of enum
                               input_button. */
-    uint32_t caught;       /* Number of landed fish, by the count in the recording. */
+    uint32_t caught; /* Number of landed fish according to the totals stored in the recording. */
     uint32_t lost_spans;   /* Number of times that the first poi was lost after it had been
                               present. */
     uint32_t lost_ticks;   /* Duration of the last loss of the first poi. */
@@ -32,9 +32,8 @@ struct twin {
 };
 
 /* Runs the new ticks of the recording on the twin's core. Returns 1 if there were new ticks, and 0
- * if the recording has nothing new or is incomplete. Returns -1 if the recording is invalid or its
- * ticks differ from those of this core (differs_at). The caller passes a twin whose members are 0
- * except `path`. */
+ * if there were none or the recording is incomplete. Returns -1 if the recording is invalid or a
+ * digest differs (differs_at). Before the first call all members except `path` must be 0. */
 int twin_follow(struct twin *twin);
 
 /* Runs one tick of any core with the caller's input, to simulate a possible future. */

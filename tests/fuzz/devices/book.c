@@ -1,6 +1,6 @@
-/* book.c -- fuzz target: any text as a stored controller file. The parser reports the bad
- * line, or the entry is unchanged after it was written and read again. The entry's name must be a
- * plain file name, so that it leads to no other folder. */
+/* book.c -- fuzz target: arbitrary text as a stored controller mapping. The parser must either
+ * report the invalid line, or read an entry that is unchanged after it was written and read again.
+ * The entry's file name must not contain a path, so that it cannot lead to another folder. */
 #include <string.h>
 
 #include "drivers/hid/hid_mapping.h"

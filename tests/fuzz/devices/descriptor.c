@@ -1,12 +1,12 @@
-/* descriptor.c -- fuzz target: any bytes as a report descriptor. The parser refuses the
- * bytes, or returns a consistent list of fields. */
+/* descriptor.c -- fuzz target: arbitrary bytes as a report descriptor. The parser must either
+ * reject the bytes, or return a consistent list of fields. */
 #include <string.h>
 
 #include "drivers/hid/hid_descriptor.h"
 #include "tests/fuzz/trap.h"
 
-/* The same bytes are parsed into two buffers with different old content. Both results must be
- * equal, so that nothing of the last descriptor remains. */
+/* Two results of the same bytes, parsed into buffers with different old content. The results must
+ * be equal, so that no data of the previous descriptor remains in them. */
 static struct hid_descriptor first, again;
 
 static void hold_usages(const struct hid_group *group)
@@ -27,7 +27,7 @@ static void hold_group(const struct hid_group *group, uint32_t end_bit[256])
 {
     const uint32_t id = group->report_id;
     HOLD(group->count > 0 && group->bit_size > 0 && group->bit_size <= HID_FIELD_BITS_MAX);
-    HOLD(group->bit_offset >= end_bit[id]); /* Fields follow each other and never overlap. */
+    HOLD(group->bit_offset >= end_bit[id]); /* Fields are in ascending order and never overlap. */
     end_bit[id] = group->bit_offset + group->count * group->bit_size;
     HOLD(end_bit[id] <= first.report_bits[id] && first.report_bits[id] <= HID_REPORT_BITS_MAX);
     HOLD(id == 0 || first.has_report_ids);

@@ -1,23 +1,24 @@
-/* hand.c -- fuzz target: any controller, any valid map for it, and any reports. The decoded
- * pose must be finite, and the decoder must take a bounded time.
+/* hand.c -- fuzz target: an arbitrary controller, a mapping for it, and arbitrary reports. The
+ * decoded pose must be finite, and each report must be decoded within a time limit.
  *
- * Input: vendor and product (two bytes each, low byte first), the size of the descriptor (also two
- * bytes), the descriptor, and a map as a line of text. An empty line selects the automatic map.
- * Reports follow: a byte of time, a byte of size, and the bytes of the report. */
+ * Input: vendor, product and size of the descriptor (two bytes each, low byte first), the
+ * descriptor, and a mapping as a line of text. An empty line selects the automatic mapping. Reports
+ * follow: a byte of time, a byte of size, and the bytes of the report. */
 #include <string.h>
 #include <time.h>
 
 #include "drivers/hid/poi_hid.h"
 #include "tests/fuzz/trap.h"
 
-/* Unit of the time byte of an input record. Values below 255 are up to 128 ms, and 255 means eight
+/* Unit of the time byte of a report. The values 0 to 254 are up to 127 ms, and 255 means eight
  * seconds. */
 #define TIME_STEP_NS 500000u
 
-/* Time limit for one report on the clock of its thread. The sanitizers make the decoder about 20
- * times slower. */
+/* CPU time limit for the decoding of one report. The limit allows for the sanitizers, which make
+ * the decoder about 20 times slower. */
 #define REPORT_NS_MAX 4000000ull
-/* Number of measurements of a report. One slow measurement can be caused by another process. */
+/* Number of measurements of a report. The report fails only if all are slow, because another
+ * process can slow down a single one. */
 #define REPORT_TRIES 3u
 
 static const struct view view = { .eye_m = { 0.0f, 0.9f, 0.7f },
@@ -54,8 +55,8 @@ static void hold_hand(uint64_t time_ns)
     hid_pose_decoder_buttons(&hand, &buttons);
     HOLD((buttons.held & ~(uint32_t)INPUT_BUTTON_ALL) == 0 && buttons.coin_count[0] == 0);
     hid_pose_decoder_buttons(&hand, &again);
-    HOLD(again.pressed == 0 && again.held == buttons.held); /* A button edge must be returned only
-                                                               once. */
+    /* A button press must be returned only once. */
+    HOLD(again.pressed == 0 && again.held == buttons.held);
 }
 
 static uint64_t cpu_ns(void)
@@ -98,7 +99,8 @@ static void play(const uint8_t *bytes, size_t size)
     }
 }
 
-/* Reads one line of text from the input. Returns the number of bytes read. */
+/* Parses the line of text at `bytes` as a mapping. Selects the automatic mapping if the line is
+ * empty or invalid. Returns the number of bytes used. */
 static size_t take_map(const uint8_t *bytes, size_t size)
 {
     static char text[HID_MAPPING_TEXT_SIZE];

@@ -1,5 +1,5 @@
-/* learn.c -- fuzz target: the learn dialog with any controller and any reports. A learned
- * map must be usable for play.
+/* learn.c -- fuzz target: the dialog that learns a controller's mapping, with an arbitrary
+ * controller and arbitrary reports. A learned mapping must be usable for play.
  *
  * Input: the size of the descriptor (two bytes, low byte first), the descriptor, and steps. Each
  * step is a byte of time. The value 255 means that the user confirms the instruction. Any other

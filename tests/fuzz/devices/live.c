@@ -1,8 +1,7 @@
-/* live.c -- fuzz target: the live view of any controller in a window of any size. The
- * picture must fit the window.
+/* live.c -- fuzz target: the live display of a controller's fields, for an arbitrary controller and
+ * an arbitrary window size. The display must fit the window.
  *
- * Input: the format of report.c. The size of a report also selects the size of the
- * window. */
+ * Input: the format of report.c. The size of a report also selects the size of the window. */
 #include <string.h>
 
 #include "platform/ctl/devices/hid_live.h"

@@ -1,5 +1,6 @@
-/* map_text.c -- fuzz target: any line as a stored map. The parser refuses the line with one
- * sentence, or the map is unchanged after it was written and read again. */
+/* map_text.c -- fuzz target: an arbitrary line as a stored mapping of a controller. The parser must
+ * either reject the line with one sentence, or read a mapping that is unchanged after it was
+ * written and read again. */
 #include <string.h>
 
 #include "drivers/hid/hid_mapping.h"

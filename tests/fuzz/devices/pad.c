@@ -1,16 +1,16 @@
-/* pad.c -- fuzz target: any events of a gamepad or of a touch screen. The decoded pose must
+/* pad.c -- fuzz target: arbitrary events of a gamepad or of a touch screen. The decoded pose must
  * be finite.
  *
  * Input: a byte that selects the device (an even value selects the gamepad), and events. A gamepad
- * event has a byte of time, a byte for its kind, and the bytes of that kind. A touch event has a
- * byte of time, kind, finger, x and y. */
+ * event is a byte of time, a byte for its kind, and the bytes of that kind. A touch event is a byte
+ * each of time, kind, finger, x and y. */
 #include <string.h>
 
 #include "drivers/gamepad/gamepad_decoder.h"
 #include "drivers/pointer/touch_fingers.h"
 #include "tests/fuzz/trap.h"
 
-/* Unit of the time byte of an input record. Values below 255 are up to 128 ms, and 255 means eight
+/* Unit of the time byte of an event. The values 0 to 254 are up to 127 ms, and 255 means eight
  * seconds. */
 #define TIME_STEP_NS 500000u
 
@@ -63,8 +63,8 @@ static void hold_pad(struct gamepad_queue *track, uint64_t now_ns, uint32_t max)
     gamepad_queue_buttons(track, &buttons);
     HOLD((buttons.held & ~(uint32_t)INPUT_BUTTON_ALL) == 0);
     gamepad_queue_buttons(track, &again);
-    HOLD(again.pressed == 0 && again.held == buttons.held); /* A button edge must be returned only
-                                                               once. */
+    /* A button press must be returned only once. */
+    HOLD(again.pressed == 0 && again.held == buttons.held);
 }
 
 static void play_pad(struct input_bytes *input)

@@ -1,6 +1,6 @@
-/* poi_board.c -- fuzz target: any bits as sensor values of a poi's board. The board must
- * write a report that the host can read, or a report without a position. The motor must stay within
- * its range. */
+/* poi_board.c -- fuzz target: arbitrary bits as sensor values of a poi's board. The host must be
+ * able to decode the board's report exactly if the report has a position. The motor value must stay
+ * within its range. */
 #include <string.h>
 
 #include "board/poi-gadget/attitude.h"

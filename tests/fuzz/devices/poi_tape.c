@@ -1,6 +1,6 @@
-/* poi_tape.c -- fuzz target: any bytes as a script of poses and as lines of a poi's
- * configuration. The parser refuses them with a reason, or every pose is within the reach of the
- * poi. */
+/* poi_tape.c -- fuzz target: arbitrary bytes as a script of poses and as lines of a poi's
+ * configuration. The parser must either reject the bytes with a reason, or accept only poses within
+ * the reach of the poi. */
 #include <string.h>
 
 #include "board/poi-gadget/poi_config.h"

@@ -1,5 +1,5 @@
-/* report.c -- fuzz target: any descriptor and any reports that use it. Every value is
- * compared with a reference reader that reads bit by bit.
+/* report.c -- fuzz target: an arbitrary report descriptor and reports in its format. Every decoded
+ * value is compared with a reference decoder that reads bit by bit.
  *
  * Input: two bytes for the size of the descriptor, low byte first, the descriptor, and reports. A
  * report is a byte of size and the bytes of the report. */
@@ -9,8 +9,8 @@
 #include "drivers/hid/hid_descriptor.h"
 #include "tests/fuzz/trap.h"
 
-/* Number of fields of one report that are compared. The largest reports have 65,536 fields,
- * which would take too long. */
+/* Number of fields of a report that are compared. The largest reports have 65,536 fields, and
+ * comparing all of them would take too long. */
 #define FIELDS_HELD 512u
 
 static struct hid_descriptor descriptor;
@@ -59,7 +59,7 @@ static void hold_report(struct hid_report report)
 }
 
 /* Decodes a copy in a heap block of exactly `size` bytes, so that the sanitizer detects a read
- * beyond its end. */
+ * beyond the end of the report. */
 static void hold_copy(const uint8_t *bytes, size_t size)
 {
     uint8_t *copy = malloc(size ? size : 1u);

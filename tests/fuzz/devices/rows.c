@@ -1,4 +1,4 @@
-/* rows.c -- fuzz target: `kingyoctl hid describe` and `kingyoctl hid decode` on any two
+/* rows.c -- fuzz target: `kingyoctl hid describe` and `kingyoctl hid decode` on two arbitrary
  * files.
  *
  * Input: a line with the size of the descriptor file in hexadecimal, the descriptor file, and the
@@ -10,7 +10,7 @@
 #include "platform/ctl/devices/hid_rows.h"
 #include "tests/fuzz/trap.h"
 
-/* Number of fields that are printed. More fields repeat the same code and take longer. */
+/* Number of fields that are printed. Printing more fields would only repeat the same code. */
 #define FIELDS_SHOWN 4096u
 
 static struct hid_descriptor descriptor;

@@ -1,6 +1,6 @@
-/* wires.c -- fuzz target: any lines as the wiring of a cabinet, and as an operator's
- * choice of controllers. The parser accepts them, or refuses them with one sentence and changes
- * nothing. */
+/* wires.c -- fuzz target: arbitrary lines as the GPIO wiring of a cabinet, and as an operator's
+ * choice of controllers. The parser must either accept a line, or reject it with one sentence and
+ * change nothing. */
 #include <string.h>
 
 #include "drivers/gpio/gpio_config.h"

@@ -1,17 +1,16 @@
 /* cut.c -- computes the content of a disk after a power cut: all flushed data, and a random part of
- * the rest.
+ * the other writes.
  *
- * Usage: cut LOG DISK SEED [lies]. LOG is the log that QEMU's blklogwrites wrote for a machine that
- * was killed. The log has each write and each flush in their order (the format of the kernel's
- * dm-log-writes). DISK is the disk when that machine was switched on, and is changed to the disk
- * when the machine is switched on again.
+ * Usage: cut LOG DISK SEED [lies]. LOG is the log of QEMU's blklogwrites for a machine that was
+ * killed, with each write and flush in order (the format of the kernel's dm-log-writes). DISK is
+ * the disk image when that machine was switched on. The program changes it to the image after the
+ * power cut.
  *
- * A write is on the disk if a flush followed it or if it was a FUA write. Each other write is drawn
- * separately: it is on the disk, is not, or is torn, so that only some of its sectors of 512 bytes
- * are there. The order of writes is therefore not preserved. With `lies` the disk also loses
- * flushed data, so that the test which uses this program must fail. Prints one line with the number
- * of writes of each kind. Exit code 74 means that a file is missing or that LOG is not a log of
- * QEMU. */
+ * A write is kept if a flush followed it or if it was a FUA write. Each other write is at random
+ * kept, lost, or torn (only some of its 512-byte sectors are kept), independent of the order. With
+ * `lies` flushed writes may be lost too, so that a test of durability must fail. Prints one line
+ * with the number of writes of each kind. Exit code 74 means that a file is missing or that LOG is
+ * no such log. */
 #include <errno.h>
 #include <fcntl.h>
 #include <stdint.h>
@@ -22,13 +21,13 @@
 
 #define SECTOR 512u
 #define MAGIC 0x6a736677736872ull
-/* Largest number of writes. A busy stall makes some hundred writes per second, so that this
- * number is enough for hours. */
+/* Largest number of writes. A busy kiosk makes some hundred writes per second, so this number is
+ * enough for about an hour. */
 #define WRITES_MAX (1u << 20)
 
 enum { FLUSH = 1, FUA = 2, DISCARD = 4, MARK = 8 };
 
-struct super { /* Header of the log, little-endian as the supported machines. */
+struct super { /* Header of the log. Its fields are little-endian, as on all supported machines. */
     uint64_t magic, version, entries;
     uint32_t sector_size;
 } __attribute__((packed));
@@ -69,15 +68,15 @@ static uint64_t draw(void)
 /* Marks all earlier writes as durable. */
 static void flush(struct tally *tally)
 {
-    static uint32_t flushed; /* Number of writes that were already flushed. */
+    static uint32_t flushed; /* Number of writes that an earlier flush made durable. */
     while (flushed < write_count) {
         writes[flushed++].is_safe = !disk_lies;
     }
     tally->flushes++;
 }
 
-/* Reads all entries up to the first invalid one, because the count in the log's header is updated
- * only from time to time. */
+/* Reads all entries up to the first invalid one. The number of entries in the header is not used,
+ * because QEMU updates it only from time to time. */
 static void read_log(const char *path, int log, struct tally *tally)
 {
     struct super super;
@@ -112,7 +111,8 @@ static void read_log(const char *path, int log, struct tally *tally)
     }
 }
 
-/* Writes the sectors of a write. `share` is the fraction of its sectors in 256ths. */
+/* Writes a random part of the sectors of a write to the disk. `share` is the probability of each
+ * sector in 256ths. */
 static void put(int log, int disk, const struct write *write, unsigned share)
 {
     uint8_t bytes[SECTOR] = { 0 };
@@ -122,7 +122,7 @@ static void put(int log, int disk, const struct write *write, unsigned share)
         }
         if (!write->is_zero &&
             pread(log, bytes, SECTOR, (off_t)(write->at + done)) != (ssize_t)SECTOR) {
-            return; /* The kill tore the last write of the log itself. */
+            return; /* The killed machine wrote the data of its last log entry only in part. */
         }
         if (pwrite(disk, bytes, SECTOR, (off_t)(write->to + done)) != (ssize_t)SECTOR) {
             fail("disk", strerror(errno));

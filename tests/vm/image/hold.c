@@ -1,15 +1,16 @@
-/* hold.c -- stops only the first thread of a process, until this program or the process ends.
+/* hold.c -- stops only the first thread of a process, to simulate a frame loop that hangs.
  *
- * Usage: hold PID. Simulates a frame loop that hangs. SIGSTOP would also stop the other threads.
- * Exit code 0 means that the process has ended, and 74 that the process could not be stopped. */
+ * Usage: hold PID. The thread is stopped until this program or the process ends. SIGSTOP is not
+ * used, because it would also stop the other threads. Exit code 0 means that the process has ended,
+ * and 74 that the process could not be stopped. */
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <sys/ptrace.h>
 #include <sys/wait.h>
 
-/* Returns 1 if the process has ended. A signal that would end the process is delivered, and the
- * stopped thread is released for it. */
+/* Returns 1 if the process has ended or received SIGABRT, SIGKILL or SIGTERM. In the latter case
+ * the stopped thread is released, so that the signal can end the process. */
 static int is_over(pid_t pid)
 {
     int status;

@@ -1,24 +1,23 @@
-/* witness.c -- prints which data a stall that lost power had committed, from its recording.
+/* witness.c -- prints the data that a kiosk had committed before it lost power, from its recording.
  *
- * Usage: witness RECORDING. The core is ticked again from the recording (twin.h), and the program
- * prints:
+ * Usage: witness RECORDING. Runs the core on the recorded inputs (twin.h) and prints:
  *
- * start LAST_ID BOOT UNITS PAID SERVICE OPEN: the state that the stall loaded at its start.
+ * start LAST_ID BOOT UNITS PAID SERVICE OPEN: the state that the kiosk loaded at its start.
  *
  * entry ID BOOT TICK KIND DETAIL COUNT VALUE UNITS BONUS PAID SERVICE UNTOLD OPEN: a ledger entry.
  *
  * end TICKS ACKNOWLEDGED_ID NEWEST_ID COINS: the end of the recording.
  *
- * A recording is written once a second, so that acknowledgements of the last second are missing.
- * Exit code 0 means success, and 65 that the recording is not from this core. */
+ * The kiosk writes the recording once a second, so the acknowledgements of the last second are
+ * missing. Exit code 0 means success, and 65 that another core wrote the recording. */
 #include <stdio.h>
 
 #include "tests/vm/twin.h"
 
 static struct replay_reader reader;
 static struct core core;
-static struct output output; /* The three structs have a size of megabytes and do not fit on the
-                                stack. */
+/* The reader, the core and the output are static, because they have a size of megabytes. */
+static struct output output;
 
 static void print_balance(const struct balance *balance)
 {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0+
-/* irq-sim.c -- the kernel's simulated interrupts, which gpio-sim needs, as a module.
+/* irq-sim.c -- the kernel's simulated interrupts, which gpio-sim needs, as a loadable module.
  *
- * Debian does not enable CONFIG_IRQ_SIM, and irq_to_desc() is not exported to modules. The kernel's
- * own file is used unchanged, with that call replaced by two exported calls. On 6.1 an interrupt
- * domain is never freed (gpio-sim-held.c gives the reason). */
+ * Debian's kernel does not enable CONFIG_IRQ_SIM. The module includes the kernel's own source file.
+ * irq_to_desc(), which is not exported to modules, is replaced by two exported functions. On Linux
+ * 6.1 an interrupt domain is never freed, for the reason given in gpio-sim-held.c. */
 #include <linux/irq.h>
 #include <linux/irqdesc.h>
 #include <linux/irqdomain.h>
