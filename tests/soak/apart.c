@@ -1,11 +1,12 @@
-/* apart.c -- measures overlaps of all kinds and the motion of the fish. */
+/* apart.c -- implementation of apart.h: measures all kinds of overlap and the motion of the
+ * fish. */
 #include "tests/soak/apart.h"
 
 #include <math.h>
 #include <string.h>
 
-/* Side of a grid cell, which is larger than the greatest distance of two touching fish of 8 cm,
- * corner to corner. */
+/* Side of a grid cell. Two fish of 8 cm that touch are never farther apart than this, so only
+ * neighbouring cells must be searched. */
 #define CELL_M 0.11f
 #define CELLS_MAX 2048u
 #define RING_POINTS 96
@@ -14,8 +15,8 @@
 
 struct cells {
     uint32_t columns, rows;
-    /* Linked lists of the fish in each cell. The lists hold the index of a fish plus 1, and 0 ends
-     * a list. */
+    /* One linked list for each cell with the fish in it. An entry is the index of a fish plus 1,
+     * and 0 ends the list. */
     uint16_t first[CELLS_MAX], next[TANK_FISH_MAX];
 };
 
@@ -61,7 +62,8 @@ static void fill(struct cells *cells, const struct tank *tank)
     }
 }
 
-/* Checks fish `i` against the fish of one cell that come before it. */
+/* Checks fish `i` for overlap with each fish of the cell whose index is smaller, so that each pair
+ * is checked once. */
 static void check_cell(struct apart *apart, const struct tank *tank, const struct cells *cells,
                        uint32_t i, uint32_t cell)
 {
@@ -177,8 +179,9 @@ static void check_ring(struct apart *apart, const struct poi *poi, const struct 
     }
 }
 
-/* Returns the depth of a point in the hull, to first order. A box is checked by a lattice of its
- * points. */
+/* Returns the approximate depth of a point inside the bowl's hull (a first-order approximation). A
+ * negative value means that the point is outside. check_hull() calls this for a lattice of points
+ * of each box. */
 static float point_in_hull_m(const struct bowl *bowl, vec3 point_m)
 {
     const vec3 p = v3_sub(point_m, bowl->position_m);
@@ -243,7 +246,7 @@ static void check_pace(struct apart *apart, const struct tank *tank, const struc
     }
     if (fish->gait == GAIT_SWIM) {
         const vec3 v = fish->velocity_m_s;
-        /* Basic speed of the fish for its length and stamina, by section 3.3 of the thesis. */
+        /* Speed of the gait for the fish's length and stamina (section 3.3 of the 2013 thesis). */
         const float able = fish->length_m * (0.8f + 0.2f * fish->stamina);
         apart->speed_sum += (double)f_sqrt(v.x * v.x + v.z * v.z);
         apart->free_sum += (double)(able * tank_behavior_params(tank)->swim_speed);

@@ -1,4 +1,5 @@
-/* drag.c -- draws the strokes of a dragged poi from a seed, so that every run is the same. */
+/* drag.c -- implementation of drag.h. All strokes are drawn from a seed, so that every run is the
+ * same. */
 #include "tests/soak/drag.h"
 
 #include <stdio.h>
@@ -31,8 +32,8 @@ void drag_init(struct drag *drag, uint8_t preset, uint32_t fish_count, uint32_t 
     drag->to_m = drag->input.poi[0].target.position_m;
 }
 
-/* Draws the next target: any place, a wall, a corner, the floor, or a place above the water from
- * which the poi enters again. */
+/* Draws the target of the next stroke: a point in the tank, a wall, a corner, the floor, or a point
+ * above the water from which the poi enters again. */
 static void next_stroke(struct drag *drag)
 {
     const vec3 size = drag->core.world.tank.size_m;
@@ -96,7 +97,7 @@ void drag_begin(struct drag *drag)
     next_stroke(drag);
 }
 
-/* Replaces worn paper, because a ring without paper would disturb the fish less. */
+/* Replaces worn paper by new paper, because a ring with torn paper would push the fish less. */
 static void renew_paper(struct poi *poi)
 {
     if (poi->sheet.paper_cells < poi->sheet.paper_cells_new) {
@@ -113,7 +114,8 @@ void drag_tick(struct drag *drag)
         bowl_empty(&core->world.bowl[0], 0, &core->world.tank);
     }
     if (core->game.tick - core->game.phase_tick > CORE_TICK_HZ) {
-        core->game.phase_tick++; /* The clock of the round stands still. */
+        /* Cancels the advance of the round's clock, so that the round never ends. */
+        core->game.phase_tick++;
     }
     tick_core(drag);
     const vec3 hand = drag->input.poi[0].target.position_m;

@@ -1,7 +1,7 @@
-/* drag.h -- drags a real poi through a tank of a given density, as hard as a player can.
+/* drag.h -- drags a simulated poi through a tank as hard as a player can.
  *
- * The poi moves at 0.1 to 1.5 m/s, level, tilted and on edge. It also plunges, and moves along
- * walls and into corners. */
+ * The poi moves at 0.1 to 1.5 m/s, level, tilted or on edge. It plunges into the water and moves
+ * along walls and into corners. */
 #ifndef KINGYO_TESTS_SOAK_DRAG_H
 #define KINGYO_TESTS_SOAK_DRAG_H
 
@@ -16,20 +16,21 @@ struct drag {
     float speed_m_s; /* Speed of the current stroke. */
     struct angles angles;
     uint32_t stroke; /* Number of the current stroke. */
-    /* Sums over the ticks: the distance of the ring from the hand, and the path of the hand. */
+    /* Sums over the ticks, in m: the distance from the requested to the simulated poi, and the path
+     * of the requested poi. */
     double lag_sum_m, hand_m;
     uint32_t ticks;
 };
 
-/* Opens a stall with `fish_count` fish; 0 means the preset's number. The stall stays in attract
- * mode until drag_begin(). */
+/* Starts a game with `fish_count` fish; 0 means the preset's number. The game stays in attract mode
+ * until drag_begin(). */
 void drag_init(struct drag *drag, uint8_t preset, uint32_t fish_count, uint32_t seed);
 
-/* Starts a round with the poi over the middle of the tank. */
+/* Starts a round with the poi above the middle of the tank. */
 void drag_begin(struct drag *drag);
 
-/* Runs one tick of the round and moves the hand. The paper never wears out, and a full bowl is
- * emptied into the tank. */
+/* Runs one tick of the round and moves the poi along the current stroke. Worn paper is replaced,
+ * and a full bowl is emptied into the tank, so that the round can continue for ever. */
 void drag_tick(struct drag *drag);
 
 /* Runs one tick of the same tank and bowl without a poi. */

@@ -1,12 +1,12 @@
-/* soak.c -- runs full tanks for minutes, calm and with a dragged poi, and checks every tick.
+/* soak.c -- runs full tanks for minutes, with and without a dragged poi, and checks every tick.
  *
  * Usage: soak [SECONDS [SEED]]. The default is 600 s for each tank.
  *
- * Depths are in mm. pace: mean speed of swimming fish as a fraction of their gait's speed. rev/s:
- * reversals of calm turns for each fish and second. walls: fish within 3 cm of walls relative to an
- * even distribution. stuck, loose: longest time in s. lag: ring behind hand in mm. back: fish put
- * back for each fish and second. Returns exit status 1 if anything was deeper than 0.5 mm in
- * anything else, or if the fish did not move naturally. */
+ * Prints a line for each tank. Overlap depths are in mm. pace: mean speed as a fraction of the
+ * gait's speed. rev/s: reversals of turns per fish and second. walls: fish near walls relative to
+ * an even distribution. stuck, loose: longest times in s. lag: distance of the ring behind the
+ * requested pose in mm. back: reverted poses (contact_solver.h) per fish and second. Returns exit
+ * status 1 if an overlap was deeper than 0.5 mm, or if the fish did not move naturally. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -27,18 +27,19 @@ static const struct density densities[] = {
 static struct drag drag;
 static struct apart apart;
 
-/* Limits of natural motion in a tank of any density: no jitter, no blockage, no crowd at the
- * walls. */
+/* Limits of natural motion. Fish must not tremble, block each other or crowd at the walls, whatever
+ * their number. */
 #define PACE_MIN 0.5f
 #define REVERSALS_MAX_PER_S 1.0f
-/* Yaw rate of a burst. Avoidance turns are not faster. */
+/* Highest yaw rate of a startled fish. Calm fish that avoid each other must not turn faster. */
 #define YAW_RATE_MAX_RAD_S (720.0f * F_DEG)
 #define CROWDING_MAX 1.5f
 #define STUCK_MAX_S 5.0f
 #define LOOSE_MAX_S 0.5f
 
-static uint64_t reverted_count; /* Number of fish that were put back, summed over the ticks. */
-/* 1 if the check of all pairs found an overlap that the check with the grid missed. */
+/* Number of times that the contact solver reverted a fish to its previous pose. */
+static uint64_t reverted_count;
+/* 1 if the test of all pairs found an overlap that the test with the grid missed. */
 static int cells_missed;
 
 static void run(const struct density *density, int dragged, uint32_t seconds, uint32_t seed)

@@ -1,14 +1,14 @@
-/* week.c -- runs a week of a festival on the real frame loop, core and store, and checks that
+/* week.c -- runs a week of a festival with the real frame loop, core and store, and checks that
  * memory does not grow.
  *
  * Usage: week [HOURS]
  *
- * Time is simulated for HOURS (default 168) without a pause. From 10 to 21 o'clock a crowd drops
- * coins, plays and enters the leaderboard. At night no player is present. The tank has one fish,
- * and the catches are set directly, because swimming is not under test. Prints a line every six
- * hours: the memory that the program and SQLite use, the memory that the system gave, and the size
- * of the store. Returns exit status 1 if the used memory grew between the end of the first quarter
- * and the end, if a tick was dropped, or if a coin is not in the store. */
+ * Simulates HOURS (default 168) as fast as possible. From 10 to 21 o'clock players insert coins,
+ * play and enter names. At night nobody plays. The tank has one fish, and the number of caught fish
+ * is set directly, because swimming is not under test. Every six hours, prints the memory in use by
+ * the program and by SQLite, the memory obtained from the system, and the size of the store.
+ * Returns exit status 1 if the memory in use grew after the first quarter, if a tick was dropped,
+ * or if a coin is missing from the store. */
 #include <malloc.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -34,14 +34,14 @@
 #define LINE_HOURS 6u
 #define OPEN_HOUR 10u
 #define CLOSE_HOUR 21u
-/* Allowed growth of the memory in bytes, because a library may still hold a line of text that it is
- * reading. */
+/* Allowed growth of the memory in use, in bytes. A few KiB are allowed for a text line that a
+ * library is reading at the moment. */
 #define GROWTH_MAX (4 * 1024)
-/* Limit of SQLite's memory in bytes: the store's page cache (1,024 KiB, which fills as pages are
- * read), the backup's page cache (256 KiB), statements and schema. */
+/* Limit of SQLite's memory in bytes: the page cache of the store (1,024 KiB), the page cache of the
+ * backup (256 KiB), statements and schema. */
 #define SQLITE_MAX (1536u * 1024u)
 
-#define PIECE_HEAD sizeof(size_t) /* Size of the header of each block of the C library. */
+#define PIECE_HEAD sizeof(size_t) /* Overhead of each allocated block of the C library, in bytes. */
 
 static struct kiosk kiosk;
 static struct storage store;
@@ -93,7 +93,7 @@ static int poi_open(void *self)
     return HAL_OK;
 }
 
-/* Moves the poi in a circle over the water while the stall is open. */
+/* Moves the poi in a circle over the water during the opening hours. */
 static int poi_poll(void *self, struct poi_sample *out, uint32_t max)
 {
     (void)self;
@@ -179,8 +179,8 @@ static size_t resident_size(void)
     return resident * (size_t)sysconf(_SC_PAGESIZE);
 }
 
-/* Allocates memory for SQLite. SQLite's own counter omits the overhead of its blocks, which grows
- * with its cache. Here each block counts with the size that the C library allocated. */
+/* Allocates memory for SQLite. SQLite's own counter omits the overhead of its blocks. Therefore
+ * these functions count the size that the C library really uses. */
 static void *piece_take(int size)
 {
     return malloc((size_t)size);
@@ -257,8 +257,8 @@ static void print_sample(uint32_t hour, const struct sample *sample)
 
 /* ---- The week ------------------------------------------------------------------------------- */
 
-/* Waits until the store has committed all but LEDGER_RING / 2 entries. The store's thread writes in
- * real time, while the crowd plays some hundred times as fast. */
+/* Waits until at most LEDGER_RING / 2 entries are not yet committed. The store's thread writes in
+ * real time, but the simulation runs several hundred times as fast. */
 static void wait_for_store(void)
 {
     const struct ledger *ledger = &kiosk.core.game.accounts.ledger;
@@ -310,8 +310,8 @@ static int holds_all(const char *folder)
     return coins > 0 && memory.audits.count[AUDIT_COINS_1] == coins;
 }
 
-/* Prints the growth. SQLite keeps the data it reads until its cache is full, which is bounded. All
- * other memory must not grow. */
+/* Prints the growth of the memory in use. SQLite's memory may grow until its page cache is full, so
+ * it has a limit. All other memory must not grow. */
 static int print_growth(const struct sample *first, const struct sample *last, uint32_t since_hour)
 {
     const double own = ((double)last->ours - (double)last->sqlites) -
@@ -351,9 +351,9 @@ static int run(const char *folder, uint32_t hours)
     return grew || dropped > 0 || unwritten > 0 || !holds;
 }
 
-/* Restarts the program without the per-thread caches of the C library. The blocks in these caches
- * count as used, so that without the caches the count shows only memory that is really in use. The
- * option must be set before main. */
+/* Restarts the program without the C library's per-thread caches. Freed blocks in these caches
+ * would count as memory in use. The setting is read before main(), so the program must be started
+ * again. */
 static void begin_bare(char **argv)
 {
     static const char name[] = "GLIBC_TUNABLES";

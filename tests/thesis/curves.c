@@ -1,12 +1,12 @@
-/* curves.c -- computes figure 2.9 of the 2013 thesis from Kingyo's own water: the oxygen
- * consumption of 100 g of goldfish and the oxygen content of a litre, by temperature. Writes CSV to
- * standard output. */
+/* curves.c -- computes the data of figure 2.9 of the 2013 thesis with Kingyo's water model: the
+ * oxygen consumption of 100 g of goldfish and the oxygen content of a litre of water, over the
+ * temperature. Writes CSV to standard output. */
 #include <stdio.h>
 
 #include "core/tank/oxygen.h"
 
 #define SHOAL_KG 0.100f
-#define LENGTH_M 0.05f /* Length of each fish of the shoal. */
+#define LENGTH_M 0.05f /* Assumed length of each fish. */
 
 int main(void)
 {

@@ -1,5 +1,5 @@
-/* easel.c -- cameras of the thesis pictures, including the view through the wall, which no player
- * has. */
+/* easel.c -- implementation of easel.h. Its cameras include a view through the tank's side wall,
+ * which the kiosk does not offer. */
 #include "tests/thesis/easel.h"
 
 #include <stdio.h>
@@ -10,10 +10,12 @@
 #include "platform/render/display_gl.h"
 
 #define ASPECT ((float)EASEL_WIDTH / (float)EASEL_HEIGHT)
-/* Distance of the side camera. At this distance near and far fish have nearly the same size. */
+/* Distance of the side camera. From this distance, near and far fish appear almost equally
+ * large. */
 #define SIDE_EYE_M 6.5f
 
-static struct core core; /* Core that is used only to make a scene of its tank. */
+/* The renderer needs a scene, and only a core can make one. This core is never ticked. */
+static struct core core;
 static struct scene scene;
 static struct display_gl display;
 static uint8_t fine[EASEL_WIDTH * EASEL_FINER_MAX * EASEL_HEIGHT * EASEL_FINER_MAX * 3u];
@@ -30,8 +32,8 @@ int easel_open(uint32_t times)
         .width = fine_width,
         .height = fine_height,
         .off_screen = true,
-        /* With the scale 0, the renderer selects the scale itself, as in the kiosk. The
-         * measurements need this. */
+        /* With the scale 0, the renderer selects the scale itself, as in the kiosk. Time
+         * measurements need the kiosk's scale. */
         .scene_scale = finer > 1u ? 1.0f : 0.0f,
     };
     const struct hal_display device = display_gl_device(&display);
@@ -55,7 +57,8 @@ void easel_close(void)
 
 /* ---- Cameras -------------------------------------------------------------------------------- */
 
-/* Returns a view from `away_m` off the target. The picture is `width_m` wide at the target. */
+/* Returns a view of `target_m` from the position `target_m` + `away_m`. At the target, the picture
+ * is `width_m` wide. */
 static struct view view_of(vec3 target_m, vec3 away_m, float width_m)
 {
     return (struct view){
@@ -90,7 +93,8 @@ static struct view camera(const struct easel_shot *shot, vec3 size_m)
 
 /* ---- Drawing -------------------------------------------------------------------------------- */
 
-/* Shows the shades of the plan without the fans, which would hide the fish below them. */
+/* Draws the shadows of the fans that the options place, but not the fans, which would hide the
+ * fish. */
 static void show_shades(const struct tank_lab *lab)
 {
     const double now_s = (double)lab->tick / CORE_TICK_HZ;
@@ -125,7 +129,7 @@ static float near_wall_m(void)
     return SIDE_EYE_M - 0.5f * scene.tank_size_m.z;
 }
 
-/* Returns the pixel row from the bottom for a height on the near wall. */
+/* Returns the pixel row, counted from the bottom, of the height `y_m` on the near wall. */
 static GLint row_of(const struct view *view, float y_m)
 {
     const float tan_y = view_half_height_tan(view, ASPECT);
@@ -145,8 +149,8 @@ static void fill_rows(GLint low, GLint high, float red, float green, float blue)
     glDisable(GL_SCISSOR_TEST);
 }
 
-/* Fills the picture with water that becomes darker with depth, and with the floor. The walls are
- * not drawn. */
+/* Fills the picture with a floor and with water that becomes darker with depth. The walls are not
+ * drawn, because the side camera looks through them. */
 static void fill_water(void)
 {
     const GLint floor = row_of(&scene.view, -scene.tank_size_m.y);
@@ -186,7 +190,8 @@ static void draw_side(struct renderer *renderer)
     glDisable(GL_DEPTH_TEST);
 }
 
-/* Shrinks the picture: each pixel becomes the mean of the smaller pixels that were drawn for it. */
+/* Reduces the picture to its final size. Each pixel is the mean of the smaller pixels that were
+ * drawn for it. */
 static void shrink(void)
 {
     const uint32_t area = finer * finer;
@@ -217,7 +222,8 @@ int easel_shoot(const struct tank_lab *lab, const struct easel_shot *shot, const
         return -1;
     }
     shrink();
-    /* The side view uses only a strip of the picture. */
+    /* Of the side view, only the middle 2/5 of the rows are saved. The other rows show nothing of
+     * the tank. */
     const uint32_t rows = shot->camera == CAMERA_SIDE ? EASEL_HEIGHT * 2u / 5u : EASEL_HEIGHT;
     const uint32_t skip = (EASEL_HEIGHT - rows) / 2u;
     const int error = png_write(path, picture + skip * EASEL_WIDTH * 3u, EASEL_WIDTH, rows);

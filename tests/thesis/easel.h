@@ -11,13 +11,13 @@
 #define EASEL_FINER_MAX 2u
 
 enum easel_camera {
-    CAMERA_TOP,     /* The whole tank from above. */
-    CAMERA_CENTRE,  /* The middle of the tank from above. */
-    CAMERA_SIDE,    /* View through the wall with only fish and water. */
-    CAMERA_SLANT,   /* The whole tank from 60 degrees above the water. */
-    CAMERA_SHADE,   /* The area around the middle of the tank from above. */
-    CAMERA_NOSES,   /* View near the surface, which shows the fish that breathe there. */
-    CAMERA_MEETING, /* View from above, close to `easel.look_at_m`. */
+    CAMERA_TOP,    /* The whole tank from above. */
+    CAMERA_CENTRE, /* The middle of the tank from above. */
+    CAMERA_SIDE,   /* View through the side wall, in which only fish and water are drawn. */
+    CAMERA_SLANT,  /* The whole tank from 60 degrees above the water. */
+    CAMERA_SHADE,  /* The middle of the tank from above, with the shadow of a fan. */
+    CAMERA_NOSES,  /* View near the surface that shows fish breathing there with their snouts up. */
+    CAMERA_MEETING, /* Close view of `easel_shot.look_at_m` from above. */
 };
 
 struct easel_shot {
@@ -26,8 +26,9 @@ struct easel_shot {
     float width_m;  /* Width of the picture of CAMERA_MEETING. */
 };
 
-/* Opens the renderer. Pictures are drawn `times` as large and averaged, because fins are thin.
- * `times` is at most EASEL_FINER_MAX. Returns 0, or -1 after a message on standard error. */
+/* Opens the renderer. Each picture is drawn `times` as large in both directions and then averaged,
+ * because fins are thinner than a pixel. `times` is at most EASEL_FINER_MAX. Returns 0, or -1 after
+ * a message on standard error. */
 int easel_open(uint32_t times);
 
 /* Returns the name of the renderer. */
@@ -37,8 +38,8 @@ const char *easel_describe(void);
  * error. */
 int easel_shoot(const struct tank_lab *lab, const struct easel_shot *shot, const char *path);
 
-/* Draws the stall's own view of the lab once and waits until it is complete. Used for time
- * measurements. */
+/* Draws one frame of the lab with the kiosk's own camera and waits until it is complete. Used to
+ * measure the time of a frame. */
 void easel_draw(const struct tank_lab *lab);
 
 /* Closes the renderer. */

@@ -1,8 +1,8 @@
 /* pictures.c -- renders figures 4.1 to 4.24 of chapter 4 of the 2013 thesis from Kingyo's tank.
  *
- * Usage: pictures FOLDER. Each tank is the tank that `kingyoctl tank` runs with the listed options,
- * so that it can be inspected there. FOLDER/pictures.tsv gets a line for each picture: number,
- * file, time, description and options. */
+ * Usage: pictures FOLDER. FOLDER/pictures.tsv gets a line for each picture: number, file, time,
+ * description and options. `kingyoctl tank` with these options runs the same tank, so that each
+ * picture can be examined there. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -68,20 +68,20 @@ static void shoot(const char *number, const struct easel_shot *shot, const char 
 
 /* ---- 4.1 to 4.12: two fish meet ------------------------------------------------------------- */
 
-/* The encounters of two fish in section 4.1 of the thesis. The side to which a fish turns is
- * random. Therefore the program uses the first seed with which the fish turns as in the thesis. */
+/* An encounter of two fish in section 4.1 of the thesis. A fish turns to a random side, so the
+ * program searches for the first seed with which both turn as in the thesis. */
 struct encounter {
     int first; /* Number of the first picture. */
     const char *name, *what;
-    uint8_t kind;   /* Kind of meeting, an enum meeting_kind. */
-    float turn;     /* Turn of the first fish: -1 is right, +1 is left. */
-    uint8_t yields; /* Number of the two fish that give way. */
+    uint8_t kind;   /* Kind of encounter (enum meeting_kind). */
+    float turn;     /* Side to which the first fish must turn: -1 is right, +1 is left. */
+    uint8_t yields; /* How many of the two fish give way. */
 };
 
 static const struct encounter encounters[] = {
     { 1, "head_on", "head-on", MEET_HEAD_ON, 1.0f, 2 },
-    { 5, "side", "from the side", MEET_STRUCK, 1.0f, 2 }, /* The second fish is struck, behind the
-                                                             first one. */
+    /* The second fish hits the side of the first one from behind. */
+    { 5, "side", "from the side", MEET_STRUCK, 1.0f, 2 },
     { 9, "rear_end", "from behind", MEET_REAR_END, -1.0f, 1 },
 };
 
@@ -105,8 +105,8 @@ static int is_of_its_kind(const struct encounter *wanted)
     return avoids(0) && fish->avoid_kind == wanted->kind && fish->avoid_turn * wanted->turn > 0.0f;
 }
 
-/* Returns 1 if both fish keep their course. A swimming fish must have advanced by more than a body
- * length after `from`, and not have turned back. */
+/* Returns 1 if both fish have kept their course since `from`. A fish that swims must have advanced
+ * by more than its length and must not have turned back. */
 static int both_go_on(const struct fish from[2])
 {
     for (int i = 0; i < 2; i++) {
@@ -121,9 +121,8 @@ static int both_go_on(const struct fish from[2])
     return 1;
 }
 
-/* Finds four moments of an encounter: the fish begin to give way, are nearest to each other, end
- * the avoidance, and continue. The moments follow from the motion. Returns 1 if the encounter is as
- * in the thesis. */
+/* Finds the ticks of four moments of an encounter: the fish begin to give way, are nearest to each
+ * other, end the avoidance, and swim on. Returns 1 if the encounter is as in the thesis. */
 static int find_moments(const char *words, const struct encounter *wanted, struct moments *found)
 {
     struct fish from[2] = { 0 };
@@ -185,8 +184,8 @@ static void trace_meeting(const char *name, const char *words, const struct mome
     tank_lab_close(&lab);
 }
 
-/* Computes one frame that contains both fish at all four moments with a margin of a fish's
- * length. */
+/* Sets the camera so that one frame contains both fish at all four moments, with a margin of a
+ * fish's length. */
 static void frame_all(struct easel_shot *shot, const char *words, const uint32_t ticks[4])
 {
     vec3 low = { 9.0f, 0.0f, 9.0f }, high = { -9.0f, 0.0f, -9.0f };
@@ -205,8 +204,8 @@ static void frame_all(struct easel_shot *shot, const char *words, const uint32_t
     shot->width_m = f_max(0.24f, f_max(wide_m, tall_m * 16.0f / 9.0f));
 }
 
-/* Returns the moments and the options of the first seed with which the fish meet as in the
- * thesis. */
+/* Finds the first seed with which the fish meet as in the thesis. Writes the options of its tank to
+ * `words` and returns the four moments. */
 static struct moments stage_meeting(const struct encounter *wanted, char words[WORDS_LENGTH])
 {
     struct moments found;
@@ -228,8 +227,8 @@ static void shoot_meeting(const struct encounter *wanted)
     char words[WORDS_LENGTH], number[8], seen[160];
     const struct moments found = stage_meeting(wanted, words);
     struct easel_shot shot = { .camera = CAMERA_MEETING };
-    /* The fish are nearest between the beginning and the end of the avoidance, unless they do not
-     * come nearer any more. */
+    /* The second picture shows the fish when they are nearest. If that is not during the avoidance,
+     * the picture is taken in the middle of the avoidance. */
     const uint32_t during = found.nearest > found.begins && found.nearest < found.done
                                 ? found.nearest
                                 : (found.begins + found.done) / 2u;

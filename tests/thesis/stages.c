@@ -2,11 +2,10 @@
  *
  * Usage: stages growth|models|sizes|ways SPECIES|FILE OUT.png
  *
- * `growth` draws every key with the start of its dorsal fin (figure 3.3). `models` draws the three
- * input models of chapter 4 from two sides (4.1, 4.5, 4.8, 4.12). The middle model is exaggerated
- * if its curve never reaches its full weight. `sizes` draws the same three models at one scale, in
- * the sizes at which they were caught (4.4, 4.11). `ways` draws nine stages from the first to the
- * last by the ordinary morph, the thesis' morph and Kingyo's morph (4.14). */
+ * `growth` draws every key shape and marks the start of its dorsal fin (figure 3.3). `models` draws
+ * the three input models of chapter 4 from two sides (4.1, 4.5, 4.8, 4.12). `sizes` draws them at
+ * one scale, in the sizes at which the real fish were caught (4.4, 4.11). `ways` draws nine stages
+ * of growth by the ordinary morph, the thesis' morph and Kingyo's morph (4.14). */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -24,26 +23,26 @@
 #define WATER_ABOVE 0xd3e4e6u
 #define WATER_BELOW 0x9fbfc6u
 #define COLUMNS 9u /* Number of stages that `ways` draws. */
-/* Length of the head as a fraction of the body's length, for close views. */
+/* Length of the head as a fraction of the body's length. The close views show this part. */
 #define HEAD_SHARE 0.26f
 
 static const char name[] = "stages";
 
-/* A fish in the picture and its place. */
+/* A fish in the picture and its position there. */
 struct spot {
     const struct species *fish;
     const struct morph_rig *rig;
     float progress;
     enum fish_preview_view view;
     struct canvas_box box;
-    float scale_px; /* Scale in px, which is common to all fish of the picture. */
+    float scale_px; /* Pixels per unit of the fish's shape, equal for all fish of the picture. */
 };
 
 static struct canvas canvas;
 static struct fish_preview portrait;
 static bool failed;
 
-/* Draws the fish of the portrait in the middle of the box. */
+/* Draws the fish of `portrait` centred in the box. */
 static void draw_portrait(enum fish_preview_view view, struct canvas_box box, float scale_px)
 {
     struct fish_preview_bounds b = fish_preview_nowhere;
@@ -94,7 +93,7 @@ static void key_words(const struct species_card *card, uint32_t key, float x, fl
 
 /* ---- Growth ---------------------------------------------------------------------------------- */
 
-/* Draws a key with a vertical line from the start of its dorsal fin. */
+/* Draws a key shape and a vertical line at the start of its dorsal fin. */
 static void draw_root(const struct morph_options *pick, uint32_t key, float left, float column,
                       float height)
 {
@@ -139,9 +138,9 @@ static enum exit_code draw_growth(const struct morph_options *pick)
 
 /* ---- Input models ---------------------------------------------------------------------------- */
 
-/* Sets `portrait` to the shape of `key` that the game blends with the shapes of the other keys. If
- * the graph is solved, this shape exaggerates the drawn shape (graph_solve()). Otherwise both
- * shapes are equal. */
+/* Sets `portrait` to the key shape that the game blends. If the graph is solved, this shape is an
+ * exaggeration of the drawn key, which compensates a blend weight below 1 (graph_solve()).
+ * Otherwise both shapes are equal. */
 static void take_model(const struct morph_options *pick, uint32_t key)
 {
     const struct species_mesh *mesh = &pick->fish->lod[0];
@@ -193,8 +192,9 @@ static enum exit_code draw_sizes(const struct morph_options *pick)
     const float *length_m = card->key_length_m;
     const float sum_m = length_m[0] + length_m[1] + length_m[2];
     const float gap = 70.0f, room = WIDTH - 2.0f * MARGIN - 4.0f * gap;
-    const float px_per_m = 0.78f * room / sum_m; /* The scale leaves room for the tails, because
-                                                    tails extend beyond the standard length. */
+    /* The factor 0.78 leaves room for the tails, because tails extend beyond the standard
+     * length. */
+    const float px_per_m = 0.78f * room / sum_m;
     const float height = 0.62f * px_per_m * fmaxf(fmaxf(length_m[0], length_m[1]), length_m[2]);
     float left = MARGIN + gap;
     if (!begin(HEAD + height + 130.0f, card->id, "the same three at one scale")) {
@@ -219,7 +219,8 @@ static enum exit_code draw_sizes(const struct morph_options *pick)
 
 /* ---- Three morph methods -------------------------------------------------------------------- */
 
-/* Returns the progress of the whole species at which the thesis' method has `progress`. */
+/* Converts the progress of the thesis' three-key method to the progress of the complete species,
+ * which has more keys. */
 static float drawn_progress(const struct species_card *drawn, float progress)
 {
     const float place = progress * 2.0f;
@@ -228,7 +229,8 @@ static float drawn_progress(const struct species_card *drawn, float progress)
     return (from + (to - from) * (place - (float)i)) / (float)(drawn->key_count - 1u);
 }
 
-/* Draws only the head, enlarged. The rest of the fish is drawn outside the box. */
+/* Draws the fish so large that its head fills the box. The bounds contain only the head, so the
+ * rest of the fish is clipped. */
 static void draw_head(const struct spot *spot)
 {
     static struct fish_preview head;

@@ -1,9 +1,9 @@
-/* table.c -- measures table 4.2 of the 2013 thesis: updates per second for eight numbers of fish,
- * with neighbours found by the grid and by all pairs.
+/* table.c -- measures table 4.2 of the 2013 thesis: updates per second for eight numbers of fish.
+ * Neighbours are found by a grid or by a test of all pairs.
  *
- * Usage: table FILE.csv. Each tank runs ten seconds first, as in the thesis. Each measured update
- * is one tick and one picture, drawn by the kiosk's own renderer at 1280x720 without a screen. Both
- * tanks of a row alternate, so that other load on the machine affects both equally. */
+ * Usage: table FILE.csv. Each tank first runs for ten seconds, as in the thesis. A measured update
+ * is one tick and one frame, drawn by the kiosk's renderer at 1280x720 off screen. The two methods
+ * are measured alternately, so that other load on the machine affects both equally. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,7 +16,7 @@
 /* Number of measured updates of each tank. The number is odd so that one of them is the median. */
 #define FRAMES 15u
 
-/* Values of section 4.4 of the thesis; -1 means that the thesis could not measure the value. */
+/* Updates per second from section 4.4 of the thesis; -1 means that the thesis gives no value. */
 static const struct {
     uint32_t fish;
     double grid, all;
@@ -25,12 +25,12 @@ static const struct {
     { 250, 40.3, 0.5 },  { 300, 26.5, 0.3 },  { 400, 11.8, -1.0 }, { 600, 4.0, -1.0 },
 };
 
-/* Methods to find neighbours. */
+/* Methods of the search for neighbours. */
 enum search { GRID, ALL, SEARCH_COUNT };
 
 static const char *const search_words[SEARCH_COUNT] = { "grid", "all" };
 
-/* One tank for each method. Both tanks have the same seed, so that their fish swim alike. */
+/* One tank for each search method. Equal seeds make the fish of both tanks swim alike. */
 static struct tank_lab tanks[SEARCH_COUNT];
 static struct tank_options plans[SEARCH_COUNT];
 
@@ -41,7 +41,8 @@ static double now_ms(void)
     return (double)now.tv_sec * 1e3 + (double)now.tv_nsec * 1e-6;
 }
 
-/* Runs the tank and returns the mean tick in ms. The lab stays open. */
+/* Runs the tank for ten seconds and returns the mean duration of a tick in ms. The lab stays open
+ * for draw_both_ms(). */
 static double run_ms(uint32_t fish, enum search search)
 {
     struct tank_lab *lab = &tanks[search];
@@ -52,7 +53,7 @@ static double run_ms(uint32_t fish, enum search search)
     if (tank_options_read(&plans[search], 4, argv) != EXIT_OK) {
         exit(1);
     }
-    /* The plan has room for the ticks that are drawn. */
+    /* The plan includes the ticks of the measured frames. */
     plans[search].tick_count = SECONDS * CORE_TICK_HZ + FRAMES;
     if (tank_lab_open(lab, &plans[search]) != EXIT_OK) {
         exit(1);
@@ -64,8 +65,8 @@ static double run_ms(uint32_t fish, enum search search)
     return 1e-6 * sum_ns / (double)lab->tick;
 }
 
-/* Returns the time of one update: the tick of the tank and its picture. The statistics of the lab
- * are not included. */
+/* Returns the duration of one tick and one frame in ms. The statistics of the lab are not
+ * included. */
 static double frame_ms(enum search search)
 {
     struct tank_lab *lab = &tanks[search];
@@ -81,7 +82,7 @@ static int by_size(const void *left, const void *right)
     return (a > b) - (a < b);
 }
 
-/* Computes the median update of each tank in ms. */
+/* Computes the median duration of an update for each search method, in ms. */
 static void draw_both_ms(double median_ms[SEARCH_COUNT])
 {
     static double frames[SEARCH_COUNT][FRAMES];
