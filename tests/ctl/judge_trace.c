@@ -1,11 +1,11 @@
-/* judge_trace.c -- reads a trace file independently and prints a summary.
+/* judge_trace.c -- checks a trace file of `kingyoctl tank` without any of Kingyo's code.
  *
- * The summary has the numbers of rows, ticks and fish, the depths of the boxes in each other, in
- * the walls and in the floor, and whether every value is a number.
+ * Usage: judge_trace TRACE WIDTH_CM DEPTH_CM BREADTH_CM
  *
- * Usage: judge_trace TRACE WIDTH_CM DEPTH_CM BREADTH_CM. The program shares no code with Kingyo.
- * A box consists of eight rotated corners. Two boxes are disjoint if an axis separates their
- * corners. */
+ * Prints the numbers of rows, ticks and fish, and whether every value is a finite number. Also
+ * prints how deep the fish's boxes are in each other, in the walls and in the floor. A box is
+ * computed as eight rotated corners. Two boxes are disjoint if their corners can be separated along
+ * an axis. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -23,8 +23,9 @@ struct corners {
 
 struct verdict {
     unsigned long rows, ticks, overlaps;
-    double deepest_mm, beyond_mm; /* Largest depth of one box in another, and beyond a wall, the
-                                     floor or the surface, in mm. */
+    /* Greatest overlap of two boxes, and greatest depth of a box beyond a wall, the floor or the
+     * surface, in mm. */
+    double deepest_mm, beyond_mm;
 };
 
 static struct corners fish[FISH_MAX];
@@ -43,9 +44,9 @@ static void turn(double p[3], int i, int j, double degrees)
     p[j] = from * sin(a) + to * cos(a);
 }
 
-/* Rotates a body direction into the world. The order about the world's axes is roll (right side
- * down), pitch (nose, -z, up) and yaw (nose to the left, -x). This order is the same as yaw, pitch
- * and roll about the body's own axes. */
+/* Rotates a direction from the body to the world: about the world's axes by roll (right side down),
+ * pitch (nose, -z, up) and yaw (nose to the left, -x). This equals yaw, pitch and roll about the
+ * body's own axes. */
 static void to_world(double p[3], double yaw, double pitch, double roll)
 {
     turn(p, 1, 0, roll);
@@ -86,8 +87,8 @@ static void span(const struct corners *c, const double axis[3], double *low, dou
     }
 }
 
-/* Returns the distance that one box must move along the axis until both are disjoint. A negative
- * result means that they are disjoint already. */
+/* Returns the distance by which one box must move along the axis until the boxes are disjoint. A
+ * negative result means that they are already disjoint along this axis. */
 static double clear_by(const struct corners *a, const struct corners *b, const double axis[3])
 {
     const double length = sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);

@@ -1,6 +1,6 @@
-/* swap_folder.c -- a library that is loaded before libc into kingyoctl (LD_PRELOAD). At the first
- * fchmod() call it renames the folder SWAP_FOLDER to SWAP_FOLDER.moved, and puts a symbolic link to
- * SWAP_TARGET in its place. */
+/* swap_folder.c -- a library for LD_PRELOAD that replaces a folder while kingyoctl writes into it.
+ * At the first fchmod() call the library renames SWAP_FOLDER to SWAP_FOLDER.moved, and puts a
+ * symbolic link to SWAP_TARGET in its place. The test uses it to simulate an attacker. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <sys/stat.h>

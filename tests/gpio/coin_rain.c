@@ -1,4 +1,5 @@
-/* coin_rain.c -- draws coin pulses, thread delays and frames from one seed. */
+/* coin_rain.c -- implementation of coin_rain.h: draws coin pulses, thread delays and frames from
+ * one seed. */
 #include "tests/gpio/coin_rain.h"
 
 #include <string.h>
@@ -33,8 +34,8 @@ static void add_edge(struct coin_rain *rain, uint64_t time_ns, bool active)
     };
 }
 
-/* Adds a contact that closes or opens with up to three bounces. Two edges are 20 us to 500 us
- * apart, which is at most 3 ms in total. Returns the time at which the contact came to rest. */
+/* Adds the edges of a contact that closes or opens with up to three bounces. Successive edges are
+ * 20 us to 500 us apart, so the bounces last at most 3 ms. Returns the time of the last edge. */
 static uint64_t add_contact(struct coin_rain *rain, uint64_t time_ns, bool active)
 {
     const uint64_t jumps = between(&rain->seed, 0, 3);
@@ -46,9 +47,9 @@ static uint64_t add_contact(struct coin_rain *rain, uint64_t time_ns, bool activ
     return time_ns;
 }
 
-/* Returns the width of the next pulse. One pulse in fifty is a knock, and one in a hundred is a
- * jam. The width excludes the bounces. Bounces can add 3 ms and a late kernel can add 6 ms, and a
- * knock must still not reach the width of a coin. */
+/* Returns the width of the next pulse, without its bounces. One pulse in fifty is a knock (4 to 5.9
+ * ms), and one in a hundred is a jam (260 ms and more). Bounces can add 3 ms and a late kernel 6
+ * ms, so a knock stays below the width of a coin. */
 static uint64_t draw_width(struct coin_rain *rain)
 {
     const uint64_t kind = draw(&rain->seed) % 100u;
@@ -65,8 +66,8 @@ static uint64_t draw_width(struct coin_rain *rain)
     return between(&rain->seed, 20 * MS, 240 * MS);
 }
 
-/* Adds two sparks, as from a lighter at the coin slot. The sparks are 16 to 80 ms apart, which is
- * the width of a coin pulse. */
+/* Adds two sparks, as from a lighter at the coin slot. They are 16 to 80 ms apart, so that together
+ * they look like the edges of a coin pulse. */
 static void add_sparks(struct coin_rain *rain)
 {
     static const struct gpio_sim_event spark = { .what = GPIO_SIM_SPARK, .role = GPIO_COIN };
@@ -116,8 +117,9 @@ struct cabinet {
     struct gpio_lines_sim sim;
     struct gpio_thread gpio;
     uint64_t seed, due_ns, stall_max_ns;
-    uint32_t fallen[2]; /* Number of coins fallen at the newest mark [0] and at the mark before it
-                           [1]. Two marks are at least 200 ms apart. */
+    /* Number of inserted coins at the newest mark [0] and at the mark before it [1]. Marks are at
+     * least 200 ms apart. Coins before mark [1] must have been counted. */
+    uint32_t fallen[2];
     uint64_t marked_ns;
     struct rain_result result;
 };
@@ -140,7 +142,7 @@ static void poll(struct cabinet *cabinet)
     }
 }
 
-/* Draws the length of a frame: 4 to 20 ms, and up to 3 s for one frame in fifty. */
+/* Draws the length of a frame: usually 4 to 20 ms, but up to 3 s for one frame in fifty. */
 static void draw_frame(struct cabinet *cabinet)
 {
     const bool is_slow = draw(&cabinet->seed) % 50u == 0;
@@ -152,10 +154,9 @@ static void draw_frame(struct cabinet *cabinet)
     cabinet->due_ns = cabinet->sim.now_ns + frame_ns;
 }
 
-/* Draws the delays of a round. In one round in eight the thread starts late, by at most the time in
- * which contacts fill the kernel's queue (16 edges: 25 ms; 64 edges: 100 ms). In one round in
- * sixteen the kernel's own thread is up to 6 ms late. Otherwise the kernel's thread is up to 0.3 ms
- * late. */
+/* Draws the delays of one wake-up of the GPIO thread. One time in eight the thread starts late, but
+ * soon enough that the kernel's queue cannot overflow (16 edges: 25 ms; 64 edges: 100 ms). The
+ * kernel's interrupt thread is up to 0.3 ms late, and one time in sixteen up to 6 ms. */
 static void stall(struct cabinet *cabinet)
 {
     cabinet->sim.late_max_ns = draw(&cabinet->seed) % 16u == 0 ? 6 * MS : 300 * US;

@@ -1,8 +1,9 @@
 /* coin_rain.h -- simulates the line of a coin slot over a long day.
  *
- * The simulation has coins of every width that coin acceptors give, contacts that bounce at both
- * ends, knocks, jams and sparks. Two sparks can be as far apart as the edges of a coin. The kernel
- * can be late, and the thread and the frame loop can be delayed. Equal seeds give equal runs. */
+ * The simulation has coin pulses of every width that coin acceptors give, contact bounce at both
+ * edges, knocks (too short), jams (too long) and sparks. Two sparks can be as far apart as the
+ * edges of a coin pulse. The kernel, the GPIO thread and the frame loop can be late. Equal seeds
+ * give equal runs. */
 #ifndef KINGYO_TESTS_GPIO_COIN_RAIN_H
 #define KINGYO_TESTS_GPIO_COIN_RAIN_H
 
@@ -13,30 +14,31 @@
 #define RAIN_EDGES_MAX 14u
 
 struct coin_rain {
-    uint32_t left;                        /* Coins that have not fallen yet. */
-    uint32_t coins, knocks, jams, sparks; /* Coins, knocks, jams and pairs of sparks that have
-                                             occurred. */
+    uint32_t left; /* Number of coins that are not inserted yet. */
+    /* Number of coins, knocks, jams and pairs of sparks so far. */
+    uint32_t coins, knocks, jams, sparks;
     uint64_t edges;
     uint64_t time_ns; /* Time at which the last pulse ended. */
     uint64_t seed;
     struct gpio_sim_event pulse[RAIN_EDGES_MAX];
     uint32_t edge_count, edge_next;
-    uint8_t falls; /* 1 if the present pulse comes from a coin. */
+    uint8_t falls; /* 1 if the current pulse comes from a coin. */
 };
 
 /* Result of a simulation. */
 struct rain_result {
-    uint32_t coins, knocks, jams; /* Coins, knocks and jams that occurred. */
-    uint32_t sparks;              /* Pairs of sparks that occurred. */
-    uint32_t doubtful;            /* Pairs of sparks that could have been a coin and must be
-                                     reported as faults. */
-    uint32_t counted, faults;     /* Coins and faults that the frame loop counted. */
-    uint32_t early;               /* Polls at which more coins were counted than had fallen. */
-    uint32_t late;                /* Polls at which a coin was missing that had fallen at least
-                                     200 ms earlier. */
-    uint32_t dropped;             /* Edges that were dropped because the kernel's queue was full. */
-    uint32_t blinks;              /* Edges that changed nothing because the kernel read the level
-                                     late. */
+    uint32_t coins, knocks, jams; /* Number of coins, knocks and jams that were simulated. */
+    uint32_t sparks;              /* Number of pairs of sparks that were simulated. */
+    /* Number of pairs of sparks that looked like a coin and must be reported as faults. */
+    uint32_t doubtful;
+    uint32_t counted, faults; /* Number of coins and faults that the frame loop counted. */
+    uint32_t early;           /* Number of polls at which more coins were counted than inserted. */
+    /* Number of polls at which a coin was not counted 200 ms after its insertion. */
+    uint32_t late;
+    uint32_t dropped; /* Number of edges dropped because the kernel's queue was full. */
+    /* Number of edges after which the kernel read the same level as before, because it read the
+     * level late. */
+    uint32_t blinks;
     uint32_t looks;
     uint64_t edges, longest_frame_ns, longest_stall_ns, time_ns;
 };

@@ -1,7 +1,7 @@
 /* fake_board.h -- simulated GPIO chips below libgpiod.
  *
- * fake_gpiod1.c and fake_gpiod2.c implement the functions of both libraries on these chips.
- * test_gpio_backend.c tests the real backends with them. */
+ * fake_gpiod1.c and fake_gpiod2.c replace libgpiod 1.6 and 2.x by functions that use these chips.
+ * With them test_gpio_backend.c tests the real backends. */
 #ifndef KINGYO_TESTS_GPIO_FAKE_BOARD_H
 #define KINGYO_TESTS_GPIO_FAKE_BOARD_H
 
@@ -14,28 +14,28 @@
 #define FAKE_CHIPS 3u
 
 struct fake_line {
-    const char *name;     /* Name of the line. Null means that the board gives no name. */
-    const char *consumer; /* Name of another program that holds the line. Null means that the line
-                             is free. */
-    int refuses;          /* errno with which a request fails. 0 means that requests succeed. */
-    bool has_no_edges;    /* True if the line gives no interrupts. */
-    bool is_looked_at;    /* True if the line was requested without edges. */
+    const char *name; /* Name of the line; null means that the line has no name. */
+    /* Name of another program that holds the line; null means that the line is free. */
+    const char *consumer;
+    int refuses; /* errno with which a request of the line fails; 0 means that requests succeed. */
+    bool has_no_edges; /* True if the line gives no interrupts. */
+    bool is_looked_at; /* True if the line was requested as an input without edge detection. */
     bool requested;
-    int pipe[2];    /* Pipe with the queued edges. The pipe is open while the line is requested
-                       as an input. */
-    uint8_t value;  /* Logical level after active_low. */
-    uint32_t edges; /* Number of edges after the request. */
+    /* Pipe with the queued edges, open while the line is requested as an input. */
+    int pipe[2];
+    uint8_t value;  /* Logical level, already inverted if active_low is set. */
+    uint32_t edges; /* Number of edges since the request. */
     /* Parameters of the current request. */
     bool is_output, active_low;
-    uint8_t bias;                     /* Bias of the line, an enum gpio_bias. */
-    uint32_t debounce_us, queue_size; /* Debounce period and queue size, which only libgpiod 2.x
-                                         sets. */
+    uint8_t bias; /* Bias of the line, an enum gpio_bias. */
+    /* Debounce period and queue size of the request. Only libgpiod 2.x sets them. */
+    uint32_t debounce_us, queue_size;
 };
 
 struct fake_chip {
     const char *device, *label;
-    bool gone;       /* True after the chip was pulled out. */
-    bool denied;     /* True if the chip may not be opened. */
+    bool gone;       /* True after the chip was disconnected. */
+    bool denied;     /* True if opening the chip fails with EACCES. */
     uint32_t opened; /* Number of open handles. */
     struct fake_line lines[FAKE_LINES];
 };
@@ -62,14 +62,14 @@ int fake_line_request(struct fake_chip *chip, struct fake_line *line);
 /* Releases a requested line. */
 void fake_line_release(struct fake_line *line);
 
-/* Changes the level of the line and queues an edge. The kernel drops `lost` further edges before
- * this edge. */
+/* Changes the level of the line and queues an edge. Counts `lost` edges before this edge as dropped
+ * by the kernel. */
 void fake_line_edge(struct fake_line *line, uint64_t time_ns, bool active, uint32_t lost);
-/* Reads the queued edges, at most `max`. Returns their number, or -1 and sets errno if the chip was
- * pulled out. */
+/* Reads at most `max` queued edges. Returns their number, or -1 and sets errno if the chip was
+ * disconnected. */
 int fake_line_read(struct fake_line *line, struct fake_edge *out, uint32_t max);
 
-/* Pulls the chip out. Threads that wait for its lines get a hang-up. */
+/* Disconnects the chip. Threads that wait for its lines receive a hang-up. */
 void fake_chip_pull(struct fake_chip *chip);
 
 #endif

@@ -1,4 +1,5 @@
-/* fake_gpiod1.c -- the functions of libgpiod 1.6 that gpio_lines1.c uses, on simulated chips. */
+/* fake_gpiod1.c -- replaces the functions of libgpiod 1.6 that gpio_lines1.c calls, using simulated
+ * chips. */
 #include <errno.h>
 #include <gpiod.h>
 #include <stdlib.h>

@@ -1,4 +1,5 @@
-/* fake_gpiod2.c -- the functions of libgpiod 2.x that gpio_lines2.c uses, on simulated chips. */
+/* fake_gpiod2.c -- replaces the functions of libgpiod 2.x that gpio_lines2.c calls, using simulated
+ * chips. */
 #include <errno.h>
 #include <gpiod.h>
 #include <stdlib.h>
@@ -135,7 +136,7 @@ bool gpiod_line_info_is_active_low(struct gpiod_line_info *info)
 struct gpiod_line_settings *gpiod_line_settings_new(void)
 {
     struct gpiod_line_settings *settings = calloc(1, sizeof *settings);
-    settings->as.is_looked_at = true; /* True unless edges are requested. */
+    settings->as.is_looked_at = true; /* A later call that requests edges sets this to false. */
     return settings;
 }
 

@@ -1,5 +1,5 @@
-/* test_gpio_backend.c -- Tests the linked GPIO backend, gpio_lines1.c or gpio_lines2.c, with a
- * simulated library: how lines are found, requested, refused, read, lost and reopened. */
+/* test_gpio_backend.c -- tests the linked GPIO backend (gpio_lines1.c or gpio_lines2.c) with a
+ * simulated libgpiod. Covers finding, requesting, reading, losing and reopening lines. */
 #include <errno.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -16,7 +16,7 @@
 
 #define MS 1000000ull
 
-/* Returns true for libgpiod 2.x, whose edges have numbers and whose kernel interface debounces. */
+/* Returns true for libgpiod 2.x, which numbers the edges and lets the kernel debounce. */
 static bool is_second(const struct gpio_lines *lines)
 {
     return strstr(lines->ops->describe(lines->self), "libgpiod 2") != NULL;
@@ -188,15 +188,16 @@ static void test_edges_that_the_queue_dropped_are_counted_or_inferred(void **sta
     struct fake_line *start = &fake_chips[1].lines[0];
     wire("start=BTN_START");
     request(&lines);
-    for (uint32_t i = 0; i < 16; i++) { /* The 16 edges fill the queue of libgpiod 1.6. The line
-                                           ends inactive. */
+    /* These 16 edges fill the queue of libgpiod 1.6. The last one leaves the line inactive. */
+    for (uint32_t i = 0; i < 16; i++) {
         fake_line_edge(start, (100 + i) * MS, i % 2 == 0, 0);
     }
     assert_int_equal(wait(&lines, edges), 16);
     fake_line_edge(start, 200 * MS, false, 3);
     assert_int_equal(wait(&lines, edges), 1);
     assert_int_equal(edges[0].lost_before, is_second(&lines) ? 3 : 1);
-    /* No edge was lost. The kernel only read the level too late. */
+    /* A second edge to the same level does not mean a lost edge. The kernel read the level too
+     * late. */
     fake_line_edge(start, 300 * MS, false, 0);
     assert_int_equal(wait(&lines, edges), 1);
     assert_int_equal(edges[0].lost_before, 0);
@@ -232,7 +233,7 @@ static void test_a_line_without_interrupts_is_polled(void **state)
     const struct gpio_lines lines = fresh();
     struct fake_line *door = &fake_chips[2].lines[5];
     door->has_no_edges = true;
-    door->value = 1; /* The door is open. */
+    door->value = 1; /* Level of an open door. */
     wire("door=DOOR");
     wire("start=BTN_START");
     assert_int_equal(request(&lines), 1 << GPIO_DOOR | 1 << GPIO_START);
@@ -298,7 +299,7 @@ static uint64_t now_ns(void)
     return (uint64_t)now.tv_sec * 1000u * MS + (uint64_t)now.tv_nsec;
 }
 
-/* poll() fails if it is given more files than the process may open. */
+/* With a limit of 0 open files (RLIMIT_NOFILE), poll() fails. */
 static void test_a_failed_wait_pauses_and_levels_are_still_read(void **state)
 {
     (void)state;
@@ -318,7 +319,7 @@ static void test_a_failed_wait_pauses_and_levels_are_still_read(void **state)
     assert_int_equal(count, 0);
     assert_true(waited_ns >= 20 * MS);
     assert_int_equal(lines.ops->level(lines.self, GPIO_COIN), 1);
-    assert_int_equal(wait(&lines, edges), 1); /* The edge stays queued until poll() works again. */
+    assert_int_equal(wait(&lines, edges), 1); /* The edge stayed queued while poll() failed. */
     end(&lines);
 }
 

@@ -1,9 +1,8 @@
-/* fingers.c -- sends random keys, pointer events and window sizes to the X screen that DISPLAY
- * names.
+/* fingers.c -- sends random keys, pointer events and window sizes to the kiosk's window on the X
+ * screen of DISPLAY.
  *
- * Usage: fingers SEED SECONDS. Sends STEPS_A_SECOND steps (tests/monkey/whim.h) each second to the
- * kiosk's window, which is found by its title. While no such window is visible, steps pass without
- * an event. */
+ * Usage: fingers SEED SECONDS. Sends STEPS_A_SECOND steps (tests/monkey/whim.h) per second. The
+ * window is found by its title. While no such window is visible, steps are skipped. */
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -29,7 +28,8 @@ _Noreturn void core_panic(const char *condition, const char *file, int line)
     exit(70);
 }
 
-/* Ignores an X error, because the window may be destroyed between two requests. */
+/* Ignores X errors. The window may be destroyed between two requests, and the default error handler
+ * would then end this program. */
 static int ignore_error(Display *from, XErrorEvent *error)
 {
     (void)from;

@@ -1,13 +1,13 @@
-/* monkey.c -- sends random keys, pointer events, window sizes and device plugs to the real frame
- * loop.
+/* monkey.c -- sends random keys, pointer events, window sizes and device plug events to the real
+ * frame loop.
  *
  * Usage: monkey SEED SECONDS. SECONDS are seconds of the simulated clock at 60 frames per second.
  *
- * Keys and pointer events pass through the event queue of SDL into the real drivers. The real
- * renderer draws each frame off screen. A second poi (drivers/sim/pointer_sim.h) is plugged in and
- * unplugged. A kiosk that ended is opened again. Equal seeds print the same state hash. Exits with
- * 0 when every frame returned within FRAME_S, with 70 when a frame hung, and with 1 when the
- * display was lost. */
+ * Keys and pointer events pass through SDL's event queue into the real drivers. The real renderer
+ * draws each frame off screen. A second poi (drivers/sim/pointer_sim.h) is plugged in and
+ * unplugged. When the kiosk ends, it is opened again. Equal seeds print the same state hash. Exits
+ * with 0 if each frame returned within FRAME_S, with 70 if a frame hung, and with 1 if the display
+ * was lost. */
 #include <SDL.h>
 #include <signal.h>
 #include <stdio.h>
@@ -45,7 +45,7 @@ static struct {
     struct hal hal;
     struct kiosk kiosk;
     uint32_t seed, frame, end_count;
-    uint64_t hash; /* Hash of the states at the end of each kiosk, in sequence. */
+    uint64_t hash; /* Combined hash of the state at the end of each kiosk run. */
     uint32_t down; /* Pressed mouse buttons. Bit 0 is the left button and bit 1 is the right
                       button. */
 } rig;
@@ -110,7 +110,8 @@ static void turn_wheel(int steps)
     SDL_PushEvent(&event);
 }
 
-/* Unplugs the second poi until a random time within 3 s, or lets the poi send one report. */
+/* Lets the second poi send one report, and in half of the cases unplugs the poi before. The poi is
+ * plugged in again after a random time of up to 3 s. */
 static void plug_or_unplug(uint32_t chance)
 {
     report = (struct pointer_report){ .time_ns = rig.clock.now_ns,

@@ -1,15 +1,15 @@
-/* whim.c -- draws keys, pointer motion, window size and device plugs for one step. */
+/* whim.c -- draws the keys, pointer motion, window size and plug events of one step. */
 #include "tests/monkey/whim.h"
 
 #include "core/base/rng.h"
 
 #define MOOD_STEPS 360u
-/* Sums of the two columns of the table below: the weights of all keys for a player, and for an
- * operator. */
+/* Sums of the two columns of the table below. */
 #define PLAYER_WEIGHTS 83u
 #define OPERATOR_WEIGHTS 94u
 
-/* Relative frequency of each key for a player and for an operator. */
+/* Relative frequency of each key. The first column is for steps like those of a player, the second
+ * for steps like those of an operator. */
 static const uint8_t weights[WHIM_KEY_COUNT][2] = {
     [WHIM_KEY_START] = { 20, 8 },   [WHIM_KEY_LEFT] = { 8, 8 },
     [WHIM_KEY_RIGHT] = { 8, 8 },    [WHIM_KEY_UP] = { 8, 8 },
@@ -27,7 +27,7 @@ static uint32_t draw(const struct rng_key *from, uint32_t which, uint32_t limit)
     return rng_u32(key) % limit;
 }
 
-/* Returns an enum whim_key, or -1 in the three of four steps that press no key. */
+/* Returns a random enum whim_key with a probability of 1/4, otherwise -1. */
 static int draw_key(const struct rng_key *from)
 {
     if (draw(from, 0, 4) != 0) {
@@ -43,8 +43,8 @@ static int draw_key(const struct rng_key *from)
     return key;
 }
 
-/* Returns 1 with a probability of one half if the last step pressed Esc. Only a second press in
- * sequence ends the kiosk. */
+/* Returns 1 with probability 1/2 if Esc was drawn in the previous step. Two presses of Esc in
+ * sequence end the kiosk and would otherwise be rare. */
 static int repeats_escape(const struct rng_key *from)
 {
     const struct rng_key last = { from->seed, from->tick - 1u, 0, RNG_TEST };

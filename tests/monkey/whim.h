@@ -1,7 +1,7 @@
 /* whim.h -- draws one random step of the monkey test as a pure function of the seed and the step.
  *
- * In two thirds of the time the keys are those of a player. In the other third the keys are those
- * of an operator, with many presses of TEST, SERVICE and Esc. */
+ * Keys are drawn as a player presses them for two thirds of the time. For the other third they are
+ * drawn as an operator presses them, with many presses of TEST, SERVICE and Esc. */
 #ifndef KINGYO_TESTS_MONKEY_WHIM_H
 #define KINGYO_TESTS_MONKEY_WHIM_H
 
@@ -28,23 +28,23 @@ enum whim_key {
 
 enum whim_press {
     WHIM_PRESS_NONE,
-    WHIM_PRESS_LEFT,  /* Toggles the left button. */
-    WHIM_PRESS_RIGHT, /* Toggles the right button. */
+    WHIM_PRESS_LEFT,  /* Presses or releases the left button. */
+    WHIM_PRESS_RIGHT, /* Presses or releases the right button. */
 };
 
 struct whim {
-    int key;           /* Pressed key, an enum whim_key. -1 means that no key is pressed. */
-    int moves;         /* 1 moves the pointer to x_mille, y_mille. */
+    int key;           /* Pressed key (enum whim_key); -1 means that no key is pressed. */
+    int moves;         /* 1 if the pointer moves to x_mille, y_mille. */
     int x_mille;       /* Pointer x in thousandths of the window's width, -50 to 1049. */
     int y_mille;       /* Pointer y in thousandths of the window's height, -50 to 1049. */
     int press;         /* Button action, an enum whim_press. */
     int wheel;         /* Steps of the wheel, -1 to 1. */
     int width, height; /* New size of the window in pixels. 0 keeps the size. */
-    int plugs;         /* 1 plugs or unplugs a device. */
-    uint32_t chance;   /* Random number for further draws of the caller. */
+    int plugs;         /* 1 if a device is plugged in or unplugged. */
+    uint32_t chance;   /* Random number from which the caller draws further details. */
 };
 
-/* Returns the step of the monkey with `seed` at `step`. */
+/* Returns step number `step` of the run with `seed`. */
 struct whim whim_at(uint32_t seed, uint32_t step);
 
 #endif

@@ -4,9 +4,10 @@
  * mutate apply FILE SITE writes the mutated FILE to standard output, and "LINE KIND" to standard
  * error.
  *
- * A site is one mutation at one place. Sites count from 0 in the order of the text. The mutator
- * depends on the format of this project: binary operators have a space on both sides, and unary
- * operators do not. Assertions are not mutated, because a correct program never makes them fail. */
+ * A site is a place of the code together with one mutation of it. Sites are numbered from 0 in the
+ * order of the text. The mutator relies on this project's format: binary operators have a space on
+ * both sides, unary operators do not. Assertions are not mutated, because a correct program never
+ * makes them fail. */
 #include <ctype.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -15,12 +16,12 @@
 
 /* Largest size of a source file in bytes. The largest file has 16 KiB. */
 #define TEXT_MAX (1u << 20)
-/* Largest number of sites in all files together. A site is a place in the code that a mutation can
- * change. The program refuses to draw from more sites. */
+/* Largest number of sites in all files together. With more sites, the program ends with an
+ * error. */
 #define SITES_MAX 65536u
 
-/* A mutation of the code. It replaces the text from `begin` to `end` by the string `before`, by the
- * old text if `keep` is set, and by the string `after`. */
+/* A mutation. The text from `begin` to `end` is replaced by the string `before`, then the old text
+ * if `keep` is 1, then the string `after`. */
 struct site {
     size_t begin, end;
     const char *kind, *before, *after;
@@ -28,12 +29,13 @@ struct site {
 };
 
 struct scan {
-    char text[TEXT_MAX]; /* Text of the file. `code` is a copy in which comments and strings are
-                            blank. */
+    /* `text` is the text of the file. `code` is a copy of the text in which comments, strings and
+     * assertions are replaced by spaces. */
+    char text[TEXT_MAX];
     char code[TEXT_MAX];
     size_t size;
     uint32_t site_count;
-    uint32_t wanted; /* Number of the site that the scan copies to `found`. */
+    uint32_t wanted; /* Number of the site that is copied to `found` during the scan. */
     struct site found;
 };
 
@@ -75,7 +77,7 @@ static size_t literal_end(size_t at)
     return at + 1;
 }
 
-/* Returns the length of the assertion's name at `at`, or 0 if no assertion begins there. */
+/* Returns the length of the assertion macro's name at `at`, or 0 if there is none. */
 static size_t assertion_at(size_t at)
 {
     static const char *const names[] = { "CORE_ASSERT", "_Static_assert", "assert" };
@@ -89,7 +91,7 @@ static size_t assertion_at(size_t at)
     return 0;
 }
 
-/* Returns the place after the parenthesis that closes the parenthesis at `at`. */
+/* Returns the position after the parenthesis that closes the one at `at`. */
 static size_t past_closing(size_t at)
 {
     int depth = 0;
@@ -110,8 +112,8 @@ static size_t directive_end(size_t at)
     return at;
 }
 
-/* Blanks a preprocessor directive. Only the value of `#define NAME value` stays, because only the
- * value is code. */
+/* Replaces a preprocessor directive by spaces. Of `#define NAME value`, the value is kept, because
+ * it is code that can be mutated. */
 static size_t blank_directive(size_t at)
 {
     const size_t end = directive_end(at);
@@ -137,8 +139,8 @@ static void blank_what_is_no_code(void)
         } else if (c == '"' || c == '\'') {
             at = literal_end(at);
             blank(from, at);
-            scan.code[from] = '"'; /* The opening quote stays, so that the string still counts as an
-                                      operand. */
+            /* The opening quote is kept, so that the scan recognizes the string as an operand. */
+            scan.code[from] = '"';
         } else {
             at++;
         }
@@ -216,8 +218,8 @@ static int is_keyword(size_t at)
     return 0;
 }
 
-/* Adds a site that deletes a call or an assignment from `at` to its semicolon. Declarations,
- * returns and control statements are no sites. */
+/* Adds a site that deletes the statement from `at` to its semicolon, if it is a call or an
+ * assignment. Declarations, returns and control statements are kept. */
 static void try_statement(size_t at)
 {
     size_t end = at;
@@ -358,7 +360,8 @@ static int apply(const char *path, uint32_t index)
     fputs(site->before, stdout);
     for (size_t i = site->begin; i < site->end; i++) {
         if (site->keep || scan.text[i] == '\n') {
-            putchar(scan.text[i]); /* Line breaks stay, so that lines keep their numbers. */
+            /* Line breaks of the replaced text are kept, so that line numbers do not change. */
+            putchar(scan.text[i]);
         }
     }
     fputs(site->after, stdout);

@@ -1,13 +1,13 @@
-/* curves.c -- writes the measurements of `kingyoctl paper` as tables for plots.gp.
+/* curves.c -- writes measurements of the paper, as `kingyoctl paper` makes them, as tables for
+ * plots.gp.
  *
- * Usage: curves tear > tear.tsv writes the time to tear over speed. The columns are grade, wet
- * fraction, speed, and the median, least and greatest time of SPECIMENS specimens. A time above
- * LAST_S means no tear.
+ * curves tear > tear.tsv: time to tear over speed. The columns are grade, wet fraction, speed, and
+ * the median, least and greatest time of SPECIMENS specimens. A time above LAST_S means no tear.
  *
- * curves force > force.tsv writes the force in N over the tilt in degrees at 0.3 m/s.
+ * curves force > force.tsv: force in N over the tilt in degrees at 0.3 m/s.
  *
- * curves holes FOLDER writes FOLDER/hole-SPECIMEN-MOMENT.txt, one matrix each. A value of 0 .. 255
- * is the stress of a cell, -1 a hole, and -9 a cell beyond the ring. */
+ * curves holes FOLDER: writes FOLDER/hole-SPECIMEN-MOMENT.txt, one matrix of cells each. The value
+ * of a cell is its stress (0 .. 255), -1 for a hole, or -9 beyond the ring. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -19,7 +19,8 @@
 #define LAST_S 20.0
 #define SPEEDS 40u
 #define SPEED_MIN_M_S 0.10
-#define SPEED_RATIO 1.0725 /* Ratio of two successive speeds, up to 1.6 m/s. */
+/* Ratio of two successive speeds. SPEEDS steps lead from 0.1 m/s to about 1.6 m/s. */
+#define SPEED_RATIO 1.0725
 #define HOLES 5u
 #define MOMENTS 4u
 
@@ -82,7 +83,7 @@ static void put_tear(void)
             for (uint32_t i = 0; i < SPEEDS; i++, speed_m_s *= SPEED_RATIO) {
                 put_speed(plan, speed_m_s);
             }
-            puts("\n"); /* A blank line ends each block, as gnuplot requires. */
+            puts("\n"); /* A blank line separates two blocks, as gnuplot requires. */
         }
     }
 }
@@ -125,8 +126,7 @@ static int put_sheet(const char *folder, uint32_t specimen, uint32_t moment)
     return fclose(file) == 0 ? 0 : 74;
 }
 
-/* Moves the poi fast until the paper tears, and at a fraction of that speed afterwards, as a player
- * does. */
+/* Moves the poi fast until the paper tears, and then slower, as a player does. */
 static int put_hole(const char *folder, uint32_t specimen)
 {
     /* Ticks after the tear at which the pictures are taken. */

@@ -1,14 +1,14 @@
-/* membrane.c -- computes the tension in wet paper under drag and under a body or a slap at several
- * distances from the centre, with finite elements, and compares it with the model of sheet.c.
+/* membrane.c -- computes the tension in wet paper with finite elements and compares the result with
+ * the simpler model of sheet.c.
  *
  * Usage: membrane > membrane.tsv
  *
- * The paper is a membrane without bending stiffness that is clamped at the ring: triangles of
- * constant strain with large displacements (Saint Venant-Kirchhoff material, Poisson's ratio 0.3).
- * The columns are the pressure, the force and the diameter of the patch, the distance of the patch
- * from the centre, the highest tension of all triangles, and the highest tension beside the ring.
- * The part of a patch that lies beyond the paper's edge loads the ring. The last column is the
- * highest tension in the model of sheet.c.
+ * The paper is loaded by drag and by a body or a slap on a round patch, at several distances from
+ * the centre. The paper is a membrane without bending stiffness that is clamped at the ring:
+ * triangles of constant strain with large displacements (Saint Venant-Kirchhoff material, Poisson's
+ * ratio 0.3). Columns: pressure, force, diameter of the patch, its distance from the centre,
+ * highest tension of all triangles and beside the ring, and highest tension in sheet.c. The part of
+ * a patch beyond the paper's edge loads the ring.
  *
  * Returns exit status 1 if the tension under pressure alone differs by more than 5 % from Hencky's
  * solution. */
@@ -33,7 +33,8 @@
 
 struct triangle {
     int node[3];
-    double inverse[2][2]; /* Inverse of the matrix of the two edges in the flat paper. */
+    /* Inverse of the 2 x 2 matrix of two edges of the triangle in the flat paper. */
+    double inverse[2][2];
     double area_m2;
     double tension_n_m; /* Highest principal tension. */
 };
@@ -55,7 +56,7 @@ _Noreturn void core_panic(const char *condition, const char *file, int line)
 
 /* ---- Mesh ----------------------------------------------------------------------------------- */
 
-/* Returns the index of node `k` on ring `ring`. Ring 0 is the centre. */
+/* Returns the index of node `k` on ring `ring`. Ring 0 is the centre, and ring r has 6 r nodes. */
 static int node_of(int ring, int k)
 {
     return ring == 0 ? 0 : 1 + 3 * ring * (ring - 1) + k % (6 * ring);
@@ -104,7 +105,8 @@ static double centre_m(const struct triangle *triangle, int axis)
 
 /* ---- Loads ---------------------------------------------------------------------------------- */
 
-/* Writes the load of each node: the pressure, and the part of the patch that lies on the paper. */
+/* Computes the load of each node from the pressure and from the part of the patch that lies on the
+ * paper. */
 static void put_load(const struct load *load)
 {
     static double patch_m2[NODE_MAX];
@@ -137,7 +139,7 @@ static void pull_triangle(struct triangle *triangle, double stiffness_n_m)
     const double *at[3] = { place_m[triangle->node[0]], place_m[triangle->node[1]],
                             place_m[triangle->node[2]] };
     const double(*inverse)[2] = triangle->inverse;
-    double f[2][3], s[2][2]; /* Deformation gradient by columns, and stress. */
+    double f[2][3], s[2][2]; /* Deformation gradient by columns (`f`), and stress (`s`). */
     for (int q = 0; q < 3; q++) {
         const double edge1 = at[1][q] - at[0][q], edge2 = at[2][q] - at[0][q];
         f[0][q] = edge1 * inverse[0][0] + edge2 * inverse[1][0];
@@ -163,9 +165,9 @@ static void pull_triangle(struct triangle *triangle, double stiffness_n_m)
     }
 }
 
-/* Advances the relaxation by one step. All nodes have the mass `mass`, and the time step is 1. The
- * velocities return to 0 when the kinetic energy `energy` falls. Returns the largest unbalanced
- * force. */
+/* Advances the dynamic relaxation by one step. All nodes have the mass `mass`, and the time step is
+ * 1. All velocities are set to 0 when the kinetic energy `energy` falls (kinetic damping). Returns
+ * the largest unbalanced force. */
 static double relax_step(double mass, double *energy)
 {
     const int free_count = node_of(RINGS, 0);
@@ -224,7 +226,7 @@ static void solve(const struct load *load, double *most_n_m, double *ring_n_m)
     }
 }
 
-/* Returns the highest tension of the game's own sheet under `load`. */
+/* Returns the highest tension that the game's own paper model (sheet.c) computes under `load`. */
 static double sheet_most_n_m(const struct load *load)
 {
     static struct sheet sheet;
@@ -240,7 +242,8 @@ static double sheet_most_n_m(const struct load *load)
 int main(void)
 {
     static const double at_m[] = { 0.0, 0.010, 0.018, 0.025, 0.030, 0.035, 0.040 };
-    /* The drag of a broadside lift at 0.5 m/s; the weight of a fish of 5 cm; a weak slap. */
+    /* Loads: drag of a lift at 0.5 m/s with the ring broadside, weight of a fish of 5 cm, both
+     * together, and a weak slap. */
     static const struct load loads[] = { { 140.0, 0.0, 0.020, 0.0 },
                                          { 0.0, 0.028, 0.020, 0.0 },
                                          { 140.0, 0.028, 0.020, 0.0 },

@@ -1,4 +1,5 @@
-/* film.c -- draws twelve ticks of a fish's C-start side by side, as the screen shows them.
+/* film.c -- renders a fish's C-start (an escape turn) as twelve pictures side by side, one for each
+ * tick.
  *
  * A developer tool: `make film ARGS="-o out/film.png"`. */
 #include <stdio.h>
@@ -14,11 +15,11 @@
 
 #define SIDE_PX 960u
 #define LENGTH_M 0.07f
-/* Middle of the path that the fish swims in twelve ticks. The camera points there. */
+/* Middle of the fish's path during the twelve ticks. The camera points at it. */
 #define MIDDLE_X_M 0.015f
 #define MIDDLE_Z_M 0.027f
 #define EYE_M 0.30f /* Height of the camera above the water. */
-/* Tangent of half the view angle. The picture shows 11 cm at the depth of the fish. */
+/* Tangent of half the view angle. At the depth of the fish the picture shows 11 cm. */
 #define HALF_TAN 0.165f
 
 static struct core core;
@@ -40,7 +41,7 @@ static void tick(void)
     }
 }
 
-/* Places a resting fish in mid-water that was just struck on its left side. */
+/* Places a resting fish in mid-water and startles it from its left side. */
 static void stage(void)
 {
     const struct core_config config = { .seed = 2014u, .fish_count = 1 };
@@ -52,7 +53,8 @@ static void stage(void)
     fish->position_m = v3(0.0f, -0.04f, 0.03f);
     fish->angles = (struct angles){ 0.0f, 0.0f, 0.0f };
     fish->heading_rad = 0.0f;
-    fish->look = 0x00010080u; /* Look of the fish: completely red, with a medium temperament. */
+    /* Look of the fish: completely red, with a medium temperament (bit fields). */
+    fish->look = 0x00010080u;
     fish->gait = GAIT_REST;
     fish->gait_left_s = 5.0f;
     fish->startle = STARTLE_PRESSURE;

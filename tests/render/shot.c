@@ -1,5 +1,5 @@
-/* shot.c -- plays the stall for a time without a screen, and saves a picture or times the render
- * passes.
+/* shot.c -- plays the game for some seconds off screen, and saves a picture or measures the time of
+ * the render passes.
  *
  * A developer tool: `make shot ARGS="--seconds 12 --size 1920x1080 -o shot.png"`. */
 #include <stdio.h>
@@ -12,7 +12,8 @@
 #include "tests/render/shot_scene.h"
 
 #define PIXELS_MAX (3840u * 2160u)
-#define SKIN_FRAMES 150u /* Frames until the fine fish textures of all visible keys are painted. */
+/* Number of frames after which the detailed textures of all visible fish are complete. */
+#define SKIN_FRAMES 150u
 #define PASS_FRAMES 40u
 
 static struct scene scene;

@@ -18,7 +18,7 @@ static const struct {
     { CONTROLLER_UNSUPPORTED, "046d:c31c USB Keyboard, port 2-1" },
 };
 
-/* File rows below the rows of the store. */
+/* Files that the menu lists after those of the store. */
 static const struct scene_file files[] = {
     { FILE_REFUSED, "species/bad.kfish", "magic: no packed species begins so" },
     { FILE_REFUSED, "species/tancho.kfish",
@@ -80,15 +80,15 @@ static void adjust_some(const struct menu_scope *scope)
     settings_edit_set(scope, SET_NIGHT_FROM_MIN, 22 * 60 + 30);
 }
 
-/* Fills the audit counters with values as after a summer of use. */
+/* Fills the audit counters with the values of a summer's use. */
 static void keep_books(struct core *core)
 {
     uint32_t *count = core->game.accounts.audits.count;
     for (uint32_t id = 0; id < AUDIT_COUNT; id++) {
         count[id] = 17u + id * id * 31u % 4999u;
     }
-    for (uint32_t hour = 0; hour < 24u; hour++) { /* The stall is open from 10 to 22 o'clock and is
-                                                     busiest in the evening. */
+    /* The kiosk is open from 10 to 22 o'clock, with most rounds in the late afternoon. */
+    for (uint32_t hour = 0; hour < 24u; hour++) {
         count[AUDIT_HOUR + hour] = hour < 10u || hour > 21u ? 0u : (hour - 9u) * (23u - hour) * 9u;
     }
     count[AUDIT_CAUGHT] = 31877;
@@ -112,7 +112,8 @@ static void rank_some(struct ranking *ranking)
     }
 }
 
-/* Sets the calibration to `step`. Steps after the last one are refusals, one for each reason. */
+/* Opens step `step` of the calibration. A number after the last step opens the refusal page
+ * instead, with one reason for each number. */
 static void calibrate_some(struct calibrate *calibrate, uint8_t step)
 {
     calibrate->step = step < CALIBRATE_STEPS ? step : (uint8_t)CALIBRATE_REFUSED;

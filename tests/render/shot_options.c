@@ -43,7 +43,7 @@ static uint32_t species_named(const char *name)
 
 enum kind { OPTION_FLAG, OPTION_BYTE, OPTION_NUMBER, OPTION_FLOAT, OPTION_TEXT };
 
-/* An option that sets one member to its value. */
+/* A command line option that sets one member of struct shot_options. */
 static const struct plain_option {
     const char *name;
     enum kind kind;

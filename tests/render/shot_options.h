@@ -8,37 +8,41 @@
 
 struct shot_options {
     float seconds, scale;
-    float stamina, oxygen_mg_l; /* Stamina and oxygen of the water. A negative value selects the
-                                   preset's value. */
+    /* Stamina of the fish and oxygen content of the water. A negative value selects the preset's
+     * value. */
+    float stamina, oxygen_mg_l;
     uint8_t plain;
-    float close_x_m, close_z_m, close_m; /* Point of the surface at which a close camera looks, and
-                                            the distance of the camera from it; 0 means no close
-                                            camera. */
+    /* Point of the water surface at which the camera looks, and the distance of the camera from
+     * that point; distance 0 selects the normal camera. */
+    float close_x_m, close_z_m, close_m;
     uint32_t width, height, samples, fish, seed;
     uint8_t start, english, passes, paper, preset;
-    uint8_t stress, owner; /* Options of --paper: `stress` colors the stress as in practice mode,
-                              and `owner` is the player who owns the poi. */
-    float water_m, tilt_rad, heel_rad; /* Water on the paper, tilt of the poi, and tilt of the
-                                          bowls. */
+    /* Options of --paper. With `stress`, the stress is colored as in practice mode. `owner` is the
+     * player who owns the poi. */
+    uint8_t stress, owner;
+    /* Water on the paper, tilt of the poi, and heel of the bowls. */
+    float water_m, tilt_rad, heel_rad;
     uint8_t careless;
-    float follow_m;               /* Distance of a camera that follows the first poi; 0 means
-                                     none. */
-    uint8_t players, mode, modes; /* Number of players, mode under the pointer, and enabled
-                                     modes. */
+    /* Distance of a camera that follows the first poi; 0 selects the normal camera. */
+    float follow_m;
+    /* Number of players, game mode under the pointer, and enabled game modes (a bit set). */
+    uint8_t players, mode, modes;
     uint8_t lab, compare, path, size_layer; /* The growth lab and its options. */
-    uint8_t album;                          /* Number of fish in the album; 0 means that the album
-                                               is closed. */
-    const char *menu;                       /* Page of the operator's menu; null means that the menu
-                                               is closed. */
-    uint8_t step, coins;                    /* `step` is the step of the menu page. `coins` is the
-                                               price of a round. */
-    uint8_t rotation;                       /* Rotation of the picture on the screen. */
-    float inset, light, shift; /* Geometry of the picture, as in struct display_settings. */
+    /* Number of fish in the album of caught fish; 0 means that the album is closed. */
+    uint8_t album;
+    /* Page of the operator's menu; null means that the menu is closed. */
+    const char *menu;
+    /* Step of the menu page (see shot_menu_open()), and price of a round in coins. */
+    uint8_t step, coins;
+    uint8_t rotation; /* Rotation of the picture on the screen (struct display_settings). */
+    /* Size, brightness and offset of the picture, as in struct display_settings. */
+    float inset, light, shift;
     uint32_t species;
-    /* Progress [0, 1] of the species that the growth lab shows, from its first key shape to its
+    /* Growth progress (0 .. 1) of the species in the growth lab. 0 is its first key shape, 1 the
      * last. */
     float progress;
-    struct shade_input fan; /* Place of a fan. The command line gives X_CM,Z_CM. */
+    /* A fan over the water. The command line gives its position as X_CM,Z_CM. */
+    struct shade_input fan;
     const char *out;
 };
 
@@ -46,7 +50,7 @@ struct shot_options {
  * unknown options. */
 struct shot_options shot_options_parse(int argc, char **argv);
 
-/* Returns 1 if the picture is in portrait format on its screen. */
+/* Returns 1 if the picture is upright (portrait format) on its screen. */
 uint8_t shot_is_upright(const struct shot_options *options);
 
 #endif

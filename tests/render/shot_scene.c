@@ -1,4 +1,4 @@
-/* shot_scene.c -- implementation of shot_scene.h: plays the stall and fills the scene. */
+/* shot_scene.c -- implementation of shot_scene.h: plays the game and fills the scene. */
 #include "tests/render/shot_scene.h"
 
 #include <stdlib.h>
@@ -11,7 +11,7 @@
 
 static struct core core;
 
-/* Sets the fish and the water as the options require. */
+/* Sets the number and stamina of the fish and the oxygen of the water from the options. */
 static void set_water(const struct shot_options *options)
 {
     struct tank_config config = tank_config_of(options->preset);
@@ -29,8 +29,8 @@ static void set_water(const struct shot_options *options)
     }
 }
 
-/* Returns the pose of a careless player, who wets one half of the paper at a steep angle and pushes
- * it flat through the water. */
+/* Returns the pose of a careless player who tears the paper: dips one half at a steep angle, and
+ * then pushes the half-wet paper flat through the water. */
 static struct poi_input careless_pose(float time_s)
 {
     const float sinks = f_smoothstep(4.0f, 4.6f, time_s);
@@ -57,8 +57,8 @@ static void open_lab(const struct shot_options *options, struct output *output)
     lab->layer = options->size_layer ? LAB_LAYER_SIZE : 0;
 }
 
-/* Opens the album as if the tank's first fish had been caught, at the given progress of its
- * page. */
+/* Opens the album as if the first `album` fish of the tank had been caught, with its page at the
+ * given growth progress. */
 static void open_album(const struct shot_options *options)
 {
     struct album *album = &core.game.album;
@@ -104,7 +104,7 @@ static void play(const struct shot_options *options, struct output *output)
     }
 }
 
-/* Opens a page over the tank after the given time. */
+/* Opens the page that the options select: the growth lab, the album or the operator's menu. */
 static void open_page(const struct shot_options *options, struct output *output,
                       struct scene_devices *devices)
 {
@@ -132,7 +132,7 @@ static void follow(const struct shot_options *options, struct scene *scene)
     scene->view.eye_m = v3_add(at, v3(0.0f, 0.75f * options->follow_m, 0.66f * options->follow_m));
 }
 
-/* Fills a sheet that is half wet, torn in two places and loaded around its holes. */
+/* Fills the paper of a poi for a picture: half wet, with two holes, and stressed around them. */
 static void fill_sheet(struct scene_poi *poi)
 {
     for (uint32_t z = 0; z < SHEET_SIDE; z++) {
@@ -154,7 +154,7 @@ static void fill_sheet(struct scene_poi *poi)
     }
 }
 
-/* Shows a poi close to the camera. */
+/* Places a poi in front of the camera. */
 static void show_paper(const struct shot_options *options, struct scene *scene)
 {
     struct scene_poi *const poi = &scene->poi[0];

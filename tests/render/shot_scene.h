@@ -1,4 +1,4 @@
-/* shot_scene.h -- plays the stall as the options require and returns the scene at the end. */
+/* shot_scene.h -- plays the game as the options require and returns its last scene. */
 #ifndef KINGYO_TESTS_RENDER_SHOT_SCENE_H
 #define KINGYO_TESTS_RENDER_SHOT_SCENE_H
 

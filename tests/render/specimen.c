@@ -1,17 +1,18 @@
-/* specimen.c -- draws species at any age for visual review: one fish, or a sheet of many fish.
+/* specimen.c -- draws species at any stage of growth for visual review: one fish, or a sheet of
+ * many fish.
  *
  * --species NAME: only this species. By default each built-in species has a row.
  *
- * --progress A,B,..: ages to draw. The default is six values from 0 to 1.
+ * --progress A,B,..: stages of growth to draw, 0 .. 1. The default is six values from 0 to 1.
  *
  * --keys: draws the key shapes.
  *
- * --template NAME: uses the growth template ordinary, pairwise, simultaneous or smooth in place of
- * the species' own curves.
+ * --template NAME: replaces the species' own blend curves by the growth template ordinary,
+ * pairwise, simultaneous or smooth.
  *
  * --thesis: morphs as in chapter 4 of the 2005 thesis.
  *
- * --yaw --pitch --roll DEGREES: view direction; the default is the side view of books.
+ * --yaw --pitch --roll DEGREES: view direction. The default is the side view.
  *
  * --amplitude A --phase RADIANS: the swimming motion. --cell WxH: size of one fish in px. -o FILE:
  * output.
@@ -186,8 +187,8 @@ static void label(const struct options *o, const struct species *species,
     ui_text(&ui.batch, style, x_px, y_px, words);
 }
 
-/* Prints the CPU time of a sheet. The time includes all threads and the driver, because a software
- * renderer works in them. */
+/* Prints the CPU time of drawing a sheet. The time includes all threads of the process, because a
+ * software renderer works in its own threads. */
 static void print_cost(const float sheet[2], uint32_t fish_count)
 {
     const struct display_transform transform =

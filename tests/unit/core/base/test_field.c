@@ -1,4 +1,5 @@
-/* test_field.c -- checks the hash and the visit of a struct by its table of members. */
+/* test_field.c -- checks that a struct is hashed and its members are visited according to its table
+ * of members. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

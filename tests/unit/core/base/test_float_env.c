@@ -1,4 +1,4 @@
-/* test_float_env.c -- checks that a floating-point mode left behind by a library never changes a
+/* test_float_env.c -- checks that a library that changes the floating-point mode cannot change the
  * state's hash. The core refuses to run in a wrong mode, and the kiosk resets the mode before each
  * frame. */
 #include <fenv.h>
@@ -27,7 +27,7 @@ static const struct kiosk_config config = { .core = { .seed = 3, .fish_count = 2
 #define MODE_COUNT_HERE 3
 #endif
 
-/* Leaves the calling thread in one of the wrong modes. */
+/* Sets one of the wrong floating-point modes in the calling thread. */
 static void leave_mode(int mode)
 {
     static const int directions[] = { FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO };
@@ -115,7 +115,8 @@ static void test_the_first_tick_of_a_second_is_rejected_in_a_wrong_mode(void **s
 
 /* ---- The frame loop ------------------------------------------------------------------------- */
 
-static int mode_left = -1; /* Mode that the display leaves after each picture. */
+/* Wrong mode that the simulated display sets after each picture; -1 means none. */
+static int mode_left = -1;
 
 static int present(void *self, const struct scene *scene)
 {
@@ -127,8 +128,8 @@ static int present(void *self, const struct scene *scene)
     return HAL_OK;
 }
 
-/* Plays `frames` frames with a display whose library leaves `mode` behind. A mode of -1 means that
- * the library changes nothing. */
+/* Plays `frames` frames with a display that sets the wrong mode `mode` after each picture; -1 means
+ * none. Returns the state's hash. */
 static uint64_t play(int mode, uint32_t frames, uint32_t *resets)
 {
     static struct kiosk kiosk;
@@ -160,7 +161,8 @@ static void test_a_library_that_leaves_a_wrong_mode_in_each_frame_changes_no_has
     assert_int_equal(resets, 0);
     for (int mode = 0; mode < MODE_COUNT_HERE; mode++) {
         assert_true(play(mode, 600, &resets) == hash);
-        assert_int_equal(resets, 599); /* The mode is reset before each frame except the first. */
+        /* The mode is reset before each of the 600 frames except the first. */
+        assert_int_equal(resets, 599);
     }
 }
 

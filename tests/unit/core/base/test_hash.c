@@ -1,4 +1,4 @@
-/* test_hash.c -- checks the hash that distinguishes two states. */
+/* test_hash.c -- checks the hash with which states are compared. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -11,7 +11,7 @@
 static void test_byte_hashes_equal_fnv_1a(void **state)
 {
     (void)state;
-    /* The values are the test vectors of the FNV authors. */
+    /* Test vectors published by the authors of FNV-1a. */
     assert_true(hash_bytes(HASH_START, "", 0) == 0xcbf29ce484222325ull);
     assert_true(hash_bytes(HASH_START, "a", 1) == 0xaf63dc4c8601ec8cull);
     assert_true(hash_bytes(HASH_START, "foobar", 6) == 0x85944171f73967e8ull);

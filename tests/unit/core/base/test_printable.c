@@ -1,4 +1,4 @@
-/* test_printable.c -- checks that text from outside the program becomes safe to print. */
+/* test_printable.c -- checks that untrusted text becomes safe to print on a terminal. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -23,12 +23,11 @@ static void test_plain_text_of_any_script_is_kept(void **state)
     (void)state;
     expect("", "");
     expect("Kingyo ~!", "Kingyo ~!");
-    expect("\xE9\x87\x91\xE9\xAD\x9A \xC3\xA9 \xF0\x9F\x90\x9F", /* The text has kanji, an e with
-                                                                    acute accent and a fish
-                                                                    emoji. */
+    /* Kanji, an e with acute accent and a fish emoji. */
+    expect("\xE9\x87\x91\xE9\xAD\x9A \xC3\xA9 \xF0\x9F\x90\x9F",
            "\xE9\x87\x91\xE9\xAD\x9A \xC3\xA9 \xF0\x9F\x90\x9F");
-    expect("\xC2\xA0\xED\x9F\xBF\xEE\x80\x80\xF4\x8F\xBF\xBF", /* The characters are the limits of
-                                                                  the permitted ranges. */
+    /* The first and last character of each permitted range of code points. */
+    expect("\xC2\xA0\xED\x9F\xBF\xEE\x80\x80\xF4\x8F\xBF\xBF",
            "\xC2\xA0\xED\x9F\xBF\xEE\x80\x80\xF4\x8F\xBF\xBF");
 }
 
@@ -38,8 +37,8 @@ static void test_each_control_character_becomes_one_question_mark(void **state)
     expect("a\033[31mb\r\n\tc\x7F", "a?[31mb???c?");
     expect("\xC2\x80\xC2\x85\xC2\x9B"
            "1m\xC2\x9F",
-           "???1m?");                         /* The C1 character U+009B starts a control
-                                                 sequence. */
+           /* U+009B, a C1 control character, starts a terminal control sequence. */
+           "???1m?");
     expect("\xE2\x80\xA8\xE2\x80\xA9", "??"); /* U+2028, U+2029 */
 }
 
@@ -62,11 +61,11 @@ static void test_every_c0_and_c1_character_is_replaced(void **state)
 static void test_bidirectional_controls_are_replaced(void **state)
 {
     (void)state;
-    expect("\xD8\x9C\xE2\x80\x8E\xE2\x80\x8F", "???");         /* U+061C, U+200E, U+200F */
-    expect("\xE2\x80\xAA\xE2\x80\xAE", "??");                  /* U+202A, U+202E */
-    expect("\xE2\x81\xA6\xE2\x81\xA9", "??");                  /* U+2066, U+2069 */
-    expect("\xE2\x80\x8D\xE2\x80\xAF\xE2\x81\xA5\xE2\x81\xAA", /* The neighbours of these characters
-                                                                  are permitted. */
+    expect("\xD8\x9C\xE2\x80\x8E\xE2\x80\x8F", "???"); /* U+061C, U+200E, U+200F */
+    expect("\xE2\x80\xAA\xE2\x80\xAE", "??");          /* U+202A, U+202E */
+    expect("\xE2\x81\xA6\xE2\x81\xA9", "??");          /* U+2066, U+2069 */
+    /* The code points next to the replaced ones are permitted. */
+    expect("\xE2\x80\x8D\xE2\x80\xAF\xE2\x81\xA5\xE2\x81\xAA",
            "\xE2\x80\x8D\xE2\x80\xAF\xE2\x81\xA5\xE2\x81\xAA");
 }
 
@@ -77,12 +76,13 @@ static void test_each_byte_that_is_not_utf8_becomes_one_question_mark(void **sta
     expect("a\x9B"
            "b",
            "a?b");
-    expect("\xC0\xAF", "??"); /* An overlong form: two bytes for '/', which needs one byte. */
+    /* An overlong encoding of '/': two bytes for a character that needs only one. */
+    expect("\xC0\xAF", "??");
     expect("\xE0\x80\xAF", "???");
-    expect("\xED\xA0\x80", "???");      /* The surrogate U+D800, which UTF-8 does not permit. */
+    expect("\xED\xA0\x80", "???");      /* Surrogate U+D800, which is not valid in UTF-8. */
     expect("\xF4\x90\x80\x80", "????"); /* U+110000, which is above the last code point U+10FFFF. */
     expect("\xF8\x88\x80\x80\x80", "?????");
-    expect("a\xE9\x87", "a??"); /* A character of three bytes, of which the text has only two. */
+    expect("a\xE9\x87", "a??"); /* The first two bytes of a three-byte character. */
     expect("\xE9\x87\033", "???");
     expect("\xC3", "?");
 }

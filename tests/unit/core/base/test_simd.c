@@ -1,7 +1,7 @@
-/* test_simd.c -- checks that every lane equals the scalar function bit for bit, over millions of
- * values.
+/* test_simd.c -- checks that each lane of a SIMD function equals the scalar function bit for bit,
+ * over millions of values.
  *
- * The file is built for four lanes here, and for eight lanes by test_simd_wide.c. */
+ * This file is built for four lanes. test_simd_wide.c builds it again for eight lanes. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -33,7 +33,7 @@ static float special(uint32_t which)
     return values[which % (sizeof values / sizeof values[0])];
 }
 
-/* Returns mostly ordinary values with magnitudes from 1e-6 to 1e3, and some special values. */
+/* Returns a value with a magnitude from 1e-6 to 1e3, or one time in 16 a special value. */
 static float value(uint32_t round, uint32_t who)
 {
     const struct rng_key kind = { 1, round, who, RNG_TEST }, size = { 2, round, who, RNG_TEST };
@@ -154,7 +154,8 @@ static void test_a_mask_selects_and_counts_by_lane(void **state)
     }
 }
 
-/* The records have 7 floats. Their members 2 to 5 are the quad. */
+/* A quad is four successive floats of a record. Here records have 7 floats, and the quad is the
+ * members 2 to 5. */
 static void test_quads_of_records_transpose_to_columns_and_back(void **state)
 {
     (void)state;
