@@ -1,7 +1,7 @@
-/* test_cabinet.c -- Tests a whole kiosk behind the lines of a cabinet, from signal edges to
- * credits, a round, the meter and the coin lockout.
+/* test_cabinet.c -- Tests the whole kiosk with a simulated GPIO chip, from the edges of coin and
+ * button signals to credits, a round, the coin meter and the coin lockout.
  *
- * Frames are late and a GPIO chip is removed in these tests. */
+ * In some tests a frame takes three seconds, or the GPIO chip is removed. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -64,7 +64,7 @@ static void open_stall(const struct gpio_sim_event *events, uint32_t count)
     assert_int_equal(kiosk_init(&rig.kiosk, &rig.hal, &config), 0);
 }
 
-/* Runs one frame that takes `ns` while the GPIO thread continues. */
+/* Advances the GPIO thread by `ns` nanoseconds of simulated time, then runs one frame. */
 static void frame(uint64_t ns)
 {
     const uint64_t until_ns = rig.sim.now_ns + ns;
@@ -100,7 +100,7 @@ static void test_two_coin_pulses_pay_a_round_and_advance_the_meter(void **state)
 {
     (void)state;
     static const struct gpio_sim_event events[] = {
-        PULSE(1000, GPIO_START, 100), /* START without a coin must start nothing. */
+        PULSE(1000, GPIO_START, 100), /* Without a credit, START must start nothing. */
         PULSE(2000, GPIO_COIN, 50),   PULSE(2500, GPIO_COIN, 50),
         PULSE(4000, GPIO_START, 100), PULSE(6000, GPIO_START, 100),
     };
@@ -143,13 +143,14 @@ static void test_a_removed_gpio_chip_loses_no_credit_and_reconnects(void **state
         PULSE(1000, GPIO_COIN, 50),
         PULSE(1500, GPIO_COIN, 50),
         PULSE(1800, GPIO_COIN, 50),
-        { .time_ns = 1852 * MS, .what = GPIO_SIM_GONE }, /* The chip is removed before the coin
-                                                            pulse was validated. */
+        { .time_ns = 1852 * MS, .what = GPIO_SIM_GONE }, /* The chip is removed 2 ms after the pulse
+                                                            of the third coin. That coin must still
+                                                            be counted. */
         { .time_ns = 4000 * MS, .what = GPIO_SIM_BACK },
         PULSE(6000, GPIO_COIN, 50),
         LEVEL(7000, GPIO_COIN, 1),
-        { .time_ns = 7030 * MS, .what = GPIO_SIM_GONE }, /* The chip is removed during the pulse, so
-                                                            that the coin cannot be confirmed. */
+        { .time_ns = 7030 * MS, .what = GPIO_SIM_GONE }, /* The chip is removed during a coin pulse,
+                                                            so that this coin cannot be counted. */
     };
     OPEN(events);
     run_until(3500);
@@ -161,8 +162,8 @@ static void test_a_removed_gpio_chip_loses_no_credit_and_reconnects(void **state
     assert_int_equal(rig.kiosk.faults.buttons, 1);
     run_until(8000);
     assert_int_equal(rig.kiosk.scene.credit.credits, 2);
-    assert_int_equal(rig.kiosk.faults.buttons, 1 + 2); /* One fault of the chip and one interrupted
-                                                          coin pulse. */
+    assert_int_equal(rig.kiosk.faults.buttons, 1 + 2); /* Faults: two removals of the chip and one
+                                                          interrupted coin pulse. */
     close_kiosk();
 }
 
@@ -174,7 +175,8 @@ static void test_tilting_the_cabinet_locks_the_coin_slot_temporarily(void **stat
         PULSE(5000, GPIO_SERVICE, 100),
     };
     OPEN(events);
-    assert_int_equal(rig.sim.outputs[GPIO_COIN_LOCKOUT], 1); /* The coin slot is still locked. */
+    assert_int_equal(rig.sim.outputs[GPIO_COIN_LOCKOUT], 1); /* The coin slot is locked until the
+                                                                first frame. */
     run_until(900);
     assert_int_equal(rig.sim.outputs[GPIO_COIN_LOCKOUT], 0);
     run_until(1200);

@@ -1,5 +1,6 @@
-/* test_demo.c -- Tests that a recording is played off screen to its last tick and compared at every
- * tick, and that the demo starts in a round. */
+/* test_demo.c -- Tests the demo mode, which plays a recording or a bot without a window. Each tick
+ * of a recording is compared with its recorded digest, and the demo with a bot starts in a
+ * round. */
 #include <setjmp.h>
 #include <signal.h>
 #include <stdarg.h>
@@ -34,7 +35,8 @@ static int remove_folder(void **state)
     return system(command);
 }
 
-/* Records `count` ticks of an idle kiosk. The digest of tick `wrong` is incorrect. */
+/* Records `count` ticks without player input. Each tick is stored with a digest of the core's
+ * state. The digest of tick `wrong` is false. */
 static void record(const char *name, uint32_t count, uint32_t wrong)
 {
     static struct recorder recorder;
@@ -96,7 +98,8 @@ static void test_the_demo_starts_in_the_round_and_catches_a_fish(void **state)
     assert_int_equal(demo_run(&session), EXIT_OK);
     const struct core *played = &session.kiosk.core;
     assert_int_equal(played->game.phase, PHASE_ROUND);
-    /* The first picture is taken half a second later, when the poi has moved over the water. */
+    /* The demo lasts 15 s. The demo begins 0.75 s after the start of the round, when the poi has
+     * moved over the water. */
     assert_in_range(played->game.tick - played->game.round_tick, 31u * CORE_TICK_HZ / 2u,
                     16u * CORE_TICK_HZ);
     assert_true(played->game.player[0].caught > 0);

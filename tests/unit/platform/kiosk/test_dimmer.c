@@ -1,5 +1,5 @@
-/* test_dimmer.c -- Tests the brightness of the display: full with a player, dimmed when idle, dark
- * at night, and the pixel shift against burn-in. */
+/* test_dimmer.c -- Tests the brightness of the display and the pixel shift against burn-in. The
+ * display is bright during a game, dimmed when idle, and dark at night. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,5 +1,5 @@
-/* test_fan.c -- Tests a fan that is moved by the mouse and its key, through the frame loop to the
- * core. */
+/* test_fan.c -- Tests the fan, a second tool that casts a shadow on the water. Mouse events and a
+ * key move the fan through the driver, the frame loop and the core. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -38,7 +38,7 @@ static int open_mouse(void **state)
                    POINTER_FILTER_MOUSE);
     const struct hal_poi device = mouse_poi_devices(&mouse).poi;
     const int opened = device.ops->open(device.self);
-    /* Opens the device again, as the kiosk does after a loss. */
+    /* Opens the device a second time, because the kiosk reopens a lost device. */
     return opened != HAL_OK ? -1 : device.ops->open(device.self);
 }
 
@@ -64,8 +64,8 @@ static void push_motion(int x_px, int y_px)
     assert_int_equal(SDL_PushEvent(&event), 1);
 }
 
-/* Polls in the order of the frame loop: the buttons first, because their poll empties the key
- * queue, then the pointers. */
+/* Polls the devices in the order of the frame loop. The buttons come first, because their poll
+ * removes the key events from SDL's queue. */
 static struct shade_input poll_hands(uint64_t ms)
 {
     const struct hal_buttons buttons = buttons_keyboard_device(&keyboard);
@@ -157,7 +157,8 @@ static void lead_fan(float x_px, float y_px, uint32_t buttons)
     rig.reports[rig.poi.feed.count++] = report(ms, x_px, y_px, buttons);
 }
 
-/* A motion of whole pixels at 60 Hz reaches the core as equal steps, one per tick. */
+/* The mouse moves 4 pixels per frame. With two ticks per frame, the core must receive a step of 2
+ * pixels in every tick. */
 static void test_each_tick_has_an_interpolated_fan_position(void **state)
 {
     (void)state;
@@ -238,7 +239,7 @@ static void test_a_non_finite_fan_pose_is_rejected_and_counted(void **state)
         frames(1);
     }
     assert_int_equal(rig.kiosk.faults.shade, 12);
-    /* The fan stays at its last valid position. */
+    /* All 12 invalid poses were rejected, so the fan is still at x = 0.1 m. */
     assert_float_equal(rig.kiosk.scene.fan[1].x_m, 0.1f, 0.0f);
 }
 

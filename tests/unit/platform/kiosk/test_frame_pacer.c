@@ -85,7 +85,7 @@ static void test_a_frame_far_from_60_hz_is_not_rounded(void **state)
 {
     (void)state;
     struct frame_pacer pace = running();
-    /* 12 ms are 1.44 ticks, so one tick is due and 0.44 remain. */
+    /* 12 ms are 1.44 ticks of 1/120 s, so one tick is due and 0.44 remain. */
     assert_int_equal(frame_pacer_ticks_due(&pace, S + 12 * MS), 1);
     /* A remainder of 0.44 ticks plus 22 ms (2.64 ticks) gives three whole ticks. */
     assert_int_equal(frame_pacer_ticks_due(&pace, S + 12 * MS + 22 * MS), 3);
@@ -93,7 +93,7 @@ static void test_a_frame_far_from_60_hz_is_not_rounded(void **state)
 
 /* ---- Sleep ---------------------------------------------------------------------------------- */
 
-/* Returns the sleep time of the last of `count` frames that take `took_ns`. */
+/* Returns the sleep time in ns after the last of `count` frames that each take `took_ns`. */
 static uint64_t rest_after(struct frame_pacer_sleep *rest, uint32_t count, uint64_t took_ns)
 {
     uint64_t rest_ns = 0;

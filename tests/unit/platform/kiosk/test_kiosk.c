@@ -1,5 +1,5 @@
-/* test_kiosk.c -- Tests the frame loop with simulated devices: ticks, buttons, coins and the end
- * of the loop. */
+/* test_kiosk.c -- Tests the frame loop with simulated devices: ticks per frame, buttons, coins, and
+ * the end of the program. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -21,7 +21,9 @@ static void expect_in_tick(void *self, const struct input *input)
     rig.seen_count++;
 }
 
-/* If another thread panics, session_recorder_before() stops the frame thread. */
+/* Before each tick, the kiosk calls session_recorder_before(), which blocks the frame thread if
+ * another thread has panicked. The test asserts that this call comes before the tap gets the
+ * input. */
 static void test_a_stopped_thread_stops_before_its_tap_records_the_tick(void **state)
 {
     static struct session_recorder chapters;
@@ -157,7 +159,7 @@ static void test_one_press_of_quit_never_ends_the_loop(void **state)
     script(&event, 1);
     frames(2);
     assert_int_equal(rig.display.scene.asks_quit, 1);
-    frames(1200); /* 20 s. */
+    frames(1200); /* 1200 frames are 20 s. */
     assert_int_equal(rig.kiosk.end, KIOSK_RUNS);
     assert_int_equal(rig.display.scene.asks_quit, 0);
 }
@@ -168,12 +170,14 @@ static void test_the_quit_confirmation_times_out_after_five_seconds(void **state
                                                   { .time_ns = 6200 * MS, .quit = 1 } };
     (void)state;
     script(events, 2);
-    /* The clock is at 6.1 s, five seconds after the first QUIT, so the question has disappeared. */
+    /* The clock is at 6.1 s, more than five seconds after the first QUIT, so the confirmation is
+     * hidden. */
     frames(305);
     assert_int_equal(rig.display.scene.asks_quit, 0);
     frames(20);
     assert_int_equal(rig.kiosk.end, KIOSK_RUNS);
-    assert_int_equal(rig.display.scene.asks_quit, 1); /* The confirmation is shown again. */
+    assert_int_equal(rig.display.scene.asks_quit, 1); /* The second QUIT shows the confirmation
+                                                         again. */
 }
 
 static void test_any_other_button_cancels_the_quit_confirmation(void **state)
@@ -246,7 +250,8 @@ static void test_the_button_that_ends_a_playback_has_no_other_effect(void **stat
     rig.kiosk.wanted_replay_id = 7;
     frames(2);
     assert_int_equal(rig.kiosk.wanted_replay_id, 0);
-    assert_int_equal(rig.display.scene.playback, ENCORE_NONE); /* This store contains no replay. */
+    assert_int_equal(rig.display.scene.playback, ENCORE_NONE); /* The storage contains no replay of
+                                                                  this score. */
     script(events, 1);
     frames(2);
     while (rig.clock.now_ns < 3100 * MS) {

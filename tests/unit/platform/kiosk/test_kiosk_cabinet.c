@@ -1,7 +1,8 @@
-/* test_kiosk_cabinet.c -- Tests the output of the frame loop to a cabinet.
+/* test_kiosk_cabinet.c -- Tests the commands that the frame loop sends to controllers and to the
+ * switches of a cabinet.
  *
- * Each operator command, each level and each pulse reaches its driver once, at any frame length and
- * after any number of busy results of the driver. */
+ * Each command, switch level and pulse must reach its driver exactly once, even if a frame is long
+ * or the driver returns HAL_ERR_BUSY. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -28,12 +29,12 @@ static struct rig {
     struct hal hal;
     struct kiosk kiosk;
     struct button_sample buttons; /* Button sample of the next frame. */
-    vec3 at_m[SAMPLES];           /* Positions of the pose in the next frame, evenly spaced in
-                                     time. */
+    vec3 at_m[SAMPLES];           /* Positions of the poi that the controller reports in the next
+                                     frame, at equal time intervals. */
     uint64_t frame_ns;
     struct controller_command commands[ORDERS_MAX];
     uint32_t command_count;
-    int answer; /* Value that every call of the simulated switches returns. */
+    int answer; /* Result of every call of the simulated switches. */
     uint32_t asked[HAL_SWITCH_COUNT], level[HAL_SWITCH_COUNT], pulses[HAL_SWITCH_COUNT];
 } rig;
 
@@ -156,8 +157,8 @@ static int set_up(void **state)
     memset(&rig, 0, sizeof rig);
     rig.clock.now_ns = 1000 * MS;
     rig.frame_ns = FRAME_NS;
-    rig.level[HAL_COIN_LOCKOUT] = 1;       /* At its start the driver holds the coin slot locked. */
-    hold_pose_at(v3(-0.4f, 0.06f, -0.3f)); /* The pose is over no menu tag. */
+    rig.level[HAL_COIN_LOCKOUT] = 1;       /* The driver starts with the coin slot locked. */
+    hold_pose_at(v3(-0.4f, 0.06f, -0.3f)); /* This position is over no menu tag. */
     rig.hal = null_hal(NULL);
     rig.hal.clock = sim_clock_device(&rig.clock);
     rig.hal.poi[0] = (struct hal_poi){ .ops = &poi };
@@ -201,11 +202,12 @@ static vec3 over_tag(uint32_t tag, float y_m)
               size_m.z * ((box.y + 0.5f * box.height) / canvas.y - 0.5f));
 }
 
-/* Opens the page of the only controller with its first tag selected and a pose that rests over
- * `tag`. */
+/* Opens the menu page of the only controller. Selects the first tag with the buttons, and moves the
+ * poi over `tag`. */
 static void open_controller_page(uint32_t tag)
 {
-    for (uint32_t i = 0; i < 4u; i++) { /* Opens the menu and selects the first tag of each page. */
+    for (uint32_t i = 0; i < 4u; i++) { /* The first press opens the menu. Each other press opens
+                                           the page of the first tag. */
         push(INPUT_TEST);
     }
     assert_int_equal(rig.kiosk.scene.menu.page, MENU_CONTROLLER);
@@ -216,8 +218,8 @@ static void open_controller_page(uint32_t tag)
     }
 }
 
-/* The button is pressed in the first of 60 ticks and the dip comes in the middle. The commands are
- * sent in this order, and neither replaces the other. */
+/* A frame of 0.5 s has 60 ticks. TEST is pressed in the first tick and sends CHOOSE. The dip in the
+ * middle of the frame sends LEARN. Both commands must be sent, in this order. */
 static void test_all_commands_of_the_longest_frame_are_sent_in_order(void **state)
 {
     (void)state;
@@ -237,8 +239,8 @@ static void test_all_commands_of_the_longest_frame_are_sent_in_order(void **stat
     assert_int_equal(rig.command_count, 2);
 }
 
-/* The pose trembles over a tag for half a second and issues the maximum number of commands. All of
- * them are sent. */
+/* In each frame of 0.5 s the poi dips six times, so that a menu tag is chosen several times. Every
+ * command of the core must be sent. */
 static void test_a_trembling_pose_over_a_menu_tag_loses_no_command(void **state)
 {
     (void)state;
@@ -307,7 +309,8 @@ static void test_a_failing_switch_is_retried_each_second(void **state)
     rig.answer = HAL_ERR_IO;
     push(INPUT_TEST); /* The coin slot is closed while the menu is open. */
     drop(1);
-    frames(190); /* After 3.5 s in total. */
+    frames(190); /* The switches have failed for about 3.3 s, so each command was tried at 0, 1, 2
+                    and 3 s. */
     assert_int_equal(rig.asked[HAL_COIN_LOCKOUT], 4);
     assert_int_equal(rig.asked[HAL_COIN_COUNTER], 4);
     assert_true(rig.kiosk.faults.switches >= 8);
@@ -329,7 +332,7 @@ static void test_an_obsolete_switch_command_is_not_retried(void **state)
     frames(1);
     assert_int_equal(rig.asked[HAL_COIN_LOCKOUT], 1);
     rig.answer = HAL_OK;
-    frames(120); /* The door is closed again. */
+    frames(120); /* The door is closed again, so the lockout command is obsolete. */
     assert_int_equal(rig.asked[HAL_COIN_LOCKOUT], 1);
     assert_int_equal(rig.level[HAL_COIN_LOCKOUT], 0);
 }
@@ -356,13 +359,14 @@ static int next_of_a_replay(void *self, struct input *out)
     return 1;
 }
 
-/* The coins of the replay are old, and the core of the replay receives no coin that is inserted
- * now. */
+/* The kiosk plays back a recording. The coins in the recording were counted when they were
+ * inserted, and the coin slot must stay locked because the core gets no new coins. */
 static void test_a_replay_does_not_drive_the_coin_lockout_or_the_meters(void **state)
 {
     (void)state;
     rig.kiosk.config.source = (struct kiosk_source){ .next = next_of_a_replay };
-    frames(20); /* Fewer coins than the price of a credit. */
+    frames(20); /* 20 frames are 40 ticks with one coin each. 40 credits are fewer than the maximum
+                   of 99, at which the core requests the lockout. */
     assert_true(rig.kiosk.output.coins_counted > 0);
     assert_int_equal(rig.kiosk.output.coin_lockout, 0);
     assert_int_equal(rig.level[HAL_COIN_LOCKOUT], 1);

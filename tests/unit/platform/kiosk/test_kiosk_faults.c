@@ -1,8 +1,7 @@
-/* test_kiosk_faults.c -- Tests controllers that fail in the middle of a scoop, in the real frame
- * loop.
+/* test_kiosk_faults.c -- Tests controllers that fail during a scoop, in the real frame loop.
  *
- * The tests follow the reports of a simulated device to the paper, and the replay of the recording.
- * The paper is wet, of the weakest grade, and 6 cm deep in the water. */
+ * The tests check that no controller fault tears the paper, and that a recording of the faults
+ * replays exactly. The paper is wet, of the weakest grade, and 6 cm below the water surface. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -30,7 +29,7 @@ static struct rig {
     struct clock_sim clock;
     struct sensor_sim sensor;
     struct pointer_sim pointer;
-    struct pointer_report report; /* Report of the next frame, in which there is no other. */
+    struct pointer_report report; /* The only pointer report of the next frame. */
     struct hal hal;
     struct kiosk kiosk;
     uint32_t lost_frames, age_max;
@@ -125,22 +124,21 @@ static void test_a_sensor_fault_pauses_the_round_and_tears_no_paper(void **state
 {
     static const struct {
         enum sensor_fault fault;
-        uint32_t ms, lost_min, lost_max; /* Duration of the fault in ms, and limits of the number of
-                                            frames with a lost input. */
+        uint32_t ms, lost_min, lost_max; /* Duration of the fault in ms, and bounds for the number
+                                            of frames without valid input. */
     } cases[] = {
-        /* The kiosk searches for a missing device once a second, so the input is lost for up to a
-         * second longer. */
+        /* The kiosk tries to reopen a missing device once a second. The input is therefore lost for
+         * up to one second longer than the device. */
         { SENSOR_GONE, 700, 40, 160 },
-        { SENSOR_SILENT, 1200, 50, 70 }, /* The loss begins after half a second and lasts a quarter
-                                            of a second longer than the fault. */
+        { SENSOR_SILENT, 1200, 50, 70 }, /* The input is lost after 0.5 s without a report, and
+                                            until 0.25 s after the fault. */
         { SENSOR_SILENT, 300, 0, 0 },
         { SENSOR_HELD_BACK, 300, 0, 0 },
         { SENSOR_HELD_BACK, 1200, 50, 70 },
-        { SENSOR_STUCK, 2000, 70, 85 },  /* The loss begins after
-                                                                               one second. */
-        { SENSOR_JUMPED, 8, 14, 20 },    /* The loss lasts one or two reports and a quarter of a
-                                            second. */
-        { SENSOR_JUMPED, 1500, 14, 40 }, /* The input is lost at the jump and at the return. */
+        { SENSOR_STUCK, 2000, 70, 85 },  /* An unchanged pose counts as lost after 1 s. */
+        { SENSOR_JUMPED, 8, 14, 20 },    /* After a jump, the input is lost for 0.25 s. */
+        { SENSOR_JUMPED, 1500, 14, 40 }, /* The input is lost at the jump and when the pose jumps
+                                            back. */
         { SENSOR_FLIPPED, 100, 18, 30 },
         { SENSOR_NOT_A_NUMBER, 100, 18, 30 },
         { SENSOR_GARBAGE, 500, 40, 50 },
@@ -232,20 +230,22 @@ static void test_a_pointer_jump_under_water_tears_no_paper(void **state)
     rig.lost_frames = 0;
     rig.report.x_px = 1030.0f;
     frames(240);
-    assert_int_equal(rig.lost_frames, 0); /* The poi moves there slowly, and the round continues. */
+    assert_int_equal(rig.lost_frames, 0); /* The poi moves slowly to the new position, so the jump
+                                             is no input loss. */
     assert_int_equal(rig.kiosk.core.world.poi[0].sheet.paper_cells, cells);
     assert_float_equal(rig.kiosk.core.world.poi[0].position_m.x, seen()->target.position_m.x,
                        0.01f);
 }
 
-/* Simulates a player who shakes the mouse as fast as possible. */
+/* Moves the pointer across the screen and back in 6 to 19 frames, as a player does who shakes the
+ * mouse. */
 static void test_a_fast_mouse_movement_is_not_an_input_loss(void **state)
 {
     (void)state;
     open_with_pointer();
     start_round();
     rig.lost_frames = 0;
-    for (uint32_t frame_count = 6; frame_count < 20; frame_count++) { /* From 100 ms. */
+    for (uint32_t frame_count = 6; frame_count < 20; frame_count++) { /* 6 frames are 100 ms. */
         for (uint32_t i = 1; i <= frame_count; i++) {
             const float t = (float)i / (float)frame_count;
             const float share = f_smoothstep(0.0f, 1.0f, frame_count % 2u ? 1.0f - t : t);
@@ -272,7 +272,8 @@ static void test_random_pointer_reports_are_tolerated(void **state)
     assert_true(rig.pointer.spoil_count > 500);
 }
 
-/* A mouse that is at rest for an hour is not a stuck sensor. */
+/* A mouse may rest for any time. Its unchanged position is not the fault of a sensor whose pose is
+ * stuck. The test runs for 10 s. */
 static void test_a_pointer_at_rest_never_times_out(void **state)
 {
     (void)state;
@@ -324,7 +325,8 @@ static void test_one_faulty_sensor_pauses_all_four_players(void **state)
         assert_int_equal(sheet->paper_cells, sheet->paper_cells_new);
         assert_true(v3_length(v3_sub(core->world.poi[i].position_m, others[i].pose.position_m)) <
                     0.01f);
-        assert_true(others[i].felt.force_n.y != 0.0f); /* Each controller receives its own force. */
+        assert_true(others[i].felt.force_n.y != 0.0f); /* Each of the other controllers still gets
+                                                          force feedback. */
     }
 }
 
@@ -349,7 +351,7 @@ static struct recorder recorder;
 static struct replayer replayer;
 static char path[] = "/tmp/kingyo-faults-XXXXXX";
 
-/* Plays a session with faults of every kind, one after the other. */
+/* Plays a round in which faults of every kind occur, one after the other. */
 static uint64_t play_them_all(void)
 {
     start_round();

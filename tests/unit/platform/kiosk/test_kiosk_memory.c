@@ -1,8 +1,7 @@
-/* test_kiosk_memory.c -- Tests that the running frame loop allocates no memory by counting every
- * malloc().
+/* test_kiosk_memory.c -- Tests that the running frame loop allocates no memory. The test program
+ * replaces malloc() with a function that counts its calls.
  *
- * The C library lets a program replace malloc(). A sanitizer has its own malloc(), so the test is
- * skipped there. */
+ * Sanitizers also replace malloc(), so the test is skipped in builds with a sanitizer. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -37,7 +36,7 @@
 static uint32_t allocations;
 
 #if HAS_TRAP
-/* glibc's own names of the functions that this file replaces. */
+/* Internal names of glibc's allocation functions. The replacements below call these functions. */
 void *__libc_malloc(size_t size);
 void *__libc_calloc(size_t count, size_t size);
 void *__libc_realloc(void *old, size_t size);
@@ -109,8 +108,8 @@ static void open_rig(const char *record_path)
     assert_int_equal(recorder_begin(&rig.recorder, record_path, &rig.kiosk.core), 0);
 }
 
-/* The run contains attract mode, a whole round with dips, a recording, a lost and recovered poi,
- * and the result. */
+/* The test runs attract mode, a whole round with dips, a recording, an unplugged and reconnected
+ * poi, and the result. */
 static void test_the_running_frame_loop_allocates_nothing(void **state)
 {
     char path[] = "/tmp/kingyo-memory-XXXXXX";
@@ -133,8 +132,8 @@ static void test_the_running_frame_loop_allocates_nothing(void **state)
     assert_int_equal(recorder_end(&rig.recorder), 0);
     unlink(path);
     assert_int_equal(rig.kiosk.core.game.tick, 2400);
-    assert_int_equal(rig.storage.record.id, 2); /* One round began and ended, and another round
-                                                   began. */
+    assert_int_equal(rig.storage.record.id, 2); /* The store has the record of one ended round and
+                                                   the entry of a second round that began. */
     assert_int_equal(rig.storage.entry.kind, LEDGER_BEGIN);
     assert_int_equal(during, 0);
 }

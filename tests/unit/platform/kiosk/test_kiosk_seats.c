@@ -1,7 +1,7 @@
 /* test_kiosk_seats.c -- Tests the assignment of controllers to player slots in the frame loop.
  *
- * The tests check when the assignment may change, what happens to a controller that changes its
- * slot, and how long its reports wait for a tick. */
+ * The tests check when the assignment may change, how a newly assigned controller is opened, and
+ * the time from the arrival of a report to its tick. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -17,21 +17,21 @@
 #define MS 1000000ull
 #define FRAME_NS 16666667ull
 
-/* A player slot that can be assigned to two controllers. */
+/* One player slot and two controllers that can be assigned to the slot. */
 static struct {
     struct clock_sim clock;
     struct buttons_sim buttons;
     struct hal hal;
     struct kiosk kiosk;
-    uint32_t asked_moving, asked_still; /* Calls of arrange() with and without permission to change
-                                           the assignment. */
-    /* Result that the simulated arrange() returns at its next call. */
+    uint32_t asked_moving, asked_still; /* Calls of arrange() with `may_move` true (asked_moving)
+                                           and false (asked_still). */
+    /* Result of the next call of arrange(): bit 0 is set if the controller of slot 0 changed. */
     uint32_t moves;
     uint8_t other_sits;
     uint8_t is_gone, is_absent;
     uint32_t open_count, view_count;
-    bool scoops;      /* `scoops` as passed to the last call of set_view(). */
-    uint64_t late_ns; /* Age of the reports at the poll. */
+    bool scoops;      /* Value of `scoops` in the last call of set_view(). */
+    uint64_t late_ns; /* Age of a report when the kiosk polls the controller, in ns. */
     uint8_t stamps;
     uint32_t told; /* Number of reports per frame. */
 } rig;
@@ -139,7 +139,8 @@ static void test_controllers_are_reassigned_only_while_no_player_is_active(void 
 {
     (void)state;
     frames(10);
-    assert_int_equal(rig.asked_moving, 11); /* One call comes before the first frame. */
+    assert_int_equal(rig.asked_moving, 11); /* One call before the first frame, and one in each of
+                                               10 frames. */
     assert_int_equal(rig.asked_still, 0);
     begin_round();
     const uint32_t before = rig.asked_moving;
@@ -170,8 +171,7 @@ static void test_controllers_are_reassigned_in_the_operator_menu(void **state)
     assert_int_equal(rig.asked_moving, before + 1);
 }
 
-/* During the change from one controller to the other the slot has no controller. This is not
- * counted as a fault. */
+/* The replacement of a slot's controller is not an input loss, so no fault is counted. */
 static void test_a_new_controller_is_opened_and_used_in_the_same_frame(void **state)
 {
     (void)state;
@@ -184,7 +184,8 @@ static void test_a_new_controller_is_opened_and_used_in_the_same_frame(void **st
     frames(1);
     assert_int_equal(rig.open_count, opened + 1);
     assert_int_equal(rig.view_count,
-                     viewed + per_frame + 1); /* The new controller gets the view. */
+                     viewed + per_frame + 1); /* One additional call of set_view() passes the view
+                                                 to the new controller. */
     assert_int_equal(rig.kiosk.samplers[0].link, POI_SOURCE_LIVE);
     assert_true(rig.kiosk.input.poi[0].target.position_m.x == 0.2f);
     assert_int_equal(rig.kiosk.faults.poi, 0);
@@ -199,16 +200,16 @@ static void test_an_empty_player_slot_plays_after_a_controller_is_assigned(void 
     assert_int_equal(rig.kiosk.samplers[0].link, POI_SOURCE_ABSENT);
     const uint32_t opened = rig.open_count;
     frames(200);
-    assert_int_equal(rig.open_count, opened); /* A device that is not expected is not searched
-                                                 for. */
+    assert_int_equal(rig.open_count, opened); /* The kiosk does not try to open the poi of an empty
+                                                 slot. */
     rig.is_absent = 0;
     rig.moves = 1u;
     frames(1);
     assert_int_equal(rig.kiosk.input.poi[0].link, POI_SOURCE_LIVE);
 }
 
-/* Without the notification of the input mux, the controller would be searched for one second after
- * its loss. */
+/* arrange() reports the reconnected controller. Without this report, the kiosk would retry to open
+ * the controller only one second after the loss. */
 static void test_a_reconnected_controller_is_used_in_the_frame_that_detects_it(void **state)
 {
     (void)state;
@@ -236,7 +237,7 @@ static void test_the_latency_of_a_report_is_measured_from_arrival_to_tick(void *
     assert_true(frame_timing_quantile_ns(wait, 0.99) <= 5100000u);
 }
 
-/* A frame without a tick uses no report. The reports of that frame are kept for the next tick. */
+/* A frame of 1 ms is too short for a tick, so its report is kept for the tick of the next frame. */
 static void test_a_report_between_two_ticks_is_used_by_the_next_tick(void **state)
 {
     (void)state;

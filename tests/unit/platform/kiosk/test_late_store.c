@@ -1,7 +1,8 @@
 /* test_late_store.c -- Tests a kiosk that starts without its store while players insert coins.
  *
- * When the card returns, each coin is recorded exactly once, and the kiosk continues without
- * operator action. The kiosk and the store are real. The devices and the time are simulated. */
+ * The store is a database on a memory card. When the card is available again, each coin is stored
+ * exactly once without operator action. The kiosk and the store are real. The devices and the time
+ * are simulated. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -32,7 +33,8 @@ static struct rig {
     struct hal hal;
     struct kiosk kiosk;
     struct button_sample buttons; /* Button sample of the next frame. */
-    uint32_t locked;              /* Level to which the kiosk set the coin lockout last. */
+    uint32_t locked;              /* Last level of the coin lockout: 1 if the coin slot is
+                                     locked. */
 } rig;
 
 static int poll_buttons(void *self, struct button_sample *out)
@@ -49,7 +51,7 @@ static const char *describe(void *self)
     return "a slot";
 }
 
-/* Returns a pose, because the coin slot opens only with a working controller. */
+/* Reports a valid pose, because the coin slot opens only if a controller works. */
 static int poll_pose(void *self, struct poi_sample *out, uint32_t max)
 {
     (void)self;
@@ -97,7 +99,7 @@ static int pulse_switch(void *self, enum hal_switch which, uint32_t count)
     return HAL_OK;
 }
 
-/* Returns the number of tickets that the dispenser still has to give: always 0. */
+/* Simulates a dispenser that has given all its tickets. */
 static uint32_t pending(void *self, enum hal_switch which)
 {
     (void)self;
@@ -105,7 +107,8 @@ static uint32_t pending(void *self, enum hal_switch which)
     return 0;
 }
 
-/* Starts the program with only the state that the store contains. */
+/* Starts the kiosk with the state that the store contains. All other state of an earlier start is
+ * cleared. */
 static void begin(void)
 {
     static const struct hal_buttons_ops buttons = { poll_buttons, describe };
@@ -120,7 +123,7 @@ static void begin(void)
         .core = { .seed = 5, .fish_count = 4, .round_s = 10, .credit_coins = PRICE }
     };
     memset(&rig, 0, sizeof rig);
-    rig.locked = 1; /* The initial level. */
+    rig.locked = 1; /* The coin slot is locked until the kiosk opens it. */
     rig.clock.now_ns = FRAME_NS;
     rig.storage = (struct storage){ .dir = dir, .by_hand = 1 };
     rig.hal = null_hal(NULL);
@@ -167,7 +170,8 @@ static const struct balance *balance(void)
     return &rig.kiosk.core.game.accounts.ledger.balance;
 }
 
-/* One coin, half a credit, is inserted in the evening. Then the card is removed. */
+/* Inserts one coin, which is half a credit, and ends the kiosk. Then replaces the data folder by an
+ * empty folder, as if the card was removed. */
 static int set_up(void **state)
 {
     (void)state;
@@ -185,7 +189,7 @@ static int set_up(void **state)
     if (rename(dir, away) != 0 || mkdir(dir, 0755) != 0) {
         return -1;
     }
-    /* The link points to a file that does not exist, so the database cannot be opened. */
+    /* Creates a link to a file that does not exist, so that the database cannot be opened. */
     return symlink("/tmp/kingyo-no-such-card/kingyo.db", file);
 }
 
@@ -221,8 +225,9 @@ static void test_a_coin_inserted_without_a_store_is_recorded_later_and_the_slot_
     assert_int_equal(frames(60), KIOSK_RUNS);
     assert_int_equal(audit(AUDIT_COINS_1), 2);
     assert_int_equal(audit(AUDIT_UNITS), 2);
-    assert_int_equal(audit(AUDIT_BOOTS), 2); /* The start without a store was not counted. */
-    /* The half credit from the evening and the half credit from this coin make one credit. */
+    assert_int_equal(audit(AUDIT_BOOTS), 2); /* The start without a store is not in the count. */
+    /* The coin from before the removal and the coin from the time without a store make one
+     * credit. */
     assert_int_equal(balance()->paid, 1);
     assert_int_equal(ledger_committed_credits(&rig.kiosk.core.game.accounts.ledger).paid, 1);
     assert_int_equal(rig.locked, 0);
@@ -256,8 +261,8 @@ static void test_offline_credits_and_entries_are_merged_exactly_once(void **stat
     }
 }
 
-/* The card is present but rejects writes. The kiosk keeps the offline credits for any length of
- * time. */
+/* The card is back, but another connection locks the database. The kiosk must keep the coins until
+ * the database is writable. */
 static void test_offline_credits_are_kept_until_the_card_is_writable(void **state)
 {
     (void)state;
@@ -270,12 +275,12 @@ static void test_offline_credits_are_kept_until_the_card_is_writable(void **stat
     assert_int_equal(frames(3), KIOSK_RUNS);
     assert_int_equal(rig.hal.storage.ledger.ops->offline_merged(rig.hal.storage.ledger.self),
                      HAL_ERR_BUSY);
-    drop_coins(0, 1); /* Another coin is inserted while the first one is being written. */
+    drop_coins(0, 1); /* A second coin is inserted while the first coin cannot be written yet. */
     assert_int_equal(sqlite3_exec(other, "ROLLBACK", NULL, NULL, NULL), SQLITE_OK);
     sqlite3_close(other);
     enum kiosk_end how = KIOSK_RUNS;
     for (uint32_t i = 0; i < 300u && how == KIOSK_RUNS; i++) {
-        rig.storage.look_due_ms = 0; /* The test ends the delay before the next retry. */
+        rig.storage.look_due_ms = 0; /* Lets the store retry at once. */
         how = frames(1);
     }
     assert_int_equal(how, KIOSK_RESTART);
@@ -284,7 +289,7 @@ static void test_offline_credits_are_kept_until_the_card_is_writable(void **stat
     frames(60);
     assert_int_equal(audit(AUDIT_COINS_1), 3);
     assert_int_equal(PRICE * balance()->paid + balance()->units,
-                     3); /* The count covers two coins that were merged into one entry. */
+                     3); /* One coin from set_up() and the two coins above. */
 }
 
 int main(void)

@@ -1,8 +1,8 @@
-/* test_menu_desk.c -- Tests the operator menu with two buttons and a controller whose mapping is
- * learned.
+/* test_menu_desk.c -- Tests the operator menu with two buttons, and a controller whose axis mapping
+ * is learned in the menu.
  *
- * The tests follow button presses and raw reports to the picture and to the controller that moves
- * the ring. All parts between the wire and the picture are those of the kiosk. */
+ * The tests send button presses and raw HID reports, and check the scene and the pose of the ring.
+ * The decoder, the mapping store and the frame loop are real. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -41,7 +41,8 @@ static struct rig {
     struct button_sample buttons; /* Button sample of the next frame. */
     float x, z;                   /* Stick position, each axis in [0, 1]. */
     uint8_t trigger;
-    uint32_t lockout, input_coin_pulses, ticket_pulses, lamp; /* Last outputs to the cabinet. */
+    uint32_t lockout, input_coin_pulses, ticket_pulses, lamp; /* Last outputs of the kiosk to the
+                                                                 cabinet. */
 } rig;
 
 /* ---- A cabinet ------------------------------------------------------------------------------ */
@@ -128,13 +129,13 @@ static int set_up(void **state)
     struct poi_hid *const pois[POI_MAX] = { &rig.poi };
     (void)state;
     memset(&rig, 0, sizeof rig);
-    rig.lockout = 1; /* The initial level. */
+    rig.lockout = 1; /* The coin slot is locked until the kiosk opens it. */
     rig.x = rig.z = MIDDLE;
     rig.clock.now_ns = FRAME_NS;
     wire_load(&rig.wire, &rig.clock, "025-ci-xusb-flightstick");
     snprintf(rig.wire.face.identity.name, HID_TEXT_SIZE, "Flight Stick");
-    hid_port_sim_plug(&rig.wire.port, NULL); /* The device is plugged in but not assigned to a
-                                                player slot. */
+    hid_port_sim_plug(&rig.wire.port, NULL); /* The controller is plugged in below, but player slot
+                                                0 is empty. */
     hid_device_list_sim_init(&rig.device_list, seats);
     hid_device_list_sim_plug(&rig.device_list, ROW, &rig.wire.face);
     hid_mapping_store_open(&rig.book, NULL, NULL, NULL);
@@ -187,7 +188,8 @@ static void test_the_quit_key_goes_back_in_the_menu_and_otherwise_ends_the_progr
         push(0);
         assert_int_equal(shown()->page, pages[i]);
     }
-    assert_int_equal(shown()->pressed_count[1], 0); /* LEFT was not reported. */
+    assert_int_equal(shown()->pressed_count[1], 0); /* The quit key was not counted as a press of
+                                                       LEFT. */
     rig.buttons.quit = 1;
     push(0);
     assert_int_equal(rig.display.scene.phase, PHASE_ATTRACT);
@@ -206,11 +208,11 @@ static void test_a_confirmed_restart_ends_the_loop_and_is_not_a_controller_comma
     push(INPUT_TEST);
     point_at(menu_tag_of(MENU_RESTART));
     push(INPUT_TEST);
-    push(INPUT_SERVICE); /* Moves the selection from "back" to "yes". */
+    push(INPUT_SERVICE); /* SERVICE moves the selection from "back" to "yes". */
     assert_int_equal(shown()->tag, CONFIRM_YES);
     rig.buttons.pressed = INPUT_TEST;
-    for (uint32_t i = 0; i < 400u && end == KIOSK_RUNS; i++) { /* At most 6 s, because a store may
-                                                                  be slow. */
+    /* 400 frames are more than 6 s. The restart waits for the store for at most 5 s. */
+    for (uint32_t i = 0; i < 400u && end == KIOSK_RUNS; i++) {
         rig.clock.now_ns += FRAME_NS;
         end = kiosk_frame(&rig.kiosk, &rig.hal);
     }
@@ -218,8 +220,9 @@ static void test_a_confirmed_restart_ends_the_loop_and_is_not_a_controller_comma
     assert_int_equal(rig.device_list.choose_count + rig.device_list.release_count, 0);
 }
 
-/* A store that opens late is used only when no player is active and after it has stored the offline
- * credits. This store is slow. */
+/* A store that opens after the kiosk has started gets the credits of the time without a store. Then
+ * the session restarts. Both happen only while no player and no menu is active. This store needs 30
+ * polls. */
 static void test_a_store_that_opens_late_restarts_the_session_when_idle(void **state)
 {
     (void)state;
@@ -269,7 +272,8 @@ static void test_a_selected_controller_plays_and_a_released_one_does_not(void **
     point_at(ROW_CHOOSE);
     push(INPUT_TEST);
     assert_int_equal(rig.device_list.choose_count, 1);
-    frames(90); /* An empty player slot is searched once a second. */
+    frames(90); /* The kiosk tries to open an empty player slot once a second, so 90 frames are
+                   enough. */
     assert_int_equal(shown()->controllers.state[ROW], CONTROLLER_ACTIVE);
     assert_int_equal(rig.kiosk.samplers[0].link, POI_SOURCE_LIVE);
     point_at(ROW_RELEASE);
@@ -277,7 +281,8 @@ static void test_a_selected_controller_plays_and_a_released_one_does_not(void **
     assert_int_equal(rig.device_list.release_count, 1);
     frames(90);
     assert_int_equal(rig.device_list.choose_count, 1);
-    assert_int_equal(rig.device_list.release_count, 1); /* Each command was sent once. */
+    assert_int_equal(rig.device_list.release_count, 1); /* Neither command is repeated in later
+                                                           frames. */
 }
 
 /* ---- Learning ------------------------------------------------------------------------------- */
@@ -293,8 +298,7 @@ static void show_step(uint8_t step, float x, float z, uint8_t trigger)
     push(INPUT_TEST);
 }
 
-/* Learns the stick with its x axis reversed, as in a cabinet with a stick that is mounted
- * backwards. */
+/* Learns a mapping with a reversed x axis, as for a stick that is mounted backwards. */
 static void learn_backwards(void)
 {
     open_the_row();
@@ -313,7 +317,7 @@ static void learn_backwards(void)
     assert_int_equal(shown()->controllers.learn_step, LEARN_TRY);
 }
 
-/* Returns the x motion of the ring, in metres, after the stick moves right. */
+/* Moves the stick right. Returns the resulting change of the ring's x position in metres. */
 static float way_right_m(void)
 {
     rig.x = rig.z = MIDDLE;
@@ -330,7 +334,8 @@ static void test_a_learned_stick_mapping_is_used_for_play(void **state)
 {
     (void)state;
     learn_backwards();
-    assert_true(way_right_m() < -0.02f); /* The mapping is already used during the trial. */
+    assert_true(way_right_m() < -0.02f); /* The learned mapping applies before it is saved, so that
+                                            the operator can try it. */
     point_at(LEARNS_KEEP);
     push(INPUT_TEST);
     frames(5);
@@ -349,8 +354,8 @@ static void test_an_unsaved_mapping_is_discarded(void **state)
     frames(5);
     assert_int_equal(shown()->page, MENU_CONTROLLER);
     assert_null(hid_mapping_store_find(&rig.book, &rig.wire.face.identity));
-    assert_int_equal(shown()->controllers.state[ROW], CONTROLLER_FREE); /* The controller is
-                                                                           unassigned as before. */
+    /* Learning has not assigned the controller to a slot. */
+    assert_int_equal(shown()->controllers.state[ROW], CONTROLLER_FREE);
     point_at(ROW_CHOOSE);
     push(INPUT_TEST);
     frames(90);
@@ -372,8 +377,8 @@ static void test_unplugging_a_stick_while_learning_fails_and_the_menu_continues(
     push(INPUT_TEST);
     assert_int_equal(shown()->page, MENU_CONTROLLER);
     frames(2);
-    assert_int_equal(shown()->controllers.state[ROW], CONTROLLER_NONE); /* The controller was not
-                                                                           selected. */
+    /* The row is empty, because the controller is unplugged. */
+    assert_int_equal(shown()->controllers.state[ROW], CONTROLLER_NONE);
     point_at(ROW_BACK);
     push(INPUT_TEST);
     assert_int_equal(shown()->page, MENU_CONTROLLERS);
@@ -396,15 +401,15 @@ static void go_back(void)
 static void test_the_coin_slot_opens_for_test_or_play_and_the_meter_counts_all_coins(void **state)
 {
     (void)state;
-    assert_int_equal(rig.lockout, 1); /* The slot is locked because there is no controller. */
+    assert_int_equal(rig.lockout, 1); /* The coin slot is locked because no controller works. */
     push(INPUT_TEST);
-    assert_int_equal(rig.lockout, 1); /* The slot is locked because no credit is sold in the
-                                         menu. */
+    assert_int_equal(rig.lockout, 1); /* The coin slot stays locked because the menu sells no
+                                         credit. */
     point_at(menu_tag_of(MENU_DEVICES));
     push(INPUT_TEST);
     point_at(menu_tag_of(MENU_LINES));
     push(INPUT_TEST);
-    assert_int_equal(rig.lockout, 0); /* The operator tests the coin mechanism. */
+    assert_int_equal(rig.lockout, 0); /* On this page the operator tests the coin slot. */
     drop(7);
     assert_int_equal(shown()->test_coins, 7);
     assert_int_equal(rig.input_coin_pulses, 7);
@@ -417,8 +422,7 @@ static void test_the_coin_slot_opens_for_test_or_play_and_the_meter_counts_all_c
     point_at(ROW_CHOOSE);
     push(INPUT_TEST);
     frames(90);
-    drop(1); /* The coin was already in the slot as the slot closed. It is counted as a test
-                coin. */
+    drop(1); /* A coin that was falling when the slot closed counts as a test coin. */
     for (uint32_t i = 0; i < 4; i++) {
         go_back();
     }

@@ -1,8 +1,8 @@
 /* test_mouse_play.c -- Tests rounds that are played with a mouse through the real decoder and the
  * real frame loop.
  *
- * Careful movements must scoop fish, and rough movements must damage the paper, at any frame rate.
- * The mouse moves 60 times a second, and the simulated player sees the last picture. */
+ * Careful movements must scoop fish, and rough movements must tear the paper, at any frame rate.
+ * The mouse reports 60 times a second. The simulated player reacts to the last picture. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -18,10 +18,9 @@
 #include "drivers/sim/pointer_sim.h"
 #include "platform/kiosk/kiosk.h"
 
-/* Time between two reports of the mouse, a sixtieth of a second. The test calls this time a
- * moment. */
+/* Interval between two mouse reports: 1/60 s. This file calls the interval a moment. */
 #define MOMENT_NS 16666667ull
-#define MOMENTS_MAX 60u /* Reports in one second. */
+#define MOMENTS_MAX 60u /* 60 moments are one second. */
 #define WIDTH 1280u
 #define HEIGHT 720u
 
@@ -30,10 +29,10 @@ static struct mouse_player {
     struct pointer_sim poi;
     struct hal hal;
     struct kiosk kiosk;
-    struct pointer_report reports[MOMENTS_MAX]; /* Reports of the mouse after the last frame. */
+    struct pointer_report reports[MOMENTS_MAX]; /* Mouse reports since the last frame. */
     struct pointer_report last;
     uint32_t report_count, moment_count;
-    uint32_t moments; /* Length of a frame in mouse reports, 1 .. MOMENTS_MAX. */
+    uint32_t moments; /* Length of a frame in moments, 1 .. MOMENTS_MAX. */
     float x_px, y_px;
     uint32_t buttons;
 } player;
@@ -46,11 +45,12 @@ static void frame(void)
     kiosk_frame(&player.kiosk, &player.hal);
     player.report_count = player.moment_count = 0;
     assert_false(
-        controller_is_lost(&player.kiosk.core.world, 0)); /* A mouse may move in any way without
-                                                             counting as lost. */
+        /* No mouse movement may count as a lost controller. */
+        controller_is_lost(&player.kiosk.core.world, 0));
 }
 
-/* Advances by one mouse report. A mouse at rest sends no report, and positions are whole pixels. */
+/* Advances the time by one moment. The mouse sends a report only if its position in whole pixels or
+ * a button has changed. */
 static void moment(void)
 {
     const struct pointer_report *last = &player.last;
@@ -108,7 +108,8 @@ static void to_screen(vec3 point, float *x_px, float *y_px)
     *y_px = 0.5f * (1.0f - body.y / -body.z / tan_y) * (float)HEIGHT;
 }
 
-/* Moves one step towards a screen point. Returns 1 when the pointer has arrived. */
+/* Moves the pointer by one step towards a screen point. Returns 1 if the pointer is already
+ * there. */
 static int step_to(float x_px, float y_px, float px_per_moment)
 {
     const float dx = x_px - player.x_px;
@@ -138,7 +139,8 @@ static float paper_left(void)
     return player.kiosk.scene.poi[0].paper_left;
 }
 
-/* Returns the calmest fish near the pointer that swims above the future depth of the ring. */
+/* Returns the fish that is easiest to scoop: slow, near the ring, and above the depth that the ring
+ * reaches in a dip. Returns NULL if there is no such fish. */
 static const struct fish *choose(void)
 {
     const struct tank *tank = &player.kiosk.core.world.tank;
@@ -159,8 +161,9 @@ static const struct fish *choose(void)
     return best;
 }
 
-/* Dips beside the fish, moves under it, lifts it and carries it over the bowl. The ring rises along
- * the line of sight, so that a pointer on the fish meets it with the middle of the paper. */
+/* Tries to scoop one fish. Dips the ring beside the fish, moves the ring below the fish, lifts the
+ * fish and carries it over the bowl. The ring rises along the line of sight, so the pointer must be
+ * on the fish. */
 static void try_once(void)
 {
     const struct fish *fish = choose();
@@ -179,7 +182,7 @@ static void try_once(void)
         step_to(x_px, y_px, 2.6f);
     }
     player.buttons = 0;
-    moments(28 + player.moments); /* Pauses as a player does to check the paper. */
+    moments(28 + player.moments); /* Waits, as a player does who checks the paper. */
     if (player.kiosk.core.world.poi[0].carried_count > 0) {
         const vec3 bowl = player.kiosk.core.world.bowl[0].position_m;
         move_to(v3(bowl.x, DIP_HOVER_M, bowl.z), 6.0f);
@@ -187,8 +190,8 @@ static void try_once(void)
     }
 }
 
-/* Returns the number of fish landed in `rounds` rounds with `picture_moments` mouse reports per
- * picture. The result of four rounds varies by half of its mean. */
+/* Plays `rounds` rounds with `picture_moments` moments per frame. Returns the number of fish that
+ * reach the bowl. The results of different sets of four rounds vary by half of their mean. */
 static uint32_t landed_in(uint32_t rounds, uint32_t picture_moments)
 {
     uint32_t landed = 0;
@@ -208,20 +211,20 @@ static uint32_t landed_in(uint32_t rounds, uint32_t picture_moments)
 static void test_a_careful_mouse_player_lands_fish(void **state)
 {
     (void)state;
-    /* 36 is well below the measured 51, so that small changes of the game do not fail the test. */
+    /* The measured value is 51 fish. The bound of 36 leaves room for small changes of the game. */
     assert_true(landed_in(12, 1) >= 36);
 }
 
 static void test_a_careful_mouse_player_lands_fish_at_20_fps(void **state)
 {
     (void)state;
-    assert_true(landed_in(8, 3) >= 24); /* The measured value is 35 fish. */
+    assert_true(landed_in(8, 3) >= 24); /* Measured: 35 fish. */
 }
 
 static void test_a_careful_mouse_player_lands_fish_at_10_fps(void **state)
 {
     (void)state;
-    assert_true(landed_in(8, 6) >= 24); /* The measured value is 44 fish. */
+    assert_true(landed_in(8, 6) >= 24); /* Measured: 44 fish. */
 }
 
 static void glide(float px_per_moment, uint32_t count)
@@ -232,13 +235,13 @@ static void glide(float px_per_moment, uint32_t count)
     }
 }
 
-/* Makes a dip, a glide of 5 cm and back under water, and a lift, with `picture_moments` mouse
- * reports per picture. */
+/* Dips the ring, moves the pointer 79 pixels (about 6 cm) right and back under water, and lifts the
+ * ring. Does this twice, with `picture_moments` moments per frame. */
 static void dip_twice(uint32_t seed, uint32_t picture_moments)
 {
     begin_round(seed, 1);
     player.moments = picture_moments;
-    moments(17); /* The button changes in the middle of a frame. */
+    moments(17); /* With slow frames, the button changes in the middle of a frame. */
     for (uint32_t i = 0; i < 2; i++) {
         player.buttons = POINTER_DIP;
         glide(1.3f, 61);
@@ -249,7 +252,8 @@ static void dip_twice(uint32_t seed, uint32_t picture_moments)
     }
 }
 
-/* A stroke of a dip takes about half a second, whatever the frame time is. */
+/* At any frame time, the poi takes about half a second to move down or up. A display that stops for
+ * up to one second must therefore not tear the paper. */
 static void test_a_stopped_display_tears_no_paper(void **state)
 {
     static const uint32_t picture_moments[] = { 1, 6, 15, 30, 33, 40, 60 };
@@ -277,14 +281,15 @@ static void test_four_careful_dips_do_not_tear_the_paper(void **state)
     }
 }
 
-/* Presses and releases the button 60 times, with `stroke_moments` reports between, while the
- * pointer moves by `step_px` per report. Returns the smallest share of the paper that was left. */
+/* Changes the dip button 60 times, with `stroke_moments` moments between the changes, while the
+ * pointer moves `step_px` per moment. Returns the smallest share of paper that was left. */
 static float paper_after_dips(float step_px, uint32_t stroke_moments)
 {
     begin_round(1, 1);
     player.x_px = 400.0f;
     moments(30);
-    float least = 1.0f; /* A player with torn paper gets a new poi later. */
+    /* The smallest value is kept, because a player with torn paper gets a new poi later. */
+    float least = 1.0f;
     for (uint32_t i = 0; i < 60; i++) {
         player.buttons ^= POINTER_DIP;
         glide(i / 2u % 2u ? -step_px : step_px, stroke_moments);
@@ -302,10 +307,10 @@ static void test_repeated_dips_without_a_pause_tear_the_paper(void **state)
 static void test_dips_with_a_fast_pointer_tear_the_paper(void **state)
 {
     (void)state;
-    assert_true(paper_after_dips(20.0f, 24) < 0.9f); /* The mouse moves at about 1 m/s. */
+    assert_true(paper_after_dips(20.0f, 24) < 0.9f); /* 20 pixels per moment are about 1 m/s. */
 }
 
-/* Moves under water from side to side between x = 400 and 800, `step_px` per mouse report. */
+/* Moves the ring under water between x = 400 and x = 800 pixels, `step_px` per moment. */
 static void sweep(float step_px, uint32_t sweeps)
 {
     player.x_px = 400.0f;
@@ -326,7 +331,8 @@ static void test_fast_sweeps_through_the_water_tear_the_paper(void **state)
     (void)state;
     for (uint32_t seed = 1; seed <= 5; seed++) {
         begin_round(seed, 1);
-        sweep(25.0f, 12); /* 25 pixels per report are about 1.2 m/s, for three seconds. */
+        sweep(25.0f, 12); /* 25 pixels per moment are about 1.2 m/s. 12 sweeps take about three
+                             seconds. */
         assert_true(paper_left() < 0.9f);
     }
 }
@@ -336,7 +342,7 @@ static void test_slow_sweeps_through_the_water_do_not_tear_the_paper(void **stat
     (void)state;
     for (uint32_t seed = 1; seed <= 5; seed++) {
         begin_round(seed, 1);
-        sweep(4.0f, 2); /* The mouse moves at about 0.2 m/s. */
+        sweep(4.0f, 2); /* 4 pixels per moment are about 0.2 m/s. */
         assert_true(paper_left() > 0.99f);
     }
 }

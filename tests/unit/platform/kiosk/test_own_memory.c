@@ -1,10 +1,10 @@
-/* test_own_memory.c -- Tests that no frame of Kingyo's own code allocates memory with the real
- * display, sound and store.
+/* test_own_memory.c -- Tests that Kingyo's own code allocates no memory in any frame. The display,
+ * the sound and the store are real.
  *
- * The linker's --wrap puts __wrap_malloc() and similar functions between Kingyo's objects and the C
- * library (tests.mk lists them). SDL, the renderer and SQLite call the library directly and are not
- * counted. Pictures written by --shots are the only exception, because no kiosk in service uses
- * that option. */
+ * The linker option --wrap redirects malloc() and similar functions of Kingyo's objects to the
+ * __wrap_ functions below, which count the calls. SDL and SQLite are separate libraries, so their
+ * allocations are not counted. Only the screenshots of --shots may allocate, because no kiosk in
+ * service uses that option. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdatomic.h>
@@ -30,13 +30,11 @@
 #include "platform/store/storage.h"
 #include "tests/unit/support/newest_record.h"
 
-/* Duration of a frame. A slow machine with 30 frames per second is simulated, so that fewer frames
- * need to be drawn. */
+/* Duration of a frame: 1/30 s, as on a slow machine, so that the test draws fewer frames. */
 #define STEP_NS 33333333ull
 #define REPORT_COUNT 800u
 
-static atomic_uint allocations; /* Allocations by the frame loop, the sound thread and the store
-                                   thread. */
+static atomic_uint allocations; /* Number of allocations in all threads. */
 
 void *__real_malloc(size_t size);
 void *__real_calloc(size_t count, size_t size);
@@ -93,7 +91,8 @@ static struct {
     struct recorder recorder;
 } rig;
 
-/* Moves the pose to and fro, with a dip of one second in every two seconds. */
+/* Prepares pointer reports that move the pose back and forth. The poi dips for one second in every
+ * two seconds. */
 static void wire_hand(void)
 {
     for (uint32_t i = 0; i < REPORT_COUNT; i++) {
@@ -176,8 +175,8 @@ static int is_round_saved(void)
     return id != 0 && rig.hal.storage.ledger.ops->committed_id(rig.hal.storage.ledger.self) >= id;
 }
 
-/* The run contains attract mode, a round with drawing, sound and recording, its result, and its row
- * in the store. */
+/* The test runs attract mode and a round with drawing, sound and recording, until the round is
+ * stored. */
 static void test_kingyo_code_allocates_nothing_from_the_first_frame_to_the_saved_round(void **state)
 {
     (void)state;
@@ -187,7 +186,7 @@ static void test_kingyo_code_allocates_nothing_from_the_first_frame_to_the_saved
         kiosk_frame(&rig.kiosk, &rig.hal);
     }
     for (uint32_t i = 0; i < 200 && !is_round_saved(); i++) {
-        usleep(20000); /* The store thread waits for the disk. */
+        usleep(20000); /* 20 ms for the store thread, which writes to the disk. */
     }
     const uint32_t during = allocations - before;
     assert_true(is_round_saved());
@@ -196,8 +195,9 @@ static void test_kingyo_code_allocates_nothing_from_the_first_frame_to_the_saved
     assert_int_equal(during, 0);
 }
 
-/* There are more species than GPU slots, so that each species is uploaded and painted, with its
- * ordinary morph beside it. The fish of an album follow. */
+/* The growth lab shows every species in turn, with its ordinary morph for comparison. There are
+ * more species than slots in GPU memory, so each species must be uploaded again. Then an album of
+ * caught fish is shown. */
 static void test_kingyo_code_allocates_nothing_while_the_lab_and_album_change_species(void **state)
 {
     (void)state;
@@ -229,7 +229,8 @@ static void test_kingyo_code_allocates_nothing_while_the_lab_and_album_change_sp
     assert_int_equal(allocations - before, 0);
 }
 
-/* The picture of --shots may allocate. The test shows that the counter covers Kingyo's objects. */
+/* png_write(), which writes screenshots, allocates memory. The test proves that the counter counts
+ * the allocations of Kingyo's objects. */
 static void test_the_allocation_counter_counts_a_written_screenshot(void **state)
 {
     static const uint8_t rgb[3 * 4 * 4];

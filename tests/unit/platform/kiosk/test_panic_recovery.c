@@ -1,5 +1,5 @@
-/* test_panic_recovery.c -- Tests that a start after panics records what it omitted only after the
- * start has succeeded. */
+/* test_panic_recovery.c -- Tests the recovery after panics. The next start omits stored settings,
+ * and the omission is recorded only after the start has succeeded. */
 #include <errno.h>
 #include <fcntl.h>
 #include <poll.h>
@@ -28,9 +28,9 @@
 static char dir[32];
 static char path[64];
 static int folder;
-static int flock_error;      /* errno of every flock(). 0 means that flock() works. */
-static struct panics during; /* The panic count on disk while the copy of the database was made. */
-static int copies;           /* Number of calls of chmod(). Each copy makes one call. */
+static int flock_error;      /* errno that each call of flock() sets, or 0 if flock() succeeds. */
+static struct panics during; /* Panic count on disk at the time of the last database copy. */
+static int copies;           /* Number of copies of the database. Each copy calls chmod() once. */
 static struct evidence evidence;
 
 int flock(int handle, int operation)
@@ -42,7 +42,7 @@ int flock(int handle, int operation)
     return (int)syscall(SYS_flock, handle, operation);
 }
 
-/* Semaphore that ends the ten-minute wait when a test posts it. */
+/* Replaces the wait of ten minutes. A test ends the wait by posting the semaphore. */
 static sem_t ten_minutes;
 
 int clock_nanosleep(clockid_t clock, int flags, const struct timespec *wait, struct timespec *left)
@@ -82,7 +82,7 @@ static int has_volume(void)
     return has;
 }
 
-/* Writes the count that one panic before the first frame leaves. */
+/* Writes the count of one panic that occurred before the first frame. */
 static void panic_early(void)
 {
     struct panics panics = { 0 };
@@ -178,7 +178,8 @@ static void test_a_failed_attempt_changes_nothing_and_is_retried_at_the_next_sta
     assert_left_out();
 }
 
-/* Ends the ten-minute wait of each thread that these tests started. */
+/* Ends the wait of ten minutes in each thread that these tests have started, and waits until the
+ * panic count is 0. */
 static void end_ten_minutes(void)
 {
     for (int i = 0; i < 8; i++) {
@@ -279,8 +280,8 @@ static void test_a_panic_inside_an_attempt_makes_the_next_start_skip_it(void **s
     assert_false(panics_is_due(&panics));
 }
 
-/* A thread that never ends its tick stands for a thread that ticks the core while another thread
- * panics. */
+/* During the first call, `is_busy` is set, as if another thread were in the middle of a tick.
+ * panic_evidence_write() must then return false, because that thread may still change the core. */
 static void test_a_panic_of_another_thread_reports_an_unfinished_tick(void **state)
 {
     static struct session_recorder chapters;

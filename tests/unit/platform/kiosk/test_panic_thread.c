@@ -49,8 +49,8 @@ static void record_ticks(void)
     }
 }
 
-/* Fills the stack of its thread until the guard page ends the process. The volatile array and the
- * addition after the call prevent the compiler from replacing the recursion by a loop. */
+/* Recurses until the thread's stack overflows and the guard page causes SIGSEGV. The volatile array
+ * and the addition after the call prevent the compiler from replacing the recursion by a loop. */
 static uint32_t overflow(uint32_t depth)
 {
     volatile uint8_t page[4096];
@@ -65,7 +65,8 @@ static void *overflow_thread(void *self)
     return NULL;
 }
 
-/* Plays the kiosk whose thread overflows its stack. Does not return. */
+/* Simulates a kiosk that records some ticks and then overflows the stack of one thread. Does not
+ * return. */
 static void run_kiosk(const char *folder, bool is_main_thread)
 {
     const struct rlimit no_core_file = { 0 };

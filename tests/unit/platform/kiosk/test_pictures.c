@@ -1,4 +1,5 @@
-/* test_pictures.c -- Tests contact sheets, PNG files and the statistics of frame times. */
+/* test_pictures.c -- Tests contact sheets (images with several screenshots), PNG files and the
+ * statistics of frame times. */
 #include <errno.h>
 #include <fcntl.h>
 #include <setjmp.h>
@@ -88,12 +89,13 @@ static void test_a_png_is_written_and_a_bad_path_is_an_error(void **state)
     close(fd);
     paint(picture, 32, 16);
     assert_int_equal(png_write(path, picture, 32, 16), 0);
-    fd = open(path, O_RDONLY); /* The path now names a different file. */
+    fd = open(path, O_RDONLY); /* png_write() has replaced the file, so the test opens the path
+                                  again. */
     assert_int_equal(read(fd, head, sizeof head), sizeof head);
     close(fd);
     unlink(path);
     assert_memory_equal(head, signature, sizeof signature);
-    assert_int_equal(head[19], 32); /* Width and height in the IHDR chunk, big-endian. */
+    assert_int_equal(head[19], 32); /* The IHDR chunk has the width and the height, big-endian. */
     assert_int_equal(head[23], 16);
     assert_int_equal(png_write("/nowhere/at/all.png", picture, 32, 16), -ENOENT);
     assert_int_equal(png_write("/dev/full", picture, 32, 16), -ENOSPC);
@@ -105,7 +107,7 @@ static void test_quantiles_are_accurate_to_half_a_bin(void **state)
     (void)state;
     assert_int_equal(frame_timing_quantile_ns(&timing, 0.5), 0);
     for (uint64_t i = 1; i <= 1000; i++) {
-        /* Durations from 0.1 ms to 100 ms, in steps of 0.1 ms. */
+        /* The durations are 0.1 ms, 0.2 ms, and so on to 100 ms. */
         frame_timing_add(&timing, i * 100000);
     }
     assert_in_range(frame_timing_quantile_ns(&timing, 0.5), 49975000, 50050000);
@@ -113,7 +115,7 @@ static void test_quantiles_are_accurate_to_half_a_bin(void **state)
     assert_int_equal(timing.count, 1000);
     assert_int_equal(timing.max_ns, 100000000);
     frame_timing_add(&timing, UINT64_MAX / 4);
-    /* A frame time that exceeds the last bin of the histogram. */
+    /* A duration beyond the last bin of the histogram is still returned as the maximum. */
     assert_int_equal(frame_timing_quantile_ns(&timing, 1.0), UINT64_MAX / 4);
 }
 

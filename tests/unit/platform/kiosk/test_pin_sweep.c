@@ -1,7 +1,9 @@
-/* test_pin_sweep.c -- Tests the removal of the menu's PIN from replays that an older Kingyo stored.
+/* test_pin_sweep.c -- Tests the PIN sweep, which removes the PIN of the operator menu from replays
+ * of older Kingyo versions.
  *
- * The replay stays genuine and no old bytes remain. A replay that may contain a PIN and cannot be
- * cleared of the PIN is deleted. Any other replay stays. Scores and money never change. */
+ * A replay without its PIN must still verify as genuine, and no old bytes may remain in the
+ * database. A replay that may contain a PIN and cannot be cleared is deleted. All other replays
+ * stay. Scores and money never change. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -39,15 +41,17 @@ static uint8_t replay[SESSION_RECORDER_SIZE], found[SESSION_RECORDER_SIZE];
 static size_t replay_size, found_size;
 static uint8_t memory[SESSION_RECORDER_SIZE];
 static bool hand_is_away; /* True while the tested tank has no controller. */
-static bool types_pin;    /* True if keep_as_before() opens the menu and types the PIN. */
-static bool refuses_core; /* True if core_init() refuses the core that gets no PIN. */
+static bool types_pin;    /* True if keep_as_before() also types the PIN in the menu. */
+static bool refuses_core; /* True if core_init() fails for the core of the sweep. */
 static char logged[400];  /* Log of the last sweep_all(). */
-static uint8_t large[SESSION_RECORDER_SIZE + 1u]; /* Larger than any replay that the sweep reads. */
+static uint8_t large[SESSION_RECORDER_SIZE + 1u]; /* One byte larger than any replay that the sweep
+                                                     reads. */
 
 enum core_error __real_core_init(struct core *to, const struct core_config *config);
 enum core_error __wrap_core_init(struct core *to, const struct core_config *config);
 
-/* Replaces core_init() in this test program (linker option --wrap). */
+/* Replaces core_init() in this test program through the linker option --wrap, so that the call can
+ * fail. */
 enum core_error __wrap_core_init(struct core *to, const struct core_config *config)
 {
     return refuses_core && to == &sweep.core ? CORE_ERR_FLOAT : __real_core_init(to, config);
@@ -87,13 +91,13 @@ static void press(uint32_t buttons, uint32_t count)
     }
 }
 
-/* Opens the menu in attract mode, types the PIN, and closes the menu. Each step moves the highlight
- * to the next digit. */
+/* Opens the menu in attract mode, types the PIN 4071, and closes the menu. LEFT and RIGHT move the
+ * selection by one digit, and OK types the selected digit. */
 static void type_the_pin(void)
 {
-    hand_is_away = true; /* Disconnects the controller, whose poi would point at other keys. */
+    hand_is_away = true; /* Without a controller, no poi points at other keys. */
     for (uint32_t i = 0; i < 2u && !core_status(&core).takes_pin; i++) {
-        press(INPUT_TEST, 1); /* During a game, the first press asks for confirmation. */
+        press(INPUT_TEST, 1); /* In a game, the first press of TEST only shows a confirmation. */
     }
     assert_true(core_status(&core).takes_pin);
     press(INPUT_RIGHT, 3); /* Moves the selection from digit 1 to digit 4. */
@@ -113,8 +117,8 @@ static void type_the_pin(void)
     assert_int_not_equal(core.game.phase, PHASE_ATTRACT);
 }
 
-/* Plays a round under the rules of format 7 while a PIN is set, and keeps its replay with the PIN,
- * as that version did. Returns the round. */
+/* Plays a round with a PIN in the settings, under the rules of replay format 7. Stores a replay
+ * that contains the PIN, as Kingyo versions with format 7 did. Returns the id of the round. */
 static uint32_t keep_as_before(void)
 {
     struct core_config config = { .seed = 11, .round_s = 20, .lanes = cpu_lanes(), .rules = 7 };
@@ -139,7 +143,7 @@ static uint32_t keep_as_before(void)
     return round_id;
 }
 
-/* Sweeps all replays. Copies the log of the sweep to `logged`. */
+/* Sweeps all replays. Copies the messages of the sweep to `logged`. */
 static void sweep_all(void)
 {
     const struct storage_chore chore = pin_sweep_chore(&sweep);
@@ -176,7 +180,7 @@ static enum replay_verdict judged(uint32_t round_id)
     return replay_verifier_result(&judge, &file.content.memory.ranking, round_id, &kept);
 }
 
-/* Returns whether the file `name` holds these bytes anywhere. */
+/* Returns 1 if the file `name` contains the `size` bytes at `bytes`, otherwise 0. */
 static int file_holds(const char *name, const void *bytes, size_t size)
 {
     static uint8_t all[16u * 1024u * 1024u];
@@ -236,7 +240,7 @@ static void test_removing_the_pin_keeps_an_old_replay_genuine(void **state)
     assert_int_equal(config->rules, 7);
     assert_int_equal(config->persistent.settings.value[SET_PIN], PIN_WITHHELD);
     assert_false(session_recorder_may_contain_pin(&judge.replayer.reader));
-    sweep_all(); /* No replay is left to process. */
+    sweep_all(); /* A second sweep finds no replay with a PIN. */
     assert_int_equal(sweep.cleaned + sweep.left, 0);
 }
 
@@ -244,7 +248,8 @@ static void test_removed_pin_bytes_are_erased_from_the_file_at_the_next_open(voi
 {
     (void)state;
     keep_as_before();
-    /* Checksums of the header and of the initial state. The new recording has different ones. */
+    /* These bytes contain checksums that the cleared replay does not have, so they identify the old
+     * replay. */
     uint8_t old[REPLAY_HEADER_SIZE + 48u];
     memcpy(old, replay, sizeof old);
     ledger_file_close(&file);
@@ -278,7 +283,8 @@ static void assert_sweep_deletes(uint32_t round_id)
     assert_int_equal(sweep.deleted, 1);
     assert_int_equal(sweep.cleaned + sweep.left, 0);
     assert_non_null(strstr(logged, " 1 were deleted"));
-    assert_null(strstr(logged, "version")); /* A damaged replay may be of the current version. */
+    assert_null(strstr(logged, "version")); /* The message must not blame a version, because a
+                                               damaged replay may be of the current version. */
     assert_int_equal(ledger_file_get_replay(&file, round_id, found, sizeof found, &size),
                      SQLITE_NOTFOUND);
     ledger_file_close(&file);
@@ -292,7 +298,7 @@ static void assert_sweep_deletes(uint32_t round_id)
     assert_memory_equal(&before.audits, &after.audits, sizeof before.audits);
     assert_memory_equal(&before.ledger.balance, &after.ledger.balance,
                         sizeof before.ledger.balance);
-    sweep_all(); /* The next start finds no replay. */
+    sweep_all(); /* A second sweep finds no replay with a PIN. */
     assert_int_equal(sweep.cleaned + sweep.deleted + sweep.left, 0);
 }
 
@@ -400,7 +406,7 @@ static void test_a_replay_of_another_score_is_cleared_and_still_reported(void **
 {
     (void)state;
     const uint32_t round_id = keep_as_before();
-    put(round_id + 1u, replay, replay_size); /* No round of the ranking has this id. */
+    put(round_id + 1u, replay, replay_size); /* The ranking has no round with this id. */
     sweep_all();
     assert_int_equal(sweep.cleaned, 2);
     assert_int_equal(sweep.deleted + sweep.left, 0);
@@ -411,7 +417,9 @@ static void test_a_replay_of_another_score_is_cleared_and_still_reported(void **
     assert_false(judge.replayer.difference.found);
 }
 
-/* A recording of format 7 may contain a PIN that was typed later, even if none was set. */
+/* In format 7, a PIN may have been typed during the recording even if the initial settings have
+ * none. The sweep therefore simulates every replay of format 7 and writes it in the current
+ * format. */
 static void test_a_replay_of_format_7_is_simulated_and_stored_in_the_current_format(void **state)
 {
     (void)state;
@@ -429,8 +437,8 @@ static void test_a_replay_of_format_7_is_simulated_and_stored_in_the_current_for
 
 /* ---- Replays that stay ------------------------------------------------------------------ */
 
-/* Stores these bytes as the replay of a round. Asserts that the sweep neither changes nor reports
- * the replay. */
+/* Stores `bytes` as the replay of a round. Asserts that the sweep neither changes nor reports the
+ * replay. */
 static void assert_sweep_keeps(uint32_t round_id, const uint8_t *bytes, size_t size)
 {
     static uint8_t kept[sizeof large];
@@ -445,8 +453,8 @@ static void assert_sweep_keeps(uint32_t round_id, const uint8_t *bytes, size_t s
     assert_memory_equal(kept, bytes, size);
 }
 
-/* The large replay is a replay that this program could not have stored. A newer program may have
- * stored the replay before an operator installed this program again. */
+/* The second replay is larger than this program can store. A newer program may have stored the
+ * replay before the operator went back to this version. */
 static void test_a_replay_of_a_newer_format_is_not_changed(void **state)
 {
     (void)state;
@@ -458,8 +466,8 @@ static void test_a_replay_of_a_newer_format_is_not_changed(void **state)
     assert_sweep_keeps(round_id, large, sizeof large);
 }
 
-/* Programs that write format 8 or newer store no PIN. Therefore a valid header proves that the
- * damaged rest contains no PIN. */
+/* The first replay is damaged behind a valid header. Programs that write format 8 or newer store no
+ * PIN, so the header proves that there is no PIN. */
 static void test_a_damaged_replay_whose_recorder_stored_no_pin_stays(void **state)
 {
     (void)state;
@@ -470,7 +478,8 @@ static void test_a_damaged_replay_whose_recorder_stored_no_pin_stays(void **stat
     for (uint32_t version = 8; version <= REPLAY_VERSION; version++) {
         memcpy(found, replay, replay_size);
         found[HEADER_VERSION] = (uint8_t)version;
-        found[HEADER_DIGEST_TICKS] = 0; /* No recorder writes this value. */
+        found[HEADER_DIGEST_TICKS] = 0; /* No recorder writes the value 0 here, so the replay is
+                                           invalid. */
         replay_put_u64(found + HEADER_SUM, hash_bytes(HASH_START, found, HEADER_SUM));
         assert_sweep_keeps(round_id, found, replay_size);
     }
@@ -491,8 +500,8 @@ static void test_a_replay_stays_until_the_next_start_if_the_core_refuses_to_run(
     assert_int_equal(sweep.cleaned, 1);
 }
 
-/* The PIN is in the initial state, which is intact here. An update can also make the species of a
- * catalog invalid. */
+/* A PIN would be in the initial state, which is intact here. Only the catalog of species is
+ * damaged, so the replay must stay. */
 static void test_a_replay_without_a_pin_stays_if_only_its_catalog_cannot_be_read(void **state)
 {
     (void)state;

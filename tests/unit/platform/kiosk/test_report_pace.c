@@ -1,5 +1,5 @@
-/* test_report_pace.c -- Tests the report rate on the operator's screen and the number of file
- * rows. */
+/* test_report_pace.c -- Tests the report rate and the longest gap between reports that the
+ * operator's screen shows. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -56,7 +56,7 @@ static int setup(void **state)
     memset(&rig, 0, sizeof rig);
     rig.is_stamped = 1;
     assert_int_equal(sampler_poi_open(&rig.hand, &device, BEGIN_NS), 0);
-    frame(BEGIN_NS, 0); /* The first measured second begins here. */
+    frame(BEGIN_NS, 0); /* The first second of the measurement begins at this frame. */
     return 0;
 }
 
@@ -67,7 +67,8 @@ static void test_the_report_rate_covers_exactly_one_second(void **state)
         frame(BEGIN_NS + ms * MS_NS, 1);
     }
     frame(BEGIN_NS + SECOND_NS - 1u, 0);
-    assert_int_equal(rig.hand.pace.shown_count, 0); /* The second is not over yet. */
+    assert_int_equal(rig.hand.pace.shown_count, 0); /* The value is updated only at the end of the
+                                                       second. */
     frame(BEGIN_NS + SECOND_NS, 0);
     assert_int_equal(rig.hand.pace.shown_count, 99);
     assert_int_equal(rig.hand.pace.shown_gap_ns, 10u * MS_NS);
@@ -83,8 +84,8 @@ static void test_the_report_rate_restarts_at_zero_each_second(void **state)
         frame(BEGIN_NS + ms * MS_NS, 1);
     }
     frame(BEGIN_NS + 2u * SECOND_NS, 0);
-    assert_int_equal(rig.hand.pace.shown_count, 20); /* 19 reports and the report at the start of
-                                                        the second. */
+    assert_int_equal(rig.hand.pace.shown_count, 20); /* 19 reports in the second, and the report at
+                                                        its start. */
     assert_int_equal(rig.hand.pace.shown_gap_ns, 50u * MS_NS);
 }
 

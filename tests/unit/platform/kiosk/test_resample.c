@@ -1,5 +1,5 @@
-/* test_resample.c -- Tests the resampling of poses: one pose per tick, and no pose is used
- * twice. */
+/* test_resample.c -- Tests the resampling of controller poses to one pose per tick. No reported
+ * pose may be used twice. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -46,8 +46,9 @@ static void test_ticks_between_readings_are_interpolated(void **state)
     assert_float_equal(sampler_path_at(&resampler, 2, 4).position_m.x, 0.04f, 1e-6f);
 }
 
-/* A device with 60 reports per second has a new position only in every second tick. The speed of
- * the poi must not alternate between twice the true speed and 0. */
+/* The core has 120 ticks per second. A controller with 60 reports per second has a new position
+ * only in every second tick. The resampled speed must be constant instead of alternating between
+ * twice the true speed and 0. */
 static void test_a_constant_speed_is_constant_at_every_tick(void **state)
 {
     (void)state;
@@ -102,8 +103,8 @@ static void test_a_non_finite_reading_is_reported_and_passed_on_unchanged(void *
         bad.target.angles.roll_rad = wrong[i];
         assert_int_equal(sampler_path_push(&resampler, &bad), 0);
         const struct poi_target before = sampler_path_at(&resampler, 0, 2);
-        assert_memory_equal(&before, &good.target, sizeof before); /* A non-finite reading is never
-                                                                      used for interpolation. */
+        /* The good pose must not be interpolated with the non-finite pose. */
+        assert_memory_equal(&before, &good.target, sizeof before);
         const struct poi_target newest = sampler_path_at(&resampler, 1, 2);
         assert_memory_equal(&newest, &bad.target, sizeof newest);
         sampler_path_end(&resampler);
@@ -126,7 +127,8 @@ static void test_a_jump_is_not_interpolated(void **state)
     assert_float_equal(sampler_path_at(&resampler, 3, 4).position_m.x, 1.0f, 0.0f);
 }
 
-/* A controller held by the arm moves a shorter distance in a frame than a pointer on the screen. */
+/* The same motion of 0.4 m is a jump only for a controller with an orientation sensor. An arm moves
+ * such a controller a shorter distance per frame than a mouse moves its pointer. */
 static void test_the_jump_threshold_depends_on_the_orientation_sensor(void **state)
 {
     (void)state;
@@ -176,7 +178,7 @@ static void test_a_full_reading_queue_keeps_its_first_and_last_reading(void **st
     assert_float_equal(sampler_path_at(&resampler, 0, 2).position_m.x, 0.5f, 1e-5f);
 }
 
-/* The kiosk was delayed for a second, and one frame of two ticks has all reports of that time. */
+/* After a delay of one second, a frame of two ticks gets all reports of that second. */
 static void test_motion_of_a_delay_is_flagged_and_not_interpolated(void **state)
 {
     (void)state;

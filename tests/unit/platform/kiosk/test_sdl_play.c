@@ -1,7 +1,7 @@
-/* test_sdl_play.c -- Tests rounds that are played with a gamepad and by touch until fish are in the
- * bowl.
+/* test_sdl_play.c -- Tests rounds that are played with a gamepad and by touch.
  *
- * SDL's virtual joystick and SDL's finger events pass through the drivers and the frame loop. */
+ * The input comes from SDL's virtual joystick and from finger events. The drivers and the frame
+ * loop are real, and fish must reach the bowl. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -25,14 +25,15 @@
 #define WIDTH 1280u
 #define HEIGHT 720u
 
-/* Simulated player: the position that the ring should reach, and the device that moves the ring. */
+/* A simulated player, with the target position of the ring and the device that moves the ring. */
 static struct sdl_player {
     struct clock_sim clock;
     struct gamepads gamepads;
     struct mouse_poi pointer;
     struct hal hal;
     struct kiosk kiosk;
-    void (*say)(void); /* Puts the target position into SDL's event queue. */
+    void (*say)(void); /* Sends SDL events of the device that move the ring towards the target
+                          `over_m`. */
     vec3 over_m;
     uint8_t dips;
     float x, y; /* Window position of the finger that controls the poi. */
@@ -72,7 +73,8 @@ static SDL_Joystick *joystick(void)
     return SDL_GameControllerGetJoystick(player.gamepads.pad[0].controller);
 }
 
-/* Returns the stick deflection: full from 8 cm, with a dead zone of 15 % of the range. */
+/* Returns the stick deflection for a distance of `way_m` to the target. The deflection exceeds the
+ * dead zone of 15 % of the range, and is full from 8 cm. */
 static Sint16 push_of(float way_m)
 {
     const float push = f_clamp(way_m / 0.08f, -1.0f, 1.0f);
@@ -106,7 +108,8 @@ static void push_finger(uint32_t type, SDL_FingerID id, float x, float y)
     assert_int_equal(SDL_PushEvent(&event), 1);
 }
 
-/* Slides the finger to the screen position of the target, slowly under water. */
+/* Slides the finger towards the screen position of the target, at half the speed while the ring is
+ * under water. */
 static void say_fingers(void)
 {
     float x;
@@ -156,8 +159,9 @@ static void go_to(vec3 over_m, float near_m, uint32_t frames_max)
     }
 }
 
-/* Dips beside the fish, moves under it, lifts it and carries it over the bowl. The stick is
- * released while the ring rises. */
+/* Tries to scoop one fish. Dips the ring beside the fish, moves the ring below the fish, lifts the
+ * fish and carries it over the bowl. If `flies` is 1, the ring rises straight up, because the
+ * target follows the ring. */
 static void try_once(int flies)
 {
     const struct fish *fish = choose();

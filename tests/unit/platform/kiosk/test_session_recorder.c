@@ -1,5 +1,5 @@
-/* test_session_recorder.c -- Tests that each ranked score has a replay of its round and that the
- * verifier rejects everything else. */
+/* test_session_recorder.c -- Tests the session recorder, which stores a replay with each ranked
+ * score, and the verifier, which rejects every other replay. */
 #include <fenv.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -30,8 +30,8 @@ static struct hal_storage storage;
 static uint8_t room[SESSION_RECORDER_SIZE];
 static int hand_is_away;
 
-/* A bot plays in a separate tank. The simulated controller repeats the bot's poses in the tested
- * tank, so that the kiosk records a human player. */
+/* Advances both cores by one tick. A bot plays in the core `bots`. A simulated controller sends the
+ * bot's poses to the tested core, which therefore records a human player. */
 static void tick(uint32_t pressed)
 {
     struct input by_bot = { .pressed = pressed, .poi[0].link = POI_SOURCE_BOT };
@@ -60,7 +60,7 @@ static void ticks(uint32_t count)
     }
 }
 
-static uint8_t level; /* Level of the players (enum level). */
+static uint8_t level; /* Skill level of the players (enum level). */
 
 static int set_up(void **state)
 {
@@ -81,7 +81,8 @@ static int set_up(void **state)
     return 0;
 }
 
-/* Starts a round in attract mode and plays to its end. Returns the ledger entry of the round. */
+/* Starts a round from attract mode and plays to its end. Returns the id of the round's ledger
+ * entry. */
 static uint32_t play_at_once(void)
 {
     const uint32_t before = sim.record.id;
@@ -94,16 +95,16 @@ static uint32_t play_at_once(void)
     return sim.record.id;
 }
 
-/* Waits for two seconds in attract mode, and plays a round. Returns the ledger entry of the
- * round. */
+/* Waits two seconds in attract mode, and plays a round. Returns the id of the round's ledger
+ * entry. */
 static uint32_t play(void)
 {
     ticks(2u * CORE_TICK_HZ);
     return play_at_once();
 }
 
-/* Waits without input until attract mode starts again. The bot's tank is copied from the tested
- * tank afterwards. */
+/* Runs ticks without a controller until the core starts a new session in attract mode. Then copies
+ * the tested core to `bots`, so that both are equal again. */
 static void rest(void)
 {
     hand_is_away = 1;
@@ -115,8 +116,8 @@ static void rest(void)
     bots = core;
 }
 
-/* Verifies a round whose entry was dropped from the ledger, so that only the replay and the ranking
- * remain. */
+/* Returns the verdict for a round whose entry is no longer in the ledger, so that only the ranking
+ * can be compared with the replay. */
 static enum replay_verdict says(uint32_t round_id)
 {
     static const struct ledger_entry dropped;
@@ -143,7 +144,7 @@ static void test_a_ranked_round_has_a_replay_that_verifies(void **state)
     assert_int_equal(judged(room, sim.replay_size, round_id + 1u), REPLAY_VERDICT_OTHER);
 }
 
-/* Returns the settings of the kiosk in the initial state of the replay. */
+/* Returns the settings in the initial state of the replay. */
 static const struct settings *settings_of(const uint8_t *bytes, size_t size)
 {
     static struct replay_reader reader;
@@ -170,7 +171,7 @@ static void test_a_stored_replay_contains_no_pin_and_verifies(void **state)
     const uint32_t first_id = play();
     assert_int_equal(settings_of(room, sim.replay_size)->value[SET_PIN], PIN_WITHHELD);
     assert_int_equal(judged(room, sim.replay_size, first_id), REPLAY_VERDICT_GENUINE);
-    rest(); /* The next session starts with a ledger that contains the PIN. */
+    rest(); /* The initial state of the next session contains the PIN. */
     const uint32_t round_id = play();
     assert_int_equal(sim.replay_id, round_id);
     assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
@@ -183,11 +184,12 @@ static void test_a_stored_replay_contains_no_pin_and_verifies(void **state)
     replay_close(&reader);
 }
 
-/* Starts a session whose ledger contains the PIN `told` while the setting is already `kept`. */
+/* Starts a session after a change of the PIN. The ledger has the PIN `told`, and the setting in use
+ * is `kept`. */
 static void begin_with_pin(int32_t told, int32_t kept)
 {
     static struct core_config config;
-    rest(); /* The configuration of the next session contains `told`. */
+    rest(); /* A new session begins here. Its configuration gets the two PINs below. */
     config = core.config;
     config.persistent.settings.value[SET_PIN] = kept;
     config.session.settings_edit.told.value[SET_PIN] = told;
@@ -212,8 +214,8 @@ static void test_a_replay_after_a_change_of_the_pin_verifies(void **state)
     }
 }
 
-/* Writes the session as a panic does, and simulates the written replay. Asserts that the replay
- * contains no PIN and that its end is the state with `hash`. */
+/* Writes the session to a file, as after a panic, and replays the file. Asserts that the replay
+ * contains no PIN and ends in the state with `hash`. */
 static void assert_panic_replay_ends_in(uint64_t hash)
 {
     static struct replayer replayer;
@@ -250,7 +252,8 @@ static void test_a_panic_replay_contains_no_pin_and_reproduces_the_game(void **s
     (void)state;
     lock(4071);
     play();
-    ticks(50); /* The last second of the recording is incomplete. */
+    ticks(50); /* 50 ticks are less than a second, so the last second of the recording is
+                  incomplete. */
     assert_panic_replay_ends_in(core_hash(&core));
 }
 
@@ -264,13 +267,13 @@ static void test_the_recording_ends_when_a_page_for_the_pin_opens(void **state)
     assert_false(replay_is_open(&chapters.writer));
     const uint64_t hash = core_hash(&core);
     ticks(CORE_TICK_HZ);
-    for (uint32_t i = 0; i < 4u; i++) { /* The PIN 1111 is wrong. */
+    for (uint32_t i = 0; i < 4u; i++) { /* OK types 1111, a wrong PIN. */
         tick(INPUT_OK);
         ticks(CORE_TICK_HZ / 2u);
     }
     assert_int_equal(core.game.settings_edit.pin_wrong, 1);
     assert_panic_replay_ends_in(hash);
-    lock(4071); /* A new session starts. */
+    lock(4071); /* lock() starts a new session. */
     assert_true(replay_is_open(&chapters.writer));
 }
 
@@ -286,22 +289,22 @@ static void test_the_recording_ends_when_the_page_for_a_new_pin_opens(void **sta
     assert_false(replay_is_open(&chapters.writer));
 }
 
-/* The menu shows a warning if `missed` is not 0. An operator who opens and closes the menu has
- * caused no fault. */
+/* A round without a replay is normally counted in `missed`, and the menu then shows a warning.
+ * Opening a page for the PIN ends the recording on purpose, so no round is counted. */
 static void test_a_round_after_a_page_for_the_pin_has_no_replay_and_is_not_missed(void **state)
 {
     (void)state;
     lock(4071);
-    hand_is_away = 1; /* Disconnects the controller, whose poi would point at the keys. */
+    hand_is_away = 1; /* Without a controller, no poi points at the keys. */
     tick(INPUT_TEST);
     assert_true(core_status(&core).takes_pin);
     for (uint32_t i = 0; i <= MENU_PIN_IDLE_TICKS && core.game.phase == PHASE_MENU; i++) {
-        tick(0); /* The menu closes by itself. */
+        tick(0); /* The menu closes after its idle timeout. */
     }
     hand_is_away = 0;
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
-    bots = core;    /* The menu of the bot's core is still open. */
-    play_at_once(); /* The next session has not started yet. */
+    bots = core;    /* In `bots` the menu is still open, so the state is copied. */
+    play_at_once(); /* The round starts before a new session can start. */
     assert_int_equal(chapters.missed, 0);
     assert_int_equal(sim.replay_id, 0);
 }
@@ -372,7 +375,8 @@ static void test_an_edited_score_is_not_genuine(void **state)
     assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_OTHER);
 }
 
-/* Each of these changes alone makes the round different from the stored round. */
+/* Each iteration changes one field of the stored round, so that the round differs from the replayed
+ * round. */
 static void test_a_replay_of_a_different_round_is_not_genuine(void **state)
 {
     (void)state;
@@ -403,15 +407,15 @@ static void test_a_replay_of_a_different_round_is_not_genuine(void **state)
             REPLAY_VERDICT_OTHER);
         sim.round = kept;
     }
-    sim.round = (struct ledger_entry){ 0 }; /* The round is so old that the ledger dropped its
-                                               entry. */
+    sim.round = (struct ledger_entry){ 0 }; /* An empty entry: the ledger no longer contains the
+                                               round. Only the ranking is compared. */
     assert_int_equal(
         replay_verifier_result(&judge, &core.game.accounts.ranking, round_id, &sim.round),
         REPLAY_VERDICT_GENUINE);
 }
 
-/* The test changes one field of the verifier's result at a time. Each change alone must be
- * rejected. */
+/* Changes one field of the verifier's result or of the ranking at a time. Each change alone must
+ * cause a rejection. */
 static void test_each_single_mismatch_makes_a_score_not_genuine(void **state)
 {
     (void)state;
@@ -422,17 +426,17 @@ static void test_each_single_mismatch_makes_a_score_not_genuine(void **state)
     static struct replay_verifier found;
     found = judge;
 
-    judge.round.round.players = 2; /* The player slot was not used, although a score is stored for
-                                      it. */
+    judge.round.round.players = 2; /* The bit mask 2 names slot 1 as the only player, but the score
+                                      belongs to slot 0. */
     assert_int_equal(says(round_id), REPLAY_VERDICT_OTHER);
     judge = found;
     memset(&core.game.accounts.ranking, 0, sizeof core.game.accounts.ranking);
     *row = ranked;
-    row->round_id = round_id + 1u; /* The ranking row is of another round with the same catch. */
+    row->round_id = round_id + 1u; /* The row belongs to another round with the same catch. */
     assert_int_equal(says(round_id + 1u), REPLAY_VERDICT_OTHER);
     *row = ranked;
     assert_int_equal(says(round_id), REPLAY_VERDICT_GENUINE);
-    judge.said.ticks++; /* The replay ended early. */
+    judge.said.ticks++; /* The recorded number of ticks is larger than the replayed one. */
     assert_int_equal(says(round_id), REPLAY_VERDICT_OTHER);
     judge = found;
     judge.round.round.by_bot = 1;
@@ -499,7 +503,7 @@ static void test_a_store_without_replays_keeps_all_other_data(void **state)
     assert_int_equal(chapters.round_id, 0);
     assert_int_equal(chapters.missed, 0);
     sim.replay = room;
-    sim.replay_room = 100; /* No replay is this small, so the card is full. */
+    sim.replay_room = 100; /* Every replay is larger than 100 bytes, as if the card were full. */
     rest();
     play();
     assert_int_equal(chapters.round_id, 0);
@@ -510,8 +514,8 @@ static void test_a_store_without_replays_keeps_all_other_data(void **state)
 
 static struct score_playback playback;
 static struct scene scene;
-/* Time of the simulated stopwatch. Each reading advances it by a third of the time that a frame may
- * spend on seeking. */
+/* Time of the simulated stopwatch in ns. Each reading adds a third of the time that one frame may
+ * spend on seeking in a replay. */
 static uint64_t watch_ns;
 
 static uint64_t look_at_watch(void *self)
@@ -532,7 +536,7 @@ static void frame(void)
     score_playback_show(&playback, &scene, &output);
 }
 
-/* Returns the number of frames until the state is no longer `what`, at most the frames of 90 s. */
+/* Runs frames while the state is `what`, for at most 90 s. Returns the number of frames. */
 static uint32_t frames_while(uint8_t what)
 {
     uint32_t count = 0;
@@ -548,14 +552,15 @@ static void test_a_played_back_score_is_shown_as_genuine(void **state)
     (void)state;
     const uint32_t round_id = play();
     ticks(200);
-    sim.replay_polls_left = 30; /* The card needs half a second. */
+    sim.replay_polls_left = 30; /* The store needs 30 frames (half a second) to read the replay. */
     score_playback_request(&playback, round_id);
     frame();
     assert_int_equal(scene.playback, ENCORE_SEEKS);
     assert_in_range(frames_while(ENCORE_SEEKS), 29, 40);
     assert_int_equal(playback.state, ENCORE_PLAYS);
     const uint32_t shown = frames_while(ENCORE_PLAYS);
-    assert_in_range(shown, 10u * 60u, 60u * 60u); /* The playback runs at normal speed. */
+    assert_in_range(shown, 10u * 60u, 60u * 60u); /* The playback takes 10 to 60 s, because it runs
+                                                     at normal speed. */
     assert_int_equal(scene.playback, ENCORE_GENUINE);
     assert_int_equal(scene.caught[0], sim.record.caught);
     assert_int_equal(frames_while(ENCORE_GENUINE), SCORE_PLAYBACK_END_TICKS / 2u);
@@ -593,7 +598,8 @@ static void test_a_button_or_a_dip_ends_the_playback(void **state)
     score_playback_request(&playback, round_id);
     frames_while(ENCORE_SEEKS);
     assert_int_equal(score_playback_handle_input(&playback, 0, poi),
-                     0); /* The button has been pressed since the request. */
+                     0); /* The dip began before the playback, so the dip does not end the
+                            playback. */
     poi[0].target.position_m.y = 0.05f;
     assert_int_equal(score_playback_handle_input(&playback, 0, poi), 0);
     poi[0].target.position_m.y = -0.05f;

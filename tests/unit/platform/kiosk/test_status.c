@@ -1,5 +1,5 @@
-/* test_status.c -- Tests the status file: its content, that it is always complete, and that no
- * frame waits for it. */
+/* test_status.c -- Tests the status file: its content, that a reader never sees an incomplete file,
+ * and that writing the file never blocks a frame. */
 #include <errno.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -67,7 +67,7 @@ static void check_json(const char *text, const char *where, const char *wanted)
     sqlite3_close(database);
 }
 
-/* Status in which every value differs from its default. */
+/* A status report in which every value differs from its default. */
 static const struct status_report full_report = {
     .written_ms = 5000000000ull,
     .pid = 1234,
@@ -119,7 +119,7 @@ static const struct status_report full_report = {
     .device = { { "poi", "mouse" } },
 };
 
-/* JSON paths and values of the status file of full_report. */
+/* Expected values in the status file of full_report, by their JSON paths. */
 static const struct {
     const char *where, *wanted;
 } expected[] = {
@@ -244,7 +244,8 @@ static void test_the_longest_status_report_fits_its_buffer(void **state)
     report.device_count = STATUS_DEVICES_MAX;
     for (uint32_t i = 0; i < STATUS_DEVICES_MAX; i++) {
         report.device[i].part = "switches";
-        /* Each character 1 is escaped with six characters, so the text gets its maximum length. */
+        /* JSON escapes the character 1 as six characters (\u0001), so the text gets its maximum
+         * length. */
         memset(report.device[i].text, 1, HAL_TEXT_SIZE - 1u);
         report.device[i].text[HAL_TEXT_SIZE - 1u] = '\0';
     }
@@ -253,7 +254,7 @@ static void test_the_longest_status_report_fits_its_buffer(void **state)
     check_json(text, "$.phase", "other");
 }
 
-/* Waits at most 5 s until the file exists. */
+/* Waits up to 5 s for the file. Returns 1 if the file exists. */
 static int waits_for_file(void)
 {
     const struct timespec rest = { .tv_nsec = 1000000 };
@@ -278,7 +279,8 @@ static void test_the_status_file_exists_only_while_the_kiosk_runs(void **state)
     read_text(text);
     check_json(text, "$.frames.count", "5");
     assert_int_equal(stat(path, &about), 0);
-    assert_int_equal(about.st_mode & 0777, 0644); /* Every user can read the file. */
+    assert_int_equal(about.st_mode & 0777, 0644); /* The file is readable for all users in spite of
+                                                     the umask 0077. */
     status_end(&status);
     assert_int_equal(access(path, F_OK), -1);
 }
@@ -311,7 +313,9 @@ static void test_a_store_fault_is_written_to_the_status_immediately(void **state
     assert_true(waits_for_file());
     assert_int_equal(unlink(path), 0);
     kiosk.input.store_well = 0;
-    pthread_mutex_lock(&status.mutex); /* A report is not lost while the thread writes. */
+    /* The frame cannot report the fault while the thread has the mutex. The next frame must report
+     * the fault. */
+    pthread_mutex_lock(&status.mutex);
     status_update(&status, &kiosk, &hal, 6);
     pthread_mutex_unlock(&status.mutex);
     status_update(&status, &kiosk, &hal, 7);
@@ -327,7 +331,7 @@ static void test_no_frame_waits_for_the_status_file(void **state)
     const struct hal hal = null_hal(NULL);
     (void)state;
     status_begin(&status, folder);
-    /* The test locks the mutex, as the thread does while it copies a report. */
+    /* Locks the mutex, as the writing thread does while it copies a report. */
     pthread_mutex_lock(&status.mutex);
     status_update(&status, &kiosk, &hal, 0);
     assert_int_equal(status.is_fresh, 0); /* The frame skipped the report and did not block. */

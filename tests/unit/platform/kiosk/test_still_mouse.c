@@ -1,7 +1,8 @@
-/* test_still_mouse.c -- Tests that a mouse at rest is not treated as moving when the view changes
- * to another tank.
+/* test_still_mouse.c -- Tests that a mouse at rest does not count as moved when the view changes to
+ * another tank.
  *
- * A mouse at rest then points at other water. The real decoder and the real frame loop are used. */
+ * After the change, the same pixel shows another point of the water. The decoder and the frame loop
+ * are real. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -68,7 +69,8 @@ static void lie_still(uint64_t frame_ns)
         frame(frame_ns);
         assert_int_equal(seat.kiosk.core.game.player[0].fouls, 0);
     }
-    /* The position that the kiosk computes changes as much as if the mouse had moved. */
+    /* The position on the water changes as much as if the mouse had moved, because the view has
+     * changed. */
     assert_true(v3_length(v3_sub(hand_m(), before_m)) > PLAYER_STIR_M);
 }
 

@@ -1,10 +1,9 @@
 /* test_unplug_paid.c -- Tests a paid round in which the controller is unplugged at each of 1000
  * reports.
  *
- * The round pauses, continues when the cable is plugged in again, and no credit is lost. Raw
- * reports of Kingyo's own controller pass through the simulated USB device, the decoder and the
- * frame loop. Each of the 1000 runs starts from a copy of the whole kiosk as it was before that
- * report. */
+ * The round must pause, continue after the cable is plugged in again, and lose no credit. Reports
+ * of Kingyo's own controller pass through a simulated USB device, the real decoder and the real
+ * frame loop. After each unplug, the kiosk is restored to the state before the unplug. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -24,7 +23,7 @@
 #include "tests/unit/support/hid_wire.h"
 #include "tests/unit/support/purse.h"
 
-#define REPORT_NS 8333333ull /* Report interval: 120 reports a second, two reports a frame. */
+#define REPORT_NS 8333333ull /* Report interval in ns: 120 reports a second, two reports a frame. */
 #define UNPLUGS 1000u
 #define PRICE 2u
 
@@ -38,7 +37,8 @@ static struct rig {
     uint32_t report_count;
 } rig, saved;
 
-/* Moves the pose in a circle over the tank, with a tremor and an occasional dip. */
+/* Sends one report of a pose that moves around over the tank, trembles and dips from time to time.
+ * Runs a frame after every second report. */
 static void report(void)
 {
     const float t = (float)rig.report_count * (float)REPORT_NS * 1e-9f;
@@ -92,7 +92,7 @@ static int set_up(void **state)
     rig.hal.storage = storage_sim_device(&rig.storage);
     assert_int_equal(kiosk_init(&rig.kiosk, &rig.hal, &config), CORE_OK);
     reports(60);
-    pay(2u * PRICE); /* Two credits: one for this round and one that stays unused. */
+    pay(2u * PRICE); /* Two credits, one for this round and one that must remain. */
     rig.kiosk.input.pressed = INPUT_START;
     while (game()->phase != PHASE_ROUND) {
         report();
@@ -106,8 +106,7 @@ static int set_up(void **state)
 
 static void pull_out(void)
 {
-    hid_port_sim_plug(&rig.wire.port, NULL); /* The controller is unplugged before the next
-                                                report. */
+    hid_port_sim_plug(&rig.wire.port, NULL); /* Unplugs the controller before the next report. */
 }
 
 static void put_in(void)
@@ -115,7 +114,7 @@ static void put_in(void)
     hid_port_sim_plug(&rig.wire.port, &rig.wire.face);
 }
 
-/* Runs frames until the round continues. Returns the number of reports. */
+/* Sends reports until the round continues. Returns the number of reports. */
 static uint32_t wait_for_round(void)
 {
     uint32_t waited = 0;
@@ -153,8 +152,9 @@ static void test_an_unplug_at_any_of_1000_reports_pauses_the_round(void **state)
         report();
     }
     assert_int_equal(resumed, UNPLUGS);
-    assert_true(slowest <= 160u); /* The device is searched once a second, and its pose is validated
-                                     for a quarter of a second. */
+    /* 160 reports are 1.33 s: up to 1 s until the kiosk retries to open the device, and 0.25 s in
+     * which its pose is validated. */
+    assert_true(slowest <= 160u);
     print_message(
         "# %u unplugs: the round continues %.2f s after the cable is in (mean), %.2f s at "
         "most; 0 credits lost\n",

@@ -1,5 +1,5 @@
-/* test_display_gl.c -- Tests the real display without a screen: events, sizes, connectors, limits,
- * and the rotation of the picture. */
+/* test_display_gl.c -- Tests the real display driver without a screen: events, sizes, connectors,
+ * limits, and the rotation of the picture. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -18,7 +18,7 @@
 
 static bool is_minimised;
 
-/* This function replaces SDL's, because SDL's offscreen driver cannot minimise a window. */
+/* Replaces the function of SDL, because SDL's offscreen driver cannot minimise a window. */
 void SDL_GL_GetDrawableSize(SDL_Window *window, int *width, int *height)
 {
     SDL_GetWindowSize(window, width, height);
@@ -87,7 +87,8 @@ static void test_the_picture_has_the_size_of_the_window(void **state)
     assert_non_null(strstr(device.ops->describe(device.self), "200x160"));
 }
 
-/* Some window managers ignore the smallest size of a window. */
+/* Some window managers ignore the minimum size of a window, so any size must be drawn without an
+ * error. */
 static void test_a_window_of_a_few_pixels_is_drawn_into(void **state)
 {
     (void)state;
@@ -128,7 +129,8 @@ static void test_on_demand_drawing_skips_frames_without_a_picture(void **state)
     assert_memory_equal(pixels[0], pixels[1], PIXELS_SIZE);
 }
 
-/* A hint fades in from the frame in which it appeared, even if that frame was not drawn. */
+/* A hint fades in from the frame in which it first occurs. This must also hold if the display skips
+ * that frame because no picture is requested. */
 static void test_a_picture_on_demand_shows_the_hint_of_skipped_frames(void **state)
 {
     (void)state;
@@ -147,7 +149,8 @@ static void test_a_picture_on_demand_shows_the_hint_of_skipped_frames(void **sta
 
 #define SIDE HEIGHT /* The screen is square because SDL's offscreen surface keeps its first size. */
 
-/* Returns the index of a point of a square picture after `rotation` clockwise quarter turns. */
+/* Returns the index of the byte at which the pixel (x, y) lies after `rotation` clockwise quarter
+ * turns of a square picture. */
 static uint32_t turned_at(uint32_t rotation, uint32_t x, uint32_t y)
 {
     for (uint32_t i = 0; i < rotation; i++) {
@@ -163,15 +166,16 @@ static void square(uint8_t rgb[PIXELS_SIZE], uint32_t rotation)
     struct hal_image image = { .rgb = rgb, .size = PIXELS_SIZE };
     device.ops->set_transform(device.self,
                               &(struct display_settings){ .rotation = rotation, .light = 1.0f });
-    for (uint32_t i = 0; i < 20u; i++) { /* The loop ends when the album's texture is fully
-                                            refined. */
+    /* In 20 frames, the texture of the fish on the album page is fully refined. */
+    for (uint32_t i = 0; i < 20u; i++) {
         assert_int_equal(device.ops->present(device.self, &scene), HAL_OK);
     }
     assert_int_equal(device.ops->capture(device.self, &image), HAL_OK);
     assert_int_equal(image.width, SIDE);
 }
 
-/* Draws a full scene with tank, text and a fish on the album page. */
+/* Draws the page `phase` with and without a rotation. Turns one picture back and asserts that both
+ * are equal except for small rounding errors. */
 static void show_turned(uint8_t phase, uint32_t rotation)
 {
     uint64_t sum = 0;
@@ -201,7 +205,8 @@ static void test_a_rotated_display_shows_the_same_picture_rotated(void **state)
     core.game.phase = PHASE_ALBUM;
     core_scene(&core, &scene);
     scene.phase_s = 5.0f;
-    memset(scene.slope[RIPPLE_Z / 2], 100, sizeof scene.slope[0]); /* Waves distort the floor. */
+    memset(scene.slope[RIPPLE_Z / 2], 100, sizeof scene.slope[0]); /* Adds waves, which distort the
+                                                                      floor of the tank. */
     SDL_SetWindowSize(display.window, (int)SIDE, (int)SIDE);
     for (uint32_t i = 0; i < 3u * sizeof phases; i++) {
         show_turned(phases[i / 3u], 1u + i % 3u);
@@ -293,7 +298,7 @@ static void test_a_reset_of_the_graphics_driver_reopens_the_display(void **state
     assert_int_equal(device.ops->present(device.self, &scene), HAL_ERR_GONE);
     assert_int_equal(device.ops->present(device.self, &scene), HAL_ERR_GONE);
     assert_int_equal(device.ops->poll(device.self, &events), HAL_ERR_GONE);
-    /* The display can be opened again, so the kiosk does not end. */
+    /* The kiosk can reopen the display, so it must not end. */
     assert_int_equal(events.lost, 0);
     assert_int_equal(ends, 0);
     assert_non_null(strstr(device.ops->describe(device.self), "as if the driver had reset"));
@@ -302,7 +307,7 @@ static void test_a_reset_of_the_graphics_driver_reopens_the_display(void **state
     assert_memory_equal(pixels[0], pixels[1], PIXELS_SIZE);
 }
 
-/* Creates a connector of a card that is simulated with files. */
+/* Creates the files of a connector as in /sys/class/drm. `status` is its connection status. */
 static void plug(const char *folder, const char *socket, const char *status)
 {
     char path[128];
@@ -344,14 +349,16 @@ static void test_only_connectors_with_a_monitor_are_counted(void **state)
     unmake(folder);
 }
 
-/* Polls as if a second had passed after the last check. */
+/* Moves the time of the last check two seconds into the past, so that the poll checks the
+ * connectors again. */
 static int look(struct display_events *events)
 {
     display.looked_ns -= 2000000000ull;
     return device.ops->poll(device.self, events);
 }
 
-/* The test simulates a card without a window system, although the drawing is off screen. */
+/* `is_bare` simulates a machine without a window system. There, the display must check whether its
+ * screen is connected. */
 static void test_an_unplugged_screen_is_gone_until_it_returns(void **state)
 {
     (void)state;
@@ -365,7 +372,8 @@ static void test_an_unplugged_screen_is_gone_until_it_returns(void **state)
     picture(pixels[0]);
     assert_int_equal(look(&events), HAL_OK);
     plug(folder, "card0-HDMI-A-1", "disconnected\n");
-    assert_int_equal(look(&events), HAL_OK); /* The connection may have been interrupted briefly. */
+    /* One check without a screen may be a brief interruption, so the display is not lost yet. */
+    assert_int_equal(look(&events), HAL_OK);
     plug(folder, "card0-HDMI-A-1", "connected\n");
     assert_int_equal(look(&events), HAL_OK);
     plug(folder, "card0-HDMI-A-1", "disconnected\n");
@@ -376,7 +384,8 @@ static void test_an_unplugged_screen_is_gone_until_it_returns(void **state)
     assert_int_equal(device.ops->present(device.self, &scene), HAL_ERR_GONE);
     setenv("SDL_VIDEODRIVER", "kmsdrm", 1);
     display.config.off_screen = false;
-    assert_int_equal(device.ops->open(device.self), HAL_ERR_GONE); /* SDL is not called. */
+    /* Without a screen, open() must fail before it calls SDL. */
+    assert_int_equal(device.ops->open(device.self), HAL_ERR_GONE);
     assert_non_null(strstr(device.ops->describe(device.self), "no screen is connected"));
     unsetenv("SDL_VIDEODRIVER");
     display.config.off_screen = true;

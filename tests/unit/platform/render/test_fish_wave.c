@@ -1,6 +1,6 @@
-/* test_fish_wave.c -- Tests that the drawn tail amplitude equals the amplitude in the scene.
+/* test_fish_wave.c -- Tests that the tail of a drawn fish swings as far as the scene says.
  *
- * The amplitude is measured in pictures taken from above. */
+ * The amplitude is measured in pictures that are drawn from above. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -16,8 +16,9 @@
 #define PIXELS_SIZE (SIDE_PX * SIDE_PX * 3u)
 #define PHASES 16u
 #define LENGTH_M 0.08f
-#define EYE_M 0.25f /* Height of the eye above the fish. */
-/* Height of the fish above the water, whose refraction would distort the picture. */
+#define EYE_M 0.25f /* Height of the camera above the fish, in metres. */
+/* Height of the fish above the water, in metres. Under water, refraction would distort the
+ * picture. */
 #define FISH_M 0.06f
 
 static struct core core;
@@ -26,10 +27,10 @@ static struct display_gl display;
 static struct hal_display device;
 static uint8_t empty[PIXELS_SIZE], pixels[PIXELS_SIZE];
 
-/* Outline of a fish whose snout points up in the picture. */
+/* Outline of a drawn fish, in pixels. The snout points to the top of the picture. */
 struct outline {
-    float top, bottom, left, right; /* Extents of the drawn fish in pixels. */
-    float tail_x, nose_x; /* Mean columns of the rearmost and the foremost 3 % of the length. */
+    float top, bottom, left, right; /* Bounds of the fish. */
+    float tail_x, nose_x;           /* Mean columns of the last and the first 3 % of the length. */
 };
 
 static int open_display(void **state)
@@ -68,7 +69,7 @@ static void stage(float phase_rad, float amplitude, float bend_rad)
     scene.view.aspect_min = 1.0f;
     scene.phase = PHASE_ROUND;
     scene.phase_s = 30.0f;
-    scene.veil = 0.0f; /* The kiosk starts with a black screen. */
+    scene.veil = 0.0f; /* The veil of the start would make the picture black. */
     scene.poi[0].present = 0;
     scene.hint = HINT_NONE;
     fish->place = SCENE_ON_POI;
@@ -82,7 +83,7 @@ static void stage(float phase_rad, float amplitude, float bend_rad)
     fish->maturity = 1.0f;
 }
 
-/* Fish are redder than the water behind them. Their shadows are not. */
+/* Returns 1 if the pixel is redder than in the picture without a fish. Shadows are not redder. */
 static int is_fish(uint32_t x, uint32_t y)
 {
     const size_t at = 3u * ((size_t)y * SIDE_PX + x);
@@ -135,7 +136,8 @@ static struct outline drawn(float phase_rad, float amplitude, float bend_rad)
     return outline();
 }
 
-/* Measures the tip-to-tip amplitudes of tail and nose, in body lengths. */
+/* Measures how far the tail and the nose move from side to side in one tail beat, in body
+ * lengths. */
 static void sweep(float amplitude, float *tail, float *nose)
 {
     const struct outline straight = drawn(0.0f, 0.0f, 0.0f);
@@ -159,7 +161,8 @@ static void test_a_full_tail_beat_spans_a_fifth_of_the_length(void **state)
     (void)state;
     float tail = 0.0f, nose = 0.0f;
     sweep(1.0f, &tail, &nose);
-    /* The tail sweeps a fifth of the body length from tip to tip (Bainbridge 1958). */
+    /* In a real fish, the tail moves by a fifth of the body length from side to side (Bainbridge
+     * 1958). */
     assert_float_equal(tail, 0.20f, 0.02f);
     assert_float_equal(nose, 0.04f, 0.015f);
     float half = 0.0f;
@@ -167,8 +170,8 @@ static void test_a_full_tail_beat_spans_a_fifth_of_the_length(void **state)
     assert_float_equal(half, 0.5f * tail, 0.015f);
 }
 
-/* A half circle of length 1 is 0.64 wide and 0.32 deep. A bend of 2.5 radians is a little less, and
- * the outer lobe of the tail, a third of a length long, extends beyond the curve. */
+/* A half circle of length 1 would be 0.64 high and 0.32 deep. The fish bends by 2.5 radians, a
+ * little less than a half circle, and its tail fin extends beyond the curve. */
 static void test_a_startle_bends_the_whole_fish_into_a_c(void **state)
 {
     (void)state;
@@ -181,7 +184,7 @@ static void test_a_startle_bends_the_whole_fish_into_a_c(void **state)
     print_message("a C is %.2f lengths high, %.2f deep\n", (double)high, (double)deep);
     assert_true(high < 0.88f && high > 0.60f);
     assert_true(deep > 0.35f && deep < 0.60f);
-    assert_true(off_left > off_right); /* Head and tail lie to the left of the middle. */
+    assert_true(off_left > off_right); /* Head and tail are on the left of the middle. */
 }
 
 int main(void)

@@ -1,5 +1,5 @@
-/* test_governor.c -- Tests that late frames or heat reduce the picture quality and never the game
- * speed, and that the quality settles. */
+/* test_governor.c -- Tests the governor, which lowers the render quality if frames are late or the
+ * machine is hot. The quality must settle, and the game speed must not change. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -12,7 +12,8 @@
 #define S 1000000000ull
 #define MS 1000000ull
 
-/* A machine with a given time for the best quality and a screen with a given refresh rate. */
+/* A simulated machine. `best_ns` is the time of a frame at the best quality, and `hz` is the
+ * refresh rate of the screen. */
 static struct machine {
     struct governor governor;
     uint64_t now_ns, best_ns;
@@ -25,7 +26,8 @@ static void begin(uint64_t best_ns, uint32_t hz)
     quality_governor_begin(&machine.governor, hz);
 }
 
-/* Returns the cost of a quality step. A third of the cost does not depend on the scene. */
+/* Returns the time of a frame at a quality step. A third of the time does not depend on the
+ * resolution of the scene. */
 static uint64_t cost_ns(uint32_t step)
 {
     const struct quality best = { .scene_scale = 1.0f, .floor_scale = 1.0f, .samples = 1 };
@@ -33,7 +35,8 @@ static uint64_t cost_ns(uint32_t step)
     return (uint64_t)((float)machine.best_ns * (0.33f + 0.67f * scale * scale));
 }
 
-/* Runs frames that are shown at the next refresh. Returns the number of late frames. */
+/* Runs frames with vsync, so each frame ends at a refresh of the screen. Returns the number of late
+ * frames. */
 static uint32_t run(uint32_t seconds, bool may_refine)
 {
     const uint64_t turn_ns = S / machine.hz, end_ns = machine.now_ns + seconds * S;
@@ -74,7 +77,7 @@ static void test_the_quality_never_falls_below_the_last_step(void **state)
     begin(200 * MS, 60);
     run(600, true);
     assert_int_equal(machine.step, QUALITY_STEP_MAX);
-    begin(900 * MS, 60); /* Each frame takes 900 ms, as a long delay of the machine does. */
+    begin(900 * MS, 60); /* Each frame takes 900 ms, longer than any quality step can correct. */
     run(60, true);
     assert_int_equal(machine.step, QUALITY_STEP_MAX);
 }
@@ -87,13 +90,13 @@ static void test_a_higher_quality_is_tried_between_games_with_increasing_delays(
     const uint32_t settled = machine.step;
     assert_true(settled > 0);
     machine.changes = 0;
-    run(3600, false); /* No higher quality is tried during a game. */
+    run(3600, false); /* During a game (`may_refine` is false), no higher quality is tried. */
     assert_int_equal(machine.changes, 0);
     const uint32_t late = run(3600, true);
     print_message("an hour: %u changes, %u frames late\n", machine.changes, late);
     assert_in_range(machine.changes, 2, 16);
     assert_true(late < 600u);
-    machine.best_ns = 12 * MS; /* The cause of the slowness has ended. */
+    machine.best_ns = 12 * MS; /* From now on the machine is fast enough for the best quality. */
     run(2u * GOVERNOR_PATIENCE_MAX_S, true);
     assert_int_equal(machine.step, 0);
 }
@@ -107,7 +110,8 @@ static void test_a_low_refresh_rate_does_not_reduce_the_quality(void **state)
     begin(14 * MS, 30);
     run(600, true);
     assert_int_equal(machine.step, 0);
-    begin(6 * MS, 144); /* The game runs at 60 Hz, so a frame may take two refresh intervals. */
+    begin(6 * MS, 144); /* The game needs 60 frames a second, so a frame may take two refresh
+                           intervals of a 144 Hz screen. */
     machine.best_ns = 10 * MS;
     run(600, true);
     assert_int_equal(machine.step, 0);
@@ -137,7 +141,7 @@ static void test_heat_reduces_the_quality_immediately_and_cooling_restores_it(vo
     run(1, false);
     assert_int_equal(machine.step, QUALITY_STEP_MAX);
     quality_governor_set_temperature(&machine.governor,
-                                     GOVERNOR_HOT_MDEG); /* A temperature between hot and cool
+                                     GOVERNOR_HOT_MDEG); /* A temperature between the two limits
                                                             changes nothing. */
     quality_governor_set_temperature(&machine.governor, GOVERNOR_COOL_MDEG);
     run(1, false);

@@ -1,8 +1,8 @@
-/* test_morph_gl.c -- Compares the vertex shader with morph_shape().
+/* test_morph_gl.c -- Compares the fish shapes of the vertex shader with those of morph_shape() on
+ * the CPU.
  *
- * The test covers every built-in species, both levels of detail, every key and nine intermediate
- * shapes of each pair, with own curves, pairwise and simultaneous graphs, and the thesis morph. The
- * vertices of the shader are read back by transform feedback. */
+ * The test covers every built-in species, both levels of detail, every key, nine ages between two
+ * keys, and all kinds of graphs. Transform feedback returns the vertices of the shader. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -20,10 +20,10 @@
 #include "tests/unit/support/gl_context.h"
 
 #define BETWEEN 9u
-#define ERROR_MAX 1e-5f  /* Position error in body lengths. */
-#define NORMAL_MAX 1e-3f /* Length of the difference of two unit normals. */
-/* Row of the table that the test uses. In the first row, a missing lookup would give the same
- * result. */
+#define ERROR_MAX 1e-5f  /* Largest allowed position error, in body lengths. */
+#define NORMAL_MAX 1e-3f /* Largest allowed length of the difference of two unit normals. */
+/* Row of the pose table that the shader must read. Row 0 would not detect a shader that ignores the
+ * row number. */
 #define ROW 7u
 
 struct vertex {
@@ -97,8 +97,8 @@ static GLuint program(const char *defines)
     return made;
 }
 
-/* Runs the bound program over every vertex of the mesh. The result is mapped until it is
- * unmapped. */
+/* Runs the current shader program over every vertex of the mesh. Returns the mapped feedback
+ * buffer, which the caller must unmap. */
 static const struct vertex *capture(uint32_t vertex_count)
 {
     const GLsizeiptr size = (GLsizeiptr)(vertex_count * sizeof(struct vertex));
@@ -123,8 +123,8 @@ static float distance(const float a[3], vec3 b)
     return v3_length(v3_sub(v3(a[0], a[1], a[2]), b));
 }
 
-/* Returns the difference between the shape of the shader and that of morph_shape() for the same
- * `pose`. */
+/* Returns the largest differences between the vertices of the shader and those of morph_shape() for
+ * the same `pose`. */
 static struct error compare(const struct species_mesh *source, uint32_t key_count)
 {
     struct error error = { 0.0f, 0.0f };
@@ -160,8 +160,8 @@ static void worse(struct error *worst, struct error error)
     worst->normal = f_max(worst->normal, error.normal);
 }
 
-/* Compares one mesh from its first key to its last. `rows` tells where the shader finds the
- * pose. */
+/* Compares one mesh at all ages. The pose is in row ROW of a texture if `rows` is true, otherwise
+ * in a uniform block. */
 static struct error follow(const struct species *species, uint32_t lod, GLuint name, bool rows)
 {
     struct error worst = { 0.0f, 0.0f };
@@ -255,7 +255,8 @@ static void test_eight_keys_are_blended_each_by_its_own_weight(void **state)
         }
         eight.points[key] = moved[key];
     }
-    eight.anchor_count = 0; /* The anchors have five keys, so no vertex may use an anchor. */
+    eight.anchor_count = 0; /* The mesh has anchors only for its five keys, so the test removes all
+                               anchors. */
     static struct species_vertex free[MESH_VERTEX_MAX];
     for (uint32_t i = 0; i < eight.vertex_count; i++) {
         free[i] = eight.vertices[i];
@@ -279,7 +280,8 @@ static void test_eight_keys_are_blended_each_by_its_own_weight(void **state)
     glDeleteProgram(name);
 }
 
-/* With weights of eight bits, the shape must differ by more than the bound above. */
+/* Rounds the weights to eight bits. The position error must then exceed ERROR_MAX, which proves
+ * that the comparisons above are accurate enough. */
 static void test_the_test_detects_weights_of_eight_bits(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_poi_pool.c -- Tests the drawn water on a poi: a level surface, the correct volume and the
- * correct position. */
+/* test_poi_pool.c -- Tests the water that is drawn on a poi: its level surface, its volume and its
+ * position. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -24,8 +24,8 @@ static struct scene_poi poi_with(float water_m, float pitch_deg, float roll_deg,
     };
 }
 
-/* Returns the world height of the paper at a point of its disc, in radii, as computed by the vertex
- * shader. */
+/* Returns the height of the paper at the point (x, z) of its disc, as the vertex shader computes
+ * it. x and z are in radii. */
 static float height_m(const struct scene_poi *poi, float x, float z)
 {
     const struct basis axes = vec_basis_from_angles(poi->angles);
@@ -33,7 +33,8 @@ static float height_m(const struct scene_poi *poi, float x, float z)
     return v3_add(poi->position_m, vec_basis_to_world(&axes, local)).y;
 }
 
-/* Returns the mean depth over the disc, computed on a grid that is independent of the module. */
+/* Returns the mean depth of the drawn water over the disc. The test uses its own grid, so that
+ * errors of the module do not cancel out. */
 static float drawn_m(const struct scene_poi *poi, const struct poi_pool *pool)
 {
     double sum = 0.0;
@@ -88,8 +89,8 @@ static void test_the_drawn_volume_equals_the_water_volume_at_any_tilt(void **sta
 static void test_a_tilted_pool_moves_to_the_low_side(void **state)
 {
     (void)state;
-    const struct scene_poi poi = poi_with(0.0015f, 20.0f, 0.0f, 0.002f); /* The far edge is
-                                                                            raised. */
+    /* The pitch of 20 degrees raises the far edge. */
+    const struct scene_poi poi = poi_with(0.0015f, 20.0f, 0.0f, 0.002f);
     const struct poi_pool pool = poi_pool_of(&poi);
     assert_true(height_m(&poi, 0.0f, -0.9f) > pool.level_m);
     assert_true(height_m(&poi, 0.0f, 0.9f) < pool.level_m);

@@ -1,4 +1,4 @@
-/* test_quality.c -- Tests the render quality chosen for each GPU and screen. */
+/* test_quality.c -- Tests the render quality that is chosen for each GPU and screen size. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

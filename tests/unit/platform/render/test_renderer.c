@@ -1,5 +1,5 @@
-/* test_renderer.c -- Tests that every element of a scene changes the picture, above and below the
- * water, and that similar elements are distinguishable. */
+/* test_renderer.c -- Tests that each element of a scene changes the picture, above and below the
+ * water, and that players can distinguish similar elements. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -36,7 +36,7 @@ static void test_a_fish_a_hole_and_a_wave_each_change_the_picture(void **state)
     assert_memory_not_equal(pixels[0], pixels[1], PIXELS_SIZE);
 }
 
-/* Returns the sum of one colour over the 5 x 5 pixels in the middle. */
+/* Returns the sum of one colour channel over the 5 x 5 pixels in the middle of the picture. */
 static uint32_t middle(const uint8_t rgb[PIXELS_SIZE], uint32_t colour)
 {
     uint32_t sum = 0;
@@ -48,8 +48,8 @@ static uint32_t middle(const uint8_t rgb[PIXELS_SIZE], uint32_t colour)
     return sum;
 }
 
-/* Draws one fish of 8 cm, pitched up by 45 degrees with its nose at `nose_y_m`. The eye is above
- * and looks at a point of the head 3 mm behind the tip. */
+/* Sets up a scene with one fish of 8 cm, pitched up by 45 degrees, with its nose at `nose_y_m`. The
+ * camera looks down at the head, 3 mm behind its tip. */
 static void show_gulper(float nose_y_m, uint8_t place)
 {
     struct scene_fish *fish = &scene.fish[0];
@@ -60,7 +60,7 @@ static void show_gulper(float nose_y_m, uint8_t place)
     fish->angles = (struct angles){ .pitch_rad = 45.0f * F_DEG };
     fish->length_m = 0.08f;
     fish->place = place;
-    fish->maturity = 0.0f; /* The fish is grey, so that no colour channel saturates. */
+    fish->maturity = 0.0f; /* An immature fish is grey, so no colour channel saturates. */
     fish->position_m = v3(0.0f, nose_y_m - 0.0283f, 0.0f);
     scene.view.target_m = v3(0.0f, nose_y_m - 0.0021f, -0.0262f);
     scene.view.eye_m = v3(0.0f, nose_y_m + 0.15f, 0.02f);
@@ -75,7 +75,7 @@ static void test_a_snout_is_drawn_as_in_air_above_the_surface_and_as_in_water_be
     picture(pixels[1]);
     for (uint32_t colour = 0; colour < 3; colour++) {
         const int32_t off = (int32_t)middle(pixels[0], colour) - (int32_t)middle(pixels[1], colour);
-        /* The limit allows a mean difference of 4 of 255 per pixel. */
+        /* 100 is a mean difference of 4 of 255 per pixel. */
         assert_in_range(off + 100, 0, 200);
     }
     show_gulper(-0.03f, SCENE_IN_TANK);
@@ -85,7 +85,8 @@ static void test_a_snout_is_drawn_as_in_air_above_the_surface_and_as_in_water_be
     assert_true(middle(pixels[0], 0) > middle(pixels[1], 0) + 25u * 12u);
 }
 
-/* Returns the largest excess of red over green in the middle column, rows `top` to `bottom`. */
+/* Returns how red the reddest pixel of the middle column is, in rows `top` to `bottom`: 0 if red
+ * equals green, 1 without green. */
 static float reddest(const uint8_t rgb[PIXELS_SIZE], uint32_t top, uint32_t bottom)
 {
     float most = 0.0f;
@@ -96,7 +97,8 @@ static float reddest(const uint8_t rgb[PIXELS_SIZE], uint32_t top, uint32_t bott
     return most;
 }
 
-/* Returns the redness of a red fish in air, drawn from its left side over the whole middle. */
+/* Returns the redness of a fish of this age in air. The fish is drawn from its left side and fills
+ * the middle of the picture. */
 static float red_in_hand(float age_days)
 {
     core_scene(&core, &scene);
@@ -115,8 +117,8 @@ static float red_in_hand(float age_days)
     return reddest(pixels[0], HEIGHT / 2u - 3u, HEIGHT / 2u + 3u);
 }
 
-/* Returns the redness of the only fish on the album page, at this age, recorded as the game records
- * a catch. */
+/* Returns the redness of a fish on the album page at `age_days`. The fish was caught at
+ * `caught_days`. */
 static float red_in_album(float age_days, float caught_days)
 {
     core.world.tank.fish[0].look = 0;
@@ -131,15 +133,17 @@ static float red_in_album(float age_days, float caught_days)
     scene.album.fish[0].age_days = age_days;
     scene.album.fish[0].maturity = scene_maturity(age_days);
     scene.album.fish[0].progress = life_progress(&species_wakin.card, age_days);
-    /* The seal would also count as red, so it is switched off. */
+    /* The album marks the day of the catch with a red seal, which is switched off here. */
     scene.album.fish[0].is_caught = 0;
-    for (uint32_t i = 0; i < 20; i++) { /* The loop ends when the texture is refined. */
+    /* In 20 frames, the texture of the fish is fully refined. */
+    for (uint32_t i = 0; i < 20; i++) {
         picture(pixels[0]);
     }
     return reddest(pixels[0], HEIGHT / 5u, HEIGHT * 3u / 5u);
 }
 
-/* After 120 days every fish is red. A younger fish has the same share of red as in the tank. */
+/* A goldfish turns red between about 60 and 120 days. At each age, the album must show about the
+ * same redness as the tank. */
 static void test_an_album_fish_on_its_catch_day_is_drawn_as_in_the_tank(void **state)
 {
     (void)state;
@@ -149,11 +153,11 @@ static void test_an_album_fish_on_its_catch_day_is_drawn_as_in_the_tank(void **s
                       (double)album);
         assert_true(f_abs(tank - album) < 0.20f);
     }
-    /* A goldfish of 60 days is still dark, so the picture has little red. */
+    /* At 60 days, before the day of its catch, the goldfish is still dark. */
     assert_true(red_in_album(60.0f, 100.0f) < 0.35f);
 }
 
-/* Draws a level poi 5 cm above the water with the eye above its middle. */
+/* Sets up a scene with a level poi 5 cm above the water. The camera is above its middle. */
 static void show_poi(void)
 {
     struct scene_poi *const poi = &scene.poi[0];
@@ -173,7 +177,7 @@ static void show_poi(void)
 
 static uint32_t brightness(const uint8_t rgb[PIXELS_SIZE])
 {
-    /* The weights 3, 6 and 1 for red, green and blue approximate the sensitivity of the human
+    /* The weights 3, 6 and 1 of red, green and blue approximate the sensitivity of the human
      * eye. */
     return 3u * middle(rgb, 0) + 6u * middle(rgb, 1) + middle(rgb, 2);
 }
@@ -204,7 +208,7 @@ static void test_water_on_a_poi_is_drawn_over_the_paper_only_above_the_surface(v
     picture(pixels[0]);
     scene.poi[0].water_m = 0.002f;
     picture(pixels[1]);
-    /* The deeper water on the paper in picture 1 is bluer, so it has less red (channel 0). */
+    /* Picture 1 shows more water on the paper. Water absorbs red light (channel 0). */
     assert_true(middle(pixels[0], 0) > middle(pixels[1], 0));
     scene.poi[0].position_m.y = -0.04f;
     picture(pixels[1]);
@@ -213,7 +217,7 @@ static void test_water_on_a_poi_is_drawn_over_the_paper_only_above_the_surface(v
     assert_memory_equal(pixels[0], pixels[1], PIXELS_SIZE);
 }
 
-/* Returns the number of white plastic pixels in the picture. */
+/* Returns the number of pixels in the white colour of the plastic ring. */
 static uint32_t white_pixels(const uint8_t rgb[PIXELS_SIZE])
 {
     uint32_t count = 0;
@@ -230,7 +234,8 @@ static void test_players_are_distinguishable_without_colours(void **state)
     for (uint8_t owner = 0; owner < POI_MAX; owner++) {
         show_poi();
         scene.poi[0].owner = owner;
-        /* Removes all paper, so that only the ring remains. */
+        /* Removes the paper, so that only the ring remains. The number of white marks on the ring
+         * depends on the player. */
         memset(scene.poi[0].integrity, 0, sizeof scene.poi[0].integrity);
         picture(pixels[0]);
         const uint32_t white = white_pixels(pixels[0]);

@@ -1,5 +1,5 @@
-/* test_screen.c -- Tests the selection of the graphics card with the monitor, whatever its number
- * is. */
+/* test_screen.c -- Tests the selection of the graphics card that has a monitor. The numbers of the
+ * cards differ from machine to machine. */
 #include <SDL.h>
 #include <ftw.h>
 #include <setjmp.h>
@@ -39,7 +39,8 @@ static int tear_down(void **state)
     return nftw(root, remove_one, 8, FTW_DEPTH | FTW_PHYS);
 }
 
-/* Creates an entry of /sys/class/drm, with a status unless `status` is NULL. */
+/* Creates an entry of a simulated /sys/class/drm. If `status` is not NULL, the entry gets a file
+ * with this connection status. */
 static void put(const char *name, const char *status)
 {
     char path[256];
@@ -54,7 +55,8 @@ static void put(const char *name, const char *status)
     }
 }
 
-/* Creates the cards of a Raspberry Pi 4: one for computation and one with two connectors. */
+/* Creates the two cards of a Raspberry Pi 4: one without connectors for computation, and one with
+ * two connectors. */
 static void put_raspberry(const char *compute, const char *first, const char *first_status,
                           const char *second, const char *second_status)
 {
@@ -115,7 +117,7 @@ static void test_without_connectors_no_card_is_selected(void **state)
     (void)state;
     assert_int_equal(screen_card_find(root), -1);
     put("card0", NULL);
-    put("card0-HDMI-A-1", NULL); /* The status of this connector cannot be read. */
+    put("card0-HDMI-A-1", NULL); /* This connector has no readable status. */
     put("card-HDMI-A-1", "connected");
     put("card64-HDMI-A-1", "connected");
     put("renderD128", "connected");

@@ -1,4 +1,5 @@
-/* test_hid_live.c -- Tests the display of a live HID device and the list of plugged-in devices. */
+/* test_hid_live.c -- Tests how kingyoctl shows the values of a live HID device, and the list of
+ * plugged-in devices. */
 #include <errno.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -17,7 +18,8 @@
 
 #define SECOND 1000000000ull
 
-/* A mouse with five buttons and the hat of a joystick, under report ids 1 and 2. */
+/* Report descriptor of a device with a mouse of five buttons (report id 1), and a hat switch and
+ * keys (report id 2). */
 static const uint8_t bytes[] = { 0x05, 0x01, 0x09, 0x02, 0xa1, 0x01, 0x85, 0x01, 0x05, 0x09, 0x19,
                                  0x01, 0x29, 0x05, 0x15, 0x00, 0x25, 0x01, 0x75, 0x01, 0x95, 0x05,
                                  0x81, 0x02, 0x75, 0x03, 0x95, 0x01, 0x81, 0x01, 0x05, 0x01, 0x09,

@@ -1,7 +1,8 @@
-/* test_hid_source.c -- Tests a live HID device: its descriptor, one report per read, and an unplug.
+/* test_hid_source.c -- Tests the reader of a live HID device: its descriptor, one report per read,
+ * and an unplugged device.
  *
- * A socket simulates the kernel and keeps report boundaries as a device node does. The system calls
- * are redirected to this file (-Wl,--wrap). */
+ * A socket simulates the device node, because a socket also keeps the boundaries of reports. The
+ * linker option --wrap redirects system calls to the functions in this file. */
 #include <errno.h>
 #include <fcntl.h>
 #include <linux/hidraw.h>
@@ -18,7 +19,7 @@
 
 #include "platform/ctl/devices/hid_source.h"
 
-/* X and Y, one byte each, under report id 3. */
+/* Report descriptor of a joystick with X and Y, one byte each, under report id 3. */
 static const uint8_t joystick[] = { 0x05, 0x01, 0x09, 0x04, 0xa1, 0x01, 0x85, 0x03,
                                     0x09, 0x30, 0x09, 0x31, 0x26, 0xff, 0x00, 0x75,
                                     0x08, 0x95, 0x02, 0x81, 0x02, 0xc0 };
@@ -26,9 +27,9 @@ static const uint8_t joystick[] = { 0x05, 0x01, 0x09, 0x04, 0xa1, 0x01, 0x85, 0x
 static struct {
     const uint8_t *descriptor;
     uint32_t size;
-    /* errno values with which the calls of the simulated kernel fail. 0 means success. */
+    /* The errno that each simulated system call sets. 0 means that the call succeeds. */
     int open_errno, ioctl_errno, read_errno;
-    int device; /* The simulated kernel's end of the socket. */
+    int device; /* End of the socket pair to which the tests write reports. */
     int ours;
 } kernel;
 
@@ -56,8 +57,8 @@ int __wrap_ioctl(int file, unsigned long request, void *out)
         *(int *)out = (int)kernel.size;
     } else if (request == HIDIOCGRDESC) {
         struct hidraw_report_descriptor *said = out;
-        assert_int_equal(said->size, kernel.size); /* The kernel copies as many bytes as
-                                                      requested. */
+        /* The kernel copies `size` bytes, so the caller must set `size` first. */
+        assert_int_equal(said->size, kernel.size);
         memcpy(said->value, kernel.descriptor, kernel.size);
     }
     return 0;
@@ -167,7 +168,8 @@ static void test_a_path_that_is_not_a_node_needs_a_descriptor(void **state)
     kernel.ioctl_errno = ENOTTY;
     assert_int_equal(hid_source_open(&source, "/dev/null", &descriptor, NULL), EXIT_USAGE);
     assert_int_equal(source.file, -1);
-    kernel.ours = kernel.device; /* The source closed the other end. */
+    kernel.ours = kernel.device; /* The source has closed its end, so the teardown must not close
+                                    that end again. */
 }
 
 static void test_a_device_without_permission_is_an_io_error(void **state)

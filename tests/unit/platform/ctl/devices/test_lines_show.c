@@ -17,7 +17,8 @@
 static struct gpio_lines_sim sim;
 static struct gpio_thread gpio;
 
-/* Steps the lines until `time_ms`. Returns the output, which the caller frees. */
+/* Simulates the GPIO lines until `time_ms`. Returns the output of kingyoctl lines. The caller frees
+ * the output. */
 static char *shown(const struct gpio_sim_event *events, uint32_t count, uint64_t time_ms)
 {
     struct gpio_sim_events script = { .events = events, .count = count };

@@ -1,4 +1,5 @@
-/* test_doctor_gpio.c -- Tests the findings of the doctor about a configured GPIO line. */
+/* test_doctor_gpio.c -- Tests what kingyoctl doctor, the check of an installation, reports about a
+ * configured GPIO line. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,5 +1,5 @@
-/* test_import.c -- Tests the import of foreign meshes: orientation, joined vertices, and unchanged
- * shapes. */
+/* test_import.c -- Tests the import of meshes from other programs: the detected orientation, merged
+ * vertices, and unchanged shapes. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -18,7 +18,7 @@
 #include "platform/ctl/morph/morph_options.h"
 #include "platform/species/text.h"
 
-/* Largest rounding error of an export followed by an import, in quantization steps. */
+/* Largest rounding error of an export and an import, in steps of the 16-bit quantization. */
 #define COUNTS 2.5f
 
 static struct import_mesh mesh;
@@ -90,8 +90,8 @@ static void shape_keys(const struct species *species)
     }
 }
 
-/* Returns the largest distance of a vertex of the species to the nearest imported vertex of the
- * same part, with all keys taken together. */
+/* Returns the largest distance from a vertex of the species to the nearest imported vertex of the
+ * same part. The distance of two vertices is the maximum over all keys. */
 static float farthest_vertex(const struct species *species)
 {
     const struct species_mesh *ours = &species->lod[0], *theirs = &slot.species.lod[0];
@@ -113,8 +113,9 @@ static float farthest_vertex(const struct species *species)
 
 /* ---- OBJ ------------------------------------------------------------------------------------ */
 
-/* Writes a key as another program would: with its own axes and unit, quads as two triangles, and
- * one group per part. `turn` 0 uses Kingyo's axes, 1 the nose to +x, and 2 z up. */
+/* Writes one key as an OBJ file, as another program would: with other axes, another unit,
+ * triangles, and one group per part. `turn` 0 uses Kingyo's axes, `turn` 1 points the nose to +x,
+ * and `turn` 2 points the back to +z. */
 static void write_obj(const struct species *species, uint32_t key, const char *path, int turn,
                       float unit)
 {
@@ -155,7 +156,9 @@ static void test_imported_obj_shapes_match_within_quantization(void **state)
     for (uint32_t i = 0; i < species_table_count; i++) {
         const struct species *species = species_table[i];
         read_objs(species, 0, 1.0f);
-        mesh.is_ours = true; /* The mesh has Kingyo's size and position, so it is not moved. */
+        /* The mesh already has Kingyo's size and position, so the importer must not move the
+         * mesh. */
+        mesh.is_ours = true;
         struct import_options plan = *plan_of(species);
         plan.front = AXIS_MINUS_Z;
         assert_int_equal(build_from(&plan), EXIT_OK);
@@ -177,8 +180,6 @@ static void test_front_up_and_unit_are_detected(void **state)
         assert_int_equal(build_from(&plan), EXIT_OK);
         assert_int_equal(report.front, cases[i].front);
         assert_float_equal(report.size[0], 137.0f, 1.0f);
-        /* The middle of the body is moved to the axis, so the shapes agree except for that
-         * shift. */
         assert_string_equal(slot.species.card.id, "imported");
     }
 }
@@ -187,7 +188,8 @@ static void test_an_ambiguous_up_axis_is_reported(void **state)
 {
     (void)state;
     read_objs(&species_wakin, 2, 1.0f);
-    struct import_options plan = *plan_of(&species_wakin); /* The nose points to +y. */
+    /* In this file the nose points to +y, but the options do not name the up axis. */
+    struct import_options plan = *plan_of(&species_wakin);
     assert_int_equal(build_from(&plan), EXIT_BAD_DATA);
     assert_string_equal(
         why, "front: the fish is longest along +y, the direction of its back; use --up AXIS");
@@ -299,7 +301,7 @@ static void test_given_lengths_define_a_matching_growth_curve(void **state)
     (void)state;
     static struct species drawn;
     drawn = species_wakin;
-    /* A table of lengths that is edited by hand for this species. */
+    /* The model species has a manual table of lengths. */
     drawn.card.scale_knot_count = 2;
     drawn.card.scale_knots[0] = (struct scale_knot){ 0.0f, 0.005f };
     drawn.card.scale_knots[1] = (struct scale_knot){ 1.0f, 0.15f };
@@ -318,7 +320,7 @@ static void test_given_lengths_define_a_matching_growth_curve(void **state)
     assert_float_equal(growth_length_m(&card.growth, card.key_age_days[4]), 2.5f, 1e-4f);
     assert_float_equal(life_length_m(&card, life_progress(&card, card.key_age_days[2])), 1.5f,
                        1e-4f);
-    /* Without a list of lengths, the importer uses the lengths of the model species. */
+    /* Without lengths in the options, the importer copies the lengths of the model species. */
     plan.length_count = 0;
     assert_int_equal(build_from(&plan), EXIT_OK);
     assert_memory_equal(&slot.species.card.growth, &drawn.card.growth, sizeof drawn.card.growth);
@@ -336,8 +338,9 @@ static void test_ages_that_contradict_the_growth_curve_are_rejected(void **state
     const double growth[5] = { 1e3 * (double)g->length_inf_m, (double)g->k_per_year,
                                (double)g->t0_year, 5.0, (double)g->fade_year };
     memcpy(plan.growth, growth, sizeof growth);
-    plan.growth[1] *= 0.5; /* Growth is half as fast, so the fish is older at each length than the
-                              goldfish. */
+    /* Growth is half as fast, so the imported fish reaches each length at a higher age than the
+     * goldfish. */
+    plan.growth[1] *= 0.5;
     if (build_from(&plan) != EXIT_OK) {
         fail_msg("%s %s", why, fault);
     }
@@ -392,15 +395,16 @@ static void test_a_sheet_gets_two_sides(void **state)
     read_three(text);
     const struct species_mesh *near = &slot.species.lod[0];
     assert_int_equal(near->index_count, 3 * (4 + 2));
-    /* Both sides of the sheet have the same corners. */
+    /* A fin has two sides. Their triangles have the same three vertices. */
     assert_int_equal(near->indices[12], near->indices[15]);
-    /* The second side has its corners in reverse order, so that it faces the other way. */
+    /* The second triangle has the reverse order, so that it faces the other way. */
     assert_int_equal(near->indices[13], near->indices[17]);
     assert_int_equal(near->indices[14], near->indices[16]);
     snprintf(text, sizeof text, TETRA "g dorsal\n%sf 5 6 7\nf 7 6 5\n", fin);
-    read_three(text); /* A sheet that is drawn with two sides keeps two sides. */
+    read_three(text); /* A fin that already has two sides gets no further sides. */
     assert_int_equal(near->index_count, 3 * (4 + 2));
-    /* A fin is a thin sheet with two sides, but the body of a fish has one side. */
+    /* The body gets no second side: the mesh has the four triangles of the body and the one that is
+     * added here. */
     snprintf(text, sizeof text, TETRA "%s", "f 1 3 2\n");
     read_three(text);
     assert_int_equal(near->index_count, 3 * 5);
@@ -469,8 +473,8 @@ static void test_an_exported_species_is_imported_within_quantization(void **stat
                                1e-4f * card.key_age_days[key]);
         }
         for (uint32_t key = 0; key < card.key_count; key++) {
-            const struct species_coat *drawn = &species->coats[key]; /* All fields except the
-                                                                        marks. */
+            /* The file contains all fields of a coat except the marks. */
+            const struct species_coat *drawn = &species->coats[key];
             const struct species_coat *back = &slot.species.coats[key];
             assert_int_equal(back->mark_count, 0);
             assert_int_equal(back->back, drawn->back);

@@ -1,5 +1,5 @@
-/* test_import_files.c -- Tests reading of foreign files: only regular files of a limited size, line
- * by line. */
+/* test_import_files.c -- Tests the reader of files for the import: only regular files of a limited
+ * size, read line by line. */
 #include <errno.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -19,7 +19,7 @@
 static char why[IMPORT_WHY_SIZE];
 static FILE *file;
 
-/* Returns the message without the path at its start. */
+/* Returns the error message without the path before its first colon. */
 static const char *reason(void)
 {
     const char *colon = strstr(why, ": ");
@@ -33,7 +33,7 @@ static void test_a_device_a_pipe_and_a_folder_are_rejected(void **state)
     char path[64];
     snprintf(path, sizeof path, "/tmp/kingyo-plain-%d", (int)getpid());
     assert_int_equal(mkfifo(path, 0600), 0);
-    /* The path is a pipe without a writer, which must not block the open. */
+    /* A pipe without a writer would block a normal open(). */
     assert_int_equal(import_open(path, 1024, &file, why), EXIT_IO);
     assert_string_equal(reason(), "is not a regular file");
     unlink(path);
@@ -103,8 +103,8 @@ static void test_too_long_lines_and_zero_bytes_are_rejected(void **state)
     assert_int_equal(first_line("1234567\nx", 8, text), FILE_LINE_READ);
     assert_string_equal(text, "1234567");
     assert_int_equal(first_line("12345678\n", 8, text), FILE_LINE_BAD);
-    assert_int_equal(first_line("123456", 6, text), FILE_LINE_READ); /* The last line needs no line
-                                                                        end. */
+    assert_int_equal(first_line("123456", 6, text), FILE_LINE_READ); /* The last line needs no
+                                                                        newline. */
     assert_string_equal(text, "123456");
     assert_int_equal(first_line("12\0", 3, text), FILE_LINE_BAD);
     assert_int_equal(first_line("\n", 1, text), FILE_LINE_READ);

@@ -1,4 +1,5 @@
-/* test_refit.c -- Tests the fit of a template to meshes of another topology with a known result. */
+/* test_refit.c -- Tests how the vertices of one species are fitted to the surface of another mesh.
+ * The meshes show known fish, so that the correct result is known. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -37,8 +38,8 @@ static struct refit_marks marks;
 static vec3 truth[MESH_VERTEX_MAX], positions[MESH_VERTEX_MAX];
 static char why[IMPORT_WHY_SIZE];
 
-/* Uses different numbers of rings, spokes and rays from the kiosk's two meshes, so that no vertex
- * except the snout keeps its position. */
+/* Builds `other` with different numbers of rings, spokes and rays than the built-in mesh. No vertex
+ * except the snout then keeps its position. */
 static void loft_otherwise(const char *path)
 {
     struct detail detail = species_detail[0];
@@ -64,8 +65,8 @@ static void shape_of(const struct species_mesh *body, uint32_t key_count, uint32
     morph_shape(body, key_count, &pose, out, NULL);
 }
 
-/* Writes the other tessellation of `key` as a foreign mesh. Every third vertex is off its surface
- * by `noise` lengths, as in a scan. */
+/* Copies the shape of `key` from `other` to `mesh`, as if imported from another program. Every
+ * third vertex is moved off the surface by up to `noise` body lengths, as in a 3D scan. */
 static void make_mesh(uint32_t key, float noise)
 {
     memset(&mesh, 0, sizeof mesh);
@@ -105,8 +106,8 @@ static void tell(const char *what, const struct refit_error *e)
                   100.0 * (double)e->rms, 100.0 * (double)e->max);
 }
 
-/* The body of the young fish is fitted to that of the adult. Each vertex must find its own
- * position. */
+/* Fits the mesh of the young fish to the surface of the adult. Each vertex must move near the
+ * position of the same vertex in the adult. */
 static void test_fitting_a_larva_to_the_adult_finds_each_vertex(void **state)
 {
     (void)state;
@@ -117,7 +118,7 @@ static void test_fitting_a_larva_to_the_adult_finds_each_vertex(void **state)
     mark_truth(&species_wakin.lod[0], truth);
     make_mesh(adult, 0.0f);
     pack_copy(&species_wakin, &slot);
-    refit_key(&slot, 1, &mesh, &marks, &result); /* Key 1 is the fry of 20 mm. */
+    refit_key(&slot, 1, &mesh, &marks, &result); /* Key 1 is a young fish (fry) of 20 mm. */
     tell("fry onto adult, fit to mesh", &result.to_mesh);
     tell("fry onto adult, mesh to fit", &result.from_mesh);
     shape_of(&slot.species.lod[0], n, 1, positions);
@@ -164,7 +165,8 @@ static void test_one_species_is_fitted_to_another(void **state)
     }
 }
 
-/* A hair on the snout has no surface that could attract the skin. */
+/* Adds a hair to the mesh: a triangle without area from one vertex to a tip far away. No fitted
+ * vertex reaches the tip, so the fit error must show the distance. */
 static void test_the_fit_error_covers_every_vertex(void **state)
 {
     (void)state;
@@ -183,8 +185,8 @@ static void test_the_fit_error_covers_every_vertex(void **state)
         mesh.groups[hair] = mesh.groups[0];
         pack_copy(&species_wakin, &slot);
         refit_key(&slot, 0, &mesh, &marks, &result);
-        /* The skin is attracted by one corner of the hair, corner hair % 3. If the tip is another
-         * corner, the result must show its distance as an error. */
+        /* The fit uses only corner `hair % 3` of each triangle, so the fish is fitted to the tip
+         * only if the tip is that corner. */
         assert_true(corner == hair % 3 || result.from_mesh.max > 0.1f);
     }
 }
@@ -332,7 +334,8 @@ static void test_invalid_landmarks_are_reported_with_their_line(void **state)
         assert_float_equal(marks.marks[i].place.x, (float)i, 0.0f);
     }
     out = fopen(path, "w");
-    fprintf(out, "snout 0 0 %0300d\n", 1); /* A too long line is not split. */
+    fprintf(out, "snout 0 0 %0300d\n", 1); /* A line that is too long must be rejected instead of
+                                              split. */
     fclose(out);
     assert_int_equal(refit_marks_read(path, &marks, why), EXIT_BAD_DATA);
     assert_non_null(strstr(why, ":1: the line is longer than 255 characters"));

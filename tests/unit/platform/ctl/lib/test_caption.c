@@ -1,5 +1,4 @@
-/* test_caption.c -- Tests the canvas and the captions: coverage, text and scale bars of a
- * picture. */
+/* test_caption.c -- Tests text, scale bars and coloured bars that kingyoctl draws on a picture. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -24,7 +23,8 @@ static struct canvas white_canvas(void)
     return canvas;
 }
 
-/* Returns the amount of ink in the columns from `left` to `right`, in full pixels. */
+/* Returns the sum of the darkness in the columns from `left` to `right`. A black pixel counts as
+ * 1. */
 static float ink(const struct canvas *canvas, uint32_t left, uint32_t right)
 {
     float sum = 0.0f;
@@ -88,7 +88,8 @@ static void test_larger_text_has_proportionally_more_ink(void **state)
     canvas_words(&small, 100.0f, 60.0f, 16.0f, ALIGN_CENTRE, 0, "mm");
     canvas_words(&large, 100.0f, 60.0f, 48.0f, ALIGN_CENTRE, 0, "mm");
     const float ratio = ink(&large, 0, WIDTH) / ink(&small, 0, WIDTH);
-    assert_true(ratio > 8.0f && ratio < 10.0f); /* 3 x 3. */
+    assert_true(ratio > 8.0f && ratio < 10.0f); /* Text of three times the size has nine times the
+                                                   area. */
     canvas_close(&small);
     canvas_close(&large);
 }
@@ -146,8 +147,8 @@ static void test_a_scale_bar_has_its_stated_length(void **state)
 {
     (void)state;
     struct canvas canvas = white_canvas();
-    /* With 3 px per millimetre and at most 100 px, the bar is 20 mm or 60 px long, from 70 to
-     * 130. */
+    /* At 3 pixels per millimetre and at most 100 pixels, the bar is 20 mm (60 pixels) long. Its
+     * middle is at x = 100, so the bar extends from 70 to 130. */
     caption_bar(&canvas, 100.0f, 30.0f, 100.0f, 3000.0f, 10.0f);
     assert_true(canvas.pixels[30 * WIDTH + 71].y < 0.5f);
     assert_true(canvas.pixels[30 * WIDTH + 128].y < 0.5f);
@@ -178,8 +179,8 @@ static void test_three_keys_are_red_green_and_blue(void **state)
     }
 }
 
-/* The colour depends on the position from the youngest to the oldest key. The lab, sheets and
- * graphs use the same table. */
+/* The first and the last key have the same colours for any number of keys up to 6, and no two keys
+ * share a colour. */
 static void test_the_first_key_is_red_and_each_key_has_its_own_colour(void **state)
 {
     (void)state;
@@ -194,8 +195,7 @@ static void test_the_first_key_is_red_and_each_key_has_its_own_colour(void **sta
             assert_int_equal(key_colour(count, count - 1u), key_colour(3, 2));
         }
     }
-    /* The middle one of five colours (red, orange, green, teal, blue) is also the middle one of
-     * three. */
+    /* The middle key has the same colour with three and with five keys. */
     assert_int_equal(key_colour(5, 2), key_colour(3, 1));
 }
 

@@ -1,4 +1,5 @@
-/* test_fish_preview.c -- Tests the pictures and the exported pieces of every built-in species. */
+/* test_fish_preview.c -- Tests the pictures of every built-in species, and the pieces into which a
+ * mesh is cut for an export. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -40,7 +41,8 @@ static void test_every_fish_fits_its_bounds_with_its_nose_left(void **state)
     }
 }
 
-/* Checks the columns of the picture. A fish has ink from its nose to its tail and none beyond. */
+/* Counts the drawn pixels inside and outside the bounds of the fish. Only pixels inside may be
+ * drawn. */
 static void test_every_fish_is_drawn_within_bounds_in_every_view(void **state)
 {
     (void)state;
@@ -110,7 +112,8 @@ static void test_a_piece_has_one_part_one_side_and_a_unique_name(void **state)
     }
 }
 
-/* Vertex colours come from the coat. At a single key they match the colours of its texture. */
+/* With full weight of one key, the vertex colours must be valid, and the vertices of the eyes must
+ * have the colours of paint_at(). */
 static void test_vertex_colours_match_the_surrounding_texture(void **state)
 {
     (void)state;
@@ -135,7 +138,8 @@ static void test_vertex_colours_match_the_surrounding_texture(void **state)
     }
 }
 
-/* A species may have eight keys that are taller than long. The picture must have a valid size. */
+/* A fish of eight keys that are much taller than long would need a very large sheet. The size of
+ * the picture must be limited. */
 static void test_the_sheet_size_is_limited_for_a_very_tall_fish(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_piecewise_fit.c -- Tests the conversion of curves to tables with as many samples as the
- * curvature needs. */
+/* test_piecewise_fit.c -- Tests the conversion of a curve to a table of samples. More curvature
+ * must give more samples. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -31,14 +31,14 @@ static void ask_parabola(const void *self, float progress, float *values)
     values[0] = progress * progress;
 }
 
-/* Curve for the test: flat up to the progress `*self`, and steep after it. */
+/* A curve that is 0 up to the progress `*self` and then rises with slope 1. */
 static void ask_corner(const void *self, float progress, float *values)
 {
     const float at = *(const float *)self;
     values[0] = f_max(progress - at, 0.0f);
 }
 
-/* Interpolates linearly between the samples, as a reader of the file does. */
+/* Interpolates linearly between the samples, as a program that reads the file does. */
 static float read_back(const struct piecewise_fit *track, float progress)
 {
     uint32_t i = 1;
@@ -71,8 +71,8 @@ static void test_a_straight_line_is_fitted_by_two_samples(void **state)
     piecewise_fit_free(&track);
 }
 
-/* A line over a step h misses x^2 by h^2 / 4, so 2^-8 is the first step with an error below
- * 1e-5. */
+/* A chord over a step h differs from x^2 by at most h^2 / 4. The step 2^-8 is therefore the first
+ * step with an error below about 1e-5, and 256 steps need 257 samples. */
 static void test_the_step_of_a_parabola_follows_from_its_curvature(void **state)
 {
     (void)state;
@@ -92,7 +92,8 @@ static void test_samples_concentrate_at_a_corner(void **state)
     const struct piecewise_fit_function f = { 1, ask_corner, error, &corner };
     assert_true(piecewise_fit_fit(&track, &f, ends, 2, TOLERANCE));
     assert_true(track.count < 40);
-    /* The error may be larger at the corner, because the corner need not lie on a step. */
+    /* At the corner the error may exceed the tolerance, because no sample lies exactly on the
+     * corner. */
     assert_true(worst(&track, &f) <= 4.0f * TOLERANCE);
     for (uint32_t i = 1; i < track.count; i++) {
         assert_true(track.progress[i] > track.progress[i - 1]);
@@ -111,7 +112,8 @@ static void test_a_mark_on_the_corner_needs_no_further_samples(void **state)
     piecewise_fit_free(&track);
 }
 
-/* A function with a jump, which no polyline fits. The fit must end nevertheless. */
+/* A function with a jump, which no polyline can fit within the tolerance. The fit must still
+ * end. */
 static void ask_step(const void *self, float progress, float *values)
 {
     (void)self;

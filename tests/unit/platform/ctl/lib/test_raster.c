@@ -1,4 +1,5 @@
-/* test_raster.c -- Tests the software rasterizer of the tool: coverage, order and transparency. */
+/* test_raster.c -- Tests the software rasterizer of kingyoctl: coverage, depth order and
+ * transparency. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -9,7 +10,7 @@
 
 #define SIDE 32u
 
-/* Data of a triangle whose pixels all have the same colour. */
+/* Colour and opacity of a triangle in one colour. */
 struct flat {
     vec3 colour;
     float hides;
@@ -87,8 +88,8 @@ static void test_a_back_facing_triangle_is_not_drawn(void **state)
     tear_down(&s);
 }
 
-/* The triangles are half transparent. A sample that two triangles cover would be too red, and a
- * sample that none covers would be too dark. */
+/* Six half-transparent red triangles meet at one point. A sample that two triangles cover would be
+ * too red, and a sample that no triangle covers would not be red enough. */
 static void test_triangles_around_a_point_cover_every_sample_once(void **state)
 {
     (void)state;
@@ -142,8 +143,8 @@ static void test_layers_are_sorted_by_depth_in_any_drawing_order(void **state)
     }
 }
 
-/* Two sheets cross along x = 16.25. Inside that pixel a quarter of the samples show the first
- * sheet. */
+/* A red and a green triangle cross along x = 16.25. Pixel 16 must therefore be about one quarter
+ * red. The tolerance is large because each pixel has few samples. */
 static void test_crossing_sheets_are_resolved_below_a_pixel(void **state)
 {
     (void)state;

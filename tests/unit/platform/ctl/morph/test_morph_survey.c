@@ -1,4 +1,5 @@
-/* test_morph_survey.c -- Tests that each flaw added to a fish is detected by its own value. */
+/* test_morph_survey.c -- Tests the survey of a species, which measures flaws of its shapes. Each
+ * test adds one flaw to a fish and checks the value for this flaw. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -13,7 +14,7 @@
 
 #define STEPS 20
 
-/* A wakin whose tables can be changed. */
+/* A copy of the wakin (a goldfish), whose tables the tests change. */
 static struct species fish;
 static struct species_vertex vertices[MESH_VERTEX_MAX];
 static struct species_point points[MORPH_KEY_MAX][MESH_VERTEX_MAX];
@@ -93,8 +94,8 @@ static void test_a_key_with_a_remaining_second_weight_is_detected(void **state)
     (void)state;
     struct graph *graph = &rig.curves[0];
     const uint32_t last = graph->knot_count - 1u;
-    graph->knots[last].weight[0] = 1e-3f; /* The last key has weight 1 and another key has a weight,
-                                             too. */
+    /* At the last knot, key 0 keeps a small weight beside the last key. */
+    graph->knots[last].weight[0] = 1e-3f;
     measure();
     assert_true(survey.key_error.value > 1e-5f);
     assert_true(survey.key_error.progress == 1.0f);
@@ -120,7 +121,7 @@ static void test_a_triangle_with_reversed_winding_is_detected(void **state)
     assert_true(survey.flipped_at == 0.0f);
 }
 
-/* A fin that is drawn to the left in one key and to the right in the next key flips in between. */
+/* Mirrors the dorsal fin of the last key, so that the fin flips between the last two keys. */
 static void test_a_fin_that_flips_is_detected(void **state)
 {
     (void)state;
@@ -134,15 +135,15 @@ static void test_a_fin_that_flips_is_detected(void **state)
     const uint32_t seen = survey.flipped_fins;
     assert_true(seen > 0);
     assert_true(survey.flipped_at > 0.5f);
-    morph_survey(&fish, &rig, 0, 4 * STEPS, &survey); /* The number of samples does not change the
-                                                         result. */
+    /* More or fewer samples must give the same result. */
+    morph_survey(&fish, &rig, 0, 4 * STEPS, &survey);
     assert_int_equal(survey.flipped_fins, seen);
     morph_survey(&fish, &rig, 0, 5, &survey);
     assert_int_equal(survey.flipped_fins, seen);
 }
 
-/* A hatchling's fin has a different direction from a larva's. The fin unfolds in a few hundredths
- * of the life. */
+/* The fin of a hatchling unfolds quickly, in a few hundredths of the life. This motion must not be
+ * counted as a flip, at any number of samples. */
 static void test_a_fast_fin_rotation_is_not_a_flip(void **state)
 {
     (void)state;
@@ -162,8 +163,8 @@ static void test_a_folded_surface_is_detected(void **state)
     const uint32_t i = mesh->grid_first + mesh->grid_rings / 2u * (mesh->grid_spokes + 1u) +
                        mesh->grid_spokes / 4u;
     for (uint32_t key = 0; key < fish.card.key_count; key++) {
-        points[key][i].x = (int16_t)(-2 * points[key][i].x); /* The vertex moves through the left
-                                                                flank. */
+        /* Moves the vertex through the left side of the body and out of it. */
+        points[key][i].x = (int16_t)(-2 * points[key][i].x);
     }
     measure();
     assert_true(survey.body_in_body.value > 0.02f);
@@ -175,8 +176,8 @@ static void test_an_eye_inside_the_head_is_detected(void **state)
     (void)state;
     for (uint32_t i = first_of(PART_EYE); vertices[i].part == PART_EYE; i++) {
         for (uint32_t key = 0; key < fish.card.key_count; key++) {
-            points[key][i].x = (int16_t)(points[key][i].x - counts(0.05f)); /* The vertex moves
-                                                                               along the anchor. */
+            /* Moves the eye into the head. */
+            points[key][i].x = (int16_t)(points[key][i].x - counts(0.05f));
         }
     }
     measure();
@@ -201,7 +202,8 @@ static void test_a_fin_tip_inside_the_body_is_detected(void **state)
     assert_int_equal(survey.fin_in_body.vertex, tip);
 }
 
-/* A young wakin is much thinner than the mean of a larva with its yolk and an adult. */
+/* The graph leads from the middle key to key 0 and back. Key 0 gets half the width of the middle
+ * key, so the fish gets thinner between two equal keys. */
 static void test_a_stage_thinner_than_both_keys_is_detected(void **state)
 {
     (void)state;
@@ -225,7 +227,8 @@ static void test_a_hole_in_the_body_is_detected(void **state)
     (void)state;
     measure();
     assert_int_equal(survey.moments_open, 0);
-    for (uint32_t i = 300; i < 390; i++) { /* Thirty triangles collapse to a point. */
+    for (uint32_t i = 300; i < 390; i++) { /* 90 indices are thirty triangles, which collapse to one
+                                              point. */
         assert_int_equal(vertices[indices[i]].part, PART_BODY);
         indices[i] = indices[300];
     }
@@ -253,17 +256,16 @@ static void test_key_ages_out_of_order_are_detected(void **state)
     assert_int_equal(survey.moments_not_older, 0);
     assert_true(survey.off_growth.value < 0.02f);
     assert_true(survey.progress_lost.value < 1e-3f && survey.length_lost.value < 1e-3f);
-    fish.card.key_age_days[3] = nextafterf(fish.card.key_age_days[2], 1e6f); /* There is no time
-                                                                                between the two
-                                                                                keys. */
+    /* Key 3 gets almost the same age as key 2. */
+    fish.card.key_age_days[3] = nextafterf(fish.card.key_age_days[2], 1e6f);
     measure();
-    /* The age does not rise at four of the five sampled moments before the next key. */
+    /* Between the two keys, the age does not rise at four of five samples. */
     assert_int_equal(survey.moments_not_older, 4);
     assert_float_equal(survey.age_stands_at, 0.55f, 1e-6f);
     assert_true(survey.progress_lost.value > 0.1f);
 }
 
-/* The key has 45 mm at day 200, where its growth curve gives 74 mm. */
+/* Key 3 has a length of 45 mm. Its age is set to 200 days, where the growth curve gives 73.6 mm. */
 static void test_a_key_off_the_growth_curve_is_detected(void **state)
 {
     (void)state;
@@ -271,7 +273,8 @@ static void test_a_key_off_the_growth_curve_is_detected(void **state)
     measure();
     assert_float_equal(survey.off_growth.value, 1.0f - 45.0f / 73.6f, 1e-3f);
     assert_float_equal(survey.off_growth.progress, 0.75f, 1e-6f);
-    fish.card.scale_knot_count = 2; /* A manual scale need not match the growth curve. */
+    fish.card.scale_knot_count = 2; /* A manual table of lengths may differ from the growth
+                                       curve. */
     fish.card.scale_knots[0] = (struct scale_knot){ 0.0f, 0.005f };
     fish.card.scale_knots[1] = (struct scale_knot){ 1.0f, 0.150f };
     measure();

@@ -1,5 +1,5 @@
-/* test_species_grow.c -- Tests that every built-in species grows without a flaw over 1001 moments
- * in both levels of detail, and compares a flatfish with its ordinary morph. */
+/* test_species_grow.c -- Tests that every built-in species grows without a flaw at 1001 ages in
+ * both levels of detail. Also compares a flatfish with its ordinary (linear) morph. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -27,8 +27,8 @@ static int measure_all(void **state)
     return 0;
 }
 
-/* Prints the maximum of one value over all species and levels of detail, with the species that has
- * the maximum. */
+/* Asserts that a value of the survey is at most `most` for all species and levels of detail. Prints
+ * each species that exceeds `most`. */
 #define MOST(figure, most)                                                                         \
     for (uint32_t i = 0; i < 2 * species_table_count; i++) {                                       \
         const struct morph_survey *s = &surveys[i / 2][i % 2];                                     \
@@ -110,8 +110,9 @@ static void test_no_stage_is_thinner_than_both_neighbouring_keys(void **state)
     MOST(volume_dip.value, 0.02f)
 }
 
-/* Checks the first aim of the thesis: points move on curves. In the ordinary morph, points move in
- * straight lines, so that the eye passes through the head. */
+/* The eye of a flatfish migrates to the other side of the head. With curves, the eye moves around
+ * the head. In the ordinary morph, points move in straight lines, so the eye passes through the
+ * head. */
 static void
 test_the_migrating_eye_moves_around_the_head_but_through_it_in_the_ordinary_morph(void **state)
 {

@@ -1,5 +1,5 @@
-/* test_bot_file.c -- Tests that a bot file sets the technique of the bot and that every error is
- * reported. */
+/* test_bot_file.c -- Tests the bot file, which sets the technique of a simulated player, and the
+ * message for each error in the file. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -27,8 +27,8 @@ static struct technique technique_of(const char *text)
     return technique;
 }
 
-/* Expects that `text` is rejected at `line` with `needle` in the message, and that nothing
- * changes. */
+/* Asserts that the parser rejects `text` at `line` with `needle` in the message, and leaves the
+ * technique unchanged. */
 static void expect_refused(const char *text, uint32_t line, const char *needle)
 {
     struct technique technique = untouched;
@@ -69,7 +69,7 @@ static void test_one_key_changes_one_field_and_no_other(void **state)
     assert_true(is(&read, &expected));
 }
 
-/* All twenty keys have different values, so that an exchanged field is detected. */
+/* All twenty keys have different values, so that two exchanged fields would be detected. */
 static void test_every_key_reaches_its_field(void **state)
 {
     (void)state;

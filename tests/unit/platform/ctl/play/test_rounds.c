@@ -1,5 +1,5 @@
-/* test_rounds.c -- Tests that a round is identical alone, in parallel and on any CPU core, and that
- * its statistics match those of the kiosk. */
+/* test_rounds.c -- Tests the simulated rounds of `kingyoctl play`. A round must be identical alone,
+ * in parallel and on any CPU, and its statistics must be those of the kiosk. */
 #include <errno.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -91,12 +91,13 @@ static void test_a_round_has_the_configured_length(void **state)
     plan.grade = 4;
     plan.technique = technique_expert;
     const struct round_result result = alone(plan);
-    /* After the call a player may carry a fish to the bowl for 3 s. */
+    /* After the end of the time, a player may carry a fish to the bowl for up to 3 s. */
     assert_true(result.length_s >= 10.0 && result.length_s < 13.1);
     assert_false(result.torn);
 }
 
-/* The bot waits three seconds before each scoop without any motion. */
+/* The bot does not move for three seconds before each scoop. A sensor with a constant pose would
+ * count as stuck, but a bot must not. */
 static void test_a_bot_without_tremor_is_not_a_stuck_sensor(void **state)
 {
     (void)state;
@@ -104,7 +105,8 @@ static void test_a_bot_without_tremor_is_not_a_stuck_sensor(void **state)
     plan.grade = 4;
     plan.technique.tremor_m = 0.0f;
     plan.technique.reaction_min_s = plan.technique.reaction_max_s = 3.0f;
-    assert_true(alone(plan).length_s < 13.1); /* A round pauses during an input loss. */
+    assert_true(alone(plan).length_s < 13.1); /* With input losses, the round would pause and last
+                                                 longer. */
 }
 
 static struct technique slapping(void)
@@ -116,8 +118,8 @@ static struct technique slapping(void)
     return technique;
 }
 
-/* The bot slaps the water during the whole round without a disqualification. The paper tears, the
- * round ends, and the remaining paper area agrees. */
+/* In the festival mode nobody is disqualified for slapping the water. The bot slaps until the paper
+ * tears, which must end the round and be reported. */
 static void test_torn_paper_ends_a_festival_round_and_is_reported(void **state)
 {
     (void)state;
@@ -145,7 +147,8 @@ static void test_a_practice_round_has_statistics_but_no_record(void **state)
     assert_true(result.sheets > 0);
 }
 
-/* The bot slaps as in the festival round. The first sheet tears, and later sheets tear as well. */
+/* The bot slaps the water as in the festival round. In practice, each torn paper is replaced, so
+ * several papers tear. */
 static void
 test_a_practice_round_reports_its_first_tear_although_the_paper_is_replaced(void **state)
 {

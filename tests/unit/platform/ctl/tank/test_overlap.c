@@ -1,5 +1,5 @@
-/* test_overlap.c -- Tests the overlap measurement with depths known from geometry and counts by
- * brute force. */
+/* test_overlap.c -- Tests the measured overlap of two fish against depths from geometry, and the
+ * search for overlaps against a comparison of all pairs. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -49,8 +49,8 @@ static void test_the_overlap_of_upright_boxes_is_the_smallest_face_depth(void **
     expect_depth(&a, &touching, 0.0);
 }
 
-/* After a quarter turn, the length of the fish lies across. Half its length and half the other
- * fish's width are 2.5 + 0.5 cm. */
+/* Fish b is turned by a quarter, so its length is along x. The boxes touch at a distance of 2.5 +
+ * 0.5 cm (half the length of b and half the width of a). */
 static void test_the_extent_of_a_rotated_box_is_its_length(void **state)
 {
     const struct fish a = fish_at(0, 0, 0);
@@ -58,26 +58,29 @@ static void test_the_extent_of_a_rotated_box_is_its_length(void **state)
     (void)state;
     b.angles.yaw_rad = 0.5f * F_PI;
     expect_depth(&a, &b, 3.0);
-    b = fish_at(0, 2.2, 0); /* With the nose up the length is the height, 2.5 + 1 cm. The smallest
-                               depth is along the width of 1 cm. */
+    /* With its nose up, b is 5 cm high, so the boxes overlap by 1.3 cm vertically. The smallest
+     * overlap is the width of 1 cm. */
+    b = fish_at(0, 2.2, 0);
     b.angles.pitch_rad = 0.5f * F_PI;
     expect_depth(&a, &b, 10.0);
-    b = fish_at(0, 1.3, 0); /* A fish on its side is 0.5 + 1 cm high. */
+    /* b lies on its side. The boxes touch at a distance of 1 + 0.5 cm (half the height of a and
+     * half the width of b). */
+    b = fish_at(0, 1.3, 0);
     b.angles.roll_rad = 0.5f * F_PI;
     expect_depth(&a, &b, 2.0);
 }
 
-/* Two crossed edges: every face normal shows an overlap, and only the cross product of two edges
- * separates the boxes. */
+/* Two boxes stand on their edges, and these edges cross. The boxes seem to overlap along every face
+ * normal. Only the cross product of the two edges separates them. */
 static void test_crossed_edges_are_separated_by_an_edge_edge_axis(void **state)
 {
     struct fish a = fish_at(0, 0, 0), b = fish_at(0, 0, 0);
     (void)state;
     a.height_m = a.width_m = b.height_m = b.width_m = 0.02f;
-    a.angles.roll_rad = b.angles.roll_rad = 0.25f * F_PI; /* Boxes on their edges are sqrt(2) cm
-                                                             high. */
+    /* Each box stands on an edge and is 2 * sqrt(2) cm high. */
+    a.angles.roll_rad = b.angles.roll_rad = 0.25f * F_PI;
     b.angles.yaw_rad = 0.5f * F_PI;
-    b.position_m.y = 0.0285f; /* The edges touch at 28.28 mm. */
+    b.position_m.y = 0.0285f; /* The edges touch at a distance of 28.28 mm. */
     expect_depth(&a, &b, 0.0);
     b.position_m.y = 0.0273f;
     assert_true(depth_mm(&a, &b) > 0.95 && depth_mm(&a, &b) < 1.0);
@@ -112,8 +115,8 @@ static void scatter(uint32_t seed, uint32_t count)
         struct fish *fish = &tank.fish[i];
         *fish = fish_at(0, 0, 0);
         fish->position_m = v3(draw(seed, i, 1, -0.7f, 0.7f), draw(seed, i, 2, -0.2f, 0.0f),
-                              draw(seed, i, 3, -0.34f, 0.34f)); /* A few fish are beyond the
-                                                                   walls. */
+                              draw(seed, i, 3, -0.34f, 0.34f)); /* Some positions are outside the
+                                                                   tank. */
         fish->angles.yaw_rad = draw(seed, i, 4, -3.1f, 3.1f);
         fish->angles.pitch_rad = draw(seed, i, 5, -1.5f, 1.5f);
         fish->angles.roll_rad = draw(seed, i, 6, -3.1f, 3.1f);

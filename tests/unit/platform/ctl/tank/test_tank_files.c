@@ -1,5 +1,5 @@
-/* test_tank_files.c -- Tests the input files of a tank run: the path of a poi and the positions of
- * fish. */
+/* test_tank_files.c -- Tests the input files of `kingyoctl tank`: the path of a poi and the
+ * positions of fish. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -29,7 +29,7 @@ static void write_file(const char *text)
     fclose(file);
 }
 
-/* Calls `read` on a file with `text`. Standard error is redirected to `said`. */
+/* Calls `read` on a file with `text`. Copies the output on standard error to `said`. */
 static enum exit_code read_text(const char *text, enum exit_code (*read)(void))
 {
     char log_name[80];
@@ -72,7 +72,7 @@ static enum exit_code stage_place(void)
     return tank_place_stage(&place, &tank, "test", file_name);
 }
 
-/* Expects one message with the file, the line and the column. */
+/* Asserts that standard error has one line, with the file name and the given position. */
 static void expect_said(const char *line_and_column)
 {
     assert_non_null(strstr(said, file_name));
@@ -161,8 +161,8 @@ static void test_placed_fish_have_the_given_positions(void **state)
     assert_true(fabsf(fish->angles.yaw_rad + 90.0f * F_DEG) < 1e-6f);
     assert_int_equal(fish->gait, GAIT_SWIM);
     assert_true(fabsf(fish->stamina - 0.8f) < 1e-6f);
-    assert_true(fabsf(fish->velocity_m_s.x - 0.0525f) < 1e-6f); /* Yaw -90 degrees points to the
-                                                                   right. */
+    /* At a yaw of -90 degrees, the fish swims towards +x. */
+    assert_true(fabsf(fish->velocity_m_s.x - 0.0525f) < 1e-6f);
     assert_int_equal(tank.fish[1].gait, GAIT_REST);
 }
 
@@ -198,7 +198,8 @@ static void test_fish_are_placed_from_the_first_tick_of_a_trace(void **state)
     assert_true(fabsf(fish[0].velocity_m_s.x - 0.4f) < 1e-6f);
     assert_int_equal(fish[1].gait, GAIT_SURFACE);
     assert_int_equal(fish[1].air, AIR_GULPS);
-    assert_int_equal(fish[2].air, AIR_RISES); /* The fish is deep in the water. */
+    assert_int_equal(fish[2].air, AIR_RISES); /* The fish is 9 cm deep, so it must rise to the
+                                                 surface first. */
     assert_int_equal(fish[2].gait, GAIT_SWIM);
 }
 
@@ -211,7 +212,8 @@ static void test_a_trace_of_one_tick_is_placed_without_a_message(void **state)
     assert_string_equal(said, "");
 }
 
-/* Section 3.6: the fish gulps for 3 s, recovers completely, and dives. */
+/* Thesis, section 3.6: a tired fish gulps air at the surface for 3 s, recovers completely, and
+ * dives. */
 static void test_a_placed_gulping_fish_gulps_and_dives(void **state)
 {
     uint32_t tick = 0;

@@ -1,4 +1,4 @@
-/* test_tank_options.c -- Tests the options of `kingyoctl tank` and the limits of each range. */
+/* test_tank_options.c -- Tests the options of `kingyoctl tank` and the limits of their values. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -15,7 +15,8 @@
 
 static struct tank_options plan;
 
-/* Parses options separated by blanks. Standard error is not shown. */
+/* Parses a line of options that are separated by blanks. Discards the messages on standard
+ * error. */
 static enum exit_code read_plan(const char *line)
 {
     static char text[512];

@@ -1,5 +1,5 @@
-/* test_specimen_gl.c -- Tests drawn specimens: all species, their textures and the texture
- * slots. */
+/* test_specimen_gl.c -- Tests drawn specimens (single fish on the pages of the lab and the album):
+ * all species, their textures, and the slots of textures on the GPU. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -16,7 +16,8 @@
 #define WIDTH 320u
 #define HEIGHT 200u
 #define SIZE (WIDTH * HEIGHT * 4u)
-#define BOX_PX 20.0f /* Margin around a fitted fish. Its swimming motion stays within the margin. */
+/* Margin in pixels around a fish. The swimming motion must stay within the margin. */
+#define BOX_PX 20.0f
 
 static struct gl_status status;
 static struct specimen_pass pass;
@@ -77,7 +78,7 @@ static bool is_ground(const uint8_t *pixel, uint8_t grey)
     return pixel[0] == grey && pixel[1] == grey && pixel[2] == grey;
 }
 
-/* Returns the pixel at which a point of the body is drawn. */
+/* Returns the pixel at which a point of the fish is drawn. The point is in body lengths. */
 static const uint8_t *pixel_at(const uint8_t pixels[SIZE], const struct specimen *fish, vec3 point)
 {
     float at[2];
@@ -101,7 +102,8 @@ static void test_every_species_is_drawn_inside_its_box_at_every_age(void **state
                 drawn += !is_ground(pictures[0] + p * 4u, 0);
                 assert_true(!edge || is_ground(pictures[0] + p * 4u, 0));
             }
-            assert_true(drawn > 500u); /* The thinnest fish is an eel of 280 x 10 pixels. */
+            /* Even the thinnest fish, an eel of 280 x 10 pixels, covers more than 500 pixels. */
+            assert_true(drawn > 500u);
         }
     }
 }
@@ -130,20 +132,22 @@ static void test_a_grown_goldfish_is_red_and_a_tint_covers_it(void **state)
     assert_true(pixel[2] > 120 && pixel[2] > pixel[0]);
 }
 
-/* The album must show the pattern, red and white, of the fish that was caught in the tank. */
+/* A mature goldfish has a red and white pattern. The album must show the same pattern as the
+ * tank. */
 static void test_a_mature_goldfish_has_its_pattern_and_a_young_one_its_coat(void **state)
 {
     (void)state;
     struct specimen fish = fish_of(&species_wakin, 1.0f);
     const vec3 flank = v3(0.0f, 0.05f, -0.02f);
-    fish.look = 15u << 8u; /* The design that is white except for its tail root. */
+    fish.look = 15u << 8u; /* This pattern is white except for the root of the tail. */
     picture(pictures[0], &fish, 0.0f);
     const uint8_t *pixel = pixel_at(pictures[0], &fish, flank);
-    assert_true(pixel[0] > 2 * pixel[1]); /* The fish is not mature, so it is red as its species. */
+    assert_true(pixel[0] > 2 * pixel[1]); /* A fish that is not mature has the red colour of its
+                                             species. */
     fish.ripe = fish.maturity = 1.0f;
     picture(pictures[0], &fish, 0.0f);
     assert_true(pixel[1] > 140 && pixel[2] > 120);
-    fish.look = 0; /* The design that is completely red. */
+    fish.look = 0; /* This pattern is completely red. */
     picture(pictures[0], &fish, 0.0f);
     assert_true(pixel[0] > 2 * pixel[1]);
 }
@@ -183,7 +187,7 @@ static void test_a_specimen_is_drawn_over_any_previous_depth(void **state)
     struct specimen fish = fish_of(&species_wakin, 1.0f);
     picture(pictures[0], &fish, 0.0f);
     gl_target_bind(&target);
-    glClearDepthf(0.0f); /* The depth buffer is cleared to the nearest depth. */
+    glClearDepthf(0.0f); /* Clears the depth buffer to 0, in front of any fish. */
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glClearDepthf(1.0f);
     specimen_pass_draw(&pass, &fish, &whole);
@@ -224,7 +228,8 @@ static void test_a_changed_species_in_the_same_memory_is_repainted(void **state)
     straight.edition = 0;
     straight.progress = (float)species_table[2]->card.thesis_key[2] /
                         (float)(species_table[2]->card.key_count - 1u);
-    picture(pictures[0], &straight, 0.3f); /* At a key both species have their drawn shape. */
+    picture(pictures[0], &straight, 0.3f); /* At a key, the thesis variant has the same shape as the
+                                              species. */
     uint32_t off = 0;
     for (uint32_t i = 0; i < SIZE; i++) {
         const int32_t d = (int32_t)pictures[0][i] - (int32_t)pictures[1][i];
@@ -234,7 +239,8 @@ static void test_a_changed_species_in_the_same_memory_is_repainted(void **state)
     assert_true(off < SIZE / 200u);
 }
 
-/* Reads back the texture of a key and compares it with paint_at(). */
+/* Reads the texture of each key from the GPU. Compares each texel with paint_at(), which computes
+ * the colours on the CPU. */
 static void test_the_texture_of_a_key_matches_paint_at(void **state)
 {
     (void)state;
@@ -272,7 +278,8 @@ static void test_the_texture_of_a_key_matches_paint_at(void **state)
     }
     glDeleteFramebuffers(1, &framebuffer);
     print_message("%u of %u texels are means of four points\n", off, count);
-    assert_true(off < count / 8u); /* Only texels at the rims of parts may differ. */
+    assert_true(off < count / 8u); /* Only texels at the edges of parts may differ, because they are
+                                      means of four points. */
 }
 
 static uint32_t empty_slots(void)
@@ -319,7 +326,7 @@ static const struct fish_texture *skin_of(const struct species *species)
     return NULL;
 }
 
-/* Draws thumbnails of all keys with one large fish in the middle, as the lab page does. */
+/* Draws a page like that of the lab: one large fish, and a thumbnail of each key. */
 static void draw_page(const struct species *species)
 {
     const struct specimen fish = fish_of(species, 0.37f);
@@ -332,8 +339,8 @@ static void draw_page(const struct species *species)
     }
 }
 
-/* Returns the number of painted texture bands until the large fish is refined. Bands of the frame
- * in which it is refined are not counted, because other textures may be painted in that frame. */
+/* Counts the texture bands that are painted until the texture of the large fish is fine. The last
+ * frame is not counted, because it may also paint bands of other textures. */
 static uint32_t bands_to_fine(const struct species *species)
 {
     draw_page(species);
@@ -348,7 +355,8 @@ static uint32_t bands_to_fine(const struct species *species)
     return painted - begun;
 }
 
-/* At most two textures are refined first on a machine of any speed. The other textures wait. */
+/* Only the two textures around the age of the large fish may be refined before it is fine. The
+ * textures of other keys must wait. */
 static void test_the_visible_texture_is_refined_first(void **state)
 {
     (void)state;
@@ -400,8 +408,8 @@ static void test_the_ordinary_morph_has_the_texture_of_its_species(void **state)
     assert_ptr_equal(worn, &pass.slots[3].skin);
 }
 
-/* Compares neighbouring texels of the coarse texture. Equal neighbours would be visible as
- * blocks. */
+/* The coarse texture is interpolated. Without interpolation, each sample would be visible as a
+ * block. */
 static void test_the_coarse_texture_shows_no_blocks(void **state)
 {
     (void)state;
@@ -425,13 +433,13 @@ static void test_the_coarse_texture_shows_no_blocks(void **state)
         steepest = step > steepest ? step : -step > steepest ? -step : steepest;
     }
     print_message("steepest step from texel to texel: %d of 255\n", steepest);
-    /* 64 is a quarter of the range of a texel. The coarse texture has a sample in every fourth
-     * texel. */
+    /* The coarse texture has a sample in every fourth texel. With interpolation, neighbouring
+     * texels therefore differ by at most a quarter of 255. */
     assert_true(steepest <= 64);
 }
 
-/* Weights of a solved graph may be negative. paint_at() treats them as 0, and the selection of
- * textures must do the same. */
+/* The weights of a computed graph may be negative. paint_at() treats a negative weight as 0, so the
+ * selection of textures must do the same. */
 static void test_a_negative_weight_selects_no_texture(void **state)
 {
     (void)state;
@@ -447,8 +455,8 @@ static void test_a_negative_weight_selects_no_texture(void **state)
     }
 }
 
-/* A leptocephalus is drawn so near that a line is 5 px wide and a texel 9 px. Its 60 muscle lines
- * on 0.9 of its length are still sharp. */
+/* A leptocephalus (larva of an eel) has 60 muscle lines on 0.9 of its length. The fish is drawn so
+ * large that a line is 5 pixels wide and a texel 9 pixels. The lines must still be sharp. */
 static void test_the_muscle_lines_of_a_leptocephalus_are_sharp(void **state)
 {
     (void)state;
@@ -468,7 +476,8 @@ static void test_the_muscle_lines_of_a_leptocephalus_are_sharp(void **state)
     }
     const float expected = (float)WIDTH / length_px * 60.0f / 0.9f;
     print_message("%u lines, %.1f expected\n", lines, (double)expected);
-    /* The tolerance is needed because the coordinate u is not exactly uniform along the body. */
+    /* The tolerance is needed because the texture coordinate u is not exactly uniform along the
+     * body. */
     assert_true(f_abs((float)lines - expected) <= 2.5f);
 }
 

@@ -1,5 +1,5 @@
-/* test_text.c -- Tests the texts of the kiosk: UTF-8 decoding, numbers, and a baked glyph for every
- * character. */
+/* test_text.c -- Tests the texts of the kiosk: UTF-8 decoding, inserted numbers, and a glyph in the
+ * fonts for every character. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -20,7 +20,8 @@ static uint32_t first(const char *bytes)
 static void test_utf8_of_every_length_is_decoded(void **state)
 {
     (void)state;
-    /* The text is A, e with acute accent, and the Japanese characters for gold and fish. */
+    /* The text is A, é, the Japanese character for gold, and the fish emoji: characters of one to
+     * four bytes. */
     const char *at = "A\xc3\xa9\xe9\x87\x91\xf0\x9f\x90\x9f";
     assert_int_equal(printable_next(&at), 'A');
     assert_int_equal(printable_next(&at), 0xe9);
@@ -36,14 +37,14 @@ static void test_malformed_bytes_are_replaced_one_by_one(void **state)
     (void)state;
     static const char *const malformed[] = {
         "\x80",             /* A continuation byte without a first byte. */
-        "\xc0\xaf",         /* A slash in two bytes, which is an overlong form. */
+        "\xc0\xaf",         /* A slash in two bytes, which is an invalid overlong form. */
         "\xe0\x80\xaf",     /* The same slash in three bytes. */
         "\xf0\x80\x80\xaf", /* The same slash in four bytes. */
         "\xed\xa0\x80",     /* Half of a surrogate pair. */
         "\xf4\x90\x80\x80", /* A code point above U+10FFFF. */
         "\xff",
-        "\xe9\x87", /* A character of three bytes, of which the text has two. */
-        "\xe9\x41", /* A character of three bytes that another letter interrupts. */
+        "\xe9\x87", /* The first two bytes of a character of three bytes. */
+        "\xe9\x41", /* The first byte of a character of three bytes, then the letter A. */
     };
     for (size_t i = 0; i < sizeof malformed / sizeof *malformed; i++) {
         assert_int_equal(first(malformed[i]), PRINTABLE_MALFORMED);
@@ -162,13 +163,12 @@ static void test_a_too_long_line_is_truncated_at_a_whole_character(void **state)
     (void)state;
     char out[6];
     memset(out, 'x', sizeof out);
-    text_number(out, sizeof out, "\xe9\x87\x91\xe9\xad\x9a", 0); /* The buffer has room for five
-                                                                    bytes, so two of the three bytes
-                                                                    of the second character do not
-                                                                    fit. */
+    /* The buffer has room for five bytes and the terminator. The two characters need six bytes, so
+     * only the first one fits. */
+    text_number(out, sizeof out, "\xe9\x87\x91\xe9\xad\x9a", 0);
     assert_string_equal(out, "\xe9\x87\x91");
     text_number(out, 3, "{}", 123);
-    /* No digit is kept, because a truncated number would be a different number. */
+    /* A truncated number would be a different number, so no digit is kept. */
     assert_string_equal(out, "");
 }
 

@@ -1,5 +1,5 @@
 /* test_text_translate.c -- Tests that every message of a device is translated into Japanese with
- * its names and numbers, and that an unknown message is kept unchanged. */
+ * its names and numbers. An unknown message must stay unchanged. */
 #include <errno.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -25,7 +25,8 @@ static const char *in_japanese(const char *line)
     return out;
 }
 
-/* Each pattern is filled with values and translated. The Japanese text must contain all values. */
+/* Fills each message pattern with the values x0, x1 and so on, and translates the message. The
+ * result must be the Japanese pattern with the same values. */
 static void test_every_message_pattern_is_unique(void **state)
 {
     (void)state;
@@ -51,7 +52,7 @@ static void test_every_message_pattern_is_unique(void **state)
     }
 }
 
-/* These are real messages of devices, with nested reasons and several remarks. */
+/* These messages were copied from real devices. Some have nested reasons or several remarks. */
 static void test_messages_of_devices_are_translated(void **state)
 {
     static const char *const lines[][2] = {
@@ -89,7 +90,8 @@ static void test_messages_of_devices_are_translated(void **state)
     }
 }
 
-/* The messages are produced by the current drivers, not copied into the test. */
+/* The messages come from the current drivers instead of copies in the test, so that a changed
+ * message is detected. */
 static void test_the_current_messages_of_the_drivers_are_translated(void **state)
 {
     struct buttons_keyboard keyboard = { 0 };
@@ -109,7 +111,8 @@ static void test_the_current_messages_of_the_drivers_are_translated(void **state
     assert_null(strstr(out, "folder"));
 }
 
-/* Two adjacent English words mean that a part was not translated. */
+/* Translates a message into Japanese. Two lower-case English words in sequence show that a part was
+ * not translated. */
 static void expect_japanese(const char *line)
 {
     in_japanese(line);
@@ -132,7 +135,7 @@ static void test_messages_about_non_regular_files_are_translated(void **state)
     expect_japanese("was not a regular file, and was set aside");
 }
 
-/* The test creates every state of a store and uses its current message. */
+/* Sets every state of a store and translates the message that the store returns for this state. */
 static void test_all_messages_of_the_store_are_translated(void **state)
 {
     static const int errors[] = { SQLITE_BUSY,       SQLITE_LOCKED,      SQLITE_FULL,
@@ -173,7 +176,8 @@ static void test_a_too_long_message_is_truncated_at_a_whole_character(void **sta
         assert_memory_equal(out, "三本の指でスタート", length);
     }
     char line[2048];
-    for (size_t i = 0; i + 1u < sizeof line; i++) { /* A very long list of unknown remarks. */
+    /* The line is a very long list of unknown remarks. */
+    for (size_t i = 0; i + 1u < sizeof line; i++) {
         line[i] = i % 2u ? ' ' : ';';
     }
     line[sizeof line - 1u] = '\0';

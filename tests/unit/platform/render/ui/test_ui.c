@@ -11,7 +11,7 @@
 
 #define ROUNDING_PX 0.6f
 
-/* The curtain is outside while it moves, and lights may extend beyond the edge. */
+/* Returns 1 if a quad may extend beyond the screen: a light, or the curtain while it moves. */
 static int may_leave(uint32_t quad, const struct bounds *bounds)
 {
     const int curtain =
@@ -20,7 +20,7 @@ static int may_leave(uint32_t quad, const struct bounds *bounds)
     return batch.kinds[quad] == UI_GLOW || curtain;
 }
 
-static uint32_t longest; /* Largest number of quads of any screen tested so far. */
+static uint32_t longest; /* Largest number of quads of any screen that was laid out so far. */
 
 static void check_inside(struct size size)
 {
@@ -150,7 +150,7 @@ static void test_the_middle_of_the_tank_is_uncovered_during_a_round(void **state
     }
 }
 
-/* A letter of 3 % of a 40 cm high screen is 12 mm: 20 arc minutes from 2 m. */
+/* On a screen 40 cm high, a letter of 3 % of the height is 12 mm high: 20 arc minutes from 2 m. */
 static void test_important_text_is_readable_from_two_metres(void **state)
 {
     (void)state;
@@ -194,7 +194,7 @@ static void test_each_offered_mode_has_a_tag_and_the_selected_tag_is_raised(void
         }
         scene.mode = scene.choice < MODE_COUNT ? scene.choice : MODE_FESTIVAL;
         lay_out(sizes[0]);
-        scene.tick += 60; /* The curtain rises within these 60 ticks. */
+        scene.tick += 60; /* The curtain needs 60 ticks to rise. */
         lay_out(sizes[0]);
         const uint32_t offered =
             (modes & 1u) + (modes >> 1 & 1u) + (modes >> 2 & 1u) + (modes >> 3);
@@ -203,7 +203,7 @@ static void test_each_offered_mode_has_a_tag_and_the_selected_tag_is_raised(void
         for (uint32_t i = 0; i < batch.quad_count; i++) {
             const float top = bounds_of(i).top;
             if (batch.kinds[i] == UI_WOOD && first_top == 0.0f) {
-                first_top = top; /* The selected mode, whose tag is the lowest. */
+                first_top = top; /* The first tag is that of the selected mode. */
             } else if (batch.kinds[i] == UI_WOOD) {
                 other_top = top < other_top ? top : other_top;
             }
@@ -235,7 +235,7 @@ static void test_no_plates_overlap_during_a_round(void **state)
     }
 }
 
-/* Returns the top of the `nth` wooden tag. */
+/* Returns the y coordinate of the top of the wooden tag with index `nth`. */
 static float tag_top(uint32_t nth)
 {
     for (uint32_t i = 0; i < batch.quad_count; i++) {
@@ -257,7 +257,7 @@ static void test_a_rising_tag_and_a_sinking_tag_move_together(void **state)
     assert_true(high < low - 10.0f);
     scene.mode = scene.choice = MODE_CHAMPIONSHIP;
     lay_out(sizes[0]);
-    /* The position has no step between the two times. */
+    /* The tag must not jump when its motion begins. */
     assert_float_equal(tag_top(0), high, 0.1f);
     scene.tick += 10;
     lay_out(sizes[0]);
@@ -271,7 +271,7 @@ static void test_a_rising_tag_and_a_sinking_tag_move_together(void **state)
 
 #define LINES_MAX 128u
 
-/* A line of letters: consecutive glyphs of the batch in one size, from left to right. */
+/* A line of text: consecutive glyph quads of one size, from left to right. */
 struct line {
     struct bounds bounds;
     float size;
@@ -309,8 +309,8 @@ static float area(const struct bounds *bounds)
     return width > 0.0f && height > 0.0f ? width * height : 0.0f;
 }
 
-/* Returns the overlap of two lines as a share of the smaller one, or 0 for a line and its own
- * outline. */
+/* Returns the overlap of two lines as a share of the smaller line. A text and its outline are two
+ * equal lines, which count as no overlap. */
 static float shared(const struct line *a, const struct line *b)
 {
     const struct bounds both = {
@@ -361,7 +361,7 @@ static void test_no_texts_overlap_on_any_screen_at_rest(void **state)
         rest /= LANGUAGE_COUNT;
         set_match((uint8_t)(rest % MODE_COUNT), rest / MODE_COUNT + 1u, 0);
         for (uint32_t i = 0; i < POI_MAX; i++) {
-            scene.caught[i] = 107u - i; /* The record. */
+            scene.caught[i] = 107u - i; /* The largest catch on record is 107. */
             scene.player[i].foul_s = 60.0f;
         }
         scene.player[0].place = 1;
@@ -371,7 +371,7 @@ static void test_no_texts_overlap_on_any_screen_at_rest(void **state)
     }
 }
 
-/* Shows a leaderboard with the longest name, the largest catch, and an entry in every row. */
+/* Sets up a leaderboard with `rows` entries, each with the longest name and the largest catch. */
 static void hang_board(uint8_t period, uint32_t rows, float shown_s, float left_s)
 {
     scene.leaderboard = (struct scene_leaderboard){ .shown = 1,
@@ -406,8 +406,8 @@ static void test_every_leaderboard_fits_the_screen(void **state)
                    9.0f - moment_s);
         memory = (struct ui_memory){ 0 };
         lay_out(sizes[k % SIZE_COUNT]);
-        if (moment_s > 0.2f && moment_s < 8.7f) { /* The curtain moves before and after this
-                                                     interval. */
+        /* Before 0.2 s and after 8.7 s the curtain moves and may extend beyond the screen. */
+        if (moment_s > 0.2f && moment_s < 8.7f) {
             check_inside(sizes[k % SIZE_COUNT]);
         }
         assert_int_equal(batch.dropped_count, 0);
@@ -450,7 +450,7 @@ static void test_the_name_entry_fits_every_screen(void **state)
     }
 }
 
-/* Must run after the tests that lay out all screens, because these tests update `longest`. */
+/* Must be the last test, because `longest` is the maximum over all tests before. */
 static void test_the_largest_screen_leaves_quads_for_longer_languages(void **state)
 {
     (void)state;

@@ -1,4 +1,5 @@
-/* test_ui_messages.c -- Tests hints, warnings, credits, seals and announcements on the screens. */
+/* test_ui_messages.c -- Tests the messages on the screens: hints, warnings, credits, seals and
+ * announcements. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -25,11 +26,11 @@ static void test_each_warning_is_one_line_and_free_play_shows_no_money(void **st
     const uint32_t free_play = glyph_quads();
     scene.credit.price = 1;
     lay_out(sizes[0]);
-    assert_true(glyph_quads() > free_play + 6u); /* "Credits 0" */
+    assert_true(glyph_quads() > free_play + 6u); /* The text "Credits 0" is added. */
 }
 
-/* While "coins are not taken just now" is shown, no ribbon requests a coin. A player with a credit
- * can still start. */
+/* While the coin slot is locked, a warning is shown, and the hint to insert a coin must be hidden.
+ * The hint for START stays, because a player with a credit can start. */
 static void test_no_hint_requests_a_coin_while_the_slot_is_locked(void **state)
 {
     static const uint8_t why[] = { WARN_STORE, WARN_DOOR, WARN_TILT };
@@ -51,8 +52,8 @@ static void test_no_hint_requests_a_coin_while_the_slot_is_locked(void **state)
     }
 }
 
-/* Without a poi the slot is also locked, so the result screen requests no coin that would be
- * returned. */
+/* Without a poi, the coin slot is locked too and would return a coin. The result screen must not
+ * show the hint to insert a coin. */
 static void test_no_hint_requests_a_coin_without_a_poi(void **state)
 {
     static const uint8_t with[] = { 0, WARN_STORE, WARN_DOOR, WARN_TILT };
@@ -66,7 +67,7 @@ static void test_no_hint_requests_a_coin_without_a_poi(void **state)
             scene.credit.asked_s = 1e6f;
             scene.credit.warnings = (uint8_t)(WARN_NO_POI | with[k]);
             lay_out(sizes[0]);
-            scene.tick += CORE_TICK_HZ; /* A new hint fades in. */
+            scene.tick += CORE_TICK_HZ; /* One second is enough for a new hint to fade in. */
             lay_out(sizes[0]);
             letters[asks] = glyph_quads();
         }
@@ -86,14 +87,15 @@ static void test_no_hint_requests_a_dip_or_a_mouse_without_a_poi(void **state)
         const uint32_t with = glyph_quads();
         scene.credit.warnings = WARN_NO_POI;
         lay_out(sizes[0]);
-        assert_true(glyph_quads() + 40u < with); /* The hint for the mouse has more letters. */
+        assert_true(glyph_quads() + 40u < with); /* Only without the warning is the hint for the
+                                                    mouse shown, which has many letters. */
     }
     static struct ui_vertex paid[sizeof batch.vertices / sizeof *batch.vertices];
     lay_out(sizes[0]);
     const uint32_t quads = batch.quad_count;
     memcpy(paid, batch.vertices, sizeof paid);
-    scene.credit.unpaid = 0; /* The slot is locked, so no coin is requested, with or without a
-                                credit. */
+    /* No coin is requested with or without a credit, so the picture does not change. */
+    scene.credit.unpaid = 0;
     lay_out(sizes[0]);
     assert_int_equal(batch.quad_count, quads);
     assert_memory_equal(batch.vertices, paid, 4u * quads * sizeof *paid);
@@ -109,15 +111,17 @@ static void test_a_partly_paid_credit_is_shown_beside_whole_credits(void **state
         const uint32_t whole = glyph_quads();
         scene.credit.units = 2;
         lay_out(sizes[0]);
-        assert_int_equal(glyph_quads(), whole + 4u); /* "+ 2/3" */
-        scene.credit.units = 3; /* The units are kept because the number of credits is at its
-                                   maximum. */
+        assert_int_equal(glyph_quads(), whole + 4u); /* The text "+ 2/3" has four letters. */
+        /* With the maximum number of credits, three coins stay units instead of becoming a credit.
+         * A fraction of 3/3 must not be shown. */
+        scene.credit.units = 3;
         lay_out(sizes[0]);
         assert_int_equal(glyph_quads(), whole);
     }
 }
 
-/* The card shows no count, praise, rank or seal, and does not depend on the catch. */
+/* After a refund, the result card shows no count, praise, rank or seal. The picture must therefore
+ * be the same for any catch. */
 static void test_a_refunded_round_is_shown_without_a_count(void **state)
 {
     (void)state;
@@ -150,8 +154,8 @@ static void test_without_a_hint_no_ribbon_is_drawn(void **state)
     set_scene(PHASE_ROUND, LANGUAGE_EN, HINT_NONE, 20.0f);
     lay_out(sizes[0]);
     assert_true(glyph_quads() < with);
-    set_scene(PHASE_ROUND, LANGUAGE_EN, HINT_COUNT, 20.0f); /* The hint is of a newer core and has
-                                                               no text. */
+    /* HINT_COUNT is not a known hint, so there is no text for it. */
+    set_scene(PHASE_ROUND, LANGUAGE_EN, HINT_COUNT, 20.0f);
     lay_out(sizes[0]);
     assert_true(glyph_quads() < with);
 }
@@ -167,7 +171,7 @@ static void test_a_new_hint_fades_in(void **state)
     memory = (struct ui_memory){ 0 };
     set_scene(PHASE_ROUND, LANGUAGE_EN, HINT_DIP, 20.0f);
     lay_out(sizes[0]);
-    scene.tick += 12; /* 0.1 s. */
+    scene.tick += 12; /* 12 ticks are 0.1 s. */
     lay_out(sizes[0]);
     const uint8_t early = last_opacity();
     scene.tick += 120;
@@ -196,7 +200,7 @@ static void test_a_ranked_player_gets_the_seal(void **state)
             scene.player[0].place = place;
             scene.player[0].period = period;
             lay_out(sizes[0]);
-            assert_int_equal(seals(), place > 0 ? 2 : 1); /* The result card has one seal. */
+            assert_int_equal(seals(), place > 0 ? 2 : 1); /* The result card itself has one seal. */
         }
     }
 }
@@ -259,8 +263,8 @@ static void test_an_announcement_is_shown_once_and_does_not_cover_the_water(void
         lay_out(sizes[0]);
         assert_true(glyph_quads() > without);
         scene.call_s = 3.0f;
-        scene.seconds_left -= call == CALL_COUNTDOWN ? 0.48f : 0.0f; /* Each digit also
-                                                                        disappears. */
+        /* Each digit of the countdown must disappear before the next digit. */
+        scene.seconds_left -= call == CALL_COUNTDOWN ? 0.48f : 0.0f;
         lay_out(sizes[0]);
         assert_int_equal(glyph_quads(), without);
     }

@@ -1,7 +1,7 @@
 /* test_ui_lab.c -- Tests the screens of the growth lab and the album by their vertices.
  *
- * Everything drawn is on the screen, and every control is at the position where a press selects
- * it. */
+ * Everything that is drawn must be on the screen, and each control must be drawn where a press
+ * selects this control. */
 #include "tests/unit/support/core_fixture.h"
 
 #include <stdio.h>
@@ -75,8 +75,8 @@ static void test_the_lab_fits_every_screen_with_every_species(void **state)
             core.game.lab.layer = variant & 4u ? LAB_LAYER_SIZE : 1;
             core.game.language = (uint8_t)(variant % LANGUAGE_COUNT);
             core.game.lab.has_hand = 1;
-            core.game.lab.x = core.game.lab.y = 400.0f; /* A poi at the rim may extend beyond the
-                                                           screen. */
+            /* The drawn poi is in the middle. Near the edge, it might extend beyond the screen. */
+            core.game.lab.x = core.game.lab.y = 400.0f;
             lay_out(size[0], size[1]);
             check_inside(size[0], size[1]);
             const uint32_t keys = scene.lab.card.key_count;
@@ -89,7 +89,7 @@ static void test_the_lab_fits_every_screen_with_every_species(void **state)
     assert_in_range(longest, 1, UI_QUADS_MAX - 200u);
 }
 
-/* Returns whether a round dot of that colour is drawn with its centre at the point. */
+/* Returns 1 if a round dot of the colour `colour` is drawn with its centre at (x, y). */
 static int is_dot(float x, float y, uint32_t colour)
 {
     for (uint32_t i = 0; i < batch.quad_count; i++) {
@@ -105,7 +105,8 @@ static int is_dot(float x, float y, uint32_t colour)
     return 0;
 }
 
-/* Places a pose with wrist sensor over a point of the canvas, lowered if `down` is set. */
+/* Holds the poi over a point of the lab page and runs a tick. The poi is under water if `down` is
+ * 1, which presses the control at that point. */
 static void point_at(struct layout_point at, int down)
 {
     const struct layout_point canvas = pointer_layout_size(core.game.lab.upright);
@@ -115,8 +116,8 @@ static void point_at(struct layout_point at, int down)
     tick();
 }
 
-/* Each knot of the selected curve is drawn as a dot, and a press on the centre of the dot selects
- * that knot. */
+/* Each knot of the selected curve must be drawn as a dot, and a press on the centre of the dot must
+ * select the knot. */
 static void test_every_knot_is_selected_at_its_drawn_position(void **state)
 {
     (void)state;
@@ -154,7 +155,9 @@ static void test_the_lab_fish_stays_between_stage_and_ruler(void **state)
         const float *size = sizes[k % SIZE_COUNT];
         take((uint32_t)(k / SIZE_COUNT));
         core.game.lab.progress = 1.0f;
-        core.game.lab.path = 1; /* While the paths of points are shown, the fish does not swim. */
+        /* While the paths of points are shown, the fish does not swim, so that its position is
+         * constant. */
+        core.game.lab.path = 1;
         core.game.lab.compare = k % 2u == 1u;
         lay_out(size[0], size[1]);
         const struct specimen *fish = &batch.specimens[0];
@@ -183,7 +186,8 @@ static void test_the_lab_fish_stays_between_stage_and_ruler(void **state)
     }
 }
 
-/* A loaded species of a recording that the kiosk does not have. */
+/* The recording contains a species that this kiosk does not have. The lab can show its graph but no
+ * fish. */
 static void test_an_unknown_species_has_a_graph_and_no_fish(void **state)
 {
     (void)state;
@@ -199,7 +203,8 @@ static void test_an_unknown_species_has_a_graph_and_no_fish(void **state)
     assert_int_equal(batch.specimen_count, 0);
 }
 
-/* The species in its slot is another fish or has a different number of keys. */
+/* The library's slot of the recorded species has the same species (0), another species (1), or the
+ * same id with another number of keys (2). Only the first one may be drawn. */
 static void test_only_the_recorded_species_is_shown(void **state)
 {
     (void)state;
@@ -244,8 +249,8 @@ static uint32_t letters_in(const char *words)
     return count;
 }
 
-/* The lab shows in turn how to use a controller, the number of rejected files, and each file with
- * its reason. Each text is shown long enough to be read. */
+/* The lab shows several texts in turn: the use of the controller, the number of rejected files, and
+ * each rejected file with its reason. */
 static void test_each_rejected_file_is_shown_with_its_reason(void **state)
 {
     (void)state;
@@ -276,7 +281,8 @@ static void test_each_rejected_file_is_shown_with_its_reason(void **state)
                 seen |= letters == letters_in(fault.file) + letters_in(fault.why) ? 1u << i : 0u;
             }
         }
-        /* A portrait screen of exactly the canvas height has no room for lines. */
+        /* All three files must be shown. A portrait screen that is exactly as high as the page has
+         * no room for the texts. */
         assert_true(seen == 7u || (seen == 0u && width < height));
     }
     core.game.tick = start;
@@ -315,8 +321,8 @@ static void test_an_edited_knot_changes_the_path_of_a_point(void **state)
     assert_true(v3_length(v3_sub(before, after)) > 1e-3f);
 }
 
-/* `kingyoctl morph path` measures the bow in the same way, from the infinite line through both
- * ends. */
+/* The bow of a path is its largest distance from the infinite line through its two ends. `kingyoctl
+ * morph path` measures the bow in the same way. */
 static void test_the_bow_is_measured_from_the_infinite_line(void **state)
 {
     (void)state;
@@ -382,7 +388,8 @@ static void test_each_album_fish_has_its_pattern_from_the_tank(void **state)
     assert_int_not_equal(batch.specimens[0].look, batch.specimens[1].look);
 }
 
-/* At any age from its catch day, the fish has the pattern of that day. */
+/* An album fish has its full adult pattern at the age of its catch, and no pattern as a
+ * hatchling. */
 static void test_an_album_fish_looks_on_its_catch_day_as_in_the_tank(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_ui_lab_preview.c -- Tests that the lab reports the same path values of a part as `kingyoctl
- * morph check`. */
+/* test_ui_lab_preview.c -- Tests that the lab and `kingyoctl morph check` report the same bow,
+ * which is the distance of a point's path from a straight line. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -11,7 +11,8 @@
 #include "platform/render/ui/lab/ui_lab_preview.h"
 #include "platform/species/part.h"
 
-#define SAME 1e-5f /* Rounding error of two computations of the same point, in body lengths. */
+/* Largest rounding error between two computations of the same point, in body lengths. */
+#define SAME 1e-5f
 
 static struct ui_lab_preview bench;
 static struct morph_survey survey;
@@ -37,7 +38,8 @@ static void test_the_lab_and_morph_check_report_the_same_bow(void **state)
     }
 }
 
-/* The line is infinite, so a path beyond its last point does not count as a bow. */
+/* The line is infinite, so a point beyond its end has only the perpendicular distance. If both ends
+ * are equal, the distance to that point counts. */
 static void test_the_bow_is_measured_from_an_infinite_line_or_a_point(void **state)
 {
     (void)state;

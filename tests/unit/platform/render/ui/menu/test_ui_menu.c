@@ -1,5 +1,5 @@
-/* test_ui_menu.c -- Tests the drawn operator menu: it fits every screen and is readable from one
- * metre in both languages. */
+/* test_ui_menu.c -- Tests the drawn operator menu in both languages. Each page must fit every
+ * screen and be readable from one metre. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -30,7 +30,7 @@ static struct scene scene;
 static struct ui_batch batch;
 static struct ui_memory memory;
 
-/* Fills the devices with the longest names and the largest values. */
+/* Fills the data about the devices with the longest names and the largest values. */
 static void fill_devices(struct scene_devices *devices)
 {
     memset(devices->about, 'W', sizeof devices->about);
@@ -89,7 +89,7 @@ static void set_page(uint8_t page, uint16_t tags, uint8_t language, int upright)
     menu->boot = 9999u;
     menu->last_id = menu->saved_id = 999999u;
     for (uint32_t i = 0; i < SCENE_AUDIT_MAX; i++) {
-        /* 99999 is the count of plays after nine years with thirty plays a day. */
+        /* Nine years with thirty games a day give about 99999 games. */
         menu->audit[i] = 99999u;
     }
     scene.credit = (struct scene_credit){ .price = 20, .credits = 4294967295u, .coin_s = 0.1f };
@@ -147,7 +147,7 @@ static void test_every_menu_page_fits_the_screen(void **state)
                          (uint8_t)(k / (SIZE_COUNT * MENU_PAGE_COUNT)), is_upright(size));
                 scene.menu.controllers.learn_step = step;
                 memset(scene.menu.audit, 0xff, sizeof scene.menu.audit);
-                scene.tick += 37u * step; /* Advances the animations. */
+                scene.tick += 37u * step; /* Shows another moment of the animations. */
                 lay_out(size);
                 expect_inside(size);
             }
@@ -155,9 +155,9 @@ static void test_every_menu_page_fits_the_screen(void **state)
     }
 }
 
-/* A 24-inch screen is 30 cm high, so 2.4 % of it is a letter of 7 mm or 25 arc minutes from 1 m.
- * Lines with device names shrink to their width and are read from nearer. The letters of the test
- * card are not text. */
+/* A 24-inch screen is 30 cm high, so a letter of 2.4 % of the height is 7 mm high: 25 arc minutes
+ * from 1 m. The test uses a short device name, because long names are drawn smaller. The letters of
+ * the test card are not text. */
 static void test_every_menu_word_is_readable_from_one_metre(void **state)
 {
     (void)state;
@@ -196,7 +196,7 @@ static void test_a_board_is_drawn_for_each_present_controller(void **state)
         set_page(MENU_CONTROLLERS, (uint16_t)(1u << ROWS_BACK | ((1u << there) - 1u)), 0, 0);
         lay_out(0);
         const uint32_t boards = count_kind(UI_WOOD);
-        /* One of the boards is the tag that returns to the previous page. */
+        /* One more board is the tag that returns to the previous page. */
         assert_int_equal(boards, there + 1u);
         assert_true(there == 0 || boards > before);
         before = boards;
@@ -212,11 +212,12 @@ static void test_the_reason_is_shown_if_no_controller_is_plugged_in(void **state
     const uint32_t without = count_kind(UI_GLYPH);
     snprintf(scene.devices.controllers, SCENE_LINE_SIZE, "no libusb in this build");
     lay_out(0);
-    /* The text has 19 letters. Spaces have no quads. */
+    /* The text has 19 letters. Spaces are not drawn. */
     assert_int_equal(count_kind(UI_GLYPH), without + 19u);
 }
 
-/* Sets the longest possible reason, with letters and spaces as in normal text. */
+/* Sets the longest possible reason of a rejected file, with letters and spaces as in normal text.
+ * Returns the number of letters. */
 static uint32_t set_reason(const char *name)
 {
     static const char words[] = "curve 2: knot 5: its weights sum to 1.250000; ";
@@ -276,7 +277,7 @@ static void test_a_slip_is_drawn_for_each_existing_row(void **state)
     }
 }
 
-/* Returns the number of lit button lamps. Their brightness is that of the round panel. */
+/* Returns the number of lit lamps. Each lamp shows a button or the coin slot. */
 static uint32_t lit_lamps(void)
 {
     uint32_t lit = 0;
@@ -299,7 +300,7 @@ static void test_a_lamp_is_lit_for_each_pressed_button(void **state)
         assert_int_equal(lit_lamps(), i);
         held = held << 1 | 1u;
     }
-    scene.menu.coin_s = 0.0f; /* A coin is inserted now. */
+    scene.menu.coin_s = 0.0f; /* A coin is inserted, so the lamp of the coin slot is lit too. */
     lay_out(0);
     assert_int_equal(lit_lamps(), INPUT_BUTTON_COUNT + 1u);
 }
@@ -345,7 +346,7 @@ static void test_the_state_of_the_lines_is_complete_and_readable_from_one_metre(
                  "libgpiod 1.6.3: 0 of 3 lines; no start, coin, start-lamp (BTN_START: there is no "
                  "GPIO chip in /dev)");
         lay_out(upright ? 4 : 0);
-        /* The text has 82 letters. Spaces have no quads. */
+        /* The text has 82 letters. Spaces are not drawn. */
         assert_int_equal(count_kind(UI_GLYPH), without + 82u);
         for (uint32_t i = 0; i < batch.quad_count; i++) {
             if (batch.kinds[i] == UI_GLYPH && glyph_em_px(&batch, i) < 21.0f * unit) {
@@ -355,13 +356,14 @@ static void test_the_state_of_the_lines_is_complete_and_readable_from_one_metre(
     }
 }
 
-/* A window manager may ignore the minimum size, and the window size can be any number. */
+/* A window manager may ignore the minimum size of the window, so each page must be laid out at any
+ * size. */
 static void test_every_page_is_laid_out_in_a_window_of_any_size(void **state)
 {
     (void)state;
     static const float sides[] = { 1.0f, 2.0f, 8.0f, 17.0f, 240.0f, 8192.0f };
     const uint32_t count = sizeof sides / sizeof sides[0];
-    alarm(30); /* Ends the process if a step of 0 makes the loop endless. */
+    alarm(30); /* Ends the test if the layout runs in an endless loop. */
     for (uint32_t k = 0; k < count * count * MENU_PAGE_COUNT; k++) {
         const float width = sides[k % count], height = sides[k / count % count];
         set_page((uint8_t)(k / (count * count)), 0xffffu, LANGUAGE_EN, width < height);
@@ -369,7 +371,7 @@ static void test_every_page_is_laid_out_in_a_window_of_any_size(void **state)
         assert_int_equal(batch.dropped_count, 0);
     }
     for (uint8_t phase = 0; phase <= PHASE_LEADERBOARD; phase++) {
-        /* The lab is omitted because its screen needs a fish. */
+        /* The page of the lab needs a fish, which this scene does not have. */
         for (uint32_t k = 0; k < count * count && phase != PHASE_LAB; k++) {
             scene.phase = phase;
             ui_screens(&batch, &memory, &scene, sides[k % count], sides[k / count]);
@@ -397,8 +399,8 @@ static void test_the_quit_confirmation_is_readable_over_the_tank(void **state)
     assert_true(count_kind(UI_GLYPH) > without + 15u);
 }
 
-/* The legend of the paper colours is 256 units wide, 18 units from the right edge, and extends 204
- * units down. */
+/* In practice, the legend of the paper colours is 256 units wide, 18 units from the right edge, and
+ * ends 204 units below the top. No letter of the confirmation may overlap the legend. */
 static void test_the_quit_confirmation_does_not_overlap_the_practice_plates(void **state)
 {
     (void)state;
@@ -408,7 +410,7 @@ static void test_the_quit_confirmation_does_not_overlap_the_practice_plates(void
         const float unit = fminf(sizes[size].height / 720.0f, width / 860.0f);
         const float left = width - 274.0f * unit, y = 0.215f * sizes[size].height;
         if (y > 240.0f * unit) {
-            continue; /* On a portrait screen the confirmation lies below the plates. */
+            continue; /* On a portrait screen the confirmation is below the legend. */
         }
         memset(&scene, 0, sizeof scene);
         scene.phase = PHASE_ROUND;
@@ -455,7 +457,7 @@ static uint32_t quads_of(uint8_t page)
     return batch.quad_count;
 }
 
-/* The mark is shown from the first page for every user of the menu. */
+/* Each page on the path to the warning shows a mark, so that an operator finds the warning. */
 static void test_an_open_warning_marks_the_path_to_its_page(void **state)
 {
     static const uint8_t pages[] = { MENU_TOP, MENU_UPKEEP };
@@ -464,7 +466,7 @@ static void test_an_open_warning_marks_the_path_to_its_page(void **state)
         set_page(pages[i], 0, LANGUAGE_EN, 0);
         const uint32_t bare = quads_of(pages[i]);
         scene.devices.files_refused = 1;
-        /* The mark consists of two quads: a disc and an exclamation mark. */
+        /* A mark has two quads: a disc and an exclamation mark. */
         assert_int_equal(quads_of(pages[i]), bare + 2u);
         scene.devices.files_refused = 0;
         scene.devices.machine.aside = 1;
@@ -475,7 +477,7 @@ static void test_an_open_warning_marks_the_path_to_its_page(void **state)
     }
 }
 
-/* The page of the store reports the scores whose replay was lost. */
+/* The files page reports how many scores have lost their replay. */
 static void test_unstored_replays_are_shown_on_the_slip_of_the_store(void **state)
 {
     (void)state;
@@ -498,7 +500,8 @@ static void test_a_changed_setting_has_a_seal_on_its_own_page_too(void **state)
     const int32_t standard = settings_entry(SET_MODES)->standard;
     const uint32_t bare = quads_of(MENU_MODES);
     scene.menu.settings.value[SET_MODES] = standard ^ 1;
-    /* The changed row has a seal, and its value 出さない has two letters more than 出す. */
+    /* The changed row has a seal, and its new value 出さない has two letters more than its default
+     * 出す. */
     assert_int_equal(standard & 1, 1);
     assert_int_equal(quads_of(MENU_MODES), bare + 1u + 2u);
     set_page(MENU_UPKEEP, 0, LANGUAGE_EN, 0);
@@ -507,10 +510,10 @@ static void test_a_changed_setting_has_a_seal_on_its_own_page_too(void **state)
     assert_int_equal(quads_of(MENU_UPKEEP), without + 1u);
 }
 
-/* Every row is drawn in every state with the largest values on every screen. */
+/* The opening checklist shows the state of the machine before the stall opens. Each of its rows
+ * must fit in every state, with the largest values, on every screen. */
 static void test_the_opening_checklist_fits_its_page_in_every_state(void **state)
 {
-    /* clang-format off */
     /* clang-format off */
     static const struct scene_machine machines[] = {
         { 0 },
@@ -523,7 +526,6 @@ static void test_the_opening_checklist_fits_its_page_in_every_state(void **state
           .has_heat = 1, .heat_margin_c = -2147483647, .is_clock_back = 1 },
         { .has_looked = 1, .keeps = KEEPS_NOT }, { .has_looked = 1, .keeps = KEEPS_NOWHERE },
         { .has_looked = 255, .keeps = 255, .watch = 255 },
-        /* clang-format on */
     };
     /* clang-format on */
     const uint32_t count = sizeof machines / sizeof machines[0];
