@@ -1,6 +1,5 @@
-/* test_board_slots.c -- Tests the player slots of the desktop board. A gamepad that is plugged in
- * gets the first slot between two games and never during one. The gamepads are SDL's virtual
- * joysticks. */
+/* test_board_slots.c -- tests the player slots of the desktop board with SDL's virtual joysticks. A
+ * gamepad that is plugged in gets the first slot, but only between two games. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -67,7 +66,8 @@ static int plug_pad(void)
     return index;
 }
 
-/* Assigns the slots and polls every poi as the frame loop does. Returns the slots that changed. */
+/* Runs the controller part of one frame: assigns the slots and polls every poi. Returns the slots
+ * that changed, as a bit set. */
 static uint32_t frame(int may_move)
 {
     struct display_events events;
@@ -123,7 +123,7 @@ static void test_a_new_gamepad_gets_the_first_slot_after_the_game(void **state)
     assert_true(sits(0, "pad"));
 }
 
-/* A pointer always exists. Its first motion shows that a player uses it. */
+/* The mouse always exists, so it gets a slot only when it moves. */
 static void test_a_moved_mouse_gets_the_second_slot_beside_a_gamepad(void **state)
 {
     (void)state;
@@ -137,7 +137,8 @@ static void test_a_moved_mouse_gets_the_second_slot_beside_a_gamepad(void **stat
     assert_true(sits(1, "mouse"));
 }
 
-/* A player who loses the gamepad during a round waits for it, and gets it back within a frame. */
+/* If a gamepad is unplugged during a round, its slot stays reserved. When it is plugged in again,
+ * its player has it back within a frame. */
 static void test_an_unplugged_gamepad_keeps_its_slot_until_the_game_ends(void **state)
 {
     (void)state;
@@ -193,7 +194,8 @@ static void test_gamepad_buttons_work_whatever_has_the_first_slot(void **state)
     SDL_JoystickClose(joystick);
 }
 
-/* Joysticks send events all day, and SDL's queue has a limit. */
+/* Joysticks send events without pause. If nobody took these events from SDL's queue, the queue
+ * would become full. */
 static void test_no_gamepad_event_stays_in_the_queue(void **state)
 {
     (void)state;

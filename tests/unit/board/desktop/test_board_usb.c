@@ -1,7 +1,7 @@
-/* test_board_usb.c -- Tests the complete desktop board with a USB poi: board, transport, decoder,
- * frame loop and game, over a simulated bus. A poi that is plugged in gets the first slot. When a
- * poi is unplugged during a round, in any order of the bus events, the round pauses and continues,
- * and no credit is lost. */
+/* test_board_usb.c -- tests the complete desktop board with a USB poi on a simulated bus: board,
+ * transport, decoder, frame loop and game. A poi that is plugged in gets the first slot. If the poi
+ * is unplugged during a round, the round pauses, continues later, and no credit is lost. The tests
+ * cover all orders of the bus events. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -23,15 +23,18 @@
 #include "tests/unit/support/usb/usb_fixture.h"
 
 #define FRAME_US 8000
-#define FRAMES_MAX 1500u /* Twelve seconds, because the machine may be busy with other tests. */
+/* Timeout of twelve seconds, long enough for a machine that also runs other tests. */
+#define FRAMES_MAX 1500u
 
 static struct {
     struct storage_sim storage;
     struct hal hal;
-    struct hal real; /* Copy of the board's devices, with its display and its store. */
+    /* The board's devices, including its real display and store. `hal` is a copy with other
+     * ones. */
+    struct hal real;
     struct kiosk kiosk;
     uint32_t poi;     /* Index of the poi on the simulated bus. */
-    uint8_t is_in;    /* 1 while the poi is plugged in. */
+    uint8_t is_in;    /* 1 if the poi is plugged in. */
     uint8_t sequence; /* Sequence number of the next report. */
 } stall;
 
@@ -54,7 +57,7 @@ static int open_stall_at(const char *folder)
     board_open(&stall.hal, &options);
     stall.is_in = 0;
     const int result = kiosk_init(&stall.kiosk, &stall.hal, &config);
-    /* The picture is not drawn, because drawing would take longer than all other work. */
+    /* The frames are not drawn, because drawing would take longer than all other work. */
     stall.real = stall.hal;
     stall.hal.display = null_hal("not drawn").display;
     stall.hal.storage = storage_sim_device(&stall.storage);
@@ -153,11 +156,13 @@ static void test_a_new_poi_gets_the_first_slot_of_the_mouse(void **state)
     (void)state;
     frame();
     assert_false(stall.kiosk.input.poi[0].has_wrist);
-    assert_int_equal(stall.kiosk.input.poi[0].link, POI_SOURCE_LIVE); /* The mouse has the slot. */
+    /* The mouse plays in slot 0. */
+    assert_int_equal(stall.kiosk.input.poi[0].link, POI_SOURCE_LIVE);
     plug();
     until(sits_on_usb);
     assert_int_equal(stall.kiosk.input.poi[1].link,
-                     POI_SOURCE_ABSENT); /* The mouse does not move. */
+                     /* The mouse is now in slot 1, but it has not moved. */
+                     POI_SOURCE_ABSENT);
     assert_int_equal(stall.kiosk.faults.poi, 0);
     assert_true(stall.kiosk.report_wait.count > 0);
 }
@@ -188,8 +193,8 @@ static void test_a_usb_poi_gets_force_output(void **state)
     assert_int_equal(seen.out[0], POI_FORCE_ID);
 }
 
-/* Unplugs the poi in a round and plugs it in again. Prints the time from plugging in to the first
- * frame whose input contains the poi. */
+/* Unplugs the poi during a round and plugs it in again. Prints the time from plugging in until the
+ * game receives the pose. */
 static void lose_and_find(enum usb_sim_unplug_order how)
 {
     const uint32_t credits = purse_credits(&stall.kiosk.core);
@@ -229,7 +234,7 @@ static int mouse_sits(void)
     return stall.kiosk.input.poi[0].link == POI_SOURCE_LIVE && !stall.kiosk.input.poi[0].has_wrist;
 }
 
-/* The mouse must not take over a round that a poi began. After the round it may. */
+/* The mouse must not take over a round that began with a poi. It may play the next round. */
 static void test_the_mouse_gets_the_slot_of_an_absent_poi_in_the_next_game(void **state)
 {
     (void)state;
@@ -242,7 +247,8 @@ static void test_the_mouse_gets_the_slot_of_an_absent_poi_in_the_next_game(void 
         frame();
         assert_true(is_lost());
     }
-    /* The test sets the phase that the kiosk reaches one minute later. */
+    /* The kiosk would return to attract mode after one minute. The test sets this phase
+     * directly. */
     stall.kiosk.core.game.phase = PHASE_ATTRACT;
     stall.kiosk.output.phase = PHASE_ATTRACT;
     until(mouse_sits);
@@ -253,8 +259,9 @@ static void hint_is(const char *text)
     assert_string_equal(SDL_GetHint(SDL_HINT_GAMECONTROLLER_IGNORE_DEVICES), text);
 }
 
-/* The device is excluded from the first poll of SDL on, until the operator releases it. A device
- * with a serial number does not exclude other devices of its kind. */
+/* A device type that the operator has chosen for the USB driver ("plays") is hidden from SDL from
+ * the start. A choice with a serial number (A1) is not, because SDL would then hide all devices of
+ * that type. */
 static void test_a_stored_choice_is_excluded_from_sdl_at_the_start(void **state)
 {
     (void)state;

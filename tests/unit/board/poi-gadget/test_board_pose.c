@@ -1,5 +1,5 @@
-/* test_board_pose.c -- Tests that the pose that the decoder reads equals the pose that was given to
- * the simulated sensors. */
+/* test_board_pose.c -- tests that the pose in the decoded report equals the true pose from which
+ * the simulated sensors were computed. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -56,12 +56,12 @@ static void test_a_fused_pose_is_correct_for_every_mounting_of_the_chip(void **s
 }
 
 struct errors {
-    float rest_m, rest_speed_m_s; /* The errors while the poi is at rest. */
+    float rest_m, rest_speed_m_s; /* Errors of position and speed while the poi is at rest. */
     float moving_m, turn_rad;
 };
 
-/* Runs a minute of simulated scoops. Returns the differences between the reported and the true
- * pose. */
+/* Runs a minute of simulated scoops. Returns the largest differences between the reported and the
+ * true pose. */
 static struct errors scoop_for_a_minute(uint8_t fuses, float noise_steps, vec3 bias)
 {
     struct errors worst = { 0 };
@@ -78,7 +78,8 @@ static struct errors scoop_for_a_minute(uint8_t fuses, float noise_steps, vec3 b
         sensor_twin_step(&twin, &hand, DT_S, &readings);
         board_pose_step(&pose, &readings, DT_S, &out);
         const float off_m = v3_length(v3_sub(out.target.position_m, hand.target.position_m));
-        /* The poi moves over its whole range in the first stroke and rests afterwards. */
+        /* The first stroke has no start pose, so the poi rests at the stroke's target for 0.9 s
+         * (225 steps). The filters settle during the first 25 steps. */
         const int rests = n < 225;
         if (rests && n > 25) {
             const vec3 step_m = v3_sub(out.target.position_m, before.target.position_m);
@@ -105,7 +106,8 @@ static void test_scoops_with_sensor_fusion_are_reported_within_1_cm(void **state
     const struct errors worst = scoop_for_a_minute(1, 1.5f, v3(0, 0, 0));
     assert_true(worst.rest_m < 0.0005f);
     assert_true(worst.rest_speed_m_s < 0.03f);
-    assert_true(worst.moving_m < 0.010f); /* The limit includes the lag of a filter at 0.5 m/s. */
+    /* The error includes the delay of the filter at 0.5 m/s. */
+    assert_true(worst.moving_m < 0.010f);
     assert_true(worst.turn_rad < 0.5f * F_DEG);
 }
 
@@ -130,10 +132,12 @@ static void test_a_torn_wire_gives_no_position_until_it_is_repaired(void **state
     board_pose_init(&pose, &config);
     sensor_twin_step(&twin, &hand, DT_S, &readings);
     const float whole = readings.wire[1];
-    readings.wire[1] = 0.0f; /* The spring of the torn wire has wound it completely. */
+    /* A torn wire is wound up completely by its spring, so its length is 0. */
+    readings.wire[1] = 0.0f;
     board_pose_step(&pose, &readings, DT_S, &out);
     poi_report_encode(&out, bytes);
-    assert_false(poi_report_decode(bytes, sizeof bytes, &out)); /* The report has no position. */
+    /* The report has no position and is rejected. */
+    assert_false(poi_report_decode(bytes, sizeof bytes, &out));
     readings.wire[1] = whole;
     board_pose_step(&pose, &readings, DT_S, &out);
     assert_true(v3_length(v3_sub(out.target.position_m, hand.target.position_m)) < 0.001f);
@@ -151,14 +155,15 @@ static void test_a_simulated_scoop_dips_tips_and_stays_over_the_tank(void **stat
         dips += was_m.y > -0.01f && at_m.y <= -0.01f;
         tips += before.target.angles.roll_rad < 0.9f && hand.target.angles.roll_rad >= 0.9f;
         starts += (hand.buttons & ~before.buttons & POI_BUTTON_START) != 0;
-        if (hand.target.angles.roll_rad > 0.9f) { /* The poi is within the opening of the first
-                                                     bowl. */
+        /* With this roll, the poi is tipping over the opening of the first bowl. */
+        if (hand.target.angles.roll_rad > 0.9f) {
             assert_true(v3_length(v3_sub(v3(at_m.x, 0, at_m.z), v3(0.335f, 0, 0.185f))) < 0.08f);
             assert_true(at_m.y > 0.04f && at_m.y < 0.10f);
         }
         assert_true(f_abs(at_m.x) < 0.38f && f_abs(at_m.z) < 0.23f);
         assert_true(at_m.y > -0.08f && at_m.y < 0.2f);
-        if (n > 0) { /* The speed is at most that of an arm (core/game/control/input_pose.h). */
+        /* A human arm does not move faster than 2 m/s (core/game/control/input_pose.h). */
+        if (n > 0) {
             assert_true(v3_length(v3_sub(at_m, was_m)) / DT_S < 2.0f);
         }
         before = hand;

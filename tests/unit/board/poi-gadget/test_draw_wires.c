@@ -1,5 +1,5 @@
-/* test_draw_wires.c -- Tests the position that is computed from the lengths of three draw wires,
- * and the rejection of lengths without a position. */
+/* test_draw_wires.c -- tests the position that is computed from the lengths of three draw wires,
+ * and the rejection of impossible lengths. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -11,7 +11,7 @@
 #include "board/poi-gadget/draw_wires.h"
 #include "core/base/rng.h"
 
-/* Positions of the spools over the festival tank, as in poi.conf. */
+/* Positions of the three wire spools above the tank, as in poi.conf. */
 static const vec3 stall_m[3] = { { -0.45f, 0.75f, -0.30f },
                                  { 0.45f, 0.75f, -0.30f },
                                  { 0.0f, 0.75f, 0.35f } };
@@ -21,8 +21,8 @@ static float drawn(uint32_t n, uint32_t what, float low, float high)
     return rng_range((struct rng_key){ 11, n, what, RNG_TEST }, low, high);
 }
 
-/* Returns position `n` of the playing area: up to 10 cm beyond the walls, from the floor to 30 cm
- * above the water. */
+/* Returns random position `n` where a poi can be: up to 10 cm beyond the tank's walls, from the
+ * floor to 30 cm above the water. */
 static vec3 place_m(uint32_t n)
 {
     return v3(drawn(n, 0, -0.525f, 0.525f), drawn(n, 1, -0.12f, 0.30f),
@@ -90,10 +90,10 @@ static void test_impossible_lengths_are_rejected_and_the_position_is_kept(void *
         { { 0.8f, 0.0f, 0.8f }, DRAW_WIRES_LENGTH },
         { { 0.8f, 0.8f, -0.1f }, DRAW_WIRES_LENGTH },
         { { 0.8f, 0.8f, 3.0f }, DRAW_WIRES_LENGTH },
-        { { 0.30f, 0.30f, 0.8f }, DRAW_WIRES_APART }, /* Two wires cannot meet if their spools
-                                                         are 90 cm apart. */
+        /* The spools are 90 cm apart, so wires of 30 cm cannot meet. */
+        { { 0.30f, 0.30f, 0.8f }, DRAW_WIRES_APART },
         { { 0.40f, 0.40f, 0.40f }, DRAW_WIRES_APART },
-        /* These wire lengths would put the poi 5 cm below the spools, which counts as too high. */
+        /* These lengths give a position 5 cm below the spools, which is rejected as too high. */
         { { 0.5431f, 0.5431f, 0.3536f }, DRAW_WIRES_HIGH },
     };
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {

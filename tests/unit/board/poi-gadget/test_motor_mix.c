@@ -1,5 +1,6 @@
-/* test_motor_mix.c -- Tests the motor level that is mixed from drag, decaying impacts and the
- * rattle of a tear, and the timeout of the host. */
+/* test_motor_mix.c -- tests the level of the vibration motor, which is mixed from drag, decaying
+ * impacts and the rattle of a tear. Also tests that the motor stops when the host sends nothing
+ * more. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -35,8 +36,8 @@ static void test_an_impact_decays_with_its_time_constant(void **state)
         assert_true(next < level);
         level = next;
     }
-    assert_float_equal(level, 0.8f * 0.36788f, 1e-3f); /* After 60 ms the impact has decayed to
-                                                          1/e. */
+    /* 60 ms is the time constant of an impact's decay to 1/e. */
+    assert_float_equal(level, 0.8f * 0.36788f, 1e-3f);
 }
 
 static void test_a_tear_gives_a_rattle(void **state)
@@ -45,12 +46,13 @@ static void test_a_tear_gives_a_rattle(void **state)
     struct motor_mix mix = { 0 };
     const struct poi_force tear = { .tear = 1.0f };
     uint32_t turns = 0, on = motor_mix_step(&mix, &tear, DT_S).motor > 0.0f;
-    for (uint32_t n = 1; n < 100; n++) { /* The loop simulates 0.4 s. */
+    for (uint32_t n = 1; n < 100; n++) { /* 100 steps of 4 ms are 0.4 s. */
         const uint32_t now = motor_mix_step(&mix, &tear, DT_S).motor > 0.0f;
         turns += now != on;
         on = now;
     }
-    assert_in_range(turns, 18, 20); /* The rattle switches on and off at 25 Hz. */
+    /* At 25 Hz, the motor is switched on and off about 20 times in 0.4 s. */
+    assert_in_range(turns, 18, 20);
 }
 
 static void test_the_motor_stops_after_the_host_timeout(void **state)

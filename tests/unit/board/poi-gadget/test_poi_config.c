@@ -66,7 +66,7 @@ static void test_invalid_lines_are_rejected(void **state)
         "wire1 = nan 1",
         "ring = 1 2",
         "ring = 1 2 4000",
-        /* These axes form a mirror image, which no mounting of the sensor gives. */
+        /* A left-handed set of axes, which no mounting of the sensor can give. */
         "imu_axes = +x +y -z",
         "imu_axes = +x +x +y",
         "imu_axes = x y z",

@@ -1,6 +1,6 @@
-/* test_poi_scoops.c -- Tests that fish can be caught with `kingyo-poi run --simulate`. A computed
- * motion passes through simulated wires, converter and gyroscope, the reports, the kiosk's decoder
- * and its input validation. */
+/* test_poi_scoops.c -- tests that fish can be caught with the motion of `kingyo-poi run
+ * --simulate`. The computed motion passes through simulated wires, analog converter and gyroscope,
+ * the USB reports, the kiosk's decoder and its input validation. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -91,7 +91,8 @@ static void test_a_simulated_poi_starts_a_round_and_catches_fish(void **state)
     assert_true(rounds >= 2);
     assert_int_equal(lost_frames, 0);
     assert_true(dips >= 10);
-    /* The script moves the poi without looking for fish, so half of the usual catch is enough. */
+    /* The motion follows a script that does not aim at fish, so only half of a player's usual catch
+     * is required. */
     assert_true(landed >= 4);
     assert_int_equal(stall.poi.decoder.refused_count + stall.poi.decoder.gap_count, 0);
 }

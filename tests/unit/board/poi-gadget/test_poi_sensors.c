@@ -1,5 +1,5 @@
-/* test_poi_sensors.c -- Tests the sensors, keys, motor and light of a poi board over a folder of
- * simulated device files. */
+/* test_poi_sensors.c -- tests the sensors, keys, motor and light of a poi board. A folder with
+ * simulated device files replaces /sys and /dev. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -56,8 +56,8 @@ static long number_in(const char *leaf)
     return strtol(text, NULL, 10);
 }
 
-/* Creates a converter, an IMU with sensor fusion, an IMU without, and a thermometer between
- * them. */
+/* Creates device files for an analog converter, an IMU with sensor fusion, an IMU without, and a
+ * thermometer that must be ignored. */
 static int build_board(void **state)
 {
     (void)state;
@@ -112,8 +112,8 @@ static void test_sensors_are_found_by_name_and_scaled_to_their_units(void **stat
     assert_false(readings.fuses);
     assert_float_equal(readings.gyro_rad_s.x, -0.5f, 1e-6f);
     assert_float_equal(readings.accel_m_s2.y, 9.7976f, 1e-3f);
-    put(IIO "1/in_voltage0_raw", "1234\n"); /* The file stays open, and the next read returns the
-                                               new value. */
+    /* The sensor file stays open between two reads, and each read must return the current value. */
+    put(IIO "1/in_voltage0_raw", "1234\n");
     assert_true(sensors_read(&sensors, &readings));
     assert_float_equal(readings.wire[0], 1234.0f, 0.0f);
     sensors_close(&sensors);
@@ -131,8 +131,8 @@ static void test_a_quaternion_is_read_in_the_order_of_its_driver(void **state)
     assert_float_equal(readings.turn.w, 16384.0f, 0.0f);
     assert_float_equal(readings.turn.z, 3.0f, 0.0f);
     sensors_close(&sensors);
-    put(IIO "3/name", "dev_rotation\n"); /* A HID sensor hub uses the order of the ABI, which is
-                                            x y z w. */
+    /* This driver (a HID sensor hub) uses the order of the kernel ABI, x y z w. */
+    put(IIO "3/name", "dev_rotation\n");
     strcpy(config.imu, "dev_rotation");
     assert_true(sensors_open(&sensors, &config, root, why));
     assert_true(sensors_read(&sensors, &readings));
@@ -177,8 +177,8 @@ static void test_the_position_is_lost_while_the_converter_fails(void **state)
         snprintf(text, sizeof text, "%.0f\n", (double)truth.wire[i]);
         put(leaf, text);
     }
-    put(IIO "3/in_rot_quaternion_raw", "11585 11585 0 0\n"); /* The poi is level, with +z of the
-                                                                sensor's world up. */
+    /* A rotation for which the poi is level. The +z axis of the sensor's world points up. */
+    put(IIO "3/in_rot_quaternion_raw", "11585 11585 0 0\n");
     assert_true(sensors_open(&own.sensors, &config, root, why));
     struct pose_source source = sensors_source(&own, &config);
     for (int n = 0; n < 5; n++) {
@@ -187,8 +187,8 @@ static void test_the_position_is_lost_while_the_converter_fails(void **state)
     assert_true(v3_length(v3_sub(out.target.position_m, hand.target.position_m)) < 0.002f);
     put(IIO "1/in_voltage1_raw", "");
     for (uint32_t n = 0; n <= SENSOR_GONE_BEATS; n++) {
-        assert_true(f_is_finite(out.target.position_m.x)); /* A short failure does not change the
-                                                              pose. */
+        /* A short failure of a sensor does not change the pose. */
+        assert_true(f_is_finite(out.target.position_m.x));
         source.step(source.self, 0.004f, &out);
     }
     assert_false(f_is_finite(out.target.position_m.x));
@@ -223,7 +223,7 @@ static void test_gpio_keys_are_read_as_levels_and_other_devices_ignored(void **s
     press(BTN_START, 0);
     press(KEY_Q, 1);
     assert_int_equal(sensors_held_keys(&keys), POI_BUTTON_OK);
-    press(BTN_TRIGGER, 2); /* A repeat event means that the key is still held. */
+    press(BTN_TRIGGER, 2); /* Value 2 is a repeat event, which means that the key is still held. */
     press(BTN_DPAD_LEFT, 1);
     press(BTN_DPAD_RIGHT, 1);
     press(BTN_THUMB, 1);
@@ -253,11 +253,11 @@ static void test_the_motor_follows_its_level_and_stops_at_zero(void **state)
     const struct feel_sink sink = motor_sink(&motor);
     const struct poi_force blow = { .slap = 0.5f };
     sink.feel(sink.self, &blow, 0.004f);
-    /* A duty of 0.2 is the least that turns the motor. The level uses half of the rest above it. */
+    /* The motor turns only at a duty of 0.2 or more, so the level 0.5 gives a duty of 0.6. */
     assert_in_range(number_in("sys/class/pwm/pwmchip0/pwm1/duty_cycle"), 2999990, 3000010);
     assert_int_equal(number_in("sys/class/leds/poi/brightness"), 128);
-    put("sys/class/pwm/pwmchip0/pwm1/duty_cycle", ""); /* A shorter number must not leave old
-                                                          digits. */
+    /* After a shorter number, no digits of the old number may remain. */
+    put("sys/class/pwm/pwmchip0/pwm1/duty_cycle", "");
     put("sys/class/leds/poi/brightness", "");
     sink.stop(sink.self);
     assert_int_equal(number_in("sys/class/pwm/pwmchip0/pwm1/duty_cycle"), 0);

@@ -1,5 +1,5 @@
-/* test_pose_script.c -- Tests that lines of poses are parsed, rejected, written and
- * interpolated. */
+/* test_pose_script.c -- tests scripts, in which each line is a pose: parsing, rejection, writing
+ * and interpolation. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -33,7 +33,7 @@ static void test_a_line_contains_position_angles_time_and_keys(void **state)
     assert_float_equal(line.target.position_m.y, -0.05f, 1e-6f);
     assert_float_equal(line.target.position_m.z, 0.0305f, 1e-6f);
     assert_float_equal(line.target.angles.pitch_rad, -25.0f * F_DEG, 1e-5f);
-    /* The script gives 190 degrees, which is the same rotation as -170 degrees. */
+    /* The script gives 190 degrees, which is the same angle as -170 degrees. */
     assert_float_equal(line.target.angles.roll_rad, -170.0f * F_DEG, 1e-5f);
     assert_int_equal(line.buttons, POI_BUTTON_OK | POI_BUTTON_FAN);
     assert_int_equal(pose_line_read(&line, "lost START", &why), 1);
@@ -111,7 +111,7 @@ static void test_an_interpolation_takes_its_time_and_ends_at_its_target(void **s
         assert_int_equal(pose_tape_step(&tape, 0.01f, &out), 1);
         assert_true(out.target.position_m.x > before_m);
         assert_int_equal(out.buttons, POI_BUTTON_OK);
-        /* The interpolation takes the shorter way and does not pass straight ahead. */
+        /* From 170 to -170 degrees the shorter way leads through 180 degrees, not through 0. */
         assert_true(f_abs(out.target.angles.yaw_rad) > 169.0f * F_DEG);
         if (i == 5) {
             assert_float_equal(out.target.position_m.x, 0.05f, 1e-5f);
@@ -132,8 +132,8 @@ static void test_a_script_that_waits_for_input_keeps_the_pose(void **state)
     struct poi_report out = { 0 };
     assert_int_equal(pose_tape_step(&tape, 0.01f, &out), 0);
     feed(&tape, "100 0 0 0");
-    assert_int_equal(pose_tape_step(&tape, 0.01f, &out), 0); /* An incomplete line is not
-                                                                executed. */
+    /* The line has no line end yet, so it is not executed. */
+    assert_int_equal(pose_tape_step(&tape, 0.01f, &out), 0);
     feed(&tape, " 0 0\n");
     for (uint32_t i = 0; i < 20; i++) {
         assert_int_equal(pose_tape_step(&tape, 0.01f, &out), 1);
@@ -142,7 +142,7 @@ static void test_a_script_that_waits_for_input_keeps_the_pose(void **state)
     feed(&tape, "lost\n200 0 0 0 0 0");
     assert_int_equal(pose_tape_step(&tape, 0.01f, &out), 1);
     assert_false(f_is_finite(out.target.position_m.x));
-    tape.ended = 1; /* The last line needs no line end. */
+    tape.ended = 1; /* At the end of the file, the last line is executed even without a line end. */
     assert_int_equal(pose_tape_step(&tape, 0.01f, &out), 1);
     assert_float_equal(out.target.position_m.x, 0.2f, 0.0f);
     assert_int_equal(pose_tape_step(&tape, 0.01f, &out), 0);
@@ -191,17 +191,18 @@ static void test_missed_periods_skip_lines_and_keep_their_keys(void **state)
     close(ends[1]);
     assert_int_equal(source.step(source.self, 0.01f, &out), POSE_NEW);
     assert_float_equal(out.target.position_m.x, 0.010f, 2e-5f);
-    assert_int_equal(source.step(source.self, 0.02f, &out), POSE_NEW); /* One period was missed. */
+    /* 0.02 s is two periods, so one pose of the script was skipped. */
+    assert_int_equal(source.step(source.self, 0.02f, &out), POSE_NEW);
     assert_float_equal(out.target.position_m.x, 0.030f, 2e-5f);
     assert_int_equal(out.buttons, POI_BUTTON_START);
     assert_int_equal(source.step(source.self, 0.01f, &out), POSE_NEW);
     assert_float_equal(out.target.position_m.x, 0.040f, 2e-5f);
     assert_int_equal(out.buttons, 0);
-    /* After half of the interpolation time, the pose is half way. */
+    /* Half of the interpolation time has passed. */
     assert_int_equal(source.step(source.self, 0.02f, &out), POSE_NEW);
     assert_float_equal(out.target.position_m.x, 0.060f, 2e-5f);
-    assert_int_equal(source.step(source.self, 0.50f, &out), POSE_NEW); /* The interpolation time
-                                                                          has passed. */
+    /* The interpolation is complete. */
+    assert_int_equal(source.step(source.self, 0.50f, &out), POSE_NEW);
     assert_float_equal(out.target.position_m.x, 0.090f, 2e-5f);
     assert_int_equal(source.step(source.self, 0.01f, &out), POSE_END);
     close(ends[0]);

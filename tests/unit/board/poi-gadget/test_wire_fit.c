@@ -1,4 +1,5 @@
-/* test_wire_fit.c -- Tests the line that is fitted to the calibration marks of a wire. */
+/* test_wire_fit.c -- tests the straight line that is fitted to the calibration marks of a draw
+ * wire. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

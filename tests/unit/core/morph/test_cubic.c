@@ -1,4 +1,4 @@
-/* test_cubic.c -- checks the curve through a table's points. */
+/* test_cubic.c -- checks the cubic curve through the points of a table. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -43,7 +43,8 @@ static void test_the_curve_stays_between_two_adjacent_points(void **state)
     assert_no_overshoot(steps, COUNT);
 }
 
-/* A small rise is beside a steep fall: the three points give a slope of 7.5, and the limit is 3. */
+/* At a curve's end, the slope computed from three points is 7.5 here. The slope must be limited to
+ * 3, otherwise the curve would overshoot the small rise beside the steep fall. */
 static void test_the_curve_does_not_overshoot_at_its_ends(void **state)
 {
     (void)state;

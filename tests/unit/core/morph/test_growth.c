@@ -1,4 +1,5 @@
-/* test_growth.c -- checks the length of wakin at an age, and the age at a length. */
+/* test_growth.c -- checks growth curves: the length of a fish at an age, and the age at a
+ * length. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -16,8 +17,9 @@ static void test_a_hatchling_has_its_true_length(void **state)
     assert_float_equal(growth_length_m(wakin, 0.0f), 0.005f, 1e-6f);
 }
 
-/* A fit to adults alone would give hatchlings of 32 cm. The data of the bigeye tuna are the thesis'
- * own example (L_inf 2.0834 m, k 0.1985 a year, t0 -0.839 years). */
+/* The thesis' own example, the bigeye tuna, has a growth curve that was fitted to adults only
+ * (L_inf 2.0834 m, k 0.1985 a year, t0 -0.839 years). Without a correction, its hatchlings would be
+ * 32 cm long. */
 static void test_an_adult_fit_is_corrected_at_hatching_and_kept_for_adults(void **state)
 {
     (void)state;
@@ -35,7 +37,7 @@ static void test_a_goldfish_of_three_months_has_the_length_of_stall_fish(void **
     assert_float_equal(growth_length_m(wakin, 3.0f * 365.25f), 0.21f, 0.005f);
 }
 
-/* Returns the measured growth of the black conger's larva: it grows, shrinks during the
+/* Returns the measured growth of the larva of the black conger. The larva grows, shrinks during its
  * metamorphosis to an eel, and grows again. */
 static struct growth conger_growth(void)
 {
@@ -88,8 +90,8 @@ static void test_the_table_joins_the_curve_without_a_corner(void **state)
     assert_float_equal(growth_length_m(&conger, 10.0f * 365.25f), 1.10f, 0.02f);
 }
 
-/* A curve far above the last measured length would leave that length steeply. A table with a small
- * slope would then fall below its own points first. */
+/* After the last measured length, the growth curve is far above and rises steeply. An interpolation
+ * that matched the steep slope there would first fall below the previous measured length. */
 static void test_a_table_does_not_fall_before_it_joins_a_steep_curve(void **state)
 {
     (void)state;
@@ -132,8 +134,8 @@ static void test_growth_reports_where_it_is_monotonic(void **state)
     assert_false(growth_is_one_way(&conger, 50.0f, 50.0f));
 }
 
-/* The table ends at a length above the curve at that age, so the length pauses until the curve
- * reaches it. */
+/* At the last age of the table, the measured length is above the growth curve. The length must then
+ * stay constant until the curve reaches it, and must not fall to the curve. */
 static void test_a_fish_ahead_of_its_curve_pauses_and_does_not_shrink(void **state)
 {
     (void)state;

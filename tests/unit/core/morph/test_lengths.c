@@ -11,12 +11,13 @@
 #include "core/morph/morph.h"
 
 #define YEAR 365.25f
-#define FITTED                                                                                     \
-    0.10f                /* Relative tolerance of a length that a fitted or published curve
-                            approximates. */
-#define DRAWN_M 0.00005f /* Half a unit of the last digit in the captions of the figures. */
+#define FITTED /* Relative tolerance for a length that a published or fitted curve approximates. */
+0.10f
+/* Half a unit of the last digit of the lengths in the captions of the thesis. */
+#define DRAWN_M 0.00005f
 
-static const struct species_card *card_of(const char *id)
+    static const struct species_card *
+    card_of(const char *id)
 {
     for (uint32_t i = 0; i < species_table_count; i++) {
         if (strcmp(species_table[i]->card.id, id) == 0) {
@@ -27,9 +28,9 @@ static const struct species_card *card_of(const char *id)
     return NULL;
 }
 
-/* The curves are von Bertalanffy's: published ones (bigeye, hirame) or fits to reports of keepers
- * and anglers. Lengths use the species' own measure, so hirame's total lengths are multiplied by
- * 0.86. The first year of a conger comes from its table. */
+/* Known lengths from von Bertalanffy growth curves. The curves of bigeye (mebachi) and hirame are
+ * published, the others are fits to reports of keepers and anglers. Hirame's published total
+ * lengths are multiplied by 0.86 to give standard lengths. */
 static const struct {
     const char *id;
     float age_years, length_m;
@@ -58,8 +59,9 @@ static void test_fish_have_the_known_length_at_their_age(void **state)
     assert_int_equal(missed, 0);
 }
 
-/* The stages are those of chapter 4. Lengths are total lengths, except standard lengths for hirame,
- * whose first stage has 11 mm of total length and 9.5 mm without its tail. */
+/* Lengths of the stages in chapter 4 of the 2005 thesis: standard lengths for hirame, total lengths
+ * otherwise. For example, hirame's first stage has a total length of 11 mm and is 9.5 mm long
+ * without its tail. */
 static const struct {
     const char *id;
     float length_mm[3];
@@ -94,14 +96,15 @@ static void test_the_last_key_of_each_fish_is_an_adult(void **state)
     }
 }
 
-/* The plate shows nine larvae and young fish in the order of their growth. */
+/* The plate in the thesis shows nine larvae and young fish with their lengths, in the order of
+ * their growth. */
 static void test_a_conger_grows_shrinks_and_grows_through_all_nine_measured_lengths(void **state)
 {
     (void)state;
     static const float length_mm[] = { 64.0f, 90.5f, 125.5f, 104.5f, 80.4f,
                                        75.0f, 66.5f, 56.0f,  72.5f };
     const struct growth *growth = &card_of("kuroanago")->growth;
-    assert_int_equal(growth->point_count, 10); /* The table includes the hatching. */
+    assert_int_equal(growth->point_count, 10); /* Nine measured points and the hatching. */
     float longest = 0.0f;
     for (uint32_t i = 0; i < 9; i++) {
         const float age_days = growth->points[i + 1u].age_days;

@@ -1,5 +1,5 @@
-/* test_morph.c -- checks the deformation graph and the blend of key shapes (2005 thesis, eq. 3.1,
- * 3.2). */
+/* test_morph.c -- checks the blend weights of the key shapes and the blended shape (equations 3.1
+ * and 3.2 of the 2005 thesis). */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -59,8 +59,8 @@ static void test_weights_are_never_negative_and_sum_to_one(void **state)
     }
 }
 
-/* In the thesis' second template (section 4.2), the middle shape has 70 % and the other two shapes
- * share the rest. */
+/* Three keys may have a weight at the same time. The numbers are those of the thesis' second
+ * template (section 4.2), in which the middle shape has at most 70 %. */
 static void test_a_graph_of_three_keys_keeps_its_sum_between_knots(void **state)
 {
     (void)state;
@@ -102,11 +102,13 @@ static void test_progress_rises_with_length_and_stops_at_the_keys_ends(void **st
 static void test_lengths_between_keys_are_interpolated_geometrically(void **state)
 {
     (void)state;
-    /* 10 mm is the geometric mean of 5 and 20 mm, so it is half way between larva and aoko. */
+    /* 10 mm is the geometric mean of the larva (5 mm) and the aoko (20 mm), the first two of five
+     * keys. Half of the way to the second key is a progress of 0.125. */
     assert_float_equal(morph_progress(&wakin->card, 0.010f), 0.125f, 1e-5f);
 }
 
-/* Each axis of the octahedron has 254 steps. On its lower edge, two codes give the same normal. */
+/* A normal is encoded as a point on an unfolded octahedron with 254 steps in each direction. The
+ * test excludes the edge, where two codes give the same normal. */
 static void test_a_normal_is_encoded_to_the_nearest_step(void **state)
 {
     (void)state;
@@ -187,8 +189,8 @@ static void assert_no_triangle_is_flipped(const struct species_mesh *mesh, const
     }
 }
 
-/* The relative depth of a wakin's keys increases, so no stage between two keys may be slimmer than
- * both. */
+/* A wakin becomes deeper from key to key. Therefore a stage between two keys must not have less
+ * volume than the stage before. */
 static void test_every_stage_between_keys_is_a_complete_fish(void **state)
 {
     (void)state;

@@ -1,4 +1,5 @@
-/* test_morph_paint.c -- checks coats and marks: the area of each kind, and continuity. */
+/* test_morph_paint.c -- checks the coats and marks of fish: the area of each kind of mark, and the
+ * continuity of the colours. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -21,7 +22,7 @@ static float cover(struct species_mark mark, float u, float v)
     return mark_cover(&mark, &point);
 }
 
-/* Returns the share of the right flank that a mark covers. */
+/* Returns the fraction of the right flank that a mark covers. */
 static float covered_area(struct species_mark mark)
 {
     float sum = 0.0f;
@@ -33,8 +34,7 @@ static float covered_area(struct species_mark mark)
     return sum / (STEPS * STEPS);
 }
 
-/* Counts the entries into the mark along a path from snout to tail at `v`, or around the body at
- * `u`. */
+/* Counts how often the mark begins along a path from snout to tail at the girth coordinate `v`. */
 static int entered_along(struct species_mark mark, float v)
 {
     int count = 0;
@@ -65,12 +65,15 @@ static void test_the_area_of_spots_follows_their_count_and_radius(void **state)
                               .from = 0.1f,
                               .to = 0.5f,
                               .high = 1.0f };
-    const float one = 3.1416f * 0.02f * 0.02f / 0.36f; /* The flank has 1 x 0.36 lengths. */
+    /* Area of one spot as a fraction of the flank, which is 1 long and 0.36 high. */
+    const float one = 3.1416f * 0.02f * 0.02f / 0.36f;
     const float ten = covered_area(m);
     m.count = 40;
     m.width = 0.01f;
     const float forty = covered_area(m);
-    assert_float_equal(ten / one, 10.0f, 3.0f); /* The mark covers whole cells with random radii. */
+    /* The tolerance is wide, because the spots have random radii and fill a whole number of
+     * cells. */
+    assert_float_equal(ten / one, 10.0f, 3.0f);
     assert_float_equal(forty / one * 4.0f, 40.0f, 10.0f);
     assert_float_equal(cover(m, 0.7f, RIGHT_FLANK), 0.0f, 0.0f);
 }
@@ -101,7 +104,7 @@ static void test_bars_have_the_given_count_and_slant(void **state)
     };
     assert_int_equal(entered_along(m, RIGHT_FLANK), 4);
     assert_float_equal(cover(m, 0.275f, 0.1f), 1.0f, 1e-3f);
-    m.slant = 0.1f; /* The upper end is shifted backward by 0.05. */
+    m.slant = 0.1f; /* The upper end of the bar is shifted by 0.05 toward the tail. */
     assert_float_equal(cover(m, 0.275f, 0.02f), 0.0f, 1e-3f);
     assert_float_equal(cover(m, 0.325f, 0.02f), 1.0f, 1e-3f);
     m.low = 0.5f;
@@ -115,8 +118,8 @@ static void test_stripes_run_along_the_flank(void **state)
         .kind = MARK_STRIPES, .count = 3, .width = 0.08f, .to = 1.0f, .low = 0.2f, .high = 0.8f
     };
     assert_int_equal(entered_round(m, 0.5f), 3);
-    assert_int_equal(entered_along(m, RIGHT_FLANK), 0); /* The path is inside the mark from the
-                                                           snout on. */
+    /* The path begins inside the stripe, so it never enters the stripe. */
+    assert_int_equal(entered_along(m, RIGHT_FLANK), 0);
     assert_float_equal(cover(m, 0.5f, RIGHT_FLANK), 1.0f, 1e-3f);
 }
 
@@ -154,10 +157,11 @@ static void test_a_blind_side_is_one_flank_and_its_paired_fins(void **state)
     };
     assert_float_equal(cover(m, 0.5f, RIGHT_FLANK), 1.0f, 1e-3f);
     assert_float_equal(cover(m, 0.5f, LEFT_FLANK), 0.0f, 1e-3f);
-    assert_float_equal(cover(m, 0.5f, 0.0f), 0.0f, 0.0f); /* The edge belongs to the other flank. */
+    /* The middle of the back (v = 0) still has the colour of the left flank. */
+    assert_float_equal(cover(m, 0.5f, 0.0f), 0.0f, 0.0f);
     assert_float_equal(cover(m, 0.5f, 0.01f), 0.0f, 0.0f);
-    assert_float_equal(cover(m, 0.5f, 0.04f), 0.0f, 0.01f); /* The part beyond the edge also belongs
-                                                               to the other flank. */
+    /* Just past the middle of the back, the colour is still that of the left flank. */
+    assert_float_equal(cover(m, 0.5f, 0.04f), 0.0f, 0.01f);
     assert_float_equal(cover(m, 0.5f, 0.10f), 1.0f, 0.01f);
     struct species_vertex fin = { .part = PART_PECTORAL, .side = SIDE_RIGHT };
     struct mark_point point = mark_point_of(&fin, FORM_FUSIFORM);
@@ -167,7 +171,7 @@ static void test_a_blind_side_is_one_flank_and_its_paired_fins(void **state)
     assert_float_equal(mark_cover(&m, &point), 0.0f, 1e-3f);
 }
 
-/* Returns the difference in colour of two points on a young fish's coat. */
+/* Returns the colour difference of two points of a young fish (key 2). */
 static float unlike(const struct species *species, struct species_vertex a, struct species_vertex b)
 {
     const float weights[MORPH_KEY_MAX] = { 0.0f, 0.0f, 1.0f };
@@ -182,7 +186,8 @@ static void test_skin_colour_blends_into_the_tail_fin_colour(void **state)
         const struct species_vertex fin = { .u = 0.5f, .part = PART_TAIL };
         const struct species_vertex end = { .u = 1.0f, .v = 0.25f, .part = PART_BODY };
         const struct species_vertex stalk = { .u = 0.95f, .v = 0.25f, .part = PART_BODY };
-        if (species_table[i]->card.motion != MOTION_WING) { /* A whip tail has no fin at its end. */
+        /* A whip tail (MOTION_WING, the rays) has no fin at its end. */
+        if (species_table[i]->card.motion != MOTION_WING) {
             assert_true(unlike(species_table[i], end, fin) <=
                         0.15f * unlike(species_table[i], stalk, fin) + 0.01f);
         }
@@ -230,8 +235,8 @@ static void test_negative_weights_of_solved_shapes_remove_no_colour(void **state
     assert_float_equal(paint_at(&two, weights, &at).colour.y, 1.0f, 1e-4f);
 }
 
-/* Every built-in species is sampled at points over its whole body and life. The steps must be
- * small. */
+/* Samples points on the whole body of every built-in species at small steps of growth. No colour
+ * may change by much in one step. */
 static void test_paint_changes_continuously_as_every_species_grows(void **state)
 {
     (void)state;
@@ -258,8 +263,9 @@ static void test_paint_changes_continuously_as_every_species_grows(void **state)
     }
 }
 
-/* The same mark on the same line of two coats counts as one mark. At half progress, it is half way
- * and complete. */
+/* Mark number 0 of both coats has the same kind and count, so the two marks are blended as one
+ * mark. At half progress, this mark must be half way between its two positions, with full
+ * strength. */
 static void test_a_mark_of_two_keys_moves_and_does_not_fade(void **state)
 {
     (void)state;
@@ -281,7 +287,8 @@ static void test_a_mark_of_two_keys_moves_and_does_not_fade(void **state)
     assert_float_equal(paint_at(&two, weights, &at).colour.x, 1.0f, 1e-3f);
     at.u = 0.25f;
     assert_float_equal(paint_at(&two, weights, &at).colour.x, 0.0f, 1e-3f);
-    two.coats[1].marks[0].count = 2; /* The marks differ, so both have half strength. */
+    /* Marks with different counts are not blended to one mark. Both then have half strength. */
+    two.coats[1].marks[0].count = 2;
     assert_float_equal(paint_at(&two, weights, &at).colour.x, 0.5f, 1e-3f);
 }
 

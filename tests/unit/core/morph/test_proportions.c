@@ -1,8 +1,8 @@
-/* test_proportions.c -- compares measurements of each key's mesh with known proportions of the
+/* test_proportions.c -- compares measurements of each key's mesh with known proportions of the real
  * fish.
  *
- * The table is in proportions.h. No tolerance is below 1 % of the length for positions or below 10
- * degrees for angles. */
+ * proportions.h has the table of known values. Tolerances are at least 1 % of the length for
+ * positions and 10 degrees for angles. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -16,17 +16,20 @@
 
 #define FLOOR 0.01f
 #define FLOOR_DEG 10.0f
-#define GILL_U                                                                                     \
-    0.30f                /* Body coordinate of the gill cover's edge in every key with a gill
-                            cover. */
-#define STALK_FROM 0.70f /* The caudal peduncle lies behind this body coordinate. */
+#define GILL_U /* Body coordinate (0 snout, 1 tail root) of the edge of the gill cover. */
+0.30f
+/* Body coordinate at which the caudal peduncle (the narrow part before the tail) begins. */
+#define STALK_FROM 0.70f
 #define DISC_END                                                                                   \
-    0.15f             /* Share of the maximum width at which a disc ends and the whip tail
-                            starts. */
-#define SNOUT_Z 0.20f /* The angle of the outline is measured from the tip to this coordinate. */
+    /* A ray's disc ends and its whip tail begins where the width falls below this fraction of the
+     * maximum. */
+    0.15f
+/* Distance from the snout at which the opening angle of a ray's outline is measured. */
+#define SNOUT_Z 0.20f
 
-/* A fish to be measured: near mesh, one key, snout at z 0, `unit` long. */
-struct specimen {
+    /* A fish to be measured: one key of the detailed mesh with its snout at z = 0. `unit` is its
+ * length, by which all values are divided. */
+    struct specimen {
     const struct species_mesh *mesh;
     uint32_t key;
     float unit;
@@ -127,16 +130,16 @@ static bool of_right_eye(const struct species_vertex *vertex)
     return vertex->part == PART_EYE && vertex->side == SIDE_RIGHT;
 }
 
-/* Returns the turn of the right eye from its position in the first key, over the midline of the
- * back, toward the mirrored position. The value is the anchor's coordinate around the girth. */
+/* Returns how far the right eye has moved over the back toward the left side since the first key,
+ * in degrees (90 at the midline of the back). Uses the girth coordinate of the eye's anchor. */
 static float turn_deg(const struct specimen *fish, uint8_t anchor)
 {
     const float *round = fish->mesh->anchors[anchor].v;
     return 90.0f * (1.0f - round[fish->key] / round[0]);
 }
 
-/* Measures an eye, which is a sphere of rings around its gaze. The widest ring gives its size and
- * centre. */
+/* Measures an eye, a sphere of vertex rings around its line of sight. The diameter and the centre
+ * of the widest ring are the eye's size and position. */
 static void measure_eye(const struct specimen *fish, float of[FIELD_COUNT])
 {
     const struct species_vertex *vertices = fish->mesh->vertices;
@@ -157,7 +160,8 @@ static void measure_eye(const struct specimen *fish, float of[FIELD_COUNT])
     }
 }
 
-/* Measures the fin's base along the body and its longest ray. */
+/* Measures the start and the end of a fin's base along the body, and the length of its longest
+ * ray. */
 static void measure_fin(const struct specimen *fish, uint8_t part, float *start, float *end,
                         float *length)
 {
@@ -191,14 +195,14 @@ static void measure_tail(const struct specimen *fish, float of[FIELD_COUNT])
         }
     }
     of[F_tail] = tip - root;
-    /* All values are divided by `unit` later. This value is a fraction of the tail, so the
-     * multiplication cancels the division. */
+    /* The fork is a fraction of the tail's length. It is multiplied by `unit`, because all values
+     * are divided by `unit` later. */
     of[F_fork] = (tip - notch) / (tip - root) * fish->unit;
     of[F_span] = top - bottom;
 }
 
-/* Returns the position along the body, behind the widest point, at which the outline from above has
- * the given width. */
+/* Returns the position behind the widest point at which the body, seen from above, has the given
+ * width. */
 static float narrows_at(const struct specimen *fish, float width)
 {
     uint32_t ring = fish->mesh->grid_rings - 1u;
@@ -223,8 +227,8 @@ static void measure_disc(const struct specimen *fish, float of[FIELD_COUNT])
     of[F_disc] = narrows_at(fish, DISC_END * of[F_width]);
     of[F_whip] = grid(fish, fish->mesh->grid_rings - 1u, 0).z - of[F_disc];
     if (of[F_whip] > 0.0f) {
-        /* All values are divided by `unit` later. This value is a ratio, so the multiplication
-         * cancels the division. */
+        /* The position of the sting is a fraction of the whip tail. It is multiplied by `unit`,
+         * because all values are divided by `unit` later. */
         of[F_sting] = (of[F_dorsal_start] - of[F_disc]) / of[F_whip] * fish->unit;
     }
 }
@@ -253,7 +257,8 @@ static void measure(const struct specimen *fish, float of[FIELD_COUNT])
     }
 }
 
-/* Returns how many of the known values `fish` misses, and prints each one if `tell` is set. */
+/* Returns how many known values `fish` does not match, and prints each of them if `tell` is
+ * true. */
 static uint32_t count_missed(const struct known *known, const struct specimen *fish, bool tell)
 {
     float of[FIELD_COUNT];
@@ -329,7 +334,8 @@ static void test_ray_has_the_proportions_of_a_stingray(void **state)
     check_species("ray", 2);
 }
 
-/* A fish made 40 % deeper misses at least one value, and a fish made 40 % shorter misses more. */
+/* Checks that the comparison can fail: a fish made 40 % deeper must miss at least one value, and a
+ * fish made 40 % shorter at least three. */
 static void test_the_check_detects_a_fish_out_of_proportion(void **state)
 {
     (void)state;

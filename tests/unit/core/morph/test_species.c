@@ -1,5 +1,5 @@
-/* test_species.c -- checks the baked meshes: completeness, orientation and the shape that the
- * species text describes. */
+/* test_species.c -- checks the meshes of the built-in species: completeness, orientation, and the
+ * proportions of the species text. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -10,17 +10,18 @@
 #include "core/morph/morph.h"
 
 #define TOTAL_PER_STANDARD                                                                         \
-    1.27f /* Ratio of the total length of a goldfish to its standard
-                                    length. */
+/* Ratio of total length to standard length (without the tail fin) of a goldfish. */
+1.27f
 #define DEPTH_TOLERANCE 0.05f
 #define ROOT_APART                                                                                 \
-    1e-3f /* Tolerance for roots of the far mesh, whose cells are large and cut in
-                            the same direction on both flanks. */
-#define COUNT (1.0f / 32767.0f) /* Step of the tables. */
+    /* Tolerance for the symmetry of both flanks. The far mesh has large cells, and both flanks are
+     * cut into triangles in the same direction, so their fin roots differ slightly. */
+    1e-3f
+#define COUNT (1.0f / 32767.0f) /* One step of the coordinates in the tables. */
 
-static const struct species *const wakin = &species_wakin;
+    static const struct species *const wakin = &species_wakin;
 
-/* Shape of one key with its anchors. */
+/* Shape of one key in one level of detail, with its anchors applied. */
 struct shape {
     const struct species *species;
     const struct species_mesh *mesh;
@@ -65,7 +66,7 @@ static void each_shape(void (*check)(const struct shape *shape))
 
 struct face {
     vec3 corner[3];
-    vec3 twice_area; /* The vector points outward. */
+    vec3 twice_area; /* Normal of the face, which points outward. Its length is twice the area. */
     uint8_t part;
 };
 
@@ -159,8 +160,8 @@ static void test_no_triangle_is_degenerate_in_any_key(void **state)
     each_shape(check_area);
 }
 
-/* Wrong winding would give a negative volume, and a hole would differ from the ellipsoid's
- * magnitude. */
+/* Wrong winding of the triangles would give a negative volume. A hole would give a volume far from
+ * that of an ellipsoid of this size, about 0.015. */
 static void check_volume(const struct shape *shape)
 {
     float volume = 0.0f;
@@ -231,7 +232,9 @@ static void test_the_stages_have_the_depth_of_goldfish_of_their_length(void **st
 {
     (void)state;
     const float depth_per_standard[] = { 0.0f, 0.31f, 0.35f, 0.37f, 0.41f };
-    for (uint32_t key = 1; key < 5; key++) { /* The tail of the larva is shorter than a fifth. */
+    /* The larva (key 0) is not compared, because its tail fin is too short for
+     * TOTAL_PER_STANDARD. */
+    for (uint32_t key = 1; key < 5; key++) {
         const float depth = body_depth(shape_of(wakin, 0, key)) * TOTAL_PER_STANDARD;
         assert_float_equal(depth, depth_per_standard[key], DEPTH_TOLERANCE * depth);
     }
@@ -249,8 +252,8 @@ static float width_from_above(const struct shape *shape, uint8_t part)
     return right - left;
 }
 
-/* Returns the area of `part` visible from the direction `eye`. Both windings of a sheet count
- * once. */
+/* Returns the area of `part` that is visible from the direction `eye`. Fins are drawn from both
+ * sides, so only the triangles that face the eye count. */
 static float seen_area(const struct shape *shape, uint8_t part, vec3 eye)
 {
     float area = 0.0f;
@@ -266,7 +269,8 @@ static float seen_area(const struct shape *shape, uint8_t part, vec3 eye)
 static void check_fins_from_above(const struct shape *shape)
 {
     if (shape->key == 0) {
-        return; /* The tail of a larva is a flat fold, and the kiosk shows no larva. */
+        /* The tail of a larva is a flat fold. The kiosk shows no larva. */
+        return;
     }
     const vec3 side = v3(1.0f, 0.0f, 0.0f);
     const vec3 above[] = { v3(0.0f, 1.0f, 0.0f), v3(0.6f, 0.8f, 0.0f), v3(-0.6f, 0.8f, 0.0f) };
@@ -278,8 +282,8 @@ static void check_fins_from_above(const struct shape *shape)
                 width_from_above(shape, PART_BODY) + 0.04f);
 }
 
-/* A flat tail would be invisible to the kiosk's camera, and a vertical one along a fish's direction
- * of motion. */
+/* From the kiosk's camera, a horizontal tail would be invisible from the side, and a vertical one
+ * from above. The tail must be visible from each direction. */
 static void test_tail_and_pectorals_are_visible_from_above_and_from_each_slant(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_straight.c -- checks a species converted to the thesis' own method: straight paths and three
- * keys. */
+/* test_straight.c -- checks the conversion of a species to the method of the 2005 thesis: straight
+ * paths of all vertices and three keys. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -73,7 +73,8 @@ static void test_masks_are_those_of_the_whole_fish(void **state)
     assert_int_equal(out.lod[0].vertices[3].mask[2], 0);
 }
 
-/* A fin's tip is 0.4 above a back at 0.2, in a mesh with bounds of 0.5. The body frame needs 1. */
+/* The tip of a fin is 0.4 above its anchor on the back, which is at 0.2, so it is at 0.6. The
+ * mesh's coordinates reach only to 0.5. Without anchors, the converted mesh needs a reach of 1. */
 static void test_distant_points_on_anchors_widen_the_bounds(void **state)
 {
     (void)state;
@@ -81,7 +82,7 @@ static void test_distant_points_on_anchors_widen_the_bounds(void **state)
         barrel.species.lod[lod].reach = 0.5f;
     }
     for (uint32_t key = 0; key < 3; key++) {
-        /* The bounds of the mesh are halved, so the same length is twice as many steps. */
+        /* Halving the reach doubles the stored coordinates of the same points. */
         for (uint32_t i = 0; i < BARREL_VERTICES; i++) {
             struct species_point *p = &barrel.points[key][i];
             p->x = (int16_t)(p->x * 2);
@@ -149,8 +150,8 @@ static void test_the_thesis_method_uses_its_three_keys_and_its_template(void **s
     }
 }
 
-/* In section 3.2 of the 2005 thesis, the shifted curve (eq. 3.3) gives the true length at hatching.
- * The method ignores later measured lengths. */
+/* The thesis shifts the growth curve so that the length at hatching is right (equation 3.3 in
+ * section 3.2). Its method ignores the lengths measured later. */
 static void test_the_thesis_method_uses_the_lengths_of_its_shifted_curve(void **state)
 {
     (void)state;
@@ -161,9 +162,11 @@ static void test_the_thesis_method_uses_the_lengths_of_its_shifted_curve(void **
         assert_float_equal(life_length_m(&out.card, progress) / expected, 1.0f, 1e-4f);
     }
     assert_float_equal(out.card.key_length_m[0], 0.01f, 1e-7f);
-    assert_float_equal(out.card.key_length_m[2], 0.0555f, 1e-4f); /* The key was drawn at 80 mm. */
+    /* The key has 80 mm in the species, but the thesis' curve gives 55.5 mm at that age. */
+    assert_float_equal(out.card.key_length_m[2], 0.0555f, 1e-4f);
     const struct growth bigeye = { 2.0834f, 0.1985152f, -0.839f, 0.35f, 1, { { 0.0f, 0.003f } } };
-    const struct growth shifted = growth_shifted(&bigeye); /* Eq. 3.3 gives 63.7 cm at one year. */
+    /* The thesis states 63.7 cm at one year for this curve before the shift. */
+    const struct growth shifted = growth_shifted(&bigeye);
     assert_float_equal(growth_length_m(&shifted, 0.0f), 0.003f, 1e-6f);
     assert_float_equal(growth_length_m(&shifted, 365.25f), 0.378f, 0.001f);
     assert_float_equal(growth_length_m(&shifted, 1.0f), 0.00413f, 1e-5f);
