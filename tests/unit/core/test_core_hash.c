@@ -1,8 +1,9 @@
-/* test_core_hash.c -- checks that the core's hash depends on every simulated field and on no
+/* test_core_hash.c -- checks that the core's hash depends on every field of the state and on no
  * scratch field.
  *
- * The tables of the core list the members of each struct. A table that lacks a member fails the
- * test, because only the padding for alignment may lie between two listed members. */
+ * The core has a table of the members of each struct. The hash reads only the members in these
+ * tables. A test fails if a table lacks a member: between two listed members, only padding for
+ * alignment is allowed. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -19,7 +20,7 @@
 
 static struct core core, twin;
 
-/* The tables that core_hash() reads, with the object that each describes. */
+/* Tables that core_hash() reads, each with an object that it describes. */
 static const struct root {
     const struct field_table *table;
     void *object;
@@ -45,7 +46,8 @@ static const struct root {
 };
 #define ROOT_COUNT (sizeof roots / sizeof roots[0])
 
-/* What core_hash() hashes by functions, because it depends on the format of the recording. */
+/* Members that core_hash() reads without a table, because their encoding is that of the recording
+ * format. */
 #define PART(place) { #place, &core.place, sizeof core.place }
 static const struct part {
     const char *name;
@@ -71,7 +73,8 @@ static int setup(void **state)
     for (uint32_t i = 0; i < 100; i++) {
         core_tick(&core, &input, &output);
     }
-    core.world.poi[0].carried_count = 2; /* The state is that of a poi with two fish. */
+    /* Makes a state in which poi 0 carries two fish, so that these arrays are in use. */
+    core.world.poi[0].carried_count = 2;
     core.world.poi[0].load_count = 2;
     core.world.tank.broad_phase.near_count = 2;
     return 0;
@@ -82,7 +85,8 @@ static size_t align_up(size_t offset, size_t align)
     return (offset + align - 1u) / align * align;
 }
 
-/* The order of a table is that of the hash, so its members are sought in their order in memory. */
+/* A table lists its members in the order of the hash. This function looks for them in the order of
+ * memory and reports gaps. */
 static void check_members(const struct field_table *table)
 {
     uint32_t end = 0, align_max = 1;
@@ -114,7 +118,8 @@ static void check_members(const struct field_table *table)
     }
 }
 
-/* The saved edits of the lab are a part of struct lab, whose table is that of the game. */
+/* lab_saved_fields is skipped, because it lists only a part of struct lab. The complete table of
+ * struct lab is also in the tables of the game. */
 static void test_every_member_is_in_the_tables_of_the_core(void **state)
 {
     (void)state;
@@ -139,8 +144,8 @@ static void test_every_member_is_in_the_tables_of_the_core(void **state)
     }
 }
 
-/* Returns 1 and writes the hash of an object, or of the core if `table` is null. Returns 0 if an
- * assertion refuses the state. */
+/* Computes the hash of an object by its table, or of the whole core if `table` is null. Returns 1
+ * if the hash was written, or 0 if an assertion of the core failed because the state is invalid. */
 static int hash_if_valid(const struct field_table *table, const void *object, uint64_t *hash)
 {
     if (setjmp(global_expect_assert_env) != 0) {
@@ -153,8 +158,9 @@ static int hash_if_valid(const struct field_table *table, const void *object, ui
     return 1;
 }
 
-/* Changes one bit of the byte, the lowest one that leaves a valid state. The hash must then change.
- * If every changed bit is refused by an assertion, the hash sees the byte. */
+/* Changes the lowest bit of a byte for which the state stays valid, and requires that the hash
+ * changes. If every change fails an assertion, the byte is not ignored either, so the check
+ * passes. */
 static void flip(const char *name, uint8_t *byte, uint64_t before)
 {
     for (uint32_t bit = 0; bit < 8u; bit++) {
@@ -178,7 +184,7 @@ static void flip_ends(const char *name, uint8_t *bytes, size_t size, uint64_t be
     flip(name, bytes + size - 1u, before);
 }
 
-/* Returns the size of the elements in use in a member of `object`. */
+/* Returns the size in bytes of the used elements of an array member of `object`. */
 static size_t used_size(const struct field *field, const uint8_t *object)
 {
     uint32_t used = field->count;
@@ -188,7 +194,8 @@ static size_t used_size(const struct field *field, const uint8_t *object)
     return (size_t)used * field->unit;
 }
 
-/* The hash of a table is that of its object alone, which is much faster than that of the core. */
+/* For most bytes, only the hash of the changed object is computed, because the hash of the whole
+ * core is much slower. */
 static void test_the_hash_depends_on_every_member_of_the_tables(void **state)
 {
     (void)state;
@@ -234,8 +241,8 @@ static void test_the_hash_depends_on_the_element_counts(void **state)
     }
 }
 
-/* Data without a hash must not affect the state. Otherwise two states with equal hashes could
- * diverge later. */
+/* Scratch memory that is not hashed must not influence the state. Otherwise two states with equal
+ * hashes could develop differently. */
 static void test_overwritten_scratch_memory_does_not_change_the_hash(void **state)
 {
     (void)state;
@@ -244,8 +251,8 @@ static void test_overwritten_scratch_memory_does_not_change_the_hash(void **stat
     core.world.poi[0].carried_count = core.world.poi[0].load_count = 0;
     core.world.tank.broad_phase.near_count = 0;
     twin = core;
-    assert_int_equal(core.game.tick % BROAD_PHASE_UPDATE_TICKS, 0); /* All fish update their
-                                                                       perception in this tick. */
+    /* In this tick all fish update their perception, which overwrites the scratch memory. */
+    assert_int_equal(core.game.tick % BROAD_PHASE_UPDATE_TICKS, 0);
     memset(&twin.world.tank.broad_phase, 0x5a, sizeof twin.world.tank.broad_phase);
     memset(&twin.world.tank.solver, 0x5a, sizeof twin.world.tank.solver);
     for (uint32_t i = 0; i < 100; i++) {

@@ -1,5 +1,5 @@
-/* test_core_status.c -- checks that the status, the audits and the record of a round agree with
- * what the core has done and with its output. */
+/* test_core_status.c -- checks that the status, the audits and the record of a round agree with the
+ * state of the core and with its output. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -106,7 +106,7 @@ static void test_a_round_shows_its_phase_its_length_and_its_players(void **state
     assert_int_equal(vision_game(&vision).fish_count, status.fish_count);
 }
 
-/* The menu opens on the page for the PIN. SERVICE moves the highlight, and TEST types the digit. */
+/* With a PIN, the menu opens on a page where SERVICE selects a digit and TEST enters it. */
 static void test_a_page_for_a_pin_shows_until_the_pin_is_complete(void **state)
 {
     (void)state;

@@ -1,7 +1,9 @@
-/* test_core_wild.c -- checks that any controller input leaves the core valid: no panic and no NaN.
+/* test_core_wild.c -- checks that arbitrary controller input leaves the core in a valid state: no
+ * failed assertion and no NaN.
  *
- * The controllers of four players come and go. Poses move fast between random goals, and some
- * fields contain random bits. Buttons are random, and fans are present. */
+ * The controllers of four players are connected and disconnected. Poses move fast between random
+ * targets, and some fields contain random bits. Buttons are pressed at random, and fans move over
+ * the water. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -37,12 +39,13 @@ static float pick_m(void)
 
 /* ---- Controllers ---------------------------------------------------------------------------- */
 
-/* State of a valid hand motion, which moves between random goals slowly or as fast as an arm. */
+/* State of a simulated player, whose valid motion leads to random targets, slowly or as fast as an
+ * arm. */
 static struct wild_hand {
     struct poi_target at, goal;
     float pace_m_s, turn_rad_s;
-    uint32_t broken_ticks; /* Remaining ticks of a faulty report. */
-    uint32_t breaks;       /* Kind of the fault of the simulated controller. */
+    uint32_t broken_ticks; /* Ticks left in which the controller sends faulty reports. */
+    uint32_t breaks;       /* Kind of the controller's fault. */
     struct poi_target stuck;
 } hands[POI_MAX];
 
@@ -59,9 +62,9 @@ static float toward(float from, float to, float step)
 static void wander(struct wild_hand *hand)
 {
     if (draw(60) == 0) {
-        hand->goal.position_m.x = reach_m(0.6f); /* Each value is drawn in its own statement,
-                                                    because the evaluation order of arguments is
-                                                    unspecified. */
+        /* Each value is drawn in its own statement, because the evaluation order of function
+         * arguments is unspecified. */
+        hand->goal.position_m.x = reach_m(0.6f);
         hand->goal.position_m.y = reach_m(0.2f);
         hand->goal.position_m.z = reach_m(0.4f);
         hand->goal.angles.yaw_rad = reach_m(3.0f);
@@ -86,7 +89,7 @@ static void spoil_field(struct poi_target *target, uint32_t bits)
     memcpy(bytes + draw(6) * sizeof(float), &bits, sizeof bits);
 }
 
-/* Writes random bits to any field of a poi's input, or a smaller error. */
+/* Writes the current fault into the poi's input: random bits in a field, or a smaller error. */
 static void spoil(struct poi_input *poi, struct wild_hand *hand)
 {
     static const uint32_t none[] = { 0x7fc00000u, 0xffc00000u, 0x7f800000u, 0xff800000u,
@@ -126,7 +129,7 @@ static void spoil(struct poi_input *poi, struct wild_hand *hand)
     }
 }
 
-/* Connects and disconnects whole controllers, sometimes permanently. */
+/* Connects or disconnects a controller at random, and sometimes starts a fault. */
 static void stir_hand(struct poi_input *poi, struct wild_hand *hand)
 {
     wander(hand);
@@ -144,8 +147,8 @@ static void stir_hand(struct poi_input *poi, struct wild_hand *hand)
     }
 }
 
-/* Limits visits to the operator's menu to some seconds and ends them with the buttons that lead
- * back. Otherwise random input would stay in the menu for most of the time. */
+/* Ends a visit to the operator's menu after five seconds with the buttons that leave the menu.
+ * Otherwise random input would stay in the menu for most of the time. */
 static void heed_visits(struct input *input)
 {
     const uint32_t stay_ticks = core.game.tick - core.game.phase_tick;
@@ -162,8 +165,8 @@ static void stir(struct input *input)
     input->held = draw(INPUT_BUTTON_ALL + 1u);
     input->coin_count[0] = draw(3);
     input->store_well = draw(100) != 0;
-    input->record_saved_id = draw(50) == 0  ? draw(4) /* The value is random. The core must accept
-                                                         any value. */
+    /* The random acknowledgement (0 to 3) may be wrong. The core must accept any value. */
+    input->record_saved_id = draw(50) == 0  ? draw(4)
                              : draw(4) == 0 ? output.entry_id
                                             : input->record_saved_id;
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -179,7 +182,7 @@ static void stir(struct input *input)
     }
 }
 
-/* Returns the input of this tick with the faults of its controllers. */
+/* Returns the input of this tick, including the faults of the controllers. */
 static struct input said(const struct input *input)
 {
     struct input out = *input;
@@ -195,7 +198,8 @@ static struct input said(const struct input *input)
 
 /* ---- Invariants ----------------------------------------------------------------------------- */
 
-/* Ticks for which a fish is in the water without swimming. The limit is half a second. */
+/* Number of ticks for which each fish has been in the water without swimming. At most half a second
+ * is allowed. */
 static uint32_t loose_ticks[TANK_FISH_MAX];
 
 static void check_loose(const struct fish *fish, uint32_t index)
@@ -212,7 +216,7 @@ static void check_fish(const struct fish *fish)
     assert_true(f_is_finite(fish->angles.yaw_rad + fish->angles.pitch_rad + fish->angles.roll_rad));
     assert_true(f_is_finite(fish->tail_phase_rad + fish->bend_rad + fish->alarm));
     assert_true(v3_length(fish->position_m) < 3.0f);
-    /* Only a poi holds a fish in the air. */
+    /* Only a poi can hold a fish out of the water. That poi must list the fish once. */
     if (fish->gait == GAIT_HELD && fish->holder != FISH_HOLDER_WATER) {
         const struct poi *poi = &core.world.poi[fish->holder];
         uint32_t found = 0;
@@ -241,7 +245,8 @@ static void check_force(const struct poi_force *force)
     assert_true(force->tear >= 0.0f && force->tear <= 1.0f);
 }
 
-/* Counts of events, because a run without any play proves nothing. */
+/* Counts of events. The test requires that they occurred, because a run without play would prove
+ * nothing. */
 static struct tally {
     uint32_t led, lost, dips, rounds, torn, championships, menu;
 } tally;
@@ -255,14 +260,14 @@ static void count(void)
         tally.dips += poi->splash_m_s > 0.0f;
         tally.torn += poi->strain.cells_torn;
     }
-    /* A session counts its own rounds from zero. */
+    /* Counts each round at its first tick. */
     tally.rounds += core.game.phase == PHASE_ROUND && core.game.round_tick + 1u == core.game.tick;
     tally.menu += core.game.phase == PHASE_MENU;
     tally.championships += core.game.phase == PHASE_ROUND && core.game.mode == MODE_CHAMPIONSHIP;
 }
 
-/* Sets the operator's settings to the values of the configuration. Otherwise the first random
- * change in the menu would restore the default of a single player. */
+/* Copies the configuration into the operator's settings. Otherwise the first random change in the
+ * menu would reset the number of players to the default of one. */
 static struct core_config settled(const struct core_config *config)
 {
     struct core_config out = *config;

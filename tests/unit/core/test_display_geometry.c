@@ -1,5 +1,5 @@
-/* test_display_geometry.c -- checks the position of the picture on the screen and the mapping of a
- * pointer. */
+/* test_display_geometry.c -- checks where the picture is on the screen, and which point of the
+ * picture a pointer touches. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -124,10 +124,10 @@ static void test_a_pointer_on_a_rotated_screen_maps_to_the_touched_point(void **
     const struct pointer_report on = pointer_report_on(&at, &upright);
     assert_int_equal(on.width_px, 1080);
     assert_int_equal(on.height_px, 1536);
-    assert_near(on.x_px, 270.0f);  /* The right side of the picture is at the lower end of the
-                                      screen. */
-    assert_near(on.y_px, 1536.0f); /* The lower side of the picture is on the left, behind the
-                                      margin. */
+    /* The right side of the rotated picture is at the bottom of the screen. */
+    assert_near(on.x_px, 270.0f);
+    /* The lower side of the rotated picture is at the left of the screen, next to the margin. */
+    assert_near(on.y_px, 1536.0f);
     assert_int_equal(on.buttons, POINTER_DIP);
     const struct pointer_report unknown = { .x_px = 5.0f };
     assert_near(pointer_report_on(&unknown, &upright).x_px, 5.0f);

@@ -1,4 +1,5 @@
-/* test_pin.c -- checks the PIN as a salted hash, and SHA-256 with the vectors of FIPS 180-4. */
+/* test_pin.c -- checks the salted hash of the operator's PIN, and SHA-256 with the test vectors of
+ * FIPS 180-4. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -18,7 +19,7 @@ static void expect_digest(const char *message, const uint32_t wanted[SHA256_WORD
     assert_memory_equal(digest, wanted, sizeof digest);
 }
 
-/* The source is csrc.nist.gov, "Example algorithms". The second message is empty. */
+/* Test vectors from csrc.nist.gov ("Example algorithms"). The second message is empty. */
 static void test_digests_equal_those_of_the_standard(void **state)
 {
     (void)state;
@@ -54,7 +55,8 @@ static void test_a_hidden_pin_matches_its_digits(void **state)
     }
 }
 
-/* The digest has 20 bits. For 100 PINs with 9,998 others each, about one other PIN matches. */
+/* The hash of a PIN has 20 bits, so one in about a million pairs of PINs matches. Of the 100 x
+ * 9,998 pairs in this test, about one should match. */
 static void test_other_pins_rarely_match(void **state)
 {
     (void)state;
@@ -72,8 +74,9 @@ static void test_equal_pins_with_another_salt_differ(void **state)
 {
     (void)state;
     assert_int_not_equal(pin_hide(407, 1), pin_hide(407, 2));
-    assert_int_equal(pin_hide(407, 0), pin_hide(407, 1)); /* A salt of 0 is replaced, because 0
-                                                             means no salt. */
+    /* A salt of 0 would mean "no salt", so 0 is replaced by 1. Larger salts are limited to 11
+     * bits. */
+    assert_int_equal(pin_hide(407, 0), pin_hide(407, 1));
     assert_int_equal(pin_hide(407, 2047), pin_hide(407, UINT32_MAX));
 }
 

@@ -1,4 +1,5 @@
-/* test_scene.c -- checks that the scene shows the state and does not change it. */
+/* test_scene.c -- checks that the scene, which the renderer draws, shows the state of the core, and
+ * that computing it does not change the state. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -22,7 +23,8 @@ static int setup(void **state)
         .language = LANGUAGE_EN,
     };
     assert_int_equal(core_init(&core, &config), CORE_OK);
-    memset(&scene, 0xa5, sizeof scene); /* The previous contents must not matter. */
+    /* Random contents, because core_scene() must overwrite every field. */
+    memset(&scene, 0xa5, sizeof scene);
     return 0;
 }
 
@@ -39,7 +41,8 @@ static void tick(uint32_t count)
 static void test_the_shape_of_every_fish_follows_its_age(void **state)
 {
     (void)state;
-    core.world.tank.fish[0].age_days = 60.0f; /* The shape of a stunted fish follows its age. */
+    /* A fish that is small for its age must have the shape of its age. */
+    core.world.tank.fish[0].age_days = 60.0f;
     core.world.tank.fish[0].length_m = 0.02f;
     core_scene(&core, &scene);
     assert_int_equal(scene.fish_count, core.world.tank.fish_count);
@@ -49,7 +52,7 @@ static void test_the_shape_of_every_fish_follows_its_age(void **state)
         assert_float_equal(fish->age_days, core.world.tank.fish[i].age_days, 0.0f);
         assert_float_equal(fish->progress, life_progress(&species_wakin.card, fish->age_days),
                            0.0f);
-        if (i > 0) { /* The length of the other fish of this tank follows their age. */
+        if (i > 0) { /* All other fish have the length of their age. */
             assert_float_equal(length_m, fish->length_m, 1e-3f * length_m);
         }
     }
@@ -64,7 +67,8 @@ static void test_the_fish_of_a_festival_have_many_ages(void **state)
         youngest = f_min(youngest, scene.fish[i].progress);
         oldest = f_max(oldest, scene.fish[i].progress);
     }
-    assert_true(oldest - youngest > 0.1f); /* The difference is over a tenth of a life. */
+    /* The range of growth progress is more than a tenth of a life. */
+    assert_true(oldest - youngest > 0.1f);
 }
 
 static void test_fish_have_the_positions_of_the_tank(void **state)
@@ -114,7 +118,8 @@ static void test_paper_shows_wetness_damage_and_holes(void **state)
     assert_int_equal(scene.poi[0].wetness[middle], 255);
     assert_int_equal(scene.poi[0].wetness[middle + 1u], 0);
     assert_int_equal(scene.poi[0].integrity[middle], 255);
-    assert_int_equal(scene.poi[0].integrity[middle + 1u], 1); /* Nearly torn paper is not a hole. */
+    /* A value of 0 means a hole, so nearly torn paper must have at least 1. */
+    assert_int_equal(scene.poi[0].integrity[middle + 1u], 1);
     assert_int_equal(scene.poi[0].integrity[middle + 2u], 0);
 }
 
@@ -134,7 +139,7 @@ static void test_a_poi_is_shown_with_its_position_belly_and_remaining_paper(void
     assert_float_equal(shown->ring_radius_m, POI_RADIUS_M, 0.0f);
     assert_float_equal(shown->sag_m, 0.0021f, 0.0f);
     assert_float_equal(shown->paper_left, 1.0f, 0.0f);
-    poi->sheet.sag_m = -0.0013f; /* Water from below bulges the paper upward. */
+    poi->sheet.sag_m = -0.0013f; /* A negative sag is paper that water from below bulges upward. */
     core_scene(&core, &scene);
     assert_float_equal(shown->sag_m, -0.0013f, 0.0f);
 }
@@ -163,8 +168,9 @@ static void test_paper_shows_its_stress_and_holes_show_none(void **state)
     assert_int_equal(scene.poi[0].stress[middle], 255);
     assert_int_equal(scene.poi[0].stress[middle + 1u], 0);
     assert_int_equal(scene.poi[0].stress[middle + 2u], 40);
-    assert_int_equal(scene.poi[0].stress[SHEET_SIDE / 4u * SHEET_SIDE], 40); /* The stress spreads
-                                                                                outward. */
+    /* A cell outside the ring gets the stress of the nearest paper, so that the colour continues to
+     * the edge. */
+    assert_int_equal(scene.poi[0].stress[SHEET_SIDE / 4u * SHEET_SIDE], 40);
 }
 
 static void test_the_stress_colour_is_shown_only_in_practice(void **state)
@@ -194,7 +200,7 @@ static void test_every_mode_shows_its_time_and_paper(void **state)
     core.config.round_s = 90;
     core_scene(&core, &scene);
     assert_int_equal(scene.offer[MODE_FESTIVAL].grade, 4);
-    /* The rules of the championship prescribe grade 5, whatever the setting is. */
+    /* The rules of the championship prescribe paper of grade 5, whatever the operator has set. */
     assert_int_equal(scene.offer[MODE_CHAMPIONSHIP].grade, 5);
     assert_int_equal(scene.offer[MODE_PRACTICE].round_s, 90);
 }
@@ -204,8 +210,8 @@ static void test_the_water_of_a_poi_is_shown_as_a_depth(void **state)
     (void)state;
     core.world.poi[0].link = POI_SOURCE_BOT;
     core.world.poi[0].film_kg = 0.0f;
-    core.world.poi[0].water_kg = core.world.poi[0].pool_kg = 0.005f; /* 5 g on 50 cm2 give a depth
-                                                                        of 1 mm. */
+    /* 5 g of water on 50 cm^2 of paper are 1 mm deep. */
+    core.world.poi[0].water_kg = core.world.poi[0].pool_kg = 0.005f;
     core_scene(&core, &scene);
     assert_float_equal(scene.poi[0].water_m, 0.001f, 2e-5f);
 }

@@ -1,5 +1,6 @@
-/* test_stale_water.c -- checks the pump and the water over a quarter of an hour. Fish rise for air
- * and dive again in attract, and a round starts in fair water. */
+/* test_stale_water.c -- checks the pump and the oxygen of the water. Without players the oxygen
+ * falls until fish rise to the surface, and the pump then restores it. A round starts in refreshed
+ * water. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -50,7 +51,7 @@ static void test_the_pump_pauses_periodically_and_during_a_round(void **state)
     assert_true(game_pumps(&game, 1000));
 }
 
-/* Returns the number of fish that gulp at the surface. */
+/* Returns the number of fish that breathe at the surface. */
 static uint32_t surfacing_count(const struct tank *water)
 {
     uint32_t count = 0;
@@ -68,7 +69,8 @@ static void test_fish_rise_for_air_and_dive_again_in_attract(void **state)
         run(5);
         const uint32_t count = surfacing_count(&core.world.tank);
         if (second < 80) {
-            assert_true(count <= 1); /* At 4 mg/L, one gait choice in 4,000 makes a fish rise. */
+            /* At 4 mg/L of oxygen, a fish decides to rise in one of 4,000 gait choices. */
+            assert_true(count <= 1);
         }
         most = count > most ? count : most;
         least_after = second >= 135 && count < least_after ? count : least_after;
@@ -86,7 +88,8 @@ static void test_a_round_that_starts_in_stale_water_ends_with_gulping_fish(void 
     core.world.tank.oxygen.dissolved_mg_l = 2.0f;
     run(5);
     const float stale_mg_l = core.world.tank.oxygen.dissolved_mg_l;
-    /* The player only holds the poi over a corner, so the paper lasts and no fish is scooped. */
+    /* The poi is only held over a corner, so that the paper lasts for the round and no fish is
+     * caught. */
     input.poi[0].link = POI_SOURCE_LIVE;
     input.poi[0].target.position_m = v3(-0.35f, 0.15f, 0.2f);
     input.pressed = INPUT_START;

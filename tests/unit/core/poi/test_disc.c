@@ -1,4 +1,5 @@
-/* test_disc.c -- checks drag, lift, immersion and added mass of a tilted disc in water. */
+/* test_disc.c -- checks the forces on a tilted disc in water: drag, lift and added mass. Also
+ * checks the immersed fraction of the disc. */
 #include "tests/unit/support/poi_fixture.h"
 
 #define RADIUS_M 0.040f

@@ -1,4 +1,5 @@
-/* test_haptics.c -- checks the force feedback from water, weight, fish, floor and tears. */
+/* test_haptics.c -- checks the force feedback of a poi (the paper scoop): forces from water,
+ * weight, fish, floor, walls and tears. */
 #include "tests/unit/support/poi_fixture.h"
 
 #include "core/base/rng.h"
@@ -46,8 +47,8 @@ static void test_the_drag_on_the_paper_opposes_a_pull_through_water(void **state
     }
 }
 
-/* The disc accelerates 0.171 kg of water with it. At 2 m/s^2 this takes 0.34 N, before drag
- * becomes noticeable. */
+/* An accelerated disc also accelerates 0.171 kg of water (added mass). At 2 m/s^2 this needs 0.34
+ * N. The acceleration is so short that the drag stays small. */
 static void test_an_acceleration_under_water_adds_the_force_of_the_added_mass(void **state)
 {
     (void)state;
@@ -57,7 +58,7 @@ static void test_an_acceleration_under_water_adds_the_force_of_the_added_mass(vo
     fixture.hand.angles.roll_rad = fixture.poi.angles.roll_rad = 0.5f * F_PI;
     fixture_wait(&fixture, 0.5f);
     float most_n = 0.0f;
-    /* x = t^2 is an acceleration of 2 m/s^2. After these 0.1 s the hand moves at 0.2 m/s. */
+    /* x = t^2 is an acceleration of 2 m/s^2. After the 12 ticks (0.1 s) the speed is 0.2 m/s. */
     for (uint32_t tick = 1; tick <= 12; tick++) {
         const float t = (float)tick * CORE_TICK_S;
         fixture.hand.position_m.x = t * t;
@@ -69,7 +70,8 @@ static void test_an_acceleration_under_water_adds_the_force_of_the_added_mass(vo
     assert_true(most_n - drag_n < 0.36f);
 }
 
-/* Returns the torque of a turn about the handle at a height, in N m. */
+/* Returns the torque in N m while the poi turns about its handle at 10 rad/s, at the given height
+ * above the water. */
 static float turn_torque_n_m(float height_m)
 {
     fixture_init(&fixture, 4, 1);
@@ -83,8 +85,8 @@ static float turn_torque_n_m(float height_m)
     return fixture.force.torque_n_m.z;
 }
 
-/* The expected torque is (1/2) rho 1.17 (8/15) a^5 omega^2 = 3.2 mN m at 10 rad/s. Positive roll
- * turns about -z. */
+/* The expected torque at omega = 10 rad/s is (1/2) rho 1.17 (8/15) a^5 omega^2 = 3.2 mN m. The roll
+ * turns about -z, so the opposing torque about z is positive. */
 static void test_water_opposes_a_turning_wrist_and_loads_the_paper(void **state)
 {
     (void)state;
@@ -96,7 +98,8 @@ static void test_water_opposes_a_turning_wrist_and_loads_the_paper(void **state)
 
 /* ---- Fish ----------------------------------------------------------------------------------- */
 
-/* Runs a tick with a slap at a position on the paper, as catch_tick() would have computed it. */
+/* Runs a tick with a tail slap at a point of the paper. The load is set directly, as catch_tick()
+ * would compute it. */
 static void tick_with_blow(float x_m, float z_m, float force_n)
 {
     const struct poi_grip grip = { fixture.hand, 1 };
@@ -119,8 +122,8 @@ static void test_a_tail_slap_gives_a_force_of_the_same_duration_and_strength(voi
         assert_float_equal(fixture.force.force_n.y - rest.force_n.y, -0.09f, 0.02f);
         assert_float_equal(fixture.force.slap, 0.6f, 1e-5f);
     }
-    /* A load to the right of the handle rolls the hand to the right. A load nearer to the hand tips
-     * the handle less. */
+    /* A load on the right turns the grip to the right. A load nearer to the grip tips it less,
+     * because the lever is shorter (110 mm instead of 130 mm). */
     assert_float_equal(fixture.force.torque_n_m.z, -0.03f * 0.09f, 2e-4f);
     assert_float_equal(fixture.force.torque_n_m.x - rest.torque_n_m.x, -0.110f * 0.09f, 0.002f);
     tick_with_blow(0.0f, 0.0f, 0.0f);
@@ -129,8 +132,8 @@ static void test_a_tail_slap_gives_a_force_of_the_same_duration_and_strength(voi
     assert_float_equal(fixture.force.slap, 0.0f, 0.0f);
 }
 
-/* The poi scoops a fish, which slaps. The slap that catch_tick() computes in one tick acts in the
- * next. */
+/* Lifts a fish that slaps its tail, and compares the slaps with the force feedback. A slap that
+ * catch_tick() computes in one tick acts in the next tick. */
 static void test_a_carried_fish_adds_its_weight_and_its_slaps_to_the_force(void **state)
 {
     (void)state;
@@ -138,7 +141,8 @@ static void test_a_carried_fish_adds_its_weight_and_its_slaps_to_the_force(void 
     fixture_dip(&fixture);
     fixture_add_fish(&fixture, v3(0.0f, fixture.poi.position_m.y + 0.03f, 0.0f), 0.05f);
     fixture_move(&fixture, v3(0.0f, 0.06f, 0.0f), 0.08f);
-    /* Lets the water that the lift moved come to rest, so that only the fish causes forces. */
+    /* Waits until the water moved by the lift is at rest, so that only the fish changes the
+     * force. */
     fixture_wait(&fixture, 0.15f);
     assert_int_equal(fixture.poi.carried_count, 1);
     uint32_t blows = 0, felt = 0;
@@ -154,7 +158,7 @@ static void test_a_carried_fish_adds_its_weight_and_its_slaps_to_the_force(void 
     assert_float_equal(fixture.poi.carried_kg, fish_mass_kg(0.05f), 1e-6f);
 }
 
-/* ---- What holds it up ----------------------------------------------------------------------- */
+/* ---- Floor and walls ------------------------------------------------------------------------ */
 
 static void test_the_floor_pushes_back_at_the_edge_that_touches(void **state)
 {
@@ -162,23 +166,24 @@ static void test_the_floor_pushes_back_at_the_edge_that_touches(void **state)
     fixture_init(&fixture, 4, 1);
     fixture.has_wrist = 1;
     fixture_move(&fixture, v3(0.0f, -0.07f, 0.0f), 0.2f);
-    /* The target is 1 cm below the lowest possible position of the ring. */
+    /* The target is 1 cm below the lowest possible position of the ring, so the ring rests on the
+     * floor. */
     fixture.hand.position_m.y = -0.155f;
     fixture_wait(&fixture, 1.0f);
     assert_true(fixture.force.force_n.y > 1.0f);
     assert_true(fixture.force.force_n.y < 3.0f);
-    /* A target far below the floor must not exceed the maximum force. */
+    /* Even with a target far below the floor, the force is limited. */
     fixture.hand.position_m.y = -3.0f;
     fixture_wait(&fixture, 0.5f);
     assert_float_equal(fixture.force.force_n.y, POI_FORCE_N_MAX, 0.5f);
     fixture_init(&fixture, 4, 1);
     fixture.has_wrist = 1;
     fixture_move(&fixture, v3(0.0f, -0.07f, 0.0f), 0.2f);
-    /* Rolls the poi so that its right side is the lower one. */
+    /* Rolls the poi, so that only its right side touches the floor. */
     fixture_turn(&fixture, 0.0f, 0.5f, 0.3f);
     fixture.hand.position_m.y = -0.150f;
     fixture_wait(&fixture, 1.0f);
-    /* The floor pushes the right side up, which is a positive torque about z. */
+    /* The floor pushes the right side upward. This is a positive torque about z. */
     assert_true(fixture.force.torque_n_m.z > 0.02f);
 }
 
@@ -189,8 +194,8 @@ static void test_a_wall_pushes_back(void **state)
     fixture_move(&fixture, v3(0.0f, -0.07f, 0.0f), 0.2f);
     fixture_move(&fixture, v3(0.43f, -0.07f, 0.0f), 0.2f);
     fixture_wait(&fixture, 0.5f);
-    /* The wall stops the ring 26 mm before the hand. Stretched by 26 mm, the spring pulls with
-     * 5.7 N. */
+    /* The wall stops the ring 26 mm before the target. The virtual spring between them then pulls
+     * with 5.7 N. */
     assert_true(fixture.force.force_n.x < -2.0f);
     assert_true(fixture.force.force_n.x > -7.0f);
 }
@@ -239,7 +244,8 @@ static void test_the_force_is_bounded_for_any_hand_motion(void **state)
     }
 }
 
-/* With two ticks in a frame, the device gets the stronger slap of either tick. */
+/* A frame has two ticks, but the controller gets only one output. The output must contain the
+ * stronger slap. */
 static void test_a_frame_reports_the_strongest_slap_of_its_ticks(void **state)
 {
     (void)state;

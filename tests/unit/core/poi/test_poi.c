@@ -1,4 +1,5 @@
-/* test_poi.c -- checks the motion of the ring between hand, water and walls. */
+/* test_poi.c -- checks how the ring of a poi (the paper scoop) follows the player's pose through
+ * air and water, and how the tank's walls and floor stop it. */
 #include "tests/unit/support/poi_fixture.h"
 
 #include "core/base/rng.h"
@@ -77,8 +78,8 @@ static void test_edge_on_drag_on_the_hand_is_almost_zero(void **state)
     assert_true(fixture.force.force_n.x > -0.010f);
 }
 
-/* Returns the lag in seconds of the ring behind a wrist that turns at 4 rad/s. The wrist rolls, or
- * turns the handle about the paper's normal. */
+/* Turns the player's wrist at 4 rad/s and returns how many seconds the ring is behind it. The wrist
+ * rolls, or with `about_normal` turns about the normal of the paper. */
 static float turn_lag_s(float height_m, int about_normal)
 {
     fixture_init(&fixture, 4, 1);
@@ -99,7 +100,7 @@ static void test_water_slows_a_ring_that_rolls_and_not_one_that_spins_in_its_pla
     (void)state;
     const float air_s = turn_lag_s(0.10f, 0), water_s = turn_lag_s(-0.075f, 0);
     assert_true(water_s > 1.1f * air_s);
-    /* In water the ring lags the wrist by at most 1.4 times the lag in air. */
+    /* Added water makes the ring slower by at most 40 % of the lag in air. */
     assert_true(water_s < 1.4f * air_s);
     assert_float_equal(turn_lag_s(-0.075f, 1), air_s, 1e-4f);
 }
@@ -113,11 +114,12 @@ static void test_the_force_of_a_poi_at_rest_in_air_is_its_weight(void **state)
     fixture_dip(&fixture);
     fixture_move(&fixture, v3(0.0f, 0.06f, 0.0f), 0.2f);
     fixture_wait(&fixture, 0.1f);
-    /* Besides the poi, the hand holds the water in and on the wet paper, at least 3 g. */
+    /* The player also holds the water on the paper and in its sag, at least 3 g. */
     assert_true(fixture.force.force_n.y < -(POI_MASS_KG + 0.003f) * GRAVITY_M_S2);
 }
 
-/* The centre of the poi is 13 cm from the hand. A load on the right side also rolls the handle. */
+/* The centre of the ring is 13 cm from the grip, so its weight causes a torque about x. A fish on
+ * the right side also causes a torque about z. */
 static void test_the_load_of_the_fish_adds_a_torque_about_the_grip(void **state)
 {
     (void)state;
@@ -126,7 +128,8 @@ static void test_the_load_of_the_fish_adds_a_torque_about_the_grip(void **state)
     const float weight_n = POI_MASS_KG * GRAVITY_M_S2;
     assert_float_equal(fixture.force.torque_n_m.x, -0.130f * weight_n, 0.001f);
     assert_float_equal(fixture.force.torque_n_m.z, 0.0f, 1e-5f);
-    fixture.poi.carried_kg = 0.003f; /* Sets the load that catch_tick() would have computed. */
+    /* Sets the fish's load directly, as catch_tick() would compute it. */
+    fixture.poi.carried_kg = 0.003f;
     fixture.poi.loads[0] = (struct sheet_load){ 0.03f, 0.0f, 0.02f, -0.003f * GRAVITY_M_S2 };
     fixture.poi.load_count = 1;
     const struct poi_grip grip = { fixture.hand, 1 };
@@ -165,13 +168,14 @@ static void test_a_ring_outside_the_tank_lands_on_the_rim_of_the_wall(void **sta
     fixture_move(&fixture, v3(0.50f, -0.10f, 0.0f), 0.5f);
     fixture_wait(&fixture, 1.0f);
     assert_true(fixture.poi.position_m.x > 0.45f);
-    /* The tank's rim is 5 cm above the water and the target outside is lower, so the poi rests
-     * on the rim. */
+    /* The target is outside the tank and below its rim. The rim is 5 cm above the water, so the poi
+     * rests on the rim. */
     assert_true(fixture.poi.position_m.y > 0.05f);
 }
 
-/* A spring force of 20 N against the damping of a hand gives 3.5 m/s, 29 mm a tick. The rest is the
- * push off floor, rim and walls when the wrist turns. */
+/* Runs a tick in which the ring must move by less than 40 mm. A spring force of at most 20 N gives
+ * a speed of 3.5 m/s, which is 29 mm per tick. The rest allows for contact with floor, rim and
+ * walls while the wrist turns. */
 static void tick_without_jump(void)
 {
     const vec3 before_m = fixture.poi.position_m;
@@ -258,7 +262,7 @@ static void test_only_the_submerged_part_of_the_paper_gets_wet(void **state)
     (void)state;
     fixture_init(&fixture, 6, 1);
     fixture.hand.angles.roll_rad = fixture.poi.angles.roll_rad =
-        0.5f * F_PI; /* Rolls the poi so that its right edge is the lowest. */
+        0.5f * F_PI; /* Rolled by 90 degrees, so that the right edge is the lowest. */
     fixture_move(&fixture, v3(0.0f, 0.0f, 0.0f), 0.2f);
     fixture_wait(&fixture, 3.0f);
     const uint32_t row = SHEET_SIDE / 2u * SHEET_SIDE;
@@ -287,7 +291,8 @@ static void test_a_broadside_lift_tears_wet_grade_6_at_1_m_s_and_not_slowly(void
     assert_int_equal(slow, 40);
 }
 
-/* Sweeps half a metre with the paper rolled by `roll_rad`, and returns the share of paper left. */
+/* Sweeps the poi 55 cm through the water with the paper rolled by `roll_rad`. Returns the fraction
+ * of the paper that is left. */
 static float left_after_sweep(float roll_rad, float speed_m_s, uint32_t seed)
 {
     fixture_init(&fixture, 6, seed);
@@ -311,7 +316,7 @@ static void test_a_fast_broadside_sweep_tears_and_a_glide_along_the_plane_does_n
     assert_in_range(torn, 18, 20);
 }
 
-/* ---- Bookkeeping ---------------------------------------------------------------------------- */
+/* ---- Counted dips and carried water --------------------------------------------------------- */
 
 static void test_a_dip_counts_once(void **state)
 {
@@ -332,8 +337,8 @@ static void test_a_level_poi_keeps_its_pool_and_a_tilted_one_spills_it(void **st
     fixture_init(&fixture, 4, 1);
     fixture_dip(&fixture);
     fixture_move(&fixture, v3(0.0f, 0.06f, 0.0f), 0.3f);
-    /* Right after the lift, the sag of the paper is still deep from the drag and holds more
-     * water than at rest. */
+    /* Just after the lift, drag still pulls the paper down, so that it holds more water than at
+     * rest. */
     const float carried = fixture.poi.water_kg;
     fixture_wait(&fixture, 1.0f);
     const float level = fixture.poi.water_kg, pool = fixture.poi.pool_kg;

@@ -1,9 +1,9 @@
-/* test_poi_blocked.c -- Tests the ring while fish block it and after they release it. */
+/* test_poi_blocked.c -- tests the ring of a poi while fish block it and after they release it. */
 #include "tests/unit/support/poi_fixture.h"
 
 static struct poi_fixture fixture; /* Static, because the struct is too large for some stacks. */
 
-/* Runs a tick in which fish prevent every motion of the ring. */
+/* Runs a tick in which fish prevent any motion of the ring. */
 static void tick_held(void)
 {
     const struct poi_grip grip = { fixture.hand, 1 };
@@ -15,7 +15,8 @@ static void tick_held(void)
     poi_apply_reaction(&fixture.poi, &ring);
 }
 
-/* The hand moves for 0.8 s while the ring is blocked, and for another 0.5 s after the release. */
+/* The player's target moves for 0.8 s while the ring is blocked, and for another 0.5 s after the
+ * release. The ring must catch up with a limited speed. */
 static void test_a_released_ring_follows_the_hand_without_overspeed(void **state)
 {
     (void)state;
@@ -24,7 +25,7 @@ static void test_a_released_ring_follows_the_hand_without_overspeed(void **state
         const float hand_m_s = hands_m_s[i / 2u];
         fixture_init(&fixture, 5, 1);
         fixture.has_wrist = 1;
-        /* In every second trial the poi is a bare ring, which has almost no drag. */
+        /* In every second trial the ring has no paper and therefore almost no drag. */
         if (i % 2u == 1u) {
             memset(fixture.poi.sheet.state, CELL_HOLE, sizeof fixture.poi.sheet.state);
             fixture.poi.sheet.paper_cells = 0;
@@ -64,15 +65,16 @@ static void test_a_pull_at_a_blocked_ring_does_not_load_the_paper(void **state)
         assert_true(f_abs(fixture.poi.pressure_pa) < 1.0f);
         assert_float_equal(sheet_left(&fixture.poi.sheet), 1.0f, 0.0f);
         fixture_move(&fixture, v3(0.0f, 0.06f, 0.0f),
-                     0.22f); /* From here on the ring is free and follows the hand upward. */
+                     /* From here on the ring is no longer blocked. */
+                     0.22f);
         fixture_wait(&fixture, 0.2f);
         assert_true(fixture.poi.position_m.y > 0.01f);
         assert_true(sheet_left(&fixture.poi.sheet) > 0.9f);
     }
 }
 
-/* The hand moves broadside under water at 0.5 m/s. A free ring pushes water and a blocked ring
- * pushes none. */
+/* The player moves the ring broadside under water at 0.3 m/s. A free ring makes the water flow, a
+ * blocked ring does not. */
 static void test_a_blocked_ring_moves_no_water(void **state)
 {
     (void)state;
@@ -97,16 +99,16 @@ static void test_a_blocked_ring_moves_no_water(void **state)
         if (tick == 23) {
             assert_true(flow_m_s > 0.1f);
         } else if (tick > 24) {
-            /* The ring has a velocity in its obstacle, but while it is blocked it must move no
-             * water. */
+            /* The obstacle has the velocity that the player requests, but the blocked ring must not
+             * make the water flow. */
             assert_true(v3_length(ring.velocity_m_s) > 0.1f);
             assert_float_equal(flow_m_s, 0.0f, 0.001f);
         }
     }
 }
 
-/* A ring that was never blocked has no limit for catching up. The hand moves 0.5 m back and forth
- * at up to 2 m/s and stops suddenly. */
+/* The limit for catching up applies only after a block. Here the player moves the ring 0.5 m back
+ * and forth at up to 2 m/s and stops suddenly, without a block. */
 static void test_a_fast_free_hand_motion_keeps_the_same_lag(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_poi_mouse.c -- Tests that the steps of a mouse load the paper little more than a smooth
- * motion. */
+/* test_poi_mouse.c -- tests that a mouse, which moves in whole pixels, loads the paper hardly more
+ * than a smooth motion. */
 #include "tests/unit/support/poi_fixture.h"
 
 static struct poi_fixture fixture; /* Static, because the struct is too large for some stacks. */
@@ -13,8 +13,8 @@ static float whole_pixel(float at_m)
     return pixel_m * f_floor(at_m / pixel_m + 0.5f);
 }
 
-/* Moves the poi 0.4 m. Mouse reports arrive at 60 Hz, and poses are interpolated linearly to
- * 120 Hz. */
+/* Moves the poi by 0.4 m. With `by_mouse`, the position is rounded to pixels at 60 Hz and
+ * interpolated linearly to 120 Hz. */
 static void glide(float speed_m_s, float course_rad, float roll_rad, int by_mouse)
 {
     fixture_init(&fixture, 4, 3);
@@ -40,15 +40,15 @@ static void glide(float speed_m_s, float course_rad, float roll_rad, int by_mous
         }
         fixture_tick(&fixture);
         if (tick == ticks / 3u) {
-            /* The measurement begins here and leaves out the first step of the mouse, because this
-             * step goes from the exact start position to a whole pixel. */
+            /* The measurement begins here. It excludes the first step of the mouse, from the exact
+             * start position to a whole pixel. */
             fixture.tension_max_n_m = fixture.tension_sum_n_m = 0.0f;
         }
     }
 }
 
-/* Returns the excess of the paper's maximum strain with the mouse over that with the smooth
- * path. */
+/* Returns by which fraction the paper's maximum tension with the mouse exceeds that of the smooth
+ * motion. */
 static float excess_strain(float speed_m_s, float course_rad, float roll_rad)
 {
     glide(speed_m_s, course_rad, roll_rad, 0);
@@ -77,9 +77,9 @@ static void test_whole_pixel_mouse_motion_loads_the_paper_like_the_smooth_path(v
     assert_grain(0.30f, 0.05f);
 }
 
-/* At a low speed, a pixel is a large part of the motion in a frame: 3.5 pixels per frame become 3
- * and 4 in turn. The remaining difference is drag, which grows with the square of the ring's true
- * speed. A filter against it would add lag. */
+/* At 0.15 m/s the poi moves 3.5 pixels per frame, which are rounded to 3 and 4 in turn. The drag
+ * grows with the square of the speed, so its maximum is higher than for a smooth motion. A filter
+ * would remove this, but would add lag. */
 static void test_slower_mouse_motion_adds_at_most_an_eighth_of_the_strain(void **state)
 {
     (void)state;

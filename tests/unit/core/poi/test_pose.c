@@ -1,4 +1,5 @@
-/* test_pose.c -- checks conversions between angles and axes, turns and interpolation. */
+/* test_pose.c -- checks the conversion between angles and axes, limited turns, and interpolation of
+ * poses. */
 #include "tests/unit/support/poi_fixture.h"
 
 #include "core/poi/pose.h"
@@ -42,8 +43,8 @@ static void test_pose_look_faces_forward_with_its_back_up(void **state)
     assert_float_equal(v3_dot(axes.back, forward), -1.0f, 1e-5f);
     assert_true(axes.up.y > 0.99f);
     assert_float_equal(v3_dot(v3_cross(axes.right, axes.up), axes.back), 1.0f, 1e-5f);
-    /* If the requested up direction is parallel to the forward direction, any up direction is
-     * accepted, but the axes must be valid. */
+    /* An up direction parallel to the forward direction is not usable. pose_look() must then return
+     * some valid axes. */
     const struct basis odd = pose_look(forward, forward);
     assert_float_equal(v3_dot(v3_cross(odd.right, odd.up), odd.back), 1.0f, 1e-5f);
 }
@@ -53,7 +54,7 @@ static void test_a_turn_takes_the_short_way_and_at_most_one_step(void **state)
     (void)state;
     const struct angles from = { 3.0f, -0.2f, 0.1f }, to = { -3.0f, 0.2f, 0.1f };
     const struct angles half = pose_toward(from, to, 0.5f, 1.0f);
-    /* Between yaw 3 and -3 rad the short way passes pi and not 0. */
+    /* From yaw 3 rad to -3 rad, the shorter way leads through pi, not through 0. */
     assert_float_equal(f_abs(half.yaw_rad), F_PI, 1e-5f);
     assert_float_equal(half.pitch_rad, 0.0f, 1e-6f);
     assert_float_equal(half.roll_rad, 0.1f, 1e-6f);
@@ -73,7 +74,7 @@ static void test_interpolation_covers_positions_and_turns_of_any_size(void **sta
     assert_float_equal(middle.position_m.x, 0.2f, 1e-6f);
     assert_float_equal(middle.position_m.y, 0.1f, 1e-6f);
     assert_float_equal(f_abs(middle.angles.yaw_rad), F_PI, 1e-5f);
-    /* pose_between() has no limit for the step: from 0 to 3 rad, half is 1.5 rad. */
+    /* pose_between() does not limit the step: half of the way from 0 to 3 rad is 1.5 rad. */
     assert_float_equal(middle.angles.pitch_rad, 1.5f, 1e-5f);
 }
 

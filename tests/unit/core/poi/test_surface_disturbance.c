@@ -1,5 +1,5 @@
-/* test_surface_disturbance.c -- checks how a ring disturbs the water surface and how a wet poi
- * drips. */
+/* test_surface_disturbance.c -- checks the waves that a ring makes at the water surface, and the
+ * drops of a wet poi. */
 #include "tests/unit/support/poi_fixture.h"
 
 #include "core/poi/poi.h"
@@ -16,7 +16,7 @@ static void tick_on(void)
     }
 }
 
-/* Returns the mean square of the surface's height in a box of the tank, in mm^2. */
+/* Returns the mean square of the wave height in a rectangle of the tank, in mm^2. */
 static float stir_mm2(float low_x, float high_x, float low_z, float high_z)
 {
     float sum = 0.0f;
@@ -31,7 +31,7 @@ static float stir_mm2(float low_x, float high_x, float low_z, float high_z)
     return sum / (float)count;
 }
 
-/* Sweeps a half-submerged ring 0.5 m along +x with its far edge downward. */
+/* Moves a half-submerged, steeply tilted ring 0.5 m along +x. */
 static void sweep_half_submerged(float speed_m_s)
 {
     fixture_init(&fixture, 4, 1);
@@ -58,12 +58,12 @@ static void test_a_ring_faster_than_its_ripples_leaves_them_behind(void **state)
     const float aside = stir_mm2(0.10f, 0.30f, 0.15f, 0.25f);
     assert_true(behind > 0.05f);
     assert_true(ahead < 0.05f * behind);
-    /* The waves form a wedge behind the ring, so there are few beside it. */
+    /* The waves form a wedge behind the ring, so there are only small waves at its sides. */
     assert_true(aside < 0.2f * behind);
 }
 
-/* The standing ring crosses the surface at two points and presses it there. 6 cm beside these
- * points the surface is flat. */
+/* A ring that stands on edge crosses the surface at two points and presses the water down there.
+ * The surface must stay flat 6 cm away from these points. */
 static void test_a_ring_presses_the_surface_at_both_intersection_points(void **state)
 {
     (void)state;
@@ -107,7 +107,7 @@ static void test_a_wet_poi_drips_at_its_lowest_point_and_then_stops(void **state
     fixture_dip(&fixture);
     fixture.has_wrist = 1;
     fixture_move(&fixture, v3(0.0f, 0.10f, 0.0f), 0.2f);
-    /* Rolls the poi so that its right side is the lower one. */
+    /* Rolls the poi, so that the drops fall from its right side. */
     fixture_turn(&fixture, 0.0f, 0.7f, 0.1f);
     memset(&fixture.tank.water, 0, sizeof fixture.tank.water);
     uint32_t drops = 0, late = 0;

@@ -1,7 +1,8 @@
-/* test_sweep.c -- checks that nothing is skipped between two ticks at the fastest hand motion.
+/* test_sweep.c -- checks that no contact is missed between two ticks at the fastest motion of a
+ * player.
  *
- * At 4 m/s the ring moves 33 mm in a tick. The distance exceeds the thickness of a fish and is ten
- * times the thickness of the ring. */
+ * At 4 m/s the ring moves 33 mm per tick, which is more than the thickness of a fish and ten times
+ * the thickness of the ring. */
 #include "tests/unit/support/poi_fixture.h"
 
 #include "core/base/rng.h"
@@ -16,7 +17,8 @@ static float drawn(uint32_t trial, uint32_t which, float low, float high)
     return rng_range((struct rng_key){ 17, trial, which, RNG_TEST }, low, high);
 }
 
-/* Starts the ring and the hand together at `start_m` with `velocity_m_s`. */
+/* Starts the ring at `start_m` with `velocity_m_s`, already at the position and speed of the
+ * player's target. */
 static void swing_from(vec3 start_m, struct angles angles, vec3 velocity_m_s)
 {
     struct poi *poi = &fixture.poi;
@@ -53,15 +55,16 @@ static void test_a_plunge_at_4_m_s_counts_as_a_dip_and_pushes_back(void **state)
         }
         fixture_wait(&fixture, 0.3f);
         assert_int_equal(fixture.poi.dips, 1);
-        /* To accelerate 0.1 kg of water to 4 m/s within a tick, the disc needs tens of newtons. */
+        /* To accelerate 0.1 kg of water to 4 m/s within a tick, the disc would need tens of
+         * newtons. The simulated force must be at least 5 N. */
         assert_true(slam_n > 5.0f);
         assert_true(felt_n > 5.0f);
         assert_true(fixture.poi.water_kg > 0.001f);
     }
 }
 
-/* The poi is in the water for less than 50 ms. Whatever the phase of the ticks, some cells must
- * get wet. */
+/* The poi is in the water for less than 50 ms. Different start heights shift the dip relative to
+ * the ticks. A dip deeper than 6 mm must always be counted and wet the paper. */
 static void test_a_50_ms_movement_through_the_surface_counts_as_a_dip(void **state)
 {
     (void)state;
@@ -94,8 +97,8 @@ static vec3 from_poi(uint32_t fish)
                              v3_sub(fixture.tank.fish[fish].position_m, fixture.poi.position_m));
 }
 
-/* Returns whether a fish that moved from `before` to `after`, in the poi's axes, passed through the
- * paper. A carried fish lies in the belly and did not. */
+/* Returns 1 if a fish passed through the paper when it moved from `before` to `after` (in the axes
+ * of the poi). A fish that lies on the sagging paper (less than 4 mm below) did not pass. */
 static int passed_through_paper(vec3 before, vec3 after)
 {
     if (before.y * after.y >= 0.0f || f_abs(after.y) < 0.004f) {
@@ -105,8 +108,8 @@ static int passed_through_paper(vec3 before, vec3 after)
     return at.x * at.x + at.z * at.z < 0.9f * POI_RADIUS_M * POI_RADIUS_M;
 }
 
-/* Sweeps once at a school of three fish. Returns the number of fish that the poi moved by at least
- * 1 mm. */
+/* Sweeps the poi once through three fish. Returns the number of fish that were moved by at least 1
+ * mm. */
 static uint32_t swing_at_fish(uint32_t trial, vec3 velocity_m_s, struct angles angles,
                               vec3 turn_rad_s)
 {
@@ -121,7 +124,7 @@ static uint32_t swing_at_fish(uint32_t trial, vec3 velocity_m_s, struct angles a
         fixture.tank.fish[fish].angles.yaw_rad = drawn(trial, 30 + i, -3.0f, 3.0f);
     }
     vec3 began[3];
-    /* The paper cannot tear in this test, because a fish could pass through a hole. */
+    /* The paper is made indestructible, because fish could pass through a hole. */
     fixture.poi.damage_immune = 1;
     swing_from(start_m, angles, velocity_m_s);
     for (uint32_t i = 0; i < 3; i++) {

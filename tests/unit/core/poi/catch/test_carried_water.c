@@ -1,5 +1,5 @@
-/* test_carried_water.c -- checks the amount of water that a poi carries out of the tank, how the
- * water drains, and that none is created. */
+/* test_carried_water.c -- checks the water that a poi lifts out of the tank: its amount, how it
+ * drains, and that no water is created. */
 #include "tests/unit/support/poi_fixture.h"
 
 #include "core/base/rng.h"
@@ -8,7 +8,7 @@
 
 static struct poi_fixture fixture; /* Static, because the struct is too large for some stacks. */
 
-/* Lifts the poi slowly out of the water at its present angle and holds it in the air for
+/* Dips the poi, turns it, lifts it slowly out of the water and holds it in the air for
  * `seconds`. */
 static void lift_out(float pitch_rad, float speed_m_s, float seconds)
 {
@@ -24,7 +24,7 @@ static void test_a_level_poi_carries_a_film_and_a_pool(void **state)
     (void)state;
     fixture_init(&fixture, 6, 1);
     lift_out(0.0f, 0.15f, 0.3f);
-    /* A film of 0.3 mm on both faces of the paper (50 cm^2 each) weighs 3 g. */
+    /* A water film of 0.3 mm on both faces of the paper (50 cm^2 each) weighs 3 g. */
     assert_float_equal(fixture.poi.film_kg, 0.003f, 0.0005f);
     const float belly_kg = 0.5f * F_PI * 0.04f * 0.04f * fixture.poi.sheet.sag_m * WATER_KG_M3;
     assert_true(fixture.poi.pool_kg > 0.9f * belly_kg);
@@ -41,7 +41,7 @@ static void test_a_tilted_poi_drains_in_0_15_s_over_the_sine(void **state)
     for (uint32_t i = 0; i < 3; i++) {
         fixture_init(&fixture, 6, 1);
         fixture.poi.angles.pitch_rad = fixture.hand.angles.pitch_rad = tilts_rad[i];
-        /* Gives the poi in the air 5 g of water, as if it had just been lifted. */
+        /* Puts 5 g of water on the poi, as after a lift. */
         fixture.poi.pool_kg = 0.005f;
         const float tau_s = 0.15f / f_sin(tilts_rad[i]);
         for (float s = 0.0f; s < tau_s; s += CORE_TICK_S) {
@@ -61,15 +61,15 @@ static void test_an_inverted_ring_holds_15_g_and_spills_them_when_it_turns(void 
     assert_true(sheet_left(&fixture.poi.sheet) == 1.0f);
     assert_float_equal(fixture.force.force_n.y,
                        -(POI_MASS_KG + fixture.poi.water_kg) * GRAVITY_M_S2, 0.01f);
-    /* The upside-down poi holds the pool on its back, where the pool's weight presses on the
-     * paper. */
+    /* The upside-down poi holds the water on the back of its paper, and the weight of the water
+     * presses on the paper. */
     assert_true(fixture.poi.pressure_pa > 25.0f);
     fixture_turn(&fixture, F_PI - 1.0f, 0.0f, 0.2f);
     fixture_wait(&fixture, 0.5f);
     assert_true(fixture.poi.water_kg < 0.003f);
 }
 
-/* In air, a random hand motion with random turns can only lose water. */
+/* Turns and moves the poi at random in air. The amount of water must never increase. */
 static void test_a_poi_in_air_gains_no_water(void **state)
 {
     (void)state;
@@ -119,7 +119,8 @@ static void test_a_torn_poi_loses_its_water_through_the_holes(void **state)
 
 /* ---- The meniscus --------------------------------------------------------------------------- */
 
-/* Returns the maximum pull of the surface while the ring leaves the water with a tilt. */
+/* Lifts the ring out of the water with a tilt. Returns the greatest pull of the meniscus, the water
+ * that clings to the ring. */
 static float most_meniscus_n(float pitch_rad, float *hand_n)
 {
     fixture_init(&fixture, 4, 1);
@@ -130,7 +131,7 @@ static float most_meniscus_n(float pitch_rad, float *hand_n)
     float most_n = 0.0f;
     *hand_n = 0.0f;
     for (uint32_t tick = 0; tick < ticks; tick++) {
-        fixture.hand.position_m.y += 0.0003f; /* 36 mm/s: 0.3 mm in each tick. */
+        fixture.hand.position_m.y += 0.0003f; /* 0.3 mm per tick is 36 mm/s. */
         fixture_tick(&fixture);
         const float weight_n =
             (POI_MASS_KG + fixture.poi.water_kg) * GRAVITY_M_S2 * (1.0f - fixture.poi.immersed);
@@ -140,7 +141,7 @@ static float most_meniscus_n(float pitch_rad, float *hand_n)
         }
     }
     assert_true(fixture.poi.position_m.y > 0.05f);
-    /* The ring is 5 cm above the water, so the meniscus has broken. */
+    /* At 5 cm above the water the meniscus is broken. */
     assert_float_equal(fixture.poi.meniscus_n, 0.0f, 0.0f);
     return most_n;
 }
@@ -151,7 +152,7 @@ static void test_the_meniscus_pulls_a_level_ring_more_than_a_slanted_one(void **
     float level_n, slanted_n;
     const float level = most_meniscus_n(0.0f, &level_n);
     const float slanted = most_meniscus_n(0.6f, &slanted_n);
-    /* The surface pulls at both faces of the ring, with 18 mN each. */
+    /* The meniscus has two faces, inside and outside of the ring, which pull with 18 mN each. */
     assert_float_equal(level, 2.0f * F_TAU * 0.04f * 0.072f, 1e-4f);
     assert_true(slanted < 0.35f * level);
     assert_float_equal(level_n, level, 0.4f * level);

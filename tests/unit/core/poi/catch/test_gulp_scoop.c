@@ -1,8 +1,10 @@
-/* test_gulp_scoop.c -- checks that a gulping fish is easier to scoop than a fish at mid depth.
+/* test_gulp_scoop.c -- checks that a fish that gulps air at the surface is easier to catch than a
+ * fish at mid depth.
  *
- * At real stalls, players take fish near the surface that are slow or gulp. The 2013 thesis
- * (section 2.3) gives the reason: a shallow scoop loads the paper less. The test makes the same
- * scoop at a lone fish: the poi enters beside it at a slant, moves level under it and rises. */
+ * Players at real stalls prefer slow or gulping fish near the surface. The 2013 thesis (section
+ * 2.3) explains that a shallow scoop loads the paper less. The test makes the same scoop at a
+ * single fish in both states: the poi enters the water beside it at a slant, moves level under it
+ * and rises. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -15,9 +17,10 @@
 #include "core/tank/behavior/surface_breathing.h"
 
 #define TRIALS 60u
-#define UNDER_M 0.022f  /* Distance of the paper below the fish's lowest point. */
+#define UNDER_M 0.022f  /* Distance of the paper below the lowest point of the fish. */
 #define BESIDE_M 0.085f /* Distance from the fish at which the poi enters the water. */
-#define HAND_M_S 0.30f  /* Speed of the hand. At this speed, most fish that do not gulp flee. */
+/* Speed of the player's motion. At this speed most fish at mid depth flee. */
+#define HAND_M_S 0.30f
 #define FISH_M 0.05f
 
 static struct tank tank;
@@ -46,8 +49,7 @@ static void step(struct poi_target hand, struct outcome *sum)
     now++;
 }
 
-/* Moves the hand to a position that follows the fish. `at_m` is the position relative to the
- * fish. */
+/* Moves the poi to the position `at_m` relative to the fish, which may swim. */
 static void follow(const struct fish *fish, vec3 at_m, float pitch_rad, float m_s,
                    struct poi_target *hand, struct outcome *sum)
 {
@@ -89,8 +91,8 @@ static void scoop(const struct fish *fish, struct outcome *sum)
     sum->strain_n_s_m += one.strain_n_s_m;
 }
 
-/* Returns a lone fish of 5 cm in a tank with 12 cm of water. The fish is calm at mid depth, or it
- * gulps. */
+/* Waits until a single fish of 5 cm, in 12 cm of water, is in the required state: calm at mid
+ * depth, or gulping. */
 static const struct fish *wait_for_fish(uint32_t seed, int gulps)
 {
     struct tank_config config = tank_config_of(TANK_PRESET_FESTIVAL);
@@ -101,7 +103,7 @@ static const struct fish *wait_for_fish(uint32_t seed, int gulps)
     assert_true(tank_open(&tank, &config));
     struct fish *fish = &tank.fish[0];
     fish_grow(fish, FISH_M, tank_behavior_params(&tank));
-    fish->stamina = 0.6f; /* With this stamina a fish that does not gulp swims at mid depth. */
+    fish->stamina = 0.6f; /* With this stamina, a fish that does not gulp swims at mid depth. */
     now = 0;
     for (; now < 120u * CORE_TICK_HZ; now++) {
         tank_tick(&tank, now, NULL, 0);

@@ -1,4 +1,4 @@
-/* test_landing.c -- checks how fish come into a bowl, who owns them and which fouls are
+/* test_landing.c -- checks how fish land in a bowl, which player owns them, and which fouls are
  * detected. */
 #include "core/poi/catch/capture.h"
 #include "tests/unit/support/poi_fixture.h"
@@ -19,8 +19,8 @@ static void test_a_fish_tipped_over_the_bowl_lands_and_counts_once(void **state)
         fixture_move(&fixture, v3(0.20f, 0.05f, 0.10f), 0.3f);
         assert_int_equal(fixture.landed, 0);
         fixture_move(&fixture, v3(0.30f, 0.035f, 0.15f),
-                     /* At y = 0.035 m, the height at which a mouse holds the poi, the ring is
-                      * just above the bowl. */
+                     /* 35 mm is the height at which a mouse holds the poi. The ring is then just
+                      * above the bowl. */
                      0.3f);
         fixture_wait(&fixture, 1.5f);
         assert_int_equal(fixture.poured + fixture.walled, 0);
@@ -31,7 +31,7 @@ static void test_a_fish_tipped_over_the_bowl_lands_and_counts_once(void **state)
         assert_int_equal(fixture.bowl.fish_count, fixture.landed);
         assert_int_equal(fixture.poi.carried_count, 0);
     }
-    /* Up to three of the 60 fish may thrash and slip off before they reach the bowl. */
+    /* Up to three of the 60 fish may slip off before they reach the bowl. */
     assert_in_range(landed, 57, 60);
 }
 
@@ -81,17 +81,17 @@ static void test_a_landing_requires_the_ring_wholly_above_the_water(void **state
     lifted(4, 1, 0.0f);
     assert_int_equal(fixture.poi.carried_fish[0].clear_ticks, CARRIED_CLEAR_TICKS);
     fixture.has_wrist = 1;
-    /* At this tilt the ring's lower edge is 20 mm below its centre. */
+    /* At this tilt, the lowest point of the ring is 20 mm below its centre. */
     fixture_turn(&fixture, 0.0f, 25.0f * F_DEG, 0.3f);
     fixture_move(&fixture, v3(0.0f, 0.028f, 0.0f), 0.2f);
     fixture_wait(&fixture, 0.2f);
     assert_int_equal(fixture.poi.carried_fish[0].clear_ticks, CARRIED_CLEAR_TICKS);
-    /* At a centre height of 16 mm, the lower edge is 4 mm under water. */
+    /* The centre is at 16 mm, so the lowest point of the ring is 4 mm under water. */
     fixture_move(&fixture, v3(0.0f, 0.016f, 0.0f), 0.2f);
     fixture_wait(&fixture, 0.2f);
     assert_int_equal(fixture.poi.carried_count, 1);
     assert_int_equal(fixture.poi.carried_fish[0].clear_ticks, 0);
-    /* Lifts the lower edge out of the water again, to 10 mm above the surface. */
+    /* Raises the ring until its lowest point is 10 mm above the surface. */
     fixture.hand.position_m.y = 0.030f;
     uint32_t ticks = 0;
     while (fixture.poi.carried_fish[0].clear_ticks < CARRIED_CLEAR_TICKS &&
@@ -101,7 +101,8 @@ static void test_a_landing_requires_the_ring_wholly_above_the_water(void **state
     assert_in_range(ticks, CARRIED_CLEAR_TICKS, CORE_TICK_HZ / 2u);
 }
 
-/* The ring is beside the bowl. Its far edge is over the mouth and its near edge is in the water. */
+/* The ring is beside the bowl. Its far edge is above the bowl's mouth, but its near edge is still
+ * in the water. Pouring a fish in from such a ring is a foul. */
 static void test_a_fish_from_a_ring_in_the_water_is_poured(void **state)
 {
     (void)state;
@@ -111,18 +112,18 @@ static void test_a_fish_from_a_ring_in_the_water_is_poured(void **state)
     fixture.hand = (struct poi_target){ fixture.poi.position_m, fixture.poi.angles };
     fixture.has_wrist = 1;
     struct carried_fish *carried = fixture_place_fish(&fixture, 0.03f, 0.035f, 0.0f, 0.0f);
-    /* The fish slides up the slope at 0.8 m/s, fast enough to fly over the edge. */
+    /* The fish slides up the slope at 0.8 m/s, fast enough to fly over the edge into the bowl. */
     carried->slide_x_m_s = 0.8f;
     fixture_wait(&fixture, 0.5f);
     assert_int_equal(fixture.poured, 1);
     assert_int_equal(fixture.landed, 0);
-    /* The fish lies in the bowl, although it does not count as landed. */
+    /* The fish is in the bowl, but does not count as landed. */
     assert_int_equal(fixture.bowl.fish_count, 1);
 }
 
-/* Returns whether a fish counts as walled, which means pressed against a wall. The edge of a level
- * ring is `gap_m` from the right wall, the player's target is `press_m` beyond the ring, and the
- * fish is `fish_gap_m` from that wall. */
+/* Returns 1 if a fish is walled, which means that the ring presses it against a wall (a foul). The
+ * ring is level and `gap_m` from the right wall. The player's target is `press_m` beyond the ring.
+ * The fish is `fish_gap_m` from the wall. */
 static int is_walled(float gap_m, float press_m, float speed_m_s, float fish_gap_m)
 {
     fixture_init(&fixture, 4, 1);
@@ -139,21 +140,21 @@ static int is_walled(float gap_m, float press_m, float speed_m_s, float fish_gap
 static void test_a_fish_between_a_wall_and_a_pressing_ring_is_walled(void **state)
 {
     (void)state;
-    /* Walled: the ring is 5 mm from the wall, does not move, and the player pushes it by 10 mm. */
+    /* Walled: the ring is 5 mm from the wall, and the player presses it toward the wall. */
     assert_true(is_walled(0.005f, 0.010f, 0.0f, 0.005f));
-    /* Walled: the ring is 12 mm from the wall but moves toward it at 0.10 m/s. */
+    /* Walled: the ring is 12 mm from the wall and moves toward it at 0.10 m/s. */
     assert_true(is_walled(0.012f, 0.0f, 0.10f, 0.005f));
-    /* Not walled: the player does not push the ring against the wall. */
+    /* Not walled: the player does not press the ring toward the wall. */
     assert_false(is_walled(0.005f, 0.0f, 0.0f, 0.005f));
     assert_false(is_walled(0.005f, -0.02f, -0.1f, 0.005f));
-    /* Not walled: the ring is 25 mm from the wall, which is too far. */
+    /* Not walled: the ring is too far from the wall (25 mm). */
     assert_false(is_walled(0.025f, 0.010f, 0.10f, 0.005f));
-    /* Not walled: the fish is 30 mm from the wall, which is too far. */
+    /* Not walled: the fish is too far from the wall (30 mm). */
     assert_false(is_walled(0.005f, 0.010f, 0.10f, 0.030f));
 }
 
-/* Returns 0 if the fish is not captured, 1 if it is captured and 2 if it is walled. The fish swims
- * 12 mm from the right wall. */
+/* Scoops a fish that is 12 mm from the right wall, and lifts it while moving to `to_x_m`. Returns 0
+ * if the fish is not caught, 1 if it is caught, and 2 if it is caught as walled. */
 static uint32_t scooped(float to_x_m)
 {
     fixture_init(&fixture, 4, 3);
@@ -172,7 +173,7 @@ static void test_a_scoop_against_a_wall_is_walled_and_a_vertical_scoop_is_not(vo
     assert_int_equal(scooped(0.40f), 1);
 }
 
-/* ---- Whose ---------------------------------------------------------------------------------- */
+/* ---- Owner of a landed fish ----------------------------------------------------------------- */
 
 static int is_in_hull(const struct bowl *bowl, vec3 point_m)
 {
@@ -181,8 +182,8 @@ static int is_in_hull(const struct bowl *bowl, vec3 point_m)
     return at.y <= 0.0f && at.y > -BOWL_DEPTH_M && at.x * at.x + at.z * at.z < radius_m * radius_m;
 }
 
-/* Drops a fish of player 0 from 5 cm above a point where bowls of two players float. Returns the
- * gait of the fish after the fall. */
+/* Lets a fish fall from the poi of player 0 at `from_m`. Two bowls float in the tank, one of each
+ * player. Returns the gait of the fish after the fall. */
 static uint8_t fell_at(vec3 from_m, struct catch_result results[POI_MAX], struct bowl bowls[2])
 {
     fixture_init(&fixture, 4, 1);
@@ -211,7 +212,7 @@ static void test_a_fish_belongs_to_the_bowl_it_lies_in(void **state)
     struct catch_result results[POI_MAX];
     struct bowl bowls[2];
     assert_int_equal(fell_at(v3(0.2f, 0.06f, 0.02f), results, bowls), GAIT_BOWL);
-    /* The fish fell from the poi of player 0 into the bowl of player 1, so player 1 gets it. */
+    /* The fish falls into the bowl of player 1, so it counts for player 1. */
     assert_int_equal(results[1].landed, 1);
     assert_int_equal(results[0].landed + results[0].poured + results[0].walled, 0);
     assert_int_equal(bowls[1].fish_count, 1);
@@ -229,7 +230,7 @@ static void test_a_foul_counts_for_the_player_who_caused_it(void **state)
     catch_count(&carried, 2, 3, results);
     assert_int_equal(results[2].poured, 1);
     assert_int_equal(results[3].poured + results[3].landed, 0);
-    /* The fish lies in bowl 3 and is counted there, although player 2 poured it in. */
+    /* The fish is in bowl 3 and counts as content of bowl 3, but the foul is that of player 2. */
     assert_int_equal(results[3].bowled, 1);
     assert_int_equal(results[2].bowled, 0);
 }

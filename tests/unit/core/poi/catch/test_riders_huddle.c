@@ -1,12 +1,12 @@
-/* test_riders_huddle.c -- checks the separation of several fish on one paper. */
+/* test_riders_huddle.c -- checks that several fish on one paper move apart. */
 #include "core/poi/catch/carried_fish.h"
 #include "tests/unit/support/poi_fixture.h"
 
 static struct poi_fixture fixture;
 
-/* Returns the overlap of two carried fish in the plane of the paper, in metres. A result of 0 or
- * less means that the fish do not overlap. Each fish is a capsule, measured at 41 points of its
- * axis: the axis is 0.60 body lengths long, and the radius is 0.36 of the extent in the plane. */
+/* Returns the overlap of two carried fish in the plane of the paper, in metres; 0 or less means no
+ * overlap. A fish is modelled as a capsule: the axis is 0.60 body lengths long, and the radius is
+ * 0.36 of its height or width. The distance is measured at 41 points of the axis. */
 static float overlap_m(const struct carried_fish *a, const struct carried_fish *b)
 {
     const struct fish *fish_a = &fixture.tank.fish[a->fish], *fish_b = &fixture.tank.fish[b->fish];
@@ -55,7 +55,7 @@ static void test_overlapping_carried_fish_soon_lie_side_by_side(void **state)
         lay_a_heap(count, 0.045f);
         assert_true(worst_m() > 0.005f);
         fixture_wait(&fixture, 0.4f);
-        /* The paper has room for up to four of these fish, so none is pushed off. */
+        /* Up to four of these fish fit on the paper, so none is pushed off. */
         assert_int_equal(fixture.poi.carried_count, count);
         assert_true(worst_m() < 0.0015f);
     }
@@ -98,7 +98,8 @@ static void test_the_ring_stops_a_carried_fish_that_is_pushed_against_it(void **
 static void test_carried_fish_without_room_are_pushed_over_the_ring(void **state)
 {
     (void)state;
-    lay_a_heap(16, 0.06f); /* 16 fish of 6 cm cover twice the area of the paper. */
+    /* 16 fish of 6 cm need twice the area of the paper. */
+    lay_a_heap(16, 0.06f);
     fixture_wait(&fixture, 2.0f);
     print_message("of 16 fish of 6 cm %u stay\n", fixture.poi.carried_count);
     assert_in_range(fixture.poi.carried_count, 4, 13);

@@ -1,5 +1,5 @@
-/* test_riders_load.c -- checks the loads of carried fish on the paper and what supports the
- * fish. */
+/* test_riders_load.c -- checks how carried fish load the paper, and when a fish falls through a
+ * hole. */
 #include "core/poi/catch/carried_fish.h"
 #include "tests/unit/support/poi_fixture.h"
 
@@ -34,7 +34,7 @@ static void test_a_surprised_fish_slaps_with_half_the_force(void **state)
     const float wild = fixture.poi.carried_fish[0].vigour;
     fixture_init(&fixture, 4, 1);
     fixture_dip(&fixture);
-    /* A resting fish is surprised by the lift and has only 55 % of the vigour. */
+    /* A fish that rested before the lift slaps with only 55 % of the vigour. */
     fixture_add_fish(&fixture, v3(0.0f, -0.045f, 0.005f), 0.045f);
     fixture_move(&fixture, v3(0.0f, 0.06f, 0.0f), 0.18f);
     assert_int_equal(fixture.poi.carried_count, 1);
@@ -76,10 +76,9 @@ static void test_all_carried_fish_may_slap_together_and_keep_their_weight(void *
     assert_float_equal(force_n, weight_n, 1e-3f * weight_n);
 }
 
-/* ---- Where a slap falls --------------------------------------------------------------------- */
+/* ---- Position of a slap --------------------------------------------------------------------- */
 
-/* Creates a dry poi in the air with one fish. The fish's slap of 0.05 N lasts for another
- * `left_s`. */
+/* Puts one fish on a dry poi in the air. The fish's slap of 0.05 N lasts for another `left_s`. */
 static void lay_slapping(float x_m, float heading_rad, float left_s)
 {
     fixture_init(&fixture, 4, 1);
@@ -101,7 +100,7 @@ static void test_a_slap_loads_the_paper_at_the_tail(void **state)
     assert_float_equal(fixture.poi.loads[0].z_m, 0.0f, 1e-5f);
     assert_float_equal(fixture.poi.loads[0].diameter_m, 0.003f, 0.0f);
     assert_float_equal(fixture.poi.loads[0].force_n, -0.05f, 0.0f);
-    /* Load 1 is the weight of the fish at the middle of its body. The load spreads over 20 mm. */
+    /* Load 1 is the fish's weight at the middle of its body, spread over 20 mm. */
     assert_float_equal(fixture.poi.loads[1].x_m, 0.0f, 0.0f);
     assert_float_equal(fixture.poi.loads[1].diameter_m, 0.020f, 0.0f);
     assert_float_equal(fixture.poi.loads[1].force_n, -0.0285f, 0.001f);
@@ -121,8 +120,8 @@ static void test_a_slap_lasts_20_ms_with_subtick_precision(void **state)
 static void test_a_tail_beyond_the_ring_slaps_no_paper_but_kicks_the_body(void **state)
 {
     (void)state;
-    /* The body lies 25 mm and the tail 46 mm from the middle of the paper, whose radius is 40
-     * mm. */
+    /* The body is 25 mm from the middle of the paper and the tail 46 mm, beyond the paper's radius
+     * of 40 mm. The tail therefore hits no paper, and the force of the slap acts at the body. */
     lay_slapping(0.025f, 0.5f * F_PI, 0.02f);
     assert_int_equal(fixture.poi.load_count, 2);
     assert_float_equal(fixture.poi.loads[0].x_m, 0.025f, 0.0f);
@@ -143,8 +142,8 @@ static void test_a_tail_over_a_hole_slaps_no_paper(void **state)
     assert_float_equal(fixture.poi.loads[0].diameter_m, 0.020f, 0.0f);
 }
 
-/* Returns the maximum tension of the paper in the air under water and a fish, with or without a
- * slap. */
+/* Returns the highest tension of paper that carries water and a fish in the air. The fish slaps if
+ * `left_s` is above 0. */
 static float hardest_n_m(float x_m, float left_s)
 {
     lay_slapping(x_m, 0.5f * F_PI, left_s);
@@ -174,8 +173,7 @@ static void test_a_fish_captured_near_the_ring_has_its_tail_beyond_it(void **sta
         fixture_init(&fixture, 4, seed);
         fixture_dip(&fixture);
         const uint32_t fish = fixture_add_fish(&fixture, v3(0.030f, -0.045f, 0.0f), 0.045f);
-        /* The head points to the middle of the paper, so the tail points outward beyond the
-         * ring. */
+        /* The head points to the middle of the paper, so the tail is beyond the ring. */
         fixture.tank.fish[fish].angles.yaw_rad = 0.5f * F_PI;
         fixture_move(&fixture, v3(0.0f, 0.01f, 0.0f), 0.18f);
         assert_int_equal(fixture.poi.carried_count, 1);
@@ -204,7 +202,7 @@ static void test_buoyancy_supports_the_immersed_part_of_a_fish(void **state)
     }
 }
 
-/* ---- What bears it -------------------------------------------------------------------------- */
+/* ---- Support of a fish ---------------------------------------------------------------------- */
 
 static void test_a_fish_falls_through_a_hole_that_is_under_it(void **state)
 {
@@ -240,7 +238,8 @@ static void test_a_hole_elsewhere_drops_no_fish(void **state)
     assert_int_equal(fixture.poi.carried_count, 1);
 }
 
-/* Returns whether a fish of 5 cm with its nose to the left stays on the poi at a position. */
+/* Returns 1 if the paper supports a fish of 5 cm at this position. The fish's nose points to the
+ * left. */
 static int stays(float x_m, float z_m)
 {
     struct carried_fish *carried = fixture_place_fish(&fixture, 0.05f, x_m, z_m, 0.5f * F_PI);
@@ -265,7 +264,7 @@ static void test_a_strip_under_the_middle_alone_supports_no_fish(void **state)
     (void)state;
     fixture_init(&fixture, 4, 1);
     fixture_tear_hole(&fixture, -0.016f, 0.0f, 0.013f);
-    /* The hole is under the front half, and the rear half still lies on paper. */
+    /* The hole is under the front half. The rear half still lies on paper. */
     assert_true(stays(0.0f, 0.0f));
     fixture_tear_hole(&fixture, 0.016f, 0.0f, 0.013f);
     assert_true(sheet_holds(&fixture.poi.sheet, 0.0f, 0.0f));
@@ -276,10 +275,11 @@ static void test_the_ring_supports_a_fish_without_paper(void **state)
 {
     (void)state;
     fixture_init(&fixture, 4, 1);
-    /* Of the paper, which has a radius of 40 mm, a strip of 4 mm is left at the ring. */
+    /* Leaves only a strip of paper 4 mm wide along the ring, whose radius is 40 mm. */
     fixture_tear_hole(&fixture, 0.0f, 0.0f, 0.036f);
-    assert_true(stays(0.0f, 0.043f)); /* The fish lies lengthwise on the ring, which supports it. */
-    /* The fish lies across the ring with half of its body in the air, so it tips over. */
+    /* The fish lies along the ring, which supports its whole length. */
+    assert_true(stays(0.0f, 0.043f));
+    /* The fish lies across the ring with half of its body over the hole, so it tips over. */
     assert_false(stays(0.043f, 0.0f));
     assert_false(stays(0.0f, 0.0f));
     /* The middle of the fish is outside the ring, so the fish slips off. */

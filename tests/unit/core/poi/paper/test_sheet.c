@@ -1,10 +1,11 @@
-/* test_sheet.c -- checks how paper tightens, wets, wears and tears. */
+/* test_sheet.c -- checks a sheet of paper: tension, wetness, wear and tears. */
 #include "core/poi/poi_fields.h"
 #include "tests/unit/support/poi_fixture.h"
 
 #define RADIUS_M 0.040f
-#define STILL_FISH_PA 5.6f /* Pressure of a resting fish: 2.9 g on the 50 cm^2 of the paper. */
-#define FILM_PA 6.0f       /* Pressure of the water that wet paper keeps. */
+/* Pressure of a resting fish: the weight of 2.9 g on 50 cm^2 of paper. */
+#define STILL_FISH_PA 5.6f
+#define FILM_PA 6.0f /* Pressure of the film of water on wet paper. */
 
 static const struct sheet_wetting in_air = { 0.0f, 0.0f, -1.0f };
 static const struct sheet_wetting under_water = { 0.0f, 0.0f, 1.0f };
@@ -251,7 +252,7 @@ static void test_points_outside_the_ring_have_no_paper(void **state)
     assert_false(sheet_holds(&sheet, 0.03f, -0.03f));
 }
 
-/* Samples the area inside the ring on a grid that is finer than the cells. Counts all points
+/* Samples the disc inside the ring at points that are closer than the cells. Counts all points
  * (`asked`) and the points on paper (`held`). */
 static void count_held(const struct sheet *sheet, uint32_t *held, uint32_t *asked)
 {
@@ -277,8 +278,8 @@ static void test_whole_paper_reaches_the_ring_and_a_bare_ring_has_none(void **st
         sheet.state[cell] = sheet.state[cell] == CELL_PAPER ? CELL_HOLE : sheet.state[cell];
     }
     const uint32_t middle = SHEET_SIDE / 2u * SHEET_SIDE + SHEET_SIDE / 2u;
-    /* Leaves one cell of paper in the middle. Fragments of cells at the ring do not count as
-     * paper. */
+    /* Leaves a single cell of paper in the middle. The narrow remains of cells at the ring do not
+     * count as paper. */
     sheet.state[middle] = CELL_PAPER;
     sheet.paper_cells = 1;
     count_held(&sheet, &held, &asked);
@@ -307,7 +308,7 @@ static void test_the_stress_map_shows_load_over_strength_and_stress_concentratio
     const float edge = 1.5f * 0.328f / 0.423f * centre;
     assert_float_equal(stress_at(&sheet, middle, middle), centre, 0.01f);
     assert_float_equal(stress_at(&sheet, middle, 0), edge, 0.03f);
-    /* The corner of the grid is outside the round paper. */
+    /* A corner of the grid is outside the round paper and must have no stress. */
     assert_float_equal(stress_at(&sheet, 0, 0), 0.0f, 0.0f);
     press(&sheet, 3000.0f, 0.01f);
     for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
@@ -328,10 +329,11 @@ static void test_stress_factors_multiply_where_the_wet_line_meets_the_ring(void 
     }
     sheet.touched = 1;
     press(&sheet, 40.0f, 0.01f);
-    const uint32_t line = SHEET_SIDE / 2u - 1u; /* Index of the last wet column. */
+    /* Last wet column. The stress is highest there, at the line between wet and dry paper. */
+    const uint32_t line = SHEET_SIDE / 2u - 1u;
     const float off = stress_at(&sheet, SHEET_SIDE / 2u, line - 4u);
     assert_float_equal(stress_at(&sheet, SHEET_SIDE / 2u, line) / off, 2.5f, 0.1f);
-    /* Stress in row 0, at the ring, two columns away from the wet line. */
+    /* Stress at the ring (row 0), two columns away from the wet line. */
     const float ring = stress_at(&sheet, 0, line - 2u);
     assert_float_equal(stress_at(&sheet, 0, line) / ring, 2.5f, 0.15f);
     assert_float_equal(ring / stress_at(&sheet, 3, line - 2u), 1.5f, 0.15f);
@@ -356,8 +358,8 @@ static void test_a_laboratory_sheet_is_uniform_without_stress_concentration(void
     assert_float_equal(stress_at(&sheet, SHEET_SIDE / 2u, 0) / middle, 0.328f / 0.423f, 0.02f);
 }
 
-/* Over many specimens, the test finds thin places, clouds wider than a cell and fibres in every
- * direction. */
+/* Examines 200 specimens. Most must have a thin spot. The strength must vary over distances wider
+ * than a cell, and the fibres must have all directions. */
 static void test_each_specimen_has_its_own_weak_spots_clouds_and_fibres(void **state)
 {
     (void)state;
@@ -384,9 +386,11 @@ static void test_each_specimen_has_its_own_weak_spots_clouds_and_fibres(void **s
                            1e-4f);
     }
     assert_true(with_spot > 180);
-    /* The correlation of neighbouring cells is over 0.4, so weak spots are wider than a cell. */
+    /* Strengths of neighbouring cells are correlated by more than 0.4, so weak spots are wider than
+     * a cell. */
     assert_true(together / squares > 0.4f);
-    /* The correlation of cells 4 cm apart is below 0.2, so the weak spots have a limited size. */
+    /* Strengths of cells 4 cm apart are correlated by less than 0.2, so weak spots are not as wide
+     * as the paper. */
     assert_true(apart / squares < 0.2f);
     for (uint32_t i = 0; i < 4; i++) {
         assert_in_range(ways[i], 30, 70);

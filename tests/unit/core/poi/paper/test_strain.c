@@ -1,5 +1,4 @@
-/* test_strain.c -- compares the SIMD functions for the rows of a sheet with plain arithmetic, bit
- * for bit. */
+/* test_strain.c -- compares the SIMD functions for rows of cells with scalar code, bit for bit. */
 #include "tests/unit/support/poi_fixture.h"
 
 #include "core/base/rng.h"
@@ -15,7 +14,8 @@ static float draw(uint32_t what, uint32_t cell, float low, float high)
     return rng_range((struct rng_key){ 11, what, cell, RNG_TEST }, low, high);
 }
 
-/* Fills the sheet at random: half torn, half wet, worn and softened, under three loads. */
+/* Fills the sheet at random: half of the cells torn, half wet, worn and softened. Three loads act
+ * on it. */
 static void prepare(void)
 {
     sheet_init(&sheet, 6, RADIUS_M, 3);
@@ -45,7 +45,7 @@ static float softened(const struct sheet *paper, uint32_t cell)
     return 1.0f - SHEET_SOFTENING * (float)paper->soak_ticks[cell] / (float)SHEET_SOAK_TICKS;
 }
 
-/* Computes the load of one cell directly from the definition in strain.h. */
+/* Computes the load of one cell with scalar code, following the definition in strain.h. */
 static float plain_load(uint32_t cell, float *tension_max_n_m)
 {
     const float x = sheet_line_m(&sheet, cell % SHEET_SIDE);

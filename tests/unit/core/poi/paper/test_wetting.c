@@ -1,4 +1,5 @@
-/* test_wetting.c -- checks water in the paper: wetting, wicking, the wet line and softening. */
+/* test_wetting.c -- checks water in the paper: wetting, wicking (the spread of water in the paper),
+ * the wet line and softening. */
 #include "tests/unit/support/poi_fixture.h"
 
 #include "core/poi/paper/strain.h"
@@ -17,8 +18,8 @@ static void soak(struct sheet_wetting wet, float seconds)
     }
 }
 
-/* Returns the distance from the water line, in metres, at which the paper is wet to a third. The
- * value is interpolated between cells. */
+/* Returns how far the water has wicked from the water line, in metres: up to the point where the
+ * wetness is 0.33, interpolated between cells. */
 static float front_m(void)
 {
     const float *row = &sheet.wetness[MIDDLE * SHEET_SIDE];
@@ -37,17 +38,19 @@ static void test_the_wet_front_advances_with_the_root_of_time(void **state)
     float fronts[4];
     sheet_init(&sheet, 5, RADIUS_M, 1);
     soak(left_half, 16.0f);
-    /* Measures the front after 16, 64, 144 and 256 s, at the roots 4, 8, 12 and 16. */
+    /* Measures the wet front after 16, 64, 144 and 256 s, whose square roots are 4, 8, 12 and
+     * 16. */
     for (uint32_t i = 0; i < 4; i++) {
         const float root = (float)(i + 1u);
         fronts[i] = front_m();
         soak(left_half, 16.0f * (2.0f * root + 1.0f));
     }
-    /* Only the later samples are compared, because the first one lies within one cell of the water
-     * line and is inaccurate. */
+    /* The first measurement is not compared, because the front is still within one cell of the
+     * water line. */
     assert_float_equal(fronts[2] / fronts[1], 1.5f, 0.08f);
     assert_float_equal(fronts[3] / fronts[1], 2.0f, 0.12f);
-    /* 16 is the root of 256 s. The wicking coefficient is 0.0014 m per square root of a second. */
+    /* 16 is the root of 256 s. The wicking coefficient of the paper is 0.0014 m per root of a
+     * second. */
     assert_float_equal(fronts[3] / 16.0f, 0.0014f, 0.0002f);
 }
 
@@ -131,13 +134,14 @@ static void test_the_wet_line_is_full_only_where_wet_meets_dry(void **state)
     for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
         sheet.wetness[cell] = cell % SHEET_SIDE < MIDDLE ? 1.0f : 0.0f;
     }
-    for (uint32_t row = 0; row < SHEET_SIDE; row++) { /* Row 0, the row at the ring, is included. */
+    /* All rows are checked, including row 0 at the ring. */
+    for (uint32_t row = 0; row < SHEET_SIDE; row++) {
         assert_float_equal(paper_wetting_line(&sheet, row, MIDDLE - 1u), 1.0f, 0.0f);
         assert_float_equal(paper_wetting_line(&sheet, row, MIDDLE), 1.0f, 0.0f);
     }
     assert_float_equal(paper_wetting_line(&sheet, MIDDLE, MIDDLE - 3u), 0.0f, 0.0f);
     assert_float_equal(paper_wetting_line(&sheet, MIDDLE, MIDDLE + 2u), 0.0f, 0.0f);
-    /* A step of wetness by 0.25 gives half of the full effect of 1. */
+    /* A step of wetness of at least 0.5 has the full effect of 1. A step of 0.25 has half of it. */
     sheet.wetness[MIDDLE * SHEET_SIDE + MIDDLE + 1u] = 0.75f;
     assert_float_equal(paper_wetting_line(&sheet, MIDDLE, MIDDLE), 0.5f, 1e-6f);
 }
