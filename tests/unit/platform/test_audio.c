@@ -1,5 +1,5 @@
-/* test_audio.c -- Tests that sounds of the core reach the device, and that a kiosk without a sound
- * device is silent and continues. */
+/* test_audio.c -- Tests the sound output: sounds reach the device, and a kiosk without a sound
+ * device continues without sound. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -31,7 +31,7 @@ static int close_after(void **state)
     return 0;
 }
 
-/* Returns the loudest sample in a file of samples. 0 means silence. */
+/* Returns the largest absolute sample value in a file of 16-bit samples. 0 means silence. */
 static int loudest(const char *path)
 {
     int16_t samples[1024];
@@ -47,7 +47,8 @@ static int loudest(const char *path)
     return peak;
 }
 
-/* SDL's `disk` driver writes the samples that a sound card would play. */
+/* Plays a sound if `play_something` is 1. Returns the largest sample value of the output, which
+ * SDL's `disk` driver writes to a file. */
 static int heard_through_sdl(int play_something)
 {
     char path[] = "/tmp/kingyo-sound-XXXXXX";
@@ -93,8 +94,8 @@ static void test_a_missing_sound_device_gives_a_one_line_message(void **state)
     assert_int_equal(device.ops->play(device.self, &event), HAL_ERR_ABSENT);
 }
 
-/* SDL finds no driver of that name. Afterwards open() returns the same error without a call to
- * SDL. */
+/* Without a driver, open() fails. Until a file for a sound card appears in `cards`, open() must
+ * fail again without a call to SDL. */
 static void test_a_sound_card_plugged_in_later_is_opened_without_useless_attempts(void **state)
 {
     (void)state;
@@ -104,11 +105,14 @@ static void test_a_sound_card_plugged_in_later_is_opened_without_useless_attempt
     setenv("SDL_AUDIODRIVER", "nonesuch", 1);
     const struct hal_audio device = audio_device(&audio);
     assert_int_equal(device.ops->open(device.self), HAL_ERR_ABSENT);
-    setenv("SDL_AUDIODRIVER", "dummy", 1); /* A driver exists now, but no event has reported it. */
+    /* From now on SDL would find a driver, but the folder `cards` has not changed. */
+    setenv("SDL_AUDIODRIVER", "dummy", 1);
     for (uint32_t i = 0; i < 1000; i++) {
         assert_int_equal(device.ops->open(device.self), HAL_ERR_ABSENT);
     }
-    SDL_Delay(20); /* The clock of a file system advances in steps of up to 10 ms. */
+    /* Waits until the next change of the folder gets a later time. File systems may count in steps
+     * of 10 ms. */
+    SDL_Delay(20);
     snprintf(card, sizeof card, "%s/pcmC0D0p", cards);
     fclose(fopen(card, "w"));
     assert_int_equal(device.ops->open(device.self), HAL_OK);
@@ -125,7 +129,7 @@ static void test_a_sound_server_started_later_is_used_within_ten_seconds(void **
     assert_int_equal(device.ops->open(device.self), HAL_ERR_ABSENT);
     setenv("SDL_AUDIODRIVER", "dummy", 1);
     assert_int_equal(device.ops->open(device.self), HAL_ERR_ABSENT);
-    audio.tried_ns -= AUDIO_TRY_S * 1000000000ull; /* The retry delay is skipped. */
+    audio.tried_ns -= AUDIO_TRY_S * 1000000000ull; /* Skips the delay before the next attempt. */
     assert_int_equal(device.ops->open(device.self), HAL_OK);
 }
 
@@ -136,7 +140,7 @@ static void test_a_sound_card_that_requests_no_data_never_blocks_a_frame(void **
     const struct hal_audio device = audio_device(&audio);
     assert_int_equal(device.ops->open(device.self), HAL_OK);
     SDL_PauseAudioDevice(audio.device, 1);
-    SDL_Delay(50); /* Waits until a request for samples that has begun is finished. */
+    SDL_Delay(50); /* Waits until SDL has finished its last request for samples. */
     const struct sound_event event = { .sound = SOUND_DIP, .gain = 1.0f };
     for (uint32_t i = 0; i < AUDIO_QUEUE_MAX; i++) {
         assert_int_equal(device.ops->play(device.self, &event), HAL_OK);

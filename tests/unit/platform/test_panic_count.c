@@ -1,5 +1,5 @@
-/* test_panic_count.c -- Tests which panics make a start omit data, and that a count file with any
- * content is handled. */
+/* test_panic_count.c -- Tests the count of panics, which decides whether the next start omits
+ * stored data. A count file with any content must be handled. */
 #include <errno.h>
 #include <fcntl.h>
 #include <setjmp.h>
@@ -61,7 +61,7 @@ static void test_three_panics_in_more_than_ten_minutes_omit_nothing(void **state
     panics_add(&panics, BOOT, 701, 50, 1);
     assert_false(panics_is_due(&panics));
     panics_add(&panics, BOOT, 702, 50, 1);
-    /* Three panics, at the times 300, 701 and 702, are enough. */
+    /* The three panics at 300, 701 and 702 s are within ten minutes. */
     assert_true(panics_is_due(&panics));
 }
 
@@ -170,7 +170,7 @@ static void test_a_count_file_with_any_wrong_byte_or_size_is_rejected(void **sta
     assert_int_equal(panics_read(&read, folder), 0);
 }
 
-static int rename_error; /* errno of every renameat(). 0 means that renameat() works. */
+static int rename_error; /* errno that each call of renameat() sets, or 0 if renameat() succeeds. */
 
 int renameat(int from, const char *name, int to, const char *other)
 {

@@ -1,4 +1,4 @@
-/* test_setting_text.c -- Tests the text form of settings. */
+/* test_setting_text.c -- Tests the conversion of settings to text and back, as in kingyo.conf. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

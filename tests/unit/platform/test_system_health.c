@@ -1,5 +1,6 @@
-/* test_system_health.c -- Tests the system health with a simulated machine of files: the values
- * that are read, and the acknowledgement of quarantined files. */
+/* test_system_health.c -- Tests the data about the machine that the operator's menu shows: storage,
+ * backup, clock, temperature and quarantined files. Files in a temporary folder simulate the
+ * machine. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -19,7 +20,8 @@
 static char root[64], checked[96], heat[96];
 static time_t calendar_ahead_s, monotonic_ahead_s;
 
-/* These functions replace those of the C library with a calendar and a delay of the test. */
+/* Replaces the function of the C library. The test can set the calendar and the monotonic clock
+ * ahead. */
 int clock_gettime(clockid_t clock, struct timespec *out)
 {
     const int result = (int)syscall(SYS_clock_gettime, clock, out);
@@ -68,7 +70,7 @@ static struct scene_machine look(struct system_health *machine)
     struct scene_machine says = { .watch = WATCH_DEAF, .missed = 3 };
     system_health_sample(machine, &says);
     assert_int_equal(says.has_looked, 1);
-    /* The frame loop sets `watch` and `missed`, so the thread must not change them. */
+    /* The frame loop sets `watch` and `missed`, so a sample must not change them. */
     assert_int_equal(says.watch, WATCH_DEAF);
     assert_int_equal(says.missed, 3);
     return says;
@@ -83,7 +85,8 @@ static void test_the_board_check_reports_whether_data_persist(void **state)
     assert_int_equal(look(&machine).keeps, KEEPS_FOLDER);
     write_file("checked", "kept: /dev/mmcblk0p3, ext4; start 7 of this disk, ...\n");
     assert_int_equal(look(&machine).keeps, KEEPS_PROVEN);
-    /* The result concerns only the kiosk's own data folder. */
+    /* The file `checked` concerns only the data folder of the kiosk, and `memory` has another
+     * folder. */
     assert_int_equal(look(&memory).keeps, KEEPS_MEMORY);
     write_file("checked", "not kept: /dev/loop0 is memory\n");
     assert_int_equal(look(&machine).keeps, KEEPS_NOT);
@@ -103,7 +106,8 @@ static void test_the_backup_age_uses_the_monotonic_clock(void **state)
     write_file("kingyo.db.backup", "x");
     assert_int_equal(look(&machine).has_backup, 1);
     assert_int_equal(look(&machine).backup_min, 0);
-    calendar_ahead_s = 40 * 365 * 86400; /* The network time sets the clock ahead. */
+    calendar_ahead_s = 40 * 365 * 86400; /* The calendar jumps ahead, as when the network time is
+                                            set. */
     assert_int_equal(look(&machine).backup_min, 0);
     monotonic_ahead_s = 61 * 60;
     assert_int_equal(look(&machine).backup_min, 61);
@@ -111,7 +115,7 @@ static void test_the_backup_age_uses_the_monotonic_clock(void **state)
     char from[160], to[160];
     snprintf(from, sizeof from, "%s/kingyo.db.backup.new", root);
     snprintf(to, sizeof to, "%s/kingyo.db.backup", root);
-    /* An hour later, the next backup replaces the old one. */
+    /* A new backup replaces the old one, so its age is 0 again. */
     assert_int_equal(rename(from, to), 0);
     assert_int_equal(look(&machine).backup_min, 0);
 }
@@ -131,11 +135,12 @@ static void test_a_clock_older_than_the_files_was_set_back(void **state)
     (void)state;
     write_file("kingyo.db", "x");
     assert_int_equal(look(&machine).is_clock_back, 0);
-    calendar_ahead_s = -3600; /* Daylight saving time ends. */
+    calendar_ahead_s = -3600; /* One hour back is the end of daylight saving time. */
     assert_int_equal(look(&machine).is_clock_back, 0);
     calendar_ahead_s = -86400;
     assert_int_equal(look(&later).is_clock_back, 1);
-    /* The time of a file that is being written now does not show that the clock went back. */
+    /* A file that is written now has the wrong time too, but the first check has already found the
+     * error. */
     write_file("kingyo.db", "xx");
     assert_int_equal(look(&later).is_clock_back, 1);
     calendar_ahead_s = 0;
@@ -163,9 +168,10 @@ static void test_a_quarantined_file_is_counted_until_acknowledged(void **state)
     struct system_health machine = machine_here();
     (void)state;
     write_file("kingyo.db.damaged-1", "x");
-    write_file("kingyo.db.damaged-1-wal", "x"); /* The journal of the quarantined file. */
+    /* This is the log of the quarantined database, which is not counted. */
+    write_file("kingyo.db.damaged-1-wal", "x");
     write_file("kingyo.db.damaged-2", "x");
-    /* Kingyo never writes a file of this name, so the file does not count. */
+    /* A name without a number is not counted, because Kingyo never creates such a file. */
     write_file("kingyo.db.damaged-", "x");
     assert_int_equal(look(&machine).aside, 2);
     assert_int_equal(system_health_mark_seen(&machine), 0);
@@ -186,7 +192,8 @@ static void test_a_quarantined_file_is_counted_until_acknowledged(void **state)
 static int is_told(struct system_health *machine, uint32_t aside)
 {
     struct scene_machine says = { .watch = WATCH_FED };
-    /* The loop waits 5 s at most, which is less than the interval of the checks. */
+    /* Waits up to 5 s, which is less than the interval of the checks. The thread must therefore
+     * check at once. */
     for (uint32_t i = 0; i < 500u; i++) {
         system_health_read(machine, &says);
         if (says.has_looked && says.aside == aside) {
@@ -204,18 +211,20 @@ static void test_the_health_thread_does_all_file_access_of_the_frame_loop(void *
     (void)state;
     write_file("kingyo.db.damaged-1", "x");
     machine = machine_here();
-    system_health_read(&machine, &says); /* The thread has not started. */
+    system_health_read(&machine, &says); /* The thread has not been started, so there are no values
+                                            yet. */
     assert_int_equal(says.has_looked, 0);
     system_health_start(&machine);
     assert_true(is_told(&machine, 1));
     system_health_acknowledge(&machine);
     assert_true(is_told(&machine, 0));
-    pthread_mutex_lock(&machine.lock); /* The previous values are kept while the thread copies new
-                                          ones. */
+    /* While the thread has the lock, system_health_read() must not block and must leave the values
+     * unchanged. */
+    pthread_mutex_lock(&machine.lock);
     says = (struct scene_machine){ .room_mib = 77 };
     system_health_read(&machine, &says);
     assert_int_equal(says.room_mib, 77);
-    system_health_acknowledge(&machine); /* Does not block while the lock is held. */
+    system_health_acknowledge(&machine); /* This call must not block either. */
     pthread_mutex_unlock(&machine.lock);
     system_health_stop(&machine);
     assert_true(system_health_is_seen(root, "kingyo.db.damaged-1"));

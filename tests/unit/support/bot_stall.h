@@ -1,6 +1,6 @@
-/* bot_stall.h -- a complete core in which a bot plays the first poi through controller input.
+/* bot_stall.h -- test fixture of the whole core, in which a bot plays through controller input.
  *
- * The poi is the paper scoop. The test chooses the technique of the bot. */
+ * The bot moves the first poi (paper scoop) with a technique that the test chooses. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_BOT_STALL_H
 #define KINGYO_TESTS_UNIT_SUPPORT_BOT_STALL_H
 
@@ -25,13 +25,12 @@ static inline void bot_stall_open(struct bot_stall *stall, const struct core_con
     memset(&stall->output, 0, sizeof stall->output);
     bot_init(&stall->bot, technique, config->seed);
     stall->bot.hand.pose = (struct poi_target){ .position_m = v3(0.0f, 0.10f, 0.0f) };
-    stall->core.game.control[0].hand_pose =
-        stall->bot.hand.pose; /* The pose starts over the middle of the
-                                                             tank. */
+    /* The bot starts over the middle of the tank, 10 cm above the water. */
+    stall->core.game.control[0].hand_pose = stall->bot.hand.pose;
     stall->core.world.poi[0].position_m = v3(0.0f, 0.05f, 0.0f);
 }
 
-/* Returns the view of the core that the bot of player 0 receives. */
+/* Returns what the bot of player 0 can see of the game and of the tank. */
 static inline struct vision bot_stall_sight(const struct bot_stall *stall)
 {
     return (struct vision){ .game = &stall->core.game, .world = &stall->core.world, .player = 0 };

@@ -58,8 +58,8 @@ static inline void press(uint32_t buttons)
     tick();
 }
 
-/* Sets the input of player `index` to a level poi at `at_m`, until the next call for the player.
- * The simulated controller reports angles too. */
+/* Sets the controller input of player `index` to a level poi at `at_m`. The controller also reports
+ * angles. The input stays until the next change. */
 static inline void hold(uint32_t index, vec3 at_m)
 {
     input.poi[index] = (struct poi_input){
@@ -82,8 +82,8 @@ static inline void lead(uint32_t index, vec3 to_m)
     }
 }
 
-/* Dips the poi of player `index` straight down at (x_m, z_m), after it was visible above that place
- * for half a second. */
+/* Holds the poi of player `index` above (x_m, z_m) for half a second, then moves it straight down
+ * under water. */
 static inline void dip(uint32_t index, float x_m, float z_m)
 {
     hold(index, v3(x_m, ABOVE_M, z_m));

@@ -148,8 +148,8 @@ static inline void tear_all(uint32_t index)
     sheet->paper_cells = 0;
 }
 
-/* Checks that each of the first `count` fish swims within half a second, even if it was put back
- * onto other fish. */
+/* Asserts that each of the first `count` fish swims within half a second, even if the fish was
+ * poured back onto other fish. */
 static inline void expect_all_to_swim_soon(uint32_t count)
 {
     uint8_t swam[16] = { 0 };

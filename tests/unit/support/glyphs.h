@@ -1,4 +1,4 @@
-/* glyphs.h -- finds the font size of the letters in a laid-out text. */
+/* glyphs.h -- computes the font size of the letters in a laid-out text. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_GLYPHS_H
 #define KINGYO_TESTS_UNIT_SUPPORT_GLYPHS_H
 

@@ -11,7 +11,7 @@
 #define MS 1000000ull
 
 /* clang-format off */
-/* Wiring of the cabinet. */
+/* Roles and line names of the cabinet's GPIO lines. */
 static const char *const cabinet[] = {
     "start=START", "left=LEFT", "test=TEST", "tilt=TILT", "coin=COIN", "coin2=COIN2",
     "coin3=COIN3", "door=DOOR",
@@ -20,7 +20,7 @@ static const char *const cabinet[] = {
 };
 /* clang-format on */
 
-/* A wired cabinet, its simulated lines, and the sum of all button samples. */
+/* A cabinet with simulated GPIO lines, and the sum of all its button samples. */
 struct fixture {
     struct gpio_lines_sim sim;
     struct gpio_sim_events script;
@@ -45,7 +45,7 @@ static inline void poll(struct fixture *fixture)
     fixture->presses += (sample.pressed & INPUT_START) != 0;
 }
 
-/* Creates simulated lines that are not yet requested, so that a test can change them before
+/* Creates the simulated lines without reading them yet, so that a test can change the lines before
  * begin(). */
 static inline void plug_in(struct fixture *fixture, const struct gpio_sim_event *events,
                            uint32_t count)
@@ -55,7 +55,7 @@ static inline void plug_in(struct fixture *fixture, const struct gpio_sim_event 
     gpio_lines_sim_init(&fixture->sim, gpio_lines_sim_events_script(&fixture->script), 1);
 }
 
-/* Wires the cabinet and requests its lines. */
+/* Assigns the lines to their roles and starts to read the lines. */
 static inline void begin(struct fixture *fixture)
 {
     struct gpio_wire wires[GPIO_ROLE_COUNT] = { 0 };
@@ -78,7 +78,7 @@ static inline void run_until(struct fixture *fixture, uint64_t time_ms)
 
 #define PLAY(fixture, events) play(fixture, events, sizeof(events) / sizeof((events)[0]))
 
-/* Creates the lines with the script `events`, and wires the cabinet. */
+/* Creates the simulated lines with the script `events`, and starts to read the lines. */
 static inline void play(struct fixture *fixture, const struct gpio_sim_event *events,
                         uint32_t count)
 {

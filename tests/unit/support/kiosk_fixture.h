@@ -96,17 +96,18 @@ static inline void frames(uint32_t count)
     }
 }
 
-/* Replaces the script of the buttons. */
+/* Sets the events that the simulated buttons will report. */
 static inline void script(const struct button_event *events, uint32_t count)
 {
     rig.buttons.events = events;
     rig.buttons.event_count = count;
 }
 
-/* Script of the pointer. */
+/* Reports that the simulated pointer will send. */
 static struct pointer_report reports[1000];
 
-/* Schedules one report each `step_ms` from 1 s, with a position that moves to the right. */
+/* Prepares `count` pointer reports, one every `step_ms` from 1 s. The position moves to the
+ * right. */
 static inline void glide(uint32_t count, uint64_t step_ms)
 {
     for (uint32_t i = 0; i < count; i++) {
@@ -124,7 +125,7 @@ static inline void glide(uint32_t count, uint64_t step_ms)
 
 #define ENTRIES 2u /* Number of ledger entries of a round. */
 
-/* Presses START and plays the round of ten seconds until the core has a record to store. */
+/* Plays a round of ten seconds, until the core has a record of the round to store. */
 static inline void play_a_round(void)
 {
     static const struct button_event events[] = {
@@ -135,7 +136,7 @@ static inline void play_a_round(void)
     for (uint32_t i = 0; i < 2400 && newest_record(&rig.kiosk.output)->id == 0; i++) {
         frames(1);
     }
-    /* The first entry records the start of the round. */
+    /* Entry 1 records the start of the round, and entry 2 its result. */
     assert_int_equal(newest_record(&rig.kiosk.output)->id, ENTRIES);
 }
 

@@ -14,14 +14,14 @@ static inline const struct species_card *card(void)
     return lab_book_card(&core.config.book, core.game.lab.species);
 }
 
-/* Returns the middle of a part on the canvas. */
+/* Returns the middle of a control on the lab page. */
 static inline struct layout_point middle_of(enum lab_part part)
 {
     const struct layout_box box = lab_box(core.game.lab.upright, card()->key_count, part);
     return (struct layout_point){ box.x + 0.5f * box.width, box.y + 0.5f * box.height };
 }
 
-/* Moves a poi with orientation over a point of the canvas. */
+/* Moves the poi over a point of the lab page. */
 static inline void hover(struct layout_point at)
 {
     const struct layout_point canvas = pointer_layout_size(core.game.lab.upright);
@@ -44,7 +44,7 @@ static inline void come_up(void)
     tick();
 }
 
-/* Dips the poi at the middle of a part. */
+/* Presses a control by dipping the poi over its middle. */
 static inline void tap(enum lab_part part)
 {
     hover(middle_of(part));
@@ -68,7 +68,7 @@ static inline void drag_down(struct layout_point from, struct layout_point to)
     come_up();
 }
 
-/* Returns the point of a knot on the curve of `key`. */
+/* Returns the point on the lab page at which a knot is drawn on the curve of `key`. */
 static inline struct layout_point knot_at(uint32_t knot, uint32_t key)
 {
     const struct layout_box plot = lab_box(core.game.lab.upright, card()->key_count, LAB_PLOT);
@@ -77,7 +77,7 @@ static inline struct layout_point knot_at(uint32_t knot, uint32_t key)
                                   plot.y + (1.0f - at->weight[key]) * plot.height };
 }
 
-/* Opens a kiosk that has only the lab; a cmocka setup function. */
+/* Opens the growth lab in a core that has no other mode; a cmocka setup function. */
 static inline int open_lab(void **state)
 {
     (void)state;

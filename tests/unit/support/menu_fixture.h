@@ -79,7 +79,7 @@ static inline void go_to_lines(void)
     go_to(MENU_LINES);
 }
 
-/* Checks that the newest command has the given id, kind and row. */
+/* Asserts that the newest command to the controllers has the given id, kind and row. */
 static inline void expect_order(uint32_t id, enum controller_command_kind kind, uint8_t row)
 {
     const struct controller_command *order = &output.commands[(id - 1u) % CONTROLLER_COMMAND_MAX];

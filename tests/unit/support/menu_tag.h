@@ -1,10 +1,10 @@
-/* menu_tag.h -- finds the item of the operator's menu that opens a page. */
+/* menu_tag.h -- finds the tag (item) of the operator's menu that opens a page. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_MENU_TAG_H
 #define KINGYO_TESTS_UNIT_SUPPORT_MENU_TAG_H
 
 #include "core/game/menu/menu_pages.h"
 
-/* Returns the item of the parent page that opens `page`. MENU_TAG_MAX means that no item does. */
+/* Returns the tag of the parent page that opens `page`, or MENU_TAG_MAX if no tag opens `page`. */
 static inline uint32_t menu_tag_of(uint8_t page)
 {
     const uint8_t parent = menu_page_desc_of(page)->parent;

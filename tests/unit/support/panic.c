@@ -15,6 +15,7 @@
 _Noreturn void core_panic(const char *condition, const char *file, int line)
 {
     mock_assert(0, condition, file, line);
-    abort(); /* This line is never reached, because mock_assert() either returns to the test by
-                longjmp or fails the test. */
+    /* mock_assert() returns to the test by longjmp or fails the test, so this line is never
+     * reached. */
+    abort();
 }

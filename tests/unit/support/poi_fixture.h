@@ -31,7 +31,7 @@ struct poi_fixture {
     struct poi_target hand;
     struct poi_force force;
     int has_wrist;
-    int laden; /* 1 if the poi tips toward the bowl as if it carried a fish, otherwise 0. */
+    int laden; /* 1 if the poi counts as loaded and tips toward the bowl, otherwise 0. */
     uint32_t tick;
     uint32_t landed, poured, walled; /* Number of fish that came into the bowl since fixture_init(),
                                         by cause (struct catch_result). */
@@ -64,8 +64,8 @@ static inline uint32_t fixture_add_fish(struct poi_fixture *fixture, vec3 positi
     return index;
 }
 
-/* Runs one tick of the contact solver. A fish moves only if one of the two obstacles or another
- * fish overlaps it. */
+/* Runs one tick of the contact solver, with the poi and the bowl as the two obstacles. A fish moves
+ * only if an obstacle or another fish overlaps it. */
 static inline void fixture_solve_contacts(struct tank *tank, struct obstacle around_it[2])
 {
     struct broad_phase *broad_phase = &tank->broad_phase;
@@ -215,7 +215,8 @@ static inline void fixture_tear_hole(struct poi_fixture *fixture, float x_m, flo
     }
 }
 
-/* Gives all paper the strength 1 and the given wetness, as the membrane formulas assume. */
+/* Sets the strength of all paper to 1 and its wetness to `wetness`, as the membrane formulas
+ * assume. */
 static inline void fixture_plain_paper(struct sheet *sheet, float wetness)
 {
     for (uint32_t i = 0; i < SHEET_CELL_COUNT; i++) {

@@ -35,8 +35,7 @@ static inline uint32_t purse_count(const struct output *out, enum ledger_kind ki
     return count;
 }
 
-/* Returns 1 if the record of the newest scored round has the id of its ledger entry, otherwise
- * 0. */
+/* Returns 1 if the newest round record and its ledger entry have the same id, otherwise 0. */
 static inline int purse_keeps_record(const struct output *out)
 {
     const struct round_record *record = newest_record(out);

@@ -33,8 +33,8 @@ static inline int remove_path(void **state)
     return unlink(path);
 }
 
-/* Returns inputs that use every part of the format: no motion, motion, presses, and plug and unplug
- * events. */
+/* Returns an input that depends on `tick`. The inputs use every part of the format: motion, rest,
+ * presses, and plug and unplug events. */
 static inline struct input input_of(uint32_t tick)
 {
     const struct rng_key key = { 1, tick, 0, RNG_TEST };
@@ -58,7 +58,7 @@ static inline struct input input_of(uint32_t tick)
     return input;
 }
 
-/* Truncates the file to 0 bytes, because a recording never replaces the content of a file. */
+/* Truncates the file to 0 bytes, because the recorder never overwrites a file that has content. */
 static inline void empty_path(void)
 {
     assert_int_equal(truncate(path, 0), 0);

@@ -48,13 +48,13 @@ static inline const char *complaint_of(const char *text)
     return complaint;
 }
 
-/* Checks that the reader refuses `text` with a single line that contains `complaint`. */
+/* Asserts that the reader rejects `text` with a message of one line that contains `complaint`. */
 static inline void assert_refused(const char *text, const char *complaint)
 {
     const char *answer = complaint_of(text);
     assert_non_null(strstr(answer, complaint));
-    assert_ptr_equal(strchr(answer, '\n'), answer + strlen(answer) - 1); /* Checks that the message
-                                                                            has exactly one line. */
+    /* The only newline must be the last character. */
+    assert_ptr_equal(strchr(answer, '\n'), answer + strlen(answer) - 1);
 }
 
 #endif

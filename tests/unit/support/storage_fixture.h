@@ -82,13 +82,14 @@ static inline uint32_t saved_id(struct fixture *fixture)
     return fixture->device.ledger.ops->committed_id(fixture->device.ledger.self);
 }
 
-/* Returns the description of the store. */
+/* Returns the text with which the store describes its state. */
 static inline const char *text(struct fixture *fixture)
 {
     return fixture->device.ledger.ops->describe(fixture->device.ledger.self);
 }
 
-/* Waits at most 5 s, because syncing a disk can be slow. */
+/* Waits until the store has committed entry `id`. Fails the test after 5 s, which is enough even
+ * for a slow disk. */
 static inline void wait_until_saved(struct fixture *fixture, uint32_t id)
 {
     for (int i = 0; i < 500 && saved_id(fixture) < id; i++) {
@@ -126,7 +127,7 @@ static inline void work_rounds(struct fixture *fixture, uint32_t first, uint32_t
     assert_int_equal(saved_id(fixture), last);
 }
 
-/* Stores four rounds that the backup contains and four later rounds. */
+/* Stores eight rounds and closes the store. The backup contains the first four rounds. */
 static inline void fill_and_close(struct fixture *fixture)
 {
     open_without_thread(fixture);
@@ -135,7 +136,8 @@ static inline void fill_and_close(struct fixture *fixture)
     fixture->device.ledger.ops->close(fixture->device.ledger.self);
 }
 
-/* Removes the mirror, so that entries can come only from the database. */
+/* Removes the mirror (the second copy of the newest entries), so that entries can come only from
+ * the database. */
 static inline void remove_mirror(const struct fixture *fixture)
 {
     char path[160];
@@ -150,7 +152,8 @@ static inline void fill_and_remove_mirror(struct fixture *fixture)
     remove_mirror(fixture);
 }
 
-/* Returns the number that a query yields to another program. */
+/* Runs `query` in a separate connection, as another program would. Returns the number of its
+ * result. */
 static inline int query_number(const struct fixture *fixture, const char *query)
 {
     sqlite3 *db;
@@ -195,7 +198,7 @@ static inline struct persistent_state *load_state(struct fixture *fixture)
     return &memory;
 }
 
-/* Writes the path of the database with a suffix to `out`. */
+/* Writes the path of the database followed by `suffix` to `out`. */
 static inline void path_beside(const struct fixture *fixture, const char *suffix, char out[160])
 {
     snprintf(out, 160, "%s%s", fixture->file, suffix);

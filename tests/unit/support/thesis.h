@@ -39,8 +39,8 @@ static inline struct tank *thesis_stage(const struct tank_stage *stages, uint32_
     return &tank;
 }
 
-/* Critical value of the Kolmogorov-Smirnov test for a sample of n values. The misfit of a uniform
- * sample exceeds 1.63 / sqrt(n) with a probability of 1 %. */
+/* Largest misfit that uniform_misfit() may return for a uniform sample of n values. This critical
+ * value of the Kolmogorov-Smirnov test is exceeded with a probability of 1 %. */
 #define UNIFORM_MISFIT_MAX(n) (1.63f / f_sqrt((float)(n)))
 
 /* Compares two floats for qsort() in ascending order. */

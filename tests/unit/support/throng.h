@@ -11,7 +11,7 @@ static struct broad_phase broad_phase;
 static struct fish fish[768];
 static const vec3 tank_m = { 1.36f, 0.20f, 0.65f };
 
-/* Updates the broad phase of the neighbour search for all fish at `tick`. */
+/* Updates the broad phase (the spatial index of the neighbour search) with all fish at `tick`. */
 static inline void look(uint32_t tick)
 {
     struct perception around = *pond_at(1, tick);

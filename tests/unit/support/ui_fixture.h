@@ -17,7 +17,7 @@ struct size {
     float width, height;
 };
 
-/* Sizes of the screens in the tests. */
+/* Screen sizes of the tests, in pixels. */
 static const struct size sizes[] = {
     { 1280, 720 }, { 1920, 1080 }, { 3840, 2160 }, { 720, 1280 },  { 1080, 1920 }, { 640, 480 },
     { 1024, 768 }, { 3440, 1440 }, { 480, 800 },   { 1280, 1280 }, { 640, 360 },
@@ -47,7 +47,7 @@ static inline struct bounds bounds_of(uint32_t quad)
     return bounds;
 }
 
-/* Fills the scene of a phase with four players and every possible element. */
+/* Sets up a scene of `phase` with four players and every possible element. */
 static inline void set_scene(uint8_t phase, uint8_t language, uint8_t hint, float phase_s)
 {
     memset(&scene, 0, sizeof scene);
@@ -72,7 +72,8 @@ static inline void set_scene(uint8_t phase, uint8_t language, uint8_t hint, floa
     scene.call_s = 60.0f;
 }
 
-/* Sets a mode, the number of players, and the announcements of the umpire to each player. */
+/* Sets the mode, the number of players, and the announcements that the umpire makes to each
+ * player. */
 static inline void set_match(uint8_t mode, uint32_t players, uint8_t variant)
 {
     scene.mode = mode;
@@ -94,7 +95,7 @@ static inline void set_match(uint8_t mode, uint32_t players, uint8_t variant)
 static inline void lay_out(struct size size)
 {
     ui_screens(&batch, &memory, &scene, size.width, size.height);
-    assert_int_equal(batch.unbaked_count, 0); /* The font contains every letter that is drawn. */
+    assert_int_equal(batch.unbaked_count, 0); /* Every drawn letter must be in the font. */
 }
 
 /* Returns the number of letters in the layout. */

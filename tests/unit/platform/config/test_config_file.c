@@ -1,5 +1,5 @@
-/* test_config_file.c -- Tests kingyo.conf: which lines are used, and which are reported and
- * skipped. */
+/* test_config_file.c -- Tests the reader of kingyo.conf: valid lines are used, and invalid lines
+ * are reported and skipped. */
 #include <errno.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -187,7 +187,7 @@ static void test_a_byte_order_mark_and_crlf_are_accepted(void **state)
     assert_int_equal(asked(SET_PRICE), 4);
 }
 
-/* The pipe has no writer. A reader that waits for one would block forever. */
+/* A pipe without a writer would block a normal open() forever. */
 static void test_a_path_that_is_not_a_regular_file_is_rejected_without_blocking(void **state)
 {
     (void)state;
@@ -216,7 +216,7 @@ static void test_a_too_long_line_gives_one_warning(void **state)
     assert_int_equal(asked(SET_PRICE), 2);
 }
 
-/* The resulting options are valid for any content of the file. */
+/* Whatever bytes the file contains, each setting that is read must be in its range. */
 static void test_random_bytes_never_set_an_invalid_value(void **state)
 {
     static const char bits[] = "[money]game=pricevolume,fish:0123456789\n\n  #=\0\xff";
@@ -234,8 +234,8 @@ static void test_random_bytes_never_set_an_invalid_value(void **state)
     }
 }
 
-/* The file printed by 'kingyoctl config defaults' is read with every '#' before a key removed. It
- * gives no warning and sets the defaults. */
+/* Reads the example file of `kingyoctl config defaults` twice: first unchanged, then without the
+ * '#' before each key. Both must give no warning and leave every setting at its default. */
 static void test_the_example_file_contains_the_defaults(void **state)
 {
     static char text[32768], open[32768];
@@ -275,7 +275,7 @@ static void test_a_file_with_many_invalid_lines_reports_the_count_of_the_rest(vo
     assert_non_null(strstr(last_warning, ": 3 more invalid lines"));
 }
 
-/* The kiosk starts although one line of the file is wrong, and uses the valid lines. */
+/* Two of the GPIO lines are invalid. The valid lines must be used. */
 static void test_valid_gpio_lines_are_used_and_invalid_ones_reported(void **state)
 {
     (void)state;
@@ -324,7 +324,7 @@ static void test_the_fish_count_of_a_file_is_limited_by_its_tank(void **state)
     assert_int_equal(read_text("fish = 1000\n"), 0);
     assert_int_equal(warning_count, 1);
     assert_non_null(strstr(warnings[0], ":1: fish: 1000 is too many; the festival tank holds 1 "));
-    /* The invalid line is ignored, so the kiosk keeps its default value. */
+    /* The invalid line is ignored, so the setting is not set. */
     assert_int_equal(options.file.is_set[SET_FISH], 0);
 }
 

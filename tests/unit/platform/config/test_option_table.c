@@ -1,4 +1,5 @@
-/* test_option_table.c -- Tests the parser that all option tables share. */
+/* test_option_table.c -- Tests the parser of command-line options that all programs of Kingyo
+ * share. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -41,7 +42,7 @@ static const struct option_table table = { options, sizeof options / sizeof opti
 static struct target target;
 static char error[OPTIONS_ERROR_MAX];
 
-/* Parses up to four words. The list ends with null. */
+/* Parses up to four words. A null pointer ends the list. */
 static int parse(uint32_t groups, const char *const words[4])
 {
     int argc = 0;
@@ -66,7 +67,7 @@ static void test_each_type_of_option_is_stored_in_its_target(void **state)
     assert_int_equal(PARSE(0, "--decimal", "-0.5", "--choice", "blue"), 0);
     assert_true(target.decimal == -0.5);
     assert_int_equal(target.choice, 2);
-    assert_int_equal(target.whole, 3); /* 3 is the default value in the table. */
+    assert_int_equal(target.whole, 3); /* --whole is absent, so its default of 3 applies. */
     assert_int_equal(PARSE(2, "--path", "p", "-o", "b"), 0);
     assert_string_equal(target.path, "p");
     assert_string_equal(target.text, "b");

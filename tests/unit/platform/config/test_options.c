@@ -1,4 +1,4 @@
-/* test_options.c -- Tests the command-line options of `kingyo` and the messages for wrong
+/* test_options.c -- Tests the command-line options of `kingyo` and the messages for invalid
  * options. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -224,7 +224,7 @@ static void check_most(const char *tank, uint8_t preset)
     memcpy(most, count, sizeof most);
     snprintf(count, sizeof count, "%u", max + 1u);
     assert_int_equal(parse(COUNT(fish_first), fish_first), -1);
-    assert_non_null(strstr(error, most)); /* The message names the maximum. */
+    assert_non_null(strstr(error, most)); /* The message contains the largest allowed number. */
     assert_int_equal(parse(COUNT(tank_first), tank_first), -1);
 }
 
@@ -263,7 +263,8 @@ static void test_the_mode_option_accepts_three_modes_and_ask(void **state)
 
 static struct settings settings;
 
-/* Applies the settings that the operator saved in the menu, if there are any. */
+/* Computes `settings` from all sources. If `saved_id` is a setting, the menu has saved its value
+ * `saved`. */
 static void settle(uint32_t saved_id, int32_t saved)
 {
     options_first(&options, &settings);
@@ -315,8 +316,8 @@ static void test_no_coins_option_overrides_the_saved_price(void **state)
     assert_int_equal(settings.value[SET_PLAY], PLAY_FREE);
 }
 
-/* The sources are the default, the locale, the file, the menu and the command line. Each source
- * overrides the earlier ones. */
+/* The sources of a setting are its default, the locale of the machine, kingyo.conf, the menu and
+ * the command line. Each source must override the earlier ones. */
 static void test_each_later_configuration_source_overrides_the_earlier_one(void **state)
 {
     static const char *const none[] = { "kingyo" };
@@ -380,7 +381,8 @@ static void test_a_kiosk_starts_at_the_normal_level_unless_the_level_is_set(void
         settle(SETTING_COUNT, 0);
         config_apply_settings(&core, &settings);
         assert_int_equal(core.level, cases[i].level);
-        core.rules = 8; /* The recorded game has no levels. */
+        /* A recording under rules 8 has no levels, so the level of the original game applies. */
+        core.rules = 8;
         config_apply_settings(&core, &settings);
         assert_int_equal(core.level, LEVEL_MASTER);
     }

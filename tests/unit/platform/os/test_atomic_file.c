@@ -1,4 +1,5 @@
-/* test_atomic_file.c -- Tests that a file, or a PNG file, is written completely or not at all. */
+/* test_atomic_file.c -- Tests that a file is written completely or not at all. PNG files are
+ * written in the same way. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -41,7 +42,8 @@ static int exists(const char *name)
     return stat(name, &status) == 0;
 }
 
-/* Simulates a disk that is full after `size` bytes. */
+/* Limits the size of files to `size` bytes. A larger write fails with EFBIG, like a write to a full
+ * disk. */
 static void limit_files(rlim_t size)
 {
     struct rlimit limit;
@@ -85,8 +87,8 @@ static void test_an_incomplete_file_is_removed(void **state)
     assert_false(exists(path));
 }
 
-/* The data fits into the buffer of the C library. Therefore the write succeeds, and only the close
- * reports the full device. */
+/* The byte stays in the buffer of the C library until the close. Only the close therefore reports
+ * the full device. */
 static void test_a_full_device_is_reported_and_not_removed(void **state)
 {
     (void)state;
@@ -113,7 +115,8 @@ static void test_an_incomplete_png_is_removed(void **state)
     (void)state;
     struct canvas canvas;
     assert_true(canvas_open(&canvas, 200, 200));
-    for (uint32_t i = 0; i < 200 * 200; i++) { /* Random pixels do not compress. */
+    for (uint32_t i = 0; i < 200 * 200; i++) { /* Random pixels do not compress, so the file exceeds
+                                                  the limit below. */
         canvas.pixels[i].x = (float)(i * 2654435761u >> 8) / 16777216.0f;
     }
     limit_files(1000);
@@ -190,8 +193,8 @@ static void test_a_pipe_receives_the_data_and_is_not_replaced(void **state)
     (void)state;
     char is[8] = "";
     assert_int_equal(mkfifo(path, 0600), 0);
-    assert_int_equal(write_new(file_atomic_open, path), -ENXIO); /* Without a reader the open does
-                                                                    not block. */
+    /* Without a reader, the open must fail at once instead of blocking. */
+    assert_int_equal(write_new(file_atomic_open, path), -ENXIO);
     const int reader = open(path, O_RDONLY | O_NONBLOCK);
     assert_true(reader >= 0);
     assert_int_equal(write_new(file_atomic_open_durable, path), -ENOTSUP);
@@ -203,17 +206,17 @@ static void test_a_pipe_receives_the_data_and_is_not_replaced(void **state)
     unlink(path);
 }
 
-/* Only a user who can create device nodes can test their replacement. */
+/* The test needs the permission to create device nodes. Otherwise the test is skipped. */
 static void test_a_device_is_never_replaced(void **state)
 {
     (void)state;
-    /* A device node with the numbers of /dev/full, in the folder of the test. */
+    /* Creates a device node like /dev/full in the folder of the test. */
     if (mknod(path, S_IFCHR | 0600, makedev(1, 7)) != 0) {
         skip();
     }
     const int fd = open(path, O_WRONLY | O_CLOEXEC);
-    const int opens = fd >= 0; /* The device cannot be opened on a file system that is mounted with
-                                  nodev. */
+    /* On a file system with the mount option nodev, no device can be opened. */
+    const int opens = fd >= 0;
     if (opens) {
         close(fd);
     }
@@ -221,7 +224,8 @@ static void test_a_device_is_never_replaced(void **state)
     assert_int_equal(write_new(file_atomic_open_durable, path), -ENOTSUP);
     assert_int_equal(kind_of(path), S_IFCHR);
     unlink(path);
-    if (mknod(path, S_IFBLK | 0600, makedev(7, 250)) == 0) { /* A block device accepts no data. */
+    /* A block device must be rejected. */
+    if (mknod(path, S_IFBLK | 0600, makedev(7, 250)) == 0) {
         assert_int_equal(write_new(file_atomic_open, path), -ENOTSUP);
         assert_int_equal(kind_of(path), S_IFBLK);
         unlink(path);
@@ -242,7 +246,7 @@ static void test_a_link_keeps_its_target(void **state)
     assert_int_equal(write_new(file_atomic_open, link), 0);
     assert_int_equal(kind_of(link), S_IFLNK);
     reads(path, "new");
-    /* A link at the temporary path must not lead to another file. */
+    /* The temporary path is a link. The target of the link must not be changed. */
     unlink(link);
     write_words(link, "theirs");
     assert_int_equal(symlink(link, part), 0);

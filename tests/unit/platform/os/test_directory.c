@@ -1,5 +1,5 @@
-/* test_directory.c -- Tests that folders are created where possible, and that the reason is
- * reported otherwise. */
+/* test_directory.c -- Tests that folders are created, or that the reason is reported if a folder
+ * cannot be created. */
 #include <errno.h>
 #include <setjmp.h>
 #include <stdarg.h>

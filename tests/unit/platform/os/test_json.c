@@ -1,4 +1,4 @@
-/* test_json.c -- Tests JSON documents written to a buffer: commas, lines and escapes. */
+/* test_json.c -- Tests the writer of JSON documents: commas, line breaks and escapes. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,4 +1,5 @@
-/* test_log.c -- Tests log lines on standard error and their priority for a journal. */
+/* test_log.c -- Tests log lines on standard error. If standard error is the journal of systemd,
+ * each line begins with a priority. */
 #include <fcntl.h>
 #include <setjmp.h>
 #include <stdbool.h>
@@ -19,8 +20,8 @@ static char place[] = "/tmp/kingyo-say-XXXXXX";
 static char said[2u * LOG_LINE_MAX];
 static bool has_variable = true;
 
-/* Logs a warning with standard error redirected to a file. $JOURNAL_STREAM differs from the file's
- * inode by `shift`. */
+/* Logs a warning with standard error redirected to a file. $JOURNAL_STREAM names the inode of the
+ * journal. With a `shift` of 0 the file counts as the journal, otherwise not. */
 static void say_into_file(int shift, const char *words)
 {
     char journal[64];
@@ -56,7 +57,7 @@ static void test_a_log_line_to_the_journal_has_a_priority(void **state)
     assert_string_equal(said, "<4>kingyo: a.conf:3: unknown key\n");
 }
 
-/* Standard error is redirected as in `kingyo 2>log` within a service. */
+/* In a service that runs `kingyo 2>log`, standard error is not the journal. */
 static void test_a_log_line_to_a_file_has_no_priority(void **state)
 {
     (void)state;

@@ -92,7 +92,8 @@ static void test_a_number_is_unchanged_by_printing_and_parsing(void **state)
 
 int main(void)
 {
-    /* If the code depended on the locale, a locale with a decimal comma would make a test fail. */
+    /* The user's locale may have a decimal comma, which would make the tests fail if the code
+     * depended on the locale. */
     (void)setlocale(LC_ALL, "");
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_decimals_are_parsed),

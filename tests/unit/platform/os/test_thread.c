@@ -1,4 +1,5 @@
-/* test_thread.c -- Tests the wait of a thread for an event, also when poll() fails. */
+/* test_thread.c -- Tests the function with which a thread waits for an event or a timeout, also if
+ * poll() fails. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -37,7 +38,8 @@ static void test_the_wait_ends_without_an_event(void **state)
     close(fd);
 }
 
-/* poll() fails if it is given more files than the process may open. */
+/* With a limit of 0 open files, poll() fails. The function must still pause, so that its caller
+ * does not loop without a pause. */
 static void test_a_failed_wait_pauses_before_it_returns(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_replay.c -- Tests recordings: inputs are restored, and damaged or false recordings are
- * rejected. */
+/* test_replay.c -- Tests the files of recordings: all inputs are restored, and damaged or altered
+ * recordings are rejected. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -173,8 +173,8 @@ static void test_data_after_the_end_mark_are_rejected(void **state)
     assert_int_equal(reader.problem.offset, size);
 }
 
-/* Returns the position of the first second, after the header and the initial state with its
- * checksum. */
+/* Returns the offset of the chunk with the first second. The header, the initial state and its
+ * checksum precede the chunk. */
 static size_t first_second(const uint8_t *bytes)
 {
     return REPLAY_HEADER_SIZE + replay_get_u32(bytes + HEADER_START) + REPLAY_SUM_SIZE;
@@ -197,7 +197,7 @@ static void test_swapped_seconds_are_rejected(void **state)
     memcpy(swapped + first + second_size, bytes + first, first_size);
     write_file(swapped, size);
     assert_int_equal(scan(&totals), -1);
-    /* A file without its first second is rejected as well. */
+    /* Removes the first second from the file. This file must be rejected too. */
     memcpy(swapped, bytes, first);
     memcpy(swapped + first, bytes + first + first_size, size - first - first_size);
     write_file(swapped, size - first_size);
@@ -236,8 +236,8 @@ static void test_a_recording_of_a_different_version_is_reported(void **state)
     write_file(bytes, size);
     assert_int_equal(scan(&totals), -1);
     assert_non_null(strstr(reader.problem.text, "version 10"));
-    for (uint8_t old = 1; old < REPLAY_VERSION_MIN; old++) { /* replay.h lists the differences of
-                                                                each old version. */
+    /* Every old version that this program cannot read must be named in the message. */
+    for (uint8_t old = 1; old < REPLAY_VERSION_MIN; old++) {
         char says[REPLAY_PROBLEM_SIZE];
         bytes[8] = old;
         write_file(bytes, size);
@@ -256,7 +256,8 @@ static void test_a_huge_file_of_zeros_is_rejected_at_its_first_second(void **sta
     write_ticks(3);
     read_file(bytes);
     assert_int_equal(truncate(path, (off_t)first_second(bytes)), 0);
-    assert_int_equal(truncate(path, (off_t)1 << 40), 0); /* A sparse file of 1 TB of zeros. */
+    /* Extends the file to 1 TB of zeros. The file is sparse and uses no disk space. */
+    assert_int_equal(truncate(path, (off_t)1 << 40), 0);
     assert_int_equal(scan(&totals), -1);
     assert_int_equal(reader.problem.offset, first_second(bytes));
     assert_int_equal(truncate(path, 0), 0);

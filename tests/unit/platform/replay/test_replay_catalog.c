@@ -1,5 +1,5 @@
-/* test_replay_catalog.c -- Tests the catalog in a recording: the species and graphs of the growth
- * lab. */
+/* test_replay_catalog.c -- Tests the catalog in a recording, which contains the loaded species and
+ * the edited graphs of the growth lab. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -23,7 +23,7 @@ static struct recorder recorder;
 static struct replayer replayer;
 static uint8_t bytes[REPLAY_CATALOG_MAX];
 
-/* The largest catalog: eight loaded species and a graph of each. */
+/* Fills the largest catalog: eight loaded species, and an edited graph for every species. */
 static void fill(void)
 {
     memset(&book, 0, sizeof book);
@@ -79,12 +79,14 @@ static void test_an_altered_catalog_is_rejected_unless_valid(void **state)
         const size_t cut = i % 4u == 0 ? bits % size : size;
         const int believed = replay_catalog_decode(&back, altered, cut);
         refused += believed == 0;
-        assert_true(lab_book_is_valid(&back)); /* A rejected catalog is empty. */
+        assert_true(lab_book_is_valid(&back)); /* If decoding fails, the catalog must be empty,
+                                                  which is valid too. */
     }
     assert_true(refused > 150);
 }
 
-/* Returns input that scrubs, turns pages, presses and saves. */
+/* Returns pseudorandom input for the lab: a poi that moves, dips and presses controls, screen
+ * rotations, and graphs that are saved. */
 static struct input hands(uint32_t tick)
 {
     const uint32_t bits = rng_u32((struct rng_key){ 9, tick / 20u, 0, RNG_TEST });

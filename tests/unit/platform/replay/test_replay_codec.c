@@ -1,5 +1,5 @@
-/* test_replay_codec.c -- Tests the difference encoding of inputs: exact to the bit and of minimal
- * length. */
+/* test_replay_codec.c -- Tests the encoding of inputs in a recording as differences from the
+ * previous tick. Decoding must restore every bit, and the encoding must have the minimum length. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -55,8 +55,8 @@ static void test_the_largest_difference_fits_the_bound(void **state)
     assert_int_equal(replay_encode_input(&before, &all, bytes), REPLAY_TICK_SIZE_MAX - 4u);
 }
 
-/* One mask selects the changed groups, a second one the pois and fans, and a third one the fields
- * of the fan. A float follows. */
+/* Seven bytes: a mask of the changed groups, a mask of the changed pois and fans, a mask of the
+ * changed fields, and a float. */
 static void test_a_moving_fan_takes_seven_bytes_per_tick(void **state)
 {
     (void)state;
@@ -79,8 +79,8 @@ static void test_an_invalid_fan_encoding_is_rejected(void **state)
     static const uint8_t inf[4] = { 0, 0, 0x80, 0x7f };
     const uint8_t refused[][8] = {
         { HANDS, 0 },          /* The pois changed, but no poi is selected. */
-        { HANDS, SHADE_0, 0 }, /* The tick names the first fan, but changes no field of it. */
-        /* A fan has three floats, so the bit of a fourth is invalid. */
+        { HANDS, SHADE_0, 0 }, /* The mask names the first fan, but no field of the fan. */
+        /* A fan has three floats, so the bit for a fourth one is invalid. */
         { HANDS, SHADE_0, NO_SUCH },
         { HANDS, SHADE_0, BYTE, 2 }, /* `present` may only be 0 or 1. */
         { HANDS, SHADE_0, X, inf[0], inf[1], inf[2], inf[3] },
@@ -131,12 +131,14 @@ static void test_an_invalid_system_health_encoding_is_rejected(void **state)
     (void)state;
     enum { MACHINE = 1 << 3, BEYOND = 1 << 6, LEVELS = 1 << 2, MINUTE = 1 << 4, NO_SUCH = 1 << 7 };
     const uint8_t refused[][4] = {
-        { MACHINE, 0, 0, 0 },         /* The group changed, but no field is selected. */
-        { MACHINE, NO_SUCH, 1, 0 },   /* The machine has no number with this index. */
-        { BEYOND, 1, 0, 0 },          /* The input has no part with this index. */
-        { MACHINE, LEVELS, 8, 0 },    /* The level does not exist. */
-        { MACHINE, LEVELS, 0, 0 },    /* The levels did not change. */
-        { MACHINE, MINUTE, 0xa0, 5 }, /* Minute 1440 does not exist. */
+        { MACHINE, 0, 0, 0 },         /* The mask names the group, but no field of the group. */
+        { MACHINE, NO_SUCH, 1, 0 },   /* The group has no field for this bit. */
+        { BEYOND, 1, 0, 0 },          /* The input has no group for this bit. */
+        { MACHINE, LEVELS, 8, 0 },    /* The levels have no bit 3 (value 8). */
+        { MACHINE, LEVELS, 0, 0 },    /* The mask names the levels, but their new value is the old
+                                         one. */
+        { MACHINE, MINUTE, 0xa0, 5 }, /* 0x5a0 is minute 1440, but the last minute of a day is
+                                         1439. */
     };
     for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
         struct input input = { 0 };
@@ -207,13 +209,12 @@ static void test_an_invalid_controller_list_encoding_is_rejected(void **state)
     (void)state;
     enum { DESK = 1 << 5, STEP = 1, ROW = 2, BEYOND = 16 };
     const uint8_t refused[][4] = {
-        { DESK, 0, 0, 0 }, /* The controller list changed, but no field is
-                                                   selected. */
-        /* CONTROLLER_STATE_COUNT is no state of a controller. */
+        { DESK, 0, 0, 0 }, /* The mask names the list, but no field. */
+        /* CONTROLLER_STATE_COUNT is not a valid state of a controller. */
         { DESK, 1, 0, CONTROLLER_STATE_COUNT },
-        { DESK, 0, STEP, LEARN_STEP_COUNT }, /* No step has this number. */
-        { DESK, 0, ROW, CONTROLLER_MAX },    /* No row has this number. */
-        { DESK, 0, BEYOND, 1 },              /* The part has no byte with this index. */
+        { DESK, 0, STEP, LEARN_STEP_COUNT }, /* There is no step with this number. */
+        { DESK, 0, ROW, CONTROLLER_MAX },    /* There is no row with this number. */
+        { DESK, 0, BEYOND, 1 },              /* The list has no field for this bit. */
     };
     for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
         struct input input = { 0 };
@@ -230,8 +231,8 @@ static uint32_t draw(uint32_t tick, uint32_t what)
     return rng_u32((struct rng_key){ 5, tick, what, RNG_TEST });
 }
 
-/* The core validated exactly these bits of a faulty sensor, so a replay must contain the same
- * bits. */
+/* A faulty sensor may report any bits, for example NaN. The core has validated these bits, so a
+ * replay must restore the same bits. */
 static void test_any_bit_pattern_of_a_pose_is_restored(void **state)
 {
     (void)state;
@@ -242,8 +243,8 @@ static void test_any_bit_pattern_of_a_pose_is_restored(void **state)
         struct poi_input *poi = &input.poi[draw(tick, 0) % POI_MAX];
         uint32_t bits[6];
         for (uint32_t i = 0; i < 6; i++) {
-            bits[i] = draw(tick, i + 1u) | (draw(tick, 9) % 2u ? 0x7f800000u : 0u); /* Many values
-                                                                                       are NaN. */
+            /* In half of the ticks, the exponents are those of NaN or infinity. */
+            bits[i] = draw(tick, i + 1u) | (draw(tick, 9) % 2u ? 0x7f800000u : 0u);
         }
         memcpy(&poi->target, bits, sizeof poi->target);
         poi->link = draw(tick, 10) % 4u;
@@ -279,7 +280,7 @@ static void test_an_invalid_poi_encoding_is_rejected(void **state)
     (void)state;
     enum { HANDS = 1 << 4, POI_0 = 1, BYTE = 1, TREMBLES = 8, GAP = 16 };
     const uint8_t refused[][8] = {
-        { HANDS, POI_0, 0 }, /* The tick names the first poi, but changes no field of it. */
+        { HANDS, POI_0, 0 }, /* The mask names the first poi, but no field of the poi. */
         /* The status byte of a poi uses only the bits 0 to 4, so bit 5 (32) is invalid. */
         { HANDS, POI_0, BYTE, 32 },
     };

@@ -1,5 +1,5 @@
-/* test_replay_core.c -- Tests that recordings of the core verify, also after a signal or a panic,
- * and that a difference is reported. */
+/* test_replay_core.c -- Tests recordings of a running core. A replay must reproduce every tick,
+ * also after a signal or a panic, and must report the first difference. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -26,7 +26,8 @@ static struct core core;
 static struct recorder recorder;
 static struct replayer replayer;
 
-/* Returns a fan that appears after two seconds, is held, moved aside and removed. */
+/* Returns the input of a fan that appears after two seconds, moves over the water, moves aside and
+ * disappears. */
 static struct shade_input fan_at(uint32_t tick)
 {
     const float t = (float)tick / (float)CORE_TICK_HZ;
@@ -38,8 +39,8 @@ static struct shade_input fan_at(uint32_t tick)
     };
 }
 
-/* Plays `seconds` with the bot and presses START after one second. From `lie_at`, the recorded
- * digests are wrong. */
+/* Plays `seconds` with the bot, which presses START after one second, and records the ticks. From
+ * the tick `lie_at`, the recorded digests are false. */
 static void play_and_record(uint32_t seconds, uint32_t lie_at)
 {
     static struct output output;
@@ -96,8 +97,8 @@ static void test_a_correct_recording_verifies(void **state)
     assert_true(core_hash(&core) == hash);
 }
 
-/* The run contains coins, the menu, controllers that are plugged, unplugged and learned there, and
- * the return to the game. */
+/* The recording contains coins, and a visit to the menu in which controllers are plugged in,
+ * unplugged and learned. */
 static void test_a_recording_of_the_operator_menu_verifies(void **state)
 {
     static struct output output;
@@ -138,7 +139,8 @@ static void test_a_recording_of_the_operator_menu_verifies(void **state)
     assert_true(core_hash(&core) == hash);
 }
 
-/* Attract mode has no player. The festival round of the first player follows. */
+/* After 3 s, no round has begun, so the recording has no mode and no player. After 5 s, a festival
+ * round with the first player has begun. */
 static void test_a_recording_contains_its_modes_and_players(void **state)
 {
     (void)state;
@@ -153,7 +155,8 @@ static void test_a_recording_contains_its_modes_and_players(void **state)
     assert_int_equal(replayer.reader.totals.players, 1);
 }
 
-/* Each count that a foul or a catch raises is compared with the file in each second. */
+/* The totals of a recording are the sums over all rounds. A smaller value of a player means that a
+ * new round has begun. */
 static void test_counts_rise_with_the_scores_and_restart_with_a_round(void **state)
 {
     static const uint32_t caught[] = { 0, 2, 2, 0, 1 }, fouls[] = { 1, 1, 3, 0, 1 };
@@ -181,7 +184,8 @@ static void test_the_first_different_tick_is_reported(void **state)
     assert_true(replayer.difference.recorded != replayer.difference.computed);
 }
 
-/* The file contains the tick of the panic with its input. The incomplete state is not hashed. */
+/* After a panic in a tick, the recording must contain the input of that tick. The state in the
+ * middle of a tick is not hashed. */
 static void test_a_recording_ended_by_a_panic_reproduces_the_panic(void **state)
 {
     static struct output output;
@@ -199,8 +203,8 @@ static void test_a_recording_ended_by_a_panic_reproduces_the_panic(void **state)
     }
     input.pressed = INPUT_LANGUAGE;
     tap.before(tap.self, &input);
-    memset(&core.game, 0xff, sizeof core.game); /* The state is incomplete, as in the middle of the
-                                                   tick. */
+    /* Makes the state incomplete, as in the middle of a tick. */
+    memset(&core.game, 0xff, sizeof core.game);
     assert_int_equal(recorder_end_in_panic(&recorder), 0);
     assert_int_equal(scan(&totals), 0);
     assert_int_equal(totals.ticks, 151);
@@ -208,11 +212,12 @@ static void test_a_recording_ended_by_a_panic_reproduces_the_panic(void **state)
     replay_all();
     assert_int_equal(core.game.tick, 151);
     assert_int_equal(core.game.language, LANGUAGE_EN);
-    assert_int_equal(replayer.difference.found, 1); /* The replay did not panic. */
+    /* The replay completes the tick without a panic, which is a difference. */
+    assert_int_equal(replayer.difference.found, 1);
     assert_int_equal(replayer.difference.tick, 150);
 }
 
-/* Records `count` ticks and the input of one more tick, in which a panic occurs. */
+/* Records `count` complete ticks, and the input of one more tick that does not end. */
 static void record_into_a_tick(uint32_t count)
 {
     static struct output output;
@@ -250,7 +255,7 @@ static void test_a_signal_during_a_write_leaves_a_recording_of_whole_seconds(voi
     (void)state;
     record_into_a_tick(150);
     recorder.is_in_tick = 0;
-    /* Sets the state in which the panic falls into the recorder's call after the tick. */
+    /* Simulates a panic in the call with which the recorder adds a tick. */
     recorder.is_adding = 1;
     assert_int_equal(recorder_end_in_panic(&recorder), -EINTR);
     assert_int_equal(scan(&totals), 0);

@@ -1,13 +1,11 @@
-/* test_replay_formats.c -- tests that recordings of older formats replay with their original
+/* test_replay_formats.c -- Tests that recordings of older formats replay with their original
  * results, and only under the rules of their format.
  *
- * Earlier programs wrote the recordings:
- * - tests/replay/format-7.replay starts after a power cut with an open paid round and with units
- *   that no entry reported. A player then wins tickets in one round and loses the controller a
- *   second before the end of the next round, which refunds the credit.
- * - tests/replay/format-8.replay starts without a store and with owed tickets. The store becomes
- *   healthy, fails and becomes healthy again. A visitor chooses a language, pays, and wins a
- *   ticket. The controller is lost in the next round, which refunds the credit. */
+ * Older versions of Kingyo wrote these recordings. tests/replay/format-7.replay starts with an open
+ * paid round after a power cut. A player wins tickets, and the next round is refunded because the
+ * controller is lost. tests/replay/format-8.replay starts without a store and with tickets that are
+ * still due. A visitor chooses a language, pays and wins a ticket. The next round is refunded
+ * because the controller is lost. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -73,7 +71,7 @@ static void test_a_format_8_recording_reproduces_its_hashes(void **state)
     assert_int_equal(core.game.accounts.audits.count[AUDIT_REFUNDS], 1);
 }
 
-/* The hashes depend on the rules, so that no other rules reproduce the recordings. */
+/* Replaying a recording under the rules of another format must give a difference. */
 static void test_an_older_recording_differs_under_the_rules_of_another_format(void **state)
 {
     (void)state;

@@ -1,4 +1,4 @@
-/* test_replay_memory.c -- Tests recordings that are written into memory. */
+/* test_replay_memory.c -- Tests recordings that are written into memory instead of a file. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -71,7 +71,7 @@ static void test_full_memory_ends_a_recording_that_stays_complete(void **state)
     (void)state;
     struct replay_totals totals;
     write_memory(500, sizeof memory);
-    /* Size of a recording of four seconds. */
+    /* The exact size of the recording of 500 ticks. One byte less must end the recording. */
     const size_t whole = (size_t)writer.offset + REPLAY_END_SIZE;
     write_memory(500, whole);
     assert_true(replay_is_open(&writer));

@@ -1,5 +1,5 @@
-/* test_loft.c -- Tests the conversion of a drawing to a mesh: sizes, rings, anchors, eyes, fins and
- * masks. */
+/* test_loft.c -- Tests the loft, which converts the description of a fish (outlines, eyes, fins) to
+ * a mesh. */
 #include "platform/species/shape.h"
 #include "tests/unit/support/species_text.h"
 
@@ -25,7 +25,8 @@ static const struct loft *lofted(const char *head, const char *more, const char 
     return &loft;
 }
 
-/* Returns the measure of a key of a built-in species, computed from its mesh alone. */
+/* Returns the size of a key shape as the species measures it, for example the total length. The
+ * size is computed from the mesh alone and must be 1. */
 static float measured(const struct species *s, const vec3 *at, const struct species_mesh *mesh)
 {
     float front = 9.0f, rear = -9.0f, right = -9.0f, left = 9.0f, fork = -9.0f, root = -9.0f;
@@ -63,13 +64,13 @@ static void test_every_key_of_every_species_has_measure_1(void **state)
             static struct morph_pose pose;
             morph_key_pose(&s->lod[0], s->card.key_count, key, &pose);
             morph_shape(&s->lod[0], s->card.key_count, &pose, at, NULL);
-            assert_float_equal(measured(s, at, &s->lod[0]), 1.0f, 0.01f); /* The maximum lies
-                                                                             between two columns. */
+            /* The tolerance is needed because the largest extent may lie between two vertices. */
+            assert_float_equal(measured(s, at, &s->lod[0]), 1.0f, 0.01f);
         }
     }
 }
 
-/* The lobes are rotated in opposite directions. Seen from above, both have the same length. */
+/* The two lobes of the tail must reach equally far to the right and to the left. */
 static void test_every_tail_is_symmetric(void **state)
 {
     (void)state;
@@ -99,7 +100,9 @@ static void test_a_tail_root_is_rounded_off(void **state)
     const float there = (round.z - back.z) / (point.z - back.z);
     const float left = (round.y - point.y) / (back.y - point.y);
     assert_in_range((uint32_t)(100.0f * there), 40, 80);
-    assert_true(left > 1.15f * (1.0f - there)); /* The point is clearly outside the cone. */
+    /* The ring between the body and the tip is clearly outside the cone from the body to the
+     * tip. */
+    assert_true(left > 1.15f * (1.0f - there));
     assert_float_equal(there * there + left * left, 1.0f, 0.01f);
 }
 
@@ -120,8 +123,10 @@ static void test_rings_advance_to_the_tail_root_and_are_denser_in_curved_outline
     }
     assert_float_equal(before, 1.0f, 0.0f);
     assert_true(at_gill);
-    assert_true(head_gap < 0.25f * widest); /* The snout is rounder than the flank. */
-    assert_true(widest < 0.16f);            /* A swimming body bends everywhere. */
+    assert_true(head_gap < 0.25f * widest); /* Rings are denser at the snout, which is more curved
+                                               than the flank. */
+    assert_true(widest < 0.16f);            /* The largest gap is limited, because a swimming body
+                                               bends everywhere. */
 }
 
 static void test_body_coordinates_keep_the_gill_cover_at_its_drawn_position(void **state)
@@ -169,11 +174,11 @@ static void test_a_migrating_eye_moves_over_the_back_to_the_other_flank(void **s
                       left = shape_eye_ball(&text->keys[0], 1);
     assert_true(own.v > 0.1 && own.v < 0.3);
     assert_float_equal((float)top.v, 0.0f, 1e-6f);
-    assert_float_equal((float)(other.v + 1.0), (float)left.v, 1e-6f); /* The eye moves around the
-                                                                         head and not through it. */
+    /* The migrated eye is at the place of the left eye. Values of v wrap around at 1. */
+    assert_float_equal((float)(other.v + 1.0), (float)left.v, 1e-6f);
 }
 
-/* If the same text has an eye that protrudes by half its diameter, the pupil lies there. */
+/* A bulge of 0.5 means that the eye protrudes by half of its diameter, 0.08. */
 static void test_an_eye_protrudes_by_its_bulge(void **state)
 {
     (void)state;
@@ -189,11 +194,11 @@ static void test_eyes_of_a_thin_head_do_not_intersect(void **state)
     (void)state;
     struct species_text *text = drawn("", "", "template smooth\n");
     for (uint32_t i = 0; i < text->keys[0].substep_count; i++) {
-        /* The thin shape of a leptocephalus, an eel larva. */
+        /* The body is as thin as that of a leptocephalus (an eel larva). */
         text->keys[0].stations[i].width = 0.010f;
     }
     const struct ball ball = shape_eye_ball(&text->keys[0], 0);
-    /* The eyes of this thin body do not reach its middle plane. */
+    /* Each eye must end before the middle plane, at half of the width of 0.01. */
     assert_true(ball.sunk + ball.in < 0.005);
 }
 
@@ -228,7 +233,8 @@ static void test_confluent_fins_end_at_the_tail_edges(void **state)
     }
 }
 
-/* Two curves that both cover a whole part get half of it each. 128 and 128 would exceed 255. */
+/* Two curves cover the same parts, so each gets half of 255. Rounding both up to 128 would exceed
+ * 255. */
 static void test_masks_that_round_up_together_still_sum_to_255(void **state)
 {
     (void)state;
@@ -258,7 +264,8 @@ static void test_masks_sum_to_255_and_are_continuous(void **state)
         assert_true(v->part != PART_EYE || v->mask[1] == 255);
         assert_true(v->part != PART_DORSAL || v->mask[2] == 255);
         assert_true(v->part != PART_ANAL || v->mask[0] == 255);
-        assert_true(v->part != PART_TAIL || v->v > 0.0f || v->mask[2] == 0); /* At the stalk. */
+        /* v is 0 at the root of the tail fin. */
+        assert_true(v->part != PART_TAIL || v->v > 0.0f || v->mask[2] == 0);
         assert_true(v->part != PART_TAIL || v->v < 1.0f || v->mask[2] == 255);
         assert_true(v->part != PART_BODY || v->u > 0.2f || v->mask[1] == 255);
         assert_true(v->part != PART_BODY || v->u < 0.4f || v->mask[1] == 0);

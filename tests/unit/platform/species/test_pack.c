@@ -1,5 +1,5 @@
-/* test_pack.c -- Tests packed species: a written file is read back unchanged, and an invalid file
- * is rejected. */
+/* test_pack.c -- Tests packed species files. A written file must be read back unchanged, and an
+ * invalid file must be rejected. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -14,7 +14,7 @@
 #include <cmocka.h>
 
 #include "core/morph/morph.h"
-/* The source is included so that a test can correct the CRC of a damaged file. */
+/* Includes the source file, so that a test can call its static crc32(). */
 #include "platform/species/pack.c"
 
 static struct species_slot slot, other;
@@ -107,7 +107,7 @@ static void test_a_different_version_is_reported(void **state)
     assert_string_equal(why, "version: 2, but this program reads version 1");
 }
 
-/* Each entry damages one thing of a valid species and contains the expected error. */
+/* One change that makes a valid species invalid, and a part of the expected error message. */
 struct harm {
     void (*change)(struct species_slot *slot);
     const char *why;
@@ -122,7 +122,7 @@ static void harm_id(struct species_slot *s)
 {
     card_of(s)->id[0] = '/';
 }
-/* Names are printed in tables and pictures, so a control character must not pass. */
+/* Names are printed in tables and pictures, so they must not contain control characters. */
 static void harm_id_escape(struct species_slot *s)
 {
     card_of(s)->id[1] = '\x1b';
@@ -209,8 +209,9 @@ static void harm_negative(struct species_slot *s)
 }
 static void harm_solved(struct species_slot *s)
 {
-    struct graph *graph = &card_of(s)->curves[0]; /* At all times only the first and the last key
-                                                     have weights. */
+    /* In an ordinary graph, only the first and the last key have weights, which is invalid for a
+     * computed (solved) graph. */
+    struct graph *graph = &card_of(s)->curves[0];
     graph_from_template(graph, TEMPLATE_ORDINARY, card_of(s)->key_count, SIMULTANEOUS_PEAK);
     graph->solved = 1;
 }
@@ -273,7 +274,7 @@ static void harm_size(struct species_slot *s)
     }
 }
 
-/* ---- Life: age and length of a key must match the growth curve ------------------------------ */
+/* ---- Life: the age and length of each key must match the growth curve ---------------------- */
 
 static void harm_late(struct species_slot *s)
 {
@@ -376,7 +377,7 @@ static void harm_anchor_place(struct species_slot *s)
  * The species defines how the size of a key is measured (enum species_measure). The functions below
  * change the size of the last key and keep its snout in place. */
 
-/* Stretches the last key, starting at the snout, along or across the body. */
+/* Scales the last key from its snout backwards by `along`, and its width by `across`. */
 static void stretch(struct species_slot *s, float along, float across)
 {
     const uint32_t key = card_of(s)->key_count - 1u;
@@ -525,13 +526,15 @@ static void test_too_large_counts_are_rejected_before_reading(void **state)
     (void)state;
     const size_t size = packed_wakin();
     assert_int_equal(bytes[HEAD_SIZE + SPECIES_NAME_SIZE], species_wakin.card.key_count);
-    bytes[HEAD_SIZE + SPECIES_NAME_SIZE] = 255; /* The number of keys follows the id. */
+    /* The number of keys is the byte behind the id. */
+    bytes[HEAD_SIZE + SPECIES_NAME_SIZE] = 255;
     assert_int_equal(pack_decode(bytes, size, &other, why), PACK_BAD);
     assert_string_equal(why, "crc: the checksum is wrong, so the file is damaged");
     mend_crc(size);
     assert_int_equal(pack_decode(bytes, size, &other, why), PACK_BAD);
     assert_string_equal(why, "keys: more than a species may have");
-    bytes[HEAD_SIZE + SPECIES_NAME_SIZE] = 3; /* A smaller number shifts all following data. */
+    /* With fewer keys, all following data are read at wrong positions. */
+    bytes[HEAD_SIZE + SPECIES_NAME_SIZE] = 3;
     mend_crc(size);
     assert_int_equal(pack_decode(bytes, size, &other, why), PACK_BAD);
 }
@@ -576,7 +579,7 @@ static void test_a_non_regular_file_is_an_io_error_and_not_a_data_error(void **s
     assert_string_equal(why, "No such file or directory");
     assert_int_equal(pack_read("/tmp", &other, why), PACK_IO);
     assert_string_equal(why, "Is a directory");
-    /* /dev/zero never ends, so the reader must refuse it without reading it. */
+    /* /dev/zero never ends, so the reader must reject the file without reading it. */
     assert_int_equal(pack_read("/dev/zero", &other, why), PACK_IO);
     packed_wakin();
     assert_int_equal(pack_write("/nowhere/x.kfish", &slot, why), PACK_IO);
@@ -591,8 +594,8 @@ static void test_writing_does_not_replace_devices_and_links(void **state)
     snprintf(path, sizeof path, "%s/x.kfish", folder);
     snprintf(link, sizeof link, "%s/link.kfish", folder);
     packed_wakin();
-    assert_int_equal(mkfifo(path, 0600), 0); /* The FIFO behaves as /dev/full, which a rename would
-                                                replace. */
+    /* The FIFO stands for a device such as /dev/full. A rename would replace it. */
+    assert_int_equal(mkfifo(path, 0600), 0);
     assert_int_equal(pack_write(path, &slot, why), PACK_IO);
     assert_int_equal(lstat(path, &status), 0);
     assert_true(S_ISFIFO(status.st_mode));
@@ -603,7 +606,7 @@ static void test_writing_does_not_replace_devices_and_links(void **state)
     assert_int_equal(pack_write(link, &slot, why), PACK_OK);
     assert_int_equal(lstat(link, &status), 0);
     assert_true(S_ISLNK(status.st_mode));
-    /* The file behind the link was replaced. */
+    /* The write has changed the target of the link. */
     assert_int_equal(pack_read(path, &other, why), PACK_OK);
     assert_int_equal(pack_read(link, &other, why), PACK_OK);
     assert_int_equal(pack_read_data(path, &other, why), PACK_OK);

@@ -1,4 +1,5 @@
-/* test_species_text.c -- Tests the result of the bake for valid and invalid species texts. */
+/* test_species_text.c -- Tests the reader of species texts (descriptions of fish) with valid and
+ * invalid texts. */
 #include "platform/species/text.h"
 #include "tests/unit/support/species_text.h"
 
@@ -93,7 +94,7 @@ static void test_counts_beyond_their_maximum_are_rejected(void **state)
                    "more than 24 words");
 }
 
-/* The text between the code fences of the manual page is used. */
+/* Reads the example between the first code fences of the manual page. */
 static void test_the_example_of_the_manual_is_valid(void **state)
 {
     (void)state;

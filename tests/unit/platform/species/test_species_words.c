@@ -3,7 +3,7 @@
 #include "platform/species/text.h"
 #include "tests/unit/support/species_text.h"
 
-/* Returns the head of the text with `more` inserted, then keys and graph. */
+/* Returns a valid species text with the lines `more` added to its head. */
 static const char *with_head(const char *more)
 {
     static char text[TEXT_SIZE];
@@ -11,7 +11,7 @@ static const char *with_head(const char *more)
     return text;
 }
 
-/* Returns keys whose first key contains `more`. */
+/* Returns a valid species text with the lines `more` added to its first key. */
 static const char *with_key(const char *more)
 {
     static char text[TEXT_SIZE];
@@ -22,7 +22,7 @@ static const char *with_key(const char *more)
     return text;
 }
 
-/* Returns a text with `tail` below the keys in place of a graph. */
+/* Returns a species text with the lines `tail` in place of the graph. */
 static const char *with_tail(const char *tail)
 {
     static char text[TEXT_SIZE];
@@ -194,7 +194,8 @@ static void test_a_mark_has_a_kind_a_part_a_colour_and_settings(void **state)
     assert_int_equal(m[0].count, 3);
     assert_float_equal(m[0].slant, -0.2f, 0.0f);
     assert_int_equal(m[1].part, PART_DORSAL_2);
-    assert_float_equal(m[1].width, 0.15f, 0.0f); /* 0.15 is the default width of a margin. */
+    assert_float_equal(m[1].width, 0.15f, 0.0f); /* The mark names no width, so the default of 0.15
+                                                    applies. */
     assert_int_equal(m[2].count, SIDE_RIGHT);
 }
 

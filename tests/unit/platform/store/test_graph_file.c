@@ -1,5 +1,5 @@
-/* test_graph_file.c -- Tests the graph files of the growth lab: a graph is restored bit for bit, or
- * the error is reported in one line. */
+/* test_graph_file.c -- Tests the graph files of the growth lab. A graph must be restored bit for
+ * bit, or the error must be reported in one line. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -17,7 +17,7 @@
 #include "platform/store/graph_file.h"
 #include "platform/store/storage.h"
 
-static const struct species_card *card; /* Card of the wakin. */
+static const struct species_card *card; /* Description of the species wakin (a goldfish). */
 static char folder[64];
 static struct lab_book book;
 static char told[512];
@@ -52,7 +52,7 @@ static int teardown(void **state)
     return system(command);
 }
 
-/* Returns a graph with irregular numbers in every field. */
+/* Returns a graph whose numbers have many digits, so that rounding errors would be detected. */
 static struct graph_edit_record drawn(void)
 {
     struct graph_edit_record record = { .id = 3, .key_count = card->key_count };
@@ -84,7 +84,8 @@ static void test_a_graph_is_read_bit_for_bit(void **state)
     assert_memory_equal(&back, &record.edit, sizeof back);
 }
 
-/* The longest possible text: every knot has eight keys, and each number has all its digits. */
+/* Formats the largest graph: every knot has eight keys, and each number has the maximum number of
+ * digits. */
 static void test_the_longest_graph_fits_its_text_buffer(void **state)
 {
     (void)state;
@@ -124,7 +125,8 @@ static void test_resetting_a_graph_to_the_species_default_deletes_its_file(void 
     assert_int_equal(graph_file_write(folder, &record), 0);
     record.is_own = 1;
     assert_int_equal(graph_file_write(folder, &record), 0);
-    assert_int_equal(graph_file_write(folder, &record), 0); /* There is no file to delete. */
+    /* A second reset must not fail, although the file no longer exists. */
+    assert_int_equal(graph_file_write(folder, &record), 0);
     graph_file_load(folder, &book, warn);
     assert_int_equal(book.has_edit[0], 0);
     assert_int_equal(told_count, 0);
@@ -198,14 +200,15 @@ static void test_each_graph_error_is_reported_with_its_line(void **state)
     snprintf(text, sizeof text, "%s" ENDS "end\n", head);
     char *solved = strstr(text, "solved 0");
     solved[7] = '1';
-    /* In this graph the second key has nearly no weight at any age. */
+    /* In this graph, the second key has nearly no weight at any age, which is an error for a
+     * computed (solved) graph. */
     assert_int_equal(parse(text, &edit, why), 0);
     snprintf(head, sizeof head, "the key '%s' is hardly seen", card->key_names[1]);
     assert_non_null(strstr(why, head));
     solved[7] = '0';
     const size_t size = strlen(text);
     assert_int_equal(graph_file_parse(text, size, card, &edit, why), 1);
-    text[size - 5u] = 0; /* A zero byte replaces the end of a line. */
+    text[size - 5u] = 0; /* Replaces a newline by a zero byte. */
     assert_int_equal(graph_file_parse(text, size, card, &edit, why), 0);
     assert_non_null(strstr(why, "8: not a text"));
     assert_int_equal(parse("", &edit, why), 0);
@@ -220,8 +223,8 @@ static void test_each_graph_error_is_reported_with_its_line(void **state)
     assert_non_null(strstr(why, "2: not of the species wakin"));
 }
 
-/* After any change of a byte, the parser does not crash, returns no partial graph, and always gives
- * a reason. */
+/* Changes a random byte of the file, and sometimes truncates the file. The parser must then return
+ * a valid graph, or a reason and an unchanged `edit`. */
 static void test_an_altered_graph_file_is_rejected_unless_valid(void **state)
 {
     (void)state;
@@ -257,8 +260,8 @@ static void test_the_store_writes_a_graph_in_its_own_thread(void **state)
     struct graph_edit_record record = drawn();
     assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
     assert_int_equal(device.edits.ops->store(device.edits.self, &record), HAL_OK);
-    assert_int_equal(device.edits.ops->store(device.edits.self, &record),
-                     HAL_OK); /* A second request with the same id is merged with the first. */
+    /* A second request with the same id has no effect. */
+    assert_int_equal(device.edits.ops->store(device.edits.self, &record), HAL_OK);
     for (uint32_t i = 0; i < 500 && device.edits.ops->stored_id(device.edits.self) != record.id;
          i++) {
         usleep(10000);
@@ -269,14 +272,15 @@ static void test_the_store_writes_a_graph_in_its_own_thread(void **state)
     assert_memory_equal(&book.edits[0], &record.edit, sizeof record.edit);
 }
 
-/* Rounds cannot be stored without the database. Graphs are text files and need no database. */
+/* Another kiosk has the database locked, so rounds cannot be stored. A graph is a text file and
+ * must be stored anyway. */
 static void test_a_graph_is_stored_without_a_database(void **state)
 {
     (void)state;
     static struct storage storage;
     memset(&storage, 0, sizeof storage);
     storage.dir = folder;
-    const int hold = file_lock_folder(folder); /* The lock simulates another kiosk. */
+    const int hold = file_lock_folder(folder); /* Simulates another kiosk that uses the folder. */
     assert_true(hold >= 0);
     const struct hal_storage device = storage_device(&storage);
     const struct graph_edit_record record = drawn();
@@ -299,7 +303,8 @@ static void test_a_graph_is_stored_without_a_database(void **state)
     close(hold);
 }
 
-/* The test stores more graphs than the queue can hold. */
+/* Stores more graphs than the queue can hold. A full queue returns HAL_ERR_BUSY, and the test
+ * retries. */
 static void test_queued_graphs_are_written_in_order(void **state)
 {
     (void)state;
@@ -332,7 +337,8 @@ static void test_a_failed_graph_write_is_reported_and_counted(void **state)
     memset(&storage, 0, sizeof storage);
     storage.dir = folder;
     snprintf(path, sizeof path, "%s/" GRAPH_FILE_FOLDER, folder);
-    FILE *file = fopen(path, "w"); /* A regular file has the name of the folder for graphs. */
+    /* Creates a file at the path of the folder for graphs, so that no graph can be written. */
+    FILE *file = fopen(path, "w");
     assert_non_null(file);
     fclose(file);
     const struct hal_storage device = storage_device(&storage);

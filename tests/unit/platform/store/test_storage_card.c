@@ -1,7 +1,8 @@
-/* test_storage_card.c -- Tests a card that is slow, blocked, full, read-only, missing or foreign.
+/* test_storage_card.c -- Tests the store on a memory card that is slow, blocked, full, read-only,
+ * missing or of another kiosk.
  *
- * The store reports the state, stores as much as it can, and continues when the card works again.
- * The faults are injected into the system calls of the store's libraries (tests/power/tape.h). */
+ * The store must report the state, store as much as possible, and continue when the card works
+ * again. tests/power/tape.h injects the faults into the system calls of the store. */
 #include <errno.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -25,7 +26,7 @@ static struct tape tape;
 static struct storage storage;
 static struct hal_storage device;
 
-/* A file system that is mounted read-only rejects writes by root as well. */
+/* If true, access() reports a read-only file system, even to root. */
 static bool is_read_only;
 int __real_access(const char *path, int mode);
 int __wrap_access(const char *path, int mode);
@@ -177,7 +178,7 @@ static void test_no_frame_waits_for_a_slow_card(void **state)
     (void)state;
     storage.by_hand = 0;
     assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
-    pause_ms(300); /* Waits for the first backup. */
+    pause_ms(300); /* 300 ms for the first backup. */
     tape_sync_us(200000);
     int64_t longest_ms = 0;
     for (uint32_t id = 1; id <= 20; id++) {
@@ -189,11 +190,10 @@ static void test_no_frame_waits_for_a_slow_card(void **state)
         longest_ms = took_ms > longest_ms ? took_ms : longest_ms;
         pause_ms(10);
     }
-    /* 100 ms is less than one sync on the slow card, which takes 200 ms, so no call waited for
-     * a sync. */
+    /* Each sync takes 200 ms on the slow card, so no call has waited for a sync. */
     assert_true(longest_ms < 100);
     wait_until_saved(20);
-    assert_true(is_well()); /* A slow card is not a fault. */
+    assert_true(is_well()); /* A slow card is not reported as a fault. */
 }
 
 static void test_a_card_that_does_not_recover_is_reported(void **state)
@@ -206,7 +206,7 @@ static void test_a_card_that_does_not_recover_is_reported(void **state)
     keep(1);
     pause_ms(100);
     assert_true(is_well());
-    /* The test moves the start of the write into the past, instead of waiting. */
+    /* Moves the start of the write into the past instead of waiting for the timeout. */
     atomic_fetch_sub(&storage.busy_since_ms, STORAGE_STUCK_MS);
     assert_false(is_well());
     assert_non_null(strstr(text(), "has not answered for 3 s; 1 entries wait"));
@@ -215,13 +215,14 @@ static void test_a_card_that_does_not_recover_is_reported(void **state)
     assert_true(is_well());
 }
 
-/* Replaces the folder with a dangling link, so that nothing can be opened. */
+/* Creates a link to a missing file at the path of the database, as if the card were missing. */
 static void take_card_away(void)
 {
     assert_int_equal(symlink("/tmp/kingyo-no-such-card/kingyo.db", file), 0);
 }
 
-/* Renames the folder from another program, so that the tape records nothing of it. */
+/* Removes the file at the path of the database. The separate process `rm` is used because the tape
+ * does not record its calls. */
 static void put_away(void)
 {
     char command[128];
@@ -246,7 +247,8 @@ static void test_an_empty_card_inserted_late_is_used(void **state)
     assert_int_equal(saved_id(), 2);
 }
 
-/* The database contains at least as much as the kiosk knows. Writing would overwrite it. */
+/* The inserted card has a database with entries. The kiosk must not overwrite these entries, so it
+ * must load them in a restart. */
 static void test_a_card_with_data_inserted_late_is_used_after_a_restart(void **state)
 {
     (void)state;
@@ -270,8 +272,8 @@ static void test_a_card_with_data_inserted_late_is_used_after_a_restart(void **s
     assert_int_equal(device.ledger.ops->needs_restart(device.ledger.self), 0);
 }
 
-/* The stored credits are available, and coins are accepted as soon as the card is writable, without
- * a restart. */
+/* On a read-only card the stored credits are loaded. When the card is writable again, coins are
+ * stored without a restart. */
 static void test_a_card_that_is_read_only_at_the_start_is_used_when_writable(void **state)
 {
     (void)state;
@@ -305,7 +307,8 @@ static void test_a_foreign_card_is_not_written(void **state)
     storage_work(&storage);
     tape_refuse(EIO);
     keep(2);
-    storage_work(&storage); /* The card is removed and another one is inserted. */
+    /* Replaces the database by that of another kiosk, as if the card were exchanged. */
+    storage_work(&storage);
     snprintf(command, sizeof command, "rm %s*; cp tests/unit/platform/store/files/version-6.db %s",
              file, file);
     assert_int_equal(system(command), 0);
@@ -315,14 +318,14 @@ static void test_a_foreign_card_is_not_written(void **state)
     assert_non_null(strstr(text(), "not the card that it began with"));
     assert_int_equal(count_entries(), 9);
     assert_int_equal(saved_id(), 1);
-    assert_int_equal(device.ledger.ops->needs_restart(device.ledger.self),
-                     0); /* A write here would change the balances of another kiosk. */
+    /* A restart would load the balances of the other kiosk. */
+    assert_int_equal(device.ledger.ops->needs_restart(device.ledger.self), 0);
 }
 
 /* ---- A card that is full when the kiosk starts ---------------------------------------------- */
 
-/* Leaves the state after SIGKILL: five entries, some of them only in the log, and no index of the
- * log. */
+/* Leaves the files as they are after SIGKILL: a database and a log with entries 1 to 5, but no
+ * index of the log. */
 static void leave_five_entries_in_the_log(void)
 {
     char command[400];
@@ -343,7 +346,8 @@ static void leave_five_entries_in_the_log(void)
     storage = (struct storage){ .dir = dir, .by_hand = 1 };
 }
 
-/* `proven` is the newest entry that counts as stored while the card is full. */
+/* Opens the store on a full card that has five entries. `proven` is the newest entry that the store
+ * may report as stored. Then frees space and asserts that a new entry is stored. */
 static void remembers_and_goes_on(uint32_t proven)
 {
     static struct persistent_state memory;
@@ -355,13 +359,12 @@ static void remembers_and_goes_on(uint32_t proven)
     assert_false(is_well());
     assert_non_null(strstr(text(), "full; free some space"));
     assert_int_equal(saved_id(), proven);
-    assert_int_equal(keep(6), HAL_OK); /* The store queues the entry until the card works again. */
+    assert_int_equal(keep(6), HAL_OK); /* The entry waits in the queue until the card has space. */
     storage_work(&storage);
     assert_false(is_well());
     assert_int_equal(saved_id(), proven);
     tape_refuse(0);
-    storage.look_due_ms = 0; /* The retry delay is skipped, because no event reports the free
-                                space. */
+    storage.look_due_ms = 0; /* Skips the delay before the next retry. */
     storage_work(&storage);
     assert_true(is_well());
     assert_int_equal(saved_id(), 6);
@@ -372,7 +375,8 @@ static void test_a_card_that_is_full_at_the_start_is_read_and_later_written(void
 {
     (void)state;
     leave_five_entries_in_the_log();
-    remembers_and_goes_on(0); /* A log that cannot be written again may not be on disk. */
+    /* The log may not be on disk, because it cannot be written again. */
+    remembers_and_goes_on(0);
 }
 
 static void test_a_full_card_that_was_closed_cleanly_is_read_and_later_written(void **state)
@@ -384,7 +388,8 @@ static void test_a_full_card_that_was_closed_cleanly_is_read_and_later_written(v
     }
     device.ledger.ops->close(device.ledger.self);
     storage = (struct storage){ .dir = dir, .by_hand = 1 };
-    remembers_and_goes_on(5); /* All entries are in the database. */
+    /* A clean close has moved all entries from the log to the database. */
+    remembers_and_goes_on(5);
 }
 
 static void test_other_programs_can_read_a_full_card(void **state)
@@ -410,13 +415,13 @@ static void put_a_later_kingyos_file(void)
     sqlite3_close(db);
 }
 
-/* Returns how many times the file was examined. */
+/* Returns how many times the store has tried to open the file. */
 static uint32_t looks(void)
 {
     return device.ledger.ops->failed_count(device.ledger.self);
 }
 
-/* Two kiosks would assign the same entry ids and mix their coins. */
+/* Two kiosks with one database would assign the same ids to different entries. */
 static void test_a_second_kiosk_on_the_same_folder_waits_until_the_first_exits(void **state)
 {
     (void)state;
@@ -435,8 +440,8 @@ static void test_a_second_kiosk_on_the_same_folder_waits_until_the_first_exits(v
     assert_false(other.ledger.ops->is_healthy(other.ledger.self));
     device.ledger.ops->close(device.ledger.self);
     storage_work(&second);
-    assert_true(other.ledger.ops->needs_restart(
-        other.ledger.self)); /* The folder contains the ledger of the first kiosk. */
+    /* The second kiosk must load the entries of the first kiosk in a restart. */
+    assert_true(other.ledger.ops->needs_restart(other.ledger.self));
     other.ledger.ops->close(other.ledger.self);
 }
 
@@ -449,11 +454,11 @@ static void test_an_unusable_file_is_retried_with_increasing_delays(void **state
     assert_int_equal(looks(), 1);
     for (int64_t wait_ms = STORAGE_RETRY_MS, i = 0; i < 8; i++) {
         storage_work(&storage);
-        assert_int_equal(looks(), 1 + i); /* No retry comes before the delay has passed. */
+        assert_int_equal(looks(), 1 + i); /* Before the delay has passed, there is no retry. */
         assert_int_equal(storage.look_wait_ms, wait_ms);
         storage.look_due_ms -= wait_ms;
         storage_work(&storage);
-        assert_int_equal(looks(), 2 + i); /* One retry comes after the delay. */
+        assert_int_equal(looks(), 2 + i); /* After the delay, there is one retry. */
         wait_ms = 2 * wait_ms < STORAGE_RETRY_MS_MAX ? 2 * wait_ms : STORAGE_RETRY_MS_MAX;
     }
     assert_int_equal(storage.look_wait_ms, STORAGE_RETRY_MS_MAX);
@@ -471,14 +476,15 @@ static void keep_eight_and_close(void)
     assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
     for (uint32_t id = 1; id <= 8; id++) {
         assert_int_equal(keep(id), HAL_OK);
-        storage_work(&storage); /* The backup contains the first entry. */
+        storage_work(&storage); /* The first call also makes the backup, which contains only entry
+                                   1. */
     }
     device.ledger.ops->close(device.ledger.self);
     storage = (struct storage){ .dir = dir, .by_hand = 1 };
 }
 
-/* Checks that all available data are shown, no data are replaced by older data, and the coin slot
- * stays locked. */
+/* Opens the store on a full card. Asserts that all data are loaded, and that nothing is quarantined
+ * or replaced until the card has space. */
 static void is_read_and_left(void)
 {
     static struct persistent_state memory;
@@ -533,7 +539,7 @@ static void test_a_change_of_free_space_causes_no_retry(void **state)
     put_a_later_kingyos_file();
     device.ledger.ops->open(device.ledger.self);
     storage_work(&storage);
-    storage.room = 0; /* One gigabyte was freed after the last attempt. */
+    storage.room = 0; /* Simulates a change of the free space since the last attempt. */
     storage_work(&storage);
     assert_int_equal(looks(), 1);
 }
@@ -548,7 +554,7 @@ static void test_a_changed_file_is_retried_immediately(void **state)
         storage_work(&storage);
     }
     assert_int_equal(storage.look_wait_ms, STORAGE_RETRY_MS_MAX);
-    put_away(); /* The card is removed and an empty one is inserted. */
+    put_away(); /* Removes the unusable file, as if an empty card were inserted. */
     storage_work(&storage);
     assert_true(is_well());
     assert_int_equal(keep(1), HAL_OK);
@@ -587,7 +593,7 @@ static void test_the_replay_of_a_ranked_round_is_stored_and_loaded(void **state)
     (void)state;
     uint8_t found[64];
     device.ledger.ops->open(device.ledger.self);
-    play_round(1, 5); /* The round is written in the same pass, before its replay. */
+    play_round(1, 5); /* One pass of storage_work() writes the round and then its replay. */
     assert_int_equal(device.replays.ops->store(device.replays.self, 1, replay, sizeof replay),
                      HAL_OK);
     assert_int_equal(device.replays.ops->store(device.replays.self, 2, replay, sizeof replay),
@@ -597,7 +603,7 @@ static void test_the_replay_of_a_ranked_round_is_stored_and_loaded(void **state)
     assert_int_equal(device.replays.ops->stored_id(device.replays.self), 1);
     assert_int_equal(fetch(1, found, sizeof found), sizeof replay);
     assert_memory_equal(found, replay, sizeof replay);
-    assert_int_equal(fetched.id, 1); /* The entry of the round itself is returned as well. */
+    assert_int_equal(fetched.id, 1); /* The ledger entry of the round is returned too. */
     assert_int_equal(fetched.round.caught, 5);
     assert_int_equal(fetch(1, found, 4), HAL_ERR_ABSENT);
     assert_int_equal(fetch(7, found, sizeof found), HAL_ERR_ABSENT);
@@ -617,7 +623,8 @@ static void test_an_unranked_round_stores_no_replay(void **state)
     assert_int_equal(fetch(RANK_ROWS + 1, found, sizeof found), HAL_ERR_ABSENT);
 }
 
-/* A round that is not on disk is not in the ranking there, so its replay would be dropped. */
+/* A replay without a ranked round would be deleted. While the round cannot be written, the replay
+ * must wait. */
 static void test_a_replay_is_written_only_after_its_round(void **state)
 {
     (void)state;
@@ -649,9 +656,9 @@ static void test_a_replay_rejected_by_the_card_is_dropped_after_its_timeout(void
     device.replays.ops->store(device.replays.self, 1, replay, sizeof replay);
     storage_work(&storage);
     storage_work(&storage);
-    /* Nothing is stored yet, but the write is retried. */
+    /* The replay is not stored yet, and its write is retried. */
     assert_int_equal(device.replays.ops->stored_id(device.replays.self), 0);
-    /* Sets the clock back by the timeout, after which the write is abandoned. */
+    /* Moves the start of the write into the past, so that the write times out and is abandoned. */
     storage.put_since_ms -= STORAGE_REPLAY_MS;
     storage_work(&storage);
     assert_int_equal(device.replays.ops->stored_id(device.replays.self), 1);

@@ -1,5 +1,5 @@
-/* test_storage_damage.c -- Tests that a damaged or missing database file is recovered from its
- * readable entries or from its backup. */
+/* test_storage_damage.c -- Tests the recovery of a damaged or missing database from its readable
+ * entries and from its backup. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -36,8 +36,8 @@ static void test_readable_entries_of_a_damaged_file_are_recovered(void **state)
     work_rounds(fixture, 9, 9);
 }
 
-/* An operator acknowledged and removed the damaged file. The next one has a different number and is
- * reported. */
+/* An operator has acknowledged and removed the file .damaged-1. The next damaged file must get the
+ * number 2, so that it is reported. */
 static void test_an_acknowledged_damage_does_not_hide_a_later_one(void **state)
 {
     struct fixture *fixture = *state;
@@ -73,7 +73,8 @@ static void test_a_damaged_newest_entry_falls_back_to_the_previous_one(void **st
     work_rounds(fixture, 8, 8);
 }
 
-/* The 300 coins fill several pages. One page and the reference to the next page are damaged. */
+/* The entries of 300 coins fill several pages of the database. One page is damaged. The entries in
+ * the other pages must be recovered. */
 static void test_a_damaged_page_does_not_hide_other_pages(void **state)
 {
     struct fixture *fixture = *state;
@@ -144,7 +145,7 @@ static void test_without_a_backup_a_new_database_is_created(void **state)
     assert_int_equal(load_state(fixture)->ledger.last_id, 0);
 }
 
-/* The damaged backup is kept under another name, because the next backup would replace it. */
+/* The next backup would overwrite the damaged backup, so the damaged backup is renamed. */
 static void test_a_damaged_backup_is_set_aside(void **state)
 {
     struct fixture *fixture = *state;
@@ -175,7 +176,8 @@ static void test_a_missing_file_is_restored_from_its_backup(void **state)
     assert_int_equal(load_state(fixture)->ledger.last_id, 4);
 }
 
-/* A power cut while an operator worked on the backup with SQLite can leave such files. */
+/* Logs of SQLite can remain beside the backup after a power cut while an operator has the backup
+ * open. */
 static void test_logs_beside_the_previous_backup_are_deleted(void **state)
 {
     struct fixture *fixture = *state;
@@ -192,7 +194,8 @@ static void test_logs_beside_the_previous_backup_are_deleted(void **state)
     }
 }
 
-/* A damaged file system or an operator error can create this folder. */
+/* A damaged file system or a mistake of an operator can leave a folder at the path of the
+ * database. */
 static void test_a_folder_in_place_of_the_database_is_quarantined(void **state)
 {
     struct fixture *fixture = *state;
@@ -212,7 +215,7 @@ static void test_a_folder_in_place_of_the_database_is_quarantined(void **state)
     work_rounds(fixture, 5, 6);
 }
 
-/* A link to itself stands for a card that responds but cannot return the file. */
+/* A link to itself makes stat() fail, as on a card that responds but cannot return the file. */
 static void test_a_file_whose_status_cannot_be_read_is_not_treated_as_missing(void **state)
 {
     struct fixture *fixture = *state;
@@ -227,7 +230,8 @@ static void test_a_file_whose_status_cannot_be_read_is_not_treated_as_missing(vo
     fixture->storage.by_hand = 1;
     assert_int_not_equal(open_store(fixture), HAL_OK);
     assert_int_equal(fixture->device.ledger.ops->is_healthy(fixture->device.ledger.self), 0);
-    assert_int_equal(rename(hidden, fixture->file), 0); /* The rename replaces the link. */
+    assert_int_equal(rename(hidden, fixture->file), 0); /* Moves the database back in place of the
+                                                           link. */
     fixture->device.ledger.ops->close(fixture->device.ledger.self);
     open_without_thread(fixture);
     assert_int_equal(load_state(fixture)->ledger.last_id, 8);

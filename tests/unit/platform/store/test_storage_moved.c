@@ -1,8 +1,8 @@
-/* test_storage_moved.c -- Tests a data folder that is deleted, renamed, replaced or mounted over
- * while the kiosk runs.
+/* test_storage_moved.c -- Tests a data folder that is deleted, renamed, replaced, or hidden by a
+ * mount while the kiosk runs.
  *
- * The store reports the change within a second without a write, and acknowledges no entry until the
- * folder is back. */
+ * The store must report the change within a second, even without a write. Until the folder is back,
+ * no entry may be acknowledged. */
 #include <sched.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -20,8 +20,7 @@
 
 #include "platform/store/storage.h"
 
-/* Time within which the store must detect a change: one second, plus a reserve for a busy
- * machine. */
+/* Longest time until the store detects a change: one second, and a reserve for a busy machine. */
 #define WITHIN_MS 1500
 
 static char top[64], dir[96], path[128];
@@ -107,11 +106,12 @@ static void save_three(void)
         pause_ms(10);
     }
     assert_int_equal(saved_id(), 3);
-    pause_ms(300); /* Waits for the first backup. */
+    pause_ms(300); /* 300 ms for the first backup. */
     assert_true(is_well());
 }
 
-/* Checks that after the change `what` no entry is acknowledged, however long the kiosk runs. */
+/* Runs the shell command `what`. Asserts that the store reports the change and acknowledges no
+ * entry afterwards. */
 static void is_detected_after(const char *what)
 {
     save_three();
@@ -134,7 +134,8 @@ static void test_a_deleted_folder_is_detected_and_saved_at_the_end(void **state)
     assert_int_equal(device.ledger.ops->close(device.ledger.self), 0);
     begin(1);
     assert_int_equal(device.ledger.ops->load(device.ledger.self, &memory), HAL_OK);
-    assert_int_equal(memory.ledger.last_id, 4); /* The queued entry is stored as well. */
+    assert_int_equal(memory.ledger.last_id, 4); /* Entry 4, which waited in the queue, is stored
+                                                   too. */
     assert_int_equal(memory.audits.count[AUDIT_COINS_1], 4);
     assert_non_null(
         strstr(device.ledger.ops->describe(device.ledger.self), "kingyo.db was missing"));
@@ -156,8 +157,8 @@ static void test_a_folder_in_place_of_the_deleted_one_is_not_changed(void **stat
     (void)state;
     is_detected_after("rm -rf data && mkdir data && "
                       "cp $OLDPWD/tests/unit/platform/store/files/version-6.db data/kingyo.db");
-    assert_int_equal(device.ledger.ops->close(device.ledger.self),
-                     1); /* Entry 4 was never acknowledged. */
+    /* One entry is lost: entry 4, which was never acknowledged. */
+    assert_int_equal(device.ledger.ops->close(device.ledger.self), 1);
     do_shell("cmp -s $OLDPWD/tests/unit/platform/store/files/version-6.db data/kingyo.db");
     begin(1);
 }
@@ -179,7 +180,7 @@ static void test_a_replaced_folder_is_detected_and_the_old_one_is_used_again(voi
     (void)state;
     struct stat about;
     is_detected_after("mv data away && mkdir data");
-    /* The store creates no new database at the old path. */
+    /* The store must not create a new database in the new folder. */
     assert_int_equal(stat(path, &about), -1);
     do_shell("rmdir data && mv away data");
     wait_until_well(1, WITHIN_MS);
@@ -272,7 +273,8 @@ static void test_an_entry_in_a_deleted_file_is_not_acknowledged(void **state)
     keep(1);
     storage_work(&storage);
     assert_int_equal(saved_id(), 1);
-    do_shell("mv data away"); /* The store does not check the folder between the two commands. */
+    /* The folder is moved and an entry is appended before the store checks the folder. */
+    do_shell("mv data away");
     keep(2);
     storage_work(&storage);
     assert_int_equal(saved_id(), 1);
@@ -283,7 +285,8 @@ static void test_an_entry_in_a_deleted_file_is_not_acknowledged(void **state)
     assert_int_equal(saved_id(), 2);
 }
 
-/* The test needs its own mount namespace. Without one it reports that it was skipped. */
+/* The test needs its own mount namespace. Without the permission to create one, the test is
+ * skipped. */
 static void test_a_mount_over_the_folder_is_detected(void **state)
 {
     (void)state;

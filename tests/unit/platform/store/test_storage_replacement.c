@@ -1,5 +1,5 @@
-/* test_storage_replacement.c -- Tests which database file is used when several exist, and that a
- * replacement is never left incomplete. */
+/* test_storage_replacement.c -- Tests which database is used if several exist. An interrupted
+ * replacement of the database must be completed. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -30,7 +30,8 @@ static int last_id_of(const char *path)
     return answer;
 }
 
-/* Checks a database that lost entries which its backup contains. */
+/* Opens a database that has fewer entries than its backup. Asserts that the database is quarantined
+ * and restored from the backup. */
 static void goes_on_from_the_backup(struct fixture *fixture)
 {
     char backup[160], aside[160];
@@ -60,7 +61,8 @@ static void test_a_file_with_fewer_entries_than_its_backup_is_damage(void **stat
     goes_on_from_the_backup(fixture);
 }
 
-/* The copy is made as `kingyoctl backup` makes it and is restored as its help text describes. */
+/* An operator makes a copy as `kingyoctl backup` does, and later renames the copy to the database,
+ * as the help text describes. */
 static void test_a_restored_copy_is_used(void **state)
 {
     struct fixture *fixture = *state;
@@ -87,7 +89,7 @@ static void test_a_restored_copy_is_used(void **state)
     fixture->storage.backup_due_s = 0;
     storage_work(&fixture->storage);
     fixture->device.ledger.ops->close(fixture->device.ledger.self);
-    /* After this change the file is no exact copy of the backup. */
+    /* This file is damaged, because it has fewer entries than the backup and is not a copy. */
     do_sql(fixture, "DELETE FROM entries WHERE id > 3");
     open_without_thread(fixture);
     assert_non_null(strstr(text(fixture), "damaged-1"));
@@ -114,14 +116,14 @@ static void test_a_backup_is_not_overwritten_by_a_file_with_fewer_entries(void *
     fill_and_close(fixture);
     path_beside(fixture, STORAGE_BACKUP_SUFFIX, backup);
     open_without_thread(fixture);
-    /* Changes the state in memory, as if another file had taken the place of the database. */
+    /* Reduces the newest id in memory, as if the database had been replaced by an older file. */
     fixture->storage.file.content.memory.ledger.last_id = 3;
     storage_work(&fixture->storage);
     assert_int_equal(last_id_of(backup), 4);
     assert_int_equal(fixture->device.ledger.ops->failed_count(fixture->device.ledger.self), 1);
 }
 
-/* Each of these statements is valid SQL. */
+/* Each change leaves a valid SQL schema, but not the schema of Kingyo. */
 static void test_altered_tables_are_damage(void **state)
 {
     struct fixture *fixture = *state;
@@ -155,10 +157,10 @@ static void test_an_interrupted_replacement_is_completed(void **state)
     fill_and_close(fixture);
     path_beside(fixture, STORAGE_NEW_SUFFIX, fresh);
     path_beside(fixture, "-wal", log);
-    assert_int_equal(rename(fixture->file, fresh),
-                     0);                       /* The old file is quarantined and the new file
-                                                        is not in place. */
-    write_file(log, "of the damaged one", 18); /* The log of the old file is still present. */
+    /* Simulates a power cut after the old database was quarantined and before the new database was
+     * renamed. */
+    assert_int_equal(rename(fixture->file, fresh), 0);
+    write_file(log, "of the damaged one", 18); /* The log of the old database still exists. */
     open_without_thread(fixture);
     assert_int_equal(load_state(fixture)->ledger.last_id, 8);
     path_beside(fixture, ".damaged-1-wal", aside);

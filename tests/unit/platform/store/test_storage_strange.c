@@ -1,7 +1,7 @@
-/* test_storage_strange.c -- Tests FIFOs, links, devices and folders in place of the files of the
- * data folder.
+/* test_storage_strange.c -- Tests FIFOs, links, devices, sockets and folders at the paths of files
+ * in the data folder.
  *
- * The start never blocks, writes through none of these objects, continues, and reports each in one
+ * A start must not block, must not write through these objects, and must report each of them in one
  * line. */
 #include <errno.h>
 #include <fcntl.h>
@@ -32,7 +32,7 @@ static struct hal_storage device;
 static int set_up(void **state)
 {
     (void)state;
-    alarm(60); /* Ends the process if a test blocks for a minute. */
+    alarm(60); /* Ends the test program if a test blocks for a minute. */
     strcpy(dir, "/tmp/kingyo-strange-XXXXXX");
     snprintf(victim, sizeof victim, "/tmp/kingyo-victim-%d", (int)getpid());
     return mkdtemp(dir) ? 0 : -1;
@@ -80,8 +80,8 @@ static void put_socket(const char *path)
 
 static void put_device(const char *path)
 {
-    if (mknod(path, S_IFCHR | 0600, 0x105) != 0) { /* A node like /dev/zero, which only root can
-                                                      create. */
+    /* Creates a device node like /dev/zero, or a FIFO if the test does not run as root. */
+    if (mknod(path, S_IFCHR | 0600, 0x105) != 0) {
         put_fifo(path);
     }
 }
@@ -190,7 +190,8 @@ static void test_a_non_regular_file_in_place_of_the_database_is_replaced_by_the_
     }
 }
 
-/* The link may point to a card that is inserted later, so the link is not changed. */
+/* A link may point to a card that is inserted later. The store must therefore not change the
+ * link. */
 static void test_a_link_in_place_of_the_database_is_reported_and_not_followed(void **state)
 {
     (void)state;

@@ -70,7 +70,7 @@ static const uint8_t vendor_descriptor[] = {
         .descriptor_size = sizeof joystick_descriptor,                                             \
     }
 
-/* Kingyo poi controller that another maker built with its own USB vendor id. */
+/* A Kingyo poi controller of another maker, with that maker's USB vendor id. */
 static const struct usb_sim_kind own_poi = {
     .vendor = 0xcafe,
     .product = 0x0b01,
@@ -90,12 +90,12 @@ static const struct usb_sim_kind second_poi = {
     .interface = { OWN_INTERFACE },
 };
 static const struct usb_sim_kind plain_poi = {
-    /* Kingyo poi controller without a serial number. */
+    /* A Kingyo poi controller without a serial number. */
     .vendor = 0xcafe, .product = 0x0b01,    .name = "Poi",
     .is_bound = 1,    .interface_count = 1, .interface = { OWN_INTERFACE },
 };
 static const struct usb_sim_kind unbound_poi = {
-    /* Kingyo poi controller that no kernel driver has bound. */
+    /* A Kingyo poi controller to which no kernel driver is bound. */
     .vendor = 0x1209,
     .product = 0x0001,
     .name = "Bench poi",
@@ -239,8 +239,8 @@ static inline int fixture_open(struct usb_fixture *fixture, uint32_t index,
     return 0;
 }
 
-/* Waits until take() of the port in slot `index` returns a result other than 0. Returns the result,
- * or 0 on timeout. */
+/* Waits until the port of slot `index` returns a report or an error from take(). Returns the result
+ * of take(), or 0 on timeout. */
 static inline int fixture_take(struct usb_fixture *fixture, uint32_t index, struct hid_raw *raw)
 {
     struct hid_port *const port = usb_transport_port(fixture->thread, index);

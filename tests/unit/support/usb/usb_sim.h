@@ -8,7 +8,7 @@
 
 #include <stdint.h>
 
-/* Largest number of devices in one test, which a stress test needs. */
+/* Largest number of devices in one test. A stress test needs this many. */
 #define USB_SIM_DEVICE_MAX 4096u
 #define USB_SIM_INTERFACE_MAX 4u
 #define USB_SIM_WIRE_MAX 4096u /* Largest number of reports of a device that wait for a transfer. */

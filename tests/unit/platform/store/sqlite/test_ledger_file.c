@@ -1,7 +1,7 @@
-/* test_ledger_file.c -- Tests the content of the ledger file, its atomic writes, and the migration
- * of files of older versions.
+/* test_ledger_file.c -- Tests the ledger file, the SQLite database of the store: its content, its
+ * atomic writes, and the migration of files of older versions.
  *
- * The old files in store/files/ were written by the older versions. */
+ * The files of older versions in store/files/ were written by those versions. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -16,7 +16,8 @@
 #include "core/game/game_fields.h"
 #include "tests/unit/support/ledger_fixture.h"
 
-/* Returns the only number of a query result, read as another program would read it. */
+/* Runs `query` in a separate connection, as another program would. Returns the only number of its
+ * result. */
 static int query_number(const char *query)
 {
     sqlite3 *db;
@@ -46,7 +47,8 @@ static void write_entry(const struct ledger_entry *entry)
     assert_int_equal(ledger_file_write(&file, entry, 1), SQLITE_OK);
 }
 
-/* Returns an entry with a different number in every field and no field of another kind. */
+/* Returns an entry with a different value in every field that all kinds of entries have. The fields
+ * of rounds and names are 0. */
 static struct ledger_entry full_entry(uint32_t id, uint8_t kind)
 {
     return (struct ledger_entry){
@@ -297,7 +299,7 @@ static void test_only_changed_settings_are_stored(void **state)
     const struct ledger_entry volume = setting_entry(1, SET_VOLUME, 35);
     const struct ledger_entry seat = setting_entry(2, SET_CALIBRATION_END - 1, -12345);
     settings_reset(&memory.settings);
-    /* The price 3 comes from a configuration file, not from the ledger. */
+    /* A setting that comes from a configuration file is not in the ledger and must not change. */
     memory.settings.value[SET_PRICE] = 3;
     open_file();
     write_entry(&volume);
@@ -370,8 +372,8 @@ static void test_replays_of_rounds_that_leave_the_ranking_are_deleted(void **sta
 {
     (void)state;
     open_file();
-    for (uint32_t id = 1; id <= RANK_ROWS + 1; id++) { /* Each round is better than the one
-                                                          before. */
+    /* Each round has a larger catch than the one before. */
+    for (uint32_t id = 1; id <= RANK_ROWS + 1; id++) {
         struct ledger_entry entry = round_entry(id, MODE_FESTIVAL, id, 0);
         entry.round.players = 1;
         write_entry(&entry);
@@ -423,12 +425,12 @@ static void test_migrating_a_version_1_file_keeps_its_rounds(void **state)
                      " scoops IS NULL AND hole_area_mm2 IS NULL AND torn_tick IS NULL"),
         3);
     const struct rank_row *best = file.content.memory.ranking.row[MODE_FESTIVAL][RANK_EVER];
-    /* The bot caught nine fish, but a bot's round is not ranked. */
+    /* The best round of the file has nine fish, but rounds of bots are not ranked. */
     assert_int_equal(best[0].caught, 3);
     assert_int_equal(best[1].caught, 2);
     assert_int_equal(best[2].caught, 0);
-    const struct ledger_entry next = round_entry(4, MODE_FESTIVAL, 6, 0); /* The migrated file
-                                                                             accepts new entries. */
+    /* The migrated file must accept new entries. */
+    const struct ledger_entry next = round_entry(4, MODE_FESTIVAL, 6, 0);
     write_entry(&next);
     reopen();
     assert_int_equal(file.content.memory.ledger.last_id, 4);
@@ -458,15 +460,14 @@ static void test_migrating_a_version_2_file_keeps_rounds_and_players(void **stat
     assert_int_equal(ranking->row[MODE_FESTIVAL][RANK_EVER][0].caught, 3);
     assert_int_equal(ranking->row[MODE_FESTIVAL][RANK_EVER][1].round_id, 4);
     assert_int_equal(ranking->row[MODE_FESTIVAL][RANK_EVER][2].caught, 2);
-    assert_in_range(first.day, 9460, 9461); /* 2025-11-25 in any time zone. */
-    assert_int_equal(file.content.memory.audits.count[AUDIT_CAUGHT], 34 + 3 + 5); /* The catch of 9
-                                                                                     belongs to a
-                                                                                     bot and is not
-                                                                                     counted. */
+    assert_in_range(first.day, 9460, 9461); /* Day 9460 is 2025-11-25. The local time zone may shift
+                                               the date by a day. */
+    /* A round of a bot with nine fish must not be counted. */
+    assert_int_equal(file.content.memory.audits.count[AUDIT_CAUGHT], 34 + 3 + 5);
 }
 
-/* Checks the content of version-3.db. version-4.db to version-6.db are migrated copies of the same
- * file. */
+/* Asserts that the file has the content of version-3.db. The files version-4.db to version-6.db are
+ * migrated copies of version-3.db. */
 static void holds_nine_entries_and_a_replay(void)
 {
     struct ledger_entry round;
@@ -483,11 +484,11 @@ static void holds_nine_entries_and_a_replay(void)
     assert_int_equal(round.round.player[1].torn_tick, 7000);
     assert_int_equal(ledger_file_get_replay(&file, 6, replay, sizeof replay, &size), SQLITE_OK);
     assert_string_equal(replay, "replay");
-    assert_int_equal(round.round.fish_count, 0); /* The number of fish was not stored in that
-                                                    version. */
+    assert_int_equal(round.round.fish_count, 0); /* Version 3 did not store the number of fish in
+                                                    the tank. */
     for (uint32_t id = 1; id <= 9; id++) {
-        assert_int_equal(ledger_file_entry(&file, id, &round), SQLITE_OK); /* The checksum of the
-                                                                              entry is valid. */
+        /* Reading an entry also verifies its checksum. */
+        assert_int_equal(ledger_file_entry(&file, id, &round), SQLITE_OK);
     }
 }
 
@@ -509,7 +510,8 @@ static void test_migrating_a_version_3_file_keeps_everything(void **state)
     assert_int_equal(query_number("SELECT count(*) FROM sqlite_schema WHERE name LIKE 'old%'"), 0);
 }
 
-/* The tables are unchanged, but an older version would misread rows that this version writes. */
+/* Version 4 has the same tables as the current version. Its number differs because a program for
+ * version 4 would misread new rows. */
 static void test_migrating_a_version_4_file_keeps_everything(void **state)
 {
     (void)state;
@@ -551,7 +553,7 @@ static void test_a_flipped_bit_in_a_version_4_file_is_detected(void **state)
     take_version(4);
     open_file();
     const struct ledger_entry next = round_entry(10, MODE_FESTIVAL, 6, 0);
-    write_entry(&next); /* A version 4 file had no checksums. */
+    write_entry(&next); /* Stores the checksums, which version-4.db does not have. */
     ledger_file_close(&file);
     do_sql("PRAGMA user_version = 4; UPDATE ranking SET caught = caught + 1");
     assert_int_equal(ledger_file_open(&file, path, NULL), SQLITE_CORRUPT);
@@ -580,8 +582,8 @@ static void test_a_failed_migration_changes_nothing(void **state)
 {
     (void)state;
     take_version(1);
-    do_sql("CREATE TABLE ranking (of_somebody_else)"); /* This table makes a late step of the
-                                                          migration fail. */
+    /* A table of this name makes a late step of the migration fail. */
+    do_sql("CREATE TABLE ranking (of_somebody_else)");
     assert_int_not_equal(ledger_file_open(&file, path, NULL), SQLITE_OK);
     assert_null(file.db);
     assert_int_equal(query_number("PRAGMA user_version"), 0);
@@ -593,7 +595,7 @@ static void test_a_file_of_a_later_version_is_not_changed(void **state)
 {
     (void)state;
     take_version(2);
-    /* Settings of a later version of Kingyo, which must not change. */
+    /* Marks the file as written by a later version of Kingyo. The file must not be changed. */
     do_sql("PRAGMA user_version = 99; PRAGMA journal_mode = WAL");
     assert_int_equal(ledger_file_open(&file, path, NULL), LEDGER_FILE_NEWER);
     assert_null(file.db);

@@ -1,7 +1,7 @@
-/* test_ledger_omit.c -- Tests the removal of settings, replays and names from the database after
- * panics, one part per start.
+/* test_ledger_omit.c -- Tests the recovery after panics, which removes one part of the stored data
+ * at each start: settings, then replays, then names.
  *
- * The money, the PIN and the scores stay, and a copy keeps all parts. */
+ * The money, the PIN and the scores must stay. A copy of the database keeps all data. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -64,7 +64,7 @@ static const struct rank_row *best(void)
     return &file.content.memory.ranking.row[0][RANK_EVER][0];
 }
 
-/* Checks the data that must stay, whatever was removed. */
+/* Asserts that the data that are never removed are unchanged. */
 static void assert_money_and_score(void)
 {
     assert_int_equal(file.content.memory.ledger.last_id, 5);

@@ -1,7 +1,7 @@
-/* test_ledger_pin.c -- Tests that a PIN stored in plain digits by an older version is erased from
- * the database, its log, a backup and the mirror.
+/* test_ledger_pin.c -- Tests the erasure of a plain PIN. Older versions stored the digits of the
+ * PIN in the database, its log, its backup and the mirror.
  *
- * No byte of the PIN remains, and the PIN still opens the menu. */
+ * No byte of the digits may remain, and the PIN must still open the menu. */
 #include <errno.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -21,12 +21,13 @@
 #include "platform/store/sqlite/ledger_recovery.h"
 
 #define PIN 4071
-#define ENTRIES 400u /* Number of entries, which fill more than four pages of the database. */
+#define ENTRIES 400u /* Enough entries to fill more than four pages of the database. */
 
 /* ---- Syncs of libc, of which one fails ------------------------------------------------------ */
 
 static uint32_t syncs;         /* Number of sync calls so far. */
-static uint32_t failing = ~0u; /* Number of the sync call that fails. No call fails by default. */
+static uint32_t failing = ~0u; /* Number of the sync call that fails, from 0. No call fails by
+                                  default. */
 
 static int sync_or_fail(void)
 {
@@ -87,7 +88,7 @@ static int teardown(void **state)
     return rmdir(folder);
 }
 
-/* Returns an entry. Every second entry contains the PIN, and the others change the volume. */
+/* Returns an entry for a changed setting: the PIN if `id` is odd, otherwise the volume. */
 static struct ledger_entry entry_of(uint32_t id)
 {
     return (struct ledger_entry){ .id = id,
@@ -107,7 +108,8 @@ static void write_as_before(struct ledger_file *file)
     assert_int_equal(ledger_file_write(file, entries, ENTRIES), 0);
 }
 
-/* Returns how many times `file` contains `wanted`. A missing file contains nothing. */
+/* Returns how many times `file` contains the bytes `wanted`. Returns 0 if the file does not
+ * exist. */
 static unsigned count_in(const char *file, const void *wanted, size_t size)
 {
     static uint8_t bytes[4u * 1024u * 1024u];
@@ -123,9 +125,9 @@ static unsigned count_in(const char *file, const void *wanted, size_t size)
     return count;
 }
 
-/* SQLite stores the digits as a number of two bytes. In a row of the settings they follow the name,
- * in a row of the entries `kind` and `detail`, because a `count` of 0 takes no byte. Rows in free
- * pages look the same. */
+/* SQLite stores the PIN as an integer of two bytes. In a row of the settings, these bytes follow
+ * the name. In a row of the entries, they follow `kind` and `detail`. The searches also find rows
+ * in free pages. */
 static unsigned plain_settings_in(const char *suffix)
 {
     static const uint8_t row[] = { 'p', 'i', 'n', PIN >> 8, PIN & 0xFF };
@@ -143,7 +145,8 @@ static unsigned plain_in(const char *suffix)
     return plain_settings_in(suffix) + plain_entries_in(suffix);
 }
 
-/* Runs `sql` as another program would; such a program leaves old bytes in free pages. */
+/* Runs `sql` as another program would, with secure_delete off. Deleted rows then stay in free
+ * pages. */
 static void do_sql(const char *sql)
 {
     sqlite3 *db = NULL;
@@ -153,7 +156,7 @@ static void do_sql(const char *sql)
     sqlite3_close(db);
 }
 
-/* A database with the PIN in the settings, in 100 entries and in free pages. */
+/* Creates a database that has the plain PIN in the settings, in 100 entries and in free pages. */
 static void make_old_database(void)
 {
     struct ledger_file file;
@@ -163,7 +166,8 @@ static void make_old_database(void)
     ledger_file_close(&file);
     do_sql("DELETE FROM entries WHERE id BETWEEN 101 AND 300");
     assert_int_equal(plain_settings_in(""), 1);
-    assert_true(plain_entries_in("") > 100); /* The rows alone contain the PIN 100 times. */
+    assert_true(plain_entries_in("") > 100); /* The existing rows contain the PIN 100 times. Each
+                                                further copy is in a free page. */
 }
 
 static void test_the_plain_pin_is_erased_from_every_byte_of_an_old_database(void **state)
@@ -177,7 +181,7 @@ static void test_the_plain_pin_is_erased_from_every_byte_of_an_old_database(void
     for (uint32_t id = 1; id <= ENTRIES; id += id == 100u ? 201u : 1u) {
         struct ledger_entry entry, wanted = entry_of(id);
         wanted.value = id % 2u ? kept : wanted.value;
-        /* The rewritten entry has a valid checksum. */
+        /* Reading an entry verifies its checksum, which must match the new value. */
         assert_int_equal(ledger_file_entry(&file, id, &entry), 0);
         assert_memory_equal(&entry, &wanted, sizeof entry);
     }
@@ -186,25 +190,25 @@ static void test_the_plain_pin_is_erased_from_every_byte_of_an_old_database(void
     assert_int_equal(plain_in(".copy"), 0);
     ledger_file_close(&file);
     assert_int_equal(plain_in("") + plain_in("-wal"), 0);
-    /* Opening the file checks the sums of all tables, which are still valid. */
+    /* Opening the file verifies the checksums of all tables. */
     assert_int_equal(ledger_file_open(&file, path, NULL), 0);
     assert_int_equal(file.content.memory.settings.value[SET_PIN], kept);
     ledger_file_close(&file);
 }
 
-/* The test repeats the open and makes each of its syncs fail in turn. */
+/* Repeats the migration. In each repetition, a later sync call fails. The next start must complete
+ * the migration. */
 static void test_a_failed_migration_is_completed_at_the_next_start(void **state)
 {
     (void)state;
     struct ledger_file file;
     uint32_t number = 0, unfinished = 0;
-    /* True when the open made fewer syncs than `number`, so that no sync is left to fail. */
+    /* True if the open made at most `number` syncs, so that none has failed. */
     bool is_over = false;
     for (; !is_over; number++) {
         make_old_database();
         fail_sync(number);
-        ledger_file_open(&file, path, NULL); /* The open may fail. In that case it leaves the file
-                                                closed. */
+        ledger_file_open(&file, path, NULL); /* If the open fails, the file is already closed. */
         ledger_file_close(&file);
         is_over = syncs <= number;
         fail_sync(~0u);
@@ -228,7 +232,7 @@ static void test_a_migration_blocked_by_a_reader_is_completed_at_the_next_start(
     assert_int_equal(sqlite3_exec(reader, "BEGIN; SELECT * FROM entries", NULL, NULL, NULL), 0);
     assert_int_equal(ledger_file_open(&file, path, NULL), 0);
     assert_true(pin_matches(file.content.memory.settings.value[SET_PIN], PIN));
-    /* A reader still uses the old pages, so the PIN cannot be erased yet. */
+    /* The reader still uses the old pages, so the PIN cannot be erased yet. */
     assert_true(plain_in("") > 0);
     sqlite3_close(reader);
     ledger_file_close(&file);
@@ -247,7 +251,7 @@ static void test_an_invalid_pin_setting_is_not_migrated_at_every_start(void **st
     ledger_file_close(&file);
     do_sql("DELETE FROM state; INSERT INTO settings VALUES ('pin', 10000)");
     assert_int_equal(ledger_file_open(&file, path, NULL), 0);
-    /* Nothing was changed, not even by VACUUM. */
+    /* The value 10000 is not a PIN of four digits, so nothing was migrated. */
     assert_int_equal(sqlite3_total_changes(file.db), 0);
     ledger_file_close(&file);
 }
@@ -278,7 +282,9 @@ static void test_the_plain_pin_is_erased_from_every_byte_of_the_mirror(void **st
     assert_int_equal(ledger_mirror_write(&tail, &entry, 1), 0);
     ledger_mirror_close(&tail);
     assert_int_equal(count_in(beside(".tail"), &entry, size), 1);
-    tail = ledger_mirror_inspect(beside(".tail")); /* A reader also sees the erased PIN value. */
+    /* Reading the entry gives the hidden form of the PIN, although the file still has the
+     * digits. */
+    tail = ledger_mirror_inspect(beside(".tail"));
     assert_true(ledger_mirror_entry(&tail, 7, &found) && pin_matches(found.value, PIN));
     ledger_mirror_close(&tail);
     assert_int_equal(ledger_mirror_open(&tail, beside(".tail")), 0);

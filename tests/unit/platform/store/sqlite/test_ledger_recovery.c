@@ -1,5 +1,5 @@
-/* test_ledger_recovery.c -- Tests the entries that a damaged file and the mirror add to a new
- * database. */
+/* test_ledger_recovery.c -- Tests the recovery of entries into a new database, from a damaged
+ * database and from the mirror. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -57,7 +57,8 @@ static void put_tail(uint32_t first, uint32_t last)
     ledger_mirror_close(&tail);
 }
 
-/* Recovers entries into the new file and expects the entries 1 to `last` in it. */
+/* Recovers entries from `from` and from the mirror into the new database. Asserts that `entries`
+ * entries were recovered and that the entries 1 to `last` exist. */
 static void expect_salvaged(const char *from, uint32_t last, uint32_t entries)
 {
     struct ledger_file to;
@@ -103,14 +104,15 @@ static void test_without_a_database_entries_come_from_the_mirror(void **state)
     expect_salvaged(NULL, 4, 2);
 }
 
-/* Slot of the mirror, as in ledger_mirror.c. */
+/* Layout of a slot in the mirror file, as in ledger_mirror.c. */
 struct slot {
     uint32_t version, size;
     struct ledger_entry entry;
     uint64_t sum;
 };
 
-/* In version 100, the byte of the level was padding, whose value may be any. */
+/* In slots of version 100, the byte of the level was padding and can have any value. It must be
+ * ignored. */
 static void test_a_round_in_a_mirror_of_version_100_counts_as_master(void **state)
 {
     (void)state;

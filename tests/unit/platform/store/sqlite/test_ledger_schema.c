@@ -1,5 +1,5 @@
-/* test_ledger_schema.c -- Tests that a database with foreign schema objects is rejected in every
- * version, and that an insert that stores nothing is an error. */
+/* test_ledger_schema.c -- Tests that a database with an unknown schema object, such as a trigger,
+ * is rejected in every version. Also tests that an insert that stores nothing is an error. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -40,7 +40,8 @@ static void test_a_foreign_schema_object_is_rejected_in_every_version(void **sta
         for (size_t i = 0; i < ADDITION_COUNT; i++) {
             take_version(version);
             if (i + 1u == ADDITION_COUNT && version == 1) {
-                continue; /* A database without its only table counts as a new file. */
+                continue; /* Version 1 has only one table. Without any table, the file counts as
+                             new. */
             }
             do_sql(additions[i]);
             assert_int_equal(ledger_file_open(&file, path, NULL), SQLITE_CORRUPT);
@@ -116,7 +117,8 @@ static void test_an_insert_that_stores_nothing_is_an_error(void **state)
     sqlite3_stmt *put;
     do_sql("CREATE TABLE numbers (number); CREATE TRIGGER t BEFORE INSERT ON numbers"
            " BEGIN SELECT RAISE(IGNORE); END");
-    assert_int_equal(sqlite3_open(path, &db), SQLITE_OK); /* The trigger runs in this connection. */
+    /* In a normal connection, the trigger ignores each insert. */
+    assert_int_equal(sqlite3_open(path, &db), SQLITE_OK);
     sqlite3_prepare_v2(db, "INSERT INTO numbers VALUES (?)", -1, &put, NULL);
     assert_int_equal(sql_put_one(put, &number, 1), SQLITE_CORRUPT);
     assert_int_equal(sql_put(put, &number, 1), SQLITE_OK);
@@ -124,15 +126,16 @@ static void test_an_insert_that_stores_nothing_is_an_error(void **state)
     sqlite3_close(db);
     assert_int_equal(sql_open(path, SQLITE_OPEN_READWRITE, NULL, &db), SQLITE_OK);
     sqlite3_prepare_v2(db, "INSERT INTO numbers VALUES (?)", -1, &put, NULL);
-    assert_int_equal(sql_put_one(put, &number, 1), SQLITE_OK); /* The trigger does not run in this
-                                                                  connection. */
+    /* sql_open() disables triggers, so the insert succeeds. */
+    assert_int_equal(sql_put_one(put, &number, 1), SQLITE_OK);
     sqlite3_finalize(put);
     assert_int_equal(sql_number(db, "SELECT count(*) FROM numbers", &count), SQLITE_OK);
     assert_int_equal(count, 1);
     sqlite3_close(db);
 }
 
-/* A trigger that another program adds while the file is open has no effect. */
+/* Another program adds a trigger while the file is open. The trigger must not run, and a backup
+ * must reject the changed schema. */
 static void test_a_trigger_added_while_open_drops_no_entry(void **state)
 {
     (void)state;
@@ -176,7 +179,7 @@ static void test_the_defensive_options_of_sqlite_are_enabled(void **state)
 
 static void is_refused(const char *name)
 {
-    alarm(10); /* A blocking open of a FIFO would block the test forever. */
+    alarm(10); /* Ends the test if the open of a FIFO blocks. */
     assert_int_not_equal(ledger_file_open(&file, path, NULL), SQLITE_OK);
     ledger_file_close(&file);
     assert_int_not_equal(ledger_file_inspect(&file, path), SQLITE_OK);
@@ -197,7 +200,8 @@ static void test_only_regular_files_are_opened_as_a_database(void **state)
     take_version(LEDGER_FILE_VERSION);
 }
 
-/* Without a usable log, the file is at most readable. */
+/* Asserts that the file cannot be opened, or only for reading, because the log at `name` is not a
+ * regular file. */
 static void cannot_be_written(const char *name)
 {
     alarm(10);
@@ -225,7 +229,8 @@ static void test_only_regular_files_are_opened_beside_the_database(void **state)
         take_version(LEDGER_FILE_VERSION);
         assert_int_equal(symlink(target, name), 0);
         cannot_be_written(name);
-        assert_int_equal(stat(target, &about), -1); /* No file was created through the link. */
+        /* SQLite must not create a file through the link. */
+        assert_int_equal(stat(target, &about), -1);
     }
 }
 
