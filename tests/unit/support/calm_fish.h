@@ -5,7 +5,7 @@
 #include "core/tank/tank.h"
 
 /* Returns the best target for a simple vertical dip: a slow fish near the ring that swims above the
- * depth `dip_m`, away from the walls. Returns null if there is none. */
+ * depth `dip_m`, away from the walls. Returns NULL if there is no such fish. */
 static inline const struct fish *calmest_fish(const struct tank *tank, vec3 ring_m, float dip_m)
 {
     const struct fish *best = NULL;

@@ -25,7 +25,8 @@ struct fixture {
     struct gpio_lines_sim sim;
     struct gpio_sim_events script;
     struct gpio_thread gpio;
-    struct button_sample sum; /* `held` is that of the newest sample. */
+    struct button_sample sum; /* Sum of all samples, except that `held` is the value of the newest
+                                 sample. */
     uint32_t presses;         /* Number of samples in which START was pressed. */
 };
 

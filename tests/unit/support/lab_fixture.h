@@ -8,7 +8,7 @@
 #define UP_M 0.035f /* Height of a mouse pointer above the water, in metres. */
 #define DOWN_M (-0.01f)
 
-/* Returns the card of the selected species. */
+/* Returns the description (card) of the selected species. */
 static inline const struct species_card *card(void)
 {
     return lab_book_card(&core.config.book, core.game.lab.species);
@@ -52,7 +52,7 @@ static inline void tap(enum lab_part part)
     come_up();
 }
 
-/* Dips the poi at `from`, moves it to `to` and lifts it. */
+/* Dips the poi at `from`, moves the poi to `to`, and lifts the poi. */
 static inline void drag_down(struct layout_point from, struct layout_point to)
 {
     const struct layout_point canvas = pointer_layout_size(core.game.lab.upright);

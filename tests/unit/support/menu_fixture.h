@@ -43,7 +43,7 @@ static inline int setup_open(void **state)
     return 0;
 }
 
-/* Presses SERVICE until the tag of the page is selected, and activates it with TEST. */
+/* Presses SERVICE until the tag that leads to `page` is selected, and opens the page with TEST. */
 static inline void go_to(uint8_t page)
 {
     for (uint32_t i = 0; pointed() != menu_tag_of(page) && i < MENU_TAG_MAX; i++) {
@@ -61,7 +61,7 @@ static inline void go_to_controllers(void)
     assert_int_equal(menu()->page, MENU_CONTROLLERS);
 }
 
-/* Opens the page of row 3, which is free. */
+/* Opens the menu page of the controller in row 3, which is assigned to no player. */
 static inline void go_to_a_controller(void)
 {
     go_to_controllers();

@@ -4,8 +4,8 @@
 
 #include "core/output.h"
 
-/* Returns the record of the newest scored round among the last LEDGER_RING entries. Returns a
- * record with all fields 0 if there is none. */
+/* Returns the record of the newest scored round among the last LEDGER_RING entries, or a record of
+ * zeros if there is no such round. */
 static inline const struct round_record *newest_record(const struct output *out)
 {
     static const struct round_record none;

@@ -52,7 +52,7 @@ static inline void fixture_init(struct poi_fixture *fixture, uint8_t grade, uint
     bowl_init(&fixture->bowl, v3(0.30f, 0.02f, 0.15f));
 }
 
-/* Adds a fish of length `length_m` to the tank. Returns its index. */
+/* Adds a fish of length `length_m` at `position_m` to the tank. Returns the index of the fish. */
 static inline uint32_t fixture_add_fish(struct poi_fixture *fixture, vec3 position_m,
                                         float length_m)
 {

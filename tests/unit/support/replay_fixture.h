@@ -102,7 +102,7 @@ static inline void write_file(const uint8_t *bytes, size_t size)
     fclose(file);
 }
 
-/* Reads the whole recording. Returns the result of the reader. */
+/* Reads the whole recording from the file. Returns 0, or -1 if the recording is invalid. */
 static inline int scan(struct replay_totals *totals)
 {
     return replay_scan(&reader, path, totals);

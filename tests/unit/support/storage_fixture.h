@@ -59,7 +59,7 @@ static inline int open_store(struct fixture *fixture)
     return fixture->device.ledger.ops->open(fixture->device.ledger.self);
 }
 
-/* Appends a round with the given id and catch. Returns the result of the store. */
+/* Appends a round with the given id and catch to the store. Returns the result of the store. */
 static inline int save(struct fixture *fixture, uint32_t id, uint32_t caught, uint8_t by_bot)
 {
     const struct round_record record = { .id = id,

@@ -100,7 +100,8 @@ static void test_two_coin_pulses_pay_a_round_and_advance_the_meter(void **state)
 {
     (void)state;
     static const struct gpio_sim_event events[] = {
-        PULSE(1000, GPIO_START, 100), /* Without a credit, START must start nothing. */
+        PULSE(1000, GPIO_START, 100), /* START must start nothing, because there is no credit
+                                         yet. */
         PULSE(2000, GPIO_COIN, 50),   PULSE(2500, GPIO_COIN, 50),
         PULSE(4000, GPIO_START, 100), PULSE(6000, GPIO_START, 100),
     };

@@ -135,7 +135,7 @@ static void test_a_sensor_fault_pauses_the_round_and_tears_no_paper(void **state
         { SENSOR_SILENT, 300, 0, 0 },
         { SENSOR_HELD_BACK, 300, 0, 0 },
         { SENSOR_HELD_BACK, 1200, 50, 70 },
-        { SENSOR_STUCK, 2000, 70, 85 },  /* An unchanged pose counts as lost after 1 s. */
+        { SENSOR_STUCK, 2000, 70, 85 },  /* A pose that does not change for 1 s counts as lost. */
         { SENSOR_JUMPED, 8, 14, 20 },    /* After a jump, the input is lost for 0.25 s. */
         { SENSOR_JUMPED, 1500, 14, 40 }, /* The input is lost at the jump and when the pose jumps
                                             back. */
@@ -245,7 +245,8 @@ static void test_a_fast_mouse_movement_is_not_an_input_loss(void **state)
     open_with_pointer();
     start_round();
     rig.lost_frames = 0;
-    for (uint32_t frame_count = 6; frame_count < 20; frame_count++) { /* 6 frames are 100 ms. */
+    /* Each loop moves the pointer across the screen, first in 6 frames (100 ms). */
+    for (uint32_t frame_count = 6; frame_count < 20; frame_count++) {
         for (uint32_t i = 1; i <= frame_count; i++) {
             const float t = (float)i / (float)frame_count;
             const float share = f_smoothstep(0.0f, 1.0f, frame_count % 2u ? 1.0f - t : t);

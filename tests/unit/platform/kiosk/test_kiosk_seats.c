@@ -30,10 +30,10 @@ static struct {
     uint8_t other_sits;
     uint8_t is_gone, is_absent;
     uint32_t open_count, view_count;
-    bool scoops;      /* Value of `scoops` in the last call of set_view(). */
+    bool scoops;      /* Value of the parameter `scoops` in the last call of set_view(). */
     uint64_t late_ns; /* Age of a report when the kiosk polls the controller, in ns. */
     uint8_t stamps;
-    uint32_t told; /* Number of reports per frame. */
+    uint32_t told; /* Number of reports that each poll returns. */
 } rig;
 
 static uint32_t arrange(void *self, bool may_move)

@@ -225,7 +225,7 @@ static void test_a_coin_inserted_without_a_store_is_recorded_later_and_the_slot_
     assert_int_equal(frames(60), KIOSK_RUNS);
     assert_int_equal(audit(AUDIT_COINS_1), 2);
     assert_int_equal(audit(AUDIT_UNITS), 2);
-    assert_int_equal(audit(AUDIT_BOOTS), 2); /* The start without a store is not in the count. */
+    assert_int_equal(audit(AUDIT_BOOTS), 2); /* Only starts with a store are counted. */
     /* The coin from before the removal and the coin from the time without a store make one
      * credit. */
     assert_int_equal(balance()->paid, 1);
@@ -280,7 +280,7 @@ static void test_offline_credits_are_kept_until_the_card_is_writable(void **stat
     sqlite3_close(other);
     enum kiosk_end how = KIOSK_RUNS;
     for (uint32_t i = 0; i < 300u && how == KIOSK_RUNS; i++) {
-        rig.storage.look_due_ms = 0; /* Lets the store retry at once. */
+        rig.storage.look_due_ms = 0; /* Skips the delay before the next retry of the store. */
         how = frames(1);
     }
     assert_int_equal(how, KIOSK_RESTART);

@@ -186,7 +186,7 @@ static void test_kingyo_code_allocates_nothing_from_the_first_frame_to_the_saved
         kiosk_frame(&rig.kiosk, &rig.hal);
     }
     for (uint32_t i = 0; i < 200 && !is_round_saved(); i++) {
-        usleep(20000); /* 20 ms for the store thread, which writes to the disk. */
+        usleep(20000); /* Waits 20 ms for the store thread, which writes to the disk. */
     }
     const uint32_t during = allocations - before;
     assert_true(is_round_saved());

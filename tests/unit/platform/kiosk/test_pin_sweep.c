@@ -95,7 +95,7 @@ static void press(uint32_t buttons, uint32_t count)
  * selection by one digit, and OK types the selected digit. */
 static void type_the_pin(void)
 {
-    hand_is_away = true; /* Without a controller, no poi points at other keys. */
+    hand_is_away = true; /* Disconnects the controller, because its poi would select other keys. */
     for (uint32_t i = 0; i < 2u && !core_status(&core).takes_pin; i++) {
         press(INPUT_TEST, 1); /* In a game, the first press of TEST only shows a confirmation. */
     }

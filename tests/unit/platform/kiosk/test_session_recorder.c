@@ -267,13 +267,14 @@ static void test_the_recording_ends_when_a_page_for_the_pin_opens(void **state)
     assert_false(replay_is_open(&chapters.writer));
     const uint64_t hash = core_hash(&core);
     ticks(CORE_TICK_HZ);
-    for (uint32_t i = 0; i < 4u; i++) { /* OK types 1111, a wrong PIN. */
+    /* Four presses of OK type 1111, which is a wrong PIN. */
+    for (uint32_t i = 0; i < 4u; i++) {
         tick(INPUT_OK);
         ticks(CORE_TICK_HZ / 2u);
     }
     assert_int_equal(core.game.settings_edit.pin_wrong, 1);
     assert_panic_replay_ends_in(hash);
-    lock(4071); /* lock() starts a new session. */
+    lock(4071); /* lock() starts a new session, and a new recording. */
     assert_true(replay_is_open(&chapters.writer));
 }
 
@@ -295,7 +296,7 @@ static void test_a_round_after_a_page_for_the_pin_has_no_replay_and_is_not_misse
 {
     (void)state;
     lock(4071);
-    hand_is_away = 1; /* Without a controller, no poi points at the keys. */
+    hand_is_away = 1; /* Disconnects the controller, because its poi would select keys. */
     tick(INPUT_TEST);
     assert_true(core_status(&core).takes_pin);
     for (uint32_t i = 0; i <= MENU_PIN_IDLE_TICKS && core.game.phase == PHASE_MENU; i++) {
@@ -303,7 +304,8 @@ static void test_a_round_after_a_page_for_the_pin_has_no_replay_and_is_not_misse
     }
     hand_is_away = 0;
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
-    bots = core;    /* In `bots` the menu is still open, so the state is copied. */
+    bots = core;    /* In `bots` the menu is still open, so `bots` becomes a copy of the tested
+                       core. */
     play_at_once(); /* The round starts before a new session can start. */
     assert_int_equal(chapters.missed, 0);
     assert_int_equal(sim.replay_id, 0);
@@ -432,7 +434,8 @@ static void test_each_single_mismatch_makes_a_score_not_genuine(void **state)
     judge = found;
     memset(&core.game.accounts.ranking, 0, sizeof core.game.accounts.ranking);
     *row = ranked;
-    row->round_id = round_id + 1u; /* The row belongs to another round with the same catch. */
+    row->round_id = round_id + 1u; /* The ranking row belongs to another round with the same
+                                      catch. */
     assert_int_equal(says(round_id + 1u), REPLAY_VERDICT_OTHER);
     *row = ranked;
     assert_int_equal(says(round_id), REPLAY_VERDICT_GENUINE);
@@ -503,7 +506,8 @@ static void test_a_store_without_replays_keeps_all_other_data(void **state)
     assert_int_equal(chapters.round_id, 0);
     assert_int_equal(chapters.missed, 0);
     sim.replay = room;
-    sim.replay_room = 100; /* Every replay is larger than 100 bytes, as if the card were full. */
+    sim.replay_room = 100; /* Every replay is larger than 100 bytes, so no replay fits, as on a full
+                              card. */
     rest();
     play();
     assert_int_equal(chapters.round_id, 0);

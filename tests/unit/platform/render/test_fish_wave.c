@@ -30,7 +30,8 @@ static uint8_t empty[PIXELS_SIZE], pixels[PIXELS_SIZE];
 /* Outline of a drawn fish, in pixels. The snout points to the top of the picture. */
 struct outline {
     float top, bottom, left, right; /* Bounds of the fish. */
-    float tail_x, nose_x;           /* Mean columns of the last and the first 3 % of the length. */
+    float tail_x, nose_x;           /* Mean x of the last 3 % (tail) and of the first 3 % (nose) of
+                                       the length. */
 };
 
 static int open_display(void **state)
@@ -69,7 +70,7 @@ static void stage(float phase_rad, float amplitude, float bend_rad)
     scene.view.aspect_min = 1.0f;
     scene.phase = PHASE_ROUND;
     scene.phase_s = 30.0f;
-    scene.veil = 0.0f; /* The veil of the start would make the picture black. */
+    scene.veil = 0.0f; /* Removes the fade-in from black at the start of a session. */
     scene.poi[0].present = 0;
     scene.hint = HINT_NONE;
     fish->place = SCENE_ON_POI;

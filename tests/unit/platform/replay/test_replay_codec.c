@@ -78,7 +78,8 @@ static void test_an_invalid_fan_encoding_is_rejected(void **state)
     enum { HANDS = 1 << 4, SHADE_0 = 1 << 4, BYTE = 1, X = 2, NO_SUCH = 16 };
     static const uint8_t inf[4] = { 0, 0, 0x80, 0x7f };
     const uint8_t refused[][8] = {
-        { HANDS, 0 },          /* The pois changed, but no poi is selected. */
+        { HANDS, 0 },          /* The mask names the group of pois and fans, but no poi and no
+                                  fan. */
         { HANDS, SHADE_0, 0 }, /* The mask names the first fan, but no field of the fan. */
         /* A fan has three floats, so the bit for a fourth one is invalid. */
         { HANDS, SHADE_0, NO_SUCH },
@@ -131,8 +132,9 @@ static void test_an_invalid_system_health_encoding_is_rejected(void **state)
     (void)state;
     enum { MACHINE = 1 << 3, BEYOND = 1 << 6, LEVELS = 1 << 2, MINUTE = 1 << 4, NO_SUCH = 1 << 7 };
     const uint8_t refused[][4] = {
-        { MACHINE, 0, 0, 0 },         /* The mask names the group, but no field of the group. */
-        { MACHINE, NO_SUCH, 1, 0 },   /* The group has no field for this bit. */
+        { MACHINE, 0, 0, 0 },         /* The mask names the group of machine values, but no field of
+                                         the group. */
+        { MACHINE, NO_SUCH, 1, 0 },   /* The group of machine values has no field for this bit. */
         { BEYOND, 1, 0, 0 },          /* The input has no group for this bit. */
         { MACHINE, LEVELS, 8, 0 },    /* The levels have no bit 3 (value 8). */
         { MACHINE, LEVELS, 0, 0 },    /* The mask names the levels, but their new value is the old
@@ -209,12 +211,14 @@ static void test_an_invalid_controller_list_encoding_is_rejected(void **state)
     (void)state;
     enum { DESK = 1 << 5, STEP = 1, ROW = 2, BEYOND = 16 };
     const uint8_t refused[][4] = {
-        { DESK, 0, 0, 0 }, /* The mask names the list, but no field. */
+        { DESK, 0, 0, 0 }, /* The mask names the controller list, but no field of the list. */
         /* CONTROLLER_STATE_COUNT is not a valid state of a controller. */
         { DESK, 1, 0, CONTROLLER_STATE_COUNT },
-        { DESK, 0, STEP, LEARN_STEP_COUNT }, /* There is no step with this number. */
-        { DESK, 0, ROW, CONTROLLER_MAX },    /* There is no row with this number. */
-        { DESK, 0, BEYOND, 1 },              /* The list has no field for this bit. */
+        { DESK, 0, STEP, LEARN_STEP_COUNT }, /* LEARN_STEP_COUNT is one more than the last valid
+                                                step. */
+        { DESK, 0, ROW, CONTROLLER_MAX },    /* CONTROLLER_MAX is one more than the last valid
+                                                row. */
+        { DESK, 0, BEYOND, 1 },              /* The controller list has no field for this bit. */
     };
     for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
         struct input input = { 0 };

@@ -212,7 +212,7 @@ static void test_a_recording_ended_by_a_panic_reproduces_the_panic(void **state)
     replay_all();
     assert_int_equal(core.game.tick, 151);
     assert_int_equal(core.game.language, LANGUAGE_EN);
-    /* The replay completes the tick without a panic, which is a difference. */
+    /* In the replay the tick ends normally, so its state differs from the recording. */
     assert_int_equal(replayer.difference.found, 1);
     assert_int_equal(replayer.difference.tick, 150);
 }

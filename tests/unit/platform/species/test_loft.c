@@ -100,8 +100,7 @@ static void test_a_tail_root_is_rounded_off(void **state)
     const float there = (round.z - back.z) / (point.z - back.z);
     const float left = (round.y - point.y) / (back.y - point.y);
     assert_in_range((uint32_t)(100.0f * there), 40, 80);
-    /* The ring between the body and the tip is clearly outside the cone from the body to the
-     * tip. */
+    /* The ring between the body and the tip lies outside the cone from the body to the tip. */
     assert_true(left > 1.15f * (1.0f - there));
     assert_float_equal(there * there + left * left, 1.0f, 0.01f);
 }
@@ -264,7 +263,7 @@ static void test_masks_sum_to_255_and_are_continuous(void **state)
         assert_true(v->part != PART_EYE || v->mask[1] == 255);
         assert_true(v->part != PART_DORSAL || v->mask[2] == 255);
         assert_true(v->part != PART_ANAL || v->mask[0] == 255);
-        /* v is 0 at the root of the tail fin. */
+        /* At the root of the tail fin (v = 0), curve 2 has no influence. */
         assert_true(v->part != PART_TAIL || v->v > 0.0f || v->mask[2] == 0);
         assert_true(v->part != PART_TAIL || v->v < 1.0f || v->mask[2] == 255);
         assert_true(v->part != PART_BODY || v->u > 0.2f || v->mask[1] == 255);

@@ -308,7 +308,7 @@ static void harm_scale_end(struct species_slot *s)
     draw_scale(s, 0.0f, 0.5f, 0.9f);
 }
 
-/* ---- Skin: the core asserts that it is a grid */
+/* ---- Skin: its vertices must form a grid, which the core asserts --------------------------- */
 
 static struct species_vertex *skin_of(struct species_slot *s)
 {

@@ -178,7 +178,7 @@ static void test_no_frame_waits_for_a_slow_card(void **state)
     (void)state;
     storage.by_hand = 0;
     assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
-    pause_ms(300); /* 300 ms for the first backup. */
+    pause_ms(300); /* Gives the store time for its first backup. */
     tape_sync_us(200000);
     int64_t longest_ms = 0;
     for (uint32_t id = 1; id <= 20; id++) {

@@ -106,7 +106,7 @@ static void save_three(void)
         pause_ms(10);
     }
     assert_int_equal(saved_id(), 3);
-    pause_ms(300); /* 300 ms for the first backup. */
+    pause_ms(300); /* Gives the store time for its first backup. */
     assert_true(is_well());
 }
 

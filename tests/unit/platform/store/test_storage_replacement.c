@@ -89,7 +89,8 @@ static void test_a_restored_copy_is_used(void **state)
     fixture->storage.backup_due_s = 0;
     storage_work(&fixture->storage);
     fixture->device.ledger.ops->close(fixture->device.ledger.self);
-    /* This file is damaged, because it has fewer entries than the backup and is not a copy. */
+    /* Deletes entries. The file is not a copy of the backup and has fewer entries, so the file
+     * counts as damaged. */
     do_sql(fixture, "DELETE FROM entries WHERE id > 3");
     open_without_thread(fixture);
     assert_non_null(strstr(text(fixture), "damaged-1"));
@@ -160,7 +161,8 @@ static void test_an_interrupted_replacement_is_completed(void **state)
     /* Simulates a power cut after the old database was quarantined and before the new database was
      * renamed. */
     assert_int_equal(rename(fixture->file, fresh), 0);
-    write_file(log, "of the damaged one", 18); /* The log of the old database still exists. */
+    write_file(log, "of the damaged one", 18); /* The log of the old database is still in the
+                                                  folder. */
     open_without_thread(fixture);
     assert_int_equal(load_state(fixture)->ledger.last_id, 8);
     path_beside(fixture, ".damaged-1-wal", aside);

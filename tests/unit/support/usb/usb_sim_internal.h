@@ -34,8 +34,8 @@ struct libusb_device {
     struct usb_sim_seen seen;
     struct wire_report *wire;
     uint32_t wire_first, wire_count;
-    int fail; /* Status that the next transfer returns (enum libusb_transfer_status); 0 means that
-                 it does not fail. */
+    int fail; /* Status that the next transfer returns (enum libusb_transfer_status); 0 means
+                 success. */
     struct libusb_transfer *pending[PENDING_MAX]; /* Pending transfers of the device, oldest
                                                      first. */
     uint32_t pending_count;

@@ -34,7 +34,8 @@ static void test_every_fish_fits_its_bounds_with_its_nose_left(void **state)
         struct fish_preview_bounds side = fish_preview_nowhere, above = fish_preview_nowhere;
         fish_preview_measure(&portrait, VIEW_SIDE, &side);
         fish_preview_measure(&portrait, VIEW_ABOVE, &above);
-        assert_true(f_abs(side.left + 0.5f) < 0.02f); /* The snout is at z = -0.5. */
+        assert_true(f_abs(side.left + 0.5f) < 0.02f); /* In body lengths, the snout is at z =
+                                                         -0.5. */
         assert_true(side.right > side.left + 0.9f);
         assert_true(above.left == side.left && above.right == side.right);
         assert_true(side.high > side.low && above.high > above.low);

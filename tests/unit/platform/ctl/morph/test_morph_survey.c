@@ -94,7 +94,7 @@ static void test_a_key_with_a_remaining_second_weight_is_detected(void **state)
     (void)state;
     struct graph *graph = &rig.curves[0];
     const uint32_t last = graph->knot_count - 1u;
-    /* At the last knot, key 0 keeps a small weight beside the last key. */
+    /* The last knot gives a small weight to key 0 in addition to the last key. */
     graph->knots[last].weight[0] = 1e-3f;
     measure();
     assert_true(survey.key_error.value > 1e-5f);

@@ -147,8 +147,8 @@ static void test_a_practice_round_has_statistics_but_no_record(void **state)
     assert_true(result.sheets > 0);
 }
 
-/* The bot slaps the water as in the festival round. In practice, each torn paper is replaced, so
- * several papers tear. */
+/* The bot slaps the water as in the festival round. In practice mode, each torn paper is replaced,
+ * so several papers tear. */
 static void
 test_a_practice_round_reports_its_first_tear_although_the_paper_is_replaced(void **state)
 {

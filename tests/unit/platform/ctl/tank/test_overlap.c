@@ -58,13 +58,13 @@ static void test_the_extent_of_a_rotated_box_is_its_length(void **state)
     (void)state;
     b.angles.yaw_rad = 0.5f * F_PI;
     expect_depth(&a, &b, 3.0);
-    /* With its nose up, b is 5 cm high, so the boxes overlap by 1.3 cm vertically. The smallest
-     * overlap is the width of 1 cm. */
+    /* With its nose up, fish b is 5 cm high, so the boxes overlap by 1.3 cm vertically. The
+     * smallest overlap is the width of 1 cm. */
     b = fish_at(0, 2.2, 0);
     b.angles.pitch_rad = 0.5f * F_PI;
     expect_depth(&a, &b, 10.0);
-    /* b lies on its side. The boxes touch at a distance of 1 + 0.5 cm (half the height of a and
-     * half the width of b). */
+    /* Fish b lies on its side. The boxes touch at a distance of 1 + 0.5 cm (half the height of a
+     * and half the width of b). */
     b = fish_at(0, 1.3, 0);
     b.angles.roll_rad = 0.5f * F_PI;
     expect_depth(&a, &b, 2.0);

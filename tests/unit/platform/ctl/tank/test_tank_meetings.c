@@ -123,7 +123,8 @@ static void test_a_pair_observed_at_intervals_separates_after_the_timeout(void *
     tank->fish[0].position_m.z += 0.02f;
     tank_meetings_update(&meetings, tank, 24);
     tank_meetings_update(&meetings, tank, 24);
-    assert_int_equal(meetings.open_count, 1); /* The fish have been separated for 48 of 60 ticks. */
+    assert_int_equal(meetings.open_count, 1); /* The fish have been separated for 48 ticks. An
+                                                 encounter ends after 60 ticks. */
     tank_meetings_update(&meetings, tank, 24);
     assert_int_equal(meetings.open_count, 0);
 }

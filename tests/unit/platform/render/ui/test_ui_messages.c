@@ -87,8 +87,8 @@ static void test_no_hint_requests_a_dip_or_a_mouse_without_a_poi(void **state)
         const uint32_t with = glyph_quads();
         scene.credit.warnings = WARN_NO_POI;
         lay_out(sizes[0]);
-        assert_true(glyph_quads() + 40u < with); /* Only without the warning is the hint for the
-                                                    mouse shown, which has many letters. */
+        assert_true(glyph_quads() + 40u < with); /* Without a poi, the long hint for the mouse is
+                                                    hidden, so fewer letters are drawn. */
     }
     static struct ui_vertex paid[sizeof batch.vertices / sizeof *batch.vertices];
     lay_out(sizes[0]);
@@ -200,7 +200,8 @@ static void test_a_ranked_player_gets_the_seal(void **state)
             scene.player[0].place = place;
             scene.player[0].period = period;
             lay_out(sizes[0]);
-            assert_int_equal(seals(), place > 0 ? 2 : 1); /* The result card itself has one seal. */
+            assert_int_equal(seals(), place > 0 ? 2 : 1); /* The result card has one seal. A ranked
+                                                             player gets a second seal. */
         }
     }
 }

@@ -60,7 +60,7 @@ static struct ledger_entry full_entry(uint32_t id, uint8_t kind)
         .kind = kind,
         .detail = 1,
         .count = 2,
-        .value = kind == LEDGER_SETTING ? -5 : 5, /* Only a setting may be negative. */
+        .value = kind == LEDGER_SETTING ? -5 : 5, /* Only the value of a setting may be negative. */
         .balance = { .units = 1,
                      .bonus_units = 7,
                      .paid = 4,
@@ -510,8 +510,8 @@ static void test_migrating_a_version_3_file_keeps_everything(void **state)
     assert_int_equal(query_number("SELECT count(*) FROM sqlite_schema WHERE name LIKE 'old%'"), 0);
 }
 
-/* Version 4 has the same tables as the current version. Its number differs because a program for
- * version 4 would misread new rows. */
+/* Version 5 has the same tables as version 4. Its number is higher because a program for version 4
+ * would reject its new values. */
 static void test_migrating_a_version_4_file_keeps_everything(void **state)
 {
     (void)state;
@@ -553,7 +553,7 @@ static void test_a_flipped_bit_in_a_version_4_file_is_detected(void **state)
     take_version(4);
     open_file();
     const struct ledger_entry next = round_entry(10, MODE_FESTIVAL, 6, 0);
-    write_entry(&next); /* Stores the checksums, which version-4.db does not have. */
+    write_entry(&next); /* Writing an entry adds checksums to the file. version-4.db has none. */
     ledger_file_close(&file);
     do_sql("PRAGMA user_version = 4; UPDATE ranking SET caught = caught + 1");
     assert_int_equal(ledger_file_open(&file, path, NULL), SQLITE_CORRUPT);

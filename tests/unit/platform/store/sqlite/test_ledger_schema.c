@@ -117,7 +117,7 @@ static void test_an_insert_that_stores_nothing_is_an_error(void **state)
     sqlite3_stmt *put;
     do_sql("CREATE TABLE numbers (number); CREATE TRIGGER t BEFORE INSERT ON numbers"
            " BEGIN SELECT RAISE(IGNORE); END");
-    /* In a normal connection, the trigger ignores each insert. */
+    /* In a normal connection, the trigger runs and discards each insert. */
     assert_int_equal(sqlite3_open(path, &db), SQLITE_OK);
     sqlite3_prepare_v2(db, "INSERT INTO numbers VALUES (?)", -1, &put, NULL);
     assert_int_equal(sql_put_one(put, &number, 1), SQLITE_CORRUPT);

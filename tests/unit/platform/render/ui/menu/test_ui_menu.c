@@ -147,7 +147,8 @@ static void test_every_menu_page_fits_the_screen(void **state)
                          (uint8_t)(k / (SIZE_COUNT * MENU_PAGE_COUNT)), is_upright(size));
                 scene.menu.controllers.learn_step = step;
                 memset(scene.menu.audit, 0xff, sizeof scene.menu.audit);
-                scene.tick += 37u * step; /* Shows another moment of the animations. */
+                scene.tick += 37u * step; /* Lays out each step at another time of the
+                                             animations. */
                 lay_out(size);
                 expect_inside(size);
             }
@@ -196,7 +197,7 @@ static void test_a_board_is_drawn_for_each_present_controller(void **state)
         set_page(MENU_CONTROLLERS, (uint16_t)(1u << ROWS_BACK | ((1u << there) - 1u)), 0, 0);
         lay_out(0);
         const uint32_t boards = count_kind(UI_WOOD);
-        /* One more board is the tag that returns to the previous page. */
+        /* The additional board is the tag that returns to the previous page. */
         assert_int_equal(boards, there + 1u);
         assert_true(there == 0 || boards > before);
         before = boards;
@@ -399,8 +400,8 @@ static void test_the_quit_confirmation_is_readable_over_the_tank(void **state)
     assert_true(count_kind(UI_GLYPH) > without + 15u);
 }
 
-/* In practice, the legend of the paper colours is 256 units wide, 18 units from the right edge, and
- * ends 204 units below the top. No letter of the confirmation may overlap the legend. */
+/* In practice mode, the legend of the paper colours is 256 units wide, 18 units from the right
+ * edge, and ends 204 units below the top. No letter of the confirmation may overlap the legend. */
 static void test_the_quit_confirmation_does_not_overlap_the_practice_plates(void **state)
 {
     (void)state;
