@@ -19,7 +19,7 @@
 
 #define SWING_MS ((uint64_t)(POINTER_FAN_SWING_S * 1000.0f))
 
-/* ---- The mouse and its key ------------------------------------------------------------------ */
+/* ---- Tests of the driver: the mouse and the key of the fan ---------------------------------- */
 
 static struct clock_sim fixture_clock;
 static struct mouse_poi mouse;
@@ -102,7 +102,7 @@ static void test_key_f_activates_the_fan_while_pressed(void **state)
     assert_int_equal(poll_hands(SWING_MS + 1).present, 0);
 }
 
-/* ---- The frame loop ------------------------------------------------------------------------- */
+/* ---- Tests of the fan in the frame loop ----------------------------------------------------- */
 
 #define SEEN_MAX 1024u
 #define FRAME_NS 16666667ull

@@ -25,7 +25,7 @@
 
 static struct operator_notes notes;
 
-/* ---- The list ------------------------------------------------------------------------------- */
+/* ---- Tests of the list alone ---------------------------------------------------------------- */
 
 static int empty(void **state)
 {
@@ -104,7 +104,7 @@ static void test_a_full_list_counts_the_rest_in_its_last_row(void **state)
     expect_row(OPERATOR_NOTES_MAX - 1u, FILE_USED, "251", "");
 }
 
-/* ---- From the folder to the screen ---------------------------------------------------------- */
+/* ---- Tests of the list in the menu of a kiosk ----------------------------------------------- */
 
 static struct rig {
     struct clock_sim clock;

@@ -91,7 +91,7 @@ static void test_a_frame_far_from_60_hz_is_not_rounded(void **state)
     assert_int_equal(frame_pacer_ticks_due(&pace, S + 12 * MS + 22 * MS), 3);
 }
 
-/* ---- Sleep ---------------------------------------------------------------------------------- */
+/* ---- Tests of the sleep time after a frame -------------------------------------------------- */
 
 /* Returns the sleep time in ns after the last of `count` frames that each take `took_ns`. */
 static uint64_t rest_after(struct frame_pacer_sleep *rest, uint32_t count, uint64_t took_ns)

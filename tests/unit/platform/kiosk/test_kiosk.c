@@ -36,7 +36,7 @@ static void test_a_stopped_thread_stops_before_its_tap_records_the_tick(void **s
     assert_int_equal(rig.seen_count, 4);
 }
 
-/* ---- Time ----------------------------------------------------------------------------------- */
+/* ---- Tests of ticks and frames -------------------------------------------------------------- */
 
 static void test_a_frame_has_two_ticks_one_picture_and_one_watchdog_kick(void **state)
 {
@@ -68,7 +68,7 @@ static void test_ticks_of_a_delayed_frame_are_dropped_and_counted(void **state)
     assert_int_equal(rig.kiosk.pace.dropped, 60);
 }
 
-/* ---- Buttons and coins ---------------------------------------------------------------------- */
+/* ---- Tests of buttons and coins ------------------------------------------------------------- */
 
 static uint32_t ticks_that_saw(uint32_t button)
 {
@@ -234,7 +234,7 @@ static void test_a_config_out_of_range_is_refused(void **state)
     assert_int_equal(kiosk_init(&rig.kiosk, &rig.hal, &config), CORE_ERR_RANGE);
 }
 
-/* ---- Playback of a score -------------------------------------------------------------------- */
+/* ---- Tests of the playback of a score ------------------------------------------------------- */
 
 static void test_the_button_that_ends_a_playback_has_no_other_effect(void **state)
 {

@@ -38,7 +38,7 @@ static struct rig {
     uint32_t asked[HAL_SWITCH_COUNT], level[HAL_SWITCH_COUNT], pulses[HAL_SWITCH_COUNT];
 } rig;
 
-/* ---- Devices -------------------------------------------------------------------------------- */
+/* ---- Simulated devices of the test ---------------------------------------------------------- */
 
 static int poll_pose(void *self, struct poi_sample *out, uint32_t max)
 {
@@ -127,7 +127,7 @@ static int pulse(void *self, enum hal_switch which, uint32_t count)
     return rig.answer;
 }
 
-/* ---- Simulated cabinet ---------------------------------------------------------------------- */
+/* ---- Set-up and frames of the simulated cabinet --------------------------------------------- */
 
 static void hold_pose_at(vec3 at_m)
 {
@@ -190,7 +190,7 @@ static void push(uint32_t button)
     frames(10);
 }
 
-/* ---- Controller commands -------------------------------------------------------------------- */
+/* ---- Tests of commands to controllers ------------------------------------------------------- */
 
 static vec3 over_tag(uint32_t tag, float y_m)
 {
@@ -260,7 +260,7 @@ static void test_a_trembling_pose_over_a_menu_tag_loses_no_command(void **state)
     }
 }
 
-/* ---- Switches ------------------------------------------------------------------------------- */
+/* ---- Tests of switches (coin lockout, meters) ----------------------------------------------- */
 
 static void drop(uint32_t coins)
 {

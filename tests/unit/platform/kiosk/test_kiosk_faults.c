@@ -118,7 +118,7 @@ static void break_for(enum sensor_fault fault, uint64_t ms)
     rig.lost_frames = rig.age_max = 0;
 }
 
-/* ---- A six-axis sensor ---------------------------------------------------------------------- */
+/* ---- Tests with a six-axis sensor ----------------------------------------------------------- */
 
 static void test_a_sensor_fault_pauses_the_round_and_tears_no_paper(void **state)
 {
@@ -202,7 +202,7 @@ static void test_non_finite_poses_are_counted_as_faults_and_passed_to_the_core(v
     assert_in_range(rig.kiosk.faults.poi, 48, 52);
 }
 
-/* ---- A pointer ------------------------------------------------------------------------------ */
+/* ---- Tests with a pointer (mouse) ----------------------------------------------------------- */
 
 static void open_with_pointer(void)
 {
@@ -287,7 +287,7 @@ static void test_a_pointer_at_rest_never_times_out(void **state)
     assert_int_equal(seen()->trembles, 0);
 }
 
-/* ---- Four at one tank ----------------------------------------------------------------------- */
+/* ---- Test with four players at one tank ----------------------------------------------------- */
 
 static void test_one_faulty_sensor_pauses_all_four_players(void **state)
 {
@@ -331,7 +331,7 @@ static void test_one_faulty_sensor_pauses_all_four_players(void **state)
     }
 }
 
-/* ---- View changes and replays --------------------------------------------------------------- */
+/* ---- Tests of view changes and replays ------------------------------------------------------ */
 
 static void test_a_pointer_is_notified_when_the_view_changes(void **state)
 {

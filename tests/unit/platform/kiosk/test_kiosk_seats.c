@@ -183,9 +183,8 @@ static void test_a_new_controller_is_opened_and_used_in_the_same_frame(void **st
     rig.moves = 1u;
     frames(1);
     assert_int_equal(rig.open_count, opened + 1);
-    assert_int_equal(rig.view_count,
-                     viewed + per_frame + 1); /* One additional call of set_view() passes the view
-                                                 to the new controller. */
+    /* One additional call of set_view() passes the view to the new controller. */
+    assert_int_equal(rig.view_count, viewed + per_frame + 1);
     assert_int_equal(rig.kiosk.samplers[0].link, POI_SOURCE_LIVE);
     assert_true(rig.kiosk.input.poi[0].target.position_m.x == 0.2f);
     assert_int_equal(rig.kiosk.faults.poi, 0);

@@ -288,8 +288,8 @@ static void test_offline_credits_are_kept_until_the_card_is_writable(void **stat
     begin();
     frames(60);
     assert_int_equal(audit(AUDIT_COINS_1), 3);
-    assert_int_equal(PRICE * balance()->paid + balance()->units,
-                     3); /* One coin from set_up() and the two coins above. */
+    /* One coin was inserted in set_up() and two coins above. */
+    assert_int_equal(PRICE * balance()->paid + balance()->units, 3);
 }
 
 int main(void)

@@ -45,7 +45,7 @@ static struct rig {
                                                                  cabinet. */
 } rig;
 
-/* ---- A cabinet ------------------------------------------------------------------------------ */
+/* ---- Simulated cabinet with buttons and switches -------------------------------------------- */
 
 static int poll_buttons(void *self, struct button_sample *out)
 {
@@ -176,7 +176,7 @@ static void open_the_row(void)
     assert_int_equal(shown()->page, MENU_CONTROLLER);
 }
 
-/* ---- The quit key --------------------------------------------------------------------------- */
+/* ---- Tests of the quit key, restarts and a late store --------------------------------------- */
 
 static void test_the_quit_key_goes_back_in_the_menu_and_otherwise_ends_the_program(void **state)
 {
@@ -250,7 +250,7 @@ static void test_a_store_that_opens_late_restarts_the_session_when_idle(void **s
     assert_int_equal(rig.storage.late_balance.unlogged, 4);
 }
 
-/* ---- Names ---------------------------------------------------------------------------------- */
+/* ---- Tests of the names of devices in the menu ---------------------------------------------- */
 
 static void test_controller_and_line_names_are_filled_only_in_the_menu(void **state)
 {
@@ -263,7 +263,7 @@ static void test_controller_and_line_names_are_filled_only_in_the_menu(void **st
     assert_int_equal(shown()->controllers.state[ROW], CONTROLLER_FREE);
 }
 
-/* ---- Choosing ------------------------------------------------------------------------------- */
+/* ---- Tests of the selection of a controller ------------------------------------------------- */
 
 static void test_a_selected_controller_plays_and_a_released_one_does_not(void **state)
 {
@@ -285,7 +285,7 @@ static void test_a_selected_controller_plays_and_a_released_one_does_not(void **
                                                            frames. */
 }
 
-/* ---- Learning ------------------------------------------------------------------------------- */
+/* ---- Tests of learning the mapping of a stick ----------------------------------------------- */
 
 static void show_step(uint8_t step, float x, float z, uint8_t trigger)
 {
@@ -384,7 +384,7 @@ static void test_unplugging_a_stick_while_learning_fails_and_the_menu_continues(
     assert_int_equal(shown()->page, MENU_CONTROLLERS);
 }
 
-/* ---- Money ---------------------------------------------------------------------------------- */
+/* ---- Tests of the coin slot and the coin meter ---------------------------------------------- */
 
 static void drop(uint32_t coins)
 {

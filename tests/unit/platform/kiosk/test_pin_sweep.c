@@ -435,7 +435,7 @@ static void test_a_replay_of_format_7_is_simulated_and_stored_in_the_current_for
     assert_int_equal(judge.replayer.reader.header.config.rules, 7);
 }
 
-/* ---- Replays that stay ------------------------------------------------------------------ */
+/* ---- Replays that the sweep does not change ------------------------------------------------- */
 
 /* Stores `bytes` as the replay of a round. Asserts that the sweep neither changes nor reports the
  * replay. */

@@ -66,7 +66,7 @@ static void frames(uint32_t count)
     }
 }
 
-/* ---- Simulated devices ---------------------------------------------------------------------- */
+/* ---- Simulated gamepad and finger ----------------------------------------------------------- */
 
 static SDL_Joystick *joystick(void)
 {
@@ -126,7 +126,7 @@ static void say_fingers(void)
     }
 }
 
-/* ---- Rounds --------------------------------------------------------------------------------- */
+/* ---- Rounds of the simulated player --------------------------------------------------------- */
 
 static void begin_round(uint32_t seed)
 {

@@ -514,7 +514,7 @@ static void test_a_store_without_replays_keeps_all_other_data(void **state)
     assert_int_equal(chapters.missed, 1);
 }
 
-/* ---- Playback of a score -------------------------------------------------------------------- */
+/* ---- Tests of the playback of a score ------------------------------------------------------- */
 
 static struct score_playback playback;
 static struct scene scene;
@@ -601,9 +601,8 @@ static void test_a_button_or_a_dip_ends_the_playback(void **state)
     const uint32_t round_id = play();
     score_playback_request(&playback, round_id);
     frames_while(ENCORE_SEEKS);
-    assert_int_equal(score_playback_handle_input(&playback, 0, poi),
-                     0); /* The dip began before the playback, so the dip does not end the
-                            playback. */
+    /* The dip began before the playback, so the dip does not end the playback. */
+    assert_int_equal(score_playback_handle_input(&playback, 0, poi), 0);
     poi[0].target.position_m.y = 0.05f;
     assert_int_equal(score_playback_handle_input(&playback, 0, poi), 0);
     poi[0].target.position_m.y = -0.05f;

@@ -128,7 +128,7 @@ static void test_an_incomplete_png_is_removed(void **state)
     canvas_close(&canvas);
 }
 
-/* ---- Non-regular files ---------------------------------------------------------------------- */
+/* ---- Tests of files that are not regular files ---------------------------------------------- */
 
 static mode_t kind_of(const char *name)
 {

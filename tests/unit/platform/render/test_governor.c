@@ -140,9 +140,8 @@ static void test_heat_reduces_the_quality_immediately_and_cooling_restores_it(vo
     }
     run(1, false);
     assert_int_equal(machine.step, QUALITY_STEP_MAX);
-    quality_governor_set_temperature(&machine.governor,
-                                     GOVERNOR_HOT_MDEG); /* A temperature between the two limits
-                                                            changes nothing. */
+    /* A temperature between the limits for hot and cool changes nothing. */
+    quality_governor_set_temperature(&machine.governor, GOVERNOR_HOT_MDEG);
     quality_governor_set_temperature(&machine.governor, GOVERNOR_COOL_MDEG);
     run(1, false);
     assert_int_equal(machine.step, QUALITY_STEP_MAX);

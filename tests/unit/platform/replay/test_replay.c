@@ -100,7 +100,7 @@ static void test_a_recording_in_progress_is_complete_up_to_its_last_second(void 
     assert_int_equal(replay_finish(&writer, 0), 0);
 }
 
-/* ---- Damage --------------------------------------------------------------------------------- */
+/* ---- Tests of damaged recordings ------------------------------------------------------------ */
 
 static void test_a_recording_truncated_at_any_byte_is_rejected(void **state)
 {
@@ -263,7 +263,7 @@ static void test_a_huge_file_of_zeros_is_rejected_at_its_first_second(void **sta
     assert_int_equal(truncate(path, 0), 0);
 }
 
-/* ---- A full disk ---------------------------------------------------------------------------- */
+/* ---- Tests of a full disk ------------------------------------------------------------------- */
 
 static void test_a_full_disk_stops_a_recording_that_stays_complete(void **state)
 {

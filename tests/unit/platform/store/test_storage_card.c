@@ -307,8 +307,8 @@ static void test_a_foreign_card_is_not_written(void **state)
     storage_work(&storage);
     tape_refuse(EIO);
     keep(2);
-    /* Replaces the database by that of another kiosk, as if the card were exchanged. */
     storage_work(&storage);
+    /* Replaces the database by that of another kiosk, as if the card were exchanged. */
     snprintf(command, sizeof command, "rm %s*; cp tests/unit/platform/store/files/version-6.db %s",
              file, file);
     assert_int_equal(system(command), 0);
@@ -322,7 +322,7 @@ static void test_a_foreign_card_is_not_written(void **state)
     assert_int_equal(device.ledger.ops->needs_restart(device.ledger.self), 0);
 }
 
-/* ---- A card that is full when the kiosk starts ---------------------------------------------- */
+/* ---- Tests of a card that is full when the kiosk starts ------------------------------------- */
 
 /* Leaves the files as they are after SIGKILL: a database and a log with entries 1 to 5, but no
  * index of the log. */
@@ -402,7 +402,7 @@ static void test_other_programs_can_read_a_full_card(void **state)
     assert_int_equal(count_entries(), 5);
 }
 
-/* ---- An unusable card ----------------------------------------------------------------------- */
+/* ---- Tests of a card that cannot be used ---------------------------------------------------- */
 
 static void put_a_later_kingyos_file(void)
 {
@@ -562,7 +562,7 @@ static void test_a_changed_file_is_retried_immediately(void **state)
     assert_int_equal(saved_id(), 1);
 }
 
-/* ---- Replays -------------------------------------------------------------------------------- */
+/* ---- Tests of replays on a faulty card ------------------------------------------------------ */
 
 static const uint8_t replay[] = "all that the hand did";
 

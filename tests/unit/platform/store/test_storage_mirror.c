@@ -147,7 +147,7 @@ static int mode_beside(const char *suffix)
     return about.st_mode & 0777;
 }
 
-/* ---- Damage to the database ----------------------------------------------------------------- */
+/* ---- Tests of a damaged database ------------------------------------------------------------ */
 
 static void test_damage_of_any_page_loses_no_entry(void **state)
 {
@@ -319,7 +319,7 @@ static void test_a_database_with_fewer_entries_than_its_mirror_is_damage(void **
     assert_int_equal(atomic_load(&storage.aside), 1);
 }
 
-/* ---- Damage to the mirror ------------------------------------------------------------------- */
+/* ---- Tests of a damaged mirror -------------------------------------------------------------- */
 
 static void test_a_mirror_slot_with_a_wrong_checksum_is_ignored(void **state)
 {

@@ -47,7 +47,7 @@ static int tear_down(void **state)
     return system(command);
 }
 
-/* ---- Non-regular files ---------------------------------------------------------------------- */
+/* ---- Functions that create non-regular files ------------------------------------------------ */
 
 static void put_fifo(const char *path)
 {
@@ -102,7 +102,7 @@ static void victim_is_untouched(void)
     assert_int_equal(access(victim, F_OK), -1);
 }
 
-/* ---- The store ------------------------------------------------------------------------------ */
+/* ---- Tests of the files of the store -------------------------------------------------------- */
 
 static int keep(uint32_t id)
 {
@@ -228,7 +228,7 @@ static void test_a_non_regular_file_at_a_temporary_path_is_no_obstacle(void **st
     }
 }
 
-/* ---- The other files in the folder ---------------------------------------------------------- */
+/* ---- Tests of the other files in the data folder -------------------------------------------- */
 
 static void test_file_handle_opens_only_regular_files(void **state)
 {

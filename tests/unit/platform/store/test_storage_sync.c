@@ -87,7 +87,7 @@ static void fail_syncs(const char *path, uint32_t count)
     fails_left = count;
 }
 
-/* ---- The store ------------------------------------------------------------------------------ */
+/* ---- Store and simulated faults ------------------------------------------------------------- */
 
 static int set_up(void **state)
 {

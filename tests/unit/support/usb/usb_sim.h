@@ -38,8 +38,8 @@ struct usb_sim_kind {
 
 /* Order of the events after a device was unplugged. */
 enum usb_sim_unplug_order {
-    USB_SIM_GONE =
-        0, /* Every pending transfer returns NO_DEVICE, and the hot-plug event follows. */
+    /* Every pending transfer returns NO_DEVICE, and the hot-plug event follows. */
+    USB_SIM_GONE = 0,
     USB_SIM_IO_FIRST, /* One pending transfer returns ERROR, the others return NO_DEVICE, and the
                          hot-plug event follows. */
     USB_SIM_LATE,     /* Every pending transfer returns NO_DEVICE, and the hot-plug event waits

@@ -157,7 +157,7 @@ static void test_the_picture_fits_a_window_of_any_size(void **state)
     assert_non_null(strstr(picture(80, 4), "3 more rows are below this window"));
 }
 
-/* ---- Device nodes --------------------------------------------------------------------------- */
+/* ---- Tests of the list of plugged-in devices ------------------------------------------------ */
 
 static char root[64];
 

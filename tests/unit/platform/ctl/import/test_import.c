@@ -111,7 +111,7 @@ static float farthest_vertex(const struct species *species)
     return worst;
 }
 
-/* ---- OBJ ------------------------------------------------------------------------------------ */
+/* ---- Tests of OBJ files --------------------------------------------------------------------- */
 
 /* Writes one key as an OBJ file, as another program would: with other axes, another unit,
  * triangles, and one group per part. `turn` 0 uses Kingyo's axes, `turn` 1 points the nose to +x,
@@ -294,7 +294,7 @@ static void test_a_too_fine_model_is_rejected_with_advice(void **state)
     assert_non_null(strstr(why, "vertices: more than 1024; reduce the model"));
 }
 
-/* ---- Life ----------------------------------------------------------------------------------- */
+/* ---- Tests of ages, lengths and growth ------------------------------------------------------ */
 
 static void test_given_lengths_define_a_matching_growth_curve(void **state)
 {
@@ -410,7 +410,7 @@ static void test_a_sheet_gets_two_sides(void **state)
     assert_int_equal(near->index_count, 3 * 5);
 }
 
-/* ---- A fitted template ---------------------------------------------------------------------- */
+/* ---- Tests of a template that was fitted to a mesh ------------------------------------------ */
 
 static void test_a_fitted_template_has_the_given_life_data(void **state)
 {
@@ -433,7 +433,7 @@ static void test_a_fitted_template_has_the_given_life_data(void **state)
     assert_string_equal(why, "--ages-days: 4 given for 5 key shapes; give one for each");
 }
 
-/* ---- glTF ----------------------------------------------------------------------------------- */
+/* ---- Tests of glTF files -------------------------------------------------------------------- */
 
 static void export_glb(const char *id, const char *path)
 {

@@ -114,9 +114,9 @@ static void scatter(uint32_t seed, uint32_t count)
     for (uint32_t i = 0; i < count; i++) {
         struct fish *fish = &tank.fish[i];
         *fish = fish_at(0, 0, 0);
+        /* Places the fish at random. Some positions are outside the tank. */
         fish->position_m = v3(draw(seed, i, 1, -0.7f, 0.7f), draw(seed, i, 2, -0.2f, 0.0f),
-                              draw(seed, i, 3, -0.34f, 0.34f)); /* Some positions are outside the
-                                                                   tank. */
+                              draw(seed, i, 3, -0.34f, 0.34f));
         fish->angles.yaw_rad = draw(seed, i, 4, -3.1f, 3.1f);
         fish->angles.pitch_rad = draw(seed, i, 5, -1.5f, 1.5f);
         fish->angles.roll_rad = draw(seed, i, 6, -3.1f, 3.1f);

@@ -110,7 +110,7 @@ static struct ledger_entry setting_entry(uint32_t id, uint32_t setting, int32_t 
                                   .value = value };
 }
 
-/* ---- Entries -------------------------------------------------------------------------------- */
+/* ---- Tests of single entries ---------------------------------------------------------------- */
 
 static void test_an_entry_is_read_with_every_field(void **state)
 {
@@ -199,7 +199,7 @@ static void test_a_flipped_bit_in_the_balance_is_detected(void **state)
     assert_int_equal(ledger_file_open(&file, path, NULL), SQLITE_CORRUPT);
 }
 
-/* ---- Aggregates ----------------------------------------------------------------------------- */
+/* ---- Tests of aggregates (totals and ranking) ----------------------------------------------- */
 
 static void test_a_flipped_bit_in_the_aggregates_is_detected(void **state)
 {
@@ -344,7 +344,7 @@ static void test_an_unknown_setting_is_ignored(void **state)
     assert_int_equal(query_number("SELECT count(*) FROM settings WHERE name = 'of-tomorrow'"), 1);
 }
 
-/* ---- Replays and deletion of old rows ------------------------------------------------------- */
+/* ---- Tests of replays and of the deletion of old rows --------------------------------------- */
 
 static void test_a_replay_is_read_byte_for_byte(void **state)
 {
@@ -404,7 +404,7 @@ static void test_old_entries_are_deleted_and_the_newest_kept(void **state)
     assert_int_equal(file.content.memory.ledger.last_id, last);
 }
 
-/* ---- Old files ------------------------------------------------------------------------------ */
+/* ---- Tests of files of older versions ------------------------------------------------------- */
 
 static void test_migrating_a_version_1_file_keeps_its_rounds(void **state)
 {

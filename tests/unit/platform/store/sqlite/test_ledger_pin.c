@@ -23,7 +23,7 @@
 #define PIN 4071
 #define ENTRIES 400u /* Enough entries to fill more than four pages of the database. */
 
-/* ---- Syncs of libc, of which one fails ------------------------------------------------------ */
+/* ---- Sync functions of libc, one of which fails --------------------------------------------- */
 
 static uint32_t syncs;         /* Number of sync calls so far. */
 static uint32_t failing = ~0u; /* Number of the sync call that fails, from 0. No call fails by
@@ -57,7 +57,7 @@ static void fail_sync(uint32_t number)
     failing = number;
 }
 
-/* ---- The files ------------------------------------------------------------------------------ */
+/* ---- Temporary files of the tests ----------------------------------------------------------- */
 
 static char folder[] = "/tmp/kingyo-pin-XXXXXX";
 static char path[64], other[80];

@@ -175,7 +175,7 @@ static void test_the_defensive_options_of_sqlite_are_enabled(void **state)
     assert_int_not_equal(sql_run(file.db, "ATTACH '/tmp/kingyo-never.db' AS other"), SQLITE_OK);
 }
 
-/* ---- Non-regular files ---------------------------------------------------------------------- */
+/* ---- Tests of files that are not regular files ---------------------------------------------- */
 
 static void is_refused(const char *name)
 {

@@ -342,7 +342,7 @@ static void test_the_bow_is_measured_from_the_infinite_line(void **state)
     }
 }
 
-/* ---- The album ------------------------------------------------------------------------------ */
+/* ---- Tests of the album of caught fish ------------------------------------------------------ */
 
 static void catch_fish(uint32_t count)
 {
