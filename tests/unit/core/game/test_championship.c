@@ -1,5 +1,6 @@
-/* test_championship.c -- checks a championship from START to the result with live input: tank,
- * clock, announcements, count, record, and the same result from the same inputs. */
+/* test_championship.c -- plays a championship from START to the result with controller input.
+ * Checks the tank, the clock, the calls of the time, the count of fish, the record, and that equal
+ * inputs give an equal result. */
 #include "tests/unit/support/purse.h"
 #include "tests/unit/support/core_fixture.h"
 
@@ -9,8 +10,8 @@
 #define ROUND_TICKS (180u * CORE_TICK_HZ)
 #define CALLS_MAX 16u
 
-static struct bot player; /* The bot's poses are sent as controller input, so the core knows no
-                             bot. */
+/* A bot whose poses are sent as controller input, so that the core treats it as a person. */
+static struct bot player;
 
 struct heard {
     uint32_t tick; /* Ticks since the start of the round. */
@@ -81,8 +82,8 @@ static void test_a_championship_has_the_federations_tank_paper_and_time(void **s
     assert_true(lasted >= ROUND_TICKS || scene.player[0].out);
 }
 
-/* The player holds the poi above the water and never tears the paper, so the round lasts its
- * whole time. */
+/* The player holds the poi above the water, so that no paper tears and the round lasts its full
+ * time. */
 static void test_the_time_announcements_come_at_their_ticks(void **state)
 {
     (void)state;
@@ -122,7 +123,7 @@ static void test_the_catch_is_shown_and_stored(void **state)
     assert_int_equal(newest_record(&output)->mode, MODE_CHAMPIONSHIP);
     assert_int_equal(newest_record(&output)->grade, 5);
     assert_int_equal(newest_record(&output)->players, 1);
-    /* The bot plays through controller input, so the core counts it as a person. */
+    /* The poses came as controller input, so the round counts as that of a person. */
     assert_int_equal(newest_record(&output)->by_bot, 0);
     assert_true(record->caught > 0);
     assert_int_equal(record->caught, look()->caught[0]);

@@ -1,12 +1,13 @@
-/* test_fouls.c -- checks fouls. A fish scooped along a wall or swept into the bowl from the water
- * is a foul and does not count. The third foul ends the player's round. */
+/* test_fouls.c -- checks the fouls of a championship. A fish that is scooped along a wall or swept
+ * into the bowl from the water does not count and is a foul. The third foul ends the player's
+ * round. */
 #include "tests/unit/support/core_fixture.h"
 #include "tests/unit/support/newest_record.h"
 
 #define READY_TICKS (5u * CORE_TICK_HZ)
 
-static const vec3 aside_m = { 0.0f, ABOVE_M, 0.45f }; /* Position in front of the tank, beyond its
-                                                         near wall. */
+/* Position in front of the tank, outside its near wall. */
+static const vec3 aside_m = { 0.0f, ABOVE_M, 0.45f };
 
 static void begin(uint8_t mode, uint32_t fish_count)
 {
@@ -58,7 +59,7 @@ static void lay_fish(float x_m, float z_m)
     tank_stage_all(&core.world.tank, stages, 6);
 }
 
-/* Places six fish above the dipped poi, side by side, near the ring's right edge. */
+/* Places six fish side by side above the dipped poi, near the ring's right edge. */
 static void lay_fish_over_the_poi(float x_m, float z_m)
 {
     struct tank_stage stages[6];
@@ -83,8 +84,8 @@ static void bring_home(void)
     lead_tilted(v3(bowl_m.x - 0.15f, 0.09f, bowl_m.z), 0.0f, 0.0f);
 }
 
-/* Moves a slanted poi outward to the wall, presses it on by `press_m`, and lifts it along the
- * wall. */
+/* Makes a scoop that is a foul: moves a tilted poi to the wall, presses it against the wall by
+ * `press_m`, and lifts it along the wall. */
 static void scoop_along_the_wall(float press_m)
 {
     const float ring_z_m = WALL_Z_M - POI_OUTER_RADIUS_M * f_cos(SLANT_RAD) + press_m;
@@ -97,7 +98,7 @@ static void scoop_along_the_wall(float press_m)
     bring_home();
 }
 
-/* Makes the same scoop far from every wall, straight up from below the fish. */
+/* Makes the same scoop without a foul: far from every wall, straight up from below the fish. */
 static void scoop_in_the_open(void)
 {
     lead_tilted(v3(0.30f, 0.06f, 0.0f), 0.0f, 0.0f);
@@ -107,9 +108,9 @@ static void scoop_in_the_open(void)
     bring_home();
 }
 
-/* Sweeps fish into a bowl. A bowl with a hundred fish has its rim 3 mm above the water. A poi with
- * fish accelerates at the surface up to 1.7 m/s, ends with its rim `end_m` above the water, and
- * stops at the bowl. Fish ahead of the poi slide on. */
+/* Sweeps fish along the water surface into a bowl, which is a foul. The bowl lies as deep as one
+ * with a hundred fish, with its rim 3 mm above the water. The poi accelerates to 1.7 m/s, rises to
+ * `end_m` above the water and stops at the bowl. The fish slide on into the bowl. */
 static void sweep_into_the_bowl(uint32_t wait_ticks, float end_m)
 {
     const vec3 bowl_m = core.world.bowl[0].position_m;
@@ -134,7 +135,7 @@ static void sweep_into_the_bowl(uint32_t wait_ticks, float end_m)
     ticks(60);
 }
 
-/* The motion is the same in all modes, to the tick. */
+/* Starts a round. The start is the same to the tick in all modes. */
 static void play(uint8_t mode)
 {
     begin(mode, 6);
@@ -152,7 +153,7 @@ static void test_fish_pressed_against_the_wall_are_a_foul_and_do_not_count(void 
         const uint32_t in_bowl = core.world.bowl[0].fish_count;
         assert_true(in_bowl > 0);
         fouls += look()->player[0].fouls;
-        /* A scoop that meets the wall in several ticks is still one foul. */
+        /* The scoop touches the wall in several ticks, but is only one foul. */
         assert_true(scene.player[0].fouls <= 1);
         if (scene.player[0].fouls > 0) {
             assert_int_equal(scene.player[0].foul, FOUL_WALL);
@@ -168,7 +169,8 @@ struct sweeps {
     uint32_t caught, in_bowl, fouls, poured;
 };
 
-/* The fish have random positions, so the sweep is repeated, each time a few ticks later. */
+/* Repeats the sweep 40 times, each time some ticks later. Single sweeps may fail, because the fish
+ * have random positions. */
 static struct sweeps sweep_often(uint8_t mode, float end_m)
 {
     struct sweeps sum = { 0 };
@@ -199,13 +201,13 @@ static void test_fish_swept_in_count_in_a_festival(void **state)
 {
     (void)state;
     const struct sweeps sum = sweep_often(MODE_FESTIVAL, 0.004f);
-    /* The fish were swept into the bowl, which is a foul in a championship but not in a
-     * festival. */
+    /* Fish were swept into the bowl (`poured`). In a festival this is no foul, so all of them
+     * count. */
     assert_true(sum.poured > 0);
     assert_int_equal(sum.caught, sum.in_bowl);
 }
 
-/* The motion is the same, but the ring rises above the water before the bowl. */
+/* In the same sweep, the ring first rises above the water and then reaches the bowl. */
 static void test_a_ring_lifted_above_the_water_first_commits_no_foul(void **state)
 {
     (void)state;
@@ -225,7 +227,8 @@ static void test_fish_from_open_water_count_without_a_foul(void **state)
     assert_true(scene.caught[0] > 0);
 }
 
-/* Drops one fish into the empty bowl. The ring has been above the water for `clear_ticks`. */
+/* Drops one fish into the empty bowl from a ring that has been above the water for `clear_ticks`
+ * ticks. */
 static void drop_a_fish(uint8_t clear_ticks)
 {
     core.world.tank.fish[0].gait = GAIT_HELD;
@@ -251,8 +254,8 @@ static void test_a_fish_that_falls_off_a_lost_poi_is_no_foul(void **state)
     }
     play(MODE_CHAMPIONSHIP);
     drop_a_fish(0);
-    assert_int_equal(look()->player[0].fouls, 1); /* For a controlled poi, the same drop is a
-                                                     foul. */
+    /* If a player controls the poi, the same drop is a foul. */
+    assert_int_equal(look()->player[0].fouls, 1);
 }
 
 static void test_no_fish_counts_after_the_third_foul(void **state)
@@ -266,7 +269,7 @@ static void test_no_fish_counts_after_the_third_foul(void **state)
     }
 }
 
-/* Two scoops along the wall are two fouls. The foul before the start makes three. */
+/* The player commits a foul before the start and two by scoops along the wall. */
 static void test_the_third_foul_ends_the_players_round(void **state)
 {
     (void)state;

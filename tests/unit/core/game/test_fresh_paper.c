@@ -1,4 +1,4 @@
-/* test_fresh_paper.c -- checks when a poi gets new paper and when a torn poi ends a round. */
+/* test_fresh_paper.c -- checks when a poi gets new paper, and when torn paper ends a round. */
 #include "tests/unit/support/game_fixture.h"
 #include "core/game/phases.h"
 
@@ -98,7 +98,7 @@ static void test_paper_with_a_hole_in_the_middle_is_usable_beside_it(void **stat
     assert_true(paper_can_hold(sheet));
     punch(sheet, 0.0f, 0.0f, 0.012f);
     assert_true(paper_can_hold(sheet));
-    /* The strip of paper that is left at the ring is 14 mm wide, too narrow for any fish. */
+    /* This leaves a strip of paper along the ring that is 14 mm wide, too narrow for any fish. */
     punch(sheet, 0.0f, 0.0f, 0.026f);
     assert_true(sheet_left(sheet) > PAPER_LEFT_MIN);
     assert_false(paper_can_hold(sheet));

@@ -29,7 +29,7 @@ static int setup(void **state)
     return 0;
 }
 
-/* Runs `ticks` ticks of the hints alone. Returns the hint after them. */
+/* Runs only the hints for `ticks` ticks. Returns the hint that is then shown. */
 static uint8_t hint_after(uint32_t ticks)
 {
     for (uint32_t i = 0; i < ticks; i++) {
@@ -124,7 +124,8 @@ static void test_a_fish_on_the_lifted_poi_gives_the_bowl_hint(void **state)
     learn(HINT_TILT);
     learn(HINT_MOVE);
     learn(HINT_DIP);
-    assert_int_equal(hint_after(300), HINT_NONE); /* The player has already learned every hint. */
+    /* The player has already done everything, so no hint is left. */
+    assert_int_equal(hint_after(300), HINT_NONE);
     put_fish_on_the_poi();
     assert_int_equal(hint_after(300), HINT_NONE);
 }
@@ -205,8 +206,8 @@ static void test_an_urgent_hint_is_shown_immediately(void **state)
     (void)state;
     hint_after(300);
     learn(HINT_MOVE);
-    /* HINT_DIP has just appeared, and other hints would wait until it has been shown for a
-     * while. */
+    /* HINT_DIP has just appeared. Most other hints would wait until it was shown for some time, but
+     * HINT_LOST_POI appears at once. */
     hint_after(13);
     core.world.poi[0].link = POI_SOURCE_LOST;
     assert_int_equal(hint_after(13), HINT_LOST_POI);
@@ -237,7 +238,7 @@ static void test_only_a_player_with_a_controller_gets_hints(void **state)
     const struct core_config config = { .seed = 3, .fish_count = 2, .players = 2 };
     assert_int_equal(core_init(&core, &config), CORE_OK);
     core.game.phase = PHASE_ROUND;
-    core.world.poi[1].link = POI_SOURCE_LIVE; /* Only the second player has a poi. */
+    core.world.poi[1].link = POI_SOURCE_LIVE; /* Only the second player has a controller. */
     core.world.poi[1].position_m = v3(0.0f, 0.06f, 0.0f);
     core.game.tick = 5000;
     assert_int_equal(hint_after(300), HINT_MOVE);

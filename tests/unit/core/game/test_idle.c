@@ -1,8 +1,7 @@
-/* test_idle.c -- checks that the kiosk returns to attract from every abandoned state.
+/* test_idle.c -- checks that the kiosk returns to attract mode from every abandoned state.
  *
- * The test enters every phase and every page of the operator's menu and abandons it: without a
- * player, with a poi that swings on its cord, with a loose controller plug, and with stuck
- * buttons. */
+ * The test enters every phase and every page of the operator's menu and leaves it without a player,
+ * with a poi that swings on its cord, with a loose controller plug, or with stuck buttons. */
 #include "core/game/menu/menu_pages.h"
 #include "core/game/phases.h"
 #include "tests/unit/support/game_fixture.h"
@@ -46,7 +45,7 @@ static void leave(enum left_behind what)
 
 /* ---- Visits --------------------------------------------------------------------------------- */
 
-static uint32_t seen; /* Bit mask of the phases in which the test waited. */
+static uint32_t seen; /* Phases in which the test has waited, as a bit mask. */
 
 static void expect_attract_by_itself(enum left_behind what, const char *where)
 {
@@ -63,11 +62,11 @@ static void expect_attract_by_itself(enum left_behind what, const char *where)
     input = (struct input){ 0 };
     leave(what);
     steps(60u * CORE_TICK_HZ);
-    /* The input that was left behind starts nothing within a minute. */
+    /* The abandoned input (a swinging poi, for example) starts nothing within the next minute. */
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
-/* Opens a kiosk with all modes and with a store for names. */
+/* Opens a kiosk with all game modes and with a store, so that players may enter names. */
 static void open_stall(void)
 {
     struct core_config config = { .seed = 7, .fish_count = 12, .persistent.ledger.boots = 1 };
@@ -81,7 +80,7 @@ static void open_stall(void)
     steps(10);
 }
 
-/* Advances from the mode selection into a round of `choice` by buttons. */
+/* Goes from the mode selection into a round of mode `choice` with buttons. */
 static void begin_playing(uint32_t choice)
 {
     open_stall();
@@ -159,7 +158,8 @@ static void test_every_page_of_the_menu_times_out(void **state)
     }
 }
 
-/* An operator who watches the axes moves only a poi and needs time. */
+/* An operator who checks the axes of a poi on the menu's page only moves the poi and presses no
+ * button. */
 static void test_a_moving_poi_keeps_the_menu_open_for_15_minutes(void **state)
 {
     (void)state;

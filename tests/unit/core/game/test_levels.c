@@ -1,11 +1,11 @@
-/* test_levels.c -- checks what a level changes in a round: the ring, the paper, the motion of the
- * poi in water and the temper of the fish. */
+/* test_levels.c -- checks what a level of difficulty changes in a round: the ring, the paper, the
+ * motion of the poi in water, and how easily fish flee. */
 #include "tests/unit/support/core_fixture.h"
 
 #include "core/game/rules.h"
 #include "core/poi/poi.h"
 
-/* Plays a kiosk with one mode until the round runs. The poi stands above the water. */
+/* Opens a kiosk with one mode and starts a round. The poi stands above the water. */
 static void play_into_round(uint8_t mode, uint8_t level)
 {
     open_core(&(struct core_config){ .seed = 7,
@@ -77,8 +77,8 @@ static void test_the_championship_is_always_played_at_the_master_level(void **st
     assert_memory_equal(&core.world.tank.temper, &none, sizeof none);
 }
 
-/* Returns the largest distance that the poi's goal moves in one tick after its controller has moved
- * by 5 cm in one tick under water. */
+/* Moves the controller by 5 cm in one tick under water. Returns the greatest distance that the
+ * poi's target moves in one tick afterwards. */
 static float step_in_water_m(uint8_t level)
 {
     play_into_round(MODE_FESTIVAL, level);
@@ -130,7 +130,7 @@ static void test_the_record_and_the_scene_have_the_easiest_level_of_the_players(
     assert_int_equal(core_round_record(&core).level, LEVEL_MASTER);
 }
 
-/* Returns the newest entry of kind `kind` in the ring buffer of the output. */
+/* Returns the newest entry of kind `kind` in the output's ring buffer of ledger entries. */
 static const struct ledger_entry *newest(uint8_t kind)
 {
     uint32_t id = output.entry_id;
@@ -144,7 +144,8 @@ static void test_a_round_that_a_power_cut_ends_keeps_its_level(void **state)
 {
     (void)state;
     play_into_round(MODE_FESTIVAL, LEVEL_EASY);
-    core.config.ticket_fish = 1; /* The round has a value, so that its state is logged. */
+    /* With tickets the state of a running round is written to the ledger. */
+    core.config.ticket_fish = 1;
     ticks(core.game.round_s * CORE_TICK_HZ * 5u / 6u);
     assert_int_equal(core.game.phase, PHASE_ROUND);
     const struct ledger_entry *last = newest(LEDGER_STAND);
@@ -160,14 +161,16 @@ static void test_a_round_that_a_power_cut_ends_keeps_its_level(void **state)
     const struct ledger_entry *round = newest(LEDGER_ROUND);
     assert_int_equal(round->detail, ROUND_CUT_OFF);
     assert_int_equal(round->round.level, LEVEL_EASY);
-    config.persistent.ledger.stand.value |= 3 << 21; /* No level has this number. */
+    /* Sets the level to 3, which does not exist. */
+    config.persistent.ledger.stand.value |= 3 << 21;
     assert_int_equal(core_init(&core, &config), CORE_ERR_RANGE);
 }
 
 static void test_finished_rounds_are_counted_at_their_level(void **state)
 {
     (void)state;
-    struct audits audits = { .count[AUDIT_ROUNDS] = 4 }; /* Rounds before the levels. */
+    /* Four rounds that were counted before levels existed. */
+    struct audits audits = { .count[AUDIT_ROUNDS] = 4 };
     struct ledger_entry entry = { .kind = LEDGER_ROUND, .id = 1, .round.players = 1 };
     static const uint8_t levels[] = { LEVEL_EASY, LEVEL_NORMAL, LEVEL_EASY, LEVEL_MASTER };
     for (size_t i = 0; i < sizeof levels; i++) {

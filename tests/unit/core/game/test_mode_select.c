@@ -58,7 +58,7 @@ static void test_left_and_right_cycle_and_start_chooses_a_mode(void **state)
     assert_int_equal(look()->mode, MODE_FESTIVAL);
     press(INPUT_LEFT);
     assert_int_equal(look()->mode, MODE_PRACTICE);
-    /* The selection plays one sound when it opens and one for each of the four changes. */
+    /* One sound for the opening of the selection and one for each of its four changes. */
     assert_int_equal(sounds[SOUND_CHOOSE], 5);
     press(INPUT_OK);
     assert_int_equal(core.game.phase, PHASE_READY);
@@ -88,8 +88,7 @@ static void test_a_poi_selects_the_mode_of_its_part_of_the_tank(void **state)
     assert_int_equal(look()->mode, MODE_CHAMPIONSHIP);
     lead(0, v3(-0.6f, ABOVE_M, 0.0f));
     assert_int_equal(look()->mode, MODE_FESTIVAL);
-    /* The poi rests at the left, over the festival, but a button has priority over a resting
-     * poi. */
+    /* The poi rests over FESTIVAL at the left. A button press has priority over a resting poi. */
     press(INPUT_RIGHT);
     ticks(60);
     assert_int_equal(look()->mode, MODE_CHAMPIONSHIP);
@@ -143,12 +142,12 @@ static void test_a_moving_poi_keeps_the_selection_open(void **state)
         lead(0, v3(LEFT_M, ABOVE_M, i % 2u ? 0.0f : 0.1f));
         assert_int_equal(core.game.phase, PHASE_MODE_SELECT);
     }
-    /* A resting poi counts as an absent player, so the selection times out. */
+    /* The poi rests, so no player counts as present, and the selection times out. */
     ticks(RULES_MODE_SELECT_TICKS + 1u);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
-/* Simulates a poi that hangs on its cord and swings at the kiosk's edge without end. */
+/* A poi that swings on its cord at the kiosk's edge must not keep the selection open for ever. */
 static void test_the_selection_lasts_at_most_two_minutes(void **state)
 {
     (void)state;
@@ -166,8 +165,8 @@ static void test_the_selection_lasts_at_most_two_minutes(void **state)
                     120u * CORE_TICK_HZ + 1u);
 }
 
-/* The controller is lost during the selection and returns elsewhere. The poi is on its way to the
- * controller when the tank opens. */
+/* The controller is lost and then returns at another place, so the poi moves there at a limited
+ * speed. The opening of a tank must end this motion. */
 static void test_a_newly_opened_tank_has_no_returning_poi(void **state)
 {
     (void)state;
@@ -180,7 +179,8 @@ static void test_a_newly_opened_tank_has_no_returning_poi(void **state)
         tick();
     }
     assert_true(core.game.control[0].return_ticks > 0);
-    /* The selection follows the poi even while the poi still returns to the hand. */
+    /* The selection follows the poi while the poi is still returning to the controller's
+     * position. */
     assert_int_equal(core.game.mode, MODE_CHAMPIONSHIP);
     press(INPUT_START);
     assert_int_equal(core.world.tank.preset, TANK_PRESET_OFFICIAL);
@@ -192,8 +192,8 @@ static void test_a_poi_stays_above_the_water_during_the_selection(void **state)
 {
     (void)state;
     choose();
-    /* The controller first appears below the water. That is no dip, because the poi was never
-     * above it. */
+    /* The controller first appears below the water. This is not a dip, because the poi was not
+     * above the water before. */
     hold(0, v3(RIGHT_M, BELOW_M, 0.0f));
     ticks(300);
     assert_int_equal(core.game.phase, PHASE_MODE_SELECT);
@@ -212,7 +212,7 @@ static void test_the_championship_has_its_own_tank_and_attract_the_festivals(voi
     assert_float_equal(core.world.bowl[0].position_m.x, official->bowl_m[0].x, 0.02f);
     assert_int_equal(scene.grade, 5);
     assert_float_equal(scene.seconds_left, 5.0f, 0.02f);
-    /* Simulates the result after a round, which returns to attract and the festival's tank. */
+    /* Simulates the end of a round: the result returns to attract mode in the festival's tank. */
     core.game.phase = PHASE_RESULT;
     core.game.phase_tick = core.game.tick;
     ticks(GAME_RESULT_TICKS + 1u);
@@ -232,8 +232,9 @@ static void test_each_championship_has_a_new_random_tank(void **state)
     assert_int_not_equal(core.world.tank.seed, first);
 }
 
-/* Each fish stores the tick of its last decision in one byte. Therefore the fish of a tank that
- * opens late must count as having decided just now. */
+/* Each fish stores the tick of its last decision in one byte, which wraps every 256 ticks. In a
+ * tank that opens late, that byte must be set to the current tick. Otherwise the fish would seem to
+ * have decided long ago. */
 static void test_fish_of_a_tank_that_opens_late_were_just_updated(void **state)
 {
     (void)state;
@@ -313,7 +314,8 @@ static void test_start_in_the_result_reopens_the_selection(void **state)
     ticks(GAME_AGAIN_TICKS);
     press(INPUT_START);
     assert_int_equal(core.game.phase, PHASE_MODE_SELECT);
-    assert_int_equal(look()->mode, MODE_PRACTICE); /* The mode of the last round is preselected. */
+    /* The selection begins with the mode of the last round. */
+    assert_int_equal(look()->mode, MODE_PRACTICE);
 }
 
 int main(void)

@@ -1,4 +1,5 @@
-/* test_phases.c -- checks the phases of the game, each transition on both sides. */
+/* test_phases.c -- checks the phases of the game, and each transition just before and just after
+ * its condition is met. */
 #include "tests/unit/support/game_fixture.h"
 #include "core/game/menu/menu.h"
 #include "core/game/phases.h"
@@ -103,7 +104,7 @@ static void test_a_round_lasts_exactly_its_seconds(void **state)
                      ROUND_S * CORE_TICK_HZ);
 }
 
-/* At the call of time, a fish on the paper may still be carried to the bowl for a limited time. */
+/* When the time is over, a fish on the paper may still be carried to the bowl for three seconds. */
 static void test_a_fish_on_the_paper_at_the_call_gets_three_seconds_to_the_bowl(void **state)
 {
     (void)state;
@@ -170,7 +171,8 @@ static void test_a_dip_in_the_result_counts_from_two_and_a_half_seconds(void **s
     (void)state;
     play_into_result();
     steps(GAME_AGAIN_DIP_TICKS - 3u);
-    dip(); /* dip() ends one tick before the result accepts dips, so this dip is ignored. */
+    /* dip() ends one tick before the result screen accepts a dip, so this dip has no effect. */
+    dip();
     assert_int_equal(core.game.phase, PHASE_RESULT);
     dip();
     assert_int_equal(core.game.phase, PHASE_READY);
@@ -211,8 +213,8 @@ static void test_the_bot_controls_the_poi_in_attract(void **state)
     assert_int_equal(core.world.poi[1].link, POI_SOURCE_ABSENT);
 }
 
-/* The player of the lost controller has gone. The poi must not return to that player's last
- * pose. */
+/* The controller was lost and its player is gone. The poi must not return to the last pose of that
+ * player. */
 static void test_a_poi_that_the_bot_takes_over_does_not_return_to_the_player(void **state)
 {
     (void)state;
@@ -240,7 +242,8 @@ static void test_language_changes_with_each_press_in_any_phase(void **state)
     assert_int_equal(core.game.language, LANGUAGE_JA);
 }
 
-/* The game waits for the store but for no player: the result, the leaderboards, then attract. */
+/* Runs the game without player input until it is in attract mode again, through the result and the
+ * leaderboards. */
 static void steps_into_attract(void)
 {
     for (uint32_t i = 0; i < 120u * CORE_TICK_HZ && core.game.phase != PHASE_ATTRACT; i++) {
@@ -273,8 +276,8 @@ static void test_a_language_chosen_in_attract_lasts_for_one_cycle(void **state)
     press(INPUT_LANGUAGE);
     assert_int_equal(core.game.language, LANGUAGE_EN);
     steps(LANGUAGE_TICKS / 2u);
-    /* The second press selects the operator's language, Japanese. No timeout follows, because
-     * nothing is left to restore. */
+    /* The second press selects Japanese, the operator's language. No timeout restores a language,
+     * because the operator's language is already selected. */
     press(INPUT_LANGUAGE);
     assert_int_equal(core.game.language, LANGUAGE_JA);
     steps(2u * LANGUAGE_TICKS);

@@ -1,5 +1,5 @@
-/* test_practice.c -- checks practice: the paper shows its stress, a torn poi is replaced, hints are
- * given, and no score is stored. */
+/* test_practice.c -- checks practice mode: the paper shows its stress, torn paper is replaced,
+ * hints are shown, and no score is stored. */
 #include "tests/unit/support/core_fixture.h"
 #include "core/game/phases.h"
 #include "tests/unit/support/newest_record.h"
@@ -43,7 +43,7 @@ static void test_a_torn_poi_is_replaced_by_a_new_one(void **state)
     first = core.world.poi[0].sheet;
     tear_all(0);
     ticks(CORE_TICK_HZ);
-    /* The torn paper is shown for a second before it is replaced. */
+    /* Torn paper is shown for a second before it is replaced. */
     assert_int_equal(core.world.poi[0].sheet.paper_cells, 0);
     ticks(2);
     second = core.world.poi[0].sheet;
@@ -70,7 +70,7 @@ static void test_a_torn_poi_is_replaced_above_the_water(void **state)
     ticks(120);
     assert_int_equal(core.world.poi[0].sheet.paper_cells, core.world.poi[0].sheet.paper_cells_new);
     assert_int_equal(game_record(&core.game, &core.world, &core.config).player[0].scoops,
-                     1); /* `scoops` includes the scoop with the poi that tore and was replaced. */
+                     1); /* `scoops` includes the scoop that tore the first paper. */
 }
 
 static void test_only_time_ends_a_practice(void **state)
@@ -92,14 +92,15 @@ static void test_a_practice_stores_no_score(void **state)
     assert_int_equal(newest_record(&output)->id, 0);
     assert_int_equal(core.game.accounts.ranking.row[MODE_PRACTICE][RANK_DAY][0].caught, 0);
     assert_int_equal(game_record(&core.game, &core.world, &core.config).caught,
-                     50); /* The catch appears only in the record of the round and in no ranking. */
+                     50); /* The catch is in the record of the round but in no leaderboard. */
 }
 
-/* Dips a slanted ring until the surface cuts it in half, and lifts it. */
+/* Dips a tilted ring until its middle is at the water surface, and lifts it, so that half of the
+ * paper is wet. */
 static void wet_half(void)
 {
-    for (uint32_t i = 1; i <= 30; i++) { /* The turn has the speed of a wrist. A sudden turn would
-                                            be rejected. */
+    /* The poi turns at the speed of a wrist. A sudden turn would be an invalid input. */
+    for (uint32_t i = 1; i <= 30; i++) {
         input.poi[0].target.angles.pitch_rad = 0.7f * (float)i / 30.0f;
         ticks(1);
     }
@@ -143,7 +144,7 @@ static void test_a_poured_fish_gives_the_clear_rim_hint(void **state)
     core.world.poi[0].carried_fish[core.world.poi[0].carried_count++] = washed;
     ticks(240);
     assert_int_equal(look()->hint, HINT_CLEAR_RIM);
-    /* In practice a foul gives only a hint, and the fish still counts. */
+    /* In practice a foul only shows a hint, and the fish counts. */
     assert_int_equal(scene.player[0].fouls, 0);
     assert_int_equal(scene.caught[0], 1);
     ticks(600);

@@ -1,4 +1,5 @@
-/* test_record.c -- checks what counts, what a round records, and that rounds differ. */
+/* test_record.c -- checks which fish count, what the record of a round contains, and that two
+ * rounds differ. */
 #include "tests/unit/support/game_fixture.h"
 #include "core/game/phases.h"
 #include "core/game/table_setup.h"
@@ -103,8 +104,8 @@ static void test_a_start_empties_the_bowl_and_releases_carried_fish(void **state
     input.pressed = 0;
     float last_m = core.world.tank.fish[1].position_m.y;
     assert_true(last_m > 0.03f);
-    /* The fish falls back in steps of less than 15 mm. A jump into the water would be a larger
-     * step. */
+    /* The released fish falls into the water and must not jump there. Each step is less than 15
+     * mm. */
     for (uint32_t i = 0; i < 60; i++) {
         core_tick(&core, &input, &output);
         assert_true(f_abs(core.world.tank.fish[1].position_m.y - last_m) < 0.015f);
@@ -144,7 +145,7 @@ static void test_the_fish_of_a_removed_poi_falls_into_the_water(void **state)
     hold_a_fish(1, 0.05f);
     core.world.poi[0].carried_fish[0] = (struct carried_fish){ .fish = 1 };
     core.world.poi[0].carried_count = 1;
-    /* This fish has GAIT_HELD, but no poi carries it. It must also be released. */
+    /* Fish 2 has GAIT_HELD although no poi carries it. It must be released too. */
     hold_a_fish(2, 0.05f);
     input.poi[0].link = POI_SOURCE_ABSENT;
     core_tick(&core, &input, &output);
@@ -161,7 +162,7 @@ static void test_the_fish_of_a_removed_poi_falls_into_the_water(void **state)
 static void test_a_round_without_a_player_ends_without_a_record(void **state)
 {
     (void)state;
-    /* No controller is connected, so the round that START begins has no player. */
+    /* START begins a round although no controller is connected. */
     press(INPUT_START);
     steps(GAME_READY_TICKS);
     assert_int_equal(core.game.phase, PHASE_ROUND);

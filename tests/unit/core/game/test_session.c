@@ -1,5 +1,5 @@
-/* test_session.c -- checks that attract starts a new session, which needs nothing of the previous
- * one. */
+/* test_session.c -- checks that attract mode starts a new session, which does not depend on the
+ * previous one. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -28,8 +28,8 @@ static void tick(struct core *at, const struct input *input, struct output *to)
     core_tick(at, input, to);
 }
 
-/* Runs with `input` until a session starts, for at most `tick_max` ticks. Returns the number of
- * ticks. */
+/* Runs the core with `input` until a session starts, for at most `tick_max` ticks. Returns the
+ * number of ticks. */
 static uint32_t run_to_session(const struct input *input, uint32_t tick_max)
 {
     uint32_t ticks = 0;
@@ -55,7 +55,8 @@ static void test_ten_minutes_of_attract_are_a_session(void **state)
     assert_true(core.config.seed != 3 && core.config.seed != second);
 }
 
-/* Inserts a coin, adds a service credit, opens the menu and changes the language. */
+/* Simulates visitors for `ticks` ticks: a coin, a service credit, the menu and a change of
+ * language. */
 static void live(uint32_t ticks, struct input *input)
 {
     static const uint32_t presses[] = { INPUT_SERVICE, INPUT_LANGUAGE, INPUT_TEST,
@@ -73,7 +74,8 @@ static void live(uint32_t ticks, struct input *input)
     input->pressed = 0;
 }
 
-/* The session's configuration and the inputs since its start are sufficient to repeat it. */
+/* A second core that gets the session's configuration and its inputs must reach the same state.
+ * Replays depend on this. */
 static void test_a_session_depends_only_on_its_configuration_and_inputs(void **state)
 {
     (void)state;
@@ -160,7 +162,8 @@ static void test_a_new_session_keeps_credits_and_settings(void **state)
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
-/* The session changes while the picture is dark. The fade is short and continuous. */
+/* The picture fades to black, the session changes while it is black, and the picture fades in. The
+ * fade must be short and without a jump. */
 static void test_the_picture_is_dark_only_at_the_session_change(void **state)
 {
     (void)state;
@@ -184,7 +187,8 @@ static void test_the_picture_is_dark_only_at_the_session_change(void **state)
     assert_in_range(dark, 3u * SESSION_FADE_TICKS - 4u, 3u * SESSION_FADE_TICKS);
 }
 
-/* A player who dips during the fade plays. The session continues and ends in the next attract. */
+/* If a player dips during the fade, the session continues and ends when attract mode is reached
+ * again. */
 static void test_a_player_prevents_the_session_change(void **state)
 {
     (void)state;

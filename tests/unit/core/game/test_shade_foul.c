@@ -1,13 +1,13 @@
-/* test_shade_foul.c -- checks that the umpire detects a shadow held over fish before the start,
- * from the motion of pois and fans alone. */
+/* test_shade_foul.c -- checks the foul of shade: before the start of a championship, no player may
+ * hold a shadow over fish. The umpire detects this from the motion of pois and fans. */
 #include "tests/unit/support/core_fixture.h"
 
 #include "core/game/phases.h"
 
 #define READY_TICKS (5u * CORE_TICK_HZ)
 
-static const vec3 aside_m = { 0.0f, ABOVE_M, 0.45f }; /* Position in front of the tank, beyond its
-                                                         near wall. */
+/* Position in front of the tank, outside its near wall. */
+static const vec3 aside_m = { 0.0f, ABOVE_M, 0.45f };
 
 static void begin(uint8_t mode, uint32_t fish_count)
 {
@@ -53,13 +53,13 @@ static void test_a_fan_held_over_fish_before_the_start_is_one_foul(void **state)
     fan(1, 0.1f);
     ticks(170);
     assert_int_equal(look()->player[0].fouls, 0);
-    /* The fan has now been held for 190 ticks, longer than the 1.5 s (180 ticks) that make a
-     * foul. */
+    /* The fan has been held still for 190 ticks. A foul needs 180 ticks (1.5 s). */
     ticks(20);
     assert_int_equal(look()->player[0].fouls, 1);
     assert_int_equal(scene.player[0].foul, FOUL_SHADE);
     assert_true(scene.player[0].foul_s < 0.2f);
-    ticks(READY_TICKS - 200u); /* A fan that stays in place is one foul, however long it is held. */
+    /* A fan that stays in place is only one foul. */
+    ticks(READY_TICKS - 200u);
     assert_int_equal(look()->player[0].fouls, 1);
     assert_int_equal(sounds[SOUND_FOUL], 1);
 }
@@ -86,8 +86,8 @@ static void test_a_passing_or_waving_fan_is_no_foul(void **state)
     (void)state;
     for (uint32_t i = 0; i < READY_TICKS - 10u; i++) {
         const float share = (float)(i % 240u) / 120.0f;
-        fan(1, 0.4f * (share < 1.0f ? share : 2.0f - share)); /* The fan moves to and fro at 0.4
-                                                                 m/s. */
+        /* Moves the fan to and fro at 0.4 m/s. */
+        fan(1, 0.4f * (share < 1.0f ? share : 2.0f - share));
         tick();
     }
     assert_int_equal(look()->player[0].fouls, 0);
@@ -146,15 +146,16 @@ static void test_a_poi_at_rest_since_ready_is_no_foul(void **state)
                                         .preset = TANK_PRESET_OFFICIAL,
                                         .modes = 1u << MODE_CHAMPIONSHIP };
     open_core(&config);
-    /* The poi stays at the place at which it was when START was pressed. */
+    /* The poi is held where it already was when START was pressed. */
     hold(0, v3(0.05f, ABOVE_M, 0.05f));
     press(INPUT_START);
-    for (uint32_t i = 0; i < READY_TICKS - 10u; i++) { /* The poi trembles by 1 mm. */
+    /* The poi trembles by 1 mm. */
+    for (uint32_t i = 0; i < READY_TICKS - 10u; i++) {
         input.poi[0].target.position_m.x = 0.05f + (i % 2u ? 0.001f : 0.0f);
         tick();
     }
-    /* The shadow lay still over fish for longer than FOUL_SHADE_S, but the player did not move
-     * it there. */
+    /* The shadow was still over fish for longer than FOUL_SHADE_S. This is no foul, because the
+     * player did not move it there after START. */
     assert_true(core.world.tank.shade[SHADE_MAX].still_s > FOUL_SHADE_S);
     assert_true(tank_shade_count(&core.world.tank, &core.world.tank.shade[SHADE_MAX].cast) > 0);
     assert_int_equal(look()->player[0].fouls, 0);
@@ -180,7 +181,7 @@ static void test_a_fan_is_a_foul_of_its_player(void **state)
     ticks(200);
     assert_int_equal(look()->player[0].fouls, 0);
     assert_int_equal(scene.player[1].fouls, 1);
-    /* The poi of index 2 has no bowl, so its shadow belongs to no player. */
+    /* Player 2 has no bowl and does not play, so the shadow of poi 2 is nobody's foul. */
     assert_int_equal(scene.player[2].fouls, 0);
 }
 
@@ -206,7 +207,7 @@ static void test_shade_is_no_foul_during_the_round(void **state)
 static void test_the_shadow_of_a_lost_controller_is_no_foul(void **state)
 {
     (void)state;
-    /* The poi moves over fish shortly after READY began and is then lost. */
+    /* The poi moves over fish after START, and its controller is then lost. */
     lead(0, v3(0.1f, ABOVE_M, 0.0f));
     input.poi[0].link = POI_SOURCE_LOST;
     ticks(READY_TICKS - 180u);

@@ -27,7 +27,7 @@ static void test_a_start_without_a_credit_is_shown(void **state)
     press(INPUT_START);
     core_scene(&core, &scene);
     assert_true(scene.credit.asked_s < 0.1f);
-    assert_int_equal(sounds[SOUND_FOUL], 1); /* The rejected start also plays a sound. */
+    assert_int_equal(sounds[SOUND_FOUL], 1); /* A rejected start plays the sound of a foul. */
     assert_true(scene.credit.unpaid);
 }
 
@@ -54,7 +54,8 @@ static void test_a_coin_in_the_tick_of_start_counts(void **state)
     input.coin_count[0] = 1;
     press(INPUT_START);
     input.coin_count[0] = 0;
-    step(); /* This step() reports the ledger entry as saved, so the round begins. */
+    /* In this step the store reports the ledger entry as saved, so the round begins. */
+    step();
     assert_int_equal(core.game.phase, PHASE_READY);
     assert_int_equal(credits(), 0);
 }
@@ -67,7 +68,8 @@ static void test_surplus_coins_count_toward_the_next_round(void **state)
     assert_int_equal(balance()->units, 1);
     press(INPUT_START);
     assert_int_equal(credits(), 1);
-    /* This credit is completed during the round that the first credit paid for. */
+    /* The first credit paid for the current round. The remaining coin completes the second one
+     * during the round. */
     drop(PRICE - 1u);
     assert_int_equal(credits(), 2);
 }
@@ -79,7 +81,7 @@ static void test_a_full_credit_count_rejects_coins_and_loses_no_inserted_coin(vo
     drop(CREDITS_MAX * PRICE);
     assert_int_equal(credits(), CREDITS_MAX);
     assert_int_equal(output.coin_lockout, 1);
-    /* The lockout was too late for these coins, so they stay in the balance as units. */
+    /* These coins were inserted before the slot closed. They stay in the balance as units. */
     drop(PRICE);
     assert_int_equal(credits(), CREDITS_MAX);
     assert_int_equal(balance()->units, PRICE);
@@ -135,7 +137,7 @@ static void test_a_finished_round_costs_one_credit(void **state)
     assert_int_equal(audit(AUDIT_REFUNDS), 0);
     steps(GAME_AGAIN_DIP_TICKS);
     press(INPUT_START);
-    /* START is ignored, because no credit is left for another round. */
+    /* No credit is left for another round, so START has no effect. */
     assert_int_equal(core.game.phase, PHASE_RESULT);
     drop(PRICE);
     press(INPUT_START);
@@ -192,7 +194,7 @@ static void test_a_permanently_lost_poi_refunds_the_credit(void **state)
     assert_int_equal(audit(AUDIT_REFUNDS), 1);
     assert_int_equal(core.game.hints.shown, HINT_PAID_BACK);
     steps(GAME_RESULT_TICKS);
-    /* The way back to attract must not refund the credit a second time. */
+    /* The return to attract mode must not refund the credit a second time. */
     assert_int_equal(credits(), 1);
 }
 
@@ -221,8 +223,8 @@ static void test_a_free_round_is_not_refunded(void **state)
     assert_int_equal(audit(AUDIT_REFUNDS), 0);
 }
 
-/* A round that ends by unplugging the controller with a full bowl gives neither tickets nor a
- * rank. */
+/* If the controller is unplugged, the round is refunded. It then gives neither tickets nor a rank,
+ * even with a full bowl. */
 static void test_a_refunded_round_is_not_scored(void **state)
 {
     (void)state;
@@ -248,7 +250,7 @@ static void test_a_refunded_round_is_not_scored(void **state)
     hold_at(ABOVE_M);
     press(INPUT_START);
     steps(GAME_READY_TICKS + ROUND_S * CORE_TICK_HZ);
-    /* No new loss occurs, so the next round is played to its end and is not refunded. */
+    /* The controller is not lost again, so the next round is played to its end without a refund. */
     assert_int_equal(core.game.phase, PHASE_RESULT);
     assert_int_equal(purse_entry(&output, newest_record(&output)->id)->kind, LEDGER_ROUND);
     core_scene(&core, &scene);
@@ -283,8 +285,8 @@ static void test_prices_and_tickets_out_of_range_are_rejected(void **state)
     assert_int_equal(core_init(&core, &config), CORE_ERR_RANGE);
 }
 
-/* Inserts random coins at random times. Each coin is part of a credit, and each credit is a round
- * or is still available. */
+/* Inserts random coins at random times. At the end, each coin must be part of a credit or of the
+ * balance, and each credit must be a played round or still available. */
 static void test_every_coin_is_accounted_for_in_a_random_day(void **state)
 {
     (void)state;

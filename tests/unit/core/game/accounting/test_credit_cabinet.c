@@ -1,5 +1,5 @@
-/* test_credit_cabinet.c -- checks a paid kiosk with its cabinet: tickets, the coin lockout, the
- * door, a shake and the operating time. */
+/* test_credit_cabinet.c -- checks a paid kiosk with the devices of its cabinet: tickets, coin
+ * lockout, door switch, tilt switch and operating hours. */
 #include "tests/unit/support/paid_fixture.h"
 #include "core/game/phases.h"
 
@@ -9,7 +9,8 @@ static void test_tickets_count_only_complete_groups_of_own_fish(void **state)
 {
     (void)state;
     play_a_paid_round();
-    /* Five fish give one ticket. 14 fish give two tickets, and the other four fish give none. */
+    /* One ticket is given for five fish. The 14 fish give two tickets, and the other player's four
+     * fish give none. */
     core.game.player[0].caught = 14;
     core.game.player[1].plays = core.game.player[1].out = 1;
     core.game.player[1].caught = 4;
@@ -44,7 +45,8 @@ static void test_coins_are_rejected_while_no_player_can_play(void **state)
     step();
     assert_int_equal(output.coin_lockout, 1);
     assert_int_equal(core.game.accounts.credit.warnings, WARN_NO_POI);
-    /* A second poi is present, but the kiosk is set to one player. */
+    /* A second controller is connected, but the kiosk is set to one player, whose poi is
+     * missing. */
     input.poi[1].link = POI_SOURCE_LIVE;
     step();
     assert_int_equal(output.coin_lockout, 1);
@@ -72,13 +74,12 @@ static void test_an_open_door_warns_and_rejects_coins(void **state)
 static void test_a_shake_warns_for_a_while_and_counts_once(void **state)
 {
     (void)state;
-    /* The tilt switch reports one press, which is gone in the next tick, but the warning must
-     * last. */
+    /* The tilt switch reports only one press. The warning must last for CREDIT_TILT_TICKS. */
     press(INPUT_TILT);
     for (uint32_t i = 0; i < 3; i++) {
         assert_int_equal(core.game.accounts.credit.warnings, WARN_TILT);
         assert_int_equal(output.coin_lockout, 1);
-        /* Shakes during the warning belong to the same shake, so `shakes` stays 1. */
+        /* A shake during the warning counts as the same shake, so `shakes` stays 1. */
         press(INPUT_TILT);
     }
     assert_int_equal(core.game.accounts.credit.shakes, 1);
@@ -108,7 +109,7 @@ static void test_the_final_entry_completes_the_operating_time(void **state)
     assert_in_range(audit(AUDIT_UP_S_MAX), 120, 130);
     assert_int_equal(
         health_log_final(&core.game.accounts, &core.game.health_log, core.game.tick, &input, &last),
-        0); /* Start number 0 means that no store was found, so no final entry is written. */
+        0); /* A start number of 0 means that no store was found, so no final entry is returned. */
     core.game.accounts.ledger.boot = 3;
     const uint64_t hash = core_hash(&core);
     const uint32_t told = audit(AUDIT_UP_S);
@@ -118,7 +119,7 @@ static void test_the_final_entry_completes_the_operating_time(void **state)
     assert_int_equal(last.kind, LEDGER_HEALTH);
     assert_int_equal(last.id, core.game.accounts.ledger.last_id + 1u);
     assert_int_equal(last.boot, 3);
-    /* The audit's seconds and those of the final entry add up to the 130 s since the start. */
+    /* The seconds in the audits and in the final entry add up to the 130 s since the start. */
     assert_int_equal(told + (uint32_t)last.value, 130);
     assert_int_equal(last.health.up_s, 130);
     assert_true(core_hash(&core) == hash);

@@ -1,6 +1,6 @@
-/* test_full_ring.c -- checks a store that is full, failed, late or available only after a while. No
- * button stops the kiosk, no round starts without payment, and paid credits are available after the
- * store recovers. */
+/* test_full_ring.c -- checks a store that is full, has failed, is late or appears later. No button
+ * may stop the kiosk, and no round may start without payment. Paid credits must be available again
+ * when the store works. */
 #include "tests/unit/support/game_fixture.h"
 #include "core/game/accounting/accounts.h"
 #include "core/game/phases.h"
@@ -8,8 +8,7 @@
 #define PRICE 1u
 #define COINS_FOR_A_FULL_RING 40u /* Each coin writes two entries while the ring has room. */
 
-/* Opens a paid kiosk with three modes at its start number `boots`. 0 means that no store was
- * found. */
+/* Opens a paid kiosk with three modes in start number `boots`; 0 means that no store was found. */
 static void open_paid(uint32_t boots)
 {
     const struct core_config config = {
@@ -46,7 +45,7 @@ static void drop_each(uint32_t coins)
     }
 }
 
-/* Makes the store answer again, with all its entries written. */
+/* Lets the store work again, with all entries saved. */
 static void revive_store(void)
 {
     store_is_late = 0;
@@ -104,13 +103,12 @@ static void test_a_full_store_only_delays_the_game(void **state)
         const int plays = core.game.phase == PHASE_READY;
         assert_int_equal(plays, core.game.accounts.ledger.balance.open == PAYMENT_PAID);
         assert_true(plays || core.game.phase == PHASE_MODE_SELECT);
-        /* Long enough for the countdown of a started round, or for the mode selection to time
-         * out. */
+        /* Waits for the countdown of a started round, or for the timeout of the mode selection. */
         steps(GAME_READY_TICKS + RULES_MODE_SELECT_TICKS);
         drop_each(coins);
         input.poi[0].link = POI_SOURCE_ABSENT;
         steps(GAME_LOST_TICKS_MAX + GAME_AGAIN_TICKS);
-        /* The presses leave the result. Then no entry may still wait for room in the ring. */
+        /* These presses leave the result. Afterwards no entry may wait for room in the ring. */
         for (uint32_t i = 0; i < 4; i++) {
             press(INPUT_START | INPUT_OK);
             steps(CORE_TICK_HZ);
@@ -127,7 +125,7 @@ static uint32_t draw(uint32_t *seed, uint32_t below)
     return (*seed >> 16) % below;
 }
 
-/* Presses random buttons with a store that answers sometimes or never. */
+/* Presses random buttons while the store responds only sometimes or never. */
 static void press_random_buttons(uint32_t *seed, uint32_t ticks)
 {
     static const uint32_t buttons[] = { INPUT_START, INPUT_OK,      INPUT_LEFT,    INPUT_RIGHT,
@@ -169,7 +167,7 @@ static void test_a_store_that_appears_late_is_used_after_any_number_of_coins(voi
     open_paid(0);
     drop_each(COINS_FOR_A_FULL_RING);
     assert_int_equal(core.game.accounts.ledger.balance.paid, COINS_FOR_A_FULL_RING);
-    /* No credit is committed, because the store has not saved the newest entry. */
+    /* The store has not saved the newest entry, so no credit is committed. */
     assert_int_equal(ledger_committed_credits(&core.game.accounts.ledger).paid, 0);
     assert_int_equal(output.coin_lockout, 1);
     press(INPUT_START);
@@ -179,7 +177,8 @@ static void test_a_store_that_appears_late_is_used_after_any_number_of_coins(voi
     input.store_well = 1;
     step();
     assert_int_equal(ledger_committed_credits(&core.game.accounts.ledger).paid, 0);
-    /* One new entry carries the balance of all coins that were inserted before. */
+    /* One new entry contains the balance of all coins that were inserted while the ring was
+     * full. */
     assert_true(output.entry_id > before_id);
     assert_int_equal(purse_entry(&output, output.entry_id)->balance.paid, COINS_FOR_A_FULL_RING);
     revive_store();

@@ -1,5 +1,6 @@
-/* test_ledger_range.c -- checks records with a valid checksum and values out of range. The mirror,
- * the database, the replay and the core reject such records, and no id wraps. */
+/* test_ledger_range.c -- checks records with a valid checksum but a value out of range. The
+ * mirror file, the database, the replay and the core must reject them. Entry ids must never wrap
+ * around. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -68,7 +69,8 @@ static struct ledger_entry played(uint32_t id)
 
 /* ---- Each range ------------------------------------------------------------------------------ */
 
-/* Returns a coin with one value out of range. `which` is less than BAD_COIN_COUNT. */
+/* Returns the entry of a coin with one invalid value. `which` (less than BAD_COIN_COUNT) selects
+ * the value. */
 static struct ledger_entry bad_coin(uint32_t which)
 {
     struct ledger_entry entry = coin(2);
@@ -102,8 +104,8 @@ static struct ledger_entry bad_coin(uint32_t which)
 }
 #define BAD_COIN_COUNT 8u
 
-/* Returns a round, or an entry made of a round, with one value out of range. `which` counts from
- * BAD_COIN_COUNT. */
+/* Returns an entry of a round or of a related kind with one invalid value. `which` counts from
+ * BAD_COIN_COUNT and selects the value. */
 static struct ledger_entry bad_round(uint32_t which)
 {
     struct ledger_entry entry = played(2);
@@ -181,12 +183,13 @@ static void test_tickets_refunds_and_open_rounds_have_their_ranges(void **state)
     entry.detail = 0x61;
     entry.value = 0x1f0002;
     assert_true(ledger_entry_is_valid(&entry));
-    entry.detail = 0x6f; /* The low digit of `detail` is the mode, and no mode has the number 15. */
+    /* The low four bits of `detail` are the mode, and mode 15 does not exist. */
+    entry.detail = 0x6f;
     assert_false(ledger_entry_is_valid(&entry));
     entry.detail = 0x61;
-    entry.value = 0x400000; /* The bits of the level hold LEVEL_EASY. */
+    entry.value = 0x400000; /* These bits of `value` are the level, here LEVEL_EASY. */
     assert_true(ledger_entry_is_valid(&entry));
-    entry.value = 0x600000; /* No level has the number 3. */
+    entry.value = 0x600000; /* Level 3 does not exist. */
     assert_false(ledger_entry_is_valid(&entry));
 }
 
@@ -227,8 +230,9 @@ static void test_the_database_returns_no_entry_out_of_range(void **state)
         unlink(path);
         assert_int_equal(ledger_file_open(&file, path, NULL), SQLITE_OK);
         if (entry.kind == LEDGER_ROUND && entry.round.mode >= MODE_COUNT) {
-            entry.round.unscored = 1; /* The ranking asserts a valid mode, because a writer has
-                                         checked it. */
+            /* An unscored round is not passed to the ranking, which asserts that the mode is
+             * valid. */
+            entry.round.unscored = 1;
         }
         assert_int_equal(ledger_file_write(&file, &entry, 1), SQLITE_OK);
         const int code = ledger_file_entry(&file, entry.id, &found);
@@ -239,8 +243,9 @@ static void test_the_database_returns_no_entry_out_of_range(void **state)
 
 /* ---- Aggregates ----------------------------------------------------------------------------- */
 
-/* Each column of the ranking and each state, with a value that Kingyo never writes. `is_read` is
- * set if the value reaches the core unchanged. Other values are clamped or skipped. */
+/* Changes of the database that Kingyo never makes: one for each column of the ranking and of the
+ * stored state. `is_read` is 1 if the changed value reaches the core. Other values are clamped or
+ * skipped. */
 static const struct {
     const char *change;
     int is_read;
@@ -263,8 +268,8 @@ static const struct {
     { "UPDATE audits SET count = -1", 0 },
 };
 
-/* Writes a changed database. A file without checksums passes the check of its aggregates, as a file
- * of an earlier version does. */
+/* Writes a database and applies the change. The checksums are removed, because files of earlier
+ * versions have none. */
 static void write_changed_file(const char *change)
 {
     struct ledger_file file;
@@ -286,8 +291,8 @@ static void write_changed_file(const char *change)
     sqlite3_close(db);
 }
 
-/* Checks one start for each change. With `has_backup`, the backup holds the same values as the
- * database. */
+/* Checks that the store opens for each change. With `has_backup`, the backup file has the same
+ * change. */
 static void expect_a_start_for_each_change(bool has_backup)
 {
     for (size_t i = 0; i < sizeof changes / sizeof changes[0]; i++) {
@@ -310,7 +315,7 @@ static void expect_a_start_for_each_change(bool has_backup)
         const struct core_config config = { .fish_count = 4, .persistent = memory };
         assert_int_equal(core_init(&core, &config), CORE_OK);
         assert_int_equal(memory.ledger.last_id, 1);
-        /* The entries themselves are valid, so their values are still loaded. */
+        /* The ledger entries are valid, so the ranking is rebuilt from them. */
         if (changes[i].is_read) {
             assert_int_equal(memory.ranking.row[MODE_FESTIVAL][RANK_EVER][0].round_id, 1);
             assert_int_equal(memory.ranking.row[MODE_FESTIVAL][RANK_EVER][0].caught, 3);
@@ -348,8 +353,8 @@ static void test_a_database_whose_ids_would_wrap_keeps_its_credits_over_a_restar
         assert_int_equal(ledger_file_write(&file, &first, 1), SQLITE_OK);
         assert_int_equal(ledger_file_write(&file, &last, 1), SQLITE_OK);
         ledger_file_close(&file);
-        for (uint32_t start = 0; start < 2; start++) { /* The second start reads the entries of the
-                                                          first. */
+        /* The second start reads the entries that the first one wrote. */
+        for (uint32_t start = 0; start < 2; start++) {
             storage = (struct storage){ .dir = dir, .by_hand = 1 };
             const struct hal_storage device = storage_device(&storage);
             assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
@@ -382,7 +387,7 @@ static void test_the_core_writes_no_entry_beyond_the_last_id(void **state)
         assert_true(core.game.accounts.ledger.last_id <= LEDGER_ID_MAX);
     }
     assert_int_equal(core.game.accounts.ledger.last_id, LEDGER_ID_MAX);
-    /* A ledger that is not safe closes the coin slot. */
+    /* The coin slot is closed if the ledger is not safe. */
     assert_false(ledger_is_safe(&core.game.accounts.ledger));
 }
 
@@ -416,7 +421,7 @@ static void test_the_core_and_the_replay_reject_a_state_that_is_out_of_range(voi
     bad[11].session.credit.pending_coins[0].owed = UINT32_MAX;
     for (size_t i = 0; i < 12; i++) {
         assert_int_equal(core_init(&core, &bad[i]), CORE_ERR_RANGE);
-        if (i != 4 && i != 5) { /* The encoder cannot write the values of cases 4 and 5. */
+        if (i != 4 && i != 5) { /* The encoder cannot represent the values of cases 4 and 5. */
             const size_t size = replay_initial_state_encode(&bad[i], bytes);
             memset(&back, 0, sizeof back);
             assert_int_equal(replay_initial_state_decode(&back, bytes, size, REPLAY_VERSION), 0);

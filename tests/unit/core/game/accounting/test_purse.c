@@ -1,8 +1,8 @@
-/* test_purse.c -- checks that every acknowledged entry is present exactly once after a power cut at
- * any time.
+/* test_purse.c -- checks that every acknowledged ledger entry is present exactly once after a power
+ * cut at any time.
  *
- * The test computes the expected balance from the coins that it inserted and from the entries on
- * its own simulated disk. */
+ * The test computes the expected balance from the inserted coins and from the entries on a
+ * simulated disk. */
 #include "core/game/accounting/accounts.h"
 #include "core/game/phases.h"
 #include "tests/unit/support/game_fixture.h"
@@ -11,15 +11,16 @@
 #define LOG_MAX 60000u
 #define CUTS 400u
 
-static struct ledger_entry journal[LOG_MAX]; /* Every ledger entry so far, by id. A power cut
-                                                removes the entries that were not on the disk. */
+/* All ledger entries so far, indexed by id. Entries that were not on the disk at a power cut are
+ * overwritten. */
+static struct ledger_entry journal[LOG_MAX];
 static struct disk {
     uint32_t id;   /* Id of the last entry on the disk. */
-    uint32_t told; /* Id of the last entry that the kiosk knows to be stored. */
-    uint32_t ill;  /* Remaining ticks of a store failure. */
+    uint32_t told; /* Id of the newest entry that was reported to the kiosk as saved. */
+    uint32_t ill;  /* Ticks left of a store failure. */
     uint32_t boots;
 } disk;
-/* Value, in coin units, of all coins that were inserted since the last start. */
+/* Value of all coins inserted since the last start, in coin units. */
 static uint32_t fallen;
 static uint32_t drawn;
 
@@ -28,14 +29,15 @@ static uint32_t draw(uint32_t count)
     return (uint32_t)((hash_u32(HASH_START, ++drawn) >> 20) % count);
 }
 
-/* Sums of the entries up to `id`, computed from the entries and not from their balance. */
+/* Sums of the entries up to an id. They are computed from the single entries and not from the
+ * stored balances. */
 struct sum {
     uint32_t units, credits, spent, back, service;
-    uint32_t open; /* Number of rounds without an end entry. */
+    uint32_t open; /* Number of rounds that have begun and not ended. */
 };
 
-/* Returns the number of open rounds after an entry. Each round has one begin entry and one end
- * entry. */
+/* Returns the number of open rounds after an entry of kind `kind`. At most one round may be
+ * open. */
 static uint32_t open_after(uint32_t open, uint8_t kind)
 {
     const int ends = kind == LEDGER_ROUND || kind == LEDGER_REFUND || kind == LEDGER_LEFT;
@@ -67,7 +69,7 @@ static void expect_balance(uint32_t id, const struct balance *balance)
     assert_int_equal(sum.credits + sum.service + sum.back,
                      balance->paid + balance->service + sum.spent);
     assert_int_equal(sum.open, balance->open != PAYMENT_NONE);
-    /* The refunds never exceed the credits that players bought or that SERVICE gave. */
+    /* Refunds must not exceed the credits that were bought or given by SERVICE. */
     assert_true(sum.back <= sum.credits + sum.service);
 }
 
@@ -94,8 +96,8 @@ static void start(void)
     hold_at(ABOVE_M);
 }
 
-/* Reads the entries of one tick. Checks that a credit is spent only after its entry was saved
- * and the game was informed. */
+/* Stores the new entries of a tick. A round may begin only with a credit whose entry was already
+ * reported as saved. */
 static void take_entries(uint32_t before)
 {
     for (uint32_t id = before + 1u; id <= output.entry_id; id++) {
@@ -115,7 +117,8 @@ static void serve_disk(void)
     if (disk.ill == 0 && draw(12) == 0 && disk.id < output.entry_id) {
         disk.id += 1u + draw(output.entry_id - disk.id);
     }
-    if (draw(4) == 0) { /* The store reports the saved entries only in one of four ticks. */
+    /* The store reports saved entries only in one of four ticks on average. */
+    if (draw(4) == 0) {
         disk.told = disk.id;
     }
     input.record_saved_id = disk.told;
@@ -129,7 +132,7 @@ static void live(void)
     const uint32_t lines = draw(40) == 0;
     input.coin_count[0] = lines * draw(4);
     input.coin_count[2] = lines * (draw(3) == 0);
-    /* By default a coin of input 1 is worth one unit and a coin of input 3 five units. */
+    /* By default a coin in input 0 is worth one unit, and a coin in input 2 five units. */
     fallen += input.coin_count[0] + 5u * input.coin_count[2];
     input.pressed = (draw(60) == 0 ? INPUT_START : 0u) | (draw(500) == 0 ? INPUT_SERVICE : 0u);
     input.poi[0].link = draw(300) == 0 ? POI_SOURCE_LOST : POI_SOURCE_LIVE;
@@ -137,8 +140,8 @@ static void live(void)
     take_entries(before);
 }
 
-/* Checks that all coin units inserted since the last start are in a ledger entry or wait for
- * one. */
+/* Checks that all coin units inserted since the last start are in a ledger entry or in the units
+ * that wait for an entry. */
 static void expect_no_coin_lost(uint32_t began)
 {
     uint32_t told = 0, waits = 0;
@@ -170,8 +173,8 @@ static void test_a_power_cut_at_any_tick_neither_loses_nor_repeats_stored_entrie
         begun += core.game.accounts.ledger.balance.open != PAYMENT_NONE;
         behind += disk.id < output.entry_id;
         assert_true(disk.id >= disk.told);
-        if (disk.id > 0) { /* After a power cut, entries that are not on the disk were never
-                              acknowledged. */
+        /* Entries that were not on the disk at a power cut had never been acknowledged. */
+        if (disk.id > 0) {
             const struct balance left = journal[disk.id].balance;
             expect_balance(disk.id, &left);
             open += left.open != PAYMENT_NONE;

@@ -1,19 +1,20 @@
-/* test_refunds.c -- checks when a credit is refunded, that it is refunded at most once, and what a
- * round without a refund keeps. The causes are a lost controller, the operator's menu and a power
- * cut. */
+/* test_refunds.c -- checks when a round's credit is refunded: after the loss of a controller, from
+ * the operator's menu, or after a power cut. A credit is refunded at most once. A round that is not
+ * refunded keeps its score and tickets. */
 #include "core/game/accounting/accounts.h"
 #include "core/game/phases.h"
 #include "tests/unit/support/paid_fixture.h"
 
 #define SPENT_TICKS (2u * ROUND_S * CORE_TICK_HZ / 3u)
-/* Number of fish that the player catches. At five fish a ticket, the player wins two tickets. */
+/* Number of fish that the player catches. One ticket is given for five fish, so 14 fish give
+ * two. */
 #define FISH 14u
 #define TICKETS 2u
 
-static struct ledger_stand stand; /* Sums that the store would compute from all entries. */
+static struct ledger_stand stand; /* Sums of the entries, as the store would compute them. */
 static uint32_t seen_id;
 
-/* Adds the new entries to the aggregates, as the store does. */
+/* Adds the new entries to the sums, as the store does. */
 static void note_entries(void)
 {
     while (seen_id != output.entry_id) {
@@ -29,7 +30,7 @@ static void noted_steps(uint32_t count)
     }
 }
 
-/* Simulates a power cut. All written entries are on disk. */
+/* Simulates a power cut after which all written entries are on the disk. */
 static void cut_power(void)
 {
     static uint32_t boots = 1;
@@ -61,7 +62,7 @@ static int setup_refunds(void **state)
     return 0;
 }
 
-/* Starts a round with the available credit and plays `ticks` of it. */
+/* Starts a round with an available credit and plays the first `ticks` ticks. */
 static void play(uint32_t ticks)
 {
     hold_at(ABOVE_M);
@@ -102,8 +103,8 @@ static void expect_refunded(void)
     assert_int_equal(balance()->open, PAYMENT_NONE);
 }
 
-/* Checks that the round is scored and its credit not refunded. Such a round is the second one of
- * the same credit, or it was nearly over. */
+/* Checks that the round is scored and its credit is not refunded, because the round was nearly over
+ * or the credit was refunded before. */
 static void expect_kept(uint32_t refunds)
 {
     assert_int_equal(audit(AUDIT_REFUNDS), refunds);
@@ -166,7 +167,8 @@ static void test_a_refunded_credit_stays_marked_after_a_restart(void **state)
     lose_controller();
     cut_power();
     assert_int_equal(balance()->returned, PAYMENT_PAID);
-    /* This second credit is not the refunded one, so it can itself be refunded later. */
+    /* This credit was paid with new coins, so it can be refunded although an earlier credit already
+     * was. */
     drop(PRICE);
     assert_int_equal(credits(), 2);
     play(10);
@@ -196,7 +198,7 @@ static void test_a_service_credit_is_refunded_at_most_once(void **state)
     assert_int_equal(audit(AUDIT_REFUNDS), 1);
 }
 
-/* Whenever the controller is lost, the player plays less than two whole rounds for one credit. */
+/* Whenever the controller is lost, one credit must not pay for two whole rounds. */
 static void test_one_credit_pays_for_less_than_two_rounds(void **state)
 {
     for (uint32_t at = 1; at < ROUND_S; at += 3) {
@@ -254,7 +256,7 @@ static void test_repeated_losses_of_a_controller_are_counted(void **state)
     (void)state;
     drop(PRICE);
     play(10);
-    /* A loss of half a second is too short, so the loss after it is still the first one. */
+    /* A loss of half a second does not count, so the next loss is the first. */
     lose_for(CORE_TICK_HZ / 2u);
     lose_for(2u * CORE_TICK_HZ);
     assert_int_equal(audit(AUDIT_LOST_AGAIN), 0);

@@ -1,17 +1,18 @@
-/* test_tickets.c -- checks that each ticket's entry is stored before the dispenser starts, at any
- * time of a power cut. */
+/* test_tickets.c -- checks that the entry of each ticket is stored before the dispenser starts, so
+ * that a power cut never repeats a ticket. */
 #include "core/game/accounting/accounts.h"
 #include "core/game/phases.h"
 #include "tests/unit/support/paid_fixture.h"
 
 #define WON 5u
-#define SYNC_TICKS 7u   /* Delay in ticks until an entry is on disk. */
-#define TOLD_TICKS 10u  /* Delay in ticks until the core receives the id of the stored entry. */
-#define PULSE_TICKS 30u /* Duration of a ticket in the dispenser, in ticks. */
+#define SYNC_TICKS 7u   /* Ticks from the writing of an entry until it is on the disk. */
+#define TOLD_TICKS 10u  /* Ticks until the core gets the id of the stored entry. */
+#define PULSE_TICKS 30u /* Ticks that the dispenser needs for one ticket. */
 #define LOG_MAX 256u
 
 static struct ledger_entry journal[LOG_MAX];
-static uint32_t written_at[LOG_MAX]; /* Tick in which each entry was written. */
+/* Tick in which each entry was written, indexed by id. */
+static uint32_t written_at[LOG_MAX];
 static uint32_t saved_id, told_id, pulses, pulse_ticks, cut_pulses;
 
 static void take_entries(uint32_t before)
@@ -23,7 +24,7 @@ static void take_entries(uint32_t before)
     }
 }
 
-/* Runs one tick with a slow store and a slow dispenser. */
+/* Runs one tick with a slow store and a slow dispenser, which are simulated here. */
 static void slow_step(void)
 {
     const uint32_t before = output.entry_id, asked = output.tickets;
@@ -68,7 +69,7 @@ static int close_tickets(void **state)
     return 0;
 }
 
-/* Plays a round that wins WON tickets, up to the first tick of its result. */
+/* Plays a round that wins WON tickets, until the first tick of the result. */
 static void win(void)
 {
     input.coin_count[0] = PRICE;
@@ -86,8 +87,8 @@ static void win(void)
     assert_int_equal(balance()->tickets, WON);
 }
 
-/* Simulates a power cut. Entries that are not stored are lost, and a ticket whose pulse is running
- * stays inside. */
+/* Simulates a power cut and a new start. Entries that are not stored are lost. A ticket whose pulse
+ * is running is not dispensed. */
 static void cut_power(void)
 {
     struct core_config config = core.config;
@@ -149,7 +150,7 @@ static void test_a_disk_that_stores_nothing_dispenses_no_ticket(void **state)
     slow_steps(GAME_READY_TICKS + 1u);
     core.game.player[0].caught = WON;
     store_is_late = 1;
-    input.store_well = 0; /* The store saves no entry from now on. */
+    input.store_well = 0; /* From now on the store saves nothing. */
     for (uint32_t i = 0; i < (ROUND_S + 60u) * CORE_TICK_HZ; i++) {
         step();
         assert_int_equal(output.tickets, 0);
@@ -168,7 +169,8 @@ static void test_a_ticket_starts_only_after_the_pulse_of_the_previous_one(void *
     store_is_late = 1;
     input.record_saved_id = entry_id;
     for (uint32_t i = 0; i < 10u * CORE_TICK_HZ; i++) {
-        input.tickets_done = 0; /* The dispenser is jammed. */
+        /* The dispenser is jammed, so it never reports a finished ticket. */
+        input.tickets_done = 0;
         step();
         input.record_saved_id = output.entry_id;
         assert_int_equal(output.tickets, 1);
@@ -176,8 +178,8 @@ static void test_a_ticket_starts_only_after_the_pulse_of_the_previous_one(void *
     assert_int_equal(purse_count(&output, LEDGER_TICKET), 1);
 }
 
-/* Cuts the power at every tick of the ticket output, twice in a row. No ticket is repeated, and
- * each cut loses at most one. */
+/* Cuts the power at many moments of the ticket output, twice in a row. No ticket may be dispensed
+ * twice, and each cut may lose at most one. */
 static void test_a_power_cut_at_any_tick_loses_one_ticket_at_most_and_repeats_none(void **state)
 {
     uint32_t missing_cuts = 0;
@@ -202,12 +204,12 @@ static void test_a_power_cut_at_any_tick_loses_one_ticket_at_most_and_repeats_no
         missing_cuts += whole < WON;
     }
     print_message("# in %u of the plays a ticket was missing\n", missing_cuts);
-    /* Unless some power cut fell into the pulse of a ticket, the checks in the loop prove
-     * nothing. */
+    /* At least one power cut must have fallen into the pulse of a ticket. Otherwise the loop above
+     * proved nothing. */
     assert_true(missing_cuts > 0);
 }
 
-/* A kiosk that started without a card has `boot` 0. The card was inserted later. */
+/* The kiosk started without a card, so `boot` is 0. The card was inserted later. */
 static void test_a_late_card_that_stalls_dispenses_no_ticket_before_its_entry_is_saved(void **state)
 {
     (void)state;
@@ -223,7 +225,7 @@ static void test_a_late_card_that_stalls_dispenses_no_ticket_before_its_entry_is
         assert_int_equal(output.tickets, dispensed);
         assert_int_equal(core.game.accounts.ledger.saved_id, told_id);
     }
-    /* The store has not answered for longer than LEDGER_WAIT_TICKS_MAX, so it counts as failed. */
+    /* The store has not responded for more than LEDGER_WAIT_TICKS_MAX, so it counts as failed. */
     assert_true(output.coin_lockout);
 }
 

@@ -1,5 +1,5 @@
-/* test_bot.c -- checks that the bot sees, decides and moves within a person's limits, and that each
- * technique has its effect. */
+/* test_bot.c -- checks that the bot reacts and moves within the limits of a person, and that each
+ * parameter of its technique has an effect. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -30,8 +30,8 @@ static void begin_with(const struct technique *technique, uint32_t seed)
 
 /* ---- Limits of a person --------------------------------------------------------------------- */
 
-/* Checks that the bot's poi never moves faster than an arm can, plus a tremor of at most 1.5 mm at
- * 9 Hz. */
+/* Checks that the bot's poi is never faster than an arm, apart from a tremor of at most 1.5 mm at 9
+ * Hz. */
 static void holds_arm_limits(const struct technique *technique)
 {
     begin_with(technique, 5);
@@ -67,14 +67,15 @@ static void test_the_bot_updates_its_vision_no_oftener_than_a_person(void **stat
         const uint32_t taken = stall.bot.seen.tick;
         bot_stall_tick(&stall);
         if (stall.bot.act_tick != last) {
-            /* 18 to 30 ticks are 150 to 250 ms, the reaction time of a person. */
+            /* The bot acts on a snapshot that is 18 to 30 ticks old (150 to 250 ms), the reaction
+             * time of a person. */
             assert_in_range(stall.bot.seen.tick - taken, 18, 30);
             last = stall.bot.act_tick;
         }
     }
 }
 
-/* The snapshot is never newer than the reaction time. */
+/* The snapshot on which the bot acts must never be newer than the reaction time. */
 static void test_the_bot_acts_on_a_delayed_snapshot(void **state)
 {
     (void)state;
@@ -85,8 +86,8 @@ static void test_the_bot_acts_on_a_delayed_snapshot(void **state)
     }
 }
 
-/* Two games are equal until the target fish disappears in the second one. Both bots move
- * identically for at least 150 ms and differ soon afterwards. */
+/* Copies a game and removes the bot's target fish in the copy. Both bots must move identically for
+ * at least 150 ms (the reaction time) and differently soon afterwards. */
 static void test_the_bot_reacts_to_a_vanished_fish_after_its_reaction_time(void **state)
 {
     (void)state;
@@ -109,7 +110,7 @@ static void test_the_bot_reacts_to_a_vanished_fish_after_its_reaction_time(void 
         assert_true(same_ticks >= 18);
         answers += same_ticks <= 60;
     }
-    /* The other bots had chosen another fish just before this fish vanished. */
+    /* The remaining bots had chosen another fish just before this one disappeared. */
     assert_in_range(answers, 8, 10);
 }
 
@@ -125,7 +126,7 @@ static void test_poi_and_shadow_stay_off_the_water_before_the_start(void **state
     const struct core *core = &stall.core;
     for (uint32_t i = 0; stall.core.game.phase == PHASE_READY; i++) {
         bot_stall_tick(&stall);
-        /* In the first 1.5 s the bot moves from the middle of the tank, at the speed of an arm. */
+        /* In the first 1.5 s the bot moves away from the middle of the tank. */
         if (i > 3u * CORE_TICK_HZ / 2u) {
             const float edge_m = core->world.poi[0].position_m.z - POI_OUTER_RADIUS_M;
             assert_true(edge_m > 0.5f * core->world.tank.size_m.z);
@@ -219,7 +220,7 @@ static void test_wet_sets_the_wet_share_before_the_first_scoop(void **state)
     assert_true(wet_share_at_the_first_dip(0.0f) < 0.02f);
 }
 
-/* Returns the poi's true pitch at the first tick under water of the first scoop. */
+/* Returns the pitch of the poi when it enters the water in the first scoop. */
 static float entry_pitch_deg(float entry_deg)
 {
     struct technique technique = technique_expert;
@@ -253,7 +254,7 @@ static void test_glide_sets_the_angle_between_paper_and_path(void **state)
     }
 }
 
-/* Returns the maximum speed of the rising poi in the first scoops. */
+/* Returns the greatest speed of the rising poi during the first scoops. */
 static float rise_m_s(uint8_t lift)
 {
     struct technique technique = technique_expert;
@@ -292,7 +293,8 @@ static void test_a_chasing_bot_never_waits(void **state)
 
 /* ---- Play ----------------------------------------------------------------------------------- */
 
-/* The thesis criticizes an arcade game for losing one paper with each scoop. */
+/* The 2013 thesis criticizes an arcade game in which each scoop costs one paper. Here careful
+ * scoops must preserve the paper. */
 static void test_one_paper_survives_many_careful_scoops(void **state)
 {
     (void)state;
@@ -311,7 +313,8 @@ static void test_one_paper_survives_many_careful_scoops(void **state)
     assert_true(sheet_left(&stall.core.world.poi[0].sheet) > 0.8f);
 }
 
-/* The bot plays for 20 s in each tank and adapts only to its size, depth and fish count. */
+/* The bot plays for 20 s in each tank. Its technique uses only the tank's size, depth and number of
+ * fish. */
 static void test_the_bot_plays_in_each_tank(void **state)
 {
     (void)state;
@@ -328,7 +331,8 @@ static void test_the_bot_plays_in_each_tank(void **state)
     }
 }
 
-/* Each bot has a bowl and a poi. The bots rarely choose the same fish. */
+/* Two bots play at one tank, each with its own bowl and poi. They should rarely choose the same
+ * fish. */
 static void test_two_bots_rarely_target_the_same_fish(void **state)
 {
     (void)state;

@@ -1,4 +1,5 @@
-/* test_vision.c -- checks that the bot's vision equals the scene throughout a round. */
+/* test_vision.c -- checks that the bot sees exactly what the scene shows to a player, throughout a
+ * round. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -14,7 +15,8 @@
 static struct bot_stall stall;
 static struct scene scene;
 
-/* Starts a festival for two. The second poi rests over the water, and one player holds a fan. */
+/* Starts a festival for two players. The second poi rests over the water, and one player holds a
+ * fan. */
 static void begin(uint32_t seed)
 {
     const struct core_config config = { .seed = seed, .players = 2 };
@@ -78,7 +80,8 @@ static void bowl_is_as_shown(const struct vision *vision, uint32_t index)
     }
 }
 
-/* Outside the ring, where there is no paper, the scene repeats the nearest paper inside. */
+/* Cells outside the ring are not compared. There is no paper, and the scene repeats the nearest
+ * paper. */
 static void paper_is_as_shown(const struct vision *vision)
 {
     const struct scene_poi *poi = &scene.poi[vision->player];

@@ -1,5 +1,5 @@
-/* test_vision_bare.c -- checks that the bot's vision uses only what the scene shows. In a state
- * reduced to the visible members, a bot moves identically. */
+/* test_vision_bare.c -- checks that the bot uses nothing that the scene does not show. All
+ * invisible members of the state are overwritten, and the bot must still move identically. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -16,15 +16,16 @@
 #include "core/tank/behavior/surface_breathing.h"
 #include "tests/unit/support/bot_stall.h"
 
-/* Byte with which the test fills memory. A float of these bytes is 12, an int is 10^9, and a byte
- * is 65. */
+/* Byte with which invisible members are overwritten. Such bytes give a float of 12, an int of 10^9
+ * or a byte of 65. */
 #define NONSENSE 0x41
 
 static struct bot_stall stall;
 static struct core bare;
 static struct scene scene, other_scene;
 
-/* Starts a festival for two. The second poi rests over the water, and one player holds a fan. */
+/* Starts a festival for two players. The second poi rests over the water, and one player holds a
+ * fan. */
 static void begin(uint32_t seed)
 {
     const struct core_config config = { .seed = seed, .players = 2 };
@@ -36,7 +37,7 @@ static void begin(uint32_t seed)
     bot_stall_begin(&stall);
 }
 
-/* Member of a struct that the scene shows unchanged. */
+/* A member of a struct that the scene shows unchanged. */
 struct member {
     size_t offset, size;
 };
@@ -102,7 +103,8 @@ static void keep(void *to, const void *from, const struct member *parts, size_t 
 }
 #define KEEP(to, from, parts) keep(to, from, parts, COUNT(parts))
 
-/* Keeps the visible state of a fish: its position, and whether the fish gulps. */
+/* Copies only the visible state of a fish: its position, and whether the fish gulps at the
+ * surface. */
 static void keep_fish(struct fish *fish, const struct fish *from)
 {
     KEEP(fish, from, fish_parts);
@@ -112,8 +114,8 @@ static void keep_fish(struct fish *fish, const struct fish *from)
     fish->air = gulps ? (uint8_t)AIR_GULPS : fish->air;
 }
 
-/* Keeps only the visible state of a poi. The scene shows that a player controls the poi, but not
- * which player. It shows the water as a depth, and wetness and damage in 255 steps each. */
+/* Copies only the visible state of a poi. The scene shows whether some player controls the poi. It
+ * shows the water as a depth, and wetness and damage in 255 steps. */
 static void keep_poi(struct poi *poi, const struct poi *from)
 {
     KEEP(poi, from, poi_parts);
@@ -128,7 +130,7 @@ static void keep_poi(struct poi *poi, const struct poi *from)
     }
 }
 
-/* Keeps only the visible state of a bowl. The scene shows its water and its fish together as one
+/* Copies only the visible state of a bowl. The scene shows its water and fish together as one
  * level. */
 static void keep_bowl(struct bowl *bowl, const struct bowl *from)
 {
@@ -152,7 +154,8 @@ static void keep_tank(struct tank *tank, const struct tank *from)
            sizeof from->water.height_m[newest]);
 }
 
-/* Fills all members that the scene does not show with NONSENSE. */
+/* Makes a reduced copy of the core: visible members are copied, and all others are filled with
+ * NONSENSE. */
 static void bare_of(struct core *core, const struct core *from)
 {
     memset(core, NONSENSE, sizeof *core);
@@ -165,8 +168,8 @@ static void bare_of(struct core *core, const struct core *from)
     }
 }
 
-/* Compares field by field where the struct has padding. The scene of the reduced state must be
- * identical. */
+/* Compares the scenes of the complete and the reduced state. Structs with padding are compared
+ * member by member. */
 #define SAME_SCENE(field) (memcmp(&scene.field, &other_scene.field, sizeof scene.field) == 0)
 
 static int bowls_and_fans_look_the_same(void)
@@ -230,8 +233,8 @@ static void test_a_reduced_state_gives_the_same_scene(void **state)
     }
 }
 
-/* Changes a member so much that the change must be visible: a byte, which is a flag or a kind, or a
- * word, which is a time or a length. */
+/* Changes a member so much that the scene must change: every float or int of it, or else the
+ * byte. */
 static void change(void *of, const struct member *part)
 {
     unsigned char *const at = (unsigned char *)of + part->offset;
@@ -244,7 +247,7 @@ static void change(void *of, const struct member *part)
     }
 }
 
-/* Returns whether the scene changes when one member of a reduced state changes. */
+/* Returns 1 if the scene changes when one member of the reduced state changes. */
 static int shows(void *of, const struct member *part)
 {
     change(of, part);
@@ -262,17 +265,19 @@ static void each_shows(void *of, const struct member *parts, size_t count, uint3
 #define EACH_SHOWS(of, parts, seen) each_shows(of, parts, COUNT(parts), seen)
 #define ALL_OF(parts) ((1u << COUNT(parts)) - 1u)
 
-/* Otherwise the reduced state would contain a member that is not needed. */
+/* Each copied member must be visible. Otherwise the bot would get data that a player does not
+ * see. */
 static void test_every_kept_member_of_a_reduced_state_changes_the_scene(void **state)
 {
     (void)state;
     static const uint8_t phases[] = { PHASE_ROUND, PHASE_MODE_SELECT };
     uint32_t core = 0, player = 0, fish = 0, poi = 0, bowl = 0, shade = 0;
     begin(8);
-    stall.core.world.tank.fish[3].age_days = 80.0f; /* The colour of this fish still changes. */
+    /* At this age the colour of a fish still changes. */
+    stall.core.world.tank.fish[3].age_days = 80.0f;
     stall.core.config.modes = 1u << MODE_FESTIVAL | 1u << MODE_PRACTICE;
-    /* A sheet asserts that it has no more cells than when it was new. change() must not break
-     * this. */
+    /* The sheet asserts that it has no more cells than when it was new. The maximum is raised,
+     * because change() increases the number of cells. */
     stall.core.world.poi[0].sheet.paper_cells_new = 0x7f0000u;
     for (size_t i = 0; i < sizeof phases; i++) {
         stall.core.game.phase = phases[i];

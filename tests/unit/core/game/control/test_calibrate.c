@@ -1,5 +1,6 @@
-/* test_calibrate.c -- checks the calibration of a simulated poi with its own coordinate frame. The
- * error is at most 1 mm over the whole tank, and invalid marks are rejected. */
+/* test_calibrate.c -- checks the calibration of a simulated poi that measures in its own coordinate
+ * frame. After calibration the error must be at most 1 mm in the whole tank. Invalid marks must be
+ * rejected. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -89,8 +90,8 @@ static void test_calibration_corrects_any_frame_within_1_mm(void **state)
     assert_true(worst_rad < WITHIN_RAD);
 }
 
-/* The person holds the poi up to 5 mm beside each mark, on each axis. The error of the calibration
- * is at most 1.5 times as large. */
+/* The operator holds the poi up to 5 mm beside each mark, in each axis. The calibration's error may
+ * be at most 1.5 times as large. */
 static void test_calibration_averages_small_errors_at_the_marks(void **state)
 {
     (void)state;
@@ -171,7 +172,7 @@ static void test_invalid_marks_are_rejected_with_a_reason(void **state)
         swap_corners(&said, frame % 2u, frame % 2u + 2u);
         assert_int_equal(judge(&said), CALIBRATION_MIRRORED);
         said = good;
-        /* All four marks lie on one line, so that no rotation can be computed. */
+        /* All marks are on one line, so no calibration can be computed. */
         for (uint32_t i = 0; i < CALIBRATE_CORNERS; i++) {
             said.corner_m[i] = v3_scale(v3(1.0f, 0.0f, 0.4f), (float)i);
         }

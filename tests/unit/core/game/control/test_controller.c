@@ -1,5 +1,5 @@
-/* test_controller.c -- checks which source controls the poi, and the limits of position and
- * speed. */
+/* test_controller.c -- checks which source (a controller or a bot) moves a poi, and the limits of
+ * the poi's position and speed. */
 #include "core/game/control/controller.h"
 #include "core/game/phases.h"
 #include "tests/unit/support/game_fixture.h"
@@ -35,7 +35,8 @@ static void test_a_round_ends_when_the_controller_stays_lost(void **state)
 static void test_a_new_controller_moves_the_poi_without_a_jump(void **state)
 {
     (void)state;
-    steps(200); /* During these ticks a bot moves the poi, because no player is present. */
+    /* Without a player, a bot moves the poi during these ticks. */
+    steps(200);
     input.poi[0].link = POI_SOURCE_LIVE;
     input.poi[0].target.position_m = v3(0.20f, 0.08f, 0.10f);
     press(INPUT_START);
@@ -43,11 +44,11 @@ static void test_a_new_controller_moves_the_poi_without_a_jump(void **state)
     for (uint32_t i = 0; i < 160; i++) {
         step();
         const vec3 now = core.game.control[0].hand_pose.position_m;
-        /* 12 mm per tick of 1/120 s is 1.4 m/s. */
+        /* 12 mm per tick is 1.4 m/s. */
         assert_true(v3_length(v3_sub(now, last)) < 0.012f);
         last = now;
     }
-    /* The poi has reached the player's position and follows it without delay. */
+    /* The poi has reached the player's position and now follows without delay. */
     assert_float_equal(last.x, 0.20f, 0.0f);
     assert_float_equal(last.z, 0.10f, 0.0f);
 }
@@ -62,7 +63,8 @@ static void test_no_poi_enters_the_water_before_the_round(void **state)
     }
     step();
     float last_m = core.game.control[0].hand_pose.position_m.y;
-    for (uint32_t i = 0; i < 150u; i++) { /* The poi is then lowered gradually and not dropped. */
+    /* The poi must be lowered gradually. */
+    for (uint32_t i = 0; i < 150u; i++) {
         step();
         assert_true(last_m - core.game.control[0].hand_pose.position_m.y < 0.004f);
         last_m = core.game.control[0].hand_pose.position_m.y;
@@ -90,7 +92,7 @@ static void test_any_pose_is_limited_to_the_reach(void **state)
     for (size_t i = 0; i < sizeof wild / sizeof wild[0]; i++) {
         input.poi[0].target.position_m = v3(wild[i], wild[(i + 1) % 8], wild[(i + 2) % 8]);
         input.poi[0].target.angles = (struct angles){ wild[i], wild[(i + 3) % 8], -wild[i] };
-        /* After these ticks the poi has moved from the old to the new controller. */
+        /* 400 ticks are enough for the poi to move from the old controller to the new one. */
         for (uint32_t tick = 0; tick < 400; tick++) {
             core_tick(&core, &input, &output);
         }
@@ -146,8 +148,8 @@ static void test_torn_paper_stays_visible_after_the_controller_is_removed(void *
     steps(GAME_GONE_TICKS / 2u);
     assert_int_equal(core.game.phase, PHASE_ROUND);
     steps(2);
-    assert_int_equal(core.game.phase, PHASE_RESULT); /* The game does not wait for a player who is
-                                                        out. */
+    /* The player is out of the round, so the game does not wait for the controller. */
+    assert_int_equal(core.game.phase, PHASE_RESULT);
 }
 
 static void test_a_nan_pose_is_a_lost_controller(void **state)

@@ -1,5 +1,6 @@
-/* test_failsafe.c -- checks that the failsafe motions of a poi are too slow to tear wet paper of
- * the weakest grade, with and without immunity. */
+/* test_failsafe.c -- checks the automatic motions of a poi whose controller is lost or returns.
+ * They must be too slow to tear wet paper of the weakest grade, even without the disabled
+ * damage. */
 #include "tests/unit/support/poi_fixture.h"
 
 #include "core/game/control/controller.h"
@@ -15,7 +16,7 @@ static void soak_half(struct sheet *sheet)
     sheet->soaked = 0;
 }
 
-/* Starts at rest at `at_m` with an angle and with half-wet paper, which is the worst case. */
+/* Places the poi at rest at `at_m`, with half-wet paper, which tears most easily. */
 static void begin(vec3 at_m, struct angles angles)
 {
     fixture_init(&fixture, SHEET_GRADE_MAX, 9);
@@ -99,7 +100,7 @@ static void test_a_poi_catches_up_with_a_moving_controller(void **state)
     struct poi_target wanted = { .position_m = v3(0.2f, -0.05f, 0.0f) };
     uint32_t ticks = 1;
     for (; !controller_failsafe_is_returned(hand, wanted, ticks); ticks++) {
-        /* The target moves at 0.5 m/s, faster than the poi at the beginning of its return. */
+        /* The player's target moves on at 0.5 m/s while the poi returns to it. */
         wanted.position_m.x += 0.5f * CORE_TICK_S;
         hand = controller_failsafe_return(hand, wanted, ticks);
         assert_true(ticks < 6u * CORE_TICK_HZ);
@@ -118,8 +119,8 @@ static void test_turns_take_the_short_way_round(void **state)
     }
 }
 
-/* A moving poi decelerates to rest after the loss. The deceleration is too small to make a fish on
- * level paper slide. */
+/* A poi that loses its controller must decelerate to rest. The deceleration must be so small that a
+ * fish on level paper does not slide. */
 static void test_a_poi_lost_in_motion_comes_to_rest_softly(void **state)
 {
     (void)state;

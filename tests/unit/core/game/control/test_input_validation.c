@@ -1,5 +1,5 @@
-/* test_input_validation.c -- checks which controller poses are valid, on both sides of each
- * limit. */
+/* test_input_validation.c -- checks which controller poses are accepted as valid, just inside and
+ * just outside each limit. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -37,8 +37,8 @@ static void expect_for(uint32_t ticks, enum input_status verdict)
     }
 }
 
-/* Checks that the input is lost now and valid again after exactly a quarter of a second of
- * consistent poses. */
+/* Checks that the input is lost now, and that it becomes valid again after exactly a quarter of a
+ * second of consistent poses. */
 static void expect_lost_and_found(void)
 {
     assert_int_equal(validation.verdict, INPUT_LOST);
@@ -126,8 +126,8 @@ static void test_a_jump_of_1_m_invalidates_the_input_until_it_stays(void **state
     expect_lost_and_found();
 }
 
-/* At 60 frames a second the kiosk divides the motion of a frame between two ticks, so a jump of
- * 1 m may arrive as two steps. */
+/* A frame has two ticks and the kiosk divides its motion between them. A jump of the controller
+ * thus arrives as two steps of half the size. */
 static void test_a_jump_spread_over_two_ticks_invalidates_the_input(void **state)
 {
     (void)state;
@@ -139,7 +139,7 @@ static void test_a_jump_spread_over_two_ticks_invalidates_the_input(void **state
     expect_lost_and_found();
 }
 
-/* The mouse pointer may leave the window at one side and return at the opposite side. */
+/* A mouse pointer may leave the window at one side and enter at another. */
 static void test_a_pointer_may_jump(void **state)
 {
     (void)state;
@@ -161,7 +161,7 @@ static void test_a_missed_report_is_valid_and_a_larger_jump_is_not(void **state)
     assert_int_equal(tick(), INPUT_LOST);
 }
 
-/* Returns 1 if the input stays valid for half a second while it moves at `pace_m_s`. */
+/* Returns 1 if the input stays valid while it moves at `pace_m_s` for half a second. */
 static int is_valid_at(float pace_m_s)
 {
     int believed = 1;
@@ -173,8 +173,8 @@ static int is_valid_at(float pace_m_s)
     return believed;
 }
 
-/* Returns 1 if the input stays valid although some frames get no report and the next frame gets
- * two, as happens with 60 reports and 60 frames a second. */
+/* Returns 1 if the input stays valid although some frames get no report and the next frame two
+ * reports. This happens with 60 reports and 60 frames per second. */
 static int is_valid_with_uneven_reports(float pace_m_s)
 {
     int believed = 1;
@@ -206,11 +206,12 @@ static void test_a_fast_turn_is_valid_and_a_flip_is_not(void **state)
     }
     hand.target.angles.roll_rad += 0.55f;
     expect_for(5, INPUT_VALID);
-    /* A sudden turn of 0.70 rad (40 degrees) is over the limit, but 0.55 rad above was not. */
+    /* A turn of 0.70 rad (40 degrees) in one tick is over the limit. The turn of 0.55 rad above was
+     * within the limit. */
     hand.target.angles.roll_rad += 0.70f;
     assert_int_equal(tick(), INPUT_LOST);
     expect_lost_and_found();
-    /* Whole turns give the same orientation, so this is no jump. */
+    /* Ten additional full turns give the same orientation, so this is no jump. */
     hand.target.angles.roll_rad += 20.0f * F_TAU;
     assert_int_equal(tick(), INPUT_VALID);
 }
@@ -283,8 +284,8 @@ static void silence(uint32_t ticks)
     hand.age_ticks = 0;
 }
 
-/* After a delay, the kiosk passes only the newest pose and sets `has_gap`, because the poses in
- * between are unknown. */
+/* After a delay the kiosk passes only the newest pose. `has_gap` means that the poses before it are
+ * unknown. */
 static void test_motion_that_the_kiosk_did_not_observe_is_followed_slowly(void **state)
 {
     (void)state;
@@ -295,7 +296,7 @@ static void test_motion_that_the_kiosk_did_not_observe_is_followed_slowly(void *
     assert_true(input_validation_blend(&validation) < 0.05f);
     hand.has_gap = 0;
     expect_for(20, INPUT_VALID);
-    /* The same motion without `has_gap` is faster than an arm can move. */
+    /* Without `has_gap` the same motion counts as too fast for an arm, so the input is lost. */
     hand.target.position_m.x += 1.2f;
     assert_int_equal(tick(), INPUT_LOST);
 }
@@ -305,15 +306,16 @@ static void test_motion_during_late_reports_is_valid(void **state)
     (void)state;
     expect_for(10, INPUT_VALID);
     silence(50);
-    /* The 1.2 m that the hand moved meanwhile arrive in two steps, as a frame has two ticks. */
+    /* The controller moved by 1.2 m while its reports were late. This motion arrives in two steps,
+     * because a frame has two ticks. */
     hand.target.position_m.x += 0.6f;
     assert_int_equal(tick(), INPUT_VALID);
     hand.target.position_m.x += 0.6f;
     expect_for(20, INPUT_VALID);
 }
 
-/* After a gap, the poi follows the missed motion as fast as the hand moved, so it catches up in
- * three quarters of the gap's duration. */
+/* After late reports, the poi follows the missed motion at 4/3 of its original speed. It catches up
+ * in three quarters of the gap's duration. */
 static void test_missed_motion_is_followed_in_three_quarters_of_its_time(void **state)
 {
     for (uint32_t period = 1; period <= INPUT_SILENT_TICKS; period += period < 13 ? 1u : 7u) {
@@ -351,8 +353,7 @@ static void test_missed_motion_beyond_the_reach_of_an_arm_invalidates_the_input(
 {
     (void)state;
     expect_for(10, INPUT_VALID);
-    /* An arm can move at most 1 m in these 30 ticks (0.25 s), so the following 1.5 m are an
-     * error. */
+    /* In 30 ticks (0.25 s) an arm moves at most 1 m. A motion of 1.5 m is therefore a fault. */
     silence(30);
     hand.target.position_m.x += 1.5f;
     tick();
@@ -381,7 +382,7 @@ static void test_random_bits_give_a_status_and_valid_poses_are_finite(void **sta
         for (uint32_t k = 0; k < 8; k++) {
             words[k] = rng_u32((struct rng_key){ 3, i / 40u, k, RNG_TEST });
         }
-        /* The random bits stay the same for some ticks, because otherwise no input would become
+        /* The random bits stay the same for some ticks. Otherwise no input would ever become
          * valid. */
         if (i % 40u == 0 || words[0] % 5u == 0) {
             memcpy(&hand.target, words, sizeof hand.target);

@@ -1,8 +1,9 @@
-/* test_lost_hand.c -- checks that a controller fault in the middle of a scoop tears no paper and
- * pauses the round.
+/* test_lost_hand.c -- checks that a controller fault during a scoop pauses the round and tears no
+ * paper.
  *
- * The round uses the festival tank and the weakest paper: deep in the water or with a fish, dry,
- * wet and half wet, each kind of fault, with a noisy sensor and a pointer. */
+ * The test combines two devices (a noisy sensor and a pointer), two places (deep in the water,
+ * and carrying a fish), three states of the weakest paper (dry, wet, half wet) and each kind of
+ * fault. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -46,19 +47,19 @@ struct scene_of {
 static struct core core;
 static struct input input;
 static struct output output;
-static vec3 hand_m;    /* True position of the person's hand. */
-static float roll_rad; /* True roll of the person's hand. */
+static vec3 hand_m;    /* True position of the player's controller, in m. */
+static float roll_rad; /* True roll of the player's controller. */
 static enum device device;
-static uint32_t still_ticks; /* Number of ticks in which the round's clock was paused. */
+static uint32_t still_ticks; /* Number of ticks in which the round's clock was stopped. */
 
-/* ---- A person ------------------------------------------------------------------------------- */
+/* ---- A player with a working controller ----------------------------------------------------- */
 
 static float tremble(uint32_t what)
 {
     return rng_range((struct rng_key){ 11, core.game.tick, what, RNG_TEST }, -5e-5f, 5e-5f);
 }
 
-/* Reports the pose of a working controller: a hand that moves a little. */
+/* Reports the true pose: the controller sways slowly and trembles. */
 static void report_true_pose(void)
 {
     const float sway_m_s = core.game.tick / 240u % 2u ? 0.04f : -0.04f;
@@ -119,7 +120,7 @@ static void soak(struct sheet *sheet, enum wetness wetness)
     sheet->soaked = wetness == WET;
 }
 
-/* Lifts the ring under a fish, which lies on the ring afterwards. */
+/* Lifts the ring under a fish, so that the poi carries the fish. */
 static void take_a_fish(void)
 {
     struct fish *fish = &core.world.tank.fish[0];
@@ -160,7 +161,8 @@ static void begin(const struct scene_of *of)
 
 /* ---- Faults --------------------------------------------------------------------------------- */
 
-/* Sets the controller's report `tick` ticks after the fault began. Returns 0 after the fault. */
+/* Writes the controller's report `tick` ticks after the fault began. Returns 1 while the fault
+ * lasts. */
 static int report_fault(enum fault fault, uint32_t tick)
 {
     struct poi_input *poi = &input.poi[0];
@@ -168,7 +170,8 @@ static int report_fault(enum fault fault, uint32_t tick)
     const struct poi_input before = *poi;
     report_true_pose();
     switch (fault) {
-    case JUMP: /* The jump is permanent: the hand stays 1 m away. */
+    /* The jump is permanent: the true position is now 1 m away. */
+    case JUMP:
         hand_m.x += tick == 0 ? (hand_m.x > 0.0f ? -1.0f : 1.0f) : 0.0f;
         report_true_pose();
         return tick < 1;
@@ -185,8 +188,9 @@ static int report_fault(enum fault fault, uint32_t tick)
         *poi = before;
         poi->age_ticks = age;
         return tick < 200;
-    case STUCK: /* A sensor reports this fault. For a pointer, the fault cannot be detected and
-                   counts as no fault. */
+    /* The sensor repeats the same values. For a pointer this is no fault, because a resting mouse
+     * does the same. */
+    case STUCK:
         *poi = before;
         return tick < 300;
     case NOT_A_NUMBER:
@@ -197,15 +201,15 @@ static int report_fault(enum fault fault, uint32_t tick)
         poi->target.angles.roll_rad += F_PI;
         poi->target.angles.pitch_rad -= 1.0f;
         return tick < 6;
-    case TURN: /* The turn is permanent. */
+    /* The turn is permanent. */
+    case TURN:
         roll_rad += tick == 0 ? 1.2f : 0.0f;
         report_true_pose();
         return tick < 1;
     case TURN_AND_BACK:
         poi->target.angles.pitch_rad += 1.0f;
         return tick < 3;
-    /* The reports stop, but for less than the timeout. The next report is 20 cm from the last
-     * one. */
+    /* The reports stop for less than the timeout. The next report is 20 cm away. */
     case LATE_BURST:
         *poi = before;
         poi->age_ticks = age;
@@ -234,8 +238,8 @@ static float damage_sum(void)
     return sum;
 }
 
-/* Returns 1 if the scene keeps the fish so long on wet paper that its slaps may tear the paper
- * without any fault. */
+/* Returns 1 if the fish lies on wet paper for so long that its slaps may tear the paper even
+ * without a fault. */
 static int may_slap(const struct scene_of *of)
 {
     const int is_long = of->fault == STUCK || of->fault == LATE_BURST || of->fault == SILENCE ||
@@ -244,7 +248,7 @@ static int may_slap(const struct scene_of *of)
 }
 
 /* Checks every tick from the fault until the player controls the poi again. While damage is
- * disabled, the paper must not change by a single bit. */
+ * disabled, no bit of the paper may change. */
 static void check_fault(const struct scene_of *of)
 {
     static float damage[SHEET_CELL_COUNT];
@@ -266,24 +270,25 @@ static void check_fault(const struct scene_of *of)
             !controller_is_lost(&core.world, 0) && core.game.control[0].return_ticks == 0;
         leads = is_led && !broken;
         if (poi->damage_immune) {
-            assert_true(v3_length(output.poi[0].force_n) == 0.0f); /* The force feedback is off. */
+            /* No force feedback while the controller is lost. */
+            assert_true(v3_length(output.poi[0].force_n) == 0.0f);
             assert_memory_equal(poi->sheet.damage, damage, sizeof damage);
         } else {
-            /* While the player controls the poi, wear is permitted. */
+            /* While the player controls the poi, the paper may wear. */
             memcpy(damage, poi->sheet.damage, sizeof damage);
-            /* If slaps may tear the paper in this scene, the number of cells is not compared. */
+            /* If the fish's slaps may tear the paper, the cells are not compared. */
             cells = may_slap(of) ? poi->sheet.paper_cells : cells;
         }
         assert_true(poi->damage_immune || !loses_the_hand(of) || leads || broken);
         assert_int_equal(poi->sheet.paper_cells, cells);
         assert_true(tick < 1200);
     } while (!leads);
-    /* The round's clock was paused in exactly the ticks in which the controller was lost. */
+    /* The clock was stopped in exactly the ticks in which the controller was lost. */
     assert_int_equal(still_ticks, lost_ticks);
     assert_int_equal(lost_ticks > 0, loses_the_hand(of));
-    /* After the fault TURN the ring stands on its edge, so the fish may slide off. */
+    /* After a permanent turn (TURN) the ring stands on its edge, so the fish may slide off. */
     if (of->fault != TURN) {
-        /* A fish that was carried before the fault is still on the paper, and no fish was added. */
+        /* A fish that was carried is still on the paper, and no other fish is. */
         assert_int_equal(poi->carried_count, of->place == CARRYING);
     }
     if (of->fault == SPIKE && of->device == SENSOR) {
@@ -291,22 +296,22 @@ static void check_fault(const struct scene_of *of)
     }
 }
 
-/* Checks that the paper is not strained after the fault: neither the moving water nor the spring of
- * the poi hits it later. */
+/* Checks that the fault does not damage the paper later, for example by moving water or by the
+ * spring that pulls the poi. */
 static void check_aftermath(const struct scene_of *of)
 {
     const uint32_t cells = core.world.poi[0].sheet.paper_cells;
     const float before = damage_sum();
     if (of->place == CARRYING) {
-        /* After any fault, the slaps of a carried fish may tear the wet paper, so neither cells
-         * nor wear are compared. */
+        /* The slaps of a carried fish may tear the wet paper, so nothing is compared. */
         return;
     }
     wait(120);
     assert_int_equal(core.world.poi[0].sheet.paper_cells, cells);
-    /* After a jump, the poi moves to a position at the wall, where more wear is permitted. */
+    /* After a permanent jump the poi moves through the water to the wall, so more wear is
+     * allowed. */
     assert_true(damage_sum() - before < (of->fault == JUMP ? 0.05f : 1e-3f));
-    /* After a jump, the hand is beyond the wall, where the poi cannot follow. */
+    /* After a permanent jump the true position is beyond the wall, where the poi cannot go. */
     assert_true(v3_length(v3_sub(core.world.poi[0].position_m, hand_m)) < 0.05f ||
                 of->fault == JUMP);
 }
@@ -334,12 +339,11 @@ static void test_no_controller_fault_tears_paper_in_any_place(void **state)
 
 /* ---- Pose errors below the limits ----------------------------------------------------------- */
 
-/* A faulty pose that is too high by some centimetres, or turned by some degrees, for some ticks.
- * The error may also stay. */
+/* A small error of the reported pose: some centimetres or degrees, for some ticks or
+ * permanently. */
 struct stray {
     float up_m, aside_m, roll_rad, pitch_rad;
-    /* True if the error is so small that the core must accept the wrong pose as the new true
-     * pose. */
+    /* 1 if the error is so small that a permanent error must be accepted as the new true pose. */
     int may_stay;
 };
 
@@ -363,7 +367,7 @@ static void stray_for(const struct stray *stray, uint32_t ticks)
     }
 }
 
-/* Checks each faulty pose. Each check begins with the poi at rest deep in the water. */
+/* Checks each error of the pose. Each check begins with the poi at rest deep in the water. */
 static void check_strays(const struct core *from, enum wetness wetness, uint8_t grade)
 {
     static const uint32_t lasts[] = { 1, 2, 3, 6, 8, 300 };
@@ -372,7 +376,7 @@ static void check_strays(const struct core *from, enum wetness wetness, uint8_t 
         for (size_t k = 0; k < sizeof lasts / sizeof lasts[0]; k++) {
             const int turns = strays[i].roll_rad != 0.0f || strays[i].pitch_rad != 0.0f;
             if ((lasts[k] > 8u && !strays[i].may_stay) || (turns && device == POINTER)) {
-                /* A pointer reports no orientation, so an error of its angles has no effect. */
+                /* A pointer reports no angles, so errors of the angles have no effect. */
                 continue;
             }
             core = *from;
@@ -431,8 +435,8 @@ static void test_a_fish_carried_during_a_fault_can_be_landed_and_counts(void **s
     }
 }
 
-/* From a distance of 20 cm under water, the poi returns within 1.5 s and at the speed of a glide at
- * most. */
+/* When the controller returns, the poi is 20 cm away under water. It must reach the controller's
+ * position within 1.5 s and must not move faster than a careful player. */
 static void test_the_poi_glides_back_without_a_jump(void **state)
 {
     (void)state;
@@ -455,7 +459,7 @@ static void test_the_poi_glides_back_without_a_jump(void **state)
     assert_true(v3_length(v3_sub(core.world.poi[0].position_m, hand_m)) < 0.02f);
 }
 
-/* The poi of an absent player must not block other players for long. */
+/* The poi of an absent player must leave the water soon, because it would block other players. */
 static void test_a_lost_poi_leaves_the_water(void **state)
 {
     (void)state;
@@ -479,7 +483,7 @@ static void test_a_lost_poi_leaves_the_water(void **state)
     assert_true(core.world.poi[0].immersed <= 0.0f);
 }
 
-/* The cases are corners, walls, the floor and the bowl's side, at any angle. */
+/* The poi starts in corners, at walls, on the floor or at the bowl, at different angles. */
 static void test_a_lost_poi_leaves_the_water_from_any_position(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_parking.c -- checks that the poi of a player who is out is parked, and that every unused poi
- * has its own visible place on the rim. */
+/* test_parking.c -- checks that the poi of a player who is out is parked on the tank's rim, and
+ * that every unused poi has its own visible parking place. */
 #include "tests/unit/support/core_fixture.h"
 
 #include "core/game/control/controller.h"
@@ -30,7 +30,7 @@ static void play(uint32_t players)
     ticks(10);
 }
 
-/* Projects a point to screen coordinates from -1 to 1. */
+/* Projects a point of the world to screen coordinates from -1 to 1. */
 static void project(vec3 at_m, float *x, float *y)
 {
     const struct view *view = &tank_preset(core.world.tank.preset)->view;
@@ -41,8 +41,8 @@ static void project(vec3 at_m, float *x, float *y)
     *y = seen.y / (-seen.z * tan_y);
 }
 
-/* Returns point `nth` of a poi. The last of the SIGHTS points is the end of the handle, and all
- * other points lie on the outer edge of the ring. */
+/* Returns point number `nth` of a poi whose ring is at `ring_m`. The last of the SIGHTS points is
+ * the end of the handle, the others are on the outer edge of the ring. */
 static vec3 sight_of(vec3 ring_m, uint32_t nth)
 {
     const float angle = F_TAU * (float)nth / (float)(SIGHTS - 1u);
@@ -57,9 +57,9 @@ static void expect_in_the_picture(vec3 ring_m)
         float x = 0.0f, y = 0.0f;
         project(sight_of(ring_m, i), &x, &y);
         assert_true(f_abs(x) < 0.995f);
-        /* The text along the screen's lower edge ends at y = -0.8. */
+        /* The lowest part of the screen (y < -0.8) is covered by text. */
         assert_true(y > -0.8f);
-        /* The name plates along the screen's upper edge begin at y = 0.78. */
+        /* The highest part of the screen (y > 0.78) is covered by name plates. */
         assert_true(y < 0.78f);
     }
 }
@@ -109,7 +109,7 @@ static void test_pois_are_parked_before_the_start_and_after_the_end(void **state
     (void)state;
     const struct core_config config = { .seed = 4, .players = 4, .round_s = 10 };
     open_core(&config);
-    ticks(700); /* In attract mode a bot plays with the first poi. */
+    ticks(700); /* In attract mode, a bot plays with the first poi. */
     bots(4);
     press(INPUT_START);
     ticks(GAME_READY_TICKS - 10u);
@@ -142,15 +142,14 @@ static void test_a_poi_without_paper_is_parked_and_the_others_play(void **state)
     play(2);
     lead(0, v3(0.1f, BELOW_M, 0.1f));
     tear_all(0);
-    /* The torn poi stays in place for half a second (60 ticks), so that the player sees the
-     * hole. */
+    /* A torn poi stays in place for half a second (60 ticks), so that the player sees the hole. */
     ticks(60);
     assert_true(apart_m(core.world.poi[0].position_m, v3(0.1f, 0.0f, 0.1f)) < 0.03f);
     ticks(3u * CORE_TICK_HZ);
     expect_put_away(0, 2);
     assert_false(look()->player[1].out);
     assert_true(apart_m(core.world.poi[1].position_m, v3(-0.1f, 0.0f, 0.1f)) < 0.01f);
-    /* A parked poi ignores the player's new position. */
+    /* A parked poi ignores its player's input. */
     input.poi[0].target.position_m = v3(-0.1f, BELOW_M, -0.1f);
     ticks(200);
     expect_put_away(0, 2);
@@ -166,7 +165,8 @@ static void lift_fish(void)
         .position_m = v3(0.1f, -0.038f, 0.1f), .length_m = 0.04f, .stamina = 0.5f, .gait = GAIT_REST
     };
     tank_stage_all(&core.world.tank, &stage, 1);
-    for (uint32_t i = 0; i < 132u; i++) { /* The motion is slow, at 0.1 m/s. */
+    /* Lifts the poi slowly, at 0.1 m/s. */
+    for (uint32_t i = 0; i < 132u; i++) {
         input.poi[0].target.position_m.y += 0.1f * CORE_TICK_S;
         tick();
     }
@@ -195,10 +195,10 @@ static void test_a_slap_ends_when_its_fish_is_released(void **state)
     for (uint32_t i = 0; i < 4u * CORE_TICK_HZ; i++) {
         struct carried_fish *carried = &core.world.poi[0].carried_fish[0];
         if (core.world.poi[0].carried_count > 0 && carried->state == CARRIED_LYING) {
-            carried->slap_s = 0.02f; /* The fish slaps in every tick until it is released. */
+            carried->slap_s = 0.02f; /* Makes the fish slap in every tick until it is released. */
             carried->slap_n = 0.02f;
         }
-        /* The slap of a fish that was already released would fail an assertion in this tick. */
+        /* A slap of a released fish would fail an assertion in this tick. */
         tick();
         slapped = slapped || core.world.poi[0].slap_count > 0;
     }
@@ -228,7 +228,7 @@ static void test_a_poi_parks_and_returns_without_a_jump(void **state)
     vec3 last_m = core.world.poi[0].position_m;
     for (uint32_t i = 0; i < 600u; i++) {
         tick();
-        /* The poi is not moved faster than 1.2 m/s, which is 10 mm in a tick of 1/120 s. */
+        /* 10 mm per tick is 1.2 m/s, the greatest speed of a parking poi. */
         assert_true(v3_length(v3_sub(core.world.poi[0].position_m, last_m)) < 0.010f);
         last_m = core.world.poi[0].position_m;
     }

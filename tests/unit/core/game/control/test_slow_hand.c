@@ -1,5 +1,5 @@
-/* test_slow_hand.c -- checks that paper wears equally with a slow, late or loosely connected
- * controller. */
+/* test_slow_hand.c -- checks that a slow, late or loosely connected controller does not protect the
+ * paper from wear. */
 #include "tests/unit/support/core_fixture.h"
 
 #define SWING_M 0.025f
@@ -7,8 +7,8 @@
 #define DEEP_M (-0.05f)
 
 static struct tally {
-    uint32_t torn_tick; /* Tick of the round in which the first cell tore. 0 means that no cell
-                           tore. */
+    /* Tick of the round in which the first cell tore; 0 means that no cell tore. */
+    uint32_t torn_tick;
     uint32_t damage_immune, paused, spared_in_play;
 } tally;
 
@@ -32,8 +32,8 @@ static int begin(void **state)
     return 0;
 }
 
-/* Returns the true position of the hand, which swings vertically under water with the paper
- * broadside. */
+/* Returns the true position of the controller at a tick. It moves up and down under water, with the
+ * paper broadside. */
 static vec3 hand_at(uint32_t tick_of_play)
 {
     const float turns = SWING_HZ * CORE_TICK_S * (float)tick_of_play;
@@ -52,8 +52,8 @@ static void play_tick(uint32_t i)
     }
 }
 
-/* Returns the number of ticks until the paper tears. The controller sends a report every `period`
- * ticks, or at uneven intervals of 4 to 50 ticks. */
+/* Returns after how many ticks the paper tears. The controller sends a report every `period` ticks,
+ * or at uneven intervals of 4 to 50 ticks if `period` is 0. */
 static uint32_t lasts_at(uint32_t period)
 {
     uint32_t next = 0, age = 0;
@@ -94,7 +94,7 @@ static void test_repeated_late_reports_give_no_protection(void **state)
     assert_true(lasts > 0);
 }
 
-/* Disconnects the controller for a tick in each `period`, so that the poi returns again and
+/* Disconnects the controller for one tick in each `period`, so that the poi must return again and
  * again. */
 static void play_with_a_loose_plug(uint32_t period, uint32_t ticks_max)
 {

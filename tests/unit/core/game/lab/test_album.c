@@ -1,4 +1,5 @@
-/* test_album.c -- checks that each catch is recorded and grows up after the round. */
+/* test_album.c -- checks the album: each caught fish is recorded, and its page shows how the fish
+ * grows up. */
 #include "tests/unit/support/game_fixture.h"
 
 #include "core/game/lab/lab.h"
@@ -63,14 +64,14 @@ static void test_the_album_stores_the_player_of_each_fish(void **state)
     assert_int_equal(core.game.album.fish[1].owner, 0);
 }
 
-/* The album keeps the state in which the fish was caught first. */
+/* The album keeps the state of a fish at its first catch. */
 static void test_a_fish_is_recorded_once_in_its_caught_state(void **state)
 {
     (void)state;
     play_into_round();
     const float age_days = core.world.tank.fish[5].age_days;
     land(5, 0);
-    /* The fish was poured back and is caught again at another age, which the album must ignore. */
+    /* The fish was poured back and is caught again at another age. The album must not change. */
     core.world.tank.fish[5].gait = GAIT_SWIM;
     core.world.tank.fish[5].age_days = 9999.0f;
     land(5, 0);
@@ -95,7 +96,8 @@ static void test_each_life_runs_from_hatching_to_the_last_key(void **state)
         const struct scene_grown now = page()->fish[0];
         assert_true(now.progress >= before);
         before = now.progress;
-        /* The first frame in which `is_caught` is set shows the length at the catch. */
+        /* `is_caught` is set from the moment at which the film reaches the fish's length at the
+         * catch. */
         if (now.is_caught && !met) {
             assert_float_equal(now.length_m, now.caught_length_m, 0.03f * now.caught_length_m);
             met = 1;
@@ -103,7 +105,7 @@ static void test_each_life_runs_from_hatching_to_the_last_key(void **state)
     }
     assert_true(met);
     assert_float_equal(page()->fish[0].progress, 1.0f, 1e-3f);
-    /* The smaller fish begins to grow later in the film, so its life is not complete yet. */
+    /* In the film, the smaller fish begins to grow later, so its life is not complete yet. */
     assert_true(page()->fish[1].progress < 1.0f);
 }
 
@@ -146,7 +148,7 @@ static void test_start_and_a_dip_begin_another_round(void **state)
         } else {
             dip();
         }
-        /* A kiosk with one mode skips the mode selection. */
+        /* This kiosk has only one mode, so there is no mode selection. */
         assert_int_equal(core.game.phase, PHASE_READY);
         assert_int_equal(core.game.album.fish_count, 0);
     }

@@ -1,10 +1,10 @@
-/* test_lab.c -- checks the growth lab by inputs alone: a poi, a mouse or buttons. */
+/* test_lab.c -- checks the growth lab through inputs only: a poi, a mouse or buttons. */
 #include "tests/unit/support/lab_fixture.h"
 
 #include "core/base/rng.h"
 #include "tests/unit/support/newest_record.h"
 
-/* ---- In and out ----------------------------------------------------------------------------- */
+/* ---- Opening and leaving the lab ------------------------------------------------------------ */
 
 static void test_a_kiosk_with_only_the_lab_opens_the_lab(void **state)
 {
@@ -13,12 +13,12 @@ static void test_a_kiosk_with_only_the_lab_opens_the_lab(void **state)
     assert_int_equal(scene.lab.species_count, species_table_count);
     tap(LAB_LEAVE);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
-    press(INPUT_START); /* The lab is the kiosk's only mode, so START opens it again. */
+    press(INPUT_START); /* START opens the lab again, because it is the kiosk's only choice. */
     assert_int_equal(core.game.phase, PHASE_LAB);
 }
 
-/* The poi continues to move down for some ticks after the lab has closed. This motion must not
- * count as a dip that opens the lab again. */
+/* The dip on LEAVE continues downward for some ticks after the lab has closed. This motion must not
+ * count as a new dip, which would open the lab again. */
 static void test_a_poi_that_keeps_sinking_after_leaving_opens_nothing(void **state)
 {
     (void)state;
@@ -47,13 +47,12 @@ static void test_a_dip_in_the_mode_selection_opens_the_lab(void **state)
         press(INPUT_RIGHT);
     }
     assert_int_equal(look()->choice, CHOICE_LAB);
-    /* Scores are stored by mode, so the lab is a choice without a mode and shows the tank of
-     * practice. */
+    /* The lab is a choice but not a mode, because scores are stored by mode. While the lab is
+     * selected, the tank of practice mode is shown. */
     assert_int_equal(scene.mode, MODE_PRACTICE);
     press(INPUT_RIGHT);
     assert_int_equal(look()->choice, MODE_FESTIVAL);
-    /* x = 0.40 m lies in the rightmost quarter of the tank, which selects the fourth choice:
-     * the lab. */
+    /* x = 0.40 m is in the rightmost quarter of the tank, over the fourth choice, the lab. */
     dip(0, 0.40f, 0.0f);
     assert_int_equal(core.game.phase, PHASE_LAB);
 }
@@ -74,7 +73,8 @@ static void test_the_dip_that_opens_the_lab_presses_no_part(void **state)
     assert_int_equal(look()->lab.template_id, TEMPLATE_OWN);
     assert_int_equal(scene.lab.playing, 1);
     come_up();
-    go_down(); /* The next dip is a new one, so this time the part under the poi is pressed. */
+    /* This is a new dip, so it presses the part of the page under the poi. */
+    go_down();
     assert_int_equal(look()->lab.template_id, TEMPLATE_SMOOTH);
 }
 
@@ -102,7 +102,7 @@ static void test_a_minute_without_input_closes_the_lab(void **state)
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
-/* A poi that swings on its cord moves but never presses, so the lab closes after
+/* A poi that swings on its cord moves but presses nothing. The lab must close after
  * LAB_SWING_TICKS. */
 static void test_a_swinging_poi_does_not_keep_the_lab_open(void **state)
 {

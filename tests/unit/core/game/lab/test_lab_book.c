@@ -1,5 +1,5 @@
-/* test_lab_book.c -- checks that the hash of the species book depends on each number of a card and
- * of a graph. */
+/* test_lab_book.c -- checks that the hash of the species book (the loaded species and edited
+ * graphs) depends on each of its numbers. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

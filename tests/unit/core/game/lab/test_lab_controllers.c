@@ -1,4 +1,5 @@
-/* test_lab_controllers.c -- Tests how a mouse and a poi select and hold parts of the growth lab. */
+/* test_lab_controllers.c -- tests how a mouse and a poi select and hold parts of the growth lab's
+ * page. */
 #include "tests/unit/support/lab_fixture.h"
 
 /* For any shape of the window, the pointer selects the part under it. */
@@ -63,7 +64,7 @@ static void test_parts_do_not_overlap_and_lie_on_the_canvas(void **state)
             }
             assert_true(box.x >= 0.0f && box.x + box.width <= canvas.x);
             assert_true(box.y >= 0.0f && box.y + box.height <= canvas.y);
-            /* 40 units of the canvas are high enough for a wet finger on a touch screen. */
+            /* 40 units of the canvas are large enough for a finger on a touch screen. */
             assert_true(box.height >= 40.0f);
             for (uint32_t b = a + 1u; b < LAB_PRESSED_COUNT; b++) {
                 const struct layout_box other = lab_box(upright, keys, (enum lab_part)b);
@@ -91,14 +92,14 @@ static void test_a_lost_controller_releases_its_part(void **state)
     assert_int_equal(core.game.lab.holds, HOLD_NOTHING);
     assert_int_equal(look()->lab.has_hand, 0);
     hover(middle_of(LAB_STAGE));
-    input.poi[0].target.position_m.x = 0.0f / 0.0f; /* A NaN pose counts as an absent controller and
-                                                       causes no crash. */
+    /* A NaN pose must count as an absent controller. */
+    input.poi[0].target.position_m.x = 0.0f / 0.0f;
     tick();
     assert_int_equal(look()->lab.has_hand, 0);
 }
 
-/* Both controllers press their buttons when the first one is lost and when it returns, but the
- * part stays with the controller that holds it. */
+/* A part is held by one controller. The other controller presses too while the first one is lost
+ * and found again, but must not get the part. */
 static void test_a_held_part_never_jumps_to_another_controller(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_lab_edit.c -- checks that a graph stays valid after any edit: ascending knots, weights >= 0
- * and a sum of 1. */
+/* test_lab_edit.c -- checks that a morph graph stays valid after any edit: the knots ascend, no
+ * weight is negative, and the weights of a knot sum to 1. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -58,7 +58,7 @@ static void test_the_neighbours_share_the_rest_equally_if_the_others_are_zero(vo
     assert_float_equal(weight[1], 0.4f, 1e-6f);
     assert_float_equal(weight[2], 0.3f, 1e-6f);
     memset(weight, 0, sizeof edit.graph.knots[1].weight);
-    /* The first key has only one neighbour, so that neighbour gets the whole remaining weight. */
+    /* The first key has only one neighbour, which gets the whole remaining weight. */
     weight[0] = 1.0f;
     lab_edit_weigh(&edit, card->key_count, 1, 0, 0.4f);
     assert_float_equal(weight[1], 0.6f, 1e-6f);
@@ -122,7 +122,7 @@ static void test_a_curve_has_two_to_twelve_knots(void **state)
     while (lab_edit_remove(&edit, 0.5f)) {
     }
     assert_int_equal(edit.graph.knot_count, 2);
-    /* 0.001 is too near to the first knot at 0, so no knot is added. */
+    /* 0.001 is too close to the first knot (at 0), so no knot is added. */
     assert_int_equal(lab_edit_add(&edit, card->key_count, 0.001f), LAB_NO_KNOT);
 }
 
@@ -162,8 +162,8 @@ static void test_ten_thousand_random_edits_leave_a_valid_graph(void **state)
         } else if (bits >> 28 == 2u) {
             lab_edit_remove(&edit, b);
         }
-        /* Otherwise graph_check() would also require that the graph solves the card's
-         * constraint. */
+        /* graph_check() also requires that the shapes can be solved if `solved` is set. Random
+         * weights may not allow this. */
         edit.graph.solved = 0;
         assert_int_equal(graph_check(&edit.graph, card->key_count).fault, GRAPH_GOOD);
         for (uint32_t k = 0; k < edit.graph.knot_count; k++) {
@@ -172,8 +172,8 @@ static void test_ten_thousand_random_edits_leave_a_valid_graph(void **state)
     }
 }
 
-/* Checks that rounding errors do not accumulate. The bound is a third of the tolerance of
- * graph_check(), and the card has the maximum number of keys. */
+/* Rounding errors must not accumulate over many edits. The limit is a third of the tolerance of
+ * graph_check(). */
 static void test_weights_sum_to_one_after_any_edit(void **state)
 {
     (void)state;
@@ -214,8 +214,8 @@ static void test_the_first_edit_makes_the_growth_curve_custom(void **state)
     assert_true(lab_edit_is_valid(&edit, card));
 }
 
-/* The knots exist before the first edit, so selecting a knot changes no length. The exception is
- * the conger's least length, which is up to 3 % flatter between two knots. */
+/* Selecting a knot creates a custom size curve through all knots. If no knot is moved, no length
+ * may change. Only near the conger's least length, the custom curve differs by up to 3 %. */
 static void test_a_size_knot_that_is_not_moved_changes_no_length(void **state)
 {
     (void)state;
@@ -243,8 +243,8 @@ static void test_a_size_knot_that_is_not_moved_changes_no_length(void **state)
     }
 }
 
-/* The conger's least length of 56.0 mm is no key. The minimum is between the shrinking
- * leptocephalus and the young eel. */
+/* The conger's least length (56.0 mm) is not at a key, but between the shrinking larva and the
+ * young eel. */
 static void test_the_conger_keeps_its_least_length_with_a_custom_curve(void **state)
 {
     (void)state;
@@ -292,7 +292,7 @@ static void test_a_book_with_an_invalid_card_or_graph_is_rejected(void **state)
     book.cards[0].key_length_m[1] = -1.0f;
     assert_false(lab_book_is_valid(&book));
     book.cards[0] = *card;
-    /* The id fills its whole array, so that its terminating zero byte is missing. */
+    /* The id has no terminating zero byte. */
     memset(book.cards[0].id, 'x', sizeof book.cards[0].id);
     assert_false(lab_book_is_valid(&book));
     book.cards[0] = *card;
@@ -306,7 +306,8 @@ static void test_a_book_with_an_invalid_card_or_graph_is_rejected(void **state)
     assert_false(lab_book_is_valid(&book));
 }
 
-/* Each case makes one value of a valid card invalid, as a disk error or manipulation may do. */
+/* Each case makes one value of a valid card invalid, as a disk error or a manipulated file may
+ * do. */
 #define SPOIL(name, what)                                                                          \
     static void name(struct species_card *c)                                                       \
     {                                                                                              \

@@ -1,4 +1,4 @@
-/* test_lab_graph.c -- Tests how the growth lab edits and saves a growth graph. */
+/* test_lab_graph.c -- tests how the growth lab edits and saves a morph graph. */
 #include "tests/unit/support/lab_fixture.h"
 
 static void test_a_dragged_knot_always_keeps_the_constraint(void **state)
@@ -31,8 +31,8 @@ static void test_a_dragged_knot_always_keeps_the_constraint(void **state)
     assert_int_equal(scene.lab.is_kept, 0);
 }
 
-/* OK selects the next species while the poi holds a knot. From then on the poi holds no knot,
- * so its motion edits no graph. */
+/* OK selects the next species while the poi holds a knot. The poi must then release the knot, so
+ * that its motion does not edit the graph of the next species. */
 static void test_a_page_change_does_not_move_a_held_knot(void **state)
 {
     (void)state;
@@ -102,13 +102,14 @@ static void test_a_required_knot_is_not_removed(void **state)
     assert_in_range(core.game.lab.edit.graph.knot_count, 3, card()->key_count);
 }
 
-/* If knots of several keys coincide, the knot of the selected curve is chosen. */
+/* If the knots of several keys are in one place, a press takes the knot of the selected key's
+ * curve. */
 static void test_the_selected_curve_has_priority_among_knots_in_one_place(void **state)
 {
     (void)state;
     tap(LAB_PAIRWISE);
     for (uint32_t key = 0; key < card()->key_count; key++) {
-        /* Key 2 uses knot 3, because it has no knot of its own at the place of knot 2. */
+        /* Key 2 has no own knot at the place of knot 2, so knot 3 is used. */
         const uint32_t knot = key == 2 ? 3u : 2u;
         tap((enum lab_part)(LAB_KEY + key));
         struct layout_point at = knot_at(knot, key);
@@ -158,17 +159,19 @@ static void test_a_saved_graph_is_stored_acknowledged_and_present_on_return(void
     assert_int_equal(look()->lab.keeping, LAB_SAVED);
     assert_int_equal(scene.lab.is_kept, 1);
     tap(LAB_NEXT);
-    /* LAB_NOT_SAVED is the state of the selected species alone. */
+    /* The other species is also not saved. LAB_NOT_SAVED belongs only to the selected species. */
     assert_int_equal(look()->lab.keeping, LAB_NOT_SAVED);
     tap(LAB_BACK);
     assert_memory_equal(&core.game.lab.edit, &made, sizeof made);
     tap(LAB_RESET);
     tap(LAB_SAVE);
     assert_int_equal(output.edit.id, 2);
-    assert_int_equal(output.edit.is_own, 1); /* The custom graph is deleted. */
+    /* `is_own` orders the store to delete the custom graph. */
+    assert_int_equal(output.edit.is_own, 1);
 }
 
-/* Without a store, or with a full store, the failure is shown and a later attempt may succeed. */
+/* Without a store, or with a full store, the page must show that saving failed. A later attempt may
+ * succeed. */
 static void test_a_failed_save_is_reported(void **state)
 {
     (void)state;
@@ -184,7 +187,7 @@ static void test_a_failed_save_is_reported(void **state)
     tap(LAB_SAVE);
     assert_int_equal(output.edit.id, 2);
     input.edit_saved_id = 2;
-    /* `edit_refused` belongs to a later save. Save 2 itself was written, so the page shows
+    /* `edit_refused` reports the failure of a later save. Save 2 was written, so the page shows
      * success. */
     input.edit_refused = 1;
     tick();
@@ -205,7 +208,8 @@ static void test_the_lab_starts_with_the_graphs_of_the_book(void **state)
     open_core(&config);
     assert_int_equal(look()->lab.template_id, TEMPLATE_ORDINARY);
     assert_int_equal(scene.lab.species_count, species_table_count + 1u);
-    tap(LAB_BACK); /* LAB_BACK wraps from the first species to the last one, the custom card 'x'. */
+    /* LAB_BACK leads from the first species to the last one, the custom species 'x'. */
+    tap(LAB_BACK);
     assert_int_equal(look()->lab.card.id[0], 'x');
     config.book.edits[0].graph.knots[0].weight[0] = 0.5f;
     assert_int_equal(core_init(&core, &config), CORE_ERR_RANGE);

@@ -1,5 +1,6 @@
-/* test_menu.c -- checks the operator's menu: two buttons or a poi reach every page, no round runs
- * behind it, no coin in it gives a credit, and each command is sent once. */
+/* test_menu.c -- checks the operator's menu. Two buttons or a poi must reach every page. No round
+ * may run behind the menu, no coin inserted in it may give a credit, and each command must be sent
+ * once. */
 #include "tests/unit/support/menu_fixture.h"
 #include "tests/unit/support/newest_record.h"
 
@@ -10,7 +11,7 @@ static void test_test_opens_the_menu_immediately_outside_a_round(void **state)
     (void)state;
     press(INPUT_TEST);
     assert_int_equal(core.game.phase, PHASE_MENU);
-    /* The press that opens the menu must not also activate the first tag. */
+    /* The press of TEST that opens the menu must not also activate the first tag of the page. */
     assert_int_equal(menu()->page, MENU_TOP);
     setup(state);
     play_into_result();
@@ -27,7 +28,8 @@ static void test_test_in_a_round_asks_first_and_one_press_ends_nothing(void **st
     assert_true(menu_is_asking(&core.game));
     steps(MENU_ASK_TICKS);
     assert_false(menu_is_asking(&core.game));
-    /* The question of the first press has timed out, so the second press asks again. */
+    /* The confirmation requested by the first press has timed out. The second press requests a new
+     * one. */
     press(INPUT_TEST);
     assert_int_equal(core.game.phase, PHASE_ROUND);
     assert_true(menu_is_asking(&core.game));
@@ -62,7 +64,7 @@ static void test_the_question_does_not_carry_over_to_the_next_round(void **state
 static void test_the_last_tag_of_the_menu_reopens_the_kiosk(void **state)
 {
     (void)state;
-    push(INPUT_LEFT); /* The selection wraps around to the last tag. */
+    push(INPUT_LEFT); /* LEFT leads from the first tag to the last tag, which leaves the menu. */
     assert_int_equal(pointed(), leave());
     push(INPUT_TEST);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
@@ -72,8 +74,7 @@ static void test_an_idle_menu_closes_itself(void **state)
 {
     (void)state;
     steps(MENU_IDLE_TICKS / 2u);
-    /* The press counts as the presence of a person, so the time until the menu closes begins
-     * again. */
+    /* The press shows that a person is present, so the menu's timeout starts again. */
     push(INPUT_SERVICE);
     steps(MENU_IDLE_TICKS - 2u * MENU_TAKE_TICKS);
     assert_int_equal(core.game.phase, PHASE_MENU);
@@ -112,10 +113,10 @@ static void test_service_adds_no_credit_in_the_menu(void **state)
     assert_int_equal(purse_audit(&core, AUDIT_CREDITS_SERVICE), 0);
 }
 
-/* Opens each page that a tag opens with TEST and SERVICE alone, and leaves it by its last tag. */
+/* Opens every page with TEST and SERVICE alone, and leaves it by its last tag. */
 static void test_two_buttons_reach_every_page_and_return(void **state)
 {
-    /* Bit mask of the reached pages. Pages to which no tag leads are set at once, because other
+    /* Reached pages, as a bit mask. Pages that no tag opens are set at the start, because other
      * tests open them. */
     uint32_t seen = 1u << MENU_TOP;
     for (uint8_t page = 1; page < MENU_PAGE_COUNT; page++) {
@@ -134,7 +135,7 @@ static void test_two_buttons_reach_every_page_and_return(void **state)
             seen |= 1u << way[i - 1u];
         }
         for (uint32_t i = 0; i <= depth && core.game.phase == PHASE_MENU; i++) {
-            push(INPUT_LEFT); /* LEFT wraps from the first enabled tag to the last one. */
+            push(INPUT_LEFT); /* LEFT leads from the first enabled tag to the last one. */
             while (pointed() != menu_tag_count(menu()->page) - 1u) {
                 push(INPUT_SERVICE);
             }
@@ -171,7 +172,8 @@ static void test_a_coin_on_the_lines_page_is_a_test_coin_and_only_metered(void *
     core.config.credit_coins = 1;
     static struct scene scene;
     go_to_lines();
-    /* With a closed slot no coin would reach the coin mechanism, and it could not be tested. */
+    /* The coin slot must be open on this page. Otherwise no coin would reach the coin mechanism
+     * that is tested. */
     assert_int_equal(output.coin_lockout, 0);
     for (uint32_t i = 0; i < 5; i++) {
         drop(1);
@@ -179,15 +181,14 @@ static void test_a_coin_on_the_lines_page_is_a_test_coin_and_only_metered(void *
     core_scene(&core, &scene);
     assert_int_equal(scene.menu.test_coins, 5);
     assert_int_equal(core.game.accounts.ledger.balance.units + purse_credits(&core), 0);
-    /* The meter counts the test coins, because they fall into the cash box. */
+    /* Test coins fall into the cash box, so the coin meter counts them. */
     assert_int_equal(output.coins_counted, 5);
     push(INPUT_TEST);
     assert_int_equal(menu()->page, MENU_DEVICES);
     assert_int_equal(output.coin_lockout, 1);
 }
 
-/* The coin slot is closed on other pages. A coin that is inserted anyway is the operator's test
- * coin. */
+/* On other pages the coin slot is closed. A coin that is inserted anyway counts as a test coin. */
 static void test_other_pages_reject_coins_and_an_inserted_one_is_a_test_coin(void **state)
 {
     (void)state;
@@ -209,7 +210,8 @@ static void test_other_pages_reject_coins_and_an_inserted_one_is_a_test_coin(voi
     }
 }
 
-/* A coin in the tick in which the page changes is counted once by the meter and the audits. */
+/* If a coin falls in the tick in which the page changes, the meter and the audits must count it
+ * once. */
 static void test_a_test_coin_in_the_tick_of_a_page_change_counts_once(void **state)
 {
     (void)state;
@@ -217,7 +219,7 @@ static void test_a_test_coin_in_the_tick_of_a_page_change_counts_once(void **sta
     for (uint32_t i = 1; i <= 60u; i++) {
         menu_turn(&core.game.menu, &core.game, &core.config.persistent.settings,
                   i % 20u < 10u ? MENU_DEVICES : MENU_LINES);
-        /* In every tenth tick TEST opens or leaves the page LINES while a coin falls. */
+        /* In every tenth tick a coin falls while TEST opens or leaves the page LINES. */
         if (i % 10u == 0) {
             core.game.menu.tag[MENU_DEVICES] = (uint8_t)menu_tag_of(MENU_LINES);
             input.pressed = INPUT_TEST;
@@ -236,8 +238,7 @@ static void test_the_lines_page_shows_inputs_and_only_test_leaves_it(void **stat
     static struct scene scene;
     uint16_t before[INPUT_BUTTON_COUNT];
     go_to_lines();
-    /* The counters may include presses from before the page opened. The test checks only by how
-     * much each counter grows. */
+    /* The counters may contain earlier presses, so the test checks only how much they increase. */
     memcpy(before, menu()->pressed_count, sizeof before);
     const uint32_t shown = INPUT_START | INPUT_OK | INPUT_LEFT | INPUT_RIGHT | INPUT_TILT;
     input.held = shown;

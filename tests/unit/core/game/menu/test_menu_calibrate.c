@@ -1,5 +1,5 @@
-/* test_menu_calibrate.c -- checks the menu's page that calibrates a poi: the marks, undo, the
- * all-or-nothing result after a power cut, and the effect on a catch. */
+/* test_menu_calibrate.c -- checks the menu page that calibrates a poi: the marks, undo, and the
+ * effect on catching fish. After a power cut, the calibration must be complete or absent. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -75,7 +75,8 @@ static void take(uint32_t tag)
     push(INPUT_TEST);
 }
 
-/* Holds the true pose, distorted by the simulated device, with a tremor of 1 mm. */
+/* Holds the poi at the true pose `at` with a tremor of 1 mm. The core gets the pose in the
+ * coordinates of the simulated device. */
 static void hold_true(struct poi_target at, uint32_t ticks)
 {
     for (uint32_t i = 0; i < ticks; i++) {
@@ -97,7 +98,7 @@ static void open_page(void)
     assert_int_equal(menu()->page, MENU_CALIBRATION);
 }
 
-/* Calibrates with the poi alone, without a button between two marks. */
+/* Calibrates the poi by moving it from mark to mark, without a button. */
 static void lead_through(struct poi_target water)
 {
     for (uint32_t i = 0; i < CALIBRATE_CORNERS; i++) {
@@ -131,8 +132,7 @@ static void test_a_calibration_visits_each_mark_and_applies_immediately(void **s
     hold_true(at, 60);
     const vec3 off_m =
         v3_sub(stall.core.game.control[0].validation.newest.position_m, at.position_m);
-    /* The limit of 4 mm includes the tremor of 1 mm, so the calibration itself errs by at most
-     * 3 mm. */
+    /* The error is below 4 mm, of which 1 mm is the tremor. */
     assert_true(v3_length(off_m) < 0.004f);
 }
 
@@ -153,7 +153,7 @@ static void test_each_calibration_value_is_a_ledger_entry(void **state)
             entry->value,
             stall.core.config.persistent.settings.value[input_calibration_setting(0) + i]);
     }
-    /* The entry with the check value comes after the entries of all calibration values. */
+    /* The last entry is the check value, which marks the calibration as complete. */
     const struct ledger_entry *check = &stall.output.entries[stall.output.entry_id % LEDGER_RING];
     assert_int_equal(check->detail | check->count << 8, input_calibration_check_setting(0));
     assert_true(settings_edit_is_saved(&stall.core.game.accounts.ledger,
@@ -161,8 +161,8 @@ static void test_each_calibration_value_is_a_ledger_entry(void **state)
                                        &stall.core.config.persistent.settings));
 }
 
-/* Returns the settings that are on the disk if the power is cut after a number of entries since
- * `before`. */
+/* Returns the settings that are stored if the power is cut after `count` of the entries that follow
+ * entry `before_id`. */
 static struct settings settings_cut_after(const struct settings *before, uint32_t before_id,
                                           uint32_t count)
 {
@@ -176,8 +176,8 @@ static struct settings settings_cut_after(const struct settings *before, uint32_
     return left;
 }
 
-/* Cuts the power before the first entry, after the last and between each two. The result is the
- * whole old calibration, the whole new one or none. */
+/* Simulates a power cut before the first entry, between any two entries and after the last one. The
+ * stored calibration must then be the old one, the new one or none, but never a mixture. */
 static void expect_no_patchwork(const struct settings *before, uint32_t before_id)
 {
     const struct settings now = stall.core.config.persistent.settings;
@@ -199,8 +199,9 @@ static void expect_no_patchwork(const struct settings *before, uint32_t before_i
         torn += (uint32_t)input_calibration_is_torn(&left, 0);
         assert_false(input_calibration_is_torn(&left, 0) && (i == 0 || i == count));
     }
-    /* Of the count - 1 cuts between two entries, at most one leaves no incomplete calibration:
-     * that of a removal whose last value is already gone. */
+    /* The cuts between two entries must leave an incomplete calibration, which is detected and not
+     * used. At most one cut is excepted: during a removal, the last cut may leave no calibration at
+     * all. */
     assert_true(torn >= count - 2u);
 }
 
@@ -214,7 +215,7 @@ static void test_an_incomplete_calibration_after_a_power_cut_is_not_used(void **
     take(CALIBRATE_BEGIN);
     lead_through((struct poi_target){ 0 });
     hold_true(aside, CORE_TICK_HZ);
-    /* Here the power cuts fall into the first calibration of the poi. */
+    /* Power cuts during the first calibration of the poi. */
     expect_no_patchwork(&before, before_id);
 
     before = stall.core.config.persistent.settings;
@@ -222,19 +223,19 @@ static void test_an_incomplete_calibration_after_a_power_cut_is_not_used(void **
     take(CALIBRATE_BEGIN);
     lead_through((struct poi_target){ .position_m.y = 0.01f, .angles = { 0.0f, 0.1f, 0.05f } });
     hold_true(aside, CORE_TICK_HZ);
-    /* Here the power cuts fall into a second calibration, which replaces the first. */
+    /* Power cuts during a second calibration, which replaces the first one. */
     expect_no_patchwork(&before, before_id);
 
     before = stall.core.config.persistent.settings;
     before_id = stall.output.entry_id;
     take(CALIBRATE_NONE);
     hold_true(aside, CORE_TICK_HZ);
-    /* Here the power cuts fall into the removal of the calibration. */
+    /* Power cuts during the removal of the calibration. */
     expect_no_patchwork(&before, before_id);
 }
 
-/* The page shows the incomplete calibration and enables its removal. Undo restores the last
- * complete one. */
+/* After a power cut the page shows that the calibration is incomplete and lets the operator remove
+ * it. Undo restores the last complete calibration. */
 static void test_an_incomplete_calibration_is_shown_and_can_be_removed(void **state)
 {
     (void)state;
@@ -281,7 +282,8 @@ static void test_a_rejected_calibration_changes_nothing(void **state)
     assert_false(menu_enabled(menu()) >> CALIBRATE_UNDO & 1u);
 }
 
-/* A poi in its holder at the start, a moving poi and an absent poi give no mark. */
+/* Only a poi that rests after a motion marks a position. A poi in its holder, a moving poi and an
+ * absent poi do not. */
 static void test_only_a_rest_after_a_movement_counts_as_a_mark(void **state)
 {
     (void)state;
@@ -305,7 +307,7 @@ static void test_only_a_rest_after_a_movement_counts_as_a_mark(void **state)
     assert_int_equal(calibrate()->step, CALIBRATE_CORNER);
     hold_true(mark, CALIBRATE_STILL_TICKS / 2u + 2u);
     assert_int_equal(calibrate()->step, CALIBRATE_CORNER + 1);
-    /* A poi that stays at a mark does not confirm the next mark. */
+    /* The poi still rests at the first mark. This must not confirm the second mark. */
     hold_true(mark, 4u * CALIBRATE_STILL_TICKS);
     assert_int_equal(calibrate()->step, CALIBRATE_CORNER + 1);
 }
@@ -315,8 +317,8 @@ static void test_a_moving_poi_activates_no_tag(void **state)
     (void)state;
     open_page();
     take(CALIBRATE_BEGIN);
-    for (uint32_t i = 0; i < 600u; i++) { /* The poi moves over the whole screen and through the
-                                             water. */
+    /* Moves the poi over the whole screen and through the water. */
+    for (uint32_t i = 0; i < 600u; i++) {
         const vec3 at_m = v3(0.002f * (float)(i % 300u) - 0.3f, i % 40u < 20u ? 0.06f : -0.05f,
                              0.001f * (float)i - 0.3f);
         hold_true((struct poi_target){ .position_m = at_m }, 1);
@@ -327,7 +329,8 @@ static void test_a_moving_poi_activates_no_tag(void **state)
 
 /* ---- A round -------------------------------------------------------------------------------- */
 
-/* Plays a round. The bot moves the true pose, and the core gets the distorted one. */
+/* Plays a round in which a bot moves the poi. The core gets the poses in the coordinates of the
+ * simulated device. */
 static uint32_t play_a_round(void)
 {
     uint32_t ticks = 0;

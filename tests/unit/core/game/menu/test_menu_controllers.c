@@ -1,5 +1,5 @@
-/* test_menu_controllers.c -- Tests the pages of the operator's menu for controllers and for files:
- * each command is sent once, and every file row can be reached. */
+/* test_menu_controllers.c -- tests the menu pages for controllers and files. Each command must be
+ * sent once, and every row of the file list must be reachable. */
 #include "tests/unit/support/menu_fixture.h"
 
 static void test_the_actions_of_a_controller_depend_on_its_state(void **state)
@@ -23,7 +23,7 @@ static void test_the_actions_of_a_controller_depend_on_its_state(void **state)
         step();
         core_scene(&core, &scene);
         assert_int_equal(scene.menu.tags, offers[i].tags | 1u << ROW_BACK);
-        /* The selection moves to an enabled tag if the new state disables the selected one. */
+        /* If the new state disables the selected tag, another tag must be selected. */
         assert_true(scene.menu.tags >> scene.menu.tag & 1u);
     }
 }
@@ -38,7 +38,7 @@ static void test_each_command_is_sent_once_with_its_row(void **state)
     expect_order(1, COMMAND_CHOOSE, 3);
     input.controllers.state[3] = CONTROLLER_ACTIVE;
     step();
-    /* The tag CHOOSE is disabled now, so the selection moved to RELEASE. */
+    /* CHOOSE is now disabled, so RELEASE is selected. */
     assert_int_equal(pointed(), ROW_RELEASE);
     push(INPUT_TEST);
     expect_order(2, COMMAND_RELEASE, 3);
@@ -63,14 +63,14 @@ static void test_a_controller_mapping_is_learned_step_by_step_and_stored(void **
     push(INPUT_SERVICE);
     push(INPUT_TEST);
     expect_order(1, COMMAND_LEARN, 3);
-    /* LEARNS_NEXT stays disabled until the controller manager has started to learn. */
+    /* LEARNS_NEXT is disabled until the controller manager has begun to learn the controller. */
     assert_int_equal(pointed(), LEARNS_END);
     uint32_t id = 1;
     for (uint8_t learn = LEARN_REST; learn <= LEARN_DIP; learn++) {
         input.controllers.learn_step = learn;
         input.controllers.learn_row = 3;
         step();
-        /* Selects another tag first, because LEARNS_NEXT must be reachable in every step. */
+        /* Selects another tag first, to test that LEARNS_NEXT can be reached in every step. */
         push(INPUT_LEFT);
         while (pointed() != LEARNS_NEXT) {
             push(INPUT_SERVICE);
@@ -83,7 +83,7 @@ static void test_a_controller_mapping_is_learned_step_by_step_and_stored(void **
     assert_int_equal(pointed(), LEARNS_KEEP);
     push(INPUT_SERVICE);
     push(INPUT_TEST);
-    /* The tag after LEARNS_KEEP repeats the learning, so the same command is sent again. */
+    /* This tag starts the learning again, so the same command is sent with a new number. */
     expect_order(++id, COMMAND_LEARN, 3);
     while (pointed() != LEARNS_KEEP) {
         push(INPUT_SERVICE);
@@ -116,7 +116,7 @@ static void test_a_failed_write_of_a_mapping_is_reported_on_every_page(void **st
     push(INPUT_TEST);
     expect_order(3, COMMAND_LEARN_KEEP, 3);
     steps(10);
-    /* LEARN_NOT_SAVED is still reported, but the menu opens its page only once for each failure. */
+    /* The input still reports LEARN_NOT_SAVED. The menu opens the page of the failure only once. */
     assert_int_equal(menu()->page, MENU_CONTROLLERS);
 }
 
@@ -176,7 +176,7 @@ static void test_the_more_tag_is_enabled_when_the_rows_exceed_a_page(void **stat
     }
 }
 
-/* For any number of rows and any screen orientation, every row is shown and then the first
+/* For any number of rows and both screen orientations, MORE must show every row and then the first
  * again. */
 static void test_the_more_tag_pages_through_every_row_and_back_to_the_first(void **state)
 {
@@ -217,7 +217,8 @@ static void test_the_files_page_always_opens_at_the_first_row(void **state)
     assert_int_equal(menu()->file_first, 0);
 }
 
-/* Quarantined files require a deliberate acknowledgement, so a short page selects the way back. */
+/* If files are quarantined, the page preselects the tag that leads back. The operator must select
+ * the acknowledgement deliberately. */
 static void test_quarantined_files_are_acknowledged_by_a_separate_tag(void **state)
 {
     (void)state;

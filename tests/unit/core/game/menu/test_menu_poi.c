@@ -1,9 +1,9 @@
-/* test_menu_poi.c -- Tests that a poi alone can operate the operator's menu, and that it selects no
- * tag by accident. */
+/* test_menu_poi.c -- tests that the operator's menu can be used with a poi alone, and that a poi
+ * selects no tag by accident. */
 #include "tests/unit/support/menu_fixture.h"
 
-/* Holds a poi with orientation over the middle of a tag. The plan of the tank maps to the
- * canvas. */
+/* Holds a poi over the middle of a tag, `y_m` above the water. For a poi with orientation, the tank
+ * seen from above is mapped to the whole screen. */
 static void hold_over(uint32_t tag, float y_m)
 {
     const int upright = input.upright;
@@ -24,7 +24,8 @@ static void hold_over(uint32_t tag, float y_m)
 static void tap(uint32_t tag)
 {
     hold_over(tag, ABOVE_M);
-    /* First holds the poi 2 cm aside, because only a moving poi selects a tag. */
+    /* Moves the poi from 2 cm beside the tag onto the tag, because only a moving poi selects a
+     * tag. */
     input.poi[0].target.position_m.x += 0.02f;
     step();
     hold_over(tag, ABOVE_M);
@@ -70,7 +71,7 @@ static void test_a_dip_outside_the_tags_activates_none(void **state)
     (void)state;
     hold_over(0, ABOVE_M);
     steps(MENU_TAKE_TICKS);
-    /* The poi points at the title of the page, where there is no tag. */
+    /* The poi is over the title of the page, where no tag is. */
     input.poi[0].target.position_m.z = -0.49f * core.world.tank.size_m.z;
     step();
     input.poi[0].target.position_m.y = BELOW_M;
@@ -113,7 +114,7 @@ static void test_a_moving_controller_without_a_bowl_selects_tags(void **state)
     (void)state;
     hold_over(0, ABOVE_M);
     steps(2);
-    /* This poi is in slot 2. It selects tags although the kiosk has only one bowl, that of slot
+    /* The poi is now in slot 2. It can use the menu although the kiosk has only one player, in slot
      * 0. */
     input.poi[2] = input.poi[0];
     steps(2);
@@ -132,7 +133,8 @@ static void test_a_moving_controller_without_a_bowl_selects_tags(void **state)
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
-/* A tag under a resting poi was not chosen by the player, because the page opened under the poi. */
+/* The page opens under a resting poi. The tag under the poi must not be selected, because the
+ * player did not choose it. */
 static void test_a_resting_poi_selects_no_tag_as_a_page_opens(void **state)
 {
     (void)state;
@@ -141,8 +143,8 @@ static void test_a_resting_poi_selects_no_tag_as_a_page_opens(void **state)
     go_to(MENU_DEVICES);
     hold_over(0, ABOVE_M);
     steps(2);
-    /* A page must keep its selection when it opens above the resting poi and when the menu
-     * returns to it. */
+    /* The selection of a page must not change when the page opens above the resting poi, nor when
+     * the menu returns to the page. */
     for (uint32_t i = 0; i < 2u; i++) {
         go_to(MENU_AXES);
         const uint8_t left = (uint8_t)menu_tag_of(MENU_AXES);
@@ -154,7 +156,8 @@ static void test_a_resting_poi_selects_no_tag_as_a_page_opens(void **state)
     hold_over(0, ABOVE_M);
     input.poi[0].target.position_m.x += 0.02f;
     steps(2);
-    assert_int_equal(pointed(), 0); /* The poi moves and selects the tag under it. */
+    /* The poi has moved, so the tag under it is selected. */
+    assert_int_equal(pointed(), 0);
 }
 
 static void test_a_resting_poi_selects_no_tag_as_the_menu_opens(void **state)

@@ -1,5 +1,5 @@
-/* test_menu_settings.c -- checks settings that an operator changes with two buttons or a poi. A
- * change applies immediately, gives one ledger entry and is never lost. */
+/* test_menu_settings.c -- checks settings that an operator changes with two buttons or a poi. Each
+ * change must apply at once, give one ledger entry, and never be lost. */
 #include "core/pin.h"
 #include "core/game/accounting/accounts.h"
 #include "core/game/menu/menu_pages.h"
@@ -7,7 +7,7 @@
 #include "tests/unit/support/game_fixture.h"
 #include "tests/unit/support/menu_tag.h"
 
-/* Seconds for which TEST is held, enough for all values of the longest range. */
+/* Seconds for which TEST is held. This is enough to step through the longest range of values. */
 #define HELD_S 12u
 
 static const struct menu *menu(void)
@@ -51,7 +51,8 @@ static void go_back(void)
     take(menu_tag_count(menu()->page) - 1u);
 }
 
-/* Opens a kiosk with default settings, a store that saves every entry, and the menu. */
+/* Opens a kiosk with default settings and with a store that saves every entry, and opens the
+ * menu. */
 static int setup_menu(void **state)
 {
     setup(state);
@@ -85,7 +86,7 @@ static const struct ledger_entry *newest(void)
     return &output.entries[output.entry_id % LEDGER_RING];
 }
 
-/* Acknowledges all entries as stored. */
+/* Reports all entries as saved. */
 static void save_all(void)
 {
     input.record_saved_id = output.entry_id;
@@ -124,7 +125,7 @@ static void test_the_footer_decrements_a_value_and_restores_the_default(void **s
 {
     (void)state;
     go_to(MENU_SOUND);
-    /* While no setting is selected, the tag that restores its default is disabled. */
+    /* No setting is selected yet, so the tag that restores a default is disabled. */
     assert_false(menu_enabled(menu()) >> foot(SETTINGS_STANDARD) & 1u);
     take(foot(SETTINGS_DIRECTION));
     take(row_of(MENU_SOUND, SET_VOLUME));
@@ -137,8 +138,8 @@ static void test_the_footer_decrements_a_value_and_restores_the_default(void **s
     assert_int_equal(value(SET_VOLUME), 85);
 }
 
-/* The configuration file or the command line changed the setting, so the menu enables its default
- * immediately. */
+/* A setting may also be changed by the configuration file or the command line. The menu must then
+ * enable the tag that restores its default. */
 static void test_a_setting_changed_elsewhere_enables_its_default(void **state)
 {
     (void)state;
@@ -158,7 +159,7 @@ static void test_an_unchanged_setting_is_not_shown_as_saved(void **state)
     core_scene(&core, &scene);
     assert_true(scene.menu.is_saved && !scene.menu.has_turned);
     push(INPUT_TEST);
-    /* An entry is written only after its value has not changed for some seconds. */
+    /* The entry is written when the value has not changed for some seconds. */
     steps(3u * CORE_TICK_HZ);
     save_all();
     core_scene(&core, &scene);
@@ -168,8 +169,8 @@ static void test_an_unchanged_setting_is_not_shown_as_saved(void **state)
     assert_false(scene.menu.has_turned);
 }
 
-/* Steps from the lowest value through the whole range, around, and down again. The test meets every
- * permitted value and no other. */
+/* Steps through all values of each setting upward, around to the lowest, and down again. Every
+ * valid value must appear, and no other value. */
 static void test_every_setting_reaches_every_value_of_its_range(void **state)
 {
     (void)state;
@@ -205,7 +206,7 @@ static void test_every_setting_is_on_exactly_one_page(void **state)
                 rows += menu_setting_at(page, tag) == id;
             }
         }
-        /* Every setting has one row. Only the PIN has none, because it is entered on a page with
+        /* Each setting has one row on one page. Only the PIN has no row, because it is entered as
          * digits. */
         assert_int_equal(rows, id == SET_PIN ? 0 : 1);
     }
@@ -220,7 +221,7 @@ static void test_a_held_button_repeats_fast_and_stops_at_the_end(void **state)
     press(INPUT_TEST);
     assert_int_equal(value(SET_FISH), 1);
     steps(CORE_TICK_HZ / 2u - 1u);
-    /* A button counts as held only after half a second, so the value has changed once. */
+    /* A button counts as held after half a second. Until then the value has changed only once. */
     assert_int_equal(value(SET_FISH), 1);
     steps(2);
     assert_int_equal(value(SET_FISH), 2);
@@ -229,7 +230,7 @@ static void test_a_held_button_repeats_fast_and_stops_at_the_end(void **state)
     input.held = 0;
     step();
     push(INPUT_TEST);
-    /* A held button stops at the maximum. Only another press wraps around to 0. */
+    /* A held button stops at the maximum. Only a new press continues at 0. */
     assert_int_equal(value(SET_FISH), 0);
 }
 
@@ -280,8 +281,8 @@ static void test_fish_count_players_and_language_apply_at_the_next_attract(void 
     take(row_of(MENU_GAME, SET_PLAYERS));
     take(row_of(MENU_GAME, SET_LANGUAGE));
     assert_int_equal(core.world.tank.fish_count, before);
-    assert_int_equal(core.game.language, LANGUAGE_EN); /* The language applies immediately to the
-                                                          next page. */
+    /* The language applies at once. */
+    assert_int_equal(core.game.language, LANGUAGE_EN);
     go_back();
     go_back();
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
@@ -349,7 +350,7 @@ static void test_a_full_ring_and_a_closed_menu_lose_no_setting(void **state)
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
     assert_int_equal(output.entry_id, full);
     assert_int_equal(core.game.accounts.ledger.uncommitted, 0);
-    /* The store has saved all entries, so the ring has room for the entry of the setting. */
+    /* The store has saved all entries, so the ring now has room for the entry of the setting. */
     save_all();
     step();
     assert_int_equal(output.entry_id, full + 1u);
@@ -370,7 +371,7 @@ static void test_a_factory_reset_requires_a_confirmation(void **state)
     go_to(MENU_UPKEEP);
     go_to(MENU_FACTORY);
     const uint32_t before = output.entry_id;
-    /* The page opens with CONFIRM_BACK selected, so an accidental press resets nothing. */
+    /* CONFIRM_BACK is preselected, so an accidental press resets nothing. */
     push(INPUT_TEST);
     assert_int_equal(menu()->page, MENU_UPKEEP);
     assert_int_equal(output.entry_id, before);
@@ -379,7 +380,8 @@ static void test_a_factory_reset_requires_a_confirmation(void **state)
     assert_int_equal(menu()->page, MENU_UPKEEP);
     assert_int_equal(newest()->id, before + 1u);
     assert_int_equal(newest()->kind, LEDGER_FACTORY);
-    assert_int_equal(newest()->count, 3); /* The entry holds the audit counts before the reset. */
+    /* The entry contains the audit counts from before the reset. */
+    assert_int_equal(newest()->count, 3);
     assert_int_equal(core.game.accounts.audits.count[AUDIT_EXPIRED], 3);
     assert_int_equal(output.commands[(output.command_count - 1u) % CONTROLLER_COMMAND_MAX].kind,
                      COMMAND_RESTART);
@@ -387,8 +389,7 @@ static void test_a_factory_reset_requires_a_confirmation(void **state)
     assert_int_equal(core.game.accounts.ledger.balance.paid, 0);
     assert_int_equal(value(SET_VOLUME), 80);
     steps(CORE_TICK_HZ);
-    /* One entry covers all settings. In the following second no entry of a single setting is
-     * added. */
+    /* One entry resets all settings. No entries of single settings follow. */
     assert_int_equal(output.entry_id, before + 1u);
 }
 
@@ -404,7 +405,8 @@ static void test_no_reset_happens_without_room_in_the_ledger(void **state)
     go_to(MENU_FACTORY);
     fill_the_ring();
     take(CONFIRM_YES);
-    /* Without room for the entry, the confirmation stays open and nothing is reset. */
+    /* The ring has no room for the entry, so the confirmation page stays open and nothing is
+     * reset. */
     assert_int_equal(menu()->page, MENU_FACTORY);
     assert_int_equal(core.game.accounts.ledger.balance.paid, 3);
     assert_int_equal(value(SET_VOLUME), 85);
@@ -429,12 +431,13 @@ static void test_a_reset_of_the_audits_is_an_entry_with_the_counts(void **state)
         core.game.accounts.audits.count[books[i].audit + 1u] = 2;
         go_to(books[i].page);
         const uint32_t before = output.entry_id;
-        /* The page opens with BOOK_BACK selected, so this press leaves the page. */
+        /* BOOK_BACK is preselected, so this press leaves the page. */
         push(INPUT_TEST);
         go_to(books[i].page);
         take(BOOK_RESET);
         assert_int_equal(menu()->page, MENU_RESET);
-        push(INPUT_TEST); /* CONFIRM_BACK is selected, so this press resets nothing. */
+        /* CONFIRM_BACK is preselected, so this press resets nothing. */
+        push(INPUT_TEST);
         assert_int_equal(menu()->page, books[i].page);
         assert_int_equal(output.entry_id, before);
         take(BOOK_RESET);
@@ -497,7 +500,9 @@ static void test_each_wrong_pin_doubles_the_delay(void **state)
     for (uint32_t tries = 0; tries < 7u; tries++) {
         type(408);
         assert_int_equal(menu()->page, MENU_PIN);
-        type(407); /* The PIN is correct but too early: 40 presses take at most 4 s. */
+        /* The right PIN is rejected during the delay after wrong PINs. The 40 presses take at most
+         * 4 s. */
+        type(407);
         if (menu_pin_wait_ticks(&core.game.settings_edit, core.game.tick) > 0) {
             assert_int_equal(menu()->page, MENU_PIN);
         }
@@ -520,7 +525,7 @@ static void test_leaving_the_menu_does_not_shorten_the_delay(void **state)
     type(1);
     take(PIN_BACK);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
-    /* Waits until a new session has started, because the delay must outlive the session. */
+    /* Waits for a new session, which must not end the delay. */
     for (uint32_t i = 0; i < SESSION_FADE_TICKS + 2u; i++) {
         core_tick(&core, &input, &output);
     }
@@ -529,7 +534,7 @@ static void test_leaving_the_menu_does_not_shorten_the_delay(void **state)
     assert_true(menu_pin_wait_ticks(&core.game.settings_edit, core.game.tick) > 0);
 }
 
-/* The next start knows only the contents of the ledger. */
+/* After a power cut, the delay must follow from the stored ledger entries. */
 static void test_a_power_cut_does_not_shorten_the_delay(void **state)
 {
     (void)state;
@@ -559,7 +564,7 @@ static void test_a_power_cut_does_not_shorten_the_delay(void **state)
     assert_int_equal(core.game.accounts.audits.count[AUDIT_WRONG_PINS], 0);
 }
 
-/* The limit is 160 s for any stored number of wrong PINs. */
+/* However many wrong PINs are stored, the delay is at most 160 s. */
 static void test_the_delay_after_wrong_pins_is_limited(void **state)
 {
     (void)state;
@@ -597,7 +602,7 @@ static void test_a_new_pin_is_required_and_0000_disables_it(void **state)
     go_to(MENU_UPKEEP);
     go_to(MENU_NEW_PIN);
     type(9051);
-    /* A value below 0 is a hash, so the stored setting does not reveal the digits. */
+    /* A negative value is a hash, so the stored setting does not reveal the PIN. */
     assert_true(value(SET_PIN) < 0);
     assert_true(pin_matches(value(SET_PIN), 9051));
     assert_int_equal(menu()->page, MENU_UPKEEP);

@@ -1,5 +1,5 @@
-/* test_self_test.c -- checks the self-test: no row is good without a check, the result is ready
- * when all rows are good, and each failure is named. */
+/* test_self_test.c -- checks the kiosk's self-test. A row must not be shown as good before its
+ * check. The kiosk is ready when all rows are good. Each failure must be named. */
 #include <string.h>
 
 #include "core/game/menu/menu_pages.h"
@@ -10,7 +10,7 @@
 static struct scene scene;
 static uint8_t state_of[SELF_CHECKS];
 
-/* State of a machine that has nothing to report. */
+/* Health values of a machine without any fault. */
 static const struct scene_machine well = {
     .has_looked = 1,
     .keeps = KEEPS_PROVEN,
@@ -135,7 +135,7 @@ static void test_a_manual_check_is_requested_until_it_is_done(void **state)
     for (size_t i = 0; i < sizeof asks; i++) {
         assert_int_equal(state_of[asks[i]], SELF_ASKS);
     }
-    /* The poi check fails while no poi is connected. */
+    /* No poi is connected, so its check fails. */
     assert_int_equal(state_of[SELF_POIS], SELF_BAD);
     wave(0);
     judge();
@@ -156,7 +156,8 @@ static void test_a_store_that_saves_nothing_is_named_within_20_s(void **state)
     drop_a_coin();
     assert_int_equal(judge(), SELF_STORE);
     assert_int_equal(state_of[SELF_STORE], SELF_BAD);
-    save(); /* The store saved the test entry late, but before the time limit. */
+    /* The store is late, but within the time limit. */
+    save();
     assert_int_equal(judge(), SELF_CHECKS);
 }
 
@@ -167,7 +168,7 @@ static void test_each_failed_check_is_named(void **state)
     input.day = 0;
     step();
     assert_int_equal(judge(), SELF_CLOCK);
-    /* A clock that is not set gives an exclamation mark and no cross. */
+    /* A clock that is not set is a warning (SELF_LOOK) and not a failure. */
     assert_int_equal(state_of[SELF_CLOCK], SELF_LOOK);
     input.day = 9000;
     step();
@@ -183,7 +184,7 @@ static void test_each_failed_check_is_named(void **state)
     scene.devices.files_refused = 0;
     assert_int_equal(judge(), SELF_CHECKS);
     steps(2u * CORE_TICK_HZ);
-    /* A pose that is 24 ticks old means five reports a second, which is too slow for play. */
+    /* A pose that is 24 ticks old means five reports per second, which are too few for play. */
     input.poi[0].age_ticks = 24;
     step();
     assert_int_equal(judge(), SELF_POIS);
@@ -196,8 +197,7 @@ static void test_the_operators_answers_decide_sound_and_lamps(void **state)
     clear_sounds();
     steps(3u * CORE_TICK_HZ);
     assert_in_range(sounds[SOUND_CALL], 2, 4);
-    /* The question about the lamp is not open yet, because the question about the sound comes
-     * first. */
+    /* The question about the lamps follows the question about the sound. */
     assert_false(self_test_shows(&core.game));
     take(SELF_NO);
     judge();
@@ -215,14 +215,15 @@ static void test_the_operators_answers_decide_sound_and_lamps(void **state)
     assert_int_equal(state_of[SELF_LAMP], SELF_BAD);
     assert_false(menu_enabled(menu()) >> SELF_YES & 1u);
     step();
-    /* The coin slot is open, because the operator must insert a test coin. */
+    /* The operator must insert a test coin, so the coin slot is open. */
     assert_int_equal(output.coin_lockout, 0);
     take(SELF_AGAIN);
     judge();
     assert_int_equal(state_of[SELF_SOUND], SELF_ASKS);
 }
 
-/* Each case has a health value, the expected state of its row, and a value beyond each bound. */
+/* Each row has a check, the expected state and the health values that cause it. Limits are tested
+ * on both sides. */
 static const struct {
     uint8_t check, wanted;
     struct scene_machine but;
@@ -240,7 +241,7 @@ static const struct {
     { SELF_ROOM, SELF_LOOK, { .room_mib = SELF_ROOM_LOW_MIB - 1u } },
     { SELF_ROOM, SELF_LOOK, { .room_mib = SELF_ROOM_BAD_MIB } },
     { SELF_ROOM, SELF_BAD, { .room_mib = SELF_ROOM_BAD_MIB - 1u } },
-    /* A machine without a temperature sensor passes. */
+    /* A machine without a temperature sensor passes the check. */
     { SELF_HEAT, SELF_GOOD, { .has_heat = 0, .heat_margin_c = -5 } },
     { SELF_HEAT, SELF_GOOD, { .has_heat = 1, .heat_margin_c = SELF_HEAT_NEAR_C } },
     { SELF_HEAT, SELF_LOOK, { .has_heat = 1, .heat_margin_c = SELF_HEAT_NEAR_C - 1 } },
@@ -292,7 +293,8 @@ static void test_every_system_health_row_has_every_state(void **state)
     }
 }
 
-/* The machine reports no health values, the store never answers, and the screen shows nothing. */
+/* Worst case: no health values, a store that never responds, and no displayed frames. After 20 s
+ * these checks must have failed. */
 static void test_no_automatic_check_is_pending_after_20_s(void **state)
 {
     (void)state;
@@ -314,11 +316,11 @@ static void test_no_automatic_check_is_pending_after_20_s(void **state)
     for (size_t i = 0; i < sizeof silent; i++) {
         assert_int_equal(state_of[silent[i]], SELF_BAD);
     }
-    /* Two checks have passed, those of the files and of the clock. */
+    /* Only the checks of the files and of the clock have passed. */
     assert_int_equal(self_test_left(state_of), SELF_CHECKS - 2u);
 }
 
-/* The self-test requests no coin where coins are rejected, and no lamp without a line. */
+/* The self-test must not ask for a coin if coins are not used, nor for a lamp that has no line. */
 static void test_absent_hardware_is_not_checked(void **state)
 {
     (void)state;
@@ -330,13 +332,13 @@ static void test_absent_hardware_is_not_checked(void **state)
     judge();
     assert_int_equal(state_of[SELF_COINS], SELF_GOOD);
     assert_int_equal(state_of[SELF_LAMP], SELF_GOOD);
-    take(SELF_YES); /* Answers YES to the check of the sound. */
-    take(SELF_NO);  /* Answers NO to the check of the lamps, as if the line had no lamp. */
+    take(SELF_YES); /* Answer to the question about the sound. */
+    take(SELF_NO);  /* Answer to the question about the lamps. */
     judge();
     assert_int_equal(state_of[SELF_LAMP], SELF_BAD);
 }
 
-/* A failed check is shown before a check that only gives a hint. */
+/* A failure must be named before a warning. */
 static void test_the_worst_result_is_named_first(void **state)
 {
     (void)state;
@@ -349,7 +351,7 @@ static void test_the_worst_result_is_named_first(void **state)
     assert_int_equal(judge(), SELF_STORE);
 }
 
-/* A button without a line cannot be pressed. */
+/* A button without a GPIO line must not be requested, because it cannot be pressed. */
 static void test_a_button_without_a_line_is_not_requested(void **state)
 {
     (void)state;
@@ -363,7 +365,8 @@ static void test_a_button_without_a_line_is_not_requested(void **state)
     assert_int_equal(state_of[SELF_BUTTONS], SELF_GOOD);
 }
 
-/* The entry that checks the store repeats a stored value, so it changes nothing for any reader. */
+/* To check the store, the self-test writes an entry that repeats a stored value. The entry must not
+ * change any setting. */
 static void test_the_store_check_entry_repeats_an_existing_value(void **state)
 {
     (void)state;

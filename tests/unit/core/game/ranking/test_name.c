@@ -1,5 +1,5 @@
-/* test_name.c -- checks the name entry of ranked players: by poi, by three buttons, or without a
- * name. */
+/* test_name.c -- checks how ranked players enter their names: with a poi, with three buttons, or
+ * not at all. */
 #include "core/game/ranking/name.h"
 #include "core/game/phases.h"
 #include "core/game/ranking/name_filter.h"
@@ -22,7 +22,7 @@ static int setup_names(void **state)
     return 0;
 }
 
-/* Advances to the result of a round in which `seats` players caught `caught` fish each. */
+/* Plays a round of `seats` players until the result. Player i has caught `caught[i]` fish. */
 static void play(uint32_t seats, const uint32_t *caught)
 {
     for (uint32_t i = 0; i < seats; i++) {
@@ -43,7 +43,7 @@ static void play_alone(uint32_t caught)
     play(1, &caught);
 }
 
-/* Advances to the name entry of the best player. */
+/* Goes from the result to the name entry of the best player. */
 static void ask_for_name(void)
 {
     steps(GAME_AGAIN_TICKS);
@@ -80,9 +80,8 @@ static void write_letters(const uint16_t *letters)
     }
 }
 
-/* Moves a player's poi to the middle of a key of the keyboard, at the height `y_m` above the water.
- * A controller that measures angles (`has_wrist`) points by its x and z in the tank: the whole tank
- * maps to the whole canvas. */
+/* Holds a player's poi over the middle of a key, `y_m` above the water. For a controller that
+ * measures angles (`has_wrist`), the tank seen from above is mapped to the whole screen. */
 static void lead(uint32_t seat, uint32_t key, float y_m)
 {
     const struct layout_point canvas = pointer_layout_size(0);
@@ -152,7 +151,8 @@ static void test_no_player_is_asked_without_a_store(void **state)
 static void test_an_unranked_player_is_not_asked(void **state)
 {
     (void)state;
-    /* Marks all stored scores as scores of this start, so that no leaderboard is cleared. */
+    /* Marks all stored scores as scores since the current start, so that no leaderboard is
+     * cleared. */
     core.game.accounts.ranking.boot = core.game.accounts.ledger.boot;
     for (uint32_t period = 0; period < RANK_PERIOD_COUNT; period++) {
         for (uint32_t i = 0; i < RANK_ROWS; i++) {
@@ -160,8 +160,8 @@ static void test_an_unranked_player_is_not_asked(void **state)
             core.game.accounts.ranking.row[MODE_FESTIVAL][period][i].round_id = 900u + i;
         }
     }
-    /* The player catches the same number of fish as the earlier scores, which therefore keep their
-     * places. */
+    /* The player equals the earlier scores. Earlier scores keep their places, so the player has no
+     * rank. */
     play_alone(5);
     steps(GAME_RESULT_TICKS);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
@@ -265,7 +265,7 @@ static void test_the_dip_that_ended_the_result_enters_nothing(void **state)
     steps(GAME_AGAIN_DIP_TICKS);
     dip();
     assert_int_equal(core.game.phase, PHASE_NAME);
-    /* The poi stays under water after the dip that opened the name entry, which selects no
+    /* The poi is still under water after the dip that opened the name entry. This must not select a
      * letter. */
     steps(NAME_SEEN_TICKS + 10u);
     assert_int_equal(core.game.name.letter_count, 0);
@@ -311,7 +311,7 @@ static void test_erase_and_change_do_nothing_on_an_empty_name(void **state)
     assert_int_equal(core.game.name.letter_count, 0);
     const uint32_t before = output.entry_id;
     press_key(NAME_DONE);
-    assert_int_equal(output.entry_id, before); /* An empty name writes no entry. */
+    assert_int_equal(output.entry_id, before); /* An empty name writes no ledger entry. */
     assert_int_equal(core.game.phase, PHASE_LEADERBOARD);
 }
 
@@ -419,16 +419,16 @@ static void test_a_round_without_a_ledger_entry_gets_no_name(void **state)
     (void)state;
     input.store_well = 1;
     steps(2);
-    /* Simulates a store that is a whole ring of entries behind, so the round gets no entry of
-     * its own. */
+    /* The store is behind by a whole ring of entries. The round then has no ledger entry, so no
+     * name can be stored for it. */
     core.game.accounts.ledger.last_id += LEDGER_RING;
     play_alone(3);
     steps(GAME_RESULT_TICKS);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
-/* With any motion and any buttons, the name entry ends. The stored name consists of whole letters
- * and passes the name filter. */
+/* Whatever motion and buttons occur, the name entry ends. The stored name must consist of whole
+ * letters and pass the name filter. */
 static void test_the_name_entry_ends_with_any_input(void **state)
 {
     for (uint32_t seed = 1; seed <= 24; seed++) {
@@ -457,7 +457,7 @@ static struct scene scene;
 static void test_the_leaderboard_shows_the_best_rank_and_highlights_the_round(void **state)
 {
     (void)state;
-    /* Four better scores of all time leave the round only rank 5 in that period. */
+    /* Four better scores give the round only rank 5 of all time. */
     for (uint32_t i = 0; i < 4u; i++) {
         core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_EVER][i].caught = 50;
         core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_EVER][i].round_id = 900u + i;
@@ -465,8 +465,7 @@ static void test_the_leaderboard_shows_the_best_rank_and_highlights_the_round(vo
     play_alone(3);
     core_scene(&core, &scene);
     assert_int_equal(scene.player[0].place, 1);
-    /* The round has rank 1 of the day and of the week, so the longer of the two periods is
-     * shown. */
+    /* The round has rank 1 of the day and of the week. The longer period is shown. */
     assert_int_equal(scene.player[0].period, RANK_WEEK);
     ask_for_name();
     press_key(NAME_DONE);
@@ -485,7 +484,7 @@ static void test_attract_cycles_through_the_leaderboards_with_scores(void **stat
     core.config.modes = 1u << MODE_FESTIVAL | 1u << MODE_PRACTICE;
     core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_WEEK][0].caught = 4;
     core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_EVER][0].caught = 4;
-    /* The championship has a score but is not enabled, so its leaderboard must not be shown. */
+    /* The championship has a score but is not enabled, so its leaderboard is not shown. */
     core.game.accounts.ranking.row[MODE_CHAMPIONSHIP][RANK_EVER][0].caught = 4;
     core.game.accounts.ranking.row[ranking_board(MODE_FESTIVAL, LEVEL_EASY)][RANK_DAY][0].caught =
         2;

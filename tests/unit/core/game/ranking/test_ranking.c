@@ -1,4 +1,5 @@
-/* test_ranking.c -- checks the order of scores and the ends of a day and a week. */
+/* test_ranking.c -- checks the order of scores on the leaderboards, and when the leaderboards of a
+ * day and a week are cleared. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -10,7 +11,7 @@
 #include "core/game/ranking/ranking.h"
 #include "core/game/rules.h"
 
-#define SOME_DAY 9800u /* Day number of a day in 2026, counted from 1970. */
+#define SOME_DAY 9800u /* A day in 2026, as a number of days since 1970. */
 
 static struct ranking ranking;
 static uint32_t last_id;
@@ -23,7 +24,8 @@ static int clean(void **state)
     return 0;
 }
 
-/* Plays a round of one player. Returns the id of its entry. */
+/* Adds the entry of a round with one player, in kiosk start number `boot`. Returns the id of the
+ * entry. */
 static uint32_t play(uint32_t caught, uint32_t boot, uint16_t day)
 {
     const struct ledger_entry entry = {
@@ -99,7 +101,7 @@ static void test_four_players_of_one_round_are_ranked_separately(void **state)
     for (uint32_t seat = 0; seat < POI_MAX; seat++) {
         entry.round.player[seat].caught = 10u + seat;
     }
-    entry.round.players = 0xb; /* Player 2 left, so the bits 0, 1 and 3 are set. */
+    entry.round.players = 0xb; /* Bits 0, 1 and 3: player 2 did not take part until the end. */
     ranking_note(&ranking, &entry);
     assert_int_equal(ranking_place(&ranking, 0, RANK_DAY, 7, 3), 0);
     assert_int_equal(ranking_place(&ranking, 0, RANK_DAY, 7, 1), 1);
@@ -119,7 +121,7 @@ static void test_a_name_is_set_and_removed_on_every_leaderboard_of_its_round(voi
     memset(name.name, 0, sizeof name.name);
     ranking_note(&ranking, &name);
     assert_string_equal(ranking.row[0][RANK_EVER][0].name, "");
-    /* The catch of 4 on an earlier day still counts for all time. */
+    /* The catch of 4 fish on the day before still counts for all time. */
     assert_int_equal(best(RANK_EVER), 4);
 }
 
@@ -162,7 +164,8 @@ static void test_a_wrong_date_affects_the_leaderboard_only_while_it_lasts(void *
 {
     (void)state;
     play(5, 1, 9000);
-    play(3, 1, 30000); /* Day 30000 is in the year 2082. The clock is wrong in this entry. */
+    /* Day 30000 (the year 2082) is an entry with a wrong clock. */
+    play(3, 1, 30000);
     assert_int_equal(best(RANK_DAY), 3);
     play(2, 1, 9000);
     assert_int_equal(best(RANK_DAY), 2);
@@ -177,8 +180,8 @@ static void test_a_day_without_a_clock_lasts_until_the_next_start(void **state)
     play(3, 1, 0);
     assert_int_equal(best(RANK_DAY), 5);
     pass(LEDGER_BOOT, 2, 0);
-    /* Start 2 has no clock and may be another day. Without a round of its own, the score of
-     * start 1 remains. */
+    /* Start 2 has no clock, so it may be on another day. The score of start 1 remains until a round
+     * of start 2 is played. */
     assert_int_equal(best(RANK_DAY), 5);
     play(2, 2, 0);
     assert_int_equal(best(RANK_DAY), 2);
@@ -191,8 +194,8 @@ static void test_a_week_without_a_clock_has_seven_starts(void **state)
     for (uint32_t boot = 1; boot <= 7; boot++) {
         play(20u - boot, boot, 0);
     }
-    /* Starts without a clock count as days. The seventh one began a new week, so its 13 fish
-     * lead. */
+    /* Without a clock, each start counts as a day and seven starts as a week. The seventh start
+     * began a new week, and its 13 fish are the best. */
     assert_int_equal(best(RANK_WEEK), 13);
     for (uint32_t boot = 8; boot <= 13; boot++) {
         play(1, boot, 0);
@@ -206,8 +209,8 @@ static void test_a_clock_set_a_minute_after_the_start_ends_no_day(void **state)
 {
     (void)state;
     play(5, 1, 9000);
-    /* The kiosk starts without a date, because its clock has no battery and the network sets it
-     * later. */
+    /* The kiosk starts without a date and gets the date later from the network. The day is the
+     * same, so the leaderboard must not be cleared. */
     pass(LEDGER_BOOT, 2, 0);
     pass(LEDGER_COINS, 2, 0);
     pass(LEDGER_COINS, 2, 9000);
@@ -221,7 +224,8 @@ static void test_a_round_before_the_clock_was_set_belongs_to_that_day(void **sta
     play(4, 2, 0);
     play(3, 2, 9001);
     assert_int_equal(best(RANK_DAY), 4);
-    play(2, 3, 0); /* Start 3 has no clock, so it may be another day than that of start 2. */
+    /* Start 3 has no clock, so it may be on another day than start 2. */
+    play(2, 3, 0);
     assert_int_equal(best(RANK_DAY), 2);
     assert_int_equal(best(RANK_EVER), 5);
 }
@@ -244,7 +248,8 @@ static void test_each_level_of_a_mode_has_its_own_leaderboard(void **state)
             assert_int_equal(ranking.row[board][period][1].caught, 0);
         }
     }
-    pass(LEDGER_BOOT, 2, 9001); /* A new day empties the leaderboard of the day at each level. */
+    /* A new day clears the leaderboard of the day at each level. */
+    pass(LEDGER_BOOT, 2, 9001);
     assert_int_equal(ranking.row[ranking_board(MODE_FESTIVAL, LEVEL_EASY)][RANK_DAY][0].caught, 0);
 }
 
