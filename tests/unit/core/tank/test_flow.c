@@ -1,5 +1,5 @@
-/* test_flow.c -- checks the water flow around a moving disc: it conserves volume and follows the
- * disc. */
+/* test_flow.c -- checks the water flow around a moving disc: its known solutions, its conservation
+ * of volume, and its effect on fish. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -19,7 +19,7 @@
 
 #define RADIUS_M 0.0465f
 
-/* Returns a level disc deep under water. */
+/* Returns a horizontal disc deep under water. */
 static struct obstacle disc(vec3 velocity_m_s)
 {
     return (struct obstacle){ .kind = OBSTACLE_DISC,
@@ -53,7 +53,8 @@ static void test_water_at_the_face_moves_with_the_disc(void **state)
     assert_float_equal(broadside_flow(0.2f, -0.001f, 0.1f).y, 1.0f, 0.02f);
 }
 
-/* Lamb's solution on the axis is (2 / pi) (acot s - s / (1 + s^2)). */
+/* Lamb's exact solution for the flow on the disc's axis at distance s (in radii): (2 / pi) (acot s
+ * - s / (1 + s^2)). */
 static void test_the_flow_on_the_axis_equals_lambs_solution(void **state)
 {
     (void)state;
@@ -62,9 +63,9 @@ static void test_the_flow_on_the_axis_equals_lambs_solution(void **state)
     assert_float_equal(broadside_flow(0.0f, 1.0f, 0.0f).x, 0.0f, 1e-6f);
 }
 
-/* Far from a disc of radius a, the flow is that of a dipole. Let v = (8 / 3) a^3 / (4 pi r^3) at
- * the distance r. On the axis the flow is 2 v along the motion. In the plane of the disc it is v
- * against the motion. */
+/* Far from a disc of radius a, the flow is that of a dipole. At distance r let v = (8 / 3) a^3 / (4
+ * pi r^3). On the axis the flow is 2 v in the direction of motion, and in the plane of the disc it
+ * is v in the opposite direction. */
 static void test_the_far_flow_is_the_dipole_of_the_added_mass(void **state)
 {
     (void)state;
@@ -94,8 +95,8 @@ static void test_the_flow_conserves_volume(void **state)
         const float z = drawn(i, 2, -3.0f, 3.0f);
         const float off = f_sqrt(x * x + z * z) - 1.0f;
         if (f_abs(y) < 0.1f || y * y + off * off < 0.16f) {
-            /* Skips samples whose neighbours lie across the disc or near its edge, where the
-             * flow is limited. */
+            /* Skips points next to the disc or its edge, where the differences would cross the disc
+             * or the flow is limited. */
             continue;
         }
         const float divergence =
@@ -131,7 +132,7 @@ static void test_a_disc_in_air_or_at_rest_makes_no_flow(void **state)
     assert_float_equal(v3_length(water_flow_m_s(&still, near_disc(0.0f, 0.5f, 0.0f))), 0.0f, 0.0f);
     moving.centre_m.y = 0.01f;
     assert_float_equal(v3_length(water_flow_m_s(&moving, v3(0.0f, -0.01f, 0.0f))), 0.0f, 0.0f);
-    /* At a centre height of 0 the disc is half submerged and moves half of the water. */
+    /* With its centre at the surface, the disc is half submerged and moves half of the water. */
     moving.centre_m.y = 0.0f;
     const float half = water_flow_m_s(&moving, v3(0.0f, -0.02f, 0.0f)).y;
     moving.centre_m.y = -0.5f;
@@ -144,7 +145,7 @@ static void test_torn_paper_reduces_the_flow(void **state)
     (void)state;
     struct obstacle torn = disc(v3(0.0f, 0.3f, 0.0f));
     const float whole_m_s = water_flow_m_s(&torn, near_disc(0.0f, 0.6f, 0.0f)).y;
-    /* The ring without paper leaves 85 % of its area open, so it moves 15 % of the water. */
+    /* A ring without paper is open on 85 % of its area, so it moves 15 % of the water. */
     torn.open = 0.85f;
     assert_float_equal(water_flow_m_s(&torn, near_disc(0.0f, 0.6f, 0.0f)).y, 0.15f * whole_m_s,
                        1e-5f);
@@ -164,7 +165,8 @@ static void test_a_glide_along_the_plane_pushes_by_the_square_of_its_speed(void 
 
 static struct tank tank;
 
-/* Sweeps a ring for a second through fish that drift, avoid and start. Returns the hash. */
+/* Sweeps a ring for one second through a tank of fish that drift, avoid each other and flee.
+ * Returns the hash of the tank. */
 static uint64_t hash_after_sweep(uint8_t lanes)
 {
     struct tank_config config = tank_config_of(TANK_PRESET_FESTIVAL);
@@ -195,8 +197,8 @@ static void test_lanes_of_any_width_give_the_same_drift_bit_for_bit(void **state
     }
 }
 
-/* Returns the drift of a fish at rest half a radius ahead of a disc, with an update in every tick,
- * while the push fades. */
+/* Places a resting fish half a radius ahead of a moving disc. Returns the drift speed that the flow
+ * gives the fish in the long run. */
 static vec3 carried_m_s(const struct behavior_params *params)
 {
     const struct obstacle moving = disc(v3(0.0f, 0.08f, 0.0f));
@@ -209,8 +211,8 @@ static vec3 carried_m_s(const struct behavior_params *params)
         around.obstacles = &moving;
         around.obstacle_count = 1;
         fish_behavior_tick(&fish, 0, &around);
-        /* The tank reduces the push in every fourth tick, at each full broad-phase query. 0.656
-         * is 1 - PUSH_SHARE. */
+        /* Simulates the tank, which multiplies the push by 1 - PUSH_SHARE = 0.656 at each full
+         * broad-phase query (every fourth tick). */
         fish.push_m_s = v3_scale(fish.push_m_s, tick % 4u == 0 ? 0.656f : 1.0f);
         fish.gait = GAIT_REST;
     }

@@ -1,5 +1,5 @@
-/* test_many_fish.c -- checks the rules of a pair with more fish than a 16-bit index holds, as in
- * the benchmark. */
+/* test_many_fish.c -- checks the avoidance rules for a pair of fish whose indices do not fit in 16
+ * bits. The benchmark uses so many fish. */
 #define TANK_FISH_MAX 131072u
 
 #include <setjmp.h>
@@ -9,8 +9,8 @@
 
 #include <cmocka.h>
 
-/* The library is compiled for the shipped maximum of fish, so this test compiles the source
- * again for more fish. */
+/* The source is compiled here again with a larger maximum of fish, because the library is compiled
+ * for the kiosk's maximum. */
 #include "core/tank/behavior/avoid.c"
 #include "core/tank/preset.h"
 
@@ -24,7 +24,8 @@ static struct avoid_party swimmer(float z_m, float ahead, uint32_t index)
                                  .index = (fish_index)index };
 }
 
-/* Returns the side of the pair's one draw: +1 is left and -1 is right. */
+/* Returns the side to which both fish of a pair turn, from their common random number: +1 is left,
+ * -1 is right. */
 static float side_of(uint32_t a, uint32_t b, uint32_t tick)
 {
     const struct avoid_party one = swimmer(0.03f, -1.0f, a), other = swimmer(-0.03f, 1.0f, b);

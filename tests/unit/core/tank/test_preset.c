@@ -1,4 +1,5 @@
-/* test_preset.c -- checks that every offered tank can be played. */
+/* test_preset.c -- checks that every tank preset can be played: room for bowls and fish, and a
+ * camera that shows the whole tank. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -54,7 +55,7 @@ static void test_four_bowls_float_inside_each_tank_and_apart(void **state)
     }
 }
 
-/* Returns the screen position of a point. A point within +-1 on both axes is visible. */
+/* Returns the screen position of a point. Points with x and y from -1 to 1 are visible. */
 static vec3 on_screen(const struct view *view, float aspect, vec3 point_m)
 {
     const struct basis axes = view_basis(view);
@@ -78,7 +79,7 @@ static void check_fits(uint8_t id, float aspect)
         widest = f_max(widest, f_abs(rim.x));
     }
     if (aspect > 1.7f && aspect < 1.8f) {
-        /* On a 16:9 screen the tank fills most of the width, of which 1 is the edge. */
+        /* On a 16:9 screen, the tank fills most of the width (1 is the edge of the screen). */
         assert_true(widest > 0.85f);
     }
 }
@@ -94,8 +95,8 @@ static void test_each_tank_is_visible_on_wide_and_narrow_screens(void **state)
     }
 }
 
-/* The federation's rules state type A, 1,000 fish of about 4 cm, 10 cm of water, no pump, and 20 to
- * 30 C. */
+/* The rules of the goldfish scooping federation: tank type A, 1,000 fish of about 4 cm, 10 cm of
+ * water, no pump, 20 to 30 C. */
 static void test_the_official_preset_is_the_championship(void **state)
 {
     (void)state;
@@ -127,7 +128,7 @@ static void test_the_maximum_fish_count_follows_the_water_volume(void **state)
     (void)state;
     struct tank_preset preset = *tank_preset(TANK_PRESET_FESTIVAL);
     const uint32_t max = tank_preset_fish_max(&preset, 1.0f);
-    assert_in_range(max, 600, 700); /* The limit is twice the stall's own 300 fish. */
+    assert_in_range(max, 600, 700); /* The maximum is about twice the 300 fish of the preset. */
     preset.size_m.y *= 2.0f;
     assert_in_range(tank_preset_fish_max(&preset, 1.0f), 2u * max, 2u * max + 1u);
     preset.size_m.y *= 100.0f;

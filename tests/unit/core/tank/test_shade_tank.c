@@ -1,5 +1,5 @@
-/* test_shade_tank.c -- checks shadows over whole tanks: which fish gather (2013 thesis, figures
- * 4.17 to 4.20), which fish are startled, and what casts shadows in the stall. */
+/* test_shade_tank.c -- checks the effect of shadows on whole tanks: which fish gather (2013 thesis,
+ * figures 4.17 to 4.20), which are startled, and which objects of the game cast shadows. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -51,9 +51,8 @@ static struct gathering gather(uint32_t seed)
     return count;
 }
 
-/* Figures 4.17 to 4.20 show 200 fish: the shade holds more of them after 1, 6 and 10 s, and these
- * fish stay. The test uses several tanks, because one fish that bursts or avoids another changes a
- * single count by a few. */
+/* In figures 4.17 to 4.20, more and more of 200 fish gather under a fan after 1, 6 and 10 s and
+ * stay there. The test adds up several tanks, because single fish change a count by a few. */
 static void test_fish_gather_as_in_figures_4_17_to_4_20(void **state)
 {
     (void)state;
@@ -72,8 +71,8 @@ static void test_fish_gather_as_in_figures_4_17_to_4_20(void **state)
     assert_true(all.at_10 * 100u > all.at_6 * 105u);
 }
 
-/* The pull of section 3.5 acts on every fish. A bursting fish keeps its speed, because section 3.3
- * limits only the speed of swimming fish. */
+/* In the thesis (section 3.5) a shadow pulls every fish, so it also turns a bursting fish. A
+ * bursting fish keeps its speed, because only swimming fish are limited (section 3.3). */
 static void test_a_shade_turns_a_bursting_fish_only_in_the_thesis(void **state)
 {
     const uint8_t presets[] = { TANK_PRESET_THESIS, TANK_PRESET_FESTIVAL };
@@ -86,11 +85,11 @@ static void test_a_shade_turns_a_bursting_fish_only_in_the_thesis(void **state)
         const struct shade_cast fan = fan_at(0.0f, 0.0f);
         uint32_t tick = 0;
         open_tank(&tank, presets[p], 1, 3);
-        /* The fan rests for 3 s, which includes the stall's dwell time, so that it pulls at
-         * full strength. */
+        /* The fan is held still for 3 s, so that the shadow pulls at full strength in every
+         * preset. */
         hold_fan(&tick, &fan, 3);
         tank_stage_all(&tank, &stage, 1);
-        /* Clears what the shade did to the fish before the fish was staged. */
+        /* Removes the effects of the shadow on the fish before the fish was placed. */
         tank.fish[0].drawn_rad = tank.fish[0].yaw_rate_rad_s = 0.0f;
         tank.fish[0].push_m_s = v3(0.0f, 0.0f, 0.0f);
         const struct shade_cast casts[TANK_SHADE_MAX] = { [0] = fan };
@@ -98,12 +97,11 @@ static void test_a_shade_turns_a_bursting_fish_only_in_the_thesis(void **state)
             tank_cast(&tank, casts);
             tank_tick(&tank, tick, NULL, 0);
         }
-        /* A pull turns the fish to its left, because the fan is in the middle of the tank on
-         * that side. */
+        /* The fan is on the left of the fish, so a pulled fish turns left. */
         const float turned_rad = tank.fish[0].angles.yaw_rad;
         assert_true(presets[p] == TANK_PRESET_THESIS ? turned_rad > 10.0f * F_DEG
                                                      : f_abs(turned_rad) < 1.0f * F_DEG);
-        /* A fleeing fish is not limited to the 7.5 cm/s of swimming fish. */
+        /* The limit of 7.5 cm/s for swimming fish does not apply to a bursting fish. */
         assert_true(tank.fish[0].speed_goal_m_s > 0.10f);
     }
 }
@@ -125,13 +123,12 @@ static void test_swimmers_in_a_shade_keep_to_7_5_cm_s(void **state)
             }
         }
     }
-    /* A goal of more than 4 cm/s shows that the pull moves resting fish too. */
+    /* The count proves that the shadow moved many fish to speed goals above 4 cm/s. */
     assert_true(drawn > 100u);
 }
 
-/* A reversal is a change of the turning direction in which both turns are faster than 20 degrees a
- * second. Returns the number of reversals per second and per fish within a circle, from second 6 to
- * second 14. */
+/* Returns how often a fish within `circle` reverses its turn, per second and fish, from second 6 to
+ * second 14. A reversal needs turns of more than 20 degrees per second in both directions. */
 static float reversals_per_s(uint32_t fish_count, uint32_t seed, const struct shade_cast *fan,
                              const struct shade_cast *circle, float *within)
 {
@@ -159,9 +156,9 @@ static float reversals_per_s(uint32_t fish_count, uint32_t seed, const struct sh
     return (float)(reversals * CORE_TICK_HZ) / (float)fish_ticks;
 }
 
-/* Counts noses that turn to and fro. Gathered fish meet more often than free fish, because they are
- * denser. The control is therefore a tank without a fan and with the same density everywhere.
- * Gathered fish also turn back every few seconds when they leave the shade. */
+/* Fish under a fan are dense and therefore meet often. They are compared with a tank of the same
+ * density without a fan. Under the fan they also turn back at the edge of the shadow every few
+ * seconds, so some more reversals are allowed. */
 static void test_gathered_fish_do_not_jitter(void **state)
 {
     const struct shade_cast none = { 0 }, fan = fan_at(0.0f, 0.0f);
@@ -180,8 +177,8 @@ static void test_gathered_fish_do_not_jitter(void **state)
     assert_true(gathered < 2.0f * dense);
 }
 
-/* In presets with startle responses, a new fan empties its area. A fan that is held still fills
- * it. */
+/* In presets with startle responses, a new shadow drives fish away, and a resting shadow attracts
+ * them. */
 static void test_a_new_fan_scatters_fish_and_a_still_one_gathers_them(void **state)
 {
     const struct shade_cast fan = fan_at(0.0f, 0.0f);
@@ -195,7 +192,7 @@ static void test_a_new_fan_scatters_fish_and_a_still_one_gathers_them(void **sta
         hold_fan(&tick, &fan, 1);
         const uint32_t scattered = tank_shade_count(&tank, &fan);
         hold_fan(&tick, &fan, 1);
-        /* Two seconds after the fan came, more than half of the fish under it have fled. */
+        /* Two seconds after the fan appeared, more than half of the fish under it have fled. */
         assert_true(2u * tank_shade_count(&tank, &fan) < before);
         hold_fan(&tick, &fan, 8);
         const uint32_t gathered = tank_shade_count(&tank, &fan);
@@ -215,8 +212,8 @@ static uint32_t escaping(void)
     return count;
 }
 
-/* The latency lasts from the tick in which a fan appears to the tick in which a C-start begins. A
- * gulping fish takes half as long again and submerges first. */
+/* Measures the latency from the appearance of a fan to the C-start (the beginning of the escape). A
+ * gulping fish takes 1.5 times as long, because it submerges first. */
 static void test_fish_react_to_a_new_fan_after_60_to_150_ms(void **state)
 {
     const struct shade_cast none = { 0 };
@@ -224,7 +221,7 @@ static void test_fish_react_to_a_new_fan_after_60_to_150_ms(void **state)
     uint32_t started[TANK_FISH_MAX], after[32] = { 0 }, starts = 0, soon = 0, late = 0;
     (void)state;
     for (uint32_t seed = 1; seed <= 40; seed++) {
-        /* Each fish updates in every fourth tick, so different start ticks cover all four
+        /* Each fish updates its behavior in every fourth tick. Different start ticks cover all four
          * phases. */
         uint32_t tick = seed;
         open_tank(&tank, TANK_PRESET_FESTIVAL, 300, seed);
@@ -254,7 +251,7 @@ static void test_fish_react_to_a_new_fan_after_60_to_150_ms(void **state)
     print_message("%u starts, %u before 60 ms, %u after 150\n", starts, soon, late);
     assert_true(starts > 1000u);
     assert_int_equal(soon, 0);
-    /* A late start is that of a fish that swam under the fan after its arrival. */
+    /* Late starts are those of fish that swam under the fan later. */
     assert_true(100u * late < starts);
 }
 
@@ -268,7 +265,7 @@ static uint32_t escapes_under(uint8_t preset, float fan_m_s, float dark)
         casts[0].x_m += tick > CORE_TICK_HZ ? fan_m_s * CORE_TICK_S : 0.0f;
         tank_cast(&tank, casts);
         tank_tick(&tank, tick, NULL, 0);
-        /* Skips the first second, so that the startle by the fan's arrival is over. */
+        /* The first second is skipped, because the fan's appearance startles fish. */
         if (tick > CORE_TICK_HZ) {
             const uint32_t now = escaping();
             most = now > most ? now : most;
@@ -318,7 +315,7 @@ static void test_the_position_of_a_fan_is_limited_to_the_tank(void **state)
     input.shade[2].radius_m = -1.0f;
     core_tick(&core, &input, &output);
     assert_true(cast->radius_m == SHADE_RADIUS_MIN_M);
-    /* The fan is absent, so an infinite coordinate is not read. */
+    /* This fan is absent, so its infinite coordinate must not be used. */
     input.shade[2] = (struct shade_input){ 0, 1.0f / 0.0f, 0.0f, 0.0f };
     core_tick(&core, &input, &output);
     assert_int_equal(cast->present, 0);
@@ -348,8 +345,8 @@ static void test_a_dry_poi_casts_a_shadow_and_a_submerged_poi_casts_none(void **
     assert_true(level.present && level.x_m == 0.1f && level.z_m == -0.1f);
     assert_float_equal(level.radius_m, POI_OUTER_RADIUS_M, 1e-4f);
     assert_float_equal(level.dark, POI_PAPER_DARK, 1e-4f);
-    /* Tilted by 60 degrees, the shadow is an ellipse of half the area. A disc of that area has
-     * a radius of 0.7071. */
+    /* A shadow of a poi tilted by 60 degrees is an ellipse of half the area. It is represented by a
+     * disc of the same area, whose radius is smaller by the factor 0.7071. */
     poi.angles.pitch_rad = 60.0f * F_DEG;
     assert_float_equal(poi_shade(&poi).radius_m, 0.7071f * POI_OUTER_RADIUS_M, 1e-4f);
     poi.immersed = 0.01f;

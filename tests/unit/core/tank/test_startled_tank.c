@@ -1,5 +1,5 @@
-/* test_startled_tank.c -- checks a tank of fish that are all startled at the same time: no fish
- * overlap, and all escape. */
+/* test_startled_tank.c -- startles all fish of a tank at the same time. No fish may overlap
+ * another, and all must escape. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -44,7 +44,7 @@ static void startle_all(void)
     }
 }
 
-/* Returns the mean distance of all fish from their start, in body lengths. */
+/* Returns the mean distance of all fish from their start positions, in body lengths. */
 static float mean_way_lengths(void)
 {
     float sum = 0.0f;
@@ -77,7 +77,7 @@ static void check_panic(uint8_t preset, uint32_t fish_count, uint32_t seed, floa
         tank_tick(&tank, 3u * CORE_TICK_HZ + tick, NULL, 0);
         deepest = f_max(deepest, deepest_m(&over));
         start = tick == 10u ? escaping() : start;
-        /* The escape starts in tick 1, so tick 13 is 100 ms (12 ticks) later. */
+        /* The escape starts in tick 1. Tick 13 is 100 ms later (12 ticks). */
         way = tick == 13u ? mean_way_lengths() : way;
     }
     print_message("%u fish, %u start: deepest %.2f mm, %u pair-ticks over 0.5 mm, %.2f lengths "

@@ -1,4 +1,5 @@
-/* test_tank.c -- checks a whole tank: minutes of 300 fish, a poi among them, and repeatability. */
+/* test_tank.c -- checks whole tanks: minutes with 300 fish, a poi that is dragged through them, and
+ * repeatability. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -63,7 +64,7 @@ static void test_a_tank_accepts_exactly_the_maximum_fish_count(void **state)
     struct core_config config = { .seed = 3 };
     config.fish_count = tank_preset_fish_max(tank_preset(0), 1.0f) + 1u;
     assert_int_equal(core_init(&core, &config), CORE_ERR_RANGE);
-    /* The rejected configuration opened no tank. */
+    /* core_init() failed, so no tank was opened. */
     assert_int_equal(core.world.tank.fish_count, 0);
     expect_assert_failure(open_tank(&tank, 0, config.fish_count, 3));
     config.fish_count--;
@@ -71,8 +72,8 @@ static void test_a_tank_accepts_exactly_the_maximum_fish_count(void **state)
     assert_int_equal(core.world.tank.fish_count, config.fish_count);
 }
 
-/* Returns the maximum distance that a fish moved in the last tick beyond 3 mm and its fastest
- * swimming. */
+/* Returns the greatest jump of a fish in the last tick: its displacement, less 3 mm and the
+ * distance that its speed allows. */
 static float jump_m(const struct tank *t)
 {
     float farthest_m = 0.0f;
@@ -136,7 +137,7 @@ static void test_every_fish_stays_valid_separate_and_inside_for_minutes(void **s
             const struct fish *fish = &tank.fish[i];
             check_inside(fish, tank.size_m);
             assert_true(f_abs(fish->angles.pitch_rad) < 26.0f * F_DEG);
-            /* A normal turn stays below 540 degrees a second, so no fish spins. */
+            /* Only an escape turns a fish faster than 540 degrees per second. */
             assert_true(f_abs(fish->yaw_rate_rad_s) < 540.0f * F_DEG);
             assert_true(fish->tail_phase_rad >= 0.0f && fish->tail_phase_rad < F_TAU);
             const float gap =
@@ -159,11 +160,11 @@ static void test_every_fish_stays_valid_separate_and_inside_for_minutes(void **s
         (double)((float)near_wall / all), (double)((float)jolts / all));
     assert_true(deepest < 0.004f);
     assert_true(over < 6u);
-    /* A single fish swims at 1.05 lengths a second. A mean above half of it shows that the fish
-     * do not block each other. */
+    /* A single fish swims at 1.05 lengths per second. If the mean were below half of this, the fish
+     * would block each other. */
     assert_true(swim_lengths / (float)gaits[GAIT_SWIM] > 0.5f);
-    /* A uniform distribution puts 28 % of the fish within 5 cm of a wall, so the fish do not
-     * pile up there. */
+    /* 28 % of the tank's area is within 5 cm of a wall. A similar share of the fish must be there,
+     * so fish must not crowd at the walls. */
     assert_float_equal((float)near_wall / all, 0.28f, 0.12f);
     assert_float_equal((float)gaits[GAIT_REST] / all, 0.65f, 0.08f);
     assert_true((float)jolts / all < 0.001f);
@@ -192,7 +193,7 @@ static void test_a_copy_of_a_tank_continues_identically(void **state)
     open_tank(&tank, TANK_PRESET_FESTIVAL, 80, 3);
     run(&tank, 0, 500, 0, 0);
     twin = tank;
-    /* In tick 500 the broad phase is computed anew, so its old contents must not matter. */
+    /* The broad phase is computed anew in tick 500, so its old contents must have no effect. */
     memset(&twin.broad_phase, 0x5a, sizeof twin.broad_phase);
     run(&tank, 500, 500, 0, 0);
     run(&twin, 500, 500, 0, 0);
@@ -209,14 +210,15 @@ static struct obstacle disc_at(vec3 centre, vec3 velocity)
                               .radius_m = 0.0465f };
 }
 
-/* Effects of a dragged disc on the fish. */
+/* Measurements of a disc that is dragged through the fish. */
 struct dragged {
     uint32_t escapes, near_samples, over;
-    float body_m, ring_m, jump_m; /* Deepest overlaps and the largest displacement. */
-    float lag_m;                  /* Distance by which fish held the disc back. */
+    /* Deepest overlaps of two fish and of a fish with the ring, and largest jump of a fish (m). */
+    float body_m, ring_m, jump_m;
+    float lag_m; /* Largest distance by which fish held the disc back (m). */
 };
 
-/* Returns the distance of a point from a disc, which includes the ring and its paper. */
+/* Returns the distance from a point to a disc (the ring and its paper). */
 static float disc_distance_m(const struct obstacle *disc, vec3 point_m)
 {
     const vec3 d = v3_sub(point_m, disc->centre_m);
@@ -235,8 +237,8 @@ static void look_at_the_ring(struct dragged *dragged, const struct obstacle *dis
     }
 }
 
-/* Drags a disc along the tank at half depth. The disc starts each tick where the fish stopped
- * it. */
+/* Drags a disc along the tank at half depth. Each tick begins at the position where fish stopped
+ * the disc. */
 static struct dragged drag(float speed_m_s, vec3 normal)
 {
     struct dragged dragged = { 0 };
@@ -290,8 +292,8 @@ static void test_the_fullest_tank_of_each_preset_starts_without_an_overlap(void 
     }
 }
 
-/* Between walls this near, one seed in a hundred pushes a few fish to and fro forever. The tank
- * then chooses other initial positions. */
+/* In the smallest tank, one seed in a hundred gives initial positions at which a few fish push each
+ * other without end. tank_open() must then choose other positions. */
 static void test_the_smallest_tank_has_room_for_its_fish_with_every_seed(void **state)
 {
     (void)state;
@@ -305,8 +307,8 @@ static void test_the_smallest_tank_has_room_for_its_fish_with_every_seed(void **
     }
 }
 
-/* The tank has 6.7 x 6.7 cm and two fish of up to 8 cm. Some seeds leave no room, and the function
- * returns an error. */
+/* The tank measures 6.7 x 6.7 cm and gets two fish of up to 8 cm. For some seeds there is no room,
+ * and tank_open() must return an error. */
 static void test_a_tank_without_room_is_rejected(void **state)
 {
     (void)state;
@@ -327,8 +329,8 @@ static void test_a_tank_without_room_is_rejected(void **state)
     assert_in_range(refused, 1, 20);
 }
 
-/* Without the staging, a fish would keep its initial motion until its next update, up to three
- * ticks later. */
+/* A staged fish must have the speed and heading of its stage in the first tick. Its own next update
+ * may be three ticks later. */
 static void test_a_staged_fish_has_its_staged_motion_from_the_first_tick(void **state)
 {
     (void)state;
@@ -364,8 +366,8 @@ static void test_a_fast_disc_scatters_fish_and_a_slow_one_does_not(void **state)
     const struct dragged fast = drag(0.40f, slant_30_deg);
     assert_int_equal(slow.escapes, 0);
     assert_true(fast.escapes >= 10);
-    /* The overlaps with both rings stay below 0.5 mm, and the slow ring moves no fish by 4 mm
-     * in a tick. */
+    /* Fish overlap each other and the ring by less than 0.5 mm. The slow ring moves no fish by 4 mm
+     * or more in a tick. */
     assert_true(slow.body_m < 0.0005f && slow.ring_m < 0.0005f && slow.jump_m < 0.004f);
     assert_true(fast.body_m < 0.0005f && fast.ring_m < 0.0005f && fast.over == 0);
     assert_true(slow.lag_m < 0.005f && fast.lag_m < 0.01f);
@@ -400,7 +402,7 @@ static void test_held_and_bowl_fish_are_not_changed(void **state)
     open_tank(&tank, TANK_PRESET_FESTIVAL, 60, 8);
     tank.fish[3].gait = GAIT_HELD;
     tank.fish[4].gait = GAIT_BOWL;
-    /* The held fish shares its place with a swimming fish, but neither may push the other. */
+    /* The held fish has the same position as a swimming fish. Neither may push the other. */
     tank.fish[3].position_m = tank.fish[5].position_m;
     const uint64_t held = field_hash(HASH_START, &fish_fields, &tank.fish[3]),
                    bowl = field_hash(HASH_START, &fish_fields, &tank.fish[4]);
@@ -409,7 +411,7 @@ static void test_held_and_bowl_fish_are_not_changed(void **state)
     assert_true(field_hash(HASH_START, &fish_fields, &tank.fish[4]) == bowl);
 }
 
-/* Drops a fish at rest from 8 cm above the water. */
+/* Drops a resting fish from 8 cm above the water. */
 static struct fish *drop(vec3 place_m)
 {
     struct fish *fish = &tank.fish[0];
@@ -425,7 +427,7 @@ static void test_a_fish_that_a_poi_releases_falls_in_and_flees(void **state)
     open_tank(&tank, TANK_PRESET_FESTIVAL, 1, 8);
     const struct fish *fish = drop(v3(0.1f, 0.0f, 0.0f));
     run(&tank, 0, 10, 0, 0);
-    /* After 10 ticks the fish is still in the air, so it falls and does not jump into the water. */
+    /* After 10 ticks the fish is still falling. It must not jump into the water. */
     assert_true(fish->position_m.y < 0.08f && fish->position_m.y > 0.0f);
     run(&tank, 10, 40, 0, 0);
     assert_int_equal(fish->gait, GAIT_ESCAPE);

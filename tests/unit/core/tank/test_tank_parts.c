@@ -1,5 +1,5 @@
-/* test_tank_parts.c -- compares the contact solver's data of a whole tank with the true positions
- * of the bodies. */
+/* test_tank_parts.c -- checks that the contact solver's copies of positions and predicted gaps
+ * agree with the true positions of the bodies. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -30,14 +30,14 @@ static int swims(const struct tank *t, uint32_t index)
 
 /* ---- Fish scooped between two updates ------------------------------------------------------- */
 
-/* Removes a fish as a poi does. */
+/* Removes a fish from the water, as a poi does that lifts it. */
 static void scoop(struct tank *t, uint32_t index)
 {
     t->fish[index].gait = GAIT_HELD;
     t->fish[index].holder = 0;
 }
 
-/* Places the stale body of a fish where the broad phase last stored it. */
+/* Moves the broad phase's old copy of a removed fish to a place. */
 static void ghost_at(struct tank *t, uint32_t index, vec3 place_m)
 {
     t->broad_phase.body[index].centre_m = place_m;
@@ -86,8 +86,9 @@ static vec3 nearest_in(const struct box *box, vec3 point_m)
     return v3_add(box->centre_m, vec_basis_to_world(&box->axes, q));
 }
 
-/* Returns the true distance of two boxes. A corner-to-corner distance is larger than the gap on any
- * one axis. Alternating projections converge on the nearest points. */
+/* Returns the true distance of two boxes. Projects a point alternately onto both boxes until it
+ * converges to the nearest points. The largest gap on one axis would be too small for two
+ * corners. */
 static float apart_m(const struct box *a, const struct box *b)
 {
     vec3 in_a = a->centre_m, in_b = b->centre_m;
@@ -98,8 +99,8 @@ static float apart_m(const struct box *a, const struct box *b)
     return v3_length(v3_sub(in_a, in_b));
 }
 
-/* Returns the maximum by which a pair is nearer than its predicted gap, for pairs with a positive
- * predicted gap. */
+/* Returns the largest amount by which a pair is nearer than its predicted gap. Only pairs with a
+ * positive predicted gap count. */
 static float worst_violation_m(const struct broad_phase *broad_phase)
 {
     float worst_m = 0.0f;
@@ -118,7 +119,7 @@ static float worst_violation_m(const struct broad_phase *broad_phase)
     return worst_m;
 }
 
-/* Returns a ring that is swept to and fro through the crowd. */
+/* Returns a ring that moves to and fro through the fish. */
 static struct obstacle swept(uint32_t tick, float speed_m_s)
 {
     const float reach_m = 0.5f * tank.size_m.x - 0.06f;

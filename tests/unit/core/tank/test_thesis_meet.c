@@ -1,5 +1,5 @@
-/* test_thesis_meet.c -- checks section 3.4 of the 2013 thesis on single pairs: the three
- * encounters, the turns and the repulsion. */
+/* test_thesis_meet.c -- checks how two fish avoid each other (section 3.4 of the 2013 thesis): the
+ * three kinds of encounter, the turns and the repulsion. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -10,7 +10,7 @@
 #include "core/tank/behavior/avoid.h"
 #include "tests/unit/support/thesis.h"
 
-/* Returns a fish with a compass heading (0 is -z, 90 is to the left) and a pitch. */
+/* Returns a fish with a heading in degrees (0 is -z, 90 is to the left) and a pitch. */
 static struct avoid_party party(float x_cm, float z_cm, float yaw_deg, float pitch_deg,
                                 uint16_t index)
 {
@@ -32,7 +32,8 @@ static struct avoid_pair meet(const struct avoid_party *a, const struct avoid_pa
     return avoid_meet(a, b, 0.015f, thesis_params(), 1, tick);
 }
 
-/* Returns the class of an encounter. Fish `a` comes along -z, and fish `b` heads for `yaw_deg`. */
+/* Returns the kind of encounter of fish `a`, which swims toward -z, and fish `b` with the heading
+ * `yaw_deg`. */
 static uint8_t kind_at(float yaw_deg, float a_pitch_deg, float b_pitch_deg)
 {
     const struct avoid_party a = party(0.0f, 6.0f, 0.0f, a_pitch_deg, 1);
@@ -55,8 +56,9 @@ static void test_3_4_the_angle_of_the_headings_gives_the_class(void **state)
     }
 }
 
-/* Eq. 3.4 uses the angle in space. A gulping fish at 45 degrees that meets another nose to nose
- * would count as hit from the side. The code uses the angle seen from above. */
+/* Equation 3.4 uses the angle in space. A gulping fish with a pitch of 45 degrees that meets
+ * another nose to nose would then count as hit from the side. The code therefore uses the angle
+ * seen from above. */
 static void test_eq_3_4_uses_the_horizontal_plane(void **state)
 {
     (void)state;
@@ -65,8 +67,8 @@ static void test_eq_3_4_uses_the_horizontal_plane(void **state)
     assert_int_equal(kind_at(0.0f, 45.0f, -30.0f), MEET_REAR_END);
 }
 
-/* Rounding can give arccos an argument above 1, and a vertical fish has no heading. Both would
- * give NaN. */
+/* Rounding can make the argument of arccos larger than 1, and a vertical fish has no heading. The
+ * angle must not be NaN in either case. */
 static void test_eq_3_4_never_gives_a_nan_angle(void **state)
 {
     (void)state;
@@ -83,8 +85,8 @@ static void test_eq_3_4_never_gives_a_nan_angle(void **state)
     }
 }
 
-/* With the angle alone, fish side by side would count as rear-end and fish that have passed each
- * other as head-on. */
+/* The angle alone would classify fish side by side as rear-end and fish that have already passed as
+ * head-on. Only fish that approach each other may count. */
 static void test_3_4_only_fish_that_approach_meet(void **state)
 {
     (void)state;
@@ -106,18 +108,17 @@ static void test_3_4_head_on_fish_both_turn_left_or_both_right_equally_often(voi
     uint32_t left = 0;
     for (uint32_t tick = 0; tick < 4000; tick++) {
         const struct avoid_pair ab = meet(&a, &b, tick), ba = meet(&b, &a, tick);
-        /* Both fish turn to their own left, or both to their own right. */
+        /* Both fish turn left, or both turn right, each from its own view. */
         assert_true(ab.a.turn == ab.b.turn && f_abs(ab.a.turn) == 1.0f);
-        /* The result does not change if the two fish are exchanged. */
+        /* Exchanging the two fish must not change the result. */
         assert_true(ba.a.turn == ab.a.turn);
         left += ab.a.turn > 0.0f;
     }
     assert_in_range(left, 1880, 2120);
 }
 
-/* In the thesis, the struck fish "turns left" on either side, which is toward the other fish half
- * the time. The thesis' figure shows only one of two mirror images. In the code, the fish turns
- * away from the struck side. */
+/* In the thesis, a fish that is hit from the side always "turns left", which leads toward the other
+ * fish in half of the cases. In the code, it turns away from the side on which it is hit. */
 static void check_side(float struck_yaw_deg, float behind, float away)
 {
     const struct avoid_party a = party(0.0f, 5.0f, 0.0f, 0.0f, 1);
@@ -127,7 +128,7 @@ static void check_side(float struck_yaw_deg, float behind, float away)
     for (uint32_t tick = 0; tick < 4000; tick++) {
         const struct avoid_pair pair = meet(&a, &b, tick);
         assert_true(f_abs(pair.a.turn) == 1.0f && pair.b.turn != 0.0f);
-        /* Both fish derive their side from the same random number, so their choices agree. */
+        /* Both fish derive their turns from one random number, so that the turns match. */
         assert_int_equal(pair.a.turn == behind, pair.b.turn * away > 0.0f);
         sensible += pair.a.turn == behind;
     }
@@ -137,9 +138,10 @@ static void check_side(float struck_yaw_deg, float behind, float away)
 static void test_3_4_the_fish_that_hits_from_the_side_passes_behind_in_90_percent(void **state)
 {
     (void)state;
-    check_side(90.0f, -1.0f, -1.0f); /* The struck fish moves to the left. Its rear is on the right,
-                                        and it is struck on its left side. */
-    check_side(-90.0f, 1.0f, 1.0f);  /* Mirror image of the first case. */
+    /* The struck fish swims to the left and is hit on its left side. The other fish passes behind
+     * it, on the right. */
+    check_side(90.0f, -1.0f, -1.0f);
+    check_side(-90.0f, 1.0f, 1.0f); /* Mirror image of the first case. */
 }
 
 static void test_3_4_the_fish_that_faces_the_other_more_is_the_one_that_hits(void **state)
@@ -147,16 +149,16 @@ static void test_3_4_the_fish_that_faces_the_other_more_is_the_one_that_hits(voi
     (void)state;
     const struct avoid_party a = party(0.0f, 5.0f, 0.0f, 0.0f, 1);
     const struct avoid_party b = party(4.0f, 1.0f, 90.0f, 0.0f, 2);
-    /* Both fish face each other equally, so the lower index decides, whatever the order of the
-     * arguments. */
+    /* Both fish face each other equally. The fish with the lower index must then count as the one
+     * that hits, in either order of the arguments. */
     for (uint32_t tick = 0; tick < 200; tick++) {
         const struct avoid_pair ab = meet(&a, &b, tick), ba = meet(&b, &a, tick);
         assert_true(ab.a.turn == ba.b.turn && ab.b.turn == ba.a.turn);
     }
 }
 
-/* The thesis defines the follower as the fish that "gets nearer by its own next move alone". The
- * speeds do not matter. */
+/* In the thesis, the follower is the fish that "gets nearer by its own next move alone". Speeds do
+ * not matter. */
 static void test_3_4_only_the_follower_turns_left_or_right_equally_often(void **state)
 {
     (void)state;
@@ -173,8 +175,8 @@ static void test_3_4_only_the_follower_turns_left_or_right_equally_often(void **
     assert_in_range(left, 1880, 2120);
 }
 
-/* In fig. 3.6, both fish of a pair dive near the surface and otherwise rise, which does not
- * separate them. */
+/* In figure 3.6 of the thesis, both fish of a pair dive near the surface and rise elsewhere, which
+ * does not separate them. In the code, the upper fish rises and the lower one dives. */
 static void test_3_4_the_upper_fish_rises_and_the_lower_dives_after_0_5_s_of_yaw(void **state)
 {
     (void)state;
@@ -210,7 +212,7 @@ static float pitch_way(float y_m, int8_t rise)
     return fish.avoid_turn;
 }
 
-/* A fish is near the surface or the floor within a body's height. */
+/* "Near" means within a body's height of the surface or the floor. */
 static void test_3_4_a_fish_near_the_surface_dives_and_one_near_the_floor_rises(void **state)
 {
     (void)state;
@@ -220,8 +222,8 @@ static void test_3_4_a_fish_near_the_surface_dives_and_one_near_the_floor_rises(
     assert_true(pitch_way(-0.179f, -1) < 0.0f);
 }
 
-/* The thesis names the repulsion in four places without a formula. The code uses the 2.25 cm/s
- * between 5.25 and 7.5 of section 3.3 at contact. The repulsion is 0 at a gap of 1 cm. */
+/* The thesis gives no formula for the repulsion. The code uses 2.25 cm/s at contact, the difference
+ * between 7.5 and 5.25 cm/s in section 3.3, and 0 at a gap of 1 cm. */
 static void test_3_4_repulsion_fills_the_headroom_of_3_3_within_1_cm(void **state)
 {
     (void)state;

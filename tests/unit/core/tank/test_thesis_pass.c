@@ -1,5 +1,5 @@
-/* test_thesis_pass.c -- checks section 3.4 of the 2013 thesis on fish in the water: the detection
- * distance, and the passes of figures 4.1 to 4.12. */
+/* test_thesis_pass.c -- checks how simulated fish pass each other by section 3.4 of the 2013
+ * thesis: the distance at which they react, and the encounters of figures 4.1 to 4.12. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -14,7 +14,7 @@
 static struct tank_stage swimmer(float x_cm, float y_cm, float z_cm, float yaw_deg)
 {
     return (struct tank_stage){
-        /* A fish with this stamina keeps a depth of 13 cm, the depth of the stages below. */
+        /* With a stamina of 0.60, a fish stays at a depth of 13 cm, the depth of these stages. */
         .position_m = { 0.01f * x_cm, 0.01f * y_cm, 0.01f * z_cm },
         .angles = { .yaw_rad = yaw_deg * F_DEG },
         .speed_m_s = 0.0525f * 0.92f,
@@ -23,7 +23,8 @@ static struct tank_stage swimmer(float x_cm, float y_cm, float z_cm, float yaw_d
     };
 }
 
-/* Returns the distance of the centres when the first fish reacted, or 0 if neither fish reacted. */
+/* Returns the distance of the two fish (between centres) when the first one reacts, or 0 if none
+ * reacts. */
 static float reacts_at_m(const struct tank_stage stage[2])
 {
     struct tank *tank = thesis_stage(stage, 2, 4);
@@ -37,8 +38,8 @@ static float reacts_at_m(const struct tank_stage stage[2])
     return 0.0f;
 }
 
-/* Returns the reaction distance of two head-on fish with a sideways and a vertical offset. At 5 cm
- * of height, the fish is at the depth of its stamina. */
+/* Returns the reaction distance of two fish that swim toward each other, one of them shifted
+ * sideways and upward. A fish 5 cm higher gets the stamina that fits its depth. */
 static float meets_head_on_m(float aside_cm, float above_cm)
 {
     struct tank_stage stage[] = { swimmer(0.0f, -13.0f, 5.0f, 0.0f),
@@ -47,8 +48,8 @@ static float meets_head_on_m(float aside_cm, float above_cm)
     return reacts_at_m(stage);
 }
 
-/* Two boxes of section 3.7 meet at 2 cm between the bodies. Section 3.4 would also permit a space
- * against a body, which is half of that distance. */
+/* Two personal spaces (boxes) touch when the bodies are 2 cm apart. The text of section 3.4 would
+ * also allow that a space touches a body, at half of that distance. */
 static void test_3_4_personal_spaces_of_7_by_4_by_3_cm_meet_box_against_box(void **state)
 {
     (void)state;
@@ -68,16 +69,16 @@ static void test_3_4_personal_space_never_shrinks_in_the_thesis(void **state)
         open_tank(&tank, TANK_PRESET_THESIS, counts[i], 1);
         assert_float_equal(0.05f * tank.space, 0.01f, 1e-7f);
     }
-    /* In the championship, 1,000 spaces of 7 x 4 x 3 cm would fill 95 % of the water, so the
-     * spaces are smaller there. */
+    /* In the championship's tank, 1,000 spaces of 7 x 4 x 3 cm would fill 95 % of the water. The
+     * spaces are therefore smaller there. */
     open_tank(&tank, TANK_PRESET_OFFICIAL, 1000, 1);
     assert_true(tank.space < 0.19f && tank.space > 0.15f);
     open_tank(&tank, TANK_PRESET_OFFICIAL, 2000, 1);
     assert_true(tank.space < 0.15f && tank.space > 0.04f);
 }
 
-/* Returns the partner of a fish between a head-on fish and a fish from the side. The fish reacts to
- * the partner that it would touch first. */
+/* Places a fish ahead of another and a third one at its side. Returns the fish that the first one
+ * avoids, which must be the one that it would touch first. */
 static fish_index gives_way_to(float ahead_gap_cm, float aside_gap_cm)
 {
     const struct tank_stage stage[] = {
@@ -112,8 +113,8 @@ static void test_3_4_repulsion_separates_resting_fish(void **state)
     for (uint32_t tick = 0; tick < 5u * CORE_TICK_HZ; tick++) {
         tank_tick(tank, tick, NULL, 0);
         for (uint32_t i = 0; i < 2; i++) {
-            /* The fish do not approach each other, so neither reacts. Only the repulsion
-             * separates them. */
+            /* The fish do not approach each other, so they do not avoid each other. Only the
+             * repulsion separates them. */
             assert_int_equal(tank->fish[i].avoiding, AVOID_NONE);
             pushed_m_s = f_max(pushed_m_s, v3_length(tank->fish[i].push_m_s));
         }
@@ -126,11 +127,11 @@ static void test_3_4_repulsion_separates_resting_fish(void **state)
 /* ---- Figures 4.1 to 4.12 ------------------------------------------------------------------ */
 
 struct encounter {
-    /* First and last tick of the reaction, or 0 if the fish did not react. */
+    /* First and last tick of the avoidance; 0 if the fish did not react. */
     uint32_t start_tick, done_tick;
-    float turned_rad[2];     /* Turns of both fish since the start. */
+    float turned_rad[2];     /* Angles by which both fish have turned since the start. */
     float gap_m, depth_m;    /* Minimum gap and deepest overlap. */
-    float apart_m, before_m; /* Distances of the centres at the end and one second before. */
+    float apart_m, before_m; /* Distances of the centres at the end, and one second earlier. */
     uint8_t pitched, still_avoiding;
 };
 
@@ -164,8 +165,8 @@ static struct encounter play(const struct tank_stage stage[2], uint32_t seed)
     return e;
 }
 
-/* Checks the phases start, during, done and after. The reaction starts, ends within some seconds,
- * and the fish separate or swim side by side. */
+/* Checks the course of an encounter: the avoidance starts, ends within three seconds, and the fish
+ * then separate or swim side by side. */
 static void check_phases(const struct encounter *e)
 {
     assert_true(e->start_tick > 0);
@@ -185,8 +186,8 @@ static void test_figs_4_1_to_4_4_head_on_fish_pass_without_a_touch(void **state)
     for (uint32_t seed = 1; seed <= SEEDS; seed++) {
         const struct encounter e = play(stage, seed);
         check_phases(&e);
-        /* The product is positive if both fish turn to their own left or both to their own
-         * right. */
+        /* The product is positive if both fish turn left or both turn right, each from its own
+         * view. */
         assert_true(e.turned_rad[0] * e.turned_rad[1] > 0.0f);
         assert_false(e.pitched);
         left += e.turned_rad[0] > 0.0f;
@@ -239,8 +240,8 @@ static void test_figs_4_9_to_4_12_a_fish_from_behind_passes_without_a_touch(void
     assert_true(gap_m > 0.003f);
 }
 
-/* Only the follower avoids the leader. Beyond 20 degrees of the follower's turn, the headings alone
- * would give a side encounter, and the leader would turn as a struck fish. */
+/* Only the follower may avoid the leader. After it has turned by 20 degrees, the headings alone
+ * would mean an encounter from the side, in which the leader would turn too. */
 static void check_leader(const struct tank_stage stage[2], uint32_t seed, uint32_t *met)
 {
     struct tank *tank = thesis_stage(stage, 2, seed);
@@ -267,8 +268,8 @@ static void test_3_4_the_leader_never_turns_for_a_follower(void **state)
         stage[0].speed_m_s = 0.138f;
         stage[1].stamina = 0.26f + 0.01f * (float)(seed % 70u);
         check_leader(stage, seed, &met);
-        /* This follower is only slightly faster than the leader, so the reaction takes seconds
-         * and continues in pitch. */
+        /* This follower is only slightly faster than the leader. The avoidance lasts for seconds,
+         * so it continues by pitch. */
         stage[0].gait = GAIT_SWIM;
         stage[0].position_m.z = 0.10f;
         stage[0].speed_m_s = 0.0525f;

@@ -1,5 +1,5 @@
-/* test_thesis_tank.c -- checks sections 3.1, 3.2, 3.3 and 3.6 of the 2013 thesis: the tank, initial
- * states, walls and depths, and the motion of 600 fish. */
+/* test_thesis_tank.c -- checks whole tanks by sections 3.1, 3.2, 3.3 and 3.6 of the 2013 thesis:
+ * size, initial states, walls and depths, and the motion of 600 fish. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -51,12 +51,13 @@ static void test_3_2_initial_stamina_is_uniform_from_30_to_100(void **state)
         }
     }
     assert_true(uniform_misfit(drawn, 5u * FISH, 30.0f, 100.0f) < UNIFORM_MISFIT_MAX(5u * FISH));
-    /* uniform_misfit() sorted the values, so the first is the lowest and the last the highest. */
+    /* uniform_misfit() has sorted the values, so the first is the lowest and the last the
+     * highest. */
     assert_true(drawn[0] >= 30.0f && drawn[5u * FISH - 1u] < 100.0f);
 }
 
-/* The shares follow from eqs. 3.1 to 3.3 with 2 s for a burst, 12.5 s for a swim or a rest, and a
- * uniform H from 30 to 100. */
+/* The expected shares follow from equations 3.1 to 3.3: a burst lasts 2 s, swimming and rest 12.5
+ * s, and the initial stamina is uniform from 30 to 100. */
 static void test_3_2_initial_gaits_are_1_1_percent_burst_and_38_percent_swim(void **state)
 {
     uint32_t count[GAIT_COUNT] = { 0 };
@@ -83,14 +84,15 @@ static void test_3_3_initial_headings_are_uniform_from_0_to_360_degrees(void **s
             const float yaw_rad = tank.fish[i].angles.yaw_rad;
             drawn[seed * FISH + i] = yaw_rad < 0.0f ? yaw_rad + F_TAU : yaw_rad;
             assert_float_equal(tank.fish[i].angles.pitch_rad, 0.0f, 0.0f);
-            /* The fish starts without a turn: its goal is its present heading. */
+            /* A fish starts without turning, so its goal is its current heading. */
             assert_true(tank.fish[i].heading_rad == yaw_rad);
         }
     }
     assert_true(uniform_misfit(drawn, 5u * FISH, 0.0f, F_TAU) < UNIFORM_MISFIT_MAX(5u * FISH));
 }
 
-/* Returns a tank with a fish that swims at a wall, `off_deg` off the wall's normal. */
+/* Returns a tank with one fish that swims toward a wall. `off_deg` is the angle between its course
+ * and the wall's normal. */
 static struct tank *toward_wall(float off_deg, uint32_t seed)
 {
     const struct tank_stage start = {
@@ -103,7 +105,8 @@ static struct tank *toward_wall(float off_deg, uint32_t seed)
     return thesis_stage(&start, 1, seed);
 }
 
-/* By section 3.4, the fish reacts to objects within its personal space, 1 cm ahead of the nose. */
+/* By section 3.4 a fish reacts to objects within its personal space, which ends 1 cm ahead of its
+ * nose. */
 static void test_3_1_a_fish_yaws_away_from_a_wall_when_it_hits_the_wall(void **state)
 {
     (void)state;
@@ -121,13 +124,13 @@ static void test_3_1_a_fish_yaws_away_from_a_wall_when_it_hits_the_wall(void **s
             assert_true(fish->position_m.z - box_extent_m(&box).z > -0.325f - 1e-5f);
             tank_tick(t, tick, NULL, 0);
         }
-        /* After 3 s at the wall (-z), the nose points away from the wall. */
+        /* After 3 s at the wall (in direction -z), the fish faces away from it. */
         assert_true(f_cos(fish->angles.yaw_rad) < 0.0f);
         const float z_m = fish->position_m.z;
         for (const uint32_t end = tick + CORE_TICK_HZ; tick < end; tick++) {
             tank_tick(t, tick, NULL, 0);
         }
-        /* In the following second the fish swims away from the wall. */
+        /* One second later the fish is farther from the wall. */
         assert_true(fish->position_m.z > z_m);
     }
 }
@@ -145,9 +148,9 @@ static void test_3_1_a_fish_that_grazes_a_wall_turns_to_the_side_it_came_from(vo
     }
 }
 
-/* Depths are 18, 13 and 8 cm; a fish at the band of 3 cm gulps. The result depends neither on the
- * initial depth nor on the gait. By section 3.6, a fish changes depth by pitch while it swims. A
- * tired fish rests nine tenths of its time, so it would never rise that way. */
+/* Checks that a fish with a certain stamina swims to its depth (8, 13 or 18 cm), whatever its
+ * initial depth and gait. By section 3.6 a fish changes its depth by pitch while it swims. In the
+ * code a resting fish also rises, because a tired fish rests most of its time. */
 static void check_depth(float stamina, uint8_t gait, float from_m, float depth_m)
 {
     const struct tank_stage start = {
@@ -164,7 +167,7 @@ static void check_depth(float stamina, uint8_t gait, float from_m, float depth_m
     }
     assert_float_equal(t->fish[0].position_m.y, -depth_m, 0.005f);
     assert_true(climb_max_m_s <= 0.0301f);
-    /* The fish pitches on its way to another depth and does not only rise or sink. */
+    /* The fish must pitch on the way to another depth, and not rise or sink horizontally. */
     assert_true(pitch_max_rad > 5.0f * F_DEG);
 }
 
@@ -190,7 +193,7 @@ static void test_3_6_the_bands_change_at_75_50_and_25_of_100(void **state)
     }
 }
 
-/* The thesis has no flight, so a fast disc startles no fish. */
+/* The thesis has no startle response, so a fast disc must startle no fish. */
 static void test_fish_of_the_thesis_do_not_flee_or_doze_or_turn_at_random(void **state)
 {
     (void)state;
@@ -240,12 +243,15 @@ static void test_3_6_six_hundred_fish_keep_their_depths(void **state)
 /* ---- A full tank -------------------------------------------------------------------------- */
 
 struct bustle {
-    float pace[GAIT_COUNT]; /* Mean speed divided by the mean speed of a single fish. */
-    float reversals_per_s;  /* Reversals per fish: turns of over 30 degrees a second, left then
-                               right. */
+    /* Mean speed of the fish with each gait, as a fraction of the mean speed of a single fish. */
+    float pace[GAIT_COUNT];
+    /* Reversals per second and fish: turns of over 30 degrees per second to the left and then to
+     * the right, or vice versa. */
+    float reversals_per_s;
     float yaw_rate_max_rad_s;
-    float at_walls, at_walls_if_even; /* Shares of fish within 3/4 length of a wall: measured, and
-                                         for a uniform distribution. */
+    /* Share of the fish within 3/4 of a length of a wall: measured, and expected for an even
+     * distribution. */
+    float at_walls, at_walls_if_even;
 };
 
 struct bustle_sums {
@@ -281,7 +287,7 @@ static void watch(struct bustle_sums *sums, struct bustle *bustle, uint32_t tick
     }
 }
 
-/* Measures the last 20 s of half a minute. */
+/* Runs a tank for half a minute and measures its last 20 s. */
 static struct bustle bustle_of(uint8_t preset, uint32_t fish_count)
 {
     static struct bustle_sums sums;
@@ -314,15 +320,13 @@ static struct bustle bustle_of(uint8_t preset, uint32_t fish_count)
 static void check_bustle(uint8_t preset, uint32_t fish_count)
 {
     const struct bustle bustle = bustle_of(preset, fish_count);
-    /* A pace of 1 is the speed of a fish that is alone. Above 0.5, the fish do not block each
-     * other. */
+    /* The pace is 1 for a fish without neighbours. Above 0.5, fish do not block each other. */
     assert_true(bustle.pace[GAIT_SWIM] > 0.5f);
     assert_true(bustle.pace[GAIT_BURST] > 0.5f);
-    /* Less than one reversal of the turn per second shows that the fish do not jitter. */
+    /* With at most one reversal per second, fish do not tremble. */
     assert_true(bustle.reversals_per_s < 1.0f);
     assert_true(bustle.yaw_rate_max_rad_s < 721.0f * F_DEG);
-    /* The fish do not pile up at the walls: their share is below 1.5 times that of a uniform
-     * distribution. */
+    /* Less than 1.5 times the expected share is near the walls, so fish do not crowd there. */
     assert_true(bustle.at_walls < 1.5f * bustle.at_walls_if_even);
 }
 

@@ -1,5 +1,5 @@
-/* test_burst_coast.c -- checks burst and coast: drag decelerates a glide, and a kick turns the
- * fish. */
+/* test_burst_coast.c -- checks burst-and-coast swimming: a kick of the tail accelerates and turns
+ * the fish, and drag slows the following glide. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -23,7 +23,8 @@ static void swim(struct fish *fish, uint32_t tick)
     swim_settle(fish, v3_sub(fish->position_m, before_m), fish_forward(fish));
 }
 
-/* Returns the first tick of a glide of a fish whose `look` is 0. A cycle has 84 ticks. */
+/* Returns the first tick of a glide. A cycle of beats and a glide has 84 ticks for a fish whose
+ * `look` is 0. */
 static uint32_t glide_tick(const struct fish *fish)
 {
     uint32_t tick = 0;
@@ -44,12 +45,12 @@ static void test_a_glide_decelerates_by_drag(void **state)
         for (uint32_t tick = from; tick < 84u; tick++) {
             swim(&fish, tick);
             const float s = (float)(tick + 1u - from) * CORE_TICK_S;
-            /* The expected speed solves dv/dt = -v^2 / way_m, where drag slows the fish. */
+            /* Expected speed with quadratic drag: the solution of dv/dt = -v^2 / way_m. */
             const float wanted_m_s = start_m_s / (1.0f + start_m_s * s / way_m);
             assert_float_equal(fish.speed_m_s, wanted_m_s, 0.01f * start_m_s);
         }
-        /* The formula is 2 m (1 + added) / (rho S C), with the mass that also determines the oxygen
-         * consumption. */
+        /* The glide distance follows from mass and drag: 2 m (1 + added mass) / (rho S C). The mass
+         * is the one that is used for the oxygen consumption. */
         const float by_mass_m =
             2.0f * 1.1f * fish_mass_kg(length_m) / (1000.0f * 0.65f * length_m * length_m * 0.060f);
         assert_float_equal(way_m, by_mass_m, 0.04f * way_m);
@@ -84,8 +85,8 @@ static void test_a_behavior_update_in_every_tick_adds_no_turns(void **state)
     for (uint32_t tick = 0; tick < 840u; tick++) {
         struct perception around = *pond_at(1, tick);
         gait_cycle_turn(&often, 7, &around);
-        /* Updates `seldom` in every fourth tick, and never in the tick of a kick, so that a
-         * kick could be missed. */
+        /* `seldom` is updated in every fourth tick, and never in the tick of a kick. It must not
+         * miss a kick. */
         if (tick % FISH_BEHAVIOR_TICKS == 2u) {
             around.dt_s = (float)FISH_BEHAVIOR_TICKS * CORE_TICK_S;
             gait_cycle_turn(&seldom, 7, &around);
@@ -94,14 +95,14 @@ static void test_a_behavior_update_in_every_tick_adds_no_turns(void **state)
     assert_float_equal(often.heading_rad, seldom.heading_rad, 1e-6f);
 }
 
-/* Measures a turn at a kick: the duration of its middle 80 %, and its minimum radius in body
+/* Measures the turn of a kick: how long the middle 80 % of it take, and its smallest radius in body
  * lengths. */
 static void turn(float angle_rad, float *lasts_s, float *radius_lengths)
 {
     struct fish fish = pond_fish(0.05f, GAIT_SWIM);
     float first_s = 0.0f;
     fish.heading_rad = angle_rad;
-    /* 0.9 lengths per second is the speed at the end of a glide. */
+    /* Speed at the end of a glide: 0.9 lengths per second. */
     fish.speed_m_s = 0.9f * fish.length_m;
     *lasts_s = 0.0f;
     *radius_lengths = 100.0f;
@@ -115,8 +116,8 @@ static void turn(float angle_rad, float *lasts_s, float *radius_lengths)
     }
 }
 
-/* In Wu et al. 2007, the rate determines the angle of a turn, and the duration hardly changes. The
- * radii are 0.1 to 0.2 lengths at the angles of kicks. */
+/* Wu et al. 2007 measured that the duration of a turn hardly depends on its angle, because larger
+ * turns are faster. The radii at the angles of kicks are 0.1 to 0.2 lengths. */
 static void test_the_duration_of_a_turn_is_independent_of_its_angle(void **state)
 {
     (void)state;

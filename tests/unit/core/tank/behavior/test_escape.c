@@ -1,5 +1,5 @@
-/* test_escape.c -- measures the C-start over many fish: turn, share away from the stimulus, thrust,
- * distance and speed. */
+/* test_escape.c -- measures the C-start (the escape response of a startled fish) over many fish:
+ * turn, share away from the stimulus, acceleration, distance and speed. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -17,19 +17,20 @@
 #define TRIALS 4000u
 #define LENGTH_M 0.05f
 
-/* Measured values of one start. */
+/* Measurements of one C-start. */
 struct trial {
-    float head_turn_rad; /* Maximum turn of the snout within stage 1, positive to the left. */
-    float away_side;     /* Direction of the turn away from the stimulus: +1 is left and -1 is
-                            right. */
-    float way_lengths;   /* Distance in the first 100 ms after the start. */
-    float away_lengths;  /* Part of that distance that leads away from the stimulus. */
-    float peak_lengths_s, push_m_s2; /* Maximum speed, and the maximum gain of speed in 17 ms. */
-    /* Time of the maximum speed, and time of the last tick with more than 4 lengths a second. */
+    /* Largest turn of the head in stage 1 (the bend into a C), positive to the left. */
+    float head_turn_rad;
+    /* Side away from the stimulus: +1 is left and -1 is right. */
+    float away_side;
+    float way_lengths;  /* Distance during the first 100 ms. */
+    float away_lengths; /* Part of that distance in the direction away from the stimulus. */
+    float peak_lengths_s, push_m_s2; /* Highest speed, and highest acceleration over 17 ms. */
+    /* Time of the highest speed, and time of the last tick faster than 4 lengths per second. */
     float peak_s, slow_s;
-    float bend_rad; /* Largest magnitude of the bend in the C. */
-    float back_rad; /* Largest bend in the opposite direction. */
-    float stage_s;  /* Time of the largest bend in the C. */
+    float bend_rad; /* Largest bend into the C (absolute value). */
+    float back_rad; /* Largest bend to the opposite side. */
+    float stage_s;  /* Time of the largest bend into the C. */
 };
 
 static struct fish still_fish(uint32_t seed)
@@ -39,7 +40,7 @@ static struct fish still_fish(uint32_t seed)
     return fish;
 }
 
-/* Runs one tick as fish_behavior_tick() and the tank do, without other fish. */
+/* Runs one tick of a fish as the tank does, but without other fish. */
 static void tick_alone(struct fish *fish, uint32_t index, const struct perception *around)
 {
     const vec3 before_m = fish->position_m;
@@ -52,7 +53,7 @@ static void tick_alone(struct fish *fish, uint32_t index, const struct perceptio
     swim_settle(fish, v3_sub(fish->position_m, before_m), fish_forward(fish));
 }
 
-/* Returns the direction of the snout. The part of the bend ahead of the pivot turns the snout. */
+/* Returns the direction of the head. The bent front part of the body turns the head. */
 static float head_rad(const struct fish *fish)
 {
     return fish->angles.yaw_rad - 0.38f * fish->bend_rad;
@@ -86,7 +87,7 @@ static struct trial start(struct fish fish, vec3 from_m, uint32_t index, uint32_
             trial.peak_s = s;
         }
         trial.slow_s = speed_m_s[tick % 4u] > 4.0f * LENGTH_M ? s : trial.slow_s;
-        if (tick == 12u) { /* 12 ticks of 1/120 s are the 100 ms of `way_lengths`. */
+        if (tick == 12u) { /* 12 ticks are 100 ms. */
             const vec3 way = v3_sub(fish.position_m, at_m);
             trial.way_lengths = v3_length(way) / LENGTH_M;
             trial.away_lengths = v3_dot(way, away) / LENGTH_M;
@@ -95,7 +96,7 @@ static struct trial start(struct fish fish, vec3 from_m, uint32_t index, uint32_
     return trial;
 }
 
-/* Runs one start in the middle of the tank, with a stimulus from a random side. */
+/* Startles one fish in the middle of the tank from a random direction. */
 static struct trial trial_of(uint32_t i)
 {
     const float around_rad = rng_range((struct rng_key){ 5, i, 0, RNG_TEST }, -F_PI, F_PI);
@@ -135,7 +136,7 @@ static void test_stage_1_turns_the_head_60_to_120_degrees_within_17_ms(void **st
                   (double)mean, (double)least, (double)most, (double)(1e3f * latest_s));
     assert_true(least > 59.5f && most < 120.5f);
     assert_float_equal(mean, 90.0f, 1.5f);
-    /* Two ticks are 17 ms. Eaton et al. 1977 give "about 20 ms" for stage 1. */
+    /* Two ticks are 17 ms. Eaton et al. 1977 measured about 20 ms for stage 1. */
     assert_float_equal(latest_s, 2.0f * CORE_TICK_S, 1e-4f);
 }
 
@@ -183,7 +184,8 @@ static void test_a_start_reaches_8_to_10_lengths_a_second_at_15_to_40_m_s2(void 
                   (double)latest_s);
     assert_true(least > 7.8f && most < 10.1f);
     assert_true(weakest > 15.0f && strongest < 40.0f);
-    assert_true(latest_s < 1.0f); /* The fish has its maximum speed for at most one second. */
+    /* After one second, no fish is faster than 4 lengths per second. */
+    assert_true(latest_s < 1.0f);
 }
 
 static void test_an_exhausted_fish_escapes_at_four_fifths_of_the_speed(void **state)
@@ -204,7 +206,8 @@ static void test_a_wall_behind_a_fish_gives_more_starts_toward_the_danger(void *
     float into = 0.0f;
     for (uint32_t i = 0; i < TRIALS; i++) {
         struct fish fish = still_fish(i);
-        /* The wall is 3 cm to the right, at x = 0.425 m, and the stimulus comes from the left. */
+        /* The fish is 3 cm from the right wall (x = 0.425 m), and the stimulus comes from the
+         * left. */
         fish.position_m.x = 0.425f - 0.03f;
         fish.angles.yaw_rad = fish.heading_rad = i % 2u ? 0.0f : F_PI;
         const vec3 from_m = { fish.position_m.x - 0.06f, -0.06f, 0.0f };
@@ -214,7 +217,7 @@ static void test_a_wall_behind_a_fish_gives_more_starts_toward_the_danger(void *
     }
     print_message("turned away at a wall: %.3f, into it by %.2f lengths\n", (double)away / TRIALS,
                   (double)into);
-    /* The wall is 0.6 lengths (3 cm) away, so no fish reaches it within the 100 ms. */
+    /* The wall is 0.6 lengths (3 cm) away. No fish may reach it within 100 ms. */
     assert_true(into < 0.6f);
     assert_true((float)away / TRIALS < 0.62f && (float)away / TRIALS > 0.45f);
 }
@@ -267,7 +270,7 @@ static void test_a_fish_scooped_during_its_start_straightens(void **state)
     tick_alone(&fish, 0, pond_at(1, 0));
     tick_alone(&fish, 0, pond_at(1, 1));
     assert_true(f_abs(fish.bend_rad) > 1.0f);
-    /* A fish that falls off the paper gets GAIT_BURST in the middle of its bend. */
+    /* A fish that falls off the paper in the middle of its bend gets GAIT_BURST. */
     fish.gait = GAIT_BURST;
     fish.gait_left_s = 1.0f;
     fish.heading_rad = fish.angles.yaw_rad;

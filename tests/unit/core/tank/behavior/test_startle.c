@@ -1,5 +1,5 @@
-/* test_startle.c -- checks what startles a fish: looming, pressure, habituation and the latency of
- * the nerves. */
+/* test_startle.c -- checks what startles a fish: approaching objects, pressure and shadows. Also
+ * checks habituation and the latency of the response. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -15,7 +15,7 @@
 
 #define NEVER 1000u
 
-/* Returns a timid fish, because every bit of `look` is 0. */
+/* Returns a fish whose `look` is 0, which makes it timid. */
 static struct fish fish_at(vec3 position_m)
 {
     return (struct fish){ WAKIN(0.05f), .stamina = 1.0f,   .brake = 1.0f,
@@ -31,7 +31,7 @@ static struct obstacle disc_at(vec3 centre_m, vec3 velocity_m_s)
                               .radius_m = 0.0465f };
 }
 
-/* Returns a vertical disc that faces +x and moves that way. */
+/* Returns a disc on edge that faces +x and moves in that direction. */
 static struct obstacle broadside_disc(float speed_m_s)
 {
     struct obstacle disc = disc_at(v3(0.0f, -0.05f, 0.0f), v3(speed_m_s, 0.0f, 0.0f));
@@ -47,7 +47,8 @@ static struct perception beside(const struct obstacle *disc, uint32_t seed, uint
     return around;
 }
 
-/* Returns the ticks until a fish beside a disc begins its C-start, with both at fixed positions. */
+/* Returns after how many ticks a fish beside a disc begins to escape (C-start). Both stay at their
+ * positions. */
 static uint32_t ticks_to_start(struct obstacle disc, struct fish fish, uint32_t seed)
 {
     for (uint32_t tick = 0; tick < NEVER; tick++) {
@@ -188,8 +189,8 @@ static void test_latency_is_8_to_15_ms_for_pressure_and_60_to_150_ms_for_sight(v
     assert_float_equal(mean_s, 0.105f, 0.002f);
     assert_true(least_s > 0.060f - half_tick_s && least_s < 0.068f);
     assert_true(most_s < 0.150f + half_tick_s && most_s > 0.142f);
-    /* The limit is below 150 ms, because the time until the alarm reaches the threshold is not
-     * included. */
+    /* This latency starts when the alarm has reached its threshold, so it is shorter than the total
+     * of up to 150 ms. */
     latency(STARTLE_SHADOW, GAIT_SWIM, &mean_s, &least_s, &most_s);
     assert_true(least_s >= 0.060f && most_s < 0.115f + half_tick_s);
 }
@@ -255,7 +256,7 @@ static void test_habituation_grows_with_startles_and_fades(void **state)
     for (uint32_t tick = 0; tick < 600u * CORE_TICK_HZ; tick++) {
         startle_tick(&fish, 0, pond_at(1, tick));
     }
-    assert_float_equal(fish.habit, 0.0f, 0.0f); /* The habituation reaches zero. */
+    assert_float_equal(fish.habit, 0.0f, 0.0f); /* The habituation decays to exactly 0. */
 }
 
 static void test_a_fish_that_just_fled_is_not_startled_again_immediately(void **state)

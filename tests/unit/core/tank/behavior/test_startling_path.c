@@ -1,8 +1,8 @@
-/* test_startling_path.c -- measures how many of a stall's 300 fish a poi startles on a path of
- * 30 cm.
+/* test_startling_path.c -- counts how many of 300 fish are startled by a poi that moves 30 cm
+ * through the tank.
  *
- * Real players enter at a slant and lead with the edge, because fish respond to fast broadside
- * water and to little else. */
+ * Experienced players move the poi edge first and enter the water at a slant, because fish respond
+ * mainly to fast water in front of a broadside ring. */
 #include "tests/unit/support/poi_fixture.h"
 
 #include "core/tank/behavior/startle.h"
@@ -13,7 +13,8 @@
 
 static struct poi_fixture fixture; /* Static, because the struct is too large for some stacks. */
 
-/* Motion of a ring: the tilt against its course, and the downward angle of the course. */
+/* Motion of a ring: its speed, the tilt of the ring relative to its course, and the downward angle
+ * of the course. */
 struct manner {
     float tilt_rad, speed_m_s, down_rad;
 };
@@ -33,7 +34,7 @@ static int is_startled(const struct fish *fish)
            fish->startle == STARTLE_LOOM;
 }
 
-/* Marks the startled fish. Returns the number of fish that were not marked before. */
+/* Marks the fish that are startled now. Returns the number of fish that were not marked before. */
 static uint32_t count_startled(uint8_t marks[TANK_FISH_MAX])
 {
     uint32_t count = 0;
@@ -46,7 +47,8 @@ static uint32_t count_startled(uint8_t marks[TANK_FISH_MAX])
     return count;
 }
 
-/* Moves the poi in edge first, rolls it by `roll_rad`, and holds it until the fish are calm. */
+/* Dips the poi edge first, turns it to `roll_rad` under water, and waits until the fish are calm
+ * again. */
 static void dip_gently(float to_m, float roll_rad)
 {
     const uint32_t ticks = (uint32_t)(CALM_S * (float)CORE_TICK_HZ);

@@ -1,5 +1,5 @@
-/* test_surface_breathing.c -- checks which fish rise for air, how they gulp and how they dive
- * again. */
+/* test_surface_breathing.c -- checks which fish rise to breathe at the surface, how they gulp
+ * there, and how they dive again. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -112,7 +112,7 @@ static uint32_t surfacing_count(const struct tank *water)
     return count;
 }
 
-/* By section 3.6, a stamina below 25 makes a fish of the thesis rise. Other presets have no such
+/* In the thesis (section 3.6), a fish rises if its stamina is below 25. Other presets have no such
  * rule. */
 static void test_low_stamina_starts_gulping_only_in_the_thesis_tank(void **state)
 {
@@ -175,8 +175,8 @@ static void test_three_seconds_of_gulping_restore_stamina_and_the_fish_dives(voi
     assert_true(dived >= 190);
     for (uint32_t i = 0; i < tank.fish_count; i++) {
         if (tank.fish[i].air == AIR_ENOUGH) {
-            /* A fish with a stamina of at least 0.75 prefers a depth of 18 cm, others at most
-             * 13 cm. A goal below 15 cm shows that gulping restored the stamina. */
+            /* A fish with a stamina of at least 0.75 stays 18 cm deep, others at most 13 cm. A goal
+             * below 15 cm thus proves that gulping restored the stamina. */
             assert_true(tank.fish[i].depth_goal_m < -0.15f);
         }
     }
@@ -189,7 +189,7 @@ struct watch {
     float climb_max_m_s, over_max_m;
 };
 
-/* Counts all fish that surface within `seconds`. */
+/* Measures all fish that are at the surface during `seconds`. */
 static struct watch watch(float seconds)
 {
     struct watch seen = { 0 };
@@ -348,8 +348,8 @@ static void test_gulps_make_ripples(void **state)
 
 /* ---- Oxygen and startle --------------------------------------------------------------------- */
 
-/* Returns the oxygen demand of a fish in mg/h. The fish is counted in the middle of each second of
- * time. The second fish of the array is on a poi. */
+/* Returns the oxygen consumption of a fish in mg/h, as oxygen_tick() computes it once a second. The
+ * second fish of the array is on a poi and consumes nothing. */
 static float asked_mg_h(const struct fish *fish)
 {
     struct oxygen oxygen = { .temperature_c = 25.0f, .pressure_hpa = OXYGEN_PRESSURE_HPA };
@@ -411,8 +411,8 @@ static void test_a_startled_gulping_fish_submerges_before_it_escapes(void **stat
         assert_true(top_m(fish) <= 0.0f);
     }
     assert_int_equal(gulpers, 10);
-    /* Most fish start within 10 ticks, because the latency of sight is 60 to 150 ms. A fish
-     * that needs a second stimulus takes longer. */
+    /* Most fish start within 10 ticks, because the latency of sight is 60 to 150 ms. A fish that
+     * needs a second stimulus takes longer. */
     assert_true(soon >= 8);
 }
 
@@ -420,7 +420,8 @@ static void test_a_gulping_fish_behaves_normally_after_scoop_and_return(void **s
 {
     (void)state;
     struct fish fish = gulper();
-    /* A fish that leaves a bowl has GAIT_SWIM, but its `air` still has the state of the gulper. */
+    /* The fish has been in a bowl: its gait is GAIT_SWIM, but `air` still has the state of a
+     * gulping fish. */
     fish.gait = GAIT_SWIM;
     fish.position_m.y = -0.05f;
     assert_false(surface_breathes(&fish));

@@ -1,5 +1,5 @@
-/* test_swim.c -- checks the motion of one fish: limited turns, glides, depth, falls and the tail
- * beat. */
+/* test_swim.c -- checks the motion of a single fish: limited turns, glides, depth, falls and the
+ * tail beat. */
 #include <float.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -27,7 +27,7 @@ static void swim_one_tick(struct fish *fish)
     swim_settle(fish, v3_sub(fish->position_m, before), fish_forward(fish));
 }
 
-/* Swims at a given speed with a continuous tail beat. */
+/* Lets the fish swim at a given speed, with a continuous tail beat. */
 static void swim_ticks(struct fish *fish, uint32_t ticks, float speed_m_s)
 {
     for (uint32_t tick = 0; tick < ticks; tick++) {
@@ -59,10 +59,10 @@ static void test_a_fish_reaches_95_percent_of_its_speed_after_the_run_up(void **
         swim_ticks(&fish, 1, 0.15f);
         ticks++;
     }
-    /* The run-up takes 0.1639 s, which is 19.7 ticks, so the speed is reached in tick 20. */
+    /* The acceleration takes 0.1639 s (19.7 ticks), so the speed is reached in tick 20. */
     assert_int_equal(ticks, 20);
-    /* The speed follows v (1 - exp(-3 t / T)), so after 0.167 s the fish is 0.052 s behind a
-     * fish of constant 15 cm/s, at 1.72 cm. */
+    /* With v (1 - exp(-3 t / T)) the fish has swum 1.72 cm after 0.167 s. A fish that swam at a
+     * constant 15 cm/s would have needed 0.052 s less. */
     assert_float_equal(v3_length(v3_sub(fish.position_m, start)), 0.0172f, 0.0007f);
 }
 
@@ -75,8 +75,8 @@ static void test_a_glide_loses_speed_slowly(void **state)
     assert_true(fish.speed_m_s > 0.03f && fish.speed_m_s < 0.05f);
 }
 
-/* Swims for a minute with the gait's beats and glides. Returns the mean speed in lengths a
- * second. */
+/* Lets the fish swim for a minute with alternating beats and glides. Returns the mean speed in
+ * lengths per second. */
 static float swim_a_minute(struct fish *fish, float *fastest)
 {
     const uint32_t ticks = 60u * CORE_TICK_HZ;
@@ -115,7 +115,8 @@ static void test_a_fish_that_swims_a_minute_keeps_the_preferred_speed(void **sta
     print_message("off 1.05 lengths/s by %.3f at most, fastest %.2f\n", (double)worst,
                   (double)fastest);
     assert_true(worst < 0.02f);
-    assert_true(fastest > 1.1f && fastest < 1.5f); /* The fish alternates beats and glides. */
+    /* Above the mean, because beats and glides alternate. */
+    assert_true(fastest > 1.1f && fastest < 1.5f);
 }
 
 static void test_pushes_do_not_make_a_swimming_fish_faster_than_one_and_a_half_lengths(void **state)
@@ -140,14 +141,15 @@ static void test_a_burst_slows_smoothly_within_half_a_second(void **state)
     for (uint32_t tick = 0; tick < CORE_TICK_HZ / 2u; tick++) {
         swim_ticks(&fish, 1, 0.05f);
         const float now_m_s = v3_length(fish.velocity_m_s);
-        /* A fish that stopped at once would lose 7.5 cm/s in one tick. */
+        /* The fish must slow down gradually. An abrupt stop would be a loss of 7.5 cm/s in one
+         * tick. */
         assert_true(last_m_s - now_m_s < 0.006f);
         last_m_s = now_m_s;
     }
     assert_true(last_m_s < 0.0751f);
 }
 
-/* Checks the turn of a gait. `look` sets the phase of the fish's rhythm. */
+/* Checks the highest yaw rate of a gait. `look` sets the phase of the cycle of beats and glides. */
 static void check_turn(uint8_t gait, uint32_t look, float rate_max_deg_s)
 {
     struct fish fish = swimmer();
@@ -169,9 +171,9 @@ static void test_turns_are_limited_by_the_gait_and_reach_their_goal(void **state
 {
     (void)state;
     check_turn(GAIT_REST, 0, 45.0f);
-    /* The bits of `look` set the phase of the fish's cycle. With this phase the fish glides. */
+    /* With this phase the fish glides. */
     check_turn(GAIT_SWIM, 40u << 14, 180.0f);
-    /* With phase 0 the fish is in a kick, in which it turns faster. */
+    /* With phase 0 the fish kicks its tail, which turns it faster. */
     check_turn(GAIT_SWIM, 0, 500.0f);
     check_turn(GAIT_BURST, 0, 720.0f);
 }
@@ -191,7 +193,7 @@ static void test_depth_is_kept_with_the_nose_nearly_level(void **state)
 {
     (void)state;
     struct fish fish = swimmer();
-    /* A resting fish changes depth by its swim bladder, with the nose nearly level. */
+    /* A resting fish changes its depth by its swim bladder and stays nearly level. */
     fish.gait = GAIT_REST;
     fish.depth_goal_m = -0.09f;
     for (uint32_t tick = 0; tick < 20 * CORE_TICK_HZ; tick++) {
@@ -221,14 +223,13 @@ static void test_the_tail_beat_follows_the_true_speed(void **state)
     check_beat(0.0f, 0.5f);
     check_beat(1.05f, 1.75f);
     check_beat(3.99f, 6.65f);
-    /* The laws for slow and for fast fish meet at four lengths a second, between these two
-     * speeds. */
+    /* The formulas for slow and fast fish meet at four lengths per second. */
     check_beat(4.01f, 6.68f);
     check_beat(9.0f, 13.333f);
 }
 
-/* In Bainbridge 1958, the amplitude grows with the beat up to 5 Hz and is then constant. An
- * amplitude of 1 is a fifth of the body length. */
+/* By Bainbridge 1958, the amplitude of the tail grows with the frequency up to 5 Hz and is then
+ * constant. An amplitude of 1 is a fifth of the body length. */
 static void test_the_stroke_widens_up_to_five_beats_a_second(void **state)
 {
     (void)state;
@@ -241,11 +242,11 @@ static void test_the_stroke_widens_up_to_five_beats_a_second(void **state)
         swim_settle(&fleeing, v3(0.0f, 0.0f, -0.45f * CORE_TICK_S), v3(0.0f, 0.0f, -1.0f));
     }
     assert_float_equal(still.tail_amplitude, 0.15f, 0.01f);
-    /* At 2.7 beats a second the amplitude is still below its maximum. */
+    /* At 2.7 beats per second the amplitude is below its maximum. */
     assert_float_equal(cruising.tail_amplitude, 0.61f, 0.01f);
-    /* At 5 beats a second the amplitude has its maximum of 1. */
+    /* At 5 beats per second the amplitude reaches its maximum. */
     assert_float_equal(fast.tail_amplitude, 1.0f, 0.01f);
-    /* At 13 beats a second only the frequency is higher, not the amplitude. */
+    /* At 13 beats per second only the frequency is higher. */
     assert_float_equal(fleeing.tail_amplitude, 1.0f, 0.01f);
 }
 
@@ -255,7 +256,7 @@ static void test_the_body_bends_along_its_arc(void **state)
     struct fish fish = swimmer();
     fish.heading_rad = 90.0f * F_DEG; /* The fish turns 90 degrees to its left. */
     swim_ticks(&fish, CORE_TICK_HZ / 4u, 0.05f);
-    /* In a left turn the tail bends to the fish's left, which is negative. */
+    /* In a left turn the tail bends to the left, which is a negative value. */
     assert_true(fish.bend_rad < -0.1f);
 }
 
@@ -293,7 +294,7 @@ static void test_a_dropped_fish_falls_into_the_water_and_stays_there(void **stat
         ticks++;
         assert_true(ticks < CORE_TICK_HZ);
     }
-    assert_true(ticks > 15); /* A fall of 9 cm takes 0.135 s, which is 16 ticks. */
+    assert_true(ticks > 15); /* A fall of 9 cm takes 0.135 s (16 ticks). */
     assert_true(fish.position_m.y < 0.0f && fish.position_m.y > -0.1f);
     assert_int_equal(swim_fall(&fish), 0);
 }

@@ -1,5 +1,5 @@
-/* test_swim_simd.c -- checks that the SIMD form equals the scalar form bit for bit, and checks the
- * reported distances. */
+/* test_swim_simd.c -- checks that the SIMD code for swimming gives the same result as the scalar
+ * code, bit for bit. Also checks the reported distances. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -13,7 +13,8 @@
 #include "core/tank/behavior/swim.h"
 #include "tests/unit/support/pond.h"
 
-#define SHOAL 67u /* A number that no lane count divides, so that the last block is incomplete. */
+/* Number of fish. No number of lanes divides 67, so the last block is incomplete. */
+#define SHOAL 67u
 #define SHOAL_ROUNDS 3000u
 
 static float drawn(uint32_t round, uint32_t fish, uint32_t *use, float low, float high)
@@ -21,7 +22,7 @@ static float drawn(uint32_t round, uint32_t fish, uint32_t *use, float low, floa
     return rng_range((struct rng_key){ round, fish, (*use)++, RNG_TEST }, low, high);
 }
 
-/* Returns a random fish in any state that a tank can produce, and slightly beyond. */
+/* Returns a fish in a random state, including states slightly outside the possible range. */
 static struct fish any_fish(uint32_t round, uint32_t index)
 {
     uint32_t use = 0;
@@ -55,7 +56,8 @@ static struct fish any_fish(uint32_t round, uint32_t index)
     };
     fish_grow(&fish, DRAWN(0.03f, 0.09f), pond_params());
     fish.gait = (uint8_t)DRAWN(0.0f, 4.999f);
-    /* Fish with these gaits are rare, because their whole block falls back to the scalar form. */
+    /* Held fish are rare in this test, because a single one makes its whole block use the scalar
+     * code. */
     if (DRAWN(0.0f, 1.0f) < 0.02f) {
         fish.gait = DRAWN(0.0f, 1.0f) < 0.5f ? GAIT_HELD : GAIT_BOWL;
     }
@@ -64,7 +66,7 @@ static struct fish any_fish(uint32_t round, uint32_t index)
     return fish;
 }
 
-/* Returns the maximum distance that a corner of the body moved. */
+/* Returns the greatest distance that a corner of the body has moved. */
 static float corner_way_m(const struct body *from, const struct body *to)
 {
     float farthest_m = 0.0f;
@@ -94,8 +96,8 @@ static void test_no_corner_moves_farther_than_the_reported_distance(void **state
         assert_true(corner_m <= way_m + 1e-6f);
         closest = f_min(closest, way_m > 1e-3f ? 1.0f - corner_m / way_m : 1.0f);
     }
-    /* The reported distance may be larger than the true one, but in the closest case by less
-     * than 10 %. */
+    /* The reported distance is an upper limit. In the closest case it exceeds the true distance by
+     * less than 10 %. */
     assert_true(closest < 0.1f);
 }
 
@@ -123,7 +125,7 @@ static void school_make(struct school *school, uint32_t round)
     }
 }
 
-/* Moves the school by the scalar form alone. */
+/* Moves all fish with the scalar code. */
 static void school_swim_one_by_one(struct school *school, uint8_t preset, vec3 shove_m)
 {
     for (uint32_t i = 0; i < SHOAL; i++) {

@@ -1,4 +1,5 @@
-/* test_temper.c -- checks how a calmer temper changes the startle response of the fish. */
+/* test_temper.c -- checks the operator's setting for calmer fish: a calm fish needs a stronger
+ * stimulus to flee. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,5 +1,5 @@
-/* test_box.c -- checks oriented boxes against known distances, and the fast test against the full
- * test. */
+/* test_box.c -- checks the gap between oriented boxes against known distances, and compares the
+ * fast overlap test with the complete test. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -79,15 +79,16 @@ static void test_moving_along_the_axis_by_the_depth_separates_two_boxes(void **s
     assert_true(parted > 200);
 }
 
-/* In this pair, no face normal is a separating axis. Only the cross product of two edges is. */
+/* Two crossed bars for which no face normal is a separating axis. Only the cross product of two
+ * edges separates them. */
 static void test_crossed_edges_separate_boxes_that_no_face_separates(void **state)
 {
     (void)state;
     const vec3 half = v3(0.01f, 0.01f, 0.04f);
     const struct angles rolled = { 0.0f, 0.0f, 45.0f * F_DEG },
                         crossed = { 90.0f * F_DEG, 0.0f, 45.0f * F_DEG };
-    /* Each bar is turned by 45 degrees so that it rests on an edge. Its upper ridge is 1.414 cm
-     * from its centre, and the centres are 3 cm apart. */
+    /* Each bar is turned by 45 degrees, so that an edge is on top. The edge is 1.414 cm above the
+     * bar's centre, and the centres are 3 cm apart. */
     const struct box a = { v3(0.0f, 0.0f, 0.0f), vec_basis_from_angles(rolled), half },
                      b = { v3(0.0f, 0.030f, 0.0f), vec_basis_from_angles(crossed), half };
     const struct box_gap gap = box_gap(&a, 0.01f, &b, 0.01f);
@@ -137,7 +138,8 @@ static void test_the_shortest_move_across_a_rod_clears_it(void **state)
     assert_float_equal(beside.x, -0.001f, NEAR);
     assert_float_equal(v3_length(box_clear_rod(&box, v3(0.009f, 0.0f, 0.0f), up, 0.003f)), 0.0f,
                        NEAR);
-    /* The shortest way out from a rod across the fish is up or down, never along the rod. */
+    /* A rod lies across the fish. The shortest way to free the box is up or down, never along the
+     * rod. */
     const vec3 across = box_clear_rod(&box, v3(0.0f, 0.002f, 0.0f), right, 0.003f);
     assert_float_equal(across.x, 0.0f, NEAR);
     assert_float_equal(across.y, -0.011f, NEAR);

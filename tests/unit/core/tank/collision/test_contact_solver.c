@@ -1,4 +1,4 @@
-/* test_contact_solver.c -- checks the overlaps that the contact solver leaves in a crowd. */
+/* test_contact_solver.c -- checks how well the contact solver separates the fish of a crowd. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -25,8 +25,8 @@ static void begin_step(uint32_t count, float push_max_m)
     contact_solver_project(&solver, &broad_phase, &place);
 }
 
-/* Builds the bodies of fish that came from `before_m`. A null pointer means that the fish did not
- * move and may be pushed in any direction. */
+/* Builds the bodies of the fish. `before_m` has their previous positions; null means that the fish
+ * did not move. */
 static void gather(uint32_t count, const vec3 *before_m)
 {
     contact_solver_begin(&solver, fish, count);
@@ -71,7 +71,8 @@ static void test_the_solver_moves_a_fish_at_most_2_mm_beyond_its_own_motion(void
     (void)state;
     static vec3 before_m[300];
     fill_at_random(300, 0.3f, 0.06f);
-    /* Crowds the fish into a quarter of the area. Each fish moved 2 mm in this tick. */
+    /* Moves the fish together into a quarter of the area, and gives each a motion of 2 mm in this
+     * tick. */
     for (uint32_t i = 0; i < 300; i++) {
         fish[i].position_m = v3_scale(fish[i].position_m, 0.5f);
         fish[i].position_m.y -= 0.05f;
@@ -94,7 +95,8 @@ static void test_the_solver_moves_a_fish_at_most_2_mm_beyond_its_own_motion(void
 static void test_a_blocked_fish_leaves_the_correction_to_the_other(void **state)
 {
     (void)state;
-    /* The large fish moved 10 mm into the small resting fish. The solver takes back its motion. */
+    /* In this tick the large fish moved 10 mm into the small resting fish. The solver must take
+     * this motion back. */
     const vec3 before_m[2] = { { 0.0f, -0.1f, 0.0f }, { 0.028f, -0.1f, 0.0f } };
     fish[0] = (struct fish){ .position_m = { 0.0f, -0.1f, 0.0f }, WAKIN(0.04f) };
     fish[1] = (struct fish){ .position_m = { 0.004f, -0.1f, 0.0f }, WAKIN(0.08f) };
@@ -116,13 +118,13 @@ static void test_the_larger_of_two_fish_moves_less(void **state)
     const float large_m = -broad_phase.body[0].centre_m.x,
                 small_m = broad_phase.body[1].centre_m.x - 0.009f;
     assert_true(large_m > 0.0f);
-    /* The large fish is twice as long and has eight times the mass, so it moves an eighth as
+    /* The large fish is twice as long and has eight times the mass, so it is pushed an eighth as
      * far. */
     assert_float_equal(small_m / large_m, 8.0f, 0.2f);
 }
 
-/* Two fish lie side by side at a wall, and a third one turns its side into them. No correction
- * can free it, so it must get its old pose back. */
+/* Two fish lie side by side at a wall, and a third one turns into them. No push can separate them,
+ * so the third fish must be reverted to its old pose. */
 static void test_an_unsolved_fish_gets_its_old_pose_bit_for_bit(void **state)
 {
     (void)state;
@@ -145,7 +147,7 @@ static void test_an_unsolved_fish_gets_its_old_pose_bit_for_bit(void **state)
     assert_true(depth_m(0, 1) <= SOLVER_FREE_M && depth_m(1, 2) <= SOLVER_FREE_M);
 }
 
-/* Moves a disc 12 mm to the right with a turn in one tick, which takes several substeps. */
+/* Moves a disc by 12 mm with a turn in one tick, in several substeps. */
 static void take_all_steps(struct obstacle *disc, uint8_t gave)
 {
     *disc = (struct obstacle){ .kind = OBSTACLE_DISC,
@@ -194,17 +196,17 @@ static void test_a_blocked_obstacle_loses_its_unused_speed_and_turn(void **state
     assert_int_equal(disc.turned, 0);
 }
 
-/* A number that no lane width divides, so that the last block is incomplete. */
+/* No number of lanes divides 203, so the last block is incomplete. */
 enum { MANY = 203 };
 
-/* Runs the solver on the crowd of begin_step() with `lanes` lanes. `alone` solves each fish
- * separately. */
+/* Runs the solver on the crowd of begin_step() with `lanes` SIMD lanes. With `alone`, each fish is
+ * solved by the scalar code. */
 static void clear_crowd(uint8_t lanes, int alone)
 {
     place.lanes = lanes;
     broad_phase_gather(&broad_phase, fish, MANY, 0.2f);
     for (uint32_t i = 0; i < MANY && alone; i++) {
-        /* The flag of a previous substep makes the solver leave this fish to the scalar form. */
+        /* With this flag, the solver uses the scalar code for a fish. */
         broad_phase.flags[i] |= BODY_NEAR_OBSTACLE;
     }
     contact_solver_substep_count(&solver, &place);
@@ -255,9 +257,9 @@ static void test_simd_lanes_equal_the_scalar_form_at_walls_and_a_poi(void **stat
     place.obstacle_count = 0;
 }
 
-/* Every fish moves and turns at random forty times. A pair without an overlap must stay without
- * one. A dense crowd starts with a few overlapping pairs, which are checked after their first
- * separation. */
+/* Moves and turns every fish at random, forty times. Two fish that did not overlap before must
+ * never overlap afterwards. A few pairs overlap at the start, so a pair is checked only after it
+ * was separate once. */
 static void test_fish_without_an_overlap_stay_without_one(void **state)
 {
     (void)state;
@@ -266,7 +268,7 @@ static void test_fish_without_an_overlap_stay_without_one(void **state)
     uint32_t reverted_count = 0, free_count = 0;
     float deepest_m = 0.0f;
     fill_at_random(COUNT, 0.3f, 0.05f);
-    /* Shrinks the area, so that these 400 fish are as dense as 2,000 fish in the whole tank. */
+    /* Shrinks the area so that 400 fish are as dense as 2,000 fish in the whole tank. */
     for (uint32_t i = 0; i < COUNT; i++) {
         fish[i].position_m.x *= 0.4f;
         fish[i].position_m.z *= 0.5f;
@@ -313,8 +315,8 @@ static void test_fish_without_an_overlap_stay_without_one(void **state)
     assert_true(deepest_m <= SOLVER_FREE_M + 1e-6f);
 }
 
-/* Every fish is 0.5 mm from its neighbours and may touch 26 of them. All pairs together are
- * more than the list can hold. */
+/* Each fish is 0.5 mm from its neighbours and may touch up to 26 of them. These are more pairs than
+ * the contact list can hold. */
 static void test_no_fish_overlap_when_the_contact_list_is_full(void **state)
 {
     (void)state;

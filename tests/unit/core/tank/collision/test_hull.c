@@ -1,5 +1,5 @@
-/* test_hull.c -- compares the distance between a bowl's hull and a fish's box with a sampled
- * hull. */
+/* test_hull.c -- compares the computed distance between a bowl's hull and a fish's box with the
+ * distance to sampled points of the hull. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -38,8 +38,8 @@ static double box_to_point_m(const struct box *box, const double at[3])
     return sqrt(x * x + y * y + z * z);
 }
 
-/* Returns the distance from the box to the nearest of 115,200 points of the hull's surface below
- * its mouth. */
+/* Returns the smallest distance from the box to 115,200 sample points of the hull below its
+ * mouth. */
 static double sampled_m(const struct box *box)
 {
     double least_m = 1.0;
@@ -96,8 +96,8 @@ static void test_the_distance_to_a_hull_is_that_of_its_nearest_point(void **stat
     assert_true(worst_share < 0.08);
 }
 
-/* A few moves along the separation vector end at the surface. The contact solver relies on this
- * property. */
+/* A few moves along the separation vector must bring a box out of the hull. The contact solver
+ * relies on this. */
 static void test_the_separation_vector_leads_out_of_the_hull(void **state)
 {
     (void)state;

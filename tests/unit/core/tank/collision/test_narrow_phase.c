@@ -1,7 +1,8 @@
-/* test_narrow_phase.c -- checks that the search finds the same pairs as an exhaustive search.
+/* test_narrow_phase.c -- checks that the search for overlapping pairs finds the same pairs as a
+ * test of all pairs.
  *
- * The boxes have 5 x 2 x 1 cm with spaces of 7 x 4 x 3 cm (2013 thesis, sections 3.1 and 3.4), and
- * other sizes. */
+ * The fish are boxes of 5 x 2 x 1 cm with personal spaces of 7 x 4 x 3 cm (2013 thesis, sections
+ * 3.1 and 3.4), and of other sizes. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -15,7 +16,7 @@
 
 #define COUNT_MAX 700u
 #define FOUND_MAX (COUNT_MAX * COUNT_MAX / 2u)
-/* Side of a grid cell in metres: the diagonal of a personal space of 7 x 4 x 3 cm. */
+/* Side of a grid cell in metres. It equals the diagonal of a personal space of 7 x 4 x 3 cm. */
 #define CELL_EXACT_M 0.08602f
 #define ROUNDING_M 1e-6f
 
@@ -25,7 +26,7 @@ static uint8_t flags[COUNT_MAX];
 static float reach_m[COUNT_MAX];
 static struct narrow_phase_pair found[FOUND_MAX + NARROW_PHASE_BATCH + SIMD_LANES_MAX];
 static struct narrow_phase_pair others[FOUND_MAX + NARROW_PHASE_BATCH + SIMD_LANES_MAX];
-/* 1 + the index of the pair in `found`, or 0 if the pair was not found. */
+/* Index of each pair in `found`, plus 1; 0 if the pair was not found. */
 static uint32_t listed[COUNT_MAX][COUNT_MAX];
 
 static float draw(uint32_t who, uint32_t purpose, float low, float high)
@@ -49,7 +50,7 @@ static struct angles any_angles(uint32_t who, float pitch_max, float roll_max)
                             draw(who, 6, -roll_max, roll_max) };
 }
 
-/* Places `count` fish at random in the thesis' tank. */
+/* Places `count` fish at random positions in the thesis' tank. */
 static void fill(uint32_t count, float pitch_max, float length_min, float length_max)
 {
     for (uint32_t i = 0; i < count; i++) {
@@ -71,7 +72,8 @@ static uint32_t search(struct narrow_phase_pair *to, uint32_t count, uint8_t how
                                            .width_m = 1.36f,
                                            .breadth_m = 0.65f };
     uint32_t all = 0;
-    /* Fills the structure with garbage, because a search must not depend on its old contents. */
+    /* Fills the structure with random bytes, because a search must not depend on its old
+     * contents. */
     memset(&pairs, 0x5a, sizeof pairs);
     narrow_phase_begin(&pairs, &of);
     for (uint32_t some; narrow_phase_next(&pairs, &of, &to[all], &some); all += some) {
@@ -87,8 +89,8 @@ static int same(const struct narrow_phase_pair *a, const struct narrow_phase_pai
            a->axis == b->axis && a->spaces == b->spaces;
 }
 
-/* Checks that every lane width and every search finds the same pairs, bit for bit and in the same
- * order. */
+/* Runs the search with every number of lanes and every method. All must find the same pairs in the
+ * same order, bit for bit. */
 static uint32_t search_every_way(uint32_t count)
 {
     const uint32_t all = search(found, count, PAIR_SEARCH_GRID, 4);
@@ -104,7 +106,8 @@ static uint32_t search_every_way(uint32_t count)
     return all;
 }
 
-/* Compares the search with box_gap() of every pair. Returns the number of overlapping spaces. */
+/* Compares the search with box_gap() of every pair. Returns the number of pairs whose spaces
+ * overlap. */
 static uint32_t check(uint32_t count)
 {
     const uint32_t all = search_every_way(count);
@@ -112,16 +115,15 @@ static uint32_t check(uint32_t count)
     memset(listed, 0, sizeof listed);
     for (uint32_t f = 0; f < all; f++) {
         uint32_t *place = &listed[found[f].a][found[f].b];
-        assert_true(*place == 0 && listed[found[f].b][found[f].a] == 0); /* Each pair is found
-                                                                            once. */
+        /* Each pair may be found only once. */
+        assert_true(*place == 0 && listed[found[f].b][found[f].a] == 0);
         *place = listed[found[f].b][found[f].a] = f + 1u;
     }
     for (uint32_t i = 0; i < count; i++) {
         for (uint32_t j = i + 1u; j < count; j++) {
             const struct box a = body_box(&body[i]), b = body_box(&body[j]);
             const struct box_gap gap = box_gap(&a, body[i].margin_m, &b, body[j].margin_m);
-            /* With margins of one metre no axis separates the boxes, so box_gap() computes the
-             * exact gap. */
+            /* The large margins of 1 m ensure that box_gap() computes the exact gap. */
             const float gap_m = box_gap(&a, 1.0f, &b, 1.0f).body_m;
             const int both = flags[i] & flags[j] & 1;
             const int near =
@@ -178,7 +180,7 @@ static void test_pairs_outside_the_grid_are_found(void **state)
     (void)state;
     fill(400, 0.5f, 0.05f, 0.05f);
     for (uint32_t i = 0; i < 400; i++) {
-        /* The grid ends at x = 0.68 m and z = 0.325 m, so most of these fish lie outside. */
+        /* The grid ends at x = 0.68 m and z = 0.325 m, so most of these fish are outside. */
         body[i].centre_m =
             v3(draw(i, 1, 0.5f, 1.2f), draw(i, 2, -0.2f, 0.1f), draw(i, 3, 0.2f, 0.7f));
     }
@@ -189,15 +191,15 @@ static void test_all_pairs_in_one_cell_are_found(void **state)
 {
     (void)state;
     fill(COUNT_MAX, 0.5f, 0.05f, 0.05f);
-    /* All fish are within one cell. Their 244,650 pairs fill many batches, and the pairs of one
-     * fish may be split between two batches. */
+    /* All fish are in one cell. Their 244,650 pairs fill many batches, and the pairs of one fish
+     * may be divided between two batches. */
     for (uint32_t i = 0; i < COUNT_MAX; i++) {
         body[i].centre_m = v3(draw(i, 1, 0.0f, 0.01f), -0.1f, draw(i, 3, 0.0f, 0.01f));
     }
     assert_int_equal(check(COUNT_MAX), COUNT_MAX * (COUNT_MAX - 1u) / 2u);
 }
 
-/* Pairs lie around every corner of the cells and across every border between two cells. */
+/* Places pairs around the corners of cells and across the borders between cells. */
 static void test_pairs_at_the_corners_of_cells_are_found(void **state)
 {
     (void)state;
@@ -208,7 +210,7 @@ static void test_pairs_at_the_corners_of_cells_are_found(void **state)
                                    -0.325f + CELL_EXACT_M * (float)(row + 1u));
             const float yaw = F_PI * 0.25f * (float)(column % 4u);
             const vec3 along = v3(-f_sin(yaw), 0.0f, -f_cos(yaw));
-            /* The fish are nose to nose across the corner. Their spaces overlap by 0.2 mm. */
+            /* Two fish are nose to nose across the corner, and their spaces overlap by 0.2 mm. */
             for (uint32_t end = 0; end < 2u; end++) {
                 const vec3 at = v3_muladd(corner, along, end == 0 ? 0.0349f : -0.0349f);
                 put(count++, at, (struct angles){ yaw, 0.0f, 0.0f }, 0.05f);
@@ -218,14 +220,15 @@ static void test_pairs_at_the_corners_of_cells_are_found(void **state)
     assert_true(check(count) >= 105u);
 }
 
-/* The greatest distance of two fish with touching spaces is corner to corner along the diagonal. */
+/* Two fish whose spaces touch are farthest apart if the corners of the spaces touch along the
+ * diagonal. */
 static void test_the_farthest_pair_that_overlaps_lies_within_one_cell(void **state)
 {
     (void)state;
     uint32_t overlaps = 0;
     for (uint32_t shift = 0; shift < 200; shift++) {
-        /* Turns the box so that its longest diagonal is horizontal and counts fully in the
-         * grid's plane. */
+        /* Turns the box so that its diagonal is horizontal, because the grid uses only horizontal
+         * distances. */
         put(0, v3(0.0005f * (float)shift, -0.1f, 0.0f), (struct angles){ 0.5f, 0.3f, 0.2f }, 0.05f);
         body[1] = body[0];
         const struct body *a = &body[0];
@@ -269,7 +272,7 @@ static void test_a_fish_without_the_flag_is_not_found(void **state)
     assert_int_equal(search_every_way(0), 0);
 }
 
-/* The projections of both boxes on the returned axis have the returned gap. */
+/* Projected on the returned axis, the two boxes must have the returned gap. */
 static void test_the_axis_of_a_pair_has_the_pairs_gap(void **state)
 {
     (void)state;
@@ -295,8 +298,8 @@ static void test_the_axis_of_a_pair_has_the_pairs_gap(void **state)
     assert_true(by_edges > all / 20u);
 }
 
-/* Returns the share of overlapping spaces whose fish are not in neighbouring cells of a grid of
- * `columns` x `rows`. */
+/* Returns the share of overlapping pairs whose fish are not in neighbouring cells of a grid with
+ * `columns` x `rows` cells. */
 static float missed_by_cells(float columns, float rows)
 {
     uint32_t overlaps = 0, missed = 0;
@@ -315,7 +318,8 @@ static float missed_by_cells(float columns, float rows)
     return (float)missed / (float)overlaps;
 }
 
-/* Section 3.7 of the thesis uses 40 x 20 cells of about 3.5 cm and the nine cells around a fish. */
+/* Section 3.7 of the thesis uses 40 x 20 cells of about 3.5 cm and searches the nine cells around a
+ * fish. The test shows how many pairs this misses. */
 static void test_the_thesis_cells_miss_a_quarter_of_the_pairs(void **state)
 {
     (void)state;

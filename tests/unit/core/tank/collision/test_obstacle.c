@@ -1,4 +1,4 @@
-/* test_obstacle.c -- checks the poi's ring and the bowl's hull as obstacles. */
+/* test_obstacle.c -- checks the ring of a poi and the hull of a bowl as obstacles for fish. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -49,7 +49,7 @@ static void test_fish_over_and_under_the_paper_are_not_moved(void **state)
     const struct obstacle disc = disc_at(v3(0.0f, -0.05f, 0.0f), v3(0.0f, 0.0f, 0.0f));
     assert_true(push_m(&disc, v3(0.0f, -0.042f, 0.0f), 0.0f) == 0.0f);
     assert_true(push_m(&disc, v3(0.01f, -0.058f, 0.01f), 45.0f) == 0.0f);
-    /* A fish in the paper's plane but inside the ring is not touched by the ring itself. */
+    /* The fish is inside the ring, in the plane of the paper. The ring itself must not push it. */
     assert_true(push_m(&disc, v3(0.0f, -0.05f, 0.0f), 0.0f) == 0.0f);
 }
 

@@ -1,4 +1,5 @@
-/* test_reentry.c -- checks fish that return into the water among other fish. */
+/* test_reentry.c -- checks fish that are dropped into the water among other fish. Such a fish may
+ * swim only after it overlaps no other fish. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -54,8 +55,8 @@ static float deepest_m(void)
     return deepest;
 }
 
-/* Returns the number of ticks until every dropped fish swims. Checks in each tick that no swimming
- * fish overlaps another. */
+/* Returns after how many ticks all dropped fish swim. In each tick, no swimming fish may overlap
+ * another. */
 static uint32_t run_until_all_swim(uint32_t tick, struct obstacle *obstacles, uint32_t count)
 {
     for (uint32_t ticks = 0; ticks < 10u * CORE_TICK_HZ; ticks++) {
@@ -88,7 +89,7 @@ static void settle(uint32_t *tick, uint32_t ticks)
     }
 }
 
-/* The test drops 20 fish at a time, each at the position of another fish. */
+/* Drops 20 fish at a time, each onto another fish. */
 static void test_fish_dropped_into_a_full_tank_swim_within_half_a_second(void **state)
 {
     (void)state;
@@ -143,8 +144,8 @@ static void test_fish_dropped_on_each_other_separate(void **state)
     expect_all_swim_soon("twelve in one place", run_until_all_swim(0, NULL, 0));
 }
 
-/* Two fish of the same size are dropped at the same place in open water. The first fish may swim
- * immediately, and the second swims after it is clear of the first. */
+/* Drops two equal fish at one place in open water. The first may swim at once, and the second as
+ * soon as it is clear of the first. */
 static void test_two_dropped_fish_in_one_place_swim_without_an_overlap(void **state)
 {
     (void)state;
@@ -160,7 +161,7 @@ static void test_two_dropped_fish_in_one_place_swim_without_an_overlap(void **st
     assert_int_equal(tank.reentry_count, 0);
 }
 
-/* The tank is the smallest permitted one with the maximum number of fish. */
+/* The smallest allowed tank with the maximum number of fish. */
 static void test_there_is_a_gap_even_in_the_smallest_tank(void **state)
 {
     (void)state;
@@ -173,8 +174,8 @@ static void test_there_is_a_gap_even_in_the_smallest_tank(void **state)
     expect_all_swim_soon("in a small tank", run_until_all_swim(0, NULL, 0));
 }
 
-/* Paper is below the fish and other fish are on that side, so the fish takes a gap on its own
- * side. */
+/* The dropped fish lie just above the paper, under two layers of other fish. They must find free
+ * places above the paper and not pass through it. */
 static void test_a_dropped_fish_takes_no_gap_through_paper(void **state)
 {
     (void)state;
@@ -190,8 +191,7 @@ static void test_a_dropped_fish_takes_no_gap_through_paper(void **state)
                              .axes_before = vec_basis_from_angles((struct angles){ 0 }),
                              .paper = paper,
                              .paper_radius_m = 0.9f * POI_RADIUS };
-    /* 36 fish swim in three layers of twelve. Another twelve are dropped onto those of the
-     * lowest layer. */
+    /* 36 fish swim in three layers of twelve. Twelve more are dropped onto the lowest layer. */
     open_tank(&tank, TANK_PRESET_FESTIVAL, 48, 6);
     for (uint32_t i = 0; i < 48; i++) {
         const uint32_t layer = i / 12u % 3u;

@@ -1,5 +1,5 @@
-/* test_ring_contact.c -- checks the contact of a poi and a fish in one tick: motion, reaction and
- * the two sides of the paper. */
+/* test_ring_contact.c -- checks the contact of a moving poi and a fish within one tick: motion,
+ * reaction, and the side of the paper on which the fish is. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -27,8 +27,8 @@ static struct angles any_angles(uint32_t who, uint32_t which)
                             draw(who, which + 2u, -0.8f, 0.8f) };
 }
 
-/* Returns a disc at a random place that arrived with up to 3 m/s. Discs with an odd number also
- * turned. */
+/* Returns a disc at a random place that moved at up to 3 m/s in this tick. Discs with an odd number
+ * also turned. */
 static struct obstacle disc_of(uint32_t who)
 {
     struct obstacle disc = {
@@ -80,9 +80,8 @@ static void test_a_fish_moved_with_the_disc_keeps_its_relative_position(void **s
     }
 }
 
-/* A fish that was clear before is clear again at the latest when the disc is at its previous
- * position. Each call moves the disc back by some of its step, and never by more than the rest of
- * the step. */
+/* Fish push a disc back along its step. The disc never moves back by more than its step. If a fish
+ * did not touch the disc before the step, it does not touch the disc at the end. */
 static void test_a_blocked_disc_moves_back_by_at_most_its_step(void **state)
 {
     (void)state;
@@ -127,7 +126,8 @@ static void test_a_disc_at_rest_does_not_move_back(void **state)
     assert_true(v3_length(v3_sub(disc.centre_m, centre_m)) == 0.0f && disc.reaction == 0);
 }
 
-/* At up to 3 m/s, the paper moves 25 mm in a tick, which exceeds the height of a fish. */
+/* At 3 m/s, paper moves 25 mm in a tick, which is more than the height of a fish. The fish must
+ * stay on its side. */
 static void test_paper_keeps_a_fish_on_its_side_at_any_speed(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_spatial_grid.c -- checks that the grid holds every point once and near points in
- * neighbouring cells. */
+/* test_spatial_grid.c -- checks that the grid contains every point exactly once, and that near
+ * points are in neighbouring cells. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -19,7 +19,7 @@ static float draw(uint32_t who, uint32_t purpose, float low, float high)
     return rng_range((struct rng_key){ 5, 0, who, purpose }, low, high);
 }
 
-/* Returns the cell of a point. A point outside the plan belongs to the nearest cell at the
+/* Returns the cell of a point. A point outside the grid belongs to the nearest cell at the
  * border. */
 static uint32_t cell_at(const struct spatial_grid *plan, vec3 point_m)
 {
@@ -119,8 +119,8 @@ static void test_members_of_a_cell_keep_their_order(void **state)
     }
 }
 
-/* The half neighbourhoods of all cells together cover the nine cells around each cell, each
- * once. */
+/* Each cell visits only half of its neighbours. Together, all cells must visit each pair of
+ * neighbouring cells exactly once. */
 static void test_a_half_neighbourhood_visits_each_pair_of_cells_once(void **state)
 {
     (void)state;
