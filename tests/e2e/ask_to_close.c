@@ -1,8 +1,8 @@
-/* ask_to_close.c -- sends the message that a window manager sends when the user clicks the close
- * button of a window.
+/* ask_to_close.c -- requests that a window closes, as a window manager does when the user clicks
+ * the close button.
  *
- * Usage: ask_to_close WINDOW. WINDOW is a window number, as xdotool prints it, on the screen that
- * DISPLAY names. */
+ * Usage: ask_to_close WINDOW. WINDOW is a window number, as xdotool prints it, on the screen of
+ * DISPLAY. */
 #include <stdio.h>
 #include <stdlib.h>
 

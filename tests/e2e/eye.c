@@ -5,13 +5,14 @@
 
 #include <X11/Xutil.h>
 
-#define BODY_PX 12 /* Half the side of a square that a small fish fills, in pixels. */
-/* Half the side of a larger square, in pixels. A fish counts as alone if other fish in this
- * square cover no more pixels than the fish does. */
+#define BODY_PX 12 /* Half the side of a square, in pixels, that a small fish fills. */
+/* Half the side of a larger square, in pixels. A fish counts as alone if at least half of the warm
+ * pixels in this square are its own. */
 #define ALONE_PX 34
-#define RED_MIN 60 /* Number of warm pixels of the smallest fish that is worth a try. */
-/* Number of warm pixels of the largest fish that is worth a try. The tail of a larger fish hangs
- * over the rim and slaps. */
+/* Number of warm pixels of the smallest fish that is tried. */
+#define RED_MIN 60
+/* Number of warm pixels of the largest fish that is tried. The tail of a larger fish lies on the
+ * ring and slaps. */
 #define RED_MAX 450
 
 int eye_open(struct eye *eye, const char *window)
@@ -20,13 +21,14 @@ int eye_open(struct eye *eye, const char *window)
     return eye->display != NULL && (eye->window = strtoul(window, NULL, 0)) != 0;
 }
 
-/* Returns 1 for gold, orange and red. Water, glitter, white and the pink of a ring do not count. */
+/* Returns 1 for gold, orange and red pixels. Water, reflections, white and the pink of a ring do
+ * not count. */
 static int is_warm(const uint8_t *bgr)
 {
     return bgr[2] > 110 && bgr[2] > bgr[1] + 30 && bgr[2] > bgr[0] + 50 && bgr[1] + 15 > bgr[0];
 }
 
-/* Reads a rectangle of the window. The part outside the window stays black. */
+/* Reads a rectangle of the window. Pixels outside the window are black. */
 int eye_capture(struct eye *eye, struct rect wanted)
 {
     const struct rect r = {

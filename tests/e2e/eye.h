@@ -17,13 +17,13 @@ struct rect {
 struct eye {
     Display *display;
     Window window;
-    struct rect seen; /* Rectangle that the last eye_capture() read. */
+    struct rect seen; /* Rectangle that the last eye_capture() has read. */
     uint8_t warm[SCREEN_HEIGHT][SCREEN_WIDTH];
     uint8_t blue[SCREEN_HEIGHT][SCREEN_WIDTH];
 };
 
-/* A group of warm pixels around a place: their centre, their number, and their least blue value.
- * Water is blue, so that a deeper fish shows more blue. */
+/* A group of warm pixels: centre, number, and the lowest blue value. Water is blue, so a deeper
+ * fish has a higher blue value. */
 struct blob {
     float x, y;
     int count, blue;
@@ -40,12 +40,12 @@ int eye_capture(struct eye *eye, struct rect wanted);
  * square. */
 struct blob eye_blob(const struct eye *eye, float centre_x, float centre_y, int reach_px);
 
-/* Finds the fish that was near (x, y) a moment before. The search moves step by step to the centre
- * of the warm pixels around it. */
+/* Finds again the fish that was near (x, y) in the previous picture. Moves step by step to the
+ * centre of the warm pixels. */
 struct blob eye_follow(const struct eye *eye, float x, float y);
 
-/* Finds fish that are not too large and not in a crowd. Writes at most `count_max` of them to
- * `list`. Returns their number. */
+/* Finds fish that are neither too large nor close to others. Writes at most `count_max` of them to
+ * `list` and returns their number. */
 int eye_find(const struct eye *eye, struct blob *list, int count_max);
 
 #endif

@@ -1,11 +1,12 @@
-/* hand.c -- one attempt to scoop a goldfish as a person makes it: observe, follow, scoop, carry.
+/* hand.c -- makes one attempt to scoop a goldfish, as a player does: observe, follow, scoop and
+ * carry.
  *
  * Usage: hand WINDOW. WINDOW is a number, as xdotool prints it.
  *
- * The program uses only the picture on the screen and the place of the bowl. It moves the real
- * pointer of the X server in place of a person's mouse, and prints its actions on standard output.
- * Returns exit status 0 after it carried something to the bowl, 1 if the fish escaped or no fish
- * was suitable, and 2 if the window cannot be read. */
+ * The program knows only the pictures of the window and the position of the bowl. It moves the X
+ * server's pointer as a mouse does, and prints its actions on standard output. Returns exit status
+ * 0 if it carried something to the bowl, 1 if the fish escaped or no fish was suitable, and 2 if
+ * the window cannot be read. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -18,29 +19,30 @@
 #include "drivers/pointer/pointer_poi.h"
 #include "eye.h"
 
-/* Time between two pictures. A screen shows at most 60 pictures per second. */
+/* Time between two pictures in seconds. The kiosk shows at most 60 frames per second. */
 #define LOOK_S 0.03
-/* Number of pictures in which fish are observed before one is chosen. */
+/* Number of pictures in which the fish are observed before one of them is chosen. */
 #define CALM_LOOKS 12
 #define CHOICE_MAX 40
-/* Largest rise of a fish's blue value, per second, with which the fish is chosen. A fish that is
- * too deep for the ring is 10 to 20 of 255 bluer. */
+/* A fish is chosen only if its blue value rises by at most this per second, because a rising value
+ * means that the fish dives. A fish that is too deep for the ring has a blue value that is 10 to 20
+ * (of 255) higher. */
 #define BLUE_PX_S 4.0f
-/* Limit of blue for a fish on the paper. A fish on the paper has about 4, a fish under it 80 to
- * 150, and 25 where the paper is torn. */
+/* Highest blue value of a fish on the paper. Such a fish has about 4, seen through a tear in the
+ * paper 25, and under the paper 80 to 150. */
 #define PALE_BLUE 40
-/* Distance beside the fish at which the ring enters the water, so that the ring is not above the
- * fish. The ring itself takes 50 px of this distance. */
+/* Distance in pixels between the fish and the point where the ring enters the water, so that the
+ * ring does not come down on the fish. The radius of the ring is 50 px. */
 #define ASIDE_PX 90.0f
 #define HOVER_PX_S 480.0f /* Speed of the ring in the air. */
 #define UNDER_PX_S 150.0f /* Speed of the ring under water. A higher speed tears the paper. */
-#define CARRY_PX_S 330.0f /* Speed of the ring with a fish on the paper. */
+#define CARRY_PX_S 330.0f /* Speed of the ring while it carries a fish. */
 
 struct point {
     float x, y;
 };
 
-/* A followed fish: its last place, the time of the last picture, and its speed. */
+/* The followed fish: last position, time of the last picture, and velocity. */
 struct track {
     struct point at, speed;
     double seen_s;
@@ -119,7 +121,7 @@ static void button(int is_down)
     XFlush(eye.display);
 }
 
-/* Returns the expected current place of the fish. */
+/* Returns the position where the fish should be now, by its last position and velocity. */
 static struct point expected(const struct track *track)
 {
     const float since_s = (float)fmin(now_s() - track->seen_s, 0.2);
@@ -127,7 +129,7 @@ static struct point expected(const struct track *track)
                            track->at.y + track->speed.y * since_s };
 }
 
-/* Reads one picture of the followed fish. Returns 0 if the fish is no longer found. */
+/* Takes a picture and finds the followed fish in it. Returns 0 if the fish is not found. */
 static int follow(struct track *track)
 {
     const struct point guess = expected(track);
@@ -143,7 +145,7 @@ static int follow(struct track *track)
         return 0;
     }
     const struct point at = { blob.x, blob.y };
-    /* Weight of the new speed in the mean speed, which covers a quarter of a second. */
+    /* Weight of the newest velocity. The mean covers about a quarter of a second. */
     const float trust = fminf(1.0f, passed_s / 0.25f);
     track->speed.x += trust * ((at.x - track->at.x) / passed_s - track->speed.x);
     track->speed.y += trust * ((at.y - track->at.y) / passed_s - track->speed.y);
@@ -152,12 +154,12 @@ static int follow(struct track *track)
     return 1;
 }
 
-/* Chooses the calmest small fish in the middle of the tank after a short observation. Returns 0 if
- * no fish is suitable. */
+/* Observes the fish for a short time and chooses the calmest small one in the middle of the tank.
+ * Returns 0 if no fish is suitable. */
 static int choose(struct track *best)
 {
-    static const struct rect middle = { 250, 170, 900, 470 }; /* The rectangle excludes the walls
-                                                                 and the bowl. */
+    /* Middle of the tank, without the walls and the bowl. */
+    static const struct rect middle = { 250, 170, 900, 470 };
     struct blob found[CHOICE_MAX], now[CHOICE_MAX];
     float wandered[CHOICE_MAX] = { 0 };
     if (!eye_capture(&eye, middle)) {
@@ -197,8 +199,8 @@ static int choose(struct track *best)
     return least < 1e8f;
 }
 
-/* Moves the pointer to `aside_px` beside the fish at `px_s`, until it arrives or until `limit_s`
- * have passed. Follows the fish during this time. Returns 0 if the fish escaped. */
+/* Moves the pointer to a point `aside_px` beside the fish at the speed `px_s`, and follows the fish
+ * meanwhile. Stops on arrival or after `limit_s`. Returns 0 if the fish escaped. */
 static int approach(struct track *track, float aside_px, float px_s, double limit_s)
 {
     const double begin_s = now_s();
@@ -218,8 +220,8 @@ static int approach(struct track *track, float aside_px, float px_s, double limi
     return 1;
 }
 
-/* Returns 1 if something lies on the paper. An object under the paper is paler than an object on
- * it. */
+/* Returns 1 if something lies on the paper, and not under it. Seen through the paper, a fish is
+ * pale. */
 static int something_lies_on_the_paper(void)
 {
     const struct rect around = { (int)pointer.x - 60, (int)pointer.y - 60, (int)pointer.x + 60,

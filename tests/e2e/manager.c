@@ -1,4 +1,5 @@
-/* manager.c -- acts as the service manager and records each message of the kiosk with its time.
+/* manager.c -- receives the messages that the kiosk sends to its service manager, and records each
+ * with its time.
  *
  * Usage: manager SOCKET FILE. Each datagram becomes a line "MILLISECONDS TEXT" of FILE, with the
  * time of the wall clock. The program runs until a signal ends it. */

@@ -1,5 +1,5 @@
-/* test_sim_player.c -- Tests the state machine of the simulated players (make bench-players) with
- * pictures of one or two fish that stand still. */
+/* test_sim_player.c -- tests the state machine of the simulated players (make bench-players). The
+ * players see pictures of one or two fish that do not move. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -68,7 +68,7 @@ static uint32_t show_until(uint8_t state)
     return frames;
 }
 
-/* Puts the ring where the player wants the ring to be. */
+/* Moves the ring to where the player's commands lead: over the chosen fish. */
 static void follow_command(void)
 {
     const vec3 at_m = stand.sight.fish[stand.player.prey].position_m;

@@ -1,5 +1,5 @@
-/* test_statistics.c -- Tests the statistics that compare techniques with printed tables, textbook
- * examples, and exhaustive counts of signs. */
+/* test_statistics.c -- tests the statistics with which techniques are compared: against printed
+ * tables, textbook examples, and exhaustive counts of sign patterns. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -28,8 +28,8 @@ static void test_student_t_matches_the_printed_table(void **state)
     expect_near(statistics_t_95(1999), 1.961, 5e-4);
 }
 
-/* Student's ten patients (1908): hours of sleep gained by two drugs, here in tenths of an hour plus
- * 2 h. The mean difference is 1.58 h, with an interval from 0.70 to 2.46 h. */
+/* Student's data of ten patients (1908): hours of sleep gained by two drugs, here in tenths of an
+ * hour plus 20. The mean difference is 1.58 h with a confidence interval of 0.70 to 2.46 h. */
 static void test_the_confidence_interval_matches_the_sleep_data_of_student(void **state)
 {
     (void)state;
@@ -42,9 +42,9 @@ static void test_the_confidence_interval_matches_the_sleep_data_of_student(void 
     expect_near(found.high, 24.5989, 1e-3);
 }
 
-/* Nine patients before and after (Hollander and Wolfe, Nonparametric Statistical Methods, table
- * 3.1): the signed ranks sum to 40 of 45, and 10 of the 512 sign patterns are as far from the
- * middle. */
+/* Nine patients before and after a treatment (Hollander and Wolfe, Nonparametric Statistical
+ * Methods, table 3.1). The sum of the signed ranks is 40 of 45. Of the 512 sign patterns, 10 are at
+ * least as extreme. */
 static void test_signed_ranks_match_a_textbook_example(void **state)
 {
     (void)state;
@@ -57,8 +57,8 @@ static void test_signed_ranks_match_a_textbook_example(void **state)
     expect_near(statistics_signed_rank_p(differences, 9), 20.0 / 512.0, 1e-12);
 }
 
-/* Counts all sign patterns one by one, as a reference for count_ways(). `ranks` are doubled as in
- * that function. */
+/* Counts the sign patterns that are at least as extreme by trying all of them. A reference for
+ * count_ways(), whose ranks are also doubled. */
 static double by_every_sign(const uint32_t *ranks, uint32_t positive, uint32_t count)
 {
     uint32_t sum = 0, observed = 0, as_far = 0;
@@ -78,15 +78,15 @@ static double by_every_sign(const uint32_t *ranks, uint32_t positive, uint32_t c
     return (double)as_far / (double)(1u << count);
 }
 
-/* Catches are small numbers, so most differences are equal and many are zero. */
+/* Catches are small numbers, so many differences are equal or zero. */
 static void test_ties_and_zeros_match_an_exhaustive_count_of_signs(void **state)
 {
     (void)state;
     static const double sizes[] = { 1, 1, 1, 2, 2, 3, 3, 3, 3, 7 };
     static const uint32_t ranks[] = { 4, 4, 4, 9, 9, 15, 15, 15, 15, 20 };
     for (uint32_t signs = 0; signs < 1u << 10; signs += 7) {
-        double differences[14] = { 0 }; /* Two zeros come before and two after the other
-                                           differences. */
+        /* Two zeros before and two after the other differences. */
+        double differences[14] = { 0 };
         for (uint32_t i = 0; i < 10; i++) {
             differences[i + 2] = signs >> i & 1u ? sizes[i] : -sizes[i];
         }
@@ -115,7 +115,7 @@ static void test_one_pair_is_not_significant(void **state)
     expect_near(found.p, 1.0, 0.0);
 }
 
-/* All 200 pairs differ in the same direction: one of 2^200 sign patterns for each direction. */
+/* All 200 pairs differ in the same direction. Only 2 of the 2^200 sign patterns are as extreme. */
 static void test_the_probability_of_two_hundred_equal_signs_is_exact(void **state)
 {
     (void)state;
@@ -128,7 +128,7 @@ static void test_the_probability_of_two_hundred_equal_signs_is_exact(void **stat
     expect_near(statistics_compare(b, a, 200).p, statistics_compare(a, b, 200).p, 0.0);
 }
 
-/* Compares the same catches, but with the two samples exchanged. */
+/* Compares the same catches a second time with the two samples exchanged. */
 static void test_exchanging_the_samples_reverses_the_difference(void **state)
 {
     (void)state;
@@ -137,13 +137,14 @@ static void test_exchanging_the_samples_reverses_the_difference(void **state)
     assert_int_equal(statistics_verdict(&found), VERDICT_PAYS);
     found = statistics_compare(less, more, 8);
     assert_int_equal(statistics_verdict(&found), VERDICT_WRONG_WAY);
-    found = statistics_compare(more, less, 5); /* All five differences have the same sign, but so
-                                                  have 2 of 32 patterns. */
+    /* All five differences have the same sign. This is not significant, because 2 of only 32 sign
+     * patterns are as extreme. */
+    found = statistics_compare(more, less, 5);
     assert_int_equal(statistics_verdict(&found), VERDICT_NOT_SHOWN);
 }
 
-/* The ranks show that nearly all values are a little better. The mean is dominated by one much
- * worse value. */
+/* Nearly all values of the first sample are slightly larger, but one value of the second is much
+ * larger. Ranks and mean then disagree. */
 static void test_disagreement_of_mean_and_ranks_is_not_significant(void **state)
 {
     (void)state;

@@ -1,4 +1,5 @@
-/* test_buttons_mux.c -- Tests the combination of several button panels into one. */
+/* test_buttons_mux.c -- tests the multiplexer that combines several button panels (keyboard, GPIO)
+ * into one. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -69,7 +70,7 @@ static void test_input_of_any_panel_is_reported(void **state)
     assert_int_equal(sum.full_screen, 1);
 }
 
-/* A button that is released on one panel is still held on the other. */
+/* A button that is released on one panel may still be held on another. It must then stay held. */
 static void test_a_button_is_held_while_any_panel_holds_it(void **state)
 {
     (void)state;
@@ -101,7 +102,7 @@ static void test_an_absent_panel_is_no_fault(void **state)
     assert_int_equal(sum.pressed, INPUT_TEST);
 }
 
-/* A failed panel still reports its faults. */
+/* A panel that fails must still report its faults. */
 static void test_a_failed_panel_does_not_affect_the_others(void **state)
 {
     (void)state;
@@ -133,7 +134,7 @@ static void test_the_description_names_every_panel_and_is_truncated(void **state
     buttons_mux_add(&join, device_of(&lines));
     assert_string_equal(device.ops->describe(device.self), "keys; 5 lines");
     buttons_mux_add(&join, device_of(&lines));
-    /* The failure is reported once. */
+    /* The failure is described only once. */
     assert_string_equal(device.ops->describe(device.self), "keys; 5 lines");
     for (uint32_t i = 0; i < 4; i++) {
         buttons_mux_add(&join, device_of(&talker));

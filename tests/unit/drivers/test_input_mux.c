@@ -1,5 +1,5 @@
-/* test_input_mux.c -- Tests which controller gets which player slot while controllers are connected
- * and disconnected. */
+/* test_input_mux.c -- tests which controller gets which player slot while controllers are plugged
+ * in and out. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -59,8 +59,9 @@ static void test_a_fifth_controller_gets_no_slot(void **state)
                  (uint8_t[]){ USB0, PAD1, PAD2, PAD0 });
 }
 
-/* After any history each slot has at most one controller, as many slots as possible are used,
- * better kinds have the lower slots, and a second assignment changes nothing. */
+/* Plugs controllers in and out at random. After each assignment, each slot has at most one
+ * controller, as many slots as possible are used, and better kinds of controllers have the lower
+ * slots. A second assignment changes nothing. */
 static void test_every_set_of_controllers_is_assigned_correctly(void **state)
 {
     (void)state;
@@ -193,15 +194,17 @@ static void test_a_better_controller_gets_the_slot_only_between_games(void **sta
     pad.there = 1;
     assert_int_equal(arrange(0), 0u);
     assert_int_equal(arrange(0), 0u);
-    assert_true(pad.asked >= 2); /* A source without a slot is still asked whether it is ready. */
+    /* The mux also calls open() for a source without a slot, to find out whether the source is
+     * ready. */
+    assert_true(pad.asked >= 2);
     assert_int_equal(arrange(1), 3u);
     assert_int_equal(arrange(1), 0u);
     usb.there = 1;
     assert_int_equal(arrange(1), 7u);
 }
 
-/* A player who pulls the cable during a round gets the slot back, and not the mouse of another
- * player. */
+/* A player who unplugs the controller during a round gets the slot back. Another player's mouse
+ * must not get it. */
 static void test_a_lost_controller_keeps_its_slot_during_the_game(void **state)
 {
     (void)state;
@@ -214,7 +217,8 @@ static void test_a_lost_controller_keeps_its_slot_during_the_game(void **state)
     assert_int_equal(poi->ops->poll(poi->self, &sample, 1), HAL_ERR_GONE);
     assert_int_equal(poi->ops->open(poi->self), HAL_ERR_GONE);
     usb.there = 1;
-    assert_int_equal(arrange(0), 1u); /* The source returns at once, also during a round. */
+    /* The slot of a source that was plugged in again is restored at once, even during a round. */
+    assert_int_equal(arrange(0), 1u);
     assert_int_equal(arrange(0), 0u);
     assert_int_equal(poi->ops->open(poi->self), HAL_OK);
     usb.there = 0;
@@ -223,8 +227,8 @@ static void test_a_lost_controller_keeps_its_slot_during_the_game(void **state)
     assert_true(mouse.polled > 0);
 }
 
-/* A mouse that is connected to a cabinet is not a second player. It is the first player only if
- * there is no other controller. */
+/* A mouse on a cabinet must not count as a second player. It gets a slot only if it is used or if
+ * no other controller exists. */
 static void test_a_substitute_gets_a_slot_if_no_other_exists_or_once_used(void **state)
 {
     (void)state;
@@ -237,8 +241,8 @@ static void test_a_substitute_gets_a_slot_if_no_other_exists_or_once_used(void *
     const struct hal_poi *const second = &hal.poi[1];
     assert_int_equal(second->ops->open(second->self), HAL_ERR_ABSENT);
     arrange(1);
-    assert_int_equal(mouse.polled, 1); /* The mouse is polled without a slot, because otherwise
-                                          its motion would go unnoticed. */
+    /* The mouse is polled without a slot. Otherwise its motion would not be noticed. */
+    assert_int_equal(mouse.polled, 1);
     mouse.there = 1;
     assert_int_equal(arrange(1), 2u);
     mouse.there = 0;
@@ -246,9 +250,8 @@ static void test_a_substitute_gets_a_slot_if_no_other_exists_or_once_used(void *
     assert_int_equal(arrange(1), 2u);
 }
 
-/* The player continues with the same controller in another port, if it has no serial number, or
- * with an unused controller of the same kind. The player never gets the mouse or the controller of
- * another player. */
+/* A lost controller is replaced during a round by an unused controller of the same kind, or by
+ * itself in another port. It is never replaced by the mouse or by another player's controller. */
 static void test_a_lost_controller_is_replaced_in_a_game_by_one_of_its_kind(void **state)
 {
     (void)state;
@@ -259,8 +262,8 @@ static void test_a_lost_controller_is_replaced_in_a_game_by_one_of_its_kind(void
     usb.there = second.there = 1;
     arrange(1);
     usb.there = 0;
-    assert_int_equal(arrange(0), 0u); /* The second controller has a slot, and the mouse is not a
-                                         poi. */
+    /* The second controller already has a slot, and the mouse is of another kind. */
+    assert_int_equal(arrange(0), 0u);
     third.there = 1;
     assert_int_equal(arrange(0), 1u);
     const struct hal_poi *const poi = &hal.poi[0];
@@ -271,7 +274,7 @@ static void test_a_lost_controller_is_replaced_in_a_game_by_one_of_its_kind(void
     assert_int_equal(arrange(0), 0u);
 }
 
-/* Without polling, SDL's queue would fill with events of an unused mouse. */
+/* An unused mouse must still be polled. Otherwise its events would fill SDL's queue. */
 static void test_a_source_without_a_slot_is_still_polled(void **state)
 {
     (void)state;
@@ -286,8 +289,8 @@ static void test_a_source_without_a_slot_is_still_polled(void **state)
     }
     assert_int_equal(mouse.opened, 1);
     assert_int_equal(mouse.polled, 3);
-    assert_int_equal(usb.polled, 0); /* The frame loop polls the controller because the
-                                        controller has a slot. */
+    /* This controller has a slot, so the frame loop polls it. */
+    assert_int_equal(usb.polled, 0);
 }
 
 static void test_a_source_that_loses_its_slot_gets_zero_force(void **state)

@@ -1,5 +1,5 @@
-/* test_gamepad_decoder.c -- Tests the conversion of a gamepad's sticks, triggers and motion sensors
- * to a pose, also with random inputs. */
+/* test_gamepad_decoder.c -- tests the conversion of a gamepad's sticks, triggers and motion sensors
+ * to a pose of the poi. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -65,7 +65,8 @@ static void test_a_worn_stick_at_rest_moves_nothing(void **state)
     assert_true(after_ms(800).position_m.x > before.x + 0.001f);
 }
 
-/* A stick may have a square range, so its diagonal must not be faster than its axes. */
+/* Some sticks have a square range. A diagonal deflection must then not be faster than a straight
+ * one. */
 static void test_a_diagonal_stick_is_as_fast_as_a_straight_one(void **state)
 {
     (void)state;
@@ -109,7 +110,7 @@ static void test_the_ring_stays_down_while_button_a_or_a_trigger_is_held(void **
 static void test_the_right_stick_tilts_in_proportion_and_without_a_jump(void **state)
 {
     (void)state;
-    set_axis(GAMEPAD_TILT_Y, INT16_MIN); /* The full deflection points away from the player. */
+    set_axis(GAMEPAD_TILT_Y, INT16_MIN); /* Full deflection away from the player. */
     const float at_once = after_ms(8).angles.pitch_rad;
     const float then = after_ms(500).angles.pitch_rad;
     assert_true(at_once < 0.2f * GAMEPAD_TILT_RAD);
@@ -184,7 +185,8 @@ static void test_any_rest_orientation_of_the_gamepad_is_level(void **state)
     assert_true(f_abs(angles.pitch_rad) < 0.01f && f_abs(angles.roll_rad) < 0.01f);
 }
 
-/* The gyroscope turns the ring at once, and the accelerometer keeps the tilt during a dip. */
+/* A rotation must tilt the ring at once (gyroscope), and the tilt must not drift during a dip
+ * (accelerometer). */
 static void test_gamepad_rotation_tilts_the_ring_without_drift(void **state)
 {
     (void)state;
@@ -200,7 +202,7 @@ static void test_gamepad_rotation_tilts_the_ring_without_drift(void **state)
     const float at_once = after_ms(200).angles.roll_rad;
     assert_true(at_once > 0.30f && at_once < 0.50f);
     const vec3 up = hand.tilt.up;
-    /* Holds the dip for 20 s, in which the bias must not turn the ring. */
+    /* The dip lasts 20 s. During this time the gyroscope's bias must not turn the ring. */
     for (uint32_t i = 0; i < 2000; i++) {
         turn(v3(0.0f, 0.0f, 0.02f));
         weigh(up);
@@ -208,8 +210,9 @@ static void test_gamepad_rotation_tilts_the_ring_without_drift(void **state)
     }
     assert_true(f_abs(after_ms(10).angles.roll_rad - at_once) < 0.05f);
     set_buttons(0);
-    for (uint32_t i = 0; i < 2000; i++) { /* While the ring hovers, the new orientation becomes
-                                             the rest orientation. */
+    /* While the ring hovers above the water, the current orientation slowly becomes the new rest
+     * orientation. */
+    for (uint32_t i = 0; i < 2000; i++) {
         weigh(up);
         after_ms(10);
     }
@@ -242,8 +245,8 @@ static int begin_sim(void **state)
     (void)state;
     clock_state = (struct clock_sim){ .now_ns = 1000 * MS };
     gamepad_sim_init(&sim, sim_clock_device(&clock_state), stall_view());
-    for (uint32_t i = 0; i < SCRIPT; i++) { /* 250 reports per second move the ring about and
-                                               dip. */
+    /* 250 reports per second that move the ring around and dip. */
+    for (uint32_t i = 0; i < SCRIPT; i++) {
         script[i] = (struct gamepad_report){ .time_ns = (1000 + 4 * (uint64_t)i) * MS };
         script[i].axis[GAMEPAD_LEAD_X] = (int16_t)(32767.0f * f_sin((float)i * 0.02f));
         script[i].axis[GAMEPAD_LEAD_Y] = (int16_t)(32767.0f * f_cos((float)i * 0.03f));
@@ -255,8 +258,8 @@ static int begin_sim(void **state)
     return poi.ops->open(poi.self);
 }
 
-/* Checks that every sample is a possible motion after the previous one. Returns the number of
- * samples. */
+/* Polls for `ms` milliseconds and checks that each sample is a possible motion after the previous
+ * one. Returns the number of samples. */
 static uint32_t play_ms(uint64_t ms, uint64_t frame_ms)
 {
     struct poi_sample samples[HAL_POI_SAMPLES_MAX];
@@ -286,7 +289,7 @@ static void test_there_is_one_sample_per_tick_at_every_frame_rate(void **state)
         begin_sim(state);
         const uint32_t count = play_ms(3200, frame_ms);
         const uint32_t ticks = 3200u * CORE_TICK_HZ / 1000u;
-        /* Rounding may cost one tick in each frame. */
+        /* Rounding may lose one tick in each frame. */
         assert_true(count + 3200u / frame_ms >= ticks);
     }
 }
@@ -329,13 +332,13 @@ static void test_a_burst_of_reports_after_a_pause_loses_no_press(void **state)
         device.ops->poll(device.self, &buttons);
         edges += (buttons.pressed & INPUT_START) != 0;
     }
-    assert_int_equal(edges, 1); /* Nine presses within one poll are one edge, and a poll without
-                                   a press has no edge. */
+    /* Nine presses within one poll count as one press. */
+    assert_int_equal(edges, 1);
     assert_int_equal(sim.feed.next, SCRIPT);
 }
 
-/* At each of 1,000 reports the loss of the gamepad is reported, and the gamepad returns when it is
- * plugged in again. */
+/* Unplugs the gamepad at each of its 1,000 reports. The loss must be reported, and the gamepad must
+ * work again when it is plugged in. */
 static void test_the_gamepad_can_be_unplugged_at_any_report(void **state)
 {
     (void)state;

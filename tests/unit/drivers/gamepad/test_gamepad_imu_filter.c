@@ -17,7 +17,7 @@ static float nan_of(float zero)
     return zero / zero;
 }
 
-/* Returns a filter that has converged for a level gamepad. */
+/* Returns a filter in equilibrium for a level gamepad. */
 static struct gamepad_imu_filter level_pad(void)
 {
     struct gamepad_imu_filter tilt = { 0 };
@@ -31,7 +31,8 @@ static void test_the_tilt_is_the_angular_rate_times_the_time(void **state)
 {
     (void)state;
     struct gamepad_imu_filter tilt = level_pad();
-    for (uint64_t ms = 0; ms <= 100; ms += 10) { /* The gamepad turns for 0.1 s at 3 rad/s. */
+    /* The gamepad turns at 3 rad/s for 0.1 s. */
+    for (uint64_t ms = 0; ms <= 100; ms += 10) {
         gamepad_imu_filter_add_rotation(&tilt, BEGIN_NS + ms * MS_NS, v3(3.0f, 0.0f, 0.0f));
     }
     const struct angles angles = gamepad_imu_filter_at(&tilt, BEGIN_NS + 100u * MS_NS, 0);
@@ -46,7 +47,7 @@ static void test_an_old_angular_rate_is_not_extrapolated_further(void **state)
     struct gamepad_imu_filter tilt = level_pad();
     gamepad_imu_filter_add_rotation(&tilt, BEGIN_NS, v3(0.0f, 0.0f, 1.0f));
     const struct angles late = gamepad_imu_filter_at(&tilt, BEGIN_NS + 10000u * MS_NS, 0);
-    /* A rotation of 1 rad/s is extrapolated for at most 0.25 s, although 10 s have passed. */
+    /* Without new reports, a rotation is extrapolated for at most 0.25 s. */
     assert_true(f_abs(late.roll_rad) > 0.15f);
     assert_true(f_abs(late.roll_rad) < 0.25f);
 }
@@ -64,15 +65,15 @@ static void test_gravity_corrects_the_drift_within_seconds(void **state)
 {
     (void)state;
     struct gamepad_imu_filter tilt = level_pad();
-    const vec3 leaning = v3(0.0f, 9.81f * 0.8776f, 9.81f * 0.4794f); /* The gamepad leans by 0.5
-                                                                        rad. */
+    /* Gravity as measured by a gamepad that is tilted by 0.5 rad. */
+    const vec3 leaning = v3(0.0f, 9.81f * 0.8776f, 9.81f * 0.4794f);
     gamepad_imu_filter_add_gravity(&tilt, BEGIN_NS + 100u * MS_NS, leaning);
     const float soon = f_abs(gamepad_imu_filter_at(&tilt, BEGIN_NS + 100u * MS_NS, 0).pitch_rad);
     for (uint64_t ms = 200; ms <= 3000; ms += 100) {
         gamepad_imu_filter_add_gravity(&tilt, BEGIN_NS + ms * MS_NS, leaning);
     }
     const float late = f_abs(gamepad_imu_filter_at(&tilt, BEGIN_NS + 3000u * MS_NS, 0).pitch_rad);
-    assert_true(soon < 0.1f); /* One report of 0.1 s corrects one sixth of the error. */
+    assert_true(soon < 0.1f); /* One report after 0.1 s corrects about a sixth of the error. */
     assert_float_equal(late, 0.5f - 2.0f * F_DEG, 0.02f);
 }
 

@@ -52,7 +52,7 @@ static SDL_Joystick *joystick(uint32_t place)
     return SDL_GameControllerGetJoystick(gamepads.pad[place].controller);
 }
 
-/* Returns the SDL index of the gamepad in a driver slot. */
+/* Returns the SDL index of the gamepad in slot `place` of the driver. */
 static int index_of(uint32_t place)
 {
     for (int i = 0; i < SDL_NumJoysticks(); i++) {
@@ -119,7 +119,8 @@ static void test_a_gamepad_that_was_connected_at_the_start_is_opened(void **stat
     (void)state;
     attach(1);
     gamepads_close(&gamepads);
-    /* The test quit SDL's joystick subsystem, which also stopped the game controller subsystem. */
+    /* The test before has quit SDL's joystick subsystem, which also stopped the game controller
+     * subsystem. */
     SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER);
     attach(1);
     gamepads_init(&gamepads, sim_clock_device(&clock_state), stall_view());
@@ -141,7 +142,7 @@ static void test_the_stick_moves_the_ring_to_the_right_and_the_trigger_dips(void
     newest(0);
     wait_ms(500);
     const vec3 after = newest(0).target.position_m;
-    /* The stick moves the ring at 0.55 m/s, so the ring is about 0.25 m farther. */
+    /* At 0.55 m/s the ring has moved by about 0.25 m. */
     assert_true(after.x > before.x + 0.20f && after.x < before.x + 0.29f);
     assert_true(f_abs(after.z - before.z) < 0.02f);
     SDL_JoystickSetVirtualAxis(joystick(0), SDL_CONTROLLER_AXIS_LEFTX, 0);
@@ -237,9 +238,9 @@ static void test_a_device_of_another_driver_is_not_opened(void **state)
     assert_false(gamepad_poi_is_present(&gamepads.pad[1]));
 }
 
-/* One of two equal devices is claimed by its serial number. The other device belongs to SDL, so
- * SDL's ignore hint must not contain their common id. A device without a readable serial number may
- * be the claimed device. */
+/* The operator has assigned one of two equal devices to the HID driver, by its serial number. SDL
+ * must keep the other one, so SDL's ignore hint must not contain their common vendor and product
+ * id. A device without a readable serial number counts as assigned. */
 static void test_one_of_two_equal_gamepads_is_excluded_by_its_serial_number(void **state)
 {
     (void)state;
@@ -253,7 +254,7 @@ static void test_one_of_two_equal_gamepads_is_excluded_by_its_serial_number(void
     assert_false(gamepads_is_excluded(&gamepads, &(struct usb_key){ 0x046d, 0x09cc, "A1" }));
 }
 
-/* The operator assigned this gamepad to the HID driver, so SDL must close the gamepad at once. */
+/* The operator assigns an open gamepad to the HID driver. SDL must close it at once. */
 static void test_a_gamepad_that_is_excluded_while_open_is_gone(void **state)
 {
     (void)state;
@@ -306,7 +307,8 @@ static void push_sensor(SDL_SensorType type, float x, float y, float z)
     assert_int_equal(SDL_PushEvent(&event), 1);
 }
 
-/* SDL's virtual joysticks have no sensors, so the test pushes sensor events into the queue. */
+/* SDL's virtual joysticks have no motion sensors, so the test writes sensor events into SDL's
+ * queue. */
 static void test_a_gamepad_with_a_gyroscope_tilts_the_ring(void **state)
 {
     (void)state;
@@ -316,7 +318,8 @@ static void test_a_gamepad_with_a_gyroscope_tilts_the_ring(void **state)
     push_sensor(SDL_SENSOR_ACCEL, 0.0f, 9.81f, 0.0f);
     wait_ms(16);
     assert_true(f_abs(newest(0).target.angles.pitch_rad) < 0.01f);
-    for (uint32_t i = 0; i < 25; i++) { /* The far edge rises at 1 rad/s for 0.4 s. */
+    /* The far edge rises at 1 rad/s for 0.4 s. */
+    for (uint32_t i = 0; i < 25; i++) {
         push_sensor(SDL_SENSOR_GYRO, 1.0f, 0.0f, 0.0f);
         wait_ms(16);
         newest(0);

@@ -1,5 +1,5 @@
-/* test_stick_motion.c -- Tests the speed and range of a poi that is moved by a stick, and that its
- * motion does not tear the paper. */
+/* test_stick_motion.c -- tests the speed and the range of a poi that is moved with a stick. The
+ * speed must be so low that the motion does not tear the paper. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -91,7 +91,8 @@ static void test_the_ring_stays_within_the_visible_area(void **state)
     }
 }
 
-/* A catch can be put into a bowl only if the bowls of all presets are in range. */
+/* The bowls of all presets must be within range. Otherwise a fish could not be put into its
+ * bowl. */
 static void test_every_bowl_is_in_range(void **state)
 {
     (void)state;
@@ -140,13 +141,13 @@ static void test_no_step_between_two_ticks_is_a_pose_jump(void **state)
         const float side = i / 60u % 2u ? 1.0f : -1.0f;
         push(v3(side, -side, side), v3(side, side, side), i / 45u % 2u ? POINTER_DIP : 0u);
         const vec3 now = after(8).position_m;
-        /* 11 mm in 8 ms are about 1.3 m/s, the limit for dip and horizontal motion together. */
+        /* 11 mm in 8 ms is about 1.3 m/s, the limit for dip and horizontal motion together. */
         assert_true(v3_length(v3_sub(now, before)) < 0.011f);
         before = now;
     }
 }
 
-/* A stick has the same strokes as a pointer (test_pointer_poi.c). */
+/* The dip is the same as with a pointer (test_pointer_poi.c). */
 static void test_a_short_press_completes_the_dip_from_the_near_side(void **state)
 {
     (void)state;
@@ -166,13 +167,14 @@ static void test_a_short_press_completes_the_dip_from_the_near_side(void **state
     }
     assert_float_equal(lowest_m, DIP_DEPTH_M, 1e-4f);
     assert_true(nearest_m > hover_z_m + 0.005f && nearest_m < hover_z_m + DIP_NEAR_M);
-    /* The lift follows the line of sight, so it ends farther from the player than it began. */
+    /* The lift follows the line of sight, so its end is farther from the player than its start. */
     assert_true(end_z_m < hover_z_m - 0.03f);
     assert_float_equal(after(0).position_m.y, DIP_HOVER_M, 1e-5f);
     assert_float_equal(after(0).position_m.z, hover_z_m, 1e-5f);
 }
 
-/* The button is released before a pause that is longer than the stick integrates. */
+/* The button is released, and then no pose is read for longer than the stick's motion is
+ * integrated. */
 static void test_a_pause_without_samples_does_not_delay_the_lift(void **state)
 {
     (void)state;
@@ -202,7 +204,8 @@ static void test_an_input_that_is_not_finite_moves_nothing(void **state)
     const vec3 at = after(300).position_m;
     assert_float_equal(at.x, 0.0f, 1e-6f);
     assert_float_equal(at.y, DIP_HOVER_M, 1e-6f);
-    push(v3(1e30f, 0, 0), none, 0); /* An input beyond full deflection counts as full deflection. */
+    /* A value above full deflection counts as full deflection. */
+    push(v3(1e30f, 0, 0), none, 0);
     assert_true(after(200).position_m.x < 0.2f * STICK_MOTION_AIR_M_S);
 }
 

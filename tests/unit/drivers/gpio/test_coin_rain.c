@@ -1,12 +1,13 @@
-/* test_coin_rain.c -- Tests the coin count over a simulated day with bouncing contacts, slow frames
- * and a reader thread that is not always scheduled. */
+/* test_coin_rain.c -- tests the coin count over a simulated day with contact bounce, slow frames
+ * and a GPIO thread that is not always scheduled. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 
 #include <cmocka.h>
 
-#include "drivers/gpio/gpio_thread.h" /* This header makes tests.mk link the test with shell.a. */
+/* Including this header makes tests.mk link the test with shell.a. */
+#include "drivers/gpio/gpio_thread.h"
 #include "tests/gpio/coin_rain.h"
 
 #define COINS 20000u
@@ -25,9 +26,9 @@ static void assert_exact(const struct rain_result *result)
     assert_int_equal(result->late, 0);
 }
 
-/* Every jam and at least 90 % of the short pulses are reported as faults, because a late kernel
- * reduces a few short pulses to glitches. A pair of glitches is reported as doubtful when the
- * reader thread was not scheduled to prove that the pair was no coin. */
+/* All jams and at least 90 % of the short pulses must be reported as faults. A late kernel makes
+ * some short pulses look like glitches. Two glitches that look like a coin are reported as doubtful
+ * if the GPIO thread did not see the level between them. */
 static void assert_faults_reported(const struct rain_result *result)
 {
     assert_in_range(result->faults - result->doubtful, result->jams + result->knocks * 9u / 10u,
@@ -57,7 +58,8 @@ static void test_the_simulated_day_contains_long_frames_and_reader_stalls(void *
     const struct rain_result result = rain(1);
     assert_true(result.longest_frame_ns > 2500000000u);
     assert_true(result.longest_stall_ns > 90000000u);
-    assert_true(result.blinks > COINS); /* The kernel was late more than once per coin. */
+    /* The kernel read the level late more often than once per coin. */
+    assert_true(result.blinks > COINS);
 }
 
 int main(void)

@@ -1,4 +1,4 @@
-/* test_gpio_coins.c -- Tests that the GPIO thread counts every coin and no glitch, also when the
+/* test_gpio_coins.c -- tests that the GPIO thread counts every coin and no glitch, even if the
  * kernel, the thread or the frame loop is late. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -21,7 +21,7 @@ static void test_a_stalled_frame_loop_loses_no_coin(void **state)
     static struct fixture fixture;
     PLAY(&fixture, events);
     while (fixture.sim.now_ns < 3000 * MS) {
-        /* Runs only the GPIO thread, so that all edges wait until the frame loop polls. */
+        /* Runs only the GPIO thread. The frame loop polls after all coins. */
         gpio_thread_step(&fixture.gpio);
     }
     poll(&fixture);
@@ -51,17 +51,25 @@ static void test_a_stalled_gpio_thread_loses_no_coin(void **state)
     end(&fixture);
 }
 
-/* The pulses overlap as those of two coins in two chutes do, and each line is evaluated
- * separately. */
+/* Two coins in two chutes give overlapping pulses. Each line must be evaluated alone. */
 static void test_each_coin_line_is_counted_separately(void **state)
 {
     (void)state;
     static const struct gpio_sim_event events[] = {
-        LEVEL(100, GPIO_COIN, 1),  LEVEL(110, GPIO_COIN2, 1), LEVEL(120, GPIO_COIN3, 1),
-        LEVEL(128, GPIO_COIN3, 0), /* A pulse of 8 ms, as from a knock, is too short for a coin. */
-        LEVEL(150, GPIO_COIN, 0),  LEVEL(160, GPIO_COIN2, 0), LEVEL(300, GPIO_COIN2, 1),
-        LEVEL(350, GPIO_COIN2, 0), LEVEL(400, GPIO_COIN3, 1), LEVEL(440, GPIO_COIN3, 0),
-        LEVEL(500, GPIO_COIN3, 1), LEVEL(540, GPIO_COIN3, 0), LEVEL(600, GPIO_COIN3, 1),
+        LEVEL(100, GPIO_COIN, 1),
+        LEVEL(110, GPIO_COIN2, 1),
+        LEVEL(120, GPIO_COIN3, 1),
+        /* This pulse of 8 ms is too short for a coin. It may come from a knock. */
+        LEVEL(128, GPIO_COIN3, 0),
+        LEVEL(150, GPIO_COIN, 0),
+        LEVEL(160, GPIO_COIN2, 0),
+        LEVEL(300, GPIO_COIN2, 1),
+        LEVEL(350, GPIO_COIN2, 0),
+        LEVEL(400, GPIO_COIN3, 1),
+        LEVEL(440, GPIO_COIN3, 0),
+        LEVEL(500, GPIO_COIN3, 1),
+        LEVEL(540, GPIO_COIN3, 0),
+        LEVEL(600, GPIO_COIN3, 1),
         LEVEL(640, GPIO_COIN3, 0),
     };
     static struct fixture fixture;
@@ -71,7 +79,7 @@ static void test_each_coin_line_is_counted_separately(void **state)
     assert_int_equal(fixture.sum.coin_count[1], 2);
     assert_int_equal(fixture.sum.coin_count[2], 3);
     assert_int_equal(fixture.sum.faults, 1);
-    assert_int_equal(fixture.sum.held, 0); /* No coin line is a button. */
+    assert_int_equal(fixture.sum.held, 0); /* Coin lines are not buttons, so no button is held. */
     end(&fixture);
 }
 
@@ -79,10 +87,14 @@ static void test_too_long_and_too_short_pulses_are_faults_and_no_coins(void **st
 {
     (void)state;
     static const struct gpio_sim_event events[] = {
-        /* A pulse of 8 ms, as from a knock, is too short for a coin and counts as a fault. */
-        LEVEL(100, GPIO_COIN, 1), LEVEL(108, GPIO_COIN, 0),  LEVEL(200, GPIO_COIN, 1),
-        LEVEL(201, GPIO_COIN, 0), /* A glitch below the debounce period. */
-        LEVEL(300, GPIO_COIN, 1), LEVEL(2000, GPIO_COIN, 0), /* A coin sticks. */
+        /* A pulse of 8 ms (a knock) is too short for a coin and counts as a fault. */
+        LEVEL(100, GPIO_COIN, 1),
+        LEVEL(108, GPIO_COIN, 0),
+        LEVEL(200, GPIO_COIN, 1),
+        LEVEL(201, GPIO_COIN, 0), /* A glitch, shorter than the debounce period. */
+        /* A jam: the coin is stuck for 1.7 s. */
+        LEVEL(300, GPIO_COIN, 1),
+        LEVEL(2000, GPIO_COIN, 0),
     };
     static struct fixture fixture;
     PLAY(&fixture, events);
@@ -111,8 +123,8 @@ static void test_a_coin_whose_edges_the_kernel_reports_late_is_counted(void **st
     assert_int_equal(fixture.sum.coin_count[0], 1);
     end(&fixture);
     plug_in(&fixture, events, 2);
-    fixture.sim.late_min_ns = fixture.sim.late_max_ns = 70 * MS; /* The delay is longer than the
-                                                                    pulse. */
+    /* The kernel is later than the whole pulse. */
+    fixture.sim.late_min_ns = fixture.sim.late_max_ns = 70 * MS;
     begin(&fixture);
     run_until(&fixture, 400);
     assert_int_equal(fixture.sum.coin_count[0], 1);
@@ -151,10 +163,10 @@ static uint64_t cabinet_coins(struct gpio_sim_event events[2 * CABINET_COINS])
     return time_ms;
 }
 
-/* Simulates Linux on an emulated machine with two processors. At times the processor with the
- * interrupt thread is stopped for longer than a pulse while the other one runs. Edges are then
- * reported late, all with the later level, and a masked edge has the time at which the mask was
- * removed. */
+/* Simulates Linux on an emulated machine with two processors. The processor that handles
+ * interrupts is sometimes stopped for longer than a pulse, while the other one runs. The edges
+ * are then reported late and with the later level. An edge that was masked gets the time of its
+ * unmasking. */
 static void test_200_coins_are_counted_when_edges_are_late_and_have_the_wrong_level(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
-/* test_gpio_device.c -- Tests that each coin, fault and output crosses once between the GPIO thread
- * and the frame loop. Both run at their own rate. The GPIO lines are simulated, and their time
- * passes as fast as the thread runs. */
+/* test_gpio_device.c -- tests that each coin, fault and output passes exactly once between the GPIO
+ * thread and the frame loop, which run at different rates. The GPIO lines are simulated, and their
+ * time passes as fast as the thread runs. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -17,8 +17,8 @@
 #define COINS 3000u
 #define CYCLES 20u /* Number of times that the chip is unplugged and plugged in again. */
 
-/* Event script: a coin and a press of START in turn. The chip is unplugged CYCLES times between
- * coins. */
+/* Script of events: coins and presses of START in turn. The chip is removed CYCLES times between
+ * two coins. */
 struct day {
     uint32_t step, coins;
     uint64_t time_ns;
@@ -33,12 +33,12 @@ static bool next_of_day(void *self, struct gpio_sim_event *out)
     }
     day->step++;
     day->time_ns += edge == 0 ? 60 * MS : 30 * MS;
-    /* Unplugs the chip after the coin (edge 2) and plugs it in again 1.5 s later (edge 3). */
+    /* Edge 2 removes the chip after the coin. Edge 3 brings the chip back 1.5 s later. */
     if (coin % (COINS / CYCLES) == 0 && edge >= 2) {
         day->time_ns += edge == 3 ? 1500 * MS : 0;
         *out = (struct gpio_sim_event){ day->time_ns, edge == 2 ? GPIO_SIM_GONE : GPIO_SIM_BACK, 0,
                                         0 };
-        /* The thread looks for the chip once a second, so it is open before the next coin. */
+        /* The thread searches for the chip once a second, so 2 s later the lines are open again. */
         day->time_ns += edge == 3 ? 2000 * MS : 0;
         return true;
     }
@@ -82,7 +82,8 @@ static void test_coins_and_faults_cross_to_the_frame_loop_once_each(void **state
     const struct hal_buttons buttons = gpio_thread_buttons(&gpio);
     const struct hal_switches switches = gpio_thread_switches(&gpio);
     uint32_t coins = 0, faults = 0, polls = 0, coin_edges = 0, start_edges = 0;
-    while (coins < COINS && polls < 20000u) { /* The timeout is at least 10 s. */
+    /* 20,000 polls are a timeout of at least 10 s. */
+    while (coins < COINS && polls < 20000u) {
         struct button_sample sample;
         assert_int_equal(buttons.ops->poll(buttons.self, &sample), HAL_OK);
         switches.ops->set(switches.self, HAL_START_LAMP, polls % 2u == 0);
@@ -99,7 +100,8 @@ static void test_coins_and_faults_cross_to_the_frame_loop_once_each(void **state
     buttons.ops->poll(buttons.self, &last);
     gpio_thread_stop(&gpio);
     assert_int_equal(coins + last.coin_count[0], COINS);
-    assert_int_equal(faults + last.faults, CYCLES); /* Each loss of the chip is one fault. */
+    /* Each loss of the chip counts as one fault. */
+    assert_int_equal(faults + last.faults, CYCLES);
     assert_int_equal(coin_edges + last.line[INPUT_BUTTON_COUNT].edges, 2u * COINS);
     assert_int_equal(start_edges + last.line[0].edges, 2u * (COINS - CYCLES));
     assert_int_equal(last.raw, 0);

@@ -1,5 +1,5 @@
-/* test_gpio_edge_filter.c -- Tests how edges and levels of a GPIO line are combined when the kernel
- * reports edges late or loses them. */
+/* test_gpio_edge_filter.c -- tests how the filter combines the edges and the polled levels of a
+ * GPIO line if the kernel reports edges late or loses them. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -12,7 +12,7 @@
 #define PERIOD_NS (3 * MS)
 
 static struct debounce_edge_time change;
-/* Time at which the thread reads the edges from the kernel. 0 means that each edge is read when it
+/* Time at which the thread reads the edges from the kernel; 0 means that each edge is read when it
  * occurs. */
 static uint64_t taken_ns;
 
@@ -70,13 +70,14 @@ static void test_two_glitches_that_are_read_late_are_no_pulse(void **state)
 {
     (void)state;
     struct gpio_edge_filter input = gpio_edge_filter_begin(PERIOD_NS, false, 0);
-    /* The thread reads both edges only at 130 ms, although they occurred at 100 and 125 ms. */
+    /* The edges occurred at 100 and 125 ms, but the thread reads both at 130 ms. */
     taken_ns = 130 * MS;
     assert_false(edge(&input, 100, false, 0));
     assert_false(edge(&input, 125, false, 0));
     assert_false(level(&input, 130, false));
     assert_int_equal(input.doubtful, 1);
-    taken_ns = 160 * MS; /* The second edge has the time at which the first edge was read. */
+    /* Of the next two edges, the second one has the time at which the first one was read. */
+    taken_ns = 160 * MS;
     assert_false(edge(&input, 200, false, 0));
     taken_ns = 0;
     assert_false(edge(&input, 201, false, 0));
@@ -89,14 +90,15 @@ static void test_a_pulse_that_ended_before_its_edges_were_reported_is_a_pulse(vo
 {
     (void)state;
     struct gpio_edge_filter input = gpio_edge_filter_begin(PERIOD_NS, false, 0);
-    assert_false(level(&input, 102, true)); /* The level shows the pulse before an edge is
-                                               reported. */
+    /* A poll detects the pulse before its edges are reported. */
+    assert_false(level(&input, 102, true));
     assert_false(level(&input, 107, true));
     assert_false(level(&input, 112, true));
     taken_ns = 118 * MS;
-    assert_false(edge(&input, 100, false, 0)); /* The edges are reported after the end of the
-                                                  pulse. */
-    /* The kernel gives the end of the pulse the time at which the first edge was read. */
+    /* The edge at 100 ms is reported after the end of the pulse, so the level is already low. */
+    assert_false(edge(&input, 100, false, 0));
+    /* The falling edge has no time of its own: the kernel gives it the time at which the first edge
+     * was read (118 ms). */
     assert_true(edge(&input, 118, false, 0));
     taken_ns = 0;
     assert_change(100, true);
@@ -113,7 +115,8 @@ static void test_a_pulse_ends_at_the_level_that_was_read_before_its_edges(void *
     assert_false(level(&input, 102, true));
     assert_false(level(&input, 107, true));
     assert_false(level(&input, 117, false));
-    assert_true(edge(&input, 100, false, 0)); /* This edge of 100 ms is read only at 170 ms. */
+    /* The edge at 100 ms is read only at 170 ms. */
+    assert_true(edge(&input, 100, false, 0));
     assert_change(100, true);
     assert_true(edge(&input, 170, false, 0));
     assert_change(117, false);
@@ -124,7 +127,8 @@ static void test_one_level_read_during_a_glitch_proves_no_pulse(void **state)
 {
     (void)state;
     struct gpio_edge_filter input = gpio_edge_filter_begin(PERIOD_NS, false, 0);
-    assert_false(level(&input, 100, true)); /* The level is read during the glitch by chance. */
+    /* This poll happens to fall into the first glitch. */
+    assert_false(level(&input, 100, true));
     taken_ns = 130 * MS;
     assert_false(edge(&input, 100, false, 0));
     assert_false(edge(&input, 125, false, 0));
@@ -142,7 +146,7 @@ static void test_a_pulse_in_the_level_without_edges_is_counted_as_lost(void **st
     assert_false(level(&input, 102, true));
     assert_false(level(&input, 107, true));
     assert_false(level(&input, 112, false));
-    /* The missing edges may still arrive, so none counts as lost. */
+    /* The edges of the pulse may still arrive, so they do not count as lost yet. */
     assert_int_equal(input.lost, 0);
     assert_false(edge(&input, 500, true, 0));
     assert_int_equal(input.lost, 1);
@@ -156,8 +160,8 @@ static void test_an_edge_older_than_an_accepted_level_changes_nothing(void **sta
     level(&input, 112, true);
     assert_true(level(&input, 122, true));
     assert_change(102, true);
-    /* The edge at 100 ms was missing. It is read when its pulse is over, so it must not end the
-     * pulse again. */
+    /* This is the first edge of the pulse that the polls have already detected. It is read late,
+     * when the line is low again, and must not end the pulse. */
     assert_false(edge(&input, 100, false, 0));
     assert_true(input.debounce.stable);
     assert_false(edge(&input, 160, false, 0));
@@ -172,9 +176,9 @@ static void test_blinks_within_a_bounce_are_no_doubtful_pair(void **state)
     struct gpio_edge_filter input = gpio_edge_filter_begin(PERIOD_NS, false, 0);
     taken_ns = 200 * MS;
     assert_false(edge(&input, 100, true, 0));
-    /* A second closing edge means that the contact bounced while it closed. */
+    /* A second rising edge shows that the contact bounced while it closed. */
     assert_false(edge(&input, 101, true, 0));
-    /* Another closing edge at 140 ms means that the contact bounced while it opened. */
+    /* Another rising edge, at 140 ms, shows that the contact bounced while it opened. */
     assert_true(edge(&input, 140, true, 0));
     assert_change(101, true);
     assert_false(edge(&input, 141, false, 0));
@@ -189,8 +193,9 @@ static void test_a_pulse_whose_first_edge_is_read_late_keeps_its_width(void **st
     (void)state;
     struct gpio_edge_filter input = gpio_edge_filter_begin(PERIOD_NS, false, 0);
     assert_false(level(&input, 99, false));
-    assert_false(edge(&input, 100, true, 0)); /* This edge is reported at 106 ms. */
-    /* The level was read before the edge took effect, so it still shows an open contact. */
+    /* This edge is reported late, at 106 ms. */
+    assert_false(edge(&input, 100, true, 0));
+    /* The level was read before the contact closed, so it is still low. */
     assert_false(level(&input, 101, false));
     assert_true(edge(&input, 120, false, 0));
     assert_change(100, true);
@@ -203,8 +208,8 @@ static void test_bounces_that_are_merged_into_one_edge_do_not_change_the_level(v
     (void)state;
     struct gpio_edge_filter input = gpio_edge_filter_begin(PERIOD_NS, false, 0);
     assert_false(edge(&input, 100, true, 0));
-    assert_false(edge(&input, 102, true, 0)); /* The contact opened and closed again, and both
-                                                 edges were read as closed. */
+    /* The contact opened and closed again. Both changes were read as one rising edge. */
+    assert_false(edge(&input, 102, true, 0));
     assert_true(edge(&input, 140, false, 0));
     assert_change(102, true);
     assert_true(level(&input, 143, false));
@@ -217,8 +222,9 @@ static void test_lost_numbered_edges_are_counted_and_the_others_accepted(void **
     struct gpio_edge_filter input = gpio_edge_filter_begin(PERIOD_NS, false, 0);
     assert_false(edge(&input, 100, true, 0));
     assert_true(level(&input, 110, true));
-    assert_false(edge(&input, 200, true, 6)); /* The level is unchanged: no change and no blink
-                                                 is counted. */
+    /* The edge has the same level as before, which is explained by the 6 lost edges. It counts
+     * neither as a change nor as a blink. */
+    assert_false(edge(&input, 200, true, 6));
     assert_int_equal(input.lost, 6);
     assert_false(level(&input, 300, true));
     assert_false(edge(&input, 400, false, 2));
@@ -233,12 +239,13 @@ static void test_a_level_without_an_edge_is_accepted_after_the_timeout(void **st
     struct gpio_edge_filter input = gpio_edge_filter_begin(PERIOD_NS, false, 0);
     assert_false(level(&input, 100, true));
     assert_int_equal(gpio_edge_filter_due_ns(&input), 120 * MS);
-    assert_false(level(&input, 119, true)); /* The edge of this level may still arrive. */
+    /* The level is not accepted yet, because its edge may still arrive. */
+    assert_false(level(&input, 119, true));
     assert_int_equal(gpio_edge_filter_known_ns(&input, 119 * MS), 100 * MS);
     assert_true(level(&input, 120, true));
     assert_int_equal(input.lost, 1);
     assert_change(100, true);
-    /* The level was already accepted, so an edge from before it changes nothing. */
+    /* The level was accepted at 120 ms. An older edge must not change anything. */
     assert_false(edge(&input, 99, true, 0));
     assert_false(level(&input, 200, true));
     assert_int_equal(input.lost, 1);

@@ -9,7 +9,7 @@
 #include "drivers/gpio/gpio_thread.h"
 #include "tests/unit/support/gpio_fixture.h"
 
-/* Counts the times at which `role` became active, and writes its shortest active time. */
+/* Counts how often output `role` became active. Writes its shortest active time. */
 static uint32_t count_pulses(const struct gpio_lines_sim *sim, uint8_t role, uint64_t *shortest_ns)
 {
     uint32_t count = 0;
@@ -82,7 +82,7 @@ static void test_pulses_wait_until_a_failing_line_switches_on(void **state)
     assert_int_equal(switches.ops->pulse(switches.self, HAL_TICKET, 3), HAL_OK);
     run_until(&fixture, 1000);
     assert_int_equal(switches.ops->pending(switches.self, HAL_TICKET), 3);
-    /* The failed line is one fault, however often the thread retries to set it. */
+    /* The thread retries to set the line, but the failure counts as one fault. */
     assert_int_equal(fixture.sum.faults, faults + 1u);
     assert_string_equal(switches.ops->describe(switches.self),
                         "lines of memory: 12 of 12 lines; no ticket (TICKETS does not switch: "
@@ -96,12 +96,13 @@ static void test_pulses_wait_until_a_failing_line_switches_on(void **state)
     fixture.sim.failing_outputs = gpio_role_bit(GPIO_TICKET);
     assert_int_equal(switches.ops->pulse(switches.self, HAL_TICKET, 1), HAL_OK);
     run_until(&fixture, 2500);
-    /* A second failure after a success is a second fault. */
+    /* A failure after a success counts as a second fault. */
     assert_int_equal(fixture.sum.faults, faults + 2u);
     end(&fixture);
 }
 
-/* Missing lines are requested again each second, which writes the reasons again. */
+/* Missing lines are requested again every second. Each request writes the reasons of all lines
+ * anew. */
 static void test_a_failing_output_is_reported_beside_a_missing_line(void **state)
 {
     (void)state;
@@ -146,8 +147,8 @@ static void test_a_pulse_lasts_until_a_failing_line_switches_off(void **state)
     end(&fixture);
 }
 
-/* A pulse that a removal of the chip cut counts as finished, because the dispenser may have given
- * the ticket. */
+/* If the chip is removed during a pulse, the pulse counts as done, because the dispenser may have
+ * given the ticket. */
 static void test_a_pulse_cut_by_the_loss_of_its_line_is_not_repeated(void **state)
 {
     (void)state;
@@ -203,12 +204,13 @@ static void test_coins_are_locked_out_until_the_lockout_is_released(void **state
     assert_int_equal(fixture.sim.outputs[GPIO_COIN_LOCKOUT], 1);
     run_until(&fixture, 500);
     assert_int_equal(fixture.sim.outputs[GPIO_COIN_LOCKOUT], 1);
-    assert_int_equal(fixture.sim.set_count, 0); /* The lockout was never released for a moment. */
+    /* The line was requested with its level, so the lockout was never released in between. */
+    assert_int_equal(fixture.sim.set_count, 0);
     switches.ops->set(switches.self, HAL_COIN_LOCKOUT, 0);
     run_until(&fixture, 900);
     assert_int_equal(fixture.sim.outputs[GPIO_COIN_LOCKOUT], 0);
-    /* The chip came back with the coin slot locked, and the thread sets the line to the requested
-     * level again. */
+    /* After the chip came back, the line has its initial level (locked). The thread must set the
+     * requested level again. */
     run_until(&fixture, 4000);
     assert_int_equal(fixture.sim.outputs[GPIO_COIN_LOCKOUT], 0);
     assert_int_equal(fixture.sim.set_count, 2);
@@ -240,8 +242,9 @@ static void test_the_lines_of_a_killed_process_stay_locked(void **state)
     run_until(&fixture, 100);
     assert_int_equal(fixture.sim.outputs[GPIO_COIN_LOCKOUT], 0);
     const struct gpio_lines lines = gpio_lines_sim_device(&fixture.sim);
-    lines.ops->close(lines.self); /* The kernel closes the lines of a killed process without a
-                                     last write. */
+    /* The kernel closes the lines of a killed process, which writes nothing any more. The idle
+     * level of the line must then lock the coin slot. */
+    lines.ops->close(lines.self);
     assert_int_equal(fixture.sim.outputs[GPIO_COIN_LOCKOUT], 1);
     assert_int_equal(fixture.sim.outputs[GPIO_START_LAMP], 0);
     end(&fixture);

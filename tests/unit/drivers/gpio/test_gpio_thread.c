@@ -1,6 +1,6 @@
-/* test_gpio_thread.c -- Tests the steps of the GPIO thread over simulated lines: buttons, coins,
- * lamps, pulses, and chips that disappear and return. Buttons and switches are polled through the
- * same interface as in the frame loop. */
+/* test_gpio_thread.c -- tests the GPIO thread with simulated lines: buttons, coins, lamps, pulses,
+ * and chips that are removed and come back. The test polls through the same interface as the frame
+ * loop. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -70,7 +70,7 @@ static void test_edges_that_the_queue_dropped_are_faults_and_the_level_is_correc
     (void)state;
     for (uint8_t numbered = 0; numbered < 2; numbered++) {
         static struct gpio_sim_event events[41];
-        /* The last of the 41 edges is a press, so the button is held afterwards. */
+        /* The 41st edge is a press, so the button is held at the end. */
         for (uint32_t i = 0; i < 41; i++) {
             events[i] = (struct gpio_sim_event)LEVEL(100 + i, GPIO_START, i % 2 == 0);
         }
@@ -85,8 +85,8 @@ static void test_edges_that_the_queue_dropped_are_faults_and_the_level_is_correc
         assert_int_equal(fixture.sim.dropped, 25);
         assert_int_equal(fixture.sum.held, INPUT_START);
         assert_int_equal(fixture.presses, 1);
-        /* If the kernel does not number its edges, the level shows only that one edge is missing.
-         * With numbers, the count of all missing edges is known. */
+        /* If the kernel does not number its edges, only the changed level shows that an edge is
+         * missing. With numbers, all missing edges are counted. */
         assert_int_equal(fixture.sum.faults, numbered ? 25 : 1);
         end(&fixture);
     }
@@ -96,8 +96,8 @@ static void test_no_level_is_accepted_while_edges_are_unread(void **state)
 {
     (void)state;
     static struct gpio_sim_event events[66];
-    for (uint32_t i = 0; i < 63; i++) { /* START bounces and leaves one free place in the queue
-                                           of 64 edges. */
+    /* START bounces and fills the queue of 64 edges except for one place. */
+    for (uint32_t i = 0; i < 63; i++) {
         events[i] = (struct gpio_sim_event)LEVEL(100 + i, GPIO_START, i % 2 == 0);
     }
     events[63] = (struct gpio_sim_event)LEVEL(200, GPIO_COIN, 1); /* A glitch. */
@@ -133,9 +133,10 @@ static void test_a_chip_that_disappears_is_one_fault_and_is_reopened(void **stat
     assert_int_equal(fixture.sum.faults, 1);
     run_until(&fixture, 3900);
     const uint32_t opened = fixture.sim.open_count;
-    assert_in_range(opened, 4, 6); /* The thread retries once a second, not in every step. */
+    /* The thread retries once per second and not in every step. */
+    assert_in_range(opened, 4, 6);
     run_until(&fixture, 5100);
-    /* After the chip came back, the lamp is set again. */
+    /* The chip came back, and the lamp was set again. */
     assert_int_equal(fixture.sim.outputs[GPIO_START_LAMP], 1);
     run_until(&fixture, 7000);
     assert_int_equal(fixture.presses, 2);
@@ -184,7 +185,8 @@ static void test_a_busy_line_is_reported_and_requested_again_when_it_is_free(voi
     run_until(&fixture, 500);
     assert_int_equal(fixture.sum.coin_count[0], 0);
     assert_int_equal(fixture.sum.missing, HAL_MISSING_COIN);
-    assert_int_equal(fixture.sum.faults, 1); /* A retry is not a new fault. */
+    /* Retries do not count as faults. */
+    assert_int_equal(fixture.sum.faults, 1);
     fixture.sim.held_by_others = 0;
     run_until(&fixture, 3000);
     assert_int_equal(fixture.sum.coin_count[0], 1);

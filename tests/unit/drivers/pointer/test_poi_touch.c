@@ -1,5 +1,5 @@
-/* test_poi_touch.c -- Tests which finger moves the ring, the meaning of two and three fingers, and
- * random and faulty touch events. */
+/* test_poi_touch.c -- tests which finger moves the ring, what two and three fingers mean, and the
+ * handling of faulty touch events. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -41,15 +41,16 @@ static void test_the_first_finger_moves_and_a_second_dips(void **state)
     finger(TOUCH_DOWN, 8, 0.9f, 0.9f);
     assert_true(fingers.dips);
     assert_true(fingers.x == 0.25f && fingers.y == 0.5f);
-    assert_false(finger(TOUCH_MOVE, 8, 0.8f, 0.8f)); /* The position of the second finger does
-                                                        not matter. */
+    /* Only the first finger moves the ring. */
+    assert_false(finger(TOUCH_MOVE, 8, 0.8f, 0.8f));
     assert_true(finger(TOUCH_MOVE, 7, 0.3f, 0.5f));
     assert_true(fingers.x == 0.3f);
     finger(TOUCH_UP, 8, 0.8f, 0.8f);
     assert_false(fingers.dips);
 }
 
-/* Otherwise the ring would jump to the finger that holds the dip. */
+/* After the first finger is lifted, the ring must not jump to the second finger, which holds the
+ * dip. */
 static void test_the_ring_stays_when_the_first_finger_lifts(void **state)
 {
     (void)state;
@@ -83,7 +84,7 @@ static void test_three_fingers_press_start_once(void **state)
     assert_true(touch_fingers_start(&fingers));
 }
 
-/* A touch panel may omit or repeat a release, or report a finger that was never down. */
+/* A touch panel may omit or repeat the end of a touch, or report a finger that never touched. */
 static void test_inconsistent_events_move_nothing(void **state)
 {
     (void)state;
@@ -131,8 +132,8 @@ static struct clock_sim twin_clock;
 static struct pointer_sim sim;
 static struct hal_poi twin;
 
-/* One finger moves about. Every 0.48 s a second finger is put down or lifted, so that each stroke
- * of a dip is completed. */
+/* Prepares a script of touch events: one finger moves around. Every 0.48 s a second finger is put
+ * down or lifted, which is long enough to complete a dip or a lift. */
 static int begin_sim(void **state)
 {
     (void)state;
@@ -189,11 +190,12 @@ static void test_a_script_of_touches_moves_and_dips_the_ring(void **state)
         dips += before_m >= 0.0f && height_m < 0.0f;
         before_m = height_m;
     }
-    assert_int_equal(dips, 8); /* Each dip needs two of the 16 changes: one down and one up. */
+    /* Each dip needs two of the 16 changes: the second finger is put down and lifted. */
+    assert_int_equal(dips, 8);
 }
 
-/* Doubled, jumping, invalid and delayed events still give possible motion, and afterwards the panel
- * is usable again. */
+/* Duplicate, jumping, invalid and delayed events must still give a possible motion. Afterwards the
+ * panel must work as before. */
 static void test_a_faulty_panel_gives_possible_motion(void **state)
 {
     (void)state;

@@ -1,4 +1,4 @@
-/* test_pointer_fan.c -- Tests a fan that is moved with a mouse, and the poi that waits
+/* test_pointer_fan.c -- tests a fan that is moved with the mouse, and the poi that stays in place
  * meanwhile. */
 #include <math.h>
 #include <setjmp.h>
@@ -22,7 +22,7 @@ static int fresh(void **state)
     return 0;
 }
 
-/* Gives the report to the pointer of one player. */
+/* Passes a report of the mouse to the poi. */
 static void send_report(struct pointer_report given)
 {
     pointer_poi_report(&poi, &given);
@@ -61,8 +61,8 @@ static void test_the_fan_moves_under_the_pointer_and_follows_it(void **state)
     assert_float_equal(fan_after(2000).z_m, on_water(700.0f, 400.0f).z, 1e-5f);
 }
 
-/* The fan enters and leaves across the near edge of the visible area and never jumps, even when the
- * key is released during a swing. */
+/* The fan must enter and leave across the near edge of the visible area without a jump, even if its
+ * key is released while it is entering. */
 static void test_the_fan_enters_and_leaves_without_a_jump(void **state)
 {
     (void)state;
@@ -77,7 +77,7 @@ static void test_the_fan_enters_and_leaves_without_a_jump(void **state)
         const struct shade_input now = fan_after(ms);
         const float near_edge_m = 0.35f + POINTER_FAN_RADIUS_M;
         if (now.present && before.present) {
-            /* 3 mm in 1 ms is the maximum speed of 3 m/s. */
+            /* 3 mm in 1 ms is 3 m/s, the maximum speed of the fan. */
             assert_true(fabsf(now.z_m - before.z_m) < 0.003f);
         } else if (now.present != before.present) {
             assert_true((now.present ? now.z_m : before.z_m) > near_edge_m);
@@ -121,7 +121,7 @@ static void test_the_poi_stays_in_place_while_the_fan_moves(void **state)
     }
 }
 
-/* A player can dip the poi while the fan moves. */
+/* While the mouse moves the fan, the mouse button still dips the poi. */
 static void test_a_waiting_poi_can_still_dip(void **state)
 {
     (void)state;
@@ -133,9 +133,9 @@ static void test_a_waiting_poi_can_still_dip(void **state)
     assert_true(fabsf(down.x - on_water(640.0f, 360.0f).x) < 0.02f);
 }
 
-/* When the fan key is released, the pointer is elsewhere. The poi must not jump to the pointer,
- * because its paper would tear. It must not jump either when the key is pressed again on the
- * way. */
+/* When the fan key is released, the pointer is far from the poi. The poi must return at a limited
+ * speed, because a jump would tear its paper. It must not jump either if the key is pressed again
+ * on the way. */
 static void test_the_poi_returns_under_the_pointer_at_limited_speed(void **state)
 {
     (void)state;
@@ -152,7 +152,7 @@ static void test_the_poi_returns_under_the_pointer_at_limited_speed(void **state
             send_report(report(ms, 1000.0f, 500.0f, 0));
         }
         const vec3 now = poi_after(ms);
-        /* 1.5 mm in 1 ms is the maximum speed in air, 1.5 m/s. */
+        /* 1.5 mm in 1 ms is 1.5 m/s, the maximum speed in air. */
         assert_true(v3_length(v3_sub(now, before)) < 0.0015f);
         before = now;
     }
@@ -163,8 +163,8 @@ static void test_the_poi_returns_under_the_pointer_at_limited_speed(void **state
     assert_float_equal(before.z, home.z, 1e-4f);
 }
 
-/* The button is held or was released together with the key. The poi rises first and then moves
- * under the pointer. */
+/* The poi is under water when the fan key is released. It must first rise and then move under the
+ * pointer, whether the mouse button is still held or not. */
 static void test_under_water_the_poi_returns_at_a_speed_safe_for_the_paper(void **state)
 {
     (void)state;
@@ -179,9 +179,10 @@ static void test_under_water_the_poi_returns_at_a_speed_safe_for_the_paper(void 
         }
         const vec3 now = poi_after(ms);
         const vec3 step = v3(now.x - before.x, 0.0f, now.z - before.z);
-        const int is_down = now.y < DIP_DEPTH_M + 0.002f; /* A stroke moves along the view
-                                                                ray. */
-        /* 0.15 mm in 1 ms is the maximum speed under water, 0.15 m/s. */
+        /* The poi may move sideways faster while it rises, because a lift follows the line of
+         * sight. */
+        const int is_down = now.y < DIP_DEPTH_M + 0.002f;
+        /* 0.15 mm in 1 ms is 0.15 m/s, the maximum speed under water. */
         assert_true(!is_down || v3_length(step) < 0.00015f);
         before = now;
     }

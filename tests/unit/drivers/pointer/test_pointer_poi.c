@@ -70,7 +70,7 @@ static const float places[][2] = {
     { 1000.0f, 600.0f },
 };
 
-/* Checks that the pointer at a pixel is over the centre of the ring. */
+/* Checks that the pointer at this pixel is over the centre of the ring. */
 static void assert_is_under_pointer(const struct pointer_poi *pointer, vec3 ring_m, float x_px,
                                     float y_px)
 {
@@ -81,7 +81,7 @@ static void assert_is_under_pointer(const struct pointer_poi *pointer, vec3 ring
     assert_float_equal(ring_y_px, y_px, 0.1f);
 }
 
-/* Returns the distance by which the ring at `ring_m` is nearer to the player than the pointer. */
+/* Returns how much nearer to the player the ring is than the point below the pointer, in m. */
 static float nearer_m(vec3 ring_m, float x_px, float y_px)
 {
     const vec3 below_m = view_point_on_plane(stall_view(), (float)WIDTH / (float)HEIGHT,
@@ -124,7 +124,7 @@ static void test_the_ring_sinks_nearer_to_the_player_and_ends_under_the_pointer(
     }
 }
 
-/* A press on a page acts at the position of the pointer. */
+/* On a page (a menu, for example), a press must act exactly below the pointer. */
 static void test_on_a_page_the_ring_sinks_straight_below_the_pointer(void **state)
 {
     (void)state;
@@ -137,7 +137,7 @@ static void test_on_a_page_the_ring_sinks_straight_below_the_pointer(void **stat
     }
 }
 
-/* A click of 20 ms must not end the dip above the fish. */
+/* After a click of only 20 ms, the dip must still reach its full depth. */
 static void test_a_short_press_completes_the_downward_stroke(void **state)
 {
     (void)state;
@@ -157,7 +157,7 @@ static void test_a_short_press_completes_the_downward_stroke(void **state)
     assert_float_equal(after(&clicked, 100 + DOWN_MS + UP_MS + 2).position_m.y, DIP_HOVER_M, 1e-5f);
 }
 
-/* The upward stroke starts on time even if no pose is read until long after the click. */
+/* The lift must start on time, even if the next pose is read much later. */
 static void test_a_pause_without_samples_does_not_delay_the_lift(void **state)
 {
     (void)state;
@@ -184,8 +184,8 @@ static void test_a_second_press_during_the_stroke_keeps_the_ring_down(void **sta
     assert_float_equal(after(&pointer, 3000 + UP_MS + 1).position_m.y, DIP_HOVER_M, 1e-5f);
 }
 
-/* A player who presses again while the ring is still under water wants the ring to stay below the
- * fish. */
+/* If the player presses again while the ring is still under water, the ring must go down again
+ * without a sideways motion. */
 static void test_a_press_under_water_does_not_move_the_ring_sideways(void **state)
 {
     (void)state;
@@ -203,8 +203,8 @@ static void test_a_press_under_water_does_not_move_the_ring_sideways(void **stat
     }
 }
 
-/* The path and its velocity are checked over strokes that are interrupted and resumed: a press
- * during the upward stroke, and a release and a press during the downward stroke. */
+/* Strokes are interrupted and resumed: a press during the lift, and a release and a press during
+ * the dip. Position and velocity must stay continuous. */
 static void test_interrupted_strokes_have_no_jump_in_position_or_velocity(void **state)
 {
     (void)state;
@@ -227,7 +227,7 @@ static void test_interrupted_strokes_have_no_jump_in_position_or_velocity(void *
         if (ms > 1) {
             const vec3 now_m_s = v3_scale(v3_sub(now_m, position_m), 1000.0f);
             assert_true(v3_length(now_m_s) < 0.8f);
-            /* The acceleration is below 30 m/s^2, so that there is no jerk. */
+            /* The acceleration must be below 30 m/s^2. */
             assert_true(v3_length(v3_sub(now_m_s, velocity_m_s)) < 0.03f);
             velocity_m_s = now_m_s;
         }
@@ -278,7 +278,7 @@ static void test_a_stroke_lowers_the_far_edge_and_ends_level(void **state)
     assert_float_equal(after(&pointer, 1000 + UP_MS + 1).angles.pitch_rad, 0.0f, 1e-4f);
 }
 
-/* Moves the pointer by `step_px` every 16 ms for half a second. */
+/* Moves the pointer by `step_px` every 16 ms for half a second. Returns the angles of the ring. */
 static struct angles angles_while_sweeping(float step_px)
 {
     struct pointer_poi pointer = fresh();
@@ -293,8 +293,10 @@ static struct angles angles_while_sweeping(float step_px)
 static void test_fast_motion_tilts_the_ring_in_the_direction_of_motion(void **state)
 {
     (void)state;
-    const float glide = angles_while_sweeping(2.0f).roll_rad; /* The speed is about 0.1 m/s. */
-    const float rush = angles_while_sweeping(20.0f).roll_rad; /* The speed is about 1 m/s. */
+    /* About 0.1 m/s. */
+    const float glide = angles_while_sweeping(2.0f).roll_rad;
+    /* About 1 m/s. */
+    const float rush = angles_while_sweeping(20.0f).roll_rad;
     assert_true(glide < 0.0f && glide > -4.0f * F_DEG);
     assert_true(rush < -15.0f * F_DEG && rush > -21.0f * F_DEG);
     assert_true(angles_while_sweeping(-20.0f).roll_rad > 15.0f * F_DEG);

@@ -1,4 +1,4 @@
-/* test_touch_sdl.c -- Tests SDL's touch and mouse events through the driver of the pointer. */
+/* test_touch_sdl.c -- tests how the pointer driver handles SDL's touch and mouse events. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -121,7 +121,7 @@ static void test_the_device_that_moved_last_controls_the_ring(void **state)
     assert_true(is_near(position_after_ms(16), by_mouse));
 }
 
-/* A lifted finger does not lift a ring that the mouse button holds down. */
+/* Lifting the finger must not lift a ring that the mouse button holds down. */
 static void test_the_ring_stays_down_while_mouse_or_finger_holds_it(void **state)
 {
     (void)state;
@@ -156,8 +156,8 @@ static void test_three_fingers_are_a_start_button(void **state)
     assert_int_equal(buttons.pressed | buttons.held, 0);
 }
 
-/* Disabled touch events neither move the ring nor stay in the queue. The mouse events that SDL
- * makes of them still work. */
+/* With touch input disabled, touch events must neither move the ring nor stay in the queue. SDL
+ * converts them to mouse events, which still work. */
 static void test_disabled_touch_events_are_left_to_sdl(void **state)
 {
     (void)state;
