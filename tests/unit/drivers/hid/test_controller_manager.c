@@ -1,5 +1,5 @@
-/* test_controller_manager.c -- Tests how the operator chooses controllers, teaches their mappings
- * and stores them, with simulated devices. */
+/* test_controller_manager.c -- tests how the operator chooses controllers and learns and stores
+ * their mappings, with simulated devices. */
 #include <fcntl.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -89,7 +89,8 @@ static const char *name(uint32_t row)
     return device.ops->name(device.self, row);
 }
 
-/* Sends a report in which the right stick, not the left one, is deflected and L1 is pressed. */
+/* Sends a report of the gamepad: the right stick is deflected, and L1 is pressed. The left stick
+ * rests. */
 static void push(uint32_t at, int64_t across, int64_t along, int64_t squeezed)
 {
     struct hid_wire *pad = &wire[0];
@@ -152,8 +153,8 @@ static void test_a_long_name_is_truncated_between_two_characters(void **state)
     (void)state;
     snprintf(wire[0].face.identity.name, HID_TEXT_SIZE, "%s",
              "\xe9\x87\x91\xe9\xad\x9a\xe6\x8e\xac\xe3\x81\x84\xe3\x81\xae\xe5\x8f\xb0"
-             "\xe3\x81\xae\xe6\x9f\x84\xe3\x81\xa7\xe3\x81\x99"); /* The name is ten characters
-                                                                     of three bytes each. */
+             /* Ten characters of three bytes each. */
+             "\xe3\x81\xae\xe6\x9f\x84\xe3\x81\xa7\xe3\x81\x99");
     frame();
     assert_int_equal(strlen(name(0)), 10 + 24 + 2 + 3);
     assert_true(strlen(name(0)) < HAL_CONTROLLER_TEXT);
@@ -185,7 +186,7 @@ static void test_a_mapping_is_learned_tried_and_stored(void **state)
     assert_int_equal(tried.learn_row, 0);
     assert_true(slot[0].plays);
     assert_int_equal(slot[0].decoder.map.source, HID_MAPPING_LEARNED);
-    /* Bit 16 is the right stick, which the operator used, and not the left one. */
+    /* Bit 16 belongs to the right stick, which the operator has moved. */
     assert_int_equal(slot[0].decoder.map.binding[0].bit_offset, 16);
     assert_int_equal(order(COMMAND_LEARN_KEEP, 0), HAL_OK);
     assert_int_equal(frame().learn_step, LEARN_NONE);
@@ -206,7 +207,7 @@ static void test_a_mapping_that_is_not_stored_is_discarded(void **state)
     assert_int_equal(frame().learn_step, LEARN_NONE);
     assert_null(hid_mapping_store_find(&store, &wire[0].face.identity));
     assert_int_equal(slot[0].decoder.map.source, HID_MAPPING_KNOWN);
-    /* After the learning the controller plays again, as before. */
+    /* After the learning, the controller is used for play again. */
     assert_int_equal(frame().state[0], CONTROLLER_ACTIVE);
 }
 
@@ -214,21 +215,25 @@ static void test_an_unused_device_is_free_again_after_a_discarded_mapping(void *
 {
     (void)state;
     frame();
-    order(COMMAND_LEARN, 0); /* The gamepad is unplugged before it has a slot. */
+    /* Learning begins before the gamepad has a slot, and is then cancelled. */
+    order(COMMAND_LEARN, 0);
     order(COMMAND_LEARN_END, 0);
     assert_int_equal(frame().state[0], CONTROLLER_FREE);
-    teach(); /* The gamepad is unplugged during the trial, also the second time. */
+    /* Learning is completed. A second learning during the trial is then cancelled. */
+    teach();
     order(COMMAND_LEARN, 0);
     assert_int_equal(frame().state[0], CONTROLLER_ACTIVE);
     order(COMMAND_LEARN_END, 0);
     assert_int_equal(frame().state[0], CONTROLLER_FREE);
-    order(COMMAND_LEARN, 0); /* Another learning replaces the trial. */
+    /* Learning another device ends the trial of this one. */
+    order(COMMAND_LEARN, 0);
     frame();
     order(COMMAND_LEARN, 3);
     assert_int_equal(frame().state[0], CONTROLLER_FREE);
     assert_int_equal(frame().state[3], CONTROLLER_ACTIVE);
     order(COMMAND_LEARN_END, 3);
-    order(COMMAND_LEARN, 0); /* The gamepad is already unplugged when the trial ends. */
+    /* The gamepad is unplugged before its trial ends. */
+    order(COMMAND_LEARN, 0);
     frame();
     frame();
     hid_device_list_sim_plug(&device_list, 0, NULL);
@@ -261,7 +266,7 @@ static void count_line(void *self, const char *line)
     told_count++;
 }
 
-/* The thread may be busy with a write, so some frames are run. */
+/* Runs frames until the store's thread has written the mapping. Returns the last status. */
 static struct controller_status written(void)
 {
     struct controller_status out = frame();
@@ -278,7 +283,7 @@ static void test_an_unwritable_mapping_is_reported_and_stays_in_use(void **state
     (void)state;
     assert_non_null(mkdtemp(data));
     snprintf(pois, sizeof pois, "%s/pois", data);
-    /* A regular file has the name of the folder for mappings. */
+    /* Creates a regular file with the name of the folder for mappings, so that storing fails. */
     assert_int_equal(close(open(pois, O_CREAT | O_WRONLY, 0644)), 0);
     hid_mapping_store_close(&store);
     hid_mapping_store_open(&store, data, NULL, NULL);
@@ -290,7 +295,7 @@ static void test_an_unwritable_mapping_is_reported_and_stays_in_use(void **state
     assert_int_equal(written().learn_step, LEARN_NOT_SAVED);
     assert_int_equal(told_count, 1);
     assert_true(slot[0].plays);
-    /* Simulates an operator who removes the file that is in the way. */
+    /* The operator removes the file. */
     assert_int_equal(unlink(pois), 0);
     assert_int_equal(order(COMMAND_LEARN_KEEP, 0), HAL_OK);
     assert_int_equal(written().learn_step, LEARN_NONE);
@@ -305,7 +310,7 @@ static void test_an_unwritable_mapping_is_reported_and_stays_in_use(void **state
 static void test_a_device_with_an_accepted_unwritable_mapping_stays_active(void **state)
 {
     (void)state;
-    /* In this test the mapping store has no thread, so the write fails at once. */
+    /* The store has no thread in this test, so the write fails at once. */
     snprintf(store.folder, sizeof store.folder, "/nowhere/pois");
     frame();
     teach();
@@ -341,7 +346,7 @@ static void test_learning_fails_if_the_device_is_unplugged(void **state)
     hid_device_list_sim_plug(&device_list, 0, NULL);
     frame();
     assert_int_equal(frame().learn_step, LEARN_FAILED);
-    /* The learning has failed and is over, so there is no next step. */
+    /* The learning has failed, so there is no next step. */
     order(COMMAND_LEARN_NEXT, 0);
     assert_int_equal(frame().learn_step, LEARN_FAILED);
     hid_device_list_sim_plug(&device_list, 0, &wire[0].face);
@@ -370,11 +375,12 @@ static void test_an_unsuccessful_learning_is_reported(void **state)
     order(COMMAND_LEARN, 0);
     for (uint32_t i = LEARN_REST; i <= LEARN_DIP; i++) {
         frame();
-        step(128, 128, 0); /* A stick at rest in every step teaches nothing. */
+        /* The stick rests in every step, so no axis can be learned. */
+        step(128, 128, 0);
         order(COMMAND_LEARN_NEXT, 0);
     }
     assert_int_equal(frame().learn_step, LEARN_FAILED);
-    /* After the failure the gamepad still plays with its previous mapping. */
+    /* The gamepad is still used for play, with its former mapping. */
     assert_true(slot[0].plays);
     assert_int_equal(slot[0].decoder.map.source, HID_MAPPING_KNOWN);
     assert_int_equal(order(COMMAND_LEARN_KEEP, 0), HAL_ERR_IO);

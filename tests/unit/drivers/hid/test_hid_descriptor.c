@@ -69,7 +69,8 @@ static void test_each_report_id_has_its_own_bit_offsets(void **state)
                           END),
                      HID_OK);
     assert_int_equal(read_in.group[1].bit_offset, 0);
-    /* Field 2 belongs to report 1 again, so it follows the 8 bits of that report's first field. */
+    /* Field 2 belongs to report 1, like the first field, so it begins after the 8 bits of that
+     * field. */
     assert_int_equal(read_in.group[2].bit_offset, 8);
     assert_int_equal(hid_report_id(&read_in, REPORT(2, 7)), 2);
     assert_true(hid_report_is_whole(&read_in, REPORT(2, 7)));
@@ -130,7 +131,7 @@ static void test_push_saves_the_global_items_and_pop_restores_them(void **state)
                      HID_OK);
     assert_int_equal(read_in.group[0].unit, 0);
     assert_int_equal(read_in.group[1].unit, 0x11);
-    /* The exponent is a signed nibble: 14 means -2. */
+    /* The unit exponent is a signed nibble, so 14 means -2. */
     assert_int_equal(read_in.group[1].unit_exponent, -2);
 }
 
@@ -165,8 +166,8 @@ static void test_each_malformed_descriptor_is_rejected_with_its_error_offset(voi
     assert_int_equal(READ(JOYSTICK, 0x19, 0x05, 0x29, 0x02, END), HID_ERR_USAGE_RANGE);
     assert_int_equal(READ(JOYSTICK, 0xa9, 0x00, END), HID_ERR_DELIMITER);
     assert_int_equal(READ(JOYSTICK, 0xa9, 0x01, 0x09, 0x30, 0x81, 0x02, END), HID_ERR_DELIMITER);
-    assert_int_equal(read_in.error_offset, 10); /* The error is reported at the main item by
-                                                   which the delimited set should have ended. */
+    /* The error is reported at the main item before which the delimited set should have ended. */
+    assert_int_equal(read_in.error_offset, 10);
     assert_int_equal(READ(JOYSTICK, 0x77, 0xff, 0xff, 0xff, 0xff, 0x97, 0xff, 0xff, 0xff, 0xff,
                           0x09, 0x30, 0x81, 0x02, END),
                      HID_ERR_REPORT_SIZE);
@@ -174,7 +175,7 @@ static void test_each_malformed_descriptor_is_rejected_with_its_error_offset(voi
                      HID_ERR_FIELD_SIZE);
 }
 
-/* Parses `count` copies of `item`, followed by `count` copies of `end`. */
+/* Parses `count` copies of `item` followed by `count` copies of `end`. */
 static enum hid_error repeated(const uint8_t item[2], uint32_t count, uint8_t end)
 {
     static uint8_t bytes[HID_DESCRIPTOR_SIZE_MAX + 1u];
@@ -204,7 +205,7 @@ static void test_each_limit_is_accepted_and_one_more_is_rejected(void **state)
     assert_int_equal(repeated(push, HID_PUSH_MAX / 2u + 1u, 0), HID_ERR_PUSH);
 }
 
-/* Parses the reports 1 and 2 with `count` one-bit fields each. */
+/* Parses the descriptor of two reports with `count` fields of one bit each. */
 static enum hid_error bits(uint32_t count)
 {
     const uint8_t low = (uint8_t)count, high = (uint8_t)(count >> 8), more = (uint8_t)(count >> 16);
@@ -239,7 +240,7 @@ static void test_a_parsed_descriptor_keeps_nothing_of_the_previous_one(void **st
 static void test_values_of_any_size_are_read_at_any_bit_offset(void **state)
 {
     (void)state;
-    /* The fields have 3 bits, 32 signed bits, 64 bits, and one signed bit. */
+    /* Four fields: 3 bits, 32 bits (signed), 64 bits, and 1 bit (signed). */
     assert_int_equal(READ(JOYSTICK, 0x75, 0x03, 0x95, 0x01, 0x09, 0x30, 0x81, 0x02, 0x17, 0, 0, 0,
                           0x80, 0x27, 0xff, 0xff, 0xff, 0x7f, 0x75, 0x20, 0x09, 0x31, 0x81, 0x02,
                           0x75, 0x40, 0x09, 0x32, 0x81, 0x02, 0x75, 0x01, 0x09, 0x33, 0x81, 0x02,

@@ -1,5 +1,5 @@
-/* test_hid_learn.c -- Tests that a mapping is learned from demonstrated motions of real controllers
- * with a small tremor, and that the poi then follows the demonstrated directions. */
+/* test_hid_learn.c -- tests how a mapping is learned from motions that a user demonstrates with
+ * real controllers. Afterwards the poi must follow the demonstrated directions. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -14,15 +14,15 @@
 #include "tests/unit/support/hid_wire.h"
 #include "tests/unit/support/pointer.h"
 
-/* Fields of a device's report that a simulated person moves in a demonstration. */
+/* A device and the fields of its report that the simulated user moves. */
 struct demo_device {
     const char *name;
     hid_usage x, z, dip;
     int report_id;  /* Report that contains all three fields. */
-    uint8_t manner; /* Kind of binding that the learning should find for the axes. */
+    uint8_t manner; /* Kind of binding that must be found for the axes. */
     uint8_t says_in_range;
-    int8_t turned; /* 1 if the device is rotated by 180 degrees, so that its left is the player's
-                      right. */
+    /* 1 if the device is held rotated by 180 degrees, so that its left is the user's right. */
+    int8_t turned;
 };
 
 static struct clock_sim clock_now;
@@ -52,7 +52,7 @@ static void send(uint8_t id)
     now_ms += 8;
 }
 
-/* Writes a position of an axis, as a fraction of its range, with an error of at most one step. */
+/* Writes the position of an axis, as a fraction of its range, with a random error of one step. */
 static void put_axis(const struct demo_device *demo_device, hid_usage usage, float share)
 {
     const struct hid_field_location spot =
@@ -65,8 +65,8 @@ static void put_axis(const struct demo_device *demo_device, hid_usage usage, flo
     wire_put(&wire, demo_device->report_id, usage, (int64_t)f_clamp(at + trembling, low, high));
 }
 
-/* Sends one report. A mouse reports displacements, and all other devices report positions. Two
- * thirds of a mouse's range are one demonstrated motion. */
+/* Sends one report. A mouse reports displacements, so its motion is reduced to small steps. All
+ * other devices report positions. */
 static void send_motion(const struct demo_device *demo_device, float x, float z, int dips)
 {
     const int steps = demo_device->manner == HID_BINDING_STEP;
@@ -79,8 +79,8 @@ static void send_motion(const struct demo_device *demo_device, float x, float z,
     send((uint8_t)demo_device->report_id);
 }
 
-/* Simulates a person who moves the device to (x, z) in a realistic time. The device then returns to
- * its middle, unless it reports positions. */
+/* Simulates a user who moves the device to (x, z) at a realistic speed. A device that does not
+ * report positions then returns to its middle. */
 static void show(const struct demo_device *demo_device, float x, float z, int dips)
 {
     for (uint32_t i = 1; i <= 40; i++) {
@@ -145,8 +145,7 @@ static void hold_pose(const struct demo_device *demo_device)
     assert_float_equal(motion_of(&hand, demo_device, 0.5f, 0.5f, 1).y, DIP_DEPTH_M, 1e-3f);
 }
 
-/* The first report does not count, because the payload already contains the values of the rest
- * position. */
+/* Demonstrates the motions of a device. Checks the learned mapping and the poses that it gives. */
 static void learns_this(const struct demo_device *demo_device)
 {
     teach(demo_device);
@@ -218,13 +217,14 @@ static void test_axes_of_32_bits_are_learned_over_their_full_range(void **state)
     wire_begin(&wire, &clock_now, bytes, sizeof bytes);
     learns_this(&wide);
     assert_true(learn.map.binding[0].full > INT32_MAX);
-    assert_int_equal(learn.offered.source, HID_MAPPING_AUTO); /* The device also has an automatic
-                                                                 mapping. */
+    /* The device also has an automatic mapping. */
+    assert_int_equal(learn.offered.source, HID_MAPPING_AUTO);
     learn.map = learn.offered;
     hold_pose(&wide);
 }
 
-/* A gamepad's report contains a counter and a clock, which must not be taken for axes. */
+/* A gamepad's report contains a counter and a clock, which always change. They must not be learned
+ * as axes. */
 static void test_fields_that_change_at_rest_are_no_axes(void **state)
 {
     static const struct demo_device *demo_device = &devices[2];
@@ -235,9 +235,9 @@ static void test_fields_that_change_at_rest_are_no_axes(void **state)
     for (uint32_t step = LEARN_REST; step <= LEARN_DIP; step++) {
         for (uint32_t i = 0; i < 150; i++) {
             const float there = i > 100 ? 1.0f : 0.5f;
-            wire_put_bits(&wire, 1, 48, 8, (int64_t)i);              /* The report's sequence
-                                                                        number. */
-            wire_put_bits(&wire, 1, 216, 32, (int64_t)now_ms * 333); /* The clock of the gamepad. */
+            /* Sequence number of the report. */
+            wire_put_bits(&wire, 1, 48, 8, (int64_t)i);
+            wire_put_bits(&wire, 1, 216, 32, (int64_t)now_ms * 333); /* Clock of the gamepad. */
             wire_put_bits(&wire, 1, 120, 16, (int64_t)any(3));       /* The gyroscope. */
             send_motion(demo_device,
                         step == LEARN_LEFT    ? 1.0f - there
@@ -285,7 +285,7 @@ static void test_without_a_motion_nothing_is_learned(void **state)
         hid_learn_next(&learn);
     }
     assert_int_equal(learn.step, LEARN_FAILED);
-    /* After a failure, another call does not continue with the next step. */
+    /* After a failure there is no next step. */
     hid_learn_next(&learn);
     assert_int_equal(learn.step, LEARN_FAILED);
 }
@@ -301,8 +301,8 @@ static void test_the_same_direction_twice_is_no_axis(void **state)
     }
     hid_learn_next(&learn);
     show(&devices[2], 0.05f, 0.5f, 0);
-    show(&devices[2], 0.05f, 0.5f, 0); /* The device moves left again although right was
-                                          requested. */
+    /* The user moves the device to the left again, although the right was requested. */
+    show(&devices[2], 0.05f, 0.5f, 0);
     show(&devices[2], 0.5f, 0.05f, 0);
     show(&devices[2], 0.5f, 0.95f, 0);
     show(&devices[2], 0.5f, 0.5f, 1);
@@ -315,7 +315,7 @@ static void test_a_keyboard_is_never_learned(void **state)
     wire_load(&wire, &clock_now, "041-hd-kye-0458-0138-1");
     hid_learn_begin(&learn, &wire.face);
     assert_int_equal(learn.step, LEARN_FAILED);
-    /* The device has keys and a mouse. */
+    /* This device is a keyboard that also has a mouse. */
     wire_load(&wire, &clock_now, "207-hr-libinput-issue366-0003-046d-4082-0");
     hid_learn_begin(&learn, &wire.face);
     assert_int_equal(learn.step, LEARN_FAILED);
@@ -330,13 +330,14 @@ static void test_invalid_reports_are_ignored(void **state)
     hid_learn_report(&learn, &raw);
     raw.size = 12;
     raw.bytes[0] = 1;
-    /* The declared report 1 has 64 bytes, so 12 bytes are too few. */
+    /* Report 1 has 64 bytes by its descriptor, so 12 bytes are too few. */
     hid_learn_report(&learn, &raw);
     raw.size = HID_REPORT_MAX + 9u;
     hid_learn_report(&learn, &raw);
     raw.size = 64;
     raw.bytes[0] = 9;
-    hid_learn_report(&learn, &raw); /* The report has an undeclared id. */
+    /* The descriptor has no report with this id. */
+    hid_learn_report(&learn, &raw);
     assert_int_equal(learn.report_count, 0);
     assert_int_equal(hid_learn_progress(&learn), 0);
 }

@@ -1,5 +1,5 @@
-/* test_hid_mapping.c -- Tests which mapping each of 72 real devices gets, the validation of
- * mappings, and their text form. */
+/* test_hid_mapping.c -- tests which mapping each of 72 real devices gets. Also tests the validation
+ * and the text form of mappings. */
 #include <dirent.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -41,12 +41,12 @@ static const struct hid_binding *binding_of(const struct hid_mapping *map, enum 
 struct expected {
     const char *name;
     uint8_t style;
-    uint8_t manner, x_report; /* Expected binding of the axis X: its kind and its report id. */
+    uint8_t manner, x_report; /* Expected binding of the X axis: kind and report id. */
     uint32_t x_offset;
 };
 
-/* The expected mappings were derived from the declared fields (tests/hid/good/fields.tsv) and not
- * from the result of the code. */
+/* The expected mappings were derived by hand from the declared fields (tests/hid/good/fields.tsv),
+ * not from the output of the code. */
 static const struct expected expected[] = {
     { "002-3dconnexion-spacemouse-wireless", HID_STYLE_FLY, HID_BINDING_RATE, 1, 0 },
     { "006-blaze-joypad", HID_STYLE_FLY, HID_BINDING_RATE, 1, 40 },
@@ -104,7 +104,8 @@ static int is_keyboard(const char *name)
     return 0;
 }
 
-/* Visits every device of the corpus. Returns the number of devices that have a mapping. */
+/* Calls `visit` for every device of the corpus. Returns the number of devices that have a
+ * mapping. */
 static uint32_t each_device(void (*visit)(const char *name, const struct hid_mapping *map))
 {
     DIR *folder = opendir(CORPUS);
@@ -190,7 +191,8 @@ static void test_a_kingyo_poi_of_any_vendor_is_recognized_by_its_descriptor(void
     assert_int_equal(map.style, HID_STYLE_POSE);
     assert_true(map.feels);
     map = map_of("002-3dconnexion-spacemouse-wireless", 0x1209, 0x0001);
-    /* With another vendor and product id, a device with six axes is not taken for a Kingyo poi. */
+    /* With another vendor and product id, a device with six axes is not recognized as a Kingyo
+     * poi. */
     assert_int_equal(map.source, HID_MAPPING_AUTO);
 }
 
@@ -203,7 +205,7 @@ static void test_a_playstation_gamepad_is_recognized_by_its_usb_ids(void **state
     assert_int_equal(known.source, HID_MAPPING_KNOWN);
     assert_int_equal(edge.source, HID_MAPPING_KNOWN);
     assert_int_equal(other.source, HID_MAPPING_AUTO);
-    /* In the reports of this gamepad the button OPTIONS is bit 69. */
+    /* OPTIONS is bit 69 of this gamepad's report. */
     assert_int_equal(binding_of(&known, HID_ROLE_START)->bit_offset, 69);
     const struct hid_mapping fourth = map_of(KNOWN "054c-05c4-dualshock4", 0x054c, 0x05c4);
     assert_int_equal(fourth.source, HID_MAPPING_KNOWN);
@@ -214,12 +216,13 @@ static void test_a_known_mapping_that_does_not_match_the_descriptor_is_unused(vo
 {
     (void)state;
     const struct hid_mapping map = map_of("187-hr-0003-045e-0040-0004", 0x054c, 0x0ce6);
-    /* The device has the ids of a known gamepad but the descriptor of a mouse. */
+    /* The device has the USB ids of a known gamepad but the descriptor of a mouse. The descriptor
+     * decides. */
     assert_int_equal(map.source, HID_MAPPING_AUTO);
     assert_int_equal(map.style, HID_STYLE_POINTER);
 }
 
-/* Device 027 declares buttons with the range 0 to 65535 in one bit. */
+/* Device 027 declares buttons of one bit with a range of 0 to 65535. */
 static void test_a_range_wider_than_its_field_is_limited_to_the_field(void **state)
 {
     (void)state;
@@ -243,16 +246,16 @@ static void test_each_invalid_value_makes_a_mapping_invalid(void **state)
     SPOIL(map.source = HID_MAPPING_NONE);
     SPOIL(map.source = HID_MAPPING_LEARNED + 1);
     SPOIL(map.style = HID_STYLE_NONE);
-    SPOIL(map.style = HID_STYLE_POSE); /* The device is not a Kingyo poi. */
-    /* A pointer needs positions, but the axes of this device are velocities. */
+    SPOIL(map.style = HID_STYLE_POSE); /* Only a Kingyo poi reports poses. */
+    /* A pointer must report positions, but the axes of this device are velocities. */
     SPOIL(map.style = HID_STYLE_POINTER);
     SPOIL(map.count = HID_BINDING_MAX + 1u);
-    SPOIL(map.count = 1); /* The mapping has no axis Z. */
+    SPOIL(map.count = 1); /* The mapping lacks the Z axis. */
     SPOIL(map.binding[0].role = HID_ROLE_NONE);
     SPOIL(map.binding[0].role = HID_ROLE_COUNT);
     SPOIL(map.binding[0].manner = HID_BINDING_PRESS);
     SPOIL(map.binding[0].manner = HID_BINDING_KIND_COUNT);
-    SPOIL(map.binding[0].report_id = 2); /* The descriptor has no such report. */
+    SPOIL(map.binding[0].report_id = 2); /* The descriptor has no report 2. */
     SPOIL(map.binding[0].bit_offset = wire.descriptor.report_bits[1] - 7u);
     SPOIL(map.binding[0].bit_offset = UINT32_MAX);
     SPOIL(map.binding[0].bit_size = 0);
@@ -262,10 +265,10 @@ static void test_each_invalid_value_makes_a_mapping_invalid(void **state)
     SPOIL(map.binding[0].rest = INT64_MIN);
     SPOIL(map.binding[0].dead = -1);
     SPOIL(map.binding[0].dead = 127);
-    SPOIL(map.binding[5].usage = 0x00070004); /* The descriptor has no such array. */
+    SPOIL(map.binding[5].usage = 0x00070004); /* The descriptor has no array with this usage. */
 #undef SPOIL
     struct hid_mapping last = good;
-    /* The binding ends exactly at the end of the report. */
+    /* A binding that ends exactly at the end of the report is valid. */
     last.binding[0].bit_offset = wire.descriptor.report_bits[1] - 8u;
     assert_true(hid_mapping_is_sound(&last, &wire.descriptor));
 }
@@ -358,8 +361,7 @@ static void test_the_longest_mapping_fits_into_its_line(void **state)
     assert_true(back.binding[HID_BINDING_MAX - 1u].dead == HID_VALUE_MAX);
 }
 
-/* Initializes a joystick with two axes and an array of `elements` elements for the buttons 1
- * to 4. */
+/* Simulates a joystick with two axes and an array of `elements` elements for the buttons 1 to 4. */
 static void load_array(uint8_t elements)
 {
     const uint8_t bytes[] = { 0x05, 1,    0x09, 4,        0xa1, 1, 0x09, 0x30, 0x09, 0x31,
@@ -378,10 +380,11 @@ static void test_an_array_with_many_elements_is_not_bound(void **state)
     assert_int_equal(map.style, HID_STYLE_FLY);
     assert_int_equal(binding_of(&map, HID_ROLE_DIP)->usage, USAGE_BUTTON + 1u);
     load_array(HID_ARRAY_MAX + 1u);
-    assert_false(hid_mapping_is_sound(&map, &wire.descriptor)); /* A mapping file may contain
-                                                                   such a binding. */
+    /* Such a binding may come from a mapping file. */
+    assert_false(hid_mapping_is_sound(&map, &wire.descriptor));
     hid_mapping_choose(&map, &wire.face.identity, &wire.descriptor);
-    /* Without the array, no button is left for the dip. */
+    /* The array cannot be used, so no button is left for the dip, and there is no automatic
+     * mapping. */
     assert_int_equal(map.source, HID_MAPPING_NONE);
 }
 

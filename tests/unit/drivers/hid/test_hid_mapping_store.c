@@ -1,5 +1,5 @@
-/* test_hid_mapping_store.c -- Tests that learned mappings persist over a restart, a torn write and
- * storage errors. */
+/* test_hid_mapping_store.c -- tests that learned mappings survive a restart, an incomplete write
+ * and storage errors. */
 #include <fcntl.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -57,7 +57,7 @@ static struct hid_identity identity(uint16_t vendor, uint16_t product, const cha
     return out;
 }
 
-/* Returns a valid mapping of a DualSense that differs from the built-in table. */
+/* Returns a valid mapping of a DualSense gamepad that differs from the built-in one. */
 static struct hid_mapping learned(void)
 {
     struct hid_mapping map;
@@ -69,8 +69,7 @@ static struct hid_mapping learned(void)
     return map;
 }
 
-/* Stores a mapping. The thread may still be busy with the previous write, so several attempts are
- * made. */
+/* Stores a mapping. Retries while the store's thread is busy with the previous write. */
 static int keep(const struct hid_identity *who, const struct hid_mapping *map)
 {
     int result;
@@ -103,8 +102,8 @@ static void test_a_stored_mapping_is_loaded_after_a_restart(void **state)
     assert_int_equal(open_book(), 0);
     assert_null(hid_mapping_store_find(&store, &who));
     assert_int_equal(keep(&who, &map), HAL_OK);
-    assert_non_null(hid_mapping_store_find(&store, &who)); /* The mapping is available before it
-                                                              is written. */
+    /* The mapping can be used before it is written. */
+    assert_non_null(hid_mapping_store_find(&store, &who));
     hid_mapping_store_close(&store);
     assert_int_equal(store.written_count, 1);
     assert_int_equal(open_book(), 0);
@@ -162,7 +161,8 @@ static void test_a_mapping_is_used_only_if_it_matches_the_descriptor(void **stat
     keep(&wire.face.identity, &map);
     mapper.choose(mapper.self, &wire.face, &wire.descriptor, &chosen);
     assert_int_equal(chosen.source, HID_MAPPING_LEARNED);
-    /* The bit is beyond the report, as after a firmware update with another descriptor. */
+    /* This bit is beyond the report. A firmware update with another descriptor can have this
+     * effect. */
     map.binding[0].bit_offset = 100000;
     keep(&wire.face.identity, &map);
     mapper.choose(mapper.self, &wire.face, &wire.descriptor, &chosen);
@@ -226,7 +226,8 @@ static void test_mappings_stay_in_memory_if_the_card_is_read_only(void **state)
     char path[128];
     (void)state;
     snprintf(path, sizeof path, "%s/pois", data);
-    FILE *file = fopen(path, "w"); /* Creates a file in place of the folder. */
+    /* A regular file now has the name of the folder. */
+    FILE *file = fopen(path, "w");
     fclose(file);
     open_book();
     hid_mapping_store_set_error_sink(&store, complain, NULL);
@@ -241,7 +242,7 @@ static void test_mappings_stay_in_memory_if_the_card_is_read_only(void **state)
     assert_non_null(strstr(complaint, "/pois/0001-0002-A.poi: Not a directory; the change"));
 }
 
-/* A power cut during a write leaves only the temporary file, which is never read. */
+/* A power cut during a write leaves only the temporary file, which must not be read. */
 static void test_a_torn_write_keeps_the_previous_mapping(void **state)
 {
     const struct hid_identity who = identity(1, 2, "A");
@@ -260,7 +261,8 @@ static void test_a_full_store_rejects_a_mapping_with_a_message(void **state)
 {
     const struct hid_mapping map = learned();
     (void)state;
-    hid_mapping_store_open(&store, NULL, NULL, NULL); /* The store is open without a folder. */
+    /* The store works without a folder. */
+    hid_mapping_store_open(&store, NULL, NULL, NULL);
     for (uint32_t i = 0; i < HID_MAPPING_STORE_MAX; i++) {
         const struct hid_identity who = identity((uint16_t)(i + 1u), 1, "");
         assert_int_equal(hid_mapping_store_put(&store, &who, &map), HAL_OK);

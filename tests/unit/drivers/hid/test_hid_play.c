@@ -1,5 +1,5 @@
-/* test_hid_play.c -- Tests that fish can be caught with every built-in mapping. Raw reports of real
- * descriptors pass through the simulated port, the decoder and the frame loop. */
+/* test_hid_play.c -- tests that fish can be caught with every built-in mapping. The raw reports of
+ * real devices pass through a simulated port, the decoder and the frame loop. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -21,12 +21,13 @@
 #define WIDTH 1920.0f
 #define HEIGHT 1080.0f
 
-/* Position and state that the simulated player intends for the ring. */
+/* Where the simulated player wants the ring to be. */
 struct target {
-    vec3 over_m; /* Point on the still water above which the ring should be. */
+    vec3 over_m; /* Point of the water surface above which the ring should be. */
     uint8_t dips;
-    uint8_t is_tipping; /* 1 to tip the ring over the bowl, which a controller with a wrist does
-                           by rotation. */
+    /* 1 if the ring should be tipped over the bowl. A controller with a wrist does this by
+     * rotation. */
+    uint8_t is_tipping;
 };
 
 static struct hid_player {
@@ -36,14 +37,15 @@ static struct hid_player {
     struct hal hal;
     struct kiosk kiosk;
     struct target target;
-    /* Sends a report of the controller that moves the ring toward the target. */
+    /* Sends a report that moves the ring toward the target. Each kind of controller has its own
+     * function. */
     void (*send)(const struct target *target);
     uint32_t report_count;
-    vec3 arm_m; /* Position of the simulated arm, for a controller that reports its pose. */
+    vec3 arm_m; /* Position of the simulated player's arm, for a controller that reports poses. */
     float tip_rad;
-    struct dip dip; /* Dip of the simulated player: the downward and upward motion of its arm. */
+    struct dip dip; /* Downward or upward motion of the simulated player's arm. */
     uint8_t dipped;
-    float x_px, y_px; /* Fractions of a mouse count that were not sent yet. */
+    float x_px, y_px; /* Fractions of a mouse count that have not been sent yet. */
 } player;
 
 static vec3 ring_m(void)
@@ -79,8 +81,7 @@ static void to_screen(vec3 point, float *x_px, float *y_px)
     *y_px = 0.5f * (1.0f - body.y / -body.z / tan_y) * HEIGHT;
 }
 
-/* Returns the deflection of a stick for a distance to the target. From 8 cm on, the deflection is
- * full. */
+/* Returns the deflection of a stick for a distance to the target; full deflection from 8 cm on. */
 static float push_of(float way_m)
 {
     return f_clamp(way_m / 0.08f, -1.0f, 1.0f);
@@ -106,11 +107,11 @@ static void send_generic_pad(const struct target *target)
 
 static void send_playstation(const struct target *target)
 {
-    send_pad(target, 6); /* The dip button is R1. */
+    send_pad(target, 6); /* Button 6 (R1) dips the ring. */
 }
 
-/* A 3D mouse controls the height, so it is pushed down until the ring is deep enough, and then
- * up. */
+/* A 3D mouse controls the height directly. It is pushed down until the ring is deep enough, and
+ * later up. */
 static void send_3d_mouse(const struct target *target)
 {
     const vec3 ring = ring_m();
@@ -122,7 +123,7 @@ static void send_3d_mouse(const struct target *target)
     wire_send(&player.wire, 1);
 }
 
-/* The mouse moves by the distance on the screen between the ring and its target. */
+/* Moves the mouse by the distance on the screen from the ring to the target. */
 static void send_mouse(const struct target *target)
 {
     float x_px, y_px, at_x_px, at_y_px;
@@ -141,11 +142,11 @@ static void send_mouse(const struct target *target)
     wire_send(&player.wire, wire_put(&player.wire, -1, USAGE_BUTTON + 1u, target->dips));
 }
 
-/* A pen moves to the target itself in hovering range and touches the tablet for a dip. */
+/* Moves the pen to the target in hovering range. The pen touches the tablet for a dip. */
 static void send_pen(const struct target *target)
 {
     const int id = player.wire.descriptor.report_bits[9] && !player.wire.descriptor.report_bits[7]
-                       ? 9 /* Device 157 sends its pen in report 9, which also has the mouse. */
+                       ? 9 /* Device 157 reports its pen together with a mouse in report 9. */
                        : (int)player.poi.decoder.map.binding[0].report_id;
     float x_px, y_px;
     to_screen(target->over_m, &x_px, &y_px);
@@ -165,8 +166,8 @@ static void send_pen(const struct target *target)
     wire_send(&player.wire, (uint8_t)id);
 }
 
-/* A simulated arm holds a Kingyo poi. The arm moves at its own speed, dips with the strokes of a
- * mouse, and rolls the ring over the bowl. */
+/* A simulated arm holds a Kingyo poi. The arm has its own speed, dips as the mouse pointer does,
+ * and rolls the ring over the bowl. */
 static void send_own_poi(const struct target *target)
 {
     const float pace_m = (target->dips ? 0.10f : 0.35f) * (float)REPORT_NS * 1e-9f;
@@ -247,8 +248,8 @@ static void empty_over_bowl(void)
     reports(40);
 }
 
-/* Makes one attempt: dips beside a fish, moves under the fish, lifts it and tips it into the
- * bowl. */
+/* Makes one attempt to catch a fish: dips beside the fish, moves under it, lifts it and tips it
+ * into the bowl. */
 static void try_once(void)
 {
     const struct fish *fish = choose();
@@ -276,7 +277,8 @@ static void try_once(void)
     }
 }
 
-/* Plays rounds and prints the number of caught fish. The tests require half of the usual number. */
+/* Plays `rounds` rounds, prints and returns the number of caught fish. Each test requires half of
+ * the usual number. */
 static uint32_t landed_in(uint32_t rounds, const char *what)
 {
     uint32_t landed = 0;
@@ -304,8 +306,8 @@ static void capture_fish(const char *name, uint16_t vendor, uint16_t product,
     hid_port_sim_plug(&player.wire.port, &player.wire.face);
     player.send = send;
     if (hid_mapping_auto_find(&player.wire.descriptor, 0, -1, 0, USAGE_HAT).group) {
-        wire_put(&player.wire, -1, USAGE_HAT, 15); /* The value is out of the hat's range, which
-                                                      means that the hat is released. */
+        /* A value outside the hat's range means that the hat is released. */
+        wire_put(&player.wire, -1, USAGE_HAT, 15);
     }
 }
 

@@ -1,5 +1,5 @@
-/* test_hid_pose_decoder.c -- Tests the conversion of raw HID reports to poses for sticks, triggers
- * and buttons, and the rejection of invalid reports. */
+/* test_hid_pose_decoder.c -- tests how HID reports of sticks, triggers and buttons are converted to
+ * poses, and that invalid reports are rejected. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -34,8 +34,8 @@ static void test_a_deflected_stick_moves_the_poi_and_a_released_one_stops_it(voi
     wire_put(&wire, 1, USAGE_Y, 0);
     send(1);
     const vec3 pushed = sample_after(400).target.position_m;
-    assert_true(pushed.x > before.x + 0.05f); /* The stick points to the right and away from the
-                                                 player. */
+    /* The stick is deflected to the right and away from the player. */
+    assert_true(pushed.x > before.x + 0.05f);
     assert_true(pushed.z < before.z - 0.05f);
     wire_put(&wire, 1, USAGE_X, 128);
     wire_put(&wire, 1, USAGE_Y, 128);
@@ -60,7 +60,8 @@ static void test_a_worn_stick_near_its_center_moves_nothing(void **state)
     assert_true(sample_after(900).target.position_m.x > before.x + 0.01f);
 }
 
-/* The port was plugged in while the stick was deflected, or the axis is not a stick. */
+/* The device was plugged in while the stick was deflected, or the axis is not that of a stick. The
+ * ring must not move until the stick was released. */
 static void test_a_stick_that_was_never_released_moves_nothing(void **state)
 {
     (void)state;
@@ -83,14 +84,14 @@ static void test_a_trigger_dips_with_hysteresis(void **state)
     (void)state;
     rest_dualsense();
     assert_float_equal(sample_after(600).target.position_m.y, DIP_HOVER_M, 1e-4f);
-    /* Just below the threshold of half the travel, so the ring does not dip. */
+    /* Just below the threshold of half of the trigger's travel, so the ring does not dip. */
     wire_put(&wire, 1, USAGE_RY, 126);
     send(1);
     assert_float_equal(sample_after(600).target.position_m.y, DIP_HOVER_M, 1e-4f);
     wire_put(&wire, 1, USAGE_RY, 130);
     send(1);
     assert_float_equal(sample_after(600).target.position_m.y, DIP_DEPTH_M, 1e-4f);
-    /* A finger that trembles below the threshold does not end the dip. */
+    /* A trigger that goes a little below the threshold does not end the dip. */
     wire_put(&wire, 1, USAGE_RY, 110);
     send(1);
     assert_float_equal(sample_after(600).target.position_m.y, DIP_DEPTH_M, 1e-4f);
@@ -103,14 +104,15 @@ static void test_the_right_stick_turns_the_ring(void **state)
 {
     (void)state;
     rest_dualsense();
-    wire_put(&wire, 1, USAGE_RZ, 255); /* The stick is pulled, so that the far edge rises. */
+    /* The stick is pulled toward the player, so the far edge of the ring rises. */
+    wire_put(&wire, 1, USAGE_RZ, 255);
     send(1);
     assert_true(sample_after(400).target.angles.pitch_rad > 0.9f);
     wire_put(&wire, 1, USAGE_RZ, 128);
     wire_put(&wire, 1, USAGE_Z, 255);
     send(1);
     const struct angles right = sample_after(400).target.angles;
-    assert_true(right.roll_rad > 0.9f); /* The right side goes down. */
+    assert_true(right.roll_rad > 0.9f); /* The right side of the ring is lowered. */
     assert_float_equal(right.pitch_rad, 0.0f, 5e-3f);
 }
 
@@ -126,7 +128,8 @@ static void test_the_hat_and_the_middle_buttons_are_cabinet_buttons(void **state
         send(1);
         assert_int_equal(pressed(), of_direction[i]);
         send(1);
-        assert_int_equal(pressed(), 0); /* The hat is still held, which is no second press. */
+        /* The hat is still held, which is not a second press. */
+        assert_int_equal(pressed(), 0);
         wire_put(&wire, 1, USAGE_HAT, 8);
         send(1);
     }
@@ -152,12 +155,13 @@ static void test_sticks_move_the_fan_while_its_button_is_held(void **state)
     assert_true(hid_pose_decoder_fan(&decoder, now_ms * MS).x_m < fan.x_m - 0.05f);
 }
 
-/* An arcade stick has four switches, which its vendor declares as a hat switch. */
+/* The four switches of an arcade stick are declared as a hat switch. */
 static void test_an_arcade_stick_gives_full_deflection(void **state)
 {
     (void)state;
     connect("023-ci-xusb-arcadestick", 0x045e, 0x028e);
-    wire_put(&wire, 0, USAGE_HAT, 0); /* The hat is released, because its directions are 1 to 8. */
+    /* The directions of this hat are 1 to 8, so 0 means that it is released. */
+    wire_put(&wire, 0, USAGE_HAT, 0);
     assert_true(send(0));
     const vec3 before = sample_after(300).target.position_m;
     assert_float_equal(before.x, 0.0f, 1e-6f);
@@ -184,15 +188,17 @@ static void test_an_invalid_report_is_rejected_and_changes_nothing(void **state)
     const uint32_t refused = decoder.refused_count;
     memset(bytes + 1, 0xff, sizeof bytes - 1);
     raw = raw_of(bytes, 0);
-    assert_false(hid_pose_decoder_report(&decoder, &raw)); /* The report is empty. */
+    /* An empty report. */
+    assert_false(hid_pose_decoder_report(&decoder, &raw));
     raw = raw_of(bytes, 63);
-    assert_false(hid_pose_decoder_report(&decoder, &raw)); /* The report has 63 of 64 bytes. */
+    /* 63 of the 64 bytes of a report. */
+    assert_false(hid_pose_decoder_report(&decoder, &raw));
     bytes[0] = 77;
     raw = raw_of(bytes, 64);
-    assert_false(hid_pose_decoder_report(&decoder, &raw)); /* The report id is undeclared. */
+    /* The descriptor has no report with this id. */
+    assert_false(hid_pose_decoder_report(&decoder, &raw));
     raw.size = HID_REPORT_MAX + 1u;
-    assert_false(
-        hid_pose_decoder_report(&decoder, &raw)); /* The report is longer than any buffer. */
+    assert_false(hid_pose_decoder_report(&decoder, &raw)); /* Longer than any report can be. */
     assert_int_equal(decoder.refused_count, refused + 4u);
     const vec3 after = sample_after(400).target.position_m;
     assert_float_equal(before.x, after.x, 1e-6f);
@@ -245,7 +251,7 @@ static void test_random_bytes_give_finite_poses(void **state)
             hid_pose_decoder_report(&decoder, &raw);
             if (hid_pose_decoder_sample(&decoder, now_ms * MS, &sample)) {
                 assert_true(v3_is_finite(sample.target.position_m));
-                /* The position stays within the view. */
+                /* The position must stay within the view. */
                 assert_true(v3_length(sample.target.position_m) < 5.0f);
                 assert_true(f_is_finite(sample.target.angles.pitch_rad));
                 assert_true(f_abs(sample.target.angles.roll_rad) < 4.0f);

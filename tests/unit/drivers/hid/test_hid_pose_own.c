@@ -1,4 +1,4 @@
-/* test_hid_pose_own.c -- Tests the conversion of the reports of a Kingyo poi to poses and
+/* test_hid_pose_own.c -- tests how the reports of a Kingyo poi are converted to poses and
  * buttons. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -46,8 +46,8 @@ static void test_a_kingyo_poi_has_the_pose_and_time_of_its_report(void **state)
     };
     assert_true(send_own(said, 0));
     const uint64_t report_ns = now_ms * MS;
-    const struct poi_sample sample = sample_after(70); /* A later sample still has the time of
-                                                          its report. */
+    /* A sample that is taken later still has the time of its report. */
+    const struct poi_sample sample = sample_after(70);
     assert_int_equal(sample.time_ns, report_ns);
     assert_true(sample.has_wrist);
     assert_float_equal(sample.target.position_m.x, -0.25f, 4e-5f);
@@ -64,8 +64,8 @@ static void test_missing_reports_are_counted_and_duplicates_are_dropped(void **s
     connect_own_poi();
     assert_true(send_own(own_at(0.0f, 254, 0), 4));
     assert_true(send_own(own_at(0.1f, 255, 0), 4));
-    assert_true(send_own(own_at(0.2f, 0, 0), 4)); /* The sequence number wraps, and no report is
-                                                     missing. */
+    /* The sequence number wraps around, so no report is missing. */
+    assert_true(send_own(own_at(0.2f, 0, 0), 4));
     assert_int_equal(decoder.gap_count, 0);
     assert_false(send_own(own_at(0.3f, 0, 0), 4));
     assert_int_equal(decoder.refused_count, 1);
@@ -93,14 +93,17 @@ static void test_the_poi_waits_while_the_fan_key_is_held(void **state)
     (void)state;
     connect_own_poi();
     send_own(own_at(0.0f, sequence++, 0), 4);
-    for (uint32_t i = 0; i < 200; i++) { /* The controller moves by half a metre, and the poi
-                                            stays in place. */
+    /* The player moves the controller by half a metre while the fan key is held. The poi must stay
+     * in place, and the fan must move. */
+    for (uint32_t i = 0; i < 200; i++) {
         send_own(own_at(0.0025f * (float)i, sequence++, POI_BUTTON_FAN), 4);
     }
     assert_float_equal(sample_after(0).target.position_m.x, 0.0f, 1e-3f);
     assert_float_equal(hid_pose_decoder_fan(&decoder, now_ms * MS).x_m, 0.5f, 5e-3f);
     float before_m = 0.0f;
-    for (uint32_t i = 0; i < 150; i++) { /* After the release the poi returns without a jump. */
+    /* After the key is released, the poi must return to the controller's position without a
+     * jump. */
+    for (uint32_t i = 0; i < 150; i++) {
         send_own(own_at(0.5f, sequence++, 0), 4);
         const float at_m = sample_after(0).target.position_m.x;
         assert_true(at_m >= before_m && at_m - before_m < 0.02f);

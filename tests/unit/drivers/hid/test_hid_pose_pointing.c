@@ -1,4 +1,4 @@
-/* test_hid_pose_pointing.c -- Tests the conversion of the reports of 3D mice, mice and pens to
+/* test_hid_pose_pointing.c -- tests how the reports of 3D mice, mice and pens are converted to
  * poses. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -26,21 +26,22 @@ static void test_a_3d_mouse_moves_and_rotates_on_all_axes(void **state)
     send_3d_mouse(USAGE_X, 350);
     assert_true(sample_after(300).target.position_m.x > 0.04f);
     send_3d_mouse(USAGE_Y, 350);
-    assert_true(sample_after(300).target.position_m.z > 0.04f); /* The ring moves toward the
-                                                                   player. */
+    /* The ring has moved toward the player. */
+    assert_true(sample_after(300).target.position_m.z > 0.04f);
     send_3d_mouse(USAGE_Z, 350);
-    assert_true(sample_after(300).target.position_m.y < 0.0f); /* The ring moves down. */
+    assert_true(sample_after(300).target.position_m.y < 0.0f); /* The ring has moved down. */
     send_3d_mouse(USAGE_RX, 350);
     assert_true(sample_after(300).target.angles.pitch_rad > 0.9f);
-    send_3d_mouse(USAGE_RY, 350); /* The right side goes up by a rotation about the axis toward
-                                     the player. */
+    /* A rotation about the axis that points toward the player. The right side of the ring goes
+     * up. */
+    send_3d_mouse(USAGE_RY, 350);
     assert_true(sample_after(300).target.angles.roll_rad < -0.9f);
-    send_3d_mouse(USAGE_RZ, 350); /* The rotation is clockwise as seen from above. */
+    send_3d_mouse(USAGE_RZ, 350); /* The rotation is clockwise, seen from above. */
     assert_true(sample_after(300).target.angles.yaw_rad < -0.9f);
 }
 
-/* Report descriptor of a SpaceNavigator, a 3D mouse. Report 1 has translations, report 2 has
- * rotations, both with the range -350 to 350, and report 3 has buttons. */
+/* Report descriptor of a SpaceNavigator, a 3D mouse. Report 1 has translations and report 2
+ * rotations, both from -350 to 350. Report 3 has buttons. */
 static const uint8_t space_navigator[] = {
     0x05, 0x01, 0x09, 0x08, 0xa1, 0x01, 0xa1, 0x00, 0x85, 0x01, 0x16, 0xa2, 0xfe, 0x26, 0x5e, 0x01,
     0x75, 0x10, 0x95, 0x03, 0x09, 0x30, 0x09, 0x31, 0x09, 0x32, 0x81, 0x06, 0xc0, 0xa1, 0x00, 0x85,
@@ -48,7 +49,7 @@ static const uint8_t space_navigator[] = {
     0x19, 0x01, 0x29, 0x02, 0x15, 0x00, 0x25, 0x01, 0x75, 0x01, 0x95, 0x10, 0x81, 0x02, 0xc0, 0xc0,
 };
 
-/* The device declares translations and rotations as relative, although they are deflections. */
+/* This device declares its axes as relative, although they report deflections. */
 static void test_an_old_3d_mouse_sends_translation_and_rotation_separately(void **state)
 {
     struct hid_mapping map;
@@ -62,7 +63,7 @@ static void test_an_old_3d_mouse_sends_translation_and_rotation_separately(void 
     wire_put(&wire, 1, USAGE_X, -350);
     send(1);
     wire_put(&wire, 2, USAGE_RX, 350);
-    send(2); /* Report 2 repeats the rotation and must not stop the translation of report 1. */
+    send(2); /* Report 2 must not stop the translation that report 1 has started. */
     const struct poi_target target = sample_after(400).target;
     assert_true(target.position_m.x < -0.1f);
     assert_true(target.angles.pitch_rad > 0.9f);
@@ -114,22 +115,23 @@ static void test_a_pen_gives_its_position_and_out_of_range_none(void **state)
     (void)state;
     connect("137-dg-huion-h610-if0", 0x256c, 0x006e);
     send_pen(0.0f, 0.0f, 0, 0);
-    /* No pose yet, because the pen was never in range. */
+    /* The pen was never in range, so there is no pose yet. */
     assert_false(hid_pose_decoder_sample(&decoder, now_ms * MS, &sample));
     send_pen(0.25f, 0.5f, 1, 0);
     const vec3 left = sample_after(0).target.position_m;
     send_pen(0.75f, 0.5f, 1, 0);
     const vec3 right = sample_after(0).target.position_m;
     assert_true(left.x < -0.1f && right.x > 0.1f);
-    send_pen(0.0f, 0.0f, 0, 0); /* The pen is lifted, so the zeros are not a position. */
+    /* Out of range, a pen reports zeros, which are not a position. */
+    send_pen(0.0f, 0.0f, 0, 0);
     assert_float_equal(sample_after(100).target.position_m.x, right.x, 1e-4f);
     now_ms += HID_PEN_AWAY_NS / MS;
-    /* No pose, because the pen has been out of range for HID_PEN_AWAY_NS. */
+    /* The pen has been out of range for HID_PEN_AWAY_NS, so there is no pose. */
     assert_false(hid_pose_decoder_sample(&decoder, now_ms * MS, &sample));
     send_pen(0.5f, 0.5f, 1, 1);
     assert_float_equal(sample_after(600).target.position_m.y, DIP_DEPTH_M, 1e-3f);
-    send_pen(0.5f, 0.5f, 0, 1); /* The pen left the range while its tip was down, so the tip is
-                                   up again. */
+    /* The pen left the range while its tip was pressed. The tip then counts as released. */
+    send_pen(0.5f, 0.5f, 0, 1);
     assert_float_equal(sample_after(600).target.position_m.y, DIP_HOVER_M, 1e-3f);
 }
 

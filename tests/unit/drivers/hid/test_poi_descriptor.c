@@ -1,6 +1,6 @@
-/* test_poi_descriptor.c -- Tests the report descriptor of the Kingyo poi against its reports. Every
- * field of both reports is located by the descriptor alone, and its value in physical units must
- * equal the value that poi_report.h wrote. */
+/* test_poi_descriptor.c -- tests that the report descriptor of the Kingyo poi describes its reports
+ * correctly. Every field is located by the descriptor alone. Its value in physical units must equal
+ * the value that poi_report.h has encoded. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -18,7 +18,8 @@
 #define BUTTON(number) (0x00090000u | (number))
 #define OURS(usage) ((hid_usage)POI_PAGE << 16 | (hid_usage)(usage))
 
-/* Units of HID 1.11 section 6.2.2.7. System 1 has cm, g and s, and system 4 has degrees. */
+/* Units as defined in HID 1.11, section 6.2.2.7. System 1 uses cm, g and s, and system 4
+ * degrees. */
 #define UNIT_CM 0x11u
 #define UNIT_DEGREE 0x14u
 #define UNIT_G_CM_S2 0xe111u
@@ -26,7 +27,8 @@
 
 static struct hid_descriptor inputs, outputs;
 
-/* Replaces Output items by Input items in a copy, because the parser lists only input fields. */
+/* Changes Output items to Input items in a copy of the descriptor, because the parser ignores
+ * output fields. */
 static void read_outputs_as_inputs(uint8_t bytes[POI_DESCRIPTOR_SIZE])
 {
     for (uint32_t i = 0; i < POI_DESCRIPTOR_SIZE;) {
@@ -69,7 +71,8 @@ static const struct hid_group *group_of(const struct hid_descriptor *descriptor,
     return found;
 }
 
-/* Returns the value of a field in units of `unit`, computed as HID 1.11 section 6.2.2.7 defines. */
+/* Returns the value of a field in units of `unit`, computed by the rules of HID 1.11, section
+ * 6.2.2.7. */
 static double physical(const struct hid_descriptor *descriptor, hid_usage usage, uint32_t unit,
                        const uint8_t *bytes, size_t size)
 {
@@ -129,7 +132,7 @@ static void test_a_pose_can_be_read_by_the_descriptor_alone(void **state)
                 physical(&inputs, GENERIC(0x30u + k), UNIT_CM, bytes, sizeof bytes);
             const double turn_deg =
                 physical(&inputs, GENERIC(0x33u + k), UNIT_DEGREE, bytes, sizeof bytes);
-            /* The tolerance is half a step of the encoding, which is 15 um. */
+            /* The tolerance is half a step of the encoding (15 um, in cm). */
             assert_float_equal(place_cm, 100.0f * drawn[k], 0.0016);
             assert_float_equal(turn_deg, 180.0f * drawn[3 + k], 0.0028);
         }

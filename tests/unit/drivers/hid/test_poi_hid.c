@@ -1,4 +1,4 @@
-/* test_poi_hid.c -- Tests the HID poi of one slot over a faulty connection: unplugging at any
+/* test_poi_hid.c -- tests a poi of one player slot with a faulty connection: unplugging after any
  * report, invalid reports, silence and duplicates. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -37,7 +37,7 @@ static void begin(void)
                  (struct hid_mapper){ 0 }, stall_view());
 }
 
-/* Sends the next pose of a circle above the water, some millimetres per report. */
+/* Sends the next pose on a circle above the water. Successive poses are some millimetres apart. */
 static void send_next(void)
 {
     uint8_t bytes[POI_REPORT_SIZE];
@@ -75,7 +75,8 @@ static void test_absent_and_removed_devices_return_different_errors(void **state
     assert_int_equal(poll(samples), HAL_ERR_GONE);
     hid_port_sim_plug(&fixture.wire.port, &fixture.wire.face);
     assert_int_equal(reopen(), HAL_OK);
-    assert_int_equal(poll(samples), 0); /* The device has not sent a report yet. */
+    /* The device has not sent a report yet. */
+    assert_int_equal(poll(samples), 0);
     fixture.wire.port.port.is_unusable = true;
     assert_int_equal(reopen(), HAL_ERR_ABSENT);
 }
@@ -94,7 +95,8 @@ static void test_each_report_gives_a_sample_with_its_own_time(void **state)
         assert_int_equal(samples[i].time_ns, 1000000000ull + (i + 1u) * REPORT_NS);
     }
     fixture.clock.now_ns += 50000000ull;
-    assert_int_equal(poll(samples), 0); /* No sample is generated without a new report. */
+    /* Without a new report there is no new sample. */
+    assert_int_equal(poll(samples), 0);
 }
 
 static void test_force_is_sent_to_a_device_that_supports_it(void **state)
@@ -122,7 +124,7 @@ static void test_force_is_sent_to_a_device_that_supports_it(void **state)
     assert_int_equal(sequence, 1);
     device.ops->set_force(device.self, &pull);
     poi_force_decode(fixture.wire.port.sent, fixture.wire.port.sent_size, &felt, &sequence);
-    assert_int_equal(sequence, 2); /* An unsent output report does not use a sequence number. */
+    assert_int_equal(sequence, 2); /* A failed output report does not use up a sequence number. */
 }
 
 static void test_a_gamepad_gets_no_force_and_a_keyboard_is_no_poi(void **state)
@@ -187,7 +189,7 @@ static void test_reports_before_an_unplug_are_delivered_for_1000_positions(void 
         }
         assert_int_equal(seen, at);
         assert_int_equal(result > 0 ? poll(samples) : result, HAL_ERR_GONE);
-        /* Every further poll of a lost device returns the same error. */
+        /* Further polls of a lost device must return the same error. */
         assert_int_equal(poll(samples), HAL_ERR_GONE);
         hid_port_sim_plug(&fixture.wire.port, &fixture.wire.face);
         assert_int_equal(reopen(), HAL_OK);
@@ -196,7 +198,8 @@ static void test_reports_before_an_unplug_are_delivered_for_1000_positions(void 
     }
 }
 
-/* After each fault all samples are finite and in order, and the next valid report is accepted. */
+/* After each fault, all samples must be finite and in order, and valid reports must be accepted
+ * again. */
 static void test_valid_reports_are_accepted_again_after_each_fault(void **state)
 {
     struct poi_sample samples[HAL_POI_SAMPLES_MAX];
@@ -215,8 +218,9 @@ static void test_valid_reports_are_accepted_again_after_each_fault(void **state)
             const int count = poll(samples);
             const int is_fine = frame < 5 || frame >= 15;
             assert_true(count >= 0);
-            if (is_fine && kind != HID_SIM_GARBAGE) { /* The reader accepts any sequence number
-                                                         before the first valid report. */
+            /* Not checked for random bytes: they may look like a valid report with any sequence
+             * number, so some later reports are rejected. */
+            if (is_fine && kind != HID_SIM_GARBAGE) {
                 assert_true(count >= (int)FRAME_REPORTS - 1);
             }
             for (int i = 0; i < count; i++) {
@@ -257,13 +261,14 @@ static void test_a_long_frame_gets_the_newest_report_and_counts_lost_ones(void *
     }
     assert_int_equal(poll(samples), HAL_POI_SAMPLES_MAX);
     assert_int_equal(samples[HAL_POI_SAMPLES_MAX - 1u].time_ns, fixture.clock.now_ns);
-    /* The queue is full, and the newest report is stored beside the queue. */
+    /* The queue was full, so all later reports except the newest were lost. */
     assert_int_equal(atomic_load(&fixture.wire.port.port.lost), HID_REPORTS_MAX);
-    assert_int_equal(poll(samples), 0); /* No report is left for the next frame. */
+    assert_int_equal(poll(samples), 0); /* No report is left. */
 }
 
-/* Gamepads report only changes. In one frame of 0.1 s the stick trembles at its end and is
- * released, and then no report follows. The poi must not continue to move. */
+/* Gamepads send reports only on changes. In one frame of 0.1 s, the stick trembles at its end and
+ * is then released. No report follows, so the release must not be lost. Otherwise the poi would
+ * move on. */
 static void test_the_last_report_before_a_pause_is_never_lost(void **state)
 {
     struct poi_sample samples[HAL_POI_SAMPLES_MAX];
@@ -297,13 +302,13 @@ static void test_the_last_report_before_a_pause_is_never_lost(void **state)
         }
         const vec3 rest_m = samples[count - 1].target.position_m;
         assert_true(rest_m.y > 0.0f);
-        assert_true(f_abs(rest_m.x - let_go_m) < 0.03f); /* The poi slows down to rest. The tank
-                                                            wall is at 0.476 m. */
+        /* The poi only slows down to rest and does not move on to the tank's wall at 0.476 m. */
+        assert_true(f_abs(rest_m.x - let_go_m) < 0.03f);
     }
 }
 
-/* A mouse moves at 1,000 reports per second during a frame of half a second. The whole displacement
- * must be counted. */
+/* A mouse moves during a frame of half a second, at 1,000 reports per second. The whole
+ * displacement must count. */
 static void test_no_mouse_displacement_is_lost_in_a_slow_frame(void **state)
 {
     struct poi_sample samples[HAL_POI_SAMPLES_MAX];
@@ -379,8 +384,9 @@ static void test_a_poi_that_is_unplugged_in_a_round_is_lost_and_reopened(void **
     assert_true(controller_is_lost(&fixture.kiosk.core.world, 0));
     assert_int_equal(fixture.kiosk.core.game.phase, PHASE_ROUND);
     hid_port_sim_plug(&fixture.wire.port, &fixture.wire.face);
-    frames(150); /* The kiosk tries to open the device once a second and accepts its poses after
-                    0.25 s. */
+    /* The kiosk retries to open the device once a second, and accepts its poses after another 0.25
+     * s. */
+    frames(150);
     assert_false(controller_is_lost(&fixture.kiosk.core.world, 0));
     assert_int_equal(fixture.kiosk.core.game.phase, PHASE_ROUND);
 }

@@ -1,5 +1,5 @@
-/* test_poi_report.c -- Tests the reports of the Kingyo poi against bytes that were computed
- * independently. */
+/* test_poi_report.c -- tests the encoded reports of the Kingyo poi against bytes that were computed
+ * by hand. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -12,8 +12,8 @@
 #include "core/base/rng.h"
 #include "drivers/hid/poi_report.h"
 
-/* The poi is 0.5 m to the left, 5 cm under water and at the middle in depth. The nose points down
- * by pi / 4. */
+/* The poi is 0.5 m to the left, 5 cm under water and in the middle of the tank's depth. Its nose
+ * points down by pi / 4. */
 static const uint8_t dipped[POI_REPORT_SIZE] = {
     1,    200,                          /* Report id and sequence number */
     0x00, 0xc0, 0x9a, 0xf9, 0x00, 0x00, /* -16384, -1638, 0 */

@@ -1,5 +1,5 @@
-/* test_usb_choice.c -- Tests which devices may be claimed and which slot each device gets, by the
- * built-in rules and the file of the operator's choices. */
+/* test_usb_choice.c -- tests which USB devices the driver may claim and which player slot each of
+ * them gets, by the built-in rules and by the file of the operator's choices. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -86,7 +86,7 @@ static void test_only_a_kingyo_poi_is_opened_without_a_choice(void **state)
     assert_int_equal(evaluate(&nothing, &any, USB_KIND_OWN), USB_PLAYS);
     assert_int_equal(evaluate(&nothing, &any, USB_KIND_MAPPED), USB_FREE);
     assert_int_equal(evaluate(&nothing, &any, USB_KIND_LEARNABLE), USB_FREE);
-    /* The device is not opened. */
+    /* A free device is not opened. */
     assert_int_equal(evaluate(&nothing, &any, USB_KIND_UNKNOWN), USB_FREE);
     assert_int_equal(evaluate(&nothing, &test_id, USB_KIND_UNKNOWN), USB_ASK);
     assert_int_equal(evaluate(&nothing, &test_id, USB_KIND_MAPPED), USB_FREE);
@@ -116,12 +116,12 @@ static void test_a_choice_with_a_serial_number_has_priority(void **state)
     request(&choice, "0001:0002", 1, 1);
     assert_int_equal(evaluate(&choice, &a, USB_KIND_MAPPED), USB_FREE);
     assert_int_equal(evaluate(&choice, &b, USB_KIND_MAPPED), USB_PLAYS);
-    /* The device is released, even if it is a Kingyo poi. */
+    /* The operator has released this device, so it is free even if it is a Kingyo poi. */
     assert_int_equal(evaluate(&choice, &a, USB_KIND_OWN), USB_FREE);
     request(&choice, "0001:0002:a", 1, 1);
     assert_int_equal(evaluate(&choice, &a, USB_KIND_MAPPED), USB_PLAYS);
-    assert_int_equal(choice.request_count, 2); /* The new choice replaces the older one of the same
-                                               key. */
+    /* The new choice has replaced the old choice of the same key. */
+    assert_int_equal(choice.request_count, 2);
 }
 
 static void test_a_full_list_drops_its_oldest_choice(void **state)
@@ -157,8 +157,9 @@ static void test_a_returning_device_gets_its_own_slot(void **state)
     };
     struct hid_identity device = identity_of(1, 2, "b", "1-9");
     assert_int_equal(usb_choice_slot(place, &device), 2);
-    device = identity_of(1, 2, "c", "1-1"); /* Another device of the same kind in the same port
-                                               is a replacement. */
+    /* The serial number differs, but the type and the port are the same. The device therefore
+     * replaces the lost one. */
+    device = identity_of(1, 2, "c", "1-1");
     assert_int_equal(usb_choice_slot(place, &device), 1);
     device = identity_of(1, 2, "c", "1-9");
     assert_int_equal(usb_choice_slot(place, &device), 0);
@@ -186,7 +187,7 @@ static void test_a_device_in_a_new_port_is_identified_if_it_is_the_only_one(void
     };
     const struct hid_identity device = identity_of(1, 2, "", "1-7");
     assert_int_equal(usb_choice_slot(place, &device), 1);
-    /* Two devices of this kind are absent, so it is unknown which of them came back. */
+    /* Two devices of this type are lost, so it is unknown which of them came back. */
     place[0] = place_of(identity_of(1, 2, "", "1-8"), 0, 1);
     assert_int_equal(usb_choice_slot(place, &device), 2);
 }
@@ -214,8 +215,8 @@ static void test_rows_keep_their_index_and_excluded_devices_are_replaced(void **
     for (uint16_t i = 0; i < 6; i++) {
         const struct hid_identity device = identity_of(1, i, "", "1-1");
         const uint32_t row = usb_device_table_enter(&rows, &device, 1);
-        assert_int_equal(row, i < 4 ? i : CONTROLLER_MAX); /* Four rows stay free for other
-                                                              devices. */
+        /* Four rows are kept free for other types of devices. */
+        assert_int_equal(row, i < 4 ? i : CONTROLLER_MAX);
     }
     for (uint16_t i = 0; i < 8; i++) {
         const struct hid_identity device = identity_of(2, i, "", "1-2");
@@ -227,8 +228,8 @@ static void test_rows_keep_their_index_and_excluded_devices_are_replaced(void **
     const struct hid_identity lost = identity_of(2, 5, "", "1-2");
     const uint32_t row = usb_device_table_find(&rows, &lost);
     rows.row[row].state = CONTROLLER_LOST;
-    assert_int_equal(usb_device_table_enter(&rows, &lost, 0), row); /* The device gets its own
-                                                                       row again. */
+    /* The returning device gets its former row. */
+    assert_int_equal(usb_device_table_enter(&rows, &lost, 0), row);
     rows.row[row].state = CONTROLLER_LOST;
     assert_int_equal(usb_device_table_enter(&rows, &ninth, 0), row);
 }
@@ -243,10 +244,12 @@ static void test_choices_are_stored_completely_or_the_old_file_is_kept(void **st
     assert_non_null(mkdtemp(folder));
     snprintf(path, sizeof path, "%s/usb.txt", folder);
     snprintf(part, sizeof part, "%s.part", path);
-    assert_int_equal(usb_choice_load(&read, path, why), 0); /* A missing file is no error. */
+    /* A missing file is not an error. */
+    assert_int_equal(usb_choice_load(&read, path, why), 0);
     request(&written, "1209:0001:with space", 1, 1);
     request(&written, "057e:2009", 0, 1);
-    request(&written, "1111:2222", 1, 0); /* A choice of the command line is not stored. */
+    /* A choice from the command line is not stored. */
+    request(&written, "1111:2222", 1, 0);
     assert_int_equal(usb_choice_save(&written, path), 0);
     assert_int_equal(usb_choice_load(&read, path, why), 0);
     assert_int_equal(read.request_count, 2);
@@ -254,7 +257,8 @@ static void test_choices_are_stored_completely_or_the_old_file_is_kept(void **st
     assert_int_equal(read.request[0].plays, 1);
     assert_int_equal(read.request[1].key.product, 0x2009);
     assert_int_equal(read.request[1].plays, 0);
-    assert_int_equal(mkdir(part, 0755), 0); /* The temporary file cannot be created now. */
+    /* A folder has the name of the temporary file, so saving must fail. */
+    assert_int_equal(mkdir(part, 0755), 0);
     assert_true(usb_choice_save(&written, path) < 0);
     assert_int_equal(usb_choice_load(&read, path, why), 0);
     assert_int_equal(usb_choice_save(&written, ""), 0);

@@ -1,5 +1,5 @@
-/* test_usb_crowd.c -- Tests four player slots with more devices than slots, and frequent hot-plug
- * events. */
+/* test_usb_crowd.c -- tests four player slots with more USB devices than slots, and with frequent
+ * hot-plug events. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -15,7 +15,8 @@
 
 static struct usb_fixture fixture;
 static struct hid_device_info face;
-static struct usb_sim_kind kinds[12]; /* Each poi has a serial number. */
+/* Twelve pois, each with its own serial number. */
+static struct usb_sim_kind kinds[12];
 static char serials[12][4];
 
 static int set_up(void **state)
@@ -63,14 +64,14 @@ static void test_four_devices_get_slots_and_a_fifth_waits(void **state)
     assert_int_equal(usb_sim_seen(device[4]).opens, 0);
     const struct hid_device_list device_list = usb_transport_list(fixture.thread);
     assert_int_equal(device_list.ops->choose(device_list.self, 4, true), HAL_ERR_BUSY);
-    usb_sim_unplug(device[2], USB_SIM_GONE); /* The device is absent for a moment, so its slot is
-                                                reserved. */
+    /* The device is only lost for a moment, so its slot stays reserved. */
+    usb_sim_unplug(device[2], USB_SIM_GONE);
     assert_true(fixture_wait_state(&fixture, 2, CONTROLLER_LOST));
     usleep(100000);
     assert_int_equal(fixture_row(&fixture, 4).state, CONTROLLER_FREE);
     usb_sim_plug(&kinds[2], 9);
     assert_true(sits(2, "S2"));
-    /* A player's slot becomes free, and a waiting poi gets it. */
+    /* Releasing the device of slot 1 frees the slot, and a waiting poi gets it. */
     assert_int_equal(device_list.ops->choose(device_list.self, 1, false), HAL_OK);
     assert_true(sits(1, "S4"));
     assert_true(fixture_wait_state(&fixture, 4, CONTROLLER_ACTIVE));
@@ -87,7 +88,8 @@ static void test_four_devices_return_to_their_slots_in_any_order(void **state)
         assert_true(sits(i, serials[i]));
     }
     for (uint32_t i = 0; i < 4; i++) {
-        usb_sim_unplug(device[i], (enum usb_sim_unplug_order)(i % 2u)); /* The hub is unplugged. */
+        /* Unplugging a hub unplugs all its devices. */
+        usb_sim_unplug(device[i], (enum usb_sim_unplug_order)(i % 2u));
     }
     for (uint32_t i = 0; i < 4; i++) {
         usb_sim_plug(&kinds[order[i]], (uint8_t)(i + 5u));
@@ -158,7 +160,8 @@ static void test_a_poi_is_opened_beside_more_keyboards_than_the_list_holds(void 
 
 static atomic_int storm_is_over;
 
-/* Plugs every device of a hub in and out at random, and sends reports meanwhile. */
+/* Plugs the devices of a hub in and out at random, and sends reports meanwhile. Runs in its own
+ * thread. */
 static void *storm(void *self)
 {
     uint32_t device[8];
@@ -189,7 +192,8 @@ static void test_all_devices_have_slots_after_a_hot_plug_storm(void **state)
     struct hid_row rows[CONTROLLER_MAX];
     const struct hid_device_list device_list = usb_transport_list(fixture.thread);
     uint32_t order = 0, device[POI_MAX];
-    for (uint8_t i = 0; i < POI_MAX; i++) { /* Each slot is then reserved for its poi. */
+    /* Each slot is now reserved for one of these pois. */
+    for (uint8_t i = 0; i < POI_MAX; i++) {
         device[i] = usb_sim_plug(&kinds[i], (uint8_t)(i + 1u));
         assert_true(sits(i, serials[i]));
     }
@@ -199,7 +203,8 @@ static void test_all_devices_have_slots_after_a_hot_plug_storm(void **state)
     atomic_store(&storm_is_over, 0);
     usb_sim_set_faults(&(struct usb_sim_faults){ .close_ms = 1, .cancel_ms = 2 });
     assert_int_equal(pthread_create(&thread, NULL, storm, NULL), 0);
-    while (!atomic_load(&storm_is_over)) { /* The frame loop runs meanwhile. */
+    /* This loop plays the frame loop while the other thread plugs devices in and out. */
+    while (!atomic_load(&storm_is_over)) {
         for (uint32_t i = 0; i < POI_MAX; i++) {
             struct hid_port *const port = usb_transport_port(fixture.thread, i);
             while (hid_port_take(port, &raw) == 1) {

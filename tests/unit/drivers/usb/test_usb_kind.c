@@ -1,5 +1,5 @@
-/* test_usb_kind.c -- Tests the classification of USB devices by their report descriptors, and the
- * selection of the interface that is claimed. */
+/* test_usb_kind.c -- tests how USB devices are classified by their report descriptors, and which of
+ * a device's interfaces the driver claims. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -62,8 +62,8 @@ static enum usb_kind kind_of_bytes(const uint8_t *bytes, uint32_t size)
     return subject.kind;
 }
 
-/* Media keys make a keyboard. A tablet or a mouse with keys that type is a keyboard too. Devices
- * with vendor-defined bytes must be learned. */
+/* A device with media keys or with keys for typing counts as a keyboard, even if it is also a
+ * tablet or a mouse. A device with vendor-defined bytes must be learned. */
 static void test_real_devices_are_classified_by_their_descriptors(void **state)
 {
     (void)state;
@@ -101,7 +101,8 @@ static void test_real_devices_are_classified_by_their_descriptors(void **state)
     }
 }
 
-/* Returns the index of the interface, out of `count`, that would be claimed. */
+/* Returns the index of the interface that would be claimed, out of `count` interfaces of one
+ * device. A null name is an interface whose descriptor was not read yet. */
 static uint32_t best_of(const struct usb_choice *choice, const char *const names[], uint32_t count)
 {
     struct hid_identity identity[4];
@@ -117,8 +118,8 @@ static uint32_t best_of(const struct usb_choice *choice, const char *const names
     return best;
 }
 
-/* A tablet may have its pen behind a vendor interface, and a receiver may have its mouse behind a
- * keyboard. */
+/* A tablet may have one interface for its pen and one of its vendor. A receiver may have one for a
+ * mouse and one for a keyboard. The pen or the mouse must be claimed. */
 static void test_the_most_suitable_of_several_interfaces_is_claimed(void **state)
 {
     (void)state;
@@ -137,7 +138,8 @@ static void test_the_most_suitable_of_several_interfaces_is_claimed(void **state
         assert_int_equal(best_of(&choice, (const char *const[]){ mouse, mouse }, 2), 0);
         request(&choice, "256c:006e", 1, 1);
     }
-    /* The second interface has no driver yet, so it is opened before the first one is learned. */
+    /* A null name is an interface whose descriptor is not known yet. It is preferred to a vendor
+     * interface, which could only be used after learning, but not to a pen. */
     assert_int_equal(best_of(&choice, (const char *const[]){ vendor, NULL }, 2), 1);
     assert_int_equal(best_of(&choice, (const char *const[]){ pen, NULL }, 2), 0);
 }
@@ -167,7 +169,7 @@ static void test_the_kingyo_descriptor_is_compared_in_every_byte(void **state)
     memcpy(bytes, poi_descriptor, sizeof bytes);
     assert_int_equal(kind_of_bytes(bytes, sizeof bytes), USB_KIND_OWN);
     assert_int_equal(kind_of_bytes(bytes, 0), USB_KIND_UNKNOWN);
-    bytes[1] ^= 1u; /* With another usage page, the descriptor is not that of a Kingyo poi. */
+    bytes[1] ^= 1u; /* Another usage page, so this is not the descriptor of a Kingyo poi. */
     assert_int_not_equal(kind_of_bytes(bytes, sizeof bytes), USB_KIND_OWN);
     static const uint8_t cut_off[] = { 0x05 };
     assert_int_equal(kind_of_bytes(cut_off, sizeof cut_off), USB_KIND_NOTHING);
@@ -178,8 +180,8 @@ static void test_devices_without_pointing_or_game_usages_are_excluded(void **sta
     (void)state;
     static const uint8_t pages[][3] = { { 0x84, 0x00, 0x04 },
                                         { 0xd0, 0xf1, 0x01 },
-                                        { 0x0b, 0x00, 0x05 } }; /* These are the usages of a UPS,
-                                                                   a FIDO key and a headset. */
+                                        /* Usages of a UPS, a FIDO key and a headset. */
+                                        { 0x0b, 0x00, 0x05 } };
     for (uint32_t i = 0; i < sizeof pages / sizeof pages[0]; i++) {
         const uint8_t bytes[] = { 0x06, pages[i][0], pages[i][1], 0x09, pages[i][2], 0xa1, 0x01,
                                   0x09, 0x20,        0x15,        0x00, 0x25,        0x7f, 0x75,

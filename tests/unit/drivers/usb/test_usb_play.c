@@ -1,5 +1,5 @@
-/* test_usb_play.c -- Tests that no credit is lost when the cable of a poi is unplugged a thousand
- * times during paid rounds. The test runs the USB thread over a simulated bus, the decoder, the
+/* test_usb_play.c -- tests that no credit is lost if the cable of a poi is unplugged a thousand
+ * times during paid rounds. The test includes the USB thread (on a simulated bus), the decoder, the
  * frame loop and the core. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -27,7 +27,7 @@
 
 static struct {
     struct usb_fixture fixture;
-    atomic_ullong now_ns; /* Time of both threads; each frame adds 1/60 s. */
+    atomic_ullong now_ns; /* Simulated time of both threads, in ns. Each frame adds 1/60 s. */
     struct button_event event[2];
     struct buttons_sim buttons;
     struct poi_hid poi;
@@ -67,7 +67,7 @@ static void unplug(uint32_t how)
     stall.is_plugged = 0;
 }
 
-/* Sends the pose of a hovering controller with a small tremor. */
+/* Sends the pose of a controller that hovers above the water and trembles a little. */
 static void send_pose(void)
 {
     uint8_t bytes[POI_REPORT_SIZE];
@@ -102,7 +102,7 @@ static int frames_until(int (*is_so)(void))
         }
         frame();
         if (!stall.is_plugged || i > 100u) {
-            usleep(50); /* Lets the USB thread run. */
+            usleep(50); /* Gives the USB thread time to run. */
         }
     }
     return 0;
@@ -208,13 +208,15 @@ static void test_a_thousand_unplugs_lose_no_credit(void **state)
             frame();
             usleep(20);
         }
-        if (refunds() > paid_before) { /* The pauses of the round exceeded the limit in total. */
+        /* The round's pauses exceeded their limit in total, so the credit was refunded. */
+        if (refunds() > paid_before) {
             assert_int_equal(credits(), had + 1u);
             paid_back++;
             begin_round();
             continue;
         }
-        if (!is_round()) { /* The credit was refunded earlier, so the round is finished. */
+        /* This credit was refunded once before, so the round was ended without a refund. */
+        if (!is_round()) {
             assert_int_equal(credits(), had);
             over++;
             begin_round();
@@ -227,8 +229,8 @@ static void test_a_thousand_unplugs_lose_no_credit(void **state)
     assert_int_equal(resumed + paid_back + over, UNPLUG_COUNT);
     assert_in_range(over, 0, paid_back);
     assert_true(resumed > UNPLUG_COUNT * 9u / 10u);
-    assert_int_equal(credits() + 1u + over, COINS); /* Another credit is in use by the current
-                                                       round. */
+    /* One more credit pays for the current round. */
+    assert_int_equal(credits() + 1u + over, COINS);
     printf("# %u unplugs in a round: %u resumed, %u paid back, %u rounds counted, 0 credits lost\n",
            UNPLUG_COUNT, resumed, paid_back, over);
 }

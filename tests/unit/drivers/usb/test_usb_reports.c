@@ -1,4 +1,5 @@
-/* test_usb_reports.c -- Tests the input and output reports of a USB poi over a simulated bus. */
+/* test_usb_reports.c -- tests the input reports and output reports of a USB poi on a simulated
+ * bus. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -76,11 +77,12 @@ static void test_transfers_are_always_pending(void **state)
     fixture_send(poi, 1);
     assert_int_equal(fixture_take(&fixture, 0, &raw), 1);
     usleep(20000);
-    assert_in_range(usb_sim_seen(poi).in_flight, 2, 16); /* Transfers are also pending while no
-                                                            report arrives. */
+    /* Several transfers must be pending even while no report arrives. */
+    assert_in_range(usb_sim_seen(poi).in_flight, 2, 16);
 }
 
-/* The ring is full. Of ten more reports the last one is still delivered. */
+/* Sends ten more reports than the ring buffer holds. The newest report must still be delivered, and
+ * the nine others are counted as lost. */
 static void test_a_stalled_frame_gets_the_newest_report_and_counts_lost_ones(void **state)
 {
     (void)state;
@@ -121,7 +123,8 @@ static void test_a_transfer_error_does_not_release_the_slot(void **state)
     }
     assert_int_equal(usb_sim_seen(poi).opens, 1);
     usleep(50000);
-    assert_int_equal(usb_sim_seen(poi).in_flight, 4); /* Every transfer was submitted again. */
+    /* Every transfer was submitted again. */
+    assert_int_equal(usb_sim_seen(poi).in_flight, 4);
 }
 
 static void test_a_halted_endpoint_is_cleared_while_no_transfer_is_pending(void **state)
@@ -219,8 +222,8 @@ static void test_without_an_out_endpoint_output_is_sent_by_set_report(void **sta
         usleep(200);
     }
     const struct usb_sim_seen seen = usb_sim_seen(poi);
-    assert_int_equal(seen.set_report_value, 0x0200 | POI_FORCE_ID); /* Type of an output report,
-                                                                      and its report id. */
+    /* Type of an output report, and the report id. */
+    assert_int_equal(seen.set_report_value, 0x0200 | POI_FORCE_ID);
     assert_memory_equal(seen.out, force_report, sizeof force_report);
 }
 
@@ -253,7 +256,7 @@ static void test_an_output_report_that_times_out_does_not_block_the_next(void **
 
 /* ---- The frame loop ------------------------------------------------------------------------- */
 
-/* Makes every call that the kiosk makes in a frame. */
+/* Makes all USB calls that the kiosk makes in one frame. */
 static void make_calls_of_a_frame(struct hid_device_list device_list, uint32_t frame)
 {
     struct hid_raw raw;
@@ -270,8 +273,8 @@ static void make_calls_of_a_frame(struct hid_device_list device_list, uint32_t f
     device_list.ops->choose(device_list.self, frame % 2u, true);
 }
 
-/* The event thread stays in libusb_close() until the test releases the call. A frame that waited
- * for the thread would never end, and alarm() would end the test. */
+/* The simulated bus keeps the USB thread in libusb_close(). No call of the frame loop may wait for
+ * that thread. Otherwise alarm() ends the test. */
 static void test_no_call_of_the_frame_loop_waits_for_the_bus(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_usb_ring.c -- Tests that reports and device descriptions pass between two threads complete
- * and in order. */
+/* test_usb_ring.c -- tests that reports and device descriptions pass completely and in order from
+ * one thread to another. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -50,7 +50,8 @@ static void fill_bytes(uint8_t bytes[HID_REPORT_MAX], uint32_t size, uint32_t nu
     memcpy(bytes, &number, sizeof number);
 }
 
-/* Sizes differ, so that a report that was read with the size of an older one would be detected. */
+/* Successive reports differ in size, so that a report read with the size of an older one would be
+ * detected. */
 static uint32_t size_of(uint32_t number)
 {
     return 4u + number % (HID_REPORT_MAX - 3u);
@@ -58,7 +59,7 @@ static uint32_t size_of(uint32_t number)
 
 static atomic_int wrote;
 
-/* Sends bursts at times that exceed every queue. */
+/* Writes reports as fast as possible, so that every queue overflows from time to time. */
 static void *write_reports(void *self)
 {
     uint8_t bytes[HID_REPORT_MAX];
@@ -96,7 +97,7 @@ static void test_reports_pass_complete_and_in_order_and_the_last_is_never_lost(v
             continue;
         }
         assert_int_equal(result, 1);
-        /* The test uses the number of the report as its time stamp. */
+        /* The time stamp of a report is its number. */
         assert_true(raw.time_ns >= next);
         next = (uint32_t)raw.time_ns + 1u;
         fill_bytes(bytes, size_of(next - 1u), next - 1u);
@@ -109,14 +110,14 @@ static void test_reports_pass_complete_and_in_order_and_the_last_is_never_lost(v
     assert_int_equal(count + atomic_load(&port.lost), REPORT_COUNT);
 }
 
-/* Sends a report of one byte. `number` is its time. */
+/* Writes a report of one byte. Its time stamp is `number`. */
 static void report(uint32_t number)
 {
     const uint8_t byte = 7;
     hid_port_report(&port, number, &byte, 1);
 }
 
-/* Takes a report and returns its number, or UINT32_MAX if there is no report. */
+/* Takes a report and returns its number; UINT32_MAX if there is none. */
 static uint32_t next_number(void)
 {
     struct hid_raw raw;
@@ -140,7 +141,9 @@ static void test_a_full_queue_keeps_the_newest_report_and_counts_lost_ones(void 
     for (uint32_t i = 0; i < 10; i++) {
         assert_int_equal(next_number(), i);
     }
-    report(5002); /* There is room again, and the report is newer. */
+    /* The queue has room again. Report 5001, which is stored beside the queue, is older and must
+     * still be taken first. */
+    report(5002);
     assert_int_equal(atomic_load(&port.pushed), HID_REPORTS_MAX + 1u);
     for (uint32_t i = 10; i < HID_REPORTS_MAX; i++) {
         assert_int_equal(next_number(), i);
@@ -151,13 +154,14 @@ static void test_a_full_queue_keeps_the_newest_report_and_counts_lost_ones(void 
     assert_int_equal(atomic_load(&port.lost), 1);
 }
 
-/* Neither the report beside the queue nor the numbers of reports are disturbed by a wrap. */
+/* When the queue is full, the newest report is stored beside it. The order must stay correct even
+ * if the report numbers wrap around. */
 static void test_the_report_beside_a_full_queue_stays_in_order_over_a_wrap(void **state)
 {
     (void)state;
     begin();
     port.next_number = UINT32_MAX - HID_REPORTS_MAX - 1u;
-    /* The counter of the reports wraps around: the last report has the number UINT32_MAX. */
+    /* The last of these reports has the number UINT32_MAX, so the counter wraps around. */
     for (uint32_t i = 0; i < HID_REPORTS_MAX + 2u; i++) {
         report(i);
     }
@@ -244,9 +248,11 @@ static void test_reports_of_a_removed_device_are_not_given_to_the_next(void **st
     face = face_of(2);
     hid_port_attach(&port, &face);
     hid_port_report(&port, 20, (const uint8_t *)"b", 1);
-    assert_int_equal(hid_port_take(&port, &raw), 1); /* The last report of the first device. */
+    /* Last report of the first device. */
+    assert_int_equal(hid_port_take(&port, &raw), 1);
     assert_int_equal(raw.bytes[0], 'a');
-    assert_int_equal(hid_port_take(&port, &raw), HAL_ERR_GONE); /* The end of the first device. */
+    /* End of the first device. */
+    assert_int_equal(hid_port_take(&port, &raw), HAL_ERR_GONE);
     assert_int_equal(hid_port_open(&port, &face), HAL_OK);
     assert_int_equal(face.identity.product, 2);
     assert_int_equal(hid_port_take(&port, &raw), 1);

@@ -1,4 +1,4 @@
-/* test_usb_sysfs.c -- Tests the texts and the serial number that are read from a USB device or
+/* test_usb_sysfs.c -- tests how texts and serial numbers are read from USB devices and from
  * /sys. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -20,12 +20,13 @@ static void test_control_characters_are_removed_from_device_texts(void **state)
     static const char *const pairs[][2] = {
         { "Poi \n", "Poi" },
         { "a\x1b[31mb\tc", "a?[31mb?c" },
-        { "\xe9\x87\x91\xe9\xad\x9a", "\xe9\x87\x91\xe9\xad\x9a" }, /* The name "kingyo" in
-                                                                       Japanese. */
+        /* "Kingyo" (goldfish) in kanji. */
+        { "\xe9\x87\x91\xe9\xad\x9a", "\xe9\x87\x91\xe9\xad\x9a" },
         { "x\xff\xfey long", "x??y long" },
         { "\xc2\x9b"
           "31m and more",
-          "?31m and more" }, /* The control sequence introducer as one character. */
+          /* U+009B, a C1 control character that starts a terminal control sequence. */
+          "?31m and more" },
         { "cut \xe9\x87", "cut " },
     };
     for (uint32_t i = 0; i < sizeof pairs / sizeof pairs[0]; i++) {
@@ -38,8 +39,8 @@ static void test_control_characters_are_removed_from_device_texts(void **state)
 
 /* ---- Nodes ---------------------------------------------------------------------------------- */
 
-/* The input node is several levels below its device, and a hub two levels above the device has a
- * serial number too. */
+/* The input node is several levels below its device in /sys. A hub two levels above the device also
+ * has a serial number, which must not be returned. */
 static void test_the_serial_number_of_an_input_node_is_found(void **state)
 {
     (void)state;

@@ -1,4 +1,4 @@
-/* test_usb_transport.c -- Tests which USB devices the transport opens as controllers, over a
+/* test_usb_transport.c -- tests which USB devices the transport opens as controllers, on a
  * simulated bus. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -61,8 +61,9 @@ static void test_a_kingyo_poi_of_any_vendor_is_opened(void **state)
     assert_true(poi_descriptor_is(face.descriptor, face.descriptor_size));
     assert_int_equal(usb_sim_seen(poi).claimed_interfaces, 1);
     assert_int_equal(usb_sim_seen(poi).set_idles, 1);
-    assert_int_equal(usb_sim_seen(poi).descriptor_reads, 1); /* The descriptor in /sys may have
-                                                                been changed by a kernel driver. */
+    /* The descriptor is read from the device, because a kernel driver may have changed the one in
+     * /sys. */
+    assert_int_equal(usb_sim_seen(poi).descriptor_reads, 1);
     assert_true(fixture_wait_state(&fixture, 0, CONTROLLER_ACTIVE));
     assert_int_equal(fixture_row(&fixture, 0).slot, 0);
 }
@@ -101,7 +102,7 @@ static void test_a_foreign_device_with_the_test_id_is_released(void **state)
     assert_true(fixture_wait_state(&fixture, 0, CONTROLLER_FREE));
     assert_int_equal(usb_sim_seen(device).releases, 1);
     assert_int_equal(usb_sim_seen(device).closes, 1);
-    usleep(300000); /* Waits to see that the transport does not open the device again. */
+    usleep(300000); /* Time in which the transport would open the device again. */
     assert_int_equal(usb_sim_seen(device).opens, 1);
 }
 
@@ -122,7 +123,8 @@ static void test_an_unknown_device_is_not_opened_until_it_is_chosen(void **state
         usleep(200);
     }
     assert_int_equal(usb_sim_seen(device).closes, 1);
-    assert_int_equal(usb_sim_seen(device).releases, 1); /* The kernel driver is attached again. */
+    /* The kernel's driver was attached again. */
+    assert_int_equal(usb_sim_seen(device).releases, 1);
 }
 
 static void test_a_device_that_is_chosen_again_waits_until_it_is_closed(void **state)
@@ -185,8 +187,8 @@ static void test_a_device_that_the_command_line_lists_is_opened(void **state)
     assert_true(fixture_wait_state(&fixture, 0, CONTROLLER_ACTIVE));
     const uint32_t keys_device = usb_sim_plug(&keyboard, 3);
     assert_true(fixture_wait_state(&fixture, 1,
-                                   CONTROLLER_UNSUPPORTED)); /* A keyboard is excluded even if it
-                                                                is listed. */
+                                   /* A keyboard is excluded even if the operator has chosen it. */
+                                   CONTROLLER_UNSUPPORTED));
     assert_int_equal(choose(1), HAL_ERR_ABSENT);
     usleep(200000);
     assert_int_equal(usb_sim_seen(keys_device).opens, 0);
@@ -292,8 +294,9 @@ static void test_a_device_that_is_announced_unconfigured_is_opened_later(void **
     usb_sim_plug(&own_poi, 1);
     usleep(50000);
     assert_int_equal(fixture_row(&fixture, 0).state, CONTROLLER_NONE);
-    usb_sim_set_faults(&(struct usb_sim_faults){ 0 }); /* The bus sends no event for the new
-                                                          configuration. */
+    /* The bus sends no event for the new configuration, so the transport must find it by
+     * polling. */
+    usb_sim_set_faults(&(struct usb_sim_faults){ 0 });
     assert_true(fixture_open(&fixture, 0, &face));
 }
 
@@ -302,7 +305,7 @@ static void test_without_hot_plug_events_the_bus_is_polled(void **state)
     (void)state;
     usb_sim_set_faults(&(struct usb_sim_faults){ .no_hotplug = 1 });
     fixture_start(&fixture, NULL, 0);
-    usleep(2100000); /* Waits until the start-up phase of the transport is over. */
+    usleep(2100000); /* Waits until the transport has finished its start-up. */
     usb_sim_plug(&own_poi, 1);
     assert_true(fixture_open(&fixture, 0, &face));
     assert_non_null(strstr(described(), "no hot-plug"));
@@ -320,12 +323,12 @@ static void test_a_denied_device_is_reported_with_the_udev_rule_file(void **stat
     assert_true(fixture_wait_state(&fixture, 0, CONTROLLER_DENIED));
     assert_non_null(strstr(described(), "cafe:0b01 at USB port 3-1"));
     assert_non_null(strstr(described(), "70-kingyo.rules"));
-    assert_int_equal(fixture_message(&fixture, line), 1); /* The message appears once, although
-                                                             the transport retries. */
+    /* The message must appear only once, although the transport retries. */
+    assert_int_equal(fixture_message(&fixture, line), 1);
     assert_string_equal(line, described());
     usb_sim_set_faults(&(struct usb_sim_faults){ 0 });
-    assert_true(fixture_open(&fixture, 0, &face)); /* The retry succeeds without a new hot-plug
-                                                      event. */
+    /* A retry succeeds without a new hot-plug event. */
+    assert_true(fixture_open(&fixture, 0, &face));
     assert_true(fixture_wait_state(&fixture, 0, CONTROLLER_ACTIVE));
     assert_null(strstr(described(), "rules"));
     assert_int_equal(fixture_message(&fixture, line), 1);

@@ -1,7 +1,7 @@
-/* test_usb_unplug.c -- Tests that a device can be unplugged after any report, with each order of
- * the bus events. All earlier reports are delivered in order. The port then returns HAL_ERR_GONE
- * once, and the device gets the same slot again when it returns. The simulated bus counts objects
- * that are closed too early or twice. */
+/* test_usb_unplug.c -- tests that a device can be unplugged after any report, with each order of
+ * the bus events. All earlier reports must be delivered in order. The port then returns
+ * HAL_ERR_GONE once. When the device returns, it gets its former slot. The simulated bus counts
+ * objects that are closed too early or twice. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -13,7 +13,7 @@
 #include "tests/unit/support/usb/usb_fixture.h"
 
 #define INDEX_COUNT 1000u
-#define BURST 64u /* A burst fits into the ring, so that no report is lost. */
+#define BURST 64u /* Number of reports in a burst, which fits into the ring buffer. */
 
 static struct usb_fixture fixture;
 static struct hid_device_info face;
@@ -48,8 +48,8 @@ static void take_reports(uint32_t from, uint32_t to)
     }
 }
 
-/* Sends `count` reports. If the count is odd, the last burst is left in the ring: the transfers
- * have taken all reports, but the frame loop has not. */
+/* Sends `count` reports in bursts and takes them. If `count` is odd, the last burst is not taken,
+ * so that its reports are still in the ring buffer. */
 static void send_reports(uint32_t device, uint32_t count)
 {
     uint32_t taken = 0;
@@ -133,8 +133,8 @@ static void test_a_lost_poi_keeps_its_row_in_the_device_list(void **state)
     assert_true(fixture_wait_state(&fixture, 0, CONTROLLER_ACTIVE));
     usb_sim_unplug(poi, USB_SIM_IO_FIRST);
     assert_true(fixture_wait_state(&fixture, 0, CONTROLLER_LOST));
-    poi = usb_sim_plug(&own_poi, 5); /* The device returns in another port and is identified by
-                                        its serial number. */
+    /* The device returns in another port. Its serial number identifies it. */
+    poi = usb_sim_plug(&own_poi, 5);
     assert_true(fixture_wait_state(&fixture, 0, CONTROLLER_ACTIVE));
     assert_int_equal(fixture_row(&fixture, 0).slot, 0);
     assert_string_equal(fixture_row(&fixture, 0).identity.port, "3-5");
@@ -143,7 +143,8 @@ static void test_a_lost_poi_keeps_its_row_in_the_device_list(void **state)
     assert_true(fixture_wait_state(&fixture, 0, CONTROLLER_LOST));
     const struct hid_device_list device_list = usb_transport_list(fixture.thread);
     assert_int_equal(device_list.ops->choose(device_list.self, 0, false),
-                     HAL_OK); /* The thread does not wait any longer. */
+                     /* The thread no longer waits for the device. */
+                     HAL_OK);
     assert_true(fixture_wait_state(&fixture, 0, CONTROLLER_NONE));
 }
 
@@ -156,8 +157,8 @@ static void test_a_close_waits_for_late_transfers(void **state)
     assert_true(fixture_open(&fixture, 0, &face));
     usb_sim_unplug(first, USB_SIM_QUIET);
     assert_int_equal(fixture_take(&fixture, 0, &raw), HAL_ERR_GONE);
-    const uint32_t again = usb_sim_plug(&own_poi, 1); /* The device returns while its former
-                                                         handle is still open. */
+    /* The device returns while its old handle is not closed yet. */
+    const uint32_t again = usb_sim_plug(&own_poi, 1);
     assert_true(fixture_open(&fixture, 0, &face));
     assert_int_equal(usb_sim_seen(first).closes, 0);
     fixture_send(again, 1);
@@ -188,14 +189,14 @@ static void test_the_thread_waits_for_all_transfers_before_it_ends(void **state)
     assert_int_equal(usb_sim_end(), 0);
 }
 
-/* Teardown of the last test. Transfers that the kernel never returned stay allocated until the
- * process ends. */
+/* Teardown of the last test. Its transfers were never returned by the simulated kernel, so their
+ * memory stays allocated. */
 static int tear_down_what_is_left(void **state)
 {
     (void)state;
     assert_true(fixture_end(&fixture) > 0);
-    assert_int_equal(usb_sim_breaches(), 0); /* No object of a pending transfer was closed or
-                                                freed. */
+    /* No object that a pending transfer needs was closed or freed. */
+    assert_int_equal(usb_sim_breaches(), 0);
     return 0;
 }
 

@@ -1,5 +1,5 @@
-/* test_usb_wait.c -- Tests the retry and reservation times of the USB thread with a clock that the
- * test advances, a failing poll(), and a choice file that cannot be read. */
+/* test_usb_wait.c -- tests the retry and reservation times of the USB thread with a simulated
+ * clock. Also tests a failing poll() and a choice file that cannot be read. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -33,7 +33,8 @@ static void begin(void)
     fixture_start_with(&fixture, (struct hal_clock){ .ops = &ops }, NULL, 0);
 }
 
-/* Advances the clock, and plugs a keyboard in and out so that the thread wakes up. */
+/* Advances the clock. Plugs a keyboard in and out, because the resulting event wakes up the
+ * thread. */
 static void advance(uint64_t seconds)
 {
     atomic_fetch_add(&advanced_ns, seconds * NS_PER_S);
@@ -70,17 +71,18 @@ static void test_retries_of_a_device_without_a_descriptor_become_less_frequent(v
     for (uint32_t i = 0; i < sizeof waits_s / sizeof waits_s[0]; i++) {
         assert_int_equal(usb_sim_seen(poi).opens, i + 1u);
         advance(waits_s[i] - 2u +
-                (waits_s[i] > 2u)); /* The clock is one second before the retry. */
+                /* One second before the next retry, the device has not been opened again. */
+                (waits_s[i] > 2u));
         assert_int_equal(usb_sim_seen(poi).opens, i + 1u);
-        advance(2); /* The clock is one second after the retry. */
+        advance(2); /* One second after the time of the retry. */
     }
     usb_sim_set_faults(&(struct usb_sim_faults){ 0 });
     advance(60);
-    /* After a minute without the fault, the next retry opens the device. */
+    /* The next retry, a minute later at the latest, opens the device. */
     assert_true(fixture_open(&fixture, 0, &face));
 }
 
-/* The other three slots are used, so that a new device can only get the slot of the unplugged
+/* The other three slots are in use, so another device could only get the slot of the unplugged
  * one. */
 static void test_a_slot_is_reserved_for_the_longest_pause_of_a_round(void **state)
 {
@@ -130,7 +132,7 @@ static void test_a_slot_is_reserved_for_the_longest_pause_of_a_round(void **stat
     assert_int_equal(face.identity.product, 4);
 }
 
-/* poll() fails if it is given more files than the process may open. */
+/* With a limit of 0 open files (RLIMIT_NOFILE), poll() fails. */
 static void test_a_failed_wait_pauses_and_reports_still_arrive(void **state)
 {
     (void)state;
@@ -142,7 +144,8 @@ static void test_a_failed_wait_pauses_and_reports_still_arrive(void **state)
     assert_int_equal(getrlimit(RLIMIT_NOFILE, &before), 0);
     const struct rlimit none = { .rlim_cur = 0, .rlim_max = before.rlim_max };
     assert_int_equal(setrlimit(RLIMIT_NOFILE, &none), 0);
-    fixture_send(poi, 1); /* Ends the call of poll() that began before the limit was set. */
+    /* This report ends the call of poll() that began before the limit was set. */
+    fixture_send(poi, 1);
     const int first = fixture_take(&fixture, 0, &raw);
     const uint32_t calls = usb_sim_calls();
     usleep(500000);
@@ -188,7 +191,8 @@ static void test_a_partly_unreadable_file_is_reported_and_not_overwritten(void *
     (void)state;
     char line[HAL_TEXT_SIZE] = "";
     struct stat now;
-    assert_int_equal(mkdir(fixture.choices, 0755), 0); /* A folder can be opened but not read. */
+    /* A folder can be opened but not read. */
+    assert_int_equal(mkdir(fixture.choices, 0755), 0);
     begin();
     assert_non_null(strstr(fixture.why, "usb.txt: is not a regular file"));
     choose_the_joystick();
