@@ -1,16 +1,14 @@
-/* bench_hid.c -- benchmark of the HID report descriptor parser and of the report decoder.
+/* bench_hid.c -- benchmark of the parser of HID report descriptors and of the report decoder.
  *
  * Usage: bench_hid FOLDER [TSV]. FOLDER is tests/hid. The table is also written to the file TSV.
  *
- * Parses descriptors of real devices, hostile descriptors, and descriptors that were built to be
- * slow to parse. Decodes reports of real devices and of one controller that was built to be slow to
- * decode.
+ * Parses descriptors of real devices, malformed descriptors, and descriptors that were built to be
+ * slow. Decodes reports of real devices and of one device that was built to be slow.
  *
- * Each figure is CPU time of this thread and the best of RUNS runs, so that other processes on the
- * machine do not count. The table names the slowest file of each group. Returns exit status 1 if a
- * descriptor takes more than GOAL_US, which is a tenth of a frame, or if a report takes more than
- * GOAL_REPORT_US. A frame decodes at most HID_REPORTS_MAX reports for each slot, which take a fifth
- * of the frame at GOAL_REPORT_US. */
+ * Each figure is the CPU time of this thread in the best of RUNS runs, so that other processes have
+ * little influence. The slowest file of each group is named. Returns exit status 1 if a descriptor
+ * takes more than GOAL_US (a tenth of a frame) or a report more than GOAL_REPORT_US. At that speed
+ * the HID_REPORTS_MAX reports of a slot take a fifth of a frame. */
 #include <dirent.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -142,7 +140,8 @@ static void bench_report(const char *path)
 
 /* ---- A controller that is slow to decode ---------------------------------------------------- */
 
-#define ARRAYS (HID_BINDING_MAX - 3u) /* The two axes and the button also have one binding each. */
+/* Number of arrays. Two axes and a button need the other three bindings. */
+#define ARRAYS (HID_BINDING_MAX - 3u)
 #define ARRAY_USAGES 64u
 /* Size of one array element in bits. A report has room for 256 bytes of elements. */
 #define ELEMENT_BITS 4u
@@ -161,8 +160,8 @@ static void append(const uint8_t *items, uint32_t size)
 #define APPEND(...)                                                                                \
     append((const uint8_t[]){ __VA_ARGS__ }, sizeof((const uint8_t[]){ __VA_ARGS__ }))
 
-/* Builds a joystick with arrays of as many elements as can be bound. The descriptor lists each
- * usage of the arrays separately. */
+/* Builds the slow device: a joystick with as many array elements as can be bound. The descriptor
+ * lists each usage of the arrays separately. */
 static void make_slow(void)
 {
     memset(&face, 0, sizeof face);

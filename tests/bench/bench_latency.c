@@ -1,22 +1,18 @@
 /* bench_latency.c -- benchmark of the latency from a pointer event to the first frame that shows
- * it.
+ * its effect.
  *
  * Usage: bench_latency [FRAME_MS WORK_MS]
  *
- * Runs the real frame loop and the real pointer decoder on a simulated clock, so that the figures
- * do not depend on the speed of the machine. Each trial copies the stall. One copy gets an event
- * and the other copy does not. Both copies run until the positions of their rings differ. After a
- * pointer step, a difference of half a pixel counts. After a button press, any difference counts,
- * because a dip is a smooth motion that starts at rest. The event falls at a random phase between
- * two frames.
+ * Runs the real frame loop and pointer decoder on a simulated clock, so the figures do not depend
+ * on the machine. Each trial copies the game twice and gives one copy an event at a random phase of
+ * the frame. Both run until the positions of their rings differ: by half a pixel after a motion of
+ * the pointer, or at all after a button press, because a dip starts slowly.
  *
- * The latency ends when the frame's scene is passed to the display. The bound is one frame and one
- * tick. The latency does not include drawing, the buffer swap, the screen, or the time in the
- * mouse, the kernel and the X server before the event is stamped.
+ * The latency ends when the scene is passed to the display. The bound is one frame and one tick.
+ * Drawing, the screen, the mouse, the kernel and the X server are not included.
  *
- * FRAME_MS and WORK_MS are the two figures that kingyo prints at its end: the frame period on this
- * machine's screen, and the time for drawing and the swap. With these arguments the table has one
- * more row with the sum for this machine. Returns exit status 1 if the bound does not hold. */
+ * With FRAME_MS (frame period) and WORK_MS (time for drawing), which kingyo prints at its end, the
+ * table has a row for this machine. Returns exit status 1 if the bound does not hold. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -32,8 +28,8 @@
 /* Size of a pixel in the tank. 1,280 pixels cover a tank of 0.85 m and its rim. */
 #define PIXEL_M 0.0006f
 
-/* All objects that a copied stall needs. The struct contains no pointers to its own members except
- * those that wire() sets. */
+/* Everything that a copied game needs. Only wire() sets pointers to members of the struct
+ * itself. */
 struct booth {
     struct clock_sim clock;
     struct display_sim display;
@@ -74,7 +70,7 @@ static void frame(struct booth *stall, uint64_t frame_ns)
     kiosk_frame(&stall->kiosk, &hal);
 }
 
-/* Opens a stall in a round that has begun, with the pointer at rest over the middle of the tank. */
+/* Starts a round, with the pointer at rest over the middle of the tank. */
 static void open_stall(uint64_t frame_ns)
 {
     const struct kiosk_config config = { .core = { .seed = 1, .fish_count = 20 } };
@@ -112,8 +108,9 @@ struct event {
     uint32_t buttons; /* New state of the buttons. No button was held before the event. */
     float seen_px;    /* Smallest difference of the two ring positions, in pixels, that counts as
                          seen. */
-    double work_ms;   /* Time for drawing and the swap, which is added to the latency. 0 measures
-                         the latency only until the scene is passed to the display. */
+    /* Time for drawing that is added to the latency; 0 measures only until the scene is passed to
+     * the display. */
+    double work_ms;
 };
 
 /* Measures one trial. The event occurs `phase` of a frame after the last frame read its input.
@@ -144,8 +141,8 @@ static int compare(const void *left, const void *right)
     return (a > b) - (a < b);
 }
 
-/* Prints one row of the table. Returns 1 if every event was shown within one frame, one tick and
- * the work time. */
+/* Measures all trials of one event and prints a row of the table. Returns 1 if each latency was
+ * within one frame, one tick and the time for drawing. */
 static int bench(const struct event *event)
 {
     static double ms[TRIALS];
@@ -186,8 +183,9 @@ int main(int argc, char **argv)
     for (size_t i = 0; i < sizeof events / sizeof events[0]; i++) {
         holds &= bench(&events[i]);
     }
-    if (argc == 3) { /* This row is only informative, because a machine with a software renderer
-                        exceeds the bound. */
+    /* The row of this machine does not decide the result, because a software renderer exceeds the
+     * bound. */
+    if (argc == 3) {
         here.frame_ns = (uint64_t)(here_ms * 1e6);
         here.work_ms = strtod(argv[2], NULL);
         bench(&here);

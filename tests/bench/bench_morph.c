@@ -1,19 +1,17 @@
 /* bench_morph.c -- benchmark of morph blending per vertex, compared with the memory bandwidth.
  *
- * Usage: bench_morph [TSV]. The table is also written to the file TSV, with one row for each number
+ * Usage: bench_morph [TSV]. The table is also written to the file TSV, with a row for each number
  * of keys.
  *
- * A blend reads 8 bytes for each vertex and key and 16 bytes for each vertex. A blend writes 24
- * bytes for each vertex: position and normal. Blending cannot be faster than a copy of the same
- * number of bytes. The benchmark blends so many different fish in turn that they do not fit in a
- * cache. Alternately with the blends, memcpy() of the C library copies the same number of bytes.
- * The figure is the achieved share of that bandwidth: bytes moved / bandwidth / time, from the
- * least disturbed rounds. The share must be at least GOAL. The table also gives one fish that stays
- * in the cache, as the fish of the kiosk do, and the same fish without SIMD.
+ * For each vertex a blend reads 8 bytes per key and 16 more bytes, and writes 24 bytes (position
+ * and normal). It cannot be faster than a copy of as many bytes. Blends of so many fish that they
+ * do not fit in a cache alternate with memcpy() of the same number of bytes. The figure is the
+ * share of the copy's bandwidth in the fastest round, and must be at least GOAL. The table also has
+ * one fish that stays in the cache, as in the kiosk, with and without SIMD.
  *
- * A second table has fish whose parts have their own curves and anchors. The second table has no
- * goal, because its arithmetic takes longer than its memory accesses. Returns exit status 1 if a
- * share of the first table is below GOAL. */
+ * A second table has fish with several blend curves and anchors. It has no goal, because arithmetic
+ * takes longer there than memory accesses. Returns exit status 1 if a share of the first table is
+ * below GOAL. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -27,8 +25,8 @@
 /* Number of vertices that are attached to an anchor, as those of fins and eyes are. The detailed
  * meshes of the fish have about as many. */
 #define ANCHORED 400u
-/* Size of the arena, the memory for all fish, in bytes. The arena is six times as large as the
- * last-level cache of the reference machine, so that the fish do not fit into the cache. */
+/* Size of the memory for all fish in bytes. It is six times as large as the last-level cache of the
+ * reference machine, so that the fish do not fit into the cache. */
 #define ARENA_SIZE ((size_t)192 << 20)
 #define ROUNDS 15u
 #define GOAL 0.5
@@ -42,8 +40,8 @@ _Noreturn void core_panic(const char *condition, const char *file, int line)
 static double now_s(void)
 {
     struct timespec now;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now); /* CPU time of this thread, because other
-                                                     processes can run at the same time. */
+    /* CPU time of this thread, because other processes may run at the same time. */
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
     return (double)now.tv_sec + (double)now.tv_nsec * 1e-9;
 }
 
@@ -118,9 +116,8 @@ static double blend_s(uint32_t key_count, bool single, size_t count, size_t amon
     return now_s() - begin;
 }
 
-/* Returns the seconds for each copied byte. The function copies one half of the arena to the other
- * half, so that each byte is read once and written once. The pieces have the size of the output of
- * one blend, so that they use the cache as a blend does. */
+/* Returns the seconds per copied byte. Copies one half of the fish memory to the other half in
+ * pieces of the size of one blend's output, so that the cache is used as by a blend. */
 static double copy_s_per_byte(void)
 {
     const size_t piece = VERTICES * 2u * sizeof(vec3), half = fish_count / 2u * sizeof arena[0];
@@ -141,8 +138,8 @@ static void keep_least(double *least, double ns)
     *least = ns < *least ? ns : *least;
 }
 
-/* Returns the shortest time of all rounds for each case. In that round other processes disturbed
- * the measurement least. */
+/* Returns the shortest time of all rounds for each case, because other processes disturb that round
+ * least. */
 static struct measured measure(uint32_t key_count)
 {
     struct measured least = { 1e9, 1e9, 1e9, 1e9 };

@@ -1,16 +1,12 @@
-/* bench_open.c -- benchmark of the longest tick, which is the tick that opens the tank of another
- * mode.
+/* bench_open.c -- benchmark of the longest tick: the tick that opens the tank of another game mode.
  *
- * Opens ROUNDS stalls, each with its own seed. Measures the CPU time of two ticks: the tick in
- * which START opens the tank of the championship, and the tick in which attract mode opens the
- * stall's own tank again. Prints the medians and the maxima: `open_ms open_max_ms back_ms
- * back_max_ms`.
+ * Opens ROUNDS games with different seeds. Measures the CPU time of the tick in which START opens
+ * the championship's tank, and of the tick in which attract mode opens the festival's tank again.
+ * Prints the medians and maxima: `open_ms open_max_ms back_ms back_max_ms`.
  *
- * Such a tick is long but causes no dropped tick. The frame of this tick is late while the picture
- * changes to another tank, and the next frame runs the missing ticks (frame_pacer.h). Returns exit
- * status
- * 1 if a tick takes more than one frame. On a processor that is a quarter as fast, such a tick
- * would take four frames. */
+ * Such a tick drops no tick: its frame is late while the picture changes, and the next frame makes
+ * up the missing ticks (frame_pacer.h). Returns exit status 1 if a tick takes more than one frame.
+ * Even on a processor that is a quarter as fast, the tick would then take at most four frames. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <time.h>
@@ -51,8 +47,8 @@ static double tick_ms(uint32_t pressed)
     return now_ms() - began_ms;
 }
 
-/* Measures both ticks of one stall: the tick in which START opens the tank of the championship, and
- * the tick in which attract mode opens the stall's own tank after the result. */
+/* Measures both ticks of one game: the tick in which START opens the championship's tank, and the
+ * tick in which attract mode opens the festival's tank again. */
 static int measure(uint32_t seed, double *open_ms, double *back_ms)
 {
     const struct core_config config = { .seed = seed,

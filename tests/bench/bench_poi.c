@@ -1,11 +1,10 @@
-/* bench_poi.c -- benchmark of a tick of the paper sheet with five fish, of the whole poi, and of
- * the bowls.
+/* bench_poi.c -- benchmark of one tick of the paper with five fish, of the whole poi, and of the
+ * bowls.
  *
  * Usage: bench_poi [TSV]. The table is also written to the file TSV, with one figure in each row.
  *
- * Measures the CPU time of this thread for each tick. Each figure includes the time to read the
- * clock. Returns exit status 1 if the median of the sheet with five fish exceeds GOAL_US in its
- * slowest state. */
+ * Measures the CPU time of this thread for each tick, including the time to read the clock. Returns
+ * exit status 1 if the median of the paper with five fish exceeds GOAL_US in its slowest state. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -67,10 +66,10 @@ static double report(const char *what, uint32_t count)
 struct state {
     const char *what;
     float pressure_pa;
-    float slap_n, body_n; /* Forces of each fish on the sheet, in N. 0 means that no fish lies
-                             there. */
+    /* Forces of each fish on the paper in N; 0 means that no fish lies there. */
+    float slap_n, body_n;
     uint8_t half_wet;
-    uint8_t only_tearing; /* 1 if only the ticks count in which a cell tears. */
+    uint8_t only_tearing; /* 1 if only ticks count in which a cell tears. */
 };
 
 static void lay(const struct state *state, uint32_t seed, struct sheet *sheet)
@@ -84,7 +83,7 @@ static void lay(const struct state *state, uint32_t seed, struct sheet *sheet)
     sheet->soaked = !state->half_wet;
 }
 
-/* Fills `loads` with fish bodies side by side, each with its tail next to it. */
+/* Fills `loads` with the loads of fish side by side: each has a body and a slapping tail. */
 static uint32_t load(const struct state *state, struct sheet_load loads[2u * FISH])
 {
     if (state->body_n == 0.0f) {
@@ -98,8 +97,8 @@ static uint32_t load(const struct state *state, struct sheet_load loads[2u * FIS
     return 2u * FISH;
 }
 
-/* Measures one state of the paper. Whenever little paper is left, the measurement continues with a
- * new sheet. */
+/* Measures one state of the paper. When little paper is left, the measurement continues with a new
+ * sheet. */
 static double measure(const struct state *state)
 {
     static struct sheet sheet;

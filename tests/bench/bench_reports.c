@@ -1,17 +1,16 @@
-/* bench_reports.c -- benchmark of the time that a report of a USB poi waits until a tick uses it.
+/* bench_reports.c -- benchmark of the time from the arrival of a USB poi's report to the tick that
+ * uses it.
  *
  * Usage: bench_reports [SECONDS [REPORT_HZ [FRAME_MS [WORK_MS]]]]. The defaults are 10 500 16.667
  * 5.
  *
- * Runs the real frame loop, the real decoder of the Kingyo poi, and the real ring buffer between
- * the USB thread and the frame loop on the real clock. A test thread takes the place of the libusb
- * thread. The test thread pushes reports at the rate of a poi and stamps each report when it
- * arrives. A test display takes the place of the screen: it takes WORK_MS to draw and returns at
- * the next multiple of FRAME_MS.
+ * Runs the real frame loop, decoder and ring buffer on the real clock. A test thread replaces the
+ * libusb thread and pushes reports at the rate of a poi. A test display replaces the screen: it
+ * takes WORK_MS to draw and returns at the next multiple of FRAME_MS.
  *
- * The figures are those that the kiosk prints in its last lines. The figures do not include the
- * wire, the host controller, libusb, or the picture after the tick (bench_latency). Returns exit
- * status 1 if reports were lost or if p99 exceeds one frame and two ms. */
+ * The figures are those that the kiosk prints at its end. They do not include the cable, the host
+ * controller, libusb, or the frame after the tick (bench_latency). Returns exit status 1 if reports
+ * were lost or if the 99th percentile exceeds one frame and two ms. */
 #include <pthread.h>
 #include <stdatomic.h>
 #include <stdio.h>
@@ -42,7 +41,7 @@ static uint64_t now_ns(void)
     return bench.clock.ops->now_ns(bench.clock.self);
 }
 
-/* Pushes report number `index` of a ring that circles over the water. */
+/* Pushes report number `index` of a poi that circles over the water. */
 static void push_report(uint32_t index)
 {
     uint8_t bytes[POI_REPORT_SIZE];
@@ -73,14 +72,15 @@ static int screen_present(void *self, const struct scene *scene)
     const uint64_t drawn_ns = now_ns() + (uint64_t)(bench.work_ms * 1e6);
     (void)self;
     (void)scene;
-    while (now_ns() < drawn_ns) { /* The loop keeps the processor core busy as drawing does. */
+    /* Keeps the processor core busy, as drawing does. */
+    while (now_ns() < drawn_ns) {
     }
     bench.beat_ns += beat_ns * ((drawn_ns - bench.beat_ns) / beat_ns + 1u);
     clock_sleep_until(bench.beat_ns);
     return HAL_OK;
 }
 
-/* Discards the force feedback immediately. */
+/* Takes the force feedback at once and discards it. */
 static void take_feeling(void *self)
 {
     (void)self;

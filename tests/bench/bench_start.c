@@ -3,9 +3,8 @@
  *
  * Usage: bench_start SECONDS PROGRAM [WORDS...]
  *
- * Acts as the service manager. The kiosk sends READY=1 after its first frame. The benchmark lets
- * the kiosk run for SECONDS after that, ends it with SIGTERM and prints `first_frame_ms
- * peak_mib`. */
+ * Replaces the service manager, to which the kiosk sends READY=1 after its first frame. Lets the
+ * kiosk run for SECONDS more, ends it with SIGTERM and prints `first_frame_ms peak_mib`. */
 #include <errno.h>
 #include <poll.h>
 #include <signal.h>
@@ -68,8 +67,9 @@ int main(int argc, char **argv)
     const double begin_ms = now_ms();
     const pid_t child = fork();
     if (child == 0) {
-        dup2(STDERR_FILENO, STDOUT_FILENO); /* Only the line of this benchmark is written to
-                                               standard output. */
+        /* The program writes to standard error, so that standard output has only the result line of
+         * this benchmark. */
+        dup2(STDERR_FILENO, STDOUT_FILENO);
         execv(argv[2], argv + 2);
         _exit(127);
     }

@@ -1,14 +1,14 @@
-/* bench_tank.c -- benchmark of a tank tick per fish, from 50 to 100,000 fish, with the share of
- * each stage.
+/* bench_tank.c -- benchmark of the time of a tank's tick per fish, from 50 to 100,000 fish, with
+ * the share of each stage.
  *
  * Usage: bench_tank [TSV] prints the tables and also writes them to the file TSV, with one figure
  * in each row. bench_tank FISH TICKS prints the mean CPU time of TICKS ticks, for use under
  * valgrind. bench_tank dragged measures only the cost of a poi in the water.
  *
- * The build has room for 131,072 fish (bench.mk). The same run also times a bare search for pairs
- * on the same poses with the same kernels, as the reference for the whole tick. Different SIMD
- * widths alternate on one tank, because all widths give the same bits. The linker option --wrap
- * wraps the calls between modules to separate the stages, because the core has no clock. */
+ * The build has room for 131,072 fish (bench.mk). As a reference, the same run also measures only
+ * the search for pairs on the same poses. Different SIMD widths alternate on one tank, because all
+ * give the same bits. The linker option --wrap replaces the calls between modules, to measure the
+ * stages, because the core has no clock. */
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -27,10 +27,10 @@
 #define SAMPLES_MIN 8u
 #define MEASURE_NS 0.9e9 /* Measuring time for each number of fish. */
 #define WARM_NS 0.4e9
-/* Ticks of warm-up before a measurement. After these five seconds, the fish have left the regular
- * order in which they start. */
+/* Ticks before a measurement (five seconds), after which the fish have left the regular order in
+ * which they start. */
 #define WARM_TICKS 600u
-/* Ticks between two clock readings. One of these ticks updates the broad phase. */
+/* Ticks between two clock readings. In one of them the broad phase makes a full update. */
 #define BLOCK BROAD_PHASE_UPDATE_TICKS
 /* Number of fish on the floor area of the thesis, which gives the density of the thesis. */
 #define THESIS_FISH 600.0f
@@ -61,8 +61,8 @@ static double now_ns(void)
     return clock_ns(CLOCK_MONOTONIC);
 }
 
-/* Returns the CPU time of this thread. Other processes can evict its caches, but their time is not
- * counted. */
+/* Returns the CPU time of this thread. The time of other processes is not included, but they can
+ * displace data from the caches. */
 static double work_ns(void)
 {
     return clock_ns(CLOCK_THREAD_CPUTIME_ID);
@@ -86,8 +86,7 @@ static double spent_ns[STAGE_COUNT], since_ns;
 static enum stage stage_now;
 static int is_timed;
 
-/* Assigns the time from now on to `stage`. Returns the stage to which the time was assigned
- * before. */
+/* Assigns the time from now on to `stage`. Returns the previous stage. */
 static enum stage enter(enum stage stage)
 {
     const enum stage before = stage_now;
@@ -120,7 +119,7 @@ static enum stage enter(enum stage stage)
         return result;                                                                             \
     }
 
-/* The list of wrapped functions in bench.mk must contain the same names. */
+/* Wrapped functions. The list in bench.mk must have the same names. */
 WRAP(MOVE, swim_move_all, (const struct shoal *shoal, uint32_t lanes), (shoal, lanes))
 WRAP(WATCH, broad_phase_mark,
      (struct broad_phase * broad_phase, const struct fish *fish, uint32_t count),
@@ -206,8 +205,8 @@ static void take_disc(float speed_m_s)
     };
 }
 
-/* Moves the disc toward the hand. The disc lags behind the hand where fish block it, and follows at
- * up to 1.5 times the speed of the hand. */
+/* Moves the disc toward its target on the oval. Fish may block the disc. It then catches up at up
+ * to 1.5 times its speed. */
 static void pull_disc(void)
 {
     const vec3 way_m = v3_sub(hand_m(), disc.centre_m);
@@ -233,7 +232,7 @@ static void warm_up(double limit_ns)
     }
 }
 
-/* Runs one broad-phase period. Returns ns for each fish and tick. */
+/* Runs BLOCK ticks. Returns the time in ns per fish and tick. */
 static double block_ns(uint32_t lanes)
 {
     tank.lanes = (uint8_t)lanes;
@@ -244,7 +243,7 @@ static double block_ns(uint32_t lanes)
     return (work_ns() - start) / (double)(BLOCK * tank.fish_count);
 }
 
-/* Runs one pair search on the current poses. Returns ns for each fish. */
+/* Searches for pairs in the current poses. Returns the time in ns per fish. */
 static double bare_ns(uint32_t lanes, uint32_t *found_count)
 {
     const struct narrow_phase_query of = {
@@ -279,7 +278,7 @@ static double median(double *values, uint32_t count)
 }
 
 struct figures {
-    double tick_ns[2], bare_ns[2]; /* Times for each fish, with 4 SIMD lanes and with 8. */
+    double tick_ns[2], bare_ns[2]; /* Times per fish, with 4 and with 8 SIMD lanes. */
     double found;                  /* Pairs found for each fish. */
 };
 
@@ -295,8 +294,8 @@ static struct figures measure(uint32_t fish)
     while (count < SAMPLES_MAX && (count < SAMPLES_MIN || now_ns() - start < MEASURE_NS)) {
         for (uint32_t w = 0; w < widths; w++) {
             const uint32_t lanes = 4u << w;
-            /* Each case runs once unmeasured, because a tick normally follows a tick and not a
-             * search that evicted its cache lines. */
+            /* Each case first runs once without measurement. Otherwise its data would still be
+             * displaced from the cache by the other case. */
             (void)block_ns(lanes);
             samples[w][count] = block_ns(lanes);
             (void)bare_ns(lanes, &pair_count);
@@ -351,7 +350,8 @@ static void print_growth(void)
     }
 }
 
-/* Returns the slope of log time over log count from 600 fish up, by least squares. */
+/* Returns the exponent of the growth of time with the number of fish: the slope of log time over
+ * log count, fitted from 600 fish up. */
 static double exponent(uint32_t width)
 {
     double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
@@ -403,8 +403,8 @@ static uint32_t time_stages(void)
     return count;
 }
 
-/* Prints the mean of the blocks that took no longer than the median. Slower blocks were
- * interrupted. */
+/* Prints the mean shares of the stages. Uses only blocks that took no longer than the median,
+ * because slower blocks were interrupted. */
 static void print_shares(uint32_t fish)
 {
     static double sorted[SAMPLES_MAX];
@@ -446,7 +446,7 @@ static void print_stages(void)
     print_shares(60000);
 }
 
-/* The ordinary configurations of a stall. */
+/* The usual configurations of a kiosk. */
 static const struct {
     const char *name;
     uint8_t preset;
@@ -459,8 +459,8 @@ static const struct {
 static const float drags_m_s[] = { 0.0f, 0.2f, 0.4f, 1.0f };
 #define DRAGS (sizeof drags_m_s / sizeof drags_m_s[0])
 
-/* Returns the mean time in ns for each fish and tick. The mean is used because the cost of a poi
- * varies between ticks. */
+/* Returns the mean time in ns per fish and tick. The mean is used instead of the median, because
+ * the cost of a poi varies from tick to tick. */
 static double dragged_ns(uint32_t stall, float speed_m_s)
 {
     double sum_ns = 0.0;
@@ -513,7 +513,7 @@ static double ticks_per_s(uint32_t fish, uint8_t search)
     return 1e9 / (median(samples[0], count) * (double)fish);
 }
 
-/* Frames per second from table 4.2 of the thesis, which include drawing. 0 means that the thesis
+/* Frames per second in table 4.2 of the 2013 thesis, including drawing; 0 means that the thesis
  * gives no value. */
 static const struct {
     uint32_t fish;
@@ -542,8 +542,8 @@ static void print_table_4_2(void)
     }
 }
 
-/* Comparison values of other programs, measured on a similar machine with one thread at the fish
- * density of the thesis. Each of these programs either only finds contacts or only steers. */
+/* Times of other programs, measured on a similar machine with one thread at the fish density of the
+ * thesis. Each of them either only finds contacts or only steers. */
 static const struct {
     const char *name;
     double ns[3];

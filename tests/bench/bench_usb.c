@@ -1,14 +1,12 @@
-/* bench_usb.c -- benchmark of the time that a report of a USB poi waits before its stamp and from
- * the stamp to the frame that takes it.
+/* bench_usb.c -- benchmark of the delays of a USB poi's report: from the bus to its time stamp, and
+ * from the stamp to the frame that takes the report.
  *
  * Usage: bench_usb [SECONDS]
  *
- * Runs the transport's own thread over a simulated bus in memory (tests/unit/support/usb/usb_sim.h)
- * at 1,000 reports per second. A loop of 60 frames per second takes all queued reports and then
- * works for
- * 4 ms. The benchmark runs in real time. The figures do not include the kernel's host controller
- * and the wire, which takes at most 1 ms at full speed. Returns exit status 1 if a report was lost
- * or arrived out of order. */
+ * Runs the real USB thread in real time over a simulated bus (tests/unit/support/usb/usb_sim.h) at
+ * 1,000 reports per second. A loop of 60 frames per second takes all queued reports and then works
+ * for 4 ms. The figures do not include the kernel's host controller and the cable, which takes at
+ * most 1 ms at full speed. Returns exit status 1 if a report was lost or arrived out of order. */
 #include <pthread.h>
 #include <stdatomic.h>
 #include <time.h>
@@ -83,8 +81,9 @@ static uint32_t run(uint32_t seconds)
     for (uint64_t frame_ns = now_ns(); frame_ns < end_ns; frame_ns += FRAME_NS) {
         clock_sleep_until(frame_ns);
         wrong += take_all(port, &expected);
-        while (now_ns() < frame_ns + WORK_NS) { /* The loop keeps one core busy as the scene does,
-                                                   so that the USB thread must use another core. */
+        /* Keeps one core busy, as the computation of a frame does, so that the USB thread must use
+         * another core. */
+        while (now_ns() < frame_ns + WORK_NS) {
         }
     }
     return wrong + atomic_load(&port->lost);

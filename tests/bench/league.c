@@ -1,5 +1,5 @@
-/* league.c -- plans the rounds of a benchmark, plays them on all processor cores, and prints the
- * progress on standard error. */
+/* league.c -- implementation of league.h: plans the rounds of a benchmark and plays them on all
+ * processor cores. */
 #include "tests/bench/league.h"
 
 #include <errno.h>
@@ -40,8 +40,8 @@ uint32_t league_arm(struct league *league, const char *name, const struct round_
     return league->arm_count++;
 }
 
-/* Plans the rounds: first all arms with the first seed, then all arms with the second seed, and so
- * on. With this order the remaining time can be estimated from the rounds played so far. */
+/* Plans the rounds: all arms with the first seed, then all arms with the second seed, and so on. In
+ * this order, the remaining time can be estimated from the rounds played so far. */
 static struct round_plan *plan_all(const struct league *league)
 {
     struct round_plan *plans = calloc((size_t)league->seeds * league->arm_count, sizeof *plans);
@@ -52,8 +52,7 @@ static struct round_plan *plan_all(const struct league *league)
     return plans;
 }
 
-/* Sorts the results: first all seeds of the first arm, then all seeds of the second arm, and so
- * on. */
+/* Sorts the results by arm and then by seed. */
 static struct round_result *sort_results(const struct league *league,
                                          const struct round_result *played)
 {

@@ -1,5 +1,5 @@
 /* league.h -- plays many rounds for a benchmark on all processor cores, and reports the progress. A
- * league has several arms, which are ways to play, and plays each arm with the same seeds. */
+ * league has several arms (ways to play), each of which plays the same seeds. */
 #ifndef KINGYO_TESTS_BENCH_LEAGUE_H
 #define KINGYO_TESTS_BENCH_LEAGUE_H
 
@@ -11,11 +11,10 @@
 #define LEAGUE_SEEDS_MAX 2000u
 #define LEAGUE_ARMS_MAX 16u
 
-/* An arm of a benchmark: one way to play, which is played with each seed of the league. The league
- * owns `results`. */
+/* One way to play. The league owns `results`, which has one result for each seed. */
 struct arm {
     const char *name;
-    struct round_plan plan; /* Plan of the rounds. The league sets its seed. */
+    struct round_plan plan; /* Plan of the rounds. The league sets the seed of each round. */
     const struct round_result *results;
 };
 

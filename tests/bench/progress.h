@@ -1,4 +1,4 @@
-/* progress.h -- prints on standard error how many rounds of a benchmark are played. */
+/* progress.h -- prints on standard error how many rounds of a benchmark have been played. */
 #ifndef KINGYO_TESTS_BENCH_PROGRESS_H
 #define KINGYO_TESTS_BENCH_PROGRESS_H
 
@@ -12,11 +12,12 @@ struct progress {
     bool is_watched; /* True if standard error is a terminal. */
 };
 
-/* Returns the progress of `count` rounds that begin now. */
+/* Starts to count the progress of `count` rounds. `speaker` is the program's name in the output. */
 struct progress progress_begin(const char *speaker, uint32_t count);
 
-/* Counts one more round. Prints the progress after each round on a terminal, and after each tenth
- * of the rounds in a log. Only one thread at a time may call the function. */
+/* Counts one more round. On a terminal, prints the progress after each round, otherwise after
+ * each tenth of the rounds. The caller must ensure that only one thread calls this function at a
+ * time. */
 void progress_add(struct progress *progress);
 
 /* Ends the line on a terminal. Returns the seconds since progress_begin(). */

@@ -1,11 +1,11 @@
-/* scores.c -- checks that bots catch as many fish as people do.
+/* scores.c -- checks that bots catch about as many fish as people do.
  *
  * Usage: scores ROUNDS OUT. OUT is the folder of scores.tsv.
  *
- * Plays the festival with No. 6 paper and the championship with No. 5 paper, which are the stall's
- * defaults. The goals come from real events. Most visitors of a festival catch two or three fish at
- * best. A beginner catches one or two fish at the championship. Its winners of seven years caught
- * 35 to 87 fish, and the record is 107. Returns exit status 1 if a goal is missed. */
+ * Plays the festival with No. 6 paper and the championship with No. 5 paper, which are the
+ * defaults. The goals come from real events. Most visitors of a festival catch at most two or three
+ * fish, and a beginner at the championship one or two. The championship's winners of seven years
+ * caught 35 to 87 fish, and the record is 107. Returns exit status 1 if a goal is missed. */
 #include <stdio.h>
 
 #include "core/scene.h"

@@ -12,8 +12,7 @@
 struct ranked {
     double size; /* |difference| */
     int positive;
-    /* Twice the rank of the difference. The rank is doubled because the mean of two ranks may end
-     * in one half. */
+    /* Twice the rank, because the mean rank of equal differences may be a half. */
     uint32_t twice;
 };
 
@@ -23,7 +22,8 @@ static int by_size(const void *left, const void *right)
     return (a > b) - (a < b);
 }
 
-/* Sorts the differences that are not zero by size, smallest first. Returns their number. */
+/* Sorts the differences other than zero by their size, ascending, and assigns the ranks. Returns
+ * their number. */
 static uint32_t rank(const double *differences, uint32_t count, struct ranked *out)
 {
     uint32_t kept = 0;
@@ -45,9 +45,9 @@ static uint32_t rank(const double *differences, uint32_t count, struct ranked *o
     return kept;
 }
 
-/* Computes the distribution of the rank sum if every sign of a difference is equally probable.
- * share[s] is the fraction of all sign assignments whose positive doubled ranks sum to s. Each rank
- * is positive in half of the assignments. */
+/* Computes the distribution of the rank sum for random signs. share[s] is the fraction of the 2^n
+ * sign assignments whose positive doubled ranks sum to s. Each rank is positive in half of the
+ * assignments. */
 static void count_ways(const struct ranked *ranked, uint32_t count, double *share)
 {
     uint32_t sum = 0;
@@ -95,7 +95,7 @@ double statistics_signed_rank_p(const double *differences, uint32_t count)
 
 /* ---- Student's t ----------------------------------------------------------------------------- */
 
-/* Returns P(|T| <= t) by the finite series in the angle (Abramowitz and Stegun 26.7.3 and
+/* Returns P(|T| <= t) for Student's t, by the finite series of Abramowitz and Stegun (26.7.3 and
  * 26.7.4). */
 static double t_within(double t, uint32_t freedom)
 {

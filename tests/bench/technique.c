@@ -3,16 +3,15 @@
  *
  * Usage: technique SEEDS BOTS OUT [FIRST]
  *
- * BOTS is the folder of the *.bot files. OUT is the folder of technique.tsv. FIRST is the first
- * seed, by default 0.
+ * BOTS is the folder of the *.bot files, OUT the folder of technique.tsv, and FIRST the first seed
+ * (default 0).
  *
- * All rounds are played in the festival with 300 fish, No. 6 paper and at most 60 s. Both bots
- * (arms) of an experiment play the same seeds, and so the same fish and the same paper. The habits
- * are the advice of stall keepers (tests/FIGURES.md lists the results).
+ * All rounds are played in the festival with 300 fish, No. 6 paper and at most 60 s. Both bots of
+ * an experiment play the same seeds, so they get the same fish and the same paper. The habits are
+ * the advice of stall keepers (tests/FIGURES.md has the results).
  *
- * Returns exit status 0 if all habits pay that must pay. With less than SEEDS_ENOUGH seeds, at
- * least PAYS_MIN of these habits must pay. No habit may be clearly worse. Returns exit status 1
- * otherwise. */
+ * Returns exit status 0 if all required habits pay. With fewer than SEEDS_ENOUGH seeds, PAYS_MIN of
+ * them must pay and none may be clearly worse. Otherwise returns 1. */
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
@@ -24,11 +23,11 @@
 #include "tests/bench/statistics.h"
 
 #define SEEDS_ENOUGH 200u
-/* Number of habits that must pay if only a tenth of the seeds is played. The effects of these
- * habits are so large that few seeds show them. */
+/* Number of required habits that must pay if only a tenth of the seeds is played. The effects of
+ * some habits are so large that few seeds show them. */
 #define PAYS_MIN 2u
-/* Significance level for a wrong result: 5 % for all seven experiments together, a seventh of that
- * for each. Without this correction one run in three with few seeds would report a wrong result by
+/* Significance level for a clearly wrong result: 5 % for all seven experiments together, so a
+ * seventh of that for each. Without this correction, one run in three with few seeds would fail by
  * chance. */
 #define PLAINLY_WRONG_P (0.05 / 7.0)
 #define FISH_COUNT 300u
@@ -39,16 +38,16 @@
 static const char speaker[] = "technique";
 
 static const struct experiment {
-    /* Names of the files of the two bots, of which the first must catch more. */
+    /* Names of the .bot files of the two bots. The first bot must catch more. */
     const char *better, *worse;
     const char *title;
-    bool must_pay; /* True if the habit must pay. False if the result is only reported. */
+    bool must_pay; /* True if the habit must pay; false if its result is only reported. */
 } experiments[] = {
     { "all-wet", "half-wet", "all wet over half wet", true },
     { "slanted", "flat", "slanted over flat entry", true },
     { "edge-leading", "broadside", "edge-leading over broadside glide", true },
     { "head-first", "tail-first", "head first over tail on", true },
-    /* The habit cannot pay for this player (tests/FIGURES.md, "Why the rim does not pay"). */
+    /* This habit cannot pay in the game (tests/FIGURES.md, "Why the rim does not pay"). */
     { "near-rim", "centre", "near the rim over the centre", false },
     { "drained-lift", "fast-lift", "level drained over fast flat lift", true },
     { "still-shade", "chase", "still shade over chasing", true },
@@ -80,8 +79,8 @@ static enum exit_code add_arm(struct league *league, const char *folder, const c
     return code;
 }
 
-/* Adds an experiment. Two arms with equal plans are an error, because such an experiment would test
- * nothing. */
+/* Adds an experiment with its two arms. Equal plans of both arms are an error, because such an
+ * experiment would test nothing. */
 static enum exit_code add_experiment(struct league *league, const char *folder,
                                      const struct experiment *experiment, struct trial *trial)
 {
@@ -106,9 +105,9 @@ static void evaluate(const struct league *league, struct trial *trial)
     trial->verdict = statistics_verdict(&trial->found);
 }
 
-/* Returns 1 if the experiments pass. All habits that must pay do so at 5 % each, so that no
- * stricter level is necessary. With few seeds a real but small effect may not show, so that not
- * all must. */
+/* Returns 1 if the experiments pass. With enough seeds, all required habits must pay, each at 5 %,
+ * so no stricter level is needed. With few seeds, a small effect may not show, so not all of them
+ * must pay. */
 static int all_is_well(const struct trial *trials, uint32_t seeds)
 {
     uint32_t required = 0, paid = 0, wrong_way = 0, plainly_wrong = 0;

@@ -1,5 +1,5 @@
-/* device.c -- moves the hand of a simulated player, and makes the reports of the input device in
- * that hand. */
+/* device.c -- implementation of device.h: moves the hand of a simulated player and makes the
+ * reports of the player's input device. */
 #include "tests/bench/players/device.h"
 
 #include <string.h>
@@ -11,23 +11,22 @@
 
 #define FRAME_NS (1000000000ull / PLAYER_HZ)
 #define FRAME_S (1.0f / (float)PLAYER_HZ)
-/* Time in which the hand reaches its speed. The hand slows down within the same time. */
+/* Time in seconds in which the hand reaches its speed, and in which it slows down. */
 #define EASE_S 0.10f
 #define HEIGHT_EASE_S 0.08f
-/* Gain of the thumb on a stick: intended speed of the ring on the screen, in pixels per second, per
+/* Gain of the thumb on a stick: speed of the ring on the screen, in pixels per second, for each
  * pixel of distance from the goal. */
 #define STICK_PER_S 3.0f
 #define PX_PER_M 1800.0f /* Mean size of a metre of the tank on the screen. */
 #define STICK_FULL 32767.0f
-#define TIP_RAD (60.0f * F_DEG) /* Roll of a physical poi over the bowl. */
+#define TIP_RAD (60.0f * F_DEG) /* Roll of a physical poi when it is tipped over the bowl. */
 #define TIP_RAD_S (150.0f * F_DEG)
-#define TIP_RISE_M 0.075f /* Height that the poi gains while it is tipped. */
-/* A tremor moves along straight lines between random points. This is the number of points per
- * second. */
+#define TIP_RISE_M 0.075f /* Height that a physical poi gains while it is tipped. */
+/* Random points per second of the tremor, which moves along straight lines between these points. */
 #define TREMOR_HZ 8u
 #define POI_HOVER_M 0.045f /* Height of a physical poi above the water. */
 
-/* Moves the hand toward the place in `command`, with limited speed and acceleration. */
+/* Moves the hand toward the position in `command`, with limited speed and acceleration. */
 static void move_hand(struct device *device, const struct player_command *command)
 {
     const float dx = command->x_px - device->x_px, dy = command->y_px - device->y_px;
@@ -43,8 +42,8 @@ static void move_hand(struct device *device, const struct player_command *comman
 
 /* ---- Pointers -------------------------------------------------------------------------------- */
 
-/* Sends the state of the mouse. The wheel turns by whole notches, one per frame. Pixels are whole
- * numbers. */
+/* Sends the state of the mouse. The position is rounded to whole pixels, and the wheel turns by at
+ * most one notch per frame. */
 static void send_mouse(struct device *device, const struct player_command *command)
 {
     const float turn = f_clamp(command->tilt_notches - device->notches, -1.0f, 1.0f);
@@ -86,9 +85,9 @@ static void send_touch(struct device *device, const struct player_command *comma
 
 /* ---- Game pad -------------------------------------------------------------------------------- */
 
-/* Returns the deflection of the stick, 0 to 1, that moves the ring at a share of its full speed.
- * The function inverts the dead zone and the cubic response of the decoder (stick_motion.c), which
- * a thumb learns. */
+/* Returns the deflection of the stick (0 to 1) that moves the ring at a fraction of its full speed.
+ * Inverts the dead zone and the cubic response of the decoder (stick_motion.c), as an experienced
+ * player does. */
 static float deflection_of(float share)
 {
     float push = share;
@@ -100,8 +99,8 @@ static float deflection_of(float share)
     return share > 1e-3f ? f_clamp(dead + (1.0f - dead) * push, 0.0f, 1.0f) : 0.0f;
 }
 
-/* The thumb pushes the stick toward the goal. The farther the ring is from the goal on the screen,
- * the harder is the push. */
+/* Deflects the stick toward the goal, the more the farther the ring is from the goal on the
+ * screen. */
 static void send_gamepad(struct device *device, const struct player_command *command)
 {
     struct gamepad_report *report = &device->gamepad_reports[0];
@@ -139,8 +138,8 @@ static float approach(float from, float to, float step)
     return from + f_clamp(to - from, -step, step);
 }
 
-/* The ring stays on the line of sight through the hand's place on the screen, as the ring of a
- * mouse does, but the player sets its height and its angles. */
+/* Sends the pose of a physical poi. The ring stays on the line of sight through the hand's position
+ * on the screen, as with a mouse, but the player controls its height and angles. */
 static void send_poi(struct device *device, const struct player_command *command)
 {
     const struct habits *habits = device->habits;

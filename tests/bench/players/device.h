@@ -1,8 +1,8 @@
-/* device.h -- the input device of a simulated player: converts the actions of the player to raw
+/* device.h -- the input device of a simulated player: converts the player's commands to raw
  * reports, which pass through the real decoder of the device (drivers/sim).
  *
- * Mouse, finger and game pad report once per frame. Kingyo's poi controller reports twice per
- * frame. The speed and the acceleration of the hand are limited. */
+ * Mouse, finger and gamepad report once per frame, and Kingyo's poi controller twice. The speed and
+ * the acceleration of the simulated hand are limited. */
 #ifndef KINGYO_TESTS_BENCH_PLAYERS_DEVICE_H
 #define KINGYO_TESTS_BENCH_PLAYERS_DEVICE_H
 
@@ -22,12 +22,14 @@ struct device {
     struct view view;
     uint32_t seed;
     uint32_t report_count;          /* Number of reports sent so far. */
-    float x_px, y_px;               /* Place of the hand on the screen. */
+    float x_px, y_px;               /* Position of the hand on the screen. */
     float pace_x_px_s, pace_y_px_s; /* Velocity of the hand. */
-    float notches;                  /* Notches by which the wheel was turned so far. */
-    bool finger_down, dips;         /* Fingers on the touch screen: the first and the second one. */
-    float height_m, climb_m_s;      /* Height and vertical speed of a physical poi. */
-    float pitch_rad, roll_rad;      /* Angles of a physical poi. */
+    float notches;                  /* Wheel notches so far. */
+    /* True while the first finger touches the screen (`finger_down`), and while the second one does
+     * (`dips`). */
+    bool finger_down, dips;
+    float height_m, climb_m_s; /* Height and vertical speed of a physical poi. */
+    float pitch_rad, roll_rad; /* Angles of a physical poi. */
 
     struct pointer_report pointer_reports[DEVICE_REPORTS_MAX];
     struct touch_event touch_events[DEVICE_REPORTS_MAX];

@@ -1,5 +1,5 @@
-/* goals.c -- the table of the targets that the catches of the simulated players must reach, and the
- * comparison with the catches. */
+/* goals.c -- implementation of goals.h: the table of the targets for the catches of the simulated
+ * players, and the comparison with the catches. */
 #include "tests/bench/players/goals.h"
 
 #include <stdio.h>
@@ -8,13 +8,14 @@
 #include "platform/ctl/play/rounds.h"
 
 /* Required relation of a player's catches to those of the player `careful` with the same seeds.
- * Only statistically significant differences of the pairs count. */
+ * Only statistically significant differences count. */
 enum relation { RELATION_NONE = 0, RELATION_NOT_WORSE, RELATION_BETTER };
 #define REFERENCE "careful"
 
 struct goal {
-    double median_min, mean_min; /* Least median and least mean of the catch. 0: no target. */
-    double empty_max;            /* Largest share of rounds without a catch. 0: no target. */
+    /* Smallest allowed median and mean of the catch; 0 means no target. */
+    double median_min, mean_min;
+    double empty_max; /* Largest allowed share of rounds without a catch; 0 means no target. */
     uint8_t relation;
 };
 
@@ -42,7 +43,7 @@ static const struct {
 };
 #define GOAL_COUNT (sizeof goals / sizeof goals[0])
 
-/* Players whose means must increase in this order at every level. */
+/* Players in ascending order of their mean catch. This order is required at every level. */
 static const char *const order[] = { "clicks", "child", "waits", "careful", "expert-bot" };
 #define ORDER_COUNT (sizeof order / sizeof order[0])
 
@@ -69,7 +70,7 @@ static const struct score *find_score(const struct score *scores, uint32_t count
     return NULL;
 }
 
-/* If `is_missed` is true, prints the target that was missed and returns 1. Otherwise returns 0. */
+/* Prints the target and returns 1 if `is_missed` is true. Otherwise returns 0. */
 static uint32_t miss(bool is_missed, const char *player, const char *what, double found,
                      double wanted)
 {

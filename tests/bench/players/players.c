@@ -1,13 +1,12 @@
-/* players.c -- checks what visitors of the stall catch, with simulated players of different habits
- * and input devices.
+/* players.c -- checks what visitors catch, with simulated players of different habits and input
+ * devices.
  *
  * Usage: players SEEDS OUT [--level LEVEL] [--first SEED] [--only PLAYER]
  *
  * OUT is the folder of players.tsv. All players play the same seeds in the festival tank with 300
- * fish, No. 6 paper and at most 60 s, through the decoders of their input devices and the frame
- * loop of the kiosk. Returns exit status 0 if all targets are met (goals.c), and 1 if one is
- * missed. With less than SEEDS_ENOUGH seeds, missed targets are printed, but do not change the exit
- * status, because the medians of few rounds vary too much. */
+ * fish, No. 6 paper and at most 60 s, through the decoders of their input devices and the kiosk's
+ * frame loop. Returns exit status 1 if a target (goals.c) is missed. With fewer than SEEDS_ENOUGH
+ * seeds, missed targets are only printed, because the medians of few rounds vary too much. */
 #include <errno.h>
 #include <pthread.h>
 #include <stdio.h>
@@ -33,7 +32,7 @@ static const char speaker[] = "players";
 struct player_options {
     uint32_t seeds, first;
     uint8_t level;
-    const char *folder, *only; /* `only` is null if all players play. */
+    const char *folder, *only; /* `only` is the only player who plays; null means all. */
 };
 
 /* ---- Rounds on all cores --------------------------------------------------------------------- */
@@ -42,11 +41,12 @@ struct league_hall {
     const struct player_options *options;
     const struct habits *players[PLAYERS_MAX];
     uint32_t player_count;
-    struct player_round *rounds; /* Results: for each player, `options->seeds` rounds in a row. */
+    /* Results: `options->seeds` rounds of the first player, then those of the second, and so on. */
+    struct player_round *rounds;
     struct progress progress;
     pthread_mutex_t lock;
-    /* Index of the next round to be played. All players play the first seed, then all play the
-     * second seed, and so on. */
+    /* Number of the next round. All players play the first seed, then all play the second, and so
+     * on. */
     uint32_t next;
     bool failed;
 };
@@ -75,7 +75,7 @@ static void *work(void *self)
     return NULL;
 }
 
-/* Plays all rounds. Returns false if a round did not come to its end. */
+/* Plays all rounds. Returns false if a round did not end. */
 static bool play_all(struct league_hall *hall)
 {
     pthread_t threads[ROUNDS_WORKERS_MAX];
@@ -96,7 +96,7 @@ static bool play_all(struct league_hall *hall)
 /* Sums of the rounds of one player. */
 struct tally {
     uint32_t torn, scoops, attempts, flights, sight, pressure;
-    uint32_t first[TEAR_CAUSE_COUNT]; /* Number of rounds by the cause of their first tear. */
+    uint32_t first[TEAR_CAUSE_COUNT]; /* Number of rounds by the cause of their first torn cell. */
     uint32_t cells[TEAR_CAUSE_COUNT], ends[ATTEMPT_END_COUNT];
     double torn_s, first_s, flight_s, flight_m, flight_above_m, flight_m_s;
     uint32_t first_count;

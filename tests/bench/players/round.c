@@ -1,4 +1,5 @@
-/* round.c -- one round of a simulated player, through the kiosk's own frame loop. */
+/* round.c -- implementation of round.h: plays one round of a simulated player through the kiosk's
+ * own frame loop. */
 #include "tests/bench/players/round.h"
 
 #include <string.h>
@@ -11,10 +12,10 @@
 #include "drivers/null.h"
 #include "platform/cpu.h"
 
-/* Upper limit for the frames of a round, including the countdown and a reserve. */
+/* Largest number of frames of a round, including the countdown and a reserve. */
 #define ROUND_FRAMES_MAX ((ROUND_LENGTH_S + 60u) * PLAYER_HZ)
 #define START_FRAMES PLAYER_HZ /* START is pressed once per second until a round begins. */
-/* If a smaller fraction of the ring is under water, the ring counts as in the air. */
+/* The ring counts as in the air if less than this fraction of it is under water. */
 #define DRY_SHARE 0.02f
 
 const char *const round_tear_names[TEAR_CAUSE_COUNT] = {
@@ -26,8 +27,8 @@ const char *const round_attempt_names[ATTEMPT_END_COUNT] = {
 
 /* ---- Tears ----------------------------------------------------------------------------------- */
 
-/* Returns the highest tension, N/m, that the loads number `from` to `to` - 1 cause in the paper
- * around the places where they act. */
+/* Returns the highest tension in N/m that the loads number `from` to `to` - 1 cause in the paper
+ * around them. */
 static float patch_tension_n_m(const struct poi *poi, uint32_t from, uint32_t to)
 {
     float most = 0.0f;
@@ -83,7 +84,8 @@ static void observe_paper(struct player_round *result, const struct core *core)
 
 /* ---- Flights --------------------------------------------------------------------------------- */
 
-/* Returns the outcome of the attempt if the lift that begins now does not bring up the fish. */
+/* Returns how the attempt ends if the lift that begins now fails: with the fish below the ring,
+ * beside it, or above it but not on the paper. */
 static uint8_t outcome_at_lift(const struct core *core, uint32_t fish)
 {
     const vec3 at_m = core->world.tank.fish[fish].position_m;
@@ -92,8 +94,8 @@ static uint8_t outcome_at_lift(const struct core *core, uint32_t fish)
     return !is_over ? ATTEMPT_AWAY : off.y > 0.0f ? ATTEMPT_SLIPPED : ATTEMPT_BELOW;
 }
 
-/* Records that the chosen fish began to escape, with the cause and with the distance and speed of
- * the ring. */
+/* Records that the chosen fish has begun to flee: the cause, and the distance and speed of the
+ * ring. */
 static void observe_flight(struct round_seat *seat, const struct core *core,
                            const struct fish *prey)
 {
@@ -120,7 +122,7 @@ static void observe_flight(struct round_seat *seat, const struct core *core,
     result->flight_s += (double)(core->game.tick - seat->dip_tick) / CORE_TICK_HZ;
 }
 
-/* Follows the chosen fish and the player's state from tick to tick. */
+/* Observes the chosen fish and the player's state in each tick. */
 static void observe_attempt(struct round_seat *seat, const struct core *core)
 {
     const struct sim_player *player = &seat->player;

@@ -1,5 +1,5 @@
-/* round.h -- plays one round of a simulated player with the frame loop of the kiosk, and measures
- * the catch, the tears of the paper and the flight of the fish. */
+/* round.h -- plays one round of a simulated player with the kiosk's frame loop. Measures the catch,
+ * the tears of the paper, and how the fish flee. */
 #ifndef KINGYO_TESTS_BENCH_PLAYERS_ROUND_H
 #define KINGYO_TESTS_BENCH_PLAYERS_ROUND_H
 
@@ -15,7 +15,7 @@
 #define ROUND_LENGTH_S 60u
 #define ROUND_GRADE 6u
 
-/* Load on the paper at the moment of a tear. The load with the highest tension counts. */
+/* Cause of a tear: the load with the highest tension at that moment. */
 enum tear_cause {
     TEAR_DIP = 0, /* Pressure of the water while the ring goes down. */
     TEAR_GLIDE,   /* Pressure of the water while the ring moves sideways under water. */
@@ -44,16 +44,17 @@ extern const char *const round_attempt_names[ATTEMPT_END_COUNT];
 struct player_round {
     bool is_played; /* True if the round came to its end. */
     uint32_t caught, scoops;
-    bool torn;           /* True if the paper tore so far that it could no longer hold a fish. */
-    double torn_s;       /* Time of that tear in the round, in seconds. */
-    double first_s;      /* Time of the first torn cell. 0 if no cell tore. */
-    double wet_s;        /* Mean time for which the paper was wet at the first torn cell. */
-    uint8_t first_cause; /* Cause of the first torn cell. */
+    bool torn;      /* True if the paper tore so far that it could no longer hold a fish. */
+    double torn_s;  /* Time of that tear in the round, in seconds. */
+    double first_s; /* Time of the first torn cell in the round, in seconds; 0 if no cell tore. */
+    /* Time for which the paper had been wet when the first cell tore, on average over its cells. */
+    double wet_s;
+    uint8_t first_cause;              /* Cause of the first torn cell. */
     uint32_t cells[TEAR_CAUSE_COUNT]; /* Number of torn cells for each cause. */
     uint32_t attempts[ATTEMPT_END_COUNT];
-    /* Flights of the chosen fish from a ring that was dipped: number, and sums of the time since
-     * the dip, of the horizontal distance between fish and ring, of the height of the ring over the
-     * fish, and of the ring's speed along its normal. */
+    /* Number of times that the chosen fish fled from a dipped ring. The sums over them: time since
+     * the dip, horizontal distance between fish and ring, height of the ring above the fish, and
+     * speed of the ring along its normal. */
     uint32_t flights, flights_by_sight, flights_by_pressure;
     double flight_s, flight_m, flight_above_m, flight_m_s;
 };
@@ -69,9 +70,9 @@ struct round_seat {
     struct sight sight;
     struct bot bot;
     bool is_bot;
-    uint8_t prey_startle; /* Last startle cause of the chosen fish whose escape has not begun. */
+    uint8_t prey_startle; /* Last startle cause of the chosen fish, until its escape begins. */
     bool prey_fled;       /* True after the chosen fish fled in this attempt. */
-    uint8_t attempt_end;  /* Outcome of the present attempt as far as known. */
+    uint8_t attempt_end;  /* Outcome of the current attempt, as far as known. */
     uint8_t state;        /* State of the player in the previous tick. */
     uint64_t dip_tick;    /* Tick of the last dip. */
     struct player_round *result;

@@ -1,5 +1,5 @@
-/* sim_player.c -- the state machine of a simulated player. Each state has one function, which sets
- * the command to the input device and returns the next state. */
+/* sim_player.c -- the state machine of a simulated player. Each state has a function that sets the
+ * command to the input device and returns the next state. */
 #include "tests/bench/players/sim_player.h"
 
 #include "core/base/panic.h"
@@ -7,14 +7,14 @@
 #include "core/view.h"
 #include "drivers/pointer/pointer_poi.h"
 
-/* The player estimates the speed of a fish from two pictures that are this number of frames
- * apart. */
+/* Number of frames between the two pictures from which the player estimates a fish's speed. */
 #define SPEED_FRAMES 6u
-/* Smallest distance of a chosen fish from a wall and from the rim of the bowl. */
+/* A fish is chosen only if it is at least this far from a wall and from the rim of the bowl. */
 #define WALL_ROOM_M 0.05f
 #define BOWL_ROOM_M 0.05f
-#define CARRY_S 6.0f /* Longest time for which a player tries to empty the poi. */
-#define TIP_PX 60.0f /* Distance from the bowl at which the player tips the poi. */
+/* Longest time in seconds in which the player tries to empty the poi over the bowl. */
+#define CARRY_S 6.0f
+#define TIP_PX 60.0f /* Distance from the bowl in pixels at which the player tips the poi. */
 
 /* ---- Sight ----------------------------------------------------------------------------------- */
 
@@ -51,7 +51,7 @@ void sim_player_see(const struct scene *scene, struct sight *sight)
     }
 }
 
-/* Returns what the screen showed `frames` frames ago, or the oldest picture in the buffer. */
+/* Returns the picture of `frames` frames ago, or the oldest picture in the buffer. */
 static const struct sight *sight_before(const struct sim_player *player, uint32_t frames)
 {
     const uint32_t seen = player->frame - 1u;
@@ -65,8 +65,8 @@ static uint32_t reaction_frames(const struct sim_player *player)
     return (uint32_t)(player->habits->reaction_s * (float)PLAYER_HZ + 0.5f);
 }
 
-/* Returns the picture on which the player acts, which is older than the present picture by the
- * player's reaction time. */
+/* Returns the picture on which the player acts. It is older than the newest picture by the player's
+ * reaction time. */
 static const struct sight *seen_by(const struct sim_player *player)
 {
     return sight_before(player, reaction_frames(player));
@@ -84,7 +84,7 @@ static vec3 fish_velocity_m_s(const struct sim_player *player, uint32_t fish)
                     (float)PLAYER_HZ / (float)SPEED_FRAMES);
 }
 
-/* Returns the position of a fish now, as the player estimates the position. */
+/* Returns where the player expects the fish to be now. */
 static vec3 fish_now_m(const struct sim_player *player, uint32_t fish)
 {
     const struct habits *habits = player->habits;
@@ -114,7 +114,7 @@ static float draw(const struct sim_player *player, uint32_t what, float low, flo
                      high);
 }
 
-/* Returns true if the poi can reach a fish between walls and bowl. */
+/* Returns true if the fish is far enough from the walls and the bowl. */
 static bool is_in_reach(const struct sight *seen, vec3 fish_m)
 {
     const float x = fish_m.x - seen->bowl_m.x, z = fish_m.z - seen->bowl_m.z;
@@ -174,7 +174,7 @@ static uint8_t tick_choose(struct sim_player *player)
     return PLAYER_REACH;
 }
 
-/* Aims at the chosen fish, `beside_px` beside it. */
+/* Sets the goal of the ring to `beside_px` beside the chosen fish. */
 static void aim_at_prey(struct sim_player *player, float beside_px, float speed_px_s)
 {
     struct player_command *command = &player->command;

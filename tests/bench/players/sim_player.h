@@ -1,13 +1,13 @@
 /* sim_player.h -- a simulated player: chooses a fish on the screen, moves a poi (paper scoop) to
- * the fish, dips, follows the fish, lifts and carries the catch to the bowl.
+ * the fish, dips, follows the fish, lifts, and carries the catch to the bowl.
  *
- * A simulated player differs from a bot (core/game/bot) in two ways. The player sees only the
- * scene, and acts through an input device (device.h) with the limits of that device. The habits of
- * a player are numbers (struct habits), and all players share one state machine.
+ * Unlike a bot (core/game/bot), a simulated player sees only the scene and acts through an input
+ * device (device.h) with the limits of that device. The habits of a player are numbers (struct
+ * habits), and all players use the same state machine.
  *
- * A player sees each frame late by the player's reaction time. A ring buffer of sights holds what
- * the screen showed meanwhile. Distances on the screen are pixels of a window of PLAYER_WIDTH_PX x
- * PLAYER_HEIGHT_PX, on which the poi has a diameter of about 160 pixels. */
+ * A player sees each frame with a delay, the reaction time. A ring buffer keeps the pictures of
+ * this time. Distances on the screen are pixels of a window of PLAYER_WIDTH_PX x PLAYER_HEIGHT_PX,
+ * in which the poi has a diameter of about 160 pixels. */
 #ifndef KINGYO_TESTS_BENCH_PLAYERS_SIM_PLAYER_H
 #define KINGYO_TESTS_BENCH_PLAYERS_SIM_PLAYER_H
 
@@ -16,7 +16,7 @@
 
 #include "core/scene.h"
 
-#define PLAYER_HZ 60u /* Frames per second: what the screen shows and what the device reports. */
+#define PLAYER_HZ 60u /* Frames per second of the screen and of the input device. */
 #define PLAYER_WIDTH_PX 1920.0f
 #define PLAYER_HEIGHT_PX 1080.0f
 
@@ -34,19 +34,18 @@ struct habits {
     const char *name;
     uint8_t device; /* Input device (enum player_device). */
 
-    float reaction_s; /* Delay between the screen and the player's action. */
-    /* Prediction of the fish's motion, as a fraction [0, 1] of the reaction time. 1 aims at the
-     * place where the fish is now. 0, the value of a beginner, aims at the place where the player
-     * saw the fish. */
+    float reaction_s; /* Seconds from the display of a picture to the player's reaction to it. */
+    /* How far the player predicts the motion of a fish, as a fraction [0, 1] of the reaction time.
+     * With 1, the player aims at the true current position. With 0, as a beginner, the player aims
+     * at the position that was seen. */
     float lead;
-    /* Largest aiming error in pixels, to the left or right and up or down. Each attempt has a
-     * random error. */
+    /* Largest random aiming error of an attempt in each direction, in pixels. */
     float aim_px;
 
     float pause_s; /* Pause before the choice of a fish. */
 
-    /* The player chooses the fish with the least cost. The cost is in pixels and is the sum of the
-     * terms below. `cost_random_px` is the largest random term. */
+    /* The player chooses the fish with the lowest cost, which is the sum of the following terms in
+     * pixels. `cost_random_px` is the largest random term. */
     float cost_distance; /* Cost for each pixel of distance from the ring. */
     float cost_speed_s;  /* Cost of the fish's speed, in 1,000 pixels per m/s. */
     float cost_depth;    /* Cost of the fish's depth, in 1,000 pixels per metre. */
@@ -54,31 +53,39 @@ struct habits {
     float cost_random_px;
 
     float arm_px_s;  /* Highest speed of the pointer above the water. */
-    float beside_px; /* Distance from the fish at which the player dips. */
-    /* The player dips when the ring is within this distance of its goal, in pixels. */
+    float beside_px; /* Distance from the fish, in pixels, at which the player dips. */
+    /* Distance from the goal, in pixels, at which the player dips. */
     float reach_px;
-    float calm_m_s;   /* The player dips only if the fish is slower. 0 means no limit. */
-    float patience_s; /* Longest time from the choice of a fish until the player dips anyway (no
-                          `calm_m_s`) or chooses another fish. */
+    float calm_m_s; /* The player dips only if the fish is slower than this; 0 means no limit. */
+    /* Longest time from the choice of a fish to the dip. Afterwards the player dips anyway, or
+     * chooses another fish if `calm_m_s` is set. */
+    float patience_s;
 
-    float hold_min_s, hold_max_s; /* Time for which the player holds the ring still under water. */
-    float until_px; /* A fish within this distance of the still ring ends the hold. 0 means that
-                       no fish ends the hold. */
-    float follow_min_s, follow_max_s; /* Longest time for which the ring follows the fish under
-                                         water. 0 means that the player lifts at once. */
+    /* Shortest and longest time for which the player holds the ring still under water. */
+    float hold_min_s, hold_max_s;
+    /* The hold ends when a fish is within this distance of the ring; 0 means that no fish ends the
+     * hold. */
+    float until_px;
+    /* Shortest and longest time limit for following the fish under water; 0 means that the player
+     * lifts at once. */
+    float follow_min_s, follow_max_s;
     float glide_px_s; /* Highest speed of the pointer while the ring is under water. */
-    float over_px;    /* Distance between fish and ring at which the player lifts. 0: only the time
-                         ends the pursuit. */
-    /* If the fish is farther from the ring than this distance, the player follows the fish nearest
-     * to the ring instead. 0 means never. */
+    /* Distance between fish and ring at which the player lifts; 0 means that only the time limit
+     * ends the pursuit. */
+    float over_px;
+    /* If the chosen fish is farther than this from the ring, the player follows the fish nearest to
+     * the ring instead; 0 means never. */
     float lost_px;
-    float rise_s; /* Time from the lift until the player looks whether a fish is on the paper. */
+    /* Seconds from the lift until the player checks whether a fish is on the paper. */
+    float rise_s;
     float carry_px_s; /* Highest speed of the pointer on the way to the bowl. */
 
-    float tilt_notches; /* Wheel notches by which the player tilts the ring before the dip. Negative
-                           values lower the far edge. */
-    bool levels;        /* True if the player levels the ring under water. False if the ring stays
-                           tilted until the lift. */
+    /* Wheel notches by which the player tilts the ring before the dip. Negative values lower the
+     * far edge. */
+    float tilt_notches;
+    /* True if the player levels the ring under water; false if the ring stays tilted until the
+     * lift. */
+    bool levels;
 
     /* Only for PLAYER_POI: */
     float dip_m_s, lift_m_s; /* Vertical speed of the ring. */
@@ -104,8 +111,8 @@ enum player_state {
 
 #define PLAYER_NO_FISH 0xffffu
 #define PLAYER_FISH_MAX 512u
-/* Capacity of the ring buffer of pictures, in frames. It covers the longest reaction time plus
- * SPEED_FRAMES. */
+/* Capacity of the ring buffer of pictures, in frames. It is enough for the longest reaction time
+ * plus SPEED_FRAMES. */
 #define PLAYER_SIGHT_MAX 48u
 
 struct sight_fish {
@@ -114,7 +121,7 @@ struct sight_fish {
     bool swims; /* True while the fish is in the water of the tank. */
 };
 
-/* What the screen shows in one frame. */
+/* Contents of the screen in one frame. */
 struct sight {
     bool in_round;  /* True while the round runs. */
     bool has_catch; /* True while a fish lies on the paper. */
@@ -127,12 +134,13 @@ struct sight {
 
 /* Command of a player to its input device in one frame. */
 struct player_command {
-    float x_px, y_px;   /* Place on the screen where the ring should be. */
-    float speed_px_s;   /* Highest speed on the way there. */
+    float x_px, y_px;   /* Position on the screen where the ring should be. */
+    float speed_px_s;   /* Highest speed of the ring on the way there. */
     bool dips;          /* True while the ring should be under water. */
     bool tips;          /* True while the catch should slide from the paper into the bowl. */
     float tilt_notches; /* Tilt of the ring in notches of a wheel. */
-    float ring_x_px, ring_y_px; /* Place on the screen where the player sees the ring. */
+    /* Position on the screen where the player sees the ring. */
+    float ring_x_px, ring_y_px;
 };
 
 struct sim_player {
@@ -140,14 +148,14 @@ struct sim_player {
     struct view view;
     uint32_t seed;
     uint32_t frame;       /* Number of frames seen. */
-    uint8_t state;        /* Present state (enum player_state). */
+    uint8_t state;        /* Current state (enum player_state). */
     uint32_t state_frame; /* Frame in which the state began. */
     uint32_t tries;       /* Number of fish chosen so far. */
     uint16_t prey;        /* Chosen fish, or PLAYER_NO_FISH. */
     float side;           /* Side of the fish at which the player dips: -1 is left, 1 is right. */
-    float error_x_px, error_y_px; /* Aiming error of the present attempt. */
-    /* Random durations of the present attempt, s: how long the player holds the ring still, and how
-     * long it follows the fish. */
+    float error_x_px, error_y_px; /* Aiming error of the current attempt. */
+    /* Random durations of the current attempt in seconds: holding the ring still, and following the
+     * fish. */
     float hold_s, follow_s;
     struct player_command command;
     struct sight sights[PLAYER_SIGHT_MAX];
@@ -157,14 +165,14 @@ struct sim_player {
 void sim_player_init(struct sim_player *player, const struct habits *habits,
                      const struct view *view, uint32_t seed);
 
-/* Copies what a person sees in `scene` to `sight`. */
+/* Copies what a person can see in `scene` to `sight`. */
 void sim_player_see(const struct scene *scene, struct sight *sight);
 
-/* Advances the player by one frame, with the picture that the screen shows now. Returns what the
- * player does. */
+/* Advances the player by one frame, in which the screen shows `now`. Returns the player's
+ * command. */
 struct player_command sim_player_frame(struct sim_player *player, const struct sight *now);
 
-/* Writes the place of `point_m` on the screen to `x_px` and `y_px`. */
+/* Computes the position of `point_m` on the screen in pixels. */
 void sim_player_to_screen(const struct view *view, vec3 point_m, float *x_px, float *y_px);
 
 #endif
