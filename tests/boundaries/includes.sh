@@ -5,7 +5,8 @@
 # that each source and each header pulls in, directly or through other headers. FILEs narrow the check to them.
 # The script also reads each `#include "..."` (kind `direct`), and each use of a member of the core's state outside the
 # core (kind `state`).
-# PAIRS=FILE replaces both: each line of that file is `file included [kind]`, as the tests make up.
+# PAIRS=FILE replaces the output of the compiler and the search: each line of FILE is `file included [kind]`. The
+# tests use such lists.
 # exceptions.txt beside the script names the breaches that exist today; EXCEPTIONS=FILE is another list.
 # public_headers.txt lists the headers that folders of the core offer; PUBLIC=FILE is another list. The table in
 # platform/README.md states which folder of the platform includes which; TABLE=FILE is another page.
@@ -205,7 +206,7 @@ $1 ~ /^drivers\// && !($2 ~ /^(drivers|platform\/os)\// || $2 == "platform/hal.h
 $1 ~ /^platform\/os\// && $2 ~ /^(core|drivers|platform|board)\// && $2 !~ /^platform\/os\// && $2 != "platform/hal.h" && !is_base($2) {
     breach("os", "platform/os includes only core/base, the contracts of the core and platform/hal.h")
 }
-# main.c of the kiosk wires, as board/ does.
+# main.c of the kiosk connects the modules, as board/ does.
 $1 ~ /^platform\// && $1 !~ /^platform\/ctl\// && $1 != "platform/kiosk/main.c" && $2 ~ /^(drivers|board|tests)\// {
     breach("wiring", "only board/ and main wire drivers and boards")
 }

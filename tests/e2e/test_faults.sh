@@ -34,7 +34,7 @@ refuses 2 tickle 'an unknown command of kingyoctl' kingyoctl tickle
 refuses 74 /nowhere/x.kgr 'replay verify of a missing file' kingyoctl replay verify /nowhere/x.kgr
 refuses 74 folder 'replay verify of a folder' kingyoctl replay verify "$work"
 
-# A good recording, then the ways to spoil it.
+# A valid recording, then damaged copies of it.
 good=$work/good.kgr
 "$BUILD/kingyo" --demo 5 --seed 7 --shots "$work/shots" --record "$good" >"$work/said" 2>&1 </dev/null
 ok $? 'a demonstration without a screen writes a recording' "$work/said"

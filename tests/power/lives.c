@@ -202,7 +202,7 @@ static void empty(const char *folder)
     disk_close(&none);
 }
 
-/* Simulates one life of a stall, in 1 to PARTS_MAX parts. After each part, the tape stops recording
+/* Simulates one life of a kiosk, in 1 to PARTS_MAX parts. After each part, the tape stops recording
  * while cut_part() simulates power cuts and checks the resulting files. */
 static void live(struct life *life)
 {

@@ -161,7 +161,7 @@ struct sim_player {
     struct sight sights[PLAYER_SIGHT_MAX];
 };
 
-/* Initializes a player whose random numbers depend only on `seed`. `habits` is kept. */
+/* Initializes a player whose random numbers depend only on `seed`. `habits` must stay valid. */
 void sim_player_init(struct sim_player *player, const struct habits *habits,
                      const struct view *view, uint32_t seed);
 

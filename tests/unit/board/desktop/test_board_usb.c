@@ -160,9 +160,8 @@ static void test_a_new_poi_gets_the_first_slot_of_the_mouse(void **state)
     assert_int_equal(stall.kiosk.input.poi[0].link, POI_SOURCE_LIVE);
     plug();
     until(sits_on_usb);
-    assert_int_equal(stall.kiosk.input.poi[1].link,
-                     /* The mouse is now in slot 1, but it has not moved. */
-                     POI_SOURCE_ABSENT);
+    /* The mouse is now in slot 1, but it has not moved. */
+    assert_int_equal(stall.kiosk.input.poi[1].link, POI_SOURCE_ABSENT);
     assert_int_equal(stall.kiosk.faults.poi, 0);
     assert_true(stall.kiosk.report_wait.count > 0);
 }

@@ -35,9 +35,9 @@ static void test_each_control_character_becomes_one_question_mark(void **state)
 {
     (void)state;
     expect("a\033[31mb\r\n\tc\x7F", "a?[31mb???c?");
+    /* U+009B, a C1 control character, starts a terminal control sequence. */
     expect("\xC2\x80\xC2\x85\xC2\x9B"
            "1m\xC2\x9F",
-           /* U+009B, a C1 control character, starts a terminal control sequence. */
            "???1m?");
     expect("\xE2\x80\xA8\xE2\x80\xA9", "??"); /* U+2028, U+2029 */
 }

@@ -233,9 +233,8 @@ static void test_no_loss_pauses_the_game_after_the_call_of_time(void **state)
     while (game_seconds_left(&core.game, core.game.tick + 1u) > 0.0f) {
         tick();
     }
-    core.world.poi[MINE].carried_count =
-        /* A carried fish delays the end of the round by at most GAME_CARRY_TICKS. */
-        1;
+    /* A carried fish delays the end of the round by at most GAME_CARRY_TICKS. */
+    core.world.poi[MINE].carried_count = 1;
     core.world.poi[MINE].carried_fish[0].fish = 0;
     core.world.tank.fish[0].gait = GAIT_HELD;
     ticks(1);

@@ -64,9 +64,8 @@ static void test_a_pull_at_a_blocked_ring_does_not_load_the_paper(void **state)
         }
         assert_true(f_abs(fixture.poi.pressure_pa) < 1.0f);
         assert_float_equal(sheet_left(&fixture.poi.sheet), 1.0f, 0.0f);
-        fixture_move(&fixture, v3(0.0f, 0.06f, 0.0f),
-                     /* From here on the ring is no longer blocked. */
-                     0.22f);
+        /* From here on the ring is no longer blocked. */
+        fixture_move(&fixture, v3(0.0f, 0.06f, 0.0f), 0.22f);
         fixture_wait(&fixture, 0.2f);
         assert_true(fixture.poi.position_m.y > 0.01f);
         assert_true(sheet_left(&fixture.poi.sheet) > 0.9f);

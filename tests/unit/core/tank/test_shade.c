@@ -208,7 +208,7 @@ static void test_the_steps_of_a_slow_mouse_do_not_restart_the_dwell(void **state
     struct shade shade = still_fan(1.0f);
     struct shade_cast cast = shade.cast;
     for (int i = 0; i < 240; i++) {
-        /* The shade moves by 0.85 mm every 30 ticks, which is 3.4 mm/s on average. */
+        /* The shadow moves by 0.85 mm every 30 ticks, which is 3.4 mm/s on average. */
         cast.x_m += i % 30 == 0 ? 0.00085f : 0.0f;
         shade_tick(&shade, &cast, DT);
         assert_true(shade.edge_m_s < SHADE_MOVES_M_S);

@@ -151,9 +151,9 @@ static void test_rows_list_the_connected_devices(void **state)
 static void test_a_long_name_is_truncated_between_two_characters(void **state)
 {
     (void)state;
+    /* Ten characters of three bytes each. */
     snprintf(wire[0].face.identity.name, HID_TEXT_SIZE, "%s",
              "\xe9\x87\x91\xe9\xad\x9a\xe6\x8e\xac\xe3\x81\x84\xe3\x81\xae\xe5\x8f\xb0"
-             /* Ten characters of three bytes each. */
              "\xe3\x81\xae\xe6\x9f\x84\xe3\x81\xa7\xe3\x81\x99");
     frame();
     assert_int_equal(strlen(name(0)), 10 + 24 + 2 + 3);

@@ -186,9 +186,8 @@ static void test_a_device_that_the_command_line_lists_is_opened(void **state)
     usb_sim_plug(&joystick, 2);
     assert_true(fixture_wait_state(&fixture, 0, CONTROLLER_ACTIVE));
     const uint32_t keys_device = usb_sim_plug(&keyboard, 3);
-    assert_true(fixture_wait_state(&fixture, 1,
-                                   /* A keyboard is excluded even if the operator has chosen it. */
-                                   CONTROLLER_UNSUPPORTED));
+    /* A keyboard is excluded even if the operator has chosen it. */
+    assert_true(fixture_wait_state(&fixture, 1, CONTROLLER_UNSUPPORTED));
     assert_int_equal(choose(1), HAL_ERR_ABSENT);
     usleep(200000);
     assert_int_equal(usb_sim_seen(keys_device).opens, 0);

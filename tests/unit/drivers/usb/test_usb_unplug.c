@@ -142,9 +142,8 @@ static void test_a_lost_poi_keeps_its_row_in_the_device_list(void **state)
     usb_sim_unplug(poi, USB_SIM_GONE);
     assert_true(fixture_wait_state(&fixture, 0, CONTROLLER_LOST));
     const struct hid_device_list device_list = usb_transport_list(fixture.thread);
-    assert_int_equal(device_list.ops->choose(device_list.self, 0, false),
-                     /* The thread no longer waits for the device. */
-                     HAL_OK);
+    /* Releases the lost device, so that the thread no longer waits for its return. */
+    assert_int_equal(device_list.ops->choose(device_list.self, 0, false), HAL_OK);
     assert_true(fixture_wait_state(&fixture, 0, CONTROLLER_NONE));
 }
 

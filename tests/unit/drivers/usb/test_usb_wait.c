@@ -70,9 +70,8 @@ static void test_retries_of_a_device_without_a_descriptor_become_less_frequent(v
     advance(0);
     for (uint32_t i = 0; i < sizeof waits_s / sizeof waits_s[0]; i++) {
         assert_int_equal(usb_sim_seen(poi).opens, i + 1u);
-        advance(waits_s[i] - 2u +
-                /* One second before the next retry, the device has not been opened again. */
-                (waits_s[i] > 2u));
+        /* Until one second before the next retry, the device must not be opened again. */
+        advance(waits_s[i] - 2u + (waits_s[i] > 2u));
         assert_int_equal(usb_sim_seen(poi).opens, i + 1u);
         advance(2); /* One second after the time of the retry. */
     }

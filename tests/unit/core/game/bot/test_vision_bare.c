@@ -273,7 +273,7 @@ static void test_every_kept_member_of_a_reduced_state_changes_the_scene(void **s
     static const uint8_t phases[] = { PHASE_ROUND, PHASE_MODE_SELECT };
     uint32_t core = 0, player = 0, fish = 0, poi = 0, bowl = 0, shade = 0;
     begin(8);
-    /* At this age the colour of a fish still changes. */
+    /* At this age the colour depends on the age, so that the age of this fish is visible. */
     stall.core.world.tank.fish[3].age_days = 80.0f;
     stall.core.config.modes = 1u << MODE_FESTIVAL | 1u << MODE_PRACTICE;
     /* The sheet asserts that it has no more cells than when it was new. The maximum is raised,

@@ -2,7 +2,7 @@
  * page. */
 #include "tests/unit/support/lab_fixture.h"
 
-/* For any shape of the window, the pointer selects the part under it. */
+/* For any shape of the window, the pointer selects the part of the page at its position. */
 static void test_a_mouse_selects_the_part_under_it_on_any_screen(void **state)
 {
     (void)state;

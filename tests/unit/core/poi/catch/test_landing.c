@@ -18,10 +18,9 @@ static void test_a_fish_tipped_over_the_bowl_lands_and_counts_once(void **state)
         const uint32_t fish = lifted(4, seed, 0.0f);
         fixture_move(&fixture, v3(0.20f, 0.05f, 0.10f), 0.3f);
         assert_int_equal(fixture.landed, 0);
-        fixture_move(&fixture, v3(0.30f, 0.035f, 0.15f),
-                     /* 35 mm is the height at which a mouse holds the poi. The ring is then just
-                      * above the bowl. */
-                     0.3f);
+        /* 35 mm is the height at which a mouse holds the poi. The ring is then just above the
+         * bowl. */
+        fixture_move(&fixture, v3(0.30f, 0.035f, 0.15f), 0.3f);
         fixture_wait(&fixture, 1.5f);
         assert_int_equal(fixture.poured + fixture.walled, 0);
         assert_int_equal(fixture.bowl.fish_count, fixture.landed);
