@@ -110,8 +110,8 @@ static void test_a_sound_card_plugged_in_later_is_opened_without_useless_attempt
     for (uint32_t i = 0; i < 1000; i++) {
         assert_int_equal(device.ops->open(device.self), HAL_ERR_ABSENT);
     }
-    /* Waits until the next change of the folder gets a later time. File systems may count in steps
-     * of 10 ms. */
+    /* Waits 20 ms, so that the change below gets a later time. File systems may count in steps of
+     * 10 ms. */
     SDL_Delay(20);
     snprintf(card, sizeof card, "%s/pcmC0D0p", cards);
     fclose(fopen(card, "w"));

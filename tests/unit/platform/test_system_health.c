@@ -168,7 +168,7 @@ static void test_a_quarantined_file_is_counted_until_acknowledged(void **state)
     struct system_health machine = machine_here();
     (void)state;
     write_file("kingyo.db.damaged-1", "x");
-    /* This is the log of the quarantined database, which is not counted. */
+    /* A log belongs to its quarantined database and is not counted. */
     write_file("kingyo.db.damaged-1-wal", "x");
     write_file("kingyo.db.damaged-2", "x");
     /* A name without a number is not counted, because Kingyo never creates such a file. */
@@ -224,7 +224,7 @@ static void test_the_health_thread_does_all_file_access_of_the_frame_loop(void *
     says = (struct scene_machine){ .room_mib = 77 };
     system_health_read(&machine, &says);
     assert_int_equal(says.room_mib, 77);
-    system_health_acknowledge(&machine); /* This call must not block either. */
+    system_health_acknowledge(&machine); /* system_health_acknowledge() must not block either. */
     pthread_mutex_unlock(&machine.lock);
     system_health_stop(&machine);
     assert_true(system_health_is_seen(root, "kingyo.db.damaged-1"));

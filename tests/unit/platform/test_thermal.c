@@ -71,7 +71,7 @@ static void test_a_passive_trip_point_of_the_zone_is_the_throttle_limit(void **s
     zone(0, "trip_point_0_temp", "95000\n");
     zone(0, "trip_point_1_type", "passive\n");
     zone(0, "trip_point_1_temp", "85000\n");
-    zone(0, "trip_point_2_type", "active\n"); /* An active trip point starts a fan, so it is no
+    zone(0, "trip_point_2_type", "active\n"); /* An active trip point starts a fan and is not a
                                                  throttle limit. */
     zone(0, "trip_point_2_temp", "50000\n");
     assert_int_equal(thermal_read(root), 15000);
@@ -116,8 +116,8 @@ static void test_the_thermal_thread_reads_the_sensor_and_stops_immediately(void 
     assert_false(thermal.runs);
 }
 
-/* On a board without a clock battery, the calendar may be far ahead until the network time sets it
- * back. The readings must continue. */
+/* On a board without a clock battery, the calendar may be far ahead until the network time is set.
+ * The thread must continue to read the temperature. */
 static void test_a_clock_set_back_does_not_delay_the_temperature(void **state)
 {
     (void)state;

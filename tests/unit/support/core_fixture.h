@@ -82,8 +82,8 @@ static inline void lead(uint32_t index, vec3 to_m)
     }
 }
 
-/* Holds the poi of player `index` above (x_m, z_m) for half a second, then moves it straight down
- * under water. */
+/* Holds the poi of player `index` above (x_m, z_m) for half a second, then moves the poi straight
+ * down under water. */
 static inline void dip(uint32_t index, float x_m, float z_m)
 {
     hold(index, v3(x_m, ABOVE_M, z_m));

@@ -88,7 +88,7 @@ static inline enum kiosk_end frame_after(uint64_t ns)
     return kiosk_frame(&rig.kiosk, &rig.hal);
 }
 
-/* Runs `count` frames. Fails the test if one of them ends the loop. */
+/* Runs `count` frames. Fails the test if a frame ends the loop. */
 static inline void frames(uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {

@@ -13,11 +13,11 @@
 #define YOUNG 0.25f
 
 /* Names of all proportions. depth_at is the place of the greatest body depth. waist is the depth of
- * a hatchling half way along its tail. The base of a fin reaches from start to end, and the height
- * of a fin is the length of its longest ray. fork is the depth of the tail's notch as a fraction of
- * the tail. turn_deg is the angle by which the right eye has moved over the back. Five proportions
- * belong to the ray only: eye_out is the distance of the eye from the midline, disc and whip are
- * lengths, sting is the place of the sting on the whip, and snout_deg is the angle at the snout. */
+ * a hatchling half way along its tail. A fin extends from start to end, and its height is the
+ * length of the longest ray. fork is the depth of the tail's notch as a fraction of the tail.
+ * turn_deg is the angle by which the right eye has moved over the back. The ray (fish) has five
+ * more: eye_out is the distance of the eye from the midline, disc and whip are lengths, sting is a
+ * place on the whip, and snout_deg is an angle. */
 #define FIELDS(X)                                                                                  \
     X(depth) X(depth_at) X(width) X(head) X(eye) X(eye_x) X(eye_y) X(stalk) X(waist)               \
     X(dorsal_start) X(dorsal_end) X(dorsal_height)                                                 \

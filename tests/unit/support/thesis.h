@@ -39,8 +39,8 @@ static inline struct tank *thesis_stage(const struct tank_stage *stages, uint32_
     return &tank;
 }
 
-/* Largest misfit that uniform_misfit() may return for a uniform sample of n values. This critical
- * value of the Kolmogorov-Smirnov test is exceeded with a probability of 1 %. */
+/* Largest misfit of a uniform sample of n values in uniform_misfit(): the critical value of the
+ * Kolmogorov-Smirnov test. A uniform sample exceeds this value with a probability of 1 %. */
 #define UNIFORM_MISFIT_MAX(n) (1.63f / f_sqrt((float)(n)))
 
 /* Compares two floats for qsort() in ascending order. */

@@ -1,5 +1,5 @@
-/* test_cabinet.c -- Tests the whole kiosk with a simulated GPIO chip, from the edges of coin and
- * button signals to credits, a round, the coin meter and the coin lockout.
+/* test_cabinet.c -- Tests the whole kiosk with a simulated GPIO chip. Signals of coins and buttons
+ * must give credits, start a round, advance the coin meter and open the coin slot.
  *
  * In some tests a frame takes three seconds, or the GPIO chip is removed. */
 #include <setjmp.h>

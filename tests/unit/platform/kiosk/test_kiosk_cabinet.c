@@ -359,8 +359,8 @@ static int next_of_a_replay(void *self, struct input *out)
     return 1;
 }
 
-/* The kiosk plays back a recording. The coins in the recording were counted when they were
- * inserted, and the coin slot must stay locked because the core gets no new coins. */
+/* The kiosk plays back a recording, whose coins have been counted before. The coin slot must stay
+ * locked, because the core gets no coins that are inserted now. */
 static void test_a_replay_does_not_drive_the_coin_lockout_or_the_meters(void **state)
 {
     (void)state;

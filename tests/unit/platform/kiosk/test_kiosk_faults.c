@@ -273,8 +273,8 @@ static void test_random_pointer_reports_are_tolerated(void **state)
     assert_true(rig.pointer.spoil_count > 500);
 }
 
-/* A mouse may rest for any time. Its unchanged position is not the fault of a sensor whose pose is
- * stuck. The test runs for 10 s. */
+/* A mouse may rest for any time, so an unchanged position must not count as a stuck sensor. The
+ * test runs for 10 s. */
 static void test_a_pointer_at_rest_never_times_out(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_kiosk_store.c -- Tests that the frame loop stores each round exactly once, and that the game
- * continues during faults of the store and of the sound card. */
+/* test_kiosk_store.c -- Tests that the frame loop stores each round exactly once. The game must
+ * continue during faults of the store and of the sound card. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -220,9 +220,9 @@ static void test_a_confirmed_restart_ends_the_loop_and_is_not_a_controller_comma
     assert_int_equal(rig.device_list.choose_count + rig.device_list.release_count, 0);
 }
 
-/* A store that opens after the kiosk has started gets the credits of the time without a store. Then
- * the session restarts. Both happen only while no player and no menu is active. This store needs 30
- * polls. */
+/* A store that opens after the start of the kiosk gets the credits that were paid before. Then the
+ * session restarts. Both steps must wait until no player and no menu is active. The simulated store
+ * needs 30 polls. */
 static void test_a_store_that_opens_late_restarts_the_session_when_idle(void **state)
 {
     (void)state;
@@ -334,8 +334,8 @@ static void test_a_learned_stick_mapping_is_used_for_play(void **state)
 {
     (void)state;
     learn_backwards();
-    assert_true(way_right_m() < -0.02f); /* The learned mapping applies before it is saved, so that
-                                            the operator can try it. */
+    assert_true(way_right_m() < -0.02f); /* The operator can try the learned mapping before saving
+                                            it, so the reversed axis already applies. */
     point_at(LEARNS_KEEP);
     push(INPUT_TEST);
     frames(5);

@@ -195,9 +195,9 @@ static void test_kingyo_code_allocates_nothing_from_the_first_frame_to_the_saved
     assert_int_equal(during, 0);
 }
 
-/* The growth lab shows every species in turn, with its ordinary morph for comparison. There are
- * more species than slots in GPU memory, so each species must be uploaded again. Then an album of
- * caught fish is shown. */
+/* The growth lab shows every species in turn, with its ordinary (linear) morph beside it. GPU
+ * memory has fewer slots than there are species, so each species must be uploaded again. Then an
+ * album of caught fish is shown. */
 static void test_kingyo_code_allocates_nothing_while_the_lab_and_album_change_species(void **state)
 {
     (void)state;

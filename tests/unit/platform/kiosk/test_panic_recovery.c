@@ -42,7 +42,7 @@ int flock(int handle, int operation)
     return (int)syscall(SYS_flock, handle, operation);
 }
 
-/* Replaces the wait of ten minutes. A test ends the wait by posting the semaphore. */
+/* Semaphore that replaces the wait of ten minutes. A test posts the semaphore to end the wait. */
 static sem_t ten_minutes;
 
 int clock_nanosleep(clockid_t clock, int flags, const struct timespec *wait, struct timespec *left)

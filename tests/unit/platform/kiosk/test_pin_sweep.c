@@ -248,8 +248,8 @@ static void test_removed_pin_bytes_are_erased_from_the_file_at_the_next_open(voi
 {
     (void)state;
     keep_as_before();
-    /* These bytes contain checksums that the cleared replay does not have, so they identify the old
-     * replay. */
+    /* The first bytes contain checksums that the cleared replay does not have. The test searches
+     * the files for these bytes. */
     uint8_t old[REPLAY_HEADER_SIZE + 48u];
     memcpy(old, replay, sizeof old);
     ledger_file_close(&file);
@@ -270,8 +270,8 @@ static void put(uint32_t round_id, const void *bytes, size_t size)
     assert_int_equal(ledger_file_put_replay(&file, round_id, bytes, size), SQLITE_OK);
 }
 
-/* Sweeps the replays and asserts that the replay of `round_id` was deleted, and that the sweep did
- * not change the ranking, the settings, the audits or the balance. */
+/* Sweeps the replays. Asserts that the replay of `round_id` was deleted, and that the ranking, the
+ * settings, the audits and the balance are unchanged. */
 static void assert_sweep_deletes(uint32_t round_id)
 {
     static struct persistent_state before, after;
@@ -418,7 +418,7 @@ static void test_a_replay_of_another_score_is_cleared_and_still_reported(void **
 }
 
 /* In format 7, a PIN may have been typed during the recording even if the initial settings have
- * none. The sweep therefore simulates every replay of format 7 and writes it in the current
+ * none. The sweep therefore simulates every replay of format 7 and stores the replay in the current
  * format. */
 static void test_a_replay_of_format_7_is_simulated_and_stored_in_the_current_format(void **state)
 {

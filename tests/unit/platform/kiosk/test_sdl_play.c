@@ -32,7 +32,7 @@ static struct sdl_player {
     struct mouse_poi pointer;
     struct hal hal;
     struct kiosk kiosk;
-    void (*say)(void); /* Sends SDL events of the device that move the ring towards the target
+    void (*say)(void); /* Function that sends SDL events, so that the device moves the ring towards
                           `over_m`. */
     vec3 over_m;
     uint8_t dips;

@@ -129,8 +129,8 @@ static void test_on_demand_drawing_skips_frames_without_a_picture(void **state)
     assert_memory_equal(pixels[0], pixels[1], PIXELS_SIZE);
 }
 
-/* A hint fades in from the frame in which it first occurs. This must also hold if the display skips
- * that frame because no picture is requested. */
+/* A hint fades in from the frame in which it first occurs. The fade-in must also begin if the
+ * display skips that frame because no picture is requested. */
 static void test_a_picture_on_demand_shows_the_hint_of_skipped_frames(void **state)
 {
     (void)state;
@@ -298,7 +298,7 @@ static void test_a_reset_of_the_graphics_driver_reopens_the_display(void **state
     assert_int_equal(device.ops->present(device.self, &scene), HAL_ERR_GONE);
     assert_int_equal(device.ops->present(device.self, &scene), HAL_ERR_GONE);
     assert_int_equal(device.ops->poll(device.self, &events), HAL_ERR_GONE);
-    /* The kiosk can reopen the display, so it must not end. */
+    /* The kiosk can reopen the display, so the display must not request the end of the program. */
     assert_int_equal(events.lost, 0);
     assert_int_equal(ends, 0);
     assert_non_null(strstr(device.ops->describe(device.self), "as if the driver had reset"));
@@ -357,8 +357,8 @@ static int look(struct display_events *events)
     return device.ops->poll(device.self, events);
 }
 
-/* `is_bare` simulates a machine without a window system. There, the display must check whether its
- * screen is connected. */
+/* `is_bare` simulates a machine without a window system, on which the display must check whether
+ * its screen is connected. */
 static void test_an_unplugged_screen_is_gone_until_it_returns(void **state)
 {
     (void)state;

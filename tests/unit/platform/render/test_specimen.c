@@ -119,8 +119,8 @@ static void test_paint_atlas_at_inverts_paint_atlas_find(void **state)
     assert_true(count > 3000u);
 }
 
-/* Texture filtering reads up to half a texel around a point. At the edge of a part, it must read
- * only texels of that part. */
+/* Texture filtering reads up to half a texel around a point. Near the edge of a part, filtering
+ * must read only texels of that part. */
 static void test_no_vertex_lies_within_half_a_texel_of_another_part(void **state)
 {
     (void)state;

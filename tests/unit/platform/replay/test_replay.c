@@ -197,7 +197,7 @@ static void test_swapped_seconds_are_rejected(void **state)
     memcpy(swapped + first + second_size, bytes + first, first_size);
     write_file(swapped, size);
     assert_int_equal(scan(&totals), -1);
-    /* Removes the first second from the file. This file must be rejected too. */
+    /* Removes the first second from the file. The file must be rejected again. */
     memcpy(swapped, bytes, first);
     memcpy(swapped + first, bytes + first + first_size, size - first - first_size);
     write_file(swapped, size - first_size);

@@ -25,8 +25,8 @@ static const struct loft *lofted(const char *head, const char *more, const char 
     return &loft;
 }
 
-/* Returns the size of a key shape as the species measures it, for example the total length. The
- * size is computed from the mesh alone and must be 1. */
+/* Returns the size of a key shape, computed from the mesh alone. Each species defines what is
+ * measured, for example the total length. The size must be 1. */
 static float measured(const struct species *s, const vec3 *at, const struct species_mesh *mesh)
 {
     float front = 9.0f, rear = -9.0f, right = -9.0f, left = 9.0f, fork = -9.0f, root = -9.0f;

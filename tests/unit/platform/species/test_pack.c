@@ -122,7 +122,7 @@ static void harm_id(struct species_slot *s)
 {
     card_of(s)->id[0] = '/';
 }
-/* Names are printed in tables and pictures, so they must not contain control characters. */
+/* Names are printed in tables and pictures, so a control character in a name is an error. */
 static void harm_id_escape(struct species_slot *s)
 {
     card_of(s)->id[1] = '\x1b';
@@ -594,7 +594,7 @@ static void test_writing_does_not_replace_devices_and_links(void **state)
     snprintf(path, sizeof path, "%s/x.kfish", folder);
     snprintf(link, sizeof link, "%s/link.kfish", folder);
     packed_wakin();
-    /* The FIFO stands for a device such as /dev/full. A rename would replace it. */
+    /* The FIFO stands for a device such as /dev/full, which must not be replaced. */
     assert_int_equal(mkfifo(path, 0600), 0);
     assert_int_equal(pack_write(path, &slot, why), PACK_IO);
     assert_int_equal(lstat(path, &status), 0);

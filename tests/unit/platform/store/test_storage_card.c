@@ -247,8 +247,8 @@ static void test_an_empty_card_inserted_late_is_used(void **state)
     assert_int_equal(saved_id(), 2);
 }
 
-/* The inserted card has a database with entries. The kiosk must not overwrite these entries, so it
- * must load them in a restart. */
+/* The inserted card has a database with entries. The kiosk must not overwrite these entries, so a
+ * restart must load the entries first. */
 static void test_a_card_with_data_inserted_late_is_used_after_a_restart(void **state)
 {
     (void)state;
@@ -375,7 +375,7 @@ static void test_a_card_that_is_full_at_the_start_is_read_and_later_written(void
 {
     (void)state;
     leave_five_entries_in_the_log();
-    /* The log may not be on disk, because it cannot be written again. */
+    /* A log that cannot be written again may not be on disk, so no entry counts as stored. */
     remembers_and_goes_on(0);
 }
 

@@ -312,7 +312,7 @@ static void test_a_database_with_fewer_entries_than_its_mirror_is_damage(void **
     sqlite3 *db;
     play_eight_and_close();
     assert_int_equal(sqlite3_open(file, &db), SQLITE_OK);
-    /* Deletes the entries 7 and 8 from the database. They are only in the mirror. */
+    /* Deletes the entries 7 and 8, which then are only in the mirror. */
     sqlite3_exec(db, "DELETE FROM entries WHERE id > 6", NULL, NULL, NULL);
     sqlite3_close(db);
     has_all_eight();
@@ -369,8 +369,8 @@ static void test_the_newest_entry_overwrites_the_oldest_mirror_slot(void **state
     ledger_mirror_close(&tail);
 }
 
-/* The mirror contains entries of another database, as after a manual copy. These entries must not
- * be added to the database, so the mirror is created anew. */
+/* The mirror contains entries of another database, as after a manual copy. The mirror must be
+ * created anew, and its entries must not be added to the database. */
 static void test_a_mirror_of_a_foreign_database_is_recreated(void **state)
 {
     (void)state;

@@ -114,9 +114,10 @@ struct usb_sim_faults {
 /* Replaces the faults of the bus by `faults`. */
 void usb_sim_set_faults(const struct usb_sim_faults *faults);
 
-/* Returns the number of breaches since usb_sim_begin(). A breach is communication with a device
- * from within a callback, the close of a device with a pending transfer, the use of a closed
- * object, or a call from a thread other than the drivers' thread. */
+/* Returns the number of breaches since usb_sim_begin(). A breach is a call that libusb forbids:
+ * communication with a device from within a callback, or the close of a device with a pending
+ * transfer. Other breaches are the use of a closed object and a call from a thread other than the
+ * drivers' thread. */
 uint32_t usb_sim_breaches(void);
 
 /* Returns the number of libusb calls since usb_sim_begin(), without the calls that initialize

@@ -108,7 +108,7 @@ void bus_run_outs(struct libusb_device *device);
 int bus_take_pending(struct libusb_device *device, const struct libusb_transfer *transfer);
 
 /* Writes the report descriptor of an interface to the simulated /sys, as if a kernel driver had
- * bound it. */
+ * bound the interface. */
 void bus_show_driver(const struct libusb_device *device, uint32_t interface);
 /* Removes the report descriptor of an interface from the simulated /sys. */
 void bus_hide_driver(const struct libusb_device *device, uint32_t interface);

@@ -395,9 +395,10 @@ static void test_a_sheet_gets_two_sides(void **state)
     read_three(text);
     const struct species_mesh *near = &slot.species.lod[0];
     assert_int_equal(near->index_count, 3 * (4 + 2));
-    /* A fin has two sides. Their triangles have the same three vertices. */
+    /* A fin has two sides, whose triangles have the same three vertices. */
     assert_int_equal(near->indices[12], near->indices[15]);
-    /* The second triangle has its vertices in reverse order, so that it faces the other way. */
+    /* The triangle of the second side has its vertices in reverse order, because the second side
+     * faces the other way. */
     assert_int_equal(near->indices[13], near->indices[17]);
     assert_int_equal(near->indices[14], near->indices[16]);
     snprintf(text, sizeof text, TETRA "g dorsal\n%sf 5 6 7\nf 7 6 5\n", fin);

@@ -147,8 +147,8 @@ static void test_a_scale_bar_has_its_stated_length(void **state)
 {
     (void)state;
     struct canvas canvas = white_canvas();
-    /* At 3 pixels per millimetre and at most 100 pixels, the bar is 20 mm (60 pixels) long. Its
-     * middle is at x = 100, so the bar extends from 70 to 130. */
+    /* At 3 pixels per millimetre and at most 100 pixels, the bar is 20 mm (60 pixels) long. The
+     * middle of the bar is at x = 100, so the bar extends from 70 to 130. */
     caption_bar(&canvas, 100.0f, 30.0f, 100.0f, 3000.0f, 10.0f);
     assert_true(canvas.pixels[30 * WIDTH + 71].y < 0.5f);
     assert_true(canvas.pixels[30 * WIDTH + 128].y < 0.5f);

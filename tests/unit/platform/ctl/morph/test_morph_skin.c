@@ -1,5 +1,5 @@
-/* test_morph_skin.c -- Tests whether points are classified correctly as inside or outside a closed
- * surface, and their distances to it. The surface is a box. */
+/* test_morph_skin.c -- Tests the distance of a point to a closed surface, and whether the point is
+ * classified correctly as inside or outside. The surface is a box. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -46,8 +46,8 @@ static void test_the_volume_of_a_closed_box_is_correct(void **state)
     assert_false(morph_skin_has(&skin, v3(0.0f, 0.0f, 0.0f)));
 }
 
-/* Many lines of the lattice pass through corners, edges and diagonals of the box. There, a wrong
- * ray test counts a crossing twice or not at all. */
+/* Many lines of the lattice pass through corners, edges and diagonals of the box. A wrong ray test
+ * counts such a crossing twice or not at all. */
 static void test_every_lattice_point_is_classified_as_inside_or_outside(void **state)
 {
     (void)state;

@@ -142,8 +142,8 @@ static void test_a_fin_that_flips_is_detected(void **state)
     assert_int_equal(survey.flipped_fins, seen);
 }
 
-/* The fin of a hatchling unfolds quickly, in a few hundredths of the life. This motion must not be
- * counted as a flip, at any number of samples. */
+/* The fin of a hatchling unfolds quickly, in a few hundredths of the life. The unfolding must not
+ * be counted as a flip, at any number of samples. */
 static void test_a_fast_fin_rotation_is_not_a_flip(void **state)
 {
     (void)state;
@@ -163,7 +163,7 @@ static void test_a_folded_surface_is_detected(void **state)
     const uint32_t i = mesh->grid_first + mesh->grid_rings / 2u * (mesh->grid_spokes + 1u) +
                        mesh->grid_spokes / 4u;
     for (uint32_t key = 0; key < fish.card.key_count; key++) {
-        /* Moves the vertex through the left side of the body and out of it. */
+        /* Moves the vertex through the left side of the body. */
         points[key][i].x = (int16_t)(-2 * points[key][i].x);
     }
     measure();
@@ -265,7 +265,8 @@ static void test_key_ages_out_of_order_are_detected(void **state)
     assert_true(survey.progress_lost.value > 0.1f);
 }
 
-/* Key 3 has a length of 45 mm. Its age is set to 200 days, where the growth curve gives 73.6 mm. */
+/* Key 3 has a length of 45 mm. The test sets the age of key 3 to 200 days, where the growth curve
+ * gives 73.6 mm. */
 static void test_a_key_off_the_growth_curve_is_detected(void **state)
 {
     (void)state;

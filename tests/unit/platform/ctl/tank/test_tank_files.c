@@ -198,8 +198,8 @@ static void test_fish_are_placed_from_the_first_tick_of_a_trace(void **state)
     assert_true(fabsf(fish[0].velocity_m_s.x - 0.4f) < 1e-6f);
     assert_int_equal(fish[1].gait, GAIT_SURFACE);
     assert_int_equal(fish[1].air, AIR_GULPS);
-    assert_int_equal(fish[2].air, AIR_RISES); /* The fish is 9 cm deep, so it must rise to the
-                                                 surface first. */
+    assert_int_equal(fish[2].air, AIR_RISES); /* At a depth of 9 cm, the fish must rise to the
+                                                 surface before it can gulp air. */
     assert_int_equal(fish[2].gait, GAIT_SWIM);
 }
 

@@ -278,8 +278,8 @@ static void test_the_texture_of_a_key_matches_paint_at(void **state)
     }
     glDeleteFramebuffers(1, &framebuffer);
     print_message("%u of %u texels are means of four points\n", off, count);
-    assert_true(off < count / 8u); /* Only texels at the edges of parts may differ, because they are
-                                      means of four points. */
+    assert_true(off < count / 8u); /* Texels at the edges of parts are means of four points, so only
+                                      these texels may differ. */
 }
 
 static uint32_t empty_slots(void)
@@ -339,8 +339,8 @@ static void draw_page(const struct species *species)
     }
 }
 
-/* Counts the texture bands that are painted until the texture of the large fish is fine. The last
- * frame is not counted, because it may also paint bands of other textures. */
+/* Counts the texture bands that are painted until the texture of the large fish is fine. Bands of
+ * the last frame are not counted, because this frame may also paint other textures. */
 static uint32_t bands_to_fine(const struct species *species)
 {
     draw_page(species);
@@ -355,8 +355,8 @@ static uint32_t bands_to_fine(const struct species *species)
     return painted - begun;
 }
 
-/* Only the two textures around the age of the large fish may be refined before it is fine. The
- * textures of other keys must wait. */
+/* While the texture of the large fish is not fine, only the two textures for its age may be
+ * refined. The textures of other keys must wait. */
 static void test_the_visible_texture_is_refined_first(void **state)
 {
     (void)state;

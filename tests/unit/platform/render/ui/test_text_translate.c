@@ -52,7 +52,8 @@ static void test_every_message_pattern_is_unique(void **state)
     }
 }
 
-/* These messages were copied from real devices. Some have nested reasons or several remarks. */
+/* The messages in this test were copied from real devices. Some messages have nested reasons or
+ * several remarks. */
 static void test_messages_of_devices_are_translated(void **state)
 {
     static const char *const lines[][2] = {

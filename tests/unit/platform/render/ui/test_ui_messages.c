@@ -154,7 +154,7 @@ static void test_without_a_hint_no_ribbon_is_drawn(void **state)
     set_scene(PHASE_ROUND, LANGUAGE_EN, HINT_NONE, 20.0f);
     lay_out(sizes[0]);
     assert_true(glyph_quads() < with);
-    /* HINT_COUNT is not a known hint, so there is no text for it. */
+    /* HINT_COUNT is not a known hint and has no text. */
     set_scene(PHASE_ROUND, LANGUAGE_EN, HINT_COUNT, 20.0f);
     lay_out(sizes[0]);
     assert_true(glyph_quads() < with);

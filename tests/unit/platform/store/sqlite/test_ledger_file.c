@@ -510,8 +510,8 @@ static void test_migrating_a_version_3_file_keeps_everything(void **state)
     assert_int_equal(query_number("SELECT count(*) FROM sqlite_schema WHERE name LIKE 'old%'"), 0);
 }
 
-/* Version 5 has the same tables as version 4. Its number is higher because a program for version 4
- * would reject its new values. */
+/* Version 5 has the same tables as version 4 with new values. The version number is higher because
+ * a program for version 4 would reject the new values. */
 static void test_migrating_a_version_4_file_keeps_everything(void **state)
 {
     (void)state;

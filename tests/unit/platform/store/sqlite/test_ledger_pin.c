@@ -125,9 +125,9 @@ static unsigned count_in(const char *file, const void *wanted, size_t size)
     return count;
 }
 
-/* SQLite stores the PIN as an integer of two bytes. In a row of the settings, these bytes follow
- * the name. In a row of the entries, they follow `kind` and `detail`. The searches also find rows
- * in free pages. */
+/* SQLite stores the PIN as an integer of two bytes. In a row of the settings, the two bytes follow
+ * the name. In a row of the entries, the two bytes follow `kind` and `detail`. Rows in free pages
+ * are found too. */
 static unsigned plain_settings_in(const char *suffix)
 {
     static const uint8_t row[] = { 'p', 'i', 'n', PIN >> 8, PIN & 0xFF };

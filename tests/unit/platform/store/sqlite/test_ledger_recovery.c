@@ -111,7 +111,7 @@ struct slot {
     uint64_t sum;
 };
 
-/* In slots of version 100, the byte of the level was padding and can have any value. It must be
+/* In slots of version 100, the byte of the level was padding with any value. The byte must be
  * ignored. */
 static void test_a_round_in_a_mirror_of_version_100_counts_as_master(void **state)
 {

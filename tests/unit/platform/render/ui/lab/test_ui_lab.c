@@ -75,7 +75,8 @@ static void test_the_lab_fits_every_screen_with_every_species(void **state)
             core.game.lab.layer = variant & 4u ? LAB_LAYER_SIZE : 1;
             core.game.language = (uint8_t)(variant % LANGUAGE_COUNT);
             core.game.lab.has_hand = 1;
-            /* The drawn poi is in the middle. Near the edge, it might extend beyond the screen. */
+            /* The drawn poi is in the middle, because a poi near the edge may extend beyond the
+             * screen. */
             core.game.lab.x = core.game.lab.y = 400.0f;
             lay_out(size[0], size[1]);
             check_inside(size[0], size[1]);

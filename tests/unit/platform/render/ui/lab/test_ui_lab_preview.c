@@ -38,8 +38,8 @@ static void test_the_lab_and_morph_check_report_the_same_bow(void **state)
     }
 }
 
-/* The line is infinite, so a point beyond its end has only the perpendicular distance. If both ends
- * are equal, the distance to that point counts. */
+/* v3_from_line() returns the perpendicular distance to the infinite line, also for a point beyond
+ * the ends. If both ends are equal, v3_from_line() returns the distance to that point. */
 static void test_the_bow_is_measured_from_an_infinite_line_or_a_point(void **state)
 {
     (void)state;
