@@ -51,12 +51,6 @@ void game_mode_select_begin(struct game *game, struct world *world,
 void round_ready_begin(struct game *game, struct world *world, const struct core_config *config,
                        struct output *output);
 
-/* Begins the round after READY and starts its clock. */
-void round_begin(struct game *game, struct world *world, struct output *output);
-
-/* Ends the round, logs its result and shows the result. */
-void round_result_begin(struct game *game, struct world *world, const struct core_config *config,
-                        struct output *output);
 /* Ends a round whose credit is not refundable, because the operator opens the menu. The result is
  * logged but not shown. */
 void round_result_skip(struct game *game, const struct world *world,

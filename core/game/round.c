@@ -42,6 +42,18 @@ void round_ready_begin(struct game *game, struct world *world, const struct core
     output_sound(output, SOUND_START, 1.0f, 0.0f);
 }
 
+/* Begins the round after READY and starts its clock. */
+static void begin_round(struct game *game, struct world *world, struct output *output)
+{
+    CORE_ASSERT(game->phase == PHASE_READY);
+    table_setup_empty_bowls(world); /* Empty the bowls, because fish that fell off a replaced poi
+                                       during READY may lie in the bowls without being counted. */
+    game_enter_phase(game, PHASE_ROUND);
+    game->round_tick = game->tick;
+    game->paused_ticks = 0;
+    output_sound(output, SOUND_START, 0.8f, 0.0f);
+}
+
 void round_ready_tick(struct game *game, struct world *world, struct core_config *config,
                       const struct input *input, struct output *output)
 {
@@ -60,7 +72,7 @@ void round_ready_tick(struct game *game, struct world *world, struct core_config
     }
     score_fouls_before_start(game->player, game, world, output);
     if (elapsed >= total) {
-        round_begin(game, world, output);
+        begin_round(game, world, output);
     }
 }
 
@@ -92,17 +104,6 @@ enum time_call round_call_at(uint32_t elapsed_ticks, uint32_t total_ticks)
 
 /* Time for which the player sees the hole in the paper before the paper is replaced. */
 #define RENEW_TICKS CORE_TICK_HZ
-
-void round_begin(struct game *game, struct world *world, struct output *output)
-{
-    CORE_ASSERT(game->phase == PHASE_READY);
-    table_setup_empty_bowls(world); /* Empty the bowls, because fish that fell off a replaced poi
-                                       during READY may lie in the bowls without being counted. */
-    game_enter_phase(game, PHASE_ROUND);
-    game->round_tick = game->tick;
-    game->paused_ticks = 0;
-    output_sound(output, SOUND_START, 0.8f, 0.0f);
-}
 
 /* ---- Replacement of torn paper -------------------------------------------------------------- */
 
@@ -155,6 +156,25 @@ static enum time_call call_time(uint8_t mode, uint32_t elapsed, uint32_t total,
     return is_shown ? call : CALL_NONE;
 }
 
+/* Ends the round, logs its result and shows the result. */
+static void begin_result(struct game *game, struct world *world, const struct core_config *config,
+                         struct output *output)
+{
+    game->paused = 0;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        world->poi[i].carried_count = 0; /* After the end of the time, the fish on the paper return
+                                            to the water. */
+    }
+    game_enter_phase(game, PHASE_RESULT);
+    name_note_round(&game->name, &game->accounts, &config->persistent.settings,
+                    leaderboard_board(game), 0);
+    if (!game->accounts.credit.came_back) {
+        score_keep(game, world, config, credit_award_tickets(&game->accounts, game, config),
+                   output);
+    }
+    output_sound(output, SOUND_RESULT, 1.0f, 0.0f);
+}
+
 /* ---- Tick of the round, and its result ------------------------------------------------------ */
 
 void round_tick(struct game *game, struct world *world, struct core_config *config,
@@ -177,7 +197,7 @@ void round_tick(struct game *game, struct world *world, struct core_config *conf
     round_standing_tick(&game->accounts, game, config, output);
     if (game->lost_ticks > GAME_LOST_TICKS_MAX || game->waited_ticks > GAME_WAIT_TICKS_MAX) {
         credit_refund(&game->accounts, game, config, REFUND_NO_POI, output);
-        round_result_begin(game, world, config, output);
+        begin_result(game, world, config, output);
         return;
     }
     if (game->paused) {
@@ -203,26 +223,8 @@ void round_tick(struct game *game, struct world *world, struct core_config *conf
     const bool is_late =
         elapsed >= total && (carried_fish == 0 || elapsed >= total + GAME_CARRY_TICKS);
     if (is_gone || is_late) {
-        round_result_begin(game, world, config, output);
+        begin_result(game, world, config, output);
     }
-}
-
-void round_result_begin(struct game *game, struct world *world, const struct core_config *config,
-                        struct output *output)
-{
-    game->paused = 0;
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        world->poi[i].carried_count = 0; /* After the end of the time, the fish on the paper return
-                                            to the water. */
-    }
-    game_enter_phase(game, PHASE_RESULT);
-    name_note_round(&game->name, &game->accounts, &config->persistent.settings,
-                    leaderboard_board(game), 0);
-    if (!game->accounts.credit.came_back) {
-        score_keep(game, world, config, credit_award_tickets(&game->accounts, game, config),
-                   output);
-    }
-    output_sound(output, SOUND_RESULT, 1.0f, 0.0f);
 }
 
 void round_result_skip(struct game *game, const struct world *world,

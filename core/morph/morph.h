@@ -206,10 +206,6 @@ void morph_key_pose(const struct species_mesh *mesh, uint32_t key_count, uint32_
 struct anchor_pose morph_ride(const struct species_mesh *mesh, uint32_t key_count,
                               const struct morph_pose *pose, float u, float v, bool turns);
 
-/* Writes the anchors of `pose` for the weights that `pose` already contains. The body coordinates u
- * and v of each anchor are blended by the weights of the anchor's curve. */
-void morph_ride_all(const struct species_mesh *mesh, uint32_t key_count, struct morph_pose *pose);
-
 /* ---- blend.c: blend of the keys on the CPU (2005 thesis, eq. 3.2) --------------------------- */
 
 /* Writes the positions and normals of all vertices by the formula in the comment of struct

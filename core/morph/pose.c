@@ -105,7 +105,9 @@ struct anchor_pose morph_ride(const struct species_mesh *mesh, uint32_t key_coun
     return at;
 }
 
-void morph_ride_all(const struct species_mesh *mesh, uint32_t key_count, struct morph_pose *pose)
+/* Writes the anchors of `pose` for the weights that `pose` already contains. The body coordinates u
+ * and v of each anchor are blended by the weights of the anchor's curve. */
+static void ride_all(const struct species_mesh *mesh, uint32_t key_count, struct morph_pose *pose)
 {
     CORE_ASSERT(mesh->anchor_count <= ANCHOR_MAX);
     CORE_ASSERT(key_count >= 1 && key_count <= MORPH_KEY_MAX);
@@ -188,7 +190,7 @@ void morph_pose(const struct morph_rig *rig, const struct species_mesh *mesh, fl
                 struct morph_pose *pose)
 {
     morph_weights(rig, progress, pose->weight);
-    morph_ride_all(mesh, rig->key_count, pose);
+    ride_all(mesh, rig->key_count, pose);
 }
 
 void morph_key_pose(const struct species_mesh *mesh, uint32_t key_count, uint32_t key,
@@ -200,5 +202,5 @@ void morph_key_pose(const struct species_mesh *mesh, uint32_t key_count, uint32_
             pose->weight[curve][i] = i == key ? 1.0f : 0.0f;
         }
     }
-    morph_ride_all(mesh, key_count, pose);
+    ride_all(mesh, key_count, pose);
 }

@@ -2,7 +2,6 @@
  * the files that were read at program start. The core does not have these data. */
 #pragma once
 
-#include <stdbool.h>
 #include <stdint.h>
 
 #include "core/scene.h"

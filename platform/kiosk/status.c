@@ -3,7 +3,6 @@
 #include "platform/kiosk/status.h"
 
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 #include <time.h>

@@ -7,7 +7,6 @@
  * `length_px` is the fish's length everywhere on the screen. */
 #pragma once
 
-#include <stdbool.h>
 #include <stdint.h>
 
 #include "core/morph/morph.h"

@@ -5,7 +5,6 @@
  * ledger is renamed and never read. */
 #include <errno.h>
 #include <stdio.h>
-#include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 

@@ -6,7 +6,6 @@
 #include "core/game/accounting/accounts.h"
 #include "core/game/session_state.h"
 #include "core/persistent_state.h"
-#include "core/poi/paper/sheet.h"
 #include "core/tank/preset.h"
 
 void ledger_init(struct ledger *ledger, const struct ledger_start *start)

@@ -3,9 +3,6 @@
 
 #include "core/base/mem.h"
 #include "core/base/panic.h"
-#include "core/config.h"
-#include "core/game/game.h"
-#include "core/poi/world.h"
 
 static const struct species_card *edited_card(const struct lab *lab, const struct lab_book *book)
 {

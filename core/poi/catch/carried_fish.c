@@ -5,7 +5,6 @@
 #include "core/base/panic.h"
 #include "core/base/rng.h"
 #include "core/poi/pose.h"
-#include "core/poi/ring.h"
 
 /* Roll angle of a lying fish. The angle is less than 90 degrees, because fins are between the body
  * and the paper. */

@@ -4,7 +4,6 @@
 
 #include "core/base/panic.h"
 #include "core/base/rng.h"
-#include "core/input.h"
 
 #define COS_20_DEG 0.93969262f
 #define COS_45_DEG 0.70710678f

@@ -10,7 +10,6 @@
 #include "core/input.h"
 #include "core/tank/behavior/gait.h"
 #include "core/tank/behavior/startle.h"
-#include "core/tank/behavior/surface_breathing.h"
 #include "core/tank/behavior/swim.h"
 #include "core/tank/shade.h"
 #include "core/tank/water.h"

@@ -11,7 +11,6 @@
  * solver. */
 #pragma once
 
-#include <stdbool.h>
 #include <stdint.h>
 
 #include "core/base/vec.h"

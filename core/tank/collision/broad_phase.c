@@ -2,7 +2,6 @@
  * a broad-phase query stay valid. */
 #include "core/tank/collision/broad_phase.h"
 
-#include "core/base/mem.h"
 #include "core/base/panic.h"
 #include "core/input.h"
 #include "core/tank/behavior/swim.h"

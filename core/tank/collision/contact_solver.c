@@ -4,7 +4,6 @@
 
 #include "core/base/mem.h"
 #include "core/base/panic.h"
-#include "core/input.h"
 #include "core/tank/collision/contact_solver_internal.h"
 
 /* Thickness of the skin around a body: the gap that the contact solver leaves between two bodies

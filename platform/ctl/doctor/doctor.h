@@ -90,9 +90,6 @@ void doctor_input(struct doctor *doctor);
 /* Checks the GPIO chips and the GPIO lines that the kiosk's options configure. */
 void doctor_gpio(struct doctor *doctor);
 
-/* Returns true if a desktop session controls the input devices and the screen. */
-bool doctor_under_a_desktop(const struct doctor *doctor);
-
 /* Checks the graphics cards, and the screens that are connected to the graphics cards. */
 void doctor_screen(struct doctor *doctor);
 

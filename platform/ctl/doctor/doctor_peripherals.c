@@ -42,7 +42,8 @@ static void check_node(struct doctor *doctor, const char *part, const char *what
     }
 }
 
-bool doctor_under_a_desktop(const struct doctor *doctor)
+/* Returns true if a desktop session controls the input devices and the screen. */
+static bool is_under_a_desktop(const struct doctor *doctor)
 {
     return !doctor->root[0] && (getenv("DISPLAY") || getenv("WAYLAND_DISPLAY"));
 }
@@ -56,7 +57,7 @@ void doctor_input(struct doctor *doctor)
         snprintf(path, sizeof path, "/dev/input/%s", events.name[i]);
         doctor_line(doctor, name, sizeof name, "/sys/class/input/%s/device/name", events.name[i]);
         snprintf(what, sizeof what, "%s, %s", name[0] ? name : "without a name", path);
-        check_node(doctor, "input", what, path, "input", !doctor_under_a_desktop(doctor));
+        check_node(doctor, "input", what, path, "input", !is_under_a_desktop(doctor));
     }
 }
 
@@ -89,7 +90,7 @@ void doctor_screen(struct doctor *doctor)
             connected += strcmp(status, "connected") == 0;
         }
     }
-    if (doctor_under_a_desktop(doctor)) {
+    if (is_under_a_desktop(doctor)) {
         doctor_state(doctor_find(doctor, "display", DOCTOR_FINE, "desktop"), "%s",
                      getenv("WAYLAND_DISPLAY") ? getenv("WAYLAND_DISPLAY") : getenv("DISPLAY"));
     } else {

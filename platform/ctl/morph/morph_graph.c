@@ -8,7 +8,6 @@
 #include <math.h>
 #include <stddef.h>
 #include <stdio.h>
-#include <string.h>
 
 #include "core/base/panic.h"
 #include "platform/ctl/lib/caption.h"

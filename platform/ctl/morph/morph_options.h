@@ -6,7 +6,6 @@
  * messages in all subcommands. */
 #pragma once
 
-#include <stddef.h>
 #include <stdint.h>
 
 #include "core/morph/morph.h"

@@ -210,7 +210,10 @@ static int by_size(const void *left, const void *right)
     return (a > b) - (a < b);
 }
 
-double rounds_quantile(const uint32_t *sorted, uint32_t count, double share)
+/* Returns the quantile `share`, in [0, 1], of `count` sorted values. `count` must be at least 1.
+ * The k-th of n values is the quantile (k - 1) / (n - 1), as in most statistics programs (type
+ * 7). */
+static double quantile(const uint32_t *sorted, uint32_t count, double share)
 {
     CORE_ASSERT(count >= 1 && share >= 0.0 && share <= 1.0);
     const double place = share * (double)(count - 1u);
@@ -224,8 +227,8 @@ struct summary rounds_summary(uint32_t *values, uint32_t count)
 {
     qsort(values, count, sizeof values[0], by_size);
     return (struct summary){
-        .median = rounds_quantile(values, count, 0.5),
-        .p90 = rounds_quantile(values, count, 0.9),
+        .median = quantile(values, count, 0.5),
+        .p90 = quantile(values, count, 0.9),
         .max = values[count - 1u],
     };
 }

@@ -88,8 +88,3 @@ struct summary {
 
 /* Computes the summary of `count` values. Sorts `values` in place. `count` must be at least 1. */
 struct summary rounds_summary(uint32_t *values, uint32_t count);
-
-/* Returns the quantile `share`, in [0, 1], of `count` sorted values. `count` must be at least 1.
- * The k-th of n values is the quantile (k - 1) / (n - 1), as in most statistics programs (type
- * 7). */
-double rounds_quantile(const uint32_t *sorted, uint32_t count, double share);

@@ -3,7 +3,6 @@
 #include "platform/ctl/tank/tank_files.h"
 
 #include <math.h>
-#include <stdio.h>
 
 #include "core/base/panic.h"
 #include "platform/ctl/lib/csv.h"

@@ -3,7 +3,6 @@
 #include "platform/kiosk/recorder/replayer.h"
 
 #include <errno.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "core/base/panic.h"

@@ -1,4 +1,4 @@
--- ledger.sql -- the SQL texts of the ledger file: its tables, their migrations and the deletion of old data.
+-- ledger.sql -- the SQL texts of the ledger file: tables, migrations, reads and writes of rows, deletion of old data.
 -- The format of this file is described in assets/bake/sql.awk.
 --
 -- SQLite stores the text of a table in the file, and each opened file is compared with this text. A change of a
@@ -169,6 +169,67 @@ JOIN  (SELECT number, row_number() OVER (ORDER BY number) AS place FROM old_roun
 WHERE scoops IS NULL);
 DROP TABLE old_round_players;
 DROP TABLE old_rounds;
+
+-- Writes of rows. The parameters have the order of the values in ledger_write.c.
+
+--- put_entry
+INSERT INTO entries VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13, ?14, ?15, ?16, ?17, ?18,
+?20, ?19) -- The text is bound last, and the checksum is the last column.
+
+--- put_round
+INSERT INTO rounds VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)
+
+--- put_player
+INSERT INTO round_players (round, seat, caught, scoops, hole_area_mm2, torn_tick, sheets, fouls)
+VALUES (?, ?, ?, ?, ?, nullif(?, 0), ?, ?)
+
+--- put_name
+UPDATE round_players SET name = ?3 WHERE round = ?1 AND seat = ?2
+
+--- forget_name
+UPDATE entries SET name = '' WHERE kind = ?3 AND count = ?1 AND detail = ?2
+
+--- put_setting
+INSERT INTO settings (value, name) VALUES (?1, ?2) ON CONFLICT (name) DO UPDATE SET value = ?1
+
+--- forget_settings
+DELETE FROM settings
+
+--- put_audit
+INSERT INTO audits (count, name) VALUES (?1, ?2) ON CONFLICT (name) DO UPDATE SET count = ?1
+
+--- put_rank
+INSERT OR REPLACE INTO ranking VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)
+
+--- put_state
+INSERT INTO state (value, name) VALUES (?1, ?2) ON CONFLICT (name) DO UPDATE SET value = ?1
+
+--- put_replay
+INSERT OR REPLACE INTO replays (round, bytes) VALUES (?1, ?2)
+
+-- Reads of rows. The columns have the order in which ledger_read.c reads them.
+
+--- get_replay
+SELECT bytes FROM replays WHERE round = ?1
+
+--- has_replay
+SELECT 1 FROM replays WHERE round = ?1
+
+--- get_round
+SELECT seed, start_tick, end_tick, caught, by_bot, mode, grade, players, unscored,
+fish_count, round_s, preset, level FROM rounds WHERE entry = ?
+
+-- A recovered file may have an older version, which lacks columns.
+--- get_round_4
+SELECT seed, start_tick, end_tick, caught, by_bot, mode, grade, players, unscored,
+fish_count, round_s, preset, 0 FROM rounds WHERE entry = ?
+
+--- get_round_3
+SELECT seed, start_tick, end_tick, caught, by_bot, mode, grade, players, unscored, 0, 0, 0, 0
+FROM rounds WHERE entry = ?
+
+--- get_players
+SELECT seat, caught, scoops, hole_area_mm2, torn_tick, sheets, fouls FROM round_players WHERE round = ?
 
 -- Deletes old data. Entries are deleted in large groups, so that most calls write nothing.
 --- prune

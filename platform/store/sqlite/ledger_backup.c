@@ -3,9 +3,7 @@
 #include "platform/store/sqlite/ledger_backup.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <stdio.h>
-#include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 

@@ -10,6 +10,7 @@
 #include "core/game/accounting/accounts.h"
 #include "platform/store/sqlite/ledger_file.h"
 #include "platform/store/sqlite/sql.h"
+#include "sql_texts.h"
 
 /* ---- Entries ------------------------------------------------------------------------------- */
 
@@ -28,19 +29,11 @@ static uint8_t column_u8(sqlite3_stmt *row, int column)
     return (uint8_t)sql_uint(row, column, UINT8_MAX);
 }
 
-#define ROUND_COLUMNS                                                                              \
-    "SELECT seed, start_tick, end_tick, caught, by_bot, mode, grade, players, unscored, "
-#define ROUND_OF " FROM rounds WHERE entry = ?"
-
 /* Reads a round. A recovered file may have an older version. Versions 4 and 5 lack the column
  * level, and version 3 also lacks the columns fish_count, round_s and preset. */
 static int read_round(struct ledger_file *file, uint32_t id, struct round_record *round)
 {
-    static const char *const texts[] = {
-        ROUND_COLUMNS "fish_count, round_s, preset, level" ROUND_OF,
-        ROUND_COLUMNS "fish_count, round_s, preset, 0" ROUND_OF,
-        ROUND_COLUMNS "0, 0, 0, 0" ROUND_OF,
-    };
+    static const char *const texts[] = { sql_get_round, sql_get_round_4, sql_get_round_3 };
     sqlite3_stmt *row = NULL;
     int code = SQLITE_ERROR;
     for (size_t i = 0; code == SQLITE_ERROR && i < sizeof texts / sizeof texts[0]; i++) {
@@ -70,10 +63,7 @@ static int read_round(struct ledger_file *file, uint32_t id, struct round_record
     if (code != SQLITE_OK) {
         return code;
     }
-    code = sqlite3_prepare_v2(file->db,
-                              "SELECT seat, caught, scoops, hole_area_mm2, torn_tick, sheets,"
-                              " fouls FROM round_players WHERE round = ?",
-                              -1, &row, NULL);
+    code = sqlite3_prepare_v2(file->db, sql_get_players, -1, &row, NULL);
     sqlite3_bind_int64(row, 1, id);
     while (sql_row(row, &code)) {
         const uint32_t seat = column_u32(row, 0);

@@ -9,6 +9,7 @@
 #include "core/game/accounting/accounts.h"
 #include "platform/store/sqlite/ledger_file.h"
 #include "platform/store/sqlite/sql.h"
+#include "sql_texts.h"
 
 /* A new field of struct balance, struct health or struct player_record also needs a column
  * (ledger_schema.c), code in this file and in ledger_read.c, and a term in ledger_entry_sum(). */
@@ -100,25 +101,19 @@ int64_t ledger_entry_sum(const struct ledger_entry *entry)
 /* ---- Statements ---------------------------------------------------------------------------- */
 
 static const char *const texts[LEDGER_STATEMENT_COUNT] = {
-    [PUT_ENTRY] = "INSERT INTO entries VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12,"
-                  " ?13, ?14, ?15, ?16, ?17, ?18, ?20, ?19)",
-    [PUT_ROUND] = "INSERT INTO rounds VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?,"
-                  " ?, ?, ?)",
-    [PUT_PLAYER] = "INSERT INTO round_players (round, seat, caught, scoops, hole_area_mm2,"
-                   " torn_tick, sheets, fouls) VALUES (?, ?, ?, ?, ?, nullif(?, 0), ?, ?)",
-    [PUT_NAME] = "UPDATE round_players SET name = ?3 WHERE round = ?1 AND seat = ?2",
-    [FORGET_NAME] = "UPDATE entries SET name = '' WHERE kind = ?3 AND count = ?1 AND detail = ?2",
-    [PUT_SETTING] = "INSERT INTO settings (value, name) VALUES (?1, ?2)"
-                    " ON CONFLICT (name) DO UPDATE SET value = ?1",
-    [FORGET_SETTINGS] = "DELETE FROM settings",
-    [PUT_AUDIT] = "INSERT INTO audits (count, name) VALUES (?1, ?2)"
-                  " ON CONFLICT (name) DO UPDATE SET count = ?1",
-    [PUT_RANK] = "INSERT OR REPLACE INTO ranking VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)",
-    [PUT_STATE] = "INSERT INTO state (value, name) VALUES (?1, ?2)"
-                  " ON CONFLICT (name) DO UPDATE SET value = ?1",
-    [PUT_REPLAY] = "INSERT OR REPLACE INTO replays (round, bytes) VALUES (?1, ?2)",
-    [GET_REPLAY] = "SELECT bytes FROM replays WHERE round = ?1",
-    [HAS_REPLAY] = "SELECT 1 FROM replays WHERE round = ?1",
+    [PUT_ENTRY] = sql_put_entry,
+    [PUT_ROUND] = sql_put_round,
+    [PUT_PLAYER] = sql_put_player,
+    [PUT_NAME] = sql_put_name,
+    [FORGET_NAME] = sql_forget_name,
+    [PUT_SETTING] = sql_put_setting,
+    [FORGET_SETTINGS] = sql_forget_settings,
+    [PUT_AUDIT] = sql_put_audit,
+    [PUT_RANK] = sql_put_rank,
+    [PUT_STATE] = sql_put_state,
+    [PUT_REPLAY] = sql_put_replay,
+    [GET_REPLAY] = sql_get_replay,
+    [HAS_REPLAY] = sql_has_replay,
 };
 
 int ledger_statement(struct ledger_file *file, enum ledger_statement which, sqlite3_stmt **out)
