@@ -13,20 +13,20 @@
 #include <stdint.h>
 
 struct font_glyph {
-    uint32_t code;          /* Unicode code point. */
-    uint16_t x, y;          /* Top left corner in the atlas, in atlas pixels. */
-    uint16_t width, height; /* Size in atlas pixels. 0 means a glyph without ink, such as the
-                               space. */
-    float left_em, top_em;  /* Offset in ems from the pen position on the baseline to the glyph's
-                               top left corner. */
-    float advance_em;       /* Distance from the pen to the pen of the next glyph, in ems. */
+    uint32_t code; /* Unicode code point. */
+    uint16_t x, y; /* Top left corner in the atlas, in atlas pixels. */
+    /* Size in atlas pixels. 0 means a glyph without ink, such as the space. */
+    uint16_t width, height;
+    /* Offset in ems from the pen position on the baseline to the glyph's top left corner. */
+    float left_em, top_em;
+    float advance_em; /* Distance from the pen to the pen of the next glyph, in ems. */
 };
 
 struct font {
     const char *name;
     const struct font_glyph *glyphs; /* Glyphs in ascending order of `code`. */
     uint32_t glyph_count;
-    float em_px;  /* Number of atlas pixels per em. */
-    float cap_em; /* Height of a capital letter or a digit in ems, used to centre text
-                     vertically. */
+    float em_px; /* Number of atlas pixels per em. */
+    /* Height of a capital letter or a digit in ems, used to centre text vertically. */
+    float cap_em;
 };

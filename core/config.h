@@ -13,37 +13,37 @@
 #include "core/persistent_state.h"
 
 struct core_config {
-    uint32_t seed;       /* Seed of the random numbers; any value. */
-    uint8_t preset;      /* Preset of the tank (enum tank_preset_id). */
-    uint32_t fish_count; /* Number of fish, 1 .. tank_preset_fish_max(); 0 means the preset's
-                            default. */
-    uint8_t language;    /* Display language (enum language). */
-    uint32_t round_s;    /* Length of a round, 10 .. 600 s; 0 means the mode's default. */
-    uint8_t modes;       /* Modes that players can choose, one bit each (1 << enum game_mode, or 1
-                            << CHOICE_LAB); 0 means only the festival mode. With a single mode the
-                            selection screen is skipped. */
-    uint8_t grade;       /* Paper grade, 4 .. 7, used if the mode's rules leave the grade open or if
-                            `modes` has only one bit set. 0 means the grade of the mode's rules, or
-                            6 if the rules have none. */
-    uint8_t level;       /* Level that players have until they choose another one (enum level). */
-    uint8_t players;     /* Number of bowls at the tank, 1 .. POI_MAX; 0 counts as 1. */
+    uint32_t seed;  /* Seed of the random numbers; any value. */
+    uint8_t preset; /* Preset of the tank (enum tank_preset_id). */
+    /* Number of fish, 1 .. tank_preset_fish_max(); 0 means the preset's default. */
+    uint32_t fish_count;
+    uint8_t language; /* Display language (enum language). */
+    uint32_t round_s; /* Length of a round, 10 .. 600 s; 0 means the mode's default. */
+    /* Modes that players can choose, one bit each (1 << enum game_mode, or 1 << CHOICE_LAB); 0
+     * means only the festival mode. With a single mode the selection screen is skipped. */
+    uint8_t modes;
+    /* Paper grade, 4 .. 7, used if the mode's rules leave the grade open or if `modes` has only one
+     * bit set. 0 means the grade of the mode's rules, or 6 if the rules have none. */
+    uint8_t grade;
+    uint8_t level;        /* Level that players have until they choose another one (enum level). */
+    uint8_t players;      /* Number of bowls at the tank, 1 .. POI_MAX; 0 counts as 1. */
     uint8_t credit_coins; /* Price of a round in units, 1 .. CREDIT_COINS_MAX; 0 means free play. */
     uint8_t ticket_fish;  /* Fish per ticket, 1 .. CREDIT_TICKET_FISH_MAX; 0 means no tickets. */
-    uint8_t rules; /* 0 for the current rules. In the replay of an older recording, the format
-                             version of the recording, whose rules the core then uses
-                             (config_has_rules()). Hashes exclude this field because the recordings
-                             have hashes without the field. */
-    uint8_t lanes; /* Number of floats in a SIMD vector: 4, or 8 on x86-64 with AVX2; 0
-                             counts as 4. The number changes no result, so hashes and recordings
-                             exclude it. */
+    /* 0 for the current rules. In the replay of an older recording, the format version of the
+     * recording, whose rules the core then uses (config_has_rules()). Hashes exclude this field
+     * because the recordings have hashes without the field. */
+    uint8_t rules;
+    /* Number of floats in a SIMD vector: 4, or 8 on x86-64 with AVX2; 0 counts as 4. The number
+     * changes no result, so hashes and recordings exclude it. */
+    uint8_t lanes;
     struct persistent_state
         persistent; /* Persistent state that the store loaded at startup. The settings in
                        `persistent` do not override the fields above; see
                        config_apply_settings(). */
-    struct game_session session; /* State carried over from the previous session; all zero at the
-                                    start of the kiosk. */
-    struct lab_book book;        /* Custom species and saved growth graphs, as loaded from the
-                                    data folder. */
+    /* State carried over from the previous session; all zero at the start of the kiosk. */
+    struct game_session session;
+    /* Custom species and saved growth graphs, as loaded from the data folder. */
+    struct lab_book book;
 };
 
 /* Returns true if the core uses rules that were introduced with the recording format `version`.

@@ -23,8 +23,9 @@ struct vision;
 enum core_error {
     CORE_OK = 0,
     CORE_ERR_RANGE = -1, /* A config field lies outside its documented range. */
-    CORE_ERR_FLOAT = -2, /* The calling thread flushes denormal numbers to zero or does not round to
-                            nearest (core/base/float_env.h). Every result would be wrong. */
+    /* The calling thread flushes denormal numbers to zero or does not round to nearest
+     * (core/base/float_env.h). Every result would be wrong. */
+    CORE_ERR_FLOAT = -2,
 };
 
 /* The complete simulated state. Only the functions of core.h take the complete state. The functions
@@ -67,8 +68,9 @@ struct core_status {
     uint16_t day, minute; /* Calendar of the newest input, as in struct input. */
     uint8_t phase;        /* Phase of the game (enum scene_phase). */
     uint8_t mode;         /* Mode of the running round (enum game_mode). */
-    bool takes_pin;       /* True while the operator's menu shows a page on which a PIN is typed.
-                             Inputs of this time may contain digits of the PIN. */
+    /* True while the operator's menu shows a page on which a PIN is typed. Inputs of this time may
+     * contain digits of the PIN. */
+    bool takes_pin;
     struct balance balance;
     struct core_player_status player[POI_MAX];
 };

@@ -17,24 +17,26 @@
 
 /* Display options. If all fields are 0, the picture has the screen's size and zero brightness. */
 struct display_settings {
-    uint32_t rotation;      /* Quarter turns clockwise, 0 .. 3. */
-    float inset_x, inset_y; /* Black margin at each side of the screen, [0, DISPLAY_INSET_MAX], as a
-                               share of the screen's width (x) and height (y). */
-    float shift_x, shift_y; /* [-0.01, 0.01] of the screen's height. The shift moves the picture
-                               regularly to prevent burn-in of the screen. */
-    float light;            /* Brightness [0, 1]; at 0 the display may skip drawing. */
+    uint32_t rotation; /* Quarter turns clockwise, 0 .. 3. */
+    /* Black margin at each side of the screen, [0, DISPLAY_INSET_MAX], as a share of the screen's
+     * width (x) and height (y). */
+    float inset_x, inset_y;
+    /* [-0.01, 0.01] of the screen's height. The shift moves the picture regularly to prevent
+     * burn-in of the screen. */
+    float shift_x, shift_y;
+    float light; /* Brightness [0, 1]; at 0 the display may skip drawing. */
 };
 
 /* Transform for one screen size. */
 struct display_transform {
     float screen_width, screen_height; /* Screen size in pixels, > 0. */
-    float width, height;               /* Size of the picture in pixels in its own orientation, >
-                                          0. */
-    float x, y;                        /* Position of the picture's top left corner on the screen,
-                                          in pixels. */
-    float xx, xy, yx, yy;              /* Axes of the picture on the screen: (xx, yx) is its x axis,
-                                          (xy, yy) its y axis. */
-    float light;                       /* Brightness, as in struct display_settings. */
+    /* Size of the picture in pixels in its own orientation, > 0. */
+    float width, height;
+    /* Position of the picture's top left corner on the screen, in pixels. */
+    float x, y;
+    /* Axes of the picture on the screen: (xx, yx) is its x axis, (xy, yy) its y axis. */
+    float xx, xy, yx, yy;
+    float light; /* Brightness, as in struct display_settings. */
 };
 
 static inline float display_round_pixels(float pixels)
@@ -47,13 +49,11 @@ static inline float display_round_pixels(float pixels)
 static inline struct display_transform
 display_transform_of(const struct display_settings *display_settings, float width, float height)
 {
-    static const float turn_x[4] = { 1.0f, 0.0f, -1.0f, 0.0f }; /* x component of the picture's x
-                                                                   axis on the screen, for each
-                                                                   number of quarter turns. */
-    static const float turn_y[4] = { 0.0f, 1.0f, 0.0f, -1.0f }; /* y component of the picture's x
-                                                                   axis on the screen. The picture's
-                                                                   y axis is one quarter turn
-                                                                   further. */
+    /* x component of the picture's x axis on the screen, for each number of quarter turns. */
+    static const float turn_x[4] = { 1.0f, 0.0f, -1.0f, 0.0f };
+    /* y component of the picture's x axis on the screen. The picture's y axis is one quarter turn
+     * further. */
+    static const float turn_y[4] = { 0.0f, 1.0f, 0.0f, -1.0f };
     const uint32_t turn = display_settings->rotation & 3u;
     const float left =
         display_round_pixels(f_clamp(display_settings->inset_x, 0.0f, DISPLAY_INSET_MAX) * width);

@@ -42,12 +42,12 @@ struct sound_event {
  * axes, computed by the physics that moves the ring. The scalar levels `drag`, `slap` and `tear`
  * drive a simple rumble motor. */
 struct poi_force {
-    vec3 force_n;    /* Force on the player's hand; each component within +-POI_FORCE_N_MAX. */
-    vec3 torque_n_m; /* Torque about the grip of the handle; each component within
-                        +-POI_TORQUE_N_M_MAX. */
-    float drag;      /* Drag force of the water, [0, 1]; 1 at POI_DRAG_N_FULL. */
-    float slap;      /* Strength of the impact of a fish's tail in this tick, [0, 1]. */
-    float tear;      /* Amount of paper torn in this tick, [0, 1]; 1 means ten cells or more. */
+    vec3 force_n; /* Force on the player's hand; each component within +-POI_FORCE_N_MAX. */
+    /* Torque about the grip of the handle; each component within +-POI_TORQUE_N_M_MAX. */
+    vec3 torque_n_m;
+    float drag; /* Drag force of the water, [0, 1]; 1 at POI_DRAG_N_FULL. */
+    float slap; /* Strength of the impact of a fish's tail in this tick, [0, 1]. */
+    float tear; /* Amount of paper torn in this tick, [0, 1]; 1 means ten cells or more. */
 };
 
 #define POI_FORCE_N_MAX 20.0f /* The largest force that a wrist resists. */
@@ -59,26 +59,27 @@ struct poi_force {
 /* Commands of the operator for a controller. */
 enum controller_command_kind {
     COMMAND_NONE = 0,
-    COMMAND_CHOOSE,     /* Detach the controller from its present driver and use the controller
-                           as a poi. */
-    COMMAND_RELEASE,    /* Return the controller to its driver and delete the learned mapping. */
-    COMMAND_LEARN,      /* Start the learn wizard. The controller is attached to Kingyo while the
-                           wizard runs. */
+    /* Detach the controller from its present driver and use the controller as a poi. */
+    COMMAND_CHOOSE,
+    COMMAND_RELEASE, /* Return the controller to its driver and delete the learned mapping. */
+    /* Start the learn wizard. The controller is attached to Kingyo while the wizard runs. */
+    COMMAND_LEARN,
     COMMAND_LEARN_NEXT, /* The operator has performed the current step of the wizard. */
-    COMMAND_LEARN_KEEP, /* Save the learned mapping for the controller's vendor, product and serial
-                           number. */
-    COMMAND_LEARN_END,  /* Discard the learned mapping. The controller returns to its previous
-                           driver if it was not attached before the wizard. */
-    COMMAND_RESTART,    /* Restart the kiosk; applies to no controller. */
-    COMMAND_REPLAY,     /* Show the replay of round `round_id`; applies to no controller. */
-    COMMAND_SEEN,       /* The operator has read which databases were quarantined; applies to no
-                           controller. */
+    /* Save the learned mapping for the controller's vendor, product and serial number. */
+    COMMAND_LEARN_KEEP,
+    /* Discard the learned mapping. The controller returns to its previous driver if it was not
+     * attached before the wizard. */
+    COMMAND_LEARN_END,
+    COMMAND_RESTART, /* Restart the kiosk; applies to no controller. */
+    COMMAND_REPLAY,  /* Show the replay of round `round_id`; applies to no controller. */
+    /* The operator has read which databases were quarantined; applies to no controller. */
+    COMMAND_SEEN,
 };
 
 struct controller_command {
-    uint8_t kind;      /* Kind of the command (enum controller_command_kind). */
-    uint8_t row;       /* Row of the controller, < CONTROLLER_MAX, as in struct
-                          controller_status. */
+    uint8_t kind; /* Kind of the command (enum controller_command_kind). */
+    /* Row of the controller, < CONTROLLER_MAX, as in struct controller_status. */
+    uint8_t row;
     uint32_t round_id; /* Ledger id of the round, for COMMAND_REPLAY only. */
 };
 
@@ -93,20 +94,23 @@ struct controller_command {
 
 /* Edited curves of one species. 540 bytes; the core keeps one per species. */
 struct lab_edit {
-    uint8_t template_id;      /* Template from which the graph was started (enum graph_template).
-                                 Under TEMPLATE_OWN each body part keeps its own curve. Under any
-                                 other template every body part follows `graph`. */
-    uint8_t scale_knot_count; /* Number of entries in `scale_knots`, as in struct species_card. 0
-                                 means that the growth curve determines the scale. */
-    struct graph graph;       /* Deformation graph of the whole fish. */
+    /* Template from which the graph was started (enum graph_template). Under TEMPLATE_OWN each body
+     * part keeps its own curve. Under any other template every body part follows `graph`. */
+    uint8_t template_id;
+    /* Number of entries in `scale_knots`, as in struct species_card. 0 means that the growth curve
+     * determines the scale. */
+    uint8_t scale_knot_count;
+    struct graph graph; /* Deformation graph of the whole fish. */
     struct scale_knot scale_knots[GRAPH_KNOT_MAX];
 };
 
 struct graph_edit_record {
-    uint32_t id;       /* Id of the record. Each record has an id one higher than the previous
-                          record. 0 means that no record needs to be saved. */
-    uint8_t is_own;    /* 1 if the species returns to its original curves and the store must delete
-                          the saved edit; otherwise 0. */
+    /* Id of the record. Each record has an id one higher than the previous record. 0 means that no
+     * record needs to be saved. */
+    uint32_t id;
+    /* 1 if the species returns to its original curves and the store must delete the saved edit;
+     * otherwise 0. */
+    uint8_t is_own;
     uint8_t key_count; /* Number of key shapes of the species. */
     char species[SPECIES_NAME_SIZE];
     struct lab_edit edit;
@@ -115,31 +119,35 @@ struct graph_edit_record {
 /* ---- Complete output ------------------------------------------------------------------------- */
 
 struct output {
-    uint32_t sound_count; /* Number of sounds, <= OUTPUT_SOUND_MAX; further sounds of the frame are
-                             dropped. */
+    /* Number of sounds, <= OUTPUT_SOUND_MAX; further sounds of the frame are dropped. */
+    uint32_t sound_count;
     struct sound_event sounds[OUTPUT_SOUND_MAX];
     struct poi_force poi[POI_MAX];
     uint32_t tick;       /* Number of ticks that the core has run. */
     uint32_t round_tick; /* Tick at which the newest round started. 0 means no round yet. */
-    uint8_t phase;       /* Phase of the game after the newest tick (enum scene_phase). 0 before the
-                            first tick, which is PHASE_ATTRACT. */
-    uint8_t is_idle;     /* 1 after a tick in attract mode without an open payment. The program may
-                            then restart. Otherwise 0. */
-    uint8_t start_lamp;  /* 1 if the START button's lamp is lit, otherwise 0. */
-    uint8_t coin_lockout;   /* 1 if coins fall through to the return tray, otherwise 0. */
-    uint32_t coins_counted; /* Number of coins counted since the kiosk started. The coin meter in
-                               the cabinet receives one pulse for each coin. */
-    uint32_t tickets;       /* Number of tickets requested since the kiosk started. The dispenser
-                               receives one pulse for each ticket. The core requests the next ticket
-                               when input.tickets_done reaches `tickets`. */
-    uint32_t command_count; /* Number of commands since the kiosk started. Command n, counted from
-                               0, is in commands[n % CONTROLLER_COMMAND_MAX]. */
+    /* Phase of the game after the newest tick (enum scene_phase). 0 before the first tick, which is
+     * PHASE_ATTRACT. */
+    uint8_t phase;
+    /* 1 after a tick in attract mode without an open payment. The program may then restart.
+     * Otherwise 0. */
+    uint8_t is_idle;
+    uint8_t start_lamp;   /* 1 if the START button's lamp is lit, otherwise 0. */
+    uint8_t coin_lockout; /* 1 if coins fall through to the return tray, otherwise 0. */
+    /* Number of coins counted since the kiosk started. The coin meter in the cabinet receives one
+     * pulse for each coin. */
+    uint32_t coins_counted;
+    /* Number of tickets requested since the kiosk started. The dispenser receives one pulse for
+     * each ticket. The core requests the next ticket when input.tickets_done reaches `tickets`. */
+    uint32_t tickets;
+    /* Number of commands since the kiosk started. Command n, counted from 0, is in commands[n %
+     * CONTROLLER_COMMAND_MAX]. */
+    uint32_t command_count;
     struct controller_command commands[CONTROLLER_COMMAND_MAX];
     uint32_t entry_id; /* Id of the newest ledger entry. Entry n is in entries[n % LEDGER_RING]. */
     struct ledger_entry entries[LEDGER_RING];
-    struct graph_edit_record edit; /* Newest graph edit of a species. If the store does not read the
-                                      edit before the next edit, the edit is not saved and is lost
-                                      at the next start. */
+    /* Newest graph edit of a species. If the store does not read the edit before the next edit, the
+     * edit is not saved and is lost at the next start. */
+    struct graph_edit_record edit;
 };
 
 /* Merges the force of one tick into `frame`, the force of the current frame. The frame loop clears

@@ -9,8 +9,8 @@
 
 struct persistent_state {
     struct ledger_start ledger;
-    struct settings settings; /* Stored settings. A value that settings_allows() rejects is replaced
-                                 by its default. */
+    /* Stored settings. A value that settings_allows() rejects is replaced by its default. */
+    struct settings settings;
     struct audits audits;
     struct ranking ranking;
 };

@@ -37,23 +37,25 @@ enum scene_place {
 struct scene_fish {
     vec3 position_m; /* Centre of the fish's body box. */
     struct angles angles;
-    float length_m;       /* Total length, snout to tail tip. */
-    float age_days;       /* Days since hatching. Shape and colour are those of this age. */
-    float tail_phase_rad; /* Phase of the body wave that travels along a swimming fish, [0, 2
-                             pi). */
-    float tail_amplitude; /* Tail-beat amplitude. 1 means a fifth of the fish's length, peak to
-                             peak; 0 means that the tail is still. */
-    float bend_rad;       /* Bend of the whole body during a turn; a positive angle bends the tail
-                             to its right. */
-    float gape;           /* Opening of the mouth, [0, 1]. The fish gulps air at the surface. */
-    float gulp;           /* Progress of one gulp, from one opening of the mouth to the next, (0,
-                             1]; 0 means that the fish does not gulp. */
-    float progress;       /* Position in the fish's life, [0, 1], from the species' first key shape
-                             to its last. */
-    float maturity;       /* Colour maturity, [0, 1], from the species' first colour key to its
-                             last. */
-    uint32_t look;        /* Random bits that choose the individual's pattern and colours. */
-    uint8_t place;        /* Place of the fish (enum scene_place). */
+    float length_m; /* Total length, snout to tail tip. */
+    float age_days; /* Days since hatching. Shape and colour are those of this age. */
+    /* Phase of the body wave that travels along a swimming fish, [0, 2 pi). */
+    float tail_phase_rad;
+    /* Tail-beat amplitude. 1 means a fifth of the fish's length, peak to peak; 0 means that the
+     * tail is still. */
+    float tail_amplitude;
+    /* Bend of the whole body during a turn; a positive angle bends the tail to its right. */
+    float bend_rad;
+    float gape; /* Opening of the mouth, [0, 1]. The fish gulps air at the surface. */
+    /* Progress of one gulp, from one opening of the mouth to the next, (0, 1]; 0 means that the
+     * fish does not gulp. */
+    float gulp;
+    /* Position in the fish's life, [0, 1], from the species' first key shape to its last. */
+    float progress;
+    /* Colour maturity, [0, 1], from the species' first colour key to its last. */
+    float maturity;
+    uint32_t look; /* Random bits that choose the individual's pattern and colours. */
+    uint8_t place; /* Place of the fish (enum scene_place). */
 };
 
 struct scene_poi {
@@ -61,23 +63,24 @@ struct scene_poi {
     uint8_t owner;   /* Player index; selects the ring's colour. */
     vec3 position_m; /* Position of the ring's centre. */
     struct angles angles;
-    float ring_radius_m;  /* Inner radius of the ring, at the paper's edge. */
-    float sag_m;          /* Depth of the sagging paper below the ring's plane; a negative value
-                             means that the paper bulges upward. */
-    float paper_left;     /* Share of the paper area that is left, [0, 1]. */
-    float shade_dark;     /* Share of the light that the poi blocks from the water below, [0, 1]; 0
-                             while the poi is in the water. */
-    float water_m;        /* Mean depth of the water on the paper. */
-    uint8_t shows_stress; /* 1 in practice mode, where the paper is coloured by `stress`; otherwise
-                             0. */
-    uint8_t wetness[SHEET_SIDE * SHEET_SIDE];   /* Wetness of each paper cell, from 0 (dry) to 255
-                                                   (wet). Row 0 is at the far edge (-z). */
-    uint8_t integrity[SHEET_SIDE * SHEET_SIDE]; /* Integrity of each paper cell, from 255 (whole) to
-                                                   1 (nearly torn); 0 means a hole. */
-    uint8_t stress[SHEET_SIDE * SHEET_SIDE];    /* Load of each paper cell divided by its
-                                                   strength, including stress concentration. 255
-                                                   means that the cell tears immediately; 0 means
-                                                   no paper. */
+    float ring_radius_m; /* Inner radius of the ring, at the paper's edge. */
+    /* Depth of the sagging paper below the ring's plane; a negative value means that the paper
+     * bulges upward. */
+    float sag_m;
+    float paper_left; /* Share of the paper area that is left, [0, 1]. */
+    /* Share of the light that the poi blocks from the water below, [0, 1]; 0 while the poi is in
+     * the water. */
+    float shade_dark;
+    float water_m; /* Mean depth of the water on the paper. */
+    /* 1 in practice mode, where the paper is coloured by `stress`; otherwise 0. */
+    uint8_t shows_stress;
+    /* Wetness of each paper cell, from 0 (dry) to 255 (wet). Row 0 is at the far edge (-z). */
+    uint8_t wetness[SHEET_SIDE * SHEET_SIDE];
+    /* Integrity of each paper cell, from 255 (whole) to 1 (nearly torn); 0 means a hole. */
+    uint8_t integrity[SHEET_SIDE * SHEET_SIDE];
+    /* Load of each paper cell divided by its strength, including stress concentration. 255 means
+     * that the cell tears immediately; 0 means no paper. */
+    uint8_t stress[SHEET_SIDE * SHEET_SIDE];
 };
 
 struct scene_bowl {
@@ -101,9 +104,9 @@ struct scene_pump {
 /* A fan held over the water, with its shadow. */
 struct scene_fan {
     uint8_t present;
-    uint8_t owner;  /* Player index; selects the fan's picture. */
-    uint8_t unseen; /* 1 if only the shadow is shown, so that the water below the fan stays visible;
-                       otherwise 0. */
+    uint8_t owner; /* Player index; selects the fan's picture. */
+    /* 1 if only the shadow is shown, so that the water below the fan stays visible; otherwise 0. */
+    uint8_t unseen;
     float x_m, z_m; /* Centre of the shadow on the water, vertically below the light. */
     float radius_m;
     float dark;    /* Share of the light that the fan blocks, [0, 1]. */
@@ -117,8 +120,8 @@ enum scene_phase {
     PHASE_READY = 1, /* A few seconds in which the player takes the poi. */
     PHASE_ROUND = 2,
     PHASE_RESULT = 3,
-    PHASE_WORDLESS = 4,     /* The tank alone is shown, without text. The phase is not part of a
-                               game. */
+    /* The tank alone is shown, without text. The phase is not part of a game. */
+    PHASE_WORDLESS = 4,
     PHASE_MODE_SELECT = 5,  /* Selection of the mode. */
     PHASE_LAB = 6,          /* The growth lab. */
     PHASE_ALBUM = 7,        /* Album: the caught fish grow up. */
@@ -128,11 +131,11 @@ enum scene_phase {
 };
 
 enum game_mode {
-    MODE_FESTIVAL = 0,     /* The round lasts until the paper cannot hold a fish or the time is
-                              over. */
+    /* The round lasts until the paper cannot hold a fish or the time is over. */
+    MODE_FESTIVAL = 0,
     MODE_CHAMPIONSHIP = 1, /* Rules of the federation: three minutes, one No. 5 poi, fouls. */
-    MODE_PRACTICE = 2,     /* The paper shows its stress, torn paper is replaced, and no score is
-                              kept. */
+    /* The paper shows its stress, torn paper is replaced, and no score is kept. */
+    MODE_PRACTICE = 2,
     MODE_COUNT = 3,
 };
 
@@ -154,10 +157,10 @@ enum level {
  * player's round. */
 enum foul {
     FOUL_NONE = 0,
-    FOUL_POURED = 1, /* The player poured fish into the bowl while part of the ring was still in the
-                        water. */
-    FOUL_WALL = 2,   /* The player pressed fish against the tank's wall and scooped them there. */
-    FOUL_SHADE = 3,  /* The player held a shadow over the water before the start. */
+    /* The player poured fish into the bowl while part of the ring was still in the water. */
+    FOUL_POURED = 1,
+    FOUL_WALL = 2,  /* The player pressed fish against the tank's wall and scooped them there. */
+    FOUL_SHADE = 3, /* The player held a shadow over the water before the start. */
     FOUL_COUNT = 4,
 };
 #define FOUL_MAX 3u
@@ -202,19 +205,19 @@ enum language {
 
 /* State of the credits. */
 struct scene_credit {
-    uint8_t price;         /* Units per credit; 0 means free play. */
-    uint8_t is_event;      /* 1 if play is free because of an event, otherwise 0. */
-    uint8_t unpaid;        /* 1 if no credit is available, so no round can start; otherwise 0. */
-    uint8_t warnings;      /* Bit mask of enum credit_warning. */
-    uint8_t came_back;     /* 1 if the last round was refunded and none of its results were counted,
-                              otherwise 0. */
-    uint8_t coin_units;    /* Units per pulse of the first coin line. */
-    uint32_t units;        /* Units inserted towards the next credit. */
-    uint32_t credits;      /* Credits that can be played. */
-    uint32_t coming;       /* Credits that are not on disk yet. */
-    float coin_s, asked_s; /* Seconds since the last coin (`coin_s`), and since the last start
-                              attempt without a credit (`asked_s`). A value of one day or more means
-                              never. */
+    uint8_t price;    /* Units per credit; 0 means free play. */
+    uint8_t is_event; /* 1 if play is free because of an event, otherwise 0. */
+    uint8_t unpaid;   /* 1 if no credit is available, so no round can start; otherwise 0. */
+    uint8_t warnings; /* Bit mask of enum credit_warning. */
+    /* 1 if the last round was refunded and none of its results were counted, otherwise 0. */
+    uint8_t came_back;
+    uint8_t coin_units; /* Units per pulse of the first coin line. */
+    uint32_t units;     /* Units inserted towards the next credit. */
+    uint32_t credits;   /* Credits that can be played. */
+    uint32_t coming;    /* Credits that are not on disk yet. */
+    /* Seconds since the last coin (`coin_s`), and since the last start attempt without a credit
+     * (`asked_s`). A value of one day or more means never. */
+    float coin_s, asked_s;
 };
 
 /* ---- Whole scene ----------------------------------------------------------------------------- */
@@ -223,13 +226,13 @@ struct scene_credit {
  * (platform/kiosk/recorder/score_playback.h). */
 enum scene_encore {
     ENCORE_OFF = 0,
-    ENCORE_SEEKS, /* The replay is loaded, and is played fast until the round of the score
-                     begins. */
+    /* The replay is loaded, and is played fast until the round of the score begins. */
+    ENCORE_SEEKS,
     ENCORE_PLAYS,
-    ENCORE_GENUINE, /* The playback is over, and its result matched the stored record bit for
-                       bit. */
-    ENCORE_OTHER,   /* The playback is over, and its result differed from the stored record. */
-    ENCORE_NONE,    /* The score has no replay. */
+    /* The playback is over, and its result matched the stored record bit for bit. */
+    ENCORE_GENUINE,
+    ENCORE_OTHER, /* The playback is over, and its result differed from the stored record. */
+    ENCORE_NONE,  /* The score has no replay. */
     ENCORE_COUNT,
 };
 
@@ -245,66 +248,69 @@ struct scene {
     struct scene_bowl bowl[POI_MAX];
     struct scene_fan fan[SHADE_MAX];
     struct scene_pump pump;
-    int8_t slope[RIPPLE_Z][RIPPLE_X][2]; /* Slope of the water surface along x and z, times 508;
-                                            +-127 is a slope of +-0.25. */
+    /* Slope of the water surface along x and z, times 508; +-127 is a slope of +-0.25. */
+    int8_t slope[RIPPLE_Z][RIPPLE_X][2];
 
-    uint8_t phase;      /* enum scene_phase */
-    uint8_t language;   /* enum language */
-    uint8_t hint;       /* enum scene_hint */
-    float phase_s;      /* Seconds since the phase began. */
-    float veil;         /* Darkness of the tank in the fade between two sessions, [0, 1]. Text over
-                           the tank stays bright. */
-    float seconds_left; /* Seconds left in the round. In READY: seconds until the round begins. In
-                           mode selection and name entry: seconds until the timeout. In other phases
-                           0. */
+    uint8_t phase;    /* enum scene_phase */
+    uint8_t language; /* enum language */
+    uint8_t hint;     /* enum scene_hint */
+    float phase_s;    /* Seconds since the phase began. */
+    /* Darkness of the tank in the fade between two sessions, [0, 1]. Text over the tank stays
+     * bright. */
+    float veil;
+    /* Seconds left in the round. In READY: seconds until the round begins. In mode selection and
+     * name entry: seconds until the timeout. In other phases 0. */
+    float seconds_left;
     uint32_t caught[POI_MAX];
     uint32_t best_today; /* Best score today in this mode, at the level of the round. */
-    uint8_t by_bot;      /* 1 if the bot played in this round, so the result is no person's score;
-                            otherwise 0. */
+    /* 1 if the bot played in this round, so the result is no person's score; otherwise 0. */
+    uint8_t by_bot;
 
-    uint8_t mode;   /* Mode of this round (enum game_mode); in PHASE_MODE_SELECT, the selected
-                       mode. */
+    /* Mode of this round (enum game_mode); in PHASE_MODE_SELECT, the selected mode. */
+    uint8_t mode;
     uint8_t level;  /* Easiest level of the players in this round (enum level). */
     uint8_t choice; /* In PHASE_MODE_SELECT: the selected mode, or CHOICE_LAB. */
-    uint8_t modes;  /* Bit mask of the modes that can be selected (1 << enum game_mode, or 1 <<
-                       CHOICE_LAB). */
+    /* Bit mask of the modes that can be selected (1 << enum game_mode, or 1 << CHOICE_LAB). */
+    uint8_t modes;
     struct scene_offer {
         uint16_t round_s; /* Longest duration of a round in seconds. */
         uint8_t grade;    /* Grade of the paper. */
     } offer[MODE_COUNT];  /* Entry for each mode, including modes that cannot be selected. */
     uint8_t grade;        /* Grade of the round's paper. */
-    uint8_t paused;       /* 1 if a controller is lost and the round's clock is stopped, otherwise
-                             0. */
-    uint8_t call;         /* enum time_call of the latest announcement. */
-    float call_s;         /* Seconds since the latest announcement. */
+    /* 1 if a controller is lost and the round's clock is stopped, otherwise 0. */
+    uint8_t paused;
+    uint8_t call; /* enum time_call of the latest announcement. */
+    float call_s; /* Seconds since the latest announcement. */
     struct scene_player {
-        uint8_t plays;  /* 1 if the player takes part in this round, otherwise 0. */
-        uint8_t lost;   /* 1 if the controller is disconnected or its input is invalid, otherwise
-                           0. */
-        uint8_t fouls;  /* 0 .. FOUL_MAX */
-        uint8_t foul;   /* Kind of the latest foul (enum foul). */
-        float foul_s;   /* Seconds since the latest foul. */
-        uint8_t out;    /* 1 if the player's round is over, because of fouls or because no paper is
-                           left; otherwise 0. */
-        uint8_t place;  /* In RESULT: the player's best place on the leaderboards, from 1; 0 means
-                           not ranked. */
+        uint8_t plays; /* 1 if the player takes part in this round, otherwise 0. */
+        /* 1 if the controller is disconnected or its input is invalid, otherwise 0. */
+        uint8_t lost;
+        uint8_t fouls; /* 0 .. FOUL_MAX */
+        uint8_t foul;  /* Kind of the latest foul (enum foul). */
+        float foul_s;  /* Seconds since the latest foul. */
+        /* 1 if the player's round is over, because of fouls or because no paper is left; otherwise
+         * 0. */
+        uint8_t out;
+        /* In RESULT: the player's best place on the leaderboards, from 1; 0 means not ranked. */
+        uint8_t place;
         uint8_t period; /* Period of the leaderboard with the best place (enum rank_period). */
         uint8_t level;  /* Level of the player in this round (enum level). */
     } player[POI_MAX];
 
     struct scene_credit credit;
-    uint8_t asks_menu; /* 1 if TEST was pressed in a round, so a second press ends the round;
-                          otherwise 0. */
-    uint8_t asks_quit; /* 1 if the quit key was pressed on a desktop, so a second press ends the
-                          program; otherwise 0. The shell fills in this field. */
+    /* 1 if TEST was pressed in a round, so a second press ends the round; otherwise 0. */
+    uint8_t asks_menu;
+    /* 1 if the quit key was pressed on a desktop, so a second press ends the program; otherwise 0.
+     * The shell fills in this field. */
+    uint8_t asks_quit;
     struct scene_menu menu;
     struct scene_devices devices;
     struct scene_lab lab;
     struct scene_album album;
     struct scene_name name;
     struct scene_leaderboard leaderboard;
-    uint8_t playback;      /* State of the score playback (enum scene_encore). The shell fills in
-                              this field. */
-    float encore_progress; /* Progress of the fast playback before the round of the score, [0,
-                              1]. */
+    /* State of the score playback (enum scene_encore). The shell fills in this field. */
+    uint8_t playback;
+    /* Progress of the fast playback before the round of the score, [0, 1]. */
+    float encore_progress;
 };

@@ -13,59 +13,61 @@
 
 /* State of the page "ready for opening" (core/game/menu/menu.h). */
 struct scene_self_test {
-    uint8_t heard, moved;     /* Confirmations of the operator for sound and picture. */
-    uint8_t present, players; /* Bit masks of the slots with a controller and of the slots in
-                                 play. */
-    uint8_t store, clock;     /* States of the checks of the store and of the clock (enum
-                                 self_state). */
-    uint8_t seconds_left;     /* Seconds until a self-test check without a result counts as bad; 0
-                                 means that the test is over. */
-    uint16_t day, minute;     /* Date and time of the clock, as in struct input. */
+    uint8_t heard, moved; /* Confirmations of the operator for sound and picture. */
+    /* Bit masks of the slots with a controller and of the slots in play. */
+    uint8_t present, players;
+    /* States of the checks of the store and of the clock (enum self_state). */
+    uint8_t store, clock;
+    /* Seconds until a self-test check without a result counts as bad; 0 means that the test is
+     * over. */
+    uint8_t seconds_left;
+    uint16_t day, minute; /* Date and time of the clock, as in struct input. */
     uint8_t ways[POI_MAX], worst_age[POI_MAX];
 };
 
 /* State of the operator's menu (core/game/menu/menu.h) while the phase is PHASE_MENU. */
 struct scene_menu {
-    uint8_t page;       /* enum menu_page */
-    uint8_t tag;        /* Highlighted item of the page. */
-    uint16_t tags;      /* Bit mask of the page's items that can be selected. */
-    uint8_t row;        /* Row of the selected controller. */
-    uint8_t score;      /* Selected row of the leaderboard. */
-    uint8_t file_first; /* First row shown on the file page, of controllers.file_count rows; 0 if
-                           the list is empty. */
+    uint8_t page;  /* enum menu_page */
+    uint8_t tag;   /* Highlighted item of the page. */
+    uint16_t tags; /* Bit mask of the page's items that can be selected. */
+    uint8_t row;   /* Row of the selected controller. */
+    uint8_t score; /* Selected row of the leaderboard. */
+    /* First row shown on the file page, of controllers.file_count rows; 0 if the list is empty. */
+    uint8_t file_first;
     uint8_t upright, has_hand, presses;
     float x, y; /* Pointer position on the canvas (core/game/pointer_mapping.h). */
     struct controller_status controllers;
-    uint32_t held;                              /* Bit mask of the buttons that are held down (enum
-                                                   input_button). */
-    uint16_t pressed_count[INPUT_BUTTON_COUNT]; /* Presses of each button since the menu was
-                                                   opened. */
+    /* Bit mask of the buttons that are held down (enum input_button). */
+    uint32_t held;
+    /* Presses of each button since the menu was opened. */
+    uint16_t pressed_count[INPUT_BUTTON_COUNT];
     uint32_t test_coins; /* Coins since the menu was opened, for the page of the input lines. */
     float coin_s;        /* Seconds since the last test coin. */
     uint8_t chosen;      /* Row of the setting that was changed last. */
-    uint8_t turns_down;  /* 1 if selecting an item lowers its value, 0 if selecting raises the
-                            value. */
-    uint8_t is_saved;    /* 1 if every change of a setting is on disk, otherwise 0. */
-    uint8_t has_turned;  /* 1 if a setting was changed a moment ago, otherwise 0. */
-    uint32_t fish_max;   /* Capacity of the tank in fish. */
+    /* 1 if selecting an item lowers its value, 0 if selecting raises the value. */
+    uint8_t turns_down;
+    uint8_t is_saved;   /* 1 if every change of a setting is on disk, otherwise 0. */
+    uint8_t has_turned; /* 1 if a setting was changed a moment ago, otherwise 0. */
+    uint32_t fish_max;  /* Capacity of the tank in fish. */
     struct settings settings;
     struct scene_self_test self;
-    uint8_t seat;                  /* Slot whose controller is calibrated. */
-    uint8_t calibrated;            /* Bit mask of the slots with a stored calibration, damaged
-                                      ones included. */
-    uint8_t calibrate_step;        /* enum calibrate_step of the calibration. */
-    uint8_t calibrate_fault;       /* enum calibration_fault of the last attempt. */
-    float menu_calibrate_progress; /* Progress of holding the poi still during calibration, [0,
-                                      1]. */
-    vec3 calibrated_m;             /* Calibrated position of the poi. */
+    uint8_t seat; /* Slot whose controller is calibrated. */
+    /* Bit mask of the slots with a stored calibration, damaged ones included. */
+    uint8_t calibrated;
+    uint8_t calibrate_step;  /* enum calibrate_step of the calibration. */
+    uint8_t calibrate_fault; /* enum calibration_fault of the last attempt. */
+    /* Progress of holding the poi still during calibration, [0, 1]. */
+    float menu_calibrate_progress;
+    vec3 calibrated_m; /* Calibrated position of the poi. */
     uint8_t from;      /* Page of the statistics that requests confirmation of a reset. */
     uint8_t pin_count; /* Number of PIN digits typed. */
-    uint16_t pin;      /* PIN digits typed, as a number; displayed only while a new PIN is
-                          chosen. */
-    float pin_wait_s;  /* Seconds until a PIN can be typed again. */
-    uint32_t boot, last_id, saved_id; /* Number of the current kiosk start, id of the newest ledger
-                                         entry, and id of the newest ledger entry on disk. */
-    uint32_t audit[SCENE_AUDIT_MAX];  /* Counters of the statistics, indexed by enum audit_id. */
+    /* PIN digits typed, as a number; displayed only while a new PIN is chosen. */
+    uint16_t pin;
+    float pin_wait_s; /* Seconds until a PIN can be typed again. */
+    /* Number of the current kiosk start, id of the newest ledger entry, and id of the newest ledger
+     * entry on disk. */
+    uint32_t boot, last_id, saved_id;
+    uint32_t audit[SCENE_AUDIT_MAX]; /* Counters of the statistics, indexed by enum audit_id. */
 };
 
 /* ---- Computer ---------------------------------------------------------------------------------
@@ -76,14 +78,14 @@ struct scene_menu {
 /* Result of the check whether data written to the data folder survives a power cut. */
 enum scene_keeps {
     KEEPS_UNKNOWN = 0, /* The data folder was not checked yet. */
-    KEEPS_PROVEN,      /* The script board/kiosk/check-data has read test data back after a power
-                          cut. */
-    KEEPS_FOLDER,      /* The data folder is on a disk of this machine, but no power cut was
-                          tested. */
-    KEEPS_MEMORY,      /* The data folder is in RAM, so data does not survive. */
-    KEEPS_NOT,         /* The script board/kiosk/check-data found that data does not survive a power
-                          cut. */
-    KEEPS_NOWHERE,     /* No data folder exists. */
+    /* The script board/kiosk/check-data has read test data back after a power cut. */
+    KEEPS_PROVEN,
+    /* The data folder is on a disk of this machine, but no power cut was tested. */
+    KEEPS_FOLDER,
+    KEEPS_MEMORY, /* The data folder is in RAM, so data does not survive. */
+    /* The script board/kiosk/check-data found that data does not survive a power cut. */
+    KEEPS_NOT,
+    KEEPS_NOWHERE, /* No data folder exists. */
 };
 
 /* State of the watchdog, which restarts the kiosk when frames stop. */
@@ -100,21 +102,22 @@ struct scene_machine {
     uint8_t keeps; /* Result of the data check (enum scene_keeps). */
     uint8_t watch; /* State of the watchdog (enum scene_watch); valid even if `has_looked` is 0. */
     uint8_t has_backup, has_heat;
-    uint8_t is_clock_back; /* 1 if the clock is behind a time stamp written before this start,
-                              otherwise 0. */
-    uint32_t backup_min;   /* Minutes since the last good backup; valid if `has_backup` is 1. */
-    uint32_t room_mib;     /* Space available to Kingyo in the data folder, in MiB. */
-    int32_t heat_margin_c; /* Degrees Celsius below the throttling temperature; valid if `has_heat`
-                              is 1. */
-    uint32_t aside;        /* Number of quarantined databases that the operator has not
-                              acknowledged. */
-    uint32_t panics;       /* Number of programs that ended by a panic since the panic count was
-                              reset. */
-    uint8_t left_out;      /* Data that the kiosk does not load because of panics since power-on: 0
-                              none, 1 settings, 2 settings and replays, 3 settings, replays and
-                              names. */
-    uint32_t missed;       /* Number of ranked rounds since the start whose replay could not be
-                              saved. Excludes rounds after a page for a PIN. */
+    /* 1 if the clock is behind a time stamp written before this start, otherwise 0. */
+    uint8_t is_clock_back;
+    uint32_t backup_min; /* Minutes since the last good backup; valid if `has_backup` is 1. */
+    uint32_t room_mib;   /* Space available to Kingyo in the data folder, in MiB. */
+    /* Degrees Celsius below the throttling temperature; valid if `has_heat` is 1. */
+    int32_t heat_margin_c;
+    /* Number of quarantined databases that the operator has not acknowledged. */
+    uint32_t aside;
+    /* Number of programs that ended by a panic since the panic count was reset. */
+    uint32_t panics;
+    /* Data that the kiosk does not load because of panics since power-on: 0 none, 1 settings, 2
+     * settings and replays, 3 settings, replays and names. */
+    uint8_t left_out;
+    /* Number of ranked rounds since the start whose replay could not be saved. Excludes rounds
+     * after a page for a PIN. */
+    uint32_t missed;
 };
 
 /* ---- Devices --------------------------------------------------------------------------------- */
@@ -128,10 +131,10 @@ enum scene_file_state {
     FILE_UNKNOWN = 0,
     FILE_USED,
     FILE_REFUSED,
-    FILE_ASIDE, /* The file is a damaged database in quarantine that the operator has not
-                   acknowledged. */
-    FILE_SEEN,  /* The file is a damaged database in quarantine that the operator has
-                   acknowledged. */
+    /* The file is a damaged database in quarantine that the operator has not acknowledged. */
+    FILE_ASIDE,
+    /* The file is a damaged database in quarantine that the operator has acknowledged. */
+    FILE_SEEN,
     FILE_STATE_COUNT,
 };
 
@@ -152,41 +155,44 @@ enum scene_about {
  * text. */
 struct scene_devices {
     char controller[CONTROLLER_MAX][SCENE_NAME_SIZE];
-    char controllers[SCENE_LINE_SIZE]; /* Status of the controller search, or the reason why it does
-                                          not work. */
-    char lines[SCENE_LINE_SIZE];       /* Names of the cabinet's input lines, and of the missing
-                                          lines. */
-    char about[ABOUT_COUNT][SCENE_LINE_SIZE]; /* Name of each component, or its fault (indexed by
-                                                 enum scene_about). */
-    struct scene_axes {                       /* Newest report of each slot's controller, before
-                                                 calibration and validation. */
-        uint8_t link;                         /* Source of the slot's pose (enum poi_source). */
+    /* Status of the controller search, or the reason why it does not work. */
+    char controllers[SCENE_LINE_SIZE];
+    /* Names of the cabinet's input lines, and of the missing lines. */
+    char lines[SCENE_LINE_SIZE];
+    /* Name of each component, or its fault (indexed by enum scene_about). */
+    char about[ABOUT_COUNT][SCENE_LINE_SIZE];
+    /* Newest report of each slot's controller, before calibration and validation. */
+    struct scene_axes {
+        uint8_t link; /* Source of the slot's pose (enum poi_source). */
         vec3 position_m;
         struct angles angles;
         uint32_t report_count; /* Number of reports in the last full second. */
         float gap_ms;          /* Longest time between two successive reports, in milliseconds. */
     } axes[POI_MAX];
-    uint32_t frames_a_second; /* Frames per second, measured on the latest frames; 0 means
-                                 unknown. */
-    uint32_t files_refused;   /* Number of configuration files and lines that were rejected at
-                                 startup. */
+    /* Frames per second, measured on the latest frames; 0 means unknown. */
+    uint32_t frames_a_second;
+    /* Number of configuration files and lines that were rejected at startup. */
+    uint32_t files_refused;
     struct scene_machine machine;
-    uint32_t line_raw;  /* Bit mask of the line levels before debouncing. Each line has the same bit
-                           as in `buttons_missing`. */
-    struct scene_line { /* Counters of each input line since the start. The index is the line's bit
-                           number in `buttons_missing`. */
+    /* Bit mask of the line levels before debouncing. Each line has the same bit as in
+     * `buttons_missing`. */
+    uint32_t line_raw;
+    /* Counters of each input line since the start. The index is the line's bit number in
+     * `buttons_missing`. */
+    struct scene_line {
         uint32_t edges; /* Number of level changes, including contact bounces. */
         uint32_t faults;
     } line[INPUT_BUTTON_COUNT + COIN_LINE_COUNT];
     uint32_t coins[COIN_LINE_COUNT]; /* Pulses that counted as coins, since the start. */
     uint32_t button_faults;          /* Number of faults of button lines since the start. */
-    uint32_t buttons_missing;        /* Bit mask of the input lines that do not exist: bits of enum
-                                        input_button, followed by one bit for each coin line. */
-    struct scene_file {              /* Rows of the file page, starting with row `file_first` of
-                                        struct scene_menu. */
-        uint8_t state;               /* State of the file (enum scene_file_state). */
+    /* Bit mask of the input lines that do not exist: bits of enum input_button, followed by one bit
+     * for each coin line. */
+    uint32_t buttons_missing;
+    /* Rows of the file page, starting with row `file_first` of struct scene_menu. */
+    struct scene_file {
+        uint8_t state; /* State of the file (enum scene_file_state). */
         char name[SCENE_FILE_SIZE];
-        char words[SCENE_LINE_SIZE]; /* Content of the file, or the reason why the file was
-                                        rejected. */
+        /* Content of the file, or the reason why the file was rejected. */
+        char words[SCENE_LINE_SIZE];
     } file[SCENE_FILE_MAX];
 };

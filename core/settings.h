@@ -18,8 +18,8 @@ enum setting_id {
     SET_COIN_1,   /* Value in units of one pulse of the first coin line. */
     SET_COIN_2,
     SET_COIN_3,
-    SET_BONUS_UNITS,   /* Units that a player must insert before a round to receive the bonus; 0
-                          means no bonus. */
+    /* Units that a player must insert before a round to receive the bonus; 0 means no bonus. */
+    SET_BONUS_UNITS,
     SET_BONUS_CREDITS, /* Number of credits that the bonus adds. */
     SET_CREDIT_MAX,
     SET_CREDIT_EXPIRY_MIN, /* Minutes without activity after which credits expire; 0 means never. */
@@ -34,21 +34,24 @@ enum setting_id {
     SET_LANGUAGE,
     SET_NAMES, /* 1 if ranked players are prompted for a name, otherwise 0. */
     /* Sound settings. */
-    SET_VOLUME,        /* Volume in per cent. */
-    SET_ATTRACT_SOUND, /* Every n-th loop of attract mode plays sound, where n is the value; 0 means
-                          no sound. */
+    SET_VOLUME, /* Volume in per cent. */
+    /* Every n-th loop of attract mode plays sound, where n is the value; 0 means no sound. */
+    SET_ATTRACT_SOUND,
     /* Picture settings. */
-    SET_ROTATION,       /* Rotation of the picture in quarter turns clockwise. */
-    SET_OVERSCAN_X,     /* Margin at the left and at the right that the screen does not show, in per
-                           mille of the width. */
-    SET_OVERSCAN_Y,     /* Margin at the top and at the bottom that the screen does not show, in per
-                           mille of the height. */
+    SET_ROTATION, /* Rotation of the picture in quarter turns clockwise. */
+    /* Margin at the left and at the right that the screen does not show, in per mille of the
+     * width. */
+    SET_OVERSCAN_X,
+    /* Margin at the top and at the bottom that the screen does not show, in per mille of the
+     * height. */
+    SET_OVERSCAN_Y,
     SET_BRIGHTNESS,     /* Brightness in per cent. */
     SET_DIM,            /* Brightness while the kiosk is idle, in per cent of SET_BRIGHTNESS. */
     SET_DIM_AFTER_MIN,  /* Idle minutes before the picture is dimmed; 0 means never. */
     SET_NIGHT_FROM_MIN, /* Minute of the day at which the picture turns dark. */
-    SET_NIGHT_TO_MIN,   /* Minute of the day at which the picture becomes bright again. If the value
-                           equals SET_NIGHT_FROM_MIN, the picture is never dark. */
+    /* Minute of the day at which the picture becomes bright again. If the value equals
+     * SET_NIGHT_FROM_MIN, the picture is never dark. */
+    SET_NIGHT_TO_MIN,
     /* Operator settings. */
     SET_PIN, /* Stored form of the operator's PIN (core/pin.h); 0 means that no PIN is required. */
     /* First of the calibration values: nine values for each slot's controller
@@ -98,10 +101,10 @@ enum setting_kind {
 };
 
 struct setting {
-    const char *name; /* Key of the setting in the configuration file and in the store. A key never
-                         changes. */
-    uint8_t group;    /* Group of the setting in the menu (enum setting_group). */
-    uint8_t kind;     /* How the menu displays the setting (enum setting_kind). */
+    /* Key of the setting in the configuration file and in the store. A key never changes. */
+    const char *name;
+    uint8_t group; /* Group of the setting in the menu (enum setting_group). */
+    uint8_t kind;  /* How the menu displays the setting (enum setting_kind). */
     int32_t min, max, step, standard;
 };
 

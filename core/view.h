@@ -9,11 +9,13 @@
 struct view {
     vec3 eye_m;
     vec3 target_m;
-    float half_height_tan; /* Tangent of half the vertical field of view, for screens whose aspect
-                              ratio is at least `aspect_min`. */
-    float aspect_min;      /* Smallest aspect ratio, width over height, with the field of view of
-                              `half_height_tan`. Narrower screens use a larger vertical field of
-                              view, so that the whole width of the tank is still visible. */
+    /* Tangent of half the vertical field of view, for screens whose aspect ratio is at least
+     * `aspect_min`. */
+    float half_height_tan;
+    /* Smallest aspect ratio, width over height, with the field of view of `half_height_tan`.
+     * Narrower screens use a larger vertical field of view, so that the whole width of the tank is
+     * still visible. */
+    float aspect_min;
 };
 
 /* Returns the axes of the camera. The axis `back` points from the target to the eye. */

@@ -13,8 +13,9 @@
 struct buttons_mux {
     struct hal_buttons part[BUTTONS_MUX_MAX];
     uint32_t part_count;
-    char text[3u * HAL_TEXT_SIZE]; /* Descriptions of all parts, joined into one text that is
-                                      truncated to the size of the buffer. */
+    /* Descriptions of all parts, joined into one text that is truncated to the size of the
+     * buffer. */
+    char text[3u * HAL_TEXT_SIZE];
 };
 
 /* Adds a part. Parts are polled in the order in which they were added. Returns 0, or -1 if there

@@ -32,10 +32,11 @@ enum input_kind {
 struct input_source {
     struct hal_poi poi;
     struct hal_fan fan; /* Fan of the source. If `fan.ops` is null the source has no fan. */
-    bool (*is_present)(void *self); /* Returns true if the source can be used now. A null pointer
-                                       means that the source can always be used. */
-    void *self;                     /* First argument of is_present(). */
-    uint8_t kind;                   /* Kind of the source (enum input_kind). */
+    /* Returns true if the source can be used now. A null pointer means that the source can always
+     * be used. */
+    bool (*is_present)(void *self);
+    void *self;   /* First argument of is_present(). */
+    uint8_t kind; /* Kind of the source (enum input_kind). */
     /* True if the source is used even while its is_present() returns false, provided that no other
      * source is available. For example, a resting mouse can control the first poi if there is no
      * other source, but never a second poi. */
@@ -45,14 +46,15 @@ struct input_source {
 struct input_mux {
     struct input_source source[INPUT_SOURCE_MAX];
     uint32_t source_count;
-    uint32_t present;       /* Sources that were available at the last check, one bit for each
-                               source. */
-    uint32_t idle;          /* Available sources that are open but have no slot, one bit for each
-                               source. */
-    uint8_t slot[POI_MAX];  /* Index of each slot's source, or SLOT_NONE if the slot is empty. */
-    struct hal *hal;        /* Devices of the kiosk. The multiplexer sets hal->poi and hal->fan. */
-    const char *empty_line; /* Text that describe() returns for the first slot while the slot is
-                               empty. The text names the missing device and the remedy. */
+    /* Sources that were available at the last check, one bit for each source. */
+    uint32_t present;
+    /* Available sources that are open but have no slot, one bit for each source. */
+    uint32_t idle;
+    uint8_t slot[POI_MAX]; /* Index of each slot's source, or SLOT_NONE if the slot is empty. */
+    struct hal *hal;       /* Devices of the kiosk. The multiplexer sets hal->poi and hal->fan. */
+    /* Text that describe() returns for the first slot while the slot is empty. The text names the
+     * missing device and the remedy. */
+    const char *empty_line;
 };
 
 /* Initializes all slots as empty, and sets the devices of all slots in `hal`. Returns the device

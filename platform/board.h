@@ -8,8 +8,8 @@
 #include "platform/hal.h"
 
 enum board_poi {
-    BOARD_POI_AUTO = 0, /* Selects the best connected controller: USB, then gamepad, then mouse or
-                           touch screen. */
+    /* Selects the best connected controller: USB, then gamepad, then mouse or touch screen. */
+    BOARD_POI_AUTO = 0,
     BOARD_POI_MOUSE,
     BOARD_POI_TOUCH,
     BOARD_POI_PAD,
@@ -18,8 +18,9 @@ enum board_poi {
 };
 
 enum board_keyboard {
-    BOARD_KEYBOARD_AUTO = 0, /* The caller replaces AUTO by ON on a desktop and by OFF in a service,
-                                because a stranger may plug a keyboard into the kiosk. */
+    /* The caller replaces AUTO by ON on a desktop and by OFF in a service, because a stranger may
+     * plug a keyboard into the kiosk. */
+    BOARD_KEYBOARD_AUTO = 0,
     BOARD_KEYBOARD_ON,
     BOARD_KEYBOARD_OFF, /* Ignores all keys. No key acts as a button, inserts a coin or quits. */
 };
@@ -38,26 +39,28 @@ enum board_keyboard {
 struct library;
 
 struct board_options {
-    uint8_t poi;        /* Controller that plays (enum board_poi). */
-    uint32_t usb_count; /* Number of USB controllers that may play without being selected in the
-                           menu. */
+    uint8_t poi; /* Controller that plays (enum board_poi). */
+    /* Number of USB controllers that may play without being selected in the menu. */
+    uint32_t usb_count;
     const char (*usb)[BOARD_USB_SIZE];
     uint32_t line_count; /* Number of GPIO line options. The last option for a role is used. */
     const char (*line)[BOARD_LINE_SIZE];
-    uint8_t keyboard; /* Keyboard mode: BOARD_KEYBOARD_ON or BOARD_KEYBOARD_OFF. The caller has
-                         replaced BOARD_KEYBOARD_AUTO by one of the two. */
-    bool off_screen;  /* True if frames are rendered without a screen, to write pictures. */
-    bool on_demand;   /* True if only those frames are drawn that become pictures. Used only off
-                         screen. */
+    /* Keyboard mode: BOARD_KEYBOARD_ON or BOARD_KEYBOARD_OFF. The caller has replaced
+     * BOARD_KEYBOARD_AUTO by one of the two. */
+    uint8_t keyboard;
+    bool off_screen; /* True if frames are rendered without a screen, to write pictures. */
+    /* True if only those frames are drawn that become pictures. Used only off screen. */
+    bool on_demand;
     bool full_screen;
-    bool waits_for_screen;  /* True if a screen may be connected after program start. Without a
-                               screen the display returns HAL_ERR_GONE. */
+    /* True if a screen may be connected after program start. Without a screen the display returns
+     * HAL_ERR_GONE. */
+    bool waits_for_screen;
     uint32_t width, height; /* Window or picture size in pixels. 0 means the board's default. */
     bool mute;
-    const char *data_dir;          /* Folder of the store. Null means that nothing is stored. */
-    struct view view;              /* Camera view from which the rays of a pointer device start. */
-    const struct library *library; /* Installed species files to show (platform/species/library.h).
-                                      Null means no species files. */
+    const char *data_dir; /* Folder of the store. Null means that nothing is stored. */
+    struct view view;     /* Camera view from which the rays of a pointer device start. */
+    /* Installed species files to show (platform/species/library.h). Null means no species files. */
+    const struct library *library;
     /* Callback for a permanent loss of the display, called by the display function that detected
      * the loss. The callback must end the program and must not return, because the windowing
      * library and the renderer are not usable after the loss. Null means no callback. */

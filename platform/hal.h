@@ -45,8 +45,8 @@ static inline bool hal_is_fault(int result)
 #define HAL_TEXT_SIZE 160u
 
 struct hal_clock_ops {
-    uint64_t (*now_ns)(void *self); /* Returns the monotonic time in nanoseconds since an arbitrary
-                                       start. */
+    /* Returns the monotonic time in nanoseconds since an arbitrary start. */
+    uint64_t (*now_ns)(void *self);
     /* Writes the local date and time of day in the units of input.day and input.minute. Writes 0 to
      * both if the system clock was never set. The pointer is null in a clock that only measures
      * durations. */
@@ -62,10 +62,10 @@ struct hal_image {
 
 /* Events of the windowing system since the last poll. */
 struct display_events {
-    bool quit;    /* True if the user closed the window or the desktop session ends. */
-    bool lost;    /* True in every poll after the display was lost permanently. */
-    bool upright; /* True while width / height of the window is less than
-                     POINTER_UPRIGHT_ASPECT. */
+    bool quit; /* True if the user closed the window or the desktop session ends. */
+    bool lost; /* True in every poll after the display was lost permanently. */
+    /* True while width / height of the window is less than POINTER_UPRIGHT_ASPECT. */
+    bool upright;
 };
 
 /* Minimum and maximum size of a window in points (the coordinates of the windowing system). Text is
@@ -78,9 +78,8 @@ struct display_events {
 struct hal_display_ops {
     /* Opens the display, and reopens it after HAL_ERR_GONE. May block for a long time. */
     int (*open)(void *self);
-    int (*poll)(void *self, struct display_events *out); /* Writes the events since the last poll
-                                                            to `out`. After an error, `out` is
-                                                            invalid. */
+    /* Writes the events since the last poll to `out`. After an error, `out` is invalid. */
+    int (*poll)(void *self, struct display_events *out);
     /* Draws `scene` and presents the frame. May wait for the screen's vertical synchronization. */
     int (*present)(void *self, const struct scene *scene);
     /* Sets the rotation, margins and brightness of the picture on the screen for all later frames.
@@ -99,13 +98,15 @@ struct hal_display_ops {
 /* One decoded controller report: a pose and its arrival time. */
 struct poi_sample {
     uint64_t time_ns; /* Arrival time in nanoseconds on the clock of hal_clock_ops. */
-    bool was_stamped; /* True if a report arrived at `time_ns`; false if the driver synthesized the
-                         sample between two reports or for a controller at rest. */
-    bool has_wrist;   /* True if the controller measures angles. */
-    bool trembles;    /* True if the sensor is noisy. Identical values in consecutive samples then
-                         mean that the sensor is frozen. */
-    struct poi_target target; /* Values from the device, not validated. Each float may have any bit
-                                 pattern. */
+    /* True if a report arrived at `time_ns`; false if the driver synthesized the sample between two
+     * reports or for a controller at rest. */
+    bool was_stamped;
+    bool has_wrist; /* True if the controller measures angles. */
+    /* True if the sensor is noisy. Identical values in consecutive samples then mean that the
+     * sensor is frozen. */
+    bool trembles;
+    /* Values from the device, not validated. Each float may have any bit pattern. */
+    struct poi_target target;
 };
 /* Maximum number of samples that one poll returns. A 1,000 Hz controller sends 16 samples in a
  * 16 ms frame; the rest is a reserve for slow frames. */
@@ -145,23 +146,26 @@ struct hal_fan_ops {
 /* State of the buttons and coin lines. The edge counts are debounced and cover the time since the
  * last poll, so that a coin pulse of 20 ms is not lost. */
 struct button_sample {
-    uint32_t held, pressed; /* Buttons held now, and buttons pressed since the last poll: bits of
-                               enum input_button. */
-    uint32_t raw;           /* Levels of all lines before debouncing, with the same bits as
-                               `missing`. */
-    struct line_sample {    /* Counts of one line since the last poll. The array index is the bit
-                               number of the line in `missing`. */
-        uint32_t edges;     /* Level changes of the line, including contact bounces. */
-        uint32_t faults;    /* Faults of the line. The sum over all lines is `faults` of struct
-                               button_sample. */
+    /* Buttons held now, and buttons pressed since the last poll: bits of enum input_button. */
+    uint32_t held, pressed;
+    /* Levels of all lines before debouncing, with the same bits as `missing`. */
+    uint32_t raw;
+    /* Counts of one line since the last poll. The array index is the bit number of the line in
+     * `missing`. */
+    struct line_sample {
+        uint32_t edges; /* Level changes of the line, including contact bounces. */
+        /* Faults of the line. The sum over all lines is `faults` of struct button_sample. */
+        uint32_t faults;
     } line[HAL_LINE_COUNT];
     uint32_t coin_count[COIN_LINE_COUNT];
-    uint32_t faults;  /* Line faults since the last poll: stuck coin inputs, lost edges, and
-                         lines that disappeared or were absent at program start. */
-    uint32_t missing; /* Configured inputs whose GPIO line does not exist. The bits are those of
-                         enum input_button and, for coin lines, HAL_MISSING_COIN. */
-    bool quit;        /* True if the quit key of a desktop keyboard was pressed. Always false in
-                         a cabinet. */
+    /* Line faults since the last poll: stuck coin inputs, lost edges, and lines that disappeared or
+     * were absent at program start. */
+    uint32_t faults;
+    /* Configured inputs whose GPIO line does not exist. The bits are those of enum input_button
+     * and, for coin lines, HAL_MISSING_COIN. */
+    uint32_t missing;
+    /* True if the quit key of a desktop keyboard was pressed. Always false in a cabinet. */
+    bool quit;
     bool full_screen; /* True if the full-screen key of a desktop keyboard was pressed. */
 };
 
@@ -311,8 +315,9 @@ struct hal_watchdog_ops {
     /* Notifies the watchdog that the kiosk runs. The kiosk calls kick() once in each frame that had
      * ticks. */
     void (*kick)(void *self);
-    uint8_t (*watches)(void *self); /* Returns a value of enum scene_watch: whether the service
-                                       manager restarts the kiosk if kick() is not called. */
+    /* Returns a value of enum scene_watch: whether the service manager restarts the kiosk if kick()
+     * is not called. */
+    uint8_t (*watches)(void *self);
     const char *(*describe)(void *self);
 };
 

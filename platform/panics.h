@@ -38,8 +38,9 @@ struct panics {
     uint64_t left_boot; /* Id (panics_boot()) of the boot in which `left` was set. */
     bool is_early;      /* True if the newest panic came before the first frame. */
     uint32_t count;     /* Number of valid entries in `recent`, which has the newest panic first. */
-    uint32_t attempt;   /* Data that the current start tries to leave out (enum panics_left). 0
-                           means that no attempt is in progress. */
+    /* Data that the current start tries to leave out (enum panics_left). 0 means that no attempt is
+     * in progress. */
+    uint32_t attempt;
     struct {
         uint64_t boot; /* Id (panics_boot()) of the boot in which the panic occurred. */
         uint32_t up_s; /* Seconds between the boot and the panic. */

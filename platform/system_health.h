@@ -28,17 +28,17 @@
  * and clears the other fields. The address of the structure must not change while the monitor's
  * thread runs. */
 struct system_health {
-    const char *data;    /* Folder of the store. Null or "" means that there is no store. */
-    const char *checked; /* File with the result of check-data. Null means
-                            SYSTEM_HEALTH_CHECK_PATH. */
-    const char *heat;    /* Folder of the thermal zones. Null means /sys/class/thermal. */
+    const char *data; /* Folder of the store. Null or "" means that there is no store. */
+    /* File with the result of check-data. Null means SYSTEM_HEALTH_CHECK_PATH. */
+    const char *checked;
+    const char *heat; /* Folder of the thermal zones. Null means /sys/class/thermal. */
 
     pthread_t thread;
     bool runs;
     int wake_fd; /* Descriptor of eventfd(2) that ends the wait of the health monitor's thread. */
-    atomic_bool ends, acknowledges; /* Requests that the thread ends, and that it marks all
-                                       quarantined files as acknowledged. */
-    pthread_mutex_t lock;           /* Protects `newest`. The frame loop uses trylock only. */
+    /* Requests that the thread ends, and that it marks all quarantined files as acknowledged. */
+    atomic_bool ends, acknowledges;
+    pthread_mutex_t lock; /* Protects `newest`. The frame loop uses trylock only. */
     struct scene_machine newest;
 
     /* Only the health monitor's thread uses the following fields. */
@@ -47,8 +47,8 @@ struct system_health {
     struct {
         uint64_t inode;
         struct timespec modified;
-    } backup;         /* Identity of the backup file at the last check (inode and modification
-                         time). */
+        /* Identity of the backup file at the last check (inode and modification time). */
+    } backup;
     int64_t backup_s; /* Time on the monotonic clock at which the backup was made. */
     bool has_begun;
 };
@@ -63,15 +63,16 @@ int system_health_mark_seen(const struct system_health *machine);
 
 /* Kinds of quarantined files, which the store no longer uses and keeps for the operator. */
 enum system_health_quarantine {
-    SYSTEM_HEALTH_QUARANTINE_NONE = 0, /* Not a quarantined file: a journal, a marker or a file of
-                                          another program. */
-    SYSTEM_HEALTH_QUARANTINE_DAMAGED,  /* Damaged database, for example "kingyo.db.damaged-3". */
-    SYSTEM_HEALTH_QUARANTINE_MISSING,  /* Marker for a missing database, for example
-                                          "kingyo.db.missing-3". */
-    SYSTEM_HEALTH_QUARANTINE_LEFT,     /* Copy of the database from before a part of the data was
-                                          deleted, for example "kingyo.db.left-out-3". */
-    SYSTEM_HEALTH_QUARANTINE_OTHER,    /* File of a foreign ledger, for example
-                                          "kingyo.db.tail.other-3". */
+    /* Not a quarantined file: a journal, a marker or a file of another program. */
+    SYSTEM_HEALTH_QUARANTINE_NONE = 0,
+    SYSTEM_HEALTH_QUARANTINE_DAMAGED, /* Damaged database, for example "kingyo.db.damaged-3". */
+    /* Marker for a missing database, for example "kingyo.db.missing-3". */
+    SYSTEM_HEALTH_QUARANTINE_MISSING,
+    /* Copy of the database from before a part of the data was deleted, for example
+     * "kingyo.db.left-out-3". */
+    SYSTEM_HEALTH_QUARANTINE_LEFT,
+    /* File of a foreign ledger, for example "kingyo.db.tail.other-3". */
+    SYSTEM_HEALTH_QUARANTINE_OTHER,
 };
 
 /* Returns the kind of the quarantined file `file`, a name without the folder. */

@@ -29,8 +29,9 @@ struct thermal {
     const char *root; /* Folder of the thermal zones. Null means THERMAL_ROOT. */
     pthread_t thread;
     bool runs;
-    int end_fd; /* Descriptor of eventfd(2) that becomes readable when the temperature monitor's
-                   thread must end. */
+    /* Descriptor of eventfd(2) that becomes readable when the temperature monitor's thread must
+     * end. */
+    int end_fd;
     atomic_int margin_mdeg;
     atomic_uint looks; /* Number of completed temperature measurements. */
 };

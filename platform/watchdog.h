@@ -15,9 +15,9 @@ struct watchdog {
     uint64_t period_ns; /* Minimum interval in nanoseconds between two sent notifications. */
     uint64_t last_kick_ns;
     bool told_ready; /* True if the service manager has accepted READY=1. */
-    bool has_limit;  /* True if the service manager restarts the kiosk when notifications are
-                        missing. */
-    bool is_deaf;    /* True if the service manager did not accept the last notification. */
+    /* True if the service manager restarts the kiosk when notifications are missing. */
+    bool has_limit;
+    bool is_deaf; /* True if the service manager did not accept the last notification. */
     char text[HAL_TEXT_SIZE];
 };
 

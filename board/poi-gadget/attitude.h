@@ -73,34 +73,34 @@ struct angles attitude_quaternion_angles(struct quaternion q);
 /* Readings of all sensors at one moment, in the steps of the converter and in the axes of the
  * inertial chip. */
 struct readings {
-    float wire[DRAW_WIRE_COUNT]; /* Mean of several samples for each draw wire, in steps of the
-                                    analog-to-digital converter. */
+    /* Mean of several samples for each draw wire, in steps of the analog-to-digital converter. */
+    float wire[DRAW_WIRE_COUNT];
     /* True if the inertial chip computes a quaternion and `turn` is valid. False if `gyro_rad_s`
      * and `accel_m_s2` are valid instead. */
     bool fuses;
-    struct quaternion turn; /* Rotation from the axes of the inertial chip to a world whose +z axis
-                               points up. */
+    /* Rotation from the axes of the inertial chip to a world whose +z axis points up. */
+    struct quaternion turn;
     vec3 gyro_rad_s, accel_m_s2;
     uint8_t buttons; /* Bit mask of the pressed buttons (enum poi_button). */
 };
 
 /* State of the position filter. The constants of the filter are in attitude.c. */
 struct steady {
-    bool begun;                     /* True after the first position. */
-    vec3 place_m, speed_m_s, raw_m; /* Filtered position, filtered speed, and last unfiltered
-                                       position. Positions are in metres. */
+    bool begun; /* True after the first position. */
+    /* Filtered position, filtered speed, and last unfiltered position. Positions are in metres. */
+    vec3 place_m, speed_m_s, raw_m;
 };
 
 struct board_pose {
     const struct poi_config *config;
     struct attitude attitude;
     struct steady steady;
-    struct quaternion mount;      /* Rotation from the axes of the inertial chip to the axes of the
-                                     poi. */
-    enum draw_wires_result wires; /* Result of the last computation of the position from the draw
-                                     wires. */
-    vec3 eye_m;                   /* Unfiltered position of the eye, the point at which the draw
-                                     wires meet, in metres. */
+    /* Rotation from the axes of the inertial chip to the axes of the poi. */
+    struct quaternion mount;
+    /* Result of the last computation of the position from the draw wires. */
+    enum draw_wires_result wires;
+    /* Unfiltered position of the eye, the point at which the draw wires meet, in metres. */
+    vec3 eye_m;
 };
 
 /* Initializes the state. `config` must outlive `pose`. The caller guarantees that `config` is valid

@@ -33,8 +33,8 @@ enum draw_wires_result {
     DRAW_WIRES_LENGTH,
     /* The wires do not meet in a point, because a wire is slack, caught or broken. */
     DRAW_WIRES_APART,
-    DRAW_WIRES_HIGH, /* The wires meet too high: less than DRAW_WIRE_NEAR_M below the plane of the
-                        spools. */
+    /* The wires meet too high: less than DRAW_WIRE_NEAR_M below the plane of the spools. */
+    DRAW_WIRES_HIGH,
     DRAW_WIRES_RESULT_COUNT,
 };
 
@@ -69,10 +69,12 @@ struct wire_fit {
     /* Converter steps (`step`) and wire length in metres (`length_m`) of each mark. The arrays have
      * POI_CONFIG_MARK_MAX elements. */
     float step[8], length_m[8];
-    float zero_m, step_m; /* Results of the fit in metres. `zero_m` is the wire length at converter
-                             step 0, and `step_m` is the length of one step. */
-    float miss_m;         /* Maximum difference in metres between the measured and the fitted wire
-                             length, over all marks. */
+    /* Results of the fit in metres. `zero_m` is the wire length at converter step 0, and `step_m`
+     * is the length of one step. */
+    float zero_m, step_m;
+    /* Maximum difference in metres between the measured and the fitted wire length, over all
+     * marks. */
+    float miss_m;
 };
 
 /* Adds a mark with its converter steps and its wire length in metres. Asserts that the arrays have

@@ -14,17 +14,17 @@ struct hid_gadget {
     /* Path of the device /dev/hidgN. "-" means that reports are written to standard output and that
      * no force feedback is received. */
     const char *path;
-    int fd;              /* File descriptor, or -1 if the device is not open. */
-    uint8_t sequence;    /* Sequence number of the next report to the host. */
-    uint32_t shut_count; /* Number of consecutive writes that failed because no host is
-                            connected. */
+    int fd;           /* File descriptor, or -1 if the device is not open. */
+    uint8_t sequence; /* Sequence number of the next report to the host. */
+    /* Number of consecutive writes that failed because no host is connected. */
+    uint32_t shut_count;
     uint32_t sent_count;
     /* Number of dropped reports. A report is dropped if the host has not fetched the previous
      * report, or if no host is connected. */
     uint32_t skipped_count;
     uint32_t felt_count;
-    uint32_t refused_count; /* Number of received output reports that were rejected because their
-                               format is unknown. */
+    /* Number of received output reports that were rejected because their format is unknown. */
+    uint32_t refused_count;
 };
 
 /* Initializes the structure without opening the device. `path` must outlive `gadget`. */

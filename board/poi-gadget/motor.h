@@ -25,8 +25,8 @@
 #define FEEL_RATTLE_HZ 25.0f
 
 struct motor_mix {
-    float drag, slap, tear; /* Present levels of drag, slap and tear, in [0, 1]. The levels
-                               decay. */
+    /* Present levels of drag, slap and tear, in [0, 1]. The levels decay. */
+    float drag, slap, tear;
     float silent_s, rattle_s;
 };
 

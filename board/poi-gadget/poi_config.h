@@ -20,14 +20,14 @@
 #define POI_CONFIG_CHANNEL_MAX 31u
 
 struct poi_config {
-    char adc[POI_CONFIG_NAME_SIZE]; /* Kernel name of the IIO device of the analog-to-digital
-                                       converter. */
+    /* Kernel name of the IIO device of the analog-to-digital converter. */
+    char adc[POI_CONFIG_NAME_SIZE];
     char imu[POI_CONFIG_NAME_SIZE];
-    char light[POI_CONFIG_NAME_SIZE]; /* Name of the LED in /sys/class/leds. "" means that there is
-                                         no light. */
+    /* Name of the LED in /sys/class/leds. "" means that there is no light. */
+    char light[POI_CONFIG_NAME_SIZE];
     uint32_t channel[DRAW_WIRE_COUNT];
-    vec3 spool_m[DRAW_WIRE_COUNT]; /* World positions in metres at which the wires leave their
-                                      spools. */
+    /* World positions in metres at which the wires leave their spools. */
+    vec3 spool_m[DRAW_WIRE_COUNT];
     float zero_m[DRAW_WIRE_COUNT]; /* Length of each wire in metres at converter step 0. */
     /* Change of each wire's length in metres for one converter step. 0 means that the wire is not
      * calibrated. */
@@ -42,15 +42,15 @@ struct poi_config {
     /* Time constant in seconds of the heading's decay to straight ahead (see attitude_angles()). 0
      * disables the decay. */
     float ahead_s;
-    int32_t pwm_chip; /* Number N of the PWM chip /sys/class/pwm/pwmchipN. -1 means that there is no
-                         motor. */
+    /* Number N of the PWM chip /sys/class/pwm/pwmchipN. -1 means that there is no motor. */
+    int32_t pwm_chip;
     uint32_t pwm_channel;
-    uint32_t motor_hz; /* Frequency of the PWM pulses in Hz. The frequency is independent of the
-                          motor's speed. */
+    /* Frequency of the PWM pulses in Hz. The frequency is independent of the motor's speed. */
+    uint32_t motor_hz;
     float motor_least; /* Lowest PWM duty at which the motor turns, in [0, 1). */
     uint32_t mark_count;
-    vec3 mark_m[POI_CONFIG_MARK_MAX]; /* World positions in metres at which the user holds the eye
-                                         during the calibration. */
+    /* World positions in metres at which the user holds the eye during the calibration. */
+    vec3 mark_m[POI_CONFIG_MARK_MAX];
 };
 
 /* Sets all fields to the values of the example poi.conf. The wires are not calibrated. */

@@ -32,12 +32,13 @@
 #define POSE_LINE_GLIDE_S 600.0f
 
 struct pose_line {
-    float glide_s;            /* Duration of the motion to the pose in seconds, in [0,
-                                 POSE_LINE_GLIDE_S]. */
-    bool lost;                /* True if the position of the poi is unknown. */
-    uint8_t buttons;          /* Bit mask of the pressed buttons (enum poi_button). */
-    struct poi_target target; /* Pose of the poi. Positions are within +-POI_REPORT_REACH_M, and
-                                 angles within one full turn in each direction. */
+    /* Duration of the motion to the pose in seconds, in [0, POSE_LINE_GLIDE_S]. */
+    float glide_s;
+    bool lost;       /* True if the position of the poi is unknown. */
+    uint8_t buttons; /* Bit mask of the pressed buttons (enum poi_button). */
+    /* Pose of the poi. Positions are within +-POI_REPORT_REACH_M, and angles within one full turn
+     * in each direction. */
+    struct poi_target target;
 };
 
 /* Parses a line. Returns 1 for a pose, and 0 for an empty line or a comment. If the line is

@@ -14,8 +14,8 @@
 #include "platform/os/exit_code.h"
 
 enum pose_result {
-    POSE_NEW = 1,  /* A report is available. The position in the report is NaN if the position is
-                      unknown. */
+    /* A report is available. The position in the report is NaN if the position is unknown. */
+    POSE_NEW = 1,
     POSE_NONE = 0, /* No report is available yet. */
     POSE_END = -1, /* The source has ended. */
     /* The input contains an invalid pose. An error line was printed to standard error. */
@@ -47,8 +47,9 @@ struct run_options {
     const char *device; /* Path of the device /dev/hidgN, or "-" for standard output. */
     uint32_t rate_hz;   /* Report rate in Hz, RUN_RATE_MIN_HZ .. RUN_RATE_MAX_HZ. */
     uint32_t seconds;   /* Duration of the loop in seconds. 0 means no limit. */
-    bool prints;        /* True if the poses are printed as lines of text (pose_script.h) instead of
-                           being sent to the host. */
+    /* True if the poses are printed as lines of text (pose_script.h) instead of being sent to the
+     * host. */
+    bool prints;
 };
 
 /* Runs the loop until the source ends, the duration has passed, or a signal arrives. `sink` is not

@@ -19,8 +19,9 @@
 /* ---- Hand ------------------------------------------------------------------------------------ */
 
 struct scoop {
-    uint32_t stroke; /* Number of strokes (single motions of the hand) since the start of the
-                   simulation. Each scoop consists of SCOOP_STROKES strokes. */
+    /* Number of strokes (single motions of the hand) since the start of the simulation. Each scoop
+     * consists of SCOOP_STROKES strokes. */
+    uint32_t stroke;
     struct pose_glide glide;
 };
 
@@ -38,8 +39,9 @@ struct sensor_twin {
      * amount. A reading is a mean of four samples and therefore has less noise. */
     float noise_steps;
     vec3 gyro_bias_rad_s; /* Simulated bias of the gyroscope in rad/s. */
-    bool fuses;    /* True if the simulated chip computes a quaternion, as a BNO055 does. False
-                             if the simulated chip gives rotation rates and accelerations. */
+    /* True if the simulated chip computes a quaternion, as a BNO055 does. False if the simulated
+     * chip gives rotation rates and accelerations. */
+    bool fuses;
     uint8_t begun; /* Number of steps so far, at most 2. */
     uint32_t step;
     struct quaternion before;

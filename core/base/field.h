@@ -14,17 +14,18 @@
 enum field_form {
     FORM_WORDS = 0, /* The hash reads each number as one word. */
     FORM_RAW,       /* The hash reads the bytes of the member (hash_bytes()). */
-    FORM_HIGH,      /* The hash reads the number and the next member as one word. The number,
-                       shifted left by `tag` bits, supplies the high bits of the word, and the next
-                       member the low bits. */
-    FORM_SIGN,      /* The member is an int8_t from -1 to 1. The hash reads the number plus 1. */
-    FORM_LATER,     /* Recordings of formats older than `since` lack the number. The hash reads the
-                       number and its tag only if the number is not 0, so that the hashes of older
-                       recordings stay the same. */
-    FORM_STRUCTS,   /* The member is an array of structs, whose members are listed in `table`. */
-    FORM_SKIPPED,   /* The hash does not read the member. */
-    FORM_AGAIN,     /* The hash reads each number as one word. The table has another entry for the
-                       same member, so a visit in memory order skips this entry. */
+    /* The hash reads the number and the next member as one word. The number, shifted left by `tag`
+     * bits, supplies the high bits of the word, and the next member the low bits. */
+    FORM_HIGH,
+    FORM_SIGN, /* The member is an int8_t from -1 to 1. The hash reads the number plus 1. */
+    /* Recordings of formats older than `since` lack the number. The hash reads the number and its
+     * tag only if the number is not 0, so that the hashes of older recordings stay the same. */
+    FORM_LATER,
+    FORM_STRUCTS, /* The member is an array of structs, whose members are listed in `table`. */
+    FORM_SKIPPED, /* The hash does not read the member. */
+    /* The hash reads each number as one word. The table has another entry for the same member, so a
+     * visit in memory order skips this entry. */
+    FORM_AGAIN,
 };
 
 struct field_table {
@@ -35,24 +36,23 @@ struct field_table {
 };
 
 struct field {
-    const char *name;                /* Name of the member in its struct. */
-    const struct field_table *table; /* For FORM_STRUCTS: table of the struct of each element.
-                                        Otherwise null. */
-    uint32_t offset;                 /* Offset of the member in its struct, in bytes. */
-    uint32_t size;                   /* Size of the member in bytes. */
-    uint32_t count;                  /* Length of the member as an array of numbers. */
-    uint32_t count_offset;           /* Offset in the struct, in bytes, of the uint32_t that counts
-                                        the elements in use. FIELD_ALL_USED means that all elements
-                                        are in use. */
-    uint16_t tag;                    /* For FORM_LATER: tag that the hash reads before the first
-                                        element. Each further element has the next tag, and all tags
-                                        of a struct differ. For FORM_HIGH: number of bits of the
-                                        shift. */
-    uint8_t unit;                    /* Size of one number in bytes: 1, 2 or 4. */
-    uint8_t align;                   /* Alignment of the member in bytes. */
-    uint8_t form;                    /* Form of the member (enum field_form). */
-    uint8_t since;                   /* For FORM_LATER: first format of recordings that contains the
-                                        member. Otherwise 0. */
+    const char *name; /* Name of the member in its struct. */
+    /* For FORM_STRUCTS: table of the struct of each element. Otherwise null. */
+    const struct field_table *table;
+    uint32_t offset; /* Offset of the member in its struct, in bytes. */
+    uint32_t size;   /* Size of the member in bytes. */
+    uint32_t count;  /* Length of the member as an array of numbers. */
+    /* Offset in the struct, in bytes, of the uint32_t that counts the elements in use.
+     * FIELD_ALL_USED means that all elements are in use. */
+    uint32_t count_offset;
+    /* For FORM_LATER: tag that the hash reads before the first element. Each further element has
+     * the next tag, and all tags of a struct differ. For FORM_HIGH: number of bits of the shift. */
+    uint16_t tag;
+    uint8_t unit;  /* Size of one number in bytes: 1, 2 or 4. */
+    uint8_t align; /* Alignment of the member in bytes. */
+    uint8_t form;  /* Form of the member (enum field_form). */
+    /* For FORM_LATER: first format of recordings that contains the member. Otherwise 0. */
+    uint8_t since;
 };
 
 #define FIELD_ALL_USED UINT32_MAX
@@ -135,17 +135,19 @@ struct field {
 /* State of a visit, which reaches all members of an object one after another, including the members
  * of nested structs. */
 struct field_cursor {
-    bool in_memory_order; /* True to visit the members in their order in memory. False to visit the
-                             members in the order of the tables. */
-    uint32_t depth;       /* Number of entries of `level` in use, one for each nested struct that
-                             the visit is in. 0 means that the visit has ended. */
+    /* True to visit the members in their order in memory. False to visit the members in the order
+     * of the tables. */
+    bool in_memory_order;
+    /* Number of entries of `level` in use, one for each nested struct that the visit is in. 0 means
+     * that the visit has ended. */
+    uint32_t depth;
     struct field_level {
         const struct field_table *table;
         const uint8_t *object;
         const struct field *field; /* Current member of `object`. */
         const uint8_t *element;    /* Next element of the current member if it has a table. */
-        uint32_t element_count;    /* Number of elements that the visit has not yet entered,
-                                      beginning with `element`. */
+        /* Number of elements that the visit has not yet entered, beginning with `element`. */
+        uint32_t element_count;
     } level[FIELD_DEPTH_MAX];
 };
 

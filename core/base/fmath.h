@@ -53,16 +53,16 @@ static inline float f_smoothstep(float low, float high, float x)
 }
 
 float f_floor(float x);
-float f_sin(float x);            /* |error| < 2e-6 for |x| < 1000. */
-float f_cos(float x);            /* |error| < 2e-6 for |x| < 1000. */
-float f_atan2(float y, float x); /* Returns an angle in (-pi, pi], with an error below 3e-6. Returns
-                                    0 for (0, 0). */
-float f_acos(float x);           /* Clamps x to [-1, 1] first. The error is below 1e-4. */
-float f_exp(float x);            /* Clamps x to [-87, 88] first. The relative error is below
-                                    3e-6. */
-float f_log(float x);            /* Returns the natural logarithm. The caller guarantees that x is >
-                                    0 and no denormal number. The error is below 3e-6 for x in
-                                    [1e-6, 1e6]. */
-float f_wrap_angle(float x);     /* Returns the angle in [-pi, pi) that points in the same direction
-                                    as x, for |x| < 1000. */
+float f_sin(float x); /* |error| < 2e-6 for |x| < 1000. */
+float f_cos(float x); /* |error| < 2e-6 for |x| < 1000. */
+/* Returns an angle in (-pi, pi], with an error below 3e-6. Returns 0 for (0, 0). */
+float f_atan2(float y, float x);
+float f_acos(float x); /* Clamps x to [-1, 1] first. The error is below 1e-4. */
+/* Clamps x to [-87, 88] first. The relative error is below 3e-6. */
+float f_exp(float x);
+/* Returns the natural logarithm. The caller guarantees that x is > 0 and no denormal number. The
+ * error is below 3e-6 for x in [1e-6, 1e6]. */
+float f_log(float x);
+/* Returns the angle in [-pi, pi) that points in the same direction as x, for |x| < 1000. */
+float f_wrap_angle(float x);
 bool f_is_finite(float x);

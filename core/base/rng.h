@@ -12,14 +12,13 @@ struct rng_key {
 };
 
 uint32_t rng_u32(struct rng_key key);
-float rng_unit(struct rng_key key);                         /* Returns a number from a uniform
-                                                               distribution in [0, 1). */
-float rng_range(struct rng_key key, float low, float high); /* Returns a number from a uniform
-                                                               distribution in [low, high). */
-float rng_normal(struct rng_key key);                       /* Returns a number from a nearly normal
-                                                               distribution with mean 0 and standard
-                                                               deviation 1, always within [-6,
-                                                               6]. */
+/* Returns a number from a uniform distribution in [0, 1). */
+float rng_unit(struct rng_key key);
+/* Returns a number from a uniform distribution in [low, high). */
+float rng_range(struct rng_key key, float low, float high);
+/* Returns a number from a nearly normal distribution with mean 0 and standard deviation 1, always
+ * within [-6, 6]. */
+float rng_normal(struct rng_key key);
 
 /* Purpose of a random number, which is a part of its key. Two uses with different purposes get
  * independent numbers. The list covers the whole core, so that no two uses share a purpose by
@@ -38,8 +37,9 @@ enum rng_purpose {
     RNG_FISH_AVOID_SIDE,
     RNG_FISH_ESCAPE,
     RNG_FISH_DEPTH,
-    RNG_SHEET_STRENGTH = 15, /* No purpose has the value 14 any more. The later purposes keep their
-                                values, because otherwise their random numbers would change. */
+    /* No purpose has the value 14 any more. The later purposes keep their values, because otherwise
+     * their random numbers would change. */
+    RNG_SHEET_STRENGTH = 15,
     RNG_SHEET_SLAP,
     RNG_SHEET_SPOT,
     RNG_BOT_REACTION,
@@ -50,8 +50,8 @@ enum rng_purpose {
     RNG_SOUND,
     RNG_TEST,
     RNG_FISH_START_GAIT,
-    RNG_FISH_START_LEFT, /* Fraction of its first gait's duration that a fish still has at the
-                            start. */
+    /* Fraction of its first gait's duration that a fish still has at the start. */
+    RNG_FISH_START_LEFT,
     RNG_FISH_SHARP_TURN, /* Sharp turn of a fish at the start of a burst. */
     RNG_ESCAPE_STRAY,
     RNG_ESCAPE_DURATION,

@@ -202,8 +202,8 @@ static inline flanes simd_lerp(flanes a, flanes b, flanes t)
 
 static inline flanes simd_sqrt(flanes a)
 {
-    for (int lane = 0; lane < SIMD_LANES; lane++) { /* The compiler turns the loop into a single
-                                                       instruction. */
+    /* The compiler turns the loop into a single instruction. */
+    for (int lane = 0; lane < SIMD_LANES; lane++) {
         a[lane] = f_sqrt(a[lane]);
     }
     return a;
@@ -211,8 +211,8 @@ static inline flanes simd_sqrt(flanes a)
 
 static inline flanes simd_floor(flanes x)
 {
-    const ilanes small = simd_abs(x) < 8388608.0f; /* 2^23. A float of at least this magnitude has
-                                                      no fractional part. */
+    /* 2^23. A float of at least this magnitude has no fractional part. */
+    const ilanes small = simd_abs(x) < 8388608.0f;
     const ilanes toward_zero = __builtin_convertvector((flanes)(small & (ilanes)x), ilanes);
     const flanes whole = __builtin_convertvector(toward_zero, flanes);
     return simd_select(small, simd_select(whole > x, whole - 1.0f, whole), x);

@@ -66,37 +66,40 @@ typedef void game_phase_tick(struct game *game, struct world *world, struct core
 enum player_stance { STANCE_UNSEEN = 0, STANCE_RESTS, STANCE_MOVED };
 
 struct player {
-    uint8_t plays;      /* 1 if the player has had a poi in use in this round, otherwise 0. */
-    uint8_t out;        /* 1 if the player is out, which means that the player's round ended
-                           before the time was up. Otherwise 0. */
-    uint8_t handed;     /* 1 if the player has received fresh paper for this round, otherwise 0. */
-    uint8_t points;     /* Section of the tank under the player's poi in the mode selection,
-                           counted from 1. Each section selects one mode. 0 means no section. */
+    uint8_t plays; /* 1 if the player has had a poi in use in this round, otherwise 0. */
+    /* 1 if the player is out, which means that the player's round ended before the time was up.
+     * Otherwise 0. */
+    uint8_t out;
+    uint8_t handed; /* 1 if the player has received fresh paper for this round, otherwise 0. */
+    /* Section of the tank under the player's poi in the mode selection, counted from 1. Each
+     * section selects one mode. 0 means no section. */
+    uint8_t points;
     uint8_t level;      /* Level of the player in this round (enum level). */
     uint8_t fouls;      /* Number of the player's counted fouls, 0 .. FOUL_MAX. */
     uint8_t foul;       /* Kind of the player's latest foul (enum foul). */
     uint32_t foul_tick; /* Tick of the player's latest counted foul. */
-    uint32_t offence_tick[FOUL_COUNT]; /* Tick at which the player last committed each kind of foul,
-                                          counted or not. */
+    /* Tick at which the player last committed each kind of foul, counted or not. */
+    uint32_t offence_tick[FOUL_COUNT];
     uint32_t caught;
-    uint32_t scoops;          /* Number of dips that the player made in this round with earlier
-                                 sheets of paper. The dips with the current sheet are not
-                                 included. */
-    uint32_t torn_tick;       /* Tick at which the player's current sheet of paper became
-                                 useless; 0 means that the sheet is usable. */
-    uint32_t first_torn_tick; /* Tick at which the player's first sheet of paper became useless,
-                                 minus the ticks for which the round had been paused until then.
-                                 0 means that the first sheet is usable. */
-    uint32_t sheets_before;   /* Number of sheets that the player used up before the current
-                                 sheet. */
-    uint32_t lost_ticks;      /* Duration in ticks of the current pause in which other players wait
-                                 for this controller. */
-    uint32_t waited_ticks; /* Total ticks in this round for which other players have waited for this
-                              controller. */
-    uint8_t stance;        /* Motion of the controller since READY began (enum player_stance). */
-    float rest_x_m, rest_z_m; /* Rest position of the controller. In READY: position at which the
-                                 controller was first seen. In the mode selection: position at the
-                                 controller's last motion. */
+    /* Number of dips that the player made in this round with earlier sheets of paper. The dips with
+     * the current sheet are not included. */
+    uint32_t scoops;
+    /* Tick at which the player's current sheet of paper became useless; 0 means that the sheet is
+     * usable. */
+    uint32_t torn_tick;
+    /* Tick at which the player's first sheet of paper became useless, minus the ticks for which the
+     * round had been paused until then. 0 means that the first sheet is usable. */
+    uint32_t first_torn_tick;
+    /* Number of sheets that the player used up before the current sheet. */
+    uint32_t sheets_before;
+    /* Duration in ticks of the current pause in which other players wait for this controller. */
+    uint32_t lost_ticks;
+    /* Total ticks in this round for which other players have waited for this controller. */
+    uint32_t waited_ticks;
+    uint8_t stance; /* Motion of the controller since READY began (enum player_stance). */
+    /* Rest position of the controller. In READY: position at which the controller was first seen.
+     * In the mode selection: position at the controller's last motion. */
+    float rest_x_m, rest_z_m;
 };
 
 /* Longest single pause of a round while no player has a working controller. After this time the
@@ -119,20 +122,21 @@ _Static_assert(GAME_LOST_TICKS_MAX <= GAME_WAIT_TICKS_MAX &&
 #define HINT_TICKS_MIN 180u
 
 struct hints {
-    uint8_t pupil;        /* Player who receives the hints, < POI_MAX. */
-    uint8_t shown;        /* Hint that is shown (enum scene_hint). */
-    uint32_t shown_tick;  /* Tick at which the hint appeared. */
-    uint32_t learned;     /* Bit mask (1 << enum scene_hint) of the hints whose actions the player
-                             has done. */
-    uint32_t haste_tick;  /* Tick at which fast motion last tore the paper; 0 means never. */
-    uint32_t haste_cells; /* Number of paper cells torn by fast motion since the hint rules were
-                             last evaluated. */
+    uint8_t pupil;       /* Player who receives the hints, < POI_MAX. */
+    uint8_t shown;       /* Hint that is shown (enum scene_hint). */
+    uint32_t shown_tick; /* Tick at which the hint appeared. */
+    /* Bit mask (1 << enum scene_hint) of the hints whose actions the player has done. */
+    uint32_t learned;
+    uint32_t haste_tick; /* Tick at which fast motion last tore the paper; 0 means never. */
+    /* Number of paper cells torn by fast motion since the hint rules were last evaluated. */
+    uint32_t haste_cells;
     uint32_t paper_cells; /* Number of paper cells that the player's poi had in the last tick. */
-    uint32_t dips_before; /* Number of dips that the player's poi had made when the player last
-                             caught a fish; 0 for a new poi. */
-    uint32_t caught;      /* Number of fish that the player had caught when the hint rules were last
-                             evaluated. */
-    float moved_m;        /* Distance that the poi has moved in this round, up to 1 m. */
+    /* Number of dips that the player's poi had made when the player last caught a fish; 0 for a new
+     * poi. */
+    uint32_t dips_before;
+    /* Number of fish that the player had caught when the hint rules were last evaluated. */
+    uint32_t caught;
+    float moved_m; /* Distance that the poi has moved in this round, up to 1 m. */
 };
 
 /* Time without pointing or pressing after which the name entry ends. */
@@ -159,8 +163,8 @@ struct name {
     uint8_t key;       /* Highlighted key: the index of a letter's cell, or an enum name_key. */
     uint8_t points;    /* Key under the pointer, counted from 1. 0 means no key. */
     uint8_t upright, has_hand, presses;
-    uint8_t refusals; /* Number of names that the current player entered and the name filter
-                         rejected. */
+    /* Number of names that the current player entered and the name filter rejected. */
+    uint8_t refusals;
     uint8_t letter_count;
     uint16_t letter[NAME_LETTERS_MAX];
     uint32_t seat_tick;   /* Tick at which the current player's name entry began. */
@@ -171,39 +175,41 @@ struct name {
 };
 
 struct game {
-    uint32_t tick;       /* Number of the current tick, counted from 0 at the start of the kiosk. */
-    uint8_t phase;       /* Current phase (enum scene_phase). */
-    uint8_t language;    /* Display language (enum language). */
-    uint8_t mode;        /* Mode (enum game_mode) of the running round; in the mode selection, the
-                            mode that is selected. */
-    uint8_t lab_chosen;  /* 1 if the growth lab is selected in the mode selection, otherwise 0. */
-    uint8_t bot_played;  /* 1 if the bot controlled a poi in this round, otherwise 0. */
-    uint8_t played;      /* 1 if a player or the bot has had a poi in use in this round, otherwise
-                            0. */
-    uint8_t paused;      /* 1 if the round is paused because a controller is lost, otherwise 0. */
-    uint8_t call;        /* Latest time announcement in this round (enum time_call). */
-    uint32_t call_tick;  /* Tick of the latest time announcement. */
-    uint32_t phase_tick; /* Tick at which the phase began. While the round's clock is paused,
-                            `phase_tick` rises by one per tick, so that the time since the start
-                            of the phase stays the same. */
-    uint32_t round_tick; /* Tick at which the round began; not changed by pauses. */
-    uint32_t paused_ticks;   /* Ticks for which the round's clock was paused, for any reason. */
-    uint32_t point_tick;     /* Tick at which a player last selected an item in the mode
-                                selection. */
-    uint32_t lost_ticks;     /* Duration in ticks of the current pause in which no player has a
-                                working controller. */
-    uint32_t waited_ticks;   /* Total duration in ticks of all pauses of this round in which no
-                                player had a working controller. */
-    uint32_t gone_tick;      /* Tick at which the last player was out, or 0 while a player is
-                                still in the round. During pauses the value rises by one per
-                                tick. In attract mode: tick at which the bot's paper was torn or
-                                its bowl was full. */
-    uint32_t language_until; /* Tick at which a visitor's choice of language in attract mode ends; 0
-                                means no choice. */
-    uint32_t turn_tick;      /* Tick at which a new session starts (session.c); 0 means that no
-                                session was requested. */
-    uint32_t round_s;        /* Length of this round in seconds. */
-    uint32_t round_count;    /* Number of started rounds; part of the seed of the next paper. */
+    uint32_t tick;    /* Number of the current tick, counted from 0 at the start of the kiosk. */
+    uint8_t phase;    /* Current phase (enum scene_phase). */
+    uint8_t language; /* Display language (enum language). */
+    /* Mode (enum game_mode) of the running round; in the mode selection, the mode that is
+     * selected. */
+    uint8_t mode;
+    uint8_t lab_chosen; /* 1 if the growth lab is selected in the mode selection, otherwise 0. */
+    uint8_t bot_played; /* 1 if the bot controlled a poi in this round, otherwise 0. */
+    /* 1 if a player or the bot has had a poi in use in this round, otherwise 0. */
+    uint8_t played;
+    uint8_t paused;     /* 1 if the round is paused because a controller is lost, otherwise 0. */
+    uint8_t call;       /* Latest time announcement in this round (enum time_call). */
+    uint32_t call_tick; /* Tick of the latest time announcement. */
+    /* Tick at which the phase began. While the round's clock is paused, `phase_tick` rises by one
+     * per tick, so that the time since the start of the phase stays the same. */
+    uint32_t phase_tick;
+    uint32_t round_tick;   /* Tick at which the round began; not changed by pauses. */
+    uint32_t paused_ticks; /* Ticks for which the round's clock was paused, for any reason. */
+    /* Tick at which a player last selected an item in the mode selection. */
+    uint32_t point_tick;
+    /* Duration in ticks of the current pause in which no player has a working controller. */
+    uint32_t lost_ticks;
+    /* Total duration in ticks of all pauses of this round in which no player had a working
+     * controller. */
+    uint32_t waited_ticks;
+    /* Tick at which the last player was out, or 0 while a player is still in the round. During
+     * pauses the value rises by one per tick. In attract mode: tick at which the bot's paper was
+     * torn or its bowl was full. */
+    uint32_t gone_tick;
+    /* Tick at which a visitor's choice of language in attract mode ends; 0 means no choice. */
+    uint32_t language_until;
+    /* Tick at which a new session starts (session.c); 0 means that no session was requested. */
+    uint32_t turn_tick;
+    uint32_t round_s;     /* Length of this round in seconds. */
+    uint32_t round_count; /* Number of started rounds; part of the seed of the next paper. */
     struct accounts accounts;
     struct settings_edit settings_edit;
     struct name name;

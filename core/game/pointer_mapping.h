@@ -33,9 +33,8 @@ struct layout_point {
     float x, y;
 };
 
-struct layout_point pointer_layout_size(bool upright); /* Returns the width and height of the
-                                                          portrait canvas (`upright`) or of the
-                                                          wide canvas. */
+/* Returns the width and height of the portrait canvas (`upright`) or of the wide canvas. */
+struct layout_point pointer_layout_size(bool upright);
 
 /* Returns true if the point `at` is in the box or less than `room` outside its edges. Always
  * returns false for an empty box. */

@@ -25,34 +25,35 @@
 
 struct rules {
     const char *name; /* Name of the mode on the command line. */
-    uint8_t tank;     /* Preset of the tank in this mode (enum tank_preset_id), or
-                         RULES_STALLS_TANK. */
-    uint8_t grade;    /* Grade of the paper in this mode; 0 means the configured grade. */
+    /* Preset of the tank in this mode (enum tank_preset_id), or RULES_STALLS_TANK. */
+    uint8_t tank;
+    uint8_t grade; /* Grade of the paper in this mode; 0 means the configured grade. */
     uint32_t round_s;
-    uint32_t ready_s;     /* Length of READY in seconds, in which the player takes the poi before
-                             the start. */
-    uint8_t renews_paper; /* 1 if useless paper (paper that cannot hold a fish) is replaced after a
-                             second, when the poi is out of the water. 0 if the player is out when
-                             the paper is useless. */
-    uint8_t judges;       /* 1 if fouls are counted and fish caught by a foul do not count. 0 if
-                             every fish in the bowl counts, as at a real stall. */
-    uint8_t calls;        /* 1 if the remaining time of the round is announced, otherwise 0. */
-    uint8_t coaches;      /* 1 if hints explain the player's next step, 0 if hints only report
-                             fouls. */
+    /* Length of READY in seconds, in which the player takes the poi before the start. */
+    uint32_t ready_s;
+    /* 1 if useless paper (paper that cannot hold a fish) is replaced after a second, when the poi
+     * is out of the water. 0 if the player is out when the paper is useless. */
+    uint8_t renews_paper;
+    /* 1 if fouls are counted and fish caught by a foul do not count. 0 if every fish in the bowl
+     * counts, as at a real stall. */
+    uint8_t judges;
+    uint8_t calls; /* 1 if the remaining time of the round is announced, otherwise 0. */
+    /* 1 if hints explain the player's next step, 0 if hints only report fouls. */
+    uint8_t coaches;
     uint8_t shows_stress;
-    uint8_t has_levels;  /* 1 if each player may choose a level, 0 if every player plays at
-                            LEVEL_MASTER. */
+    /* 1 if each player may choose a level, 0 if every player plays at LEVEL_MASTER. */
+    uint8_t has_levels;
     uint8_t keeps_score; /* 1 if the round produces a record and can be ranked, otherwise 0. */
 };
 
 /* What a level (enum level) changes, as data. All fields of LEVEL_MASTER are neutral. */
 struct level_rules {
-    const char *name;     /* Name of the level in kingyo.conf and on the command line. */
-    float ring_radius_m;  /* Inner radius of the player's ring. */
-    uint8_t grade_step;   /* Number of grades by which the player's paper is stronger than the
-                             paper of the mode. */
-    float stroke_s;       /* Time constant that smooths the motion of the player's poi in water; 0
-                             means no smoothing. */
+    const char *name;    /* Name of the level in kingyo.conf and on the command line. */
+    float ring_radius_m; /* Inner radius of the player's ring. */
+    /* Number of grades by which the player's paper is stronger than the paper of the mode. */
+    uint8_t grade_step;
+    /* Time constant that smooths the motion of the player's poi in water; 0 means no smoothing. */
+    float stroke_s;
     float stroke_m_s;     /* Highest speed of the player's poi in water; 0 means no limit. */
     struct temper temper; /* Temper of all fish, if this is the easiest level in the round. */
 };

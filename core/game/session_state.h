@@ -13,17 +13,17 @@
 #define HEALTH_LOG_TICKS (120u * CORE_TICK_HZ)
 
 struct health_log {
-    uint8_t is_told;                       /* 1 if the entry LEDGER_BOOT, which logs this start
-                                              of the kiosk, is written; otherwise 0. */
-    uint32_t told_tick;                    /* Tick at which the last LEDGER_HEALTH was written. */
-    uint32_t dropped_ticks, device_faults; /* Values of the counters `dropped_ticks` and
-                                              `device_faults` in the input when the last
-                                              LEDGER_HEALTH was written. */
+    /* 1 if the entry LEDGER_BOOT, which logs this start of the kiosk, is written; otherwise 0. */
+    uint8_t is_told;
+    uint32_t told_tick; /* Tick at which the last LEDGER_HEALTH was written. */
+    /* Values of the counters `dropped_ticks` and `device_faults` in the input when the last
+     * LEDGER_HEALTH was written. */
+    uint32_t dropped_ticks, device_faults;
     uint32_t told_shakes;
-    uint32_t away_ticks[POI_MAX]; /* Number of ticks for which each slot in play has been without
-                                     its controller. */
-    uint32_t loss_tick[POI_MAX];  /* Tick at which each slot last lost its controller in a round; 0
-                                     means never. */
+    /* Number of ticks for which each slot in play has been without its controller. */
+    uint32_t away_ticks[POI_MAX];
+    /* Tick at which each slot last lost its controller in a round; 0 means never. */
+    uint32_t loss_tick[POI_MAX];
 };
 
 /* Time for which a slot must be without its controller to count as a loss. A shorter interruption
@@ -39,12 +39,14 @@ struct health_log {
 struct settings_edit {
     struct settings told; /* Values of all settings as they were last logged in the ledger. */
     uint32_t turn_tick;   /* Tick at which a setting last changed. */
-    uint32_t entry_id;    /* Id of the newest entry that logged a setting; 0 means that no setting
-                             was logged since the kiosk started. */
-    uint32_t pin_wrong;   /* Number of wrong PINs since the last correct PIN, 0 .. 255. */
-    uint32_t pin_tick;    /* Tick of the last wrong PIN. If the database contained wrong PINs at
-                             startup, the value is the tick of the kiosk's start. The field is not
-                             in struct menu, because struct menu is reset when the menu opens. */
+    /* Id of the newest entry that logged a setting; 0 means that no setting was logged since the
+     * kiosk started. */
+    uint32_t entry_id;
+    uint32_t pin_wrong; /* Number of wrong PINs since the last correct PIN, 0 .. 255. */
+    /* Tick of the last wrong PIN. If the database contained wrong PINs at startup, the value is the
+     * tick of the kiosk's start. The field is not in struct menu, because struct menu is reset when
+     * the menu opens. */
+    uint32_t pin_tick;
 };
 
 /* Time after which a language that a visitor chose in attract mode expires. The time is the length
@@ -54,9 +56,10 @@ struct settings_edit {
 /* Language chosen by a visitor, carried over to the next session. All fields are 0 if no visitor
  * chose a language. */
 struct language_choice {
-    uint32_t chosen;     /* Chosen language (enum language); 0 unless `until_tick` is set. */
-    uint32_t until_tick; /* Tick in attract mode at which the visitor's choice expires; 0 means that
-                            no visitor chose a language. */
+    uint32_t chosen; /* Chosen language (enum language); 0 unless `until_tick` is set. */
+    /* Tick in attract mode at which the visitor's choice expires; 0 means that no visitor chose a
+     * language. */
+    uint32_t until_tick;
 };
 
 /* Longest time in attract mode before a new session starts. A running game is never interrupted. */

@@ -7,17 +7,21 @@
 /* Point on the skin or on a fin, in the coordinates that the marks use. */
 struct mark_point {
     uint8_t part, side;
-    float u;      /* Position from 0 to 1: along the body from snout to tail root, or along the base
-                     of a fin. */
-    float height; /* Height in [0, 1]. On the body, 0 is the belly and 1 is the back. On a fin, 0 is
-                     the root and 1 is the tip. */
-    float down;   /* Position from top to bottom in [0, 1]. On the body, 0 is the back and 1 is the
-                     belly, measured along the skin. On a fin, 0 is the tip and 1 is the root. */
-    float right;  /* Sideways position in [-1, 1]: -1 is the left flank, 1 is the right flank, and 0
-                     is the back or the belly. */
-    float flank;  /* Distance on the skin from the back to the belly at the position `u`, in body
-                     lengths. The value is 1 on a fin. */
-    float broad;  /* Value of `flank` at the highest part of the body. */
+    /* Position from 0 to 1: along the body from snout to tail root, or along the base of a fin. */
+    float u;
+    /* Height in [0, 1]. On the body, 0 is the belly and 1 is the back. On a fin, 0 is the root and
+     * 1 is the tip. */
+    float height;
+    /* Position from top to bottom in [0, 1]. On the body, 0 is the back and 1 is the belly,
+     * measured along the skin. On a fin, 0 is the tip and 1 is the root. */
+    float down;
+    /* Sideways position in [-1, 1]: -1 is the left flank, 1 is the right flank, and 0 is the back
+     * or the belly. */
+    float right;
+    /* Distance on the skin from the back to the belly at the position `u`, in body lengths. The
+     * value is 1 on a fin. */
+    float flank;
+    float broad; /* Value of `flank` at the highest part of the body. */
 };
 
 struct mark_point mark_point_of(const struct species_vertex *at, enum body_form form);

@@ -62,15 +62,16 @@ float morph_progress(const struct species_card *card, float length_m);
 enum graph_fault {
     GRAPH_GOOD = 0,
     GRAPH_KNOT_COUNT, /* The graph has fewer than 2 knots or more than GRAPH_KNOT_MAX knots. */
-    GRAPH_ENDS,       /* The first knot is not at progress 0, or the last knot is not at progress
-                         1. */
-    GRAPH_ORDER,      /* The progress of knot `knot` is not greater than the progress of the
-                         previous knot. */
-    GRAPH_NEGATIVE,   /* The weight of key `key` at knot `knot` is negative or NaN. */
-    GRAPH_SUM,        /* The weights of knot `knot` sum to `value`, which differs from 1 by more
-                         than 1e-6. */
-    GRAPH_UNSOLVABLE, /* The graph requests exaggerated shapes (`solved`), but graph_solve() fails:
-                         key `key` has too little weight at its own progress. */
+    /* The first knot is not at progress 0, or the last knot is not at progress 1. */
+    GRAPH_ENDS,
+    /* The progress of knot `knot` is not greater than the progress of the previous knot. */
+    GRAPH_ORDER,
+    GRAPH_NEGATIVE, /* The weight of key `key` at knot `knot` is negative or NaN. */
+    /* The weights of knot `knot` sum to `value`, which differs from 1 by more than 1e-6. */
+    GRAPH_SUM,
+    /* The graph requests exaggerated shapes (`solved`), but graph_solve() fails: key `key` has too
+     * little weight at its own progress. */
+    GRAPH_UNSOLVABLE,
 };
 
 struct graph_verdict {
@@ -100,15 +101,18 @@ bool graph_solve(const struct graph *graph, uint32_t key_count,
 /* Standard graphs, which a caller can use in place of the graphs of a species. */
 
 enum graph_template {
-    TEMPLATE_OWN = 0,      /* The species keeps its own graphs. */
-    TEMPLATE_ORDINARY,     /* Only the first and the last key are blended (2005 thesis, eq. 3.1). */
-    TEMPLATE_PAIRWISE,     /* Two adjacent keys are blended at a time, and each key reaches the
-                              weight 1 (2005 thesis, figure 3.8). */
-    TEMPLATE_SIMULTANEOUS, /* Three adjacent keys are blended at a time (2005 thesis, figure 3.9).
-                              At the progress of an inner key, the inner key has the weight `peak`,
-                              and each of its two neighbours has the weight (1 - peak) / 2. */
-    TEMPLATE_SMOOTH,       /* The weights at each key are those of a cubic B-spline, so that the
-                              path of a vertex has no corner. */
+    TEMPLATE_OWN = 0,  /* The species keeps its own graphs. */
+    TEMPLATE_ORDINARY, /* Only the first and the last key are blended (2005 thesis, eq. 3.1). */
+    /* Two adjacent keys are blended at a time, and each key reaches the weight 1 (2005 thesis,
+     * figure 3.8). */
+    TEMPLATE_PAIRWISE,
+    /* Three adjacent keys are blended at a time (2005 thesis, figure 3.9). At the progress of an
+     * inner key, the inner key has the weight `peak`, and each of its two neighbours has the weight
+     * (1 - peak) / 2. */
+    TEMPLATE_SIMULTANEOUS,
+    /* The weights at each key are those of a cubic B-spline, so that the path of a vertex has no
+     * corner. */
+    TEMPLATE_SMOOTH,
     TEMPLATE_COUNT,
 };
 
@@ -170,13 +174,13 @@ vec3 pose_rotate_inverse(struct quat q, vec3 a);
  *     normal   = pose_rotate(q, normal)
  * For an anchor that does not rotate, q is the identity. */
 struct morph_pose {
-    float weight[MORPH_CURVE_MAX][MORPH_KEY_MAX]; /* Weights of the keys for each curve, as written
-                                                     by morph_weights(). */
+    /* Weights of the keys for each curve, as written by morph_weights(). */
+    float weight[MORPH_CURVE_MAX][MORPH_KEY_MAX];
     struct anchor_pose {
         vec3 position;    /* Position of the anchor in the body frame. */
         struct quat turn; /* Rotation of the anchor; the identity if the anchor does not rotate. */
-    } anchor[ANCHOR_MAX]; /* Poses of the mesh's anchors. Only the first `anchor_count` entries are
-                             valid. */
+        /* Poses of the mesh's anchors. Only the first `anchor_count` entries are valid. */
+    } anchor[ANCHOR_MAX];
 };
 
 /* Writes the weights and the anchors of a fish at `progress` in [0, 1] to `pose`. */
@@ -243,8 +247,9 @@ int16_t morph_count(float x, float reach);
 
 /* ---- straight.c: the method of the 2005 thesis, for comparison ------------------------------ */
 
-struct straight_memory { /* Tables of a species that straight_species() writes. The caller owns the
-                            memory and must keep it as long as the species is used. */
+/* Tables of a species that straight_species() writes. The caller owns the memory and must keep it
+ * as long as the species is used. */
+struct straight_memory {
     struct species_vertex vertices[SPECIES_LOD_COUNT][MESH_VERTEX_MAX];
     struct species_point points[SPECIES_LOD_COUNT][MORPH_KEY_MAX][MESH_VERTEX_MAX];
     struct morph_pose pose; /* Scratch memory, only used during a call. */

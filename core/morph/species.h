@@ -68,14 +68,15 @@ enum species_side { SIDE_MIDDLE = 0, SIDE_RIGHT = 1, SIDE_LEFT = 2 };
  * edge and greater than 1 behind the edge. v of an eye is the v of the body at the eye. */
 struct species_vertex {
     float u, v;
-    uint8_t part;   /* Part of the fish (enum species_part). */
-    uint8_t side;   /* Side of a paired fin or an eye (enum species_side). */
-    uint8_t flex;   /* Flexibility of a fin's vertex in the water, from 0 (rigid) to 255 (most
-                       flexible). The value is 0 on the body and the eyes. */
-    uint8_t anchor; /* Index of the vertex's anchor in the mesh, or ANCHOR_NONE if the vertex has no
-                       anchor. */
-    uint8_t mask[MORPH_CURVE_MAX]; /* Influence of each curve on the vertex. The four values sum to
-                                      255. */
+    uint8_t part; /* Part of the fish (enum species_part). */
+    uint8_t side; /* Side of a paired fin or an eye (enum species_side). */
+    /* Flexibility of a fin's vertex in the water, from 0 (rigid) to 255 (most flexible). The value
+     * is 0 on the body and the eyes. */
+    uint8_t flex;
+    /* Index of the vertex's anchor in the mesh, or ANCHOR_NONE if the vertex has no anchor. */
+    uint8_t anchor;
+    /* Influence of each curve on the vertex. The four values sum to 255. */
+    uint8_t mask[MORPH_CURVE_MAX];
 };
 
 /* Position and normal of a vertex in one key. The unit of the position is mesh->reach / 32767. The
@@ -92,14 +93,14 @@ struct species_point {
  * through the body. */
 struct species_anchor {
     uint8_t curve; /* Index of the curve that blends the anchor. */
-    uint8_t turns; /* 1 if the vertices of the anchor rotate with the skin, as the vertices of an
-                      eye do: x points out of the skin, z points backward along the skin, and y = z
-                      cross x. 0 if the vertices keep the body's axes, as the vertices of a fin's
-                      ray do. */
+    /* 1 if the vertices of the anchor rotate with the skin, as the vertices of an eye do: x points
+     * out of the skin, z points backward along the skin, and y = z cross x. 0 if the vertices keep
+     * the body's axes, as the vertices of a fin's ray do. */
+    uint8_t turns;
     float u[MORPH_KEY_MAX]; /* Body coordinate u of the anchor in each key, in [0, 1]. */
-    float v[MORPH_KEY_MAX]; /* Body coordinate v of the anchor in each key. Between keys, the values
-                               are blended. A value outside [0, 1) therefore selects in which
-                               direction around the girth the anchor moves. */
+    /* Body coordinate v of the anchor in each key. Between keys, the values are blended. A value
+     * outside [0, 1) therefore selects in which direction around the girth the anchor moves. */
+    float v[MORPH_KEY_MAX];
 };
 
 /* Triangle mesh of one level of detail. Triangles are counter-clockwise as seen from outside. The
@@ -130,8 +131,9 @@ struct graph_knot {
 
 enum graph_line {
     GRAPH_STRAIGHT = 0, /* Weights are linear between knots. */
-    GRAPH_SMOOTH = 1,   /* The weight of each key follows a monotone cubic curve through the knots.
-                           The weights are then divided by their sum. */
+    /* The weight of each key follows a monotone cubic curve through the knots. The weights are then
+     * divided by their sum. */
+    GRAPH_SMOOTH = 1,
 };
 
 /* Deformation graph (2005 thesis, section 3.3): a list of knots whose progress increases from 0 to
@@ -139,9 +141,9 @@ enum graph_line {
 struct graph {
     uint8_t knot_count; /* Number of knots, 2 .. GRAPH_KNOT_MAX. */
     uint8_t line;       /* Interpolation between knots (enum graph_line). */
-    uint8_t solved;     /* 1 if graph_solve() exaggerates the key shapes before they are blended, so
-                           that the fish passes through every drawn key. 0 if the drawn key shapes
-                           are blended directly. */
+    /* 1 if graph_solve() exaggerates the key shapes before they are blended, so that the fish
+     * passes through every drawn key. 0 if the drawn key shapes are blended directly. */
+    uint8_t solved;
     struct graph_knot knots[GRAPH_KNOT_MAX];
 };
 
@@ -150,8 +152,8 @@ struct graph {
  * Bertalanffy's curve (2005 thesis, eq. 3.3). */
 struct growth {
     float length_inf_m, k_per_year, t0_year;
-    float fade_year;      /* Time constant with which the length approaches von Bertalanffy's curve;
-                             greater than 0. */
+    /* Time constant with which the length approaches von Bertalanffy's curve; greater than 0. */
+    float fade_year;
     uint32_t point_count; /* Number of measured points, 1 .. GROWTH_POINT_MAX. */
     struct growth_point {
         float age_days, length_m;
@@ -166,8 +168,8 @@ enum species_measure { MEASURE_TOTAL, MEASURE_STANDARD, MEASURE_FORK, MEASURE_DI
 enum species_motion {
     MOTION_TAIL, /* The tail beats (fusiform and compressed bodies). */
     MOTION_EEL,  /* A wave runs along the whole body (eels). */
-    MOTION_FINS, /* The dorsal and anal fins move like oars, and the body does not bend
-                    (puffers). */
+    /* The dorsal and anal fins move like oars, and the body does not bend (puffers). */
+    MOTION_FINS,
     MOTION_TUNA, /* Only the tail fin beats (tunas). */
     MOTION_WING, /* A wave runs along the edges of the disc (rays). */
 };
@@ -179,25 +181,27 @@ struct species_card {
     char id[SPECIES_NAME_SIZE];
     uint8_t key_count; /* Number of keys, 3 .. MORPH_KEY_MAX. */
     uint8_t measure, motion, form;
-    uint8_t thesis_key[3];   /* Indices of the three keys that correspond to the three key shapes of
-                                the 2005 thesis, chapter 4. */
-    uint8_t thesis_template; /* Template that the 2005 thesis, chapter 4, uses for the species (enum
-                                graph_template). */
+    /* Indices of the three keys that correspond to the three key shapes of the 2005 thesis, chapter
+     * 4. */
+    uint8_t thesis_key[3];
+    /* Template that the 2005 thesis, chapter 4, uses for the species (enum graph_template). */
+    uint8_t thesis_template;
     char key_names[MORPH_KEY_MAX][SPECIES_NAME_SIZE];
-    float key_age_days[MORPH_KEY_MAX]; /* Age of each key in days after hatching. The ages increase
-                                          from key to key. */
-    float key_length_m[MORPH_KEY_MAX]; /* Length of each key in metres, measured as `measure`
-                                          states. The lengths increase from key to key, except for a
-                                          conger. */
+    /* Age of each key in days after hatching. The ages increase from key to key. */
+    float key_age_days[MORPH_KEY_MAX];
+    /* Length of each key in metres, measured as `measure` states. The lengths increase from key to
+     * key, except for a conger. */
+    float key_length_m[MORPH_KEY_MAX];
     struct growth growth;
-    uint8_t scale_knot_count; /* Number of knots of the hand-drawn size curve, at least 2. 0 means
-                                 that the species has no hand-drawn size curve and that the length
-                                 follows `growth`. */
+    /* Number of knots of the hand-drawn size curve, at least 2. 0 means that the species has no
+     * hand-drawn size curve and that the length follows `growth`. */
+    uint8_t scale_knot_count;
     struct scale_knot {
         float progress, length_m;
     } scale_knots[GRAPH_KNOT_MAX];
-    uint8_t curve_count; /* Number of curves, 1 .. MORPH_CURVE_MAX. Curve 0 blends the whole fish,
-                            and the other curves blend parts. */
+    /* Number of curves, 1 .. MORPH_CURVE_MAX. Curve 0 blends the whole fish, and the other curves
+     * blend parts. */
+    uint8_t curve_count;
     char curve_names[MORPH_CURVE_MAX][SPECIES_NAME_SIZE];
     struct graph curves[MORPH_CURVE_MAX];
 };
@@ -217,8 +221,9 @@ enum mark_kind {
 };
 
 struct species_mark {
-    uint8_t kind; /* Kind of the mark (enum mark_kind). The kind determines the meaning of the
-                     following members (see mark.c). */
+    /* Kind of the mark (enum mark_kind). The kind determines the meaning of the following members
+     * (see mark.c). */
+    uint8_t kind;
     uint8_t part; /* Part of the fish on which the mark is painted (enum species_part). */
     uint8_t count, seed;
     uint32_t colour;

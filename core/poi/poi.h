@@ -32,84 +32,95 @@ _Static_assert(SHEET_LOAD_MAX == 2u * POI_CARRIED_MAX, "a body and a slap of eac
  * poi. */
 struct poi_grip {
     struct poi_target target;
-    bool has_wrist; /* True if the input controls the angles. False means that the input has no
-                       angles, and therefore the poi tips over its bowl automatically. */
+    /* True if the input controls the angles. False means that the input has no angles, and
+     * therefore the poi tips over its bowl automatically. */
+    bool has_wrist;
 };
 
 struct poi {
-    uint8_t link;                  /* Source of the last input (enum poi_source). */
-    bool damage_immune;            /* True if the paper takes no damage, because no player controls
-                                      the poi. */
-    uint32_t seed;                 /* Random seed of the poi, which determines its paper and the
-                                      slaps of its fish. */
+    uint8_t link; /* Source of the last input (enum poi_source). */
+    /* True if the paper takes no damage, because no player controls the poi. */
+    bool damage_immune;
+    /* Random seed of the poi, which determines its paper and the slaps of its fish. */
+    uint32_t seed;
     vec3 position_m, velocity_m_s; /* Position and velocity of the ring's centre, in world axes. */
     struct angles angles;
-    vec3 before_m, before_m_s;   /* `position_m` and `velocity_m_s` at the start of the tick. */
-    struct angles before_angles; /* `angles` at the start of the tick. The poi returns to these
-                                    angles if fish block the rotation. */
-    vec3 hand_m;                 /* Target position of the ring in this tick, which is the position
-                                    of the player's hand. */
-    float pace_m_s;              /* Highest recent speed of the hand; the stored value decreases
-                                    with time. */
-    uint8_t reaction;  /* Motions of the ring that fish blocked in the last tick (bits of enum
-                          obstacle_reaction). */
-    bool stopped;      /* True if walls, floor, a bowl or another ring blocked the ring in this
-                          tick. */
-    uint8_t jam_ticks; /* Number of consecutive ticks in which fish block the ring while the hand
-                          pulls the ring up; at most 255. */
-    bool clings;       /* True if the ring was in the water and the meniscus may still cling to its
-                          edge. */
-    vec3 angular_velocity_rad_s; /* Angular velocity: the rates of change of yaw, pitch and roll are
-                                    stored as x, y and z. */
-    vec3 spin_rad_s;             /* Angular velocity of the poi's normal, as a vector in world axes.
-                                    The rotation about the normal itself is not included. */
-    vec3 acceleration_m_s2;      /* Low-pass filtered acceleration of the ring, which acts on the
-                                    carried water and fish. */
-    vec3 jolt_m_s2;              /* Output of the first of the two low-pass filter stages for
-                                    `acceleration_m_s2`. */
-    float drag_n_s_m, slam_n;    /* Forces of the water along the normal in this tick: the drag
-                                    coefficient `drag_n_s_m` and the slam force `slam_n`. */
-    float edge_n_s_m;            /* Coefficient of the water's friction for motion along the plane
-                                    of the ring. */
-    float added_kg;              /* Added mass of water for motion along the ring's normal. */
-    float meniscus_n;            /* Downward pull of the meniscus at the edge of the ring. */
-    float immersed;              /* Share [0, 1] of the disc that is below the water surface. */
-    float splash_m_s;            /* Speed at which the ring entered the water (> 0) or left the
-                                    water (< 0) in this tick. 0 means that the ring neither entered
-                                    nor left the water. */
-    float water_kg;              /* Mass of the water on the paper. Its weight counts only for the
-                                    fraction of the disc that is in air. */
-    float film_kg, pool_kg;      /* The two parts of `water_kg`: the film on both faces of the paper
-                                    (`film_kg`), and the pool in its sag (`pool_kg`). */
-    float drip_kg;               /* Mass of drained water that hangs below the paper until the water
-                                    forms a drop. */
-    uint8_t drops;               /* Number of drops that fell in the last tick. */
-    uint8_t laden_ticks;         /* Number of ticks for which the poi stays tipped after its last
-                                    fish left. */
-    float tip;                   /* Progress of the automatic tip toward the bowl: 0 is not tipped,
-                                    1 is fully tipped. */
-    vec3 tip_toward;             /* Direction of the tip: a horizontal unit vector that is chosen
-                                    when the tip starts. */
-    float pressure_pa;           /* Pressure on the paper in the last tick, positive toward the
-                                    poi's up axis. */
-    uint32_t dips; /* Number of scoops. A scoop is an entry of the poi into the water while a
-                      player controls the poi. */
-    bool is_in;    /* True if the poi is in the water and was immersed deeply enough to count as a
-                      scoop. */
-    uint32_t slap_tick, tear_tick; /* Tick numbers of the last slap sound and the last tear sound; 0
-                                      means that there was no sound yet. */
+    vec3 before_m, before_m_s; /* `position_m` and `velocity_m_s` at the start of the tick. */
+    /* `angles` at the start of the tick. The poi returns to these angles if fish block the
+     * rotation. */
+    struct angles before_angles;
+    /* Target position of the ring in this tick, which is the position of the player's hand. */
+    vec3 hand_m;
+    /* Highest recent speed of the hand; the stored value decreases with time. */
+    float pace_m_s;
+    /* Motions of the ring that fish blocked in the last tick (bits of enum obstacle_reaction). */
+    uint8_t reaction;
+    /* True if walls, floor, a bowl or another ring blocked the ring in this tick. */
+    bool stopped;
+    /* Number of consecutive ticks in which fish block the ring while the hand pulls the ring up; at
+     * most 255. */
+    uint8_t jam_ticks;
+    /* True if the ring was in the water and the meniscus may still cling to its edge. */
+    bool clings;
+    /* Angular velocity: the rates of change of yaw, pitch and roll are stored as x, y and z. */
+    vec3 angular_velocity_rad_s;
+    /* Angular velocity of the poi's normal, as a vector in world axes. The rotation about the
+     * normal itself is not included. */
+    vec3 spin_rad_s;
+    /* Low-pass filtered acceleration of the ring, which acts on the carried water and fish. */
+    vec3 acceleration_m_s2;
+    /* Output of the first of the two low-pass filter stages for `acceleration_m_s2`. */
+    vec3 jolt_m_s2;
+    /* Forces of the water along the normal in this tick: the drag coefficient `drag_n_s_m` and the
+     * slam force `slam_n`. */
+    float drag_n_s_m, slam_n;
+    /* Coefficient of the water's friction for motion along the plane of the ring. */
+    float edge_n_s_m;
+    float added_kg;   /* Added mass of water for motion along the ring's normal. */
+    float meniscus_n; /* Downward pull of the meniscus at the edge of the ring. */
+    float immersed;   /* Share [0, 1] of the disc that is below the water surface. */
+    /* Speed at which the ring entered the water (> 0) or left the water (< 0) in this tick. 0 means
+     * that the ring neither entered nor left the water. */
+    float splash_m_s;
+    /* Mass of the water on the paper. Its weight counts only for the fraction of the disc that is
+     * in air. */
+    float water_kg;
+    /* The two parts of `water_kg`: the film on both faces of the paper (`film_kg`), and the pool in
+     * its sag (`pool_kg`). */
+    float film_kg, pool_kg;
+    /* Mass of drained water that hangs below the paper until the water forms a drop. */
+    float drip_kg;
+    uint8_t drops; /* Number of drops that fell in the last tick. */
+    /* Number of ticks for which the poi stays tipped after its last fish left. */
+    uint8_t laden_ticks;
+    /* Progress of the automatic tip toward the bowl: 0 is not tipped, 1 is fully tipped. */
+    float tip;
+    /* Direction of the tip: a horizontal unit vector that is chosen when the tip starts. */
+    vec3 tip_toward;
+    /* Pressure on the paper in the last tick, positive toward the poi's up axis. */
+    float pressure_pa;
+    /* Number of scoops. A scoop is an entry of the poi into the water while a player controls the
+     * poi. */
+    uint32_t dips;
+    /* True if the poi is in the water and was immersed deeply enough to count as a scoop. */
+    bool is_in;
+    /* Tick numbers of the last slap sound and the last tear sound; 0 means that there was no sound
+     * yet. */
+    uint32_t slap_tick, tear_tick;
     struct sheet sheet;
-    struct sheet_events strain; /* Effect of the last tick on the paper: number of torn cells and
-                                   highest tension. */
+    /* Effect of the last tick on the paper: number of torn cells and highest tension. */
+    struct sheet_events strain;
 
-    float carried_kg;       /* Mass of the carried fish that the paper supports. The mass that water
-                               supports is not included. */
+    /* Mass of the carried fish that the paper supports. The mass that water supports is not
+     * included. */
+    float carried_kg;
     uint32_t carried_count; /* Number of entries in `carried_fish`, at most POI_CARRIED_MAX. */
     struct carried_fish carried_fish[POI_CARRIED_MAX];
-    uint32_t load_count; /* Number of entries in `loads`, written by the last catch_tick(); at most
-                            SHEET_LOAD_MAX. */
-    uint32_t slap_count; /* Number of slaps in `loads`. Slaps are the first entries of `loads`, and
-                            the other entries are weights. */
+    /* Number of entries in `loads`, written by the last catch_tick(); at most SHEET_LOAD_MAX. */
+    uint32_t load_count;
+    /* Number of slaps in `loads`. Slaps are the first entries of `loads`, and the other entries are
+     * weights. */
+    uint32_t slap_count;
     struct sheet_load loads[SHEET_LOAD_MAX];
 };
 

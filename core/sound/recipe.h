@@ -13,15 +13,17 @@ enum layer_kind {
 };
 
 struct layer_recipe {
-    uint8_t kind;         /* Kind of the layer (enum layer_kind). */
-    float gain;           /* Peak level of the layer, about 0 to 1. */
-    float delay_ms;       /* Delay of the layer after the start of the sound. */
-    float attack_ms;      /* Duration of the linear rise to the peak level. */
-    float decay_ms;       /* Time in which the level decreases to 1/e. */
-    float hz_from, hz_to; /* Pitch of a tone, or centre frequency of a noise band: `hz_from` at the
-                             start and `hz_to` after the glide, each in (0, 8000]. */
-    float glide_ms;       /* Time constant of the glide from hz_from to hz_to; 0 means that the
-                             frequency stays at hz_from. */
+    uint8_t kind;    /* Kind of the layer (enum layer_kind). */
+    float gain;      /* Peak level of the layer, about 0 to 1. */
+    float delay_ms;  /* Delay of the layer after the start of the sound. */
+    float attack_ms; /* Duration of the linear rise to the peak level. */
+    float decay_ms;  /* Time in which the level decreases to 1/e. */
+    /* Pitch of a tone, or centre frequency of a noise band: `hz_from` at the start and `hz_to`
+     * after the glide, each in (0, 8000]. */
+    float hz_from, hz_to;
+    /* Time constant of the glide from hz_from to hz_to; 0 means that the frequency stays at
+     * hz_from. */
+    float glide_ms;
     /* Damping of a noise layer's band-pass filter, (0, 2]: the inverse of its quality factor Q. A
      * larger value passes a wider band. */
     float damping;
@@ -30,14 +32,15 @@ struct layer_recipe {
 
 struct sound_recipe {
     struct layer_recipe layer[SYNTH_LAYER_MAX];
-    float string_hz; /* Pitch of the plucked string in Hz, at least 190; 0 means that the sound has
-                        no string. */
+    /* Pitch of the plucked string in Hz, at least 190; 0 means that the sound has no string. */
+    float string_hz;
     float string_gain;
     float string_delay_ms;
-    float string_keep; /* Factor (0, 1) by which the string's wave is weakened in each pass through
-                          its delay line. */
-    float length_ms;   /* Duration of the sound, after which its voice is free. All layers and the
-                          string must be inaudible when the duration ends. */
+    /* Factor (0, 1) by which the string's wave is weakened in each pass through its delay line. */
+    float string_keep;
+    /* Duration of the sound, after which its voice is free. All layers and the string must be
+     * inaudible when the duration ends. */
+    float length_ms;
 };
 
 extern const struct sound_recipe sound_recipes[SOUND_COUNT];

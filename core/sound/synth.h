@@ -23,33 +23,34 @@
 
 /* State of one active layer. */
 struct synth_layer {
-    uint32_t delay_frames;     /* Frames from the start of the sound to the start of the layer. */
-    float attack_per_frame;    /* Rise of the level per frame during the attack. */
-    float phase;               /* Phase of a tone in turns, [0, 1). */
-    float hz;                  /* Present frequency in Hz, which changes during the glide. */
-    float level;               /* Present level, which decreases over time. */
-    float low, band;           /* State variables of the band-pass filter for noise. */
-    float decay, cutoff, gate; /* Values for the present control step. `decay` is the factor by
-                                  which the level falls per frame, `cutoff` is the cutoff
-                                  coefficient of the noise filter, and `gate` is a random gain that
-                                  makes the noise rough. */
+    uint32_t delay_frames;  /* Frames from the start of the sound to the start of the layer. */
+    float attack_per_frame; /* Rise of the level per frame during the attack. */
+    float phase;            /* Phase of a tone in turns, [0, 1). */
+    float hz;               /* Present frequency in Hz, which changes during the glide. */
+    float level;            /* Present level, which decreases over time. */
+    float low, band;        /* State variables of the band-pass filter for noise. */
+    /* Values for the present control step. `decay` is the factor by which the level falls per
+     * frame, `cutoff` is the cutoff coefficient of the noise filter, and `gate` is a random gain
+     * that makes the noise rough. */
+    float decay, cutoff, gate;
 };
 
 struct synth_voice {
-    uint8_t sound; /* Sound that the voice plays (enum sound). SOUND_NONE means that the voice is
-                      free. */
+    /* Sound that the voice plays (enum sound). SOUND_NONE means that the voice is free. */
+    uint8_t sound;
     uint32_t age_frames;
     float left, right;
-    uint32_t noise;                   /* State of the voice's own random noise generator. */
-    uint32_t string_count, string_at; /* Length of the string's delay line, and present position in
-                                         it. A length of 0 means that the sound has no string. */
+    uint32_t noise; /* State of the voice's own random noise generator. */
+    /* Length of the string's delay line, and present position in it. A length of 0 means that the
+     * sound has no string. */
+    uint32_t string_count, string_at;
     float string[SYNTH_PLUCK_MAX];
     struct synth_layer layer[SYNTH_LAYER_MAX];
 };
 
 struct synth {
-    uint32_t played; /* Number of sounds played so far, which seeds the noise generator of each new
-                        voice. */
+    /* Number of sounds played so far, which seeds the noise generator of each new voice. */
+    uint32_t played;
     struct synth_voice voice[SYNTH_VOICE_MAX];
 };
 

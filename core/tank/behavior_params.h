@@ -21,9 +21,9 @@ struct behavior_params {
     /* Width of the personal space around the body of a fish, on every side, in body lengths. Fish
      * whose personal spaces overlap may avoid each other (2013 thesis, section 3.4). */
     float space_per_length;
-    float space_fill_max; /* Largest fraction of the water volume that the personal spaces of all
-                             fish may fill together. If the spaces would fill more, every space
-                             shrinks. */
+    /* Largest fraction of the water volume that the personal spaces of all fish may fill together.
+     * If the spaces would fill more, every space shrinks. */
+    float space_fill_max;
 
     /* Speeds at full stamina, in body lengths per second (2013 thesis, sections 2.1 and 3.3). A
      * fish with zero stamina reaches 0.8 times these speeds. `drift_speed` is the upper limit for a
@@ -33,54 +33,59 @@ struct behavior_params {
     /* Standard deviation of the change of heading when a fish begins to swim (`turn_swim_rad`) or
      * to rest (`turn_rest_rad`). Section 3.3 of the 2013 thesis describes the change. */
     float turn_swim_rad, turn_rest_rad;
-    float depth_stray; /* Random spread of the depths that fish prefer: the standard deviation of
-                          the depths of fish with equal stamina, as a fraction of the water
-                          depth. */
+    /* Random spread of the depths that fish prefer: the standard deviation of the depths of fish
+     * with equal stamina, as a fraction of the water depth. */
+    float depth_stray;
 
     /* The next four parameters control how a fish avoids other fish (2013 thesis, section 3.4). */
     float meet_within_s; /* Time to contact below which a fish begins to avoid another fish. 0 means
                             no limit. */
-    float meet_miss;     /* Two fish avoid each other only if their courses pass each other at less
-                            than this distance, in units of the sum of the two body lengths. 0 means
-                            any distance. */
-    float brake_s;       /* Time to contact with another fish below which a fish slows down. */
-    float swerve_haste;  /* Value >= 1 of `haste` (fish.h) while a fish turns to avoid another fish.
-                            A larger value makes the turn begin faster. */
+    /* Two fish avoid each other only if their courses pass each other at less than this distance,
+     * in units of the sum of the two body lengths. 0 means any distance. */
+    float meet_miss;
+    float brake_s; /* Time to contact with another fish below which a fish slows down. */
+    /* Value >= 1 of `haste` (fish.h) while a fish turns to avoid another fish. A larger value makes
+     * the turn begin faster. */
+    float swerve_haste;
 
     /* A fish turns away from a wall when the distance from its nose to the wall is below a limit
      * (2013 thesis, section 3.1). The limit is `wall_per_length` body lengths plus the distance
      * that the fish swims in the time `wall_within_s`. */
     float wall_per_length; /* Constant part, in body lengths, of the distance to a wall below which
                               a fish turns away. */
-    float wall_within_s;   /* Time that defines the other part of the distance to a wall below which
-                              a fish turns away: the path that the fish swims in this time. */
+    /* Time that defines the other part of the distance to a wall below which a fish turns away: the
+     * path that the fish swims in this time. */
+    float wall_within_s;
 
     /* The next parameters add the behavior of living fish to the rules of the 2013 thesis. */
-    float kick_rad;          /* Standard deviation of the random turn at each kick of the tail
-                            (gait.h). 0 means that a fish keeps its course until its gait
-                            changes. */
-    bool glides;             /* True if a swimming fish alternates between tail beats and glides. */
-    bool banks;              /* True if the fish rolls into its turns. */
-    float flow_share;        /* Velocity with which fish drift in the flow around a moving poi
-                                (paper scoop), as a fraction [0, 1] of the flow velocity
-                                (water.h). */
-    float wall_follow;       /* Strength [0, 1] with which walls attract fish (fish_behavior.h). */
-    float shade_dwell_s;     /* Time that a shade must be still before it attracts fish. */
-    bool shade_draws_bursts; /* True if a shade also attracts fish in a burst. In section 3.5 of the
-                                2013 thesis a shade attracts every fish. */
-    bool shade_frights;      /* True if a new or moving shade startles fish. */
-    bool escapes;            /* True if startled fish escape by a C-start, a fast turn and thrust
-                                (startle.h), for example from a poi (paper scoop). */
+    float kick_rad; /* Standard deviation of the random turn at each kick of the tail (gait.h). 0
+                       means that a fish keeps its course until its gait changes. */
+    bool glides;    /* True if a swimming fish alternates between tail beats and glides. */
+    bool banks;     /* True if the fish rolls into its turns. */
+    /* Velocity with which fish drift in the flow around a moving poi (paper scoop), as a fraction
+     * [0, 1] of the flow velocity (water.h). */
+    float flow_share;
+    float wall_follow;   /* Strength [0, 1] with which walls attract fish (fish_behavior.h). */
+    float shade_dwell_s; /* Time that a shade must be still before it attracts fish. */
+    /* True if a shade also attracts fish in a burst. In section 3.5 of the 2013 thesis a shade
+     * attracts every fish. */
+    bool shade_draws_bursts;
+    bool shade_frights; /* True if a new or moving shade startles fish. */
+    /* True if startled fish escape by a C-start, a fast turn and thrust (startle.h), for example
+     * from a poi (paper scoop). */
+    bool escapes;
 
     /* The next parameters control surface breathing (2013 thesis, section 3.6). */
-    bool air_by_oxygen;           /* Cause of surface breathing: true means low oxygen in the water,
-                                     false means low stamina. */
-    float gulp_min_s, gulp_max_s; /* Shortest and longest duration of a bout, which is a series of
-                                     gulps. The random duration has a uniform distribution. */
-    float gulp_gain_per_s;        /* Stamina that a fish gains per second while its mouth is in the
-                                     surface film. */
-    float stifle_per_s; /* Stamina that a fish loses per second in water without oxygen. The loss is
-                           zero at 4 mg/L or more and grows linearly as the concentration falls. */
+    bool air_by_oxygen; /* Cause of surface breathing: true means low oxygen in the water, false
+                           means low stamina. */
+    /* Shortest and longest duration of a bout, which is a series of gulps. The random duration has
+     * a uniform distribution. */
+    float gulp_min_s, gulp_max_s;
+    /* Stamina that a fish gains per second while its mouth is in the surface film. */
+    float gulp_gain_per_s;
+    /* Stamina that a fish loses per second in water without oxygen. The loss is zero at 4 mg/L or
+     * more and grows linearly as the concentration falls. */
+    float stifle_per_s;
 };
 
 /* Temper of the fish of a tank: how much calmer they are than living fish. All fields are 0 for
@@ -89,10 +94,12 @@ struct behavior_params {
 struct temper {
     float threshold_gain; /* The alarm that starts an escape is higher by this fraction. */
     float latency_gain;   /* The time between alarm and escape is longer by this fraction. */
-    float reach_loss;     /* Fraction [0, 1] by which the distance shrinks at which a moving poi
-                             (paper scoop) startles fish. */
-    float calm_share;     /* Fraction [0, 1] of the small fish that stay near the surface and have a
-                             higher threshold (fish_is_calm()). */
+    /* Fraction [0, 1] by which the distance shrinks at which a moving poi (paper scoop) startles
+     * fish. */
+    float reach_loss;
+    /* Fraction [0, 1] of the small fish that stay near the surface and have a higher threshold
+     * (fish_is_calm()). */
+    float calm_share;
 };
 
 struct obstacle;
@@ -107,15 +114,15 @@ struct perception {
     struct temper temper;
     vec3 size_m;       /* Inner width, water depth and length of the tank. */
     float wall_follow; /* Strength [0, 1] with which walls attract fish. */
-    bool ball_spaces;  /* True if personal spaces are balls instead of boxes; see struct
-                            tank_config. */
+    /* True if personal spaces are balls instead of boxes; see struct tank_config. */
+    bool ball_spaces;
     uint32_t seed, tick;
     float dt_s;        /* Time between this decision of the fish and its previous decision. */
     float oxygen_mg_l; /* Oxygen dissolved in the water. */
     const struct obstacle *obstacles;
     uint32_t obstacle_count;
-    const struct shade *shades; /* Shades on the water. Some of the `shade_count` entries may be
-                                   absent (cast.present is 0). */
+    /* Shades on the water. Some of the `shade_count` entries may be absent (cast.present is 0). */
+    const struct shade *shades;
     uint32_t shade_count;
 };
 

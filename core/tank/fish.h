@@ -41,10 +41,11 @@ enum fish_gait {
     GAIT_BURST = 2,
     GAIT_ESCAPE = 3,  /* The fish escapes from a poi or another stimulus. */
     GAIT_SURFACE = 4, /* The fish gulps at the surface. */
-    GAIT_HELD = 5,    /* The fish lies on the paper of a poi (paper scoop), which moves the fish. A
-                         fish in reentry also has this gait: it is back in the water but still
-                         overlaps other fish. `holder` distinguishes the two cases. */
-    GAIT_BOWL = 6,    /* The fish was caught and is in a bowl, which moves the fish. */
+    /* The fish lies on the paper of a poi (paper scoop), which moves the fish. A fish in reentry
+     * also has this gait: it is back in the water but still overlaps other fish. `holder`
+     * distinguishes the two cases. */
+    GAIT_HELD = 5,
+    GAIT_BOWL = 6, /* The fish was caught and is in a bowl, which moves the fish. */
     GAIT_COUNT,
 };
 
@@ -63,8 +64,9 @@ enum fish_avoiding {
 enum fish_air {
     AIR_ENOUGH = 0,
     AIR_RISES = 1, /* The fish is on its way up, in GAIT_SWIM. */
-    AIR_GULPS = 2, /* The fish is at the surface, in GAIT_SURFACE. A fish in AIR_DIVES or AIR_DUCKS
-                      also stays in GAIT_SURFACE until its body is under water. */
+    /* The fish is at the surface, in GAIT_SURFACE. A fish in AIR_DIVES or AIR_DUCKS also stays in
+     * GAIT_SURFACE until its body is under water. */
+    AIR_GULPS = 2,
     AIR_DIVES = 3,
     AIR_DUCKS = 4, /* The fish was startled at the surface and dives to get under water. */
 };
@@ -74,79 +76,91 @@ enum fish_air {
  * follow the quads. */
 struct fish {
     vec3 position_m; /* Centre of the body box in world coordinates. */
-    float speed_m_s; /* Speed >= 0 along the fish's forward axis that the fish's own fins
-                        produce. */
+    /* Speed >= 0 along the fish's forward axis that the fish's own fins produce. */
+    float speed_m_s;
     struct angles angles;
     float yaw_rate_rad_s;
-    vec3 push_m_s;     /* Velocity that is added to the velocity of the fish's own swimming. Causes
-                          are repulsion by nearby fish, the flow around a moving poi (paper scoop),
-                          and sidesteps beside a poi. */
-    float climb_m_s;   /* Vertical speed caused by swim bladder, fins and pitch; > 0 is upward. */
-    float heading_rad; /* Yaw to which the fish turns, without the attraction of shades on the
-                          water. The fish turns at a bounded rate. */
-    float drawn_rad;   /* Angle that is added to `heading_rad` because a shade on the water attracts
-                          the fish. A value > 0 turns the fish to the left. */
-    float brake;       /* Factor [0, 1] by which the speed goal of the fish is multiplied. The
-                          factor is below 1 if another fish is close ahead. */
-    float room;        /* Factor [0, 1] by which the largest turning rate of the fish is multiplied.
-                          The factor is below 1 if other fish are close beside the fish. */
+    /* Velocity that is added to the velocity of the fish's own swimming. Causes are repulsion by
+     * nearby fish, the flow around a moving poi (paper scoop), and sidesteps beside a poi. */
+    vec3 push_m_s;
+    float climb_m_s; /* Vertical speed caused by swim bladder, fins and pitch; > 0 is upward. */
+    /* Yaw to which the fish turns, without the attraction of shades on the water. The fish turns at
+     * a bounded rate. */
+    float heading_rad;
+    /* Angle that is added to `heading_rad` because a shade on the water attracts the fish. A value
+     * > 0 turns the fish to the left. */
+    float drawn_rad;
+    /* Factor [0, 1] by which the speed goal of the fish is multiplied. The factor is below 1 if
+     * another fish is close ahead. */
+    float brake;
+    /* Factor [0, 1] by which the largest turning rate of the fish is multiplied. The factor is
+     * below 1 if other fish are close beside the fish. */
+    float room;
 
     /* The goals of the fish are `heading_rad` and the members from here to `beats`. Each decision
      * of the fish sets new goals. In every tick, the present values approach the goals. For
      * example, `speed_m_s` approaches `speed_goal_m_s`. */
     float speed_goal_m_s; /* Speed that the fish approaches. `brake` multiplies this speed while
                              another fish is close ahead. */
-    float speed_up_keep;  /* Acceleration: while the speed is below its goal, each tick multiplies
-                             the difference by this factor [0, 1). A larger factor means slower
-                             acceleration. 0 means that the factor is not yet computed. */
-    float slow_keep;      /* Deceleration without braking: while the speed is above its goal, each
-                             tick multiplies the difference by this factor [0, 1). A larger factor
-                             means slower deceleration. */
+    /* Acceleration: while the speed is below its goal, each tick multiplies the difference by this
+     * factor [0, 1). A larger factor means slower acceleration. 0 means that the factor is not yet
+     * computed. */
+    float speed_up_keep;
+    /* Deceleration without braking: while the speed is above its goal, each tick multiplies the
+     * difference by this factor [0, 1). A larger factor means slower deceleration. */
+    float slow_keep;
     float turn_rate_max_rad_s;
-    float haste; /* Factor >= 1 by which the fish turns, pitches, bends and changes its tail beat
-                    faster than normal. */
+    /* Factor >= 1 by which the fish turns, pitches, bends and changes its tail beat faster than
+     * normal. */
+    float haste;
     float climb_goal_m_s, pitch_goal_rad;
     float beats; /* 1 while the tail drives the fish, 0 while the fish glides. */
 
     float length_m;          /* Total length. */
     float height_m, width_m; /* Height and width of the body box. */
     float stamina;           /* Stamina [0, 1]; 0 means exhausted. */
-    vec3 velocity_m_s;       /* Velocity in world coordinates, computed from the real motion of the
-                                last tick including pushes. */
+    /* Velocity in world coordinates, computed from the real motion of the last tick including
+     * pushes. */
+    vec3 velocity_m_s;
     float bend_rad;
     float tail_phase_rad, tail_beat_hz, tail_amplitude;
-    float bend_goal_rad; /* Intended bend of the body, not counting the bend that follows from a
-                            turn. swim_settle() moves `bend_rad` toward the sum of both bends. */
+    /* Intended bend of the body, not counting the bend that follows from a turn. swim_settle()
+     * moves `bend_rad` toward the sum of both bends. */
+    float bend_goal_rad;
     float age_days;
 
-    uint32_t look;        /* Random bits that select the fish's appearance and individual traits. */
-    uint8_t gait;         /* Present gait (enum fish_gait). */
-    uint8_t avoiding;     /* Present avoidance of another fish (enum fish_avoiding). */
-    uint8_t holder;       /* Index of the poi or bowl that holds the fish: a poi in GAIT_HELD, a
-                             bowl in GAIT_BOWL. FISH_HOLDER_WATER in GAIT_HELD means reentry. */
+    uint32_t look;    /* Random bits that select the fish's appearance and individual traits. */
+    uint8_t gait;     /* Present gait (enum fish_gait). */
+    uint8_t avoiding; /* Present avoidance of another fish (enum fish_avoiding). */
+    /* Index of the poi or bowl that holds the fish: a poi in GAIT_HELD, a bowl in GAIT_BOWL.
+     * FISH_HOLDER_WATER in GAIT_HELD means reentry. */
+    uint8_t holder;
     uint8_t thought_tick; /* Low 8 bits of the tick in which the fish last decided. */
-    float gait_left_s;    /* Time until the fish chooses its next gait. For a fish in reentry: time
-                             since the fish came back into the water. */
-    float avoid_left_s;   /* Remaining time of the present avoidance of another fish. After an
-                             avoidance, when `avoiding` is AVOID_NONE: remaining time in which the
-                             fish keeps its depth. */
-    float avoid_turn;     /* Direction of the avoidance. In AVOID_YAW the value is -1 (sharp
-                             right) to +1 (sharp left). In AVOID_PITCH the value is -1 (down) or
-                             +1 (up). */
-    uint32_t avoid_since; /* First tick of the current encounter with the fish of index
-                             `avoid_with`. */
+    /* Time until the fish chooses its next gait. For a fish in reentry: time since the fish came
+     * back into the water. */
+    float gait_left_s;
+    /* Remaining time of the present avoidance of another fish. After an avoidance, when `avoiding`
+     * is AVOID_NONE: remaining time in which the fish keeps its depth. */
+    float avoid_left_s;
+    /* Direction of the avoidance. In AVOID_YAW the value is -1 (sharp right) to +1 (sharp left). In
+     * AVOID_PITCH the value is -1 (down) or +1 (up). */
+    float avoid_turn;
+    /* First tick of the current encounter with the fish of index `avoid_with`. */
+    uint32_t avoid_since;
     fish_index avoid_with;
-    uint8_t avoid_kind; /* Role of the fish at the beginning of the encounter with another fish
-                           (enum meeting_kind). */
-    bool falls;         /* True while the fish falls through the air and only gravity and water
-                           resistance move the fish. */
-    uint8_t air;        /* Present stage of the fish's surface breathing (enum fish_air). */
-    uint8_t startle;    /* Cause of a startle to which the fish has not yet reacted (enum
-                           startle_cause). 0 means that the fish is not startled. */
+    /* Role of the fish at the beginning of the encounter with another fish (enum meeting_kind). */
+    uint8_t avoid_kind;
+    /* True while the fish falls through the air and only gravity and water resistance move the
+     * fish. */
+    bool falls;
+    uint8_t air; /* Present stage of the fish's surface breathing (enum fish_air). */
+    /* Cause of a startle to which the fish has not yet reacted (enum startle_cause). 0 means that
+     * the fish is not startled. */
+    uint8_t startle;
     float depth_goal_m; /* Depth that the fish prefers, as a y coordinate < 0. */
-    float depth_stray;  /* Random offset of the depth that the fish prefers, as a fraction of the
-                           water depth. A value > 0 means upward. The preferred depth without the
-                           offset follows from the stamina. */
+    /* Random offset of the depth that the fish prefers, as a fraction of the water depth. A value >
+     * 0 means upward. The preferred depth without the offset follows from the stamina. */
+    float depth_stray;
 
     /* State of the startle response: the members from here to the end of the struct. A startled
      * fish escapes by a C-start, a fast turn and thrust (startle.h). */
@@ -155,14 +169,16 @@ struct fish {
     float habit;     /* Habituation [0, 1] to startling stimuli, which decays over time. */
     float startle_s; /* Time until the startled fish begins its escape. */
     vec3 startle_from_m;
-    float refractory_s;      /* Time until the fish can begin another C-start (escape). */
-    float escape_s;          /* Time from the beginning of the last C-start (escape) to the current
-                                tick. */
-    float escape_from_rad;   /* Yaw of the fish at the beginning of its last C-start (escape). */
-    float escape_turn_rad;   /* Angle by which the head turns in the first stage of the C-start
-                                (escape). A value > 0 means to the left. */
-    float escape_course_rad; /* Angle by which the body turns in the whole C-start (escape). A value
-                                > 0 means to the left. */
+    float refractory_s; /* Time until the fish can begin another C-start (escape). */
+    /* Time from the beginning of the last C-start (escape) to the current tick. */
+    float escape_s;
+    float escape_from_rad; /* Yaw of the fish at the beginning of its last C-start (escape). */
+    /* Angle by which the head turns in the first stage of the C-start (escape). A value > 0 means
+     * to the left. */
+    float escape_turn_rad;
+    /* Angle by which the body turns in the whole C-start (escape). A value > 0 means to the
+     * left. */
+    float escape_course_rad;
 };
 
 /* Returns a height above the still water surface, m. The fish counts as in the air if the top of

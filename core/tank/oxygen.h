@@ -26,18 +26,21 @@
 #define OXYGEN_TIME_COMPRESSION_MAX 1000.0f
 
 struct oxygen {
-    float dissolved_mg_l;   /* Dissolved oxygen, 0 .. OXYGEN_MAX_MG_L. */
-    float temperature_c;    /* Temperature of the water. */
-    float pressure_hpa;     /* Pressure of the air above the water. */
-    float time_compression; /* Speed of the oxygen balance relative to real time, 0 ..
-                               OXYGEN_TIME_COMPRESSION_MAX. 0 keeps the oxygen constant. */
-    float breath_mg_h;      /* Sum of the respiration of the fish that were sampled in the current
-                               second. Every fish is sampled once per second. */
-    float critical_mg;      /* Sum, over the sampled fish, of the critical oxygen concentration
-                               times the respiration of the fish. At the end of each second, this
-                               sum divided by `breath_mg_h` is the mean critical concentration. */
-    bool pump;              /* True while the air pump runs, so that the air stone in the tank
-                               bubbles. */
+    float dissolved_mg_l; /* Dissolved oxygen, 0 .. OXYGEN_MAX_MG_L. */
+    float temperature_c;  /* Temperature of the water. */
+    float pressure_hpa;   /* Pressure of the air above the water. */
+    /* Speed of the oxygen balance relative to real time, 0 .. OXYGEN_TIME_COMPRESSION_MAX. 0 keeps
+     * the oxygen constant. */
+    float time_compression;
+    /* Sum of the respiration of the fish that were sampled in the current second. Every fish is
+     * sampled once per second. */
+    float breath_mg_h;
+    /* Sum, over the sampled fish, of the critical oxygen concentration times the respiration of the
+     * fish. At the end of each second, this sum divided by `breath_mg_h` is the mean critical
+     * concentration. */
+    float critical_mg;
+    /* True while the air pump runs, so that the air stone in the tank bubbles. */
+    bool pump;
 };
 
 /* Returns the oxygen concentration of fresh water in equilibrium with air, mg/L (Benson & Krause

@@ -12,40 +12,43 @@
 #include "core/view.h"
 
 enum tank_preset_id {
-    TANK_PRESET_FESTIVAL = 0, /* A festival stall: fish of different ages in a tank that fills a
-                                 screen. */
-    TANK_PRESET_THESIS = 1,   /* The tank of the 2013 thesis on goldfish behavior, with fish of 5 cm
-                                 that follow the rules of the thesis. */
-    TANK_PRESET_OFFICIAL = 2, /* The tank of the championship: 1,000 fish of 4 cm in 10 cm of
-                                 water. */
+    /* A festival stall: fish of different ages in a tank that fills a screen. */
+    TANK_PRESET_FESTIVAL = 0,
+    /* The tank of the 2013 thesis on goldfish behavior, with fish of 5 cm that follow the rules of
+     * the thesis. */
+    TANK_PRESET_THESIS = 1,
+    /* The tank of the championship: 1,000 fish of 4 cm in 10 cm of water. */
+    TANK_PRESET_OFFICIAL = 2,
     TANK_PRESET_COUNT,
 };
 
 struct tank_preset {
     const char *name;
-    vec3 size_m;         /* Inner width (x), water depth (y) and inner length toward the player
-                            (z). */
+    /* Inner width (x), water depth (y) and inner length toward the player (z). */
+    vec3 size_m;
     float wall_height_m; /* Height of the walls from the floor to the rim. */
     uint32_t fish_count;
-    float age_days_min, age_days_max; /* Youngest and oldest age of a fish. The number of fish
-                                         per day of age is proportional to 1 / sqrt(age -
-                                         age_days_min), because most fish of a stall hatched in
-                                         the current summer. */
-    float length_m;                   /* Mean length of all fish, varied by `length_spread`. 0 means
-                                         that each fish has the length for its age. */
-    float length_spread;              /* Largest deviation from `length_m` as a fraction of
-                                         `length_m`, [0, 0.3]. The random deviation has a uniform
-                                         distribution. */
-    float stamina_min, stamina_max;   /* Range of the stamina at the start, within [0, 1]. The
-                                         random stamina has a uniform distribution. */
-    vec3 bowl_m[POI_MAX];             /* Centres of the mouths of the players' bowls, which float at
-                                         fixed places at the front and at the sides of the tank. */
-    float bowl_radius_m;              /* Radius of a bowl's rim. Fish start outside the bowls. */
-    float temperature_c;              /* Initial temperature of the water. */
-    float time_compression;           /* Speed of the oxygen balance relative to real time
-                                         (oxygen.h). */
-    bool pump;                        /* True if the air pump runs, so that the air stone in the
-                                         tank bubbles. */
+    /* Youngest and oldest age of a fish. The number of fish per day of age is proportional to 1 /
+     * sqrt(age - age_days_min), because most fish of a stall hatched in the current summer. */
+    float age_days_min, age_days_max;
+    /* Mean length of all fish, varied by `length_spread`. 0 means that each fish has the length for
+     * its age. */
+    float length_m;
+    /* Largest deviation from `length_m` as a fraction of `length_m`, [0, 0.3]. The random deviation
+     * has a uniform distribution. */
+    float length_spread;
+    /* Range of the stamina at the start, within [0, 1]. The random stamina has a uniform
+     * distribution. */
+    float stamina_min, stamina_max;
+    /* Centres of the mouths of the players' bowls, which float at fixed places at the front and at
+     * the sides of the tank. */
+    vec3 bowl_m[POI_MAX];
+    float bowl_radius_m; /* Radius of a bowl's rim. Fish start outside the bowls. */
+    float temperature_c; /* Initial temperature of the water. */
+    /* Speed of the oxygen balance relative to real time (oxygen.h). */
+    float time_compression;
+    /* True if the air pump runs, so that the air stone in the tank bubbles. */
+    bool pump;
     struct behavior_params params;
     struct view view;
 };

@@ -46,21 +46,24 @@
 /* Shade on the water that one object casts in one tick. `present` is true if the object exists. */
 struct shade_cast {
     bool present;
-    float x_m, z_m, radius_m; /* Centre and radius of the shade. If `present` is true, all values
-                                 are finite and the radius is > 0. */
-    float dark;               /* Fraction [0, 1] of the light that the object over the water
-                                 takes. */
+    /* Centre and radius of the shade. If `present` is true, all values are finite and the radius is
+     * > 0. */
+    float x_m, z_m, radius_m;
+    /* Fraction [0, 1] of the light that the object over the water takes. */
+    float dark;
 };
 
 /* A shade on the water and its history. All zeros mean that there is no shade. */
 struct shade {
     struct shade_cast cast; /* Place, size and darkness of the shade in the last tick. */
-    float edge_m_s;         /* Speed of the fastest point of the shade's edge. The speed is smoothed
-                               over 0.1 s, because a mouse moves in steps of a pixel. */
-    float age_s;            /* Time since the shade appeared, including the tick in which it
-                               appeared. */
-    float still_s;          /* Total time for which the shade was still. A motion of the edge faster
-                               than SHADE_MOVES_M_S resets the time. */
+    /* Speed of the fastest point of the shade's edge. The speed is smoothed over 0.1 s, because a
+     * mouse moves in steps of a pixel. */
+    float edge_m_s;
+    /* Time since the shade appeared, including the tick in which it appeared. */
+    float age_s;
+    /* Total time for which the shade was still. A motion of the edge faster than SHADE_MOVES_M_S
+     * resets the time. */
+    float still_s;
 };
 
 /* Updates the age and the motion of a shade after `dt_s`. `cast` is the present shade of the object
@@ -83,11 +86,12 @@ float shade_pull_m_s(const struct shade *shade, const struct behavior_params *pa
 
 /* Heading and speed of a fish, which shade_draw() changes. */
 struct shade_course {
-    float heading_rad; /* Before shade_draw(): heading of the fish's gait. After shade_draw():
-                          heading to which the fish turns. */
-    float speed_m_s;   /* Before shade_draw(): speed of the fish's gait. After shade_draw(): speed
-                          along the fish's forward axis, which is lower while the fish faces another
-                          direction. */
+    /* Before shade_draw(): heading of the fish's gait. After shade_draw(): heading to which the
+     * fish turns. */
+    float heading_rad;
+    /* Before shade_draw(): speed of the fish's gait. After shade_draw(): speed along the fish's
+     * forward axis, which is lower while the fish faces another direction. */
+    float speed_m_s;
 };
 
 /* Changes the course of a fish by the attraction of all shades. The new velocity is the sum of the

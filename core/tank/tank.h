@@ -25,10 +25,10 @@ _Static_assert(TANK_OBSTACLE_MAX == 2u * POI_MAX, "a poi and a bowl of each play
 
 struct tank {
     uint32_t seed;
-    uint8_t preset;        /* Preset of the tank (enum tank_preset_id). */
-    uint8_t lanes, search; /* Number of SIMD lanes (`lanes`) and algorithm of the pair search
-                              (`search`), copied from struct tank_config. Both members affect only
-                              speed, so no state hash includes them. */
+    uint8_t preset; /* Preset of the tank (enum tank_preset_id). */
+    /* Number of SIMD lanes (`lanes`) and algorithm of the pair search (`search`), copied from
+     * struct tank_config. Both members affect only speed, so no state hash includes them. */
+    uint8_t lanes, search;
     vec3 size_m;
     float wall_height_m;
     float wall_follow;    /* Strength [0, 1] with which walls attract fish. */
@@ -36,54 +36,57 @@ struct tank {
     struct temper temper; /* How much calmer the fish are in this round than living fish. */
     uint32_t fish_count;
     struct fish fish[TANK_FISH_MAX];
-    float space; /* Width of the personal space around the body of each fish, in body lengths. The
-                    value is computed when the tank is opened. */
+    /* Width of the personal space around the body of each fish, in body lengths. The value is
+     * computed when the tank is opened. */
+    float space;
     struct water water;
     struct shade shade[TANK_SHADE_MAX];
     struct oxygen oxygen;
-    uint32_t reentry_count; /* Upper bound of the number of fish in reentry: fish that came back
-                               into the water and still overlap other fish. reentry_tick() sets the
-                               exact number. */
+    /* Upper bound of the number of fish in reentry: fish that came back into the water and still
+     * overlap other fish. reentry_tick() sets the exact number. */
+    uint32_t reentry_count;
     /* Results of the last search for pairs of nearby fish (broad-phase query). Later ticks use the
      * results, so the state hash includes them. */
     struct broad_phase broad_phase;
-    struct contact_solver solver; /* Scratch memory of the contact solver for one tick, which no
-                                     state hash includes. The solver is a member of struct tank
-                                     because the stack of an embedded board is too small for it. */
+    /* Scratch memory of the contact solver for one tick, which no state hash includes. The solver
+     * is a member of struct tank because the stack of an embedded board is too small for it. */
+    struct contact_solver solver;
 };
 
 /* Parameters of a tank to be opened. */
 struct tank_config {
-    uint8_t preset;                 /* Preset of the tank (enum tank_preset_id). */
-    uint32_t fish_count;            /* Number of fish, 1 .. tank_config_fish_max(). */
-    uint32_t seed;                  /* Seed of all random numbers; any value is valid. */
-    float area_scale;               /* Factor on the area of the floor, TANK_AREA_SCALE_MIN ..
-                                       TANK_AREA_SCALE_MAX. */
-    vec3 size_m;                    /* Inner size within TANK_SIDE_*_M and TANK_DEPTH_*_M. A
-                                       component of 0 selects the preset's value. */
-    float wall_follow;              /* Strength [0, 1] with which walls attract fish; 0 in every
-                                       preset. */
-    bool ball_spaces;               /* True if personal spaces are balls around the bodies instead
-                                       of boxes. Balls serve only for comparison with section 3.4 of
-                                       the 2013 thesis on goldfish behavior, and with balls each
-                                       fish is tested against each other fish. */
-    float stamina_min, stamina_max; /* Range of the stamina at the start, within [0, 1]. The random
-                                       stamina has a uniform distribution. */
-    float temperature_c;            /* Temperature of the water, OXYGEN_TEMPERATURE_MIN_C ..
-                                       OXYGEN_TEMPERATURE_MAX_C. */
-    float pressure_hpa;             /* Pressure of the air, OXYGEN_PRESSURE_MIN_HPA ..
-                                       OXYGEN_PRESSURE_MAX_HPA. */
-    float oxygen_mg_l;              /* Dissolved oxygen at the start: 0 .. OXYGEN_MAX_MG_L, or
-                                       TANK_OXYGEN_SATURATED. */
-    float time_compression;         /* Speed of the oxygen balance, 0 .. OXYGEN_TIME_COMPRESSION_MAX
-                                       (oxygen.h). */
-    bool pump;                      /* True if the air pump runs, so that the air stone bubbles. */
-    uint8_t bowls;                  /* Number of bowls, 0 .. POI_MAX. No fish starts under a
-                                       bowl. */
-    uint8_t lanes;                  /* Number of SIMD lanes: 0, 4 or 8 (core/base/simd.h). The
-                                       number affects only speed. */
-    uint8_t search;                 /* Algorithm of the pair search (enum pair_search), which
-                                       affects only speed. */
+    uint8_t preset;      /* Preset of the tank (enum tank_preset_id). */
+    uint32_t fish_count; /* Number of fish, 1 .. tank_config_fish_max(). */
+    uint32_t seed;       /* Seed of all random numbers; any value is valid. */
+    /* Factor on the area of the floor, TANK_AREA_SCALE_MIN .. TANK_AREA_SCALE_MAX. */
+    float area_scale;
+    /* Inner size within TANK_SIDE_*_M and TANK_DEPTH_*_M. A component of 0 selects the preset's
+     * value. */
+    vec3 size_m;
+    /* Strength [0, 1] with which walls attract fish; 0 in every preset. */
+    float wall_follow;
+    /* True if personal spaces are balls around the bodies instead of boxes. Balls serve only for
+     * comparison with section 3.4 of the 2013 thesis on goldfish behavior, and with balls each fish
+     * is tested against each other fish. */
+    bool ball_spaces;
+    /* Range of the stamina at the start, within [0, 1]. The random stamina has a uniform
+     * distribution. */
+    float stamina_min, stamina_max;
+    /* Temperature of the water, OXYGEN_TEMPERATURE_MIN_C .. OXYGEN_TEMPERATURE_MAX_C. */
+    float temperature_c;
+    /* Pressure of the air, OXYGEN_PRESSURE_MIN_HPA .. OXYGEN_PRESSURE_MAX_HPA. */
+    float pressure_hpa;
+    /* Dissolved oxygen at the start: 0 .. OXYGEN_MAX_MG_L, or TANK_OXYGEN_SATURATED. */
+    float oxygen_mg_l;
+    /* Speed of the oxygen balance, 0 .. OXYGEN_TIME_COMPRESSION_MAX (oxygen.h). */
+    float time_compression;
+    bool pump; /* True if the air pump runs, so that the air stone bubbles. */
+    /* Number of bowls, 0 .. POI_MAX. No fish starts under a bowl. */
+    uint8_t bowls;
+    /* Number of SIMD lanes: 0, 4 or 8 (core/base/simd.h). The number affects only speed. */
+    uint8_t lanes;
+    /* Algorithm of the pair search (enum pair_search), which affects only speed. */
+    uint8_t search;
 };
 
 #define TANK_OXYGEN_SATURATED (-1.0f) /* Value of `oxygen_mg_l` for water saturated with oxygen. */
@@ -117,8 +120,9 @@ struct tank_stage {
     float length_m;  /* Length of the fish. 0 keeps the length that the tank gave the fish. */
     float speed_m_s; /* Speed along the fish's forward axis, >= 0. */
     float stamina;   /* Stamina, [0, 1]. */
-    uint8_t gait;    /* Gait of the fish: GAIT_REST, GAIT_SWIM, GAIT_BURST or GAIT_SURFACE. The gait
-                        lasts for its longest duration. */
+    /* Gait of the fish: GAIT_REST, GAIT_SWIM, GAIT_BURST or GAIT_SURFACE. The gait lasts for its
+     * longest duration. */
+    uint8_t gait;
 };
 
 /* Gives the first `count` fish of a tank that was just opened the poses and states in `stages`.

@@ -23,9 +23,9 @@
 #include "core/tank/collision/obstacle.h"
 
 struct water {
-    uint8_t newest; /* Index of the layer of `height_m` that holds the current heights of the
-                       surface. The other layer holds the heights of the previous step of the wave
-                       equation. */
+    /* Index of the layer of `height_m` that holds the current heights of the surface. The other
+     * layer holds the heights of the previous step of the wave equation. */
+    uint8_t newest;
     float height_m[2][RIPPLE_Z][RIPPLE_X];
 };
 

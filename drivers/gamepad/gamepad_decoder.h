@@ -33,16 +33,16 @@
 /* State of the filter. The axes are SDL's: +x points to the right, +y upward out of the surface
  * with the buttons, and +z toward the player. */
 struct gamepad_imu_filter {
-    vec3 up;            /* Upward direction in the axes of the pad, a unit vector. */
-    bool has_up;        /* True after the first valid acceleration was processed. */
-    bool has_rest;      /* True after the rest attitude `rest` was set. */
-    struct angles rest; /* Rest attitude: the attitude of the pad for which the ring is level. The
-                           yaw is 0. */
-    uint64_t turn_ns;   /* Time of the attitude in `up`: all rotations of the pad before this
-                           time are included. */
-    uint64_t weigh_ns;  /* Time of the newest acceleration. */
-    uint64_t rest_ns;   /* Time of the last update of the rest attitude. */
-    vec3 rate_rad_s;    /* Rotation rate from the newest measurement. */
+    vec3 up;       /* Upward direction in the axes of the pad, a unit vector. */
+    bool has_up;   /* True after the first valid acceleration was processed. */
+    bool has_rest; /* True after the rest attitude `rest` was set. */
+    /* Rest attitude: the attitude of the pad for which the ring is level. The yaw is 0. */
+    struct angles rest;
+    /* Time of the attitude in `up`: all rotations of the pad before this time are included. */
+    uint64_t turn_ns;
+    uint64_t weigh_ns; /* Time of the newest acceleration. */
+    uint64_t rest_ns;  /* Time of the last update of the rest attitude. */
+    vec3 rate_rad_s;   /* Rotation rate from the newest measurement. */
 };
 
 /* Sets the rotation rate of the pad for all times after `time_ns`. Returns 0, or -1 if a component
@@ -66,10 +66,10 @@ struct angles gamepad_imu_filter_at(struct gamepad_imu_filter *tilt, uint64_t ti
 /* ---- Decoder --------------------------------------------------------------------------------- */
 
 enum gamepad_axis {
-    GAMEPAD_LEAD_X = 0, /* Horizontal deflection of the left stick. Positive values point to the
-                           right. */
-    GAMEPAD_LEAD_Y,     /* Vertical deflection of the left stick. Positive values point toward the
-                           player. */
+    /* Horizontal deflection of the left stick. Positive values point to the right. */
+    GAMEPAD_LEAD_X = 0,
+    /* Vertical deflection of the left stick. Positive values point toward the player. */
+    GAMEPAD_LEAD_Y,
     GAMEPAD_TILT_X,
     GAMEPAD_TILT_Y,
     GAMEPAD_TRIGGER_LEFT, /* Travel of the left trigger, 0 to 32,767. */
@@ -118,19 +118,19 @@ struct gamepad_report {
 };
 
 struct gamepad_decoder {
-    struct stick_motion fly;        /* Decoder state that converts the deflection of the sticks to
-                                       the motion of the ring. */
-    struct gamepad_imu_filter tilt; /* Filter that computes the tilt of the ring from the motion
-                                       sensors. */
-    struct gamepad_report now;      /* The newest report. */
-    vec3 stick_twist;               /* Pitch, yaw and roll from the right stick, as fractions of
-                                       STICK_MOTION_TILT_MAX_RAD. */
-    uint64_t time_ns;               /* Time of the newest report or sample. */
-    bool trigger_down;              /* True while a trigger of the game pad is pressed. */
-    uint32_t held, pressed;         /* `held` contains the buttons that are pressed now. `pressed`
-                                       contains the buttons that were pressed after the last call of
-                                       gamepad_decoder_buttons(). Both are bits of enum
-                                       input_button. */
+    /* Decoder state that converts the deflection of the sticks to the motion of the ring. */
+    struct stick_motion fly;
+    /* Filter that computes the tilt of the ring from the motion sensors. */
+    struct gamepad_imu_filter tilt;
+    struct gamepad_report now; /* The newest report. */
+    /* Pitch, yaw and roll from the right stick, as fractions of STICK_MOTION_TILT_MAX_RAD. */
+    vec3 stick_twist;
+    uint64_t time_ns;  /* Time of the newest report or sample. */
+    bool trigger_down; /* True while a trigger of the game pad is pressed. */
+    /* `held` contains the buttons that are pressed now. `pressed` contains the buttons that were
+     * pressed after the last call of gamepad_decoder_buttons(). Both are bits of enum
+     * input_button. */
+    uint32_t held, pressed;
 };
 
 /* Initializes the decoder with the poi over the middle of the water. `view` is copied. */
@@ -162,11 +162,10 @@ struct gamepad_rumble gamepad_decoder_rumble(const struct poi_force *force);
 #define GAMEPAD_REPORTS_MAX 64u /* Capacity of the queue, equal to HAL_POI_SAMPLES_MAX. */
 
 struct gamepad_queue {
-    struct gamepad_decoder decoder;                    /* Decoder that has already processed all
-                                                          reports before the first report in
-                                                          `report`. */
-    struct gamepad_report report[GAMEPAD_REPORTS_MAX]; /* Reports that are not decoded yet, oldest
-                                                          first. */
+    /* Decoder that has already processed all reports before the first report in `report`. */
+    struct gamepad_decoder decoder;
+    /* Reports that are not decoded yet, oldest first. */
+    struct gamepad_report report[GAMEPAD_REPORTS_MAX];
     uint32_t report_count;
     uint64_t sampled_ns; /* Time of the newest sample. */
 };

@@ -33,14 +33,14 @@ struct gamepad {
     int32_t instance;               /* SDL's instance id, which is new at each connection. */
     char guid[GAMEPAD_GUID_SIZE];   /* SDL's GUID of the game pad that used this element last. */
     char serial[32];                /* Serial number from SDL, or "" if unknown. */
-    struct usb_key usb;             /* USB ids, and the serial number from /sys, or "" if
-                                       unknown. */
-    bool was_here;                  /* True if a game pad used this element before. */
-    struct gamepad_report now;      /* State of the pad after the newest event. */
-    struct gamepad_queue track;     /* Reports that are not decoded yet. */
-    struct gamepad_rumble rumble;   /* Motor levels that were sent last. */
-    uint64_t rumble_ns;             /* Time at which `rumble` was sent. */
-    bool cannot_rumble;             /* True if the pad has no motors. */
+    /* USB ids, and the serial number from /sys, or "" if unknown. */
+    struct usb_key usb;
+    bool was_here;                /* True if a game pad used this element before. */
+    struct gamepad_report now;    /* State of the pad after the newest event. */
+    struct gamepad_queue track;   /* Reports that are not decoded yet. */
+    struct gamepad_rumble rumble; /* Motor levels that were sent last. */
+    uint64_t rumble_ns;           /* Time at which `rumble` was sent. */
+    bool cannot_rumble;           /* True if the pad has no motors. */
     char text[HAL_TEXT_SIZE];
 };
 
@@ -48,8 +48,8 @@ struct gamepads {
     struct hal_clock clock;
     struct view view;
     struct gamepad pad[GAMEPADS_MAX];
-    struct usb_key bar[GAMEPADS_EXCLUSION_MAX]; /* List of devices that must not be opened as game
-                                                   pads, because other drivers use them. */
+    /* List of devices that must not be opened as game pads, because other drivers use them. */
+    struct usb_key bar[GAMEPADS_EXCLUSION_MAX];
     uint32_t bar_count;
     bool is_open;       /* True while SDL's game controllers are started. */
     uint64_t pumped_ns; /* Time at which SDL's events were processed last. */

@@ -32,10 +32,12 @@
 /* The complete state of the controls at one moment. */
 struct stick_report {
     uint64_t time_ns;
-    vec3 push;  /* Deflection of the stick or puck. Each component is -1 to 1. Non-finite components
-                   count as 0. */
-    vec3 twist; /* Pitch, yaw and roll as fractions (-1 to 1) of STICK_MOTION_TILT_MAX_RAD.
-                   Non-finite components count as 0. */
+    /* Deflection of the stick or puck. Each component is -1 to 1. Non-finite components count as
+     * 0. */
+    vec3 push;
+    /* Pitch, yaw and roll as fractions (-1 to 1) of STICK_MOTION_TILT_MAX_RAD. Non-finite
+     * components count as 0. */
+    vec3 twist;
     uint32_t buttons; /* Pressed buttons, as bits of enum pointer_button. */
 };
 
@@ -46,13 +48,14 @@ struct stick_motion {
     vec3 low_m[2], high_m[2];
     struct stick_report report;
     struct dip dip;
-    vec3 place_m;     /* Position of the ring, not including the vertical motion of a dip. */
-    vec3 speed_m_s;   /* Smoothed velocity of the ring. */
-    vec3 twist_rad;   /* Smoothed pitch, yaw and roll of the ring. */
-    vec3 shade_m;     /* Position over the water to which the player has moved the fan. Only x and z
-                         are used. */
-    float swing;      /* Progress of the fan's entry: 0 means that the fan is beyond the tank's
-                         near edge, 1 means that the fan is at `shade_m`. */
+    vec3 place_m;   /* Position of the ring, not including the vertical motion of a dip. */
+    vec3 speed_m_s; /* Smoothed velocity of the ring. */
+    vec3 twist_rad; /* Smoothed pitch, yaw and roll of the ring. */
+    /* Position over the water to which the player has moved the fan. Only x and z are used. */
+    vec3 shade_m;
+    /* Progress of the fan's entry: 0 means that the fan is beyond the tank's near edge, 1 means
+     * that the fan is at `shade_m`. */
+    float swing;
     uint64_t time_ns; /* Time of the newest report or sample. */
 };
 

@@ -87,12 +87,12 @@ struct gpio_backend_ops {
 
 struct gpio_backend {
     const struct gpio_backend_ops *ops;
-    uint32_t held;             /* Requested lines, one bit for each role. */
-    uint32_t debounced;        /* Held lines that the kernel debounces, one bit for each role. */
-    uint32_t polled;           /* Held inputs without edge detection, one bit for each role. */
-    uint32_t active;           /* Last level of each polled line, one bit for each role. */
-    int fds[GPIO_INPUT_COUNT]; /* File descriptors of the edge events. -1 means that the line has no
-                                  edge detection. */
+    uint32_t held;      /* Requested lines, one bit for each role. */
+    uint32_t debounced; /* Held lines that the kernel debounces, one bit for each role. */
+    uint32_t polled;    /* Held inputs without edge detection, one bit for each role. */
+    uint32_t active;    /* Last level of each polled line, one bit for each role. */
+    /* File descriptors of the edge events. -1 means that the line has no edge detection. */
+    int fds[GPIO_INPUT_COUNT];
     bool went; /* True if a chip was removed and wait() has not reported the removal yet. */
     char text[HAL_TEXT_SIZE];
 };

@@ -28,8 +28,8 @@ enum gpio_role {
     GPIO_COIN3,
     GPIO_DOOR,
     GPIO_INPUT_COUNT,
-    GPIO_START_LAMP = GPIO_INPUT_COUNT, /* First output. The outputs have the order of enum
-                                           hal_switch. */
+    /* First output. The outputs have the order of enum hal_switch. */
+    GPIO_START_LAMP = GPIO_INPUT_COUNT,
     GPIO_COIN_LOCKOUT,
     GPIO_TICKET,
     GPIO_COIN_COUNTER,
@@ -76,18 +76,18 @@ enum gpio_bias {
  * default of the role (gpio_config.h). */
 struct gpio_wire {
     bool wired;
-    char name[GPIO_TEXT_SIZE]; /* Name of the line. "" means that `chip` and `offset` identify the
-                                  line. */
+    /* Name of the line. "" means that `chip` and `offset` identify the line. */
+    char name[GPIO_TEXT_SIZE];
     char chip[GPIO_TEXT_SIZE]; /* Label of the chip. "" together with a line name means any chip. */
     uint32_t offset;
     bool active_low;
-    uint8_t bias;          /* Pull resistor of the line (enum gpio_bias). */
-    uint32_t debounce_us;  /* Debounce time of an input. Outputs do not use this field. */
-    uint32_t pulse_min_us; /* Shortest (`pulse_min_us`) and longest (`pulse_max_us`) valid pulse of
-                              a coin line. */
+    uint8_t bias;         /* Pull resistor of the line (enum gpio_bias). */
+    uint32_t debounce_us; /* Debounce time of an input. Outputs do not use this field. */
+    /* Shortest (`pulse_min_us`) and longest (`pulse_max_us`) valid pulse of a coin line. */
+    uint32_t pulse_min_us;
     uint32_t pulse_max_us;
-    uint32_t pulse_on_us; /* Length of an output pulse (`pulse_on_us`), and pause after each pulse
-                             (`pulse_off_us`). */
+    /* Length of an output pulse (`pulse_on_us`), and pause after each pulse (`pulse_off_us`). */
+    uint32_t pulse_on_us;
     uint32_t pulse_off_us;
 };
 
@@ -98,8 +98,9 @@ struct gpio_edge {
     /* True if the level after the edge is active (see active_low). The kernel reads the level some
      * time after the interrupt, so the level can be wrong. */
     bool active;
-    uint32_t lost_before; /* Number of edges of the line that the kernel dropped directly before
-                             this edge, because its queue was full. */
+    /* Number of edges of the line that the kernel dropped directly before this edge, because its
+     * queue was full. */
+    uint32_t lost_before;
     /* Time at which the GPIO thread received the edge. The GPIO thread sets this field. The backend
      * leaves this field 0. */
     uint64_t taken_ns;
@@ -113,9 +114,10 @@ struct gpio_line_info {
     char device[GPIO_TEXT_SIZE]; /* Device name of the chip, such as "gpiochip0". */
     char chip[GPIO_TEXT_SIZE];   /* Label of the chip. */
     uint32_t offset;
-    char name[GPIO_TEXT_SIZE];     /* Name of the line, or "" if the board gives no name. */
-    char consumer[GPIO_TEXT_SIZE]; /* Name of the program that uses the line, or "" if the line is
-                                      unused or the name is unknown. */
+    char name[GPIO_TEXT_SIZE]; /* Name of the line, or "" if the board gives no name. */
+    /* Name of the program that uses the line, or "" if the line is unused or the name is
+     * unknown. */
+    char consumer[GPIO_TEXT_SIZE];
     bool used, is_output, active_low;
 };
 
@@ -146,8 +148,8 @@ struct gpio_lines_ops {
     int (*list)(void *self, void (*tell)(void *context, const struct gpio_line_info *line),
                 void *context);
     void (*close)(void *self);
-    const char *(*describe)(void *self); /* Returns the name of the library, such as "libgpiod
-                                            1.6.3". */
+    /* Returns the name of the library, such as "libgpiod 1.6.3". */
+    const char *(*describe)(void *self);
 };
 
 struct gpio_lines {

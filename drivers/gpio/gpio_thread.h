@@ -24,11 +24,12 @@
  * functions are called. */
 
 struct debounce {
-    uint64_t period_ns; /* Debounce period. 0 means that every edge is accepted, because the kernel
-                           debounces the line. */
-    uint64_t since_ns;  /* Time at which the level `raw` began. */
-    bool raw;           /* Level after the last edge, before debouncing. */
-    bool stable;        /* Level after debouncing. */
+    /* Debounce period. 0 means that every edge is accepted, because the kernel debounces the
+     * line. */
+    uint64_t period_ns;
+    uint64_t since_ns; /* Time at which the level `raw` began. */
+    bool raw;          /* Level after the last edge, before debouncing. */
+    bool stable;       /* Level after debouncing. */
 };
 
 /* A debounced transition to the level `active`, with the time at which that level began. */
@@ -89,10 +90,11 @@ uint64_t gpio_debounce_due_ns(const struct debounce *debounce);
 /* Times of consecutive polls that read another level than the level after the last edge. Each time
  * is taken just before the poll. UINT64_MAX means that there was no poll. */
 struct gpio_poll_edges {
-    uint64_t since_ns, last_ns; /* Times of the first (`since_ns`) and of the last poll (`last_ns`)
-                                   that did not read the level after the last edge. */
-    uint64_t back_ns;           /* Time of the first poll after `last_ns` whose level equals the
-                                   level after the last edge. */
+    /* Times of the first (`since_ns`) and of the last poll (`last_ns`) that did not read the level
+     * after the last edge. */
+    uint64_t since_ns, last_ns;
+    /* Time of the first poll after `last_ns` whose level equals the level after the last edge. */
+    uint64_t back_ns;
 };
 
 struct gpio_edge_filter {
@@ -100,22 +102,26 @@ struct gpio_edge_filter {
     /* Time stamp of the last edge event if that event was a null edge (an edge event without a
      * change of the level) on an idle line, otherwise UINT64_MAX. */
     uint64_t blinked_ns;
-    uint64_t told_ns; /* Time at which the GPIO thread received the last null edge (an edge event
-                         without a change of the level). */
+    /* Time at which the GPIO thread received the last null edge (an edge event without a change of
+     * the level). */
+    uint64_t told_ns;
     /* Time of the newest polled level that the filter accepted in place of edge events. Edge events
      * with time stamps up to this time are ignored. */
     uint64_t believed_ns;
     /* Polls that read a level that differs from the level after the last edge. */
     struct gpio_poll_edges other;
-    uint32_t blinks; /* Number of null edges (edge events without a change of the level) since
-                        gpio_edge_filter_begin(). */
-    uint32_t late;   /* Number of edges whose wrong direction was corrected by a polled level, since
-                        gpio_edge_filter_begin(). */
+    /* Number of null edges (edge events without a change of the level) since
+     * gpio_edge_filter_begin(). */
+    uint32_t blinks;
+    /* Number of edges whose wrong direction was corrected by a polled level, since
+     * gpio_edge_filter_begin(). */
+    uint32_t late;
     /* Number of pairs of null edges (edge events without a change of the level) that are either two
      * glitches or a missed pulse. The caller may set this number to 0 after reading it. */
     uint32_t doubtful;
-    uint32_t lost; /* Number of edges that were lost or arrived too late. The caller may set this
-                      number to 0 after reading it. */
+    /* Number of edges that were lost or arrived too late. The caller may set this number to 0 after
+     * reading it. */
+    uint32_t lost;
 };
 
 /* Returns the state of a line whose level has been `active` since the time `now_ns`. */
@@ -161,21 +167,24 @@ enum coin_state {
 };
 
 struct coin_mech {
-    uint64_t width_min_ns, width_max_ns; /* Shortest and longest width of a coin pulse. A pulse with
-                                            exactly one of these widths is a coin too. */
-    uint64_t begin_ns, end_ns;           /* Times at which the current pulse started (`begin_ns`)
-                                            and ended (`end_ns`). */
-    uint8_t state;                       /* State of the current pulse (enum coin_state). */
-    bool spoilt;       /* True if the current pulse must not be counted as a coin, because its
-                          start was not observed. */
-    bool sticks;       /* True if the current pulse is too long and was already counted in
-                          `stuck`. */
+    /* Shortest and longest width of a coin pulse. A pulse with exactly one of these widths is a
+     * coin too. */
+    uint64_t width_min_ns, width_max_ns;
+    /* Times at which the current pulse started (`begin_ns`) and ended (`end_ns`). */
+    uint64_t begin_ns, end_ns;
+    uint8_t state; /* State of the current pulse (enum coin_state). */
+    /* True if the current pulse must not be counted as a coin, because its start was not
+     * observed. */
+    bool spoilt;
+    /* True if the current pulse is too long and was already counted in `stuck`. */
+    bool sticks;
     uint64_t width_ns; /* Width of the last coin's pulse. 0 means no coin yet. */
-    uint32_t coins, too_short, stuck; /* Numbers of coins, of pulses that were too short, and of
-                                         pulses that were too long. The caller may set these numbers
-                                         to 0 after reading them. */
-    uint32_t cut;                     /* Number of pulses whose end was not observed. The caller may
-                                         set this number to 0 after reading it. */
+    /* Numbers of coins, of pulses that were too short, and of pulses that were too long. The caller
+     * may set these numbers to 0 after reading them. */
+    uint32_t coins, too_short, stuck;
+    /* Number of pulses whose end was not observed. The caller may set this number to 0 after
+     * reading it. */
+    uint32_t cut;
 };
 
 /* Returns the initial state. If `active` is true, a coin already covers the sensor at `now_ns`.
@@ -211,11 +220,11 @@ static inline uint32_t gpio_coin_faults(const struct coin_mech *mech)
  * becomes longer, but pulses are never lost or merged. */
 
 struct pulse_train {
-    uint64_t on_ns, off_ns; /* Nominal length of a pulse, and nominal length of the pause after each
-                               pulse. */
-    uint64_t until_ns;      /* Time at which the current pulse or pause ends. */
-    uint32_t left;          /* Number of pulses that have not started yet. */
-    bool on;                /* True during a pulse. */
+    /* Nominal length of a pulse, and nominal length of the pause after each pulse. */
+    uint64_t on_ns, off_ns;
+    uint64_t until_ns; /* Time at which the current pulse or pause ends. */
+    uint32_t left;     /* Number of pulses that have not started yet. */
+    bool on;           /* True during a pulse. */
 };
 
 /* Adds `count` pulses. The sum saturates at UINT32_MAX. */
@@ -240,33 +249,33 @@ uint64_t gpio_pulses_due_ns(const struct pulse_train *train);
 /* Counts since gpio_thread_open(). */
 struct gpio_total {
     uint32_t coins[COIN_LINE_COUNT];
-    uint32_t too_short, stuck, cut; /* Numbers of pulses that were too short, too long (`stuck`)
-                                       or unfinished (`cut`), summed over all coin
-                                       lines. */
+    /* Numbers of pulses that were too short, too long (`stuck`) or unfinished (`cut`), summed over
+     * all coin lines. */
+    uint32_t too_short, stuck, cut;
     /* Number of pairs of null edges (edge events without a change of the level). Each pair is
      * either two glitches or a missed coin. */
     uint32_t doubtful;
-    uint32_t lost_edges, lost_chips; /* Number of lost edges (`lost_edges`), and number of removals
-                                        of a chip (`lost_chips`). */
+    /* Number of lost edges (`lost_edges`), and number of removals of a chip (`lost_chips`). */
+    uint32_t lost_edges, lost_chips;
 };
 
 struct gpio_thread {
     struct gpio_lines lines;
     struct hal_clock clock;
-    struct gpio_wire wires[GPIO_ROLE_COUNT]; /* Wiring of each role, with the default times filled
-                                                in. */
+    /* Wiring of each role, with the default times filled in. */
+    struct gpio_wire wires[GPIO_ROLE_COUNT];
 
     /* Only the GPIO thread uses the fields from `had` to `total`. `total` may also be read by the
      * caller of gpio_thread_step(). */
-    uint32_t had;                           /* Lines that the GPIO thread has requested successfully
-                                               (held lines), one bit for each role. */
-    uint32_t lit;                           /* Outputs whose last set level is active, one bit for
-                                               each role. */
-    uint32_t failing;                       /* Outputs whose last set() failed although the line is
-                                               held, one bit for each role. */
-    uint64_t retry_ns;                      /* Time at which missing lines are requested next. */
-    uint64_t watch_ns;                      /* Time at which the levels of all lines are read
-                                               next. */
+    uint32_t had; /* Lines that the GPIO thread has requested successfully (held lines), one bit for
+                     each role. */
+    /* Outputs whose last set level is active, one bit for each role. */
+    uint32_t lit;
+    /* Outputs whose last set() failed although the line is held, one bit for each role. */
+    uint32_t failing;
+    uint64_t retry_ns; /* Time at which missing lines are requested next. */
+    /* Time at which the levels of all lines are read next. */
+    uint64_t watch_ns;
     uint64_t coin_look_ns[COIN_LINE_COUNT]; /* Time at which each coin line is polled next. */
     struct gpio_edge_filter inputs[GPIO_INPUT_COUNT];
     struct coin_mech coin[COIN_LINE_COUNT];
@@ -278,19 +287,19 @@ struct gpio_thread {
     /* Debounced buttons that are pressed (`held`), and buttons that were pressed since the frame
      * loop's last read (`pressed`), one bit for each role. */
     _Atomic uint32_t held, pressed;
-    _Atomic uint32_t coins[COIN_LINE_COUNT];  /* Number of coins of each line since the frame loop's
-                                                 last read. */
-    _Atomic uint32_t faults;                  /* Number of faults since the frame loop's last
-                                                 read. */
-    _Atomic uint32_t raw;                     /* Levels before debouncing, one bit for each role. */
-    _Atomic uint32_t edges[GPIO_INPUT_COUNT]; /* Number of edges of each line since the frame loop's
-                                                 last read, including bounces. */
-    _Atomic uint32_t line_faults[GPIO_INPUT_COUNT]; /* Number of faults of each line since the frame
-                                                       loop's last read. */
-    _Atomic uint32_t missing; /* Wired lines that the GPIO thread does not hold, one bit for each
-                                 role. */
-    _Atomic uint32_t wanted;  /* Outputs that the frame loop has set active, one bit for each
-                                 role. */
+    /* Number of coins of each line since the frame loop's last read. */
+    _Atomic uint32_t coins[COIN_LINE_COUNT];
+    /* Number of faults since the frame loop's last read. */
+    _Atomic uint32_t faults;
+    _Atomic uint32_t raw; /* Levels before debouncing, one bit for each role. */
+    /* Number of edges of each line since the frame loop's last read, including bounces. */
+    _Atomic uint32_t edges[GPIO_INPUT_COUNT];
+    /* Number of faults of each line since the frame loop's last read. */
+    _Atomic uint32_t line_faults[GPIO_INPUT_COUNT];
+    /* Wired lines that the GPIO thread does not hold, one bit for each role. */
+    _Atomic uint32_t missing;
+    /* Outputs that the frame loop has set active, one bit for each role. */
+    _Atomic uint32_t wanted;
     /* Number of pulses of each output that are requested and not yet taken over by the GPIO
      * thread. */
     _Atomic uint32_t pulses[GPIO_OUTPUT_COUNT];
@@ -303,8 +312,8 @@ struct gpio_thread {
 
     pthread_mutex_t mutex; /* Protects `why` and `text`. */
     char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZE];
-    char text[HAL_TEXT_SIZE]; /* Description of the held lines (requested successfully) and of the
-                                 missing lines. */
+    /* Description of the held lines (requested successfully) and of the missing lines. */
+    char text[HAL_TEXT_SIZE];
     char described[HAL_TEXT_SIZE]; /* Copy of `text` that describe() returns to the frame loop. */
 };
 

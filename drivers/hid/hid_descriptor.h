@@ -46,23 +46,23 @@ struct hid_range {
 
 /* The fields of one Input item: `count` consecutive fields of `bit_size` bits. */
 struct hid_group {
-    hid_usage application; /* Usage of the nearest enclosing Application collection, or 0 if there
-                              is none. */
-    uint8_t report_id;     /* Id of the report that contains the fields. 0 means that the device
-                              uses no report ids. */
-    uint32_t bit_offset;   /* Bit offset of the first field, counted from the end of the report
-                              id. */
+    /* Usage of the nearest enclosing Application collection, or 0 if there is none. */
+    hid_usage application;
+    /* Id of the report that contains the fields. 0 means that the device uses no report ids. */
+    uint8_t report_id;
+    /* Bit offset of the first field, counted from the end of the report id. */
+    uint32_t bit_offset;
     uint32_t bit_size, count;
-    uint32_t flags; /* All bits of the Input item, including bits that enum hid_flag does not
-                       name. */
+    /* All bits of the Input item, including bits that enum hid_flag does not name. */
+    uint32_t flags;
     int64_t logical_min, logical_max;
     /* Physical range. If both ends are 0 the range is not declared, and the logical range
      * applies. */
     int64_t physical_min, physical_max;
     int32_t unit_exponent; /* Exponent of the unit as a power of ten. */
     uint32_t unit;
-    uint16_t range_first, range_count; /* First index and number of the group's usage ranges in
-                                          hid_descriptor.range. */
+    /* First index and number of the group's usage ranges in hid_descriptor.range. */
+    uint16_t range_first, range_count;
 };
 
 /* Errors of hid_descriptor_read(), with their descriptions. */
@@ -94,10 +94,10 @@ struct hid_descriptor {
     size_t error_offset; /* Offset of the first byte of the item that caused `error`. */
     bool has_report_ids;
     uint32_t group_count, range_count, field_count;
-    uint32_t report_bits[256]; /* Number of payload bits of each input report. 0 means that the
-                                  report is not declared. */
-    struct hid_group group[HID_GROUP_MAX]; /* Groups in the order of the descriptor. Entries from
-                                              `group_count` on are undefined. */
+    /* Number of payload bits of each input report. 0 means that the report is not declared. */
+    uint32_t report_bits[256];
+    /* Groups in the order of the descriptor. Entries from `group_count` on are undefined. */
+    struct hid_group group[HID_GROUP_MAX];
     struct hid_range range[HID_RANGE_MAX];
 };
 
@@ -119,8 +119,8 @@ hid_usage hid_usage_at(const struct hid_descriptor *descriptor, const struct hid
 
 /* An input report as received from the device. */
 struct hid_report {
-    const uint8_t *bytes; /* Content of the report, starting with the report id if the device uses
-                             report ids. */
+    /* Content of the report, starting with the report id if the device uses report ids. */
+    const uint8_t *bytes;
     size_t size;
 };
 

@@ -14,8 +14,8 @@ enum hid_item_type {
     HID_ITEM_MAIN = 0,
     HID_ITEM_GLOBAL = 1,
     HID_ITEM_LOCAL = 2,
-    HID_ITEM_RESERVED = 3, /* A reserved item, or a long item, for which HID 1.11 defines no
-                              tags. */
+    /* A reserved item, or a long item, for which HID 1.11 defines no tags. */
+    HID_ITEM_RESERVED = 3,
 };
 
 struct hid_item {

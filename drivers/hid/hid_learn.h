@@ -20,14 +20,14 @@
 /* Recording of one field. For a relative field the values are added, so that all recorded values
  * are positions. */
 struct learn_field {
-    uint16_t group, index;         /* Index of the field's group in the HID descriptor, and index
-                                      of the field in this group. */
-    bool reported;                 /* True if the field was reported in any step. */
-    bool rested;                   /* True if the field was reported in LEARN_REST. */
-    int64_t rest_low, rest_high;   /* Lowest and highest value of the field in LEARN_REST. */
-    int64_t now;                   /* Newest value, or newest sum of a relative field. */
-    int64_t low[LEARN_STEP_COUNT]; /* Lowest value of the field in each step. `high` has the highest
-                                      value in each step. */
+    /* Index of the field's group in the HID descriptor, and index of the field in this group. */
+    uint16_t group, index;
+    bool reported;               /* True if the field was reported in any step. */
+    bool rested;                 /* True if the field was reported in LEARN_REST. */
+    int64_t rest_low, rest_high; /* Lowest and highest value of the field in LEARN_REST. */
+    int64_t now;                 /* Newest value, or newest sum of a relative field. */
+    /* Lowest value of the field in each step. `high` has the highest value in each step. */
+    int64_t low[LEARN_STEP_COUNT];
     int64_t high[LEARN_STEP_COUNT];
     int64_t end[LEARN_STEP_COUNT]; /* Value of the field at the end of each step. */
 };
@@ -35,20 +35,22 @@ struct learn_field {
 /* Recording of one key of an array field. */
 struct learn_key {
     uint16_t group; /* Index of the key's group, which has at most HID_ARRAY_MAX elements. */
-    bool rested;    /* True if the key was pressed before the step LEARN_DIP. The key is then
-                       excluded from the mapping. */
+    /* True if the key was pressed before the step LEARN_DIP. The key is then excluded from the
+     * mapping. */
+    bool rested;
     hid_usage usage;
 };
 
 struct hid_learn {
     struct hid_descriptor descriptor;
-    struct hid_mapping offered; /* Mapping that the controller has without learning. The learned
-                                   mapping keeps the buttons of this mapping. */
-    struct hid_mapping map;     /* The learned mapping, valid in the step LEARN_TRY. */
-    uint8_t step;               /* Current step (enum learn_step). */
-    uint32_t report_count;      /* Number of reports in the current step. */
-    uint64_t begun_ns, now_ns;  /* Times of the first and of the newest report in the current
-                                   step. */
+    /* Mapping that the controller has without learning. The learned mapping keeps the buttons of
+     * this mapping. */
+    struct hid_mapping offered;
+    struct hid_mapping map; /* The learned mapping, valid in the step LEARN_TRY. */
+    uint8_t step;           /* Current step (enum learn_step). */
+    uint32_t report_count;  /* Number of reports in the current step. */
+    /* Times of the first and of the newest report in the current step. */
+    uint64_t begun_ns, now_ns;
     uint32_t field_count, key_count;
     struct learn_field field[LEARN_FIELD_MAX];
     struct learn_key key[LEARN_KEY_MAX];

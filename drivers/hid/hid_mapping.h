@@ -29,25 +29,28 @@
 /* Role of a field: the quantity that the field controls. */
 enum hid_role {
     HID_ROLE_NONE = 0,
-    HID_ROLE_X, /* Position along X, positive to the player's right and to the right in the
-                   image. */
+    /* Position along X, positive to the player's right and to the right in the image. */
+    HID_ROLE_X,
     HID_ROLE_Y, /* Position along Y, positive upward. */
     HID_ROLE_Z, /* Position along Z, positive toward the player and downward in the image. */
     HID_ROLE_PITCH,
     HID_ROLE_YAW,
     HID_ROLE_ROLL,
-    HID_ROLE_TILT,     /* Tilt of the ring by a wheel, for controllers without rotation axes. */
-    HID_ROLE_DIP,      /* Button, trigger, pen tip or pressure that lowers the poi while the
-                          player presses. */
-    HID_ROLE_LEVEL,    /* Button that levels the poi. */
-    HID_ROLE_FAN,      /* Button that holds the fan over the water while it is pressed. The
-                          controller then moves the fan, and the poi stands still. */
-    HID_ROLE_IN_RANGE, /* Flag that is 1 while a pen is near its tablet. While the flag is 0, the
-                          axes of the pen are invalid. */
-    HID_ROLE_SEQUENCE, /* Counter of the reports. A gap in the sequence means that reports were
-                          lost. */
-    HID_ROLE_START,    /* START button on the controller. LEFT, RIGHT and OK are further cabinet
-                          buttons on the controller. */
+    HID_ROLE_TILT, /* Tilt of the ring by a wheel, for controllers without rotation axes. */
+    /* Button, trigger, pen tip or pressure that lowers the poi while the player presses. */
+    HID_ROLE_DIP,
+    HID_ROLE_LEVEL, /* Button that levels the poi. */
+    /* Button that holds the fan over the water while it is pressed. The controller then moves the
+     * fan, and the poi stands still. */
+    HID_ROLE_FAN,
+    /* Flag that is 1 while a pen is near its tablet. While the flag is 0, the axes of the pen are
+     * invalid. */
+    HID_ROLE_IN_RANGE,
+    /* Counter of the reports. A gap in the sequence means that reports were lost. */
+    HID_ROLE_SEQUENCE,
+    /* START button on the controller. LEFT, RIGHT and OK are further cabinet buttons on the
+     * controller. */
+    HID_ROLE_START,
     HID_ROLE_LEFT,
     HID_ROLE_RIGHT,
     HID_ROLE_OK,
@@ -57,13 +60,14 @@ enum hid_role {
 
 /* Meaning of a field's value. */
 enum hid_binding_kind {
-    HID_BINDING_POSITION = 0, /* The value is an absolute position, as from a tablet or a tracked
-                                 poi controller. */
-    HID_BINDING_RATE,         /* The value is a velocity, as from a stick or a 3D mouse (puck). */
-    HID_BINDING_STEP,         /* The value is a displacement since the previous report, as from a
-                                 mouse or a wheel. */
-    HID_BINDING_PRESS,        /* The value is the travel of a key. The key counts as pressed from
-                                 halfway between `rest` and `full`. */
+    /* The value is an absolute position, as from a tablet or a tracked poi controller. */
+    HID_BINDING_POSITION = 0,
+    HID_BINDING_RATE, /* The value is a velocity, as from a stick or a 3D mouse (puck). */
+    /* The value is a displacement since the previous report, as from a mouse or a wheel. */
+    HID_BINDING_STEP,
+    /* The value is the travel of a key. The key counts as pressed from halfway between `rest` and
+     * `full`. */
+    HID_BINDING_PRESS,
     /* The value is one of the eight directions of a hat. The value `rest` means up, and the
      * following values continue clockwise. Any other value means that the hat is released. A hat
      * that is bound to X and Z is a four-switch joystick, which has only full deflection. */
@@ -72,19 +76,24 @@ enum hid_binding_kind {
 };
 
 struct hid_binding {
-    uint8_t role, manner; /* `role` is the role of the field in the game (enum hid_role). `manner`
-                             is the meaning of the field's value (enum hid_binding_kind). */
+    /* `role` is the role of the field in the game (enum hid_role). `manner` is the meaning of the
+     * field's value (enum hid_binding_kind). */
+    uint8_t role, manner;
     uint8_t report_id;
     uint32_t bit_offset; /* Bit offset in the payload, counted from the end of the report id. */
     uint8_t bit_size;    /* Number of bits, 1 to 32. */
-    bool is_signed;      /* True if the value is two's complement. Stored here because
-                            vendor-defined fields may not declare the sign. */
-    hid_usage usage;     /* Usage of a key in an array. The key is pressed while an element selects
-                            this usage. 0 means that the field is no array. */
-    int64_t rest;        /* Value of a released stick or key. For HID_BINDING_POSITION, the value at
-                            the low end of the axis. */
-    int64_t full;        /* Value of the field at the positive end of the axis. If `full` is below
-                            `rest`, the axis is reversed. */
+    /* True if the value is two's complement. Stored here because vendor-defined fields may not
+     * declare the sign. */
+    bool is_signed;
+    /* Usage of a key in an array. The key is pressed while an element selects this usage. 0 means
+     * that the field is no array. */
+    hid_usage usage;
+    /* Value of a released stick or key. For HID_BINDING_POSITION, the value at the low end of the
+     * axis. */
+    int64_t rest;
+    /* Value of the field at the positive end of the axis. If `full` is below `rest`, the axis is
+     * reversed. */
+    int64_t full;
     /* Dead zone around the rest position, in units of the field's value. `rest`, `full` and `dead`
      * are within +-HID_VALUE_MAX. */
     int64_t dead;
@@ -93,11 +102,11 @@ struct hid_binding {
 /* Kind of control that a mapping provides. */
 enum hid_style {
     HID_STYLE_NONE = 0,
-    HID_STYLE_POSE,    /* Six absolute axes, as of Kingyo's poi controller. */
-    HID_STYLE_POINTER, /* Two axes in the image, with buttons to dip and tilt, as of a mouse or a
-                          tablet. */
-    HID_STYLE_FLY,     /* Velocity control by sticks or a puck. A button or the Y axis dips the
-                          poi. */
+    HID_STYLE_POSE, /* Six absolute axes, as of Kingyo's poi controller. */
+    /* Two axes in the image, with buttons to dip and tilt, as of a mouse or a tablet. */
+    HID_STYLE_POINTER,
+    /* Velocity control by sticks or a puck. A button or the Y axis dips the poi. */
+    HID_STYLE_FLY,
 };
 
 enum hid_mapping_source {
@@ -109,12 +118,13 @@ enum hid_mapping_source {
 };
 
 struct hid_mapping {
-    uint8_t source, style; /* `source` is the origin of the mapping (enum hid_mapping_source).
-                              `style` is the kind of control (enum hid_style). */
-    bool trembles;         /* True if the position sensor is noisy (see struct poi_input). */
-    bool feels;            /* True if the device accepts the force feedback report that
-                              poi_report.h defines. */
-    uint32_t count;        /* Number of bindings, at most HID_BINDING_MAX. */
+    /* `source` is the origin of the mapping (enum hid_mapping_source). `style` is the kind of
+     * control (enum hid_style). */
+    uint8_t source, style;
+    bool trembles; /* True if the position sensor is noisy (see struct poi_input). */
+    /* True if the device accepts the force feedback report that poi_report.h defines. */
+    bool feels;
+    uint32_t count; /* Number of bindings, at most HID_BINDING_MAX. */
     struct hid_binding binding[HID_BINDING_MAX];
 };
 

@@ -22,8 +22,8 @@ enum {
     USAGE_HAT = 0x00010039,
     USAGE_ACCELERATOR = 0x000200c4,
     USAGE_BRAKE = 0x000200c5,
-    USAGE_BUTTON = 0x00090000, /* Usage id that is added to the number of a button (1 or more) to
-                                  get the button's usage. */
+    /* Usage id that is added to the number of a button (1 or more) to get the button's usage. */
+    USAGE_BUTTON = 0x00090000,
     USAGE_DIGITIZER = 0x000d0001,
     USAGE_PEN = 0x000d0002,
     USAGE_TOUCH_SCREEN = 0x000d0004,

@@ -22,13 +22,13 @@
 /* The file operation that is pending for the writer thread. */
 struct hid_mapping_store_job {
     char path[HID_MAPPING_STORE_PATH_SIZE];
-    char text[HID_MAPPING_STORE_TEXT_SIZE]; /* New content of the file. "" means that the file is
-                                               deleted. */
+    /* New content of the file. "" means that the file is deleted. */
+    char text[HID_MAPPING_STORE_TEXT_SIZE];
 };
 
 struct hid_mapping_store {
-    char folder[HID_MAPPING_STORE_PATH_SIZE]; /* Path of the folder pois/. "" means that mappings
-                                                 are kept in memory only. */
+    /* Path of the folder pois/. "" means that mappings are kept in memory only. */
+    char folder[HID_MAPPING_STORE_PATH_SIZE];
     uint32_t count;
     struct hid_mapping_store_entry entry[HID_MAPPING_STORE_MAX];
 
@@ -40,11 +40,11 @@ struct hid_mapping_store {
     bool has_job;    /* True while `job` is pending. */
     bool stops;      /* True if the writer thread must end. */
     struct hid_mapping_store_job job;
-    bool last_failed;       /* True if the last finished file operation failed. */
-    uint32_t written_count; /* Number of file operations that succeeded since
-                               hid_mapping_store_open(). */
-    uint32_t failed_count;  /* Number of file operations that failed since
-                               hid_mapping_store_open(). */
+    bool last_failed; /* True if the last finished file operation failed. */
+    /* Number of file operations that succeeded since hid_mapping_store_open(). */
+    uint32_t written_count;
+    /* Number of file operations that failed since hid_mapping_store_open(). */
+    uint32_t failed_count;
     void (*tell)(void *self, const char *line);
     void *tell_self;
 };

@@ -30,8 +30,9 @@ struct hid_identity {
     uint8_t interface_number;
     char serial[HID_TEXT_SIZE];
     char name[HID_TEXT_SIZE];
-    char port[32]; /* USB path of the device. For example, "3-1.4" is bus 3, port 1, and port 4 of
-                      the hub at port 1. */
+    /* USB path of the device. For example, "3-1.4" is bus 3, port 1, and port 4 of the hub at port
+     * 1. */
+    char port[32];
 };
 
 /* Identity and report descriptor of an attached device. The struct is a complete copy, from which a
@@ -44,12 +45,13 @@ struct hid_device_info {
 
 /* An input report as received from the device. */
 struct hid_raw {
-    uint64_t time_ns; /* Time of arrival, read from the HAL clock (hal_clock_ops). The time never
-                         decreases from report to report. */
-    uint32_t size;    /* Number of bytes, 1 to HID_REPORT_MAX. A transfer of length 0 is not a
-                         report. */
-    uint8_t bytes[HID_REPORT_MAX]; /* Content of the report, starting with the report id if the
-                                      device uses report ids. */
+    /* Time of arrival, read from the HAL clock (hal_clock_ops). The time never decreases from
+     * report to report. */
+    uint64_t time_ns;
+    /* Number of bytes, 1 to HID_REPORT_MAX. A transfer of length 0 is not a report. */
+    uint32_t size;
+    /* Content of the report, starting with the report id if the device uses report ids. */
+    uint8_t bytes[HID_REPORT_MAX];
 };
 
 /* ---- Triple buffer --------------------------------------------------------------------------- */
@@ -137,27 +139,30 @@ struct hid_port {
         atomic_uint pushed; /* `pushed` is the number of reports that were added to the queue.
                                `taken` is the number of reports that were removed. Both counters
                                wrap at 2^32. */
-    atomic_uint lost;       /* Number of reports since hid_port_init() that were dropped, because
-                               the queue was full or the report was too long. */
-    atomic_uint generation; /* Number that increases with each attach and each detach. The number is
-                               odd while a controller is attached. */
-    uint32_t next_number;   /* Sequence number of the next report. */
-    uint64_t last_ns;       /* Time stamp of the newest report. */
+    /* Number of reports since hid_port_init() that were dropped, because the queue was full or the
+     * report was too long. */
+    atomic_uint lost;
+    /* Number that increases with each attach and each detach. The number is odd while a controller
+     * is attached. */
+    atomic_uint generation;
+    uint32_t next_number; /* Sequence number of the next report. */
+    uint64_t last_ns;     /* Time stamp of the newest report. */
     /* The frame loop writes the fields from `taken` to `wake_self`. */
     _Alignas(HID_PORT_LINE_SIZE) atomic_uint taken;
-    uint32_t opened; /* Generation number at the last successful hid_port_open(). 0 means that
-                        hid_port_open() never succeeded. */
+    /* Generation number at the last successful hid_port_open(). 0 means that hid_port_open() never
+     * succeeded. */
+    uint32_t opened;
     /* `has_late` is true if `late` contains an unread report. `is_late` is true if that report is
      * the oldest report of the port. */
     bool has_late, is_late;
-    bool is_unusable;         /* True if no controller can ever be attached. */
-    void (*wake)(void *self); /* Callback that wakes the transport for an output report. The
-                                 callback must not block. */
+    bool is_unusable; /* True if no controller can ever be attached. */
+    /* Callback that wakes the transport for an output report. The callback must not block. */
+    void (*wake)(void *self);
     void *wake_self;
     /* Both threads use the fields from `newest` on. */
     _Alignas(HID_PORT_LINE_SIZE) struct triple_buffer newest; /* Triple buffer for `attachment`. */
-    struct triple_buffer overflow; /* Triple buffer for `late`, which holds the newest report while
-                                      the queue is full. */
+    /* Triple buffer for `late`, which holds the newest report while the queue is full. */
+    struct triple_buffer overflow;
     struct hid_attachment attachment[TRIPLE_BUFFER_SLOTS];
     struct hid_port_report late[TRIPLE_BUFFER_SLOTS];
     struct hid_port_report queue[HID_REPORTS_MAX];

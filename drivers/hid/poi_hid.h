@@ -32,8 +32,9 @@ struct own_pose {
     /* Pose at which the poi stands still while the fan is used. After the fan is released, the poi
      * returns from this pose to the controller's position. */
     struct poi_target waits;
-    float back;             /* Progress of the poi's return: 0 means that the poi is at `waits`,
-                               1 means that the poi is at the controller's position. */
+    /* Progress of the poi's return: 0 means that the poi is at `waits`, 1 means that the poi is at
+     * the controller's position. */
+    float back;
     struct fan_swing swing; /* Movement of the fan to the controller's position. */
     uint8_t sequence;       /* Sequence number of the newest report. */
     bool has_sequence;      /* True after the first report was decoded. */
@@ -42,26 +43,27 @@ struct own_pose {
 struct hid_pose_decoder {
     struct hid_descriptor descriptor;
     struct hid_mapping map;
-    struct pointer_poi pointer;   /* Pointer decoder, used by HID_STYLE_POINTER. */
-    struct pointer_report report; /* Last report to the pointer decoder, used by
-                                     HID_STYLE_POINTER. */
-    struct stick_motion fly;      /* Stick decoder, used by HID_STYLE_FLY. */
-    struct own_pose own;          /* Pose of the newest report, used by HID_STYLE_POSE. */
+    struct pointer_poi pointer; /* Pointer decoder, used by HID_STYLE_POINTER. */
+    /* Last report to the pointer decoder, used by HID_STYLE_POINTER. */
+    struct pointer_report report;
+    struct stick_motion fly; /* Stick decoder, used by HID_STYLE_FLY. */
+    struct own_pose own;     /* Pose of the newest report, used by HID_STYLE_POSE. */
     /* Newest value of each binding. An axis is -1 to 1, a displacement is in counts, and a key is 0
      * or 1. A hat has its direction 0 to 7, or -1 if it is released. */
     float value[HID_BINDING_MAX];
-    uint16_t array[HID_BINDING_MAX]; /* Indexes in descriptor.group of the array groups that have
-                                        bindings. */
-    uint32_t array_count;            /* Number of elements of `array`. */
+    /* Indexes in descriptor.group of the array groups that have bindings. */
+    uint16_t array[HID_BINDING_MAX];
+    uint32_t array_count; /* Number of elements of `array`. */
     /* Stick bindings that were near their rest position at least once, one bit for each binding.
      * The value of a stick that was never near its rest position is ignored, because such a stick
      * may be missing or broken. */
     uint32_t awake;
-    uint64_t time_ns;       /* Time of arrival of the newest report. */
-    uint64_t range_ns;      /* Last time at which the pen was in range. */
-    uint32_t held;          /* Buttons that are pressed, as bits of enum input_button. */
-    uint32_t pressed;       /* Buttons that were pressed since the last call of
-                               hid_pose_decoder_buttons(), as bits of enum input_button. */
+    uint64_t time_ns;  /* Time of arrival of the newest report. */
+    uint64_t range_ns; /* Last time at which the pen was in range. */
+    uint32_t held;     /* Buttons that are pressed, as bits of enum input_button. */
+    /* Buttons that were pressed since the last call of hid_pose_decoder_buttons(), as bits of enum
+     * input_button. */
+    uint32_t pressed;
     bool present;           /* True after the first position was decoded. */
     uint32_t refused_count; /* Number of rejected reports. */
     uint32_t gap_count; /* Number of reports that are missing according to the sequence numbers. */
@@ -116,8 +118,9 @@ struct poi_hid {
     struct hid_port *port;
     struct hal_clock clock;
     struct hid_mapper mapper;
-    struct hid_watch watch; /* Callback for further reports. If `watch.report` is null, no callback
-                               is called. The owner may change the field between two polls. */
+    /* Callback for further reports. If `watch.report` is null, no callback is called. The owner may
+     * change the field between two polls. */
+    struct hid_watch watch;
     struct view view;
     struct hid_device_info face; /* Identity and descriptor of the attached controller. */
     struct hid_pose_decoder decoder;

@@ -36,8 +36,9 @@
 /* Keys on the handle of Kingyo's poi controller. Bit 0 is HID Button 1. Bits 5 to 7 are free for
  * vendors. */
 enum poi_button {
-    POI_BUTTON_OK = 1u << 0, /* OK key under the thumb. The key is HID Button 1, which other
-                                programs use as the main button. */
+    /* OK key under the thumb. The key is HID Button 1, which other programs use as the main
+     * button. */
+    POI_BUTTON_OK = 1u << 0,
     POI_BUTTON_START = 1u << 1,
     POI_BUTTON_LEFT = 1u << 2,
     POI_BUTTON_RIGHT = 1u << 3,
@@ -47,9 +48,10 @@ enum poi_button {
 /* Content of an input report. Angles are within +-pi, as in struct angles. */
 struct poi_report {
     struct poi_target target;
-    uint8_t buttons;  /* Pressed keys, as bits of enum poi_button. */
-    uint8_t sequence; /* Number that increases by 1 with each report and returns to 0 after 255. A
-                         gap means that reports were lost. */
+    uint8_t buttons; /* Pressed keys, as bits of enum poi_button. */
+    /* Number that increases by 1 with each report and returns to 0 after 255. A gap means that
+     * reports were lost. */
+    uint8_t sequence;
 };
 
 /* Value of a full 16-bit field. */
@@ -119,14 +121,14 @@ bool poi_force_decode(const uint8_t *bytes, uint32_t size, struct poi_force *out
 
 enum poi_usage { /* Usages of POI_PAGE. */
                  POI_USAGE_SEQUENCE = 0x01,
-                 POI_USAGE_FEEL = 0x02,     /* Usage of the collection that is the force feedback
-                                               report. */
-                 POI_USAGE_FORCE_X = 0x10,  /* First of three force usages, 0x10 to 0x12: X, Y,
-                                               Z. */
-                 POI_USAGE_TORQUE_X = 0x13, /* First of three torque usages, 0x13 to 0x15: X, Y,
-                                               Z. */
-                 POI_USAGE_DRAG = 0x16,     /* First of three effect usages, 0x16 to 0x18: drag,
-                                               slap, tear. */
+                 /* Usage of the collection that is the force feedback report. */
+                 POI_USAGE_FEEL = 0x02,
+                 /* First of three force usages, 0x10 to 0x12: X, Y, Z. */
+                 POI_USAGE_FORCE_X = 0x10,
+                 /* First of three torque usages, 0x13 to 0x15: X, Y, Z. */
+                 POI_USAGE_TORQUE_X = 0x13,
+                 /* First of three effect usages, 0x16 to 0x18: drag, slap, tear. */
+                 POI_USAGE_DRAG = 0x16,
 };
 
 extern const uint8_t poi_descriptor[POI_DESCRIPTOR_SIZE];

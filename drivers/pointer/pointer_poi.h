@@ -80,16 +80,17 @@ struct dip {
     uint64_t start_ns;
     float duration_s; /* Duration of the stroke. 0 means that no stroke was started yet. */
     float from_m, from_m_s, from_m_s2, to_m;
-    bool lifts;       /* True if the button was released during the current downward stroke. */
-    bool scoops;      /* True if a downward stroke scoops fish, false if it presses on a page. */
-    float near_max_m; /* Largest distance by which the ring is nearer to the player than the pointer
-                      during the current stroke. */
+    bool lifts;  /* True if the button was released during the current downward stroke. */
+    bool scoops; /* True if a downward stroke scoops fish, false if it presses on a page. */
+    /* Largest distance by which the ring is nearer to the player than the pointer during the
+     * current stroke. */
+    float near_max_m;
 };
 
 struct dip_state {
     float height_m, speed_m_s, acceleration_m_s2;
-    float near_m; /* Distance by which the ring is nearer to the player than the pointer, [0,
-                     DIP_NEAR_M]. */
+    /* Distance by which the ring is nearer to the player than the pointer, [0, DIP_NEAR_M]. */
+    float near_m;
 };
 
 /* Initializes a hovering ring. The strokes scoop fish. */
@@ -120,12 +121,12 @@ enum pointer_button {
 /* The complete state of a pointer at one moment, and the motion of its wheel. */
 struct pointer_report {
     uint64_t time_ns;
-    float x_px, y_px;             /* Position in pixels from the top left corner of the window. Any
-                                     finite values are accepted. */
+    /* Position in pixels from the top left corner of the window. Any finite values are accepted. */
+    float x_px, y_px;
     uint32_t width_px, height_px; /* Size of the window in pixels. 0 means unknown. */
     uint32_t buttons;             /* Pressed buttons, as bits of enum pointer_button. */
-    float wheel_notches; /* Wheel motion since the previous report, in notches. Positive is away
-                            from the user. */
+    /* Wheel motion since the previous report, in notches. Positive is away from the user. */
+    float wheel_notches;
 };
 
 #define POINTER_TILT_STEP_RAD (7.5f * F_DEG) /* Change of the tilt by one notch of the wheel. */
@@ -140,9 +141,10 @@ struct pointer_report {
 /* Progress of a fan's entry. The fan enters while the player holds the fan, and otherwise
  * leaves. */
 struct fan_swing {
-    bool held;   /* True while the player holds the fan over the water. */
-    float share; /* Progress of the entry: 0 means that the fan is out of sight, 1 means that the
-                    fan has reached its position over the water. */
+    bool held; /* True while the player holds the fan over the water. */
+    /* Progress of the entry: 0 means that the fan is out of sight, 1 means that the fan has reached
+     * its position over the water. */
+    float share;
     uint64_t time_ns; /* Time for which `share` was computed last. */
 };
 

@@ -25,21 +25,23 @@ struct touch_event {
     uint64_t time_ns; /* Time at which the event arrived. */
     uint8_t kind;     /* Kind of the event (enum touch_kind). */
     int64_t id;       /* Id of the finger, unique while the finger touches the screen. */
-    float x, y;       /* Position in the window, 0 to 1 from the top left corner. Any value is
-                         accepted, including NaN. */
+    /* Position in the window, 0 to 1 from the top left corner. Any value is accepted, including
+     * NaN. */
+    float x, y;
 };
 
 struct touch_fingers {
     int64_t id[TOUCH_FINGER_MAX]; /* Ids of the fingers that touch the screen. */
     uint32_t count;
     int64_t leader;
-    bool has_leader;    /* True while the leader (the first finger) touches the screen. */
-    float x, y;         /* Last position of the leader (the first finger) in the window, 0 to 1
-                           from the top left corner. */
-    bool has_place;     /* True after the first touch of the screen. `x` and `y` are then valid. */
-    bool dips;          /* True while two or more fingers touch the screen. */
-    bool start_pressed; /* True from the touch of a third finger until touch_fingers_start() is
-                           called. */
+    bool has_leader; /* True while the leader (the first finger) touches the screen. */
+    /* Last position of the leader (the first finger) in the window, 0 to 1 from the top left
+     * corner. */
+    float x, y;
+    bool has_place; /* True after the first touch of the screen. `x` and `y` are then valid. */
+    bool dips;      /* True while two or more fingers touch the screen. */
+    /* True from the touch of a third finger until touch_fingers_start() is called. */
+    bool start_pressed;
 };
 
 /* Processes one event. Returns true if the state changed. Returns false if nothing changed, if the

@@ -14,14 +14,14 @@
 #define GPIO_SIM_QUEUE_MAX 64u
 
 enum gpio_sim_what {
-    GPIO_SIM_LEVEL = 0, /* Sets the wire of `role` to the level `active` (1 means active, see
-                           active_low). */
+    /* Sets the wire of `role` to the level `active` (1 means active, see active_low). */
+    GPIO_SIM_LEVEL = 0,
     /* A glitch that the kernel reports as one edge, as on chips with one event bit for each
      * line. */
     GPIO_SIM_SPARK,
     GPIO_SIM_GONE, /* Removes the chip of all lines. */
-    GPIO_SIM_BACK, /* Plugs the removed chip in again. The wires can change while the chip is
-                      removed. */
+    /* Plugs the removed chip in again. The wires can change while the chip is removed. */
+    GPIO_SIM_BACK,
 };
 
 struct gpio_sim_event {
@@ -53,14 +53,15 @@ struct gpio_lines_sim {
     /* True if edges are numbered and a full queue drops its oldest edge, as with libgpiod 2.x.
      * False if edges are not numbered and a full queue drops the newest edge. */
     bool is_numbered;
-    bool kernel_debounces;             /* Result of debounces(). If the result is true, the script
-                                          must contain no bounce, because the simulation does not
-                                          debounce. */
-    uint64_t late_min_ns, late_max_ns; /* Shortest and longest delay after which the kernel reads
-                                          the level of a line. */
-    uint32_t held_by_others;           /* Lines that other programs hold, one bit for each role. */
-    uint32_t failing_outputs;          /* Outputs that set() does not switch, one bit for each role.
-                                          set() returns HAL_ERR_IO for these outputs. */
+    /* Result of debounces(). If the result is true, the script must contain no bounce, because the
+     * simulation does not debounce. */
+    bool kernel_debounces;
+    /* Shortest and longest delay after which the kernel reads the level of a line. */
+    uint64_t late_min_ns, late_max_ns;
+    uint32_t held_by_others; /* Lines that other programs hold, one bit for each role. */
+    /* Outputs that set() does not switch, one bit for each role. set() returns HAL_ERR_IO for these
+     * outputs. */
+    uint32_t failing_outputs;
 
     uint64_t now_ns;
     struct gpio_sim_script script;
@@ -71,20 +72,20 @@ struct gpio_lines_sim {
     uint32_t open_count;
     bool chip_is_away, went;
     struct gpio_sim_line {
-        uint8_t level;          /* Level of the wire. 1 means active. */
-        bool pending;           /* True if another edge arrived while the simulated kernel processed
-                                   an edge. */
-        uint64_t busy_until_ns; /* Time at which the kernel reads the level. 0 means that the kernel
-                                   is idle. */
-        uint64_t stamp_ns;      /* Time stamp of the edge that the simulated kernel processes. */
-        uint32_t number;        /* Number of edges so far, including dropped edges. */
-        uint32_t seen;          /* Number of the last edge that was read. */
-        bool was_full;          /* True if the last read found a full queue. */
-        uint8_t last;           /* Level after the last edge that was read. If edges are not
-                                   numbered, `was_full` is true and the next edge has this same
-                                   level, at least one edge was lost. */
-        uint32_t first, count;  /* Position of the oldest edge in `queue`, and number of edges in
-                                   `queue`. */
+        uint8_t level; /* Level of the wire. 1 means active. */
+        /* True if another edge arrived while the simulated kernel processed an edge. */
+        bool pending;
+        /* Time at which the kernel reads the level. 0 means that the kernel is idle. */
+        uint64_t busy_until_ns;
+        uint64_t stamp_ns; /* Time stamp of the edge that the simulated kernel processes. */
+        uint32_t number;   /* Number of edges so far, including dropped edges. */
+        uint32_t seen;     /* Number of the last edge that was read. */
+        bool was_full;     /* True if the last read found a full queue. */
+        /* Level after the last edge that was read. If edges are not numbered, `was_full` is true
+         * and the next edge has this same level, at least one edge was lost. */
+        uint8_t last;
+        /* Position of the oldest edge in `queue`, and number of edges in `queue`. */
+        uint32_t first, count;
         struct {
             uint64_t time_ns;
             uint32_t number;
@@ -93,8 +94,9 @@ struct gpio_lines_sim {
     } lines[GPIO_INPUT_COUNT];
     uint32_t dropped;                 /* Number of dropped edges of all lines. */
     uint8_t outputs[GPIO_ROLE_COUNT]; /* Level of each output. 1 means active. */
-    uint8_t rests[GPIO_ROLE_COUNT];   /* Level of each output while no driver drives it. The bias
-                                         sets this level. Without a bias the level is low. */
+    /* Level of each output while no driver drives it. The bias sets this level. Without a bias the
+     * level is low. */
+    uint8_t rests[GPIO_ROLE_COUNT];
     struct gpio_sim_set sets[GPIO_SIM_SETS_MAX]; /* Ring buffer of the newest output changes. */
     uint32_t set_count;                          /* Number of output changes so far. */
 };

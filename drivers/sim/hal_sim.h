@@ -31,8 +31,8 @@ struct button_event {
 
 struct buttons_sim {
     struct hal_clock clock;
-    const struct button_event *events; /* Script of button events, owned by the caller. The script
-                                          must outlive the device. */
+    /* Script of button events, owned by the caller. The script must outlive the device. */
+    const struct button_event *events;
     uint32_t event_count;
     uint32_t next; /* Index of the next script event to play. */
     uint32_t held;
@@ -48,15 +48,16 @@ struct display_sim {
     struct display_settings display_settings; /* Image geometry from the last set_transform(). */
     uint32_t present_count;
     uint32_t full_screen_count; /* Number of full-screen toggles. */
-    uint32_t gone_at;           /* Number of present() calls after which the display is permanently
-                                   lost. 0 means never. */
-    bool away;                  /* True while the display is unplugged and open() fails. */
-    bool needs_open;            /* True from the unplugging of the display until open() succeeds. */
+    /* Number of present() calls after which the display is permanently lost. 0 means never. */
+    uint32_t gone_at;
+    bool away;       /* True while the display is unplugged and open() fails. */
+    bool needs_open; /* True from the unplugging of the display until open() succeeds. */
     uint32_t open_count;
-    uint32_t fail_at; /* Number (from 1) of the present() call that fails with HAL_ERR_IO. 0 means
-                         that no call fails. */
-    bool quit;        /* True if the next poll() reports that the window was closed. */
-    bool opened;      /* True between a successful open() and close(). */
+    /* Number (from 1) of the present() call that fails with HAL_ERR_IO. 0 means that no call
+     * fails. */
+    uint32_t fail_at;
+    bool quit;   /* True if the next poll() reports that the window was closed. */
+    bool opened; /* True between a successful open() and close(). */
 };
 
 /* Returns the simulated display. */
@@ -68,8 +69,8 @@ struct audio_sim {
     uint32_t played[SOUND_COUNT];
     float gain; /* Gain of the last played sound. */
     bool fails; /* True if every play() returns HAL_ERR_IO. */
-    bool gone;  /* True if every play() returns HAL_ERR_GONE and every open() returns
-                   HAL_ERR_ABSENT. */
+    /* True if every play() returns HAL_ERR_GONE and every open() returns HAL_ERR_ABSENT. */
+    bool gone;
     uint32_t open_count;
 };
 

@@ -42,8 +42,8 @@ struct hid_port_sim {
     uint32_t fault_count;
     /* Number of the report before which the device is unplugged. HID_SIM_NEVER means never. */
     uint32_t unplug_at;
-    bool busy; /* True if output reports stay pending, so that hid_port_send() returns
-                  HAL_ERR_BUSY. */
+    /* True if output reports stay pending, so that hid_port_send() returns HAL_ERR_BUSY. */
+    bool busy;
 
     bool is_attached;
     uint32_t report_count;        /* Number of reports so far. The next report gets this number. */
@@ -70,21 +70,21 @@ void hid_port_sim_report(struct hid_port_sim *sim, const uint8_t *bytes, uint32_
  * slot, the place of one of up to four controllers. */
 
 struct hid_device_list_sim {
-    struct hid_port_sim *port[POI_MAX]; /* Port of each slot, owned by the caller. Null means that
-                                           the slot does not exist. */
+    /* Port of each slot, owned by the caller. Null means that the slot does not exist. */
+    struct hid_port_sim *port[POI_MAX];
     /* Connected device of each row of the device list, owned by the caller. Null means that the row
      * has no connected device. */
     const struct hid_device_info *face[CONTROLLER_MAX];
     bool chosen[CONTROLLER_MAX];
-    bool barred[CONTROLLER_MAX]; /* True if the kiosk must not use the device of the row, for
-                                    example a keyboard. */
+    /* True if the kiosk must not use the device of the row, for example a keyboard. */
+    bool barred[CONTROLLER_MAX];
     /* Identity of the last device of each row. For a lost controller (CONTROLLER_LOST) the list
      * returns this identity. */
     struct hid_identity who[CONTROLLER_MAX];
-    bool denied[CONTROLLER_MAX];   /* True if opening the device fails because of missing
-                                      permission. */
-    uint8_t taken[CONTROLLER_MAX]; /* Slot of the row's device plus 1. 0 means that the device has
-                                      no slot. */
+    /* True if opening the device fails because of missing permission. */
+    bool denied[CONTROLLER_MAX];
+    /* Slot of the row's device plus 1. 0 means that the device has no slot. */
+    uint8_t taken[CONTROLLER_MAX];
     uint32_t choose_count, release_count;
 };
 

@@ -14,10 +14,11 @@ struct pointer_sim {
     struct report_feed feed;
     const struct pointer_report *reports; /* Reports of a mouse. */
     const struct touch_event *events;     /* Events of a touch screen. */
-    bool is_touch;       /* True for a touch screen, which plays `events`. False for a mouse,
-                            which plays `reports`. */
-    uint32_t mute_every; /* Interval n of lost events: every n-th event is lost if it lifts a
-                            finger. 0 means that no event is lost. */
+    /* True for a touch screen, which plays `events`. False for a mouse, which plays `reports`. */
+    bool is_touch;
+    /* Interval n of lost events: every n-th event is lost if it lifts a finger. 0 means that no
+     * event is lost. */
+    uint32_t mute_every;
     struct touch_fingers fingers;
     struct pointer_report report; /* Last report of the touch screen. */
     uint32_t spoil_count;         /* Number of mouse reports with random numbers so far. */

@@ -17,23 +17,25 @@
  * the faults after the initialization of the device. */
 struct report_feed {
     struct hal_clock clock;
-    uint32_t count;        /* Number of reports. */
-    uint32_t next;         /* Index of the next report to play. */
-    uint32_t unplug_at;    /* Index of the report before which the device is unplugged.
-                              REPORT_FEED_NEVER means never. */
-    uint64_t replug_ns;    /* Time from which open() finds the device again. */
-    uint32_t double_every; /* Interval n of doubled reports: every n-th report arrives twice. 0
-                              means that no report is doubled. */
-    uint32_t jump_at;      /* Index of the report that jumps to the top right corner (mouse, touch
-                              screen), or in which the sticks jump to a corner (game pad).
-                              REPORT_FEED_NEVER means that there is no such report. */
-    uint32_t spoil_from, spoil_to;         /* Index of the first report with random bits (including
-                                              NaN), and index after the last report with random
-                                              bits. */
-    uint64_t silent_from_ns, silent_to_ns; /* Start and end of the time without reports. The reports
-                                              of this time arrive together at its end. */
-    bool gone;                             /* True while the device is unplugged. */
-    uint32_t open_count;                   /* Number of open() calls. */
+    uint32_t count; /* Number of reports. */
+    uint32_t next;  /* Index of the next report to play. */
+    /* Index of the report before which the device is unplugged. REPORT_FEED_NEVER means never. */
+    uint32_t unplug_at;
+    uint64_t replug_ns; /* Time from which open() finds the device again. */
+    /* Interval n of doubled reports: every n-th report arrives twice. 0 means that no report is
+     * doubled. */
+    uint32_t double_every;
+    /* Index of the report that jumps to the top right corner (mouse, touch screen), or in which the
+     * sticks jump to a corner (game pad). REPORT_FEED_NEVER means that there is no such report. */
+    uint32_t jump_at;
+    /* Index of the first report with random bits (including NaN), and index after the last report
+     * with random bits. */
+    uint32_t spoil_from, spoil_to;
+    /* Start and end of the time without reports. The reports of this time arrive together at its
+     * end. */
+    uint64_t silent_from_ns, silent_to_ns;
+    bool gone;           /* True while the device is unplugged. */
+    uint32_t open_count; /* Number of open() calls. */
 };
 
 /* Faults of one report. */

@@ -11,31 +11,32 @@
 
 enum sensor_fault {
     SENSOR_FINE = 0,
-    SENSOR_GONE,         /* The sensor is unplugged: poll() and open() fail. */
-    SENSOR_SILENT,       /* The sensor is connected, but no reports arrive. */
-    SENSOR_HELD_BACK,    /* No reports arrive until the end of the fault. All delayed reports then
-                            arrive together. */
-    SENSOR_STUCK,        /* Every report has identical bits. */
-    SENSOR_JUMPED,       /* The position is displaced by one meter. */
-    SENSOR_FLIPPED,      /* The pose is rotated by 180 degrees. */
-    SENSOR_NOT_A_NUMBER, /* One field is NaN or infinite. The field changes from report to
-                            report. */
-    SENSOR_GARBAGE,      /* All fields have random bits. */
-    SENSOR_TWICE,        /* Each report arrives twice. */
+    SENSOR_GONE,   /* The sensor is unplugged: poll() and open() fail. */
+    SENSOR_SILENT, /* The sensor is connected, but no reports arrive. */
+    /* No reports arrive until the end of the fault. All delayed reports then arrive together. */
+    SENSOR_HELD_BACK,
+    SENSOR_STUCK,   /* Every report has identical bits. */
+    SENSOR_JUMPED,  /* The position is displaced by one meter. */
+    SENSOR_FLIPPED, /* The pose is rotated by 180 degrees. */
+    /* One field is NaN or infinite. The field changes from report to report. */
+    SENSOR_NOT_A_NUMBER,
+    SENSOR_GARBAGE, /* All fields have random bits. */
+    SENSOR_TWICE,   /* Each report arrives twice. */
     SENSOR_FAULT_COUNT,
 };
 
 struct sensor_sim {
     struct hal_clock clock;
-    struct poi_target pose;  /* True pose, which the caller moves. */
-    uint64_t period_ns;      /* Time between two reports. */
-    uint8_t fault;           /* The selected fault (enum sensor_fault). */
-    uint64_t from_ns, to_ns; /* Start and end of the fault. The fault is active if the time is at
-                                least `from_ns` and less than `to_ns`. */
+    struct poi_target pose; /* True pose, which the caller moves. */
+    uint64_t period_ns;     /* Time between two reports. */
+    uint8_t fault;          /* The selected fault (enum sensor_fault). */
+    /* Start and end of the fault. The fault is active if the time is at least `from_ns` and less
+     * than `to_ns`. */
+    uint64_t from_ns, to_ns;
 
-    uint64_t next_ns;       /* Time of the next report. */
-    uint32_t count;         /* Number of reports so far. The number of a report also selects its
-                               noise. */
+    uint64_t next_ns; /* Time of the next report. */
+    /* Number of reports so far. The number of a report also selects its noise. */
+    uint32_t count;
     uint32_t open_count;    /* Number of open() calls. */
     struct poi_target last; /* Pose of the last report. */
     /* Reports that SENSOR_HELD_BACK delays, oldest first. */

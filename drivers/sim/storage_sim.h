@@ -16,15 +16,16 @@ struct storage_sim {
     uint32_t refused_count;
     /* Result of failed_count(): the number of entries that could not be written to disk. */
     uint32_t write_refused_count;
-    uint32_t busy_left;   /* Number of further writes that return HAL_ERR_BUSY. */
-    bool edit_failed;     /* True if the last edit could not be stored. */
-    uint32_t fail_left;   /* Number of further writes that return HAL_ERR_IO, after the writes that
-                             return HAL_ERR_BUSY. */
-    uint32_t delay_polls; /* Number of committed_id() calls before an accepted entry counts as on
-                             disk. */
+    uint32_t busy_left; /* Number of further writes that return HAL_ERR_BUSY. */
+    bool edit_failed;   /* True if the last edit could not be stored. */
+    /* Number of further writes that return HAL_ERR_IO, after the writes that return
+     * HAL_ERR_BUSY. */
+    uint32_t fail_left;
+    /* Number of committed_id() calls before an accepted entry counts as on disk. */
+    uint32_t delay_polls;
     uint32_t polls_since; /* Number of committed_id() calls after the last accepted entry. */
-    uint8_t *replay;      /* Buffer for one replay, owned by the caller. Null means that replays are
-                             not stored. */
+    /* Buffer for one replay, owned by the caller. Null means that replays are not stored. */
+    uint8_t *replay;
     size_t replay_room;
     uint32_t replay_id; /* Id of the round whose replay is stored. 0 means none. */
     size_t replay_size;
@@ -33,15 +34,15 @@ struct storage_sim {
     uint32_t replay_polls_left;
     uint32_t replay_asked_id;       /* Round id in the last call of fetch(). */
     struct persistent_state memory; /* Result of load(): the state at the program start. */
-    bool needs_restart;             /* Result of needs_restart(): true if a store became available
-                                       after the program start. */
-    struct audits late;             /* Sums of the ledger entries that merge_offline() received. */
-    struct balance late_balance;    /* Sum of the balance changes that merge_offline() received. */
-    uint32_t late_polls;            /* Value for `late_polls_left` at each merge_offline(): the
-                                       number of offline_merged() calls until the merged entries are
-                                       on disk. */
-    uint32_t late_polls_left;       /* Number of further offline_merged() calls until the merged
-                                       entries are on disk. */
+    /* Result of needs_restart(): true if a store became available after the program start. */
+    bool needs_restart;
+    struct audits late;          /* Sums of the ledger entries that merge_offline() received. */
+    struct balance late_balance; /* Sum of the balance changes that merge_offline() received. */
+    /* Value for `late_polls_left` at each merge_offline(): the number of offline_merged() calls
+     * until the merged entries are on disk. */
+    uint32_t late_polls;
+    /* Number of further offline_merged() calls until the merged entries are on disk. */
+    uint32_t late_polls_left;
 };
 
 /* Returns the simulated store. */

@@ -50,9 +50,10 @@ struct usb_key usb_key_of(const struct hid_identity *identity);
 /* A rule that allows or forbids one controller, or all controllers of a product, to play. */
 struct usb_request {
     struct usb_key key;
-    bool plays; /* True if the controller may play. False if the controller must not play, even
-                   if it would play without the rule. */
-    bool kept;  /* True if the rule is stored in the file. */
+    /* True if the controller may play. False if the controller must not play, even if it would play
+     * without the rule. */
+    bool plays;
+    bool kept; /* True if the rule is stored in the file. */
 };
 
 /* List of rules (struct usb_request), which allow or forbid controllers to play. The all-zero list
@@ -89,19 +90,20 @@ enum usb_kind {
     /* The descriptor has keys of a keyboard, or has only fields that cannot control a poi, such as
      * media keys or a power supply. */
     USB_KIND_KEYS,
-    USB_KIND_LEARNABLE, /* The descriptor has usable fields but no mapping, so the operator must let
-                           the kiosk learn the controller. */
-    USB_KIND_MAPPED,    /* hid_mapping_choose() finds a mapping for the descriptor. */
-    USB_KIND_OWN,       /* The descriptor is exactly that of Kingyo's poi controller. */
+    /* The descriptor has usable fields but no mapping, so the operator must let the kiosk learn the
+     * controller. */
+    USB_KIND_LEARNABLE,
+    USB_KIND_MAPPED, /* hid_mapping_choose() finds a mapping for the descriptor. */
+    USB_KIND_OWN,    /* The descriptor is exactly that of Kingyo's poi controller. */
 };
 
 /* Candidate for claiming: a HID interface of a device. */
 struct usb_candidate {
     const struct hid_identity *identity;
-    bool is_boot_keyboard; /* True if the interface descriptor declares a boot keyboard (HID
-                              1.11, section 4.2). */
-    uint8_t kind;          /* Kind of the interface (enum usb_kind). */
-    uint8_t worth;         /* Score of the mapping, from hid_mapping_score(). */
+    /* True if the interface descriptor declares a boot keyboard (HID 1.11, section 4.2). */
+    bool is_boot_keyboard;
+    uint8_t kind;  /* Kind of the interface (enum usb_kind). */
+    uint8_t worth; /* Score of the mapping, from hid_mapping_score(). */
 };
 
 /* Sets the kind and the score of `subject` from the `size` bytes of its report descriptor. A size
@@ -111,10 +113,11 @@ void usb_choice_read(struct usb_candidate *subject, const uint8_t *bytes, uint32
 
 enum usb_verdict {
     USB_BARRED = 0, /* The interface must never be claimed. */
-    USB_FREE,       /* The interface may be claimed only after the operator selects the
-                       controller. */
-    USB_ASK,        /* The interface may be claimed to read its report descriptor. The interface is
-                       then evaluated again. */
+    /* The interface may be claimed only after the operator selects the controller. */
+    USB_FREE,
+    /* The interface may be claimed to read its report descriptor. The interface is then evaluated
+     * again. */
+    USB_ASK,
     USB_PLAYS,
 };
 
@@ -134,8 +137,9 @@ bool usb_choice_is_better(const struct usb_choice *choice, const struct usb_cand
 struct usb_place {
     bool was_taken; /* True if `identity` is valid. */
     bool is_taken;  /* True if the controller is attached now. */
-    bool is_held;   /* True for a limited time after the controller was unplugged. A different
-                       controller must not get the slot during that time. */
+    /* True for a limited time after the controller was unplugged. A different controller must not
+     * get the slot during that time. */
+    bool is_held;
     struct hid_identity identity;
 };
 

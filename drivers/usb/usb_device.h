@@ -24,23 +24,25 @@ enum usb_device_fault {
 };
 
 struct usb_device {
-    libusb_device *device; /* Counted reference to the libusb device. Null means that the table
-                              entry is empty. */
+    /* Counted reference to the libusb device. Null means that the table entry is empty. */
+    libusb_device *device;
     uint8_t configuration;
-    uint8_t serial_index, product_index; /* Indexes of the string descriptors. 0 means that the
-                                            device has no such string. */
-    bool is_boot;                        /* True if the interface supports the boot protocol. */
-    bool is_boot_keyboard;               /* True if the interface has the boot protocol of a
-                                            keyboard. */
-    uint32_t declared_size;              /* Declared size of the report descriptor in bytes. */
-    bool is_read;    /* True if `face.descriptor` was read from the device. False if
-                        `face.descriptor` was read from /sys. */
+    /* Indexes of the string descriptors. 0 means that the device has no such string. */
+    uint8_t serial_index, product_index;
+    bool is_boot; /* True if the interface supports the boot protocol. */
+    /* True if the interface has the boot protocol of a keyboard. */
+    bool is_boot_keyboard;
+    uint32_t declared_size; /* Declared size of the report descriptor in bytes. */
+    /* True if `face.descriptor` was read from the device. False if `face.descriptor` was read from
+     * /sys. */
+    bool is_read;
     uint8_t verdict; /* Decision whether the kiosk may claim the interface (enum usb_verdict). */
     uint8_t kind;    /* Kind of the interface (enum usb_kind). */
     uint8_t worth;   /* Score of the mapping, from hid_mapping_score(). */
     struct usb_pipe pipe;
-    struct hid_device_info face; /* Identity and report descriptor. A descriptor_size of 0 means
-                                    that the descriptor is not known yet. */
+    /* Identity and report descriptor. A descriptor_size of 0 means that the descriptor is not known
+     * yet. */
+    struct hid_device_info face;
 };
 
 /* Inputs of the classification in addition to the device. */

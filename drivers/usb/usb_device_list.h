@@ -60,8 +60,9 @@ struct usb_command {
 struct usb_device_list {
     struct triple_buffer newest; /* Triple buffer for `rows`. */
     struct usb_device_table rows[TRIPLE_BUFFER_SLOTS];
-    atomic_uint pushed, taken; /* Number of queued commands and number of executed commands, each
-                                  since usb_device_list_init(). */
+    /* Number of queued commands and number of executed commands, each since
+     * usb_device_list_init(). */
+    atomic_uint pushed, taken;
     struct usb_command order[USB_COMMAND_MAX];
     void (*wake)(void *self);
     void *wake_self;

@@ -34,27 +34,28 @@
 
 /* Entry of the device table: a device on the bus and its state. */
 struct usb_device_entry {
-    struct usb_device device; /* The USB device of the entry. A null `device.device` means that the
-                                 entry is empty. */
-    uint8_t trouble;          /* Current fault of the device (enum usb_device_fault). */
+    /* The USB device of the entry. A null `device.device` means that the entry is empty. */
+    struct usb_device device;
+    uint8_t trouble;      /* Current fault of the device (enum usb_device_fault). */
     uint8_t told_trouble; /* Fault of the device that was reported last (enum usb_device_fault). */
-    uint8_t failures;     /* Number of consecutive attempts to open the device to which the
-                             device did not respond. Each such attempt blocked the event thread. */
-    bool is_seen;         /* True if the current comparison with the bus found the device. */
+    /* Number of consecutive attempts to open the device to which the device did not respond. Each
+     * such attempt blocked the event thread. */
+    uint8_t failures;
+    bool is_seen; /* True if the current comparison with the bus found the device. */
     /* Indexes of the device's row, link and slot. USB_INDEX_NONE means none. For `row`,
      * CONTROLLER_MAX means none too. */
     uint32_t row, link, slot;
-    uint32_t drains; /* Index of the device's previous link, which may still be closing, or
-                        USB_INDEX_NONE. */
+    /* Index of the device's previous link, which may still be closing, or USB_INDEX_NONE. */
+    uint32_t drains;
     uint64_t met_ns; /* Time at which the device was added to the table. */
     uint64_t due_ns; /* Time at which the device is examined next. */
 };
 
 struct usb_event_thread {
     struct hal_clock clock;
-    char choices_path[USB_PATH_SIZE]; /* Path of the file of rules. "" means that the rules are not
-                                         stored. */
-    bool is_unread;                   /* True if the file of rules exists but could not be read. */
+    /* Path of the file of rules. "" means that the rules are not stored. */
+    char choices_path[USB_PATH_SIZE];
+    bool is_unread; /* True if the file of rules exists but could not be read. */
     /* Callback for error messages, which receives one line for each error. The callback may be
      * null. */
     void (*tell)(void *self, const char *line);
@@ -73,10 +74,11 @@ struct usb_event_thread {
     libusb_hotplug_callback_handle hotplug;
     bool has_hotplug;
     bool bus_changed, fds_changed, rows_changed;
-    uint64_t compare_ns; /* Time of the next comparison of the bus with the device table. A hot-plug
-                            event causes an earlier comparison. */
-    uint64_t settled_ns; /* Time until which the comparisons with the bus are repeated at short
-                            intervals. */
+    /* Time of the next comparison of the bus with the device table. A hot-plug event causes an
+     * earlier comparison. */
+    uint64_t compare_ns;
+    /* Time until which the comparisons with the bus are repeated at short intervals. */
+    uint64_t settled_ns;
     uint32_t fd_count;
     struct pollfd fd[USB_FD_MAX];
     struct usb_device_entry entry[USB_DEVICE_MAX];
@@ -84,8 +86,8 @@ struct usb_event_thread {
     struct usb_place place[POI_MAX];
     uint64_t lost_ns[POI_MAX]; /* Time at which each slot became vacant. */
     struct usb_device_table rows;
-    struct usb_evaluation evaluation; /* Rules of the operator, and the data for evaluating a
-                                         device. */
+    /* Rules of the operator, and the data for evaluating a device. */
+    struct usb_evaluation evaluation;
 };
 
 /* Compares the bus with the device table if a comparison is due. Adds new devices to the table and

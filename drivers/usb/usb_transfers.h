@@ -35,18 +35,18 @@ struct usb_pipe {
     uint8_t interface_number;
     uint8_t in_endpoint;
     bool has_report_ids;
-    uint8_t out_endpoint; /* Address of the output endpoint. 0 means that there is no output
-                             endpoint and output reports use the control pipe (HID 1.11, section
-                             7.2.2). */
+    /* Address of the output endpoint. 0 means that there is no output endpoint and output reports
+     * use the control pipe (HID 1.11, section 7.2.2). */
+    uint8_t out_endpoint;
     uint16_t in_packet_size;
     uint32_t report_size_max; /* Size of the longest input report in bytes, including its id. */
 };
 
 enum usb_transfers_state {
     USB_TRANSFERS_NONE = 0,
-    USB_TRANSFERS_LIVE,     /* The device is open, and its transfers are in use. */
-    USB_TRANSFERS_DRAINING, /* The transfers are cancelled, and some of them have not returned
-                               yet. */
+    USB_TRANSFERS_LIVE, /* The device is open, and its transfers are in use. */
+    /* The transfers are cancelled, and some of them have not returned yet. */
+    USB_TRANSFERS_DRAINING,
 };
 
 struct usb_transfers;
@@ -66,8 +66,9 @@ struct usb_transfers {
     bool has_left;        /* True if the controller was detached from its port. */
     uint32_t error_count; /* Number of consecutive transfer errors. */
     uint64_t retry_ns;    /* Earliest time at which transfers are submitted again. */
-    uint64_t leave_ns;    /* Time at which the controller is detached from its port even if some
-                             transfers have not returned. */
+    /* Time at which the controller is detached from its port even if some transfers have not
+     * returned. */
+    uint64_t leave_ns;
     struct hal_clock clock;
     libusb_device_handle *handle;
     struct hid_port *port; /* Port of the controller's slot, owned by the event thread. */

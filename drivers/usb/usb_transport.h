@@ -18,10 +18,11 @@ struct usb_event_thread;
 /* Configuration of the transport. All members are copied. The objects behind `clock` and the
  * callback must stay valid. */
 struct usb_transport_config {
-    struct hal_clock clock; /* Clock from which the time stamps of reports are read. The event
-                               thread calls the clock too. */
-    const char *choices;    /* Path of the file of rules (usb_choice.h). Null means that rules
-                               are not stored. */
+    /* Clock from which the time stamps of reports are read. The event thread calls the clock
+     * too. */
+    struct hal_clock clock;
+    /* Path of the file of rules (usb_choice.h). Null means that rules are not stored. */
+    const char *choices;
     /* Keys of the controllers that the option --usb names. A controller with such a key may play
      * even if the file of rules (usb_choice.h) forbids the same key. */
     const struct usb_key *listed;

@@ -22,35 +22,42 @@
 /* Kind of an option. The kind determines the type of the target. */
 enum option_kind {
     OPTION_HEADING = 0, /* The row is not an option but a heading between the options in --help. */
-    OPTION_FLAG,        /* The option has no value. The target is a uint8_t or bool, which is set to
-                           1. */
-    OPTION_TEXT,        /* The value is a text that is not empty. The target is a const char *. */
-    OPTION_PATH,        /* The value is a path that is not empty. The target is a
-                           char[OPTIONS_PATH_MAX]. */
-    OPTION_WHOLE,       /* The value is a whole number in [min, max]. The target is a uint32_t. */
-    OPTION_DECIMAL,     /* The value is a number in [min, max]. The target is a double. */
-    OPTION_CHOICE,      /* The value is one of the words in `choices`. The target is a uint8_t,
-                           which is set to the index of the word. */
-    OPTION_CUSTOM,      /* The value is parsed by the function `set`. */
-    OPTION_ARGUMENT,    /* The row is an argument: a word of the command line without an option
-                           name. The target is a const char *, unless `set` is not null. */
+    /* The option has no value. The target is a uint8_t or bool, which is set to 1. */
+    OPTION_FLAG,
+    OPTION_TEXT, /* The value is a text that is not empty. The target is a const char *. */
+    /* The value is a path that is not empty. The target is a char[OPTIONS_PATH_MAX]. */
+    OPTION_PATH,
+    OPTION_WHOLE,   /* The value is a whole number in [min, max]. The target is a uint32_t. */
+    OPTION_DECIMAL, /* The value is a number in [min, max]. The target is a double. */
+    /* The value is one of the words in `choices`. The target is a uint8_t, which is set to the
+     * index of the word. */
+    OPTION_CHOICE,
+    OPTION_CUSTOM, /* The value is parsed by the function `set`. */
+    /* The row is an argument: a word of the command line without an option name. The target is a
+     * const char *, unless `set` is not null. */
+    OPTION_ARGUMENT,
 };
 
 struct option {
-    const char *name;  /* Name without dashes. A name of one letter has one dash on the command
-                          line, other names have two. Null for headings and arguments. */
-    const char *value; /* Name of the option's value in --help. Null if the option has no value. A
-                          name in brackets means that the value is optional. */
-    const char *help;  /* Text of --help. The range and the default are appended to the text. */
+    /* Name without dashes. A name of one letter has one dash on the command line, other names have
+     * two. Null for headings and arguments. */
+    const char *name;
+    /* Name of the option's value in --help. Null if the option has no value. A name in brackets
+     * means that the value is optional. */
+    const char *value;
+    const char *help; /* Text of --help. The range and the default are appended to the text. */
     enum option_kind kind;
-    size_t offset; /* Offset in bytes of the target in the structure `target` that the caller passes
-                      to option_table_parse(). */
+    /* Offset in bytes of the target in the structure `target` that the caller passes to
+     * option_table_parse(). */
+    size_t offset;
     double min, max;
     const char *const *choices; /* The words of an OPTION_CHOICE. The list ends with null. */
-    const char *initial; /* Default value, which is parsed before the command line. Null if the
-                            caller sets the default. */
-    const char *expects; /* Description of the valid values in error messages. Null selects a
-                            description that is generated from the kind and the range. */
+    /* Default value, which is parsed before the command line. Null if the caller sets the
+     * default. */
+    const char *initial;
+    /* Description of the valid values in error messages. Null selects a description that is
+     * generated from the kind and the range. */
+    const char *expects;
     /* Callback that parses `value` for an OPTION_CUSTOM or an OPTION_ARGUMENT. `value` is null if
      * an optional value is absent. Returns true. If the value is wrong, returns false and may write
      * a specific reason to `why`. */
@@ -60,8 +67,9 @@ struct option {
     /* Callback that writes additional text to `out`. The text is appended to `help` and to
      * `expects`. May be null. */
     void (*more)(char out[OPTION_TEXT_MAX]);
-    uint32_t groups; /* Bit set of the subcommands that accept the option. 0 means that all
-                        subcommands accept the option. */
+    /* Bit set of the subcommands that accept the option. 0 means that all subcommands accept the
+     * option. */
+    uint32_t groups;
     /* Section of the option in the configuration file. "" means that a setting has replaced the
      * option, which old files may still contain before the first section. Null means that no file
      * may contain the option. */

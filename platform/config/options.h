@@ -26,8 +26,8 @@ struct options_query_result {
 
 struct options {
     bool help, version;
-    bool demo;              /* True if the demonstration runs without a window and writes
-                               pictures. */
+    /* True if the demonstration runs without a window and writes pictures. */
+    bool demo;
     uint32_t demo_s;        /* Length of the demonstration in seconds. */
     uint32_t width, height; /* Window size in pixels. 0 means full screen. */
     uint8_t poi;            /* Kind of controller that moves the poi (enum board_poi). */
@@ -42,11 +42,11 @@ struct options {
     struct options_query_result words;   /* Settings from the command line. */
     uint8_t keyboard;                    /* Keyboard mode (enum board_keyboard). */
     uint8_t usb_count, line_count;
-    char usb[BOARD_USB_MAX][BOARD_USB_SIZE];    /* USB controllers, each "VVVV:PPPP" or
-                                                   "VVVV:PPPP:SERIAL". */
+    /* USB controllers, each "VVVV:PPPP" or "VVVV:PPPP:SERIAL". */
+    char usb[BOARD_USB_MAX][BOARD_USB_SIZE];
     char line[BOARD_LINE_MAX][BOARD_LINE_SIZE]; /* GPIO line options, each "ROLE=LINE[,WORD...]". */
-    char record[OPTIONS_PATH_MAX]; /* Path of the recording to write. "" means not set, as in all
-                                      path fields of the structure. */
+    /* Path of the recording to write. "" means not set, as in all path fields of the structure. */
+    char record[OPTIONS_PATH_MAX];
     char replay[OPTIONS_PATH_MAX];
     char shots[OPTIONS_PATH_MAX];
     char data[OPTIONS_PATH_MAX];

@@ -28,11 +28,12 @@ enum exit_code demo_run(struct run_common *session);
 #define SHEET_MARGIN 16u
 
 struct contact_sheet {
-    uint8_t *rgb; /* Pixels of the sheet, owned by the caller. demo_sheet_plan() returns the size
-                     in bytes. */
+    /* Pixels of the sheet, owned by the caller. demo_sheet_plan() returns the size in bytes. */
+    uint8_t *rgb;
     uint32_t width, height;
-    uint32_t picture_height; /* Height of one small picture in pixels, computed from the aspect
-                                ratio of the source pictures. */
+    /* Height of one small picture in pixels, computed from the aspect ratio of the source
+     * pictures. */
+    uint32_t picture_height;
 };
 
 /* Computes the size of a sheet for pictures of `width` x `height` pixels. Sets all fields except

@@ -14,12 +14,12 @@
 
 struct frame_pacer {
     uint64_t last_ns;
-    int64_t owed;     /* Elapsed time that is not simulated yet, in units of 1/120 ns, so that one
-                         tick is an integer. A negative value means that the simulation is ahead of
-                         the clock. */
-    uint64_t dropped; /* Number of ticks that were dropped because a frame needed more than
-                         FRAME_PACER_TICKS_MAX. */
-    bool started;     /* True after the first frame. */
+    /* Elapsed time that is not simulated yet, in units of 1/120 ns, so that one tick is an integer.
+     * A negative value means that the simulation is ahead of the clock. */
+    int64_t owed;
+    /* Number of ticks that were dropped because a frame needed more than FRAME_PACER_TICKS_MAX. */
+    uint64_t dropped;
+    bool started; /* True after the first frame. */
 };
 
 /* Returns the number of ticks to run in the frame that starts at `now_ns`. The first frame runs two
@@ -31,8 +31,8 @@ uint32_t frame_pacer_ticks_due(struct frame_pacer *pace, uint64_t now_ns);
 
 /* Frame limiter for a display that has no vertical synchronization or is much faster than 60 Hz. */
 struct frame_pacer_sleep {
-    uint64_t mean_ns; /* Moving average of the frame duration without the limiter's delay. 0 means
-                         no frame yet. */
+    /* Moving average of the frame duration without the limiter's delay. 0 means no frame yet. */
+    uint64_t mean_ns;
 };
 
 /* Returns the delay in nanoseconds after a frame, so that 60 frames per second are drawn. `took_ns`

@@ -28,32 +28,33 @@ struct system_health;
 
 struct kiosk_config {
     struct core_config core;
-    bool bot[POI_MAX];          /* True if the core's bot controls the poi, regardless of the
-                                   connected devices. */
-    struct hal_clock stopwatch; /* Clock that only measures durations. Its time has no effect on
-                                   the core. */
-    const struct operator_notes *notes; /* Messages for the operator's menu. Must outlive the
-                                           kiosk. Null means no messages. */
-    struct system_health *machine;      /* System health monitor. Must outlive the kiosk. Null
-                                           means no monitor. */
-    struct session_recorder *chapters;  /* Session recorder. Must outlive the kiosk. Null means
-                                           no recording. */
-    struct score_playback *playback;    /* Score playback. Must outlive the kiosk. Null means no
-                                           playback. */
-    struct kiosk_tap tap;               /* Callbacks of a recorder. Each callback may be null. */
-    struct kiosk_source source; /* Source of the input of each tick. If source.next is null, the
-                                   devices provide the input. */
+    /* True if the core's bot controls the poi, regardless of the connected devices. */
+    bool bot[POI_MAX];
+    /* Clock that only measures durations. Its time has no effect on the core. */
+    struct hal_clock stopwatch;
+    /* Messages for the operator's menu. Must outlive the kiosk. Null means no messages. */
+    const struct operator_notes *notes;
+    /* System health monitor. Must outlive the kiosk. Null means no monitor. */
+    struct system_health *machine;
+    /* Session recorder. Must outlive the kiosk. Null means no recording. */
+    struct session_recorder *chapters;
+    /* Score playback. Must outlive the kiosk. Null means no playback. */
+    struct score_playback *playback;
+    struct kiosk_tap tap; /* Callbacks of a recorder. Each callback may be null. */
+    /* Source of the input of each tick. If source.next is null, the devices provide the input. */
+    struct kiosk_source source;
 };
 
 enum kiosk_end {
     KIOSK_RUNS = 0,
-    KIOSK_QUIT,         /* The user pressed the quit key twice or closed the window, or the desktop
-                           session ended. */
+    /* The user pressed the quit key twice or closed the window, or the desktop session ended. */
+    KIOSK_QUIT,
     KIOSK_DISPLAY_LOST, /* The display was lost permanently. */
     KIOSK_SOURCE_END,   /* The input source, for example a replay, has no more ticks. */
     KIOSK_FLOAT,        /* The core rejected a tick with CORE_ERR_FLOAT. */
-    KIOSK_RESTART,      /* The operator requested a restart, or a store (ledger database) became
-                           available after program start. */
+    /* The operator requested a restart, or a store (ledger database) became available after program
+     * start. */
+    KIOSK_RESTART,
 };
 
 /* Faults per device type since program start. The kiosk continued after each fault. */
@@ -67,30 +68,31 @@ uint32_t kiosk_fault_count(const struct kiosk_faults *faults);
 /* Progress of passing ledger entries and edits of the growth lab to the store, which may be busy,
  * fail or be absent. An entry or edit is passed again and again until the store accepts it. */
 struct saving {
-    uint32_t accepted_id;      /* Id of the newest ledger entry that is settled: the store accepted
-                                  the entry, or no store exists. */
-    uint32_t accepted_edit_id; /* Id of the newest edit that is settled: the store accepted the
-                                  edit, or no store exists. */
-    uint32_t refused_seen;     /* Number of failed writes that were already counted as faults. */
-    uint64_t retry_ns;         /* Time until which no data are passed to the store, because a
-                                  previous attempt failed. */
+    /* Id of the newest ledger entry that is settled: the store accepted the entry, or no store
+     * exists. */
+    uint32_t accepted_id;
+    /* Id of the newest edit that is settled: the store accepted the edit, or no store exists. */
+    uint32_t accepted_edit_id;
+    uint32_t refused_seen; /* Number of failed writes that were already counted as faults. */
+    /* Time until which no data are passed to the store, because a previous attempt failed. */
+    uint64_t retry_ns;
 };
 
 struct kiosk {
     struct kiosk_config config;
     struct core core;
-    struct input input; /* Input of the next tick. Presses and coins remain until one tick has used
-                           them. */
+    /* Input of the next tick. Presses and coins remain until one tick has used them. */
+    struct input input;
     struct output output;
-    struct poi_force felt[POI_MAX]; /* Strongest force on each poi during the ticks of the frame;
-                                       see output_merge_force(). */
+    /* Strongest force on each poi during the ticks of the frame; see output_merge_force(). */
+    struct poi_force felt[POI_MAX];
     struct scene scene;
     struct frame_pacer pace;
     struct poi_sampler samplers[POI_MAX];
     struct fan_sampler shades[SHADE_MAX];
-    uint64_t sampled_ns;       /* Time of the last device poll in nanoseconds. */
-    uint64_t display_retry_ns; /* Time of the next attempt to reopen a lost display. 0 means that
-                                  the display is open. */
+    uint64_t sampled_ns; /* Time of the last device poll in nanoseconds. */
+    /* Time of the next attempt to reopen a lost display. 0 means that the display is open. */
+    uint64_t display_retry_ns;
     struct output_dimmer dimmer;
     bool scoops;      /* True if the pois were last told that a dip scoops fish. */
     struct view view; /* Camera view that was last sent to the display and the pois. */
@@ -101,34 +103,37 @@ struct kiosk {
     struct offline_flush late;
     struct output_audio voice;
     struct output_lines switches;
-    uint64_t restart_ns;    /* Latest time of a requested restart. Until then the restart waits for
-                               the store. 0 means no request. */
-    uint64_t quit_until_ns; /* Time until which a second press of the quit key ends the kiosk. 0
-                               means no first press. */
-    uint32_t told_orders;   /* Number of commands in `output` that the kiosk has already executed.
-                               output.command_count is the number of all commands. */
-    uint32_t wanted_replay_id;    /* Id of the round whose replay the operator wants to see. 0 means
-                                     no request. */
-    bool has_acknowledged;        /* True if the operator has acknowledged the quarantined files but
-                                     the health monitor has not accepted the acknowledgement
-                                     yet. */
+    /* Latest time of a requested restart. Until then the restart waits for the store. 0 means no
+     * request. */
+    uint64_t restart_ns;
+    /* Time until which a second press of the quit key ends the kiosk. 0 means no first press. */
+    uint64_t quit_until_ns;
+    /* Number of commands in `output` that the kiosk has already executed. output.command_count is
+     * the number of all commands. */
+    uint32_t told_orders;
+    /* Id of the round whose replay the operator wants to see. 0 means no request. */
+    uint32_t wanted_replay_id;
+    /* True if the operator has acknowledged the quarantined files but the health monitor has not
+     * accepted the acknowledgement yet. */
+    bool has_acknowledged;
     struct scene_machine machine; /* Newest result of the health monitor. */
     uint8_t end;                  /* Reason why the frame loop ends (enum kiosk_end). */
 
     uint64_t frames;
     struct kiosk_faults faults;
-    uint32_t float_resets;            /* Number of frames at whose start a library had changed
-                                         the floating-point control register. The kiosk then
-                                         restored the register. */
+    /* Number of frames at whose start a library had changed the floating-point control register.
+     * The kiosk then restored the register. */
+    uint32_t float_resets;
     struct operator_view_lines lines; /* Statistics of the button and coin lines. */
-    struct frame_timing frame_time;   /* Time between the starts of two consecutive frames, measured
-                                         with `stopwatch`. */
-    struct frame_timing work_time;    /* Duration of each call of kiosk_frame(), measured with
-                                         `stopwatch`. */
-    struct frame_timing report_wait;  /* Waiting time of each controller report: from the arrival of
-                                         the report to the tick that uses the report. */
-    uint64_t core_ns;                 /* Total time in nanoseconds that was spent in ticks and in
-                                         filling the scene. */
+    /* Time between the starts of two consecutive frames, measured with `stopwatch`. */
+    struct frame_timing frame_time;
+    /* Duration of each call of kiosk_frame(), measured with `stopwatch`. */
+    struct frame_timing work_time;
+    /* Waiting time of each controller report: from the arrival of the report to the tick that uses
+     * the report. */
+    struct frame_timing report_wait;
+    /* Total time in nanoseconds that was spent in ticks and in filling the scene. */
+    uint64_t core_ns;
     uint64_t frame_begin_ns;
 };
 

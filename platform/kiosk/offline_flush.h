@@ -16,10 +16,10 @@
 /* State of the transfer. A structure of zeros means that nothing has been transferred. */
 struct offline_flush {
     struct audits told; /* Audit counts of this kiosk that the store has already written to disk. */
-    struct balance told_balance; /* Balance of this kiosk that the store has already written to
-                                    disk. */
-    struct audits asked; /* Audit counts of this kiosk that will be on disk when the current write
-                            succeeds. */
+    /* Balance of this kiosk that the store has already written to disk. */
+    struct balance told_balance;
+    /* Audit counts of this kiosk that will be on disk when the current write succeeds. */
+    struct audits asked;
     struct balance asked_balance;
     bool is_asked; /* True while the store writes the amounts in `asked`. */
 };

@@ -22,8 +22,8 @@
 
 struct operator_notes {
     uint32_t count;
-    uint32_t first_count;   /* Number of notes about files that were not used. These notes come
-                               first in `note`. */
+    /* Number of notes about files that were not used. These notes come first in `note`. */
+    uint32_t first_count;
     uint32_t refused_count; /* Number of notes with the state FILE_REFUSED. */
     uint32_t beyond;        /* Number of notes that did not fit into `note`. */
     struct scene_file note[OPERATOR_NOTES_MAX];
@@ -60,8 +60,8 @@ void operator_view_lines_add(struct operator_view_lines *book, const struct butt
 
 /* Data from which operator_view_fill() fills the operator's menu. */
 struct operator_view {
-    const struct operator_notes *notes; /* Messages about files that the operator's menu shows.
-                                           Null means no messages. */
+    /* Messages about files that the operator's menu shows. Null means no messages. */
+    const struct operator_notes *notes;
     const struct input *input;          /* Input of the newest tick. */
     const struct poi_sampler *samplers; /* Array of POI_MAX poi samplers. */
     const struct operator_view_lines *lines;

@@ -23,8 +23,8 @@
 bool output_is_settled(int result, uint64_t now_ns, uint64_t *retry_ns);
 
 struct output_audio {
-    uint64_t retry_ns;   /* Time of the next search for a missing sound card. 0 means that a sound
-                            card is open. */
+    /* Time of the next search for a missing sound card. 0 means that a sound card is open. */
+    uint64_t retry_ns;
     uint64_t attract_ns; /* Start time of attract mode. 0 means that a game is in progress. */
 };
 
@@ -46,11 +46,11 @@ uint32_t output_audio_play(struct output_audio *voice, const struct hal_audio *a
  * An output counts as sent only after the driver has accepted it. */
 
 struct output_lines {
-    uint32_t active;                     /* Levels that the driver accepted last, one bit (1 << enum
-                                            hal_switch) per output. */
-    uint32_t given[HAL_SWITCH_COUNT];    /* Pulses that the driver accepted since program start. */
-    uint64_t retry_ns[HAL_SWITCH_COUNT]; /* Time of the next attempt for an output whose last
-                                            request failed. */
+    /* Levels that the driver accepted last, one bit (1 << enum hal_switch) per output. */
+    uint32_t active;
+    uint32_t given[HAL_SWITCH_COUNT]; /* Pulses that the driver accepted since program start. */
+    /* Time of the next attempt for an output whose last request failed. */
+    uint64_t retry_ns[HAL_SWITCH_COUNT];
 };
 
 /* Sets the start lamp and the coin lockout. Sends one pulse to the coin counter or the ticket
@@ -80,14 +80,16 @@ uint32_t output_lines_are_done(const struct output_lines *switches,
 #define DIMMER_SHIFT (1.0f / 180.0f)
 
 struct output_dimmer {
-    uint64_t seen_ns;     /* Time of the previous frame. 0 means no frame yet. */
-    uint64_t touched_ns;  /* Time of the last input. */
-    float light;          /* Current brightness as a fraction [0, 1] of the brightness that the
-                             operator has set. The fraction changes gradually. */
-    uint32_t wander_ms;   /* Phase of the slow movement in milliseconds. Wraps around at the end of
-                             its period. */
-    bool was_stirred;     /* True if a button press, a coin, a poi movement or a running game was
-                             detected after the previous call of output_dimmer_step(). */
+    uint64_t seen_ns;    /* Time of the previous frame. 0 means no frame yet. */
+    uint64_t touched_ns; /* Time of the last input. */
+    /* Current brightness as a fraction [0, 1] of the brightness that the operator has set. The
+     * fraction changes gradually. */
+    float light;
+    /* Phase of the slow movement in milliseconds. Wraps around at the end of its period. */
+    uint32_t wander_ms;
+    /* True if a button press, a coin, a poi movement or a running game was detected after the
+     * previous call of output_dimmer_step(). */
+    bool was_stirred;
     vec3 hand_m[POI_MAX]; /* Position in metres of each poi at its last detected movement. */
 };
 

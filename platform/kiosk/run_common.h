@@ -24,16 +24,16 @@ struct run_common {
     struct replayer replayer;
     struct score_playback playback;   /* Playback of a score's replay on the screen. */
     struct session_recorder chapters; /* Session recorder for the replays of scores and panics. */
-    struct evidence evidence;         /* Panic handler, which after a panic writes the replay and
-                                         increases the count of panics. */
-    struct library library;           /* Installed species files, read at program start. */
-    struct operator_notes notes;      /* Messages about species files and other files that were read
-                                         at program start. */
-    struct replay_totals replayed;    /* Totals of the recording that --replay plays, set by
-                                         run_common_check(). */
-    struct system_health machine;     /* System health monitor. */
-    struct status status;             /* Writer of the status file for monitoring tools. */
-    uint8_t *rgb;                     /* Buffer for pictures. The buffer grows with the window. */
+    /* Panic handler, which after a panic writes the replay and increases the count of panics. */
+    struct evidence evidence;
+    struct library library; /* Installed species files, read at program start. */
+    /* Messages about species files and other files that were read at program start. */
+    struct operator_notes notes;
+    /* Totals of the recording that --replay plays, set by run_common_check(). */
+    struct replay_totals replayed;
+    struct system_health machine; /* System health monitor. */
+    struct status status;         /* Writer of the status file for monitoring tools. */
+    uint8_t *rgb;                 /* Buffer for pictures. The buffer grows with the window. */
     size_t rgb_size;
     const volatile sig_atomic_t *stop; /* Nonzero after SIGINT or SIGTERM. */
 };

@@ -65,17 +65,17 @@ struct report_pace {
 struct poi_sampler {
     struct report_pace pace;
     struct sampler_path path;
-    uint64_t retry_ns;        /* Time of the next attempt to open a lost controller. */
-    uint64_t newest_ns;       /* Arrival time of the newest report. */
-    uint8_t link;             /* Connection state of the controller (enum poi_source), never
-                                 POI_SOURCE_BOT. */
+    uint64_t retry_ns;  /* Time of the next attempt to open a lost controller. */
+    uint64_t newest_ns; /* Arrival time of the newest report. */
+    /* Connection state of the controller (enum poi_source), never POI_SOURCE_BOT. */
+    uint8_t link;
     bool has_wrist, trembles; /* Flags of the newest report; see struct poi_sample. */
     bool was_seen; /* True if the controller has sent at least one report after program start. */
-    uint64_t waiting_ns[HAL_POI_SAMPLES_MAX]; /* Arrival times of reports that no tick has used
-                                                 yet. */
-    uint32_t waiting_count;                   /* Number of entries in `waiting_ns`. When
-                                                 `waiting_ns` is full, the waiting time of a further
-                                                 report is not measured. */
+    /* Arrival times of reports that no tick has used yet. */
+    uint64_t waiting_ns[HAL_POI_SAMPLES_MAX];
+    /* Number of entries in `waiting_ns`. When `waiting_ns` is full, the waiting time of a further
+     * report is not measured. */
+    uint32_t waiting_count;
 };
 
 /* Opens the controller. Returns 1 if open() returned a device fault (hal_is_fault()), otherwise
@@ -110,12 +110,12 @@ void sampler_poi_time(struct poi_sampler *sampler, uint64_t now_ns, struct frame
  * fast movement. */
 
 struct fan_sampler {
-    struct shade_input from, to; /* Position at the last tick of the previous frame (`from`), and
-                                    newest position from the device (`to`). The caller copies `to`
-                                    to `from` after the last tick of a frame. */
-    uint64_t retry_ns;           /* Time of the next attempt to open a lost device. */
-    uint8_t link;                /* Connection state of the device (enum poi_source), never
-                                    POI_SOURCE_BOT. */
+    /* Position at the last tick of the previous frame (`from`), and newest position from the device
+     * (`to`). The caller copies `to` to `from` after the last tick of a frame. */
+    struct shade_input from, to;
+    uint64_t retry_ns; /* Time of the next attempt to open a lost device. */
+    /* Connection state of the device (enum poi_source), never POI_SOURCE_BOT. */
+    uint8_t link;
 };
 
 /* Opens the fan device. Returns 1 if opening failed with a fault. Returns 0 on success, or if there

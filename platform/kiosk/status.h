@@ -25,35 +25,36 @@
 
 /* One status report. A structure of zeros is the report of a kiosk that has just started. */
 struct status_report {
-    uint64_t written_ms; /* Time at which the report was made, in milliseconds since power-on,
-                            including sleep. A monitoring tool detects an outdated file by this
-                            field. */
+    /* Time at which the report was made, in milliseconds since power-on, including sleep. A
+     * monitoring tool detects an outdated file by this field. */
+    uint64_t written_ms;
     uint32_t pid;
     uint32_t up_s;
     uint32_t boot; /* Number of program starts that the store counted. 0 means no store. */
     uint8_t phase; /* Phase of the game (enum scene_phase). */
     uint8_t players;
     struct balance balance;
-    uint32_t tickets_out;        /* Tickets that were sent to the dispenser, as counted in the
-                                    audits. */
-    uint32_t entry_id, saved_id; /* Id of the newest ledger entry, and id of the newest entry on
-                                    disk. */
+    /* Tickets that were sent to the dispenser, as counted in the audits. */
+    uint32_t tickets_out;
+    /* Id of the newest ledger entry, and id of the newest entry on disk. */
+    uint32_t entry_id, saved_id;
     bool store_well;
     uint64_t frames, dropped_ticks;
     uint32_t ticks;
     uint64_t frame_median_ns, frame_p99_ns;
     struct kiosk_faults faults;
-    uint32_t float_resets; /* Number of frames at whose start the kiosk had to restore the
-                              floating-point control register; see struct kiosk. */
+    /* Number of frames at whose start the kiosk had to restore the floating-point control register;
+     * see struct kiosk. */
+    uint32_t float_resets;
     uint32_t buttons_missing;
-    uint16_t day, minute;   /* Date and time in the units of struct input. A day of 0 means that the
-                               clock was never set. */
+    /* Date and time in the units of struct input. A day of 0 means that the clock was never set. */
+    uint16_t day, minute;
     uint32_t files_refused; /* Number of rejected files; see struct scene_devices. */
     struct scene_machine machine;
     uint32_t device_count;
     struct {
-        const char *part; /* Name of the device type, a static string: "display", "poi" and so
-                             on. */
+        /* Name of the device type, a static string: "display", "poi" and so on. */
+        const char *part;
         char text[HAL_TEXT_SIZE];
     } device[STATUS_DEVICES_MAX];
 };
@@ -73,19 +74,19 @@ void status_devices(const struct hal *hal, struct status_device devices[STATUS_D
 
 struct status {
     pthread_t thread;
-    pthread_mutex_t mutex; /* Protects `report`, `is_fresh` and `stop`. The frame loop uses trylock
-                              only. */
+    /* Protects `report`, `is_fresh` and `stop`. The frame loop uses trylock only. */
+    pthread_mutex_t mutex;
     pthread_cond_t changed;
     struct status_report report;
     bool is_fresh; /* True if `report` is not written to the file yet. */
     bool stop;
-    atomic_uint failed; /* Number of failed writes of the status file. Only the first failure is
-                           logged. */
+    /* Number of failed writes of the status file. Only the first failure is logged. */
+    atomic_uint failed;
 
     bool runs;        /* True if the status file's thread exists. */
     uint64_t next_ns; /* Time of the next report. */
-    bool told_well;   /* Value of `store_well` in the last report that was passed to the status
-                          file's thread. */
+    /* Value of `store_well` in the last report that was passed to the status file's thread. */
+    bool told_well;
     struct status_report draft;
     char text[STATUS_TEXT_MAX];
     char path[PATH_MAX];

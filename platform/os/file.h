@@ -60,11 +60,12 @@ const char *file_error(int error);
 
 /* Result of file_read_line(). */
 enum file_line {
-    FILE_LINE_END = 0, /* No line was read because of the end of the file or a read error (see
-                          ferror(3)). */
-    FILE_LINE_READ,    /* `line` is a complete line. */
-    FILE_LINE_BAD,     /* The line is too long or contains a zero byte. `line` contains the start of
-                          the line, and the rest of the line is skipped. */
+    /* No line was read because of the end of the file or a read error (see ferror(3)). */
+    FILE_LINE_END = 0,
+    FILE_LINE_READ, /* `line` is a complete line. */
+    /* The line is too long or contains a zero byte. `line` contains the start of the line, and the
+     * rest of the line is skipped. */
+    FILE_LINE_BAD,
 };
 
 /* Reads the next line of `file` into `line` without its line end. `size` is the size of the buffer,
@@ -98,8 +99,8 @@ void file_first_line(const char *path, char *line, size_t size);
  * /dev/null or a pipe with a reader is written directly. */
 struct atomic_file {
     FILE *file;
-    bool is_stream;       /* True for a terminal, a pipe or /dev/null, which are written without
-                             a temporary file. */
+    /* True for a terminal, a pipe or /dev/null, which are written without a temporary file. */
+    bool is_stream;
     bool lasts;           /* True if file_atomic_close() blocks until the content is on disk. */
     char place[PATH_MAX]; /* Resolved path of the target. */
     char part[PATH_MAX];

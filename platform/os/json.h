@@ -14,15 +14,16 @@
 /* A document that is being written. The caller sets either `file` or `buffer` and `size`, and all
  * other fields to 0. */
 struct json {
-    FILE *file;     /* Stream that receives the document, or null. */
-    char *buffer;   /* Buffer that receives the document with a terminating zero. */
-    size_t size;    /* Size of `buffer` in bytes. Asserts that the document fits. */
-    size_t used;    /* Number of bytes that were written to `buffer`. */
-    bool inner;     /* True if the current object or array already has an element, so that the next
-                       element needs a comma. */
-    bool breaks;    /* True if the next element or bracket is on a line of its own. */
-    uint8_t indent; /* Number of blanks before the next element or bracket if it is on a line of its
-                       own. */
+    FILE *file;   /* Stream that receives the document, or null. */
+    char *buffer; /* Buffer that receives the document with a terminating zero. */
+    size_t size;  /* Size of `buffer` in bytes. Asserts that the document fits. */
+    size_t used;  /* Number of bytes that were written to `buffer`. */
+    /* True if the current object or array already has an element, so that the next element needs a
+     * comma. */
+    bool inner;
+    bool breaks; /* True if the next element or bracket is on a line of its own. */
+    /* Number of blanks before the next element or bracket if it is on a line of its own. */
+    uint8_t indent;
 };
 
 /* Begins an object, with `bracket` '{', or an array, with '['. */

@@ -11,8 +11,9 @@
 enum log_level {
     LOG_LEVEL_CRITICAL = 2, /* Priority of an error that ends the program. */
     LOG_LEVEL_ERROR = 3,    /* Priority of a requested action that failed. */
-    LOG_LEVEL_WARNING = 4,  /* Priority of a skipped input, or of an error after which the program
-                               continues with fewer functions. */
+    /* Priority of a skipped input, or of an error after which the program continues with fewer
+     * functions. */
+    LOG_LEVEL_WARNING = 4,
 };
 
 /* Detects whether the systemd journal reads standard error: $JOURNAL_STREAM then has the device and

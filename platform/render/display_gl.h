@@ -18,21 +18,22 @@
 
 /* Configuration of the display. A field that is zero has its default value. */
 struct display_gl_config {
-    uint32_t width, height; /* Window size in points. 0 means 1280x720, or the whole screen if
-                               `full_screen` is true. */
+    /* Window size in points. 0 means 1280x720, or the whole screen if `full_screen` is true. */
+    uint32_t width, height;
     bool full_screen;
-    bool off_screen;   /* True to use SDL's offscreen driver, which needs no window system. */
-    bool on_demand;    /* True to draw only when a picture is captured. Used together with
-                          `off_screen`. */
+    bool off_screen; /* True to use SDL's offscreen driver, which needs no window system. */
+    /* True to draw only when a picture is captured. Used together with `off_screen`. */
+    bool on_demand;
     const char *title; /* Window title. Null means "Kingyo". */
-    float scene_scale; /* Ratio of scene pixels to screen pixels along each axis, [0.25, 2]. 0 means
-                          that the renderer chooses the ratio (quality.h). */
-    uint32_t samples;  /* Number of multisampling samples. 0 means that the renderer chooses the
-                          number. */
-    const struct library *library; /* Library of the makers' species, as in struct renderer_config.
-                                      Null means no library. */
-    const char *sockets;           /* Directory in which the kernel lists the connectors. Null means
-                                      /sys/class/drm. */
+    /* Ratio of scene pixels to screen pixels along each axis, [0.25, 2]. 0 means that the renderer
+     * chooses the ratio (quality.h). */
+    float scene_scale;
+    /* Number of multisampling samples. 0 means that the renderer chooses the number. */
+    uint32_t samples;
+    /* Library of the makers' species, as in struct renderer_config. Null means no library. */
+    const struct library *library;
+    /* Directory in which the kernel lists the connectors. Null means /sys/class/drm. */
+    const char *sockets;
 };
 
 struct display_gl {
@@ -40,30 +41,32 @@ struct display_gl {
     SDL_Window *window;
     SDL_GLContext context;
     struct renderer renderer;
-    struct scene shown; /* Last scene shown. capture() draws the scene again because a buffer swap
-                           destroys the back buffer. */
-    struct display_settings display_settings; /* Display geometry. The settings stay valid when a
-                                                 lost screen is replaced. */
+    /* Last scene shown. capture() draws the scene again because a buffer swap destroys the back
+     * buffer. */
+    struct scene shown;
+    /* Display geometry. The settings stay valid when a lost screen is replaced. */
+    struct display_settings display_settings;
     bool has_shown, full_screen, is_placed;
-    bool lost;    /* True after the screen was lost. The display then shows nothing until open()
-                     restarts the display. */
-    bool broken;  /* True after the connection to an X server broke. No later call may use the
-                     connection. */
-    bool is_bare; /* True if SDL draws directly on the graphics card because no window system
-                     runs. */
+    /* True after the screen was lost. The display then shows nothing until open() restarts the
+     * display. */
+    bool lost;
+    /* True after the connection to an X server broke. No later call may use the connection. */
+    bool broken;
+    /* True if SDL draws directly on the graphics card because no window system runs. */
+    bool is_bare;
     struct connectors plugged; /* Connectors that had a screen when the display was opened. */
-    uint64_t looked_ns;        /* Time of the last read of the connectors, in ns of the monotonic
-                                  clock. */
-    uint8_t changed_looks;     /* Number of consecutive reads in which the connectors with a screen
-                                  differed from `plugged`. */
+    /* Time of the last read of the connectors, in ns of the monotonic clock. */
+    uint64_t looked_ns;
+    /* Number of consecutive reads in which the connectors with a screen differed from `plugged`. */
+    uint8_t changed_looks;
     void (*on_lost)(void *context);
     void *on_lost_context;
     struct governor governor;
     struct thermal thermal;
-    uint32_t heat_looks; /* Value of the counter `looks` of the thermal thread at the last update of
-                            the governor. */
-    bool is_governed;    /* True while the quality governor (governor.h) chooses the picture's
-                            quality. */
+    /* Value of the counter `looks` of the thermal thread at the last update of the governor. */
+    uint32_t heat_looks;
+    /* True while the quality governor (governor.h) chooses the picture's quality. */
+    bool is_governed;
     char text[HAL_TEXT_SIZE];
 };
 

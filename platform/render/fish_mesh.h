@@ -17,8 +17,9 @@
  * The attributes of instances use the locations that this enum does not list. */
 enum fish_attribute {
     FISH_ATTRIBUTE_SURFACE = 8,
-    FISH_ATTRIBUTE_PAINT = 9, /* Location of the paint coordinates of specimens. The tank's fish
-                                 use patterns instead of paint. */
+    /* Location of the paint coordinates of specimens. The tank's fish use patterns instead of
+     * paint. */
+    FISH_ATTRIBUTE_PAINT = 9,
     FISH_ATTRIBUTE_MASKS = 12,
     FISH_ATTRIBUTE_RIDES = 13,
 };
@@ -32,8 +33,9 @@ enum fish_attribute {
 struct fish_mesh {
     GLuint vertex_array, vertex_buffer, index_buffer;
     GLsizei body_index_count, fin_index_count;
-    float reach; /* Length, in body lengths, of the largest coordinate that the packed vertices can
-                    store. The shaders read this value as the uniform `reach`. */
+    /* Length, in body lengths, of the largest coordinate that the packed vertices can store. The
+     * shaders read this value as the uniform `reach`. */
+    float reach;
 };
 
 /* Buffer in which a mesh is packed before its upload. The caller owns the buffer and may reuse it
@@ -79,17 +81,18 @@ void fish_poses_defines(char *out, size_t size, const struct species *species, b
 struct fish_poses {
     const struct species_mesh *mesh;
     GLuint texture;
-    uint32_t curve_count, width;    /* Number of deformation curves in a pose (`curve_count`), and
-                                       number of texels in a texture row (`width`). */
-    float progress[SCENE_FISH_MAX]; /* Progress through life that each texture row shows, [0, 1].
-                                       A negative value means that the row has not been written
-                                       yet. */
-    uint32_t run_first, run_count;  /* First row and number of rows in `run` that have not been
-                                       uploaded yet. */
+    /* Number of deformation curves in a pose (`curve_count`), and number of texels in a texture row
+     * (`width`). */
+    uint32_t curve_count, width;
+    /* Progress through life that each texture row shows, [0, 1]. A negative value means that the
+     * row has not been written yet. */
+    float progress[SCENE_FISH_MAX];
+    /* First row and number of rows in `run` that have not been uploaded yet. */
+    uint32_t run_first, run_count;
     float run[POSE_RUN * POSE_TEXELS_MAX][4];
     struct morph_pose pose;
-    uint32_t posed_count; /* Number of rows written since the last fish_poses_begin(), for
-                             measurements. */
+    /* Number of rows written since the last fish_poses_begin(), for measurements. */
+    uint32_t posed_count;
 };
 
 void fish_poses_open(struct gl_status *status, struct fish_poses *poses,

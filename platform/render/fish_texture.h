@@ -21,21 +21,23 @@
     (PAINT_SIZE / PAINT_BAND) /* Number of bands (groups of PAINT_BAND texel rows) of a sheet. */
 
 struct fish_texture {
-    struct species species; /* Copy of the species, because its coats are read as long as the
-                               texture is used. */
-    struct species_mark lined[MORPH_KEY_MAX]; /* Marks that the shader draws as lines
-                                                 (fish_texture_lines()). The sheets are painted
-                                                 without these marks. */
+    /* Copy of the species, because its coats are read as long as the texture is used. */
+    struct species species;
+    /* Marks that the shader draws as lines (fish_texture_lines()). The sheets are painted without
+     * these marks. */
+    struct species_mark lined[MORPH_KEY_MAX];
     uint32_t sheet_count, per_key;
     uint32_t bands_done[FISH_TEXTURE_SHEETS];
-    bool is_coarse[FISH_TEXTURE_SHEETS]; /* True for each sheet that is painted at least
-                                            coarsely. */
-    float shown;    /* Number of the sheet that the largest fish with this texture shows. A fraction
-                       means a blend of two neighbouring sheets. */
-    float shown_px; /* Length in pixels of the largest fish with this texture. 0 means that no fish
-                       in the current frame has this texture. */
-    GLuint paints;  /* Array texture of the sheets' colour and transparency. */
-    GLuint shines;  /* Array texture of the sheets' reflectance. */
+    /* True for each sheet that is painted at least coarsely. */
+    bool is_coarse[FISH_TEXTURE_SHEETS];
+    /* Number of the sheet that the largest fish with this texture shows. A fraction means a blend
+     * of two neighbouring sheets. */
+    float shown;
+    /* Length in pixels of the largest fish with this texture. 0 means that no fish in the current
+     * frame has this texture. */
+    float shown_px;
+    GLuint paints; /* Array texture of the sheets' colour and transparency. */
+    GLuint shines; /* Array texture of the sheets' reflectance. */
 };
 
 void fish_texture_open(struct gl_status *status, struct fish_texture *skin);
@@ -66,10 +68,12 @@ bool fish_texture_is_done(const struct fish_texture *skin);
  * lines at the screen's resolution, with the same shape as mark_cover() gives MARK_BANDS. */
 #define FISH_TEXTURE_LINES 2u
 struct fish_texture_lines {
-    float place[4]; /* Placement of the lines along the body: position of the first line, spacing,
-                       number of lines, slant. */
-    float shape[4]; /* Shape of a line: half of its width, its lower and its upper height on the
-                       body, and its opacity [0, 1]. */
+    /* Placement of the lines along the body: position of the first line, spacing, number of lines,
+     * slant. */
+    float place[4];
+    /* Shape of a line: half of its width, its lower and its upper height on the body, and its
+     * opacity [0, 1]. */
+    float shape[4];
     float colour[3];
 };
 /* Writes the line sets that the shader draws for the key weights `weights`. */

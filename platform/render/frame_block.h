@@ -25,8 +25,8 @@ _Static_assert(sizeof(struct frame_block) == 288, "the block has the layout of c
 /* Values of the camera that the C code reads. The shaders do not read these values. */
 struct frame_view {
     vec3 eye_m;
-    float focal_px; /* Length in pixels, on the screen, of one metre at a distance of one metre from
-                       the camera. */
+    /* Length in pixels, on the screen, of one metre at a distance of one metre from the camera. */
+    float focal_px;
 };
 
 struct frame {

@@ -73,12 +73,12 @@ GLuint gl_ring_texture(const struct gl_ring *ring);
 struct gl_target {
     GLuint framebuffer;
     uint32_t width, height;
-    GLuint color;   /* Name of the object with the drawn colours: a texture, or a renderbuffer if
-                       `samples` > 1. */
-    GLuint depth;   /* Depth renderbuffer. 0 means that the target has no depth buffer. */
-    GLuint resolve; /* Framebuffer whose colour buffer is `texture`. gl_target_resolve() copies the
-                       drawn picture to this framebuffer. 0 means that the target has no
-                       multisampling. */
+    /* Name of the object with the drawn colours: a texture, or a renderbuffer if `samples` > 1. */
+    GLuint color;
+    GLuint depth; /* Depth renderbuffer. 0 means that the target has no depth buffer. */
+    /* Framebuffer whose colour buffer is `texture`. gl_target_resolve() copies the drawn picture to
+     * this framebuffer. 0 means that the target has no multisampling. */
+    GLuint resolve;
     GLuint texture; /* Texture with the finished picture, from which later passes read. */
 };
 

@@ -15,29 +15,33 @@
 #include <stdint.h>
 
 struct quality {
-    bool software;     /* True if the picture is rendered by a CPU (llvmpipe, softpipe, SwiftShader)
-                          and not by a GPU. */
-    float scene_scale; /* Width of the underwater scene's picture in pixels, divided by the width of
-                          the screen in pixels, (0, 2]. The same factor applies to the height. */
-    float floor_scale; /* Width of the picture of the tank's floor and walls, divided by the width
-                          of the screen, (0, 2]. The floor and the walls have no fine detail. */
-    uint32_t samples;  /* Number of multisampling samples of the scene and the screen. 1 means no
-                          multisampling. */
-    float lod_near_px; /* Fish length from which the near mesh is drawn, in pixels of the render
-                          target. Shorter fish are drawn with the far mesh. */
+    /* True if the picture is rendered by a CPU (llvmpipe, softpipe, SwiftShader) and not by a
+     * GPU. */
+    bool software;
+    /* Width of the underwater scene's picture in pixels, divided by the width of the screen in
+     * pixels, (0, 2]. The same factor applies to the height. */
+    float scene_scale;
+    /* Width of the picture of the tank's floor and walls, divided by the width of the screen, (0,
+     * 2]. The floor and the walls have no fine detail. */
+    float floor_scale;
+    /* Number of multisampling samples of the scene and the screen. 1 means no multisampling. */
+    uint32_t samples;
+    /* Fish length from which the near mesh is drawn, in pixels of the render target. Shorter fish
+     * are drawn with the far mesh. */
+    float lod_near_px;
 };
 
 struct quality_request {
     const char *renderer;   /* Name of the graphics hardware (GL_RENDERER). */
     uint32_t width, height; /* Screen size in pixels, > 0. */
-    float scene_scale;      /* Requested value of quality.scene_scale, clamped to [0.25, 2]. 0 means
-                               automatic. */
-    uint32_t samples;       /* Requested number of multisampling samples, limited to samples_max. 0
-                               means automatic. */
-    uint32_t samples_max;   /* Maximum number of multisampling samples that the OpenGL context
-                               supports. */
-    uint32_t side_max;      /* Maximum side in pixels of a render target other than the screen, >
-                               0. */
+    /* Requested value of quality.scene_scale, clamped to [0.25, 2]. 0 means automatic. */
+    float scene_scale;
+    /* Requested number of multisampling samples, limited to samples_max. 0 means automatic. */
+    uint32_t samples;
+    /* Maximum number of multisampling samples that the OpenGL context supports. */
+    uint32_t samples_max;
+    /* Maximum side in pixels of a render target other than the screen, > 0. */
+    uint32_t side_max;
 };
 
 /* Returns the best quality for the hardware and the screen size, within the limits that `request`
@@ -67,20 +71,23 @@ struct quality quality_lower(const struct quality *best, uint32_t step);
 #define GOVERNOR_COOL_MDEG 8000
 
 struct governor {
-    uint64_t turn_ns;       /* Refresh period of the screen in ns, the shortest possible frame
-                               duration. */
-    uint64_t last_ns;       /* Time of the previous frame in ns. 0 means no previous frame. */
-    uint64_t sum_ns, count; /* Total duration in ns (`sum_ns`) and number (`count`) of the frames in
-                               the current measurement interval. */
-    uint32_t stalls;        /* Number of consecutive stalls. A stall is a frame whose duration is
-                               too long to be caused by drawing. */
-    uint32_t timely_s;      /* Number of consecutive seconds without late frames. */
+    /* Refresh period of the screen in ns, the shortest possible frame duration. */
+    uint64_t turn_ns;
+    uint64_t last_ns; /* Time of the previous frame in ns. 0 means no previous frame. */
+    /* Total duration in ns (`sum_ns`) and number (`count`) of the frames in the current measurement
+     * interval. */
+    uint64_t sum_ns, count;
+    /* Number of consecutive stalls. A stall is a frame whose duration is too long to be caused by
+     * drawing. */
+    uint32_t stalls;
+    uint32_t timely_s; /* Number of consecutive seconds without late frames. */
     /* Number of seconds without late frames that must pass before a finer quality step is tried. */
     uint32_t patience_s;
-    uint8_t step;   /* Number of quality steps below the best quality that the drawing speed
-                          requires. */
-    uint8_t heat;   /* Number of quality steps below the best quality that keep the machine cool,
-                          at most QUALITY_STEP_MAX. */
+    /* Number of quality steps below the best quality that the drawing speed requires. */
+    uint8_t step;
+    /* Number of quality steps below the best quality that keep the machine cool, at most
+     * QUALITY_STEP_MAX. */
+    uint8_t heat;
     bool is_trying; /* True while a finer quality step is on trial. */
 };
 

@@ -25,13 +25,13 @@
 
 struct renderer_config {
     uint32_t width, height; /* Picture size in pixels, > 0. */
-    float scene_scale;      /* Ratio of scene pixels to screen pixels along each axis, as in struct
-                               display_gl_config. */
+    /* Ratio of scene pixels to screen pixels along each axis, as in struct display_gl_config. */
+    float scene_scale;
     /* Number of multisampling samples. 0 means that the renderer chooses the number. */
     uint32_t samples;
-    const struct library *library; /* Library of the makers' species. Null means none. The library
-                                      must stay valid and at the same address while the renderer is
-                                      open. */
+    /* Library of the makers' species. Null means none. The library must stay valid and at the same
+     * address while the renderer is open. */
+    const struct library *library;
 };
 
 /* Steps in which a frame is drawn. A benchmark can measure the duration of each step. */
@@ -48,16 +48,17 @@ enum render_step {
 
 struct renderer {
     struct gl_status status;
-    struct renderer_config config; /* Configuration of the renderer. The fields `width` and `height`
-                                      follow the window size. */
+    /* Configuration of the renderer. The fields `width` and `height` follow the window size. */
+    struct renderer_config config;
     struct display_settings display_settings;
-    struct display_transform transform; /* Display geometry of the picture on a screen of the
-                                           current size. */
+    /* Display geometry of the picture on a screen of the current size. */
+    struct display_transform transform;
     struct quality quality;
-    uint32_t step;                  /* Current quality step, which is the argument `step` of
-                                       quality_lower(). */
-    uint32_t samples_max, side_max; /* Limits of the OpenGL context: the maximum number of samples,
-                                       and the maximum side of a render target in pixels. */
+    /* Current quality step, which is the argument `step` of quality_lower(). */
+    uint32_t step;
+    /* Limits of the OpenGL context: the maximum number of samples, and the maximum side of a render
+     * target in pixels. */
+    uint32_t samples_max, side_max;
     char gl_name[HAL_TEXT_SIZE / 2];
     struct frame frame;
     struct textures textures;
@@ -70,10 +71,11 @@ struct renderer {
     struct specimen_pass specimens;
     struct ui ui;
     struct gl_target ground, life;
-    struct gl_target screen; /* Multisampled render target for the screen. Without multisampling,
-                                its framebuffer is 0, which is the default framebuffer. */
-    uint8_t row[RENDERER_WIDTH_MAX * 4u]; /* Buffer of one pixel row, used to read back a captured
-                                             image. */
+    /* Multisampled render target for the screen. Without multisampling, its framebuffer is 0, which
+     * is the default framebuffer. */
+    struct gl_target screen;
+    /* Buffer of one pixel row, used to read back a captured image. */
+    uint8_t row[RENDERER_WIDTH_MAX * 4u];
     /* Optional callback after each step. A benchmark calls glFinish() in the callback and reads a
      * clock. */
     void (*on_step)(void *context, enum render_step step);

@@ -13,11 +13,12 @@
 #define SCREEN_CARD_MAX 64
 
 struct connectors {
-    uint32_t count;     /* Number of connectors that the kernel lists. 0 means that there is no card
-                           or that the directory is unreadable. */
+    /* Number of connectors that the kernel lists. 0 means that there is no card or that the
+     * directory is unreadable. */
+    uint32_t count;
     uint32_t connected; /* Number of connectors with a screen. */
-    uint64_t which;     /* Hash of the names of all connectors with a screen. 0 means that no
-                           connector has a screen. */
+    /* Hash of the names of all connectors with a screen. 0 means that no connector has a screen. */
+    uint64_t which;
 };
 
 /* Reads the connectors from `root`, a directory like /sys/class/drm. A null `root` means

@@ -16,33 +16,40 @@
 #define SPECIMEN_MAX 24u
 
 struct specimen {
-    const struct species *species; /* Species data, which must not change until the frame has been
-                                      drawn. */
-    uint32_t edition;              /* Number that changes whenever the memory at `species` receives
-                                      the data of a different species. */
-    const struct morph_rig *rig;   /* Prepared deformation graphs, which must be valid until the
-                                      frame has been drawn. Null means the species' own graphs. */
-    float progress;                /* Progress through life, [0, 1]. */
-    float x_px, y_px;              /* Screen position in pixels of the body's centre, which is the
-                                      point z = 0 of the body's coordinate system. */
-    float length_px;               /* Length on the screen in pixels of one body length of the
-                                      species, > 0. */
+    /* Species data, which must not change until the frame has been drawn. */
+    const struct species *species;
+    /* Number that changes whenever the memory at `species` receives the data of a different
+     * species. */
+    uint32_t edition;
+    /* Prepared deformation graphs, which must be valid until the frame has been drawn. Null means
+     * the species' own graphs. */
+    const struct morph_rig *rig;
+    float progress; /* Progress through life, [0, 1]. */
+    /* Screen position in pixels of the body's centre, which is the point z = 0 of the body's
+     * coordinate system. */
+    float x_px, y_px;
+    /* Length on the screen in pixels of one body length of the species, > 0. */
+    float length_px;
     /* Rotation. Zero shows the left side with the nose to the left. Yaw turns the nose toward the
      * viewer, pitch turns the back toward the viewer, and roll lowers the nose on the screen. */
     float yaw_rad, pitch_rad, roll_rad;
     float phase_rad; /* Phase of the swimming motion, in radians. */
     float amplitude; /* Strength of the swimming motion. 0 means still, 1 means cruising. */
     float shadow;    /* Darkness of the shadow below the fish, [0, 1]. 0 means no shadow. */
-    float fade;      /* Transparency of the whole fish, [0, 1]. 0 means opaque, 1 means
-                        invisible. */
-    uint32_t tint;   /* Colour 0xRRGGBBAA that is mixed over the fish's paint with the weight of its
-                        alpha. 0 shows only the paint. */
-    uint32_t look;   /* Number from which the pattern of a goldfish is selected, as in struct
-                        scene_fish. Unused for other species. */
-    float ripe;      /* Opacity of a goldfish's adult pattern over its juvenile paint, [0, 1].
-                        Unused for other species. */
-    float maturity;  /* Fraction of a goldfish's juvenile grey that has turned into colour, as in
-                        struct scene_fish. Unused for other species. */
+    /* Transparency of the whole fish, [0, 1]. 0 means opaque, 1 means invisible. */
+    float fade;
+    /* Colour 0xRRGGBBAA that is mixed over the fish's paint with the weight of its alpha. 0 shows
+     * only the paint. */
+    uint32_t tint;
+    /* Number from which the pattern of a goldfish is selected, as in struct scene_fish. Unused for
+     * other species. */
+    uint32_t look;
+    /* Opacity of a goldfish's adult pattern over its juvenile paint, [0, 1]. Unused for other
+     * species. */
+    float ripe;
+    /* Fraction of a goldfish's juvenile grey that has turned into colour, as in struct scene_fish.
+     * Unused for other species. */
+    float maturity;
 };
 
 /* Directions on the screen (right, up, toward the viewer) of the axes of the fish's body. */
@@ -58,8 +65,8 @@ void specimen_project(const struct specimen *specimen, vec3 point, float out[2])
 /* Maximum extent of a fish from its body's centre over all key shapes, in body lengths. A box of
  * this extent contains the fish at every age, without the swimming motion. */
 struct specimen_bounds {
-    float left, right, up, down; /* Extents to the left, to the right, upward and downward, each >=
-                                    0. */
+    /* Extents to the left, to the right, upward and downward, each >= 0. */
+    float left, right, up, down;
 };
 /* Returns the bounds of the specimen with its rotation. */
 struct specimen_bounds specimen_bounds(const struct specimen *specimen);

@@ -5,10 +5,11 @@
 #include "platform/render/gl_util.h"
 
 struct textures {
-    GLuint caustics;    /* Array texture of the light pattern (caustics) on the floor. The layers
-                           are the frames of one animation loop. */
-    GLuint patterns;    /* Array texture of the goldfish patterns: the red patches and the
-                           scales. */
+    /* Array texture of the light pattern (caustics) on the floor. The layers are the frames of one
+     * animation loop. */
+    GLuint caustics;
+    /* Array texture of the goldfish patterns: the red patches and the scales. */
+    GLuint patterns;
     GLuint environment; /* Environment map that the water reflects. */
     GLuint wood;
     GLuint paper;

@@ -96,12 +96,11 @@
 /* Parsed content of the header and the initial state. */
 struct replay_header {
     struct core_config config;
-    uint32_t version;                  /* Format version of the file: REPLAY_VERSION_MIN ..
-                                          REPLAY_VERSION. If the reader rejects the version,
-                                          `version` is the rejected number. 0 if the file is not
-                                          a recording. */
-    char program[REPLAY_PROGRAM_SIZE]; /* KINGYO_VERSION of the program that wrote the recording.
-                                          Zero-terminated. */
+    /* Format version of the file: REPLAY_VERSION_MIN .. REPLAY_VERSION. If the reader rejects the
+     * version, `version` is the rejected number. 0 if the file is not a recording. */
+    uint32_t version;
+    /* KINGYO_VERSION of the program that wrote the recording. Zero-terminated. */
+    char program[REPLAY_PROGRAM_SIZE];
 };
 
 /* Hash that a recording contains for a tick that a panic interrupted. Such a tick has no complete
@@ -112,12 +111,13 @@ struct replay_header {
  * recording. */
 struct replay_totals {
     uint32_t ticks, rounds, caught, fouls;
-    uint16_t modes;   /* Set of the game modes that were played so far. Game mode m is the bit 1 <<
-                         m (enum game_mode). */
-    uint16_t players; /* Set of the players who took part in a round so far. Player p is the bit 1
-                         << p. */
-    uint64_t hash;    /* Result of core_hash() after the last tick of the chunk or of the
-                         recording. */
+    /* Set of the game modes that were played so far. Game mode m is the bit 1 << m (enum
+     * game_mode). */
+    uint16_t modes;
+    /* Set of the players who took part in a round so far. Player p is the bit 1 << p. */
+    uint16_t players;
+    /* Result of core_hash() after the last tick of the chunk or of the recording. */
+    uint64_t hash;
 };
 
 /* ---- Initial state (replay_initial_state.c), pure functions -----------------------------------
@@ -163,16 +163,18 @@ bool replay_totals_agree(const struct replay_totals *a, const struct replay_tota
 /* ---- Writer (replay_writer.c) -------------------------------------------------------------- */
 
 struct replay_writer {
-    int fd;          /* Descriptor of the file. -1 means no file. */
-    uint8_t *memory; /* Buffer of `memory_size` bytes that receives the recording in place of a
-                        file. Null if the recording goes to a file. */
+    int fd; /* Descriptor of the file. -1 means no file. */
+    /* Buffer of `memory_size` bytes that receives the recording in place of a file. Null if the
+     * recording goes to a file. */
+    uint8_t *memory;
     size_t memory_size;
     int error;       /* errno of the failure that ended the recording. 0 means no failure. */
     uint64_t offset; /* Offset of the end mark from the start of the recording, in bytes. */
     uint64_t sum;    /* Checksum at the end of the last complete chunk. */
     struct input last;
-    struct replay_totals totals, saved; /* `totals` has the totals of all recorded ticks. `saved`
-                                           has the totals of the ticks in the written chunks. */
+    /* `totals` has the totals of all recorded ticks. `saved` has the totals of the ticks in the
+     * written chunks. */
+    struct replay_totals totals, saved;
     uint32_t digest_ticks;
     uint32_t chunk_ticks;
     size_t payload_size;
@@ -237,15 +239,16 @@ struct replay_problem {
 };
 
 struct replay_reader {
-    int fd;                /* Descriptor of the file. -1 means no file. */
-    const uint8_t *memory; /* Buffer of `memory_size` bytes that contains the recording in place of
-                              a file. Null if the recording comes from a file. */
+    int fd; /* Descriptor of the file. -1 means no file. */
+    /* Buffer of `memory_size` bytes that contains the recording in place of a file. Null if the
+     * recording comes from a file. */
+    const uint8_t *memory;
     size_t memory_size;
-    uint64_t offset; /* Offset of the next part from the start of the recording, in bytes. If
-                        replay_open() or replay_open_in() fails, 0 means that the header's checksum
-                        was not verified, and REPLAY_HEADER_SIZE means that the checksum is
-                        correct but the header or the initial state is invalid. A larger value
-                        means that only the catalog is invalid. */
+    /* Offset of the next part from the start of the recording, in bytes. If replay_open() or
+     * replay_open_in() fails, 0 means that the header's checksum was not verified, and
+     * REPLAY_HEADER_SIZE means that the checksum is correct but the header or the initial state is
+     * invalid. A larger value means that only the catalog is invalid. */
+    uint64_t offset;
     uint64_t sum;
     struct replay_header header;
     struct replay_totals totals; /* Totals of the current chunk or of the end mark. */
@@ -257,9 +260,10 @@ struct replay_reader {
     uint32_t chunk_left; /* Number of ticks in the current chunk that are not yet returned. */
     size_t payload_size, payload_used;
     bool ended;
-    bool as_is; /* True to accept recorded poses of fans that are NaN or infinite (parameter
-                   `as_is` of replay_decode_input()). The core panics for such a pose. Therefore
-                   only a caller that handles a panic may set this field, after replay_open(). */
+    /* True to accept recorded poses of fans that are NaN or infinite (parameter `as_is` of
+     * replay_decode_input()). The core panics for such a pose. Therefore only a caller that handles
+     * a panic may set this field, after replay_open(). */
+    bool as_is;
     struct replay_problem problem;
     uint8_t bytes[REPLAY_BUFFER_SIZE];
 };

@@ -58,14 +58,17 @@ void replay_put_u64(uint8_t *bytes, uint64_t value);
 struct replay_serializer {
     uint8_t *out;      /* Destination buffer. Null means that fields are read. */
     const uint8_t *in; /* Source buffer if `out` is null. */
-    size_t size, at;   /* Size of the buffer, and position of the next byte in the buffer, in
-                          bytes. */
-    uint32_t version;  /* Format version of the bytes: REPLAY_VERSION_MIN .. REPLAY_VERSION. 0 in a
-                          catalog, which has no version. */
-    bool bad;          /* True if the buffer was too short. After the value has become true,
-                          later calls have no effect. */
-    bool as_is; /* True to accept floats that the core does not permit, for example NaN, when the
-                   recording of a panic is read. */
+    /* Size of the buffer, and position of the next byte in the buffer, in bytes. */
+    size_t size, at;
+    /* Format version of the bytes: REPLAY_VERSION_MIN .. REPLAY_VERSION. 0 in a catalog, which has
+     * no version. */
+    uint32_t version;
+    /* True if the buffer was too short. After the value has become true, later calls have no
+     * effect. */
+    bool bad;
+    /* True to accept floats that the core does not permit, for example NaN, when the recording of a
+     * panic is read. */
+    bool as_is;
 };
 
 /* Each function whose name begins with replay_serialize_ writes or reads one field, or an array of

@@ -42,12 +42,14 @@ struct ray {
 };
 
 struct fin {
-    float start, end; /* Start and end of the fin's base along x. For the tail fin, lower end and
-                         upper end of the base along y. */
-    float girth;      /* Position of a paired fin on the cross section. 0 is the middle of the back,
-                         0.25 the flank, and 0.5 the middle of the belly. */
-    float curl_deg;   /* Angle in degrees by which the tip of a ray is bent in addition to the ray's
-                         direction. */
+    /* Start and end of the fin's base along x. For the tail fin, lower end and upper end of the
+     * base along y. */
+    float start, end;
+    /* Position of a paired fin on the cross section. 0 is the middle of the back, 0.25 the flank,
+     * and 0.5 the middle of the belly. */
+    float girth;
+    /* Angle in degrees by which the tip of a ray is bent in addition to the ray's direction. */
+    float curl_deg;
     uint32_t ray_count;
     struct ray rays[RAY_MAX];
 };
@@ -68,16 +70,17 @@ struct eye {
 };
 
 struct key_text {
-    float gill;     /* Position x of the rear edge of the gill cover. 0 means that the species text
-                       has no `gill` line. */
+    /* Position x of the rear edge of the gill cover. 0 means that the species text has no `gill`
+     * line. */
+    float gill;
     bool confluent; /* Copy of the field `confluent` of struct species_text. */
     uint32_t substep_count;
     struct station stations[STATION_MAX];
-    struct eye eyes[2];          /* Right eye, then left eye. */
-    struct fin fins[PART_COUNT]; /* Fins, indexed by enum species_part. A fin without rays does not
-                                    exist. */
-    struct finlets finlets[2];   /* Rows of finlets: element 0 is the upper row, and element 1 is
-                                    the lower row. */
+    struct eye eyes[2]; /* Right eye, then left eye. */
+    /* Fins, indexed by enum species_part. A fin without rays does not exist. */
+    struct fin fins[PART_COUNT];
+    /* Rows of finlets: element 0 is the upper row, and element 1 is the lower row. */
+    struct finlets finlets[2];
     struct species_coat coat;
 };
 
@@ -95,24 +98,26 @@ struct area {
 /* The parts of the fish that one deformation graph moves. The first graph of a species moves all
  * parts that no other graph moves. */
 struct curve_text {
-    uint32_t parts; /* Set of the parts that the graph moves. Each enum species_part, PART_HEAD and
-                       PART_TRUNK has one bit. */
+    /* Set of the parts that the graph moves. Each enum species_part, PART_HEAD and PART_TRUNK has
+     * one bit. */
+    uint32_t parts;
     uint32_t area_count;
     struct area areas[AREA_MAX];
 };
 
 struct species_text {
     struct species_card
-        card;         /* Card of the species, with the names of its keys and its graphs. While
-                         the text is read, a negative age of a key means that the text gives no
-                         age and that the age is computed from the length. */
-    bool confluent;   /* True if the dorsal fin, the tail fin and the anal fin form one
-                         continuous fin, as in an eel. */
-    uint32_t without; /* Set of the parts that the species lacks in every key. Each enum
-                         species_part has one bit. */
-    struct key_text keys[MORPH_KEY_MAX];       /* Drawing of each key (modelled growth stage). */
-    struct curve_text curves[MORPH_CURVE_MAX]; /* The parts of the fish that each graph of the
-                                                  card moves. */
+        card; /* Card of the species, with the names of its keys and its graphs. While the text is
+                 read, a negative age of a key means that the text gives no age and that the age is
+                 computed from the length. */
+    /* True if the dorsal fin, the tail fin and the anal fin form one continuous fin, as in an
+     * eel. */
+    bool confluent;
+    /* Set of the parts that the species lacks in every key. Each enum species_part has one bit. */
+    uint32_t without;
+    struct key_text keys[MORPH_KEY_MAX]; /* Drawing of each key (modelled growth stage). */
+    /* The parts of the fish that each graph of the card moves. */
+    struct curve_text curves[MORPH_CURVE_MAX];
 };
 
 /* Numbers of vertices in a mesh of one level of detail. The body and the eyes consist of rings
@@ -120,8 +125,8 @@ struct species_text {
  * along each ray. */
 struct detail {
     uint32_t rings, spokes;
-    bool round_end; /* True if the rear end of the body is rounded by an additional ring at the tail
-                       root. */
+    /* True if the rear end of the body is rounded by an additional ring at the tail root. */
+    bool round_end;
     uint32_t eye_rings, eye_spokes;
     struct {
         uint32_t across, along;
@@ -130,14 +135,14 @@ struct detail {
 
 struct loft {
     uint32_t vertex_count, index_count, anchor_count;
-    uint32_t grid_first, grid_rings, grid_spokes; /* First vertex, number of rings and number of
-                                                     vertices per ring of the grid of body vertices,
-                                                     as in struct species_mesh. */
+    /* First vertex, number of rings and number of vertices per ring of the grid of body vertices,
+     * as in struct species_mesh. */
+    uint32_t grid_first, grid_rings, grid_spokes;
     float reach;
     struct species_vertex vertices[MESH_VERTEX_MAX];
-    vec3 positions[MORPH_KEY_MAX][MESH_VERTEX_MAX]; /* Position of each vertex in each key. If the
-                                                       vertex has an anchor, the position is
-                                                       relative to the anchor. */
+    /* Position of each vertex in each key. If the vertex has an anchor, the position is relative to
+     * the anchor. */
+    vec3 positions[MORPH_KEY_MAX][MESH_VERTEX_MAX];
     vec3 normals[MORPH_KEY_MAX][MESH_VERTEX_MAX];
     struct species_anchor anchors[ANCHOR_MAX];
     uint16_t indices[MESH_INDEX_MAX];

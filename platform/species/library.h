@@ -20,18 +20,20 @@
 
 struct library_line {
     char file[LIBRARY_FILE_SIZE]; /* Name of the file, without its folder. */
-    uint8_t slot;                 /* Number of the library slot that holds the species.
-                                     LIBRARY_SLOT_NONE means that the file was rejected. */
-    char why[VALIDATE_WHY_SIZE];  /* Reason why the file was rejected. "" means that the file was
-                                     accepted. */
+    /* Number of the library slot that holds the species. LIBRARY_SLOT_NONE means that the file was
+     * rejected. */
+    uint8_t slot;
+    /* Reason why the file was rejected. "" means that the file was accepted. */
+    char why[VALIDATE_WHY_SIZE];
 };
 
 /* Species library. An object of this type has about 2.1 MB and must be static. */
 struct library {
     uint32_t species_count; /* Number of valid species, which are the first elements of `slots`. */
     uint32_t line_count;
-    uint32_t unread_count; /* Number of files that were not read because the folder has more than
-                              LIBRARY_LINE_MAX files. */
+    /* Number of files that were not read because the folder has more than LIBRARY_LINE_MAX
+     * files. */
+    uint32_t unread_count;
     struct library_line lines[LIBRARY_LINE_MAX];
     uint32_t graph_count; /* Number of saved deformation graphs that were rejected. */
     struct library_line graphs[SPECIES_MAX];

@@ -10,9 +10,9 @@ struct lofting {
     const struct species_text *species;
     const struct detail *detail;
     struct loft *loft;
-    double unit[MORPH_KEY_MAX]; /* Length of the fish in each key, in the units of the key's
-                                   drawing. The species' length measure (enum species_measure)
-                                   defines the length. */
+    /* Length of the fish in each key, in the units of the key's drawing. The species' length
+     * measure (enum species_measure) defines the length. */
+    double unit[MORPH_KEY_MAX];
 };
 
 /* Adds a vertex and returns its index. This vertex is the newest vertex until the next call. The

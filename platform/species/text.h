@@ -22,13 +22,12 @@ struct species_reader {
     const char *words[TEXT_WORD_MAX];
     uint32_t word_count;
     struct species_text *species;
-    struct key_text *key; /* Key (modelled growth stage) to which the current line belongs. Null
-                             before the first key. */
-    struct fin *fin;      /* Fin to which a `ray` line belongs. Null if the current line belongs to
-                             no fin. */
-    uint32_t key_line[MORPH_KEY_MAX], curve_line[MORPH_CURVE_MAX]; /* Line numbers in the file at
-                                                                      which each key and each curve
-                                                                      starts. */
+    /* Key (modelled growth stage) to which the current line belongs. Null before the first key. */
+    struct key_text *key;
+    /* Fin to which a `ray` line belongs. Null if the current line belongs to no fin. */
+    struct fin *fin;
+    /* Line numbers in the file at which each key and each curve starts. */
+    uint32_t key_line[MORPH_KEY_MAX], curve_line[MORPH_CURVE_MAX];
     bool has_growth, has_thesis;
 };
 
@@ -36,10 +35,11 @@ struct species_reader {
 struct line_word {
     const char *word;
     uint32_t least, most; /* Allowed number of parameters after the keyword. */
-    const char *names;    /* Names of the parameters, which the error message for a wrong number of
-                             parameters shows. */
-    bool (*read)(struct species_reader *r); /* Parses the parameters and stores their values. The
-                                               caller has checked the number of parameters. */
+    /* Names of the parameters, which the error message for a wrong number of parameters shows. */
+    const char *names;
+    /* Parses the parameters and stores their values. The caller has checked the number of
+     * parameters. */
+    bool (*read)(struct species_reader *r);
 };
 
 /* Keywords of a whole species and of its deformation graphs (text_life.c), and keywords of a key

@@ -103,10 +103,11 @@
 enum storage_replay_state { STORAGE_REPLAY_IDLE = 0, STORAGE_REPLAY_WAITS };
 struct storage_replay {
     uint32_t round_id;
-    const uint8_t *bytes; /* Bytes to write. The caller must not change the bytes until the
-                             request is complete. */
-    uint8_t *room;        /* Buffer that receives the bytes of the replay. The buffer must stay
-                             valid until the request is complete. */
+    /* Bytes to write. The caller must not change the bytes until the request is complete. */
+    const uint8_t *bytes;
+    /* Buffer that receives the bytes of the replay. The buffer must stay valid until the request is
+     * complete. */
+    uint8_t *room;
     size_t size;
     struct ledger_entry *round; /* Destination for the ledger entry of the round. */
     atomic_int state;           /* State of the request (enum storage_replay_state). */
@@ -135,11 +136,12 @@ enum offline_credits_state {
 struct offline_credits {
     struct ledger_entry entries[OFFLINE_CREDITS_MAX];
     uint32_t count;
-    uint32_t boot; /* Boot number that the transferred entries get in the database. 0 means not yet
-                      assigned. */
+    /* Boot number that the transferred entries get in the database. 0 means not yet assigned. */
+    uint32_t boot;
     struct balance_change step; /* Change that the transfer makes to the database's balance. */
-    atomic_int state;           /* State of the transfer (enum offline_credits_state). The store's
-                                   thread handles OFFLINE_CREDITS_NEW immediately. */
+    /* State of the transfer (enum offline_credits_state). The store's thread handles
+     * OFFLINE_CREDITS_NEW immediately. */
+    atomic_int state;
 };
 
 /* Background work on the open database that has no deadline. The store's thread calls `step`
@@ -159,15 +161,16 @@ struct storage_chore {
 /* State of the store. The caller owns the structure, sets `dir`, `how`, `by_hand` and `chore`, and
  * clears the other fields. The address of the structure must not change while the store is open. */
 struct storage {
-    const char *dir; /* Folder of the database. Must outlive the store. Null means that nothing is
-                        stored. */
-    struct ledger_file_options how; /* Options for opening the database. A structure of zeros means
-                                       the defaults. With a custom vfs no backup is made. */
+    /* Folder of the database. Must outlive the store. Null means that nothing is stored. */
+    const char *dir;
+    /* Options for opening the database. A structure of zeros means the defaults. With a custom vfs
+     * no backup is made. */
+    struct ledger_file_options how;
     uint8_t by_hand; /* 1 if no thread is started and the caller calls storage_work() instead. */
     struct storage_chore chore;
 
-    struct ledger_file file;     /* Open database. While the store's thread runs, only the store's
-                                    thread uses the database. */
+    /* Open database. While the store's thread runs, only the store's thread uses the database. */
+    struct ledger_file file;
     struct ledger_content start; /* Content of the database when open() read it. */
     char path[STORAGE_PATH_SIZE];
     char text[HAL_TEXT_SIZE];
@@ -178,27 +181,31 @@ struct storage {
     bool has_thread;
     bool closes; /* True while close() runs, so that no new backup is started. */
     atomic_bool stop;
-    atomic_bool has_file; /* True if the database was opened at least once. Entries are accepted
-                             only then. */
-    bool has_to_rebuild;  /* True if the database is damaged or missing and has not been replaced
-                             yet. */
-    atomic_uint aside;    /* Number at the end of the quarantined database's file name. 0 means that
-                             no database was quarantined. */
+    /* True if the database was opened at least once. Entries are accepted only then. */
+    atomic_bool has_file;
+    /* True if the database is damaged or missing and has not been replaced yet. */
+    bool has_to_rebuild;
+    /* Number at the end of the quarantined database's file name. 0 means that no database was
+     * quarantined. */
+    atomic_uint aside;
     /* Identifies the object that was renamed last because it had the name of a database file but
      * was not a regular file. The value is 1 plus the index of the name's suffix in
      * storage_suffixes. 0 means that no object was renamed. */
     atomic_uint strange;
     bool was_missing;     /* True if the replaced database was missing; false if it was damaged. */
     uint32_t from_backup; /* Newest entry id in the backup from which the replacement was made. */
-    struct ledger_recovered salvaged; /* Entries newer than the backup that were recovered from the
-                                         damaged database and the ledger mirror. */
-    atomic_int error;      /* SQLite code of the last write if the write failed. 0 means that the
-                              last write succeeded. */
-    atomic_int edit_error; /* errno of the last write of an edit if the write failed. 0 means
-                              that the last write succeeded. */
-    atomic_uint refused;   /* Number of failed writes, including retries. */
-    atomic_llong busy_since_ms; /* Start time of the current write on the monotonic clock. 0 means
-                                   that no write is in progress. */
+    /* Entries newer than the backup that were recovered from the damaged database and the ledger
+     * mirror. */
+    struct ledger_recovered salvaged;
+    /* SQLite code of the last write if the write failed. 0 means that the last write succeeded. */
+    atomic_int error;
+    /* errno of the last write of an edit if the write failed. 0 means that the last write
+     * succeeded. */
+    atomic_int edit_error;
+    atomic_uint refused; /* Number of failed writes, including retries. */
+    /* Start time of the current write on the monotonic clock. 0 means that no write is in
+     * progress. */
+    atomic_llong busy_since_ms;
 
     /* Queue of ledger entries with one producer (the frame loop) and one consumer (the store's
      * thread). `pushed` and `written` only increase. */
@@ -211,52 +218,62 @@ struct storage {
     uint32_t accepted_edit_id;
     atomic_uint stored_edit_id;
 
-    int hold;             /* Descriptor of the locked folder plus 1. The lock excludes other kiosk
-                             processes. 0 means not locked. */
-    uint32_t accepted_id; /* Newest entry id that append() has accepted. Another append() call with
-                             an accepted entry stores nothing. */
+    /* Descriptor of the locked folder plus 1. The lock excludes other kiosk processes. 0 means not
+     * locked. */
+    int hold;
+    /* Newest entry id that append() has accepted. Another append() call with an accepted entry
+     * stores nothing. */
+    uint32_t accepted_id;
     atomic_uint saved_id;
     /* True if the store has read the write-ahead log, but the log may not be on disk.
      * committed_id() then returns 0 and the store counts as unhealthy. */
     atomic_bool is_unproven;
-    uint32_t saved_boot, saved_tick; /* Boot number and tick of the entry `saved_id`. Used by the
-                                        store's thread only. */
-    uint64_t sight;       /* Hash of the database file's attributes at the last attempt to open the
-                             database. Used by the store's thread only. */
-    uint64_t room;        /* Free bytes on the card at the last attempt to open the database. Used
-                             by the store's thread only. */
-    int64_t look_due_ms;  /* Time of the next attempt to open the database, on the monotonic clock.
-                             0 means immediately. Used by the store's thread only. */
-    int64_t look_wait_ms; /* Current interval between two attempts to open the database. Used by the
-                             store's thread only. */
-    struct storage_place places[STORAGE_PLACES]; /* Identities of the database, its log and the
-                                                    log's index. Used by the store's thread only. */
-    bool moved;  /* True if the open database is no longer at its path. Used by the store's thread
-                    only. */
-    bool prunes; /* True if entries, rounds or replays may exceed their limits.
-                    ledger_file_prune() must then delete the excess. Used by the store's thread
-                    only. */
-    struct ledger_mirror tail;   /* Ledger mirror, the second copy of the newest entries. Used by
-                                    the store's thread only. */
-    uint32_t tail_from;          /* First entry id that the ledger mirror lacks. 0 means that the
-                                    mirror is complete. Used by the store's thread only. */
-    atomic_int tail_error;       /* errno of the last write to the ledger mirror. 0 means that the
-                                    write succeeded. */
-    struct ledger_backup backup; /* State of the backup that is in progress. Used by the store's
-                                    thread only. */
-    uint32_t backup_id;          /* Newest entry id when the last backup was started. */
-    int64_t backup_due_s;        /* Time of the next backup on the monotonic clock. */
+    /* Boot number and tick of the entry `saved_id`. Used by the store's thread only. */
+    uint32_t saved_boot, saved_tick;
+    /* Hash of the database file's attributes at the last attempt to open the database. Used by the
+     * store's thread only. */
+    uint64_t sight;
+    /* Free bytes on the card at the last attempt to open the database. Used by the store's thread
+     * only. */
+    uint64_t room;
+    /* Time of the next attempt to open the database, on the monotonic clock. 0 means immediately.
+     * Used by the store's thread only. */
+    int64_t look_due_ms;
+    /* Current interval between two attempts to open the database. Used by the store's thread
+     * only. */
+    int64_t look_wait_ms;
+    /* Identities of the database, its log and the log's index. Used by the store's thread only. */
+    struct storage_place places[STORAGE_PLACES];
+    /* True if the open database is no longer at its path. Used by the store's thread only. */
+    bool moved;
+    /* True if entries, rounds or replays may exceed their limits. ledger_file_prune() must then
+     * delete the excess. Used by the store's thread only. */
+    bool prunes;
+    /* Ledger mirror, the second copy of the newest entries. Used by the store's thread only. */
+    struct ledger_mirror tail;
+    /* First entry id that the ledger mirror lacks. 0 means that the mirror is complete. Used by the
+     * store's thread only. */
+    uint32_t tail_from;
+    /* errno of the last write to the ledger mirror. 0 means that the write succeeded. */
+    atomic_int tail_error;
+    /* State of the backup that is in progress. Used by the store's thread only. */
+    struct ledger_backup backup;
+    uint32_t backup_id;   /* Newest entry id when the last backup was started. */
+    int64_t backup_due_s; /* Time of the next backup on the monotonic clock. */
 
     struct offline_credits late;
     struct storage_replay put, get;
-    int64_t put_since_ms; /* Time when the card first rejected the requested replay. 0 means that
-                             the card has not rejected the replay. */
-    atomic_uint put_id;   /* Round id of the newest replay that was written, or that was abandoned
-                             because the card rejected it. */
-    atomic_int got;       /* Result of the last read of a replay, which fetched() returns when the
-                             request is complete. */
-    atomic_uint sealed[LEDGER_RANKS]; /* Round id of each ranking row whose replay is on disk. 0
-                                         means that the row has no replay on disk. */
+    /* Time when the card first rejected the requested replay. 0 means that the card has not
+     * rejected the replay. */
+    int64_t put_since_ms;
+    /* Round id of the newest replay that was written, or that was abandoned because the card
+     * rejected it. */
+    atomic_uint put_id;
+    /* Result of the last read of a replay, which fetched() returns when the request is complete. */
+    atomic_int got;
+    /* Round id of each ranking row whose replay is on disk. 0 means that the row has no replay on
+     * disk. */
+    atomic_uint sealed[LEDGER_RANKS];
 };
 
 /* Returns the HAL device that uses `storage`. `storage` must outlive the returned device. open()

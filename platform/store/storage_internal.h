@@ -87,13 +87,13 @@ uint32_t storage_unwritten_edits(const struct storage *storage);
 int storage_mirror_write(struct storage *storage, const struct ledger_entry *entries,
                          uint32_t count);
 
-void storage_close_file(struct storage *storage); /* Closes the database and aborts a backup that is
-                                                     in progress. */
+/* Closes the database and aborts a backup that is in progress. */
+void storage_close_file(struct storage *storage);
 /* Thread function of the store. Runs until storage->stop is set. */
 void *storage_thread(void *storage);
 
-int64_t storage_now_ms(void); /* Returns the time of the monotonic clock in milliseconds, never
-                                 0. */
+/* Returns the time of the monotonic clock in milliseconds, never 0. */
+int64_t storage_now_ms(void);
 
 /* ---- storage_requests.c -------------------------------------------------------------------- */
 

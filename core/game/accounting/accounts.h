@@ -32,19 +32,22 @@ struct ledger {
     uint32_t last_id;  /* Id of the newest ledger entry. */
     uint32_t saved_id; /* Id of the newest ledger entry that is on disk. */
     uint32_t boot;
-    uint32_t uncommitted; /* Number of entries that were dropped because the ledger had no room
-                             for them. Payments are never dropped. */
-    uint32_t wait_ticks;  /* Number of ticks for which unsaved entries have waited for the disk
-                             since the last entry was saved. */
+    /* Number of entries that were dropped because the ledger had no room for them. Payments are
+     * never dropped. */
+    uint32_t uncommitted;
+    /* Number of ticks for which unsaved entries have waited for the disk since the last entry was
+     * saved. */
+    uint32_t wait_ticks;
     uint16_t day, minute;
-    uint8_t is_healthy;                /* 1 if the store was healthy according to the last input,
-                                          otherwise 0. */
-    uint8_t store_came_late;           /* 1 if the kiosk started without a store (`boot` 0) and a
-                                          store became healthy since the start, otherwise 0. */
-    struct balance balance;            /* Current balance. */
-    struct balance committed;          /* Balance after the newest ledger entry that is on disk. */
-    struct balance after[LEDGER_RING]; /* Balance after each entry that is not on disk. Entry n uses
-                                          index n % LEDGER_RING. */
+    /* 1 if the store was healthy according to the last input, otherwise 0. */
+    uint8_t is_healthy;
+    /* 1 if the kiosk started without a store (`boot` 0) and a store became healthy since the start,
+     * otherwise 0. */
+    uint8_t store_came_late;
+    struct balance balance;   /* Current balance. */
+    struct balance committed; /* Balance after the newest ledger entry that is on disk. */
+    /* Balance after each entry that is not on disk. Entry n uses index n % LEDGER_RING. */
+    struct balance after[LEDGER_RING];
 };
 
 /* Largest allowed price of a round, in coin units. A more expensive round would be paid with
@@ -60,8 +63,9 @@ struct ledger {
 
 /* Conditions that close the coin slot and are displayed as warnings. Each condition has one bit. */
 enum credit_warning {
-    WARN_TILT = 1u << 0,   /* The cabinet was shaken or tilted. The balance does not change. Coins
-                              are returned, because shaking can trigger the coin mechanism. */
+    /* The cabinet was shaken or tilted. The balance does not change. Coins are returned, because
+     * shaking can trigger the coin mechanism. */
+    WARN_TILT = 1u << 0,
     WARN_DOOR = 1u << 1,   /* The door of the cabinet is open. A running round continues. */
     WARN_NO_POI = 1u << 2, /* No slot has a controller, so a player who pays could not play. */
     WARN_STORE = 1u << 3,  /* The store is not safe, so a payment could be lost in a power cut. */
@@ -71,33 +75,36 @@ enum credit_warning {
 struct pending_coins {
     uint32_t pulses;
     uint32_t units; /* Value of the pending pulses in coin units. */
-    uint32_t owed;  /* Units of the pending coins that must be added to the balance. Coins inserted
-                       during free play add nothing to `owed`. */
+    /* Units of the pending coins that must be added to the balance. Coins inserted during free play
+     * add nothing to `owed`. */
+    uint32_t owed;
 };
 
 struct credit {
     uint8_t came_back; /* 1 if the credit of the last round was refunded, otherwise 0. */
     uint8_t warnings;  /* Current warnings (bit mask of enum credit_warning). */
     struct pending_coins pending_coins[COIN_LINE_COUNT];
-    uint32_t metered;    /* Number of coins that the coin meter has counted since the kiosk
-                            started. */
-    uint32_t shakes;     /* Number of times that the cabinet was tilted or shaken since the kiosk
-                            started. */
-    uint32_t tickets;    /* Number of pulses requested from the ticket dispenser since the kiosk
-                            started. */
-    uint32_t coin_tick;  /* Tick at which the last coin was inserted. */
-    uint32_t tilt_tick;  /* Tick at which the cabinet was last tilted or shaken; 0 means never. */
-    uint32_t asked_tick; /* Tick of the last attempt to start a game without a credit; 0 means
-                            never. */
-    uint32_t await_tick; /* Tick of the last start attempt that had to wait because its credit
-                            was not on disk yet; 0 means never. */
-    uint32_t act_tick;   /* Tick of the last action of a person that changed the balance. */
-    uint32_t stand_id;   /* Id of the newest LEDGER_STAND entry (state of an open round); 0 means
-                            none. */
-    struct ledger_stand stand; /* Fields of the newest LEDGER_STAND entry (state of an open
-                                  round). */
-    uint32_t ticket_id;        /* Id of the entry LEDGER_TICKET that must reach the disk before the
-                                  ticket dispenser gets its pulse; 0 means none. */
+    /* Number of coins that the coin meter has counted since the kiosk started. */
+    uint32_t metered;
+    /* Number of times that the cabinet was tilted or shaken since the kiosk started. */
+    uint32_t shakes;
+    /* Number of pulses requested from the ticket dispenser since the kiosk started. */
+    uint32_t tickets;
+    uint32_t coin_tick; /* Tick at which the last coin was inserted. */
+    uint32_t tilt_tick; /* Tick at which the cabinet was last tilted or shaken; 0 means never. */
+    /* Tick of the last attempt to start a game without a credit; 0 means never. */
+    uint32_t asked_tick;
+    /* Tick of the last start attempt that had to wait because its credit was not on disk yet; 0
+     * means never. */
+    uint32_t await_tick;
+    uint32_t act_tick; /* Tick of the last action of a person that changed the balance. */
+    /* Id of the newest LEDGER_STAND entry (state of an open round); 0 means none. */
+    uint32_t stand_id;
+    /* Fields of the newest LEDGER_STAND entry (state of an open round). */
+    struct ledger_stand stand;
+    /* Id of the entry LEDGER_TICKET that must reach the disk before the ticket dispenser gets its
+     * pulse; 0 means none. */
+    uint32_t ticket_id;
 };
 
 struct accounts {

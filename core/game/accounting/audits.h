@@ -31,10 +31,11 @@ enum audit_id {
     AUDIT_PLAYS_PAID,
     AUDIT_PLAYS_SERVICE,
     AUDIT_PLAYS_FREE,
-    AUDIT_PLAYS_LAB, /* Visits to the growth lab. These visits are also included in the counters
-                        of started games. */
-    AUDIT_ROUNDS,    /* Scored rounds that people played to the end. The counters from AUDIT_PLAYERS
-                        to AUDIT_FOULS cover only these rounds. */
+    /* Visits to the growth lab. These visits are also included in the counters of started games. */
+    AUDIT_PLAYS_LAB,
+    /* Scored rounds that people played to the end. The counters from AUDIT_PLAYERS to AUDIT_FOULS
+     * cover only these rounds. */
+    AUDIT_ROUNDS,
     AUDIT_PLAYERS,
     AUDIT_CAUGHT,
     AUDIT_PLAY_S,       /* Total time of the rounds in seconds. */
@@ -42,28 +43,28 @@ enum audit_id {
     AUDIT_PAPERS_TORN,  /* Sheets of paper that tore through. */
     AUDIT_PAPER_LIFE_S, /* Total lifetime in seconds of the sheets of paper that tore. */
     AUDIT_FOULS,
-    AUDIT_PLAYS, /* First of the counters of started rounds, one for each mode and grade. The index
-                    is AUDIT_PLAYS + mode * AUDIT_GRADES + grade - SHEET_GRADE_MIN. */
-    AUDIT_HOUR = AUDIT_PLAYS + MODE_COUNT * AUDIT_GRADES, /* First of 24 counters of started games,
-                                                             one for each hour of the day. */
-    AUDIT_WEEKDAY = AUDIT_HOUR + 24,                      /* First of 7 counters of started games,
-                                                             one for each weekday, beginning with
-                                                             Monday. */
+    /* First of the counters of started rounds, one for each mode and grade. The index is
+     * AUDIT_PLAYS + mode * AUDIT_GRADES + grade - SHEET_GRADE_MIN. */
+    AUDIT_PLAYS,
+    /* First of 24 counters of started games, one for each hour of the day. */
+    AUDIT_HOUR = AUDIT_PLAYS + MODE_COUNT * AUDIT_GRADES,
+    /* First of 7 counters of started games, one for each weekday, beginning with Monday. */
+    AUDIT_WEEKDAY = AUDIT_HOUR + 24,
     /* Group 2: counters of starts, faults and uptime of the machine. */
     AUDIT_BOOTS = AUDIT_WEEKDAY + 7,
-    AUDIT_CRASHED_ROUNDS, /* Rounds that were still open at startup, because a crash or a power
-                             cut interrupted them. */
+    /* Rounds that were still open at startup, because a crash or a power cut interrupted them. */
+    AUDIT_CRASHED_ROUNDS,
     AUDIT_DROPPED_TICKS,
     AUDIT_DEVICE_FAULTS,
-    AUDIT_UP_S,           /* Total uptime in seconds. */
-    AUDIT_UP_S_MAX,       /* Longest uptime between two starts, in seconds. */
-    AUDIT_RESETS,         /* Number of resets of counter groups. This counter is never reset. */
-    AUDIT_WRONG_PINS,     /* Number of wrong PINs since the last correct PIN. No page shows the
-                             counter, because a page opens only after a correct PIN, which sets the
-                             counter to 0. */
+    AUDIT_UP_S,     /* Total uptime in seconds. */
+    AUDIT_UP_S_MAX, /* Longest uptime between two starts, in seconds. */
+    AUDIT_RESETS,   /* Number of resets of counter groups. This counter is never reset. */
+    /* Number of wrong PINs since the last correct PIN. No page shows the counter, because a page
+     * opens only after a correct PIN, which sets the counter to 0. */
+    AUDIT_WRONG_PINS,
     AUDIT_FORMAT_7_COUNT, /* Number of counters in recordings of the older format 7. */
-    AUDIT_LOST_AGAIN = AUDIT_FORMAT_7_COUNT, /* First of the counters of repeated controller losses,
-                                                one for each slot. */
+    /* First of the counters of repeated controller losses, one for each slot. */
+    AUDIT_LOST_AGAIN = AUDIT_FORMAT_7_COUNT,
     /* Number of tickets sent to the ticket dispenser. AUDIT_TICKETS includes these tickets. The
      * counter belongs to group 0. */
     AUDIT_TICKETS_OUT = AUDIT_LOST_AGAIN + (int)POI_MAX,

@@ -57,8 +57,8 @@ struct approach_path {
     float yaw_rad;
     vec3 entry_m; /* Point above the water at which the path starts. */
     vec3 stop_m;  /* Stop point of the path: a point under water, beside the fish. */
-    vec3 under_m; /* Position of the ring's centre at which the fish is over its intended place on
-                     the paper. */
+    /* Position of the ring's centre at which the fish is over its intended place on the paper. */
+    vec3 under_m;
 };
 
 /* Returns the horizontal unit vector toward the far edge of a poi with handle yaw `yaw_rad`. */

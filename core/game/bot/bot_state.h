@@ -44,14 +44,15 @@ struct snapshot_fish {
 
 /* State of the bot's own paper, computed from the visible picture of the paper. */
 struct snapshot_paper {
-    float wet;      /* Mean wetness of the remaining paper, [0, 1]. */
-    float left;     /* Remaining share of the paper, [0, 1]. */
-    uint8_t holds;  /* 1 if an undamaged patch of the paper is large enough for a fish, otherwise
-                       0. */
-    uint8_t middle; /* 1 if the undamaged patch for a fish is at or near the middle of the ring,
-                       otherwise 0. */
-    float x_m, z_m; /* Centre, in the poi's plane, of an undamaged patch on which a fish can lie;
-                       (0, 0) while the paper is undamaged. */
+    float wet;  /* Mean wetness of the remaining paper, [0, 1]. */
+    float left; /* Remaining share of the paper, [0, 1]. */
+    /* 1 if an undamaged patch of the paper is large enough for a fish, otherwise 0. */
+    uint8_t holds;
+    /* 1 if the undamaged patch for a fish is at or near the middle of the ring, otherwise 0. */
+    uint8_t middle;
+    /* Centre, in the poi's plane, of an undamaged patch on which a fish can lie; (0, 0) while the
+     * paper is undamaged. */
+    float x_m, z_m;
 };
 
 struct snapshot {
@@ -85,10 +86,11 @@ enum bot_stage {
     BOT_SOAK,     /* Wets the new paper in the tank. */
     BOT_CHOOSE,   /* Holds the poi above the water and selects a fish. */
     BOT_APPROACH, /* Moves the poi above the water to the start of the path to the fish. */
-    BOT_WATCH,    /* Holds the poi above the start of the path until the fish is calm. A still
-                     shadow does not startle fish. */
-    BOT_DIP,      /* Moves the poi down into the water. */
-    BOT_GLIDE,    /* Levels the poi and moves it under the fish. */
+    /* Holds the poi above the start of the path until the fish is calm. A still shadow does not
+     * startle fish. */
+    BOT_WATCH,
+    BOT_DIP,   /* Moves the poi down into the water. */
+    BOT_GLIDE, /* Levels the poi and moves it under the fish. */
     BOT_LIFT,
     BOT_CARRY,
     BOT_TIP,
@@ -97,12 +99,12 @@ enum bot_stage {
 
 struct bot {
     struct technique technique;
-    uint32_t seed;          /* Seed of the bot's random numbers. */
-    uint8_t stage;          /* Current stage (enum bot_stage). */
-    uint16_t prey;          /* Index of the target fish, or SNAPSHOT_NO_FISH. */
-    uint32_t stage_tick;    /* Tick at which the stage began. */
-    uint32_t act_tick;      /* Tick at which the bot may act on the snapshot `seen`, which is
-                               then copied to `known`. */
+    uint32_t seed;       /* Seed of the bot's random numbers. */
+    uint8_t stage;       /* Current stage (enum bot_stage). */
+    uint16_t prey;       /* Index of the target fish, or SNAPSHOT_NO_FISH. */
+    uint32_t stage_tick; /* Tick at which the stage began. */
+    /* Tick at which the bot may act on the snapshot `seen`, which is then copied to `known`. */
+    uint32_t act_tick;
     uint32_t tries;         /* Number of attempts to catch a fish so far. */
     float yaw_rad;          /* Yaw of the poi's handle with which the bot scoops the target fish. */
     vec3 miss_m;            /* Random aiming error of the present attempt to catch a fish. */

@@ -30,30 +30,31 @@ enum technique_lift { LIFT_DRAINED = 0, LIFT_FAST, LIFT_COUNT };
 enum technique_hunt { HUNT_SHADE = 0, HUNT_CHASE, HUNT_COUNT };
 
 struct technique {
-    float wet;        /* Share of the paper that is wetted before the first scoop, [0, 1]. */
-    float entry_deg;  /* Tilt of the paper in degrees when the poi enters the water, [0, 60]; 0 is
-                         level. */
-    float glide_deg;  /* Angle in degrees between the paper and its motion under water, [0, 90]; 90
-                         is broadside. */
-    uint8_t side;     /* End of the fish (head or tail) under which the ring passes first (enum
-                         technique_side). */
-    uint8_t place;    /* Part of the paper on which the bot tries to place the fish (enum
-                         technique_place). */
-    uint8_t lift;     /* Style of the lift (enum technique_lift). */
-    uint8_t hunt;     /* Style of the hunt (enum technique_hunt). */
-    uint8_t fish_max; /* Number of fish that the bot tries to have on the paper before it lifts
-                         the poi, 1 .. 8. */
-    float fish_m;     /* Preferred length of a fish in metres, [0.02, 0.1]. */
-    float arm_m_s, dip_m_s, glide_m_s, lift_m_s, carry_m_s; /* Maximum speed of each motion of
-                                                               the arm, (0, 2] m/s. */
+    float wet; /* Share of the paper that is wetted before the first scoop, [0, 1]. */
+    /* Tilt of the paper in degrees when the poi enters the water, [0, 60]; 0 is level. */
+    float entry_deg;
+    /* Angle in degrees between the paper and its motion under water, [0, 90]; 90 is broadside. */
+    float glide_deg;
+    /* End of the fish (head or tail) under which the ring passes first (enum technique_side). */
+    uint8_t side;
+    /* Part of the paper on which the bot tries to place the fish (enum technique_place). */
+    uint8_t place;
+    uint8_t lift; /* Style of the lift (enum technique_lift). */
+    uint8_t hunt; /* Style of the hunt (enum technique_hunt). */
+    /* Number of fish that the bot tries to have on the paper before it lifts the poi, 1 .. 8. */
+    uint8_t fish_max;
+    float fish_m; /* Preferred length of a fish in metres, [0.02, 0.1]. */
+    /* Maximum speed of each motion of the arm, (0, 2] m/s. */
+    float arm_m_s, dip_m_s, glide_m_s, lift_m_s, carry_m_s;
     /* Time in seconds for which the bot lets water drain from the paper during a lift, [0, 3]. */
     float drain_s;
-    float patience_s;                     /* Longest time in seconds for which the bot waits for
-                                             a fish to come to rest, [0, 20]. */
-    float aim_m;                          /* Largest aiming error in metres, [0, 0.05]. */
-    float tremor_m;                       /* Amplitude of the arm's tremor in metres, [0, 0.01]. */
-    float reaction_min_s, reaction_max_s; /* Shortest and longest reaction time in seconds
-                                             between a snapshot and the action, [0.15, 1]. */
+    /* Longest time in seconds for which the bot waits for a fish to come to rest, [0, 20]. */
+    float patience_s;
+    float aim_m;    /* Largest aiming error in metres, [0, 0.05]. */
+    float tremor_m; /* Amplitude of the arm's tremor in metres, [0, 0.01]. */
+    /* Shortest and longest reaction time in seconds between a snapshot and the action, [0.15,
+     * 1]. */
+    float reaction_min_s, reaction_max_s;
 };
 
 /* Technique that chases fish, with level paper and a fast lift. 30 % of the paper is wet. */

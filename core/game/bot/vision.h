@@ -33,9 +33,10 @@ struct vision_fish {
     struct angles angles;
     float length_m;
     float bend_rad;
-    float gape, gulp; /* `gape` is the opening of the mouth, and `gulp` is the progress of a gulp
-                         of air, both as in struct scene_fish. */
-    uint8_t place;    /* Place of the fish (enum scene_place). */
+    /* `gape` is the opening of the mouth, and `gulp` is the progress of a gulp of air, both as in
+     * struct scene_fish. */
+    float gape, gulp;
+    uint8_t place; /* Place of the fish (enum scene_place). */
 };
 
 /* Returns the visible state of the game for `vision->player`. Asserts that the player is <

@@ -55,19 +55,21 @@ enum input_status {
 };
 
 struct input_validation {
-    uint8_t verdict;          /* Result of the validation in the last tick (enum input_status). */
-    uint8_t knows;            /* 1 if the pose in `newest` has been set, otherwise 0. */
-    uint16_t same_ticks;      /* Number of consecutive ticks in which the sensor has repeated
-                                 identical bits. */
-    uint16_t agree_ticks;     /* Number of consecutive ticks with consistent reports, up to
-                                 INPUT_AGREE_TICKS. */
-    uint16_t silent_ticks;    /* Age of the newest report in ticks if the report is late, otherwise
-                                 0. */
-    uint16_t late_ticks;      /* Ticks left in which the pose catches up with the motion that was
-                                 missed while reports were late; 0 when it has caught up. */
-    float excess_m, spin;     /* Accumulated motion (`excess_m`) and rotation (`spin`) beyond the
-                                 speed limits of an arm. A negative value is motion or rotation
-                                 that is still allowed, because no reports arrived for some time. */
+    uint8_t verdict; /* Result of the validation in the last tick (enum input_status). */
+    uint8_t knows;   /* 1 if the pose in `newest` has been set, otherwise 0. */
+    /* Number of consecutive ticks in which the sensor has repeated identical bits. */
+    uint16_t same_ticks;
+    /* Number of consecutive ticks with consistent reports, up to INPUT_AGREE_TICKS. */
+    uint16_t agree_ticks;
+    /* Age of the newest report in ticks if the report is late, otherwise 0. */
+    uint16_t silent_ticks;
+    /* Ticks left in which the pose catches up with the motion that was missed while reports were
+     * late; 0 when it has caught up. */
+    uint16_t late_ticks;
+    /* Accumulated motion (`excess_m`) and rotation (`spin`) beyond the speed limits of an arm. A
+     * negative value is motion or rotation that is still allowed, because no reports arrived for
+     * some time. */
+    float excess_m, spin;
     struct poi_target newest; /* The last reported pose whose numbers were all valid. */
 };
 
@@ -149,25 +151,26 @@ enum calibration_value {
  * checks. */
 enum calibration_fault {
     CALIBRATION_GOOD = 0,
-    CALIBRATION_NEAR,     /* Two measured corners are at the same place. */
-    CALIBRATION_CROSSED,  /* The corners were not measured in the order of a rectangle's corners, or
-                             all lie on one line. */
-    CALIBRATION_MIRRORED, /* The corners are in mirrored order, which no rotation of the sensor can
-                             cause. */
-    CALIBRATION_FAR,      /* The correction exceeds the range of the settings, which is a factor of
-                             10 or 10 m. */
-    CALIBRATION_UNEVEN,   /* No linear map brings all four corners close to their marks. */
-    CALIBRATION_TILTED,   /* The poi did not lie flat on the water. */
+    CALIBRATION_NEAR, /* Two measured corners are at the same place. */
+    /* The corners were not measured in the order of a rectangle's corners, or all lie on one
+     * line. */
+    CALIBRATION_CROSSED,
+    /* The corners are in mirrored order, which no rotation of the sensor can cause. */
+    CALIBRATION_MIRRORED,
+    /* The correction exceeds the range of the settings, which is a factor of 10 or 10 m. */
+    CALIBRATION_FAR,
+    CALIBRATION_UNEVEN, /* No linear map brings all four corners close to their marks. */
+    CALIBRATION_TILTED, /* The poi did not lie flat on the water. */
     CALIBRATION_FAULTS,
 };
 
 /* Uncorrected poses that were measured during a calibration. */
 struct calibration_said {
-    vec3 corner_m[CALIBRATE_CORNERS]; /* Measured positions on the marks, in the order of
-                                         input_calibration_mark(). */
-    struct poi_target water;          /* Measured pose while the poi lies flat anywhere on the still
-                                         water. */
-    uint8_t has_wrist;                /* 1 if the controller measures angles, otherwise 0. */
+    /* Measured positions on the marks, in the order of input_calibration_mark(). */
+    vec3 corner_m[CALIBRATE_CORNERS];
+    /* Measured pose while the poi lies flat anywhere on the still water. */
+    struct poi_target water;
+    uint8_t has_wrist; /* 1 if the controller measures angles, otherwise 0. */
 };
 
 /* Returns the position of mark `corner` on the water: far left, far right, near right, near

@@ -94,13 +94,13 @@ float lab_length_of_share(const struct species_card *card, float share);
  * in the growth lab. The lab book is plain data, loaded from the data folder at startup. */
 
 struct lab_book {
-    uint8_t card_count;            /* Number of custom species. The custom species have the indices
-                                      after the built-in species. */
-    uint8_t refused;               /* Number of species files that were rejected, displayed to
-                                      the operator. */
-    uint8_t has_edit[SPECIES_MAX]; /* 1 for each species for which an edited graph was saved,
-                                      otherwise 0. The built-in species come first, then the
-                                      custom species. */
+    /* Number of custom species. The custom species have the indices after the built-in species. */
+    uint8_t card_count;
+    /* Number of species files that were rejected, displayed to the operator. */
+    uint8_t refused;
+    /* 1 for each species for which an edited graph was saved, otherwise 0. The built-in species
+     * come first, then the custom species. */
+    uint8_t has_edit[SPECIES_MAX];
     struct species_card cards[SPECIES_EXTRA_MAX];
     struct lab_edit edits[SPECIES_MAX];
 };

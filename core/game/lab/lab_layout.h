@@ -18,8 +18,8 @@ enum lab_part {
     LAB_PLAY,
     LAB_COMPARE,
     LAB_PATH,
-    LAB_OWN, /* First template button. The template buttons have the order of enum
-                graph_template. */
+    /* First template button. The template buttons have the order of enum graph_template. */
+    LAB_OWN,
     LAB_ORDINARY,
     LAB_PAIRWISE,
     LAB_SIMULTANEOUS,
@@ -38,8 +38,9 @@ enum lab_part {
 
     LAB_STAGE = LAB_PRESSED_COUNT, /* Area in which the displayed fish swims. */
     LAB_NAME,
-    LAB_CARD, /* Background drawn behind the graph. LAB_CHART_CARD is the background drawn behind
-                 the growth curve. */
+    /* Background drawn behind the graph. LAB_CHART_CARD is the background drawn behind the growth
+     * curve. */
+    LAB_CARD,
     LAB_CHART_CARD,
     LAB_PART_COUNT,
 };

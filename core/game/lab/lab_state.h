@@ -16,8 +16,9 @@
 #define ALBUM_REST_TICKS (4u * CORE_TICK_HZ)
 
 struct album {
-    uint32_t caught; /* Number of fish caught in this round by all players, including fish that did
-                        not fit on the page. */
+    /* Number of fish caught in this round by all players, including fish that did not fit on the
+     * page. */
+    uint32_t caught;
     uint32_t fish_count;
     struct album_fish {
         uint32_t fish; /* Index of the fish in the tank. */
@@ -45,13 +46,13 @@ struct album {
 /* Element that the pointer drags, from the press to the release. */
 enum lab_hold {
     HOLD_NOTHING = 0,
-    HOLD_AGE,    /* The pointer drags the displayed age along the age axis. */
-    HOLD_CHART,  /* The pointer drags along the growth curve, which selects the displayed age. */
-    HOLD_PLOT,   /* The pointer drags along the graph, which selects the displayed progress of
-                    the life. */
-    HOLD_WEIGHT, /* The pointer drags a knot of the weight curve of the key shape that `layer`
-                    selects. */
-    HOLD_SIZE,   /* The pointer drags a knot of the scale curve. */
+    HOLD_AGE,   /* The pointer drags the displayed age along the age axis. */
+    HOLD_CHART, /* The pointer drags along the growth curve, which selects the displayed age. */
+    /* The pointer drags along the graph, which selects the displayed progress of the life. */
+    HOLD_PLOT,
+    /* The pointer drags a knot of the weight curve of the key shape that `layer` selects. */
+    HOLD_WEIGHT,
+    HOLD_SIZE, /* The pointer drags a knot of the scale curve. */
     HOLD_BUTTON,
     HOLD_LEAVE, /* The pointer presses the leave button, which acts when it is released. */
 };
@@ -62,32 +63,35 @@ enum lab_hold {
 
 struct lab {
     uint8_t species; /* Index of the displayed species in the lab book. */
-    uint8_t layer;   /* Curve that the player edits: the weight curve of the key with this index, or
-                        the scale curve if the value is LAB_LAYER_SIZE. */
+    /* Curve that the player edits: the weight curve of the key with this index, or the scale curve
+     * if the value is LAB_LAYER_SIZE. */
+    uint8_t layer;
     uint8_t playing, compare, path;
     uint8_t has_hand, presses;
     uint8_t hand;   /* Player whose pose moves the pointer, or moved it last. */
     uint8_t points; /* Part of the page under the pointer (enum lab_part). */
     uint8_t holds;  /* Element that is dragged (enum lab_hold). */
     uint8_t held_knot;
-    uint8_t upright;               /* 1 if the last input reported a portrait screen, otherwise
-                                      0. */
-    uint8_t edit_refused;          /* 1 if the last input reported that the store saves no edits,
-                                      otherwise 0. */
-    uint8_t has_edit[SPECIES_MAX]; /* 1 for each species of which the kiosk has a saved edit,
-                                      otherwise 0. */
-    uint32_t stir_tick, act_tick;  /* `stir_tick` is the tick of the last pointer motion.
-                                      `act_tick` is the tick of the last press. */
-    uint32_t rest_ticks;           /* Ticks since the playback of the life ended. */
-    uint32_t start_ticks;          /* Ticks for which START has been held. */
-    uint32_t save_id, saved_id;    /* `save_id` is the id of the newest edit sent to the store.
-                                      `saved_id` is the id of the newest edit confirmed on disk. */
-    uint32_t asked_id;             /* Id of the save request for the current edit; 0 means that
-                                      saving was not requested. */
-    float x, y;                    /* Pointer position on the canvas. */
-    float stir_x, stir_y;          /* Position of the pointer when it last moved. */
+    /* 1 if the last input reported a portrait screen, otherwise 0. */
+    uint8_t upright;
+    /* 1 if the last input reported that the store saves no edits, otherwise 0. */
+    uint8_t edit_refused;
+    /* 1 for each species of which the kiosk has a saved edit, otherwise 0. */
+    uint8_t has_edit[SPECIES_MAX];
+    /* `stir_tick` is the tick of the last pointer motion. `act_tick` is the tick of the last
+     * press. */
+    uint32_t stir_tick, act_tick;
+    uint32_t rest_ticks;  /* Ticks since the playback of the life ended. */
+    uint32_t start_ticks; /* Ticks for which START has been held. */
+    /* `save_id` is the id of the newest edit sent to the store. `saved_id` is the id of the newest
+     * edit confirmed on disk. */
+    uint32_t save_id, saved_id;
+    /* Id of the save request for the current edit; 0 means that saving was not requested. */
+    uint32_t asked_id;
+    float x, y;           /* Pointer position on the canvas. */
+    float stir_x, stir_y; /* Position of the pointer when it last moved. */
     float progress;
-    struct lab_edit edit; /* Edit that is displayed and changed. The edit is saved only on
-                             request. */
+    /* Edit that is displayed and changed. The edit is saved only on request. */
+    struct lab_edit edit;
     struct lab_edit edits[SPECIES_MAX];
 };

@@ -13,8 +13,8 @@
 #define MENU_FOOT_MAX 5u
 
 enum menu_body {
-    MENU_BODY_FREE = 0, /* The body has no items. The page shows other content in the place of the
-                           items. */
+    /* The body has no items. The page shows other content in the place of the items. */
+    MENU_BODY_FREE = 0,
     MENU_BODY_TILES,    /* Large items side by side, at most eight. */
     MENU_BODY_ROWS,     /* One row for each item. The place of an unavailable item stays empty. */
     MENU_BODY_PAGES,    /* One large item for each page whose parent is this page. */
@@ -32,24 +32,27 @@ typedef void menu_enter(struct menu *menu, const struct game *game,
 typedef void menu_take(const struct menu_scope *scope, uint32_t tag);
 
 struct menu_page_desc {
-    uint8_t parent;      /* Parent page (enum menu_page). MENU_PAGE_COUNT means that the last item
-                            closes the menu. */
-    uint8_t body;        /* Kind of the page's body (enum menu_body). */
-    uint8_t body_count;  /* Number of items in the body, <= 12; ignored if the kind of body
-                            determines the number. */
-    uint8_t foot_count;  /* Number of items at the foot of the page, 1 .. MENU_FOOT_MAX. */
-    uint8_t watches;     /* 1 if the page displays presses of START, OK, LEFT and RIGHT, which
-                            then have no other effect; otherwise 0. */
-    uint8_t about;       /* Topic of the page: an enum setting_group for MENU_BODY_SETTINGS, an enum
-                            setting_id for MENU_BODY_BITS, or an enum audit_group for a page of
-                            statistics. */
-    uint8_t returns;     /* 1 if the last item leads back to the page from which this page was
-                            opened. 0 if the last item leads to the parent page. */
-    menu_offers *offers; /* Returns the items that can be selected. NULL means that all items are
-                            available. */
-    menu_enter *enter;   /* Called when the page opens. NULL means that nothing needs to be done. */
-    menu_take *take;     /* Called when an item of the page is selected. NULL for a page on which
-                            only the last item and other pages can be selected. */
+    /* Parent page (enum menu_page). MENU_PAGE_COUNT means that the last item closes the menu. */
+    uint8_t parent;
+    uint8_t body; /* Kind of the page's body (enum menu_body). */
+    /* Number of items in the body, <= 12; ignored if the kind of body determines the number. */
+    uint8_t body_count;
+    uint8_t foot_count; /* Number of items at the foot of the page, 1 .. MENU_FOOT_MAX. */
+    /* 1 if the page displays presses of START, OK, LEFT and RIGHT, which then have no other effect;
+     * otherwise 0. */
+    uint8_t watches;
+    /* Topic of the page: an enum setting_group for MENU_BODY_SETTINGS, an enum setting_id for
+     * MENU_BODY_BITS, or an enum audit_group for a page of statistics. */
+    uint8_t about;
+    /* 1 if the last item leads back to the page from which this page was opened. 0 if the last item
+     * leads to the parent page. */
+    uint8_t returns;
+    /* Returns the items that can be selected. NULL means that all items are available. */
+    menu_offers *offers;
+    menu_enter *enter; /* Called when the page opens. NULL means that nothing needs to be done. */
+    /* Called when an item of the page is selected. NULL for a page on which only the last item and
+     * other pages can be selected. */
+    menu_take *take;
     /* Called when the last item is selected, and when the menu closes; NULL means that nothing
      * needs to be done. */
     void (*leave)(struct menu *menu, struct output *output);

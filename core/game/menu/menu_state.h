@@ -20,8 +20,9 @@
 
 enum calibrate_step {
     CALIBRATE_IDLE = 0,
-    CALIBRATE_CORNER, /* First of four calibration steps, one for each corner of the tank. The
-                         next step is CALIBRATE_WATER. */
+    /* First of four calibration steps, one for each corner of the tank. The next step is
+     * CALIBRATE_WATER. */
+    CALIBRATE_CORNER,
     CALIBRATE_WATER = CALIBRATE_CORNER + (int)CALIBRATE_CORNERS,
     CALIBRATE_DONE,
     CALIBRATE_REFUSED, /* The calibration was rejected and is unchanged. `fault` is the reason. */
@@ -30,19 +31,19 @@ enum calibrate_step {
 
 struct calibrate {
     uint8_t seat;
-    uint8_t step;       /* Current calibration step (enum calibrate_step). */
-    uint8_t fault;      /* Reason for the rejection (enum calibration_fault). */
-    uint8_t present;    /* Bit mask of the slots with a controller. */
-    uint8_t is_set;     /* Bit mask of the slots with a stored calibration, including incomplete
-                           calibrations. */
+    uint8_t step;    /* Current calibration step (enum calibrate_step). */
+    uint8_t fault;   /* Reason for the rejection (enum calibration_fault). */
+    uint8_t present; /* Bit mask of the slots with a controller. */
+    /* Bit mask of the slots with a stored calibration, including incomplete calibrations. */
+    uint8_t is_set;
     uint8_t has_before; /* Bit mask of the slots whose previous calibration is in `before`. */
     int32_t before[POI_MAX][CALIBRATION_VALUES];
     uint8_t has_anchor, must_move;
     uint16_t still_ticks;
-    struct poi_target anchor; /* Pose at which the poi was first held still. Deviations are measured
-                                 from this pose. */
-    struct poi_target sum;    /* Sum of the deviations from `anchor` over the ticks in which the poi
-                                 was still. */
+    /* Pose at which the poi was first held still. Deviations are measured from this pose. */
+    struct poi_target anchor;
+    /* Sum of the deviations from `anchor` over the ticks in which the poi was still. */
+    struct poi_target sum;
     struct calibration_said said;
 };
 
@@ -77,8 +78,8 @@ struct calibrate {
 /* Checks of the self-test: first the checks of the machine, then the checks of the parts that a
  * player uses. */
 enum self_check {
-    SELF_STORE = 0, /* The store confirmed a ledger entry on disk, and no database is in
-                       quarantine. */
+    /* The store confirmed a ledger entry on disk, and no database is in quarantine. */
+    SELF_STORE = 0,
     SELF_BACKUP,
     SELF_DATA, /* Data written to the data folder survives a power cut. */
     SELF_ROOM,
@@ -107,18 +108,18 @@ enum self_state {
 enum { SELF_UNSAID = 0, SELF_SAYS_YES, SELF_SAYS_NO };
 
 struct self_test {
-    uint8_t heard, moved;       /* `heard` is the operator's answer to the question about the
-                                   sound. `moved` is the answer to the question about the lamp
-                                   and the coin slot. */
-    uint8_t present;            /* Bit mask of the slots with a controller. */
-    uint8_t ways[POI_MAX];      /* Directions in which each poi moved, as a bit mask: one bit each
-                                   for x, y and z. */
+    /* `heard` is the operator's answer to the question about the sound. `moved` is the answer to
+     * the question about the lamp and the coin slot. */
+    uint8_t heard, moved;
+    uint8_t present; /* Bit mask of the slots with a controller. */
+    /* Directions in which each poi moved, as a bit mask: one bit each for x, y and z. */
+    uint8_t ways[POI_MAX];
     uint8_t worst_age[POI_MAX]; /* Largest age of a report of each slot, in ticks. */
     vec3 first_m[POI_MAX];      /* Position at which each poi was first seen. */
     uint8_t knows_first;        /* Bit mask of the slots with a valid `first_m`. */
     uint32_t begin_tick;
-    uint32_t entry_id; /* Id of the entry written for the test; 0 means that the ledger had no
-                          room. */
+    /* Id of the entry written for the test; 0 means that the ledger had no room. */
+    uint32_t entry_id;
 };
 
 /* Largest number of items on a page: twelve in its body and four at its foot. */
@@ -143,15 +144,15 @@ enum menu_page {
     MENU_TOP = 0,
     MENU_DEVICES,     /* Page that lists the pages about devices and wiring. */
     MENU_CONTROLLERS, /* Page that lists all plugged-in controllers. */
-    MENU_CONTROLLER,  /* Page of one controller, on which the operator selects or releases the
-                         controller. */
-    MENU_LEARN,       /* Page of the learn wizard of a controller. */
-    MENU_LINES,       /* Page that tests the buttons and the coin lines. */
-    MENU_AXES,        /* Page that shows the reported pose and the report rate of each poi. */
-    MENU_CALIBRATION, /* Calibration page: corners of the tank, water level and tilt of each
-                         slot. */
-    MENU_MONEY,       /* First of the settings pages: settings about money. Each group of settings
-                         has one page. */
+    /* Page of one controller, on which the operator selects or releases the controller. */
+    MENU_CONTROLLER,
+    MENU_LEARN, /* Page of the learn wizard of a controller. */
+    MENU_LINES, /* Page that tests the buttons and the coin lines. */
+    MENU_AXES,  /* Page that shows the reported pose and the report rate of each poi. */
+    /* Calibration page: corners of the tank, water level and tilt of each slot. */
+    MENU_CALIBRATION,
+    /* First of the settings pages: settings about money. Each group of settings has one page. */
+    MENU_MONEY,
     MENU_GAME,
     MENU_MODES, /* Page on which the operator chooses the modes that players can select. */
     MENU_SOUND,
@@ -162,21 +163,21 @@ enum menu_page {
     MENU_PLAYS,
     MENU_HOURS,
     MENU_MACHINE,
-    MENU_RESET,     /* Page that requests confirmation before a group of statistics is reset. */
-    MENU_RANKING,   /* Page with the leaderboard of one mode for today, for this week or for all
-                       time. */
+    MENU_RESET, /* Page that requests confirmation before a group of statistics is reset. */
+    /* Page with the leaderboard of one mode for today, for this week or for all time. */
+    MENU_RANKING,
     MENU_SCORE,     /* Page of one score, which plays its replay or removes its name. */
     MENU_SELF_TEST, /* Page of the self-test before the kiosk opens. */
-    MENU_UPKEEP,    /* Page that lists the pages for files, versions, a new PIN, a restart and the
-                       factory reset. */
-    MENU_FILES,     /* Page that lists the files found in the data folder, and the rejected
-                       files. */
-    MENU_ABOUT,     /* Page with the versions of the software and the names of the devices. */
+    /* Page that lists the pages for files, versions, a new PIN, a restart and the factory reset. */
+    MENU_UPKEEP,
+    /* Page that lists the files found in the data folder, and the rejected files. */
+    MENU_FILES,
+    MENU_ABOUT, /* Page with the versions of the software and the names of the devices. */
     MENU_NEW_PIN,
     MENU_RESTART,
     MENU_FACTORY, /* Page of the factory reset. */
-    MENU_PIN,     /* Page for the PIN entry. If a PIN is set, this page opens before all other
-                     pages. */
+    /* Page for the PIN entry. If a PIN is set, this page opens before all other pages. */
+    MENU_PIN,
     MENU_PAGE_COUNT,
 };
 
@@ -214,49 +215,53 @@ enum { PIN_ERASE = 10, PIN_BACK, PIN_TAGS };
 enum { SETTINGS_DIRECTION = 0, SETTINGS_STANDARD, SETTINGS_BACK, SETTINGS_FEET };
 
 struct menu {
-    uint8_t page;       /* Open page (enum menu_page). */
-    uint8_t chosen;     /* On a settings page: the row that was changed last; MENU_TAG_MAX means
-                           none. */
-    uint8_t turns_down; /* 1 if selecting an item on a settings page lowers its value, 0 if
-                           selecting raises the value. */
-    uint8_t turning;    /* 1 while the button or poi that selected a setting is still pressed, so
-                           the value keeps changing; otherwise 0. */
-    uint8_t from;       /* Page of statistics from which the operator opened the page that
-                           confirms a reset. */
-    uint8_t pin_count;  /* Number of PIN digits typed so far. */
-    uint16_t pin;       /* PIN digits typed so far, as a number. */
-    uint8_t turn_count; /* Number of automatic repetitions of the current change of a value
-                           while a button or a dipped poi is held, up to 255. */
+    uint8_t page; /* Open page (enum menu_page). */
+    /* On a settings page: the row that was changed last; MENU_TAG_MAX means none. */
+    uint8_t chosen;
+    /* 1 if selecting an item on a settings page lowers its value, 0 if selecting raises the
+     * value. */
+    uint8_t turns_down;
+    /* 1 while the button or poi that selected a setting is still pressed, so the value keeps
+     * changing; otherwise 0. */
+    uint8_t turning;
+    /* Page of statistics from which the operator opened the page that confirms a reset. */
+    uint8_t from;
+    uint8_t pin_count; /* Number of PIN digits typed so far. */
+    uint16_t pin;      /* PIN digits typed so far, as a number. */
+    /* Number of automatic repetitions of the current change of a value while a button or a dipped
+     * poi is held, up to 255. */
+    uint8_t turn_count;
     uint32_t turn_tick; /* Tick at which a value on a settings page last changed. */
     uint8_t row;        /* Row of the selected controller in the list of controllers. */
     uint8_t upright;    /* 1 if the last input reported a portrait screen, otherwise 0. */
     uint8_t file_first; /* First row that the file page shows. */
-    uint8_t board;      /* Selected leaderboard: the number of the board (ranking_board()) *
-                           RANK_PERIOD_COUNT + the period's number. */
-    uint8_t score;      /* Selected row of the leaderboard. */
-    uint8_t score_is_named, score_asks; /* `score_is_named` is 1 if the selected row has a name.
-                                           `score_asks` is 1 while the removal of the name waits
-                                           for confirmation. */
-    uint16_t scores;                    /* Bit mask of the leaderboard rows that have a score. */
+    /* Selected leaderboard: the number of the board (ranking_board()) * RANK_PERIOD_COUNT + the
+     * period's number. */
+    uint8_t board;
+    uint8_t score; /* Selected row of the leaderboard. */
+    /* `score_is_named` is 1 if the selected row has a name. `score_asks` is 1 while the removal of
+     * the name waits for confirmation. */
+    uint8_t score_is_named, score_asks;
+    uint16_t scores; /* Bit mask of the leaderboard rows that have a score. */
     uint8_t has_hand, hand, presses;
-    uint8_t points;                             /* Item under the pointer, counted from 1. 0 means
-                                                   no item. */
-    uint8_t tag[MENU_PAGE_COUNT];               /* Number of the highlighted item of each page. */
-    struct controller_status controllers;       /* State of the controllers, from the last input. */
-    uint16_t pressed_count[INPUT_BUTTON_COUNT]; /* Presses of each button since the menu was
-                                                   opened. */
+    /* Item under the pointer, counted from 1. 0 means no item. */
+    uint8_t points;
+    uint8_t tag[MENU_PAGE_COUNT];         /* Number of the highlighted item of each page. */
+    struct controller_status controllers; /* State of the controllers, from the last input. */
+    /* Presses of each button since the menu was opened. */
+    uint16_t pressed_count[INPUT_BUTTON_COUNT];
     uint32_t held;
-    uint32_t test_coins, coin_tick; /* `test_coins` is the number of test coins. `coin_tick` is
-                                       the tick of the last test coin. */
+    /* `test_coins` is the number of test coins. `coin_tick` is the tick of the last test coin. */
+    uint32_t test_coins, coin_tick;
     uint32_t command_count;
-    uint32_t ask_tick;  /* Tick of a TEST press during a round; 0 means that no press waits for
-                           confirmation. */
+    /* Tick of a TEST press during a round; 0 means that no press waits for confirmation. */
+    uint32_t ask_tick;
     uint32_t take_tick; /* Tick at which a menu item was last selected. */
     uint32_t act_tick;  /* Tick of the last activity in the menu, including pointer motion. */
     uint32_t use_tick;  /* Tick of the last activity in the menu other than pointer motion. */
     float x, y;         /* Pointer position on the canvas. */
     struct calibrate calibrate;
     struct self_test self;
-    struct layout_point rest[POI_MAX]; /* Position of each slot's pointer when the pointer last
-                                          moved. */
+    /* Position of each slot's pointer when the pointer last moved. */
+    struct layout_point rest[POI_MAX];
 };

@@ -11,8 +11,9 @@
 #define REFUSED_LETTERS_MAX 16u /* Length of the longest normalized word of the list. */
 
 struct refused_word {
-    uint8_t is_whole; /* 1 if the word is rejected only as the whole name, because it is harmless
-                         inside other words; otherwise 0. */
+    /* 1 if the word is rejected only as the whole name, because it is harmless inside other words;
+     * otherwise 0. */
+    uint8_t is_whole;
     uint8_t count;
     uint16_t letters[REFUSED_LETTERS_MAX];
 };
@@ -38,8 +39,8 @@ bool name_is_refused(const char *utf8);
 
 enum name_ends {
     NAME_ENDS_KEPT = 0,
-    NAME_ENDS_TRIMMED, /* Digits and signs at both ends of the name are removed, because they are
-                          decoration. */
+    /* Digits and signs at both ends of the name are removed, because they are decoration. */
+    NAME_ENDS_TRIMMED,
 };
 
 /* Writes the normalized letters of `utf8` to `out` and returns their number. Malformed bytes are

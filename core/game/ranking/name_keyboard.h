@@ -30,8 +30,8 @@ enum name_alphabet {
  * LEFT and RIGHT step. */
 enum name_key {
     NAME_ALPHABET = NAME_CELLS, /* Switches to the next alphabet. */
-    NAME_CHANGE,                /* Changes the last letter to its next form: a voiced or small kana,
-                                   or a capital letter. */
+    /* Changes the last letter to its next form: a voiced or small kana, or a capital letter. */
+    NAME_CHANGE,
     NAME_ERASE,
     NAME_DONE,
     NAME_KEY_COUNT,

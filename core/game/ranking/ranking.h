@@ -28,21 +28,22 @@ struct rank_board {
 enum rank_period { RANK_DAY = 0, RANK_WEEK, RANK_EVER, RANK_PERIOD_COUNT };
 
 struct rank_row {
-    uint32_t caught;   /* Number of fish caught; 0 means that the row is empty. If two scores are
-                          equal, the earlier score ranks higher. */
-    uint32_t round_id; /* Id of the round's ledger entry. The store keeps the round's replay under
-                          this id. */
-    uint16_t day;      /* Date of the round as a day number; 0 means unknown. */
+    /* Number of fish caught; 0 means that the row is empty. If two scores are equal, the earlier
+     * score ranks higher. */
+    uint32_t caught;
+    /* Id of the round's ledger entry. The store keeps the round's replay under this id. */
+    uint32_t round_id;
+    uint16_t day; /* Date of the round as a day number; 0 means unknown. */
     uint8_t seat;
     char name[LEDGER_NAME_SIZE]; /* Name of the player; "" until a name is entered. */
 };
 
 struct ranking {
-    uint32_t boot;      /* Number of the kiosk start in which the newest entry of the current day
-                           was written. */
-    uint16_t day;       /* Current day; 0 means that the day began without a clock. */
-    uint16_t week;      /* Current week, counted from 1999-12-27; 0 means that the week began
-                           without a clock. */
+    /* Number of the kiosk start in which the newest entry of the current day was written. */
+    uint32_t boot;
+    uint16_t day; /* Current day; 0 means that the day began without a clock. */
+    /* Current week, counted from 1999-12-27; 0 means that the week began without a clock. */
+    uint16_t week;
     uint32_t week_boot; /* Number of the kiosk start in which the current week began. */
     struct rank_row row[RANK_BOARD_COUNT][RANK_PERIOD_COUNT][RANK_ROWS];
 };

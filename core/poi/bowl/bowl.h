@@ -33,17 +33,18 @@
 
 struct bowl {
     bool present;
-    vec3 home_m;     /* Home position, to which the mooring returns the bowl, in the same axes as
-                        `position_m`. Only x and z have an effect. */
+    /* Home position, to which the mooring returns the bowl, in the same axes as `position_m`. Only
+     * x and z have an effect. */
+    vec3 home_m;
     vec3 position_m; /* Centre of the bowl's mouth, slightly above the water. */
     vec3 before_m;   /* `position_m` at the start of the tick. */
     vec3 velocity_m_s;
-    float heel_x, heel_z; /* Tilt of the bowl: the x and z components of the mouth's unit normal in
-                             world axes. */
+    /* Tilt of the bowl: the x and z components of the mouth's unit normal in world axes. */
+    float heel_x, heel_z;
     float heel_x_rad_s, heel_z_rad_s;
-    float water_kg;      /* Mass of the water in the bowl. */
-    float fish_kg;       /* Mass of the fish in the bowl, updated once per tick and with each caught
-                            fish. */
+    float water_kg; /* Mass of the water in the bowl. */
+    /* Mass of the fish in the bowl, updated once per tick and with each caught fish. */
+    float fish_kg;
     uint32_t fish_count; /* Number of fish in the bowl, at most BOWL_FISH_MAX. */
 };
 

@@ -35,9 +35,10 @@ bool capture_is_walled(const struct poi *poi, const struct basis *axes, const st
 
 enum fall_end {
     FALL_GOES_ON = 0,
-    FALL_INTO_BOWL,  /* The fish is now in a bowl, which counts the fish. */
-    FALL_INTO_WATER, /* The fish is back in the water of the tank. The fish swims as soon as no
-                        other fish is in its way. */
+    FALL_INTO_BOWL, /* The fish is now in a bowl, which counts the fish. */
+    /* The fish is back in the water of the tank. The fish swims as soon as no other fish is in its
+     * way. */
+    FALL_INTO_WATER,
 };
 
 /* Changes a carried fish to a falling fish with the world velocity `velocity_m_s`. */

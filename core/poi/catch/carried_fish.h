@@ -27,52 +27,58 @@
 
 enum carried_fish_state {
     CARRIED_LYING = 0,
-    CARRIED_FALLING = 1,  /* The fish is in the air and falls after it left the paper. */
-    CARRIED_RELEASED = 2, /* The fish falls, and the poi that dropped it no longer exists. A new poi
-                             of the player does not catch the fish. */
+    CARRIED_FALLING = 1, /* The fish is in the air and falls after it left the paper. */
+    /* The fish falls, and the poi that dropped it no longer exists. A new poi of the player does
+     * not catch the fish. */
+    CARRIED_RELEASED = 2,
 };
 
 struct poi;
 
 struct carried_fish {
-    uint16_t fish;       /* Index of the fish in the tank. */
-    uint8_t state;       /* State of the carried fish (enum carried_fish_state). */
-    int8_t side;         /* Side on which the fish lies: +1 if its back points to the left as seen
-                            along its nose, -1 if its back points to the right. */
-    bool walled;         /* True if the ring pressed the fish against a tank wall when the fish was
-                            captured. */
-    uint8_t clear_ticks; /* Number of consecutive ticks in which the whole ring was above the water
-                            with the fish on it; at most CARRIED_CLEAR_TICKS. */
-    float x_m, z_m;      /* Centre of the fish, in the plane of the poi. */
-    float height_m;      /* Height of the fish's centre above the plane of the poi. */
+    uint16_t fish; /* Index of the fish in the tank. */
+    uint8_t state; /* State of the carried fish (enum carried_fish_state). */
+    /* Side on which the fish lies: +1 if its back points to the left as seen along its nose, -1 if
+     * its back points to the right. */
+    int8_t side;
+    /* True if the ring pressed the fish against a tank wall when the fish was captured. */
+    bool walled;
+    /* Number of consecutive ticks in which the whole ring was above the water with the fish on it;
+     * at most CARRIED_CLEAR_TICKS. */
+    uint8_t clear_ticks;
+    float x_m, z_m; /* Centre of the fish, in the plane of the poi. */
+    float height_m; /* Height of the fish's centre above the plane of the poi. */
     float slide_x_m_s, slide_z_m_s;
-    float heading_rad; /* Direction of the fish's nose in the plane of the poi. 0 is along the poi's
-                          -z axis, and positive angles turn to the left, like yaw. */
-    float lie;         /* Progress of the fish's roll onto its side: 0 is upright in water, 1 is
-                          flat on its side. */
-    float vigour;      /* Strength [0, 1] of the fish's slaps, which decreases as the fish calms
-                          down. */
-    float rest_s;      /* Time in seconds until the next slap. */
-    float slap_s;      /* Remaining time of the current slap; 0 means that the fish does not
-                          slap. */
-    float slap_n;      /* Force of the current slap on the paper. */
-    float slap_d_m;    /* Diameter of the patch of paper that the tail hits. */
-    float hop_s;       /* Remaining time of the hop after a slap. During a hop, there is hardly any
-                          friction. */
-    vec3 fall_m_s;     /* Velocity of a falling fish in world axes. */
+    /* Direction of the fish's nose in the plane of the poi. 0 is along the poi's -z axis, and
+     * positive angles turn to the left, like yaw. */
+    float heading_rad;
+    /* Progress of the fish's roll onto its side: 0 is upright in water, 1 is flat on its side. */
+    float lie;
+    /* Strength [0, 1] of the fish's slaps, which decreases as the fish calms down. */
+    float vigour;
+    float rest_s; /* Time in seconds until the next slap. */
+    /* Remaining time of the current slap; 0 means that the fish does not slap. */
+    float slap_s;
+    float slap_n;   /* Force of the current slap on the paper. */
+    float slap_d_m; /* Diameter of the patch of paper that the tail hits. */
+    /* Remaining time of the hop after a slap. During a hop, there is hardly any friction. */
+    float hop_s;
+    vec3 fall_m_s; /* Velocity of a falling fish in world axes. */
 };
 
 /* State of the poi and its paper that affects a carried fish, in the poi's axes. */
 struct paper_surface {
-    vec3 pull_m_s2; /* Gravity minus the poi's own acceleration. A negative y component presses the
-                       fish onto the paper. */
-    float uphill_x, uphill_z; /* x and z components, in the poi's axes, of the world's up direction.
-                                 Each is in [-1, 1], and both are 0 if the poi is level. */
-    float radius_m;           /* Radius of the paper. */
-    float belly_m;            /* Depth of the sag at the centre of the paper; negative if the paper
-                                 bulges up. */
-    float give_per_n;         /* Compliance of the paper under a single body: 1 / (2 * pi *
-                                 tension). 0 means rigid paper. */
+    /* Gravity minus the poi's own acceleration. A negative y component presses the fish onto the
+     * paper. */
+    vec3 pull_m_s2;
+    /* x and z components, in the poi's axes, of the world's up direction. Each is in [-1, 1], and
+     * both are 0 if the poi is level. */
+    float uphill_x, uphill_z;
+    float radius_m; /* Radius of the paper. */
+    /* Depth of the sag at the centre of the paper; negative if the paper bulges up. */
+    float belly_m;
+    /* Compliance of the paper under a single body: 1 / (2 * pi * tension). 0 means rigid paper. */
+    float give_per_n;
 };
 
 /* Returns half the thickness of the fish's ellipsoid along `direction`, which is a unit vector in

@@ -14,14 +14,15 @@
  * if another player's poi dropped the fish. `poured` and `walled` are fouls and count for the
  * player whose poi dropped the fish. */
 struct catch_result {
-    uint32_t landed; /* Valid catches: the whole ring of the poi was above the water with the fish
-                        on it. */
-    uint32_t poured; /* Fouls: the ring had not been completely above the water, so that the fish
-                        was washed into the bowl. */
-    uint32_t walled; /* Fouls: the ring pressed the fish against a wall of the tank when the fish
-                        was captured. */
-    uint32_t bowled; /* All fish that fell into this player's bowl, from any poi and for any
-                        cause. */
+    /* Valid catches: the whole ring of the poi was above the water with the fish on it. */
+    uint32_t landed;
+    /* Fouls: the ring had not been completely above the water, so that the fish was washed into the
+     * bowl. */
+    uint32_t poured;
+    /* Fouls: the ring pressed the fish against a wall of the tank when the fish was captured. */
+    uint32_t walled;
+    /* All fish that fell into this player's bowl, from any poi and for any cause. */
+    uint32_t bowled;
 };
 
 /* Returns true if fish number `fish` lies on the poi or is falling from the poi. */

@@ -57,34 +57,37 @@ struct sheet {
     uint8_t grade; /* Paper grade, SHEET_GRADE_MIN .. SHEET_GRADE_MAX. */
     bool touched;  /* True if any cell has ever been under water. */
     bool soaked;   /* True if all cells are completely wet. */
-    bool ideal;    /* True for an ideal test sheet without variation and stress concentration
-                        (sheet_idealise()). */
+    /* True for an ideal test sheet without variation and stress concentration
+     * (sheet_idealise()). */
+    bool ideal;
     float radius_m;
-    float fibre_x, fibre_z;                /* Unit vector of the main fibre direction; tears tend
-                                              to follow the fibres. */
-    float wetness[SHEET_CELL_COUNT];       /* Wetness of each cell in [0, 1]. */
-    uint16_t soak_ticks[SHEET_CELL_COUNT]; /* Number of ticks for which each cell has been wet and
-                                              has become softer, at most SHEET_SOAK_TICKS. */
-    float damage[SHEET_CELL_COUNT];        /* Damage of each cell in [0, 1]; the cell becomes a hole
-                                              at 1. */
-    float strength[SHEET_CELL_COUNT]; /* Strength of each cell relative to the grade's strength,
-                                         near 1. */
-    float strength_min;               /* Lowest value in `strength`. */
-    uint8_t state[SHEET_CELL_COUNT];  /* State of each cell (enum sheet_cell_state). */
-    uint8_t stress[SHEET_CELL_COUNT]; /* Load of each cell divided by its strength in the last tick,
-                                         including stress concentration. 255 means a ratio of 1 or
-                                         more. Used for display only. */
-    uint32_t paper_cells;             /* Number of cells that are still CELL_PAPER. */
-    uint32_t paper_cells_new;         /* Number of cells that were CELL_PAPER in the new sheet. */
-    float sag_m; /* Depth of the sag at the centre, which follows the pressure; negative if the
-                    paper bulges up. Used for display and for the carried water. */
+    /* Unit vector of the main fibre direction; tears tend to follow the fibres. */
+    float fibre_x, fibre_z;
+    float wetness[SHEET_CELL_COUNT]; /* Wetness of each cell in [0, 1]. */
+    /* Number of ticks for which each cell has been wet and has become softer, at most
+     * SHEET_SOAK_TICKS. */
+    uint16_t soak_ticks[SHEET_CELL_COUNT];
+    /* Damage of each cell in [0, 1]; the cell becomes a hole at 1. */
+    float damage[SHEET_CELL_COUNT];
+    /* Strength of each cell relative to the grade's strength, near 1. */
+    float strength[SHEET_CELL_COUNT];
+    float strength_min;              /* Lowest value in `strength`. */
+    uint8_t state[SHEET_CELL_COUNT]; /* State of each cell (enum sheet_cell_state). */
+    /* Load of each cell divided by its strength in the last tick, including stress concentration.
+     * 255 means a ratio of 1 or more. Used for display only. */
+    uint8_t stress[SHEET_CELL_COUNT];
+    uint32_t paper_cells;     /* Number of cells that are still CELL_PAPER. */
+    uint32_t paper_cells_new; /* Number of cells that were CELL_PAPER in the new sheet. */
+    /* Depth of the sag at the centre, which follows the pressure; negative if the paper bulges up.
+     * Used for display and for the carried water. */
+    float sag_m;
 };
 
 /* Effect of one tick on the paper. */
 struct sheet_events {
-    uint32_t cells_torn;   /* Number of cells that became holes, including cells of loose paper. */
-    float tension_max_n_m; /* Highest tension due to the membrane and the footprints, without stress
-                              concentration. */
+    uint32_t cells_torn; /* Number of cells that became holes, including cells of loose paper. */
+    /* Highest tension due to the membrane and the footprints, without stress concentration. */
+    float tension_max_n_m;
 };
 
 /* Returns the length of a cell's side. */
@@ -136,8 +139,8 @@ struct sheet_events sheet_tick(struct sheet *sheet, float pressure_pa, struct sh
  * is paper. */
 bool sheet_holds(const struct sheet *sheet, float x_m, float z_m);
 
-float sheet_left(const struct sheet *sheet); /* Returns the fraction [0, 1] of the paper's cells
-                                                that are not torn. */
+/* Returns the fraction [0, 1] of the paper's cells that are not torn. */
+float sheet_left(const struct sheet *sheet);
 
 /* Returns the area of the holes, from 0 to the area of the disc. The area is computed as a fraction
  * of the disc's area, because the total area of the square cells is larger than the disc. */

@@ -31,9 +31,9 @@ struct tear_map {
     uint32_t paper[SHEET_SIDE];
     uint32_t hole[SHEET_SIDE];
     uint32_t pair[SHEET_SIDE]; /* Bits of hole cells that share a side with another hole cell. */
-    uint32_t wide[SHEET_SIDE]; /* Bits of the hole cells that belong to a hole long enough for
-                                  TEAR_FACTOR_MAX. Such a hole has three hole cells in a straight
-                                  line, or two hole cells that touch at a corner. */
+    /* Bits of the hole cells that belong to a hole long enough for TEAR_FACTOR_MAX. Such a hole has
+     * three hole cells in a straight line, or two hole cells that touch at a corner. */
+    uint32_t wide[SHEET_SIDE];
 };
 
 struct tear_map tear_map_of(const struct sheet *sheet);
@@ -70,25 +70,26 @@ uint32_t tear_drop_loose(struct tear_map *map, struct sheet *sheet);
 
 struct footprint {
     float x_m, z_m;
-    float own_m;      /* Radius of the footprint. */
-    float reach_m;    /* Distance from the centre of the footprint beyond which its tension is
-                         ignored. */
-    float pull_n_m_m; /* Force of the footprint divided by 2 * pi. This value divided by the
-                         distance from the footprint's centre is the tension. */
+    float own_m; /* Radius of the footprint. */
+    /* Distance from the centre of the footprint beyond which its tension is ignored. */
+    float reach_m;
+    /* Force of the footprint divided by 2 * pi. This value divided by the distance from the
+     * footprint's centre is the tension. */
+    float pull_n_m_m;
 };
 
 struct strain {
     const struct paper_grade *grade;
-    float centre_n_m, edge_n_m; /* Tension of the membrane at the centre and at the edge of the
-                                   sheet. */
+    /* Tension of the membrane at the centre and at the edge of the sheet. */
+    float centre_n_m, edge_n_m;
     float cell_m;
     uint32_t load_count;
     struct footprint footprints[SHEET_LOAD_MAX];
     struct tear_map map;
-    float load[SHEET_CELL_COUNT];  /* Tension of each cell divided by its strength; 0 if the cell is
-                                      not paper. */
-    float ratio[SHEET_CELL_COUNT]; /* `load` of each cell multiplied by the stress concentration
-                                      factor of the cell. */
+    /* Tension of each cell divided by its strength; 0 if the cell is not paper. */
+    float load[SHEET_CELL_COUNT];
+    /* `load` of each cell multiplied by the stress concentration factor of the cell. */
+    float ratio[SHEET_CELL_COUNT];
 };
 
 /* Writes `load` of a row, and `ratio` of the row without the factors of the wet line and of tears.

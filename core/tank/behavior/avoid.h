@@ -50,8 +50,9 @@
 #include "core/tank/fish.h"
 
 enum meeting_kind {
-    MEET_NONE = 0, /* No encounter. The fish move apart, or approach each other more slowly than 1
-                      cm/s (CLOSING_MIN_M_S in avoid.c). */
+    /* No encounter. The fish move apart, or approach each other more slowly than 1 cm/s
+     * (CLOSING_MIN_M_S in avoid.c). */
+    MEET_NONE = 0,
     MEET_HEAD_ON,  /* The headings differ by more than 160 degrees. */
     MEET_REAR_END, /* The headings differ by less than 20 degrees, and the other fish is ahead. */
     MEET_SIDE,     /* The fish runs into the side of the other fish. */
@@ -75,21 +76,25 @@ struct avoid_party {
 /* Advice for one fish of a pair on how to avoid the other fish. All zeros mean that the fish need
  * not avoid the other fish. */
 struct avoid_advice {
-    uint8_t kind;    /* Role of the fish in the encounter (enum meeting_kind). */
-    int8_t rise;     /* Direction in which the fish pitches if a turn to the left or right (yaw)
-                        does not clear its path within 0.5 s: -1 means down, +1 means up. */
+    uint8_t kind; /* Role of the fish in the encounter (enum meeting_kind). */
+    /* Direction in which the fish pitches if a turn to the left or right (yaw) does not clear its
+     * path within 0.5 s: -1 means down, +1 means up. */
+    int8_t rise;
     fish_index with; /* Index of the other fish. */
-    uint32_t since;  /* Tick in which the encounter began: the first tick in which a fish of the
-                        pair avoided the other fish. */
+    /* Tick in which the encounter began: the first tick in which a fish of the pair avoided the
+     * other fish. */
+    uint32_t since;
     float contact_s; /* Time until the two bodies touch if both fish keep their present speeds. */
-    float turn;      /* Turn that avoids the other fish, from -1 (hard right) to +1 (hard left). 0
-                        means straight on. */
+    /* Turn that avoids the other fish, from -1 (hard right) to +1 (hard left). 0 means straight
+     * on. */
+    float turn;
 };
 
 struct avoid_pair {
     struct avoid_advice a, b;
-    float brake_a, brake_b; /* Factor [0, 1] by which fish a or fish b multiplies its speed goal, so
-                               that the fish slows down before a contact. */
+    /* Factor [0, 1] by which fish a or fish b multiplies its speed goal, so that the fish slows
+     * down before a contact. */
+    float brake_a, brake_b;
 };
 
 /* Returns the advice for both fish of a pair on how to avoid each other. `gap_m` is the gap between

@@ -25,18 +25,19 @@
 
 enum startle_cause {
     STARTLE_NONE = 0,
-    STARTLE_LOOM,     /* Startled by vision: the image of an approaching object grows. */
-    STARTLE_PRESSURE, /* Startled by the lateral line and the ear: the fish feels the pressure of
-                         moving water. */
-    STARTLE_SHADOW,   /* Startled by vision: a shadow falls on the fish. */
+    STARTLE_LOOM, /* Startled by vision: the image of an approaching object grows. */
+    /* Startled by the lateral line and the ear: the fish feels the pressure of moving water. */
+    STARTLE_PRESSURE,
+    STARTLE_SHADOW, /* Startled by vision: a shadow falls on the fish. */
 };
 
 /* The image of a disc-shaped obstacle, a poi (paper scoop), in the eye of a fish. */
 struct startle_view {
-    float size_rad;     /* Visual angle of the image of a poi, averaged over height and width,
-                           because a poi that is seen edge-on looks like a line. */
-    float growth_rad_s; /* Growth of `size_rad` per second; < 0 while the poi (paper scoop) moves
-                           away. */
+    /* Visual angle of the image of a poi, averaged over height and width, because a poi that is
+     * seen edge-on looks like a line. */
+    float size_rad;
+    /* Growth of `size_rad` per second; < 0 while the poi (paper scoop) moves away. */
+    float growth_rad_s;
 };
 
 struct startle_view startle_view(const struct obstacle *disc, vec3 eye_m);
@@ -44,8 +45,8 @@ struct startle_view startle_view(const struct obstacle *disc, vec3 eye_m);
 /* Stimulus by which a moving poi (paper scoop) startles a fish: the alarm per second that the poi
  * causes, and the sense (vision or pressure) that receives the stronger stimulus. */
 struct startle_stimulus {
-    uint8_t cause; /* Sense (vision or pressure) that receives the stronger stimulus (enum
-                      startle_cause). */
+    /* Sense (vision or pressure) that receives the stronger stimulus (enum startle_cause). */
+    uint8_t cause;
     float alarm_per_s;
 };
 

@@ -13,11 +13,12 @@
  * Therefore a fish in a corner turns away from both walls at once, instead of from one wall toward
  * the other. All zeros mean that no wall or bowl is near. */
 struct swim_avoidance {
-    vec3 into;    /* Sum of the horizontal unit vectors that point into the walls and bowls, each
-                     multiplied by a weight [0, 1] that grows as the distance of the wall or bowl
-                     falls. */
-    float weight; /* Weight [0, 1] of the nearest wall or bowl. 1 means that the fish's nose touches
-                     the wall or bowl. */
+    /* Sum of the horizontal unit vectors that point into the walls and bowls, each multiplied by a
+     * weight [0, 1] that grows as the distance of the wall or bowl falls. */
+    vec3 into;
+    /* Weight [0, 1] of the nearest wall or bowl. 1 means that the fish's nose touches the wall or
+     * bowl. */
+    float weight;
 };
 
 /* Includes a wall or bowl in `avoidance`. `normal` is the horizontal unit vector that points into
@@ -67,13 +68,15 @@ void swim_settle(struct fish *fish, vec3 moved_m, vec3 forward);
 /* All fish of a tank as arrays that are indexed by fish. */
 struct shoal {
     struct fish *fish;
-    struct body *body;    /* Bodies of the swimming fish. The functions below leave the bodies of
-                             all other fish unchanged. */
-    float *way_m;         /* Distance that each body may have moved since the last broad-phase
-                             query: the sum, over the ticks, of the largest distance that any point
-                             of the body moved. */
-    const vec3 *before_m; /* Positions of the fish at the start of the tick. SIMD code reads one
-                             element beyond the last. */
+    /* Bodies of the swimming fish. The functions below leave the bodies of all other fish
+     * unchanged. */
+    struct body *body;
+    /* Distance that each body may have moved since the last broad-phase query: the sum, over the
+     * ticks, of the largest distance that any point of the body moved. */
+    float *way_m;
+    /* Positions of the fish at the start of the tick. SIMD code reads one element beyond the
+     * last. */
+    const vec3 *before_m;
     uint32_t count;
     const struct behavior_params *params;
     float space; /* Width of the personal space around the body of a fish, in body lengths. */

@@ -22,13 +22,14 @@ struct box {
 };
 
 struct box_gap {
-    float body_m;  /* Gap between the boxes if the value is > 0. A value < 0 is the negated
-                      penetration depth. */
-    float space_m; /* Gap or negated penetration depth of the two boxes after each box is enlarged
-                      by its margin (a parameter of box_gap()). */
-    vec3 axis;     /* Unit vector from box a toward box b in the direction of least penetration. */
-    uint8_t which; /* Index of `axis` among the fifteen axes of the separating-axis test, as in
-                      box_axis(). */
+    /* Gap between the boxes if the value is > 0. A value < 0 is the negated penetration depth. */
+    float body_m;
+    /* Gap or negated penetration depth of the two boxes after each box is enlarged by its margin (a
+     * parameter of box_gap()). */
+    float space_m;
+    vec3 axis; /* Unit vector from box a toward box b in the direction of least penetration. */
+    /* Index of `axis` among the fifteen axes of the separating-axis test, as in box_axis(). */
+    uint8_t which;
 };
 
 /* Returns the gap of two boxes by all fifteen axes (Gottschalk 1996; Ericson 2005, section 4.4.1).
@@ -66,11 +67,12 @@ vec3 box_extent_m(const struct box *box);
 vec3 box_clear_rod(const struct box *box, vec3 point_m, vec3 along, float radius_m);
 
 struct touch {
-    float gap_m; /* A value > 0 is the gap between the box and the shape. If the shape is far away,
-                    the value is a lower bound of the gap. A value < 0 is the negated penetration
-                    depth. */
-    vec3 out;    /* Unit vector along which the box leaves the shape soonest. The vector is
-                    undefined if the shape is far away. */
+    /* A value > 0 is the gap between the box and the shape. If the shape is far away, the value is
+     * a lower bound of the gap. A value < 0 is the negated penetration depth. */
+    float gap_m;
+    /* Unit vector along which the box leaves the shape soonest. The vector is undefined if the
+     * shape is far away. */
+    vec3 out;
 };
 
 /* Value of `gap_m` in struct touch if the ring or hull is far away from the box. */

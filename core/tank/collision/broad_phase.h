@@ -18,23 +18,23 @@
 #define BROAD_PHASE_CONTACT_MAX (4u * TANK_FISH_MAX)
 
 enum body_flag {
-    BODY_SWIMMING = 1,      /* The fish takes part in broad-phase queries. */
-    BODY_AIRBORNE = 2,      /* The fish is in the air, so the surface does not limit its
-                               position. */
+    BODY_SWIMMING = 1, /* The fish takes part in broad-phase queries. */
+    /* The fish is in the air, so the surface does not limit its position. */
+    BODY_AIRBORNE = 2,
     BODY_NEAR_OBSTACLE = 4, /* The fish could touch an obstacle in this substep. */
     BODY_GULPING = 8,       /* The fish gulps, so its snout may be above the surface. */
     BODY_REVERTED = 16,     /* The fish returned to its pose of the previous tick. */
-    BODY_UNLISTED = 32,     /* The contact list was full, so a contact of the fish is missing in the
-                               list. */
+    /* The contact list was full, so a contact of the fish is missing in the list. */
+    BODY_UNLISTED = 32,
 };
 
 /* Results of a broad-phase query for one fish: the influence of its nearby fish. The results are
  * valid until the next query. */
 struct neighbours {
-    struct avoid_advice advice; /* Advice on how to avoid the nearby fish with the soonest
-                                   contact. */
-    vec3 push_m_s;              /* Sum of the velocities by which nearby fish repel the fish. */
-    float brake, room;          /* New values for the members `brake` and `room` of struct fish. */
+    /* Advice on how to avoid the nearby fish with the soonest contact. */
+    struct avoid_advice advice;
+    vec3 push_m_s;     /* Sum of the velocities by which nearby fish repel the fish. */
+    float brake, room; /* New values for the members `brake` and `room` of struct fish. */
 };
 
 /* Ticks between full broad-phase queries: 33 ms, which is also the time between two decisions of a
@@ -47,8 +47,9 @@ struct neighbours {
 /* Two fish whose bodies could touch before the next query. */
 struct contact {
     fish_index a, b;
-    float gap_m; /* Lower bound of the gap between the two bodies at the time of the query. A value
-                    < 0 means an overlap. */
+    /* Lower bound of the gap between the two bodies at the time of the query. A value < 0 means an
+     * overlap. */
+    float gap_m;
 };
 
 struct broad_phase {
@@ -58,19 +59,21 @@ struct broad_phase {
     struct neighbours neighbours[TANK_FISH_MAX];
     /* Results of a broad-phase query: the members from here to `touch_count`. The results stay
      * valid until the next query, so the state hash includes the results that later ticks use. */
-    uint32_t near_count;    /* Number of contacts in the list `contact`. */
-    uint32_t contact_count; /* Number of contacts whose fish could touch in this tick. These
-                               contacts are at the front of the list. */
+    uint32_t near_count; /* Number of contacts in the list `contact`. */
+    /* Number of contacts whose fish could touch in this tick. These contacts are at the front of
+     * the list. */
+    uint32_t contact_count;
     struct contact contact[BROAD_PHASE_CONTACT_MAX];
-    float way_m[TANK_FISH_MAX];   /* Distance that a body may have moved since the query: the sum,
-                                     over the ticks, of the largest distance that any point of the
-                                     body moved. */
+    /* Distance that a body may have moved since the query: the sum, over the ticks, of the largest
+     * distance that any point of the body moved. */
+    float way_m[TANK_FISH_MAX];
     float reach_m[TANK_FISH_MAX]; /* Distance that a body may move before a new query is due. */
     uint32_t overlap_count;       /* Number of pairs whose bodies overlapped at the query. */
-    uint32_t touch_count;         /* Number of pairs of fish that could touch before the next query,
-                                     including pairs that are missing in a full contact list. */
-    float play_m[TANK_FISH_MAX];  /* Largest distance by which the contact solver may move any point
-                                     of a body in this tick. */
+    /* Number of pairs of fish that could touch before the next query, including pairs that are
+     * missing in a full contact list. */
+    uint32_t touch_count;
+    /* Largest distance by which the contact solver may move any point of a body in this tick. */
+    float play_m[TANK_FISH_MAX];
     struct narrow_phase narrow_phase;
     struct narrow_phase_pair found[NARROW_PHASE_BATCH + SIMD_LANES_MAX];
 };
@@ -94,10 +97,10 @@ void broad_phase_gather(struct broad_phase *broad_phase, const struct fish *fish
 
 /* Options of a broad-phase query. `search` and `lanes` affect only speed, not results. */
 struct broad_phase_search {
-    uint8_t search;     /* Algorithm of the pair search (enum pair_search). */
-    uint8_t lanes;      /* Number of SIMD lanes: 0, 4 or 8, as in simd_is_built(). */
-    bool contacts_only; /* True if the query finds only contacts and leaves `neighbours`
-                              unchanged. */
+    uint8_t search; /* Algorithm of the pair search (enum pair_search). */
+    uint8_t lanes;  /* Number of SIMD lanes: 0, 4 or 8, as in simd_is_built(). */
+    /* True if the query finds only contacts and leaves `neighbours` unchanged. */
+    bool contacts_only;
 };
 
 /* Moves each fish to the position of its body, which the contact solver moved. Adds the distance to

@@ -52,13 +52,14 @@ struct tank_bounds {
 struct solver_context {
     struct fish *fish;
     struct tank_bounds bounds;
-    struct obstacle *obstacles; /* Pois and bowls (obstacle.h). The solver may undo a part of their
-                                   motion. */
+    /* Pois and bowls (obstacle.h). The solver may undo a part of their motion. */
+    struct obstacle *obstacles;
     uint32_t obstacle_count;
-    float push_max_m; /* Largest distance in a tick by which the solver may push a body. The body's
-                         own motion does not count. */
-    uint8_t lanes;    /* Number of SIMD lanes: 0, 4 or 8, as in simd_is_built(). The number affects
-                         only speed. */
+    /* Largest distance in a tick by which the solver may push a body. The body's own motion does
+     * not count. */
+    float push_max_m;
+    /* Number of SIMD lanes: 0, 4 or 8, as in simd_is_built(). The number affects only speed. */
+    uint8_t lanes;
 };
 
 /* Result of the contact solver for a fish in this substep. */
@@ -77,22 +78,24 @@ enum solver_result {
 /* Scratch memory of the contact solver for one tick. The arrays are indexed by fish or by
  * obstacle. */
 struct contact_solver {
-    vec3 began_m[TANK_FISH_MAX + 1u]; /* Position of each fish at the start of the tick. SIMD code
-                                         reads one float beyond the last element. */
-    vec3 step_began_m[TANK_FISH_MAX]; /* Position of each fish at the start of the present substep.
-                                         The first substep uses `began_m` instead. */
+    /* Position of each fish at the start of the tick. SIMD code reads one float beyond the last
+     * element. */
+    vec3 began_m[TANK_FISH_MAX + 1u];
+    /* Position of each fish at the start of the present substep. The first substep uses `began_m`
+     * instead. */
+    vec3 step_began_m[TANK_FISH_MAX];
     struct angles began_angles[TANK_FISH_MAX + 1u];
-    float step_max_m[TANK_FISH_MAX];     /* Limit for each body: the greatest distance from its
-                                            position at the start of the substep to which the solver
-                                            may move it. */
-    uint8_t result[TANK_FISH_MAX];       /* Result of the substep for each fish (enum
-                                            solver_result). */
-    uint16_t fresh_round[TANK_FISH_MAX]; /* Round of the penetration check that moved each fish
-                                            last, counted from 1. 0 means that no round moved the
-                                            fish. */
-    uint16_t reaction_round[TANK_OBSTACLE_MAX]; /* Round of the penetration check that last undid
-                                                   motion of each obstacle, counted from 1. 0 means
-                                                   that no round undid motion. */
+    /* Limit for each body: the greatest distance from its position at the start of the substep to
+     * which the solver may move it. */
+    float step_max_m[TANK_FISH_MAX];
+    /* Result of the substep for each fish (enum solver_result). */
+    uint8_t result[TANK_FISH_MAX];
+    /* Round of the penetration check that moved each fish last, counted from 1. 0 means that no
+     * round moved the fish. */
+    uint16_t fresh_round[TANK_FISH_MAX];
+    /* Round of the penetration check that last undid motion of each obstacle, counted from 1. 0
+     * means that no round undid motion. */
+    uint16_t reaction_round[TANK_OBSTACLE_MAX];
     uint32_t beside_count;
     fish_index beside[TANK_FISH_MAX]; /* Fish that could touch an obstacle in this substep. */
     struct course {                   /* Intended motion of an obstacle in the whole tick. */
@@ -100,10 +103,10 @@ struct contact_solver {
         bool turned;
     } course[TANK_OBSTACLE_MAX];
     uint32_t substep, substep_count;
-    bool reverts_angles;     /* True if a fish must return to its previous angles at the end of the
-                                tick. */
-    uint32_t reverted_count; /* Number of times that a fish reverted to its previous pose in this
-                                tick, in all substeps. */
+    /* True if a fish must return to its previous angles at the end of the tick. */
+    bool reverts_angles;
+    /* Number of times that a fish reverted to its previous pose in this tick, in all substeps. */
+    uint32_t reverted_count;
 };
 
 /* Begins a tick before any fish moves. Stores the poses of all fish, because the solver may return

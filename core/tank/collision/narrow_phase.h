@@ -36,16 +36,16 @@ struct spatial_grid {
     float cell_m;      /* Length of the sides of the square cells. */
     float cells_per_m; /* Inverse of `cell_m`. */
     float origin_x_m, origin_z_m;
-    uint32_t columns, rows; /* Number of cells along x and z. columns * rows is at most
-                               SPATIAL_GRID_CELL_MAX. */
-    uint32_t count;         /* Number of fish in the cells; a fish in a cell is an item. */
+    /* Number of cells along x and z. columns * rows is at most SPATIAL_GRID_CELL_MAX. */
+    uint32_t columns, rows;
+    uint32_t count; /* Number of fish in the cells; a fish in a cell is an item. */
     /* Index of the first item (fish) of each cell. The items of cell c are item[start[c]] to
      * item[start[c + 1] - 1]. */
     fish_index start[SPATIAL_GRID_CELL_MAX + 1u];
     fish_index item[TANK_FISH_MAX + SIMD_LANES_MAX];
-    fish_index cell_of[TANK_FISH_MAX + SIMD_LANES_MAX]; /* Cell of each fish in the array `member`.
-                                                           The caller of narrow_grid_sort() sets
-                                                           this array first. */
+    /* Cell of each fish in the array `member`. The caller of narrow_grid_sort() sets this array
+     * first. */
+    fish_index cell_of[TANK_FISH_MAX + SIMD_LANES_MAX];
 };
 
 /* Divides a floor plan for `fish_count` fish into cells whose side is at least `reach_m`. The cells
@@ -103,9 +103,9 @@ static inline struct grid_range narrow_grid_below(const struct spatial_grid *gri
 
 enum pair_search {
     PAIR_SEARCH_GRID = 0,
-    PAIR_SEARCH_ALL = 1, /* Tests each body against each other body in quadratic time, only for
-                            comparison (table 4.2 of the 2013 thesis). The search finds the same
-                            pairs as PAIR_SEARCH_GRID in the same order. */
+    /* Tests each body against each other body in quadratic time, only for comparison (table 4.2 of
+     * the 2013 thesis). The search finds the same pairs as PAIR_SEARCH_GRID in the same order. */
+    PAIR_SEARCH_ALL = 1,
 };
 
 /* Input of a search for pairs of nearby bodies. Arrays are indexed by fish. */
@@ -114,25 +114,27 @@ struct narrow_phase_query {
     /* Flags of each fish (enum body_flag). The search includes a fish if its flags contain at least
      * one bit of `which`. */
     const uint8_t *flags;
-    const float *reach_m; /* Reach of each body: distance beyond its skin at which the search still
-                             finds the body. */
+    /* Reach of each body: distance beyond its skin at which the search still finds the body. */
+    const float *reach_m;
     uint32_t count;
     uint8_t which;
-    uint8_t search;           /* Algorithm of the pair search (enum pair_search). */
-    uint8_t lanes;            /* Number of SIMD lanes: 0, 4 or 8, as in simd_is_built(). */
-    bool bodies_only;         /* True if the search may omit pairs whose personal spaces overlap but
-                                 whose bodies are not near. */
-    float width_m, breadth_m; /* Width (x) and breadth (z) of the floor plan that the grid divides
-                                 into cells. A body outside the plan is sorted into the nearest cell
-                                 at the border. */
+    uint8_t search; /* Algorithm of the pair search (enum pair_search). */
+    uint8_t lanes;  /* Number of SIMD lanes: 0, 4 or 8, as in simd_is_built(). */
+    /* True if the search may omit pairs whose personal spaces overlap but whose bodies are not
+     * near. */
+    bool bodies_only;
+    /* Width (x) and breadth (z) of the floor plan that the grid divides into cells. A body outside
+     * the plan is sorted into the nearest cell at the border. */
+    float width_m, breadth_m;
 };
 
 /* A pair whose bodies are nearer than the sum of their reaches, or whose personal spaces
  * overlap. */
 struct narrow_phase_pair {
-    uint32_t a, b;  /* Indices of the two fish. */
-    float gap_m;    /* Gap between the two bodies, m: the largest gap between their projections on
-                       one of fifteen axes. A value < 0 means that the bodies overlap. */
+    uint32_t a, b; /* Indices of the two fish. */
+    /* Gap between the two bodies, m: the largest gap between their projections on one of fifteen
+     * axes. A value < 0 means that the bodies overlap. */
+    float gap_m;
     uint8_t axis;   /* Index of the axis of `gap_m`; narrow_phase_axis() returns its vector. */
     uint8_t spaces; /* 1 if the personal spaces overlap, otherwise 0. */
 };
@@ -140,10 +142,11 @@ struct narrow_phase_pair {
 /* Scratch memory of a pair search. No content is kept for the next search. */
 struct narrow_phase {
     struct spatial_grid grid;
-    fish_index member[TANK_FISH_MAX + SIMD_LANES_MAX]; /* Indices of the fish that the search
-                                                          includes. */
-    uint32_t cell, item, other; /* Place at which the next call of narrow_phase_next() continues: a
-                                   cell, and a pair of items (fish). */
+    /* Indices of the fish that the search includes. */
+    fish_index member[TANK_FISH_MAX + SIMD_LANES_MAX];
+    /* Place at which the next call of narrow_phase_next() continues: a cell, and a pair of items
+     * (fish). */
+    uint32_t cell, item, other;
     uint8_t search;
     /* Search volume of each body, sorted by cell. The volume is the part of a ball around the
      * body's centre that is at most `slab_m` above or below the centre. `ball_m` is the radius of
@@ -154,10 +157,9 @@ struct narrow_phase {
         slab_m[TANK_FISH_MAX + SIMD_LANES_MAX];
     uint32_t near_count;
     uint32_t near_a[NARROW_PHASE_BATCH + SIMD_LANES_MAX],
-        near_b[NARROW_PHASE_BATCH + SIMD_LANES_MAX]; /* Pairs that the first step of the search
-                                                        found. near_a[k] and near_b[k] are the two
-                                                        items of pair k. An item is the place of a
-                                                        fish in the order of the cells. */
+        /* Pairs that the first step of the search found. near_a[k] and near_b[k] are the two items
+         * of pair k. An item is the place of a fish in the order of the cells. */
+        near_b[NARROW_PHASE_BATCH + SIMD_LANES_MAX];
 };
 
 /* Sorts the bodies into cells and prepares the first call of narrow_phase_next(). */

@@ -15,8 +15,8 @@
 
 enum obstacle_kind {
     OBSTACLE_DISC, /* A poi: a rigid ring with a sheet of paper across it. */
-    OBSTACLE_BOWL, /* The hull of a floating bowl: half of an ellipsoid that hangs below the
-                      surface. */
+    /* The hull of a floating bowl: half of an ellipsoid that hangs below the surface. */
+    OBSTACLE_BOWL,
 };
 
 /* Number of rows, and of columns, of the grid of cells `paper` in struct obstacle. The number must
@@ -36,8 +36,8 @@ enum obstacle_reaction {
 struct obstacle {
     uint8_t kind; /* Kind of the obstacle (enum obstacle_kind). */
     vec3 centre_m;
-    vec3 normal;       /* Unit normal of the plane of a disc (poi). The normal points to the upper
-                          side of the disc. */
+    /* Unit normal of the plane of a disc (poi). The normal points to the upper side of the disc. */
+    vec3 normal;
     vec3 velocity_m_s; /* Velocity that the obstacle has if no fish blocks its motion. */
     /* Fraction [0, 1] of its intended motion that the obstacle could not make when it moved last,
      * because fish blocked it. */
@@ -47,9 +47,10 @@ struct obstacle {
 
     /* Motion of the obstacle in this tick; zero if the obstacle did not move. */
     vec3 step_m;
-    struct basis axes, axes_before; /* Axes of a poi now (`axes`) and before its motion in this tick
-                                       (`axes_before`). `axes.up` equals `normal`. */
-    bool turned;                    /* True if `axes_before` differs from `axes`. */
+    /* Axes of a poi now (`axes`) and before its motion in this tick (`axes_before`). `axes.up`
+     * equals `normal`. */
+    struct basis axes, axes_before;
+    bool turned; /* True if `axes_before` differs from `axes`. */
 
     /* Paper of a poi (paper scoop): OBSTACLE_PAPER_SIDE rows of OBSTACLE_PAPER_SIDE cells,
      * beginning at the far left corner. A cell supports a fish if its value is
@@ -57,8 +58,9 @@ struct obstacle {
      * paper. */
     const uint8_t *paper;
     float paper_radius_m;
-    float open; /* Fraction [0, 1] of the area of a poi that is open, so that water flows through
-                   it, because the paper is torn. */
+    /* Fraction [0, 1] of the area of a poi that is open, so that water flows through it, because
+     * the paper is torn. */
+    float open;
 
     /* Results of the contact solver: `reaction` and `reaction_count`. */
     uint8_t reaction; /* Kinds of motion that the contact solver has undone: bits of enum

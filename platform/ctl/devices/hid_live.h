@@ -19,14 +19,15 @@
 struct hid_live_row {
     uint16_t group;
     uint16_t field;
-    bool is_set;   /* True if the row lists the active usages of a set: the one-bit switches of an
-                      Input item, or the elements of an array. False if the row shows one value. */
+    /* True if the row lists the active usages of a set: the one-bit switches of an Input item, or
+     * the elements of an array. False if the row shows one value. */
+    bool is_set;
     bool is_known; /* True after the first report that contains the row. */
     int64_t value; /* Latest value of the field. */
     int64_t sum;   /* Sum of all values of the field. The view shows the sum for relative fields. */
     uint32_t on_count;
-    uint32_t on[8]; /* First active usages. `on_count` also counts the active usages that do not
-                       fit. */
+    /* First active usages. `on_count` also counts the active usages that do not fit. */
+    uint32_t on[8];
 };
 
 /* State of a live view. hid_live_begin() initializes the state. */
@@ -34,14 +35,14 @@ struct hid_live {
     const struct hid_descriptor *descriptor;
     char title[128];
     uint32_t row_count, hidden_count;
-    uint32_t report_count, refused_count; /* `report_count` is the number of complete reports.
-                                             `refused_count` is the number of reports that were too
-                                             short or had another report id. */
-    uint32_t second_count, per_second;    /* `second_count` is the number of reports so far in the
-                                             current second. `per_second` is the number of reports
-                                             in the last complete second. */
-    uint64_t second_ns;                   /* Monotonic time at which the current second began, in
-                                             ns. */
+    /* `report_count` is the number of complete reports. `refused_count` is the number of reports
+     * that were too short or had another report id. */
+    uint32_t report_count, refused_count;
+    /* `second_count` is the number of reports so far in the current second. `per_second` is the
+     * number of reports in the last complete second. */
+    uint32_t second_count, per_second;
+    /* Monotonic time at which the current second began, in ns. */
+    uint64_t second_ns;
     struct hid_live_row row[HID_LIVE_ROWS];
 };
 

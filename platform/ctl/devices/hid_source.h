@@ -20,17 +20,19 @@
 /* A HID device node of Linux, /dev/hidrawN. */
 struct hid_node {
     uint32_t number; /* Number N of the node /dev/hidrawN. */
-    uint16_t bus;    /* Bus type, a BUS_* constant of linux/input.h: 3 is USB, 5 is Bluetooth, 0x18
-                        is I2C. */
+    /* Bus type, a BUS_* constant of linux/input.h: 3 is USB, 5 is Bluetooth, 0x18 is I2C. */
+    uint16_t bus;
     uint32_t vendor, product;
-    int open_errno; /* Errno of the attempt to open the node. 0 means that the current user may read
-                       the node. ENOENT means that /dev has no such node. */
-    char name[HID_NODE_TEXT];  /* Name that the device reports. Unprintable characters are replaced
-                                  by dots. */
+    /* Errno of the attempt to open the node. 0 means that the current user may read the node.
+     * ENOENT means that /dev has no such node. */
+    int open_errno;
+    /* Name that the device reports. Unprintable characters are replaced by dots. */
+    char name[HID_NODE_TEXT];
     char place[HID_NODE_TEXT]; /* Physical location, for example usb-0000:00:14.0-1/input0. */
     char serial[HID_NODE_TEXT];
-    char driver[32]; /* Name of the kernel driver, for example hid-generic or logitech-djreceiver.
-                        "" means that no driver is bound. */
+    /* Name of the kernel driver, for example hid-generic or logitech-djreceiver. "" means that no
+     * driver is bound. */
+    char driver[32];
 };
 
 /* Lists the device nodes in the order of their numbers. `root` is the prefix of all paths: "" for
@@ -50,11 +52,12 @@ struct hid_source {
     const struct hid_descriptor *descriptor;
     int file;
     bool is_node; /* True for a device node, false for a file or a pipe. */
-    bool at_end; /* True after the end of the file, or after every writer of the pipe has closed the
-                     pipe. */
+    /* True after the end of the file, or after every writer of the pipe has closed the pipe. */
+    bool at_end;
     size_t size; /* Number of valid bytes in the buffer `bytes`. */
-    size_t given;   /* Length in bytes of the report that was returned last. The next call of
-                       hid_source_pull() removes the report from the buffer. */
+    /* Length in bytes of the report that was returned last. The next call of hid_source_pull()
+     * removes the report from the buffer. */
+    size_t given;
     uint64_t taken; /* Position in the stream of the first byte in `bytes`. */
     uint8_t bytes[HID_SOURCE_BYTES];
 };
@@ -69,10 +72,10 @@ enum exit_code hid_source_open(struct hid_source *source, const char *path,
 /* Result of hid_source_pull(). */
 enum hid_pull {
     HID_PULL_NOTHING = 0, /* No complete report was received within `timeout_ms`. */
-    HID_PULL_REPORT,      /* A report was received. The bytes of `out` stay valid until the next
-                             call. */
-    HID_PULL_END,         /* The source has ended. `*code` is the exit code. An error has already
-                             been printed. */
+    /* A report was received. The bytes of `out` stay valid until the next call. */
+    HID_PULL_REPORT,
+    /* The source has ended. `*code` is the exit code. An error has already been printed. */
+    HID_PULL_END,
 };
 
 /* Waits up to `timeout_ms` for the next report. For HID_PULL_REPORT, sets `*out`. For HID_PULL_END,

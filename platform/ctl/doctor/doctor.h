@@ -22,20 +22,20 @@
 /* Severity of a finding. DOCTOR_FINE means that the component works. */
 enum doctor_level {
     DOCTOR_FINE = 0,
-    DOCTOR_LOOK,  /* The component works or is optional, but the operator should check the
-                     component. */
+    /* The component works or is optional, but the operator should check the component. */
+    DOCTOR_LOOK,
     DOCTOR_WRONG, /* A requested or mandatory component does not work for the kiosk. */
 };
 
 /* One finding: a component, its state and the action to take. */
 struct doctor_finding {
-    const char *part;        /* Kind of the component, for example "controller" or "line". A static
-                                string. */
+    /* Kind of the component, for example "controller" or "line". A static string. */
+    const char *part;
     uint8_t level;           /* Severity of the finding (enum doctor_level). */
     char what[DOCTOR_TEXT];  /* Name of the component, for example a device name or a path. */
     char state[DOCTOR_TEXT]; /* State of the component as one sentence or phrase. */
-    char todo[2u * DOCTOR_TEXT]; /* Action that the operator should take. "" means that no action is
-                                    needed. */
+    /* Action that the operator should take. "" means that no action is needed. */
+    char todo[2u * DOCTOR_TEXT];
 };
 
 /* User account under which the kiosk runs. */
@@ -51,12 +51,13 @@ struct doctor_user {
 
 /* State of one run of `kingyoctl doctor`. */
 struct doctor {
-    const char *root; /* Prefix of all paths: "" for this machine, or a test folder with the same
-                         layout. */
+    /* Prefix of all paths: "" for this machine, or a test folder with the same layout. */
+    const char *root;
     struct options options;
     struct doctor_user user;
-    uint32_t count, more; /* `count` is the number of stored findings. `more` is the number of
-                             findings that were dropped because the list was full. */
+    /* `count` is the number of stored findings. `more` is the number of findings that were dropped
+     * because the list was full. */
+    uint32_t count, more;
     struct doctor_finding finding[DOCTOR_FINDINGS_MAX];
 };
 

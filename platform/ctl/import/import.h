@@ -41,20 +41,23 @@ struct import_mesh {
     uint32_t triangles[IMPORT_TRIANGLE_MAX][3];
     uint8_t groups[IMPORT_TRIANGLE_MAX];
     bool has_uv, has_colours;
-    float scales[MORPH_KEY_MAX]; /* Animated display scale of each key shape. The value is 1 if the
-                                    file has no animated scale. */
+    /* Animated display scale of each key shape. The value is 1 if the file has no animated
+     * scale. */
+    float scales[MORPH_KEY_MAX];
     bool has_life;   /* True if the file contains the age and the length of each key shape. */
     uint8_t measure; /* Kind of length measure that `lengths_m` uses (enum species_measure). */
     float ages_days[MORPH_KEY_MAX], lengths_m[MORPH_KEY_MAX];
     bool has_coats; /* True if the file contains the colours of each key shape in `coats`. */
     struct species_coat coats[MORPH_KEY_MAX];
-    bool is_ours;        /* True if kingyoctl wrote the file. The texture coordinates are then the
-                            body coordinates u and v. */
-    uint32_t time_count; /* Number of keyframes in the animation of the weights. 0 means that the
-                            file does not animate the weights. */
+    /* True if kingyoctl wrote the file. The texture coordinates are then the body coordinates u and
+     * v. */
+    bool is_ours;
+    /* Number of keyframes in the animation of the weights. 0 means that the file does not animate
+     * the weights. */
+    uint32_t time_count;
     float times[IMPORT_TIME_MAX];
-    float weights[IMPORT_TIME_MAX][MORPH_KEY_MAX]; /* Weight of each key shape, including key shape
-                                                      0, at each keyframe. */
+    /* Weight of each key shape, including key shape 0, at each keyframe. */
+    float weights[IMPORT_TIME_MAX][MORPH_KEY_MAX];
 };
 
 /* Formats a message to `why` as printf() does and returns false. */
@@ -109,23 +112,26 @@ enum import_axis { AXIS_X, AXIS_Y, AXIS_Z, AXIS_MINUS_X, AXIS_MINUS_Y, AXIS_MINU
  * means that the option is absent. */
 struct import_options {
     const char *id;
-    uint8_t front, up;             /* Directions of the snout (`front`) and of the back (`up`) in
-                                      the file (enum import_axis). If `front` is AXIS_NONE, the
-                                      direction is detected. */
-    uint8_t measure, motion, form; /* Values as in struct species_card. 255 selects the value of the
-                                      species `like`, or the default if `like` is null. */
-    uint8_t template_id;           /* Template of the deformation graph (enum graph_template).
-                                      TEMPLATE_OWN selects the graph of the file. */
+    /* Directions of the snout (`front`) and of the back (`up`) in the file (enum import_axis). If
+     * `front` is AXIS_NONE, the direction is detected. */
+    uint8_t front, up;
+    /* Values as in struct species_card. 255 selects the value of the species `like`, or the default
+     * if `like` is null. */
+    uint8_t measure, motion, form;
+    /* Template of the deformation graph (enum graph_template). TEMPLATE_OWN selects the graph of
+     * the file. */
+    uint8_t template_id;
     uint32_t name_count, length_count, age_count, growth_count, colour_count;
     char names[MORPH_KEY_MAX][SPECIES_NAME_SIZE];
     double lengths_mm[MORPH_KEY_MAX], ages_days[MORPH_KEY_MAX];
-    double growth[5];           /* Parameters of the growth curve in the order LENGTH_INF_MM, K, T0,
-                                   HATCH_MM, FADE_YEAR. */
-    uint32_t colours[5];        /* Colours of the back, the flank, the belly, the fins and the iris,
-                                   as 0xRRGGBB. */
-    double unit_m;              /* Length of one unit of the file in metres. */
-    const struct species *like; /* Species from which life data, colours and curves are taken if the
-                                   file and the options do not contain them. May be null. */
+    /* Parameters of the growth curve in the order LENGTH_INF_MM, K, T0, HATCH_MM, FADE_YEAR. */
+    double growth[5];
+    /* Colours of the back, the flank, the belly, the fins and the iris, as 0xRRGGBB. */
+    uint32_t colours[5];
+    double unit_m; /* Length of one unit of the file in metres. */
+    /* Species from which life data, colours and curves are taken if the file and the options do not
+     * contain them. May be null. */
+    const struct species *like;
 };
 
 /* Results of the import that kingyoctl prints, for example "front -x, 426 vertices, ...". */
@@ -133,10 +139,12 @@ struct import_report {
     uint8_t front;
     float size[MORPH_KEY_MAX]; /* Size of each key shape in the unit of the file. */
     uint32_t joined_count;     /* Number of vertices that were merged with other vertices. */
-    float graph_error;         /* Greatest difference between the weights of the deformation graph
-                                  and the animation of the file. */
-    uint32_t knot_count;       /* Number of knots of the deformation graph that approximate the
-                                  animation of the file. 0 means that the file has no animation. */
+    /* Greatest difference between the weights of the deformation graph and the animation of the
+     * file. */
+    float graph_error;
+    /* Number of knots of the deformation graph that approximate the animation of the file. 0 means
+     * that the file has no animation. */
+    uint32_t knot_count;
 };
 
 /* import_orient(), import_build(), import_life() and import_fitted_life() return true. After an

@@ -26,19 +26,19 @@ struct place {
 /* A scene node and its transforms. */
 struct import_nodes_node {
     const struct aiNode *node;
-    struct place at[MORPH_KEY_MAX]; /* Transform from the axes of the node to the axes of the scene
-                                       at each key shape. The scale of a growing node is not
-                                       included. */
+    /* Transform from the axes of the node to the axes of the scene at each key shape. The scale of
+     * a growing node is not included. */
+    struct place at[MORPH_KEY_MAX];
 };
 
 /* Transforms of all nodes of a scene. A growing node is a node whose animated uniform scale
  * represents the growth of the fish. */
 struct import_nodes {
     uint32_t key_count, node_count;
-    double begin, end;           /* Animation time of the first key shape (`begin`) and of the last
-                                    key shape (`end`). */
-    float scales[MORPH_KEY_MAX]; /* Scale of the growing node at each key shape. The value is 1 if
-                                    no node grows. */
+    /* Animation time of the first key shape (`begin`) and of the last key shape (`end`). */
+    double begin, end;
+    /* Scale of the growing node at each key shape. The value is 1 if no node grows. */
+    float scales[MORPH_KEY_MAX];
     struct import_nodes_node nodes[NODE_MAX];
 };
 
@@ -79,12 +79,13 @@ struct flattening {
     const struct aiScene *scene;
     char *why;
     struct import_nodes standing;
-    uint32_t target_count;             /* Smallest number of morph targets of the meshes that have
-                                          morph targets. */
-    bool sampled;                      /* True if key shapes are samples of the animation. False if
-                                          key shapes are morph targets. */
-    uint8_t key_target[MORPH_KEY_MAX]; /* Morph target of each key shape, or KEY_BASE for the base
-                                          shape. Used only if `sampled` is false. */
+    /* Smallest number of morph targets of the meshes that have morph targets. */
+    uint32_t target_count;
+    /* True if key shapes are samples of the animation. False if key shapes are morph targets. */
+    bool sampled;
+    /* Morph target of each key shape, or KEY_BASE for the base shape. Used only if `sampled` is
+     * false. */
+    uint8_t key_target[MORPH_KEY_MAX];
 };
 
 /* Selects the key shapes and sets their names. After an error returns false, and import_error() has

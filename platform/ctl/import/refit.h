@@ -49,10 +49,10 @@ struct refit_error {
 };
 
 struct refit_result {
-    struct refit_error to_mesh;   /* Distances from the vertices of the fitted template to the
-                                     mesh. */
-    struct refit_error from_mesh; /* Distances from the vertices of the mesh to the fitted
-                                     template. */
+    /* Distances from the vertices of the fitted template to the mesh. */
+    struct refit_error to_mesh;
+    /* Distances from the vertices of the mesh to the fitted template. */
+    struct refit_error from_mesh;
     /* Greatest distance between a landmark of the fitted template and the same landmark of the
      * mesh. */
     float mark_max;

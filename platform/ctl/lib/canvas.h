@@ -30,11 +30,11 @@ enum canvas_align { ALIGN_LEFT, ALIGN_CENTRE, ALIGN_RIGHT };
 /* Allocates a canvas and clears it to black. Asserts that each side is 1 .. CANVAS_SIDE_MAX pixels.
  * Returns false if memory allocation fails. */
 bool canvas_open(struct canvas *canvas, uint32_t width, uint32_t height);
-void canvas_close(struct canvas *canvas); /* Frees the pixels. May also be called after
-                                             canvas_open() failed. */
+/* Frees the pixels. May also be called after canvas_open() failed. */
+void canvas_close(struct canvas *canvas);
 
-vec3 canvas_linear(vec3 srgb); /* Converts an sRGB colour to linear light. Each component is in [0,
-                                  1]. */
+/* Converts an sRGB colour to linear light. Each component is in [0, 1]. */
+vec3 canvas_linear(vec3 srgb);
 
 vec3 canvas_colour(uint32_t rgb); /* Converts the sRGB colour 0xRRGGBB to linear light. */
 

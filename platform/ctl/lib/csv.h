@@ -24,14 +24,14 @@
 /* Definition of one column that a CSV file may contain. */
 struct csv_column {
     const char *name;
-    double min, max;          /* Allowed range of the numbers. Not used if `words` is set. */
-    const char *const *words; /* Allowed words, terminated by a null pointer. The value of a
-                                 field is the index of its word. A null `words` means a column of
-                                 numbers. */
-    bool may_miss;            /* True if the file may lack the column. */
-    bool unread;              /* True if the fields of the column are not parsed, so that the value
-                                 is always `otherwise`. */
-    double otherwise;         /* Value that every row gets if the file does not have the column. */
+    double min, max; /* Allowed range of the numbers. Not used if `words` is set. */
+    /* Allowed words, terminated by a null pointer. The value of a field is the index of its word. A
+     * null `words` means a column of numbers. */
+    const char *const *words;
+    bool may_miss; /* True if the file may lack the column. */
+    /* True if the fields of the column are not parsed, so that the value is always `otherwise`. */
+    bool unread;
+    double otherwise; /* Value that every row gets if the file does not have the column. */
 };
 
 /* A CSV file. The caller of csv_read() sets the first four fields, and all other fields to 0. */
@@ -41,11 +41,12 @@ struct csv {
     const struct csv_column *columns;
     uint32_t column_count; /* Number of columns that the caller defined, at most CSV_COLUMN_MAX. */
     FILE *file;
-    uint32_t line;        /* Number of the current line, counted from 1. */
-    uint32_t field_count; /* Number of fields of the header line. Every row must have the same
-                             number of fields. */
-    uint32_t field_of[CSV_COLUMN_MAX]; /* Position in the file of each defined column, counted from
-                                          1. 0 means that the file does not have the column. */
+    uint32_t line; /* Number of the current line, counted from 1. */
+    /* Number of fields of the header line. Every row must have the same number of fields. */
+    uint32_t field_count;
+    /* Position in the file of each defined column, counted from 1. 0 means that the file does not
+     * have the column. */
+    uint32_t field_of[CSV_COLUMN_MAX];
     char text[CSV_LINE_MAX];
 };
 

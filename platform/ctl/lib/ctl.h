@@ -22,8 +22,9 @@ struct ctl_command {
     const struct option_table *options; /* Options that --help lists after `usage`. May be null. */
     const char *notes;                  /* Help text after the list of options. May be null. */
     void (*tell_more)(void);            /* Prints further help at the end. May be null. */
-    bool helps_itself; /* True if the command itself handles --help for its subcommands. False if
-                          main() handles --help. */
+    /* True if the command itself handles --help for its subcommands. False if main() handles
+     * --help. */
+    bool helps_itself;
     /* Runs the command. argv[0] is the first argument after the command's name. Returns the exit
      * code of the program. main() has already handled --help unless `helps_itself` is true. */
     enum exit_code (*run)(int argc, const char *const *argv);

@@ -50,13 +50,13 @@ enum glb_type { GLB_SCALAR, GLB_VEC2, GLB_VEC3, GLB_VEC4, GLB_MAT4 };
 /* Use of an array in the file. The use determines the type of the components and the properties
  * that glTF requires. The components are floats unless the comment states another type. */
 enum glb_use {
-    GLB_FOR_VERTICES,  /* The array is a vertex attribute, or an attribute of a morph target. */
-    GLB_FOR_PLACES,    /* The array contains vertex positions (POSITION), for which glTF requires
-                          bounds. */
-    GLB_FOR_TIMES,     /* The array is the input of an animation sampler, for which glTF requires
-                          bounds. */
-    GLB_FOR_DATA,      /* The array is the output of an animation sampler, or contains the matrices
-                          of a skin. */
+    GLB_FOR_VERTICES, /* The array is a vertex attribute, or an attribute of a morph target. */
+    /* The array contains vertex positions (POSITION), for which glTF requires bounds. */
+    GLB_FOR_PLACES,
+    /* The array is the input of an animation sampler, for which glTF requires bounds. */
+    GLB_FOR_TIMES,
+    /* The array is the output of an animation sampler, or contains the matrices of a skin. */
+    GLB_FOR_DATA,
     GLB_FOR_TRIANGLES, /* The array contains the vertex indices of triangles as uint16_t. */
     GLB_FOR_JOINTS,    /* The array contains four joint numbers for each vertex as uint8_t. */
 };
@@ -92,14 +92,14 @@ struct morph_glb {
     const struct morph_options *pick;
     const struct species_mesh *mesh;
     struct glb file;
-    struct morph_pose adult; /* Pose of the fish at progress 1. A viewer shows this pose if no
-                                animation runs. */
+    /* Pose of the fish at progress 1. A viewer shows this pose if no animation runs. */
+    struct morph_pose adult;
     struct morph_mesh cut;
-    struct paint paints[MORPH_KEY_MAX][MESH_VERTEX_MAX]; /* Colour of each vertex for each key,
-                                                            indexed by key and vertex. */
+    /* Colour of each vertex for each key, indexed by key and vertex. */
+    struct paint paints[MORPH_KEY_MAX][MESH_VERTEX_MAX];
     struct target_list targets[PIECE_MAX];
-    bool skinned[PIECE_MAX]; /* True if at least one vertex of the piece has an anchor on the body's
-                                surface. */
+    /* True if at least one vertex of the piece has an anchor on the body's surface. */
+    bool skinned[PIECE_MAX];
     /* Number of the material of each part, counted from 1. 0 means that the material does not exist
      * yet. */
     uint32_t materials[PART_COUNT];

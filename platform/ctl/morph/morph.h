@@ -13,9 +13,9 @@ struct morph_command {
     const char *words;
     const char *summary;                /* Summary of the subcommand in one line. */
     const struct option_table *options; /* Options that --help lists, or null. */
-    uint32_t groups;                    /* Groups of options that the subcommand accepts (enum
-                                           morph_requirement). */
-    const char *usage;                  /* Further text that --help prints after the options. */
+    /* Groups of options that the subcommand accepts (enum morph_requirement). */
+    uint32_t groups;
+    const char *usage; /* Further text that --help prints after the options. */
     /* Target of the options, whose first member is the structure. morph.c parses the options before
      * it calls `run_fish`. Null if `run` parses its own options. */
     struct morph_options *plan;

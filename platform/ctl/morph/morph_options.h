@@ -21,14 +21,15 @@ enum morph_requirement {
 };
 
 struct morph_options {
-    const char *word;            /* Argument SPECIES|FILE as the user wrote it: the name of a
-                                    built-in species or the path of a species file. */
-    const struct species *drawn; /* Species as its author drew it, with all keys (growth stages),
-                                    parts and anchors. */
-    const struct species *fish;  /* Species after --thesis and --template ordinary were applied to
-                                    `drawn`. */
-    struct morph_rig rig;        /* Animation rig of `fish`: the weights of the keys over its
-                                    life. */
+    /* Argument SPECIES|FILE as the user wrote it: the name of a built-in species or the path of a
+     * species file. */
+    const char *word;
+    /* Species as its author drew it, with all keys (growth stages), parts and anchors. */
+    const struct species *drawn;
+    /* Species after --thesis and --template ordinary were applied to `drawn`. */
+    const struct species *fish;
+    /* Animation rig of `fish`: the weights of the keys over its life. */
+    struct morph_rig rig;
     /* Template of the deformation graph, as --template selects it (enum graph_template).
      * TEMPLATE_OWN if the option is absent. */
     uint8_t template_id;

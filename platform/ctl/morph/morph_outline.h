@@ -24,8 +24,8 @@ struct morph_outline {
     const struct morph_rig *rig;
     float progress;
     enum morph_outline_view view;
-    double x, y;      /* Position in the picture of the origin of the fish's body frame, in
-                         pixels. */
+    /* Position in the picture of the origin of the fish's body frame, in pixels. */
+    double x, y;
     double length_px; /* Length of the fish's body in the picture, in pixels. */
     const char *colour;
     double opacity; /* Opacity of the body, in [0, 1]. Fins have half of this opacity. */

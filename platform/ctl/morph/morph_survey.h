@@ -17,8 +17,8 @@
 struct finding {
     float value; /* Worst value. 0 means that no error was found. */
     float progress;
-    uint32_t vertex; /* Vertex with the worst value, or MORPH_SURVEY_NOWHERE if the value belongs to
-                        no vertex. */
+    /* Vertex with the worst value, or MORPH_SURVEY_NOWHERE if the value belongs to no vertex. */
+    uint32_t vertex;
 };
 
 struct morph_survey {
@@ -42,17 +42,17 @@ struct morph_survey {
      * at these moments. */
     uint32_t moments_open;
     /* The findings from `body_in_body` to `eye_in_eye` are penetration depths. */
-    struct finding body_in_body;  /* Depth to which a point of the skin lies inside the body
-                                     because the skin has folded. */
-    struct finding fin_in_body;   /* Depth of a fin point below the skin, minus the depth of the
-                                     root of its fin ray. */
-    struct finding eye_in_body;   /* Depth to which a point of the eye's visible part lies inside
-                                     the body. */
+    struct finding body_in_body; /* Depth to which a point of the skin lies inside the body because
+                                    the skin has folded. */
+    /* Depth of a fin point below the skin, minus the depth of the root of its fin ray. */
+    struct finding fin_in_body;
+    /* Depth to which a point of the eye's visible part lies inside the body. */
+    struct finding eye_in_body;
     struct finding pupil_in_body; /* Depth to which a point of the pupil lies inside the body. */
     struct finding eye_in_eye;    /* Depth to which a point of one eye lies inside the other eye. */
     struct finding fin_in_eye;
-    struct finding root_off_skin; /* Distance between the root of a fin ray and the body, for a root
-                                     outside the body. */
+    /* Distance between the root of a fin ray and the body, for a root outside the body. */
+    struct finding root_off_skin;
     /* Loss of body volume between two keys, as a share of the lesser volume of the two keys. */
     struct finding volume_dip;
     /* The greater of two errors of a key: the distance of the snout from z = -0.5, and the
@@ -142,8 +142,8 @@ struct morph_walk { /* State of a survey. The structure has about 10 MiB. */
     /* Progress at the previous moment. While the first moment is measured, `before` is at least as
      * large as `progress`. */
     float before;
-    uint32_t root[MESH_VERTEX_MAX]; /* For each fin vertex, the vertex at the root of the same fin
-                                       ray. */
+    /* For each fin vertex, the vertex at the root of the same fin ray. */
+    uint32_t root[MESH_VERTEX_MAX];
     bool key_alone[MORPH_KEY_MAX];
     float key_volume[MORPH_KEY_MAX];
     struct morph_skin body, eye[2];

@@ -17,9 +17,9 @@
 /* Options that all commands for the ledger database share. Commands with further options have this
  * structure as the first member of their own structure. */
 struct books_words {
-    const char *data; /* Data folder given with --data, or null if the option is absent. Null
-                         selects the folder of the system service, or the user's own data folder if
-                         the service has no database. */
+    /* Data folder given with --data, or null if the option is absent. Null selects the folder of
+     * the system service, or the user's own data folder if the service has no database. */
+    const char *data;
     bool as_json;
 };
 

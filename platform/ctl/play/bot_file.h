@@ -21,8 +21,8 @@
 
 /* Position and text of an error in a bot file. */
 struct bot_file_problem {
-    uint32_t line; /* Line number of the error, counted from 1. 0 means that the error concerns the
-                      whole file. */
+    /* Line number of the error, counted from 1. 0 means that the error concerns the whole file. */
+    uint32_t line;
     char text[BOT_FILE_TEXT_MAX];
 };
 

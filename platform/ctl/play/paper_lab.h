@@ -46,15 +46,15 @@ struct paper_options {
 };
 
 struct paper_lab {
-    const struct paper_options *plan; /* Options of the simulation. The caller owns the
-                                         structure. */
+    /* Options of the simulation. The caller owns the structure. */
+    const struct paper_options *plan;
     struct tank tank;
     /* Bowl that the functions of the core expect as an argument. The simulation does not use the
      * bowl, so all fields are zero. */
     struct bowl bowl;
     struct poi poi;
-    float wetness[SHEET_CELL_COUNT]; /* Wetness of each cell of the sheet, in [0, 1]. The wetness is
-                                        held constant. */
+    /* Wetness of each cell of the sheet, in [0, 1]. The wetness is held constant. */
+    float wetness[SHEET_CELL_COUNT];
     uint32_t tick;
     /* The following fields are the results of the ticks so far. */
     /* Greatest force on the paper in N, greatest tension in N/m, and greatest mass of carried water

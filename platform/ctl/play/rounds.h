@@ -42,9 +42,9 @@ struct round_result {
     uint32_t caught; /* Number of caught fish that are counted in the result. */
     uint32_t scoops; /* Number of times that the poi's ring entered the water. */
     uint32_t fouls;
-    bool torn;        /* True if the first paper tore so far that it could no longer hold a fish. */
-    double torn_at_s; /* Time in the round at which the first paper tore, in seconds. 0 if `torn` is
-                         false. */
+    bool torn; /* True if the first paper tore so far that it could no longer hold a fish. */
+    /* Time in the round at which the first paper tore, in seconds. 0 if `torn` is false. */
+    double torn_at_s;
     /* Number of papers that the player used. A torn paper is replaced only in a practice round. */
     uint32_t sheets;
     uint32_t hole_area_mm2; /* Hole area of the last paper at the end of the round, in mm^2. */

@@ -66,8 +66,8 @@ void overlap_add(struct overlap *overlap, const struct tank *tank, struct overla
 /* Two fish that have an encounter. The pair stays open until the fish have separated. */
 struct tank_meeting {
     fish_index low, high;
-    uint32_t apart_ticks; /* Number of ticks for which the personal spaces of the two fish have not
-                             overlapped. */
+    /* Number of ticks for which the personal spaces of the two fish have not overlapped. */
+    uint32_t apart_ticks;
     /* Index + 1 of the next older open pair with the same `low`. 0 means that there is no older
      * pair. */
     uint32_t older;

@@ -37,10 +37,10 @@ struct tank_place {
     uint32_t count;
     struct tank_stage stage[TANK_FISH_MAX];
     uint32_t line[TANK_FISH_MAX]; /* Line number of each fish in the file, for error messages. */
-    double tick;                  /* Number of the tick whose rows are used, if the file has a tick
-                                     column. */
-    uint32_t rows_left_out;       /* Number of rows that were skipped because they belong to another
-                                     tick. */
+    /* Number of the tick whose rows are used, if the file has a tick column. */
+    double tick;
+    /* Number of rows that were skipped because they belong to another tick. */
+    uint32_t rows_left_out;
 };
 
 /* Reads start positions in the CSV format of the trace. The columns x_cm, y_cm, z_cm and yaw_deg

@@ -28,8 +28,9 @@ struct tank_options {
     /* Number of ticks between two observations. 0 selects the default, which depends on the number
      * of fish. */
     uint32_t observe_every;
-    bool has_fish; /* True if --fish was given. The file of start positions must then have the same
-                      number of fish. */
+    /* True if --fish was given. The file of start positions must then have the same number of
+     * fish. */
+    bool has_fish;
     bool as_json;
 };
 

@@ -15,8 +15,8 @@
 struct tank_trace {
     const char *path;
     struct atomic_file out;
-    FILE *file; /* Stream that writes to `out` while the trace is open. Null if there is no
-                   trace. */
+    /* Stream that writes to `out` while the trace is open. Null if there is no trace. */
+    FILE *file;
 };
 
 /* Creates the file at `path` and writes the header row. `path` must outlive `trace`. Returns
@@ -33,9 +33,10 @@ enum exit_code tank_trace_close(struct tank_trace *trace);
 /* Results of a tank simulation. */
 struct tank_figures {
     double ns_per_fish_tick, tick_ms_median, tick_ms_p99;
-    double share[GAIT_COUNT]; /* Share of each gait (mode of swimming) in all fish-ticks. A
-                                 fish-tick is one fish in one observed tick. */
-    double other_share;       /* Sum of the shares of the gaits escape, surface and held. */
+    /* Share of each gait (mode of swimming) in all fish-ticks. A fish-tick is one fish in one
+     * observed tick. */
+    double share[GAIT_COUNT];
+    double other_share; /* Sum of the shares of the gaits escape, surface and held. */
     double speed_mean_cm_s, speed_max_cm_s, stamina_mean, surfacing_share;
 };
 

@@ -21,23 +21,24 @@
 /* State of the panic handler. The caller owns the structure and initializes it to zero. The address
  * must not change. */
 struct evidence {
-    int folder;                        /* Descriptor of the data folder plus 1. 0 means no data
-                                          folder. */
-    const char *data;                  /* Path of the data folder, for messages. */
-    struct session_recorder *chapters; /* Session recorder. Null means that no session is
-                                          recorded. */
+    /* Descriptor of the data folder plus 1. 0 means no data folder. */
+    int folder;
+    const char *data; /* Path of the data folder, for messages. */
+    /* Session recorder. Null means that no session is recorded. */
+    struct session_recorder *chapters;
     const struct core *core;
     pid_t thread; /* Id of the thread that runs the core's ticks. */
     uint64_t boot;
-    uint32_t begun_s;         /* Time of the program start, in seconds after the machine's boot
-                                  (panics_up_s()). */
-    struct panics panics;     /* Count of panics. The file of panics.h stores the same
-                                  count. */
-    atomic_bool has_frame;    /* True if the first frame was shown. */
-    atomic_bool has_panicked; /* True if panic_evidence_write() has started. Afterwards only
-                                  panic_evidence_write() uses `panics`. */
-    atomic_bool is_clearing;  /* True while a thread clears `panics` after ten minutes without
-                                  a panic. */
+    /* Time of the program start, in seconds after the machine's boot (panics_up_s()). */
+    uint32_t begun_s;
+    /* Count of panics. The file of panics.h stores the same count. */
+    struct panics panics;
+    atomic_bool has_frame; /* True if the first frame was shown. */
+    /* True if panic_evidence_write() has started. Afterwards only panic_evidence_write() uses
+     * `panics`. */
+    atomic_bool has_panicked;
+    /* True while a thread clears `panics` after ten minutes without a panic. */
+    atomic_bool is_clearing;
 };
 
 /* Opens the data folder and reads the count of panics. Call on the thread that will run the ticks,

@@ -35,25 +35,27 @@ enum pin_sweep_stage {
 };
 
 struct pin_sweep {
-    uint8_t stage;     /* Current step (enum pin_sweep_stage). */
-    bool is_check;     /* False while the stored recording is parsed and simulated; true while the
-                          new recording is verified. */
+    uint8_t stage; /* Current step (enum pin_sweep_stage). */
+    /* False while the stored recording is parsed and simulated; true while the new recording is
+     * verified. */
+    bool is_check;
     uint32_t round_id; /* Round id of the newest examined replay. 0 means none yet. */
     uint32_t cleaned;  /* Number of replays that were replaced by a recording without a PIN. */
     uint32_t deleted;  /* Number of replays that were deleted. */
-    uint32_t left;     /* Number of replays that stay unexamined, because the database could not be
-                          read or written, or the core refused to run. The next start tries
-                          again. */
+    /* Number of replays that stay unexamined, because the database could not be read or written, or
+     * the core refused to run. The next start tries again. */
+    uint32_t left;
     enum replay_verdict verdict; /* Result of the stored recording's verification. */
     struct replay_verifier judge;
-    struct core core; /* Simulates the stored recording with the PIN withheld. The states and the
-                         inputs of this core are the new recording. */
+    /* Simulates the stored recording with the PIN withheld. The states and the inputs of this core
+     * are the new recording. */
+    struct core core;
     struct output output;
     struct replay_writer writer;
     struct replay_totals totals;
     struct recorder_tally tally;
-    struct ledger_entry kept;              /* Ledger entry of the round whose replay is being
-                                              examined. */
+    /* Ledger entry of the round whose replay is being examined. */
+    struct ledger_entry kept;
     size_t size;                           /* Size of `replay` in bytes. */
     uint8_t replay[SESSION_RECORDER_SIZE]; /* Recording that was read from the store. */
     uint8_t made[SESSION_RECORDER_SIZE];   /* New recording without the PIN. */

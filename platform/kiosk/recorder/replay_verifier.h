@@ -23,12 +23,13 @@
 
 enum replay_verdict {
     REPLAY_VERDICT_GENUINE = 0,
-    REPLAY_VERDICT_OTHER,     /* The simulation differs from the recording (replayer.difference), or
-                                 the simulated score differs from the score in the ranking. */
-    REPLAY_VERDICT_DAMAGED,   /* The bytes are not a valid recording; see
-                                 replayer.reader.problem. */
-    REPLAY_VERDICT_UNCHECKED, /* The score was not verified because the core returned
-                                 CORE_ERR_FLOAT. */
+    /* The simulation differs from the recording (replayer.difference), or the simulated score
+     * differs from the score in the ranking. */
+    REPLAY_VERDICT_OTHER,
+    /* The bytes are not a valid recording; see replayer.reader.problem. */
+    REPLAY_VERDICT_DAMAGED,
+    /* The score was not verified because the core returned CORE_ERR_FLOAT. */
+    REPLAY_VERDICT_UNCHECKED,
     REPLAY_VERDICT_COUNT,
 };
 
@@ -38,10 +39,11 @@ struct replay_verifier {
     struct input input;
     struct output output;
     struct replay_totals said; /* Totals that are stored in the replay. */
-    uint32_t round_tick;       /* Number of the first tick, counted from 1, in the recorded second
-                                  in which the last round starts. */
-    struct ledger_entry round; /* Newest round entry of the simulated game. The id is 0 before the
-                                  first round. */
+    /* Number of the first tick, counted from 1, in the recorded second in which the last round
+     * starts. */
+    uint32_t round_tick;
+    /* Newest round entry of the simulated game. The id is 0 before the first round. */
+    struct ledger_entry round;
     uint32_t seen_id;
     bool is_damaged;
     bool is_refused; /* True if the core returned CORE_ERR_FLOAT. */

@@ -16,8 +16,8 @@
 /* Callbacks for a recorder. `before` gets the input before each tick; `tick` gets the input and the
  * core's state after each tick. The callbacks must not change their arguments. */
 struct kiosk_tap {
-    void (*before)(void *self, const struct input *input); /* Callback before each tick. May be
-                                                              null. */
+    /* Callback before each tick. May be null. */
+    void (*before)(void *self, const struct input *input);
     void (*tick)(void *self, const struct input *input, const struct core *core);
     void *self;
 };
@@ -25,8 +25,8 @@ struct kiosk_tap {
 /* Callback that provides each tick's input in place of the devices. Used to play a recording
  * (replayer_source()). */
 struct kiosk_source {
-    int (*next)(void *self, struct input *out); /* Writes the input of the next tick. Returns 1, or
-                                                   0 at the end of the recording. */
+    /* Writes the input of the next tick. Returns 1, or 0 at the end of the recording. */
+    int (*next)(void *self, struct input *out);
     void *self;
 };
 
@@ -46,11 +46,12 @@ struct recorder {
     struct replay_writer writer;
     struct replay_totals totals;
     struct recorder_tally tally;
-    const struct core *core; /* Core that is recorded. recorder_end() writes the hash of its state
-                                with the last, incomplete second. */
-    struct input begun;      /* Input of the current tick. Valid while is_in_tick is true. */
-    atomic_bool is_in_tick;  /* True while core_tick() runs. */
-    atomic_bool is_adding;   /* True while recorder_tick() changes `totals` and `writer`. */
+    /* Core that is recorded. recorder_end() writes the hash of its state with the last, incomplete
+     * second. */
+    const struct core *core;
+    struct input begun;     /* Input of the current tick. Valid while is_in_tick is true. */
+    atomic_bool is_in_tick; /* True while core_tick() runs. */
+    atomic_bool is_adding;  /* True while recorder_tick() changes `totals` and `writer`. */
 };
 
 /* Updates `totals` after a tick: the numbers of ticks, rounds, caught fish and fouls, and the modes

@@ -23,11 +23,11 @@ struct score_playback {
     uint8_t state; /* State of the playback (enum scene_encore). */
     bool is_asked; /* True while the store loads the replay. */
     bool is_open;  /* True if the verifier has opened the replay. */
-    bool has_play; /* True if the verifier has parsed the whole replay, so that the scene can be
-                         drawn. */
+    /* True if the verifier has parsed the whole replay, so that the scene can be drawn. */
+    bool has_play;
     uint32_t round_id;
-    uint32_t end_ticks;       /* Ticks since the end of the playback, during which the result is
-                                 shown. */
+    /* Ticks since the end of the playback, during which the result is shown. */
+    uint32_t end_ticks;
     float hand_y_m[POI_MAX];  /* Previous height of each poi in metres, to detect a dip. */
     struct ledger_entry kept; /* Stored ledger entry of the round. */
     struct replay_verifier judge;

@@ -40,8 +40,9 @@ _Static_assert(REPLAY_HEADER_MAX + 600u * SESSION_RECORDER_SECOND_MAX + REPLAY_E
                "ten minutes of any input fit");
 
 struct session_recorder {
-    struct core_config start; /* Configuration at the start of the session, with the PIN withheld
-                                 (core/pin.h). The recording starts with this configuration. */
+    /* Configuration at the start of the session, with the PIN withheld (core/pin.h). The recording
+     * starts with this configuration. */
+    struct core_config start;
     struct replay_writer writer;
     struct replay_totals totals;
     struct recorder_tally tally;
@@ -49,15 +50,17 @@ struct session_recorder {
     uint32_t round_id; /* Id of the round whose replay is in `replay`. 0 means no replay. */
     bool is_lent;      /* True while the store uses `replay`. */
     size_t replay_size;
-    uint32_t missed;        /* Number of ranked rounds whose replay could not be stored. Excludes
-                               rounds after a page for a PIN. */
+    /* Number of ranked rounds whose replay could not be stored. Excludes rounds after a page for a
+     * PIN. */
+    uint32_t missed;
     struct input begun;     /* Input of the current tick. Valid while is_in_tick is true. */
     atomic_bool is_in_tick; /* True while core_tick() runs. */
     /* True between the start of session_recorder_before() and the end of
      * session_recorder_tick(). */
     atomic_bool is_busy;
-    atomic_bool is_frozen; /* True if the panic handler reads the recording. The thread that runs
-                               the ticks then blocks before it changes the recording. */
+    /* True if the panic handler reads the recording. The thread that runs the ticks then blocks
+     * before it changes the recording. */
+    atomic_bool is_frozen;
     uint8_t memory[SESSION_RECORDER_MEMORY];
     uint8_t replay[SESSION_RECORDER_SIZE];
 };

@@ -13,8 +13,9 @@ struct bowl_part {
 struct bowl_pass {
     struct bowl_part shell_part, hole_part, water_part;
     struct shape_buffers shell, disc;
-    uint32_t hull_first; /* First index of the hull, which is the outside and the lip of the bowl's
-                            shell. The hull ends at the last index. */
+    /* First index of the hull, which is the outside and the lip of the bowl's shell. The hull ends
+     * at the last index. */
+    uint32_t hull_first;
 };
 
 void bowl_pass_open(struct gl_status *status, struct bowl_pass *pass);

@@ -13,8 +13,9 @@
 enum fish_group {
     FISH_FAR = 0, /* In the tank and small on the screen. Drawn with the far mesh. */
     FISH_NEAR,
-    FISH_GULPING_FAR, /* In the tank, with the snout above the water surface, and small on the
-                         screen. Drawn with the far mesh. */
+    /* In the tank, with the snout above the water surface, and small on the screen. Drawn with the
+     * far mesh. */
+    FISH_GULPING_FAR,
     FISH_GULPING,
     FISH_ON_POI,
     FISH_IN_BOWL,
@@ -24,14 +25,14 @@ enum fish_group {
 struct fish_instance {
     float place[4], right_phase[4], up_amplitude[4];
     float character[4];
-    float gulp[3]; /* Opening of the mouth, phase of the gulp, and texture row of the fish's
-                      pose. */
+    /* Opening of the mouth, phase of the gulp, and texture row of the fish's pose. */
+    float gulp[3];
 };
 
 struct fish_program {
     GLuint name;
-    GLint reach; /* Location of the shader uniform `reach`, which is the `reach` of struct
-                    fish_mesh. */
+    /* Location of the shader uniform `reach`, which is the `reach` of struct fish_mesh. */
+    GLint reach;
 };
 
 struct fish_pass {
@@ -42,8 +43,8 @@ struct fish_pass {
     struct fish_poses poses[SPECIES_LOD_COUNT];
     struct morph_rig rig; /* Prepared deformation graphs of the species. */
     uint32_t first[FISH_GROUP_COUNT], count[FISH_GROUP_COUNT];
-    uint16_t order[SCENE_FISH_MAX]; /* Indices of the fish in the scene, in ascending order of
-                                       height. */
+    /* Indices of the fish in the scene, in ascending order of height. */
+    uint16_t order[SCENE_FISH_MAX];
     uint8_t group[SCENE_FISH_MAX];
     struct fish_instance instances[SCENE_FISH_MAX];
 };

@@ -10,12 +10,13 @@
 struct light_pass {
     GLuint caustics_program, fish_program, disc_program;
     GLint disc_pose, disc_softness, disc_slant;
-    GLuint no_attributes, casters; /* Vertex array without attributes (`no_attributes`), and vertex
-                                      array with the instances of the shadow casters (`casters`). */
-    struct gl_target caustics;     /* One tile of the caustics texture, which is repeated over the
-                                      floor. */
-    struct gl_target shadows;      /* Shadow map of the floor, seen from above. A value of 0 means
-                                      that the floor is fully lit. */
+    /* Vertex array without attributes (`no_attributes`), and vertex array with the instances of the
+     * shadow casters (`casters`). */
+    GLuint no_attributes, casters;
+    /* One tile of the caustics texture, which is repeated over the floor. */
+    struct gl_target caustics;
+    /* Shadow map of the floor, seen from above. A value of 0 means that the floor is fully lit. */
+    struct gl_target shadows;
 };
 
 void light_pass_open(struct gl_status *status, struct light_pass *pass);

@@ -27,10 +27,10 @@ struct poi_pass {
     GLuint frame_program, paper_program;
     GLint frame_pose, frame_paint, paper_pose, paper_paper, paper_rests, paper_spines, paper_pool;
     struct shape_buffers solid, disc;
-    struct gl_ring sheet_ring;                 /* Ring buffer of array textures of the paper sheets,
-                                                  with one layer for each player. */
-    uint8_t cells[SHEET_SIDE * SHEET_SIDE][4]; /* Buffer of one paper sheet: wetness, integrity,
-                                                  presence and stress of each cell. */
+    /* Ring buffer of array textures of the paper sheets, with one layer for each player. */
+    struct gl_ring sheet_ring;
+    /* Buffer of one paper sheet: wetness, integrity, presence and stress of each cell. */
+    uint8_t cells[SHEET_SIDE * SHEET_SIDE][4];
 };
 
 /* Writes the pose of a poi or of another object as a column-major matrix. One unit along each of

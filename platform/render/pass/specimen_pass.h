@@ -35,13 +35,15 @@ struct specimen_program {
 };
 
 struct specimen_slot {
-    const struct species *species; /* Species in the cache slot. Null means that the slot is
-                                      empty. */
+    /* Species in the cache slot. Null means that the slot is empty. */
+    const struct species *species;
     uint32_t edition;
-    uint32_t last_used;        /* Value of draw_count when the slot was last used. The slot with
-                                  the smallest value is the least recently used. */
-    struct fish_texture *worn; /* Texture with which the species is drawn: the slot's own `skin`, or
-                                  the texture of a built-in species with identical paint. */
+    /* Value of draw_count when the slot was last used. The slot with the smallest value is the
+     * least recently used. */
+    uint32_t last_used;
+    /* Texture with which the species is drawn: the slot's own `skin`, or the texture of a built-in
+     * species with identical paint. */
+    struct fish_texture *worn;
     struct fish_mesh mesh[SPECIES_LOD_COUNT];
     struct morph_rig rig; /* Prepared deformation graphs of the species in the cache slot. */
     struct fish_texture skin;

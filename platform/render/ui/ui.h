@@ -22,14 +22,14 @@
 struct ui {
     struct ui_batch batch;
     struct ui_memory memory;
-    uint32_t programs[UI_KIND_COUNT];                 /* OpenGL shader programs, indexed by enum
-                                                         ui_kind. */
-    int32_t to_clip[UI_KIND_COUNT];                   /* Location in each shader program of the
-                                                         uniform with the factors that convert
-                                                         pixels to clip space. */
-    int32_t turn[UI_KIND_COUNT], move[UI_KIND_COUNT]; /* Locations in each shader program of the
-                                                         uniforms for the rotation (`turn`) and the
-                                                         position (`move`) of the picture. */
+    /* OpenGL shader programs, indexed by enum ui_kind. */
+    uint32_t programs[UI_KIND_COUNT];
+    /* Location in each shader program of the uniform with the factors that convert pixels to clip
+     * space. */
+    int32_t to_clip[UI_KIND_COUNT];
+    /* Locations in each shader program of the uniforms for the rotation (`turn`) and the position
+     * (`move`) of the picture. */
+    int32_t turn[UI_KIND_COUNT], move[UI_KIND_COUNT];
     uint32_t vertex_array, vertex_buffer, index_buffer;
     uint32_t font_texture, paper_texture;
 };

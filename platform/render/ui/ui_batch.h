@@ -18,52 +18,58 @@
 /* Kind of a quad. The comment on each kind lists the meaning of the values of `shape`, in order.
  * Lengths in `shape` are pixels. */
 enum ui_kind {
-    UI_GLYPH = 0,   /* A letter. `shape`: thickening of the strokes, outline width, softness of the
-                       outline (these three in atlas pixels), screen pixels per atlas pixel. */
-    UI_PANEL = 1,   /* A plain panel. `shape`: half width, half height, corner radius, border
-                       width. */
-    UI_WASHI = 2,   /* Paper with fibres. `shape`: the values of UI_PANEL. */
-    UI_WAVES = 3,   /* Cloth with a faint pattern of waves. `shape`: the values of UI_PANEL. */
-    UI_RING = 4,    /* A ring. `shape`: outer radius, ring width, fraction [0, 1] of the ring in the
-                       colour `fill`, clockwise from the top. The rest of the ring has the colour
-                       `line`. */
+    /* A letter. `shape`: thickening of the strokes, outline width, softness of the outline (these
+     * three in atlas pixels), screen pixels per atlas pixel. */
+    UI_GLYPH = 0,
+    /* A plain panel. `shape`: half width, half height, corner radius, border width. */
+    UI_PANEL = 1,
+    UI_WASHI = 2, /* Paper with fibres. `shape`: the values of UI_PANEL. */
+    UI_WAVES = 3, /* Cloth with a faint pattern of waves. `shape`: the values of UI_PANEL. */
+    /* A ring. `shape`: outer radius, ring width, fraction [0, 1] of the ring in the colour `fill`,
+     * clockwise from the top. The rest of the ring has the colour `line`. */
+    UI_RING = 4,
     UI_GLOW = 5,    /* A glow. `shape`: half width, half height, 1 to add light or 0 to cover. */
     UI_LANTERN = 6, /* A paper lantern. `shape`: half width, half height, brightness [0, 1]. */
-    UI_FISH = 7,    /* A goldfish. `shape`: half width, half height, deflection of the tail [-1,
-                       1]. */
-    UI_POI = 8,     /* A poi (paper scoop). `shape`: radius of the ring, fraction [0, 1] of the
-                       paper that is not torn. */
-    UI_WOOD = 9,    /* Planed wood. `shape`: the values of UI_PANEL. */
-    UI_HEAT = 10,   /* The colour scale of the paper's stress, from left (no stress) to right.
-                       `shape`: the values of UI_PANEL. */
-    UI_WATER = 11,  /* An aquarium at night. `shape`: half width, half height, corner radius, time
-                       in seconds. */
+    /* A goldfish. `shape`: half width, half height, deflection of the tail [-1, 1]. */
+    UI_FISH = 7,
+    /* A poi (paper scoop). `shape`: radius of the ring, fraction [0, 1] of the paper that is not
+     * torn. */
+    UI_POI = 8,
+    UI_WOOD = 9, /* Planed wood. `shape`: the values of UI_PANEL. */
+    /* The colour scale of the paper's stress, from left (no stress) to right. `shape`: the values
+     * of UI_PANEL. */
+    UI_HEAT = 10,
+    /* An aquarium at night. `shape`: half width, half height, corner radius, time in seconds. */
+    UI_WATER = 11,
     UI_KIND_COUNT,
 };
 
 struct ui_vertex {
     float x, y; /* Position in pixels. */
-    float u, v; /* Texture coordinates in atlas texels if the quad is a letter. Otherwise the vertex
-                   position relative to the shape's centre, in pixels. */
+    /* Texture coordinates in atlas texels if the quad is a letter. Otherwise the vertex position
+     * relative to the shape's centre, in pixels. */
+    float u, v;
     float shape[4];
     uint8_t fill[4]; /* Main colour, with straight alpha. */
-    uint8_t line[4]; /* Colour of the outline or border. Some kinds of quads use this field as a
-                        second colour. */
+    /* Colour of the outline or border. Some kinds of quads use this field as a second colour. */
+    uint8_t line[4];
 };
 
 struct ui_batch {
-    struct ui_vertex vertices[UI_QUADS_MAX * 4u]; /* Four vertices for each quad: top left, top
-                                                     right, bottom left, bottom right. */
-    uint8_t kinds[UI_QUADS_MAX];                  /* Kind of each quad (enum ui_kind). */
+    /* Four vertices for each quad: top left, top right, bottom left, bottom right. */
+    struct ui_vertex vertices[UI_QUADS_MAX * 4u];
+    uint8_t kinds[UI_QUADS_MAX]; /* Kind of each quad (enum ui_kind). */
     uint32_t quad_count;
-    uint32_t dropped_count; /* Number of quads and specimens that were dropped because the batch was
-                               full. Tests check that the number is 0. */
-    uint32_t unbaked_count; /* Number of drawn characters for which the font has no glyph. Tests
-                               check that the number is 0. */
-    float opacity;          /* Opacity of all quads that are added later, [0, 1]. */
+    /* Number of quads and specimens that were dropped because the batch was full. Tests check that
+     * the number is 0. */
+    uint32_t dropped_count;
+    /* Number of drawn characters for which the font has no glyph. Tests check that the number is
+     * 0. */
+    uint32_t unbaked_count;
+    float opacity; /* Opacity of all quads that are added later, [0, 1]. */
     struct specimen specimens[SPECIMEN_MAX];
-    uint16_t specimen_quad[SPECIMEN_MAX]; /* For each specimen, the number of quads that are drawn
-                                             before the specimen. */
+    /* For each specimen, the number of quads that are drawn before the specimen. */
+    uint16_t specimen_quad[SPECIMEN_MAX];
     uint32_t specimen_count;
 };
 
@@ -74,11 +80,13 @@ struct ui_box {
 struct ui_shape {
     struct ui_box box;
     enum ui_kind kind;
-    float shape[4]; /* Values whose meaning enum ui_kind defines for each kind. ui_shape() computes
-                       half widths and half heights from `box`. */
+    /* Values whose meaning enum ui_kind defines for each kind. ui_shape() computes half widths and
+     * half heights from `box`. */
+    float shape[4];
     uint32_t fill, line;
-    float lean_px; /* Distance in pixels by which the lower edge is shifted to the right, for cloth
-                      that moves in the wind. */
+    /* Distance in pixels by which the lower edge is shifted to the right, for cloth that moves in
+     * the wind. */
+    float lean_px;
 };
 
 /* Empties the batch and sets the opacity to 1. */
@@ -100,18 +108,20 @@ void ui_specimen(struct ui_batch *batch, const struct specimen *specimen);
 struct ui_text {
     enum font_id font;
     float size_px; /* Size of one em in pixels. */
-    float align;   /* Horizontal alignment. 0 means that x is the left end of the text, 0.5 its
-                      middle, 1 its right end. */
+    /* Horizontal alignment. 0 means that x is the left end of the text, 0.5 its middle, 1 its right
+     * end. */
+    float align;
     float spacing_em;
-    float weight_em;  /* Distance in ems by which the strokes of letters are thickened on each
-                         side. */
-    float outline_em; /* Width of the outline around the strokes, in colour `line`. 0 means no
-                         outline. */
-    float soft_em;    /* Additional width in ems over which the outline fades out, for a shadow or a
-                         glow. */
+    /* Distance in ems by which the strokes of letters are thickened on each side. */
+    float weight_em;
+    /* Width of the outline around the strokes, in colour `line`. 0 means no outline. */
+    float outline_em;
+    /* Additional width in ems over which the outline fades out, for a shadow or a glow. */
+    float soft_em;
     uint32_t fill, line;
-    float fit_px; /* Maximum width of the text in pixels. A longer text is shrunk to this width. 0
-                     means no maximum. */
+    /* Maximum width of the text in pixels. A longer text is shrunk to this width. 0 means no
+     * maximum. */
+    float fit_px;
 };
 
 /* Adds one line of text with its baseline at `y`. Returns the width of the text in pixels. */

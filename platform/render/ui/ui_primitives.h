@@ -27,11 +27,12 @@ struct ui_frame {
     const struct scene *scene; /* Scene whose screen is drawn. */
     struct ui_memory *memory;  /* Values that the screens showed last (ui_screens.h). */
     float width, height;       /* Width and height of the screen in pixels. */
-    float x, y;                /* Position in pixels of the upper left corner of the layout area on
-                                  the screen. */
-    float unit;   /* Size of the layout unit in pixels. Without ui_canvas(), the size is 1 px on a
-                     1280x720 screen. */
-    float time_s; /* Time in seconds for the animation of swaying and pulsing objects. */
+    /* Position in pixels of the upper left corner of the layout area on the screen. */
+    float x, y;
+    /* Size of the layout unit in pixels. Without ui_canvas(), the size is 1 px on a 1280x720
+     * screen. */
+    float unit;
+    float time_s;     /* Time in seconds for the animation of swaying and pulsing objects. */
     uint8_t language; /* Language of all texts (enum language). */
     bool is_upright;  /* True if the layout area is the core's canvas for portrait screens. */
 };

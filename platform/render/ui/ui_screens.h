@@ -12,17 +12,18 @@
 /* Values that the screens showed last, so that a changed value can be animated. A zeroed struct is
  * a valid initial state. */
 struct ui_memory {
-    uint32_t hint_tick;            /* Tick of the last change of the hint. */
-    uint32_t caught_tick[POI_MAX]; /* Tick of the last change of each player's number of caught
-                                      fish. */
+    uint32_t hint_tick; /* Tick of the last change of the hint. */
+    /* Tick of the last change of each player's number of caught fish. */
+    uint32_t caught_tick[POI_MAX];
     uint32_t caught[POI_MAX];
-    uint32_t pointed_tick;           /* Tick of the last change of the selected mode. */
-    uint8_t pointed, pointed_before; /* Selected mode (`pointed`), and the mode that was selected
-                                        before the last change (`pointed_before`). */
+    uint32_t pointed_tick; /* Tick of the last change of the selected mode. */
+    /* Selected mode (`pointed`), and the mode that was selected before the last change
+     * (`pointed_before`). */
+    uint8_t pointed, pointed_before;
     uint8_t hint;
-    const struct library *library; /* Library of the makers' species. Null means that there is no
-                                      library. */
-    struct ui_lab_preview bench;   /* State of the growth lab between frames. */
+    /* Library of the makers' species. Null means that there is no library. */
+    const struct library *library;
+    struct ui_lab_preview bench; /* State of the growth lab between frames. */
 };
 
 /* Records the values of `scene` in `memory` without drawing. If a later scene has other values, its

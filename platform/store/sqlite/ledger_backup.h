@@ -32,8 +32,8 @@ struct ledger_backup {
     struct sqlite3 *to;
     struct sqlite3_backup *copy;
     char path[LEDGER_PATH_SIZE];
-    bool is_marked; /* True if the copy gets the mark LEDGER_COPY_MARK. Set after
-                       ledger_backup_begin(). */
+    /* True if the copy gets the mark LEDGER_COPY_MARK. Set after ledger_backup_begin(). */
+    bool is_marked;
 };
 
 /* Starts a copy of the open database `from` to `path`. Returns an SQLite code. After an error no

@@ -64,12 +64,12 @@ enum ledger_statement {
 
 /* Content of the database on disk, except entries and replays. */
 struct ledger_content {
-    struct persistent_state memory;     /* Persistent state of the core. ledger.boots is the boot
-                                           number of the newest entry. */
-    uint32_t tick;                      /* Tick of the newest entry. */
-    uint8_t has_setting[SETTING_COUNT]; /* 1 if the operator has changed the setting, otherwise
-                                           0. */
-    bool has_read;                      /* True if the content was read from a database. */
+    /* Persistent state of the core. ledger.boots is the boot number of the newest entry. */
+    struct persistent_state memory;
+    uint32_t tick; /* Tick of the newest entry. */
+    /* 1 if the operator has changed the setting, otherwise 0. */
+    uint8_t has_setting[SETTING_COUNT];
+    bool has_read; /* True if the content was read from a database. */
 };
 
 /* Open database. The caller owns the structure. A structure of zeros means that no database is
@@ -81,17 +81,18 @@ struct ledger_file {
     /* True if a sync of the write-ahead log may have failed. The log must then be written again
      * (ledger_log_secure()) before SQLite copies the log into the database. */
     bool is_suspect;
-    int refusal; /* Reason why the file is read-only. 0 means that the file can be written.
-                    SQLITE_FULL means that the card has no space for the index of the write-ahead
-                    log. Other values are SQLITE_READONLY, or the reason why a damaged file could
-                    not be replaced. */
+    /* Reason why the file is read-only. 0 means that the file can be written. SQLITE_FULL means
+     * that the card has no space for the index of the write-ahead log. Other values are
+     * SQLITE_READONLY, or the reason why a damaged file could not be replaced. */
+    int refusal;
 };
 
 /* Options for opening a file. Each field may be null, which means the default. */
 struct ledger_file_options {
-    const char *vfs;     /* SQLite's name of a file system layer (vfs). */
-    const char *journal; /* Values of the pragmas journal_mode and synchronous, for example "WAL
-                            FULL". Benchmarks use the field to measure other modes. */
+    const char *vfs; /* SQLite's name of a file system layer (vfs). */
+    /* Values of the pragmas journal_mode and synchronous, for example "WAL FULL". Benchmarks use
+     * the field to measure other modes. */
+    const char *journal;
 };
 
 /* Opens or creates the file `path`, then validates, migrates and reads it. `how` may be null.

@@ -24,8 +24,8 @@
 /* Open ledger mirror. The caller owns the structure. A structure of zeros means that the mirror is
  * closed. */
 struct ledger_mirror {
-    int handle; /* Descriptor of the file. 0 means closed, because descriptor 0 is standard
-                   input. */
+    /* Descriptor of the file. 0 means closed, because descriptor 0 is standard input. */
+    int handle;
 };
 
 /* Opens the mirror and creates the file if necessary. Returns 0. On an error returns -1 and sets
@@ -61,8 +61,9 @@ uint32_t ledger_mirror_last_id(const struct ledger_mirror *tail);
 enum ledger_relation {
     LEDGER_RELATION_UNKNOWN = 0, /* The ledgers have no common entry. */
     LEDGER_RELATION_SAME,
-    LEDGER_RELATION_OTHER, /* The ledgers differ: one ledger belongs to another kiosk or was started
-                              again from its first entry. */
+    /* The ledgers differ: one ledger belongs to another kiosk or was started again from its first
+     * entry. */
+    LEDGER_RELATION_OTHER,
 };
 
 /* Compares the entry `last_id` of `file` and earlier entries with the mirror `tail`, or with the
@@ -73,13 +74,15 @@ enum ledger_relation ledger_recovery_relation(struct ledger_file *file, uint32_t
                                               struct ledger_file *other);
 
 struct ledger_recovered {
-    uint32_t entries;     /* Number of recovered entries. */
-    uint32_t lost;        /* Number of lost entries: ids between the last id of `to` and the newest
-                             known id that were not recovered. */
-    bool is_open_ended;   /* True if the newest id is unknown. The number of lost entries may then
-                             be greater than `lost`. */
-    bool has_others_tail; /* True if the ledger mirror belongs to a foreign ledger and was not
-                             used. */
+    uint32_t entries; /* Number of recovered entries. */
+    /* Number of lost entries: ids between the last id of `to` and the newest known id that were not
+     * recovered. */
+    uint32_t lost;
+    /* True if the newest id is unknown. The number of lost entries may then be greater than
+     * `lost`. */
+    bool is_open_ended;
+    /* True if the ledger mirror belongs to a foreign ledger and was not used. */
+    bool has_others_tail;
 };
 
 /* Copies all valid entries that are newer than the entries of `to` into `to`. An entry is read from

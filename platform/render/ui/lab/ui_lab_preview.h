@@ -17,34 +17,37 @@
 enum lab_preview_point { LAB_PREVIEW_DORSAL = 0, LAB_PREVIEW_EYE, LAB_PREVIEW_POINT_COUNT };
 
 struct lab_preview_path {
-    bool is_there; /* True if the species has the traced point. A stingray, for example, has no
-                      dorsal fin. */
-    vec3 at[LAB_PREVIEW_STEPS + 1u]; /* Positions of the traced point from hatching to the adult, in
-                                        body lengths, in the body's coordinate system. */
-    vec3 ordinary[LAB_PREVIEW_STEPS + 1u]; /* Positions of the traced point in the ordinary morph,
-                                              in body lengths. */
-    float bow; /* Largest distance between the trajectory and the straight line from its start to
-                  its end, in body lengths. */
+    /* True if the species has the traced point. A stingray, for example, has no dorsal fin. */
+    bool is_there;
+    /* Positions of the traced point from hatching to the adult, in body lengths, in the body's
+     * coordinate system. */
+    vec3 at[LAB_PREVIEW_STEPS + 1u];
+    /* Positions of the traced point in the ordinary morph, in body lengths. */
+    vec3 ordinary[LAB_PREVIEW_STEPS + 1u];
+    /* Largest distance between the trajectory and the straight line from its start to its end, in
+     * body lengths. */
+    float bow;
 };
 
 /* State of the growth lab's picture. The size is about 180 KB, mostly the tables of the ordinary
  * morph. A zeroed struct means that no species is selected yet. */
 struct ui_lab_preview {
     const struct species *species; /* Selected species. Null means that no species is selected. */
-    uint32_t edition;              /* Counter that increases by 1 with each selection of a
-                                      species. */
-    bool is_shown;            /* True if the selected species is the species of the scene. False
-                                      if this kiosk does not have the species of the scene. */
-    struct species_card card; /* Copy of the species card from which the other fields were
-                                      computed. */
-    struct morph_rig rig;     /* Prepared deformation graphs with the player's edits. */
+    /* Counter that increases by 1 with each selection of a species. */
+    uint32_t edition;
+    /* True if the selected species is the species of the scene. False if this kiosk does not have
+     * the species of the scene. */
+    bool is_shown;
+    /* Copy of the species card from which the other fields were computed. */
+    struct species_card card;
+    struct morph_rig rig; /* Prepared deformation graphs with the player's edits. */
     struct morph_rig ordinary_rig;
     struct species ordinary;
     struct straight_memory memory;
     struct lab_preview_path ways[LAB_PREVIEW_POINT_COUNT];
-    struct specimen_bounds bounds; /* Extents of the fish over all ages, in the usual view
-                                      (specimen_portrait()). */
-    struct morph_pose pose;        /* Scratch memory for computing trajectories. */
+    /* Extents of the fish over all ages, in the usual view (specimen_portrait()). */
+    struct specimen_bounds bounds;
+    struct morph_pose pose; /* Scratch memory for computing trajectories. */
 };
 
 /* Selects `species` with the card `card` that the player edited. Recomputes only the fields that

@@ -17,16 +17,16 @@
 
 /* Texts of a page and of its tags, and the function that draws the page. */
 struct menu_words {
-    enum text_key title, about;        /* Name of the page (`title`) and description of the page
-                                          (`about`). The tag that leads to the page shows both
-                                          texts. */
+    /* Name of the page (`title`) and description of the page (`about`). The tag that leads to the
+     * page shows both texts. */
+    enum text_key title, about;
     enum text_key foot[MENU_FOOT_MAX]; /* Texts of the tags at the bottom of the page, in order. */
-    enum text_key names[8], lines[8];  /* Names and descriptions of the hanging tags that lead to no
-                                          page. */
-    void (*draw)(const struct ui_frame *frame); /* Function that draws the page. Null means that the
-                                                   page consists only of tags. */
-    bool is_whole; /* True if the page covers the whole picture and only its tags are drawn over
-                      it. */
+    /* Names and descriptions of the hanging tags that lead to no page. */
+    enum text_key names[8], lines[8];
+    /* Function that draws the page. Null means that the page consists only of tags. */
+    void (*draw)(const struct ui_frame *frame);
+    /* True if the page covers the whole picture and only its tags are drawn over it. */
+    bool is_whole;
 };
 const struct menu_words *menu_words_of(uint8_t page);
 
@@ -36,9 +36,9 @@ const struct menu_words *menu_words_of(uint8_t page);
  * which no setting uses. */
 struct setting_words {
     enum text_key name, help;
-    enum text_key unit, zero, one; /* `unit` is the text pattern of the value, such as "{} min".
-                                      `zero` is the text that replaces the value 0, and `one` is the
-                                      text that replaces the value 1. */
+    /* `unit` is the text pattern of the value, such as "{} min". `zero` is the text that replaces
+     * the value 0, and `one` is the text that replaces the value 1. */
+    enum text_key unit, zero, one;
     enum text_key choices[SETTING_CHOICES_MAX];
 };
 const struct setting_words *menu_setting_words_of(uint32_t id);
