@@ -19,7 +19,8 @@ How each measure is defined:
                      definition, declarations and recursive calls, and that place is a call. A function whose
                      address is only stored in a table has no caller, because the table replaces the call.
   assertions         Uses of assert() and of macros whose name ends in ASSERT; _Static_assert does not count.
-  header comments    Lines of headers that hold a comment, also behind code, divided by all lines that are not blank.
+  header comments    Lines of headers that hold a comment, also behind code, divided by all lines, blank lines included.
+                     The same measure gave 36 % for the tree before, and 46 % for littlefs.
   cycle              A module is a header and the source of the same path. An edge is an #include. The measure is
                      the number of modules in the largest strongly connected component. If --build names a folder
                      of dependency files (.d), each file's includes are compared with the compiler's own list.
@@ -440,17 +441,17 @@ def measure_assertions(table, product):
 
 
 def measure_headers(table, product):
-    comment, filled, lacking = 0, 0, {}
+    comment, total, distance = 0, 0, {}
     for source in product.values():
         if source.path.endswith('.h'):
             marked = {n for c in source.comments for n in range(c.first, c.last + 1) if source.lines[n - 1].strip()}
-            here = sum(1 for line in source.lines if line.strip())
             comment += len(marked)
-            filled += here
-            lacking[source.path] = round(0.45 * here) - len(marked)
-    table.add('comment share of headers', 100 * comment / max(1, filled), (43, None),
-              [line for line in ranked(lacking, '{:6} comment lines too few in {}') if '-' not in line.split()[0]],
-              '{:.1f} %')
+            total += len(source.lines)
+            distance[source.path] = len(marked) - round(0.455 * len(source.lines))
+    share = 100 * comment / max(1, total)
+    worst = {p: n if share > 45.5 else -n for p, n in distance.items() if (n > 0) == (share > 45.5)}
+    table.add('comment share of headers', share, (43, 48),
+              ranked(worst, '{:6} comment lines too ' + ('many' if share > 45.5 else 'few') + ' in {}'), '{:.1f} %')
 
 
 def measure_cycles(table, root, build, sources, product):

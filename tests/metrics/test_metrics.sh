@@ -45,6 +45,7 @@ struct core {
 END_C
 cat >"$tree/core/tank/fish.h" <<'END_C'
 #include "core/tank/wall.h"
+
 /* Whoever knows the fish is told. */
 void fish_swim(int *fish);
 END_C
@@ -97,15 +98,16 @@ row 'comment sentences that begin with a bare' '28.6 %' MISS
 row 'comment sentences with idiom' '14.3 %' MISS
 row 'production code lines' 39 ok
 row 'production files' 9 MISS
-row 'mean lines of a production file' 4.9 MISS
+row 'mean lines of a production file' 5.0 MISS
 row 'C files in the largest flat folder' 3 ok
-# Fifteen functions in 44 lines: wall.c 3, coins.c 6, drivers 3, ledger_file.c 3. Declarations are not counted.
-row 'functions per 1,000 lines' 340.9 MISS
+# Fifteen functions in 45 lines: wall.c 3, coins.c 6, drivers 3, ledger_file.c 3. Declarations are not counted.
+row 'functions per 1,000 lines' 333.3 MISS
 # once() and helper() have one caller; twice() and entry() do not.
 row 'static functions with one caller' '50.0 %' MISS
 row 'assertions per function, core and drivers' 0.08 MISS
 row 'assertions per function, platform' 0.00 MISS
-row 'comment share of headers' '37.5 %' MISS
+# Three of nine lines; the blank line counts.
+row 'comment share of headers' '33.3 %' MISS
 row 'modules in the largest include cycle' 2 ok
 row 'functions in core/game that take a mutable struct core' 1 ok
 row 'functions in core/game that take a mutable struct game' 1 ok
