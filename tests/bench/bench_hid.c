@@ -56,7 +56,7 @@ static void row(const char *what, double us, const char *of)
     }
 }
 
-/* ---- Files ---------------------------------------------------------------------------------- */
+/* ---- Benchmarks of recorded files ----------------------------------------------------------- */
 
 static size_t load(const char *path)
 {

@@ -17,7 +17,7 @@ static void print_progress(void *self, uint32_t index)
     progress_add(self);
 }
 
-/* ---- Arms ----------------------------------------------------------------------------------- */
+/* ---- Arms of an experiment ------------------------------------------------------------------ */
 
 static int same_plan(const struct round_plan *a, const struct round_plan *b)
 {

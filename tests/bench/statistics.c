@@ -124,7 +124,7 @@ double statistics_t_95(uint32_t freedom)
     return low;
 }
 
-/* ---- Public --------------------------------------------------------------------------------- */
+/* ---- Public functions ----------------------------------------------------------------------- */
 
 static double spread_of(const double *values, uint32_t count, double mean)
 {

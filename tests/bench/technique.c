@@ -62,7 +62,7 @@ struct trial {
     enum verdict verdict;
 };
 
-/* ---- Arms ----------------------------------------------------------------------------------- */
+/* ---- Arms of an experiment ------------------------------------------------------------------ */
 
 static enum exit_code add_arm(struct league *league, const char *folder, const char *name,
                               uint32_t *out)

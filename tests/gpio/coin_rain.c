@@ -23,7 +23,7 @@ static uint64_t between(uint64_t *seed, uint64_t least, uint64_t most)
     return least + draw(seed) % (most - least + 1u);
 }
 
-/* ---- Pulses --------------------------------------------------------------------------------- */
+/* ---- Generating the coin pulses ------------------------------------------------------------- */
 
 static void add_edge(struct coin_rain *rain, uint64_t time_ns, bool active)
 {

@@ -131,7 +131,7 @@ bool gpiod_line_info_is_active_low(struct gpiod_line_info *info)
     return info->of->active_low;
 }
 
-/* ---- Settings ------------------------------------------------------------------------------- */
+/* ---- Settings objects of libgpiod 2.x ------------------------------------------------------- */
 
 struct gpiod_line_settings *gpiod_line_settings_new(void)
 {
@@ -234,7 +234,7 @@ void gpiod_request_config_set_event_buffer_size(struct gpiod_request_config *con
     config->queue_size = event_buffer_size;
 }
 
-/* ---- Requests ------------------------------------------------------------------------------- */
+/* ---- Line requests of libgpiod 2.x ---------------------------------------------------------- */
 
 struct gpiod_line_request *gpiod_chip_request_lines(struct gpiod_chip *chip,
                                                     struct gpiod_request_config *req_cfg,
@@ -290,7 +290,7 @@ int gpiod_line_request_set_value(struct gpiod_line_request *request, unsigned in
     return 0;
 }
 
-/* ---- Edges ---------------------------------------------------------------------------------- */
+/* ---- Edge events of libgpiod 2.x ------------------------------------------------------------ */
 
 struct gpiod_edge_event_buffer *gpiod_edge_event_buffer_new(size_t capacity)
 {

@@ -103,7 +103,7 @@ static void put_force(void)
     }
 }
 
-/* ---- Holes ---------------------------------------------------------------------------------- */
+/* ---- Holes in the sheet --------------------------------------------------------------------- */
 
 static int put_sheet(const char *folder, uint32_t specimen, uint32_t moment)
 {

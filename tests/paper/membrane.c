@@ -131,7 +131,7 @@ static void put_load(const struct load *load)
     }
 }
 
-/* ---- Solution ------------------------------------------------------------------------------- */
+/* ---- Solving for equilibrium ---------------------------------------------------------------- */
 
 /* Adds the elastic forces of a triangle to `force_n` and computes its tension. */
 static void pull_triangle(struct triangle *triangle, double stiffness_n_m)

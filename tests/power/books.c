@@ -101,7 +101,7 @@ int books_read(const char *path, uint32_t replay_id, struct books_file *out)
     return code;
 }
 
-/* ---- Comparing ------------------------------------------------------------------------------ */
+/* ---- Comparing accounts --------------------------------------------------------------------- */
 
 static int differs(char why[BOOKS_WHY_SIZE], const char *what, int64_t is, int64_t should)
 {

@@ -21,7 +21,7 @@
 
 static struct storage store;
 
-/* ---- One cut -------------------------------------------------------------------------------- */
+/* ---- Simulating one power cut --------------------------------------------------------------- */
 
 void tally_complain(struct tally *tally, uint64_t *count, const char *where, const char *why)
 {
@@ -136,7 +136,7 @@ static void cut_again(const struct cutter *cutter, struct tally *tally, const ch
     disk_close(&disk);
 }
 
-/* ---- All cuts ------------------------------------------------------------------------------- */
+/* ---- Simulating all power cuts -------------------------------------------------------------- */
 
 int cutter_is_point(const struct tape_op *op)
 {

@@ -50,7 +50,7 @@ static struct disk_file *file_at(struct disk *disk, uint32_t number)
     return &disk->files[number];
 }
 
-/* ---- Names ---------------------------------------------------------------------------------- */
+/* ---- File names ----------------------------------------------------------------------------- */
 
 static void set_name(struct disk *disk, const char *name, uint32_t file)
 {
@@ -83,7 +83,7 @@ void disk_apply_names(struct disk *disk, const struct tape_op *op)
     set_name(disk, op->name, op->kind == TAPE_CREATE ? op->file : 0);
 }
 
-/* ---- Bytes ---------------------------------------------------------------------------------- */
+/* ---- File contents -------------------------------------------------------------------------- */
 
 int disk_is_of_bytes(const struct tape_op *op)
 {
@@ -101,7 +101,7 @@ void disk_apply_bytes(const struct tape *tape, const struct tape_op *op, struct 
     memcpy(file->bytes + op->offset, tape->bytes + op->at, op->size);
 }
 
-/* ---- The tape ------------------------------------------------------------------------------- */
+/* ---- Replaying the tape --------------------------------------------------------------------- */
 
 void disk_open(struct disk *disk, const struct tape *tape)
 {

@@ -101,9 +101,9 @@ static int pays_tickets(const struct books *before, uint32_t last_id, char why[B
 }
 
 /* Plays for half a minute of game time, which is long enough to dispense the owed tickets. A ticket
- * is dispensed only after the store has committed its entry. The frames run without delay, so the
- * store's thread may be too slow. The function then sleeps after each frame until the tickets are
- * dispensed. */
+ * is dispensed only after the store's thread has committed its ledger entry. The frames run faster
+ * than real time, so commits may be late. In this case the function plays on, with a sleep after
+ * each frame, until the tickets are dispensed. */
 static int play(const char *folder, const struct books *before, uint32_t last_id,
                 char why[BOOKS_WHY_SIZE])
 {

@@ -52,7 +52,7 @@ static uint32_t draw(struct life *life)
            8;
 }
 
-/* ---- Playing -------------------------------------------------------------------------------- */
+/* ---- Simulating a life ---------------------------------------------------------------------- */
 
 static void plan_faults(struct life *life)
 {
@@ -129,10 +129,10 @@ static void live_part(struct life *life)
     }
 }
 
-/* ---- Cutting -------------------------------------------------------------------------------- */
+/* ---- Simulating power cuts ------------------------------------------------------------------ */
 
-/* Checks that the newest committed morph graph exists, or a later graph that was passed to the
- * store. */
+/* Checks that the file of the morph graph contains the newest committed edit or a later edit that
+ * was passed to the store. */
 static void check_graph(struct life *life, const char *where)
 {
     char path[PATH_SIZE + 40u], text[GRAPH_FILE_TEXT_MAX], why[80];

@@ -38,7 +38,7 @@
 struct plan {
     uint32_t cuts, lives, seed, frames, jobs, deaf;
     char folder[200];
-    const char *journal; /* Journal mode; null means the store's default. */
+    const char *journal; /* SQLite's journal mode; null means the store's default. */
 };
 
 static struct hour hour;

@@ -37,7 +37,7 @@ static char folder_name[FD_MAX][TAPE_NAME_SIZE];
  * space. */
 static uint8_t is_index[FD_MAX];
 
-/* ---- The tape ------------------------------------------------------------------------------- */
+/* ---- Appending operations to the tape ------------------------------------------------------- */
 
 static void need(const void *got)
 {
@@ -72,7 +72,7 @@ static size_t add_bytes(const void *bytes, size_t size)
     return running->used - size;
 }
 
-/* ---- Names ---------------------------------------------------------------------------------- */
+/* ---- File names ----------------------------------------------------------------------------- */
 
 /* Returns the name of `path` relative to the watched folder, or null if `path` is outside that
  * folder. */
@@ -171,7 +171,7 @@ void tape_sync_us(uint32_t us)
     atomic_store(&sync_us, us);
 }
 
-/* ---- libc ----------------------------------------------------------------------------------- */
+/* ---- Replaced functions of libc ------------------------------------------------------------- */
 
 static uint32_t file_of(int fd)
 {

@@ -212,7 +212,7 @@ static void check_hull(struct apart *apart, const struct bowl *bowl, const struc
     note(apart, &apart->hull_m, deepest_m);
 }
 
-/* ---- Motion --------------------------------------------------------------------------------- */
+/* ---- Speeds and turns of the fish ----------------------------------------------------------- */
 
 static int is_calm(const struct fish *fish)
 {
@@ -268,7 +268,7 @@ static void check_fish(struct apart *apart, const struct tank *tank, uint32_t i)
     apart->fish_ticks++;
 }
 
-/* ---- Public --------------------------------------------------------------------------------- */
+/* ---- Public functions ----------------------------------------------------------------------- */
 
 void apart_init(struct apart *apart)
 {

@@ -49,7 +49,7 @@ static struct hal hal;
 static struct clock_sim clock_of_week;
 static uint32_t coins;
 
-/* ---- The crowd ------------------------------------------------------------------------------ */
+/* ---- Simulated visitors --------------------------------------------------------------------- */
 
 static uint32_t hour_of_day(void)
 {
@@ -152,7 +152,7 @@ static void land_fish(void)
     }
 }
 
-/* ---- Memory --------------------------------------------------------------------------------- */
+/* ---- Measuring memory ----------------------------------------------------------------------- */
 
 struct sample {
     size_t ours, sqlites, resident, file;
@@ -255,7 +255,7 @@ static void print_sample(uint32_t hour, const struct sample *sample)
     fflush(stdout);
 }
 
-/* ---- The week ------------------------------------------------------------------------------- */
+/* ---- Playing the week ----------------------------------------------------------------------- */
 
 /* Waits until at most LEDGER_RING / 2 entries are not yet committed. The store's thread writes in
  * real time, but the simulation runs several hundred times as fast. */

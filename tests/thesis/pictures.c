@@ -66,7 +66,7 @@ static void shoot(const char *number, const struct easel_shot *shot, const char 
     fflush(stdout);
 }
 
-/* ---- 4.1 to 4.12: two fish meet ------------------------------------------------------------- */
+/* ---- Figures 4.1 to 4.12: two fish meet ----------------------------------------------------- */
 
 /* An encounter of two fish in section 4.1 of the thesis. A fish turns to a random side, so the
  * program searches for the first seed with which both turn as in the thesis. */

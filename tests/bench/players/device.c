@@ -171,7 +171,7 @@ static void send_poi(struct device *device, const struct player_command *command
     device->report_count++;
 }
 
-/* ---- Interface ------------------------------------------------------------------------------- */
+/* ---- Public functions ------------------------------------------------------------------------ */
 
 void device_init(struct device *device, const struct habits *habits, struct clock_sim *clock,
                  const struct view *view, uint32_t seed)

@@ -25,7 +25,7 @@ const char *const round_attempt_names[ATTEMPT_END_COUNT] = {
     "fled before", "fled dip", "fled follow", "fled lift", "below", "away", "slipped", "held",
 };
 
-/* ---- Tears ----------------------------------------------------------------------------------- */
+/* ---- Causes of tears ------------------------------------------------------------------------- */
 
 /* Returns the highest tension in N/m that the loads number `from` to `to` - 1 cause in the paper
  * around them. */
@@ -82,7 +82,7 @@ static void observe_paper(struct player_round *result, const struct core *core)
     result->cells[cause] += poi->strain.cells_torn;
 }
 
-/* ---- Flights --------------------------------------------------------------------------------- */
+/* ---- Outcomes of attempts -------------------------------------------------------------------- */
 
 /* Returns how the attempt ends if the lift that begins now fails: with the fish below the ring,
  * beside it, or above it but not on the paper. */

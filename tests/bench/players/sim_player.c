@@ -16,7 +16,7 @@
 #define CARRY_S 6.0f
 #define TIP_PX 60.0f /* Distance from the bowl in pixels at which the player tips the poi. */
 
-/* ---- Sight ----------------------------------------------------------------------------------- */
+/* ---- What the player sees -------------------------------------------------------------------- */
 
 void sim_player_to_screen(const struct view *view, vec3 point_m, float *x_px, float *y_px)
 {
@@ -101,7 +101,7 @@ static float screen_gap_px(const struct sim_player *player, vec3 a_m, vec3 b_m)
     return f_sqrt((ax - bx) * (ax - bx) + (ay - by) * (ay - by));
 }
 
-/* ---- States ---------------------------------------------------------------------------------- */
+/* ---- States of the player -------------------------------------------------------------------- */
 
 static float state_s(const struct sim_player *player)
 {
@@ -286,7 +286,7 @@ static uint8_t tick_carry(struct sim_player *player)
     return is_done ? PLAYER_CHOOSE : PLAYER_CARRY;
 }
 
-/* ---- Interface ------------------------------------------------------------------------------- */
+/* ---- Public functions ------------------------------------------------------------------------ */
 
 void sim_player_init(struct sim_player *player, const struct habits *habits,
                      const struct view *view, uint32_t seed)

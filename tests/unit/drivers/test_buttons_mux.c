@@ -134,7 +134,7 @@ static void test_the_description_names_every_panel_and_is_truncated(void **state
     buttons_mux_add(&join, device_of(&lines));
     assert_string_equal(device.ops->describe(device.self), "keys; 5 lines");
     buttons_mux_add(&join, device_of(&lines));
-    /* The failure is described only once. */
+    /* Two consecutive panels have the same description, which is listed only once. */
     assert_string_equal(device.ops->describe(device.self), "keys; 5 lines");
     for (uint32_t i = 0; i < 4; i++) {
         buttons_mux_add(&join, device_of(&talker));

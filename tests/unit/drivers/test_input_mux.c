@@ -11,7 +11,7 @@
 #include "drivers/input_mux.h"
 #include "drivers/null.h"
 
-/* ---- The assignment ------------------------------------------------------------------------- */
+/* ---- Assignment of devices to players ------------------------------------------------------- */
 
 enum { USB0, USB1, USB2, USB3, PAD0, PAD1, PAD2, PAD3, MOUSE, COUNT };
 #define NOBODY SLOT_NONE

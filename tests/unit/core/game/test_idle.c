@@ -43,7 +43,7 @@ static void leave(enum left_behind what)
     }
 }
 
-/* ---- Visits --------------------------------------------------------------------------------- */
+/* ---- Phases that must time out -------------------------------------------------------------- */
 
 static uint32_t seen; /* Phases in which the test has waited, as a bit mask. */
 

@@ -96,7 +96,7 @@ static void test_water_opposes_a_turning_wrist_and_loads_the_paper(void **state)
     assert_float_equal(f_abs(fixture.poi.pressure_pa), 23.4f, 3.0f);
 }
 
-/* ---- Fish ----------------------------------------------------------------------------------- */
+/* ---- Forces of fish ------------------------------------------------------------------------- */
 
 /* Runs a tick with a tail slap at a point of the paper. The load is set directly, as catch_tick()
  * would compute it. */
@@ -200,7 +200,7 @@ static void test_a_wall_pushes_back(void **state)
     assert_true(fixture.force.force_n.x > -7.0f);
 }
 
-/* ---- The paper ------------------------------------------------------------------------------ */
+/* ---- Tears, bounds and reported slaps ------------------------------------------------------- */
 
 static void test_a_tear_changes_the_force_in_the_same_tick(void **state)
 {

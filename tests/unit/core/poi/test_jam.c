@@ -111,7 +111,7 @@ static void test_a_jam_of_two_or_four_players_ends_soon(void **state)
     assert_in_range(longest_jam(MODE_FESTIVAL, 4, 2, 60), 0, JAM_TICKS_MAX);
 }
 
-/* ---- A heap --------------------------------------------------------------------------------- */
+/* ---- A heap of fish on the ring ------------------------------------------------------------- */
 
 /* Places the ring 6 cm deep and piles fish from the ring to the surface, above the paper and across
  * the ring's edge. */
@@ -143,7 +143,7 @@ static void test_a_poi_under_a_heap_of_fish_rises_with_the_hand(void **state)
     }
 }
 
-/* ---- Two pois ------------------------------------------------------------------------------- */
+/* ---- Two pois at one place ------------------------------------------------------------------ */
 
 static void hold(uint32_t which, vec3 place_m)
 {

@@ -38,7 +38,7 @@ static void swing_on(vec3 velocity_m_s)
     fixture_tick(&fixture);
 }
 
-/* ---- The surface ---------------------------------------------------------------------------- */
+/* ---- Sweeps through the water surface ------------------------------------------------------- */
 
 static void test_a_plunge_at_4_m_s_counts_as_a_dip_and_pushes_back(void **state)
 {
@@ -88,7 +88,7 @@ static void test_a_50_ms_movement_through_the_surface_counts_as_a_dip(void **sta
     }
 }
 
-/* ---- Fish ----------------------------------------------------------------------------------- */
+/* ---- Sweeps onto fish ----------------------------------------------------------------------- */
 
 static vec3 from_poi(uint32_t fish)
 {

@@ -42,7 +42,7 @@ static int near(float a, float b, float tolerance)
     return f_abs(a - b) <= tolerance;
 }
 
-/* ---- The pull ------------------------------------------------------------------------------- */
+/* ---- The pull of a shadow on fish ----------------------------------------------------------- */
 
 /* Equation 3.5 of the thesis with S = 0.01 per frame. A tank of 200 fish had 60 frames per second
  * (table 4.2). */
@@ -107,7 +107,7 @@ static void test_the_pull_acts_immediately_on_thesis_fish_and_else_after_the_dwe
     }
 }
 
-/* ---- Course --------------------------------------------------------------------------------- */
+/* ---- The pull and the fish's own course ----------------------------------------------------- */
 
 static int draw(struct shade_course *course, vec3 at_m, float yaw_rad)
 {
@@ -167,7 +167,7 @@ static void test_a_shade_does_not_change_a_course_outside_its_field(void **state
     assert_true(course.heading_rad == 1.25f && course.speed_m_s == 0.04f);
 }
 
-/* ---- Age ------------------------------------------------------------------------------------ */
+/* ---- How long a shadow rests ---------------------------------------------------------------- */
 
 static void glide(struct shade *shade, float speed_m_s, float seconds)
 {
@@ -253,7 +253,7 @@ static void test_a_shadow_without_a_valid_position_fails_an_assertion(void **sta
     expect_assert_failure(shade_tick(&shade, &lost, DT));
 }
 
-/* ---- Startle -------------------------------------------------------------------------------- */
+/* ---- Startling by shadows ------------------------------------------------------------------- */
 
 static float alarm(const struct shade *shade, enum tank_preset_id preset, float r_m)
 {

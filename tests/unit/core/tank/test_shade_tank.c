@@ -288,7 +288,7 @@ static void test_a_moving_fan_startles_more_fish_than_a_poi_in_the_air(void **st
     assert_int_equal(escapes_under(TANK_PRESET_THESIS, 0.30f, SHADE_FAN_DARK), 0);
 }
 
-/* ---- The stall ------------------------------------------------------------------------------ */
+/* ---- Shadows in the whole core -------------------------------------------------------------- */
 
 static struct core core;
 static struct output output;

@@ -89,8 +89,8 @@ static const char *name(uint32_t row)
     return device.ops->name(device.self, row);
 }
 
-/* Sends a report of the gamepad: the right stick is deflected, and L1 is pressed. The left stick
- * rests. */
+/* Sends a report of the gamepad with the position (`across`, `along`) of the right stick. If
+ * `squeezed` is 1, button L1 is pressed. The left stick is centred. */
 static void push(uint32_t at, int64_t across, int64_t along, int64_t squeezed)
 {
     struct hid_wire *pad = &wire[0];

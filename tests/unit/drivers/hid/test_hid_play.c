@@ -194,7 +194,7 @@ static void send_own_poi(const struct target *target)
     hid_port_sim_report(&player.wire.port, bytes, sizeof bytes);
 }
 
-/* ---- Rounds --------------------------------------------------------------------------------- */
+/* ---- Rounds with each controller ------------------------------------------------------------ */
 
 static void begin_round(uint32_t seed)
 {

@@ -63,7 +63,7 @@ static int reopen(void)
     return device.ops->open(device.self);
 }
 
-/* ---- The device ----------------------------------------------------------------------------- */
+/* ---- Reports, names and forces -------------------------------------------------------------- */
 
 static void test_absent_and_removed_devices_return_different_errors(void **state)
 {
@@ -340,7 +340,7 @@ static void test_no_mouse_displacement_is_lost_in_a_slow_frame(void **state)
     assert_true(f_abs(way_m[0] - way_m[1]) < 1e-4f);
 }
 
-/* ---- In the frame loop ---------------------------------------------------------------------- */
+/* ---- A HID poi in the frame loop ------------------------------------------------------------ */
 
 static void frame(void)
 {

@@ -17,7 +17,7 @@
 #include "drivers/usb/usb_device_list.h"
 #include "drivers/usb/usb_choice.h"
 
-/* ---- Keys ----------------------------------------------------------------------------------- */
+/* ---- Keys that identify a device ------------------------------------------------------------ */
 
 static void test_a_key_is_unchanged_by_writing_and_reading(void **state)
 {
@@ -52,7 +52,7 @@ static void test_an_invalid_key_is_rejected_and_changes_nothing(void **state)
     assert_int_equal(usb_key_read(&key, longest), 0);
 }
 
-/* ---- Verdicts ------------------------------------------------------------------------------- */
+/* ---- Which devices are opened --------------------------------------------------------------- */
 
 static struct hid_identity identity_of(uint16_t vendor, uint16_t product, const char *serial,
                                        const char *port)
@@ -139,7 +139,7 @@ static void test_a_full_list_drops_its_oldest_choice(void **state)
     assert_int_equal(evaluate(&choice, &second, USB_KIND_MAPPED), USB_PLAYS);
 }
 
-/* ---- Slots ---------------------------------------------------------------------------------- */
+/* ---- Assignment of devices to player slots -------------------------------------------------- */
 
 static struct usb_place place_of(struct hid_identity device, int is_taken, int is_held)
 {
@@ -205,7 +205,7 @@ static void test_a_slot_is_given_away_after_its_reservation(void **state)
     assert_int_equal(usb_choice_slot(place, &stranger), 2);
 }
 
-/* ---- Rows ----------------------------------------------------------------------------------- */
+/* ---- Rows of the device list ---------------------------------------------------------------- */
 
 static void test_rows_keep_their_index_and_excluded_devices_are_replaced(void **state)
 {
@@ -234,7 +234,7 @@ static void test_rows_keep_their_index_and_excluded_devices_are_replaced(void **
     assert_int_equal(usb_device_table_enter(&rows, &ninth, 0), row);
 }
 
-/* ---- The file ------------------------------------------------------------------------------- */
+/* ---- File of chosen devices ----------------------------------------------------------------- */
 
 static void test_choices_are_stored_completely_or_the_old_file_is_kept(void **state)
 {

@@ -52,7 +52,7 @@ static struct hal_clock stall_clock(void)
     return (struct hal_clock){ .ops = &ops };
 }
 
-/* ---- The poi -------------------------------------------------------------------------------- */
+/* ---- Simulated poi -------------------------------------------------------------------------- */
 
 static void plug(void)
 {
@@ -79,7 +79,7 @@ static void send_pose(void)
     stall.sent++;
 }
 
-/* ---- The game ------------------------------------------------------------------------------- */
+/* ---- Simulated kiosk ------------------------------------------------------------------------ */
 
 static void frame(void)
 {
@@ -215,7 +215,8 @@ static void test_a_thousand_unplugs_lose_no_credit(void **state)
             begin_round();
             continue;
         }
-        /* This credit was refunded once before, so the round was ended without a refund. */
+        /* A credit is refunded at most once. This credit had already been refunded, so the round
+         * ended without a refund. */
         if (!is_round()) {
             assert_int_equal(credits(), had);
             over++;

@@ -42,7 +42,7 @@ static void begin(void)
     assert_int_equal(hid_port_open(&port, &face), HAL_OK);
 }
 
-/* ---- The queue ------------------------------------------------------------------------------ */
+/* ---- Queue of reports ----------------------------------------------------------------------- */
 
 static void fill_bytes(uint8_t bytes[HID_REPORT_MAX], uint32_t size, uint32_t number)
 {
@@ -188,8 +188,7 @@ static void test_queue_counters_can_wrap(void **state)
     assert_int_equal(atomic_load(&port.lost), 0);
 }
 
-/* ---- The buffer -------------------------------------------------------------------------------
- * */
+/* ---- Buffer of the newest value ------------------------------------------------------------- */
 
 static struct {
     struct triple_buffer buffer;
@@ -230,7 +229,7 @@ static void test_the_newest_value_is_complete_and_never_older_than_the_last(void
     assert_false(triple_buffer_fetch(&post.buffer));
 }
 
-/* ---- The port ------------------------------------------------------------------------------- */
+/* ---- Ring as a HID port --------------------------------------------------------------------- */
 
 static void test_reports_of_a_removed_device_are_not_given_to_the_next(void **state)
 {

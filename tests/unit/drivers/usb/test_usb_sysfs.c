@@ -37,7 +37,7 @@ static void test_control_characters_are_removed_from_device_texts(void **state)
     }
 }
 
-/* ---- Nodes ---------------------------------------------------------------------------------- */
+/* ---- Device nodes --------------------------------------------------------------------------- */
 
 /* The input node is several levels below its device in /sys. A hub two levels above the device also
  * has a serial number, which must not be returned. */

@@ -58,7 +58,7 @@ static int tear_down(void **state)
     return 0;
 }
 
-/* ---- Waiting -------------------------------------------------------------------------------- */
+/* ---- Waiting times before retries ----------------------------------------------------------- */
 
 static void test_retries_of_a_device_without_a_descriptor_become_less_frequent(void **state)
 {
@@ -158,7 +158,7 @@ static void test_a_failed_wait_pauses_and_reports_still_arrive(void **state)
     assert_int_equal(fixture_number(&raw), 2);
 }
 
-/* ---- The file ------------------------------------------------------------------------------- */
+/* ---- File of chosen devices ----------------------------------------------------------------- */
 
 static void choose_the_joystick(void)
 {

@@ -35,7 +35,7 @@ static void test_a_bot_wins_no_tickets(void **state)
     assert_int_equal(audit(AUDIT_TICKETS), 0);
 }
 
-/* ---- The cabinet ---------------------------------------------------------------------------- */
+/* ---- Coin slot and lamps -------------------------------------------------------------------- */
 
 static void test_coins_are_rejected_while_no_player_can_play(void **state)
 {
@@ -98,7 +98,7 @@ static void test_a_shake_loses_no_inserted_coin(void **state)
     assert_int_equal(credits(), 1);
 }
 
-/* ---- Hours ---------------------------------------------------------------------------------- */
+/* ---- Operating hours ------------------------------------------------------------------------ */
 
 static void test_the_final_entry_completes_the_operating_time(void **state)
 {

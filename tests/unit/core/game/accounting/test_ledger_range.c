@@ -67,7 +67,7 @@ static struct ledger_entry played(uint32_t id)
     };
 }
 
-/* ---- Each range ------------------------------------------------------------------------------ */
+/* ---- Range of each ledger field -------------------------------------------------------------- */
 
 /* Returns the entry of a coin with one invalid value. `which` (less than BAD_COIN_COUNT) selects
  * the value. */
@@ -335,7 +335,7 @@ static void test_a_start_rebuilds_rejected_sums_that_the_backup_also_holds(void 
     expect_a_start_for_each_change(true);
 }
 
-/* ---- Ids ------------------------------------------------------------------------------------- */
+/* ---- Entry ids ------------------------------------------------------------------------------- */
 
 static void test_a_database_whose_ids_would_wrap_keeps_its_credits_over_a_restart(void **state)
 {

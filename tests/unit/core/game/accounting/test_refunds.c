@@ -240,7 +240,7 @@ static void test_a_recording_of_format_7_refunds_every_credit(void **state)
     assert_int_equal(purse_count(&output, LEDGER_STAND), 0);
 }
 
-/* ---- Losses --------------------------------------------------------------------------------- */
+/* ---- Repeated losses of a controller -------------------------------------------------------- */
 
 static void lose_for(uint32_t ticks)
 {

@@ -114,7 +114,7 @@ static void test_the_bot_reacts_to_a_vanished_fish_after_its_reaction_time(void 
     assert_in_range(answers, 8, 10);
 }
 
-/* ---- Before the start ----------------------------------------------------------------------- */
+/* ---- Before the start of a round ------------------------------------------------------------ */
 
 static void test_poi_and_shadow_stay_off_the_water_before_the_start(void **state)
 {
@@ -291,7 +291,7 @@ static void test_a_chasing_bot_never_waits(void **state)
     assert_true(bot_stall_until(&stall, BOT_WATCH, 20));
 }
 
-/* ---- Play ----------------------------------------------------------------------------------- */
+/* ---- Results of bots ------------------------------------------------------------------------ */
 
 /* The 2013 thesis criticizes an arcade game in which each scoop costs one paper. Here careful
  * scoops must preserve the paper. */

@@ -54,7 +54,7 @@ static struct calibration_said said_by(const struct twin *twin)
     return said;
 }
 
-/* ---- The map -------------------------------------------------------------------------------- */
+/* ---- The calibration map -------------------------------------------------------------------- */
 
 static void test_calibration_corrects_any_frame_within_1_mm(void **state)
 {
@@ -137,7 +137,7 @@ static void test_an_uncalibrated_pose_is_not_changed(void **state)
     assert_memory_equal(&poi, &broken, sizeof poi);
 }
 
-/* ---- Rejected marks ------------------------------------------------------------------------- */
+/* ---- Rejected calibration marks ------------------------------------------------------------- */
 
 static enum calibration_fault judge(const struct calibration_said *said)
 {

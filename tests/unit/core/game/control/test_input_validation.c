@@ -75,7 +75,7 @@ static void test_a_restored_link_is_lost_until_it_was_valid_for_a_while(void **s
     expect_for(10, INPUT_VALID);
 }
 
-/* ---- Numbers -------------------------------------------------------------------------------- */
+/* ---- Numbers outside the valid range -------------------------------------------------------- */
 
 static float *field(uint32_t index)
 {
@@ -115,7 +115,7 @@ static void test_one_bad_report_costs_a_quarter_of_a_second(void **state)
     assert_int_equal(lost, INPUT_AGREE_TICKS);
 }
 
-/* ---- Jumps ---------------------------------------------------------------------------------- */
+/* ---- Jumps of the pose ---------------------------------------------------------------------- */
 
 static void test_a_jump_of_1_m_invalidates_the_input_until_it_stays(void **state)
 {
@@ -226,7 +226,7 @@ static void test_a_pose_that_keeps_jumping_stays_invalid(void **state)
     }
 }
 
-/* ---- Freezing and silence ------------------------------------------------------------------- */
+/* ---- Unchanged and missing reports ---------------------------------------------------------- */
 
 static void test_an_input_without_reports_is_lost_after_half_a_second(void **state)
 {

@@ -159,7 +159,7 @@ static void begin(const struct scene_of *of)
     soak(&core.world.poi[0].sheet, of->wetness);
 }
 
-/* ---- Faults --------------------------------------------------------------------------------- */
+/* ---- Simulated controller faults ------------------------------------------------------------ */
 
 /* Writes the controller's report `tick` ticks after the fault began. Returns 1 while the fault
  * lasts. */

@@ -125,7 +125,7 @@ static void test_pois_are_parked_before_the_start_and_after_the_end(void **state
     }
 }
 
-/* ---- Players who are out -------------------------------------------------------------------- */
+/* ---- Pois of players who are out ------------------------------------------------------------ */
 
 static void expect_put_away(uint32_t index, uint32_t players)
 {

@@ -129,7 +129,7 @@ static void test_start_plays_and_a_held_start_leaves(void **state)
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
-/* ---- Life ----------------------------------------------------------------------------------- */
+/* ---- The animated life of a fish ------------------------------------------------------------ */
 
 static void test_a_life_plays_to_its_end_pauses_and_restarts(void **state)
 {

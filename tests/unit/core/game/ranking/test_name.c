@@ -6,7 +6,7 @@
 #include "core/game/ranking/name_keyboard.h"
 #include "tests/unit/support/game_fixture.h"
 
-/* ---- Setup ---------------------------------------------------------------------------------- */
+/* ---- Test setup ----------------------------------------------------------------------------- */
 
 static int setup_names(void **state)
 {
@@ -111,7 +111,7 @@ static const char *name_on_board(enum rank_period period, uint32_t place)
     return core.game.accounts.ranking.row[MODE_FESTIVAL][period][place].name;
 }
 
-/* ---- Conditions ----------------------------------------------------------------------------- */
+/* ---- Conditions for the name entry ---------------------------------------------------------- */
 
 static void test_a_ranked_player_is_asked_after_the_result(void **state)
 {
@@ -184,7 +184,7 @@ static void test_players_are_asked_once_each_with_the_best_first(void **state)
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
-/* ---- Entry ---------------------------------------------------------------------------------- */
+/* ---- Entering a name ------------------------------------------------------------------------ */
 
 static void test_buttons_enter_a_name_for_every_leaderboard(void **state)
 {
@@ -372,7 +372,7 @@ static void test_a_timeout_does_not_bypass_the_name_filter(void **state)
     assert_string_equal(name_on_board(RANK_DAY, 0), "");
 }
 
-/* ---- Time ----------------------------------------------------------------------------------- */
+/* ---- Time limits of the name entry ---------------------------------------------------------- */
 
 static void test_a_timeout_keeps_the_entered_letters(void **state)
 {

@@ -97,7 +97,7 @@ static void test_held_and_bowl_fish_are_not_in_the_broad_phase(void **state)
     }
 }
 
-/* ---- Between full updates ------------------------------------------------------------------- */
+/* ---- Ticks between full updates ------------------------------------------------------------- */
 
 /* Gives the fish motions at the limits of what occurs: some rest, some burst, turn sharply and are
  * pushed. */
