@@ -1,8 +1,8 @@
 /* test_kiosk_seats.c -- Tests the assignment of controllers to player slots in the frame loop.
  *
  * The tests check when the assignment may change, and how a newly assigned controller is opened.
- * 
- * Other tests check the measured time from the arrival of a report to its tick. *
+ * Other tests check the measured time from the arrival of a report to its tick. */
+#include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
