@@ -4,14 +4,14 @@
  * of keys.
  *
  * For each vertex a blend reads 8 bytes per key and 16 more bytes, and writes 24 bytes (position
- * and normal). It cannot be faster than a copy of as many bytes. Blends of so many fish that they
- * do not fit in a cache alternate with memcpy() of the same number of bytes. The figure is the
+ * and normal). A blend cannot be faster than a copy of as many bytes. Blends of so many fish that
+ * they do not fit in a cache alternate with memcpy() of the same number of bytes. The figure is the
  * share of the copy's bandwidth in the fastest round, and must be at least GOAL. The table also has
  * one fish that stays in the cache, as in the kiosk, with and without SIMD.
  *
- * A second table has fish with several blend curves and anchors. It has no goal, because arithmetic
- * takes longer there than memory accesses. Returns exit status 1 if a share of the first table is
- * below GOAL. */
+ * A second table has fish with several blend curves and anchors. The second table has no goal,
+ * because arithmetic takes longer there than memory accesses. Returns exit status 1 if a share of
+ * the first table is below GOAL. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -205,8 +205,8 @@ static void take_disc(float speed_m_s)
     };
 }
 
-/* Moves the disc toward its target on the oval. Fish may block the disc. It then catches up at up
- * to 1.5 times its speed. */
+/* Moves the disc toward its target on the oval. Fish may block the disc. A disc that was blocked
+ * catches up at up to 1.5 times its speed. */
 static void pull_disc(void)
 {
     const vec3 way_m = v3_sub(hand_m(), disc.centre_m);

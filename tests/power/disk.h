@@ -44,8 +44,8 @@ struct disk {
         char name[TAPE_NAME_SIZE];
         uint32_t file;
     } names[DISK_NAMES_MAX];
-    /* Operations that may be lost in a power cut, because no sync has made them durable. They are
-     * in time order. */
+    /* Operations that may be lost in a power cut, because no sync has made them durable. The
+     * operations are in time order. */
     size_t *pending;
     size_t pending_count, pending_room;
 };

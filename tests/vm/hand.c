@@ -1,11 +1,11 @@
 /* hand.c -- plays on the kiosk in the guest through its USB poi until a fish is landed.
  *
  * Usage: hand RECORDING PLANS SECONDS. The program recomputes the game from the kiosk's recording
- * (twin.h). It simulates a complete scoop by the core's own bot on a copy of the game, and plays
- * the scoop only if the simulation landed a fish. For this it writes the path to PLANS/plan, one
- * pose for each of the poi's 120 reports per second, in the format of `kingyo-poi run --script`.
- * Exit code 0 means that a fish was landed, 1 a timeout, and 65 that another core wrote the
- * recording. */
+ * (twin.h). The program simulates a complete scoop by the core's own bot on a copy of the game, and
+ * plays the scoop only if the simulation landed a fish. For this it writes the path to PLANS/plan,
+ * one pose for each of the poi's 120 reports per second, in the format of `kingyo-poi run
+ * --script`. Exit code 0 means that a fish was landed, 1 a timeout, and 65 that another core wrote
+ * the recording. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

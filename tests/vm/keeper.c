@@ -4,8 +4,8 @@
  * Usage: keeper DEVICE SECONDS COMMAND [WORD...]. The program opens the watchdog DEVICE when the
  * command sends READY=1 and resets the timer at each WATCHDOG=1. If the kiosk hangs, the watchdog
  * resets the machine. When the command exits, the program disarms the watchdog and returns the
- * command's exit code. It then prints on standard error the number of timer resets and the longest
- * interval between two of them. */
+ * command's exit code. Finally the program prints on standard error the number of timer resets and
+ * the longest interval between two of them. */
 #include <fcntl.h>
 #include <linux/watchdog.h>
 #include <poll.h>

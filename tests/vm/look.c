@@ -1,7 +1,7 @@
 /* look.c -- writes the state of the game in the guest as "name value" lines.
  *
  * Usage: look RECORDING FILE. The program recomputes the state from the kiosk's recording (twin.h).
- * It rewrites FILE whenever the recording has grown, until a signal ends the program. */
+ * The program rewrites FILE whenever the recording has grown, until a signal ends the program. */
 #include <signal.h>
 #include <stdio.h>
 #include <time.h>

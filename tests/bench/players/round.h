@@ -45,7 +45,7 @@ struct player_round {
     bool is_played; /* True if the round came to its end. */
     uint32_t caught, scoops;
     bool torn;      /* True if the paper tore so far that it could no longer hold a fish. */
-    double torn_s;  /* Time of that tear in the round, in seconds. */
+    double torn_s;  /* Time in the round at which `torn` became true, in seconds. */
     double first_s; /* Time of the first torn cell in the round, in seconds; 0 if no cell tore. */
     /* Time for which the paper had been wet when the first cell tore, on average over its cells. */
     double wet_s;

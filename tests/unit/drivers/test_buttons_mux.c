@@ -70,7 +70,8 @@ static void test_input_of_any_panel_is_reported(void **state)
     assert_int_equal(sum.full_screen, 1);
 }
 
-/* A button that is released on one panel may still be held on another. It must then stay held. */
+/* A button that is released on one panel may still be held on another. The button must then stay
+ * held. */
 static void test_a_button_is_held_while_any_panel_holds_it(void **state)
 {
     (void)state;

@@ -227,8 +227,8 @@ static void test_a_lost_controller_keeps_its_slot_during_the_game(void **state)
     assert_true(mouse.polled > 0);
 }
 
-/* A mouse on a cabinet must not count as a second player. It gets a slot only if it is used or if
- * no other controller exists. */
+/* A mouse on a cabinet must not count as a second player. The mouse gets a slot only if it is used
+ * or if no other controller exists. */
 static void test_a_substitute_gets_a_slot_if_no_other_exists_or_once_used(void **state)
 {
     (void)state;
@@ -251,7 +251,8 @@ static void test_a_substitute_gets_a_slot_if_no_other_exists_or_once_used(void *
 }
 
 /* A lost controller is replaced during a round by an unused controller of the same kind, or by
- * itself in another port. It is never replaced by the mouse or by another player's controller. */
+ * itself in another port. The mouse never replaces a lost controller, and neither does another
+ * player's controller. */
 static void test_a_lost_controller_is_replaced_in_a_game_by_one_of_its_kind(void **state)
 {
     (void)state;

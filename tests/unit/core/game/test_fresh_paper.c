@@ -98,7 +98,8 @@ static void test_paper_with_a_hole_in_the_middle_is_usable_beside_it(void **stat
     assert_true(paper_can_hold(sheet));
     punch(sheet, 0.0f, 0.0f, 0.012f);
     assert_true(paper_can_hold(sheet));
-    /* This leaves a strip of paper along the ring that is 14 mm wide, too narrow for any fish. */
+    /* Leaves a strip of paper along the ring. The strip is 14 mm wide, which is too narrow for any
+     * fish. */
     punch(sheet, 0.0f, 0.0f, 0.026f);
     assert_true(sheet_left(sheet) > PAPER_LEFT_MIN);
     assert_false(paper_can_hold(sheet));

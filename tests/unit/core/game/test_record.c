@@ -145,7 +145,7 @@ static void test_the_fish_of_a_removed_poi_falls_into_the_water(void **state)
     hold_a_fish(1, 0.05f);
     core.world.poi[0].carried_fish[0] = (struct carried_fish){ .fish = 1 };
     core.world.poi[0].carried_count = 1;
-    /* Fish 2 has GAIT_HELD although no poi carries it. It must be released too. */
+    /* Fish 2 has GAIT_HELD although no poi carries it. Fish 2 must be released too. */
     hold_a_fish(2, 0.05f);
     input.poi[0].link = POI_SOURCE_ABSENT;
     core_tick(&core, &input, &output);

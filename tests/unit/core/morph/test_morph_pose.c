@@ -149,8 +149,8 @@ static void test_a_frame_of_the_skin_converts_forward_and_back(void **state)
     }
 }
 
-/* Checks the frame (x, y, z) of a patch of skin that faces `normal`. It must be orthonormal, x must
- * be the normal, and z must not point forward. */
+/* Checks the frame (x, y, z) of a patch of skin that faces `normal`. The frame must be orthonormal,
+ * x must be the normal, and z must not point forward. */
 static void assert_a_skin_has_its_turn(vec3 normal)
 {
     for (uint32_t k = 0; k < BARREL_GRID; k++) {

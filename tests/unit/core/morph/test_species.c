@@ -282,8 +282,8 @@ static void check_fins_from_above(const struct shape *shape)
                 width_from_above(shape, PART_BODY) + 0.04f);
 }
 
-/* From the kiosk's camera, a horizontal tail would be invisible from the side, and a vertical one
- * from above. The tail must be visible from each direction. */
+/* A flat horizontal tail would look like a line from the side, and a flat vertical tail from above.
+ * The tail of each fish must be visible from all these directions. */
 static void test_tail_and_pectorals_are_visible_from_above_and_from_each_slant(void **state)
 {
     (void)state;

@@ -156,8 +156,8 @@ static float reversals_per_s(uint32_t fish_count, uint32_t seed, const struct sh
     return (float)(reversals * CORE_TICK_HZ) / (float)fish_ticks;
 }
 
-/* Fish under a fan are dense and therefore meet often. They are compared with a tank of the same
- * density without a fan. Under the fan they also turn back at the edge of the shadow every few
+/* Fish under a fan are dense and therefore meet often. These fish are compared with a tank of the
+ * same density without a fan. Under the fan they also turn back at the edge of the shadow every few
  * seconds, so some more reversals are allowed. */
 static void test_gathered_fish_do_not_jitter(void **state)
 {

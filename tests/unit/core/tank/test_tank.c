@@ -427,7 +427,7 @@ static void test_a_fish_that_a_poi_releases_falls_in_and_flees(void **state)
     open_tank(&tank, TANK_PRESET_FESTIVAL, 1, 8);
     const struct fish *fish = drop(v3(0.1f, 0.0f, 0.0f));
     run(&tank, 0, 10, 0, 0);
-    /* After 10 ticks the fish is still falling. It must not jump into the water. */
+    /* After 10 ticks the fish is still falling. The falling fish must not jump into the water. */
     assert_true(fish->position_m.y < 0.08f && fish->position_m.y > 0.0f);
     run(&tank, 10, 40, 0, 0);
     assert_int_equal(fish->gait, GAIT_ESCAPE);

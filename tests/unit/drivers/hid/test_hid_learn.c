@@ -223,8 +223,8 @@ static void test_axes_of_32_bits_are_learned_over_their_full_range(void **state)
     hold_pose(&wide);
 }
 
-/* A gamepad's report contains a counter and a clock, which always change. They must not be learned
- * as axes. */
+/* A gamepad's report contains a counter and a clock, which always change. The counter and the clock
+ * must not be learned as axes. */
 static void test_fields_that_change_at_rest_are_no_axes(void **state)
 {
     static const struct demo_device *demo_device = &devices[2];

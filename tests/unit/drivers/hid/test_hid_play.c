@@ -110,8 +110,8 @@ static void send_playstation(const struct target *target)
     send_pad(target, 6); /* Button 6 (R1) dips the ring. */
 }
 
-/* A 3D mouse controls the height directly. It is pushed down until the ring is deep enough, and
- * later up. */
+/* A 3D mouse controls the height directly. The mouse is pushed down until the ring is deep enough,
+ * and later up. */
 static void send_3d_mouse(const struct target *target)
 {
     const vec3 ring = ring_m();

@@ -223,8 +223,8 @@ static void test_a_free_round_is_not_refunded(void **state)
     assert_int_equal(audit(AUDIT_REFUNDS), 0);
 }
 
-/* If the controller is unplugged, the round is refunded. It then gives neither tickets nor a rank,
- * even with a full bowl. */
+/* If the controller is unplugged, the round is refunded. A refunded round gives neither tickets nor
+ * a rank, even with a full bowl. */
 static void test_a_refunded_round_is_not_scored(void **state)
 {
     (void)state;

@@ -331,8 +331,8 @@ static void test_the_bot_plays_in_each_tank(void **state)
     }
 }
 
-/* Two bots play at one tank, each with its own bowl and poi. They should rarely choose the same
- * fish. */
+/* Two bots play at one tank, each with its own bowl and poi. The two bots should rarely choose the
+ * same fish. */
 static void test_two_bots_rarely_target_the_same_fish(void **state)
 {
     (void)state;

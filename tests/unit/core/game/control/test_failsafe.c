@@ -1,6 +1,6 @@
 /* test_failsafe.c -- checks the automatic motions of a poi whose controller is lost or returns.
- * They must be too slow to tear wet paper of the weakest grade, whether damage is disabled or
- * not. */
+ * These motions must be too slow to tear wet paper of the weakest grade, whether damage is disabled
+ * or not. */
 #include "tests/unit/support/poi_fixture.h"
 
 #include "core/game/control/controller.h"

@@ -32,8 +32,8 @@ static int begin(void **state)
     return 0;
 }
 
-/* Returns the true position of the controller at a tick. It moves up and down under water, with the
- * paper broadside. */
+/* Returns the true position of the controller at a tick. The controller moves up and down under
+ * water, with the paper broadside. */
 static vec3 hand_at(uint32_t tick_of_play)
 {
     const float turns = SWING_HZ * CORE_TICK_S * (float)tick_of_play;

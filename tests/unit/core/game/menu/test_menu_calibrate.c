@@ -307,7 +307,7 @@ static void test_only_a_rest_after_a_movement_counts_as_a_mark(void **state)
     assert_int_equal(calibrate()->step, CALIBRATE_CORNER);
     hold_true(mark, CALIBRATE_STILL_TICKS / 2u + 2u);
     assert_int_equal(calibrate()->step, CALIBRATE_CORNER + 1);
-    /* The poi still rests at the first mark. This must not confirm the second mark. */
+    /* The poi still rests at the first mark. A resting poi must not confirm the second mark. */
     hold_true(mark, 4u * CALIBRATE_STILL_TICKS);
     assert_int_equal(calibrate()->step, CALIBRATE_CORNER + 1);
 }

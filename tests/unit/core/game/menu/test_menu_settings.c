@@ -7,7 +7,8 @@
 #include "tests/unit/support/game_fixture.h"
 #include "tests/unit/support/menu_tag.h"
 
-/* Seconds for which TEST is held. This is enough to step through the longest range of values. */
+/* Seconds for which TEST is held. This time is enough to step through the longest range of
+ * values. */
 #define HELD_S 12u
 
 static const struct menu *menu(void)
@@ -525,7 +526,7 @@ static void test_leaving_the_menu_does_not_shorten_the_delay(void **state)
     type(1);
     take(PIN_BACK);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
-    /* Waits for a new session, which must not end the delay. */
+    /* Waits until a new session has started. The delay for a new PIN entry must continue. */
     for (uint32_t i = 0; i < SESSION_FADE_TICKS + 2u; i++) {
         core_tick(&core, &input, &output);
     }

@@ -265,8 +265,8 @@ static void test_the_dip_that_ended_the_result_enters_nothing(void **state)
     steps(GAME_AGAIN_DIP_TICKS);
     dip();
     assert_int_equal(core.game.phase, PHASE_NAME);
-    /* The poi is still under water after the dip that opened the name entry. This must not select a
-     * letter. */
+    /* The poi is still under water after the dip that opened the name entry. This old dip must not
+     * select a letter. */
     steps(NAME_SEEN_TICKS + 10u);
     assert_int_equal(core.game.name.letter_count, 0);
     /* Only a new dip, after the poi rose above the water, selects a letter. */

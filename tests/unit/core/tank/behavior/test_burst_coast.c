@@ -85,8 +85,8 @@ static void test_a_behavior_update_in_every_tick_adds_no_turns(void **state)
     for (uint32_t tick = 0; tick < 840u; tick++) {
         struct perception around = *pond_at(1, tick);
         gait_cycle_turn(&often, 7, &around);
-        /* `seldom` is updated in every fourth tick, and never in the tick of a kick. It must not
-         * miss a kick. */
+        /* `seldom` is updated in every fourth tick, and never in the tick of a kick. Nevertheless,
+         * `seldom` must not miss a kick. */
         if (tick % FISH_BEHAVIOR_TICKS == 2u) {
             around.dt_s = (float)FISH_BEHAVIOR_TICKS * CORE_TICK_S;
             gait_cycle_turn(&seldom, 7, &around);

@@ -23,8 +23,8 @@ struct trial {
     float head_turn_rad;
     /* Side away from the stimulus: +1 is left and -1 is right. */
     float away_side;
-    float way_lengths;  /* Distance during the first 100 ms. */
-    float away_lengths; /* Part of that distance in the direction away from the stimulus. */
+    float way_lengths;               /* Distance during the first 100 ms. */
+    float away_lengths;              /* Component of `way_lengths` away from the stimulus. */
     float peak_lengths_s, push_m_s2; /* Highest speed, and highest acceleration over 17 ms. */
     /* Time of the highest speed, and time of the last tick faster than 4 lengths per second. */
     float peak_s, slow_s;

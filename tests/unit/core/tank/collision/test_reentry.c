@@ -174,8 +174,8 @@ static void test_there_is_a_gap_even_in_the_smallest_tank(void **state)
     expect_all_swim_soon("in a small tank", run_until_all_swim(0, NULL, 0));
 }
 
-/* The dropped fish lie just above the paper, under two layers of other fish. They must find free
- * places above the paper and not pass through it. */
+/* The dropped fish lie just above the paper, under two layers of other fish. The dropped fish must
+ * find free places above the paper and not pass through it. */
 static void test_a_dropped_fish_takes_no_gap_through_paper(void **state)
 {
     (void)state;
