@@ -98,9 +98,9 @@ enum scene_watch {
 
 /* State of the computer. All fields are 0 if the machine was not checked yet. */
 struct scene_machine {
-    uint8_t has_looked;
+    uint8_t is_checked;
     uint8_t keeps; /* Result of the data check (enum scene_keeps). */
-    uint8_t watch; /* State of the watchdog (enum scene_watch); valid even if `has_looked` is 0. */
+    uint8_t watch; /* State of the watchdog (enum scene_watch); valid even if `is_checked` is 0. */
     uint8_t has_backup, has_heat;
     /* 1 if the clock is behind a time stamp written before this start, otherwise 0. */
     uint8_t is_clock_back;

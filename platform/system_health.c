@@ -203,7 +203,7 @@ void system_health_sample(struct system_health *machine, struct scene_machine *o
     }
     out->panics = panics.total;
     out->left_out = panics.left_boot == panics_boot() ? (uint8_t)panics.left : LEFT_NOTHING;
-    out->has_looked = 1;
+    out->is_checked = 1;
     machine->has_begun = true;
 }
 

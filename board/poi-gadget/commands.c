@@ -20,13 +20,13 @@
 
 /* ---- Observation of the sensors -------------------------------------------------------------- */
 
-#define LOOKS 50u /* Number of readings of the sensors in one observation. */
+#define OBSERVATION_READINGS 50u /* Number of readings of the sensors in one observation. */
 /* Pause in ns between two readings during the calibration, so that an observation takes one second.
  */
 #define CALIBRATE_PAUSE_NS 20000000
 
-/* Holds the result of LOOKS readings of all sensors. */
-struct looks {
+/* Holds the result of OBSERVATION_READINGS readings of all sensors. */
+struct observation {
     struct readings last;
     /* Mean, least and greatest converter steps of each wire. */
     float mean[DRAW_WIRE_COUNT], low[DRAW_WIRE_COUNT], high[DRAW_WIRE_COUNT];
@@ -37,27 +37,27 @@ struct looks {
     double seconds;              /* Duration of the observation in seconds. */
 };
 
-static void observe_sensors(struct sensors *sensors, long pause_ns, struct looks *looks)
+static void observe_sensors(struct sensors *sensors, long pause_ns, struct observation *observed)
 {
-    const float part = 1.0f / (float)LOOKS;
-    *looks = (struct looks){ 0 };
+    const float part = 1.0f / (float)OBSERVATION_READINGS;
+    *observed = (struct observation){ 0 };
     const uint64_t began_ns = clock_ns(CLOCK_MONOTONIC);
-    for (uint32_t n = 0; n < LOOKS; n++) {
-        looks->missed += !sensors_read(sensors, &looks->last);
+    for (uint32_t n = 0; n < OBSERVATION_READINGS; n++) {
+        observed->missed += !sensors_read(sensors, &observed->last);
         for (uint32_t i = 0; i < DRAW_WIRE_COUNT; i++) {
-            const float wire = looks->last.wire[i];
-            looks->low[i] = n == 0 ? wire : f_min(looks->low[i], wire);
-            looks->high[i] = n == 0 ? wire : f_max(looks->high[i], wire);
-            looks->mean[i] += wire * part;
+            const float wire = observed->last.wire[i];
+            observed->low[i] = n == 0 ? wire : f_min(observed->low[i], wire);
+            observed->high[i] = n == 0 ? wire : f_max(observed->high[i], wire);
+            observed->mean[i] += wire * part;
         }
-        looks->gyro_rad_s = v3_muladd(looks->gyro_rad_s, looks->last.gyro_rad_s, part);
-        looks->spin_rad_s += v3_length(looks->last.gyro_rad_s) * part;
-        looks->pull_m_s2 += v3_length(looks->last.accel_m_s2) * part;
+        observed->gyro_rad_s = v3_muladd(observed->gyro_rad_s, observed->last.gyro_rad_s, part);
+        observed->spin_rad_s += v3_length(observed->last.gyro_rad_s) * part;
+        observed->pull_m_s2 += v3_length(observed->last.accel_m_s2) * part;
         if (pause_ns > 0) {
             nanosleep(&(struct timespec){ .tv_nsec = pause_ns }, NULL);
         }
     }
-    looks->seconds = (double)(clock_ns(CLOCK_MONOTONIC) - began_ns) * 1e-9;
+    observed->seconds = (double)(clock_ns(CLOCK_MONOTONIC) - began_ns) * 1e-9;
 }
 
 /* ---- Calibration of the wires ---------------------------------------------------------------- */
@@ -69,7 +69,7 @@ static void observe_sensors(struct sensors *sensors, long pause_ns, struct looks
 /* Prints an instruction, waits until the user presses Enter, and observes the sensors for one
  * second. Returns true, or false if standard input has ended or a sensor did not respond. */
 __attribute__((format(printf, 3, 4))) static bool
-observe_after_enter(struct sensors *sensors, struct looks *looks, const char *format, ...)
+observe_after_enter(struct sensors *sensors, struct observation *observed, const char *format, ...)
 {
     char words[PRINT_LINE_MAX];
     int letter;
@@ -82,9 +82,9 @@ observe_after_enter(struct sensors *sensors, struct looks *looks, const char *fo
         letter = getchar();
     } while (letter != '\n' && letter != EOF);
     if (letter != EOF) {
-        observe_sensors(sensors, CALIBRATE_PAUSE_NS, looks);
+        observe_sensors(sensors, CALIBRATE_PAUSE_NS, observed);
     }
-    if (letter == EOF || looks->missed > 0) {
+    if (letter == EOF || observed->missed > 0) {
         print_error("kingyo-poi: standard input has ended, or a sensor did not respond");
         return false;
     }
@@ -99,9 +99,9 @@ static bool ask_mark(const struct poi_config *config, struct sensors *sensors, u
     assert(mark < config->mark_count);
     const vec3 at_m = config->mark_m[mark];
     float length_m[DRAW_WIRE_COUNT], most;
-    struct looks looks;
+    struct observation observed;
     do {
-        if (!observe_after_enter(sensors, &looks,
+        if (!observe_after_enter(sensors, &observed,
                                  "mark %u of %u: hold the eye still at %.0f %.0f %.0f mm", mark + 1,
                                  config->mark_count, (double)(at_m.x * 1000.0f),
                                  (double)(at_m.y * 1000.0f), (double)(at_m.z * 1000.0f))) {
@@ -109,7 +109,7 @@ static bool ask_mark(const struct poi_config *config, struct sensors *sensors, u
         }
         most = 0.0f;
         for (uint32_t i = 0; i < DRAW_WIRE_COUNT; i++) {
-            most = f_max(most, looks.high[i] - looks.low[i]);
+            most = f_max(most, observed.high[i] - observed.low[i]);
         }
         if (most >= STILL_STEPS) {
             print_error("  the eye moved by %.0f steps; hold it still once more", (double)most);
@@ -117,14 +117,14 @@ static bool ask_mark(const struct poi_config *config, struct sensors *sensors, u
     } while (most >= STILL_STEPS);
     draw_wires_lengths(config->spool_m, at_m, length_m);
     for (uint32_t i = 0; i < DRAW_WIRE_COUNT; i++) {
-        draw_wires_fit_add(&fits[i], looks.mean[i], length_m[i]);
+        draw_wires_fit_add(&fits[i], observed.mean[i], length_m[i]);
     }
     return true;
 }
 
 static enum exit_code calibrate_print_result(const struct poi_config *config,
                                              struct wire_fit fits[DRAW_WIRE_COUNT],
-                                             const struct looks *rest)
+                                             const struct observation *rest)
 {
     enum exit_code code = EXIT_OK;
     for (uint32_t i = 0; i < DRAW_WIRE_COUNT; i++) {
@@ -149,7 +149,7 @@ enum exit_code commands_calibrate(const struct poi_config *config, const char *r
 {
     struct wire_fit fits[DRAW_WIRE_COUNT] = { 0 };
     struct sensors sensors;
-    struct looks rest;
+    struct observation rest;
     char why[SENSORS_WHY_SIZE];
     enum exit_code code = EXIT_IO;
     if (!sensors_open(&sensors, config, root, why)) {
@@ -170,7 +170,7 @@ enum exit_code commands_calibrate(const struct poi_config *config, const char *r
 
 /* ---- Self-test ------------------------------------------------------------------------------- */
 
-#define LOOK_S 0.02f
+#define OBSERVATION_STEP_S 0.02f
 /* Maximum range of the converter steps while the poi is at rest. 8 steps are 2 mm of wire. With a
  * working converter, the means of four readings vary less. */
 #define NOISE_STEPS_MAX 8.0f
@@ -198,49 +198,49 @@ __attribute__((format(printf, 3, 4))) static void print_verdict(bool good, const
 
 /* ---- Sensors at rest ------------------------------------------------------------------------- */
 
-static void check_readings(const struct poi_config *config, const struct looks *looks)
+static void check_readings(const struct poi_config *config, const struct observation *observed)
 {
-    const double each_ms = looks->seconds * 1000.0 / (double)LOOKS;
-    assert(looks->missed <= LOOKS);
-    print_verdict(looks->missed == 0, "sensors", "%u of %u readings succeeded",
-                  LOOKS - looks->missed, LOOKS);
+    const double each_ms = observed->seconds * 1000.0 / (double)OBSERVATION_READINGS;
+    assert(observed->missed <= OBSERVATION_READINGS);
+    print_verdict(observed->missed == 0, "sensors", "%u of %u readings succeeded",
+                  OBSERVATION_READINGS - observed->missed, OBSERVATION_READINGS);
     print_verdict(each_ms < 4.0, "speed", "%.2f ms per reading, %.0f readings per second%s",
                   each_ms, 1000.0 / each_ms,
                   each_ms < 4.0 ? "" : "; increase the bus clock, or decrease --rate");
     for (uint32_t i = 0; i < DRAW_WIRE_COUNT; i++) {
-        const float noise = looks->high[i] - looks->low[i];
-        const bool out = looks->low[i] >= BOARD_POSE_STEPS_MIN;
+        const float noise = observed->high[i] - observed->low[i];
+        const bool out = observed->low[i] >= BOARD_POSE_STEPS_MIN;
         char what[16];
         snprintf(what, sizeof what, "wire %u", i + 1);
         print_verdict(noise <= NOISE_STEPS_MAX && out, what,
                       "channel %u reads %.1f steps, with a range of %.1f%s", config->channel[i],
-                      (double)looks->last.wire[i], (double)noise,
+                      (double)observed->last.wire[i], (double)noise,
                       noise > NOISE_STEPS_MAX ? "; hold the poi still, or shield the cable"
                       : out                   ? ""
                             : "; the wire is at its stop, or the potentiometer is not connected");
     }
 }
 
-static void check_turn(const struct poi_config *config, const struct looks *looks)
+static void check_turn(const struct poi_config *config, const struct observation *observed)
 {
-    const struct quaternion q = looks->last.turn;
-    if (looks->last.fuses) {
+    const struct quaternion q = observed->last.turn;
+    if (observed->last.fuses) {
         const bool alive = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z > 0.0f;
         print_verdict(alive, "inertia", "%s computes the orientation%s", config->imu,
                       alive ? ""
                             : ", but gives no values: write a fusion mode to its operation_mode");
         return;
     }
-    const float off = f_abs(looks->pull_m_s2 / GRAVITY_M_S2 - 1.0f);
-    print_verdict(off < GRAVITY_OFF_MAX, "gravity", "%.2f m/s^2%s", (double)looks->pull_m_s2,
+    const float off = f_abs(observed->pull_m_s2 / GRAVITY_M_S2 - 1.0f);
+    print_verdict(off < GRAVITY_OFF_MAX, "gravity", "%.2f m/s^2%s", (double)observed->pull_m_s2,
                   off < GRAVITY_OFF_MAX ? ""
                                         : "; lay the poi down, or check the scale of the chip");
-    print_verdict(looks->spin_rad_s < SPIN_REST_MAX, "gyroscope", "%.3f rad/s at rest%s",
-                  (double)looks->spin_rad_s,
-                  looks->spin_rad_s < SPIN_REST_MAX ? "" : "; lay the poi down");
+    print_verdict(observed->spin_rad_s < SPIN_REST_MAX, "gyroscope", "%.3f rad/s at rest%s",
+                  (double)observed->spin_rad_s,
+                  observed->spin_rad_s < SPIN_REST_MAX ? "" : "; lay the poi down");
 }
 
-static void check_place(const struct poi_config *config, const struct looks *looks)
+static void check_place(const struct poi_config *config, const struct observation *observed)
 {
     struct board_pose pose;
     struct poi_report report = { 0 };
@@ -250,7 +250,7 @@ static void check_place(const struct poi_config *config, const struct looks *loo
     }
     board_pose_init(&pose, config);
     for (uint32_t i = 0; i < 3; i++) {
-        board_pose_step(&pose, &looks->last, LOOK_S, &report);
+        board_pose_step(&pose, &observed->last, OBSERVATION_STEP_S, &report);
     }
     const vec3 at_m = report.target.position_m;
     const bool reach = v3_is_finite(at_m) && v3_length(at_m) < POI_REPORT_REACH_M;
@@ -262,17 +262,18 @@ static void check_place(const struct poi_config *config, const struct looks *loo
 static void check_sensors(const struct poi_config *config, const char *root)
 {
     struct sensors sensors;
-    struct looks looks;
+    struct observation observed;
     char why[SENSORS_WHY_SIZE];
     if (!sensors_open(&sensors, config, root, why)) {
         print_verdict(false, "sensors", "%s; check dtoverlay in config.txt and the wiring", why);
     } else {
-        observe_sensors(&sensors, 0, &looks);
-        check_readings(config, &looks);
-        check_turn(config, &looks);
-        check_place(config, &looks);
+        observe_sensors(&sensors, 0, &observed);
+        check_readings(config, &observed);
+        check_turn(config, &observed);
+        check_place(config, &observed);
         print_verdict(true, "keys", "%u device%s of gpio-keys; pressed keys: %02x",
-                      sensors.keys.count, sensors.keys.count == 1 ? "" : "s", looks.last.buttons);
+                      sensors.keys.count, sensors.keys.count == 1 ? "" : "s",
+                      observed.last.buttons);
     }
     sensors_close(&sensors);
 }

@@ -145,7 +145,7 @@ static uint8_t wanted_in_game(const struct hints *hints, const struct game *game
         return HINT_LOST_POI;
     }
     if (game->phase == PHASE_READY) {
-        return rules->judges                                 ? HINT_NO_SHADE
+        return rules->counts_fouls                           ? HINT_NO_SHADE
                : is_bot || (hints->learned & BIT(HINT_MOVE)) ? HINT_NONE
                                                              : HINT_MOVE;
     }
@@ -158,7 +158,7 @@ static uint8_t wanted_in_game(const struct hints *hints, const struct game *game
     if (poured_tick != 0 && game->tick - poured_tick < POURED_TICKS) {
         return HINT_CLEAR_RIM;
     }
-    return rules->coaches ? lesson(hints, game, world, fish) : HINT_NONE;
+    return rules->shows_hints ? lesson(hints, game, world, fish) : HINT_NONE;
 }
 
 static uint8_t choose_hint(const struct hints *hints, const struct game *game,

@@ -147,7 +147,7 @@ static enum time_call call_time(uint8_t mode, uint32_t elapsed, uint32_t total,
                                 struct output *output)
 {
     const enum time_call call = round_call_at(elapsed, total);
-    const bool is_shown = call != CALL_NONE && rules_of(mode)->calls;
+    const bool is_shown = call != CALL_NONE && rules_of(mode)->announces_time;
     if (call == CALL_COUNTDOWN) {
         output_sound(output, SOUND_TICK, 1.0f, 0.0f);
     } else if (is_shown) {

@@ -8,6 +8,7 @@
  * - Three fouls end the round, and a torn poi may be used while it can hold a fish. */
 #pragma once
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "core/scene.h"
@@ -31,19 +32,19 @@ struct rules {
     uint32_t round_s;
     /* Length of READY in seconds, in which the player takes the poi before the start. */
     uint32_t ready_s;
-    /* 1 if useless paper (paper that cannot hold a fish) is replaced after a second, when the poi
-     * is out of the water. 0 if the player is out when the paper is useless. */
-    uint8_t renews_paper;
-    /* 1 if fouls are counted and fish caught by a foul do not count. 0 if every fish in the bowl
-     * counts, as at a real stall. */
-    uint8_t judges;
-    uint8_t calls; /* 1 if the remaining time of the round is announced, otherwise 0. */
-    /* 1 if hints explain the player's next step, 0 if hints only report fouls. */
-    uint8_t coaches;
-    uint8_t shows_stress;
-    /* 1 if each player may choose a level, 0 if every player plays at LEVEL_MASTER. */
-    uint8_t has_levels;
-    uint8_t keeps_score; /* 1 if the round produces a record and can be ranked, otherwise 0. */
+    /* True if useless paper (paper that cannot hold a fish) is replaced after a second, when the
+     * poi is out of the water. False if the player is out when the paper is useless. */
+    bool renews_paper;
+    /* True if fouls are counted and fish caught by a foul do not count. False if every fish in the
+     * bowl counts, as at a real stall. */
+    bool counts_fouls;
+    bool announces_time; /* True if the remaining time of the round is announced. */
+    /* True if hints explain the player's next step. False if hints only report fouls. */
+    bool shows_hints;
+    bool shows_stress;
+    /* True if each player may choose a level. False if every player plays at LEVEL_MASTER. */
+    bool has_levels;
+    bool keeps_score; /* True if the round produces a record and can be ranked. */
 };
 
 /* What a level (enum level) changes, as data. All fields of LEVEL_MASTER are neutral. */

@@ -19,7 +19,7 @@ static void commit_foul(struct player *player, const struct game *game, enum fou
     CORE_ASSERT(kind < FOUL_COUNT);
     const uint32_t last_tick = player->offence_tick[kind];
     player->offence_tick[kind] = game->tick;
-    if (!rules_of(game->mode)->judges || player->fouls >= FOUL_MAX ||
+    if (!rules_of(game->mode)->counts_fouls || player->fouls >= FOUL_MAX ||
         (last_tick != 0 && game->tick - last_tick < FOUL_APART_TICKS)) {
         return;
     }
@@ -93,9 +93,9 @@ void game_score(struct game *game, const struct world *world,
     }
     /* In modes with an umpire, fish caught by a foul do not count, although these fish lie in the
      * bowl too. */
-    const bool judges = rules_of(game->mode)->judges;
+    const bool counts_fouls = rules_of(game->mode)->counts_fouls;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        const uint32_t valid = judges ? caught[i].landed : caught[i].bowled;
+        const uint32_t valid = counts_fouls ? caught[i].landed : caught[i].bowled;
         if (game->player[i].fouls < FOUL_MAX) {
             game->player[i].caught += valid;
             album_note(&game->album, world, i, valid);

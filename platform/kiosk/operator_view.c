@@ -114,7 +114,7 @@ void operator_view_fill(struct scene *scene, const struct hal *hal,
         *file = row == 0               ? store_row(&hal->storage)
                 : operator_view->notes ? operator_notes_row(operator_view->notes, row - 1u)
                                        : (struct scene_file){ .state = FILE_UNKNOWN };
-        if (file->state == FILE_ASIDE && devices->machine.has_looked &&
+        if (file->state == FILE_ASIDE && devices->machine.is_checked &&
             devices->machine.aside == 0) {
             file->state = FILE_SEEN;
         }

@@ -230,7 +230,7 @@ static void put_machine(struct json *json, const struct status_report *report)
                " watchdog: %s, clock_day: %.0f, clock_minute: %.0f, clock_went_back: %hhd},",
                NAME_OF(keeps_names, machine->keeps, "unknown"),
                machine->has_backup ? (double)machine->backup_min : (double)NAN,
-               machine->has_looked ? (double)machine->room_mib : (double)NAN,
+               machine->is_checked ? (double)machine->room_mib : (double)NAN,
                machine->has_heat ? (double)machine->heat_margin_c : (double)NAN,
                NAME_OF(watch_names, machine->watch, "none"),
                report->day != 0 ? (double)report->day : (double)NAN,

@@ -182,10 +182,10 @@ static int storage_open(void *self)
     }
     sem_init(&storage->wake, 0, 0);
     storage->running = true;
-    if (!storage->by_hand) {
+    if (!storage->without_thread) {
         storage->has_thread = thread_start(&storage->thread, storage_thread, storage) == 0;
     }
-    if (!storage->by_hand && !storage->has_thread) {
+    if (!storage->without_thread && !storage->has_thread) {
         text_no_file(storage, "no thread to be had");
         storage_close_file(storage);
         storage_unlock(storage);

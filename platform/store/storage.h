@@ -158,15 +158,17 @@ struct storage_chore {
 /* Interval between two periods of background work, in milliseconds. */
 #define STORAGE_CHORE_WAIT_MS 40
 
-/* State of the store. The caller owns the structure, sets `dir`, `how`, `by_hand` and `chore`, and
- * clears the other fields. The address of the structure must not change while the store is open. */
+/* State of the store. The caller owns the structure, sets `dir`, `how`, `without_thread` and
+ * `chore`, and clears the other fields. The address of the structure must not change while the
+ * store is open. */
 struct storage {
     /* Folder of the database. Must outlive the store. Null means that nothing is stored. */
     const char *dir;
     /* Options for opening the database. A structure of zeros means the defaults. With a custom vfs
      * no backup is made. */
     struct ledger_file_options how;
-    uint8_t by_hand; /* 1 if no thread is started and the caller calls storage_work() instead. */
+    /* True if no thread is started and the caller calls storage_work() instead. */
+    bool without_thread;
     struct storage_chore chore;
 
     /* Open database. While the store's thread runs, only the store's thread uses the database. */
@@ -282,5 +284,5 @@ struct storage {
 struct hal_storage storage_device(struct storage *storage);
 
 /* Does all pending work of the store's thread on the calling thread. The caller must have set
- * `by_hand`. */
+ * `without_thread`. */
 void storage_work(struct storage *storage);

@@ -77,10 +77,11 @@ static void row(const char *what, const char *name, uint32_t fish, uint32_t lane
 
 /* ---- Time of the stages of a tick ------------------------------------------------------------ */
 
-enum stage { THINK, MOVE, WATCH, GRID, PAIRS, MEET, PART, SETTLE, AIR, STAGE_COUNT };
+enum stage { BEHAVIOR, MOVE, SYNC, GRID, PAIRS, UPDATE, SOLVE, SETTLE, AIR, STAGE_COUNT };
 static const char *const stage_name[STAGE_COUNT] = {
-    [THINK] = "think", [MOVE] = "move", [WATCH] = "watch",   [GRID] = "grid", [PAIRS] = "pairs",
-    [MEET] = "meet",   [PART] = "part", [SETTLE] = "settle", [AIR] = "air",
+    [BEHAVIOR] = "behavior", [MOVE] = "move",     [SYNC] = "sync",
+    [GRID] = "grid",         [PAIRS] = "pairs",   [UPDATE] = "update",
+    [SOLVE] = "solve",       [SETTLE] = "settle", [AIR] = "air",
 };
 static double spent_ns[STAGE_COUNT], since_ns;
 static enum stage stage_now;
@@ -121,14 +122,14 @@ static enum stage enter(enum stage stage)
 
 /* Wrapped functions. The list in bench.mk must have the same names. */
 WRAP(MOVE, swim_move_all, (const struct shoal *shoal, uint32_t lanes), (shoal, lanes))
-WRAP(WATCH, broad_phase_mark,
+WRAP(SYNC, broad_phase_mark,
      (struct broad_phase * broad_phase, const struct fish *fish, uint32_t count),
      (broad_phase, fish, count))
-WRAP(WATCH, broad_phase_sync, (struct broad_phase * broad_phase, struct fish *fish),
+WRAP(SYNC, broad_phase_sync, (struct broad_phase * broad_phase, struct fish *fish),
      (broad_phase, fish))
-WRAP_INT(WATCH, broad_phase_is_stale, (const struct broad_phase *broad_phase), (broad_phase))
-WRAP(WATCH, broad_phase_select_contacts, (struct broad_phase * broad_phase), (broad_phase))
-WRAP(MEET, broad_phase_update,
+WRAP_INT(SYNC, broad_phase_is_stale, (const struct broad_phase *broad_phase), (broad_phase))
+WRAP(SYNC, broad_phase_select_contacts, (struct broad_phase * broad_phase), (broad_phase))
+WRAP(UPDATE, broad_phase_update,
      (struct broad_phase * broad_phase, const struct fish *fish, struct broad_phase_search how,
       const struct perception *around),
      (broad_phase, fish, how, around))
@@ -138,11 +139,11 @@ WRAP_INT(PAIRS, narrow_phase_next,
          (struct narrow_phase * search, const struct narrow_phase_query *of,
           struct narrow_phase_pair *to, uint32_t *count),
          (search, of, to, count))
-WRAP(PART, contact_solver_project,
+WRAP(SOLVE, contact_solver_project,
      (struct contact_solver * solver, struct broad_phase *broad_phase,
       const struct solver_context *place),
      (solver, broad_phase, place))
-WRAP(PART, contact_solver_finish,
+WRAP(SOLVE, contact_solver_finish,
      (struct contact_solver * solver, struct broad_phase *broad_phase,
       const struct solver_context *place),
      (solver, broad_phase, place))
@@ -388,10 +389,10 @@ static uint32_t time_stages(void)
     while (count < SAMPLES_MAX && (count < SAMPLES_MIN || now_ns() - start < MEASURE_NS)) {
         memset(spent_ns, 0, sizeof spent_ns);
         is_timed = 1;
-        stage_now = THINK;
+        stage_now = BEHAVIOR;
         since_ns = now_ns();
         (void)block_ns(cpu_lanes());
-        enter(THINK);
+        enter(BEHAVIOR);
         is_timed = 0;
         memcpy(stage_ns[count], spent_ns, sizeof spent_ns);
         whole_ns[count] = 0.0;
@@ -424,7 +425,7 @@ static void print_shares(uint32_t fish)
     for (uint32_t s = 0; s < STAGE_COUNT; s++) {
         const double ns = sum[s] / (kept * (double)fish * (double)BLOCK);
         sum_whole += ns;
-        printf("  %6.1f", ns);
+        printf("  %8.1f", ns);
         row("stage_ns", stage_name[s], fish, cpu_lanes(), ns);
     }
     printf("   %6.1f\n", sum_whole);
@@ -433,12 +434,14 @@ static void print_shares(uint32_t fish)
 
 static void print_stages(void)
 {
-    printf("\nWhere it goes, ns a fish and tick (%u lanes; a look comes every fourth tick, its "
-           "grid, pairs and\nmeetings shared among the four; reading the clock is part of it)\n"
-           "    fish",
-           cpu_lanes());
+    printf(
+        "\nTime of the stages in ns per fish and tick, with %u lanes. The broad phase is updated\n"
+        "every fourth tick; its time (grid, pairs, update) is divided among the four ticks. The\n"
+        "time of reading the clock is included.\n"
+        "    fish",
+        cpu_lanes());
     for (uint32_t s = 0; s < STAGE_COUNT; s++) {
-        printf("  %6s", stage_name[s]);
+        printf("  %8s", stage_name[s]);
     }
     puts("    whole");
     print_shares(600);

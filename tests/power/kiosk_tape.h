@@ -1,7 +1,7 @@
 /* kiosk_tape.h -- the tape of a real kiosk in a memory-mapped file.
  *
- * The preloaded library (preload.c) and the judge (judge.c) both map this file, so that the tape
- * survives SIGKILL. */
+ * The preloaded library (preload.c) and the check (kiosk_check.c) both map this file, so that the
+ * tape survives SIGKILL. */
 #ifndef KINGYO_TESTS_POWER_KIOSK_TAPE_H
 #define KINGYO_TESTS_POWER_KIOSK_TAPE_H
 

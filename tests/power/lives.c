@@ -92,8 +92,8 @@ static int begin_part(struct life *life, struct hal_storage device)
     return 0;
 }
 
-/* Plays one part. The store has no thread here (`by_hand`), so storage_work() is called when new
- * data arrives, and once a second. */
+/* Plays one part. The store has no thread here (`without_thread`), so storage_work() is called when
+ * new data arrives, and once a second. */
 static void play(struct life *life, struct hal_storage device)
 {
     for (uint32_t i = 0; i < FRAMES && hour.kept_id < BOOKS_MAX - 64u; i++) {
@@ -113,7 +113,7 @@ static void live_part(struct life *life)
 {
     int plays = -1;
     for (uint32_t i = 0; plays != 0 && i < STARTS_MAX; i++) {
-        store = (struct storage){ .dir = life->folder, .by_hand = 1 };
+        store = (struct storage){ .dir = life->folder, .without_thread = true };
         const struct hal_storage device = storage_device(&store);
         plays = begin_part(life, device);
         if (plays == 0) {

@@ -18,12 +18,12 @@ $(POWER): $(addprefix $(BUILD)/tests/power/,power.o lives.o cutter.o go_on.o tap
 
 LIVES ?= 100
 PRELOAD := $(BUILD)/tests/power/preload.so
-JUDGE := $(BUILD)/tests/power/judge
+KIOSK_CHECK := $(BUILD)/tests/power/kiosk_check
 
 ## test/test-faults: Run LIVES=100 real kiosks with failing calls; SEED=n
 test-faults:
 	@board/setup.sh test
-	+@$(MAKE) --no-print-directory -j$(JOBS) $(BUILD)/kingyo $(BUILD)/kingyoctl $(PRELOAD) $(JUDGE)
+	+@$(MAKE) --no-print-directory -j$(JOBS) $(BUILD)/kingyo $(BUILD)/kingyoctl $(PRELOAD) $(KIOSK_CHECK)
 	@BUILD=$(BUILD) tests/power/kiosk_lives.sh $(LIVES) $(SEED)
 
 # The library is self-contained, because it must share no code with the kiosk that loads it.
@@ -33,7 +33,7 @@ $(PRELOAD): $(PRELOAD_SRC) $(wildcard tests/power/*.h)
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(HOST_CFLAGS) -fPIC -shared -o $@ $(PRELOAD_SRC) -lpthread
 
-$(JUDGE): $(addprefix $(BUILD)/tests/power/,judge.o kiosk_tape.o cutter.o go_on.o tape.o fault.o disk.o disk_cut.o hour.o books.o) $(BUILD)/platform/panic_core.o \
+$(KIOSK_CHECK): $(addprefix $(BUILD)/tests/power/,kiosk_check.o kiosk_tape.o cutter.o go_on.o tape.o fault.o disk.o disk_cut.o hour.o books.o) $(BUILD)/platform/panic_core.o \
     $(BUILD)/shell.a $(BUILD)/core.a
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)

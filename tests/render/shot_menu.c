@@ -206,7 +206,7 @@ void shot_menu_name(struct scene_devices *devices, uint8_t file_first)
     devices->frames_a_second = 60;
     devices->files_refused = 6;
     devices->machine = (struct scene_machine){
-        .has_looked = 1,
+        .is_checked = 1,
         .keeps = KEEPS_PROVEN,
         .watch = WATCH_NO_LIMIT,
         .has_backup = 1,

@@ -192,7 +192,7 @@ static bool take_menu_buttons(const struct menu_scope *scope, const struct input
     }
     const uint32_t pressed =
         input->pressed &
-        (menu_page_desc_of(menu->page)->watches ? inside : (uint32_t)INPUT_BUTTON_ALL);
+        (menu_page_desc_of(menu->page)->shows_presses ? inside : (uint32_t)INPUT_BUTTON_ALL);
     if (pressed & (INPUT_SERVICE | INPUT_RIGHT)) {
         point_on(menu, 1, scope->output);
     } else if (pressed & INPUT_LEFT) {

@@ -20,7 +20,7 @@ void menu_book_activate(const struct menu_scope *scope, uint32_t tag)
  * that later reports can show the amount that was removed. */
 void menu_reset_activate(const struct menu_scope *scope, uint32_t tag)
 {
-    const uint8_t from = scope->menu->from, group = menu_page_desc_of(from)->about;
+    const uint8_t from = scope->menu->from, group = menu_page_desc_of(from)->topic;
     const struct audits *audits = &scope->accounts->audits;
     uint32_t sum = 0;
     CORE_ASSERT(group < AUDIT_GROUP_COUNT);

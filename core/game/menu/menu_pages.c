@@ -13,7 +13,7 @@
     { .parent = MENU_BOOKS,                                                                        \
       .body = MENU_BODY_FREE,                                                                      \
       .foot_count = BOOK_TAGS,                                                                     \
-      .about = (group),                                                                            \
+      .topic = (group),                                                                            \
       .enter = menu_confirm_open,                                                                  \
       .take = menu_book_activate }
 #define SURE(parent_page, take_it)                                                                 \
@@ -33,7 +33,7 @@
     { .parent = MENU_TOP,                                                                          \
       .body = MENU_BODY_SETTINGS,                                                                  \
       .foot_count = SETTINGS_FEET,                                                                 \
-      .about = (group),                                                                            \
+      .topic = (group),                                                                            \
       .offers = menu_settings_enabled,                                                             \
       .enter = menu_settings_open,                                                                 \
       .take = menu_settings_activate }
@@ -53,7 +53,7 @@ static const struct menu_page_desc sheets[MENU_PAGE_COUNT] = {
                      .offers = menu_learn_enabled, .enter = menu_reopen,
                      .take = menu_learn_activate, .leave = menu_learn_close },
     [MENU_LINES] = { .parent = MENU_DEVICES, .body = MENU_BODY_FREE, .foot_count = LINES_TAGS,
-                     .watches = 1 },
+                     .shows_presses = true },
     [MENU_AXES] = { .parent = MENU_DEVICES, .body = MENU_BODY_FREE, .foot_count = 1 },
     [MENU_CALIBRATION] = { .parent = MENU_DEVICES, .body = MENU_BODY_FREE,
                            .foot_count = CALIBRATE_TAGS, .offers = menu_calibrate_enabled,
@@ -61,8 +61,7 @@ static const struct menu_page_desc sheets[MENU_PAGE_COUNT] = {
     [MENU_MONEY] = SETTINGS(GROUP_MONEY),
     [MENU_GAME] = SETTINGS(GROUP_GAME),
     [MENU_MODES] = { .parent = MENU_GAME, .body = MENU_BODY_BITS, .foot_count = 1,
-        .about = SET_MODES,
-                     .take = menu_bits_activate },
+                     .topic = SET_MODES, .take = menu_bits_activate },
     [MENU_SOUND] = SETTINGS(GROUP_SOUND),
     [MENU_PICTURE] = SETTINGS(GROUP_PICTURE),
     [MENU_CARD] = { .parent = MENU_PICTURE, .body = MENU_BODY_FREE, .foot_count = 1 },
@@ -72,7 +71,7 @@ static const struct menu_page_desc sheets[MENU_PAGE_COUNT] = {
     [MENU_HOURS] = BOOK(AUDIT_GROUP_PLAY),
     [MENU_MACHINE] = BOOK(AUDIT_GROUP_MACHINE),
     [MENU_RESET] = { .parent = MENU_EARNINGS, .body = MENU_BODY_FREE, .foot_count = CONFIRM_TAGS,
-                     .returns = 1, .enter = menu_confirm_open, .take = menu_reset_activate },
+                     .returns = true, .enter = menu_confirm_open, .take = menu_reset_activate },
     [MENU_RANKING] = { .parent = MENU_BOOKS, .body = MENU_BODY_ROWS, .body_count = RANKING_NEXT,
                        .foot_count = 2, .offers = menu_ranking_enabled,
                        .enter = menu_ranking_open, .take = menu_ranking_activate },
@@ -80,8 +79,8 @@ static const struct menu_page_desc sheets[MENU_PAGE_COUNT] = {
                      .foot_count = 1, .offers = menu_score_enabled, .enter = menu_score_open,
                      .take = menu_score_activate },
     [MENU_SELF_TEST] = { .parent = MENU_TOP, .body = MENU_BODY_FREE, .foot_count = SELF_TAGS,
-                         .watches = 1, .offers = menu_self_enabled, .enter = menu_self_open,
-                         .take = menu_self_activate },
+                         .shows_presses = true, .offers = menu_self_enabled,
+                         .enter = menu_self_open, .take = menu_self_activate },
     [MENU_UPKEEP] = PAGES(MENU_TOP),
     [MENU_FILES] = { .parent = MENU_UPKEEP, .body = MENU_BODY_FREE, .foot_count = FILES_TAGS,
                      .offers = menu_files_enabled, .enter = menu_files_open,
@@ -143,10 +142,10 @@ uint32_t menu_body_count(uint8_t page)
     case MENU_BODY_PAGES:
         return children;
     case MENU_BODY_SETTINGS:
-        nth_setting(sheet->about, SETTING_COUNT, &settings);
+        nth_setting(sheet->topic, SETTING_COUNT, &settings);
         return settings + children;
     case MENU_BODY_BITS:
-        while (settings_entry(sheet->about)->max >> bits) {
+        while (settings_entry(sheet->topic)->max >> bits) {
             bits++;
         }
         return bits;
@@ -167,7 +166,7 @@ uint8_t menu_page_at(uint8_t page, uint32_t tag)
     const struct menu_page_desc *sheet = menu_page_desc_of(page);
     uint32_t first = 0, count;
     if (sheet->body == MENU_BODY_SETTINGS) {
-        nth_setting(sheet->about, SETTING_COUNT, &first);
+        nth_setting(sheet->topic, SETTING_COUNT, &first);
     } else if (sheet->body != MENU_BODY_PAGES) {
         return MENU_PAGE_COUNT;
     }
@@ -180,9 +179,9 @@ uint32_t menu_setting_at(uint8_t page, uint32_t tag)
     const uint8_t leads = menu_page_at(page, tag);
     uint32_t count;
     if (leads < MENU_PAGE_COUNT && sheets[leads].body == MENU_BODY_BITS) {
-        return sheets[leads].about;
+        return sheets[leads].topic;
     }
-    return sheet->body == MENU_BODY_SETTINGS ? nth_setting(sheet->about, tag, &count)
+    return sheet->body == MENU_BODY_SETTINGS ? nth_setting(sheet->topic, tag, &count)
                                              : SETTING_COUNT;
 }
 

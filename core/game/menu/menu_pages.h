@@ -38,15 +38,15 @@ struct menu_page_desc {
     /* Number of items in the body, <= 12; ignored if the kind of body determines the number. */
     uint8_t body_count;
     uint8_t foot_count; /* Number of items at the foot of the page, 1 .. MENU_FOOT_MAX. */
-    /* 1 if the page displays presses of START, OK, LEFT and RIGHT, which then have no other effect;
-     * otherwise 0. */
-    uint8_t watches;
+    /* True if the page displays presses of START, OK, LEFT and RIGHT, which then have no other
+     * effect. */
+    bool shows_presses;
     /* Topic of the page: an enum setting_group for MENU_BODY_SETTINGS, an enum setting_id for
      * MENU_BODY_BITS, or an enum audit_group for a page of statistics. */
-    uint8_t about;
-    /* 1 if the last item leads back to the page from which this page was opened. 0 if the last item
-     * leads to the parent page. */
-    uint8_t returns;
+    uint8_t topic;
+    /* True if the last item leads back to the page from which this page was opened. False if the
+     * last item leads to the parent page. */
+    bool returns;
     /* Returns the items that can be selected. NULL means that all items are available. */
     menu_offers *offers;
     menu_enter *enter; /* Called when the page opens. NULL means that nothing needs to be done. */

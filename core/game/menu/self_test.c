@@ -149,7 +149,7 @@ static void evaluate_machine(const struct scene_machine *machine, uint8_t state[
                            : machine->watch == WATCH_DEAF ? SELF_BAD
                                                           : SELF_LOOK;
     state[SELF_BACKUP] = state[SELF_DATA] = state[SELF_ROOM] = state[SELF_HEAT] = SELF_WAITS;
-    if (machine->has_looked) {
+    if (machine->is_checked) {
         state[SELF_BACKUP] = is_fresh ? SELF_GOOD : SELF_LOOK;
         state[SELF_DATA] = machine->keeps == KEEPS_UNKNOWN ? SELF_WAITS
                            : is_kept                       ? SELF_GOOD

@@ -225,7 +225,7 @@ void menu_bits_activate(const struct menu_scope *scope, uint32_t tag)
 {
     struct menu *menu = scope->menu;
     CORE_ASSERT(menu_page_desc_of(menu->page)->body == MENU_BODY_BITS);
-    const uint32_t id = menu_page_desc_of(menu->page)->about;
+    const uint32_t id = menu_page_desc_of(menu->page)->topic;
     const int32_t value = scope->config->persistent.settings.value[id] ^ (1 << tag);
     if (settings_allows(id, value)) {
         settings_edit_set(scope, id, value);

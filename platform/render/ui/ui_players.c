@@ -75,7 +75,7 @@ static void plate(const struct ui_frame *frame, uint32_t player, struct ui_box b
 {
     CORE_ASSERT(player < POI_MAX);
     const float u = frame->unit;
-    const bool is_judged = rules_of(frame->scene->mode)->judges;
+    const bool is_judged = rules_of(frame->scene->mode)->counts_fouls;
     const float y = box.y + (is_judged ? 27.0f * u : 0.5f * box.height);
     ui_plate(frame, box);
     const struct ui_box band = { box.x + 4.0f * u, box.y + 10.0f * u, 5.0f * u,
@@ -122,7 +122,7 @@ float ui_player_plates(const struct ui_frame *frame, float right_px)
     larger.unit *= fminf(fmaxf(room / (PLATE_WIDTH * frame->unit), 1.0f), fits ? 1.2f : 1.0f);
     struct ui_box box = { edge, (fits ? 16.0f : 110.0f) * frame->unit,
                           fminf(room, PLATE_WIDTH * larger.unit),
-                          (rules_of(scene->mode)->judges ? 74.0f : 58.0f) * larger.unit };
+                          (rules_of(scene->mode)->counts_fouls ? 74.0f : 58.0f) * larger.unit };
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (scene->player[i].plays) {
             plate(&larger, i, box);

@@ -30,7 +30,7 @@ static const struct grade *grade_of(uint8_t mode, uint32_t caught)
         { 5, TEXT_GRADE_2, TEXT_GRADE_2_WORDS },  { 12, TEXT_GRADE_3, TEXT_GRADE_3_WORDS },
         { 20, TEXT_GRADE_4, TEXT_GRADE_4_WORDS }, { 35, TEXT_GRADE_5, TEXT_GRADE_5_WORDS },
     };
-    const struct grade *const grades = rules_of(mode)->judges ? contest : stall;
+    const struct grade *const grades = rules_of(mode)->counts_fouls ? contest : stall;
     uint32_t grade = 0;
     while (grade + 1u < GRADES && caught >= grades[grade + 1u].at_least) {
         grade++;
@@ -74,7 +74,7 @@ static void one_players_result(const struct ui_frame *frame, struct ui_box box)
     ui_text(frame->batch, ui_style(frame, FONT_BODY, 27.0f, 0.5f, UI_INK, praise.fit_px), x,
             box.y + 338.0f * u, ui_words(frame, grade->words));
     frame->batch->opacity = 1.0f;
-    if (rules_of(scene->mode)->judges) {
+    if (rules_of(scene->mode)->counts_fouls) {
         const float left = box.x + 26.0f * u, y = box.y + box.height - 37.0f * u;
         const float width =
             ui_text_at(frame, ui_style(frame, FONT_STALL, 24.0f, 0.0f, UI_INK_SOFT, 0.0f), left, y,
@@ -102,7 +102,7 @@ static void ranked(const struct ui_frame *frame, uint32_t player, uint32_t place
     ui_number_at(frame, digits, digits_x, y, counted_up(scene, player));
     ui_text(frame->batch, ui_style(frame, FONT_STALL, 27.0f, 0.0f, UI_INK_SOFT, 0.0f),
             digits_x + 14.0f * u, ui_text_middle(digits, y), ui_words(frame, TEXT_UNIT));
-    if (rules_of(scene->mode)->judges) {
+    if (rules_of(scene->mode)->counts_fouls) {
         ui_foul_lamps(frame, row.x + row.width - 84.0f * u, y, 10.0f * u, 29.0f * u,
                       scene->player[player].fouls);
     }

@@ -248,7 +248,7 @@ void ui_round(const struct ui_frame *frame)
     } else {
         const uint32_t player = ui_first_player(scene);
         caught_plate(frame, player);
-        if (rules_of(scene->mode)->judges) {
+        if (rules_of(scene->mode)->counts_fouls) {
             /* A plate has the word "Fouls" and three lamps. One lamp is lit for each foul. */
             const float u = frame->unit, x = 34.0f * u, y = 135.0f * u;
             const struct ui_text label = ui_style(frame, FONT_STALL, 26.0f, 0.0f, UI_GOLD, 0.0f);

@@ -69,7 +69,7 @@ static struct scene_machine look(struct system_health *machine)
 {
     struct scene_machine says = { .watch = WATCH_DEAF, .missed = 3 };
     system_health_sample(machine, &says);
-    assert_int_equal(says.has_looked, 1);
+    assert_int_equal(says.is_checked, 1);
     /* The frame loop sets `watch` and `missed`, so a sample must not change them. */
     assert_int_equal(says.watch, WATCH_DEAF);
     assert_int_equal(says.missed, 3);
@@ -196,7 +196,7 @@ static int is_told(struct system_health *machine, uint32_t aside)
      * check at once. */
     for (uint32_t i = 0; i < 500u; i++) {
         system_health_read(machine, &says);
-        if (says.has_looked && says.aside == aside) {
+        if (says.is_checked && says.aside == aside) {
             return says.watch == WATCH_FED;
         }
         usleep(10000);
@@ -213,7 +213,7 @@ static void test_the_health_thread_does_all_file_access_of_the_frame_loop(void *
     machine = machine_here();
     system_health_read(&machine, &says); /* The thread has not been started, so there are no values
                                             yet. */
-    assert_int_equal(says.has_looked, 0);
+    assert_int_equal(says.is_checked, 0);
     system_health_start(&machine);
     assert_true(is_told(&machine, 1));
     system_health_acknowledge(&machine);

@@ -113,7 +113,7 @@ static inline void open_without_thread(struct fixture *fixture)
     fixture->device.ledger.ops->close(fixture->device.ledger.self);
     memset(&fixture->storage, 0, sizeof fixture->storage);
     fixture->storage.dir = fixture->dir;
-    fixture->storage.by_hand = 1;
+    fixture->storage.without_thread = true;
     assert_int_equal(open_store(fixture), HAL_OK);
 }
 

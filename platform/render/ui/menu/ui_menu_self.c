@@ -132,7 +132,7 @@ static void row_words(const struct ui_frame *frame, uint32_t check, uint8_t stat
     enum text_key key = plain[check][state];
     if (state == SELF_WAITS) {
         key = TEXT_CHECK_WAITS;
-    } else if (needs_machine && !scene->devices.machine.has_looked) {
+    } else if (needs_machine && !scene->devices.machine.is_checked) {
         key = TEXT_CHECK_SILENT;
     } else if (check == SELF_CLOCK && state == SELF_GOOD) {
         /* The row shows the date and the time of the clock, such as "2026-08-15 18:30", so that the

@@ -245,7 +245,7 @@ void menu_bits(const struct ui_frame *frame)
 {
     const struct scene_menu *const menu = &frame->scene->menu;
     const struct places *const places = &layouts[frame->is_upright];
-    const uint32_t id = menu_page_desc_of(menu->page)->about;
+    const uint32_t id = menu_page_desc_of(menu->page)->topic;
     const struct setting_words *const words = menu_setting_words_of(id);
     const char *const states[2] = { ui_words(frame, TEXT_BIT_OFF), ui_words(frame, TEXT_BIT_ON) };
     for (uint32_t bit = 0; bit < menu_body_count(menu->page); bit++) {

@@ -180,7 +180,7 @@ static struct sweeps sweep_often(uint8_t mode, float end_m)
         look();
         const uint32_t poured = core.game.player[0].offence_tick[FOUL_POURED] != 0;
         assert_true(scene.player[0].fouls == 0 || scene.player[0].foul == FOUL_POURED);
-        assert_int_equal(scene.player[0].fouls, rules_of(mode)->judges ? poured : 0u);
+        assert_int_equal(scene.player[0].fouls, rules_of(mode)->counts_fouls ? poured : 0u);
         sum.caught += scene.caught[0];
         sum.in_bowl += scene.bowl[0].fish_count;
         sum.fouls += scene.player[0].fouls;

@@ -125,7 +125,7 @@ static void begin(void)
     memset(&rig, 0, sizeof rig);
     rig.locked = 1; /* The coin slot is locked until the kiosk opens it. */
     rig.clock.now_ns = FRAME_NS;
-    rig.storage = (struct storage){ .dir = dir, .by_hand = 1 };
+    rig.storage = (struct storage){ .dir = dir, .without_thread = true };
     rig.hal = null_hal(NULL);
     rig.hal.clock = sim_clock_device(&rig.clock);
     rig.hal.storage = storage_device(&rig.storage);

@@ -387,7 +387,8 @@ static void test_the_kiosk_shows_no_seal_for_a_deleted_replay(void **state)
     put(round_id, replay, replay_size - 1u);
     ledger_file_close(&file);
     memset(&sweep, 0, sizeof sweep);
-    storage = (struct storage){ .dir = folder, .by_hand = 1, .chore = pin_sweep_chore(&sweep) };
+    storage =
+        (struct storage){ .dir = folder, .without_thread = true, .chore = pin_sweep_chore(&sweep) };
     const struct hal_storage device = storage_device(&storage);
     assert_int_equal(device.ledger.ops->open(device.ledger.self), 0);
     assert_int_equal(device.replays.ops->has(device.replays.self, round_id), 1);
@@ -538,7 +539,8 @@ static void test_the_store_removes_pins_only_while_its_queue_is_empty(void **sta
     const uint32_t round_id = keep_as_before();
     ledger_file_close(&file);
     memset(&sweep, 0, sizeof sweep);
-    storage = (struct storage){ .dir = folder, .by_hand = 1, .chore = pin_sweep_chore(&sweep) };
+    storage =
+        (struct storage){ .dir = folder, .without_thread = true, .chore = pin_sweep_chore(&sweep) };
     const struct hal_storage device = storage_device(&storage);
     assert_int_equal(device.ledger.ops->open(device.ledger.self), 0);
     for (uint32_t i = 0; i < 100000u && storage.chore.step; i++) {

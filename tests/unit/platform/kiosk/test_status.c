@@ -100,7 +100,7 @@ static const struct status_report full_report = {
     .day = 9000,
     .minute = 61,
     .files_refused = 3,
-    .machine = { .has_looked = 1,
+    .machine = { .is_checked = 1,
                  .keeps = KEEPS_PROVEN,
                  .watch = WATCH_FED,
                  .has_backup = 1,

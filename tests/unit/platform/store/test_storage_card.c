@@ -50,7 +50,7 @@ static int set_up(void **state)
     tape_begin(&tape, dir, NULL, 0);
     tape_sync_us(0);
     tape_refuse(0);
-    storage = (struct storage){ .dir = dir, .by_hand = 1 };
+    storage = (struct storage){ .dir = dir, .without_thread = true };
     device = storage_device(&storage);
     return 0;
 }
@@ -176,7 +176,7 @@ static void test_a_read_only_card_stores_the_queue_when_it_is_writable_again(voi
 static void test_no_frame_waits_for_a_slow_card(void **state)
 {
     (void)state;
-    storage.by_hand = 0;
+    storage.without_thread = false;
     assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
     pause_ms(300); /* Gives the store time for its first backup. */
     tape_sync_us(200000);
@@ -199,7 +199,7 @@ static void test_no_frame_waits_for_a_slow_card(void **state)
 static void test_a_card_that_does_not_recover_is_reported(void **state)
 {
     (void)state;
-    storage.by_hand = 0;
+    storage.without_thread = false;
     assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
     pause_ms(300);
     tape_sync_us(999999);
@@ -265,7 +265,7 @@ static void test_a_card_with_data_inserted_late_is_used_after_a_restart(void **s
     assert_non_null(strstr(text(), "restart"));
     assert_int_equal(device.ledger.ops->needs_restart(device.ledger.self), 1);
     device.ledger.ops->close(device.ledger.self);
-    storage = (struct storage){ .dir = dir, .by_hand = 1 };
+    storage = (struct storage){ .dir = dir, .without_thread = true };
     assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
     assert_int_equal(device.ledger.ops->load(device.ledger.self, &memory), HAL_OK);
     assert_int_equal(memory.ledger.last_id, 9);
@@ -281,7 +281,7 @@ static void test_a_card_that_is_read_only_at_the_start_is_used_when_writable(voi
     assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
     keep(1);
     device.ledger.ops->close(device.ledger.self);
-    storage = (struct storage){ .dir = dir, .by_hand = 1 };
+    storage = (struct storage){ .dir = dir, .without_thread = true };
     is_read_only = true;
     tape_refuse(EROFS);
     assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
@@ -343,7 +343,7 @@ static void leave_five_entries_in_the_log(void)
              "rmdir left",
              dir);
     assert_int_equal(system(command), 0);
-    storage = (struct storage){ .dir = dir, .by_hand = 1 };
+    storage = (struct storage){ .dir = dir, .without_thread = true };
 }
 
 /* Opens the store on a full card that has five entries. `proven` is the newest entry that the store
@@ -387,7 +387,7 @@ static void test_a_full_card_that_was_closed_cleanly_is_read_and_later_written(v
         keep(id);
     }
     device.ledger.ops->close(device.ledger.self);
-    storage = (struct storage){ .dir = dir, .by_hand = 1 };
+    storage = (struct storage){ .dir = dir, .without_thread = true };
     /* A clean close has moved all entries from the log to the database. */
     remembers_and_goes_on(5);
 }
@@ -426,7 +426,7 @@ static void test_a_second_kiosk_on_the_same_folder_waits_until_the_first_exits(v
 {
     (void)state;
     static struct storage second;
-    second = (struct storage){ .dir = dir, .by_hand = 1 };
+    second = (struct storage){ .dir = dir, .without_thread = true };
     const struct hal_storage other = storage_device(&second);
     const struct ledger_entry coin = { .id = 1, .boot = 1, .kind = LEDGER_COINS, .count = 1 };
     device.ledger.ops->open(device.ledger.self);
@@ -480,7 +480,7 @@ static void keep_eight_and_close(void)
                                    1. */
     }
     device.ledger.ops->close(device.ledger.self);
-    storage = (struct storage){ .dir = dir, .by_hand = 1 };
+    storage = (struct storage){ .dir = dir, .without_thread = true };
 }
 
 /* Opens the store on a full card. Asserts that all data are loaded, and that nothing is quarantined

@@ -227,7 +227,7 @@ static void test_a_file_whose_status_cannot_be_read_is_not_treated_as_missing(vo
     fixture->device.ledger.ops->close(fixture->device.ledger.self);
     memset(&fixture->storage, 0, sizeof fixture->storage);
     fixture->storage.dir = fixture->dir;
-    fixture->storage.by_hand = 1;
+    fixture->storage.without_thread = true;
     assert_int_not_equal(open_store(fixture), HAL_OK);
     assert_int_equal(fixture->device.ledger.ops->is_healthy(fixture->device.ledger.self), 0);
     assert_int_equal(rename(hidden, fixture->file), 0); /* Moves the database back in place of the

@@ -41,7 +41,7 @@ static int set_up(void **state)
     snprintf(backup, sizeof backup, "%s/" STORAGE_FILE STORAGE_BACKUP_SUFFIX, dir);
     snprintf(tail_path, sizeof tail_path, "%s/" STORAGE_FILE STORAGE_MIRROR_SUFFIX, dir);
     boot = 1;
-    storage = (struct storage){ .dir = dir, .by_hand = 1 };
+    storage = (struct storage){ .dir = dir, .without_thread = true };
     device = storage_device(&storage);
     return 0;
 }
@@ -58,7 +58,7 @@ static int tear_down(void **state)
 static void reopen(void)
 {
     device.ledger.ops->close(device.ledger.self);
-    storage = (struct storage){ .dir = dir, .by_hand = 1 };
+    storage = (struct storage){ .dir = dir, .without_thread = true };
     assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
 }
 

@@ -27,9 +27,9 @@ static char top[64], dir[96], path[128];
 static struct storage storage;
 static struct hal_storage device;
 
-static void begin(int by_hand)
+static void begin(bool without_thread)
 {
-    storage = (struct storage){ .dir = dir, .by_hand = (uint8_t)by_hand };
+    storage = (struct storage){ .dir = dir, .without_thread = without_thread };
     device = storage_device(&storage);
     assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
 }
@@ -98,7 +98,7 @@ static void wait_until_well(int well, long most_ms)
 
 static void save_three(void)
 {
-    begin(0);
+    begin(false);
     for (uint32_t id = 1; id <= 3; id++) {
         assert_int_equal(keep(id), HAL_OK);
     }
@@ -132,7 +132,7 @@ static void test_a_deleted_folder_is_detected_and_saved_at_the_end(void **state)
     static struct persistent_state memory;
     is_detected_after("rm -rf data");
     assert_int_equal(device.ledger.ops->close(device.ledger.self), 0);
-    begin(1);
+    begin(true);
     assert_int_equal(device.ledger.ops->load(device.ledger.self, &memory), HAL_OK);
     assert_int_equal(memory.ledger.last_id, 4); /* Entry 4, which waited in the queue, is stored
                                                    too. */
@@ -147,7 +147,7 @@ static void test_a_recreated_folder_is_detected_and_saved_at_the_end(void **stat
     static struct persistent_state memory;
     is_detected_after("rm -rf data && mkdir data");
     assert_int_equal(device.ledger.ops->close(device.ledger.self), 0);
-    begin(1);
+    begin(true);
     assert_int_equal(device.ledger.ops->load(device.ledger.self, &memory), HAL_OK);
     assert_int_equal(memory.ledger.last_id, 4);
 }
@@ -160,7 +160,7 @@ static void test_a_folder_in_place_of_the_deleted_one_is_not_changed(void **stat
     /* One entry is lost: entry 4, which was never acknowledged. */
     assert_int_equal(device.ledger.ops->close(device.ledger.self), 1);
     do_shell("cmp -s $OLDPWD/tests/unit/platform/store/files/version-6.db data/kingyo.db");
-    begin(1);
+    begin(true);
 }
 
 static void test_a_renamed_folder_is_detected_and_used_after_its_return(void **state)
@@ -213,7 +213,7 @@ static void test_a_deleted_log_is_detected_and_loses_nothing(void **state)
 {
     (void)state;
     static struct persistent_state memory;
-    begin(1);
+    begin(true);
     keep(1);
     storage_work(&storage);
     assert_int_equal(saved_id(), 1);
@@ -224,7 +224,7 @@ static void test_a_deleted_log_is_detected_and_loses_nothing(void **state)
     assert_int_equal(saved_id(), 2);
     do_shell("rm -f data/kingyo.db-wal.lost");
     device.ledger.ops->close(device.ledger.self);
-    begin(1);
+    begin(true);
     device.ledger.ops->load(device.ledger.self, &memory);
     assert_int_equal(memory.ledger.last_id, 2);
 }
@@ -246,7 +246,7 @@ static void test_a_deleted_log_is_reported_and_the_database_is_reopened(void **s
     }
     assert_int_equal(saved_id(), 4);
     assert_int_equal(device.ledger.ops->close(device.ledger.self), 0);
-    begin(1);
+    begin(true);
     assert_int_equal(device.ledger.ops->load(device.ledger.self, &memory), HAL_OK);
     assert_int_equal(memory.ledger.last_id, 4);
 }
@@ -255,13 +255,13 @@ static void test_a_log_deleted_right_before_the_end_loses_nothing(void **state)
 {
     (void)state;
     static struct persistent_state memory;
-    begin(1);
+    begin(true);
     keep(1);
     storage_work(&storage);
     keep(2);
     do_shell("rm data/kingyo.db-wal");
     assert_int_equal(device.ledger.ops->close(device.ledger.self), 0);
-    begin(1);
+    begin(true);
     assert_int_equal(device.ledger.ops->load(device.ledger.self, &memory), HAL_OK);
     assert_int_equal(memory.ledger.last_id, 2);
 }
@@ -269,7 +269,7 @@ static void test_a_log_deleted_right_before_the_end_loses_nothing(void **state)
 static void test_an_entry_in_a_deleted_file_is_not_acknowledged(void **state)
 {
     (void)state;
-    begin(1);
+    begin(true);
     keep(1);
     storage_work(&storage);
     assert_int_equal(saved_id(), 1);

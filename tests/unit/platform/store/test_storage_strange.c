@@ -118,7 +118,7 @@ static int keep(uint32_t id)
 
 static int begin(void)
 {
-    storage = (struct storage){ .dir = dir, .by_hand = 1 };
+    storage = (struct storage){ .dir = dir, .without_thread = true };
     device = storage_device(&storage);
     return device.ledger.ops->open(device.ledger.self);
 }

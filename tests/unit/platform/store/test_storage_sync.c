@@ -99,7 +99,7 @@ static int set_up(void **state)
     snprintf(file, sizeof file, "%s/" STORAGE_FILE, dir);
     snprintf(wal, sizeof wal, "%s/" STORAGE_FILE "-wal", dir);
     snprintf(tail, sizeof tail, "%s/" STORAGE_FILE STORAGE_MIRROR_SUFFIX, dir);
-    storage = (struct storage){ .dir = dir, .by_hand = 1 };
+    storage = (struct storage){ .dir = dir, .without_thread = true };
     device = storage_device(&storage);
     fail_syncs(NULL, 0);
     moving = NULL;
@@ -222,7 +222,7 @@ static void simulate_kill(void)
     device.ledger.ops->close(device.ledger.self);
     snprintf(command, sizeof command, "mv %s/copy/* %s", dir, dir);
     assert_int_equal(system(command), 0);
-    storage = (struct storage){ .dir = dir, .by_hand = 1 };
+    storage = (struct storage){ .dir = dir, .without_thread = true };
 }
 
 static void test_a_log_found_at_the_start_is_rewritten_before_it_is_acknowledged(void **state)
@@ -237,7 +237,7 @@ static void test_a_log_found_at_the_start_is_rewritten_before_it_is_acknowledged
     fail_syncs(wal, 1);
     assert_int_not_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
     device.ledger.ops->close(device.ledger.self);
-    storage = (struct storage){ .dir = dir, .by_hand = 1 };
+    storage = (struct storage){ .dir = dir, .without_thread = true };
     assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
     assert_int_equal(saved(), 5);
     assert_true(written >= 2u * size);

@@ -210,7 +210,7 @@ static void test_a_start_skips_a_mirror_entry_out_of_range(void **state)
         assert_int_equal(ledger_mirror_open(&tail, tail_path), 0);
         assert_int_equal(ledger_mirror_write(&tail, entries, 3), 0);
         ledger_mirror_close(&tail);
-        storage = (struct storage){ .dir = dir, .by_hand = 1 };
+        storage = (struct storage){ .dir = dir, .without_thread = true };
         const struct hal_storage device = storage_device(&storage);
         assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
         assert_int_equal(device.ledger.ops->load(device.ledger.self, &memory), HAL_OK);
@@ -306,7 +306,7 @@ static void expect_a_start_for_each_change(bool has_backup)
         const int code = ledger_file_inspect(&file, path);
         assert_int_equal(code, changes[i].is_read ? SQLITE_CORRUPT : SQLITE_OK);
         ledger_file_close(&file);
-        storage = (struct storage){ .dir = dir, .by_hand = 1 };
+        storage = (struct storage){ .dir = dir, .without_thread = true };
         const struct hal_storage device = storage_device(&storage);
         memset(&memory, 0, sizeof memory);
         assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
@@ -355,7 +355,7 @@ static void test_a_database_whose_ids_would_wrap_keeps_its_credits_over_a_restar
         ledger_file_close(&file);
         /* The second start reads the entries that the first one wrote. */
         for (uint32_t start = 0; start < 2; start++) {
-            storage = (struct storage){ .dir = dir, .by_hand = 1 };
+            storage = (struct storage){ .dir = dir, .without_thread = true };
             const struct hal_storage device = storage_device(&storage);
             assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
             assert_int_equal(device.ledger.ops->load(device.ledger.self, &memory), HAL_OK);

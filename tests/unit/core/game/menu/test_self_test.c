@@ -12,7 +12,7 @@ static uint8_t state_of[SELF_CHECKS];
 
 /* Health values of a machine without any fault. */
 static const struct scene_machine well = {
-    .has_looked = 1,
+    .is_checked = 1,
     .keeps = KEEPS_PROVEN,
     .watch = WATCH_FED,
     .has_backup = 1,

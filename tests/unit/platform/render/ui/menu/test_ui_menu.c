@@ -518,15 +518,15 @@ static void test_the_opening_checklist_fits_its_page_in_every_state(void **state
     /* clang-format off */
     static const struct scene_machine machines[] = {
         { 0 },
-        { .has_looked = 1, .keeps = KEEPS_PROVEN, .watch = WATCH_FED, .has_backup = 1,
+        { .is_checked = 1, .keeps = KEEPS_PROVEN, .watch = WATCH_FED, .has_backup = 1,
           .backup_min = 179, .room_mib = 4294967295u, .has_heat = 1, .heat_margin_c = 2147483647 },
-        { .has_looked = 1, .keeps = KEEPS_FOLDER, .watch = WATCH_NO_LIMIT, .has_backup = 1,
+        { .is_checked = 1, .keeps = KEEPS_FOLDER, .watch = WATCH_NO_LIMIT, .has_backup = 1,
           .backup_min = 4294967295u, .room_mib = 63, .has_heat = 1, .heat_margin_c = 9,
           .aside = 4294967295u },
-        { .has_looked = 1, .keeps = KEEPS_MEMORY, .watch = WATCH_DEAF, .room_mib = 7,
+        { .is_checked = 1, .keeps = KEEPS_MEMORY, .watch = WATCH_DEAF, .room_mib = 7,
           .has_heat = 1, .heat_margin_c = -2147483647, .is_clock_back = 1 },
-        { .has_looked = 1, .keeps = KEEPS_NOT }, { .has_looked = 1, .keeps = KEEPS_NOWHERE },
-        { .has_looked = 255, .keeps = 255, .watch = 255 },
+        { .is_checked = 1, .keeps = KEEPS_NOT }, { .is_checked = 1, .keeps = KEEPS_NOWHERE },
+        { .is_checked = 255, .keeps = 255, .watch = 255 },
     };
     /* clang-format on */
     const uint32_t count = sizeof machines / sizeof machines[0];

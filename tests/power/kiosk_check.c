@@ -1,6 +1,6 @@
-/* judge.c -- checks the data of a kiosk whose file calls failed, after simulated power cuts.
+/* kiosk_check.c -- checks the data of a kiosk whose file calls failed, after simulated power cuts.
  *
- * Usage: judge TAPE FOLDER SEED
+ * Usage: kiosk_check TAPE FOLDER SEED
  *
  * Applies the tape of a kiosk run (kiosk_tape.h). Cuts the power at random operations drawn from
  * SEED and at the end. After each cut, opens the files in FOLDER with the store. The loaded state
@@ -126,14 +126,14 @@ int main(int argc, char **argv)
     uint32_t seed = 0;
     struct tally tally = { 0 };
     if (argc != 4 || !number_parse(argv[3], 0, UINT32_MAX / 2u, &seed)) {
-        fprintf(stderr, "usage: judge TAPE FOLDER SEED\n");
+        fprintf(stderr, "usage: kiosk_check TAPE FOLDER SEED\n");
         return 2;
     }
     panic_prepare(NULL, NULL);
     struct kiosk_tape *map = kiosk_tape_map(argv[1]);
     mkdir(argv[2], 0755);
     if (!map) {
-        fprintf(stderr, "judge: %s: cannot be mapped\n", argv[1]);
+        fprintf(stderr, "kiosk_check: %s: cannot be mapped\n", argv[1]);
         return 74;
     }
     const uint32_t acked = go_through(map, argv[2], seed, &tally);
@@ -145,7 +145,7 @@ int main(int argc, char **argv)
     }
     printf("\n");
     if (tally.first[0]) {
-        fprintf(stderr, "judge: %s\n", tally.first);
+        fprintf(stderr, "kiosk_check: %s\n", tally.first);
     }
     return tally.lost || tally.ghosts || tally.unopenable;
 }
