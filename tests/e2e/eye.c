@@ -1,4 +1,4 @@
-/* eye.c -- implementation of eye.h: reads pictures of the window and finds fish by their color. */
+/* eye.c -- implementation of eye.h: reads pictures of the window and finds fish by their colour. */
 #include "eye.h"
 
 #include <stdlib.h>

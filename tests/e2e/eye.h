@@ -1,4 +1,4 @@
-/* eye.h -- finds goldfish by their warm colors in pictures of the kiosk's window. */
+/* eye.h -- finds goldfish by their warm colours in pictures of the kiosk's window. */
 #ifndef KINGYO_TESTS_E2E_EYE_H
 #define KINGYO_TESTS_E2E_EYE_H
 

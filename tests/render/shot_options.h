@@ -17,7 +17,7 @@ struct shot_options {
     float close_x_m, close_z_m, close_m;
     uint32_t width, height, samples, fish, seed;
     uint8_t start, english, passes, paper, preset;
-    /* Options of --paper. With `stress`, the stress is colored as in practice mode. `owner` is the
+    /* Options of --paper. With `stress`, the stress is coloured as in practice mode. `owner` is the
      * player who owns the poi. */
     uint8_t stress, owner;
     /* Water on the paper, tilt of the poi, and heel of the bowls. */

@@ -17,7 +17,7 @@
  * --amplitude A --phase RADIANS: the swimming motion. --cell WxH: size of one fish in px. -o FILE:
  * output.
  *
- * --water RRGGBB: color of the water.
+ * --water RRGGBB: colour of the water.
  *
  * --time: also prints the time to draw a sheet.
  *

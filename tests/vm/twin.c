@@ -30,7 +30,7 @@ static void count(struct twin *twin)
     twin->paused_ticks += twin->core.game.phase == PHASE_ROUND && twin->core.game.paused;
 }
 
-/* Decodes the ticks that were already run, to reach the first new tick. */
+/* Decodes the recorded ticks that the core has already run, so that the next tick read is new. */
 static int skip_known(struct twin *twin, struct input *input)
 {
     for (uint32_t i = 0; i < twin->ticks; i++) {

@@ -263,7 +263,8 @@ static void test_a_lost_controller_is_replaced_in_a_game_by_one_of_its_kind(void
     usb.there = second.there = 1;
     arrange(1);
     usb.there = 0;
-    /* The second controller already has a slot, and the mouse is of another kind. */
+    /* No controller replaces the lost one: the second controller already has a slot, and the mouse
+     * is of another kind. */
     assert_int_equal(arrange(0), 0u);
     third.there = 1;
     assert_int_equal(arrange(0), 1u);

@@ -106,7 +106,7 @@ static void test_scoops_with_sensor_fusion_are_reported_within_1_cm(void **state
     const struct errors worst = scoop_for_a_minute(1, 1.5f, v3(0, 0, 0));
     assert_true(worst.rest_m < 0.0005f);
     assert_true(worst.rest_speed_m_s < 0.03f);
-    /* The error includes the delay of the filter at 0.5 m/s. */
+    /* The filter delays the position, so the reported poi lags behind during a scoop at 0.5 m/s. */
     assert_true(worst.moving_m < 0.010f);
     assert_true(worst.turn_rad < 0.5f * F_DEG);
 }

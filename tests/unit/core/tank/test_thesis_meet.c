@@ -141,7 +141,7 @@ static void test_3_4_the_fish_that_hits_from_the_side_passes_behind_in_90_percen
     /* The struck fish swims to the left and is hit on its left side. The other fish passes behind
      * it, on the right. */
     check_side(90.0f, -1.0f, -1.0f);
-    check_side(-90.0f, 1.0f, 1.0f); /* Mirror image of the first case. */
+    check_side(-90.0f, 1.0f, 1.0f); /* The same case, mirrored left to right. */
 }
 
 static void test_3_4_the_fish_that_faces_the_other_more_is_the_one_that_hits(void **state)

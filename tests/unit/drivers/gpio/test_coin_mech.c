@@ -1,4 +1,4 @@
-/* test_coin_mech.c -- Tests which pulses of the coin line are counted as coins and which as
+/* test_coin_mech.c -- tests which pulses of the coin line are counted as coins and which as
  * faults. */
 #include <setjmp.h>
 #include <stdarg.h>

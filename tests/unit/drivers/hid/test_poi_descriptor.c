@@ -53,7 +53,7 @@ static int read_both(void **state)
     return 0;
 }
 
-/* Returns the field with a usage. Fails the test unless there is exactly one. */
+/* Returns the field with a usage. Fails the test unless exactly one field has this usage. */
 static const struct hid_group *group_of(const struct hid_descriptor *descriptor, hid_usage usage,
                                         uint32_t *index)
 {

@@ -103,10 +103,10 @@ static void test_an_output_report_contains_six_forces_and_three_levels(void **st
         .slap = 0.5f,
     };
     const uint8_t expected[POI_FORCE_SIZE] = {
-        2,    9,    0x00, 0xc0, 0xff, 0x7f,
-        0x00, 0x00,                         /* -16384 (-16383.5, away from 0), 32767, 0 */
-        0xff, 0x7f, 0x01, 0x80, 0x00, 0x20, /* 32767, -32767, 8192 (8191.75) */
-        255,  128,  0,
+        2,    9,                            /* Report id and sequence number */
+        0x00, 0xc0, 0xff, 0x7f, 0x00, 0x00, /* Force: -16384 (from -16383.5), 32767, 0 */
+        0xff, 0x7f, 0x01, 0x80, 0x00, 0x20, /* Torque: 32767, -32767, 8192 (from 8191.75) */
+        255,  128,  0,                      /* Drag, slap and tear */
     };
     uint8_t bytes[POI_FORCE_SIZE];
     poi_force_encode(&force, 9, bytes);

@@ -73,7 +73,7 @@ static void test_retries_of_a_device_without_a_descriptor_become_less_frequent(v
         /* Until one second before the next retry, the device must not be opened again. */
         advance(waits_s[i] - 2u + (waits_s[i] > 2u));
         assert_int_equal(usb_sim_seen(poi).opens, i + 1u);
-        advance(2); /* One second after the time of the retry. */
+        advance(2); /* The clock is now one second past the time of the retry. */
     }
     usb_sim_set_faults(&(struct usb_sim_faults){ 0 });
     advance(60);

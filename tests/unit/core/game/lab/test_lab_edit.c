@@ -285,7 +285,7 @@ static void test_a_book_with_an_invalid_card_or_graph_is_rejected(void **state)
     memset(&book, 0, sizeof book);
     assert_true(lab_book_is_valid(&book));
     book.card_count = 1;
-    assert_false(lab_book_is_valid(&book)); /* The card is empty. */
+    assert_false(lab_book_is_valid(&book)); /* All bytes of the card are 0. */
     book.cards[0] = *card;
     assert_true(lab_book_is_valid(&book));
     assert_int_equal(lab_book_count(&book), species_table_count + 1u);

@@ -215,7 +215,7 @@ static void test_an_incomplete_calibration_after_a_power_cut_is_not_used(void **
     take(CALIBRATE_BEGIN);
     lead_through((struct poi_target){ 0 });
     hold_true(aside, CORE_TICK_HZ);
-    /* Power cuts during the first calibration of the poi. */
+    /* Simulates power cuts during the first calibration of the poi. */
     expect_no_patchwork(&before, before_id);
 
     before = stall.core.config.persistent.settings;
@@ -223,14 +223,14 @@ static void test_an_incomplete_calibration_after_a_power_cut_is_not_used(void **
     take(CALIBRATE_BEGIN);
     lead_through((struct poi_target){ .position_m.y = 0.01f, .angles = { 0.0f, 0.1f, 0.05f } });
     hold_true(aside, CORE_TICK_HZ);
-    /* Power cuts during a second calibration, which replaces the first one. */
+    /* Simulates power cuts during a second calibration, which replaces the first one. */
     expect_no_patchwork(&before, before_id);
 
     before = stall.core.config.persistent.settings;
     before_id = stall.output.entry_id;
     take(CALIBRATE_NONE);
     hold_true(aside, CORE_TICK_HZ);
-    /* Power cuts during the removal of the calibration. */
+    /* Simulates power cuts during the removal of the calibration. */
     expect_no_patchwork(&before, before_id);
 }
 
