@@ -84,6 +84,9 @@ struct option_table {
     const struct option_table *base;
 };
 
+/* Initializer of a table with all options of the array `list`. `parent` is the member `base`. */
+#define OPTION_TABLE(list, parent) { list, sizeof(list) / sizeof((list)[0]), parent }
+
 /* Returns the option whose name is the `length` bytes at `name`, or null if there is none. */
 const struct option *option_table_find(const struct option_table *table, const char *name,
                                        size_t length);

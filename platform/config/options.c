@@ -226,7 +226,7 @@ static const struct option table[] = {
 };
 /* clang-format on */
 
-const struct option_table options_table = { table, sizeof table / sizeof table[0], NULL };
+const struct option_table options_table = OPTION_TABLE(table, NULL);
 
 /* ---- Command line -------------------------------------------------------------------------- */
 

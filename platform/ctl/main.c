@@ -27,11 +27,6 @@ static void print_help(void)
         "output that is full or closed.");
 }
 
-static bool is_help(const char *word)
-{
-    return strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0;
-}
-
 static void print_command_help(const struct ctl_command *command)
 {
     printf("kingyoctl %s: %s\n\n%s", command->name, command->summary,
@@ -52,7 +47,7 @@ static enum exit_code run_command(const struct ctl_command *command, int argc,
                                   const char *const *argv)
 {
     for (int i = 0; i < argc && !command->helps_itself; i++) {
-        if (is_help(argv[i])) {
+        if (ctl_is_help(argv[i])) {
             print_command_help(command);
             return EXIT_OK;
         }
@@ -66,7 +61,7 @@ static enum exit_code run_words(int argc, char **argv)
     if (argc < 2) {
         return print_fail(EXIT_USAGE, "kingyoctl: a command is missing; --help lists them");
     }
-    if (is_help(argv[1])) {
+    if (ctl_is_help(argv[1])) {
         print_help();
         return EXIT_OK;
     }

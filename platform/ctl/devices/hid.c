@@ -210,7 +210,7 @@ static const struct option options[] = {
       .groups = GROUP_WATCH },
 };
 
-static const struct option_table table = { options, sizeof options / sizeof options[0], NULL };
+static const struct option_table table = OPTION_TABLE(options, NULL);
 
 static enum exit_code hid_run(int argc, const char *const *argv)
 {

@@ -66,7 +66,7 @@ static const struct option options[] = {
       SECONDS_MAX },
 };
 
-static const struct option_table table = { options, sizeof options / sizeof options[0], NULL };
+static const struct option_table table = OPTION_TABLE(options, NULL);
 
 /* ---- Rows of GPIO lines and of their events -------------------------------------------------- */
 

@@ -83,9 +83,8 @@ static const struct option options[] = {
       OPTION_FLAG, AT(as_json) },
 };
 
-static const struct option_table own_table = { options, sizeof options / sizeof options[0], NULL };
-static const struct option_table whole_table = { options, sizeof options / sizeof options[0],
-                                                 &options_table };
+static const struct option_table own_table = OPTION_TABLE(options, NULL);
+static const struct option_table whole_table = OPTION_TABLE(options, &options_table);
 
 /* Parses the options of `kingyoctl doctor` and of the kiosk. Returns EXIT_OK. After an error,
  * prints one line and returns EXIT_USAGE. */

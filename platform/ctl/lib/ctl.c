@@ -24,6 +24,11 @@ enum exit_code ctl_usage(const char *command, const char *format, ...)
     return print_fail(EXIT_USAGE, "kingyoctl %s: %s", command, words);
 }
 
+bool ctl_is_help(const char *word)
+{
+    return strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0;
+}
+
 enum exit_code ctl_options(const char *command, const struct option_table *table, uint32_t groups,
                            void *target, int argc, const char *const *argv)
 {

@@ -42,6 +42,9 @@ __attribute__((format(printf, 2, 3))) enum exit_code ctl_usage(const char *comma
 enum exit_code ctl_options(const char *command, const struct option_table *table, uint32_t groups,
                            void *target, int argc, const char *const *argv);
 
+/* Returns true if the argument `word` requests help: --help or -h. */
+bool ctl_is_help(const char *word);
+
 /* Installs handlers of SIGINT, SIGTERM and SIGHUP that set `*flag` to 1, so that the command ends
  * by its normal exit path. */
 void ctl_stop_at_signals(volatile sig_atomic_t *flag);

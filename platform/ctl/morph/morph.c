@@ -38,16 +38,11 @@ enum exit_code morph_written(const char *command, const char *path, int error)
     return error ? morph_fail(EXIT_IO, command, "%.900s: %s", path, strerror(-error)) : EXIT_OK;
 }
 
-static bool is_help(const char *word)
-{
-    return strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0;
-}
-
 static enum exit_code run_one(const struct morph_command *command, int argc,
                               const char *const *argv)
 {
     for (int i = 0; i < argc; i++) {
-        if (is_help(argv[i])) {
+        if (ctl_is_help(argv[i])) {
             printf("kingyoctl %s %s %s\n%s\n\n", name, command->name, command->words,
                    command->summary);
             if (command->options) {
@@ -71,7 +66,7 @@ static enum exit_code morph_run(int argc, const char *const *argv)
     if (argc < 1) {
         return ctl_usage(name, "a subcommand is missing; --help lists them");
     }
-    if (is_help(argv[0])) {
+    if (ctl_is_help(argv[0])) {
         printf("kingyoctl %s: %s\n\n", name, ctl_morph.summary);
         for (size_t i = 0; i < TABLE_COUNT; i++) {
             printf("  %s %s\n      %s\n", table[i]->name, table[i]->words, table[i]->summary);
@@ -136,7 +131,7 @@ static const struct option list_options[] = {
       OPTION_FLAG, .offset = 0 },
 };
 
-static const struct option_table list_table = { list_options, 1, NULL };
+static const struct option_table list_table = OPTION_TABLE(list_options, NULL);
 
 static enum exit_code list(int argc, const char *const *argv)
 {

@@ -209,8 +209,7 @@ static const struct option options[] = {
 };
 /* clang-format on */
 
-const struct option_table morph_import_words_table = { options, sizeof options / sizeof options[0],
-                                                       NULL };
+const struct option_table morph_import_words_table = OPTION_TABLE(options, NULL);
 
 static const char *command_name(enum import_command command)
 {

@@ -42,8 +42,7 @@ static const struct option options[] = {
       .groups = MORPH_REQUIRES_PLACE },
 };
 
-const struct option_table morph_options_table = { options, sizeof options / sizeof options[0],
-                                                  NULL };
+const struct option_table morph_options_table = OPTION_TABLE(options, NULL);
 
 const char *morph_template_name(enum graph_template template_id)
 {

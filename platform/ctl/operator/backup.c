@@ -329,8 +329,7 @@ static const struct option options[] = {
       .offset = offsetof(struct request, restores) },
 };
 
-static const struct option_table table = { options, sizeof options / sizeof options[0],
-                                           &books_options };
+static const struct option_table table = OPTION_TABLE(options, &books_options);
 
 static enum exit_code backup_run(int argc, const char *const *argv)
 {

@@ -23,7 +23,7 @@ static const struct option options[] = {
     { "json", NULL, "print JSON", OPTION_FLAG, .offset = offsetof(struct books_words, as_json) },
 };
 
-const struct option_table books_options = { options, sizeof options / sizeof options[0], NULL };
+const struct option_table books_options = OPTION_TABLE(options, NULL);
 
 /* Returns 0 if `path` exists, otherwise an errno. EACCES is common, because most users have no
  * access to the data folder of the system service. */

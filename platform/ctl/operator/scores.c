@@ -298,8 +298,7 @@ static const struct option options[] = {
       OPTION_FLAG, AT(with_pin), .groups = GROUP_REPLAY },
 };
 
-static const struct option_table table = { options, sizeof options / sizeof options[0],
-                                           &books_options };
+static const struct option_table table = OPTION_TABLE(options, &books_options);
 
 static enum exit_code scores_run(int argc, const char *const *argv)
 {

@@ -34,7 +34,7 @@ static const struct option options[] = {
       .offset = offsetof(struct request, as_json) },
 };
 
-static const struct option_table table = { options, sizeof options / sizeof options[0], NULL };
+static const struct option_table table = OPTION_TABLE(options, NULL);
 
 /* Reads the status file. Returns EXIT_OK, or prints one line and returns another exit code. */
 static enum exit_code status_read_file(const char *path, char text[STATUS_TEXT_MAX])

@@ -97,8 +97,7 @@ static const struct option table[] = {
 };
 /* clang-format on */
 
-static const struct option_table paper_options_table = { table, sizeof table / sizeof table[0],
-                                                         NULL };
+static const struct option_table paper_options_table = OPTION_TABLE(table, NULL);
 
 static const char paper_options_notes[] =
     "The wetness is constant. Wet paper continues to soften, by a quarter in a minute. A tear\n"

@@ -222,8 +222,7 @@ static const struct option options_list[] = {
 };
 /* clang-format on */
 
-static const struct option_table table = { options_list,
-                                           sizeof options_list / sizeof options_list[0], NULL };
+static const struct option_table table = OPTION_TABLE(options_list, NULL);
 
 static enum exit_code play_command_run(int argc, const char *const *argv)
 {

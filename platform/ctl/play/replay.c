@@ -219,7 +219,7 @@ static const struct option options[] = {
       .offset = offsetof(struct request, as_json), .groups = GROUP_INFO },
 };
 
-static const struct option_table table = { options, sizeof options / sizeof options[0], NULL };
+static const struct option_table table = OPTION_TABLE(options, NULL);
 
 static enum exit_code replay_run(int argc, const char *const *argv)
 {

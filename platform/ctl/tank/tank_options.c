@@ -187,7 +187,7 @@ static const struct option table[] = {
 };
 /* clang-format on */
 
-const struct option_table tank_options_table = { table, sizeof table / sizeof table[0], NULL };
+const struct option_table tank_options_table = OPTION_TABLE(table, NULL);
 
 const char tank_options_notes[] =
     "Lengths are in cm: x to the right, y up from the surface, z toward the player. Angles\n"

@@ -37,7 +37,7 @@ static const struct option options[] = {
     { "choice", "C", "a colour", OPTION_CHOICE, AT(choice), .choices = choices },
     { NULL, "WORD", "a word", OPTION_ARGUMENT, AT(word) },
 };
-static const struct option_table table = { options, sizeof options / sizeof options[0], &base };
+static const struct option_table table = OPTION_TABLE(options, &base);
 
 static struct target target;
 static char error[OPTIONS_ERROR_MAX];
