@@ -145,7 +145,7 @@ void ui_menu(const struct ui_frame *frame)
         draw_menu_tags(&canvas);
     } else {
         const enum text_key keys = menu->page == MENU_SELF_TEST       ? TEXT_CHECK_KEYS
-                                   : desc->watches                    ? TEXT_MENU_WATCH_KEYS
+                                   : desc->shows_presses              ? TEXT_MENU_WATCH_KEYS
                                    : desc->body == MENU_BODY_SETTINGS ? TEXT_MENU_TURN_KEYS
                                                                       : TEXT_MENU_KEYS;
         ui_veil(frame, 0x090d24dcu);
