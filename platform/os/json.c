@@ -131,16 +131,16 @@ void json_text(struct json *json, const char *key, const char *words)
 static const char *put_conversion(struct json *json, const char *key, const char *format,
                                   va_list *arguments)
 {
-    const size_t length = strcspn(format, "dfsux") + 1u;
+    const size_t length = strcspn(format, "dfgsux") + 1u;
     const char type = format[length - 1u];
     if (type == 's') {
         json_text(json, key, va_arg(*arguments, const char *));
-    } else if (type == 'f') {
+    } else if (type == 'f' || type == 'g') {
         const double value = va_arg(*arguments, double);
         if (isnan(value)) {
             json_value(json, key, "null");
         } else {
-            json_value(json, key, "%.*f", format[2] - '0', value);
+            json_value(json, key, type == 'f' ? "%.*f" : "%.*g", format[2] - '0', value);
         }
     } else if (type == 'x') {
         json_value(json, key, "\"%016llx\"", va_arg(*arguments, unsigned long long));
@@ -165,7 +165,7 @@ void json_print(struct json *json, const char *format, ...)
     va_start(arguments, format);
     while (*format) {
         const char *key = name[0] ? name : NULL;
-        const size_t length = strspn(format, "abcdefghijklmnopqrstuvwxyz0123456789_");
+        const size_t length = strcspn(format, "{[%]}:, \n");
         if (length > 0) {
             CORE_ASSERT(length < sizeof name && format[length] == ':');
             snprintf(name, sizeof name, "%.*s", (int)length, format);

@@ -12,7 +12,8 @@
 #include <stdio.h>
 
 /* A document that is being written. The caller sets either `file` or `buffer` and `size`, and all
- * other fields to 0. */
+ * other fields to 0. If `file` is a stream of open_memstream(3), the stream may use `buffer` and
+ * `size` for its text. */
 struct json {
     FILE *file;   /* Stream that receives the document, or null. */
     char *buffer; /* Buffer that receives the document with a terminating zero. */
@@ -43,10 +44,11 @@ __attribute__((format(printf, 3, 4))) void json_value(struct json *json, const c
  * example "{entries: %u, name: %s, hash: %016llx}". The format may end inside an object or array,
  * and further calls then write the rest.
  *
- * The conversions are those of printf(): %u, %d, %llu, %zu and %.Nf write a number, %s writes a
- * string, %016llx writes a string of 16 hexadecimal digits, and %hhd writes true or false. A %.Nf
- * that is NaN writes null. A line break, followed by blanks, places the next element or closing
- * bracket on a line of its own after as many blanks. Commas and other blanks have no effect. */
+ * The conversions are those of printf(): %u, %d, %llu, %zu, %.Nf and %.Ng write a number, %s writes
+ * a string, %016llx writes a string of 16 hexadecimal digits, and %hhd writes true or false. N has
+ * one digit. A %.Nf or %.Ng that is NaN writes null. A line break, followed by blanks, places the
+ * next element or closing bracket on a line of its own after as many blanks. Commas and other
+ * blanks have no effect. */
 __attribute__((format(printf, 2, 3))) void json_print(struct json *json, const char *format, ...);
 
 /* Writes true or false. */

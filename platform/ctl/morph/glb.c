@@ -43,19 +43,17 @@ static const struct {
     [GLB_FOR_JOINTS] = { UNSIGNED_BYTE, 1, ARRAY_BUFFER, false },
 };
 
-static bool stream_open(struct glb_stream *stream)
+static bool stream_open(struct json *stream)
 {
-    *stream = (struct glb_stream){ 0 };
-    stream->file = open_memstream(&stream->data, &stream->size);
+    *stream = (struct json){ 0 };
+    stream->file = open_memstream(&stream->buffer, &stream->size);
     return stream->file != NULL;
 }
 
 uint32_t glb_next(struct glb *glb, enum glb_list list)
 {
     CORE_ASSERT(list < GLB_LIST_COUNT);
-    if (glb->counts[list] > 0) {
-        fputs(",\n", glb->lists[list].file);
-    }
+    json_line(&glb->lists[list], 0);
     return glb->counts[list]++;
 }
 
@@ -68,10 +66,10 @@ static void pad_to_four_bytes(FILE *file, char with)
 
 /* Adds the property `name`, a list with the minimum (`sign` -1) or the maximum (`sign` 1) of each
  * component of the values. */
-static void add_bound(FILE *out, const char *name, float sign, const float *values, uint32_t width,
-                      uint32_t count)
+static void add_bound(struct json *out, const char *name, float sign, const float *values,
+                      uint32_t width, uint32_t count)
 {
-    fprintf(out, ",\"%s\":[", name);
+    json_open(out, name, '[');
     for (uint32_t k = 0; k < width; k++) {
         float bound = values[k];
         for (uint32_t i = 1; i < count; i++) {
@@ -79,9 +77,9 @@ static void add_bound(FILE *out, const char *name, float sign, const float *valu
             bound = sign * value > sign * bound ? value : bound;
         }
         /* 17 digits allow a reader to recover exactly the float in the buffer. */
-        fprintf(out, "%s%.17g", k > 0 ? "," : "", (double)bound);
+        json_value(out, NULL, "%.17g", (double)bound);
     }
-    fprintf(out, "]");
+    json_close(out, ']');
 }
 
 uint32_t glb_array(struct glb *glb, enum glb_use use, enum glb_type type, const void *data,
@@ -90,97 +88,98 @@ uint32_t glb_array(struct glb *glb, enum glb_use use, enum glb_type type, const 
     CORE_ASSERT(count >= 1 && type <= GLB_MAT4 && use <= GLB_FOR_JOINTS);
     const uint32_t width = types[type].width;
     const size_t size = (size_t)count * width * uses[use].component_size;
-    const long offset = ftell(glb->lists[GLB_BUFFER].file);
-    FILE *views = glb->lists[GLB_VIEWS].file, *out = glb->lists[GLB_ACCESSORS].file;
-    fwrite(data, 1, size, glb->lists[GLB_BUFFER].file);
-    pad_to_four_bytes(glb->lists[GLB_BUFFER].file, '\0');
+    FILE *buffer = glb->lists[GLB_BUFFER].file;
+    const long offset = ftell(buffer);
+    struct json *views = &glb->lists[GLB_VIEWS], *out = &glb->lists[GLB_ACCESSORS];
+    fwrite(data, 1, size, buffer);
+    pad_to_four_bytes(buffer, '\0');
     const uint32_t view = glb_next(glb, GLB_VIEWS), accessor = glb_next(glb, GLB_ACCESSORS);
-    fprintf(views, "{\"buffer\":0,\"byteOffset\":%ld,\"byteLength\":%zu", offset, size);
+    json_print(views, "{buffer: %u, byteOffset: %zu, byteLength: %zu", 0u, (size_t)offset, size);
     if (uses[use].target != NO_TARGET) {
-        fprintf(views, ",\"target\":%d", (int)uses[use].target);
+        json_value(views, "target", "%d", (int)uses[use].target);
     }
-    fprintf(views, "}");
-    fprintf(out, "{\"bufferView\":%u,\"componentType\":%d,\"count\":%u,\"type\":\"%s\"", view,
-            (int)uses[use].component, count, types[type].name);
+    json_close(views, '}');
+    json_print(out, "{bufferView: %u, componentType: %d, count: %u, type: %s", view,
+               (int)uses[use].component, count, types[type].name);
     if (uses[use].is_bounded) {
         add_bound(out, "min", -1.0f, data, width, count);
         add_bound(out, "max", 1.0f, data, width, count);
     }
-    fprintf(out, "}");
+    json_close(out, '}');
     return accessor;
 }
 
 /* ---- Output file ----------------------------------------------------------------------------- */
 
-static void add_list(FILE *json, const struct glb *glb, const char *name, enum glb_list list)
+static void add_list(struct json *out, const struct glb *glb, const char *name, enum glb_list list)
 {
-    if (glb->counts[list] > 0) {
-        fprintf(json, ",\n\"%s\":[", name);
-        fwrite(glb->lists[list].data, 1, glb->lists[list].size, json);
-        fputs("]", json);
+    if (glb->lists[list].size > 0) {
+        json_line(out, 0);
+        json_open(out, name, '[');
+        fwrite(glb->lists[list].buffer, 1, glb->lists[list].size, out->file);
+        json_close(out, ']');
     }
 }
 
-/* Completes `data` and `size` of a stream. Returns false if a write to the stream failed. */
-static bool stream_flush(struct glb_stream *stream)
+/* Completes `buffer` and `size` of a stream. Returns false if a write to the stream failed. */
+static bool stream_flush(struct json *stream)
 {
     return fflush(stream->file) == 0 && !ferror(stream->file);
 }
 
-static void stream_free(struct glb_stream *stream)
+static void stream_free(struct json *stream)
 {
     if (stream->file) {
         fclose(stream->file);
     }
-    free(stream->data);
+    free(stream->buffer);
 }
 
-/* Writes the file to `path`. `animation` is the name of the animation that contains all samplers
- * and channels. `scene` is a JSON list of the node numbers in the scene, for example "0,3". Returns
- * 0 or a negative errno. -ENOMEM means that an earlier memory allocation failed and `glb` is
+/* Writes the file to `path`. The animation "growth" contains all samplers and channels. Returns 0
+ * or a negative errno. -ENOMEM means that an earlier memory allocation failed and `glb` is
  * incomplete. */
-static int write_file(struct glb *glb, const char *path, const char *animation, const char *scene)
+static int write_file(struct glb *glb, const char *path)
 {
-    CORE_ASSERT(path && animation && scene);
-    struct glb_stream json;
+    CORE_ASSERT(path);
+    struct json document;
     struct atomic_file file;
-    bool is_whole = stream_open(&json);
+    bool is_whole = stream_open(&document);
     for (uint32_t i = 0; is_whole && i < GLB_LIST_COUNT; i++) {
         is_whole = stream_flush(&glb->lists[i]);
     }
     if (is_whole) {
-        FILE *out = json.file;
-        fprintf(out,
-                "{\"asset\":{\"version\":\"2.0\",\"generator\":\"kingyoctl %s\"},\n"
-                "\"scene\":0,\"scenes\":[{\"nodes\":[%s]}]",
-                KINGYO_VERSION, scene);
+        struct json *out = &document;
+        json_print(out, "{asset: {version: %s, generator: %s},\nscene: %u, scenes: [{", "2.0",
+                   "kingyoctl " KINGYO_VERSION, 0u);
+        add_list(out, glb, "nodes", GLB_SCENE);
+        json_print(out, "}]");
         add_list(out, glb, "nodes", GLB_NODES);
         add_list(out, glb, "meshes", GLB_MESHES);
         add_list(out, glb, "skins", GLB_SKINS);
         add_list(out, glb, "materials", GLB_MATERIALS);
-        fprintf(out, ",\n\"animations\":[{\"name\":\"%s\"", animation);
+        json_print(out, "\nanimations: [{name: %s", "growth");
         add_list(out, glb, "channels", GLB_CHANNELS);
         add_list(out, glb, "samplers", GLB_SAMPLERS);
-        fputs("}]", out);
+        json_print(out, "}]");
         add_list(out, glb, "accessors", GLB_ACCESSORS);
         add_list(out, glb, "bufferViews", GLB_VIEWS);
-        fprintf(out, ",\n\"buffers\":[{\"byteLength\":%zu}]}", glb->lists[GLB_BUFFER].size);
-        pad_to_four_bytes(out, ' ');
-        is_whole = stream_flush(&json);
+        json_print(out, "\nbuffers: [{byteLength: %zu}]}", glb->lists[GLB_BUFFER].size);
+        pad_to_four_bytes(out->file, ' ');
+        is_whole = stream_flush(&document);
     }
     int error = is_whole ? file_atomic_open(&file, path) : -ENOMEM;
     if (error == 0) {
-        const uint32_t json_size = (uint32_t)json.size,
+        const uint32_t json_size = (uint32_t)document.size,
                        size = (uint32_t)glb->lists[GLB_BUFFER].size;
         const uint32_t head[] = { MAGIC, 2, 12 + 8 + json_size + 8 + size, json_size, CHUNK_JSON };
         const uint32_t binary[] = { size, CHUNK_BIN };
         fwrite(head, 1, sizeof head, file.file);
-        fwrite(json.data, 1, json.size, file.file);
+        fwrite(document.buffer, 1, document.size, file.file);
         fwrite(binary, 1, sizeof binary, file.file);
-        fwrite(glb->lists[GLB_BUFFER].data, 1, glb->lists[GLB_BUFFER].size, file.file);
+        fwrite(glb->lists[GLB_BUFFER].buffer, 1, glb->lists[GLB_BUFFER].size, file.file);
         error = file_atomic_close(&file);
     }
-    stream_free(&json);
+    stream_free(&document);
     return error;
 }
 
@@ -200,32 +199,38 @@ static int write_file(struct glb *glb, const char *path, const char *animation, 
  * the deformation graph, the size and the joints. If the graph is solved, the weights are those of
  * the solved shapes, which stay in [0, 1]. */
 
-#define NAME_SIZE 2048u /* Size in bytes of a list of PIECE_MAX node numbers, with a margin. */
-
 /* File that is being written. The variable is static because it is too large for a stack. */
 static struct morph_glb fish;
 
-/* Prints metadata of the species: its keys with their progress, age, length and colours. */
-static void print_life(FILE *out)
+/* Adds the node of the fish, with metadata of the species: its keys with their progress, age,
+ * length and colours. Must be called after all meshes were added. */
+static void add_fish_node(struct json *out)
 {
     const struct species_card *card = &fish.pick->fish->card;
-    fprintf(out,
-            "\"extras\":{\"species\":\"%s\",\"measure\":\"%s\",\"template\":\"%s\","
-            "\"thesis\":%s,\"seconds\":%g,\"keys\":[",
-            card->id, caption_measure(card), morph_template_name(fish.pick->template_id),
-            fish.pick->thesis ? "true" : "false", (double)GLB_SECONDS);
+    const double size = (double)life_length_m(card, 1.0f);
+    glb_next(&fish.file, GLB_NODES);
+    json_print(out, "{name: %s, rotation: [%u, %u, %u, %u], scale: [%.9g, %.9g, %.9g], children: [",
+               card->id, 0u, 1u, 0u, 0u, size, size, size);
+    for (uint32_t i = 0; i < fish.cut.piece_count + fish.mesh->anchor_count; i++) {
+        if (i >= fish.cut.piece_count || !fish.skinned[i]) {
+            json_value(out, NULL, "%u", GLB_PIECE_NODE + i);
+        }
+    }
+    json_print(out, "], extras: {species: %s, measure: %s, template: %s, thesis: %hhd,", card->id,
+               caption_measure(card), morph_template_name(fish.pick->template_id),
+               fish.pick->thesis);
+    json_print(out, "seconds: %.6g, keys: [", (double)GLB_SECONDS);
     for (uint32_t i = 0; i < card->key_count; i++) {
-        fprintf(out, "%s{\"name\":\"%s\",\"progress\":%.6g,", i > 0 ? "," : "", card->key_names[i],
-                (double)i / (card->key_count - 1u));
-        fprintf(out, "\"age_days\":%.6g,\"length_m\":%.6g,", (double)card->key_age_days[i],
-                (double)card->key_length_m[i]);
+        json_print(out, "{name: %s, progress: %.6g, age_days: %.6g, length_m: %.6g,",
+                   card->key_names[i], (double)i / (card->key_count - 1u),
+                   (double)card->key_age_days[i], (double)card->key_length_m[i]);
         /* Colours are 0xRRGGBB numbers. The spots and stripes of the skin are not printed. */
         const struct species_coat *coat = &fish.pick->fish->coats[i];
-        fprintf(out, "\"back\":%u,\"flank\":%u,\"belly\":%u,\"fin\":%u,\"iris\":%u,", coat->back,
-                coat->flank, coat->belly, coat->fin, coat->iris);
-        fprintf(out, "\"clear\":%u,\"shine\":%u}", coat->clear, coat->shine);
+        json_print(out, "back: %u, flank: %u, belly: %u, fin: %u, iris: %u, clear: %u, shine: %u}",
+                   coat->back, coat->flank, coat->belly, coat->fin, coat->iris, coat->clear,
+                   coat->shine);
     }
-    fprintf(out, "]}");
+    json_print(out, "]}}");
 }
 
 /* Computes the inverse of an anchor's pose at progress 1, as a column-major 4 x 4 matrix for
@@ -246,71 +251,56 @@ static void add_skin(void)
 {
     static float matrices[1u + ANCHOR_MAX][16];
     const struct anchor_pose here = { .turn = { 0.0f, 0.0f, 0.0f, 1.0f } };
-    FILE *out = fish.file.lists[GLB_SKINS].file;
+    struct json *out = &fish.file.lists[GLB_SKINS];
     inverse_bind(&here, matrices[0]);
     for (uint32_t i = 0; i < fish.mesh->anchor_count; i++) {
         inverse_bind(&fish.adult.anchor[i], matrices[1u + i]);
     }
     glb_next(&fish.file, GLB_SKINS);
-    fprintf(
-        out,
-        "{\"name\":\"skin\",\"skeleton\":%u,\"inverseBindMatrices\":%u,"
-        "\"joints\":[%u",
-        GLB_ROOT_NODE,
+    json_print(
+        out, "{name: %s, skeleton: %u, inverseBindMatrices: %u, joints: [%u", "skin", GLB_ROOT_NODE,
         glb_array(&fish.file, GLB_FOR_DATA, GLB_MAT4, matrices[0], 1u + fish.mesh->anchor_count),
         GLB_ROOT_NODE);
     for (uint32_t i = 0; i < fish.mesh->anchor_count; i++) {
-        fprintf(out, ",%u", GLB_PIECE_NODE + fish.cut.piece_count + i);
+        json_value(out, NULL, "%u", GLB_PIECE_NODE + fish.cut.piece_count + i);
     }
-    fprintf(out, "]}");
+    json_print(out, "]}");
 }
 
-static void add_nodes(char scene[NAME_SIZE])
+static void add_nodes(void)
 {
+    struct json *out = &fish.file.lists[GLB_NODES], *scene = &fish.file.lists[GLB_SCENE];
     const uint32_t piece_count = fish.cut.piece_count;
     CORE_ASSERT(piece_count <= PIECE_MAX);
     uint32_t meshes[PIECE_MAX];
-    size_t used = (size_t)snprintf(scene, NAME_SIZE, "%u", GLB_ROOT_NODE);
+    char name[PIECE_NAME_SIZE];
     bool skinned = false;
     for (uint32_t i = 0; i < piece_count; i++) {
         meshes[i] = morph_glb_add_mesh(&fish, i);
     }
-    FILE *out = fish.file.lists[GLB_NODES].file;
-    const double size = (double)life_length_m(&fish.pick->fish->card, 1.0f);
-    glb_next(&fish.file, GLB_NODES);
-    fprintf(out, "{\"name\":\"%s\",\"rotation\":[0,1,0,0],\"scale\":[%.9g,%.9g,%.9g],",
-            fish.pick->fish->card.id, size, size, size);
-    const char *comma = "\"children\":[";
-    for (uint32_t i = 0; i < piece_count + fish.mesh->anchor_count; i++) {
-        if (i >= piece_count || !fish.skinned[i]) {
-            fprintf(out, "%s%u", comma, GLB_PIECE_NODE + i);
-            comma = ",";
-        }
-    }
-    fprintf(out, "],");
-    print_life(out);
-    fprintf(out, "}");
+    json_value(scene, NULL, "%u", GLB_ROOT_NODE);
+    add_fish_node(out);
     for (uint32_t i = 0; i < piece_count; i++) {
-        char name[PIECE_NAME_SIZE];
         morph_piece_name(&fish.cut.pieces[i], name);
         glb_next(&fish.file, GLB_NODES);
-        fprintf(fish.file.lists[GLB_NODES].file, "{\"name\":\"%s\",\"mesh\":%u%s}", name, meshes[i],
-                fish.skinned[i] ? ",\"skin\":0" : "");
+        json_print(out, "{name: %s, mesh: %u", name, meshes[i]);
         if (fish.skinned[i]) {
             /* glTF ignores the node of a skinned mesh and moves the mesh only by its joints. The
              * node is therefore a root node beside the fish's node. */
-            used += (size_t)snprintf(scene + used, NAME_SIZE - used, ",%u", GLB_PIECE_NODE + i);
+            json_value(scene, NULL, "%u", GLB_PIECE_NODE + i);
+            json_value(out, "skin", "0");
             skinned = true;
         }
+        json_close(out, '}');
     }
     for (uint32_t i = 0; i < fish.mesh->anchor_count; i++) {
         const struct anchor_pose *at = &fish.adult.anchor[i];
         glb_next(&fish.file, GLB_NODES);
-        fprintf(fish.file.lists[GLB_NODES].file,
-                "{\"name\":\"anchor_%u\",\"translation\":[%.9g,%.9g,%.9g],"
-                "\"rotation\":[%.9g,%.9g,%.9g,%.9g]}",
-                i, (double)at->position.x, (double)at->position.y, (double)at->position.z,
-                (double)at->turn.x, (double)at->turn.y, (double)at->turn.z, (double)at->turn.w);
+        snprintf(name, sizeof name, "anchor_%u", i);
+        json_print(
+            out, "{name: %s, translation: [%.9g, %.9g, %.9g], rotation: [%.9g, %.9g, %.9g, %.9g]}",
+            name, (double)at->position.x, (double)at->position.y, (double)at->position.z,
+            (double)at->turn.x, (double)at->turn.y, (double)at->turn.z, (double)at->turn.w);
     }
     if (skinned) {
         add_skin();
@@ -320,7 +310,6 @@ static void add_nodes(char scene[NAME_SIZE])
 enum exit_code morph_glb_write(const struct morph_options *pick, const char *path)
 {
     CORE_ASSERT(pick->fish && path);
-    char scene[NAME_SIZE];
     static vec3 positions[MESH_VERTEX_MAX], normals[MESH_VERTEX_MAX];
     memset(&fish, 0, sizeof fish);
     fish.pick = pick;
@@ -339,8 +328,8 @@ enum exit_code morph_glb_write(const struct morph_options *pick, const char *pat
         is_open = stream_open(&fish.file.lists[i]);
     }
     if (is_open) {
-        add_nodes(scene);
-        error = morph_glb_animate(&fish) ? write_file(&fish.file, path, "growth", scene) : -ENOMEM;
+        add_nodes();
+        error = morph_glb_animate(&fish) ? write_file(&fish.file, path) : -ENOMEM;
     }
     for (uint32_t i = 0; i < GLB_LIST_COUNT; i++) {
         stream_free(&fish.file.lists[i]);

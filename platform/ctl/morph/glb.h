@@ -2,9 +2,8 @@
  * fish's life shares.
  *
  * Arrays are stored in the binary buffer. The JSON objects that describe the arrays are stored in
- * one text list for each type of object. glb_next() starts a list entry and writes the comma, and
- * fprintf() then writes the entry. Names of species contain only a-z, 0-9 and _, so that
- * no string needs escaping.
+ * one text list for each type of object. glb_next() starts a list entry, and the functions of
+ * platform/os/json.h then write the entry.
  *
  * glb.c writes the file and its nodes, morph_glb_mesh.c the meshes and their shapes, and
  * morph_glb_life.c the animation. A piece is a mesh of one part of the fish on one side. A key is a
@@ -12,11 +11,10 @@
 #pragma once
 
 #include <stdbool.h>
-#include <stddef.h>
 #include <stdint.h>
-#include <stdio.h>
 
 #include "platform/ctl/morph/morph_export.h"
+#include "platform/os/json.h"
 
 /* Lists of JSON objects in a glTF file, and the binary buffer. */
 enum glb_list {
@@ -26,22 +24,17 @@ enum glb_list {
     GLB_MESHES,
     GLB_SKINS,
     GLB_NODES,
+    GLB_SCENE, /* Indices of the root nodes. */
     GLB_SAMPLERS,
     GLB_CHANNELS,
     GLB_BUFFER,
     GLB_LIST_COUNT,
 };
 
-/* A stream of open_memstream(3), whose text is in `data` after fflush(3). */
-struct glb_stream {
-    FILE *file;
-    char *data;
-    size_t size;
-};
-
-/* A file under construction. */
+/* A file under construction. Each list is a stream of open_memstream(3), whose text is in the
+ * `buffer` and `size` of the struct after fflush(3). */
 struct glb {
-    struct glb_stream lists[GLB_LIST_COUNT];
+    struct json lists[GLB_LIST_COUNT];
     uint32_t counts[GLB_LIST_COUNT];
 };
 
@@ -61,8 +54,8 @@ enum glb_use {
     GLB_FOR_JOINTS,    /* The array contains four joint numbers for each vertex as uint8_t. */
 };
 
-/* Starts a new entry of a list and returns the entry's index. The caller appends the entry's text
- * to lists[list].file. */
+/* Starts a new entry of a list and returns the entry's index. The caller writes the entry to
+ * lists[list]. */
 uint32_t glb_next(struct glb *glb, enum glb_list list);
 
 /* Copies `count` elements to the buffer and adds an accessor, the glTF description of the array.

@@ -155,16 +155,16 @@ static uint32_t add_sampler(struct morph_glb *fish, uint32_t times, enum glb_typ
 {
     const uint32_t output = glb_array(&fish->file, GLB_FOR_DATA, type, values, count);
     const uint32_t sampler = glb_next(&fish->file, GLB_SAMPLERS);
-    fprintf(fish->file.lists[GLB_SAMPLERS].file,
-            "{\"input\":%u,\"output\":%u,\"interpolation\":\"LINEAR\"}", times, output);
+    json_print(&fish->file.lists[GLB_SAMPLERS], "{input: %u, output: %u, interpolation: %s}", times,
+               output, "LINEAR");
     return sampler;
 }
 
 static void add_channel(struct morph_glb *fish, uint32_t sampler, uint32_t node, const char *path)
 {
     glb_next(&fish->file, GLB_CHANNELS);
-    fprintf(fish->file.lists[GLB_CHANNELS].file,
-            "{\"sampler\":%u,\"target\":{\"node\":%u,\"path\":\"%s\"}}", sampler, node, path);
+    json_print(&fish->file.lists[GLB_CHANNELS], "{sampler: %u, target: {node: %u, path: %s}}",
+               sampler, node, path);
 }
 
 /* Copies `width` columns of the samples to `out`, from the column `column` on. A quaternion is

@@ -209,52 +209,56 @@ static uint32_t material_of(struct morph_glb *fish, uint8_t part)
     const struct species_coat *coat = &fish->pick->fish->coats[fish->pick->rig.key_count - 1u];
     const bool is_fin = part >= PART_TAIL;
     const double rough = part == PART_EYE ? 0.15 : is_fin ? 0.6 : 0.7 - 0.4 * coat->shine / 255.0;
+    struct json *out = &fish->file.lists[GLB_MATERIALS];
     if (fish->materials[part] == 0) {
         fish->materials[part] = 1u + glb_next(&fish->file, GLB_MATERIALS);
-        fprintf(fish->file.lists[GLB_MATERIALS].file,
-                "{\"name\":\"%s\",\"pbrMetallicRoughness\":{\"metallicFactor\":0,"
-                "\"roughnessFactor\":%.3f}%s}",
-                part_names[part], rough,
-                is_fin ? ",\"alphaMode\":\"BLEND\",\"doubleSided\":true" : "");
+        json_print(out,
+                   "{name: %s, pbrMetallicRoughness: {metallicFactor: %u, roughnessFactor: %.3f}",
+                   part_names[part], 0u, rough);
+        if (is_fin) {
+            json_print(out, "alphaMode: %s, doubleSided: %hhd", "BLEND", true);
+        }
+        json_close(out, '}');
     }
     return fish->materials[part] - 1u;
 }
 
-/* Writes the positions, normals and colours in `columns` to the file, and prints their accessors.
- * The caller has filled the columns. */
-static void print_shape(struct morph_glb *fish, FILE *out)
+/* Writes a column to the file, and prints its accessor as the attribute `name` of `out`. */
+static void print_column(struct morph_glb *fish, struct json *out, const char *name,
+                         enum glb_use use, enum glb_type type, const void *column)
 {
-    const uint32_t position =
-        glb_array(&fish->file, GLB_FOR_PLACES, GLB_VEC3, columns.position[0], columns.count);
-    const uint32_t normal =
-        glb_array(&fish->file, GLB_FOR_VERTICES, GLB_VEC3, columns.normal[0], columns.count);
-    const uint32_t colour =
-        glb_array(&fish->file, GLB_FOR_VERTICES, GLB_VEC4, columns.colour[0], columns.count);
-    fprintf(out, "{\"POSITION\":%u,\"NORMAL\":%u,\"COLOR_0\":%u", position, normal, colour);
+    json_value(out, name, "%u", glb_array(&fish->file, use, type, column, columns.count));
 }
 
-static void print_attributes(struct morph_glb *fish, bool skinned, FILE *out)
+/* Writes the positions, normals and colours in `columns` to the file, and begins the JSON object
+ * `key` with their accessors. The caller has filled the columns. */
+static void print_shape(struct morph_glb *fish, const char *key, struct json *out)
 {
-    struct glb *file = &fish->file;
+    json_open(out, key, '{');
+    print_column(fish, out, "POSITION", GLB_FOR_PLACES, GLB_VEC3, columns.position);
+    print_column(fish, out, "NORMAL", GLB_FOR_VERTICES, GLB_VEC3, columns.normal);
+    print_column(fish, out, "COLOR_0", GLB_FOR_VERTICES, GLB_VEC4, columns.colour);
+}
+
+static void print_attributes(struct morph_glb *fish, bool skinned, struct json *out)
+{
     for (uint32_t i = 0; i < columns.count; i++) {
         struct aspect look = base_appearance(fish, columns.vertices[i]);
         columns.facing[i] = f_max(v3_length(look.normal), 1e-6f);
         look.normal = v3_normalize_or(look.normal, v3(0.0f, 1.0f, 0.0f));
         put_look(i, &look);
     }
-    print_shape(fish, out);
-    fprintf(out, ",\"TEXCOORD_0\":%u,\"_VERTEX\":%u",
-            glb_array(file, GLB_FOR_VERTICES, GLB_VEC2, columns.coordinates[0], columns.count),
-            glb_array(file, GLB_FOR_VERTICES, GLB_SCALAR, columns.source, columns.count));
+    print_shape(fish, "attributes", out);
+    print_column(fish, out, "_VERTEX", GLB_FOR_VERTICES, GLB_SCALAR, columns.source);
+    print_column(fish, out, "TEXCOORD_0", GLB_FOR_VERTICES, GLB_VEC2, columns.coordinates);
     if (skinned) {
-        fprintf(out, ",\"JOINTS_0\":%u,\"WEIGHTS_0\":%u",
-                glb_array(file, GLB_FOR_JOINTS, GLB_VEC4, columns.joints, columns.count),
-                glb_array(file, GLB_FOR_VERTICES, GLB_VEC4, columns.shares[0], columns.count));
+        print_column(fish, out, "WEIGHTS_0", GLB_FOR_VERTICES, GLB_VEC4, columns.shares);
+        print_column(fish, out, "JOINTS_0", GLB_FOR_JOINTS, GLB_VEC4, columns.joints);
     }
-    fprintf(out, "}");
+    json_close(out, '}');
 }
 
-static void print_targets(struct morph_glb *fish, const struct target_list *list, FILE *out)
+static void print_targets(struct morph_glb *fish, const struct target_list *list, struct json *out)
 {
     for (uint32_t t = 0; t < list->count; t++) {
         for (uint32_t i = 0; i < columns.count; i++) {
@@ -265,9 +269,8 @@ static void print_targets(struct morph_glb *fish, const struct target_list *list
             look.normal = v3_scale(look.normal, 1.0f / columns.facing[i]);
             put_look(i, &look);
         }
-        fprintf(out, "%s", t > 0 ? "," : "");
-        print_shape(fish, out);
-        fprintf(out, "}");
+        print_shape(fish, NULL, out);
+        json_close(out, '}');
     }
 }
 
@@ -298,21 +301,22 @@ uint32_t morph_glb_add_mesh(struct morph_glb *fish, uint32_t index)
     const uint32_t indices = glb_array(&fish->file, GLB_FOR_TRIANGLES, GLB_SCALAR, columns.indices,
                                        3u * piece->face_count);
     const uint32_t mesh = glb_next(&fish->file, GLB_MESHES);
-    FILE *out = fish->file.lists[GLB_MESHES].file;
-    fprintf(out, "{\"name\":\"%s\",\"extras\":{\"targetNames\":[", name);
+    struct json *out = &fish->file.lists[GLB_MESHES];
+    json_print(out, "{name: %s, extras: {targetNames: [", name);
     /* The name of a morph target is KEY, or CURVE.KEY for a target of a part's own curve. */
     const struct target_list *list = &fish->targets[index];
     const struct species_card *card = &fish->pick->fish->card;
     for (uint32_t t = 0; t < list->count; t++) {
         const bool own = list->curve[t] > 0;
-        fprintf(out, "%s\"%s%s%s\"", t > 0 ? "," : "", own ? card->curve_names[list->curve[t]] : "",
-                own ? "." : "", card->key_names[list->key[t]]);
+        char target[2u * SPECIES_NAME_SIZE];
+        snprintf(target, sizeof target, "%s%s%s", own ? card->curve_names[list->curve[t]] : "",
+                 own ? "." : "", card->key_names[list->key[t]]);
+        json_text(out, NULL, target);
     }
-    fprintf(out, "]},\"primitives\":[{\"material\":%u,\"indices\":%u,\"attributes\":", material,
-            indices);
-    print_attributes(fish, fish->skinned[index], out);
-    fprintf(out, ",\"targets\":[");
-    print_targets(fish, &fish->targets[index], out);
-    fprintf(out, "]}]}");
+    json_print(out, "]}, primitives: [{material: %u, indices: %u", material, indices);
+    print_attributes(fish, rides, out);
+    json_print(out, "targets: [");
+    print_targets(fish, list, out);
+    json_print(out, "]}]}");
     return mesh;
 }

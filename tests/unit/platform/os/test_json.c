@@ -57,13 +57,15 @@ static void test_a_format_writes_the_same_document_as_single_calls(void **state)
     (void)state;
     json_print(&json, "{count: %u, less: %d, bytes: %zu, sum: %llu, half: %.2f, gone: %.1f,", 3u,
                -1, (size_t)7, 1ull << 40, 0.5, (double)NAN);
-    json_print(&json, "hash: %016llx, name: %s, yes: %hhd,\n  list: [%s, {}, []]\n}", 0xabcull,
+    json_print(&json, "hash: %016llx, name: %s, yes: %hhd,\n  list: [%s, {}, []]\n", 0xabcull,
                "a\"b, c: {", true, "x");
+    json_print(&json, "COLOR_0: [%.9g, %.6g, %.3g]}", (double)0.1f, 10.0, (double)NAN);
     json_end(&json);
     assert_string_equal(text, "{\"count\": 3, \"less\": -1, \"bytes\": 7, \"sum\": 1099511627776, "
                               "\"half\": 0.50, \"gone\": null, \"hash\": \"0000000000000abc\", "
                               "\"name\": \"a\\\"b, c: {\", \"yes\": true,\n"
-                              "  \"list\": [\"x\", {}, []]\n}\n");
+                              "  \"list\": [\"x\", {}, []],\n"
+                              "\"COLOR_0\": [0.100000001, 10, null]}\n");
 }
 
 int main(void)

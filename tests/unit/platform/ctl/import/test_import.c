@@ -436,13 +436,14 @@ static void test_a_fitted_template_has_the_given_life_data(void **state)
 
 /* ---- Tests of glTF files -------------------------------------------------------------------- */
 
-static void export_glb(const char *id, const char *path)
+static void export_glb(const struct species *species, const char *path)
 {
     static struct morph_options pick;
-    const char *const words[] = { id };
+    const char *const words[] = { species->card.id };
     assert_int_equal(
         morph_options_read(&pick, "test", MORPH_REQUIRES_CURVES, &morph_options_table, 1, words),
         EXIT_OK);
+    pick.fish = species;
     assert_int_equal(morph_glb_write(&pick, path), EXIT_OK);
 }
 
@@ -455,7 +456,7 @@ static void test_an_exported_species_is_imported_within_quantization(void **stat
     }
     for (uint32_t i = 0; i < species_table_count; i++) {
         const struct species *species = species_table[i];
-        export_glb(species->card.id, path_of("fish.glb"));
+        export_glb(species, path_of("fish.glb"));
         assert_int_equal(import_scene(&mesh, path_of("fish.glb"), why), EXIT_OK);
         assert_true(mesh.is_ours && mesh.has_life);
         assert_int_equal(mesh.measure, species->card.measure);
@@ -494,6 +495,21 @@ static void test_an_exported_species_is_imported_within_quantization(void **stat
     }
 }
 
+static void test_quotes_in_a_name_are_exported_and_imported(void **state)
+{
+    (void)state;
+    static struct species species;
+    static const char quoted[] = "a\"b\\c";
+    if (!import_can_flatten(why)) {
+        skip();
+    }
+    species = species_wakin;
+    memcpy(species.card.key_names[1], quoted, sizeof quoted);
+    export_glb(&species, path_of("fish.glb"));
+    assert_int_equal(import_scene(&mesh, path_of("fish.glb"), why), EXIT_OK);
+    assert_string_equal(mesh.key_names[1], quoted);
+}
+
 static void test_a_damaged_scene_gives_one_message(void **state)
 {
     (void)state;
@@ -501,7 +517,7 @@ static void test_a_damaged_scene_gives_one_message(void **state)
     if (!import_can_flatten(why)) {
         skip();
     }
-    export_glb("wakin", path_of("fish.glb"));
+    export_glb(&species_wakin, path_of("fish.glb"));
     FILE *in = fopen(path_of("fish.glb"), "rb");
     const size_t size = fread(bytes, 1, sizeof bytes, in);
     fclose(in);
@@ -532,6 +548,7 @@ int main(void)
         cmocka_unit_test(test_a_sheet_gets_two_sides),
         cmocka_unit_test(test_a_fitted_template_has_the_given_life_data),
         cmocka_unit_test(test_an_exported_species_is_imported_within_quantization),
+        cmocka_unit_test(test_quotes_in_a_name_are_exported_and_imported),
         cmocka_unit_test(test_a_damaged_scene_gives_one_message),
     };
     return cmocka_run_group_tests(tests, make_folder, remove_folder);
