@@ -19,15 +19,15 @@
 #include "core/poi/poi_fields.h"
 #include "core/tank/tank_fields.h"
 
-/* Memory budgets of the kiosk. The tank uses at most 1 MiB. Game, pois and bowls use a sixteenth of
- * a MiB, and the growth lab uses half of that. The lab holds eight custom species with all their
- * curves (19 KiB). The lab also holds the saved graphs and the edited graphs of 15 species, 8 KiB
- * for each set of 15. The smallest board reserves the budgets below for the state and for the
- * scene.
+/* Memory budgets of the kiosk. The tank uses at most 1 MiB, and the recordings of the tears use
+ * 33 KiB. Game, pois and bowls use a sixteenth of a MiB, and the growth lab uses half of that. The
+ * lab holds eight custom species with all their curves (19 KiB). The lab also holds the saved
+ * graphs and the edited graphs of 15 species, 8 KiB for each set of 15. The smallest board reserves
+ * the budgets below for the state and for the scene.
  *
  * `kingyoctl tank` allocates a larger tank of its own (platform/ctl/tank/tank.mk). */
 _Static_assert(sizeof(struct tank) <= 1024u * 1024u, "the tank outgrew its budget");
-_Static_assert(sizeof(struct core) <= 1120u * 1024u, "the core's state outgrew its budget");
+_Static_assert(sizeof(struct core) <= 1152u * 1024u, "the core's state outgrew its budget");
 _Static_assert(TANK_FISH_MAX == SCENE_FISH_MAX, "every fish can be shown");
 _Static_assert(sizeof(struct scene) <= 1024u * 1024u, "the scene outgrew its budget");
 
@@ -240,6 +240,16 @@ static void tick_catch(struct core *core, const uint8_t live[POI_MAX],
     }
 }
 
+/* Records the pois of a round for the slow motion of the result screen. */
+static void record_tears(struct core *core, const uint8_t live[POI_MAX])
+{
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (core->game.phase == PHASE_ROUND && live[i]) {
+            tear_clip_tick(&core->world.tear_clip[i], &core->world.poi[i], core->game.tick);
+        }
+    }
+}
+
 /* Writes the force feedback after the wall and fish contacts of this tick. catch_tick() runs later
  * and may add impacts. Those impacts take effect in the next tick, as force and as load on the
  * paper. */
@@ -269,6 +279,7 @@ enum core_error core_tick(struct core *core, const struct input *input, struct o
     tick_pois(core, input, targets, live);
     tick_water(core, live);
     tick_fish(core, input);
+    record_tears(core, live);
     write_poi_forces(core, live, output);
     tick_catch(core, live, caught, output);
     game_score(&core->game, &core->world, caught, output);

@@ -79,7 +79,9 @@ static void show_poi(const struct core *core, uint32_t index, struct scene_poi *
     out->position_m = poi->position_m;
     out->angles = poi->angles;
     out->ring_radius_m = poi_radius_m(poi);
-    out->sag_m = poi->sheet.sag_m;
+    /* Paper that is about to tear is stretched and sags deeper. */
+    out->warning = sheet_warning(&poi->sheet);
+    out->sag_m = poi->sheet.sag_m * (1.0f + out->warning);
     out->paper_left = sheet_left(&poi->sheet);
     const struct shade_cast *cast = &core->world.tank.shade[SHADE_MAX + index].cast;
     out->shade_dark = cast->present ? cast->dark : 0.0f;
@@ -136,6 +138,11 @@ static void show_players(const struct core *core, struct scene *scene)
             .period = place.period,
             .level = player->level,
         };
+        scene->tear[i] = (struct scene_tear){ 0 };
+        if (core->game.phase == PHASE_RESULT) {
+            tear_clip_show(&core->world.tear_clip[i], core->game.tick - core->game.phase_tick,
+                           &scene->tear[i]);
+        }
     }
 }
 

@@ -29,6 +29,7 @@ enum sound {
     SOUND_FOUL,   /* Whistle for a foul. */
     SOUND_CHOOSE, /* The selection moves to another mode. */
     SOUND_COIN,   /* A coin was accepted. */
+    SOUND_CREAK,  /* The paper creaks before it tears. */
     SOUND_COUNT,
 };
 

@@ -58,6 +58,33 @@ struct scene_fish {
     uint8_t place; /* Place of the fish (enum scene_place). */
 };
 
+/* Causes of a tear of the paper. The load with the highest tension is the cause. */
+enum tear_cause {
+    TEAR_NONE = 0, /* The paper is not torn. */
+    TEAR_FAST,     /* Pressure of the water or of the carried mass on paper that moved too fast. */
+    TEAR_FLAT,     /* Pressure of the water on paper that was pushed along its normal. */
+    TEAR_SLAP,     /* Slap of a fish's tail. */
+    TEAR_SOAKED,   /* Moderate load on paper that was wet for too long. */
+    TEAR_WEIGHT,   /* Weight at one place of the paper. */
+    TEAR_CAUSE_COUNT,
+};
+
+#define TEAR_SIDE (SHEET_SIDE / 2u) /* Cells along each side of the paper in the slow motion. */
+#define TEAR_CELL_COUNT (TEAR_SIDE * TEAR_SIDE)
+
+/* One frame of the slow motion of the second around the first tear of a player's paper. The slow
+ * motion is present in PHASE_RESULT only. */
+struct scene_tear {
+    uint8_t cause;     /* Cause of the first tear (enum tear_cause); TEAR_NONE means no tear. */
+    float time_s;      /* Time of the frame since the first tear in seconds; negative before. */
+    vec3 position_m;   /* Position of the ring's centre. */
+    vec3 velocity_m_s; /* Velocity of the ring's centre. */
+    struct angles angles;
+    /* Load of each cell divided by its strength, from 17 (no load) to 255 (the cell tears); 0 means
+     * no paper. Row 0 is at the far edge (-z). */
+    uint8_t load[TEAR_CELL_COUNT];
+};
+
 struct scene_poi {
     uint8_t present;
     uint8_t owner;   /* Player index; selects the ring's colour. */
@@ -72,6 +99,7 @@ struct scene_poi {
      * the water. */
     float shade_dark;
     float water_m; /* Mean depth of the water on the paper. */
+    float warning; /* Danger that the paper tears, from 0 (none) to 1 (imminent). */
     /* 1 in practice mode, where the paper is coloured by `stress`; otherwise 0. */
     uint8_t shows_stress;
     /* Wetness of each paper cell, from 0 (dry) to 255 (wet). Row 0 is at the far edge (-z). */
@@ -296,6 +324,7 @@ struct scene {
         uint8_t period; /* Period of the leaderboard with the best place (enum rank_period). */
         uint8_t level;  /* Level of the player in this round (enum level). */
     } player[POI_MAX];
+    struct scene_tear tear[POI_MAX];
 
     struct scene_credit credit;
     /* 1 if TEST was pressed in a round, so a second press ends the round; otherwise 0. */

@@ -2,7 +2,7 @@ in vec3 world;
 in vec3 face;
 in vec2 at;
 uniform vec4 paper;             // z: 1 in the practice mode, in which the paper's colour shows its
-                                // stress, otherwise 0.
+                                // stress, otherwise 0. w: danger that the paper tears, 0 to 1.
 uniform vec2 pool;              // x: world height of the pool on the paper. y: thickness of the
                                 // water film.
 uniform vec4 rests[2];          // Fish on this paper. xyz: centre. w: length in m; 0 means no fish.
@@ -70,6 +70,7 @@ void main()
                                                                   // between wet and dry paper.
     load *= 0.45 + 0.55 * smoothstep(0.7, 1.7, front);
     vec3 tint = mix(mix(dry, soaked, wet), load, paper.z) * lit;
+    tint *= 1.0 - paper.w * mix(0.45, 0.85, worn); // Paper in danger is darker, most where worn.
     float dark = max(shade(rests[0], spines[0]), shade(rests[1], spines[1]));
     tint *= (1.0 - 0.30 * fold) * (1.0 - 0.55 * dark);
     tint = mix(tint, vec3(1.0, 0.98, 0.95), 0.55 * lip);

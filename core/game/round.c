@@ -6,6 +6,7 @@
  * pull a plug repeatedly and win the same prize each time. */
 #include "core/game/phases.h"
 
+#include "core/base/mem.h"
 #include "core/base/panic.h"
 #include "core/config.h"
 #include "core/game/accounting/accounts.h"
@@ -35,6 +36,7 @@ void round_ready_begin(struct game *game, struct world *world, const struct core
         game->player[i].level = rules_of(game->mode)->has_levels ? config->level : LEVEL_MASTER;
     }
     game->album = (struct album){ 0 };
+    memset(world->tear_clip, 0, sizeof world->tear_clip);
     table_setup_empty_bowls(world);
     table_setup_prepare(game->control, game, world, config, table_setup_preset(config, game->mode));
     world->tank.temper = rules_of_level(game_level(game))->temper;

@@ -8,10 +8,12 @@
 
 #include "core/poi/bowl/bowl.h"
 #include "core/poi/poi.h"
+#include "core/poi/tear_clip.h"
 #include "core/tank/tank.h"
 
 struct world {
     struct tank tank;
     struct poi poi[POI_MAX];
     struct bowl bowl[POI_MAX];
+    struct tear_clip tear_clip[POI_MAX]; /* Recording of each poi in the present round. */
 };

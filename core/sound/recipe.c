@@ -104,5 +104,12 @@ const struct sound_recipe sound_recipes[SOUND_COUNT] = {
         TONE(0.30f, 85.0f, 0.4f, 260.0f, 3520.0f, 3520.0f, 0.0f),
         NOISE(0.12f, 0.0f, 0.3f, 5.0f, 5200.0f, 5200.0f, 0.0f, 0.8f, 0.0f),
     }, .length_ms = 1200.0f },
+    /* The wet paper of a poi creaks ("mishi") before it tears: two short crackles of its fibres
+     * over a low tone that rises with the tension. */
+    [SOUND_CREAK] = { .layer = {
+        NOISE(0.34f, 0.0f, 3.0f, 16.0f, 1500.0f, 1900.0f, 20.0f, 0.5f, 1.0f),
+        NOISE(0.30f, 70.0f, 3.0f, 20.0f, 1800.0f, 2400.0f, 25.0f, 0.5f, 1.0f),
+        TONE(0.14f, 0.0f, 12.0f, 45.0f, 190.0f, 260.0f, 60.0f),
+    }, .length_ms = 320.0f },
 };
 /* clang-format on */

@@ -70,6 +70,10 @@ static const struct shot shots[] = {
     { "ask", PHASE_ROUND, HINT_DIP, 20.0f, 40.0f, 3, 12, 0.8f, 1, 0, 0, 0, 0, 0, 0 },
     { "paidback", PHASE_RESULT, HINT_PAID_BACK, 6.2f, 0.0f, 4, 12, 0.4f, 1, 0, 0, 0, 0, 0, 0 },
     { "result", PHASE_RESULT, HINT_NONE, 2.4f, 0.0f, 13, 13, 0.0f, 1, 0, 0, 0, 0, 0, 0 },
+    { "fast", PHASE_RESULT, HINT_START, 6.2f, 0.0f, 2, 13, 0.0f, 1, 0, 0, 0, 0, 0, 0 },
+    { "soaked", PHASE_RESULT, HINT_START, 6.2f, 0.0f, 5, 13, 0.0f, 1, 0, 0, 0, 0, 0, 0 },
+    { "weight", PHASE_RESULT, HINT_START, 6.2f, 0.0f, 7, 13, 0.0f, 1, MODE_CHAMPIONSHIP, 0, 0, 0, 0,
+      0 },
     { "again", PHASE_RESULT, HINT_START, 6.2f, 0.0f, 4, 12, 0.4f, 1, MODE_PRACTICE, 0, 0, 0, 0, 0 },
     { "winner", PHASE_RESULT, HINT_START, 6.2f, 0.0f, 47, 47, 0.4f, 1, MODE_CHAMPIONSHIP, 0,
       FOUL_WALL, 0, 0, 0 },
@@ -195,6 +199,36 @@ static void fill_encore(struct scene *scene, const char *name)
     scene->veil = strcmp(name, "dusk") == 0 ? 0.7f : 0.0f;
 }
 
+/* Sets the cause and the load of the first tear in the pictures of a result with torn paper. */
+static void fill_tear(struct scene *scene, const char *name)
+{
+    static const struct {
+        const char *name;
+        uint8_t cause;
+    } torn[] = {
+        { "result", TEAR_FLAT },   { "ranking", TEAR_SLAP },  { "fast", TEAR_FAST },
+        { "soaked", TEAR_SOAKED }, { "weight", TEAR_WEIGHT },
+    };
+    for (size_t i = 0; i < sizeof torn / sizeof *torn; i++) {
+        if (strcmp(torn[i].name, name) != 0) {
+            continue;
+        }
+        struct scene_tear *tear = &scene->tear[0];
+        *tear = (struct scene_tear){ .cause = torn[i].cause,
+                                     .time_s = -0.1f,
+                                     .position_m = { 0.0f, -0.012f, 0.0f },
+                                     .velocity_m_s = { 0.12f, -0.25f, 0.0f },
+                                     .angles = { 0.4f, 0.15f, 0.3f } };
+        for (uint32_t k = 0; k < TEAR_CELL_COUNT; k++) {
+            const float x = ((float)(k % TEAR_SIDE) + 0.5f) / 8.0f - 1.0f;
+            const float z = ((float)(k / TEAR_SIDE) + 0.5f) / 8.0f - 1.0f;
+            const float r2 = x * x + z * z;
+            tear->load[k] =
+                r2 > 1.05f || (k >= 100 && k < 103) ? 0 : (uint8_t)(230.0f - 200.0f * r2 + 0.5f);
+        }
+    }
+}
+
 static void fill_scene(struct scene *scene, const struct shot *shot, uint8_t language)
 {
     memset(scene, 0, sizeof *scene);
@@ -215,6 +249,7 @@ static void fill_scene(struct scene *scene, const struct shot *shot, uint8_t lan
     scene->paused = shot->paused;
     fill_cabinet(scene, shot->name);
     fill_encore(scene, shot->name);
+    fill_tear(scene, shot->name);
     scene->call = shot->call;
     scene->call_s = 0.6f;
     for (uint8_t i = 0; i < shot->players; i++) {

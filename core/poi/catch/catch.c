@@ -44,6 +44,28 @@ static bool time_for(uint32_t *last, uint32_t now, uint32_t every)
     return true;
 }
 
+/* Ticks between two creaks of paper in danger, and of paper that is about to tear. */
+#define CREAK_TICKS 96u
+#define CREAK_TICKS_MIN 48u
+_Static_assert(CREAK_TICKS % CREAK_TICKS_MIN == 0, "slow creaks are tested when fast creaks are");
+/* Danger (sheet_warning()) from which paper creaks, and from which paper creaks fast. */
+#define CREAK_FROM 0.3f
+#define CREAK_FAST_FROM 0.7f
+
+/* Plays the creaks of paper that is about to tear. The times of the creaks follow from the number
+ * of the tick, so that they need no state. */
+static void sound_creak(const struct scoop *scoop)
+{
+    const struct poi *poi = scoop->poi;
+    if (scoop->tick % CREAK_TICKS_MIN != 0 || poi->damage_immune || poi->strain.cells_torn > 0) {
+        return;
+    }
+    const float warning = sheet_warning(&poi->sheet);
+    if (warning >= (scoop->tick % CREAK_TICKS == 0 ? CREAK_FROM : CREAK_FAST_FROM)) {
+        output_sound(scoop->output, SOUND_CREAK, 0.2f + 0.6f * warning, scoop->pan);
+    }
+}
+
 static void sound_ring(const struct scoop *scoop)
 {
     struct poi *poi = scoop->poi;
@@ -289,6 +311,7 @@ void catch_tick(struct poi *poi, uint32_t poi_index, const struct stall *stall, 
         }
     }
     sound_ring(&scoop);
+    sound_creak(&scoop);
     ride_all(&scoop);
     update_all_fish(&scoop);
     free_jam(&scoop);

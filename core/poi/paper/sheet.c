@@ -218,6 +218,27 @@ bool sheet_holds(const struct sheet *sheet, float x_m, float z_m)
     return sheet->state[(r * SHEET_SIDE + c)] == CELL_PAPER;
 }
 
+/* Loads between which the danger rises from 0 to 1: paper bears the first for 8 s, and the second
+ * for a quarter of a second. */
+#define WARN_LOAD_FROM 0.60f
+#define WARN_LOAD_TO 0.85f
+/* Damage between which the danger rises from 0 to 1. */
+#define WARN_DAMAGE_FROM 0.20f
+#define WARN_DAMAGE_TO 0.80f
+
+float sheet_warning(const struct sheet *sheet)
+{
+    float damage = 0.0f;
+    uint8_t stress = 0;
+    for (uint32_t i = 0; i < SHEET_CELL_COUNT; i++) {
+        const bool is_paper = sheet->state[i] == CELL_PAPER;
+        damage = is_paper ? f_max(damage, sheet->damage[i]) : damage;
+        stress = is_paper && sheet->stress[i] > stress ? sheet->stress[i] : stress;
+    }
+    return f_max(f_smoothstep(WARN_LOAD_FROM, WARN_LOAD_TO, (float)stress / 255.0f),
+                 f_smoothstep(WARN_DAMAGE_FROM, WARN_DAMAGE_TO, damage));
+}
+
 float sheet_left(const struct sheet *sheet)
 {
     CORE_ASSERT(sheet->paper_cells <= sheet->paper_cells_new);

@@ -139,6 +139,10 @@ struct sheet_events sheet_tick(struct sheet *sheet, float pressure_pa, struct sh
  * is paper. */
 bool sheet_holds(const struct sheet *sheet, float x_m, float z_m);
 
+/* Returns the danger that the paper tears, from 0 (none) to 1 (imminent). The danger rises with the
+ * highest load of a cell, and with the greatest damage. */
+float sheet_warning(const struct sheet *sheet);
+
 /* Returns the fraction [0, 1] of the paper's cells that are not torn. */
 float sheet_left(const struct sheet *sheet);
 

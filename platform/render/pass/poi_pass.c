@@ -256,7 +256,7 @@ void poi_pass_paper(const struct poi_pass *pass, const struct scene *scene, uint
     glUniform4fv(pass->paper_rests, RESTS_MAX, rests[0]);
     glUniform3fv(pass->paper_spines, RESTS_MAX, spines[0]);
     glUniform4f(pass->paper_paper, poi->sag_m / poi->ring_radius_m, (float)index,
-                poi->shows_stress ? 1.0f : 0.0f, 0.0f);
+                poi->shows_stress ? 1.0f : 0.0f, poi->warning);
     glUniform2f(pass->paper_pool, pool.level_m, pool.film_m);
     glEnable(GL_BLEND);
     shape_draw(&pass->disc, 0);

@@ -185,6 +185,29 @@ static void draw_result_card(const struct ui_frame *frame, struct ui_box box)
     place_seal(frame, box);
 }
 
+#define CARD_WIDTH 680.0f
+#define CARD_HEIGHT 416.0f
+#define TEAR_WIDTH 274.0f  /* Width of the card of a tear beside the card of the result. */
+#define TEAR_HEIGHT 190.0f /* Height of the card of a tear below the card of the result. */
+#define CARD_GAP 14.0f
+
+/* Returns the box of the result's card. If `has_tear` is true, writes the box of the card that
+ * shows a tear to `tear`: to the right of the result's card, or below it on a narrow screen. */
+static struct ui_box card_box(const struct ui_frame *frame, bool has_tear, struct ui_box *tear)
+{
+    const float u = frame->unit, gap = CARD_GAP * u, margin = 20.0f * u;
+    const bool is_beside = frame->width > 1.1f * frame->height;
+    const float aside = has_tear && is_beside ? TEAR_WIDTH * u + gap : 0.0f;
+    const float below = has_tear && !is_beside ? TEAR_HEIGHT * u + gap : 0.0f;
+    const float width = fminf(CARD_WIDTH * u, frame->width - 2.0f * margin - aside);
+    const struct ui_box box = { 0.5f * (frame->width - width - aside),
+                                0.45f * frame->height - 0.5f * (CARD_HEIGHT * u + below), width,
+                                CARD_HEIGHT * u };
+    *tear = is_beside ? (struct ui_box){ box.x + width + gap, box.y, aside - gap, box.height }
+                      : (struct ui_box){ box.x, box.y + box.height + gap, width, below - gap };
+    return box;
+}
+
 void ui_result(const struct ui_frame *frame)
 {
     const struct scene *const scene = frame->scene;
@@ -193,10 +216,10 @@ void ui_result(const struct ui_frame *frame)
                                  ? f_smoothstep(CALL_TIME_S, CALL_TIME_S + 0.4f, scene->call_s)
                                  : 1.0f;
     const float u = frame->unit, in = f_smoothstep(0.0f, 0.45f, scene->phase_s) * after_call;
-    const float width = fminf(680.0f * u, frame->width - 40.0f * u), height = 416.0f * u;
-    const struct ui_box box = { 0.5f * (frame->width - width),
-                                0.45f * frame->height - 0.5f * height + 40.0f * u * (1.0f - in),
-                                width, height };
+    const uint32_t torn = scene->credit.came_back ? POI_MAX : ui_torn_player(scene);
+    struct ui_box tear, box = card_box(frame, torn < POI_MAX, &tear);
+    box.y += 40.0f * u * (1.0f - in);
+    tear.y += 40.0f * u * (1.0f - in);
     char words[2u * TEXT_LINE_MAX];
     ui_umpire(frame);
     if (after_call <= 0.0f) {
@@ -204,6 +227,9 @@ void ui_result(const struct ui_frame *frame)
     }
     frame->batch->opacity = in;
     ui_card(frame, box);
+    if (torn < POI_MAX) {
+        ui_tear(frame, torn, tear);
+    }
     /* The heading is a line such as "Championship: that's all!" */
     snprintf(words, sizeof words, "%s  %s", ui_mode_name(frame->language, scene->mode),
              ui_words(frame, TEXT_RESULT));

@@ -82,6 +82,13 @@ void ui_bowl_marks(const struct ui_frame *frame, float alpha);
  * pause after a loss of controller input. */
 void ui_umpire(const struct ui_frame *frame);
 
+/* Returns the player whose slow motion of a tear is shown, or POI_MAX if no paper tore. Several
+ * players are shown one after another. */
+uint32_t ui_torn_player(const struct scene *scene);
+/* Draws why the paper of `player` tore, in `box`: the slow motion of the first tear, a picture of
+ * the cause, and words. The parts are side by side if the box is wider than high. */
+void ui_tear(const struct ui_frame *frame, uint32_t player, struct ui_box box);
+
 /* Declarations of functions that each draw one whole screen. */
 void ui_lab(const struct ui_frame *frame);
 void ui_album(const struct ui_frame *frame);

@@ -6,7 +6,6 @@
 
 #include "core/base/panic.h"
 #include "core/game/phases.h"
-#include "core/poi/paper/sheet.h"
 #include "core/tank/behavior/startle.h"
 #include "core/tank/preset.h"
 #include "drivers/null.h"
@@ -15,48 +14,15 @@
 /* Largest number of frames of a round, including the countdown and a reserve. */
 #define ROUND_FRAMES_MAX ((ROUND_LENGTH_S + 60u) * PLAYER_HZ)
 #define START_FRAMES PLAYER_HZ /* START is pressed once per second until a round begins. */
-/* The ring counts as in the air if less than this fraction of it is under water. */
-#define DRY_SHARE 0.02f
 
 const char *const round_tear_names[TEAR_CAUSE_COUNT] = {
-    "dip", "glide", "lift", "air", "slap", "body",
+    "none", "fast", "flat", "slap", "soaked", "weight",
 };
 const char *const round_attempt_names[ATTEMPT_END_COUNT] = {
     "fled before", "fled dip", "fled follow", "fled lift", "below", "away", "slipped", "held",
 };
 
 /* ---- Causes of tears ------------------------------------------------------------------------- */
-
-/* Returns the highest tension in N/m that the loads number `from` to `to` - 1 cause in the paper
- * around them. */
-static float patch_tension_n_m(const struct poi *poi, uint32_t from, uint32_t to)
-{
-    float most = 0.0f;
-    for (uint32_t i = from; i < to; i++) {
-        const struct sheet_load *load = &poi->loads[i];
-        most = f_max(most, f_abs(load->force_n) / (F_PI * load->diameter_m));
-    }
-    return most;
-}
-
-static uint8_t tear_cause_of(const struct poi *poi)
-{
-    const struct paper_grade *grade = sheet_grade(poi->sheet.grade);
-    const float even_pa = poi->pressure_pa * sheet_left(&poi->sheet);
-    const float even = sheet_tension_edge(grade, even_pa, poi->sheet.radius_m);
-    CORE_ASSERT(poi->slap_count <= poi->load_count);
-    const float slap = patch_tension_n_m(poi, 0, poi->slap_count);
-    const float body = patch_tension_n_m(poi, poi->slap_count, poi->load_count);
-    if (slap > even || body > even) {
-        return slap > body ? TEAR_SLAP : TEAR_BODY;
-    }
-    const vec3 v = poi->velocity_m_s;
-    const bool is_level = v.x * v.x + v.z * v.z > 4.0f * v.y * v.y;
-    return poi->immersed < DRY_SHARE ? TEAR_AIR
-           : is_level                ? TEAR_GLIDE
-           : v.y < 0.0f              ? TEAR_DIP
-                                     : TEAR_LIFT;
-}
 
 static double mean_wet_s(const struct sheet *sheet)
 {
@@ -67,19 +33,20 @@ static double mean_wet_s(const struct sheet *sheet)
     return ticks / (double)sheet->paper_cells_new / CORE_TICK_HZ;
 }
 
+/* Counts the torn cells by cause. Because catch_tick() has run, tear_cause_of() reads the loads of
+ * fish of the next tick. The recording has the exact cause of the first tear. */
 static void observe_paper(struct player_round *result, const struct core *core)
 {
     const struct poi *poi = &core->world.poi[0];
     if (core->game.phase != PHASE_ROUND || poi->strain.cells_torn == 0) {
         return;
     }
-    const uint8_t cause = tear_cause_of(poi);
     if (result->first_s <= 0.0) {
         result->first_s = (double)(core->game.tick - core->game.phase_tick) / CORE_TICK_HZ;
-        result->first_cause = cause;
+        result->first_cause = core->world.tear_clip[0].cause;
         result->wet_s = mean_wet_s(&poi->sheet);
     }
-    result->cells[cause] += poi->strain.cells_torn;
+    result->cells[tear_cause_of(poi)] += poi->strain.cells_torn;
 }
 
 /* ---- Outcomes of attempts -------------------------------------------------------------------- */

@@ -15,17 +15,7 @@
 #define ROUND_LENGTH_S 60u
 #define ROUND_GRADE 6u
 
-/* Cause of a tear: the load with the highest tension at that moment. */
-enum tear_cause {
-    TEAR_DIP = 0, /* Pressure of the water while the ring goes down. */
-    TEAR_GLIDE,   /* Pressure of the water while the ring moves sideways under water. */
-    TEAR_LIFT,    /* Pressure of the water while the ring goes up. */
-    TEAR_AIR,     /* Weight and inertia of water and fish while the ring is above the water. */
-    TEAR_SLAP,    /* Slap of a fish's tail. */
-    TEAR_BODY,    /* Weight of a fish at one place of the paper. */
-    TEAR_CAUSE_COUNT,
-};
-extern const char *const round_tear_names[TEAR_CAUSE_COUNT];
+extern const char *const round_tear_names[TEAR_CAUSE_COUNT]; /* Names of enum tear_cause. */
 
 /* Outcome of one attempt to catch the chosen fish. */
 enum attempt_end {
@@ -49,7 +39,7 @@ struct player_round {
     double first_s; /* Time of the first torn cell in the round, in seconds; 0 if no cell tore. */
     /* Time for which the paper had been wet when the first cell tore, on average over its cells. */
     double wet_s;
-    uint8_t first_cause;              /* Cause of the first torn cell. */
+    uint8_t first_cause;              /* Cause of the first torn cell (enum tear_cause). */
     uint32_t cells[TEAR_CAUSE_COUNT]; /* Number of torn cells for each cause. */
     uint32_t attempts[ATTEMPT_END_COUNT];
     /* Number of times that the chosen fish fled from a dipped ring. The sums over them: time since

@@ -188,6 +188,34 @@ static void test_the_stress_colour_is_shown_only_in_practice(void **state)
     }
 }
 
+static void test_paper_in_danger_warns_and_sags_deeper(void **state)
+{
+    (void)state;
+    struct sheet *sheet = &core.world.poi[0].sheet;
+    core.world.poi[0].link = POI_SOURCE_BOT;
+    sheet->sag_m = 0.003f;
+    core_scene(&core, &scene);
+    assert_float_equal(scene.poi[0].warning, 0.0f, 0.0f);
+    assert_float_equal(scene.poi[0].sag_m, 0.003f, 0.0f);
+    sheet->damage[SHEET_CELL_COUNT / 2u + SHEET_SIDE / 2u] = 0.9f;
+    core_scene(&core, &scene);
+    assert_float_equal(scene.poi[0].warning, 1.0f, 0.0f);
+    assert_float_equal(scene.poi[0].sag_m, 0.006f, 1e-6f);
+}
+
+static void test_the_tear_is_shown_only_on_the_result_screen(void **state)
+{
+    (void)state;
+    core.world.tear_clip[2].cause = TEAR_SLAP;
+    core.world.tear_clip[2].count = core.world.tear_clip[2].next = 1;
+    for (uint8_t phase = PHASE_ATTRACT; phase <= PHASE_RESULT; phase++) {
+        core.game.phase = phase;
+        core_scene(&core, &scene);
+        assert_int_equal(scene.tear[2].cause, phase == PHASE_RESULT ? TEAR_SLAP : TEAR_NONE);
+        assert_int_equal(scene.tear[0].cause, TEAR_NONE);
+    }
+}
+
 static void test_every_mode_shows_its_time_and_paper(void **state)
 {
     (void)state;
@@ -306,6 +334,8 @@ int main(void)
         TEST(test_cells_beyond_the_ring_continue_the_paper_inside),
         TEST(test_paper_shows_its_stress_and_holes_show_none),
         TEST(test_the_stress_colour_is_shown_only_in_practice),
+        TEST(test_paper_in_danger_warns_and_sags_deeper),
+        TEST(test_the_tear_is_shown_only_on_the_result_screen),
         TEST(test_every_mode_shows_its_time_and_paper),
         TEST(test_the_water_of_a_poi_is_shown_as_a_depth),
         TEST(test_announcements_and_fouls_are_shown_with_their_age),

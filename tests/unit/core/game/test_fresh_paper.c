@@ -34,6 +34,18 @@ static void test_each_round_starts_with_new_and_different_paper(void **state)
                             sizeof first.strength);
 }
 
+static void test_a_new_round_forgets_the_recorded_tear(void **state)
+{
+    (void)state;
+    play_into_round();
+    core.world.tear_clip[0].cause = TEAR_FLAT;
+    tear_all(0);
+    steps(GAME_GONE_TICKS + 1u + GAME_AGAIN_TICKS);
+    assert_int_equal(core.world.tear_clip[0].cause, TEAR_FLAT);
+    press(INPUT_START);
+    assert_int_equal(core.world.tear_clip[0].cause, TEAR_NONE);
+}
+
 static void test_a_poi_under_water_gets_its_paper_above_the_water(void **state)
 {
     (void)state;
@@ -110,6 +122,7 @@ int main(void)
 #define TEST(name) cmocka_unit_test_setup(name, setup)
     const struct CMUnitTest tests[] = {
         TEST(test_a_round_with_no_paper_left_ends_three_seconds_later),
+        TEST(test_a_new_round_forgets_the_recorded_tear),
         TEST(test_each_round_starts_with_new_and_different_paper),
         TEST(test_a_poi_under_water_gets_its_paper_above_the_water),
         TEST(test_the_attract_bot_gets_new_paper_when_its_paper_is_torn),

@@ -356,6 +356,31 @@ static void test_sounds_follow_the_events_without_repetition(void **state)
     assert_int_equal(heard[SOUND_LIFT], 1);
 }
 
+/* Returns the number of creaks in two seconds of paper with the damage `damage` in one cell. */
+static uint32_t creaks(float damage, bool damage_immune)
+{
+    uint32_t count = 0;
+    fixture_init(&fixture, 4, 1);
+    fixture.poi.sheet.damage[SHEET_CELL_COUNT / 2u + SHEET_SIDE / 2u] = damage;
+    fixture.poi.damage_immune = damage_immune;
+    for (uint32_t tick = 0; tick < 2u * CORE_TICK_HZ; tick++) {
+        fixture_tick(&fixture);
+        for (uint32_t i = 0; i < fixture.output.sound_count; i++) {
+            count += fixture.output.sounds[i].sound == SOUND_CREAK;
+        }
+    }
+    return count;
+}
+
+static void test_paper_creaks_before_it_tears_and_faster_at_the_end(void **state)
+{
+    (void)state;
+    assert_int_equal(creaks(0.0f, false), 0);
+    assert_in_range(creaks(0.5f, false), 2, 3);
+    assert_int_equal(creaks(0.9f, false), 5);
+    assert_int_equal(creaks(0.9f, true), 0);
+}
+
 static uint64_t played(void)
 {
     fixture_init(&fixture, 7, 11);
@@ -394,6 +419,7 @@ int main(void)
         cmocka_unit_test(test_a_poi_that_sweeps_along_walls_pushes_no_fish_through_them),
         cmocka_unit_test(test_a_fish_over_the_edge_of_the_ring_stays_on_its_side),
         cmocka_unit_test(test_sounds_follow_the_events_without_repetition),
+        cmocka_unit_test(test_paper_creaks_before_it_tears_and_faster_at_the_end),
         cmocka_unit_test(test_the_same_scoop_ends_the_same_way),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

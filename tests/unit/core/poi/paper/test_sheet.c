@@ -397,6 +397,28 @@ static void test_each_specimen_has_its_own_weak_spots_clouds_and_fibres(void **s
     }
 }
 
+static void test_the_danger_rises_with_the_load_and_with_the_damage(void **state)
+{
+    (void)state;
+    static struct sheet sheet;
+    const uint32_t cell = SHEET_CELL_COUNT / 2u + SHEET_SIDE / 2u;
+    sheet_init(&sheet, 6, RADIUS_M, 1);
+    assert_float_equal(sheet_warning(&sheet), 0.0f, 0.0f);
+    float before = 0.0f;
+    for (uint8_t stress = 160; stress < 220; stress = (uint8_t)(stress + 10)) {
+        sheet.stress[cell] = stress;
+        assert_true(sheet_warning(&sheet) > before);
+        before = sheet_warning(&sheet);
+    }
+    sheet.stress[cell] = 0;
+    sheet.damage[cell] = 0.5f;
+    assert_in_range((int)(100.0f * sheet_warning(&sheet)), 49, 51);
+    sheet.damage[cell] = 0.9f;
+    assert_float_equal(sheet_warning(&sheet), 1.0f, 0.0f);
+    sheet.state[cell] = CELL_HOLE; /* A hole is no danger any more. */
+    assert_float_equal(sheet_warning(&sheet), 0.0f, 0.0f);
+}
+
 static void test_an_unknown_grade_fails_an_assertion(void **state)
 {
     (void)state;
@@ -427,6 +449,7 @@ int main(void)
         cmocka_unit_test(test_stress_factors_multiply_where_the_wet_line_meets_the_ring),
         cmocka_unit_test(test_a_laboratory_sheet_is_uniform_without_stress_concentration),
         cmocka_unit_test(test_each_specimen_has_its_own_weak_spots_clouds_and_fibres),
+        cmocka_unit_test(test_the_danger_rises_with_the_load_and_with_the_damage),
         cmocka_unit_test(test_an_unknown_grade_fails_an_assertion),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

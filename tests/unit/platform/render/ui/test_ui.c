@@ -7,6 +7,7 @@
 #include <cmocka.h>
 
 #include "platform/render/ui/ui_screens.h"
+#include "platform/render/ui/ui_widgets.h"
 #include "tests/unit/support/ui_fixture.h"
 
 #define ROUNDING_PX 0.6f
@@ -450,6 +451,76 @@ static void test_the_name_entry_fits_every_screen(void **state)
     }
 }
 
+/* Sets a torn paper of each of the first `players` players, with all cells. */
+static void set_tears(uint32_t players, uint8_t cause, vec3 velocity_m_s)
+{
+    for (uint32_t i = 0; i < players; i++) {
+        scene.tear[i] = (struct scene_tear){ .cause = cause,
+                                             .time_s = 0.1f,
+                                             .position_m = { 0.4f, -0.05f * (float)i, 0.2f },
+                                             .velocity_m_s = velocity_m_s,
+                                             .angles = { 0.8f * (float)i, 0.5f, -0.3f } };
+        memset(scene.tear[i].load, 200, sizeof scene.tear[i].load);
+    }
+}
+
+static void test_every_cause_of_a_tear_fits_the_result(void **state)
+{
+    (void)state;
+    for (uint32_t k = 0; k < SIZE_COUNT * TEAR_CAUSE_COUNT * POI_MAX * LANGUAGE_COUNT; k++) {
+        const uint8_t cause = (uint8_t)(k / SIZE_COUNT % TEAR_CAUSE_COUNT);
+        const uint32_t players = (uint32_t)(k / (SIZE_COUNT * TEAR_CAUSE_COUNT)) % POI_MAX + 1u;
+        set_scene(PHASE_RESULT, (uint8_t)(k % LANGUAGE_COUNT), HINT_START, (float)(k % 12u));
+        set_match((uint8_t)(k % MODE_COUNT), players, 0);
+        scene.caught[0] = 13;
+        set_tears(players, cause, v3(0.5f * (float)(k % 3u), -0.5f, 2.0f * (float)(k % 2u)));
+        lay_out(sizes[k % SIZE_COUNT]);
+        check_inside(sizes[k % SIZE_COUNT]);
+    }
+}
+
+/* Returns the number of quads of a result whose paper tore by `cause`. */
+static uint32_t result_quads(uint8_t cause, uint8_t language)
+{
+    set_scene(PHASE_RESULT, language, HINT_NONE, 4.0f);
+    set_match(MODE_FESTIVAL, 1, 0);
+    set_tears(1, cause, v3(0.0f, 0.0f, 0.0f));
+    lay_out(sizes[0]);
+    return batch.quad_count;
+}
+
+static void test_a_tear_adds_its_load_its_picture_and_its_words(void **state)
+{
+    (void)state;
+    for (uint8_t language = 0; language < LANGUAGE_COUNT; language++) {
+        const uint32_t whole = result_quads(TEAR_NONE, language), letters = glyph_quads();
+        for (uint8_t cause = TEAR_FAST; cause < TEAR_CAUSE_COUNT; cause++) {
+            assert_true(result_quads(cause, language) > whole + TEAR_CELL_COUNT);
+            assert_true(glyph_quads() > letters + 10u);
+        }
+        /* The result of a round that is paid back shows no tear. */
+        result_quads(TEAR_SLAP, language);
+        scene.credit.came_back = 1;
+        lay_out(sizes[0]);
+        assert_true(batch.quad_count < TEAR_CELL_COUNT);
+    }
+}
+
+static void test_the_tears_of_several_players_are_shown_in_turn(void **state)
+{
+    (void)state;
+    set_scene(PHASE_RESULT, LANGUAGE_EN, HINT_NONE, 0.0f);
+    set_match(MODE_FESTIVAL, 3, 0);
+    assert_int_equal(ui_torn_player(&scene), POI_MAX);
+    scene.tear[0].cause = scene.tear[2].cause = TEAR_FLAT;
+    scene.tear[3].cause = TEAR_FLAT; /* This player does not play. */
+    static const uint32_t shown[] = { 0, 2, 0, 2 };
+    for (uint32_t i = 0; i < 4u; i++) {
+        scene.phase_s = 1.0f + 3.0f * (float)i;
+        assert_int_equal(ui_torn_player(&scene), shown[i]);
+    }
+}
+
 /* Must be the last test, because `longest` is the maximum over all tests before. */
 static void test_the_largest_screen_leaves_quads_for_longer_languages(void **state)
 {
@@ -473,6 +544,9 @@ int main(void)
         cmocka_unit_test(test_a_rising_tag_and_a_sinking_tag_move_together),
         cmocka_unit_test(test_no_plates_overlap_during_a_round),
         cmocka_unit_test(test_no_texts_overlap_on_any_screen_at_rest),
+        cmocka_unit_test(test_every_cause_of_a_tear_fits_the_result),
+        cmocka_unit_test(test_a_tear_adds_its_load_its_picture_and_its_words),
+        cmocka_unit_test(test_the_tears_of_several_players_are_shown_in_turn),
         cmocka_unit_test(test_the_largest_screen_leaves_quads_for_longer_languages),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

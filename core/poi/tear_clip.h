@@ -1,0 +1,56 @@
+/* tear_clip.h -- records the last second of a poi (the paper scoop) and the cause of the first tear
+ * of its paper.
+ *
+ * The result screen shows the recording in slow motion. The recording is used for display only: the
+ * simulation never reads it, and no hash contains it. */
+#pragma once
+
+#include "core/poi/poi.h"
+
+/* Ticks from one frame of the recording to the next. Slow motion at a third of the real speed then
+ * shows 20 frames per second. */
+#define TEAR_CLIP_FRAME_TICKS 2u
+/* Number of frames, which last one second together. The paper of a hasty dip tears within half a
+ * second. */
+#define TEAR_CLIP_FRAMES (CORE_TICK_HZ / TEAR_CLIP_FRAME_TICKS)
+/* Number of frames (a quarter of a second) that are recorded after the first tear. The hole opens
+ * in this time. */
+#define TEAR_CLIP_FRAMES_AFTER 15u
+/* Number of ticks for which the result screen shows one frame. */
+#define TEAR_CLIP_SHOWN_TICKS 5u
+/* Number of ticks after which the slow motion starts again. The last frame is shown for the rest of
+ * this time. Four players share the result screen, which is shown four times as long. */
+#define TEAR_CLIP_LOOP_TICKS (3u * CORE_TICK_HZ)
+_Static_assert(TEAR_CLIP_FRAMES *TEAR_CLIP_SHOWN_TICKS < TEAR_CLIP_LOOP_TICKS, "all frames fit");
+
+/* One frame, quantised so that the frames of four players take 35 KiB. */
+struct tear_frame {
+    int16_t position[3]; /* Position of the ring's centre in units of 0.1 mm. */
+    int16_t angles[3];   /* Yaw, pitch and roll in units of 0.1 mrad. */
+    /* Load of each cell in four bits, with the even cells in the low bits. 0 means a hole or no
+     * paper. */
+    uint8_t load[TEAR_CELL_COUNT / 2u];
+};
+
+struct tear_clip {
+    uint8_t cause; /* Cause of the first tear (enum tear_cause). */
+    uint8_t count; /* Number of recorded frames, at most TEAR_CLIP_FRAMES. */
+    uint8_t next;  /* Index at which the next frame is stored. The oldest frame is replaced. */
+    /* Number of frames since the first tear. The recording ends after TEAR_CLIP_FRAMES_AFTER
+     * frames. */
+    uint8_t after;
+    struct tear_frame frames[TEAR_CLIP_FRAMES];
+};
+
+/* Returns the cause (enum tear_cause) for which the paper of `poi` tears in this tick. The result
+ * is TEAR_NONE if no cell tore. Must be called between poi_apply_reaction() and catch_tick(), which
+ * changes the loads on the paper. */
+uint8_t tear_cause_of(const struct poi *poi);
+
+/* Records one tick. `tick` is the number of the tick. Must be called at the same time as
+ * tear_cause_of(). */
+void tear_clip_tick(struct tear_clip *clip, const struct poi *poi, uint32_t tick);
+
+/* Writes to `out` the cause of the first tear, and the frame that the slow motion shows
+ * `elapsed_ticks` after its start. Without a tear, `out` is empty. */
+void tear_clip_show(const struct tear_clip *clip, uint32_t elapsed_ticks, struct scene_tear *out);
