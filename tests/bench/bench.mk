@@ -116,8 +116,9 @@ $(BENCH_PLAY): %: %.o $(BUILD)/tests/bench/league.o $(BUILD)/tests/bench/progres
 
 # Simulated players with the habits of visitors, through the decoders of their input devices.
 BENCH_PLAYERS := $(BUILD)/tests/bench/players/players
-PLAYERS_OBJ := $(patsubst %,$(BUILD)/tests/bench/players/%.o,sim_player habits device round goals) \
-    $(BUILD)/tests/bench/progress.o $(BUILD)/tests/bench/statistics.o
+PERSON_OBJ := $(patsubst %,$(BUILD)/tests/bench/players/%.o,sim_player habits device person) \
+    $(BUILD)/tests/bench/progress.o
+PLAYERS_OBJ := $(PERSON_OBJ) $(patsubst %,$(BUILD)/tests/bench/players/%.o,round goals) $(BUILD)/tests/bench/statistics.o
 LEVEL ?= master
 bench-players: SEEDS = 60
 

@@ -73,8 +73,8 @@ static void observe_flight(struct round_seat *seat, const struct core *core,
     };
     struct player_round *result = seat->result;
     seat->prey_fled = true;
-    seat->attempt_end = ends[seat->player.state];
-    if (seat->player.state < PLAYER_STILL) {
+    seat->attempt_end = ends[seat->person.player.state];
+    if (seat->person.player.state < PLAYER_STILL) {
         return;
     }
     const struct poi *poi = &core->world.poi[0];
@@ -92,7 +92,7 @@ static void observe_flight(struct round_seat *seat, const struct core *core,
 /* Observes the chosen fish and the player's state in each tick. */
 static void observe_attempt(struct round_seat *seat, const struct core *core)
 {
-    const struct sim_player *player = &seat->player;
+    const struct sim_player *player = &seat->person.player;
     if (seat->is_bot || player->prey == PLAYER_NO_FISH || core->game.phase != PHASE_ROUND) {
         return;
     }
@@ -156,20 +156,17 @@ static bool open_seat(struct round_seat *seat, const struct habits *habits, uint
         .tap = { .tick = observe_tick, .self = seat },
     };
     config.core.level = level;
-    seat->clock = (struct clock_sim){ 0 };
     seat->is_bot = habits->device == PLAYER_BOT;
     seat->prey_fled = false;
     seat->state = PLAYER_CHOOSE;
     seat->hal = null_hal(NULL);
-    seat->hal.clock = config.stopwatch = sim_clock_device(&seat->clock);
+    person_init(&seat->person, habits, view, 0, seed, 0);
+    seat->hal.clock = config.stopwatch = sim_clock_device(&seat->person.clock);
     if (seat->is_bot) {
         config.source = (struct kiosk_source){ .next = bot_input, .self = seat };
         bot_init(&seat->bot, &technique_expert, seed);
-    }
-    device_init(&seat->device, habits, &seat->clock, view, seed);
-    sim_player_init(&seat->player, habits, view, seed);
-    if (!seat->is_bot) {
-        seat->hal.poi[0] = device_poi(&seat->device);
+    } else {
+        seat->hal.poi[0] = person_poi(&seat->person);
     }
     if (kiosk_init(&seat->kiosk, &seat->hal, &config) != CORE_OK) {
         return false;
@@ -199,12 +196,11 @@ bool round_play(struct round_seat *seat, const struct habits *habits, uint8_t le
         return false;
     }
     struct kiosk *kiosk = &seat->kiosk;
-    struct player_command command = seat->player.command;
     for (uint32_t i = 0; i < ROUND_FRAMES_MAX; i++) {
         const uint8_t before = kiosk->core.game.phase;
         const bool is_idle = before == PHASE_ATTRACT || before == PHASE_MODE_SELECT;
         kiosk->input.pressed = is_idle && i % START_FRAMES == START_FRAMES / 2u ? INPUT_START : 0;
-        device_frame(&seat->device, &command);
+        person_act(&seat->person);
         if (kiosk_frame(kiosk, &seat->hal) != KIOSK_RUNS) {
             return false;
         }
@@ -212,10 +208,7 @@ bool round_play(struct round_seat *seat, const struct habits *habits, uint8_t le
             read_round(&kiosk->core, result);
             return true;
         }
-        if (!seat->is_bot) {
-            sim_player_see(&kiosk->scene, &seat->sight);
-            command = sim_player_frame(&seat->player, &seat->sight);
-        }
+        person_see(&seat->person, &kiosk->scene);
     }
     return false;
 }

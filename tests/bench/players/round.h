@@ -8,8 +8,7 @@
 
 #include "core/game/bot/bot.h"
 #include "platform/kiosk/kiosk.h"
-#include "tests/bench/players/device.h"
-#include "tests/bench/players/sim_player.h"
+#include "tests/bench/players/person.h"
 
 #define ROUND_FISH_COUNT 300u
 #define ROUND_LENGTH_S 60u
@@ -53,11 +52,8 @@ struct player_round {
  * stack. */
 struct round_seat {
     struct kiosk kiosk;
-    struct clock_sim clock;
     struct hal hal;
-    struct device device;
-    struct sim_player player;
-    struct sight sight;
+    struct person person; /* The clock of the person's device is also the clock of the kiosk. */
     struct bot bot;
     bool is_bot;
     uint8_t prey_startle; /* Last startle cause of the chosen fish, until its escape begins. */

@@ -12,6 +12,8 @@
 /* A fish is chosen only if it is at least this far from a wall and from the rim of the bowl. */
 #define WALL_ROOM_M 0.05f
 #define BOWL_ROOM_M 0.05f
+/* A fish on a paper within this distance of the player's ring lies on the player's own paper. */
+#define OWN_CATCH_M 0.12f
 /* Longest time in seconds in which the player tries to empty the poi over the bowl. */
 #define CARRY_S 6.0f
 #define TIP_PX 60.0f /* Distance from the bowl in pixels at which the player tips the poi. */
@@ -29,14 +31,14 @@ void sim_player_to_screen(const struct view *view, vec3 point_m, float *x_px, fl
     *y_px = 0.5f * (1.0f - body.y / -body.z / tan_y) * PLAYER_HEIGHT_PX;
 }
 
-void sim_player_see(const struct scene *scene, struct sight *sight)
+void sim_player_see(const struct scene *scene, uint32_t slot, struct sight *sight)
 {
-    CORE_ASSERT(scene->fish_count <= PLAYER_FISH_MAX);
+    CORE_ASSERT(scene->fish_count <= PLAYER_FISH_MAX && slot < POI_MAX);
     *sight = (struct sight){
         .in_round = scene->phase == PHASE_ROUND,
-        .ring_m = scene->poi[0].position_m,
-        .bowl_m = scene->bowl[0].position_m,
-        .bowl_radius_m = scene->bowl[0].radius_m,
+        .ring_m = scene->poi[slot].position_m,
+        .bowl_m = scene->bowl[slot].position_m,
+        .bowl_radius_m = scene->bowl[slot].radius_m,
         .tank_m = scene->tank_size_m,
         .fish_count = scene->fish_count,
     };
@@ -47,7 +49,14 @@ void sim_player_see(const struct scene *scene, struct sight *sight)
             .length_m = fish->length_m,
             .swims = fish->place == SCENE_IN_TANK,
         };
-        sight->has_catch |= fish->place == SCENE_ON_POI;
+        const vec3 off_m = v3_sub(fish->position_m, sight->ring_m);
+        sight->has_catch |=
+            fish->place == SCENE_ON_POI && v3_dot(off_m, off_m) < OWN_CATCH_M * OWN_CATCH_M;
+    }
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (i != slot && scene->bowl[i].present) {
+            sight->other_bowls_m[sight->other_bowl_count++] = scene->bowl[i].position_m;
+        }
     }
 }
 
@@ -114,14 +123,22 @@ static float draw(const struct sim_player *player, uint32_t what, float low, flo
                      high);
 }
 
-/* Returns true if the fish is far enough from the walls and the bowl. */
+static bool is_clear_of_bowl(const struct sight *seen, vec3 bowl_m, vec3 fish_m)
+{
+    const float x = fish_m.x - bowl_m.x, z = fish_m.z - bowl_m.z;
+    const float clear_m = seen->bowl_radius_m + BOWL_ROOM_M;
+    return x * x + z * z > clear_m * clear_m;
+}
+
+/* Returns true if the fish is far enough from the walls and all bowls. */
 static bool is_in_reach(const struct sight *seen, vec3 fish_m)
 {
-    const float x = fish_m.x - seen->bowl_m.x, z = fish_m.z - seen->bowl_m.z;
-    const float clear_m = seen->bowl_radius_m + BOWL_ROOM_M;
-    return f_abs(fish_m.x) < 0.5f * seen->tank_m.x - WALL_ROOM_M &&
-           f_abs(fish_m.z) < 0.5f * seen->tank_m.z - WALL_ROOM_M &&
-           x * x + z * z > clear_m * clear_m;
+    bool is_clear = is_clear_of_bowl(seen, seen->bowl_m, fish_m);
+    for (uint32_t i = 0; i < seen->other_bowl_count; i++) {
+        is_clear = is_clear && is_clear_of_bowl(seen, seen->other_bowls_m[i], fish_m);
+    }
+    return is_clear && f_abs(fish_m.x) < 0.5f * seen->tank_m.x - WALL_ROOM_M &&
+           f_abs(fish_m.z) < 0.5f * seen->tank_m.z - WALL_ROOM_M;
 }
 
 static float cost_px(const struct sim_player *player, const struct sight *seen, uint32_t fish)

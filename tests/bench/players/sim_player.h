@@ -121,11 +121,13 @@ struct sight_fish {
     bool swims; /* True while the fish is in the water of the tank. */
 };
 
-/* Contents of the screen in one frame. */
+/* Contents of the screen in one frame, for one player. */
 struct sight {
     bool in_round;  /* True while the round runs. */
-    bool has_catch; /* True while a fish lies on the paper. */
+    bool has_catch; /* True while a fish lies on the player's paper. */
     vec3 ring_m, bowl_m;
+    vec3 other_bowls_m[POI_MAX]; /* Bowls of the other players. */
+    uint32_t other_bowl_count;
     float bowl_radius_m;
     vec3 tank_m; /* Inner size of the tank. */
     uint32_t fish_count;
@@ -165,8 +167,8 @@ struct sim_player {
 void sim_player_init(struct sim_player *player, const struct habits *habits,
                      const struct view *view, uint32_t seed);
 
-/* Copies what a person can see in `scene` to `sight`. */
-void sim_player_see(const struct scene *scene, struct sight *sight);
+/* Copies what the player at bowl `slot` can see in `scene` to `sight`. */
+void sim_player_see(const struct scene *scene, uint32_t slot, struct sight *sight);
 
 /* Advances the player by one frame, in which the screen shows `now`. Returns the player's
  * command. */
