@@ -44,7 +44,7 @@ run-tests:
 
 ## build/tests: Build what `make test` runs without running it
 tests: build $(UNIT) $(GPIO_TEST) $(E2E) $(VARIANT_BIN) $(BUILD)/core.o $(BUILD)/tests/ctl/judge_trace \
-    $(BUILD)/tests/bench/technique $(BUILD)/tests/power/power
+    $(BUILD)/tests/bench/technique $(BUILD)/tests/bench/day/bench_day $(BUILD)/tests/power/power
 
 ## test/check: Run boundaries, tests and sizes, as before each commit
 check: boundaries
@@ -85,6 +85,9 @@ $(BUILD)/tests/unit/bench/test_statistics: $(BUILD)/tests/bench/statistics.o
 # The simulated players and their targets are part of `make bench-players` only.
 $(BUILD)/tests/unit/bench/test_goals: $(BUILD)/tests/bench/players/goals.o $(BUILD)/tests/bench/statistics.o
 $(BUILD)/tests/unit/bench/test_sim_player: $(BUILD)/tests/bench/players/sim_player.o $(BUILD)/tests/bench/players/habits.o
+
+# The visitors and the queue of a simulated day are part of `make bench-day` only.
+$(BUILD)/tests/unit/bench/test_day: $(patsubst %,$(BUILD)/tests/bench/%.o,day/visitor day/day day/report progress)
 
 # A simulated card whose calls fail.
 $(BUILD)/tests/unit/platform/store/test_storage_card: $(BUILD)/tests/power/tape.o $(BUILD)/tests/power/fault.o

@@ -132,4 +132,21 @@ $(BENCH_PLAYERS): %: %.o $(PLAYERS_OBJ) $(BUILD)/ctl.a $(BUILD)/shell.a $(BUILD)
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
 
-.PHONY: bench-technique bench-scores bench-players
+# A day of such visitors at one kiosk, with a queue and coins.
+BENCH_DAY := $(BUILD)/tests/bench/day/bench_day
+DAY_OBJ := $(PERSON_OBJ) $(patsubst %,$(BUILD)/tests/bench/day/%.o,visitor day table report)
+bench-day: LEVEL = normal
+
+## measure/bench-day: Simulate a day of visitors at a kiosk; LEVEL, PLAYERS, PRICE, ROUND
+bench-day:
+	+@$(MAKE) --no-print-directory -j$(JOBS) $(BENCH_DAY)
+	@mkdir -p $(BUILD)/day
+	@$(BENCH_DAY) $(BUILD)/day --price $(or $(PRICE),1) --round $(or $(ROUND),60) --level $(LEVEL) \
+	    --players $(or $(PLAYERS),1) --visitors $(or $(VISITORS),200) --seed $(or $(SEED),0) \
+	    --hours $(or $(HOURS),8) --goal $(or $(GOAL),90)
+
+$(BENCH_DAY): %: %.o $(DAY_OBJ) $(BUILD)/ctl.a $(BUILD)/shell.a $(BUILD)/core.a
+	$(call step,LINK,$@)
+	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
+
+.PHONY: bench-technique bench-scores bench-players bench-day

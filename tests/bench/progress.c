@@ -14,9 +14,11 @@ static double now_s(void)
 
 struct progress progress_begin(const char *speaker, uint32_t count)
 {
-    return (struct progress){
-        .speaker = speaker, .count = count, .begin_s = now_s(), .is_watched = isatty(STDERR_FILENO)
-    };
+    return (struct progress){ .speaker = speaker,
+                              .unit = "rounds",
+                              .count = count,
+                              .begin_s = now_s(),
+                              .is_watched = isatty(STDERR_FILENO) };
 }
 
 void progress_add(struct progress *progress)
@@ -27,11 +29,11 @@ void progress_add(struct progress *progress)
     const double left_s =
         took_s / (double)progress->played * (double)(progress->count - progress->played);
     if (progress->is_watched) {
-        fprintf(stderr, "\r%s: %u of %u rounds, %.0f s, %.0f s to go   ", progress->speaker,
-                progress->played, progress->count, took_s, left_s);
+        fprintf(stderr, "\r%s: %u of %u %s, %.0f s, %.0f s to go   ", progress->speaker,
+                progress->played, progress->count, progress->unit, took_s, left_s);
     } else if (percent / 10u > progress->printed_percent / 10u) {
-        fprintf(stderr, "%s: %u of %u rounds, %.0f s, %.0f s to go\n", progress->speaker,
-                progress->played, progress->count, took_s, left_s);
+        fprintf(stderr, "%s: %u of %u %s, %.0f s, %.0f s to go\n", progress->speaker,
+                progress->played, progress->count, progress->unit, took_s, left_s);
     }
     progress->printed_percent = percent;
 }

@@ -1,4 +1,5 @@
-/* progress.h -- prints on standard error how many rounds of a benchmark have been played. */
+/* progress.h -- prints on standard error how many rounds, or other units, of a benchmark are
+ * done. */
 #ifndef KINGYO_TESTS_BENCH_PROGRESS_H
 #define KINGYO_TESTS_BENCH_PROGRESS_H
 
@@ -7,6 +8,7 @@
 
 struct progress {
     const char *speaker;
+    const char *unit; /* Name of what is counted, "rounds" unless the caller changes the name. */
     uint32_t played, count, printed_percent;
     double begin_s;
     bool is_watched; /* True if standard error is a terminal. */

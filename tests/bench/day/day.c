@@ -1,0 +1,141 @@
+/* day.c -- the queue of a simulated day.
+ *
+ * A round begins when at least one person wants to play. Persons who play again keep their place,
+ * and the first persons of the queue take the free bowls. All persons of a round play at the
+ * easiest level that one of them chose. */
+#include "tests/bench/day/day.h"
+
+#include <string.h>
+
+#include "core/base/panic.h"
+
+static void count_visitor(struct day *day, struct visitor *visitor, uint8_t fate)
+{
+    visitor->fate = fate;
+    if (day->progress) {
+        progress_add(day->progress);
+    }
+}
+
+/* ---- Queue ----------------------------------------------------------------------------------- */
+
+/* Lets the visitors who have arrived until now join the queue, if they accept the price. */
+static void join_queue(struct day *day)
+{
+    while (day->next < day->visitor_count && day->visitors[day->next].arrival_s <= day->now_s) {
+        struct visitor *visitor = &day->visitors[day->next];
+        if (visitor->price_max < day->options->price) {
+            count_visitor(day, visitor, VISITOR_DECLINED);
+        } else {
+            day->queue[day->queue_length++] = day->next;
+        }
+        day->next++;
+    }
+}
+
+/* Removes the visitors from the queue whose patience has ended. */
+static void leave_queue(struct day *day)
+{
+    uint32_t kept = 0;
+    for (uint32_t i = 0; i < day->queue_length; i++) {
+        struct visitor *visitor = &day->visitors[day->queue[i]];
+        if (day->now_s - visitor->arrival_s > visitor->patience_s) {
+            visitor->wait_s = visitor->patience_s;
+            count_visitor(day, visitor, VISITOR_LEFT);
+        } else {
+            day->queue[kept++] = day->queue[i];
+        }
+    }
+    day->queue_length = kept;
+}
+
+/* Gives the free bowls to the first visitors of the queue. A visitor who arrives at an idle kiosk
+ * does not wait. */
+static void take_seats(struct day *day)
+{
+    const bool is_queue =
+        day->queue_length > 0 && day->visitors[day->queue[0]].arrival_s < day->now_s;
+    if (is_queue && day->queue_length > day->queue_longest) {
+        day->queue_longest = day->queue_length;
+    }
+    const uint32_t room = day->options->bowls - day->seated_count;
+    const uint32_t taken = day->queue_length < room ? day->queue_length : room;
+    for (uint32_t i = 0; i < taken; i++) {
+        struct visitor *visitor = &day->visitors[day->queue[i]];
+        visitor->wait_s = day->now_s - visitor->arrival_s;
+        day->seated[day->seated_count++] = day->queue[i];
+    }
+    day->queue_length -= taken;
+    memmove(day->queue, day->queue + taken, day->queue_length * sizeof day->queue[0]);
+}
+
+/* ---- Rounds ---------------------------------------------------------------------------------- */
+
+/* Plays one round with the persons at the bowls. Afterwards only the persons who play again are at
+ * the bowls. */
+static bool play_round(struct day *day)
+{
+    const struct visitor *group[POI_MAX];
+    struct day_round round = { 0 };
+    uint8_t level = LEVEL_MASTER;
+    for (uint32_t i = 0; i < day->seated_count; i++) {
+        group[i] = &day->visitors[day->seated[i]];
+        level = group[i]->level > level ? group[i]->level : level;
+    }
+    if (!day->stall.play(day->stall.self, group, day->seated_count, level, &round)) {
+        return false;
+    }
+    day->now_s += round.took_s;
+    day->end_s = day->now_s;
+    day->busy_s += round.took_s;
+    day->rounds[level]++;
+    uint32_t stays = 0;
+    for (uint32_t i = 0; i < day->seated_count; i++) {
+        struct visitor *visitor = &day->visitors[day->seated[i]];
+        visitor->plays++;
+        visitor->caught += round.caught[i];
+        visitor->caught_last = round.caught[i];
+        if (visitor_plays_again(visitor, day->options->price)) {
+            day->seated[stays++] = day->seated[i];
+        } else {
+            count_visitor(day, visitor, VISITOR_PLAYED);
+        }
+    }
+    day->seated_count = stays;
+    return true;
+}
+
+/* ---- Interface ------------------------------------------------------------------------------- */
+
+void day_init(struct day *day, const struct day_options *options, struct day_stall stall)
+{
+    CORE_ASSERT(options->visitors <= DAY_VISITORS_MAX);
+    CORE_ASSERT(options->bowls > 0 && options->bowls <= POI_MAX);
+    *day = (struct day){ .options = options, .stall = stall, .visitor_count = options->visitors };
+    visitors_draw(day->visitors, options->visitors,
+                  &(struct visitor_day){ .hours = (double)options->hours,
+                                         .level = options->level,
+                                         .seed = options->seed });
+}
+
+bool day_run(struct day *day)
+{
+    for (;;) {
+        join_queue(day);
+        leave_queue(day);
+        take_seats(day);
+        if (day->seated_count > 0) {
+            if (!play_round(day)) {
+                return false;
+            }
+        } else if (day->next < day->visitor_count) {
+            const double gap_s = day->visitors[day->next].arrival_s - day->now_s;
+            if (!day->stall.idle(day->stall.self, gap_s)) {
+                return false;
+            }
+            day->now_s += gap_s;
+        } else {
+            return true;
+        }
+    }
+}

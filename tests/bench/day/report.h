@@ -1,0 +1,42 @@
+/* report.h -- the tables of a simulated day, the comparison with the goal, and the advice to the
+ * operator. */
+#ifndef KINGYO_TESTS_BENCH_DAY_REPORT_H
+#define KINGYO_TESTS_BENCH_DAY_REPORT_H
+
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include "platform/os/exit_code.h"
+#include "tests/bench/day/day.h"
+
+/* Sums of some of the visitors of a day. */
+struct day_sums {
+    uint32_t visitors, declined, left, played;
+    uint32_t with_fish; /* Visitors with at least one fish of their own. */
+    uint32_t plays, caught;
+};
+
+/* Returns the sums of the visitors of the kind `kind` who chose the level `level`. REPORT_ALL
+ * stands for all kinds or all levels. */
+#define REPORT_ALL 0xffffffffu
+struct day_sums report_sums(const struct day *day, uint32_t kind, uint32_t level);
+
+/* Returns true if the share of all visitors with a fish reaches the goal of the day. Visitors who
+ * left the queue count as visitors without a fish. */
+bool report_is_goal_met(const struct day *day);
+
+/* Returns what the operator should change if the goal is missed, as one sentence. */
+const char *report_advice(const struct day *day);
+
+/* Returns true if the accounts of the core agree with the rounds and catches of the day. */
+bool report_is_money_right(const struct day *day, const struct day_money *money);
+
+/* Prints the tables, the goal and the advice. Returns EXIT_OK, or EXIT_NOT_SO if the goal is missed
+ * or the accounts differ. */
+enum exit_code report_print(const struct day *day, const struct day_money *money);
+
+/* Writes one line for each visitor to `file`. */
+void report_write(const struct day *day, FILE *file);
+
+#endif

@@ -1,0 +1,65 @@
+/* visitor.h -- the visitors of a simulated day: who comes, when, at which level they play, how long
+ * they wait, what they pay, and whether they play again.
+ *
+ * All numbers of a visitor depend only on the seed of the day and the index of the visitor. */
+#ifndef KINGYO_TESTS_BENCH_DAY_VISITOR_H
+#define KINGYO_TESTS_BENCH_DAY_VISITOR_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/* A visitor plays at most this number of times. */
+#define VISITOR_PLAYS_MAX 4u
+#define VISITOR_CATCH_CLASSES 3u
+
+/* A kind of visitor. The shares of all kinds sum to 1. */
+struct visitor_kind {
+    const char *name;
+    const char *habits; /* Row of sim_player_table that describes how the visitor plays. */
+    double share;       /* Share of all visitors. */
+    /* Shares of the kind that choose the level easy or master. The others play at the level that
+     * the operator chose. */
+    double easy_share, master_share;
+    double patience_min_min, patience_max_min; /* Shortest and longest patience, in minutes. */
+    /* Probability of another play at a price of one unit, after no fish, one or two fish, or more
+     * fish in the last play. */
+    double again[VISITOR_CATCH_CLASSES];
+};
+
+extern const struct visitor_kind visitor_kinds[];
+extern const uint32_t visitor_kind_count;
+
+enum visitor_fate {
+    VISITOR_COMES = 0, /* Has not arrived, waits in the queue or plays. */
+    VISITOR_PLAYED,    /* Played at least once. */
+    VISITOR_LEFT,      /* Left the queue, because the visitor's patience ended. */
+    VISITOR_DECLINED,  /* Did not join the queue, because the price was too high. */
+};
+
+struct visitor {
+    uint32_t seed; /* Seed of the visitor's random numbers. */
+    uint8_t kind;  /* Index in visitor_kinds. */
+    uint8_t level; /* Level at which the visitor wants to play (enum level). */
+    double arrival_s;
+    double patience_s;  /* Longest time in the queue. */
+    uint32_t price_max; /* Highest price that the visitor pays, in units. */
+
+    uint8_t fate; /* enum visitor_fate */
+    double wait_s;
+    uint32_t plays, caught, caught_last; /* `caught_last` is the catch of the last play. */
+};
+
+/* What a day is like for its visitors. */
+struct visitor_day {
+    double hours;  /* Opening hours. Nobody arrives later. */
+    uint8_t level; /* Default level (enum level). */
+    uint32_t seed;
+};
+
+/* Fills `visitors` with `count` visitors in the order of their arrival. */
+void visitors_draw(struct visitor *visitors, uint32_t count, const struct visitor_day *day);
+
+/* Returns true if the visitor plays again after a play at the price `price`, in units. */
+bool visitor_plays_again(const struct visitor *visitor, uint32_t price);
+
+#endif
