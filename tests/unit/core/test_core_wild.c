@@ -39,7 +39,7 @@ static float pick_m(void)
 
 /* ---- Controllers ---------------------------------------------------------------------------- */
 
-/* State of a simulated player, whose valid motion leads to random targets, slowly or as fast as an
+/* State of a simulated player whose valid motion leads to random targets, slowly or as fast as an
  * arm. */
 static struct wild_hand {
     struct poi_target at, goal;

@@ -55,8 +55,8 @@ static void test_a_hidden_pin_matches_its_digits(void **state)
     }
 }
 
-/* The hash of a PIN has 20 bits, so one in about a million pairs of PINs matches. Of the 100 x
- * 9,998 pairs in this test, about one should match. */
+/* The hash of a PIN has 20 bits, so one in about a million pairs of PINs has equal hashes. Of the
+ * 100 x 9,998 pairs in this test, about one should match. */
 static void test_other_pins_rarely_match(void **state)
 {
     (void)state;

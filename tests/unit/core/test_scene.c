@@ -23,7 +23,7 @@ static int setup(void **state)
         .language = LANGUAGE_EN,
     };
     assert_int_equal(core_init(&core, &config), CORE_OK);
-    /* Random contents, because core_scene() must overwrite every field. */
+    /* Fills the scene with the byte 0xa5, because core_scene() must overwrite every field. */
     memset(&scene, 0xa5, sizeof scene);
     return 0;
 }

@@ -88,8 +88,8 @@ static void test_a_round_that_starts_in_stale_water_ends_with_gulping_fish(void 
     core.world.tank.oxygen.dissolved_mg_l = 2.0f;
     run(5);
     const float stale_mg_l = core.world.tank.oxygen.dissolved_mg_l;
-    /* The poi is only held over a corner, so that the paper lasts for the round and no fish is
-     * caught. */
+    /* The poi is only held over a corner of the tank, so that the paper lasts for the round and no
+     * fish is caught. */
     input.poi[0].link = POI_SOURCE_LIVE;
     input.poi[0].target.position_m = v3(-0.35f, 0.15f, 0.2f);
     input.pressed = INPUT_START;

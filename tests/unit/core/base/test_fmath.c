@@ -90,7 +90,8 @@ static void test_floor_rounds_toward_minus_infinity(void **state)
     assert_true(f_floor(0.0f) == 0.0f);
     assert_true(f_floor(8388607.5f) == 8388607.0f);
     assert_true(f_floor(-8388607.5f) == -8388608.0f);
-    /* Larger than the range of int32_t, so a conversion to int32_t would give a wrong result. */
+    /* These values are beyond the range of int32_t, so a conversion to int32_t would give a wrong
+     * result. */
     assert_true(f_floor(3e9f) == 3e9f);
     assert_true(f_floor(-3e38f) == -3e38f);
 }

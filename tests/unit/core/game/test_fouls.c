@@ -135,7 +135,7 @@ static void sweep_into_the_bowl(uint32_t wait_ticks, float end_m)
     ticks(60);
 }
 
-/* Starts a round. The start is the same to the tick in all modes. */
+/* Starts a round and runs it until tick READY_TICKS + 20, which is the same tick in all modes. */
 static void play(uint8_t mode)
 {
     begin(mode, 6);

@@ -111,7 +111,7 @@ static void test_paper_with_a_hole_in_the_middle_is_usable_beside_it(void **stat
     punch(sheet, 0.0f, 0.0f, 0.012f);
     assert_true(paper_can_hold(sheet));
     /* Leaves a strip of paper along the ring. The strip is 14 mm wide, which is too narrow for any
-     * fish. */
+     * fish to lie on. */
     punch(sheet, 0.0f, 0.0f, 0.026f);
     assert_true(sheet_left(sheet) > PAPER_LEFT_MIN);
     assert_false(paper_can_hold(sheet));

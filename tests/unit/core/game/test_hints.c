@@ -29,7 +29,8 @@ static int setup(void **state)
     return 0;
 }
 
-/* Runs only the hints for `ticks` ticks. Returns the hint that is then shown. */
+/* Calls only hints_tick(), not the whole core, for `ticks` ticks. Returns the hint that is then
+ * shown. */
 static uint8_t hint_after(uint32_t ticks)
 {
     for (uint32_t i = 0; i < ticks; i++) {

@@ -186,8 +186,8 @@ static void test_each_round_has_its_own_pause_limit(void **state)
     assert_int_equal(core.game.player[OTHER].waited_ticks, 0);
 }
 
-/* The round plays 20 s, but takes 30 s because of a pause. The torn paper was used for 1.5 s before
- * the pause and 1.5 s after it. */
+/* The round plays ROUND_S seconds, but lasts about 9 s longer because of a pause. The torn paper
+ * was used for 1.5 s before the pause and 1.5 s after it. */
 static void test_pauses_do_not_count_as_play_time_in_the_record(void **state)
 {
     (void)state;

@@ -14,7 +14,7 @@ static const vec3 places_m[POI_MAX] = {
     { -0.20f, ABOVE_M, -0.15f },
 };
 
-/* Starts a round. Bit i of `hands` is set if player i has a controller. */
+/* Starts a round for `players` players. Bit i of `hands` is set if player i has a controller. */
 static void play(uint8_t players, uint32_t hands)
 {
     const struct core_config config = {

@@ -55,8 +55,7 @@ static void test_ten_minutes_of_attract_are_a_session(void **state)
     assert_true(core.config.seed != 3 && core.config.seed != second);
 }
 
-/* Simulates visitors for `ticks` ticks: a coin, a service credit, the menu and a change of
- * language. */
+/* Simulates visitors for `ticks` ticks: coins, and presses of SERVICE, LANGUAGE, TEST and START. */
 static void live(uint32_t ticks, struct input *input)
 {
     static const uint32_t presses[] = { INPUT_SERVICE, INPUT_LANGUAGE, INPUT_TEST,

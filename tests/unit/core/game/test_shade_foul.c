@@ -154,8 +154,8 @@ static void test_a_poi_at_rest_since_ready_is_no_foul(void **state)
         input.poi[0].target.position_m.x = 0.05f + (i % 2u ? 0.001f : 0.0f);
         tick();
     }
-    /* The shadow was still over fish for longer than FOUL_SHADE_S. This is no foul, because the
-     * player did not move it there after START. */
+    /* The shadow has not moved for longer than FOUL_SHADE_S and lies on fish. This is no foul,
+     * because the player did not move it there after START. */
     assert_true(core.world.tank.shade[SHADE_MAX].still_s > FOUL_SHADE_S);
     assert_true(tank_shade_count(&core.world.tank, &core.world.tank.shade[SHADE_MAX].cast) > 0);
     assert_int_equal(look()->player[0].fouls, 0);

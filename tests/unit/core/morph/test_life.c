@@ -133,8 +133,8 @@ static void test_a_length_reached_three_times_gives_the_first_progress(void **st
     const float first = morph_progress(&conger, 0.09f);
     assert_float_equal(life_length_m(&conger, first), 0.09f, 1e-4f);
     assert_true(life_age_days(&conger, first) < 220.0f);
-    /* 60 mm is shorter than the first key (64 mm). The fish has this length only while it
-     * shrinks. */
+    /* 60 mm is shorter than the first key (64 mm). The fish first has this length while it shrinks,
+     * between day 260 and day 300. */
     const float shrunk = morph_progress(&conger, 0.060f);
     assert_float_equal(life_length_m(&conger, shrunk), 0.060f, 1e-4f);
     assert_true(life_age_days(&conger, shrunk) > 260.0f);

@@ -189,8 +189,8 @@ static void assert_no_triangle_is_flipped(const struct species_mesh *mesh, const
     }
 }
 
-/* A wakin becomes deeper from key to key. Therefore a stage between two keys must not have less
- * volume than the stage before. */
+/* The body of a wakin (a goldfish breed) becomes deeper from key to key. Therefore a stage between
+ * two keys must not have less volume than the stage before. */
 static void test_every_stage_between_keys_is_a_complete_fish(void **state)
 {
     (void)state;

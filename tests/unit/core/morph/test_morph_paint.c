@@ -160,7 +160,7 @@ static void test_a_blind_side_is_one_flank_and_its_paired_fins(void **state)
     /* The middle of the back (v = 0) still has the colour of the left flank. */
     assert_float_equal(cover(m, 0.5f, 0.0f), 0.0f, 0.0f);
     assert_float_equal(cover(m, 0.5f, 0.01f), 0.0f, 0.0f);
-    /* Just past the middle of the back, the colour is still that of the left flank. */
+    /* The colour changes gradually from v = 0.04 to v = 0.10. */
     assert_float_equal(cover(m, 0.5f, 0.04f), 0.0f, 0.01f);
     assert_float_equal(cover(m, 0.5f, 0.10f), 1.0f, 0.01f);
     struct species_vertex fin = { .part = PART_PECTORAL, .side = SIDE_RIGHT };

@@ -214,7 +214,8 @@ static void test_an_anchor_follows_its_own_curve(void **state)
     graph_from_template(&card->curves[1], TEMPLATE_ORDINARY, 3, SIMULTANEOUS_PEAK);
     barrel.anchors[1].u[1] = 0.75f;
     morph_rig_init(&rig, card, TEMPLATE_OWN);
-    /* The graph of the whole fish leaves the anchor at its place between the first two keys. */
+    /* By the graph of the whole fish, progress 0.25 blends the first two keys. Both have the anchor
+     * at the same place. */
     shape_at(0.25f);
     assert_float_equal(positions[BARREL_RAY].z, 0.25f, 1e-4f);
     barrel.anchors[1].curve = 1;

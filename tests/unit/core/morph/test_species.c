@@ -269,7 +269,8 @@ static float seen_area(const struct shape *shape, uint8_t part, vec3 eye)
 static void check_fins_from_above(const struct shape *shape)
 {
     if (shape->key == 0) {
-        /* The tail of a larva is a flat fold. The kiosk shows no larva. */
+        /* The tail of a larva is a flat fold. No larva swims in the kiosk's tanks, so the larva is
+         * not checked. */
         return;
     }
     const vec3 side = v3(1.0f, 0.0f, 0.0f);

@@ -73,8 +73,9 @@ static void test_masks_are_those_of_the_whole_fish(void **state)
     assert_int_equal(out.lod[0].vertices[3].mask[2], 0);
 }
 
-/* The tip of a fin is 0.4 above its anchor on the back, which is at 0.2, so it is at 0.6. The
- * mesh's coordinates reach only to 0.5. Without anchors, the converted mesh needs a reach of 1. */
+/* The tip of a fin is 0.4 above its anchor, and the anchor is on the back at 0.2, so the tip is at
+ * 0.6. The mesh's coordinates reach only to 0.5. Without anchors, the converted mesh needs a reach
+ * of 1. */
 static void test_distant_points_on_anchors_widen_the_bounds(void **state)
 {
     (void)state;
@@ -82,7 +83,9 @@ static void test_distant_points_on_anchors_widen_the_bounds(void **state)
         barrel.species.lod[lod].reach = 0.5f;
     }
     for (uint32_t key = 0; key < 3; key++) {
-        /* Halving the reach doubles the stored coordinates of the same points. */
+        /* With half the reach, a stored coordinate stands for half the distance. x and y are
+         * doubled to keep their size. z is not doubled, so the barrel becomes half as long, but z
+         * is made even: the conversion to a reach of 1 can then halve it without rounding. */
         for (uint32_t i = 0; i < BARREL_VERTICES; i++) {
             struct species_point *p = &barrel.points[key][i];
             p->x = (int16_t)(p->x * 2);
@@ -165,7 +168,8 @@ static void test_the_thesis_method_uses_the_lengths_of_its_shifted_curve(void **
     /* The key has 80 mm in the species, but the thesis' curve gives 55.5 mm at that age. */
     assert_float_equal(out.card.key_length_m[2], 0.0555f, 1e-4f);
     const struct growth bigeye = { 2.0834f, 0.1985152f, -0.839f, 0.35f, 1, { { 0.0f, 0.003f } } };
-    /* The thesis states 63.7 cm at one year for this curve before the shift. */
+    /* At one year this curve gives 63.7 cm before the shift (the value in the thesis) and 37.8 cm
+     * after it. */
     const struct growth shifted = growth_shifted(&bigeye);
     assert_float_equal(growth_length_m(&shifted, 0.0f), 0.003f, 1e-6f);
     assert_float_equal(growth_length_m(&shifted, 365.25f), 0.378f, 0.001f);

@@ -79,7 +79,7 @@ static void test_edge_on_drag_on_the_hand_is_almost_zero(void **state)
 }
 
 /* Turns the player's wrist at 4 rad/s and returns how many seconds the ring is behind it. The wrist
- * rolls, or with `about_normal` turns about the normal of the paper. */
+ * turns about the normal of the paper if `about_normal` is set, and rolls otherwise. */
 static float turn_lag_s(float height_m, int about_normal)
 {
     fixture_init(&fixture, 4, 1);

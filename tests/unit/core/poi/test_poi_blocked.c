@@ -25,7 +25,7 @@ static void test_a_released_ring_follows_the_hand_without_overspeed(void **state
         const float hand_m_s = hands_m_s[i / 2u];
         fixture_init(&fixture, 5, 1);
         fixture.has_wrist = 1;
-        /* In every second trial the ring has no paper and therefore almost no drag. */
+        /* In every second run of this loop the ring has no paper and therefore almost no drag. */
         if (i % 2u == 1u) {
             memset(fixture.poi.sheet.state, CELL_HOLE, sizeof fixture.poi.sheet.state);
             fixture.poi.sheet.paper_cells = 0;

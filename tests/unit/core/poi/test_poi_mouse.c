@@ -13,7 +13,7 @@ static float whole_pixel(float at_m)
     return pixel_m * f_floor(at_m / pixel_m + 0.5f);
 }
 
-/* Moves the poi by 0.4 m. With `by_mouse`, the position is rounded to pixels at 60 Hz and
+/* Moves the poi by 0.4 m. If `by_mouse` is set, the position is rounded to pixels at 60 Hz and
  * interpolated linearly to 120 Hz. */
 static void glide(float speed_m_s, float course_rad, float roll_rad, int by_mouse)
 {
@@ -77,9 +77,9 @@ static void test_whole_pixel_mouse_motion_loads_the_paper_like_the_smooth_path(v
     assert_grain(0.30f, 0.05f);
 }
 
-/* At 0.15 m/s the poi moves 3.5 pixels per frame, which are rounded to 3 and 4 in turn. The drag
- * grows with the square of the speed, so its maximum is higher than for a smooth motion. A filter
- * would remove this, but would add lag. */
+/* At 0.15 m/s the poi moves about 3.4 pixels per frame, which are rounded to 3 or 4. The drag grows
+ * with the square of the speed, so its maximum is higher than for a smooth motion. A filter would
+ * remove this, but would add lag. */
 static void test_slower_mouse_motion_adds_at_most_an_eighth_of_the_strain(void **state)
 {
     (void)state;

@@ -53,8 +53,8 @@ static void test_water_at_the_face_moves_with_the_disc(void **state)
     assert_float_equal(broadside_flow(0.2f, -0.001f, 0.1f).y, 1.0f, 0.02f);
 }
 
-/* Lamb's exact solution for the flow on the disc's axis at distance s (in radii): (2 / pi) (acot s
- * - s / (1 + s^2)). */
+/* On the disc's axis, at distance s (in radii), the flow must equal Lamb's exact solution (2 / pi)
+ * (acot s - s / (1 + s^2)). */
 static void test_the_flow_on_the_axis_equals_lambs_solution(void **state)
 {
     (void)state;

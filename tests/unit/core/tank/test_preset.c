@@ -39,7 +39,8 @@ static void test_four_bowls_float_inside_each_tank_and_apart(void **state)
     for (uint8_t id = 0; id < TANK_PRESET_COUNT; id++) {
         const struct tank_preset *preset = tank_preset(id);
         const float radius_m = preset->bowl_radius_m;
-        /* The preset places its bowls with the radius of the simulated bowl. */
+        /* The bowl radius for which the preset computes its places must equal the radius of the
+         * simulated bowl. */
         assert_float_equal(radius_m, BOWL_RADIUS_M, 0.0f);
         for (uint32_t i = 0; i < POI_MAX; i++) {
             assert_true(f_abs(preset->bowl_m[i].x) + radius_m < 0.5f * preset->size_m.x);

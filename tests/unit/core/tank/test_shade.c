@@ -44,8 +44,8 @@ static int near(float a, float b, float tolerance)
 
 /* ---- The pull of a shadow on fish ----------------------------------------------------------- */
 
-/* Equation 3.5 of the thesis with S = 0.01 per frame. A tank of 200 fish had 60 frames per second
- * (table 4.2). */
+/* Tests equation 3.5 of the thesis with its factor S = 0.01 per frame. A tank of 200 fish had 60
+ * frames per second (table 4.2), so S is 0.6 per second. */
 static void test_the_pull_is_equation_3_5_per_second(void **state)
 {
     (void)state;
@@ -200,8 +200,8 @@ static void test_a_slowly_moving_shadow_keeps_its_fish(void **state)
                             DT) == 0.0f);
 }
 
-/* At 5 cm/s a mouse moves the shadow in steps of one pixel (0.85 mm) with rests between them. The
- * mean speed must decide whether the shadow rests. */
+/* A slow mouse moves the shadow in steps of one pixel (0.85 mm) with rests between them. The mean
+ * speed must decide whether the shadow rests. */
 static void test_the_steps_of_a_slow_mouse_do_not_restart_the_dwell(void **state)
 {
     (void)state;

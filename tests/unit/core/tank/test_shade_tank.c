@@ -89,7 +89,8 @@ static void test_a_shade_turns_a_bursting_fish_only_in_the_thesis(void **state)
          * preset. */
         hold_fan(&tick, &fan, 3);
         tank_stage_all(&tank, &stage, 1);
-        /* Removes the effects of the shadow on the fish before the fish was placed. */
+        /* Clears the turn and the push that the fish got from the shadow during the 3 s before
+         * tank_stage_all() placed it. */
         tank.fish[0].drawn_rad = tank.fish[0].yaw_rate_rad_s = 0.0f;
         tank.fish[0].push_m_s = v3(0.0f, 0.0f, 0.0f);
         const struct shade_cast casts[TANK_SHADE_MAX] = { [0] = fan };
@@ -123,7 +124,8 @@ static void test_swimmers_in_a_shade_keep_to_7_5_cm_s(void **state)
             }
         }
     }
-    /* The count proves that the shadow moved many fish to speed goals above 4 cm/s. */
+    /* The count proves that the shadow set many resting fish in motion, with speed goals above 4
+     * cm/s. */
     assert_true(drawn > 100u);
 }
 

@@ -72,8 +72,8 @@ static void test_a_tank_accepts_exactly_the_maximum_fish_count(void **state)
     assert_int_equal(core.world.tank.fish_count, config.fish_count);
 }
 
-/* Returns the greatest jump of a fish in the last tick: its displacement, less 3 mm and the
- * distance that its speed allows. */
+/* Returns the greatest jump of a fish in the last tick: the part of its displacement beyond its own
+ * speed (at least 1.5 lengths per second) plus 3 cm/s. */
 static float jump_m(const struct tank *t)
 {
     float farthest_m = 0.0f;
@@ -329,8 +329,8 @@ static void test_a_tank_without_room_is_rejected(void **state)
     assert_in_range(refused, 1, 20);
 }
 
-/* A staged fish must have the speed and heading of its stage in the first tick. Its own next update
- * may be three ticks later. */
+/* A fish that tank_stage_all() places must have the speed and heading of its stage (its given
+ * state) in the first tick. Its own next update may be three ticks later. */
 static void test_a_staged_fish_has_its_staged_motion_from_the_first_tick(void **state)
 {
     (void)state;

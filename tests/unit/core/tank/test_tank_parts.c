@@ -87,8 +87,8 @@ static vec3 nearest_in(const struct box *box, vec3 point_m)
 }
 
 /* Returns the true distance of two boxes. Projects a point alternately onto both boxes until it
- * converges to the nearest points. The largest gap on one axis would be too small for two
- * corners. */
+ * converges to the nearest points. The largest gap along one separating axis would be too small if
+ * the boxes are nearest at two corners. */
 static float apart_m(const struct box *a, const struct box *b)
 {
     vec3 in_a = a->centre_m, in_b = b->centre_m;

@@ -14,7 +14,8 @@
 static struct tank_stage swimmer(float x_cm, float y_cm, float z_cm, float yaw_deg)
 {
     return (struct tank_stage){
-        /* With a stamina of 0.60, a fish stays at a depth of 13 cm, the depth of these stages. */
+        /* With a stamina of 0.60, a fish stays at a depth of 13 cm, the depth of most of these
+         * fish. */
         .position_m = { 0.01f * x_cm, 0.01f * y_cm, 0.01f * z_cm },
         .angles = { .yaw_rad = yaw_deg * F_DEG },
         .speed_m_s = 0.0525f * 0.92f,

@@ -220,7 +220,8 @@ static void test_fish_of_the_thesis_do_not_flee_or_doze_or_turn_at_random(void *
     }
 }
 
-/* The thesis states for a full tank: "when avoiding took it off its depth it goes back there". */
+/* The thesis states for a full tank that a fish returns to its depth after it has avoided another
+ * fish. So at least 3/4 of the fish must be within 2 cm of the depth of their band. */
 static void test_3_6_six_hundred_fish_keep_their_depths(void **state)
 {
     (void)state;

@@ -68,8 +68,8 @@ static void test_surplus_coins_count_toward_the_next_round(void **state)
     assert_int_equal(balance()->units, 1);
     press(INPUT_START);
     assert_int_equal(credits(), 1);
-    /* The first credit paid for the current round. The remaining coin completes the second one
-     * during the round. */
+    /* One of the two credits paid for the current round. The surplus coin and PRICE - 1 new coins
+     * make a further credit during the round. */
     drop(PRICE - 1u);
     assert_int_equal(credits(), 2);
 }

@@ -1,14 +1,15 @@
-/* test_full_ring.c -- checks a store that is full, has failed, is late or appears later. No button
- * may stop the kiosk, and no round may start without payment. Paid credits must be available again
- * when the store works. */
+/* test_full_ring.c -- checks the kiosk while the ring buffer of unsaved ledger entries is full, or
+ * the store has failed, is late or appears later. No button may stop the kiosk, and no round may
+ * start without payment. Paid credits must be available again when the store works. */
 #include "tests/unit/support/game_fixture.h"
 #include "core/game/accounting/accounts.h"
 #include "core/game/phases.h"
 
 #define PRICE 1u
-#define COINS_FOR_A_FULL_RING 40u /* Each coin writes two entries while the ring has room. */
+#define COINS_FOR_A_FULL_RING 40u /* Each coin writes two entries while the ring buffer has room. */
 
-/* Opens a paid kiosk with three modes in start number `boots`; 0 means that no store was found. */
+/* Opens a paid kiosk with three modes. `boots` counts the starts of the kiosk; 0 means that no
+ * store was found. */
 static void open_paid(uint32_t boots)
 {
     const struct core_config config = {
@@ -45,7 +46,7 @@ static void drop_each(uint32_t coins)
     }
 }
 
-/* Lets the store work again, with all entries saved. */
+/* Simulates that the store works again and has saved all entries. */
 static void revive_store(void)
 {
     store_is_late = 0;
@@ -108,7 +109,8 @@ static void test_a_full_store_only_delays_the_game(void **state)
         drop_each(coins);
         input.poi[0].link = POI_SOURCE_ABSENT;
         steps(GAME_LOST_TICKS_MAX + GAME_AGAIN_TICKS);
-        /* These presses leave the result. Afterwards no entry may wait for room in the ring. */
+        /* These presses leave the result. Afterwards no entry may wait for room in the ring
+         * buffer. */
         for (uint32_t i = 0; i < 4; i++) {
             press(INPUT_START | INPUT_OK);
             steps(CORE_TICK_HZ);
@@ -167,7 +169,7 @@ static void test_a_store_that_appears_late_is_used_after_any_number_of_coins(voi
     open_paid(0);
     drop_each(COINS_FOR_A_FULL_RING);
     assert_int_equal(core.game.accounts.ledger.balance.paid, COINS_FOR_A_FULL_RING);
-    /* The store has not saved the newest entry, so no credit is committed. */
+    /* No store has saved the newest entry, so no credit is committed. */
     assert_int_equal(ledger_committed_credits(&core.game.accounts.ledger).paid, 0);
     assert_int_equal(output.coin_lockout, 1);
     press(INPUT_START);
@@ -177,8 +179,8 @@ static void test_a_store_that_appears_late_is_used_after_any_number_of_coins(voi
     input.store_well = 1;
     step();
     assert_int_equal(ledger_committed_credits(&core.game.accounts.ledger).paid, 0);
-    /* One new entry contains the balance of all coins that were inserted while the ring was
-     * full. */
+    /* The first entry after the store appears contains the balance of all coins, including those
+     * that were inserted while the ring buffer was full. */
     assert_true(output.entry_id > before_id);
     assert_int_equal(purse_entry(&output, output.entry_id)->balance.paid, COINS_FOR_A_FULL_RING);
     revive_store();

@@ -268,8 +268,8 @@ static const struct {
     { "UPDATE audits SET count = -1", 0 },
 };
 
-/* Writes a database and applies the change. The checksums are removed, because files of earlier
- * versions have none. */
+/* Writes a database and executes the SQL statement `change` on it. The stored checksums are
+ * removed, as in files of earlier versions, so that only the range checks can detect the change. */
 static void write_changed_file(const char *change)
 {
     struct ledger_file file;
@@ -291,8 +291,8 @@ static void write_changed_file(const char *change)
     sqlite3_close(db);
 }
 
-/* Checks that the store opens for each change. With `has_backup`, the backup file has the same
- * change. */
+/* Checks that the store opens for each change. If `has_backup` is true, a backup file with the same
+ * change lies beside the database. */
 static void expect_a_start_for_each_change(bool has_backup)
 {
     for (size_t i = 0; i < sizeof changes / sizeof changes[0]; i++) {
@@ -315,7 +315,8 @@ static void expect_a_start_for_each_change(bool has_backup)
         const struct core_config config = { .fish_count = 4, .persistent = memory };
         assert_int_equal(core_init(&core, &config), CORE_OK);
         assert_int_equal(memory.ledger.last_id, 1);
-        /* The ledger entries are valid, so the ranking is rebuilt from them. */
+        /* The ledger entries are valid, so the store has rebuilt a ranking with an invalid value
+         * from them. */
         if (changes[i].is_read) {
             assert_int_equal(memory.ranking.row[MODE_FESTIVAL][RANK_EVER][0].round_id, 1);
             assert_int_equal(memory.ranking.row[MODE_FESTIVAL][RANK_EVER][0].caught, 3);

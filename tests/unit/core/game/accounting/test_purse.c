@@ -29,8 +29,8 @@ static uint32_t draw(uint32_t count)
     return (uint32_t)((hash_u32(HASH_START, ++drawn) >> 20) % count);
 }
 
-/* Sums of the entries up to an id. They are computed from the single entries and not from the
- * stored balances. */
+/* Sums of the entries up to an id, computed from the single entries and not from the stored
+ * balances. */
 struct sum {
     uint32_t units, credits, spent, back, service;
     uint32_t open; /* Number of rounds that have begun and not ended. */
@@ -173,7 +173,8 @@ static void test_a_power_cut_at_any_tick_neither_loses_nor_repeats_stored_entrie
         begun += core.game.accounts.ledger.balance.open != PAYMENT_NONE;
         behind += disk.id < output.entry_id;
         assert_true(disk.id >= disk.told);
-        /* Entries that were not on the disk at a power cut had never been acknowledged. */
+        /* The kiosk starts again with the last entry on the disk. Later entries are lost, but the
+         * store had reported none of them as saved (`disk.told`). */
         if (disk.id > 0) {
             const struct balance left = journal[disk.id].balance;
             expect_balance(disk.id, &left);

@@ -198,7 +198,8 @@ static void test_a_service_credit_is_refunded_at_most_once(void **state)
     assert_int_equal(audit(AUDIT_REFUNDS), 1);
 }
 
-/* Whenever the controller is lost, one credit must not pay for two whole rounds. */
+/* At whatever second of a round the controller is lost, one credit must not pay for two whole
+ * rounds. */
 static void test_one_credit_pays_for_less_than_two_rounds(void **state)
 {
     for (uint32_t at = 1; at < ROUND_S; at += 3) {

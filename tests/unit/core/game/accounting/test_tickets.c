@@ -5,8 +5,9 @@
 #include "tests/unit/support/paid_fixture.h"
 
 #define WON 5u
-#define SYNC_TICKS 7u   /* Ticks from the writing of an entry until it is on the disk. */
-#define TOLD_TICKS 10u  /* Ticks until the core gets the id of the stored entry. */
+#define SYNC_TICKS 7u /* Ticks from the writing of an entry until it is on the disk. */
+/* Ticks from the writing of an entry until the core gets its id as stored. */
+#define TOLD_TICKS 10u
 #define PULSE_TICKS 30u /* Ticks that the dispenser needs for one ticket. */
 #define LOG_MAX 256u
 
@@ -87,8 +88,8 @@ static void win(void)
     assert_int_equal(balance()->tickets, WON);
 }
 
-/* Simulates a power cut and a new start. Entries that are not stored are lost. A ticket whose pulse
- * is running is not dispensed. */
+/* Simulates a power cut and a new start. Entries that are not stored are lost. The ticket whose
+ * dispenser pulse is running at the cut is not dispensed. */
 static void cut_power(void)
 {
     struct core_config config = core.config;
@@ -209,7 +210,8 @@ static void test_a_power_cut_at_any_tick_loses_one_ticket_at_most_and_repeats_no
     assert_true(missing_cuts > 0);
 }
 
-/* The kiosk started without a card, so `boot` is 0. The card was inserted later. */
+/* The kiosk started without its memory card, so `boot` (the number of the start) is 0. The card is
+ * inserted later, but from one moment on it stores nothing more and also reports faults. */
 static void test_a_late_card_that_stalls_dispenses_no_ticket_before_its_entry_is_saved(void **state)
 {
     (void)state;

@@ -30,8 +30,8 @@ static void begin_with(const struct technique *technique, uint32_t seed)
 
 /* ---- Limits of a person --------------------------------------------------------------------- */
 
-/* Checks that the bot's poi is never faster than an arm, apart from a tremor of at most 1.5 mm at 9
- * Hz. */
+/* Checks the speed and the acceleration of the bot's poi against those of an arm. The margins of
+ * 0.15 m/s and 6 m/s^2 allow for the tremor, which is at most 1.5 mm at 9 Hz. */
 static void holds_arm_limits(const struct technique *technique)
 {
     begin_with(technique, 5);
@@ -75,7 +75,8 @@ static void test_the_bot_updates_its_vision_no_oftener_than_a_person(void **stat
     }
 }
 
-/* The snapshot on which the bot acts must never be newer than the reaction time. */
+/* The snapshot of the scene on which the bot acts must be at least as old as the reaction time (18
+ * ticks). */
 static void test_the_bot_acts_on_a_delayed_snapshot(void **state)
 {
     (void)state;
@@ -86,8 +87,8 @@ static void test_the_bot_acts_on_a_delayed_snapshot(void **state)
     }
 }
 
-/* Copies a game and removes the bot's target fish in the copy. Both bots must move identically for
- * at least 150 ms (the reaction time) and differently soon afterwards. */
+/* Plays two copies of a game and removes the bot's target fish in one of them. Both bots must move
+ * identically for at least 150 ms (the reaction time) and differently soon afterwards. */
 static void test_the_bot_reacts_to_a_vanished_fish_after_its_reaction_time(void **state)
 {
     (void)state;
@@ -110,7 +111,7 @@ static void test_the_bot_reacts_to_a_vanished_fish_after_its_reaction_time(void 
         assert_true(same_ticks >= 18);
         answers += same_ticks <= 60;
     }
-    /* The remaining bots had chosen another fish just before this one disappeared. */
+    /* In the remaining games the bot had chosen another fish just before its target disappeared. */
     assert_in_range(answers, 8, 10);
 }
 

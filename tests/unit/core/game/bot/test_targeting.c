@@ -52,7 +52,8 @@ static void test_a_slanted_entry_moves_along_the_paper_and_a_flat_one_down(void 
     assert_true(
         targeting_approach(&technique, &snapshot, v3(0.0f, -0.03f, 0.0f), 0.05f, 0.0f, &way));
     const vec3 slide = v3_sub(way.stop_m, way.entry_m);
-    /* Yaw 0 points toward -z, so the slope is that of y over -z. */
+    /* At yaw 0 the slide points toward -z and down, so its angle below the horizontal is atan2(-y,
+     * -z). */
     const float slope_rad = f_atan2(-slide.y, -slide.z);
     assert_true(f_abs(slope_rad - technique.entry_deg * F_DEG) < 0.01f);
     technique.entry_deg = 0.0f;

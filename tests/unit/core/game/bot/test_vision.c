@@ -80,8 +80,8 @@ static void bowl_is_as_shown(const struct vision *vision, uint32_t index)
     }
 }
 
-/* Cells outside the ring are not compared. There is no paper, and the scene repeats the nearest
- * paper. */
+/* Checks that the bot sees each cell of paper as the scene shows it. In cells outside the ring the
+ * bot sees 0, and the scene repeats the nearest paper, so these cells are not compared. */
 static void paper_is_as_shown(const struct vision *vision)
 {
     const struct scene_poi *poi = &scene.poi[vision->player];

@@ -233,8 +233,8 @@ static void test_a_reduced_state_gives_the_same_scene(void **state)
     }
 }
 
-/* Changes a member so much that the scene must change: every float or int of it, or else the
- * byte. */
+/* Changes a member so much that the scene must change: flips bit 22 of each 4-byte value, or bit 0
+ * of the first byte if the size is no multiple of 4. A second call restores the member. */
 static void change(void *of, const struct member *part)
 {
     unsigned char *const at = (unsigned char *)of + part->offset;

@@ -92,7 +92,7 @@ static void test_any_pose_is_limited_to_the_reach(void **state)
     for (size_t i = 0; i < sizeof wild / sizeof wild[0]; i++) {
         input.poi[0].target.position_m = v3(wild[i], wild[(i + 1) % 8], wild[(i + 2) % 8]);
         input.poi[0].target.angles = (struct angles){ wild[i], wild[(i + 3) % 8], -wild[i] };
-        /* 400 ticks are enough for the poi to move from the old controller to the new one. */
+        /* 400 ticks are enough for the poi to reach the limited target. */
         for (uint32_t tick = 0; tick < 400; tick++) {
             core_tick(&core, &input, &output);
         }

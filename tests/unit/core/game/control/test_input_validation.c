@@ -37,8 +37,8 @@ static void expect_for(uint32_t ticks, enum input_status verdict)
     }
 }
 
-/* Checks that the input is lost now, and that it becomes valid again after exactly a quarter of a
- * second of consistent poses. */
+/* Checks that the input is lost now, and that it becomes valid again after exactly
+ * INPUT_AGREE_TICKS (a quarter of a second) of consistent poses. */
 static void expect_lost_and_found(void)
 {
     assert_int_equal(validation.verdict, INPUT_LOST);
@@ -126,8 +126,8 @@ static void test_a_jump_of_1_m_invalidates_the_input_until_it_stays(void **state
     expect_lost_and_found();
 }
 
-/* A frame has two ticks and the kiosk divides its motion between them. A jump of the controller
- * thus arrives as two steps of half the size. */
+/* At 60 frames per second each frame has two ticks, and the kiosk divides the motion of a frame
+ * between them. A jump of the controller thus arrives as two steps of half the size. */
 static void test_a_jump_spread_over_two_ticks_invalidates_the_input(void **state)
 {
     (void)state;
@@ -161,7 +161,7 @@ static void test_a_missed_report_is_valid_and_a_larger_jump_is_not(void **state)
     assert_int_equal(tick(), INPUT_LOST);
 }
 
-/* Returns 1 if the input stays valid while it moves at `pace_m_s` for half a second. */
+/* Returns 1 if the input stays valid while its position moves at `pace_m_s` for half a second. */
 static int is_valid_at(float pace_m_s)
 {
     int believed = 1;
@@ -382,7 +382,7 @@ static void test_random_bits_give_a_status_and_valid_poses_are_finite(void **sta
         for (uint32_t k = 0; k < 8; k++) {
             words[k] = rng_u32((struct rng_key){ 3, i / 40u, k, RNG_TEST });
         }
-        /* The random bits stay the same for some ticks. Otherwise no input would ever become
+        /* The random bits stay the same for up to 40 ticks. Otherwise no input would ever become
          * valid. */
         if (i % 40u == 0 || words[0] % 5u == 0) {
             memcpy(&hand.target, words, sizeof hand.target);

@@ -248,7 +248,7 @@ static int may_slap(const struct scene_of *of)
 }
 
 /* Checks every tick from the fault until the player controls the poi again. While damage is
- * disabled, no bit of the paper may change. */
+ * disabled, the damage of no cell of the paper may change. */
 static void check_fault(const struct scene_of *of)
 {
     static float damage[SHEET_CELL_COUNT];
@@ -283,7 +283,7 @@ static void check_fault(const struct scene_of *of)
         assert_int_equal(poi->sheet.paper_cells, cells);
         assert_true(tick < 1200);
     } while (!leads);
-    /* The clock was stopped in exactly the ticks in which the controller was lost. */
+    /* The clock of the round was stopped in exactly the ticks in which the controller was lost. */
     assert_int_equal(still_ticks, lost_ticks);
     assert_int_equal(lost_ticks > 0, loses_the_hand(of));
     /* After a permanent turn (TURN) the ring stands on its edge, so the fish may slide off. */

@@ -96,8 +96,8 @@ static void test_each_life_runs_from_hatching_to_the_last_key(void **state)
         const struct scene_grown now = page()->fish[0];
         assert_true(now.progress >= before);
         before = now.progress;
-        /* `is_caught` is set from the moment at which the film reaches the fish's length at the
-         * catch. */
+        /* `is_caught` is set from the moment at which the animated fish reaches the length that it
+         * had when it was caught. */
         if (now.is_caught && !met) {
             assert_float_equal(now.length_m, now.caught_length_m, 0.03f * now.caught_length_m);
             met = 1;
@@ -105,7 +105,7 @@ static void test_each_life_runs_from_hatching_to_the_last_key(void **state)
     }
     assert_true(met);
     assert_float_equal(page()->fish[0].progress, 1.0f, 1e-3f);
-    /* In the film, the smaller fish begins to grow later, so its life is not complete yet. */
+    /* The smaller fish begins to grow later on this page, so its life is not complete yet. */
     assert_true(page()->fish[1].progress < 1.0f);
 }
 

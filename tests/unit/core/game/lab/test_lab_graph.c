@@ -159,14 +159,16 @@ static void test_a_saved_graph_is_stored_acknowledged_and_present_on_return(void
     assert_int_equal(look()->lab.keeping, LAB_SAVED);
     assert_int_equal(scene.lab.is_kept, 1);
     tap(LAB_NEXT);
-    /* The other species is also not saved. LAB_NOT_SAVED belongs only to the selected species. */
+    /* No save was requested for the next species. LAB_SAVED was the state of the first species
+     * alone. */
     assert_int_equal(look()->lab.keeping, LAB_NOT_SAVED);
     tap(LAB_BACK);
     assert_memory_equal(&core.game.lab.edit, &made, sizeof made);
     tap(LAB_RESET);
     tap(LAB_SAVE);
     assert_int_equal(output.edit.id, 2);
-    /* `is_own` orders the store to delete the custom graph. */
+    /* After the reset the species has its original graph again (`is_own`), so the store must delete
+     * the saved custom graph. */
     assert_int_equal(output.edit.is_own, 1);
 }
 

@@ -11,7 +11,8 @@ static void test_test_opens_the_menu_immediately_outside_a_round(void **state)
     (void)state;
     press(INPUT_TEST);
     assert_int_equal(core.game.phase, PHASE_MENU);
-    /* The press of TEST that opens the menu must not also activate the first tag of the page. */
+    /* The press of TEST that opens the menu must not also activate the first tag (menu entry) of
+     * the page. */
     assert_int_equal(menu()->page, MENU_TOP);
     setup(state);
     play_into_result();
@@ -219,7 +220,8 @@ static void test_a_test_coin_in_the_tick_of_a_page_change_counts_once(void **sta
     for (uint32_t i = 1; i <= 60u; i++) {
         menu_turn(&core.game.menu, &core.game, &core.config.persistent.settings,
                   i % 20u < 10u ? MENU_DEVICES : MENU_LINES);
-        /* In every tenth tick a coin falls while TEST opens or leaves the page LINES. */
+        /* A coin falls in every pass. In every tenth pass TEST is pressed in the same tick, which
+         * opens or leaves the page LINES. */
         if (i % 10u == 0) {
             core.game.menu.tag[MENU_DEVICES] = (uint8_t)menu_tag_of(MENU_LINES);
             input.pressed = INPUT_TEST;

@@ -114,8 +114,8 @@ static void test_a_moving_controller_without_a_bowl_selects_tags(void **state)
     (void)state;
     hold_over(0, ABOVE_M);
     steps(2);
-    /* The poi is now in slot 2. It can use the menu although the kiosk has only one player, in slot
-     * 0. */
+    /* A second poi now rests in slot 2 over the same tag. The kiosk has only one player, in slot 0,
+     * but any connected poi can use the menu: the poi that moves selects the tag. */
     input.poi[2] = input.poi[0];
     steps(2);
     hold_over(1, ABOVE_M);
@@ -143,8 +143,8 @@ static void test_a_resting_poi_selects_no_tag_as_a_page_opens(void **state)
     go_to(MENU_DEVICES);
     hold_over(0, ABOVE_M);
     steps(2);
-    /* The selection of a page must not change when the page opens above the resting poi, nor when
-     * the menu returns to the page. */
+    /* The selected tag of a page must not change when another page opens above the resting poi, nor
+     * when the menu returns to the page. */
     for (uint32_t i = 0; i < 2u; i++) {
         go_to(MENU_AXES);
         const uint8_t left = (uint8_t)menu_tag_of(MENU_AXES);

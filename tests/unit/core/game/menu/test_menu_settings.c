@@ -381,7 +381,7 @@ static void test_a_factory_reset_requires_a_confirmation(void **state)
     assert_int_equal(menu()->page, MENU_UPKEEP);
     assert_int_equal(newest()->id, before + 1u);
     assert_int_equal(newest()->kind, LEDGER_FACTORY);
-    /* The entry contains the audit counts from before the reset. */
+    /* The entry contains the number of deleted paid credits, which count as expired. */
     assert_int_equal(newest()->count, 3);
     assert_int_equal(core.game.accounts.audits.count[AUDIT_EXPIRED], 3);
     assert_int_equal(output.commands[(output.command_count - 1u) % CONTROLLER_COMMAND_MAX].kind,
@@ -501,8 +501,8 @@ static void test_each_wrong_pin_doubles_the_delay(void **state)
     for (uint32_t tries = 0; tries < 7u; tries++) {
         type(408);
         assert_int_equal(menu()->page, MENU_PIN);
-        /* The right PIN is rejected during the delay after wrong PINs. The 40 presses take at most
-         * 4 s. */
+        /* During the delay after a wrong PIN, which is at least 5 s, the right PIN is rejected too.
+         * There is nothing to check if entering the digits took longer than the delay. */
         type(407);
         if (menu_pin_wait_ticks(&core.game.settings_edit, core.game.tick) > 0) {
             assert_int_equal(menu()->page, MENU_PIN);

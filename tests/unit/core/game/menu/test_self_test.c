@@ -156,7 +156,7 @@ static void test_a_store_that_saves_nothing_is_named_within_20_s(void **state)
     drop_a_coin();
     assert_int_equal(judge(), SELF_STORE);
     assert_int_equal(state_of[SELF_STORE], SELF_BAD);
-    /* The store is late, but within the time limit. */
+    /* If the store saves the entry after all, the check passes. */
     save();
     assert_int_equal(judge(), SELF_CHECKS);
 }
@@ -293,8 +293,8 @@ static void test_every_system_health_row_has_every_state(void **state)
     }
 }
 
-/* Worst case: no health values, a store that never responds, and no displayed frames. After 20 s
- * these checks must have failed. */
+/* Simulates the worst case: no health values, a store that never responds, and no displayed frames.
+ * Each of these checks must have failed after 20 s. */
 static void test_no_automatic_check_is_pending_after_20_s(void **state)
 {
     (void)state;

@@ -419,7 +419,7 @@ static void test_a_round_without_a_ledger_entry_gets_no_name(void **state)
     (void)state;
     input.store_well = 1;
     steps(2);
-    /* The store is behind by a whole ring of entries. The round then has no ledger entry, so no
+    /* The ring buffer of unsaved ledger entries is full. The round then has no ledger entry, so no
      * name can be stored for it. */
     core.game.accounts.ledger.last_id += LEDGER_RING;
     play_alone(3);

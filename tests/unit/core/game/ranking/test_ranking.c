@@ -11,7 +11,7 @@
 #include "core/game/ranking/ranking.h"
 #include "core/game/rules.h"
 
-#define SOME_DAY 9800u /* A day in 2026, as a number of days since 1970. */
+#define SOME_DAY 9800u /* A day in October 2026, as a number of days since 2000-01-01. */
 
 static struct ranking ranking;
 static uint32_t last_id;
@@ -24,8 +24,8 @@ static int clean(void **state)
     return 0;
 }
 
-/* Adds the entry of a round with one player, in kiosk start number `boot`. Returns the id of the
- * entry. */
+/* Adds the ledger entry of a round with one player, played in the kiosk's start number `boot`.
+ * Returns the id of the entry. */
 static uint32_t play(uint32_t caught, uint32_t boot, uint16_t day)
 {
     const struct ledger_entry entry = {

@@ -152,7 +152,8 @@ static void test_a_displaced_bowl_drifts_home_within_some_seconds(void **state)
 
 /* ---- Bowls that are pushed ------------------------------------------------------------------ */
 
-/* Moves a level ring at height `depth_m`, from 25 cm left of bowl 0 to `to_x_m`. */
+/* Moves a level ring at 0.2 m/s and at height `depth_m`, from 25 cm left of bowl 0 to `to_x_m`.
+ * Checks in every tick that the ring is outside every hull. */
 static void push_with_ring(float depth_m, float to_x_m)
 {
     const struct stall stall = { &tank, bowls, POI_MAX };

@@ -139,8 +139,8 @@ static void test_slaps_move_a_fish_down_a_slope_that_friction_would_hold(void **
     assert_true(shaken / 20.0f > 0.010f);
 }
 
-/* Lets 50 fish slap for `seconds`, each from 20 mm beside the middle of the paper. Returns their
- * mean distance from the middle at the end. */
+/* Lays 50 fish on the paper one after another, each 20 mm beside the middle, and lets each slap for
+ * `seconds`. Returns their mean distance from the middle at the end. */
 static float drawn_in_m(float belly_m, float give_per_n, float seconds)
 {
     struct paper_surface ride = tilted(0.0f);

@@ -49,7 +49,8 @@ static void step(struct poi_target hand, struct outcome *sum)
     now++;
 }
 
-/* Moves the poi to the position `at_m` relative to the fish, which may swim. */
+/* Moves the poi at `m_s` until it is at the height `at_m.y`, and `at_m.x` and `at_m.z` beside the
+ * fish, which may swim meanwhile. */
 static void follow(const struct fish *fish, vec3 at_m, float pitch_rad, float m_s,
                    struct poi_target *hand, struct outcome *sum)
 {

@@ -121,8 +121,8 @@ static void test_a_fish_from_a_ring_in_the_water_is_poured(void **state)
 }
 
 /* Returns 1 if a fish is walled, which means that the ring presses it against a wall (a foul). The
- * ring is level and `gap_m` from the right wall. The player's target is `press_m` beyond the ring.
- * The fish is `fish_gap_m` from the wall. */
+ * ring is level and `gap_m` from the right wall, and the fish is `fish_gap_m` from this wall. The
+ * player's target is `press_m` nearer to the wall than the ring. */
 static int is_walled(float gap_m, float press_m, float speed_m_s, float fish_gap_m)
 {
     fixture_init(&fixture, 4, 1);

@@ -82,10 +82,11 @@ static void test_a_poi_with_controller_orientation_tips_fish_only_at_a_steep_ang
     assert_int_equal(level, 20);
     assert_true(slight >= 17);
     assert_true(steep <= 1);
-    assert_true(fixture.landed == 1); /* In the last trial the fish fell into the bowl. */
+    assert_true(fixture.landed == 1); /* The last of the 20 fish fell into the bowl. */
 }
 
-/* Returns how many of 24 fish a poi lifts out of the water at `lift_m_s`. */
+/* Returns how many of 24 fish, one in each repetition, a poi lifts out of the water at
+ * `lift_m_s`. */
 static uint32_t lifted_of_24(int is_wild, float lift_m_s)
 {
     uint32_t kept = 0;

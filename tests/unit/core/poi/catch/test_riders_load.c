@@ -78,7 +78,8 @@ static void test_all_carried_fish_may_slap_together_and_keep_their_weight(void *
 
 /* ---- Position of a slap --------------------------------------------------------------------- */
 
-/* Puts one fish on a dry poi in the air. The fish's slap of 0.05 N lasts for another `left_s`. */
+/* Puts one fish on a dry poi in the air. The fish's slap of 0.05 N lasts for another `left_s`
+ * seconds. */
 static void lay_slapping(float x_m, float heading_rad, float left_s)
 {
     fixture_init(&fixture, 4, 1);
@@ -100,7 +101,7 @@ static void test_a_slap_loads_the_paper_at_the_tail(void **state)
     assert_float_equal(fixture.poi.loads[0].z_m, 0.0f, 1e-5f);
     assert_float_equal(fixture.poi.loads[0].diameter_m, 0.003f, 0.0f);
     assert_float_equal(fixture.poi.loads[0].force_n, -0.05f, 0.0f);
-    /* Load 1 is the fish's weight at the middle of its body, spread over 20 mm. */
+    /* loads[1] is the fish's weight at the middle of its body, spread over 20 mm. */
     assert_float_equal(fixture.poi.loads[1].x_m, 0.0f, 0.0f);
     assert_float_equal(fixture.poi.loads[1].diameter_m, 0.020f, 0.0f);
     assert_float_equal(fixture.poi.loads[1].force_n, -0.0285f, 0.001f);

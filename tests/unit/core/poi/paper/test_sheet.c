@@ -329,7 +329,8 @@ static void test_stress_factors_multiply_where_the_wet_line_meets_the_ring(void 
     }
     sheet.touched = 1;
     press(&sheet, 40.0f, 0.01f);
-    /* Last wet column. The stress is highest there, at the line between wet and dry paper. */
+    /* Index of the last wet column. The stress is highest there, at the line between wet and dry
+     * paper. */
     const uint32_t line = SHEET_SIDE / 2u - 1u;
     const float off = stress_at(&sheet, SHEET_SIDE / 2u, line - 4u);
     assert_float_equal(stress_at(&sheet, SHEET_SIDE / 2u, line) / off, 2.5f, 0.1f);
@@ -358,8 +359,8 @@ static void test_a_laboratory_sheet_is_uniform_without_stress_concentration(void
     assert_float_equal(stress_at(&sheet, SHEET_SIDE / 2u, 0) / middle, 0.328f / 0.423f, 0.02f);
 }
 
-/* Examines 200 specimens. Most must have a thin spot. The strength must vary over distances wider
- * than a cell, and the fibres must have all directions. */
+/* Examines 200 sheets with random weak spots. Most must have a thin spot. The strength must vary
+ * over distances wider than a cell, and the fibres must have all directions. */
 static void test_each_specimen_has_its_own_weak_spots_clouds_and_fibres(void **state)
 {
     (void)state;

@@ -14,8 +14,8 @@ static float draw(uint32_t what, uint32_t cell, float low, float high)
     return rng_range((struct rng_key){ 11, what, cell, RNG_TEST }, low, high);
 }
 
-/* Fills the sheet at random: half of the cells torn, half wet, worn and softened. Three loads act
- * on it. */
+/* Fills the sheet at random: about a tenth of the cells are torn, and the others have a random
+ * wetness, damage and softening. Three loads act on the sheet. */
 static void prepare(void)
 {
     sheet_init(&sheet, 6, RADIUS_M, 3);

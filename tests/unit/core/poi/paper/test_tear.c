@@ -210,7 +210,7 @@ static void test_a_tear_grows_several_cells_a_tick_but_no_faster_than_its_steps(
     (void)state;
     plain(6);
     cut(MIDDLE, MIDDLE);
-    /* 250 Pa tear only paper that already has a hole. */
+    /* A pressure of 250 Pa tears only paper that already has a hole. */
     sheet_tick(&sheet, 250.0f, in_air, NULL, 0);
     const uint32_t first = reach();
     assert_in_range(first, 4, SHEET_STEPS_MAX);

@@ -24,7 +24,7 @@ static void swim(struct fish *fish, uint32_t tick)
 }
 
 /* Returns the first tick of a glide. A cycle of beats and a glide has 84 ticks for a fish whose
- * `look` is 0. */
+ * `look` (the random bits of its individual traits) is 0. */
 static uint32_t glide_tick(const struct fish *fish)
 {
     uint32_t tick = 0;

@@ -104,8 +104,8 @@ static void test_a_fleeing_falling_or_gulping_fish_updates_in_every_tick(void **
     fish.falls = 1;
     assert_int_equal(thoughts(&fish, 2, 40, NULL, &covered_s), 40);
     fish = calm();
-    /* The fish is 1 cm wide and 4 mm deep, so it touches the surface and must update in every
-     * tick. */
+    /* The fish is 1 cm wide and its centre only 4 mm below the surface, so it touches the surface
+     * and must update in every tick. */
     fish.position_m.y = -0.004f;
     assert_int_equal(thoughts(&fish, 2, 40, NULL, &covered_s), 40);
 }

@@ -15,7 +15,8 @@
 
 #define NEVER 1000u
 
-/* Returns a fish whose `look` is 0, which makes it timid. */
+/* Returns a fish whose `look` (the random bits of its individual traits) is 0, which makes it
+ * timid. */
 static struct fish fish_at(vec3 position_m)
 {
     return (struct fish){ WAKIN(0.05f), .stamina = 1.0f,   .brake = 1.0f,
@@ -149,8 +150,8 @@ static void test_a_disc_that_glides_edge_on_alarms_little(void **state)
     assert_int_equal(ticks_to_start(slow, fish_at(ahead_of_edge), 1), NEVER);
 }
 
-/* Measures the latency alone: from the tick in which a pressure or visual stimulus exceeds the
- * threshold. */
+/* Measures only the latency: the time from the tick in which a stimulus exceeds the threshold until
+ * the fish starts. */
 static void latency(enum startle_cause cause, uint8_t gait, float *mean_s, float *least_s,
                     float *most_s)
 {
@@ -189,8 +190,8 @@ static void test_latency_is_8_to_15_ms_for_pressure_and_60_to_150_ms_for_sight(v
     assert_float_equal(mean_s, 0.105f, 0.002f);
     assert_true(least_s > 0.060f - half_tick_s && least_s < 0.068f);
     assert_true(most_s < 0.150f + half_tick_s && most_s > 0.142f);
-    /* This latency starts when the alarm has reached its threshold, so it is shorter than the total
-     * of up to 150 ms. */
+    /* For a shadow, this latency begins when the alarm has reached its threshold, so it is shorter
+     * than the total of up to 150 ms. */
     latency(STARTLE_SHADOW, GAIT_SWIM, &mean_s, &least_s, &most_s);
     assert_true(least_s >= 0.060f && most_s < 0.115f + half_tick_s);
 }

@@ -115,7 +115,7 @@ static void test_a_fish_that_swims_a_minute_keeps_the_preferred_speed(void **sta
     print_message("off 1.05 lengths/s by %.3f at most, fastest %.2f\n", (double)worst,
                   (double)fastest);
     assert_true(worst < 0.02f);
-    /* Above the mean, because beats and glides alternate. */
+    /* The highest speed is above the mean, because beats and glides alternate. */
     assert_true(fastest > 1.1f && fastest < 1.5f);
 }
 

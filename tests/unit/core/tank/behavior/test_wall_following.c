@@ -78,8 +78,8 @@ static struct histogram histogram_of(float wall_follow)
     return histogram;
 }
 
-/* Fits a line to ln(share) over the bins from `first` on. Returns the length in metres over which
- * the share falls to 1/e, and stores the r squared of the fit. */
+/* Fits a line to ln(share) over the bins `first` to 9. Returns the length in metres over which the
+ * share falls to 1/e, and stores the r squared of the fit. */
 static float fall_off_m(const struct histogram *histogram, uint32_t first, float *r2)
 {
     float n = 0.0f, sx = 0.0f, sy = 0.0f, sxx = 0.0f, sxy = 0.0f, syy = 0.0f;

@@ -79,8 +79,8 @@ static void test_moving_along_the_axis_by_the_depth_separates_two_boxes(void **s
     assert_true(parted > 200);
 }
 
-/* Two crossed bars for which no face normal is a separating axis. Only the cross product of two
- * edges separates them. */
+/* Tests two crossed bars for which no face normal is a separating axis. Only the cross product of
+ * two edges separates them. */
 static void test_crossed_edges_separate_boxes_that_no_face_separates(void **state)
 {
     (void)state;

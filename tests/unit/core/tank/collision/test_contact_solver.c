@@ -95,8 +95,8 @@ static void test_the_solver_moves_a_fish_at_most_2_mm_beyond_its_own_motion(void
 static void test_a_blocked_fish_leaves_the_correction_to_the_other(void **state)
 {
     (void)state;
-    /* In this tick the large fish moved 10 mm into the small resting fish. The solver must take
-     * this motion back. */
+    /* In this tick the large fish moved 24 mm, until it overlapped the small resting fish by 8 mm.
+     * The solver must move the large fish back, because the small fish did not move. */
     const vec3 before_m[2] = { { 0.0f, -0.1f, 0.0f }, { 0.028f, -0.1f, 0.0f } };
     fish[0] = (struct fish){ .position_m = { 0.0f, -0.1f, 0.0f }, WAKIN(0.04f) };
     fish[1] = (struct fish){ .position_m = { 0.004f, -0.1f, 0.0f }, WAKIN(0.08f) };

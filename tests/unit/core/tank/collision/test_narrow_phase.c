@@ -72,7 +72,7 @@ static uint32_t search(struct narrow_phase_pair *to, uint32_t count, uint8_t how
                                            .width_m = 1.36f,
                                            .breadth_m = 0.65f };
     uint32_t all = 0;
-    /* Fills the structure with random bytes, because a search must not depend on its old
+    /* Overwrites the structure with the byte 0x5a, because a search must not depend on its old
      * contents. */
     memset(&pairs, 0x5a, sizeof pairs);
     narrow_phase_begin(&pairs, &of);

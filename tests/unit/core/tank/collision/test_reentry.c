@@ -161,7 +161,7 @@ static void test_two_dropped_fish_in_one_place_swim_without_an_overlap(void **st
     assert_int_equal(tank.reentry_count, 0);
 }
 
-/* The smallest allowed tank with the maximum number of fish. */
+/* Fills the smallest allowed tank with the maximum number of fish and drops one of them. */
 static void test_there_is_a_gap_even_in_the_smallest_tank(void **state)
 {
     (void)state;
