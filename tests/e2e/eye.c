@@ -12,7 +12,7 @@
 /* Number of warm pixels of the smallest fish that is tried. */
 #define RED_MIN 60
 /* Number of warm pixels of the largest fish that is tried. The tail of a larger fish lies on the
- * ring and slaps. */
+ * ring, and its slaps tear the paper. */
 #define RED_MAX 450
 
 int eye_open(struct eye *eye, const char *window)

@@ -28,8 +28,8 @@
  * means that the fish dives. A fish that is too deep for the ring has a blue value that is 10 to 20
  * (of 255) higher. */
 #define BLUE_PX_S 4.0f
-/* Highest blue value of a fish on the paper. Such a fish has about 4, seen through a tear in the
- * paper 25, and under the paper 80 to 150. */
+/* Highest blue value of a fish that lies on the paper. A fish on the paper has about 4, a fish seen
+ * through a tear in the paper 25, and a fish under the paper 80 to 150. */
 #define PALE_BLUE 40
 /* Distance in pixels between the fish and the point where the ring enters the water, so that the
  * ring does not come down on the fish. The radius of the ring is 50 px. */
@@ -220,8 +220,8 @@ static int approach(struct track *track, float aside_px, float px_s, double limi
     return 1;
 }
 
-/* Returns 1 if something lies on the paper, and not under it. Seen through the paper, a fish is
- * pale. */
+/* Returns 1 if a fish lies on the paper. A fish under the paper does not count: seen through the
+ * paper it is pale, so its blue value is above PALE_BLUE. */
 static int something_lies_on_the_paper(void)
 {
     const struct rect around = { (int)pointer.x - 60, (int)pointer.y - 60, (int)pointer.x + 60,

@@ -26,8 +26,8 @@
 #define IDS_MAX 1024u
 #define TICKS 3u
 
-/* SQL to update one row of a table by its position in the order of `column`. The tables have no row
- * ids. */
+/* SQL that sets `column` in one row of a table. The row is selected by its position (?2), because
+ * these tables have no row ids. */
 #define ROW_OF(table, column)                                                                      \
     table " SET " column " = ?1 WHERE name = (SELECT name FROM " table " LIMIT 1 OFFSET ?2)"
 #define SETTING_OF(column) ROW_OF("settings", column)

@@ -95,7 +95,8 @@ static void put_graphs(void)
     }
 }
 
-/* Writes the default configuration, and the same configuration with every key line uncommented. */
+/* Writes the default configuration, and a second file with only its section lines and its key
+ * lines, uncommented. */
 static void put_confs(void)
 {
     char *text = NULL;
@@ -127,8 +128,8 @@ static void put_usb(void)
     put("usb/three", text, sizeof text - 1u);
 }
 
-/* Writes ledger entries for a coin, a spent credit, the round paid with it, and the player's
- * name. */
+/* Writes `head` and five ledger entries: a start of the kiosk, a coin, the beginning of a paid
+ * round, the result of this round, and the player's name. */
 static void put_entries(const char *name, const uint8_t *head, size_t head_size)
 {
     struct ledger_entry entry[5];

@@ -1,5 +1,5 @@
-/* fuzz_obj.c -- fuzz target: arbitrary text as an OBJ file. An accepted mesh becomes a species: it
- * is used for every shape key, with the last one stretched slightly. */
+/* fuzz_obj.c -- fuzz target: arbitrary text as an OBJ file. An accepted mesh becomes a species: the
+ * mesh is used for every shape key, slightly stretched for the last one. */
 #include <unistd.h>
 
 #include "platform/ctl/import/refit.h"

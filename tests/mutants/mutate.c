@@ -14,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Largest size of a source file in bytes. The largest file has 16 KiB. */
+/* Largest size of a source file in bytes. The largest file has about 21 KiB. */
 #define TEXT_MAX (1u << 20)
 /* Largest number of sites in all files together. With more sites, the program ends with an
  * error. */
@@ -181,8 +181,8 @@ static int try_operator(size_t at)
     return 0;
 }
 
-/* Adds a mutation of the constant at `at`. Every second constant becomes smaller by 1, and the
- * others become larger by 1. */
+/* Adds a mutation of the constant at `at`. At a site with an even number the constant becomes
+ * smaller by 1. At other sites it becomes larger by 1, and so does the constant 0 at every site. */
 static size_t try_constant(size_t at)
 {
     size_t end = at;

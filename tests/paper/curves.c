@@ -19,7 +19,7 @@
 #define LAST_S 20.0
 #define SPEEDS 40u
 #define SPEED_MIN_M_S 0.10
-/* Ratio of two successive speeds. SPEEDS steps lead from 0.1 m/s to about 1.6 m/s. */
+/* Ratio of two successive speeds. The SPEEDS speeds reach from 0.1 m/s to about 1.5 m/s. */
 #define SPEED_RATIO 1.0725
 #define HOLES 5u
 #define MOMENTS 4u

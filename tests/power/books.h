@@ -16,7 +16,7 @@
 /* All sums of the entries 1 to n. The sums for n + 1 begin as a copy of the sums for n, to which
  * entry n + 1 is added. */
 struct books {
-    /* Totals of which struct persistent_state has no counter. */
+    /* Totals for which struct persistent_state has no counter. */
     uint32_t coins, services, rounds, caught, refunds;
     struct balance balance;
     struct ledger_stand stand; /* State of the open round. */

@@ -14,7 +14,8 @@
 #include "tests/power/disk.h"
 #include "tests/power/go_on.h"
 
-/* A prime number, so that the openings that are cut again follow all ways of the first cut. */
+/* The first of every SECOND_EACH cuts is followed by a second cut during the recovery. SECOND_EACH
+ * is prime, so that in time every kind of first cut (enum disk_luck) gets a second one. */
 #define SECOND_EACH 149u
 #define GO_ON_EACH 100u
 #define PATH_SIZE 300u
@@ -182,8 +183,8 @@ static void cut_once(const struct cutter *cutter, const struct disk *disk, size_
     cutter_check(cutter, tally, bench->folder, promise, where);
 }
 
-/* Runs one of the parallel jobs. Every job applies all operations of the tape, but makes only its
- * own part of the cuts. */
+/* Runs one of the parallel jobs. Every job applies all file operations of the tape, but makes only
+ * its own part of the cuts. */
 static void work(const struct cutter *cutter, uint32_t job, struct tally *tally)
 {
     struct disk disk;

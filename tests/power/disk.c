@@ -1,4 +1,5 @@
-/* disk.c -- applies a tape to a simulated disk and tracks which operations are not yet durable. */
+/* disk.c -- applies recorded file operations (the tape of tape.h) to a simulated disk, and tracks
+ * which of them are not yet durable. */
 #include "tests/power/disk.h"
 
 #include <dirent.h>

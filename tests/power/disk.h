@@ -50,7 +50,8 @@ struct disk {
     size_t pending_count, pending_room;
 };
 
-/* Opens a disk with an empty folder. disk_step() reads `tape`, which the caller must keep. */
+/* Opens a disk with an empty folder. disk_step() reads the recorded file operations from `tape`
+ * (tape.h), which the caller must keep. */
 void disk_open(struct disk *disk, const struct tape *tape);
 
 /* Adds a file that exists before the first operation. Files are numbered in the order of these

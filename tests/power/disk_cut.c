@@ -1,4 +1,4 @@
-/* disk_cut.c -- computes the files that a power cut leaves. */
+/* disk_cut.c -- computes the files that a power cut leaves on the simulated disk (disk.h). */
 #include <dirent.h>
 #include <fcntl.h>
 #include <stdio.h>

@@ -165,8 +165,8 @@ static void note(struct hour *hour, const struct ledger_entry *entry)
     }
 }
 
-/* Simulates the ticket dispenser. The pulse begins in the same tick as the mark, so that after the
- * mark a power cut always finds a started pulse. */
+/* Simulates the ticket dispenser. The tape's mark is recorded in the tick in which the pulse
+ * begins, so that after the mark a power cut always finds a started pulse. */
 static void dispense(struct hour *hour, uint32_t asked_before)
 {
     hour->pulse_ticks -= hour->pulse_ticks > 0;

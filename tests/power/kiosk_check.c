@@ -2,11 +2,12 @@
  *
  * Usage: kiosk_check TAPE FOLDER SEED
  *
- * Applies the tape of a kiosk run (kiosk_tape.h). Cuts the power at random operations drawn from
- * SEED and at the end. After each cut, opens the files in FOLDER with the store. The loaded state
- * must contain the newest entry that the kiosk's status file had reported as saved. Prints the
- * counts of cuts, entries, losses, duplicates, coins and failed calls. Returns exit status 1 if an
- * entry was lost or duplicated, or if a state cannot be opened. */
+ * TAPE is the file with the recorded file operations of a kiosk run (kiosk_tape.h). Applies them to
+ * a simulated disk, and cuts the power at random operations drawn from SEED and at the end. After
+ * each cut, opens the files in FOLDER with the store. The loaded state must contain the newest entry
+ * that the kiosk's status file had reported as saved. Prints the counts of cuts, entries, losses,
+ * duplicates, coins and failed calls. Returns exit status 1 if an entry was lost or duplicated, or
+ * if a state cannot be opened. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -42,8 +43,9 @@ static int64_t query_number(sqlite3 *db, const char *query)
 }
 
 /* Returns 1 if the ledger is consistent: no entry is missing or duplicated, and the sums match the
- * audits. Each coin is one credit, so neither may exceed `coins`, the number of inserted coins. The
- * first id may be above 1 if the kiosk started without a store. */
+ * audits. Each coin is one credit, so neither the paid credits nor the coins in the entries may
+ * exceed `coins`, the number of inserted coins. The first id may be above 1 if the kiosk started
+ * without a store. */
 static int is_sound(const char *folder, uint32_t coins)
 {
     char path[600], query[200];

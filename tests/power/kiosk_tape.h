@@ -1,4 +1,5 @@
-/* kiosk_tape.h -- the tape of a real kiosk in a memory-mapped file.
+/* kiosk_tape.h -- the recorded file operations (the tape of tape.h) of a real kiosk, in a
+ * memory-mapped file.
  *
  * The preloaded library (preload.c) and the check (kiosk_check.c) both map this file, so that the
  * tape survives SIGKILL. */
@@ -14,7 +15,8 @@
 #define KIOSK_BYTES_MAX (192u << 20)
 
 struct kiosk_tape {
-    /* The recorded tape. Its two pointers are valid only in the process that set them. */
+    /* The recorded file operations. The two pointers of `tape` are valid only in the process that
+     * set them. */
     struct tape tape;
     uint64_t failed[FAULT_CALL_COUNT];
     uint32_t coins;    /* Number of coins that preload.c inserted. */

@@ -39,8 +39,8 @@ struct life {
     uint32_t draws;
     char folder[PATH_SIZE], cut[PATH_SIZE];
     struct disk disk;
-    size_t stepped; /* Number of tape operations that were applied to the disk. */
-    /* What the store had promised after the first `stepped` operations (struct promise). */
+    size_t stepped; /* Number of recorded file operations that were applied to the disk. */
+    /* Data that the store had reported as committed after the first `stepped` operations. */
     struct promise promise;
     uint32_t edit_number;
 };
@@ -175,8 +175,8 @@ static void cut_at(struct life *life, size_t op)
     cutter_check(&cutter, tally, life->cut, &life->promise, where);
 }
 
-/* Cuts the power at random operations of the last part, in time order, and after its last
- * operation. */
+/* Cuts the power at random file operations of the last part, in time order, and after its last
+ * operation. A part is one run of the kiosk. */
 static void cut_part(struct life *life)
 {
     const size_t begin = life->stepped, count = tape.count - begin;
@@ -202,8 +202,9 @@ static void empty(const char *folder)
     disk_close(&none);
 }
 
-/* Simulates one life of a kiosk, in 1 to PARTS_MAX parts. After each part, the tape stops recording
- * while cut_part() simulates power cuts and checks the resulting files. */
+/* Simulates one life of a kiosk, in 1 to PARTS_MAX parts (runs of the kiosk). After each part, the
+ * recording of file operations stops while cut_part() simulates power cuts and checks the resulting
+ * files. */
 static void live(struct life *life)
 {
     struct tape *const own = &tape;

@@ -84,8 +84,9 @@ static int add_up(void)
     return 0;
 }
 
-/* Checks that the tape is complete: its operations, applied to an empty disk, must give the same
- * files as the run. If the tape missed an operation, the later checks would be meaningless. */
+/* Checks that the recording of file operations (the tape) is complete: its operations, applied to
+ * an empty disk, must give the same files as the run. If an operation were missing, the later
+ * checks would be meaningless. */
 static int tape_is_whole(const char *folder, const char *copy)
 {
     struct disk disk, is, should;

@@ -178,9 +178,9 @@ static uint32_t file_of(int fd)
     return running && fd >= 0 && fd < FD_MAX ? file_of_fd[fd] : 0;
 }
 
-/* Returns 1 for the index of a write-ahead log. The tape does not record this file, but its writes
- * may fail as planned. */
-static int is_ours(int fd)
+/* Returns 1 for the index (-shm file) of a write-ahead log. Writes to the index are not recorded,
+ * but they may fail as planned. */
+static int is_log_index(int fd)
 {
     return running && fd >= 0 && fd < FD_MAX && is_index[fd];
 }
@@ -280,7 +280,7 @@ static ssize_t write_at(int fd, const void *bytes, size_t size, off_t offset)
     }
     /* A failing write may still have written a part of its data, here half of it in units of 512
      * bytes. */
-    const int error = file_of(fd) || is_ours(fd) ? tape_strikes(FAULT_PWRITE) : 0;
+    const int error = file_of(fd) || is_log_index(fd) ? tape_strikes(FAULT_PWRITE) : 0;
     const size_t reached = !error ? size : atomic_load(&is_dead) ? 0u : size / 1024u * 512u;
     pthread_mutex_lock(&pencil);
     const ssize_t done = reached || !error ? syscall(SYS_pwrite64, fd, bytes, reached, offset) : 0;
@@ -320,7 +320,7 @@ ssize_t write(int fd, const void *bytes, size_t size)
 
 static int cut_file(int fd, off_t size)
 {
-    if ((file_of(fd) || is_ours(fd)) && tape_strikes(FAULT_FTRUNCATE)) {
+    if ((file_of(fd) || is_log_index(fd)) && tape_strikes(FAULT_FTRUNCATE)) {
         return -1;
     }
     pthread_mutex_lock(&pencil);

@@ -1,7 +1,7 @@
 #!/bin/bash
-# test_growth_hash.sh -- gcc and clang, -O0 to -O3, give identical shapes for every species, and the sanitizers report no undefined behaviour. The comparison holds
-# for one bake, because the libm of the build machine computes the tables in double precision, and
-# another libm may round a value differently.
+# test_growth_hash.sh -- gcc and clang, -O0 to -O3, give identical shapes for every species, and the
+# sanitizers report no undefined behaviour. All variants use the same baked tables. The build machine
+# computes these tables with its libm in double precision, and another libm may round differently.
 # BUILD is the folder that make uses. Speaks TAP. If a hash differs, the output gives the species.
 set -u
 variants=${BUILD:-build}/variants

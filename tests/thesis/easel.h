@@ -26,7 +26,7 @@ struct easel_shot {
     float width_m;  /* Width of the picture of CAMERA_MEETING. */
 };
 
-/* Opens the renderer. Each picture is drawn `times` as large in both directions and then averaged,
+/* Opens the renderer. Each picture is drawn `times` times as wide and as high, and then averaged,
  * because fins are thinner than a pixel. `times` is at most EASEL_FINER_MAX. Returns 0, or -1 after
  * a message on standard error. */
 int easel_open(uint32_t times);

@@ -45,8 +45,8 @@ static void stage(float aside_m, uint8_t balls, uint32_t seed)
 static double gap_mm(void)
 {
     const struct box a = fish_box(&tank.fish[0]), b = fish_box(&tank.fish[1]);
-    /* The large margins of 1 m ensure that box_gap() computes the exact gap. With small margins it
-     * may return early. */
+    /* The large margins of 1 m make box_gap() compute the exact gap. With small margins it may
+     * return early. */
     return 1000.0 * (double)box_gap(&a, 1.0f, &b, 1.0f).body_m;
 }
 

@@ -42,7 +42,8 @@ static struct canvas canvas;
 static struct fish_preview portrait;
 static bool failed;
 
-/* Draws the fish of `portrait` centred in the box. */
+/* Draws the fish of `portrait` in the middle of the box, with `scale_px` pixels per unit of its
+ * shape. */
 static void draw_portrait(enum fish_preview_view view, struct canvas_box box, float scale_px)
 {
     struct fish_preview_bounds b = fish_preview_nowhere;

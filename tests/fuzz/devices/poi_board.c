@@ -1,6 +1,6 @@
 /* poi_board.c -- fuzz target: arbitrary bits as sensor values of a poi's board. The host must be
- * able to decode the board's report exactly if the report has a position. The motor value must stay
- * within its range. */
+ * able to decode the board's report if and only if the report has a position. The motor value must
+ * stay within its range. */
 #include <string.h>
 
 #include "board/poi-gadget/attitude.h"
