@@ -4,10 +4,10 @@
  *
  * TAPE is the file with the recorded file operations of a kiosk run (kiosk_tape.h). Applies them to
  * a simulated disk, and cuts the power at random operations drawn from SEED and at the end. After
- * each cut, opens the files in FOLDER with the store. The loaded state must contain the newest entry
- * that the kiosk's status file had reported as saved. Prints the counts of cuts, entries, losses,
- * duplicates, coins and failed calls. Returns exit status 1 if an entry was lost or duplicated, or
- * if a state cannot be opened. */
+ * each cut, opens the files in FOLDER with the store. The loaded state must contain the newest
+ * entry that the kiosk's status file had reported as saved. Prints the counts of cuts, entries,
+ * losses, duplicates, coins and failed calls. Returns exit status 1 if an entry was lost or
+ * duplicated, or if a state cannot be opened. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
