@@ -3,12 +3,12 @@
  * Usage: bench_hid FOLDER [TSV]. FOLDER is tests/hid. The table is also written to the file TSV.
  *
  * Parses descriptors of real devices, malformed descriptors, and descriptors that were built to be
- * slow. Decodes reports of real devices and of one device that was built to be slow.
+ * slow. Decodes a report of a real device, and a report of a device that was built to be slow.
  *
- * Each figure is the CPU time of this thread in the best of RUNS runs, so that other processes have
- * little influence. The slowest file of each group is named. Returns exit status 1 if a descriptor
- * takes more than GOAL_US (a tenth of a frame) or a report more than GOAL_REPORT_US. At that speed
- * the HID_REPORTS_MAX reports of a slot take a fifth of a frame. */
+ * Each figure is the CPU time of this thread in the best of at least RUNS runs, so that other
+ * processes have little influence. The slowest file of each group is named. Returns exit status 1
+ * if a descriptor takes more than GOAL_US (about a tenth of a frame) or a report more than
+ * GOAL_REPORT_US. */
 #include <dirent.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -145,7 +145,7 @@ static void bench_report(const char *path)
 #define ARRAY_USAGES 64u
 /* Size of one array element in bits. A report has room for 256 bytes of elements. */
 #define ELEMENT_BITS 4u
-#define ELEMENT_MAX 15u /* Value of every array element. */
+#define ELEMENT_MAX 15u /* Index that each element of the report selects in the list of usages. */
 
 static struct hid_device_info face;
 static struct hid_pose_decoder hand;
@@ -237,7 +237,8 @@ static void bench_slow_decoder(void)
         exit(1);
     }
     raw.size = (descriptor.report_bits[0] + 7u) / 8u;
-    /* Sets every bit, so that each array element selects a bound usage. */
+    /* Sets all bits after the two axis bytes. Each array element then has the value ELEMENT_MAX,
+     * which selects the usage that bind_all() has bound. */
     memset(raw.bytes + 2, 0xff, sizeof raw.bytes - 2u);
     if (raw.size > HID_REPORT_MAX || !hid_pose_decoder_report(&hand, &raw)) {
         fputs("bench_hid: the slow controller's report is refused\n", stderr);

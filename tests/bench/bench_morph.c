@@ -116,8 +116,9 @@ static double blend_s(uint32_t key_count, bool single, size_t count, size_t amon
     return now_s() - begin;
 }
 
-/* Returns the seconds per copied byte. Copies one half of the fish memory to the other half in
- * pieces of the size of one blend's output, so that the cache is used as by a blend. */
+/* Copies one half of the fish memory to the other half in pieces of the size of one blend's output,
+ * so that the cache is used as by a blend. Returns the seconds per byte. Each copied byte counts
+ * twice, because it is read and written. */
 static double copy_s_per_byte(void)
 {
     const size_t piece = VERTICES * 2u * sizeof(vec3), half = fish_count / 2u * sizeof arena[0];

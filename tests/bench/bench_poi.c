@@ -69,7 +69,8 @@ struct state {
     /* Forces of each fish on the paper in N; 0 means that no fish lies there. */
     float slap_n, body_n;
     uint8_t half_wet;
-    uint8_t only_tearing; /* 1 if only ticks count in which a cell tears. */
+    /* 1 if only those ticks are measured in which a cell tears, otherwise 0. */
+    uint8_t only_tearing;
 };
 
 static void lay(const struct state *state, uint32_t seed, struct sheet *sheet)
@@ -83,7 +84,8 @@ static void lay(const struct state *state, uint32_t seed, struct sheet *sheet)
     sheet->soaked = !state->half_wet;
 }
 
-/* Fills `loads` with the loads of fish side by side: each has a body and a slapping tail. */
+/* Fills `loads` with the loads of FISH fish side by side, each with a body and a slapping tail.
+ * Returns the number of loads, which is 0 if no fish lies on the paper. */
 static uint32_t load(const struct state *state, struct sheet_load loads[2u * FISH])
 {
     if (state->body_n == 0.0f) {
@@ -126,8 +128,8 @@ static double measure(const struct state *state)
 static struct tank tank;
 static struct poi poi;
 
-/* Measures a poi with five fish above the water of the festival's tank. The fish slap the paper as
- * in the game. */
+/* Measures a poi with five fish above the water of the festival's tank, until a fish has left the
+ * paper or 30 s have passed. The fish slap the paper as in the game. */
 static double measure_poi(void)
 {
     struct bowl bowl;
@@ -164,8 +166,8 @@ static double measure_poi(void)
 
 /* ---- Carried fish and fish in bowls --------------------------------------------------------- */
 
-/* Measures the championship's tank: a poi moves over 1,000 fish and carries up to `carried_fish`
- * fish. */
+/* Measures catch_tick() in the championship's tank with 1,000 fish. The poi does not move and
+ * carries `carried_fish` fish at the start. */
 static void measure_catch(uint32_t carried_fish, const char *what)
 {
     struct bowl bowl;

@@ -1,5 +1,5 @@
-# scores.gp -- what bots catch beside what people catch, from scores.tsv beside it.
-# gnuplot -e "dir='build/scores'" scores.gp
+# scores.gp -- draws the catches of bots and the known catches of people, from DIR/scores.tsv.
+# Usage: gnuplot -e "dir='DIR'" scores.gp
 set datafile separator '\t'
 set terminal pngcairo size 1280,960 font 'Sans,15' background rgb '#fbfaf8'
 set output dir.'/scores.png'
@@ -12,8 +12,8 @@ set ylabel 'rounds'
 unset key
 set yrange [0:*]
 people = '#c8371f'
-# A novice with more than twenty would be no novice; the axes are fixed, since other rows count in them.
-# Counts a round only where it is of that bot and tank, so that other rows leave no gap.
+# The axes of the novices are fixed, because gnuplot would fit them to all rows. A novice catches fewer
+# than twenty fish. of() is 1 for a round of the bot and tank `arm`, and 0 for all other rows.
 of(arm) = strcol(1) eq arm ? 1 : 0
 bin(x, width) = width * floor(x / width) + 0.5 * width
 set multiplot layout 3,1 title "Fish caught in a round: bots (bars), and what people are known to catch (behind them)\n"

@@ -10,8 +10,9 @@
  * an experiment play the same seeds, so they get the same fish and the same paper. The habits are
  * the advice of stall keepers (tests/FIGURES.md has the results).
  *
- * Returns exit status 0 if all required habits pay. With fewer than SEEDS_ENOUGH seeds, PAYS_MIN of
- * them must pay and none may be clearly worse. Otherwise returns 1. */
+ * A habit pays if the first bot catches significantly more. Returns exit status 0 if all required
+ * habits pay and no habit is clearly worse (PLAINLY_WRONG_P). With fewer than SEEDS_ENOUGH seeds,
+ * PAYS_MIN required habits must pay instead of all. Otherwise returns 1. */
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
@@ -23,8 +24,8 @@
 #include "tests/bench/statistics.h"
 
 #define SEEDS_ENOUGH 200u
-/* Number of required habits that must pay if only a tenth of the seeds is played. The effects of
- * some habits are so large that few seeds show them. */
+/* Number of required habits that must pay if fewer than SEEDS_ENOUGH seeds are played. The effects
+ * of some habits are so large that few seeds show them. */
 #define PAYS_MIN 2u
 /* Significance level for a clearly wrong result: 5 % for all seven experiments together, so a
  * seventh of that for each. Without this correction, one run in three with few seeds would fail by
@@ -105,9 +106,9 @@ static void evaluate(const struct league *league, struct trial *trial)
     trial->verdict = statistics_verdict(&trial->found);
 }
 
-/* Returns 1 if the experiments pass. With enough seeds, all required habits must pay, each at 5 %,
- * so no stricter level is needed. With few seeds, a small effect may not show, so not all of them
- * must pay. */
+/* Returns 1 if enough required habits pay and no habit is clearly worse. With SEEDS_ENOUGH seeds,
+ * all required habits must pay, each at 5 %, so no stricter level is needed. With fewer seeds,
+ * PAYS_MIN habits must pay, because few seeds may not show a small effect. */
 static int all_is_well(const struct trial *trials, uint32_t seeds)
 {
     uint32_t required = 0, paid = 0, wrong_way = 0, plainly_wrong = 0;

@@ -1,5 +1,5 @@
-# technique.gp -- the seven experiments on technique as a forest plot, from technique.tsv beside it.
-# gnuplot -e "dir='build/technique'" technique.gp
+# technique.gp -- draws the seven experiments on technique as a forest plot, from DIR/technique.tsv.
+# Usage: gnuplot -e "dir='DIR'" technique.gp
 set datafile separator '\t'
 set terminal pngcairo size 1360,640 font 'Sans,15' background rgb '#fbfaf8'
 set output dir.'/technique.png'

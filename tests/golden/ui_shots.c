@@ -91,8 +91,8 @@ static const struct shot shots[] = {
     { "latin", PHASE_NAME, HINT_NONE, 4.0f, 40.0f, 13, 13, 0.4f, 1, 0, 0, 0, 0, 0, 0 },
 };
 
-/* Fills a leaderboard with test names of different scripts. One row has an empty name, and one name
- * is only partly typed. */
+/* Fills a leaderboard with names in different scripts. The rows 2 and 9 (counted from 0) have an
+ * empty name, as of a player who entered none. */
 static void fill_ranking(struct scene *scene, const struct shot *shot)
 {
     static const char *const names[SCENE_LEADERBOARD_ROWS] = {

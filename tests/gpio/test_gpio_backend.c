@@ -299,7 +299,8 @@ static uint64_t now_ns(void)
     return (uint64_t)now.tv_sec * 1000u * MS + (uint64_t)now.tv_nsec;
 }
 
-/* With a limit of 0 open files (RLIMIT_NOFILE), poll() fails. */
+/* With a limit of 0 open files (RLIMIT_NOFILE), poll() fails. The wait must still last for its
+ * timeout, so that the GPIO thread does not loop without a pause. */
 static void test_a_failed_wait_pauses_and_levels_are_still_read(void **state)
 {
     (void)state;

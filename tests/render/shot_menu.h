@@ -7,9 +7,9 @@
 /* Returns 1 if the menu has the page and the page has this step. */
 int shot_menu_exists(const char *page, uint8_t step);
 
-/* Opens the menu on `page` (top, controllers, controller, learn, lines or files). `step` is an enum
- * learn_step on the learn page, the number of presses of MORE on the files page, and the row of the
- * controller on other pages. */
+/* Opens the menu on `page`, a name of the table `names` in shot_menu.c. `step` selects the step on
+ * the learn page and the calibration page, the row on settings pages and the controller page, and
+ * the number of presses of MORE on the files page. */
 void shot_menu_open(struct core *core, const char *page, uint8_t step, int upright);
 
 /* Fills in example names of controllers, lines of the device search, and files from row

@@ -217,8 +217,9 @@ static void think_once(uint32_t seed)
     }
 }
 
-/* Computes plans until the start time and sends the best one. Returns the duration of that plan in
- * seconds, or 0 if no simulated scoop landed a fish. */
+/* Computes plans until the start time and sends the best one. Returns the time in seconds until the
+ * recording shows the result: the duration of that plan plus LATE_S. Returns 0 if no simulated
+ * scoop landed a fish or the plan was not written. */
 static double try_once(double seen_s, const char *folder, uint32_t *luck)
 {
     const double start_s = seen_s + THINK_S, enough_s = start_s - 3.0 * DELIVERY_S;

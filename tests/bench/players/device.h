@@ -40,8 +40,8 @@ struct device {
     struct poi_hid poi;
 };
 
-/* Initializes the input device of `habits`. `habits` and `clock` must stay valid, because `device`
- * keeps pointers to them. */
+/* Initializes the input device that `habits->device` selects. `device` keeps pointers to `habits`
+ * and `clock`, so both must stay valid. */
 void device_init(struct device *device, const struct habits *habits, struct clock_sim *clock,
                  const struct view *view, uint32_t seed);
 

@@ -80,7 +80,8 @@ static uint32_t miss(bool is_missed, const char *player, const char *what, doubl
     return is_missed;
 }
 
-/* Checks one target of a player. `careful` may be null. */
+/* Checks all targets of one player at one level. `careful` is the score of the player REFERENCE, or
+ * null if that player did not play. Returns the number of missed targets. */
 static uint32_t check_goal(const struct goal *goal, const struct score *score,
                            const struct score *careful, uint32_t count)
 {

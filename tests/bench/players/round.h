@@ -41,10 +41,11 @@ struct player_round {
     uint8_t first_cause;              /* Cause of the first torn cell (enum tear_cause). */
     uint32_t cells[TEAR_CAUSE_COUNT]; /* Number of torn cells for each cause. */
     uint32_t attempts[ATTEMPT_END_COUNT];
-    /* Number of times that the chosen fish fled from a dipped ring. The sums over them: time since
-     * the dip, horizontal distance between fish and ring, height of the ring above the fish, and
-     * speed of the ring along its normal. */
+    /* Number of times that the chosen fish fled after the dip: in total, because it saw the ring
+     * approach, and because of the ring's pressure wave. */
     uint32_t flights, flights_by_sight, flights_by_pressure;
+    /* Sums over these flights: time since the dip in seconds, horizontal distance between fish and
+     * ring, height of the ring above the fish, and speed of the ring along its normal. */
     double flight_s, flight_m, flight_above_m, flight_m_s;
 };
 

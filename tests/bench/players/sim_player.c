@@ -191,7 +191,8 @@ static uint8_t tick_choose(struct sim_player *player)
     return PLAYER_REACH;
 }
 
-/* Sets the goal of the ring to `beside_px` beside the chosen fish. */
+/* Sets the goal of the ring to `beside_px` beside the chosen fish, plus the aiming error of this
+ * attempt. */
 static void aim_at_prey(struct sim_player *player, float beside_px, float speed_px_s)
 {
     struct player_command *command = &player->command;
@@ -226,7 +227,8 @@ static uint8_t tick_reach(struct sim_player *player)
     return PLAYER_REACH;
 }
 
-/* Returns the swimming fish nearest to the ring on the screen, and its distance. */
+/* Returns the swimming fish above the ring that is nearest to the ring on the screen, or
+ * PLAYER_NO_FISH. Writes its distance to `gap_px`. */
 static uint16_t nearest_fish(const struct sim_player *player, float *gap_px)
 {
     const struct sight *seen = seen_by(player);

@@ -25,7 +25,8 @@ static inline void bot_stall_open(struct bot_stall *stall, const struct core_con
     memset(&stall->output, 0, sizeof stall->output);
     bot_init(&stall->bot, technique, config->seed);
     stall->bot.hand.pose = (struct poi_target){ .position_m = v3(0.0f, 0.10f, 0.0f) };
-    /* The bot starts over the middle of the tank, 10 cm above the water. */
+    /* The target pose of the bot is over the middle of the tank, 10 cm above the water. The poi
+     * starts 5 cm below this pose. */
     stall->core.game.control[0].hand_pose = stall->bot.hand.pose;
     stall->core.world.poi[0].position_m = v3(0.0f, 0.05f, 0.0f);
 }
@@ -63,8 +64,8 @@ static inline void bot_stall_begin(struct bot_stall *stall)
     assert_int_equal(stall->core.game.phase, PHASE_ROUND);
 }
 
-/* Runs ticks until the bot enters `stage`. Returns 1 if the bot enters `stage` within `seconds` and
- * before the round ends, otherwise 0. */
+/* Runs ticks until the bot enters the stage `stage` (a step of its scoop, enum bot_stage). Returns
+ * 1 if the bot enters the stage within `seconds` and before the round ends, otherwise 0. */
 static inline int bot_stall_until(struct bot_stall *stall, uint8_t stage, uint32_t seconds)
 {
     for (uint32_t i = 0; i < seconds * CORE_TICK_HZ; i++) {

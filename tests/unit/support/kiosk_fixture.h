@@ -16,7 +16,7 @@
 #define FRAME_NS 16666667ull
 #define SEEN_MAX 4096u
 
-/* A kiosk whose devices are all simulated, with a tap that records the input of each tick. */
+/* A kiosk whose devices are all simulated. Its tap (a callback in each tick) records the input. */
 static struct rig {
     struct clock_sim clock;
     struct display_sim display;

@@ -13,7 +13,7 @@ static inline const struct menu *menu(void)
     return &core.game.menu;
 }
 
-/* Returns the selected tag of the open page. */
+/* Returns the index of the selected tag (menu item) of the open page. */
 static inline uint8_t pointed(void)
 {
     return menu()->tag[menu()->page];
@@ -26,7 +26,7 @@ static inline void push(uint32_t button)
     steps(MENU_TAKE_TICKS);
 }
 
-/* Returns the tag of the top page that closes the menu. */
+/* Returns the index of the tag (menu item) of the top page that closes the menu. */
 static inline uint32_t leave(void)
 {
     return menu_tag_count(MENU_TOP) - 1u;
@@ -43,7 +43,8 @@ static inline int setup_open(void **state)
     return 0;
 }
 
-/* Presses SERVICE until the tag that leads to `page` is selected, and opens the page with TEST. */
+/* Presses SERVICE until the tag (menu item) that leads to `page` is selected, and opens the page
+ * with TEST. */
 static inline void go_to(uint8_t page)
 {
     for (uint32_t i = 0; pointed() != menu_tag_of(page) && i < MENU_TAG_MAX; i++) {

@@ -28,8 +28,8 @@ static inline const struct perception *thesis_at(uint32_t seed, uint32_t tick)
     return &around;
 }
 
-/* Returns a thesis tank that contains only the `count` fish in `stages`. The result is valid until
- * the next call. */
+/* Returns a thesis tank whose only fish are the `count` fish that `stages` describes. The result is
+ * valid until the next call. */
 static inline struct tank *thesis_stage(const struct tank_stage *stages, uint32_t count,
                                         uint32_t seed)
 {

@@ -65,7 +65,8 @@ static uint64_t draw(void)
     return x ^ x >> 31;
 }
 
-/* Marks all earlier writes as durable. */
+/* Counts a flush and marks all earlier writes as durable, unless the disk loses flushed writes
+ * (`lies`). */
 static void flush(struct tally *tally)
 {
     static uint32_t flushed; /* Number of writes that an earlier flush made durable. */

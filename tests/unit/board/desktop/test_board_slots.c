@@ -138,7 +138,8 @@ static void test_a_moved_mouse_gets_the_second_slot_beside_a_gamepad(void **stat
 }
 
 /* If a gamepad is unplugged during a round, its slot stays reserved. When it is plugged in again,
- * its player has it back within a frame. */
+ * its player has it back within a frame. Between two games, the mouse gets the slot of an absent
+ * gamepad. */
 static void test_an_unplugged_gamepad_keeps_its_slot_until_the_game_ends(void **state)
 {
     (void)state;

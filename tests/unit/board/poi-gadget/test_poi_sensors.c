@@ -56,8 +56,8 @@ static long number_in(const char *leaf)
     return strtol(text, NULL, 10);
 }
 
-/* Creates device files for an analog converter, an IMU with sensor fusion, an IMU without, and a
- * thermometer that must be ignored. */
+/* Creates device files for an analog converter, an IMU with sensor fusion, an IMU without sensor
+ * fusion, two input devices, and a thermometer that must be ignored. */
 static int build_board(void **state)
 {
     (void)state;

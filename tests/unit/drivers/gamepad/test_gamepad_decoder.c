@@ -169,7 +169,8 @@ static void turn(vec3 rate_rad_s)
     gamepad_decoder_report(&hand, report);
 }
 
-/* Returns the acceleration of a gamepad that is held at a pitch of 40 degrees, as is usual. */
+/* Returns the direction that the accelerometer of a gamepad at rest with this pitch and roll
+ * measures, as a unit vector. Players usually hold a gamepad at a pitch of 40 degrees. */
 static vec3 as_held(float pitch_rad, float roll_rad)
 {
     const struct basis axes =
@@ -197,7 +198,8 @@ static void test_gamepad_rotation_tilts_the_ring_without_drift(void **state)
     /* Rolls the right side down at 2 rad/s for the following 250 ms. */
     turn(v3(0.0f, 0.0f, -2.0f));
     after_ms(250);
-    /* From here on, the gyroscope reports only its bias of one degree per second. */
+    /* From here on, the gyroscope reports only its bias of 0.02 rad/s (about one degree per
+     * second). */
     turn(v3(0.0f, 0.0f, 0.02f));
     const float at_once = after_ms(200).angles.roll_rad;
     assert_true(at_once > 0.30f && at_once < 0.50f);

@@ -119,7 +119,7 @@ static void test_a_gamepad_that_was_connected_at_the_start_is_opened(void **stat
     (void)state;
     attach(1);
     gamepads_close(&gamepads);
-    /* The test before has quit SDL's joystick subsystem, which also stopped the game controller
+    /* The previous test has quit SDL's joystick subsystem, which also stopped the game controller
      * subsystem. */
     SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER);
     attach(1);
@@ -254,7 +254,8 @@ static void test_one_of_two_equal_gamepads_is_excluded_by_its_serial_number(void
     assert_false(gamepads_is_excluded(&gamepads, &(struct usb_key){ 0x046d, 0x09cc, "A1" }));
 }
 
-/* The operator assigns an open gamepad to the HID driver. SDL must close it at once. */
+/* The operator assigns an open gamepad to the HID driver. The gamepad driver must close the gamepad
+ * at once. */
 static void test_a_gamepad_that_is_excluded_while_open_is_gone(void **state)
 {
     (void)state;

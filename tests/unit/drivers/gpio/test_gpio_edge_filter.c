@@ -222,8 +222,8 @@ static void test_lost_numbered_edges_are_counted_and_the_others_accepted(void **
     struct gpio_edge_filter input = gpio_edge_filter_begin(PERIOD_NS, false, 0);
     assert_false(edge(&input, 100, true, 0));
     assert_true(level(&input, 110, true));
-    /* The edge has the same level as before, which is explained by the 6 lost edges. It counts
-     * neither as a change nor as a blink. */
+    /* The edge has the same level as before, which is explained by the 6 lost edges. The edge is
+     * therefore not counted as a change of the level. */
     assert_false(edge(&input, 200, true, 6));
     assert_int_equal(input.lost, 6);
     assert_false(level(&input, 300, true));

@@ -219,20 +219,22 @@ static void test_an_unused_device_is_free_again_after_a_discarded_mapping(void *
     order(COMMAND_LEARN, 0);
     order(COMMAND_LEARN_END, 0);
     assert_int_equal(frame().state[0], CONTROLLER_FREE);
-    /* Learning is completed. A second learning during the trial is then cancelled. */
+    /* Learning is completed, and the operator tries the learned mapping. A second learning begins
+     * before the operator has kept the mapping, and is then cancelled. */
     teach();
     order(COMMAND_LEARN, 0);
     assert_int_equal(frame().state[0], CONTROLLER_ACTIVE);
     order(COMMAND_LEARN_END, 0);
     assert_int_equal(frame().state[0], CONTROLLER_FREE);
-    /* Learning another device ends the trial of this one. */
+    /* A device is used while it is learned. When the learning of another device begins, the
+     * learning of this device ends. */
     order(COMMAND_LEARN, 0);
     frame();
     order(COMMAND_LEARN, 3);
     assert_int_equal(frame().state[0], CONTROLLER_FREE);
     assert_int_equal(frame().state[3], CONTROLLER_ACTIVE);
     order(COMMAND_LEARN_END, 3);
-    /* The gamepad is unplugged before its trial ends. */
+    /* The gamepad is unplugged while it is learned. */
     order(COMMAND_LEARN, 0);
     frame();
     frame();

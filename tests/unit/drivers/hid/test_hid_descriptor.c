@@ -69,8 +69,7 @@ static void test_each_report_id_has_its_own_bit_offsets(void **state)
                           END),
                      HID_OK);
     assert_int_equal(read_in.group[1].bit_offset, 0);
-    /* Field 2 belongs to report 1, like the first field, so it begins after the 8 bits of that
-     * field. */
+    /* group[2] has the report id 1, as group[0] has, so it begins after the 8 bits of group[0]. */
     assert_int_equal(read_in.group[2].bit_offset, 8);
     assert_int_equal(hid_report_id(&read_in, REPORT(2, 7)), 2);
     assert_true(hid_report_is_whole(&read_in, REPORT(2, 7)));
@@ -175,7 +174,8 @@ static void test_each_malformed_descriptor_is_rejected_with_its_error_offset(voi
                      HID_ERR_FIELD_SIZE);
 }
 
-/* Parses `count` copies of `item` followed by `count` copies of `end`. */
+/* Parses `count` copies of `item` followed by `count` copies of `end`. If `end` is 0, nothing
+ * follows. */
 static enum hid_error repeated(const uint8_t item[2], uint32_t count, uint8_t end)
 {
     static uint8_t bytes[HID_DESCRIPTOR_SIZE_MAX + 1u];
@@ -205,7 +205,8 @@ static void test_each_limit_is_accepted_and_one_more_is_rejected(void **state)
     assert_int_equal(repeated(push, HID_PUSH_MAX / 2u + 1u, 0), HID_ERR_PUSH);
 }
 
-/* Parses the descriptor of two reports with `count` fields of one bit each. */
+/* Parses a descriptor of two reports. Report 1 has `count` fields of one bit, and report 2 has one
+ * field of one bit. */
 static enum hid_error bits(uint32_t count)
 {
     const uint8_t low = (uint8_t)count, high = (uint8_t)(count >> 8), more = (uint8_t)(count >> 16);

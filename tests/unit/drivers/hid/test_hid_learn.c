@@ -52,7 +52,8 @@ static void send(uint8_t id)
     now_ms += 8;
 }
 
-/* Writes the position of an axis, as a fraction of its range, with a random error of one step. */
+/* Writes the position of an axis, as a fraction of its range. Adds a random error of at most one
+ * step, except for a device that reports displacements. */
 static void put_axis(const struct demo_device *demo_device, hid_usage usage, float share)
 {
     const struct hid_field_location spot =
@@ -79,8 +80,9 @@ static void send_motion(const struct demo_device *demo_device, float x, float z,
     send((uint8_t)demo_device->report_id);
 }
 
-/* Simulates a user who moves the device to (x, z) at a realistic speed. A device that does not
- * report positions then returns to its middle. */
+/* Simulates a user who moves the device to (x, z) at a realistic speed and then goes on to the next
+ * step of the learning. Before that, a device that does not report positions returns to its
+ * middle. */
 static void show(const struct demo_device *demo_device, float x, float z, int dips)
 {
     for (uint32_t i = 1; i <= 40; i++) {
@@ -223,8 +225,8 @@ static void test_axes_of_32_bits_are_learned_over_their_full_range(void **state)
     hold_pose(&wide);
 }
 
-/* A gamepad's report contains a counter and a clock, which always change. The counter and the clock
- * must not be learned as axes. */
+/* A gamepad's report contains a counter, a clock and a gyroscope, which change even at rest. None
+ * of them may be learned as an axis. */
 static void test_fields_that_change_at_rest_are_no_axes(void **state)
 {
     static const struct demo_device *demo_device = &devices[2];

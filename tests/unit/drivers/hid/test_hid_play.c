@@ -123,7 +123,8 @@ static void send_3d_mouse(const struct target *target)
     wire_send(&player.wire, 1);
 }
 
-/* Moves the mouse by the distance on the screen from the ring to the target. */
+/* Moves the mouse toward the target by a fifth of the distance on the screen between the ring and
+ * the target, at most `pace` pixels in each direction. */
 static void send_mouse(const struct target *target)
 {
     float x_px, y_px, at_x_px, at_y_px;
@@ -248,8 +249,8 @@ static void empty_over_bowl(void)
     reports(40);
 }
 
-/* Makes one attempt to catch a fish: dips beside the fish, moves under it, lifts it and tips it
- * into the bowl. */
+/* Makes one attempt to catch a fish: dips the ring beside the fish, moves the ring below the fish,
+ * lifts the fish and tips it into the bowl. */
 static void try_once(void)
 {
     const struct fish *fish = choose();
@@ -269,7 +270,9 @@ static void try_once(void)
     player.target.dips = 0;
     const int flies = player.poi.decoder.map.style == HID_STYLE_FLY;
     for (uint32_t i = 0; i < 70 || (i < 150 && ring_m().y < 0.02f); i++) {
-        player.target.over_m = flies ? ring_m() : still_m; /* A released stick has no target. */
+        /* In the style HID_STYLE_FLY the player releases the stick, so the target is the ring's own
+         * position. Other devices stay at the last target. */
+        player.target.over_m = flies ? ring_m() : still_m;
         report();
     }
     if (player.kiosk.core.world.poi[0].carried_count > 0) {
@@ -277,7 +280,7 @@ static void try_once(void)
     }
 }
 
-/* Plays `rounds` rounds, prints and returns the number of caught fish. Each test requires half of
+/* Plays `rounds` rounds. Prints and returns the number of caught fish. Each test requires half of
  * the usual number. */
 static uint32_t landed_in(uint32_t rounds, const char *what)
 {

@@ -37,7 +37,7 @@ static void begin(void)
                  (struct hid_mapper){ 0 }, stall_view());
 }
 
-/* Sends the next pose on a circle above the water. Successive poses are some millimetres apart. */
+/* Sends the next pose on a circle above the water. Successive poses are 1 mm apart. */
 static void send_next(void)
 {
     uint8_t bytes[POI_REPORT_SIZE];
@@ -218,8 +218,8 @@ static void test_valid_reports_are_accepted_again_after_each_fault(void **state)
             const int count = poll(samples);
             const int is_fine = frame < 5 || frame >= 15;
             assert_true(count >= 0);
-            /* Not checked for random bytes: they may look like a valid report with any sequence
-             * number, so some later reports are rejected. */
+            /* Random bytes may look like a valid report with any sequence number, so that some
+             * later reports are rejected. Therefore this fault is not checked here. */
             if (is_fine && kind != HID_SIM_GARBAGE) {
                 assert_true(count >= (int)FRAME_REPORTS - 1);
             }
@@ -302,7 +302,7 @@ static void test_the_last_report_before_a_pause_is_never_lost(void **state)
         }
         const vec3 rest_m = samples[count - 1].target.position_m;
         assert_true(rest_m.y > 0.0f);
-        /* The poi only slows down to rest and does not move on to the tank's wall at 0.476 m. */
+        /* The poi only slows down to rest and does not move on to the end of its range. */
         assert_true(f_abs(rest_m.x - let_go_m) < 0.03f);
     }
 }

@@ -160,8 +160,8 @@ static void test_a_poi_is_opened_beside_more_keyboards_than_the_list_holds(void 
 
 static atomic_int storm_is_over;
 
-/* Plugs the devices of a hub in and out at random, and sends reports meanwhile. Runs in its own
- * thread. */
+/* Plugs the eight devices of a hub in and out again and again, with different pauses and orders of
+ * the bus events, and sends reports meanwhile. Runs in its own thread. */
 static void *storm(void *self)
 {
     uint32_t device[8];

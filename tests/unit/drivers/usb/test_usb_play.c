@@ -215,8 +215,8 @@ static void test_a_thousand_unplugs_lose_no_credit(void **state)
             begin_round();
             continue;
         }
-        /* A credit is refunded at most once. This credit had already been refunded, so the round
-         * ended without a refund. */
+        /* A credit that was refunded once is not refunded a second time. This round was paid with
+         * such a credit, so it ended without a refund. */
         if (!is_round()) {
             assert_int_equal(credits(), had);
             over++;
@@ -230,7 +230,7 @@ static void test_a_thousand_unplugs_lose_no_credit(void **state)
     assert_int_equal(resumed + paid_back + over, UNPLUG_COUNT);
     assert_in_range(over, 0, paid_back);
     assert_true(resumed > UNPLUG_COUNT * 9u / 10u);
-    /* One more credit pays for the current round. */
+    /* The credit that pays for the current round is not in credits() any more. */
     assert_int_equal(credits() + 1u + over, COINS);
     printf("# %u unplugs in a round: %u resumed, %u paid back, %u rounds counted, 0 credits lost\n",
            UNPLUG_COUNT, resumed, paid_back, over);

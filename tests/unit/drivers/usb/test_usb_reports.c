@@ -222,7 +222,7 @@ static void test_without_an_out_endpoint_output_is_sent_by_set_report(void **sta
         usleep(200);
     }
     const struct usb_sim_seen seen = usb_sim_seen(poi);
-    /* Type of an output report, and the report id. */
+    /* wValue contains the type of the report (0x02 for output) and the report id. */
     assert_int_equal(seen.set_report_value, 0x0200 | POI_FORCE_ID);
     assert_memory_equal(seen.out, force_report, sizeof force_report);
 }

@@ -110,14 +110,15 @@ static void test_reports_pass_complete_and_in_order_and_the_last_is_never_lost(v
     assert_int_equal(count + atomic_load(&port.lost), REPORT_COUNT);
 }
 
-/* Writes a report of one byte. Its time stamp is `number`. */
+/* Writes a report of one byte with the time stamp `number`, by which next_number() identifies the
+ * report. */
 static void report(uint32_t number)
 {
     const uint8_t byte = 7;
     hid_port_report(&port, number, &byte, 1);
 }
 
-/* Takes a report and returns its number; UINT32_MAX if there is none. */
+/* Takes a report and returns its time stamp; UINT32_MAX if there is no report. */
 static uint32_t next_number(void)
 {
     struct hid_raw raw;
@@ -141,8 +142,8 @@ static void test_a_full_queue_keeps_the_newest_report_and_counts_lost_ones(void 
     for (uint32_t i = 0; i < 10; i++) {
         assert_int_equal(next_number(), i);
     }
-    /* The queue has room again. Report 5001, which is stored beside the queue, is older and must
-     * still be taken first. */
+    /* The queue has room again. Report 5001, which is stored beside the queue, is older than report
+     * 5002 and must be taken first. */
     report(5002);
     assert_int_equal(atomic_load(&port.pushed), HID_REPORTS_MAX + 1u);
     for (uint32_t i = 10; i < HID_REPORTS_MAX; i++) {
@@ -155,20 +156,21 @@ static void test_a_full_queue_keeps_the_newest_report_and_counts_lost_ones(void 
 }
 
 /* When the queue is full, the newest report is stored beside it. The order must stay correct even
- * if the report numbers wrap around. */
+ * if the port's own numbers of the reports wrap around. */
 static void test_the_report_beside_a_full_queue_stays_in_order_over_a_wrap(void **state)
 {
     (void)state;
     begin();
     port.next_number = UINT32_MAX - HID_REPORTS_MAX - 1u;
-    /* The last of these reports has the number UINT32_MAX, so the counter wraps around. */
+    /* The port gives the last of these reports the number UINT32_MAX, so its counter wraps
+     * around. */
     for (uint32_t i = 0; i < HID_REPORTS_MAX + 2u; i++) {
         report(i);
     }
     for (uint32_t i = 0; i < HID_REPORTS_MAX - 1u; i++) {
         assert_int_equal(next_number(), i);
     }
-    report(9000); /* Number 0. */
+    report(9000); /* The port gives this report the number 0. */
     assert_int_equal(next_number(), HID_REPORTS_MAX - 1u);
     assert_int_equal(next_number(), HID_REPORTS_MAX + 1u);
     assert_int_equal(next_number(), 9000);

@@ -48,8 +48,8 @@ static void take_reports(uint32_t from, uint32_t to)
     }
 }
 
-/* Sends `count` reports in bursts and takes them. If `count` is odd, the last burst is not taken,
- * so that its reports are still in the ring buffer. */
+/* Sends `count` reports in bursts of BURST reports and takes each full burst. Takes the remaining
+ * reports only if `count` is even. Otherwise they stay in the ring buffer. */
 static void send_reports(uint32_t device, uint32_t count)
 {
     uint32_t taken = 0;

@@ -70,10 +70,11 @@ static void test_retries_of_a_device_without_a_descriptor_become_less_frequent(v
     advance(0);
     for (uint32_t i = 0; i < sizeof waits_s / sizeof waits_s[0]; i++) {
         assert_int_equal(usb_sim_seen(poi).opens, i + 1u);
-        /* Until one second before the next retry, the device must not be opened again. */
+        /* Advances the clock to shortly before the next retry. The device must not be opened
+         * again. */
         advance(waits_s[i] - 2u + (waits_s[i] > 2u));
         assert_int_equal(usb_sim_seen(poi).opens, i + 1u);
-        advance(2); /* The clock is now one second past the time of the retry. */
+        advance(2); /* The time of the retry has come. */
     }
     usb_sim_set_faults(&(struct usb_sim_faults){ 0 });
     advance(60);
@@ -131,7 +132,8 @@ static void test_a_slot_is_reserved_for_the_longest_pause_of_a_round(void **stat
     assert_int_equal(face.identity.product, 4);
 }
 
-/* With a limit of 0 open files (RLIMIT_NOFILE), poll() fails. */
+/* With a limit of 0 open files (RLIMIT_NOFILE), poll() fails. The USB thread must then pause before
+ * each retry, and must still deliver reports. */
 static void test_a_failed_wait_pauses_and_reports_still_arrive(void **state)
 {
     (void)state;

@@ -12,7 +12,7 @@
 #define MS 1000000ull
 #define S 1000000000ull
 
-/* Returns a frame pacer whose first frame ended at 1 s. */
+/* Returns a frame pacer whose first frame was at 1 s. */
 static struct frame_pacer running(void)
 {
     struct frame_pacer pace = { 0 };

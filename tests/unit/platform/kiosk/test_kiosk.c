@@ -22,8 +22,8 @@ static void expect_in_tick(void *self, const struct input *input)
 }
 
 /* Before each tick, the kiosk calls session_recorder_before(), which blocks the frame thread if
- * another thread has panicked. The test asserts that this call comes before the tap gets the
- * input. */
+ * another thread has panicked. The test asserts that this call comes before the tap (the callback
+ * of a recorder) gets the input. */
 static void test_a_stopped_thread_stops_before_its_tap_records_the_tick(void **state)
 {
     static struct session_recorder chapters;

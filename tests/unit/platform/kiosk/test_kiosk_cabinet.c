@@ -202,8 +202,8 @@ static vec3 over_tag(uint32_t tag, float y_m)
               size_m.z * ((box.y + 0.5f * box.height) / canvas.y - 0.5f));
 }
 
-/* Opens the menu page of the only controller. Selects the first tag with the buttons, and moves the
- * poi over `tag`. */
+/* Opens the menu page of the only controller, moves the poi over `tag`, and then selects the first
+ * tag with the buttons. */
 static void open_controller_page(uint32_t tag)
 {
     for (uint32_t i = 0; i < 4u; i++) { /* The first press opens the menu. Each other press opens
@@ -360,7 +360,8 @@ static int next_of_a_replay(void *self, struct input *out)
 }
 
 /* The kiosk plays back a recording, whose coins have been counted before. The coin slot must stay
- * locked, because the core gets no coins that are inserted now. */
+ * locked, because the core gets no coins that are inserted now, and the coin meter must not
+ * advance. */
 static void test_a_replay_does_not_drive_the_coin_lockout_or_the_meters(void **state)
 {
     (void)state;

@@ -237,8 +237,8 @@ static void test_a_pointer_jump_under_water_tears_no_paper(void **state)
                        0.01f);
 }
 
-/* Moves the pointer across the screen and back in 6 to 19 frames, as a player does who shakes the
- * mouse. */
+/* Moves the pointer across the screen 14 times, in alternating directions, as a player does who
+ * shakes the mouse. The movements take 6 to 19 frames. */
 static void test_a_fast_mouse_movement_is_not_an_input_loss(void **state)
 {
     (void)state;

@@ -139,8 +139,8 @@ static float paper_left(void)
     return player.kiosk.scene.poi[0].paper_left;
 }
 
-/* Returns the fish that is easiest to scoop: slow, near the ring, and above the depth that the ring
- * reaches in a dip. Returns NULL if there is no such fish. */
+/* Returns the fish that is easiest to scoop: slow, near the ring, away from the walls, and above
+ * the depth that the ring reaches in a dip. Returns NULL if there is no such fish. */
 static const struct fish *choose(void)
 {
     const struct tank *tank = &player.kiosk.core.world.tank;
@@ -191,7 +191,8 @@ static void try_once(void)
 }
 
 /* Plays `rounds` rounds with `picture_moments` moments per frame. Returns the number of fish that
- * reach the bowl. The results of different sets of four rounds vary by half of their mean. */
+ * reach the bowl. The sum of four rounds varies by half of its mean from one set of seeds to
+ * another, so the tests play more rounds. */
 static uint32_t landed_in(uint32_t rounds, uint32_t picture_moments)
 {
     uint32_t landed = 0;

@@ -91,8 +91,8 @@ static struct {
     struct recorder recorder;
 } rig;
 
-/* Prepares pointer reports that move the pose back and forth. The poi dips for one second in every
- * two seconds. */
+/* Prepares pointer reports, one every 20 ms. The pointer moves 200 pixels to the right, jumps back
+ * and starts again. The poi dips for one second in every two seconds. */
 static void wire_hand(void)
 {
     for (uint32_t i = 0; i < REPORT_COUNT; i++) {

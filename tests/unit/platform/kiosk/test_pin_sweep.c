@@ -91,8 +91,8 @@ static void press(uint32_t buttons, uint32_t count)
     }
 }
 
-/* Opens the menu in attract mode, types the PIN 4071, and closes the menu. LEFT and RIGHT move the
- * selection by one digit, and OK types the selected digit. */
+/* Opens the menu in attract mode, types the PIN 4071, closes the menu and presses START. LEFT and
+ * RIGHT move the selection by one digit, and OK types the selected digit. */
 static void type_the_pin(void)
 {
     hand_is_away = true; /* Disconnects the controller, because its poi would select other keys. */

@@ -178,7 +178,8 @@ static void test_a_full_reading_queue_keeps_its_first_and_last_reading(void **st
     assert_float_equal(sampler_path_at(&resampler, 0, 2).position_m.x, 0.5f, 1e-5f);
 }
 
-/* After a delay of one second, a frame of two ticks gets all reports of that second. */
+/* After a delay of one second, a frame of two ticks gets all reports of that second. Only the
+ * newest pose is used, and only the first tick reports the gap. */
 static void test_motion_of_a_delay_is_flagged_and_not_interpolated(void **state)
 {
     (void)state;

@@ -48,7 +48,8 @@ static void read_text(char text[STATUS_TEXT_MAX])
     fclose(file);
 }
 
-/* Parses the status with SQLite's JSON reader. Fails if the text is not valid JSON. */
+/* Asserts that `text` is valid JSON and that its value at the JSON path `where` is `wanted`. SQLite
+ * parses the text. */
 static void check_json(const char *text, const char *where, const char *wanted)
 {
     sqlite3 *database;

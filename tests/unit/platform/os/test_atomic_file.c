@@ -87,8 +87,8 @@ static void test_an_incomplete_file_is_removed(void **state)
     assert_false(exists(path));
 }
 
-/* The byte stays in the buffer of the C library until the close. Only the close therefore reports
- * the full device. */
+/* The byte that the test writes stays in the buffer of the C library until the close. Only the
+ * close therefore reports the full device. */
 static void test_a_full_device_is_reported_and_not_removed(void **state)
 {
     (void)state;
@@ -206,7 +206,8 @@ static void test_a_pipe_receives_the_data_and_is_not_replaced(void **state)
     unlink(path);
 }
 
-/* The test needs the permission to create device nodes. Otherwise the test is skipped. */
+/* Neither kind of write may replace a device. The test needs the permission to create device nodes.
+ * Without it, the test is skipped. */
 static void test_a_device_is_never_replaced(void **state)
 {
     (void)state;

@@ -55,8 +55,8 @@ static void put(const char *name, const char *status)
     }
 }
 
-/* Creates the two cards of a Raspberry Pi 4: one without connectors for computation, and one with
- * two connectors. */
+/* Creates the two cards of a Raspberry Pi 4: one for computation, which has no connectors, and one
+ * with two connectors. */
 static void put_raspberry(const char *compute, const char *first, const char *first_status,
                           const char *second, const char *second_status)
 {

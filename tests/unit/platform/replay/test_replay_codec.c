@@ -55,8 +55,8 @@ static void test_the_largest_difference_fits_the_bound(void **state)
     assert_int_equal(replay_encode_input(&before, &all, bytes), REPLAY_TICK_SIZE_MAX - 4u);
 }
 
-/* Seven bytes: a mask of the changed groups, a mask of the changed pois and fans, a mask of the
- * changed fields, and a float. */
+/* The seven bytes are a mask of the changed groups, a mask of the changed pois and fans, a mask of
+ * the changed fields, and a float. */
 static void test_a_moving_fan_takes_seven_bytes_per_tick(void **state)
 {
     (void)state;

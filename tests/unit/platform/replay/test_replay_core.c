@@ -139,8 +139,9 @@ static void test_a_recording_of_the_operator_menu_verifies(void **state)
     assert_true(core_hash(&core) == hash);
 }
 
-/* After 3 s, no round has begun, so the recording has no mode and no player. After 5 s, a festival
- * round with the first player has begun. */
+/* After 3 s, START has been pressed, but the countdown of the round still runs. The round is
+ * counted, but the recording has no mode and no player yet. After 5 s, the first player plays a
+ * festival round. */
 static void test_a_recording_contains_its_modes_and_players(void **state)
 {
     (void)state;

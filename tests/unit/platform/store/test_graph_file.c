@@ -272,8 +272,8 @@ static void test_the_store_writes_a_graph_in_its_own_thread(void **state)
     assert_memory_equal(&book.edits[0], &record.edit, sizeof record.edit);
 }
 
-/* Another kiosk has the database locked, so rounds cannot be stored. A graph is a text file and
- * must be stored anyway. */
+/* Another kiosk has locked the data folder, so the database is not opened and rounds cannot be
+ * stored. A graph is a text file and must be stored anyway. */
 static void test_a_graph_is_stored_without_a_database(void **state)
 {
     (void)state;

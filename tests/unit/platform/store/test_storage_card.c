@@ -221,8 +221,8 @@ static void take_card_away(void)
     assert_int_equal(symlink("/tmp/kingyo-no-such-card/kingyo.db", file), 0);
 }
 
-/* Removes the file at the path of the database. The separate process `rm` is used because the tape
- * does not record its calls. */
+/* Removes the file at the path of the database. The separate process `rm` is used, so that
+ * tests/power/tape.h neither records nor refuses the call. */
 static void put_away(void)
 {
     char command[128];
@@ -415,7 +415,7 @@ static void put_a_later_kingyos_file(void)
     sqlite3_close(db);
 }
 
-/* Returns how many times the store has tried to open the file. */
+/* Returns how many attempts of the store to open the file have failed. */
 static uint32_t looks(void)
 {
     return device.ledger.ops->failed_count(device.ledger.self);

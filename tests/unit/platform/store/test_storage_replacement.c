@@ -124,7 +124,7 @@ static void test_a_backup_is_not_overwritten_by_a_file_with_fewer_entries(void *
     assert_int_equal(fixture->device.ledger.ops->failed_count(fixture->device.ledger.self), 1);
 }
 
-/* Each change leaves a valid SQL schema, but not the schema of Kingyo. */
+/* Each change damages the name of one column in the stored schema of the database. */
 static void test_altered_tables_are_damage(void **state)
 {
     struct fixture *fixture = *state;

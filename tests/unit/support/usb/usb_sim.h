@@ -64,7 +64,7 @@ void usb_sim_unplug(uint32_t device, enum usb_sim_unplug_order how);
 /* Sends the hot-plug event of a device that was unplugged with USB_SIM_LATE. */
 void usb_sim_announce(uint32_t device);
 
-/* Queues one report of a device. A size of 0 sends a short packet. */
+/* Queues one report of a device. With size 0, the device sends an empty packet (zero length). */
 void usb_sim_report(uint32_t device, const uint8_t *bytes, uint32_t size);
 
 /* Makes the next completed transfer of a device return `status`, an enum libusb_transfer_status. */

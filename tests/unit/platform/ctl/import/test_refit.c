@@ -106,9 +106,9 @@ static void tell(const char *what, const struct refit_error *e)
                   100.0 * (double)e->rms, 100.0 * (double)e->max);
 }
 
-/* Fits the mesh of the young fish to the surface of the adult. Each vertex must move near the
+/* Fits the mesh of a young fish (fry) to the surface of the adult. Each vertex must move near the
  * position of the same vertex in the adult. */
-static void test_fitting_a_larva_to_the_adult_finds_each_vertex(void **state)
+static void test_fitting_a_fry_to_the_adult_finds_each_vertex(void **state)
 {
     (void)state;
     struct refit_result result;
@@ -118,7 +118,7 @@ static void test_fitting_a_larva_to_the_adult_finds_each_vertex(void **state)
     mark_truth(&species_wakin.lod[0], truth);
     make_mesh(adult, 0.0f);
     pack_copy(&species_wakin, &slot);
-    refit_key(&slot, 1, &mesh, &marks, &result); /* Key 1 is a young fish (fry) of 20 mm. */
+    refit_key(&slot, 1, &mesh, &marks, &result); /* Key 1 is the fry, which is 20 mm long. */
     tell("fry onto adult, fit to mesh", &result.to_mesh);
     tell("fry onto adult, mesh to fit", &result.from_mesh);
     shape_of(&slot.species.lod[0], n, 1, positions);
@@ -350,7 +350,7 @@ static void test_invalid_landmarks_are_reported_with_their_line(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_fitting_a_larva_to_the_adult_finds_each_vertex),
+        cmocka_unit_test(test_fitting_a_fry_to_the_adult_finds_each_vertex),
         cmocka_unit_test(test_one_species_is_fitted_to_another),
         cmocka_unit_test(test_the_fit_error_covers_every_vertex),
         cmocka_unit_test(test_a_landmark_off_the_mesh_is_reported),

@@ -179,8 +179,8 @@ static void test_three_keys_are_red_green_and_blue(void **state)
     }
 }
 
-/* The first and the last key have the same colours for any number of keys up to 6, and no two keys
- * share a colour. */
+/* The first key has the same colour for any number of keys, and the last key for any number up to
+ * 6. No two keys share a colour. */
 static void test_the_first_key_is_red_and_each_key_has_its_own_colour(void **state)
 {
     (void)state;

@@ -42,8 +42,8 @@ static void test_every_fish_fits_its_bounds_with_its_nose_left(void **state)
     }
 }
 
-/* Counts the drawn pixels inside and outside the bounds of the fish. Only pixels inside may be
- * drawn. */
+/* Counts the drawn pixels in the columns of the fish and in the margins. No pixel in a margin may
+ * be drawn. */
 static void test_every_fish_is_drawn_within_bounds_in_every_view(void **state)
 {
     (void)state;

@@ -142,8 +142,8 @@ static void test_a_fin_that_flips_is_detected(void **state)
     assert_int_equal(survey.flipped_fins, seen);
 }
 
-/* The fin of a hatchling unfolds quickly, in a few hundredths of the life. The unfolding must not
- * be counted as a flip, at any number of samples. */
+/* The fin of a hatchling unfolds within a few hundredths of the growth. The unfolding must not be
+ * counted as a flip, at any number of samples. */
 static void test_a_fast_fin_rotation_is_not_a_flip(void **state)
 {
     (void)state;

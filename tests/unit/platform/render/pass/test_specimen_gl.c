@@ -132,8 +132,8 @@ static void test_a_grown_goldfish_is_red_and_a_tint_covers_it(void **state)
     assert_true(pixel[2] > 120 && pixel[2] > pixel[0]);
 }
 
-/* A mature goldfish has a red and white pattern. The album must show the same pattern as the
- * tank. */
+/* A mature goldfish has the red and white pattern of its `look`. A young goldfish has the red
+ * colour of its species. */
 static void test_a_mature_goldfish_has_its_pattern_and_a_young_one_its_coat(void **state)
 {
     (void)state;

@@ -136,7 +136,8 @@ static void test_messages_about_non_regular_files_are_translated(void **state)
     expect_japanese("was not a regular file, and was set aside");
 }
 
-/* Sets every state of a store and translates the message that the store returns for this state. */
+/* Sets the error states of a store one after the other, and translates the message that the store
+ * returns for each state. */
 static void test_all_messages_of_the_store_are_translated(void **state)
 {
     static const int errors[] = { SQLITE_BUSY,       SQLITE_LOCKED,      SQLITE_FULL,

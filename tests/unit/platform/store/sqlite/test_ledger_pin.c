@@ -125,15 +125,16 @@ static unsigned count_in(const char *file, const void *wanted, size_t size)
     return count;
 }
 
-/* SQLite stores the PIN as an integer of two bytes. In a row of the settings, the two bytes follow
- * the name. In a row of the entries, the two bytes follow `kind` and `detail`. Rows in free pages
- * are found too. */
+/* Returns the number of rows of the settings with the plain PIN, including rows in free pages.
+ * SQLite stores the PIN as an integer of two bytes, which follow the name of the setting. */
 static unsigned plain_settings_in(const char *suffix)
 {
     static const uint8_t row[] = { 'p', 'i', 'n', PIN >> 8, PIN & 0xFF };
     return count_in(beside(suffix), row, sizeof row);
 }
 
+/* Returns the number of rows of the entries with the plain PIN, including rows in free pages. The
+ * two bytes of the PIN follow `kind` and `detail`. */
 static unsigned plain_entries_in(const char *suffix)
 {
     static const uint8_t row[] = { LEDGER_SETTING, SET_PIN, PIN >> 8, PIN & 0xFF };

@@ -204,8 +204,9 @@ static void test_an_unknown_species_has_a_graph_and_no_fish(void **state)
     assert_int_equal(batch.specimen_count, 0);
 }
 
-/* The library's slot of the recorded species has the same species (0), another species (1), or the
- * same id with another number of keys (2). Only the first one may be drawn. */
+/* The library's slot of the recorded species has the same species (`other` is 0), another species
+ * (1), or the same id with another number of keys (2). A fish may be drawn only if the species is
+ * the same. */
 static void test_only_the_recorded_species_is_shown(void **state)
 {
     (void)state;
