@@ -11,13 +11,12 @@
 #include "core/morph/morph.h"
 
 #define YEAR 365.25f
-#define FITTED /* Relative tolerance for a length that a published or fitted curve approximates. */
-0.10f
+/* Relative tolerance for a length that a published or fitted curve approximates. */
+#define FITTED 0.10f
 /* Half a unit of the last digit of the lengths in the captions of the thesis. */
 #define DRAWN_M 0.00005f
 
-    static const struct species_card *
-    card_of(const char *id)
+static const struct species_card *card_of(const char *id)
 {
     for (uint32_t i = 0; i < species_table_count; i++) {
         if (strcmp(species_table[i]->card.id, id) == 0) {

@@ -16,20 +16,19 @@
 
 #define FLOOR 0.01f
 #define FLOOR_DEG 10.0f
-#define GILL_U /* Body coordinate (0 snout, 1 tail root) of the edge of the gill cover. */
-0.30f
+/* Body coordinate (0 snout, 1 tail root) of the edge of the gill cover. */
+#define GILL_U 0.30f
 /* Body coordinate at which the caudal peduncle (the narrow part before the tail) begins. */
 #define STALK_FROM 0.70f
-#define DISC_END                                                                                   \
-    /* A ray's disc ends and its whip tail begins where the width falls below this fraction of the
-     * maximum. */
-    0.15f
+/* A ray's disc ends and its whip tail begins where the width falls below this fraction of the
+ * maximum. */
+#define DISC_END 0.15f
 /* Distance from the snout at which the opening angle of a ray's outline is measured. */
 #define SNOUT_Z 0.20f
 
-    /* A fish to be measured: one key of the detailed mesh with its snout at z = 0. `unit` is its
+/* A fish to be measured: one key of the detailed mesh with its snout at z = 0. `unit` is its
  * length, by which all values are divided. */
-    struct specimen {
+struct specimen {
     const struct species_mesh *mesh;
     uint32_t key;
     float unit;

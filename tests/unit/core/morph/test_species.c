@@ -9,17 +9,15 @@
 
 #include "core/morph/morph.h"
 
-#define TOTAL_PER_STANDARD                                                                         \
 /* Ratio of total length to standard length (without the tail fin) of a goldfish. */
-1.27f
+#define TOTAL_PER_STANDARD 1.27f
 #define DEPTH_TOLERANCE 0.05f
-#define ROOT_APART                                                                                 \
-    /* Tolerance for the symmetry of both flanks. The far mesh has large cells, and both flanks are
-     * cut into triangles in the same direction, so their fin roots differ slightly. */
-    1e-3f
+/* Tolerance for the symmetry of both flanks. The far mesh has large cells, and both flanks are cut
+ * into triangles in the same direction, so their fin roots differ slightly. */
+#define ROOT_APART 1e-3f
 #define COUNT (1.0f / 32767.0f) /* One step of the coordinates in the tables. */
 
-    static const struct species *const wakin = &species_wakin;
+static const struct species *const wakin = &species_wakin;
 
 /* Shape of one key in one level of detail, with its anchors applied. */
 struct shape {
