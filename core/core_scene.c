@@ -137,6 +137,7 @@ static void show_players(const struct core *core, struct scene *scene)
             .place = place.place,
             .period = place.period,
             .level = player->level,
+            .has_present = core->game.phase == PHASE_RESULT && album_has_present(&core->game, i),
         };
         scene->tear[i] = (struct scene_tear){ 0 };
         if (core->game.phase == PHASE_RESULT) {

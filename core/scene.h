@@ -323,6 +323,8 @@ struct scene {
         uint8_t place;
         uint8_t period; /* Period of the leaderboard with the best place (enum rank_period). */
         uint8_t level;  /* Level of the player in this round (enum level). */
+        /* In RESULT: 1 if the player caught no fish and gets one as a present, otherwise 0. */
+        uint8_t has_present;
     } player[POI_MAX];
     struct scene_tear tear[POI_MAX];
 

@@ -48,11 +48,13 @@ struct scene_lab {
 struct scene_album {
     /* Number of fish on the page, <= ALBUM_FISH_MAX, in the order of the catch. */
     uint32_t fish_count;
-    uint32_t caught; /* Number of fish caught in the round by all players. */
+    uint32_t caught; /* Number of fish caught in the round by all players, without presents. */
     struct scene_grown {
         uint8_t owner; /* Player index. */
         /* 1 if the shown age is past the age at which the fish was caught, otherwise 0. */
         uint8_t is_caught;
+        /* 1 if the fish is a present to a player who caught none, otherwise 0. */
+        uint8_t is_present;
         uint32_t look;
         float caught_age_days, caught_length_m;
         float age_days, length_m, progress;

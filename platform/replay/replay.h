@@ -47,7 +47,7 @@
 #define REPLAY_CATALOG_MAX (32u * 1024u)
 
 /* Format version that the writer writes. Version 8 added the rules of tickets and refunds, and
- * version 9 the levels. */
+ * version 9 the levels and the presents. */
 #define REPLAY_VERSION 9u
 /* Oldest format version that the reader accepts. A recording of an older version is simulated under
  * the rules of that version (config_has_rules() in core/config.h). Versions below 7 are rejected

@@ -71,6 +71,7 @@ static const struct shot shots[] = {
     { "paidback", PHASE_RESULT, HINT_PAID_BACK, 6.2f, 0.0f, 4, 12, 0.4f, 1, 0, 0, 0, 0, 0, 0 },
     { "result", PHASE_RESULT, HINT_NONE, 2.4f, 0.0f, 13, 13, 0.0f, 1, 0, 0, 0, 0, 0, 0 },
     { "fast", PHASE_RESULT, HINT_START, 6.2f, 0.0f, 2, 13, 0.0f, 1, 0, 0, 0, 0, 0, 0 },
+    { "present", PHASE_RESULT, HINT_NONE, 2.3f, 0.0f, 0, 13, 0.0f, 1, 0, 0, 0, 0, 0, 0 },
     { "soaked", PHASE_RESULT, HINT_START, 6.2f, 0.0f, 5, 13, 0.0f, 1, 0, 0, 0, 0, 0, 0 },
     { "weight", PHASE_RESULT, HINT_START, 6.2f, 0.0f, 7, 13, 0.0f, 1, MODE_CHAMPIONSHIP, 0, 0, 0, 0,
       0 },
@@ -207,7 +208,7 @@ static void fill_tear(struct scene *scene, const char *name)
         uint8_t cause;
     } torn[] = {
         { "result", TEAR_FLAT },   { "ranking", TEAR_SLAP },  { "fast", TEAR_FAST },
-        { "soaked", TEAR_SOAKED }, { "weight", TEAR_WEIGHT },
+        { "soaked", TEAR_SOAKED }, { "weight", TEAR_WEIGHT }, { "present", TEAR_FAST },
     };
     for (size_t i = 0; i < sizeof torn / sizeof *torn; i++) {
         if (strcmp(torn[i].name, name) != 0) {
@@ -250,6 +251,7 @@ static void fill_scene(struct scene *scene, const struct shot *shot, uint8_t lan
     fill_cabinet(scene, shot->name);
     fill_encore(scene, shot->name);
     fill_tear(scene, shot->name);
+    scene->player[0].has_present = strcmp(shot->name, "present") == 0;
     scene->call = shot->call;
     scene->call_s = 0.6f;
     for (uint8_t i = 0; i < shot->players; i++) {

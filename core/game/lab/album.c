@@ -11,6 +11,18 @@
 #include "core/poi/world.h"
 #include "core/scene_helpers.h"
 
+static struct album_fish album_fish_of(const struct world *world, uint32_t fish, uint32_t owner)
+{
+    const struct fish *swimmer = &world->tank.fish[fish];
+    return (struct album_fish){
+        .fish = fish,
+        .look = swimmer->look,
+        .owner = owner,
+        .age_days = swimmer->age_days,
+        .length_m = swimmer->length_m,
+    };
+}
+
 void album_note(struct album *album, const struct world *world, uint32_t index, uint32_t count)
 {
     CORE_ASSERT(index < POI_MAX && album->fish_count <= ALBUM_FISH_MAX);
@@ -25,16 +37,69 @@ void album_note(struct album *album, const struct world *world, uint32_t index, 
             is_noted |= album->fish[k].fish == i;
         }
         if (fish->gait == GAIT_BOWL && fish->holder == index && !is_noted) {
-            album->fish[album->fish_count++] = (struct album_fish){
-                .fish = i,
-                .look = fish->look,
-                .owner = index,
-                .age_days = fish->age_days,
-                .length_m = fish->length_m,
-            };
+            album->fish[album->fish_count++] = album_fish_of(world, i, index);
             count--;
         }
     }
+}
+
+/* ---- Presents -------------------------------------------------------------------------------- */
+
+/* Vertical speed with which the present enters the bowl, about that of a fish that falls from a
+ * poi. */
+#define PRESENT_M_S (-0.5f)
+
+/* Returns the index of the swimming fish that is nearest to `place_m`, or the number of fish if no
+ * fish swims. */
+static uint32_t nearest_fish(const struct tank *tank, vec3 place_m)
+{
+    uint32_t nearest = tank->fish_count;
+    float square = 0.0f;
+    for (uint32_t i = 0; i < tank->fish_count; i++) {
+        const vec3 way = v3_sub(tank->fish[i].position_m, place_m);
+        if (fish_swims(&tank->fish[i]) &&
+            (nearest == tank->fish_count || v3_dot(way, way) < square)) {
+            nearest = i;
+            square = v3_dot(way, way);
+        }
+    }
+    return nearest;
+}
+
+/* A fish of a player without a catch is a present, so that the album needs no other mark. */
+static bool is_present(const struct game *game, const struct album_fish *fish)
+{
+    CORE_ASSERT(fish->owner < POI_MAX);
+    return game->player[fish->owner].caught == 0;
+}
+
+void album_give_presents(struct game *game, struct world *world, const struct core_config *config)
+{
+    struct album *album = &game->album;
+    struct tank *tank = &world->tank;
+    uint32_t last = ALBUM_FISH_MAX; /* On a full page, presents replace the fish from the last. */
+    for (uint32_t i = 0; i < POI_MAX && config_has_rules(config, 9); i++) {
+        struct bowl *bowl = &world->bowl[i];
+        const uint32_t fish = nearest_fish(tank, bowl->position_m);
+        if (!game->player[i].plays || game->player[i].caught != 0 || !bowl->present ||
+            fish == tank->fish_count) {
+            continue;
+        }
+        const uint32_t at = album->fish_count < ALBUM_FISH_MAX ? album->fish_count++ : --last;
+        album->fish[at] = album_fish_of(world, fish, i);
+        bowl_take(bowl, i, tank, &tank->fish[fish], v3(0.0f, PRESENT_M_S, 0.0f));
+    }
+}
+
+bool album_has_present(const struct game *game, uint32_t index)
+{
+    CORE_ASSERT(index < POI_MAX);
+    for (uint32_t i = 0; i < game->album.fish_count; i++) {
+        if (game->album.fish[i].owner == index && is_present(game, &game->album.fish[i])) {
+            return true;
+        }
+    }
+    return false;
 }
 
 uint32_t album_ticks(uint32_t fish_count)
@@ -96,6 +161,7 @@ void album_show(const struct game *game, struct scene_album *out)
         out->fish[i] = (struct scene_grown){
             .owner = (uint8_t)fish->owner,
             .is_caught = age_days >= fish->age_days,
+            .is_present = is_present(game, fish),
             .look = fish->look,
             .caught_age_days = fish->age_days,
             .caught_length_m = fish->length_m,

@@ -57,6 +57,15 @@ bool lab_is_own(const struct lab *lab, const struct lab_book *book);
  * ALBUM_FISH_MAX are counted but not stored. */
 void album_note(struct album *album, const struct world *world, uint32_t index, uint32_t count);
 
+/* Gives a fish as a present to each player whose round ends without a catch: the swimming fish that
+ * is nearest to the player's bowl. The fish moves into the bowl and to the page of the album. If
+ * the page is full, the present replaces the last fish that was caught. A present changes neither
+ * the score nor the tickets. Does nothing in the replay of a recording older than format 9. */
+void album_give_presents(struct game *game, struct world *world, const struct core_config *config);
+
+/* Returns true if player `index` has a present in the album. */
+bool album_has_present(const struct game *game, uint32_t index);
+
 /* Enters the album phase and returns true. If the album is empty, changes nothing and returns
  * false. */
 bool album_begin(struct game *game);

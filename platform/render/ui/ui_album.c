@@ -90,8 +90,11 @@ static void draw_album_picture(const struct ui_frame *frame, uint32_t index, str
         const float size = SEAL_SIZE * u;
         lab_age_words(frame->language, fish->caught_age_days, age, sizeof age);
         lab_length_words(fish->caught_length_m, length, sizeof length);
-        snprintf(words, sizeof words, "%s  %s  %s", ui_words(frame, TEXT_ALBUM_MET), age, length);
-        ui_ribbon_at(frame, (struct ui_ribbon){ FONT_BODY, 0xc92c1ce8u, 0xfff1ddb0u, 0xfff1ddffu },
+        snprintf(words, sizeof words, "%s  %s  %s",
+                 ui_words(frame, fish->is_present ? TEXT_ALBUM_GIVEN : TEXT_ALBUM_MET), age,
+                 length);
+        const uint32_t fill = fish->is_present ? 0x17754ee8u : 0xc92c1ce8u;
+        ui_ribbon_at(frame, (struct ui_ribbon){ FONT_BODY, fill, 0xfff1ddb0u, 0xfff1ddffu },
                      water.x + 0.5f * water.width, water.y + water.height - 1.15f * size, size,
                      water.width - 10.0f * u, words);
     }
@@ -123,7 +126,11 @@ void ui_album(const struct ui_frame *frame)
     const struct scene_album *const album = &frame->scene->album;
     const struct album_grid grid = grid_of(frame, album->fish_count > 0 ? album->fish_count : 1u);
     const float u = frame->unit, middle = 0.5f * frame->width, room = frame->width - 60.0f * u;
-    const bool shows_all = album->caught <= album->fish_count;
+    uint32_t presents = 0;
+    for (uint32_t i = 0; i < album->fish_count; i++) {
+        presents += album->fish[i].is_present;
+    }
+    const bool shows_all = album->caught + presents <= album->fish_count;
     char words[TEXT_LINE_MAX];
     ui_veil(frame, 0x171d42ffu);
     ui_panel(frame, UI_WAVES, (struct ui_box){ 0.0f, 0.0f, frame->width, frame->height }, 36.0f * u,
@@ -131,8 +138,11 @@ void ui_album(const struct ui_frame *frame)
     const struct ui_text title = ui_style(frame, FONT_STALL, 42.0f, 0.5f, UI_CREAM, room);
     ui_text_at(frame, ui_outlined(title, 0.03f, 0.1f, 0x0a0c24e0u), middle, 48.0f * u,
                ui_words(frame, TEXT_ALBUM));
-    text_number(words, sizeof words, ui_words(frame, shows_all ? TEXT_ALBUM_ALL : TEXT_ALBUM_FIRST),
-                shows_all ? album->caught : album->fish_count);
+    const enum text_key title_key = presents == album->fish_count ? TEXT_PRESENT
+                                    : shows_all                   ? TEXT_ALBUM_ALL
+                                                                  : TEXT_ALBUM_FIRST;
+    text_number(words, sizeof words, ui_words(frame, title_key),
+                shows_all ? album->caught : album->fish_count - presents);
     ui_text_at(frame, ui_style(frame, FONT_BODY, 22.0f, 0.5f, 0xd6dcf2ffu, room), middle, 92.0f * u,
                words);
     for (uint32_t i = 0; i < album->fish_count; i++) {

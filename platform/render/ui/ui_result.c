@@ -46,6 +46,26 @@ static uint32_t counted_up(const struct scene *scene, uint32_t player)
     return share < 1.0f ? (uint32_t)((double)share * (double)caught) : caught;
 }
 
+/* Times in seconds at which the present starts to swim, and at which it is in the bowl. */
+#define PRESENT_FROM_S 1.2f
+#define PRESENT_TO_S 3.2f
+
+/* Draws a bowl that is centred at (x, y) and `width` pixels wide, and a present that swims from
+ * `from_x` pixels in an arc into the bowl. */
+static void present_bowl(const struct ui_frame *frame, float x, float y, float width, float from_x)
+{
+    const float share = f_smoothstep(PRESENT_FROM_S, PRESENT_TO_S, frame->scene->phase_s);
+    const float height = 0.46f * width, arc = 1.1f * height * sinf(F_PI * share);
+    const struct ui_box bowl = { x - 0.5f * width, y - 0.5f * height, width, height };
+    const struct ui_box rim = { bowl.x - 0.04f * width, bowl.y - 0.04f * width, 1.08f * width,
+                                0.09f * width };
+    ui_water(frame, bowl, 0.45f * height, frame->time_s, 0x1c6ea4ffu);
+    if (share > 0.0f) {
+        ui_fish_sign(frame, f_lerp(from_x, x, share), y - arc, 0.56f * width);
+    }
+    ui_panel(frame, UI_PANEL, rim, 0.045f * width, 0.0f, UI_VERMILION, 0);
+}
+
 /* Draws the number of fish that the only player caught, beside a fish. Below the number, draws the
  * praise, and the fouls if the mode counts fouls. */
 static void one_players_result(const struct ui_frame *frame, struct ui_box box)
@@ -60,7 +80,9 @@ static void one_players_result(const struct ui_frame *frame, struct ui_box box)
     const struct ui_text unit = ui_style(frame, FONT_STALL, 48.0f, 0.0f, UI_INK_SOFT, 0.0f);
     const float fish = 164.0f * u, gap = 20.0f * u, number_width = ui_text_width(digits, number);
     const float whole = fish + number_width + ui_text_width(unit, words) + 2.0f * gap;
-    const float count_x = x - 0.5f * whole, count_y = box.y + 128.0f * u;
+    const bool has_present = scene->player[player].has_present;
+    const float count_x = x - 0.5f * whole + (has_present ? 80.0f * u : 0.0f);
+    const float count_y = box.y + 128.0f * u;
     const float baseline = ui_text_middle(digits, count_y);
     ui_fish_sign(frame, count_x + 0.5f * fish, count_y, fish);
     ui_text(frame->batch, digits, count_x + fish + gap, baseline, number);
@@ -72,8 +94,12 @@ static void one_players_result(const struct ui_frame *frame, struct ui_box box)
     frame->batch->opacity = f_smoothstep(1.1f, 1.5f, scene->phase_s);
     ui_text_at(frame, praise, x, box.y + 252.0f * u, ui_words(frame, grade->praise));
     ui_text(frame->batch, ui_style(frame, FONT_BODY, 27.0f, 0.5f, UI_INK, praise.fit_px), x,
-            box.y + 338.0f * u, ui_words(frame, grade->words));
+            box.y + 338.0f * u, ui_words(frame, has_present ? TEXT_PRESENT : grade->words));
     frame->batch->opacity = 1.0f;
+    if (has_present) {
+        present_bowl(frame, box.x + 110.0f * u, count_y + 10.0f * u, 130.0f * u,
+                     box.x + box.width - 90.0f * u);
+    }
     if (rules_of(scene->mode)->counts_fouls) {
         const float left = box.x + 26.0f * u, y = box.y + box.height - 37.0f * u;
         const float width =
@@ -102,6 +128,9 @@ static void ranked(const struct ui_frame *frame, uint32_t player, uint32_t place
     ui_number_at(frame, digits, digits_x, y, counted_up(scene, player));
     ui_text(frame->batch, ui_style(frame, FONT_STALL, 27.0f, 0.0f, UI_INK_SOFT, 0.0f),
             digits_x + 14.0f * u, ui_text_middle(digits, y), ui_words(frame, TEXT_UNIT));
+    if (scene->player[player].has_present) {
+        present_bowl(frame, row.x + 300.0f * u, y + 6.0f * u, 70.0f * u, row.x + 400.0f * u);
+    }
     if (rules_of(scene->mode)->counts_fouls) {
         ui_foul_lamps(frame, row.x + row.width - 84.0f * u, y, 10.0f * u, 29.0f * u,
                       scene->player[player].fouls);

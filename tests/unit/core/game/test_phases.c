@@ -2,6 +2,7 @@
  * its condition is met. */
 #include "tests/unit/support/game_fixture.h"
 #include "core/game/menu/menu.h"
+#include "core/game/lab/lab.h"
 #include "core/game/phases.h"
 #include "tests/unit/support/newest_record.h"
 
@@ -144,13 +145,15 @@ static void test_no_poi_enters_the_water_after_the_call(void **state)
     assert_true(targets[0].position_m.y > 0.0f);
 }
 
-static void test_attract_follows_the_result_after_twelve_seconds(void **state)
+static void test_the_album_and_attract_follow_the_result_after_twelve_seconds(void **state)
 {
     (void)state;
     play_into_result();
     steps(GAME_RESULT_TICKS - 1u);
     assert_int_equal(core.game.phase, PHASE_RESULT);
     step();
+    assert_int_equal(core.game.phase, PHASE_ALBUM); /* The player has a present. */
+    steps(album_ticks(1));
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
@@ -339,7 +342,7 @@ int main(void)
         TEST(test_a_fish_on_the_paper_at_the_call_gets_three_seconds_to_the_bowl),
         TEST(test_the_round_ends_when_the_last_fish_is_in_the_bowl),
         TEST(test_no_poi_enters_the_water_after_the_call),
-        TEST(test_attract_follows_the_result_after_twelve_seconds),
+        TEST(test_the_album_and_attract_follow_the_result_after_twelve_seconds),
         TEST(test_start_in_the_result_counts_from_one_and_a_half_seconds),
         TEST(test_a_dip_in_the_result_counts_from_two_and_a_half_seconds),
         TEST(test_seconds_left_count_down_through_ready_and_round),

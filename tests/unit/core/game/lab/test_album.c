@@ -34,12 +34,85 @@ static void catch_and_end(uint32_t count)
     steps(GAME_RESULT_TICKS);
 }
 
-static void test_a_round_without_a_catch_has_no_album(void **state)
+/* ---- Presents -------------------------------------------------------------------------------- */
+
+static void test_a_player_without_a_catch_gets_the_nearest_fish_as_a_present(void **state)
 {
     (void)state;
-    catch_and_end(0);
-    assert_int_equal(core.game.phase, PHASE_ATTRACT);
+    core.config.ticket_fish = 1;
+    play_into_round();
+    const vec3 bowl_m = core.world.bowl[0].position_m;
+    core.world.tank.fish[5].position_m = v3(bowl_m.x + 0.1f, -0.05f, bowl_m.z);
+    core.world.tank.fish[4].position_m = v3(bowl_m.x + 0.09f, -0.05f, bowl_m.z);
+    core.world.tank.fish[4].gait = GAIT_HELD; /* This fish does not swim. */
+    steps(ROUND_S * CORE_TICK_HZ);
+    assert_int_equal(core.game.phase, PHASE_RESULT);
+    assert_int_equal(core.world.tank.fish[5].gait, GAIT_BOWL);
+    assert_int_equal(core.world.tank.fish[5].holder, 0);
+    assert_int_equal(core.world.bowl[0].fish_count, 1);
+    static struct scene scene;
+    core_scene(&core, &scene);
+    assert_int_equal(scene.player[0].has_present, 1);
+    assert_int_equal(scene.player[1].has_present, 0);
+    /* The present gives neither a score nor a ticket. */
+    assert_int_equal(scene.caught[0], 0);
+    assert_int_equal(game_record(&core.game, &core.world, &core.config).caught, 0);
+    assert_int_equal(output.tickets, 0);
+    steps(GAME_RESULT_TICKS);
+    assert_int_equal(core.game.phase, PHASE_ALBUM);
+    assert_int_equal(page()->fish_count, 1);
+    assert_int_equal(page()->caught, 0);
+    assert_int_equal(page()->fish[0].is_present, 1);
+    assert_int_equal(page()->fish[0].look, core.world.tank.fish[5].look);
+    steps(album_ticks(1) - 1u);
+    assert_float_equal(page()->fish[0].progress, 1.0f, 0.0f);
 }
+
+static void test_only_a_player_without_a_catch_gets_a_present(void **state)
+{
+    (void)state;
+    play_into_round();
+    bowl_init(&core.world.bowl[1], v3(0.0f, 0.02f, 0.0f));
+    core.game.player[1].plays = core.game.player[1].out = 1;
+    core.game.player[2].plays = core.game.player[2].out = 1; /* This player has no bowl. */
+    for (uint32_t i = 0; i < ALBUM_FISH_MAX; i++) {
+        land(i, 0);
+    }
+    steps(ROUND_S * CORE_TICK_HZ);
+    assert_int_equal(core.game.phase, PHASE_RESULT);
+    /* The page is full, so the present replaces the last fish. */
+    assert_int_equal(core.game.album.fish_count, ALBUM_FISH_MAX);
+    assert_int_equal(core.game.album.fish[ALBUM_FISH_MAX - 1u].owner, 1);
+    assert_false(album_has_present(&core.game, 0));
+    assert_true(album_has_present(&core.game, 1));
+    assert_false(album_has_present(&core.game, 2));
+    assert_int_equal(core.world.bowl[0].fish_count, 0); /* land() changes no bowl. */
+    assert_int_equal(core.world.bowl[1].fish_count, 1);
+}
+
+static void test_older_recordings_refunds_and_empty_tanks_have_no_present(void **state)
+{
+    for (uint32_t i = 0; i < 4u; i++) {
+        setup(state);
+        core.config.rules = i == 0 ? 8 : 0;
+        play_into_round();
+        core.game.accounts.credit.came_back = i == 1u;
+        for (uint32_t k = 0; k < core.world.tank.fish_count && i == 2u; k++) {
+            core.world.tank.fish[k].gait = GAIT_BOWL;
+        }
+        if (i == 3u) {
+            round_result_skip(&core.game, &core.world, &core.config, &output);
+        } else {
+            steps(ROUND_S * CORE_TICK_HZ);
+            assert_int_equal(core.game.phase, PHASE_RESULT);
+            steps(GAME_RESULT_TICKS);
+            assert_int_equal(core.game.phase, PHASE_ATTRACT);
+        }
+        assert_int_equal(core.game.album.fish_count, 0);
+    }
+}
+
+/* ---- Caught fish ----------------------------------------------------------------------------- */
 
 static void test_the_album_shows_the_first_catches_and_counts_the_rest(void **state)
 {
@@ -158,7 +231,9 @@ int main(void)
 {
 #define TEST(name) cmocka_unit_test_setup(name, setup)
     const struct CMUnitTest tests[] = {
-        TEST(test_a_round_without_a_catch_has_no_album),
+        TEST(test_a_player_without_a_catch_gets_the_nearest_fish_as_a_present),
+        TEST(test_only_a_player_without_a_catch_gets_a_present),
+        TEST(test_older_recordings_refunds_and_empty_tanks_have_no_present),
         TEST(test_the_album_shows_the_first_catches_and_counts_the_rest),
         TEST(test_the_album_stores_the_player_of_each_fish),
         TEST(test_a_fish_is_recorded_once_in_its_caught_state),

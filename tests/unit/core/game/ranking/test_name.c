@@ -127,7 +127,7 @@ static void test_a_player_without_a_catch_is_not_asked(void **state)
     (void)state;
     play_alone(0);
     steps(GAME_RESULT_TICKS);
-    assert_int_equal(core.game.phase, PHASE_ATTRACT);
+    assert_int_equal(core.game.phase, PHASE_ALBUM);
 }
 
 static void test_no_player_is_asked_when_the_setting_is_off(void **state)
@@ -181,7 +181,7 @@ static void test_players_are_asked_once_each_with_the_best_first(void **state)
     press_key(NAME_DONE);
     assert_int_equal(core.game.phase, PHASE_LEADERBOARD);
     steps(LEADERBOARD_TICKS);
-    assert_int_equal(core.game.phase, PHASE_ATTRACT);
+    assert_int_equal(core.game.phase, PHASE_ALBUM); /* The third player has a present. */
 }
 
 /* ---- Entering a name ------------------------------------------------------------------------ */

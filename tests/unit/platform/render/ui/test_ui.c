@@ -506,6 +506,31 @@ static void test_a_tear_adds_its_load_its_picture_and_its_words(void **state)
     }
 }
 
+static void test_a_present_swims_into_a_bowl_on_the_result(void **state)
+{
+    (void)state;
+    for (uint32_t k = 0; k < SIZE_COUNT * POI_MAX * LANGUAGE_COUNT; k++) {
+        const uint32_t players = (uint32_t)(k / SIZE_COUNT) % POI_MAX + 1u;
+        for (float phase_s = 0.5f; phase_s < 4.0f; phase_s += 0.5f) {
+            uint32_t fish[2] = { 0 }, bowls = 0;
+            for (uint8_t with = 0; with < 2u; with++) {
+                set_scene(PHASE_RESULT, (uint8_t)(k % LANGUAGE_COUNT), HINT_START, phase_s);
+                set_match(MODE_FESTIVAL, players, 0);
+                scene.caught[0] = 0;
+                scene.player[0].has_present = with;
+                lay_out(sizes[k % SIZE_COUNT]);
+                check_inside(sizes[k % SIZE_COUNT]);
+                for (uint32_t i = 0; i < batch.quad_count; i++) {
+                    fish[with] += batch.kinds[i] == UI_FISH;
+                    bowls += with && batch.kinds[i] == UI_WATER;
+                }
+            }
+            assert_int_equal(bowls, 1);
+            assert_int_equal(fish[1] - fish[0], phase_s > 1.3f);
+        }
+    }
+}
+
 static void test_the_tears_of_several_players_are_shown_in_turn(void **state)
 {
     (void)state;
@@ -546,6 +571,7 @@ int main(void)
         cmocka_unit_test(test_no_texts_overlap_on_any_screen_at_rest),
         cmocka_unit_test(test_every_cause_of_a_tear_fits_the_result),
         cmocka_unit_test(test_a_tear_adds_its_load_its_picture_and_its_words),
+        cmocka_unit_test(test_a_present_swims_into_a_bowl_on_the_result),
         cmocka_unit_test(test_the_tears_of_several_players_are_shown_in_turn),
         cmocka_unit_test(test_the_largest_screen_leaves_quads_for_longer_languages),
     };
