@@ -36,8 +36,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     const int bad = usb_choice_load(&choice, path, why);
     HOLD(bad >= 0 && (bad == 0) == (why[0] == '\0'));
     HOLD(strnlen(why, sizeof why) < sizeof why && !strchr(why, '\n'));
-    HOLD(choice.wish_count <= USB_REQUEST_MAX);
-    HOLD(usb_choice_wanted(&choice, wanted) <= choice.wish_count);
+    HOLD(choice.request_count <= USB_REQUEST_MAX);
+    HOLD(usb_choice_wanted(&choice, wanted) <= choice.request_count);
     HOLD(usb_choice_save(&choice, saved) == 0);
     HOLD(usb_choice_load(&again, saved, why) == 0 && same_kept(&choice, &again));
     return 0;

@@ -45,12 +45,12 @@ static void hold_choice(const char *line, struct usb_choice *choice)
         hold_sentence(error, sizeof error);
         return;
     }
-    HOLD(choice->wish_count <= USB_REQUEST_MAX);
-    again.wish_count = 0;
+    HOLD(choice->request_count <= USB_REQUEST_MAX);
+    again.request_count = 0;
     for (uint32_t i = 0; usb_choice_line(choice, i, written); i++) {
         HOLD(usb_choice_read_line(&again, written, error) == 0);
     }
-    HOLD(again.wish_count <= choice->wish_count);
+    HOLD(again.request_count <= choice->request_count);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
