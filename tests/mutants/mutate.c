@@ -20,8 +20,8 @@
  * error. */
 #define SITES_MAX 65536u
 
-/* A mutation. The text from `begin` to `end` is replaced by the string `before`, then the old text
- * if `keep` is 1, then the string `after`. */
+/* Describes a mutation. The text from `begin` to `end` is replaced by the string `before`, then the
+ * old text if `keep` is 1, then the string `after`. */
 struct site {
     size_t begin, end;
     const char *kind, *before, *after;
@@ -112,8 +112,8 @@ static size_t directive_end(size_t at)
     return at;
 }
 
-/* Replaces a preprocessor directive by spaces. Of `#define NAME value`, the value is kept, because
- * it is code that can be mutated. */
+/* Replaces a preprocessor directive by spaces, except the value of `#define NAME value`, because
+ * the value is code that can be mutated. */
 static size_t blank_directive(size_t at)
 {
     const size_t end = directive_end(at);

@@ -30,8 +30,8 @@ void books_open(struct books *books);
 /* Adds one ledger entry to the sums. */
 void books_add(struct books *books, const struct ledger_entry *entry);
 
-/* Values that books_read() reads from the database by its own SQL queries. They are compared with
- * the state that the store loaded. */
+/* Values that books_read() reads from the database by its own SQL queries. books_agree() compares
+ * these values with the state that the store loaded. */
 struct books_file {
     /* Number of rows in the table of rounds, total of the fish caught in them, and number of round
      * ids that occur twice. */

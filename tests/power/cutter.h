@@ -22,7 +22,7 @@ struct tally {
     /* Number of cuts after which the disk had more entries than the store had reported as
      * committed. */
     uint64_t ahead;
-    uint64_t done; /* Number of tape operations after which all cuts are done. */
+    uint64_t done; /* Progress: number of operations of the tape whose cuts are all done. */
     char first[BOOKS_WHY_SIZE + 100];
 };
 

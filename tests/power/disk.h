@@ -58,8 +58,8 @@ void disk_open(struct disk *disk, const struct tape *tape);
  * calls. */
 void disk_put(struct disk *disk, const char *name, const uint8_t *bytes, size_t size);
 
-/* Adds all files in `folder`. Writes their names to `names` for a tape that continues in this
- * folder. Returns the number of files. */
+/* Adds all files in `folder`. Writes their names to `names`, which tape_begin() needs if a new tape
+ * records in this folder. Returns the number of files. */
 uint32_t disk_put_folder(struct disk *disk, const char *folder,
                          char names[DISK_NAMES_MAX][TAPE_NAME_SIZE]);
 

@@ -30,8 +30,8 @@ static struct tape tape;
 static struct storage store;
 static struct books books[BOOKS_MAX];
 
-/* One life: a sequence of kiosk runs (parts) on the same files. Also contains the state of its
- * worker process. */
+/* A life: a sequence of kiosk runs (parts) on the same files. Also contains the state of its worker
+ * process. */
 struct life {
     const struct lives *lives;
     struct lives_tally *tally;

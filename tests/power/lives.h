@@ -1,7 +1,7 @@
 /* lives.h -- simulates lives of a kiosk whose file calls fail as planned (fault.h). A life consists
- * of several parts. A part is one run of the kiosk that ends with SIGKILL or with a close. The next
- * part continues with the files as the page cache has them. After each part, the test simulates
- * several power cuts and compares the remaining files with the committed data. */
+ * of several parts. A part is one run of the kiosk that ends with SIGKILL or with a close of the
+ * store. The next part continues with the files as the page cache has them. After each part, the
+ * test simulates several power cuts and compares the remaining files with the committed data. */
 #ifndef KINGYO_TESTS_POWER_LIVES_H
 #define KINGYO_TESTS_POWER_LIVES_H
 

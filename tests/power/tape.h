@@ -60,7 +60,8 @@ struct tape {
  * can run at a time. */
 void tape_begin(struct tape *tape, const char *folder, const char (*first)[TAPE_NAME_SIZE],
                 uint32_t first_count);
-/* Records a mark on the running tape. Does nothing if no tape runs. */
+/* Records a mark (a note of the test between two file operations, see enum tape_kind). Does nothing
+ * if no tape runs. */
 void tape_mark(enum tape_kind kind, uint32_t id);
 /* Ends the recording. The tape keeps its operations. */
 void tape_end(void);

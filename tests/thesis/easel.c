@@ -222,8 +222,8 @@ int easel_shoot(const struct tank_lab *lab, const struct easel_shot *shot, const
         return -1;
     }
     shrink();
-    /* Of the side view, only the middle 2/5 of the rows are saved. The other rows show nothing of
-     * the tank. */
+    /* A picture of CAMERA_SIDE keeps only the middle 2/5 of its rows. The other rows show nothing
+     * of the tank. */
     const uint32_t rows = shot->camera == CAMERA_SIDE ? EASEL_HEIGHT * 2u / 5u : EASEL_HEIGHT;
     const uint32_t skip = (EASEL_HEIGHT - rows) / 2u;
     const int error = png_write(path, picture + skip * EASEL_WIDTH * 3u, EASEL_WIDTH, rows);

@@ -216,7 +216,8 @@ static void check_fish(const struct fish *fish)
     assert_true(f_is_finite(fish->angles.yaw_rad + fish->angles.pitch_rad + fish->angles.roll_rad));
     assert_true(f_is_finite(fish->tail_phase_rad + fish->bend_rad + fish->alarm));
     assert_true(v3_length(fish->position_m) < 3.0f);
-    /* Only a poi can hold a fish out of the water. That poi must list the fish once. */
+    /* Only a poi can hold a fish out of the water. The list of this poi must contain the fish
+     * once. */
     if (fish->gait == GAIT_HELD && fish->holder != FISH_HOLDER_WATER) {
         const struct poi *poi = &core.world.poi[fish->holder];
         uint32_t found = 0;

@@ -67,7 +67,8 @@ static void test_the_fish_of_a_festival_have_many_ages(void **state)
         youngest = f_min(youngest, scene.fish[i].progress);
         oldest = f_max(oldest, scene.fish[i].progress);
     }
-    /* The range of growth progress is more than a tenth of a life. */
+    /* The growth progress (0 at hatching, 1 at the last key) of the youngest and of the oldest fish
+     * differs by more than 0.1. */
     assert_true(oldest - youngest > 0.1f);
 }
 

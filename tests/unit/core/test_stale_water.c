@@ -69,7 +69,8 @@ static void test_fish_rise_for_air_and_dive_again_in_attract(void **state)
         run(5);
         const uint32_t count = surfacing_count(&core.world.tank);
         if (second < 80) {
-            /* At 4 mg/L of oxygen, a fish decides to rise in one of 4,000 gait choices. */
+            /* At 4 mg/L of oxygen, only one of 4,000 choices of a gait is the choice to rise, so at
+             * most one fish is at the surface. */
             assert_true(count <= 1);
         }
         most = count > most ? count : most;

@@ -125,7 +125,7 @@ static void test_a_fish_on_the_lifted_poi_gives_the_bowl_hint(void **state)
     learn(HINT_TILT);
     learn(HINT_MOVE);
     learn(HINT_DIP);
-    /* The player has already done everything, so no hint is left. */
+    /* The player has already done everything that a hint asks for, so no hint is shown. */
     assert_int_equal(hint_after(300), HINT_NONE);
     put_fish_on_the_poi();
     assert_int_equal(hint_after(300), HINT_NONE);

@@ -159,7 +159,7 @@ static void test_every_page_of_the_menu_times_out(void **state)
 }
 
 /* An operator who checks the axes of a poi on the menu's page only moves the poi and presses no
- * button. */
+ * button. Such motion must keep the menu open for a limited time. */
 static void test_a_moving_poi_keeps_the_menu_open_for_15_minutes(void **state)
 {
     (void)state;

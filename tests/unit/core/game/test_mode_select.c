@@ -58,7 +58,7 @@ static void test_left_and_right_cycle_and_start_chooses_a_mode(void **state)
     assert_int_equal(look()->mode, MODE_FESTIVAL);
     press(INPUT_LEFT);
     assert_int_equal(look()->mode, MODE_PRACTICE);
-    /* One sound for the opening of the selection and one for each of its four changes. */
+    /* The selection plays one sound when it opens and one for each of its four changes. */
     assert_int_equal(sounds[SOUND_CHOOSE], 5);
     press(INPUT_OK);
     assert_int_equal(core.game.phase, PHASE_READY);

@@ -194,8 +194,8 @@ static void measure_tail(const struct specimen *fish, float of[FIELD_COUNT])
         }
     }
     of[F_tail] = tip - root;
-    /* The fork is a fraction of the tail's length. It is multiplied by `unit`, because all values
-     * are divided by `unit` later. */
+    /* The fork is a fraction of the tail's length. The fraction is multiplied by `unit`, because
+     * all values are divided by `unit` later. */
     of[F_fork] = (tip - notch) / (tip - root) * fish->unit;
     of[F_span] = top - bottom;
 }

@@ -40,8 +40,8 @@ static void glide(float speed_m_s, float course_rad, float roll_rad, int by_mous
         }
         fixture_tick(&fixture);
         if (tick == ticks / 3u) {
-            /* The measurement begins here. It excludes the first step of the mouse, from the exact
-             * start position to a whole pixel. */
+            /* The measurement begins here, so that it excludes the first step of the mouse, from
+             * the exact start position to a whole pixel. */
             fixture.tension_max_n_m = fixture.tension_sum_n_m = 0.0f;
         }
     }

@@ -17,8 +17,8 @@ static float drawn(uint32_t trial, uint32_t which, float low, float high)
     return rng_range((struct rng_key){ 17, trial, which, RNG_TEST }, low, high);
 }
 
-/* Starts the ring at `start_m` with `velocity_m_s`, already at the position and speed of the
- * player's target. */
+/* Starts the ring at `start_m` with the speed `velocity_m_s`. The ring already has the position and
+ * the speed of the player's target. */
 static void swing_from(vec3 start_m, struct angles angles, vec3 velocity_m_s)
 {
     struct poi *poi = &fixture.poi;

@@ -347,8 +347,8 @@ static void test_a_dry_poi_casts_a_shadow_and_a_submerged_poi_casts_none(void **
     assert_true(level.present && level.x_m == 0.1f && level.z_m == -0.1f);
     assert_float_equal(level.radius_m, POI_OUTER_RADIUS_M, 1e-4f);
     assert_float_equal(level.dark, POI_PAPER_DARK, 1e-4f);
-    /* A shadow of a poi tilted by 60 degrees is an ellipse of half the area. It is represented by a
-     * disc of the same area, whose radius is smaller by the factor 0.7071. */
+    /* The shadow of a poi tilted by 60 degrees is an ellipse of half the area. The code uses a disc
+     * of the same area, whose radius is smaller by the factor 0.7071. */
     poi.angles.pitch_rad = 60.0f * F_DEG;
     assert_float_equal(poi_shade(&poi).radius_m, 0.7071f * POI_OUTER_RADIUS_M, 1e-4f);
     poi.immersed = 0.01f;

@@ -203,7 +203,8 @@ static void test_3_2_of_100_a_burst_takes_1_a_second_a_swim_0_2_and_rest_gives_0
 static void test_3_2_the_long_run_has_0_8_percent_burst_31_swim_68_rest_and_h_48(void **state)
 {
     (void)state;
-    const uint32_t hz = 30; /* Updates per second, as in the tank. */
+    /* Behavior updates of a fish per second, as in the tank (one in four ticks). */
+    const uint32_t hz = 30;
     float spent[GAIT_COUNT] = { 0.0f }, stamina = 0.0f;
     for (uint32_t i = 0; i < 200; i++) {
         struct fish fish = rested(GAIT_REST);

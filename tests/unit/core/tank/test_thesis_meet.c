@@ -212,7 +212,7 @@ static float pitch_way(float y_m, int8_t rise)
     return fish.avoid_turn;
 }
 
-/* "Near" means within a body's height of the surface or the floor. */
+/* A fish counts as near the surface or the floor if it is within its body's height of it. */
 static void test_3_4_a_fish_near_the_surface_dives_and_one_near_the_floor_rises(void **state)
 {
     (void)state;

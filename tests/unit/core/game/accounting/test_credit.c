@@ -81,7 +81,8 @@ static void test_a_full_credit_count_rejects_coins_and_loses_no_inserted_coin(vo
     drop(CREDITS_MAX * PRICE);
     assert_int_equal(credits(), CREDITS_MAX);
     assert_int_equal(output.coin_lockout, 1);
-    /* These coins were inserted before the slot closed. They stay in the balance as units. */
+    /* These coins were inserted before the coin slot closed. Their value stays in the balance as
+     * units. */
     drop(PRICE);
     assert_int_equal(credits(), CREDITS_MAX);
     assert_int_equal(balance()->units, PRICE);

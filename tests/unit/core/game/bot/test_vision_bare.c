@@ -103,8 +103,8 @@ static void keep(void *to, const void *from, const struct member *parts, size_t 
 }
 #define KEEP(to, from, parts) keep(to, from, parts, COUNT(parts))
 
-/* Copies only the visible state of a fish: its position, and whether the fish gulps at the
- * surface. */
+/* Copies only the state of a fish that the scene shows: the members in fish_parts, whether the fish
+ * gulps at the surface, and whether the fish is in the tank, on a poi or in a bowl. */
 static void keep_fish(struct fish *fish, const struct fish *from)
 {
     KEEP(fish, from, fish_parts);

@@ -63,7 +63,7 @@ static void test_no_poi_enters_the_water_before_the_round(void **state)
     }
     step();
     float last_m = core.game.control[0].hand_pose.position_m.y;
-    /* The poi must be lowered gradually. */
+    /* In no tick may the target of the poi sink by 4 mm or more. */
     for (uint32_t i = 0; i < 150u; i++) {
         step();
         assert_true(last_m - core.game.control[0].hand_pose.position_m.y < 0.004f);

@@ -435,8 +435,8 @@ static void test_a_fish_carried_during_a_fault_can_be_landed_and_counts(void **s
     }
 }
 
-/* When the controller returns, the poi is 20 cm away under water. It must reach the controller's
- * position within 1.5 s and must not move faster than a careful player. */
+/* When the controller returns, the poi is 20 cm away under water. The poi must reach the
+ * controller's position within 1.5 s and must not move faster than a careful player. */
 static void test_the_poi_glides_back_without_a_jump(void **state)
 {
     (void)state;

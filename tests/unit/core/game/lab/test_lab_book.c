@@ -23,7 +23,7 @@ static int setup(void **state)
     return 0;
 }
 
-/* Checks that the hash of the book changes with `value`. */
+/* Checks that a change of `value` changes the hash of the book. */
 static void expect_hashed(float *value)
 {
     const uint64_t before = field_hash(HASH_START, &lab_book_fields, &book);

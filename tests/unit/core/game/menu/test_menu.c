@@ -220,8 +220,8 @@ static void test_a_test_coin_in_the_tick_of_a_page_change_counts_once(void **sta
     for (uint32_t i = 1; i <= 60u; i++) {
         menu_turn(&core.game.menu, &core.game, &core.config.persistent.settings,
                   i % 20u < 10u ? MENU_DEVICES : MENU_LINES);
-        /* A coin falls in every pass. In every tenth pass TEST is pressed in the same tick, which
-         * opens or leaves the page LINES. */
+        /* Every run of this loop inserts a coin. In every tenth run TEST is pressed in the same
+         * tick, which opens or leaves the page LINES. */
         if (i % 10u == 0) {
             core.game.menu.tag[MENU_DEVICES] = (uint8_t)menu_tag_of(MENU_LINES);
             input.pressed = INPUT_TEST;

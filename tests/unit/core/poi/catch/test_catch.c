@@ -342,8 +342,8 @@ static void test_sounds_follow_the_events_without_repetition(void **state)
     fixture_add_fish(&fixture, v3(0.0f, -0.10f, 0.0f), FISH_M);
     for (uint32_t tick = 0; tick < 8u * CORE_TICK_HZ; tick++) {
         fixture.hand.position_m.y = tick < 2u * CORE_TICK_HZ ? -0.13f : 0.06f;
-        /* For the first second the poi is in the water 20 cm beside the fish. Then it moves under
-         * the fish. */
+        /* For the first second the poi is in the water 20 cm beside the fish. Afterwards the poi
+         * moves under the fish. */
         fixture.hand.position_m.x = tick < CORE_TICK_HZ ? 0.2f : 0.0f;
         fixture_tick(&fixture);
         for (uint32_t i = 0; i < fixture.output.sound_count; i++) {

@@ -188,7 +188,7 @@ static void test_a_hole_reduces_the_load_by_its_area(void **state)
     }
     const float left = sheet_left(&sheet);
     assert_float_equal(left, 0.95f, 0.01f);
-    /* A load without noticeable weight. sheet_tick() skips a load of exactly 0. */
+    /* This load has no noticeable weight. A load of exactly 0 would be skipped by sheet_tick(). */
     const struct sheet_load foot = { 0.0f, 0.02f, 0.02f, -1e-6f };
     const struct sheet_events events = sheet_tick(&sheet, 20.0f, in_air, &foot, 1);
     const float whole = sheet_tension_centre(sheet_grade(4), 20.0f * left, RADIUS_M);

@@ -411,8 +411,8 @@ static void test_a_startled_gulping_fish_submerges_before_it_escapes(void **stat
         assert_true(top_m(fish) <= 0.0f);
     }
     assert_int_equal(gulpers, 10);
-    /* Most fish start within 10 ticks, because the latency of sight is 60 to 150 ms. A fish that
-     * needs a second stimulus takes longer. */
+    /* Most of the ten fish must be under water within 10 ticks (83 ms), because the latency of an
+     * escape from a visual stimulus is 60 to 150 ms. */
     assert_true(soon >= 8);
 }
 

@@ -246,7 +246,8 @@ static void test_the_stroke_widens_up_to_five_beats_a_second(void **state)
     assert_float_equal(cruising.tail_amplitude, 0.61f, 0.01f);
     /* At 5 beats per second the amplitude reaches its maximum. */
     assert_float_equal(fast.tail_amplitude, 1.0f, 0.01f);
-    /* At 13 beats per second only the frequency is higher. */
+    /* At 13 beats per second the amplitude is still at its maximum, and only the frequency is
+     * higher. */
     assert_float_equal(fleeing.tail_amplitude, 1.0f, 0.01f);
 }
 

@@ -199,8 +199,8 @@ static void test_a_blocked_obstacle_loses_its_unused_speed_and_turn(void **state
 /* No number of lanes divides 203, so the last block is incomplete. */
 enum { MANY = 203 };
 
-/* Runs the solver on the crowd of begin_step() with `lanes` SIMD lanes. With `alone`, each fish is
- * solved by the scalar code. */
+/* Runs the solver on the crowd of begin_step() with `lanes` SIMD lanes. If `alone` is set, each
+ * fish is solved by the scalar code. */
 static void clear_crowd(uint8_t lanes, int alone)
 {
     place.lanes = lanes;

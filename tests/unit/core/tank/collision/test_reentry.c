@@ -89,7 +89,8 @@ static void settle(uint32_t *tick, uint32_t ticks)
     }
 }
 
-/* Drops 20 fish at a time, each onto another fish. */
+/* Drops 20 fish at a time, each onto another fish. All dropped fish must swim within half a
+ * second. */
 static void test_fish_dropped_into_a_full_tank_swim_within_half_a_second(void **state)
 {
     (void)state;
