@@ -114,8 +114,8 @@ struct event {
     double work_ms;
 };
 
-/* Measures one trial. The event occurs `phase` of a frame after the last frame read its input.
- * `phase` is in [0, 1). */
+/* Measures the latency of one event, which occurs `phase` of a frame after the last frame read its
+ * input. `phase` is in [0, 1). */
 static struct latency measure(const struct event *event, float phase)
 {
     const uint64_t event_ns = base.clock.now_ns + 1 + (uint64_t)(phase * (float)event->frame_ns);
@@ -142,8 +142,8 @@ static int compare(const void *left, const void *right)
     return (a > b) - (a < b);
 }
 
-/* Measures all trials of one event and prints a row of the table. Returns 1 if each latency was
- * within one frame, one tick and the time for drawing. */
+/* Measures TRIALS events of one kind at random phases and prints a row of the table. Returns 1 if
+ * each latency was within one frame, one tick and the time for drawing. */
 static int bench(const struct event *event)
 {
     static double ms[TRIALS];

@@ -295,8 +295,8 @@ static struct figures measure(uint32_t fish)
     while (count < SAMPLES_MAX && (count < SAMPLES_MIN || now_ns() - start < MEASURE_NS)) {
         for (uint32_t w = 0; w < widths; w++) {
             const uint32_t lanes = 4u << w;
-            /* Each case first runs once without measurement. Otherwise its data would still be
-             * displaced from the cache by the other case. */
+            /* Each measured call runs once before without measurement. Otherwise its data would not
+             * be in the cache, because the other calls displace them. */
             (void)block_ns(lanes);
             samples[w][count] = block_ns(lanes);
             (void)bare_ns(lanes, &pair_count);

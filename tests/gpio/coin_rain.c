@@ -66,8 +66,8 @@ static uint64_t draw_width(struct coin_rain *rain)
     return between(&rain->seed, 20 * MS, 240 * MS);
 }
 
-/* Adds two sparks, as from a lighter at the coin slot. They are 16 to 80 ms apart, so that together
- * they look like the edges of a coin pulse. */
+/* Adds two sparks, as from a lighter at the coin slot. The sparks are 16 to 80 ms apart, so that
+ * together they look like the edges of a coin pulse. */
 static void add_sparks(struct coin_rain *rain)
 {
     static const struct gpio_sim_event spark = { .what = GPIO_SIM_SPARK, .role = GPIO_COIN };

@@ -1,7 +1,7 @@
 /* fake_board.h -- simulated GPIO chips below libgpiod.
  *
- * fake_gpiod1.c and fake_gpiod2.c replace libgpiod 1.6 and 2.x by functions that use these chips.
- * With them test_gpio_backend.c tests the real backends. */
+ * fake_gpiod1.c and fake_gpiod2.c replace libgpiod 1.6 and 2.x by functions that use these chips,
+ * so that test_gpio_backend.c can test the real backends. */
 #ifndef KINGYO_TESTS_GPIO_FAKE_BOARD_H
 #define KINGYO_TESTS_GPIO_FAKE_BOARD_H
 

@@ -196,8 +196,8 @@ static void test_edges_that_the_queue_dropped_are_counted_or_inferred(void **sta
     fake_line_edge(start, 200 * MS, false, 3);
     assert_int_equal(wait(&lines, edges), 1);
     assert_int_equal(edges[0].lost_before, is_second(&lines) ? 3 : 1);
-    /* A second edge to the same level does not mean a lost edge. The kernel read the level too
-     * late. */
+    /* A second edge to the same level need not mean a lost edge. Here the kernel has read the level
+     * too late. */
     fake_line_edge(start, 300 * MS, false, 0);
     assert_int_equal(wait(&lines, edges), 1);
     assert_int_equal(edges[0].lost_before, 0);

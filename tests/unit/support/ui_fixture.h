@@ -72,8 +72,8 @@ static inline void set_scene(uint8_t phase, uint8_t language, uint8_t hint, floa
     scene.call_s = 60.0f;
 }
 
-/* Sets the mode, the number of players, and the announcements that the umpire makes to each
- * player. */
+/* Sets the mode and the number of players. `variant` selects the announcement to all players, and
+ * the fouls and the state of each player. */
 static inline void set_match(uint8_t mode, uint32_t players, uint8_t variant)
 {
     scene.mode = mode;

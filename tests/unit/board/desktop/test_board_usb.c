@@ -29,8 +29,8 @@
 static struct {
     struct storage_sim storage;
     struct hal hal;
-    /* The board's devices, including its real display and store. `hal` is a copy with other
-     * ones. */
+    /* The board's devices, including its real display and store. `hal` is a copy in which the
+     * display and the store are replaced. */
     struct hal real;
     struct kiosk kiosk;
     uint32_t poi;     /* Index of the poi on the simulated bus. */

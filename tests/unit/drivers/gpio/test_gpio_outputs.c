@@ -9,7 +9,8 @@
 #include "drivers/gpio/gpio_thread.h"
 #include "tests/unit/support/gpio_fixture.h"
 
-/* Counts how often output `role` became active. Writes its shortest active time. */
+/* Returns how often output `role` became active. Writes its shortest active time to `shortest_ns`,
+ * or UINT64_MAX if it never became inactive again. */
 static uint32_t count_pulses(const struct gpio_lines_sim *sim, uint8_t role, uint64_t *shortest_ns)
 {
     uint32_t count = 0;

@@ -12,8 +12,8 @@
 #include "core/base/rng.h"
 #include "drivers/hid/poi_report.h"
 
-/* The poi is 0.5 m to the left, 5 cm under water and in the middle of the tank's depth. Its nose
- * points down by pi / 4. */
+/* The poi is 0.5 m to the left, 5 cm under water and in the middle of the tank's depth. Its far
+ * edge is pitched down by pi / 4. */
 static const uint8_t dipped[POI_REPORT_SIZE] = {
     1,    200,                          /* Report id and sequence number */
     0x00, 0xc0, 0x9a, 0xf9, 0x00, 0x00, /* Position x, y, z: -16384, -1638, 0 */

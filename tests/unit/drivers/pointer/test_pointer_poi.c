@@ -293,9 +293,9 @@ static struct angles angles_while_sweeping(float step_px)
 static void test_fast_motion_tilts_the_ring_in_the_direction_of_motion(void **state)
 {
     (void)state;
-    /* About 0.1 m/s. */
+    /* The pointer moves at about 0.1 m/s. */
     const float glide = angles_while_sweeping(2.0f).roll_rad;
-    /* About 1 m/s. */
+    /* The pointer moves at about 1 m/s. */
     const float rush = angles_while_sweeping(20.0f).roll_rad;
     assert_true(glide < 0.0f && glide > -4.0f * F_DEG);
     assert_true(rush < -15.0f * F_DEG && rush > -21.0f * F_DEG);

@@ -178,9 +178,9 @@ static void test_the_kingyo_descriptor_is_compared_in_every_byte(void **state)
 static void test_devices_without_pointing_or_game_usages_are_excluded(void **state)
 {
     (void)state;
+    /* Usage pages (low byte first) and usages of a UPS, a FIDO key and a headset. */
     static const uint8_t pages[][3] = { { 0x84, 0x00, 0x04 },
                                         { 0xd0, 0xf1, 0x01 },
-                                        /* Usages of a UPS, a FIDO key and a headset. */
                                         { 0x0b, 0x00, 0x05 } };
     for (uint32_t i = 0; i < sizeof pages / sizeof pages[0]; i++) {
         const uint8_t bytes[] = { 0x06, pages[i][0], pages[i][1], 0x09, pages[i][2], 0xa1, 0x01,
