@@ -76,8 +76,8 @@ static void test_two_glitches_that_are_read_late_are_no_pulse(void **state)
     assert_false(edge(&input, 125, false, 0));
     assert_false(level(&input, 130, false));
     assert_int_equal(input.doubtful, 1);
-    /* The next two edges are only 1 ms apart, which is too short for a pulse. They must therefore not
-     * be counted as doubtful or late. */
+    /* The next two edges are only 1 ms apart, which is too short for a pulse. They must therefore
+     * not be counted as doubtful or late. */
     taken_ns = 160 * MS;
     assert_false(edge(&input, 200, false, 0));
     taken_ns = 0;
