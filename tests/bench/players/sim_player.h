@@ -63,8 +63,8 @@ struct habits {
 
     /* Shortest and longest time for which the player holds the ring still under water. */
     float hold_min_s, hold_max_s;
-    /* The hold ends when a fish is within this distance of the ring; 0 means that no fish ends the
-     * hold. */
+    /* The hold ends when a fish above the ring is within this distance of the ring in pixels; 0
+     * means that no fish ends the hold. */
     float until_px;
     /* Shortest and longest time limit for following the fish under water; 0 means that the player
      * lifts at once. */
@@ -73,8 +73,8 @@ struct habits {
     /* Distance between fish and ring at which the player lifts; 0 means that only the time limit
      * ends the pursuit. */
     float over_px;
-    /* If the chosen fish is farther than this from the ring, the player follows the fish nearest to
-     * the ring instead; 0 means never. */
+    /* If the chosen fish is farther than this from the ring, in pixels, the player follows the
+     * nearest fish above the ring instead; 0 means never. */
     float lost_px;
     /* Seconds from the lift until the player checks whether a fish is on the paper. */
     float rise_s;

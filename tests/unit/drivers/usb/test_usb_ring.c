@@ -249,10 +249,10 @@ static void test_reports_of_a_removed_device_are_not_given_to_the_next(void **st
     face = face_of(2);
     hid_port_attach(&port, &face);
     hid_port_report(&port, 20, (const uint8_t *)"b", 1);
-    /* Last report of the first device. */
+    /* The last report of the first device is taken first. */
     assert_int_equal(hid_port_take(&port, &raw), 1);
     assert_int_equal(raw.bytes[0], 'a');
-    /* End of the first device. */
+    /* The next call returns the end of the first device. */
     assert_int_equal(hid_port_take(&port, &raw), HAL_ERR_GONE);
     assert_int_equal(hid_port_open(&port, &face), HAL_OK);
     assert_int_equal(face.identity.product, 2);
