@@ -47,7 +47,8 @@ struct hour {
  * core rejects the state. */
 int hour_open(struct hour *hour, uint32_t seed, struct hal_storage store);
 
-/* Runs one frame: two ticks, then passing data to the store and reading its results. */
+/* Runs one frame: simulates two ticks, passes their data to the store and reads the store's
+ * results. */
 void hour_frame(struct hour *hour, struct hal_storage store);
 
 /* Returns morph graph `number` as a record for the store. */

@@ -96,8 +96,8 @@ static void test_each_tank_is_visible_on_wide_and_narrow_screens(void **state)
     }
 }
 
-/* The rules of the goldfish scooping federation: tank type A, 1,000 fish of about 4 cm, 10 cm of
- * water, no pump, 20 to 30 C. */
+/* Tests the rules of the goldfish scooping federation: tank type A, 1,000 fish of about 4 cm, 10 cm
+ * of water, no pump, 20 to 30 C. */
 static void test_the_official_preset_is_the_championship(void **state)
 {
     (void)state;

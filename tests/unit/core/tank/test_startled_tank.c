@@ -33,7 +33,7 @@ static float deepest_m(uint32_t *over_half_mm)
     return deepest;
 }
 
-/* Startles all fish in one tick by a pressure stimulus in the middle. */
+/* Startles all fish in one tick by a pressure stimulus in the middle of the tank. */
 static void startle_all(void)
 {
     for (uint32_t i = 0; i < tank.fish_count; i++) {

@@ -138,8 +138,8 @@ static void check_side(float struck_yaw_deg, float behind, float away)
 static void test_3_4_the_fish_that_hits_from_the_side_passes_behind_in_90_percent(void **state)
 {
     (void)state;
-    /* The struck fish swims to the left and is hit on its left side. The other fish passes behind
-     * it, on the right. */
+    /* The struck fish swims to the left and is hit on its left side. The other fish turns right, so
+     * that it passes behind the struck fish. */
     check_side(90.0f, -1.0f, -1.0f);
     check_side(-90.0f, 1.0f, 1.0f); /* The same case, mirrored left to right. */
 }

@@ -286,7 +286,7 @@ static void check_fault(const struct scene_of *of)
     /* The clock of the round was stopped in exactly the ticks in which the controller was lost. */
     assert_int_equal(still_ticks, lost_ticks);
     assert_int_equal(lost_ticks > 0, loses_the_hand(of));
-    /* After a permanent turn (TURN) the ring stands on its edge, so the fish may slide off. */
+    /* After a permanent turn (TURN) the ring is tilted by 69 degrees, so the fish may slide off. */
     if (of->fault != TURN) {
         /* A fish that was carried is still on the paper, and no other fish is. */
         assert_int_equal(poi->carried_count, of->place == CARRYING);

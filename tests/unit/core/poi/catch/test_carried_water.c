@@ -41,7 +41,8 @@ static void test_a_tilted_poi_drains_in_0_15_s_over_the_sine(void **state)
     for (uint32_t i = 0; i < 3; i++) {
         fixture_init(&fixture, 6, 1);
         fixture.poi.angles.pitch_rad = fixture.hand.angles.pitch_rad = tilts_rad[i];
-        /* Puts 5 g of water on the poi, as after a lift. */
+        /* Puts 5 g of water on the poi, as after a lift. After the time constant `tau_s`, 1/e (36.8
+         * %) of the water must be left. */
         fixture.poi.pool_kg = 0.005f;
         const float tau_s = 0.15f / f_sin(tilts_rad[i]);
         for (float s = 0.0f; s < tau_s; s += CORE_TICK_S) {

@@ -13,7 +13,7 @@
 
 static struct poi_fixture fixture; /* Static, because the struct is too large for some stacks. */
 
-/* Motion of a ring: its speed, the tilt of the ring relative to its course, and the downward angle
+/* Motion of a ring: the tilt of the ring relative to its course, its speed, and the downward angle
  * of the course. */
 struct manner {
     float tilt_rad, speed_m_s, down_rad;

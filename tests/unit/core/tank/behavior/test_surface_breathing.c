@@ -112,8 +112,8 @@ static uint32_t surfacing_count(const struct tank *water)
     return count;
 }
 
-/* In the thesis (section 3.6), a fish rises if its stamina is below 25. Other presets have no such
- * rule. */
+/* In the thesis (section 3.6), a fish rises if its stamina is below 25 of 100 (here 0.25). Other
+ * presets have no such rule. */
 static void test_low_stamina_starts_gulping_only_in_the_thesis_tank(void **state)
 {
     (void)state;
