@@ -8,13 +8,13 @@ data=$work/data
 mkdir "$data"
 cp $old/version-6.db "$data/kingyo.db"
 
-says() { # PATTERN WORDS...
+says() { # PATTERN WORDS...: The output of kingyoctl WORDS matches PATTERN.
     local pattern=$1
     shift
     "$ctl" "$@" --data "$data" | tee "$work/out"
     grep -qE -- "$pattern" "$work/out"
 }
-ends() { # CODE PATTERN WORDS...
+ends() { # CODE PATTERN WORDS...: kingyoctl WORDS exits with CODE, and its output or error matches PATTERN.
     local code=$1 pattern=$2 got
     shift 2
     "$ctl" "$@" >"$work/out" 2>&1
@@ -106,7 +106,7 @@ keeps() { # FILE PATTERN: A backup to FILE is refused, and FILE is unchanged.
     [ "$1" = "$work/precious" ] || rm "$1"
     return $result
 }
-last_id() { # FILE
+last_id() { # FILE: Prints the id of the newest ledger entry in the database FILE.
     sqlite3 "$1" 'select max(id) from entries'
 }
 # The kiosk's database has reached entry 10 since the copy was made. Its backup and its mirror file
@@ -147,7 +147,7 @@ begins_elsewhere() {
     mkdir "$work/other" && ends 0 '9 entries' backup --restore "$work/copy-9.db" --data "$work/other" &&
         [ "$(ls "$work/other")" = kingyo.db ] && [ "$(stat -c %a "$work/other/kingyo.db")" = 600 ]
 }
-keeps_its_file() { # FILE PATTERN
+keeps_its_file() { # FILE PATTERN: Restoring FILE fails with an error of PATTERN and leaves kingyo.db unchanged.
     head -c 6000 "$work/copy-9.db" >"$work/torn.db"
     "$ctl" backup --restore "$1" --data "$work/back" >"$work/out" 2>&1 && return 1
     cat "$work/out"

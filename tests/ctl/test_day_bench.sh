@@ -34,7 +34,7 @@ check 'the missed goal has its number and advice' eval \
     'grep -q "^NOT SO: .* have a fish of their own (goal 100 %)" "$work/missed/out" && grep -q "^to change: " "$work/missed/out"'
 check 'free play takes no coins' grep -Eq '^  coins: 0, for 0 paid and [1-9][0-9]* free rounds' "$work/missed/out"
 
-refused() { # OPTION...
+refused() { # OPTION...: Exits with 2 and one error line.
     "$bench" "$work" "$@" >"$work/out" 2>"$work/err"
     local status=$?
     cat "$work/err"

@@ -20,11 +20,11 @@ finds() {
     [ "$(grep -cE "^$1\|$2\|[^|]*$3[^|]*\|[^|]*$4[^|]*\|${5:-}" "$work/rows")" -eq 1 ]
 }
 with=()
-put() { # PATH TEXT
+put() { # PATH TEXT: Writes TEXT into the file PATH of the simulated machine.
     mkdir -p "$(dirname "$root/$1")"
     printf '%s\n' "$2" >"$root/$1"
 }
-device() { # PORT CLASS VENDOR PRODUCT NUMBER NAME
+device() { # PORT CLASS VENDOR PRODUCT NUMBER NAME: Adds a USB device to the simulated machine.
     local at=sys/bus/usb/devices/$1
     put "$at/bDeviceClass" "$2"
     put "$at/idVendor" "$3"
@@ -37,7 +37,9 @@ device() { # PORT CLASS VENDOR PRODUCT NUMBER NAME
     put "dev/bus/usb/001/00$5" ''
     chmod 600 "$root/dev/bus/usb/001/00$5"
 }
-interface() { # PORT NUMBER CLASS SUBCLASS PROTOCOL DRIVER [DESCRIPTOR]
+# PORT NUMBER CLASS SUBCLASS PROTOCOL DRIVER [DESCRIPTOR]: Adds an interface to the USB device at PORT. An empty DRIVER
+# means that no driver is bound.
+interface() {
     local at=sys/bus/usb/devices/$1:1.$2
     put "$at/bInterfaceNumber" "0$2"
     put "$at/bInterfaceClass" "$3"

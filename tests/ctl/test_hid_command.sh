@@ -7,7 +7,7 @@ good=tests/hid/good
 joypad=006-blaze-joypad
 descriptor=$good/descriptors/$joypad.hid
 
-refuses() { # CODE PATTERN WORDS...: One line on standard error, nothing on standard output
+refuses() { # CODE PATTERN WORDS...: Exits with CODE, one line on standard error, and at most one line on standard output.
     local code=$1 pattern=$2
     shift 2
     "$ctl" hid "$@" >"$work/out" 2>"$work/err"
@@ -91,7 +91,7 @@ check 'a report that is not hex exits with 65 and gives its line' refuses 65 'ba
 check 'a row without a report exits with 65 and gives its line' refuses 65 'missing.tsv: line 2: ' decode "$descriptor" "$work/missing.tsv"
 
 # ---- Live input: a recorded file and a pipe are split into reports by the descriptor.
-watch_rows() { # FILE REPORTS
+watch_rows() { # FILE REPORTS: Prints the rows of REPORTS reports. The last report has the values of one.tsv.
     "$ctl" hid watch "$1" --descriptor "$descriptor" >"$work/out" || return 1
     [ "$(head -1 "$work/out")" = "$(head -1 $good/values.tsv)$(printf '\ttime_ms')" ] &&
         [ $(($(wc -l <"$work/out") - 1)) -eq $((values * $2)) ] &&

@@ -116,7 +116,7 @@ same_files() {
         [ "$(sqlite3 "$work/closed/copy.db" 'pragma integrity_check')" = ok ]
 }
 few_silent() { echo "$silent"; [ "$silent" -le 10 ]; }
-is_reason() { # WORDS FULL|CLOSED PROGRAM...
+is_reason() { # WORDS FULL|CLOSED PROGRAM...: The one line on standard error gives the reason WORDS.
     local wanted=$1
     shift
     is_told "$@" && [ "$(wc -l <"$work/err")" -eq 1 ] && grep -q "standard output: $wanted" "$work/err"

@@ -8,7 +8,7 @@ morph() { "$ctl" morph "$@"; }
 query() { sqlite3 :memory: "with r as (select readfile('$work/check.json') as j) select $1 from r"; }
 
 mapfile -t species < <(morph list | awk '{ print $1 }')
-is_good() { # SPECIES
+is_good() { # SPECIES: All 501 moments of growth are checked, and no flaw is found.
     morph check "$1" --steps 500 --json >"$work/check.json" || { cat "$work/check.json"; return 1; }
     [ "$(query 'json_valid(j)')" = 1 ] && [ "$(query "json_extract(j, '\$.good')")" = 1 ] &&
         [ "$(query "json_extract(j, '\$.moments')")" = 501 ]
@@ -52,7 +52,7 @@ spoiled() {
 }
 check 'a damaged drawing fails, and the error names the flaw and its position' spoiled
 
-refused() { # WORDS...
+refused() { # WORDS...: Wrong usage: exit code 2, one line on standard error, nothing on standard output.
     morph check "$@" >"$work/out" 2>"$work/err"
     [ $? = 2 ] && [ "$(wc -l <"$work/err")" = 1 ] && [ ! -s "$work/out" ]
 }

@@ -20,13 +20,13 @@ listed_for_people() {
 check 'the text of morph list has the same species as the JSON' listed_for_people
 has_wakin() { printf '%s\n' "${species[@]}"; [ "${species[0]}" = wakin ]; }
 check 'the wakin is the first species of morph list' has_wakin
-key_names() { # SPECIES
+key_names() { # SPECIES: Prints the names of the keys, one on each line.
     sqlite3 :memory: "select json_extract(k.value, '\$.name') from json_each(readfile('$work/list.json')) s,
         json_each(s.value, '\$.keys') k where json_extract(s.value, '\$.id')='$1' order by k.key"
 }
 
 # ---- Weights
-head_is() { # SPECIES
+head_is() { # SPECIES: The head of the table of weights has a column for each key.
     local expected
     expected=progress,age_days,length_mm,scale$(key_names "$1" | sed 's/^/,w_/' | tr -d '\n')
     [ "$(morph weights "$1" --steps 1 | head -1)" = "$expected" ] || { echo "$expected"; return 1; }
@@ -100,7 +100,7 @@ three_keys() {
 check '--thesis has three keys' three_keys
 
 # ---- Growth: the table at hatching, at the end and between
-growth_holds() { # SPECIES
+growth_holds() { # SPECIES: Lengths rise on both curves. Hatching is on the shifted curve and the end on the plain one.
     morph growth "$1" --steps 400 >"$work/g.csv" || return 1
     awk -F, 'NR == 1 { if ($0 != "age_days,age_years,length_mm,von_bertalanffy_mm,shifted_mm") bad = "head"; next }
         NR == 2 && ($1 != 0 || ($3 - $5) ^ 2 > (1e-4 * $3) ^ 2 || $3 <= 0) { bad = "hatching" }
@@ -206,7 +206,7 @@ colours_of() { # OPTIONS...: The colours of the keys' curves, in the order of th
     morph graph "$@" --svg "$work/colours.svg" &&
         sed -nE 's/.*stroke="(#[0-9a-f]{6})" stroke-width="3.5".*/\1/p' "$work/colours.svg" | paste -sd ' '
 }
-is_coloured() { # COLOURS OPTIONS...
+is_coloured() { # COLOURS OPTIONS...: The curves have COLOURS.
     local is
     is=$(colours_of "${@:2}")
     echo "$is"
@@ -238,7 +238,7 @@ check 'an id that begins with a digit is drawn as a name' odd_name
 check 'the graph has a curve for each key and one for the size' has_curves
 
 # ---- Mistakes: one line that names the wrong argument, nothing on standard output
-mistake() { # STATUS NEEDLE WORDS...
+mistake() { # STATUS NEEDLE WORDS...: Exits with STATUS and one error line that contains NEEDLE.
     local expected=$1 needle=$2 status
     shift 2
     "$ctl" morph "$@" >"$work/out" 2>"$work/err"

@@ -70,7 +70,7 @@ check "a species text gives the same mesh as the built-in species" made_file
 # ---- glTF: the structure of the file; tests/gltf checks the content
 word() { od -An -tu4 -j "$2" -N4 "$1" | tr -d ' '; } # FILE OFFSET
 json_of() { dd if="$1" bs=1 skip=20 count="$(word "$1" 12)" status=none; }
-glb_is_whole() { # OPTIONS...
+glb_is_whole() { # OPTIONS...: The file has the head and the size of glTF 2, and its JSON is valid.
     export_of "$@" --glb "$work/fish.glb" || return 1
     [ "$(head -c4 "$work/fish.glb")" = glTF ] && [ "$(word "$work/fish.glb" 4)" = 2 ] &&
         [ "$(word "$work/fish.glb" 8)" = "$(stat -c%s "$work/fish.glb")" ] || return 1
@@ -101,14 +101,14 @@ scale_is_animated() {
 check "the size is an animated scale that rests at the adult's length" scale_is_animated
 
 # ---- Pictures
-sheet_is() { # SPECIES OPTIONS...
+sheet_is() { # SPECIES OPTIONS...: The sheet is a PNG 2400 pixels wide with at least 1000 colours.
     export_of "$@" --sheet "$work/sheet.png" || return 1
     identify -format '%m %w %h %k\n' "$work/sheet.png" | tee "$work/size"
     awk '$1 != "PNG" || $2 != 2400 || $3 < 900 || $4 < 1000 { exit 1 }' "$work/size"
 }
 check 'the sheet is a PNG with many colours' sheet_is wakin # test_fish_preview.c draws every species.
 check "the sheet of --thesis is a PNG with many colours" sheet_is hirame --thesis
-frames_are() { # COUNT OPTIONS...
+frames_are() { # COUNT OPTIONS...: COUNT pictures of 1280x720 are written into a new folder.
     local count=$1
     shift
     rm -rf "$work/frames"
@@ -128,7 +128,7 @@ again() {
 check 'the same arguments write the same bytes' again
 
 # ---- Mistakes: one line, the right exit code, no file left behind
-refused() { # CODE PATTERN OPTIONS...
+refused() { # CODE PATTERN OPTIONS...: Exits with CODE and one error line that matches PATTERN.
     local code=$1 pattern=$2 got
     shift 2
     export_of "$@" >"$work/out" 2>"$work/err"

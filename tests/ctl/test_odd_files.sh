@@ -54,7 +54,7 @@ refused() { # WORDS...: One line on standard error, exit code 65 or 74, within l
     [ $code -eq 65 ] || [ $code -eq 74 ] || { echo "exit $code: $*"; head -3 "$work/err"; return 1; }
     [ "$(wc -l <"$work/err")" -le "${lines:-1}" ] && [ -s "$work/err" ] || { echo "not one line: $*"; head -3 "$work/err"; return 1; }
 }
-all_refuse() { # KIND
+all_refuse() { # KIND: Every reader refuses the odd file of this KIND.
     local words bad=0
     while IFS= read -r words; do
         # shellcheck disable=SC2086
@@ -62,7 +62,7 @@ all_refuse() { # KIND
     done <<<"$readers"
     return $bad
 }
-says() { # WORDS KIND PROGRAM...
+says() { # WORDS KIND PROGRAM...: The error line contains WORDS. FILE in the arguments stands for the odd file of KIND.
     local wanted=$1 kind=$2
     shift 2
     refused "${@//FILE/$work/odd/$kind}"

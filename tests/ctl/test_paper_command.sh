@@ -23,7 +23,7 @@ check 'paper that tears has a time and a hole' holds "$(get time_to_tear_s)<=0.0
     --grade 7 --speed-m-s 1 --seconds 0.5
 check 'the hole is not larger than the paper' holds "abs($(get hole_area_mm2)-5026.55)<0.01" --grade 6 \
     --speed-m-s 0.8
-text() { # PATTERN OPTIONS...
+text() { # PATTERN OPTIONS...: A line of the text output matches PATTERN.
     local pattern=$1
     shift
     "$ctl" paper "$@" | tee "$work/text"
@@ -56,7 +56,7 @@ instant() { # OPTIONS...: Prints the lowest speed, in mm/s, at which the paper t
     done
     echo "$high"
 }
-within() { # PER CENT GOT WANTED
+within() { # PER CENT GOT WANTED: GOT differs from WANTED by at most PER CENT.
     echo "$2, wanted $3 within $1 %"
     [ $((100 * ($2 - $3))) -le $(($1 * $3)) ] && [ $((100 * ($3 - $2))) -le $(($1 * $3)) ]
 }
@@ -91,7 +91,7 @@ check 'twice the weight on a foot gives a stronger paper' holds "$(get wet_n_m)>
 check 'a longer hanging time gives a stronger paper' holds "$(get wet_n_m)>55" --grade 5 --calibrate 70 --hang-s 60
 
 # ---- Mistakes: one line that names the option, nothing on standard output
-mistake() { # STATUS NEEDLE OPTIONS...
+mistake() { # STATUS NEEDLE OPTIONS...: Exits with STATUS and one error line that contains NEEDLE.
     local expected=$1 needle=$2 status
     shift 2
     "$ctl" paper "$@" >"$work/out" 2>"$work/err"

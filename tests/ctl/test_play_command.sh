@@ -14,7 +14,7 @@ play() { "$ctl" play --round-s 10 "$@"; }
 
 # ---- JSON
 play --bot novice --mode festival --rounds 3 --seed 7 --json --record "$work/rec" >"$work/a.json" 2>"$work/err"
-keys_are() { # PATH KEYS
+keys_are() { # PATH KEYS: The JSON object at PATH has exactly KEYS, in this order.
     local found
     found=$(sqlite3 :memory: "select group_concat(key, ' ') from json_each(readfile('$work/a.json'), '$1')")
     [ "$found" = "$2" ] || { echo "$found"; return 1; }
@@ -41,7 +41,7 @@ check 'the same seed gives the same rounds with and without --record' cmp "$work
 play --bot novice --rounds 3 --seed 7 --json --jobs 1 >"$work/b.json"
 check '--jobs 1 gives the same rounds as parallel jobs' cmp "$work/a.json" "$work/b.json"
 play --bot novice --seed 8 --json >"$work/b.json"
-same_hash() { # FILE INDEX FILE INDEX
+same_hash() { # FILE INDEX FILE INDEX: The rounds at both places have the same state hash.
     local one other
     one=$(value "$1" "rounds[$2].state_hash") other=$(value "$3" "rounds[$4].state_hash")
     echo "$one $other"
@@ -103,7 +103,7 @@ check '--help lists every option' eval \
     'for option in bot mode grade rounds seed fish round-s jobs record json; do grep -q -- "--$option " "$work/help" || { echo $option; exit 1; }; done'
 
 # ---- Mistakes: one line that names the mistake, nothing on standard output
-mistake() { # STATUS NEEDLE OPTIONS...
+mistake() { # STATUS NEEDLE OPTIONS...: Exits with STATUS and one error line that contains NEEDLE.
     local expected=$1 needle=$2 status
     shift 2
     "$ctl" play "$@" >"$work/out" 2>"$work/err"

@@ -22,7 +22,7 @@ writes() { # AGE_S WELL: Writes the file as the service does.
 JSON
 }
 status() { "$build/kingyoctl" status --file "$file" "$@" >"$work/out" 2>"$work/err"; }
-ends() { # CODE PATTERN ARGUMENTS...
+ends() { # CODE PATTERN ARGUMENTS...: Exits with CODE, and the output or the error matches PATTERN.
     local code=$1 pattern=$2 got
     shift 2
     status "$@"

@@ -40,7 +40,7 @@ check 'the times are measured' holds "$work/a.json" \
      and json_extract(j,'\$.tick_ms_p99')>=json_extract(j,'\$.tick_ms_median')"
 
 # ---- Trace
-judged() { # TRACE SIZE... PATTERN
+judged() { # TRACE SIZE... PATTERN: The verdict of judge_trace on TRACE matches PATTERN.
     local said
     said=$("$judge" "$1" "$2" "$3" "$4") || return 1
     echo "$said"
@@ -170,7 +170,7 @@ equal_speeds() {
 check 'the speeds exclude the fish on the poi' equal_speeds
 
 # ---- Mistakes: one line that names the option, nothing on standard output
-mistake() { # STATUS NEEDLE OPTIONS...
+mistake() { # STATUS NEEDLE OPTIONS...: Exits with STATUS and one error line that contains NEEDLE.
     local expected=$1 needle=$2 status
     shift 2
     "$ctl" tank "$@" >"$work/out" 2>"$work/err"

@@ -43,7 +43,7 @@ for arm in half-wet tail-first; do
 done
 
 # ---- Experiments that prove nothing
-refused() { # STATUS NEEDLE SEEDS BOTS OUT
+refused() { # STATUS NEEDLE SEEDS BOTS OUT: Exits with STATUS and one error line that contains NEEDLE.
     local expected=$1 needle=$2 status
     shift 2
     "$bench" "$@" >"$work/out" 2>"$work/err"

@@ -56,7 +56,7 @@ refuses 65 noise.kgr 'a file of random bytes' kingyoctl replay verify "$work/noi
 : >"$work/empty.kgr"
 refuses 65 empty.kgr 'an empty file' kingyo --replay "$work/empty.kgr" --demo 5 --shots "$work"
 
-verifies() { # FILE TITLE
+verifies() { # FILE TITLE: Test TITLE: the recording FILE is valid.
     "$BUILD/kingyoctl" replay verify "$1" >"$work/said" 2>&1
     ok $? "$2" "$work/said"
 }

@@ -62,7 +62,7 @@ plate=8x12+562+484            # Left of the word "Credits".
 start=12x12+318+607           # The long start ribbon. The ribbon that asks for coins is shorter.
 store=8x20+1085+126 refused=8x20+1085+221 # The first two rows of the page of files.
 question=200x4+540+136        # Above "TEST again ends this round".
-picture() { # NAME
+picture() { # NAME: Saves a picture of the screen as a result of the test.
     import -window root "$BUILD/results/menu_$1.png" 2>/dev/null
 }
 

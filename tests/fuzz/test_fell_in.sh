@@ -7,7 +7,7 @@ log=$(mktemp)
 trap 'rm -f "$log"' EXIT
 count=0
 
-says() { # STATUS TEXT, the log on standard input
+says() { # STATUS TEXT, the log on standard input: Test TEXT: fell_in.sh returns STATUS for this log.
     count=$((count + 1))
     cat >"$log"
     tests/fuzz/fell_in.sh libassimp "$log"

@@ -19,7 +19,7 @@ export ASAN_OPTIONS=detect_leaks=0:handle_segv=2:handle_sigfpe=2:handle_sigbus=2
 export UBSAN_OPTIONS=print_stacktrace=1
 echo "  monkey: seed $seed, $half s of frames off screen, then $((seconds - half)) s on a virtual screen"
 
-fail() { # TEXT [FILE]
+fail() { # TEXT [FILE]: Prints TEXT, the seed and the head of FILE, and ends with 1.
     echo "  FAIL  monkey, SEED=$seed: $1"
     [ $# -gt 1 ] && head -60 "$2" | sed 's/^/        /'
     exit 1

@@ -95,7 +95,7 @@ compile() { # FILE TEXT OBJECT
             -c -o '$3' '$place'") 2>/dev/null
 }
 
-base_object() { # FILE
+base_object() { # FILE: Compiles FILE without a mutation into base/FILE/base.o.
     mkdir -p "$folder/base/${1//\//,}"
     compile "$1" "$tree/$1" "$folder/base/${1//\//,}/base.o"
 }
@@ -161,7 +161,7 @@ tests_for() { # FILE OBJECT
     done | sort -k1,1 -k4,4n | cut -d ' ' -f 2,3
 }
 
-links() { # TEST MUTANT_FOLDER OBJECT_PATH
+links() { # TEST MUTANT_FOLDER OBJECT_PATH: Links TEST with the mutant in place of the object.
     local command output
     command=$(cat "$folder/link/$1")
     output=build/tests/unit/$(place_of "$1")
@@ -173,13 +173,13 @@ links() { # TEST MUTANT_FOLDER OBJECT_PATH
     (cd "$tree" && eval "$command") 2>/dev/null
 }
 
-golden_differs() { # MUTANT_FOLDER
+golden_differs() { # MUTANT_FOLDER: Succeeds if the mutant changes a golden hash.
     (cd "$tree" && gcc -o "$1/test" build/variants/gcc-O2/tests/replay/state_hash.o "$1/mutant.o" \
         build/core.a -lm) 2>/dev/null || return 1
     ! (cd "$tree" && timeout 200 "$1/test" 2>/dev/null) | cmp -s - tests/replay/golden.txt
 }
 
-judge_one() { # ID
+judge_one() { # ID: Runs the tests on a mutant until one fails or the budget is spent.
     local mutant=$folder/mutant/$1 file line kind near name seconds spent=0 run=0 verdict=survived by=-
     file=$(cat "$mutant/file")
     read -r line kind <"$mutant/place"

@@ -28,7 +28,7 @@ run_kiosk() { # FOLDER SEED [VARIABLES...]
         --data "$folder/data" >"$folder/out" 2>&1
 }
 
-live() { # NUMBER
+live() { # NUMBER: Runs one life of two kiosks and checks its data.
     local folder=$work/life-$1
     run_kiosk "$folder" $((2 * $1 + 1000 * first_seed))
     run_kiosk "$folder" $((2 * $1 + 1 + 1000 * first_seed))

@@ -5,7 +5,7 @@
 # shellcheck disable=SC2154,SC1091  # lib.sh sets these variables
 . "$(dirname "$0")/../lib.sh"
 
-sets() { # TARGET INSTRUCTION
+sets() { # TARGET INSTRUCTION: The code that Clang compiles for TARGET contains INSTRUCTION.
     clang --target="$1" -ffreestanding -std=c17 -O2 -Wall -Wextra -Werror -I. -S -o "$work/cpu.s" platform/cpu.c &&
         clang --target="$1" -ffreestanding -std=c17 -O2 -ffp-contract=off -Wall -Wextra -Werror -I. -c \
             -o "$work/float_env.o" core/base/float_env.c && grep -iq "$2" "$work/cpu.s"

@@ -18,7 +18,7 @@ for program in "$variants"/*/state_hash; do
 done | xargs -P "$(nproc)" -L1 sh -c \
     '"$1/$3/state_hash" "$4" >"$2/$3-$4" 2>"$2/$3-$4.err" || echo "exit $?" >>"$2/$3-$4.err"' sh "$variants" "$out"
 
-same() { # NAME EXPECTED TEXT
+same() { # NAME EXPECTED TEXT: Test TEXT: the hashes of variant NAME equal the file EXPECTED.
     count=$((count + 1))
     if [ "$(cat "$out/$1.err")" = 'exit 77' ]; then
         echo "ok $count - $3 # SKIP this machine has no eight lanes"

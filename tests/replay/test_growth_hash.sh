@@ -9,7 +9,7 @@ out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 count=0
 
-same() { # VARIANT
+same() { # VARIANT: VARIANT prints the same hashes as the variant gcc-O2.
     count=$((count + 1))
     "$variants/$1/state_hash" growth >"$out/hashes" 2>"$out/err"
     local code=$? text="$1 grows every species into the same shapes"

@@ -24,7 +24,7 @@ vector() { # FILE SUBCOMMAND SPECIES WORDS...: Kingyoctl draws the picture as SV
     "$build/kingyoctl" morph "${@:2}" --svg "$out/$1.svg"
     rsvg-convert "$out/$1.svg" -o "$out/$1.png"
 }
-sheet() { # FILE SPECIES WORDS...
+sheet() { # FILE SPECIES WORDS...: Draws the sheet of a species with kingyoctl.
     made="kingyoctl morph export ${*:2} --sheet FILE.png"
     "$build/kingyoctl" morph export "${@:2}" --sheet "$out/$1.png"
 }

@@ -3,7 +3,7 @@
 set -eu
 out=$1
 
-figure() { # FILE CAPTION [CSV]
+figure() { # FILE CAPTION [CSV]: Prints one figure of the page, with a link to its CSV.
     printf '<figure><a href="%s"><img src="%s" alt=""></a><figcaption>%s' "$1" "$1" "$2"
     [ $# -gt 2 ] && printf ' <a href="%s">CSV</a>' "$3"
     printf '</figcaption></figure>\n'
