@@ -12,7 +12,9 @@ Files are found by walking the top folders, so that the tree below them may be r
 How each measure is defined:
   comment sentence   A comment of at least three words is split after `.`, `;` or `:`; parts of at least three
                      words count. The two word lists BARE and IDIOM below decide, and new words can be added there.
-  code lines         The count of cloc, without comments and blank lines.
+  code lines         The count of cloc, without comments and blank lines. CODE_LINES_MAX is the bound of the tree
+                     before the features of FEATURE_LINES, which had 77,977 lines. The bound of today's tree also
+                     contains the lines of each of these features.
   flat folder        The number of .c and .h files that lie directly in one folder. Folders of tests count too.
   functions          Definitions that universal-ctags finds, per 1,000 lines including comments and blank lines.
   one caller         A static function whose name is used at exactly one place of its file, apart from its own
@@ -46,6 +48,14 @@ import sys
 PRODUCTION = ('core', 'drivers', 'platform', 'board', 'assets')
 ALL = PRODUCTION + ('tests',)
 FORMATTER = 'clang-format-19'
+
+CODE_LINES_MAX = 78000
+# Features that came after the bound, with the code lines that cloc counts in the commit of each.
+FEATURE_LINES = {
+    'the cause of a tear, with slow motion': 444,
+    'levels by a tag with a picture': 406,
+    'a fish as a present': 93,
+}
 
 # A sentence that begins with one of these words leaves its subject to the reader.
 BARE = """who|whoever|whose|whom|what|whatever|which|of|one|it|its|they|them|that|those|this|none|nobody|as|then|
@@ -396,7 +406,8 @@ def measure_size(table, root, product, everything):
     by_folder = collections.Counter()
     for path, n in code.items():
         by_folder[folder_of(path)] += n
-    table.add('production code lines', sum(code.values()), (None, 78000), ranked(by_folder), '{:,.0f}')
+    table.add('production code lines', sum(code.values()), (None, CODE_LINES_MAX + sum(FEATURE_LINES.values())),
+              ranked(by_folder), '{:,.0f}')
     files = collections.Counter(folder_of(p) for p in product)
     total = sum(len(s.lines) for s in product.values())
     table.add('production files', len(product), (600, 700), ranked(files))
