@@ -39,7 +39,7 @@ static void test_each_control_character_becomes_one_question_mark(void **state)
     expect("\xC2\x80\xC2\x85\xC2\x9B"
            "1m\xC2\x9F",
            "???1m?");
-    expect("\xE2\x80\xA8\xE2\x80\xA9", "??"); /* U+2028, U+2029 */
+    expect("\xE2\x80\xA8\xE2\x80\xA9", "??"); /* U+2028 and U+2029, two line separators. */
 }
 
 static void test_every_c0_and_c1_character_is_replaced(void **state)

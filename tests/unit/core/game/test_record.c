@@ -62,7 +62,7 @@ static void test_record_ids_continue_after_those_of_the_store(void **state)
     assert_true(newest_record(&output)->id > 41);
     assert_true(purse_keeps_record(&output));
     assert_int_equal(purse_count(&output, LEDGER_ROUND), 1);
-    /* The new round gets id 42, the id after the last stored one. */
+    /* The first new entry gets id 42, the id after the last stored one. */
     assert_int_equal(purse_entry(&output, 42)->id, 42);
 }
 

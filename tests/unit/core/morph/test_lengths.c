@@ -95,8 +95,8 @@ static void test_the_last_key_of_each_fish_is_an_adult(void **state)
     }
 }
 
-/* The plate in the thesis shows nine larvae and young fish with their lengths, in the order of
- * their growth. */
+/* A plate (page of pictures) in the thesis shows nine larvae and young fish with their lengths, in
+ * the order of their growth. */
 static void test_a_conger_grows_shrinks_and_grows_through_all_nine_measured_lengths(void **state)
 {
     (void)state;

@@ -16,8 +16,9 @@ static int setup(void **state)
     return 0;
 }
 
-/* Moves the wet poi from 6 cm above the water in steps of `step_m` until its paper tears. `up_y` of
- * the ring follows from the pitch. Returns the cause of the first tear. */
+/* Turns the wet poi, which is 6 cm under water, to `pitch_rad`, and moves it by `step_m` in each
+ * tick until its paper tears. Returns the cause of the first tear, or TEAR_NONE after a quarter of
+ * a second. */
 static uint8_t cause_of_motion(float pitch_rad, vec3 step_m)
 {
     fixture_init(&fixture, 6, 3);
@@ -53,7 +54,8 @@ static void test_a_slow_glide_does_not_tear(void **state)
     assert_int_equal(cause_of_motion(30.0f * F_DEG, v3(0.0f, 0.0f, 0.001f)), TEAR_NONE);
 }
 
-/* Sets the state of a poi whose paper tears in this tick under the tension `tension_n_m`. */
+/* Sets the state of a poi whose paper tears in this tick. `tension_share` is the tension as a share
+ * of the paper's wet strength. */
 static struct poi *torn_by(float tension_share, struct sheet_load load, bool is_slap)
 {
     struct poi *poi = &fixture.poi;
@@ -123,7 +125,8 @@ static void test_the_recording_is_the_second_around_the_first_tear(void **state)
     assert_float_equal(shown.position_m.y, -0.0312f, 1e-4f);
     assert_float_equal(shown.position_m.z, 0.25f, 1e-4f);
     assert_float_equal(v3_length(shown.velocity_m_s), 0.0f, 1e-6f);
-    /* The frame of the tear, and the last frame, which stays until the slow motion starts again. */
+    /* Checks the frame of the tear and the last frame, which stays until the slow motion starts
+     * again. */
     tear_clip_show(&clip, 45u * TEAR_CLIP_SHOWN_TICKS, &shown);
     assert_float_equal(shown.time_s, 0.0f, 1e-4f);
     assert_float_equal(shown.position_m.x, 0.300f, 1e-4f);

@@ -6,7 +6,7 @@
 #include "core/game/phases.h"
 #include "core/morph/morph.h"
 
-/* Simulates the landing of fish `index` in the player's bowl in this tick. */
+/* Simulates that the fish number `fish` lands in the player's bowl in this tick. */
 static void land(uint32_t fish, uint32_t player)
 {
     struct catch_result caught[POI_MAX] = { 0 };
