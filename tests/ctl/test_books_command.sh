@@ -87,7 +87,7 @@ is_copy() {
     "$ctl" backup "$work/copy.db" --data "$data" && [ "$(echo "$work/copy.db"*)" = "$work/copy.db" ] &&
         [ "$(sqlite3 "$work/copy.db" 'pragma integrity_check; select count(*) from entries')" = $'ok\n9' ]
 }
-spares_a_name() { # Files of another program in that folder stay unchanged.
+spares_a_name() { # A backup leaves files of other programs beside it unchanged.
     echo precious >"$work/own.db-part" && echo precious >"$work/own.db.part"
     "$ctl" backup "$work/own.db" --data "$data" && [ "$(cat "$work/own.db-part" "$work/own.db.part")" = $'precious\nprecious' ]
     local result=$?

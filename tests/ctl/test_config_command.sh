@@ -5,7 +5,7 @@
 . "$(dirname "$0")/../lib.sh"
 build=$(realpath "$build")
 config() { "$build/kingyoctl" config "$@" >"$work/out" 2>"$work/err"; }
-ends() { # CODE PATTERN ARGUMENTS...: Searches both outputs for the pattern.
+ends() { # CODE PATTERN ARGUMENTS...: The command exits with CODE, and one of its outputs matches PATTERN.
     local code=$1 pattern=$2 status
     shift 2
     config "$@"

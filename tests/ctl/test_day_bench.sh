@@ -14,7 +14,7 @@ day() { # FOLDER OPTION...
     status=$?
     cat "$folder/out" "$folder/err"
 }
-# Removes the times that the computation took.
+# NAME: Prints the output of run NAME without the computation times, which differ between runs.
 table() { sed 's/; took .*//' "$work/$1/out"; }
 
 day first --goal 0 >/dev/null

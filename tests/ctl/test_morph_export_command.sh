@@ -40,7 +40,7 @@ check 'a goldfish of 45 mm is exported with a length of 45 mm' true_size wakin 4
 check 'a goldfish of 150 mm is exported with a length of 150 mm' true_size wakin 150
 same_moment() { # --progress, --age-days and --length-mm select the same shape.
     local age mm
-    read -r age mm < <("$ctl" morph weights wakin --steps 4 | awk -F, 'NR == 4 { print $2, $3 }') # Progress 0.5.
+    read -r age mm < <("$ctl" morph weights wakin --steps 4 | awk -F, 'NR == 4 { print $2, $3 }') # Line 4 is progress 0.5.
     export_of wakin --progress 0.5 --obj "$work/p.obj" && export_of wakin --age-days "$age" --obj "$work/a.obj" &&
         export_of wakin --length-mm "$mm" --obj "$work/l.obj" || return 1
     for other in a l; do
@@ -49,7 +49,7 @@ same_moment() { # --progress, --age-days and --length-mm select the same shape.
     done
 }
 check 'progress, age and length select the same shape' same_moment
-differ() { # two sets of OPTIONS, separated by --
+differ() { # OPTIONS... -- OPTIONS...: The two sets of options give different shapes.
     local first=()
     while [ "$1" != -- ]; do first+=("$1"); shift; done
     shift

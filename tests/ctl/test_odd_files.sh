@@ -88,7 +88,7 @@ database() { # A FIFO, a folder or a device in place of kingyo.db.
     done
     return $bad
 }
-learned() { # A FIFO lies among the controller mappings.
+learned() { # The doctor reports a FIFO that lies among the controller mappings.
     mkdir -p "$work/learned/pois" && mkfifo "$work/learned/pois/a.poi" &&
         timeout $limit_s "$ctl" doctor --data "$work/learned" >"$work/out" 2>&1 </dev/null
     [ $? -le 1 ] && grep -q 'a.poi' "$work/out"

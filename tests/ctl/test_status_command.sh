@@ -5,7 +5,7 @@
 . "$(dirname "$0")/../lib.sh"
 build=$(realpath "$build")
 file=$work/status.json
-writes() { # AGE_S WELL: Writes the file as the service does.
+writes() { # AGE_S WELL: Writes the status file as the kiosk does.
     local now
     now=$(awk -v age="$1" '{ printf "%.0f", ($1 - age) * 1000 }' /proc/uptime)
     cat >"$file" <<JSON

@@ -7,7 +7,7 @@ judge=$build/tests/ctl/judge_trace
 json() { # FILE PATH: Prints one value of FILE, which SQLite parses.
     sqlite3 :memory: "select json_extract(readfile('$1'), '\$.$2')"
 }
-holds() { # SQL expression over j, the JSON of FILE
+holds() { # FILE EXPRESSION: The SQL expression over j, the JSON of FILE, is true.
     [ "$(sqlite3 :memory: "with r as (select readfile('$1') as j) select $2 from r")" = 1 ]
 }
 

@@ -62,7 +62,7 @@ done
 
 # ---- Names
 mkdir "$work/data" && cp tests/unit/platform/store/files/version-6.db "$work/data/kingyo.db"
-name_all() { # NAME: gives it to every player and to every row of the ranking.
+name_all() { # NAME: Gives NAME to every player and to every row of the ranking.
     printf "update round_players set name = cast(x'%s' as text)" "$(printf '%s' "$1" | basenc --base16)" |
         sqlite3 "$work/data/kingyo.db"
     sqlite3 "$work/data/kingyo.db" "update ranking set name = (select name from round_players limit 1)"
@@ -87,7 +87,7 @@ wakin=assets/species/wakin.txt
 mkdir "$here/names"
 printf 'mtllib %s\no %s\ng %s\nusemtl %s\nv 0 0 0\nv 0 1 0\nv 1 0 0\nf 1 2 3\n' "$raw" "$raw" "$raw" "$raw" >"$here/names/mesh.obj"
 printf '%s 0 0 0\n' "$raw" >"$here/names/mesh.marks"
-is_no_name() { # WORDS...: The invalid name is reported.
+is_no_name() { # WORDS...: kingyoctl morph WORDS reports the invalid name.
     speaks 1 kingyoctl morph "$@" && grep -q "'w?\[31m?2Jn' is not a name" "$work/err"
 }
 for line in 'species wakin' 'key larva'; do
@@ -126,7 +126,7 @@ cat >"$work/status.json" <<JSON
 JSON
 check 'status: control characters of the file are masked' speaks 0 kingyoctl status --file "$work/status.json"
 check 'status --json: raw control characters are escaped' speaks 0 kingyoctl status --json --file "$work/status.json"
-same() { # The value of version is unchanged.
+same() { # The JSON output has the same `version` as the status file.
     [ "$(sqlite3 :memory: "select json(cast(readfile('$work/out') as text)) ->> '$.version' =
         json(cast(readfile('$work/status.json') as text)) ->> '$.version'")" = 1 ]
 }

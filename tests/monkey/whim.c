@@ -4,7 +4,7 @@
 #include "core/base/rng.h"
 
 #define MOOD_STEPS 360u
-/* Sums of the two columns of the table below. */
+/* Sums of the two columns of the table `weights`. */
 #define PLAYER_WEIGHTS 83u
 #define OPERATOR_WEIGHTS 94u
 

@@ -28,8 +28,8 @@ enum whim_key {
 
 enum whim_press {
     WHIM_PRESS_NONE,
-    WHIM_PRESS_LEFT,  /* Presses or releases the left button. */
-    WHIM_PRESS_RIGHT, /* Presses or releases the right button. */
+    WHIM_PRESS_LEFT,  /* Presses or releases the left mouse button. */
+    WHIM_PRESS_RIGHT, /* Presses or releases the right mouse button. */
 };
 
 struct whim {
@@ -37,14 +37,14 @@ struct whim {
     int moves;         /* 1 if the pointer moves to x_mille, y_mille. */
     int x_mille;       /* Pointer x in thousandths of the window's width, -50 to 1049. */
     int y_mille;       /* Pointer y in thousandths of the window's height, -50 to 1049. */
-    int press;         /* Button action, an enum whim_press. */
-    int wheel;         /* Steps of the wheel, -1 to 1. */
+    int press;         /* Mouse button action (enum whim_press). */
+    int wheel;         /* Steps of the mouse wheel, -1 to 1. */
     int width, height; /* New size of the window in pixels. 0 keeps the size. */
     int plugs;         /* 1 if a device is plugged in or unplugged. */
     uint32_t chance;   /* Random number from which the caller draws further details. */
 };
 
-/* Returns step number `step` of the run with `seed`. */
+/* Returns the random input of step number `step` of the run with `seed`. */
 struct whim whim_at(uint32_t seed, uint32_t step);
 
 #endif

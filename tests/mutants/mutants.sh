@@ -21,7 +21,7 @@ export folder tree times budget_s slow_s
 
 copy_tree() {
     mkdir -p "$tree"
-    rm -rf "$tree"/{core,drivers,platform,tests/unit} # A file that was renamed must go.
+    rm -rf "$tree"/{core,drivers,platform,tests/unit} # Otherwise deleted files would remain.
     git ls-files -z --cached --others --exclude-standard |
         xargs -0 sh -c 'for f; do [ ! -f "$f" ] || printf "%s\0" "$f"; done' sh |
         tar --null -T - -cf - | tar -C "$tree" -xf -

@@ -35,7 +35,7 @@ struct scan {
     char code[TEXT_MAX];
     size_t size;
     uint32_t site_count;
-    uint32_t wanted; /* Number of the site that is copied to `found` during the scan. */
+    uint32_t wanted; /* Number of the mutation site that is copied to `found` during the scan. */
     struct site found;
 };
 

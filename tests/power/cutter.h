@@ -30,8 +30,8 @@ struct cutter {
     const struct tape *tape;
     /* Sums of the entries 1 to n, indexed by n. */
     const struct books *books;
-    const char *folder; /* Working folder. */
-    uint32_t ways;      /* Number of different cuts after each operation. */
+    const char *folder; /* Folder in which the test writes the files after a cut. */
+    uint32_t ways;      /* Number of different power cuts to simulate after each operation. */
     uint32_t seed, jobs;
 };
 

@@ -66,7 +66,8 @@ uint32_t disk_put_folder(struct disk *disk, const char *folder,
 /* Returns the bytes of the file at `path`, or null. The caller frees them. */
 uint8_t *disk_read(const char *path, size_t *size);
 
-/* Applies operation `op` of the tape. */
+/* Applies operation number `op` of the tape, which is the recorded list of file operations, to the
+ * disk. */
 void disk_step(struct disk *disk, size_t op);
 
 /* Empties `folder` and writes the files there that a power cut at this moment leaves. Equal seeds

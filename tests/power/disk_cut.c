@@ -16,7 +16,7 @@ struct cut {
     enum disk_luck luck;
     uint64_t seed;
     uint32_t draw;
-    size_t last_write; /* Index of the last pending write operation. */
+    size_t last_write; /* Index on the tape of the last write that no sync has made durable. */
 };
 
 static uint32_t draw(struct cut *cut)

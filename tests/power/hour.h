@@ -18,8 +18,8 @@ struct hour {
     struct input input;
     struct output output;
     uint32_t seed;
-    /* Newest entry that was passed to the store, and newest entry that the store reported as
-     * committed. */
+    /* Newest ledger entry that was passed to the store, and newest ledger entry that the store
+     * reported as committed. */
     uint32_t kept_id, acked_id;
     uint32_t replay_id, replay_acked_id; /* Newest round that has a replay for the store, and
                                             newest round whose replay is committed. */

@@ -28,7 +28,7 @@
 static struct storage store;
 static struct persistent_state memory;
 static struct disk disk;
-static uint32_t found; /* Id of the newest ledger entry after the last cut. */
+static uint32_t found; /* Id of the newest ledger entry after the last power cut. */
 
 static int64_t query_number(sqlite3 *db, const char *query)
 {

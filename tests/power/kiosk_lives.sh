@@ -40,7 +40,7 @@ live() { # NUMBER: Runs one life of two kiosks and checks its data.
 open_screen
 for ((life = 0; life < lives; life++)); do
     while [ "$(jobs -rp | wc -l)" -ge "$jobs" ]; do wait -n; done
-    live $life 2>/dev/null & # Bash would report each SIGKILL.
+    live $life 2>/dev/null & # Hides the message that Bash prints for each SIGKILL.
 done
 while [ "$(jobs -rp | wc -l)" -gt 0 ]; do wait -n; done
 

@@ -1,5 +1,5 @@
-/* lives.c -- simulates runs of a kiosk whose file calls fail, and cuts their power at random
- * operations. */
+/* lives.c -- simulates lives of a kiosk whose file calls fail, and cuts the power at random
+ * operations. A life is a sequence of kiosk runs on the same files (lives.h). */
 #include "tests/power/lives.h"
 
 #include <stdio.h>
@@ -23,7 +23,9 @@
 #define HASTE 16u
 #define STARTS_MAX 3u /* Largest number of attempts to start if the store cannot be opened. */
 #define CUTS_A_PART 6u
-#define BOOKS_MAX 1024u /* Largest number of ledger entries in a life. */
+/* Length of books[], which has the sums after each ledger entry. Limits the number of entries in
+ * one life (struct life). */
+#define BOOKS_MAX 1024u
 
 static struct hour hour;
 static struct tape tape;
@@ -74,8 +76,8 @@ static void add_up(uint32_t known)
     }
 }
 
-/* Starts a part: opens the store and the game. The loaded entries count as reported, because the
- * kiosk shows their credits to the player. */
+/* Starts a part (one run of the kiosk): opens the store and the game. The loaded entries count as
+ * reported, because the kiosk shows their credits to the player. */
 static int begin_part(struct life *life, struct hal_storage device)
 {
     if (device.ledger.ops->open(device.ledger.self) != HAL_OK ||
@@ -92,8 +94,8 @@ static int begin_part(struct life *life, struct hal_storage device)
     return 0;
 }
 
-/* Plays one part. The store has no thread here (`without_thread`), so storage_work() is called when
- * new data arrives, and once a second. */
+/* Plays one part (one run of the kiosk). The store has no thread here (`without_thread`), so
+ * storage_work() is called when new data arrives, and once a second. */
 static void play(struct life *life, struct hal_storage device)
 {
     for (uint32_t i = 0; i < FRAMES && hour.kept_id < BOOKS_MAX - 64u; i++) {

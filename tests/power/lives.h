@@ -11,11 +11,11 @@
 struct lives_tally {
     struct tally cuts;
     uint64_t lives, kills, refused_starts;
-    uint64_t failed[FAULT_CALL_COUNT]; /* Calls that failed as planned. */
+    uint64_t failed[FAULT_CALL_COUNT]; /* Number of calls of each kind that failed as planned. */
 };
 
 struct lives {
-    const char *folder; /* Working folder. */
+    const char *folder; /* Folder in which the simulated kiosks write their files. */
     uint32_t count, seed, jobs;
 };
 

@@ -18,7 +18,7 @@
 
 enum tape_kind {
     TAPE_CREATE,   /* Creates the empty file `name`. */
-    TAPE_WRITE,    /* Writes `size` bytes from tape byte `at` into `file` at `offset`. */
+    TAPE_WRITE,    /* Writes the `size` bytes at `bytes[at]` of the tape to `file` at `offset`. */
     TAPE_TRUNCATE, /* Truncates or extends `file` to `offset` bytes. */
     TAPE_SYNC,     /* Syncs `file`. */
     /* Failed sync of `file`. Unsynced data of the file may be lost for ever (disk.h). */
@@ -40,7 +40,7 @@ struct tape_op {
     uint32_t file; /* Number of the file. Files are numbered from 1 in the order of creation. */
     uint32_t size;
     uint64_t offset;
-    size_t at; /* Position of the written bytes in the tape's `bytes`. */
+    size_t at; /* Position of the written bytes in `bytes` of struct tape. */
     char name[TAPE_NAME_SIZE], to[TAPE_NAME_SIZE];
 };
 

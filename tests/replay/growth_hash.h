@@ -12,7 +12,7 @@
 
 #define GROWTH_STEPS 40
 
-/* Adds the bits of the numbers to the hash. */
+/* Returns `hash` after adding the bits of `count` floats. */
 static uint64_t hash_floats(uint64_t hash, const float *values, size_t count)
 {
     for (size_t i = 0; i < count; i++) {

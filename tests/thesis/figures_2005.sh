@@ -28,7 +28,7 @@ sheet() { # FILE SPECIES WORDS...: Draws the sheet of a species with kingyoctl.
     made="kingyoctl morph export ${*:2} --sheet FILE.png"
     "$build/kingyoctl" morph export "${@:2}" --sheet "$out/$1.png"
 }
-stages() { # FILE KIND SPECIES: tests/thesis/stages.c
+stages() { # FILE KIND SPECIES: Draws a picture with tests/thesis/stages.c.
     made="build/tests/thesis/stages $2 $3 FILE.png"
     "$bin/stages" "$2" "$3" "$out/$1.png"
 }
@@ -62,7 +62,7 @@ vector figure-3.9 graph kurodai --thesis --template simultaneous
 figure figure-3.9 'Template: three keys at once' 'Same peak of 70 %; smooth between knots, since straight pieces and a middle key solved for them would be the pairwise way again.'
 
 say 'chapter 4: four fish'
-fish() { # SPECIES MODELS GRAPH SHEET WORDS
+fish() { # SPECIES MODELS GRAPH SHEET WORDS: Draws the figures 4.MODELS, 4.GRAPH and 4.SHEET.
     local name
     name=$(name "$1")
     stages "figure-4.$2" models "$1"

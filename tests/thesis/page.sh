@@ -13,7 +13,7 @@ pictures() { # FIRST LAST: Prints figures 4.FIRST to 4.LAST.
         printf "<figure><a href=\"%s\"><img src=\"%s\" alt=\"\"></a><figcaption><b>%s</b> at %s: %s</figcaption></figure>\n",
             $2, $2, $1, $3, $4 }' "$out/pictures.tsv"
 }
-words() { # NUMBER: Prints the command of that picture.
+words() { # NUMBER: Prints the command that drew figure NUMBER.
     awk -F'\t' -v number="$1" '$1 "" == number "" { printf "<p><code>kingyoctl tank %s</code></p>\n", $5 }' "$out/pictures.tsv"
 }
 

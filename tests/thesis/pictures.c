@@ -71,16 +71,16 @@ static void shoot(const char *number, const struct easel_shot *shot, const char 
 /* An encounter of two fish in section 4.1 of the thesis. A fish turns to a random side, so the
  * program searches for the first seed with which both turn as in the thesis. */
 struct encounter {
-    int first; /* Number of the first picture. */
+    int first; /* Number n of the first figure, 4.n in the thesis. */
     const char *name, *what;
     uint8_t kind;   /* Kind of encounter (enum meeting_kind). */
     float turn;     /* Side to which the first fish must turn: -1 is right, +1 is left. */
-    uint8_t yields; /* How many of the two fish give way. */
+    uint8_t yields; /* Number of fish (of the two) that must give way. */
 };
 
 static const struct encounter encounters[] = {
     { 1, "head_on", "head-on", MEET_HEAD_ON, 1.0f, 2 },
-    /* The second fish hits the side of the first one from behind. */
+    /* The second fish hits the side of the first fish from behind. */
     { 5, "side", "from the side", MEET_STRUCK, 1.0f, 2 },
     { 9, "rear_end", "from behind", MEET_REAR_END, -1.0f, 1 },
 };

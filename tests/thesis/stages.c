@@ -22,7 +22,7 @@
 #define PAPER 0xf2f1ecu
 #define WATER_ABOVE 0xd3e4e6u
 #define WATER_BELOW 0x9fbfc6u
-#define COLUMNS 9u /* Number of stages that `ways` draws. */
+#define COLUMNS 9u /* Number of growth stages that the command `ways` draws. */
 /* Length of the head as a fraction of the body's length. The close views show this part. */
 #define HEAD_SHARE 0.26f
 

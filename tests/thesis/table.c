@@ -53,7 +53,7 @@ static double run_ms(uint32_t fish, enum search search)
     if (tank_options_read(&plans[search], 4, argv) != EXIT_OK) {
         exit(1);
     }
-    /* The plan includes the ticks of the measured frames. */
+    /* Adds one tick for each frame that draw_both_ms() measures. */
     plans[search].tick_count = SECONDS * CORE_TICK_HZ + FRAMES;
     if (tank_lab_open(lab, &plans[search]) != EXIT_OK) {
         exit(1);

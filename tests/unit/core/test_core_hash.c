@@ -73,7 +73,8 @@ static int setup(void **state)
     for (uint32_t i = 0; i < 100; i++) {
         core_tick(&core, &input, &output);
     }
-    /* Makes a state in which poi 0 carries two fish, so that these arrays are in use. */
+    /* Makes a state in which two elements of the arrays of carried fish, of loads and of near pairs
+     * are in use. */
     core.world.poi[0].carried_count = 2;
     core.world.poi[0].load_count = 2;
     core.world.tank.broad_phase.near_count = 2;

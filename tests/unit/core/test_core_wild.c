@@ -45,7 +45,7 @@ static struct wild_hand {
     struct poi_target at, goal;
     float pace_m_s, turn_rad_s;
     uint32_t broken_ticks; /* Ticks left in which the controller sends faulty reports. */
-    uint32_t breaks;       /* Kind of the controller's fault. */
+    uint32_t breaks;       /* Kind of fault in the faulty reports. */
     struct poi_target stuck;
 } hands[POI_MAX];
 

@@ -52,7 +52,7 @@ static void test_the_shape_of_every_fish_follows_its_age(void **state)
         assert_float_equal(fish->age_days, core.world.tank.fish[i].age_days, 0.0f);
         assert_float_equal(fish->progress, life_progress(&species_wakin.card, fish->age_days),
                            0.0f);
-        if (i > 0) { /* All other fish have the length of their age. */
+        if (i > 0) { /* All fish except fish 0 have the length of their age. */
             assert_float_equal(length_m, fish->length_m, 1e-3f * length_m);
         }
     }

@@ -1,4 +1,4 @@
-/* test_base.c -- checks orientation, random numbers and hashes. */
+/* test_base.c -- checks vectors, angles, random numbers and hashes. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

@@ -115,7 +115,8 @@ static void test_the_first_tick_of_a_second_is_rejected_in_a_wrong_mode(void **s
 
 /* ---- The frame loop ------------------------------------------------------------------------- */
 
-/* Wrong mode that the simulated display sets after each picture; -1 means none. */
+/* Wrong floating-point mode that the simulated display sets after each picture; -1 means that the
+ * display changes no mode. */
 static int mode_left = -1;
 
 static int present(void *self, const struct scene *scene)
@@ -161,7 +162,8 @@ static void test_a_library_that_leaves_a_wrong_mode_in_each_frame_changes_no_has
     assert_int_equal(resets, 0);
     for (int mode = 0; mode < MODE_COUNT_HERE; mode++) {
         assert_true(play(mode, 600, &resets) == hash);
-        /* The mode is reset before each of the 600 frames except the first. */
+        /* The kiosk must reset the floating-point mode before each of the 600 frames except the
+         * first. */
         assert_int_equal(resets, 599);
     }
 }

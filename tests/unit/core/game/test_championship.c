@@ -14,7 +14,7 @@
 static struct bot player;
 
 struct heard {
-    uint32_t tick; /* Ticks since the start of the round. */
+    uint32_t tick; /* Time of the sound, in ticks since the start of the round. */
     uint8_t sound;
 };
 

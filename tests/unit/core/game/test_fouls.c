@@ -254,7 +254,7 @@ static void test_a_fish_that_falls_off_a_lost_poi_is_no_foul(void **state)
     }
     play(MODE_CHAMPIONSHIP);
     drop_a_fish(0);
-    /* If a player controls the poi, the same drop is a foul. */
+    /* A fish that drops from a poi which a player controls is a foul. */
     assert_int_equal(look()->player[0].fouls, 1);
 }
 

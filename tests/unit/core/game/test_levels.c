@@ -169,7 +169,7 @@ static void test_a_round_that_a_power_cut_ends_keeps_its_level(void **state)
 static void test_finished_rounds_are_counted_at_their_level(void **state)
 {
     (void)state;
-    /* These four rounds were counted before levels existed. */
+    /* Simulates four rounds that an older version without levels has counted. */
     struct audits audits = { .count[AUDIT_ROUNDS] = 4 };
     struct ledger_entry entry = { .kind = LEDGER_ROUND, .id = 1, .round.players = 1 };
     static const uint8_t levels[] = { LEVEL_EASY, LEVEL_NORMAL, LEVEL_EASY, LEVEL_MASTER };

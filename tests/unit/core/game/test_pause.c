@@ -94,7 +94,7 @@ static void test_both_pois_leave_the_water_during_the_pause(void **state)
     assert_true(fastest_m_s < 0.25f);
     assert_int_equal(core.world.poi[MINE].sheet.paper_cells,
                      core.world.poi[MINE].sheet.paper_cells_new);
-    /* During the pause no poi follows its player. */
+    /* During the pause, the poi does not follow its player's controller. */
     lead(MINE, v3(0.0f, BELOW_M, 0.0f));
     ticks(CORE_TICK_HZ);
     assert_true(core.world.poi[MINE].immersed <= 0.0f);
@@ -125,7 +125,7 @@ static void test_the_other_players_continue_after_ten_seconds(void **state)
     assert_float_equal(scene.seconds_left, before_s - 1.0f, 0.02f);
     lead(OTHER, v3(other_m.x, BELOW_M, other_m.z));
     ticks(2u * CORE_TICK_HZ);
-    /* The poi no longer follows the removed player. */
+    /* The poi no longer follows the controller of the removed player. */
     assert_true(core.world.poi[OTHER].immersed <= 0.0f);
     assert_int_equal(core.game.phase, PHASE_ROUND);
 }

@@ -152,7 +152,8 @@ static void test_the_album_and_attract_follow_the_result_after_twelve_seconds(vo
     steps(GAME_RESULT_TICKS - 1u);
     assert_int_equal(core.game.phase, PHASE_RESULT);
     step();
-    assert_int_equal(core.game.phase, PHASE_ALBUM); /* The player has a present. */
+    /* The album opens, because the player gets a fish as a present. */
+    assert_int_equal(core.game.phase, PHASE_ALBUM);
     steps(album_ticks(1));
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }

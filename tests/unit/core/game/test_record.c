@@ -62,7 +62,7 @@ static void test_record_ids_continue_after_those_of_the_store(void **state)
     assert_true(newest_record(&output)->id > 41);
     assert_true(purse_keeps_record(&output));
     assert_int_equal(purse_count(&output, LEDGER_ROUND), 1);
-    /* The first new entry gets id 42, the id after the last stored one. */
+    /* The last stored entry has id 41, so the first new entry gets id 42. */
     assert_int_equal(purse_entry(&output, 42)->id, 42);
 }
 
@@ -145,7 +145,8 @@ static void test_the_fish_of_a_removed_poi_falls_into_the_water(void **state)
     hold_a_fish(1, 0.05f);
     core.world.poi[0].carried_fish[0] = (struct carried_fish){ .fish = 1 };
     core.world.poi[0].carried_count = 1;
-    /* Fish 2 has GAIT_HELD although no poi carries it. Fish 2 must be released too. */
+    /* tank.fish[2] has GAIT_HELD although no poi carries this fish. The core must release
+     * tank.fish[2] too. */
     hold_a_fish(2, 0.05f);
     input.poi[0].link = POI_SOURCE_ABSENT;
     core_tick(&core, &input, &output);

@@ -58,7 +58,7 @@ static void test_a_fan_held_over_fish_before_the_start_is_one_foul(void **state)
     assert_int_equal(look()->player[0].fouls, 1);
     assert_int_equal(scene.player[0].foul, FOUL_SHADE);
     assert_true(scene.player[0].foul_s < 0.2f);
-    /* A fan that stays in place is only one foul. */
+    /* A fan that stays in place counts as only one foul. */
     ticks(READY_TICKS - 200u);
     assert_int_equal(look()->player[0].fouls, 1);
     assert_int_equal(sounds[SOUND_FOUL], 1);
@@ -146,7 +146,7 @@ static void test_a_poi_at_rest_since_ready_is_no_foul(void **state)
                                         .preset = TANK_PRESET_OFFICIAL,
                                         .modes = 1u << MODE_CHAMPIONSHIP };
     open_core(&config);
-    /* The poi is held where it already was when START was pressed. */
+    /* Holds the poi in one place both before and after START is pressed. */
     hold(0, v3(0.05f, ABOVE_M, 0.05f));
     press(INPUT_START);
     /* The poi trembles by 1 mm. */

@@ -194,9 +194,9 @@ static void test_age_rises_even_with_a_wrong_key_age(void **state)
     card.key_age_days[3] = 200.0f;
     assert_age_rises_and_leads_back(&card);
     assert_a_key_stands_at_its_age_and_length(&card);
-    card.key_length_m[3] = 0.030f; /* Shorter than the previous key. */
+    card.key_length_m[3] = 0.030f; /* A length below that of the previous key. */
     assert_age_rises_and_leads_back(&card);
-    card.key_length_m[3] = 0.300f; /* Longer than the next key. */
+    card.key_length_m[3] = 0.300f; /* A length above that of the next key. */
     assert_age_rises_and_leads_back(&card);
 }
 

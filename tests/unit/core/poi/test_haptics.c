@@ -200,7 +200,7 @@ static void test_a_wall_pushes_back(void **state)
     assert_true(fixture.force.force_n.x > -7.0f);
 }
 
-/* ---- Tears, bounds and reported slaps ------------------------------------------------------- */
+/* ---- Tears, the limit of the force, and reported slaps -------------------------------------- */
 
 static void test_a_tear_changes_the_force_in_the_same_tick(void **state)
 {

@@ -5,7 +5,7 @@
 static struct poi_fixture fixture; /* Static, because the struct is too large for some stacks. */
 
 #define SCREEN_PX 1280.0f
-#define VIEW_M 0.95f /* Width of the tank that the screen shows, in metres. */
+#define VIEW_M 0.95f /* Width in metres of the part of the tank that the screen shows. */
 
 static float whole_pixel(float at_m)
 {

@@ -168,9 +168,11 @@ static void test_a_frame_has_the_load_of_each_cell_and_the_pose(void **state)
     const uint32_t row = 8u, column = 7u, cell = row * TEAR_SIDE + column;
     const uint32_t at = 2u * row * SHEET_SIDE + 2u * column;
     memset(poi->sheet.stress, 0, sizeof poi->sheet.stress);
-    poi->sheet.stress[at + SHEET_SIDE + 1u] = 255; /* The highest load of four cells counts. */
+    /* A cell of the clip covers four cells of the paper and shows their highest load. */
+    poi->sheet.stress[at + SHEET_SIDE + 1u] = 255;
     poi->sheet.stress[at + 2u] = 128;
-    poi->sheet.state[at + 4u] = CELL_HOLE; /* A hole in one of four cells is visible. */
+    /* A cell of the clip shows a hole (load 0) if one of its four cells of paper has torn. */
+    poi->sheet.state[at + 4u] = CELL_HOLE;
     poi->angles = (struct angles){ 1.5f, -0.25f, 0.125f };
     poi->strain.cells_torn = 1;
     tear_clip_tick(&clip, poi, 0);

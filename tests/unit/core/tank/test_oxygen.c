@@ -35,7 +35,7 @@ static void test_saturation_equals_the_tables_at_three_pressures(void **state)
     for (size_t r = 0; r < sizeof rows / sizeof rows[0]; r++) {
         for (size_t i = 0; i < 9; i++) {
             const float mg_l = oxygen_saturation_mg_l(row_c[i], rows[r].pressure_hpa);
-            /* The tables are rounded to 0.001 mg/L. */
+            /* The published tables are rounded to 0.001 mg/L. */
             assert_float_equal(mg_l, rows[r].mg_l[i], 0.0011f);
         }
     }

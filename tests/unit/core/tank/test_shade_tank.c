@@ -253,7 +253,8 @@ static void test_fish_react_to_a_new_fan_after_60_to_150_ms(void **state)
     print_message("%u starts, %u before 60 ms, %u after 150\n", starts, soon, late);
     assert_true(starts > 1000u);
     assert_int_equal(soon, 0);
-    /* Late starts are those of fish that swam under the fan later. */
+    /* Only a fish that swims under the fan later may start its escape more than 150 ms after the
+     * fan appeared. */
     assert_true(100u * late < starts);
 }
 

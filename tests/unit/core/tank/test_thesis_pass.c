@@ -269,8 +269,8 @@ static void test_3_4_the_leader_never_turns_for_a_follower(void **state)
         stage[0].speed_m_s = 0.138f;
         stage[1].stamina = 0.26f + 0.01f * (float)(seed % 70u);
         check_leader(stage, seed, &met);
-        /* This follower is only slightly faster than the leader. The avoidance lasts for seconds,
-         * so it continues by pitch. */
+        /* In the second encounter, the follower (stage[0]) is only slightly faster than the leader.
+         * The avoidance lasts for seconds, so the follower continues to avoid by pitch. */
         stage[0].gait = GAIT_SWIM;
         stage[0].position_m.z = 0.10f;
         stage[0].speed_m_s = 0.0525f;

@@ -354,7 +354,7 @@ static void test_a_database_whose_ids_would_wrap_keeps_its_credits_over_a_restar
         assert_int_equal(ledger_file_write(&file, &first, 1), SQLITE_OK);
         assert_int_equal(ledger_file_write(&file, &last, 1), SQLITE_OK);
         ledger_file_close(&file);
-        /* The second start reads the entries that the first one wrote. */
+        /* The second start reads the entries that the first start wrote. */
         for (uint32_t start = 0; start < 2; start++) {
             storage = (struct storage){ .dir = dir, .without_thread = true };
             const struct hal_storage device = storage_device(&storage);

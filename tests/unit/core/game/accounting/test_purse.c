@@ -15,9 +15,9 @@
  * overwritten. */
 static struct ledger_entry journal[LOG_MAX];
 static struct disk {
-    uint32_t id;   /* Id of the last entry on the disk. */
+    uint32_t id;   /* Id of the last ledger entry on the disk. */
     uint32_t told; /* Id of the newest entry that was reported to the kiosk as saved. */
-    uint32_t ill;  /* Ticks left of a store failure. */
+    uint32_t ill;  /* Ticks until the store works again; 0 if the store works. */
     uint32_t boots;
 } disk;
 /* Value of all coins inserted since the last start, in coin units. */

@@ -11,10 +11,11 @@
 #define FISH 14u
 #define TICKETS 2u
 
-static struct ledger_stand stand; /* Sums of the entries, as the store would compute them. */
+/* State of the open round, computed from the ledger entries as the store computes it. */
+static struct ledger_stand stand;
 static uint32_t seen_id;
 
-/* Adds the new entries to the sums, as the store does. */
+/* Updates `stand` with the new ledger entries, as the store does. */
 static void note_entries(void)
 {
     while (seen_id != output.entry_id) {
@@ -257,7 +258,8 @@ static void test_repeated_losses_of_a_controller_are_counted(void **state)
     (void)state;
     drop(PRICE);
     play(10);
-    /* A loss of half a second does not count, so the next loss is the first. */
+    /* A loss of half a second does not count, so the loss after it is the first loss of the round
+     * and not a repeated loss. */
     lose_for(CORE_TICK_HZ / 2u);
     lose_for(2u * CORE_TICK_HZ);
     assert_int_equal(audit(AUDIT_LOST_AGAIN), 0);

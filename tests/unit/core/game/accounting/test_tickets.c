@@ -5,8 +5,9 @@
 #include "tests/unit/support/paid_fixture.h"
 
 #define WON 5u
-#define SYNC_TICKS 7u /* Ticks from the writing of an entry until it is on the disk. */
-/* Ticks from the writing of an entry until the core gets its id as stored. */
+#define SYNC_TICKS 7u /* Ticks from the writing of a ledger entry until the entry is on the disk. */
+/* Ticks from the writing of a ledger entry until the store reports the entry to the core as
+ * stored. */
 #define TOLD_TICKS 10u
 #define PULSE_TICKS 30u /* Ticks that the dispenser needs for one ticket. */
 #define LOG_MAX 256u
@@ -151,7 +152,7 @@ static void test_a_disk_that_stores_nothing_dispenses_no_ticket(void **state)
     slow_steps(GAME_READY_TICKS + 1u);
     core.game.player[0].caught = WON;
     store_is_late = 1;
-    input.store_well = 0; /* From now on the store saves nothing. */
+    input.store_well = 0; /* From this tick on, the store saves no entry. */
     for (uint32_t i = 0; i < (ROUND_S + 60u) * CORE_TICK_HZ; i++) {
         step();
         assert_int_equal(output.tickets, 0);
@@ -242,7 +243,7 @@ static void test_credits_expire_only_after_a_late_card_stored_them(void **state)
     input.coin_count[0] = 0;
     store_is_late = 1;
     for (uint32_t i = 0; i < 90u * CORE_TICK_HZ; i++) {
-        step(); /* The card stores nothing. */
+        step(); /* Unlike slow_step(), step() stores no entry. */
     }
     assert_int_equal(balance()->paid, 1);
     for (uint32_t i = 0; i < 4u * TOLD_TICKS; i++) {

@@ -44,7 +44,7 @@ static void test_a_new_controller_moves_the_poi_without_a_jump(void **state)
     for (uint32_t i = 0; i < 160; i++) {
         step();
         const vec3 now = core.game.control[0].hand_pose.position_m;
-        /* 12 mm per tick is 1.4 m/s. */
+        /* The speed limit of 12 mm per tick is 1.4 m/s. */
         assert_true(v3_length(v3_sub(now, last)) < 0.012f);
         last = now;
     }

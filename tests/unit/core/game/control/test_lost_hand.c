@@ -188,8 +188,8 @@ static int report_fault(enum fault fault, uint32_t tick)
         *poi = before;
         poi->age_ticks = age;
         return tick < 200;
-    /* The sensor repeats the same values. For a pointer this is no fault, because a resting mouse
-     * does the same. */
+    /* STUCK: the controller repeats its last report. This is a fault of a sensor, but not of a
+     * pointer, because a resting mouse repeats its report too. */
     case STUCK:
         *poi = before;
         return tick < 300;
@@ -201,7 +201,7 @@ static int report_fault(enum fault fault, uint32_t tick)
         poi->target.angles.roll_rad += F_PI;
         poi->target.angles.pitch_rad -= 1.0f;
         return tick < 6;
-    /* The turn is permanent. */
+    /* TURN: the controller turns by 1.2 rad and keeps its new roll. */
     case TURN:
         roll_rad += tick == 0 ? 1.2f : 0.0f;
         report_true_pose();
@@ -288,7 +288,8 @@ static void check_fault(const struct scene_of *of)
     assert_int_equal(lost_ticks > 0, loses_the_hand(of));
     /* After a permanent turn (TURN) the ring is tilted by 69 degrees, so the fish may slide off. */
     if (of->fault != TURN) {
-        /* A fish that was carried is still on the paper, and no other fish is. */
+        /* If the poi carried a fish, this fish is still on the paper. No other fish is on the
+         * paper. */
         assert_int_equal(poi->carried_count, of->place == CARRYING);
     }
     if (of->fault == SPIKE && of->device == SENSOR) {

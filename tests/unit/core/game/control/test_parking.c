@@ -178,7 +178,7 @@ static void test_carried_fish_are_released_after_the_third_foul(void **state)
 {
     (void)state;
     lift_fish();
-    /* The game sets `out` at the third foul. The test sets it directly. */
+    /* The game sets `out` at the third foul. The test sets `out` directly. */
     core.game.player[0].out = 1;
     ticks(4u * CORE_TICK_HZ);
     expect_put_away(0, 2);

@@ -44,7 +44,7 @@ static void test_a_player_without_a_catch_gets_the_nearest_fish_as_a_present(voi
     const vec3 bowl_m = core.world.bowl[0].position_m;
     core.world.tank.fish[5].position_m = v3(bowl_m.x + 0.1f, -0.05f, bowl_m.z);
     core.world.tank.fish[4].position_m = v3(bowl_m.x + 0.09f, -0.05f, bowl_m.z);
-    core.world.tank.fish[4].gait = GAIT_HELD; /* This fish does not swim. */
+    core.world.tank.fish[4].gait = GAIT_HELD; /* A held fish cannot become the present. */
     steps(ROUND_S * CORE_TICK_HZ);
     assert_int_equal(core.game.phase, PHASE_RESULT);
     assert_int_equal(core.world.tank.fish[5].gait, GAIT_BOWL);
@@ -74,19 +74,21 @@ static void test_only_a_player_without_a_catch_gets_a_present(void **state)
     play_into_round();
     bowl_init(&core.world.bowl[1], v3(0.0f, 0.02f, 0.0f));
     core.game.player[1].plays = core.game.player[1].out = 1;
-    core.game.player[2].plays = core.game.player[2].out = 1; /* This player has no bowl. */
+    /* Player 2 is out too, but has no bowl, so player 2 gets no present. */
+    core.game.player[2].plays = core.game.player[2].out = 1;
     for (uint32_t i = 0; i < ALBUM_FISH_MAX; i++) {
         land(i, 0);
     }
     steps(ROUND_S * CORE_TICK_HZ);
     assert_int_equal(core.game.phase, PHASE_RESULT);
-    /* The page is full, so the present replaces the last fish. */
+    /* The album page is full, so the present replaces the last fish on the page. */
     assert_int_equal(core.game.album.fish_count, ALBUM_FISH_MAX);
     assert_int_equal(core.game.album.fish[ALBUM_FISH_MAX - 1u].owner, 1);
     assert_false(album_has_present(&core.game, 0));
     assert_true(album_has_present(&core.game, 1));
     assert_false(album_has_present(&core.game, 2));
-    assert_int_equal(core.world.bowl[0].fish_count, 0); /* land() changes no bowl. */
+    /* land() counts a catch, but puts no fish into the bowl. */
+    assert_int_equal(core.world.bowl[0].fish_count, 0);
     assert_int_equal(core.world.bowl[1].fish_count, 1);
 }
 
@@ -178,7 +180,8 @@ static void test_each_life_runs_from_hatching_to_the_last_key(void **state)
     }
     assert_true(met);
     assert_float_equal(page()->fish[0].progress, 1.0f, 1e-3f);
-    /* The smaller fish begins to grow later on this page, so its life is not complete yet. */
+    /* The smaller fish begins to grow later on this page, so its growth animation is not complete
+     * yet. */
     assert_true(page()->fish[1].progress < 1.0f);
 }
 

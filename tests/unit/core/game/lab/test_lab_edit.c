@@ -285,19 +285,19 @@ static void test_a_book_with_an_invalid_card_or_graph_is_rejected(void **state)
     memset(&book, 0, sizeof book);
     assert_true(lab_book_is_valid(&book));
     book.card_count = 1;
-    assert_false(lab_book_is_valid(&book)); /* All bytes of the card are 0. */
+    assert_false(lab_book_is_valid(&book)); /* All bytes of the species card are 0. */
     book.cards[0] = *card;
     assert_true(lab_book_is_valid(&book));
     assert_int_equal(lab_book_count(&book), species_table_count + 1u);
     book.cards[0].key_length_m[1] = -1.0f;
     assert_false(lab_book_is_valid(&book));
     book.cards[0] = *card;
-    /* The id has no terminating zero byte. */
+    /* The id of the species card has no terminating zero byte. */
     memset(book.cards[0].id, 'x', sizeof book.cards[0].id);
     assert_false(lab_book_is_valid(&book));
     book.cards[0] = *card;
     book.has_edit[0] = 1;
-    assert_false(lab_book_is_valid(&book)); /* The graph is empty. */
+    assert_false(lab_book_is_valid(&book)); /* The edited graph of the first species is empty. */
     lab_edit_own(&book.edits[0], card);
     assert_true(lab_book_is_valid(&book));
     book.edits[0].graph.knots[1].weight[0] += 0.25f;

@@ -65,7 +65,8 @@ static void test_the_question_does_not_carry_over_to_the_next_round(void **state
 static void test_the_last_tag_of_the_menu_reopens_the_kiosk(void **state)
 {
     (void)state;
-    push(INPUT_LEFT); /* LEFT leads from the first tag to the last tag, which leaves the menu. */
+    /* LEFT moves the selection from the first menu entry to the last one, which leaves the menu. */
+    push(INPUT_LEFT);
     assert_int_equal(pointed(), leave());
     push(INPUT_TEST);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
@@ -117,8 +118,8 @@ static void test_service_adds_no_credit_in_the_menu(void **state)
 /* Opens every page with TEST and SERVICE alone, and leaves it by its last tag. */
 static void test_two_buttons_reach_every_page_and_return(void **state)
 {
-    /* Reached pages, as a bit mask. Pages that no tag opens are set at the start, because other
-     * tests open them. */
+    /* Reached pages, as a bit mask. Pages that no menu entry opens are set at the start, because
+     * other tests open these pages. */
     uint32_t seen = 1u << MENU_TOP;
     for (uint8_t page = 1; page < MENU_PAGE_COUNT; page++) {
         seen |= menu_tag_of(page) == MENU_TAG_MAX ? 1u << page : 0u;
@@ -136,7 +137,8 @@ static void test_two_buttons_reach_every_page_and_return(void **state)
             seen |= 1u << way[i - 1u];
         }
         for (uint32_t i = 0; i <= depth && core.game.phase == PHASE_MENU; i++) {
-            push(INPUT_LEFT); /* LEFT leads from the first enabled tag to the last one. */
+            /* LEFT moves the selection from the first enabled menu entry to the last one. */
+            push(INPUT_LEFT);
             while (pointed() != menu_tag_count(menu()->page) - 1u) {
                 push(INPUT_SERVICE);
             }

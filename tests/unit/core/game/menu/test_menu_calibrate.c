@@ -199,9 +199,9 @@ static void expect_no_patchwork(const struct settings *before, uint32_t before_i
         torn += (uint32_t)input_calibration_is_torn(&left, 0);
         assert_false(input_calibration_is_torn(&left, 0) && (i == 0 || i == count));
     }
-    /* The cuts between two entries must leave an incomplete calibration, which is detected and not
-     * used. At most one cut is excepted: during a removal, the last cut may leave no calibration at
-     * all. */
+    /* A power cut between two ledger entries must leave an incomplete calibration, which is
+     * detected and not used. At most one cut is excepted: during a removal, the last cut may leave
+     * no calibration at all. */
     assert_true(torn >= count - 2u);
 }
 

@@ -23,7 +23,7 @@ static void test_the_actions_of_a_controller_depend_on_its_state(void **state)
         step();
         core_scene(&core, &scene);
         assert_int_equal(scene.menu.tags, offers[i].tags | 1u << ROW_BACK);
-        /* If the new state disables the selected tag, another tag must be selected. */
+        /* If the new state disables the selected menu entry, the menu must select another entry. */
         assert_true(scene.menu.tags >> scene.menu.tag & 1u);
     }
 }
@@ -38,7 +38,7 @@ static void test_each_command_is_sent_once_with_its_row(void **state)
     expect_order(1, COMMAND_CHOOSE, 3);
     input.controllers.state[3] = CONTROLLER_ACTIVE;
     step();
-    /* CHOOSE is now disabled, so RELEASE is selected. */
+    /* The menu entry ROW_CHOOSE is now disabled, so the menu selects ROW_RELEASE. */
     assert_int_equal(pointed(), ROW_RELEASE);
     push(INPUT_TEST);
     expect_order(2, COMMAND_RELEASE, 3);
@@ -70,7 +70,8 @@ static void test_a_controller_mapping_is_learned_step_by_step_and_stored(void **
         input.controllers.learn_step = learn;
         input.controllers.learn_row = 3;
         step();
-        /* Selects another tag first, to test that LEARNS_NEXT can be reached in every step. */
+        /* Moves the selection away from LEARNS_NEXT first, to test that the operator can select
+         * LEARNS_NEXT again in every step of the learning. */
         push(INPUT_LEFT);
         while (pointed() != LEARNS_NEXT) {
             push(INPUT_SERVICE);
@@ -83,7 +84,8 @@ static void test_a_controller_mapping_is_learned_step_by_step_and_stored(void **
     assert_int_equal(pointed(), LEARNS_KEEP);
     push(INPUT_SERVICE);
     push(INPUT_TEST);
-    /* This tag starts the learning again, so the same command is sent with a new number. */
+    /* The selected menu entry, LEARNS_AGAIN, starts the learning again, so COMMAND_LEARN is sent
+     * with a new number. */
     expect_order(++id, COMMAND_LEARN, 3);
     while (pointed() != LEARNS_KEEP) {
         push(INPUT_SERVICE);

@@ -24,8 +24,7 @@ static void hold_over(uint32_t tag, float y_m)
 static void tap(uint32_t tag)
 {
     hold_over(tag, ABOVE_M);
-    /* Moves the poi from 2 cm beside the tag onto the tag, because only a moving poi selects a
-     * tag. */
+    /* Moves the poi by 2 cm onto the menu entry, because only a moving poi selects an entry. */
     input.poi[0].target.position_m.x += 0.02f;
     step();
     hold_over(tag, ABOVE_M);
@@ -71,7 +70,7 @@ static void test_a_dip_outside_the_tags_activates_none(void **state)
     (void)state;
     hold_over(0, ABOVE_M);
     steps(MENU_TAKE_TICKS);
-    /* The poi is over the title of the page, where no tag is. */
+    /* The poi is over the title of the page, where no menu entry is. */
     input.poi[0].target.position_m.z = -0.49f * core.world.tank.size_m.z;
     step();
     input.poi[0].target.position_m.y = BELOW_M;
@@ -114,8 +113,8 @@ static void test_a_moving_controller_without_a_bowl_selects_tags(void **state)
     (void)state;
     hold_over(0, ABOVE_M);
     steps(2);
-    /* A second poi now rests in slot 2 over the same tag. The kiosk has only one player, in slot 0,
-     * but any connected poi can use the menu: the poi that moves selects the tag. */
+    /* A second poi now rests in slot 2 over the same menu entry. The kiosk has only one player, in
+     * slot 0, but any connected poi can use the menu: the poi that moves selects the entry. */
     input.poi[2] = input.poi[0];
     steps(2);
     hold_over(1, ABOVE_M);
@@ -133,8 +132,8 @@ static void test_a_moving_controller_without_a_bowl_selects_tags(void **state)
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
-/* The page opens under a resting poi. The tag under the poi must not be selected, because the
- * player did not choose it. */
+/* The page opens under a resting poi. The menu entry under the poi must not be selected, because
+ * the player did not point at this entry. */
 static void test_a_resting_poi_selects_no_tag_as_a_page_opens(void **state)
 {
     (void)state;
@@ -143,8 +142,8 @@ static void test_a_resting_poi_selects_no_tag_as_a_page_opens(void **state)
     go_to(MENU_DEVICES);
     hold_over(0, ABOVE_M);
     steps(2);
-    /* The selected tag of a page must not change when another page opens above the resting poi, nor
-     * when the menu returns to the page. */
+    /* The selected menu entry of a page must not change when another page opens under the resting
+     * poi, nor when the menu returns to the first page. */
     for (uint32_t i = 0; i < 2u; i++) {
         go_to(MENU_AXES);
         const uint8_t left = (uint8_t)menu_tag_of(MENU_AXES);
@@ -156,7 +155,7 @@ static void test_a_resting_poi_selects_no_tag_as_a_page_opens(void **state)
     hold_over(0, ABOVE_M);
     input.poi[0].target.position_m.x += 0.02f;
     steps(2);
-    /* The poi has moved, so the tag under it is selected. */
+    /* The poi has moved, so the menu entry under the poi is selected. */
     assert_int_equal(pointed(), 0);
 }
 

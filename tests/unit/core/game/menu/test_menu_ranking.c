@@ -107,7 +107,7 @@ static void test_a_confirmed_removal_deletes_a_name_from_every_leaderboard(void 
     assert_string_equal(name_in(RANK_DAY, 2), "");
     assert_string_equal(name_in(RANK_EVER, 2), "");
     assert_string_equal(name_in(RANK_DAY, 0),
-                        "さくら"); /* Another player of the same round keeps the name. */
+                        "さくら"); /* The name of another player of this round is kept. */
     assert_int_equal(core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_DAY][2].caught, 7);
 }
 

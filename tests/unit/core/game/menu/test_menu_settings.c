@@ -126,7 +126,7 @@ static void test_the_footer_decrements_a_value_and_restores_the_default(void **s
 {
     (void)state;
     go_to(MENU_SOUND);
-    /* No setting is selected yet, so the tag that restores a default is disabled. */
+    /* No setting is selected yet, so the menu entry that restores a default is disabled. */
     assert_false(menu_enabled(menu()) >> foot(SETTINGS_STANDARD) & 1u);
     take(foot(SETTINGS_DIRECTION));
     take(row_of(MENU_SOUND, SET_VOLUME));
@@ -282,7 +282,7 @@ static void test_fish_count_players_and_language_apply_at_the_next_attract(void 
     take(row_of(MENU_GAME, SET_PLAYERS));
     take(row_of(MENU_GAME, SET_LANGUAGE));
     assert_int_equal(core.world.tank.fish_count, before);
-    /* The language applies at once. */
+    /* The selected language is used immediately. */
     assert_int_equal(core.game.language, LANGUAGE_EN);
     go_back();
     go_back();
@@ -406,8 +406,8 @@ static void test_no_reset_happens_without_room_in_the_ledger(void **state)
     go_to(MENU_FACTORY);
     fill_the_ring();
     take(CONFIRM_YES);
-    /* The ring has no room for the entry, so the confirmation page stays open and nothing is
-     * reset. */
+    /* The ring buffer of unsaved ledger entries is full, so the confirmation page stays open and
+     * nothing is reset. */
     assert_int_equal(menu()->page, MENU_FACTORY);
     assert_int_equal(core.game.accounts.ledger.balance.paid, 3);
     assert_int_equal(value(SET_VOLUME), 85);

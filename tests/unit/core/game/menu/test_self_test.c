@@ -135,7 +135,7 @@ static void test_a_manual_check_is_requested_until_it_is_done(void **state)
     for (size_t i = 0; i < sizeof asks; i++) {
         assert_int_equal(state_of[asks[i]], SELF_ASKS);
     }
-    /* No poi is connected, so its check fails. */
+    /* No poi is connected, so the check SELF_POIS fails. */
     assert_int_equal(state_of[SELF_POIS], SELF_BAD);
     wave(0);
     judge();
@@ -332,13 +332,13 @@ static void test_absent_hardware_is_not_checked(void **state)
     judge();
     assert_int_equal(state_of[SELF_COINS], SELF_GOOD);
     assert_int_equal(state_of[SELF_LAMP], SELF_GOOD);
-    take(SELF_YES); /* Answer to the question about the sound. */
-    take(SELF_NO);  /* Answer to the question about the lamps. */
+    take(SELF_YES); /* Confirms that the test sound was heard. */
+    take(SELF_NO);  /* Reports that the lamps did not light up. */
     judge();
     assert_int_equal(state_of[SELF_LAMP], SELF_BAD);
 }
 
-/* A failure must be named before a warning. */
+/* Asserts that the page names a failure before a warning. */
 static void test_the_worst_result_is_named_first(void **state)
 {
     (void)state;

@@ -181,7 +181,8 @@ static void test_players_are_asked_once_each_with_the_best_first(void **state)
     press_key(NAME_DONE);
     assert_int_equal(core.game.phase, PHASE_LEADERBOARD);
     steps(LEADERBOARD_TICKS);
-    assert_int_equal(core.game.phase, PHASE_ALBUM); /* The third player has a present. */
+    /* The album opens, because the third player gets a fish as a present. */
+    assert_int_equal(core.game.phase, PHASE_ALBUM);
 }
 
 /* ---- Entering a name ------------------------------------------------------------------------ */

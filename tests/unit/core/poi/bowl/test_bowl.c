@@ -133,7 +133,7 @@ static void drop_in_all(uint32_t count, float length_m)
 
 struct tightness {
     float worst_m;        /* Deepest overlap of two fish in m. */
-    float pairs_per_look; /* Mean number of pairs that overlap by more than 1 mm. */
+    float pairs_per_look; /* Mean number of pairs of fish that overlap by more than 1 mm. */
     float fastest_m_s;
 };
 

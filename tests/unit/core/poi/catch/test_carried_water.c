@@ -132,7 +132,7 @@ static float most_meniscus_n(float pitch_rad, float *hand_n)
     float most_n = 0.0f;
     *hand_n = 0.0f;
     for (uint32_t tick = 0; tick < ticks; tick++) {
-        fixture.hand.position_m.y += 0.0003f; /* 0.3 mm per tick is 36 mm/s. */
+        fixture.hand.position_m.y += 0.0003f; /* Lifts the ring by 0.3 mm per tick, at 36 mm/s. */
         fixture_tick(&fixture);
         const float weight_n =
             (POI_MASS_KG + fixture.poi.water_kg) * GRAVITY_M_S2 * (1.0f - fixture.poi.immersed);

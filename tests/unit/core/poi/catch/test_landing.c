@@ -51,7 +51,7 @@ static void test_a_fish_lands_in_the_bowl_from_every_side(void **state)
     assert_in_range(landed, 15, 16);
 }
 
-/* ---- Landed, poured, walled ----------------------------------------------------------------- */
+/* ---- How a fish counts: landed, poured or walled -------------------------------------------- */
 
 static struct catch_result counted(uint8_t clear_ticks, uint8_t walled)
 {
@@ -139,9 +139,10 @@ static int is_walled(float gap_m, float press_m, float speed_m_s, float fish_gap
 static void test_a_fish_between_a_wall_and_a_pressing_ring_is_walled(void **state)
 {
     (void)state;
-    /* Walled: the ring is 5 mm from the wall, and the player presses it toward the wall. */
+    /* Walled (the fish is trapped between the ring and a wall): the ring is 5 mm from the wall, and
+     * the player presses the ring toward the wall. */
     assert_true(is_walled(0.005f, 0.010f, 0.0f, 0.005f));
-    /* Walled: the ring is 12 mm from the wall and moves toward it at 0.10 m/s. */
+    /* Walled: the ring is 12 mm from the wall and moves toward the wall at 0.10 m/s. */
     assert_true(is_walled(0.012f, 0.0f, 0.10f, 0.005f));
     /* Not walled: the player does not press the ring toward the wall. */
     assert_false(is_walled(0.005f, 0.0f, 0.0f, 0.005f));

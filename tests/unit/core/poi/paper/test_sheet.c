@@ -252,8 +252,8 @@ static void test_points_outside_the_ring_have_no_paper(void **state)
     assert_false(sheet_holds(&sheet, 0.03f, -0.03f));
 }
 
-/* Samples the disc inside the ring at points that are closer than the cells. Counts all points
- * (`asked`) and the points on paper (`held`). */
+/* Samples the disc inside the ring on a grid of points 0.2 mm apart, which is finer than the grid
+ * of cells. Counts all points (`asked`) and the points on paper (`held`). */
 static void count_held(const struct sheet *sheet, uint32_t *held, uint32_t *asked)
 {
     *held = *asked = 0;
@@ -416,7 +416,7 @@ static void test_the_danger_rises_with_the_load_and_with_the_damage(void **state
     assert_in_range((int)(100.0f * sheet_warning(&sheet)), 49, 51);
     sheet.damage[cell] = 0.9f;
     assert_float_equal(sheet_warning(&sheet), 1.0f, 0.0f);
-    sheet.state[cell] = CELL_HOLE; /* A hole is no danger any more. */
+    sheet.state[cell] = CELL_HOLE; /* A cell that has already torn gives no warning. */
     assert_float_equal(sheet_warning(&sheet), 0.0f, 0.0f);
 }
 

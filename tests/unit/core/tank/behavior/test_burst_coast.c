@@ -50,7 +50,7 @@ static void test_a_glide_decelerates_by_drag(void **state)
             assert_float_equal(fish.speed_m_s, wanted_m_s, 0.01f * start_m_s);
         }
         /* The glide distance follows from mass and drag: 2 m (1 + added mass) / (rho S C). The mass
-         * is the one that is used for the oxygen consumption. */
+         * m is fish_mass_kg(), which the oxygen consumption uses too. */
         const float by_mass_m =
             2.0f * 1.1f * fish_mass_kg(length_m) / (1000.0f * 0.65f * length_m * length_m * 0.060f);
         assert_float_equal(way_m, by_mass_m, 0.04f * way_m);
@@ -85,8 +85,8 @@ static void test_a_behavior_update_in_every_tick_adds_no_turns(void **state)
     for (uint32_t tick = 0; tick < 840u; tick++) {
         struct perception around = *pond_at(1, tick);
         gait_cycle_turn(&often, 7, &around);
-        /* `seldom` is updated in every fourth tick, and never in the tick of a kick. Nevertheless,
-         * `seldom` must not miss a kick. */
+        /* `seldom` is updated in every fourth tick, and never in the tick in which a kick (a tail
+         * beat that turns the fish) begins. Nevertheless, `seldom` must not miss a kick. */
         if (tick % FISH_BEHAVIOR_TICKS == 2u) {
             around.dt_s = (float)FISH_BEHAVIOR_TICKS * CORE_TICK_S;
             gait_cycle_turn(&seldom, 7, &around);
@@ -95,8 +95,8 @@ static void test_a_behavior_update_in_every_tick_adds_no_turns(void **state)
     assert_float_equal(often.heading_rad, seldom.heading_rad, 1e-6f);
 }
 
-/* Measures the turn of a kick: how long the middle 80 % of it take, and its smallest radius in body
- * lengths. */
+/* Measures one turn by `angle_rad`: the duration of the middle 80 % of the turn, and the smallest
+ * radius of the path in body lengths. */
 static void turn(float angle_rad, float *lasts_s, float *radius_lengths)
 {
     struct fish fish = pond_fish(0.05f, GAIT_SWIM);
@@ -117,7 +117,8 @@ static void turn(float angle_rad, float *lasts_s, float *radius_lengths)
 }
 
 /* Wu et al. 2007 measured that the duration of a turn hardly depends on its angle, because larger
- * turns are faster. The radii at the angles of kicks are 0.1 to 0.2 lengths. */
+ * turns are faster. In a turn of 25 degrees or more, the smallest radius of the path must be 0.1 to
+ * 0.2 body lengths. */
 static void test_the_duration_of_a_turn_is_independent_of_its_angle(void **state)
 {
     (void)state;

@@ -17,13 +17,14 @@
 #define TRIALS 4000u
 #define LENGTH_M 0.05f
 
-/* Measurements of one C-start. */
+/* Measurements of one C-start, the escape reaction of a fish: the body bends into a C and then
+ * straightens. */
 struct trial {
     /* Largest turn of the head in stage 1 (the bend into a C), positive to the left. */
     float head_turn_rad;
     /* Side away from the stimulus: +1 is left and -1 is right. */
     float away_side;
-    float way_lengths;               /* Distance during the first 100 ms. */
+    float way_lengths;               /* Distance that the fish moves in 100 ms. */
     float away_lengths;              /* Component of `way_lengths` away from the stimulus. */
     float peak_lengths_s, push_m_s2; /* Highest speed, and highest acceleration over 17 ms. */
     /* Time of the highest speed, and time of the last tick faster than 4 lengths per second. */
@@ -162,7 +163,7 @@ static void test_a_start_moves_the_fish_0_5_to_1_5_lengths_in_100_ms(void **stat
     }
     print_message("after 100 ms %.2f lengths (%.2f .. %.2f)\n", (double)mean, (double)least,
                   (double)most);
-    /* Eaton et al. 1977 measured 0.5 to 1.5 lengths. */
+    /* Eaton et al. 1977 measured a distance of 0.5 to 1.5 body lengths in 100 ms. */
     assert_true(least >= 0.45f && most <= 1.5f);
     assert_float_equal(mean, 0.70f, 0.05f);
 }

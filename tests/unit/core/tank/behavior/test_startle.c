@@ -257,7 +257,7 @@ static void test_habituation_grows_with_startles_and_fades(void **state)
     for (uint32_t tick = 0; tick < 600u * CORE_TICK_HZ; tick++) {
         startle_tick(&fish, 0, pond_at(1, tick));
     }
-    assert_float_equal(fish.habit, 0.0f, 0.0f); /* The habituation decays to exactly 0. */
+    assert_float_equal(fish.habit, 0.0f, 0.0f); /* The habituation has decayed to exactly 0. */
 }
 
 static void test_a_fish_that_just_fled_is_not_startled_again_immediately(void **state)

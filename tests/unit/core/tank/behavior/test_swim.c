@@ -171,9 +171,9 @@ static void test_turns_are_limited_by_the_gait_and_reach_their_goal(void **state
 {
     (void)state;
     check_turn(GAIT_REST, 0, 45.0f);
-    /* With this phase the fish glides. */
+    /* In this phase of the tail beat, the fish glides. */
     check_turn(GAIT_SWIM, 40u << 14, 180.0f);
-    /* With phase 0 the fish kicks its tail, which turns it faster. */
+    /* At phase 0 the fish beats its tail, so it turns faster. */
     check_turn(GAIT_SWIM, 0, 500.0f);
     check_turn(GAIT_BURST, 0, 720.0f);
 }

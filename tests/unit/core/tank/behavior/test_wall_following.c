@@ -23,7 +23,7 @@ static struct tank tank;
 struct histogram {
     float share[BINS]; /* Share of the time in each bin (distance from the nearer end wall). */
     float beside;      /* Share of the time within 6 cm of any wall. */
-    float lengths_s;   /* Mean speed while the fish swims. */
+    float lengths_s;   /* Mean speed in body lengths per second while the fish swims. */
 };
 
 static struct tank_config aquarium(uint32_t seed, float wall_follow)
