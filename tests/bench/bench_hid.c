@@ -160,8 +160,9 @@ static void append(const uint8_t *items, uint32_t size)
 #define APPEND(...)                                                                                \
     append((const uint8_t[]){ __VA_ARGS__ }, sizeof((const uint8_t[]){ __VA_ARGS__ }))
 
-/* Builds the slow device: a joystick with as many array elements as can be bound. The descriptor
- * lists each usage of the arrays separately. */
+/* Builds the slow device: a joystick with as many arrays as a mapping has room for (ARRAYS), each
+ * with the largest number of elements (HID_ARRAY_MAX). The descriptor lists each usage of the
+ * arrays separately. */
 static void make_slow(void)
 {
     memset(&face, 0, sizeof face);
@@ -238,7 +239,7 @@ static void bench_slow_decoder(void)
     }
     raw.size = (descriptor.report_bits[0] + 7u) / 8u;
     /* Sets all bits after the two axis bytes. Each array element then has the value ELEMENT_MAX,
-     * which selects the usage that bind_all() has bound. */
+     * which selects the usage that bind_all() has mapped. */
     memset(raw.bytes + 2, 0xff, sizeof raw.bytes - 2u);
     if (raw.size > HID_REPORT_MAX || !hid_pose_decoder_report(&hand, &raw)) {
         fputs("bench_hid: the slow controller's report is refused\n", stderr);

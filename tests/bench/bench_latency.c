@@ -105,7 +105,7 @@ struct latency {
 struct event {
     const char *name;
     uint64_t frame_ns;
-    float x_px;       /* New pointer position. The pointer was at 640 before the event. */
+    float x_px;       /* New x position of the pointer in pixels. The old position is 640. */
     uint32_t buttons; /* New state of the buttons. No button was held before the event. */
     float seen_px;    /* Smallest difference of the two ring positions, in pixels, that counts as
                          seen. */
@@ -184,8 +184,8 @@ int main(int argc, char **argv)
     for (size_t i = 0; i < sizeof events / sizeof events[0]; i++) {
         holds &= bench(&events[i]);
     }
-    /* The row of this machine does not decide the result, because a software renderer exceeds the
-     * bound. */
+    /* The additional row for this machine does not change the exit status, because a software
+     * renderer exceeds the allowed latency. */
     if (argc == 3) {
         here.frame_ns = (uint64_t)(here_ms * 1e6);
         here.work_ms = strtod(argv[2], NULL);

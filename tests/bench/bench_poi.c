@@ -45,7 +45,8 @@ static int by_size(const void *left, const void *right)
     return (a > b) - (a < b);
 }
 
-/* Prints one row of `count` samples. Returns their median. */
+/* Prints one row: the median, the 99th percentile and the maximum of `count` times in `samples`.
+ * Returns the median. */
 static double report(const char *what, uint32_t count)
 {
     if (count == 0) {
@@ -66,7 +67,7 @@ static double report(const char *what, uint32_t count)
 struct state {
     const char *what;
     float pressure_pa;
-    /* Forces of each fish on the paper in N; 0 means that no fish lies there. */
+    /* Forces of each fish on the paper in N; 0 means that no fish is on the paper. */
     float slap_n, body_n;
     uint8_t half_wet;
     /* 1 if only those ticks are measured in which a cell tears, otherwise 0. */

@@ -80,7 +80,7 @@ static int screen_present(void *self, const struct scene *scene)
     return HAL_OK;
 }
 
-/* Takes the force feedback at once and discards it. */
+/* Takes the output report with the force feedback from the port and discards the report. */
 static void take_feeling(void *self)
 {
     (void)self;

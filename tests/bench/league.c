@@ -52,7 +52,7 @@ static struct round_plan *plan_all(const struct league *league)
     return plans;
 }
 
-/* Sorts the results by arm and then by seed. */
+/* Sorts the results by arm (way to play) and then by seed. */
 static struct round_result *sort_results(const struct league *league,
                                          const struct round_result *played)
 {

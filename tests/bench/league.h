@@ -21,7 +21,7 @@ struct arm {
 struct league {
     const char *speaker;
     uint32_t seeds; /* Number of seeds, 1 .. LEAGUE_SEEDS_MAX. */
-    uint32_t first; /* First seed. */
+    uint32_t first; /* First seed. The other seeds are the next numbers. */
     uint32_t arm_count;
     struct arm arms[LEAGUE_ARMS_MAX];
     double took_s;

@@ -20,7 +20,7 @@ static const struct goal {
     const struct technique *technique;
     uint8_t mode;
     double median_min, median_max;
-    uint32_t max_below; /* The mean catch must be less than this number. 0 means no upper bound. */
+    uint32_t max_below; /* The mean catch must be less than this number. 0 means no upper limit. */
 } goals[] = {
     { "festival novice", &technique_novice, MODE_FESTIVAL, 1, 3, 0 },
     { "championship novice", &technique_novice, MODE_CHAMPIONSHIP, 0, 3, 0 },

@@ -10,7 +10,7 @@
 /* ---- Wilcoxon's signed-rank test ------------------------------------------------------------ */
 
 struct ranked {
-    double size; /* |difference| */
+    double size; /* Absolute value of the difference of a pair. */
     int positive;
     /* Twice the rank, because the mean rank of equal differences may be a half. */
     uint32_t twice;

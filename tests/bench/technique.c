@@ -39,16 +39,18 @@
 static const char speaker[] = "technique";
 
 static const struct experiment {
-    /* Names of the .bot files of the two bots. The first bot must catch more. */
+    /* Names of the .bot files of the two bots. The first bot is expected to catch more. */
     const char *better, *worse;
     const char *title;
-    bool must_pay; /* True if the habit must pay; false if its result is only reported. */
+    /* True if the first bot must catch more; false if the result is only reported. */
+    bool must_pay;
 } experiments[] = {
     { "all-wet", "half-wet", "all wet over half wet", true },
     { "slanted", "flat", "slanted over flat entry", true },
     { "edge-leading", "broadside", "edge-leading over broadside glide", true },
     { "head-first", "tail-first", "head first over tail on", true },
-    /* This habit cannot pay in the game (tests/FIGURES.md, "Why the rim does not pay"). */
+    /* In the game, scooping near the rim cannot catch more fish (tests/FIGURES.md, "Why the rim
+     * does not pay"). */
     { "near-rim", "centre", "near the rim over the centre", false },
     { "drained-lift", "fast-lift", "level drained over fast flat lift", true },
     { "still-shade", "chase", "still shade over chasing", true },
@@ -58,7 +60,7 @@ static const struct experiment {
 static const char *const verdict_names[VERDICT_COUNT] = { "pays", "not shown", "WRONG WAY" };
 
 struct trial {
-    uint32_t better, worse; /* Indices of the two arms. */
+    uint32_t better, worse; /* Indices of the league arms of the better and the worse bot. */
     struct comparison found;
     enum verdict verdict;
 };

@@ -24,9 +24,9 @@
 /* Number of pictures in which the fish are observed before one of them is chosen. */
 #define CALM_LOOKS 12
 #define CHOICE_MAX 40
-/* A fish is chosen only if its blue value rises by at most this per second, because a rising value
- * means that the fish dives. A fish that is too deep for the ring has a blue value that is 10 to 20
- * (of 255) higher. */
+/* Weight of the blue value in the choice of a fish. One unit of blue (of 255) counts like a speed
+ * of this many pixels per second. A deeper fish is bluer. A fish that is too deep for the ring has
+ * a blue value 10 to 20 higher than a fish within reach. */
 #define BLUE_PX_S 4.0f
 /* Highest blue value of a fish that lies on the paper. A fish on the paper has about 4, a fish seen
  * through a tear in the paper 25, and a fish under the paper 80 to 150. */
@@ -145,7 +145,8 @@ static int follow(struct track *track)
         return 0;
     }
     const struct point at = { blob.x, blob.y };
-    /* Weight of the newest velocity. The mean covers about a quarter of a second. */
+    /* Weight of the newest velocity in the moving average, which covers about a quarter of a
+     * second. */
     const float trust = fminf(1.0f, passed_s / 0.25f);
     track->speed.x += trust * ((at.x - track->at.x) / passed_s - track->speed.x);
     track->speed.y += trust * ((at.y - track->at.y) / passed_s - track->speed.y);

@@ -117,8 +117,9 @@ struct cabinet {
     struct gpio_lines_sim sim;
     struct gpio_thread gpio;
     uint64_t seed, due_ns, stall_max_ns;
-    /* Number of inserted coins at the newest mark [0] and at the mark before it [1]. Marks are at
-     * least 200 ms apart. Coins before mark [1] must have been counted. */
+    /* Number of coins that were inserted until the newest check time [0] and until the check time
+     * before [1]. Check times are at least 200 ms apart, so the frame loop must have counted all
+     * coins that were inserted before [1]. */
     uint32_t fallen[2];
     uint64_t marked_ns;
     struct rain_result result;

@@ -136,7 +136,7 @@ bool gpiod_line_info_is_active_low(struct gpiod_line_info *info)
 struct gpiod_line_settings *gpiod_line_settings_new(void)
 {
     struct gpiod_line_settings *settings = calloc(1, sizeof *settings);
-    settings->as.is_looked_at = true; /* A later call that requests edges sets this to false. */
+    settings->as.is_looked_at = true; /* A later request of edges sets this member to false. */
     return settings;
 }
 

@@ -188,7 +188,7 @@ static void test_edges_that_the_queue_dropped_are_counted_or_inferred(void **sta
     struct fake_line *start = &fake_chips[1].lines[0];
     wire("start=BTN_START");
     request(&lines);
-    /* These 16 edges fill the queue of libgpiod 1.6. The last one leaves the line inactive. */
+    /* The 16 edges fill the queue of libgpiod 1.6. The last edge leaves the line inactive. */
     for (uint32_t i = 0; i < 16; i++) {
         fake_line_edge(start, (100 + i) * MS, i % 2 == 0, 0);
     }
@@ -196,8 +196,8 @@ static void test_edges_that_the_queue_dropped_are_counted_or_inferred(void **sta
     fake_line_edge(start, 200 * MS, false, 3);
     assert_int_equal(wait(&lines, edges), 1);
     assert_int_equal(edges[0].lost_before, is_second(&lines) ? 3 : 1);
-    /* A second edge to the same level need not mean a lost edge. Here the kernel has read the level
-     * too late. */
+    /* A second edge to the same level does not always mean that an edge was lost. In this case the
+     * kernel has read the level too late. */
     fake_line_edge(start, 300 * MS, false, 0);
     assert_int_equal(wait(&lines, edges), 1);
     assert_int_equal(edges[0].lost_before, 0);

@@ -43,7 +43,7 @@ struct options {
     const char *species, *out;
     float progress[STEPS_MAX];
     uint32_t step_count, width, height;
-    uint32_t water; /* Color as 0xRRGGBBAA. */
+    uint32_t water; /* Colour of the water as 0xRRGGBBAA. */
     uint8_t keys, thesis, template_id, turned, time;
     float yaw_rad, pitch_rad, roll_rad, amplitude, phase_rad;
 };

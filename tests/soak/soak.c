@@ -2,11 +2,17 @@
  *
  * Usage: soak [SECONDS [SEED]]. The default is 600 s for each tank.
  *
- * Prints a line for each tank. Overlap depths are in mm. pace: mean speed as a fraction of the
- * gait's speed. rev/s: reversals of turns per fish and second. walls: fish near walls relative to
- * an even distribution. stuck, loose: longest times in s. lag: distance of the ring behind the
- * requested pose in mm. back: reverted poses (contact_solver.h) per fish and second. Returns exit
- * status 1 if an overlap was deeper than 0.5 mm, or if the fish did not move naturally. */
+ * Prints a line for each tank. Overlap depths are in mm. The other columns are:
+ * - pace: mean speed as a fraction of the gait's speed.
+ * - rev/s: reversals of turns per fish and second.
+ * - walls: number of fish near walls relative to an even distribution.
+ * - stuck: longest time in s for which a swimming fish stayed in one place.
+ * - loose: longest time in s for which a fish that was put back into the water overlapped others.
+ * - lag: distance of the ring behind the requested pose in mm.
+ * - back: reverted poses (contact_solver.h) per fish and second.
+ *
+ * Returns exit status 1 if an overlap was deeper than 0.5 mm, or if the fish did not move
+ * naturally. */
 #include <stdio.h>
 #include <stdlib.h>
 

@@ -18,7 +18,8 @@
 
 #define FRAME_NS 16666667u
 #define FIND_NS 10000000000u /* Timeout for the device to get a slot on a slow machine. */
-#define REPORTS_MIN 125u     /* Least number of used reports per second. The poi sends 250. */
+/* Least number of reports that must be used per second. The poi sends 250. */
+#define REPORTS_MIN 125u
 #define MEDIAN_MAX_NS (FRAME_NS + FRAME_NS / 2u)
 
 static struct poi_hid poi[POI_MAX];

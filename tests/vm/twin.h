@@ -23,11 +23,12 @@ struct twin {
     uint32_t presses[9]; /* Number of presses of each button, indexed by the bit of enum
                               input_button. */
     uint32_t caught; /* Number of landed fish according to the totals stored in the recording. */
-    uint32_t lost_spans;   /* Number of times that the first poi was lost after it had been
-                              present. */
-    uint32_t lost_ticks;   /* Duration of the last loss of the first poi. */
-    uint32_t paused_ticks; /* Number of ticks in which a round was paused because of a loss. */
-    uint32_t differs_at;   /* First tick whose digest differs from the kiosk's; 0 means none. */
+    /* Number of times that the first poi was lost after it had been present. */
+    uint32_t lost_spans;
+    uint32_t lost_ticks; /* Number of ticks of the newest loss of the first poi. */
+    /* Number of ticks in which a round was paused because a controller was lost. */
+    uint32_t paused_ticks;
+    uint32_t differs_at; /* First tick whose digest differs from the kiosk's; 0 means none. */
     uint8_t was_live, begun;
 };
 

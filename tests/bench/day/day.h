@@ -23,7 +23,7 @@
 struct day_options {
     uint32_t price;   /* Price of a round in units; 0 means free play. */
     uint32_t round_s; /* Length of a round in seconds. */
-    uint8_t level;    /* Default level (enum level). */
+    uint8_t level;    /* Level of visitors who choose none (enum level). */
     uint32_t bowls;   /* Number of bowls, 1 .. POI_MAX. */
     uint32_t visitors, seed;
     uint32_t hours; /* Opening hours. */
@@ -31,13 +31,13 @@ struct day_options {
 };
 
 struct day_round {
-    uint32_t caught[POI_MAX]; /* Catch of each person of the group. */
+    uint32_t caught[POI_MAX]; /* Number of fish that each person of the group caught. */
     double took_s;            /* Time from the change of the players to the end of the result. */
 };
 
 /* What the core's accounts counted on the day. */
 struct day_money {
-    uint32_t units; /* Value of all coins. */
+    uint32_t units; /* Value of all inserted coins, in units of the price. */
     uint32_t paid_plays, free_plays, caught, refunds;
 };
 

@@ -10,7 +10,7 @@
 #include "platform/os/exit_code.h"
 #include "tests/bench/day/day.h"
 
-/* Sums of some of the visitors of a day. */
+/* Sums over those visitors of a day that report_sums() selected. */
 struct day_sums {
     uint32_t visitors, declined, left, played;
     uint32_t with_fish; /* Visitors with at least one fish of their own. */

@@ -109,7 +109,7 @@ static bool start_round(struct table *table)
     return false;
 }
 
-/* Runs READY and the round until the result screen. */
+/* Runs the kiosk from the phase READY through the round to the result screen. */
 static bool run_round(struct table *table)
 {
     const struct core *core = &table->kiosk.core;

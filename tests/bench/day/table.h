@@ -30,7 +30,7 @@ struct table {
 /* Starts the kiosk. Returns false if the kiosk refused to start. */
 bool table_open(struct table *table, const struct day_options *options);
 
-/* Returns the functions of the day that use `table`. */
+/* Returns the functions through which the simulated day uses the kiosk of `table`. */
 struct day_stall table_stall(struct table *table);
 
 /* Returns what the core's accounts counted since the start. */

@@ -60,8 +60,8 @@ enum draw {
     DRAW_LEVEL,
     DRAW_PATIENCE,
     DRAW_PRICE,
-    DRAW_AGAIN,                                             /* One number for each play. */
-    DRAW_ARRIVAL = DRAW_AGAIN + (int)VISITOR_PLAYS_MAX + 1, /* Two numbers for each attempt. */
+    DRAW_AGAIN,                                             /* One random number for each play. */
+    DRAW_ARRIVAL = DRAW_AGAIN + (int)VISITOR_PLAYS_MAX + 1, /* Two random numbers for each draw. */
 };
 
 static double draw(uint32_t seed, uint32_t what)

@@ -16,9 +16,9 @@
 struct visitor_kind {
     const char *name;
     const char *habits; /* Row of sim_player_table that describes how the visitor plays. */
-    double share;       /* Share of all visitors. */
-    /* Shares of the kind that choose the level easy or master. The others play at the level that
-     * the operator chose. */
+    double share;       /* Fraction of all visitors who are of this kind. */
+    /* Fractions of the visitors of this kind who choose the level easy or master. The others play
+     * at the level that the operator chose. */
     double easy_share, master_share;
     double patience_min_min, patience_max_min; /* Shortest and longest patience, in minutes. */
     /* Probability of another play at a price of one unit, after no fish, one or two fish, or more
@@ -39,20 +39,21 @@ enum visitor_fate {
 struct visitor {
     uint32_t seed; /* Seed of the visitor's random numbers. */
     uint8_t kind;  /* Index in visitor_kinds. */
-    uint8_t level; /* Level at which the visitor wants to play (enum level). */
+    uint8_t level; /* Level that the visitor chooses (enum level). */
     double arrival_s;
-    double patience_s;  /* Longest time in the queue. */
+    double patience_s;  /* Waiting time in the queue after which the visitor leaves. */
     uint32_t price_max; /* Highest price that the visitor pays, in units. */
 
     uint8_t fate; /* enum visitor_fate */
     double wait_s;
-    uint32_t plays, caught, caught_last; /* `caught_last` is the catch of the last play. */
+    uint32_t plays, caught, caught_last; /* `caught_last` counts the fish of the last play. */
 };
 
-/* What a day is like for its visitors. */
+/* Properties of the day for which the visitors are drawn. */
 struct visitor_day {
-    double hours;  /* Opening hours. Nobody arrives later. */
-    uint8_t level; /* Default level (enum level). */
+    double hours; /* Opening hours. Nobody arrives later. */
+    /* Level that the operator chose (enum level). Visitors who choose no level play at it. */
+    uint8_t level;
     uint32_t seed;
 };
 

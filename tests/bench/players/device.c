@@ -11,8 +11,8 @@
 
 #define FRAME_NS (1000000000ull / PLAYER_HZ)
 #define FRAME_S (1.0f / (float)PLAYER_HZ)
-/* Time constant in seconds with which the hand slows down before the goal. The hand reaches its
- * speed with half of this time constant. */
+/* Time constant in seconds with which the hand slows down before the goal. The hand speeds up with
+ * half of this time constant. */
 #define EASE_S 0.10f
 #define HEIGHT_EASE_S 0.08f
 /* Gain of the thumb on a stick: speed of the ring on the screen, in pixels per second, for each

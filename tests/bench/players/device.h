@@ -22,9 +22,9 @@ struct device {
     struct view view;
     uint32_t seed;
     uint32_t report_count;          /* Number of reports sent so far. */
-    float x_px, y_px;               /* Position of the hand on the screen. */
-    float pace_x_px_s, pace_y_px_s; /* Velocity of the hand. */
-    float notches;                  /* Wheel notches so far. */
+    float x_px, y_px;               /* Position on the screen to which the hand points. */
+    float pace_x_px_s, pace_y_px_s; /* Velocity of the hand on the screen. */
+    float notches;                  /* Sum of the wheel notches so far. */
     /* True while the first finger touches the screen (`finger_down`), and while the second one does
      * (`dips`). */
     bool finger_down, dips;

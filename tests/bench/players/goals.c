@@ -13,7 +13,7 @@ enum relation { RELATION_NONE = 0, RELATION_NOT_WORSE, RELATION_BETTER };
 #define REFERENCE "careful"
 
 struct goal {
-    /* Smallest allowed median and mean of the catch; 0 means no target. */
+    /* Smallest allowed median and mean of the fish caught in a round; 0 means no target. */
     double median_min, mean_min;
     double empty_max; /* Largest allowed share of rounds without a catch; 0 means no target. */
     uint8_t relation;

@@ -90,7 +90,9 @@ static void test_every_set_of_controllers_is_assigned_correctly(void **state)
 
 struct source {
     int there;
-    int lies_about; /* 1 if the device can be opened although no player uses it. */
+    /* 1 if the device is connected but unused: the device can be opened, but source_is_present()
+     * returns false. */
+    int lies_about;
     uint32_t opened, polled, asked;
     struct poi_force felt;
 };
@@ -291,7 +293,7 @@ static void test_a_source_without_a_slot_is_still_polled(void **state)
     }
     assert_int_equal(mouse.opened, 1);
     assert_int_equal(mouse.polled, 3);
-    /* This controller has a slot, so the frame loop polls it. */
+    /* The USB controller has a slot, so only the frame loop polls the controller. */
     assert_int_equal(usb.polled, 0);
 }
 

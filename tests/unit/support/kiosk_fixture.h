@@ -41,14 +41,14 @@ static inline void record_input(void *self, const struct input *input, const str
     }
 }
 
-/* Counts a kick of the watchdog. */
+/* Counts a call of kick(), with which the kiosk resets the watchdog's timeout. */
 static inline void count_kick(void *self)
 {
     (void)self;
     rig.kicks++;
 }
 
-/* Reports that the watchdog is in use. */
+/* Returns the state of a watchdog that is in use. */
 static inline uint8_t watches(void *self)
 {
     (void)self;

@@ -27,7 +27,8 @@
 
 enum { FLUSH = 1, FUA = 2, DISCARD = 4, MARK = 8 };
 
-struct super { /* Header of the log. Its fields are little-endian, as on all supported machines. */
+struct super { /* Header of the log of disk writes. The fields are little-endian, as on all
+                  machines that run this test. */
     uint64_t magic, version, entries;
     uint32_t sector_size;
 } __attribute__((packed));

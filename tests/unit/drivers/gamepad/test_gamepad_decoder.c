@@ -110,7 +110,8 @@ static void test_the_ring_stays_down_while_button_a_or_a_trigger_is_held(void **
 static void test_the_right_stick_tilts_in_proportion_and_without_a_jump(void **state)
 {
     (void)state;
-    set_axis(GAMEPAD_TILT_Y, INT16_MIN); /* Full deflection away from the player. */
+    /* The right stick is fully deflected away from the player. */
+    set_axis(GAMEPAD_TILT_Y, INT16_MIN);
     const float at_once = after_ms(8).angles.pitch_rad;
     const float then = after_ms(500).angles.pitch_rad;
     assert_true(at_once < 0.2f * GAMEPAD_TILT_RAD);
@@ -195,7 +196,7 @@ static void test_gamepad_rotation_tilts_the_ring_without_drift(void **state)
     after_ms(100);
     set_buttons(GAMEPAD_SOUTH);
     after_ms(500);
-    /* Rolls the right side down at 2 rad/s for the following 250 ms. */
+    /* Rolls the right side of the gamepad down at 2 rad/s for the following 250 ms. */
     turn(v3(0.0f, 0.0f, -2.0f));
     after_ms(250);
     /* From here on, the gyroscope reports only its bias of 0.02 rad/s (about one degree per

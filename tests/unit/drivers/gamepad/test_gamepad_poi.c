@@ -319,7 +319,7 @@ static void test_a_gamepad_with_a_gyroscope_tilts_the_ring(void **state)
     push_sensor(SDL_SENSOR_ACCEL, 0.0f, 9.81f, 0.0f);
     wait_ms(16);
     assert_true(f_abs(newest(0).target.angles.pitch_rad) < 0.01f);
-    /* The far edge rises at 1 rad/s for 0.4 s. */
+    /* The far edge of the gamepad rises at 1 rad/s for 0.4 s. */
     for (uint32_t i = 0; i < 25; i++) {
         push_sensor(SDL_SENSOR_GYRO, 1.0f, 0.0f, 0.0f);
         wait_ms(16);

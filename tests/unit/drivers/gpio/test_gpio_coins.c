@@ -123,7 +123,7 @@ static void test_a_coin_whose_edges_the_kernel_reports_late_is_counted(void **st
     assert_int_equal(fixture.sum.coin_count[0], 1);
     end(&fixture);
     plug_in(&fixture, events, 2);
-    /* The kernel is later than the whole pulse. */
+    /* The kernel reports each edge 70 ms late, which is longer than the pulse of 20 ms. */
     fixture.sim.late_min_ns = fixture.sim.late_max_ns = 70 * MS;
     begin(&fixture);
     run_until(&fixture, 400);

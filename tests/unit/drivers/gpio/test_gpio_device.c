@@ -33,7 +33,8 @@ static bool next_of_day(void *self, struct gpio_sim_event *out)
     }
     day->step++;
     day->time_ns += edge == 0 ? 60 * MS : 30 * MS;
-    /* Edge 2 removes the chip after the coin. Edge 3 brings the chip back 1.5 s later. */
+    /* Of the four events of a coin, event 2 removes the chip and event 3 brings the chip back 1.5 s
+     * later. */
     if (coin % (COINS / CYCLES) == 0 && edge >= 2) {
         day->time_ns += edge == 3 ? 1500 * MS : 0;
         *out = (struct gpio_sim_event){ day->time_ns, edge == 2 ? GPIO_SIM_GONE : GPIO_SIM_BACK, 0,

@@ -128,7 +128,7 @@ static void test_one_level_read_during_a_glitch_proves_no_pulse(void **state)
 {
     (void)state;
     struct gpio_edge_filter input = gpio_edge_filter_begin(PERIOD_NS, false, 0);
-    /* This poll happens to fall into the first glitch. */
+    /* The poll at 100 ms reads the high level of the first of two glitches. */
     assert_false(level(&input, 100, true));
     taken_ns = 130 * MS;
     assert_false(edge(&input, 100, false, 0));
@@ -161,8 +161,8 @@ static void test_an_edge_older_than_an_accepted_level_changes_nothing(void **sta
     level(&input, 112, true);
     assert_true(level(&input, 122, true));
     assert_change(102, true);
-    /* This is the first edge of the pulse that the polls have already detected. It is read late,
-     * when the line is low again, and must not end the pulse. */
+    /* The edge at 100 ms is the first edge of the pulse that the polls have already detected. The
+     * edge is read late, when the line is low again, and must not end the pulse. */
     assert_false(edge(&input, 100, false, 0));
     assert_true(input.debounce.stable);
     assert_false(edge(&input, 160, false, 0));

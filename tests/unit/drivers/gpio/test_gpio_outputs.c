@@ -205,7 +205,8 @@ static void test_coins_are_locked_out_until_the_lockout_is_released(void **state
     assert_int_equal(fixture.sim.outputs[GPIO_COIN_LOCKOUT], 1);
     run_until(&fixture, 500);
     assert_int_equal(fixture.sim.outputs[GPIO_COIN_LOCKOUT], 1);
-    /* The line was requested with its level, so the lockout was never released in between. */
+    /* The request of the line already contains the level 1 (locked), so no later call has set the
+     * level. */
     assert_int_equal(fixture.sim.set_count, 0);
     switches.ops->set(switches.self, HAL_COIN_LOCKOUT, 0);
     run_until(&fixture, 900);

@@ -151,7 +151,7 @@ static void test_rows_list_the_connected_devices(void **state)
 static void test_a_long_name_is_truncated_between_two_characters(void **state)
 {
     (void)state;
-    /* Ten characters of three bytes each. */
+    /* A name of ten characters, each of which has three bytes. */
     snprintf(wire[0].face.identity.name, HID_TEXT_SIZE, "%s",
              "\xe9\x87\x91\xe9\xad\x9a\xe6\x8e\xac\xe3\x81\x84\xe3\x81\xae\xe5\x8f\xb0"
              "\xe3\x81\xae\xe6\x9f\x84\xe3\x81\xa7\xe3\x81\x99");
@@ -297,7 +297,7 @@ static void test_an_unwritable_mapping_is_reported_and_stays_in_use(void **state
     assert_int_equal(written().learn_step, LEARN_NOT_SAVED);
     assert_int_equal(told_count, 1);
     assert_true(slot[0].plays);
-    /* The operator removes the file. */
+    /* The operator removes the regular file, so that the folder can be created. */
     assert_int_equal(unlink(pois), 0);
     assert_int_equal(order(COMMAND_LEARN_KEEP, 0), HAL_OK);
     assert_int_equal(written().learn_step, LEARN_NONE);

@@ -20,7 +20,8 @@ static struct hid_descriptor read_in;
     ((struct hid_report){ (const uint8_t[]){ __VA_ARGS__ },                                        \
                           sizeof((const uint8_t[]){ __VA_ARGS__ }) })
 
-#define JOYSTICK 0x05, 0x01, 0x09, 0x04, 0xa1, 0x01 /* Generic Desktop, Joystick, Application. */
+/* Items: usage page Generic Desktop, usage Joystick, begin of a collection of type Application. */
+#define JOYSTICK 0x05, 0x01, 0x09, 0x04, 0xa1, 0x01
 #define END 0xc0
 
 static void test_a_mouse_has_buttons_and_relative_axes(void **state)

@@ -18,7 +18,7 @@
 struct demo_device {
     const char *name;
     hid_usage x, z, dip;
-    int report_id;  /* Report that contains all three fields. */
+    int report_id;  /* Id of the report that contains the fields x, z and dip. */
     uint8_t manner; /* Kind of binding that must be found for the axes. */
     uint8_t says_in_range;
     /* 1 if the device is held rotated by 180 degrees, so that its left is the user's right. */
@@ -219,7 +219,7 @@ static void test_axes_of_32_bits_are_learned_over_their_full_range(void **state)
     wire_begin(&wire, &clock_now, bytes, sizeof bytes);
     learns_this(&wide);
     assert_true(learn.map.binding[0].full > INT32_MAX);
-    /* The device also has an automatic mapping. */
+    /* The automatic mapping of the same device must work too. */
     assert_int_equal(learn.offered.source, HID_MAPPING_AUTO);
     learn.map = learn.offered;
     hold_pose(&wide);

@@ -380,7 +380,8 @@ static void test_an_array_with_many_elements_is_not_bound(void **state)
     assert_int_equal(map.style, HID_STYLE_FLY);
     assert_int_equal(binding_of(&map, HID_ROLE_DIP)->usage, USAGE_BUTTON + 1u);
     load_array(HID_ARRAY_MAX + 1u);
-    /* Such a binding may come from a mapping file. */
+    /* `map` still uses the array of HID_ARRAY_MAX elements. A mapping file can contain such a
+     * mapping, which is invalid for the larger array. */
     assert_false(hid_mapping_is_sound(&map, &wire.descriptor));
     hid_mapping_choose(&map, &wire.face.identity, &wire.descriptor);
     /* The array cannot be used, so no button is left for the dip, and there is no automatic

@@ -161,8 +161,8 @@ static void test_a_mapping_is_used_only_if_it_matches_the_descriptor(void **stat
     keep(&wire.face.identity, &map);
     mapper.choose(mapper.self, &wire.face, &wire.descriptor, &chosen);
     assert_int_equal(chosen.source, HID_MAPPING_LEARNED);
-    /* This bit is beyond the report. A firmware update with another descriptor can have this
-     * effect. */
+    /* Bit 100000 is beyond the end of the report. A stored mapping can become invalid in this way
+     * when a firmware update changes the descriptor. */
     map.binding[0].bit_offset = 100000;
     keep(&wire.face.identity, &map);
     mapper.choose(mapper.self, &wire.face, &wire.descriptor, &chosen);
@@ -226,7 +226,7 @@ static void test_mappings_stay_in_memory_if_the_card_is_read_only(void **state)
     char path[128];
     (void)state;
     snprintf(path, sizeof path, "%s/pois", data);
-    /* A regular file now has the name of the folder. */
+    /* Creates a regular file at the path of the folder, so that no mapping can be written. */
     FILE *file = fopen(path, "w");
     fclose(file);
     open_book();

@@ -21,7 +21,7 @@
 #define WIDTH 1920.0f
 #define HEIGHT 1080.0f
 
-/* Where the simulated player wants the ring to be. */
+/* Target to which the simulated player moves the ring. */
 struct target {
     vec3 over_m; /* Point of the water surface above which the ring should be. */
     uint8_t dips;

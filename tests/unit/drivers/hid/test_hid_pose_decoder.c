@@ -188,17 +188,17 @@ static void test_an_invalid_report_is_rejected_and_changes_nothing(void **state)
     const uint32_t refused = decoder.refused_count;
     memset(bytes + 1, 0xff, sizeof bytes - 1);
     raw = raw_of(bytes, 0);
-    /* An empty report. */
+    /* The report is empty. */
     assert_false(hid_pose_decoder_report(&decoder, &raw));
     raw = raw_of(bytes, 63);
-    /* 63 of the 64 bytes of a report. */
+    /* The report lacks one of its 64 bytes. */
     assert_false(hid_pose_decoder_report(&decoder, &raw));
     bytes[0] = 77;
     raw = raw_of(bytes, 64);
     /* The descriptor has no report with this id. */
     assert_false(hid_pose_decoder_report(&decoder, &raw));
     raw.size = HID_REPORT_MAX + 1u;
-    assert_false(hid_pose_decoder_report(&decoder, &raw)); /* Longer than any report can be. */
+    assert_false(hid_pose_decoder_report(&decoder, &raw)); /* The report is too long. */
     assert_int_equal(decoder.refused_count, refused + 4u);
     const vec3 after = sample_after(400).target.position_m;
     assert_float_equal(before.x, after.x, 1e-6f);

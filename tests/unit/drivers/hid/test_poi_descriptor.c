@@ -132,7 +132,7 @@ static void test_a_pose_can_be_read_by_the_descriptor_alone(void **state)
                 physical(&inputs, GENERIC(0x30u + k), UNIT_CM, bytes, sizeof bytes);
             const double turn_deg =
                 physical(&inputs, GENERIC(0x33u + k), UNIT_DEGREE, bytes, sizeof bytes);
-            /* The tolerance is half a step of the encoding (15 um, in cm). */
+            /* The tolerance of 0.0016 cm is about half a step of the encoding (15 um). */
             assert_float_equal(place_cm, 100.0f * drawn[k], 0.0016);
             assert_float_equal(turn_deg, 180.0f * drawn[3 + k], 0.0028);
         }

@@ -104,8 +104,8 @@ static void test_an_output_report_contains_six_forces_and_three_levels(void **st
     };
     const uint8_t expected[POI_FORCE_SIZE] = {
         2,    9,                            /* Report id and sequence number */
-        0x00, 0xc0, 0xff, 0x7f, 0x00, 0x00, /* Force: -16384 (from -16383.5), 32767, 0 */
-        0xff, 0x7f, 0x01, 0x80, 0x00, 0x20, /* Torque: 32767, -32767, 8192 (from 8191.75) */
+        0x00, 0xc0, 0xff, 0x7f, 0x00, 0x00, /* Force: -16384 (exact: -16383.5), 32767, 0 */
+        0xff, 0x7f, 0x01, 0x80, 0x00, 0x20, /* Torque: 32767, -32767, 8192 (exact: 8191.75) */
         255,  128,  0,                      /* Drag, slap and tear */
     };
     uint8_t bytes[POI_FORCE_SIZE];

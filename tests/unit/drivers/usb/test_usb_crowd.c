@@ -192,7 +192,7 @@ static void test_all_devices_have_slots_after_a_hot_plug_storm(void **state)
     struct hid_row rows[CONTROLLER_MAX];
     const struct hid_device_list device_list = usb_transport_list(fixture.thread);
     uint32_t order = 0, device[POI_MAX];
-    /* Each slot is now reserved for one of these pois. */
+    /* Each player slot is reserved for the poi that is plugged in here. */
     for (uint8_t i = 0; i < POI_MAX; i++) {
         device[i] = usb_sim_plug(&kinds[i], (uint8_t)(i + 1u));
         assert_true(sits(i, serials[i]));
@@ -203,7 +203,8 @@ static void test_all_devices_have_slots_after_a_hot_plug_storm(void **state)
     atomic_store(&storm_is_over, 0);
     usb_sim_set_faults(&(struct usb_sim_faults){ .close_ms = 1, .cancel_ms = 2 });
     assert_int_equal(pthread_create(&thread, NULL, storm, NULL), 0);
-    /* This loop plays the frame loop while the other thread plugs devices in and out. */
+    /* This loop replaces the kiosk's frame loop, while the thread of storm() plugs devices in and
+     * out. */
     while (!atomic_load(&storm_is_over)) {
         for (uint32_t i = 0; i < POI_MAX; i++) {
             struct hid_port *const port = usb_transport_port(fixture.thread, i);

@@ -169,7 +169,8 @@ static void test_the_kingyo_descriptor_is_compared_in_every_byte(void **state)
     memcpy(bytes, poi_descriptor, sizeof bytes);
     assert_int_equal(kind_of_bytes(bytes, sizeof bytes), USB_KIND_OWN);
     assert_int_equal(kind_of_bytes(bytes, 0), USB_KIND_UNKNOWN);
-    bytes[1] ^= 1u; /* Another usage page, so this is not the descriptor of a Kingyo poi. */
+    /* Changes the usage page, so that the descriptor is not that of a Kingyo poi. */
+    bytes[1] ^= 1u;
     assert_int_not_equal(kind_of_bytes(bytes, sizeof bytes), USB_KIND_OWN);
     static const uint8_t cut_off[] = { 0x05 };
     assert_int_equal(kind_of_bytes(cut_off, sizeof cut_off), USB_KIND_NOTHING);

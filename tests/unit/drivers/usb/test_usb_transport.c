@@ -102,7 +102,7 @@ static void test_a_foreign_device_with_the_test_id_is_released(void **state)
     assert_true(fixture_wait_state(&fixture, 0, CONTROLLER_FREE));
     assert_int_equal(usb_sim_seen(device).releases, 1);
     assert_int_equal(usb_sim_seen(device).closes, 1);
-    usleep(300000); /* Time in which the transport would open the device again. */
+    usleep(300000); /* Waits 0.3 s, in which a wrong retry would open the device again. */
     assert_int_equal(usb_sim_seen(device).opens, 1);
 }
 

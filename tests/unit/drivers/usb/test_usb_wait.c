@@ -74,7 +74,7 @@ static void test_retries_of_a_device_without_a_descriptor_become_less_frequent(v
          * again. */
         advance(waits_s[i] - 2u + (waits_s[i] > 2u));
         assert_int_equal(usb_sim_seen(poi).opens, i + 1u);
-        advance(2); /* The time of the retry has come. */
+        advance(2); /* Advances the clock past the time of the retry. */
     }
     usb_sim_set_faults(&(struct usb_sim_faults){ 0 });
     advance(60);
@@ -145,7 +145,7 @@ static void test_a_failed_wait_pauses_and_reports_still_arrive(void **state)
     assert_int_equal(getrlimit(RLIMIT_NOFILE, &before), 0);
     const struct rlimit none = { .rlim_cur = 0, .rlim_max = before.rlim_max };
     assert_int_equal(setrlimit(RLIMIT_NOFILE, &none), 0);
-    /* This report ends the call of poll() that began before the limit was set. */
+    /* Report 1 ends the call of poll() that began before the limit of open files was set. */
     fixture_send(poi, 1);
     const int first = fixture_take(&fixture, 0, &raw);
     const uint32_t calls = usb_sim_calls();

@@ -176,7 +176,7 @@ static void push(uint32_t button)
     }
 }
 
-/* Selects the menu tag that leads to `page` with SERVICE, and opens the page with TEST. */
+/* Selects the menu item that leads to `page` with SERVICE, and opens the page with TEST. */
 static void take(uint8_t page)
 {
     for (uint32_t i = 0; rig.display.scene.menu.tag != menu_tag_of(page) && i < MENU_TAG_MAX; i++) {
@@ -269,8 +269,8 @@ static void test_warnings_from_before_the_kiosk_started_are_listed(void **state)
     assert_string_equal(file[2].words, "no such word");
 }
 
-/* The folder contains more files than one page of the list can show. The page therefore has the tag
- * MORE, which shows the next rows. */
+/* The folder contains more files than one page of the list can show. The page therefore has the
+ * menu item MORE, which shows the next rows. */
 static void test_the_more_tag_shows_the_next_file_rows(void **state)
 {
     char file_name[32];
@@ -297,8 +297,8 @@ static void until_first_is(const struct scene_file *file, uint8_t state)
     assert_int_equal(file[1].state, state);
 }
 
-/* The operator acknowledges the row of a quarantined database with the tag SEEN. The row stays on
- * the page, but the warning does not return, even after a restart. */
+/* The operator acknowledges the row of a quarantined database with the menu item SEEN. The row
+ * stays on the page, but the warning does not return, even after a restart. */
 static void test_a_quarantined_database_is_reported_until_acknowledged(void **state)
 {
     (void)state;

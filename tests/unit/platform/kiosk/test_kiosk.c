@@ -251,7 +251,7 @@ static void test_the_button_that_ends_a_playback_has_no_other_effect(void **stat
     frames(2);
     assert_int_equal(rig.kiosk.wanted_replay_id, 0);
     assert_int_equal(rig.display.scene.playback, ENCORE_NONE); /* The storage contains no replay of
-                                                                  this score. */
+                                                                  round 7. */
     script(events, 1);
     frames(2);
     while (rig.clock.now_ns < 3100 * MS) {

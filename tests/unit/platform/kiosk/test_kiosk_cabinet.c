@@ -158,7 +158,7 @@ static int set_up(void **state)
     rig.clock.now_ns = 1000 * MS;
     rig.frame_ns = FRAME_NS;
     rig.level[HAL_COIN_LOCKOUT] = 1;       /* The driver starts with the coin slot locked. */
-    hold_pose_at(v3(-0.4f, 0.06f, -0.3f)); /* This position is over no menu tag. */
+    hold_pose_at(v3(-0.4f, 0.06f, -0.3f)); /* No menu item is at this position. */
     rig.hal = null_hal(NULL);
     rig.hal.clock = sim_clock_device(&rig.clock);
     rig.hal.poi[0] = (struct hal_poi){ .ops = &poi };
@@ -202,12 +202,12 @@ static vec3 over_tag(uint32_t tag, float y_m)
               size_m.z * ((box.y + 0.5f * box.height) / canvas.y - 0.5f));
 }
 
-/* Opens the menu page of the only controller, moves the poi over `tag`, and then selects the first
- * tag with the buttons. */
+/* Opens the menu page of the only controller, moves the poi over the menu item `tag`, and then
+ * selects the first item with the buttons. */
 static void open_controller_page(uint32_t tag)
 {
     for (uint32_t i = 0; i < 4u; i++) { /* The first press opens the menu. Each other press opens
-                                           the page of the first tag. */
+                                           the page of the first menu item. */
         push(INPUT_TEST);
     }
     assert_int_equal(rig.kiosk.scene.menu.page, MENU_CONTROLLER);
@@ -239,7 +239,7 @@ static void test_all_commands_of_the_longest_frame_are_sent_in_order(void **stat
     assert_int_equal(rig.command_count, 2);
 }
 
-/* In each frame of 0.5 s the poi dips six times, so that a menu tag is chosen several times. Every
+/* In each frame of 0.5 s the poi dips six times, so that a menu item is chosen several times. Every
  * command of the core must be sent. */
 static void test_a_trembling_pose_over_a_menu_tag_loses_no_command(void **state)
 {

@@ -124,7 +124,7 @@ static void test_a_sensor_fault_pauses_the_round_and_tears_no_paper(void **state
 {
     static const struct {
         enum sensor_fault fault;
-        uint32_t ms, lost_min, lost_max; /* Duration of the fault in ms, and bounds for the number
+        uint32_t ms, lost_min, lost_max; /* Duration of the fault in ms, and limits for the number
                                             of frames without valid input. */
     } cases[] = {
         /* The kiosk tries to reopen a missing device once a second. The input is therefore lost for

@@ -207,8 +207,8 @@ static void test_an_empty_player_slot_plays_after_a_controller_is_assigned(void 
     assert_int_equal(rig.kiosk.input.poi[0].link, POI_SOURCE_LIVE);
 }
 
-/* arrange() reports the reconnected controller. Without this report, the kiosk would retry to open
- * the controller only one second after the loss. */
+/* arrange() reports the reconnected controller. Without this report, the kiosk would not try to
+ * open the controller again until one second after the controller was lost. */
 static void test_a_reconnected_controller_is_used_in_the_frame_that_detects_it(void **state)
 {
     (void)state;

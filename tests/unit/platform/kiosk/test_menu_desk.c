@@ -134,8 +134,8 @@ static int set_up(void **state)
     rig.clock.now_ns = FRAME_NS;
     wire_load(&rig.wire, &rig.clock, "025-ci-xusb-flightstick");
     snprintf(rig.wire.face.identity.name, HID_TEXT_SIZE, "Flight Stick");
-    hid_port_sim_plug(&rig.wire.port, NULL); /* The controller is plugged in below, but player slot
-                                                0 is empty. */
+    hid_port_sim_plug(&rig.wire.port, NULL); /* Player slot 0 is empty. The next lines plug in the
+                                                controller without a slot. */
     hid_device_list_sim_init(&rig.device_list, seats);
     hid_device_list_sim_plug(&rig.device_list, ROW, &rig.wire.face);
     hid_mapping_store_open(&rig.book, NULL, NULL, NULL);
@@ -377,7 +377,7 @@ static void test_unplugging_a_stick_while_learning_fails_and_the_menu_continues(
     push(INPUT_TEST);
     assert_int_equal(shown()->page, MENU_CONTROLLER);
     frames(2);
-    /* The row is empty, because the controller is unplugged. */
+    /* The row of the unplugged controller is empty. */
     assert_int_equal(shown()->controllers.state[ROW], CONTROLLER_NONE);
     point_at(ROW_BACK);
     push(INPUT_TEST);

@@ -20,7 +20,7 @@
 
 /* Interval between two mouse reports: 1/60 s. This file calls the interval a moment. */
 #define MOMENT_NS 16666667ull
-#define MOMENTS_MAX 60u /* 60 moments are one second. */
+#define MOMENTS_MAX 60u /* Largest number of moments in a frame. A moment is 1/60 s. */
 #define WIDTH 1280u
 #define HEIGHT 720u
 
@@ -212,7 +212,7 @@ static uint32_t landed_in(uint32_t rounds, uint32_t picture_moments)
 static void test_a_careful_mouse_player_lands_fish(void **state)
 {
     (void)state;
-    /* The measured value is 51 fish. The bound of 36 leaves room for small changes of the game. */
+    /* The measured value is 51 fish. The limit of 36 leaves room for small changes of the game. */
     assert_true(landed_in(12, 1) >= 36);
 }
 

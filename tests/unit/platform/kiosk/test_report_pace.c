@@ -67,8 +67,8 @@ static void test_the_report_rate_covers_exactly_one_second(void **state)
         frame(BEGIN_NS + ms * MS_NS, 1);
     }
     frame(BEGIN_NS + SECOND_NS - 1u, 0);
-    assert_int_equal(rig.hand.pace.shown_count, 0); /* The value is updated only at the end of the
-                                                       second. */
+    assert_int_equal(rig.hand.pace.shown_count, 0); /* The shown report rate is updated only at the
+                                                       end of each second. */
     frame(BEGIN_NS + SECOND_NS, 0);
     assert_int_equal(rig.hand.pace.shown_count, 99);
     assert_int_equal(rig.hand.pace.shown_gap_ns, 10u * MS_NS);
@@ -84,8 +84,8 @@ static void test_the_report_rate_restarts_at_zero_each_second(void **state)
         frame(BEGIN_NS + ms * MS_NS, 1);
     }
     frame(BEGIN_NS + 2u * SECOND_NS, 0);
-    assert_int_equal(rig.hand.pace.shown_count, 20); /* 19 reports in the second, and the report at
-                                                        its start. */
+    assert_int_equal(rig.hand.pace.shown_count, 20); /* 19 reports within the last second, and the
+                                                        report at the start of that second. */
     assert_int_equal(rig.hand.pace.shown_gap_ns, 50u * MS_NS);
 }
 

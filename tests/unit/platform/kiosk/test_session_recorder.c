@@ -189,8 +189,8 @@ static void test_a_stored_replay_contains_no_pin_and_verifies(void **state)
 static void begin_with_pin(int32_t told, int32_t kept)
 {
     static struct core_config config;
-    rest(); /* A new session begins here. The configuration of the session gets the two PINs
-               below. */
+    rest(); /* A new session begins here. The configuration of the session gets the PINs
+               `kept` and `told`. */
     config = core.config;
     config.persistent.settings.value[SET_PIN] = kept;
     config.session.settings_edit.told.value[SET_PIN] = told;

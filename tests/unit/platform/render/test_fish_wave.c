@@ -29,7 +29,7 @@ static uint8_t empty[PIXELS_SIZE], pixels[PIXELS_SIZE];
 
 /* Outline of a drawn fish, in pixels. The snout points to the top of the picture. */
 struct outline {
-    float top, bottom, left, right; /* Bounds of the fish. */
+    float top, bottom, left, right; /* Edges of the fish in the picture. */
     float tail_x, nose_x;           /* Mean x of the last 3 % (tail) and of the first 3 % (nose) of
                                        the length. */
 };

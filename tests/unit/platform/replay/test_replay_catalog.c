@@ -85,8 +85,8 @@ static void test_an_altered_catalog_is_rejected_unless_valid(void **state)
     assert_true(refused > 150);
 }
 
-/* Returns pseudorandom input for the lab: a poi that moves, dips and presses controls, screen
- * rotations, and graphs that are saved. */
+/* Returns pseudorandom input for the growth lab. The poi moves, dips and presses controls. From
+ * time to time the screen is rotated and a graph is saved. */
 static struct input hands(uint32_t tick)
 {
     const uint32_t bits = rng_u32((struct rng_key){ 9, tick / 20u, 0, RNG_TEST });

@@ -81,7 +81,7 @@ static void test_an_invalid_fan_encoding_is_rejected(void **state)
         { HANDS, 0 },          /* The mask names the group of pois and fans, but no poi and no
                                   fan. */
         { HANDS, SHADE_0, 0 }, /* The mask names the first fan, but no field of the fan. */
-        /* A fan has three floats, so the bit for a fourth one is invalid. */
+        /* A fan has three floats, so the bit for a fourth float is invalid. */
         { HANDS, SHADE_0, NO_SUCH },
         { HANDS, SHADE_0, BYTE, 2 }, /* `present` may only be 0 or 1. */
         { HANDS, SHADE_0, X, inf[0], inf[1], inf[2], inf[3] },

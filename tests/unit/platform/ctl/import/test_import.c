@@ -404,8 +404,8 @@ static void test_a_sheet_gets_two_sides(void **state)
     snprintf(text, sizeof text, TETRA "g dorsal\n%sf 5 6 7\nf 7 6 5\n", fin);
     read_three(text); /* A fin that already has two sides gets no further sides. */
     assert_int_equal(near->index_count, 3 * (4 + 2));
-    /* The body gets no second side: the mesh has the four triangles of the body and the one that is
-     * added here. */
+    /* The body gets no second side: the mesh has the four triangles of the body and the triangle
+     * that is added here. */
     snprintf(text, sizeof text, TETRA "%s", "f 1 3 2\n");
     read_three(text);
     assert_int_equal(near->index_count, 3 * 5);

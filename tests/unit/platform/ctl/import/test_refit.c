@@ -31,7 +31,7 @@ static const char *const mark_names[] = {
 static struct species_text text;
 static struct loft loft;
 static struct mesh_tables tables;
-static struct species_mesh other; /* The same fish with a different tessellation. */
+static struct species_mesh other; /* Mesh of the fish of `loft` with a different tessellation. */
 static struct species_slot slot;
 static struct import_mesh mesh;
 static struct refit_marks marks;

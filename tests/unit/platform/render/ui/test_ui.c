@@ -204,7 +204,7 @@ static void test_each_offered_mode_has_a_tag_and_the_selected_tag_is_raised(void
         for (uint32_t i = 0; i < batch.quad_count; i++) {
             const float top = bounds_of(i).top;
             if (batch.kinds[i] == UI_WOOD && first_top == 0.0f) {
-                first_top = top; /* The first tag is that of the selected mode. */
+                first_top = top; /* The first wooden tag belongs to the selected game mode. */
             } else if (batch.kinds[i] == UI_WOOD) {
                 other_top = top < other_top ? top : other_top;
             }
@@ -258,7 +258,7 @@ static void test_a_rising_tag_and_a_sinking_tag_move_together(void **state)
     assert_true(high < low - 10.0f);
     scene.mode = scene.choice = MODE_CHAMPIONSHIP;
     lay_out(sizes[0]);
-    /* The tag must not jump when its motion begins. */
+    /* The wooden tag of the old mode must not jump when it begins to sink. */
     assert_float_equal(tag_top(0), high, 0.1f);
     scene.tick += 10;
     lay_out(sizes[0]);
@@ -538,7 +538,7 @@ static void test_the_tears_of_several_players_are_shown_in_turn(void **state)
     set_match(MODE_FESTIVAL, 3, 0);
     assert_int_equal(ui_torn_player(&scene), POI_MAX);
     scene.tear[0].cause = scene.tear[2].cause = TEAR_FLAT;
-    scene.tear[3].cause = TEAR_FLAT; /* This player does not play. */
+    scene.tear[3].cause = TEAR_FLAT; /* Player 4 does not play, so this tear is not shown. */
     static const uint32_t shown[] = { 0, 2, 0, 2 };
     for (uint32_t i = 0; i < 4u; i++) {
         scene.phase_s = 1.0f + 3.0f * (float)i;

@@ -94,7 +94,8 @@ static void test_no_hint_requests_a_dip_or_a_mouse_without_a_poi(void **state)
     lay_out(sizes[0]);
     const uint32_t quads = batch.quad_count;
     memcpy(paid, batch.vertices, sizeof paid);
-    /* No coin is requested with or without a credit, so the picture does not change. */
+    /* Without a poi, the screen never asks for a coin. The picture is therefore the same for an
+     * unpaid and a paid credit. */
     scene.credit.unpaid = 0;
     lay_out(sizes[0]);
     assert_int_equal(batch.quad_count, quads);

@@ -425,7 +425,7 @@ static void test_migrating_a_version_1_file_keeps_its_rounds(void **state)
                      " scoops IS NULL AND hole_area_mm2 IS NULL AND torn_tick IS NULL"),
         3);
     const struct rank_row *best = file.content.memory.ranking.row[MODE_FESTIVAL][RANK_EVER];
-    /* The best round of the file has nine fish, but rounds of bots are not ranked. */
+    /* The best round in the file has nine fish but was played by a bot, so it is not ranked. */
     assert_int_equal(best[0].caught, 3);
     assert_int_equal(best[1].caught, 2);
     assert_int_equal(best[2].caught, 0);

@@ -200,11 +200,11 @@ static void test_only_regular_files_are_opened_as_a_database(void **state)
     take_version(LEDGER_FILE_VERSION);
 }
 
-/* Asserts that the file cannot be opened, or only for reading, because the log at `name` is not a
- * regular file. */
+/* Asserts that the database cannot be opened or can only be read, because the log at `name` is not
+ * a regular file. */
 static void cannot_be_written(const char *name)
 {
-    alarm(10);
+    alarm(10); /* Ends the test if the open of a FIFO blocks. */
     const int code = ledger_file_open(&file, path, NULL);
     assert_true(code != SQLITE_OK || file.refusal != 0);
     ledger_file_close(&file);

@@ -197,7 +197,7 @@ static void test_a_board_is_drawn_for_each_present_controller(void **state)
         set_page(MENU_CONTROLLERS, (uint16_t)(1u << ROWS_BACK | ((1u << there) - 1u)), 0, 0);
         lay_out(0);
         const uint32_t boards = count_kind(UI_WOOD);
-        /* The additional board is the tag that returns to the previous page. */
+        /* The additional wooden board is the menu item that returns to the previous page. */
         assert_int_equal(boards, there + 1u);
         assert_true(there == 0 || boards > before);
         before = boards;
@@ -467,7 +467,7 @@ static void test_an_open_warning_marks_the_path_to_its_page(void **state)
         set_page(pages[i], 0, LANGUAGE_EN, 0);
         const uint32_t bare = quads_of(pages[i]);
         scene.devices.files_refused = 1;
-        /* A mark has two quads: a disc and an exclamation mark. */
+        /* The mark of a warning has two quads: a disc and an exclamation mark. */
         assert_int_equal(quads_of(pages[i]), bare + 2u);
         scene.devices.files_refused = 0;
         scene.devices.machine.aside = 1;
