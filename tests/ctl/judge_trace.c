@@ -23,8 +23,8 @@ struct corners {
 
 struct verdict {
     unsigned long rows, ticks, overlaps;
-    /* Greatest overlap of two boxes, and greatest depth of a box beyond a wall, the floor or the
-     * surface, in mm. */
+    /* Greatest overlap of the boxes of two fish, and greatest depth of a fish's box beyond a wall,
+     * the floor or the surface, in mm. */
     double deepest_mm, beyond_mm;
 };
 

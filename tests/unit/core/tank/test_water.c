@@ -55,8 +55,8 @@ static void test_a_press_lowers_the_middle_and_keeps_the_volume(void **state)
     }
     const float middle = water.height_m[water.newest][RIPPLE_Z / 2][RIPPLE_X / 2];
     assert_true(middle < -0.003f && middle >= -0.004f);
-    /* A press must conserve the volume. The sum over all cells stays near 0, although the initial
-     * hollow alone adds about -0.1. */
+    /* Pressing on the water must conserve its volume. The sum over all cells stays near 0, although
+     * the initial hollow alone adds about -0.1. */
     assert_true(fabs(volume) < 0.002);
 }
 

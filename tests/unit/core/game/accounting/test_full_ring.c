@@ -109,8 +109,8 @@ static void test_a_full_store_only_delays_the_game(void **state)
         drop_each(coins);
         input.poi[0].link = POI_SOURCE_ABSENT;
         steps(GAME_LOST_TICKS_MAX + GAME_AGAIN_TICKS);
-        /* These presses leave the result. Afterwards no entry may wait for room in the ring
-         * buffer. */
+        /* These button presses leave the result screen. Afterwards no ledger entry may wait for
+         * room in the ring buffer. */
         for (uint32_t i = 0; i < 4; i++) {
             press(INPUT_START | INPUT_OK);
             steps(CORE_TICK_HZ);

@@ -168,8 +168,8 @@ static void test_a_refunded_credit_stays_marked_after_a_restart(void **state)
     lose_controller();
     cut_power();
     assert_int_equal(balance()->returned, PAYMENT_PAID);
-    /* This credit was paid with new coins, so it can be refunded although an earlier credit already
-     * was. */
+    /* The new credit is paid with new coins, so it can be refunded although an earlier credit has
+     * already been refunded. */
     drop(PRICE);
     assert_int_equal(credits(), 2);
     play(10);

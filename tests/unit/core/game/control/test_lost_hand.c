@@ -170,7 +170,7 @@ static int report_fault(enum fault fault, uint32_t tick)
     const struct poi_input before = *poi;
     report_true_pose();
     switch (fault) {
-    /* The jump is permanent: the true position is now 1 m away. */
+    /* JUMP: the controller's true position changes by 1 m and stays there. */
     case JUMP:
         hand_m.x += tick == 0 ? (hand_m.x > 0.0f ? -1.0f : 1.0f) : 0.0f;
         report_true_pose();
@@ -209,7 +209,7 @@ static int report_fault(enum fault fault, uint32_t tick)
     case TURN_AND_BACK:
         poi->target.angles.pitch_rad += 1.0f;
         return tick < 3;
-    /* The reports stop for less than the timeout. The next report is 20 cm away. */
+    /* LATE_BURST: the reports stop for less than the timeout. The next report is 20 cm away. */
     case LATE_BURST:
         *poi = before;
         poi->age_ticks = age;
@@ -304,7 +304,7 @@ static void check_aftermath(const struct scene_of *of)
     const uint32_t cells = core.world.poi[0].sheet.paper_cells;
     const float before = damage_sum();
     if (of->place == CARRYING) {
-        /* The slaps of a carried fish may tear the wet paper, so nothing is compared. */
+        /* The slaps of a carried fish may tear the wet paper, so the damage is not compared. */
         return;
     }
     wait(120);

@@ -24,7 +24,8 @@ static void hold_over(uint32_t tag, float y_m)
 static void tap(uint32_t tag)
 {
     hold_over(tag, ABOVE_M);
-    /* Moves the poi by 2 cm onto the menu entry, because only a moving poi selects an entry. */
+    /* Moves the poi from 2 cm beside the menu entry onto this entry, because only a moving poi
+     * selects an entry. */
     input.poi[0].target.position_m.x += 0.02f;
     step();
     hold_over(tag, ABOVE_M);

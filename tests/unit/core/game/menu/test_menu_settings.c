@@ -160,7 +160,7 @@ static void test_an_unchanged_setting_is_not_shown_as_saved(void **state)
     core_scene(&core, &scene);
     assert_true(scene.menu.is_saved && !scene.menu.has_turned);
     push(INPUT_TEST);
-    /* The entry is written when the value has not changed for some seconds. */
+    /* The ledger entry of a setting is written when the value has not changed for some seconds. */
     steps(3u * CORE_TICK_HZ);
     save_all();
     core_scene(&core, &scene);
@@ -381,7 +381,8 @@ static void test_a_factory_reset_requires_a_confirmation(void **state)
     assert_int_equal(menu()->page, MENU_UPKEEP);
     assert_int_equal(newest()->id, before + 1u);
     assert_int_equal(newest()->kind, LEDGER_FACTORY);
-    /* The entry contains the number of deleted paid credits, which count as expired. */
+    /* The ledger entry of the reset contains the number of deleted paid credits, which count as
+     * expired. */
     assert_int_equal(newest()->count, 3);
     assert_int_equal(core.game.accounts.audits.count[AUDIT_EXPIRED], 3);
     assert_int_equal(output.commands[(output.command_count - 1u) % CONTROLLER_COMMAND_MAX].kind,
@@ -390,7 +391,7 @@ static void test_a_factory_reset_requires_a_confirmation(void **state)
     assert_int_equal(core.game.accounts.ledger.balance.paid, 0);
     assert_int_equal(value(SET_VOLUME), 80);
     steps(CORE_TICK_HZ);
-    /* One entry resets all settings. No entries of single settings follow. */
+    /* One ledger entry resets all settings. No ledger entries of single settings follow. */
     assert_int_equal(output.entry_id, before + 1u);
 }
 

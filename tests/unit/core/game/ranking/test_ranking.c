@@ -164,7 +164,7 @@ static void test_a_wrong_date_affects_the_leaderboard_only_while_it_lasts(void *
 {
     (void)state;
     play(5, 1, 9000);
-    /* Day 30000 (the year 2082) is an entry with a wrong clock. */
+    /* Day 30000 (the year 2082) comes from a wrong clock. */
     play(3, 1, 30000);
     assert_int_equal(best(RANK_DAY), 3);
     play(2, 1, 9000);
@@ -180,8 +180,8 @@ static void test_a_day_without_a_clock_lasts_until_the_next_start(void **state)
     play(3, 1, 0);
     assert_int_equal(best(RANK_DAY), 5);
     pass(LEDGER_BOOT, 2, 0);
-    /* Start 2 has no clock, so it may be on another day. The score of start 1 remains until a round
-     * of start 2 is played. */
+    /* The kiosk has no clock at start 2, so start 2 may be on another day. The score of start 1
+     * remains until a round of start 2 is played. */
     assert_int_equal(best(RANK_DAY), 5);
     play(2, 2, 0);
     assert_int_equal(best(RANK_DAY), 2);
@@ -224,7 +224,7 @@ static void test_a_round_before_the_clock_was_set_belongs_to_that_day(void **sta
     play(4, 2, 0);
     play(3, 2, 9001);
     assert_int_equal(best(RANK_DAY), 4);
-    /* Start 3 has no clock, so it may be on another day than start 2. */
+    /* The kiosk has no clock at start 3, so start 3 may be on another day than start 2. */
     play(2, 3, 0);
     assert_int_equal(best(RANK_DAY), 2);
     assert_int_equal(best(RANK_EVER), 5);

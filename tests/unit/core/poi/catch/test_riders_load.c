@@ -265,7 +265,7 @@ static void test_a_strip_under_the_middle_alone_supports_no_fish(void **state)
     (void)state;
     fixture_init(&fixture, 4, 1);
     fixture_tear_hole(&fixture, -0.016f, 0.0f, 0.013f);
-    /* The hole is under the front half. The rear half still lies on paper. */
+    /* The hole is under the front half of the fish. The rear half still lies on paper. */
     assert_true(stays(0.0f, 0.0f));
     fixture_tear_hole(&fixture, 0.016f, 0.0f, 0.013f);
     assert_true(sheet_holds(&fixture.poi.sheet, 0.0f, 0.0f));

@@ -102,7 +102,7 @@ static void turn(float angle_rad, float *lasts_s, float *radius_lengths)
     struct fish fish = pond_fish(0.05f, GAIT_SWIM);
     float first_s = 0.0f;
     fish.heading_rad = angle_rad;
-    /* Speed at the end of a glide: 0.9 lengths per second. */
+    /* Speed at the end of a glide: 0.9 body lengths per second. */
     fish.speed_m_s = 0.9f * fish.length_m;
     *lasts_s = 0.0f;
     *radius_lengths = 100.0f;

@@ -27,7 +27,8 @@ struct trial {
     float way_lengths;               /* Distance that the fish moves in 100 ms. */
     float away_lengths;              /* Component of `way_lengths` away from the stimulus. */
     float peak_lengths_s, push_m_s2; /* Highest speed, and highest acceleration over 17 ms. */
-    /* Time of the highest speed, and time of the last tick faster than 4 lengths per second. */
+    /* Time of the highest speed, and time of the last tick in which the fish was faster than 4 body
+     * lengths per second. */
     float peak_s, slow_s;
     float bend_rad; /* Largest bend into the C (absolute value). */
     float back_rad; /* Largest bend to the opposite side. */
@@ -185,7 +186,7 @@ static void test_a_start_reaches_8_to_10_lengths_a_second_at_15_to_40_m_s2(void 
                   (double)latest_s);
     assert_true(least > 7.8f && most < 10.1f);
     assert_true(weakest > 15.0f && strongest < 40.0f);
-    /* After one second, no fish is faster than 4 lengths per second. */
+    /* After one second, no fish is faster than 4 body lengths per second. */
     assert_true(latest_s < 1.0f);
 }
 

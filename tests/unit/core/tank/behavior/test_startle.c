@@ -100,7 +100,7 @@ static void test_a_small_image_never_looms(void **state)
     disc.centre_m.y = 0.05f;
     /* The disc has a visual angle of 33 degrees, above the timid fish's threshold of 20 degrees. */
     const struct fish near = fish_at(v3(0.14f, -0.01f, 0.0f));
-    /* The disc has a visual angle of 17 degrees, below the threshold. */
+    /* The disc has a visual angle of 17 degrees, below the fish's threshold of 20 degrees. */
     const struct fish far = fish_at(v3(0.30f, -0.01f, 0.0f));
     assert_int_equal(startle_of_disc(&disc, &near).cause, STARTLE_LOOM);
     assert_int_equal(startle_of_disc(&disc, &far).cause, STARTLE_NONE);

@@ -115,7 +115,8 @@ static void test_a_fish_that_swims_a_minute_keeps_the_preferred_speed(void **sta
     print_message("off 1.05 lengths/s by %.3f at most, fastest %.2f\n", (double)worst,
                   (double)fastest);
     assert_true(worst < 0.02f);
-    /* The highest speed is above the mean, because beats and glides alternate. */
+    /* The highest speed of a fish is above its mean speed, because tail beats and glides
+     * alternate. */
     assert_true(fastest > 1.1f && fastest < 1.5f);
 }
 
@@ -223,7 +224,7 @@ static void test_the_tail_beat_follows_the_true_speed(void **state)
     check_beat(0.0f, 0.5f);
     check_beat(1.05f, 1.75f);
     check_beat(3.99f, 6.65f);
-    /* The formulas for slow and fast fish meet at four lengths per second. */
+    /* The tail-beat formulas for slow and fast fish meet at four body lengths per second. */
     check_beat(4.01f, 6.68f);
     check_beat(9.0f, 13.333f);
 }

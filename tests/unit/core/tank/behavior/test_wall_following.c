@@ -104,7 +104,8 @@ static void test_the_density_of_a_lone_fish_falls_with_the_distance_from_a_wall(
     float r2 = 0.0f;
     const float length_m = fall_off_m(&drawn, 1, &r2);
     print_message("falls to 1/e over %.1f cm, r2 %.3f\n", (double)(100.0f * length_m), (double)r2);
-    /* The share falls to 1/e over about 7 cm. The walls attract the fish from up to 20 cm. */
+    /* The share of the time falls to 1/e over about 7 cm from the wall. The walls attract the fish
+     * from up to 20 cm. */
     assert_true(length_m > 0.06f && length_m < 0.085f);
     assert_true(r2 > 0.95f);
     /* The attraction must not stop the fish: along the walls it still swims at 0.85 lengths per
