@@ -30,7 +30,7 @@
 /* Ticks before a measurement (five seconds), after which the fish have left the regular order in
  * which they start. */
 #define WARM_TICKS 600u
-/* Ticks between two clock readings. In one of them the broad phase makes a full update. */
+/* Ticks between two clock readings. In one of these ticks the broad phase makes a full update. */
 #define BLOCK BROAD_PHASE_UPDATE_TICKS
 /* Number of fish on the floor area of the thesis, which gives the density of the thesis. */
 #define THESIS_FISH 600.0f

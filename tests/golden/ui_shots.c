@@ -287,7 +287,7 @@ static GLuint make_target(GLsizei width, GLsizei height)
     return framebuffer;
 }
 
-/* Fills the target with the middle of the backdrop, scaled to cover it. */
+/* Fills the render target with the middle of the backdrop, scaled to the size of the target. */
 static void draw_backdrop(GLuint source, int source_width, int source_height, int width, int height)
 {
     glClearColor(0.10f, 0.42f, 0.52f, 1.0f);

@@ -15,7 +15,7 @@
 
 #define SIDE_PX 960u
 #define LENGTH_M 0.07f
-/* Middle of the fish's path during the twelve ticks. The camera points at it. */
+/* Middle of the fish's path during the twelve ticks. The camera points at this position. */
 #define MIDDLE_X_M 0.015f
 #define MIDDLE_Z_M 0.027f
 #define EYE_M 0.30f /* Height of the camera above the water. */

@@ -49,7 +49,7 @@ static const uint8_t space_navigator[] = {
     0x19, 0x01, 0x29, 0x02, 0x15, 0x00, 0x25, 0x01, 0x75, 0x01, 0x95, 0x10, 0x81, 0x02, 0xc0, 0xc0,
 };
 
-/* This device declares its axes as relative, although they report deflections. */
+/* The old 3D mouse declares its axes as relative, although they report deflections. */
 static void test_an_old_3d_mouse_sends_translation_and_rotation_separately(void **state)
 {
     struct hid_mapping map;

@@ -162,8 +162,8 @@ static void test_the_report_beside_a_full_queue_stays_in_order_over_a_wrap(void 
     (void)state;
     begin();
     port.next_number = UINT32_MAX - HID_REPORTS_MAX - 1u;
-    /* The port gives the last of these reports the number UINT32_MAX, so its counter wraps
-     * around. */
+    /* The port gives the last report of this loop the number UINT32_MAX, so that the counter of the
+     * port wraps around. */
     for (uint32_t i = 0; i < HID_REPORTS_MAX + 2u; i++) {
         report(i);
     }

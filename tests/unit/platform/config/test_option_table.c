@@ -42,7 +42,7 @@ static const struct option_table table = OPTION_TABLE(options, &base);
 static struct target target;
 static char error[OPTIONS_ERROR_MAX];
 
-/* Parses up to four words. A null pointer ends the list. */
+/* Parses a command line of up to four arguments. A null pointer ends the list. */
 static int parse(uint32_t groups, const char *const words[4])
 {
     int argc = 0;
