@@ -6,6 +6,7 @@
 #include "core/game/control/controller.h"
 #include "core/game/lab/lab.h"
 #include "core/game/menu/menu.h"
+#include "core/game/mode_tags.h"
 #include "core/game/phases.h"
 #include "core/game/ranking/name.h"
 #include "core/game/rules.h"
@@ -134,6 +135,9 @@ static void show_players(const struct core *core, struct scene *scene)
             .foul = player->foul,
             .foul_s = (float)(core->game.tick - player->foul_tick) * CORE_TICK_S,
             .out = player->out,
+            .has_hand = player->has_hand,
+            .x = player->hand.x,
+            .y = player->hand.y,
             .place = place.place,
             .period = place.period,
             .level = player->level,
@@ -143,6 +147,20 @@ static void show_players(const struct core *core, struct scene *scene)
         if (core->game.phase == PHASE_RESULT) {
             tear_clip_show(&core->world.tear_clip[i], core->game.tick - core->game.phase_tick,
                            &scene->tear[i]);
+        }
+    }
+}
+
+static void show_tags(const struct core *core, struct scene *scene)
+{
+    const bool has_levels = config_has_rules(&core->config, 9);
+    scene->tags = (uint8_t)mode_tags_offered(scene->modes, has_levels);
+    scene->upright = core->game.upright;
+    scene->pointed_tags = 0;
+    const uint32_t lead = game_mode_select_lead(&core->world);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (i == lead || core->game.player[i].has_hand) {
+            scene->pointed_tags |= (uint8_t)(1u << game_mode_select_tag(&core->game, i));
         }
     }
 }
@@ -164,11 +182,13 @@ static void show_game(const struct core *core, struct scene *scene)
     scene->level = game_level(game);
     scene->choice = game->lab_chosen ? CHOICE_LAB : game->mode;
     scene->modes = table_setup_modes(&core->config);
-    scene->grade = table_setup_grade(&core->config, game->mode);
+    scene->grade = rules_grade_at_level(table_setup_grade(&core->config, game->mode),
+                                        game->player[game_mode_select_lead(&core->world)].level);
     scene->paused = game->paused;
     scene->call = game->call;
     scene->call_s = (float)(core->game.tick - game->call_tick) * CORE_TICK_S;
     show_players(core, scene);
+    show_tags(core, scene);
     for (uint32_t mode = 0; mode < MODE_COUNT; mode++) {
         scene->offer[mode].round_s = (uint16_t)table_setup_round_s(&core->config, (uint8_t)mode);
         scene->offer[mode].grade = table_setup_grade(&core->config, (uint8_t)mode);

@@ -296,8 +296,11 @@ struct scene {
 
     /* Mode of this round (enum game_mode); in PHASE_MODE_SELECT, the selected mode. */
     uint8_t mode;
-    uint8_t level;  /* Easiest level of the players in this round (enum level). */
-    uint8_t choice; /* In PHASE_MODE_SELECT: the selected mode, or CHOICE_LAB. */
+    uint8_t level;        /* Easiest level of the players in this round (enum level). */
+    uint8_t choice;       /* In PHASE_MODE_SELECT: the selected mode, or CHOICE_LAB. */
+    uint8_t tags;         /* Bit mask of the tags of the mode selection (core/game/mode_tags.h). */
+    uint8_t pointed_tags; /* Bit mask of the tags that players have selected. */
+    uint8_t upright;      /* 1 if the tags are on the portrait canvas, otherwise 0. */
     /* Bit mask of the modes that can be selected (1 << enum game_mode, or 1 << CHOICE_LAB). */
     uint8_t modes;
     struct scene_offer {
@@ -322,7 +325,9 @@ struct scene {
         /* In RESULT: the player's best place on the leaderboards, from 1; 0 means not ranked. */
         uint8_t place;
         uint8_t period; /* Period of the leaderboard with the best place (enum rank_period). */
-        uint8_t level;  /* Level of the player in this round (enum level). */
+        uint8_t level;  /* Level of the player in the round, or the selected level (enum level). */
+        uint8_t has_hand; /* In PHASE_MODE_SELECT: 1 if the player has a pointer. */
+        float x, y;       /* In PHASE_MODE_SELECT: position of the pointer on the canvas. */
         /* In RESULT: 1 if the player caught no fish and gets one as a present, otherwise 0. */
         uint8_t has_present;
     } player[POI_MAX];

@@ -35,7 +35,8 @@ struct scene_menu {
     /* First row shown on the file page, of controllers.file_count rows; 0 if the list is empty. */
     uint8_t file_first;
     uint8_t upright, has_hand, presses;
-    float x, y; /* Pointer position on the canvas (core/game/pointer_mapping.h). */
+    uint8_t hides_level; /* 1 if the menu has no row for the level, otherwise 0. */
+    float x, y;          /* Pointer position on the canvas (core/game/pointer_mapping.h). */
     struct controller_status controllers;
     /* Bit mask of the buttons that are held down (enum input_button). */
     uint32_t held;

@@ -14,6 +14,7 @@
 #include "core/game/control/control_state.h"
 #include "core/game/lab/lab_state.h"
 #include "core/game/menu/menu_state.h"
+#include "core/game/pointer_mapping.h"
 #include "core/game/ranking/name_keyboard.h"
 #include "core/game/rules.h"
 #include "core/game/session_state.h"
@@ -62,7 +63,7 @@ struct core_config;
 typedef void game_phase_tick(struct game *game, struct world *world, struct core_config *config,
                              const struct input *input, struct output *output);
 
-/* Motion of a controller since READY (the phase before a round) began. */
+/* Motion of a controller since READY (the phase before a round) or the mode selection began. */
 enum player_stance { STANCE_UNSEEN = 0, STANCE_RESTS, STANCE_MOVED };
 
 struct player {
@@ -71,13 +72,17 @@ struct player {
      * Otherwise 0. */
     uint8_t out;
     uint8_t handed; /* 1 if the player has received fresh paper for this round, otherwise 0. */
-    /* Section of the tank under the player's poi in the mode selection, counted from 1. Each
-     * section selects one mode. 0 means no section. */
+    /* Tag under the player's pointer in the mode selection, as its number among the offered tags,
+     * counted from 1. 0 means no tag. */
     uint8_t points;
-    uint8_t level;      /* Level of the player in this round (enum level). */
-    uint8_t fouls;      /* Number of the player's counted fouls, 0 .. FOUL_MAX. */
-    uint8_t foul;       /* Kind of the player's latest foul (enum foul). */
-    uint32_t foul_tick; /* Tick of the player's latest counted foul. */
+    /* Level of the player in this round, or the level that the player has selected in the mode
+     * selection (enum level). */
+    uint8_t level;
+    uint8_t has_hand; /* 1 if the player has a pointer in the mode selection, otherwise 0. */
+    struct layout_point hand; /* Position of this pointer on the canvas. */
+    uint8_t fouls;            /* Number of the player's counted fouls, 0 .. FOUL_MAX. */
+    uint8_t foul;             /* Kind of the player's latest foul (enum foul). */
+    uint32_t foul_tick;       /* Tick of the player's latest counted foul. */
     /* Tick at which the player last committed each kind of foul, counted or not. */
     uint32_t offence_tick[FOUL_COUNT];
     uint32_t caught;
@@ -96,7 +101,8 @@ struct player {
     uint32_t lost_ticks;
     /* Total ticks in this round for which other players have waited for this controller. */
     uint32_t waited_ticks;
-    uint8_t stance; /* Motion of the controller since READY began (enum player_stance). */
+    /* Motion of the controller since READY or the mode selection began (enum player_stance). */
+    uint8_t stance;
     /* Rest position of the controller. In READY: position at which the controller was first seen.
      * In the mode selection: position at the controller's last motion. */
     float rest_x_m, rest_z_m;
@@ -182,6 +188,8 @@ struct game {
      * selected. */
     uint8_t mode;
     uint8_t lab_chosen; /* 1 if the growth lab is selected in the mode selection, otherwise 0. */
+    /* 1 if the tags of the mode selection are on the portrait canvas, otherwise 0. */
+    uint8_t upright;
     uint8_t bot_played; /* 1 if the bot controlled a poi in this round, otherwise 0. */
     /* 1 if a player or the bot has had a poi in use in this round, otherwise 0. */
     uint8_t played;

@@ -42,6 +42,14 @@ game_phase_tick round_ready_tick, round_tick, round_result_tick;
  * at the configured tank. */
 void attract_begin(struct game *game, struct world *world, const struct core_config *config);
 
+/* Returns the tag (core/game/mode_tags.h) that `player` has selected in the mode selection. All
+ * players share the mode, and each player has an own level. */
+uint32_t game_mode_select_tag(const struct game *game, uint32_t player);
+
+/* Returns the player for whom the buttons select: the first player with a connected poi, or player
+ * 0 if there is none. */
+uint32_t game_mode_select_lead(const struct world *world);
+
 /* Handles a request to play. Without a credit the state stays unchanged. If players can choose
  * between several modes, the mode selection starts; otherwise READY starts immediately. */
 void game_mode_select_begin(struct game *game, struct world *world,
@@ -114,7 +122,8 @@ void game_score(struct game *game, const struct world *world,
                 const struct catch_result caught[POI_MAX], struct output *output);
 
 /* Returns the easiest level of the players in the current round, or in the last round until attract
- * mode begins. All fish follow this level, and all scores of the round rank at this level. */
+ * mode begins. All fish follow this level, and all scores of the round rank at this level. Only
+ * players who play or have a poi in use count. Without players the level is LEVEL_MASTER. */
 uint8_t game_level(const struct game *game);
 
 /* Returns the record (scores and statistics) of the current round, or of the last round if no round

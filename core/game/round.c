@@ -31,15 +31,17 @@ void round_ready_begin(struct game *game, struct world *world, const struct core
     game->gone_tick = 0;
     game->lost_ticks = game->waited_ticks = 0;
     game->call = CALL_NONE;
+    const bool is_chosen = game->phase == PHASE_MODE_SELECT;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        game->player[i] = (struct player){ 0 };
-        game->player[i].level = rules_of(game->mode)->has_levels ? config->level : LEVEL_MASTER;
+        const uint8_t level = is_chosen ? game->player[i].level : config->level;
+        game->player[i] = (struct player){
+            .level = rules_of(game->mode)->has_levels ? level : (uint8_t)LEVEL_MASTER,
+        };
     }
     game->album = (struct album){ 0 };
     memset(world->tear_clip, 0, sizeof world->tear_clip);
     table_setup_empty_bowls(world);
     table_setup_prepare(game->control, game, world, config, table_setup_preset(config, game->mode));
-    world->tank.temper = rules_of_level(game_level(game))->temper;
     game_enter_phase(game, PHASE_READY);
     output_sound(output, SOUND_START, 1.0f, 0.0f);
 }
@@ -72,6 +74,7 @@ void round_ready_tick(struct game *game, struct world *world, struct core_config
             game->player[i].handed = 1;
         }
     }
+    world->tank.temper = rules_of_level(game_level(game))->temper;
     score_fouls_before_start(game->player, game, world, output);
     if (elapsed >= total) {
         begin_round(game, world, output);
@@ -186,6 +189,7 @@ void round_tick(struct game *game, struct world *world, struct core_config *conf
     (void)input;
     CORE_ASSERT(game->phase == PHASE_ROUND);
     player_tick_pause(game, world);
+    world->tank.temper = rules_of_level(game_level(game))->temper;
     uint32_t carried_fish = 0, in_round = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const struct player *player = &game->player[i];

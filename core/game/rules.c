@@ -72,6 +72,12 @@ const struct level_rules *rules_of_level(uint8_t level)
     return &levels[level];
 }
 
+uint8_t rules_grade_at_level(uint8_t grade, uint8_t level)
+{
+    const uint8_t step = rules_of_level(level)->grade_step;
+    return grade > SHEET_GRADE_MIN + step ? (uint8_t)(grade - step) : SHEET_GRADE_MIN;
+}
+
 const struct rules *rules_of(uint8_t mode)
 {
     CORE_ASSERT(mode < MODE_COUNT);

@@ -59,6 +59,9 @@ struct level_rules {
     struct temper temper; /* Temper of all fish, if this is the easiest level in the round. */
 };
 
+/* Returns the grade of a player's paper at `level` in a round whose paper has the grade `grade`. */
+uint8_t rules_grade_at_level(uint8_t grade, uint8_t level);
+
 /* Returns what `level` changes. Asserts that `level` < LEVEL_COUNT. */
 const struct level_rules *rules_of_level(uint8_t level);
 

@@ -118,7 +118,11 @@ uint8_t game_level(const struct game *game)
 {
     uint8_t easiest = LEVEL_MASTER;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        easiest = game->player[i].level > easiest ? game->player[i].level : easiest;
+        const bool takes_part =
+            game->player[i].plays || game->control[i].holder != POI_SOURCE_ABSENT;
+        if (takes_part && game->player[i].level > easiest) {
+            easiest = game->player[i].level;
+        }
     }
     return easiest;
 }

@@ -55,12 +55,9 @@ uint8_t table_setup_grade(const struct core_config *config, uint8_t mode)
 static void init_poi(const struct game *game, const struct core_config *config, uint32_t index,
                      struct poi *poi, vec3 position_m, uint32_t seed)
 {
-    const struct level_rules *level = rules_of_level(game->player[index].level);
-    const uint8_t mode_grade = table_setup_grade(config, game->mode);
-    const uint8_t strongest = SHEET_GRADE_MIN + level->grade_step;
-    const uint8_t grade =
-        mode_grade > strongest ? (uint8_t)(mode_grade - level->grade_step) : SHEET_GRADE_MIN;
-    poi_init_sized(poi, grade, level->ring_radius_m, position_m, seed);
+    const uint8_t level = game->player[index].level;
+    const uint8_t grade = rules_grade_at_level(table_setup_grade(config, game->mode), level);
+    poi_init_sized(poi, grade, rules_of_level(level)->ring_radius_m, position_m, seed);
 }
 
 uint32_t table_setup_round_s(const struct core_config *config, uint8_t mode)

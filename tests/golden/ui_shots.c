@@ -18,6 +18,7 @@
 #include <stb/stb_image_write.h>
 
 #include "core/game/accounting/accounts.h"
+#include "core/game/mode_tags.h"
 #include "platform/render/ui/ui.h"
 
 #define WIDTH_MAX 3840
@@ -41,6 +42,8 @@ static const struct shot shots[] = {
     { "attract", PHASE_ATTRACT, HINT_START, 9.0f, 0.0f, 0, 12, 0.9f, 1, 0, 0, 0, 0, 0, 0 },
     { "choose", PHASE_MODE_SELECT, HINT_CHOOSE, 4.0f, 11.0f, 0, 46, 1.0f, 1, MODE_CHAMPIONSHIP, 0,
       0, 0, 0, 0 },
+    { "choose4", PHASE_MODE_SELECT, HINT_CHOOSE, 4.0f, 11.0f, 0, 46, 1.0f, 4, MODE_FESTIVAL, 0, 0,
+      0, 0, 0 },
     { "choose2", PHASE_MODE_SELECT, HINT_CHOOSE, 4.0f, 11.0f, 0, 12, 1.0f, 1, MODE_FESTIVAL, 0, 0,
       0, 0, 1 },
     { "ready", PHASE_READY, HINT_NO_SHADE, 0.85f, 2.15f, 0, 12, 1.0f, 1, MODE_CHAMPIONSHIP, 0, 0, 0,
@@ -152,6 +155,11 @@ static void fill_player(struct scene *scene, const struct shot *shot, uint8_t pl
 {
     struct scene_player *const out = &scene->player[player];
     out->plays = 1;
+    out->level = shot->mode == MODE_CHAMPIONSHIP ? (uint8_t)LEVEL_MASTER
+                                                 : (uint8_t)((1u + player) % LEVEL_COUNT);
+    out->has_hand = shot->phase == PHASE_MODE_SELECT;
+    out->x = 520.0f - 298.0f * (float)(out->level - LEVEL_NORMAL) + 44.0f * (player == 3);
+    out->y = 420.0f;
     scene->poi[player].present = 1;
     scene->poi[player].shows_stress = shot->shows_stress;
     scene->poi[player].paper_left = player == 0 ? shot->paper_left : 0.9f - 0.2f * (float)player;
@@ -242,7 +250,12 @@ static void fill_scene(struct scene *scene, const struct shot *shot, uint8_t lan
     scene->language = language;
     scene->mode = shot->mode;
     scene->modes =
-        shot->two_modes ? 1u << MODE_FESTIVAL | 1u << MODE_PRACTICE : (1u << MODE_COUNT) - 1u;
+        shot->two_modes ? 1u << MODE_FESTIVAL | 1u << MODE_PRACTICE : (1u << CHOICE_COUNT) - 1u;
+    scene->tags = (uint8_t)mode_tags_offered(scene->modes, true);
+    scene->choice = shot->mode;
+    scene->pointed_tags = shot->mode != MODE_FESTIVAL ? 1u << (MODE_TAG_LEVELS - 1u + shot->mode)
+                          : shot->players > 1u        ? MODE_TAG_LEVEL_MASK
+                                                      : 1u << 1;
     scene->offer[MODE_FESTIVAL] = (struct scene_offer){ 60, 6 };
     scene->offer[MODE_CHAMPIONSHIP] = (struct scene_offer){ 180, 5 };
     scene->offer[MODE_PRACTICE] = (struct scene_offer){ 180, 6 };
@@ -363,6 +376,7 @@ static int shoot(struct ui *ui, const struct shot *shot, uint8_t language, const
     const struct display_transform transform = display_transform_of(
         &(struct display_settings){ .light = 1.0f }, (float)width, (float)height);
     fill_scene(&scene, shot, language);
+    scene.upright = height > width;
     if (shot->phase == PHASE_NAME) {
         fill_name(&scene, shot, height > width);
     }

@@ -139,7 +139,7 @@ void shot_menu_open(struct core *core, const char *page, uint8_t step, int uprig
         }
     }
     if (menu_page_desc_of(menu->page)->body == MENU_BODY_SETTINGS) {
-        menu->tag[menu->page] = (uint8_t)(step % menu_body_count(menu->page));
+        menu->tag[menu->page] = (uint8_t)(step % menu_body_count(menu->page, false));
     }
     const struct menu_scope scope = menu_scope_of(&core->game, &core->config, &output);
     adjust_some(&scope);

@@ -41,7 +41,7 @@ static void print_state(FILE *file, const struct twin *twin)
             menu->page == MENU_UPKEEP, menu->page == MENU_FILES);
     fprintf(file, "to_devices %u\nto_lines %u\nto_upkeep %u\nto_files %u\nto_back %u\n",
             menu_tag_of(MENU_DEVICES), menu_tag_of(MENU_LINES), menu_tag_of(MENU_UPKEEP),
-            menu_tag_of(MENU_FILES), menu_tag_count(menu->page) - 1u);
+            menu_tag_of(MENU_FILES), menu_tag_count(menu->page, false) - 1u);
     fprintf(file, "asks %d\npage %u\ntag %u\ntest_coins %u\nfiles %u\n",
             menu_is_asking(&core->game), menu->page, menu->tag[menu->page], menu->test_coins,
             menu->controllers.file_count);
@@ -49,6 +49,8 @@ static void print_state(FILE *file, const struct twin *twin)
     fprintf(file, "is_ready %d\nis_round %d\n", phase == PHASE_READY, phase == PHASE_ROUND);
     fprintf(file, "phase %u\npaused %u\nrounds %u\ncaught %u\n", phase, core->game.paused,
             core->game.round_count, twin->caught);
+    fprintf(file, "level %u\nstart_ms %u\ndip_ms %u\n", core->game.player[0].level,
+            twin->start_tick * 1000u / CORE_TICK_HZ, twin->dip_tick * 1000u / CORE_TICK_HZ);
     fprintf(file, "link %u\nlost_spans %u\nlost_ms %u\npaused_ms %u\n", twin->input.poi[0].link,
             twin->lost_spans, twin->lost_ticks * 1000u / CORE_TICK_HZ,
             twin->paused_ticks * 1000u / CORE_TICK_HZ);

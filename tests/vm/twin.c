@@ -27,6 +27,11 @@ static void count(struct twin *twin)
         twin->presses[i] += twin->input.pressed >> i & 1u;
     }
     count_link(twin);
+    const bool starts = twin->presses[0] > 0 && twin->start_tick == 0;
+    const bool dips =
+        twin->core.game.phase == PHASE_ROUND && twin->core.world.poi[0].immersed > 0.0f;
+    twin->start_tick = starts ? twin->core.game.tick : twin->start_tick;
+    twin->dip_tick = dips && twin->dip_tick == 0 ? twin->core.game.tick : twin->dip_tick;
     twin->paused_ticks += twin->core.game.phase == PHASE_ROUND && twin->core.game.paused;
 }
 

@@ -29,6 +29,9 @@ struct twin {
     /* Number of ticks in which a round was paused because a controller was lost. */
     uint32_t paused_ticks;
     uint32_t differs_at; /* First tick whose digest differs from the kiosk's; 0 means none. */
+    uint32_t start_tick; /* Tick of the first press of START. */
+    /* First tick of a round in which the first poi is in the water; 0 means none. */
+    uint32_t dip_tick;
     uint8_t was_live, begun;
 };
 

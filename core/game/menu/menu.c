@@ -59,6 +59,7 @@ static void open_menu(struct game *game, struct world *world, const struct core_
     *menu = (struct menu){
         .controllers = input->controllers,
         .upright = input->upright != 0,
+        .hides_level = !config_has_rules(config, 9),
         .presses = 1, /* A poi that is already under water when the menu opens selects no item. */
         .command_count = menu->command_count,
         .take_tick = game->tick,
@@ -140,7 +141,7 @@ void menu_go(const struct menu_scope *scope, enum menu_page page)
 
 static void point_at_tag(struct menu *menu, uint32_t tag, struct output *output)
 {
-    CORE_ASSERT(tag < menu_tag_count(menu->page));
+    CORE_ASSERT(tag < menu_tag_count(menu->page, menu->hides_level));
     if (menu->tag[menu->page] != tag) {
         menu->tag[menu->page] = (uint8_t)tag;
         output_sound(output, SOUND_CHOOSE, 0.6f, 0.0f);
@@ -151,7 +152,7 @@ static void point_at_tag(struct menu *menu, uint32_t tag, struct output *output)
 static void point_on(struct menu *menu, bool forward, struct output *output)
 {
     CORE_ASSERT(menu->page < MENU_PAGE_COUNT);
-    const uint32_t count = menu_tag_count(menu->page);
+    const uint32_t count = menu_tag_count(menu->page, menu->hides_level);
     const uint16_t offered = menu_enabled(menu);
     uint32_t tag = menu->tag[menu->page];
     do {
@@ -186,7 +187,7 @@ static bool take_menu_buttons(const struct menu_scope *scope, const struct input
     struct menu *menu = scope->menu;
     const uint32_t inside = INPUT_TEST | INPUT_SERVICE;
     if (is_way_back(input)) {
-        menu->tag[menu->page] = (uint8_t)(menu_tag_count(menu->page) - 1u);
+        menu->tag[menu->page] = (uint8_t)(menu_tag_count(menu->page, menu->hides_level) - 1u);
         CORE_ASSERT(menu_enabled(menu) >> menu->tag[menu->page] & 1u);
         return activate_pointed_tag(scope);
     }
@@ -253,8 +254,10 @@ static bool point_at_tag_by_hand(const struct menu_scope *scope, const struct wo
     menu->y = hand.at.y;
     const uint16_t offered = menu_enabled(menu);
     uint8_t points = 0; /* Item under the pointer, counted from 1. 0 means no item. */
-    for (uint32_t tag = 0; tag < menu_tag_count(menu->page) && points == 0; tag++) {
-        const struct layout_box box = menu_box(menu->upright, menu->page, offered, tag);
+    for (uint32_t tag = 0; tag < menu_tag_count(menu->page, menu->hides_level) && points == 0;
+         tag++) {
+        const struct layout_box box =
+            menu_box(menu->upright, menu->page, menu->hides_level, offered, tag);
         points = pointer_is_inside(box, 0.0f, hand.at) ? (uint8_t)(tag + 1u) : 0u;
     }
     if (stirs && points != menu->points && points > 0) {

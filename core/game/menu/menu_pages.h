@@ -62,16 +62,17 @@ struct menu_page_desc {
 const struct menu_page_desc *menu_page_desc_of(uint8_t page);
 
 /* menu_body_count() returns the number of items in the page's body. menu_tag_count() returns the
- * number of all items of the page. */
-uint32_t menu_body_count(uint8_t page);
-uint32_t menu_tag_count(uint8_t page);
+ * number of all items of the page. If `hides_level` is true, these functions and the functions
+ * below leave out the row of the level, which recordings older than format 9 lack. */
+uint32_t menu_body_count(uint8_t page, bool hides_level);
+uint32_t menu_tag_count(uint8_t page, bool hides_level);
 
 /* Returns the page that item `tag` in the body opens; MENU_PAGE_COUNT means none. */
-uint8_t menu_page_at(uint8_t page, uint32_t tag);
+uint8_t menu_page_at(uint8_t page, bool hides_level, uint32_t tag);
 
 /* Returns the setting that row `tag` of `page` changes, or whose bits the page that the row opens
  * changes. SETTING_COUNT means none. */
-uint32_t menu_setting_at(uint8_t page, uint32_t tag);
+uint32_t menu_setting_at(uint8_t page, bool hides_level, uint32_t tag);
 
 /* Returns a bit mask of the items of the open page that can be selected. */
 uint16_t menu_enabled(const struct menu *menu);
@@ -94,7 +95,8 @@ void menu_close(struct game *game, struct world *world, const struct core_config
 
 /* Returns the box of item `tag` on the canvas. The box is empty if the item is not in the bit mask
  * `offered`. */
-struct layout_box menu_box(bool upright, uint8_t page, uint16_t offered, uint32_t tag);
+struct layout_box menu_box(bool upright, uint8_t page, bool hides_level, uint16_t offered,
+                           uint32_t tag);
 
 /* Combination of buttons that means "back". A person never presses all of these buttons in the same
  * tick; the quit key of a desktop produces the combination. The page's last item is activated,

@@ -89,18 +89,20 @@ static struct layout_box grid_box(const struct measures *m, uint32_t nth, uint32
 /* Returns the box of the item `tag` on the canvas. Items at the foot of a page lie in one row and
  * share its width equally. Large items lie in as few rows as possible. With many rows each row is
  * lower than normal. */
-struct layout_box menu_box(bool upright, uint8_t page, uint16_t offered, uint32_t tag)
+struct layout_box menu_box(bool upright, uint8_t page, bool hides_level, uint16_t offered,
+                           uint32_t tag)
 {
     const struct menu_page_desc *sheet = menu_page_desc_of(page);
     const struct measures *m = upright ? &upright_measures : &wide;
-    CORE_ASSERT(tag < menu_tag_count(page));
+    CORE_ASSERT(tag < menu_tag_count(page, hides_level));
     if (!(offered >> tag & 1u)) {
         return (struct layout_box){ 0.0f, 0.0f, 0.0f, 0.0f };
     }
-    const uint32_t body_count = menu_body_count(page);
+    const uint32_t body_count = menu_body_count(page, hides_level);
     if (tag >= body_count) {
         const uint32_t nth = count_offered(offered, body_count, tag);
-        const uint32_t count = count_offered(offered, body_count, menu_tag_count(page));
+        const uint32_t count =
+            count_offered(offered, body_count, menu_tag_count(page, hides_level));
         const float gaps = (float)(count - 1u) * m->foot.gap_x;
         const float width = f_min(m->foot.width, (m->body.width - gaps) / (float)count);
         const float row = (float)count * width + gaps;
@@ -149,6 +151,7 @@ void menu_show(const struct game *game, const struct core_config *config, struct
     out->file_first = menu->file_first < menu->controllers.file_count ? menu->file_first : 0;
     out->score = menu->score;
     out->upright = menu->upright;
+    out->hides_level = menu->hides_level;
     out->has_hand = menu->has_hand;
     out->presses = menu->presses;
     out->x = menu->x;

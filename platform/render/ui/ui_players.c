@@ -9,6 +9,8 @@
 #define POP_S 0.45f
 #define PLATE_WIDTH 200.0f
 #define PLATE_WIDTH_MIN 152.0f
+/* Width in layout units from which a plate has room for the picture of the player's level. */
+#define PLATE_WIDTH_LEVEL 180.0f
 
 uint32_t ui_player_count(const struct scene *scene)
 {
@@ -76,6 +78,8 @@ static void plate(const struct ui_frame *frame, uint32_t player, struct ui_box b
     CORE_ASSERT(player < POI_MAX);
     const float u = frame->unit;
     const bool is_judged = rules_of(frame->scene->mode)->counts_fouls;
+    const bool shows_level =
+        rules_of(frame->scene->mode)->has_levels && box.width >= PLATE_WIDTH_LEVEL * u;
     const float y = box.y + (is_judged ? 27.0f * u : 0.5f * box.height);
     ui_plate(frame, box);
     const struct ui_box band = { box.x + 4.0f * u, box.y + 10.0f * u, 5.0f * u,
@@ -84,7 +88,7 @@ static void plate(const struct ui_frame *frame, uint32_t player, struct ui_box b
     ui_player_mark(frame, box.x + 32.0f * u, y, 17.0f * u, player);
     ui_number_at(frame,
                  ui_style(frame, FONT_STALL, 38.0f + 8.0f * ui_catch_pop(frame, player), 0.0f,
-                          0xfff8eaffu, box.width - 112.0f * u),
+                          0xfff8eaffu, box.width - (shows_level ? 147.0f : 112.0f) * u),
                  box.x + 58.0f * u, y, frame->scene->caught[player]);
     /* The right part of the plate shows either the player's paper or the reason why the player does
      * not play. `out` is set for a player who is out of the round, and also for a player whose
@@ -101,6 +105,12 @@ static void plate(const struct ui_frame *frame, uint32_t player, struct ui_box b
     } else {
         ui_poi_sign(frame, state_x, state_y - 5.0f * u, 14.0f * u,
                     frame->scene->poi[player].paper_left, ui_player_colours[player]);
+    }
+    if (shows_level) {
+        ui_level_tag(frame,
+                     (struct ui_box){ box.x + box.width - 85.0f * u, box.y + 6.0f * u, 34.0f * u,
+                                      box.height - 12.0f * u },
+                     state->level);
     }
     if (is_judged) {
         ui_foul_lamps(frame, box.x + 28.0f * u, box.y + box.height - 15.0f * u, 7.0f * u, 20.0f * u,

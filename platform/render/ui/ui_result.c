@@ -100,6 +100,11 @@ static void one_players_result(const struct ui_frame *frame, struct ui_box box)
         present_bowl(frame, box.x + 110.0f * u, count_y + 10.0f * u, 130.0f * u,
                      box.x + box.width - 90.0f * u);
     }
+    if (rules_of(scene->mode)->has_levels) {
+        ui_level_tag(frame,
+                     (struct ui_box){ box.x + 30.0f * u, box.y - 12.0f * u, 74.0f * u, 88.0f * u },
+                     scene->player[player].level);
+    }
     if (rules_of(scene->mode)->counts_fouls) {
         const float left = box.x + 26.0f * u, y = box.y + box.height - 37.0f * u;
         const float width =
@@ -130,6 +135,12 @@ static void ranked(const struct ui_frame *frame, uint32_t player, uint32_t place
             digits_x + 14.0f * u, ui_text_middle(digits, y), ui_words(frame, TEXT_UNIT));
     if (scene->player[player].has_present) {
         present_bowl(frame, row.x + 300.0f * u, y + 6.0f * u, 70.0f * u, row.x + 400.0f * u);
+    }
+    if (rules_of(scene->mode)->has_levels) {
+        ui_level_tag(frame,
+                     (struct ui_box){ row.x + row.width - 66.0f * u, row.y + 4.0f * u, 48.0f * u,
+                                      row.height - 8.0f * u },
+                     scene->player[player].level);
     }
     if (rules_of(scene->mode)->counts_fouls) {
         ui_foul_lamps(frame, row.x + row.width - 84.0f * u, y, 10.0f * u, 29.0f * u,

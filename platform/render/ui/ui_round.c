@@ -132,6 +132,8 @@ void ui_umpire(const struct ui_frame *frame)
     }
 }
 
+/* Draws the number of fish that the only player caught and, in a mode with levels, the picture of
+ * the player's level. */
 static void caught_plate(const struct ui_frame *frame, uint32_t player)
 {
     CORE_ASSERT(player < POI_MAX);
@@ -146,7 +148,14 @@ static void caught_plate(const struct ui_frame *frame, uint32_t player)
     const float unit_x = number_x + number_width + 12.0f * u;
     const float right = unit_x + ui_text_width(unit, words) + 22.0f * u;
     const float baseline = ui_text_middle(digits, y);
-    ui_plate(frame, (struct ui_box){ left, top, right - left, height });
+    const bool has_levels = rules_of(frame->scene->mode)->has_levels;
+    const float level_width = has_levels ? 70.0f * u : 0.0f;
+    ui_plate(frame, (struct ui_box){ left, top, right - left + level_width, height });
+    if (has_levels) {
+        ui_level_tag(frame,
+                     (struct ui_box){ right - 4.0f * u, top + 10.0f * u, 58.0f * u, 68.0f * u },
+                     frame->scene->player[player].level);
+    }
     ui_fish_sign(frame, left + 58.0f * u, y, (74.0f + 12.0f * pop) * u);
     digits.size_px *= 1.0f + 0.22f * pop;
     digits.align = 0.5f;

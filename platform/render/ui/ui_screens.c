@@ -23,9 +23,9 @@ void ui_screens_notice(struct ui_memory *memory, const struct scene *scene)
             memory->caught_tick[i] = scene->tick;
         }
     }
-    if (scene->choice != memory->pointed) {
+    if (scene->pointed_tags != memory->pointed) {
         memory->pointed_before = memory->pointed;
-        memory->pointed = scene->choice;
+        memory->pointed = scene->pointed_tags;
         memory->pointed_tick = scene->tick;
     }
 }

@@ -16,9 +16,9 @@ struct ui_memory {
     /* Tick of the last change of each player's number of caught fish. */
     uint32_t caught_tick[POI_MAX];
     uint32_t caught[POI_MAX];
-    uint32_t pointed_tick; /* Tick of the last change of the selected mode. */
-    /* Selected mode (`pointed`), and the mode that was selected before the last change
-     * (`pointed_before`). */
+    uint32_t pointed_tick; /* Tick of the last change of the selected tags. */
+    /* Bit mask of the selected tags (`pointed`), and of the tags that were selected before the last
+     * change (`pointed_before`). */
     uint8_t pointed, pointed_before;
     uint8_t hint;
     /* Library of the makers' species. Null means that there is no library. */

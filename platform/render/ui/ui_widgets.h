@@ -43,6 +43,19 @@ void ui_warnings(const struct ui_frame *frame);
  * this. */
 void ui_best_words(const struct scene *scene, char *out, size_t out_size);
 
+/* Draws a ribbon with the best score of the day, centred at height `y`. */
+void ui_best_ribbon(const struct ui_frame *frame, float y, float size_px);
+
+/* Returns the name of a level (enum level). */
+const char *ui_level_name(uint8_t language, uint8_t level);
+
+/* Draws the picture of a level (enum level): a child, an adult or a champion. The feet are at
+ * (x, y), and an adult is `height` pixels tall. */
+void ui_level_figure(const struct ui_frame *frame, float x, float y, float height, uint8_t level);
+
+/* Draws a small wooden tag with the picture of a level in `box`. */
+void ui_level_tag(const struct ui_frame *frame, struct ui_box box, uint8_t level);
+
 /* Draws one word in the horizontal middle of the screen, centred at height `y`. */
 void ui_big_word(const struct ui_frame *frame, enum font_id font, float y, float size_px,
                  float alpha, const char *words);

@@ -29,7 +29,7 @@ static inline void push(uint32_t button)
 /* Returns the index of the tag (menu item) of the top page that closes the menu. */
 static inline uint32_t leave(void)
 {
-    return menu_tag_count(MENU_TOP) - 1u;
+    return menu_tag_count(MENU_TOP, false) - 1u;
 }
 
 /* Opens the menu with controllers in the rows 0 and 3; a cmocka setup function. */

@@ -9,7 +9,8 @@ static inline uint32_t menu_tag_of(uint8_t page)
 {
     const uint8_t parent = menu_page_desc_of(page)->parent;
     uint32_t tag = 0;
-    while (parent < MENU_PAGE_COUNT && tag < MENU_TAG_MAX && menu_page_at(parent, tag) != page) {
+    while (parent < MENU_PAGE_COUNT && tag < MENU_TAG_MAX &&
+           menu_page_at(parent, false, tag) != page) {
         tag++;
     }
     return parent < MENU_PAGE_COUNT ? tag : MENU_TAG_MAX;

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/game/accounting/accounts.h"
+#include "core/game/mode_tags.h"
 #include "core/game/ranking/name_keyboard.h"
 #include "core/game/ranking/ranking.h"
 #include "platform/render/ui/ui_screens.h"
@@ -59,6 +60,8 @@ static inline void set_scene(uint8_t phase, uint8_t language, uint8_t hint, floa
     scene.seconds_left = phase == PHASE_READY ? 3.0f - phase_s : 600.0f - phase_s;
     scene.best_today = 9999;
     scene.modes = (1u << CHOICE_COUNT) - 1u;
+    scene.tags = (uint8_t)mode_tags_offered(scene.modes, true);
+    scene.pointed_tags = 1u;
     scene.grade = 7;
     for (uint32_t i = 0; i < MODE_COUNT; i++) {
         scene.offer[i] = (struct scene_offer){ .round_s = 90, .grade = 7 };

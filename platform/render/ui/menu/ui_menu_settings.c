@@ -189,7 +189,7 @@ static void draw_tag_board(const struct ui_frame *frame, const struct places *pl
         return;
     }
     const struct ui_box box = menu_tag_board(frame, tag);
-    const uint32_t id = menu_setting_at(menu->page, tag);
+    const uint32_t id = menu_setting_at(menu->page, menu->hides_level, tag);
     if (id < SETTING_COUNT) {
         char range[TEXT_LINE_MAX], value[TEXT_LINE_MAX];
         menu_range_words(frame, id, range, sizeof range);
@@ -202,8 +202,10 @@ static void draw_tag_board(const struct ui_frame *frame, const struct places *pl
                                     .is_changed =
                                         menu->settings.value[id] != settings_entry(id)->standard });
     } else {
-        ui_words_in(frame, box, sized(frame, box, places->name_size, MENU_INK),
-                    ui_words(frame, menu_words_of(menu_page_at(menu->page, tag))->title));
+        ui_words_in(
+            frame, box, sized(frame, box, places->name_size, MENU_INK),
+            ui_words(frame,
+                     menu_words_of(menu_page_at(menu->page, menu->hides_level, tag))->title));
     }
 }
 
@@ -211,7 +213,7 @@ void menu_settings(const struct ui_frame *frame)
 {
     const struct scene_menu *const menu = &frame->scene->menu;
     const struct places *const places = &layouts[frame->is_upright];
-    const uint32_t body_count = menu_body_count(menu->page);
+    const uint32_t body_count = menu_body_count(menu->page, menu->hides_level);
     const bool is_row = menu->tag < body_count;
     if (is_row) {
         /* The selected board is drawn first, so that its glow is behind the neighbouring boards. */
@@ -223,8 +225,8 @@ void menu_settings(const struct ui_frame *frame)
         }
     }
     const uint8_t row = is_row ? menu->tag : menu->chosen;
-    const uint32_t id = menu_setting_at(menu->page, row);
-    const uint8_t page = menu_page_at(menu->page, row);
+    const uint32_t id = menu_setting_at(menu->page, menu->hides_level, row);
+    const uint8_t page = menu_page_at(menu->page, menu->hides_level, row);
     char words[2u * TEXT_LINE_MAX] = "", standard[TEXT_LINE_MAX / 2u];
     const char *help = words;
     if (is_row && id < SETTING_COUNT) {
@@ -248,7 +250,7 @@ void menu_bits(const struct ui_frame *frame)
     const uint32_t id = menu_page_desc_of(menu->page)->topic;
     const struct setting_words *const words = menu_setting_words_of(id);
     const char *const states[2] = { ui_words(frame, TEXT_BIT_OFF), ui_words(frame, TEXT_BIT_ON) };
-    for (uint32_t bit = 0; bit < menu_body_count(menu->page); bit++) {
+    for (uint32_t bit = 0; bit < menu_body_count(menu->page, menu->hides_level); bit++) {
         if (!(menu->tags >> bit & 1u)) {
             continue;
         }

@@ -87,7 +87,7 @@ static void begin_playing(uint32_t choice)
     press(INPUT_START);
     assert_int_equal(core.game.phase, PHASE_MODE_SELECT);
     steps(GAME_MODE_SELECT_TICKS_MIN);
-    for (uint32_t i = core.game.mode; i != choice; i = (i + 1u) % CHOICE_COUNT) {
+    while ((core.game.lab_chosen ? CHOICE_LAB : core.game.mode) != choice) {
         press(INPUT_RIGHT);
     }
     press(INPUT_OK);

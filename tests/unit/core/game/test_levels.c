@@ -121,6 +121,8 @@ static void test_the_record_and_the_scene_have_the_easiest_level_of_the_players(
     assert_int_equal(core_round_record(&core).level, LEVEL_NORMAL);
     core.game.player[0].level = LEVEL_MASTER;
     core.game.player[1].level = LEVEL_EASY;
+    assert_int_equal(core_round_record(&core).level, LEVEL_MASTER);
+    core.game.player[1].plays = 1; /* Only a player who takes part makes the fish calm. */
     assert_int_equal(core_round_record(&core).level, LEVEL_EASY);
     core_scene(&core, &scene);
     assert_int_equal(scene.level, LEVEL_EASY);

@@ -1,5 +1,7 @@
-/* test_mode_select.c -- checks the selection of a mode, and the tank of each mode. */
+/* test_mode_select.c -- checks the selection of a mode and of each player's level, and the tank of
+ * each mode. */
 #include "tests/unit/support/core_fixture.h"
+#include "core/game/mode_tags.h"
 #include "core/game/table_setup.h"
 
 #define ALL_MODES ((1u << MODE_COUNT) - 1u)
@@ -12,6 +14,26 @@ static int offer_all(void **state)
     const struct core_config config = { .seed = 5, .fish_count = 12, .modes = ALL_MODES };
     open_core(&config);
     return 0;
+}
+
+/* Opens a core with `players` bowls that offers everything, at the level `level`. */
+static void offer_levels(uint8_t level, uint8_t players)
+{
+    open_core(&(struct core_config){ .seed = 5,
+                                     .fish_count = 12,
+                                     .modes = (1u << CHOICE_COUNT) - 1u,
+                                     .level = level,
+                                     .players = players });
+}
+
+/* Returns the place above the water at which a poi that measures rotation points at `tag`. */
+static vec3 above_tag(uint32_t tag)
+{
+    const struct layout_box box = mode_tag_box(false, look()->tags, tag);
+    const struct layout_point canvas = pointer_layout_size(false);
+    const vec3 tank_m = core.world.tank.size_m;
+    return v3(tank_m.x * ((box.x + 0.5f * box.width) / canvas.x - 0.5f), ABOVE_M,
+              tank_m.z * ((box.y + 0.5f * box.height) / canvas.y - 0.5f));
 }
 
 static void choose(void)
@@ -78,9 +100,11 @@ static void test_disabled_modes_are_skipped(void **state)
     assert_int_equal(look()->mode, MODE_FESTIVAL);
 }
 
-static void test_a_poi_selects_the_mode_of_its_part_of_the_tank(void **state)
+/* Checks the rules of recordings older than format 9. */
+static void test_under_the_rules_of_format_8_a_poi_selects_the_mode_of_its_section(void **state)
 {
     (void)state;
+    open_core(&(struct core_config){ .seed = 5, .fish_count = 12, .modes = ALL_MODES, .rules = 8 });
     hold(0, v3(RIGHT_M, ABOVE_M, 0.0f));
     choose();
     assert_int_equal(look()->mode, MODE_PRACTICE);
@@ -94,17 +118,138 @@ static void test_a_poi_selects_the_mode_of_its_part_of_the_tank(void **state)
     assert_int_equal(look()->mode, MODE_CHAMPIONSHIP);
 }
 
-static void test_a_dip_chooses_the_mode_under_it(void **state)
+static void test_a_moved_poi_selects_the_tag_below_it(void **state)
 {
     (void)state;
+    offer_levels(LEVEL_NORMAL, 1);
+    hold(0, v3(0.0f, ABOVE_M, -0.2f));
     choose();
-    dip(0, RIGHT_M, 0.0f);
-    assert_int_equal(core.game.phase, PHASE_READY);
-    assert_int_equal(look()->mode, MODE_PRACTICE);
-    offer_all(state);
+    assert_int_equal(look()->pointed_tags, 1u << 1);
+    for (uint32_t tag = 0; tag < MODE_TAG_COUNT; tag++) {
+        lead(0, above_tag(tag));
+        assert_int_equal(look()->pointed_tags, 1u << tag);
+        assert_int_equal(scene.choice, mode_tags[tag].mode);
+        assert_true(scene.player[0].has_hand);
+        assert_true(
+            pointer_is_inside(mode_tag_box(false, scene.tags, tag), 0.0f,
+                              (struct layout_point){ scene.player[0].x, scene.player[0].y }));
+    }
+    assert_int_equal(core.game.player[0].level, LEVEL_MASTER); /* The small tags keep the level. */
+    press(INPUT_LEFT); /* A resting poi does not override the buttons. */
+    ticks(60);
+    assert_int_equal(look()->choice, MODE_PRACTICE);
+}
+
+static void test_a_dip_chooses_the_tag_under_it(void **state)
+{
+    (void)state;
+    for (uint32_t tag = 0; tag < MODE_TAG_COUNT - 1u; tag++) {
+        offer_levels(LEVEL_NORMAL, 1);
+        hold(0, v3(0.0f, ABOVE_M, -0.2f));
+        choose();
+        const vec3 at_m = above_tag(tag);
+        lead(0, at_m);
+        press(INPUT_RIGHT);
+        dip(0, at_m.x, at_m.z);
+        assert_int_equal(core.game.phase, PHASE_READY);
+        assert_int_equal(core.game.mode, mode_tags[tag].mode);
+        /* On its way to the small tags the poi passes over the tag of LEVEL_MASTER. */
+        assert_int_equal(core.game.player[0].level, mode_tags[tag].level);
+    }
+}
+
+static void test_start_or_a_dip_at_once_begins_the_festival_at_the_configured_level(void **state)
+{
+    (void)state;
+    for (uint8_t level = 0; level < LEVEL_COUNT; level++) {
+        for (uint32_t dips = 0; dips < 2u; dips++) {
+            offer_levels(level, 1);
+            hold(0, above_tag(3)); /* The poi rests above the tag of the championship. */
+            ticks(60);
+            choose();
+            if (dips) {
+                lead(0, v3_add(input.poi[0].target.position_m, v3(0.0f, BELOW_M - ABOVE_M, 0.0f)));
+            } else {
+                press(INPUT_START);
+            }
+            assert_int_equal(core.game.phase, PHASE_READY);
+            assert_int_equal(core.game.mode, MODE_FESTIVAL);
+            assert_int_equal(core.game.player[0].level, level);
+        }
+    }
+}
+
+/* Only a connected poi counts: without this rule the absent players would make the fish calm. */
+static void test_the_fish_follow_the_easiest_level_of_the_players_with_a_poi(void **state)
+{
+    (void)state;
+    offer_levels(LEVEL_NORMAL, 4);
+    hold(0, v3(0.0f, ABOVE_M, -0.2f));
     choose();
-    dip(0, LEFT_M, 0.0f);
-    assert_int_equal(look()->mode, MODE_FESTIVAL);
+    lead(0, above_tag(2));
+    press(INPUT_START);
+    ticks(60);
+    assert_int_equal(core.game.player[0].level, LEVEL_MASTER);
+    assert_memory_equal(&core.world.tank.temper, &rules_of_level(LEVEL_MASTER)->temper,
+                        sizeof(struct temper));
+    hold(1, v3(0.2f, ABOVE_M, 0.0f)); /* A player who comes later has the configured level. */
+    ticks(60);
+    assert_int_equal(core.game.player[1].level, LEVEL_NORMAL);
+    assert_memory_equal(&core.world.tank.temper, &rules_of_level(LEVEL_NORMAL)->temper,
+                        sizeof(struct temper));
+}
+
+static void test_each_player_has_the_level_that_the_player_selected_last(void **state)
+{
+    (void)state;
+    static const uint8_t levels[] = { LEVEL_MASTER, LEVEL_EASY, LEVEL_NORMAL };
+    offer_levels(LEVEL_NORMAL, 3);
+    for (uint32_t i = 0; i < 3u; i++) {
+        hold(i, v3(0.1f * (float)i, ABOVE_M, -0.2f));
+    }
+    choose();
+    lead(0, above_tag(0));
+    lead(1, above_tag(2));
+    lead(1, above_tag(0));
+    lead(0, above_tag(2));
+    assert_int_equal(look()->pointed_tags, 7u);
+    press(INPUT_START);
+    for (uint32_t i = 0; i < 600u && core.game.phase != PHASE_ROUND; i++) {
+        tick();
+    }
+    assert_int_equal(core.game.mode, MODE_FESTIVAL);
+    for (uint32_t i = 0; i < 3u; i++) {
+        assert_int_equal(look()->player[i].level, levels[i]);
+        assert_float_equal(core.world.poi[i].sheet.radius_m,
+                           rules_of_level(levels[i])->ring_radius_m, 0.0f);
+        assert_int_equal(core.world.poi[i].sheet.grade,
+                         rules_grade_at_level(GAME_POI_GRADE, levels[i]));
+    }
+    assert_memory_equal(&core.world.tank.temper, &rules_of_level(LEVEL_EASY)->temper,
+                        sizeof(struct temper));
+}
+
+static void test_tags_do_not_overlap_and_are_on_the_canvas(void **state)
+{
+    (void)state;
+    for (uint32_t i = 0; i < 2u << CHOICE_COUNT; i++) {
+        const bool upright = i & 1u;
+        const struct layout_point canvas = pointer_layout_size(upright);
+        const uint32_t offered = mode_tags_offered((uint8_t)(i >> 1), true);
+        for (uint32_t a = 0; a < MODE_TAG_COUNT; a++) {
+            for (uint32_t b = 0; b < MODE_TAG_COUNT; b++) {
+                if (!(offered >> a & 1u) || !(offered >> b & 1u)) {
+                    continue;
+                }
+                const struct layout_box one = mode_tag_box(upright, offered, a);
+                const struct layout_box two = mode_tag_box(upright, offered, b);
+                assert_true(one.x >= 0.0f && one.x + one.width <= canvas.x);
+                assert_true(one.y >= 0.0f && one.y + one.height <= canvas.y);
+                assert_true(a == b || one.x + one.width <= two.x || two.x + two.width <= one.x ||
+                            one.y + one.height <= two.y || two.y + two.height <= one.y);
+            }
+        }
+    }
 }
 
 static void test_the_press_that_opens_the_selection_chooses_no_mode(void **state)
@@ -179,8 +324,7 @@ static void test_a_newly_opened_tank_has_no_returning_poi(void **state)
         tick();
     }
     assert_true(core.game.control[0].return_ticks > 0);
-    /* The selection follows the poi while the poi is still returning to the controller's
-     * position. */
+    press(INPUT_RIGHT);
     assert_int_equal(core.game.mode, MODE_CHAMPIONSHIP);
     press(INPUT_START);
     assert_int_equal(core.world.tank.preset, TANK_PRESET_OFFICIAL);
@@ -325,8 +469,13 @@ int main(void)
         TEST(test_a_single_mode_needs_no_selection),
         TEST(test_left_and_right_cycle_and_start_chooses_a_mode),
         TEST(test_disabled_modes_are_skipped),
-        TEST(test_a_poi_selects_the_mode_of_its_part_of_the_tank),
-        TEST(test_a_dip_chooses_the_mode_under_it),
+        TEST(test_under_the_rules_of_format_8_a_poi_selects_the_mode_of_its_section),
+        TEST(test_a_moved_poi_selects_the_tag_below_it),
+        TEST(test_a_dip_chooses_the_tag_under_it),
+        TEST(test_start_or_a_dip_at_once_begins_the_festival_at_the_configured_level),
+        TEST(test_the_fish_follow_the_easiest_level_of_the_players_with_a_poi),
+        TEST(test_each_player_has_the_level_that_the_player_selected_last),
+        TEST(test_tags_do_not_overlap_and_are_on_the_canvas),
         TEST(test_the_press_that_opens_the_selection_chooses_no_mode),
         TEST(test_fifteen_seconds_without_input_end_the_selection),
         TEST(test_a_moving_poi_keeps_the_selection_open),

@@ -196,7 +196,8 @@ static vec3 over_tag(uint32_t tag, float y_m)
 {
     const struct menu *menu = &rig.kiosk.core.game.menu;
     const struct layout_point canvas = pointer_layout_size(menu->upright);
-    const struct layout_box box = menu_box(menu->upright, menu->page, menu_enabled(menu), tag);
+    const struct layout_box box =
+        menu_box(menu->upright, menu->page, false, menu_enabled(menu), tag);
     const vec3 size_m = rig.kiosk.core.world.tank.size_m;
     return v3(size_m.x * ((box.x + 0.5f * box.width) / canvas.x - 0.5f), y_m,
               size_m.z * ((box.y + 0.5f * box.height) / canvas.y - 0.5f));

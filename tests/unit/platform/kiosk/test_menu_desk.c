@@ -394,7 +394,7 @@ static void drop(uint32_t coins)
 
 static void go_back(void)
 {
-    point_at(menu_tag_count(shown()->page) - 1u);
+    point_at(menu_tag_count(shown()->page, false) - 1u);
     push(INPUT_TEST);
 }
 

@@ -13,6 +13,7 @@
 #include <cmocka.h>
 
 #include "core/game/control/controller.h"
+#include "core/game/mode_tags.h"
 #include "core/tank/preset.h"
 #include "drivers/gamepad/gamepads.h"
 #include "drivers/null.h"
@@ -203,6 +204,67 @@ static uint32_t landed_in(uint32_t rounds, int flies, const char *what)
     return landed;
 }
 
+/* ---- Way from START to the first dip --------------------------------------------------------- */
+
+/* Moves the mouse in a straight line to (x, y) in the window, in 0.3 s. */
+static void glide_mouse(float x, float y)
+{
+    const float from_x = player.x, from_y = player.y;
+    for (int32_t i = 1; i <= 18; i++) {
+        player.x = from_x + (x - from_x) * (float)i / 18.0f;
+        player.y = from_y + (y - from_y) * (float)i / 18.0f;
+        SDL_Event event = { .type = SDL_MOUSEMOTION };
+        event.motion.x = (Sint32)player.x;
+        event.motion.y = (Sint32)player.y;
+        assert_int_equal(SDL_PushEvent(&event), 1);
+        frame();
+    }
+}
+
+static void click_mouse(void)
+{
+    for (uint32_t i = 0; i < 2u; i++) {
+        SDL_Event event = { .type = i == 0 ? SDL_MOUSEBUTTONDOWN : SDL_MOUSEBUTTONUP };
+        event.button.button = SDL_BUTTON_LEFT;
+        assert_int_equal(SDL_PushEvent(&event), 1);
+        frames(12);
+    }
+}
+
+static void say_nothing(void)
+{
+}
+
+/* Plays from START to the first dip with a mouse. The visitor looks for `look_s` at the selection,
+ * and clicks on `tag` or, if `tag` is MODE_TAG_COUNT, at once. Returns the time in seconds. */
+static float start_to_dip_s(uint32_t tag, float look_s)
+{
+    const struct kiosk_config config = { .core = { .seed = 1,
+                                                   .fish_count = 40,
+                                                   .modes = (1u << CHOICE_COUNT) - 1u,
+                                                   .level = LEVEL_NORMAL } };
+    const struct core *core = &player.kiosk.core;
+    assert_int_equal(kiosk_init(&player.kiosk, &player.hal, &config), CORE_OK);
+    glide_mouse(900.0f, 650.0f);
+    frames(20);
+    player.kiosk.input.pressed = INPUT_START;
+    const uint32_t start = core->game.tick;
+    frames(1u + (uint32_t)(look_s * 60.0f));
+    assert_int_equal(core->game.phase, PHASE_MODE_SELECT);
+    if (tag < MODE_TAG_COUNT) {
+        const struct layout_box box = mode_tag_box(false, (1u << MODE_TAG_COUNT) - 1u, tag);
+        glide_mouse(box.x + 0.5f * box.width, box.y + 0.5f * box.height);
+    }
+    click_mouse();
+    assert_int_equal(core->game.phase, PHASE_READY);
+    glide_mouse(640.0f, 330.0f);
+    while (core->world.poi[0].immersed <= 0.0f || core->game.phase != PHASE_ROUND) {
+        click_mouse();
+        assert_true(core->game.tick - start < 30u * CORE_TICK_HZ);
+    }
+    return (float)(core->game.tick - start) * CORE_TICK_S;
+}
+
 /* ---- Tests ---------------------------------------------------------------------------------- */
 
 static int begin(void **state)
@@ -254,11 +316,31 @@ static void test_a_touch_player_lands_fish(void **state)
     assert_true(landed_in(4, 0, "fingers") >= 4);
 }
 
+static void test_a_mouse_dips_within_eight_seconds_of_start_after_one_choice(void **state)
+{
+    (void)state;
+    mouse_poi_init(&player.pointer, player.hal.clock, stall_view(), WIDTH, HEIGHT,
+                   POINTER_FILTER_MOUSE);
+    player.hal.poi[0] = mouse_poi_devices(&player.pointer).poi;
+    player.say = say_nothing;
+    for (uint32_t tag = 0; tag < MODE_TAG_LEVELS; tag++) {
+        const float taken_s = start_to_dip_s(tag, 2.0f);
+        print_message("from START to the first dip: %.1f s\n", (double)taken_s);
+        assert_true(taken_s <= 8.0f);
+        assert_int_equal(player.kiosk.core.game.player[0].level, mode_tags[tag].level);
+        assert_int_equal(player.kiosk.core.game.mode, MODE_FESTIVAL);
+    }
+    assert_true(start_to_dip_s(MODE_TAG_COUNT, 0.6f) <= 6.0f);
+    assert_int_equal(player.kiosk.core.game.player[0].level, LEVEL_NORMAL);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(test_a_gamepad_player_lands_fish, begin, end),
         cmocka_unit_test_setup_teardown(test_a_touch_player_lands_fish, begin, end),
+        cmocka_unit_test_setup_teardown(
+            test_a_mouse_dips_within_eight_seconds_of_start_after_one_choice, begin, end),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -52,6 +52,8 @@ static const struct member core_parts[] = {
     MEMBER(core, game.phase),
     MEMBER(core, game.language),
     MEMBER(core, game.mode),
+    MEMBER(core, game.lab_chosen),
+    MEMBER(core, game.upright),
     MEMBER(core, game.bot_played),
     MEMBER(core, game.paused),
     MEMBER(core, game.call),
@@ -70,6 +72,7 @@ static const struct member core_parts[] = {
 static const struct member player_parts[] = {
     MEMBER(player, plays), MEMBER(player, out),       MEMBER(player, fouls),
     MEMBER(player, foul),  MEMBER(player, foul_tick), MEMBER(player, caught),
+    MEMBER(player, level), MEMBER(player, has_hand),  MEMBER(player, hand),
 };
 
 static const struct member fish_parts[] = {
@@ -194,7 +197,9 @@ static int players_look_the_same(void)
     for (uint32_t i = 0; i < POI_MAX; i++) {
         same = same && SAME_SCENE(player[i].plays) && SAME_SCENE(player[i].lost) &&
                SAME_SCENE(player[i].fouls) && SAME_SCENE(player[i].foul) &&
-               SAME_SCENE(player[i].foul_s) && SAME_SCENE(player[i].out);
+               SAME_SCENE(player[i].foul_s) && SAME_SCENE(player[i].out) &&
+               SAME_SCENE(player[i].level) && SAME_SCENE(player[i].has_hand) &&
+               SAME_SCENE(player[i].x) && SAME_SCENE(player[i].y);
     }
     return same;
 }
@@ -204,7 +209,9 @@ static int games_look_the_same(void)
     return SAME_SCENE(phase) && SAME_SCENE(language) && SAME_SCENE(hint) && SAME_SCENE(phase_s) &&
            SAME_SCENE(seconds_left) && SAME_SCENE(caught) && SAME_SCENE(best_today) &&
            SAME_SCENE(by_bot) && SAME_SCENE(mode) && SAME_SCENE(modes) && SAME_SCENE(grade) &&
-           SAME_SCENE(paused) && SAME_SCENE(call) && SAME_SCENE(call_s) && SAME_SCENE(offer);
+           SAME_SCENE(choice) && SAME_SCENE(tags) && SAME_SCENE(pointed_tags) &&
+           SAME_SCENE(upright) && SAME_SCENE(paused) && SAME_SCENE(call) && SAME_SCENE(call_s) &&
+           SAME_SCENE(offer);
 }
 
 static int look_the_same(const struct core *core, const struct core *other)

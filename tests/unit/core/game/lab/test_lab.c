@@ -35,6 +35,18 @@ static void test_a_poi_that_keeps_sinking_after_leaving_opens_nothing(void **sta
     assert_int_equal(core.game.phase, PHASE_LAB);
 }
 
+/* Moves a poi from the middle of the tank to a point on the tag of the lab, and dips there. */
+static void dip_at_the_tag(struct layout_point over)
+{
+    const struct layout_point canvas = pointer_layout_size(0);
+    const vec3 at_m = v3((over.x / canvas.x - 0.5f) * core.world.tank.size_m.x, ABOVE_M,
+                         (over.y / canvas.y - 0.5f) * core.world.tank.size_m.z);
+    hold(0, v3(0.0f, ABOVE_M, 0.0f));
+    ticks(60);
+    lead(0, at_m);
+    dip(0, at_m.x, at_m.z);
+}
+
 static void test_a_dip_in_the_mode_selection_opens_the_lab(void **state)
 {
     (void)state;
@@ -52,8 +64,7 @@ static void test_a_dip_in_the_mode_selection_opens_the_lab(void **state)
     assert_int_equal(scene.mode, MODE_PRACTICE);
     press(INPUT_RIGHT);
     assert_int_equal(look()->choice, MODE_FESTIVAL);
-    /* x = 0.40 m is in the rightmost quarter of the tank, over the fourth choice, the lab. */
-    dip(0, 0.40f, 0.0f);
+    dip_at_the_tag(middle_of(LAB_SMOOTH));
     assert_int_equal(core.game.phase, PHASE_LAB);
 }
 
@@ -64,9 +75,7 @@ static void test_the_dip_that_opens_the_lab_presses_no_part(void **state)
     open_core(&config);
     press(INPUT_START);
     ticks(GAME_MODE_SELECT_TICKS_MIN);
-    const struct layout_point over = middle_of(LAB_SMOOTH), canvas = pointer_layout_size(0);
-    dip(0, (over.x / canvas.x - 0.5f) * core.world.tank.size_m.x,
-        (over.y / canvas.y - 0.5f) * core.world.tank.size_m.z);
+    dip_at_the_tag(middle_of(LAB_SMOOTH)); /* The tag of the lab is below the same point. */
     ticks(30);
     assert_int_equal(core.game.phase, PHASE_LAB);
     assert_int_equal(core.game.lab.holds, HOLD_BUTTON);

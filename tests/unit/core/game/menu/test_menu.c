@@ -139,7 +139,7 @@ static void test_two_buttons_reach_every_page_and_return(void **state)
         for (uint32_t i = 0; i <= depth && core.game.phase == PHASE_MENU; i++) {
             /* LEFT moves the selection from the first enabled menu entry to the last one. */
             push(INPUT_LEFT);
-            while (pointed() != menu_tag_count(menu()->page) - 1u) {
+            while (pointed() != menu_tag_count(menu()->page, false) - 1u) {
                 push(INPUT_SERVICE);
             }
             push(INPUT_TEST);

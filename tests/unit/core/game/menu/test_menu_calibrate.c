@@ -352,8 +352,8 @@ static void test_a_skewed_poi_catches_fish_only_after_calibration(void **state)
     setup(state);
     calibrate_all();
     take(CALIBRATE_BACK);
-    take(menu_tag_count(MENU_DEVICES) - 1u);
-    take(menu_tag_count(MENU_TOP) - 1u);
+    take(menu_tag_count(MENU_DEVICES, false) - 1u);
+    take(menu_tag_count(MENU_TOP, false) - 1u);
     assert_int_equal(stall.core.game.phase, PHASE_ATTRACT);
     const uint32_t caught = play_a_round();
     print_message("calibrated it caught %u\n", caught);

@@ -8,7 +8,7 @@ static void hold_over(uint32_t tag, float y_m)
 {
     const int upright = input.upright;
     const struct layout_point canvas = pointer_layout_size(upright);
-    const struct layout_box box = menu_box(upright, menu()->page, menu_enabled(menu()), tag);
+    const struct layout_box box = menu_box(upright, menu()->page, false, menu_enabled(menu()), tag);
     assert_true(box.width > 0.0f);
     input.poi[0] = (struct poi_input){
         .link = POI_SOURCE_LIVE,
@@ -60,7 +60,7 @@ static void test_a_poi_alone_reaches_every_page_on_both_screens(void **state)
         tap(menu_tag_of(MENU_LINES));
         assert_int_equal(menu()->page, MENU_LINES);
         tap(LINES_BACK);
-        tap(menu_tag_count(MENU_DEVICES) - 1u);
+        tap(menu_tag_count(MENU_DEVICES, false) - 1u);
         tap(leave());
         assert_int_equal(core.game.phase, PHASE_ATTRACT);
     }
@@ -175,9 +175,9 @@ static void test_a_resting_poi_selects_no_tag_as_the_menu_opens(void **state)
 static void expect_apart(int upright, uint8_t page, uint16_t offered)
 {
     const struct layout_point canvas = pointer_layout_size(upright);
-    const uint32_t count = menu_tag_count(page);
+    const uint32_t count = menu_tag_count(page, false);
     for (uint32_t a = 0; a < count; a++) {
-        const struct layout_box box = menu_box(upright, page, offered, a);
+        const struct layout_box box = menu_box(upright, page, false, offered, a);
         if (!(offered >> a & 1u)) {
             assert_true(box.width <= 0.0f);
             continue;
@@ -185,7 +185,7 @@ static void expect_apart(int upright, uint8_t page, uint16_t offered)
         assert_true(box.x >= 0.0f && box.y >= 0.0f);
         assert_true(box.x + box.width <= canvas.x && box.y + box.height <= canvas.y);
         for (uint32_t b = 0; b < a; b++) {
-            const struct layout_box other = menu_box(upright, page, offered, b);
+            const struct layout_box other = menu_box(upright, page, false, offered, b);
             const int apart = other.width <= 0.0f || other.x + other.width <= box.x ||
                               box.x + box.width <= other.x || other.y + other.height <= box.y ||
                               box.y + box.height <= other.y;
@@ -200,7 +200,7 @@ static void test_no_two_tags_overlap_and_all_are_on_the_canvas(void **state)
 {
     (void)state;
     for (uint8_t page = 0; page < MENU_PAGE_COUNT; page++) {
-        const uint32_t all = 1u << menu_tag_count(page);
+        const uint32_t all = 1u << menu_tag_count(page, false);
         for (uint32_t offered = 1; offered < all; offered += 1u + all / 512u) {
             expect_apart(0, page, (uint16_t)offered);
             expect_apart(1, page, (uint16_t)offered);

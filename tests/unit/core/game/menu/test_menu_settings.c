@@ -49,7 +49,7 @@ static void go_to(uint8_t page)
 
 static void go_back(void)
 {
-    take(menu_tag_count(menu()->page) - 1u);
+    take(menu_tag_count(menu()->page, false) - 1u);
 }
 
 /* Opens a kiosk with default settings and with a store that saves every entry, and opens the
@@ -70,7 +70,7 @@ static int setup_menu(void **state)
 static uint32_t row_of(uint8_t page, uint32_t id)
 {
     uint32_t tag = 0;
-    while (menu_setting_at(page, tag) != id) {
+    while (menu_setting_at(page, false, tag) != id) {
         assert_true(++tag < MENU_TAG_MAX);
     }
     return tag;
@@ -78,7 +78,7 @@ static uint32_t row_of(uint8_t page, uint32_t id)
 
 static uint32_t foot(uint32_t index)
 {
-    return menu_body_count(menu()->page) + index;
+    return menu_body_count(menu()->page, false) + index;
 }
 
 /* Returns the newest entry of the ledger. */
@@ -119,6 +119,31 @@ static void test_the_level_of_the_menu_is_the_level_of_the_next_round(void **sta
     for (size_t i = 0; i < sizeof way; i++) {
         push(INPUT_TEST);
         assert_int_equal(core.config.level, way[i]);
+    }
+}
+
+/* Recordings older than format 9 contain the presses of buttons for a menu without this row. */
+static void test_under_the_rules_of_format_8_the_menu_has_no_row_for_the_level(void **state)
+{
+    (void)state;
+    static const struct {
+        uint8_t rules, body_count;
+    } menus[] = { { 0, 8 }, { 8, 7 } };
+    for (size_t i = 0; i < sizeof menus / sizeof *menus; i++) {
+        go_back(); /* Closes the menu. */
+        core.config.rules = menus[i].rules;
+        push(INPUT_TEST);
+        go_to(MENU_GAME);
+        for (uint32_t row = 0; row + 1u < menus[i].body_count; row++) {
+            push(INPUT_SERVICE);
+        }
+        push(INPUT_TEST); /* The last row opens the page of the modes. */
+        assert_int_equal(menu()->page, MENU_MODES);
+        go_back();
+        push(INPUT_LEFT);
+        assert_int_equal(menu()->tag[MENU_GAME], menus[i].body_count + SETTINGS_FEET - 1u);
+        push(INPUT_TEST);
+        assert_int_equal(menu()->page, MENU_TOP);
     }
 }
 
@@ -203,8 +228,8 @@ static void test_every_setting_is_on_exactly_one_page(void **state)
     for (uint32_t id = 0; id < SET_CALIBRATION; id++) {
         uint32_t rows = 0;
         for (uint8_t page = 0; page < MENU_PAGE_COUNT; page++) {
-            for (uint32_t tag = 0; tag < menu_body_count(page); tag++) {
-                rows += menu_setting_at(page, tag) == id;
+            for (uint32_t tag = 0; tag < menu_body_count(page, false); tag++) {
+                rows += menu_setting_at(page, false, tag) == id;
             }
         }
         /* Each setting has one row on one page. Only the PIN has no row, because it is entered as
@@ -240,7 +265,7 @@ static void test_a_poi_under_water_repeats_the_change(void **state)
     (void)state;
     go_to(MENU_SOUND);
     const struct layout_box box =
-        menu_box(0, MENU_SOUND, menu_enabled(menu()), row_of(MENU_SOUND, SET_VOLUME));
+        menu_box(0, MENU_SOUND, false, menu_enabled(menu()), row_of(MENU_SOUND, SET_VOLUME));
     const struct layout_point canvas = pointer_layout_size(0);
     input.poi[0] = (struct poi_input){
         .link = POI_SOURCE_LIVE,
@@ -632,6 +657,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         IN_MENU(test_an_activation_increments_a_value_and_wraps_around),
         IN_MENU(test_the_level_of_the_menu_is_the_level_of_the_next_round),
+        IN_MENU(test_under_the_rules_of_format_8_the_menu_has_no_row_for_the_level),
         IN_MENU(test_the_footer_decrements_a_value_and_restores_the_default),
         IN_MENU(test_a_setting_changed_elsewhere_enables_its_default),
         IN_MENU(test_an_unchanged_setting_is_not_shown_as_saved),

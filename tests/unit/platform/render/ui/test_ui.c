@@ -189,6 +189,8 @@ static void test_each_offered_mode_has_a_tag_and_the_selected_tag_is_raised(void
     for (uint8_t modes = 1; modes < 1u << CHOICE_COUNT; modes++) {
         set_scene(PHASE_MODE_SELECT, LANGUAGE_JA, HINT_CHOOSE, 3.0f);
         scene.modes = modes;
+        scene.tags = (uint8_t)mode_tags_offered(modes, true);
+        scene.pointed_tags = (uint8_t)(scene.tags & (0u - scene.tags)); /* The first tag. */
         scene.choice = 0;
         while ((modes >> scene.choice & 1u) == 0) {
             scene.choice++;
@@ -198,7 +200,7 @@ static void test_each_offered_mode_has_a_tag_and_the_selected_tag_is_raised(void
         scene.tick += 60; /* The curtain needs 60 ticks to rise. */
         lay_out(sizes[0]);
         const uint32_t offered =
-            (modes & 1u) + (modes >> 1 & 1u) + (modes >> 2 & 1u) + (modes >> 3);
+            (modes & 1u) * MODE_TAG_LEVELS + (modes >> 1 & 1u) + (modes >> 2 & 1u) + (modes >> 3);
         assert_int_equal(quads_of(UI_WOOD), offered);
         float first_top = 0.0f, other_top = 1e9f;
         for (uint32_t i = 0; i < batch.quad_count; i++) {
@@ -252,11 +254,11 @@ static void test_a_rising_tag_and_a_sinking_tag_move_together(void **state)
 {
     (void)state;
     set_scene(PHASE_MODE_SELECT, LANGUAGE_JA, HINT_CHOOSE, 3.0f);
-    memory = (struct ui_memory){ 0 };
+    memory = (struct ui_memory){ .pointed = 1u }; /* The first tag has already risen. */
     lay_out(sizes[0]);
     const float high = tag_top(0), low = tag_top(1);
     assert_true(high < low - 10.0f);
-    scene.mode = scene.choice = MODE_CHAMPIONSHIP;
+    scene.pointed_tags = 2u;
     lay_out(sizes[0]);
     /* The wooden tag of the old mode must not jump when it begins to sink. */
     assert_float_equal(tag_top(0), high, 0.1f);

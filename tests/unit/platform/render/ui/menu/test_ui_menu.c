@@ -139,7 +139,7 @@ static void test_every_menu_page_fits_the_screen(void **state)
     for (uint32_t k = 0; k < SIZE_COUNT * MENU_PAGE_COUNT * LANGUAGE_COUNT; k++) {
         const uint32_t size = k % SIZE_COUNT;
         const uint8_t page = (uint8_t)(k / SIZE_COUNT % MENU_PAGE_COUNT);
-        const uint32_t all = (1u << menu_tag_count(page)) - 1u;
+        const uint32_t all = (1u << menu_tag_count(page, false)) - 1u;
         const uint32_t last = (all + 1u) / 2u;
         for (uint8_t step = 0; step < LEARN_STEP_COUNT; step++) {
             for (uint32_t bare = 0; bare < 2u; bare++) {
@@ -164,7 +164,7 @@ static void test_every_menu_word_is_readable_from_one_metre(void **state)
     (void)state;
     for (uint32_t k = 0; k < MENU_PAGE_COUNT * LANGUAGE_COUNT * LEARN_STEP_COUNT; k++) {
         const uint8_t page = (uint8_t)(k % MENU_PAGE_COUNT);
-        const uint32_t all = (1u << menu_tag_count(page)) - 1u;
+        const uint32_t all = (1u << menu_tag_count(page, false)) - 1u;
         set_page(page, (uint16_t)all, (uint8_t)(k / MENU_PAGE_COUNT % LANGUAGE_COUNT), 0);
         scene.menu.controllers.learn_step = (uint8_t)(k / (MENU_PAGE_COUNT * LANGUAGE_COUNT));
         memset(&scene.devices, 0, sizeof scene.devices);
@@ -452,7 +452,7 @@ static void test_a_setting_shows_its_range_and_unit(void **state)
 static uint32_t quads_of(uint8_t page)
 {
     scene.menu.page = page;
-    scene.menu.tags = (uint16_t)((1u << menu_tag_count(page)) - 1u);
+    scene.menu.tags = (uint16_t)((1u << menu_tag_count(page, false)) - 1u);
     lay_out(0);
     expect_inside(0);
     return batch.quad_count;
