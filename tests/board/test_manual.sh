@@ -17,12 +17,15 @@ words_are_the_menus() {
         sed -n 's/^[a-z0-9_]* = //p' "$words" | grep -qF -- "$word" || { echo "the menu lacks $word"; return 1; }
     done <"$work/japanese"
 }
+# Prints the anchors of the second-level headings of PAGE.
+anchors() { sed -n 's/^## //p' "$1" | tr 'A-Z ' 'a-z-' | tr -d ,; }
 links_lead_somewhere() {
-    local to
+    local to page
     grep -oE '\]\([^)]+\)' "$manual" | sed 's/^](//; s/)$//' | sort -u >"$work/links"
     while read -r to; do
         case $to in
-        \#*) sed -n 's/^## //p' "$manual" | tr 'A-Z ' 'a-z-' | tr -d , | grep -qx -- "${to#\#}" ;;
+        \#*) anchors "$manual" | grep -qx -- "${to#\#}" ;;
+        *\#*) page=board/${to%%\#*} && [ -e "$page" ] && anchors "$page" | grep -qx -- "${to#*\#}" ;;
         *) [ -e "board/$to" ] ;;
         esac || { echo "$to leads nowhere"; return 1; }
     done <"$work/links"
