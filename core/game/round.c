@@ -176,7 +176,7 @@ static void begin_result(struct game *game, struct world *world, const struct co
     if (!game->accounts.credit.came_back) {
         score_keep(game, world, config, credit_award_tickets(&game->accounts, game, config),
                    output);
-        album_give_presents(game, world, config);
+        album_give_presents(&game->album, game->player, world, config);
     }
     output_sound(output, SOUND_RESULT, 1.0f, 0.0f);
 }

@@ -73,15 +73,15 @@ static bool is_present(const struct game *game, const struct album_fish *fish)
     return game->player[fish->owner].caught == 0;
 }
 
-void album_give_presents(struct game *game, struct world *world, const struct core_config *config)
+void album_give_presents(struct album *album, const struct player player[POI_MAX],
+                         struct world *world, const struct core_config *config)
 {
-    struct album *album = &game->album;
     struct tank *tank = &world->tank;
     uint32_t last = ALBUM_FISH_MAX; /* On a full page, presents replace the fish from the last. */
     for (uint32_t i = 0; i < POI_MAX && config_has_rules(config, 9); i++) {
         struct bowl *bowl = &world->bowl[i];
         const uint32_t fish = nearest_fish(tank, bowl->position_m);
-        if (!game->player[i].plays || game->player[i].caught != 0 || !bowl->present ||
+        if (!player[i].plays || player[i].caught != 0 || !bowl->present ||
             fish == tank->fish_count) {
             continue;
         }

@@ -61,7 +61,8 @@ void album_note(struct album *album, const struct world *world, uint32_t index, 
  * is nearest to the player's bowl. The fish moves into the bowl and to the page of the album. If
  * the page is full, the present replaces the last fish that was caught. A present changes neither
  * the score nor the tickets. Does nothing in the replay of a recording older than format 9. */
-void album_give_presents(struct game *game, struct world *world, const struct core_config *config);
+void album_give_presents(struct album *album, const struct player player[POI_MAX],
+                         struct world *world, const struct core_config *config);
 
 /* Returns true if player `index` has a present in the album. */
 bool album_has_present(const struct game *game, uint32_t index);
