@@ -347,7 +347,7 @@ static void test_random_players_with_all_modes_are_safe(void **state)
         .players = 2,
         .modes = (1u << MODE_COUNT) - 1u,
     };
-    play(&config, MINUTES(2) / 2u);
+    play(&config, MINUTES(3));
     assert_true(tally.rounds > 1 && tally.championships > 0);
 }
 
