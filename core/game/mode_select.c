@@ -205,6 +205,7 @@ void game_mode_select_tick(struct game *game, struct world *world, struct core_c
     const uint32_t offered = offered_tags(config), count = count_bits(offered);
     const uint32_t dipped = controller_dipped_player(game, world, input);
     const uint32_t lead = game_mode_select_lead(world);
+    CORE_ASSERT(count > 0);
     game->upright = config_has_rules(config, 9) && input->upright;
     point_by_pois(game, world, config, input, output);
     if (dipped < POI_MAX && game->player[dipped].points > 0) {

@@ -55,7 +55,8 @@ static void arrow(const struct ui_frame *frame, struct spot from, struct spot to
     const float length = fmaxf(hypotf(to.x, to.y), 1.0f), u = frame->unit;
     const float head = fminf(15.0f * u, 0.6f * length) / length, width = 5.0f * u;
     stroke(frame, from, (struct spot){ 0.0f, 0.0f }, to, width, colour);
-    for (float side = -0.7f; side < 1.0f; side += 1.4f) {
+    for (int i = -1; i <= 1; i += 2) {
+        const float side = 0.7f * (float)i;
         const struct spot barb = { to.x - head * (to.x + side * to.y),
                                    to.y - head * (to.y - side * to.x) };
         stroke(frame, from, barb, to, width, colour);
@@ -179,14 +180,16 @@ static void draw_cause(const struct ui_frame *frame, uint8_t cause, struct spot 
     stroke(frame, at, left, sag, 5.0f * u, UI_INK);
     stroke(frame, at, sag, right, 5.0f * u, UI_INK);
     if (cause == TEAR_FLAT) {
-        for (float x = -28.0f; x < 30.0f; x += 28.0f) {
-            arrow(frame, (struct spot){ at.x + x * u, at.y - 20.0f * u }, down, UI_VERMILION);
+        for (int i = -1; i <= 1; i++) {
+            const float x = at.x + 28.0f * (float)i * u;
+            arrow(frame, (struct spot){ x, at.y - 20.0f * u }, down, UI_VERMILION);
         }
     } else {
         ui_fish_sign(frame, at.x, at.y + (cause == TEAR_WEIGHT ? 2.0f : -8.0f) * u, 66.0f * u);
     }
     if (cause == TEAR_SLAP) { /* Three short lines show the blow of the tail on the paper. */
-        for (float lean = -1.0f; lean < 1.5f; lean += 1.0f) {
+        for (int i = -1; i <= 1; i++) {
+            const float lean = (float)i;
             stroke(frame, (struct spot){ at.x + 36.0f * u, at.y + 8.0f * u },
                    (struct spot){ 6.0f * lean * u, -6.0f * u },
                    (struct spot){ 16.0f * lean * u, -18.0f * u }, 4.0f * u, UI_VERMILION);
