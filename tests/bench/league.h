@@ -27,7 +27,8 @@ struct league {
     double took_s;
 };
 
-/* Adds an arm, unless an arm with the same plan exists. Returns the index of the arm. */
+/* Adds an arm (a way to play) with the plan `plan`, unless one with the same plan exists. Returns
+ * the index of the arm with this plan. */
 uint32_t league_arm(struct league *league, const char *name, const struct round_plan *plan);
 
 /* Plays all arms. Returns EXIT_OK, or an error that was printed. The results stay valid until

@@ -28,7 +28,7 @@ struct tally {
 
 struct cutter {
     const struct tape *tape;
-    /* Sums of the entries 1 to n, indexed by n. */
+    /* books[n] has the totals (coins, rounds, balance) after the ledger entries 1 to n. */
     const struct books *books;
     const char *folder; /* Folder in which the test writes the files after a cut. */
     uint32_t ways;      /* Number of different power cuts to simulate after each operation. */

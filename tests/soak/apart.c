@@ -179,9 +179,8 @@ static void check_ring(struct apart *apart, const struct poi *poi, const struct 
     }
 }
 
-/* Returns the approximate depth of a point inside the bowl's hull (a first-order approximation). A
- * negative value means that the point is outside. check_hull() calls this for a lattice of points
- * of each box. */
+/* Returns how far a point is inside the bowl's hull, as the first-order approximation of the
+ * distance to the hull's surface; negative for a point outside. */
 static float point_in_hull_m(const struct bowl *bowl, vec3 point_m)
 {
     const vec3 p = v3_sub(point_m, bowl->position_m);

@@ -114,7 +114,8 @@ void drag_tick(struct drag *drag)
         bowl_empty(&core->world.bowl[0], 0, &core->world.tank);
     }
     if (core->game.tick - core->game.phase_tick > CORE_TICK_HZ) {
-        /* Cancels the advance of the round's clock, so that the round never ends. */
+        /* Moves the start of the phase one tick later. The time since the start stays the same, so
+         * the round never ends. */
         core->game.phase_tick++;
     }
     tick_core(drag);

@@ -1,5 +1,5 @@
-/* easel.c -- implementation of easel.h. Its cameras include a view through the tank's side wall,
- * which the kiosk does not offer. */
+/* easel.c -- renders pictures of a tank with the kiosk's renderer and without a screen. The cameras
+ * include a view through the side wall of the tank, which the kiosk does not offer. */
 #include "tests/thesis/easel.h"
 
 #include <stdio.h>

@@ -139,9 +139,9 @@ static enum exit_code draw_growth(const struct morph_options *pick)
 
 /* ---- Input models ---------------------------------------------------------------------------- */
 
-/* Sets `portrait` to the key shape that the game blends. If the graph is solved, this shape is an
- * exaggeration of the drawn key, which compensates a blend weight below 1 (graph_solve()).
- * Otherwise both shapes are equal. */
+/* Sets `portrait` to the shape that the game blends for key `key`: the shape of the species text,
+ * or its exaggeration if graph_solve() computed one. The exaggeration compensates a blend weight
+ * that never reaches 1. */
 static void take_model(const struct morph_options *pick, uint32_t key)
 {
     const struct species_mesh *mesh = &pick->fish->lod[0];

@@ -4,7 +4,8 @@
 
 #include "core/game/menu/menu_pages.h"
 
-/* Returns the tag of the parent page that opens `page`, or MENU_TAG_MAX if no tag opens `page`. */
+/* Returns the index of the menu item (tag) that opens `page`, an item of the parent page of `page`.
+ * Returns MENU_TAG_MAX if there is none. */
 static inline uint32_t menu_tag_of(uint8_t page)
 {
     const uint8_t parent = menu_page_desc_of(page)->parent;

@@ -59,8 +59,9 @@ static void test_weights_are_never_negative_and_sum_to_one(void **state)
     }
 }
 
-/* Three keys may have a weight at the same time. The numbers are those of the thesis' second
- * template (section 4.2), in which the middle shape has at most 70 %. */
+/* Checks a graph in which three keys have a weight at the same time. The weights in the middle, 15,
+ * 70 and 15 %, are those of the second graph of the thesis (section 4.2), in which the middle key
+ * never has a weight above 70 %. */
 static void test_a_graph_of_three_keys_keeps_its_sum_between_knots(void **state)
 {
     (void)state;

@@ -56,8 +56,8 @@ static void test_the_pull_is_equation_3_5_per_second(void **state)
     }
 }
 
-/* In figure 3.7 of the thesis the field ends at twice the fan's radius. Beyond that, the formula
- * would push fish away. */
+/* The pull of a fan's shadow ends at twice the fan's radius (figure 3.7 of the thesis). Farther
+ * away, equation 3.5 gives a negative pull, which would push fish away. */
 static void test_a_shade_has_no_pull_beyond_twice_its_radius(void **state)
 {
     (void)state;

@@ -116,7 +116,8 @@ static void test_a_pulse_ends_at_the_level_that_was_read_before_its_edges(void *
     assert_false(level(&input, 102, true));
     assert_false(level(&input, 107, true));
     assert_false(level(&input, 117, false));
-    /* The edge at 100 ms is read only at 170 ms. */
+    /* The falling edge has the time 170 ms, but the line was already read as low at 117 ms, so the
+     * pulse ended then. */
     assert_true(edge(&input, 100, false, 0));
     assert_change(100, true);
     assert_true(edge(&input, 170, false, 0));

@@ -69,8 +69,9 @@ static void reports(uint32_t count)
     }
 }
 
-/* ---- Controllers ---------------------------------------------------------------------------- */
+/* ---- Reports of the simulated controllers --------------------------------------------------- */
 
+/* Projects a point of the tank to pixels on the screen, for controllers that move a pointer. */
 static void to_screen(vec3 point, float *x_px, float *y_px)
 {
     const struct view *view = &tank_preset(TANK_PRESET_FESTIVAL)->view;

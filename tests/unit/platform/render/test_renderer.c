@@ -97,8 +97,8 @@ static float reddest(const uint8_t rgb[PIXELS_SIZE], uint32_t top, uint32_t bott
     return most;
 }
 
-/* Returns the redness of a fish of this age in air. The fish is drawn from its left side and fills
- * the middle of the picture. */
+/* Returns the redness of a fish that is `age_days` old and lies on a poi, out of the water. The
+ * camera sees its left side, and the fish fills the middle of the picture. */
 static float red_in_hand(float age_days)
 {
     core_scene(&core, &scene);

@@ -474,10 +474,11 @@ static bool is_beside(const char *suffix)
 static void keep_eight_and_close(void)
 {
     assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
+    /* The first pass of the loop also makes the backup. The backup therefore has only ledger entry
+     * 1, and the database has all eight. */
     for (uint32_t id = 1; id <= 8; id++) {
         assert_int_equal(keep(id), HAL_OK);
-        storage_work(&storage); /* The first call also makes the backup, which contains only entry
-                                   1. */
+        storage_work(&storage);
     }
     device.ledger.ops->close(device.ledger.self);
     storage = (struct storage){ .dir = dir, .without_thread = true };

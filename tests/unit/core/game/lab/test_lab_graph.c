@@ -189,8 +189,8 @@ static void test_a_failed_save_is_reported(void **state)
     tap(LAB_SAVE);
     assert_int_equal(output.edit.id, 2);
     input.edit_saved_id = 2;
-    /* `edit_refused` reports the failure of a later save. Save 2 was written, so the page shows
-     * success. */
+    /* Save 2 is on the disk. A failure that the store then reports (`edit_refused`) belongs to
+     * another save, so the page still shows that save 2 succeeded. */
     input.edit_refused = 1;
     tick();
     assert_int_equal(look()->lab.keeping, LAB_SAVED);
