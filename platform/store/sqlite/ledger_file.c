@@ -44,7 +44,7 @@ const char *ledger_file_error(int code)
  *
  * After a failed fsync() Linux marks the pages clean. A read then returns the new bytes while the
  * disk keeps the old bytes, and a later fsync() writes nothing and returns 0. A log that is opened
- * may contain such pages, from this process or from a process that was killed. Therefore each byte
+ * may contain such pages, from this process or from a process that was killed. Therefore each used byte
  * of the log is written again and synced before SQLite may copy the log into the database, and
  * before an entry from the log counts as stored. Writing equal bytes in place is always safe,
  * because each sector contains either its old bytes or the bytes that were read.
@@ -79,8 +79,39 @@ void ledger_log_distrust(struct ledger_file *file)
     sqlite3_wal_hook(file->db, after_commit, file);
 }
 
-/* Writes every page of the write-ahead log again and syncs the log, because after a failed sync the
- * pages may exist only in the kernel's cache. The write lock prevents another program from
+static uint32_t big_endian_32(const uint8_t bytes[4])
+{
+    return (uint32_t)bytes[0] << 24 | (uint32_t)bytes[1] << 16 | (uint32_t)bytes[2] << 8 | bytes[3];
+}
+
+/* Sets `used` to the number of bytes of the log that SQLite may read: the header and the frames
+ * with the salt of the header. The rest of the file may be large: frames from before the log was
+ * restarted, or anything that another program wrote. Returns a code of SQLite. Format:
+ * https://sqlite.org/fileformat2.html#walformat */
+static int log_used_bytes(sqlite3_file *log, sqlite3_int64 *used)
+{
+    enum { HEADER = 32, FRAME_HEADER = 24, SALT = 8 };
+    uint8_t header[HEADER] = { 0 }, frame[FRAME_HEADER];
+    sqlite3_int64 size = 0;
+    int code = log->pMethods->xFileSize(log, &size);
+    *used = size < HEADER ? size : HEADER;
+    if (code == SQLITE_OK && size >= HEADER) {
+        code = log->pMethods->xRead(log, header, HEADER, 0);
+    }
+    const uint32_t page = big_endian_32(&header[8]);
+    const sqlite3_int64 step = FRAME_HEADER + (sqlite3_int64)page;
+    while (code == SQLITE_OK && page > 0 && size - *used >= step) {
+        code = log->pMethods->xRead(log, frame, FRAME_HEADER, *used);
+        if (memcmp(&frame[8], &header[16], SALT) != 0) {
+            break;
+        }
+        *used += step;
+    }
+    return code;
+}
+
+/* Writes the used part of the write-ahead log again and syncs the log, because after a failed sync
+ * the pages may exist only in the kernel's cache. The write lock prevents another program from
  * restarting the log during the rewrite. */
 int ledger_log_secure(struct ledger_file *file)
 {
@@ -95,7 +126,7 @@ int ledger_log_secure(struct ledger_file *file)
     if (code == SQLITE_OK) {
         uint8_t bytes[CHUNK];
         sqlite3_int64 size = 0;
-        code = log->pMethods->xFileSize(log, &size);
+        code = log_used_bytes(log, &size);
         for (sqlite3_int64 at = 0; code == SQLITE_OK && at < size; at += CHUNK) {
             const int count = size - at < CHUNK ? (int)(size - at) : CHUNK;
             code = log->pMethods->xRead(log, bytes, count, at);

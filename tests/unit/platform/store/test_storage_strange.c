@@ -1,5 +1,5 @@
 /* test_storage_strange.c -- Tests FIFOs, links, devices, sockets and folders at the paths of files
- * in the data folder.
+ * in the data folder, and a log of 1 GiB.
  *
  * A start must not block, must not write through these objects, and must report each of them in one
  * line. */
@@ -209,6 +209,46 @@ static void test_a_link_in_place_of_the_database_is_reported_and_not_followed(vo
     }
 }
 
+/* Leaves a database with a write-ahead log that has all entries, as after SIGKILL. */
+static void fill_and_kill(void)
+{
+    char command[400];
+    fill_and_close();
+    assert_int_equal(begin(), HAL_OK);
+    assert_int_equal(keep(4), HAL_OK);
+    storage_work(&storage);
+    snprintf(command, sizeof command,
+             "mkdir %s && cp --preserve %s/" STORAGE_FILE " %s/" STORAGE_FILE "-wal %s", victim,
+             dir, dir, victim);
+    assert_int_equal(system(command), 0);
+    assert_int_equal(device.ledger.ops->close(device.ledger.self), 0);
+    snprintf(command, sizeof command, "cp %s/* %s && rm -r %s", victim, dir, victim);
+    assert_int_equal(system(command), 0);
+}
+
+/* The log has a size of 1 GiB, of which all bytes behind the frames are a hole that needs no space
+ * on the disk. If the store wrote these bytes again, they would fill the disk, and a start would
+ * take minutes. */
+static void test_a_huge_log_is_rewritten_only_as_far_as_its_frames(void **state)
+{
+    (void)state;
+    static void (*const fills[])(void) = { fill_and_close, fill_and_kill };
+    for (uint32_t i = 0; i < 2; i++) {
+        static struct persistent_state memory;
+        struct stat log;
+        fills[i]();
+        const int file = open(in_dir(STORAGE_FILE "-wal"), O_WRONLY | O_CREAT, 0600);
+        assert_int_equal(ftruncate(file, (off_t)1 << 30), 0);
+        close(file);
+        assert_int_equal(begin(), HAL_OK);
+        assert_int_equal(stat(in_dir(STORAGE_FILE "-wal"), &log), 0);
+        assert_true(log.st_blocks < 4096); /* Blocks of 512 bytes: 2 MiB. */
+        assert_int_equal(device.ledger.ops->load(device.ledger.self, &memory), HAL_OK);
+        assert_int_equal(memory.ledger.last_id, 3 + i);
+        assert_int_equal(device.ledger.ops->close(device.ledger.self), 0);
+    }
+}
+
 static void test_a_non_regular_file_at_a_temporary_path_is_no_obstacle(void **state)
 {
     (void)state;
@@ -286,6 +326,7 @@ int main(void)
         TEST(test_a_non_regular_file_beside_the_database_is_quarantined),
         TEST(test_a_non_regular_file_in_place_of_the_database_is_replaced_by_the_backup),
         TEST(test_a_link_in_place_of_the_database_is_reported_and_not_followed),
+        TEST(test_a_huge_log_is_rewritten_only_as_far_as_its_frames),
         TEST(test_a_non_regular_file_at_a_temporary_path_is_no_obstacle),
         TEST(test_file_handle_opens_only_regular_files),
         TEST(test_mapping_and_usb_files_must_be_regular_files),
