@@ -281,7 +281,7 @@ static uint32_t storage_close(void *self)
     }
     const uint32_t lost_edits = storage_unwritten_edits(storage);
     if (unsaved > 0) {
-        text_refused(storage, atomic_load(&storage->error), "they are lost");
+        text_refused(storage, atomic_load(&storage->error), "they may be lost");
     } else if (lost_edits > 0) {
         set_text(storage, "store: a graph was not written",
                  strerror(atomic_load(&storage->edit_error)), "it is lost");
