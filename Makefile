@@ -58,7 +58,7 @@ LIB_LIBS = $(eval LIB_LIBS := $$(shell pkg-config --libs $(PACKAGES)))$(LIB_LIBS
 FOUND := $(BUILD)/found.txt
 FOUND_TOOLS := $(BUILD)/found-tools.txt
 # Evaluated here, because a target with flags of its own passes these flags to its prerequisites.
-FOUND_FLAGS := $(CORE_CFLAGS)
+FOUND_FLAGS := $(CORE_CFLAGS) $(HARDEN_CFLAGS) $(TIME_CFLAGS)
 replace_if_other = { cmp -s $@.new $@ && rm $@.new || mv $@.new $@; }
 
 # $(call sources,FOLDER) lists every C file in FOLDER and its subfolders.
