@@ -44,8 +44,8 @@ const char *ledger_file_error(int code)
  *
  * After a failed fsync() Linux marks the pages clean. A read then returns the new bytes while the
  * disk keeps the old bytes, and a later fsync() writes nothing and returns 0. A log that is opened
- * may contain such pages, from this process or from a process that was killed. Therefore each used byte
- * of the log is written again and synced before SQLite may copy the log into the database, and
+ * may contain such pages, from this process or from a process that was killed. Therefore each used
+ * byte of the log is written again and synced before SQLite may copy the log into the database, and
  * before an entry from the log counts as stored. Writing equal bytes in place is always safe,
  * because each sector contains either its old bytes or the bytes that were read.
  *
