@@ -67,16 +67,18 @@ const char *report_advice(const struct day *day)
     const struct day_sums all = report_sums(day, REPORT_ALL, REPORT_ALL);
     const uint32_t empty = all.played - all.with_fish;
     if (all.declined > all.left && all.declined > empty) {
-        return "most of the others found the price too high: lower PRICE";
+        return "the largest loss is the price: lower PRICE";
     }
-    if (all.left > empty) {
+    /* If queue and catches lose the same number, the advice is about the queue, because an
+     * easier level would lengthen the rounds and so the queue. */
+    if (all.left >= empty) {
         return options->bowls < POI_MAX
-                   ? "most of the others left the queue: add bowls (PLAYERS), or shorten ROUND"
-                   : "most of the others left the queue: shorten ROUND, or add a second kiosk";
+                   ? "the largest loss is the queue: add bowls (PLAYERS), or shorten ROUND"
+                   : "the largest loss is the queue: shorten ROUND, or add a second kiosk";
     }
     return options->level != LEVEL_EASY
-               ? "most of the others caught nothing: choose an easier default level (LEVEL)"
-               : "most of the others caught nothing: lengthen ROUND";
+               ? "the largest loss is plays without a fish: choose an easier default level (LEVEL)"
+               : "the largest loss is plays without a fish: lengthen ROUND";
 }
 
 bool report_is_money_right(const struct day *day, const struct day_money *money)

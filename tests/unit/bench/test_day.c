@@ -247,6 +247,19 @@ static void test_advice_names_the_largest_loss(void **state)
     assert_non_null(strstr(report_advice(&day), "lower PRICE"));
 }
 
+static void test_advice_is_about_the_queue_if_queue_and_catches_lose_the_same(void **state)
+{
+    (void)state;
+    play_day(&usual, 10.0, 1);
+    for (uint32_t i = 0; i < 6u; i++) {
+        day.visitors[i].fate = i < 3u ? VISITOR_LEFT : VISITOR_PLAYED;
+        day.visitors[i].caught = 0;
+    }
+    const struct day_sums all = report_sums(&day, REPORT_ALL, REPORT_ALL);
+    assert_int_equal(all.left, all.played - all.with_fish);
+    assert_non_null(strstr(report_advice(&day), "PLAYERS"));
+}
+
 static void test_nobody_plays_at_a_price_that_nobody_pays(void **state)
 {
     (void)state;
@@ -291,6 +304,7 @@ int main(void)
         cmocka_unit_test(test_failed_kiosk_ends_the_day),
         cmocka_unit_test(test_goal_counts_all_visitors),
         cmocka_unit_test(test_advice_names_the_largest_loss),
+        cmocka_unit_test(test_advice_is_about_the_queue_if_queue_and_catches_lose_the_same),
         cmocka_unit_test(test_nobody_plays_at_a_price_that_nobody_pays),
         cmocka_unit_test(test_wrong_accounts_are_found),
     };
