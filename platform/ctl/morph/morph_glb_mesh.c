@@ -216,7 +216,7 @@ static uint32_t material_of(struct morph_glb *fish, uint8_t part)
                    "{name: %s, pbrMetallicRoughness: {metallicFactor: %u, roughnessFactor: %.3f}",
                    part_names[part], 0u, rough);
         if (is_fin) {
-            json_print(out, "alphaMode: %s, doubleSided: %hhd", "BLEND", true);
+            json_print(out, "alphaMode: %s, doubleSided: %hhd", "BLEND", is_fin);
         }
         json_close(out, '}');
     }
