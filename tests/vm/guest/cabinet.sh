@@ -84,10 +84,10 @@ jam_once() {
     panel pulse "$(wire COIN)" 400 300 1 251 5000 >>$host/out/pulses
     wait $watch
     [ "$(grep -c ' 0 shorter, 0 longer' $host/out/pulses)" -eq 3 ] || return 2
-    for row in 'coin 1, its pulse' 'too short for a coin: 1' 'a coin sticks: 1'; do
+    for row in 'coin 1, its pulse' 'pulses too short for a coin: 1' 'coins stuck in the slot: 1'; do
         grep -q "coin.$row" $host/out/lines || return 1
     done
-    ! grep -qE 'coin 2|: 2 so far|lost|sparks|mid-pulse' $host/out/lines
+    ! grep -qE 'coin 2|: 2 so far|lost|glitches|cut off' $host/out/lines
 }
 
 jam() {

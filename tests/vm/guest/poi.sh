@@ -91,8 +91,8 @@ poi_stop() {
     kill -TERM $poi
     wait $poi
     ended=$?
-    felt=$(sed -n 's/.*; felt \([0-9]*\), 0 refused$/\1/p' $host/out/poi.log | tail -n 1)
-    [ $ended -eq 0 ] && [ "${felt:-0}" -gt 0 ]
+    received=$(sed -n 's/.*; \([0-9]*\) force feedback reports received, 0 rejected$/\1/p' $host/out/poi.log | tail -n 1)
+    [ $ended -eq 0 ] && [ "${received:-0}" -gt 0 ]
     found $? haptics "$(tail -n 1 $host/out/poi.log)"
     $poi_gadget stop >>$host/out/poi.log 2>&1
 }
