@@ -7,8 +7,8 @@
 
 #include "core/poi/poi.h"
 
-/* Ticks from one frame of the recording to the next. Slow motion at a third of the real speed then
- * shows 20 frames per second. */
+/* Ticks from one frame of the recording to the next. The slow motion shows a frame for
+ * TEAR_CLIP_SHOWN_TICKS: at two fifths of the real speed, 24 frames per second. */
 #define TEAR_CLIP_FRAME_TICKS 2u
 /* Number of frames, which last one second together. The paper of a hasty dip tears within half a
  * second. */
@@ -23,7 +23,7 @@
 #define TEAR_CLIP_LOOP_TICKS (3u * CORE_TICK_HZ)
 _Static_assert(TEAR_CLIP_FRAMES *TEAR_CLIP_SHOWN_TICKS < TEAR_CLIP_LOOP_TICKS, "all frames fit");
 
-/* One frame, quantised so that the frames of four players take 35 KiB. */
+/* One frame, quantised so that the frames of four players take 33 KiB. */
 struct tear_frame {
     int16_t position[3]; /* Position of the ring's centre in units of 0.1 mm. */
     int16_t angles[3];   /* Yaw, pitch and roll in units of 0.1 mrad. */
