@@ -166,7 +166,6 @@ static void execute(struct usb_event_thread *usb_thread, const struct usb_comman
 {
     const struct usb_key key = usb_key_of(&order->identity);
     usb_choice_request(&usb_thread->evaluation.choice, &key, order->plays, true);
-    save_choices(usb_thread);
     for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
         struct usb_device_entry *entry = &usb_thread->entry[i];
         if (!entry->device.device) {
@@ -199,11 +198,19 @@ static void execute(struct usb_event_thread *usb_thread, const struct usb_comman
     usb_thread->rows_changed = true;
 }
 
+/* The number of commands is limited and their rules are stored together. Otherwise commands that
+ * arrive faster than the disk stores a file would keep the thread from all devices. */
 void usb_event_thread_handle_commands(struct usb_event_thread *usb_thread)
 {
     struct usb_command order;
-    while (usb_device_list_take_command(&usb_thread->device_list, &order)) {
+    uint32_t count = 0;
+    while (count < USB_COMMAND_MAX &&
+           usb_device_list_take_command(&usb_thread->device_list, &order)) {
         execute(usb_thread, &order);
+        count++;
+    }
+    if (count > 0) {
+        save_choices(usb_thread);
     }
 }
 

@@ -300,6 +300,26 @@ static void test_no_call_of_the_frame_loop_waits_for_the_bus(void **state)
     usb_sim_set_faults(&(struct usb_sim_faults){ 0 });
 }
 
+/* The test gives commands faster than the event thread can store their rules on the disk. The
+ * thread must still find a device that was plugged in. Otherwise alarm() ends the test. */
+static void test_commands_without_end_do_not_keep_the_thread_from_devices(void **state)
+{
+    (void)state;
+    struct hid_row rows[CONTROLLER_MAX];
+    fixture_start(&fixture, NULL, 0);
+    const struct hid_device_list device_list = usb_transport_list(fixture.thread);
+    usb_sim_plug(&own_poi, 1);
+    assert_true(fixture_open(&fixture, 0, &face));
+    const uint32_t second = usb_sim_plug(&second_poi, 2);
+    alarm(60);
+    while (usb_sim_seen(second).opens == 0) {
+        device_list.ops->choose(device_list.self, 0, true);
+    }
+    alarm(0);
+    device_list.ops->rows(device_list.self, rows);
+    assert_int_equal(rows[0].state, CONTROLLER_ACTIVE);
+}
+
 int main(void)
 {
 #define BENCH(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
@@ -316,6 +336,7 @@ int main(void)
         BENCH(test_an_output_report_is_dropped_while_another_is_pending),
         BENCH(test_an_output_report_that_times_out_does_not_block_the_next),
         BENCH(test_no_call_of_the_frame_loop_waits_for_the_bus),
+        BENCH(test_commands_without_end_do_not_keep_the_thread_from_devices),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
