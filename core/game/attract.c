@@ -5,7 +5,7 @@
 #include "core/base/panic.h"
 #include "core/config.h"
 #include "core/game/accounting/accounts.h"
-#include "core/game/bot/paper_patch.h"
+#include "core/poi/paper/paper_patch.h"
 #include "core/game/control/controller.h"
 #include "core/game/table_setup.h"
 #include "core/poi/world.h"

@@ -59,6 +59,7 @@ done
 allows core/game/menu/menu_upkeep.c core/game/menu/any_internal.h 'the menu may include its own internal header'
 refuses bot core/game/bot/targeting.c core/tank/tank.h 'a bot may not include the tank'
 refuses bot core/game/bot/bot.c core/game/game.h 'a bot may not include the game'
+allows core/game/bot/snapshot.c core/scene.h 'a bot may include the scene'
 allows core/game/bot/vision.c core/tank/tank.h 'the vision of the bots may include the tank'
 
 refuses driver drivers/usb/usb_device.c core/core.h 'a driver may not include the whole state'
@@ -153,6 +154,7 @@ allows core/tank/tank.c core/poi/poi.h 'a listed exception is allowed'
 refuses layer core/tank/tank.h core/poi/poi.h 'an exception holds only for its file'
 printf 'limit 1\ncontract core/persistent_state.h core/poi/paper/sheet.h\n' >"$EXCEPTIONS"
 allows drivers/sim/storage_sim.c core/poi/paper/sheet.h "a user of a contract may include the contract's exceptions"
+refuses bot core/game/bot/snapshot.c core/poi/paper/sheet.h 'a bot may not include the sheet, which a contract includes'
 printf 'limit 1\ngame core/game/a.c core/core.h\ngame core/game/b.c core/core.h\n' >"$EXCEPTIONS"
 ! check core/game/a.c core/core.h && grep -q 'may only shrink' "$work/said"
 ok $? 'more exceptions than the limit are rejected'

@@ -4,7 +4,7 @@
 
 #include "core/base/mem.h"
 #include "core/base/panic.h"
-#include "core/game/bot/paper_patch.h"
+#include "core/poi/paper/paper_patch.h"
 
 /* Weight of the depth when the nearby fish are ranked by distance. A fish that is 1 cm deeper has
  * the same rank as a fish that is 4 cm farther away. */

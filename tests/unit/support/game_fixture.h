@@ -15,7 +15,7 @@
 
 #include "core/base/hash.h"
 #include "core/core.h"
-#include "core/game/bot/paper_patch.h"
+#include "core/poi/paper/paper_patch.h"
 #include "core/game/phases.h"
 #include "tests/unit/support/purse.h"
 

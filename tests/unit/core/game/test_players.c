@@ -2,7 +2,7 @@
  * a count of fish, and may end the round at another time. */
 #include "tests/unit/support/core_fixture.h"
 
-#include "core/game/bot/paper_patch.h"
+#include "core/poi/paper/paper_patch.h"
 #include "tests/unit/support/newest_record.h"
 
 #define ROUND_S 20u

@@ -1,8 +1,10 @@
 /* paper_patch.c -- searches a sheet of paper for an undamaged patch. Up to seventeen patches are
  * tested, each at nine points. */
-#include "core/game/bot/paper_patch.h"
+#include "core/poi/paper/paper_patch.h"
 
 #include "core/base/panic.h"
+#include "core/poi/paper/sheet.h"
+
 #define WINDS 8u
 
 /* Eight directions in the plane of the poi, beginning toward the far edge. The table replaces the

@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "core/poi/paper/sheet.h"
+struct sheet;
 
 /* Radius of the patch that the smallest fish of a stall needs under its body. */
 #define PAPER_PATCH_RADIUS_M 0.010f
