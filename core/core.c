@@ -282,7 +282,7 @@ enum core_error core_tick(struct core *core, const struct input *input, struct o
     record_tears(core, live);
     write_poi_forces(core, live, output);
     tick_catch(core, live, caught, output);
-    game_score(&core->game, &core->world, caught, output);
+    game_score(core->game.player, &core->game.album, &core->game, &core->world, caught, output);
     core->game.tick++;
     if (session_is_over(&core->game)) {
         session_restart(&core->game, &core->config);

@@ -153,9 +153,9 @@ void game_tick(struct game *game, struct world *world, struct core_config *confi
     menu_calibrate_tick(&scope, world, said);
     session_language_tick(game, config, input);
     ledger_tick(&game->accounts.ledger, config, input);
-    health_log_tick(game, config, input, output);
+    health_log_tick(&game->accounts, &game->health_log, game, config, input, output);
     controller_assign(game, world, input);
-    coins_tick(game, world, config, input, output);
+    coins_tick(&game->accounts, game, world, config, input, output);
     const uint8_t phase = game->phase;
     if (!menu_opens(game, world, config, input, output)) {
         tick_phase(game, world, config, input, output);
@@ -167,7 +167,7 @@ void game_tick(struct game *game, struct world *world, struct core_config *confi
     controller_assign(game, world,
                       input); /* Assign the source of each poi again, because a new phase may use
                                  a different source. */
-    controller_tick_all(game, world, config, input, targets, live);
+    controller_tick_all(game->control, game->bot, game, world, config, input, targets, live);
     hints_tick(&game->hints, game, world, config);
     show_outputs(game, config, output);
 }

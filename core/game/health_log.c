@@ -51,11 +51,11 @@ bool health_log_final(const struct accounts *accounts, const struct health_log *
 
 /* Logs the entry about the kiosk's start and each due entry about uptime and faults. If the ledger
  * has no room, the function logs a due entry in the first tick in which the ledger has room. */
-void health_log_tick(struct game *game, const struct core_config *config, const struct input *input,
-                     struct output *output)
+void health_log_tick(struct accounts *accounts, struct health_log *health_log,
+                     const struct game *game, const struct core_config *config,
+                     const struct input *input, struct output *output)
 {
-    struct health_log *health_log = &game->health_log;
-    struct ledger *ledger = &game->accounts.ledger;
+    struct ledger *ledger = &accounts->ledger;
     const bool is_first = !health_log->is_told;
     health_log->is_told = 1;
     if (is_first && ledger->boot > 0) { /* Log the kiosk's start. Without a store (`boot` 0)
@@ -64,19 +64,19 @@ void health_log_tick(struct game *game, const struct core_config *config, const 
                                             .count = ledger->boot,
                                             .value = (int32_t)ledger->balance.unlogged };
         coins_convert_pending(ledger, config);
-        ledger_write(&game->accounts, game->tick, &entry, output);
+        ledger_write(accounts, game->tick, &entry, output);
         const bool counts = (ledger->balance.open & PAYMENT_SPENT) &&
-                            round_standing_finish(&game->accounts, config, game->tick, output);
+                            round_standing_finish(accounts, config, game->tick, output);
         if (!counts && ledger->balance.open != PAYMENT_NONE) {
-            credit_refund(&game->accounts, game, config, REFUND_RESTART, output);
-            game->accounts.credit.came_back = 0; /* Show no message about the refund, because the
+            credit_refund(accounts, game, config, REFUND_RESTART, output);
+            accounts->credit.came_back = 0; /* Show no message about the refund, because the
                                                     refunded round is from an earlier run of the
                                                     kiosk. */
         }
     }
     const bool is_due = game->tick - health_log->told_tick >= HEALTH_LOG_TICKS;
     if ((is_due || ledger_needs_sync(ledger)) && ledger_may_write(ledger, LEDGER_HEALTH)) {
-        health_log_write(&game->accounts, health_log, game->tick, input, output);
+        health_log_write(accounts, health_log, game->tick, input, output);
     }
 }
 

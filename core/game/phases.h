@@ -118,8 +118,9 @@ void score_fouls_before_start(struct player player[POI_MAX], const struct game *
 
 /* Runs the last step of a tick: counts the fish that reached the bowls, as the mode's rules
  * require. */
-void game_score(struct game *game, const struct world *world,
-                const struct catch_result caught[POI_MAX], struct output *output);
+void game_score(struct player player[POI_MAX], struct album *album, const struct game *game,
+                const struct world *world, const struct catch_result caught[POI_MAX],
+                struct output *output);
 
 /* Returns the easiest level of the players in the current round, or in the last round until attract
  * mode begins. All fish follow this level, and all scores of the round rank at this level. Only
@@ -135,8 +136,9 @@ struct round_record game_record(const struct game *game, const struct world *wor
  * also marks the round as closed in the balance, and updates the leaderboards. A round without
  * players is not logged. A round in a mode without a score is marked as unscored and is not
  * ranked. */
-void score_keep(struct game *game, const struct world *world, const struct core_config *config,
-                uint32_t tickets, struct output *output);
+void score_keep(struct accounts *accounts, struct name *name, const struct game *game,
+                const struct world *world, const struct core_config *config, uint32_t tickets,
+                struct output *output);
 
 /* ---- Hints for players ----------------------------------------------------------------------- */
 
@@ -170,8 +172,9 @@ void health_log_note_losses(struct accounts *accounts, struct health_log *health
 
 /* Logs the start of the kiosk, and logs uptime and faults at regular intervals. Call once per tick,
  * before any other entry of the tick. */
-void health_log_tick(struct game *game, const struct core_config *config, const struct input *input,
-                     struct output *output);
+void health_log_tick(struct accounts *accounts, struct health_log *health_log,
+                     const struct game *game, const struct core_config *config,
+                     const struct input *input, struct output *output);
 
 /* Writes the ledger entry LEDGER_HEALTH (uptime and faults) immediately. */
 void health_log_write(struct accounts *accounts, struct health_log *health_log, uint32_t tick,

@@ -174,8 +174,8 @@ static void begin_result(struct game *game, struct world *world, const struct co
     name_note_round(&game->name, &game->accounts, &config->persistent.settings,
                     leaderboard_board(game), 0);
     if (!game->accounts.credit.came_back) {
-        score_keep(game, world, config, credit_award_tickets(&game->accounts, game, config),
-                   output);
+        score_keep(&game->accounts, &game->name, game, world, config,
+                   credit_award_tickets(&game->accounts, game, config), output);
         album_give_presents(&game->album, game->player, world, config);
     }
     output_sound(output, SOUND_RESULT, 1.0f, 0.0f);
@@ -239,7 +239,8 @@ void round_result_skip(struct game *game, const struct world *world,
 {
     CORE_ASSERT(game->phase == PHASE_ROUND);
     game->accounts.credit.came_back = 0;
-    score_keep(game, world, config, credit_award_tickets(&game->accounts, game, config), output);
+    score_keep(&game->accounts, &game->name, game, world, config,
+               credit_award_tickets(&game->accounts, game, config), output);
     name_note_round(&game->name, &game->accounts, &config->persistent.settings,
                     leaderboard_board(game), 0);
 }

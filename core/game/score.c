@@ -85,8 +85,9 @@ void score_fouls_before_start(struct player player[POI_MAX], const struct game *
 
 /* ---- Score and record of the round ----------------------------------------------------------- */
 
-void game_score(struct game *game, const struct world *world,
-                const struct catch_result caught[POI_MAX], struct output *output)
+void game_score(struct player player[POI_MAX], struct album *album, const struct game *game,
+                const struct world *world, const struct catch_result caught[POI_MAX],
+                struct output *output)
 {
     if (game->phase != PHASE_ROUND) {
         return;
@@ -96,9 +97,9 @@ void game_score(struct game *game, const struct world *world,
     const bool counts_fouls = rules_of(game->mode)->counts_fouls;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const uint32_t valid = counts_fouls ? caught[i].landed : caught[i].bowled;
-        if (game->player[i].fouls < FOUL_MAX) {
-            game->player[i].caught += valid;
-            album_note(&game->album, world, i, valid);
+        if (player[i].fouls < FOUL_MAX) {
+            player[i].caught += valid;
+            album_note(album, world, i, valid);
         }
     }
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -106,10 +107,10 @@ void game_score(struct game *game, const struct world *world,
             continue; /* Fish that fall off a poi without valid input count for no player. */
         }
         if (caught[i].poured > 0) {
-            commit_foul(&game->player[i], game, FOUL_POURED, output);
+            commit_foul(&player[i], game, FOUL_POURED, output);
         }
         if (caught[i].walled > 0) {
-            commit_foul(&game->player[i], game, FOUL_WALL, output);
+            commit_foul(&player[i], game, FOUL_WALL, output);
         }
     }
 }
@@ -162,8 +163,9 @@ struct round_record game_record(const struct game *game, const struct world *wor
     return record;
 }
 
-void score_keep(struct game *game, const struct world *world, const struct core_config *config,
-                uint32_t tickets, struct output *output)
+void score_keep(struct accounts *accounts, struct name *name, const struct game *game,
+                const struct world *world, const struct core_config *config, uint32_t tickets,
+                struct output *output)
 {
     CORE_ASSERT(game->mode < MODE_COUNT);
     const bool is_scored = rules_of(game->mode)->keeps_score;
@@ -173,10 +175,10 @@ void score_keep(struct game *game, const struct world *world, const struct core_
     struct ledger_entry entry = { .kind = LEDGER_ROUND,
                                   .value = (int32_t)tickets,
                                   .round = game_record(game, world, config) };
-    entry.round.id = game->accounts.ledger.last_id + 1u;
+    entry.round.id = accounts->ledger.last_id + 1u;
     entry.round.unscored = (uint8_t)!is_scored;
-    game->accounts.ledger.balance.open = PAYMENT_NONE;
-    const uint32_t id = ledger_write(&game->accounts, game->tick, &entry, output);
-    name_note_round(&game->name, &game->accounts, &config->persistent.settings,
-                    leaderboard_board(game), is_scored ? id : 0u);
+    accounts->ledger.balance.open = PAYMENT_NONE;
+    const uint32_t id = ledger_write(accounts, game->tick, &entry, output);
+    name_note_round(name, accounts, &config->persistent.settings, leaderboard_board(game),
+                    is_scored ? id : 0u);
 }

@@ -148,7 +148,8 @@ static void land_fish(void)
 {
     if (kiosk.core.game.phase == PHASE_ROUND && happens(5, 4)) {
         const struct catch_result caught[POI_MAX] = { { .landed = 1, .bowled = 1 } };
-        game_score(&kiosk.core.game, &kiosk.core.world, caught, &kiosk.output);
+        game_score(kiosk.core.game.player, &kiosk.core.game.album, &kiosk.core.game,
+                   &kiosk.core.world, caught, &kiosk.output);
     }
 }
 

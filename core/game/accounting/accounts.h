@@ -215,8 +215,8 @@ bool ledger_session_is_valid(const struct game_session *session);
 /* Handles inserted coins, the inputs SERVICE, TILT and DOOR, and the tickets that the kiosk owes.
  * Call before the tick function of the phase. In the operator's menu a coin is a test, and TILT and
  * SERVICE do not change the balance. */
-void coins_tick(struct game *game, const struct world *world, const struct core_config *config,
-                const struct input *input, struct output *output);
+void coins_tick(struct accounts *accounts, const struct game *game, const struct world *world,
+                const struct core_config *config, const struct input *input, struct output *output);
 
 /* Adds coin units that were not logged before the last power cut (`balance.unlogged`) to the
  * balance. In recordings of the older format 7 the units count towards a bonus even if no bonus is

@@ -232,10 +232,9 @@ static uint8_t current_warnings(const struct game *game, const struct world *wor
     return (uint8_t)warnings;
 }
 
-void coins_tick(struct game *game, const struct world *world, const struct core_config *config,
-                const struct input *input, struct output *output)
+void coins_tick(struct accounts *accounts, const struct game *game, const struct world *world,
+                const struct core_config *config, const struct input *input, struct output *output)
 {
-    struct accounts *accounts = &game->accounts;
     const struct settings *settings = &config->persistent.settings;
     CORE_ASSERT(accounts->ledger.saved_id <= accounts->ledger.last_id);
     credit_close_ended(accounts, game, output);

@@ -352,16 +352,15 @@ static void tick_parked(struct control *control, struct bot *bot, const struct g
 }
 
 /* Updates one poi. During a pause for a lost controller, every poi of the tank is in failsafe. */
-static void tick_hand(struct game *game, struct world *world, const struct input *input,
-                      uint32_t index)
+static void tick_hand(struct control *control, struct bot *bot, const struct game *game,
+                      struct world *world, const struct input *input, uint32_t index)
 {
     const struct poi_input *says = &input->poi[index];
-    struct control *control = &game->control[index];
     struct poi_target *hand = &control->hand_pose;
     struct poi *poi = &world->poi[index];
     CORE_ASSERT(poi->link != POI_SOURCE_ABSENT);
     if (parking_tick(control, game, world, index)) {
-        tick_parked(control, &game->bot[index], game, world, index);
+        tick_parked(control, bot, game, world, index);
         return;
     }
     poi->damage_immune = poi->link == POI_SOURCE_LOST || game->paused;
@@ -371,13 +370,13 @@ static void tick_hand(struct game *game, struct world *world, const struct input
         const struct poi_target out = controller_failsafe_withdraw(poi, *hand);
         *hand = within_reach(world, out, -world->tank.size_m.y);
         if (poi->link == POI_SOURCE_BOT) {
-            game->bot[index].hand.pose = *hand;
+            bot->hand.pose = *hand;
         } else {
             control->return_ticks = control->was_lost = 1;
         }
     } else if (poi->link == POI_SOURCE_BOT) {
         const struct vision vision = { game, world, index };
-        *hand = blend_to_holder(control, game, world, index, bot_tick(&game->bot[index], &vision));
+        *hand = blend_to_holder(control, game, world, index, bot_tick(bot, &vision));
     } else if (control->return_ticks > 0) {
         *hand = return_to_hand(control, game, world, index, says->target);
     } else {
@@ -392,26 +391,27 @@ static void tick_hand(struct game *game, struct world *world, const struct input
     }
 }
 
-void controller_tick_all(struct game *game, struct world *world, const struct core_config *config,
-                         const struct input *input, struct poi_target targets[POI_MAX],
-                         uint8_t live[POI_MAX])
+void controller_tick_all(struct control control[POI_MAX], struct bot bot[POI_MAX],
+                         const struct game *game, struct world *world,
+                         const struct core_config *config, const struct input *input,
+                         struct poi_target targets[POI_MAX], uint8_t live[POI_MAX])
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        struct control *control = &game->control[i];
         live[i] = (uint8_t)controller_is_active(world, i);
         if (live[i]) {
-            change_holder(control, &game->bot[i], &world->poi[i], game->tick, config->seed + i);
-            tick_hand(game, world, input, i);
+            change_holder(&control[i], &bot[i], &world->poi[i], game->tick, config->seed + i);
+            tick_hand(&control[i], &bot[i], game, world, input, i);
         } else {
-            control->holder = POI_SOURCE_ABSENT;
-            control->rest_ticks = 0;
-            controller_forget_path(control);
+            control[i].holder = POI_SOURCE_ABSENT;
+            control[i].rest_ticks = 0;
+            controller_forget_path(&control[i]);
         }
-        targets[i] = control->hand_pose;
+        targets[i] = control[i].hand_pose;
         /* The height -1 marks invalid input, so that the next valid pose does not count as a dip
          * (downward crossing). */
-        control->live_y_m =
-            control->validation.verdict == INPUT_VALID ? input->poi[i].target.position_m.y : -1.0f;
+        control[i].live_y_m = control[i].validation.verdict == INPUT_VALID
+                                  ? input->poi[i].target.position_m.y
+                                  : -1.0f;
     }
 }
 

@@ -33,9 +33,10 @@ void controller_assign(const struct game *game, struct world *world, const struc
  * pose are blended. An input loss moves the poi out of the water, and restored input moves the poi
  * gently back. A motion too fast for an arm or wrist is ignored for a fifteenth of a second if the
  * motion could damage paper or lose a fish. */
-void controller_tick_all(struct game *game, struct world *world, const struct core_config *config,
-                         const struct input *input, struct poi_target targets[POI_MAX],
-                         uint8_t live[POI_MAX]);
+void controller_tick_all(struct control control[POI_MAX], struct bot bot[POI_MAX],
+                         const struct game *game, struct world *world,
+                         const struct core_config *config, const struct input *input,
+                         struct poi_target targets[POI_MAX], uint8_t live[POI_MAX]);
 
 /* Cancels the slow motion of a poi back to the pose of its controller after an input loss. Call
  * when the poi has a new source or a new position. */
