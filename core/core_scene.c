@@ -33,6 +33,41 @@ static void show_fish(const struct fish *fish, uint32_t tick, struct scene_fish 
     out->progress = life_progress(&species_wakin.card, fish->age_days);
 }
 
+/* Frequency at which a lifted fish curls up and stretches, and the largest bend of its body. */
+#define THRASH_HZ 5.5f
+#define THRASH_RAD 1.2f
+/* Share of the bend that a thrashing fish keeps while it stretches, and the share of its length by
+ * which a complete bend raises its middle above the paper. */
+#define THRASH_REST 0.25f
+#define THRASH_RISE 0.10f
+
+/* Ratio of the shown motion to the strength of the slaps. A calm fish is captured with a strength
+ * of about 0.5, and also bends its body almost completely. */
+#define THRASH_VIGOUR 1.6f
+
+/* Shows the fish on `poi` as thrashing from the tick of their capture. The motion is a part of the
+ * picture only: the slaps that load the paper are those of core/poi/catch/carried_fish.h. Their
+ * strength, `vigour`, also sets the size of the shown motion. */
+static void show_thrash(const struct poi *poi, uint32_t tick, struct scene_fish fish[])
+{
+    const vec3 up = vec_basis_from_angles(poi->angles).up;
+    for (uint32_t i = 0; i < poi->carried_count; i++) {
+        const struct carried_fish *carried = &poi->carried_fish[i];
+        struct scene_fish *shown = &fish[carried->fish];
+        const uint32_t second_tick = (tick + 37u * carried->fish) % (2u * CORE_TICK_HZ);
+        const float wave =
+            0.5f - 0.5f * f_cos(F_TAU * THRASH_HZ * (float)second_tick * CORE_TICK_S);
+        const float curl =
+            f_min(THRASH_VIGOUR * carried->vigour, 1.0f) * f_lerp(THRASH_REST, 1.0f, wave);
+        if (shown->place == SCENE_ON_POI) { /* The head and the tail bend away from the paper. */
+            shown->bend_rad = (float)carried->side * THRASH_RAD * curl;
+            shown->tail_amplitude = f_max(shown->tail_amplitude, curl);
+            shown->position_m =
+                v3_muladd(shown->position_m, up, THRASH_RISE * curl * shown->length_m);
+        }
+    }
+}
+
 /* Copies values into the cells outside the ring, so that a renderer can interpolate between cells.
  * Each outside cell receives the value of the nearest paper cell in its row. */
 static void spread_to_rim(const struct sheet *sheet, uint8_t cells[SHEET_CELL_COUNT])
@@ -218,6 +253,7 @@ void core_scene(const struct core *core, struct scene *scene)
         show_fish(&tank->fish[i], core->game.tick, &scene->fish[i]);
     }
     for (uint32_t i = 0; i < POI_MAX; i++) {
+        show_thrash(&core->world.poi[i], core->game.tick, scene->fish);
         show_poi(core, i, &scene->poi[i]);
         show_bowl(&core->world.bowl[i], i, &scene->bowl[i]);
     }

@@ -1,9 +1,15 @@
-// Drops that fall from the low side of a wet poi. Each drop detaches, falls freely, and disappears
-// at the water. The number of drops increases with the water on the paper.
-uniform vec4 lip;           // Position where drops detach. w: number of simultaneous drops.
+// Water that runs off a wet poi. The first LOOSE drops detach one at a time from the low side of the
+// poi. The further drops form streams from fixed points of the ring. Each drop falls freely and
+// disappears at the water. The number of drops increases with the water on the paper.
+uniform vec4 lip;           // Position where drops detach. w: number of loose drops.
+uniform vec4 hub;           // Centre of the ring. w: half the angle of the ring with streams.
+uniform vec4 low;           // Radius of the ring toward its low side. w: number of stream drops.
+uniform vec4 across;        // Radius of the ring at a right angle to `low`.
 out vec2 corner;
 out float shown;
 
+const int LOOSE = 5;
+const float STREAMS = 9.0;
 const float EVERY_S = 0.22;
 const float GRAVITY = 9.81;
 const float RADIUS_M = 0.0019;
@@ -16,20 +22,25 @@ float chance(float seed)
 void main()
 {
     float id = float(gl_InstanceID);
-    float falls = sqrt(2.0 * max(lip.y, 0.0) / GRAVITY);
-    float life = max(falls, EVERY_S);
+    bool streams = gl_InstanceID >= LOOSE;
+    float turn = (mod(id, STREAMS) - 4.0) * 0.25 * hub.w + 0.12 * sin(eye.w * 3.0 + id * 2.1);
+    vec3 at = streams ? hub.xyz + low.xyz * cos(turn) + across.xyz * sin(turn) : lip.xyz;
+    float falls = sqrt(2.0 * max(at.y, 0.0) / GRAVITY);
+    float life = streams ? max(falls, 0.02) : max(falls, EVERY_S);
     float turns = eye.w / life + id * 0.37 + chance(id) * 0.2;
     float seed = id * 7.0 + mod(floor(turns), 64.0);
     float age = fract(turns) * life - (life - falls); // Time after the start of the fall. The value
                                                       // is negative while the drop hangs and grows.
     float drop = max(age, 0.0);
     corner = vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1)) * 2.0 - 1.0;
-    shown = clamp(lip.w - id, 0.0, 1.0);
-    vec3 at = lip.xyz + vec3(chance(seed) - 0.5, 0.0, chance(seed + 0.5) - 0.5) * 0.014;
+    shown = clamp(streams ? low.w - id + float(LOOSE) : lip.w - id, 0.0, 1.0);
+    vec3 spread = vec3(chance(seed) - 0.5, 0.0, chance(seed + 0.5) - 0.5) * 0.014;
+    at += streams ? vec3(0.0) : spread;
     at.y -= 0.5 * GRAVITY * drop * drop;
-    float swells = smoothstep(-0.25, 0.0, age);
+    float swells = streams ? 0.7 : smoothstep(-0.25, 0.0, age);
     float long_ = 1.0 + min(GRAVITY * drop, 1.0) * 1.6; // A falling drop is stretched by its speed,
                                                         // as by motion blur.
+    long_ *= streams ? 2.8 : 1.0; // The drops of a stream overlap.
     vec3 view = normalize(eye.xyz - at);
     vec3 side = normalize(vec3(view.z, 0.0, -view.x));
     vec3 up = cross(view, side);

@@ -9,12 +9,26 @@
 /* Maximum number of bubbles. At any time about a third of the bubbles have risen and float on the
  * surface. */
 #define BUBBLE_COUNT 72
-#define DROPS_MAX 5
+/* Number of drops that detach one at a time, which is LOOSE in drip.vert.glsl, and number of drops
+ * in the streams of water. */
+#define DROPS_LOOSE 5
+#define DROPS_STREAM 36
 /* Minimum mean depth in metres of the water on the paper at which drops fall. A thinner layer of
  * water adheres to the paper. */
 #define DRIPS_FROM_M 0.0002f
-/* Mean depth in metres of the water on the paper at which DROPS_MAX drops fall. */
+/* Mean depth in metres of the water on the paper at which DROPS_LOOSE drops fall. */
 #define DRIPS_FULL_M 0.0015f
+/* Mean depths between which the streams begin and reach DROPS_STREAM drops. A poi that leaves the
+ * water has 0.6 to 1.7 mm. */
+#define STREAMS_FROM_M 0.0004f
+#define STREAMS_FULL_M 0.0010f
+/* Heights of the ring's centre between which the streams of a level ring end. The water that hung
+ * on the rim has run off then. */
+#define STREAMS_TO_M 0.030f
+#define STREAMS_END_M 0.058f
+/* Half the angle of the ring that streams leave if the ring is steep. A level ring has streams all
+ * around. */
+#define STREAMS_STEEP_RAD 0.6f
 /* Minimum height in metres of the poi's low side above the water surface at which drops fall. */
 #define CLEAR_M 0.008f
 /* Distance of the drops from the paper's centre, in paper radii. Drops fall from the ring's outer
@@ -44,6 +58,9 @@ void quad_pass_open(struct gl_status *status, struct quad_pass *pass)
     pass->stone = glGetUniformLocation(pass->bubble_program, "stone");
     pass->drip_program = gl_program(status, "drops", "", shader_drip_vert, shader_drip_frag, "");
     pass->lip = glGetUniformLocation(pass->drip_program, "lip");
+    pass->hub = glGetUniformLocation(pass->drip_program, "hub");
+    pass->low = glGetUniformLocation(pass->drip_program, "low");
+    pass->across = glGetUniformLocation(pass->drip_program, "across");
     pass->fan_program = gl_program(status, "fan", "", shader_fan_vert, shader_fan_frag, "fibres");
     pass->fan_pose = glGetUniformLocation(pass->fan_program, "pose");
     pass->fan_trim = glGetUniformLocation(pass->fan_program, "trim");
@@ -88,19 +105,29 @@ void quad_pass_drips(const struct quad_pass *pass, const struct scene *scene)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const struct scene_poi *const poi = &scene->poi[i];
-        const vec3 up = vec_basis_from_angles(poi->angles).up;
+        const struct basis axes = vec_basis_from_angles(poi->angles);
+        const vec3 up = axes.up;
         /* `down` is the direction of steepest descent in the plane of the poi's ring. `at` is the
          * lowest point of the ring. For a level ring, `at` is the centre of the sagging paper. */
         const vec3 down = v3(up.x * up.y, up.y * up.y - 1.0f, up.z * up.y);
         const float steep = f_smoothstep(0.03f, 0.20f, v3_length(down));
-        const vec3 at = v3_muladd(poi->position_m, v3_normalize_or(down, v3(0.0f, 0.0f, 0.0f)),
-                                  RING_REACH * poi->ring_radius_m * steep);
+        const float rim_m = RING_REACH * poi->ring_radius_m;
+        const vec3 low = v3_scale(v3_normalize_or(down, axes.back), rim_m);
+        const vec3 at = v3_muladd(poi->position_m, low, steep);
         if (poi->present && poi->water_m >= DRIPS_FROM_M && at.y >= CLEAR_M) {
             const float wet = (poi->water_m - DRIPS_FROM_M) / (DRIPS_FULL_M - DRIPS_FROM_M);
-            const float drops = (float)DROPS_MAX * f_clamp(0.2f + 0.8f * wet, 0.0f, 1.0f);
+            const float drops = (float)DROPS_LOOSE * f_clamp(0.2f + 0.8f * wet, 0.0f, 1.0f);
+            const float fresh = 1.0f - f_smoothstep(STREAMS_TO_M, STREAMS_END_M, at.y);
+            const float runs =
+                f_max(steep, fresh) * f_smoothstep(STREAMS_FROM_M, STREAMS_FULL_M, poi->water_m);
+            const vec3 across = v3_cross(up, low);
             glUseProgram(pass->drip_program);
             glUniform4f(pass->lip, at.x, at.y, at.z, drops);
-            draw_translucent(pass, DROPS_MAX);
+            glUniform4f(pass->hub, poi->position_m.x, poi->position_m.y, poi->position_m.z,
+                        f_lerp(F_PI, STREAMS_STEEP_RAD, steep));
+            glUniform4f(pass->low, low.x, low.y, low.z, runs * (float)DROPS_STREAM);
+            glUniform4f(pass->across, across.x, across.y, across.z, 0.0f);
+            draw_translucent(pass, DROPS_LOOSE + DROPS_STREAM);
         }
     }
 }

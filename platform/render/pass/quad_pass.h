@@ -9,7 +9,8 @@
 struct quad_pass {
     GLuint no_attributes; /* Vertex array without attributes. */
     GLuint bubble_program, drip_program, fan_program, dark_program;
-    GLint stone, lip, fan_pose, fan_trim, dark; /* Locations of the shader uniforms. */
+    GLint stone, lip, hub, low, across, fan_pose, fan_trim,
+        dark; /* Locations of the shader uniforms. */
 };
 
 void quad_pass_open(struct gl_status *status, struct quad_pass *pass);
@@ -20,9 +21,9 @@ void quad_pass_close(struct quad_pass *pass);
  * nothing if the tank has no air stone. */
 void quad_pass_air(const struct quad_pass *pass, const struct scene *scene);
 
-/* Draws the drops that fall from each wet poi (the paper scoop) that is held over the water,
- * into a render target with a depth buffer. Must be called after the bowls and before the pois
- * are drawn. */
+/* Draws the drops and the streams of water that fall from each wet poi (the paper scoop) that is
+ * held over the water, into a render target with a depth buffer. Must be called after the bowls and
+ * before the pois are drawn. */
 void quad_pass_drips(const struct quad_pass *pass, const struct scene *scene);
 
 /* Draws the hand-held fans over all other objects of the scene, with blending. The render target

@@ -87,6 +87,40 @@ static void test_fish_have_the_positions_of_the_tank(void **state)
     assert_float_equal(scene.fish[5].length_m, core.world.tank.fish[5].length_m, 0.0f);
 }
 
+static void test_a_lifted_fish_thrashes_from_its_first_tick_on_the_paper(void **state)
+{
+    (void)state;
+    struct poi *poi = &core.world.poi[0];
+    struct fish *fish = &core.world.tank.fish[7];
+    fish->gait = GAIT_HELD;
+    fish->bend_rad = fish->tail_amplitude = 0.0f;
+    poi->carried_count = 1;
+    poi->carried_fish[0] = (struct carried_fish){ .fish = 7, .side = -1, .vigour = 0.55f };
+    float least = 10.0f, most = 0.0f;
+    const uint64_t hash = core_hash(&core);
+    for (uint32_t i = 0; i < CORE_TICK_HZ; i++) {
+        core_scene(&core, &scene);
+        const float bend_rad = -scene.fish[7].bend_rad; /* The fish lies on its left side, so that
+                                                           a bend to its left raises the tail. */
+        least = f_min(least, bend_rad);
+        most = f_max(most, bend_rad);
+        assert_true(scene.fish[7].tail_amplitude > 0.2f);
+        assert_float_equal(scene.fish[8].bend_rad, core.world.tank.fish[8].bend_rad, 0.0f);
+        if (i == 0) {
+            assert_true(core_hash(&core) == hash);
+        }
+        core.game.tick++;
+    }
+    assert_true(least > 0.1f);
+    assert_true(most > least + 0.6f);
+    poi->carried_fish[0].vigour = 0.08f; /* The fish has calmed down and moves little. */
+    core_scene(&core, &scene);
+    assert_true(f_abs(scene.fish[7].bend_rad) < 0.2f);
+    fish->gait = GAIT_BOWL; /* A fish that has left the paper is shown as it is. */
+    core_scene(&core, &scene);
+    assert_float_equal(scene.fish[7].bend_rad, 0.0f, 0.0f);
+}
+
 static float maturity_at(float age_days)
 {
     core.world.tank.fish[0].age_days = age_days;
@@ -329,6 +363,7 @@ int main(void)
         TEST(test_the_shape_of_every_fish_follows_its_age),
         TEST(test_the_fish_of_a_festival_have_many_ages),
         TEST(test_fish_have_the_positions_of_the_tank),
+        TEST(test_a_lifted_fish_thrashes_from_its_first_tick_on_the_paper),
         TEST(test_fish_redden_between_fifty_and_a_hundred_and_twenty_days),
         TEST(test_paper_shows_wetness_damage_and_holes),
         TEST(test_a_poi_is_shown_with_its_position_belly_and_remaining_paper),
