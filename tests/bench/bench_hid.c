@@ -1,14 +1,15 @@
-/* bench_hid.c -- benchmark of the parser of HID report descriptors and of the report decoder.
+/* bench_hid.c -- benchmark of the parser of HID report descriptors and of the decoder of reports.
  *
  * Usage: bench_hid FOLDER [TSV]. FOLDER is tests/hid. The table is also written to the file TSV.
  *
- * Parses descriptors of real devices, malformed descriptors, and descriptors that were built to be
- * slow. Decodes a report of a real device, and a report of a device that was built to be slow.
+ * The parser reads the descriptors of real devices, malformed descriptors, and descriptors that
+ * were built to take as long as possible. The decoder reads one report of a real device, and one
+ * report of a simulated device that was built to take as long as possible. Each figure is the CPU
+ * time of this thread in the fastest of at least RUNS runs, so that other processes have little
+ * influence. The table names the slowest file of each group.
  *
- * Each figure is the CPU time of this thread in the best of at least RUNS runs, so that other
- * processes have little influence. The slowest file of each group is named. Returns exit status 1
- * if a descriptor takes more than GOAL_US (about a tenth of a frame) or a report more than
- * GOAL_REPORT_US. */
+ * Returns exit status 1 if a descriptor takes more than GOAL_US (about a tenth of a frame) or a
+ * report takes more than GOAL_REPORT_US. */
 #include <dirent.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -140,12 +141,16 @@ static void bench_report(const char *path)
 
 /* ---- A controller that is slow to decode ---------------------------------------------------- */
 
-/* Number of arrays. Two axes and a button need the other three bindings. */
+/* Number of array fields in the slow device's report. A mapping has HID_BINDING_MAX bindings, and
+ * two axes and a button need three of these. */
 #define ARRAYS (HID_BINDING_MAX - 3u)
 #define ARRAY_USAGES 64u
-/* Size of one array element in bits. A report has room for 256 bytes of elements. */
+/* Size of one array element in bits. The elements of all arrays must fit in a report
+ * (HID_REPORT_MAX bytes). */
 #define ELEMENT_BITS 4u
-#define ELEMENT_MAX 15u /* Index that each element of the report selects in the list of usages. */
+/* Largest value of an element, and the value of each element in the report. The value is an index
+ * in the array's list of usages. */
+#define ELEMENT_MAX 15u
 
 static struct hid_device_info face;
 static struct hid_pose_decoder hand;
@@ -160,9 +165,9 @@ static void append(const uint8_t *items, uint32_t size)
 #define APPEND(...)                                                                                \
     append((const uint8_t[]){ __VA_ARGS__ }, sizeof((const uint8_t[]){ __VA_ARGS__ }))
 
-/* Builds the slow device: a joystick with as many arrays as a mapping has room for (ARRAYS), each
- * with the largest number of elements (HID_ARRAY_MAX). The descriptor lists each usage of the
- * arrays separately. */
+/* Builds the descriptor of the slow device: a joystick with as many arrays as a mapping has room
+ * for (ARRAYS). Each array has the largest number of elements (HID_ARRAY_MAX), and the descriptor
+ * lists each usage of an array separately. */
 static void make_slow(void)
 {
     memset(&face, 0, sizeof face);

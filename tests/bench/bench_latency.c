@@ -3,16 +3,18 @@
  *
  * Usage: bench_latency [FRAME_MS WORK_MS]
  *
- * Runs the real frame loop and pointer decoder on a simulated clock, so the figures do not depend
- * on the machine. Each trial copies the game twice and gives one copy an event at a random phase of
- * the frame. Both run until the positions of their rings differ: by half a pixel after a motion of
- * the pointer, or at all after a button press, because a dip starts slowly.
+ * The benchmark runs the real frame loop and pointer decoder on a simulated clock, so the figures
+ * do not depend on the machine. Each trial makes two copies of the game and gives one copy a
+ * pointer event at a random time within a frame. Both copies run until the positions of their rings
+ * differ. After a motion of the pointer, the difference must be half a pixel. After a button press,
+ * any difference counts, because a dip starts slowly.
  *
- * The latency ends when the scene is passed to the display. The bound is one frame and one tick.
- * Drawing, the screen, the mouse, the kernel and the X server are not included.
+ * The latency ends when the frame loop passes the scene to the display. It must be at most one
+ * frame and one tick. Drawing, the screen, the mouse, the kernel and the X server are not included.
+ * FRAME_MS (frame period) and WORK_MS (drawing time) are figures that kingyo prints at its end. If
+ * they are given, the table has an additional row for this machine.
  *
- * With FRAME_MS (frame period) and WORK_MS (time for drawing), which kingyo prints at its end, the
- * table has a row for this machine. Returns exit status 1 if the bound does not hold. */
+ * Returns exit status 1 if a latency exceeds the bound. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -25,12 +27,12 @@
 
 #define TRIALS 400u
 #define FRAMES_MAX 8u
-/* Length in the tank that counts as one pixel. It is a little less than the 0.8 mm that a pixel
- * shows in a window 1,280 pixels wide, so that the benchmark misses no visible motion. */
+/* Length in the tank that this benchmark counts as one pixel. In a window 1,280 pixels wide, a
+ * pixel shows 0.8 mm of the tank. The smaller value ensures that no visible motion is missed. */
 #define PIXEL_M 0.0006f
 
-/* Everything that a copied game needs. Only wire() sets pointers to members of the struct
- * itself. */
+/* State of a simulated kiosk, which a trial copies. After a copy, wire() must set the pointers
+ * again that point into the struct. */
 struct booth {
     struct clock_sim clock;
     struct display_sim display;
@@ -107,15 +109,16 @@ struct event {
     uint64_t frame_ns;
     float x_px;       /* New x position of the pointer in pixels. The old position is 640. */
     uint32_t buttons; /* New state of the buttons. No button was held before the event. */
-    float seen_px;    /* Smallest difference of the two ring positions, in pixels, that counts as
-                         seen. */
+    /* The effect counts as visible when the two ring positions differ by more than this distance in
+     * pixels. */
+    float seen_px;
     /* Time for drawing that is added to the latency; 0 measures only until the scene is passed to
      * the display. */
     double work_ms;
 };
 
-/* Measures the latency of one event, which occurs `phase` of a frame after the last frame read its
- * input. `phase` is in [0, 1). */
+/* Measures the latency of one event. `phase` is the time from the last reading of the input to the
+ * event, as a fraction of a frame in [0, 1). */
 static struct latency measure(const struct event *event, float phase)
 {
     const uint64_t event_ns = base.clock.now_ns + 1 + (uint64_t)(phase * (float)event->frame_ns);
@@ -142,8 +145,8 @@ static int compare(const void *left, const void *right)
     return (a > b) - (a < b);
 }
 
-/* Measures TRIALS events of one kind at random phases and prints a row of the table. Returns 1 if
- * each latency was within one frame, one tick and the time for drawing. */
+/* Measures TRIALS events of one kind at random times within a frame, and prints a row of the table.
+ * Returns 1 if each latency was at most one frame, one tick and the drawing time. */
 static int bench(const struct event *event)
 {
     static double ms[TRIALS];
@@ -185,7 +188,7 @@ int main(int argc, char **argv)
         holds &= bench(&events[i]);
     }
     /* The additional row for this machine does not change the exit status, because a software
-     * renderer exceeds the allowed latency. */
+     * renderer is too slow for the bound. */
     if (argc == 3) {
         here.frame_ns = (uint64_t)(here_ms * 1e6);
         here.work_ms = strtod(argv[2], NULL);

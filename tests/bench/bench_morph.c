@@ -1,17 +1,19 @@
-/* bench_morph.c -- benchmark of morph blending per vertex, compared with the memory bandwidth.
+/* bench_morph.c -- benchmark of the blending of morph targets, compared with the memory bandwidth.
  *
  * Usage: bench_morph [TSV]. The table is also written to the file TSV, with a row for each number
- * of keys.
+ * of morph targets (keys).
  *
  * For each vertex a blend reads 8 bytes per key and 16 more bytes, and writes 24 bytes (position
- * and normal). A blend cannot be faster than a copy of as many bytes. Blends of so many fish that
- * they do not fit in a cache alternate with memcpy() of the same number of bytes. The figure is the
- * share of the copy's bandwidth in the fastest round, and must be at least GOAL. The table also has
- * one fish that stays in the cache, as in the kiosk, with and without SIMD.
+ * and normal). A blend cannot be faster than a copy of the same number of bytes. The benchmark
+ * therefore alternates between blends and memcpy() of this number of bytes. It uses so many fish
+ * that their data do not fit in a cache. The figure is the bandwidth of the blend in the fastest
+ * round, as a share of the copy's bandwidth. It must be at least GOAL.
  *
- * A second table has fish with several blend curves and anchors. The second table has no goal,
- * because arithmetic takes longer there than memory accesses. Returns exit status 1 if a share of
- * the first table is below GOAL. */
+ * The table also has the time for one fish that stays in the cache, as in the kiosk, with and
+ * without SIMD. A second table has fish with several blend curves and anchors. It has no goal,
+ * because these fish need more arithmetic than memory accesses.
+ *
+ * Returns exit status 1 if a share in the first table is below GOAL. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,11 +24,11 @@
 #include "core/morph/blend_lanes.h"
 
 #define VERTICES 1000u /* Number of vertices of one fish. */
-/* Number of vertices that are attached to an anchor, as those of fins and eyes are. The detailed
- * meshes of the fish have about as many. */
+/* Number of vertices that are attached to an anchor, as the vertices of fins and eyes are. The
+ * detailed meshes of the game's fish have about as many. */
 #define ANCHORED 400u
-/* Size of the memory for all fish in bytes. It is six times as large as the last-level cache of the
- * reference machine, so that the fish do not fit into the cache. */
+/* Size of the memory for all fish in bytes. The size is six times that of the last-level cache of
+ * the reference machine, so that the fish do not fit in the cache. */
 #define ARENA_SIZE ((size_t)192 << 20)
 #define ROUNDS 15u
 #define GOAL 0.5
@@ -92,8 +94,8 @@ static void pose_of(uint32_t key_count)
     }
 }
 
-/* Returns the time in seconds for `count` blends. The blends use the first `among` fish of the
- * arena in turn. If `single` is true, the function blends one vertex at a time, without SIMD. */
+/* Returns the time in seconds for `count` blends of the first `among` fish of the arena, in turn.
+ * If `single` is true, the function blends one vertex at a time, without SIMD. */
 static double blend_s(uint32_t key_count, bool single, size_t count, size_t among)
 {
     const double begin = now_s();
@@ -139,8 +141,8 @@ static void keep_least(double *least, double ns)
     *least = ns < *least ? ns : *least;
 }
 
-/* Returns the shortest time of all rounds for each case, because other processes disturb that round
- * least. */
+/* Returns the shortest time of each case over all rounds, because other processes disturb the
+ * shortest round least. */
 static struct measured measure(uint32_t key_count)
 {
     struct measured least = { 1e9, 1e9, 1e9, 1e9 };

@@ -1,13 +1,16 @@
 /* bench_open.c -- benchmark of the longest tick: the tick that opens the tank of another game mode.
  *
- * Opens ROUNDS games with different seeds. Measures the CPU time of the tick in which START opens
- * the championship's tank, and of the return to attract mode, which opens the festival's tank
- * again. Prints the medians and maxima: `open_ms open_max_ms back_ms back_max_ms`.
+ * The benchmark opens ROUNDS games with different seeds. It measures the CPU time of two ticks: the
+ * tick in which START opens the championship's tank, and the tick that returns to attract mode and
+ * opens the festival's tank again. It prints the medians and maxima: `open_ms open_max_ms back_ms
+ * back_max_ms`.
  *
- * The frame with such a tick may be late, because the picture changes anyway, and the next frame
- * makes up the missing ticks (frame_pacer.h), so no tick is lost. Returns exit status 1 if a tick
- * takes more than one frame, so that even a processor that is a quarter as fast needs at most four
- * frames. Returns exit status 2 if no other tank was opened. */
+ * A frame with such a tick may be late, because the picture changes completely anyway. The next
+ * frame makes up the missing ticks (frame_pacer.h), so no tick is lost.
+ *
+ * Returns exit status 1 if a tick takes more than one frame. A processor with a quarter of this
+ * machine's speed then needs at most four frames. Returns exit status 2 if no other tank was
+ * opened. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <time.h>
@@ -48,9 +51,9 @@ static double tick_ms(uint32_t pressed)
     return now_ms() - began_ms;
 }
 
-/* Measures one game: the tick in which START opens the championship's tank, and the return to
- * attract mode with its first tick, which opens the festival's tank again. Returns 0, or -1 if the
- * core or the other tank was not opened. */
+/* Measures one game: the tick in which START opens the championship's tank, and the tick that
+ * returns to attract mode and opens the festival's tank again. Returns 0, or -1 if the core or the
+ * other tank could not be opened. */
 static int measure(uint32_t seed, double *open_ms, double *back_ms)
 {
     const struct core_config config = { .seed = seed,

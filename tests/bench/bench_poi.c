@@ -67,7 +67,8 @@ static double report(const char *what, uint32_t count)
 struct state {
     const char *what;
     float pressure_pa;
-    /* Forces of each fish on the paper in N; 0 means that no fish is on the paper. */
+    /* Forces of the tail slap and of the body of each fish on the paper, in N. If `body_n` is 0, no
+     * fish is on the paper. */
     float slap_n, body_n;
     uint8_t half_wet;
     /* 1 if only those ticks are measured in which a cell tears, otherwise 0. */
@@ -85,8 +86,8 @@ static void lay(const struct state *state, uint32_t seed, struct sheet *sheet)
     sheet->soaked = !state->half_wet;
 }
 
-/* Fills `loads` with the loads of FISH fish side by side, each with a body and a slapping tail.
- * Returns the number of loads, which is 0 if no fish lies on the paper. */
+/* Fills `loads` with the loads of FISH fish that lie side by side. Each fish has a body load and a
+ * tail load. Returns the number of loads, which is 0 if no fish lies on the paper. */
 static uint32_t load(const struct state *state, struct sheet_load loads[2u * FISH])
 {
     if (state->body_n == 0.0f) {
@@ -100,8 +101,8 @@ static uint32_t load(const struct state *state, struct sheet_load loads[2u * FIS
     return 2u * FISH;
 }
 
-/* Measures one state of the paper. When little paper is left, the measurement continues with a new
- * sheet. */
+/* Measures the ticks of one state of the paper. When most of the paper is torn, the measurement
+ * continues with a new sheet. */
 static double measure(const struct state *state)
 {
     static struct sheet sheet;
@@ -129,8 +130,9 @@ static double measure(const struct state *state)
 static struct tank tank;
 static struct poi poi;
 
-/* Measures a poi with five fish above the water of the festival's tank, until a fish has left the
- * paper or 30 s have passed. The fish slap the paper as in the game. */
+/* Measures the ticks of a poi with five fish that is held above the water of the festival's tank.
+ * The fish slap the paper as in the game. The measurement ends when a fish has left the paper, or
+ * after 30 s. */
 static double measure_poi(void)
 {
     struct bowl bowl;
@@ -167,8 +169,8 @@ static double measure_poi(void)
 
 /* ---- Carried fish and fish in bowls --------------------------------------------------------- */
 
-/* Measures catch_tick() in the championship's tank with 1,000 fish. The poi does not move and
- * carries `carried_fish` fish at the start. */
+/* Measures catch_tick() in the championship's tank with 1,000 fish. The poi does not move.
+ * `carried_fish` is the number of fish on its paper at the start. */
 static void measure_catch(uint32_t carried_fish, const char *what)
 {
     struct bowl bowl;

@@ -1,16 +1,17 @@
 /* bench_reports.c -- benchmark of the time from the arrival of a USB poi's report to the tick that
- * uses it.
+ * uses the report.
  *
  * Usage: bench_reports [SECONDS [REPORT_HZ [FRAME_MS [WORK_MS]]]]. The defaults are 10 500 16.667
  * 5.
  *
- * Runs the real frame loop, decoder and ring buffer on the real clock. A test thread replaces the
- * libusb thread and pushes reports at the rate of a poi. A test display replaces the screen: it
- * takes WORK_MS to draw and returns at the next multiple of FRAME_MS.
+ * The benchmark runs the real frame loop, decoder and ring buffer on the real clock. A test thread
+ * replaces the libusb thread and pushes reports at the rate of a poi. A test display replaces the
+ * screen: it takes WORK_MS to draw and returns at the next multiple of FRAME_MS. The benchmark
+ * prints the same figures that the kiosk prints at its end. They do not include the cable, the host
+ * controller, libusb, or the frame after the tick (bench_latency measures that frame).
  *
- * The figures are those that the kiosk prints at its end. They do not include the cable, the host
- * controller, libusb, or the frame after the tick (bench_latency). Returns exit status 1 if reports
- * were lost or if the 99th percentile exceeds one frame and two ms. */
+ * Returns exit status 1 if reports were lost or if the 99th percentile exceeds one frame plus 2
+ * ms. */
 #include <pthread.h>
 #include <stdatomic.h>
 #include <stdio.h>
@@ -41,7 +42,8 @@ static uint64_t now_ns(void)
     return bench.clock.ops->now_ns(bench.clock.self);
 }
 
-/* Pushes report number `index` of a poi that circles over the water. */
+/* Pushes the report with the number `index` into the queue of the port. The simulated poi moves in
+ * a circle over the water. */
 static void push_report(uint32_t index)
 {
     uint8_t bytes[POI_REPORT_SIZE];
@@ -72,7 +74,7 @@ static int screen_present(void *self, const struct scene *scene)
     const uint64_t drawn_ns = now_ns() + (uint64_t)(bench.work_ms * 1e6);
     (void)self;
     (void)scene;
-    /* Keeps the processor core busy, as drawing does. */
+    /* Keeps the processor core busy for WORK_MS, as drawing does. */
     while (now_ns() < drawn_ns) {
     }
     bench.beat_ns += beat_ns * ((drawn_ns - bench.beat_ns) / beat_ns + 1u);
@@ -80,7 +82,7 @@ static int screen_present(void *self, const struct scene *scene)
     return HAL_OK;
 }
 
-/* Takes the output report with the force feedback from the port and discards the report. */
+/* Takes the force feedback report, which goes to the poi, from the port and discards the report. */
 static void take_feeling(void *self)
 {
     (void)self;

@@ -3,8 +3,9 @@
  *
  * Usage: bench_start SECONDS PROGRAM [WORDS...]
  *
- * Replaces the service manager, to which the kiosk sends READY=1 after its first frame. Lets the
- * kiosk run for SECONDS more, ends it with SIGTERM and prints `first_frame_ms peak_mib`. */
+ * The benchmark takes the place of systemd, the service manager, to which the kiosk sends READY=1
+ * after its first frame. It then lets the kiosk run for SECONDS more, ends it with SIGTERM and
+ * prints `first_frame_ms peak_mib`. */
 #include <errno.h>
 #include <poll.h>
 #include <signal.h>
@@ -67,8 +68,8 @@ int main(int argc, char **argv)
     const double begin_ms = now_ms();
     const pid_t child = fork();
     if (child == 0) {
-        /* The program writes to standard error, so that standard output has only the result line of
-         * this benchmark. */
+        /* Redirects the program's output to standard error, so that standard output has only the
+         * result line of this benchmark. */
         dup2(STDERR_FILENO, STDOUT_FILENO);
         execv(argv[2], argv + 2);
         _exit(127);

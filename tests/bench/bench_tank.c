@@ -1,14 +1,17 @@
 /* bench_tank.c -- benchmark of the time of a tank's tick per fish, from 50 to 100,000 fish, with
- * the share of each stage.
+ * the share of each stage of the tick.
  *
- * Usage: bench_tank [TSV] prints the tables and also writes them to the file TSV, with one figure
- * in each row. bench_tank FISH TICKS prints the mean CPU time of TICKS ticks, for use under
- * valgrind. bench_tank dragged measures only the cost of a poi in the water.
+ * bench_tank [TSV] prints the tables and also writes them to the file TSV, with one figure in each
+ * row.
  *
- * The build has room for 131,072 fish (bench.mk). As a reference, the same run also measures only
- * the search for pairs on the same poses. Different SIMD widths alternate on one tank, because all
- * give the same bits. The linker option --wrap replaces the calls between modules, to measure the
- * stages, because the core has no clock. */
+ * bench_tank FISH TICKS prints the mean CPU time of TICKS ticks, for use under valgrind.
+ *
+ * bench_tank dragged measures only the cost of a poi that moves in the water.
+ *
+ * This program is built for up to 131,072 fish (bench.mk). As a reference, each run also measures
+ * the search for pairs of close fish alone, in the same poses. The SIMD widths alternate on one
+ * tank, which is possible because all widths give the same bits. The core has no clock, so the
+ * linker option --wrap replaces the calls between modules by functions that measure the stages. */
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -25,14 +28,16 @@
 
 #define SAMPLES_MAX 4000u
 #define SAMPLES_MIN 8u
-#define MEASURE_NS 0.9e9 /* Measuring time for each number of fish. */
+#define MEASURE_NS 0.9e9 /* Measuring time in ns for each number of fish. */
 #define WARM_NS 0.4e9
-/* Ticks before a measurement (five seconds), after which the fish have left the regular order in
- * which they start. */
+/* Longest warm-up before a measurement, in ticks (five seconds). After this time the fish have left
+ * the regular grid in which they start. */
 #define WARM_TICKS 600u
-/* Ticks between two clock readings. In one of these ticks the broad phase makes a full update. */
+/* Number of ticks between two readings of the clock. The broad phase makes one full update in this
+ * time, so each block has the same work. */
 #define BLOCK BROAD_PHASE_UPDATE_TICKS
-/* Number of fish on the floor area of the thesis, which gives the density of the thesis. */
+/* Number of fish in a tank of the floor area that the thesis used, so that the density equals that
+ * of the thesis. */
 #define THESIS_FISH 600.0f
 
 static struct tank *store;
@@ -61,8 +66,8 @@ static double now_ns(void)
     return clock_ns(CLOCK_MONOTONIC);
 }
 
-/* Returns the CPU time of this thread. The time of other processes is not included, but they can
- * displace data from the caches. */
+/* Returns the CPU time of this thread in ns. The time of other processes is not included, but they
+ * can displace data from the caches. */
 static double work_ns(void)
 {
     return clock_ns(CLOCK_THREAD_CPUTIME_ID);
@@ -87,7 +92,7 @@ static double spent_ns[STAGE_COUNT], since_ns;
 static enum stage stage_now;
 static int is_timed;
 
-/* Assigns the time from now on to `stage`. Returns the previous stage. */
+/* Counts the time from now on for `stage`. Returns the stage that was counted before. */
 static enum stage enter(enum stage stage)
 {
     const enum stage before = stage_now;
@@ -120,7 +125,8 @@ static enum stage enter(enum stage stage)
         return result;                                                                             \
     }
 
-/* Wrapped functions. The list in bench.mk must have the same names. */
+/* Functions of the core that are wrapped to measure their stage. The list in bench.mk must have the
+ * same names. */
 WRAP(MOVE, swim_move_all, (const struct shoal *shoal, uint32_t lanes), (shoal, lanes))
 WRAP(SYNC, broad_phase_mark,
      (struct broad_phase * broad_phase, const struct fish *fish, uint32_t count),
@@ -176,7 +182,8 @@ static void open_tank(uint32_t fish, float area_scale, uint8_t search)
     open_preset(TANK_PRESET_THESIS, fish, area_scale, search);
 }
 
-/* A poi that is dragged around the tank on an oval at mid depth, tilted, with whole paper. */
+/* A poi is dragged around the tank on an oval, at half the depth of the water. The ring is tilted
+ * and its paper is whole. */
 static float drag_m_s; /* Speed of the dragged poi in m/s. 0 means no poi. */
 static struct obstacle disc;
 static uint8_t paper[OBSTACLE_PAPER_SIDE * OBSTACLE_PAPER_SIDE];
@@ -206,8 +213,8 @@ static void take_disc(float speed_m_s)
     };
 }
 
-/* Moves the disc toward its target on the oval. Fish may block the disc. A disc that was blocked
- * catches up at up to 1.5 times its speed. */
+/* Moves the disc (the ring with its paper) toward its target on the oval. Fish may block the disc.
+ * A disc that was blocked then moves at up to 1.5 times its normal speed until it has caught up. */
 static void pull_disc(void)
 {
     const vec3 way_m = v3_sub(hand_m(), disc.centre_m);
@@ -244,7 +251,7 @@ static double block_ns(uint32_t lanes)
     return (work_ns() - start) / (double)(BLOCK * tank.fish_count);
 }
 
-/* Searches for pairs in the current poses. Returns the time in ns per fish. */
+/* Searches for pairs of close fish in the current poses. Returns the time in ns per fish. */
 static double bare_ns(uint32_t lanes, uint32_t *found_count)
 {
     const struct narrow_phase_query of = {
@@ -297,8 +304,8 @@ static struct figures measure(uint32_t fish)
     while (count < SAMPLES_MAX && (count < SAMPLES_MIN || now_ns() - start < MEASURE_NS)) {
         for (uint32_t w = 0; w < widths; w++) {
             const uint32_t lanes = 4u << w;
-            /* Each measured call runs once before without measurement. Otherwise its data would not
-             * be in the cache, because the other calls displace them. */
+            /* Runs each measured function once without measurement. Otherwise its data would not be
+             * in the cache, because the other functions displace them. */
             (void)block_ns(lanes);
             samples[w][count] = block_ns(lanes);
             (void)bare_ns(lanes, &pair_count);
@@ -353,8 +360,8 @@ static void print_growth(void)
     }
 }
 
-/* Returns the exponent of the growth of time with the number of fish: the slope of log time over
- * log count, fitted from 600 fish up. */
+/* Returns the exponent with which the time grows with the number of fish: the slope of log(time)
+ * over log(number), fitted for 600 fish and more. */
 static double exponent(uint32_t width)
 {
     double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
@@ -406,8 +413,8 @@ static uint32_t time_stages(void)
     return count;
 }
 
-/* Prints the mean time of each stage in ns per fish and tick. Uses only blocks that took no longer
- * than the median, because slower blocks were interrupted. */
+/* Prints the mean time of each stage in ns per fish and tick. Uses only blocks of ticks that took
+ * no longer than the median, because other processes interrupted the slower blocks. */
 static void print_shares(uint32_t fish)
 {
     static double sorted[SAMPLES_MAX];
@@ -451,7 +458,7 @@ static void print_stages(void)
     print_shares(60000);
 }
 
-/* The usual configurations of a kiosk. */
+/* Configurations of a kiosk that are measured with a dragged poi. */
 static const struct {
     const char *name;
     uint8_t preset;
@@ -465,7 +472,7 @@ static const float drags_m_s[] = { 0.0f, 0.2f, 0.4f, 1.0f };
 #define DRAGS (sizeof drags_m_s / sizeof drags_m_s[0])
 
 /* Returns the mean time in ns per fish and tick. The mean is used instead of the median, because
- * the cost of a poi varies from tick to tick. */
+ * the cost of a poi varies between ticks. */
 static double dragged_ns(uint32_t stall, float speed_m_s)
 {
     double sum_ns = 0.0;
@@ -505,7 +512,7 @@ static void print_dragged(void)
     take_disc(0.0f);
 }
 
-/* Returns the ticks per second without drawing. */
+/* Returns how many ticks per second the tank runs without drawing. */
 static double ticks_per_s(uint32_t fish, uint8_t search)
 {
     uint32_t count = 0;
@@ -547,8 +554,9 @@ static void print_table_4_2(void)
     }
 }
 
-/* Times of other programs, measured on a similar machine with one thread at the fish density of the
- * thesis. Each of them either only finds contacts or only steers. */
+/* Times of other programs in ns, measured on a similar machine with one thread at the fish density
+ * of the thesis. Each of these programs does only a part of the work: it either finds contacts or
+ * steers. */
 static const struct {
     const char *name;
     double ns[3];

@@ -1,12 +1,14 @@
-/* bench_usb.c -- benchmark of the delays of a USB poi's report: from the bus to its time stamp, and
- * from the stamp to the frame that takes the report.
+/* bench_usb.c -- benchmark of the two delays of a USB poi's report: from the bus to its time stamp,
+ * and from the time stamp to the frame that takes the report.
  *
  * Usage: bench_usb [SECONDS]
  *
- * Runs the real USB thread in real time over a simulated bus (tests/unit/support/usb/usb_sim.h) at
- * 1,000 reports per second. A loop of 60 frames per second takes all queued reports and then works
- * for 4 ms. The figures do not include the kernel's host controller and the cable, which takes at
- * most 1 ms at full speed. Returns exit status 1 if a report was lost or arrived out of order. */
+ * The benchmark runs the real USB thread in real time on a simulated bus
+ * (tests/unit/support/usb/usb_sim.h) with 1,000 reports per second. A loop of 60 frames per second
+ * takes all queued reports, and then works for 4 ms in each frame. The figures do not include the
+ * kernel's host controller driver and the cable, which takes at most 1 ms at full speed.
+ *
+ * Returns exit status 1 if a report was lost or arrived out of order. */
 #include <pthread.h>
 #include <stdatomic.h>
 #include <time.h>
@@ -22,7 +24,8 @@
 
 static struct usb_fixture fixture;
 static struct frame_timing to_stamp, to_frame, call;
-static uint64_t sent_ns[65536]; /* Send time of each report, indexed by the number in the report. */
+/* Send time of each report in ns. The index is the number that the report contains. */
+static uint64_t sent_ns[65536];
 static atomic_int is_over;
 static uint32_t device;
 
@@ -44,7 +47,7 @@ static void *wire(void *self)
     return NULL;
 }
 
-/* Takes all queued reports. Returns the number of reports that were not the next in sequence. */
+/* Takes all queued reports. Returns how many of them did not have the expected next number. */
 static uint32_t take_all(struct hid_port *port, uint32_t *expected)
 {
     struct hid_raw raw;
@@ -81,8 +84,8 @@ static uint32_t run(uint32_t seconds)
     for (uint64_t frame_ns = now_ns(); frame_ns < end_ns; frame_ns += FRAME_NS) {
         clock_sleep_until(frame_ns);
         wrong += take_all(port, &expected);
-        /* Keeps one core busy, as the computation of a frame does, so that the USB thread must use
-         * another core. */
+        /* Keeps one processor core busy, as the computation of a frame does, so that the USB thread
+         * must use another core. */
         while (now_ns() < frame_ns + WORK_NS) {
         }
     }

@@ -34,14 +34,16 @@ uint32_t league_arm(struct league *league, const char *name, const struct round_
     }
     if (league->arm_count == LEAGUE_ARMS_MAX) {
         fprintf(stderr, "%s: more than %u arms\n", league->speaker, LEAGUE_ARMS_MAX);
-        abort(); /* A benchmark never adds more than LEAGUE_ARMS_MAX arms. */
+        /* No benchmark adds more than LEAGUE_ARMS_MAX arms, so this is a programming error. */
+        abort();
     }
     league->arms[league->arm_count] = (struct arm){ .name = name, .plan = *plan };
     return league->arm_count++;
 }
 
-/* Plans the rounds: all arms with the first seed, then all arms with the second seed, and so on. In
- * this order, the remaining time can be estimated from the rounds played so far. */
+/* Plans all rounds: first a round of each arm with the first seed, then a round of each arm with
+ * the second seed, and so on. Because the arms alternate, the remaining time can be estimated from
+ * the rounds played so far. */
 static struct round_plan *plan_all(const struct league *league)
 {
     struct round_plan *plans = calloc((size_t)league->seeds * league->arm_count, sizeof *plans);

@@ -27,26 +27,28 @@ struct league {
     double took_s;
 };
 
-/* Adds an arm (a way to play) with the plan `plan`, unless one with the same plan exists. Returns
- * the index of the arm with this plan. */
+/* Adds an arm (a way to play) with the plan `plan`. If an arm with the same plan exists, no arm is
+ * added. Returns the index of the arm with this plan. */
 uint32_t league_arm(struct league *league, const char *name, const struct round_plan *plan);
 
-/* Plays all arms. Returns EXIT_OK, or an error that was printed. The results stay valid until
- * league_end(). */
+/* Plays all rounds of all arms. Returns EXIT_OK, or the code of an error whose message was printed.
+ * The results stay valid until league_end(). */
 enum exit_code league_play(struct league *league);
 /* Frees the results of all arms and removes the arms. */
 void league_end(struct league *league);
 
-/* Copies the catch of arm `index` with each seed into `caught[seeds]`. */
+/* Copies the number of fish that arm `index` caught with each seed into `caught`, which has room
+ * for `seeds` elements. */
 void league_caught(const struct league *league, uint32_t index, uint32_t *caught);
 
-/* Writes each round of each arm into the file `name`, for other statistics. The columns are
- * separated by tabs. The rows are ordered by arm and then by seed. Returns EXIT_OK, or EXIT_IO
- * after an error message. */
+/* Writes one row for each round of each arm into the file `name` in `folder`, for use with other
+ * statistics. The columns are separated by tabs. The rows are ordered by arm and then by seed.
+ * Returns EXIT_OK, or EXIT_IO after an error message. */
 enum exit_code league_write_rounds(const struct league *league, const char *folder,
                                    const char *name);
 
-/* Opens a file for other figures. Returns the open file, or null after an error message. */
+/* Opens the file `name` in `folder` for writing, so that a benchmark can write its own figures.
+ * Returns the open file, or null after an error message. */
 FILE *league_file(const struct league *league, const char *folder, const char *name);
 
 /* Closes `file`. Returns EXIT_OK, or EXIT_IO after an error message. */

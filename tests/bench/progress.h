@@ -1,5 +1,4 @@
-/* progress.h -- prints on standard error how many rounds, or other units, of a benchmark are
- * done. */
+/* progress.h -- prints on standard error how many rounds of a benchmark are done. */
 #ifndef KINGYO_TESTS_BENCH_PROGRESS_H
 #define KINGYO_TESTS_BENCH_PROGRESS_H
 
@@ -8,7 +7,8 @@
 
 struct progress {
     const char *speaker;
-    const char *unit; /* Name of what is counted, "rounds" unless the caller changes the name. */
+    /* Word for what is counted. The default is "rounds"; the caller may change the word. */
+    const char *unit;
     uint32_t played, count, printed_percent;
     double begin_s;
     bool is_watched; /* True if standard error is a terminal. */
@@ -17,12 +17,12 @@ struct progress {
 /* Starts to count the progress of `count` rounds. `speaker` is the program's name in the output. */
 struct progress progress_begin(const char *speaker, uint32_t count);
 
-/* Counts one more round. On a terminal, prints the progress after each round, otherwise after
- * each tenth of the rounds. The caller must ensure that only one thread calls this function at a
- * time. */
+/* Counts one more round. On a terminal, the function prints the progress after each round;
+ * otherwise it prints the progress after each tenth of the rounds. The caller must ensure that only
+ * one thread calls this function at a time. */
 void progress_add(struct progress *progress);
 
-/* Ends the line on a terminal. Returns the seconds since progress_begin(). */
+/* Ends the line of the progress on a terminal. Returns the seconds since progress_begin(). */
 double progress_end(const struct progress *progress);
 
 #endif

@@ -2,10 +2,12 @@
  *
  * Usage: scores ROUNDS OUT. OUT is the folder of scores.tsv.
  *
- * Plays the festival with No. 6 paper and the championship with No. 5 paper, which are the
- * defaults. The goals come from real events. Most visitors of a festival catch at most two or three
- * fish, and a beginner at the championship one or two. The championship's winners of seven years
- * caught 35 to 87 fish, and the record is 107. Returns exit status 1 if a goal is missed. */
+ * The bots play the festival with No. 6 paper and the championship with No. 5 paper, which are the
+ * defaults of these game modes. The goals come from real events: most visitors of a festival catch
+ * at most two or three fish, and a beginner at the championship catches one or two. The winners of
+ * seven championships caught 35 to 87 fish, and the record is 107.
+ *
+ * Returns exit status 1 if a goal is missed. */
 #include <stdio.h>
 
 #include "core/scene.h"
@@ -52,7 +54,7 @@ static uint32_t count_torn(const struct league *league, uint32_t arm)
     return count;
 }
 
-/* Prints one line. Returns 1 if the goal is met. */
+/* Prints the result of one goal as a line. Returns 1 if the goal is met. */
 static int print_goal(const struct league *league, uint32_t arm, const struct goal *goal)
 {
     uint32_t caught[LEAGUE_SEEDS_MAX];

@@ -12,7 +12,8 @@
 struct ranked {
     double size; /* Absolute value of the difference of a pair. */
     int positive;
-    /* Twice the rank, because the mean rank of equal differences may be a half. */
+    /* Twice the rank. The mean rank of equal differences may end in .5, so the rank is doubled to
+     * be an integer. */
     uint32_t twice;
 };
 
@@ -22,8 +23,8 @@ static int by_size(const void *left, const void *right)
     return (a > b) - (a < b);
 }
 
-/* Sorts the differences other than zero by their size, ascending, and assigns the ranks. Returns
- * their number. */
+/* Ranks the differences that are not zero by their absolute value, in ascending order, and writes
+ * them to `out`. Returns the number of ranked differences. */
 static uint32_t rank(const double *differences, uint32_t count, struct ranked *out)
 {
     uint32_t kept = 0;
@@ -45,9 +46,9 @@ static uint32_t rank(const double *differences, uint32_t count, struct ranked *o
     return kept;
 }
 
-/* Computes the distribution of the rank sum for random signs. share[s] is the fraction of the 2^n
- * sign assignments whose positive doubled ranks sum to s. Each rank is positive in half of the
- * assignments. */
+/* Computes the exact distribution of the rank sum if each sign is random. share[s] is the fraction
+ * of the 2^n sign assignments in which the doubled ranks with a positive sign sum to s. With each
+ * rank added, half of the assignments give it a positive sign. */
 static void count_ways(const struct ranked *ranked, uint32_t count, double *share)
 {
     uint32_t sum = 0;
@@ -62,7 +63,8 @@ static void count_ways(const struct ranked *ranked, uint32_t count, double *shar
     }
 }
 
-/* Returns the two-sided probability of a sum at least as extreme as `observed`. */
+/* Returns the two-sided p value: the probability of a rank sum at least as far from the mean as
+ * `observed`. `sum` is the sum of all doubled ranks. */
 static double two_sided(const double *share, uint32_t sum, uint32_t observed)
 {
     const uint32_t far = observed > sum - observed ? observed : sum - observed;
@@ -95,8 +97,8 @@ double statistics_signed_rank_p(const double *differences, uint32_t count)
 
 /* ---- Student's t ----------------------------------------------------------------------------- */
 
-/* Returns P(|T| <= t) for Student's t, by the finite series of Abramowitz and Stegun (26.7.3 and
- * 26.7.4). */
+/* Returns P(|T| <= t) for Student's t distribution, by the finite series of Abramowitz and Stegun
+ * (26.7.3 and 26.7.4). `freedom` is the number of degrees of freedom. */
 static double t_within(double t, uint32_t freedom)
 {
     const double angle = atan(t / sqrt((double)freedom));

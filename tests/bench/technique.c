@@ -1,18 +1,17 @@
 /* technique.c -- checks that good technique catches more fish. In each of seven experiments, two
  * bots that differ in one habit play the same rounds.
  *
- * Usage: technique SEEDS BOTS OUT [FIRST]
+ * Usage: technique SEEDS BOTS OUT [FIRST]. BOTS is the folder of the *.bot files, OUT the folder of
+ * technique.tsv, and FIRST the first seed (default 0).
  *
- * BOTS is the folder of the *.bot files, OUT the folder of technique.tsv, and FIRST the first seed
- * (default 0).
+ * All rounds are played in the festival mode with 300 fish and No. 6 paper, and last at most 60 s.
+ * Both bots of an experiment play the same seeds, so they get the same fish and the same paper. The
+ * habits are those that stall keepers advise (tests/FIGURES.md has the results). A habit pays if
+ * the first bot, which has the habit, catches significantly more than the second.
  *
- * All rounds are played in the festival with 300 fish, No. 6 paper and at most 60 s. Both bots of
- * an experiment play the same seeds, so they get the same fish and the same paper. The habits are
- * the advice of stall keepers (tests/FIGURES.md has the results).
- *
- * A habit pays if the first bot catches significantly more. Returns exit status 0 if all required
- * habits pay and no habit is clearly worse (PLAINLY_WRONG_P). With fewer than SEEDS_ENOUGH seeds,
- * PAYS_MIN required habits must pay instead of all. Otherwise returns 1. */
+ * Returns exit status 0 if all required habits pay and no habit is clearly worse (PLAINLY_WRONG_P).
+ * With fewer than SEEDS_ENOUGH seeds, only PAYS_MIN of the required habits must pay. Otherwise
+ * returns 1. */
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
@@ -25,11 +24,11 @@
 
 #define SEEDS_ENOUGH 200u
 /* Number of required habits that must pay if fewer than SEEDS_ENOUGH seeds are played. The effects
- * of some habits are so large that few seeds show them. */
+ * of a few habits are so large that few seeds are enough to show them. */
 #define PAYS_MIN 2u
-/* Significance level for a clearly wrong result: 5 % for all seven experiments together, so a
- * seventh of that for each. Without this correction, one run in three with few seeds would fail by
- * chance. */
+/* Significance level for a result that is clearly worse. The level of 5 % is for all seven
+ * experiments together, so each experiment gets a seventh of it. Without this correction, one run
+ * in three with few seeds would fail by chance. */
 #define PLAINLY_WRONG_P (0.05 / 7.0)
 #define FISH_COUNT 300u
 #define ROUND_S 60u
@@ -42,15 +41,16 @@ static const struct experiment {
     /* Names of the .bot files of the two bots. The first bot is expected to catch more. */
     const char *better, *worse;
     const char *title;
-    /* True if the first bot must catch more; false if the result is only reported. */
+    /* True if the test fails unless the first bot catches more; false if the result is only
+     * printed. */
     bool must_pay;
 } experiments[] = {
     { "all-wet", "half-wet", "all wet over half wet", true },
     { "slanted", "flat", "slanted over flat entry", true },
     { "edge-leading", "broadside", "edge-leading over broadside glide", true },
     { "head-first", "tail-first", "head first over tail on", true },
-    /* In the game, scooping near the rim cannot catch more fish (tests/FIGURES.md, "Why the rim
-     * does not pay"). */
+    /* This habit is not required: scooping near the rim cannot catch more fish in the game, as
+     * tests/FIGURES.md explains ("Why the rim does not pay"). */
     { "near-rim", "centre", "near the rim over the centre", false },
     { "drained-lift", "fast-lift", "level drained over fast flat lift", true },
     { "still-shade", "chase", "still shade over chasing", true },
@@ -82,8 +82,8 @@ static enum exit_code add_arm(struct league *league, const char *folder, const c
     return code;
 }
 
-/* Adds an experiment with its two arms. Equal plans of both arms are an error, because such an
- * experiment would test nothing. */
+/* Adds the two bots of an experiment as arms. Equal plans of both bots are an error, because such
+ * an experiment would test nothing. */
 static enum exit_code add_experiment(struct league *league, const char *folder,
                                      const struct experiment *experiment, struct trial *trial)
 {
@@ -108,9 +108,9 @@ static void evaluate(const struct league *league, struct trial *trial)
     trial->verdict = statistics_verdict(&trial->found);
 }
 
-/* Returns 1 if enough required habits pay and no habit is clearly worse. With SEEDS_ENOUGH seeds,
- * all required habits must pay, each at 5 %, so no stricter level is needed. With fewer seeds,
- * PAYS_MIN habits must pay, because few seeds may not show a small effect. */
+/* Returns 1 if enough required habits pay and no habit is clearly worse. With at least SEEDS_ENOUGH
+ * seeds, all required habits must pay, each at the 5 % level. With fewer seeds, PAYS_MIN habits
+ * must pay, because few seeds may not show a small effect. */
 static int all_is_well(const struct trial *trials, uint32_t seeds)
 {
     uint32_t required = 0, paid = 0, wrong_way = 0, plainly_wrong = 0;

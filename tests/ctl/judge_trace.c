@@ -2,10 +2,10 @@
  *
  * Usage: judge_trace TRACE WIDTH_CM DEPTH_CM BREADTH_CM
  *
- * Prints the numbers of rows, ticks and fish, and whether every value is a finite number. Also
- * prints how deep the fish's boxes are in each other, in the walls and in the floor. A box is
- * computed as eight rotated corners. Two boxes are disjoint if their corners can be separated along
- * an axis. */
+ * Prints the numbers of rows, ticks and fish, and whether every value is a finite number. Each fish
+ * has a bounding box, whose eight corners are computed by rotation. The program also prints how
+ * deep these boxes overlap each other, and how far they are beyond a wall or the floor. Two boxes
+ * are disjoint if a plane separates their corners, which is tested along several axes. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -18,7 +18,8 @@
 
 struct corners {
     double at[8][3], axis[3][3], centre[3], reach;
-    int free; /* 1 if the fish is not held by a poi. */
+    /* 1 if no poi carries the fish, otherwise 0. */
+    int free;
 };
 
 struct verdict {
@@ -44,9 +45,9 @@ static void turn(double p[3], int i, int j, double degrees)
     p[j] = from * sin(a) + to * cos(a);
 }
 
-/* Rotates a direction from the body to the world: about the world's axes by roll (right side down),
- * pitch (nose, -z, up) and yaw (nose to the left, -x). This equals yaw, pitch and roll about the
- * body's own axes. */
+/* Rotates a direction from the body's axes to the world's axes. The rotations about the world's
+ * axes are roll (right side down), then pitch (nose, -z, up), then yaw (nose to the left, -x). The
+ * result is the same as yaw, pitch and roll about the body's own axes. */
 static void to_world(double p[3], double yaw, double pitch, double roll)
 {
     turn(p, 1, 0, roll);
@@ -87,8 +88,8 @@ static void span(const struct corners *c, const double axis[3], double *low, dou
     }
 }
 
-/* Returns the distance by which one box must move along the axis until the boxes are disjoint. A
- * negative result means that they are already disjoint along this axis. */
+/* Returns the distance by which one box must move along the axis so that the boxes no longer
+ * overlap along it. A negative result means that they do not overlap along this axis. */
 static double clear_by(const struct corners *a, const struct corners *b, const double axis[3])
 {
     const double length = sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);

@@ -1,6 +1,6 @@
-/* swap_folder.c -- a library for LD_PRELOAD that replaces a folder while kingyoctl writes into it.
- * At the first fchmod() call the library renames SWAP_FOLDER to SWAP_FOLDER.moved, and puts a
- * symbolic link to SWAP_TARGET in its place. The test uses it to simulate an attacker. */
+/* swap_folder.c -- a library for LD_PRELOAD that replaces a folder while kingyoctl writes into it,
+ * as an attacker could. At the first call of fchmod(), the library renames the folder SWAP_FOLDER
+ * to SWAP_FOLDER.moved, and puts a symbolic link to SWAP_TARGET in its place. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <sys/stat.h>

@@ -1,4 +1,4 @@
-/* exercise.c -- calls every function of core/morph on a species that was read from any source. */
+/* exercise.c -- implementation of exercise.h: calls every function of core/morph on a species. */
 #include "tests/fuzz/exercise.h"
 
 #include <math.h>

@@ -1,7 +1,6 @@
-/* exercise.h -- uses a species as the kiosk and kingyoctl do.
- *
- * The species must have passed species_validate(). If an assertion fails or a read goes beyond the
- * end of a table, species_validate() accepted an invalid species. */
+/* exercise.h -- uses a species as the kiosk and kingyoctl do. The species must have passed
+ * species_validate(). A failed assertion or a read beyond the end of a table then shows that
+ * species_validate() accepts invalid species. */
 #ifndef KINGYO_TESTS_FUZZ_EXERCISE_H
 #define KINGYO_TESTS_FUZZ_EXERCISE_H
 

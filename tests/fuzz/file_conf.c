@@ -10,8 +10,8 @@
 #include "tests/fuzz/scratch.h"
 #include "tests/fuzz/trap.h"
 
-/* Validates GPIO lines as board/desktop does. The real function is not linked because its file
- * needs SDL and threads. */
+/* Replaces the function of board/desktop that validates the names of GPIO lines. The real function
+ * is not linked, because its file needs SDL and threads. */
 int board_check_lines(const char (*line)[BOARD_LINE_SIZE], uint32_t count, char why[HAL_TEXT_SIZE])
 {
     struct gpio_wire wires[GPIO_ROLE_COUNT] = { 0 };

@@ -1,10 +1,9 @@
 /* file_entries.c -- fuzz target: a ledger database whose rows have arbitrary values and correct
- * checksums.
+ * checksums. The store must either reject the database, or read each entry back and start a game
+ * with the sums of the rows. In both cases all readable entries are also recovered into an empty
+ * database.
  *
- * The store must either reject the database, or read each entry back and start a game with the sums
- * of the rows. In both cases all readable entries are also recovered into an empty database.
- *
- * Input: a count of cells, the cells of 12 bytes each (column, row, type, unused, value), and
+ * Input: a number of cells, the cells of 12 bytes each (column, row, type, unused, value), and
  * images of struct ledger_entry. */
 #include <stdio.h>
 #include <string.h>
@@ -21,13 +20,13 @@
 #define ENTRIES_MAX 12u
 #define CELLS_MAX 8u
 #define CELL_SIZE 12u
-/* Largest entry id. The limit keeps the recovery fast, which queries each id up to the newest
- * one. */
+/* Largest entry id. The recovery queries each id up to the newest one, so this limit keeps the
+ * recovery fast. */
 #define IDS_MAX 1024u
 #define TICKS 3u
 
-/* SQL that sets `column` in one row of a table. The row is selected by its position (?2), because
- * these tables have no row ids. */
+/* SQL statement that sets `column` in one row of a table. The row is selected by its position (?2),
+ * because these tables have no row ids. */
 #define ROW_OF(table, column)                                                                      \
     table " SET " column " = ?1 WHERE name = (SELECT name FROM " table " LIMIT 1 OFFSET ?2)"
 #define SETTING_OF(column) ROW_OF("settings", column)
@@ -90,9 +89,11 @@ static void put_rows(struct ledger_file *file, const uint8_t *bytes, size_t size
         struct ledger_entry entry;
         memcpy(&entry, bytes + at, sizeof entry);
         at += sizeof entry;
-        /* The store asserts that ids begin at 1, so other ids are mapped to 1 .. IDS_MAX. */
+        /* Maps the id to 1 .. IDS_MAX, because the store asserts that ids begin at 1. */
         entry.id = 1u + entry.id % IDS_MAX;
-        ledger_rows_put(file, &entry); /* The database rejects a second entry with the same id. */
+        /* The return value is ignored, because the database rejects a second entry with the same
+         * id. */
+        ledger_rows_put(file, &entry);
     }
     for (uint32_t i = 0; i < cell_count && 1u + (i + 1u) * CELL_SIZE <= size; i++) {
         put_cell(file->db, bytes + 1 + i * CELL_SIZE);
@@ -108,8 +109,8 @@ static void start_stall(const struct ledger_content *content)
     stall_try_memory(&memory, TICKS);
 }
 
-/* Recovers all readable entries of the damaged database into a new one, and checks that the store
- * opens the new database. */
+/* Recovers all readable entries of the damaged database into a new database. Checks that the store
+ * can open the new database. */
 static void hold_salvage(void)
 {
     static const struct ledger_mirror none;

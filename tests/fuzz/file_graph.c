@@ -1,7 +1,7 @@
 /* file_graph.c -- fuzz target: arbitrary text as a saved morph graph (DATA/graphs/SPECIES.graph).
- * The parser must either reject the text with one line that begins with a line number, or accept
- * it. An accepted graph must give finite blend weights, and must be bit-identical after it was
- * written and read again.
+ * The parser must either accept the text, or reject it with a message of one line that begins with
+ * a line number. An accepted graph must give finite blend weights, and must not change by a bit
+ * when it is written and read again.
  *
  * Input: a byte that selects the species, and the text. */
 #include <string.h>

@@ -1,8 +1,8 @@
 /* file_replay.c -- fuzz target: arbitrary bytes as a recording. The checksums, the first tick of
- * each chunk and the end mark are corrected, so that changed bytes reach the decoder and the core.
- *
- * The reader must either reject the recording with one line, or decode inputs that stay equal after
- * they are encoded and decoded again. The core then plays these inputs. */
+ * each chunk and the end mark are corrected, so that the reader does not reject changed bytes
+ * because of them. The reader must either reject the recording with a message of one line, or
+ * decode inputs that stay equal after they are encoded and decoded again. The core then plays these
+ * inputs. */
 #include <string.h>
 
 #include "core/base/hash.h"
@@ -12,14 +12,15 @@
 #include "tests/fuzz/trap.h"
 
 #define FILE_MAX 16384u
-/* Number of ticks that are played. More ticks take longer but hardly reach other code. */
+/* Largest number of ticks that are played. More ticks would take longer and would hardly execute
+ * other code. */
 #define PLAYED_TICKS_MAX 240u
 
 static uint8_t file[FILE_MAX];
 static size_t file_size;
 
 /* Writes the checksum of the `size` bytes at `at` directly after these bytes. Returns the position
- * after the checksum, or 0 if the file ends before it. */
+ * after the checksum, or 0 if the file is too short. */
 static size_t put_sum(size_t at, size_t size, uint64_t *sum)
 {
     if (size > file_size || at + size + REPLAY_SUM_SIZE > file_size) {
@@ -30,7 +31,8 @@ static size_t put_sum(size_t at, size_t size, uint64_t *sum)
     return at + size + REPLAY_SUM_SIZE;
 }
 
-/* Corrects the end mark at `at`, so that it agrees with the last chunk of the recording. */
+/* Corrects the end mark of the recording, which is at `at`, so that it agrees with the last
+ * chunk. */
 static void mend_end(size_t at, const uint8_t *last, uint32_t tick, uint64_t sum)
 {
     replay_put_u32(file + at + END_TICKS, tick);

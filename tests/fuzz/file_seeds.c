@@ -34,7 +34,8 @@ static void put(const char *name, const void *bytes, size_t size)
     }
 }
 
-/* Returns the input of a tick: a coin at tick 20, START at tick 40, and a poi over the water. */
+/* Returns the input of a tick of the recording: a coin at tick 20, START at tick 40, and a poi over
+ * the water. */
 static struct input play_of(uint32_t tick)
 {
     struct input input = { .day = 9000, .minute = 600, .store_well = 1 };
@@ -95,8 +96,8 @@ static void put_graphs(void)
     }
 }
 
-/* Writes the default configuration, and a second file with only its section lines and its key
- * lines, uncommented. */
+/* Writes the default configuration. Writes also a second file that has only the section lines and
+ * the key lines of the first, uncommented. */
 static void put_confs(void)
 {
     char *text = NULL;

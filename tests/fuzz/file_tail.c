@@ -35,7 +35,7 @@ static void put_entries(const uint8_t *bytes, size_t size)
     uint32_t count = 0;
     for (; count < ENTRIES_MAX && (count + 1u) * sizeof entries[0] <= size; count++) {
         memcpy(&entries[count], bytes + count * sizeof entries[0], sizeof entries[0]);
-        /* The store asserts that ids begin at 1, so id 0 becomes 1. */
+        /* Replaces id 0 by 1, because the store asserts that ids begin at 1. */
         entries[count].id += entries[count].id == 0;
     }
     HOLD(ledger_mirror_open(&tail, path) == 0);

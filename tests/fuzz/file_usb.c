@@ -1,6 +1,6 @@
-/* file_usb.c -- fuzz target: arbitrary bytes as usb.txt, the operator's choices of controllers. The
- * parser must count the invalid lines and describe the last of them in one line. The accepted
- * choices must be equal after they were saved and loaded again. */
+/* file_usb.c -- fuzz target: arbitrary bytes as usb.txt, the file with the operator's choices of
+ * controllers. The parser must count the invalid lines and describe the last of them in one line.
+ * The accepted choices must be the same after they were saved and loaded again. */
 #include <stdio.h>
 #include <string.h>
 

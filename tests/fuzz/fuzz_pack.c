@@ -14,7 +14,8 @@ static void try(const uint8_t *bytes, size_t size)
     if (pack_decode(bytes, size, &slot, why) == PACK_OK) {
         exercise(&slot.species);
         if (pack_encode(&slot, again) != size || memcmp(bytes, again, size) != 0) {
-            __builtin_trap(); /* An accepted species must be written again with the same bytes. */
+            /* An accepted species must have the same bytes after it is packed again. */
+            __builtin_trap();
         }
     }
 }

@@ -1,8 +1,7 @@
-/* fuzz_scene.c -- fuzz target: arbitrary bytes as a glTF file. The file is read by assimp,
- * flattened to one mesh, checked against the mesh limits, and converted to a species.
- *
- * kingyoctl imports in a child process. This target imports in its own process, so that the fuzzer
- * measures the coverage. */
+/* fuzz_scene.c -- fuzz target: arbitrary bytes as a glTF file. The library assimp reads the file.
+ * The scene is then flattened to one mesh, checked against the mesh limits, and converted to a
+ * species. Unlike kingyoctl, which imports in a child process, this target imports in its own
+ * process, so that the fuzzer measures the coverage. */
 #include <string.h>
 #include <unistd.h>
 

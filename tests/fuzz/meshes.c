@@ -1,4 +1,5 @@
-/* meshes.c -- files in memory and species from meshes for the fuzz targets. */
+/* meshes.c -- implementation of meshes.h: creates files in memory, and makes species from
+ * meshes. */
 #include "tests/fuzz/meshes.h"
 
 #include <stdio.h>
@@ -9,8 +10,8 @@
 #include "platform/ctl/import/import.h"
 #include "tests/fuzz/exercise.h"
 
-/* Creates a file in /dev/shm (memory). A real file with the right suffix is needed, because the
- * scene importer selects the format by the suffix. */
+/* Creates a file in /dev/shm (memory). The importer needs a file with the right suffix, because it
+ * selects the format by the suffix. */
 const char *file_of(const uint8_t *bytes, size_t size, const char *suffix)
 {
     static char path[64];

@@ -38,7 +38,7 @@ void stall_try_memory(const struct persistent_state *memory, uint32_t ticks)
     static struct core_config config;
     memset(&config, 0, sizeof config);
     config.persistent = *memory;
-    /* One fish is enough, because these targets test stored data. Simulating more fish would take
+    /* Uses one fish, because these targets test stored data, and simulating more fish would take
      * longer. */
     config.fish_count = 1;
     settings_sanitize(&config.persistent.settings);

@@ -1,5 +1,5 @@
-/* trap.h -- the macro HOLD(), with which fuzz targets check a condition. HOLD() ends the process at
- * the line of a violated condition. */
+/* trap.h -- the macro HOLD(), with which fuzz targets check a condition. If the condition is false,
+ * HOLD() ends the process. */
 #ifndef KINGYO_TESTS_FUZZ_TRAP_H
 #define KINGYO_TESTS_FUZZ_TRAP_H
 

@@ -2,9 +2,10 @@
  *
  * Usage: build/tests/golden/ui_shots OUT [BACKDROP.png]
  *
- * Draws each screen off screen in both languages and in four sizes over a backdrop. The backdrop is
- * a picture of the tank, or plain water by default. Writes OUT/NAME_LANGUAGE_WIDTHxHEIGHT.png. Also
- * prints the time to draw one screen. */
+ * The program draws each screen off screen in both languages and in four sizes over a backdrop. The
+ * backdrop is the picture BACKDROP.png of the tank, or plain water by default. The pictures are
+ * written to OUT/NAME_LANGUAGE_WIDTHxHEIGHT.png. The program also prints the time to draw one
+ * screen. */
 #include <GLES3/gl3.h>
 #include <SDL.h>
 #include <stdio.h>
@@ -95,8 +96,8 @@ static const struct shot shots[] = {
     { "latin", PHASE_NAME, HINT_NONE, 4.0f, 40.0f, 13, 13, 0.4f, 1, 0, 0, 0, 0, 0, 0 },
 };
 
-/* Fills a leaderboard with names in different scripts. The rows 2 and 9 (counted from 0) have an
- * empty name, as of a player who entered none. */
+/* Fills a leaderboard with names in different scripts. The rows with the indices 2 and 9 have an
+ * empty name, because a player may enter no name. */
 static void fill_ranking(struct scene *scene, const struct shot *shot)
 {
     static const char *const names[SCENE_LEADERBOARD_ROWS] = {
@@ -118,7 +119,7 @@ static void fill_ranking(struct scene *scene, const struct shot *shot)
     }
 }
 
-/* Sets the player's place on the leaderboards for the screens that are shown after a round. */
+/* Sets the player's rank on the leaderboards for the screens that are shown after a round. */
 static void fill_places(struct scene *scene, const struct shot *shot)
 {
     const int is_first = strcmp(shot->name, "result") == 0;
@@ -171,7 +172,7 @@ static void fill_player(struct scene *scene, const struct shot *shot, uint8_t pl
     out->lost = player == 1 && shot->paused;
 }
 
-/* Sets the credits and the hardware faults for the screens that show them. */
+/* Sets the number of credits and the hardware faults for the screens that show them. */
 static void fill_cabinet(struct scene *scene, const char *name)
 {
     static const struct {
@@ -208,7 +209,8 @@ static void fill_encore(struct scene *scene, const char *name)
     scene->veil = strcmp(name, "dusk") == 0 ? 0.7f : 0.0f;
 }
 
-/* Sets the cause and the load of the first tear in the pictures of a result with torn paper. */
+/* Sets the cause and the load of the first tear for the pictures of a result screen with torn
+ * paper. */
 static void fill_tear(struct scene *scene, const char *name)
 {
     static const struct {
@@ -346,8 +348,8 @@ static void say_cost(struct ui *ui, const struct scene *scene, const char *name,
 {
     const struct display_transform transform = display_transform_of(
         &(struct display_settings){ .light = 1.0f }, (float)width, (float)height);
-    /* The first draw is not measured, because drivers complete the shader compilation at the first
-     * use. */
+    /* Draws once without measurement, because drivers complete the compilation of a shader only
+     * when the shader is first used. */
     ui_draw(ui, &specimens, scene, &transform);
     glFinish();
     /* Start of the CPU time of the process, which includes all threads of a software renderer. */
@@ -405,8 +407,8 @@ static int shoot(struct ui *ui, const struct shot *shot, uint8_t language, const
     return 1;
 }
 
-/* Draws every screen in every size and language. Returns 1 if all pictures were complete and
- * written. */
+/* Draws every screen in every size and language. Returns 1 if all pictures were drawn completely
+ * and written. */
 static int shoot_all(struct ui *ui, const char *out, struct canvas canvas)
 {
     int all = 1;

@@ -1,5 +1,5 @@
-/* coin_rain.c -- implementation of coin_rain.h: draws coin pulses, thread delays and frames from
- * one seed. */
+/* coin_rain.c -- implementation of coin_rain.h: draws the coin pulses, the thread delays and the
+ * frame lengths at random from one seed. */
 #include "tests/gpio/coin_rain.h"
 
 #include <string.h>
@@ -34,8 +34,9 @@ static void add_edge(struct coin_rain *rain, uint64_t time_ns, bool active)
     };
 }
 
-/* Adds the edges of a contact that closes or opens with up to three bounces. Successive edges are
- * 20 us to 500 us apart, so the bounces last at most 3 ms. Returns the time of the last edge. */
+/* Adds the edges of a contact that closes or opens and bounces up to three times. Successive edges
+ * are 20 us to 500 us apart, so the bounces last at most 3 ms. Returns the time of the last
+ * edge. */
 static uint64_t add_contact(struct coin_rain *rain, uint64_t time_ns, bool active)
 {
     const uint64_t jumps = between(&rain->seed, 0, 3);
@@ -48,8 +49,8 @@ static uint64_t add_contact(struct coin_rain *rain, uint64_t time_ns, bool activ
 }
 
 /* Returns the width of the next pulse, without its bounces. One pulse in fifty is a knock (4 to 5.9
- * ms), and one in a hundred is a jam (260 ms and more). Bounces can add 3 ms and a late kernel 6
- * ms, so a knock stays below the width of a coin. */
+ * ms), and one in a hundred is a jam (260 ms and more). Bounces can lengthen a pulse by 3 ms and a
+ * late kernel by 6 ms. A knock with both is still shorter than a coin pulse. */
 static uint64_t draw_width(struct coin_rain *rain)
 {
     const uint64_t kind = draw(&rain->seed) % 100u;
@@ -66,8 +67,8 @@ static uint64_t draw_width(struct coin_rain *rain)
     return between(&rain->seed, 20 * MS, 240 * MS);
 }
 
-/* Adds two sparks, as from a lighter at the coin slot. The sparks are 16 to 80 ms apart, so that
- * together they look like the edges of a coin pulse. */
+/* Adds two sparks, which a lighter can cause at the coin slot. The sparks are 16 to 80 ms apart, so
+ * that together they look like the two edges of a coin pulse. */
 static void add_sparks(struct coin_rain *rain)
 {
     static const struct gpio_sim_event spark = { .what = GPIO_SIM_SPARK, .role = GPIO_COIN };
@@ -98,7 +99,7 @@ static bool next_edge(void *self, struct gpio_sim_event *out)
 {
     struct coin_rain *rain = self;
     if (rain->edge_next == rain->edge_count) {
-        /* The last edge of the pulse has been delivered, so the coin counts as fallen. */
+        /* The last edge of the pulse has been delivered, so the coin counts as inserted. */
         rain->coins += rain->falls;
         rain->falls = 0;
         if (rain->left == 0) {
@@ -117,9 +118,9 @@ struct cabinet {
     struct gpio_lines_sim sim;
     struct gpio_thread gpio;
     uint64_t seed, due_ns, stall_max_ns;
-    /* Number of coins that were inserted until the newest check time [0] and until the check time
-     * before [1]. Check times are at least 200 ms apart, so the frame loop must have counted all
-     * coins that were inserted before [1]. */
+    /* Number of inserted coins at the newest check time (element 0) and at the check time before it
+     * (element 1). Check times are at least 200 ms apart. At each check time, the frame loop must
+     * therefore have counted the coins of element 1. */
     uint32_t fallen[2];
     uint64_t marked_ns;
     struct rain_result result;
@@ -143,7 +144,7 @@ static void poll(struct cabinet *cabinet)
     }
 }
 
-/* Draws the length of a frame: usually 4 to 20 ms, but up to 3 s for one frame in fifty. */
+/* Draws the length of a frame at random: 4 to 20 ms, or up to 3 s for one frame in fifty. */
 static void draw_frame(struct cabinet *cabinet)
 {
     const bool is_slow = draw(&cabinet->seed) % 50u == 0;
@@ -155,9 +156,10 @@ static void draw_frame(struct cabinet *cabinet)
     cabinet->due_ns = cabinet->sim.now_ns + frame_ns;
 }
 
-/* Draws the delays of one wake-up of the GPIO thread. One time in eight the thread starts late, but
- * soon enough that the kernel's queue cannot overflow (16 edges: 25 ms; 64 edges: 100 ms). The
- * kernel's interrupt thread is up to 0.3 ms late, and one time in sixteen up to 6 ms. */
+/* Draws the delays of one wake-up of the GPIO thread at random. One time in eight the thread starts
+ * late, but soon enough that the kernel's queue cannot overflow. The queue of 16 edges lasts for 25
+ * ms, and the queue of 64 edges for 100 ms. The kernel's interrupt thread is up to 0.3 ms late, and
+ * one time in sixteen up to 6 ms. */
 static void stall(struct cabinet *cabinet)
 {
     cabinet->sim.late_max_ns = draw(&cabinet->seed) % 16u == 0 ? 6 * MS : 300 * US;

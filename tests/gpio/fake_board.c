@@ -26,7 +26,7 @@ void fake_board_reset(void)
     memcpy(fake_chips, fresh, sizeof fresh);
 }
 
-/* Replaces gpio_dev_next() for the backends (linker option --wrap), so that they find the simulated
+/* Replaces gpio_dev_next() by the linker option --wrap, so that the backends find the simulated
  * chips. */
 bool __wrap_gpio_dev_next(struct gpio_dev_walk *walk);
 void __wrap_gpio_dev_end(struct gpio_dev_walk *walk);
@@ -132,8 +132,8 @@ void fake_chip_pull(struct fake_chip *chip)
     for (uint32_t i = 0; i < FAKE_LINES; i++) {
         struct fake_line *line = &chip->lines[i];
         if (line->requested && !line->is_output && !line->is_looked_at) {
-            /* Closing the write end makes a thread that waits for the line receive a hang-up
-             * (POLLHUP). */
+            /* Closes the write end of the pipe. A thread that waits for the line then receives a
+             * hang-up (POLLHUP). */
             close(line->pipe[1]);
             line->pipe[1] = -1;
         }

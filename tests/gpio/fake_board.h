@@ -23,8 +23,10 @@ struct fake_line {
     bool requested;
     /* Pipe with the queued edges, open while the line is requested as an input. */
     int pipe[2];
-    uint8_t value;  /* Logical level, already inverted if active_low is set. */
-    uint32_t edges; /* Number of edges since the request. */
+    uint8_t value; /* Logical level of the line. If active_low is set, the electrical level is
+                       already inverted. */
+    /* Number of edges on the line since it was requested. */
+    uint32_t edges;
     /* Parameters of the current request. */
     bool is_output, active_low;
     uint8_t bias; /* Bias of the line, an enum gpio_bias. */
@@ -35,7 +37,7 @@ struct fake_line {
 struct fake_chip {
     const char *device, *label;
     bool gone;       /* True after the chip was disconnected. */
-    bool denied;     /* True if opening the chip fails with EACCES. */
+    bool denied;     /* True if an attempt to open the chip fails with EACCES. */
     uint32_t opened; /* Number of open handles. */
     struct fake_line lines[FAKE_LINES];
 };
@@ -48,16 +50,16 @@ struct fake_edge {
 
 extern struct fake_chip fake_chips[FAKE_CHIPS];
 
-/* Resets all chips: no line is held and no fault is set. */
+/* Resets all chips, so that no line is held and no fault is set. */
 void fake_board_reset(void);
 
-/* Opens the chip at a path in /dev. Returns null and sets errno if the chip may not be opened or
- * does not exist. */
+/* Opens the chip at a path in /dev. Returns null and sets errno if the chip does not exist or
+ * access to it is denied. */
 struct fake_chip *fake_chip_open(const char *path);
-/* Closes a handle that fake_chip_open() returned. */
+/* Closes a handle to a chip that fake_chip_open() returned. */
 void fake_chip_close(struct fake_chip *chip);
 
-/* Requests the line. Returns 0, or -1 and sets errno. */
+/* Requests a line of the chip. Returns 0, or -1 and sets errno. */
 int fake_line_request(struct fake_chip *chip, struct fake_line *line);
 /* Releases a requested line. */
 void fake_line_release(struct fake_line *line);
@@ -65,8 +67,8 @@ void fake_line_release(struct fake_line *line);
 /* Changes the level of the line and queues an edge. Counts `lost` edges before this edge as dropped
  * by the kernel. */
 void fake_line_edge(struct fake_line *line, uint64_t time_ns, bool active, uint32_t lost);
-/* Reads at most `max` queued edges. Returns their number, or -1 and sets errno if the chip was
- * disconnected. */
+/* Reads at most `max` queued edges of the line. Returns the number of edges, or -1 and sets errno
+ * if the chip was disconnected. */
 int fake_line_read(struct fake_line *line, struct fake_edge *out, uint32_t max);
 
 /* Disconnects the chip. Threads that wait for its lines receive a hang-up. */

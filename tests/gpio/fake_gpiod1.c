@@ -1,5 +1,5 @@
-/* fake_gpiod1.c -- replaces the functions of libgpiod 1.6 that gpio_lines1.c calls, using simulated
- * chips. */
+/* fake_gpiod1.c -- replaces the functions of libgpiod 1.6 that gpio_lines1.c calls by functions
+ * that use simulated chips. */
 #include <errno.h>
 #include <gpiod.h>
 #include <stdlib.h>
@@ -10,7 +10,8 @@
 struct gpiod_line {
     struct fake_chip *chip;
     struct fake_line *of;
-    bool requested; /* True if this handle has requested the line. */
+    /* True if this handle was used to request the line. */
+    bool requested;
 };
 
 struct gpiod_chip {

@@ -1,5 +1,5 @@
-/* fake_gpiod2.c -- replaces the functions of libgpiod 2.x that gpio_lines2.c calls, using simulated
- * chips. */
+/* fake_gpiod2.c -- replaces the functions of libgpiod 2.x that gpio_lines2.c calls by functions
+ * that use simulated chips. */
 #include <errno.h>
 #include <gpiod.h>
 #include <stdlib.h>
@@ -136,7 +136,8 @@ bool gpiod_line_info_is_active_low(struct gpiod_line_info *info)
 struct gpiod_line_settings *gpiod_line_settings_new(void)
 {
     struct gpiod_line_settings *settings = calloc(1, sizeof *settings);
-    settings->as.is_looked_at = true; /* A later request of edges sets this member to false. */
+    /* Default of a request. A request for edges sets this member to false. */
+    settings->as.is_looked_at = true;
     return settings;
 }
 

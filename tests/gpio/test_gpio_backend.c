@@ -1,5 +1,5 @@
-/* test_gpio_backend.c -- tests the linked GPIO backend (gpio_lines1.c or gpio_lines2.c) with a
- * simulated libgpiod. Covers finding, requesting, reading, losing and reopening lines. */
+/* test_gpio_backend.c -- tests the GPIO backend that is linked (gpio_lines1.c or gpio_lines2.c)
+ * with a simulated libgpiod. The tests find, request, read, lose and reopen lines. */
 #include <errno.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -16,7 +16,8 @@
 
 #define MS 1000000ull
 
-/* Returns true for libgpiod 2.x, which numbers the edges and lets the kernel debounce. */
+/* Returns true if the backend uses libgpiod 2.x, which numbers the edges and lets the kernel
+ * debounce. */
 static bool is_second(const struct gpio_lines *lines)
 {
     return strstr(lines->ops->describe(lines->self), "libgpiod 2") != NULL;
@@ -44,7 +45,7 @@ static int request(const struct gpio_lines *lines)
     return lines->ops->open(lines->self, wires, why);
 }
 
-/* Closes the lines and checks that no handle stays open. */
+/* Closes the lines and checks that no handle to a chip stays open. */
 static void end(const struct gpio_lines *lines)
 {
     lines->ops->close(lines->self);
@@ -108,7 +109,7 @@ static void test_a_line_cannot_be_selected_by_chip_number(void **state)
     (void)state;
     const struct gpio_lines lines = fresh();
     wire("start=gpiochip4:0");
-    wire("ok=panel:6"); /* The board has no line 6. */
+    wire("ok=panel:6"); /* The simulated board has no line 6. */
     assert_int_equal(request(&lines), 0);
     assert_string_equal(why[GPIO_START],
                         "gpiochip4:0: no chip has that line; kingyoctl lines list shows them");
@@ -188,7 +189,8 @@ static void test_edges_that_the_queue_dropped_are_counted_or_inferred(void **sta
     struct fake_line *start = &fake_chips[1].lines[0];
     wire("start=BTN_START");
     request(&lines);
-    /* The 16 edges fill the queue of libgpiod 1.6. The last edge leaves the line inactive. */
+    /* These 16 edges fill the queue of libgpiod 1.6 completely. The level after the last edge is
+     * inactive. */
     for (uint32_t i = 0; i < 16; i++) {
         fake_line_edge(start, (100 + i) * MS, i % 2 == 0, 0);
     }
@@ -196,8 +198,8 @@ static void test_edges_that_the_queue_dropped_are_counted_or_inferred(void **sta
     fake_line_edge(start, 200 * MS, false, 3);
     assert_int_equal(wait(&lines, edges), 1);
     assert_int_equal(edges[0].lost_before, is_second(&lines) ? 3 : 1);
-    /* A second edge to the same level does not always mean that an edge was lost. In this case the
-     * kernel has read the level too late. */
+    /* This edge leads to the same level as the edge before it. The backend must not report a lost
+     * edge, because such a pair of edges also occurs when the kernel reads the level too late. */
     fake_line_edge(start, 300 * MS, false, 0);
     assert_int_equal(wait(&lines, edges), 1);
     assert_int_equal(edges[0].lost_before, 0);
@@ -233,7 +235,8 @@ static void test_a_line_without_interrupts_is_polled(void **state)
     const struct gpio_lines lines = fresh();
     struct fake_line *door = &fake_chips[2].lines[5];
     door->has_no_edges = true;
-    door->value = 1; /* Level of an open door. */
+    /* The door is open, which is level 1. */
+    door->value = 1;
     wire("door=DOOR");
     wire("start=BTN_START");
     assert_int_equal(request(&lines), 1 << GPIO_DOOR | 1 << GPIO_START);
@@ -299,7 +302,7 @@ static uint64_t now_ns(void)
     return (uint64_t)now.tv_sec * 1000u * MS + (uint64_t)now.tv_nsec;
 }
 
-/* With a limit of 0 open files (RLIMIT_NOFILE), poll() fails. The wait must still last for its
+/* The limit of 0 open files (RLIMIT_NOFILE) makes poll() fail. The wait must still last for its
  * timeout, so that the GPIO thread does not loop without a pause. */
 static void test_a_failed_wait_pauses_and_levels_are_still_read(void **state)
 {
@@ -320,7 +323,8 @@ static void test_a_failed_wait_pauses_and_levels_are_still_read(void **state)
     assert_int_equal(count, 0);
     assert_true(waited_ns >= 20 * MS);
     assert_int_equal(lines.ops->level(lines.self, GPIO_COIN), 1);
-    assert_int_equal(wait(&lines, edges), 1); /* The edge stayed queued while poll() failed. */
+    /* The edge stayed in the queue while poll() failed. */
+    assert_int_equal(wait(&lines, edges), 1);
     end(&lines);
 }
 

@@ -1,8 +1,9 @@
 /* fingers.c -- sends random keys, pointer events and window sizes to the kiosk's window on the X
  * screen of DISPLAY.
  *
- * Usage: fingers SEED SECONDS. Sends STEPS_A_SECOND steps (tests/monkey/whim.h) per second. The
- * window is found by its title. While no such window is visible, steps are skipped. */
+ * Usage: fingers SEED SECONDS. The program sends STEPS_A_SECOND random steps (tests/monkey/whim.h)
+ * per second. It finds the kiosk's window by the title. While no such window is visible, it sends
+ * nothing. */
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -28,7 +29,7 @@ _Noreturn void core_panic(const char *condition, const char *file, int line)
     exit(70);
 }
 
-/* Ignores X errors. The window may be destroyed between two requests, and the default error handler
+/* Ignores X errors. The window may be destroyed between two requests. The default error handler
  * would then end this program. */
 static int ignore_error(Display *from, XErrorEvent *error)
 {
@@ -37,7 +38,7 @@ static int ignore_error(Display *from, XErrorEvent *error)
     return 0;
 }
 
-/* Returns the kiosk's visible window and its attributes. Returns None if no such window is
+/* Returns the kiosk's visible window and writes its attributes. Returns None if no such window is
  * visible. */
 static Window find_window(XWindowAttributes *attributes)
 {

@@ -5,9 +5,11 @@
  *
  * Keys and pointer events pass through SDL's event queue into the real drivers. The real renderer
  * draws each frame off screen. A second poi (drivers/sim/pointer_sim.h) is plugged in and
- * unplugged. When the kiosk ends, it is opened again. Equal seeds print the same state hash. Exits
- * with 0 if each frame returned within FRAME_S, with 70 if a frame hung, and with 1 if the display
- * was lost. */
+ * unplugged. When the kiosk ends, the program opens it again. Equal seeds print the same state
+ * hash.
+ *
+ * Exits with 0 if each frame returned within FRAME_S, with 70 if a frame hung, and with 1 if the
+ * display was lost. */
 #include <SDL.h>
 #include <signal.h>
 #include <stdio.h>
@@ -29,8 +31,8 @@
 
 #define FRAME_NS 16666667ull
 #define FRAMES_A_SECOND 60u
-/* Time limit for a frame in seconds. A frame under the sanitizers on a busy machine takes about
- * 0.1 s. */
+/* Time limit for a frame in seconds. The limit is generous, because a frame with sanitizers on a
+ * busy machine takes only about 0.1 s. */
 #define FRAME_S 30u
 #define WIDTH 320
 #define HEIGHT 240
@@ -45,9 +47,11 @@ static struct {
     struct hal hal;
     struct kiosk kiosk;
     uint32_t seed, frame, end_count;
-    uint64_t hash; /* Combined hash of the state at the end of each kiosk run. */
-    uint32_t down; /* Pressed mouse buttons. Bit 0 is the left button and bit 1 is the right
-                      button. */
+    /* Combined hash of the states at the end of each run of the kiosk. */
+    uint64_t hash;
+    /* Bit set of the pressed mouse buttons. Bit 0 is the left button and bit 1 is the right
+     * button. */
+    uint32_t down;
 } rig;
 static char hang_words[96];
 static struct pointer_report report;
@@ -110,8 +114,8 @@ static void turn_wheel(int steps)
     SDL_PushEvent(&event);
 }
 
-/* Lets the second poi send one report, and in half of the cases unplugs the poi before. The poi is
- * plugged in again after a random time of up to 3 s. */
+/* Lets the second poi send one report. In half of the cases, the poi is unplugged before the report
+ * and is plugged in again after a random time of up to 3 s. */
 static void plug_or_unplug(uint32_t chance)
 {
     report = (struct pointer_report){ .time_ns = rig.clock.now_ns,
@@ -188,8 +192,8 @@ static int open_board(void)
     return 1;
 }
 
-/* Runs one frame. Returns an enum kiosk_end: KIOSK_RUNS if the kiosk continues or was opened
- * again. */
+/* Runs one frame. Returns KIOSK_RUNS if the kiosk continues or was opened again, otherwise the
+ * reason for its end. */
 static enum kiosk_end run_frame(uint32_t *phases)
 {
     snprintf(hang_words, sizeof hang_words, "monkey: seed %u: frame %u hangs\n", rig.seed,

@@ -1,15 +1,16 @@
-/* whim.c -- draws the keys, pointer motion, window size and plug events of one step. */
+/* whim.c -- implementation of whim.h: draws the keys, pointer motion, window size and plug events
+ * of one step at random. */
 #include "tests/monkey/whim.h"
 
 #include "core/base/rng.h"
 
 #define MOOD_STEPS 360u
-/* Sums of the two columns of the table `weights`. */
+/* Sum of each column of the table `weights`. */
 #define PLAYER_WEIGHTS 83u
 #define OPERATOR_WEIGHTS 94u
 
-/* Relative frequency of each key. The first column is for steps like those of a player, the second
- * for steps like those of an operator. */
+/* Relative frequency of each key. The first column is for steps that imitate a player, and the
+ * second for steps that imitate an operator. */
 static const uint8_t weights[WHIM_KEY_COUNT][2] = {
     [WHIM_KEY_START] = { 20, 8 },   [WHIM_KEY_LEFT] = { 8, 8 },
     [WHIM_KEY_RIGHT] = { 8, 8 },    [WHIM_KEY_UP] = { 8, 8 },
@@ -27,7 +28,7 @@ static uint32_t draw(const struct rng_key *from, uint32_t which, uint32_t limit)
     return rng_u32(key) % limit;
 }
 
-/* Returns a random enum whim_key with a probability of 1/4, otherwise -1. */
+/* Returns a random key (enum whim_key) with a probability of 1/4, otherwise -1. */
 static int draw_key(const struct rng_key *from)
 {
     if (draw(from, 0, 4) != 0) {
@@ -43,8 +44,8 @@ static int draw_key(const struct rng_key *from)
     return key;
 }
 
-/* Returns 1 with probability 1/2 if Esc was drawn in the previous step. Two presses of Esc in
- * sequence end the kiosk and would otherwise be rare. */
+/* If Esc was drawn in the previous step, returns 1 with a probability of 1/2. Two successive
+ * presses of Esc end the kiosk, which would otherwise be rare. */
 static int repeats_escape(const struct rng_key *from)
 {
     const struct rng_key last = { from->seed, from->tick - 1u, 0, RNG_TEST };
@@ -53,8 +54,8 @@ static int repeats_escape(const struct rng_key *from)
 
 struct whim whim_at(uint32_t seed, uint32_t step)
 {
-    /* Sides of the window in pixels. Some are below the kiosk's minimum, because a window manager
-     * may ignore the minimum. */
+    /* Possible widths and heights of the window in pixels. Some are below the kiosk's minimum,
+     * because a window manager may ignore this minimum. */
     static const int sides[] = { 1, 2, 7, 16, 60, 120, 240, 320, 480 };
     const uint32_t side_count = sizeof sides / sizeof sides[0];
     const struct rng_key from = { seed, step, 0, RNG_TEST };

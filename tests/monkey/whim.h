@@ -1,7 +1,8 @@
 /* whim.h -- draws one random step of the monkey test as a pure function of the seed and the step.
  *
- * Keys are drawn as a player presses them for two thirds of the time. For the other third they are
- * drawn as an operator presses them, with many presses of TEST, SERVICE and Esc. */
+ * In two thirds of the time, the keys are drawn with the frequencies of a player. In the other
+ * third they are drawn with the frequencies of an operator, with many presses of TEST, SERVICE and
+ * Esc. */
 #ifndef KINGYO_TESTS_MONKEY_WHIM_H
 #define KINGYO_TESTS_MONKEY_WHIM_H
 
@@ -19,7 +20,8 @@ enum whim_key {
     WHIM_KEY_LANGUAGE,
     WHIM_KEY_FULL_SCREEN,
     WHIM_KEY_TILT,
-    WHIM_KEY_UNUSED, /* A key without a function. */
+    /* A key that has no function in the kiosk. */
+    WHIM_KEY_UNUSED,
     WHIM_KEY_TEST,
     WHIM_KEY_SERVICE,
     WHIM_KEY_ESCAPE,
@@ -33,15 +35,18 @@ enum whim_press {
 };
 
 struct whim {
-    int key;           /* Pressed key (enum whim_key); -1 means that no key is pressed. */
-    int moves;         /* 1 if the pointer moves to x_mille, y_mille. */
-    int x_mille;       /* Pointer x in thousandths of the window's width, -50 to 1049. */
-    int y_mille;       /* Pointer y in thousandths of the window's height, -50 to 1049. */
-    int press;         /* Mouse button action (enum whim_press). */
-    int wheel;         /* Steps of the mouse wheel, -1 to 1. */
-    int width, height; /* New size of the window in pixels. 0 keeps the size. */
-    int plugs;         /* 1 if a device is plugged in or unplugged. */
-    uint32_t chance;   /* Random number from which the caller draws further details. */
+    int key; /* Pressed key (enum whim_key); -1 means that no key is pressed. */
+    /* 1 if the pointer moves to x_mille, y_mille; otherwise 0. */
+    int moves;
+    int x_mille; /* Pointer x in thousandths of the window's width, -50 to 1049. */
+    int y_mille; /* Pointer y in thousandths of the window's height, -50 to 1049. */
+    int press;   /* Mouse button action (enum whim_press). */
+    int wheel;   /* Steps of the mouse wheel, -1 to 1. */
+    /* New size of the window in pixels. If 0, the window keeps its size. */
+    int width, height;
+    /* 1 if a device is plugged in or unplugged; otherwise 0. */
+    int plugs;
+    uint32_t chance; /* Random number from which the caller draws further details. */
 };
 
 /* Returns the random input of step number `step` of the run with `seed`. */

@@ -1,27 +1,28 @@
-/* mutate.c -- lists, draws and applies small textual mutations of C files.
+/* mutate.c -- lists, draws and applies mutations of C files, each of which changes a small piece of
+ * the text.
  *
- * Usage: mutate draw COUNT SEED FILE... prints COUNT distinct "FILE SITE" lines, drawn by SEED.
- * mutate apply FILE SITE writes the mutated FILE to standard output, and "LINE KIND" to standard
- * error.
+ * Usage: `mutate draw COUNT SEED FILE...` prints COUNT different lines "FILE SITE", drawn at random
+ * with SEED. `mutate apply FILE SITE` writes the mutated FILE to standard output, and "LINE KIND"
+ * to standard error.
  *
- * A site is a place of the code together with one mutation of it. Sites are numbered from 0 in the
- * order of the text. The mutator relies on this project's format: binary operators have a space on
- * both sides, unary operators do not. Assertions are not mutated, because a correct program never
- * makes them fail. */
+ * A site is a place in the code together with one mutation of this place. Sites are numbered from 0
+ * in the order of the text. The program relies on this project's format: binary operators have a
+ * space on both sides, and unary operators do not. Assertions are not mutated, because a correct
+ * program never makes them fail. */
 #include <ctype.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Largest size of a source file in bytes. The largest file has about 21 KiB. */
+/* Largest size of a source file in bytes. */
 #define TEXT_MAX (1u << 20)
-/* Largest number of sites in all files together. With more sites, the program ends with an
+/* Largest number of mutation sites in all files together. With more sites, the program ends with an
  * error. */
 #define SITES_MAX 65536u
 
-/* Describes a mutation. The text from `begin` to `end` is replaced by the string `before`, then the
- * old text if `keep` is 1, then the string `after`. */
+/* Describes a mutation. The text from `begin` to `end` is replaced by the string `before`, the old
+ * text (only if `keep` is 1) and the string `after`. */
 struct site {
     size_t begin, end;
     const char *kind, *before, *after;
@@ -35,7 +36,8 @@ struct scan {
     char code[TEXT_MAX];
     size_t size;
     uint32_t site_count;
-    uint32_t wanted; /* Number of the mutation site that is copied to `found` during the scan. */
+    /* Number of the site to find. The scan copies this site to `found`. */
+    uint32_t wanted;
     struct site found;
 };
 
@@ -77,7 +79,8 @@ static size_t literal_end(size_t at)
     return at + 1;
 }
 
-/* Returns the length of the assertion macro's name at `at`, or 0 if there is none. */
+/* Returns the length of the name of an assertion macro that begins at `at`, or 0 if no such name
+ * begins there. */
 static size_t assertion_at(size_t at)
 {
     static const char *const names[] = { "CORE_ASSERT", "_Static_assert", "assert" };
@@ -91,7 +94,7 @@ static size_t assertion_at(size_t at)
     return 0;
 }
 
-/* Returns the position after the parenthesis that closes the one at `at`. */
+/* Returns the position after the parenthesis that closes the parenthesis at `at`. */
 static size_t past_closing(size_t at)
 {
     int depth = 0;
@@ -112,8 +115,8 @@ static size_t directive_end(size_t at)
     return at;
 }
 
-/* Replaces a preprocessor directive by spaces, except the value of `#define NAME value`, because
- * the value is code that can be mutated. */
+/* Replaces a preprocessor directive by spaces. Keeps the value of `#define NAME value`, because
+ * this value is code that can be mutated. */
 static size_t blank_directive(size_t at)
 {
     const size_t end = directive_end(at);
@@ -139,7 +142,7 @@ static void blank_what_is_no_code(void)
         } else if (c == '"' || c == '\'') {
             at = literal_end(at);
             blank(from, at);
-            /* The opening quote is kept, so that the scan recognizes the string as an operand. */
+            /* Keeps the opening quote, so that the scan recognizes the string as an operand. */
             scan.code[from] = '"';
         } else {
             at++;
@@ -181,8 +184,8 @@ static int try_operator(size_t at)
     return 0;
 }
 
-/* Adds a mutation of the constant at `at`. At a site with an even number the constant becomes
- * smaller by 1. At other sites it becomes larger by 1, and so does the constant 0 at every site. */
+/* Adds a site that changes the constant at `at` by 1. Sites with an even number decrease the
+ * constant, and sites with an odd number increase it. The constant 0 is always increased. */
 static size_t try_constant(size_t at)
 {
     size_t end = at;
@@ -218,8 +221,8 @@ static int is_keyword(size_t at)
     return 0;
 }
 
-/* Adds a site that deletes the statement from `at` to its semicolon, if it is a call or an
- * assignment. Declarations, returns and control statements are kept. */
+/* If the statement that begins at `at` is a call or an assignment, adds a site that deletes it up
+ * to its semicolon. Declarations, returns and control statements are never deleted. */
 static void try_statement(size_t at)
 {
     size_t end = at;
@@ -304,7 +307,8 @@ static void read_file(const char *path)
     find_sites();
 }
 
-/* Returns the next random number (SplitMix64), so that the draw is the same on every machine. */
+/* Returns the next random number by the SplitMix64 algorithm, which gives the same numbers on every
+ * machine. */
 static uint64_t next_random(uint64_t *seed)
 {
     uint64_t z = *seed += 0x9e3779b97f4a7c15u;
@@ -360,7 +364,7 @@ static int apply(const char *path, uint32_t index)
     fputs(site->before, stdout);
     for (size_t i = site->begin; i < site->end; i++) {
         if (site->keep || scan.text[i] == '\n') {
-            /* Line breaks of the replaced text are kept, so that line numbers do not change. */
+            /* Keeps the line breaks of the replaced text, so that line numbers do not change. */
             putchar(scan.text[i]);
         }
     }

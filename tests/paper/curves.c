@@ -1,13 +1,14 @@
-/* curves.c -- writes measurements of the paper, as `kingyoctl paper` makes them, as tables for
- * plots.gp.
+/* curves.c -- writes tables for plots.gp of measurements of the paper, as `kingyoctl paper` makes
+ * them.
  *
- * curves tear > tear.tsv: time to tear over speed. The columns are grade, wet fraction, speed, and
- * the median, least and greatest time of SPECIMENS specimens. A time above LAST_S means no tear.
+ * `curves tear > tear.tsv` writes the time to tear over the speed. The columns are grade, wet
+ * fraction, speed, and the median, least and greatest time of SPECIMENS specimens. A time above
+ * LAST_S means that the paper did not tear.
  *
- * curves force > force.tsv: force in N over the tilt in degrees at 0.3 m/s.
+ * `curves force > force.tsv` writes the force in N over the tilt in degrees, at 0.3 m/s.
  *
- * curves holes FOLDER: writes FOLDER/hole-SPECIMEN-MOMENT.txt, one matrix of cells each. The value
- * of a cell is its stress (0 .. 255), -1 for a hole, or -9 beyond the ring. */
+ * `curves holes FOLDER` writes files FOLDER/hole-SPECIMEN-MOMENT.txt with a matrix of cells each.
+ * The value of a cell is its stress (0 .. 255), -1 for a hole, or -9 for a cell beyond the ring. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -19,7 +20,8 @@
 #define LAST_S 20.0
 #define SPEEDS 40u
 #define SPEED_MIN_M_S 0.10
-/* Ratio of two successive speeds. The SPEEDS speeds reach from 0.1 m/s to about 1.5 m/s. */
+/* Ratio of two successive speeds. The number of speeds is SPEEDS, and they extend from 0.1 m/s to
+ * about 1.5 m/s. */
 #define SPEED_RATIO 1.0725
 #define HOLES 5u
 #define MOMENTS 4u
@@ -83,7 +85,8 @@ static void put_tear(void)
             for (uint32_t i = 0; i < SPEEDS; i++, speed_m_s *= SPEED_RATIO) {
                 put_speed(plan, speed_m_s);
             }
-            puts("\n"); /* A blank line separates two blocks, as gnuplot requires. */
+            /* gnuplot requires an empty line between two blocks of data. */
+            puts("\n");
         }
     }
 }
@@ -129,7 +132,7 @@ static int put_sheet(const char *folder, uint32_t specimen, uint32_t moment)
 /* Moves the poi fast until the paper tears, and then slower, as a player does. */
 static int put_hole(const char *folder, uint32_t specimen)
 {
-    /* Ticks after the tear at which the pictures are taken. */
+    /* Ticks after the tear at which the matrices of cells are written. */
     const uint32_t after[MOMENTS] = { 0, 12, 48, 120 };
     const int is_half_wet = specimen == HOLES;
     struct paper_options plan = wet(6);

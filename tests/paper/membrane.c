@@ -3,12 +3,15 @@
  *
  * Usage: membrane > membrane.tsv
  *
- * The paper is loaded by drag and by a body or a slap on a round patch, at several distances from
- * the centre. The paper is a membrane without bending stiffness that is clamped at the ring:
- * triangles of constant strain with large displacements (Saint Venant-Kirchhoff material, Poisson's
- * ratio 0.3). Columns: pressure, force, diameter of the patch, its distance from the centre,
- * highest tension of all triangles and beside the ring, and highest tension in sheet.c. The part of
- * a patch beyond the paper's edge loads the ring.
+ * The loads of the paper are the drag of the water, and a body or a slap on a round patch at
+ * several distances from the centre. The paper is modelled as a membrane without bending stiffness
+ * that is clamped at the ring. Its triangles have constant strain and large displacements (Saint
+ * Venant-Kirchhoff material, Poisson's ratio 0.3).
+ *
+ * Columns: the pressure, the force, the diameter of the patch, the distance of the patch from the
+ * centre, the highest tension of all triangles, the highest tension of the triangles beside the
+ * ring, and the highest tension in sheet.c. The part of a patch beyond the paper's edge loads the
+ * ring, not the paper.
  *
  * Returns exit status 1 if the tension under pressure alone differs by more than 5 % from Hencky's
  * solution. */
@@ -27,13 +30,15 @@
 #define POISSON 0.3
 #define GRADE 6u
 #define PI 3.14159265358979
-#define STEPS_MAX 60000 /* Largest number of relaxation steps. */
-#define RESIDUAL_N 2e-7 /* Largest unbalanced force at a node of the solution. */
+/* Largest number of steps of the dynamic relaxation. */
+#define STEPS_MAX 60000
+/* Largest force in N that may remain unbalanced at a node of the solution. */
+#define RESIDUAL_N 2e-7
 #define BESIDE_RING_M 0.0025
 
 struct triangle {
     int node[3];
-    /* Inverse of the 2 x 2 matrix of two edges of the triangle in the flat paper. */
+    /* Inverse of the 2 x 2 matrix whose columns are two edges of the triangle in the flat paper. */
     double inverse[2][2];
     double area_m2;
     double tension_n_m; /* Highest principal tension. */
@@ -56,7 +61,8 @@ _Noreturn void core_panic(const char *condition, const char *file, int line)
 
 /* ---- Mesh ----------------------------------------------------------------------------------- */
 
-/* Returns the index of node `k` on ring `ring`. Ring 0 is the centre, and ring r has 6 r nodes. */
+/* Returns the index of node `k` on the ring of nodes `ring`. Ring 0 is the centre, and ring r has 6
+ * r nodes. */
 static int node_of(int ring, int k)
 {
     return ring == 0 ? 0 : 1 + 3 * ring * (ring - 1) + k % (6 * ring);
@@ -105,8 +111,8 @@ static double centre_m(const struct triangle *triangle, int axis)
 
 /* ---- Loads ---------------------------------------------------------------------------------- */
 
-/* Computes the load of each node from the pressure and from the part of the patch that lies on the
- * paper. */
+/* Computes the load of each node from the pressure and from the force on the patch. Only the part
+ * of the patch that lies on the paper counts. */
 static void put_load(const struct load *load)
 {
     static double patch_m2[NODE_MAX];
@@ -133,13 +139,14 @@ static void put_load(const struct load *load)
 
 /* ---- Solving for equilibrium ---------------------------------------------------------------- */
 
-/* Adds the elastic forces of a triangle to `force_n` and computes its tension. */
+/* Adds the elastic forces of a triangle to `force_n`, and computes the tension of the triangle. */
 static void pull_triangle(struct triangle *triangle, double stiffness_n_m)
 {
     const double *at[3] = { place_m[triangle->node[0]], place_m[triangle->node[1]],
                             place_m[triangle->node[2]] };
     const double(*inverse)[2] = triangle->inverse;
-    double f[2][3], s[2][2]; /* Deformation gradient by columns (`f`), and stress (`s`). */
+    /* Columns of the deformation gradient (`f`) and of the stress (`s`). */
+    double f[2][3], s[2][2];
     for (int q = 0; q < 3; q++) {
         const double edge1 = at[1][q] - at[0][q], edge2 = at[2][q] - at[0][q];
         f[0][q] = edge1 * inverse[0][0] + edge2 * inverse[1][0];
@@ -165,9 +172,9 @@ static void pull_triangle(struct triangle *triangle, double stiffness_n_m)
     }
 }
 
-/* Advances the dynamic relaxation by one step. All nodes have the mass `mass`, and the time step is
- * 1. All velocities are set to 0 when the kinetic energy `energy` falls (kinetic damping). Returns
- * the largest unbalanced force. */
+/* Advances the dynamic relaxation by one step of the pseudo time 1. All nodes have the mass `mass`.
+ * When the kinetic energy falls below its previous value `energy`, all velocities are set to 0
+ * (kinetic damping). Returns the largest unbalanced force. */
 static double relax_step(double mass, double *energy)
 {
     const int free_count = node_of(RINGS, 0);
@@ -242,8 +249,8 @@ static double sheet_most_n_m(const struct load *load)
 int main(void)
 {
     static const double at_m[] = { 0.0, 0.010, 0.018, 0.025, 0.030, 0.035, 0.040 };
-    /* Loads: drag of a lift at 0.5 m/s with the ring broadside, weight of a fish of 5 cm, both
-     * together, and a weak slap. */
+    /* Loads to compare: the drag of a lift at 0.5 m/s with the ring broadside, the weight of a fish
+     * of 5 cm, both together, and a weak slap. */
     static const struct load loads[] = { { 140.0, 0.0, 0.020, 0.0 },
                                          { 0.0, 0.028, 0.020, 0.0 },
                                          { 140.0, 0.028, 0.020, 0.0 },

@@ -1,7 +1,5 @@
-/* film.c -- renders a fish's C-start (an escape turn) as twelve pictures side by side, one for each
- * tick.
- *
- * A developer tool: `make film ARGS="-o out/film.png"`. */
+/* film.c -- renders the first twelve ticks of a fish's escape turn (C-start) as twelve pictures
+ * side by side. A developer tool: `make film ARGS="-o out/film.png"`. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,11 +13,13 @@
 
 #define SIDE_PX 960u
 #define LENGTH_M 0.07f
-/* Middle of the fish's path during the twelve ticks. The camera points at this position. */
+/* Middle of the path that the fish takes during the twelve ticks. The camera points at this
+ * position. */
 #define MIDDLE_X_M 0.015f
 #define MIDDLE_Z_M 0.027f
 #define EYE_M 0.30f /* Height of the camera above the water. */
-/* Tangent of half the view angle. At the depth of the fish the picture shows 11 cm. */
+/* Tangent of half the view angle. With this angle, the picture shows 11 cm at the depth of the
+ * fish. */
 #define HALF_TAN 0.165f
 
 static struct core core;
@@ -33,7 +33,8 @@ static void tick(void)
     static struct output output;
     const struct input input = { 0 };
     output.sound_count = 0;
-    /* Restores the floating-point mode, which the display library may have changed. */
+    /* Restores the floating-point mode of the processor, which the display library may have
+     * changed. */
     cpu_set_float();
     if (core_tick(&core, &input, &output) != CORE_OK) {
         fputs("film: " CPU_FLOAT_WRONG "\n", stderr);
@@ -41,7 +42,7 @@ static void tick(void)
     }
 }
 
-/* Places a resting fish in mid-water and startles it from its left side. */
+/* Places a resting fish at half the depth of the water and startles it from its left side. */
 static void stage(void)
 {
     const struct core_config config = { .seed = 2014u, .fish_count = 1 };
@@ -53,7 +54,7 @@ static void stage(void)
     fish->position_m = v3(0.0f, -0.04f, 0.03f);
     fish->angles = (struct angles){ 0.0f, 0.0f, 0.0f };
     fish->heading_rad = 0.0f;
-    /* Look of the fish: completely red, with a medium temperament (bit fields). */
+    /* Bit field of the fish's look: completely red, with a medium temperament. */
     fish->look = 0x00010080u;
     fish->gait = GAIT_REST;
     fish->gait_left_s = 5.0f;

@@ -12,7 +12,8 @@
 #include "tests/render/shot_scene.h"
 
 #define PIXELS_MAX (3840u * 2160u)
-/* Number of frames after which the detailed textures of all visible fish are complete. */
+/* Number of frames that are drawn before the picture, after which the detailed textures of all
+ * visible fish are complete. */
 #define SKIN_FRAMES 150u
 #define PASS_FRAMES 40u
 
@@ -32,8 +33,8 @@ static double now_ms(void)
     return clock_ms(CLOCK_MONOTONIC);
 }
 
-/* Returns the CPU time of all threads. CPU time varies less than the wall clock if other processes
- * use the same cores. */
+/* Returns the CPU time of all threads in ms. CPU time varies less than the wall clock when other
+ * processes use the same cores. */
 static double cpu_ms(void)
 {
     return clock_ms(CLOCK_PROCESS_CPUTIME_ID);

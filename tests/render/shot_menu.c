@@ -1,4 +1,4 @@
-/* shot_menu.c -- example content of the operator's menu. */
+/* shot_menu.c -- implementation of shot_menu.h: example content of the operator's menu. */
 #include "tests/render/shot_menu.h"
 
 #include <stdio.h>
@@ -18,7 +18,7 @@ static const struct {
     { CONTROLLER_UNSUPPORTED, "046d:c31c USB Keyboard, port 2-1" },
 };
 
-/* Files that the menu lists after those of the store. */
+/* Example files that the menu lists after the files of the store. */
 static const struct scene_file files[] = {
     { FILE_REFUSED, "species/bad.kfish", "magic: no packed species begins so" },
     { FILE_REFUSED, "species/tancho.kfish",
@@ -68,7 +68,7 @@ int shot_menu_exists(const char *page, uint8_t step)
     return 0;
 }
 
-/* Sets some settings to values other than their defaults. */
+/* Sets a few settings to values other than their defaults. */
 static void adjust_some(const struct menu_scope *scope)
 {
     settings_edit_set(scope, SET_PLAY, PLAY_PAID);
@@ -80,7 +80,7 @@ static void adjust_some(const struct menu_scope *scope)
     settings_edit_set(scope, SET_NIGHT_FROM_MIN, 22 * 60 + 30);
 }
 
-/* Fills the audit counters with the values of a summer's use. */
+/* Fills the audit counters with values that are typical after a summer. */
 static void keep_books(struct core *core)
 {
     uint32_t *count = core->game.accounts.audits.count;
@@ -112,8 +112,8 @@ static void rank_some(struct ranking *ranking)
     }
 }
 
-/* Opens step `step` of the calibration. A number after the last step opens the refusal page
- * instead, with one reason for each number. */
+/* Opens the calibration at the step `step`. If `step` is beyond the last step, opens the refusal
+ * page instead, with the reason that belongs to the number. */
 static void calibrate_some(struct calibrate *calibrate, uint8_t step)
 {
     calibrate->step = step < CALIBRATE_STEPS ? step : (uint8_t)CALIBRATE_REFUSED;

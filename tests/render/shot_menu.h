@@ -7,13 +7,13 @@
 /* Returns 1 if the menu has the page and the page has this step. */
 int shot_menu_exists(const char *page, uint8_t step);
 
-/* Opens the menu on `page`, a name of the table `names` in shot_menu.c. `step` selects the step on
- * the learn page and the calibration page, the row on settings pages and the controller page, and
- * the number of presses of MORE on the files page. */
+/* Opens the menu on `page`, a name of the table `names` in shot_menu.c. The meaning of `step`
+ * depends on the page. On the learn page and the calibration page it selects the step, on settings
+ * pages and the controller page the row. On the files page it is the number of presses of MORE. */
 void shot_menu_open(struct core *core, const char *page, uint8_t step, int upright);
 
-/* Fills in example names of controllers, lines of the device search, and files from row
- * `file_first` on. */
+/* Fills in example names of controllers, example lines of the device search, and example files from
+ * the row `file_first` on. */
 void shot_menu_name(struct scene_devices *devices, uint8_t file_first);
 
 #endif

@@ -43,12 +43,13 @@ static uint32_t species_named(const char *name)
 
 enum kind { OPTION_FLAG, OPTION_BYTE, OPTION_NUMBER, OPTION_FLOAT, OPTION_TEXT };
 
-/* A command line option that sets one member of struct shot_options. */
+/* Describes a command line option that sets one member of struct shot_options. */
 static const struct plain_option {
     const char *name;
     enum kind kind;
     size_t offset;
-    /* Factor by which the number on the command line is multiplied, for a float option. */
+    /* For an option with a float, the factor that converts the number on the command line to the
+     * unit of the member. */
     float unit;
 } plain_options[] = {
     { "--start", OPTION_FLAG, offsetof(struct shot_options, start), 0.0f },

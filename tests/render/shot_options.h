@@ -8,26 +8,27 @@
 
 struct shot_options {
     float seconds, scale;
-    /* Stamina of the fish and oxygen content of the water. A negative value selects the preset's
-     * value. */
+    /* Stamina of the fish and oxygen content of the water. A negative value means that the preset's
+     * value is used. */
     float stamina, oxygen_mg_l;
     uint8_t plain;
-    /* Point of the water surface at which the camera looks, and the distance of the camera from
-     * that point; distance 0 selects the normal camera. */
+    /* Point of the water surface at which the camera looks, and distance of the camera from this
+     * point. If the distance is 0, the normal camera is used. */
     float close_x_m, close_z_m, close_m;
     uint32_t width, height, samples, fish, seed;
     uint8_t start, english, passes, paper, preset;
-    /* Options of --paper. With `stress`, the stress is coloured as in practice mode. `owner` is the
-     * player who owns the poi. */
+    /* Details of --paper. If `stress` is 1, the paper is coloured by its stress, as in practice
+     * mode. `owner` is the index of the player who owns the poi. */
     uint8_t stress, owner;
-    /* Water on the paper, tilt of the poi, and heel of the bowls. */
+    /* Depth of the water on the paper, tilt angle of the poi, and heel angle of the bowls. */
     float water_m, tilt_rad, heel_rad;
     uint8_t careless;
-    /* Distance of a camera that follows the first poi; 0 selects the normal camera. */
+    /* Distance of a camera that follows the first poi. If it is 0, the normal camera is used. */
     float follow_m;
-    /* Number of players, game mode under the pointer, and enabled game modes (a bit set). */
+    /* Number of players, selected game mode, and bit set of the enabled game modes. */
     uint8_t players, mode, modes;
-    uint8_t lab, compare, path, size_layer; /* The growth lab and its options. */
+    /* Options of the growth lab, where `lab` opens it. */
+    uint8_t lab, compare, path, size_layer;
     /* Number of fish in the album of caught fish; 0 means that the album is closed. */
     uint8_t album;
     /* Page of the operator's menu; null means that the menu is closed. */
@@ -35,13 +36,13 @@ struct shot_options {
     /* Step of the menu page (see shot_menu_open()), and price of a round in coins. */
     uint8_t step, coins;
     uint8_t rotation; /* Rotation of the picture on the screen (struct display_settings). */
-    /* Size, brightness and offset of the picture, as in struct display_settings. */
+    /* Size, brightness and offset of the picture on the screen, as in struct display_settings. */
     float inset, light, shift;
     uint32_t species;
     /* Growth progress (0 .. 1) of the species in the growth lab. 0 is its first key shape, 1 the
      * last. */
     float progress;
-    /* A fan over the water. The command line gives its position as X_CM,Z_CM. */
+    /* Position of a fan over the water. The command line option has the form X_CM,Z_CM. */
     struct shade_input fan;
     const char *out;
 };

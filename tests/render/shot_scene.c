@@ -11,7 +11,8 @@
 
 static struct core core;
 
-/* Sets the number and stamina of the fish and the oxygen of the water from the options. */
+/* Creates the tank with the number and the stamina of the fish and the oxygen content that the
+ * options give. */
 static void set_water(const struct shot_options *options)
 {
     struct tank_config config = tank_config_of(options->preset);
@@ -29,8 +30,8 @@ static void set_water(const struct shot_options *options)
     }
 }
 
-/* Returns the pose of a careless player who tears the paper: dips one half at a steep angle, and
- * then pushes the half-wet paper flat through the water. */
+/* Returns the pose of a careless player who tears the paper. The player dips one half of the paper
+ * at a steep angle, and then pushes the half-wet paper flat through the water. */
 static struct poi_input careless_pose(float time_s)
 {
     const float sinks = f_smoothstep(4.0f, 4.6f, time_s);
@@ -57,8 +58,8 @@ static void open_lab(const struct shot_options *options, struct output *output)
     lab->layer = options->size_layer ? LAB_LAYER_SIZE : 0;
 }
 
-/* Opens the album as if the first `album` fish of the tank had been caught, with its page at the
- * given growth progress. */
+/* Opens the album as if the first `album` fish of the tank had been caught. The page shows the fish
+ * at the growth progress of the options. */
 static void open_album(const struct shot_options *options)
 {
     struct album *album = &core.game.album;
@@ -132,7 +133,8 @@ static void follow(const struct shot_options *options, struct scene *scene)
     scene->view.eye_m = v3_add(at, v3(0.0f, 0.75f * options->follow_m, 0.66f * options->follow_m));
 }
 
-/* Fills the paper of a poi for a picture: half wet, with two holes, and stressed around them. */
+/* Fills the paper of a poi for a picture. The paper is half wet and has two holes, with stress
+ * around the holes. */
 static void fill_sheet(struct scene_poi *poi)
 {
     for (uint32_t z = 0; z < SHEET_SIDE; z++) {

@@ -1,8 +1,9 @@
-/* float_mode.c -- a library for LD_PRELOAD that makes the processor flush denormal numbers to zero.
+/* float_mode.c -- a library for LD_PRELOAD that makes the processor flush denormal numbers to zero,
+ * as some display libraries do.
  *
  * The library sets the modes flush-to-zero and denormals-are-zero in the first thread and in each
- * new thread. If FLOAT_MODE_IN is "pread", it also sets them in every pread(). A correct core still
- * gives the same digests. Works only on x86-64. */
+ * new thread. If FLOAT_MODE_IN is "pread", the library also sets them in every pread(). Because a
+ * correct core restores its own mode, its digests must not change. Works only on x86-64. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <pthread.h>

@@ -12,7 +12,7 @@
 
 #define GROWTH_STEPS 40
 
-/* Returns `hash` after adding the bits of `count` floats. */
+/* Returns `hash` updated with the bits of `count` floats. */
 static uint64_t hash_floats(uint64_t hash, const float *values, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
@@ -40,8 +40,8 @@ static uint64_t hash_pose(uint64_t hash, const struct morph_pose *pose, uint32_t
     return hash;
 }
 
-/* Adds the shape of the species at one growth progress (0 .. 1) to the hash, in all levels of
- * detail. */
+/* Adds the shape of the species at the growth progress `progress` (0 .. 1) to the hash, in all
+ * levels of detail. */
 static uint64_t hash_moment(uint64_t hash, const struct species *species,
                             const struct morph_rig *rig, float progress)
 {
@@ -63,8 +63,8 @@ static uint64_t hash_moment(uint64_t hash, const struct species *species,
     return hash_floats(hash, life, 4);
 }
 
-/* Prints the hashes of each species' growth for three sets of blend curves: the species' own, the
- * smooth template, and the method of the thesis. */
+/* Prints the growth hashes of each species for three sets of blend curves: the species' own curves,
+ * the smooth template, and the method of the 2005 thesis. */
 static void print_growth_hashes(void)
 {
     static struct straight_memory memory;

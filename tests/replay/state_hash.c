@@ -1,13 +1,15 @@
 /* state_hash.c -- plays a fixed half-minute of the core and prints the hash of its state every
  * second.
  *
- * Usage: state_hash [LANES | growth]. Returns exit status 77 if this machine has no SIMD of this
- * width. With `growth` it prints one line for each species instead (growth_hash.h).
+ * Usage: state_hash [LANES | growth]. LANES is the SIMD width. With `growth`, the program prints
+ * one line for each species instead (growth_hash.h).
  *
- * Plays attract mode, then a round of a bot, then a player who dips and sweeps next to a second
- * player who holds a fan. No clock, file or device is used, so that the lines depend only on the
- * core. Every compiler, optimization level, board and SIMD width must print the same lines.
- * tests/replay/golden.txt has the reference lines. */
+ * The half-minute has attract mode, then a round of a bot, and then a player who dips and sweeps
+ * next to a second player who holds a fan. The program uses no clock, file or device, so the lines
+ * depend only on the core. Every compiler, optimization level, board and SIMD width must print the
+ * lines of tests/replay/golden.txt.
+ *
+ * Returns exit status 77 if this machine does not support the SIMD width. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -17,8 +19,9 @@
 #include "tests/replay/growth_hash.h"
 
 #define SEED 20130213u
-#define START_TICK (2u * CORE_TICK_HZ) /* Attract mode runs until this tick. */
-/* End of the bot's play. From this tick on, scripted input moves the poi. */
+/* End of attract mode. */
+#define START_TICK (2u * CORE_TICK_HZ)
+/* Start of the scripted player, who replaces the bot at this tick. */
 #define HAND_TICK (20u * CORE_TICK_HZ)
 #define END_TICK (30u * CORE_TICK_HZ)
 
@@ -40,8 +43,8 @@ static struct poi_target pose_at(uint32_t tick)
     };
 }
 
-/* Returns the pose of the fan. The fan moves in, stays until fish gather, moves along and
- * leaves. */
+/* Returns the pose of the fan. The fan moves over the water, stays until fish gather below it,
+ * moves along the tank, and leaves. */
 static struct shade_input fan_at(uint32_t tick)
 {
     const float s = (float)(tick - HAND_TICK) * CORE_TICK_S;

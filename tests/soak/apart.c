@@ -5,8 +5,8 @@
 #include <math.h>
 #include <string.h>
 
-/* Side of a grid cell. Two fish of 8 cm that touch are never farther apart than this, so only
- * neighbouring cells must be searched. */
+/* Side of a grid cell. Two touching fish of 8 cm are never farther apart than this, so only
+ * neighbouring cells must be searched for touching fish. */
 #define CELL_M 0.11f
 #define CELLS_MAX 2048u
 #define RING_POINTS 96
@@ -15,8 +15,8 @@
 
 struct cells {
     uint32_t columns, rows;
-    /* One linked list for each cell with the fish in it. An entry is the index of a fish plus 1,
-     * and 0 ends the list. */
+    /* Linked lists of the fish in each cell. An entry is the index of a fish plus 1, and 0 ends the
+     * list. */
     uint16_t first[CELLS_MAX], next[TANK_FISH_MAX];
 };
 
@@ -62,8 +62,8 @@ static void fill(struct cells *cells, const struct tank *tank)
     }
 }
 
-/* Checks fish `i` for overlap with each fish of the cell whose index is smaller, so that each pair
- * is checked once. */
+/* Checks fish `i` for overlap with those fish of the cell that have a smaller index, so that each
+ * pair is checked once. */
 static void check_cell(struct apart *apart, const struct tank *tank, const struct cells *cells,
                        uint32_t i, uint32_t cell)
 {
@@ -131,7 +131,8 @@ static void check_walls(struct apart *apart, const struct tank *tank, const stru
     note(apart, &apart->surface_m, at.y + extent.y - over_m);
 }
 
-/* Returns the signed distance of a point from a box, which is negative inside. */
+/* Returns the distance of a point from the surface of a box. The distance is negative if the point
+ * is inside the box. */
 static float from_box_m(const struct box *box, vec3 point_m)
 {
     const vec3 p = vec_basis_to_body(&box->axes, v3_sub(point_m, box->centre_m));
@@ -179,8 +180,8 @@ static void check_ring(struct apart *apart, const struct poi *poi, const struct 
     }
 }
 
-/* Returns how far a point is inside the bowl's hull, as the first-order approximation of the
- * distance to the hull's surface; negative for a point outside. */
+/* Returns the depth of a point inside the bowl's hull in m. The depth is a first-order
+ * approximation of the distance to the hull's surface. It is negative if the point is outside. */
 static float point_in_hull_m(const struct bowl *bowl, vec3 point_m)
 {
     const vec3 p = v3_sub(point_m, bowl->position_m);
@@ -245,7 +246,8 @@ static void check_pace(struct apart *apart, const struct tank *tank, const struc
     }
     if (fish->gait == GAIT_SWIM) {
         const vec3 v = fish->velocity_m_s;
-        /* Speed of the gait for the fish's length and stamina (section 3.3 of the 2013 thesis). */
+        /* Speed of the gait for this length and stamina, without other influences (section 3.3 of
+         * the 2013 thesis). */
         const float able = fish->length_m * (0.8f + 0.2f * fish->stamina);
         apart->speed_sum += (double)f_sqrt(v.x * v.x + v.z * v.z);
         apart->free_sum += (double)(able * tank_behavior_params(tank)->swim_speed);

@@ -1,5 +1,5 @@
-/* drag.c -- implementation of drag.h. All strokes are drawn from a seed, so that every run is the
- * same. */
+/* drag.c -- implementation of drag.h. All strokes are drawn at random from one seed, so that every
+ * run is the same. */
 #include "tests/soak/drag.h"
 
 #include <stdio.h>
@@ -32,8 +32,9 @@ void drag_init(struct drag *drag, uint8_t preset, uint32_t fish_count, uint32_t 
     drag->to_m = drag->input.poi[0].target.position_m;
 }
 
-/* Draws the target of the next stroke: a point in the tank, a wall, a corner, the floor, or a point
- * above the water from which the poi enters again. */
+/* Draws the target of the next stroke at random: a point in the tank, a wall, a corner, the floor,
+ * or a point above the water. From a point above the water, the next stroke enters the water
+ * again. */
 static void next_stroke(struct drag *drag)
 {
     const vec3 size = drag->core.world.tank.size_m;
@@ -53,8 +54,8 @@ static void next_stroke(struct drag *drag)
         to.y = 0.06f;
     }
     drag->to_m = to;
-    /* The logarithm of the speed has a uniform distribution, so that slow strokes are as frequent
-     * as fast ones. */
+    /* Draws the speed so that its logarithm has a uniform distribution. Slow strokes are then as
+     * frequent as fast ones. */
     drag->speed_m_s = 0.1f * f_exp(draw(drag, 4, 0.0f, 2.708f));
     const float tilt = kind > 0.6f ? 90.0f : 50.0f;
     drag->angles =
@@ -97,7 +98,7 @@ void drag_begin(struct drag *drag)
     next_stroke(drag);
 }
 
-/* Replaces worn paper by new paper, because a ring with torn paper would push the fish less. */
+/* Replaces torn paper by new paper, because a ring with torn paper would push the fish less. */
 static void renew_paper(struct poi *poi)
 {
     if (poi->sheet.paper_cells < poi->sheet.paper_cells_new) {
@@ -114,8 +115,8 @@ void drag_tick(struct drag *drag)
         bowl_empty(&core->world.bowl[0], 0, &core->world.tank);
     }
     if (core->game.tick - core->game.phase_tick > CORE_TICK_HZ) {
-        /* Moves the start of the phase one tick later. The time since the start stays the same, so
-         * the round never ends. */
+        /* Moves the start of the phase one tick later in each tick. The round therefore never
+         * reaches its end. */
         core->game.phase_tick++;
     }
     tick_core(drag);

@@ -1,7 +1,6 @@
-/* drag.h -- drags a simulated poi through a tank as hard as a player can.
- *
- * The poi moves at 0.1 to 1.5 m/s, level, tilted or on edge. It plunges into the water and moves
- * along walls and into corners. */
+/* drag.h -- drags a simulated poi through a tank as fast as a player can. The poi moves at 0.1 to
+ * 1.5 m/s, level, tilted or on edge. It plunges into the water and moves along walls and into
+ * corners. */
 #ifndef KINGYO_TESTS_SOAK_DRAG_H
 #define KINGYO_TESTS_SOAK_DRAG_H
 
@@ -16,8 +15,8 @@ struct drag {
     float speed_m_s; /* Speed of the current stroke. */
     struct angles angles;
     uint32_t stroke; /* Number of the current stroke. */
-    /* Sums over the ticks, in m: the distance from the requested to the simulated poi, and the path
-     * of the requested poi. */
+    /* Two sums over the ticks, in m: the distance between the requested and the simulated position
+     * of the poi (`lag_sum_m`), and the length of the requested path (`hand_m`). */
     double lag_sum_m, hand_m;
     uint32_t ticks;
 };
@@ -29,8 +28,8 @@ void drag_init(struct drag *drag, uint8_t preset, uint32_t fish_count, uint32_t 
 /* Starts a round with the poi above the middle of the tank. */
 void drag_begin(struct drag *drag);
 
-/* Runs one tick of the round and moves the poi along the current stroke. Worn paper is replaced,
- * and a full bowl is emptied into the tank, so that the round can continue for ever. */
+/* Runs one tick of the round and moves the poi along the current stroke. Replaces torn paper, and
+ * empties a full bowl into the tank, so that the round can continue for ever. */
 void drag_tick(struct drag *drag);
 
 /* Runs one tick of the same tank and bowl without a poi. */

@@ -33,19 +33,20 @@ static const struct density densities[] = {
 static struct drag drag;
 static struct apart apart;
 
-/* Limits of natural motion. Fish must not tremble, block each other or crowd at the walls, whatever
- * their number. */
+/* Limits of natural motion: fish must not tremble, block each other or crowd at the walls, however
+ * many they are. */
 #define PACE_MIN 0.5f
 #define REVERSALS_MAX_PER_S 1.0f
-/* Highest yaw rate of a startled fish. Calm fish that avoid each other must not turn faster. */
+/* Highest yaw rate of a startled fish. Calm fish that avoid each other must stay below this
+ * rate. */
 #define YAW_RATE_MAX_RAD_S (720.0f * F_DEG)
 #define CROWDING_MAX 1.5f
 #define STUCK_MAX_S 5.0f
 #define LOOSE_MAX_S 0.5f
 
-/* Number of times that the contact solver reverted a fish to its previous pose. */
+/* Number of times that the contact solver set a fish back to its previous pose. */
 static uint64_t reverted_count;
-/* 1 if the test of all pairs found an overlap that the test with the grid missed. */
+/* 1 if the check of all pairs found an overlap that the check with the grid missed. */
 static int cells_missed;
 
 static void run(const struct density *density, int dragged, uint32_t seconds, uint32_t seed)

@@ -1,12 +1,13 @@
 /* week.c -- runs a week of a festival with the real frame loop, core and store, and checks that
  * memory does not grow.
  *
- * Usage: week [HOURS]
+ * Usage: week [HOURS]. The program simulates HOURS hours (default 168) as fast as possible.
  *
- * Simulates HOURS (default 168) as fast as possible. From 10 to 21 o'clock players insert coins,
- * play and enter names. At night nobody plays. The tank has one fish, and the number of caught fish
- * is set directly, because swimming is not under test. Every six hours, prints the memory in use by
- * the program and by SQLite, the memory obtained from the system, and the size of the store.
+ * From 10 to 21 o'clock players insert coins, play and enter names. At night nobody plays. The tank
+ * has one fish, and the number of caught fish is set directly, because swimming is not under test.
+ * Every six hours, the program prints the memory in use by the program and by SQLite, the memory
+ * obtained from the system, and the size of the store.
+ *
  * Returns exit status 1 if the memory in use grew after the first quarter, if a tick was dropped,
  * or if a coin is missing from the store. */
 #include <malloc.h>
@@ -34,14 +35,15 @@
 #define LINE_HOURS 6u
 #define OPEN_HOUR 10u
 #define CLOSE_HOUR 21u
-/* Allowed growth of the memory in use, in bytes. A few KiB are allowed for a text line that a
- * library is reading at the moment. */
+/* Allowed growth of the memory in use, in bytes. The allowance is for a line of text that a library
+ * may be reading at the moment of the measurement. */
 #define GROWTH_MAX (4 * 1024)
-/* Limit of SQLite's memory in bytes: the page cache of the store (1,024 KiB), the page cache of the
- * backup (256 KiB), statements and schema. */
+/* Limit of SQLite's memory in bytes. The limit has room for the page cache of the store (1,024
+ * KiB), the page cache of the backup (256 KiB), the statements and the schema. */
 #define SQLITE_MAX (1536u * 1024u)
 
-#define PIECE_HEAD sizeof(size_t) /* Overhead of each allocated block of the C library, in bytes. */
+/* Number of bytes that the C library adds to each allocated block. */
+#define PIECE_HEAD sizeof(size_t)
 
 static struct kiosk kiosk;
 static struct storage store;
@@ -180,8 +182,8 @@ static size_t resident_size(void)
     return resident * (size_t)sysconf(_SC_PAGESIZE);
 }
 
-/* Allocates memory for SQLite. SQLite's own counter omits the overhead of its blocks. Therefore
- * these functions count the size that the C library really uses. */
+/* Allocates memory for SQLite. These functions replace SQLite's allocator, because SQLite's own
+ * counter omits the overhead of its blocks. They count the size that the C library really uses. */
 static void *piece_take(int size)
 {
     return malloc((size_t)size);
@@ -258,8 +260,8 @@ static void print_sample(uint32_t hour, const struct sample *sample)
 
 /* ---- Playing the week ----------------------------------------------------------------------- */
 
-/* Waits until at most LEDGER_RING / 2 entries are not yet committed. The store's thread writes in
- * real time, but the simulation runs several hundred times as fast. */
+/* Waits until at most LEDGER_RING / 2 entries are not yet committed. The wait is needed because the
+ * store's thread writes in real time, whereas the simulation runs several hundred times as fast. */
 static void wait_for_store(void)
 {
     const struct ledger *ledger = &kiosk.core.game.accounts.ledger;
@@ -311,8 +313,8 @@ static int holds_all(const char *folder)
     return coins > 0 && memory.audits.count[AUDIT_COINS_1] == coins;
 }
 
-/* Prints the growth of the memory in use. SQLite's memory may grow until its page cache is full, so
- * it has a limit. All other memory must not grow. */
+/* Prints how much the memory in use has grown. SQLite's memory may grow up to a limit, until its
+ * page cache is full. All other memory must not grow. */
 static int print_growth(const struct sample *first, const struct sample *last, uint32_t since_hour)
 {
     const double own = ((double)last->ours - (double)last->sqlites) -
@@ -352,9 +354,9 @@ static int run(const char *folder, uint32_t hours)
     return grew || dropped > 0 || unwritten > 0 || !holds;
 }
 
-/* Restarts the program without the C library's per-thread caches. Freed blocks in these caches
- * would count as memory in use. The setting is read before main(), so the program must be started
- * again. */
+/* Starts the program again without the C library's per-thread caches, because freed blocks in these
+ * caches would count as memory in use. A new start is needed, because the C library reads the
+ * setting before main(). */
 static void begin_bare(char **argv)
 {
     static const char name[] = "GLIBC_TUNABLES";

@@ -1,6 +1,6 @@
-/* curves.c -- computes the data of figure 2.9 of the 2013 thesis with Kingyo's water model: the
- * oxygen consumption of 100 g of goldfish and the oxygen content of a litre of water, over the
- * temperature. Writes CSV to standard output. */
+/* curves.c -- computes the data of figure 2.9 of the 2013 thesis with Kingyo's water model, as CSV
+ * on standard output. The columns are the oxygen consumption of 100 g of goldfish and the oxygen
+ * content of a litre of water, over the temperature. */
 #include <stdio.h>
 
 #include "core/tank/oxygen.h"

@@ -1,5 +1,6 @@
-/* easel.c -- renders pictures of a tank with the kiosk's renderer and without a screen. The cameras
- * include a view through the side wall of the tank, which the kiosk does not offer. */
+/* easel.c -- implementation of easel.h: renders pictures of a tank with the kiosk's renderer and
+ * without a screen. One of the cameras looks through the side wall of the tank, which the kiosk's
+ * camera never does. */
 #include "tests/thesis/easel.h"
 
 #include <stdio.h>
@@ -10,11 +11,11 @@
 #include "platform/render/display_gl.h"
 
 #define ASPECT ((float)EASEL_WIDTH / (float)EASEL_HEIGHT)
-/* Distance of the side camera. From this distance, near and far fish appear almost equally
- * large. */
+/* Distance of the side camera from the tank. The distance is so large that near and far fish appear
+ * almost equally large. */
 #define SIDE_EYE_M 6.5f
 
-/* The renderer needs a scene, and only a core can make one. This core is never ticked. */
+/* Core that fills the scene for the renderer. Its tick function is never called. */
 static struct core core;
 static struct scene scene;
 static struct display_gl display;
@@ -32,7 +33,7 @@ int easel_open(uint32_t times)
         .width = fine_width,
         .height = fine_height,
         .off_screen = true,
-        /* With the scale 0, the renderer selects the scale itself, as in the kiosk. Time
+        /* If the scale is 0, the renderer selects the scale itself, as in the kiosk. Time
          * measurements need the kiosk's scale. */
         .scene_scale = finer > 1u ? 1.0f : 0.0f,
     };
@@ -93,8 +94,8 @@ static struct view camera(const struct easel_shot *shot, vec3 size_m)
 
 /* ---- Drawing -------------------------------------------------------------------------------- */
 
-/* Draws the shadows of the fans that the options place, but not the fans, which would hide the
- * fish. */
+/* Adds the shadows of the fans that the options place. The fans themselves are not drawn, because
+ * they would hide the fish. */
 static void show_shades(const struct tank_lab *lab)
 {
     const double now_s = (double)lab->tick / CORE_TICK_HZ;
@@ -129,7 +130,8 @@ static float near_wall_m(void)
     return SIDE_EYE_M - 0.5f * scene.tank_size_m.z;
 }
 
-/* Returns the pixel row, counted from the bottom, of the height `y_m` on the near wall. */
+/* Returns the row of pixels, counted from the bottom, in which the height `y_m` on the near wall
+ * appears. */
 static GLint row_of(const struct view *view, float y_m)
 {
     const float tan_y = view_half_height_tan(view, ASPECT);
@@ -190,8 +192,8 @@ static void draw_side(struct renderer *renderer)
     glDisable(GL_DEPTH_TEST);
 }
 
-/* Reduces the picture to its final size. Each pixel is the mean of the smaller pixels that were
- * drawn for it. */
+/* Reduces the picture to its final size. Each pixel of the result is the mean of `finer` x `finer`
+ * drawn pixels. */
 static void shrink(void)
 {
     const uint32_t area = finer * finer;
@@ -222,8 +224,8 @@ int easel_shoot(const struct tank_lab *lab, const struct easel_shot *shot, const
         return -1;
     }
     shrink();
-    /* A picture of CAMERA_SIDE keeps only the middle 2/5 of its rows. The other rows show nothing
-     * of the tank. */
+    /* Keeps only the middle 2/5 of the rows in a picture of CAMERA_SIDE, because the other rows
+     * show nothing of the tank. */
     const uint32_t rows = shot->camera == CAMERA_SIDE ? EASEL_HEIGHT * 2u / 5u : EASEL_HEIGHT;
     const uint32_t skip = (EASEL_HEIGHT - rows) / 2u;
     const int error = png_write(path, picture + skip * EASEL_WIDTH * 3u, EASEL_WIDTH, rows);

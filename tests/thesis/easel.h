@@ -13,10 +13,11 @@
 enum easel_camera {
     CAMERA_TOP,    /* The whole tank from above. */
     CAMERA_CENTRE, /* The middle of the tank from above. */
-    CAMERA_SIDE,   /* View through the side wall, in which only fish and water are drawn. */
-    CAMERA_SLANT,  /* The whole tank from 60 degrees above the water. */
-    CAMERA_SHADE,  /* The middle of the tank from above, with the shadow of a fan. */
-    CAMERA_NOSES,  /* View near the surface that shows fish breathing there with their snouts up. */
+    /* View through the side wall. In this view only fish and water are drawn. */
+    CAMERA_SIDE,
+    CAMERA_SLANT, /* The whole tank from 60 degrees above the water. */
+    CAMERA_SHADE, /* The middle of the tank from above, with the shadow of a fan. */
+    CAMERA_NOSES, /* View near the surface that shows fish breathing there with their snouts up. */
     CAMERA_MEETING, /* Close view of `easel_shot.look_at_m` from above. */
 };
 
@@ -26,20 +27,20 @@ struct easel_shot {
     float width_m;  /* Width of the picture of CAMERA_MEETING. */
 };
 
-/* Opens the renderer. Each picture is drawn `times` times as wide and as high, and then averaged,
- * because fins are thinner than a pixel. `times` is at most EASEL_FINER_MAX. Returns 0, or -1 after
- * a message on standard error. */
+/* Opens the renderer. Each picture is drawn with `times` times its width and height, and then
+ * averaged, because fins are thinner than a pixel. `times` is at most EASEL_FINER_MAX. Returns 0,
+ * or -1 after a message on standard error. */
 int easel_open(uint32_t times);
 
-/* Returns the name of the renderer. */
+/* Returns the name of the OpenGL renderer. */
 const char *easel_describe(void);
 
-/* Writes a PNG file of the current state of the lab. Returns 0, or -1 after a message on standard
- * error. */
+/* Writes a picture of the current state of the lab as a PNG file. Returns 0, or -1 after a message
+ * on standard error. */
 int easel_shoot(const struct tank_lab *lab, const struct easel_shot *shot, const char *path);
 
-/* Draws one frame of the lab with the kiosk's own camera and waits until it is complete. Used to
- * measure the time of a frame. */
+/* Draws one frame of the lab with the kiosk's own camera, and waits until the frame is complete.
+ * The function is used to measure the time of a frame. */
 void easel_draw(const struct tank_lab *lab);
 
 /* Closes the renderer. */

@@ -1,11 +1,11 @@
-/* gaps.c -- compares how closely two fish pass each other with two shapes of their personal space:
- * a box around the body or a ball.
+/* gaps.c -- measures how closely two fish pass each other with two shapes of their personal space:
+ * a box around the body, or a ball.
  *
- * Section 4.1 of the 2013 thesis states that with boxes fish pass more closely and smoothly. Here
- * two fish swim toward each other on parallel courses 0 to 10 cm apart. The program writes CSV to
- * standard output. Each row has the smallest gap between the bodies, the deviation from the course,
- * and whether the fish gave way. The values are means over SEEDS tanks, because the side of the
- * evasion is random. */
+ * Section 4.1 of the 2013 thesis states that fish with boxes pass each other more closely and more
+ * smoothly. In this program two fish swim toward each other on parallel courses 0 to 10 cm apart.
+ * The program writes CSV to standard output. Each row has the smallest gap between the bodies, the
+ * deviation from the course, and whether the fish gave way. The values are means over SEEDS tanks,
+ * because each fish gives way to a random side. */
 #include <math.h>
 #include <stdio.h>
 
@@ -45,8 +45,8 @@ static void stage(float aside_m, uint8_t balls, uint32_t seed)
 static double gap_mm(void)
 {
     const struct box a = fish_box(&tank.fish[0]), b = fish_box(&tank.fish[1]);
-    /* The large margins of 1 m make box_gap() compute the exact gap. With small margins it may
-     * return early. */
+    /* The margins of 1 m are so large that box_gap() computes the exact gap. With small margins the
+     * function may return early. */
     return 1000.0 * (double)box_gap(&a, 1.0f, &b, 1.0f).body_m;
 }
 
@@ -60,7 +60,7 @@ static struct passage pass(float aside_m, uint8_t balls, uint32_t seed)
         const double first_mm = 1000.0 * fabs((double)fish[0].position_m.z);
         const double second_mm = 1000.0 * fabs((double)(fish[1].position_m.z - aside_m));
         passage.gap_mm = fmin(passage.gap_mm, gap_mm());
-        /* Motion after the fish have passed each other does not count. */
+        /* Measures the deviation only until the fish have passed each other. */
         if (fish[0].position_m.x < fish[1].position_m.x) {
             passage.stray_mm = fmax(passage.stray_mm, 0.5 * (first_mm + second_mm));
         }

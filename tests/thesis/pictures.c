@@ -1,8 +1,8 @@
 /* pictures.c -- renders figures 4.1 to 4.24 of chapter 4 of the 2013 thesis from Kingyo's tank.
  *
- * Usage: pictures FOLDER. FOLDER/pictures.tsv gets a line for each picture: number, file, time,
- * description and options. `kingyoctl tank` with these options runs the same tank, so that each
- * picture can be examined there. */
+ * Usage: pictures FOLDER. The program writes the pictures, and one line for each picture into
+ * FOLDER/pictures.tsv: number, file, time, description and options. `kingyoctl tank` runs the same
+ * tank with these options, so that each picture can be examined there. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -68,19 +68,22 @@ static void shoot(const char *number, const struct easel_shot *shot, const char 
 
 /* ---- Figures 4.1 to 4.12: two fish meet ----------------------------------------------------- */
 
-/* An encounter of two fish in section 4.1 of the thesis. A fish turns to a random side, so the
- * program searches for the first seed with which both turn as in the thesis. */
+/* An encounter of two fish in section 4.1 of the thesis. Each fish gives way to a random side. The
+ * program therefore searches for the first seed with which both fish turn as in the thesis. */
 struct encounter {
-    int first; /* Number n of the first figure, 4.n in the thesis. */
+    /* Number of the first of the encounter's figures. The value n stands for figure 4.n of the
+     * thesis. */
+    int first;
     const char *name, *what;
-    uint8_t kind;   /* Kind of encounter (enum meeting_kind). */
-    float turn;     /* Side to which the first fish must turn: -1 is right, +1 is left. */
-    uint8_t yields; /* Number of fish (of the two) that must give way. */
+    uint8_t kind; /* Kind of encounter (enum meeting_kind). */
+    float turn;   /* Side to which the first fish must turn: -1 is right, +1 is left. */
+    /* Number of the two fish that must give way: 1 or 2. */
+    uint8_t yields;
 };
 
 static const struct encounter encounters[] = {
     { 1, "head_on", "head-on", MEET_HEAD_ON, 1.0f, 2 },
-    /* The second fish hits the side of the first fish from behind. */
+    /* In this encounter, the second fish hits the side of the first fish from behind. */
     { 5, "side", "from the side", MEET_STRUCK, 1.0f, 2 },
     { 9, "rear_end", "from behind", MEET_REAR_END, -1.0f, 1 },
 };
@@ -105,8 +108,8 @@ static int is_of_its_kind(const struct encounter *wanted)
     return avoids(0) && fish->avoid_kind == wanted->kind && fish->avoid_turn * wanted->turn > 0.0f;
 }
 
-/* Returns 1 if both fish have kept their course since `from`. A fish that swims must have advanced
- * by more than its length and must not have turned back. */
+/* Returns 1 if both fish have kept their course since `from`. A swimming fish must also have
+ * advanced by more than its length. */
 static int both_go_on(const struct fish from[2])
 {
     for (int i = 0; i < 2; i++) {
@@ -122,7 +125,7 @@ static int both_go_on(const struct fish from[2])
 }
 
 /* Finds the ticks of four moments of an encounter: the fish begin to give way, are nearest to each
- * other, end the avoidance, and swim on. Returns 1 if the encounter is as in the thesis. */
+ * other, end the avoidance, and swim on. Returns 1 if the encounter is like that of the thesis. */
 static int find_moments(const char *words, const struct encounter *wanted, struct moments *found)
 {
     struct fish from[2] = { 0 };
@@ -184,7 +187,7 @@ static void trace_meeting(const char *name, const char *words, const struct mome
     tank_lab_close(&lab);
 }
 
-/* Sets the camera so that one frame contains both fish at all four moments, with a margin of a
+/* Sets the camera so that its picture contains both fish at all four moments, with a margin of a
  * fish's length. */
 static void frame_all(struct easel_shot *shot, const char *words, const uint32_t ticks[4])
 {
@@ -204,8 +207,8 @@ static void frame_all(struct easel_shot *shot, const char *words, const uint32_t
     shot->width_m = f_max(0.24f, f_max(wide_m, tall_m * 16.0f / 9.0f));
 }
 
-/* Finds the first seed with which the fish meet as in the thesis. Writes the options of its tank to
- * `words` and returns the four moments. */
+/* Finds the first seed with which the fish meet as in the thesis. Writes the options of the tank
+ * with this seed to `words`, and returns the four moments. */
 static struct moments stage_meeting(const struct encounter *wanted, char words[WORDS_LENGTH])
 {
     struct moments found;
@@ -227,8 +230,8 @@ static void shoot_meeting(const struct encounter *wanted)
     char words[WORDS_LENGTH], number[8], seen[160];
     const struct moments found = stage_meeting(wanted, words);
     struct easel_shot shot = { .camera = CAMERA_MEETING };
-    /* The second picture shows the fish when they are nearest. If that is not during the avoidance,
-     * the picture is taken in the middle of the avoidance. */
+    /* The second picture shows the moment at which the fish are nearest to each other. If this
+     * moment is not during the avoidance, the picture shows the middle of the avoidance instead. */
     const uint32_t during = found.nearest > found.begins && found.nearest < found.done
                                 ? found.nearest
                                 : (found.begins + found.done) / 2u;

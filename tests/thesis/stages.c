@@ -2,10 +2,17 @@
  *
  * Usage: stages growth|models|sizes|ways SPECIES|FILE OUT.png
  *
- * `growth` draws every key shape and marks the start of its dorsal fin (figure 3.3). `models` draws
- * the three input models of chapter 4 from two sides (4.1, 4.5, 4.8, 4.12). `sizes` draws them at
- * one scale, in the sizes at which the real fish were caught (4.4, 4.11). `ways` draws nine stages
- * of growth by the ordinary morph, the thesis' morph and Kingyo's morph (4.14). */
+ * `growth` draws every key shape and marks the start of its dorsal fin, as figure 3.3 of the
+ * thesis.
+ *
+ * `models` draws the three key shapes of chapter 4 from two sides, as figures 4.1, 4.5, 4.8 and
+ * 4.12.
+ *
+ * `sizes` draws these three shapes at one scale, in the sizes of the real fish that were caught, as
+ * figures 4.4 and 4.11.
+ *
+ * `ways` draws nine stages of growth by three methods (the ordinary morph, the thesis' morph and
+ * Kingyo's morph), as figure 4.14. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -23,19 +30,21 @@
 #define WATER_ABOVE 0xd3e4e6u
 #define WATER_BELOW 0x9fbfc6u
 #define COLUMNS 9u /* Number of growth stages that the command `ways` draws. */
-/* Length of the head as a fraction of the body's length. The close views show this part. */
+/* Length of the head as a fraction of the body's length. The close views show only the head. */
 #define HEAD_SHARE 0.26f
 
 static const char name[] = "stages";
 
-/* A fish in the picture and its position there. */
+/* A fish in the picture and the box in which the fish is drawn. */
 struct spot {
     const struct species *fish;
     const struct morph_rig *rig;
     float progress;
     enum fish_preview_view view;
     struct canvas_box box;
-    float scale_px; /* Pixels per unit of the fish's shape, equal for all fish of the picture. */
+    /* Number of pixels per unit of the fish's shape. The value is equal for all fish of the
+     * picture. */
+    float scale_px;
 };
 
 static struct canvas canvas;
@@ -139,8 +148,8 @@ static enum exit_code draw_growth(const struct morph_options *pick)
 
 /* ---- Input models ---------------------------------------------------------------------------- */
 
-/* Sets `portrait` to the shape that the game blends for key `key`: the shape of the species text,
- * or its exaggeration if graph_solve() computed one. The exaggeration compensates a blend weight
+/* Sets `portrait` to the shape that the game blends for key `key`. This is the shape of the species
+ * text, unless graph_solve() computed an exaggerated shape, which compensates for a blend weight
  * that never reaches 1. */
 static void take_model(const struct morph_options *pick, uint32_t key)
 {
@@ -193,8 +202,7 @@ static enum exit_code draw_sizes(const struct morph_options *pick)
     const float *length_m = card->key_length_m;
     const float sum_m = length_m[0] + length_m[1] + length_m[2];
     const float gap = 70.0f, room = WIDTH - 2.0f * MARGIN - 4.0f * gap;
-    /* The factor 0.78 leaves room for the tails, because tails extend beyond the standard
-     * length. */
+    /* Leaves 22 % of the width for the tails, because tails extend beyond the standard length. */
     const float px_per_m = 0.78f * room / sum_m;
     const float height = 0.62f * px_per_m * fmaxf(fmaxf(length_m[0], length_m[1]), length_m[2]);
     float left = MARGIN + gap;
@@ -220,8 +228,8 @@ static enum exit_code draw_sizes(const struct morph_options *pick)
 
 /* ---- Three morph methods -------------------------------------------------------------------- */
 
-/* Converts the progress of the thesis' three-key method to the progress of the complete species,
- * which has more keys. */
+/* Converts a progress of the thesis' method, which has three keys, to the progress of the complete
+ * species, which has more keys. */
 static float drawn_progress(const struct species_card *drawn, float progress)
 {
     const float place = progress * 2.0f;
@@ -231,7 +239,7 @@ static float drawn_progress(const struct species_card *drawn, float progress)
 }
 
 /* Draws the fish so large that its head fills the box. The bounds contain only the head, so the
- * rest of the fish is clipped. */
+ * rest of the fish is cut off. */
 static void draw_head(const struct spot *spot)
 {
     static struct fish_preview head;

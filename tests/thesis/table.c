@@ -1,9 +1,11 @@
-/* table.c -- measures table 4.2 of the 2013 thesis: updates per second for eight numbers of fish.
- * Neighbours are found by a grid or by a test of all pairs.
+/* table.c -- measures table 4.2 of the 2013 thesis: the updates per second for eight numbers of
+ * fish, if neighbours are found by a grid and if all pairs are tested.
  *
- * Usage: table FILE.csv. Each tank first runs for ten seconds, as in the thesis. A measured update
- * is one tick and one frame, drawn by the kiosk's renderer at 1280x720 off screen. The two methods
- * are measured alternately, so that other load on the machine affects both equally. */
+ * Usage: table FILE.csv
+ *
+ * Each tank first runs for ten seconds, as in the thesis. A measured update is one tick and one
+ * frame, which the kiosk's renderer draws at 1280x720 off screen. The two methods are measured
+ * alternately, so that other load on the machine affects both equally. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,7 +15,8 @@
 #include "tests/thesis/easel.h"
 
 #define SECONDS 10u
-/* Number of measured updates of each tank. The number is odd so that one of them is the median. */
+/* Number of measured updates of each tank. The number is odd, so that one of the measured times is
+ * the median. */
 #define FRAMES 15u
 
 /* Updates per second from section 4.4 of the thesis; -1 means that the thesis gives no value. */
@@ -25,12 +28,13 @@ static const struct {
     { 250, 40.3, 0.5 },  { 300, 26.5, 0.3 },  { 400, 11.8, -1.0 }, { 600, 4.0, -1.0 },
 };
 
-/* Methods of the search for neighbours. */
+/* Methods of the search for neighbouring fish. */
 enum search { GRID, ALL, SEARCH_COUNT };
 
 static const char *const search_words[SEARCH_COUNT] = { "grid", "all" };
 
-/* One tank for each search method. Equal seeds make the fish of both tanks swim alike. */
+/* One tank for each search method. The seeds are equal, so that the fish of both tanks swim
+ * alike. */
 static struct tank_lab tanks[SEARCH_COUNT];
 static struct tank_options plans[SEARCH_COUNT];
 
@@ -65,8 +69,8 @@ static double run_ms(uint32_t fish, enum search search)
     return 1e-6 * sum_ns / (double)lab->tick;
 }
 
-/* Returns the duration of one tick and one frame in ms. The statistics of the lab are not
- * included. */
+/* Returns the duration of one tick and one frame in ms. The time for the statistics of the lab is
+ * not included. */
 static double frame_ms(enum search search)
 {
     struct tank_lab *lab = &tanks[search];

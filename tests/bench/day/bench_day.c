@@ -1,13 +1,15 @@
-/* bench_day.c -- simulates a day of visitors at one kiosk, so that an operator can choose price,
- * time, level and number of bowls.
+/* bench_day.c -- simulates a day of visitors at one kiosk, so that an operator can choose the
+ * price, the length of a round, the level and the number of bowls.
  *
  * Usage: bench_day OUT [--price UNITS] [--round SECONDS] [--level LEVEL] [--players BOWLS]
- *                  [--visitors N] [--seed SEED] [--hours HOURS] [--goal PERCENT]
+ * [--visitors N] [--seed SEED] [--hours HOURS] [--goal PERCENT]
  *
- * OUT is the folder of visitors.tsv. Every round is played by simulated persons (bench/players)
- * through the decoders of their input devices and the frame loop of the kiosk, and paid through the
- * core's accounts. Returns exit status 0 if at least PERCENT of all visitors have a fish of their
- * own, and 1 if the goal is missed. The result depends only on the options. */
+ * OUT is the folder of visitors.tsv. Simulated persons (bench/players) play every round through the
+ * decoders of their input devices and the frame loop of the kiosk. The core's accounts count the
+ * payments. The result depends only on the options.
+ *
+ * Returns exit status 0 if at least PERCENT of all visitors have caught a fish, and 1 if the goal
+ * is missed. */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -93,7 +95,7 @@ static enum exit_code write_visitors(const struct day *day, const char *folder)
     return EXIT_OK;
 }
 
-/* Plays the day and reports it. Returns the exit code of the program. */
+/* Simulates the day and prints its tables. Returns the exit code of the program. */
 static enum exit_code run(const struct day_options *options, const char *folder, struct day *day,
                           struct table *table)
 {

@@ -1,8 +1,6 @@
-/* day.c -- the queue of a simulated day.
- *
- * A round begins when at least one person wants to play. Persons who play again keep their place,
- * and the first persons of the queue take the free bowls. All persons of a round play at the
- * easiest level that one of them chose. */
+/* day.c -- the queue of a simulated day. A round begins when at least one person wants to play.
+ * Persons who play again keep their bowl, and the first persons of the queue take the free bowls.
+ * All persons of a round play at the easiest level that one of them chose. */
 #include "tests/bench/day/day.h"
 
 #include <string.h>
@@ -19,7 +17,7 @@ static void count_visitor(struct day *day, struct visitor *visitor, uint8_t fate
 
 /* ---- Queue ----------------------------------------------------------------------------------- */
 
-/* Lets the visitors who have arrived until now join the queue, if they accept the price. */
+/* Adds the visitors who have arrived by now to the queue, unless the price is too high for them. */
 static void join_queue(struct day *day)
 {
     while (day->next < day->visitor_count && day->visitors[day->next].arrival_s <= day->now_s) {
@@ -33,7 +31,7 @@ static void join_queue(struct day *day)
     }
 }
 
-/* Removes the visitors from the queue whose patience has ended. */
+/* Removes the visitors whose patience has ended from the queue. */
 static void leave_queue(struct day *day)
 {
     uint32_t kept = 0;
@@ -49,8 +47,8 @@ static void leave_queue(struct day *day)
     day->queue_length = kept;
 }
 
-/* Gives the free bowls to the first visitors of the queue. A visitor who arrives at an idle kiosk
- * does not wait. */
+/* Gives the free bowls to the first visitors of the queue. `queue_longest` does not count a visitor
+ * who has just arrived at an empty queue, because this visitor does not wait. */
 static void take_seats(struct day *day)
 {
     const bool is_queue =

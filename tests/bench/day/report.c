@@ -69,8 +69,8 @@ const char *report_advice(const struct day *day)
     if (all.declined > all.left && all.declined > empty) {
         return "the largest loss is the price: lower PRICE";
     }
-    /* If queue and catches lose the same number, the advice is about the queue, because an
-     * easier level would lengthen the rounds and so the queue. */
+    /* If as many visitors left the queue as played without a catch, the advice is about the queue.
+     * The other advice, an easier level, would lengthen the rounds and so the queue. */
     if (all.left >= empty) {
         return options->bowls < POI_MAX
                    ? "the largest loss is the queue: add bowls (PLAYERS), or shorten ROUND"
@@ -133,7 +133,7 @@ static void print_kinds(const struct day *day)
     printf("\n");
 }
 
-/* Prints the waiting times of the visitors who played. */
+/* Prints how long the visitors who played had waited. */
 static void print_queue(const struct day *day)
 {
     uint32_t waits_s[DAY_VISITORS_MAX], count = 0;

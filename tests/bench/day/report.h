@@ -1,5 +1,5 @@
-/* report.h -- the tables of a simulated day, the comparison with the goal, and the advice to the
- * operator. */
+/* report.h -- prints the tables of a simulated day, compares the day with the goal, and gives the
+ * operator advice. */
 #ifndef KINGYO_TESTS_BENCH_DAY_REPORT_H
 #define KINGYO_TESTS_BENCH_DAY_REPORT_H
 
@@ -10,23 +10,23 @@
 #include "platform/os/exit_code.h"
 #include "tests/bench/day/day.h"
 
-/* Sums over those visitors of a day that report_sums() selected. */
+/* Sums over the visitors that the caller of report_sums() selected. */
 struct day_sums {
     uint32_t visitors, declined, left, played;
-    uint32_t with_fish; /* Visitors with at least one fish of their own. */
+    uint32_t with_fish; /* Number of visitors who caught at least one fish. */
     uint32_t plays, caught;
 };
 
-/* Returns the sums of the visitors of the kind `kind` who chose the level `level`. REPORT_ALL
+/* Returns the sums over the visitors of the kind `kind` who chose the level `level`. REPORT_ALL
  * stands for all kinds or all levels. */
 #define REPORT_ALL 0xffffffffu
 struct day_sums report_sums(const struct day *day, uint32_t kind, uint32_t level);
 
-/* Returns true if the share of all visitors with a fish reaches the goal of the day. Visitors who
+/* Returns true if the share of visitors who caught a fish reaches the goal of the day. Visitors who
  * left the queue count as visitors without a fish. */
 bool report_is_goal_met(const struct day *day);
 
-/* Returns what the operator should change if the goal is missed, as one sentence. */
+/* Returns one sentence that advises the operator what to change if the goal is missed. */
 const char *report_advice(const struct day *day);
 
 /* Returns true if the accounts of the core agree with the rounds and catches of the day. */

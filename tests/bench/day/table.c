@@ -12,15 +12,17 @@
 
 /* START is pressed once per second until a round begins. */
 #define START_FRAMES PLAYER_HZ
-/* Longest time from the coin to the end of a round, in addition to the length of the round. */
+/* Longest time in seconds from the coin to the end of a round, without the length of the round
+ * itself. */
 #define ROUND_RESERVE_S 60u
-/* Longest time for which the kiosk runs while nobody plays. The pump restores the oxygen of the
- * water in this time, so that more time would hardly change the next round. */
+/* Longest time in seconds for which the kiosk is simulated while nobody plays. In this time the
+ * pump restores the oxygen of the water, so that more time would hardly change the next round. */
 #define IDLE_S_MAX 10.0
 
 /* ---- Frames ---------------------------------------------------------------------------------- */
 
-/* Runs one frame. `pressed` and `coins` are the buttons and the coins of the frame. */
+/* Runs one frame of the kiosk. `pressed` is the set of pressed buttons and `coins` the number of
+ * coins of this frame. */
 static bool run_frame(struct table *table, uint32_t pressed, uint32_t coins)
 {
     struct kiosk *kiosk = &table->kiosk;
@@ -91,7 +93,8 @@ static void seat_person(struct table *table, uint32_t slot, const struct visitor
 
 /* ---- Rounds ---------------------------------------------------------------------------------- */
 
-/* Pays and presses START until READY begins. Returns false if no round begins. */
+/* Inserts the coins and presses START until the phase READY begins. Returns false if no round
+ * begins. */
 static bool start_round(struct table *table)
 {
     const uint8_t *phase = &table->kiosk.core.game.phase;

@@ -1,5 +1,5 @@
-/* table.h -- the kiosk of a simulated day: the frame loop, the money and up to four bowls with a
- * simulated person each.
+/* table.h -- the kiosk of a simulated day, with up to four bowls and a simulated person at each
+ * bowl.
  *
  * The kiosk runs through the whole day. Each bowl has a controller that stays connected. A
  * controller that nobody holds rests over its bowl, and the core counts it as a player. The core
@@ -15,7 +15,7 @@
 #include "tests/bench/day/day.h"
 #include "tests/bench/players/person.h"
 
-/* The struct is too large for a stack. */
+/* State of the simulated kiosk. The struct is too large for a stack. */
 struct table {
     struct kiosk kiosk;
     struct hal hal;
@@ -27,13 +27,13 @@ struct table {
     uint32_t price; /* Price of a round in units; 0 means free play. */
 };
 
-/* Starts the kiosk. Returns false if the kiosk refused to start. */
+/* Starts the kiosk. Returns false if kiosk_init() failed. */
 bool table_open(struct table *table, const struct day_options *options);
 
 /* Returns the functions through which the simulated day uses the kiosk of `table`. */
 struct day_stall table_stall(struct table *table);
 
-/* Returns what the core's accounts counted since the start. */
+/* Returns the sums of the core's accounts since the start. */
 struct day_money table_money(const struct table *table);
 
 #endif

@@ -1,8 +1,8 @@
 /* visitor.c -- the table of the kinds of visitors, and the random numbers of each visitor.
  *
- * The mix is an assumption. No stall is known that counted its visitors by skill, patience or
- * second plays. A stall can replace each number below by its own count. Where a source exists, the
- * comment names it. */
+ * The shares of the kinds are assumptions. No stall is known that counted its visitors by skill,
+ * patience or number of plays. An operator can replace each number below by a count at the own
+ * stall. Where a source exists, the comment names it. */
 #include "tests/bench/day/visitor.h"
 
 #include <math.h>
@@ -11,21 +11,25 @@
 #include "core/base/rng.h"
 #include "core/scene.h"
 
-/* Shares: goldfish scooping is first of all a game of children, and stalls keep stronger paper for
+/* Sources and reasons of the numbers in the table:
+ *
+ * Shares: goldfish scooping is first of all a game of children, and stalls keep stronger paper for
  * them (beamsite.net/1897). Most adults never learned the technique: "most people are doing well to
  * get just two or three" (meanwhile-in-japan.com).
  *
- * Levels: most visitors take what the screen offers first. Seven of ten children take the tag with
- * the picture of a child. Some beginners choose easy, and some practiced players choose master.
+ * Levels: most visitors keep the level that the screen offers first. Seven of ten children choose
+ * the tag with the picture of a child. Some beginners choose easy, and some practiced players
+ * choose master.
  *
- * Patience: a person in a hurry leaves after two or three minutes. A person who came for the stall
- * waits for up to twenty minutes. A festival has another stall every few metres, so that most
+ * Patience in minutes: a person in a hurry leaves after two or three minutes. A person who came for
+ * the stall waits for up to twenty minutes. A festival has another stall every few metres, so most
  * people wait less.
  *
- * Another play: the probability is highest after one or two fish, because the player has seen that
- * it works and wants more. A child without a fish asks for another try more often than an adult. A
- * practiced player with many fish plays for the ranking. People who write about their first day
- * report several plays (a first-timer caught 15 fish after 6 tries, blog yaruhapi-try). */
+ * Probability of another play: it is highest after one or two fish, because the player has seen
+ * that the technique works and wants more. A child without a fish asks for another try more often
+ * than an adult. A practiced player with many fish plays for the ranking. People who write about
+ * their first day report several plays (a first-timer caught 15 fish after 6 tries, blog
+ * yaruhapi-try). */
 /* clang-format off */
 const struct visitor_kind visitor_kinds[] = {
     /*  name            habits     share easy  master  patience    again after 0, 1..2, 3.. fish */
@@ -39,15 +43,17 @@ const struct visitor_kind visitor_kinds[] = {
 /* clang-format on */
 const uint32_t visitor_kind_count = sizeof visitor_kinds / sizeof visitor_kinds[0];
 
-/* Everybody pays three units, and nobody pays more than eight. A unit is 100 yen in this model,
- * because a play costs 100 to 400 yen at festivals (meanwhile-in-japan.com). */
+/* Every visitor accepts a price of up to three units, and no visitor accepts more than eight. A
+ * unit is 100 yen in this model, because a play costs 100 to 400 yen at festivals
+ * (meanwhile-in-japan.com). */
 #define PRICE_MAX_LOW 3u
 #define PRICE_MAX_HIGH 8u
 /* Highest probability of another play, at any price. */
 #define AGAIN_MAX 0.9
-/* Arrivals: the rate has a constant part and an evening peak. The peak is at PEAK_AT of the opening
- * hours, has the standard deviation PEAK_WIDTH of the opening hours, and raises the rate to
- * 1 + PEAK_GAIN times the rate of a calm hour. */
+/* The rate of arrivals is constant except for an evening peak, which has the form of a normal
+ * distribution. PEAK_AT is the time of the peak and PEAK_WIDTH its standard deviation, both as
+ * fractions of the opening hours. At the peak, the rate is 1 + PEAK_GAIN times that of a calm
+ * hour. */
 #define PEAK_AT 0.7
 #define PEAK_WIDTH 0.15
 #define PEAK_GAIN 2.0
@@ -60,8 +66,11 @@ enum draw {
     DRAW_LEVEL,
     DRAW_PATIENCE,
     DRAW_PRICE,
-    DRAW_AGAIN,                                             /* One random number for each play. */
-    DRAW_ARRIVAL = DRAW_AGAIN + (int)VISITOR_PLAYS_MAX + 1, /* Two random numbers for each draw. */
+    DRAW_AGAIN,                                             /* First of the random numbers for
+                                                               another play: one for each play. */
+    DRAW_ARRIVAL = DRAW_AGAIN + (int)VISITOR_PLAYS_MAX + 1, /* First of the random numbers for the
+                                                               arrival: two for each attempt to draw
+                                                               a time. */
 };
 
 static double draw(uint32_t seed, uint32_t what)
@@ -69,16 +78,16 @@ static double draw(uint32_t seed, uint32_t what)
     return (double)rng_unit((struct rng_key){ seed, what, 0, RNG_TEST });
 }
 
-/* Returns the rate of arrivals at `share` of the opening hours, relative to its maximum. */
+/* Returns the rate of arrivals as a fraction of its maximum, at the time `share` (a fraction of the
+ * opening hours). */
 static double arrival_rate(double share)
 {
     const double off = (share - PEAK_AT) / PEAK_WIDTH;
     return (1.0 + PEAK_GAIN * exp(-0.5 * off * off)) / (1.0 + PEAK_GAIN);
 }
 
-/* Returns the time of one arrival. If the number of arrivals is given, the arrivals of a Poisson
- * process are independent draws from the density of the rate. The loop rejects draws above the
- * rate. */
+/* Returns a random arrival time in seconds, by rejection sampling: a time is drawn uniformly, and
+ * is rejected with a probability that is higher where the rate of arrivals is lower. */
 static double draw_arrival_s(uint32_t seed, double hours)
 {
     uint32_t what = DRAW_ARRIVAL;
@@ -136,8 +145,8 @@ void visitors_draw(struct visitor *visitors, uint32_t count, const struct visito
     qsort(visitors, count, sizeof *visitors, compare_arrivals);
 }
 
-/* The probability falls with the price as 2 / (1 + price), so that a play for two units is repeated
- * two thirds as often as a play for one unit. Free plays are repeated more often. */
+/* The probability falls with the price as 2 / (1 + price). At a price of two units it is two thirds
+ * of the probability at one unit, and in free play it is doubled. */
 bool visitor_plays_again(const struct visitor *visitor, uint32_t price)
 {
     const uint32_t class = visitor->caught_last > 2u ? 2u : visitor->caught_last > 0u;

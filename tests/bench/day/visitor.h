@@ -1,14 +1,13 @@
-/* visitor.h -- the visitors of a simulated day: who comes, when, at which level they play, how long
- * they wait, what they pay, and whether they play again.
- *
- * All numbers of a visitor depend only on the seed of the day and the index of the visitor. */
+/* visitor.h -- the visitors of a simulated day: their arrival, their level, their patience, the
+ * price that they accept, and whether they play again. All numbers of a visitor depend only on the
+ * seed of the day and the index of the visitor. */
 #ifndef KINGYO_TESTS_BENCH_DAY_VISITOR_H
 #define KINGYO_TESTS_BENCH_DAY_VISITOR_H
 
 #include <stdbool.h>
 #include <stdint.h>
 
-/* A visitor plays at most this number of times. */
+/* Largest number of plays of one visitor. */
 #define VISITOR_PLAYS_MAX 4u
 #define VISITOR_CATCH_CLASSES 3u
 
@@ -21,8 +20,8 @@ struct visitor_kind {
      * at the level that the operator chose. */
     double easy_share, master_share;
     double patience_min_min, patience_max_min; /* Shortest and longest patience, in minutes. */
-    /* Probability of another play at a price of one unit, after no fish, one or two fish, or more
-     * fish in the last play. */
+    /* Probability of another play at a price of one unit. The elements are for no fish, one or two
+     * fish, and more fish in the last play. */
     double again[VISITOR_CATCH_CLASSES];
 };
 
@@ -30,10 +29,13 @@ extern const struct visitor_kind visitor_kinds[];
 extern const uint32_t visitor_kind_count;
 
 enum visitor_fate {
-    VISITOR_COMES = 0, /* Has not arrived, waits in the queue or plays. */
-    VISITOR_PLAYED,    /* Played at least once. */
-    VISITOR_LEFT,      /* Left the queue, because the visitor's patience ended. */
-    VISITOR_DECLINED,  /* Did not join the queue, because the price was too high. */
+    VISITOR_COMES = 0, /* The visitor has not arrived yet, waits in the queue, or plays for the
+                          first time. */
+    VISITOR_PLAYED,    /* The visitor played at least once. */
+    /* The visitor left the queue, because the visitor's patience ended. */
+    VISITOR_LEFT,
+    /* The visitor did not join the queue, because the price was too high. */
+    VISITOR_DECLINED,
 };
 
 struct visitor {
@@ -46,13 +48,16 @@ struct visitor {
 
     uint8_t fate; /* enum visitor_fate */
     double wait_s;
-    uint32_t plays, caught, caught_last; /* `caught_last` counts the fish of the last play. */
+    /* Numbers of plays, of fish caught in all plays, and of fish caught in the last play. */
+    uint32_t plays, caught, caught_last;
 };
 
 /* Properties of the day for which the visitors are drawn. */
 struct visitor_day {
-    double hours; /* Opening hours. Nobody arrives later. */
-    /* Level that the operator chose (enum level). Visitors who choose no level play at it. */
+    /* Length of the opening hours. No visitor arrives later. */
+    double hours;
+    /* Level that the operator chose (enum level). Visitors who choose no level play at this
+     * level. */
     uint8_t level;
     uint32_t seed;
 };

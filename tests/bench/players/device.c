@@ -11,23 +11,27 @@
 
 #define FRAME_NS (1000000000ull / PLAYER_HZ)
 #define FRAME_S (1.0f / (float)PLAYER_HZ)
-/* Time constant in seconds with which the hand slows down before the goal. The hand speeds up with
- * half of this time constant. */
+/* Time constant in seconds with which the hand slows down before its goal. When the hand speeds up,
+ * the time constant is half as long. */
 #define EASE_S 0.10f
 #define HEIGHT_EASE_S 0.08f
-/* Gain of the thumb on a stick: speed of the ring on the screen, in pixels per second, for each
- * pixel of distance from the goal. */
+/* Speed of the ring on the screen, in pixels per second, that the thumb on the stick causes for
+ * each pixel of distance from the goal. */
 #define STICK_PER_S 3.0f
-#define PX_PER_M 1800.0f /* Mean size of a metre of the tank on the screen. */
+#define PX_PER_M 1800.0f /* Mean size of one metre of the tank on the screen, in pixels. */
 #define STICK_FULL 32767.0f
-#define TIP_RAD (60.0f * F_DEG) /* Roll of a physical poi when it is tipped over the bowl. */
+/* Roll angle to which a player tips a physical poi over the bowl, to empty it. */
+#define TIP_RAD (60.0f * F_DEG)
 #define TIP_RAD_S (150.0f * F_DEG)
-#define TIP_RISE_M 0.075f /* Height that a physical poi gains while it is tipped. */
-/* Random points per second of the tremor, which moves along straight lines between these points. */
+/* Height by which a player raises a physical poi while it is tipped. */
+#define TIP_RISE_M 0.075f
+/* Number of random points per second in the tremor of the hand. Between two points the hand moves
+ * along a straight line. */
 #define TREMOR_HZ 8u
 #define POI_HOVER_M 0.045f /* Height of a physical poi above the water. */
 
-/* Moves the hand toward the position in `command`, with limited speed and acceleration. */
+/* Moves the hand toward the position in `command`. The speed and the acceleration of the hand are
+ * limited. */
 static void move_hand(struct device *device, const struct player_command *command)
 {
     const float dx = command->x_px - device->x_px, dy = command->y_px - device->y_px;
@@ -43,7 +47,7 @@ static void move_hand(struct device *device, const struct player_command *comman
 
 /* ---- Pointers -------------------------------------------------------------------------------- */
 
-/* Sends the state of the mouse. The position is rounded to whole pixels, and the wheel turns by at
+/* Sends a report of the mouse. The position is rounded to whole pixels, and the wheel turns by at
  * most one notch per frame. */
 static void send_mouse(struct device *device, const struct player_command *command)
 {
@@ -86,9 +90,9 @@ static void send_touch(struct device *device, const struct player_command *comma
 
 /* ---- Game pad -------------------------------------------------------------------------------- */
 
-/* Returns the deflection of the stick (0 to 1) that moves the ring at a fraction of its full speed.
- * Inverts the dead zone and the cubic response of the decoder (stick_motion.c), as an experienced
- * player does. */
+/* Returns the deflection of the stick (0 to 1) that moves the ring at the fraction `share` of its
+ * full speed. This function is the inverse of the decoder's dead zone and cubic response
+ * (stick_motion.c), because an experienced player has learned both. */
 static float deflection_of(float share)
 {
     float push = share;
@@ -100,8 +104,8 @@ static float deflection_of(float share)
     return share > 1e-3f ? f_clamp(dead + (1.0f - dead) * push, 0.0f, 1.0f) : 0.0f;
 }
 
-/* Deflects the stick toward the goal, the more the farther the ring is from the goal on the
- * screen. */
+/* Deflects the stick toward the goal. The deflection grows with the distance between ring and goal
+ * on the screen. */
 static void send_gamepad(struct device *device, const struct player_command *command)
 {
     struct gamepad_report *report = &device->gamepad_reports[0];
@@ -125,7 +129,8 @@ static void send_gamepad(struct device *device, const struct player_command *com
 
 static float tremor_m(const struct device *device, uint32_t axis)
 {
-    /* Number of reports between two random points of the tremor. */
+    /* Number of reports between two random points of the tremor, because a physical poi sends two
+     * reports per frame. */
     const uint32_t span = 2u * PLAYER_HZ / TREMOR_HZ;
     const struct rng_key from = { device->seed, device->report_count / span, axis, RNG_BOT_TREMOR };
     const struct rng_key to = { from.seed, from.tick + 1u, axis, RNG_BOT_TREMOR };
@@ -139,8 +144,9 @@ static float approach(float from, float to, float step)
     return from + f_clamp(to - from, -step, step);
 }
 
-/* Sends the pose of a physical poi. The ring stays on the line of sight through the hand's position
- * on the screen, as with a mouse, but the player controls its height and angles. */
+/* Sends the pose of a physical poi. As with a mouse, the ring stays on the line of sight through
+ * the hand's position on the screen. The player also controls the height and the angles of the
+ * ring. */
 static void send_poi(struct device *device, const struct player_command *command)
 {
     const struct habits *habits = device->habits;

@@ -7,15 +7,16 @@
 
 #include "platform/ctl/play/rounds.h"
 
-/* Required relation of a player's catches to those of the player `careful` with the same seeds.
- * Only statistically significant differences count. */
+/* Required relation between a player's catches and those of the player `careful` with the same
+ * seeds. Only statistically significant differences count. */
 enum relation { RELATION_NONE = 0, RELATION_NOT_WORSE, RELATION_BETTER };
 #define REFERENCE "careful"
 
 struct goal {
-    /* Smallest allowed median and mean of the fish caught in a round; 0 means no target. */
+    /* Smallest allowed median and mean of the number of fish caught in a round; 0 means no
+     * target. */
     double median_min, mean_min;
-    double empty_max; /* Largest allowed share of rounds without a catch; 0 means no target. */
+    double empty_max; /* Largest allowed share of rounds without a fish; 0 means no target. */
     uint8_t relation;
 };
 
@@ -43,7 +44,8 @@ static const struct {
 };
 #define GOAL_COUNT (sizeof goals / sizeof goals[0])
 
-/* Players in ascending order of their mean catch. This order is required at every level. */
+/* Players in ascending order of their mean catch. The benchmark requires this order at every
+ * level. */
 static const char *const order[] = { "clicks", "child", "waits", "careful", "expert-bot" };
 #define ORDER_COUNT (sizeof order / sizeof order[0])
 
@@ -70,7 +72,7 @@ static const struct score *find_score(const struct score *scores, uint32_t count
     return NULL;
 }
 
-/* Prints the target and returns 1 if `is_missed` is true. Otherwise returns 0. */
+/* If `is_missed` is true, prints the missed target and returns 1. Otherwise returns 0. */
 static uint32_t miss(bool is_missed, const char *player, const char *what, double found,
                      double wanted)
 {

@@ -1,4 +1,5 @@
-/* goals.h -- the targets of the simulated players: what each player must catch at each level. */
+/* goals.h -- the targets of the simulated players: how many fish each player must catch at each
+ * level. */
 #ifndef KINGYO_TESTS_BENCH_PLAYERS_GOALS_H
 #define KINGYO_TESTS_BENCH_PLAYERS_GOALS_H
 
@@ -11,12 +12,13 @@
 /* Summary of the rounds of one player at one level. */
 struct score {
     const char *player;
-    const uint32_t *caught; /* Catch with each seed, in the order of the seeds. */
+    /* Number of fish caught in each round, in the order of the seeds. */
+    const uint32_t *caught;
     double mean, median, empty_share;
 };
 
-/* Computes the summary of `count` rounds. The result refers to `caught`. `sorted` is a work area of
- * `count` elements. */
+/* Computes the summary of `count` rounds. The result keeps the pointer `caught`. The function uses
+ * `sorted` as a work area of `count` elements. */
 struct score goals_score(const char *player, const uint32_t *caught, uint32_t *sorted,
                          uint32_t count);
 

@@ -1,8 +1,8 @@
 /* habits.c -- the table of the simulated players, with the habits of each player as numbers. */
 #include "tests/bench/players/sim_player.h"
 
-/* Habits of a person who has learned the technique: choose a slow, small fish near the surface, dip
- * beside it, glide below it, and lift. */
+/* Habits of a person who has learned the technique: the player chooses a slow, small fish near the
+ * surface, dips beside it, glides below it, and lifts. */
 /* clang-format off */
 #define CAREFUL                                                                                    \
     .reaction_s = 0.20f, .pause_s = 0.35f, .lead = 1.0f, .aim_px = 9.0f,                           \
@@ -39,11 +39,11 @@ const struct habits sim_player_table[] = {
         .rise_s = 0.75f, .carry_px_s = 800.0f,
     },
     { .name = "careful", CAREFUL },
-    /* Follows the hint on the screen: turns the wheel away from the body before the dip. This
-     * raises the far edge of the ring, so that the dip is less slanted. */
+    /* This player follows the hint on the screen and turns the wheel away from the body before the
+     * dip. This raises the far edge of the ring, so that the dip is less slanted. */
     { .name = "careful-tilt", CAREFUL, .tilt_notches = 1.0f },
-    /* Tilts the ring in the other direction, so that the dip is more slanted, and levels the ring
-     * under water. */
+    /* This player turns the wheel in the other direction, so that the dip is more slanted, and
+     * levels the ring under water. */
     { .name = "careful-slant", CAREFUL, .tilt_notches = -3.0f, .levels = true },
     {
         .name = "plunges",

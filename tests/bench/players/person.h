@@ -7,21 +7,23 @@
 #include "tests/bench/players/sim_player.h"
 
 struct person {
-    struct clock_sim clock; /* Clock of the input device. */
+    struct clock_sim clock; /* Clock of the input device, which advances by one frame in
+                               person_act(). */
     struct device device;
     struct sim_player player;
     struct sight sight;
-    struct player_command command; /* Command for the next frame. */
+    struct player_command command; /* Command to the device for the next frame. */
     uint32_t slot;                 /* Index of the player's poi and bowl, < POI_MAX. */
 };
 
-/* Initializes a player with the habits `habits`, which are kept, and the input device of these
- * habits. The clock of the device starts at `now_ns`. All random numbers of the player depend only
- * on `seed`. */
+/* Initializes a player with the habits `habits` and the input device that these habits select. The
+ * struct keeps the pointer `habits`. The clock of the device starts at `now_ns`. All random numbers
+ * of the player depend only on `seed`. */
 void person_init(struct person *person, const struct habits *habits, const struct view *view,
                  uint32_t slot, uint32_t seed, uint64_t now_ns);
 
-/* Returns the input device for struct hal. `person` must not move while the device is used. */
+/* Returns the poi driver that reads the input device, for struct hal. `person` must stay at the
+ * same address while the driver is used. */
 struct hal_poi person_poi(struct person *person);
 
 /* Advances the clock of the device by one frame and sends the reports of the frame. */

@@ -1,12 +1,14 @@
-/* players.c -- checks what visitors catch, with simulated players of different habits and input
- * devices.
+/* players.c -- checks how many fish simulated players with different habits and input devices
+ * catch.
  *
  * Usage: players SEEDS OUT [--level LEVEL] [--first SEED] [--only PLAYER]
  *
  * OUT is the folder of players.tsv. All players play the same seeds in the festival tank with 300
- * fish, No. 6 paper and at most 60 s, through the decoders of their input devices and the kiosk's
- * frame loop. Returns exit status 1 if a target (goals.c) is missed. With fewer than SEEDS_ENOUGH
- * seeds, missed targets are only printed, because the medians of few rounds vary too much. */
+ * fish and No. 6 paper, for at most 60 s. Their input passes through the decoders of their input
+ * devices and the kiosk's frame loop.
+ *
+ * Returns exit status 1 if a target (goals.c) is missed. With fewer than SEEDS_ENOUGH seeds, missed
+ * targets are only printed, because the median of few rounds varies too much. */
 #include <errno.h>
 #include <pthread.h>
 #include <stdio.h>
@@ -32,7 +34,8 @@ static const char speaker[] = "players";
 struct player_options {
     uint32_t seeds, first;
     uint8_t level;
-    const char *folder, *only; /* `only` is the only player who plays; null means all. */
+    /* `only` is the name of the only player who plays; null means that all players play. */
+    const char *folder, *only;
 };
 
 /* ---- Rounds on all cores --------------------------------------------------------------------- */
@@ -41,12 +44,13 @@ struct league_hall {
     const struct player_options *options;
     const struct habits *players[PLAYERS_MAX];
     uint32_t player_count;
-    /* Results: `options->seeds` rounds of the first player, then those of the second, and so on. */
+    /* Results of all rounds: first the `options->seeds` rounds of the first player, then those of
+     * the second player, and so on. */
     struct player_round *rounds;
     struct progress progress;
     pthread_mutex_t lock;
-    /* Number of the next round. All players play the first seed, then all play the second, and so
-     * on. */
+    /* Number of the next round to play. First all players play the first seed, then all players
+     * play the second seed, and so on. */
     uint32_t next;
     bool failed;
 };
@@ -93,10 +97,11 @@ static bool play_all(struct league_hall *hall)
 
 /* ---- Report ---------------------------------------------------------------------------------- */
 
-/* Sums of the rounds of one player. */
+/* Sums over the rounds of one player. */
 struct tally {
     uint32_t torn, scoops, attempts, flights, sight, pressure;
-    uint32_t first[TEAR_CAUSE_COUNT]; /* Number of rounds by the cause of their first torn cell. */
+    /* Number of rounds in which the first torn cell had each cause. */
+    uint32_t first[TEAR_CAUSE_COUNT];
     uint32_t cells[TEAR_CAUSE_COUNT], ends[ATTEMPT_END_COUNT];
     double torn_s, first_s, flight_s, flight_m, flight_above_m, flight_m_s;
     uint32_t first_count;

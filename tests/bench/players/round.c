@@ -11,7 +11,8 @@
 #include "drivers/null.h"
 #include "platform/cpu.h"
 
-/* Largest number of frames of a round, including the countdown and a reserve. */
+/* Largest number of frames of a round. The 60 s in addition to the length of the round allow for
+ * the countdown. */
 #define ROUND_FRAMES_MAX ((ROUND_LENGTH_S + 60u) * PLAYER_HZ)
 #define START_FRAMES PLAYER_HZ /* START is pressed once per second until a round begins. */
 
@@ -33,8 +34,9 @@ static double mean_wet_s(const struct sheet *sheet)
     return ticks / (double)sheet->paper_cells_new / CORE_TICK_HZ;
 }
 
-/* Counts the torn cells by cause. Because catch_tick() has run, tear_cause_of() reads the loads of
- * fish of the next tick. The recording has the exact cause of the first tear. */
+/* Counts the torn cells by their cause. For the first tear, the recording of the core (tear_clip)
+ * has the exact cause. For later tears the cause is approximate: catch_tick() has already run, so
+ * tear_cause_of() uses the loads of the fish in the next tick. */
 static void observe_paper(struct player_round *result, const struct core *core)
 {
     const struct poi *poi = &core->world.poi[0];
@@ -51,8 +53,8 @@ static void observe_paper(struct player_round *result, const struct core *core)
 
 /* ---- Outcomes of attempts -------------------------------------------------------------------- */
 
-/* Returns how the attempt ends if the lift that begins now fails: with the fish below the ring,
- * beside it, or above it but not on the paper. */
+/* Returns the outcome if the lift that begins now catches nothing. The outcome depends on whether
+ * the fish is beside, above or below the ring. */
 static uint8_t outcome_at_lift(const struct core *core, uint32_t fish)
 {
     const vec3 at_m = core->world.tank.fish[fish].position_m;
@@ -61,8 +63,8 @@ static uint8_t outcome_at_lift(const struct core *core, uint32_t fish)
     return !is_over ? ATTEMPT_AWAY : off.y > 0.0f ? ATTEMPT_SLIPPED : ATTEMPT_BELOW;
 }
 
-/* Records that the chosen fish has begun to flee: the cause, and the distance and speed of the
- * ring. */
+/* Records that the chosen fish has begun to flee. After the dip, the function also records the
+ * cause, the distance between fish and ring, and the speed of the ring. */
 static void observe_flight(struct round_seat *seat, const struct core *core,
                            const struct fish *prey)
 {
@@ -89,7 +91,7 @@ static void observe_flight(struct round_seat *seat, const struct core *core,
     result->flight_s += (double)(core->game.tick - seat->dip_tick) / CORE_TICK_HZ;
 }
 
-/* Observes the chosen fish and the player's state in each tick. */
+/* Checks in each tick whether the chosen fish flees and whether the player's state has changed. */
 static void observe_attempt(struct round_seat *seat, const struct core *core)
 {
     const struct sim_player *player = &seat->person.player;

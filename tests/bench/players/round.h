@@ -1,5 +1,5 @@
-/* round.h -- plays one round of a simulated player with the kiosk's frame loop. Measures the catch,
- * the tears of the paper, and how the fish flee. */
+/* round.h -- plays one round of a simulated player with the kiosk's frame loop. Measures how many
+ * fish the player catches, how the paper tears, and how the fish flee. */
 #ifndef KINGYO_TESTS_BENCH_PLAYERS_ROUND_H
 #define KINGYO_TESTS_BENCH_PLAYERS_ROUND_H
 
@@ -14,7 +14,8 @@
 #define ROUND_LENGTH_S 60u
 #define ROUND_GRADE 6u
 
-extern const char *const round_tear_names[TEAR_CAUSE_COUNT]; /* Names of enum tear_cause. */
+/* Names of the values of enum tear_cause. */
+extern const char *const round_tear_names[TEAR_CAUSE_COUNT];
 
 /* Outcome of one attempt to catch the chosen fish. */
 enum attempt_end {
@@ -31,25 +32,28 @@ enum attempt_end {
 extern const char *const round_attempt_names[ATTEMPT_END_COUNT];
 
 struct player_round {
-    bool is_played; /* True if the round came to its end. */
+    /* True if the round was played to its end. */
+    bool is_played;
     uint32_t caught, scoops;
     bool torn;      /* True if the paper tore so far that it could no longer hold a fish. */
     double torn_s;  /* Time in the round at which `torn` became true, in seconds. */
     double first_s; /* Time of the first torn cell in the round, in seconds; 0 if no cell tore. */
-    /* Time for which the paper had been wet when the first cell tore, on average over its cells. */
+    /* Time in seconds for which the paper had been wet when the first cell tore, as a mean over all
+     * cells of the paper. */
     double wet_s;
     uint8_t first_cause;              /* Cause of the first torn cell (enum tear_cause). */
     uint32_t cells[TEAR_CAUSE_COUNT]; /* Number of torn cells for each cause. */
     uint32_t attempts[ATTEMPT_END_COUNT];
-    /* Number of times that the chosen fish fled after the dip: in total, because it saw the ring
-     * approach, and because of the ring's pressure wave. */
+    /* Number of times that the chosen fish fled after the dip: for any cause, because the fish saw
+     * the ring approach, and because of the ring's pressure wave. */
     uint32_t flights, flights_by_sight, flights_by_pressure;
-    /* Sums over these flights: time since the dip in seconds, horizontal distance between fish and
-     * ring, height of the ring above the fish, and speed of the ring along its normal. */
+    /* Sums over these flights: the time since the dip, the horizontal distance between fish and
+     * ring, the height of the fish below the ring (positive if the ring is higher), and the speed
+     * of the ring along its normal. */
     double flight_s, flight_m, flight_above_m, flight_m_s;
 };
 
-/* State of one worker thread, which plays one round at a time. The struct is too large for a
+/* State of one worker thread, which plays one round after another. The struct is too large for a
  * stack. */
 struct round_seat {
     struct kiosk kiosk;
@@ -57,11 +61,13 @@ struct round_seat {
     struct person person; /* The clock of the person's device is also the clock of the kiosk. */
     struct bot bot;
     bool is_bot;
-    uint8_t prey_startle; /* Last startle cause of the chosen fish, until its escape begins. */
-    bool prey_fled;       /* True after the chosen fish fled in this attempt. */
-    uint8_t attempt_end;  /* Outcome of the current attempt, as far as known. */
-    uint8_t state;        /* State of the player in the previous tick. */
-    uint64_t dip_tick;    /* Tick of the last dip. */
+    uint8_t prey_startle; /* Cause of the last startle of the chosen fish before its escape began
+                             (enum startle_cause). */
+    bool prey_fled;       /* True after the chosen fish has fled in this attempt. */
+    /* Outcome that the current attempt has so far (enum attempt_end). */
+    uint8_t attempt_end;
+    uint8_t state;     /* State of the player in the previous tick. */
+    uint64_t dip_tick; /* Tick of the last dip. */
     struct player_round *result;
 };
 

@@ -7,12 +7,14 @@
 #include "core/view.h"
 #include "drivers/pointer/pointer_poi.h"
 
-/* Number of frames between the two pictures from which the player estimates a fish's speed. */
+/* Number of frames between the two pictures from which the player estimates the speed of a fish. */
 #define SPEED_FRAMES 6u
-/* A fish is chosen only if it is at least this far from a wall and from the rim of the bowl. */
+/* Smallest distance of a fish from a wall (WALL_ROOM_M) and from the rim of a bowl (BOWL_ROOM_M) at
+ * which the player chooses the fish. */
 #define WALL_ROOM_M 0.05f
 #define BOWL_ROOM_M 0.05f
-/* A fish on a paper within this distance of the player's ring lies on the player's own paper. */
+/* If a fish that lies on paper is within this distance of the player's ring, the fish lies on the
+ * player's own paper. */
 #define OWN_CATCH_M 0.12f
 /* Longest time in seconds in which the player tries to empty the poi over the bowl. */
 #define CARRY_S 6.0f
@@ -60,7 +62,8 @@ void sim_player_see(const struct scene *scene, uint32_t slot, struct sight *sigh
     }
 }
 
-/* Returns the picture of `frames` frames ago, or the oldest picture in the buffer. */
+/* Returns the picture that the player saw `frames` frames ago, or the oldest picture in the
+ * buffer. */
 static const struct sight *sight_before(const struct sim_player *player, uint32_t frames)
 {
     const uint32_t seen = player->frame - 1u;
@@ -74,8 +77,8 @@ static uint32_t reaction_frames(const struct sim_player *player)
     return (uint32_t)(player->habits->reaction_s * (float)PLAYER_HZ + 0.5f);
 }
 
-/* Returns the picture on which the player acts. It is older than the newest picture by the player's
- * reaction time. */
+/* Returns the picture to which the player reacts now. This picture is older than the newest picture
+ * by the player's reaction time. */
 static const struct sight *seen_by(const struct sim_player *player)
 {
     return sight_before(player, reaction_frames(player));
@@ -93,7 +96,7 @@ static vec3 fish_velocity_m_s(const struct sim_player *player, uint32_t fish)
                     (float)PLAYER_HZ / (float)SPEED_FRAMES);
 }
 
-/* Returns where the player expects the fish to be now. */
+/* Returns the position where the player expects the fish to be now. */
 static vec3 fish_now_m(const struct sim_player *player, uint32_t fish)
 {
     const struct habits *habits = player->habits;
@@ -101,7 +104,7 @@ static vec3 fish_now_m(const struct sim_player *player, uint32_t fish)
                      habits->lead * habits->reaction_s);
 }
 
-/* Returns the distance on the screen between two points of the tank. */
+/* Returns the distance in pixels on the screen between two points of the tank. */
 static float screen_gap_px(const struct sim_player *player, vec3 a_m, vec3 b_m)
 {
     float ax, ay, bx, by;
@@ -130,7 +133,7 @@ static bool is_clear_of_bowl(const struct sight *seen, vec3 bowl_m, vec3 fish_m)
     return x * x + z * z > clear_m * clear_m;
 }
 
-/* Returns true if the fish is far enough from the walls and all bowls. */
+/* Returns true if the fish is far enough from the walls and from all bowls to be caught. */
 static bool is_in_reach(const struct sight *seen, vec3 fish_m)
 {
     bool is_clear = is_clear_of_bowl(seen, seen->bowl_m, fish_m);
@@ -191,8 +194,8 @@ static uint8_t tick_choose(struct sim_player *player)
     return PLAYER_REACH;
 }
 
-/* Sets the goal of the ring to `beside_px` beside the chosen fish, plus the aiming error of this
- * attempt. */
+/* Sets the goal of the ring to a point `beside_px` beside the chosen fish, plus the aiming error of
+ * this attempt. */
 static void aim_at_prey(struct sim_player *player, float beside_px, float speed_px_s)
 {
     struct player_command *command = &player->command;
@@ -227,8 +230,8 @@ static uint8_t tick_reach(struct sim_player *player)
     return PLAYER_REACH;
 }
 
-/* Returns the swimming fish above the ring that is nearest to the ring on the screen, or
- * PLAYER_NO_FISH. Writes its distance to `gap_px`. */
+/* Returns the index of the swimming fish above the ring that is nearest to the ring on the screen,
+ * or PLAYER_NO_FISH. Writes the distance of this fish to `gap_px`. */
 static uint16_t nearest_fish(const struct sim_player *player, float *gap_px)
 {
     const struct sight *seen = seen_by(player);

@@ -1,5 +1,5 @@
 /* book.c -- fuzz target: arbitrary text as a stored controller mapping. The parser must either
- * report the invalid line, or read an entry that is unchanged after it was written and read again.
+ * report the invalid line, or read an entry that does not change when it is written and read again.
  * The entry's file name must not contain a path, so that it cannot lead to another folder. */
 #include <string.h>
 

@@ -1,10 +1,12 @@
 /* coin.c -- fuzz target: arbitrary edges of a coin line, polled at arbitrary times. The decoder
- * must count the same coins and faults as a reference that has the complete list of edges.
+ * must count the same coins and faults as a reference decoder, which has the complete list of
+ * edges.
  *
  * Input: the debounce period in 0.1 ms, the smallest pulse width of a coin in ms, the range of
- * valid widths above it in ms, and the first level of the line. Two bytes for each edge follow, low
- * byte first: 13 bits of time since the last edge in units of 50 us, one bit each for a poll just
- * before and just after the edge, and the new level. */
+ * valid widths above it in ms, and the first level of the line. Then two bytes for each edge, low
+ * byte first. From the lowest bit, they contain 13 bits of time since the last edge in units of 50
+ * us, one bit for a poll just before the edge, one bit for a poll just after the edge, and the new
+ * level. */
 #include "drivers/gpio/gpio_thread.h"
 #include "tests/fuzz/trap.h"
 
@@ -68,8 +70,8 @@ static struct tally count_all(const struct slot *slot)
     struct tally tally = { 0 };
     bool falls = slot->active, is_first = true;
     uint64_t begin_ns = slot->begin_ns, fell_ns = 0;
-    /* True after the end of a pulse at `fell_ns`, as long as the pulse may still continue after a
-     * gap shorter than COIN_GAP_NS. */
+    /* True after a pulse that began at `fell_ns` has ended, as long as the pulse may still continue
+     * after a gap shorter than COIN_GAP_NS. */
     bool waits = false;
     for (uint32_t i = 0; i < count; i++) {
         if (!turn[i].active) {

@@ -5,8 +5,8 @@
 #include "drivers/hid/hid_descriptor.h"
 #include "tests/fuzz/trap.h"
 
-/* Two results of the same bytes, parsed into buffers with different old content. The results must
- * be equal, so that no data of the previous descriptor remains in them. */
+/* Results of parsing the same bytes twice. The two buffers have different old contents, but the
+ * results must be equal, so that no data of a previous descriptor remains in a result. */
 static struct hid_descriptor first, again;
 
 static void hold_usages(const struct hid_group *group)
@@ -27,7 +27,8 @@ static void hold_group(const struct hid_group *group, uint32_t end_bit[256])
 {
     const uint32_t id = group->report_id;
     HOLD(group->count > 0 && group->bit_size > 0 && group->bit_size <= HID_FIELD_BITS_MAX);
-    HOLD(group->bit_offset >= end_bit[id]); /* Fields are in ascending order and never overlap. */
+    /* The fields must be in ascending order and must not overlap. */
+    HOLD(group->bit_offset >= end_bit[id]);
     end_bit[id] = group->bit_offset + group->count * group->bit_size;
     HOLD(end_bit[id] <= first.report_bits[id] && first.report_bits[id] <= HID_REPORT_BITS_MAX);
     HOLD(id == 0 || first.has_report_ids);

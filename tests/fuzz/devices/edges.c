@@ -1,10 +1,10 @@
-/* edges.c -- fuzz target: arbitrary edges and levels of an input line, consistent or not. The
- * filter must return alternating changes in time order. If the line stays constant, the filter must
- * accept its level.
+/* edges.c -- fuzz target: arbitrary edges and levels of an input line, which may contradict each
+ * other. The filter must return alternating changes in the order of time. If the line stays
+ * constant, the filter must accept its level.
  *
- * Input: the debounce period in 0.1 ms and the first level. Two bytes for each step follow, low
- * byte first: 12 bits of time in units of 50 us, three bits for the kind of step (an edge, a late
- * edge, an edge after lost edges, or a level), and the level. */
+ * Input: the debounce period in 0.1 ms and the first level. Then two bytes for each step, low byte
+ * first. From the lowest bit, they contain 12 bits of time in units of 50 us, three bits for the
+ * kind of step (an edge, a late edge, an edge after lost edges, or a level), and the level. */
 #include "drivers/gpio/gpio_thread.h"
 #include "tests/fuzz/trap.h"
 
@@ -53,8 +53,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
         now_ns += (word & 0xfffu) * TIME_NS;
         step(&input, now_ns, word >> 12 & 7u, word >> 15 != 0);
     }
-    /* From here the line is constant. After several polls the filter must have accepted its level,
-     * whatever edges came before. */
+    /* From here on the line is constant. After several polls the filter must have accepted the
+     * level of the line, whatever edges came before. */
     for (uint32_t i = 0; i < 4u; i++) {
         now_ns += 100000000u;
         step(&input, now_ns, 4u, true);

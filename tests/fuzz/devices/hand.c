@@ -1,9 +1,9 @@
-/* hand.c -- fuzz target: an arbitrary controller, a mapping for it, and arbitrary reports. The
- * decoded pose must be finite, and each report must be decoded within a time limit.
+/* hand.c -- fuzz target: an arbitrary controller, a mapping for this controller, and arbitrary
+ * reports. The decoded pose must be finite, and each report must be decoded within a time limit.
  *
- * Input: vendor, product and size of the descriptor (two bytes each, low byte first), the
- * descriptor, and a mapping as a line of text. An empty line selects the automatic mapping. Reports
- * follow: a byte of time, a byte of size, and the bytes of the report. */
+ * Input: the vendor, the product and the size of the descriptor (two bytes each, low byte first),
+ * the descriptor, and a mapping as a line of text. An empty line selects the automatic mapping.
+ * Reports follow: a byte of time, a byte of size, and the bytes of the report. */
 #include <string.h>
 #include <time.h>
 
@@ -17,8 +17,8 @@
 /* CPU time limit for the decoding of one report. The limit allows for the sanitizers, which make
  * the decoder about 20 times slower. */
 #define REPORT_NS_MAX 4000000ull
-/* Number of measurements of a report. The report fails only if all are slow, because another
- * process can slow down a single one. */
+/* Number of times that a slow report is measured. The report fails only if all measurements are
+ * slow, because another process can slow down a single one. */
 #define REPORT_TRIES 3u
 
 static const struct view view = { .eye_m = { 0.0f, 0.9f, 0.7f },
@@ -55,7 +55,7 @@ static void hold_hand(uint64_t time_ns)
     hid_pose_decoder_buttons(&hand, &buttons);
     HOLD((buttons.held & ~(uint32_t)INPUT_BUTTON_ALL) == 0 && buttons.coin_count[0] == 0);
     hid_pose_decoder_buttons(&hand, &again);
-    /* A button press must be returned only once. */
+    /* A button press must be returned by only one poll. */
     HOLD(again.pressed == 0 && again.held == buttons.held);
 }
 
@@ -99,8 +99,8 @@ static void play(const uint8_t *bytes, size_t size)
     }
 }
 
-/* Parses the line of text at `bytes` as a mapping. Selects the automatic mapping if the line is
- * empty or invalid. Returns the number of bytes used. */
+/* Parses the line of text at `bytes` as a mapping. If the line is empty or invalid, the automatic
+ * mapping is used. Returns the number of bytes of the line. */
 static size_t take_map(const uint8_t *bytes, size_t size)
 {
     static char text[HID_MAPPING_TEXT_SIZE];

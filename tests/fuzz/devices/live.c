@@ -1,7 +1,8 @@
 /* live.c -- fuzz target: the live display of a controller's fields, for an arbitrary controller and
- * an arbitrary window size. The display must fit the window.
+ * an arbitrary window size. The display must fit in the window.
  *
- * Input: the format of report.c. The size of a report also selects the size of the window. */
+ * Input: the same format as that of report.c. The size of a report also selects the size of the
+ * window. */
 #include <string.h>
 
 #include "platform/ctl/devices/hid_live.h"

@@ -1,5 +1,5 @@
 /* map_text.c -- fuzz target: an arbitrary line as a stored mapping of a controller. The parser must
- * either reject the line with one sentence, or read a mapping that is unchanged after it was
+ * either reject the line with one sentence, or read a mapping that does not change when it is
  * written and read again. */
 #include <string.h>
 

@@ -23,7 +23,8 @@ struct input_bytes {
     size_t left;
 };
 
-/* Copies the next `size` bytes of the input. After the end of the input the bytes are zeros. */
+/* Copies the next `size` bytes of the input. If the input is shorter, the missing bytes are
+ * zeros. */
 static void take(struct input_bytes *input, void *out, size_t size)
 {
     const size_t taken = size < input->left ? size : input->left;
@@ -63,7 +64,7 @@ static void hold_pad(struct gamepad_queue *track, uint64_t now_ns, uint32_t max)
     gamepad_queue_buttons(track, &buttons);
     HOLD((buttons.held & ~(uint32_t)INPUT_BUTTON_ALL) == 0);
     gamepad_queue_buttons(track, &again);
-    /* A button press must be returned only once. */
+    /* A button press must be returned by only one poll. */
     HOLD(again.pressed == 0 && again.held == buttons.held);
 }
 

@@ -1,6 +1,6 @@
-/* poi_board.c -- fuzz target: arbitrary bits as sensor values of a poi's board. The host must be
- * able to decode the board's report if and only if the report has a position. The motor value must
- * stay within its range. */
+/* poi_board.c -- fuzz target: arbitrary bits as sensor values of a poi's board. If the report that
+ * the board makes of them contains a position, the kiosk's decoder must accept the report;
+ * otherwise the decoder must reject it. The motor value must stay within its range. */
 #include <string.h>
 
 #include "board/poi-gadget/attitude.h"

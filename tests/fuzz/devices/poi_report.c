@@ -1,6 +1,6 @@
 /* poi_report.c -- fuzz target: arbitrary bytes as an input report of the Kingyo poi, and as a force
- * feedback report to the poi. Every accepted value must be within its range, and must be unchanged
- * after it was encoded and decoded again. */
+ * feedback report to the poi. Every accepted value must be within its range, and must not change
+ * when it is encoded and decoded again. */
 #include <math.h>
 #include <string.h>
 
@@ -35,8 +35,8 @@ static void hold_feel(const uint8_t *bytes, uint32_t size)
     HOLD(memcmp(written, bytes, sizeof written) == 0);
 }
 
-/* Checks that arbitrary floats are limited to their range when they are encoded, and can be decoded
- * again. */
+/* Encodes arbitrary floats. Checks that the encoder limits them to their range and that they can be
+ * decoded again. */
 static void hold_wild(const uint8_t *bytes, size_t size)
 {
     struct poi_force force = { 0 }, again;

@@ -9,8 +9,8 @@
 #include "drivers/hid/hid_descriptor.h"
 #include "tests/fuzz/trap.h"
 
-/* Number of fields of a report that are compared. The largest reports have 65,536 fields, and
- * comparing all of them would take too long. */
+/* Number of fields of a report whose values are compared. The largest reports have 65,536 fields,
+ * and comparing all of them would take too long. */
 #define FIELDS_HELD 512u
 
 static struct hid_descriptor descriptor;
@@ -58,8 +58,8 @@ static void hold_report(struct hid_report report)
     }
 }
 
-/* Decodes a copy in a heap block of exactly `size` bytes, so that the sanitizer detects a read
- * beyond the end of the report. */
+/* Decodes a copy of the report in a heap block of exactly `size` bytes, so that the sanitizer
+ * detects a read beyond the end of the report. */
 static void hold_copy(const uint8_t *bytes, size_t size)
 {
     uint8_t *copy = malloc(size ? size : 1u);

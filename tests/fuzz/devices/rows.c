@@ -1,5 +1,5 @@
-/* rows.c -- fuzz target: `kingyoctl hid describe` and `kingyoctl hid decode` on two arbitrary
- * files.
+/* rows.c -- fuzz target: the commands `kingyoctl hid describe` and `kingyoctl hid decode` with two
+ * arbitrary files.
  *
  * Input: a line with the size of the descriptor file in hexadecimal, the descriptor file, and the
  * file of reports. */
@@ -10,7 +10,8 @@
 #include "platform/ctl/devices/hid_rows.h"
 #include "tests/fuzz/trap.h"
 
-/* Number of fields that are printed. Printing more fields would only repeat the same code. */
+/* Largest number of fields that are printed. Printing more fields would only execute the same code
+ * again. */
 #define FIELDS_SHOWN 4096u
 
 static struct hid_descriptor descriptor;

@@ -1,6 +1,6 @@
-/* wires.c -- fuzz target: arbitrary lines as the GPIO wiring of a cabinet, and as an operator's
- * choice of controllers. The parser must either accept a line, or reject it with one sentence and
- * change nothing. */
+/* wires.c -- fuzz target: arbitrary lines of two files: the GPIO wiring of a cabinet, and an
+ * operator's choice of controllers. Each parser must either accept a line, or reject it with one
+ * sentence and change nothing. */
 #include <string.h>
 
 #include "drivers/gpio/gpio_config.h"

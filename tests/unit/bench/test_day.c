@@ -1,5 +1,5 @@
-/* test_day.c -- Tests the visitors, the queue and the report of a simulated day (make bench-day)
- * with a kiosk that plays no rounds but returns fixed catches. */
+/* test_day.c -- tests the visitors, the queue and the report of a simulated day (make bench-day). A
+ * fake kiosk replaces the real one: it plays no rounds and returns fixed catches. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -16,7 +16,7 @@
 #define VISITORS 200u
 #define S_PER_HOUR 3600.0
 
-/* A kiosk whose rounds take `round_s` and give each person `caught` fish. */
+/* A fake kiosk, whose rounds take `round_s` seconds and give each person `caught` fish. */
 static struct fake_kiosk {
     double round_s;
     uint32_t caught;
@@ -36,7 +36,8 @@ static bool fake_play(void *self, const struct visitor *const *group, uint32_t c
     kiosk->persons_most = count > kiosk->persons_most ? count : kiosk->persons_most;
     kiosk->level = level;
     for (uint32_t i = 0; i < count; i++) {
-        assert_true(group[i]->level <= level); /* No person plays at a harder level than chosen. */
+        /* Nobody may play at a harder level than the chosen one. */
+        assert_true(group[i]->level <= level);
         out->caught[i] = kiosk->caught;
     }
     out->took_s = kiosk->round_s;
@@ -50,7 +51,8 @@ static bool fake_idle(void *self, double seconds)
     return true;
 }
 
-/* Plays a day of the fake kiosk with rounds of `round_s` and `caught` fish for each person. */
+/* Simulates a day at the fake kiosk with rounds of `round_s` seconds and `caught` fish for each
+ * person. */
 static void play_day(const struct day_options *options, double round_s, uint32_t caught)
 {
     fake = (struct fake_kiosk){ .round_s = round_s, .caught = caught };
@@ -135,7 +137,8 @@ static void test_default_level_is_that_of_visitors_who_choose_none(void **state)
     assert_in_range(normal, MANY / 2u, MANY - 1u);
 }
 
-/* Returns how many of the visitors play again after `caught` fish at `price`. */
+/* Returns how many of the visitors play again, after they caught `caught` fish at the price
+ * `price`. */
 static uint32_t count_again(uint32_t caught, uint32_t price, uint32_t plays)
 {
     const struct visitor_day what = { .hours = 8.0, .level = LEVEL_NORMAL, .seed = 1 };
@@ -199,7 +202,8 @@ static void test_group_plays_the_easiest_level_of_its_persons(void **state)
     (void)state;
     struct day_options wide = usual;
     wide.bowls = 4;
-    play_day(&wide, 100.0, 1); /* fake_play() checks each group. */
+    /* During this day, fake_play() checks each group. */
+    play_day(&wide, 100.0, 1);
     assert_true(day.rounds[LEVEL_EASY] > 0 && day.rounds[LEVEL_NORMAL] > 0);
     assert_int_equal(day.rounds[LEVEL_EASY] + day.rounds[LEVEL_NORMAL] + day.rounds[LEVEL_MASTER],
                      fake.rounds);
@@ -224,7 +228,8 @@ static void test_goal_counts_all_visitors(void **state)
     assert_true(report_is_goal_met(&day));
     play_day(&usual, 10.0, 0);
     assert_false(report_is_goal_met(&day));
-    play_day(&usual, 200.0, 1); /* Everybody who plays gets a fish, but many leave the queue. */
+    /* Every visitor who plays catches a fish, but many visitors leave the queue. */
+    play_day(&usual, 200.0, 1);
     assert_false(report_is_goal_met(&day));
 }
 

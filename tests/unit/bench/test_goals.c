@@ -14,7 +14,7 @@
 
 static uint32_t caught[5][ROUNDS], sorted[ROUNDS];
 
-/* Returns the score of a player who catches `few` and `few` + 1 fish in alternate rounds. */
+/* Returns the score of a player who alternately catches `few` and `few` + 1 fish in a round. */
 static struct score score_of(uint32_t row, const char *player, uint32_t few)
 {
     for (uint32_t i = 0; i < ROUNDS; i++) {
@@ -30,7 +30,8 @@ static void test_score_has_mean_median_and_share_of_empty_rounds(void **state)
     assert_float_equal(score.mean, 0.5, 1e-9);
     assert_float_equal(score.median, 0.5, 1e-9);
     assert_float_equal(score.empty_share, 0.5, 1e-9);
-    /* The catches must keep the order of the seeds. */
+    /* The function must not sort the catches themselves, so they are still in the order of the
+     * seeds. */
     assert_int_equal(caught[0][1], 1);
     assert_int_equal(caught[0][2], 0);
 }
@@ -39,7 +40,7 @@ static void test_each_missed_target_is_counted(void **state)
 {
     (void)state;
     const struct score low = score_of(0, "child", 0), high = score_of(1, "child", 3);
-    /* Two targets are missed: the median and the number of rounds without a fish. */
+    /* The score misses two targets: the median, and the number of rounds without a fish. */
     assert_int_equal(goals_check(&low, 1, ROUNDS, LEVEL_EASY), 2);
     assert_int_equal(goals_check(&high, 1, ROUNDS, LEVEL_EASY), 0);
     assert_int_equal(goals_check(&low, 1, ROUNDS, LEVEL_MASTER), 0);

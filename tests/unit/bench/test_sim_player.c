@@ -1,5 +1,5 @@
 /* test_sim_player.c -- tests the state machine of the simulated players (make bench-players). The
- * players see pictures of one or two fish that do not move. */
+ * pictures that the tests show to the players contain one or two fish that do not move. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -57,7 +57,8 @@ static void show(uint32_t frames)
     }
 }
 
-/* Shows the same picture until the player is in `state`. Returns the number of frames. */
+/* Shows the same picture to the player until the player is in the state `state`. Returns the number
+ * of frames. */
 static uint32_t show_until(uint8_t state)
 {
     uint32_t frames = 0;
@@ -68,7 +69,7 @@ static uint32_t show_until(uint8_t state)
     return frames;
 }
 
-/* Moves the ring to where the player's commands lead: over the chosen fish. */
+/* Moves the ring to the position in the player's command, which is over the chosen fish. */
 static void follow_command(void)
 {
     const vec3 at_m = stand.sight.fish[stand.player.prey].position_m;

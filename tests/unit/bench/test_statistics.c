@@ -1,5 +1,5 @@
-/* test_statistics.c -- tests the statistics with which techniques are compared: against printed
- * tables, textbook examples, and exhaustive counts of sign patterns. */
+/* test_statistics.c -- tests the statistics that compare techniques. Their results are compared
+ * with printed tables, textbook examples, and exhaustive counts of all patterns of signs. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -28,8 +28,9 @@ static void test_student_t_matches_the_printed_table(void **state)
     expect_near(statistics_t_95(1999), 1.961, 5e-4);
 }
 
-/* Student's data of ten patients (1908): hours of sleep gained by two drugs, here in tenths of an
- * hour plus 20. The mean difference is 1.58 h with a confidence interval of 0.70 to 2.46 h. */
+/* Data of ten patients from Student's paper of 1908: the hours of sleep that each patient gained by
+ * two drugs, here in tenths of an hour plus 20. The mean difference is 1.58 h, with a confidence
+ * interval of 0.70 to 2.46 h. */
 static void test_the_confidence_interval_matches_the_sleep_data_of_student(void **state)
 {
     (void)state;
@@ -42,9 +43,9 @@ static void test_the_confidence_interval_matches_the_sleep_data_of_student(void 
     expect_near(found.high, 24.5989, 1e-3);
 }
 
-/* Nine patients before and after a treatment (Hollander and Wolfe, Nonparametric Statistical
- * Methods, table 3.1). The sum of the signed ranks is 40 of 45. Of the 512 sign patterns, 10 are at
- * least as extreme. */
+/* Data of nine patients before and after a treatment (Hollander and Wolfe, Nonparametric
+ * Statistical Methods, table 3.1). The ranks of one sign sum to 40 of 45. Of the 512 patterns of
+ * signs, 10 are at least as extreme. */
 static void test_signed_ranks_match_a_textbook_example(void **state)
 {
     (void)state;
@@ -57,8 +58,9 @@ static void test_signed_ranks_match_a_textbook_example(void **state)
     expect_near(statistics_signed_rank_p(differences, 9), 20.0 / 512.0, 1e-12);
 }
 
-/* Counts the sign patterns that are at least as extreme by trying all of them. A reference for
- * count_ways(), whose ranks are also doubled. */
+/* Returns the p value by trying all patterns of signs and counting those that are at least as
+ * extreme. The tests compare statistics.c with this reference. The ranks are doubled, as in
+ * count_ways(). */
 static double by_every_sign(const uint32_t *ranks, uint32_t positive, uint32_t count)
 {
     uint32_t sum = 0, observed = 0, as_far = 0;
@@ -78,14 +80,14 @@ static double by_every_sign(const uint32_t *ranks, uint32_t positive, uint32_t c
     return (double)as_far / (double)(1u << count);
 }
 
-/* Catches are small numbers, so many differences are equal or zero. */
+/* Catches are small numbers, so many differences between them are equal or zero. */
 static void test_ties_and_zeros_match_an_exhaustive_count_of_signs(void **state)
 {
     (void)state;
     static const double sizes[] = { 1, 1, 1, 2, 2, 3, 3, 3, 3, 7 };
     static const uint32_t ranks[] = { 4, 4, 4, 9, 9, 15, 15, 15, 15, 20 };
     for (uint32_t signs = 0; signs < 1u << 10; signs += 7) {
-        /* Two zeros before and two after the other differences. */
+        /* Places two zeros before and two zeros after the other differences. */
         double differences[14] = { 0 };
         for (uint32_t i = 0; i < 10; i++) {
             differences[i + 2] = signs >> i & 1u ? sizes[i] : -sizes[i];
@@ -115,7 +117,7 @@ static void test_one_pair_is_not_significant(void **state)
     expect_near(found.p, 1.0, 0.0);
 }
 
-/* All 200 pairs differ in the same direction. Only 2 of the 2^200 sign patterns are as extreme. */
+/* All 200 differences have the same sign. Of the 2^200 patterns of signs, only 2 are as extreme. */
 static void test_the_probability_of_two_hundred_equal_signs_is_exact(void **state)
 {
     (void)state;
@@ -128,7 +130,7 @@ static void test_the_probability_of_two_hundred_equal_signs_is_exact(void **stat
     expect_near(statistics_compare(b, a, 200).p, statistics_compare(a, b, 200).p, 0.0);
 }
 
-/* Compares the same catches a second time with the two samples exchanged. */
+/* Compares the same catches again with the two samples exchanged. */
 static void test_exchanging_the_samples_reverses_the_difference(void **state)
 {
     (void)state;
@@ -137,14 +139,14 @@ static void test_exchanging_the_samples_reverses_the_difference(void **state)
     assert_int_equal(statistics_verdict(&found), VERDICT_PAYS);
     found = statistics_compare(less, more, 8);
     assert_int_equal(statistics_verdict(&found), VERDICT_WRONG_WAY);
-    /* All five differences have the same sign. This is not significant, because 2 of only 32 sign
-     * patterns are as extreme. */
+    /* All five differences have the same sign. The result is still not significant, because 2 of
+     * only 32 patterns of signs are as extreme. */
     found = statistics_compare(more, less, 5);
     assert_int_equal(statistics_verdict(&found), VERDICT_NOT_SHOWN);
 }
 
-/* Nearly all values of the first sample are slightly larger, but one value of the second is much
- * larger. Ranks and mean then disagree. */
+/* Nearly all values of the first sample are slightly larger, but one value of the second sample is
+ * much larger. The ranks and the mean therefore disagree. */
 static void test_disagreement_of_mean_and_ranks_is_not_significant(void **state)
 {
     (void)state;

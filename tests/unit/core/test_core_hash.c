@@ -1,9 +1,9 @@
-/* test_core_hash.c -- checks that the core's hash depends on every field of the state and on no
- * scratch field.
+/* test_core_hash.c -- checks that the core's hash depends on every member of the state except
+ * scratch memory.
  *
- * The core has a table of the members of each struct. The hash reads only the members in these
- * tables. A test fails if a table lacks a member: between two listed members, only padding for
- * alignment is allowed. */
+ * For each struct, the core has a table of its members, and the hash reads only the members in
+ * these tables. A test therefore checks that no table lacks a member: between two listed members,
+ * only padding for alignment is allowed. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -46,8 +46,8 @@ static const struct root {
 };
 #define ROOT_COUNT (sizeof roots / sizeof roots[0])
 
-/* Members that core_hash() reads without a table, because their encoding is that of the recording
- * format. */
+/* Members that core_hash() reads without a table. Their bytes are encoded in the same way as in a
+ * recording. */
 #define PART(place) { #place, &core.place, sizeof core.place }
 static const struct part {
     const char *name;
@@ -73,8 +73,8 @@ static int setup(void **state)
     for (uint32_t i = 0; i < 100; i++) {
         core_tick(&core, &input, &output);
     }
-    /* Makes a state in which two elements of the arrays of carried fish, of loads and of near pairs
-     * are in use. */
+    /* Marks two elements as used in each of the arrays of carried fish, loads and near pairs, so
+     * that the hash includes them. */
     core.world.poi[0].carried_count = 2;
     core.world.poi[0].load_count = 2;
     core.world.tank.broad_phase.near_count = 2;
@@ -86,8 +86,8 @@ static size_t align_up(size_t offset, size_t align)
     return (offset + align - 1u) / align * align;
 }
 
-/* A table lists its members in the order of the hash. This function looks for them in the order of
- * memory and reports gaps. */
+/* Checks that the members of a table have no gaps between them in memory. The table lists its
+ * members in the order of the hash, so this function searches it in the order of memory. */
 static void check_members(const struct field_table *table)
 {
     uint32_t end = 0, align_max = 1;
@@ -119,8 +119,8 @@ static void check_members(const struct field_table *table)
     }
 }
 
-/* lab_saved_fields is skipped, because it lists only a part of struct lab. The complete table of
- * struct lab is also in the tables of the game. */
+/* Skips lab_saved_fields, because this table lists only a part of struct lab. The complete table of
+ * struct lab belongs to the tables of the game. */
 static void test_every_member_is_in_the_tables_of_the_core(void **state)
 {
     (void)state;
@@ -146,7 +146,8 @@ static void test_every_member_is_in_the_tables_of_the_core(void **state)
 }
 
 /* Computes the hash of an object by its table, or of the whole core if `table` is null. Returns 1
- * if the hash was written, or 0 if an assertion of the core failed because the state is invalid. */
+ * if the hash was written. Returns 0 if an assertion of the core failed because the state is
+ * invalid. */
 static int hash_if_valid(const struct field_table *table, const void *object, uint64_t *hash)
 {
     if (setjmp(global_expect_assert_env) != 0) {
@@ -159,9 +160,8 @@ static int hash_if_valid(const struct field_table *table, const void *object, ui
     return 1;
 }
 
-/* Changes the lowest bit of a byte for which the state stays valid, and requires that the hash
- * changes. If every change fails an assertion, the byte is not ignored either, so the check
- * passes. */
+/* Flips one bit of a byte and requires that the hash changes. Uses the lowest bit for which the
+ * state stays valid. If no such bit exists, the check passes, because the core reads the byte. */
 static void flip(const char *name, uint8_t *byte, uint64_t before)
 {
     for (uint32_t bit = 0; bit < 8u; bit++) {
@@ -195,8 +195,8 @@ static size_t used_size(const struct field *field, const uint8_t *object)
     return (size_t)used * field->unit;
 }
 
-/* For most bytes, only the hash of the changed object is computed, because the hash of the whole
- * core is much slower. */
+/* Computes the hash of the whole core only for a few bytes, because it is much slower than the hash
+ * of the changed object. */
 static void test_the_hash_depends_on_every_member_of_the_tables(void **state)
 {
     (void)state;
@@ -242,8 +242,8 @@ static void test_the_hash_depends_on_the_element_counts(void **state)
     }
 }
 
-/* Scratch memory that is not hashed must not influence the state. Otherwise two states with equal
- * hashes could develop differently. */
+/* Overwrites the scratch memory, which is not part of the hash, and checks that the state develops
+ * in the same way. Otherwise two states with equal hashes could differ later. */
 static void test_overwritten_scratch_memory_does_not_change_the_hash(void **state)
 {
     (void)state;
@@ -252,7 +252,8 @@ static void test_overwritten_scratch_memory_does_not_change_the_hash(void **stat
     core.world.poi[0].carried_count = core.world.poi[0].load_count = 0;
     core.world.tank.broad_phase.near_count = 0;
     twin = core;
-    /* In this tick all fish update their perception, which overwrites the scratch memory. */
+    /* In a tick with this number all fish update their perception, which overwrites the scratch
+     * memory. */
     assert_int_equal(core.game.tick % BROAD_PHASE_UPDATE_TICKS, 0);
     memset(&twin.world.tank.broad_phase, 0x5a, sizeof twin.world.tank.broad_phase);
     memset(&twin.world.tank.solver, 0x5a, sizeof twin.world.tank.solver);

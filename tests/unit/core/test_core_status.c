@@ -106,7 +106,8 @@ static void test_a_round_shows_its_phase_its_length_and_its_players(void **state
     assert_int_equal(vision_game(&vision).fish_count, status.fish_count);
 }
 
-/* With a PIN, the menu opens on a page where SERVICE selects a digit and TEST enters it. */
+/* If a PIN is set, the menu opens on a page where SERVICE selects a digit and TEST enters the
+ * digit. */
 static void test_a_page_for_a_pin_shows_until_the_pin_is_complete(void **state)
 {
     (void)state;

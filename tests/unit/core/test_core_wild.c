@@ -1,9 +1,9 @@
-/* test_core_wild.c -- checks that arbitrary controller input leaves the core in a valid state: no
- * failed assertion and no NaN.
+/* test_core_wild.c -- checks that arbitrary controller input leaves the core in a valid state,
+ * without a failed assertion or a NaN.
  *
- * The controllers of four players are connected and disconnected. Poses move fast between random
- * targets, and some fields contain random bits. Buttons are pressed at random, and fans move over
- * the water. */
+ * The controllers of four players are connected and disconnected at random. Their poses move
+ * between random targets, slowly or fast, and some members contain random bits. Buttons are pressed
+ * at random, and fans move over the water. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -39,13 +39,14 @@ static float pick_m(void)
 
 /* ---- Controllers ---------------------------------------------------------------------------- */
 
-/* State of a simulated player whose valid motion leads to random targets, slowly or as fast as an
- * arm. */
+/* State of a simulated player. The valid motion of the player leads to random targets, slowly or as
+ * fast as an arm. */
 static struct wild_hand {
     struct poi_target at, goal;
     float pace_m_s, turn_rad_s;
-    uint32_t broken_ticks; /* Ticks left in which the controller sends faulty reports. */
-    uint32_t breaks;       /* Kind of fault in the faulty reports. */
+    /* Number of ticks for which the controller still sends faulty reports. */
+    uint32_t broken_ticks;
+    uint32_t breaks; /* Kind of fault in the faulty reports. */
     struct poi_target stuck;
 } hands[POI_MAX];
 
@@ -62,8 +63,8 @@ static float toward(float from, float to, float step)
 static void wander(struct wild_hand *hand)
 {
     if (draw(60) == 0) {
-        /* Each value is drawn in its own statement, because the evaluation order of function
-         * arguments is unspecified. */
+        /* Draws each value in its own statement, because the evaluation order of function arguments
+         * is unspecified. */
         hand->goal.position_m.x = reach_m(0.6f);
         hand->goal.position_m.y = reach_m(0.2f);
         hand->goal.position_m.z = reach_m(0.4f);
@@ -89,7 +90,7 @@ static void spoil_field(struct poi_target *target, uint32_t bits)
     memcpy(bytes + draw(6) * sizeof(float), &bits, sizeof bits);
 }
 
-/* Writes the current fault into the poi's input: random bits in a field, or a smaller error. */
+/* Writes the current fault into the poi's input: random bits in a member, or a smaller error. */
 static void spoil(struct poi_input *poi, struct wild_hand *hand)
 {
     static const uint32_t none[] = { 0x7fc00000u, 0xffc00000u, 0x7f800000u, 0xff800000u,
@@ -147,8 +148,8 @@ static void stir_hand(struct poi_input *poi, struct wild_hand *hand)
     }
 }
 
-/* Ends a visit to the operator's menu after five seconds with the buttons that leave the menu.
- * Otherwise random input would stay in the menu for most of the time. */
+/* Presses the buttons that leave the operator's menu after the menu was open for five seconds.
+ * Otherwise the random input would stay in the menu for most of the time. */
 static void heed_visits(struct input *input)
 {
     const uint32_t stay_ticks = core.game.tick - core.game.phase_tick;
@@ -165,7 +166,7 @@ static void stir(struct input *input)
     input->held = draw(INPUT_BUTTON_ALL + 1u);
     input->coin_count[0] = draw(3);
     input->store_well = draw(100) != 0;
-    /* The random acknowledgement (0 to 3) may be wrong. The core must accept any value. */
+    /* Acknowledges a random entry (0 to 3), which may be wrong. The core must accept any value. */
     input->record_saved_id = draw(50) == 0  ? draw(4)
                              : draw(4) == 0 ? output.entry_id
                                             : input->record_saved_id;
@@ -182,7 +183,7 @@ static void stir(struct input *input)
     }
 }
 
-/* Returns the input of this tick, including the faults of the controllers. */
+/* Returns the input that the core gets in this tick, including the faults of the controllers. */
 static struct input said(const struct input *input)
 {
     struct input out = *input;
@@ -198,8 +199,8 @@ static struct input said(const struct input *input)
 
 /* ---- Invariants ----------------------------------------------------------------------------- */
 
-/* Number of ticks for which each fish has been in the water without swimming. At most half a second
- * is allowed. */
+/* Number of ticks for which each fish has been loose: put back into the water, but not swimming
+ * yet. The limit is half a second. */
 static uint32_t loose_ticks[TANK_FISH_MAX];
 
 static void check_loose(const struct fish *fish, uint32_t index)
@@ -216,8 +217,8 @@ static void check_fish(const struct fish *fish)
     assert_true(f_is_finite(fish->angles.yaw_rad + fish->angles.pitch_rad + fish->angles.roll_rad));
     assert_true(f_is_finite(fish->tail_phase_rad + fish->bend_rad + fish->alarm));
     assert_true(v3_length(fish->position_m) < 3.0f);
-    /* Only a poi can hold a fish out of the water. The list of this poi must contain the fish
-     * once. */
+    /* Only a poi can hold a fish out of the water, and the list of this poi must contain the fish
+     * exactly once. */
     if (fish->gait == GAIT_HELD && fish->holder != FISH_HOLDER_WATER) {
         const struct poi *poi = &core.world.poi[fish->holder];
         uint32_t found = 0;
@@ -246,8 +247,8 @@ static void check_force(const struct poi_force *force)
     assert_true(force->tear >= 0.0f && force->tear <= 1.0f);
 }
 
-/* Counts of events. The test requires that they occurred, because a run without play would prove
- * nothing. */
+/* Number of times that each event occurred. The test requires each event, because a run without
+ * play would prove nothing. */
 static struct tally {
     uint32_t led, lost, dips, rounds, torn, championships, menu;
 } tally;
@@ -261,14 +262,14 @@ static void count(void)
         tally.dips += poi->splash_m_s > 0.0f;
         tally.torn += poi->strain.cells_torn;
     }
-    /* Counts each round at its first tick. */
+    /* Counts a round at its first tick. */
     tally.rounds += core.game.phase == PHASE_ROUND && core.game.round_tick + 1u == core.game.tick;
     tally.menu += core.game.phase == PHASE_MENU;
     tally.championships += core.game.phase == PHASE_ROUND && core.game.mode == MODE_CHAMPIONSHIP;
 }
 
-/* Copies the configuration into the operator's settings. Otherwise the first random change in the
- * menu would reset the number of players to the default of one. */
+/* Copies the configuration into the operator's settings. Otherwise the first random change of a
+ * setting would reset the number of players to the default of one. */
 static struct core_config settled(const struct core_config *config)
 {
     struct core_config out = *config;

@@ -124,9 +124,9 @@ static void test_a_pointer_on_a_rotated_screen_maps_to_the_touched_point(void **
     const struct pointer_report on = pointer_report_on(&at, &upright);
     assert_int_equal(on.width_px, 1080);
     assert_int_equal(on.height_px, 1536);
-    /* The right side of the rotated picture is at the bottom of the screen. */
+    /* The picture is rotated so that its right side is at the bottom of the screen. */
     assert_near(on.x_px, 270.0f);
-    /* The lower side of the rotated picture is at the left of the screen, next to the margin. */
+    /* The lower side of the picture is at the left of the screen, next to the margin. */
     assert_near(on.y_px, 1536.0f);
     assert_int_equal(on.buttons, POINTER_DIP);
     const struct pointer_report unknown = { .x_px = 5.0f };

@@ -1,5 +1,5 @@
 /* test_pin.c -- checks the salted hash of the operator's PIN, and SHA-256 with the test vectors of
- * FIPS 180-4. */
+ * its standard, FIPS 180-4. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -55,8 +55,8 @@ static void test_a_hidden_pin_matches_its_digits(void **state)
     }
 }
 
-/* The hash of a PIN has 20 bits, so one in about a million pairs of PINs has equal hashes. Of the
- * 100 x 9,998 pairs in this test, about one should match. */
+/* A hash of a PIN has 20 bits, so two different PINs have the same hash in one of about a million
+ * cases. The test compares 100 x 9,998 pairs, so about one pair should match. */
 static void test_other_pins_rarely_match(void **state)
 {
     (void)state;
@@ -74,8 +74,8 @@ static void test_equal_pins_with_another_salt_differ(void **state)
 {
     (void)state;
     assert_int_not_equal(pin_hide(407, 1), pin_hide(407, 2));
-    /* A salt of 0 would mean "no salt", so 0 is replaced by 1. Larger salts are limited to 11
-     * bits. */
+    /* A stored salt of 0 would mean "no salt", so pin_hide() replaces 0 by 1. Larger salts are
+     * limited to 11 bits. */
     assert_int_equal(pin_hide(407, 0), pin_hide(407, 1));
     assert_int_equal(pin_hide(407, 2047), pin_hide(407, UINT32_MAX));
 }

@@ -1,5 +1,5 @@
-/* test_board.c -- tests the keys and the events of the desktop board: keys can end the program, and
- * unused events do not fill SDL's queue. */
+/* test_board.c -- tests the keys and the events of the desktop board. Keys can end the program, and
+ * events that the board does not use must not fill SDL's queue. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -78,8 +78,8 @@ static void test_an_unused_mouse_does_not_fill_the_event_queue(void **state)
     }
 }
 
-/* While bots play the demo, the key F has no function: it does not hold a fan, and only F11 toggles
- * full screen. */
+/* While bots play the demo, the key F must have no function. During a game it holds a fan over the
+ * water. Full screen is toggled only by F11. */
 static void test_there_is_no_fan_in_the_demo_of_the_bots(void **state)
 {
     (void)state;
@@ -97,8 +97,8 @@ static void test_there_is_no_fan_in_the_demo_of_the_bots(void **state)
     assert_int_equal(buttons.full_screen, 1);
 }
 
-/* In a cabinet, a visitor may plug in a keyboard. Its keys must not insert coins, open the menu or
- * end the program. */
+/* In a cabinet, a visitor may plug in a keyboard. The keys of this keyboard must not insert coins,
+ * open the menu or end the program. */
 static void test_in_a_cabinet_no_key_has_a_function(void **state)
 {
     static const SDL_Keycode keys[] = { SDLK_ESCAPE, SDLK_q,  SDLK_SPACE, SDLK_5,   SDLK_6, SDLK_7,
@@ -113,7 +113,7 @@ static void test_in_a_cabinet_no_key_has_a_function(void **state)
     hal.buttons.ops->poll(hal.buttons.self, &buttons);
     assert_memory_equal(&buttons, &nothing, sizeof nothing);
     for (size_t i = 0; i < sizeof types / sizeof types[0]; i++) {
-        /* SDL does not queue events of an ignored type. */
+        /* The type is ignored, so SDL does not put its events into the queue. */
         assert_int_equal(SDL_EventState(types[i], SDL_QUERY), SDL_IGNORE);
     }
 }

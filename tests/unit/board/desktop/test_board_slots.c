@@ -66,8 +66,8 @@ static int plug_pad(void)
     return index;
 }
 
-/* Runs the controller part of one frame: assigns the slots and polls every poi. Returns the slots
- * that changed, as a bit set. */
+/* Runs the part of a frame that concerns controllers: assigns the slots and polls every poi.
+ * Returns the slots that changed, as a bit set. */
 static uint32_t frame(int may_move)
 {
     struct display_events events;
@@ -123,7 +123,7 @@ static void test_a_new_gamepad_gets_the_first_slot_after_the_game(void **state)
     assert_true(sits(0, "pad"));
 }
 
-/* The mouse always exists, so it gets a slot only when it moves. */
+/* The mouse is always present, so it gets a slot only when it moves. */
 static void test_a_moved_mouse_gets_the_second_slot_beside_a_gamepad(void **state)
 {
     (void)state;
@@ -137,9 +137,9 @@ static void test_a_moved_mouse_gets_the_second_slot_beside_a_gamepad(void **stat
     assert_true(sits(1, "mouse"));
 }
 
-/* If a gamepad is unplugged during a round, its slot stays reserved. When it is plugged in again,
- * its player has it back within a frame. Between two games, the mouse gets the slot of an absent
- * gamepad. */
+/* If a gamepad is unplugged during a round, its slot stays reserved. When the gamepad is plugged in
+ * again, it has its slot back within a frame. Between two games, the mouse gets the slot of an
+ * absent gamepad. */
 static void test_an_unplugged_gamepad_keeps_its_slot_until_the_game_ends(void **state)
 {
     (void)state;
@@ -195,8 +195,8 @@ static void test_gamepad_buttons_work_whatever_has_the_first_slot(void **state)
     SDL_JoystickClose(joystick);
 }
 
-/* Joysticks send events without pause. If nobody took these events from SDL's queue, the queue
- * would become full. */
+/* Joysticks send events without pause. Events that nobody takes from SDL's queue would fill the
+ * queue. */
 static void test_no_gamepad_event_stays_in_the_queue(void **state)
 {
     (void)state;

@@ -1,7 +1,9 @@
-/* test_board_usb.c -- tests the complete desktop board with a USB poi on a simulated bus: board,
- * transport, decoder, frame loop and game. A poi that is plugged in gets the first slot. If the poi
- * is unplugged during a round, the round pauses, continues later, and no credit is lost. The tests
- * cover all orders of the bus events. */
+/* test_board_usb.c -- tests the complete desktop board with a USB poi on a simulated bus, from the
+ * USB transport and the decoder to the frame loop and the game.
+ *
+ * A poi that is plugged in gets the first slot. If the poi is unplugged during a round, the round
+ * pauses. It continues after the poi is back, and no credit is lost. The tests cover all orders of
+ * the bus events. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -23,14 +25,15 @@
 #include "tests/unit/support/usb/usb_fixture.h"
 
 #define FRAME_US 8000
-/* Timeout of twelve seconds, long enough for a machine that also runs other tests. */
+/* Timeout in frames: twelve seconds, which is long enough on a machine that also runs other
+ * tests. */
 #define FRAMES_MAX 1500u
 
 static struct {
     struct storage_sim storage;
     struct hal hal;
-    /* The board's devices, including its real display and store. `hal` is a copy in which the
-     * display and the store are replaced. */
+    /* Devices of the board, including its real display and store. `hal` is a copy of them in which
+     * other devices replace the display and the store. */
     struct hal real;
     struct kiosk kiosk;
     uint32_t poi;     /* Index of the poi on the simulated bus. */
@@ -57,7 +60,7 @@ static int open_stall_at(const char *folder)
     board_open(&stall.hal, &options);
     stall.is_in = 0;
     const int result = kiosk_init(&stall.kiosk, &stall.hal, &config);
-    /* The frames are not drawn, because drawing would take longer than all other work. */
+    /* Replaces the display, because drawing would take longer than all other work. */
     stall.real = stall.hal;
     stall.hal.display = null_hal("not drawn").display;
     stall.hal.storage = storage_sim_device(&stall.storage);
@@ -156,11 +159,11 @@ static void test_a_new_poi_gets_the_first_slot_of_the_mouse(void **state)
     (void)state;
     frame();
     assert_false(stall.kiosk.input.poi[0].has_wrist);
-    /* The mouse plays in slot 0. */
+    /* The mouse controls the poi of slot 0. */
     assert_int_equal(stall.kiosk.input.poi[0].link, POI_SOURCE_LIVE);
     plug();
     until(sits_on_usb);
-    /* The mouse is now in slot 1, but it has not moved. */
+    /* The mouse has moved to slot 1 and gives no input there, because it has not moved since. */
     assert_int_equal(stall.kiosk.input.poi[1].link, POI_SOURCE_ABSENT);
     assert_int_equal(stall.kiosk.faults.poi, 0);
     assert_true(stall.kiosk.report_wait.count > 0);
@@ -192,8 +195,8 @@ static void test_a_usb_poi_gets_force_output(void **state)
     assert_int_equal(seen.out[0], POI_FORCE_ID);
 }
 
-/* Unplugs the poi during a round and plugs it in again. Prints the time from plugging in until the
- * game receives the pose. */
+/* Unplugs the poi during a round, in the order `how` of bus events, and plugs it in again. Prints
+ * the time from plugging in to the first pose that the game receives. */
 static void lose_and_find(enum usb_sim_unplug_order how)
 {
     const uint32_t credits = purse_credits(&stall.kiosk.core);
@@ -233,7 +236,8 @@ static int mouse_sits(void)
     return stall.kiosk.input.poi[0].link == POI_SOURCE_LIVE && !stall.kiosk.input.poi[0].has_wrist;
 }
 
-/* The mouse must not take over a round that began with a poi. It may play the next round. */
+/* The mouse must not take over the slot of a poi during a round. In the next game it may get the
+ * slot. */
 static void test_the_mouse_gets_the_slot_of_an_absent_poi_in_the_next_game(void **state)
 {
     (void)state;
@@ -246,8 +250,7 @@ static void test_the_mouse_gets_the_slot_of_an_absent_poi_in_the_next_game(void 
         frame();
         assert_true(is_lost());
     }
-    /* The kiosk would return to attract mode after one minute. The test sets this phase
-     * directly. */
+    /* Sets attract mode directly, because the kiosk would return to it only after one minute. */
     stall.kiosk.core.game.phase = PHASE_ATTRACT;
     stall.kiosk.output.phase = PHASE_ATTRACT;
     until(mouse_sits);
@@ -258,9 +261,9 @@ static void hint_is(const char *text)
     assert_string_equal(SDL_GetHint(SDL_HINT_GAMECONTROLLER_IGNORE_DEVICES), text);
 }
 
-/* A device type that the operator has chosen for the USB driver ("plays") is hidden from SDL from
- * the start. A choice with a serial number (A1) is not, because SDL would then hide all devices of
- * that type. */
+/* A device type that the operator has assigned to the USB driver ("plays") is hidden from SDL from
+ * the start. A choice with a serial number (A1) must not be hidden, because SDL would then hide all
+ * devices of this type. */
 static void test_a_stored_choice_is_excluded_from_sdl_at_the_start(void **state)
 {
     (void)state;

@@ -25,7 +25,7 @@ static void assert_near(struct angles a, struct angles b, float rad)
     assert_true(f_abs(f_wrap_angle(a.roll_rad - b.roll_rad)) < rad);
 }
 
-/* Returns the acceleration that an accelerometer measures at rest in this attitude. */
+/* Returns the acceleration that a resting accelerometer measures if it is rotated by `angles`. */
 static vec3 held_up(struct angles angles)
 {
     const struct basis axes = vec_basis_from_angles(angles);
@@ -86,8 +86,8 @@ static void test_a_swinging_poi_is_tracked_within_two_degrees_for_a_minute(void 
         const struct quaternion back = { before.w, -before.x, -before.y, -before.z };
         const struct quaternion d = attitude_quaternion_product(back, q);
         const vec3 rate = n == 0 ? v3(0, 0, 0) : v3_scale(v3(d.x, d.y, d.z), 2.0f / DT_S);
-        /* Adds the acceleration of a trembling hand (1 m/s^2), and the bias of an uncalibrated
-         * gyroscope. */
+        /* Adds the acceleration of a trembling hand (1 m/s^2) and the bias of an uncalibrated
+         * gyroscope to the measured values. */
         vec3 pull = v3_add(held_up(truth), v3(f_sin(19.0f * t), 0.0f, f_sin(23.0f * t)));
         attitude_add_motion(&attitude, v3_add(rate, v3(0.01f, 0.0f, -0.01f)), pull, DT_S);
         before = q;
@@ -112,7 +112,8 @@ static void test_a_gyroscope_at_rest_estimates_its_bias(void **state)
     for (uint32_t n = 0; n < 15000; n++) {
         attitude_add_motion(&attitude, bias, v3(0, GRAVITY_M_S2, 0), DT_S);
     }
-    /* Heading drift after a minute. Without the bias correction it would be 103 degrees. */
+    /* Heading drift in the 15,000 steps, which are one minute. Without the bias correction it would
+     * be 103 degrees. */
     const float drift_rad = attitude_angles(&attitude, 0.0f, DT_S).yaw_rad - yaw_rad;
     assert_true(f_abs(f_wrap_angle(drift_rad)) < 0.5f * F_DEG);
 }
@@ -125,7 +126,7 @@ static void test_a_slow_rotation_is_not_taken_for_a_bias(void **state)
         attitude_add_motion(&attitude, v3(0, 0.08f, 0), v3(0, GRAVITY_M_S2, 0), DT_S);
     }
     assert_true(v3_length(attitude.bias_rad_s) < 1e-6f);
-    /* The filter uses the first heading that is read as straight ahead (0). */
+    /* The filter defines the heading at its first reading as straight ahead (0). */
     assert_float_equal(attitude_angles(&attitude, 0.0f, DT_S).yaw_rad, 0.0f, 1e-3f);
 }
 
@@ -138,7 +139,7 @@ static void test_only_the_heading_decays_to_straight_ahead(void **state)
     attitude_set(&attitude, attitude_quaternion_of_angles((struct angles){ 2.5f, 0.3f, -0.2f }));
     assert_float_equal(attitude_angles(&attitude, 30.0f, DT_S).yaw_rad, 0.5f, 1e-2f);
     struct angles found = { 0 };
-    /* 7500 steps are 30 s, the time constant of the decay to 1/e. */
+    /* 7,500 steps are 30 s. In this time the heading falls to 1/e. */
     for (uint32_t n = 0; n < 7500; n++) {
         found = attitude_angles(&attitude, 30.0f, DT_S);
     }

@@ -1,5 +1,5 @@
-/* test_board_pose.c -- tests that the pose in the decoded report equals the true pose from which
- * the simulated sensors were computed. */
+/* test_board_pose.c -- tests that the pose in the board's report equals the true pose. The readings
+ * of the simulated sensors are computed from the true pose. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -78,8 +78,8 @@ static struct errors scoop_for_a_minute(uint8_t fuses, float noise_steps, vec3 b
         sensor_twin_step(&twin, &hand, DT_S, &readings);
         board_pose_step(&pose, &readings, DT_S, &out);
         const float off_m = v3_length(v3_sub(out.target.position_m, hand.target.position_m));
-        /* The first stroke has no start pose, so the poi rests at the stroke's target for 0.9 s
-         * (225 steps). The filters settle during the first 25 steps. */
+        /* The first stroke of the simulation has no start pose, so the poi rests at the stroke's
+         * target for 0.9 s (225 steps). The filters need the first 25 steps to settle. */
         const int rests = n < 225;
         if (rests && n > 25) {
             const vec3 step_m = v3_sub(out.target.position_m, before.target.position_m);
@@ -106,7 +106,8 @@ static void test_scoops_with_sensor_fusion_are_reported_within_1_cm(void **state
     const struct errors worst = scoop_for_a_minute(1, 1.5f, v3(0, 0, 0));
     assert_true(worst.rest_m < 0.0005f);
     assert_true(worst.rest_speed_m_s < 0.03f);
-    /* The filter delays the position, so the reported poi lags behind during a scoop at 0.5 m/s. */
+    /* The filter delays the position, so the reported position lags behind the true one during a
+     * scoop at 0.5 m/s. */
     assert_true(worst.moving_m < 0.010f);
     assert_true(worst.turn_rad < 0.5f * F_DEG);
 }
@@ -132,11 +133,11 @@ static void test_a_torn_wire_gives_no_position_until_it_is_repaired(void **state
     board_pose_init(&pose, &config);
     sensor_twin_step(&twin, &hand, DT_S, &readings);
     const float whole = readings.wire[1];
-    /* A torn wire is wound up completely by its spring, so its length is 0. */
+    /* Simulates a torn wire. Its spring winds it up completely, so its length is 0. */
     readings.wire[1] = 0.0f;
     board_pose_step(&pose, &readings, DT_S, &out);
     poi_report_encode(&out, bytes);
-    /* The report has no position and is rejected. */
+    /* The report has no position, so the decoder rejects it. */
     assert_false(poi_report_decode(bytes, sizeof bytes, &out));
     readings.wire[1] = whole;
     board_pose_step(&pose, &readings, DT_S, &out);
@@ -155,7 +156,8 @@ static void test_a_simulated_scoop_dips_tips_and_stays_over_the_tank(void **stat
         dips += was_m.y > -0.01f && at_m.y <= -0.01f;
         tips += before.target.angles.roll_rad < 0.9f && hand.target.angles.roll_rad >= 0.9f;
         starts += (hand.buttons & ~before.buttons & POI_BUTTON_START) != 0;
-        /* With this roll, the poi is tipping over the opening of the first bowl. */
+        /* At this roll angle, the poi is being emptied, so it must be over the opening of the first
+         * bowl. */
         if (hand.target.angles.roll_rad > 0.9f) {
             assert_true(v3_length(v3_sub(v3(at_m.x, 0, at_m.z), v3(0.335f, 0, 0.185f))) < 0.08f);
             assert_true(at_m.y > 0.04f && at_m.y < 0.10f);

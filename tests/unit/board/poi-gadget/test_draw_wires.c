@@ -21,8 +21,8 @@ static float drawn(uint32_t n, uint32_t what, float low, float high)
     return rng_range((struct rng_key){ 11, n, what, RNG_TEST }, low, high);
 }
 
-/* Returns random position `n` where a poi can be: up to 10 cm beyond the tank's walls, from the
- * floor to 30 cm above the water. */
+/* Returns the random position number `n` within the space that a poi can reach: up to 10 cm beyond
+ * the tank's walls, and from the floor to 30 cm above the water. */
 static vec3 place_m(uint32_t n)
 {
     return v3(drawn(n, 0, -0.525f, 0.525f), drawn(n, 1, -0.12f, 0.30f),
@@ -90,10 +90,11 @@ static void test_impossible_lengths_are_rejected_and_the_position_is_kept(void *
         { { 0.8f, 0.0f, 0.8f }, DRAW_WIRES_LENGTH },
         { { 0.8f, 0.8f, -0.1f }, DRAW_WIRES_LENGTH },
         { { 0.8f, 0.8f, 3.0f }, DRAW_WIRES_LENGTH },
-        /* The spools are 90 cm apart, so wires of 30 cm cannot meet. */
+        /* These two spools are 90 cm apart, so their wires of 30 cm cannot meet. */
         { { 0.30f, 0.30f, 0.8f }, DRAW_WIRES_APART },
         { { 0.40f, 0.40f, 0.40f }, DRAW_WIRES_APART },
-        /* These lengths give a position 5 cm below the spools, which is rejected as too high. */
+        /* With these lengths, the poi would be 5 cm below the spools, which is too high for a
+         * poi. */
         { { 0.5431f, 0.5431f, 0.3536f }, DRAW_WIRES_HIGH },
     };
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {

@@ -1,5 +1,5 @@
 /* test_hid_gadget.c -- tests the poi's end of the USB connection. A socket pair replaces the USB
- * device file, and the test plays the host. */
+ * device file, and the test acts as the host. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -17,8 +17,8 @@
 static struct hid_gadget gadget;
 static int host;
 
-/* Opens a packet socket pair, which delivers each report separately, as the USB device file
- * does. */
+/* Opens a pair of packet sockets. Packet sockets deliver each report separately, as the USB device
+ * file does. */
 static int plug_in(void **state)
 {
     (void)state;
@@ -46,7 +46,8 @@ static void test_only_reports_that_were_sent_get_a_sequence_number(void **state)
     uint8_t bytes[64];
     uint32_t sent = 0;
     while (sent < 100000 && hid_gadget_send(&gadget, &report)) {
-        sent++; /* Sends reports until the socket buffer is full, because the host reads none. */
+        /* Sends reports until the socket buffer is full. The host reads no reports. */
+        sent++;
     }
     assert_true(sent > 1 && sent < 100000);
     assert_int_equal(gadget.sent_count, sent);
@@ -56,7 +57,7 @@ static void test_only_reports_that_were_sent_get_a_sequence_number(void **state)
         assert_true(poi_report_decode(bytes, POI_REPORT_SIZE, &got));
         assert_int_equal(got.sequence, i & 255u);
     }
-    /* A skipped report gets no sequence number, so the numbers have no gap. */
+    /* A report that could not be sent gets no sequence number, so the numbers have no gap. */
     assert_true(hid_gadget_send(&gadget, &report));
     assert_int_equal(read(host, bytes, sizeof bytes), POI_REPORT_SIZE);
     assert_int_equal(bytes[1], sent & 255u);
@@ -86,7 +87,8 @@ static void test_a_removed_usb_function_is_closed(void **state)
     const struct poi_report report = { 0 };
     close(host);
     host = -1;
-    /* The host is gone, so the write fails with EPIPE. SIGPIPE is ignored, as in run(). */
+    /* The host has closed its end, so the write fails with EPIPE. SIGPIPE is ignored, as in
+     * run(). */
     assert_false(hid_gadget_send(&gadget, &report));
     assert_int_equal(gadget.fd, -1);
     assert_false(hid_gadget_open(&gadget));

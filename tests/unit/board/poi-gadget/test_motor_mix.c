@@ -1,6 +1,6 @@
 /* test_motor_mix.c -- tests the level of the vibration motor, which is mixed from drag, decaying
- * impacts and the rattle of a tear. Also tests that the motor stops when the host sends nothing
- * more. */
+ * impacts and the rattle of a tear. Also tests that the motor stops when the host sends no more
+ * reports. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -36,7 +36,7 @@ static void test_an_impact_decays_with_its_time_constant(void **state)
         assert_true(next < level);
         level = next;
     }
-    /* 60 ms is the time constant of an impact's decay to 1/e. */
+    /* The test has waited for 60 ms, which is the time in which an impact decays to 1/e. */
     assert_float_equal(level, 0.8f * 0.36788f, 1e-3f);
 }
 
@@ -46,12 +46,13 @@ static void test_a_tear_gives_a_rattle(void **state)
     struct motor_mix mix = { 0 };
     const struct poi_force tear = { .tear = 1.0f };
     uint32_t turns = 0, on = motor_mix_step(&mix, &tear, DT_S).motor > 0.0f;
-    for (uint32_t n = 1; n < 100; n++) { /* 100 steps of 4 ms are 0.4 s. */
+    /* 100 steps of 4 ms take 0.4 s. */
+    for (uint32_t n = 1; n < 100; n++) {
         const uint32_t now = motor_mix_step(&mix, &tear, DT_S).motor > 0.0f;
         turns += now != on;
         on = now;
     }
-    /* At 25 Hz, the motor is switched on and off about 20 times in 0.4 s. */
+    /* The rattle has 25 Hz, so the motor is switched on and off about 20 times in 0.4 s. */
     assert_in_range(turns, 18, 20);
 }
 

@@ -1,4 +1,4 @@
-/* test_poi_config.c -- Tests the parser of the configuration file of a poi. */
+/* test_poi_config.c -- tests the parser of the configuration file of a poi. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -66,7 +66,7 @@ static void test_invalid_lines_are_rejected(void **state)
         "wire1 = nan 1",
         "ring = 1 2",
         "ring = 1 2 4000",
-        /* A left-handed set of axes, which no mounting of the sensor can give. */
+        /* These axes are left-handed. No mounting of the sensor can give such axes. */
         "imu_axes = +x +y -z",
         "imu_axes = +x +x +y",
         "imu_axes = x y z",

@@ -1,6 +1,7 @@
 /* test_poi_scoops.c -- tests that fish can be caught with the motion of `kingyo-poi run
- * --simulate`. The computed motion passes through simulated wires, analog converter and gyroscope,
- * the USB reports, the kiosk's decoder and its input validation. */
+ * --simulate`. The computed motion passes through the simulated wires, analog converter and
+ * gyroscope, then through USB reports, and then through the kiosk's decoder and input
+ * validation. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -18,7 +19,8 @@
 #include "platform/kiosk/kiosk.h"
 #include "tests/unit/support/hid_wire.h"
 
-#define REPORT_NS 4000000ull /* 250 reports per second. */
+/* Time between two reports in ns, for 250 reports per second. */
+#define REPORT_NS 4000000ull
 #define FRAME_NS 16666667ull
 
 static struct {
@@ -91,8 +93,8 @@ static void test_a_simulated_poi_starts_a_round_and_catches_fish(void **state)
     assert_true(rounds >= 2);
     assert_int_equal(lost_frames, 0);
     assert_true(dips >= 10);
-    /* The motion follows a script that does not aim at fish, so only half of a player's usual catch
-     * is required. */
+    /* The motion follows a script that does not aim at fish. The test therefore requires only half
+     * of the fish that a player usually catches. */
     assert_true(landed >= 4);
     assert_int_equal(stall.poi.decoder.refused_count + stall.poi.decoder.gap_count, 0);
 }

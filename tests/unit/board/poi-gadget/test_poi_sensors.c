@@ -29,7 +29,7 @@ static void path_of(char path[256], const char *leaf)
     snprintf(path, 256, "%s/%s", root, leaf);
 }
 
-/* Writes a file under the simulated root folder. Creates its parent folders. */
+/* Writes a file below the simulated root folder, and creates its parent folders. */
 static void put(const char *leaf, const char *text)
 {
     char path[256];
@@ -56,8 +56,8 @@ static long number_in(const char *leaf)
     return strtol(text, NULL, 10);
 }
 
-/* Creates device files for an analog converter, an IMU with sensor fusion, an IMU without sensor
- * fusion, two input devices, and a thermometer that must be ignored. */
+/* Creates device files of an analog converter, an IMU with sensor fusion, an IMU without sensor
+ * fusion, two input devices, and a thermometer that the driver must ignore. */
 static int build_board(void **state)
 {
     (void)state;
@@ -112,7 +112,8 @@ static void test_sensors_are_found_by_name_and_scaled_to_their_units(void **stat
     assert_false(readings.fuses);
     assert_float_equal(readings.gyro_rad_s.x, -0.5f, 1e-6f);
     assert_float_equal(readings.accel_m_s2.y, 9.7976f, 1e-3f);
-    /* The sensor file stays open between two reads, and each read must return the current value. */
+    /* Changes the value while the sensor's file is open. The next read must return the new
+     * value. */
     put(IIO "1/in_voltage0_raw", "1234\n");
     assert_true(sensors_read(&sensors, &readings));
     assert_float_equal(readings.wire[0], 1234.0f, 0.0f);
@@ -131,7 +132,8 @@ static void test_a_quaternion_is_read_in_the_order_of_its_driver(void **state)
     assert_float_equal(readings.turn.w, 16384.0f, 0.0f);
     assert_float_equal(readings.turn.z, 3.0f, 0.0f);
     sensors_close(&sensors);
-    /* This driver (a HID sensor hub) uses the order of the kernel ABI, x y z w. */
+    /* This driver (a HID sensor hub) gives the quaternion in the order of the kernel ABI: x y z
+     * w. */
     put(IIO "3/name", "dev_rotation\n");
     strcpy(config.imu, "dev_rotation");
     assert_true(sensors_open(&sensors, &config, root, why));
@@ -177,7 +179,7 @@ static void test_the_position_is_lost_while_the_converter_fails(void **state)
         snprintf(text, sizeof text, "%.0f\n", (double)truth.wire[i]);
         put(leaf, text);
     }
-    /* A rotation for which the poi is level. The +z axis of the sensor's world points up. */
+    /* With this rotation the poi is level, because the +z axis of the sensor's world points up. */
     put(IIO "3/in_rot_quaternion_raw", "11585 11585 0 0\n");
     assert_true(sensors_open(&own.sensors, &config, root, why));
     struct pose_source source = sensors_source(&own, &config);
@@ -187,7 +189,7 @@ static void test_the_position_is_lost_while_the_converter_fails(void **state)
     assert_true(v3_length(v3_sub(out.target.position_m, hand.target.position_m)) < 0.002f);
     put(IIO "1/in_voltage1_raw", "");
     for (uint32_t n = 0; n <= SENSOR_GONE_BEATS; n++) {
-        /* A short failure of a sensor does not change the pose. */
+        /* While the sensor has failed only for a short time, the position stays valid. */
         assert_true(f_is_finite(out.target.position_m.x));
         source.step(source.self, 0.004f, &out);
     }
@@ -223,7 +225,8 @@ static void test_gpio_keys_are_read_as_levels_and_other_devices_ignored(void **s
     press(BTN_START, 0);
     press(KEY_Q, 1);
     assert_int_equal(sensors_held_keys(&keys), POI_BUTTON_OK);
-    press(BTN_TRIGGER, 2); /* Value 2 is a repeat event, which means that the key is still held. */
+    /* The event value 2 means that a held key is repeated. */
+    press(BTN_TRIGGER, 2);
     press(BTN_DPAD_LEFT, 1);
     press(BTN_DPAD_RIGHT, 1);
     press(BTN_THUMB, 1);
@@ -253,10 +256,12 @@ static void test_the_motor_follows_its_level_and_stops_at_zero(void **state)
     const struct feel_sink sink = motor_sink(&motor);
     const struct poi_force blow = { .slap = 0.5f };
     sink.feel(sink.self, &blow, 0.004f);
-    /* The motor turns only at a duty of 0.2 or more, so the level 0.5 gives a duty of 0.6. */
+    /* The motor turns only at a duty of 0.2 or more. The levels from 0 to 1 are therefore mapped to
+     * 0.2 to 1, and the level 0.5 gives a duty of 0.6. */
     assert_in_range(number_in("sys/class/pwm/pwmchip0/pwm1/duty_cycle"), 2999990, 3000010);
     assert_int_equal(number_in("sys/class/leds/poi/brightness"), 128);
-    /* After a shorter number, no digits of the old number may remain. */
+    /* Clears the files, because a shorter number that is written over a longer one would leave the
+     * last digits of the old number. */
     put("sys/class/pwm/pwmchip0/pwm1/duty_cycle", "");
     put("sys/class/leds/poi/brightness", "");
     sink.stop(sink.self);

@@ -1,5 +1,5 @@
-/* test_pose_script.c -- tests scripts, in which each line is a pose: parsing, rejection, writing
- * and interpolation. */
+/* test_pose_script.c -- tests scripts of poses, in which each line is a pose. The tests parse,
+ * reject, write and interpolate lines. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -111,7 +111,8 @@ static void test_an_interpolation_takes_its_time_and_ends_at_its_target(void **s
         assert_int_equal(pose_tape_step(&tape, 0.01f, &out), 1);
         assert_true(out.target.position_m.x > before_m);
         assert_int_equal(out.buttons, POI_BUTTON_OK);
-        /* From 170 to -170 degrees the shorter way leads through 180 degrees, not through 0. */
+        /* Between 170 and -170 degrees, the interpolation must take the shorter way through 180
+         * degrees, not through 0. */
         assert_true(f_abs(out.target.angles.yaw_rad) > 169.0f * F_DEG);
         if (i == 5) {
             assert_float_equal(out.target.position_m.x, 0.05f, 1e-5f);
@@ -132,7 +133,7 @@ static void test_a_script_that_waits_for_input_keeps_the_pose(void **state)
     struct poi_report out = { 0 };
     assert_int_equal(pose_tape_step(&tape, 0.01f, &out), 0);
     feed(&tape, "100 0 0 0");
-    /* The line has no line end yet, so it is not executed. */
+    /* The text has no line end yet, so the line is not executed. */
     assert_int_equal(pose_tape_step(&tape, 0.01f, &out), 0);
     feed(&tape, " 0 0\n");
     for (uint32_t i = 0; i < 20; i++) {
@@ -142,7 +143,8 @@ static void test_a_script_that_waits_for_input_keeps_the_pose(void **state)
     feed(&tape, "lost\n200 0 0 0 0 0");
     assert_int_equal(pose_tape_step(&tape, 0.01f, &out), 1);
     assert_false(f_is_finite(out.target.position_m.x));
-    tape.ended = 1; /* At the end of the file, the last line is executed even without a line end. */
+    /* The last line of a file is executed even if it has no line end. */
+    tape.ended = 1;
     assert_int_equal(pose_tape_step(&tape, 0.01f, &out), 1);
     assert_float_equal(out.target.position_m.x, 0.2f, 0.0f);
     assert_int_equal(pose_tape_step(&tape, 0.01f, &out), 0);
@@ -191,17 +193,18 @@ static void test_missed_periods_skip_lines_and_keep_their_keys(void **state)
     close(ends[1]);
     assert_int_equal(source.step(source.self, 0.01f, &out), POSE_NEW);
     assert_float_equal(out.target.position_m.x, 0.010f, 2e-5f);
-    /* 0.02 s is two periods, so one pose of the script was skipped. */
+    /* The step of 0.02 s is two periods, so one pose of the script was skipped. Its START must
+     * still be reported. */
     assert_int_equal(source.step(source.self, 0.02f, &out), POSE_NEW);
     assert_float_equal(out.target.position_m.x, 0.030f, 2e-5f);
     assert_int_equal(out.buttons, POI_BUTTON_START);
     assert_int_equal(source.step(source.self, 0.01f, &out), POSE_NEW);
     assert_float_equal(out.target.position_m.x, 0.040f, 2e-5f);
     assert_int_equal(out.buttons, 0);
-    /* Half of the interpolation time has passed. */
+    /* Half of the time of the interpolated line has passed. */
     assert_int_equal(source.step(source.self, 0.02f, &out), POSE_NEW);
     assert_float_equal(out.target.position_m.x, 0.060f, 2e-5f);
-    /* The interpolation is complete. */
+    /* The interpolated line has reached its end. */
     assert_int_equal(source.step(source.self, 0.50f, &out), POSE_NEW);
     assert_float_equal(out.target.position_m.x, 0.090f, 2e-5f);
     assert_int_equal(source.step(source.self, 0.01f, &out), POSE_END);
