@@ -65,8 +65,8 @@ static void test_a_worn_stick_at_rest_moves_nothing(void **state)
     assert_true(after_ms(800).position_m.x > before.x + 0.001f);
 }
 
-/* Some sticks have a square range. A diagonal deflection must then not be faster than a straight
- * one. */
+/* Some sticks have a square range, so that a diagonal deflection can exceed 1. The ring must
+ * nevertheless move at the same speed in every direction. */
 static void test_a_diagonal_stick_is_as_fast_as_a_straight_one(void **state)
 {
     (void)state;
@@ -187,8 +187,8 @@ static void test_any_rest_orientation_of_the_gamepad_is_level(void **state)
     assert_true(f_abs(angles.pitch_rad) < 0.01f && f_abs(angles.roll_rad) < 0.01f);
 }
 
-/* A rotation must tilt the ring at once (gyroscope), and the tilt must not drift during a dip
- * (accelerometer). */
+/* A rotation of the gamepad must tilt the ring at once, because the gyroscope measures it. The tilt
+ * must not drift during a dip, because the accelerometer corrects it. */
 static void test_gamepad_rotation_tilts_the_ring_without_drift(void **state)
 {
     (void)state;
@@ -196,11 +196,11 @@ static void test_gamepad_rotation_tilts_the_ring_without_drift(void **state)
     after_ms(100);
     set_buttons(GAMEPAD_SOUTH);
     after_ms(500);
-    /* Rolls the right side of the gamepad down at 2 rad/s for the following 250 ms. */
+    /* The right side of the gamepad turns down at 2 rad/s during the following 250 ms. */
     turn(v3(0.0f, 0.0f, -2.0f));
     after_ms(250);
-    /* From here on, the gyroscope reports only its bias of 0.02 rad/s (about one degree per
-     * second). */
+    /* The gamepad is at rest from here on. Its gyroscope still reports a bias of 0.02 rad/s, about
+     * one degree per second. */
     turn(v3(0.0f, 0.0f, 0.02f));
     const float at_once = after_ms(200).angles.roll_rad;
     assert_true(at_once > 0.30f && at_once < 0.50f);
@@ -261,8 +261,8 @@ static int begin_sim(void **state)
     return poi.ops->open(poi.self);
 }
 
-/* Polls for `ms` milliseconds and checks that each sample is a possible motion after the previous
- * one. Returns the number of samples. */
+/* Polls for `ms` milliseconds, once every `frame_ms`. Checks that a hand can move from each sample
+ * to the next one. Returns the number of samples. */
 static uint32_t play_ms(uint64_t ms, uint64_t frame_ms)
 {
     struct poi_sample samples[HAL_POI_SAMPLES_MAX];
@@ -292,7 +292,7 @@ static void test_there_is_one_sample_per_tick_at_every_frame_rate(void **state)
         begin_sim(state);
         const uint32_t count = play_ms(3200, frame_ms);
         const uint32_t ticks = 3200u * CORE_TICK_HZ / 1000u;
-        /* Rounding may lose one tick in each frame. */
+        /* Each frame may have one sample less than ticks, because of rounding. */
         assert_true(count + 3200u / frame_ms >= ticks);
     }
 }
@@ -335,13 +335,13 @@ static void test_a_burst_of_reports_after_a_pause_loses_no_press(void **state)
         device.ops->poll(device.self, &buttons);
         edges += (buttons.pressed & INPUT_START) != 0;
     }
-    /* Nine presses within one poll count as one press. */
+    /* Nine presses between two polls count as one press. */
     assert_int_equal(edges, 1);
     assert_int_equal(sim.feed.next, SCRIPT);
 }
 
-/* Unplugs the gamepad at each of its 1,000 reports. The loss must be reported, and the gamepad must
- * work again when it is plugged in. */
+/* Unplugs the gamepad at each of its 1,000 reports. Each time the loss must be reported, and the
+ * gamepad must work again after it is plugged in. */
 static void test_the_gamepad_can_be_unplugged_at_any_report(void **state)
 {
     (void)state;

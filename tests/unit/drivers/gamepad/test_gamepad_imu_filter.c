@@ -47,7 +47,7 @@ static void test_an_old_angular_rate_is_not_extrapolated_further(void **state)
     struct gamepad_imu_filter tilt = level_pad();
     gamepad_imu_filter_add_rotation(&tilt, BEGIN_NS, v3(0.0f, 0.0f, 1.0f));
     const struct angles late = gamepad_imu_filter_at(&tilt, BEGIN_NS + 10000u * MS_NS, 0);
-    /* Without new reports, a rotation is extrapolated for at most 0.25 s. */
+    /* A rotation is extrapolated for at most 0.25 s after the newest report. */
     assert_true(f_abs(late.roll_rad) > 0.15f);
     assert_true(f_abs(late.roll_rad) < 0.25f);
 }
@@ -73,7 +73,8 @@ static void test_gravity_corrects_the_drift_within_seconds(void **state)
         gamepad_imu_filter_add_gravity(&tilt, BEGIN_NS + ms * MS_NS, leaning);
     }
     const float late = f_abs(gamepad_imu_filter_at(&tilt, BEGIN_NS + 3000u * MS_NS, 0).pitch_rad);
-    assert_true(soon < 0.1f); /* One report after 0.1 s corrects about a sixth of the error. */
+    assert_true(soon < 0.1f); /* One report after 0.1 s corrects only about a sixth of the error of
+                                 0.5 rad. */
     assert_float_equal(late, 0.5f - 2.0f * F_DEG, 0.02f);
 }
 

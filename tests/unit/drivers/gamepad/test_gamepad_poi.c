@@ -119,8 +119,8 @@ static void test_a_gamepad_that_was_connected_at_the_start_is_opened(void **stat
     (void)state;
     attach(1);
     gamepads_close(&gamepads);
-    /* The previous test has quit SDL's joystick subsystem, which also stopped the game controller
-     * subsystem. */
+    /* The previous test shut down SDL's joystick subsystem, and SDL then also shut down the game
+     * controller subsystem. */
     SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER);
     attach(1);
     gamepads_init(&gamepads, sim_clock_device(&clock_state), stall_view());
@@ -142,7 +142,7 @@ static void test_the_stick_moves_the_ring_to_the_right_and_the_trigger_dips(void
     newest(0);
     wait_ms(500);
     const vec3 after = newest(0).target.position_m;
-    /* At 0.55 m/s the ring has moved by about 0.25 m. */
+    /* The ring moves at 0.55 m/s, so it has moved by about 0.25 m. */
     assert_true(after.x > before.x + 0.20f && after.x < before.x + 0.29f);
     assert_true(f_abs(after.z - before.z) < 0.02f);
     SDL_JoystickSetVirtualAxis(joystick(0), SDL_CONTROLLER_AXIS_LEFTX, 0);
@@ -239,8 +239,8 @@ static void test_a_device_of_another_driver_is_not_opened(void **state)
 }
 
 /* The operator has assigned one of two equal devices to the HID driver, by its serial number. SDL
- * must keep the other one, so SDL's ignore hint must not contain their common vendor and product
- * id. A device without a readable serial number counts as assigned. */
+ * must still open the other device, so SDL's ignore hint must not contain their common vendor and
+ * product id. A device without a readable serial number counts as assigned. */
 static void test_one_of_two_equal_gamepads_is_excluded_by_its_serial_number(void **state)
 {
     (void)state;

@@ -141,13 +141,14 @@ static void test_no_step_between_two_ticks_is_a_pose_jump(void **state)
         const float side = i / 60u % 2u ? 1.0f : -1.0f;
         push(v3(side, -side, side), v3(side, side, side), i / 45u % 2u ? POINTER_DIP : 0u);
         const vec3 now = after(8).position_m;
-        /* 11 mm in 8 ms is about 1.4 m/s. Dip and horizontal motion together must be slower. */
+        /* 11 mm in 8 ms is about 1.4 m/s. The ring must be slower, even if it dips and moves
+         * sideways at the same time. */
         assert_true(v3_length(v3_sub(now, before)) < 0.011f);
         before = now;
     }
 }
 
-/* The dip is the same as with a pointer (test_pointer_poi.c). */
+/* A press of 20 ms must give a complete dip, as with a pointer (test_pointer_poi.c). */
 static void test_a_short_press_completes_the_dip_from_the_near_side(void **state)
 {
     (void)state;
@@ -167,14 +168,15 @@ static void test_a_short_press_completes_the_dip_from_the_near_side(void **state
     }
     assert_float_equal(lowest_m, DIP_DEPTH_M, 1e-4f);
     assert_true(nearest_m > hover_z_m + 0.005f && nearest_m < hover_z_m + DIP_NEAR_M);
-    /* The lift follows the line of sight, so its end is farther from the player than its start. */
+    /* The lift follows the line of sight away from the player, so it ends farther away than the dip
+     * began. */
     assert_true(end_z_m < hover_z_m - 0.03f);
     assert_float_equal(after(0).position_m.y, DIP_HOVER_M, 1e-5f);
     assert_float_equal(after(0).position_m.z, hover_z_m, 1e-5f);
 }
 
-/* The button is released, and then no pose is read for longer than the stick's motion is
- * integrated. */
+/* After the button is released, no pose is read for 1.5 s. The motion of the stick is not
+ * integrated over a gap of more than 1 s, but the lift must still be completed. */
 static void test_a_pause_without_samples_does_not_delay_the_lift(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_coin_mech.c -- tests which pulses of the coin line are counted as coins and which as
- * faults. */
+/* test_coin_mech.c -- tests which pulses of a coin line are counted as coins, and which are counted
+ * as faults. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -109,8 +109,8 @@ static void test_a_stuck_coin_is_reported_once_and_while_it_is_stuck(void **stat
     assert_counts(&mech, 0, 0, 1, 0);
     gpio_coin_settle(&mech, 60000 * MS);
     gpio_coin_edge(&mech, 61000 * MS, false);
-    /* The stuck coin finally falls and its contact bounces. The bounces must count neither as a
-     * coin nor as a fault. */
+    /* The coin that was stuck falls now, and its contact bounces. The bounces must count neither as
+     * a coin nor as a fault. */
     gpio_coin_edge(&mech, 61005 * MS, true);
     gpio_coin_edge(&mech, 61030 * MS, false);
     gpio_coin_settle(&mech, 62000 * MS);

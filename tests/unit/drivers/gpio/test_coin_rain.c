@@ -1,12 +1,12 @@
-/* test_coin_rain.c -- tests the coin count over a simulated day with contact bounce, slow frames
- * and a GPIO thread that is not always scheduled. */
+/* test_coin_rain.c -- tests that all coins of a simulated day are counted. The contacts bounce,
+ * some frames are slow, and the GPIO thread sometimes stops for a while. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 
 #include <cmocka.h>
 
-/* Including this header makes tests.mk link the test with shell.a. */
+/* This header makes tests.mk link the test with shell.a, the library of drivers and platform. */
 #include "drivers/gpio/gpio_thread.h"
 #include "tests/gpio/coin_rain.h"
 
@@ -26,9 +26,10 @@ static void assert_exact(const struct rain_result *result)
     assert_int_equal(result->late, 0);
 }
 
-/* All jams and at least 90 % of the short pulses must be reported as faults. A late kernel makes
- * some short pulses look like glitches. Two glitches that look like a coin are reported as doubtful
- * if the GPIO thread did not see the level between them. */
+/* Asserts that all jams and at least 90 % of the short pulses were reported as faults. If the
+ * kernel reads the level late, a short pulse can look like a glitch and is not reported. A pair of
+ * glitches can look like a coin. Such a pair is reported as doubtful, unless the GPIO thread polled
+ * the level between the glitches. */
 static void assert_faults_reported(const struct rain_result *result)
 {
     assert_in_range(result->faults - result->doubtful, result->jams + result->knocks * 9u / 10u,
@@ -58,7 +59,7 @@ static void test_the_simulated_day_contains_long_frames_and_reader_stalls(void *
     const struct rain_result result = rain(1);
     assert_true(result.longest_frame_ns > 2500000000u);
     assert_true(result.longest_stall_ns > 90000000u);
-    /* The kernel read the level late more often than once per coin. */
+    /* The simulated kernel read the level of the line too late more often than once per coin. */
     assert_true(result.blinks > COINS);
 }
 

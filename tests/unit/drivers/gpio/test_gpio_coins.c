@@ -21,7 +21,7 @@ static void test_a_stalled_frame_loop_loses_no_coin(void **state)
     static struct fixture fixture;
     PLAY(&fixture, events);
     while (fixture.sim.now_ns < 3000 * MS) {
-        /* Runs only the GPIO thread. The frame loop polls after all coins. */
+        /* Runs only the GPIO thread. The frame loop does not poll before all coins have passed. */
         gpio_thread_step(&fixture.gpio);
     }
     poll(&fixture);
@@ -51,7 +51,8 @@ static void test_a_stalled_gpio_thread_loses_no_coin(void **state)
     end(&fixture);
 }
 
-/* Two coins in two chutes give overlapping pulses. Each line must be evaluated alone. */
+/* Two coins in two chutes give overlapping pulses. The pulses of each line must be counted
+ * independently. */
 static void test_each_coin_line_is_counted_separately(void **state)
 {
     (void)state;
@@ -91,7 +92,7 @@ static void test_too_long_and_too_short_pulses_are_faults_and_no_coins(void **st
         LEVEL(100, GPIO_COIN, 1),
         LEVEL(108, GPIO_COIN, 0),
         LEVEL(200, GPIO_COIN, 1),
-        LEVEL(201, GPIO_COIN, 0), /* A glitch, shorter than the debounce period. */
+        LEVEL(201, GPIO_COIN, 0), /* This glitch of 1 ms is shorter than the debounce period. */
         /* A jam: the coin is stuck for 1.7 s. */
         LEVEL(300, GPIO_COIN, 1),
         LEVEL(2000, GPIO_COIN, 0),
@@ -163,10 +164,10 @@ static uint64_t cabinet_coins(struct gpio_sim_event events[2 * CABINET_COINS])
     return time_ms;
 }
 
-/* Simulates Linux on an emulated machine with two processors. The processor that handles
- * interrupts is sometimes stopped for longer than a pulse, while the other one runs. The edges
- * are then reported late and with the later level. An edge that was masked gets the time of its
- * unmasking. */
+/* Simulates Linux on an emulated machine with two processors. The processor that handles interrupts
+ * is sometimes stopped for longer than a pulse, while the other processor runs. The kernel then
+ * reports edges late and with the level of a later time. An edge that occurred while interrupts
+ * were masked gets the time at which they were unmasked. */
 static void test_200_coins_are_counted_when_edges_are_late_and_have_the_wrong_level(void **state)
 {
     (void)state;

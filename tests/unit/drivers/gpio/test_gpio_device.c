@@ -17,8 +17,8 @@
 #define COINS 3000u
 #define CYCLES 20u /* Number of times that the chip is unplugged and plugged in again. */
 
-/* Script of events: coins and presses of START in turn. The chip is removed CYCLES times between
- * two coins. */
+/* Source of events: coins and presses of START in turn. The chip is removed CYCLES times in total,
+ * each time between two coins. */
 struct day {
     uint32_t step, coins;
     uint64_t time_ns;
@@ -33,8 +33,8 @@ static bool next_of_day(void *self, struct gpio_sim_event *out)
     }
     day->step++;
     day->time_ns += edge == 0 ? 60 * MS : 30 * MS;
-    /* Of the four events of a coin, event 2 removes the chip and event 3 brings the chip back 1.5 s
-     * later. */
+    /* Each coin has four events. Every COINS / CYCLES coins, event 2 removes the chip and event 3
+     * brings the chip back 1.5 s later. */
     if (coin % (COINS / CYCLES) == 0 && edge >= 2) {
         day->time_ns += edge == 3 ? 1500 * MS : 0;
         *out = (struct gpio_sim_event){ day->time_ns, edge == 2 ? GPIO_SIM_GONE : GPIO_SIM_BACK, 0,
@@ -83,7 +83,7 @@ static void test_coins_and_faults_cross_to_the_frame_loop_once_each(void **state
     const struct hal_buttons buttons = gpio_thread_buttons(&gpio);
     const struct hal_switches switches = gpio_thread_switches(&gpio);
     uint32_t coins = 0, faults = 0, polls = 0, coin_edges = 0, start_edges = 0;
-    /* 20,000 polls are a timeout of at least 10 s. */
+    /* The loop ends at the latest after 20,000 polls, which take at least 10 s. */
     while (coins < COINS && polls < 20000u) {
         struct button_sample sample;
         assert_int_equal(buttons.ops->poll(buttons.self, &sample), HAL_OK);

@@ -1,5 +1,5 @@
-/* test_gpio_edge_filter.c -- tests how the filter combines the edges and the polled levels of a
- * GPIO line if the kernel reports edges late or loses them. */
+/* test_gpio_edge_filter.c -- tests the filter that combines the edges of a GPIO line with its
+ * polled levels. The kernel may report edges late or lose them. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -12,7 +12,7 @@
 #define PERIOD_NS (3 * MS)
 
 static struct debounce_edge_time change;
-/* Time at which the thread reads the edges from the kernel; 0 means that each edge is read when it
+/* Time at which the thread reads an edge from the kernel. 0 means that each edge is read when it
  * occurs. */
 static uint64_t taken_ns;
 
@@ -76,8 +76,8 @@ static void test_two_glitches_that_are_read_late_are_no_pulse(void **state)
     assert_false(edge(&input, 125, false, 0));
     assert_false(level(&input, 130, false));
     assert_int_equal(input.doubtful, 1);
-    /* The next two edges are only 1 ms apart, which is too short for a pulse. They must therefore
-     * not be counted as doubtful or late. */
+    /* The edges at 200 and 201 ms are too close together for a pulse, so they must be counted
+     * neither as doubtful nor as late. */
     taken_ns = 160 * MS;
     assert_false(edge(&input, 200, false, 0));
     taken_ns = 0;
@@ -91,15 +91,16 @@ static void test_a_pulse_that_ended_before_its_edges_were_reported_is_a_pulse(vo
 {
     (void)state;
     struct gpio_edge_filter input = gpio_edge_filter_begin(PERIOD_NS, false, 0);
-    /* A poll detects the pulse before its edges are reported. */
+    /* The polls read a high level before the edges of the pulse are reported. */
     assert_false(level(&input, 102, true));
     assert_false(level(&input, 107, true));
     assert_false(level(&input, 112, true));
     taken_ns = 118 * MS;
-    /* The edge at 100 ms is reported after the end of the pulse, so the level is already low. */
+    /* The edge at 100 ms is reported when the pulse has already ended, so it is reported with a low
+     * level. */
     assert_false(edge(&input, 100, false, 0));
-    /* The falling edge has no time of its own: the kernel gives it the time at which the first edge
-     * was read (118 ms). */
+    /* The kernel did not record the time of the falling edge. It gives the edge the time at which
+     * the first edge was read, 118 ms. */
     assert_true(edge(&input, 118, false, 0));
     taken_ns = 0;
     assert_change(100, true);
@@ -116,8 +117,8 @@ static void test_a_pulse_ends_at_the_level_that_was_read_before_its_edges(void *
     assert_false(level(&input, 102, true));
     assert_false(level(&input, 107, true));
     assert_false(level(&input, 117, false));
-    /* The falling edge has the time 170 ms, but the line was already read as low at 117 ms, so the
-     * pulse ended then. */
+    /* The pulse ends at 117 ms, because the line was read as low then, although the falling edge
+     * has the later time 170 ms. */
     assert_true(edge(&input, 100, false, 0));
     assert_change(100, true);
     assert_true(edge(&input, 170, false, 0));
@@ -129,7 +130,7 @@ static void test_one_level_read_during_a_glitch_proves_no_pulse(void **state)
 {
     (void)state;
     struct gpio_edge_filter input = gpio_edge_filter_begin(PERIOD_NS, false, 0);
-    /* The poll at 100 ms reads the high level of the first of two glitches. */
+    /* The poll at 100 ms reads a high level, because it falls into the first of two glitches. */
     assert_false(level(&input, 100, true));
     taken_ns = 130 * MS;
     assert_false(edge(&input, 100, false, 0));
@@ -148,7 +149,7 @@ static void test_a_pulse_in_the_level_without_edges_is_counted_as_lost(void **st
     assert_false(level(&input, 102, true));
     assert_false(level(&input, 107, true));
     assert_false(level(&input, 112, false));
-    /* The edges of the pulse may still arrive, so they do not count as lost yet. */
+    /* The edges of the pulse may still arrive, so they are not counted as lost yet. */
     assert_int_equal(input.lost, 0);
     assert_false(edge(&input, 500, true, 0));
     assert_int_equal(input.lost, 1);
@@ -162,8 +163,8 @@ static void test_an_edge_older_than_an_accepted_level_changes_nothing(void **sta
     level(&input, 112, true);
     assert_true(level(&input, 122, true));
     assert_change(102, true);
-    /* The edge at 100 ms is the first edge of the pulse that the polls have already detected. The
-     * edge is read late, when the line is low again, and must not end the pulse. */
+    /* The edge at 100 ms began the pulse that the polls have already detected. It is reported late,
+     * with a low level, and must not end the pulse. */
     assert_false(edge(&input, 100, false, 0));
     assert_true(input.debounce.stable);
     assert_false(edge(&input, 160, false, 0));
@@ -178,9 +179,9 @@ static void test_blinks_within_a_bounce_are_no_doubtful_pair(void **state)
     struct gpio_edge_filter input = gpio_edge_filter_begin(PERIOD_NS, false, 0);
     taken_ns = 200 * MS;
     assert_false(edge(&input, 100, true, 0));
-    /* A second rising edge shows that the contact bounced while it closed. */
+    /* This second rising edge shows that the contact bounced when it closed. */
     assert_false(edge(&input, 101, true, 0));
-    /* Another rising edge, at 140 ms, shows that the contact bounced while it opened. */
+    /* This rising edge shows that the contact bounced when it opened. */
     assert_true(edge(&input, 140, true, 0));
     assert_change(101, true);
     assert_false(edge(&input, 141, false, 0));
@@ -195,9 +196,9 @@ static void test_a_pulse_whose_first_edge_is_read_late_keeps_its_width(void **st
     (void)state;
     struct gpio_edge_filter input = gpio_edge_filter_begin(PERIOD_NS, false, 0);
     assert_false(level(&input, 99, false));
-    /* This edge is reported late, at 106 ms. */
     assert_false(edge(&input, 100, true, 0));
-    /* The level was read before the contact closed, so it is still low. */
+    /* The poll at 101 ms still returns the old level, low. The pulse must begin at 100 ms all the
+     * same. */
     assert_false(level(&input, 101, false));
     assert_true(edge(&input, 120, false, 0));
     assert_change(100, true);
@@ -210,7 +211,8 @@ static void test_bounces_that_are_merged_into_one_edge_do_not_change_the_level(v
     (void)state;
     struct gpio_edge_filter input = gpio_edge_filter_begin(PERIOD_NS, false, 0);
     assert_false(edge(&input, 100, true, 0));
-    /* The contact opened and closed again. Both changes were read as one rising edge. */
+    /* The contact opened and closed again, and the kernel merged both changes into one rising
+     * edge. */
     assert_false(edge(&input, 102, true, 0));
     assert_true(edge(&input, 140, false, 0));
     assert_change(102, true);
@@ -224,8 +226,8 @@ static void test_lost_numbered_edges_are_counted_and_the_others_accepted(void **
     struct gpio_edge_filter input = gpio_edge_filter_begin(PERIOD_NS, false, 0);
     assert_false(edge(&input, 100, true, 0));
     assert_true(level(&input, 110, true));
-    /* The edge has the same level as before, which is explained by the 6 lost edges. The edge is
-     * therefore not counted as a change of the level. */
+    /* The edge has the same level as the edge before. This is possible because 6 edges were lost in
+     * between, so the edge does not count as a change. */
     assert_false(edge(&input, 200, true, 6));
     assert_int_equal(input.lost, 6);
     assert_false(level(&input, 300, true));
@@ -241,13 +243,14 @@ static void test_a_level_without_an_edge_is_accepted_after_the_timeout(void **st
     struct gpio_edge_filter input = gpio_edge_filter_begin(PERIOD_NS, false, 0);
     assert_false(level(&input, 100, true));
     assert_int_equal(gpio_edge_filter_due_ns(&input), 120 * MS);
-    /* The level is not accepted yet, because its edge may still arrive. */
+    /* The high level is not accepted before 120 ms, because its edge may still arrive. */
     assert_false(level(&input, 119, true));
     assert_int_equal(gpio_edge_filter_known_ns(&input, 119 * MS), 100 * MS);
     assert_true(level(&input, 120, true));
     assert_int_equal(input.lost, 1);
     assert_change(100, true);
-    /* The level was accepted at 120 ms. An older edge must not change anything. */
+    /* The high level was accepted at 120 ms, so an edge with an earlier time must change
+     * nothing. */
     assert_false(edge(&input, 99, true, 0));
     assert_false(level(&input, 200, true));
     assert_int_equal(input.lost, 1);

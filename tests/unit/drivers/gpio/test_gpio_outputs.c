@@ -97,13 +97,13 @@ static void test_pulses_wait_until_a_failing_line_switches_on(void **state)
     fixture.sim.failing_outputs = gpio_role_bit(GPIO_TICKET);
     assert_int_equal(switches.ops->pulse(switches.self, HAL_TICKET, 1), HAL_OK);
     run_until(&fixture, 2500);
-    /* A failure after a success counts as a second fault. */
+    /* The output failed again after a success, which counts as a second fault. */
     assert_int_equal(fixture.sum.faults, faults + 2u);
     end(&fixture);
 }
 
-/* Missing lines are requested again every second. Each request writes the reasons of all lines
- * anew. */
+/* The thread requests missing lines again every second. Each request also writes the reasons of all
+ * lines again, which must not hide the failing output. */
 static void test_a_failing_output_is_reported_beside_a_missing_line(void **state)
 {
     (void)state;
@@ -148,8 +148,8 @@ static void test_a_pulse_lasts_until_a_failing_line_switches_off(void **state)
     end(&fixture);
 }
 
-/* If the chip is removed during a pulse, the pulse counts as done, because the dispenser may have
- * given the ticket. */
+/* If the chip is removed during a pulse, the pulse counts as done and is not repeated. Otherwise
+ * the dispenser could give the ticket twice. */
 static void test_a_pulse_cut_by_the_loss_of_its_line_is_not_repeated(void **state)
 {
     (void)state;
@@ -205,14 +205,14 @@ static void test_coins_are_locked_out_until_the_lockout_is_released(void **state
     assert_int_equal(fixture.sim.outputs[GPIO_COIN_LOCKOUT], 1);
     run_until(&fixture, 500);
     assert_int_equal(fixture.sim.outputs[GPIO_COIN_LOCKOUT], 1);
-    /* The request of the line already contains the level 1 (locked), so no later call has set the
-     * level. */
+    /* The line was requested with the initial level 1 (locked), so the thread needed no call to set
+     * the level. */
     assert_int_equal(fixture.sim.set_count, 0);
     switches.ops->set(switches.self, HAL_COIN_LOCKOUT, 0);
     run_until(&fixture, 900);
     assert_int_equal(fixture.sim.outputs[GPIO_COIN_LOCKOUT], 0);
-    /* After the chip came back, the line has its initial level (locked). The thread must set the
-     * requested level again. */
+    /* The chip came back with the initial level (locked), so the thread must set the requested
+     * level (0) again. */
     run_until(&fixture, 4000);
     assert_int_equal(fixture.sim.outputs[GPIO_COIN_LOCKOUT], 0);
     assert_int_equal(fixture.sim.set_count, 2);
@@ -244,8 +244,8 @@ static void test_the_lines_of_a_killed_process_stay_locked(void **state)
     run_until(&fixture, 100);
     assert_int_equal(fixture.sim.outputs[GPIO_COIN_LOCKOUT], 0);
     const struct gpio_lines lines = gpio_lines_sim_device(&fixture.sim);
-    /* The kernel closes the lines of a killed process, which writes nothing any more. The idle
-     * level of the line must then lock the coin slot. */
+    /* When a process is killed, the kernel closes its lines without a further write. The idle level
+     * of the line must then lock the coin slot. */
     lines.ops->close(lines.self);
     assert_int_equal(fixture.sim.outputs[GPIO_COIN_LOCKOUT], 1);
     assert_int_equal(fixture.sim.outputs[GPIO_START_LAMP], 0);

@@ -85,8 +85,8 @@ static void test_edges_that_the_queue_dropped_are_faults_and_the_level_is_correc
         assert_int_equal(fixture.sim.dropped, 25);
         assert_int_equal(fixture.sum.held, INPUT_START);
         assert_int_equal(fixture.presses, 1);
-        /* If the kernel does not number its edges, only the changed level shows that an edge is
-         * missing. With numbers, all missing edges are counted. */
+        /* If the kernel numbers its edges, all 25 missing edges are counted. Without numbers, the
+         * filter detects only one missing edge, by the changed level. */
         assert_int_equal(fixture.sum.faults, numbered ? 25 : 1);
         end(&fixture);
     }
@@ -96,7 +96,7 @@ static void test_no_level_is_accepted_while_edges_are_unread(void **state)
 {
     (void)state;
     static struct gpio_sim_event events[66];
-    /* START bounces and fills the queue of 64 edges except for one place. */
+    /* START bounces 63 times, so one place is left in the kernel's queue of 64 edges. */
     for (uint32_t i = 0; i < 63; i++) {
         events[i] = (struct gpio_sim_event)LEVEL(100 + i, GPIO_START, i % 2 == 0);
     }
@@ -133,7 +133,7 @@ static void test_a_chip_that_disappears_is_one_fault_and_is_reopened(void **stat
     assert_int_equal(fixture.sum.faults, 1);
     run_until(&fixture, 3900);
     const uint32_t opened = fixture.sim.open_count;
-    /* The thread retries once per second and not in every step. */
+    /* The thread retries once per second instead of in every step. */
     assert_in_range(opened, 4, 6);
     run_until(&fixture, 5100);
     /* The chip came back, and the lamp was set again. */

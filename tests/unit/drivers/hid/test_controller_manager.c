@@ -1,5 +1,5 @@
-/* test_controller_manager.c -- tests how the operator chooses controllers and learns and stores
- * their mappings, with simulated devices. */
+/* test_controller_manager.c -- tests how the operator chooses controllers in the menu, teaches
+ * their mappings and stores them. The devices are simulated. */
 #include <fcntl.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -191,7 +191,7 @@ static void test_a_mapping_is_learned_tried_and_stored(void **state)
     assert_int_equal(order(COMMAND_LEARN_KEEP, 0), HAL_OK);
     assert_int_equal(frame().learn_step, LEARN_NONE);
     assert_non_null(hid_mapping_store_find(&store, &wire[0].face.identity));
-    /* The learned mapping stays in use after it is stored. */
+    /* The learned mapping is still used after it was stored. */
     assert_int_equal(slot[0].decoder.map.source, HID_MAPPING_LEARNED);
 }
 
@@ -207,7 +207,7 @@ static void test_a_mapping_that_is_not_stored_is_discarded(void **state)
     assert_int_equal(frame().learn_step, LEARN_NONE);
     assert_null(hid_mapping_store_find(&store, &wire[0].face.identity));
     assert_int_equal(slot[0].decoder.map.source, HID_MAPPING_KNOWN);
-    /* After the learning, the controller is used for play again. */
+    /* The controller was used for play before the learning, so it is used again afterwards. */
     assert_int_equal(frame().state[0], CONTROLLER_ACTIVE);
 }
 
@@ -215,19 +215,19 @@ static void test_an_unused_device_is_free_again_after_a_discarded_mapping(void *
 {
     (void)state;
     frame();
-    /* Learning begins before the gamepad has a slot, and is then cancelled. */
+    /* Starts to learn a gamepad that has no slot, and cancels the learning. */
     order(COMMAND_LEARN, 0);
     order(COMMAND_LEARN_END, 0);
     assert_int_equal(frame().state[0], CONTROLLER_FREE);
-    /* Learning is completed, and the operator tries the learned mapping. A second learning begins
-     * before the operator has kept the mapping, and is then cancelled. */
+    /* Completes the learning, so that the operator can try the mapping. Before the mapping is
+     * stored, a second learning begins and is cancelled. */
     teach();
     order(COMMAND_LEARN, 0);
     assert_int_equal(frame().state[0], CONTROLLER_ACTIVE);
     order(COMMAND_LEARN_END, 0);
     assert_int_equal(frame().state[0], CONTROLLER_FREE);
-    /* A device is used while it is learned. When the learning of another device begins, the
-     * learning of this device ends. */
+    /* Learns a device that has a slot. The learning of this device must end when the learning of
+     * another device begins. */
     order(COMMAND_LEARN, 0);
     frame();
     order(COMMAND_LEARN, 3);
@@ -348,7 +348,7 @@ static void test_learning_fails_if_the_device_is_unplugged(void **state)
     hid_device_list_sim_plug(&device_list, 0, NULL);
     frame();
     assert_int_equal(frame().learn_step, LEARN_FAILED);
-    /* The learning has failed, so there is no next step. */
+    /* The learning has failed, so this request for the next step has no effect. */
     order(COMMAND_LEARN_NEXT, 0);
     assert_int_equal(frame().learn_step, LEARN_FAILED);
     hid_device_list_sim_plug(&device_list, 0, &wire[0].face);

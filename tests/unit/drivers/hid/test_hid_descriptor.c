@@ -34,7 +34,7 @@ static void test_a_mouse_has_buttons_and_relative_axes(void **state)
              0x05, 0x01, 0x09, 0x30, 0x09, 0x31, 0x15, 0x81, 0x25, 0x7f, 0x75, 0x08, 0x95, 0x02,
              0x81, 0x06, END, END);
     assert_int_equal(error, HID_OK);
-    assert_int_equal(read_in.group_count, 2); /* Padding makes no group. */
+    assert_int_equal(read_in.group_count, 2); /* Padding bits form no group of fields. */
     const struct hid_group *axes = &read_in.group[1];
     assert_int_equal(axes->application, 0x00010002);
     assert_int_equal(axes->bit_offset, 8);
@@ -166,7 +166,8 @@ static void test_each_malformed_descriptor_is_rejected_with_its_error_offset(voi
     assert_int_equal(READ(JOYSTICK, 0x19, 0x05, 0x29, 0x02, END), HID_ERR_USAGE_RANGE);
     assert_int_equal(READ(JOYSTICK, 0xa9, 0x00, END), HID_ERR_DELIMITER);
     assert_int_equal(READ(JOYSTICK, 0xa9, 0x01, 0x09, 0x30, 0x81, 0x02, END), HID_ERR_DELIMITER);
-    /* The error is reported at the main item before which the delimited set should have ended. */
+    /* The delimited set should have ended before the main item at this offset, so the error is
+     * reported there. */
     assert_int_equal(read_in.error_offset, 10);
     assert_int_equal(READ(JOYSTICK, 0x77, 0xff, 0xff, 0xff, 0xff, 0x97, 0xff, 0xff, 0xff, 0xff,
                           0x09, 0x30, 0x81, 0x02, END),
@@ -242,7 +243,7 @@ static void test_a_parsed_descriptor_keeps_nothing_of_the_previous_one(void **st
 static void test_values_of_any_size_are_read_at_any_bit_offset(void **state)
 {
     (void)state;
-    /* Four fields: 3 bits, 32 bits (signed), 64 bits, and 1 bit (signed). */
+    /* The descriptor has four fields: 3 bits, 32 bits (signed), 64 bits, and 1 bit (signed). */
     assert_int_equal(READ(JOYSTICK, 0x75, 0x03, 0x95, 0x01, 0x09, 0x30, 0x81, 0x02, 0x17, 0, 0, 0,
                           0x80, 0x27, 0xff, 0xff, 0xff, 0x7f, 0x75, 0x20, 0x09, 0x31, 0x81, 0x02,
                           0x75, 0x40, 0x09, 0x32, 0x81, 0x02, 0x75, 0x01, 0x09, 0x33, 0x81, 0x02,
@@ -253,7 +254,7 @@ static void test_values_of_any_size_are_read_at_any_bit_offset(void **state)
     assert_true(hid_report_is_whole(&read_in, report));
     assert_int_equal(hid_field_value(&read_in, &read_in.group[0], 0, report), 5);
     assert_true(hid_field_value(&read_in, &read_in.group[1], 0, report) == -0x80000000ll);
-    /* A field wider than 32 bits returns its lowest 32 bits. */
+    /* Only the lowest 32 bits of the field of 64 bits are returned. */
     assert_true(hid_field_value(&read_in, &read_in.group[2], 0, report) == -0x3579bc01ll);
     assert_int_equal(hid_field_value(&read_in, &read_in.group[3], 0, report), -1);
 }

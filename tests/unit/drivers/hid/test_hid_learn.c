@@ -1,5 +1,5 @@
 /* test_hid_learn.c -- tests how a mapping is learned from motions that a user demonstrates with
- * real controllers. Afterwards the poi must follow the demonstrated directions. */
+ * real controllers. After the learning, the poi must move in the demonstrated directions. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -19,7 +19,8 @@ struct demo_device {
     const char *name;
     hid_usage x, z, dip;
     int report_id;  /* Id of the report that contains the fields x, z and dip. */
-    uint8_t manner; /* Kind of binding that must be found for the axes. */
+    uint8_t manner; /* Kind of binding (enum hid_binding) that the learning must find for the
+                       axes. */
     uint8_t says_in_range;
     /* 1 if the device is held rotated by 180 degrees, so that its left is the user's right. */
     int8_t turned;
@@ -80,9 +81,9 @@ static void send_motion(const struct demo_device *demo_device, float x, float z,
     send((uint8_t)demo_device->report_id);
 }
 
-/* Simulates a user who moves the device to (x, z) at a realistic speed and then goes on to the next
- * step of the learning. Before that, a device that does not report positions returns to its
- * middle. */
+/* Simulates a user who moves the device to (x, z) at a realistic speed. A device that does not
+ * report positions then returns to its middle. Finally the user requests the next step of the
+ * learning. */
 static void show(const struct demo_device *demo_device, float x, float z, int dips)
 {
     for (uint32_t i = 1; i <= 40; i++) {
@@ -147,7 +148,8 @@ static void hold_pose(const struct demo_device *demo_device)
     assert_float_equal(motion_of(&hand, demo_device, 0.5f, 0.5f, 1).y, DIP_DEPTH_M, 1e-3f);
 }
 
-/* Demonstrates the motions of a device. Checks the learned mapping and the poses that it gives. */
+/* Demonstrates the motions of a device. Checks the learned mapping, and the poses that the mapping
+ * gives. */
 static void learns_this(const struct demo_device *demo_device)
 {
     teach(demo_device);
@@ -287,7 +289,7 @@ static void test_without_a_motion_nothing_is_learned(void **state)
         hid_learn_next(&learn);
     }
     assert_int_equal(learn.step, LEARN_FAILED);
-    /* After a failure there is no next step. */
+    /* The learning has failed, so this request for the next step has no effect. */
     hid_learn_next(&learn);
     assert_int_equal(learn.step, LEARN_FAILED);
 }
@@ -317,7 +319,7 @@ static void test_a_keyboard_is_never_learned(void **state)
     wire_load(&wire, &clock_now, "041-hd-kye-0458-0138-1");
     hid_learn_begin(&learn, &wire.face);
     assert_int_equal(learn.step, LEARN_FAILED);
-    /* This device is a keyboard that also has a mouse. */
+    /* This device combines a keyboard with a mouse, and no keyboard can be learned. */
     wire_load(&wire, &clock_now, "207-hr-libinput-issue366-0003-046d-4082-0");
     hid_learn_begin(&learn, &wire.face);
     assert_int_equal(learn.step, LEARN_FAILED);

@@ -216,8 +216,8 @@ static void test_a_known_mapping_that_does_not_match_the_descriptor_is_unused(vo
 {
     (void)state;
     const struct hid_mapping map = map_of("187-hr-0003-045e-0040-0004", 0x054c, 0x0ce6);
-    /* The device has the USB ids of a known gamepad but the descriptor of a mouse. The descriptor
-     * decides. */
+    /* The USB ids are those of a known gamepad, but the descriptor is that of a mouse. The mapping
+     * must follow the descriptor. */
     assert_int_equal(map.source, HID_MAPPING_AUTO);
     assert_int_equal(map.style, HID_STYLE_POINTER);
 }
@@ -246,11 +246,13 @@ static void test_each_invalid_value_makes_a_mapping_invalid(void **state)
     SPOIL(map.source = HID_MAPPING_NONE);
     SPOIL(map.source = HID_MAPPING_LEARNED + 1);
     SPOIL(map.style = HID_STYLE_NONE);
-    SPOIL(map.style = HID_STYLE_POSE); /* Only a Kingyo poi reports poses. */
-    /* A pointer must report positions, but the axes of this device are velocities. */
+    SPOIL(map.style = HID_STYLE_POSE); /* The style for poses is invalid, because only a Kingyo poi
+                                          reports poses. */
+    /* The pointer style is invalid, because a pointer reports positions and the axes of this device
+     * report velocities. */
     SPOIL(map.style = HID_STYLE_POINTER);
     SPOIL(map.count = HID_BINDING_MAX + 1u);
-    SPOIL(map.count = 1); /* The mapping lacks the Z axis. */
+    SPOIL(map.count = 1); /* With one binding, the mapping lacks the Z axis. */
     SPOIL(map.binding[0].role = HID_ROLE_NONE);
     SPOIL(map.binding[0].role = HID_ROLE_COUNT);
     SPOIL(map.binding[0].manner = HID_BINDING_PRESS);
@@ -361,7 +363,8 @@ static void test_the_longest_mapping_fits_into_its_line(void **state)
     assert_true(back.binding[HID_BINDING_MAX - 1u].dead == HID_VALUE_MAX);
 }
 
-/* Simulates a joystick with two axes and an array of `elements` elements for the buttons 1 to 4. */
+/* Loads a simulated joystick with two axes. An array of `elements` elements reports the pressed
+ * ones of the buttons 1 to 4. */
 static void load_array(uint8_t elements)
 {
     const uint8_t bytes[] = { 0x05, 1,    0x09, 4,        0xa1, 1, 0x09, 0x30, 0x09, 0x31,
@@ -380,11 +383,11 @@ static void test_an_array_with_many_elements_is_not_bound(void **state)
     assert_int_equal(map.style, HID_STYLE_FLY);
     assert_int_equal(binding_of(&map, HID_ROLE_DIP)->usage, USAGE_BUTTON + 1u);
     load_array(HID_ARRAY_MAX + 1u);
-    /* `map` still uses the array of HID_ARRAY_MAX elements. A mapping file can contain such a
-     * mapping, which is invalid for the larger array. */
+    /* `map` was made for the array of HID_ARRAY_MAX elements, and the device now has a larger
+     * array. A mapping file can contain such an outdated mapping, which must be rejected. */
     assert_false(hid_mapping_is_sound(&map, &wire.descriptor));
     hid_mapping_choose(&map, &wire.face.identity, &wire.descriptor);
-    /* The array cannot be used, so no button is left for the dip, and there is no automatic
+    /* The array is too large to be used. There is therefore no button for the dip, and no automatic
      * mapping. */
     assert_int_equal(map.source, HID_MAPPING_NONE);
 }

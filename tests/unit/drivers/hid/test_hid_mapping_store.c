@@ -69,7 +69,7 @@ static struct hid_mapping learned(void)
     return map;
 }
 
-/* Stores a mapping. Retries while the store's thread is busy with the previous write. */
+/* Stores a mapping. Retries while the store's thread is still busy with an earlier write. */
 static int keep(const struct hid_identity *who, const struct hid_mapping *map)
 {
     int result;
@@ -102,7 +102,7 @@ static void test_a_stored_mapping_is_loaded_after_a_restart(void **state)
     assert_int_equal(open_book(), 0);
     assert_null(hid_mapping_store_find(&store, &who));
     assert_int_equal(keep(&who, &map), HAL_OK);
-    /* The mapping can be used before it is written. */
+    /* The store returns the mapping already before it is written to the file. */
     assert_non_null(hid_mapping_store_find(&store, &who));
     hid_mapping_store_close(&store);
     assert_int_equal(store.written_count, 1);

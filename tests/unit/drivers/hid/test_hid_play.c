@@ -21,12 +21,12 @@
 #define WIDTH 1920.0f
 #define HEIGHT 1080.0f
 
-/* Target to which the simulated player moves the ring. */
+/* Goal of the simulated player's next motion. */
 struct target {
     vec3 over_m; /* Point of the water surface above which the ring should be. */
     uint8_t dips;
-    /* 1 if the ring should be tipped over the bowl. A controller with a wrist does this by
-     * rotation. */
+    /* 1 if the ring should be tipped over the bowl. Only a controller that reports an orientation
+     * can tip the ring by rotation. */
     uint8_t is_tipping;
 };
 
@@ -37,15 +37,16 @@ static struct hid_player {
     struct hal hal;
     struct kiosk kiosk;
     struct target target;
-    /* Sends a report that moves the ring toward the target. Each kind of controller has its own
-     * function. */
+    /* Function of the tested kind of controller that sends a report to move the ring toward the
+     * target. */
     void (*send)(const struct target *target);
     uint32_t report_count;
     vec3 arm_m; /* Position of the simulated player's arm, for a controller that reports poses. */
     float tip_rad;
     struct dip dip; /* Downward or upward motion of the simulated player's arm. */
     uint8_t dipped;
-    float x_px, y_px; /* Fractions of a mouse count that have not been sent yet. */
+    float x_px, y_px; /* Mouse motion that has not been sent yet, because it is less than a whole
+                         count. */
 } player;
 
 static vec3 ring_m(void)
@@ -82,7 +83,8 @@ static void to_screen(vec3 point, float *x_px, float *y_px)
     *y_px = 0.5f * (1.0f - body.y / -body.z / tan_y) * HEIGHT;
 }
 
-/* Returns the deflection of a stick for a distance to the target; full deflection from 8 cm on. */
+/* Returns the stick deflection in [-1, 1] for a distance to the target. The deflection is full from
+ * 8 cm on. */
 static float push_of(float way_m)
 {
     return f_clamp(way_m / 0.08f, -1.0f, 1.0f);
@@ -124,8 +126,8 @@ static void send_3d_mouse(const struct target *target)
     wire_send(&player.wire, 1);
 }
 
-/* Moves the mouse toward the target by a fifth of the distance on the screen between the ring and
- * the target, at most `pace` pixels in each direction. */
+/* Moves the mouse by a fifth of the screen distance from the ring to the target, but by at most
+ * `pace` pixels on each axis. */
 static void send_mouse(const struct target *target)
 {
     float x_px, y_px, at_x_px, at_y_px;
@@ -144,11 +146,12 @@ static void send_mouse(const struct target *target)
     wire_send(&player.wire, wire_put(&player.wire, -1, USAGE_BUTTON + 1u, target->dips));
 }
 
-/* Moves the pen to the target in hovering range. The pen touches the tablet for a dip. */
+/* Holds the pen over the target within its hovering range. The pen touches the tablet to dip the
+ * ring. */
 static void send_pen(const struct target *target)
 {
     const int id = player.wire.descriptor.report_bits[9] && !player.wire.descriptor.report_bits[7]
-                       ? 9 /* Device 157 reports its pen together with a mouse in report 9. */
+                       ? 9 /* Report 9 of device 157 has both a pen and a mouse. */
                        : (int)player.poi.decoder.map.binding[0].report_id;
     float x_px, y_px;
     to_screen(target->over_m, &x_px, &y_px);
@@ -168,8 +171,8 @@ static void send_pen(const struct target *target)
     wire_send(&player.wire, (uint8_t)id);
 }
 
-/* A simulated arm holds a Kingyo poi. The arm has its own speed, dips as the mouse pointer does,
- * and rolls the ring over the bowl. */
+/* Simulates an arm that holds a Kingyo poi. The arm moves at a limited speed, dips as the mouse
+ * pointer does, and rolls the ring over the bowl. */
 static void send_own_poi(const struct target *target)
 {
     const float pace_m = (target->dips ? 0.10f : 0.35f) * (float)REPORT_NS * 1e-9f;
@@ -271,8 +274,8 @@ static void try_once(void)
     player.target.dips = 0;
     const int flies = player.poi.decoder.map.style == HID_STYLE_FLY;
     for (uint32_t i = 0; i < 70 || (i < 150 && ring_m().y < 0.02f); i++) {
-        /* In the style HID_STYLE_FLY the player releases the stick, so the target is the ring's own
-         * position. Other devices stay at the last target. */
+        /* With a controller of the style HID_STYLE_FLY the player releases the stick, so the target
+         * is the ring's own position. With any other controller the target stays where it was. */
         player.target.over_m = flies ? ring_m() : still_m;
         report();
     }
@@ -282,7 +285,7 @@ static void try_once(void)
 }
 
 /* Plays `rounds` rounds. Prints and returns the number of caught fish. Each test requires half of
- * the usual number. */
+ * the number that is usual for its controller. */
 static uint32_t landed_in(uint32_t rounds, const char *what)
 {
     uint32_t landed = 0;

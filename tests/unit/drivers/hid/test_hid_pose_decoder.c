@@ -84,14 +84,14 @@ static void test_a_trigger_dips_with_hysteresis(void **state)
     (void)state;
     rest_dualsense();
     assert_float_equal(sample_after(600).target.position_m.y, DIP_HOVER_M, 1e-4f);
-    /* Just below the threshold of half of the trigger's travel, so the ring does not dip. */
+    /* The trigger is just below its threshold (half of its travel), so the ring must not dip. */
     wire_put(&wire, 1, USAGE_RY, 126);
     send(1);
     assert_float_equal(sample_after(600).target.position_m.y, DIP_HOVER_M, 1e-4f);
     wire_put(&wire, 1, USAGE_RY, 130);
     send(1);
     assert_float_equal(sample_after(600).target.position_m.y, DIP_DEPTH_M, 1e-4f);
-    /* A trigger that goes a little below the threshold does not end the dip. */
+    /* The trigger is a little below the threshold again, which does not end the dip yet. */
     wire_put(&wire, 1, USAGE_RY, 110);
     send(1);
     assert_float_equal(sample_after(600).target.position_m.y, DIP_DEPTH_M, 1e-4f);
@@ -128,7 +128,7 @@ static void test_the_hat_and_the_middle_buttons_are_cabinet_buttons(void **state
         send(1);
         assert_int_equal(pressed(), of_direction[i]);
         send(1);
-        /* The hat is still held, which is not a second press. */
+        /* The hat is still held, so there is no second press. */
         assert_int_equal(pressed(), 0);
         wire_put(&wire, 1, USAGE_HAT, 8);
         send(1);
@@ -251,7 +251,7 @@ static void test_random_bytes_give_finite_poses(void **state)
             hid_pose_decoder_report(&decoder, &raw);
             if (hid_pose_decoder_sample(&decoder, now_ms * MS, &sample)) {
                 assert_true(v3_is_finite(sample.target.position_m));
-                /* The position must stay within the view. */
+                /* The ring must stay near the tank, which is less than 1 m wide. */
                 assert_true(v3_length(sample.target.position_m) < 5.0f);
                 assert_true(f_is_finite(sample.target.angles.pitch_rad));
                 assert_true(f_abs(sample.target.angles.roll_rad) < 4.0f);

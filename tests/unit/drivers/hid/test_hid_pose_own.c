@@ -46,7 +46,7 @@ static void test_a_kingyo_poi_has_the_pose_and_time_of_its_report(void **state)
     };
     assert_true(send_own(said, 0));
     const uint64_t report_ns = now_ms * MS;
-    /* A sample that is taken later still has the time of its report. */
+    /* The sample is taken later than its report, but its time is that of the report. */
     const struct poi_sample sample = sample_after(70);
     assert_int_equal(sample.time_ns, report_ns);
     assert_true(sample.has_wrist);
@@ -64,7 +64,7 @@ static void test_missing_reports_are_counted_and_duplicates_are_dropped(void **s
     connect_own_poi();
     assert_true(send_own(own_at(0.0f, 254, 0), 4));
     assert_true(send_own(own_at(0.1f, 255, 0), 4));
-    /* The sequence number wraps around, so no report is missing. */
+    /* The sequence number wraps around to this value, so no report is missing. */
     assert_true(send_own(own_at(0.2f, 0, 0), 4));
     assert_int_equal(decoder.gap_count, 0);
     assert_false(send_own(own_at(0.3f, 0, 0), 4));

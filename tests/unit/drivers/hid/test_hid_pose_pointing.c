@@ -29,11 +29,12 @@ static void test_a_3d_mouse_moves_and_rotates_on_all_axes(void **state)
     /* The ring has moved toward the player. */
     assert_true(sample_after(300).target.position_m.z > 0.04f);
     send_3d_mouse(USAGE_Z, 350);
-    assert_true(sample_after(300).target.position_m.y < 0.0f); /* The ring has moved down. */
+    assert_true(sample_after(300).target.position_m.y < 0.0f); /* The ring has moved down, below the
+                                                                  water surface. */
     send_3d_mouse(USAGE_RX, 350);
     assert_true(sample_after(300).target.angles.pitch_rad > 0.9f);
-    /* A rotation about the axis that points toward the player. The right side of the ring goes
-     * up. */
+    /* This rotation is about the axis that points toward the player, and raises the right side of
+     * the ring. */
     send_3d_mouse(USAGE_RY, 350);
     assert_true(sample_after(300).target.angles.roll_rad < -0.9f);
     send_3d_mouse(USAGE_RZ, 350); /* The rotation is clockwise, seen from above. */
@@ -63,7 +64,8 @@ static void test_an_old_3d_mouse_sends_translation_and_rotation_separately(void 
     wire_put(&wire, 1, USAGE_X, -350);
     send(1);
     wire_put(&wire, 2, USAGE_RX, 350);
-    send(2); /* Report 2 must not stop the translation that report 1 has started. */
+    send(2); /* The next report 2 (rotation) must not stop the translation that report 1 has
+                started. */
     const struct poi_target target = sample_after(400).target;
     assert_true(target.position_m.x < -0.1f);
     assert_true(target.angles.pitch_rad > 0.9f);
@@ -115,7 +117,7 @@ static void test_a_pen_gives_its_position_and_out_of_range_none(void **state)
     (void)state;
     connect("137-dg-huion-h610-if0", 0x256c, 0x006e);
     send_pen(0.0f, 0.0f, 0, 0);
-    /* The pen was never in range, so there is no pose yet. */
+    /* The pen has not been in range yet, so there is no pose. */
     assert_false(hid_pose_decoder_sample(&decoder, now_ms * MS, &sample));
     send_pen(0.25f, 0.5f, 1, 0);
     const vec3 left = sample_after(0).target.position_m;

@@ -27,8 +27,8 @@
 
 static struct hid_descriptor inputs, outputs;
 
-/* Changes Output items to Input items in a copy of the descriptor, because the parser ignores
- * output fields. */
+/* Changes the Output items of a copied descriptor to Input items. The parser ignores output fields,
+ * so only this change makes them readable. */
 static void read_outputs_as_inputs(uint8_t bytes[POI_DESCRIPTOR_SIZE])
 {
     for (uint32_t i = 0; i < POI_DESCRIPTOR_SIZE;) {

@@ -37,7 +37,7 @@ static void begin(void)
                  (struct hid_mapper){ 0 }, stall_view());
 }
 
-/* Sends the next pose on a circle above the water. Successive poses are 1 mm apart. */
+/* Sends the next pose on a circle above the water. Each pose is 1 mm from the one before. */
 static void send_next(void)
 {
     uint8_t bytes[POI_REPORT_SIZE];
@@ -124,7 +124,7 @@ static void test_force_is_sent_to_a_device_that_supports_it(void **state)
     assert_int_equal(sequence, 1);
     device.ops->set_force(device.self, &pull);
     poi_force_decode(fixture.wire.port.sent, fixture.wire.port.sent_size, &felt, &sequence);
-    assert_int_equal(sequence, 2); /* A failed output report does not use up a sequence number. */
+    assert_int_equal(sequence, 2); /* The output report that failed has used no sequence number. */
 }
 
 static void test_a_gamepad_gets_no_force_and_a_keyboard_is_no_poi(void **state)
@@ -218,8 +218,9 @@ static void test_valid_reports_are_accepted_again_after_each_fault(void **state)
             const int count = poll(samples);
             const int is_fine = frame < 5 || frame >= 15;
             assert_true(count >= 0);
-            /* Random bytes may look like a valid report with any sequence number, so that some
-             * later reports are rejected. Therefore this fault is not checked here. */
+            /* After random bytes, valid reports may be rejected for a while, because the bytes may
+             * look like a valid report with a later sequence number. The number of samples is
+             * therefore not checked after this fault. */
             if (is_fine && kind != HID_SIM_GARBAGE) {
                 assert_true(count >= (int)FRAME_REPORTS - 1);
             }
@@ -261,14 +262,14 @@ static void test_a_long_frame_gets_the_newest_report_and_counts_lost_ones(void *
     }
     assert_int_equal(poll(samples), HAL_POI_SAMPLES_MAX);
     assert_int_equal(samples[HAL_POI_SAMPLES_MAX - 1u].time_ns, fixture.clock.now_ns);
-    /* The queue was full, so all later reports except the newest were lost. */
+    /* The queue was full, so all further reports except the newest one were lost. */
     assert_int_equal(atomic_load(&fixture.wire.port.port.lost), HID_REPORTS_MAX);
     assert_int_equal(poll(samples), 0); /* No report is left. */
 }
 
-/* Gamepads send reports only on changes. In one frame of 0.1 s, the stick trembles at its end and
- * is then released. No report follows, so the release must not be lost. Otherwise the poi would
- * move on. */
+/* A gamepad sends a report only when a value changes. In one frame of 0.1 s, the stick is moved a
+ * little at its end and is then released. No other report follows. If the report of the release
+ * were lost, the poi would move on. */
 static void test_the_last_report_before_a_pause_is_never_lost(void **state)
 {
     struct poi_sample samples[HAL_POI_SAMPLES_MAX];
@@ -302,7 +303,8 @@ static void test_the_last_report_before_a_pause_is_never_lost(void **state)
         }
         const vec3 rest_m = samples[count - 1].target.position_m;
         assert_true(rest_m.y > 0.0f);
-        /* The poi only slows down to rest and does not move on to the end of its range. */
+        /* The poi comes to rest near the point of the release. It does not move on to the end of
+         * its range. */
         assert_true(f_abs(rest_m.x - let_go_m) < 0.03f);
     }
 }
@@ -384,8 +386,8 @@ static void test_a_poi_that_is_unplugged_in_a_round_is_lost_and_reopened(void **
     assert_true(controller_is_lost(&fixture.kiosk.core.world, 0));
     assert_int_equal(fixture.kiosk.core.game.phase, PHASE_ROUND);
     hid_port_sim_plug(&fixture.wire.port, &fixture.wire.face);
-    /* The kiosk retries to open the device once a second, and accepts its poses after another 0.25
-     * s. */
+    /* The kiosk opens the device again after at most one second, and accepts its poses after
+     * another 0.25 s. */
     frames(150);
     assert_false(controller_is_lost(&fixture.kiosk.core.world, 0));
     assert_int_equal(fixture.kiosk.core.game.phase, PHASE_ROUND);

@@ -1,5 +1,5 @@
-/* test_poi_touch.c -- tests which finger moves the ring, what two and three fingers mean, and the
- * handling of faulty touch events. */
+/* test_poi_touch.c -- tests how fingers on a touch panel control the ring. The first finger moves
+ * the ring, and two or three fingers have other functions. Also tests faulty touch events. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -132,8 +132,8 @@ static struct clock_sim twin_clock;
 static struct pointer_sim sim;
 static struct hal_poi twin;
 
-/* Prepares a script of touch events: one finger moves around. Every 0.48 s a second finger is put
- * down or lifted, which is long enough to complete a dip or a lift. */
+/* Prepares a script of touch events in which one finger moves around. Every 0.48 s a second finger
+ * is put down or lifted. This interval is long enough for a complete dip or lift. */
 static int begin_sim(void **state)
 {
     (void)state;
@@ -158,8 +158,8 @@ static int begin_sim(void **state)
     return twin.ops->open(twin.self);
 }
 
-/* Plays the rest of the script and checks that every sample is finite and that the samples are in
- * the order of time. Returns the last poll result. */
+/* Plays the rest of the script. Checks that every sample is finite and that the times of the
+ * samples never decrease. Returns the last poll result. */
 static int play_out(void)
 {
     struct poi_sample samples[HAL_POI_SAMPLES_MAX];
@@ -190,12 +190,12 @@ static void test_a_script_of_touches_moves_and_dips_the_ring(void **state)
         dips += before_m >= 0.0f && height_m < 0.0f;
         before_m = height_m;
     }
-    /* Each dip needs two of the 16 changes: the second finger is put down and lifted. */
+    /* The second finger is put down 8 times and lifted 8 times, which gives 8 dips. */
     assert_int_equal(dips, 8);
 }
 
 /* Duplicate, jumping, invalid and delayed events must still give finite samples in the order of
- * time. After every finger is lifted, no finger may be left over. */
+ * time. After every finger is lifted, no finger may count as touching. */
 static void test_a_faulty_panel_gives_finite_samples_in_order(void **state)
 {
     (void)state;

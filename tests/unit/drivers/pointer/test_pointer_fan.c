@@ -62,7 +62,7 @@ static void test_the_fan_moves_under_the_pointer_and_follows_it(void **state)
 }
 
 /* The fan must enter and leave across the near edge of the visible area without a jump, even if its
- * key is released while it is entering. */
+ * key is released while the fan is still entering. */
 static void test_the_fan_enters_and_leaves_without_a_jump(void **state)
 {
     (void)state;
